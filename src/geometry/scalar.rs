@@ -1,0 +1,26 @@
+//! What the predicates ask of a number: ring operations and a sign.
+
+use std::cmp::Ordering;
+
+/// The sign of a real number: `Less` for negative, `Equal` for zero, `Greater`
+/// for positive.
+pub type Sign = Ordering;
+
+/// An element of an ordered commutative ring. Predicates are polynomials, so
+/// nothing is ever divided. The operations take references because big numbers
+/// are not `Copy`.
+pub trait Scalar: Clone + std::fmt::Debug + Send + Sync {
+    /// The ring's image of an integer, in the ring of `self`.
+    fn integer(&self, value: i64) -> Self;
+    /// `self + other`
+    fn plus(&self, other: &Self) -> Self;
+    /// `self - other`
+    fn minus(&self, other: &Self) -> Self;
+    /// `self * other`
+    fn times(&self, other: &Self) -> Self;
+    /// The exact sign.
+    fn sign(&self) -> Sign;
+    /// The nearest double or one close to it; infinite beyond its range. Only
+    /// for filters that are confirmed exactly afterwards, and for display.
+    fn approximate(&self) -> f64;
+}

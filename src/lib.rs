@@ -1,0 +1,9 @@
+//! acutile proves that tilings by tetrahedra are valid and strictly acute.
+//!
+//! The rooms, in the direction in which data flows, are in ARCHITECTURE.md.
+
+#![forbid(unsafe_code)]
+
+pub mod certificate;
+#[cfg(feature = "prover")]
+pub mod geometry;
