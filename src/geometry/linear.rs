@@ -1,0 +1,92 @@
+//! Determinants, cofactors and quadratic forms of small matrices over any
+//! [`Scalar`]; nothing is divided.
+
+use super::Scalar;
+
+/// The determinant of a D x D matrix, by expansion along the first row.
+pub fn determinant<S: Scalar, const D: usize>(matrix: &[[S; D]; D]) -> S {
+    let rows: Vec<&[S]> = matrix.iter().map(|row| row.as_slice()).collect();
+    let columns: Vec<usize> = (0..D).collect();
+    minor(&rows, &columns)
+}
+
+/// The matrix of cofactors C, C_ij = (-1)^(i+j) times the minor without row i and
+/// column j. Its transpose is the adjugate: M C^T = det M.
+pub fn cofactors<S: Scalar, const D: usize>(matrix: &[[S; D]; D]) -> [[S; D]; D] {
+    std::array::from_fn(|i| std::array::from_fn(|j| cofactor(matrix, i, j)))
+}
+
+fn cofactor<S: Scalar, const D: usize>(matrix: &[[S; D]; D], i: usize, j: usize) -> S {
+    // Cyclic order of the other rows and columns makes the sign come out right in
+    // dimension 3 without a negation.
+    if D == 3 {
+        let [a, b, c, d] = [(i + 1) % 3, (i + 2) % 3, (j + 1) % 3, (j + 2) % 3];
+        return determinant2(&matrix[a][c], &matrix[a][d], &matrix[b][c], &matrix[b][d]);
+    }
+    let rows: Vec<&[S]> = (0..D)
+        .filter(|&k| k != i)
+        .map(|k| matrix[k].as_slice())
+        .collect();
+    let columns: Vec<usize> = (0..D).filter(|&k| k != j).collect();
+    if rows.is_empty() {
+        return matrix[0][0].integer(1);
+    }
+    let value = minor(&rows, &columns);
+    if (i + j) % 2 == 0 {
+        value
+    } else {
+        value.integer(0).minus(&value)
+    }
+}
+
+/// a d - b c
+fn determinant2<S: Scalar>(a: &S, b: &S, c: &S, d: &S) -> S {
+    a.times(d).minus(&b.times(c))
+}
+
+/// The determinant of the rows restricted to some columns, as many as rows.
+fn minor<S: Scalar>(rows: &[&[S]], columns: &[usize]) -> S {
+    match columns {
+        [j] => rows[0][*j].clone(),
+        [j, k] => determinant2(&rows[0][*j], &rows[0][*k], &rows[1][*j], &rows[1][*k]),
+        _ => expand(rows, columns),
+    }
+}
+
+fn expand<S: Scalar>(rows: &[&[S]], columns: &[usize]) -> S {
+    let mut sum = rows[0][columns[0]].integer(0);
+    for (position, &column) in columns.iter().enumerate() {
+        let others: Vec<usize> = columns.iter().copied().filter(|&c| c != column).collect();
+        let term = rows[0][column].times(&minor(&rows[1..], &others));
+        sum = if position % 2 == 0 {
+            sum.plus(&term)
+        } else {
+            sum.minus(&term)
+        };
+    }
+    sum
+}
+
+/// The sum of x_k y_k.
+pub fn dot<S: Scalar, const D: usize>(x: &[S; D], y: &[S; D]) -> S {
+    let mut sum = x[0].times(&y[0]);
+    for k in 1..D {
+        sum = sum.plus(&x[k].times(&y[k]));
+    }
+    sum
+}
+
+/// M x
+pub fn apply<S: Scalar, const D: usize>(matrix: &[[S; D]; D], x: &[S; D]) -> [S; D] {
+    std::array::from_fn(|i| dot(&matrix[i], x))
+}
+
+/// x^T M x: the squared length of a vector, for a Gram matrix M.
+pub fn square<S: Scalar, const D: usize>(gram: &[[S; D]; D], x: &[S; D]) -> S {
+    dot(x, &apply(gram, x))
+}
+
+/// x - y
+pub fn subtract<S: Scalar, const D: usize>(x: &[S; D], y: &[S; D]) -> [S; D] {
+    std::array::from_fn(|k| x[k].minus(&y[k]))
+}

@@ -1,0 +1,117 @@
+//! A simplex by its barycentric gradients: orientation, dihedral angles and the
+//! circumsphere as polynomials in the coordinates.
+//!
+//! Let e_1 … e_D be the edges from corner 0 of a D-simplex, in basis coordinates,
+//! E the matrix with these rows and d = det E. The barycentric coordinates are
+//! affine functions; write g_i for the gradient of the i-th one times d. Then
+//! g_1 … g_D are the rows of the cofactor matrix of E (g_i · e_j = d for i = j, 0
+//! otherwise) and g_0 = -(g_1 + … + g_D). For d > 0 the covector g_i is an inward
+//! normal of the facet opposite to corner i.
+//!
+//! Covectors are measured by the inverse of the Gram matrix G, or, up to the
+//! positive factor det G, by its adjugate: `cogram`. The dihedral angle t between
+//! the facets i and j has
+//!     cos t = -<g_i, g_j> / (|g_i| |g_j|),
+//! so it is acute exactly when <g_i, g_j> < 0 and right exactly when that is zero.
+
+use super::{Scalar, linear};
+
+/// The edges and scaled barycentric gradients of a simplex with D + 1 corners.
+#[derive(Clone, Debug)]
+pub struct Simplex<S, const D: usize> {
+    /// e_1 … e_D, in basis coordinates.
+    pub edges: [[S; D]; D],
+    /// g_1 … g_D; g_0 is [`Simplex::first_gradient`].
+    pub gradients: [[S; D]; D],
+    /// det E: D! times the signed volume in units of the basis' parallelepiped.
+    pub determinant: S,
+}
+
+impl<S: Scalar, const D: usize> Simplex<S, D> {
+    /// The simplex with these D + 1 corners, in basis coordinates.
+    ///
+    /// # Panics
+    /// If there are not D + 1 corners.
+    pub fn new(corners: &[[S; D]]) -> Self {
+        assert_eq!(corners.len(), D + 1, "a {D}-simplex has {} corners", D + 1);
+        let edges = std::array::from_fn(|k| linear::subtract(&corners[k + 1], &corners[0]));
+        let gradients = linear::cofactors(&edges);
+        let determinant = linear::dot(&edges[0], &gradients[0]);
+        Simplex {
+            edges,
+            gradients,
+            determinant,
+        }
+    }
+
+    /// g_0 = -(g_1 + … + g_D)
+    pub fn first_gradient(&self) -> [S; D] {
+        std::array::from_fn(|k| {
+            let zero = self.determinant.integer(0);
+            self.gradients
+                .iter()
+                .fold(zero, |sum, gradient| sum.minus(&gradient[k]))
+        })
+    }
+
+    /// All D + 1 gradients g_0 … g_D.
+    pub fn all_gradients(&self) -> Vec<[S; D]> {
+        std::iter::once(self.first_gradient())
+            .chain(self.gradients.iter().cloned())
+            .collect()
+    }
+
+    /// The inner products <g_i, g_j> for 0 <= i, j <= D, measured by `cogram`.
+    pub fn normal_products(&self, cogram: &[[S; D]; D]) -> NormalProducts<S> {
+        let gradients = self.all_gradients();
+        let images: Vec<[S; D]> = gradients
+            .iter()
+            .map(|gradient| linear::apply(cogram, gradient))
+            .collect();
+        let rows = gradients
+            .iter()
+            .map(|gradient| {
+                images
+                    .iter()
+                    .map(|image| linear::dot(gradient, image))
+                    .collect()
+            })
+            .collect();
+        NormalProducts { rows }
+    }
+
+    /// How far the point corner_0 + `offset` is outside of the circumsphere:
+    /// for d > 0 positive outside, zero on it, negative inside.
+    ///
+    /// x ↦ |x|² - Σ λ_i(x) |e_i|² (x measured from corner 0) vanishes on the
+    /// circumsphere, for it is a monic quadratic that is zero at all corners;
+    /// times d it is the polynomial d |x|² - Σ (g_i · x) |e_i|².
+    pub fn power(&self, gram: &[[S; D]; D], offset: &[S; D]) -> S {
+        let mut power = self.determinant.times(&linear::square(gram, offset));
+        for (edge, gradient) in self.edges.iter().zip(&self.gradients) {
+            let term = linear::dot(gradient, offset).times(&linear::square(gram, edge));
+            power = power.minus(&term);
+        }
+        power
+    }
+}
+
+/// The matrix of <g_i, g_j>.
+#[derive(Clone, Debug)]
+pub struct NormalProducts<S> {
+    rows: Vec<Vec<S>>,
+}
+
+impl<S: Scalar> NormalProducts<S> {
+    /// <g_i, g_j>: negative, zero or positive as the dihedral angle between the
+    /// facets i and j is acute, right or obtuse.
+    pub fn get(&self, i: usize, j: usize) -> &S {
+        &self.rows[i][j]
+    }
+
+    /// All pairs i < j with their product.
+    pub fn pairs(&self) -> impl Iterator<Item = (usize, usize, &S)> {
+        let n = self.rows.len();
+        (0..n).flat_map(move |i| (i + 1..n).map(move |j| (i, j, &self.rows[i][j])))
+    }
+}
