@@ -24,3 +24,30 @@ pub trait Scalar: Clone + std::fmt::Debug + Send + Sync {
     /// for filters that are confirmed exactly afterwards, and for display.
     fn approximate(&self) -> f64;
 }
+
+/// Doubles, for candidates and pictures only: no sign of a double decides a proof.
+impl Scalar for f64 {
+    fn integer(&self, value: i64) -> Self {
+        value as f64
+    }
+
+    fn plus(&self, other: &Self) -> Self {
+        self + other
+    }
+
+    fn minus(&self, other: &Self) -> Self {
+        self - other
+    }
+
+    fn times(&self, other: &Self) -> Self {
+        self * other
+    }
+
+    fn sign(&self) -> Sign {
+        self.partial_cmp(&0.0).unwrap_or(Ordering::Equal)
+    }
+
+    fn approximate(&self) -> f64 {
+        *self
+    }
+}

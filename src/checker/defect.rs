@@ -1,0 +1,122 @@
+//! What can be wrong with a tiling: one variant per way, with the exact values.
+//! [`super::render`] puts them into words.
+
+use crate::number::Number;
+use crate::tiling::Facet;
+use malachite::rational::Rational;
+use std::collections::BTreeMap;
+
+/// One thing that is wrong. Simplices, facets and vertices are named by their
+/// indices in the tiling, from zero.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Defect {
+    /// The leading principal minor of this order is not positive.
+    MetricNotPositive { order: usize, minor: Number },
+    /// There is nothing to tile with.
+    NoSimplices,
+    /// Two corners of a simplex are the same vertex with the same shift.
+    RepeatedCorner { simplex: usize, corners: (usize, usize) },
+    /// D! times the volume is zero.
+    Flat { simplex: usize },
+    /// D! times the volume is negative; exchanging the last two corners mends it.
+    NegativeOrientation { simplex: usize, determinant: Number },
+    /// No other simplex has this facet.
+    UnmatchedFacet { facet: Facet },
+    /// Two simplices lie on the same side of a facet.
+    SameSide { facets: (Facet, Facet) },
+    /// More than two simplices have the same facet.
+    OverusedFacet { facets: Vec<Facet> },
+    /// The volumes do not sum to the volume of the domain, `sum` and `expected`
+    /// both in units of the cell.
+    VolumeSum { sum: Number, expected: Number },
+    /// A vertex is a corner of no simplex.
+    UnusedVertex { vertex: usize },
+    /// A dihedral angle is a right angle where all must be acute.
+    RightAngle { angle: Angle },
+    /// A dihedral angle is more than a right angle.
+    ObtuseAngle { angle: Angle },
+    /// A dihedral angle was not proved to be less than a bound in degrees.
+    AngleNotBelow { angle: Angle, bound: Rational },
+    /// The corner of the neighbour behind a facet lies on the circumsphere; the
+    /// power is zero.
+    OnCircumsphere { facet: Facet, neighbour: usize },
+    /// The corner of the neighbour behind a facet lies inside of the circumsphere;
+    /// `power` is its power times D! times the volume.
+    InsideCircumsphere { facet: Facet, neighbour: usize, power: Number },
+}
+
+/// A dihedral angle between two facets, with the evidence.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Angle {
+    /// The simplex.
+    pub simplex: usize,
+    /// The two facets, each named by the corner opposite to it.
+    pub facets: (usize, usize),
+    /// The inner product of the inward facet normals g_i and g_j (the gradients of
+    /// the barycentric coordinates, scaled): the angle is acute when it is negative.
+    pub product: Number,
+    /// Rational bounds of the angle in degrees.
+    pub degrees: (Rational, Rational),
+}
+
+impl Defect {
+    /// The name of this kind of defect.
+    pub fn code(&self) -> &'static str {
+        match self {
+            Defect::MetricNotPositive { .. } => "metric-not-positive",
+            Defect::NoSimplices => "no-simplices",
+            Defect::RepeatedCorner { .. } => "repeated-corner",
+            Defect::Flat { .. } => "flat",
+            Defect::NegativeOrientation { .. } => "negative-orientation",
+            Defect::UnmatchedFacet { .. } => "unmatched-facet",
+            Defect::SameSide { .. } => "same-side",
+            Defect::OverusedFacet { .. } => "overused-facet",
+            Defect::VolumeSum { .. } => "volume-sum",
+            Defect::UnusedVertex { .. } => "unused-vertex",
+            Defect::RightAngle { .. } => "right-angle",
+            Defect::ObtuseAngle { .. } => "obtuse-angle",
+            Defect::AngleNotBelow { .. } => "angle-not-below",
+            Defect::OnCircumsphere { .. } => "on-circumsphere",
+            Defect::InsideCircumsphere { .. } => "inside-circumsphere",
+        }
+    }
+}
+
+/// Collects defects: all are counted, and of each kind the first few are kept.
+#[derive(Clone, Debug)]
+pub struct Findings {
+    limit: usize,
+    counts: BTreeMap<&'static str, usize>,
+    kept: Vec<Defect>,
+}
+
+impl Findings {
+    /// Keeps up to `limit` defects of each kind.
+    pub fn new(limit: usize) -> Self {
+        Findings { limit, counts: BTreeMap::new(), kept: Vec::new() }
+    }
+
+    /// Adds a defect.
+    pub fn add(&mut self, defect: Defect) {
+        let count = self.counts.entry(defect.code()).or_insert(0);
+        *count += 1;
+        if *count <= self.limit {
+            self.kept.push(defect);
+        }
+    }
+
+    /// Whether nothing is wrong.
+    pub fn is_empty(&self) -> bool {
+        self.counts.is_empty()
+    }
+
+    /// How many defects of each kind were found.
+    pub fn counts(&self) -> &BTreeMap<&'static str, usize> {
+        &self.counts
+    }
+
+    /// The first defects of each kind, in the order in which they were found.
+    pub fn kept(&self) -> &[Defect] {
+        &self.kept
+    }
+}

@@ -1,0 +1,123 @@
+//! One function for each hypothesis of the theorem in docs/soundness.md.
+//!
+//! Each takes the tiling with its denominators cleared, adds what is wrong to the
+//! findings, and decides nothing else.
+
+use super::defect::{Defect, Findings};
+use super::model::Model;
+use crate::geometry::{Scalar, Sign, linear};
+use crate::number::Number;
+use crate::tiling::{Facet, Frame, Matching, Tiling};
+
+/// Hypothesis M. The Gram matrix is positive definite: by Sylvester's criterion,
+/// all leading principal minors are positive.
+pub fn check_metric<const D: usize>(frame: &Frame<D>, findings: &mut Findings) {
+    for order in 1..=D {
+        let minor = leading_minor(&frame.gram, order);
+        if minor.sign() != Sign::Greater {
+            return findings.add(Defect::MetricNotPositive { order, minor });
+        }
+    }
+}
+
+/// The determinant of the upper left block: that of the matrix whose further rows
+/// and columns are replaced by those of the identity.
+fn leading_minor<const D: usize>(gram: &[[Number; D]; D], order: usize) -> Number {
+    let block: [[Number; D]; D] = std::array::from_fn(|i| {
+        std::array::from_fn(|j| match i.max(j) < order {
+            true => gram[i][j].clone(),
+            false => gram[i][j].integer(i64::from(i == j)),
+        })
+    });
+    linear::determinant(&block)
+}
+
+/// Hypothesis C. There are simplices; each has D + 1 different corners; every
+/// vertex is a corner of one.
+pub fn check_corners<const D: usize>(tiling: &Tiling<D>, findings: &mut Findings) {
+    if tiling.is_empty() {
+        findings.add(Defect::NoSimplices);
+    }
+    let mut used = vec![false; tiling.vertices.len()];
+    for (simplex, corners) in tiling.simplices().enumerate() {
+        for (i, corner) in corners.iter().enumerate() {
+            used[corner.vertex as usize] = true;
+            if let Some(j) = corners[..i].iter().position(|other| other == corner) {
+                findings.add(Defect::RepeatedCorner { simplex, corners: (j, i) });
+            }
+        }
+    }
+    for (vertex, _) in used.iter().enumerate().filter(|(_, used)| !**used) {
+        findings.add(Defect::UnusedVertex { vertex });
+    }
+}
+
+/// Hypothesis O. Every simplex is positively oriented, hence not flat:
+/// det (c_1 - c_0, …, c_D - c_0) > 0. A simplex with a repeated corner has been
+/// reported already.
+pub fn check_orientation<S: Scalar, const D: usize>(
+    model: &Model<S, D>,
+    findings: &mut Findings,
+) {
+    for (index, corners) in model.tiling.simplices().enumerate() {
+        let sign = model.simplex(index).determinant.sign();
+        if sign == Sign::Greater || has_repeated_corner(corners) {
+            continue;
+        }
+        findings.add(match sign {
+            Sign::Equal => Defect::Flat { simplex: index },
+            _ => Defect::NegativeOrientation {
+                simplex: index,
+                determinant: determinant(model.tiling, index),
+            },
+        });
+    }
+}
+
+fn has_repeated_corner<T: PartialEq>(corners: &[T]) -> bool {
+    (1..corners.len()).any(|i| corners[..i].contains(&corners[i]))
+}
+
+/// D! times the signed volume of a simplex, in units of the cell.
+pub fn determinant<const D: usize>(tiling: &Tiling<D>, simplex: usize) -> Number {
+    super::unscaled_simplex(tiling, simplex).determinant
+}
+
+/// Hypothesis F. Every facet is shared, up to a lattice vector, by exactly two
+/// simplices, and they lie on opposite sides of it.
+pub fn check_facets<const D: usize>(matching: &Matching<D>, findings: &mut Findings) {
+    for mismatch in &matching.mismatches {
+        let facets: Vec<Facet> = mismatch.uses.iter().map(|(facet, _)| *facet).collect();
+        findings.add(match facets[..] {
+            [facet] => Defect::UnmatchedFacet { facet },
+            [a, b] => Defect::SameSide { facets: (a, b) },
+            _ => Defect::OverusedFacet { facets },
+        });
+    }
+}
+
+/// Hypothesis V. The volumes sum to the volume of the cell:
+/// Σ det (c_1 - c_0, …, c_D - c_0) = D!, coordinates in the lattice basis.
+pub fn check_volume<S: Scalar, const D: usize>(model: &Model<S, D>, findings: &mut Findings) {
+    let zero = model.unit.integer(0);
+    let sum = (0..model.tiling.len())
+        .fold(zero, |sum, index| sum.plus(&model.simplex(index).determinant));
+    let factorial = (1..=D as i64).product();
+    let cell = (0..D).fold(model.unit.integer(factorial), |cell, _| cell.times(&model.unit));
+    if sum.minus(&cell).sign() != Sign::Equal {
+        let field = &model.tiling.frame.field;
+        findings.add(Defect::VolumeSum {
+            sum: volume_sum(model.tiling),
+            expected: field.integer(1),
+        });
+    }
+}
+
+/// The sum of the signed volumes in units of the cell.
+fn volume_sum<const D: usize>(tiling: &Tiling<D>) -> Number {
+    let field = &tiling.frame.field;
+    let factorial = field.integer((1..=D as i64).product());
+    let sum = (0..tiling.len())
+        .fold(field.integer(0), |sum, index| &sum + &determinant(tiling, index));
+    sum.divide(&factorial).unwrap_or_else(|| field.integer(0))
+}

@@ -1,0 +1,95 @@
+//! A tiling with its denominators cleared, so that every predicate is a polynomial
+//! over a ring: integers for rational data, field elements otherwise.
+//!
+//! Coordinates are multiplied by one positive integer, the Gram matrix by another.
+//! Both are positive, so no sign changes: a determinant of coordinates is scaled
+//! by unit^D, an inner product of normals by positive powers of both.
+
+use crate::geometry::{Scalar, Simplex, linear};
+use crate::number::Number;
+use crate::tiling::{Corner, Tiling};
+use malachite::Integer;
+use malachite::base::num::arithmetic::traits::Lcm;
+use malachite::base::num::basic::traits::One;
+use malachite::natural::Natural as MalachiteNatural;
+use malachite::rational::Rational;
+
+/// The cleared coordinates of a tiling.
+#[derive(Clone, Debug)]
+pub struct Model<'a, S, const D: usize> {
+    /// The tiling itself, for corners and for exact values in messages.
+    pub tiling: &'a Tiling<D>,
+    /// One lattice step: the integer that clears the coordinates.
+    pub unit: S,
+    /// Vertex coordinates times `unit`.
+    pub vertices: Vec<[S; D]>,
+    /// A positive multiple of the Gram matrix.
+    pub gram: [[S; D]; D],
+    /// Its adjugate, which measures covectors.
+    pub cogram: [[S; D]; D],
+}
+
+impl<'a, S: Scalar, const D: usize> Model<'a, S, D> {
+    fn new(tiling: &'a Tiling<D>, clear: impl Fn(&Number, &Integer) -> S) -> Self {
+        let unit = common_denominator(tiling.vertices.iter().flatten());
+        let metric = common_denominator(tiling.frame.gram.iter().flatten());
+        let gram = tiling.frame.gram.each_ref().map(|row| row.each_ref().map(|x| clear(x, &metric)));
+        Model {
+            tiling,
+            vertices: tiling
+                .vertices
+                .iter()
+                .map(|vertex| vertex.each_ref().map(|x| clear(x, &unit)))
+                .collect(),
+            cogram: linear::cofactors(&gram),
+            gram,
+            unit: clear(&tiling.frame.field.integer(1), &unit),
+        }
+    }
+
+    /// Scaled coordinates of a corner.
+    pub fn position(&self, corner: &Corner<D>) -> [S; D] {
+        let vertex = &self.vertices[corner.vertex as usize];
+        std::array::from_fn(|k| match corner.shift[k] {
+            0 => vertex[k].clone(),
+            shift => vertex[k].plus(&self.unit.times(&self.unit.integer(i64::from(shift)))),
+        })
+    }
+
+    /// The simplex with this index.
+    pub fn simplex(&self, index: usize) -> Simplex<S, D> {
+        let corners: Vec<[S; D]> =
+            self.tiling.simplex(index).iter().map(|corner| self.position(corner)).collect();
+        Simplex::new(&corners)
+    }
+}
+
+impl<'a, const D: usize> Model<'a, Integer, D> {
+    /// The model of a tiling over the rationals.
+    pub fn rational(tiling: &'a Tiling<D>) -> Self {
+        Model::new(tiling, |number, scale| {
+            let value = number.coefficients().first().cloned().unwrap_or(Rational::from(0));
+            Integer::rounding_from(value * Rational::from(scale), RoundingMode::Exact).0
+        })
+    }
+}
+
+impl<'a, const D: usize> Model<'a, Number, D> {
+    /// The model of a tiling over any field.
+    pub fn algebraic(tiling: &'a Tiling<D>) -> Self {
+        let field = &tiling.frame.field;
+        Model::new(tiling, |number, scale| number * &field.rational(Rational::from(scale)))
+    }
+}
+
+/// The least common multiple of all coefficients' denominators.
+fn common_denominator<'n>(numbers: impl Iterator<Item = &'n Number>) -> Integer {
+    let mut lcm = MalachiteNatural::ONE;
+    for coefficient in numbers.flat_map(|number| number.coefficients()) {
+        let denominator = coefficient.denominator_ref();
+        if *denominator != MalachiteNatural::ONE {
+            lcm = lcm.lcm(denominator);
+        }
+    }
+    Integer::from(lcm)
+}

@@ -1,0 +1,123 @@
+//! Defects in words: which simplex, facet or vertex, what was expected, and the
+//! exact value that was found, with a short decimal beside it.
+
+use super::corner_text;
+use super::defect::{Angle, Defect};
+use crate::number::Number;
+use crate::quality::{decimal_range, short_decimal};
+use crate::tiling::{Facet, Tiling};
+
+/// One defect of `tiling` as a sentence.
+pub fn describe<const D: usize>(tiling: &Tiling<D>, defect: &Defect) -> String {
+    let name = |facet: &Facet| facet_name(tiling, facet);
+    match defect {
+        Defect::MetricNotPositive { order, minor } => format!(
+            "the Gram matrix is not positive definite: its leading {order} x {order} minor is {}, \
+             expected a positive number",
+            exact(minor)
+        ),
+        Defect::NoSimplices => "the tiling has no simplices".to_owned(),
+        Defect::RepeatedCorner { simplex, corners: (i, j) } => format!(
+            "simplex {simplex}: corners {i} and {j} are both {}, expected {} different corners",
+            corner(tiling, *simplex, *i),
+            D + 1
+        ),
+        Defect::Flat { simplex } => format!(
+            "simplex {simplex} {} is flat: its determinant is 0, expected a positive number",
+            corners(tiling, *simplex)
+        ),
+        Defect::NegativeOrientation { simplex, determinant } => format!(
+            "simplex {simplex} {} is negatively oriented: its determinant is {}, expected a \
+             positive number; the order {} mends it (--reorient does)",
+            corners(tiling, *simplex),
+            exact(determinant),
+            mended(tiling, *simplex)
+        ),
+        Defect::UnmatchedFacet { facet } => {
+            format!("{} is used once, expected one more simplex behind it", name(facet))
+        }
+        Defect::SameSide { facets: (a, b) } => {
+            format!("{} and {} are the same facet seen from the same side", name(a), name(b))
+        }
+        Defect::OverusedFacet { facets } => format!(
+            "one facet is used {} times, expected twice: {}",
+            facets.len(),
+            facets.iter().map(name).collect::<Vec<_>>().join("; ")
+        ),
+        Defect::VolumeSum { sum, expected } => format!(
+            "the volumes of the simplices sum to {} cells, expected {}",
+            exact(sum),
+            exact(expected)
+        ),
+        Defect::UnusedVertex { vertex } => {
+            format!("vertex {vertex} is a corner of no simplex")
+        }
+        Defect::RightAngle { angle } => {
+            format!("{} is a right angle, expected an acute one", angle_name(tiling, angle))
+        }
+        Defect::ObtuseAngle { angle } => format!(
+            "{} is obtuse: {} degrees; the product of the normals is {}, expected {}",
+            angle_name(tiling, angle),
+            decimal_range(&angle.degrees),
+            exact(&angle.product),
+            "a negative number (acute) or zero (right)"
+        ),
+        Defect::AngleNotBelow { angle, bound } => format!(
+            "{} is {} degrees, expected less than {bound}",
+            angle_name(tiling, angle),
+            decimal_range(&angle.degrees)
+        ),
+        Defect::OnCircumsphere { facet, neighbour } => format!(
+            "the corner of simplex {neighbour} behind {} lies on the circumsphere, expected \
+             outside",
+            name(facet)
+        ),
+        Defect::InsideCircumsphere { facet, neighbour, power } => format!(
+            "the corner of simplex {neighbour} behind {} lies inside of the circumsphere: its \
+             power times the determinant is {}, expected a positive number",
+            name(facet),
+            exact(power)
+        ),
+    }
+}
+
+/// The exact value, and a decimal where that is shorter to read.
+fn exact(number: &Number) -> String {
+    let text = number.to_string();
+    if text.parse::<i64>().is_ok() { text } else { format!("{text} (about {})", short_decimal(number)) }
+}
+
+fn corner<const D: usize>(tiling: &Tiling<D>, simplex: usize, index: usize) -> String {
+    corner_text(&tiling.simplex(simplex)[index], tiling.frame.rank())
+}
+
+fn corners<const D: usize>(tiling: &Tiling<D>, simplex: usize) -> String {
+    list(tiling, simplex, 0..=D)
+}
+
+fn list<const D: usize>(
+    tiling: &Tiling<D>,
+    simplex: usize,
+    indices: impl IntoIterator<Item = usize>,
+) -> String {
+    let texts: Vec<String> =
+        indices.into_iter().map(|index| corner(tiling, simplex, index)).collect();
+    format!("[{}]", texts.join(", "))
+}
+
+fn mended<const D: usize>(tiling: &Tiling<D>, simplex: usize) -> String {
+    list(tiling, simplex, (0..D - 1).chain([D, D - 1]))
+}
+
+fn facet_name<const D: usize>(tiling: &Tiling<D>, facet: &Facet) -> String {
+    let opposite = usize::from(facet.opposite);
+    let simplex = facet.simplex as usize;
+    let corners = list(tiling, simplex, (0..=D).filter(|&k| k != opposite));
+    format!("facet {opposite} of simplex {simplex} {corners}")
+}
+
+fn angle_name<const D: usize>(tiling: &Tiling<D>, angle: &Angle) -> String {
+    let (i, j) = angle.facets;
+    let ridge = list(tiling, angle.simplex, (0..=D).filter(|&k| k != i && k != j));
+    format!("the dihedral angle of simplex {} at {ridge}", angle.simplex)
+}

@@ -1,0 +1,59 @@
+//! One variant for each way in which a file can fail to be read.
+
+use std::fmt;
+use std::io;
+
+/// Why a file could not be read. The caller knows the file's name and prints it
+/// in front.
+#[derive(Debug)]
+pub enum ImportError {
+    /// The operating system refused.
+    Unreadable(io::Error),
+    /// More bytes than the limit.
+    TooLong { limit: u64 },
+    /// Not UTF-8 from this byte on.
+    NotText { offset: usize },
+    /// Nothing but white space.
+    Empty,
+    /// Not JSON, or not the members that were expected; names line and column.
+    Json(serde_json::Error),
+    /// JSON of another format.
+    Format { found: String },
+    /// An unknown version of the format.
+    Version { found: u64 },
+    /// Something about the entry at `place`, like `vertices[3][1]`.
+    Entry { place: String, problem: String },
+}
+
+impl ImportError {
+    /// An error about the entry at `place`.
+    pub fn entry(place: impl Into<String>, problem: impl fmt::Display) -> Self {
+        ImportError::Entry { place: place.into(), problem: problem.to_string() }
+    }
+}
+
+impl fmt::Display for ImportError {
+    fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
+        match self {
+            ImportError::Unreadable(error) => write!(f, "cannot be read: {error}"),
+            ImportError::TooLong { limit } => {
+                write!(f, "is longer than the limit of {limit} bytes")
+            }
+            ImportError::NotText { offset } => {
+                write!(f, "byte {offset}: not UTF-8 text, expected JSON")
+            }
+            ImportError::Empty => write!(f, "is empty, expected a tiling or point-set file"),
+            ImportError::Json(error) => write!(f, "{error}"),
+            ImportError::Format { found } => write!(
+                f,
+                "format is {found:?}, expected \"acutile-tiling\" or \"acutile-points\""
+            ),
+            ImportError::Version { found } => {
+                write!(f, "version is {found}, expected 1")
+            }
+            ImportError::Entry { place, problem } => write!(f, "{place}: {problem}"),
+        }
+    }
+}
+
+impl std::error::Error for ImportError {}
