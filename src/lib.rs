@@ -6,6 +6,14 @@
 
 pub mod certificate;
 #[cfg(feature = "prover")]
+pub mod checker;
+#[cfg(feature = "prover")]
 pub mod geometry;
 #[cfg(feature = "prover")]
+pub mod import;
+#[cfg(feature = "prover")]
 pub mod number;
+#[cfg(feature = "prover")]
+pub mod quality;
+#[cfg(feature = "prover")]
+pub mod tiling;

@@ -3,7 +3,7 @@
 
 use crate::number::Number;
 use crate::tiling::Facet;
-use malachite::rational::Rational;
+use malachite::Rational;
 use std::collections::BTreeMap;
 
 /// One thing that is wrong. Simplices, facets and vertices are named by their

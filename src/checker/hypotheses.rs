@@ -80,7 +80,7 @@ fn has_repeated_corner<T: PartialEq>(corners: &[T]) -> bool {
 
 /// D! times the signed volume of a simplex, in units of the cell.
 pub fn determinant<const D: usize>(tiling: &Tiling<D>, simplex: usize) -> Number {
-    super::unscaled_simplex(tiling, simplex).determinant
+    tiling.shape(simplex).determinant
 }
 
 /// Hypothesis F. Every facet is shared, up to a lattice vector, by exactly two

@@ -21,11 +21,10 @@ pub use render::describe;
 pub use statements::{check_acute, check_delaunay, check_dihedral_below, check_nonobtuse};
 
 use crate::certificate::{Certificate, Statement};
-use crate::geometry::{Scalar, Simplex};
-use crate::number::Number;
+use crate::geometry::Scalar;
 use crate::quality;
 use crate::tiling::{Corner, Matching, Tiling, match_facets};
-use malachite::rational::Rational;
+use malachite::Rational;
 use std::str::FromStr;
 
 /// What to prove beyond the tiling itself.
@@ -167,14 +166,6 @@ fn bound_of(statement: &Statement) -> Option<Rational> {
         Statement::DihedralBelow(bound) => Rational::from_str(bound).ok(),
         _ => None,
     }
-}
-
-/// The simplex in the coordinates of the tiling's own numbers, for exact values in
-/// messages.
-fn unscaled_simplex<const D: usize>(tiling: &Tiling<D>, simplex: usize) -> Simplex<Number, D> {
-    let corners: Vec<[Number; D]> =
-        tiling.simplex(simplex).iter().map(|corner| tiling.position(corner)).collect();
-    Simplex::new(&corners)
 }
 
 /// Gives every negatively oriented simplex positive orientation by exchanging its

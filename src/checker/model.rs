@@ -8,11 +8,9 @@
 use crate::geometry::{Scalar, Simplex, linear};
 use crate::number::Number;
 use crate::tiling::{Corner, Tiling};
-use malachite::Integer;
-use malachite::base::num::arithmetic::traits::Lcm;
-use malachite::base::num::basic::traits::One;
-use malachite::natural::Natural as MalachiteNatural;
-use malachite::rational::Rational;
+use malachite::base::num::arithmetic::traits::{Floor, Lcm};
+use malachite::base::num::basic::traits::{One, Zero};
+use malachite::{Integer, Natural, Rational};
 
 /// The cleared coordinates of a tiling.
 #[derive(Clone, Debug)]
@@ -68,8 +66,11 @@ impl<'a, const D: usize> Model<'a, Integer, D> {
     /// The model of a tiling over the rationals.
     pub fn rational(tiling: &'a Tiling<D>) -> Self {
         Model::new(tiling, |number, scale| {
-            let value = number.coefficients().first().cloned().unwrap_or(Rational::from(0));
-            Integer::rounding_from(value * Rational::from(scale), RoundingMode::Exact).0
+            match number.coefficients() {
+                [] => Integer::ZERO,
+                // The product is an integer, for `scale` is a multiple of the denominator.
+                [value, ..] => (value * Rational::from(scale)).floor(),
+            }
         })
     }
 }
@@ -84,10 +85,10 @@ impl<'a, const D: usize> Model<'a, Number, D> {
 
 /// The least common multiple of all coefficients' denominators.
 fn common_denominator<'n>(numbers: impl Iterator<Item = &'n Number>) -> Integer {
-    let mut lcm = MalachiteNatural::ONE;
+    let mut lcm = Natural::ONE;
     for coefficient in numbers.flat_map(|number| number.coefficients()) {
         let denominator = coefficient.denominator_ref();
-        if *denominator != MalachiteNatural::ONE {
+        if *denominator != Natural::ONE {
             lcm = lcm.lcm(denominator);
         }
     }

@@ -7,7 +7,7 @@ use crate::geometry::{NormalProducts, Scalar, Sign, linear};
 use crate::number::enclosure;
 use crate::quality;
 use crate::tiling::{Facet, Matching};
-use malachite::rational::Rational;
+use malachite::Rational;
 
 /// Every dihedral angle is acute: <g_i, g_j> < 0 for all facets i ≠ j.
 pub fn check_acute<S: Scalar, const D: usize>(model: &Model<S, D>, findings: &mut Findings) {
@@ -116,7 +116,7 @@ fn angle<S: Scalar, const D: usize>(
     facets: (usize, usize),
 ) -> Angle {
     let cogram = linear::cofactors(&model.tiling.frame.gram);
-    let products = super::unscaled_simplex(model.tiling, simplex).normal_products(&cogram);
+    let products = model.tiling.shape(simplex).normal_products(&cogram);
     Angle {
         simplex,
         facets,
@@ -153,7 +153,7 @@ pub fn check_delaunay<S: Scalar, const D: usize>(
                     let tiling = model.tiling;
                     let position = tiling.position(&apex);
                     let offset = linear::subtract(&position, &tiling.position(&corners[0]));
-                    let power = super::unscaled_simplex(tiling, simplex)
+                    let power = tiling.shape(simplex)
                         .power(&tiling.frame.gram, &offset);
                     findings.add(Defect::InsideCircumsphere { facet, neighbour, power });
                 }

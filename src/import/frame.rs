@@ -7,7 +7,7 @@ use crate::geometry::linear;
 use crate::number::{Number, Reader};
 use crate::tiling::{Domain, Frame};
 use malachite::Integer;
-use malachite::rational::Rational;
+use malachite::Rational;
 use std::str::FromStr;
 
 /// Reads the numbers of one document into one field.

@@ -3,7 +3,7 @@
 use crate::number::Number;
 use malachite::Integer;
 use malachite::base::num::arithmetic::traits::{Ceiling, Floor};
-use malachite::rational::Rational;
+use malachite::Rational;
 
 /// The least integer that is not less, kept within the range of i64.
 pub fn ceiling_to_i64(value: &Rational) -> i64 {

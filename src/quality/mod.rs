@@ -5,6 +5,8 @@
 
 mod angle;
 mod decimal;
+mod shape;
 
 pub use angle::{dihedral_degrees, display_width, largest_angles, least_bounds};
 pub use decimal::{ceiling_to_i64, decimal_range, short_decimal};
+pub use shape::{Shape, shapes, squared_edges};

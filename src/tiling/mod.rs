@@ -9,6 +9,7 @@ mod frame;
 pub use facets::{Facet, Matching, Mate, Mismatch, match_facets};
 pub use frame::{Domain, Frame};
 
+use crate::geometry::Simplex;
 use crate::number::Number;
 
 /// A vertex moved by a lattice vector; `shift` holds its integer coordinates in
@@ -81,6 +82,13 @@ impl<const D: usize> Tiling<D> {
     /// All simplices in order.
     pub fn simplices(&self) -> impl ExactSizeIterator<Item = &[Corner<D>]> {
         self.corners.chunks_exact(D + 1)
+    }
+
+    /// A simplex in exact basis coordinates.
+    pub fn shape(&self, index: usize) -> Simplex<Number, D> {
+        let corners: Vec<[Number; D]> =
+            self.simplex(index).iter().map(|corner| self.position(corner)).collect();
+        Simplex::new(&corners)
     }
 
     /// The coordinates of a corner in the basis.

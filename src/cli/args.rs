@@ -1,0 +1,134 @@
+//! The arguments of every command, as clap reads them.
+
+use crate::certificate::Statement;
+use clap::{Args, Parser, Subcommand};
+use malachite::Rational;
+use std::path::PathBuf;
+
+/// Proves, in exact arithmetic, that tilings by tetrahedra are valid and acute.
+#[derive(Debug, Parser)]
+#[command(name = "acutile", version, about, max_term_width = 100)]
+#[command(after_help = "Exit codes: 0 proved or verified, 1 refuted or rejected, \
+    2 usage or unreadable input, 3 declined.")]
+pub struct Arguments {
+    #[command(subcommand)]
+    pub command: Command,
+}
+
+#[derive(Debug, Subcommand)]
+pub enum Command {
+    /// List the catalogue of constructions
+    List(ListArguments),
+    /// Tell what a tiling is: counts, lattice, field, shapes
+    Show(ShowArguments),
+    /// Prove a tiling and write its certificate
+    Certify(CertifyArguments),
+    /// Re-check certificates with the independent kernel
+    Verify(VerifyArguments),
+    /// Compute the periodic Delaunay triangulation of a point set
+    Delaunay(DelaunayArguments),
+    /// Print a completion script for a shell
+    Completions(CompletionsArguments),
+    /// Print the manual page
+    Man,
+}
+
+#[derive(Debug, Args)]
+pub struct ListArguments {
+    /// One JSON object for each construction
+    #[arg(long)]
+    pub json: bool,
+}
+
+#[derive(Debug, Args)]
+pub struct ShowArguments {
+    /// A name of the catalogue, or a tiling file
+    #[arg(value_name = "NAME|FILE")]
+    pub input: String,
+}
+
+#[derive(Debug, Args)]
+pub struct CertifyArguments {
+    /// Names of the catalogue, or tiling files (`-` for standard input)
+    #[arg(value_name = "NAME|FILE", required_unless_present = "all")]
+    pub inputs: Vec<String>,
+    /// The whole catalogue
+    #[arg(long)]
+    pub all: bool,
+    /// Write the certificate to this file (`-` for standard output), or the
+    /// certificates into this directory
+    #[arg(short, long, value_name = "FILE|DIR")]
+    pub output: Option<PathBuf>,
+    /// A statement that must hold: acute, nonobtuse, delaunay, weakly-delaunay,
+    /// dihedral<DEGREES
+    #[arg(long = "require", value_name = "STATEMENT", value_parser = statement)]
+    pub required: Vec<Statement>,
+    /// Give negatively oriented simplices positive orientation
+    #[arg(long)]
+    pub reorient: bool,
+    /// How many defects of each kind to describe; all are counted
+    #[arg(long, value_name = "N", default_value_t = 20)]
+    pub max_defects: usize,
+    /// One JSON object for each input
+    #[arg(long)]
+    pub json: bool,
+}
+
+#[derive(Debug, Args)]
+pub struct VerifyArguments {
+    /// Certificates (`-` for standard input)
+    #[arg(value_name = "FILE", required = true)]
+    pub files: Vec<PathBuf>,
+    /// One JSON object for each file
+    #[arg(long)]
+    pub json: bool,
+}
+
+#[derive(Debug, Args)]
+pub struct DelaunayArguments {
+    /// A point-set file (`-` for standard input)
+    #[arg(value_name = "FILE")]
+    pub file: PathBuf,
+    /// Write the tiling file here and not to standard output
+    #[arg(short, long, value_name = "FILE")]
+    pub output: Option<PathBuf>,
+    /// Cut Delaunay cells with cospherical vertices into simplices, the same way
+    /// in every lattice translate, instead of refusing
+    #[arg(long)]
+    pub triangulate: bool,
+}
+
+#[derive(Debug, Args)]
+pub struct CompletionsArguments {
+    /// The shell
+    #[arg(value_enum)]
+    pub shell: clap_complete::Shell,
+}
+
+/// Reads a statement as `--require` takes it.
+fn statement(text: &str) -> Result<Statement, String> {
+    match text {
+        "tiling" => Ok(Statement::FaceToFaceTiling),
+        "acute" => Ok(Statement::Acute),
+        "nonobtuse" => Ok(Statement::Nonobtuse),
+        "delaunay" => Ok(Statement::Delaunay),
+        "weakly-delaunay" => Ok(Statement::WeaklyDelaunay),
+        _ => match text.strip_prefix("dihedral<") {
+            Some(degrees) => degrees_bound(degrees),
+            None => Err("expected acute, nonobtuse, delaunay, weakly-delaunay, tiling or \
+                         dihedral<DEGREES"
+                .to_owned()),
+        },
+    }
+}
+
+fn degrees_bound(text: &str) -> Result<Statement, String> {
+    let numbers = crate::number::numbers(&[text]).map_err(|error| error.to_string())?;
+    let [bound] = numbers[0].coefficients() else {
+        return Err(format!("found {text}, expected a positive rational number of degrees"));
+    };
+    if *bound <= 0 || *bound > 180 {
+        return Err(format!("found {text}, expected more than 0 and at most 180 degrees"));
+    }
+    Ok(Statement::DihedralBelow(Rational::to_string(bound)))
+}

@@ -1,0 +1,59 @@
+//! `acutile delaunay`: a point set in, the tiling file of its Delaunay
+//! triangulation out.
+
+use super::args::DelaunayArguments;
+use super::output::{Output, write_file};
+use super::progress::Progress;
+use super::{Outcome, input};
+use crate::delaunay::{Ties, triangulate};
+use crate::export::tiling_text;
+use crate::tiling::{AnyPointSet, PointSet};
+use crate::with_dimension;
+
+/// Triangulates the points of a file.
+pub fn run(arguments: &DelaunayArguments, output: &mut Output) -> Outcome {
+    let points = match input::points(&arguments.file) {
+        Ok(points) => points,
+        Err(message) => {
+            output.complain(format!("acutile: {message}"));
+            return Outcome::Failed;
+        }
+    };
+    with_dimension!(&points, AnyPointSet, p => write(p, arguments, output))
+}
+
+fn write<const D: usize>(
+    points: &PointSet<D>,
+    arguments: &DelaunayArguments,
+    output: &mut Output,
+) -> Outcome {
+    let name = arguments.file.display().to_string();
+    let ties = if arguments.triangulate { Ties::Pull } else { Ties::Refuse };
+    let progress = Progress::of(&name);
+    progress.step("Delaunay triangulation");
+    let tiling = match triangulate(points, ties) {
+        Ok(tiling) => tiling,
+        Err(error) => {
+            drop(progress);
+            output.complain(format!("acutile: {name}: {error}"));
+            return Outcome::Failed;
+        }
+    };
+    let stem = arguments.file.file_stem().map(|stem| stem.to_string_lossy().into_owned());
+    let text = tiling_text(&tiling, stem.as_deref().unwrap_or("delaunay"));
+    let Some(path) = &arguments.output else {
+        output.write(text.as_bytes());
+        return Outcome::Done;
+    };
+    match write_file(path, text.as_bytes()) {
+        Ok(()) => {
+            let (vertices, simplices) = (tiling.vertices.len(), tiling.len());
+            output.line(format!("{}: {vertices} vertices, {simplices} simplices", path.display()));
+            Outcome::Done
+        }
+        Err(error) => {
+            output.complain(format!("acutile: {}: cannot be written: {error}", path.display()));
+            Outcome::Failed
+        }
+    }
+}

@@ -1,0 +1,61 @@
+//! A name of the catalogue or a file, turned into a tiling.
+
+use crate::catalog;
+use crate::import::{Input, read_native, read_text};
+use crate::tiling::{AnyPointSet, AnyTiling};
+use std::path::Path;
+
+/// Where a tiling comes from, with its name for messages and for the file name of
+/// its certificate.
+pub struct Named {
+    /// A name of the catalogue, or a path.
+    pub name: String,
+    /// What it is, in a line.
+    pub description: String,
+    /// The tiling.
+    pub tiling: AnyTiling,
+}
+
+/// The tiling of a catalogue name, or of a file.
+///
+/// # Errors
+/// A message that names the input.
+pub fn tiling(input: &str) -> Result<Named, String> {
+    if let Some(entry) = catalog::find(input) {
+        let tiling = entry.build().map_err(|error| format!("{input}: {error}"))?;
+        return Ok(Named { name: input.to_owned(), description: entry.description.to_owned(), tiling });
+    }
+    let path = Path::new(input);
+    if input != "-" && !path.exists() && !input.contains(['/', '.']) {
+        return Err(format!(
+            "{input}: neither a name of the catalogue (acutile list) nor a file"
+        ));
+    }
+    match read(path)? {
+        Input::Tiling(tiling) => {
+            Ok(Named { name: input.to_owned(), description: "tiling file".to_owned(), tiling })
+        }
+        Input::Points(_) => Err(format!(
+            "{input}: is a point-set file, expected a tiling file (acutile delaunay makes one)"
+        )),
+    }
+}
+
+/// The points of a point-set file.
+///
+/// # Errors
+/// A message that names the file.
+pub fn points(path: &Path) -> Result<AnyPointSet, String> {
+    match read(path)? {
+        Input::Points(points) => Ok(points),
+        Input::Tiling(_) => {
+            Err(format!("{}: is a tiling file, expected a point-set file", path.display()))
+        }
+    }
+}
+
+fn read(path: &Path) -> Result<Input, String> {
+    read_text(path)
+        .and_then(|text| read_native(&text))
+        .map_err(|error| format!("{}: {error}", path.display()))
+}

@@ -1,0 +1,24 @@
+//! `acutile list`: the catalogue.
+
+use super::Outcome;
+use super::args::ListArguments;
+use super::output::Output;
+use crate::catalog;
+use serde_json::json;
+
+/// Prints a line for each construction.
+pub fn run(arguments: &ListArguments, output: &mut Output) -> Outcome {
+    let width = catalog::entries().iter().map(|entry| entry.name.len()).max().unwrap_or(0);
+    for entry in catalog::entries() {
+        if arguments.json {
+            output.line(json!({
+                "name": entry.name,
+                "description": entry.description,
+                "source": entry.source,
+            }));
+        } else {
+            output.line(format!("{:width$}  {}", entry.name, entry.description));
+        }
+    }
+    Outcome::Done
+}

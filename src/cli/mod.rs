@@ -1,0 +1,76 @@
+//! The command line: arguments, progress, printing, exit codes.
+//!
+//! | exit code | meaning |
+//! |---|---|
+//! | 0 | proved or verified |
+//! | 1 | refuted or rejected |
+//! | 2 | usage, unreadable input, or output that could not be written |
+//! | 3 | declined: a limit, an undecided sign, an unknown version |
+
+mod args;
+mod certify;
+mod delaunay;
+mod input;
+mod list;
+mod meta;
+mod output;
+mod progress;
+mod show;
+mod verify;
+
+use args::{Arguments, Command};
+use clap::Parser;
+use output::Output;
+use std::process::ExitCode;
+
+/// How a command ended.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Outcome {
+    /// Everything asked for was proved or done.
+    Done,
+    /// Something was refuted or rejected.
+    Refuted,
+    /// Something could not be read, or written.
+    Failed,
+    /// Something was neither proved nor refuted.
+    Declined,
+}
+
+impl Outcome {
+    /// The exit code.
+    pub fn code(self) -> u8 {
+        match self {
+            Outcome::Done => 0,
+            Outcome::Refuted => 1,
+            Outcome::Failed => 2,
+            Outcome::Declined => 3,
+        }
+    }
+
+    /// The outcome of several: the first of refuted, failed, declined that occurs.
+    pub fn and(self, other: Outcome) -> Outcome {
+        let rank = |outcome| match outcome {
+            Outcome::Refuted => 3,
+            Outcome::Failed => 2,
+            Outcome::Declined => 1,
+            Outcome::Done => 0,
+        };
+        if rank(other) > rank(self) { other } else { self }
+    }
+}
+
+/// Runs the program with the process's arguments.
+pub fn main() -> ExitCode {
+    let arguments = Arguments::parse();
+    let mut output = Output::standard();
+    let outcome = match arguments.command {
+        Command::List(list) => list::run(&list, &mut output),
+        Command::Show(show) => show::run(&show, &mut output),
+        Command::Certify(certify) => certify::run(&certify, &mut output),
+        Command::Verify(verify) => verify::run(&verify, &mut output),
+        Command::Delaunay(delaunay) => delaunay::run(&delaunay, &mut output),
+        Command::Completions(completions) => meta::completions(&completions, &mut output),
+        Command::Man => meta::man(&mut output),
+    };
+    ExitCode::from(outcome.and(output.finish()).code())
+}

@@ -1,0 +1,86 @@
+//! Where a command prints, and how files are written.
+//!
+//! A reader that closes the pipe early ends the printing quietly; any other error
+//! of standard output makes the command fail.
+
+use super::Outcome;
+use std::fmt::Display;
+use std::io::{self, BufWriter, ErrorKind, Stdout, Write};
+use std::path::Path;
+
+/// Standard output and standard error.
+pub struct Output {
+    writer: BufWriter<Stdout>,
+    error: Option<io::Error>,
+}
+
+impl Output {
+    /// The process's own streams.
+    pub fn standard() -> Self {
+        Output { writer: BufWriter::new(io::stdout()), error: None }
+    }
+
+    /// Prints a line.
+    pub fn line(&mut self, text: impl Display) {
+        self.write(format!("{text}\n").as_bytes());
+    }
+
+    /// Prints bytes as they are.
+    pub fn write(&mut self, bytes: &[u8]) {
+        if self.error.is_none() {
+            self.error = self.writer.write_all(bytes).err();
+        }
+    }
+
+    /// Prints a line on standard error. Nothing is left to do where that fails.
+    pub fn complain(&mut self, text: impl Display) {
+        let _ = self.writer.flush();
+        let _ = writeln!(io::stderr(), "{text}");
+    }
+
+    /// Flushes; failed where standard output took not everything.
+    pub fn finish(&mut self) -> Outcome {
+        if self.error.is_none() {
+            self.error = self.writer.flush().err();
+        }
+        match &self.error {
+            Some(error) if error.kind() != ErrorKind::BrokenPipe => {
+                let _ = writeln!(io::stderr(), "acutile: standard output: {error}");
+                Outcome::Failed
+            }
+            _ => Outcome::Done,
+        }
+    }
+}
+
+/// Writes a whole file or nothing: to a temporary file beside it, then renamed.
+pub fn write_file(path: &Path, bytes: &[u8]) -> io::Result<()> {
+    let directory = match path.parent() {
+        Some(parent) if parent != Path::new("") => parent,
+        _ => Path::new("."),
+    };
+    if path.is_dir() {
+        return Err(io::Error::new(ErrorKind::IsADirectory, "is a directory"));
+    }
+    // A device or a pipe has no place for a temporary file beside it.
+    if path.exists() && !path.is_file() {
+        return std::fs::write(path, bytes);
+    }
+    let mut file = new_file(directory)?;
+    file.write_all(bytes)?;
+    file.as_file().sync_all()?;
+    file.persist(path).map_err(|error| error.error)?;
+    Ok(())
+}
+
+/// A temporary file with the permissions of an ordinary new file.
+fn new_file(directory: &Path) -> io::Result<tempfile::NamedTempFile> {
+    let mut builder = tempfile::Builder::new();
+    builder.prefix(".acutile-");
+    #[cfg(unix)]
+    {
+        use std::os::unix::fs::PermissionsExt;
+        builder.permissions(std::fs::Permissions::from_mode(0o666));
+    }
+    builder.tempfile_in(directory)
+}

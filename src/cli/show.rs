@@ -1,0 +1,70 @@
+//! `acutile show`: what a tiling is, before anything about it is proved.
+
+use super::args::ShowArguments;
+use super::output::Output;
+use super::{Outcome, input};
+use crate::geometry::linear;
+use crate::number::Number;
+use crate::quality::{dihedral_degrees, display_width, decimal_range, shapes};
+use crate::tiling::{AnyTiling, Frame, Tiling};
+use crate::with_dimension;
+
+/// Prints counts, lattice, field and shapes.
+pub fn run(arguments: &ShowArguments, output: &mut Output) -> Outcome {
+    match input::tiling(&arguments.input) {
+        Ok(named) => {
+            output.line(format!("{}: {}", named.name, named.description));
+            with_dimension!(&named.tiling, AnyTiling, t => show(t, output));
+            Outcome::Done
+        }
+        Err(message) => {
+            output.complain(format!("acutile: {message}"));
+            Outcome::Failed
+        }
+    }
+}
+
+fn show<const D: usize>(tiling: &Tiling<D>, output: &mut Output) {
+    output.line(format!(
+        "dimension {D}, lattice of rank {}; {} vertices and {} simplices in a cell",
+        tiling.frame.rank(),
+        tiling.vertices.len(),
+        tiling.len()
+    ));
+    show_frame(&tiling.frame, output);
+    for shape in shapes(tiling) {
+        let edges: Vec<String> = shape.squared_edges.iter().map(Number::to_string).collect();
+        output.line(format!("{} simplices with squared edges {}", shape.members.len(), edges.join(", ")));
+        output.line(format!("  dihedral angles {}", angles(tiling, shape.members[0]).join(", ")));
+    }
+}
+
+fn show_frame<const D: usize>(frame: &Frame<D>, output: &mut Output) {
+    if frame.field.degree() == 1 {
+        output.line("field: the rational numbers");
+    } else {
+        let polynomial: Vec<String> =
+            frame.field.polynomial().iter().map(ToString::to_string).collect();
+        let (lower, upper) = frame.field.root();
+        output.line(format!(
+            "field: Q(a), a the root between {lower} and {upper} of the polynomial with \
+             coefficients {} (constant first)",
+            polynomial.join(", ")
+        ));
+    }
+    output.line("Gram matrix of the basis:");
+    for row in &frame.gram {
+        let entries: Vec<String> = row.iter().map(Number::to_string).collect();
+        output.line(format!("  {}", entries.join("  ")));
+    }
+}
+
+/// The dihedral angles of a simplex in degrees, in the order of its pairs of facets.
+fn angles<const D: usize>(tiling: &Tiling<D>, simplex: usize) -> Vec<String> {
+    let cogram = linear::cofactors(&tiling.frame.gram);
+    let products = tiling.shape(simplex).normal_products(&cogram);
+    products
+        .pairs()
+        .map(|(i, j, _)| decimal_range(&dihedral_degrees(&products, (i, j), &display_width())))
+        .collect()
+}
