@@ -7,3 +7,4 @@
 pub mod certificate;
 #[cfg(feature = "prover")]
 pub mod geometry;
+pub mod verifier;
