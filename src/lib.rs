@@ -8,6 +8,10 @@ pub mod certificate;
 #[cfg(feature = "prover")]
 pub mod checker;
 #[cfg(feature = "prover")]
+pub mod cli;
+#[cfg(feature = "prover")]
+pub mod export;
+#[cfg(feature = "prover")]
 pub mod geometry;
 #[cfg(feature = "prover")]
 pub mod import;
@@ -17,3 +21,4 @@ pub mod number;
 pub mod quality;
 #[cfg(feature = "prover")]
 pub mod tiling;
+pub mod verifier;

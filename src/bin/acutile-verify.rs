@@ -1,1 +1,230 @@
-fn main() {}
+//! `acutile-verify FILE…`: the kernel and nothing else.
+//!
+//! One line for each file, beginning with its name and a verdict: `verified`,
+//! `rejected [code]`, `malformed [code]`, `declined [code]` or `unreadable`.
+//! The exit code is 0 if all are verified, else the first that occurs of 1 (one
+//! is rejected), 2 (one is malformed or unreadable), 3 (one is declined).
+
+#![forbid(unsafe_code)]
+
+use acutile::verifier::{Kind, Limits, Refusal, Verified, verify};
+use lexopt::{Arg, ValueExt};
+use serde_json::json;
+use std::ffi::OsString;
+use std::fs::File;
+use std::io::{self, Read, Write};
+use std::process::ExitCode;
+
+const HELP: &str = "\
+Re-checks certificates of tilings in exact arithmetic, from their bytes alone.
+
+Usage: acutile-verify [OPTIONS] FILE...
+
+  FILE                  a certificate; - is standard input
+
+  --json                one JSON object for each file
+  --limit-bytes N       bytes of a file                          [134217728]
+  --limit-simplices N   simplices of a certificate               [1000000]
+  --limit-digits N      decimal digits of a number               [1000]
+  --limit-degree N      degree of the field                      [32]
+  --limit-bisections N  halvings of the root's interval          [512]
+  --limit-work N        word products for one product of numbers
+                        in every simplex                         [100000000]
+  -h, --help            print this and stop
+  -V, --version         print the version and stop
+
+Each file gets one line, FILE: VERDICT..., with one of the verdicts
+  verified     what the certificate claims is proved
+  rejected     something that it states is false
+  malformed    it is not a certificate, or not in canonical form
+  unreadable   the file cannot be read
+  declined     neither: a limit, an undecided sign, an unknown version
+Exit code: 0 if every file is verified; else 1 if one is rejected; else 2 if one
+is malformed or unreadable, or if the command line is wrong; else 3.
+";
+
+fn main() -> ExitCode {
+    let invocation = match parse(lexopt::Parser::from_env()) {
+        Ok(invocation) => invocation,
+        Err(error) => {
+            complain(&format!("acutile-verify: {error}; try --help"));
+            return ExitCode::from(2);
+        }
+    };
+    match run(&invocation, &mut io::stdout().lock()) {
+        Ok(code) => ExitCode::from(code),
+        // Whoever reads the verdicts has not got them all, so this is no success.
+        Err(error) => {
+            complain(&format!("acutile-verify: standard output: {error}"));
+            ExitCode::from(2)
+        }
+    }
+}
+
+/// Standard error may be closed; there is nobody left to tell.
+fn complain(message: &str) {
+    let _ = writeln!(io::stderr(), "{}", one_line(message));
+}
+
+enum Invocation {
+    Say(String),
+    Verify {
+        files: Vec<OsString>,
+        limits: Limits,
+        json: bool,
+    },
+}
+
+fn parse(mut arguments: lexopt::Parser) -> Result<Invocation, lexopt::Error> {
+    let (mut files, mut limits, mut json) = (Vec::new(), Limits::DEFAULT, false);
+    while let Some(argument) = arguments.next()? {
+        match argument {
+            Arg::Short('h') | Arg::Long("help") => return Ok(Invocation::Say(HELP.to_owned())),
+            Arg::Short('V') | Arg::Long("version") => {
+                let version = concat!("acutile-verify ", env!("CARGO_PKG_VERSION"), "\n");
+                return Ok(Invocation::Say(version.to_owned()));
+            }
+            Arg::Long("json") => json = true,
+            Arg::Long("limit-bytes") => limits.bytes = arguments.value()?.parse()?,
+            Arg::Long("limit-simplices") => limits.simplices = arguments.value()?.parse()?,
+            Arg::Long("limit-digits") => limits.digits = arguments.value()?.parse()?,
+            Arg::Long("limit-degree") => limits.degree = arguments.value()?.parse()?,
+            Arg::Long("limit-bisections") => limits.bisections = arguments.value()?.parse()?,
+            Arg::Long("limit-work") => limits.work = arguments.value()?.parse()?,
+            Arg::Value(file) => files.push(file),
+            _ => return Err(argument.unexpected()),
+        }
+    }
+    match files.is_empty() {
+        true => Err("no file is given".into()),
+        false => Ok(Invocation::Verify {
+            files,
+            limits,
+            json,
+        }),
+    }
+}
+
+/// Prints the lines and gives the exit code.
+fn run(invocation: &Invocation, out: &mut impl Write) -> io::Result<u8> {
+    let (files, limits, json) = match invocation {
+        Invocation::Say(text) => return out.write_all(text.as_bytes()).map(|()| 0),
+        Invocation::Verify {
+            files,
+            limits,
+            json,
+        } => (files, limits, *json),
+    };
+    let mut code = 0;
+    for file in files {
+        let outcome = look_at(file, limits);
+        let line = if json {
+            as_json(file, &outcome)
+        } else {
+            as_text(file, &outcome)
+        };
+        writeln!(out, "{line}")?;
+        out.flush()?;
+        code = first_of(code, outcome.exit_code());
+    }
+    Ok(code)
+}
+
+/// The first of 1, 2, 3 that is there, else 0.
+fn first_of(a: u8, b: u8) -> u8 {
+    if a == 0 || (b != 0 && b < a) { b } else { a }
+}
+
+enum Outcome {
+    Verified(Verified),
+    Refused(Refusal),
+    Unreadable(io::Error),
+}
+
+impl Outcome {
+    fn exit_code(&self) -> u8 {
+        match self {
+            Outcome::Verified(_) => 0,
+            Outcome::Refused(refusal) => match refusal.kind() {
+                Kind::False => 1,
+                Kind::Malformed => 2,
+                Kind::Declined => 3,
+            },
+            Outcome::Unreadable(_) => 2,
+        }
+    }
+}
+
+fn look_at(file: &OsString, limits: &Limits) -> Outcome {
+    let bytes = match read(file, limits) {
+        Ok(bytes) => bytes,
+        Err(error) => return Outcome::Unreadable(error),
+    };
+    match verify(&bytes, limits) {
+        Ok(verified) => Outcome::Verified(verified),
+        Err(refusal) => Outcome::Refused(refusal),
+    }
+}
+
+/// At most one byte more than the limit, which is enough to be refused.
+fn read(file: &OsString, limits: &Limits) -> io::Result<Vec<u8>> {
+    let enough = limits.bytes.saturating_add(1);
+    let mut bytes = Vec::new();
+    if file == "-" {
+        io::stdin().lock().take(enough).read_to_end(&mut bytes)?;
+    } else {
+        File::open(file)?.take(enough).read_to_end(&mut bytes)?;
+    }
+    Ok(bytes)
+}
+
+fn as_text(file: &OsString, outcome: &Outcome) -> String {
+    let verdict = match outcome {
+        Outcome::Verified(verified) => format!(
+            "verified: {verified}. ({} vertices, {} simplices, sha256 {})",
+            verified.vertices(),
+            verified.simplices(),
+            verified.sha256()
+        ),
+        Outcome::Refused(refusal) => {
+            format!("{} [{}] {refusal}", refusal.kind(), refusal.code())
+        }
+        Outcome::Unreadable(error) => format!("unreadable: {error}"),
+    };
+    one_line(&format!("{}: {verdict}", file.to_string_lossy()))
+}
+
+/// Members: file, verdict; claim, words, vertices, simplices, sha256 of a
+/// verified one; code, message of any other.
+fn as_json(file: &OsString, outcome: &Outcome) -> String {
+    let file = file.to_string_lossy();
+    match outcome {
+        Outcome::Verified(verified) => json!({
+            "file": file, "verdict": "verified", "claim": verified.claim(),
+            "words": verified.to_string(), "vertices": verified.vertices(),
+            "simplices": verified.simplices(), "sha256": verified.sha256(),
+        }),
+        Outcome::Refused(refusal) => json!({
+            "file": file, "verdict": refusal.kind().to_string(), "code": refusal.code(),
+            "message": refusal.to_string(),
+        }),
+        Outcome::Unreadable(error) => json!({
+            "file": file, "verdict": "unreadable", "code": "unreadable",
+            "message": error.to_string(),
+        }),
+    }
+    .to_string()
+}
+
+/// Names of files and texts in them cannot forge a line: whatever is not
+/// printable is escaped.
+fn one_line(text: &str) -> String {
+    let mut line = String::with_capacity(text.len());
+    for character in text.chars() {
+        match character {
+            '"' | '\'' | '\\' => line.push(character),
+            _ => line.extend(character.escape_debug()),
+        }
+    }
+    line
+}

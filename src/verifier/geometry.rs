@@ -1,0 +1,236 @@
+//! The hypotheses of the soundness theorem, a function each.
+//!
+//! Over each function stands the rule that it checks. x_0, …, x_D are the
+//! corners of a simplex, E the matrix whose rows are the edges e_i = x_i - x_0
+//! in basis coordinates, G the Gram matrix of the basis. That these hypotheses
+//! imply the claim is proved in docs/soundness.md.
+
+use super::matrix::{Matrix, apply, cofactors, determinant, leading};
+use super::ring::Element;
+use super::tiling::{Tiling, number};
+use super::{Refusal, angle, mates};
+use crate::certificate::{Number, Statement};
+use num_bigint::BigInt;
+use std::cmp::Ordering;
+
+/// A check of the numbers; it may rely on [`super::shape::CHECKS`] and on the
+/// checks before it.
+pub(super) type Check = fn(&Tiling) -> Result<(), Refusal>;
+
+/// The exact value whose sign was judged, made only for a refusal.
+type Value<'v> = &'v dyn Fn() -> Number;
+
+/// All of them. A statement that is not claimed is not checked.
+pub(super) const CHECKS: &[(&str, Check)] = &[
+    ("gram_positive", check_gram_positive),
+    ("orientation", check_orientation),
+    ("mates_mutual", mates::check_mates_mutual),
+    ("mates_meet", mates::check_mates_meet),
+    ("volume_sum", check_volume_sum),
+    ("acute", check_acute),
+    ("nonobtuse", check_nonobtuse),
+    ("angles_below", angle::check_angles_below),
+    ("delaunay", check_delaunay),
+    ("weakly_delaunay", check_weakly_delaunay),
+];
+
+/// G is positive definite: its leading principal minors are positive (Sylvester).
+fn check_gram_positive(tiling: &Tiling) -> Result<(), Refusal> {
+    for order in 1..=tiling.dimension() {
+        let minor = determinant(&tiling.ring, &leading(&tiling.gram, order));
+        let scale = tiling.gram_scale.pow(order as u32);
+        let of = || format!("leading principal minor {order} of the Gram matrix");
+        if tiling.sign(&minor, &scale, of)? != Ordering::Greater {
+            return Err(Refusal::GramNotPositive {
+                order,
+                minor: number(&minor, &scale),
+            });
+        }
+    }
+    Ok(())
+}
+
+/// det E > 0.
+fn check_orientation(tiling: &Tiling) -> Result<(), Refusal> {
+    let scale = tiling.scale.pow(tiling.dimension() as u32);
+    for (simplex, corners) in tiling.simplices().iter().enumerate() {
+        let value = determinant(&tiling.ring, &tiling.edges(corners));
+        let of = || format!("determinant of simplex {simplex}");
+        if tiling.sign(&value, &scale, of)? != Ordering::Greater {
+            return Err(Refusal::Orientation {
+                simplex,
+                determinant: number(&value, &scale),
+            });
+        }
+    }
+    Ok(())
+}
+
+/// The volumes, in units of the cell, sum to one: vol = det E / D!, so the sum
+/// of all det E is D!. Here each det E is N^D too large. Vectors that agree
+/// have the same value; where they differ, the difference must be seen to.
+fn check_volume_sum(tiling: &Tiling) -> Result<(), Refusal> {
+    let d = tiling.dimension();
+    let add = |sum: Element, value: Element| sum.plus(&value);
+    let determinants = tiling
+        .simplices()
+        .iter()
+        .map(|corners| determinant(&tiling.ring, &tiling.edges(corners)));
+    let sum = determinants.fold(Element::default(), add);
+    let cell = (1..=d).product::<usize>() * tiling.scale.pow(d as u32);
+    let difference = sum.clone().minus(&Element::integer(cell.clone()));
+    let of = || "sum of the volumes, minus one".to_owned();
+    match tiling.sign(&difference, &cell, of)? {
+        Ordering::Equal => Ok(()),
+        _ => Err(Refusal::VolumeSum {
+            ratio: number(&sum, &cell),
+        }),
+    }
+}
+
+/// The inner products of the gradients g_0, …, g_D of the barycentric
+/// coordinates, times det M > 0, where M = E G E^T holds the e_i · e_j.
+///
+/// g_1, …, g_D is the dual basis of e_1, …, e_D, so (g_i · g_j) = M^-1 = C / det M
+/// with C the cofactors of M, and g_0 = -(g_1 + … + g_D). The gradient g_i is
+/// the inward normal of the facet opposite to x_i. det M > 0 because det E and
+/// det G are. The result is d^(D-1) N^(2D-2) too large.
+pub(super) fn gradient_products(tiling: &Tiling, simplex: usize) -> Matrix {
+    let ring = &tiling.ring;
+    let edges = tiling.edges(&tiling.simplices()[simplex]);
+    let dual: Matrix = edges
+        .iter()
+        .map(|edge| apply(ring, &tiling.gram, edge))
+        .collect();
+    let products: Matrix = edges.iter().map(|edge| apply(ring, &dual, edge)).collect();
+    let inner = cofactors(ring, &products);
+    let negated_sum =
+        |values: &[Element]| values.iter().fold(Element::default(), |s, v| s.minus(v));
+    let first: Vec<Element> = inner.iter().map(|row| negated_sum(row)).collect();
+    let mut rows = vec![[vec![negated_sum(&first)], first.clone()].concat()];
+    for (corner, row) in first.into_iter().zip(inner) {
+        rows.push([vec![corner], row].concat());
+    }
+    rows
+}
+
+/// The pairs i < j of facets of a D-simplex, one for each dihedral angle.
+pub(super) fn facet_pairs(dimension: usize) -> impl Iterator<Item = (usize, usize)> {
+    (0..=dimension).flat_map(move |j| (0..j).map(move |i| (i, j)))
+}
+
+/// The dihedral angle of the facets i and j is less than a right angle:
+/// cos = -g_i · g_j / (|g_i| |g_j|) > 0.
+fn check_acute(tiling: &Tiling) -> Result<(), Refusal> {
+    if !tiling.claims(&Statement::Acute) {
+        return Ok(());
+    }
+    each_product(tiling, |simplex, facets, sign, product| match sign {
+        Ordering::Less => Ok(()),
+        _ => Err(Refusal::NotAcute {
+            simplex,
+            facets,
+            product: product(),
+        }),
+    })
+}
+
+/// It is at most a right angle: cos >= 0.
+fn check_nonobtuse(tiling: &Tiling) -> Result<(), Refusal> {
+    if !tiling.claims(&Statement::Nonobtuse) {
+        return Ok(());
+    }
+    each_product(tiling, |simplex, facets, sign, product| match sign {
+        Ordering::Less | Ordering::Equal => Ok(()),
+        Ordering::Greater => Err(Refusal::NotNonobtuse {
+            simplex,
+            facets,
+            product: product(),
+        }),
+    })
+}
+
+/// Gives `judge` the sign of g_i · g_j, and its value times det M, for each
+/// dihedral angle.
+fn each_product(
+    tiling: &Tiling,
+    judge: impl Fn(usize, (usize, usize), Ordering, Value) -> Result<(), Refusal>,
+) -> Result<(), Refusal> {
+    let d = tiling.dimension() as u32;
+    let scale: BigInt = tiling.gram_scale.pow(d - 1) * tiling.scale.pow(2 * (d - 1));
+    for simplex in 0..tiling.simplices().len() {
+        let products = gradient_products(tiling, simplex);
+        for (i, j) in facet_pairs(tiling.dimension()) {
+            let value = &products[i][j];
+            let of =
+                || format!("product of the normals of facets {i} and {j} of simplex {simplex}");
+            let sign = tiling.sign(value, &scale, of)?;
+            judge(simplex, (i, j), sign, &|| number(value, &scale))?;
+        }
+    }
+    Ok(())
+}
+
+/// The corner behind each facet lies strictly outside of the circumsphere. This
+/// local condition implies the global one (Delaunay's lemma, docs/soundness.md).
+fn check_delaunay(tiling: &Tiling) -> Result<(), Refusal> {
+    if !tiling.claims(&Statement::Delaunay) {
+        return Ok(());
+    }
+    each_power(tiling, |simplex, facet, sign, power| match sign {
+        Ordering::Greater => Ok(()),
+        _ => Err(Refusal::NotDelaunay {
+            simplex,
+            facet,
+            power: power(),
+        }),
+    })
+}
+
+/// The corner behind each facet does not lie inside of the circumsphere.
+fn check_weakly_delaunay(tiling: &Tiling) -> Result<(), Refusal> {
+    if !tiling.claims(&Statement::WeaklyDelaunay) {
+        return Ok(());
+    }
+    each_power(tiling, |simplex, facet, sign, power| match sign {
+        Ordering::Greater | Ordering::Equal => Ok(()),
+        Ordering::Less => Err(Refusal::NotWeaklyDelaunay {
+            simplex,
+            facet,
+            power: power(),
+        }),
+    })
+}
+
+/// Gives `judge` the sign of the power of the corner behind each facet with
+/// respect to the circumsphere, and its value times det E.
+///
+/// Let c be the circumcentre and w the corner, both seen from x_0. The power is
+/// |w|² - 2 c · w, and 2 c · e_i = |e_i|² defines c. Write w = λ_1 e_1 + … +
+/// λ_D e_D, that is λ = C w / det E with C the cofactors of E. So, as det E > 0,
+/// the power has the sign of det(E) |w|² - Σ (C w)_i |e_i|².
+fn each_power(
+    tiling: &Tiling,
+    judge: impl Fn(usize, usize, Ordering, Value) -> Result<(), Refusal>,
+) -> Result<(), Refusal> {
+    let ring = &tiling.ring;
+    let scale: BigInt = &tiling.gram_scale * tiling.scale.pow(tiling.dimension() as u32 + 2);
+    let square = |x: &[Element]| ring.dot(x, &apply(ring, &tiling.gram, x));
+    for (simplex, corners) in tiling.simplices().iter().enumerate() {
+        let edges = tiling.edges(corners);
+        let volume = determinant(ring, &edges);
+        let cofactors = cofactors(ring, &edges);
+        let squares: Vec<Element> = edges.iter().map(|edge| square(edge)).collect();
+        for facet in 0..corners.len() {
+            let mate = mates::mate(tiling, simplex, facet);
+            let w = tiling.edge(&corners[0], mate.corner(tiling), mate.shift);
+            let value = ring
+                .times(&volume, &square(&w))
+                .minus(&ring.dot(&apply(ring, &cofactors, &w), &squares));
+            let of = || format!("power of the corner behind facet {facet} of simplex {simplex}");
+            let sign = tiling.sign(&value, &scale, of)?;
+            judge(simplex, facet, sign, &|| number(&value, &scale))?;
+        }
+    }
+    Ok(())
+}

@@ -1,0 +1,424 @@
+//! The words: what was verified, and why something was not.
+//!
+//! Indices are counted from zero, as in the file. Text from the file is quoted
+//! with its control characters escaped.
+
+use super::{Kind, Refusal, Verified};
+use crate::certificate::{Claim, Domain, Field, Number, Statement};
+use std::fmt::{self, Display, Formatter, Result};
+
+/// The claim in words, one line.
+impl Display for Verified {
+    fn fmt(&self, f: &mut Formatter) -> Result {
+        let claim = self.claim();
+        let (simplex, tiled) = match claim.dimension {
+            2 => ("triangle", "the plane is tiled edge to edge by"),
+            _ => ("tetrahedron", "three-space is tiled face to face by"),
+        };
+        let Domain::Space = claim.domain;
+        write!(
+            f,
+            "{tiled} {} and their translates",
+            counted(self.simplices(), simplex)
+        )?;
+        write!(
+            f,
+            " under the lattice whose basis has the Gram matrix {}",
+            Matrix(&claim.gram)
+        )?;
+        write_field(f, claim)?;
+        for statement in &claim.statements[1..] {
+            write!(f, "; {}", Words(statement))?;
+        }
+        Ok(())
+    }
+}
+
+fn counted(count: usize, simplex: &str) -> String {
+    match (count, simplex) {
+        (1, _) => format!("1 {simplex}"),
+        (_, "tetrahedron") => format!("{count} tetrahedra"),
+        _ => format!("{count} {simplex}s"),
+    }
+}
+
+fn write_field(f: &mut Formatter, claim: &Claim) -> Result {
+    let Field::Algebraic(field) = &claim.field else {
+        return Ok(());
+    };
+    write!(f, ", where a is the root of ")?;
+    for (k, coefficient) in field.polynomial.iter().enumerate().rev() {
+        write!(
+            f,
+            "{}({coefficient}) a^{k}",
+            if k + 1 == field.polynomial.len() {
+                ""
+            } else {
+                " + "
+            }
+        )?;
+    }
+    write!(f, " between {} and {}", field.root.0, field.root.1)
+}
+
+struct Words<'s>(&'s Statement);
+
+impl Display for Words<'_> {
+    fn fmt(&self, f: &mut Formatter) -> Result {
+        match self.0 {
+            Statement::FaceToFaceTiling => write!(f, "a face-to-face tiling"),
+            Statement::Acute => write!(f, "all dihedral angles are acute"),
+            Statement::Nonobtuse => write!(f, "no dihedral angle is obtuse"),
+            Statement::DihedralBelow(q) => write!(f, "all dihedral angles are below {q} degrees"),
+            Statement::Delaunay => write!(f, "it is the Delaunay triangulation of its vertices"),
+            Statement::WeaklyDelaunay => {
+                write!(f, "it is a Delaunay triangulation of its vertices")
+            }
+        }
+    }
+}
+
+struct Matrix<'m>(&'m [Vec<Number>]);
+
+impl Display for Matrix<'_> {
+    fn fmt(&self, f: &mut Formatter) -> Result {
+        let row = |row: &Vec<Number>| format!("[{}]", join(row.iter()));
+        write!(f, "[{}]", join(self.0.iter().map(row)))
+    }
+}
+
+fn join(items: impl Iterator<Item = impl Display>) -> String {
+    items
+        .map(|item| item.to_string())
+        .collect::<Vec<_>>()
+        .join(", ")
+}
+
+/// `1/2 + 1/2 a`, as an expression in the generator a.
+impl Display for Number {
+    fn fmt(&self, f: &mut Formatter) -> Result {
+        let term = |(k, c): (usize, &String)| match k {
+            0 => c.clone(),
+            1 => format!("{c} a"),
+            _ => format!("{c} a^{k}"),
+        };
+        let kept = self
+            .0
+            .iter()
+            .enumerate()
+            .filter(|(_, c)| *c != "0")
+            .map(term);
+        let terms = kept.collect::<Vec<_>>();
+        match terms.is_empty() {
+            true => write!(f, "0"),
+            false => write!(f, "{}", terms.join(" + ")),
+        }
+    }
+}
+
+impl Display for Kind {
+    fn fmt(&self, f: &mut Formatter) -> Result {
+        f.write_str(match self {
+            Kind::Malformed => "malformed",
+            Kind::False => "rejected",
+            Kind::Declined => "declined",
+        })
+    }
+}
+
+impl std::error::Error for Refusal {}
+
+/// What is wrong, where, and the exact value found; without the code.
+impl Display for Refusal {
+    fn fmt(&self, f: &mut Formatter) -> Result {
+        use Refusal::*;
+        match self {
+            TooManyBytes { found, limit } => {
+                write!(f, "at least {found} bytes, more than the limit of {limit}")
+            }
+            Json { message } => write!(f, "{}", message.escape_debug()),
+            Format { found } => write!(f, "the format is {found:?}, not \"acutile-certificate\""),
+            Version { found } => write!(f, "version {found} is unknown; this program knows 1"),
+            Canonical { offset } => {
+                write!(
+                    f,
+                    "not in canonical form: the first wrong byte is at offset {offset}"
+                )
+            }
+            Dimension { found } => write!(f, "dimension {found}; it must be 2 or 3"),
+            Statements { index: 0 } => {
+                write!(f, "the first statement must be \"face-to-face tiling\"")
+            }
+            Statements { index } => {
+                write!(
+                    f,
+                    "statement {index} is out of order or repeats the one before it"
+                )
+            }
+            GramShape {} => write!(f, "the Gram matrix is not square of the dimension's size"),
+            GramAsymmetric { row, column } => {
+                write!(
+                    f,
+                    "gram[{row}][{column}] differs from gram[{column}][{row}]"
+                )
+            }
+            NoSimplices {} => write!(f, "there are no simplices"),
+            TooManySimplices { found, limit } => {
+                write!(f, "{found} simplices, more than the limit of {limit}")
+            }
+            VertexLength {
+                vertex,
+                found,
+                expected,
+            } => {
+                write!(f, "vertex {vertex} has {found} coordinates, not {expected}")
+            }
+            SimplexLength {
+                simplex,
+                found,
+                expected,
+            } => {
+                write!(f, "simplex {simplex} has {found} corners, not {expected}")
+            }
+            CornerLength {
+                simplex,
+                corner,
+                found,
+                expected,
+            } => {
+                write!(
+                    f,
+                    "{} has {found} entries, not {expected}",
+                    corner_of(*simplex, *corner)
+                )
+            }
+            VertexRange {
+                simplex,
+                corner,
+                found,
+                vertices,
+            } => {
+                let corner = corner_of(*simplex, *corner);
+                write!(
+                    f,
+                    "{corner} is at vertex {found}; there are {vertices} vertices"
+                )
+            }
+            ShiftRange {
+                simplex,
+                corner,
+                found,
+            } => {
+                let corner = corner_of(*simplex, *corner);
+                write!(
+                    f,
+                    "{corner} is shifted by {found}, not between -2^31 and 2^31"
+                )
+            }
+            UnusedVertex { vertex } => write!(f, "vertex {vertex} is no corner of any simplex"),
+            MatesLength { found, expected } => {
+                write!(f, "{found} rows of mates for {expected} simplices")
+            }
+            MateRowLength {
+                simplex,
+                found,
+                expected,
+            } => {
+                write!(f, "simplex {simplex} has {found} mates, not {expected}")
+            }
+            MateLength {
+                simplex,
+                facet,
+                found,
+                expected,
+            } => {
+                let facet = facet_of(*simplex, *facet);
+                write!(f, "the mate of {facet} has {found} entries, not {expected}")
+            }
+            MateRange {
+                simplex,
+                facet,
+                found,
+            } => {
+                let facet = facet_of(*simplex, *facet);
+                write!(f, "the mate of {facet}, {found:?}, does not exist")
+            }
+            MateShiftRange {
+                simplex,
+                facet,
+                found,
+            } => {
+                let facet = facet_of(*simplex, *facet);
+                write!(
+                    f,
+                    "the mate of {facet} is shifted by {found}, not between -2^31 and 2^31"
+                )
+            }
+            Number {
+                place,
+                text,
+                reason,
+            } => write!(f, "{place}: {text:?}: {reason}"),
+            TooManyDigits {
+                place,
+                found,
+                limit,
+            } => {
+                write!(f, "{place}: {found} digits, more than the limit of {limit}")
+            }
+            Polynomial { reason } => write!(f, "the field's polynomial: {reason}"),
+            Degree { found, limit } => {
+                write!(
+                    f,
+                    "the field has degree {found}, more than the limit of {limit}"
+                )
+            }
+            RootOrder {} => write!(f, "the root's interval does not rise"),
+            RootSigns {} => write!(
+                f,
+                "the field's polynomial does not have opposite signs at the ends of the root's interval"
+            ),
+            RootDerivative {} => write!(
+                f,
+                "the derivative of the field's polynomial is not shown to keep its sign on the root's interval"
+            ),
+            Coefficients { place, reason } => write!(f, "{place}: coefficients: {reason}"),
+            AngleRange { found } => {
+                write!(
+                    f,
+                    "an angle of {found} degrees; it must be above 0 and at most 180"
+                )
+            }
+            CommonDenominator { of, limit } => {
+                write!(
+                    f,
+                    "{of}: the common denominator has more than {limit} digits"
+                )
+            }
+            Work { found, limit } => {
+                write!(
+                    f,
+                    "{found} word products for each product, more than the limit of {limit}"
+                )
+            }
+            SignUndecided { of, value } => {
+                write!(
+                    f,
+                    "the sign of the {of}, {value}, is not decided by the bisections allowed"
+                )
+            }
+            GramNotPositive { order, minor } => write!(
+                f,
+                "the Gram matrix is not positive definite: its leading principal minor {order} is {minor}"
+            ),
+            Orientation {
+                simplex,
+                determinant,
+            } => {
+                write!(
+                    f,
+                    "simplex {simplex} has the determinant {determinant}, not a positive one"
+                )
+            }
+            MateNotMutual {
+                simplex,
+                facet,
+                back,
+            } => {
+                let facet = facet_of(*simplex, *facet);
+                write!(f, "the mate of {facet} has {back:?} for its mate")
+            }
+            MateCorners {
+                simplex,
+                facet,
+                mate,
+                missing,
+            } => {
+                let facet = facet_of(*simplex, *facet);
+                write!(
+                    f,
+                    "{facet} and its mate {mate:?} have different corners, for one {missing:?}"
+                )
+            }
+            MateSide {
+                simplex,
+                facet,
+                mate,
+            } => {
+                let facet = facet_of(*simplex, *facet);
+                write!(
+                    f,
+                    "{facet} and its mate {mate:?} have their simplices on the same side"
+                )
+            }
+            VolumeSum { ratio } => {
+                write!(
+                    f,
+                    "the volumes of the simplices sum to {ratio} times the cell"
+                )
+            }
+            NotAcute {
+                simplex,
+                facets: (i, j),
+                product,
+            } => write!(
+                f,
+                "the angle of facets {i} and {j} of simplex {simplex} is not acute: \
+                 their scaled normals have the product {product}, not a negative one"
+            ),
+            NotNonobtuse {
+                simplex,
+                facets: (i, j),
+                product,
+            } => write!(
+                f,
+                "the angle of facets {i} and {j} of simplex {simplex} is obtuse: \
+                 their scaled normals have the positive product {product}"
+            ),
+            AngleNotBelow {
+                simplex,
+                facets: (i, j),
+                degrees,
+            } => {
+                write!(
+                    f,
+                    "the angle of facets {i} and {j} of simplex {simplex} is not below {degrees} degrees"
+                )
+            }
+            AngleUndecided {
+                simplex,
+                facets: (i, j),
+                degrees,
+            } => write!(
+                f,
+                "the angle of facets {i} and {j} of simplex {simplex} is too near to {degrees} degrees to be decided"
+            ),
+            NotDelaunay {
+                simplex,
+                facet,
+                power,
+            } => write!(
+                f,
+                "the corner behind {} has the scaled power {power} and is not outside of the circumsphere",
+                facet_of(*simplex, *facet)
+            ),
+            NotWeaklyDelaunay {
+                simplex,
+                facet,
+                power,
+            } => write!(
+                f,
+                "the corner behind {} has the scaled power {power} and is inside of the circumsphere",
+                facet_of(*simplex, *facet)
+            ),
+        }
+    }
+}
+
+fn corner_of(simplex: usize, corner: usize) -> impl fmt::Display {
+    format!("corner {corner} of simplex {simplex}")
+}
+
+fn facet_of(simplex: usize, facet: usize) -> impl fmt::Display {
+    format!("facet {facet} of simplex {simplex}")
+}

@@ -1,0 +1,279 @@
+//! The certificate's numbers as elements of one ring, denominators cleared.
+//!
+//! With N a common denominator of the coordinates and d one of the Gram matrix,
+//! both positive integers, the kernel computes with N x and d G. Every
+//! predicate is homogeneous in x and in G, so its sign stays.
+
+use super::matrix::Matrix;
+use super::number::{self, Rational};
+use super::ring::{Element, Ring};
+use super::{Limits, Refusal};
+use crate::certificate::{AlgebraicField, Certificate, Field, Number, Place, Statement};
+use num_bigint::BigInt;
+use num_integer::Integer;
+use num_traits::{One, Signed, Zero};
+use std::cmp::Ordering;
+
+pub(super) struct Tiling<'c> {
+    pub(super) certificate: &'c Certificate,
+    pub(super) ring: Ring,
+    /// d G
+    pub(super) gram: Matrix,
+    /// d
+    pub(super) gram_scale: BigInt,
+    /// N x for each vertex x.
+    vertices: Vec<Vec<Element>>,
+    /// N
+    pub(super) scale: BigInt,
+    /// The bound of [`Statement::DihedralBelow`] in degrees, where it is claimed.
+    pub(super) angle: Option<Rational>,
+}
+
+impl<'c> Tiling<'c> {
+    /// Reads the numbers of a certificate that has passed [`super::shape`].
+    pub(super) fn new(certificate: &'c Certificate, limits: &Limits) -> Result<Self, Refusal> {
+        let (claim, witness) = (&certificate.claim, &certificate.witness);
+        let ring = ring(&claim.field, limits)?;
+        let reader = Reader {
+            degree: ring.degree(),
+            limits,
+        };
+        let (gram, gram_scale) = reader.table("gram", &claim.gram)?;
+        let (vertices, scale) = reader.table("vertices", &witness.vertices)?;
+        let angle = angle(&claim.statements, limits)?;
+        let tiling = Tiling {
+            certificate,
+            ring,
+            gram,
+            gram_scale,
+            vertices,
+            scale,
+            angle,
+        };
+        tiling.check_work(limits)?;
+        Ok(tiling)
+    }
+
+    /// Bounds the arithmetic before it is done. A product of two elements whose
+    /// coefficients have w words costs n² w² word products; reductions multiply
+    /// by powers of p up to the n-th, so p's bits count n times.
+    fn check_work(&self, limits: &Limits) -> Result<(), Refusal> {
+        let n = self.ring.degree() as u64;
+        let table = self.gram.iter().chain(&self.vertices).flatten();
+        let coefficients = table.map(Element::bits).max().unwrap_or(0);
+        let bits = coefficients
+            .max(self.scale.bits())
+            .max(n.saturating_mul(self.ring.bits()));
+        let words = bits / 64 + 1;
+        let product = [n, n, words, words]
+            .into_iter()
+            .fold(1, u64::saturating_mul);
+        let found = product.saturating_mul(self.simplices().len() as u64);
+        match found <= limits.work {
+            true => Ok(()),
+            false => Err(Refusal::Work {
+                found,
+                limit: limits.work,
+            }),
+        }
+    }
+
+    /// D
+    pub(super) fn dimension(&self) -> usize {
+        self.certificate.claim.dimension
+    }
+
+    pub(super) fn claims(&self, statement: &Statement) -> bool {
+        self.certificate.claim.statements.contains(statement)
+    }
+
+    pub(super) fn simplices(&self) -> &'c [Vec<Place>] {
+        &self.certificate.witness.simplices
+    }
+
+    /// N times the vector from one place, moved by the lattice vector `by`, to
+    /// another; in basis coordinates.
+    pub(super) fn edge(&self, from: &Place, to: &Place, by: &[i64]) -> Vec<Element> {
+        let (start, end) = (self.vertex(from), self.vertex(to));
+        let mut edge: Vec<Element> = end
+            .iter()
+            .zip(start)
+            .map(|(end, start)| end.clone().minus(start))
+            .collect();
+        for (k, coordinate) in edge.iter_mut().enumerate().take(by.len()) {
+            let shift = to.0[1 + k] - from.0[1 + k] + by[k];
+            if shift != 0 {
+                let moved = Element::integer(&self.scale * shift);
+                *coordinate = std::mem::take(coordinate).plus(&moved);
+            }
+        }
+        edge
+    }
+
+    /// N times the edge vectors from corner 0 to the corners 1, …, D, as rows.
+    pub(super) fn edges(&self, corners: &[Place]) -> Matrix {
+        let still = vec![0; corners[0].0.len() - 1];
+        corners[1..]
+            .iter()
+            .map(|corner| self.edge(&corners[0], corner, &still))
+            .collect()
+    }
+
+    fn vertex(&self, place: &Place) -> &[Element] {
+        &self.vertices[place.0[0] as usize]
+    }
+
+    /// The sign of `value`, or the refusal that it is undecided. `of` says what
+    /// `value` is, and `scale` by what positive integer it is too large.
+    pub(super) fn sign(
+        &self,
+        value: &Element,
+        scale: &BigInt,
+        of: impl Fn() -> String,
+    ) -> Result<Ordering, Refusal> {
+        let undecided = || Refusal::SignUndecided {
+            of: of(),
+            value: number(value, scale),
+        };
+        self.ring.sign(value).ok_or_else(undecided)
+    }
+}
+
+/// The element `value` divided by `scale`, as a certificate writes it.
+pub(super) fn number(value: &Element, scale: &BigInt) -> Number {
+    let text = |c: &BigInt| Rational::new(c.clone(), scale.clone()).to_string();
+    match value.0.as_slice() {
+        [] => Number(vec!["0".to_owned()]),
+        coefficients => Number(coefficients.iter().map(text).collect()),
+    }
+}
+
+/// The ring of the claimed field, once the field has been shown to be one.
+fn ring(field: &Field, limits: &Limits) -> Result<Ring, Refusal> {
+    let Field::Algebraic(AlgebraicField { polynomial, root }) = field else {
+        return Ok(Ring::integers());
+    };
+    let modulus = modulus(polynomial, limits)?;
+    let low = number::rational(&root.0, &|| "root[0]".to_owned(), limits)?;
+    let high = number::rational(&root.1, &|| "root[1]".to_owned(), limits)?;
+    Ring::extension(modulus, (low, high), limits)
+}
+
+/// p is monic, of degree n with 2 <= n <= limit, and its coefficients are integers.
+fn modulus(polynomial: &[String], limits: &Limits) -> Result<Vec<BigInt>, Refusal> {
+    let refuse = |reason| Err(Refusal::Polynomial { reason });
+    if polynomial.len() < 3 {
+        return refuse("its degree is less than two");
+    }
+    let degree = polynomial.len() - 1;
+    if degree > limits.degree {
+        return Err(Refusal::Degree {
+            found: degree,
+            limit: limits.degree,
+        });
+    }
+    if polynomial[degree] != "1" {
+        return refuse("it is not monic");
+    }
+    let mut modulus = Vec::new();
+    for (k, text) in polynomial.iter().enumerate() {
+        let coefficient = number::rational(text, &|| format!("polynomial[{k}]"), limits)?;
+        if !coefficient.is_integer() {
+            return refuse("a coefficient is not an integer");
+        }
+        modulus.push(coefficient.to_integer());
+    }
+    Ok(modulus)
+}
+
+/// The claimed Q, with 0 < Q <= 180.
+fn angle(statements: &[Statement], limits: &Limits) -> Result<Option<Rational>, Refusal> {
+    let claimed = statements.iter().find_map(|statement| match statement {
+        Statement::DihedralBelow(text) => Some(text),
+        _ => None,
+    });
+    let Some(text) = claimed else { return Ok(None) };
+    let angle = number::rational(text, &|| "all dihedral angles below".to_owned(), limits)?;
+    match angle.is_positive() && angle <= Rational::from_integer(BigInt::from(180)) {
+        true => Ok(Some(angle)),
+        false => Err(Refusal::AngleRange {
+            found: text.clone(),
+        }),
+    }
+}
+
+/// Reads tables of field elements.
+struct Reader<'l> {
+    degree: usize,
+    limits: &'l Limits,
+}
+
+impl Reader<'_> {
+    /// m T for a positive integer m, the least that makes it integral, and m.
+    fn table(
+        &self,
+        name: &'static str,
+        table: &[Vec<Number>],
+    ) -> Result<(Matrix, BigInt), Refusal> {
+        let mut rows = Vec::with_capacity(table.len());
+        let mut common = BigInt::one();
+        for (i, row) in table.iter().enumerate() {
+            let mut read = Vec::with_capacity(row.len());
+            for (j, number) in row.iter().enumerate() {
+                let coefficients = self.coefficients(number, &|| format!("{name}[{i}][{j}]"))?;
+                for coefficient in &coefficients {
+                    self.widen(&mut common, coefficient, name)?;
+                }
+                read.push(coefficients);
+            }
+            rows.push(read);
+        }
+        let integral = |c: Rational| c.numer() * (&common / c.denom());
+        let element = |cs: Vec<Rational>| Element::new(cs.into_iter().map(integral).collect());
+        let scaled = rows
+            .into_iter()
+            .map(|row| row.into_iter().map(element).collect())
+            .collect();
+        Ok((scaled, common))
+    }
+
+    /// Between one and n coefficients, the last one not zero unless it is alone.
+    fn coefficients(
+        &self,
+        number: &Number,
+        place: &dyn Fn() -> String,
+    ) -> Result<Vec<Rational>, Refusal> {
+        let refuse = |reason| {
+            Err(Refusal::Coefficients {
+                place: place(),
+                reason,
+            })
+        };
+        let count = number.0.len();
+        if count == 0 {
+            return refuse("there is none");
+        }
+        if count > self.degree {
+            return refuse("there are more than the degree of the field");
+        }
+        let read = |text: &String| number::rational(text, place, self.limits);
+        let coefficients = number.0.iter().map(read).collect::<Result<Vec<_>, _>>()?;
+        if count > 1 && coefficients[count - 1].is_zero() {
+            return refuse("the last one is zero");
+        }
+        Ok(coefficients)
+    }
+
+    /// common = lcm(common, denominator), while it has no more digits than allowed.
+    fn widen(&self, common: &mut BigInt, c: &Rational, of: &'static str) -> Result<(), Refusal> {
+        if common.is_multiple_of(c.denom()) {
+            return Ok(());
+        }
+        *common = common.lcm(c.denom());
+        let limit = self.limits.digits;
+        match common.to_string().len() <= limit {
+            true => Ok(()),
+            false => Err(Refusal::CommonDenominator { of, limit }),
+        }
+    }
+}
