@@ -1,8 +1,8 @@
 //! Writes a proved tiling as a certificate.
 
-use crate::certificate::{self,
-    AlgebraicField, Certificate, Claim, Domain, FORMAT, Field, Number, Place, Statement, VERSION,
-    Witness,
+use crate::certificate::{
+    self, AlgebraicField, Certificate, Claim, Domain, FORMAT, Field, Number, Place, Statement,
+    VERSION, Witness,
 };
 use crate::number;
 use crate::tiling::{self, Corner, Facet, Matching, Mate, Tiling};
@@ -25,8 +25,15 @@ pub fn certificate<const D: usize>(
             statements,
         },
         witness: Witness {
-            vertices: tiling.vertices.iter().map(|vertex| numbers(vertex)).collect(),
-            simplices: tiling.simplices().map(|corners| places(corners, frame.rank())).collect(),
+            vertices: tiling
+                .vertices
+                .iter()
+                .map(|vertex| numbers(vertex))
+                .collect(),
+            simplices: tiling
+                .simplices()
+                .map(|corners| places(corners, frame.rank()))
+                .collect(),
             mates: mates(matching, frame.rank()),
         },
     }
@@ -54,17 +61,25 @@ fn numbers(numbers: &[number::Number]) -> Vec<Number> {
 }
 
 fn places<const D: usize>(corners: &[Corner<D>], rank: usize) -> Vec<Place> {
-    corners.iter().map(|corner| Place(row(&[corner.vertex], &corner.shift[..rank]))).collect()
+    corners
+        .iter()
+        .map(|corner| Place(row(&[corner.vertex], &corner.shift[..rank])))
+        .collect()
 }
 
 fn mates<const D: usize>(matching: &Matching<D>, rank: usize) -> Vec<Vec<certificate::Mate>> {
     matching
         .mates
         .chunks_exact(D + 1)
-        .map(|facets| facets.iter().flatten().map(|mate| mate_row(mate, rank)).collect())
+        .map(|facets| {
+            facets
+                .iter()
+                .flatten()
+                .map(|mate| mate_row(mate, rank))
+                .collect()
+        })
         .collect()
 }
-
 
 fn mate_row<const D: usize>(mate: &Mate<D>, rank: usize) -> certificate::Mate {
     let Facet { simplex, opposite } = mate.facet;
@@ -72,5 +87,9 @@ fn mate_row<const D: usize>(mate: &Mate<D>, rank: usize) -> certificate::Mate {
 }
 
 fn row(indices: &[u32], shift: &[i32]) -> Vec<i64> {
-    indices.iter().map(|&k| i64::from(k)).chain(shift.iter().map(|&s| i64::from(s))).collect()
+    indices
+        .iter()
+        .map(|&k| i64::from(k))
+        .chain(shift.iter().map(|&s| i64::from(s)))
+        .collect()
 }

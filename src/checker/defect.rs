@@ -15,7 +15,10 @@ pub enum Defect {
     /// There is nothing to tile with.
     NoSimplices,
     /// Two corners of a simplex are the same vertex with the same shift.
-    RepeatedCorner { simplex: usize, corners: (usize, usize) },
+    RepeatedCorner {
+        simplex: usize,
+        corners: (usize, usize),
+    },
     /// D! times the volume is zero.
     Flat { simplex: usize },
     /// D! times the volume is negative; exchanging the last two corners mends it.
@@ -42,7 +45,11 @@ pub enum Defect {
     OnCircumsphere { facet: Facet, neighbour: usize },
     /// The corner of the neighbour behind a facet lies inside of the circumsphere;
     /// `power` is its power times D! times the volume.
-    InsideCircumsphere { facet: Facet, neighbour: usize, power: Number },
+    InsideCircumsphere {
+        facet: Facet,
+        neighbour: usize,
+        power: Number,
+    },
 }
 
 /// A dihedral angle between two facets, with the evidence.
@@ -93,7 +100,11 @@ pub struct Findings {
 impl Findings {
     /// Keeps up to `limit` defects of each kind.
     pub fn new(limit: usize) -> Self {
-        Findings { limit, counts: BTreeMap::new(), kept: Vec::new() }
+        Findings {
+            limit,
+            counts: BTreeMap::new(),
+            kept: Vec::new(),
+        }
     }
 
     /// Adds a defect.

@@ -43,7 +43,10 @@ pub fn check_corners<const D: usize>(tiling: &Tiling<D>, findings: &mut Findings
         for (i, corner) in corners.iter().enumerate() {
             used[corner.vertex as usize] = true;
             if let Some(j) = corners[..i].iter().position(|other| other == corner) {
-                findings.add(Defect::RepeatedCorner { simplex, corners: (j, i) });
+                findings.add(Defect::RepeatedCorner {
+                    simplex,
+                    corners: (j, i),
+                });
             }
         }
     }
@@ -55,10 +58,7 @@ pub fn check_corners<const D: usize>(tiling: &Tiling<D>, findings: &mut Findings
 /// Hypothesis O. Every simplex is positively oriented, hence not flat:
 /// det (c_1 - c_0, …, c_D - c_0) > 0. A simplex with a repeated corner has been
 /// reported already.
-pub fn check_orientation<S: Scalar, const D: usize>(
-    model: &Model<S, D>,
-    findings: &mut Findings,
-) {
+pub fn check_orientation<S: Scalar, const D: usize>(model: &Model<S, D>, findings: &mut Findings) {
     for (index, corners) in model.tiling.simplices().enumerate() {
         let sign = model.simplex(index).determinant.sign();
         if sign == Sign::Greater || has_repeated_corner(corners) {
@@ -100,10 +100,13 @@ pub fn check_facets<const D: usize>(matching: &Matching<D>, findings: &mut Findi
 /// Σ det (c_1 - c_0, …, c_D - c_0) = D!, coordinates in the lattice basis.
 pub fn check_volume<S: Scalar, const D: usize>(model: &Model<S, D>, findings: &mut Findings) {
     let zero = model.unit.integer(0);
-    let sum = (0..model.tiling.len())
-        .fold(zero, |sum, index| sum.plus(&model.simplex(index).determinant));
+    let sum = (0..model.tiling.len()).fold(zero, |sum, index| {
+        sum.plus(&model.simplex(index).determinant)
+    });
     let factorial = (1..=D as i64).product();
-    let cell = (0..D).fold(model.unit.integer(factorial), |cell, _| cell.times(&model.unit));
+    let cell = (0..D).fold(model.unit.integer(factorial), |cell, _| {
+        cell.times(&model.unit)
+    });
     if sum.minus(&cell).sign() != Sign::Equal {
         let field = &model.tiling.frame.field;
         findings.add(Defect::VolumeSum {
@@ -117,7 +120,8 @@ pub fn check_volume<S: Scalar, const D: usize>(model: &Model<S, D>, findings: &m
 fn volume_sum<const D: usize>(tiling: &Tiling<D>) -> Number {
     let field = &tiling.frame.field;
     let factorial = field.integer((1..=D as i64).product());
-    let sum = (0..tiling.len())
-        .fold(field.integer(0), |sum, index| &sum + &determinant(tiling, index));
+    let sum = (0..tiling.len()).fold(field.integer(0), |sum, index| {
+        &sum + &determinant(tiling, index)
+    });
     sum.divide(&factorial).unwrap_or_else(|| field.integer(0))
 }

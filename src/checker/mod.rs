@@ -13,9 +13,7 @@ mod render;
 mod statements;
 
 pub use defect::{Angle, Defect, Findings};
-pub use hypotheses::{
-    check_corners, check_facets, check_metric, check_orientation, check_volume,
-};
+pub use hypotheses::{check_corners, check_facets, check_metric, check_orientation, check_volume};
 pub use model::Model;
 pub use render::describe;
 pub use statements::{check_acute, check_delaunay, check_dihedral_below, check_nonobtuse};
@@ -38,7 +36,10 @@ pub struct Options {
 
 impl Default for Options {
     fn default() -> Self {
-        Options { required: Vec::new(), defect_limit: 20 }
+        Options {
+            required: Vec::new(),
+            defect_limit: 20,
+        }
     }
 }
 
@@ -94,7 +95,11 @@ fn prove_over<S: Scalar, const D: usize>(
 }
 
 fn stop_if_any(findings: &Findings) -> Result<(), Refutation> {
-    if findings.is_empty() { Ok(()) } else { Err(findings.clone()) }
+    if findings.is_empty() {
+        Ok(())
+    } else {
+        Err(findings.clone())
+    }
 }
 
 /// Checks one statement about a tiling whose hypotheses hold.
@@ -134,8 +139,15 @@ fn strongest_statements<S: Scalar, const D: usize>(
         |choices: [Statement; 2]| choices.into_iter().find(|choice| holds(choice));
     let mut statements = vec![Statement::FaceToFaceTiling];
     statements.extend(first_that_holds([Statement::Acute, Statement::Nonobtuse]));
-    statements.extend(quality::least_bounds(model.tiling).map(bound_statement).find(holds));
-    statements.extend(first_that_holds([Statement::Delaunay, Statement::WeaklyDelaunay]));
+    statements.extend(
+        quality::least_bounds(model.tiling)
+            .map(bound_statement)
+            .find(holds),
+    );
+    statements.extend(first_that_holds([
+        Statement::Delaunay,
+        Statement::WeaklyDelaunay,
+    ]));
     statements.extend(required.iter().cloned());
     drop_implied(&mut statements);
     statements

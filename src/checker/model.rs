@@ -31,7 +31,11 @@ impl<'a, S: Scalar, const D: usize> Model<'a, S, D> {
     fn new(tiling: &'a Tiling<D>, clear: impl Fn(&Number, &Integer) -> S) -> Self {
         let unit = common_denominator(tiling.vertices.iter().flatten());
         let metric = common_denominator(tiling.frame.gram.iter().flatten());
-        let gram = tiling.frame.gram.each_ref().map(|row| row.each_ref().map(|x| clear(x, &metric)));
+        let gram = tiling
+            .frame
+            .gram
+            .each_ref()
+            .map(|row| row.each_ref().map(|x| clear(x, &metric)));
         Model {
             tiling,
             vertices: tiling
@@ -56,8 +60,12 @@ impl<'a, S: Scalar, const D: usize> Model<'a, S, D> {
 
     /// The simplex with this index.
     pub fn simplex(&self, index: usize) -> Simplex<S, D> {
-        let corners: Vec<[S; D]> =
-            self.tiling.simplex(index).iter().map(|corner| self.position(corner)).collect();
+        let corners: Vec<[S; D]> = self
+            .tiling
+            .simplex(index)
+            .iter()
+            .map(|corner| self.position(corner))
+            .collect();
         Simplex::new(&corners)
     }
 }
@@ -79,7 +87,9 @@ impl<'a, const D: usize> Model<'a, Number, D> {
     /// The model of a tiling over any field.
     pub fn algebraic(tiling: &'a Tiling<D>) -> Self {
         let field = &tiling.frame.field;
-        Model::new(tiling, |number, scale| number * &field.rational(Rational::from(scale)))
+        Model::new(tiling, |number, scale| {
+            number * &field.rational(Rational::from(scale))
+        })
     }
 }
 

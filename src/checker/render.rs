@@ -17,7 +17,10 @@ pub fn describe<const D: usize>(tiling: &Tiling<D>, defect: &Defect) -> String {
             exact(minor)
         ),
         Defect::NoSimplices => "the tiling has no simplices".to_owned(),
-        Defect::RepeatedCorner { simplex, corners: (i, j) } => format!(
+        Defect::RepeatedCorner {
+            simplex,
+            corners: (i, j),
+        } => format!(
             "simplex {simplex}: corners {i} and {j} are both {}, expected {} different corners",
             corner(tiling, *simplex, *i),
             D + 1
@@ -26,7 +29,10 @@ pub fn describe<const D: usize>(tiling: &Tiling<D>, defect: &Defect) -> String {
             "simplex {simplex} {} is flat: its determinant is 0, expected a positive number",
             corners(tiling, *simplex)
         ),
-        Defect::NegativeOrientation { simplex, determinant } => format!(
+        Defect::NegativeOrientation {
+            simplex,
+            determinant,
+        } => format!(
             "simplex {simplex} {} is negatively oriented: its determinant is {}, expected a \
              positive number; the order {} mends it (--reorient does)",
             corners(tiling, *simplex),
@@ -34,10 +40,17 @@ pub fn describe<const D: usize>(tiling: &Tiling<D>, defect: &Defect) -> String {
             mended(tiling, *simplex)
         ),
         Defect::UnmatchedFacet { facet } => {
-            format!("{} is used once, expected one more simplex behind it", name(facet))
+            format!(
+                "{} is used once, expected one more simplex behind it",
+                name(facet)
+            )
         }
         Defect::SameSide { facets: (a, b) } => {
-            format!("{} and {} are the same facet seen from the same side", name(a), name(b))
+            format!(
+                "{} and {} are the same facet seen from the same side",
+                name(a),
+                name(b)
+            )
         }
         Defect::OverusedFacet { facets } => format!(
             "one facet is used {} times, expected twice: {}",
@@ -53,7 +66,10 @@ pub fn describe<const D: usize>(tiling: &Tiling<D>, defect: &Defect) -> String {
             format!("vertex {vertex} is a corner of no simplex")
         }
         Defect::RightAngle { angle } => {
-            format!("{} is a right angle, expected an acute one", angle_name(tiling, angle))
+            format!(
+                "{} is a right angle, expected an acute one",
+                angle_name(tiling, angle)
+            )
         }
         Defect::ObtuseAngle { angle } => format!(
             "{} is obtuse: {} degrees; the product of the normals is {}, expected {}",
@@ -72,7 +88,11 @@ pub fn describe<const D: usize>(tiling: &Tiling<D>, defect: &Defect) -> String {
              outside",
             name(facet)
         ),
-        Defect::InsideCircumsphere { facet, neighbour, power } => format!(
+        Defect::InsideCircumsphere {
+            facet,
+            neighbour,
+            power,
+        } => format!(
             "the corner of simplex {neighbour} behind {} lies inside of the circumsphere: its \
              power times the determinant is {}, expected a positive number",
             name(facet),
@@ -84,7 +104,11 @@ pub fn describe<const D: usize>(tiling: &Tiling<D>, defect: &Defect) -> String {
 /// The exact value, and a decimal where that is shorter to read.
 fn exact(number: &Number) -> String {
     let text = number.to_string();
-    if text.parse::<i64>().is_ok() { text } else { format!("{text} (about {})", short_decimal(number)) }
+    if text.parse::<i64>().is_ok() {
+        text
+    } else {
+        format!("{text} (about {})", short_decimal(number))
+    }
 }
 
 fn corner<const D: usize>(tiling: &Tiling<D>, simplex: usize, index: usize) -> String {
@@ -100,8 +124,10 @@ fn list<const D: usize>(
     simplex: usize,
     indices: impl IntoIterator<Item = usize>,
 ) -> String {
-    let texts: Vec<String> =
-        indices.into_iter().map(|index| corner(tiling, simplex, index)).collect();
+    let texts: Vec<String> = indices
+        .into_iter()
+        .map(|index| corner(tiling, simplex, index))
+        .collect();
     format!("[{}]", texts.join(", "))
 }
 

@@ -15,10 +15,14 @@ pub fn check_acute<S: Scalar, const D: usize>(model: &Model<S, D>, findings: &mu
         match products.get(i, j).sign() {
             Sign::Less => {}
             Sign::Equal => {
-                findings.add(Defect::RightAngle { angle: angle(model, simplex, (i, j)) });
+                findings.add(Defect::RightAngle {
+                    angle: angle(model, simplex, (i, j)),
+                });
             }
             Sign::Greater => {
-                findings.add(Defect::ObtuseAngle { angle: angle(model, simplex, (i, j)) });
+                findings.add(Defect::ObtuseAngle {
+                    angle: angle(model, simplex, (i, j)),
+                });
             }
         }
     });
@@ -28,7 +32,9 @@ pub fn check_acute<S: Scalar, const D: usize>(model: &Model<S, D>, findings: &mu
 pub fn check_nonobtuse<S: Scalar, const D: usize>(model: &Model<S, D>, findings: &mut Findings) {
     for_each_angle(model, |simplex, i, j, products| {
         if products.get(i, j).sign() == Sign::Greater {
-            findings.add(Defect::ObtuseAngle { angle: angle(model, simplex, (i, j)) });
+            findings.add(Defect::ObtuseAngle {
+                angle: angle(model, simplex, (i, j)),
+            });
         }
     });
 }
@@ -45,7 +51,10 @@ pub fn check_dihedral_below<S: Scalar, const D: usize>(
     for_each_angle(model, |simplex, i, j, products| {
         if !cosine.is_exceeded(products, i, j) {
             let angle = angle(model, simplex, (i, j));
-            findings.add(Defect::AngleNotBelow { angle, bound: bound.clone() });
+            findings.add(Defect::AngleNotBelow {
+                angle,
+                bound: bound.clone(),
+            });
         }
     });
 }
@@ -84,8 +93,10 @@ impl<S: Scalar> CosineBound<S> {
             return cosine_sign > self.sign;
         }
         let left = product.times(product).times(&self.denominator_squared);
-        let right =
-            products.get(i, i).times(products.get(j, j)).times(&self.numerator_squared);
+        let right = products
+            .get(i, i)
+            .times(products.get(j, j))
+            .times(&self.numerator_squared);
         match cosine_sign {
             Sign::Greater => left.minus(&right).sign() == Sign::Greater,
             Sign::Less => left.minus(&right).sign() == Sign::Less,
@@ -139,12 +150,17 @@ pub fn check_delaunay<S: Scalar, const D: usize>(
         let corners = model.tiling.simplex(simplex);
         let origin = model.position(&corners[0]);
         for opposite in 0..=D {
-            let Some(mate) = &matching.mates[simplex * (D + 1) + opposite] else { continue };
+            let Some(mate) = &matching.mates[simplex * (D + 1) + opposite] else {
+                continue;
+            };
             let neighbour = mate.facet.simplex as usize;
-            let apex = model.tiling.simplex(neighbour)[usize::from(mate.facet.opposite)]
-                .moved(mate.shift);
+            let apex =
+                model.tiling.simplex(neighbour)[usize::from(mate.facet.opposite)].moved(mate.shift);
             let offset = linear::subtract(&model.position(&apex), &origin);
-            let facet = Facet { simplex: simplex as u32, opposite: opposite as u8 };
+            let facet = Facet {
+                simplex: simplex as u32,
+                opposite: opposite as u8,
+            };
             match shape.power(&model.gram, &offset).sign() {
                 Sign::Greater => {}
                 Sign::Equal if weak => {}
@@ -153,9 +169,12 @@ pub fn check_delaunay<S: Scalar, const D: usize>(
                     let tiling = model.tiling;
                     let position = tiling.position(&apex);
                     let offset = linear::subtract(&position, &tiling.position(&corners[0]));
-                    let power = tiling.shape(simplex)
-                        .power(&tiling.frame.gram, &offset);
-                    findings.add(Defect::InsideCircumsphere { facet, neighbour, power });
+                    let power = tiling.shape(simplex).power(&tiling.frame.gram, &offset);
+                    findings.add(Defect::InsideCircumsphere {
+                        facet,
+                        neighbour,
+                        power,
+                    });
                 }
             }
         }

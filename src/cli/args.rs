@@ -8,8 +8,10 @@ use std::path::PathBuf;
 /// Proves, in exact arithmetic, that tilings by tetrahedra are valid and acute.
 #[derive(Debug, Parser)]
 #[command(name = "acutile", version, about, max_term_width = 100)]
-#[command(after_help = "Exit codes: 0 proved or verified, 1 refuted or rejected, \
-    2 usage or unreadable input, 3 declined.")]
+#[command(
+    after_help = "Exit codes: 0 proved or verified, 1 refuted or rejected, \
+    2 usage or unreadable input, 3 declined."
+)]
 pub struct Arguments {
     #[command(subcommand)]
     pub command: Command,
@@ -115,9 +117,11 @@ fn statement(text: &str) -> Result<Statement, String> {
         "weakly-delaunay" => Ok(Statement::WeaklyDelaunay),
         _ => match text.strip_prefix("dihedral<") {
             Some(degrees) => degrees_bound(degrees),
-            None => Err("expected acute, nonobtuse, delaunay, weakly-delaunay, tiling or \
+            None => Err(
+                "expected acute, nonobtuse, delaunay, weakly-delaunay, tiling or \
                          dihedral<DEGREES"
-                .to_owned()),
+                    .to_owned(),
+            ),
         },
     }
 }
@@ -125,10 +129,14 @@ fn statement(text: &str) -> Result<Statement, String> {
 fn degrees_bound(text: &str) -> Result<Statement, String> {
     let numbers = crate::number::numbers(&[text]).map_err(|error| error.to_string())?;
     let [bound] = numbers[0].coefficients() else {
-        return Err(format!("found {text}, expected a positive rational number of degrees"));
+        return Err(format!(
+            "found {text}, expected a positive rational number of degrees"
+        ));
     };
     if *bound <= 0 || *bound > 180 {
-        return Err(format!("found {text}, expected more than 0 and at most 180 degrees"));
+        return Err(format!(
+            "found {text}, expected more than 0 and at most 180 degrees"
+        ));
     }
     Ok(Statement::DihedralBelow(Rational::to_string(bound)))
 }

@@ -28,8 +28,15 @@ pub fn run(arguments: &CertifyArguments, output: &mut Output) -> Outcome {
 
 /// What became of one input.
 enum Answer {
-    Proved { verified: Verified, written: Option<PathBuf> },
-    Refuted { counts: Value, defects: Vec<(&'static str, String)>, kept: usize },
+    Proved {
+        verified: Verified,
+        written: Option<PathBuf>,
+    },
+    Refuted {
+        counts: Value,
+        defects: Vec<(&'static str, String)>,
+        kept: usize,
+    },
     Failed(String),
     Declined(String),
 }
@@ -66,7 +73,11 @@ fn answer(
     if arguments.reorient {
         let mended = with_dimension!(&mut named.tiling, AnyTiling, t => checker::reorient(t));
         if !mended.is_empty() {
-            output.complain(format!("{}: {} simplices reoriented", named.name, mended.len()));
+            output.complain(format!(
+                "{}: {} simplices reoriented",
+                named.name,
+                mended.len()
+            ));
         }
     }
     with_dimension!(&named.tiling, AnyTiling, t => prove(t, &named.name, several, arguments, output))
@@ -105,7 +116,11 @@ fn refuted<const D: usize>(tiling: &Tiling<D>, refutation: &Refutation) -> Answe
         .iter()
         .map(|defect| (defect.code(), describe(tiling, defect)))
         .collect();
-    Answer::Refuted { counts: json!(refutation.counts()), kept: defects.len(), defects }
+    Answer::Refuted {
+        counts: json!(refutation.counts()),
+        kept: defects.len(),
+        defects,
+    }
 }
 
 fn proved(
@@ -117,26 +132,41 @@ fn proved(
     output: &mut Output,
 ) -> Answer {
     let Some(target) = &arguments.output else {
-        return Answer::Proved { verified, written: None };
+        return Answer::Proved {
+            verified,
+            written: None,
+        };
     };
     if target == Path::new("-") {
         output.write(bytes);
-        return Answer::Proved { verified, written: None };
+        return Answer::Proved {
+            verified,
+            written: None,
+        };
     }
-    let path = if several || target.is_dir() { target.join(file_name(name)) } else { target.clone() };
+    let path = if several || target.is_dir() {
+        target.join(file_name(name))
+    } else {
+        target.clone()
+    };
     let created = match several {
         true => std::fs::create_dir_all(target),
         false => Ok(()),
     };
     match created.and_then(|()| write_file(&path, bytes)) {
-        Ok(()) => Answer::Proved { verified, written: Some(path) },
+        Ok(()) => Answer::Proved {
+            verified,
+            written: Some(path),
+        },
         Err(error) => Answer::Failed(format!("{}: cannot be written: {error}", path.display())),
     }
 }
 
 /// `a15` and `dir/a15.json` both give `a15.json`.
 fn file_name(name: &str) -> String {
-    let stem = Path::new(name).file_stem().map(|stem| stem.to_string_lossy().into_owned());
+    let stem = Path::new(name)
+        .file_stem()
+        .map(|stem| stem.to_string_lossy().into_owned());
     match stem.as_deref() {
         None | Some("-") => "certificate.json".to_owned(),
         Some(stem) => format!("{}.json", stem.replace([':', '/'], "-")),
@@ -152,7 +182,9 @@ fn in_words(input: &str, answer: &Answer, output: &mut Output) {
                 None => output.line(summary),
             }
         }
-        Answer::Refuted { counts, defects, .. } => {
+        Answer::Refuted {
+            counts, defects, ..
+        } => {
             output.line(format!("{input}: refuted: {}", count_text(counts)));
             for (code, sentence) in defects {
                 output.line(format!("  {code}: {sentence}"));
@@ -165,7 +197,10 @@ fn in_words(input: &str, answer: &Answer, output: &mut Output) {
 
 fn count_text(counts: &Value) -> String {
     let pairs = counts.as_object().into_iter().flatten();
-    pairs.map(|(code, count)| format!("{count} {code}")).collect::<Vec<_>>().join(", ")
+    pairs
+        .map(|(code, count)| format!("{count} {code}"))
+        .collect::<Vec<_>>()
+        .join(", ")
 }
 
 fn in_json(input: &str, answer: &Answer) -> Value {
@@ -179,7 +214,9 @@ fn in_json(input: &str, answer: &Answer) -> Value {
             "sha256": verified.sha256(),
             "certificate": written,
         }),
-        Answer::Refuted { counts, defects, .. } => json!({
+        Answer::Refuted {
+            counts, defects, ..
+        } => json!({
             "input": input,
             "verdict": "refuted",
             "counts": counts,
@@ -188,7 +225,9 @@ fn in_json(input: &str, answer: &Answer) -> Value {
                 .map(|(code, sentence)| json!({ "code": code, "message": sentence }))
                 .collect::<Vec<_>>(),
         }),
-        Answer::Failed(message) => json!({ "input": input, "verdict": "failed", "message": message }),
+        Answer::Failed(message) => {
+            json!({ "input": input, "verdict": "failed", "message": message })
+        }
         Answer::Declined(message) => {
             json!({ "input": input, "verdict": "declined", "message": message })
         }

@@ -28,7 +28,11 @@ fn write<const D: usize>(
     output: &mut Output,
 ) -> Outcome {
     let name = arguments.file.display().to_string();
-    let ties = if arguments.triangulate { Ties::Pull } else { Ties::Refuse };
+    let ties = if arguments.triangulate {
+        Ties::Pull
+    } else {
+        Ties::Refuse
+    };
     let progress = Progress::of(&name);
     progress.step("Delaunay triangulation");
     let tiling = match triangulate(points, ties) {
@@ -39,7 +43,10 @@ fn write<const D: usize>(
             return Outcome::Failed;
         }
     };
-    let stem = arguments.file.file_stem().map(|stem| stem.to_string_lossy().into_owned());
+    let stem = arguments
+        .file
+        .file_stem()
+        .map(|stem| stem.to_string_lossy().into_owned());
     let text = tiling_text(&tiling, stem.as_deref().unwrap_or("delaunay"));
     let Some(path) = &arguments.output else {
         output.write(text.as_bytes());
@@ -48,11 +55,17 @@ fn write<const D: usize>(
     match write_file(path, text.as_bytes()) {
         Ok(()) => {
             let (vertices, simplices) = (tiling.vertices.len(), tiling.len());
-            output.line(format!("{}: {vertices} vertices, {simplices} simplices", path.display()));
+            output.line(format!(
+                "{}: {vertices} vertices, {simplices} simplices",
+                path.display()
+            ));
             Outcome::Done
         }
         Err(error) => {
-            output.complain(format!("acutile: {}: cannot be written: {error}", path.display()));
+            output.complain(format!(
+                "acutile: {}: cannot be written: {error}",
+                path.display()
+            ));
             Outcome::Failed
         }
     }

@@ -23,7 +23,11 @@ pub struct Named {
 pub fn tiling(input: &str) -> Result<Named, String> {
     if let Some(entry) = catalog::find(input) {
         let tiling = entry.build().map_err(|error| format!("{input}: {error}"))?;
-        return Ok(Named { name: input.to_owned(), description: entry.description.to_owned(), tiling });
+        return Ok(Named {
+            name: input.to_owned(),
+            description: entry.description.to_owned(),
+            tiling,
+        });
     }
     let path = Path::new(input);
     if input != "-" && !path.exists() && !input.contains(['/', '.']) {
@@ -32,9 +36,11 @@ pub fn tiling(input: &str) -> Result<Named, String> {
         ));
     }
     match read(path)? {
-        Input::Tiling(tiling) => {
-            Ok(Named { name: input.to_owned(), description: "tiling file".to_owned(), tiling })
-        }
+        Input::Tiling(tiling) => Ok(Named {
+            name: input.to_owned(),
+            description: "tiling file".to_owned(),
+            tiling,
+        }),
         Input::Points(_) => Err(format!(
             "{input}: is a point-set file, expected a tiling file (acutile delaunay makes one)"
         )),
@@ -48,9 +54,10 @@ pub fn tiling(input: &str) -> Result<Named, String> {
 pub fn points(path: &Path) -> Result<AnyPointSet, String> {
     match read(path)? {
         Input::Points(points) => Ok(points),
-        Input::Tiling(_) => {
-            Err(format!("{}: is a tiling file, expected a point-set file", path.display()))
-        }
+        Input::Tiling(_) => Err(format!(
+            "{}: is a tiling file, expected a point-set file",
+            path.display()
+        )),
     }
 }
 

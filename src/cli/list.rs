@@ -8,7 +8,11 @@ use serde_json::json;
 
 /// Prints a line for each construction.
 pub fn run(arguments: &ListArguments, output: &mut Output) -> Outcome {
-    let width = catalog::entries().iter().map(|entry| entry.name.len()).max().unwrap_or(0);
+    let width = catalog::entries()
+        .iter()
+        .map(|entry| entry.name.len())
+        .max()
+        .unwrap_or(0);
     for entry in catalog::entries() {
         if arguments.json {
             output.line(json!({

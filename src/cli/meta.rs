@@ -8,7 +8,12 @@ use clap::CommandFactory;
 /// Prints the completion script for a shell.
 pub fn completions(arguments: &CompletionsArguments, output: &mut Output) -> Outcome {
     let mut script = Vec::new();
-    clap_complete::generate(arguments.shell, &mut Arguments::command(), "acutile", &mut script);
+    clap_complete::generate(
+        arguments.shell,
+        &mut Arguments::command(),
+        "acutile",
+        &mut script,
+    );
     output.write(&script);
     Outcome::Done
 }

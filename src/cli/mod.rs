@@ -55,7 +55,11 @@ impl Outcome {
             Outcome::Declined => 1,
             Outcome::Done => 0,
         };
-        if rank(other) > rank(self) { other } else { self }
+        if rank(other) > rank(self) {
+            other
+        } else {
+            self
+        }
     }
 }
 

@@ -17,7 +17,10 @@ pub struct Output {
 impl Output {
     /// The process's own streams.
     pub fn standard() -> Self {
-        Output { writer: BufWriter::new(io::stdout()), error: None }
+        Output {
+            writer: BufWriter::new(io::stdout()),
+            error: None,
+        }
     }
 
     /// Prints a line.

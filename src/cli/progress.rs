@@ -15,7 +15,10 @@ impl Progress {
     pub fn of(name: &str) -> Self {
         let bar = ProgressBar::with_draw_target(None, ProgressDrawTarget::stderr());
         bar.enable_steady_tick(Duration::from_millis(200));
-        Progress { bar, name: name.to_owned() }
+        Progress {
+            bar,
+            name: name.to_owned(),
+        }
     }
 
     /// The work has come to this step.

@@ -5,7 +5,7 @@ use super::output::Output;
 use super::{Outcome, input};
 use crate::geometry::linear;
 use crate::number::Number;
-use crate::quality::{dihedral_degrees, display_width, decimal_range, shapes};
+use crate::quality::{decimal_range, dihedral_degrees, display_width, shapes};
 use crate::tiling::{AnyTiling, Frame, Tiling};
 use crate::with_dimension;
 
@@ -34,8 +34,15 @@ fn show<const D: usize>(tiling: &Tiling<D>, output: &mut Output) {
     show_frame(&tiling.frame, output);
     for shape in shapes(tiling) {
         let edges: Vec<String> = shape.squared_edges.iter().map(Number::to_string).collect();
-        output.line(format!("{} simplices with squared edges {}", shape.members.len(), edges.join(", ")));
-        output.line(format!("  dihedral angles {}", angles(tiling, shape.members[0]).join(", ")));
+        output.line(format!(
+            "{} simplices with squared edges {}",
+            shape.members.len(),
+            edges.join(", ")
+        ));
+        output.line(format!(
+            "  dihedral angles {}",
+            angles(tiling, shape.members[0]).join(", ")
+        ));
     }
 }
 
@@ -43,8 +50,12 @@ fn show_frame<const D: usize>(frame: &Frame<D>, output: &mut Output) {
     if frame.field.degree() == 1 {
         output.line("field: the rational numbers");
     } else {
-        let polynomial: Vec<String> =
-            frame.field.polynomial().iter().map(ToString::to_string).collect();
+        let polynomial: Vec<String> = frame
+            .field
+            .polynomial()
+            .iter()
+            .map(ToString::to_string)
+            .collect();
         let (lower, upper) = frame.field.root();
         output.line(format!(
             "field: Q(a), a the root between {lower} and {upper} of the polynomial with \

@@ -8,7 +8,9 @@ use std::fmt::Write;
 /// The text of a tiling file.
 pub fn tiling_text<const D: usize>(tiling: &Tiling<D>, name: &str) -> String {
     let vertices = rows(&tiling.vertices);
-    let simplices = tiling.simplices().map(|corners| simplex(corners, tiling.frame.rank()));
+    let simplices = tiling
+        .simplices()
+        .map(|corners| simplex(corners, tiling.frame.rank()));
     let mut text = head("acutile-tiling", &tiling.frame, name);
     list(&mut text, "vertices", vertices);
     text.push_str(",\n");
@@ -60,7 +62,8 @@ fn generator(field: &Field) -> Value {
 }
 
 fn rows<const D: usize>(rows: &[[Number; D]]) -> impl Iterator<Item = Value> {
-    rows.iter().map(|row| Value::Array(row.iter().map(|x| json!(number(x))).collect()))
+    rows.iter()
+        .map(|row| Value::Array(row.iter().map(|x| json!(number(x))).collect()))
 }
 
 /// `1/2+3/4*a^2`, in the generator a of the field.
@@ -79,7 +82,11 @@ fn number(number: &Number) -> String {
             _ => write!(text, "{coefficient}*a^{power}"),
         };
     }
-    if text.is_empty() { "0".to_owned() } else { text }
+    if text.is_empty() {
+        "0".to_owned()
+    } else {
+        text
+    }
 }
 
 fn simplex<const D: usize>(corners: &[Corner<D>], rank: usize) -> Value {

@@ -111,19 +111,25 @@ impl<'de> Visitor<'de> for CornerVisitor {
     }
 
     fn visit_u64<E>(self, vertex: u64) -> Result<CornerEntry, E> {
-        Ok(CornerEntry { vertex, shift: Vec::new() })
+        Ok(CornerEntry {
+            vertex,
+            shift: Vec::new(),
+        })
     }
 
     fn visit_seq<A: SeqAccess<'de>>(self, mut array: A) -> Result<CornerEntry, A::Error> {
-        let vertex = array.next_element()?.ok_or_else(|| {
-            serde::de::Error::invalid_length(0, &"a vertex number and its shift")
-        })?;
+        let vertex = array
+            .next_element()?
+            .ok_or_else(|| serde::de::Error::invalid_length(0, &"a vertex number and its shift"))?;
         let mut shift = Vec::new();
         while let Some(step) = array.next_element()? {
             shift.push(step);
         }
         if shift.is_empty() {
-            return Err(serde::de::Error::invalid_length(1, &"a vertex number and its shift"));
+            return Err(serde::de::Error::invalid_length(
+                1,
+                &"a vertex number and its shift",
+            ));
         }
         Ok(CornerEntry { vertex, shift })
     }

@@ -28,7 +28,10 @@ pub enum ImportError {
 impl ImportError {
     /// An error about the entry at `place`.
     pub fn entry(place: impl Into<String>, problem: impl fmt::Display) -> Self {
-        ImportError::Entry { place: place.into(), problem: problem.to_string() }
+        ImportError::Entry {
+            place: place.into(),
+            problem: problem.to_string(),
+        }
     }
 }
 

@@ -25,7 +25,10 @@ impl Numbers {
         let mut numbers = Numbers { reader };
         let (Lattice::Gram(matrix) | Lattice::Vectors(matrix)) = &document.lattice;
         numbers.learn("lattice", matrix)?;
-        for (place, rows) in [("vertices", &document.vertices), ("points", &document.points)] {
+        for (place, rows) in [
+            ("vertices", &document.vertices),
+            ("points", &document.points),
+        ] {
             if let Some(rows) = rows {
                 numbers.learn(place, rows)?;
             }
@@ -37,8 +40,11 @@ impl Numbers {
         for (i, row) in rows.iter().enumerate() {
             for (j, text) in row.iter().enumerate() {
                 let at = || format!("{place}[{i}][{j}]");
-                let text = number_text(*text).map_err(|problem| ImportError::entry(at(), problem))?;
-                self.reader.learn(&text).map_err(|error| ImportError::entry(at(), error))?;
+                let text =
+                    number_text(*text).map_err(|problem| ImportError::entry(at(), problem))?;
+                self.reader
+                    .learn(&text)
+                    .map_err(|error| ImportError::entry(at(), error))?;
             }
         }
         Ok(())
@@ -58,7 +64,11 @@ impl Numbers {
         for (j, text) in row.iter().enumerate() {
             let at = || format!("{}[{j}]", place());
             let text = number_text(*text).map_err(|problem| ImportError::entry(at(), problem))?;
-            numbers.push(self.reader.value(&text).map_err(|e| ImportError::entry(at(), e))?);
+            numbers.push(
+                self.reader
+                    .value(&text)
+                    .map_err(|e| ImportError::entry(at(), e))?,
+            );
         }
         Ok(std::array::from_fn(|k| numbers[k].clone()))
     }
@@ -103,7 +113,10 @@ fn rational(text: Text, place: impl Fn() -> String) -> Result<Rational, ImportEr
     match number[0].coefficients() {
         [] => Ok(Rational::from(0)),
         [rational] => Ok(rational.clone()),
-        _ => Err(ImportError::entry(place(), format!("found {value:?}, expected a rational"))),
+        _ => Err(ImportError::entry(
+            place(),
+            format!("found {value:?}, expected a rational"),
+        )),
     }
 }
 
@@ -127,10 +140,20 @@ pub fn read_frame<const D: usize>(
     };
     let (gram, change) = match document.lattice {
         Lattice::Gram(_) => (checked_gram(matrix)?, Change::none(document.coordinates)?),
-        Lattice::Vectors(_) => (gram_of(&matrix), Change::from_vectors(&matrix, document.coordinates)?),
+        Lattice::Vectors(_) => (
+            gram_of(&matrix),
+            Change::from_vectors(&matrix, document.coordinates)?,
+        ),
     };
     let field = numbers.reader.field();
-    Ok((Frame { field, gram, domain }, change))
+    Ok((
+        Frame {
+            field,
+            gram,
+            domain,
+        },
+        change,
+    ))
 }
 
 fn checked_gram<const D: usize>(gram: [[Number; D]; D]) -> Result<[[Number; D]; D], ImportError> {

@@ -21,9 +21,8 @@ pub const BYTE_LIMIT: u64 = 1 << 30;
 /// Reads a whole text file, or standard input for the path `-`.
 pub fn read_text(path: &Path) -> Result<String, ImportError> {
     let mut bytes = Vec::new();
-    let limited = |reader: &mut dyn Read, bytes: &mut Vec<u8>| {
-        reader.take(BYTE_LIMIT + 1).read_to_end(bytes)
-    };
+    let limited =
+        |reader: &mut dyn Read, bytes: &mut Vec<u8>| reader.take(BYTE_LIMIT + 1).read_to_end(bytes);
     let read = if path == Path::new("-") {
         limited(&mut std::io::stdin().lock(), &mut bytes)
     } else {
@@ -33,6 +32,7 @@ pub fn read_text(path: &Path) -> Result<String, ImportError> {
     if bytes.len() as u64 > BYTE_LIMIT {
         return Err(ImportError::TooLong { limit: BYTE_LIMIT });
     }
-    String::from_utf8(bytes)
-        .map_err(|error| ImportError::NotText { offset: error.utf8_error().valid_up_to() })
+    String::from_utf8(bytes).map_err(|error| ImportError::NotText {
+        offset: error.utf8_error().valid_up_to(),
+    })
 }

@@ -28,21 +28,34 @@ pub fn read_native(text: &str) -> Result<Input, ImportError> {
     }
     let header: Header = serde_json::from_str(text).map_err(ImportError::Json)?;
     if header.format != TILING && header.format != POINTS {
-        return Err(ImportError::Format { found: header.format });
+        return Err(ImportError::Format {
+            found: header.format,
+        });
     }
     if header.version != 1 {
-        return Err(ImportError::Version { found: header.version });
+        return Err(ImportError::Version {
+            found: header.version,
+        });
     }
     let document: Document = serde_json::from_str(text).map_err(ImportError::Json)?;
     let numbers = Numbers::of(&document)?;
     match (header.format.as_str(), document.dimension) {
-        (TILING, 2) => tiling(&document, &numbers).map(AnyTiling::Plane).map(Input::Tiling),
-        (TILING, 3) => tiling(&document, &numbers).map(AnyTiling::Space).map(Input::Tiling),
-        (_, 2) => points(&document, &numbers).map(AnyPointSet::Plane).map(Input::Points),
-        (_, 3) => points(&document, &numbers).map(AnyPointSet::Space).map(Input::Points),
-        (_, other) => {
-            Err(ImportError::entry("dimension", format!("found {other}, expected 2 or 3")))
-        }
+        (TILING, 2) => tiling(&document, &numbers)
+            .map(AnyTiling::Plane)
+            .map(Input::Tiling),
+        (TILING, 3) => tiling(&document, &numbers)
+            .map(AnyTiling::Space)
+            .map(Input::Tiling),
+        (_, 2) => points(&document, &numbers)
+            .map(AnyPointSet::Plane)
+            .map(Input::Points),
+        (_, 3) => points(&document, &numbers)
+            .map(AnyPointSet::Space)
+            .map(Input::Points),
+        (_, other) => Err(ImportError::entry(
+            "dimension",
+            format!("found {other}, expected 2 or 3"),
+        )),
     }
 }
 
@@ -54,7 +67,10 @@ fn points<const D: usize>(
     forbid("vertices", document.vertices.is_some(), POINTS)?;
     forbid("simplices", document.simplices.is_some(), POINTS)?;
     let rows = require("points", document.points.as_ref(), POINTS)?;
-    Ok(PointSet { points: positions("points", rows, numbers, &change)?, frame })
+    Ok(PointSet {
+        points: positions("points", rows, numbers, &change)?,
+        frame,
+    })
 }
 
 fn tiling<const D: usize>(
@@ -67,7 +83,11 @@ fn tiling<const D: usize>(
     let simplices = require("simplices", document.simplices.as_ref(), TILING)?;
     let vertices = positions("vertices", rows, numbers, &change)?;
     let corners = corners(simplices, vertices.len(), &frame)?;
-    Ok(Tiling { frame, vertices, corners })
+    Ok(Tiling {
+        frame,
+        vertices,
+        corners,
+    })
 }
 
 fn require<'d, T>(
@@ -81,7 +101,10 @@ fn require<'d, T>(
 fn forbid(member: &str, present: bool, format: &str) -> Result<(), ImportError> {
     match present {
         false => Ok(()),
-        true => Err(ImportError::entry(member, format!("has no place in {format}"))),
+        true => Err(ImportError::entry(
+            member,
+            format!("has no place in {format}"),
+        )),
     }
 }
 
@@ -109,9 +132,11 @@ fn corners<const D: usize>(
             return Err(ImportError::entry(format!("simplices[{s}]"), problem));
         }
         for (i, entry) in entries.iter().enumerate() {
-            corners.push(corner(entry, vertices, frame.rank()).map_err(|problem| {
-                ImportError::entry(format!("simplices[{s}][{i}]"), problem)
-            })?);
+            corners.push(
+                corner(entry, vertices, frame.rank()).map_err(|problem| {
+                    ImportError::entry(format!("simplices[{s}][{i}]"), problem)
+                })?,
+            );
         }
     }
     Ok(corners)
@@ -125,15 +150,27 @@ fn corner<const D: usize>(
     let vertex = u32::try_from(entry.vertex)
         .ok()
         .filter(|&v| (v as usize) < vertices)
-        .ok_or_else(|| format!("vertex {} is out of range, expected 0 to {}", entry.vertex, vertices as i64 - 1))?;
+        .ok_or_else(|| {
+            format!(
+                "vertex {} is out of range, expected 0 to {}",
+                entry.vertex,
+                vertices as i64 - 1
+            )
+        })?;
     if !entry.shift.is_empty() && entry.shift.len() != rank {
-        return Err(format!("the shift has {} entries, expected {rank}", entry.shift.len()));
+        return Err(format!(
+            "the shift has {} entries, expected {rank}",
+            entry.shift.len()
+        ));
     }
     let mut shift = [0; D];
     for (slot, &step) in shift.iter_mut().zip(&entry.shift) {
-        *slot = i32::try_from(step).ok().filter(|s| s.unsigned_abs() <= SHIFT_LIMIT.unsigned_abs()).ok_or_else(|| {
-            format!("the shift {step} is out of range, expected at most {SHIFT_LIMIT} in size")
-        })?;
+        *slot = i32::try_from(step)
+            .ok()
+            .filter(|s| s.unsigned_abs() <= SHIFT_LIMIT.unsigned_abs())
+            .ok_or_else(|| {
+                format!("the shift {step} is out of range, expected at most {SHIFT_LIMIT} in size")
+            })?;
     }
     Ok(Corner { vertex, shift })
 }

@@ -53,7 +53,10 @@ fn square_root(square: &Number, width: &Rational) -> (Rational, Rational) {
     let low = root((low.max(Rational::ZERO) * &scale_squared).floor());
     let high = root((high * scale_squared).ceiling()) + Integer::ONE;
     let scale = Rational::from(scale);
-    (Rational::from(low) / &scale, (Rational::from(high) / scale).min(Rational::ONE))
+    (
+        Rational::from(low) / &scale,
+        (Rational::from(high) / scale).min(Rational::ONE),
+    )
 }
 
 /// A dihedral angle by its place, and its cosine in floating point.
@@ -69,21 +72,34 @@ pub struct Candidate {
 
 /// The angle that is largest in floating point: a candidate, nothing proved.
 pub fn largest_angles<const D: usize>(tiling: &Tiling<D>) -> Option<Candidate> {
-    let gram = tiling.frame.gram.each_ref().map(|row| row.each_ref().map(Number::approximate));
+    let gram = tiling
+        .frame
+        .gram
+        .each_ref()
+        .map(|row| row.each_ref().map(Number::approximate));
     let cogram = linear::cofactors(&gram);
-    let vertices: Vec<[f64; D]> =
-        tiling.vertices.iter().map(|v| v.each_ref().map(Number::approximate)).collect();
+    let vertices: Vec<[f64; D]> = tiling
+        .vertices
+        .iter()
+        .map(|v| v.each_ref().map(Number::approximate))
+        .collect();
     let mut largest: Option<Candidate> = None;
     for (simplex, corners) in tiling.simplices().enumerate() {
         let points: Vec<[f64; D]> = corners
             .iter()
-            .map(|c| std::array::from_fn(|k| vertices[c.vertex as usize][k] + f64::from(c.shift[k])))
+            .map(|c| {
+                std::array::from_fn(|k| vertices[c.vertex as usize][k] + f64::from(c.shift[k]))
+            })
             .collect();
         let products = Simplex::new(&points).normal_products(&cogram);
         for (i, j, product) in products.pairs() {
             let cosine = -product / (products.get(i, i) * products.get(j, j)).sqrt();
             if largest.is_none_or(|angle| cosine < angle.cosine) {
-                largest = Some(Candidate { simplex, facets: (i, j), cosine });
+                largest = Some(Candidate {
+                    simplex,
+                    facets: (i, j),
+                    cosine,
+                });
             }
         }
     }

@@ -2,8 +2,8 @@
 
 use crate::number::Number;
 use malachite::Integer;
-use malachite::base::num::arithmetic::traits::{Ceiling, Floor};
 use malachite::Rational;
+use malachite::base::num::arithmetic::traits::{Ceiling, Floor};
 
 /// The least integer that is not less, kept within the range of i64.
 pub fn ceiling_to_i64(value: &Rational) -> i64 {
@@ -21,7 +21,11 @@ pub fn decimal_range((lower, upper): &(Rational, Rational)) -> String {
     let million = Rational::from(1_000_000);
     let low = millionths(&(lower * &million).floor());
     let high = millionths(&(upper * &million).ceiling());
-    if low == high { low } else { format!("{low} to {high}") }
+    if low == high {
+        low
+    } else {
+        format!("{low} to {high}")
+    }
 }
 
 fn millionths(value: &Integer) -> String {

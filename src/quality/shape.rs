@@ -32,7 +32,10 @@ pub fn shapes<const D: usize>(tiling: &Tiling<D>) -> Vec<Shape> {
     }
     let mut shapes: Vec<Shape> = classes
         .into_iter()
-        .map(|(squared_edges, members)| Shape { squared_edges, members })
+        .map(|(squared_edges, members)| Shape {
+            squared_edges,
+            members,
+        })
         .collect();
     shapes.sort_by_key(|shape| shape.members[0]);
     shapes
@@ -40,8 +43,11 @@ pub fn shapes<const D: usize>(tiling: &Tiling<D>) -> Vec<Shape> {
 
 /// Squared lengths of the edges 01, 02, …, 12, … of a simplex.
 pub fn squared_edges<const D: usize>(tiling: &Tiling<D>, simplex: usize) -> Vec<Number> {
-    let corners: Vec<[Number; D]> =
-        tiling.simplex(simplex).iter().map(|corner| tiling.position(corner)).collect();
+    let corners: Vec<[Number; D]> = tiling
+        .simplex(simplex)
+        .iter()
+        .map(|corner| tiling.position(corner))
+        .collect();
     let mut squares = Vec::new();
     for (i, a) in corners.iter().enumerate() {
         for b in &corners[i + 1..] {

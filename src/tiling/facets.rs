@@ -55,8 +55,10 @@ pub struct Matching<const D: usize> {
 /// translate of, in time n log n.
 pub fn match_facets<const D: usize>(tiling: &Tiling<D>) -> Matching<D> {
     let mut entries = sorted_entries(tiling);
-    let mut matching =
-        Matching { mates: vec![None; entries.len()], mismatches: Vec::new() };
+    let mut matching = Matching {
+        mates: vec![None; entries.len()],
+        mismatches: Vec::new(),
+    };
     for group in entries.chunk_by_mut(|a, b| a.form == b.form) {
         match group {
             [a, b] if a.side != b.side => matching.pair(a, b),
@@ -69,17 +71,26 @@ pub fn match_facets<const D: usize>(tiling: &Tiling<D>) -> Matching<D> {
 
 impl<const D: usize> Matching<D> {
     fn pair(&mut self, a: &Entry<D>, b: &Entry<D>) {
-        self.mates[a.index::<D>()] =
-            Some(Mate { facet: b.facet, shift: difference(a.origin, b.origin) });
-        self.mates[b.index::<D>()] =
-            Some(Mate { facet: a.facet, shift: difference(b.origin, a.origin) });
+        self.mates[a.index::<D>()] = Some(Mate {
+            facet: b.facet,
+            shift: difference(a.origin, b.origin),
+        });
+        self.mates[b.index::<D>()] = Some(Mate {
+            facet: a.facet,
+            shift: difference(b.origin, a.origin),
+        });
     }
 }
 
 impl Mismatch {
     fn of<const D: usize>(group: &mut [Entry<D>]) -> Self {
         group.sort_unstable_by_key(|entry| entry.facet);
-        Mismatch { uses: group.iter().map(|entry| (entry.facet, entry.side)).collect() }
+        Mismatch {
+            uses: group
+                .iter()
+                .map(|entry| (entry.facet, entry.side))
+                .collect(),
+        }
     }
 }
 
@@ -101,7 +112,12 @@ impl<const D: usize> Entry<D> {
         for corner in &mut form {
             corner.shift = difference(corner.shift, origin);
         }
-        Entry { form, origin, facet, side: odd ^ (opposite % 2 == 1) }
+        Entry {
+            form,
+            origin,
+            facet,
+            side: odd ^ (opposite % 2 == 1),
+        }
     }
 
     fn index<const E: usize>(&self) -> usize {

@@ -29,12 +29,18 @@ pub const SHIFT_LIMIT: i32 = 1 << 24;
 impl<const D: usize> Corner<D> {
     /// The vertex itself, not moved.
     pub fn of(vertex: u32) -> Self {
-        Corner { vertex, shift: [0; D] }
+        Corner {
+            vertex,
+            shift: [0; D],
+        }
     }
 
     /// The corner moved by a further lattice vector.
     pub fn moved(self, by: [i32; D]) -> Self {
-        Corner { vertex: self.vertex, shift: std::array::from_fn(|k| self.shift[k] + by[k]) }
+        Corner {
+            vertex: self.vertex,
+            shift: std::array::from_fn(|k| self.shift[k] + by[k]),
+        }
     }
 }
 
@@ -86,17 +92,18 @@ impl<const D: usize> Tiling<D> {
 
     /// A simplex in exact basis coordinates.
     pub fn shape(&self, index: usize) -> Simplex<Number, D> {
-        let corners: Vec<[Number; D]> =
-            self.simplex(index).iter().map(|corner| self.position(corner)).collect();
+        let corners: Vec<[Number; D]> = self
+            .simplex(index)
+            .iter()
+            .map(|corner| self.position(corner))
+            .collect();
         Simplex::new(&corners)
     }
 
     /// The coordinates of a corner in the basis.
     pub fn position(&self, corner: &Corner<D>) -> [Number; D] {
         let vertex = &self.vertices[corner.vertex as usize];
-        std::array::from_fn(|k| {
-            &vertex[k] + &self.frame.field.integer(i64::from(corner.shift[k]))
-        })
+        std::array::from_fn(|k| &vertex[k] + &self.frame.field.integer(i64::from(corner.shift[k])))
     }
 }
 
