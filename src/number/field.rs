@@ -7,26 +7,16 @@
 //! [`super::element`]; this file makes fields and encloses their roots.
 
 use super::element::Number;
-use super::enclosure::Interval;
+use super::isolation::{self, FieldError, ISOLATION_LIMIT, Isolated};
 use super::polynomial as poly;
 use super::root::{Dyadic, Level};
 use crate::certificate;
 use crate::geometry::Sign;
-use malachite::base::num::arithmetic::traits::{Ceiling, DivExact, DivisibleBy, Floor, Pow};
+use malachite::base::num::arithmetic::traits::{Floor, PowerOf2};
 use malachite::base::num::basic::traits::{NegativeOne, One, Zero};
-use malachite::base::num::logic::traits::SignificantBits;
 use malachite::{Integer, Rational};
-use std::cmp::Ordering;
 use std::fmt;
 use std::sync::{Arc, OnceLock};
-
-/// No field has a larger degree.
-pub const DEGREE_LIMIT: usize = 32;
-/// No coefficient of a defining polynomial, and no numerator or denominator of
-/// an interval's end, has more bits (about 1,200 decimal digits).
-pub const POLYNOMIAL_BITS_LIMIT: u64 = 4096;
-/// A root that is not alone in a dyadic interval of width 2^-this is declined.
-pub const ISOLATION_LIMIT: u64 = 4096;
 
 /// Q, or Q(a) for one real root a of an integer polynomial. Cheap to clone;
 /// equal when the polynomials and the roots are the same.
@@ -46,65 +36,6 @@ struct Inner {
     /// Enclosures of the powers of the root; level j has 64·2^j bits.
     levels: [OnceLock<Level>; 32],
 }
-
-/// Why there is no such field.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub enum FieldError {
-    /// The polynomial is zero.
-    ZeroPolynomial,
-    /// The polynomial is a constant, which has no root.
-    ConstantPolynomial,
-    /// The degree is above [`DEGREE_LIMIT`].
-    DegreeBeyondLimit(usize),
-    /// A coefficient or an end of the interval has more than
-    /// [`POLYNOMIAL_BITS_LIMIT`] bits: the number of bits.
-    SizeBeyondLimit(u64),
-    /// The lower end is above the upper end.
-    EmptyInterval(Rational, Rational),
-    /// The polynomial has no root in the interval.
-    NoRoot(Rational, Rational),
-    /// The polynomial has this many different roots in the interval.
-    SeveralRoots(Rational, Rational, usize),
-    /// Other roots are closer than 2^-[`ISOLATION_LIMIT`].
-    RootsTooClose,
-}
-
-impl fmt::Display for FieldError {
-    fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
-        match self {
-            Self::ZeroPolynomial => write!(f, "the polynomial is zero"),
-            Self::ConstantPolynomial => write!(f, "the polynomial is a constant"),
-            Self::DegreeBeyondLimit(degree) => {
-                write!(f, "degree {degree} is beyond the limit of {DEGREE_LIMIT}")
-            }
-            Self::SizeBeyondLimit(bits) => write!(
-                f,
-                "a number of {bits} bits in the polynomial or its interval is beyond the limit of {POLYNOMIAL_BITS_LIMIT}"
-            ),
-            Self::EmptyInterval(lo, hi) => {
-                write!(
-                    f,
-                    "the interval from {lo} to {hi} is empty: its ends are in the wrong order"
-                )
-            }
-            Self::NoRoot(lo, hi) => write!(f, "the polynomial has no root from {lo} to {hi}"),
-            Self::SeveralRoots(lo, hi, count) => {
-                write!(
-                    f,
-                    "the polynomial has {count} roots from {lo} to {hi}, and must have one"
-                )
-            }
-            Self::RootsTooClose => {
-                write!(
-                    f,
-                    "other roots are closer than 2^-{ISOLATION_LIMIT} to the root"
-                )
-            }
-        }
-    }
-}
-
-impl std::error::Error for FieldError {}
 
 impl Field {
     /// The field of rational numbers. Its generator is 0, a root of x.
@@ -150,15 +81,15 @@ impl Field {
         lo: Rational,
         hi: Rational,
     ) -> Result<(Field, Number), FieldError> {
-        check_limits(polynomial, &lo, &hi)?;
+        isolation::check_limits(polynomial, &lo, &hi)?;
         let p = poly::squarefree(&poly::from_integers(polynomial));
         match poly::count_roots(&p, &lo, &hi) {
             0 => return Err(FieldError::NoRoot(lo, hi)),
             1 => {}
             count => return Err(FieldError::SeveralRoots(lo, hi, count)),
         }
-        let (monic, scale) = make_monic(poly::primitive(&p));
-        let root = isolate(&monic, &(lo * &scale), &(hi * &scale));
+        let (monic, scale) = isolation::make_monic(poly::primitive(&p));
+        let root = isolation::isolate(&monic, &(lo * &scale), &(hi * &scale));
         Ok(match root.ok_or(FieldError::RootsTooClose)? {
             Isolated::Integer(m) => (Field::rationals(), Number::from(Rational::from(m) / scale)),
             Isolated::Irrational(interval) => {
@@ -167,6 +98,23 @@ impl Field {
                 (field, a)
             }
         })
+    }
+
+    /// Q(a) for the root a of the monic squarefree `polynomial` that `enclose`
+    /// encloses in rational bounds at most as far apart as asked.
+    pub(super) fn from_enclosure(
+        polynomial: Vec<Integer>,
+        enclose: impl Fn(&Rational) -> (Rational, Rational),
+    ) -> Result<Field, FieldError> {
+        for bits in 0..ISOLATION_LIMIT {
+            let (lo, hi) = enclose(&Rational::power_of_2(-(bits as i64) - 8));
+            let (low, high) = ((lo << bits).floor(), (hi << bits).floor() + Integer::ONE);
+            let root = Dyadic { low, high, bits };
+            if isolation::isolates(&polynomial, &root) {
+                return Ok(Field::new(polynomial, root));
+            }
+        }
+        Err(FieldError::RootsTooClose)
     }
 
     /// The degree of the polynomial, 1 for Q. The degree of the field over Q
@@ -277,126 +225,4 @@ impl fmt::Debug for Field {
         let (lo, hi) = self.root();
         write!(f, "Q(a), {:?} at a in ({lo}, {hi})", self.0.polynomial)
     }
-}
-
-fn check_limits(polynomial: &[Integer], lo: &Rational, hi: &Rational) -> Result<(), FieldError> {
-    let degree = polynomial
-        .iter()
-        .rposition(|c| *c != 0)
-        .ok_or(FieldError::ZeroPolynomial)?;
-    if degree == 0 {
-        return Err(FieldError::ConstantPolynomial);
-    }
-    if degree > DEGREE_LIMIT {
-        return Err(FieldError::DegreeBeyondLimit(degree));
-    }
-    let ends = [lo, hi].map(|x| {
-        x.numerator_ref()
-            .significant_bits()
-            .max(x.denominator_ref().significant_bits())
-    });
-    let bits = polynomial
-        .iter()
-        .map(SignificantBits::significant_bits)
-        .chain(ends)
-        .max();
-    if let Some(bits) = bits.filter(|bits| *bits > POLYNOMIAL_BITS_LIMIT) {
-        return Err(FieldError::SizeBeyondLimit(bits));
-    }
-    if lo > hi {
-        return Err(FieldError::EmptyInterval(lo.clone(), hi.clone()));
-    }
-    Ok(())
-}
-
-/// A monic polynomial whose roots are s times the roots of `p`, and s > 0.
-///
-/// With l the leading coefficient, s = l works: y = l x is a root of
-/// l^(n-1) p(y/l) = Σ p_i l^(n-1-i) y^i. Then s is made smaller by the small
-/// primes q for which q^(n-i) divides every coefficient.
-fn make_monic(mut p: Vec<Integer>) -> (Vec<Integer>, Rational) {
-    let n = p.len() - 1;
-    if p[n] < 0 {
-        p.iter_mut().for_each(|c| *c = -&*c);
-    }
-    let lead = p[n].clone();
-    let mut scale = Rational::from(&lead);
-    if lead == 1 {
-        return (p, scale);
-    }
-    p[n] = Integer::ONE;
-    let mut power = Integer::ONE;
-    for c in p[..n].iter_mut().rev() {
-        *c *= &power;
-        power *= &lead;
-    }
-    for q in (2u64..100).map(Integer::from) {
-        let powers: Vec<Integer> = (0..=n as u64).map(|i| (&q).pow(n as u64 - i)).collect();
-        while p.iter().zip(&powers).all(|(c, q)| c.divisible_by(q)) {
-            p.iter_mut()
-                .zip(&powers)
-                .for_each(|(c, q)| *c = (&*c).div_exact(q));
-            scale /= Rational::from(&q);
-        }
-    }
-    (p, scale)
-}
-
-enum Isolated {
-    Integer(Integer),
-    Irrational(Dyadic),
-}
-
-/// The only root of the monic `p` in [lo, hi]: an integer (a rational root of a
-/// monic polynomial is one), or an interval as in [`Field::root`]. `None` beyond
-/// [`ISOLATION_LIMIT`].
-///
-/// The interval is the first of k/2^e to (k+1)/2^e, e = 0, 1, …, with the root
-/// inside and a derivative that is seen not to vanish; p is monotone there and
-/// has no other root.
-fn isolate(p: &[Integer], lo: &Rational, hi: &Rational) -> Option<Isolated> {
-    let (at_lo, at_hi) = (poly::sign_at(p, lo), poly::sign_at(p, hi));
-    for (x, sign) in [(lo, at_lo), (hi, at_hi)] {
-        if sign == Ordering::Equal {
-            return Integer::try_from(x).ok().map(Isolated::Integer);
-        }
-    }
-    // The sign that p would have without its other roots.
-    let sign = |x: &Rational| match x {
-        x if x <= lo => at_lo,
-        x if x >= hi => at_hi,
-        x => poly::sign_at(p, x),
-    };
-    let (mut low, mut high) = (lo.floor(), hi.ceiling());
-    while &high - &low > 1 {
-        let middle = (&low + &high) >> 1u64;
-        match sign(&Rational::from(&middle)) {
-            Ordering::Equal => return Some(Isolated::Integer(middle)),
-            s if s == at_lo => low = middle,
-            _ => high = middle,
-        }
-    }
-    let slope: Vec<Integer> = (1u64..)
-        .zip(&p[1..])
-        .map(|(i, c)| c * Integer::from(i))
-        .collect();
-    for bits in 0..ISOLATION_LIMIT {
-        let candidate = Dyadic {
-            low: low.clone(),
-            high: &low + Integer::ONE,
-            bits,
-        };
-        if !Interval::from(candidate.ends())
-            .horner(&slope)
-            .contains_zero()
-        {
-            return Some(Isolated::Irrational(candidate));
-        }
-        low <<= 1u64;
-        let middle = &low + Integer::ONE;
-        if sign(&(Rational::from(&middle) >> (bits + 1))) == at_lo {
-            low = middle;
-        }
-    }
-    None
 }

@@ -2,12 +2,17 @@
 //!
 //! | file | holds |
 //! |---|---|
-//! | [`field`] | Q and Q(a), and how a field is made |
+//! | [`field`] | [`Field`]: Q and Q(a) |
+//! | [`isolation`] | how a root becomes a field's, limits, [`FieldError`] |
 //! | `element` | [`Number`]: arithmetic, comparison, display |
 //! | `sign` | exact signs, enclosures, nearest doubles |
 //! | `root` | dyadic enclosures of a root and its powers |
 //! | `polynomial` | polynomials over Q: Euclid, Sturm |
-//! | [`enclosure`] | interval arithmetic |
+//! | `extension` | K(√d), K(b): a generator of a larger field |
+//! | `recognition`, `lattice` | whether a real number lies in a field |
+//! | [`text`] | the syntax of numbers |
+//! | [`reader`] | the numbers of a file in one field |
+//! | [`enclosure`] | intervals, π, cosines and angles in degrees |
 //!
 //! It knows malachite, the certificate's way of writing numbers, and the
 //! [`Scalar`](crate::geometry::Scalar) that predicates ask for. The verifier
@@ -15,11 +20,20 @@
 
 mod element;
 pub mod enclosure;
+mod extension;
 pub mod field;
+pub mod isolation;
+mod lattice;
 mod polynomial;
+pub mod reader;
+pub mod recognition;
 mod root;
 mod sign;
+pub mod text;
 
 pub use element::Number;
 pub use enclosure::Interval;
-pub use field::{Field, FieldError};
+pub use field::Field;
+pub use isolation::FieldError;
+pub use reader::{Reader, numbers};
+pub use text::{Expression, ReadError, ReadErrorKind, parse_rational};

@@ -58,13 +58,6 @@ pub(super) fn common_denominator(p: &[Rational]) -> (Vec<Integer>, Natural) {
     (p.iter().map(numerator).collect(), d)
 }
 
-/// p(x)
-pub(super) fn evaluate(p: &[Rational], x: &Rational) -> Rational {
-    p.iter()
-        .rev()
-        .fold(Rational::ZERO, |value, c| value * x + c)
-}
-
 /// The sign of p(x): with x = n/d and m = deg p it is the sign of the integer
 /// d^m p(x) = Σ p_i n^i d^(m-i).
 pub(super) fn sign_at(p: &[Integer], x: &Rational) -> Sign {

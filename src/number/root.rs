@@ -137,6 +137,11 @@ impl Level {
         &self.root
     }
 
+    /// Lower bounds of 2^bits a^i, i = 0, 1, …
+    pub fn lower_bounds(&self) -> impl Iterator<Item = &Integer> {
+        self.powers.iter().map(|(lo, _)| lo)
+    }
+
     /// Bounds of 2^bits Σ n_i a^i.
     pub fn bounds(&self, numerators: &[Integer]) -> (Integer, Integer) {
         let mut bounds = (Integer::ZERO, Integer::ZERO);

@@ -5,6 +5,7 @@
 //! gcd(f, p): f vanishes at the root exactly when that divisor does.
 
 use super::element::{Number, Value};
+use super::enclosure as fixed;
 use super::field::Field;
 use super::polynomial as poly;
 use super::root::Level;
@@ -71,6 +72,18 @@ impl Number {
             }
             level += 1;
         }
+    }
+
+    /// Rational bounds of √x at most `width` apart, for x >= 0.
+    ///
+    /// √hi - √lo <= √(hi - lo) <= width/2, and the rounding adds width/2.
+    pub(super) fn enclosure_of_root(&self, width: &Rational) -> (Rational, Rational) {
+        let (lo, hi) = self.enclosure(&(width * width / Rational::from(4)));
+        let bits = (2 - width.floor_log_base_2_abs()).max(0).unsigned_abs();
+        (
+            fixed::sqrt_below(&lo.max(Rational::ZERO), bits),
+            fixed::sqrt_above(&hi, bits),
+        )
     }
 
     /// The nearest double or a neighbour of it; infinite beyond the range.

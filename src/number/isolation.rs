@@ -1,0 +1,217 @@
+//! From a polynomial and an interval with one root to what a field needs: a
+//! monic polynomial, and a dyadic interval in which it is monotone around the
+//! root. Called by [`super::field`].
+
+use super::enclosure::Interval;
+use super::polynomial as poly;
+use super::root::Dyadic;
+use malachite::base::num::arithmetic::traits::{Ceiling, DivExact, DivisibleBy, Floor, Pow};
+use malachite::base::num::basic::traits::One;
+use malachite::base::num::logic::traits::SignificantBits;
+use malachite::{Integer, Rational};
+use std::cmp::Ordering;
+use std::fmt;
+
+/// No field has a larger degree.
+pub const DEGREE_LIMIT: usize = 32;
+/// No coefficient of a defining polynomial, and no numerator or denominator of
+/// an interval's end, has more bits (about 1,200 decimal digits).
+pub const POLYNOMIAL_BITS_LIMIT: u64 = 4096;
+/// A root that is not alone in a dyadic interval of width 2^-this is declined.
+pub const ISOLATION_LIMIT: u64 = 4096;
+
+/// Why there is no such field.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum FieldError {
+    /// The polynomial is zero.
+    ZeroPolynomial,
+    /// The polynomial is a constant, which has no root.
+    ConstantPolynomial,
+    /// The degree is above [`DEGREE_LIMIT`].
+    DegreeBeyondLimit(usize),
+    /// A coefficient or an end of the interval has more than
+    /// [`POLYNOMIAL_BITS_LIMIT`] bits: the number of bits.
+    SizeBeyondLimit(u64),
+    /// The lower end is above the upper end.
+    EmptyInterval(Rational, Rational),
+    /// The polynomial has no root in the interval.
+    NoRoot(Rational, Rational),
+    /// The polynomial has this many different roots in the interval.
+    SeveralRoots(Rational, Rational, usize),
+    /// Other roots are closer than 2^-[`ISOLATION_LIMIT`].
+    RootsTooClose,
+    /// No small combination of two generators generates both.
+    NoGenerator,
+}
+
+impl fmt::Display for FieldError {
+    fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
+        match self {
+            Self::ZeroPolynomial => write!(f, "the polynomial is zero"),
+            Self::ConstantPolynomial => write!(f, "the polynomial is a constant"),
+            Self::DegreeBeyondLimit(degree) => {
+                write!(f, "degree {degree} is beyond the limit of {DEGREE_LIMIT}")
+            }
+            Self::SizeBeyondLimit(bits) => write!(
+                f,
+                "a number of {bits} bits in the polynomial or its interval is beyond the limit of {POLYNOMIAL_BITS_LIMIT}"
+            ),
+            Self::EmptyInterval(lo, hi) => {
+                write!(
+                    f,
+                    "the interval from {lo} to {hi} is empty: its ends are in the wrong order"
+                )
+            }
+            Self::NoRoot(lo, hi) => write!(f, "the polynomial has no root from {lo} to {hi}"),
+            Self::SeveralRoots(lo, hi, count) => {
+                write!(
+                    f,
+                    "the polynomial has {count} roots from {lo} to {hi}, and must have one"
+                )
+            }
+            Self::RootsTooClose => {
+                write!(
+                    f,
+                    "other roots are closer than 2^-{ISOLATION_LIMIT} to the root"
+                )
+            }
+            Self::NoGenerator => write!(f, "no generator of the extended field was found"),
+        }
+    }
+}
+
+impl std::error::Error for FieldError {}
+
+/// Checks what can be checked without arithmetic.
+pub(super) fn check_limits(
+    polynomial: &[Integer],
+    lo: &Rational,
+    hi: &Rational,
+) -> Result<(), FieldError> {
+    let degree = polynomial
+        .iter()
+        .rposition(|c| *c != 0)
+        .ok_or(FieldError::ZeroPolynomial)?;
+    if degree == 0 {
+        return Err(FieldError::ConstantPolynomial);
+    }
+    if degree > DEGREE_LIMIT {
+        return Err(FieldError::DegreeBeyondLimit(degree));
+    }
+    let ends = [lo, hi].map(|x| {
+        x.numerator_ref()
+            .significant_bits()
+            .max(x.denominator_ref().significant_bits())
+    });
+    let bits = polynomial
+        .iter()
+        .map(SignificantBits::significant_bits)
+        .chain(ends)
+        .max();
+    if let Some(bits) = bits.filter(|bits| *bits > POLYNOMIAL_BITS_LIMIT) {
+        return Err(FieldError::SizeBeyondLimit(bits));
+    }
+    if lo > hi {
+        return Err(FieldError::EmptyInterval(lo.clone(), hi.clone()));
+    }
+    Ok(())
+}
+
+/// A monic polynomial whose roots are s times the roots of `p`, and s > 0.
+///
+/// With l the leading coefficient, s = l works: y = l x is a root of
+/// l^(n-1) p(y/l) = Σ p_i l^(n-1-i) y^i. Then s is made smaller by the small
+/// primes q for which q^(n-i) divides every coefficient.
+pub(super) fn make_monic(mut p: Vec<Integer>) -> (Vec<Integer>, Rational) {
+    let n = p.len() - 1;
+    if p[n] < 0 {
+        p.iter_mut().for_each(|c| *c = -&*c);
+    }
+    let lead = p[n].clone();
+    let mut scale = Rational::from(&lead);
+    if lead == 1 {
+        return (p, scale);
+    }
+    p[n] = Integer::ONE;
+    let mut power = Integer::ONE;
+    for c in p[..n].iter_mut().rev() {
+        *c *= &power;
+        power *= &lead;
+    }
+    for q in (2u64..100).map(Integer::from) {
+        let powers: Vec<Integer> = (0..=n as u64).map(|i| (&q).pow(n as u64 - i)).collect();
+        while p.iter().zip(&powers).all(|(c, q)| c.divisible_by(q)) {
+            p.iter_mut()
+                .zip(&powers)
+                .for_each(|(c, q)| *c = (&*c).div_exact(q));
+            scale /= Rational::from(&q);
+        }
+    }
+    (p, scale)
+}
+
+/// Where a root is.
+pub(super) enum Isolated {
+    Integer(Integer),
+    Irrational(Dyadic),
+}
+
+/// The only root of the monic `p` in [lo, hi]: an integer (a rational root of a
+/// monic polynomial is one), or an interval as in [`Field::root`]. `None` beyond
+/// [`ISOLATION_LIMIT`].
+///
+/// The interval is the first of k/2^e to (k+1)/2^e, e = 0, 1, …, with the root
+/// inside and a derivative that is seen not to vanish; p is monotone there and
+/// has no other root.
+pub(super) fn isolate(p: &[Integer], lo: &Rational, hi: &Rational) -> Option<Isolated> {
+    let (at_lo, at_hi) = (poly::sign_at(p, lo), poly::sign_at(p, hi));
+    for (x, sign) in [(lo, at_lo), (hi, at_hi)] {
+        if sign == Ordering::Equal {
+            return Integer::try_from(x).ok().map(Isolated::Integer);
+        }
+    }
+    // The sign that p would have without its other roots.
+    let sign = |x: &Rational| match x {
+        x if x <= lo => at_lo,
+        x if x >= hi => at_hi,
+        x => poly::sign_at(p, x),
+    };
+    let (mut low, mut high) = (lo.floor(), hi.ceiling());
+    while &high - &low > 1 {
+        let middle = (&low + &high) >> 1u64;
+        match sign(&Rational::from(&middle)) {
+            Ordering::Equal => return Some(Isolated::Integer(middle)),
+            s if s == at_lo => low = middle,
+            _ => high = middle,
+        }
+    }
+    for bits in 0..ISOLATION_LIMIT {
+        let candidate = Dyadic {
+            low: low.clone(),
+            high: &low + Integer::ONE,
+            bits,
+        };
+        if isolates(p, &candidate) {
+            return Some(Isolated::Irrational(candidate));
+        }
+        low <<= 1u64;
+        let middle = &low + Integer::ONE;
+        if sign(&(Rational::from(&middle) >> (bits + 1))) == at_lo {
+            low = middle;
+        }
+    }
+    None
+}
+
+/// Whether the interval is as [`Field::root`] says.
+pub(super) fn isolates(p: &[Integer], interval: &Dyadic) -> bool {
+    let (lo, hi) = interval.ends();
+    let signs = (poly::sign_at(p, &lo), poly::sign_at(p, &hi));
+    let slope: Vec<Integer> = (1u64..)
+        .zip(&p[1..])
+        .map(|(i, c)| c * Integer::from(i))
+        .collect();
+    signs.0 == signs.1.reverse()
+        && signs.0 != Ordering::Equal
+        && !Interval { lo, hi }.horner(&slope).contains_zero()
+}
