@@ -8,8 +8,6 @@ pub mod certificate;
 #[cfg(feature = "prover")]
 pub mod checker;
 #[cfg(feature = "prover")]
-pub mod cli;
-#[cfg(feature = "prover")]
 pub mod export;
 #[cfg(feature = "prover")]
 pub mod geometry;

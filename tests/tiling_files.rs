@@ -5,16 +5,16 @@ mod common;
 
 use acutile::certificate::Statement;
 use acutile::checker::{Defect, Options, Refutation, prove};
-use acutile::import::{Input, read_native};
+use acutile::import::{Content, read_native};
 use acutile::tiling::AnyTiling;
 use acutile::with_dimension;
 use common::kuhn;
 use serde_json::{Value, json};
 
 fn tiling(document: &Value) -> AnyTiling {
-    match read_native(&document.to_string()) {
-        Ok(Input::Tiling(tiling)) => tiling,
-        Ok(Input::Points(_)) => panic!("a point set"),
+    match read_native(&document.to_string()).map(|file| file.content) {
+        Ok(Content::Tiling(tiling)) => tiling,
+        Ok(Content::Points(_)) => panic!("a point set"),
         Err(error) => panic!("{error}"),
     }
 }
@@ -223,7 +223,7 @@ fn messages_name_the_place_and_what_was_expected() {
         "simplices[4]: has 3 corners, expected 4"
     );
     begins(with(&|d| d["simplices"][4][1] = json!([0, 99999999999i64, 0, 0])), "simplices[4][1]: the shift");
-    begins(with(&|d| d["simplices"][4][1] = json!(-1)), "invalid value: integer `-1`");
+    begins(with(&|d| d["simplices"][4][1] = json!(-1)), "invalid type: integer `-1`, expected a corner");
     assert_eq!(with(&|d| d["lattice"]["gram"] = json!([[1]])), "lattice: has 1 rows, expected 3");
     begins(with(&|d| d["lattice"]["gram"][0][1] = json!(5)), "lattice[1][0]: the Gram matrix is not symmetric");
     begins(

@@ -1,7 +1,7 @@
 //! Writes a proved tiling as a certificate.
 
 use crate::certificate::{
-    self, AlgebraicField, Certificate, Claim, Domain, FORMAT, Field, Number, Place, Statement,
+    self, Certificate, Claim, Domain, FORMAT, Number, Place, Statement,
     VERSION, Witness,
 };
 use crate::number;
@@ -19,7 +19,7 @@ pub fn certificate<const D: usize>(
         version: VERSION,
         claim: Claim {
             dimension: D,
-            field: field(&frame.field),
+            field: frame.field.to_certificate(),
             gram: frame.gram.iter().map(|row| numbers(row)).collect(),
             domain: domain(&frame.domain),
             statements,
@@ -37,17 +37,6 @@ pub fn certificate<const D: usize>(
             mates: mates(matching, frame.rank()),
         },
     }
-}
-
-fn field(field: &number::Field) -> Field {
-    if field.degree() == 1 {
-        return Field::Rationals;
-    }
-    let (lower, upper) = field.root();
-    Field::Algebraic(AlgebraicField {
-        polynomial: field.polynomial().iter().map(|c| c.to_string()).collect(),
-        root: (lower.to_string(), upper.to_string()),
-    })
 }
 
 fn domain(domain: &tiling::Domain) -> Domain {

@@ -8,7 +8,7 @@ use super::{Outcome, verify};
 use crate::catalog;
 use crate::certificate::{self, Statement};
 use crate::checker::{self, Options, Refutation, describe};
-use crate::tiling::{AnyTiling, Tiling};
+use crate::tiling::Tiling;
 use crate::verifier::{self, Limits, Verified};
 use crate::with_dimension;
 use serde_json::{Value, json};

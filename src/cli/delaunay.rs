@@ -7,7 +7,7 @@ use super::progress::Progress;
 use super::{Outcome, input};
 use crate::delaunay::{Ties, triangulate};
 use crate::export::tiling_text;
-use crate::tiling::{AnyPointSet, PointSet};
+use crate::tiling::PointSet;
 use crate::with_dimension;
 
 /// Triangulates the points of a file.

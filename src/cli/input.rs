@@ -1,7 +1,7 @@
 //! A name of the catalogue or a file, turned into a tiling.
 
 use crate::catalog;
-use crate::import::{Input, read_native, read_text};
+use crate::import::{Content, NativeFile, read_native, read_text};
 use crate::tiling::{AnyPointSet, AnyTiling};
 use std::path::Path;
 
@@ -35,13 +35,13 @@ pub fn tiling(input: &str) -> Result<Named, String> {
             "{input}: neither a name of the catalogue (acutile list) nor a file"
         ));
     }
-    match read(path)? {
-        Input::Tiling(tiling) => Ok(Named {
-            name: input.to_owned(),
-            description: "tiling file".to_owned(),
-            tiling,
-        }),
-        Input::Points(_) => Err(format!(
+    let file = read(path)?;
+    match file.content {
+        Content::Tiling(tiling) => {
+            let words = [file.name, file.description].into_iter().flatten().collect::<Vec<_>>();
+            Ok(Named { name: input.to_owned(), description: words.join(": "), tiling })
+        }
+        Content::Points(_) => Err(format!(
             "{input}: is a point-set file, expected a tiling file (acutile delaunay makes one)"
         )),
     }
@@ -52,16 +52,15 @@ pub fn tiling(input: &str) -> Result<Named, String> {
 /// # Errors
 /// A message that names the file.
 pub fn points(path: &Path) -> Result<AnyPointSet, String> {
-    match read(path)? {
-        Input::Points(points) => Ok(points),
-        Input::Tiling(_) => Err(format!(
-            "{}: is a tiling file, expected a point-set file",
-            path.display()
-        )),
+    match read(path)?.content {
+        Content::Points(points) => Ok(points),
+        Content::Tiling(_) => {
+            Err(format!("{}: is a tiling file, expected a point-set file", path.display()))
+        }
     }
 }
 
-fn read(path: &Path) -> Result<Input, String> {
+fn read(path: &Path) -> Result<NativeFile, String> {
     read_text(path)
         .and_then(|text| read_native(&text))
         .map_err(|error| format!("{}: {error}", path.display()))

@@ -6,7 +6,7 @@ use super::{Outcome, input};
 use crate::geometry::linear;
 use crate::number::Number;
 use crate::quality::{decimal_range, dihedral_degrees, display_width, shapes};
-use crate::tiling::{AnyTiling, Frame, Tiling};
+use crate::tiling::{Frame, Tiling};
 use crate::with_dimension;
 
 /// Prints counts, lattice, field and shapes.

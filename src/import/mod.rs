@@ -9,7 +9,7 @@ mod frame;
 mod native;
 
 pub use error::ImportError;
-pub use native::{Input, read_native};
+pub use native::{Content, NativeFile, read_native};
 
 use std::fs::File;
 use std::io::Read;

@@ -6,8 +6,18 @@ use super::frame::{Change, Numbers, read_frame};
 use crate::number::Number;
 use crate::tiling::{AnyPointSet, AnyTiling, Corner, Frame, PointSet, SHIFT_LIMIT, Tiling};
 
-/// What a file held.
-pub enum Input {
+/// A file of ours.
+pub struct NativeFile {
+    /// What its author calls it.
+    pub name: Option<String>,
+    /// What its author says of it.
+    pub description: Option<String>,
+    /// What it holds.
+    pub content: Content,
+}
+
+/// What a file holds.
+pub enum Content {
     /// A tiling file.
     Tiling(AnyTiling),
     /// A point-set file.
@@ -22,7 +32,7 @@ const POINTS: &str = "acutile-points";
 ///
 /// # Errors
 /// [`ImportError`], naming line and column for JSON and the entry otherwise.
-pub fn read_native(text: &str) -> Result<Input, ImportError> {
+pub fn read_native(text: &str) -> Result<NativeFile, ImportError> {
     if text.trim().is_empty() {
         return Err(ImportError::Empty);
     }
@@ -39,23 +49,24 @@ pub fn read_native(text: &str) -> Result<Input, ImportError> {
     }
     let document: Document = serde_json::from_str(text).map_err(ImportError::Json)?;
     let numbers = Numbers::of(&document)?;
-    match (header.format.as_str(), document.dimension) {
-        (TILING, 2) => tiling(&document, &numbers)
-            .map(AnyTiling::Plane)
-            .map(Input::Tiling),
-        (TILING, 3) => tiling(&document, &numbers)
-            .map(AnyTiling::Space)
-            .map(Input::Tiling),
-        (_, 2) => points(&document, &numbers)
-            .map(AnyPointSet::Plane)
-            .map(Input::Points),
-        (_, 3) => points(&document, &numbers)
-            .map(AnyPointSet::Space)
-            .map(Input::Points),
-        (_, other) => Err(ImportError::entry(
-            "dimension",
-            format!("found {other}, expected 2 or 3"),
-        )),
+    let content = match document.dimension {
+        2 => content(&header, &document, &numbers, AnyTiling::Plane, AnyPointSet::Plane),
+        3 => content(&header, &document, &numbers, AnyTiling::Space, AnyPointSet::Space),
+        other => Err(ImportError::entry("dimension", format!("found {other}, expected 2 or 3"))),
+    }?;
+    Ok(NativeFile { name: document.name, description: document.description, content })
+}
+
+fn content<const D: usize>(
+    header: &Header,
+    document: &Document,
+    numbers: &Numbers,
+    any_tiling: fn(Tiling<D>) -> AnyTiling,
+    any_points: fn(PointSet<D>) -> AnyPointSet,
+) -> Result<Content, ImportError> {
+    match header.format == TILING {
+        true => tiling(document, numbers).map(any_tiling).map(Content::Tiling),
+        false => points(document, numbers).map(any_points).map(Content::Points),
     }
 }
 

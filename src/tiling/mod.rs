@@ -5,9 +5,11 @@
 
 mod facets;
 mod frame;
+mod supercell;
 
 pub use facets::{Facet, Matching, Mate, Mismatch, match_facets};
 pub use frame::{Domain, Frame};
+pub use supercell::supercell;
 
 use crate::geometry::Simplex;
 use crate::number::Number;
