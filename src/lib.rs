@@ -7,3 +7,5 @@
 pub mod certificate;
 #[cfg(feature = "prover")]
 pub mod geometry;
+#[cfg(feature = "prover")]
+pub mod number;
