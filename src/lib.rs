@@ -6,6 +6,10 @@
 
 pub mod certificate;
 #[cfg(feature = "prover")]
+pub mod delaunay;
+#[cfg(feature = "prover")]
 pub mod geometry;
 #[cfg(feature = "prover")]
 pub mod number;
+#[cfg(feature = "prover")]
+pub mod tiling;
