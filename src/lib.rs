@@ -4,9 +4,15 @@
 
 #![forbid(unsafe_code)]
 
+#[cfg(feature = "prover")]
+pub mod catalog;
 pub mod certificate;
 #[cfg(feature = "prover")]
 pub mod checker;
+#[cfg(feature = "prover")]
+pub mod cli;
+#[cfg(feature = "prover")]
+pub mod delaunay;
 #[cfg(feature = "prover")]
 pub mod export;
 #[cfg(feature = "prover")]

@@ -1,0 +1,192 @@
+//! Which points, moved by which lattice vectors, lie in a ball: a k-d tree over the
+//! points of one cell, asked once for every lattice vector that the ball may need.
+//!
+//! The answer may hold points a little outside of the ball, never lacks one inside.
+
+use super::DelaunayError;
+use super::floats::{Floats, dot};
+use crate::tiling::Corner;
+
+/// No query looks at more translated cells.
+const SHIFTS_LIMIT: f64 = 1e6;
+/// Leaves hold at most this many points.
+const LEAF: usize = 6;
+
+/// A k-d tree over points that are stored in the order of the tree.
+#[derive(Clone, Debug)]
+pub struct Tree<const D: usize> {
+    /// Bounding boxes; the children of node i are 2 i + 1 and 2 i + 2.
+    boxes: Vec<Box<D>>,
+    len: usize,
+}
+
+#[derive(Clone, Copy, Debug)]
+struct Box<const D: usize> {
+    low: [f64; D],
+    high: [f64; D],
+}
+
+/// A ball, in Cartesian coordinates relative to a corner.
+#[derive(Clone, Copy, Debug)]
+pub struct Ball<const D: usize> {
+    pub center: [f64; D],
+    pub radius: f64,
+}
+
+/// The permutation of `fractions` in which neighbours lie close together, to store
+/// the points by before the tree is made: halved at the median of the longest side.
+pub fn tree_order<const D: usize>(fractions: &[[f64; D]], lengths: &[f64; D]) -> Vec<u32> {
+    let mut order: Vec<u32> = (0..fractions.len() as u32).collect();
+    halve(&mut order, fractions, lengths);
+    order
+}
+
+fn halve<const D: usize>(order: &mut [u32], fractions: &[[f64; D]], lengths: &[f64; D]) {
+    if order.len() <= LEAF {
+        return;
+    }
+    let hull = Box::around(order.iter().map(|&i| &fractions[i as usize]));
+    let side = |k: usize| (hull.high[k] - hull.low[k]) * lengths[k];
+    let axis = (0..D).max_by(|&a, &b| side(a).total_cmp(&side(b))).unwrap_or(0);
+    let middle = order.len() / 2;
+    order.select_nth_unstable_by(middle, |&a, &b| {
+        fractions[a as usize][axis].total_cmp(&fractions[b as usize][axis]).then(a.cmp(&b))
+    });
+    let (left, right) = order.split_at_mut(middle);
+    halve(left, fractions, lengths);
+    halve(right, fractions, lengths);
+}
+
+impl<const D: usize> Box<D> {
+    fn around<'a>(points: impl Iterator<Item = &'a [f64; D]>) -> Self {
+        let mut hull = Box { low: [f64::INFINITY; D], high: [f64::NEG_INFINITY; D] };
+        for point in points {
+            for k in 0..D {
+                hull.low[k] = hull.low[k].min(point[k]);
+                hull.high[k] = hull.high[k].max(point[k]);
+            }
+        }
+        hull
+    }
+
+    fn meets(&self, other: &Self) -> bool {
+        (0..D).all(|k| self.low[k] <= other.high[k] && other.low[k] <= self.high[k])
+    }
+}
+
+/// What a query carries down the tree.
+struct Query<'a, const D: usize> {
+    floats: &'a Floats<D>,
+    window: Box<D>,
+    origin: Corner<D>,
+    shift: [i32; D],
+    ball: Ball<D>,
+    found: &'a mut Vec<Corner<D>>,
+}
+
+impl<const D: usize> Tree<D> {
+    /// The tree over the first `len` of the points, which are in tree order.
+    pub fn new(floats: &Floats<D>, len: usize) -> Self {
+        let mut tree = Tree { boxes: Vec::new(), len };
+        tree.build(0, 0..len, &floats.fractions);
+        tree
+    }
+
+    fn build(&mut self, node: usize, range: std::ops::Range<usize>, fractions: &[[f64; D]]) {
+        if self.boxes.len() <= node {
+            self.boxes.resize(node + 1, Box::around([].into_iter()));
+        }
+        self.boxes[node] = Box::around(fractions[range.clone()].iter());
+        if range.len() > LEAF {
+            let middle = range.start + range.len() / 2;
+            self.build(2 * node + 1, range.start..middle, fractions);
+            self.build(2 * node + 2, middle..range.end, fractions);
+        }
+    }
+
+    /// Puts all corners in the ball around `origin` + centre into `found`, at least
+    /// those; stops early once there are `enough`.
+    pub fn gather(
+        &self,
+        floats: &Floats<D>,
+        origin: &Corner<D>,
+        ball: Ball<D>,
+        enough: usize,
+        found: &mut Vec<Corner<D>>,
+    ) -> Result<(), DelaunayError> {
+        found.clear();
+        let window = window(floats, origin, &ball);
+        let first = window.low.map(f64::floor);
+        let last = window.high.map(f64::floor);
+        let count: f64 = (0..D).map(|k| last[k] - first[k] + 1.0).product();
+        // Not a number fails this comparison.
+        if !(count <= SHIFTS_LIMIT && first.iter().all(|x| x.abs() < 1e9)) {
+            return Err(DelaunayError::TooElongated);
+        }
+        let mut shift = first.map(|x| x as i32);
+        loop {
+            let moved = Box {
+                low: std::array::from_fn(|k| window.low[k] - f64::from(shift[k])),
+                high: std::array::from_fn(|k| window.high[k] - f64::from(shift[k])),
+            };
+            let mut query =
+                Query { floats, window: moved, origin: *origin, shift, ball, found: &mut *found };
+            self.visit(0, 0..self.len, &mut query);
+            if found.len() >= enough || !advance(&mut shift, &first, &last) {
+                return Ok(());
+            }
+        }
+    }
+
+    fn visit(&self, node: usize, range: std::ops::Range<usize>, query: &mut Query<D>) {
+        if !self.boxes[node].meets(&query.window) {
+            return;
+        }
+        if range.len() > LEAF {
+            let middle = range.start + range.len() / 2;
+            self.visit(2 * node + 1, range.start..middle, query);
+            return self.visit(2 * node + 2, middle..range.end, query);
+        }
+        for vertex in range {
+            query.test(Corner { vertex: vertex as u32, shift: query.shift });
+        }
+    }
+}
+
+impl<const D: usize> Query<'_, D> {
+    fn test(&mut self, corner: Corner<D>) {
+        let y = self.floats.difference(&self.origin, &corner);
+        let from_center: [f64; D] = std::array::from_fn(|k| y[k] - self.ball.center[k]);
+        // The callers' slack is far larger than the rounding of this comparison.
+        if dot(&from_center, &from_center) <= self.ball.radius * self.ball.radius {
+            self.found.push(corner);
+        }
+    }
+}
+
+/// The box around a ball in fractional coordinates, a little enlarged.
+fn window<const D: usize>(floats: &Floats<D>, origin: &Corner<D>, ball: &Ball<D>) -> Box<D> {
+    let center = floats.to_fractional(&ball.center);
+    let base = &floats.fractions[origin.vertex as usize];
+    let size = dot(&ball.center, &ball.center).sqrt() + ball.radius;
+    let half: [f64; D] =
+        std::array::from_fn(|k| floats.dual[k] * (ball.radius + 1e-9 * size) + 1e-9);
+    let middle: [f64; D] =
+        std::array::from_fn(|k| base[k] + f64::from(origin.shift[k]) + center[k]);
+    Box {
+        low: std::array::from_fn(|k| middle[k] - half[k]),
+        high: std::array::from_fn(|k| middle[k] + half[k]),
+    }
+}
+
+/// The next integer vector between `first` and `last`, or false at the end.
+fn advance<const D: usize>(shift: &mut [i32; D], first: &[f64; D], last: &[f64; D]) -> bool {
+    for k in 0..D {
+        if f64::from(shift[k]) < last[k] {
+            shift[k] += 1;
+            return true;
+        }
+        shift[k] = first[k] as i32;
+    }
+    false
+}

@@ -1,0 +1,361 @@
+//! Gift wrapping: from one Delaunay cell over its facets to all of them.
+//!
+//! A Delaunay cell is the convex hull of all points on an empty sphere. Beyond
+//! each of its facets lies exactly one further cell: of the spheres through the facet
+//! the one whose centre is pushed out until it meets a point beyond. Doubles propose
+//! that point; then all points that may lie on or inside of the sphere are fetched and
+//! judged exactly. A point inside is a better proposal; when there is none, the points
+//! on the sphere are the cell. So every cell that is recorded has been shown to be empty,
+//! and the sphere shrinks beyond the facet with each proposal, so this ends.
+//!
+//! (In the plane a triangulation could be repaired by flips instead; in space these
+//! may get stuck before all facets are locally Delaunay.)
+
+use super::DelaunayError;
+use super::floats::dot;
+use super::model::WITNESSES;
+use super::polytope::Polytope;
+use super::predicates::Predicates;
+use super::tree::Ball;
+use crate::geometry::{Scalar, Sign};
+use crate::tiling::{Corner, difference};
+use std::collections::HashSet;
+
+/// All Delaunay cells, one of each orbit, in the model's coordinates.
+#[derive(Clone, Debug, Default)]
+pub struct Cells<const D: usize> {
+    /// Positively oriented, D + 1 corners each.
+    pub simplices: Vec<Corner<D>>,
+    /// The others.
+    pub polytopes: Vec<Polytope<D>>,
+}
+
+/// A facet up to translation, and a side: (corners, p) is positively oriented for p
+/// beyond it if `positive`. The corners are the D least by (vertex, shift), the first
+/// with shift zero. They determine the facet, for they span its hyperplane.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+struct View<const D: usize> {
+    corners: [Corner<D>; D],
+    positive: bool,
+}
+
+impl<const D: usize> View<D> {
+    /// The view of an ordered facet beyond which orientation is positive.
+    fn new(mut corners: [Corner<D>; D]) -> Self {
+        let positive = !sort_is_odd(&mut corners);
+        let origin = corners[0].shift;
+        for corner in &mut corners {
+            corner.shift = difference(corner.shift, origin);
+        }
+        View { corners, positive }
+    }
+
+    fn reversed(self) -> Self {
+        View { positive: !self.positive, ..self }
+    }
+
+    /// The corners in an order with positive orientation beyond them.
+    fn facet(mut self) -> [Corner<D>; D] {
+        if !self.positive {
+            self.corners.swap(0, 1);
+        }
+        self.corners
+    }
+}
+
+/// Insertion sort of a few corners; whether the permutation was odd.
+fn sort_is_odd<const D: usize>(corners: &mut [Corner<D>; D]) -> bool {
+    let mut odd = false;
+    for end in 1..D {
+        for k in (1..=end).rev() {
+            if corners[k] < corners[k - 1] {
+                corners.swap(k, k - 1);
+                odd = !odd;
+            }
+        }
+    }
+    odd
+}
+
+/// A simplex as a facet and its opposite corner.
+type Proposal<const D: usize> = ([Corner<D>; D], Corner<D>);
+
+/// How many candidates the search for a first cell looks at in one step.
+const SEED_CANDIDATES: usize = 4096;
+
+struct Wrapping<'a, S: Clone, const D: usize> {
+    predicates: &'a Predicates<'a, S, D>,
+    open: HashSet<View<D>>,
+    stack: Vec<View<D>>,
+    cells: Cells<D>,
+    /// Scratch space.
+    near: Vec<Corner<D>>,
+}
+
+/// All Delaunay cells of a model.
+pub fn wrap<S: Scalar, const D: usize>(
+    predicates: &Predicates<S, D>,
+) -> Result<Cells<D>, DelaunayError> {
+    let mut wrapping = Wrapping {
+        predicates,
+        open: HashSet::default(),
+        stack: Vec::new(),
+        cells: Cells { simplices: Vec::new(), polytopes: Vec::new() },
+        near: Vec::new(),
+    };
+    let (facet, apex) = wrapping.seed()?;
+    wrapping.settle(facet, apex)?;
+    while let Some(view) = wrapping.stack.pop() {
+        if wrapping.open.contains(&view) {
+            let facet = view.facet();
+            let apex = wrapping.propose(&facet)?;
+            wrapping.settle(facet, apex)?;
+        }
+    }
+    Ok(wrapping.cells)
+}
+
+impl<S: Scalar, const D: usize> Wrapping<'_, S, D> {
+    /// Replaces the apex until the sphere is empty, and records the cell.
+    fn settle(&mut self, facet: [Corner<D>; D], mut apex: Corner<D>) -> Result<(), DelaunayError> {
+        loop {
+            let mut near = std::mem::take(&mut self.near);
+            self.predicates.near_sphere(&facet, &apex, usize::MAX, &mut near)?;
+            let better = self.keep_cospherical(&facet, &apex, &mut near)?;
+            self.near = near;
+            match better {
+                Some(inside) => apex = inside,
+                None => return self.record(facet, apex),
+            }
+        }
+    }
+
+    /// Drops the corners outside of the sphere; returns one that is inside. It must
+    /// be beyond the facet: on this side the sphere lies in that of the cell below.
+    fn keep_cospherical(
+        &self,
+        facet: &[Corner<D>; D],
+        apex: &Corner<D>,
+        near: &mut Vec<Corner<D>>,
+    ) -> Result<Option<Corner<D>>, DelaunayError> {
+        let mut inside = None;
+        near.retain(|p| {
+            let sign = self.predicates.in_sphere(facet, apex, p);
+            if sign == Sign::Less {
+                inside = Some(*p);
+            }
+            sign == Sign::Equal
+        });
+        match inside {
+            Some(p) if self.predicates.orientation(facet, &p) != Sign::Greater => {
+                Err(DelaunayError::Uncertified)
+            }
+            inside => Ok(inside),
+        }
+    }
+
+    /// Records the cell with these corners and the cospherical ones in `near`.
+    fn record(&mut self, facet: [Corner<D>; D], apex: Corner<D>) -> Result<(), DelaunayError> {
+        if !self.near.is_empty() {
+            let corners = facet.iter().chain([&apex]).chain(&self.near).copied().collect();
+            return self.record_polytope(corners);
+        }
+        self.cells.simplices.extend(facet);
+        self.cells.simplices.push(apex);
+        // The facet without facet[i]: putting the apex in the place of facet[i] and
+        // that at the end is one exchange, so beyond it orientation is positive.
+        for i in 0..D {
+            let mut other = facet;
+            other[i] = apex;
+            self.toggle(View::new(other));
+        }
+        self.toggle(View::new(facet).reversed());
+        Ok(())
+    }
+
+    fn record_polytope(&mut self, corners: Vec<Corner<D>>) -> Result<(), DelaunayError> {
+        let polytope = Polytope::new(corners, self.predicates)?;
+        for &mask in &polytope.facets {
+            let (mut facet, inner) = polytope.spanning(mask);
+            facet.sort_unstable();
+            let least: [Corner<D>; D] = std::array::from_fn(|k| facet[k]);
+            let view = View::new(least);
+            let inward = self.predicates.orientation(&least, &inner) == Sign::Greater;
+            self.toggle(if inward { view.reversed() } else { view });
+        }
+        self.cells.polytopes.push(polytope);
+        Ok(())
+    }
+
+    /// A facet of a new cell, seen from the cell: closes it if the cell beyond is
+    /// there, else it is open.
+    fn toggle(&mut self, view: View<D>) {
+        if !self.open.remove(&view.reversed()) {
+            self.open.insert(view);
+            self.stack.push(view);
+        }
+    }
+
+    /// A corner beyond a facet whose sphere is small, by doubles: growing balls
+    /// through the facet are searched until there is one.
+    fn propose(&mut self, facet: &[Corner<D>; D]) -> Result<Corner<D>, DelaunayError> {
+        let floats = &self.predicates.model.floats;
+        let (center, normal) = floats.facet_center(facet);
+        let least = dot(&center, &center);
+        let mut square = 2.0 * least;
+        loop {
+            let height = (square - least).max(0.0).sqrt();
+            let above = std::array::from_fn(|k| center[k] + height * normal[k]);
+            let ball = Ball { center: above, radius: square.sqrt() * (1.0 + 1e-9) };
+            self.predicates.model.tree.gather(floats, &facet[0], ball, usize::MAX, &mut self.near)?;
+            if let Some(apex) = self.lowest(facet, &center, &normal, 1e-6 * ball.radius) {
+                return Ok(apex);
+            }
+            square *= 3.0;
+        }
+    }
+
+    /// Of the corners at hand that are clearly beyond the facet, the one whose sphere
+    /// reaches least far: the centre c + t n is as far from p as from the facet,
+    /// so 2 t n · (p - c) = |p - c|² - |c|². (Corners almost in the plane of the facet
+    /// have their turn when spheres are judged exactly.)
+    fn lowest(
+        &self,
+        facet: &[Corner<D>; D],
+        center: &[f64; D],
+        normal: &[f64; D],
+        clear: f64,
+    ) -> Option<Corner<D>> {
+        let floats = &self.predicates.model.floats;
+        let square = dot(center, center);
+        let mut best: Option<(f64, Corner<D>)> = None;
+        for p in self.near.iter().filter(|p| !facet.contains(p)) {
+            let y = floats.difference(&facet[0], p);
+            let x: [f64; D] = std::array::from_fn(|k| y[k] - center[k]);
+            let height = dot(&x, normal);
+            let t = (dot(&x, &x) - square) / (2.0 * height);
+            if height > clear
+                && best.is_none_or(|(least, _)| t < least)
+                && self.predicates.orientation(facet, p) == Sign::Greater
+            {
+                best = Some((t, *p));
+            }
+        }
+        best.map(|(_, p)| p)
+    }
+
+    /// A simplex with an empty sphere.
+    ///
+    /// Let g be a point in no hyperplane of corners. A simplex that contains g lifts to
+    /// a simplex over the paraboloid; among them the Delaunay one is lowest
+    /// over g. If a point is inside the sphere of such a simplex, putting it in the
+    /// place of one corner, in exactly one way, keeps g inside and goes down strictly.
+    /// This starts from a simplex of lattice vectors and ends as there are finitely many
+    /// simplices below it.
+    fn seed(&mut self) -> Result<Proposal<D>, DelaunayError> {
+        let mut failure = DelaunayError::Uncertified;
+        for i in 0..WITNESSES {
+            match self.descend(self.predicates.model.witness(i)) {
+                Ok(Some(seed)) => return Ok(seed),
+                Ok(None) => {}
+                Err(error) => failure = error,
+            }
+        }
+        Err(failure)
+    }
+
+    /// The search for one witness g; `None` if g is not in general position.
+    fn descend(&mut self, witness: Corner<D>) -> Result<Option<Proposal<D>>, DelaunayError> {
+        let Some(mut simplex) = self.first_simplex(&witness) else {
+            return Ok(None);
+        };
+        loop {
+            let (facet, apex) = simplex;
+            let mut near = std::mem::take(&mut self.near);
+            self.predicates.near_sphere(&facet, &apex, SEED_CANDIDATES, &mut near)?;
+            let inside = self.deepest(&facet, &apex, &near);
+            self.near = near;
+            let Some(p) = inside else {
+                return Ok(Some(simplex));
+            };
+            match self.exchange(&simplex, p, &witness) {
+                Some(lower) => simplex = lower,
+                None => return Ok(None),
+            }
+        }
+    }
+
+    /// A simplex with g inside among those of Kuhn: 0, b_i, b_i + b_j, … added to a
+    /// point of the set that is lattice-moved to be near.
+    fn first_simplex(&self, witness: &Corner<D>) -> Option<Proposal<D>> {
+        let floats = &self.predicates.model.floats;
+        let [g, p] = [witness.vertex, 0].map(|v| &floats.fractions[v as usize]);
+        let offset: [f64; D] = std::array::from_fn(|k| g[k] - p[k]);
+        let mut axes: [usize; D] = std::array::from_fn(|k| k);
+        axes.sort_by(|&a, &b| {
+            let rest = |k: usize| offset[k] - offset[k].floor();
+            rest(b).total_cmp(&rest(a))
+        });
+        let mut corner = Corner { vertex: 0, shift: offset.map(|x| x.floor() as i32) };
+        let mut facet = [corner; D];
+        for (k, &axis) in axes.iter().enumerate() {
+            facet[k] = corner;
+            corner.shift[axis] += 1;
+        }
+        let simplex = self.oriented(facet, corner)?;
+        self.contains(&simplex, witness).then_some(simplex)
+    }
+
+    fn oriented(&self, mut facet: [Corner<D>; D], apex: Corner<D>) -> Option<Proposal<D>> {
+        match self.predicates.orientation(&facet, &apex) {
+            Sign::Greater => {}
+            Sign::Less => facet.swap(0, 1),
+            Sign::Equal => return None,
+        }
+        Some((facet, apex))
+    }
+
+    /// Whether g is in the interior of a positively oriented simplex.
+    fn contains(&self, (facet, apex): &Proposal<D>, g: &Corner<D>) -> bool {
+        let inside = |facet: &[Corner<D>; D], apex| {
+            self.predicates.orientation(facet, apex) == Sign::Greater
+        };
+        inside(facet, g)
+            && (0..D).all(|i| {
+                let mut replaced = *facet;
+                replaced[i] = *g;
+                inside(&replaced, apex)
+            })
+    }
+
+    /// Of some corners one that is inside the sphere, by doubles the deepest.
+    fn deepest(
+        &self,
+        facet: &[Corner<D>; D],
+        apex: &Corner<D>,
+        near: &[Corner<D>],
+    ) -> Option<Corner<D>> {
+        let sphere = self.predicates.circumsphere(facet, apex);
+        let distance = |p: &Corner<D>| {
+            let y = self.predicates.model.floats.difference(&facet[0], p);
+            let x: [f64; D] = std::array::from_fn(|k| y[k] - sphere.center[k]);
+            dot(&x, &x)
+        };
+        let mut sorted: Vec<_> = near.iter().map(|p| (distance(p), *p)).collect();
+        sorted.sort_by(|a, b| a.0.total_cmp(&b.0));
+        let is_inside = |p: &Corner<D>| self.predicates.in_sphere(facet, apex, p) == Sign::Less;
+        sorted.into_iter().map(|(_, p)| p).find(is_inside)
+    }
+
+    /// The simplex with p in the place of one corner that has g inside.
+    fn exchange(&self, (facet, apex): &Proposal<D>, p: Corner<D>, g: &Corner<D>) -> Option<Proposal<D>> {
+        let candidates = (0..=D).map(|i| {
+            let (mut facet, mut apex) = (*facet, *apex);
+            *facet.get_mut(i).unwrap_or(&mut apex) = p;
+            (facet, apex)
+        });
+        candidates
+            .filter_map(|(facet, apex)| self.oriented(facet, apex))
+            .find(|simplex| self.contains(simplex, g))
+    }
+}
