@@ -21,7 +21,10 @@ fn tiling(document: &Value) -> AnyTiling {
 
 /// The statements that are proved, or the refutation.
 fn judge(document: &Value, required: &[Statement]) -> Result<Vec<Statement>, Refutation> {
-    let options = Options { required: required.to_vec(), ..Options::default() };
+    let options = Options {
+        required: required.to_vec(),
+        ..Options::default()
+    };
     with_dimension!(&tiling(document), AnyTiling, t => prove(t, &options, &|_| ()))
         .map(|certificate| certificate.claim.statements)
 }
@@ -33,11 +36,18 @@ fn defects(document: &Value) -> Vec<String> {
 
 fn defects_requiring(document: &Value, required: &[Statement]) -> Vec<String> {
     let refutation = judge(document, required).expect_err("it is wrong");
-    refutation.counts().iter().map(|(code, count)| format!("{code} {count}")).collect()
+    refutation
+        .counts()
+        .iter()
+        .map(|(code, count)| format!("{code} {count}"))
+        .collect()
 }
 
 fn error(document: &str) -> String {
-    read_native(document).err().expect("it cannot be read").to_string()
+    read_native(document)
+        .err()
+        .expect("it cannot be read")
+        .to_string()
 }
 
 #[test]
@@ -55,12 +65,18 @@ fn the_kuhn_cube_is_a_nonobtuse_weakly_delaunay_tiling() {
 #[test]
 fn requirements_that_fail_name_every_angle() {
     // Each path tetrahedron has three right angles: at its first, middle and last step.
-    assert_eq!(defects_requiring(&kuhn(), &[Statement::Acute]), ["right-angle 18"]);
+    assert_eq!(
+        defects_requiring(&kuhn(), &[Statement::Acute]),
+        ["right-angle 18"]
+    );
     let sixty = Statement::DihedralBelow("60".to_owned());
     // The six angles are 45, 45, 60, 90, 90, 90, and 60 is not less than 60.
     assert_eq!(defects_requiring(&kuhn(), &[sixty]), ["angle-not-below 24"]);
     // Two facets of each lie inside of the cube, whose corners are cospherical.
-    assert_eq!(defects_requiring(&kuhn(), &[Statement::Delaunay]), ["on-circumsphere 12"]);
+    assert_eq!(
+        defects_requiring(&kuhn(), &[Statement::Delaunay]),
+        ["on-circumsphere 12"]
+    );
 }
 
 #[test]
@@ -91,17 +107,24 @@ fn two_tilings_overlaid_fail_by_their_volume_alone() {
     document["vertices"] = json!([[0, 0, 0], ["1/3", "1/4", "1/5"]]);
     let mut simplices = document["simplices"].as_array().unwrap().clone();
     for simplex in kuhn()["simplices"].as_array().unwrap() {
-        let corners = simplex.as_array().unwrap().iter().map(|corner| match corner {
-            Value::Array(shifted) => json!([1, shifted[1], shifted[2], shifted[3]]),
-            _ => json!(1),
-        });
+        let corners = simplex
+            .as_array()
+            .unwrap()
+            .iter()
+            .map(|corner| match corner {
+                Value::Array(shifted) => json!([1, shifted[1], shifted[2], shifted[3]]),
+                _ => json!(1),
+            });
         simplices.push(corners.collect());
     }
     document["simplices"] = Value::Array(simplices);
     let refutation = judge(&document, &[]).expect_err("it covers twice");
     match refutation.kept() {
         [Defect::VolumeSum { sum, expected }] => {
-            assert_eq!((sum.to_string(), expected.to_string()), ("2".into(), "1".into()));
+            assert_eq!(
+                (sum.to_string(), expected.to_string()),
+                ("2".into(), "1".into())
+            );
         }
         other => panic!("{other:?}"),
     }
@@ -113,7 +136,10 @@ fn a_facet_used_three_times() {
     document["vertices"] = json!([[0, 0, 0], ["1/2", "1/3", "1/7"]]);
     let extra = json!([0, [0, 1, 0, 0], [0, 1, 1, 0], 1]);
     document["simplices"].as_array_mut().unwrap().push(extra);
-    assert_eq!(defects(&document), ["overused-facet 1", "unmatched-facet 3", "volume-sum 1"]);
+    assert_eq!(
+        defects(&document),
+        ["overused-facet 1", "unmatched-facet 3", "volume-sum 1"]
+    );
 }
 
 #[test]
@@ -132,7 +158,9 @@ fn negative_orientation_is_reported_with_its_remedy_and_mended() {
     let mut document = kuhn();
     document["simplices"][1] = json!([0, [0, 0, 1, 0], [0, 1, 1, 1], [0, 0, 1, 1]]);
     let refutation = judge(&document, &[]).expect_err("it is negatively oriented");
-    let AnyTiling::Space(mut read) = tiling(&document) else { panic!("dimension 3") };
+    let AnyTiling::Space(mut read) = tiling(&document) else {
+        panic!("dimension 3")
+    };
     let sentence = acutile::checker::describe(&read, &refutation.kept()[0]);
     assert_eq!(
         sentence,
@@ -167,8 +195,13 @@ fn metrics_that_are_none() {
 
 #[test]
 fn all_defects_are_counted_and_the_first_are_kept() {
-    let options = Options { required: vec![Statement::Acute], defect_limit: 2 };
-    let AnyTiling::Space(read) = tiling(&kuhn()) else { panic!("dimension 3") };
+    let options = Options {
+        required: vec![Statement::Acute],
+        defect_limit: 2,
+    };
+    let AnyTiling::Space(read) = tiling(&kuhn()) else {
+        panic!("dimension 3")
+    };
     let refutation = prove(&read, &options, &|_| ()).expect_err("right angles");
     assert_eq!(refutation.kept().len(), 2);
     assert_eq!(refutation.counts()["right-angle"], 18);
@@ -184,11 +217,19 @@ fn cartesian_and_fractional_coordinates_give_the_same_tiling() {
         "vertices": [["1/4", "sqrt(3)/4"]],
         "simplices": [[0, [0, 1, 0], [0, 0, 1]], [[0, 1, 0], [0, 1, 1], [0, 0, 1]]],
     });
-    let AnyTiling::Plane(plane) = tiling(&cartesian) else { panic!("dimension 2") };
-    assert_eq!(plane.vertices[0].each_ref().map(ToString::to_string), ["0", "1/2"]);
+    let AnyTiling::Plane(plane) = tiling(&cartesian) else {
+        panic!("dimension 2")
+    };
+    assert_eq!(
+        plane.vertices[0].each_ref().map(ToString::to_string),
+        ["0", "1/2"]
+    );
     let statements = judge(&cartesian, &[]).expect("a tiling");
     assert_eq!(statements[1], Statement::Acute);
-    assert_eq!(statements[2], Statement::DihedralBelow("6001/100".to_owned()));
+    assert_eq!(
+        statements[2],
+        Statement::DihedralBelow("6001/100".to_owned())
+    );
     assert_eq!(statements[3], Statement::Delaunay);
 }
 
@@ -201,15 +242,43 @@ fn messages_name_the_place_and_what_was_expected() {
     };
     let number = |text: Value| with(&|d| d["vertices"] = json!([[0, text, 0]]));
     let begins = |message: String, start: &str| {
-        assert!(message.starts_with(start), "{message:?} does not begin with {start:?}");
+        assert!(
+            message.starts_with(start),
+            "{message:?} does not begin with {start:?}"
+        );
     };
-    for bad in ["1/0", "0x10", "1e999999999", "--5", "\u{0663}", "\u{ff11}", "NaN", "inf", "", "sqrt(-1)", "sqrt(2", "b"] {
+    for bad in [
+        "1/0",
+        "0x10",
+        "1e999999999",
+        "--5",
+        "\u{0663}",
+        "\u{ff11}",
+        "NaN",
+        "inf",
+        "",
+        "sqrt(-1)",
+        "sqrt(2",
+        "b",
+    ] {
         begins(number(json!(bad)), "vertices[0][1]: ");
     }
-    begins(number(json!(null)), "vertices[0][1]: found null, expected a number");
-    begins(number(json!([1])), "vertices[0][1]: found [1], expected a number");
-    begins(number(json!(true)), "vertices[0][1]: found true, expected a number");
-    assert_eq!(with(&|d| d["vertices"] = json!([[0, 0]])), "vertices[0]: has 2 entries, expected 3");
+    begins(
+        number(json!(null)),
+        "vertices[0][1]: found null, expected a number",
+    );
+    begins(
+        number(json!([1])),
+        "vertices[0][1]: found [1], expected a number",
+    );
+    begins(
+        number(json!(true)),
+        "vertices[0][1]: found true, expected a number",
+    );
+    assert_eq!(
+        with(&|d| d["vertices"] = json!([[0, 0]])),
+        "vertices[0]: has 2 entries, expected 3"
+    );
     assert_eq!(
         with(&|d| d["simplices"][4][1] = json!(7)),
         "simplices[4][1]: vertex 7 is out of range, expected 0 to 0"
@@ -222,32 +291,68 @@ fn messages_name_the_place_and_what_was_expected() {
         with(&|d| d["simplices"][4] = json!([0, 0, 0])),
         "simplices[4]: has 3 corners, expected 4"
     );
-    begins(with(&|d| d["simplices"][4][1] = json!([0, 99999999999i64, 0, 0])), "simplices[4][1]: the shift");
-    begins(with(&|d| d["simplices"][4][1] = json!(-1)), "invalid type: integer `-1`, expected a corner");
-    assert_eq!(with(&|d| d["lattice"]["gram"] = json!([[1]])), "lattice: has 1 rows, expected 3");
-    begins(with(&|d| d["lattice"]["gram"][0][1] = json!(5)), "lattice[1][0]: the Gram matrix is not symmetric");
+    begins(
+        with(&|d| d["simplices"][4][1] = json!([0, 99999999999i64, 0, 0])),
+        "simplices[4][1]: the shift",
+    );
+    begins(
+        with(&|d| d["simplices"][4][1] = json!(-1)),
+        "invalid type: integer `-1`, expected a corner",
+    );
+    assert_eq!(
+        with(&|d| d["lattice"]["gram"] = json!([[1]])),
+        "lattice: has 1 rows, expected 3"
+    );
+    begins(
+        with(&|d| d["lattice"]["gram"][0][1] = json!(5)),
+        "lattice[1][0]: the Gram matrix is not symmetric",
+    );
     begins(
         with(&|d| d["lattice"] = json!({ "vectors": [[1, 0, 0], [0, 1, 0], [1, 1, 0]] })),
         "lattice: the lattice vectors are linearly dependent",
     );
-    begins(with(&|d| d["coordinates"] = json!("cartesian")), "coordinates: Cartesian");
-    begins(with(&|d| d["color"] = json!("red")), "unknown field `color`");
-    assert_eq!(with(&|d| d["version"] = json!(2)), "version is 2, expected 1");
-    begins(with(&|d| d["format"] = json!("stl")), "format is \"stl\", expected");
-    begins(with(&|d| d["dimension"] = json!(4)), "dimension: found 4, expected 2 or 3");
-    begins(with(&|d| drop(d.as_object_mut().unwrap().remove("vertices"))), "vertices: is missing");
+    begins(
+        with(&|d| d["coordinates"] = json!("cartesian")),
+        "coordinates: Cartesian",
+    );
+    begins(
+        with(&|d| d["color"] = json!("red")),
+        "unknown field `color`",
+    );
+    assert_eq!(
+        with(&|d| d["version"] = json!(2)),
+        "version is 2, expected 1"
+    );
+    begins(
+        with(&|d| d["format"] = json!("stl")),
+        "format is \"stl\", expected",
+    );
+    begins(
+        with(&|d| d["dimension"] = json!(4)),
+        "dimension: found 4, expected 2 or 3",
+    );
+    begins(
+        with(&|d| drop(d.as_object_mut().unwrap().remove("vertices"))),
+        "vertices: is missing",
+    );
     begins(with(&|d| d["points"] = json!([])), "points: has no place");
 }
 
 #[test]
 fn text_that_is_no_document() {
     assert_eq!(error(""), "is empty, expected a tiling or point-set file");
-    assert_eq!(error("  \n"), "is empty, expected a tiling or point-set file");
+    assert_eq!(
+        error("  \n"),
+        "is empty, expected a tiling or point-set file"
+    );
     let whole = kuhn().to_string();
     for end in (1..whole.len()).step_by(7) {
         assert!(!error(&whole[..end]).is_empty());
     }
     assert!(error(&"[".repeat(100_000)).contains("line 1"));
     let deep = format!("{}1{}", "(".repeat(100_000), ")".repeat(100_000));
-    assert!(error(&whole.replacen("[0,0,0]", &format!("[\"{deep}\",0,0]"), 1)).starts_with("vertices[0][0]: "));
+    assert!(
+        error(&whole.replacen("[0,0,0]", &format!("[\"{deep}\",0,0]"), 1))
+            .starts_with("vertices[0][0]: ")
+    );
 }

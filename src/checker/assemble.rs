@@ -1,8 +1,7 @@
 //! Writes a proved tiling as a certificate.
 
 use crate::certificate::{
-    self, Certificate, Claim, Domain, FORMAT, Number, Place, Statement,
-    VERSION, Witness,
+    self, Certificate, Claim, Domain, FORMAT, Number, Place, Statement, VERSION, Witness,
 };
 use crate::number;
 use crate::tiling::{self, Corner, Facet, Matching, Mate, Tiling};

@@ -29,6 +29,8 @@ pub enum Command {
     Verify(VerifyArguments),
     /// Compute the periodic Delaunay triangulation of a point set
     Delaunay(DelaunayArguments),
+    /// Write a tiling, or a supercell of it, as a tiling file
+    Export(ExportArguments),
     /// Print a completion script for a shell
     Completions(CompletionsArguments),
     /// Print the manual page
@@ -98,6 +100,19 @@ pub struct DelaunayArguments {
     /// in every lattice translate, instead of refusing
     #[arg(long)]
     pub triangulate: bool,
+}
+
+#[derive(Debug, Args)]
+pub struct ExportArguments {
+    /// A name of the catalogue, or a tiling file
+    #[arg(value_name = "NAME|FILE")]
+    pub input: String,
+    /// Write the tiling file here and not to standard output
+    #[arg(short, long, value_name = "FILE")]
+    pub output: Option<PathBuf>,
+    /// Repeat the cell so many times in each direction of the lattice
+    #[arg(long, value_name = "N,N,N", value_delimiter = ',', value_parser = clap::value_parser!(u16).range(1..))]
+    pub supercell: Vec<u16>,
 }
 
 #[derive(Debug, Args)]

@@ -35,7 +35,6 @@ enum Answer {
     Refuted {
         counts: Value,
         defects: Vec<(&'static str, String)>,
-        kept: usize,
     },
     Failed(String),
     Declined(String),
@@ -118,7 +117,6 @@ fn refuted<const D: usize>(tiling: &Tiling<D>, refutation: &Refutation) -> Answe
         .collect();
     Answer::Refuted {
         counts: json!(refutation.counts()),
-        kept: defects.len(),
         defects,
     }
 }
@@ -182,9 +180,7 @@ fn in_words(input: &str, answer: &Answer, output: &mut Output) {
                 None => output.line(summary),
             }
         }
-        Answer::Refuted {
-            counts, defects, ..
-        } => {
+        Answer::Refuted { counts, defects } => {
             output.line(format!("{input}: refuted: {}", count_text(counts)));
             for (code, sentence) in defects {
                 output.line(format!("  {code}: {sentence}"));
@@ -214,9 +210,7 @@ fn in_json(input: &str, answer: &Answer) -> Value {
             "sha256": verified.sha256(),
             "certificate": written,
         }),
-        Answer::Refuted {
-            counts, defects, ..
-        } => json!({
+        Answer::Refuted { counts, defects } => json!({
             "input": input,
             "verdict": "refuted",
             "counts": counts,

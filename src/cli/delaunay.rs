@@ -2,7 +2,8 @@
 //! triangulation out.
 
 use super::args::DelaunayArguments;
-use super::output::{Output, write_file};
+use super::export::write_text;
+use super::output::Output;
 use super::progress::Progress;
 use super::{Outcome, input};
 use crate::delaunay::{Ties, triangulate};
@@ -48,25 +49,6 @@ fn write<const D: usize>(
         .file_stem()
         .map(|stem| stem.to_string_lossy().into_owned());
     let text = tiling_text(&tiling, stem.as_deref().unwrap_or("delaunay"));
-    let Some(path) = &arguments.output else {
-        output.write(text.as_bytes());
-        return Outcome::Done;
-    };
-    match write_file(path, text.as_bytes()) {
-        Ok(()) => {
-            let (vertices, simplices) = (tiling.vertices.len(), tiling.len());
-            output.line(format!(
-                "{}: {vertices} vertices, {simplices} simplices",
-                path.display()
-            ));
-            Outcome::Done
-        }
-        Err(error) => {
-            output.complain(format!(
-                "acutile: {}: cannot be written: {error}",
-                path.display()
-            ));
-            Outcome::Failed
-        }
-    }
+    drop(progress);
+    write_text(arguments.output.as_deref(), &text, output)
 }

@@ -38,8 +38,15 @@ pub fn tiling(input: &str) -> Result<Named, String> {
     let file = read(path)?;
     match file.content {
         Content::Tiling(tiling) => {
-            let words = [file.name, file.description].into_iter().flatten().collect::<Vec<_>>();
-            Ok(Named { name: input.to_owned(), description: words.join(": "), tiling })
+            let words = [file.name, file.description]
+                .into_iter()
+                .flatten()
+                .collect::<Vec<_>>();
+            Ok(Named {
+                name: input.to_owned(),
+                description: words.join(": "),
+                tiling,
+            })
         }
         Content::Points(_) => Err(format!(
             "{input}: is a point-set file, expected a tiling file (acutile delaunay makes one)"
@@ -54,9 +61,10 @@ pub fn tiling(input: &str) -> Result<Named, String> {
 pub fn points(path: &Path) -> Result<AnyPointSet, String> {
     match read(path)?.content {
         Content::Points(points) => Ok(points),
-        Content::Tiling(_) => {
-            Err(format!("{}: is a tiling file, expected a point-set file", path.display()))
-        }
+        Content::Tiling(_) => Err(format!(
+            "{}: is a tiling file, expected a point-set file",
+            path.display()
+        )),
     }
 }
 

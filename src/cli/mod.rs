@@ -10,6 +10,7 @@
 mod args;
 mod certify;
 mod delaunay;
+mod export;
 mod input;
 mod list;
 mod meta;
@@ -73,6 +74,7 @@ pub fn main() -> ExitCode {
         Command::Certify(certify) => certify::run(&certify, &mut output),
         Command::Verify(verify) => verify::run(&verify, &mut output),
         Command::Delaunay(delaunay) => delaunay::run(&delaunay, &mut output),
+        Command::Export(export) => export::run(&export, &mut output),
         Command::Completions(completions) => meta::completions(&completions, &mut output),
         Command::Man => meta::man(&mut output),
     };

@@ -63,7 +63,11 @@ pub fn reduce<const D: usize>(gram: &[[Number; D]; D]) -> Result<Reduced<D>, Del
         return Err(DelaunayError::NotSymmetric);
     }
     let identity = std::array::from_fn(|i| std::array::from_fn(|j| i64::from(i == j)));
-    let mut basis = Reduced { rows: identity, inverse: identity, gram: gram.clone() };
+    let mut basis = Reduced {
+        rows: identity,
+        inverse: identity,
+        gram: gram.clone(),
+    };
     let mut k = 1;
     let mut even = true;
     basis.orthogonal()?;

@@ -47,10 +47,14 @@ fn halve<const D: usize>(order: &mut [u32], fractions: &[[f64; D]], lengths: &[f
     }
     let hull = Box::around(order.iter().map(|&i| &fractions[i as usize]));
     let side = |k: usize| (hull.high[k] - hull.low[k]) * lengths[k];
-    let axis = (0..D).max_by(|&a, &b| side(a).total_cmp(&side(b))).unwrap_or(0);
+    let axis = (0..D)
+        .max_by(|&a, &b| side(a).total_cmp(&side(b)))
+        .unwrap_or(0);
     let middle = order.len() / 2;
     order.select_nth_unstable_by(middle, |&a, &b| {
-        fractions[a as usize][axis].total_cmp(&fractions[b as usize][axis]).then(a.cmp(&b))
+        fractions[a as usize][axis]
+            .total_cmp(&fractions[b as usize][axis])
+            .then(a.cmp(&b))
     });
     let (left, right) = order.split_at_mut(middle);
     halve(left, fractions, lengths);
@@ -59,7 +63,10 @@ fn halve<const D: usize>(order: &mut [u32], fractions: &[[f64; D]], lengths: &[f
 
 impl<const D: usize> Box<D> {
     fn around<'a>(points: impl Iterator<Item = &'a [f64; D]>) -> Self {
-        let mut hull = Box { low: [f64::INFINITY; D], high: [f64::NEG_INFINITY; D] };
+        let mut hull = Box {
+            low: [f64::INFINITY; D],
+            high: [f64::NEG_INFINITY; D],
+        };
         for point in points {
             for k in 0..D {
                 hull.low[k] = hull.low[k].min(point[k]);
@@ -87,7 +94,10 @@ struct Query<'a, const D: usize> {
 impl<const D: usize> Tree<D> {
     /// The tree over the first `len` of the points, which are in tree order.
     pub fn new(floats: &Floats<D>, len: usize) -> Self {
-        let mut tree = Tree { boxes: Vec::new(), len };
+        let mut tree = Tree {
+            boxes: Vec::new(),
+            len,
+        };
         tree.build(0, 0..len, &floats.fractions);
         tree
     }
@@ -129,8 +139,14 @@ impl<const D: usize> Tree<D> {
                 low: std::array::from_fn(|k| window.low[k] - f64::from(shift[k])),
                 high: std::array::from_fn(|k| window.high[k] - f64::from(shift[k])),
             };
-            let mut query =
-                Query { floats, window: moved, origin: *origin, shift, ball, found: &mut *found };
+            let mut query = Query {
+                floats,
+                window: moved,
+                origin: *origin,
+                shift,
+                ball,
+                found: &mut *found,
+            };
             self.visit(0, 0..self.len, &mut query);
             if found.len() >= enough || !advance(&mut shift, &first, &last) {
                 return Ok(());
@@ -148,7 +164,10 @@ impl<const D: usize> Tree<D> {
             return self.visit(2 * node + 2, middle..range.end, query);
         }
         for vertex in range {
-            query.test(Corner { vertex: vertex as u32, shift: query.shift });
+            query.test(Corner {
+                vertex: vertex as u32,
+                shift: query.shift,
+            });
         }
     }
 }

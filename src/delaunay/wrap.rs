@@ -51,7 +51,10 @@ impl<const D: usize> View<D> {
     }
 
     fn reversed(self) -> Self {
-        View { positive: !self.positive, ..self }
+        View {
+            positive: !self.positive,
+            ..self
+        }
     }
 
     /// The corners in an order with positive orientation beyond them.
@@ -100,7 +103,10 @@ pub fn wrap<S: Scalar, const D: usize>(
         predicates,
         open: HashSet::default(),
         stack: Vec::new(),
-        cells: Cells { simplices: Vec::new(), polytopes: Vec::new() },
+        cells: Cells {
+            simplices: Vec::new(),
+            polytopes: Vec::new(),
+        },
         near: Vec::new(),
     };
     let (facet, apex) = wrapping.seed()?;
@@ -120,7 +126,8 @@ impl<S: Scalar, const D: usize> Wrapping<'_, S, D> {
     fn settle(&mut self, facet: [Corner<D>; D], mut apex: Corner<D>) -> Result<(), DelaunayError> {
         loop {
             let mut near = std::mem::take(&mut self.near);
-            self.predicates.near_sphere(&facet, &apex, usize::MAX, &mut near)?;
+            self.predicates
+                .near_sphere(&facet, &apex, usize::MAX, &mut near)?;
             let better = self.keep_cospherical(&facet, &apex, &mut near)?;
             self.near = near;
             match better {
@@ -157,7 +164,12 @@ impl<S: Scalar, const D: usize> Wrapping<'_, S, D> {
     /// Records the cell with these corners and the cospherical ones in `near`.
     fn record(&mut self, facet: [Corner<D>; D], apex: Corner<D>) -> Result<(), DelaunayError> {
         if !self.near.is_empty() {
-            let corners = facet.iter().chain([&apex]).chain(&self.near).copied().collect();
+            let corners = facet
+                .iter()
+                .chain([&apex])
+                .chain(&self.near)
+                .copied()
+                .collect();
             return self.record_polytope(corners);
         }
         self.cells.simplices.extend(facet);
@@ -206,8 +218,17 @@ impl<S: Scalar, const D: usize> Wrapping<'_, S, D> {
         loop {
             let height = (square - least).max(0.0).sqrt();
             let above = std::array::from_fn(|k| center[k] + height * normal[k]);
-            let ball = Ball { center: above, radius: square.sqrt() * (1.0 + 1e-9) };
-            self.predicates.model.tree.gather(floats, &facet[0], ball, usize::MAX, &mut self.near)?;
+            let ball = Ball {
+                center: above,
+                radius: square.sqrt() * (1.0 + 1e-9),
+            };
+            self.predicates.model.tree.gather(
+                floats,
+                &facet[0],
+                ball,
+                usize::MAX,
+                &mut self.near,
+            )?;
             if let Some(apex) = self.lowest(facet, &center, &normal, 1e-6 * ball.radius) {
                 return Ok(apex);
             }
@@ -272,7 +293,8 @@ impl<S: Scalar, const D: usize> Wrapping<'_, S, D> {
         loop {
             let (facet, apex) = simplex;
             let mut near = std::mem::take(&mut self.near);
-            self.predicates.near_sphere(&facet, &apex, SEED_CANDIDATES, &mut near)?;
+            self.predicates
+                .near_sphere(&facet, &apex, SEED_CANDIDATES, &mut near)?;
             let inside = self.deepest(&facet, &apex, &near);
             self.near = near;
             let Some(p) = inside else {
@@ -296,7 +318,10 @@ impl<S: Scalar, const D: usize> Wrapping<'_, S, D> {
             let rest = |k: usize| offset[k] - offset[k].floor();
             rest(b).total_cmp(&rest(a))
         });
-        let mut corner = Corner { vertex: 0, shift: offset.map(|x| x.floor() as i32) };
+        let mut corner = Corner {
+            vertex: 0,
+            shift: offset.map(|x| x.floor() as i32),
+        };
         let mut facet = [corner; D];
         for (k, &axis) in axes.iter().enumerate() {
             facet[k] = corner;
@@ -348,7 +373,12 @@ impl<S: Scalar, const D: usize> Wrapping<'_, S, D> {
     }
 
     /// The simplex with p in the place of one corner that has g inside.
-    fn exchange(&self, (facet, apex): &Proposal<D>, p: Corner<D>, g: &Corner<D>) -> Option<Proposal<D>> {
+    fn exchange(
+        &self,
+        (facet, apex): &Proposal<D>,
+        p: Corner<D>,
+        g: &Corner<D>,
+    ) -> Option<Proposal<D>> {
         let candidates = (0..=D).map(|i| {
             let (mut facet, mut apex) = (*facet, *apex);
             *facet.get_mut(i).unwrap_or(&mut apex) = p;

@@ -50,11 +50,30 @@ pub fn read_native(text: &str) -> Result<NativeFile, ImportError> {
     let document: Document = serde_json::from_str(text).map_err(ImportError::Json)?;
     let numbers = Numbers::of(&document)?;
     let content = match document.dimension {
-        2 => content(&header, &document, &numbers, AnyTiling::Plane, AnyPointSet::Plane),
-        3 => content(&header, &document, &numbers, AnyTiling::Space, AnyPointSet::Space),
-        other => Err(ImportError::entry("dimension", format!("found {other}, expected 2 or 3"))),
+        2 => content(
+            &header,
+            &document,
+            &numbers,
+            AnyTiling::Plane,
+            AnyPointSet::Plane,
+        ),
+        3 => content(
+            &header,
+            &document,
+            &numbers,
+            AnyTiling::Space,
+            AnyPointSet::Space,
+        ),
+        other => Err(ImportError::entry(
+            "dimension",
+            format!("found {other}, expected 2 or 3"),
+        )),
     }?;
-    Ok(NativeFile { name: document.name, description: document.description, content })
+    Ok(NativeFile {
+        name: document.name,
+        description: document.description,
+        content,
+    })
 }
 
 fn content<const D: usize>(
@@ -65,8 +84,12 @@ fn content<const D: usize>(
     any_points: fn(PointSet<D>) -> AnyPointSet,
 ) -> Result<Content, ImportError> {
     match header.format == TILING {
-        true => tiling(document, numbers).map(any_tiling).map(Content::Tiling),
-        false => points(document, numbers).map(any_points).map(Content::Points),
+        true => tiling(document, numbers)
+            .map(any_tiling)
+            .map(Content::Tiling),
+        false => points(document, numbers)
+            .map(any_points)
+            .map(Content::Points),
     }
 }
 

@@ -35,7 +35,11 @@ pub fn supercell<const D: usize>(tiling: &Tiling<D>, sizes: [u16; D]) -> Tiling<
         .flat_map(|offset| tiling.corners.iter().map(|corner| corner.moved(*offset)))
         .map(|corner| coarsened(corner, sizes, tiling.vertices.len()))
         .collect();
-    Tiling { frame, vertices, corners }
+    Tiling {
+        frame,
+        vertices,
+        corners,
+    }
 }
 
 /// All offsets in a box, the first coordinate fastest.
@@ -63,5 +67,8 @@ fn coarsened<const D: usize>(corner: Corner<D>, sizes: [u16; D], vertices: usize
         copy += corner.shift[k].rem_euclid(size) as usize * stride;
         stride *= sizes[k] as usize;
     }
-    Corner { vertex: corner.vertex + (copy * vertices) as u32, shift }
+    Corner {
+        vertex: corner.vertex + (copy * vertices) as u32,
+        shift,
+    }
 }

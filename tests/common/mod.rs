@@ -7,13 +7,14 @@ use std::process::{Command, Output};
 
 /// Runs `acutile` with these arguments.
 pub fn acutile<A: AsRef<std::ffi::OsStr>>(arguments: impl IntoIterator<Item = A>) -> Output {
-    Command::new(env!("CARGO_BIN_EXE_acutile")).args(arguments).output().expect("acutile runs")
+    Command::new(env!("CARGO_BIN_EXE_acutile"))
+        .args(arguments)
+        .output()
+        .expect("acutile runs")
 }
 
 /// Runs `acutile-verify` with these arguments.
-pub fn acutile_verify<A: AsRef<std::ffi::OsStr>>(
-    arguments: impl IntoIterator<Item = A>,
-) -> Output {
+pub fn acutile_verify<A: AsRef<std::ffi::OsStr>>(arguments: impl IntoIterator<Item = A>) -> Output {
     Command::new(env!("CARGO_BIN_EXE_acutile-verify"))
         .args(arguments)
         .output()

@@ -1,0 +1,69 @@
+//! `acutile export`: a tiling, or a supercell of it, as a tiling file.
+
+use super::args::ExportArguments;
+use super::output::{Output, write_file};
+use super::{Outcome, input};
+use crate::export::tiling_text;
+use crate::tiling::{Tiling, supercell};
+use crate::with_dimension;
+
+/// Writes the tiling file.
+pub fn run(arguments: &ExportArguments, output: &mut Output) -> Outcome {
+    let text = input::tiling(&arguments.input).and_then(
+        |named| with_dimension!(&named.tiling, AnyTiling, t => text(t, &named.name, arguments)),
+    );
+    match text {
+        Ok(text) => write_text(arguments.output.as_deref(), &text, output),
+        Err(message) => {
+            output.complain(format!("acutile: {message}"));
+            Outcome::Failed
+        }
+    }
+}
+
+fn text<const D: usize>(
+    tiling: &Tiling<D>,
+    name: &str,
+    arguments: &ExportArguments,
+) -> Result<String, String> {
+    if arguments.supercell.is_empty() {
+        return Ok(tiling_text(tiling, name));
+    }
+    let rank = tiling.frame.rank();
+    if arguments.supercell.len() != rank {
+        let found = arguments.supercell.len();
+        return Err(format!(
+            "--supercell: found {found} numbers, expected {rank}"
+        ));
+    }
+    let sizes = std::array::from_fn(|k| arguments.supercell.get(k).copied().unwrap_or(1));
+    let copies = arguments
+        .supercell
+        .iter()
+        .map(|&n| n as usize)
+        .product::<usize>();
+    if copies.saturating_mul(tiling.len().max(tiling.vertices.len())) > u32::MAX as usize {
+        return Err(format!(
+            "--supercell: {copies} copies are more than indices can count"
+        ));
+    }
+    Ok(tiling_text(&supercell(tiling, sizes), name))
+}
+
+/// Writes a file, or to standard output where there is none.
+pub fn write_text(path: Option<&std::path::Path>, text: &str, output: &mut Output) -> Outcome {
+    let Some(path) = path else {
+        output.write(text.as_bytes());
+        return Outcome::Done;
+    };
+    match write_file(path, text.as_bytes()) {
+        Ok(()) => Outcome::Done,
+        Err(error) => {
+            output.complain(format!(
+                "acutile: {}: cannot be written: {error}",
+                path.display()
+            ));
+            Outcome::Failed
+        }
+    }
+}
