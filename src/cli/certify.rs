@@ -1,17 +1,19 @@
 //! `acutile certify`: proves tilings and writes their certificates.
 
+use super::Outcome;
 use super::args::CertifyArguments;
-use super::input::{self, Named};
+use super::input;
 use super::output::{Output, write_file};
 use super::progress::Progress;
-use super::{Outcome, verify};
+use super::verify::summary;
 use crate::catalog;
-use crate::certificate::{self, Statement};
-use crate::checker::{self, Options, Refutation, describe};
+use crate::certificate;
+use crate::checker::{self, Options, describe};
 use crate::tiling::Tiling;
 use crate::verifier::{self, Limits, Verified};
 use crate::with_dimension;
 use serde_json::{Value, json};
+use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 
 /// Certifies every input; the outcome is the worst of all.
@@ -20,17 +22,82 @@ pub fn run(arguments: &CertifyArguments, output: &mut Output) -> Outcome {
     if arguments.all {
         inputs.extend(catalog::entries().iter().map(|entry| entry.name.to_owned()));
     }
+    let targets = match targets(&inputs, arguments.output.as_deref()) {
+        Ok(targets) => targets,
+        Err(message) => {
+            output.complain(format!("acutile: {message}"));
+            return Outcome::Failed;
+        }
+    };
+    let mut worst = Outcome::Done;
+    for (input, target) in inputs.iter().zip(targets) {
+        let answer = prove(input, arguments, output).write(&target, output);
+        answer.report(input, &target, arguments.json, output);
+        worst = worst.and(answer.outcome());
+    }
+    worst
+}
+
+/// Where a certificate goes.
+enum Target {
+    Nowhere,
+    StandardOutput,
+    File(PathBuf),
+}
+
+/// One target for each input: several go into a directory, which is made.
+fn targets(inputs: &[String], output: Option<&Path>) -> Result<Vec<Target>, String> {
+    let Some(path) = output else {
+        return Ok(inputs.iter().map(|_| Target::Nowhere).collect());
+    };
     let several = inputs.len() > 1;
-    inputs.iter().fold(Outcome::Done, |outcome, input| {
-        outcome.and(certify(input, several, arguments, output))
-    })
+    if path == Path::new("-") {
+        return match several {
+            true => Err("-o -: expected one input, standard output holds one certificate".into()),
+            false => Ok(vec![Target::StandardOutput]),
+        };
+    }
+    if several {
+        std::fs::create_dir_all(path)
+            .map_err(|error| format!("{}: cannot be made a directory: {error}", path.display()))?;
+    }
+    if !path.is_dir() {
+        return Ok(vec![Target::File(path.to_path_buf())]);
+    }
+    let mut names = BTreeMap::new();
+    for input in inputs {
+        if let Some(other) = names.insert(file_name(input), input) {
+            let name = file_name(input);
+            return Err(format!(
+                "{other} and {input} would both be written to {name}"
+            ));
+        }
+    }
+    Ok(inputs
+        .iter()
+        .map(|input| Target::File(path.join(file_name(input))))
+        .collect())
+}
+
+/// `a15` and `dir/a15.json` both give `a15.json`.
+fn file_name(input: &str) -> String {
+    let stem = match catalog::find(input) {
+        Some(_) => Some(input.to_owned()),
+        None => Path::new(input)
+            .file_stem()
+            .map(|stem| stem.to_string_lossy().into_owned()),
+    };
+    match stem.as_deref() {
+        None | Some("-") => "certificate.json".to_owned(),
+        Some(stem) => format!("{}.json", stem.replace([':', '/'], "-")),
+    }
 }
 
 /// What became of one input.
 enum Answer {
     Proved {
         verified: Verified,
-        written: Option<PathBuf>,
+        bytes: Vec<u8>,
     },
     Refuted {
         counts: Value,
@@ -40,154 +107,143 @@ enum Answer {
     Declined(String),
 }
 
-fn certify(
-    input: &str,
-    several: bool,
-    arguments: &CertifyArguments,
-    output: &mut Output,
-) -> Outcome {
-    let answer = match input::tiling(input) {
-        Ok(named) => answer(named, several, arguments, output),
-        Err(message) => Answer::Failed(message),
+fn prove(input: &str, arguments: &CertifyArguments, output: &mut Output) -> Answer {
+    let mut named = match input::tiling(input) {
+        Ok(named) => named,
+        Err(message) => return Answer::Failed(message),
     };
-    if arguments.json {
-        output.line(in_json(input, &answer));
-    } else {
-        in_words(input, &answer, output);
-    }
-    match answer {
-        Answer::Proved { .. } => Outcome::Done,
-        Answer::Refuted { .. } => Outcome::Refuted,
-        Answer::Failed(_) => Outcome::Failed,
-        Answer::Declined(_) => Outcome::Declined,
-    }
-}
-
-fn answer(
-    mut named: Named,
-    several: bool,
-    arguments: &CertifyArguments,
-    output: &mut Output,
-) -> Answer {
     if arguments.reorient {
         let mended = with_dimension!(&mut named.tiling, AnyTiling, t => checker::reorient(t));
         if !mended.is_empty() {
-            output.complain(format!(
-                "{}: {} simplices reoriented",
-                named.name,
-                mended.len()
-            ));
+            output.complain(format!("{input}: {} simplices reoriented", mended.len()));
         }
     }
-    with_dimension!(&named.tiling, AnyTiling, t => prove(t, &named.name, several, arguments, output))
-}
-
-fn prove<const D: usize>(
-    tiling: &Tiling<D>,
-    name: &str,
-    several: bool,
-    arguments: &CertifyArguments,
-    output: &mut Output,
-) -> Answer {
     let options = Options {
         required: arguments.required.clone(),
         defect_limit: arguments.max_defects,
     };
+    with_dimension!(&named.tiling, AnyTiling, t => prove_tiling(t, input, &options))
+}
+
+/// The kernel has the last word: what it does not confirm is not called proved.
+fn prove_tiling<const D: usize>(tiling: &Tiling<D>, name: &str, options: &Options) -> Answer {
     let progress = Progress::of(name);
-    let certificate = match checker::prove(tiling, &options, &|step| progress.step(step)) {
+    let certificate = match checker::prove(tiling, options, &|step| progress.step(step)) {
         Ok(certificate) => certificate,
-        Err(refutation) => return refuted(tiling, &refutation),
+        Err(refutation) => {
+            let kept = refutation.kept().iter();
+            return Answer::Refuted {
+                counts: json!(refutation.counts()),
+                defects: kept.map(|d| (d.code(), describe(tiling, d))).collect(),
+            };
+        }
     };
     let bytes = certificate::to_bytes(&certificate);
-    // The kernel has the last word before anything is written.
     progress.step("verification");
     match verifier::verify(&bytes, &Limits::default()) {
-        Ok(verified) => proved(verified, &bytes, name, several, arguments, output),
+        Ok(verified) => Answer::Proved { verified, bytes },
         Err(refusal) => Answer::Declined(format!(
-            "{name}: the kernel does not confirm the certificate: {refusal}"
+            "{name}: the kernel does not confirm the certificate: {} [{}] {refusal}",
+            refusal.kind(),
+            refusal.code()
         )),
     }
 }
 
-fn refuted<const D: usize>(tiling: &Tiling<D>, refutation: &Refutation) -> Answer {
-    let defects: Vec<_> = refutation
-        .kept()
-        .iter()
-        .map(|defect| (defect.code(), describe(tiling, defect)))
-        .collect();
-    Answer::Refuted {
-        counts: json!(refutation.counts()),
-        defects,
+impl Answer {
+    /// Writes a certificate to its target; where that fails, so does the input.
+    fn write(self, target: &Target, output: &mut Output) -> Answer {
+        match (&self, target) {
+            (Answer::Proved { bytes, .. }, Target::StandardOutput) => output.write(bytes),
+            (Answer::Proved { bytes, .. }, Target::File(path)) => {
+                if let Err(error) = write_file(path, bytes) {
+                    return Answer::Failed(format!(
+                        "{}: cannot be written: {error}",
+                        path.display()
+                    ));
+                }
+            }
+            _ => {}
+        }
+        self
     }
-}
 
-fn proved(
-    verified: Verified,
-    bytes: &[u8],
-    name: &str,
-    several: bool,
-    arguments: &CertifyArguments,
-    output: &mut Output,
-) -> Answer {
-    let Some(target) = &arguments.output else {
-        return Answer::Proved {
-            verified,
-            written: None,
+    fn outcome(&self) -> Outcome {
+        match self {
+            Answer::Proved { .. } => Outcome::Done,
+            Answer::Refuted { .. } => Outcome::Refuted,
+            Answer::Failed(_) => Outcome::Failed,
+            Answer::Declined(_) => Outcome::Declined,
+        }
+    }
+
+    /// Tells the answer, on standard error where standard output has the certificate.
+    fn report(&self, input: &str, target: &Target, as_json: bool, output: &mut Output) {
+        let is_failure = matches!(self, Answer::Failed(_) | Answer::Declined(_));
+        let text = match as_json {
+            true => self.in_json(input, target).to_string(),
+            false => self.in_words(input, target),
         };
-    };
-    if target == Path::new("-") {
-        output.write(bytes);
-        return Answer::Proved {
-            verified,
-            written: None,
-        };
+        if matches!(target, Target::StandardOutput) || (is_failure && !as_json) {
+            output.complain(text);
+        } else {
+            output.line(text);
+        }
     }
-    let path = if several || target.is_dir() {
-        target.join(file_name(name))
-    } else {
-        target.clone()
-    };
-    let created = match several {
-        true => std::fs::create_dir_all(target),
-        false => Ok(()),
-    };
-    match created.and_then(|()| write_file(&path, bytes)) {
-        Ok(()) => Answer::Proved {
-            verified,
-            written: Some(path),
-        },
-        Err(error) => Answer::Failed(format!("{}: cannot be written: {error}", path.display())),
-    }
-}
 
-/// `a15` and `dir/a15.json` both give `a15.json`.
-fn file_name(name: &str) -> String {
-    let stem = Path::new(name)
-        .file_stem()
-        .map(|stem| stem.to_string_lossy().into_owned());
-    match stem.as_deref() {
-        None | Some("-") => "certificate.json".to_owned(),
-        Some(stem) => format!("{}.json", stem.replace([':', '/'], "-")),
+    fn in_words(&self, input: &str, target: &Target) -> String {
+        match self {
+            Answer::Proved { verified, .. } => match target {
+                Target::File(path) => {
+                    format!("{input}: proved: {}; {}", summary(verified), path.display())
+                }
+                _ => format!("{input}: proved: {}", summary(verified)),
+            },
+            Answer::Refuted { counts, defects } => {
+                let head = format!("{input}: refuted: {}", count_text(counts));
+                let lines = defects
+                    .iter()
+                    .map(|(code, sentence)| format!("  {code}: {sentence}"));
+                std::iter::once(head)
+                    .chain(lines)
+                    .collect::<Vec<_>>()
+                    .join("\n")
+            }
+            Answer::Failed(message) => format!("acutile: {message}"),
+            Answer::Declined(message) => format!("acutile: declined: {message}"),
+        }
     }
-}
 
-fn in_words(input: &str, answer: &Answer, output: &mut Output) {
-    match answer {
-        Answer::Proved { verified, written } => {
-            let summary = format!("{input}: proved: {}", verify::summary(verified));
-            match written {
-                Some(path) => output.line(format!("{summary}; {}", path.display())),
-                None => output.line(summary),
+    fn in_json(&self, input: &str, target: &Target) -> Value {
+        match self {
+            Answer::Proved { verified, .. } => json!({
+                "input": input,
+                "verdict": "proved",
+                "statements": verified.claim().statements,
+                "vertices": verified.vertices(),
+                "simplices": verified.simplices(),
+                "sha256": verified.sha256(),
+                "certificate": match target {
+                    Target::File(path) => Some(path.to_string_lossy()),
+                    _ => None,
+                },
+            }),
+            Answer::Refuted { counts, defects } => json!({
+                "input": input,
+                "verdict": "refuted",
+                "counts": counts,
+                "defects": defects
+                    .iter()
+                    .map(|(code, sentence)| json!({ "code": code, "message": sentence }))
+                    .collect::<Vec<_>>(),
+            }),
+            Answer::Failed(message) => {
+                json!({ "input": input, "verdict": "failed", "message": message })
+            }
+            Answer::Declined(message) => {
+                json!({ "input": input, "verdict": "declined", "message": message })
             }
         }
-        Answer::Refuted { counts, defects } => {
-            output.line(format!("{input}: refuted: {}", count_text(counts)));
-            for (code, sentence) in defects {
-                output.line(format!("  {code}: {sentence}"));
-            }
-        }
-        Answer::Failed(message) => output.complain(format!("acutile: {message}")),
-        Answer::Declined(message) => output.complain(format!("acutile: declined: {message}")),
     }
 }
 
@@ -197,37 +253,4 @@ fn count_text(counts: &Value) -> String {
         .map(|(code, count)| format!("{count} {code}"))
         .collect::<Vec<_>>()
         .join(", ")
-}
-
-fn in_json(input: &str, answer: &Answer) -> Value {
-    match answer {
-        Answer::Proved { verified, written } => json!({
-            "input": input,
-            "verdict": "proved",
-            "statements": statements(verified),
-            "vertices": verified.vertices(),
-            "simplices": verified.simplices(),
-            "sha256": verified.sha256(),
-            "certificate": written,
-        }),
-        Answer::Refuted { counts, defects } => json!({
-            "input": input,
-            "verdict": "refuted",
-            "counts": counts,
-            "defects": defects
-                .iter()
-                .map(|(code, sentence)| json!({ "code": code, "message": sentence }))
-                .collect::<Vec<_>>(),
-        }),
-        Answer::Failed(message) => {
-            json!({ "input": input, "verdict": "failed", "message": message })
-        }
-        Answer::Declined(message) => {
-            json!({ "input": input, "verdict": "declined", "message": message })
-        }
-    }
-}
-
-fn statements(verified: &Verified) -> &[Statement] {
-    &verified.claim().statements
 }

@@ -6,7 +6,7 @@ use super::export::write_text;
 use super::output::Output;
 use super::progress::Progress;
 use super::{Outcome, input};
-use crate::delaunay::{Ties, triangulate};
+use crate::delaunay::{DelaunayError, Ties, triangulate};
 use crate::export::tiling_text;
 use crate::tiling::PointSet;
 use crate::with_dimension;
@@ -41,7 +41,7 @@ fn write<const D: usize>(
         Err(error) => {
             drop(progress);
             output.complain(format!("acutile: {name}: {error}"));
-            return Outcome::Failed;
+            return outcome_of(&error);
         }
     };
     let stem = arguments
@@ -51,4 +51,20 @@ fn write<const D: usize>(
     let text = tiling_text(&tiling, stem.as_deref().unwrap_or("delaunay"));
     drop(progress);
     write_text(arguments.output.as_deref(), &text, output)
+}
+
+/// A set that has several triangulations, or none within the limits, is declined;
+/// one that is not a point set of the frame is bad input.
+fn outcome_of(error: &DelaunayError) -> Outcome {
+    match error {
+        DelaunayError::Empty
+        | DelaunayError::NotSymmetric
+        | DelaunayError::NotPositiveDefinite
+        | DelaunayError::Coincident(..) => Outcome::Failed,
+        DelaunayError::TooSkewed
+        | DelaunayError::TooElongated
+        | DelaunayError::Cospherical(_)
+        | DelaunayError::TooManyCospherical(_)
+        | DelaunayError::Uncertified => Outcome::Declined,
+    }
 }

@@ -1,0 +1,345 @@
+//! The programs as a user meets them: exit codes, messages, files and pipes.
+
+mod common;
+
+use common::{acutile, acutile_verify, code, file, kuhn, stderr, stdout};
+use serde_json::Value;
+use std::io::{Read, Write};
+use std::path::Path;
+use std::process::{Command, Stdio};
+use tempfile::TempDir;
+
+fn directory() -> TempDir {
+    tempfile::tempdir().expect("a temporary directory")
+}
+
+fn text(path: &Path) -> &str {
+    path.to_str().expect("a path in UTF-8")
+}
+
+#[test]
+fn certify_writes_what_the_verifier_confirms() {
+    let place = directory();
+    let certificate = place.path().join("a15.json");
+    let proved = acutile([
+        "certify",
+        "a15",
+        "--require",
+        "acute",
+        "-o",
+        text(&certificate),
+    ]);
+    assert_eq!(code(&proved), 0, "{}", stderr(&proved));
+    assert!(stdout(&proved).starts_with("a15: proved: "));
+    for verified in [
+        acutile_verify([&certificate]),
+        acutile(["verify", text(&certificate)]),
+    ] {
+        assert_eq!(code(&verified), 0);
+        let line = stdout(&verified);
+        assert!(
+            line.contains("46 tetrahedra") && line.contains("acute"),
+            "{line}"
+        );
+        assert_eq!(line.lines().count(), 1);
+    }
+}
+
+#[test]
+fn a_requirement_that_fails_is_a_refutation() {
+    let refuted = acutile([
+        "certify",
+        "cube-6",
+        "--require",
+        "acute",
+        "--max-defects",
+        "3",
+    ]);
+    assert_eq!(code(&refuted), 1);
+    let lines = stdout(&refuted);
+    assert_eq!(
+        lines.lines().next(),
+        Some("cube-6: refuted: 18 right-angle")
+    );
+    assert_eq!(lines.lines().count(), 1 + 3);
+    assert_eq!(
+        code(&acutile(["certify", "a15", "--require", "dihedral<78.46"])),
+        1
+    );
+    assert_eq!(
+        code(&acutile(["certify", "a15", "--require", "dihedral<78.47"])),
+        0
+    );
+    assert_eq!(
+        code(&acutile(["certify", "z", "--require", "dihedral<77.08"])),
+        0
+    );
+}
+
+#[test]
+fn refutations_in_json_are_one_object_a_line() {
+    let refuted = acutile(["certify", "cube-6", "a15", "--require", "acute", "--json"]);
+    assert_eq!(code(&refuted), 1);
+    let answers: Vec<Value> = stdout(&refuted)
+        .lines()
+        .map(|line| serde_json::from_str(line).expect("an object"))
+        .collect();
+    assert_eq!(answers[0]["verdict"], "refuted");
+    assert_eq!(answers[0]["counts"]["right-angle"], 18);
+    assert_eq!(answers[0]["defects"].as_array().map(Vec::len), Some(18));
+    assert_eq!(answers[1]["verdict"], "proved");
+    assert_eq!(answers[1]["simplices"], 46);
+}
+
+#[test]
+fn the_worst_outcome_decides_the_exit_code() {
+    let refuted_and_failed = acutile(["certify", "no-such-name", "cube-6", "--require", "acute"]);
+    assert_eq!(code(&refuted_and_failed), 1);
+    assert_eq!(code(&acutile(["certify", "no-such-name", "a15"])), 2);
+    let message = stderr(&acutile(["certify", "no-such-name"]));
+    assert_eq!(
+        message,
+        "acutile: no-such-name: neither a name of the catalogue (acutile list) nor a file\n"
+    );
+}
+
+#[test]
+fn usage_errors_have_exit_code_2() {
+    for arguments in [
+        vec![],
+        vec!["certify"],
+        vec!["frobnicate"],
+        vec!["certify", "a15", "--require", "pretty"],
+        vec!["certify", "a15", "--require", "dihedral<0"],
+        vec!["certify", "a15", "--require", "dihedral<181"],
+        vec!["certify", "a15", "--require", "dihedral<sqrt(2)"],
+        vec!["export", "a15", "--supercell", "2,2"],
+        vec!["export", "a15", "--supercell", "0,1,1"],
+    ] {
+        let output = acutile(&arguments);
+        assert_eq!(code(&output), 2, "{arguments:?}");
+        assert!(!stderr(&output).is_empty(), "{arguments:?}");
+    }
+    assert_eq!(code(&acutile(["--help"])), 0);
+    assert_eq!(code(&acutile(["--version"])), 0);
+}
+
+#[test]
+fn files_that_cannot_be_read_are_named() {
+    let place = directory();
+    let empty = file(place.path(), "empty.json", "");
+    let binary = place.path().join("binary.json");
+    std::fs::write(&binary, [0x7b, 0xff, 0xfe]).expect("written");
+    let through_a_file = empty.join("x.json");
+    let cases = [
+        (place.path().to_path_buf(), "cannot be read"),
+        (place.path().join("missing.json"), "cannot be read"),
+        (through_a_file, "cannot be read"),
+        (empty, "is empty"),
+        (binary, "byte 1: not UTF-8"),
+    ];
+    for (path, expected) in cases {
+        let output = acutile(["certify", text(&path)]);
+        assert_eq!(code(&output), 2);
+        let message = stderr(&output);
+        assert!(
+            message.contains(text(&path)) && message.contains(expected),
+            "{message}"
+        );
+        assert_eq!(code(&acutile_verify([&path])), 2);
+    }
+}
+
+/// The superuser may read everything, so this speaks only to others.
+#[cfg(unix)]
+#[test]
+fn a_file_without_read_permission_is_named() {
+    use std::os::unix::fs::PermissionsExt;
+    let place = directory();
+    let path = file(place.path(), "secret.json", "{}");
+    std::fs::set_permissions(&path, std::fs::Permissions::from_mode(0)).expect("permissions");
+    let expected = match std::fs::File::open(&path) {
+        Ok(_) => "missing field",
+        Err(_) => "cannot be read: Permission denied",
+    };
+    let output = acutile(["certify", text(&path)]);
+    assert_eq!(code(&output), 2);
+    assert!(stderr(&output).contains(expected), "{}", stderr(&output));
+}
+
+#[cfg(target_os = "linux")]
+#[test]
+fn places_that_cannot_be_written_leave_nothing_behind() {
+    let full = acutile(["certify", "a15", "-o", "/dev/full"]);
+    assert_eq!(code(&full), 2);
+    assert!(
+        stderr(&full).contains("/dev/full: cannot be written"),
+        "{}",
+        stderr(&full)
+    );
+    assert_eq!(
+        code(&acutile(["certify", "a15", "-o", "/proc/a15.json"])),
+        2
+    );
+    assert_eq!(
+        code(&acutile(["export", "a15", "-o", "/no/such/place/a15.json"])),
+        2
+    );
+    let stdout_full = Command::new(env!("CARGO_BIN_EXE_acutile"))
+        .args(["export", "a15"])
+        .stdout(
+            std::fs::File::options()
+                .write(true)
+                .open("/dev/full")
+                .expect("/dev/full"),
+        )
+        .output()
+        .expect("it runs");
+    assert_eq!(code(&stdout_full), 2);
+    let place = directory();
+    assert_eq!(
+        code(&acutile(["export", "a15", "-o", text(place.path())])),
+        2
+    );
+    assert_eq!(
+        std::fs::read_dir(place.path()).expect("readable").count(),
+        0
+    );
+}
+
+#[test]
+fn standard_input_and_output_are_files_too() {
+    let mut child = Command::new(env!("CARGO_BIN_EXE_acutile"))
+        .args(["certify", "-", "-o", "-"])
+        .stdin(Stdio::piped())
+        .stdout(Stdio::piped())
+        .stderr(Stdio::piped())
+        .spawn()
+        .expect("it runs");
+    child
+        .stdin
+        .take()
+        .expect("piped")
+        .write_all(kuhn().to_string().as_bytes())
+        .expect("taken");
+    let output = child.wait_with_output().expect("it ends");
+    assert_eq!(code(&output), 0);
+    // The certificate alone, so that it can be piped on.
+    let certificate: Value = serde_json::from_slice(&output.stdout).expect("JSON alone");
+    assert_eq!(certificate["format"], "acutile-certificate");
+    assert!(stderr(&output).contains("proved"));
+}
+
+#[test]
+fn a_reader_that_leaves_early_is_no_error() {
+    let mut child = Command::new(env!("CARGO_BIN_EXE_acutile"))
+        .args(["export", "a15", "--supercell", "6,6,6"])
+        .stdout(Stdio::piped())
+        .stderr(Stdio::piped())
+        .spawn()
+        .expect("it runs");
+    let mut first = [0; 10];
+    child
+        .stdout
+        .take()
+        .expect("piped")
+        .read_exact(&mut first)
+        .expect("ten bytes");
+    let output = child.wait_with_output().expect("it ends");
+    assert_eq!((code(&output), stderr(&output)), (0, String::new()));
+}
+
+#[test]
+fn a_pipe_shows_no_progress() {
+    let output = acutile(["certify", "a15"]);
+    assert_eq!(stderr(&output), "");
+    assert!(!stdout(&output).contains('\r') && !stdout(&output).contains('\u{1b}'));
+}
+
+#[test]
+fn several_certificates_go_into_a_directory() {
+    let place = directory();
+    let target = place.path().join("new");
+    let output = acutile(["certify", "a15", "cube-6", "-o", text(&target)]);
+    assert_eq!(code(&output), 0, "{}", stderr(&output));
+    for name in ["a15.json", "cube-6.json"] {
+        assert_eq!(code(&acutile_verify([target.join(name)])), 0);
+    }
+}
+
+#[test]
+fn delaunay_takes_points_and_gives_a_tiling() {
+    let place = directory();
+    let points = r#"{"format": "acutile-points", "version": 1, "dimension": 3,
+        "lattice": {"gram": [[3, -1, -1], [-1, 3, -1], [-1, -1, 3]]}, "points": [[0, 0, 0]]}"#;
+    let bcc = file(place.path(), "bcc.json", points);
+    let tiling = place.path().join("tiling.json");
+    assert_eq!(
+        code(&acutile(["delaunay", text(&bcc), "-o", text(&tiling)])),
+        0
+    );
+    let proved = acutile(["certify", text(&tiling), "--require", "delaunay", "--json"]);
+    let answer: Value = serde_json::from_str(&stdout(&proved)).expect("an object");
+    // The Delaunay triangulation of bcc has six disphenoids for each point.
+    assert_eq!(answer["simplices"], 6);
+    let confused = acutile(["delaunay", text(&tiling)]);
+    assert_eq!(code(&confused), 2);
+    assert!(stderr(&confused).contains("is a tiling file, expected a point-set file"));
+    assert!(stderr(&acutile(["certify", text(&bcc)])).contains("is a point-set file"));
+}
+
+#[test]
+fn cospherical_points_are_listed_or_cut_on_request() {
+    let place = directory();
+    let points = r#"{"format": "acutile-points", "version": 1, "dimension": 3,
+        "lattice": {"gram": [[1, 0, 0], [0, 1, 0], [0, 0, 1]]}, "points": [["1/2", "1/2", "1/2"]]}"#;
+    let cubic = file(place.path(), "cubic.json", points);
+    let refused = acutile(["delaunay", text(&cubic)]);
+    assert_eq!(code(&refused), 3);
+    assert!(
+        stderr(&refused).contains("8 points with squared radius 3/4"),
+        "{}",
+        stderr(&refused)
+    );
+    let cut = acutile(["delaunay", text(&cubic), "--triangulate"]);
+    let tiling: Value = serde_json::from_str(&stdout(&cut)).expect("a tiling file");
+    assert_eq!(tiling["simplices"].as_array().map(Vec::len), Some(6));
+}
+
+#[test]
+fn every_name_of_the_catalogue_is_shown_and_exported_and_read_back() {
+    let place = directory();
+    for line in stdout(&acutile(["list", "--json"])).lines() {
+        let entry: Value = serde_json::from_str(line).expect("an object");
+        let name = entry["name"].as_str().expect("a name");
+        assert_eq!(code(&acutile(["show", name])), 0, "{name}");
+        let path = place.path().join("exported.json");
+        assert_eq!(
+            code(&acutile(["export", name, "-o", text(&path)])),
+            0,
+            "{name}"
+        );
+        let (a, b) = (place.path().join("a.json"), place.path().join("b.json"));
+        assert_eq!(
+            code(&acutile(["certify", name, "-o", text(&a)])),
+            0,
+            "{name}"
+        );
+        assert_eq!(
+            code(&acutile(["certify", text(&path), "-o", text(&b)])),
+            0,
+            "{name}"
+        );
+        assert_eq!(
+            std::fs::read(a).expect("a"),
+            std::fs::read(b).expect("b"),
+            "{name}"
+        );
+    }
+}
+
+#[test]
+fn completions_and_manual_are_generated() {
+    assert!(stdout(&acutile(["completions", "bash"])).contains("_acutile"));
+    assert!(stdout(&acutile(["man"])).contains(".TH"));
+}
