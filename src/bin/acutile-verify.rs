@@ -181,8 +181,13 @@ fn read(file: &OsString, limits: &Limits) -> io::Result<Vec<u8>> {
 fn as_text(file: &OsString, outcome: &Outcome) -> String {
     let verdict = match outcome {
         Outcome::Verified(verified) => format!(
-            "verified: {verified}. ({} vertices, {} simplices, sha256 {})",
+            "verified: {verified}. ({} {}, {} simplices, sha256 {})",
             verified.vertices(),
+            if verified.vertices() == 1 {
+                "vertex"
+            } else {
+                "vertices"
+            },
             verified.simplices(),
             verified.sha256()
         ),

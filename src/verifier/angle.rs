@@ -186,7 +186,7 @@ mod tests {
         // cos 135° = -cos 45°; cos 72° = (sqrt 5 - 1)/4.
         let five = |c: &BigInt, sign: i32| {
             let unit = BigInt::one() << BITS;
-            let root = c * 4 - &unit * sign;
+            let root: BigInt = c * 4 - &unit * sign;
             (&root * &root).cmp(&(&unit * &unit * 5))
         };
         let of = |n: u32| enclose_cosine(&Rational::from_integer(BigInt::from(n)));

@@ -26,6 +26,8 @@ mod number;
 mod refusal;
 mod render;
 mod ring;
+#[cfg(test)]
+mod sabotage;
 mod shape;
 mod tiling;
 

@@ -27,7 +27,7 @@ pub(super) fn rational(
     if !q.is_positive() {
         return Err(refuse("the denominator is not positive"));
     }
-    if q.is_one() != !text.contains('/') {
+    if q.is_one() == text.contains('/') {
         return Err(refuse("a denominator of 1 is not written"));
     }
     if !p.gcd(&q).is_one() {

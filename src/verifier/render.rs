@@ -46,18 +46,11 @@ fn write_field(f: &mut Formatter, claim: &Claim) -> Result {
     let Field::Algebraic(field) = &claim.field else {
         return Ok(());
     };
-    write!(f, ", where a is the root of ")?;
-    for (k, coefficient) in field.polynomial.iter().enumerate().rev() {
-        write!(
-            f,
-            "{}({coefficient}) a^{k}",
-            if k + 1 == field.polynomial.len() {
-                ""
-            } else {
-                " + "
-            }
-        )?;
-    }
+    write!(
+        f,
+        ", where a is the root of {}",
+        Polynomial(&field.polynomial)
+    )?;
     write!(f, " between {} and {}", field.root.0, field.root.1)
 }
 
@@ -94,25 +87,40 @@ fn join(items: impl Iterator<Item = impl Display>) -> String {
         .join(", ")
 }
 
-/// `1/2 + 1/2 a`, as an expression in the generator a.
+/// `1/2 + 1/2 a`, an expression in the generator a.
 impl Display for Number {
     fn fmt(&self, f: &mut Formatter) -> Result {
-        let term = |(k, c): (usize, &String)| match k {
-            0 => c.clone(),
-            1 => format!("{c} a"),
-            _ => format!("{c} a^{k}"),
+        Polynomial(&self.0).fmt(f)
+    }
+}
+
+/// Coefficients from the constant term up, written as a sum in a.
+struct Polynomial<'c>(&'c [String]);
+
+impl Display for Polynomial<'_> {
+    fn fmt(&self, f: &mut Formatter) -> Result {
+        let power = |k: usize| match k {
+            1 => "a".to_owned(),
+            _ => format!("a^{k}"),
         };
-        let kept = self
-            .0
-            .iter()
-            .enumerate()
-            .filter(|(_, c)| *c != "0")
-            .map(term);
-        let terms = kept.collect::<Vec<_>>();
-        match terms.is_empty() {
-            true => write!(f, "0"),
-            false => write!(f, "{}", terms.join(" + ")),
+        let mut first = true;
+        for (k, coefficient) in self.0.iter().enumerate().filter(|(_, c)| *c != "0") {
+            let size = coefficient.strip_prefix('-');
+            let sign = match (size, first) {
+                (Some(_), true) => "-",
+                (Some(_), false) => " - ",
+                (None, true) => "",
+                (None, false) => " + ",
+            };
+            let size = size.unwrap_or(coefficient);
+            match (k, size) {
+                (0, _) => write!(f, "{sign}{size}")?,
+                (_, "1") => write!(f, "{sign}{}", power(k))?,
+                _ => write!(f, "{sign}{size} {}", power(k))?,
+            }
+            first = false;
         }
+        if first { f.write_str("0") } else { Ok(()) }
     }
 }
 
