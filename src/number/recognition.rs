@@ -100,7 +100,11 @@ fn has_nonresidue(field: &Field, d: &Number, range: std::ops::Range<u64>) -> boo
         .iter()
         .map(|n| n * Integer::from(&denominator))
         .collect();
-    let is_prime = |q: &u64| (2..).take_while(|i| i * i <= *q).all(|i| q % i != 0);
+    let is_prime = |q: &u64| {
+        (2..)
+            .take_while(|i| i * i <= *q)
+            .all(|i| !q.is_multiple_of(i))
+    };
     range.filter(is_prime).any(|q| {
         let p = modulo(field.polynomial(), q);
         let slope: Vec<u64> = (1..).zip(&p[1..]).map(|(i, c)| i % q * c % q).collect();
@@ -149,8 +153,9 @@ pub(super) fn search(
     let shift = Level::bits(level) - bits;
     let powers = field
         .level(level)
-        .lower_bounds()
-        .map(|power| power >> shift);
+        .powers()
+        .iter()
+        .map(|(lo, _)| lo >> shift);
     let rows = std::iter::once(scaled)
         .chain(powers)
         .enumerate()
