@@ -315,6 +315,14 @@ fn degree_limit() {
         reader.value("sqrt(2310)").unwrap(),
         reader.value("sqrt(2)*sqrt(15)*sqrt(77)").unwrap()
     );
+    for (x, y) in [
+        ("sqrt(6+2*sqrt(5))", "1+sqrt(5)"),
+        ("sqrt(5+2*sqrt(6))", "sqrt(2)+sqrt(3)"),
+    ] {
+        reader.learn(x).unwrap();
+        assert_eq!(reader.value(x).unwrap(), reader.value(y).unwrap());
+    }
+    assert_eq!(reader.field().degree(), 32);
     assert_eq!(
         reader.learn("1+sqrt(13)").unwrap_err().to_string(),
         "column 3: degree 64 is beyond the limit of 32"
