@@ -177,6 +177,37 @@ fn generators() {
     }
 }
 
+/// a = √3 as a root of (x² - 2)(x² - 3): roots of its elements may extend the
+/// field without need, but every value stays right.
+#[test]
+fn roots_over_a_reducible_polynomial() {
+    for text in [
+        "sqrt(3)",
+        "sqrt(a^2-2)",
+        "sqrt(a^2)",
+        "sqrt(2)*sqrt(6)",
+        "sqrt(4+2*a)-1",
+    ] {
+        let mut reader = Reader::new();
+        let p = integers(&[6, 0, -5, 0, 1]);
+        reader
+            .generator("a", &p, Rational::from_signeds(3, 2), Rational::from(2))
+            .unwrap();
+        reader.learn(text).unwrap();
+        let x = reader.value(text).unwrap();
+        let a = reader.value("a").unwrap();
+        let one = Number::from(Rational::from(1));
+        let expected = match text {
+            "sqrt(a^2-2)" => one.clone(),
+            "sqrt(2)*sqrt(6)" => &a + &a,
+            _ => a.clone(),
+        };
+        assert_eq!(x, expected, "{text} in {:?}", reader.field());
+        assert_eq!((x.clone() - &expected).inverse(), None);
+        assert_eq!(&a * &a, &one + &one + &one);
+    }
+}
+
 #[test]
 fn messages() {
     for (text, message) in [
