@@ -274,11 +274,11 @@ fn bits(x: &Number) -> u64 {
     x.coefficients().iter().map(size).sum()
 }
 
-/// The number for a message: exact if that is short.
+/// The number for a message: exactly if that is short.
 fn shown(x: &Number) -> String {
-    if bits(x) <= 256 {
-        x.to_string()
-    } else {
-        format!("about {:e}", x.approximate())
+    match (bits(x), x.approximate()) {
+        (..=256, _) => x.to_string(),
+        (_, near) if near.is_finite() => format!("about {near:e}"),
+        (bits, _) => format!("a number of {bits} bits"),
     }
 }

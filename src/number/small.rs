@@ -7,9 +7,9 @@
 
 use super::root::Level;
 use crate::geometry::Sign;
+use malachite::base::num::arithmetic::traits::Gcd;
 use malachite::base::num::logic::traits::SignificantBits;
 use malachite::{Integer, Natural, Rational};
-use num_integer::Integer as _;
 
 /// The largest degree that is treated here.
 const DEGREE: usize = 8;
@@ -114,7 +114,7 @@ impl Scaled {
         let mut denominator = 1u64;
         for c in c {
             let d = denominator_of(c)?;
-            denominator = denominator.checked_mul(d / denominator.gcd(&d))?;
+            denominator = denominator.checked_mul(d / denominator.gcd(d))?;
         }
         let mut numerators = [0; DEGREE];
         for (n, c) in numerators.iter_mut().zip(c) {
@@ -136,7 +136,7 @@ impl Scaled {
 }
 
 fn quotient(n: i128, d: u128) -> Rational {
-    let common = n.unsigned_abs().gcd(&d);
+    let common = n.unsigned_abs().gcd(d);
     let (size, d) = (n.unsigned_abs() / common, d / common);
     if d == 1 {
         return Rational::from(Integer::from_sign_and_abs(n >= 0, Natural::from(size)));
