@@ -32,7 +32,7 @@ impl Limits {
         digits: 1_000,
         degree: 32,
         bisections: 512,
-        work: 100_000_000,
+        work: 30_000_000,
     };
 }
 
