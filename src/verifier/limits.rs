@@ -17,8 +17,8 @@ pub struct Limits {
     pub degree: usize,
     /// Halvings of the root's interval to prove one sign.
     pub bisections: usize,
-    /// Word multiplications for one product per simplex; see
-    /// [`super::tiling`], where they are counted before any is made.
+    /// Word multiplications for one product per simplex; they are counted
+    /// before any is made.
     pub work: u64,
 }
 
