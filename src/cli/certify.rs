@@ -113,7 +113,7 @@ fn prove(input: &str, arguments: &CertifyArguments, output: &mut Output) -> Answ
         Err(message) => return Answer::Failed(message),
     };
     if arguments.reorient {
-        let mended = with_dimension!(&mut named.tiling, AnyTiling, t => checker::reorient(t));
+        let mended = with_dimension!(&mut named.tiling, AnyTiling, t => t.orient());
         if !mended.is_empty() {
             output.complain(format!("{input}: {} simplices reoriented", mended.len()));
         }
