@@ -16,7 +16,10 @@ fn set<const D: usize>(gram: [[i64; D]; D], denominator: i64, points: &[[i64; D]
     let gram = gram.map(|row| row.map(|x| q(x, 1)));
     PointSet {
         frame: Frame::space(Field::rationals(), gram),
-        points: points.iter().map(|p| p.map(|x| q(x, denominator))).collect(),
+        points: points
+            .iter()
+            .map(|p| p.map(|x| q(x, denominator)))
+            .collect(),
     }
 }
 
@@ -42,8 +45,10 @@ fn face_counts<const D: usize>(tiling: &Tiling<D>) -> Vec<usize> {
     let mut faces = vec![BTreeSet::new(); D + 1];
     for simplex in tiling.simplices() {
         for subset in 1u32..1 << (D + 1) {
-            let face: Vec<_> =
-                (0..=D).filter(|i| subset >> i & 1 == 1).map(|i| simplex[i]).collect();
+            let face: Vec<_> = (0..=D)
+                .filter(|i| subset >> i & 1 == 1)
+                .map(|i| simplex[i])
+                .collect();
             faces[face.len() - 1].insert(normal(face));
         }
     }
@@ -53,7 +58,8 @@ fn face_counts<const D: usize>(tiling: &Tiling<D>) -> Vec<usize> {
 fn normal<const D: usize>(mut face: Vec<Corner<D>>) -> Vec<Corner<D>> {
     face.sort_unstable();
     let origin = face[0].shift;
-    face.iter_mut().for_each(|c| *c = c.moved(origin.map(|x| -x)));
+    face.iter_mut()
+        .for_each(|c| *c = c.moved(origin.map(|x| -x)));
     face
 }
 
@@ -87,8 +93,16 @@ fn check<const D: usize>(tiling: &Tiling<D>) {
 }
 
 fn a15() -> PointSet<3> {
-    let points =
-        [[0, 0, 0], [2, 2, 2], [1, 0, 2], [3, 0, 2], [2, 1, 0], [2, 3, 0], [0, 2, 1], [0, 2, 3]];
+    let points = [
+        [0, 0, 0],
+        [2, 2, 2],
+        [1, 0, 2],
+        [3, 0, 2],
+        [2, 1, 0],
+        [2, 3, 0],
+        [0, 2, 1],
+        [0, 2, 3],
+    ];
     set(CUBIC, 4, &points)
 }
 
@@ -107,7 +121,14 @@ fn a15_has_46_tetrahedra() {
 fn c15_has_34_tetrahedra() {
     // (1/4,1/4,1/4) is (b1 + b2 + b3)/4; (5/8,5/8,5/8) is 5/8 of the same sum; the others
     // halve one coordinate: midpoints of the edges between its neighbours.
-    let points = [[0, 0, 0], [2, 2, 2], [5, 5, 5], [9, 5, 5], [5, 9, 5], [5, 5, 9]];
+    let points = [
+        [0, 0, 0],
+        [2, 2, 2],
+        [5, 5, 5],
+        [9, 5, 5],
+        [5, 9, 5],
+        [5, 5, 9],
+    ];
     let tiling = triangulate(&set(FCC, 8, &points), Ties::Refuse).unwrap();
     check(&tiling);
     assert_eq!(face_counts(&tiling), [6, 40, 68, 34]);
@@ -142,7 +163,14 @@ fn pulling_the_cube_gives_kuhn() {
     check(&tiling);
     let found: BTreeSet<_> = tiling.simplices().map(|s| normal(s.to_vec())).collect();
     let mut kuhn = BTreeSet::new();
-    for path in [[0, 1, 2], [0, 2, 1], [1, 0, 2], [1, 2, 0], [2, 0, 1], [2, 1, 0]] {
+    for path in [
+        [0, 1, 2],
+        [0, 2, 1],
+        [1, 0, 2],
+        [1, 2, 0],
+        [2, 0, 1],
+        [2, 1, 0],
+    ] {
         let mut corner = Corner::of(0);
         let mut corners = vec![corner];
         for axis in path {
@@ -171,7 +199,10 @@ fn fcc_cells_are_tetrahedra_and_octahedra() {
 fn hexagonal_prisms() {
     let hexagonal = [[2, -1, 0], [-1, 2, 0], [0, 0, 3]];
     let prism = (6, vec![3, 3, 4, 4, 4]);
-    assert_eq!(census(&set(hexagonal, 1, &[[0, 0, 0]])), BTreeMap::from([(prism.clone(), 2)]));
+    assert_eq!(
+        census(&set(hexagonal, 1, &[[0, 0, 0]])),
+        BTreeMap::from([(prism.clone(), 2)])
+    );
     let kagome = set(hexagonal, 2, &[[1, 0, 0], [0, 1, 0], [1, 1, 0]]);
     let hexagon = (12, vec![4, 4, 4, 4, 4, 4, 6, 6]);
     assert_eq!(census(&kagome), BTreeMap::from([(prism, 2), (hexagon, 1)]));
@@ -197,9 +228,8 @@ fn icosahedron_over_a_field_of_degree_two() {
     let (field, phi) =
         Field::adjoin_root(&coefficients, Rational::from(1), Rational::from(2)).unwrap();
     let (zero, one) = (q(0, 1), q(1, 1));
-    let gram = std::array::from_fn(|i| {
-        std::array::from_fn(|j| if i == j { q(1, 1) } else { q(0, 1) })
-    });
+    let gram =
+        std::array::from_fn(|i| std::array::from_fn(|j| if i == j { q(1, 1) } else { q(0, 1) }));
     let mut points = vec![[zero.clone(), zero.clone(), zero.clone()]];
     for signs in 0..4 {
         let x = if signs & 1 == 0 { one.clone() } else { -&one };
@@ -209,11 +239,16 @@ fn icosahedron_over_a_field_of_degree_two() {
         points.push([y, zero.clone(), x]);
     }
     let tenth = q(1, 10);
-    let points = points.iter().map(|p| std::array::from_fn(|k| &p[k] * &tenth)).collect();
-    let set = PointSet { frame: Frame::space(field, gram), points };
-    let around = |cell: &&Cell<3>| {
-        cell.is_simplex() && cell.corners.iter().any(|corner| corner.vertex == 0)
+    let points = points
+        .iter()
+        .map(|p| std::array::from_fn(|k| &p[k] * &tenth))
+        .collect();
+    let set = PointSet {
+        frame: Frame::space(field, gram),
+        points,
     };
+    let around =
+        |cell: &&Cell<3>| cell.is_simplex() && cell.corners.iter().any(|corner| corner.vertex == 0);
     assert_eq!(cells(&set).unwrap().iter().filter(around).count(), 20);
     check(&triangulate(&set, Ties::Pull).unwrap());
 }
@@ -231,7 +266,11 @@ fn errors() {
     let needle = set([[1, 0, 0], [0, 1, 0], [0, 0, 1 << 60]], 1, &[[0, 0, 0]]);
     assert!(matches!(refused(needle), DelaunayError::TooElongated));
     let skew = 1 << 30;
-    let skewed = set([[1, skew, 0], [skew, skew * skew + 1, 0], [0, 0, 1]], 1, &[[0, 0, 0]]);
+    let skewed = set(
+        [[1, skew, 0], [skew, skew * skew + 1, 0], [0, 0, 1]],
+        1,
+        &[[0, 0, 0]],
+    );
     assert!(matches!(refused(skewed), DelaunayError::TooSkewed));
 }
 
@@ -243,21 +282,19 @@ struct Random(u64);
 impl Random {
     /// From low to high, both possible.
     fn between(&mut self, low: i64, high: i64) -> i64 {
-        self.0 = self.0.wrapping_mul(6364136223846793005).wrapping_add(1442695040888963407);
+        self.0 = self
+            .0
+            .wrapping_mul(6364136223846793005)
+            .wrapping_add(1442695040888963407);
         low + ((self.0 >> 33) as i64) % (high - low + 1)
     }
 
     /// A Gram matrix that is not far from diagonal.
     fn gram(&mut self) -> [[i64; 3]; 3] {
         loop {
-            let mut g = [[0; 3]; 3];
-            for i in 0..3 {
-                g[i][i] = self.between(4, 9);
-                for j in 0..i {
-                    g[i][j] = self.between(-2, 2);
-                    g[j][i] = g[i][j];
-                }
-            }
+            let [a, b, c] = [(); 3].map(|()| self.between(4, 9));
+            let [d, e, f] = [(); 3].map(|()| self.between(-2, 2));
+            let g = [[a, d, e], [d, b, f], [e, f, c]];
             if 3 * det(g) >= g[0][0] * g[1][1] * g[2][2] {
                 return g;
             }
@@ -404,12 +441,17 @@ fn disguised(
             assert_eq!(moved % denominator, 0);
             (moved / denominator) as i32
         });
-        Corner { vertex: index as u32, shift }
+        Corner {
+            vertex: index as u32,
+            shift,
+        }
     };
     let cells = cells(&set(skewed, denominator, &shown)).unwrap();
     let count = cells.len();
-    let told: BTreeSet<_> =
-        cells.iter().map(|cell| normal(cell.corners.iter().map(back).collect())).collect();
+    let told: BTreeSet<_> = cells
+        .iter()
+        .map(|cell| normal(cell.corners.iter().map(back).collect()))
+        .collect();
     assert_eq!(told.len(), count);
     told
 }
@@ -426,7 +468,10 @@ fn agrees_with_brute_force() {
         let expected = brute_force(&gram, denominator, &points);
         for size in [0, 1, 9] {
             let found = disguised(&gram, denominator, &points, &mut random, size);
-            assert_eq!(found, expected, "round {round}: {gram:?} {points:?}/{denominator}");
+            assert_eq!(
+                found, expected,
+                "round {round}: {gram:?} {points:?}/{denominator}"
+            );
         }
     }
 }
@@ -434,7 +479,11 @@ fn agrees_with_brute_force() {
 #[test]
 fn very_skewed_lattices() {
     // The rows (1,0,0), (1000,1,0), (12345,678,1).
-    let gram = [[1, 1000, 12345], [1000, 1000001, 12345678], [12345, 12345678, 152858710]];
+    let gram = [
+        [1, 1000, 12345],
+        [1000, 1000001, 12345678],
+        [12345, 12345678, 152858710],
+    ];
     let expected = BTreeMap::from([((8, vec![4; 6]), 1)]);
     assert_eq!(census(&set(gram, 1, &[[0, 0, 0]])), expected);
     check(&triangulate(&set(gram, 1, &[[7, -123456789, 3]]), Ties::Pull).unwrap());
@@ -450,14 +499,18 @@ fn scaling_changes_nothing() {
         for row in &mut set.frame.gram {
             row.iter_mut().for_each(|x| *x = &*x * &scale);
         }
-        assert_eq!(triangulate(&set, Ties::Refuse).unwrap().corners, expected.corners);
+        assert_eq!(
+            triangulate(&set, Ties::Refuse).unwrap().corners,
+            expected.corners
+        );
     }
 }
 
 fn random_set(count: usize, bits: u32) -> PointSet<3> {
     let mut random = Random(u64::from(bits));
-    let points: Vec<Vector> =
-        (0..count).map(|_| std::array::from_fn(|_| random.between(0, (1 << bits) - 1))).collect();
+    let points: Vec<Vector> = (0..count)
+        .map(|_| std::array::from_fn(|_| random.between(0, (1 << bits) - 1)))
+        .collect();
     set(CUBIC, 1 << bits, &points)
 }
 
@@ -504,5 +557,9 @@ fn timing() {
     let set = random_set(count, 28);
     let start = std::time::Instant::now();
     let tiling = triangulate(&set, Ties::Refuse).unwrap();
-    println!("{count} points: {} simplices in {:?}", tiling.len(), start.elapsed());
+    println!(
+        "{count} points: {} simplices in {:?}",
+        tiling.len(),
+        start.elapsed()
+    );
 }

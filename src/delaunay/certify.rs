@@ -28,7 +28,9 @@ pub fn is_delaunay<S: Scalar, const D: usize>(
     predicates: &Predicates<S, D>,
 ) -> bool {
     uses_all_points(shell, predicates.model.names.len())
-        && shell.simplices().all(|simplex| is_positive(simplex, predicates))
+        && shell
+            .simplices()
+            .all(|simplex| is_positive(simplex, predicates))
         && is_simple_cover(shell, predicates)
         && is_locally_delaunay(shell, cells, predicates)
 }
@@ -40,7 +42,10 @@ fn parts<const D: usize>(simplex: &[Corner<D>]) -> ([Corner<D>; D], Corner<D>) {
 
 fn uses_all_points<const D: usize>(shell: &Tiling<D>, count: usize) -> bool {
     let mut used = vec![false; count];
-    shell.corners.iter().for_each(|corner| used[corner.vertex as usize] = true);
+    shell
+        .corners
+        .iter()
+        .for_each(|corner| used[corner.vertex as usize] = true);
     used.iter().all(|&used| used)
 }
 

@@ -52,7 +52,10 @@ impl CosphericalSet {
         squared_radius: Number,
     ) -> Self {
         CosphericalSet {
-            corners: corners.iter().map(|c| (c.vertex, c.shift.to_vec())).collect(),
+            corners: corners
+                .iter()
+                .map(|c| (c.vertex, c.shift.to_vec()))
+                .collect(),
             center: center.to_vec(),
             squared_radius,
         }
@@ -61,7 +64,12 @@ impl CosphericalSet {
 
 impl fmt::Display for CosphericalSet {
     fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
-        write!(f, "{} points with squared radius {}:", self.corners.len(), self.squared_radius)?;
+        write!(
+            f,
+            "{} points with squared radius {}:",
+            self.corners.len(),
+            self.squared_radius
+        )?;
         for (vertex, shift) in &self.corners {
             write!(f, " {vertex}{shift:?}")?;
         }
@@ -84,14 +92,19 @@ impl fmt::Display for DelaunayError {
                 crate::tiling::SHIFT_LIMIT
             ),
             Self::TooElongated => {
-                write!(f, "an empty sphere meets too many cells: the lattice is too elongated for so few points")
+                write!(
+                    f,
+                    "an empty sphere meets too many cells: the lattice is too elongated for so few points"
+                )
             }
             Self::Coincident(a, b) => {
                 write!(f, "the points {a} and {b} differ by a lattice vector")
             }
             Self::Cospherical(sets) => {
                 write!(f, "{} Delaunay cells are not simplices", sets.len())?;
-                sets.iter().take(LISTED).try_for_each(|set| write!(f, "\n  {set}"))?;
+                sets.iter()
+                    .take(LISTED)
+                    .try_for_each(|set| write!(f, "\n  {set}"))?;
                 match sets.len().saturating_sub(LISTED) {
                     0 => Ok(()),
                     more => write!(f, "\n  and {more} more"),
@@ -102,7 +115,10 @@ impl fmt::Display for DelaunayError {
                 "{count} points lie on one empty sphere; the limit is {COSPHERICAL_LIMIT}"
             ),
             Self::Uncertified => {
-                write!(f, "the exact check of the triangulation failed, which is an error of this program")
+                write!(
+                    f,
+                    "the exact check of the triangulation failed, which is an error of this program"
+                )
             }
         }
     }

@@ -71,10 +71,18 @@ impl<const D: usize> Floats<D> {
         let row_sums = |weights: &[f64; D]| {
             basis
                 .iter()
-                .map(|row| row.iter().zip(weights).map(|(r, q)| r.abs() * q).sum::<f64>())
+                .map(|row| {
+                    row.iter()
+                        .zip(weights)
+                        .map(|(r, q)| r.abs() * q)
+                        .sum::<f64>()
+                })
                 .fold(0.0, f64::max)
         };
-        let fractions = points.iter().map(|x| std::array::from_fn(|k| x[k].approximate())).collect();
+        let fractions = points
+            .iter()
+            .map(|x| std::array::from_fn(|k| x[k].approximate()))
+            .collect();
         Ok(Floats {
             tau: 2f64.powi(-49) * row_sums(&[1.0; D]),
             eta: 2f64.powi(-47) * row_sums(&dual),
@@ -135,7 +143,12 @@ impl<const D: usize> Floats<D> {
 
     /// Whether p is outside (`Greater`) or inside (`Less`) of the sphere through the
     /// corners of a positively oriented simplex, if the doubles prove it.
-    pub fn in_sphere(&self, facet: &[Corner<D>; D], apex: &Corner<D>, p: &Corner<D>) -> Option<Sign> {
+    pub fn in_sphere(
+        &self,
+        facet: &[Corner<D>; D],
+        apex: &Corner<D>,
+        p: &Corner<D>,
+    ) -> Option<Sign> {
         let shape = Shape::new(self.edges(facet, apex));
         let x = self.difference(&facet[0], p);
         let m = largest(&shape.edges).max(largest(&[x]));
@@ -161,7 +174,11 @@ impl<const D: usize> Floats<D> {
         let entry = (weighted_error + 2.0 * radius * determinant_error) / room;
         let slack = 4.0 * (entry + self.error(2.0 * radius));
         // False where something is not a number.
-        (room > 0.0 && slack < 1e-6 * radius).then_some(Sphere { center, radius, slack })
+        (room > 0.0 && slack < 1e-6 * radius).then_some(Sphere {
+            center,
+            radius,
+            slack,
+        })
     }
 
     /// A sphere from its centre in exact fractional coordinates relative to a corner.
@@ -169,7 +186,11 @@ impl<const D: usize> Floats<D> {
         let d = std::array::from_fn(|k| center[k].approximate());
         let center = self.to_cartesian(&d);
         let radius = dot(&center, &center).sqrt();
-        Sphere { center, radius, slack: 8.0 * self.error(2.0 * radius) }
+        Sphere {
+            center,
+            radius,
+            slack: 8.0 * self.error(2.0 * radius),
+        }
     }
 
     /// The centre of the smallest sphere through a facet, relative to its first
@@ -185,14 +206,21 @@ impl<const D: usize> Floats<D> {
         edges[D - 1] = normal.map(|x| x * size);
         let center = Shape::new(edges).center();
         let height = dot(&center, &normal);
-        (std::array::from_fn(|k| center[k] - height * normal[k]), normal)
+        (
+            std::array::from_fn(|k| center[k] - height * normal[k]),
+            normal,
+        )
     }
 }
 
 impl<const D: usize> Shape<D> {
     fn new(edges: [[f64; D]; D]) -> Self {
         let gradients = cofactors(&edges);
-        Shape { edges, gradients, determinant: dot(&edges[0], &gradients[0]) }
+        Shape {
+            edges,
+            gradients,
+            determinant: dot(&edges[0], &gradients[0]),
+        }
     }
 
     /// w = Σ |e_k|² g_k
@@ -215,7 +243,11 @@ fn proved(value: f64, bound: f64, e: f64, m: f64) -> Option<Sign> {
     if !(value.abs() > bound && e < m / 1024.0) {
         return None;
     }
-    Some(if value > 0.0 { Sign::Greater } else { Sign::Less })
+    Some(if value > 0.0 {
+        Sign::Greater
+    } else {
+        Sign::Less
+    })
 }
 
 /// The inner product.
@@ -231,7 +263,13 @@ fn largest<const D: usize>(vectors: &[[f64; D]]) -> f64 {
 fn cofactors<const D: usize>(m: &[[f64; D]; D]) -> [[f64; D]; D] {
     if D == 2 {
         return std::array::from_fn(|i| {
-            std::array::from_fn(|j| if i == j { m[1 - i][1 - j] } else { -m[1 - i][1 - j] })
+            std::array::from_fn(|j| {
+                if i == j {
+                    m[1 - i][1 - j]
+                } else {
+                    -m[1 - i][1 - j]
+                }
+            })
         });
     }
     std::array::from_fn(|i| {
@@ -247,7 +285,9 @@ fn cartesian<const D: usize>(orthogonal: &Orthogonal<D>) -> Result<[[f64; D]; D]
     let Orthogonal { mu, norms } = orthogonal;
     let mut basis = [[0.0; D]; D];
     for i in 0..D {
-        let ratio = norms[i].divide(&norms[0]).ok_or(DelaunayError::NotPositiveDefinite)?;
+        let ratio = norms[i]
+            .divide(&norms[0])
+            .ok_or(DelaunayError::NotPositiveDefinite)?;
         let length = ratio.approximate().sqrt();
         if !(1.0 / LENGTH_LIMIT..LENGTH_LIMIT).contains(&length) {
             return Err(DelaunayError::TooElongated);

@@ -63,7 +63,11 @@ pub fn reduce<const D: usize>(gram: &[[Number; D]; D]) -> Result<Reduced<D>, Del
         return Err(DelaunayError::NotSymmetric);
     }
     let identity = std::array::from_fn(|i| std::array::from_fn(|j| i64::from(i == j)));
-    let mut basis = Reduced { rows: identity, inverse: identity, gram: gram.clone() };
+    let mut basis = Reduced {
+        rows: identity,
+        inverse: identity,
+        gram: gram.clone(),
+    };
     let mut k = 1;
     let mut even = true;
     basis.orthogonal()?;
@@ -100,8 +104,7 @@ impl<const D: usize> Reduced<D> {
                 return Ok(());
             }
             let multiple = mu.round();
-            // Not a number or out of range fails this comparison.
-            if !(multiple.abs() <= ENTRY_LIMIT as f64) {
+            if multiple.is_nan() || multiple.abs() > ENTRY_LIMIT as f64 {
                 return Err(DelaunayError::TooSkewed);
             }
             self.subtract(k, j, multiple as i64)?;

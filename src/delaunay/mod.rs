@@ -29,6 +29,7 @@ mod tree;
 mod wrap;
 
 pub use error::{COSPHERICAL_LIMIT, CosphericalSet, DelaunayError};
+pub use predicates::circumcenter;
 
 use crate::geometry::{Scalar, Sign};
 use crate::tiling::{Corner, Frame, PointSet, Tiling, difference};
@@ -70,7 +71,10 @@ pub fn triangulate<const D: usize>(
     let model = Model::new(set)?;
     let found = find(&model)?;
     if ties == Ties::Refuse && !found.polytopes.is_empty() {
-        return Err(DelaunayError::Cospherical(cospherical_sets(&model, &found.polytopes)?));
+        return Err(DelaunayError::Cospherical(cospherical_sets(
+            &model,
+            &found.polytopes,
+        )?));
     }
     let mut simplices = Vec::with_capacity(found.cells.len());
     for simplex in found.shell.simplices() {
@@ -78,7 +82,11 @@ pub fn triangulate<const D: usize>(
     }
     simplices.sort_unstable();
     let corners = simplices.iter().flat_map(Simplex::ordered).collect();
-    Ok(Tiling { frame: set.frame.clone(), vertices: model.vertices, corners })
+    Ok(Tiling {
+        frame: set.frame.clone(),
+        vertices: model.vertices,
+        corners,
+    })
 }
 
 /// The Delaunay cells of a point set, one of each orbit, sorted by corners; corners
@@ -94,7 +102,11 @@ pub fn cells<const D: usize>(set: &PointSet<D>) -> Result<Vec<Cell<D>>, Delaunay
         cells.push(Cell::new(&model, simplex, facets.clone())?);
     }
     for polytope in &found.polytopes {
-        cells.push(Cell::new(&model, &polytope.corners, polytope.facet_indices())?);
+        cells.push(Cell::new(
+            &model,
+            &polytope.corners,
+            polytope.facet_indices(),
+        )?);
     }
     cells.sort_unstable_by(|a, b| a.corners.cmp(&b.corners));
     Ok(cells)
@@ -114,8 +126,16 @@ struct Found<const D: usize> {
 
 fn find<const D: usize>(model: &Model<D>) -> Result<Found<D>, DelaunayError> {
     match Exact::integers(model) {
-        Some(exact) => attempt(Predicates { model, exact, filtered: true }),
-        None => attempt(Predicates { model, exact: Exact::numbers(model), filtered: true }),
+        Some(exact) => attempt(Predicates {
+            model,
+            exact,
+            filtered: true,
+        }),
+        None => attempt(Predicates {
+            model,
+            exact: Exact::numbers(model),
+            filtered: true,
+        }),
     }
 }
 
@@ -136,7 +156,10 @@ fn attempt<S: Scalar, const D: usize>(
 fn search<S: Scalar, const D: usize>(
     predicates: &Predicates<S, D>,
 ) -> Result<Found<D>, DelaunayError> {
-    let Cells { simplices: mut corners, polytopes } = wrap::wrap(predicates)?;
+    let Cells {
+        simplices: mut corners,
+        polytopes,
+    } = wrap::wrap(predicates)?;
     let simple = corners.len() / (D + 1);
     let mut cells: Vec<u32> = (0..simple as u32).collect();
     for (polytope, cell) in polytopes.iter().zip(simple as u32..) {
@@ -149,11 +172,20 @@ fn search<S: Scalar, const D: usize>(
             cells.push(cell);
         }
     }
-    let shell = Tiling { frame: Frame::cubic(), vertices: Vec::new(), corners };
+    let shell = Tiling {
+        frame: Frame::cubic(),
+        vertices: Vec::new(),
+        corners,
+    };
     if !certify::is_delaunay(&shell, &cells, predicates) {
         return Err(DelaunayError::Uncertified);
     }
-    Ok(Found { shell, cells, simple, polytopes })
+    Ok(Found {
+        shell,
+        cells,
+        simple,
+        polytopes,
+    })
 }
 
 fn cospherical_sets<const D: usize>(
@@ -198,8 +230,14 @@ fn sorted_original<const D: usize>(
     }
     indexed.sort_unstable();
     let origin = indexed[0].0.shift;
-    let moved = |corner: Corner<D>| Corner { shift: difference(corner.shift, origin), ..corner };
-    Ok(indexed.into_iter().map(|(corner, index)| (moved(corner), index)).unzip())
+    let moved = |corner: Corner<D>| Corner {
+        shift: difference(corner.shift, origin),
+        ..corner
+    };
+    Ok(indexed
+        .into_iter()
+        .map(|(corner, index)| (moved(corner), index))
+        .unzip())
 }
 
 impl<const D: usize> Cell<D> {
@@ -210,7 +248,10 @@ impl<const D: usize> Cell<D> {
     ) -> Result<Self, DelaunayError> {
         let (corners, order) = sorted_original(model, corners)?;
         let mut place = vec![0; order.len()];
-        order.iter().enumerate().for_each(|(new, &old)| place[old] = new);
+        order
+            .iter()
+            .enumerate()
+            .for_each(|(new, &old)| place[old] = new);
         let mut facets: Vec<Vec<usize>> = facets
             .into_iter()
             .map(|facet| {

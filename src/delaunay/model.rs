@@ -41,8 +41,7 @@ impl<const D: usize> Model<D> {
             return Err(DelaunayError::Empty);
         }
         let lattice = reduce(&set.frame.gram)?;
-        let orthogonal =
-            Orthogonal::of(&lattice.gram).ok_or(DelaunayError::NotPositiveDefinite)?;
+        let orthogonal = Orthogonal::of(&lattice.gram).ok_or(DelaunayError::NotPositiveDefinite)?;
         let vertices: Vec<_> = set.points.iter().map(fractional_part).collect();
         let mut points = Vec::with_capacity(vertices.len() + WITNESSES);
         let mut offsets = Vec::with_capacity(vertices.len());
@@ -59,7 +58,15 @@ impl<const D: usize> Model<D> {
         points.extend((0..WITNESSES).map(witness));
         let floats = Floats::new(&points, &orthogonal)?;
         let tree = Tree::new(&floats, names.len());
-        let model = Model { lattice, names, vertices, points, offsets, floats, tree };
+        let model = Model {
+            lattice,
+            names,
+            vertices,
+            points,
+            offsets,
+            floats,
+            tree,
+        };
         predicates::check_distinct(&model)?;
         Ok(model)
     }
@@ -78,7 +85,10 @@ impl<const D: usize> Model<D> {
         let offset = &self.offsets[corner.vertex as usize];
         let shift = std::array::from_fn(|k| i64::from(corner.shift[k]) - offset[k]);
         let moved = self.lattice.original(shift);
-        if moved.iter().any(|entry| entry.abs() > i64::from(SHIFT_LIMIT)) {
+        if moved
+            .iter()
+            .any(|entry| entry.abs() > i64::from(SHIFT_LIMIT))
+        {
             return Err(DelaunayError::TooSkewed);
         }
         Ok(Corner {
@@ -90,15 +100,14 @@ impl<const D: usize> Model<D> {
     /// The exact position of a corner in the reduced basis.
     pub fn position(&self, corner: &Corner<D>) -> [Number; D] {
         let point = &self.points[corner.vertex as usize];
-        std::array::from_fn(|k| {
-            &point[k] + &Number::from(Rational::from(corner.shift[k]))
-        })
+        std::array::from_fn(|k| &point[k] + &Number::from(Rational::from(corner.shift[k])))
     }
 }
 
 fn witness<const D: usize>(i: usize) -> [Number; D] {
-    const PRIMES: [u32; 12] =
-        [1009, 1013, 1019, 1021, 1031, 1033, 1039, 1049, 1051, 1061, 1063, 1069];
+    const PRIMES: [u32; 12] = [
+        1009, 1013, 1019, 1021, 1031, 1033, 1039, 1049, 1051, 1061, 1063, 1069,
+    ];
     std::array::from_fn(|k| {
         let prime = PRIMES[(3 * i + k) % PRIMES.len()];
         let numerator = prime * (k as u32 + 4) / (4 * D as u32 + 7);

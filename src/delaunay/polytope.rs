@@ -53,12 +53,17 @@ impl<const D: usize> Polytope<D> {
             return Err(DelaunayError::TooManyCospherical(corners.len()));
         }
         sort_for_pulling(&mut corners, predicates)?;
-        let mut polytope = Polytope { corners, facets: Vec::new() };
+        let mut polytope = Polytope {
+            corners,
+            facets: Vec::new(),
+        };
         let mut chosen: [usize; D] = std::array::from_fn(|k| k);
         loop {
             let mask = chosen.iter().fold(0, |mask: Mask, i| mask | 1 << i);
             if !polytope.facets.iter().any(|facet| facet & mask == mask) {
-                polytope.facets.extend(polytope.supporting(&chosen, predicates));
+                polytope
+                    .facets
+                    .extend(polytope.supporting(&chosen, predicates));
             }
             if !next_subset(&mut chosen, polytope.corners.len()) {
                 return Ok(polytope);
@@ -104,7 +109,10 @@ impl<const D: usize> Polytope<D> {
     /// The simplices of the pulling, D + 1 corners each, not yet oriented.
     pub fn pulled(&self) -> Vec<Vec<Corner<D>>> {
         let all = Mask::MAX >> (COSPHERICAL_LIMIT - self.corners.len());
-        self.pull(all, D).into_iter().map(|mask| self.select(mask)).collect()
+        self.pull(all, D)
+            .into_iter()
+            .map(|mask| self.select(mask))
+            .collect()
     }
 
     /// The simplices of a face of dimension `dimension`.
@@ -116,7 +124,11 @@ impl<const D: usize> Polytope<D> {
         let mut simplices = Vec::new();
         for part in self.faces_within(face, dimension) {
             if part & least == 0 {
-                simplices.extend(self.pull(part, dimension - 1).iter().map(|mask| mask | least));
+                simplices.extend(
+                    self.pull(part, dimension - 1)
+                        .iter()
+                        .map(|mask| mask | least),
+                );
             }
         }
         simplices
@@ -137,7 +149,10 @@ impl<const D: usize> Polytope<D> {
 
     /// The corners of each facet as indices.
     pub fn facet_indices(&self) -> Vec<Vec<usize>> {
-        self.facets.iter().map(|&facet| indices(facet).collect()).collect()
+        self.facets
+            .iter()
+            .map(|&facet| indices(facet).collect())
+            .collect()
     }
 }
 
@@ -163,7 +178,10 @@ fn sort_for_pulling<S: Scalar, const D: usize>(
             .find(|order| order.is_ne())
             .unwrap_or(Sign::Equal)
     });
-    corners.iter_mut().zip(keyed).for_each(|(corner, (_, sorted))| *corner = sorted);
+    corners
+        .iter_mut()
+        .zip(keyed)
+        .for_each(|(corner, (_, sorted))| *corner = sorted);
     Ok(())
 }
 

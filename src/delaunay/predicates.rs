@@ -44,7 +44,11 @@ impl<const D: usize> Exact<'_, Integer, D> {
     pub fn integers(model: &Model<D>) -> Option<Self> {
         let unit = common_denominator(&model.points)?;
         let metric = common_denominator(&model.lattice.gram)?;
-        let points = model.points.iter().map(|x| cleared(x, &unit)).collect::<Option<Vec<_>>>()?;
+        let points = model
+            .points
+            .iter()
+            .map(|x| cleared(x, &unit))
+            .collect::<Option<Vec<_>>>()?;
         let mut gram = Vec::with_capacity(D);
         for row in &model.lattice.gram {
             gram.push(cleared(row, &metric)?);
@@ -87,8 +91,11 @@ impl<S: Scalar, const D: usize> Exact<'_, S, D> {
     }
 
     fn simplex(&self, facet: &[Corner<D>; D], apex: &Corner<D>) -> Simplex<S, D> {
-        let corners: Vec<_> =
-            facet.iter().chain([apex]).map(|corner| self.position(corner)).collect();
+        let corners: Vec<_> = facet
+            .iter()
+            .chain([apex])
+            .map(|corner| self.position(corner))
+            .collect();
         Simplex::new(&corners)
     }
 
@@ -111,20 +118,29 @@ pub struct Predicates<'a, S: Clone, const D: usize> {
 impl<S: Scalar, const D: usize> Predicates<'_, S, D> {
     /// The sign of the determinant of the edges from the first corner of the facet.
     pub fn orientation(&self, facet: &[Corner<D>; D], apex: &Corner<D>) -> Sign {
-        let quick = self.filtered.then(|| self.model.floats.orientation(facet, apex)).flatten();
+        let quick = self
+            .filtered
+            .then(|| self.model.floats.orientation(facet, apex))
+            .flatten();
         quick.unwrap_or_else(|| self.exact.simplex(facet, apex).determinant.sign())
     }
 
     /// Whether p is outside of (`Greater`), on or inside (`Less`) the sphere through
     /// the corners of a positively oriented simplex.
     pub fn in_sphere(&self, facet: &[Corner<D>; D], apex: &Corner<D>, p: &Corner<D>) -> Sign {
-        let quick = self.filtered.then(|| self.model.floats.in_sphere(facet, apex, p)).flatten();
+        let quick = self
+            .filtered
+            .then(|| self.model.floats.in_sphere(facet, apex, p))
+            .flatten();
         quick.unwrap_or_else(|| self.exact.in_sphere(facet, apex, p))
     }
 
     /// The circumsphere of a simplex that is not flat, relative to facet[0].
     pub fn circumsphere(&self, facet: &[Corner<D>; D], apex: &Corner<D>) -> Sphere<D> {
-        let quick = self.filtered.then(|| self.model.floats.circumsphere(facet, apex)).flatten();
+        let quick = self
+            .filtered
+            .then(|| self.model.floats.circumsphere(facet, apex))
+            .flatten();
         quick.unwrap_or_else(|| {
             let (center, _) = exact_center(self.model, facet, apex);
             self.model.floats.sphere_at(&center)
@@ -139,8 +155,15 @@ impl<S: Scalar, const D: usize> Predicates<'_, S, D> {
         enough: usize,
         found: &mut Vec<Corner<D>>,
     ) -> Result<(), DelaunayError> {
-        let Sphere { center, radius, slack } = self.circumsphere(facet, apex);
-        let ball = Ball { center, radius: radius + slack };
+        let Sphere {
+            center,
+            radius,
+            slack,
+        } = self.circumsphere(facet, apex);
+        let ball = Ball {
+            center,
+            radius: radius + slack,
+        };
         let Model { floats, tree, .. } = self.model;
         tree.gather(floats, &facet[0], ball, enough, found)?;
         found.retain(|p| p != apex && !facet.contains(p));
@@ -150,41 +173,63 @@ impl<S: Scalar, const D: usize> Predicates<'_, S, D> {
 
 /// The exact circumcentre of a simplex that is not flat, relative to its first
 /// corner and in the reduced basis, and the square of the radius.
-///
-/// c solves e_k · G c = |e_k|²/2. Since g_j · e_k is d for j = k and else 0,
-/// G c = h/(2d) with h = Σ |e_k|² g_k, and with the adjugate of G
-/// c = adj(G) h / (2 d det G), |c|² = c · G c.
 pub fn exact_center<const D: usize>(
     model: &Model<D>,
     facet: &[Corner<D>; D],
     apex: &Corner<D>,
 ) -> ([Number; D], Number) {
-    let corners: Vec<_> = facet.iter().chain([apex]).map(|c| model.position(c)).collect();
-    let simplex = Simplex::new(&corners);
+    let corners: Vec<_> = facet
+        .iter()
+        .chain([apex])
+        .map(|c| model.position(c))
+        .collect();
     let gram = &model.lattice.gram;
+    // There is one: the simplex is not flat and the metric is positive definite.
+    let center = circumcenter(gram, &corners).unwrap_or_else(|| corners[0].clone());
+    let center = linear::subtract(&center, &corners[0]);
+    let squared_radius = linear::square(gram, &center);
+    (center, squared_radius)
+}
+
+/// The circumcentre of the simplex with these D + 1 corners, exactly, in the basis with
+/// this Gram matrix; `None` if the simplex is flat or the metric degenerate.
+///
+/// With x measured from corner 0 it solves e_k · G x = |e_k|²/2. Since g_j · e_k is d
+/// for j = k and else 0, G x = h/(2d) with h = Σ |e_k|² g_k; and with the
+/// adjugate of G, x = adj(G) h / (2 d det G).
+pub fn circumcenter<const D: usize>(
+    gram: &[[Number; D]; D],
+    corners: &[[Number; D]],
+) -> Option<[Number; D]> {
+    let simplex = Simplex::new(corners);
     let mut h: [Number; D] = std::array::from_fn(|_| Number::zero());
     for (edge, gradient) in simplex.edges.iter().zip(&simplex.gradients) {
         let square = linear::square(gram, edge);
         h = std::array::from_fn(|k| &h[k] + &(&square * &gradient[k]));
     }
     let adjugate = linear::cofactors(gram);
-    let scale = &(&simplex.determinant * &linear::determinant(gram))
-        * &Number::from(Rational::from(2));
-    // Not zero: the simplex is not flat and the metric is positive definite.
-    let inverse = scale.inverse().unwrap_or_else(Number::zero);
-    let center = linear::apply(&adjugate, &h).map(|x| &x * &inverse);
-    let squared_radius = linear::square(gram, &center);
-    (center, squared_radius)
+    let scale =
+        &(&simplex.determinant * &linear::determinant(gram)) * &Number::from(Rational::from(2));
+    let inverse = scale.inverse()?;
+    let offset = linear::apply(&adjugate, &h);
+    Some(std::array::from_fn(|k| {
+        &corners[0][k] + &(&offset[k] * &inverse)
+    }))
 }
 
 /// Refuses points that differ by a lattice vector: of the corners that the doubles
 /// cannot tell from a point, none has the same exact position.
 pub fn check_distinct<const D: usize>(model: &Model<D>) -> Result<(), DelaunayError> {
-    let ball = Ball { center: [0.0; D], radius: model.floats.resolution() };
+    let ball = Ball {
+        center: [0.0; D],
+        radius: model.floats.resolution(),
+    };
     let mut near = Vec::new();
     for vertex in 0..model.names.len() as u32 {
         let corner = Corner::of(vertex);
-        model.tree.gather(&model.floats, &corner, ball, usize::MAX, &mut near)?;
+        model
+            .tree
+            .gather(&model.floats, &corner, ball, usize::MAX, &mut near)?;
         let twin = near
             .iter()
             .find(|p| p.vertex != vertex && model.position(p) == model.position(&corner));
