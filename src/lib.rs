@@ -4,6 +4,8 @@
 
 #![forbid(unsafe_code)]
 
+#[cfg(feature = "prover")]
+pub mod catalog;
 pub mod certificate;
 #[cfg(feature = "prover")]
 pub mod delaunay;
