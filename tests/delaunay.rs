@@ -549,17 +549,55 @@ fn clusters() {
     check(&triangulate(&set(CUBIC, fine, &points), Ties::Pull).unwrap());
 }
 
+/// n³ copies of the cell of A15.
+fn a15_supercell(n: i64) -> PointSet<3> {
+    let cell = [
+        [0, 0, 0],
+        [2, 2, 2],
+        [1, 0, 2],
+        [3, 0, 2],
+        [2, 1, 0],
+        [2, 3, 0],
+        [0, 2, 1],
+        [0, 2, 3],
+    ];
+    let copies = (0..n * n * n).map(|i| [i % n, i / n % n, i / n / n]);
+    let points: Vec<Vector> = copies
+        .flat_map(|copy| cell.map(|p: Vector| std::array::from_fn(|k| p[k] + 4 * copy[k])))
+        .collect();
+    set(CUBIC, 4 * n, &points)
+}
+
+#[test]
+fn supercells_have_as_many_times_more_tetrahedra() {
+    let tiling = triangulate(&a15_supercell(3), Ties::Refuse).unwrap();
+    assert_eq!(face_counts(&tiling), [8 * 27, 54 * 27, 92 * 27, 46 * 27]);
+    let grid: Vec<Vector> = (0..64).map(|i| [i % 4, i / 4 % 4, i / 16]).collect();
+    let grid = set(CUBIC, 4, &grid);
+    assert_eq!(census(&grid), BTreeMap::from([((8, vec![4; 6]), 64)]));
+    let pulled = triangulate(&grid, Ties::Pull).unwrap();
+    check(&pulled);
+    assert_eq!(pulled.len(), 6 * 64);
+}
+
 /// `N=97336 cargo test --release --test delaunay timing -- --ignored --nocapture`
 #[test]
 #[ignore = "for measuring"]
 fn timing() {
     let count = std::env::var("N").map_or(10_000, |n| n.parse().unwrap());
-    let set = random_set(count, 28);
-    let start = std::time::Instant::now();
-    let tiling = triangulate(&set, Ties::Refuse).unwrap();
-    println!(
-        "{count} points: {} simplices in {:?}",
-        tiling.len(),
-        start.elapsed()
-    );
+    let grid: Vec<Vector> = (0..8000).map(|i| [i % 20, i / 20 % 20, i / 400]).collect();
+    for (name, set, ties) in [
+        ("random", random_set(count, 28), Ties::Refuse),
+        ("a15 supercell", a15_supercell(12), Ties::Refuse),
+        ("cubic grid", set(CUBIC, 20, &grid), Ties::Pull),
+    ] {
+        let start = std::time::Instant::now();
+        let tiling = triangulate(&set, ties).unwrap();
+        let time = start.elapsed();
+        println!(
+            "{name}, {} points: {} simplices in {time:?}",
+            set.points.len(),
+            tiling.len()
+        );
+    }
 }
