@@ -82,7 +82,7 @@ fn sort_is_odd<const D: usize>(corners: &mut [Corner<D>; D]) -> bool {
 }
 
 /// A quick hash for small integers: what is stored is our own, so nobody can aim at
-/// collisions, and the standard hash would take a fifth of the time.
+/// collisions, and the order of the set is never used.
 #[derive(Default)]
 struct Mixer(u64);
 
