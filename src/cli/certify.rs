@@ -20,7 +20,7 @@ use std::path::{Path, PathBuf};
 pub fn run(arguments: &CertifyArguments, output: &mut Output) -> Outcome {
     let mut inputs = arguments.inputs.clone();
     if arguments.all {
-        inputs.extend(catalog::entries().iter().map(|entry| entry.name.to_owned()));
+        inputs.extend(catalog::names().map(str::to_owned));
     }
     let targets = match targets(&inputs, arguments.output.as_deref()) {
         Ok(targets) => targets,
