@@ -311,7 +311,10 @@ fn every_name_of_the_catalogue_is_shown_and_exported_and_read_back() {
     let place = directory();
     for line in stdout(&acutile(["list", "--json"])).lines() {
         let entry: Value = serde_json::from_str(line).expect("an object");
-        let name = entry["name"].as_str().expect("a name");
+        let name = match entry["name"].as_str().expect("a name") {
+            "kagome:" => "kagome:z+-",
+            name => name,
+        };
         assert_eq!(code(&acutile(["show", name])), 0, "{name}");
         let path = place.path().join("exported.json");
         assert_eq!(
