@@ -157,7 +157,7 @@ fn a_file_without_read_permission_is_named() {
     use std::os::unix::fs::PermissionsExt;
     let place = directory();
     let path = file(place.path(), "secret.json", "{}");
-    std::fs::set_permissions(&path, std::fs::Permissions::from_mode(0)).expect("permissions");
+    std::fs::set_permissions(&path, std::fs::Permissions::from_mode(0o000)).expect("permissions");
     let expected = match std::fs::File::open(&path) {
         Ok(_) => "missing field",
         Err(_) => "cannot be read: Permission denied",

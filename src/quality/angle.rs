@@ -5,7 +5,7 @@ use crate::number::{Number, enclosure};
 use crate::tiling::Tiling;
 use malachite::base::num::arithmetic::traits::{Ceiling, Floor, FloorSqrt, UnsignedAbs};
 use malachite::base::num::basic::traits::{One, Zero};
-use malachite::{Integer, Natural, Rational};
+use malachite::{Integer, Rational};
 
 /// The width of angle enclosures in messages: 1e-6 degrees.
 pub fn display_width() -> Rational {
@@ -47,7 +47,7 @@ const FINEST_COSINE: f64 = 1e-60;
 fn square_root(square: &Number, width: &Rational) -> (Rational, Rational) {
     // sqrt(b) - sqrt(a) <= sqrt(b - a)
     let (low, high) = square.enclosure(&(width * width / Rational::from(4)));
-    let scale = Natural::from((Rational::from(4) / width).ceiling().unsigned_abs());
+    let scale = (Rational::from(4) / width).ceiling().unsigned_abs();
     let scale_squared = Rational::from(&scale * &scale);
     let root = |integer: Integer| Integer::from(integer.unsigned_abs().floor_sqrt());
     let low = root((low.max(Rational::ZERO) * &scale_squared).floor());
