@@ -25,10 +25,16 @@ pub struct Model<'a, S, const D: usize> {
     pub gram: [[S; D]; D],
     /// Its adjugate, which measures covectors.
     pub cogram: [[S; D]; D],
+    /// A value of the ring as an element of the field.
+    pub to_number: fn(&S) -> Number,
 }
 
 impl<'a, S: Scalar, const D: usize> Model<'a, S, D> {
-    fn new(tiling: &'a Tiling<D>, clear: impl Fn(&Number, &Integer) -> S) -> Self {
+    fn new(
+        tiling: &'a Tiling<D>,
+        to_number: fn(&S) -> Number,
+        clear: impl Fn(&Number, &Integer) -> S,
+    ) -> Self {
         let unit = common_denominator(tiling.vertices.iter().flatten());
         let metric = common_denominator(tiling.frame.gram.iter().flatten());
         let gram = tiling
@@ -45,6 +51,7 @@ impl<'a, S: Scalar, const D: usize> Model<'a, S, D> {
                 .collect(),
             cogram: linear::cofactors(&gram),
             gram,
+            to_number,
             unit: clear(&tiling.frame.field.integer(1), &unit),
         }
     }
@@ -73,7 +80,7 @@ impl<'a, S: Scalar, const D: usize> Model<'a, S, D> {
 impl<'a, const D: usize> Model<'a, Integer, D> {
     /// The model of a tiling over the rationals.
     pub fn rational(tiling: &'a Tiling<D>) -> Self {
-        Model::new(tiling, |number, scale| {
+        Model::new(tiling, |x| Number::from(Rational::from(x)), |number, scale| {
             match number.coefficients() {
                 [] => Integer::ZERO,
                 // The product is an integer, for `scale` is a multiple of the denominator.
@@ -87,7 +94,7 @@ impl<'a, const D: usize> Model<'a, Number, D> {
     /// The model of a tiling over any field.
     pub fn algebraic(tiling: &'a Tiling<D>) -> Self {
         let field = &tiling.frame.field;
-        Model::new(tiling, |number, scale| {
+        Model::new(tiling, Number::clone, |number, scale| {
             number * &field.rational(Rational::from(scale))
         })
     }

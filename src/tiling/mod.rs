@@ -6,10 +6,12 @@
 mod collect;
 mod facets;
 mod frame;
+mod polytope;
 mod supercell;
 
 pub use facets::{Facet, Matching, Mate, Mismatch, match_facets};
 pub use frame::{Domain, Frame};
+pub use polytope::{Plane, Polytope};
 pub use supercell::supercell;
 
 use crate::geometry::Simplex;
