@@ -1,7 +1,9 @@
 //! Fields and their elements: known values, reducible polynomials, twins.
 #![cfg(feature = "prover")]
 
-use acutile::number::{Field, FieldError, Number};
+use acutile::certificate;
+use acutile::number::{Field, FieldError, Interval, Number};
+use malachite::base::num::arithmetic::traits::{Pow, Square};
 use malachite::{Integer, Rational};
 use std::cmp::Ordering;
 
@@ -83,6 +85,15 @@ fn refused_fields() {
         error(&[-2, 0, 1], 3, 1),
         FieldError::EmptyInterval(q(3, 1), q(1, 1))
     );
+    assert_eq!(
+        error(&[-2, 0, 1], -2, 3).to_string(),
+        "the polynomial has 2 roots from -2 to 3, and must have one"
+    );
+    let huge = [-(Integer::from(1) << 4096u64), Integer::from(1)];
+    assert_eq!(
+        Field::adjoin_root(&huge, q(0, 1), q(1, 1)).unwrap_err(),
+        FieldError::SizeBeyondLimit(4097)
+    );
     let mut long = vec![0; 34];
     long[33] = 1;
     assert_eq!(error(&long, 0, 1), FieldError::DegreeBeyondLimit(33));
@@ -100,4 +111,110 @@ fn rational_roots_stay_in_q() {
         assert!(field.is_rationals());
         assert_eq!(a, Number::from(value));
     }
+}
+
+/// x^32 - 2 (c x - 1)² for c = 10^600 has two roots within about c^-17 of 1/c
+/// (Mignotte): too close to be told apart within the limit.
+#[test]
+fn roots_too_close() {
+    let c = Integer::from(10).pow(600u64);
+    let mut p = vec![Integer::from(0); 33];
+    p[0] = Integer::from(-2);
+    p[1] = Integer::from(4) * &c;
+    p[2] = Integer::from(-2) * (&c).square();
+    p[32] = Integer::from(1);
+    let end = Rational::from_integers(Integer::from(1), c);
+    assert_eq!(
+        Field::adjoin_root(&p, q(0, 1), end).unwrap_err(),
+        FieldError::RootsTooClose
+    );
+}
+
+/// 4x² - 5 at √5/2: the generator is an algebraic integer, and as small as easy.
+#[test]
+fn generators_are_algebraic_integers() {
+    let (field, x) = root(&[-5, 0, 4], 0, 2).unwrap();
+    assert_eq!(field.polynomial(), [-5, 0, 1].map(Integer::from));
+    assert_eq!(x.to_string(), "1/2 a");
+    assert_eq!(&x * &x, Number::from(q(5, 4)));
+    // -x³ + 2x + 4/9 has the roots of 9x³ - 18x - 4.
+    let (field, x) = root(&[4, 18, 0, -9], 1, 2).unwrap();
+    assert_eq!(field.polynomial().last(), Some(&Integer::from(1)));
+    let nine = Number::from(q(9, 1));
+    assert_eq!(
+        nine * &x * &x * &x,
+        Number::from(q(18, 1)) * &x + Number::from(q(4, 1))
+    );
+}
+
+/// What a certificate demands of the interval, with rational Horner: opposite
+/// signs at the ends, and a derivative whose interval value excludes 0.
+#[test]
+fn intervals_are_as_certificates_want_them() {
+    for (p, lo, hi) in [
+        (&[-5, 0, 1][..], 0, 3),
+        (&[-5, 0, 1], -3, 0),
+        (&[6, 0, -5, 0, 1], -3, -1),
+        (&[1, 0, -10, 0, 1], 0, 1),
+        (&[-1, -1, 0, 1], 0, 2),
+        (&[-2, 0, 1], 0, 2),
+    ] {
+        let Ok((field, a)) = root(p, lo, hi) else {
+            assert_eq!(p[0], 6, "-√2 and -√3 are two roots");
+            continue;
+        };
+        let (lo, hi) = field.root();
+        let at = |x: &Rational| {
+            let term = |c: &Integer| Rational::from(c);
+            field
+                .polynomial()
+                .iter()
+                .rev()
+                .fold(q(0, 1), |v, c| v * x + term(c))
+        };
+        assert!(at(&lo) * at(&hi) < 0);
+        let mut slope = Interval {
+            lo: q(0, 1),
+            hi: q(0, 1),
+        };
+        for (i, c) in field.polynomial().iter().enumerate().skip(1).rev() {
+            let c = Rational::from(c) * Rational::from(i as u64);
+            slope = slope.times(&Interval {
+                lo: lo.clone(),
+                hi: hi.clone(),
+            });
+            slope = Interval {
+                lo: slope.lo + &c,
+                hi: slope.hi + c,
+            };
+        }
+        assert!(!slope.contains_zero());
+        assert!(a > Number::from(lo) && a < Number::from(hi));
+    }
+}
+
+#[test]
+fn certificates_and_display() {
+    let (field, a) = root(&[-1, -1, 0, 1], 0, 2).unwrap();
+    let certificate::Field::Algebraic(written) = field.to_certificate() else {
+        panic!()
+    };
+    assert_eq!(written.polynomial, ["-1", "-1", "0", "1"]);
+    let x = field.element(vec![q(0, 1), q(-1, 2), q(1, 1)]);
+    assert_eq!(
+        x.to_certificate(),
+        certificate::Number(["0", "-1/2", "1"].map(String::from).into())
+    );
+    assert_eq!(x.to_string(), "-1/2 a + a^2");
+    assert_eq!((-&x).to_string(), "1/2 a - a^2");
+    assert_eq!((&a * &a * &a).to_string(), "1 + a");
+    let zero = &a - &a;
+    assert_eq!(zero.to_certificate(), certificate::Number(vec!["0".into()]));
+    assert_eq!(zero.to_string(), "0");
+    assert!(zero.is_rational() && zero.inverse().is_none() && a.divide(&zero).is_none());
+    assert_eq!(
+        Field::rationals().to_certificate(),
+        certificate::Field::Rationals
+    );
+    assert_eq!(Field::rationals().degree(), 1);
 }

@@ -177,6 +177,37 @@ fn generators() {
     }
 }
 
+/// a = √3 as a root of (x² - 2)(x² - 3): roots of its elements may extend the
+/// field without need, but every value stays right.
+#[test]
+fn roots_over_a_reducible_polynomial() {
+    for text in [
+        "sqrt(3)",
+        "sqrt(a^2-2)",
+        "sqrt(a^2)",
+        "sqrt(2)*sqrt(6)",
+        "sqrt(4+2*a)-1",
+    ] {
+        let mut reader = Reader::new();
+        let p = integers(&[6, 0, -5, 0, 1]);
+        reader
+            .generator("a", &p, Rational::from_signeds(3, 2), Rational::from(2))
+            .unwrap();
+        reader.learn(text).unwrap();
+        let x = reader.value(text).unwrap();
+        let a = reader.value("a").unwrap();
+        let one = Number::from(Rational::from(1));
+        let expected = match text {
+            "sqrt(a^2-2)" => one.clone(),
+            "sqrt(2)*sqrt(6)" => &a + &a,
+            _ => a.clone(),
+        };
+        assert_eq!(x, expected, "{text} in {:?}", reader.field());
+        assert_eq!((x.clone() - &expected).inverse(), None);
+        assert_eq!(&a * &a, &one + &one + &one);
+    }
+}
+
 #[test]
 fn messages() {
     for (text, message) in [
@@ -315,6 +346,14 @@ fn degree_limit() {
         reader.value("sqrt(2310)").unwrap(),
         reader.value("sqrt(2)*sqrt(15)*sqrt(77)").unwrap()
     );
+    for (x, y) in [
+        ("sqrt(6+2*sqrt(5))", "1+sqrt(5)"),
+        ("sqrt(5+2*sqrt(6))", "sqrt(2)+sqrt(3)"),
+    ] {
+        reader.learn(x).unwrap();
+        assert_eq!(reader.value(x).unwrap(), reader.value(y).unwrap());
+    }
+    assert_eq!(reader.field().degree(), 32);
     assert_eq!(
         reader.learn("1+sqrt(13)").unwrap_err().to_string(),
         "column 3: degree 64 is beyond the limit of 32"

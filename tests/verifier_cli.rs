@@ -164,7 +164,7 @@ fn limits_are_options() {
             "--limit-digits=1001",
             "declined/too-many-digits--numerator.json"
         ]),
-        1
+        0
     );
 }
 

@@ -289,8 +289,9 @@ fn number(value: Rational) -> Number {
 /// The basis vector b_j becomes b_j - k b_i; a coordinate x_i becomes x_i + k x_j.
 fn change_basis(certificate: &mut Certificate, (i, j): (usize, usize), k: i64) {
     let gram = &mut certificate.claim.gram;
-    for column in 0..3 {
-        gram[j][column] = number(rational(&gram[j][column]) - rational(&gram[i][column]) * k);
+    let other = gram[i].clone();
+    for (entry, other) in gram[j].iter_mut().zip(&other) {
+        *entry = number(rational(entry) - rational(other) * k);
     }
     for row in gram.iter_mut() {
         row[j] = number(rational(&row[j]) - rational(&row[i]) * k);

@@ -37,6 +37,7 @@ const BEYOND_A_SCHEMA: &[&str] = &[
     "coefficients--trailing-zero",
     "coefficients--two-over-the-rationals",
     "json--duplicate",
+    "json--vertex-as-float",
     "mate-range--",
     "mates-length--",
     "number--not-lowest-terms",

@@ -29,7 +29,7 @@ Usage: acutile-verify [OPTIONS] FILE...
   --limit-degree N      degree of the field                      [32]
   --limit-bisections N  halvings of the root's interval          [512]
   --limit-work N        word products for one product of numbers
-                        in every simplex                         [100000000]
+                        in every simplex                         [30000000]
   -h, --help            print this and stop
   -V, --version         print the version and stop
 

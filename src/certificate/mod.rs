@@ -1,9 +1,9 @@
 //! The certificate as passive data: what is claimed, and the witness for it.
 //!
 //! This room knows serde and nothing else. It neither computes nor judges: the
-//! prover ([`crate::checker`]) writes certificates, the kernel
+//! prover's room `checker` writes certificates, the kernel
 //! ([`crate::verifier`]) reads them, and both share this description and the
-//! canonical bytes of [`canonical`]. The grammar is docs/format.md.
+//! canonical bytes ([`to_bytes`]). The grammar is docs/format.md.
 //!
 //! Numbers are text here. A [`Number`] holds the coefficients c_0, c_1, … of
 //! c_0 + c_1 a + c_2 a² + …, where a is the generator of the claim's field.

@@ -191,7 +191,13 @@ fn multiply(x: &Number, y: &Number) -> Number {
             let product = c.iter().map(|c| c * r).collect();
             Number::from_coefficients(field, product)
         }
-        (Algebraic(k, x), Algebraic(l, y)) => Number::reduced(common(k, l), poly::multiply(x, y)),
+        (Algebraic(k, x), Algebraic(l, y)) => {
+            let field = common(k, l);
+            match field.small().and_then(|small| small.product(x, y)) {
+                Some(product) => Number::from_coefficients(field, product),
+                None => Number::reduced(field, poly::multiply(x, y)),
+            }
+        }
     }
 }
 

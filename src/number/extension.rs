@@ -7,8 +7,9 @@
 //! real numbers, also where A is no field.
 
 use super::element::Number;
+use super::error::FieldError;
 use super::field::Field;
-use super::isolation::{DEGREE_LIMIT, FieldError};
+use super::isolation::DEGREE_LIMIT;
 use super::polynomial as poly;
 use malachite::base::num::arithmetic::traits::{DivExact, DivisibleBy, Gcd, Pow, Reciprocal};
 use malachite::base::num::basic::traits::{One, Zero};

@@ -4,12 +4,14 @@
 //! The polynomial need not be irreducible. It is made monic and squarefree, so
 //! that a is an algebraic integer and a simple root, and everything that is
 //! decided about an element is decided at the root itself. The elements are in
-//! [`super::element`]; this file makes fields and encloses their roots.
+//! `element`; this file makes fields and encloses their roots.
 
 use super::element::Number;
-use super::isolation::{self, FieldError, ISOLATION_LIMIT, Isolated};
+use super::error::FieldError;
+use super::isolation::{self, ISOLATION_LIMIT, Isolated};
 use super::polynomial as poly;
 use super::root::{Dyadic, Level};
+use super::small::Small;
 use crate::certificate;
 use crate::geometry::Sign;
 use malachite::base::num::arithmetic::traits::{Floor, PowerOf2};
@@ -35,6 +37,8 @@ struct Inner {
     sign_below: Sign,
     /// Enclosures of the powers of the root; level j has 64·2^j bits.
     levels: [OnceLock<Level>; 32],
+    /// For elements with short coefficients, if the polynomial has such, too.
+    small: OnceLock<Option<Small>>,
 }
 
 impl Field {
@@ -67,6 +71,7 @@ impl Field {
             isolation,
             sign_below,
             levels: Default::default(),
+            small: OnceLock::new(),
         }))
     }
 
@@ -184,6 +189,12 @@ impl Field {
         let factor = poly::primitive(factor);
         let (lo, hi) = self.root();
         poly::sign_at(&factor, &lo) != poly::sign_at(&factor, &hi)
+    }
+
+    /// Fast arithmetic for elements with short coefficients.
+    pub(super) fn small(&self) -> Option<&Small> {
+        let small = || Small::new(self.polynomial(), self.level(0));
+        self.0.small.get_or_init(small).as_ref()
     }
 
     /// Enclosures of the powers of the root with 64·2^j bits. They are

@@ -3,6 +3,7 @@
 //! root. Called by [`super::field`].
 
 use super::enclosure::Interval;
+use super::error::FieldError;
 use super::polynomial as poly;
 use super::root::Dyadic;
 use malachite::base::num::arithmetic::traits::{Ceiling, DivExact, DivisibleBy, Floor, Pow};
@@ -10,7 +11,6 @@ use malachite::base::num::basic::traits::One;
 use malachite::base::num::logic::traits::SignificantBits;
 use malachite::{Integer, Rational};
 use std::cmp::Ordering;
-use std::fmt;
 
 /// No field has a larger degree.
 pub const DEGREE_LIMIT: usize = 32;
@@ -18,69 +18,7 @@ pub const DEGREE_LIMIT: usize = 32;
 /// an interval's end, has more bits (about 1,200 decimal digits).
 pub const POLYNOMIAL_BITS_LIMIT: u64 = 4096;
 /// A root that is not alone in a dyadic interval of width 2^-this is declined.
-pub const ISOLATION_LIMIT: u64 = 4096;
-
-/// Why there is no such field.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub enum FieldError {
-    /// The polynomial is zero.
-    ZeroPolynomial,
-    /// The polynomial is a constant, which has no root.
-    ConstantPolynomial,
-    /// The degree is above [`DEGREE_LIMIT`].
-    DegreeBeyondLimit(usize),
-    /// A coefficient or an end of the interval has more than
-    /// [`POLYNOMIAL_BITS_LIMIT`] bits: the number of bits.
-    SizeBeyondLimit(u64),
-    /// The lower end is above the upper end.
-    EmptyInterval(Rational, Rational),
-    /// The polynomial has no root in the interval.
-    NoRoot(Rational, Rational),
-    /// The polynomial has this many different roots in the interval.
-    SeveralRoots(Rational, Rational, usize),
-    /// Other roots are closer than 2^-[`ISOLATION_LIMIT`].
-    RootsTooClose,
-    /// No small combination of two generators generates both.
-    NoGenerator,
-}
-
-impl fmt::Display for FieldError {
-    fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
-        match self {
-            Self::ZeroPolynomial => write!(f, "the polynomial is zero"),
-            Self::ConstantPolynomial => write!(f, "the polynomial is a constant"),
-            Self::DegreeBeyondLimit(degree) => {
-                write!(f, "degree {degree} is beyond the limit of {DEGREE_LIMIT}")
-            }
-            Self::SizeBeyondLimit(bits) => write!(
-                f,
-                "a number of {bits} bits in the polynomial or its interval is beyond the limit of {POLYNOMIAL_BITS_LIMIT}"
-            ),
-            Self::EmptyInterval(lo, hi) => {
-                write!(
-                    f,
-                    "the interval from {lo} to {hi} is empty: its ends are in the wrong order"
-                )
-            }
-            Self::NoRoot(lo, hi) => write!(f, "the polynomial has no root from {lo} to {hi}"),
-            Self::SeveralRoots(lo, hi, count) => {
-                write!(
-                    f,
-                    "the polynomial has {count} roots from {lo} to {hi}, and must have one"
-                )
-            }
-            Self::RootsTooClose => {
-                write!(
-                    f,
-                    "other roots are closer than 2^-{ISOLATION_LIMIT} to the root"
-                )
-            }
-            Self::NoGenerator => write!(f, "no generator of the extended field was found"),
-        }
-    }
-}
-
-impl std::error::Error for FieldError {}
+pub const ISOLATION_LIMIT: u64 = 1024;
 
 /// Checks what can be checked without arithmetic.
 pub(super) fn check_limits(

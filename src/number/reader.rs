@@ -4,11 +4,11 @@
 //! far extends it. Then the field stands, and the same texts have values in it.
 
 use super::element::Number;
+use super::error::{FieldError, ReadError, ReadErrorKind};
 use super::extension::{self, Extension};
 use super::field::Field;
-use super::isolation::FieldError;
 use super::recognition::{self, Undecided};
-use super::text::{self, Expression, ROOT_NAME, ReadError, ReadErrorKind};
+use super::text::{self, Expression, ROOT_NAME};
 use malachite::base::num::logic::traits::SignificantBits;
 use malachite::{Integer, Rational};
 use std::cmp::Ordering;
@@ -17,8 +17,6 @@ use std::collections::BTreeMap;
 /// No value, also in between, has more bits in all its numerators and
 /// denominators together.
 pub const BITS_LIMIT: u64 = 65_536;
-/// No number has more bits of which a root is drawn.
-pub const RADICAND_BITS_LIMIT: u64 = 8_192;
 
 /// Reads texts as elements of one field, which grows while it learns.
 #[derive(Clone, Debug)]
@@ -80,7 +78,7 @@ impl Reader {
         if self.names.contains_key(name) {
             return Err(error(ReadErrorKind::NameTaken(name.to_owned())));
         }
-        let field_error = |e| error(ReadErrorKind::Field(e));
+        let field_error = |e| error(ReadErrorKind::Field(Box::new(e)));
         let (other, b) = Field::adjoin_root(polynomial, lo, hi).map_err(field_error)?;
         let generator = self.join(&other).map_err(field_error)?;
         self.names
@@ -152,8 +150,8 @@ impl Reader {
         let (square, root) = match found {
             Some(root) => (d, root),
             None => {
-                let extension =
-                    extension::adjoin_square_root(&self.field, &d).map_err(ReadErrorKind::Field)?;
+                let extension = extension::adjoin_square_root(&self.field, &d)
+                    .map_err(|e| ReadErrorKind::Field(Box::new(e)))?;
                 let square = extension.embed(&d);
                 let root = self.adopt(extension);
                 self.steps.push((square.clone(), root.clone()));
@@ -242,7 +240,7 @@ fn power(x: &Number, e: u64, column: usize) -> Result<Number, Stop> {
     }
     let half = power(x, e / 2, column)?;
     let square = limited(&half * &half, column)?;
-    if e % 2 == 0 {
+    if e.is_multiple_of(2) {
         Ok(square)
     } else {
         limited(square * x, column)
@@ -254,9 +252,6 @@ fn root(d: Number, column: usize, find: Find) -> Result<Number, Stop> {
         Ordering::Equal => return Ok(Number::zero()),
         Ordering::Less => return Err(stop(column, ReadErrorKind::RootOfNegative(shown(&d)))),
         Ordering::Greater => {}
-    }
-    if bits(&d) > RADICAND_BITS_LIMIT {
-        return Err(stop(column, ReadErrorKind::ValueTooLarge));
     }
     match find(&d) {
         Ok(Some(root)) => Ok(root),
@@ -279,11 +274,11 @@ fn bits(x: &Number) -> u64 {
     x.coefficients().iter().map(size).sum()
 }
 
-/// The number for a message: exact if that is short.
+/// The number for a message: exactly if that is short.
 fn shown(x: &Number) -> String {
-    if bits(x) <= 256 {
-        x.to_string()
-    } else {
-        format!("about {:e}", x.approximate())
+    match (bits(x), x.approximate()) {
+        (..=256, _) => x.to_string(),
+        (_, near) if near.is_finite() => format!("about {near:e}"),
+        (bits, _) => format!("a number of {bits} bits"),
     }
 }

@@ -137,9 +137,9 @@ impl Level {
         &self.root
     }
 
-    /// Lower bounds of 2^bits a^i, i = 0, 1, …
-    pub fn lower_bounds(&self) -> impl Iterator<Item = &Integer> {
-        self.powers.iter().map(|(lo, _)| lo)
+    /// Bounds of 2^bits a^i, i = 0, 1, …
+    pub fn powers(&self) -> &[(Integer, Integer)] {
+        &self.powers
     }
 
     /// Bounds of 2^bits Σ n_i a^i.

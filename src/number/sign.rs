@@ -28,10 +28,11 @@ impl Number {
     pub fn sign(&self) -> Sign {
         match &self.0 {
             Value::Rational(value) => value.sign(),
-            Value::Algebraic(field, f) => match separate(field, f, |_, _| true) {
-                Some(bounds) => bounds.low.sign(),
-                None => Ordering::Equal,
-            },
+            Value::Algebraic(field, f) => field
+                .small()
+                .and_then(|small| small.sign(f))
+                .or_else(|| separate(field, f, |_, _| true).map(|bounds| bounds.low.sign()))
+                .unwrap_or(Ordering::Equal),
         }
     }
 
@@ -66,8 +67,8 @@ impl Number {
             let (low, high) = field.level(level).bounds(&numerators);
             let scale = Rational::from(&denominator) << Level::bits(level);
             if Rational::from(&high - &low) / &scale <= width / Rational::from(2) {
-                let low = (Rational::from(low) / &scale << grid).floor();
-                let high = (Rational::from(high) / &scale << grid).ceiling();
+                let low = ((Rational::from(low) / &scale) << grid).floor();
+                let high = ((Rational::from(high) / &scale) << grid).ceiling();
                 return (Rational::from(low) >> grid, Rational::from(high) >> grid);
             }
             level += 1;

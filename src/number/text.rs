@@ -16,10 +16,9 @@
 //! Letters and digits are those of ASCII. A minus stands at the beginning of a
 //! sum only, so that `--5` and `2*-3` are errors and `-2^2` is -(2^2).
 
-use super::isolation::FieldError;
+use super::error::{ReadError, ReadErrorKind};
 use malachite::base::num::arithmetic::traits::Pow;
 use malachite::{Natural, Rational};
-use std::fmt;
 
 /// The longest text of one number, in characters.
 pub const TEXT_LIMIT: usize = 4096;
@@ -52,90 +51,6 @@ pub enum Expression {
     /// The square root that is not negative.
     Root(Box<Expression>, usize),
 }
-
-/// Why a text is no number, and the column, from 1, where that was seen.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub struct ReadError {
-    /// In characters from 1.
-    pub column: usize,
-    /// What is wrong.
-    pub kind: ReadErrorKind,
-}
-
-/// What can be wrong with a text.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub enum ReadErrorKind {
-    /// Nothing but blanks.
-    Empty,
-    /// More characters than [`TEXT_LIMIT`].
-    TooLong(usize),
-    /// What may stand here, and what does.
-    Unexpected(&'static str, String),
-    /// Nested deeper than [`DEPTH_LIMIT`].
-    TooDeep,
-    /// More digits than [`DIGITS_LIMIT`].
-    TooManyDigits(usize),
-    /// An exponent beyond the limit given.
-    ExponentBeyondLimit(i64),
-    /// A name that no generator has.
-    UnknownName(String),
-    /// This cannot name a generator.
-    NotAName(String),
-    /// Another generator has this name.
-    NameTaken(String),
-    /// The divisor, or the base of a negative power, is 0.
-    DivisionByZero,
-    /// The square root of this negative number.
-    RootOfNegative(String),
-    /// This square root does not lie in the field.
-    RootNotInField(String),
-    /// Whether this square root lies in the field was not found out within the limits.
-    RootUndecided(String),
-    /// A value has more bits than [`super::reader::BITS_LIMIT`].
-    ValueTooLarge,
-    /// There is no such field.
-    Field(FieldError),
-}
-
-impl fmt::Display for ReadError {
-    fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
-        use ReadErrorKind::*;
-        write!(f, "column {}: ", self.column)?;
-        match &self.kind {
-            Empty => write!(f, "expected a number, found nothing"),
-            TooLong(n) => write!(f, "{n} characters are more than the limit of {TEXT_LIMIT}"),
-            Unexpected(expected, found) => write!(f, "expected {expected}, found {found}"),
-            TooDeep => write!(
-                f,
-                "parentheses are nested deeper than the limit of {DEPTH_LIMIT}"
-            ),
-            TooManyDigits(n) => write!(f, "{n} digits are more than the limit of {DIGITS_LIMIT}"),
-            ExponentBeyondLimit(limit) => {
-                write!(f, "the exponent is beyond the limit of {limit}")
-            }
-            UnknownName(name) => write!(f, "no generator is named '{name}'"),
-            NotAName(name) => write!(f, "'{}' cannot name a generator", name.escape_default()),
-            NameTaken(name) => write!(f, "another generator is named '{name}'"),
-            DivisionByZero => write!(f, "division by zero"),
-            RootOfNegative(x) => write!(f, "the square root of the negative number {x}"),
-            RootNotInField(x) => write!(f, "the square root of {x} does not lie in the field"),
-            RootUndecided(x) => write!(
-                f,
-                "whether the square root of {x} lies in the field is beyond the limits of the search"
-            ),
-            ValueTooLarge => {
-                write!(
-                    f,
-                    "a value has more bits than the limit of {}",
-                    super::reader::BITS_LIMIT
-                )
-            }
-            Field(error) => write!(f, "{error}"),
-        }
-    }
-}
-
-impl std::error::Error for ReadError {}
 
 /// The syntax tree of `text`.
 pub fn parse(text: &str) -> Result<Expression, ReadError> {

@@ -14,7 +14,7 @@ use std::cmp::Ordering;
 /// Every dihedral angle is less than Q degrees: cos θ_ij > cos Q°, where
 /// cos θ_ij = -g_i · g_j / (|g_i| |g_j|). With low <= cos Q° <= high it is proved by
 /// cos θ_ij > high and disproved by cos θ_ij <= low.
-pub(super) fn check_angles_below(tiling: &Tiling) -> Result<(), Refusal> {
+pub(super) fn check_dihedral_below(tiling: &Tiling) -> Result<(), Refusal> {
     let Some(angle) = &tiling.angle else {
         return Ok(());
     };

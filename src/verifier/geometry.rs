@@ -29,7 +29,7 @@ pub(super) const CHECKS: &[(&str, Check)] = &[
     ("volume_sum", check_volume_sum),
     ("acute", check_acute),
     ("nonobtuse", check_nonobtuse),
-    ("angles_below", angle::check_angles_below),
+    ("dihedral_below", angle::check_dihedral_below),
     ("delaunay", check_delaunay),
     ("weakly_delaunay", check_weakly_delaunay),
 ];

@@ -17,8 +17,8 @@ pub struct Limits {
     pub degree: usize,
     /// Halvings of the root's interval to prove one sign.
     pub bisections: usize,
-    /// Word multiplications for one product per simplex; see
-    /// [`super::tiling`], where they are counted before any is made.
+    /// Word multiplications for one product per simplex; they are counted
+    /// before any is made.
     pub work: u64,
 }
 
@@ -32,7 +32,7 @@ impl Limits {
         digits: 1_000,
         degree: 32,
         bisections: 512,
-        work: 100_000_000,
+        work: 30_000_000,
     };
 }
 

@@ -11,6 +11,7 @@
 //! | `tiling` | all numbers of the certificate as elements of one ring |
 //! | `mates` | the facets are paired, each pair one facet seen from two sides |
 //! | `geometry`, `angle` | metric, orientation, volume, and the claimed statements |
+//! | `words` | the claim in words |
 //! | `refusal`, `render` | what can be wrong, and the words for it |
 //!
 //! Whatever goes wrong is a [`Refusal`]. There is no panic, no clock, no thread,
@@ -30,6 +31,7 @@ mod ring;
 mod sabotage;
 mod shape;
 mod tiling;
+mod words;
 
 use crate::certificate::{Certificate, Claim};
 use sha2::{Digest, Sha256};

@@ -38,8 +38,8 @@ fn without_any_one_geometric_check_something_false_is_accepted() {
     let refused = files(&["false"]);
     for (name, _) in geometry::CHECKS {
         // That the mates are mutual is not needed: where each facet has some
-        // facet on its other side, N never falls on the way, and a volume sum
-        // of 1 does the rest. It is checked because it makes the proof shorter.
+        // facet on its other side, the covering number N never falls to zero,
+        // and a volume sum of 1 does the rest. It makes the proof shorter.
         if *name == "mates_mutual" {
             continue;
         }

@@ -118,6 +118,11 @@ SQRT3 = algebraic(["-3", "0", "1"], "1", "2")
 # (x^2 - 2)(x^2 - 3), its root sqrt 2: a^2 - 2 is a vector that is not zero, of value zero.
 REDUCIBLE = algebraic(["6", "0", "-5", "0", "1"], "1", "3/2")
 
+# a^3 - 3a + 1 has three real roots: 2 cos 40, 2 cos 80, -2 cos 20 degrees.
+THREE_ROOTS = ["1", "-3", "0", "1"]
+# x^2 - 4, its root 2 at the middle of the interval: halving hits it.
+TWO = algebraic(["-4", "0", "1"], "1", "3")
+
 LATTICE_TRIANGLES = [[[0, 0, 0], [0, 1, 0], [0, 0, 1]], [[0, 1, 0], [0, 1, 1], [0, 0, 1]]]
 
 
@@ -238,6 +243,12 @@ VALID = {
     "plane-square-triangle": square_triangle("nonobtuse", below("181/2"), "weakly Delaunay"),
     "plane-reducible-field": lattice([[["0", "2"], ["0", "1"]], [["0", "1"], ["0", "2"]]],
                                      "acute", "Delaunay", field=REDUCIBLE),
+    "plane-cubic-field": lattice([[["0", "2"], ["0", "1"]], [["0", "1"], ["0", "2"]]],
+                                 "acute", field=algebraic(THREE_ROOTS, "0", "1/2"), a=0.347),
+    "plane-cubic-field-negative-root": lattice([[["0", "-2"], ["0", "-1"]], [["0", "-1"], ["0", "-2"]]],
+                                               "acute", field=algebraic(THREE_ROOTS, "-2", "-3/2"), a=-1.879),
+    "plane-field-with-rational-root": lattice([[["0", "2"], ["0", "1"]], [["0", "1"], ["0", "2"]]],
+                                              "acute", field=TWO, a=2),
     "space-cube-6": kuhn(CUBE, "nonobtuse", "weakly Delaunay"),
     "space-bcc": kuhn(BCC, "nonobtuse", below("181/2"), "Delaunay", "weakly Delaunay"),
     "space-a15": a15("acute", below("7847/100"), "Delaunay"),
@@ -547,11 +558,9 @@ def with_statements(base, *statements):
     return edit(base, STATEMENTS, [TILING, *statements])
 
 
-# a^3 - 3a + 1 has three real roots: 2 cos 40, 2 cos 80, -2 cos 20 degrees.
-THREE_ROOTS = ["1", "-3", "0", "1"]
-
 FALSE = {
     "gram-asymmetric": edit(E, (*GRAM, 0, 1), "0"),
+    "gram-asymmetric--nothing-else-wrong": edit(BARE, (*GRAM, 0, 1), "0"),
     "gram-not-positive--indefinite": lattice([["1", "2"], ["2", "1"]]),
     "gram-not-positive--semidefinite": lattice([["1", "1"], ["1", "1"]]),
     "gram-not-positive--zero": lattice([["0", "0"], ["0", "0"]]),
@@ -559,6 +568,7 @@ FALSE = {
     "gram-not-positive--third-minor": kuhn([["1", "0", "0"], ["0", "1", "1"], ["0", "1", "1"]]),
     "gram-not-positive--semidefinite-over-sqrt-3":
         edit(K, GRAM, [["1", ["0", "1"]], [["0", "1"], "3"]]),
+    "root-signs--no-root-and-none-needed": edit(BARE, FIELD, algebraic(["-3", "0", "1"], "2", "3")),
     "root-signs--no-root": root(["-3", "0", "1"], "2", "3"),
     "root-signs--two-roots": root(["-3", "0", "1"], "-2", "2"),
     "root-signs--double-root": root(["1", "-2", "1"], "0", "2"),
@@ -664,6 +674,8 @@ DECLINED = {
     "sign-undecided--flat":
         edit(edit(reducible(HEXAGONAL), VERTICES, [["0", "0"], ["0", ZERO]]),
              (*SIMPLICES, 0), [[0, 0, 0], [0, 1, 0], [1, 0, 0]]),
+    "sign-undecided--rational-root-hit":
+        lattice([[["-2", "1"], "0"], ["0", "1"]], field=TWO, a=2),
     "sign-undecided--no-bisections--limit-bisections-0": K,
     "angle-undecided": lattice([["8", "1"], ["1", "8"]], below(
         # arccos(1/8) in degrees, to 60 decimals, computed below.

@@ -1,0 +1,149 @@
+//! What can be wrong with a field or with the text of a number, and how it is said.
+
+use super::isolation::{DEGREE_LIMIT, ISOLATION_LIMIT, POLYNOMIAL_BITS_LIMIT};
+use super::reader::BITS_LIMIT;
+use super::text::{DEPTH_LIMIT, DIGITS_LIMIT, TEXT_LIMIT};
+use malachite::Rational;
+use std::fmt;
+
+/// Why there is no such field.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum FieldError {
+    /// The polynomial is zero.
+    ZeroPolynomial,
+    /// The polynomial is a constant, which has no root.
+    ConstantPolynomial,
+    /// The degree is above [`DEGREE_LIMIT`].
+    DegreeBeyondLimit(usize),
+    /// A coefficient or an end of the interval has more than
+    /// [`POLYNOMIAL_BITS_LIMIT`] bits: the number of bits.
+    SizeBeyondLimit(u64),
+    /// The lower end is above the upper end.
+    EmptyInterval(Rational, Rational),
+    /// The polynomial has no root in the interval.
+    NoRoot(Rational, Rational),
+    /// The polynomial has this many different roots in the interval.
+    SeveralRoots(Rational, Rational, usize),
+    /// Other roots are closer than 2^-[`ISOLATION_LIMIT`].
+    RootsTooClose,
+    /// No small combination of two generators generates both.
+    NoGenerator,
+}
+
+impl fmt::Display for FieldError {
+    fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
+        match self {
+            Self::ZeroPolynomial => write!(f, "the polynomial is zero"),
+            Self::ConstantPolynomial => write!(f, "the polynomial is a constant"),
+            Self::DegreeBeyondLimit(degree) => {
+                write!(f, "degree {degree} is beyond the limit of {DEGREE_LIMIT}")
+            }
+            Self::SizeBeyondLimit(bits) => write!(
+                f,
+                "a number of {bits} bits in the polynomial or its interval is beyond the limit of {POLYNOMIAL_BITS_LIMIT}"
+            ),
+            Self::EmptyInterval(lo, hi) => {
+                write!(
+                    f,
+                    "the interval from {lo} to {hi} is empty: its ends are in the wrong order"
+                )
+            }
+            Self::NoRoot(lo, hi) => write!(f, "the polynomial has no root from {lo} to {hi}"),
+            Self::SeveralRoots(lo, hi, count) => {
+                write!(
+                    f,
+                    "the polynomial has {count} roots from {lo} to {hi}, and must have one"
+                )
+            }
+            Self::RootsTooClose => {
+                write!(
+                    f,
+                    "other roots are closer than 2^-{ISOLATION_LIMIT} to the root"
+                )
+            }
+            Self::NoGenerator => write!(f, "no generator of the extended field was found"),
+        }
+    }
+}
+
+impl std::error::Error for FieldError {}
+
+/// Why a text is no number, and the column, from 1, where that was seen.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct ReadError {
+    /// In characters from 1.
+    pub column: usize,
+    /// What is wrong.
+    pub kind: ReadErrorKind,
+}
+
+/// What can be wrong with a text.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum ReadErrorKind {
+    /// Nothing but blanks.
+    Empty,
+    /// More characters than [`TEXT_LIMIT`].
+    TooLong(usize),
+    /// What may stand here, and what does.
+    Unexpected(&'static str, String),
+    /// Nested deeper than [`DEPTH_LIMIT`].
+    TooDeep,
+    /// More digits than [`DIGITS_LIMIT`].
+    TooManyDigits(usize),
+    /// An exponent beyond the limit given.
+    ExponentBeyondLimit(i64),
+    /// A name that no generator has.
+    UnknownName(String),
+    /// This cannot name a generator.
+    NotAName(String),
+    /// Another generator has this name.
+    NameTaken(String),
+    /// The divisor, or the base of a negative power, is 0.
+    DivisionByZero,
+    /// The square root of this negative number.
+    RootOfNegative(String),
+    /// This square root does not lie in the field.
+    RootNotInField(String),
+    /// Whether this square root lies in the field was not found out within the limits.
+    RootUndecided(String),
+    /// A value has more bits than [`BITS_LIMIT`].
+    ValueTooLarge,
+    /// There is no such field.
+    Field(Box<FieldError>),
+}
+
+impl fmt::Display for ReadError {
+    fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
+        use ReadErrorKind::*;
+        write!(f, "column {}: ", self.column)?;
+        match &self.kind {
+            Empty => write!(f, "expected a number, found nothing"),
+            TooLong(n) => write!(f, "{n} characters are more than the limit of {TEXT_LIMIT}"),
+            Unexpected(expected, found) => write!(f, "expected {expected}, found {found}"),
+            TooDeep => write!(
+                f,
+                "parentheses are nested deeper than the limit of {DEPTH_LIMIT}"
+            ),
+            TooManyDigits(n) => write!(f, "{n} digits are more than the limit of {DIGITS_LIMIT}"),
+            ExponentBeyondLimit(limit) => {
+                write!(f, "the exponent is beyond the limit of {limit}")
+            }
+            UnknownName(name) => write!(f, "no generator is named '{name}'"),
+            NotAName(name) => write!(f, "'{}' cannot name a generator", name.escape_default()),
+            NameTaken(name) => write!(f, "another generator is named '{name}'"),
+            DivisionByZero => write!(f, "division by zero"),
+            RootOfNegative(x) => write!(f, "the square root of the negative number {x}"),
+            RootNotInField(x) => write!(f, "the square root of {x} does not lie in the field"),
+            RootUndecided(x) => write!(
+                f,
+                "whether the square root of {x} lies in the field is beyond the limits of the search"
+            ),
+            ValueTooLarge => {
+                write!(f, "a value has more bits than the limit of {}", BITS_LIMIT)
+            }
+            Field(error) => write!(f, "{error}"),
+        }
+    }
+}
+
+impl std::error::Error for ReadError {}
