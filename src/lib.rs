@@ -10,6 +10,8 @@ pub mod certificate;
 #[cfg(feature = "prover")]
 pub mod checker;
 #[cfg(feature = "prover")]
+pub mod classify;
+#[cfg(feature = "prover")]
 pub mod cli;
 #[cfg(feature = "prover")]
 pub mod delaunay;
