@@ -24,7 +24,13 @@ pub mod import;
 #[cfg(feature = "prover")]
 pub mod number;
 #[cfg(feature = "prover")]
+pub mod paper;
+#[cfg(feature = "prover")]
 pub mod quality;
+#[cfg(feature = "prover")]
+pub mod survey;
+#[cfg(feature = "prover")]
+pub mod table;
 #[cfg(feature = "prover")]
 pub mod tiling;
 pub mod verifier;
