@@ -168,7 +168,7 @@ fn negative_orientation_is_reported_with_its_remedy_and_mended() {
          determinant is -1, expected a positive number; the order [0, 0+(0, 1, 0), 0+(0, 1, 1), \
          0+(1, 1, 1)] mends it (--reorient does)"
     );
-    assert_eq!(acutile::checker::reorient(&mut read), [1]);
+    assert_eq!(read.orient(), [1]);
     assert!(prove(&read, &Options::default(), &|_| ()).is_ok());
 }
 

@@ -180,19 +180,6 @@ fn bound_of(statement: &Statement) -> Option<Rational> {
     }
 }
 
-/// Gives every negatively oriented simplex positive orientation by exchanging its
-/// last two corners; returns their indices.
-pub fn reorient<const D: usize>(tiling: &mut Tiling<D>) -> Vec<usize> {
-    let negative: Vec<usize> = (0..tiling.len())
-        .filter(|&index| hypotheses::determinant(tiling, index).sign().is_lt())
-        .collect();
-    for &index in &negative {
-        let end: usize = (index + 1) * (D + 1);
-        tiling.corners.swap(end - 2, end - 1);
-    }
-    negative
-}
-
 /// A corner in words: `3` or `3+(0, 1, -1)`.
 pub fn corner_text<const D: usize>(corner: &Corner<D>, rank: usize) -> String {
     if corner.shift.iter().all(|&s| s == 0) {

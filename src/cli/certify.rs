@@ -20,7 +20,7 @@ use std::path::{Path, PathBuf};
 pub fn run(arguments: &CertifyArguments, output: &mut Output) -> Outcome {
     let mut inputs = arguments.inputs.clone();
     if arguments.all {
-        inputs.extend(catalog::entries().iter().map(|entry| entry.name.to_owned()));
+        inputs.extend(catalog::names().map(str::to_owned));
     }
     let targets = match targets(&inputs, arguments.output.as_deref()) {
         Ok(targets) => targets,
@@ -113,7 +113,7 @@ fn prove(input: &str, arguments: &CertifyArguments, output: &mut Output) -> Answ
         Err(message) => return Answer::Failed(message),
     };
     if arguments.reorient {
-        let mended = with_dimension!(&mut named.tiling, AnyTiling, t => checker::reorient(t));
+        let mended = with_dimension!(&mut named.tiling, AnyTiling, t => t.orient());
         if !mended.is_empty() {
             output.complain(format!("{input}: {} simplices reoriented", mended.len()));
         }

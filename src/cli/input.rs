@@ -22,7 +22,7 @@ pub struct Named {
 /// A message that names the input.
 pub fn tiling(input: &str) -> Result<Named, String> {
     if let Some(entry) = catalog::find(input) {
-        let tiling = entry.build().map_err(|error| format!("{input}: {error}"))?;
+        let tiling = catalog::build(input).map_err(|error| format!("{input}: {error}"))?;
         return Ok(Named {
             name: input.to_owned(),
             description: entry.description.to_owned(),

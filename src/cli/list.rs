@@ -19,6 +19,8 @@ pub fn run(arguments: &ListArguments, output: &mut Output) -> Outcome {
                 "name": entry.name,
                 "description": entry.description,
                 "source": entry.source,
+                "domain": entry.domain,
+                "parameter": entry.parameter.map(|parameter| parameter.name),
             }));
         } else {
             output.line(format!("{:width$}  {}", entry.name, entry.description));

@@ -95,15 +95,16 @@ impl<const D: usize> Reduced<D> {
     }
 
     /// Subtracts multiples of c_j from c_k until |mu_kj| is about 1/2 or less. A
-    /// double gives all but the last 2^-52 of a multiple, so it is soon done.
+    /// double gives all but the last 2^-52 of a multiple, so it is soon done; without
+    /// the margin, 1/2 and -1/2 would follow each other for ever.
     fn shorten(&mut self, k: usize, j: usize) -> Result<(), DelaunayError> {
         loop {
-            let multiple = self.orthogonal()?.mu[k][j].approximate().round();
-            if multiple == 0.0 {
+            let mu = self.orthogonal()?.mu[k][j].approximate();
+            if mu.abs() < 0.51 {
                 return Ok(());
             }
-            // Not a number or out of range fails this comparison.
-            if !(multiple.abs() <= ENTRY_LIMIT as f64) {
+            let multiple = mu.round();
+            if multiple.is_nan() || multiple.abs() > ENTRY_LIMIT as f64 {
                 return Err(DelaunayError::TooSkewed);
             }
             self.subtract(k, j, multiple as i64)?;

@@ -12,6 +12,7 @@
 //! | `floats` | doubles with proved error bounds: filters and spheres |
 //! | `tree` | the points in a ball |
 //! | `predicates` | exact signs behind the filters |
+//! | `seed` | a first cell |
 //! | `wrap` | gift wrapping from cell to cell |
 //! | `polytope` | facets and pulling of cells that are not simplices |
 //! | `certify` | an independent exact check of the result |
@@ -25,10 +26,12 @@ mod lattice;
 mod model;
 mod polytope;
 mod predicates;
+mod seed;
 mod tree;
 mod wrap;
 
 pub use error::{COSPHERICAL_LIMIT, CosphericalSet, DelaunayError};
+pub use predicates::circumcenter;
 
 use crate::geometry::{Scalar, Sign};
 use crate::tiling::{Corner, Frame, PointSet, Tiling, difference};

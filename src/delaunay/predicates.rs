@@ -173,10 +173,6 @@ impl<S: Scalar, const D: usize> Predicates<'_, S, D> {
 
 /// The exact circumcentre of a simplex that is not flat, relative to its first
 /// corner and in the reduced basis, and the square of the radius.
-///
-/// c solves e_k · G c = |e_k|²/2. Since g_j · e_k is d for j = k and else 0,
-/// G c = h/(2d) with h = Σ |e_k|² g_k, and with the adjugate of G
-/// c = adj(G) h / (2 d det G), |c|² = c · G c.
 pub fn exact_center<const D: usize>(
     model: &Model<D>,
     facet: &[Corner<D>; D],
@@ -187,8 +183,25 @@ pub fn exact_center<const D: usize>(
         .chain([apex])
         .map(|c| model.position(c))
         .collect();
-    let simplex = Simplex::new(&corners);
     let gram = &model.lattice.gram;
+    // There is one: the simplex is not flat and the metric is positive definite.
+    let center = circumcenter(gram, &corners).unwrap_or_else(|| corners[0].clone());
+    let center = linear::subtract(&center, &corners[0]);
+    let squared_radius = linear::square(gram, &center);
+    (center, squared_radius)
+}
+
+/// The circumcentre of the simplex with these D + 1 corners, exactly, in the basis with
+/// this Gram matrix; `None` if the simplex is flat or the metric degenerate.
+///
+/// With x measured from corner 0 it solves e_k · G x = |e_k|²/2. Since g_j · e_k is d
+/// for j = k and else 0, G x = h/(2d) with h = Σ |e_k|² g_k; and with the
+/// adjugate of G, x = adj(G) h / (2 d det G).
+pub fn circumcenter<const D: usize>(
+    gram: &[[Number; D]; D],
+    corners: &[[Number; D]],
+) -> Option<[Number; D]> {
+    let simplex = Simplex::new(corners);
     let mut h: [Number; D] = std::array::from_fn(|_| Number::zero());
     for (edge, gradient) in simplex.edges.iter().zip(&simplex.gradients) {
         let square = linear::square(gram, edge);
@@ -197,11 +210,11 @@ pub fn exact_center<const D: usize>(
     let adjugate = linear::cofactors(gram);
     let scale =
         &(&simplex.determinant * &linear::determinant(gram)) * &Number::from(Rational::from(2));
-    // Not zero: the simplex is not flat and the metric is positive definite.
-    let inverse = scale.inverse().unwrap_or_else(Number::zero);
-    let center = linear::apply(&adjugate, &h).map(|x| &x * &inverse);
-    let squared_radius = linear::square(gram, &center);
-    (center, squared_radius)
+    let inverse = scale.inverse()?;
+    let offset = linear::apply(&adjugate, &h);
+    Some(std::array::from_fn(|k| {
+        &corners[0][k] + &(&offset[k] * &inverse)
+    }))
 }
 
 /// Refuses points that differ by a lattice vector: of the corners that the doubles

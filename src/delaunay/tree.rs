@@ -16,12 +16,12 @@ const LEAF: usize = 6;
 #[derive(Clone, Debug)]
 pub struct Tree<const D: usize> {
     /// Bounding boxes; the children of node i are 2 i + 1 and 2 i + 2.
-    boxes: Vec<Box<D>>,
+    boxes: Vec<Extent<D>>,
     len: usize,
 }
 
 #[derive(Clone, Copy, Debug)]
-struct Box<const D: usize> {
+struct Extent<const D: usize> {
     low: [f64; D],
     high: [f64; D],
 }
@@ -45,7 +45,7 @@ fn halve<const D: usize>(order: &mut [u32], fractions: &[[f64; D]], lengths: &[f
     if order.len() <= LEAF {
         return;
     }
-    let hull = Box::around(order.iter().map(|&i| &fractions[i as usize]));
+    let hull = Extent::around(order.iter().map(|&i| &fractions[i as usize]));
     let side = |k: usize| (hull.high[k] - hull.low[k]) * lengths[k];
     let axis = (0..D)
         .max_by(|&a, &b| side(a).total_cmp(&side(b)))
@@ -61,17 +61,15 @@ fn halve<const D: usize>(order: &mut [u32], fractions: &[[f64; D]], lengths: &[f
     halve(right, fractions, lengths);
 }
 
-impl<const D: usize> Box<D> {
+impl<const D: usize> Extent<D> {
     fn around<'a>(points: impl Iterator<Item = &'a [f64; D]>) -> Self {
-        let mut hull = Box {
+        let mut hull = Extent {
             low: [f64::INFINITY; D],
             high: [f64::NEG_INFINITY; D],
         };
         for point in points {
-            for k in 0..D {
-                hull.low[k] = hull.low[k].min(point[k]);
-                hull.high[k] = hull.high[k].max(point[k]);
-            }
+            hull.low = std::array::from_fn(|k| hull.low[k].min(point[k]));
+            hull.high = std::array::from_fn(|k| hull.high[k].max(point[k]));
         }
         hull
     }
@@ -84,7 +82,7 @@ impl<const D: usize> Box<D> {
 /// What a query carries down the tree.
 struct Query<'a, const D: usize> {
     floats: &'a Floats<D>,
-    window: Box<D>,
+    window: Extent<D>,
     origin: Corner<D>,
     shift: [i32; D],
     ball: Ball<D>,
@@ -104,9 +102,9 @@ impl<const D: usize> Tree<D> {
 
     fn build(&mut self, node: usize, range: std::ops::Range<usize>, fractions: &[[f64; D]]) {
         if self.boxes.len() <= node {
-            self.boxes.resize(node + 1, Box::around([].into_iter()));
+            self.boxes.resize(node + 1, Extent::around([].into_iter()));
         }
-        self.boxes[node] = Box::around(fractions[range.clone()].iter());
+        self.boxes[node] = Extent::around(fractions[range.clone()].iter());
         if range.len() > LEAF {
             let middle = range.start + range.len() / 2;
             self.build(2 * node + 1, range.start..middle, fractions);
@@ -129,13 +127,13 @@ impl<const D: usize> Tree<D> {
         let first = window.low.map(f64::floor);
         let last = window.high.map(f64::floor);
         let count: f64 = (0..D).map(|k| last[k] - first[k] + 1.0).product();
-        // Not a number fails this comparison.
-        if !(count <= SHIFTS_LIMIT && first.iter().all(|x| x.abs() < 1e9)) {
+        let is_far = |x: &f64| x.is_nan() || x.abs() > 1e9;
+        if count.is_nan() || count > SHIFTS_LIMIT || first.iter().any(is_far) {
             return Err(DelaunayError::TooElongated);
         }
         let mut shift = first.map(|x| x as i32);
         loop {
-            let moved = Box {
+            let moved = Extent {
                 low: std::array::from_fn(|k| window.low[k] - f64::from(shift[k])),
                 high: std::array::from_fn(|k| window.high[k] - f64::from(shift[k])),
             };
@@ -184,7 +182,7 @@ impl<const D: usize> Query<'_, D> {
 }
 
 /// The box around a ball in fractional coordinates, a little enlarged.
-fn window<const D: usize>(floats: &Floats<D>, origin: &Corner<D>, ball: &Ball<D>) -> Box<D> {
+fn window<const D: usize>(floats: &Floats<D>, origin: &Corner<D>, ball: &Ball<D>) -> Extent<D> {
     let center = floats.to_fractional(&ball.center);
     let base = &floats.fractions[origin.vertex as usize];
     let size = dot(&ball.center, &ball.center).sqrt() + ball.radius;
@@ -192,7 +190,7 @@ fn window<const D: usize>(floats: &Floats<D>, origin: &Corner<D>, ball: &Ball<D>
         std::array::from_fn(|k| floats.dual[k] * (ball.radius + 1e-9 * size) + 1e-9);
     let middle: [f64; D] =
         std::array::from_fn(|k| base[k] + f64::from(origin.shift[k]) + center[k]);
-    Box {
+    Extent {
         low: std::array::from_fn(|k| middle[k] - half[k]),
         high: std::array::from_fn(|k| middle[k] + half[k]),
     }

@@ -3,6 +3,7 @@
 //! Nothing here is checked; [`crate::checker`] does that. Catalogue, importers and
 //! the Delaunay room make tilings, everything downstream reads them.
 
+mod collect;
 mod facets;
 mod frame;
 mod supercell;

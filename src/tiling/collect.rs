@@ -1,0 +1,71 @@
+//! A tiling from simplices that are given by the positions of their corners.
+
+use super::{Corner, Frame, Tiling};
+use crate::number::Number;
+use std::collections::BTreeMap;
+
+impl<const D: usize> Tiling<D> {
+    /// The tiling of these simplices, D + 1 positions each, in basis coordinates.
+    /// Positions that differ by a lattice vector become one vertex, decided exactly;
+    /// it is the one with 0 <= x < 1 in the directions of the lattice. Simplices that
+    /// are negatively oriented get their last two corners exchanged.
+    pub fn from_positions(frame: Frame<D>, simplices: &[Vec<[Number; D]>]) -> Self {
+        let rank = frame.rank();
+        let mut indices: BTreeMap<[Number; D], u32> = BTreeMap::new();
+        let mut tiling = Tiling {
+            frame,
+            vertices: Vec::new(),
+            corners: Vec::new(),
+        };
+        for position in simplices.iter().flatten() {
+            let (vertex, shift) = split(position, rank);
+            let index = *indices
+                .entry(vertex.clone())
+                .or_insert(tiling.vertices.len() as u32);
+            if index as usize == tiling.vertices.len() {
+                tiling.vertices.push(vertex);
+            }
+            tiling.corners.push(Corner {
+                vertex: index,
+                shift,
+            });
+        }
+        tiling.orient();
+        tiling
+    }
+
+    /// Exchanges the last two corners of every negatively oriented simplex; returns
+    /// their indices.
+    pub fn orient(&mut self) -> Vec<usize> {
+        let negative: Vec<usize> = (0..self.len())
+            .filter(|&index| self.shape(index).determinant.sign().is_lt())
+            .collect();
+        for index in &negative {
+            let end = (index + 1) * (D + 1);
+            self.corners.swap(end - 2, end - 1);
+        }
+        negative
+    }
+}
+
+/// A position as a vertex of the cell and a lattice vector.
+fn split<const D: usize>(position: &[Number; D], rank: usize) -> ([Number; D], [i32; D]) {
+    let shift: [i32; D] = std::array::from_fn(|k| if k < rank { floor(&position[k]) } else { 0 });
+    let vertex =
+        std::array::from_fn(|k| &position[k] - &Number::from(malachite::Rational::from(shift[k])));
+    (vertex, shift)
+}
+
+/// The largest integer that is not more than x; a double proposes, exact
+/// comparisons decide.
+fn floor(x: &Number) -> i32 {
+    let integer = |n: i32| Number::from(malachite::Rational::from(n));
+    let mut floor = x.approximate().floor() as i32;
+    while *x < integer(floor) {
+        floor -= 1;
+    }
+    while *x >= integer(floor + 1) {
+        floor += 1;
+    }
+    floor
+}
