@@ -196,7 +196,10 @@ pub fn entries() -> &'static [Entry] {
 
 /// The names of all constructions that need no further word.
 pub fn names() -> impl Iterator<Item = &'static str> {
-    ENTRIES.iter().filter(|entry| !entry.is_family()).map(|entry| entry.name)
+    ENTRIES
+        .iter()
+        .filter(|entry| !entry.is_family())
+        .map(|entry| entry.name)
 }
 
 /// The construction with this name, for `kagome:WORD` the family.

@@ -88,7 +88,11 @@ impl Patch {
 
     /// The triangle on the first edge of the hole has a new vertex.
     fn with_new_vertex(&self, hole: &[usize], valence: usize, found: &mut BTreeSet<Code>) {
-        let count = self.vertices.iter().filter(|v| v.valence == valence).count();
+        let count = self
+            .vertices
+            .iter()
+            .filter(|v| v.valence == valence)
+            .count();
         let limit = if valence == 5 { FIVES } else { self.most_sixes };
         if count == limit {
             return;

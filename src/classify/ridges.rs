@@ -53,7 +53,9 @@ impl<const D: usize> Ridges<D> {
                 index[(simplex * (D + 1) + j) * (D + 1) + i] = list.len();
             }
             let is_boundary = around.iter().any(|&(simplex, (i, j))| {
-                [i, j].iter().any(|&k| matching.mates[simplex * (D + 1) + k].is_none())
+                [i, j]
+                    .iter()
+                    .any(|&k| matching.mates[simplex * (D + 1) + k].is_none())
             });
             list.push(Ridge {
                 corners,
@@ -85,9 +87,9 @@ impl<const D: usize> Ridges<D> {
 
     /// The mean valence of the interior ridges; `None` if there are none.
     pub fn average_valence(&self) -> Option<Rational> {
-        let (sum, count) = self
-            .interior()
-            .fold((0u64, 0u64), |(sum, count), ridge| (sum + ridge.valence() as u64, count + 1));
+        let (sum, count) = self.interior().fold((0u64, 0u64), |(sum, count), ridge| {
+            (sum + ridge.valence() as u64, count + 1)
+        });
         (count > 0).then(|| Rational::from_unsigneds(sum, count))
     }
 }

@@ -63,7 +63,10 @@ fn star(link: &[[Corner<3>; 3]]) -> Star {
         let fresh = number.len();
         number.entry(corner).or_insert(fresh);
     }
-    let triangles: Vec<Triangle> = link.iter().map(|t| t.map(|corner| number[&corner])).collect();
+    let triangles: Vec<Triangle> = link
+        .iter()
+        .map(|t| t.map(|corner| number[&corner]))
+        .collect();
     match code(&triangles) {
         None => Star::Boundary(number.len()),
         Some(code) if frank_kasper::links().contains(&code) => Star::FrankKasper(code.len()),

@@ -159,9 +159,16 @@ fn gluing<const D: usize>(
     let there = tiling.simplex(neighbour);
     let place = |(k, corner): (usize, &crate::tiling::Corner<D>)| match k == opposite {
         true => Some(usize::from(mate.facet.opposite)),
-        false => there.iter().position(|other| other.moved(mate.shift) == *corner),
+        false => there
+            .iter()
+            .position(|other| other.moved(mate.shift) == *corner),
     };
-    let map = tiling.simplex(simplex).iter().enumerate().map(place).collect::<Option<_>>()?;
+    let map = tiling
+        .simplex(simplex)
+        .iter()
+        .enumerate()
+        .map(place)
+        .collect::<Option<_>>()?;
     Some((neighbour, map))
 }
 
@@ -192,7 +199,10 @@ fn minimal<L: Ord + Clone, const D: usize>(labels: Vec<L>, images: &[Vec<u32>]) 
         row.map(|&image| colours[image as usize]).collect()
     };
     Symbol {
-        labels: chambers.iter().map(|&chamber| labels[chamber].clone()).collect(),
+        labels: chambers
+            .iter()
+            .map(|&chamber| labels[chamber].clone())
+            .collect(),
         images: chambers.iter().map(image).collect(),
     }
 }

@@ -11,7 +11,10 @@ pub enum NotTcp {
     /// The domain has a boundary, where valences mean nothing.
     Boundary,
     /// An edge, by its corners, whose valence is neither 5 nor 6.
-    Edge { corners: Vec<Corner<3>>, valence: usize },
+    Edge {
+        corners: Vec<Corner<3>>,
+        valence: usize,
+    },
     /// A triangle, by its corners, with at least two 6-valent edges.
     Triangle { corners: [Corner<3>; 3] },
 }
@@ -21,7 +24,11 @@ pub fn check_tcp(tiling: &Tiling<3>, ridges: &Ridges<3>) -> Result<(), NotTcp> {
     if ridges.list.iter().any(|ridge| ridge.is_boundary) {
         return Err(NotTcp::Boundary);
     }
-    if let Some(edge) = ridges.list.iter().find(|edge| !matches!(edge.valence(), 5 | 6)) {
+    if let Some(edge) = ridges
+        .list
+        .iter()
+        .find(|edge| !matches!(edge.valence(), 5 | 6))
+    {
         return Err(NotTcp::Edge {
             corners: edge.corners.clone(),
             valence: edge.valence(),

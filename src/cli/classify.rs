@@ -81,7 +81,11 @@ fn in_words(name: &str, report: &Value, output: &mut Output) {
         "{name}: {} vertices, {} simplices of {} shapes in a cell",
         report["vertices"], report["simplices"], report["shapes"]
     ));
-    let ridges = if report["dimension"] == 2 { "vertices" } else { "edges" };
+    let ridges = if report["dimension"] == 2 {
+        "vertices"
+    } else {
+        "edges"
+    };
     let valences = pairs(&report["valences"], |valence, count| {
         format!("{count} {ridges} of valence {valence}")
     });
@@ -92,7 +96,9 @@ fn in_words(name: &str, report: &Value, output: &mut Output) {
     if report["dimension"] != 3 {
         return;
     }
-    let types = pairs(&report["vertex_types"], |star, count| format!("{count} {star}"));
+    let types = pairs(&report["vertex_types"], |star, count| {
+        format!("{count} {star}")
+    });
     output.line(format!("vertex types: {types}"));
     output.line(match report["why_not_tcp"].as_str() {
         None => "TCP: yes".to_owned(),
@@ -118,11 +124,8 @@ fn pairs(object: &Value, write: impl Fn(&str, &Value) -> String) -> String {
 /// `51/10 = 5 1/10`
 fn mixed(fraction: &str) -> String {
     match fraction.parse::<Rational>() {
-        Ok(value) if *value.denominator_ref() != 1u32 => {
-            crate::paper::mixed_number(&value).map_or(fraction.to_owned(), |mixed| {
-                format!("{fraction} = {mixed}")
-            })
-        }
+        Ok(value) if *value.denominator_ref() != 1u32 => crate::paper::mixed_number(&value)
+            .map_or(fraction.to_owned(), |mixed| format!("{fraction} = {mixed}")),
         _ => fraction.to_owned(),
     }
 }

@@ -17,7 +17,10 @@ pub fn run(arguments: &PaperArguments, output: &mut Output) -> Outcome {
         rows.iter().for_each(|row| output.line(row));
         output.line(summary(&rows));
     }
-    match rows.iter().any(|row| matches!(row.verdict, Verdict::Undecided)) {
+    match rows
+        .iter()
+        .any(|row| matches!(row.verdict, Verdict::Undecided))
+    {
         true => Outcome::Declined,
         false => Outcome::Done,
     }
@@ -29,6 +32,9 @@ fn summary(rows: &[Row]) -> String {
     for row in rows {
         *counts.entry(row.verdict.word()).or_insert(0) += 1;
     }
-    let words: Vec<String> = counts.iter().map(|(word, n)| format!("{n} {word}")).collect();
+    let words: Vec<String> = counts
+        .iter()
+        .map(|(word, n)| format!("{n} {word}"))
+        .collect();
     format!("{} statements: {}", rows.len(), words.join(", "))
 }

@@ -13,8 +13,9 @@ pub fn run(arguments: &TableArguments, output: &mut Output) -> Outcome {
         true => table::order(&names()),
         false => arguments.inputs.iter().map(String::as_str).collect(),
     };
-    let (entries, _): (Vec<&str>, Vec<&str>) =
-        wanted.iter().partition(|name| catalog::find(name).is_some());
+    let (entries, _): (Vec<&str>, Vec<&str>) = wanted
+        .iter()
+        .partition(|name| catalog::find(name).is_some());
     let survey = Survey::of(&entries);
     let mut outcome = Outcome::Done;
     let mut rows = Vec::new();
@@ -39,7 +40,9 @@ pub fn run(arguments: &TableArguments, output: &mut Output) -> Outcome {
 
 fn row(name: &str, survey: &Survey) -> Result<Row, (String, Outcome)> {
     if catalog::find(name).is_some() {
-        let study = survey.get(name).map_err(|message| (message, Outcome::Refuted))?;
+        let study = survey
+            .get(name)
+            .map_err(|message| (message, Outcome::Refuted))?;
         return Ok(Row::of(name, study));
     }
     let named = input::tiling(name).map_err(|message| (message, Outcome::Failed))?;

@@ -47,7 +47,11 @@ impl Verdict {
 
     /// Confirmed or refuted.
     pub fn of(holds: bool) -> Verdict {
-        if holds { Verdict::Confirmed } else { Verdict::Refuted }
+        if holds {
+            Verdict::Confirmed
+        } else {
+            Verdict::Refuted
+        }
     }
 }
 
@@ -116,7 +120,9 @@ impl fmt::Display for Row {
 
 /// Judges a printed decimal against a figure.
 pub fn judge(printed: &str, figure: &Figure) -> Verdict {
-    let digits = printed.split_once('.').map_or(0, |(_, fraction)| fraction.len()) as u64;
+    let digits = printed
+        .split_once('.')
+        .map_or(0, |(_, fraction)| fraction.len()) as u64;
     // The paper writes .651 for 0.651.
     let printed = match printed.starts_with('.') {
         true => format!("0{printed}"),
@@ -146,7 +152,11 @@ pub fn describe(figure: &Figure, unit: &str) -> String {
     let (low, high) = &figure.bounds;
     let value = match low == high {
         true => format!("{low}{unit}"),
-        false => format!("{} to {}{unit}", rounded_down(low, 9), crate::quality::rounded_up(high, 9)),
+        false => format!(
+            "{} to {}{unit}",
+            rounded_down(low, 9),
+            crate::quality::rounded_up(high, 9)
+        ),
     };
     match &figure.closed_form {
         Some(form) if low != high => format!("{form} = {value}"),

@@ -30,7 +30,11 @@ pub fn angle(signed_square: &Number) -> Option<String> {
     if let Some(degrees) = whole_degrees(signed_square) {
         return Some(degrees_text(&degrees));
     }
-    let sign = if signed_square.sign().is_lt() { "-" } else { "" };
+    let sign = if signed_square.sign().is_lt() {
+        "-"
+    } else {
+        ""
+    };
     let root = root(&signed_square.abs())?;
     Some(format!("arccos({sign}{root})"))
 }
@@ -68,14 +72,12 @@ const KNOWN: [Known; 13] = [
 pub fn whole_degrees(signed_square: &Number) -> Option<Rational> {
     let square = signed_square.abs();
     let is_known = |(_, polynomial, smaller): &&Known| {
-        let value = polynomial
-            .iter()
-            .rev()
-            .fold(Number::zero(), |value, c| value * &square + Number::from(Rational::from(*c)));
+        let value = polynomial.iter().rev().fold(Number::zero(), |value, c| {
+            value * &square + Number::from(Rational::from(*c))
+        });
         // The two roots of a quadratic here add up to 3/4, 1 or 5/4.
         let half_sum = Rational::from_signeds(-polynomial[1], 2 * polynomial[2].max(1));
-        let is_right_root =
-            polynomial[2] == 0 || (square < Number::from(half_sum)) == *smaller;
+        let is_right_root = polynomial[2] == 0 || (square < Number::from(half_sum)) == *smaller;
         is_right_root && value.is_zero()
     };
     let (twice, ..) = KNOWN.iter().find(is_known)?;

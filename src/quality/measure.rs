@@ -40,7 +40,10 @@ impl RadiusEdge {
         let numerator = linear::square(&linear::cofactors(&products), &lengths);
         let denominator = linear::determinant(&products) * Number::from(Rational::from(4));
         let between = |i: usize, j: usize| {
-            linear::square(gram, &linear::subtract(&simplex.edges[i], &simplex.edges[j]))
+            linear::square(
+                gram,
+                &linear::subtract(&simplex.edges[i], &simplex.edges[j]),
+            )
         };
         let others = (0..D).flat_map(|i| (i + 1..D).map(move |j| (i, j)));
         let shortest = lengths

@@ -94,5 +94,8 @@ impl Survey {
 /// The names of the catalogue, without the prefixes of families.
 pub fn names() -> Vec<&'static str> {
     let entries = catalog::entries().iter();
-    entries.map(|entry| entry.name).filter(|name| !name.ends_with(':')).collect()
+    entries
+        .map(|entry| entry.name)
+        .filter(|name| !name.ends_with(':'))
+        .collect()
 }

@@ -32,8 +32,11 @@ pub const PAPER_ROWS: [(&str, &str); 14] = [
 ];
 
 /// The six columns: what is measured, digits behind the point in the paper.
-pub const COLUMNS: [(&str, u64); 3] =
-    [("radius_edge", 3), ("smallest_dihedral", 2), ("largest_dihedral", 2)];
+pub const COLUMNS: [(&str, u64); 3] = [
+    ("radius_edge", 3),
+    ("smallest_dihedral", 2),
+    ("largest_dihedral", 2),
+];
 
 /// The width of the enclosures: with outward rounding to [`DIGITS`] digits the ends
 /// stay within 1e-9.

@@ -47,7 +47,9 @@ const HEADINGS: [&str; 8] = [
 pub fn markdown(rows: &[Row]) -> String {
     let line = |cells: &[String]| format!("| {} |\n", cells.join(" | "));
     let mut text = line(&HEADINGS.map(str::to_owned));
-    text.push_str(&line(&["---", "--:", "--:", "--:", "--:", "--:", "--:", "--:"].map(str::to_owned)));
+    text.push_str(&line(
+        &["---", "--:", "--:", "--:", "--:", "--:", "--:", "--:"].map(str::to_owned),
+    ));
     for row in rows {
         text.push_str(&line(&cells_with_forms(row, |form| form.to_owned())));
     }
@@ -88,7 +90,12 @@ fn latex_form(form: &str) -> String {
 
 /// One line for each row: both ends and the closed form of each figure.
 pub fn csv(rows: &[Row]) -> String {
-    let mut header = vec!["name".to_owned(), "label".into(), "dimension".into(), "simplices".into()];
+    let mut header = vec![
+        "name".to_owned(),
+        "label".into(),
+        "dimension".into(),
+        "simplices".into(),
+    ];
     for (column, _) in COLUMNS {
         for end in ["min", "max"] {
             header.extend(["lo", "hi", "closed"].map(|part| format!("{column}_{end}_{part}")));
@@ -133,7 +140,11 @@ fn json_row(row: &Row) -> Value {
     object.insert("name".into(), json!(row.name));
     object.insert("label".into(), json!(row.label));
     object.insert("dimension".into(), json!(row.dimension));
-    let count = if row.dimension == 2 { "triangles" } else { "tetrahedra" };
+    let count = if row.dimension == 2 {
+        "triangles"
+    } else {
+        "tetrahedra"
+    };
     object.insert(count.into(), json!(row.simplices));
     object.insert("shapes".into(), json!(row.shapes));
     for ((column, _), (min, max)) in COLUMNS.iter().zip(&row.figures) {
@@ -165,7 +176,10 @@ fn cells(row: &Row) -> Vec<String> {
 fn outward(figure: &Figure, digits: u64, rounded: String) -> String {
     let (low, high) = &figure.bounds;
     match rounded_down(low, digits) == rounded_up(high, digits) {
-        true => rounded.trim_end_matches('0').trim_end_matches('.').to_owned(),
+        true => rounded
+            .trim_end_matches('0')
+            .trim_end_matches('.')
+            .to_owned(),
         false => rounded,
     }
 }
@@ -175,7 +189,11 @@ fn cells_with_forms(row: &Row, write: impl Fn(&str) -> String) -> Vec<String> {
     let mut cells = cells(row);
     let figures = row.figures.iter().flat_map(|(min, max)| [min, max]);
     for (cell, figure) in cells[2..].iter_mut().zip(figures) {
-        if let Some(form) = figure.closed_form.as_deref().filter(|_| !figure.is_rational()) {
+        if let Some(form) = figure
+            .closed_form
+            .as_deref()
+            .filter(|_| !figure.is_rational())
+        {
             *cell = format!("{cell} ({})", write(form));
         }
     }
