@@ -10,6 +10,8 @@ pub mod certificate;
 #[cfg(feature = "prover")]
 pub mod checker;
 #[cfg(feature = "prover")]
+pub mod classify;
+#[cfg(feature = "prover")]
 pub mod cli;
 #[cfg(feature = "prover")]
 pub mod delaunay;
@@ -23,7 +25,13 @@ pub mod import;
 #[cfg(feature = "prover")]
 pub mod number;
 #[cfg(feature = "prover")]
+pub mod paper;
+#[cfg(feature = "prover")]
 pub mod quality;
+#[cfg(feature = "prover")]
+pub mod survey;
+#[cfg(feature = "prover")]
+pub mod table;
 #[cfg(feature = "prover")]
 pub mod tiling;
 pub mod verifier;

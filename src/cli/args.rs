@@ -33,6 +33,15 @@ pub enum Command {
     Delaunay(DelaunayArguments),
     /// Write a tiling, or a supercell of it, as a tiling file
     Export(ExportArguments),
+    /// The paper's table, as rigorous enclosures, and rows it does not have
+    Table(TableArguments),
+    /// Every checkable statement of the paper, with a verdict
+    ///
+    /// The exit code is 0 when every statement was settled, misprints included, and 3 when one
+    /// was not.
+    Paper(PaperArguments),
+    /// Valences, vertex types, TCP or why not, and what the tiling is isomorphic to
+    Classify(ClassifyArguments),
     /// Print a completion script for a shell
     Completions(CompletionsArguments),
     /// Print the manual page
@@ -133,6 +142,44 @@ pub struct ExportArguments {
     /// Repeat the cell so many times in each direction of the lattice
     #[arg(long, value_name = "N,N,N", value_delimiter = ',', value_parser = clap::value_parser!(u16).range(1..))]
     pub supercell: Vec<u16>,
+}
+
+#[derive(Debug, Args)]
+pub struct TableArguments {
+    /// Names of the catalogue, or tiling files; without any the whole catalogue, the
+    /// paper's rows first
+    #[arg(value_name = "NAME|FILE")]
+    pub inputs: Vec<String>,
+    /// How to write it
+    #[arg(long, value_enum, default_value = "text")]
+    pub format: TableFormat,
+}
+
+/// How the table is written.
+#[derive(Clone, Copy, Debug, clap::ValueEnum)]
+pub enum TableFormat {
+    Text,
+    Markdown,
+    Latex,
+    Csv,
+    Json,
+}
+
+#[derive(Debug, Args)]
+pub struct PaperArguments {
+    /// An array with one JSON object for each statement
+    #[arg(long)]
+    pub json: bool,
+}
+
+#[derive(Debug, Args)]
+pub struct ClassifyArguments {
+    /// A name of the catalogue, or a tiling file (`-` for standard input)
+    #[arg(value_name = "NAME|FILE")]
+    pub input: String,
+    /// One JSON object
+    #[arg(long)]
+    pub json: bool,
 }
 
 #[derive(Debug, Args)]

@@ -9,14 +9,17 @@
 
 mod args;
 mod certify;
+mod classify;
 mod delaunay;
 mod export;
 mod input;
 mod list;
 mod meta;
 mod output;
+mod paper;
 mod progress;
 mod show;
+mod table;
 mod verify;
 
 use args::{Arguments, Command};
@@ -85,6 +88,9 @@ pub fn main() -> ExitCode {
         Command::Verify(verify) => verify::run(&verify, &mut output),
         Command::Delaunay(delaunay) => delaunay::run(&delaunay, &mut output),
         Command::Export(export) => export::run(&export, &mut output),
+        Command::Table(table) => table::run(&table, &mut output),
+        Command::Paper(paper) => paper::run(&paper, &mut output),
+        Command::Classify(classify) => classify::run(&classify, &mut output),
         Command::Completions(completions) => meta::completions(&completions, &mut output),
         Command::Man => meta::man(&mut output),
     };

@@ -78,7 +78,7 @@ impl Number {
     /// Rational bounds of √x at most `width` apart, for x >= 0.
     ///
     /// √hi - √lo <= √(hi - lo) <= width/2, and the rounding adds width/2.
-    pub(super) fn enclosure_of_root(&self, width: &Rational) -> (Rational, Rational) {
+    pub fn enclosure_of_root(&self, width: &Rational) -> (Rational, Rational) {
         let (lo, hi) = self.enclosure(&(width * width / Rational::from(4)));
         let bits = (2 - width.floor_log_base_2_abs()).max(0).unsigned_abs();
         (

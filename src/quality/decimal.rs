@@ -1,9 +1,10 @@
 //! Exact numbers as short decimals, for people.
 
 use crate::number::Number;
-use malachite::Integer;
-use malachite::Rational;
-use malachite::base::num::arithmetic::traits::{Ceiling, Floor};
+use malachite::base::num::arithmetic::traits::{Ceiling, Floor, Pow};
+use malachite::base::num::conversion::traits::RoundingFrom;
+use malachite::base::rounding_modes::RoundingMode;
+use malachite::{Integer, Rational};
 
 /// The least integer that is not less, kept within the range of i64.
 pub fn ceiling_to_i64(value: &Rational) -> i64 {
@@ -18,9 +19,7 @@ pub fn short_decimal(number: &Number) -> String {
 /// An interval rounded outward to six decimals: `89.999998 to 90.000001`, or one
 /// number where both ends print alike.
 pub fn decimal_range((lower, upper): &(Rational, Rational)) -> String {
-    let million = Rational::from(1_000_000);
-    let low = millionths(&(lower * &million).floor());
-    let high = millionths(&(upper * &million).ceiling());
+    let (low, high) = (rounded_down(lower, 6), rounded_up(upper, 6));
     if low == high {
         low
     } else {
@@ -28,9 +27,39 @@ pub fn decimal_range((lower, upper): &(Rational, Rational)) -> String {
     }
 }
 
-fn millionths(value: &Integer) -> String {
-    let digits = format!("{:07}", value.unsigned_abs_ref());
-    let (whole, fraction) = digits.split_at(digits.len() - 6);
+/// The largest decimal with so many digits behind the point that is at most `value`.
+pub fn rounded_down(value: &Rational, digits: u64) -> String {
+    decimal(&(value * power_of_ten(digits)).floor(), digits)
+}
+
+/// The smallest decimal with so many digits behind the point that is at least `value`.
+pub fn rounded_up(value: &Rational, digits: u64) -> String {
+    decimal(&(value * power_of_ten(digits)).ceiling(), digits)
+}
+
+/// The nearest decimal with so many digits behind the point; of two the larger one
+/// in absolute value.
+pub fn rounded_nearest(value: &Rational, digits: u64) -> String {
+    let doubled = value * power_of_ten(digits) * Rational::from(2);
+    let (half, _) = Integer::rounding_from(
+        (doubled + Rational::from(if *value < 0 { -1 } else { 1 })) / Rational::from(2),
+        RoundingMode::Down,
+    );
+    decimal(&half, digits)
+}
+
+fn power_of_ten(digits: u64) -> Rational {
+    Rational::from(10).pow(digits)
+}
+
+/// value / 10^digits
+fn decimal(value: &Integer, digits: u64) -> String {
+    let width = digits as usize + 1;
+    let text = format!("{:0width$}", value.unsigned_abs_ref());
+    let (whole, fraction) = text.split_at(text.len() - digits as usize);
     let sign = if *value < 0 { "-" } else { "" };
-    format!("{sign}{whole}.{fraction}")
+    match digits {
+        0 => format!("{sign}{whole}"),
+        _ => format!("{sign}{whole}.{fraction}"),
+    }
 }

@@ -1,12 +1,20 @@
-//! Rigorous enclosures of angles, for messages and tables.
+//! Rigorous measures of simplices: radius-edge ratios and dihedral angles, held
+//! exactly and enclosed as tightly as asked, and congruence classes.
 //!
 //! No number here decides a proof: a bound that is found here is checked exactly
 //! by [`crate::checker`] and by the verifier.
 
 mod angle;
+mod closed_form;
 mod decimal;
+mod measure;
+mod ranges;
 mod shape;
 
 pub use angle::{dihedral_degrees, display_width, largest_angles, least_bounds};
-pub use decimal::{ceiling_to_i64, decimal_range, short_decimal};
+pub use decimal::{
+    ceiling_to_i64, decimal_range, rounded_down, rounded_nearest, rounded_up, short_decimal,
+};
+pub use measure::{DihedralAngle, Exact, RadiusEdge};
+pub use ranges::{Measures, Range, Ranges, measures, measures_of_shapes, ranges};
 pub use shape::{Shape, shapes, squared_edges};

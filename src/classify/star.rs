@@ -1,0 +1,75 @@
+//! The types of the vertices of a tiling of space by their links.
+
+use super::frank_kasper;
+use super::sphere::{Triangle, code};
+use crate::tiling::{Corner, Tiling, difference};
+use std::collections::BTreeMap;
+use std::fmt;
+
+/// What a vertex looks like.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub enum Star {
+    /// One of the stars of TCP triangulations, with this many neighbours: 12, 14, 15 or
+    /// 16. (The link is that very sphere, not only one with as many vertices.)
+    FrankKasper(usize),
+    /// Another star with this many neighbours.
+    Other(usize),
+    /// A vertex in the boundary of the domain, with this many neighbours.
+    Boundary(usize),
+}
+
+impl fmt::Display for Star {
+    fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
+        match self {
+            Star::FrankKasper(n) => write!(f, "Z{n}"),
+            Star::Other(n) => write!(f, "{n} neighbours"),
+            Star::Boundary(n) => write!(f, "boundary, {n} neighbours"),
+        }
+    }
+}
+
+/// The star of every vertex.
+pub fn stars(tiling: &Tiling<3>) -> Vec<Star> {
+    let mut links: Vec<Vec<[Corner<3>; 3]>> = vec![Vec::new(); tiling.vertices.len()];
+    for corners in tiling.simplices() {
+        for (apex, corner) in corners.iter().enumerate() {
+            links[corner.vertex as usize].push(link_triangle(corners, apex));
+        }
+    }
+    links.iter().map(|link| star(link)).collect()
+}
+
+/// The facet opposite to a corner, moved with that corner to shift zero. In a positively
+/// oriented tetrahedron it is seen in the positive sense from corner k if its corners
+/// are taken in order for odd k, and with two exchanged for even k; only that this
+/// is the same sense for all tetrahedra matters.
+fn link_triangle(corners: &[Corner<3>], apex: usize) -> [Corner<3>; 3] {
+    let mut triangle = std::array::from_fn(|k| {
+        let corner = corners[k + usize::from(k >= apex)];
+        Corner {
+            vertex: corner.vertex,
+            shift: difference(corner.shift, corners[apex].shift),
+        }
+    });
+    if apex % 2 == 1 {
+        triangle.swap(1, 2);
+    }
+    triangle
+}
+
+fn star(link: &[[Corner<3>; 3]]) -> Star {
+    let mut number = BTreeMap::new();
+    for &corner in link.iter().flatten() {
+        let fresh = number.len();
+        number.entry(corner).or_insert(fresh);
+    }
+    let triangles: Vec<Triangle> = link
+        .iter()
+        .map(|t| t.map(|corner| number[&corner]))
+        .collect();
+    match code(&triangles) {
+        None => Star::Boundary(number.len()),
+        Some(code) if frank_kasper::links().contains(&code) => Star::FrankKasper(code.len()),
+        Some(code) => Star::Other(code.len()),
+    }
+}

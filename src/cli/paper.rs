@@ -1,0 +1,40 @@
+//! `acutile paper`: every checkable statement of the paper with its verdict.
+
+use super::Outcome;
+use super::args::PaperArguments;
+use super::output::Output;
+use crate::paper::{self, Row, Verdict};
+use crate::survey::Survey;
+
+/// Prints a row for each statement. Done when every statement was settled, whether it stands or
+/// not; declined when one was not.
+pub fn run(arguments: &PaperArguments, output: &mut Output) -> Outcome {
+    let rows = paper::rows(&Survey::of_catalog());
+    if arguments.json {
+        let rows: Vec<_> = rows.iter().map(Row::to_json).collect();
+        output.line(serde_json::Value::Array(rows));
+    } else {
+        rows.iter().for_each(|row| output.line(row));
+        output.line(summary(&rows));
+    }
+    match rows
+        .iter()
+        .any(|row| matches!(row.verdict, Verdict::Undecided))
+    {
+        true => Outcome::Declined,
+        false => Outcome::Done,
+    }
+}
+
+/// How many rows have each verdict.
+fn summary(rows: &[Row]) -> String {
+    let mut counts = std::collections::BTreeMap::new();
+    for row in rows {
+        *counts.entry(row.verdict.word()).or_insert(0) += 1;
+    }
+    let words: Vec<String> = counts
+        .iter()
+        .map(|(word, n)| format!("{n} {word}"))
+        .collect();
+    format!("{} statements: {}", rows.len(), words.join(", "))
+}

@@ -1,0 +1,53 @@
+//! `acutile table`: the paper's Table 1, rigorously, for its rows and all others.
+
+use super::args::{TableArguments, TableFormat};
+use super::output::Output;
+use super::{Outcome, input};
+use crate::catalog;
+use crate::survey::{AnyStudy, Survey, names};
+use crate::table::{self, Row};
+
+/// Prints the table. A construction without a row is named on standard error.
+pub fn run(arguments: &TableArguments, output: &mut Output) -> Outcome {
+    let wanted: Vec<&str> = match arguments.inputs.is_empty() {
+        true => table::order(&names()),
+        false => arguments.inputs.iter().map(String::as_str).collect(),
+    };
+    let (entries, _): (Vec<&str>, Vec<&str>) = wanted
+        .iter()
+        .partition(|name| catalog::find(name).is_some());
+    let survey = Survey::of(&entries);
+    let mut outcome = Outcome::Done;
+    let mut rows = Vec::new();
+    for name in wanted {
+        match row(name, &survey) {
+            Ok(row) => rows.push(row),
+            Err((message, failure)) => {
+                output.complain(format!("acutile: {message}"));
+                outcome = outcome.and(failure);
+            }
+        }
+    }
+    match arguments.format {
+        TableFormat::Json => output.line(table::json(&rows)),
+        TableFormat::Text => output.write(table::text(&rows).as_bytes()),
+        TableFormat::Markdown => output.write(table::markdown(&rows).as_bytes()),
+        TableFormat::Latex => output.write(table::latex(&rows).as_bytes()),
+        TableFormat::Csv => output.write(table::csv(&rows).as_bytes()),
+    }
+    outcome
+}
+
+fn row(name: &str, survey: &Survey) -> Result<Row, (String, Outcome)> {
+    if catalog::find(name).is_some() {
+        let study = survey
+            .get(name)
+            .map_err(|message| (message, Outcome::Refuted))?;
+        return Ok(Row::of(name, study));
+    }
+    let named = input::tiling(name).map_err(|message| (message, Outcome::Failed))?;
+    match AnyStudy::of(named.tiling) {
+        Ok(study) => Ok(Row::of(name, &study)),
+        Err(message) => Err((format!("{name}: {message}"), Outcome::Refuted)),
+    }
+}
