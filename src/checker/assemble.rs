@@ -1,9 +1,9 @@
 //! Writes a proved tiling as a certificate.
 
+use super::domain::Boundary;
 use crate::certificate::{
     self, Certificate, Claim, Domain, FORMAT, Number, Place, Polytope, Statement, VERSION, Witness,
 };
-use super::domain::Boundary;
 use crate::number;
 use crate::tiling::{self, Corner, Facet, Matching, Mate, Tiling};
 
@@ -51,7 +51,11 @@ fn domain(domain: &tiling::Domain) -> Domain {
 
 fn polytope_data(polytope: &tiling::Polytope) -> Polytope {
     Polytope {
-        vertices: polytope.vertices.iter().map(|vertex| numbers(vertex)).collect(),
+        vertices: polytope
+            .vertices
+            .iter()
+            .map(|vertex| numbers(vertex))
+            .collect(),
         faces: polytope.faces.clone(),
     }
 }
@@ -75,12 +79,27 @@ fn mates<const D: usize>(
     let row_of = |simplex: usize, opposite: usize, mate: &Option<Mate<D>>| match mate {
         Some(mate) => mate_row(mate, rank),
         None => {
-            let facet = Facet { simplex: simplex as u32, opposite: opposite as u8 };
-            certificate::Mate(boundary.get(&facet).iter().map(|face| **face as i64).collect())
+            let facet = Facet {
+                simplex: simplex as u32,
+                opposite: opposite as u8,
+            };
+            certificate::Mate(
+                boundary
+                    .get(&facet)
+                    .iter()
+                    .map(|face| **face as i64)
+                    .collect(),
+            )
         }
     };
     let rows = matching.mates.chunks_exact(D + 1).enumerate();
-    rows.map(|(s, mates)| (0..).zip(mates).map(|(i, mate)| row_of(s, i, mate)).collect()).collect()
+    rows.map(|(s, mates)| {
+        (0..)
+            .zip(mates)
+            .map(|(i, mate)| row_of(s, i, mate))
+            .collect()
+    })
+    .collect()
 }
 
 fn mate_row<const D: usize>(mate: &Mate<D>, rank: usize) -> certificate::Mate {

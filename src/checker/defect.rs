@@ -1,6 +1,7 @@
 //! What can be wrong with a tiling: one variant per way, with the exact values.
 //! [`super::render`] puts them into words.
 
+use crate::classify::NotTcp;
 use crate::number::Number;
 use crate::tiling::Facet;
 use malachite::Rational;
@@ -37,13 +38,21 @@ pub enum Defect {
     FaceWithoutPlane { face: usize },
     /// A vertex of the domain is not where the plane of a face wants it: `value` is
     /// zero in the plane and positive on the inner side.
-    FaceNotSupporting { face: usize, vertex: usize, value: Number },
+    FaceNotSupporting {
+        face: usize,
+        vertex: usize,
+        value: Number,
+    },
     /// The corners of a face of the domain are not in the order of a convex polygon.
     FaceNotConvex { face: usize },
     /// A ridge of the domain's boundary lies in another number of faces than two.
     RidgeNotShared { ridge: Vec<usize>, faces: usize },
     /// A vertex lies outside of the domain, behind this face.
-    VertexOutside { vertex: usize, face: usize, value: Number },
+    VertexOutside {
+        vertex: usize,
+        face: usize,
+        value: Number,
+    },
     /// A vertex is a corner of no simplex.
     UnusedVertex { vertex: usize },
     /// A dihedral angle is a right angle where all must be acute.
@@ -56,7 +65,13 @@ pub enum Defect {
     AngleNotAbove { angle: Angle, bound: Rational },
     /// The squared circumradius of a simplex over the square of its shortest edge is
     /// `squared_ratio`, not less than the square of the bound.
-    RatioNotBelow { simplex: usize, squared_ratio: Number, bound: Rational },
+    RatioNotBelow {
+        simplex: usize,
+        squared_ratio: Number,
+        bound: Rational,
+    },
+    /// The tiling is not tetrahedrally close packed.
+    NotTcp { reason: NotTcp },
     /// The corner of the neighbour behind a facet lies on the circumsphere; the
     /// power is zero.
     OnCircumsphere { facet: Facet, neighbour: usize },
@@ -107,6 +122,7 @@ impl Defect {
             Defect::AngleNotBelow { .. } => "angle-not-below",
             Defect::AngleNotAbove { .. } => "angle-not-above",
             Defect::RatioNotBelow { .. } => "ratio-not-below",
+            Defect::NotTcp { .. } => "not-tcp",
             Defect::OnCircumsphere { .. } => "on-circumsphere",
             Defect::InsideCircumsphere { .. } => "inside-circumsphere",
         }

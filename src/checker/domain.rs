@@ -8,7 +8,7 @@
 //! intersection of their half-spaces (docs/soundness.md, section on domains).
 
 use super::defect::{Defect, Findings};
-use crate::geometry::{Scalar, Sign};
+use crate::geometry::Sign;
 use crate::number::Number;
 use crate::tiling::{Facet, Matching, Plane, Polytope, Tiling};
 use std::collections::BTreeMap;
@@ -19,7 +19,9 @@ pub type Boundary = BTreeMap<Facet, usize>;
 /// Hypothesis D. The faces are the facets of a convex polytope. Gives their planes,
 /// none for all of space.
 pub fn check_domain<const D: usize>(tiling: &Tiling<D>, findings: &mut Findings) -> Vec<Plane> {
-    let Some(polytope) = tiling.frame.domain.polytope() else { return Vec::new() };
+    let Some(polytope) = tiling.frame.domain.polytope() else {
+        return Vec::new();
+    };
     check_ridges(polytope, findings);
     let mut planes = Vec::with_capacity(polytope.faces.len());
     for face in 0..polytope.faces.len() {
@@ -43,7 +45,11 @@ fn check_supporting(polytope: &Polytope, face: usize, plane: &Plane, findings: &
             false => Sign::Greater,
         };
         if value.sign() != expected {
-            findings.add(Defect::FaceNotSupporting { face, vertex, value });
+            findings.add(Defect::FaceNotSupporting {
+                face,
+                vertex,
+                value,
+            });
         }
     }
     if polytope.dimension() == 3 && !is_convex_cycle(polytope, face) {
@@ -71,9 +77,8 @@ fn is_convex_cycle(polytope: &Polytope, face: usize) -> bool {
 
 fn side(polytope: &Polytope, p: usize, q: usize, t: usize, apex: usize) -> Sign {
     let base = &polytope.vertices[p];
-    let row = |v: usize| -> [Number; 3] {
-        std::array::from_fn(|k| &polytope.vertices[v][k] - &base[k])
-    };
+    let row =
+        |v: usize| -> [Number; 3] { std::array::from_fn(|k| &polytope.vertices[v][k] - &base[k]) };
     crate::geometry::linear::determinant(&[row(q), row(t), row(apex)]).sign()
 }
 
@@ -88,7 +93,10 @@ fn check_ridges(polytope: &Polytope, findings: &mut Findings) {
     }
     for (ridge, count) in uses {
         if count != 2 {
-            findings.add(Defect::RidgeNotShared { ridge, faces: count });
+            findings.add(Defect::RidgeNotShared {
+                ridge,
+                faces: count,
+            });
         }
     }
 }
@@ -120,7 +128,11 @@ pub fn check_inside<const D: usize>(
             match value.sign() {
                 Sign::Greater => {}
                 Sign::Equal => faces[vertex].push(face),
-                Sign::Less => findings.add(Defect::VertexOutside { vertex, face, value }),
+                Sign::Less => findings.add(Defect::VertexOutside {
+                    vertex,
+                    face,
+                    value,
+                }),
             }
         }
     }
@@ -163,5 +175,8 @@ fn face_of<const D: usize>(
         .map(|(_, corner)| &faces_of_vertices[corner.vertex as usize]);
     let first = faces.next()?;
     let others: Vec<&Vec<usize>> = faces.collect();
-    first.iter().copied().find(|face| others.iter().all(|list| list.contains(face)))
+    first
+        .iter()
+        .copied()
+        .find(|face| others.iter().all(|list| list.contains(face)))
 }

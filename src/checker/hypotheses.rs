@@ -89,9 +89,12 @@ pub fn determinant<const D: usize>(tiling: &Tiling<D>, simplex: usize) -> Number
 /// the domain, a point for all of space.
 pub fn check_volume<S: Scalar, const D: usize>(model: &Model<S, D>, findings: &mut Findings) {
     let zero = model.unit.integer(0);
-    let scaled = (0..model.tiling.len())
-        .fold(zero, |sum, index| sum.plus(&model.simplex(index).determinant));
-    let cell = (0..D).fold(model.unit.integer(factorial(D)), |cell, _| cell.times(&model.unit));
+    let scaled = (0..model.tiling.len()).fold(zero, |sum, index| {
+        sum.plus(&model.simplex(index).determinant)
+    });
+    let cell = (0..D).fold(model.unit.integer(factorial(D)), |cell, _| {
+        cell.times(&model.unit)
+    });
     let sum = quotient(&(model.to_number)(&scaled), &(model.to_number)(&cell));
     let expected = match model.tiling.frame.domain.polytope() {
         None => Number::from(Rational::from(1)),

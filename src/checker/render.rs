@@ -1,7 +1,6 @@
 //! Defects in words: which simplex, facet or vertex, what was expected, and the
 //! exact value that was found, with a short decimal beside it.
 
-use super::corner_text;
 use super::defect::{Angle, Defect};
 use crate::number::Number;
 use crate::quality::{decimal_range, short_decimal};
@@ -66,7 +65,11 @@ pub fn describe<const D: usize>(tiling: &Tiling<D>, defect: &Defect) -> String {
             "face {face} of the domain: its first vertices lie in no single plane, or the whole \
              domain lies in it"
         ),
-        Defect::FaceNotSupporting { face, vertex, value } => format!(
+        Defect::FaceNotSupporting {
+            face,
+            vertex,
+            value,
+        } => format!(
             "face {face} of the domain: vertex {vertex} of the domain has the value {} on its \
              plane, expected zero for its own vertices and a positive number for all others",
             exact(value)
@@ -78,7 +81,11 @@ pub fn describe<const D: usize>(tiling: &Tiling<D>, defect: &Defect) -> String {
             "the domain's boundary does not close up: the ridge {ridge:?} lies in {faces} faces, \
              expected 2"
         ),
-        Defect::VertexOutside { vertex, face, value } => format!(
+        Defect::VertexOutside {
+            vertex,
+            face,
+            value,
+        } => format!(
             "vertex {vertex} lies outside of the domain, behind face {face}: its value there is \
              {}, expected zero or a positive number",
             exact(value)
@@ -109,12 +116,17 @@ pub fn describe<const D: usize>(tiling: &Tiling<D>, defect: &Defect) -> String {
             angle_name(tiling, angle),
             decimal_range(&angle.degrees)
         ),
-        Defect::RatioNotBelow { simplex, squared_ratio, bound } => format!(
+        Defect::RatioNotBelow {
+            simplex,
+            squared_ratio,
+            bound,
+        } => format!(
             "simplex {simplex} {}: the square of its radius-edge ratio is {}, expected less than \
              the square of {bound}",
             corners(tiling, *simplex),
             exact(squared_ratio)
         ),
+        Defect::NotTcp { reason } => format!("not tetrahedrally close packed: {reason}"),
         Defect::OnCircumsphere { facet, neighbour } => format!(
             "the corner of simplex {neighbour} behind {} lies on the circumsphere, expected \
              outside",
@@ -144,7 +156,7 @@ fn exact(number: &Number) -> String {
 }
 
 fn corner<const D: usize>(tiling: &Tiling<D>, simplex: usize, index: usize) -> String {
-    corner_text(&tiling.simplex(simplex)[index], tiling.frame.rank())
+    tiling.simplex(simplex)[index].to_string()
 }
 
 fn corners<const D: usize>(tiling: &Tiling<D>, simplex: usize) -> String {

@@ -55,15 +55,18 @@ pub struct Frame<const D: usize> {
 impl<const D: usize> Frame<D> {
     /// The frame of all of space for a Gram matrix.
     pub fn space(field: Field, gram: [[Number; D]; D]) -> Self {
-        Frame { field, gram, domain: Domain::Space }
+        Frame {
+            field,
+            gram,
+            domain: Domain::Space,
+        }
     }
 
     /// The cubic frame Z^D with lattice constant 1 over the rationals.
     pub fn cubic() -> Self {
         let field = Field::rationals();
-        let gram = std::array::from_fn(|i| {
-            std::array::from_fn(|j| field.integer(i64::from(i == j)))
-        });
+        let gram =
+            std::array::from_fn(|i| std::array::from_fn(|j| field.integer(i64::from(i == j))));
         Frame::space(field, gram)
     }
 

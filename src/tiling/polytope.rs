@@ -25,13 +25,19 @@ pub struct Plane {
 impl Polytope {
     /// The interval from `lower` to `upper`.
     pub fn interval(lower: Number, upper: Number) -> Self {
-        Polytope { vertices: vec![vec![lower], vec![upper]], faces: vec![vec![0], vec![1]] }
+        Polytope {
+            vertices: vec![vec![lower], vec![upper]],
+            faces: vec![vec![0], vec![1]],
+        }
     }
 
     /// The polygon with these corners in cyclic order.
     pub fn polygon(vertices: Vec<Vec<Number>>) -> Self {
         let n = vertices.len();
-        Polytope { vertices, faces: (0..n).map(|i| vec![i, (i + 1) % n]).collect() }
+        Polytope {
+            vertices,
+            faces: (0..n).map(|i| vec![i, (i + 1) % n]).collect(),
+        }
     }
 
     /// The dimension k.
@@ -43,13 +49,23 @@ impl Polytope {
     /// first vertex off the plane is on the positive side; `None` where these k
     /// vertices, or all vertices, lie in no plane or in one.
     pub fn plane(&self, face: usize) -> Option<Plane> {
-        let points: Vec<&[Number]> =
-            self.faces[face].iter().map(|&v| self.vertices[v].as_slice()).collect();
+        let points: Vec<&[Number]> = self.faces[face]
+            .iter()
+            .map(|&v| self.vertices[v].as_slice())
+            .collect();
         let normal = normal(&points, self.dimension())?;
         let offset = dot(&normal, points[0]);
         let plane = Plane { normal, offset };
-        let side = self.vertices.iter().map(|v| plane.value(v).sign()).find(|s| s.is_ne())?;
-        Some(if side == Sign::Greater { plane } else { plane.turned() })
+        let side = self
+            .vertices
+            .iter()
+            .map(|v| plane.value(v).sign())
+            .find(|s| s.is_ne())?;
+        Some(if side == Sign::Greater {
+            plane
+        } else {
+            plane.turned()
+        })
     }
 
     /// k! times the volume, if this is a convex polytope: the cones over its faces from
@@ -101,7 +117,10 @@ fn normal(points: &[&[Number]], dimension: usize) -> Option<Vec<Number>> {
             let edge = difference(points[1], points[0]);
             vec![&Number::zero() - &edge[1], edge[0].clone()]
         }
-        _ => cross(&difference(points[1], points[0]), &difference(points[2], points[0])),
+        _ => cross(
+            &difference(points[1], points[0]),
+            &difference(points[2], points[0]),
+        ),
     };
     normal.iter().any(|x| !x.is_zero()).then_some(normal)
 }
@@ -124,7 +143,9 @@ fn determinant(rows: &[Vec<Number>]) -> Number {
 }
 
 fn dot(a: &[Number], b: &[Number]) -> Number {
-    a.iter().zip(b).fold(Number::zero(), |sum, (x, y)| &sum + &(x * y))
+    a.iter()
+        .zip(b)
+        .fold(Number::zero(), |sum, (x, y)| &sum + &(x * y))
 }
 
 fn difference(a: &[Number], b: &[Number]) -> Vec<Number> {
