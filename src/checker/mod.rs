@@ -117,6 +117,8 @@ fn check_statement<S: Scalar, const D: usize>(
             let bound = Rational::from_str(bound).unwrap_or(Rational::from(0));
             check_dihedral_below(model, &bound, findings);
         }
+        // Placeholder: the prover neither states nor checks these yet, only the kernel does.
+        Statement::DihedralAbove(_) | Statement::RadiusEdgeBelow(_) | Statement::Tcp => {}
         Statement::Delaunay => check_delaunay(model, matching, false, findings),
         Statement::WeaklyDelaunay => check_delaunay(model, matching, true, findings),
     }
