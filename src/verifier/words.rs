@@ -43,25 +43,23 @@ fn write_domain(f: &mut Formatter, claim: &Claim) -> Result {
         (Domain::Solid(polytope), _) => ("polyhedron", polytope),
     };
     let first = claim.domain.rank(claim.dimension) + 1;
-    let coordinates = (first..=claim.dimension).map(|i| format!("x_{i}"));
+    let coordinates = join((first..=claim.dimension).map(|i| format!("x_{i}")));
+    let hull = join(polytope.vertices.iter().map(|vertex| Row(vertex)));
     write!(
         f,
-        "the {name} of the points whose coordinates ({}) lie in the convex hull of {}",
-        join(coordinates),
-        join(polytope.vertices.iter().map(|vertex| Row(vertex)))
+        "the {name} of the points whose coordinates [{coordinates}] lie in the convex hull of {hull}"
     )
 }
 
 fn write_lattice(f: &mut Formatter, claim: &Claim) -> Result {
-    let rank = claim.domain.rank(claim.dimension);
-    match (&claim.domain, rank) {
-        (_, 0) => write!(f, ", in the basis with")?,
-        (Domain::Space, _) => write!(f, " and their translates under the lattice whose basis has")?,
-        _ => write!(
-            f,
-            " and their translates under the lattice of the first {rank} vectors of the basis with"
-        )?,
-    }
+    f.write_str(match (&claim.domain, claim.domain.rank(claim.dimension)) {
+        (Domain::Space, _) => " and their translates under the lattice whose basis has",
+        (_, 0) => ", in the basis with",
+        (_, 1) => {
+            " and their translates by the integer multiples of the first vector of the basis with"
+        }
+        _ => " and their translates under the lattice of the first two vectors of the basis with",
+    })?;
     write!(f, " the Gram matrix {}", Matrix(&claim.gram))
 }
 
