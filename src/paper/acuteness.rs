@@ -10,7 +10,7 @@ use super::random::{SAMPLES, tetrahedra};
 use super::row::Row;
 use crate::geometry::{NormalProducts, Simplex, linear};
 use crate::number::Number;
-use crate::quality::RadiusEdge;
+use crate::quality::{DihedralAngle, Exact, RadiusEdge, decimal_range, display_width};
 use malachite::{Integer, Rational};
 
 /// The rows of section 3 up to 3.1.
@@ -72,6 +72,22 @@ pub fn rows() -> Vec<Row> {
         .found(Ok(sliver())),
         row(
             "3.1",
+            "obtuse-projections",
+            "figure (b): if the dihedral angle at ab is obtuse, both c and d project outside of their \
+             opposite triangles",
+            "figure caption",
+        )
+        .found(Ok(obtuse_projections())),
+        row(
+            "3.1",
+            "facet-angle-against-dihedral",
+            "figure (d) and the proof of lemma 2: if d projects inside the triangle abc, then the face angle \
+             bac is smaller than the dihedral angle on ad",
+            "cos d' < cos bac",
+        )
+        .found(Ok(facet_angle_against_dihedral())),
+        row(
+            "3.1",
             "dual-cosine-law",
             "the spherical law of cosines for dihedral angles",
             "cos d' = -cos b' cos c' + sin b' sin c' cos bac",
@@ -128,7 +144,7 @@ fn projection_identity() -> (bool, String) {
     let is_identity = is_zero(&degrees, difference);
     let agrees = tetrahedra().all(|t| {
         let [x, c, d] = [1, 2, 3].map(|k| minus(t[k], t[0]));
-        *program(&t).get(2, 3) == Integer::from(-dot(cross(x, c), cross(x, d)))
+        *program(&t).get(2, 3) == -dot(cross(x, c), cross(x, d))
     });
     let proved = format!(
         "identity (c·d)|x|² - (c·x)(d·x) = (x×c)·(x×d); the program's product is its \
@@ -218,6 +234,79 @@ fn acute_facets() -> (bool, String) {
          products; holds for the acute ones of {SAMPLES} random tetrahedra"
     );
     (identity && holds, proved)
+}
+
+/// The foot's coordinates of d at c and of c at d have the sign of -<g_c, g_d> by the identity of
+/// lemma 2.
+fn obtuse_projections() -> (bool, String) {
+    let mut count = 0;
+    let holds = tetrahedra().filter(|t| *program(t).get(2, 3) > 0).all(|t| {
+        count += 1;
+        !projects_inside(&t, 2) && !projects_inside(&t, 3)
+    });
+    let proved =
+        format!("follows from the identity of lemma 2; {count} such random tetrahedra agree");
+    (holds && count > 0, proved)
+}
+
+/// cos d' = -cos b' cos c' + sin b' sin c' cos bac is less than cos bac where the latter is positive. Where
+/// it is negative, which is the case that the proof of lemma 2 is about, sin b' sin c' < 1 brings
+/// the product closer to zero, and a flat triangle decides.
+fn facet_angle_against_dihedral() -> (bool, String) {
+    let flat = [[0, 0, 0], [-200, -20, 0], [200, -20, 0], [-100, -11, 6]];
+    let is_counterexample = |t: &[Vector; 4]| {
+        let facet = facet_angle(t);
+        projects_inside(t, 3) && dihedral_angle(t) < facet
+    };
+    let acute_case = tetrahedra()
+        .filter(|t| projects_inside(t, 3) && facet_angle(t) < right_angle())
+        .all(|t| facet_angle(&t) < dihedral_angle(&t));
+    let both = |t: &[Vector; 4]| {
+        [facet_angle(t), dihedral_angle(t)]
+            .map(|angle| decimal_range(&angle.enclosure(&display_width())))
+    };
+    let [facet, dihedral] = both(&flat);
+    let (identity, _) = dual_cosine_law();
+    let proved = format!(
+        "false for the nonacute bac of the proof: a = (0,0,0), b = (-200,-20,0), c = (200,-20,0), \
+         d = (-100,-11,6) has bac = {facet}° and the dihedral angle {dihedral}° on ad. True for acute bac{}. \
+         Lemma 2 stands: bac >= 90° and b', c' < 90° give cos d' < 0 by the law of cosines",
+        if acute_case && identity {
+            " (random tetrahedra agree)"
+        } else {
+            ": not confirmed"
+        }
+    );
+    (!is_counterexample(&flat), proved)
+}
+
+fn right_angle() -> DihedralAngle {
+    DihedralAngle::of_rational(Rational::from(0))
+}
+
+/// The angle bac: cos² = (x·y)²/(|x|²|y|²) with x = b - a, y = c - a.
+fn facet_angle(t: &[Vector; 4]) -> DihedralAngle {
+    let (x, y) = (minus(t[1], t[0]), minus(t[2], t[0]));
+    let product = dot(x, y);
+    let square = Rational::from_integers(
+        Integer::from(product * product.abs()),
+        Integer::from(dot(x, x) * dot(y, y)),
+    );
+    DihedralAngle::of_rational(square)
+}
+
+/// The dihedral angle on ad, where the facets opposite b and c meet.
+fn dihedral_angle(t: &[Vector; 4]) -> DihedralAngle {
+    let [b, c] = [minus(t[1], t[0]), minus(t[2], t[0])];
+    let d = minus(t[3], t[0]);
+    // (d × b) · (d × c) has the sign of the cosine, as in lemma 1.
+    let (u, v) = (cross(d, b), cross(d, c));
+    let product = dot(u, v);
+    let square = Rational::from_integers(
+        Integer::from(product * product.abs()),
+        Integer::from(dot(u, u) * dot(v, v)),
+    );
+    DihedralAngle::of_rational(square)
 }
 
 fn sliver() -> (bool, String) {

@@ -7,7 +7,6 @@ use crate::certificate::Statement;
 use crate::geometry::{NormalProducts, Scalar, Simplex, linear};
 use crate::number::numbers;
 use crate::survey::Survey;
-use malachite::Rational;
 
 /// The rows of section 3.2.
 pub fn rows(survey: &Survey) -> Vec<Row> {
@@ -222,7 +221,7 @@ fn angles_along_ae() -> (bool, String) {
             let q = products.get(1, 1).times(products.get(2, 2));
             let four = p.integer(4);
             let is_positive =
-                p.coefficients().iter().all(|c| *c >= Rational::from(0)) && !p.is_zero();
+                p.coefficients().iter().all(|c| *c >= 0) && !p.is_zero();
             is_positive && four.times(&p.times(p)).minus(&q).is_zero()
         });
     (

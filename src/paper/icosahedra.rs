@@ -1,10 +1,10 @@
 //! Section 4.2: the structure Z from icosahedra.
 
-use super::row::{Finding, Row};
+use super::row::{Finding, Row, mixed_number};
 use crate::geometry::Simplex;
 use crate::number::{Number, numbers};
 use crate::quality::{DihedralAngle, Exact};
-use crate::survey::{Study, Survey};
+use crate::survey::{Study, Survey, isomorphic_entries};
 use malachite::Rational;
 use std::collections::BTreeSet;
 
@@ -84,12 +84,32 @@ fn cone() -> Finding {
     ))
 }
 
+/// Whether the minimal symbols are equal; where they are not, what it is.
 fn is_z(survey: &Survey) -> Finding {
     let (one, other) = (survey.space("icosahedral")?, survey.space("z")?);
     let symbol = one.symbol();
-    let holds = symbol.is_some() && symbol == other.symbol();
-    let words = if holds { "are equal" } else { "differ" };
-    Ok((holds, format!("the Delaney-Dress symbols {words}")))
+    if symbol.is_some() && symbol == other.symbol() {
+        return Ok((true, "the Delaney-Dress symbols are equal".to_owned()));
+    }
+    let average = |study: &Study<3>| {
+        let average = study.ridges.average_valence();
+        average
+            .and_then(|average| mixed_number(&average))
+            .unwrap_or_default()
+    };
+    let mut known = isomorphic_entries(one, survey);
+    known.retain(|name| *name != "icosahedral");
+    let proved = format!(
+        "not isomorphic to Z: average valence {}, that of Z is {}; it is isomorphic to {}",
+        average(one),
+        average(other),
+        if known.is_empty() {
+            "no other construction".to_owned()
+        } else {
+            known.join(", ")
+        }
+    );
+    Ok((false, proved))
 }
 
 /// Congruent tilings would have equal figures.

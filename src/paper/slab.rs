@@ -33,6 +33,14 @@ pub fn rows(survey: &Survey) -> Vec<Row> {
         .citing(survey, &["slab"])
         .found(layers(survey)),
         row(
+            "slab-steps",
+            "the eight steps fill the slab: for each vertex of the base 2, 3, 6, 6, 6 and 2 tetrahedra in the steps \
+             2 to 7, 6 in step 8, and the seven steps again",
+            "eight steps",
+        )
+        .citing(survey, &["slab"])
+        .found(steps(survey)),
+        row(
             "slab-acute",
             "the slab is triangulated by acute tetrahedra between its two planes",
             "acute triangulation of a slab",
@@ -61,6 +69,23 @@ fn height() -> (bool, String) {
     // The midpoints at 7.1 must be in the middle.
     let holds = height == tenths(142) && tenths(71) * Rational::from(2) == height;
     (holds, format!("{height} γ, twice 7.1 γ"))
+}
+
+/// The base has one vertex, two triangles and three edges in a cell; a kagome layer, as
+/// that of the bumps of step 5, has six pairs of neighbours.
+fn steps(survey: &Survey) -> Finding {
+    let study = survey.space("slab")?;
+    let half: usize = [2, 3, 6, 6, 6, 2].iter().sum();
+    let expected = 2 * half + 6;
+    // Cells of the lattice may hold several vertices of the base.
+    let bases = study.tiling.vertices.iter().map(|vertex| &vertex[2]);
+    let lowest = bases.clone().min();
+    let cells = bases.filter(|height| Some(*height) == lowest).count();
+    let found = study.tiling.len();
+    Ok((
+        found == expected * cells,
+        format!("{found} tetrahedra for {cells} vertices of the base"),
+    ))
 }
 
 /// Heights in units of the slab's height, by the coordinate along the last basis vector.

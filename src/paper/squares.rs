@@ -2,12 +2,23 @@
 
 use super::row::{Finding, Row};
 use crate::certificate::Statement;
+use crate::geometry::Simplex;
+use crate::number::Number;
+use crate::quality::{DihedralAngle, Exact};
 use crate::survey::{AnyStudy, Study, Survey};
 use crate::table::Figure;
+use malachite::Rational;
 
 /// The rows of section 2.1.
 pub fn rows(survey: &Survey) -> Vec<Row> {
     vec![
+        Row::new(
+            "2.1",
+            "square/diagonal",
+            "a diagonal cuts a square into two nonobtuse triangles",
+            "nonobtuse",
+        )
+        .found(Ok(diagonal())),
         acute_square(survey, "square-8", "eight", 8),
         acute_square(survey, "square-10", "ten", 10),
         acute_square(survey, "square-14", "fourteen", 14),
@@ -46,6 +57,21 @@ pub fn rows(survey: &Survey) -> Vec<Row> {
         .citing(survey, &["square-8", "square-10", "square-14"])
         .found(five_valent_vertices(survey)),
     ]
+}
+
+/// The half (0,0), (1,0), (0,1); the other one is congruent to it.
+fn diagonal() -> (bool, String) {
+    let number = |n: i64| Number::from(Rational::from(n));
+    let half = Simplex::new(&[[0, 0], [1, 0], [0, 1]].map(|point| point.map(number)));
+    let products = half.normal_products(&[[1, 0], [0, 1]].map(|row| row.map(number)));
+    let degrees: Vec<String> = [(0, 1), (0, 2), (1, 2)]
+        .into_iter()
+        .filter_map(|(i, j)| DihedralAngle::between(&products, i, j).closed_form())
+        .collect();
+    (
+        degrees == ["45", "45", "90"],
+        format!("angles of {} degrees", degrees.join(", ")),
+    )
 }
 
 fn plane<'a>(survey: &'a Survey, name: &str) -> Result<&'a Study<2>, String> {

@@ -5,7 +5,7 @@ use super::introduction::{CONGRUENT, regular_angle};
 use super::row::{Finding, Row};
 use crate::certificate::Statement;
 use crate::geometry::Sign;
-use crate::quality::Exact;
+use crate::quality::{DihedralAngle, Exact, decimal_range, display_width};
 use crate::survey::{Study, Survey};
 use crate::table::Figure;
 use malachite::Rational;
@@ -73,14 +73,14 @@ pub fn rows(survey: &Survey) -> Vec<Row> {
     ]
 }
 
-/// Whether a property holds for all these constructions; names those without it.
+/// Whether a property holds for all these constructions; describes those without it.
 fn for_all(survey: &Survey, names: &[&str], property: impl Fn(&Study<3>) -> bool) -> Finding {
     let mut without = Vec::new();
     let mut missing = Vec::new();
     for name in names {
         match survey.space(name) {
             Ok(study) if property(study) => {}
-            Ok(_) => without.push(*name),
+            Ok(study) => without.push(format!("{name} ({})", profile(study))),
             Err(reason) => missing.push(reason),
         }
     }
@@ -89,6 +89,29 @@ fn for_all(survey: &Survey, names: &[&str], property: impl Fn(&Study<3>) -> bool
         ([], Some(reason)) => Err(reason.clone()),
         _ => Ok((false, format!("does not hold for {}", without.join(", ")))),
     }
+}
+
+/// The dihedral angles of the first shape and the valences.
+fn profile(study: &Study<3>) -> String {
+    let angles = study
+        .measures
+        .first()
+        .map_or(&[][..], |measures| &measures.angles);
+    let angles: Vec<String> = angles
+        .iter()
+        .map(|angle| angle.closed_form().unwrap_or_else(|| range_in_words(angle)))
+        .collect();
+    let counts = study.ridges.valence_counts();
+    let valences: Vec<String> = counts.keys().map(usize::to_string).collect();
+    format!(
+        "dihedral angles {}; edge valences {}",
+        angles.join(", "),
+        valences.join(", ")
+    )
+}
+
+fn range_in_words(angle: &DihedralAngle) -> String {
+    decimal_range(&angle.enclosure(&display_width()))
 }
 
 fn has_right_angle(study: &Study<3>) -> bool {
