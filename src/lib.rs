@@ -17,6 +17,7 @@ pub mod cli;
 pub mod delaunay;
 #[cfg(feature = "prover")]
 pub mod export;
+pub mod front;
 #[cfg(feature = "prover")]
 pub mod geometry;
 #[cfg(feature = "prover")]

@@ -1,8 +1,10 @@
 //! The arguments of every command, as clap reads them.
 
 use crate::certificate::Statement;
+use crate::verifier::Limits;
 use clap::{Args, Parser, Subcommand};
 use malachite::Rational;
+use std::ffi::OsString;
 use std::path::PathBuf;
 
 /// Proves, in exact arithmetic, that tilings by tetrahedra are valid and acute.
@@ -91,10 +93,28 @@ pub struct CertifyArguments {
 pub struct VerifyArguments {
     /// Certificates (`-` for standard input)
     #[arg(value_name = "FILE", required = true)]
-    pub files: Vec<PathBuf>,
+    pub files: Vec<OsString>,
     /// One JSON object for each file
     #[arg(long)]
     pub json: bool,
+    /// Bytes of a file
+    #[arg(long, value_name = "N", default_value_t = Limits::DEFAULT.bytes)]
+    pub limit_bytes: u64,
+    /// Simplices of a certificate
+    #[arg(long, value_name = "N", default_value_t = Limits::DEFAULT.simplices)]
+    pub limit_simplices: usize,
+    /// Decimal digits of a number
+    #[arg(long, value_name = "N", default_value_t = Limits::DEFAULT.digits)]
+    pub limit_digits: usize,
+    /// Degree of the field
+    #[arg(long, value_name = "N", default_value_t = Limits::DEFAULT.degree)]
+    pub limit_degree: usize,
+    /// Halvings of the root's interval
+    #[arg(long, value_name = "N", default_value_t = Limits::DEFAULT.bisections)]
+    pub limit_bisections: usize,
+    /// Word products for one product of numbers in every simplex
+    #[arg(long, value_name = "N", default_value_t = Limits::DEFAULT.work)]
+    pub limit_work: u64,
 }
 
 #[derive(Debug, Args)]

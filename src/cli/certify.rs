@@ -154,7 +154,7 @@ impl Answer {
     /// Writes a certificate to its target; where that fails, so does the input.
     fn write(self, target: &Target, output: &mut Output) -> Answer {
         match (&self, target) {
-            (Answer::Proved { bytes, .. }, Target::StandardOutput) => output.write(bytes),
+            (Answer::Proved { bytes, .. }, Target::StandardOutput) => output.bytes(bytes),
             (Answer::Proved { bytes, .. }, Target::File(path)) => {
                 if let Err(error) = write_file(path, bytes) {
                     return Answer::Failed(format!(

@@ -53,7 +53,7 @@ fn text<const D: usize>(
 /// Writes a file, or to standard output where there is none.
 pub fn write_text(path: Option<&std::path::Path>, text: &str, output: &mut Output) -> Outcome {
     let Some(path) = path else {
-        output.write(text.as_bytes());
+        output.bytes(text.as_bytes());
         return Outcome::Done;
     };
     match write_file(path, text.as_bytes()) {

@@ -20,10 +20,16 @@ pub fn run(arguments: &ListArguments, output: &mut Output) -> Outcome {
                 "description": entry.description,
                 "source": entry.source,
                 "domain": entry.domain,
+                "family": entry.is_family(),
                 "parameter": entry.parameter.map(|parameter| parameter.name),
             }));
         } else {
-            output.line(format!("{:width$}  {}", entry.name, entry.description));
+            let name = if entry.is_family() {
+                format!("{}WORD", entry.name)
+            } else {
+                entry.name.to_owned()
+            };
+            output.line(format!("{name:width$}  {}", entry.description));
         }
     }
     Outcome::Done

@@ -14,7 +14,7 @@ pub fn completions(arguments: &CompletionsArguments, output: &mut Output) -> Out
         "acutile",
         &mut script,
     );
-    output.write(&script);
+    output.bytes(&script);
     Outcome::Done
 }
 
@@ -26,6 +26,6 @@ pub fn man(output: &mut Output) -> Outcome {
     for command in Arguments::command().get_subcommands() {
         let _ = clap_mangen::Man::new(command.clone().flatten_help(true)).render(&mut page);
     }
-    output.write(&page);
+    output.bytes(&page);
     Outcome::Done
 }

@@ -67,6 +67,16 @@ impl Outcome {
     }
 }
 
+/// The outcome with this exit code.
+fn exit_outcome(code: u8) -> Outcome {
+    match code {
+        0 => Outcome::Done,
+        1 => Outcome::Refuted,
+        3 => Outcome::Declined,
+        _ => Outcome::Failed,
+    }
+}
+
 /// Runs the program with the process's arguments.
 pub fn main() -> ExitCode {
     let arguments = Arguments::parse();

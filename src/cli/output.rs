@@ -25,11 +25,11 @@ impl Output {
 
     /// Prints a line.
     pub fn line(&mut self, text: impl Display) {
-        self.write(format!("{text}\n").as_bytes());
+        self.bytes(format!("{text}\n").as_bytes());
     }
 
     /// Prints bytes as they are.
-    pub fn write(&mut self, bytes: &[u8]) {
+    pub fn bytes(&mut self, bytes: &[u8]) {
         if self.error.is_none() {
             self.error = self.writer.write_all(bytes).err();
         }
@@ -53,6 +53,21 @@ impl Output {
             }
             _ => Outcome::Done,
         }
+    }
+}
+
+/// Never fails: an error is kept and told by [`Output::finish`].
+impl Write for Output {
+    fn write(&mut self, bytes: &[u8]) -> io::Result<usize> {
+        self.bytes(bytes);
+        Ok(bytes.len())
+    }
+
+    fn flush(&mut self) -> io::Result<()> {
+        if self.error.is_none() {
+            self.error = self.writer.flush().err();
+        }
+        Ok(())
     }
 }
 

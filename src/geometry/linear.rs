@@ -32,7 +32,7 @@ fn cofactor<S: Scalar, const D: usize>(matrix: &[[S; D]; D], i: usize, j: usize)
         return matrix[0][0].integer(1);
     }
     let value = minor(&rows, &columns);
-    if (i + j) % 2 == 0 {
+    if (i + j).is_multiple_of(2) {
         value
     } else {
         value.integer(0).minus(&value)
