@@ -57,7 +57,11 @@ fn vertex_types_of_the_literature() {
         // The catalogue's cell may be a multiple of the primitive one.
         let scale = found[0] / expected[0];
         assert_eq!(found, expected.map(|n| n * scale), "{name}");
-        assert_eq!(counts.values().sum::<usize>(), found.iter().sum(), "{name}");
+        assert_eq!(
+            counts.values().sum::<usize>(),
+            found.iter().sum::<usize>(),
+            "{name}"
+        );
     }
 }
 
@@ -199,10 +203,13 @@ fn lengths_are_seen_by_the_metric_symbol_only() {
 struct Chambers {
     tiling: Tiling<3>,
     /// Facets by their points moved into one cell, with the simplices that have them.
-    facets: HashMap<BTreeSet<(u32, [i32; 3])>, Vec<(usize, usize, [i32; 3])>>,
+    facets: HashMap<Form, Vec<(usize, usize, [i32; 3])>>,
 }
 
 type Chamber = (usize, [usize; 4]);
+
+/// The corners of a facet.
+type Form = BTreeSet<(u32, [i32; 3])>;
 
 impl Chambers {
     fn new(tiling: Tiling<3>) -> Self {
@@ -260,7 +267,7 @@ impl Chambers {
     }
 }
 
-fn facet(corners: &[Corner<3>], opposite: usize) -> (BTreeSet<(u32, [i32; 3])>, [i32; 3]) {
+fn facet(corners: &[Corner<3>], opposite: usize) -> (Form, [i32; 3]) {
     let points: Vec<_> = (0..4)
         .filter(|&k| k != opposite)
         .map(|k| corners[k])

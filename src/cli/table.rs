@@ -30,10 +30,10 @@ pub fn run(arguments: &TableArguments, output: &mut Output) -> Outcome {
     }
     match arguments.format {
         TableFormat::Json => output.line(table::json(&rows)),
-        TableFormat::Text => output.write(table::text(&rows).as_bytes()),
-        TableFormat::Markdown => output.write(table::markdown(&rows).as_bytes()),
-        TableFormat::Latex => output.write(table::latex(&rows).as_bytes()),
-        TableFormat::Csv => output.write(table::csv(&rows).as_bytes()),
+        TableFormat::Text => output.bytes(table::text(&rows).as_bytes()),
+        TableFormat::Markdown => output.bytes(table::markdown(&rows).as_bytes()),
+        TableFormat::Latex => output.bytes(table::latex(&rows).as_bytes()),
+        TableFormat::Csv => output.bytes(table::csv(&rows).as_bytes()),
     }
     outcome
 }

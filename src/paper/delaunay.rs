@@ -220,8 +220,7 @@ fn angles_along_ae() -> (bool, String) {
             let p = products.get(1, 2);
             let q = products.get(1, 1).times(products.get(2, 2));
             let four = p.integer(4);
-            let is_positive =
-                p.coefficients().iter().all(|c| *c >= 0) && !p.is_zero();
+            let is_positive = p.coefficients().iter().all(|c| *c >= 0) && !p.is_zero();
             is_positive && four.times(&p.times(p)).minus(&q).is_zero()
         });
     (

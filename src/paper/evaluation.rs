@@ -36,7 +36,7 @@ pub fn rows(survey: &Survey) -> Vec<Row> {
 
 fn row(survey: &Survey, name: &str, label: &str, k: usize, printed: &str) -> Row {
     let (column, _) = COLUMNS[k / 2];
-    let (end, most) = if k % 2 == 0 {
+    let (end, most) = if k.is_multiple_of(2) {
         ("min", "smallest")
     } else {
         ("max", "largest")
@@ -60,5 +60,5 @@ fn row(survey: &Survey, name: &str, label: &str, k: usize, printed: &str) -> Row
 fn figure(survey: &Survey, name: &str, k: usize) -> Result<Figure, String> {
     let row = table::Row::of(name, survey.get(name)?);
     let (min, max) = row.figures[k / 2].clone();
-    Ok(if k % 2 == 0 { min } else { max })
+    Ok(if k.is_multiple_of(2) { min } else { max })
 }
