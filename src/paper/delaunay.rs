@@ -130,7 +130,7 @@ fn unique() -> (bool, String) {
     (in_circle_identity(), strict.to_owned())
 }
 
-/// The points of lemma 4 with coordinates in Q[ε]: a, b, c, d, e.
+/// The points of lemma 4 with coordinates in `Q[ε]`: a, b, c, d, e.
 fn points() -> [[Polynomial; 3]; 5] {
     let constant = |n| Polynomial::new(&[n], 1);
     let diagonal = |p: Polynomial| [p.clone(), p.clone(), p];

@@ -145,7 +145,7 @@ fn n_zero() -> Figure {
     }
 }
 
-/// The regular tetrahedron with one edge changed by ε. cos t = -p/√(q r) with p, q, r in Q[ε]; where
+/// The regular tetrahedron with one edge changed by ε. cos t = -p/√(q r) with p, q, r in `Q[ε]`; where
 /// ε = 0 all are alike, q = r, sin t is the same for all six angles, and
 /// cos' = (-p' + p (q' + r')/(2q))/q. The sum of the six derivatives must vanish.
 fn critical_point() -> (bool, String) {
