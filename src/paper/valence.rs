@@ -3,9 +3,10 @@
 use super::infinitesimal::Polynomial;
 use super::introduction::regular_angle;
 use super::row::{Finding, Row, mixed_number};
+use crate::classify::Wedge;
 use crate::geometry::{Scalar, Simplex, linear};
 use crate::number::Number;
-use crate::quality::{DihedralAngle, Exact};
+use crate::quality::Exact;
 use crate::survey::{Study, Survey};
 use crate::table::{Figure, width};
 use crate::tiling::Domain;
@@ -102,38 +103,47 @@ fn valence_times_angle(survey: &Survey) -> Finding {
 
 /// Whether the dihedral angles of these simplices between these facets add up to 360 degrees.
 ///
-/// With x along the edge, from a corner of which u and v lead to the other two corners, the
-/// angle t has |Pu||Pv| |x|² cos t = (u·v)|x|² - (u·x)(v·x) and |Pu||Pv| |x|² sin t = |x| √det G d, d > 0
-/// the determinant of the simplex. The product of the numbers cos t + i sin t, up to positive factors, is
-/// computed in K(s), s² = -|x|² det G; it is positive exactly when the sum is a
-/// multiple of 360. An enclosure of the sum says of which.
-fn closes_up(study: &Study<3>, around: &[(usize, (usize, usize))]) -> bool {
-    let gram = &study.tiling.frame.gram;
-    let metric = linear::determinant(gram);
+/// Each angle is below 180 degrees, so that the running product of rotations enters the upper half-plane from
+/// the lower one once for each full turn.
+fn closes_up(study: &Study<3>, around: &[Wedge]) -> bool {
+    let metric = linear::determinant(&study.tiling.frame.gram);
     let mut turn = (Number::from(Rational::from(1)), Number::zero());
-    let mut sum = Rational::from(0);
-    for &(simplex, (i, j)) in around {
-        let corners = study.tiling.simplex(simplex);
-        let edge: Vec<usize> = (0..4).filter(|&k| k != i && k != j).collect();
-        let from = study.tiling.position(&corners[edge[0]]);
-        let [x, u, v] =
-            [edge[1], i, j].map(|k| linear::subtract(&study.tiling.position(&corners[k]), &from));
-        let product = |p: &[Number; 3], q: &[Number; 3]| linear::dot(p, &linear::apply(gram, q));
-        let square = product(&x, &x);
-        let cosine = product(&u, &v) * &square - product(&u, &x) * product(&v, &x);
-        let shape = study.tiling.shape(simplex);
-        let sine = shape.determinant.clone();
+    let mut turns = 0;
+    for &wedge in around {
+        let (cosine, sine, square) = rotation(study, wedge);
         let s_square = -(square * &metric);
-        turn = (
-            &turn.0 * &cosine + &turn.1 * &sine * &s_square,
+        let next = (
+            &turn.0 * &cosine + &turn.1 * &sine * s_square,
             &turn.0 * &sine + &turn.1 * &cosine,
         );
-        let products = shape.normal_products(&linear::cofactors(gram));
-        let angle = DihedralAngle::between(&products, i, j);
-        sum += angle.enclosure(&Rational::from_signeds(1, 100)).0;
+        turns += usize::from(is_below(&turn) && !is_below(&next));
+        turn = next;
     }
-    let is_positive = turn.1.is_zero() && turn.0.sign().is_gt();
-    is_positive && sum > 300 && sum < 420
+    turn.1.is_zero() && turn.0.sign().is_gt() && turns == 1
+}
+
+/// Whether the argument of x + i y times a positive number is in [180, 360) degrees.
+fn is_below((x, y): &(Number, Number)) -> bool {
+    y.sign().is_lt() || y.is_zero() && x.sign().is_lt()
+}
+
+/// cos t, (sin t)/√(|x|² det G), both up to one positive factor, and |x|², for the dihedral angle t at
+/// an edge x.
+///
+/// With u and v from a corner of the edge to the other two corners and P the projection along x,
+/// |Pu||Pv||x|² cos t = (u·v)|x|² - (u·x)(v·x) and |Pu||Pv||x|² sin t = |x| √det G d, d > 0 the determinant of
+/// the simplex. So the rotations by t are multiplied in K(s) with s² = -|x|² det G.
+fn rotation(study: &Study<3>, (simplex, (i, j)): Wedge) -> (Number, Number, Number) {
+    let gram = &study.tiling.frame.gram;
+    let corners = study.tiling.simplex(simplex);
+    let edge: Vec<usize> = (0..4).filter(|&k| k != i && k != j).collect();
+    let from = study.tiling.position(&corners[edge[0]]);
+    let [x, u, v] =
+        [edge[1], i, j].map(|k| linear::subtract(&study.tiling.position(&corners[k]), &from));
+    let [to_x, to_u] = [&x, &u].map(|vector| linear::apply(gram, vector));
+    let square = linear::dot(&x, &to_x);
+    let cosine = linear::dot(&to_u, &v) * &square - linear::dot(&u, &to_x) * linear::dot(&v, &to_x);
+    (cosine, study.tiling.shape(simplex).determinant, square)
 }
 
 fn n_zero() -> Figure {
