@@ -21,7 +21,7 @@ mod star;
 mod symbol;
 mod tcp;
 
-pub use ridges::{Ridge, Ridges};
+pub use ridges::{Ridge, Ridges, Wedge};
 pub use sphere::{Code, Triangle, code};
 pub use star::{Star, stars};
 pub use symbol::{Symbol, combinatorial_symbol, metric_symbol};

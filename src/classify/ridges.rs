@@ -6,6 +6,9 @@ use crate::tiling::{Corner, Matching, Tiling, difference};
 use malachite::Rational;
 use std::collections::BTreeMap;
 
+/// A simplex and the two of its facets between which it fills a wedge.
+pub type Wedge = (usize, (usize, usize));
+
 /// An orbit of ridges.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Ridge<const D: usize> {
@@ -13,7 +16,7 @@ pub struct Ridge<const D: usize> {
     pub corners: Vec<Corner<D>>,
     /// The simplices around it, each with the two of its facets that contain the
     /// ridge. Its length is the valence: lattice translations fix no simplex.
-    pub around: Vec<(usize, (usize, usize))>,
+    pub around: Vec<Wedge>,
     /// Whether it lies in a facet without a mate, in the boundary of the domain.
     pub is_boundary: bool,
 }
@@ -38,7 +41,7 @@ pub struct Ridges<const D: usize> {
 impl<const D: usize> Ridges<D> {
     /// The ridges of a tiling with this matching of its facets.
     pub fn of(tiling: &Tiling<D>, matching: &Matching<D>) -> Self {
-        let mut groups: BTreeMap<Vec<Corner<D>>, Vec<(usize, (usize, usize))>> = BTreeMap::new();
+        let mut groups: BTreeMap<Vec<Corner<D>>, Vec<Wedge>> = BTreeMap::new();
         for (simplex, corners) in tiling.simplices().enumerate() {
             for (i, j) in pairs(D + 1) {
                 let form = normal_form(corners, i, j);

@@ -3,7 +3,7 @@
 use super::frank_kasper;
 use super::sphere::{Triangle, code};
 use crate::tiling::{Corner, Tiling, difference};
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 use std::fmt;
 
 /// What a vertex looks like.
@@ -65,11 +65,27 @@ fn star(link: &[[Corner<3>; 3]]) -> Star {
     }
     let triangles: Vec<Triangle> = link
         .iter()
-        .map(|t| t.map(|corner| number[&corner]))
+        .map(|triangle| triangle.map(|corner| number[&corner]))
         .collect();
-    match code(&triangles) {
-        None => Star::Boundary(number.len()),
-        Some(code) if frank_kasper::links().contains(&code) => Star::FrankKasper(code.len()),
-        Some(code) => Star::Other(code.len()),
+    let neighbours = number.len();
+    if !is_closed(&triangles) {
+        return Star::Boundary(neighbours);
     }
+    // Codes are made of links that can be in the list only, for they take long for large ones.
+    let can_be_listed = frank_kasper::links()
+        .iter()
+        .any(|known| known.len() == neighbours);
+    match can_be_listed.then(|| code(&triangles)).flatten() {
+        Some(code) if frank_kasper::links().contains(&code) => Star::FrankKasper(neighbours),
+        _ => Star::Other(neighbours),
+    }
+}
+
+/// Whether each edge of a triangle is, in the other direction, one of another triangle.
+fn is_closed(triangles: &[Triangle]) -> bool {
+    let edges = |&[a, b, c]: &Triangle| [(a, b), (b, c), (c, a)];
+    let directed: BTreeSet<(usize, usize)> = triangles.iter().flat_map(edges).collect();
+    directed
+        .iter()
+        .all(|&(from, to)| directed.contains(&(to, from)))
 }

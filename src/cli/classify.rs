@@ -3,7 +3,7 @@
 use super::args::ClassifyArguments;
 use super::output::Output;
 use super::{Outcome, input};
-use crate::survey::{AnyStudy, Study, Survey, isomorphic_entries, names};
+use crate::survey::{AnyStudy, Study, Survey, isomorphic_entries};
 use crate::tiling::Domain;
 use malachite::Rational;
 use serde_json::{Value, json};
@@ -70,7 +70,7 @@ fn of_space(study: &Study<3>) -> Value {
     report["tcp"] = json!(tcp.is_ok());
     report["why_not_tcp"] = json!(tcp.err().map(|reason| reason.to_string()));
     report["isomorphic_to"] = match study.tiling.frame.domain == Domain::Space {
-        true => json!(isomorphic_entries(study, &Survey::of(&names()))),
+        true => json!(isomorphic_entries(study, &Survey::of_catalog())),
         false => Value::Null,
     };
     report

@@ -4,13 +4,13 @@ use super::args::{TableArguments, TableFormat};
 use super::output::Output;
 use super::{Outcome, input};
 use crate::catalog;
-use crate::survey::{AnyStudy, Survey, names};
+use crate::survey::{AnyStudy, Survey};
 use crate::table::{self, Row};
 
 /// Prints the table. A construction without a row is named on standard error.
 pub fn run(arguments: &TableArguments, output: &mut Output) -> Outcome {
     let wanted: Vec<&str> = match arguments.inputs.is_empty() {
-        true => table::order(&names()),
+        true => table::order(&catalog::names().collect::<Vec<_>>()),
         false => arguments.inputs.iter().map(String::as_str).collect(),
     };
     let (entries, _): (Vec<&str>, Vec<&str>) = wanted

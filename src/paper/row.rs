@@ -1,6 +1,7 @@
 //! A row: a statement of the paper, what it prints, what is proved, and the verdict.
 
-use crate::quality::{rounded_down, rounded_nearest};
+use crate::quality::{rounded_down, rounded_nearest, rounded_up};
+use crate::survey::Survey;
 use crate::table::Figure;
 use malachite::Rational;
 use malachite::base::num::arithmetic::traits::Floor;
@@ -83,7 +84,53 @@ pub struct Row {
     pub certificates: Vec<(String, String)>,
 }
 
+/// What a proof gave: whether the statement holds and what was found; or why nothing was
+/// decided.
+pub type Finding = Result<(bool, String), String>;
+
 impl Row {
+    /// A row that is still to be decided.
+    pub fn new(section: &'static str, id: &str, statement: &str, printed: &str) -> Row {
+        Row {
+            id: id.to_owned(),
+            section,
+            statement: statement.to_owned(),
+            printed: printed.to_owned(),
+            proved: String::new(),
+            verdict: Verdict::Undecided,
+            certificates: Vec::new(),
+        }
+    }
+
+    /// Cites the certificates of those of these constructions that there are.
+    pub fn citing(mut self, survey: &Survey, names: &[&str]) -> Row {
+        for name in names {
+            if let Ok(study) = survey.get(name) {
+                let hash = study.certificate().to_owned();
+                self.certificates.push(((*name).to_owned(), hash));
+            }
+        }
+        self
+    }
+
+    /// The row with what a proof found.
+    pub fn found(mut self, finding: Finding) -> Row {
+        (self.verdict, self.proved) = match finding {
+            Ok((holds, proved)) => (Verdict::of(holds), proved),
+            Err(reason) => (Verdict::Undecided, reason),
+        };
+        self
+    }
+
+    /// The row with its printed decimal judged against the proved figure.
+    pub fn figure(mut self, unit: &str, figure: Result<Figure, String>) -> Row {
+        (self.verdict, self.proved) = match figure {
+            Ok(figure) => (judge(&self.printed, &figure), describe(&figure, unit)),
+            Err(reason) => (Verdict::Undecided, reason),
+        };
+        self
+    }
+
     /// The row as an object.
     pub fn to_json(&self) -> Value {
         let mut row = json!({
@@ -152,11 +199,7 @@ pub fn describe(figure: &Figure, unit: &str) -> String {
     let (low, high) = &figure.bounds;
     let value = match low == high {
         true => format!("{low}{unit}"),
-        false => format!(
-            "{} to {}{unit}",
-            rounded_down(low, 9),
-            crate::quality::rounded_up(high, 9)
-        ),
+        false => format!("{} to {}{unit}", rounded_down(low, 9), rounded_up(high, 9)),
     };
     match &figure.closed_form {
         Some(form) if low != high => format!("{form} = {value}"),

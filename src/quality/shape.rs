@@ -57,6 +57,12 @@ pub fn squared_edges<const D: usize>(tiling: &Tiling<D>, simplex: usize) -> Vec<
     squares
 }
 
+/// The normal form of a simplex with so many corners and these squared edges 01, 02, …:
+/// equal exactly for congruent simplices.
+pub fn congruence_form(edges: &[Number], corners: usize) -> Vec<Number> {
+    normal_form(edges, corners, &permutations(corners))
+}
+
 fn normal_form(edges: &[Number], corners: usize, numberings: &[Vec<usize>]) -> Vec<Number> {
     let index = |i: usize, j: usize| {
         let (low, high) = (i.min(j), i.max(j));

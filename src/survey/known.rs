@@ -1,7 +1,8 @@
 //! Which constructions of the catalogue a triangulation is isomorphic to.
 
+use super::Survey;
 use super::study::{AnyStudy, Study};
-use super::{Survey, names};
+use crate::catalog;
 
 /// The names of the constructions in a survey that a tiling of space is isomorphic to, in
 /// the catalogue's order. Valences decide most cases before symbols are compared.
@@ -16,5 +17,5 @@ pub fn isomorphic_entries(study: &Study<3>, survey: &Survey) -> Vec<&'static str
         }
         _ => false,
     };
-    names().into_iter().filter(is_isomorphic).collect()
+    catalog::names().filter(is_isomorphic).collect()
 }

@@ -48,7 +48,7 @@ impl Survey {
 
     /// Studies the whole catalogue.
     pub fn of_catalog() -> Survey {
-        Survey::of(&names())
+        Survey::of(&catalog::names().collect::<Vec<_>>())
     }
 
     /// The study of a construction.
@@ -89,13 +89,4 @@ impl Survey {
             _ => None,
         })
     }
-}
-
-/// The names of the catalogue, without the prefixes of families.
-pub fn names() -> Vec<&'static str> {
-    let entries = catalog::entries().iter();
-    entries
-        .map(|entry| entry.name)
-        .filter(|name| !name.ends_with(':'))
-        .collect()
 }

@@ -3,9 +3,13 @@
 use crate::catalog;
 use crate::certificate::{self, Statement};
 use crate::checker::{self, Options};
-use crate::classify::{NotTcp, Ridges, Star, Symbol, check_tcp, combinatorial_symbol, stars};
-use crate::quality::{Measures, Ranges, Shape, measures_of_shapes, ranges, shapes};
-use crate::tiling::{AnyTiling, Matching, Tiling, match_facets};
+use crate::classify::{
+    NotTcp, Ridges, Star, Symbol, check_tcp, combinatorial_symbol, metric_symbol, stars,
+};
+use crate::delaunay::{Ties, triangulate};
+use crate::number::Number;
+use crate::quality::{Measures, Ranges, Shape, measures_of_shapes, ranges, shapes, squared_edges};
+use crate::tiling::{AnyTiling, Matching, PointSet, Tiling, match_facets};
 use sha2::{Digest, Sha256};
 use std::collections::BTreeMap;
 use std::fmt::Write;
@@ -64,6 +68,23 @@ impl<const D: usize> Study<D> {
         self.statements.contains(statement)
     }
 
+    /// The study of a tiling of space that a point set's Delaunay triangulation gives.
+    ///
+    /// # Errors
+    /// Why there is none.
+    pub fn of_points(points: &PointSet<D>) -> Result<Self, String> {
+        let tiling = triangulate(points, Ties::Refuse).map_err(|error| error.to_string())?;
+        Study::of(tiling)
+    }
+
+    /// The minimal symbol with edge lengths, equal exactly for similar tilings of the
+    /// same field; `None` for a domain with boundary.
+    pub fn metric_symbol(&self) -> Option<Symbol<(usize, Vec<Number>), D>> {
+        metric_symbol(&self.tiling, &self.matching, &self.ridges, |simplex| {
+            squared_edges(&self.tiling, simplex)
+        })
+    }
+
     /// The minimal combinatorial symbol; `None` for a domain with boundary.
     pub fn symbol(&self) -> Option<Symbol<usize, D>> {
         combinatorial_symbol(&self.tiling, &self.matching, &self.ridges)
@@ -107,6 +128,22 @@ impl AnyStudy {
         let entry = catalog::find(name).ok_or_else(|| format!("{name}: not in this build"))?;
         let tiling = entry.build().map_err(|error| format!("{name}: {error}"))?;
         AnyStudy::of(tiling).map_err(|error| format!("{name}: {error}"))
+    }
+
+    /// The SHA-256 of the certificate.
+    pub fn certificate(&self) -> &str {
+        match self {
+            AnyStudy::Plane(study) => &study.certificate,
+            AnyStudy::Space(study) => &study.certificate,
+        }
+    }
+
+    /// Whether the certificate makes this statement.
+    pub fn states(&self, statement: &Statement) -> bool {
+        match self {
+            AnyStudy::Plane(study) => study.states(statement),
+            AnyStudy::Space(study) => study.states(statement),
+        }
     }
 
     /// Proves and studies a tiling.
