@@ -148,7 +148,6 @@ fn check_statement<S: Scalar, const D: usize>(
             check_radius_edge_below(model, &bound_value(bound), findings);
         }
         // Placeholder: the prover neither states nor checks these yet, only the kernel does.
-        Statement::DihedralAbove(_) | Statement::RadiusEdgeBelow(_) | Statement::Tcp => {}
         Statement::Delaunay => check_delaunay(model, matching, false, findings),
         Statement::WeaklyDelaunay => check_delaunay(model, matching, true, findings),
         Statement::Tcp => check_tcp(model.tiling, matching, findings),
