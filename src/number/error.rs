@@ -1,5 +1,6 @@
 //! What can be wrong with a field or with the text of a number, and how it is said.
 
+use super::extension::MINOR_BITS_LIMIT;
 use super::isolation::{DEGREE_LIMIT, ISOLATION_LIMIT, POLYNOMIAL_BITS_LIMIT};
 use super::reader::BITS_LIMIT;
 use super::text::{DEPTH_LIMIT, DIGITS_LIMIT, TEXT_LIMIT};
@@ -26,6 +27,9 @@ pub enum FieldError {
     SeveralRoots(Rational, Rational, usize),
     /// Other roots are closer than 2^-[`ISOLATION_LIMIT`].
     RootsTooClose,
+    /// The linear system for a generator is larger than
+    /// [`MINOR_BITS_LIMIT`]: the bits of its minors, estimated.
+    ExtensionBeyondLimit(u64),
     /// No small combination of two generators generates both.
     NoGenerator,
 }
@@ -55,6 +59,11 @@ impl fmt::Display for FieldError {
                     "the polynomial has {count} roots from {lo} to {hi}, and must have one"
                 )
             }
+            Self::ExtensionBeyondLimit(bits) => write!(
+                f,
+                "the field of all numbers so far is too large: a generator needs numbers of about \
+                 {bits} bits, beyond the limit of {MINOR_BITS_LIMIT}"
+            ),
             Self::RootsTooClose => {
                 write!(
                     f,

@@ -11,8 +11,9 @@ use super::error::FieldError;
 use super::field::Field;
 use super::isolation::DEGREE_LIMIT;
 use super::polynomial as poly;
-use malachite::base::num::arithmetic::traits::{DivExact, DivisibleBy, Gcd, Pow, Reciprocal};
+use malachite::base::num::arithmetic::traits::{DivExact, DivisibleBy, Gcd, Pow};
 use malachite::base::num::basic::traits::{One, Zero};
+use malachite::base::num::logic::traits::SignificantBits;
 use malachite::{Integer, Natural, Rational};
 
 /// Square factors are sought among the primes below this.
@@ -20,6 +21,10 @@ const SQUARE_FACTOR_LIMIT: u64 = 10_000;
 /// The values of k for which y + k a is tried as a generator: for each pair of
 /// roots of different factors one k fails at most.
 const MULTIPLIERS: std::ops::Range<i64> = 0..1000;
+
+/// No minor of the linear system for a generator may have more bits (estimated):
+/// with the largest degree the elimination then takes some seconds.
+pub const MINOR_BITS_LIMIT: u64 = 60_000;
 
 /// A field that contains another one.
 pub(super) struct Extension {
@@ -124,7 +129,7 @@ pub(super) fn adjoin(
     }
     for k in MULTIPLIERS {
         let k = Rational::from(k);
-        let Some((polynomial, old)) = primitive_element(field, relation, &k) else {
+        let Some((polynomial, old)) = primitive_element(field, relation, &k)? else {
             continue;
         };
         let a = field.generator();
@@ -150,34 +155,54 @@ fn primitive_element(
     field: &Field,
     relation: &[Number],
     k: &Rational,
-) -> Option<(Vec<Integer>, Vec<Rational>)> {
+) -> Result<Option<(Vec<Integer>, Vec<Rational>)>, FieldError> {
+    let Some(columns) = powers(field, relation, k) else {
+        return Ok(None);
+    };
+    let bits = minor_bits(&columns);
+    if bits > MINOR_BITS_LIMIT {
+        return Err(FieldError::ExtensionBeyondLimit(bits));
+    }
+    let Some([top, old]) = solve(columns) else {
+        return Ok(None);
+    };
+    let integer = |c: &Rational| Integer::try_from(-c).ok();
+    let polynomial: Option<Vec<Integer>> = top.iter().map(integer).collect();
+    Ok(polynomial.map(|mut polynomial| {
+        polynomial.push(Integer::ONE);
+        (polynomial, old)
+    }))
+}
+
+/// The coordinates of 1, t, …, t^N and of a, for t = y + k a, with respect to the N = nm
+/// products of powers of a and y: integers, for those of the relation are.
+fn powers(field: &Field, relation: &[Number], k: &Rational) -> Option<Vec<Vec<Integer>>> {
     let (n, m) = (field.degree(), relation.len());
-    let coordinates = |v: &[Number]| -> Vec<Rational> {
+    let coordinates = |v: &[Number]| -> Option<Vec<Integer>> {
         let padded = |x: &Number| {
             let c = x.coefficients().to_vec();
             c.into_iter()
                 .chain(std::iter::repeat(Rational::ZERO))
                 .take(n)
         };
-        v.iter().flat_map(padded).collect()
+        v.iter()
+            .flat_map(padded)
+            .map(|c| Integer::try_from(c).ok())
+            .collect()
     };
     let ka = Number::from(k.clone()) * field.generator();
     let mut power = vec![Number::zero(); m];
     power[0] = Number::from(Rational::ONE);
     let mut columns = Vec::with_capacity(n * m + 2);
     for _ in 0..n * m {
-        columns.push(coordinates(&power));
+        columns.push(coordinates(&power)?);
         power = times_generator(&power, relation, &ka);
     }
-    columns.push(coordinates(&power));
+    columns.push(coordinates(&power)?);
     let mut a = vec![Number::zero(); m];
     a[0] = field.generator();
-    columns.push(coordinates(&a));
-    let [top, old] = solve(columns)?;
-    let integer = |c: &Rational| Integer::try_from(-c).ok();
-    let mut polynomial: Vec<Integer> = top.iter().map(integer).collect::<Option<_>>()?;
-    polynomial.push(Integer::ONE);
-    Some((polynomial, old))
+    columns.push(coordinates(&a)?);
+    Some(columns)
 }
 
 /// (y + ka) v for v = Σ v_j y^j.
@@ -193,28 +218,35 @@ fn times_generator(v: &[Number], relation: &[Number], ka: &Number) -> Vec<Number
 }
 
 /// The coordinates of the last two of N + 2 columns in terms of the first N, by
-/// elimination; `None` if those are dependent.
-fn solve(columns: Vec<Vec<Rational>>) -> Option<[Vec<Rational>; 2]> {
+/// elimination without fractions (Bareiss, Math. Comp. 22, 1968): every entry stays a
+/// minor of the matrix, and the division by the pivot before is exact. `None` if the
+/// first N are dependent.
+fn solve(columns: Vec<Vec<Integer>>) -> Option<[Vec<Rational>; 2]> {
     let n = columns.len() - 2;
     let row = |i: usize| columns.iter().map(|column| column[i].clone()).collect();
-    let mut rows: Vec<Vec<Rational>> = (0..n).map(row).collect();
+    let mut rows: Vec<Vec<Integer>> = (0..n).map(row).collect();
+    let mut before = Integer::ONE;
     for i in 0..n {
         let pivot = (i..n).find(|j| rows[*j][i] != 0)?;
         rows.swap(i, pivot);
-        let scale = (&rows[i][i]).reciprocal();
-        rows[i][i..].iter_mut().for_each(|x| *x *= &scale);
         let pivot_row = rows[i].clone();
-        for (_, row) in rows
-            .iter_mut()
-            .enumerate()
-            .filter(|(j, row)| *j != i && row[i] != 0)
-        {
+        let others = rows.iter_mut().enumerate().filter(|(j, _)| *j != i);
+        for (_, row) in others {
             let factor = row[i].clone();
-            for (x, y) in row[i..].iter_mut().zip(&pivot_row[i..]) {
-                *x -= &factor * y;
+            for (x, y) in row.iter_mut().zip(&pivot_row) {
+                *x = (&*x * &pivot_row[i] - &factor * y).div_exact(&before);
             }
         }
+        before = pivot_row[i].clone();
     }
-    let column = |j: usize| rows.iter().map(|row| row[j].clone()).collect();
+    // Every diagonal entry is now the determinant.
+    let quotient = |j: usize, i: usize| Rational::from_integers_ref(&rows[i][j], &rows[i][i]);
+    let column = |j: usize| (0..n).map(|i| quotient(j, i)).collect();
     Some([column(n), column(n + 1)])
+}
+
+/// About the bits of the largest minor (Hadamard).
+fn minor_bits(columns: &[Vec<Integer>]) -> u64 {
+    let largest = |column: &Vec<Integer>| column.iter().map(|x| x.significant_bits()).max();
+    columns.iter().filter_map(largest).sum()
 }
