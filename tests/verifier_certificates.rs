@@ -135,6 +135,30 @@ fn refusals_name_the_thing_and_the_exact_value() {
             "the Gram matrix is not positive definite: its leading principal minor 2 is -3",
         ),
         (
+            "false/volume-sum--slab-twice",
+            "the volumes of the simplices sum to 2 times the cell",
+        ),
+        (
+            "false/volume-sum--strip-over-sqrt-3-twice",
+            "the volumes of the simplices sum to 2 a times the cell; the domain has a",
+        ),
+        (
+            "false/vertex-outside--slightly",
+            "vertex 7 is outside of face 5 of the domain: the determinant is -1/1000000",
+        ),
+        (
+            "false/boundary-facet--slab-too-high",
+            "facet 0 of simplex 4 does not lie in face 1 of the domain: a corner has the determinant -1, not 0",
+        ),
+        (
+            "false/edge-valence--bcc",
+            "the edge between the vertices 0 and 0, shifted by [0, 1, 1], is in 4 tetrahedra",
+        ),
+        (
+            "false/faces-not-closed--side-missing",
+            "the ridge of the domain with the vertices [0] is in 1 faces, not in 2",
+        ),
+        (
             "declined/sign-undecided--gram-zero",
             "the sign of the leading principal minor 1 of the Gram matrix, -2 + a^2, \
              is not decided by the bisections allowed",

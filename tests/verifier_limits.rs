@@ -144,3 +144,16 @@ fn work() {
     assert_eq!(answer(&file, &limit(6)), "verified");
     assert_eq!(answer(&file, &limit(5)), "work");
 }
+
+/// The cube: 6 simplices, 6 faces of 4 vertices each against its 8 vertices, and
+/// the tiling's 8 vertices against 6 faces: 6 + 24 * 8 + 6 * 8 = 246.
+#[test]
+fn work_for_a_domain() {
+    let file = bytes("solid-cube-6");
+    let limit = |work| Limits {
+        work,
+        ..Limits::DEFAULT
+    };
+    assert_eq!(answer(&file, &limit(246)), "verified");
+    assert_eq!(answer(&file, &limit(245)), "work");
+}

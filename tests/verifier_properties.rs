@@ -1,7 +1,7 @@
 //! Properties of the kernel over random certificates and random damage.
 
 use acutile::certificate::{
-    AlgebraicField, Certificate, Field, Mate, Number, Place, Statement, to_bytes,
+    AlgebraicField, Certificate, Domain, Field, Mate, Number, Place, Polytope, Statement, to_bytes,
 };
 use acutile::verifier::{Limits, Refusal, Verified, verify};
 use proptest::prelude::*;
@@ -20,11 +20,15 @@ fn check(certificate: &Certificate) -> Result<Verified, Refusal> {
     verify(&to_bytes(certificate), &Limits::DEFAULT)
 }
 
-const NAMES: [&str; 4] = [
+const NAMES: [&str; 8] = [
     "plane-equilateral-acute",
     "plane-square-triangle",
     "space-bcc",
     "space-a15",
+    "strip-of-height-sqrt-3",
+    "slab-bcc",
+    "prism-cube-6",
+    "solid-octahedron",
 ];
 
 proptest! {
@@ -150,6 +154,126 @@ proptest! {
         scale_metric(&mut certificate, scale);
         let verified = check(&certificate);
         prop_assert!(verified.is_ok(), "{verified:?}");
+    }
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig { failure_persistence: None, ..ProptestConfig::default() })]
+
+    /// Four points in this order, cut along the diagonal from the first: a tiling of
+    /// a convex quadrilateral exactly where all four turns are to the left.
+    #[test]
+    fn quadrilaterals_against_their_turns(points in prop::array::uniform4(prop::array::uniform2(-3i64..=3))) {
+        let mut certificate = valid("solid-square-2");
+        let vertex = |k: usize| points[k].map(|x| Number(vec![x.to_string()])).to_vec();
+        polytope(&mut certificate).vertices = (0..4).map(vertex).collect();
+        // The file's vertices are (0, 0), (0, 1), (1, 0), (1, 1); the polygon's go round.
+        certificate.witness.vertices = [0, 3, 1, 2].map(vertex).to_vec();
+        certificate.claim.statements.truncate(1);
+        let turn = |k: usize| {
+            let [p, q, r] = [0, 1, 2].map(|i| points[(k + i) % 4]);
+            (q[0] - p[0]) * (r[1] - q[1]) - (q[1] - p[1]) * (r[0] - q[0])
+        };
+        let convex = (0..4).all(|k| turn(k) > 0);
+        prop_assert_eq!(check(&certificate).is_ok(), convex);
+    }
+
+    /// An affine map of the last k coordinates, of the tiling and of the domain
+    /// alike, changes nothing but the orientation and, where it is singular, all.
+    #[test]
+    fn affine_maps_of_a_domain(
+        name in prop::sample::select(&["slab-bcc", "prism-cube-6", "solid-cube-6", "solid-octahedron"][..]),
+        m in prop::array::uniform3(prop::array::uniform3(-2i64..=2)), by in prop::array::uniform3(-9i64..9),
+    ) {
+        let mut certificate = valid(name);
+        certificate.claim.statements.truncate(1);
+        let k = polytope(&mut certificate).vertices[0].len();
+        let tiling = certificate.witness.vertices.clone();
+        certificate.witness.vertices = tiling.iter().map(|vertex| image(vertex, &m, &by, k)).collect();
+        for vertex in &mut polytope(&mut certificate).vertices {
+            *vertex = image(vertex, &m, &by, k);
+        }
+        let expected = match determinant(&m, k).cmp(&0) {
+            Greater => "verified",
+            Equal => "face-not-facet",
+            Less => "orientation",
+        };
+        let answer = check(&certificate).map_or_else(|refusal| refusal.code(), |_| "verified");
+        prop_assert_eq!(answer, expected);
+    }
+
+    /// Faces in another order, with the mates that name them, and with their vertices
+    /// read from another one on or the other way round.
+    #[test]
+    fn faces_in_any_order(
+        name in prop::sample::select(&["slab-bcc", "prism-cube-6", "solid-cube-6", "solid-octahedron"][..]),
+        seed: u64, turn in 0usize..5, reversed: bool,
+    ) {
+        let mut certificate = valid(name);
+        let faces = polytope(&mut certificate).faces.clone();
+        let order = permutation(faces.len(), seed);
+        polytope(&mut certificate).faces = order.iter().map(|&old| {
+            let mut face = faces[old].clone();
+            let length = face.len();
+            face.rotate_left(turn % length);
+            if reversed {
+                face.reverse();
+            }
+            face
+        }).collect();
+        for Mate(mate) in certificate.witness.mates.iter_mut().flatten() {
+            if let [face] = mate.as_mut_slice() {
+                *face = order.iter().position(|&old| old as i64 == *face).unwrap() as i64;
+            }
+        }
+        let verified = check(&certificate);
+        prop_assert!(verified.is_ok(), "{verified:?}");
+    }
+
+    /// No face of the domain can be changed, removed or repeated alone.
+    #[test]
+    fn one_changed_face(
+        name in prop::sample::select(&["slab-bcc", "prism-cube-6", "solid-cube-6", "solid-octahedron"][..]),
+        what in 0..4usize, f in any::<prop::sample::Index>(), i in any::<prop::sample::Index>(), w in 0usize..9,
+    ) {
+        let mut certificate = valid(name);
+        let polytope = polytope(&mut certificate);
+        let f = f.index(polytope.faces.len());
+        let i = i.index(polytope.faces[f].len());
+        prop_assume!(polytope.faces[f][i] != w);
+        match what {
+            0 => polytope.faces[f][i] = w,
+            1 => { polytope.faces.remove(f); }
+            2 => polytope.faces.push(polytope.faces[f].clone()),
+            _ => { polytope.faces[f].remove(i); }
+        }
+        prop_assert!(check(&certificate).is_err());
+    }
+}
+
+fn polytope(certificate: &mut Certificate) -> &mut Polytope {
+    match &mut certificate.claim.domain {
+        Domain::Space => panic!("space has no polytope"),
+        Domain::Slab(polytope) | Domain::Prism(polytope) | Domain::Solid(polytope) => polytope,
+    }
+}
+
+/// The last k coordinates x become m x + b, with the first k rows and columns of m.
+fn image(point: &[Number], m: &[[i64; 3]; 3], b: &[i64; 3], k: usize) -> Vec<Number> {
+    let (first, last) = point.split_at(point.len() - k);
+    let row = |i: usize| {
+        let terms = (0..k).map(|j| rational(&last[j]) * m[i][j]);
+        number(terms.sum::<Rational>() + b[i])
+    };
+    first.iter().cloned().chain((0..k).map(row)).collect()
+}
+
+fn determinant(m: &[[i64; 3]; 3], k: usize) -> i64 {
+    let minor = |i: usize, j: usize| m[1][i] * m[2][j] - m[1][j] * m[2][i];
+    match k {
+        1 => m[0][0],
+        2 => m[0][0] * m[1][1] - m[0][1] * m[1][0],
+        _ => m[0][0] * minor(1, 2) - m[0][1] * minor(0, 2) + m[0][2] * minor(0, 1),
     }
 }
 

@@ -25,7 +25,7 @@ pub(super) fn check_dihedral_below(tiling: &Tiling) -> Result<(), Refusal> {
         facets,
         degrees: angle.to_string(),
     };
-    check_cosines(tiling, angle, Ordering::Greater, bounds, refuse)
+    compare_cosines(tiling, angle, Ordering::Greater, bounds, refuse)
 }
 
 /// Every dihedral angle is more than Q degrees: cos θ_ij < cos Q°. It is proved by
@@ -41,12 +41,12 @@ pub(super) fn check_dihedral_above(tiling: &Tiling) -> Result<(), Refusal> {
         facets,
         degrees: angle.to_string(),
     };
-    check_cosines(tiling, angle, Ordering::Less, bounds, refuse)
+    compare_cosines(tiling, angle, Ordering::Less, bounds, refuse)
 }
 
 /// Every cos θ_ij is on the `wanted` side of the first bound. Where one is not even
 /// on that side of the second, the statement is false.
-fn check_cosines(
+fn compare_cosines(
     tiling: &Tiling,
     angle: &Rational,
     wanted: Ordering,

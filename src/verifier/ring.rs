@@ -1,9 +1,9 @@
-//! The ring Z[a] in which every predicate is evaluated, and signs in it.
+//! The ring `Z[a]` in which every predicate is evaluated, and signs in it.
 //!
 //! Let p be the monic integer polynomial of the field, n its degree and a its
 //! root in the given interval. Evaluation at a is a ring homomorphism
-//! ev: Z[x]/(p) -> R, whether or not p is irreducible. An [`Element`] is the
-//! reduced coefficient vector of a class in Z[x]/(p). Hence two one-sided rules:
+//! ev: `Z[x]/(p)` -> R, whether or not p is irreducible. An [`Element`] is the
+//! reduced coefficient vector of a class in `Z[x]/(p)`. Hence two one-sided rules:
 //!
 //! - u = v as vectors implies ev(u) = ev(v);
 //! - an enclosure of ev(u) that excludes zero proves the sign of ev(u).
@@ -39,7 +39,7 @@ impl Ring {
         }
     }
 
-    /// Z[a], for a monic `modulus` of degree at least two.
+    /// `Z[a]`, for a monic `modulus` of degree at least two.
     pub(super) fn extension(
         modulus: Vec<BigInt>,
         root: (Rational, Rational),

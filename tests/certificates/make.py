@@ -678,7 +678,7 @@ MALFORMED = {
     "ratio-range--zero": edit(E, STATEMENTS, [TILING, ratio("0")]),
     "ratio-range--negative": edit(E, STATEMENTS, [TILING, ratio("-2/3")]),
     "number--in-the-angle-from-below": edit(E, STATEMENTS, [TILING, above("10.5")]),
-    "number--in-the-ratio": edit(E, STATEMENTS, [TILING, ratio("2/4")]),
+    "number--in-the-ratio": edit(E, STATEMENTS, [TILING, ratio("1.5")]),
     "statements--above-before-below": edit(E, STATEMENTS, [TILING, above("1"), below("90")]),
     "statements--tcp-before-delaunay": edit(A, STATEMENTS, [TILING, "TCP", "Delaunay"]),
     "statements--two-ratios": edit(E, STATEMENTS, [TILING, ratio("2"), ratio("3")]),
