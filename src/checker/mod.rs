@@ -147,7 +147,6 @@ fn check_statement<S: Scalar, const D: usize>(
         Statement::RadiusEdgeBelow(bound) => {
             check_radius_edge_below(model, &bound_value(bound), findings);
         }
-        // Placeholder: the prover neither states nor checks these yet, only the kernel does.
         Statement::Delaunay => check_delaunay(model, matching, false, findings),
         Statement::WeaklyDelaunay => check_delaunay(model, matching, true, findings),
         Statement::Tcp => check_tcp(model.tiling, matching, findings),
