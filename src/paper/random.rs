@@ -36,7 +36,7 @@ pub fn tetrahedra() -> impl Iterator<Item = [Vector; 4]> {
         let near_regular = count.is_multiple_of(2);
         Some(std::array::from_fn(|k| {
             std::array::from_fn(|i| match near_regular {
-                true => REGULAR[k][i] + random.coordinate(3),
+                true => REGULAR[k][i] + random.coordinate(2),
                 false => random.coordinate(5),
             })
         }))
