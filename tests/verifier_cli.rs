@@ -64,7 +64,7 @@ fn the_claim_is_said_in_words() {
     let text = stdout(&[VALID]);
     let words = "three-space is tiled face to face by 6 tetrahedra and their translates under the \
         lattice whose basis has the Gram matrix [[3, -1, -1], [-1, 3, -1], [-1, -1, 3]]; no \
-        dihedral angle is obtuse; all dihedral angles are below 181/2 degrees; ";
+        dihedral angle is obtuse; all dihedral angles are below 90.5 degrees; ";
     assert!(text.contains(words), "{text}");
     assert!(text.contains("(1 vertex, 6 simplices, sha256 "), "{text}");
 }

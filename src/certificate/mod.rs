@@ -79,12 +79,35 @@ pub struct AlgebraicField {
     pub root: (String, String),
 }
 
-/// What is tiled.
+/// What is tiled: all of space, or a convex polytope P of dimension k in the last
+/// k coordinates times the span of the first r = D - k basis vectors, which
+/// generate the lattice.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
 pub enum Domain {
-    /// All of D-space; the lattice has rank D.
+    /// All of D-space; k = 0, r = D.
     #[serde(rename = "space")]
     Space,
+    /// Between two parallel hyperplanes: k = 1, r = D - 1.
+    #[serde(rename = "slab")]
+    Slab(Polytope),
+    /// A convex polygon times a line, only for D = 3: k = 2, r = 1.
+    #[serde(rename = "prism")]
+    Prism(Polytope),
+    /// A convex polygon or polyhedron: k = D, r = 0.
+    #[serde(rename = "solid")]
+    Solid(Polytope),
+}
+
+/// A convex polytope of dimension 1, 2 or 3.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Polytope {
+    /// k coordinates each.
+    pub vertices: Vec<Vec<Number>>,
+    /// The facets of the polytope by the indices of their vertices: for k = 1 one
+    /// index, for k = 2 the two ends of a side, for k = 3 the corners of a face in
+    /// cyclic order.
+    pub faces: Vec<Vec<usize>>,
 }
 
 impl Domain {
@@ -92,6 +115,19 @@ impl Domain {
     pub fn rank(&self, dimension: usize) -> usize {
         match self {
             Domain::Space => dimension,
+            Domain::Slab(_) => dimension - 1,
+            Domain::Prism(_) => 1,
+            Domain::Solid(_) => 0,
+        }
+    }
+
+    /// The polytope, if the domain has a boundary.
+    pub fn polytope(&self) -> Option<&Polytope> {
+        match self {
+            Domain::Space => None,
+            Domain::Slab(polytope) | Domain::Prism(polytope) | Domain::Solid(polytope) => {
+                Some(polytope)
+            }
         }
     }
 }
@@ -113,6 +149,13 @@ pub enum Statement {
     /// Every dihedral angle is less than this rational number of degrees.
     #[serde(rename = "all dihedral angles below")]
     DihedralBelow(String),
+    /// Every dihedral angle is more than this rational number of degrees.
+    #[serde(rename = "all dihedral angles above")]
+    DihedralAbove(String),
+    /// In every simplex the circumradius is less than this rational number times the
+    /// shortest edge.
+    #[serde(rename = "all radius-edge ratios below")]
+    RadiusEdgeBelow(String),
     /// The open circumball of every simplex holds no vertex, and no vertex but
     /// its own lies on the circumsphere.
     #[serde(rename = "Delaunay")]
@@ -120,6 +163,10 @@ pub enum Statement {
     /// The open circumball of every simplex holds no vertex.
     #[serde(rename = "weakly Delaunay")]
     WeaklyDelaunay,
+    /// Tetrahedrally close packed (D = 3, all of space): every edge is in 5 or 6
+    /// tetrahedra, and no triangle has two edges that are in 6 (Sullivan 1999).
+    #[serde(rename = "TCP")]
+    Tcp,
 }
 
 /// The tiling itself, one simplex per lattice orbit, and hints for checking it.
@@ -141,7 +188,8 @@ pub struct Witness {
 pub struct Place(pub Vec<i64>);
 
 /// A facet's mate `[t, j, u_1, …, u_r]`: the facet opposite to corner j of
-/// simplex t, moved by the lattice vector u, is the facet itself.
+/// simplex t, moved by the lattice vector u, is the facet itself. Or `[f]`: the
+/// facet lies in face f of the domain's boundary.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(transparent)]
 pub struct Mate(pub Vec<i64>);

@@ -1,7 +1,8 @@
 //! Writes a proved tiling as a certificate.
 
+use super::domain::Boundary;
 use crate::certificate::{
-    self, Certificate, Claim, Domain, FORMAT, Number, Place, Statement, VERSION, Witness,
+    self, Certificate, Claim, Domain, FORMAT, Number, Place, Polytope, Statement, VERSION, Witness,
 };
 use crate::number;
 use crate::tiling::{self, Corner, Facet, Matching, Mate, Tiling};
@@ -10,6 +11,7 @@ use crate::tiling::{self, Corner, Facet, Matching, Mate, Tiling};
 pub fn certificate<const D: usize>(
     tiling: &Tiling<D>,
     matching: &Matching<D>,
+    boundary: &Boundary,
     statements: Vec<Statement>,
 ) -> Certificate {
     let frame = &tiling.frame;
@@ -33,7 +35,7 @@ pub fn certificate<const D: usize>(
                 .simplices()
                 .map(|corners| places(corners, frame.rank()))
                 .collect(),
-            mates: mates(matching, frame.rank()),
+            mates: mates(matching, boundary, frame.rank()),
         },
     }
 }
@@ -41,6 +43,20 @@ pub fn certificate<const D: usize>(
 fn domain(domain: &tiling::Domain) -> Domain {
     match domain {
         tiling::Domain::Space => Domain::Space,
+        tiling::Domain::Slab(polytope) => Domain::Slab(polytope_data(polytope)),
+        tiling::Domain::Prism(polytope) => Domain::Prism(polytope_data(polytope)),
+        tiling::Domain::Solid(polytope) => Domain::Solid(polytope_data(polytope)),
+    }
+}
+
+fn polytope_data(polytope: &tiling::Polytope) -> Polytope {
+    Polytope {
+        vertices: polytope
+            .vertices
+            .iter()
+            .map(|vertex| numbers(vertex))
+            .collect(),
+        faces: polytope.faces.clone(),
     }
 }
 
@@ -55,18 +71,35 @@ fn places<const D: usize>(corners: &[Corner<D>], rank: usize) -> Vec<Place> {
         .collect()
 }
 
-fn mates<const D: usize>(matching: &Matching<D>, rank: usize) -> Vec<Vec<certificate::Mate>> {
-    matching
-        .mates
-        .chunks_exact(D + 1)
-        .map(|facets| {
-            facets
-                .iter()
-                .flatten()
-                .map(|mate| mate_row(mate, rank))
-                .collect()
-        })
-        .collect()
+fn mates<const D: usize>(
+    matching: &Matching<D>,
+    boundary: &Boundary,
+    rank: usize,
+) -> Vec<Vec<certificate::Mate>> {
+    let row_of = |simplex: usize, opposite: usize, mate: &Option<Mate<D>>| match mate {
+        Some(mate) => mate_row(mate, rank),
+        None => {
+            let facet = Facet {
+                simplex: simplex as u32,
+                opposite: opposite as u8,
+            };
+            certificate::Mate(
+                boundary
+                    .get(&facet)
+                    .iter()
+                    .map(|face| **face as i64)
+                    .collect(),
+            )
+        }
+    };
+    let rows = matching.mates.chunks_exact(D + 1).enumerate();
+    rows.map(|(s, mates)| {
+        (0..)
+            .zip(mates)
+            .map(|(i, mate)| row_of(s, i, mate))
+            .collect()
+    })
+    .collect()
 }
 
 fn mate_row<const D: usize>(mate: &Mate<D>, rank: usize) -> certificate::Mate {

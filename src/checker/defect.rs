@@ -1,6 +1,7 @@
 //! What can be wrong with a tiling: one variant per way, with the exact values.
 //! [`super::render`] puts them into words.
 
+use crate::classify::NotTcp;
 use crate::number::Number;
 use crate::tiling::Facet;
 use malachite::Rational;
@@ -32,6 +33,26 @@ pub enum Defect {
     /// The volumes do not sum to the volume of the domain, `sum` and `expected`
     /// both in units of the cell.
     VolumeSum { sum: Number, expected: Number },
+    /// The first vertices of a face of the domain determine no plane, or all vertices
+    /// of the domain lie in it.
+    FaceWithoutPlane { face: usize },
+    /// A vertex of the domain is not where the plane of a face wants it: `value` is
+    /// zero in the plane and positive on the inner side.
+    FaceNotSupporting {
+        face: usize,
+        vertex: usize,
+        value: Number,
+    },
+    /// The corners of a face of the domain are not in the order of a convex polygon.
+    FaceNotConvex { face: usize },
+    /// A ridge of the domain's boundary lies in another number of faces than two.
+    RidgeNotShared { ridge: Vec<usize>, faces: usize },
+    /// A vertex lies outside of the domain, behind this face.
+    VertexOutside {
+        vertex: usize,
+        face: usize,
+        value: Number,
+    },
     /// A vertex is a corner of no simplex.
     UnusedVertex { vertex: usize },
     /// A dihedral angle is a right angle where all must be acute.
@@ -40,6 +61,17 @@ pub enum Defect {
     ObtuseAngle { angle: Angle },
     /// A dihedral angle was not proved to be less than a bound in degrees.
     AngleNotBelow { angle: Angle, bound: Rational },
+    /// A dihedral angle was not proved to be more than a bound in degrees.
+    AngleNotAbove { angle: Angle, bound: Rational },
+    /// The squared circumradius of a simplex over the square of its shortest edge is
+    /// `squared_ratio`, not less than the square of the bound.
+    RatioNotBelow {
+        simplex: usize,
+        squared_ratio: Number,
+        bound: Rational,
+    },
+    /// The tiling is not tetrahedrally close packed.
+    NotTcp { reason: NotTcp },
     /// The corner of the neighbour behind a facet lies on the circumsphere; the
     /// power is zero.
     OnCircumsphere { facet: Facet, neighbour: usize },
@@ -79,10 +111,18 @@ impl Defect {
             Defect::SameSide { .. } => "same-side",
             Defect::OverusedFacet { .. } => "overused-facet",
             Defect::VolumeSum { .. } => "volume-sum",
+            Defect::FaceWithoutPlane { .. } => "face-without-plane",
+            Defect::FaceNotSupporting { .. } => "face-not-supporting",
+            Defect::FaceNotConvex { .. } => "face-not-convex",
+            Defect::RidgeNotShared { .. } => "ridge-not-shared",
+            Defect::VertexOutside { .. } => "vertex-outside",
             Defect::UnusedVertex { .. } => "unused-vertex",
             Defect::RightAngle { .. } => "right-angle",
             Defect::ObtuseAngle { .. } => "obtuse-angle",
             Defect::AngleNotBelow { .. } => "angle-not-below",
+            Defect::AngleNotAbove { .. } => "angle-not-above",
+            Defect::RatioNotBelow { .. } => "ratio-not-below",
+            Defect::NotTcp { .. } => "not-tcp",
             Defect::OnCircumsphere { .. } => "on-circumsphere",
             Defect::InsideCircumsphere { .. } => "inside-circumsphere",
         }

@@ -7,7 +7,8 @@ use super::defect::{Defect, Findings};
 use super::model::Model;
 use crate::geometry::{Scalar, Sign, linear};
 use crate::number::Number;
-use crate::tiling::{Facet, Frame, Matching, Tiling};
+use crate::tiling::{Frame, Tiling};
+use malachite::Rational;
 
 /// Hypothesis M. The Gram matrix is positive definite: by Sylvester's criterion,
 /// all leading principal minors are positive.
@@ -83,45 +84,35 @@ pub fn determinant<const D: usize>(tiling: &Tiling<D>, simplex: usize) -> Number
     tiling.shape(simplex).determinant
 }
 
-/// Hypothesis F. Every facet is shared, up to a lattice vector, by exactly two
-/// simplices, and they lie on opposite sides of it.
-pub fn check_facets<const D: usize>(matching: &Matching<D>, findings: &mut Findings) {
-    for mismatch in &matching.mismatches {
-        let facets: Vec<Facet> = mismatch.uses.iter().map(|(facet, _)| *facet).collect();
-        findings.add(match facets[..] {
-            [facet] => Defect::UnmatchedFacet { facet },
-            [a, b] => Defect::SameSide { facets: (a, b) },
-            _ => Defect::OverusedFacet { facets },
-        });
-    }
-}
-
-/// Hypothesis V. The volumes sum to the volume of the cell:
-/// Σ det (c_1 - c_0, …, c_D - c_0) = D!, coordinates in the lattice basis.
+/// Hypothesis V. The volumes sum to the volume of the domain per cell, coordinates
+/// in the basis: Σ det (c_1 - c_0, …, c_D - c_0) = D! vol_k(P), where P is the polytope of
+/// the domain, a point for all of space.
 pub fn check_volume<S: Scalar, const D: usize>(model: &Model<S, D>, findings: &mut Findings) {
     let zero = model.unit.integer(0);
-    let sum = (0..model.tiling.len()).fold(zero, |sum, index| {
+    let scaled = (0..model.tiling.len()).fold(zero, |sum, index| {
         sum.plus(&model.simplex(index).determinant)
     });
-    let factorial = (1..=D as i64).product();
-    let cell = (0..D).fold(model.unit.integer(factorial), |cell, _| {
+    let cell = (0..D).fold(model.unit.integer(factorial(D)), |cell, _| {
         cell.times(&model.unit)
     });
-    if sum.minus(&cell).sign() != Sign::Equal {
-        let field = &model.tiling.frame.field;
-        findings.add(Defect::VolumeSum {
-            sum: volume_sum(model.tiling),
-            expected: field.integer(1),
-        });
+    let sum = quotient(&(model.to_number)(&scaled), &(model.to_number)(&cell));
+    let expected = match model.tiling.frame.domain.polytope() {
+        None => Number::from(Rational::from(1)),
+        Some(polytope) => {
+            let factor = Number::from(Rational::from(factorial(polytope.dimension())));
+            quotient(&polytope.scaled_volume(), &factor)
+        }
+    };
+    if sum != expected {
+        findings.add(Defect::VolumeSum { sum, expected });
     }
 }
 
-/// The sum of the signed volumes in units of the cell.
-fn volume_sum<const D: usize>(tiling: &Tiling<D>) -> Number {
-    let field = &tiling.frame.field;
-    let factorial = field.integer((1..=D as i64).product());
-    let sum = (0..tiling.len()).fold(field.integer(0), |sum, index| {
-        &sum + &determinant(tiling, index)
-    });
-    sum.divide(&factorial).unwrap_or_else(|| field.integer(0))
+fn factorial(n: usize) -> i64 {
+    (1..=n as i64).product()
+}
+
+/// x / y for a y that is a product of positive integers.
+fn quotient(x: &Number, y: &Number) -> Number {
+    x.divide(y).unwrap_or_else(Number::zero)
 }

@@ -7,21 +7,26 @@
 
 mod assemble;
 mod defect;
+mod domain;
 mod hypotheses;
 mod model;
 mod render;
 mod statements;
 
 pub use defect::{Angle, Defect, Findings};
-pub use hypotheses::{check_corners, check_facets, check_metric, check_orientation, check_volume};
+pub use domain::{Boundary, check_domain, check_facets, check_inside};
+pub use hypotheses::{check_corners, check_metric, check_orientation, check_volume};
 pub use model::Model;
 pub use render::describe;
-pub use statements::{check_acute, check_delaunay, check_dihedral_below, check_nonobtuse};
+pub use statements::{
+    check_acute, check_delaunay, check_dihedral_above, check_dihedral_below, check_nonobtuse,
+    check_radius_edge_below, check_tcp,
+};
 
 use crate::certificate::{Certificate, Statement};
 use crate::geometry::Scalar;
 use crate::quality;
-use crate::tiling::{Corner, Matching, Tiling, match_facets};
+use crate::tiling::{Matching, Plane, Tiling, match_facets};
 use malachite::Rational;
 use std::str::FromStr;
 
@@ -61,16 +66,30 @@ pub fn prove<const D: usize>(
     progress("metric");
     check_metric(&tiling.frame, &mut findings);
     check_corners(tiling, &mut findings);
+    let planes = check_domain(tiling, &mut findings);
     stop_if_any(&findings)?;
     if tiling.frame.field.degree() == 1 {
-        prove_over(&Model::rational(tiling), findings, options, progress)
+        prove_over(
+            &Model::rational(tiling),
+            &planes,
+            findings,
+            options,
+            progress,
+        )
     } else {
-        prove_over(&Model::algebraic(tiling), findings, options, progress)
+        prove_over(
+            &Model::algebraic(tiling),
+            &planes,
+            findings,
+            options,
+            progress,
+        )
     }
 }
 
 fn prove_over<S: Scalar, const D: usize>(
     model: &Model<S, D>,
+    planes: &[Plane],
     mut findings: Findings,
     options: &Options,
     progress: Progress,
@@ -79,7 +98,8 @@ fn prove_over<S: Scalar, const D: usize>(
     check_orientation(model, &mut findings);
     progress("facets");
     let matching = match_facets(model.tiling);
-    check_facets(&matching, &mut findings);
+    let faces = check_inside(model.tiling, planes, &mut findings);
+    let boundary = check_facets(model.tiling, &matching, &faces, &mut findings);
     progress("volume");
     check_volume(model, &mut findings);
     stop_if_any(&findings)?;
@@ -91,7 +111,12 @@ fn prove_over<S: Scalar, const D: usize>(
     progress("strongest statements");
     let statements = strongest_statements(model, &matching, &options.required);
     progress("certificate");
-    Ok(assemble::certificate(model.tiling, &matching, statements))
+    Ok(assemble::certificate(
+        model.tiling,
+        &matching,
+        &boundary,
+        statements,
+    ))
 }
 
 fn stop_if_any(findings: &Findings) -> Result<(), Refutation> {
@@ -114,17 +139,28 @@ fn check_statement<S: Scalar, const D: usize>(
         Statement::Acute => check_acute(model, findings),
         Statement::Nonobtuse => check_nonobtuse(model, findings),
         Statement::DihedralBelow(bound) => {
-            let bound = Rational::from_str(bound).unwrap_or(Rational::from(0));
-            check_dihedral_below(model, &bound, findings);
+            check_dihedral_below(model, &bound_value(bound), findings);
         }
+        Statement::DihedralAbove(bound) => {
+            check_dihedral_above(model, &bound_value(bound), findings);
+        }
+        Statement::RadiusEdgeBelow(bound) => {
+            check_radius_edge_below(model, &bound_value(bound), findings);
+        }
+        // Placeholder: the prover neither states nor checks these yet, only the kernel does.
         Statement::Delaunay => check_delaunay(model, matching, false, findings),
         Statement::WeaklyDelaunay => check_delaunay(model, matching, true, findings),
+        Statement::Tcp => check_tcp(model.tiling, matching, findings),
     }
 }
 
-/// The claim's statements: the tiling; acute, or else nonobtuse; the least bound
-/// in whole hundredths of a degree that holds and the required bounds; Delaunay,
-/// or else weakly Delaunay.
+/// The bound of a statement; a text that is none bounds nothing.
+fn bound_value(text: &str) -> Rational {
+    Rational::from_str(text).unwrap_or(Rational::from(0))
+}
+
+/// The claim's statements: the tiling; acute, or else nonobtuse; the tightest bounds of
+/// angles and ratios; Delaunay, or else weakly Delaunay; TCP; and whatever is required.
 fn strongest_statements<S: Scalar, const D: usize>(
     model: &Model<S, D>,
     matching: &Matching<D>,
@@ -135,56 +171,48 @@ fn strongest_statements<S: Scalar, const D: usize>(
         check_statement(model, matching, statement, &mut findings);
         findings.is_empty()
     };
-    let first_that_holds =
-        |choices: [Statement; 2]| choices.into_iter().find(|choice| holds(choice));
+    let first = |choices: Vec<Statement>| choices.into_iter().find(|choice| holds(choice));
+    let bounds = quality::bounds(model.tiling);
+    let bounded = |bounds: Vec<Rational>, statement: fn(String) -> Statement| {
+        first(
+            bounds
+                .iter()
+                .map(|bound| statement(bound.to_string()))
+                .collect(),
+        )
+    };
     let mut statements = vec![Statement::FaceToFaceTiling];
-    statements.extend(first_that_holds([Statement::Acute, Statement::Nonobtuse]));
-    statements.extend(
-        quality::least_bounds(model.tiling)
-            .map(bound_statement)
-            .find(holds),
-    );
-    statements.extend(first_that_holds([
-        Statement::Delaunay,
-        Statement::WeaklyDelaunay,
-    ]));
+    statements.extend(first(vec![Statement::Acute, Statement::Nonobtuse]));
+    statements.extend(bounded(bounds.above_angles, Statement::DihedralBelow));
+    statements.extend(bounded(bounds.below_angles, Statement::DihedralAbove));
+    statements.extend(bounded(bounds.above_ratios, Statement::RadiusEdgeBelow));
+    statements.extend(first(vec![Statement::Delaunay, Statement::WeaklyDelaunay]));
+    statements.extend(first(vec![Statement::Tcp]));
     statements.extend(required.iter().cloned());
-    drop_implied(&mut statements);
+    without_implied(statements)
+}
+
+/// Sorted, without what a stronger statement of the list implies.
+fn without_implied(mut statements: Vec<Statement>) -> Vec<Statement> {
+    statements.sort();
+    statements.dedup();
+    let all = statements.clone();
+    statements.retain(|statement| !all.iter().any(|other| implies(other, statement)));
     statements
 }
 
-fn bound_statement(bound: Rational) -> Statement {
-    Statement::DihedralBelow(bound.to_string())
-}
-
-/// Sorts, and leaves out what a stronger statement of the list implies.
-fn drop_implied(statements: &mut Vec<Statement>) {
-    statements.sort();
-    statements.dedup();
-    let has = |statement: &Statement, list: &[Statement]| list.contains(statement);
-    let acute = has(&Statement::Acute, statements);
-    let delaunay = has(&Statement::Delaunay, statements);
-    let least = statements.iter().filter_map(bound_of).min();
-    statements.retain(|statement| match statement {
-        Statement::Nonobtuse => !acute,
-        Statement::WeaklyDelaunay => !delaunay,
-        Statement::DihedralBelow(_) => bound_of(statement) == least,
-        _ => true,
-    });
-}
-
-fn bound_of(statement: &Statement) -> Option<Rational> {
-    match statement {
-        Statement::DihedralBelow(bound) => Rational::from_str(bound).ok(),
-        _ => None,
+/// Whether `a` is stronger than `b`.
+fn implies(a: &Statement, b: &Statement) -> bool {
+    match (a, b) {
+        (Statement::Acute, Statement::Nonobtuse) => true,
+        (Statement::Delaunay, Statement::WeaklyDelaunay) => true,
+        (Statement::DihedralBelow(a), Statement::DihedralBelow(b))
+        | (Statement::RadiusEdgeBelow(a), Statement::RadiusEdgeBelow(b)) => {
+            bound_value(a) < bound_value(b)
+        }
+        (Statement::DihedralAbove(a), Statement::DihedralAbove(b)) => {
+            bound_value(a) > bound_value(b)
+        }
+        _ => false,
     }
-}
-
-/// A corner in words: `3` or `3+(0, 1, -1)`.
-pub fn corner_text<const D: usize>(corner: &Corner<D>, rank: usize) -> String {
-    if corner.shift.iter().all(|&s| s == 0) {
-        return corner.vertex.to_string();
-    }
-    let shift: Vec<String> = corner.shift[..rank].iter().map(i32::to_string).collect();
-    format!("{}+({})", corner.vertex, shift.join(", "))
 }

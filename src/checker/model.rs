@@ -25,10 +25,22 @@ pub struct Model<'a, S, const D: usize> {
     pub gram: [[S; D]; D],
     /// Its adjugate, which measures covectors.
     pub cogram: [[S; D]; D],
+    /// A value of the ring as an element of the field.
+    pub to_number: fn(&S) -> Number,
+    /// A number with integer coefficients as a value of the ring.
+    pub from_number: fn(&Number) -> S,
 }
 
 impl<'a, S: Scalar, const D: usize> Model<'a, S, D> {
-    fn new(tiling: &'a Tiling<D>, clear: impl Fn(&Number, &Integer) -> S) -> Self {
+    fn new(
+        tiling: &'a Tiling<D>,
+        to_number: fn(&S) -> Number,
+        from_number: fn(&Number) -> S,
+    ) -> Self {
+        let field = &tiling.frame.field;
+        let clear = |x: &Number, scale: &Integer| {
+            from_number(&(x * &field.rational(Rational::from(scale))))
+        };
         let unit = common_denominator(tiling.vertices.iter().flatten());
         let metric = common_denominator(tiling.frame.gram.iter().flatten());
         let gram = tiling
@@ -45,7 +57,9 @@ impl<'a, S: Scalar, const D: usize> Model<'a, S, D> {
                 .collect(),
             cogram: linear::cofactors(&gram),
             gram,
-            unit: clear(&tiling.frame.field.integer(1), &unit),
+            to_number,
+            from_number,
+            unit: clear(&field.integer(1), &unit),
         }
     }
 
@@ -73,23 +87,17 @@ impl<'a, S: Scalar, const D: usize> Model<'a, S, D> {
 impl<'a, const D: usize> Model<'a, Integer, D> {
     /// The model of a tiling over the rationals.
     pub fn rational(tiling: &'a Tiling<D>) -> Self {
-        Model::new(tiling, |number, scale| {
-            match number.coefficients() {
-                [] => Integer::ZERO,
-                // The product is an integer, for `scale` is a multiple of the denominator.
-                [value, ..] => (value * Rational::from(scale)).floor(),
-            }
-        })
+        let to_number = |x: &Integer| Number::from(Rational::from(x));
+        // Exact, for the number is an integer.
+        let from_number = |x: &Number| x.to_rational().map_or(Integer::ZERO, |value| value.floor());
+        Model::new(tiling, to_number, from_number)
     }
 }
 
 impl<'a, const D: usize> Model<'a, Number, D> {
     /// The model of a tiling over any field.
     pub fn algebraic(tiling: &'a Tiling<D>) -> Self {
-        let field = &tiling.frame.field;
-        Model::new(tiling, |number, scale| {
-            number * &field.rational(Rational::from(scale))
-        })
+        Model::new(tiling, Number::clone, Number::clone)
     }
 }
 

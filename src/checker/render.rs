@@ -1,7 +1,6 @@
 //! Defects in words: which simplex, facet or vertex, what was expected, and the
 //! exact value that was found, with a short decimal beside it.
 
-use super::corner_text;
 use super::defect::{Angle, Defect};
 use crate::number::Number;
 use crate::quality::{decimal_range, short_decimal};
@@ -62,6 +61,35 @@ pub fn describe<const D: usize>(tiling: &Tiling<D>, defect: &Defect) -> String {
             exact(sum),
             exact(expected)
         ),
+        Defect::FaceWithoutPlane { face } => format!(
+            "face {face} of the domain: its first vertices lie in no single plane, or the whole \
+             domain lies in it"
+        ),
+        Defect::FaceNotSupporting {
+            face,
+            vertex,
+            value,
+        } => format!(
+            "face {face} of the domain: vertex {vertex} of the domain has the value {} on its \
+             plane, expected zero for its own vertices and a positive number for all others",
+            exact(value)
+        ),
+        Defect::FaceNotConvex { face } => format!(
+            "face {face} of the domain: its corners are not in the cyclic order of a convex polygon"
+        ),
+        Defect::RidgeNotShared { ridge, faces } => format!(
+            "the domain's boundary does not close up: the ridge {ridge:?} lies in {faces} faces, \
+             expected 2"
+        ),
+        Defect::VertexOutside {
+            vertex,
+            face,
+            value,
+        } => format!(
+            "vertex {vertex} lies outside of the domain, behind face {face}: its value there is \
+             {}, expected zero or a positive number",
+            exact(value)
+        ),
         Defect::UnusedVertex { vertex } => {
             format!("vertex {vertex} is a corner of no simplex")
         }
@@ -83,6 +111,22 @@ pub fn describe<const D: usize>(tiling: &Tiling<D>, defect: &Defect) -> String {
             angle_name(tiling, angle),
             decimal_range(&angle.degrees)
         ),
+        Defect::AngleNotAbove { angle, bound } => format!(
+            "{} is {} degrees, expected more than {bound}",
+            angle_name(tiling, angle),
+            decimal_range(&angle.degrees)
+        ),
+        Defect::RatioNotBelow {
+            simplex,
+            squared_ratio,
+            bound,
+        } => format!(
+            "simplex {simplex} {}: the square of its radius-edge ratio is {}, expected less than \
+             the square of {bound}",
+            corners(tiling, *simplex),
+            exact(squared_ratio)
+        ),
+        Defect::NotTcp { reason } => format!("not tetrahedrally close packed: {reason}"),
         Defect::OnCircumsphere { facet, neighbour } => format!(
             "the corner of simplex {neighbour} behind {} lies on the circumsphere, expected \
              outside",
@@ -112,7 +156,7 @@ fn exact(number: &Number) -> String {
 }
 
 fn corner<const D: usize>(tiling: &Tiling<D>, simplex: usize, index: usize) -> String {
-    corner_text(&tiling.simplex(simplex)[index], tiling.frame.rank())
+    tiling.simplex(simplex)[index].to_string()
 }
 
 fn corners<const D: usize>(tiling: &Tiling<D>, simplex: usize) -> String {

@@ -3,10 +3,11 @@
 
 use super::defect::{Angle, Defect, Findings};
 use super::model::Model;
+use crate::classify::{self, NotTcp, Ridges};
 use crate::geometry::{NormalProducts, Scalar, Sign, linear};
 use crate::number::enclosure;
-use crate::quality;
-use crate::tiling::{Facet, Matching};
+use crate::quality::{self, ceiling_to_i64, floor_to_i64};
+use crate::tiling::{Facet, Matching, Tiling};
 use malachite::Rational;
 
 /// Every dihedral angle is acute: <g_i, g_j> < 0 for all facets i ≠ j.
@@ -47,9 +48,9 @@ pub fn check_dihedral_below<S: Scalar, const D: usize>(
     bound: &Rational,
     findings: &mut Findings,
 ) {
-    let cosine = CosineBound::new(bound, &model.unit);
+    let cosine = SquaredCosine::new(ceiling_to_i64(&scaled_cosine(bound).1), &model.unit);
     for_each_angle(model, |simplex, i, j, products| {
-        if !cosine.is_exceeded(products, i, j) {
+        if cosine.compared_with(products, i, j) != Sign::Greater {
             let angle = angle(model, simplex, (i, j));
             findings.add(Defect::AngleNotBelow {
                 angle,
@@ -59,38 +60,60 @@ pub fn check_dihedral_below<S: Scalar, const D: usize>(
     });
 }
 
-/// Rounding the cosine up to this many binary digits keeps the products small; an
-/// angle within about 1e-8 degrees of the bound is not proved to be below it.
+/// Every dihedral angle t is more than `bound` degrees: cos t < c for a rational
+/// c <= cos(bound).
+pub fn check_dihedral_above<S: Scalar, const D: usize>(
+    model: &Model<S, D>,
+    bound: &Rational,
+    findings: &mut Findings,
+) {
+    let cosine = SquaredCosine::new(floor_to_i64(&scaled_cosine(bound).0), &model.unit);
+    for_each_angle(model, |simplex, i, j, products| {
+        if cosine.compared_with(products, i, j) != Sign::Less {
+            let angle = angle(model, simplex, (i, j));
+            findings.add(Defect::AngleNotAbove {
+                angle,
+                bound: bound.clone(),
+            });
+        }
+    });
+}
+
+/// Rounding the cosine to this many binary digits keeps the products small; an
+/// angle within about 1e-8 degrees of the bound is not proved to be beyond it.
 const COSINE_BITS: u64 = 31;
 
-/// sign(c) and c² = n² / 2^(2 COSINE_BITS) for a rational c >= cos(bound).
-struct CosineBound<S> {
+/// Bounds of the cosine of an angle in degrees, times 2^COSINE_BITS.
+fn scaled_cosine(degrees: &Rational) -> (Rational, Rational) {
+    let scale = Rational::from(1i64 << COSINE_BITS);
+    let (low, high) = enclosure::cos_of_degrees(degrees, &(Rational::from_signeds(1, 4) / &scale));
+    (low * &scale, high * &scale)
+}
+
+/// sign(c) and c² = n² / 2^(2 COSINE_BITS) for a rational c.
+struct SquaredCosine<S> {
     sign: Sign,
     numerator_squared: S,
     denominator_squared: S,
 }
 
-impl<S: Scalar> CosineBound<S> {
-    fn new(bound: &Rational, like: &S) -> Self {
-        let denominator = 1i64 << COSINE_BITS;
-        let width = Rational::from_signeds(1, 4 * denominator);
-        let (_, upper) = enclosure::cos_of_degrees(bound, &width);
-        let numerator = quality::ceiling_to_i64(&(upper * Rational::from(denominator)));
+impl<S: Scalar> SquaredCosine<S> {
+    fn new(numerator: i64, like: &S) -> Self {
         let square = |n: i64| like.integer(n).times(&like.integer(n));
-        CosineBound {
+        SquaredCosine {
             sign: numerator.cmp(&0),
             numerator_squared: square(numerator),
-            denominator_squared: square(denominator),
+            denominator_squared: square(1i64 << COSINE_BITS),
         }
     }
 
-    /// Whether cos t > c. Both sides have a sign; with equal signs the squares
-    /// decide, cos² t = <g_i, g_j>² / (<g_i, g_i> <g_j, g_j>).
-    fn is_exceeded(&self, products: &NormalProducts<S>, i: usize, j: usize) -> bool {
+    /// cos t compared with c. Both have a sign; with equal signs the squares decide,
+    /// cos² t = <g_i, g_j>² / (<g_i, g_i> <g_j, g_j>).
+    fn compared_with(&self, products: &NormalProducts<S>, i: usize, j: usize) -> Sign {
         let product = products.get(i, j);
         let cosine_sign = product.sign().reverse();
         if cosine_sign != self.sign {
-            return cosine_sign > self.sign;
+            return cosine_sign.cmp(&self.sign);
         }
         let left = product.times(product).times(&self.denominator_squared);
         let right = products
@@ -98,10 +121,55 @@ impl<S: Scalar> CosineBound<S> {
             .times(products.get(j, j))
             .times(&self.numerator_squared);
         match cosine_sign {
-            Sign::Greater => left.minus(&right).sign() == Sign::Greater,
-            Sign::Less => left.minus(&right).sign() == Sign::Less,
-            Sign::Equal => false,
+            Sign::Less => right.minus(&left).sign(),
+            Sign::Equal => Sign::Equal,
+            Sign::Greater => left.minus(&right).sign(),
         }
+    }
+}
+
+/// The circumradius of every simplex is less than `bound` times its shortest edge:
+/// R² < bound² |e|² for all its edges e.
+pub fn check_radius_edge_below<S: Scalar, const D: usize>(
+    model: &Model<S, D>,
+    bound: &Rational,
+    findings: &mut Findings,
+) {
+    let field = &model.tiling.frame.field;
+    let square = bound * bound;
+    let [p, q] = [square.numerator_ref(), square.denominator_ref()]
+        .map(|n| (model.from_number)(&field.rational(Rational::from(n))));
+    for simplex in 0..model.tiling.len() {
+        let shape = model.simplex(simplex);
+        let products = shape.normal_products(&model.cogram);
+        let (numerator, denominator) = shape.squared_circumradius(&model.gram, &products);
+        let (left, right) = (numerator.times(&q), denominator.times(&p));
+        let is_below = |edge: &S| right.times(edge).minus(&left).sign() == Sign::Greater;
+        if !shape.squared_edges(&model.gram).iter().all(is_below) {
+            let squared_ratio = quality::measures(model.tiling, simplex).radius_edge.square;
+            findings.add(Defect::RatioNotBelow {
+                simplex,
+                squared_ratio,
+                bound: bound.clone(),
+            });
+        }
+    }
+}
+
+/// Tetrahedrally close packed: every edge is in 5 or 6 tetrahedra, and no triangle has
+/// two edges that are in 6. Only for all of three-space.
+pub fn check_tcp<const D: usize>(
+    tiling: &Tiling<D>,
+    matching: &Matching<D>,
+    findings: &mut Findings,
+) {
+    if D != 3 {
+        return findings.add(Defect::NotTcp {
+            reason: NotTcp::Dimension,
+        });
+    }
+    if let Err(reason) = classify::check_tcp(tiling, &Ridges::of(tiling, matching)) {
+        findings.add(Defect::NotTcp { reason });
     }
 }
 

@@ -8,19 +8,21 @@ use std::fmt;
 /// The first thing in which a triangulation is not TCP.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum NotTcp {
+    /// It is no tiling by tetrahedra.
+    Dimension,
     /// The domain has a boundary, where valences mean nothing.
     Boundary,
     /// An edge, by its corners, whose valence is neither 5 nor 6.
-    Edge {
-        corners: Vec<Corner<3>>,
-        valence: usize,
-    },
+    Edge { corners: String, valence: usize },
     /// A triangle, by its corners, with at least two 6-valent edges.
-    Triangle { corners: [Corner<3>; 3] },
+    Triangle { corners: String },
 }
 
 /// Whether a tiling of space is TCP.
-pub fn check_tcp(tiling: &Tiling<3>, ridges: &Ridges<3>) -> Result<(), NotTcp> {
+pub fn check_tcp<const D: usize>(tiling: &Tiling<D>, ridges: &Ridges<D>) -> Result<(), NotTcp> {
+    if D != 3 {
+        return Err(NotTcp::Dimension);
+    }
     if ridges.list.iter().any(|ridge| ridge.is_boundary) {
         return Err(NotTcp::Boundary);
     }
@@ -30,15 +32,18 @@ pub fn check_tcp(tiling: &Tiling<3>, ridges: &Ridges<3>) -> Result<(), NotTcp> {
         .find(|edge| !matches!(edge.valence(), 5 | 6))
     {
         return Err(NotTcp::Edge {
-            corners: edge.corners.clone(),
+            corners: names(&edge.corners),
             valence: edge.valence(),
         });
     }
     for (simplex, corners) in tiling.simplices().enumerate() {
         for opposite in 0..4 {
             if six_valent_edges(ridges, simplex, opposite) >= 2 {
-                let corners = std::array::from_fn(|k| corners[k + usize::from(k >= opposite)]);
-                return Err(NotTcp::Triangle { corners });
+                let mut facet = corners.to_vec();
+                facet.remove(opposite);
+                return Err(NotTcp::Triangle {
+                    corners: names(&facet),
+                });
             }
         }
     }
@@ -46,37 +51,30 @@ pub fn check_tcp(tiling: &Tiling<3>, ridges: &Ridges<3>) -> Result<(), NotTcp> {
 }
 
 /// The edges of the facet opposite to a corner lie in the three other facets, too.
-fn six_valent_edges(ridges: &Ridges<3>, simplex: usize, opposite: usize) -> usize {
+fn six_valent_edges<const D: usize>(ridges: &Ridges<D>, simplex: usize, opposite: usize) -> usize {
     (0..4)
         .filter(|&other| other != opposite)
         .map(|other| ridges.between(simplex, opposite, other))
-        .filter(|edge: &&Ridge<3>| edge.valence() == 6)
+        .filter(|edge: &&Ridge<D>| edge.valence() == 6)
         .count()
 }
 
 impl fmt::Display for NotTcp {
     fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
         match self {
+            NotTcp::Dimension => write!(f, "it is not a tiling by tetrahedra"),
             NotTcp::Boundary => write!(f, "it has a boundary"),
             NotTcp::Edge { corners, valence } => {
-                write!(f, "the edge {} has valence {valence}", names(corners))
+                write!(f, "the edge {corners} has valence {valence}")
             }
             NotTcp::Triangle { corners } => {
-                write!(f, "the triangle {} has two 6-valent edges", names(corners))
+                write!(f, "the triangle {corners} has two 6-valent edges")
             }
         }
     }
 }
 
-fn names(corners: &[Corner<3>]) -> String {
-    let names: Vec<String> = corners.iter().map(name).collect();
+fn names<const D: usize>(corners: &[Corner<D>]) -> String {
+    let names: Vec<String> = corners.iter().map(ToString::to_string).collect();
     names.join(", ")
-}
-
-/// `3` or `3+(0, 1, -1)`.
-fn name(corner: &Corner<3>) -> String {
-    match corner.shift {
-        [0, 0, 0] => corner.vertex.to_string(),
-        [x, y, z] => format!("{}+({x}, {y}, {z})", corner.vertex),
-    }
 }

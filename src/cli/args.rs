@@ -3,7 +3,6 @@
 use crate::certificate::Statement;
 use crate::verifier::Limits;
 use clap::{Args, Parser, Subcommand};
-use malachite::Rational;
 use std::ffi::OsString;
 use std::path::PathBuf;
 
@@ -74,8 +73,8 @@ pub struct CertifyArguments {
     /// certificates into this directory
     #[arg(short, long, value_name = "FILE|DIR")]
     pub output: Option<PathBuf>,
-    /// A statement that must hold: acute, nonobtuse, delaunay, weakly-delaunay,
-    /// dihedral<DEGREES
+    /// A statement that must hold: acute, nonobtuse, delaunay, weakly-delaunay, tcp,
+    /// dihedral<DEGREES, dihedral>DEGREES, radius-edge<RATIO
     #[arg(long = "require", value_name = "STATEMENT", value_parser = statement)]
     pub required: Vec<Statement>,
     /// Give negatively oriented simplices positive orientation
@@ -191,34 +190,36 @@ pub struct CompletionsArguments {
 
 /// Reads a statement as `--require` takes it.
 fn statement(text: &str) -> Result<Statement, String> {
+    let bounded = |prefix: &str, largest: u8, statement: fn(String) -> Statement| {
+        text.strip_prefix(prefix)
+            .map(|bound| bound_text(bound, largest).map(statement))
+    };
     match text {
         "tiling" => Ok(Statement::FaceToFaceTiling),
         "acute" => Ok(Statement::Acute),
         "nonobtuse" => Ok(Statement::Nonobtuse),
         "delaunay" => Ok(Statement::Delaunay),
         "weakly-delaunay" => Ok(Statement::WeaklyDelaunay),
-        _ => match text.strip_prefix("dihedral<") {
-            Some(degrees) => degrees_bound(degrees),
-            None => Err(
-                "expected acute, nonobtuse, delaunay, weakly-delaunay, tiling or \
-                         dihedral<DEGREES"
-                    .to_owned(),
-            ),
-        },
+        "tcp" => Ok(Statement::Tcp),
+        _ => bounded("dihedral<", 180, Statement::DihedralBelow)
+            .or_else(|| bounded("dihedral>", 180, Statement::DihedralAbove))
+            .or_else(|| bounded("radius-edge<", u8::MAX, Statement::RadiusEdgeBelow))
+            .unwrap_or_else(|| {
+                Err(
+                    "expected acute, nonobtuse, delaunay, weakly-delaunay, tcp, tiling, \
+                     dihedral<DEGREES, dihedral>DEGREES or radius-edge<RATIO"
+                        .to_owned(),
+                )
+            }),
     }
 }
 
-fn degrees_bound(text: &str) -> Result<Statement, String> {
-    let numbers = crate::number::numbers(&[text]).map_err(|error| error.to_string())?;
-    let [bound] = numbers[0].coefficients() else {
+fn bound_text(text: &str, largest: u8) -> Result<String, String> {
+    let bound = crate::number::parse_rational(text).map_err(|error| error.to_string())?;
+    if bound <= 0 || bound > largest {
         return Err(format!(
-            "found {text}, expected a positive rational number of degrees"
-        ));
-    };
-    if *bound <= 0 || *bound > 180 {
-        return Err(format!(
-            "found {text}, expected more than 0 and at most 180 degrees"
+            "found {text}, expected more than 0 and at most {largest}"
         ));
     }
-    Ok(Statement::DihedralBelow(Rational::to_string(bound)))
+    Ok(bound.to_string())
 }

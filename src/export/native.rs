@@ -1,7 +1,7 @@
 //! Writes the project's own tiling file, the format that [`crate::import`] reads.
 
 use crate::number::{Field, Number};
-use crate::tiling::{Corner, Domain, Frame, PointSet, Tiling};
+use crate::tiling::{Corner, Domain, Frame, PointSet, Polytope, Tiling};
 use serde_json::{Value, json};
 use std::fmt::Write;
 
@@ -52,7 +52,22 @@ fn head<const D: usize>(format: &str, frame: &Frame<D>, name: &str) -> String {
 fn domain(domain: &Domain) -> Value {
     match domain {
         Domain::Space => json!("space"),
+        Domain::Slab(interval) => {
+            let heights: Vec<String> = interval.vertices.iter().map(|x| number(&x[0])).collect();
+            json!({ "slab": heights })
+        }
+        Domain::Prism(polygon) => json!({ "prism": polytope(polygon) }),
+        Domain::Solid(solid) => json!({ "solid": polytope(solid) }),
     }
+}
+
+fn polytope(polytope: &Polytope) -> Value {
+    let vertices: Vec<Vec<String>> = polytope
+        .vertices
+        .iter()
+        .map(|vertex| vertex.iter().map(number).collect())
+        .collect();
+    json!({ "vertices": vertices, "faces": polytope.faces })
 }
 
 fn generator(field: &Field) -> Value {

@@ -80,6 +80,44 @@ impl<S: Scalar, const D: usize> Simplex<S, D> {
         NormalProducts { rows }
     }
 
+    /// The squared lengths of the edges: of e_1 … e_D, then of e_j - e_i for i < j.
+    pub fn squared_edges(&self, gram: &[[S; D]; D]) -> Vec<S> {
+        let between = (0..D)
+            .flat_map(|i| (i + 1..D).map(move |j| (i, j)))
+            .map(|(i, j)| linear::square(gram, &linear::subtract(&self.edges[j], &self.edges[i])));
+        self.edges
+            .iter()
+            .map(|edge| linear::square(gram, edge))
+            .chain(between)
+            .collect()
+    }
+
+    /// Numerator and positive denominator of the squared circumradius.
+    ///
+    /// The circumcentre is corner 0 plus x with e_i · x = |e_i|²/2. As the gradients are
+    /// dual to the edges, x is half the sum of |e_i|² ∇λ_i, and with the products
+    /// P_ij = <g_i, g_j> measured by the adjugate of G this gives
+    /// |x|² = Σ |e_i|² |e_j|² P_ij / (4 d² det G).
+    pub fn squared_circumradius(&self, gram: &[[S; D]; D], products: &NormalProducts<S>) -> (S, S) {
+        let squares: Vec<S> = self
+            .edges
+            .iter()
+            .map(|edge| linear::square(gram, edge))
+            .collect();
+        let mut numerator = self.determinant.integer(0);
+        for (i, a) in squares.iter().enumerate() {
+            for (j, b) in squares.iter().enumerate() {
+                numerator = numerator.plus(&a.times(b).times(products.get(i + 1, j + 1)));
+            }
+        }
+        let four = self.determinant.integer(4);
+        let square = self.determinant.times(&self.determinant);
+        (
+            numerator,
+            four.times(&square).times(&linear::determinant(gram)),
+        )
+    }
+
     /// How far the point corner_0 + `offset` is outside of the circumsphere:
     /// for d > 0 positive outside, zero on it, negative inside.
     ///

@@ -31,12 +31,12 @@ pub struct Document<'a> {
     pub dimension: usize,
     #[serde(borrow, default)]
     pub generators: BTreeMap<String, Generator<'a>>,
-    #[serde(borrow)]
-    pub lattice: Lattice<'a>,
+    #[serde(borrow, default)]
+    pub lattice: Option<Lattice<'a>>,
     #[serde(default)]
     pub coordinates: Coordinates,
-    #[serde(default)]
-    pub domain: Domain,
+    #[serde(borrow, default)]
+    pub domain: Domain<'a>,
     #[serde(borrow, default)]
     pub vertices: Option<Vec<Vec<Text<'a>>>>,
     #[serde(default)]
@@ -79,9 +79,27 @@ pub enum Coordinates {
 /// What is tiled.
 #[derive(Default, Deserialize)]
 #[serde(rename_all = "lowercase")]
-pub enum Domain {
+pub enum Domain<'a> {
     #[default]
     Space,
+    /// Lower and upper bound of the last coordinate.
+    #[serde(borrow)]
+    Slab(Vec<Text<'a>>),
+    /// The corners of a polygon, in the last two coordinates.
+    #[serde(borrow)]
+    Prism(PolytopeEntry<'a>),
+    #[serde(borrow)]
+    Solid(PolytopeEntry<'a>),
+}
+
+/// A polygon by its corners in cyclic order, or a polyhedron with faces.
+#[derive(Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct PolytopeEntry<'a> {
+    #[serde(borrow)]
+    pub vertices: Vec<Vec<Text<'a>>>,
+    #[serde(default)]
+    pub faces: Option<Vec<Vec<usize>>>,
 }
 
 /// A number as it stands in the file: a JSON number or a string.

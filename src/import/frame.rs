@@ -1,131 +1,24 @@
-//! The metric part of a file: field, Gram matrix, and the change from Cartesian to
+//! The metric part of a file: Gram matrix, domain, and the change from Cartesian to
 //! basis coordinates.
 
 use super::ImportError;
-use super::document::{Coordinates, Document, Generator, Lattice, Text};
+use super::document::{Coordinates, Document, Lattice};
+use super::domain::read_domain;
+use super::numbers::Numbers;
 use crate::geometry::linear;
-use crate::number::{Number, Reader};
-use crate::tiling::{Domain, Frame};
-use malachite::Integer;
-use malachite::Rational;
-use std::str::FromStr;
-
-/// Reads the numbers of one document into one field.
-pub struct Numbers {
-    reader: Reader,
-}
-
-impl Numbers {
-    /// Learns every number of the document, so that the field is final.
-    pub fn of(document: &Document) -> Result<Self, ImportError> {
-        let mut reader = Reader::new();
-        for (name, generator) in &document.generators {
-            add_generator(&mut reader, name, generator)?;
-        }
-        let mut numbers = Numbers { reader };
-        let (Lattice::Gram(matrix) | Lattice::Vectors(matrix)) = &document.lattice;
-        numbers.learn("lattice", matrix)?;
-        for (place, rows) in [
-            ("vertices", &document.vertices),
-            ("points", &document.points),
-        ] {
-            if let Some(rows) = rows {
-                numbers.learn(place, rows)?;
-            }
-        }
-        Ok(numbers)
-    }
-
-    fn learn(&mut self, place: &str, rows: &[Vec<Text>]) -> Result<(), ImportError> {
-        for (i, row) in rows.iter().enumerate() {
-            for (j, text) in row.iter().enumerate() {
-                let at = || format!("{place}[{i}][{j}]");
-                let text =
-                    number_text(*text).map_err(|problem| ImportError::entry(at(), problem))?;
-                self.reader
-                    .learn(&text)
-                    .map_err(|error| ImportError::entry(at(), error))?;
-            }
-        }
-        Ok(())
-    }
-
-    /// D numbers, in the final field.
-    pub fn row<const D: usize>(
-        &self,
-        row: &[Text],
-        place: impl Fn() -> String,
-    ) -> Result<[Number; D], ImportError> {
-        if row.len() != D {
-            let problem = format!("has {} entries, expected {D}", row.len());
-            return Err(ImportError::entry(place(), problem));
-        }
-        let mut numbers = Vec::with_capacity(D);
-        for (j, text) in row.iter().enumerate() {
-            let at = || format!("{}[{j}]", place());
-            let text = number_text(*text).map_err(|problem| ImportError::entry(at(), problem))?;
-            numbers.push(
-                self.reader
-                    .value(&text)
-                    .map_err(|e| ImportError::entry(at(), e))?,
-            );
-        }
-        Ok(std::array::from_fn(|k| numbers[k].clone()))
-    }
-}
-
-/// The text of a number: that of a JSON string, or a JSON number as it stands.
-fn number_text(text: Text) -> Result<String, String> {
-    let raw = text.0.get();
-    match raw.as_bytes().first() {
-        Some(b'"') => serde_json::from_str(raw).map_err(|error| error.to_string()),
-        Some(b'-' | b'0'..=b'9') => Ok(raw.to_owned()),
-        _ => Err(format!(
-            "found {}, expected a number like 1, 0.25, \"1/3\" or \"sqrt(2)/2\"",
-            raw.chars().take(20).collect::<String>()
-        )),
-    }
-}
-
-fn add_generator(
-    reader: &mut Reader,
-    name: &str,
-    generator: &Generator,
-) -> Result<(), ImportError> {
-    let mut polynomial = Vec::new();
-    for (k, text) in generator.polynomial.iter().enumerate() {
-        let at = || format!("generators.{name}.polynomial[{k}]");
-        let value = number_text(*text).map_err(|problem| ImportError::entry(at(), problem))?;
-        polynomial.push(Integer::from_str(&value).map_err(|()| {
-            ImportError::entry(at(), format!("found {value:?}, expected an integer"))
-        })?);
-    }
-    let lower = rational(generator.root.0, || format!("generators.{name}.root[0]"))?;
-    let upper = rational(generator.root.1, || format!("generators.{name}.root[1]"))?;
-    reader
-        .generator(name, &polynomial, lower, upper)
-        .map_err(|error| ImportError::entry(format!("generators.{name}"), error))
-}
-
-fn rational(text: Text, place: impl Fn() -> String) -> Result<Rational, ImportError> {
-    let value = number_text(text).map_err(|problem| ImportError::entry(place(), problem))?;
-    let number = crate::number::numbers(&[&value]).map_err(|e| ImportError::entry(place(), e))?;
-    match number[0].coefficients() {
-        [] => Ok(Rational::from(0)),
-        [rational] => Ok(rational.clone()),
-        _ => Err(ImportError::entry(
-            place(),
-            format!("found {value:?}, expected a rational"),
-        )),
-    }
-}
+use crate::number::Number;
+use crate::tiling::{Domain, Frame, Polytope};
 
 /// The frame of a document, and how its points are turned into basis coordinates.
 pub fn read_frame<const D: usize>(
     document: &Document,
     numbers: &Numbers,
 ) -> Result<(Frame<D>, Change<D>), ImportError> {
-    let (Lattice::Gram(rows) | Lattice::Vectors(rows)) = &document.lattice;
+    let domain = read_domain::<D>(document, numbers)?;
+    let Some(lattice) = &document.lattice else {
+        return identity(numbers, domain);
+    };
+    let (Lattice::Gram(rows) | Lattice::Vectors(rows)) = lattice;
     if rows.len() != D {
         let problem = format!("has {} rows, expected {D}", rows.len());
         return Err(ImportError::entry("lattice", problem));
@@ -135,17 +28,15 @@ pub fn read_frame<const D: usize>(
         matrix.push(numbers.row::<D>(row, || format!("lattice[{i}]"))?);
     }
     let matrix: [[Number; D]; D] = std::array::from_fn(|i| matrix[i].clone());
-    let domain = match document.domain {
-        super::document::Domain::Space => Domain::Space,
-    };
-    let (gram, change) = match document.lattice {
+    let (gram, change) = match lattice {
         Lattice::Gram(_) => (checked_gram(matrix)?, Change::none(document.coordinates)?),
         Lattice::Vectors(_) => (
             gram_of(&matrix),
             Change::from_vectors(&matrix, document.coordinates)?,
         ),
     };
-    let field = numbers.reader.field();
+    let field = numbers.field();
+    let domain = change.apply_to(domain);
     Ok((
         Frame {
             field,
@@ -153,6 +44,30 @@ pub fn read_frame<const D: usize>(
             domain,
         },
         change,
+    ))
+}
+
+/// Without a lattice a solid lives in Cartesian coordinates.
+fn identity<const D: usize>(
+    numbers: &Numbers,
+    domain: Domain,
+) -> Result<(Frame<D>, Change<D>), ImportError> {
+    match &domain {
+        Domain::Solid(_) => {}
+        _ => {
+            let problem = "is missing; only a solid needs none";
+            return Err(ImportError::entry("lattice", problem));
+        }
+    }
+    let field = numbers.field();
+    let gram = Frame::<D>::cubic().gram;
+    Ok((
+        Frame {
+            field,
+            gram,
+            domain,
+        },
+        Change { inverse: None },
     ))
 }
 
@@ -208,6 +123,25 @@ impl<const D: usize> Change<D> {
                 linear::cofactors(vectors).map(|row| row.map(|cofactor| &cofactor * &scale))
             }),
         })
+    }
+
+    /// The vertices of a solid are points of the file; the heights of a slab and the
+    /// corners of a prism are basis coordinates.
+    fn apply_to(&self, domain: Domain) -> Domain {
+        match domain {
+            Domain::Solid(polytope) => {
+                let change = |vertex: &Vec<Number>| {
+                    self.apply(std::array::from_fn(|k| vertex[k].clone()))
+                        .to_vec()
+                };
+                let vertices = polytope.vertices.iter().map(change).collect();
+                Domain::Solid(Polytope {
+                    vertices,
+                    faces: polytope.faces,
+                })
+            }
+            other => other,
+        }
     }
 
     /// Basis coordinates of a point of the file.

@@ -4,9 +4,11 @@
 //! the tiling is one is the checker's business. Every error names the place.
 
 mod document;
+mod domain;
 mod error;
 mod frame;
 mod native;
+mod numbers;
 
 pub use error::ImportError;
 pub use native::{Content, NativeFile, read_native};

@@ -2,7 +2,8 @@
 
 use super::ImportError;
 use super::document::{CornerEntry, Document, Header, Text};
-use super::frame::{Change, Numbers, read_frame};
+use super::frame::{Change, read_frame};
+use super::numbers::Numbers;
 use crate::number::Number;
 use crate::tiling::{AnyPointSet, AnyTiling, Corner, Frame, PointSet, SHIFT_LIMIT, Tiling};
 

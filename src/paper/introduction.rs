@@ -140,7 +140,8 @@ fn copies_of_a_triangle() -> Finding {
     let model = Model::rational(&tiling);
     check_corners(&tiling, &mut findings);
     check_orientation(&model, &mut findings);
-    check_facets(&match_facets(&tiling), &mut findings);
+    let no_faces = vec![Vec::new(); tiling.vertices.len()];
+    check_facets(&tiling, &match_facets(&tiling), &no_faces, &mut findings);
     check_volume(&model, &mut findings);
     let proved = "two triangles in the cell spanned by two sides; the hypotheses checked do not \
                   involve the metric, so they hold for every triangle";

@@ -5,15 +5,18 @@
 //! by [`crate::checker`] and by the verifier.
 
 mod angle;
+mod bounds;
 mod closed_form;
 mod decimal;
 mod measure;
 mod ranges;
 mod shape;
 
-pub use angle::{dihedral_degrees, display_width, largest_angles, least_bounds};
+pub use angle::{dihedral_degrees, display_width};
+pub use bounds::{Bounds, bounds};
 pub use decimal::{
-    ceiling_to_i64, decimal_range, rounded_down, rounded_nearest, rounded_up, short_decimal,
+    ceiling_to_i64, decimal_range, floor_to_i64, rounded_down, rounded_nearest, rounded_up,
+    short_decimal,
 };
 pub use measure::{DihedralAngle, Exact, RadiusEdge};
 pub use ranges::{Measures, Range, Ranges, measures, measures_of_shapes, ranges};

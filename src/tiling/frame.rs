@@ -1,13 +1,43 @@
 //! Where a tiling lives: the field, the basis by its Gram matrix, the lattice and
 //! the domain.
 
+use super::Polytope;
 use crate::number::{Field, Number};
 
-/// What is tiled. (Slabs, prisms and solids have their place here.)
+/// What is tiled: all of space, or a convex polytope in the last k coordinates
+/// times the span of the first r = D - k basis vectors, which generate the lattice.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Domain {
     /// All of D-space.
     Space,
+    /// Between two parallel hyperplanes, k = 1.
+    Slab(Polytope),
+    /// A convex polygon times a line, D = 3 and k = 2.
+    Prism(Polytope),
+    /// A convex polygon or polyhedron, k = D: no lattice.
+    Solid(Polytope),
+}
+
+impl Domain {
+    /// The rank of the lattice in dimension `dimension`.
+    pub fn rank(&self, dimension: usize) -> usize {
+        match self {
+            Domain::Space => dimension,
+            Domain::Slab(_) => dimension - 1,
+            Domain::Prism(_) => 1,
+            Domain::Solid(_) => 0,
+        }
+    }
+
+    /// The polytope, where there is a boundary.
+    pub fn polytope(&self) -> Option<&Polytope> {
+        match self {
+            Domain::Space => None,
+            Domain::Slab(polytope) | Domain::Prism(polytope) | Domain::Solid(polytope) => {
+                Some(polytope)
+            }
+        }
+    }
 }
 
 /// Basis, metric and lattice. Coordinates are taken in the basis; the lattice is
@@ -40,10 +70,18 @@ impl<const D: usize> Frame<D> {
         Frame::space(field, gram)
     }
 
+    /// The same basis with another domain.
+    pub fn with_domain(self, domain: Domain) -> Self {
+        Frame { domain, ..self }
+    }
+
     /// The rank of the lattice.
     pub fn rank(&self) -> usize {
-        match self.domain {
-            Domain::Space => D,
-        }
+        self.domain.rank(D)
+    }
+
+    /// The last k coordinates of a point, those of the domain's polytope.
+    pub fn cross_section<'p>(&self, point: &'p [Number; D]) -> &'p [Number] {
+        &point[self.rank()..]
     }
 }

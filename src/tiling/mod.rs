@@ -6,14 +6,17 @@
 mod collect;
 mod facets;
 mod frame;
+mod polytope;
 mod supercell;
 
 pub use facets::{Facet, Matching, Mate, Mismatch, match_facets};
 pub use frame::{Domain, Frame};
+pub use polytope::{Plane, Polytope};
 pub use supercell::supercell;
 
 use crate::geometry::Simplex;
 use crate::number::Number;
+use std::fmt;
 
 /// A vertex moved by a lattice vector; `shift` holds its integer coordinates in
 /// the basis, zero beyond the rank of the lattice.
@@ -44,6 +47,17 @@ impl<const D: usize> Corner<D> {
             vertex: self.vertex,
             shift: std::array::from_fn(|k| self.shift[k] + by[k]),
         }
+    }
+}
+
+/// `3`, or `3+(0, 1, -1)` with its shift.
+impl<const D: usize> fmt::Display for Corner<D> {
+    fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
+        if self.shift.iter().all(|&s| s == 0) {
+            return write!(f, "{}", self.vertex);
+        }
+        let shift: Vec<String> = self.shift.iter().map(i32::to_string).collect();
+        write!(f, "{}+({})", self.vertex, shift.join(", "))
     }
 }
 

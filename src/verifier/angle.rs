@@ -1,4 +1,4 @@
-//! `all dihedral angles below Q`: a rational enclosure of cos Q° and a
+//! `all dihedral angles below Q` and `above Q`: a rational enclosure of cos Q° and a
 //! comparison of squares.
 
 use super::Refusal;
@@ -15,36 +15,63 @@ use std::cmp::Ordering;
 /// cos θ_ij = -g_i · g_j / (|g_i| |g_j|). With low <= cos Q° <= high it is proved by
 /// cos θ_ij > high and disproved by cos θ_ij <= low.
 pub(super) fn check_dihedral_below(tiling: &Tiling) -> Result<(), Refusal> {
-    let Some(angle) = &tiling.angle else {
+    let Some(angle) = &tiling.bounds.below else {
         return Ok(());
     };
-    let cosine = Cosine::of_degrees(angle);
+    let c = Cosine::of_degrees(angle);
+    let bounds = [(&c.high, &c.denominator), (&c.low, &c.denominator)];
+    let refuse = |simplex, facets| Refusal::AngleNotBelow {
+        simplex,
+        facets,
+        degrees: angle.to_string(),
+    };
+    check_cosines(tiling, angle, Ordering::Greater, bounds, refuse)
+}
+
+/// Every dihedral angle is more than Q degrees: cos θ_ij < cos Q°. It is proved by
+/// cos θ_ij < low and disproved by cos θ_ij >= high.
+pub(super) fn check_dihedral_above(tiling: &Tiling) -> Result<(), Refusal> {
+    let Some(angle) = &tiling.bounds.above else {
+        return Ok(());
+    };
+    let c = Cosine::of_degrees(angle);
+    let bounds = [(&c.low, &c.denominator), (&c.high, &c.denominator)];
+    let refuse = |simplex, facets| Refusal::AngleNotAbove {
+        simplex,
+        facets,
+        degrees: angle.to_string(),
+    };
+    check_cosines(tiling, angle, Ordering::Less, bounds, refuse)
+}
+
+/// Every cos θ_ij is on the `wanted` side of the first bound. Where one is not even
+/// on that side of the second, the statement is false.
+fn check_cosines(
+    tiling: &Tiling,
+    angle: &Rational,
+    wanted: Ordering,
+    [proving, needed]: [(&BigInt, &BigInt); 2],
+    refuse: impl Fn(usize, (usize, usize)) -> Refusal,
+) -> Result<(), Refusal> {
     for simplex in 0..tiling.simplices().len() {
         let products = gradient_products(tiling, simplex);
         for facets @ (i, j) in facet_pairs(tiling.dimension()) {
             let square = tiling.ring.times(&products[i][i], &products[j][j]);
             let negated = Element::default().minus(&products[i][j]);
-            let compare = |bound: &BigInt| {
-                let bound = (bound, &cosine.denominator);
-                let of = || format!("cosine of facets {i} and {j} of simplex {simplex}, compared");
-                compare(tiling, &negated, &square, bound, of)
-            };
-            if compare(&cosine.high)? == Ordering::Greater {
+            let of = || format!("cosine of facets {i} and {j} of simplex {simplex}, compared");
+            if compare(tiling, &negated, &square, proving, of)? == wanted {
                 continue;
             }
-            let degrees = angle.to_string();
-            return Err(match compare(&cosine.low)? {
-                Ordering::Greater => Refusal::AngleUndecided {
-                    simplex,
-                    facets,
-                    degrees,
+            return Err(
+                match compare(tiling, &negated, &square, needed, of)? == wanted {
+                    false => refuse(simplex, facets),
+                    true => Refusal::AngleUndecided {
+                        simplex,
+                        facets,
+                        degrees: angle.to_string(),
+                    },
                 },
-                _ => Refusal::AngleNotBelow {
-                    simplex,
-                    facets,
-                    degrees,
-                },
-            });
+            );
         }
     }
     Ok(())
@@ -84,10 +111,10 @@ struct Cosine {
 }
 
 impl Cosine {
-    /// For 0 < Q <= 180. The rational cosines of rational degrees (Niven's
+    /// For 0 <= Q <= 180. The rational cosines of rational degrees (Niven's
     /// theorem) are exact, so that 60° is known not to be below 60°.
     fn of_degrees(degrees: &Rational) -> Cosine {
-        for (angle, doubled) in [(60, 1), (90, 0), (120, -1), (180, -2)] {
+        for (angle, doubled) in [(0, 2), (60, 1), (90, 0), (120, -1), (180, -2)] {
             if *degrees == Rational::from_integer(BigInt::from(angle)) {
                 let exact = BigInt::from(doubled);
                 return Cosine {
@@ -208,7 +235,7 @@ mod tests {
 
     #[test]
     fn general_enclosures_contain_the_exact_cosines_and_are_narrow() {
-        for angle in [60u8, 90, 120, 180] {
+        for angle in [0u8, 60, 90, 120, 180] {
             let degrees = Rational::from_integer(BigInt::from(angle));
             let (exact, wide) = (Cosine::of_degrees(&degrees), enclose_cosine(&degrees));
             assert!(wide.low.clone() * 2 <= exact.low.clone() << BITS);

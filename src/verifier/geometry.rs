@@ -8,9 +8,10 @@
 use super::matrix::{Matrix, apply, cofactors, determinant, leading};
 use super::ring::Element;
 use super::tiling::{Tiling, number};
-use super::{Refusal, angle, mates};
+use super::{Refusal, angle, domain, mates, radius, tcp};
 use crate::certificate::{Number, Statement};
 use num_bigint::BigInt;
+use num_traits::One;
 use std::cmp::Ordering;
 
 /// A check of the numbers; it may rely on [`super::shape::CHECKS`] and on the
@@ -23,15 +24,24 @@ type Value<'v> = &'v dyn Fn() -> Number;
 /// All of them. A statement that is not claimed is not checked.
 pub(super) const CHECKS: &[(&str, Check)] = &[
     ("gram_positive", check_gram_positive),
+    ("facets", domain::check_facets),
+    ("polygons", domain::check_polygons),
+    ("closed", domain::check_closed),
+    ("inside", domain::check_inside),
     ("orientation", check_orientation),
     ("mates_mutual", mates::check_mates_mutual),
     ("mates_meet", mates::check_mates_meet),
+    ("boundary", domain::check_boundary),
     ("volume_sum", check_volume_sum),
     ("acute", check_acute),
     ("nonobtuse", check_nonobtuse),
     ("dihedral_below", angle::check_dihedral_below),
+    ("dihedral_above", angle::check_dihedral_above),
+    ("radius_edge", radius::check_radius_edge),
     ("delaunay", check_delaunay),
     ("weakly_delaunay", check_weakly_delaunay),
+    ("tcp_edges", tcp::check_tcp_edges),
+    ("tcp_triangles", tcp::check_tcp_triangles),
 ];
 
 /// G is positive definite: its leading principal minors are positive (Sylvester).
@@ -66,9 +76,11 @@ fn check_orientation(tiling: &Tiling) -> Result<(), Refusal> {
     Ok(())
 }
 
-/// The volumes, in units of the cell, sum to one: vol = det E / D!, so the sum
-/// of all det E is D!. Here each det E is N^D too large. Vectors that agree
-/// have the same value; where they differ, the difference must be seen to.
+/// The volumes, in units of the basis's parallelepiped, sum to vol P, where P is
+/// the domain's polytope; to one where the domain is space. As vol = det E / D!, the
+/// sum of all det E is D! vol P. Here each det E is N^D too large, and k! vol P is
+/// N^k. Vectors that agree have the same value; where they differ, the difference
+/// must be seen to.
 fn check_volume_sum(tiling: &Tiling) -> Result<(), Refusal> {
     let d = tiling.dimension();
     let add = |sum: Element, value: Element| sum.plus(&value);
@@ -77,15 +89,34 @@ fn check_volume_sum(tiling: &Tiling) -> Result<(), Refusal> {
         .iter()
         .map(|corners| determinant(&tiling.ring, &tiling.edges(corners)));
     let sum = determinants.fold(Element::default(), add);
-    let cell = (1..=d).product::<usize>() * tiling.scale.pow(d as u32);
-    let difference = sum.clone().minus(&Element::integer(cell.clone()));
-    let of = || "sum of the volumes, minus one".to_owned();
+    let factorial = |n: usize| BigInt::from((1..=n).product::<usize>());
+    let (volume, k) = match &tiling.polytope {
+        None => (Element::integer(BigInt::one()), 0),
+        Some(polytope) => (domain::volume(tiling, polytope)?, polytope.dimension()),
+    };
+    let units = factorial(d) / factorial(k) * tiling.scale.pow((d - k) as u32);
+    let expected = tiling.ring.times(&volume, &Element::integer(units));
+    let cell = factorial(d) * tiling.scale.pow(d as u32);
+    let difference = sum.clone().minus(&expected);
+    let of = || "sum of the volumes, minus that of the domain".to_owned();
     match tiling.sign(&difference, &cell, of)? {
         Ordering::Equal => Ok(()),
         _ => Err(Refusal::VolumeSum {
-            ratio: number(&sum, &cell),
+            sum: number(&sum, &cell),
+            expected: number(&expected, &cell),
         }),
     }
+}
+
+/// M = E G E^T: the inner products e_i · e_j, d N² times too large.
+pub(super) fn edge_products(tiling: &Tiling, simplex: usize) -> Matrix {
+    let ring = &tiling.ring;
+    let edges = tiling.edges(&tiling.simplices()[simplex]);
+    let dual: Matrix = edges
+        .iter()
+        .map(|edge| apply(ring, &tiling.gram, edge))
+        .collect();
+    edges.iter().map(|edge| apply(ring, &dual, edge)).collect()
 }
 
 /// The inner products of the gradients g_0, …, g_D of the barycentric
@@ -96,14 +127,7 @@ fn check_volume_sum(tiling: &Tiling) -> Result<(), Refusal> {
 /// the inward normal of the facet opposite to x_i. det M > 0 because det E and
 /// det G are. The result is d^(D-1) N^(2D-2) too large.
 pub(super) fn gradient_products(tiling: &Tiling, simplex: usize) -> Matrix {
-    let ring = &tiling.ring;
-    let edges = tiling.edges(&tiling.simplices()[simplex]);
-    let dual: Matrix = edges
-        .iter()
-        .map(|edge| apply(ring, &tiling.gram, edge))
-        .collect();
-    let products: Matrix = edges.iter().map(|edge| apply(ring, &dual, edge)).collect();
-    let inner = cofactors(ring, &products);
+    let inner = cofactors(&tiling.ring, &edge_products(tiling, simplex));
     let negated_sum =
         |values: &[Element]| values.iter().fold(Element::default(), |s, v| s.minus(v));
     let first: Vec<Element> = inner.iter().map(|row| negated_sum(row)).collect();
@@ -114,7 +138,8 @@ pub(super) fn gradient_products(tiling: &Tiling, simplex: usize) -> Matrix {
     rows
 }
 
-/// The pairs i < j of facets of a D-simplex, one for each dihedral angle.
+/// The pairs i < j of facets or of corners of a D-simplex: one for each dihedral
+/// angle, and one for each edge.
 pub(super) fn facet_pairs(dimension: usize) -> impl Iterator<Item = (usize, usize)> {
     (0..=dimension).flat_map(move |j| (0..j).map(move |i| (i, j)))
 }
@@ -222,7 +247,9 @@ fn each_power(
         let cofactors = cofactors(ring, &edges);
         let squares: Vec<Element> = edges.iter().map(|edge| square(edge)).collect();
         for facet in 0..corners.len() {
-            let mate = mates::mate(tiling, simplex, facet);
+            let Some(mate) = mates::mate(tiling, simplex, facet) else {
+                continue;
+            };
             let w = tiling.edge(&corners[0], mate.corner(tiling), mate.shift);
             let value = ring
                 .times(&volume, &square(&w))

@@ -20,51 +20,66 @@ impl<'c> Target<'c> {
     pub(super) fn corner(&self, tiling: &Tiling<'c>) -> &'c Place {
         &tiling.simplices()[self.simplex][self.facet]
     }
-
-    fn raw(&self) -> Vec<i64> {
-        [&[self.simplex as i64, self.facet as i64], self.shift].concat()
-    }
 }
 
-/// The mate of a facet; [`super::shape`] has checked lengths and ranges.
-pub(super) fn mate<'c>(tiling: &Tiling<'c>, simplex: usize, facet: usize) -> Target<'c> {
+/// The row of a facet as it stands; [`super::shape`] has checked lengths and ranges.
+fn row<'c>(tiling: &Tiling<'c>, simplex: usize, facet: usize) -> &'c [i64] {
     let Mate(entries) = &tiling.certificate.witness.mates[simplex][facet];
-    Target {
-        simplex: entries[0] as usize,
-        facet: entries[1] as usize,
-        shift: &entries[2..],
+    entries
+}
+
+/// The mate of a facet that is not in the boundary.
+pub(super) fn mate<'c>(tiling: &Tiling<'c>, simplex: usize, facet: usize) -> Option<Target<'c>> {
+    match row(tiling, simplex, facet) {
+        [simplex, facet, shift @ ..] => Some(Target {
+            simplex: *simplex as usize,
+            facet: *facet as usize,
+            shift,
+        }),
+        _ => None,
     }
 }
 
+/// The face of the domain in which a facet of the boundary lies.
+pub(super) fn face(tiling: &Tiling, simplex: usize, facet: usize) -> Option<usize> {
+    match row(tiling, simplex, facet) {
+        [face] => Some(*face as usize),
+        _ => None,
+    }
+}
+
+/// Calls `check` for each facet that has a mate.
 fn each_facet<'c>(
     tiling: &Tiling<'c>,
     check: impl Fn(usize, usize, Target<'c>) -> Result<(), Refusal>,
 ) -> Result<(), Refusal> {
     for simplex in 0..tiling.simplices().len() {
         for facet in 0..=tiling.dimension() {
-            check(simplex, facet, mate(tiling, simplex, facet))?;
+            if let Some(target) = mate(tiling, simplex, facet) {
+                check(simplex, facet, target)?;
+            }
         }
     }
     Ok(())
 }
 
 /// mate(s, i) = (t, j, u) implies mate(t, j) = (s, i, -u): the mates are an
-/// involution of the facets of all translates. It has no fixed point, because
+/// involution of the facets of all translates but those in the boundary. It has no fixed point, because
 /// a facet and its mate lie on different sides.
 pub(super) fn check_mates_mutual(tiling: &Tiling) -> Result<(), Refusal> {
     each_facet(tiling, |simplex, facet, target| {
-        let back = mate(tiling, target.simplex, target.facet);
-        let opposite = back
-            .shift
-            .iter()
-            .zip(target.shift)
-            .all(|(back, shift)| *back == -shift);
-        match back.simplex == simplex && back.facet == facet && opposite {
+        let back = row(tiling, target.simplex, target.facet);
+        let negated = target.shift.iter().map(|entry| -entry);
+        let expected: Vec<i64> = [simplex as i64, facet as i64]
+            .into_iter()
+            .chain(negated)
+            .collect();
+        match back == expected {
             true => Ok(()),
             false => Err(Refusal::MateNotMutual {
                 simplex,
                 facet,
-                back: back.raw(),
+                back: back.to_vec(),
             }),
         }
     })
@@ -83,7 +98,7 @@ pub(super) fn check_mates_mutual(tiling: &Tiling) -> Result<(), Refusal> {
 /// (x'_j, f) have different orientations: (-1)^i (-1)^j sgn π = -1.
 pub(super) fn check_mates_meet(tiling: &Tiling) -> Result<(), Refusal> {
     each_facet(tiling, |simplex, facet, target| {
-        let mate = || target.raw();
+        let mate = || row(tiling, simplex, facet).to_vec();
         let positions =
             matching(tiling, simplex, facet, &target).map_err(|missing| Refusal::MateCorners {
                 simplex,
@@ -124,7 +139,11 @@ fn matching(
     Ok(positions)
 }
 
-fn corners_of_facet<'c>(tiling: &Tiling<'c>, simplex: usize, facet: usize) -> Vec<&'c Place> {
+pub(super) fn corners_of_facet<'c>(
+    tiling: &Tiling<'c>,
+    simplex: usize,
+    facet: usize,
+) -> Vec<&'c Place> {
     let corners = tiling.simplices()[simplex].iter().enumerate();
     corners
         .filter(|(corner, _)| *corner != facet)

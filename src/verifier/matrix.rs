@@ -4,6 +4,8 @@
 //! two and three dimensions is also the fastest way.
 
 use super::ring::{Element, Ring};
+use num_bigint::BigInt;
+use num_traits::One;
 
 /// Rows.
 pub(super) type Matrix = Vec<Vec<Element>>;
@@ -11,7 +13,7 @@ pub(super) type Matrix = Vec<Vec<Element>>;
 /// det m
 pub(super) fn determinant(ring: &Ring, m: &Matrix) -> Element {
     match m.as_slice() {
-        [row] => row[0].clone(),
+        [] => Element::integer(BigInt::one()),
         [r, s] => ring.sum([(false, &r[0], &s[1]), (true, &r[1], &s[0])]),
         _ => {
             let minors: Vec<Element> = (0..m.len())

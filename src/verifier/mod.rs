@@ -9,8 +9,10 @@
 //! | `shape` | lengths, ranges and order: every index points at something |
 //! | `number`, `ring` | rationals; the field; sums, products and signs in it |
 //! | `tiling` | all numbers of the certificate as elements of one ring |
+//! | `domain` | the domain's polytope, and that the tiling keeps to its boundary |
 //! | `mates` | the facets are paired, each pair one facet seen from two sides |
-//! | `geometry`, `angle` | metric, orientation, volume, and the claimed statements |
+//! | `geometry` | metric, orientation, volume, and the claimed statements |
+//! | `angle`, `radius`, `tcp` | the statements that need more than a sign of a product |
 //! | `words` | the claim in words |
 //! | `refusal`, `render` | what can be wrong, and the words for it |
 //!
@@ -19,17 +21,20 @@
 
 mod angle;
 mod document;
+mod domain;
 mod geometry;
 mod limits;
 mod mates;
 mod matrix;
 mod number;
+mod radius;
 mod refusal;
 mod render;
 mod ring;
 #[cfg(test)]
 mod sabotage;
 mod shape;
+mod tcp;
 mod tiling;
 mod words;
 

@@ -70,12 +70,36 @@ refusals! {
     Malformed "statements"
     /// Not strictly increasing, or the first is not the tiling.
     Statements { index: usize }
+    Malformed "tcp-domain"
+    /// TCP is claimed of something else than all of three-space.
+    TcpDomain {}
     Malformed "gram-shape"
     /// Not D rows of D numbers.
     GramShape {}
     False "gram-asymmetric"
     /// Two opposite entries differ.
     GramAsymmetric { row: usize, column: usize }
+    Malformed "prism-dimension"
+    /// A prism in another dimension than 3.
+    PrismDimension {}
+    Malformed "domain-vertex-length"
+    /// Not k coordinates.
+    DomainVertexLength { vertex: usize, found: usize, expected: usize }
+    Malformed "face-count"
+    /// Fewer faces than a polytope of dimension k has.
+    FaceCount { found: usize, least: usize }
+    Malformed "face-length"
+    /// Not one vertex for k = 1, two for k = 2, at least three for k = 3.
+    FaceLength { face: usize, found: usize }
+    Malformed "face-vertices"
+    /// A vertex of the domain that does not exist, or is in the face twice.
+    FaceVertices { face: usize, found: usize }
+    Malformed "face-repeated"
+    /// A face with the same vertices as an earlier one.
+    FaceRepeated { face: usize }
+    Malformed "unused-domain-vertex"
+    /// A vertex of the domain that is in no face.
+    UnusedDomainVertex { vertex: usize }
     Malformed "no-simplices"
     /// An empty list of simplices tiles nothing.
     NoSimplices {}
@@ -110,7 +134,7 @@ refusals! {
     /// Not a simplex, a corner and r entries of a shift.
     MateLength { simplex: usize, facet: usize, found: usize, expected: usize }
     Malformed "mate-range"
-    /// A mate in a simplex or opposite to a corner that does not exist.
+    /// A mate in a simplex, opposite to a corner or in a face that does not exist.
     MateRange { simplex: usize, facet: usize, found: Vec<i64> }
     Malformed "mate-shift-range"
     /// An entry of a mate's shift that does not lie between -2^31 and 2^31.
@@ -142,8 +166,11 @@ refusals! {
     /// No coefficient, more than the degree, or a trailing zero.
     Coefficients { place: String, reason: &'static str }
     Malformed "angle-range"
-    /// An angle bound outside of 0 < Q <= 180 degrees.
+    /// An angle bound outside of 0 < Q <= 180 degrees, or of 0 <= Q < 180 from below.
     AngleRange { found: String }
+    Malformed "ratio-range"
+    /// A bound of the radius-edge ratios that is not positive.
+    RatioRange { found: String }
     Declined "common-denominator"
     /// The common denominator of the numbers has more digits than the limit.
     CommonDenominator { of: &'static str, limit: usize }
@@ -158,6 +185,18 @@ refusals! {
     False "gram-not-positive"
     /// A leading principal minor is not positive.
     GramNotPositive { order: usize, minor: Number }
+    False "face-not-facet"
+    /// A face's determinant is not zero at one of its vertices, or does not have one strict sign at the others.
+    FaceNotFacet { face: usize, vertex: usize, value: Number }
+    False "face-not-convex"
+    /// The third vertex is not on the inner side of the first two, which follow one another.
+    FaceNotConvex { face: usize, vertices: (usize, usize, usize) }
+    False "faces-not-closed"
+    /// The ridge with these vertices is not in two faces.
+    FacesNotClosed { ridge: Vec<usize>, faces: usize }
+    False "vertex-outside"
+    /// A vertex of the tiling on the outer side of a face; `value` is the face's determinant there.
+    VertexOutside { vertex: usize, face: usize, value: Number }
     False "orientation"
     /// A simplex whose determinant in basis coordinates is not positive.
     Orientation { simplex: usize, determinant: Number }
@@ -170,9 +209,12 @@ refusals! {
     False "mate-side"
     /// A facet and its mate have their simplices on the same side.
     MateSide { simplex: usize, facet: usize, mate: Vec<i64> }
+    False "boundary-facet"
+    /// A facet that is said to lie in a face of the domain has a corner outside of its plane.
+    BoundaryFacet { simplex: usize, facet: usize, face: usize, value: Number }
     False "volume-sum"
-    /// The volumes of the simplices, in units of the cell, do not sum to 1.
-    VolumeSum { ratio: Number }
+    /// The volumes of the simplices, in units of the cell, do not sum to that of the domain.
+    VolumeSum { sum: Number, expected: Number }
     False "not-acute"
     /// The angle between two facets is not acute; `product` is that of their inward normals, scaled.
     NotAcute { simplex: usize, facets: (usize, usize), product: Number }
@@ -182,13 +224,25 @@ refusals! {
     False "angle-not-below"
     /// The angle between two facets is at least the bound, in degrees.
     AngleNotBelow { simplex: usize, facets: (usize, usize), degrees: String }
+    False "angle-not-above"
+    /// The angle between two facets is at most the bound, in degrees.
+    AngleNotAbove { simplex: usize, facets: (usize, usize), degrees: String }
     Declined "angle-undecided"
     /// The angle is too near to the bound for the kernel's enclosure of its cosine.
     AngleUndecided { simplex: usize, facets: (usize, usize), degrees: String }
+    False "ratio-not-below"
+    /// The circumradius is at least the bound times the edge between two corners.
+    RatioNotBelow { simplex: usize, corners: (usize, usize), ratio: String }
     False "not-delaunay"
     /// The corner behind a facet is not outside of the circumsphere; `power` is its scaled power.
     NotDelaunay { simplex: usize, facet: usize, power: Number }
     False "not-weakly-delaunay"
     /// The corner behind a facet is inside of the circumsphere; `power` is its scaled power.
     NotWeaklyDelaunay { simplex: usize, facet: usize, power: Number }
+    False "edge-valence"
+    /// An edge in neither 5 nor 6 tetrahedra; its two vertices and the shift from one to the other.
+    EdgeValence { ends: Vec<i64>, valence: usize }
+    False "triangle-valence"
+    /// A triangle with two edges that are in 6 tetrahedra.
+    TriangleValence { simplex: usize, facet: usize }
 }

@@ -45,6 +45,34 @@ impl Display for Refusal {
                     "statement {index} is out of order or repeats the one before it"
                 )
             }
+            TcpDomain {} => write!(f, "\"TCP\" is stated of all of three-space only"),
+            PrismDimension {} => write!(f, "a prism has dimension 3"),
+            DomainVertexLength {
+                vertex,
+                found,
+                expected,
+            } => {
+                write!(
+                    f,
+                    "vertex {vertex} of the domain has {found} coordinates, not {expected}"
+                )
+            }
+            FaceCount { found, least } => {
+                write!(f, "the domain has {found} faces, fewer than {least}")
+            }
+            FaceLength { face, found } => {
+                write!(f, "face {face} of the domain has {found} vertices")
+            }
+            FaceVertices { face, found } => write!(
+                f,
+                "vertex {found} of face {face} of the domain does not exist or is there twice"
+            ),
+            FaceRepeated { face } => {
+                write!(f, "face {face} of the domain is the same as another")
+            }
+            UnusedDomainVertex { vertex } => {
+                write!(f, "vertex {vertex} of the domain is in no face")
+            }
             GramShape {} => write!(f, "the Gram matrix is not square of the dimension's size"),
             GramAsymmetric { row, column } => {
                 write!(
@@ -176,9 +204,10 @@ impl Display for Refusal {
             AngleRange { found } => {
                 write!(
                     f,
-                    "an angle of {found} degrees; it must be above 0 and at most 180"
+                    "an angle bound of {found} degrees, out of the range from 0 to 180"
                 )
             }
+            RatioRange { found } => write!(f, "a ratio of {found}; it must be positive"),
             CommonDenominator { of, limit } => {
                 write!(
                     f,
@@ -200,6 +229,43 @@ impl Display for Refusal {
             GramNotPositive { order, minor } => write!(
                 f,
                 "the Gram matrix is not positive definite: its leading principal minor {order} is {minor}"
+            ),
+            FaceNotFacet {
+                face,
+                vertex,
+                value,
+            } => write!(
+                f,
+                "face {face} is no facet of the domain: vertex {vertex} of the domain has the determinant {value}"
+            ),
+            FaceNotConvex {
+                face,
+                vertices: (p, q, t),
+            } => write!(
+                f,
+                "face {face} of the domain is no convex polygon: vertex {t} is not on the inner side of the line through {p} and {q}"
+            ),
+            FacesNotClosed { ridge, faces } => write!(
+                f,
+                "the ridge of the domain with the vertices {ridge:?} is in {faces} faces, not in 2"
+            ),
+            VertexOutside {
+                vertex,
+                face,
+                value,
+            } => write!(
+                f,
+                "vertex {vertex} is outside of face {face} of the domain: the determinant is {value}"
+            ),
+            BoundaryFacet {
+                simplex,
+                facet,
+                face,
+                value,
+            } => write!(
+                f,
+                "{} does not lie in face {face} of the domain: a corner has the determinant {value}, not 0",
+                facet_of(*simplex, *facet)
             ),
             Orientation {
                 simplex,
@@ -241,11 +307,15 @@ impl Display for Refusal {
                     "{facet} and its mate {mate:?} have their simplices on the same side"
                 )
             }
-            VolumeSum { ratio } => {
+            VolumeSum { sum, expected } => {
                 write!(
                     f,
-                    "the volumes of the simplices sum to {ratio} times the cell"
-                )
+                    "the volumes of the simplices sum to {sum} times the cell"
+                )?;
+                match expected.0 == ["1"] {
+                    true => Ok(()),
+                    false => write!(f, "; the domain has {expected}"),
+                }
             }
             NotAcute {
                 simplex,
@@ -275,6 +345,36 @@ impl Display for Refusal {
                     "the angle of facets {i} and {j} of simplex {simplex} is not below {degrees} degrees"
                 )
             }
+            AngleNotAbove {
+                simplex,
+                facets: (i, j),
+                degrees,
+            } => {
+                write!(
+                    f,
+                    "the angle of facets {i} and {j} of simplex {simplex} is not above {degrees} degrees"
+                )
+            }
+            RatioNotBelow {
+                simplex,
+                corners: (i, j),
+                ratio,
+            } => write!(
+                f,
+                "the circumradius of simplex {simplex} is not below {ratio} times the edge from corner {i} to {j}"
+            ),
+            EdgeValence { ends, valence } => write!(
+                f,
+                "the edge between the vertices {} and {}, shifted by {:?}, is in {valence} tetrahedra",
+                ends[0],
+                ends[1],
+                &ends[2..]
+            ),
+            TriangleValence { simplex, facet } => write!(
+                f,
+                "{} has two edges that are in 6 tetrahedra",
+                facet_of(*simplex, *facet)
+            ),
             AngleUndecided {
                 simplex,
                 facets: (i, j),

@@ -4,7 +4,8 @@
 //! the later ones may follow it. D is the dimension, r the rank of the lattice.
 
 use super::{Limits, Refusal};
-use crate::certificate::{Certificate, Mate, Place, Statement};
+use crate::certificate::{Certificate, Domain, Mate, Place, Polytope, Statement};
+use std::collections::BTreeSet;
 
 /// A check of the certificate as it stands.
 pub(super) type Check = fn(&Certificate, &Limits) -> Result<(), Refusal>;
@@ -13,8 +14,16 @@ pub(super) type Check = fn(&Certificate, &Limits) -> Result<(), Refusal>;
 pub(super) const CHECKS: &[(&str, Check)] = &[
     ("dimension", check_dimension),
     ("statements", check_statements),
+    ("tcp_domain", check_tcp_domain),
     ("gram_shape", check_gram_shape),
     ("gram_symmetric", check_gram_symmetric),
+    ("prism_dimension", check_prism_dimension),
+    ("domain_vertices", check_domain_vertices),
+    ("face_count", check_face_count),
+    ("face_lengths", check_face_lengths),
+    ("face_vertices", check_face_vertices),
+    ("faces_distinct", check_faces_distinct),
+    ("domain_vertices_used", check_domain_vertices_used),
     ("simplex_count", check_simplex_count),
     ("vertices", check_vertices),
     ("corners", check_corners),
@@ -37,23 +46,22 @@ fn check_statements(certificate: &Certificate, _: &Limits) -> Result<(), Refusal
     if statements.first() != Some(&Statement::FaceToFaceTiling) {
         return Err(Refusal::Statements { index: 0 });
     }
-    match statements
-        .windows(2)
-        .position(|pair| rank(&pair[0]) >= rank(&pair[1]))
-    {
+    let increases = |pair: &[Statement]| {
+        pair[0] < pair[1] && std::mem::discriminant(&pair[0]) != std::mem::discriminant(&pair[1])
+    };
+    match statements.windows(2).position(|pair| !increases(pair)) {
         Some(index) => Err(Refusal::Statements { index: index + 1 }),
         None => Ok(()),
     }
 }
 
-fn rank(statement: &Statement) -> u8 {
-    match statement {
-        Statement::FaceToFaceTiling => 0,
-        Statement::Acute => 1,
-        Statement::Nonobtuse => 2,
-        Statement::DihedralBelow(_) => 3,
-        Statement::Delaunay => 4,
-        Statement::WeaklyDelaunay => 5,
+/// TCP speaks of tetrahedra around edges, none of which is in a boundary.
+fn check_tcp_domain(certificate: &Certificate, _: &Limits) -> Result<(), Refusal> {
+    let claim = &certificate.claim;
+    let fits = claim.dimension == 3 && claim.domain == Domain::Space;
+    match fits || !claim.statements.contains(&Statement::Tcp) {
+        true => Ok(()),
+        false => Err(Refusal::TcpDomain {}),
     }
 }
 
@@ -80,6 +88,100 @@ fn check_gram_symmetric(certificate: &Certificate, _: &Limits) -> Result<(), Ref
         }
     }
     Ok(())
+}
+
+/// A prism is a polygon times a line: D = 3.
+fn check_prism_dimension(certificate: &Certificate, _: &Limits) -> Result<(), Refusal> {
+    let claim = &certificate.claim;
+    match matches!(claim.domain, Domain::Prism(_)) && claim.dimension != 3 {
+        false => Ok(()),
+        true => Err(Refusal::PrismDimension {}),
+    }
+}
+
+/// The polytope of the domain, and k = D - r, its dimension.
+fn polytope(certificate: &Certificate) -> Option<(&Polytope, usize)> {
+    let polytope = certificate.claim.domain.polytope()?;
+    let k = certificate.claim.dimension - rank_of_lattice(certificate);
+    Some((polytope, k))
+}
+
+/// Each vertex of the domain has k coordinates.
+fn check_domain_vertices(certificate: &Certificate, _: &Limits) -> Result<(), Refusal> {
+    let Some((polytope, expected)) = polytope(certificate) else {
+        return Ok(());
+    };
+    let mut lengths = polytope.vertices.iter().map(Vec::len).enumerate();
+    match lengths.find(|(_, found)| *found != expected) {
+        Some((vertex, found)) => Err(Refusal::DomainVertexLength {
+            vertex,
+            found,
+            expected,
+        }),
+        None => Ok(()),
+    }
+}
+
+/// A polytope of dimension k has at least k + 1 facets.
+fn check_face_count(certificate: &Certificate, _: &Limits) -> Result<(), Refusal> {
+    match polytope(certificate) {
+        Some((polytope, k)) if polytope.faces.len() <= k => Err(Refusal::FaceCount {
+            found: polytope.faces.len(),
+            least: k + 1,
+        }),
+        _ => Ok(()),
+    }
+}
+
+/// A face has one vertex for k = 1, two for k = 2, at least three for k = 3.
+fn check_face_lengths(certificate: &Certificate, _: &Limits) -> Result<(), Refusal> {
+    let Some((polytope, k)) = polytope(certificate) else {
+        return Ok(());
+    };
+    let mut lengths = polytope.faces.iter().map(Vec::len).enumerate();
+    match lengths.find(|(_, found)| *found < k || (*found > k && k < 3)) {
+        Some((face, found)) => Err(Refusal::FaceLength { face, found }),
+        None => Ok(()),
+    }
+}
+
+/// The vertices of a face exist and are distinct.
+fn check_face_vertices(certificate: &Certificate, _: &Limits) -> Result<(), Refusal> {
+    let Some((polytope, _)) = polytope(certificate) else {
+        return Ok(());
+    };
+    for (face, corners) in polytope.faces.iter().enumerate() {
+        let mut seen = BTreeSet::new();
+        let is_new = |w: &usize| *w < polytope.vertices.len() && seen.insert(*w);
+        if let Some(at) = corners.iter().map(is_new).position(|is_new| !is_new) {
+            let found = corners[at];
+            return Err(Refusal::FaceVertices { face, found });
+        }
+    }
+    Ok(())
+}
+
+/// No two faces have the same vertices.
+fn check_faces_distinct(certificate: &Certificate, _: &Limits) -> Result<(), Refusal> {
+    let faces = polytope(certificate).map_or(&[][..], |(polytope, _)| &polytope.faces);
+    let mut seen = BTreeSet::new();
+    let is_new = |face: &Vec<usize>| seen.insert(face.iter().copied().collect::<BTreeSet<usize>>());
+    match faces.iter().map(is_new).position(|is_new| !is_new) {
+        Some(face) => Err(Refusal::FaceRepeated { face }),
+        None => Ok(()),
+    }
+}
+
+/// Each vertex of the domain is in a face.
+fn check_domain_vertices_used(certificate: &Certificate, _: &Limits) -> Result<(), Refusal> {
+    let Some((polytope, _)) = polytope(certificate) else {
+        return Ok(());
+    };
+    let used: BTreeSet<&usize> = polytope.faces.iter().flatten().collect();
+    match (0..polytope.vertices.len()).find(|vertex| !used.contains(vertex)) {
+        Some(vertex) => Err(Refusal::UnusedDomainVertex { vertex }),
+        None => Ok(()),
+    }
 }
 
 /// 1 <= number of simplices <= limit. No claim follows from nothing.
@@ -175,7 +277,8 @@ fn check_vertices_used(certificate: &Certificate, _: &Limits) -> Result<(), Refu
 }
 
 /// Each simplex has a row of D + 1 mates, each `[t, j, u_1, …, u_r]` with t a
-/// simplex, 0 <= j <= D and |u_k| < 2^31.
+/// simplex, 0 <= j <= D and |u_k| < 2^31; or, where the domain has a boundary, `[f]`
+/// with f a face.
 fn check_mates(certificate: &Certificate, _: &Limits) -> Result<(), Refusal> {
     let witness = &certificate.witness;
     let (found, expected) = (witness.mates.len(), witness.simplices.len());
@@ -206,7 +309,9 @@ fn check_mate(
     mate: &Mate,
 ) -> Result<(), Refusal> {
     let (found, expected) = (mate.0.len(), 2 + rank_of_lattice(certificate));
-    if found != expected {
+    let boundary = certificate.claim.domain.polytope();
+    let faces = boundary.map_or(0, |polytope| polytope.faces.len());
+    if found != expected && (found != 1 || boundary.is_none()) {
         return Err(Refusal::MateLength {
             simplex,
             facet,
@@ -214,8 +319,13 @@ fn check_mate(
             expected,
         });
     }
-    let exists = is_index(mate.0[0], certificate.witness.simplices.len())
-        && is_index(mate.0[1], certificate.claim.dimension + 1);
+    let exists = match mate.0[..] {
+        [face] => is_index(face, faces),
+        _ => {
+            is_index(mate.0[0], certificate.witness.simplices.len())
+                && is_index(mate.0[1], certificate.claim.dimension + 1)
+        }
+    };
     if !exists {
         return Err(Refusal::MateRange {
             simplex,
@@ -223,7 +333,7 @@ fn check_mate(
             found: mate.0.clone(),
         });
     }
-    match first_far(&mate.0[2..]) {
+    match first_far(mate.0.get(2..).unwrap_or_default()) {
         Some(found) => Err(Refusal::MateShiftRange {
             simplex,
             facet,

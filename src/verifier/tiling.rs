@@ -4,6 +4,7 @@
 //! both positive integers, the kernel computes with N x and d G. Every
 //! predicate is homogeneous in x and in G, so its sign stays.
 
+use super::domain::Polytope;
 use super::matrix::Matrix;
 use super::number::{self, Rational};
 use super::ring::{Element, Ring};
@@ -22,11 +23,19 @@ pub(super) struct Tiling<'c> {
     /// d
     pub(super) gram_scale: BigInt,
     /// N x for each vertex x.
-    vertices: Vec<Vec<Element>>,
+    pub(super) vertices: Matrix,
+    pub(super) polytope: Option<Polytope<'c>>,
     /// N
     pub(super) scale: BigInt,
-    /// The bound of [`Statement::DihedralBelow`] in degrees, where it is claimed.
-    pub(super) angle: Option<Rational>,
+    pub(super) bounds: Bounds,
+}
+
+/// The bounds of the claimed statements that have one; angles in degrees.
+#[derive(Default)]
+pub(super) struct Bounds {
+    pub(super) below: Option<Rational>,
+    pub(super) above: Option<Rational>,
+    pub(super) radius_edge: Option<Rational>,
 }
 
 impl<'c> Tiling<'c> {
@@ -38,17 +47,25 @@ impl<'c> Tiling<'c> {
             degree: ring.degree(),
             limits,
         };
-        let (gram, gram_scale) = reader.table("gram", &claim.gram)?;
-        let (vertices, scale) = reader.table("vertices", &witness.vertices)?;
-        let angle = angle(&claim.statements, limits)?;
+        let polytope = claim.domain.polytope();
+        let corners = polytope.map_or(&[][..], |polytope| &polytope.vertices);
+        let (gram, gram_scale) = reader.table(&[("gram", &claim.gram)])?;
+        let tables = [("vertices", &witness.vertices[..]), ("domain", corners)];
+        let (mut vertices, scale) = reader.table(&tables)?;
+        let corners = vertices.split_off(witness.vertices.len());
+        let polytope = polytope.map(|polytope| Polytope {
+            faces: &polytope.faces,
+            vertices: corners,
+        });
         let tiling = Tiling {
             certificate,
             ring,
             gram,
             gram_scale,
             vertices,
+            polytope,
             scale,
-            angle,
+            bounds: bounds(&claim.statements, limits)?,
         };
         tiling.check_work(limits)?;
         Ok(tiling)
@@ -56,11 +73,19 @@ impl<'c> Tiling<'c> {
 
     /// Bounds the arithmetic before it is done. A product of two elements whose
     /// coefficients have w words costs n² w² word products; reductions multiply
-    /// by powers of p up to the n-th, so p's bits count n times.
+    /// by powers of p up to the n-th, so p's bits count n times. The domain's
+    /// vertices are put into the plane of each face and, at worst, the vertices
+    /// of each face into all planes through its sides; the tiling's into each plane.
     fn check_work(&self, limits: &Limits) -> Result<(), Refusal> {
         let n = self.ring.degree() as u64;
-        let table = self.gram.iter().chain(&self.vertices).flatten();
-        let coefficients = table.map(Element::bits).max().unwrap_or(0);
+        let (mut corners, mut faces) = (&Matrix::new(), 0);
+        let mut incidences = 0;
+        if let Some(polytope) = &self.polytope {
+            (corners, faces) = (&polytope.vertices, polytope.faces.len());
+            incidences = polytope.faces.iter().map(Vec::len).sum();
+        }
+        let table = self.gram.iter().chain(&self.vertices).chain(corners);
+        let coefficients = table.flatten().map(Element::bits).max().unwrap_or(0);
         let bits = coefficients
             .max(self.scale.bits())
             .max(n.saturating_mul(self.ring.bits()));
@@ -68,7 +93,11 @@ impl<'c> Tiling<'c> {
         let product = [n, n, words, words]
             .into_iter()
             .fold(1, u64::saturating_mul);
-        let found = product.saturating_mul(self.simplices().len() as u64);
+        let domain = incidences
+            .saturating_mul(corners.len())
+            .saturating_add(faces.saturating_mul(self.vertices.len()));
+        let count = domain.saturating_add(self.simplices().len());
+        let found = product.saturating_mul(count as u64);
         match found <= limits.work {
             true => Ok(()),
             false => Err(Refusal::Work {
@@ -119,7 +148,8 @@ impl<'c> Tiling<'c> {
             .collect()
     }
 
-    fn vertex(&self, place: &Place) -> &[Element] {
+    /// N times the vertex of a place, not moved.
+    pub(super) fn vertex(&self, place: &Place) -> &[Element] {
         &self.vertices[place.0[0] as usize]
     }
 
@@ -186,20 +216,40 @@ fn modulus(polynomial: &[String], limits: &Limits) -> Result<Vec<BigInt>, Refusa
     Ok(modulus)
 }
 
-/// The claimed Q, with 0 < Q <= 180.
-fn angle(statements: &[Statement], limits: &Limits) -> Result<Option<Rational>, Refusal> {
-    let claimed = statements.iter().find_map(|statement| match statement {
-        Statement::DihedralBelow(text) => Some(text),
-        _ => None,
-    });
-    let Some(text) = claimed else { return Ok(None) };
-    let angle = number::rational(text, &|| "all dihedral angles below".to_owned(), limits)?;
-    match angle.is_positive() && angle <= Rational::from_integer(BigInt::from(180)) {
-        true => Ok(Some(angle)),
-        false => Err(Refusal::AngleRange {
-            found: text.clone(),
-        }),
+/// The claimed bounds: angles below Q with 0 < Q <= 180 and above Q with
+/// 0 <= Q < 180, ratios below q with 0 < q.
+fn bounds(statements: &[Statement], limits: &Limits) -> Result<Bounds, Refusal> {
+    let mut bounds = Bounds::default();
+    let half_turn = Rational::from_integer(BigInt::from(180));
+    let refuse = |found: &String| Refusal::AngleRange {
+        found: found.clone(),
+    };
+    for statement in statements {
+        let read = |text, of: &str| number::rational(text, &|| of.to_owned(), limits);
+        match statement {
+            Statement::DihedralBelow(text) => {
+                let angle = read(text, "all dihedral angles below")?;
+                let fits = angle.is_positive() && angle <= half_turn;
+                bounds.below = Some(fits.then_some(angle).ok_or_else(|| refuse(text))?);
+            }
+            Statement::DihedralAbove(text) => {
+                let angle = read(text, "all dihedral angles above")?;
+                let fits = !angle.is_negative() && angle < half_turn;
+                bounds.above = Some(fits.then_some(angle).ok_or_else(|| refuse(text))?);
+            }
+            Statement::RadiusEdgeBelow(text) => {
+                let ratio = read(text, "all radius-edge ratios below")?;
+                if !ratio.is_positive() {
+                    return Err(Refusal::RatioRange {
+                        found: text.clone(),
+                    });
+                }
+                bounds.radius_edge = Some(ratio);
+            }
+            _ => {}
+        }
     }
+    Ok(bounds)
 }
 
 /// Reads tables of field elements.
@@ -209,24 +259,27 @@ struct Reader<'l> {
 }
 
 impl Reader<'_> {
-    /// m T for a positive integer m, the least that makes it integral, and m.
+    /// m T for a positive integer m, the least that makes all T integral, and m;
+    /// the rows of the named tables one after another.
     fn table(
         &self,
-        name: &'static str,
-        table: &[Vec<Number>],
+        tables: &[(&'static str, &[Vec<Number>])],
     ) -> Result<(Matrix, BigInt), Refusal> {
-        let mut rows = Vec::with_capacity(table.len());
+        let mut rows = Vec::new();
         let mut common = BigInt::one();
-        for (i, row) in table.iter().enumerate() {
-            let mut read = Vec::with_capacity(row.len());
-            for (j, number) in row.iter().enumerate() {
-                let coefficients = self.coefficients(number, &|| format!("{name}[{i}][{j}]"))?;
-                for coefficient in &coefficients {
-                    self.widen(&mut common, coefficient, name)?;
+        for &(name, table) in tables {
+            for (i, row) in table.iter().enumerate() {
+                let mut read = Vec::with_capacity(row.len());
+                for (j, number) in row.iter().enumerate() {
+                    let coefficients =
+                        self.coefficients(number, &|| format!("{name}[{i}][{j}]"))?;
+                    for coefficient in &coefficients {
+                        self.widen(&mut common, coefficient, name)?;
+                    }
+                    read.push(coefficients);
                 }
-                read.push(coefficients);
+                rows.push(read);
             }
-            rows.push(read);
         }
         let integral = |c: Rational| c.numer() * (&common / c.denom());
         let element = |cs: Vec<Rational>| Element::new(cs.into_iter().map(integral).collect());

@@ -5,33 +5,62 @@
 
 use super::Verified;
 use crate::certificate::{Claim, Domain, Field, Number, Statement};
+use num_bigint::BigInt;
 use std::fmt::{Display, Formatter, Result};
 
 /// The claim in words, one line.
 impl Display for Verified {
     fn fmt(&self, f: &mut Formatter) -> Result {
         let claim = self.claim();
-        let (simplex, tiled) = match claim.dimension {
-            2 => ("triangle", "the plane is tiled edge to edge by"),
-            _ => ("tetrahedron", "three-space is tiled face to face by"),
+        let (simplex, how) = match claim.dimension {
+            2 => ("triangle", "edge to edge"),
+            _ => ("tetrahedron", "face to face"),
         };
-        let Domain::Space = claim.domain;
+        write_domain(f, claim)?;
         write!(
             f,
-            "{tiled} {} and their translates",
+            " is tiled {how} by {}",
             counted(self.simplices(), simplex)
         )?;
-        write!(
-            f,
-            " under the lattice whose basis has the Gram matrix {}",
-            Matrix(&claim.gram)
-        )?;
+        write_lattice(f, claim)?;
         write_field(f, claim)?;
         for statement in &claim.statements[1..] {
             write!(f, "; {}", Words(statement))?;
         }
         Ok(())
     }
+}
+
+/// What is tiled; x_1, …, x_D are coordinates in the basis.
+fn write_domain(f: &mut Formatter, claim: &Claim) -> Result {
+    let (name, polytope) = match (&claim.domain, claim.dimension) {
+        (Domain::Space, 2) => return write!(f, "the plane"),
+        (Domain::Space, _) => return write!(f, "three-space"),
+        (Domain::Slab(polytope), 2) => ("strip", polytope),
+        (Domain::Slab(polytope), _) => ("slab", polytope),
+        (Domain::Prism(polytope), _) => ("prism", polytope),
+        (Domain::Solid(polytope), 2) => ("polygon", polytope),
+        (Domain::Solid(polytope), _) => ("polyhedron", polytope),
+    };
+    let first = claim.domain.rank(claim.dimension) + 1;
+    let coordinates = join((first..=claim.dimension).map(|i| format!("x_{i}")));
+    let hull = join(polytope.vertices.iter().map(|vertex| Row(vertex)));
+    write!(
+        f,
+        "the {name} of the points whose coordinates [{coordinates}] lie in the convex hull of {hull}"
+    )
+}
+
+fn write_lattice(f: &mut Formatter, claim: &Claim) -> Result {
+    f.write_str(match (&claim.domain, claim.domain.rank(claim.dimension)) {
+        (Domain::Space, _) => " and their translates under the lattice whose basis has",
+        (_, 0) => ", in the basis with",
+        (_, 1) => {
+            " and their translates by the integer multiples of the first vector of the basis with"
+        }
+        _ => " and their translates under the lattice of the first two vectors of the basis with",
+    })?;
+    write!(f, " the Gram matrix {}", Matrix(&claim.gram))
 }
 
 fn counted(count: usize, simplex: &str) -> String {
@@ -62,12 +91,51 @@ impl Display for Words<'_> {
             Statement::FaceToFaceTiling => write!(f, "a face-to-face tiling"),
             Statement::Acute => write!(f, "all dihedral angles are acute"),
             Statement::Nonobtuse => write!(f, "no dihedral angle is obtuse"),
-            Statement::DihedralBelow(q) => write!(f, "all dihedral angles are below {q} degrees"),
+            Statement::DihedralBelow(q) => {
+                write!(f, "all dihedral angles are below {} degrees", decimal(q))
+            }
+            Statement::DihedralAbove(q) => {
+                write!(f, "all dihedral angles are above {} degrees", decimal(q))
+            }
+            Statement::RadiusEdgeBelow(q) => write!(
+                f,
+                "every circumradius is below {} times the shortest edge of its simplex",
+                decimal(q)
+            ),
             Statement::Delaunay => write!(f, "it is the Delaunay triangulation of its vertices"),
             Statement::WeaklyDelaunay => {
                 write!(f, "it is a Delaunay triangulation of its vertices")
             }
+            Statement::Tcp => write!(
+                f,
+                "it is tetrahedrally close packed: every edge is in 5 or 6 tetrahedra, \
+                 and no triangle has two edges that are in 6"
+            ),
         }
+    }
+}
+
+/// A rational that is not negative, as a decimal where that is exact and of at
+/// most 18 places: p/q = p (10^m / q) / 10^m.
+fn decimal(text: &str) -> String {
+    exact_decimal(text).unwrap_or_else(|| text.to_owned())
+}
+
+fn exact_decimal(text: &str) -> Option<String> {
+    let (p, q) = text.split_once('/')?;
+    let q: u64 = q.parse().ok()?;
+    let places = (1..=18).find(|&m| 10u64.pow(m).is_multiple_of(q))?;
+    let digits = p.parse::<BigInt>().ok()? * (10u64.pow(places) / q);
+    let digits = format!("{digits:0>width$}", width = places as usize + 1);
+    let (whole, fraction) = digits.split_at(digits.len() - places as usize);
+    Some(format!("{whole}.{fraction}"))
+}
+
+struct Row<'r>(&'r [Number]);
+
+impl Display for Row<'_> {
+    fn fmt(&self, f: &mut Formatter) -> Result {
+        write!(f, "[{}]", join(self.0.iter()))
     }
 }
 
@@ -75,8 +143,7 @@ struct Matrix<'m>(&'m [Vec<Number>]);
 
 impl Display for Matrix<'_> {
     fn fmt(&self, f: &mut Formatter) -> Result {
-        let row = |row: &Vec<Number>| format!("[{}]", join(row.iter()));
-        write!(f, "[{}]", join(self.0.iter().map(row)))
+        write!(f, "[{}]", join(self.0.iter().map(|row| Row(row))))
     }
 }
 
@@ -121,5 +188,27 @@ impl Display for Polynomial<'_> {
             first = false;
         }
         if first { f.write_str("0") } else { Ok(()) }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::decimal;
+
+    #[test]
+    fn bounds_are_decimals_where_that_is_exact() {
+        let cases = [
+            ("7847/100", "78.47"),
+            ("181/2", "90.5"),
+            ("60", "60"),
+            ("0", "0"),
+            ("1/1000", "0.001"),
+            ("1/8", "0.125"),
+            ("77/3", "77/3"),
+            ("1/100000000000000000000", "1/100000000000000000000"),
+        ];
+        for (text, expected) in cases {
+            assert_eq!(decimal(text), expected);
+        }
     }
 }

@@ -7,6 +7,7 @@ lattice, and finds Delaunay tetrahedra by trying all quadruples of near points,
 in exact fractions. README.md says what each file is for.
 """
 import copy
+import functools
 import itertools
 import json
 import math
@@ -54,7 +55,8 @@ def approximate(number, a):
 def oriented(vertices, simplices, a):
     """The simplices, with their last two corners exchanged where the determinant is negative."""
     def point(place):
-        return [approximate(x, a) + s for x, s in zip(vertices[place[0]], place[1:])]
+        return [approximate(x, a) + s
+                for x, s in itertools.zip_longest(vertices[place[0]], place[1:], fillvalue=0)]
     result = []
     for corners in simplices:
         corners = [list(corner) for corner in corners]
@@ -94,20 +96,123 @@ def matched(simplices):
     return mates
 
 
-def certificate(gram, vertices, simplices, *statements, field="Q", a=0.0):
+def certificate(gram, vertices, simplices, *statements, field="Q", a=0.0, domain="space"):
     simplices = oriented(vertices, simplices, a)
     mates = matched(simplices)
+    if domain != "space":
+        name_boundary(domain, vertices, simplices, mates, a)
     assert all(mate for row in mates for mate in row), "not every facet has one mate"
     return {
         "format": "acutile-certificate", "version": 1,
-        "claim": {"dimension": len(gram), "field": field, "gram": gram, "domain": "space",
+        "claim": {"dimension": len(gram), "field": field, "gram": gram, "domain": domain,
                   "statements": [TILING, *statements]},
         "witness": {"vertices": vertices, "simplices": simplices, "mates": mates},
     }
 
 
+def name_boundary(domain, vertices, simplices, mates, a):
+    """Gives each facet without a mate the first face in whose plane its corners lie."""
+    (polytope,) = domain.values()
+    corners = [[approximate(x, a) for x in w] for w in polytope["vertices"]]
+    k = len(corners[0])
+
+    def in_plane(v, face):
+        x = [approximate(x, a) for x in vertices[v][-k:]]
+        base, *rest = [corners[w] for w in face[:k]]
+        return abs(determinant([[p - q for p, q in zip(y, base)] for y in [*rest, x]])) < 1e-9
+    for row, places in zip(mates, simplices):
+        for i in range(len(row)):
+            facet = [place[0] for place in places[:i] + places[i + 1:]]
+            if row[i] is None:
+                row[i] = next(([f] for f, face in enumerate(polytope["faces"])
+                               if all(in_plane(v, face) for v in facet)), None)
+
+
+# --- domains with a boundary ---------------------------------------------------
+
+def polytope(vertices, faces):
+    return {"vertices": [[x if isinstance(x, list) else str(x) for x in w] for w in vertices],
+            "faces": faces}
+
+
+def polygon(vertices):
+    return polytope(vertices, [[i, (i + 1) % len(vertices)] for i in range(len(vertices))])
+
+
+SEGMENT = polytope([[0], [1]], [[0], [1]])
+SQUARE = polygon([[0, 0], [1, 0], [1, 1], [0, 1]])
+CUBE_FACES = [[0, 1, 3, 2], [4, 5, 7, 6], [0, 1, 5, 4], [2, 3, 7, 6], [0, 2, 6, 4], [1, 3, 7, 5]]
+CUBE_SOLID = polytope(list(itertools.product((0, 1), repeat=3)), CUBE_FACES)
+KIND = {(2, 1): ("slab", SEGMENT), (3, 1): ("slab", SEGMENT), (3, 2): ("prism", SQUARE),
+        (2, 2): ("solid", SQUARE), (3, 3): ("solid", CUBE_SOLID)}
+
+
+def block(d, k, *statements, gram=None, domain=None):
+    """Kuhn's simplices of the d-cube, periodic in the first d - k directions only."""
+    kind, body = KIND[d, k]
+    corners = list(itertools.product((0, 1), repeat=k))
+    simplices = []
+    for permutation in itertools.permutations(range(d)):
+        at, places = [0] * d, []
+        for axis in (None, *permutation):
+            if axis is not None:
+                at[axis] += 1
+            places.append([corners.index(tuple(at[d - k:]))] + at[:d - k])
+        simplices.append(places)
+    vertices = [["0"] * (d - k) + [str(x) for x in c] for c in corners]
+    gram = gram or [[str(int(i == j)) for j in range(d)] for i in range(d)]
+    return certificate(gram, vertices, simplices, *statements, domain=domain or {kind: body})
+
+
+def solid(gram, body, vertices, simplices, *statements):
+    """A solid whose simplices are lists of vertices, all numbers rational."""
+    vertices = [[str(x) for x in v] for v in vertices]
+    simplices = [[[v] for v in corners] for corners in simplices]
+    return certificate(gram, vertices, simplices, *statements, domain={"solid": body})
+
+
+def tetrahedron(*statements):
+    """The regular tetrahedron, in the basis of its three edges from a corner."""
+    corners = [[0, 0, 0], [1, 0, 0], [0, 1, 0], [0, 0, 1]]
+    faces = [[1, 2, 3], [0, 2, 3], [0, 1, 3], [0, 1, 2]]
+    gram = [["2", "1", "1"], ["1", "2", "1"], ["1", "1", "2"]]
+    return solid(gram, polytope(corners, faces), corners, [[0, 1, 2, 3]], *statements)
+
+
+def hexagon(*statements):
+    """The regular hexagon, cut into six equilateral triangles."""
+    ring = [[1, 0], [0, 1], [-1, 1], [-1, 0], [0, -1], [1, -1]]
+    triangles = [[6, i, (i + 1) % 6] for i in range(6)]
+    return solid(HEXAGONAL, polygon(ring), [*ring, [0, 0]], triangles, *statements)
+
+
+def octahedron(*statements):
+    """The regular octahedron, cut into four around an axis."""
+    tips = [[1, 0, 0], [0, 1, 0], [-1, 0, 0], [0, -1, 0], [0, 0, 1], [0, 0, -1]]
+    sides = [[i, (i + 1) % 4] for i in range(4)]
+    faces = [[*side, tip] for side in sides for tip in (4, 5)]
+    return solid(CUBE, polytope(tips, faces), tips, [[*side, 4, 5] for side in sides], *statements)
+
+
+def strip_of_height_sqrt_3(*statements):
+    """Squares stretched to the height sqrt 3: the volume is no rational."""
+    root = ["0", "1"]
+    domain = {"slab": {"vertices": [["0"], [root]], "faces": [[0], [1]]}}
+    simplices = [[[0, 0], [0, 1], [1, 0]], [[0, 1], [1, 1], [1, 0]]]
+    return certificate([["1", "0"], ["0", "1"]], [["0", "0"], ["0", root]], simplices, *statements,
+                       field=SQRT3, a=math.sqrt(3), domain=domain)
+
+
 def below(degrees):
     return {"all dihedral angles below": degrees}
+
+
+def above(degrees):
+    return {"all dihedral angles above": degrees}
+
+
+def ratio(q):
+    return {"all radius-edge ratios below": q}
 
 
 def algebraic(polynomial, low, high):
@@ -165,34 +270,47 @@ def square_triangle(*statements):
     return certificate(gram, vertices, simplices, *statements, field=SQRT3, a=math.sqrt(3))
 
 
-def delaunay(points):
-    """The Delaunay tetrahedra of points modulo Z^3 with the unit metric, each orbit once."""
+def delaunay(points, gram, reach):
+    """The Delaunay tetrahedra of points modulo Z^3, each orbit once; no edge is longer than sqrt(reach)."""
+    def apply(x):
+        return [sum(F(g) * y for g, y in zip(row, x)) for row in gram]
+
+    def square(x):
+        return sum(a * b for a, b in zip(x, apply(x)))
     cells = list(itertools.product((-1, 0, 1), repeat=3))
     cloud = [(v, c, [x + s for x, s in zip(p, c)]) for v, p in enumerate(points) for c in cells]
     found = {}
     for v, p in enumerate(points):
         near = [(w, c, [x - y for x, y in zip(q, p)]) for w, c, q in cloud]
-        near = [n for n in near if 0 < sum(x * x for x in n[2]) <= F(2, 5)]
+        near = [n for n in near if 0 < square(n[2]) <= reach]
         for triple in itertools.combinations(near, 3):
             edges = [n[2] for n in triple]
             volume = determinant(edges)
             if volume == 0:
                 continue
-            squares = [sum(x * x for x in e) for e in edges]
+            squares, duals = [square(e) for e in edges], [apply(e) for e in edges]
             centre = []
             for k in range(3):
-                centre.append(determinant([e[:k] + [r] + e[k + 1:] for e, r in zip(edges, squares)])
-                              / (2 * volume))
-            radius = sum(x * x for x in centre)
-            powers = [sum((x - y - z) ** 2 for x, y, z in zip(q, p, centre)) - radius
-                      for _, _, q in cloud]
-            if min(powers) < 0:
-                continue
-            assert powers.count(0) == 4, "cospherical points"
-            corners = [[v, 0, 0, 0]] + [[w, *c] for w, c, _ in triple]
-            form, _ = normal_form(corners)
-            found[form] = [list(place) for place in form]
+                centre.append(determinant([e[:k] + [r] + e[k + 1:] for e, r in zip(duals, squares)])
+                              / (2 * determinant(duals)))
+            radius = square(centre)
+            powers = (square([x - y - z for x, y, z in zip(q, p, centre)]) - radius for _, _, q in cloud)
+            on_sphere = 0
+            for power in powers:
+                if power < 0:
+                    break
+                on_sphere += power == 0
+            else:
+                assert on_sphere == 4, "cospherical points"
+                corners = [[v, 0, 0, 0]] + [[w, *c] for w, c, _ in triple]
+                form, _ = normal_form(corners)
+                found[form] = [list(place) for place in form]
     return [found[form] for form in sorted(found)]
+
+
+@functools.cache
+def a15_simplices(points):
+    return delaunay(points, CUBE, F(2, 5))
 
 
 def a15(*statements):
@@ -203,9 +321,100 @@ def a15(*statements):
             point = [F(0)] * 3
             point[axis], point[(axis + 2) % 3] = F(quarter, 4), F(1, 2)
             points.append(tuple(point))
-    simplices = delaunay(points)
+    simplices = a15_simplices(tuple(points))
     assert len(simplices) == 46
     return certificate(CUBE, [[str(x) for x in p] for p in points], simplices, *statements)
+
+
+HEXAGONAL_CELL = [["1", "-1/2", "0"], ["-1/2", "1", "0"], ["0", "0", "1"]]
+
+
+def z_points():
+    """Z in the group P6/mmm: a kagome layer, two points on the axis, a honeycomb."""
+    half, third = F(1, 2), F(1, 3)
+    kagome = [(half, 0, 0), (0, half, 0), (half, half, 0)]
+    axis = [(0, 0, F(1, 4)), (0, 0, F(3, 4))]
+    honeycomb = [(third, 2 * third, half), (2 * third, third, half)]
+    return [tuple(map(F, p)) for p in kagome + axis + honeycomb]
+
+
+@functools.cache
+def z_simplices():
+    return delaunay(z_points(), HEXAGONAL_CELL, F(2, 5))
+
+
+def z(*statements):
+    """Z: 7 points, 40 tetrahedra."""
+    simplices = z_simplices()
+    assert len(simplices) == 40
+    vertices = [[str(x) for x in p] for p in z_points()]
+    return certificate(HEXAGONAL_CELL, vertices, simplices, *statements)
+
+
+def z_contracted(*statements):
+    """Z with the cell doubled in two directions and one edge of the axis contracted.
+
+    The edge, between heights 1/4 and 3/4, goes through a hexagon of the honeycomb, whose sides are
+    in 6 tetrahedra; they lose one. The edges from its ends to the hexagon are in 5 each, and
+    become 5 + 5 - 4 = 6. So all edges are in 5 or 6 tetrahedra, and triangles have two in 6.
+    """
+    tiling = z()["witness"]
+    names = list(itertools.product(range(7), (0, 1), (0, 1)))
+    low, high = names.index((3, 0, 0)), names.index((4, 0, 0))
+
+    def place(v, x, y, zz, by):
+        x, y = x + by[0], y + by[1]
+        name = names.index((v, x % 2, y % 2))
+        return [low if name == high else name, x // 2, y // 2, zz]
+    simplices = []
+    for corners, by in itertools.product(tiling["simplices"], itertools.product((0, 1), repeat=2)):
+        places = [place(*corner, by) for corner in corners]
+        if len(set(map(tuple, places))) == 4:
+            simplices.append(places)
+    points = z_points()
+    vertices = []
+    for v, x, y in names:
+        p = points[v]
+        height = F(1, 2) if names.index((v, x, y)) == low else p[2]
+        vertices.append([str((p[0] + x) / 2), str((p[1] + y) / 2), str(height)])
+    del vertices[high]
+    simplices = [[[p[0] - (p[0] > high), *p[1:]] for p in places] for places in simplices]
+    assert len(simplices) == 160 - 6
+    gram = [["4", "-2", "0"], ["-2", "4", "0"], ["0", "0", "1"]]
+    return certificate(gram, vertices, simplices, *statements)
+
+
+def chambers(*statements):
+    """The cube cut into the 48 chambers of its symmetry group: the edges of each are in 4, 4, 4, 6, 8
+    and 8 tetrahedra."""
+    names, simplices = [], []
+
+    def place(p):
+        base = tuple(x % 2 for x in p)
+        if base not in names:
+            names.append(base)
+        return [names.index(base)] + [x // 2 for x in p]
+    for permutation in itertools.permutations(range(3)):
+        for signs in itertools.product((1, -1), repeat=3):
+            # centre of the cube, of a face, of an edge, and a corner, in halves
+            at = [1, 1, 1]
+            places = [place(at)]
+            for axis in permutation:
+                at[axis] += signs[axis]
+                places.append(place(at))
+            simplices.append(places)
+    vertices = [[str(F(x, 2)) for x in name] for name in names]
+    return certificate(CUBE, vertices, simplices, *statements)
+
+
+def a15_split(*statements):
+    """A15 with one tetrahedron cut into four: edges in 3, and in 6 or 7 where there were 5 or 6."""
+    witness = a15()["witness"]
+    *rest, last = witness["simplices"]
+    points = [[F(x) + y for x, y in zip(witness["vertices"][p[0]], p[1:])] for p in last]
+    middle = [str(sum(xs) / 4) for xs in zip(*points)]
+    new = [last[:i] + [[8, 0, 0, 0]] + last[i + 1:] for i in range(4)]
+    return certificate(CUBE, witness["vertices"] + [middle], rest + new, *statements)
 
 
 # --- tilings that are none ---------------------------------------------------
@@ -252,6 +461,28 @@ VALID = {
     "space-cube-6": kuhn(CUBE, "nonobtuse", "weakly Delaunay"),
     "space-bcc": kuhn(BCC, "nonobtuse", below("181/2"), "Delaunay", "weakly Delaunay"),
     "space-a15": a15("acute", below("7847/100"), "Delaunay"),
+    "space-a15-tcp": a15("TCP"),
+    "space-z-tcp": z("Delaunay", "TCP"),
+    "space-z-contracted": z_contracted(),
+    "space-chambers-of-the-cube": chambers("nonobtuse", above("0")),
+    "plane-right-triangles-3-4-5": lattice([["9", "0"], ["0", "16"]], above("1843/50"), ratio("6/7")),
+    "plane-equilateral-bounds": lattice(HEXAGONAL, below("6001/100"), above("5999/100"), ratio("2887/5000")),
+    "strip": block(2, 1, "acute", below("61"), above("59"), "Delaunay", gram=[["2", "-1"], ["-1", "2"]]),
+    "strip-of-height-sqrt-3": strip_of_height_sqrt_3("nonobtuse", "weakly Delaunay"),
+    "slab-cube-6": block(3, 1, "nonobtuse", above("449/10"), "weakly Delaunay"),
+    "slab-bcc": block(3, 1, "nonobtuse", "Delaunay", gram=BCC),
+    "slab-first-vertex-above": block(3, 1, domain={"slab": polytope([[1], [0]], [[0], [1]])}),
+    "prism-cube-6": block(3, 2, "nonobtuse", "weakly Delaunay"),
+    "prism-sides-in-any-order": block(3, 2, domain={"prism": polytope(
+        [[1, 0], [1, 1], [0, 0], [0, 1]], [[0, 2], [3, 1], [3, 2], [0, 1]])}),
+    "solid-square-2": block(2, 2, "nonobtuse", above("44"), ratio("5/7"), "weakly Delaunay"),
+    "solid-hexagon": hexagon("acute", "Delaunay"),
+    "solid-cube-6": block(3, 3, "nonobtuse", below("901/10"), "weakly Delaunay"),
+    "solid-cube-faces-turned-and-reversed": block(3, 3, domain={"solid": polytope(
+        [[F(x) for x in w] for w in CUBE_SOLID["vertices"]],
+        [face[i % 4:] + face[:i % 4] if i % 2 else face[::-1] for i, face in enumerate(CUBE_FACES)])}),
+    "solid-octahedron": octahedron(below("2737/25"), "weakly Delaunay"),
+    "solid-tetrahedron": tetrahedron("acute", below("7053/100"), above("1763/25"), ratio("49/80"), "Delaunay"),
 }
 
 
@@ -286,7 +517,8 @@ E, C6, K, A = (VALID[n] for n in
                ("plane-equilateral", "space-cube-6", "plane-square-triangle", "space-a15"))
 GRAM, SIMPLICES, MATES = ("claim", "gram"), ("witness", "simplices"), ("witness", "mates")
 VERTICES, STATEMENTS = ("witness", "vertices"), ("claim", "statements")
-FIELD = ("claim", "field")
+FIELD, DOMAIN = ("claim", "field"), ("claim", "domain")
+STRIP, SLAB, PRISM, SOLID = (VALID[n] for n in ("strip", "slab-cube-6", "prism-cube-6", "solid-cube-6"))
 BARE = lattice(HEXAGONAL)
 
 
@@ -441,6 +673,61 @@ MALFORMED = {
     "coefficients--trailing-zero": edit(K, (*GRAM, 1, 1), ["2", "0"]),
     "angle-range--zero": edit(E, STATEMENTS, [TILING, below("0")]),
     "angle-range--negative": edit(E, STATEMENTS, [TILING, below("-60")]),
+    "angle-range--above-180-from-below": edit(E, STATEMENTS, [TILING, above("180")]),
+    "angle-range--negative-from-below": edit(E, STATEMENTS, [TILING, above("-1/2")]),
+    "ratio-range--zero": edit(E, STATEMENTS, [TILING, ratio("0")]),
+    "ratio-range--negative": edit(E, STATEMENTS, [TILING, ratio("-2/3")]),
+    "number--in-the-angle-from-below": edit(E, STATEMENTS, [TILING, above("10.5")]),
+    "number--in-the-ratio": edit(E, STATEMENTS, [TILING, ratio("2/4")]),
+    "statements--above-before-below": edit(E, STATEMENTS, [TILING, above("1"), below("90")]),
+    "statements--tcp-before-delaunay": edit(A, STATEMENTS, [TILING, "TCP", "Delaunay"]),
+    "statements--two-ratios": edit(E, STATEMENTS, [TILING, ratio("2"), ratio("3")]),
+    "tcp-domain--plane": edit(E, STATEMENTS, [TILING, "TCP"]),
+    "tcp-domain--slab": edit(SLAB, STATEMENTS, [TILING, "TCP"]),
+    "tcp-domain--solid": edit(SOLID, STATEMENTS, [TILING, "TCP"]),
+    "json--slab-without-polytope": edit(SLAB, DOMAIN, "slab"),
+    "json--space-with-polytope": edit(SLAB, DOMAIN, {"space": SEGMENT}),
+    "json--two-domains": edit(SLAB, DOMAIN, {"slab": SEGMENT, "solid": SEGMENT}),
+    "json--unknown-member-of-domain": edit(SLAB, DOMAIN, {"slab": {**SEGMENT, "height": "1"}}),
+    "json--domain-without-faces": edit(SLAB, DOMAIN, {"slab": {"vertices": [["0"], ["1"]]}}),
+    "json--face-of-a-negative-vertex": edit(SLAB, DOMAIN, {"slab": {**SEGMENT, "faces": [[0], [-1]]}}),
+    "json--face-as-text": edit(SLAB, DOMAIN, {"slab": {**SEGMENT, "faces": [[0], "1"]}}),
+    "canonical--space-as-object": edit(E, DOMAIN, {"space": None}),
+    "canonical--faces-before-vertices": edit(SLAB, DOMAIN, {"slab": {k: SEGMENT[k] for k in ("faces", "vertices")}}),
+    "number--in-the-domain": edit(SLAB, DOMAIN, {"slab": polytope([["0/1"], [1]], [[0], [1]])}),
+    "prism-dimension": edit(block(2, 2), DOMAIN, {"prism": SQUARE}),
+    "prism-dimension--segment": edit(STRIP, DOMAIN, {"prism": SEGMENT}),
+    "domain-vertex-length--slab": edit(SLAB, DOMAIN, {"slab": polytope([[0], [0, 1]], [[0], [1]])}),
+    "domain-vertex-length--all-coordinates":
+        edit(SLAB, DOMAIN, {"slab": polytope([[0, 0, 0], [0, 0, 1]], [[0], [1]])}),
+    "domain-vertex-length--solid": edit(SOLID, DOMAIN, {"solid": SQUARE}),
+    "domain-vertex-length--empty": edit(SLAB, DOMAIN, {"slab": polytope([[], []], [[0], [1]])}),
+    "face-count--none": edit(SOLID, DOMAIN, {"solid": polytope([], [])}),
+    "face-count--half-space": edit(SLAB, DOMAIN, {"slab": polytope([[0]], [[0]])}),
+    "face-count--solid-with-three":
+        edit(SOLID, DOMAIN, {"solid": {**CUBE_SOLID, "faces": CUBE_FACES[:3]}}),
+    "face-length--slab": edit(SLAB, DOMAIN, {"slab": {**SEGMENT, "faces": [[0], [1, 0]]}}),
+    "face-length--empty": edit(SLAB, DOMAIN, {"slab": {**SEGMENT, "faces": [[0], []]}}),
+    "face-length--side-with-one": edit(PRISM, DOMAIN, {"prism": {**SQUARE, "faces": [[0, 1], [1, 2], [2, 3], [3]]}}),
+    "face-length--side-with-three":
+        edit(PRISM, DOMAIN, {"prism": {**SQUARE, "faces": [[0, 1], [1, 2], [2, 3, 0], [3, 0]]}}),
+    "face-length--solid-with-sides": edit(SOLID, DOMAIN, {"solid": {**CUBE_SOLID, "faces": CUBE_FACES + [[0, 1]]}}),
+    "face-vertices--range": edit(SLAB, DOMAIN, {"slab": {**SEGMENT, "faces": [[0], [2]]}}),
+    "face-vertices--huge": edit(SLAB, DOMAIN, {"slab": {**SEGMENT, "faces": [[0], [2 ** 64 - 1]]}}),
+    "face-vertices--twice": edit(SOLID, DOMAIN, {"solid": {**CUBE_SOLID, "faces": [[0, 1, 3, 2, 0]] + CUBE_FACES[1:]}}),
+    "face-vertices--side-of-one": edit(PRISM, DOMAIN, {"prism": {**SQUARE, "faces": [[0, 0], [1, 2], [2, 3], [3, 0]]}}),
+    "face-repeated--slab": edit(SLAB, DOMAIN, {"slab": polytope([[0]], [[0], [0]])}),
+    "face-repeated--side-reversed":
+        edit(PRISM, DOMAIN, {"prism": {**SQUARE, "faces": SQUARE["faces"] + [[1, 0]]}}),
+    "face-repeated--two-opposite-faces-doubled":
+        edit(SOLID, DOMAIN, {"solid": {**CUBE_SOLID, "faces": CUBE_FACES[:2] + [face[::-1] for face in CUBE_FACES[:2]]}}),
+    "unused-domain-vertex": edit(SOLID, DOMAIN, {"solid": {**CUBE_SOLID, "vertices": CUBE_SOLID["vertices"] + [["9", "9", "9"]]}}),
+    "unused-domain-vertex--inner": edit(SLAB, DOMAIN, {"slab": polytope([[0], [1], ["1/2"]], [[0], [1]])}),
+    "mate-length--face-in-space": edit(E, (*MATES, 0, 0), [0]),
+    "mate-length--empty-in-slab": edit(SLAB, (*MATES, 0, 0), []),
+    "mate-length--short-in-slab": edit(SLAB, (*MATES, 0, 0), [0, 0]),
+    "mate-range--face": edit(SLAB, (*MATES, 0, 0), [2]),
+    "mate-range--face-negative": edit(SLAB, (*MATES, 0, 0), [-1]),
     "angle-range--above-180": edit(E, STATEMENTS, [TILING, below("1800001/10000")]),
 }
 
@@ -554,11 +841,179 @@ def folded_over():
     return edit(c, (*VERTICES, 1), ["2/3", "2/3"])
 
 
+def in_domain(base, kind, body):
+    """The tiling in another domain; facets in a face that this one has not are said to lie in face 0."""
+    c = edit(base, DOMAIN, {kind: body})
+    faces = len(body["faces"])
+    rows = c["witness"]["mates"]
+    c["witness"]["mates"] = [[[0] if len(m) == 1 and m[0] >= faces else m for m in row] for row in rows]
+    return c
+
+
+def far_point_with_flat_faces():
+    """A square, and three more vertices at one point far off, joined by three sides of no length:
+    only that sides must be sides shows that the convex hull is larger."""
+    corners = [[0, 0], [1, 0], [1, 1], [0, 1]] + 3 * [[10, 10]]
+    sides = [[0, 1], [1, 2], [2, 3], [3, 0], [4, 5], [5, 6], [6, 4]]
+    return in_domain(block(2, 2), "solid", polytope(corners, sides))
+
+
+def star():
+    """A prism over a pentagon, whose top is listed as a pentagram."""
+    ring = [[0, 0], [2, 0], [3, 2], [1, 3], [-1, 2]]
+    corners = [[*p, height] for height in (0, 1) for p in ring]
+    sides = [[i, (i + 1) % 5, 5 + (i + 1) % 5, 5 + i] for i in range(5)]
+    return in_domain(SOLID, "solid", polytope(corners, [*sides, [0, 1, 2, 3, 4], [5, 7, 9, 6, 8]]))
+
+
+def cube_with_a_vertex_on_an_edge():
+    """Right but for the vertex, which is none of the cube."""
+    faces = [[0, 8, 1, 3, 2], *CUBE_FACES[1:2], [4, 0, 8, 1, 5], *CUBE_FACES[3:]]
+    faces[2] = [1, 5, 4, 0, 8]
+    faces[0] = [1, 3, 2, 0, 8]
+    return in_domain(SOLID, "solid", polytope(CUBE_SOLID["vertices"] + [["0", "0", "1/2"]], faces))
+
+
+def other_side_of_a_face():
+    """The quadrilateral between the lines from the origin cut off by 3 and 4, by 2 and 3, and beside
+    it the triangle of the same area that its sides cut off: that is what is tiled."""
+    body = polygon([[3, 0], [4, 0], [0, 3], [0, 2]])
+    return solid(CUBE_2, body, [[0, 0], [3, 0], [0, 2]], [[0, 1, 2]])
+
+
+def copies(base, *simplices):
+    """The tiling made of these simplices of another, each with vertices of its own."""
+    c, w = copy.deepcopy(base), base["witness"]
+    n = len(w["vertices"])
+    c["witness"] = {"vertices": [], "simplices": [], "mates": []}
+    for s in simplices:
+        for corner in w["simplices"][s]:
+            c["witness"]["vertices"].append(w["vertices"][corner[0]])
+        at = len(c["witness"]["vertices"]) - len(w["simplices"][s])
+        c["witness"]["simplices"].append([[at + i, *p[1:]] for i, p in enumerate(w["simplices"][s])])
+        c["witness"]["mates"].append([m if len(m) == 1 else [0] for m in w["mates"][s]])
+    return c
+
+
+def twice(base):
+    """All of a tiling twice, each copy with its own vertices and right in itself."""
+    c, w = copy.deepcopy(base), base["witness"]
+    n, m = len(w["vertices"]), len(w["simplices"])
+    c["witness"]["vertices"] *= 2
+    c["witness"]["simplices"] += [[[p[0] + n, *p[1:]] for p in corners] for corners in w["simplices"]]
+    c["witness"]["mates"] += [[x if len(x) == 1 else [x[0] + m, *x[1:]] for x in row] for row in w["mates"]]
+    return c
+
+
+def hole_as_boundary(base, simplex):
+    """A simplex left out; the facets around it are said to lie in face 0."""
+    c = copy.deepcopy(base)
+    c["witness"]["simplices"].pop(simplex)
+    c["witness"]["mates"].pop(simplex)
+    for row in c["witness"]["mates"]:
+        for i, mate in enumerate(row):
+            if len(mate) > 1:
+                row[i] = [0] if mate[0] == simplex else [mate[0] - (mate[0] > simplex), *mate[1:]]
+    return c
+
+
+def exchanged(base):
+    """The two faces exchanged in the domain, but not in the mates."""
+    c = copy.deepcopy(base)
+    c["claim"]["domain"]["slab"]["faces"] = [[1], [0]]
+    return c
+
+
+def cut(base, face=0):
+    """One pair of mates parted: both are said to lie in the boundary."""
+    c = copy.deepcopy(base)
+    s, i = next((s, i) for s, row in enumerate(base["witness"]["mates"]) for i, m in enumerate(row) if len(m) > 1)
+    t, j, *_ = base["witness"]["mates"][s][i]
+    c["witness"]["mates"][s][i] = c["witness"]["mates"][t][j] = [face]
+    return c
+
+
+def one_cut(base):
+    c = copy.deepcopy(base)
+    s, i = next((s, i) for s, row in enumerate(base["witness"]["mates"]) for i, m in enumerate(row) if len(m) > 1)
+    c["witness"]["mates"][s][i] = [0]
+    return c
+
+
+def solid_moved(by):
+    """The tiling of the cube, beside the cube."""
+    c = copy.deepcopy(SOLID)
+    for v in c["witness"]["vertices"]:
+        v[0] = str(F(v[0]) + by)
+    return c
+
+
+CUBE_2 = [["1", "0"], ["0", "1"]]
+MOVED_CORNER = [*CUBE_SOLID["vertices"][:7], ["1", "1", "2"]]
+
+
 def with_statements(base, *statements):
     return edit(base, STATEMENTS, [TILING, *statements])
 
 
 FALSE = {
+    "face-not-facet--dart": solid(CUBE_2, polygon([[0, 0], [4, 0], [1, 1], [0, 4]]),
+                                  [[0, 0], [4, 0], [1, 1], [0, 4]], [[0, 1, 2], [0, 2, 3]]),
+    "face-not-facet--polygon-in-star-order":
+        in_domain(PRISM, "prism", polytope(SQUARE["vertices"], [[0, 2], [2, 1], [1, 3], [3, 0]])),
+    "face-not-facet--vertex-on-a-side": in_domain(block(2, 2), "solid", polytope(
+        [[0, 0], [1, 0], [1, 1], [0, 1], [1, "1/2"]], [[0, 1], [1, 4], [4, 2], [2, 3], [3, 0]])),
+    "face-not-facet--far-point-with-flat-faces": far_point_with_flat_faces(),
+    "face-not-facet--not-planar": in_domain(SOLID, "solid", polytope(MOVED_CORNER, CUBE_FACES)),
+    "face-not-facet--flat-solid": in_domain(SOLID, "solid", polytope(
+        [[0, 0, 0], [1, 0, 0], [1, 1, 0], [0, 1, 0]], [[0, 1, 2], [0, 1, 3], [0, 2, 3], [1, 2, 3]])),
+    "face-not-facet--flat-solid-and-one-face-with-all": in_domain(SOLID, "solid", polytope(
+        [[0, 0, 0], [1, 0, 0], [1, 1, 0], [0, 1, 0]], [[0, 1, 2, 3], [0, 1, 3], [0, 2, 3], [1, 2, 3]])),
+    "face-not-facet--slab-without-height": in_domain(SLAB, "slab", polytope([[0], [0]], [[0], [1]])),
+    "face-not-facet--third-plane-of-a-slab":
+        in_domain(SLAB, "slab", polytope([[0], [1], ["1/2"]], [[0], [1], [2]])),
+    "face-not-facet--inner-wall": in_domain(SOLID, "solid", {**CUBE_SOLID, "faces": CUBE_FACES + [[0, 1, 7, 6]]}),
+    "face-not-facet--quadrilateral-as-two-triangles":
+        in_domain(SOLID, "solid", {**CUBE_SOLID, "faces": CUBE_FACES[1:] + [[0, 1, 3], [0, 3, 2]]}),
+    "face-not-convex--bow-tie": in_domain(SOLID, "solid", {**CUBE_SOLID, "faces": [[0, 1, 2, 3]] + CUBE_FACES[1:]}),
+    "face-not-convex--star": star(),
+    "face-not-convex--vertex-on-an-edge": cube_with_a_vertex_on_an_edge(),
+    "faces-not-closed--cube-without-one": in_domain(SOLID, "solid", {**CUBE_SOLID, "faces": CUBE_FACES[:5]}),
+    "faces-not-closed--cube-without-the-first": in_domain(SOLID, "solid", {**CUBE_SOLID, "faces": CUBE_FACES[1:]}),
+    "faces-not-closed--two-opposite-missing": in_domain(SOLID, "solid", {**CUBE_SOLID, "faces": CUBE_FACES[2:]}),
+    "faces-not-closed--side-missing": in_domain(PRISM, "prism", {**SQUARE, "faces": SQUARE["faces"][:3]}),
+    "vertex-outside--equal-area-beyond-a-side": other_side_of_a_face(),
+    "vertex-outside--solid-moved": solid_moved(1),
+    "vertex-outside--slightly": edit(SOLID, (*VERTICES, 7, 2), "1000001/1000000"),
+    "vertex-outside--slab-too-low": in_domain(SLAB, "slab", polytope([[0], ["1/2"]], [[0], [1]])),
+    "vertex-outside--strip-over-sqrt-3":
+        edit(VALID["strip-of-height-sqrt-3"], (*VERTICES, 1, 1), ["1/1000000", "1"]),
+    "boundary-facet--faces-exchanged": exchanged(SLAB),
+    "boundary-facet--slab-too-high": in_domain(SLAB, "slab", polytope([[0], [2]], [[0], [1]])),
+    "boundary-facet--inner-facets": cut(SOLID),
+    "boundary-facet--inner-facets-of-a-prism": cut(PRISM, 3),
+    "boundary-facet--hole": hole_as_boundary(SOLID, 3),
+    "boundary-facet--half-of-a-square-twice": copies(block(2, 2), 0, 0),
+    "boundary-facet--one-tetrahedron-of-a-cube-six-times": copies(SOLID, 0, 0, 0, 0, 0, 0),
+    "mate-not-mutual--boundary-from-one-side": one_cut(SOLID),
+    "volume-sum--solid-twice": twice(SOLID),
+    "volume-sum--slab-twice": twice(SLAB),
+    "volume-sum--tetrahedron-twice": twice(VALID["solid-tetrahedron"]),
+    "volume-sum--strip-over-sqrt-3-twice": twice(VALID["strip-of-height-sqrt-3"]),
+    "angle-not-above--60-exactly-60": lattice(HEXAGONAL, above("60")),
+    "angle-not-above--just-above-60": lattice(HEXAGONAL, above("60000001/1000000")),
+    "angle-not-above--cube-6": with_statements(C6, above("4501/100")),
+    "angle-not-above--120": with_statements(VALID["plane-obtuse"], above("120")),
+    "angle-not-above--a15": with_statements(A, above("60")),
+    "ratio-not-below--exactly": lattice([["9", "0"], ["0", "16"]], ratio("5/6")),
+    "ratio-not-below--3-5": lattice([["9", "0"], ["0", "16"]], ratio("3/5")),
+    "ratio-not-below--equilateral": lattice(HEXAGONAL, ratio("11547/20000")),
+    "ratio-not-below--tetrahedron": with_statements(VALID["solid-tetrahedron"], ratio("153/250")),
+    "ratio-not-below--over-sqrt-3": with_statements(K, ratio("7/10")),
+    "edge-valence--bcc": with_statements(VALID["space-bcc"], "TCP"),
+    "edge-valence--chambers-of-the-cube": with_statements(VALID["space-chambers-of-the-cube"], "TCP"),
+    "edge-valence--a15-with-one-tetrahedron-cut": a15_split("TCP"),
+    "triangle-valence--z-with-an-edge-contracted": with_statements(VALID["space-z-contracted"], "TCP"),
     "gram-asymmetric": edit(E, (*GRAM, 0, 1), "0"),
     "gram-asymmetric--nothing-else-wrong": edit(BARE, (*GRAM, 0, 1), "0"),
     "gram-not-positive--indefinite": lattice([["1", "2"], ["2", "1"]]),
@@ -633,6 +1088,12 @@ def reducible(gram, *statements):
     return lattice(gram, *statements, field=REDUCIBLE, a=math.sqrt(2))
 
 
+def reducible_strip(ends):
+    """The strip of height 1, its ends written with a^2 = 2, which is not seen in the coefficients."""
+    domain = {"slab": {"vertices": ends, "faces": [[0], [1]]}}
+    return edit(edit(STRIP, FIELD, REDUCIBLE), DOMAIN, domain)
+
+
 def primes():
     """Denominators with a common multiple of more than 1000 digits, each of few."""
     found = [p for p in range(2, 3000) if all(p % q for q in range(2, int(p ** 0.5) + 1))]
@@ -674,6 +1135,10 @@ DECLINED = {
     "sign-undecided--flat":
         edit(edit(reducible(HEXAGONAL), VERTICES, [["0", "0"], ["0", ZERO]]),
              (*SIMPLICES, 0), [[0, 0, 0], [0, 1, 0], [1, 0, 0]]),
+    "sign-undecided--vertex-in-the-boundary": reducible_strip([["0"], [["-1", "0", "1"]]]),
+    "sign-undecided--slab-without-height": reducible_strip([["0"], [ZERO]]),
+    "angle-undecided--45-claimed-above-45": with_statements(C6, above("45")),
+    "work--domain--limit-work-200": SOLID,
     "sign-undecided--rational-root-hit":
         lattice([[["-2", "1"], "0"], ["0", "1"]], field=TWO, a=2),
     "sign-undecided--no-bisections--limit-bisections-0": K,

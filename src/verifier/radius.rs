@@ -1,0 +1,60 @@
+//! `all radius-edge ratios below q`: the circumradius against every edge.
+
+use super::Refusal;
+use super::geometry::{edge_products, facet_pairs};
+use super::matrix::{Matrix, apply, cofactors, determinant};
+use super::ring::Element;
+use super::tiling::Tiling;
+use num_bigint::BigInt;
+use num_traits::One;
+use std::cmp::Ordering;
+
+/// R < q l for every edge length l of every simplex, with R its circumradius.
+///
+/// Let M hold the e_i · e_j, C its cofactors, δ_i = M_ii. The circumcentre z, seen
+/// from x_0, has 2 z · e_i = δ_i, so z = Σ y_i e_i with 2 M y = δ, and
+/// R² = y^T M y = δ^T M^-1 δ / 4 = δ^T C δ / (4 det M). Hence, for q = p/s, the
+/// rule is s² δ^T C δ - 4 p² det(M) l² < 0, for det M > 0.
+pub(super) fn check_radius_edge(tiling: &Tiling) -> Result<(), Refusal> {
+    let Some(q) = &tiling.bounds.radius_edge else {
+        return Ok(());
+    };
+    let ring = &tiling.ring;
+    let left = Element::integer(q.denom() * q.denom());
+    let right = Element::integer(q.numer() * q.numer() * 4);
+    for simplex in 0..tiling.simplices().len() {
+        let products = edge_products(tiling, simplex);
+        let diagonal: Vec<Element> = (0..products.len())
+            .map(|i| products[i][i].clone())
+            .collect();
+        let inner = apply(ring, &cofactors(ring, &products), &diagonal);
+        let radius = ring.times(&left, &ring.dot(&diagonal, &inner));
+        let volume = ring.times(&right, &determinant(ring, &products));
+        for corners @ (i, j) in facet_pairs(tiling.dimension()) {
+            let length = length(&products, i, j);
+            let value = radius.clone().minus(&ring.times(&volume, &length));
+            let of = || format!("radius less edge {i} {j} of simplex {simplex}, scaled");
+            if tiling.sign(&value, &BigInt::one(), of)? != Ordering::Less {
+                return Err(Refusal::RatioNotBelow {
+                    simplex,
+                    corners,
+                    ratio: q.to_string(),
+                });
+            }
+        }
+    }
+    Ok(())
+}
+
+/// |x_i - x_j|² for i < j: M_jj for i = 0, and else |e_i - e_j|².
+fn length(products: &Matrix, i: usize, j: usize) -> Element {
+    let square = products[j - 1][j - 1].clone();
+    if i == 0 {
+        return square;
+    }
+    let mixed = &products[i - 1][j - 1];
+    square
+        .plus(&products[i - 1][i - 1])
+        .minus(mixed)
+        .minus(mixed)
+}
