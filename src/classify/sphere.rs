@@ -68,18 +68,20 @@ impl Rotation {
 
     /// The code of the part that is connected with a directed edge.
     fn code_from(&self, (from, to): (usize, usize), forward: bool) -> Code {
-        let mut number = BTreeMap::from([(from, 0), (to, 1)]);
+        let mut number = vec![None; self.neighbours.len()];
+        (number[from], number[to]) = (Some(0), Some(1));
         let mut waiting = VecDeque::from([(from, to), (to, from)]);
-        let mut lists = Vec::new();
+        let mut next = 2;
+        let mut lists = Vec::with_capacity(number.len());
         while let Some((vertex, first)) = waiting.pop_front() {
-            let mut list = Vec::new();
-            for neighbour in self.around(vertex, first, forward) {
-                let fresh = number.len();
-                let label = *number.entry(neighbour).or_insert_with(|| {
+            let mut list = self.around(vertex, first, forward);
+            for entry in &mut list {
+                let neighbour = *entry;
+                *entry = *number[neighbour].get_or_insert_with(|| {
                     waiting.push_back((neighbour, vertex));
-                    fresh
+                    next += 1;
+                    next - 1
                 });
-                list.push(label);
             }
             lists.push(list);
         }

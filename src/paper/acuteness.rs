@@ -180,7 +180,10 @@ fn vertex_projections() -> (bool, String) {
         "identity between the foot's barycentric coordinates and -<g_i, g_d>/|g_d|²; both sides agree on \
          {SAMPLES} random tetrahedra, {acute} of them acute"
     );
-    (is_zero(&degrees, difference) && agrees && acute > 0, proved)
+    (
+        is_zero(&degrees, difference) && agrees && acute * 10 > SAMPLES,
+        proved,
+    )
 }
 
 /// Whether a corner projects strictly inside the opposite triangle, decided by the foot's place at

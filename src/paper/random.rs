@@ -28,7 +28,7 @@ impl SplitMix {
 /// Tetrahedra a, b, c, d of positive volume. Every second one is a regular one moved a
 /// little, so that enough are acute.
 pub fn tetrahedra() -> impl Iterator<Item = [Vector; 4]> {
-    const REGULAR: [Vector; 4] = [[4, 4, 4], [4, -4, -4], [-4, 4, -4], [-4, -4, 4]];
+    const REGULAR: [Vector; 4] = [[4, 4, 4], [4, -4, -4], [-4, -4, 4], [-4, 4, -4]];
     let mut random = SplitMix(0x5eed);
     let mut count = 0usize;
     std::iter::from_fn(move || {
@@ -36,7 +36,7 @@ pub fn tetrahedra() -> impl Iterator<Item = [Vector; 4]> {
         let near_regular = count.is_multiple_of(2);
         Some(std::array::from_fn(|k| {
             std::array::from_fn(|i| match near_regular {
-                true => REGULAR[k][i] + random.coordinate(3),
+                true => REGULAR[k][i] + random.coordinate(2),
                 false => random.coordinate(5),
             })
         }))

@@ -6,7 +6,7 @@ use super::row::{Finding, Row, mixed_number};
 use crate::classify::Wedge;
 use crate::geometry::{Scalar, Simplex, linear};
 use crate::number::Number;
-use crate::quality::Exact;
+use crate::quality::{Exact, display_width, rounded_down, rounded_up};
 use crate::survey::{Study, Survey};
 use crate::table::{Figure, width};
 use crate::tiling::Domain;
@@ -35,6 +35,13 @@ pub fn rows(survey: &Survey) -> Vec<Row> {
             "critical point",
         )
         .found(Ok(critical_point())),
+        row(
+            "near-regularity",
+            "tilings by nearly regular tetrahedra have average valences close to n0 (here: within 1/100 for all \
+             TCP structures of the catalogue)",
+            "quite close to n0",
+        )
+        .found(near_regularity(survey)),
         row(
             "between",
             "all known TCP structures have average valences from 5 1/10 to 5 1/9 (here all of the \
@@ -179,6 +186,45 @@ fn critical_point() -> (bool, String) {
     let proved = "the derivatives of the six cosines by the square of one edge add up to 0, computed in Q[ε]; \
                   by symmetry for all edges";
     (sum == 0, proved.to_owned())
+}
+
+/// The distance of the averages from n0, with the range of all dihedral angles of these structures.
+fn near_regularity(survey: &Survey) -> Finding {
+    let (low, high) = n_zero().bounds;
+    let mut farthest = Rational::from(0);
+    let mut angles: Option<(Rational, Rational)> = None;
+    for (_, study) in survey
+        .spaces()
+        .filter(|(_, study)| study.check_tcp().is_ok())
+    {
+        let average = study.ridges.average_valence().unwrap_or_default();
+        farthest = farthest.max(&high - &average).max(average - &low);
+        let least = study
+            .ranges
+            .smallest_dihedral
+            .min
+            .enclosure(&display_width())
+            .0;
+        let most = study
+            .ranges
+            .largest_dihedral
+            .max
+            .enclosure(&display_width())
+            .1;
+        angles = Some(match angles {
+            Some((low, high)) => (low.min(least), high.max(most)),
+            None => (least, most),
+        });
+    }
+    let (least, most) = angles.ok_or("no TCP structures in this build")?;
+    let proved = format!(
+        "average valences differ from n0 by less than {}; all dihedral angles lie between {}° and {}°, that of \
+         the regular tetrahedron is 70.53°",
+        rounded_up(&farthest, 4),
+        rounded_down(&least, 2),
+        rounded_up(&most, 2)
+    );
+    Ok((farthest < Rational::from_signeds(1, 100), proved))
 }
 
 fn between(survey: &Survey) -> Finding {
