@@ -57,6 +57,9 @@ fn the_kuhn_cube_is_a_nonobtuse_weakly_delaunay_tiling() {
         Statement::FaceToFaceTiling,
         Statement::Nonobtuse,
         Statement::DihedralBelow("9001/100".to_owned()),
+        Statement::DihedralAbove("4499/100".to_owned()),
+        // The circumradius is sqrt(3)/2 and the shortest edge 1.
+        Statement::RadiusEdgeBelow("867/1000".to_owned()),
         Statement::WeaklyDelaunay,
     ];
     assert_eq!(judge(&kuhn(), &[]).expect("it is a tiling"), expected);
@@ -180,6 +183,13 @@ fn unused_vertices_are_named() {
 }
 
 #[test]
+fn dependent_vectors_are_a_degenerate_metric() {
+    let mut document = kuhn();
+    document["lattice"] = json!({ "vectors": [[1, 0, 0], [0, 1, 0], [1, 1, 0]] });
+    assert_eq!(defects(&document), ["metric-not-positive 1"]);
+}
+
+#[test]
 fn metrics_that_are_none() {
     for gram in [
         json!([[1, 1, 0], [1, 1, 0], [0, 0, 1]]),
@@ -230,7 +240,16 @@ fn cartesian_and_fractional_coordinates_give_the_same_tiling() {
         statements[2],
         Statement::DihedralBelow("6001/100".to_owned())
     );
-    assert_eq!(statements[3], Statement::Delaunay);
+    assert_eq!(
+        statements[3],
+        Statement::DihedralAbove("5999/100".to_owned())
+    );
+    // 1 / sqrt(3) = 0.57735…
+    assert_eq!(
+        statements[4],
+        Statement::RadiusEdgeBelow("289/500".to_owned())
+    );
+    assert_eq!(statements[5], Statement::Delaunay);
 }
 
 #[test]
@@ -297,7 +316,7 @@ fn messages_name_the_place_and_what_was_expected() {
     );
     begins(
         with(&|d| d["simplices"][4][1] = json!(-1)),
-        "invalid type: integer `-1`, expected a corner",
+        "simplices[4][1]: invalid type: integer `-1`, expected a corner",
     );
     assert_eq!(
         with(&|d| d["lattice"]["gram"] = json!([[1]])),
@@ -308,7 +327,10 @@ fn messages_name_the_place_and_what_was_expected() {
         "lattice[1][0]: the Gram matrix is not symmetric",
     );
     begins(
-        with(&|d| d["lattice"] = json!({ "vectors": [[1, 0, 0], [0, 1, 0], [1, 1, 0]] })),
+        with(&|d| {
+            d["lattice"] = json!({ "vectors": [[1, 0, 0], [0, 1, 0], [1, 1, 0]] });
+            d["coordinates"] = json!("cartesian");
+        }),
         "lattice: the lattice vectors are linearly dependent",
     );
     begins(
@@ -336,6 +358,48 @@ fn messages_name_the_place_and_what_was_expected() {
         "vertices: is missing",
     );
     begins(with(&|d| d["points"] = json!([])), "points: has no place");
+}
+
+#[test]
+fn limits_are_told_from_errors() {
+    let is_limit = |edit: &dyn Fn(&mut Value)| {
+        let mut document = kuhn();
+        edit(&mut document);
+        read_native(&document.to_string())
+            .err()
+            .expect("it cannot be read")
+            .is_limit()
+    };
+    assert!(is_limit(&|d| d["version"] = json!(2)));
+    assert!(is_limit(&|d| d["vertices"][0][0] = json!("1e999999999")));
+    assert!(!is_limit(&|d| d["vertices"][0][0] = json!("1/0")));
+    assert!(!is_limit(&|d| d["vertices"] = json!([[0]])));
+}
+
+/// Nested roots of degree 32: read, or declined as too large, but not for minutes.
+#[test]
+fn nested_roots_end() {
+    for nested in [
+        "sqrt(sqrt(sqrt(2)))",
+        "sqrt(sqrt(sqrt(sqrt(2))))",
+        "sqrt(sqrt(sqrt(sqrt(sqrt(2)))))",
+    ] {
+        let mut document = kuhn();
+        document["lattice"] = json!({ "gram": [["sqrt(3)", 0, 0], [0, 1, 0], [0, 0, 1]] });
+        document["vertices"] = json!([[nested, 0, 0]]);
+        match read_native(&document.to_string()) {
+            Ok(_) => {}
+            Err(error) => assert!(error.is_limit(), "{error}"),
+        }
+    }
+}
+
+#[test]
+fn bounds_hold_far_from_the_origin() {
+    let mut document = kuhn();
+    document["vertices"] = json!([["(sqrt(2)+1)^200", 0, 0]]);
+    let statements = judge(&document, &[]).expect("it is a tiling");
+    assert!(statements.contains(&Statement::DihedralBelow("9001/100".to_owned())));
 }
 
 #[test]

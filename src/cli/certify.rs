@@ -18,9 +18,14 @@ use std::path::{Path, PathBuf};
 
 /// Certifies every input; the outcome is the worst of all.
 pub fn run(arguments: &CertifyArguments, output: &mut Output) -> Outcome {
-    let mut inputs = arguments.inputs.clone();
-    if arguments.all {
-        inputs.extend(catalog::names().map(str::to_owned));
+    let mut inputs: Vec<String> = Vec::new();
+    let all = catalog::names()
+        .filter(|_| arguments.all)
+        .map(str::to_owned);
+    for input in arguments.inputs.iter().cloned().chain(all) {
+        if !inputs.contains(&input) {
+            inputs.push(input);
+        }
     }
     let targets = match targets(&inputs, arguments.output.as_deref()) {
         Ok(targets) => targets,
@@ -62,6 +67,7 @@ fn targets(inputs: &[String], output: Option<&Path>) -> Result<Vec<Target>, Stri
             .map_err(|error| format!("{}: cannot be made a directory: {error}", path.display()))?;
     }
     if !path.is_dir() {
+        check_not_an_input(path, inputs)?;
         return Ok(vec![Target::File(path.to_path_buf())]);
     }
     let mut names = BTreeMap::new();
@@ -73,10 +79,31 @@ fn targets(inputs: &[String], output: Option<&Path>) -> Result<Vec<Target>, Stri
             ));
         }
     }
-    Ok(inputs
-        .iter()
-        .map(|input| Target::File(path.join(file_name(input))))
-        .collect())
+    let file = |input: &String| {
+        let file = path.join(file_name(input));
+        check_not_an_input(&file, inputs).map(|()| Target::File(file))
+    };
+    inputs.iter().map(file).collect()
+}
+
+/// A certificate must not replace the tiling that it certifies.
+fn check_not_an_input(target: &Path, inputs: &[String]) -> Result<(), String> {
+    let Ok(target_file) = target.canonicalize() else {
+        return Ok(());
+    };
+    let is_target = |input: &&String| {
+        catalog::find(input).is_none()
+            && Path::new(input)
+                .canonicalize()
+                .is_ok_and(|file| file == target_file)
+    };
+    match inputs.iter().find(is_target) {
+        Some(input) => Err(format!(
+            "{}: would overwrite the input {input}",
+            target.display()
+        )),
+        None => Ok(()),
+    }
 }
 
 /// `a15` and `dir/a15.json` both give `a15.json`.
@@ -110,7 +137,8 @@ enum Answer {
 fn prove(input: &str, arguments: &CertifyArguments, output: &mut Output) -> Answer {
     let mut named = match input::tiling(input) {
         Ok(named) => named,
-        Err(message) => return Answer::Failed(message),
+        Err(error) if error.outcome == Outcome::Declined => return Answer::Declined(error.message),
+        Err(error) => return Answer::Failed(error.message),
     };
     if arguments.reorient {
         let mended = with_dimension!(&mut named.tiling, AnyTiling, t => t.orient());

@@ -12,9 +12,9 @@ use serde_json::{Value, json};
 pub fn run(arguments: &ClassifyArguments, output: &mut Output) -> Outcome {
     let named = match input::tiling(&arguments.input) {
         Ok(named) => named,
-        Err(message) => {
-            output.complain(format!("acutile: {message}"));
-            return Outcome::Failed;
+        Err(error) => {
+            output.complain(format!("acutile: {}", error.message));
+            return error.outcome;
         }
     };
     let report = match AnyStudy::of(named.tiling) {

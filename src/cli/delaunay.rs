@@ -15,9 +15,9 @@ use crate::with_dimension;
 pub fn run(arguments: &DelaunayArguments, output: &mut Output) -> Outcome {
     let points = match input::points(&arguments.file) {
         Ok(points) => points,
-        Err(message) => {
-            output.complain(format!("acutile: {message}"));
-            return Outcome::Failed;
+        Err(error) => {
+            output.complain(format!("acutile: {}", error.message));
+            return error.outcome;
         }
     };
     with_dimension!(&points, AnyPointSet, p => write(p, arguments, output))

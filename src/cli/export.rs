@@ -1,8 +1,9 @@
 //! `acutile export`: a tiling, or a supercell of it, as a tiling file.
 
+use super::Outcome;
 use super::args::ExportArguments;
+use super::input::{self, InputError};
 use super::output::{Output, write_file};
-use super::{Outcome, input};
 use crate::export::tiling_text;
 use crate::tiling::{Tiling, supercell};
 use crate::with_dimension;
@@ -14,9 +15,9 @@ pub fn run(arguments: &ExportArguments, output: &mut Output) -> Outcome {
     );
     match text {
         Ok(text) => write_text(arguments.output.as_deref(), &text, output),
-        Err(message) => {
-            output.complain(format!("acutile: {message}"));
-            Outcome::Failed
+        Err(error) => {
+            output.complain(format!("acutile: {}", error.message));
+            error.outcome
         }
     }
 }
@@ -25,16 +26,14 @@ fn text<const D: usize>(
     tiling: &Tiling<D>,
     name: &str,
     arguments: &ExportArguments,
-) -> Result<String, String> {
+) -> Result<String, InputError> {
     if arguments.supercell.is_empty() {
         return Ok(tiling_text(tiling, name));
     }
     let rank = tiling.frame.rank();
     if arguments.supercell.len() != rank {
         let found = arguments.supercell.len();
-        return Err(format!(
-            "--supercell: found {found} numbers, expected {rank}"
-        ));
+        return Err(format!("--supercell: found {found} numbers, expected {rank}").into());
     }
     let sizes = std::array::from_fn(|k| arguments.supercell.get(k).copied().unwrap_or(1));
     let copies = arguments
@@ -43,9 +42,7 @@ fn text<const D: usize>(
         .map(|&n| n as usize)
         .product::<usize>();
     if copies.saturating_mul(tiling.len().max(tiling.vertices.len())) > u32::MAX as usize {
-        return Err(format!(
-            "--supercell: {copies} copies are more than indices can count"
-        ));
+        return Err(format!("--supercell: {copies} copies are more than indices can count").into());
     }
     Ok(tiling_text(&supercell(tiling, sizes), name))
 }

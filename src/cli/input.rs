@@ -1,5 +1,6 @@
 //! A name of the catalogue or a file, turned into a tiling.
 
+use super::Outcome;
 use crate::catalog;
 use crate::import::{Content, NativeFile, read_native, read_text};
 use crate::tiling::{AnyPointSet, AnyTiling};
@@ -16,11 +17,26 @@ pub struct Named {
     pub tiling: AnyTiling,
 }
 
+/// Why there is no input, in words that name it, and what that makes of the command.
+pub struct InputError {
+    pub message: String,
+    pub outcome: Outcome,
+}
+
+impl From<String> for InputError {
+    fn from(message: String) -> Self {
+        InputError {
+            message,
+            outcome: Outcome::Failed,
+        }
+    }
+}
+
 /// The tiling of a catalogue name, or of a file.
 ///
 /// # Errors
 /// A message that names the input.
-pub fn tiling(input: &str) -> Result<Named, String> {
+pub fn tiling(input: &str) -> Result<Named, InputError> {
     if let Some(entry) = catalog::find(input) {
         let tiling = catalog::build(input).map_err(|error| format!("{input}: {error}"))?;
         return Ok(Named {
@@ -31,9 +47,8 @@ pub fn tiling(input: &str) -> Result<Named, String> {
     }
     let path = Path::new(input);
     if input != "-" && !path.exists() && !input.contains(['/', '.']) {
-        return Err(format!(
-            "{input}: neither a name of the catalogue (acutile list) nor a file"
-        ));
+        let message = format!("{input}: neither a name of the catalogue (acutile list) nor a file");
+        return Err(message.into());
     }
     let file = read(path)?;
     match file.content {
@@ -50,7 +65,8 @@ pub fn tiling(input: &str) -> Result<Named, String> {
         }
         Content::Points(_) => Err(format!(
             "{input}: is a point-set file, expected a tiling file (acutile delaunay makes one)"
-        )),
+        )
+        .into()),
     }
 }
 
@@ -58,18 +74,26 @@ pub fn tiling(input: &str) -> Result<Named, String> {
 ///
 /// # Errors
 /// A message that names the file.
-pub fn points(path: &Path) -> Result<AnyPointSet, String> {
+pub fn points(path: &Path) -> Result<AnyPointSet, InputError> {
     match read(path)?.content {
         Content::Points(points) => Ok(points),
         Content::Tiling(_) => Err(format!(
             "{}: is a tiling file, expected a point-set file",
             path.display()
-        )),
+        )
+        .into()),
     }
 }
 
-fn read(path: &Path) -> Result<NativeFile, String> {
+fn read(path: &Path) -> Result<NativeFile, InputError> {
     read_text(path)
         .and_then(|text| read_native(&text))
-        .map_err(|error| format!("{}: {error}", path.display()))
+        .map_err(|error| InputError {
+            message: format!("{}: {error}", path.display()),
+            outcome: if error.is_limit() {
+                Outcome::Declined
+            } else {
+                Outcome::Failed
+            },
+        })
 }

@@ -71,24 +71,38 @@ impl Write for Output {
     }
 }
 
-/// Writes a whole file or nothing: to a temporary file beside it, then renamed.
+/// Writes a whole file or nothing: to a temporary file beside it, then renamed. A link
+/// stays, and what it points to is written; devices and pipes are written directly.
 pub fn write_file(path: &Path, bytes: &[u8]) -> io::Result<()> {
+    if path.is_dir() {
+        return Err(io::Error::new(ErrorKind::IsADirectory, "is a directory"));
+    }
+    if ["/dev", "/proc"]
+        .iter()
+        .any(|special| path.starts_with(special))
+    {
+        return std::fs::write(path, bytes);
+    }
+    let path = path.canonicalize().unwrap_or_else(|_| path.to_path_buf());
+    // A pipe has no place for a temporary file beside it.
+    if path.exists() && !path.is_file() {
+        return std::fs::write(path, bytes);
+    }
     let directory = match path.parent() {
         Some(parent) if parent != Path::new("") => parent,
         _ => Path::new("."),
     };
-    if path.is_dir() {
-        return Err(io::Error::new(ErrorKind::IsADirectory, "is a directory"));
-    }
-    // A device or a pipe has no place for a temporary file beside it.
-    if path.exists() && !path.is_file() {
-        return std::fs::write(path, bytes);
-    }
-    let mut file = new_file(directory)?;
-    file.write_all(bytes)?;
+    let mut file = new_file(directory).map_err(without_temporary_name)?;
+    file.write_all(bytes).map_err(without_temporary_name)?;
     file.as_file().sync_all()?;
-    file.persist(path).map_err(|error| error.error)?;
+    file.persist(path)
+        .map_err(|error| without_temporary_name(error.error))?;
     Ok(())
+}
+
+/// The user did not choose the temporary file's name.
+fn without_temporary_name(error: io::Error) -> io::Error {
+    io::Error::from(error.kind())
 }
 
 /// A temporary file with the permissions of an ordinary new file.

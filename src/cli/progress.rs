@@ -1,7 +1,7 @@
 //! The line on the terminal that tells what a long check is doing. It shows after a
 //! moment only, on standard error only, and only where that is a terminal.
 
-use indicatif::{ProgressBar, ProgressDrawTarget};
+use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
 use std::time::Duration;
 
 /// A line that names the current step.
@@ -14,6 +14,9 @@ impl Progress {
     /// Progress of the work on `name`.
     pub fn of(name: &str) -> Self {
         let bar = ProgressBar::with_draw_target(None, ProgressDrawTarget::stderr());
+        if let Ok(style) = ProgressStyle::with_template("{spinner} {elapsed} {msg}") {
+            bar.set_style(style);
+        }
         bar.enable_steady_tick(Duration::from_millis(200));
         Progress {
             bar,

@@ -17,9 +17,9 @@ pub fn run(arguments: &ShowArguments, output: &mut Output) -> Outcome {
             with_dimension!(&named.tiling, AnyTiling, t => show(t, output));
             Outcome::Done
         }
-        Err(message) => {
-            output.complain(format!("acutile: {message}"));
-            Outcome::Failed
+        Err(error) => {
+            output.complain(format!("acutile: {}", error.message));
+            error.outcome
         }
     }
 }

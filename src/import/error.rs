@@ -1,5 +1,6 @@
 //! One variant for each way in which a file can fail to be read.
 
+use crate::number::ReadError;
 use std::fmt;
 use std::io;
 
@@ -17,12 +18,21 @@ pub enum ImportError {
     Empty,
     /// Not JSON, or not the members that were expected; names line and column.
     Json(serde_json::Error),
+    /// JSON, but not what was expected at this place.
+    Shape {
+        place: String,
+        error: serde_json::Error,
+    },
     /// JSON of another format.
     Format { found: String },
     /// An unknown version of the format.
     Version { found: u64 },
     /// Something about the entry at `place`, like `vertices[3][1]`.
     Entry { place: String, problem: String },
+    /// A number that cannot be read.
+    Number { place: String, error: ReadError },
+    /// A byte order mark before the text.
+    ByteOrderMark,
 }
 
 impl ImportError {
@@ -31,6 +41,15 @@ impl ImportError {
         ImportError::Entry {
             place: place.into(),
             problem: problem.to_string(),
+        }
+    }
+
+    /// Whether a stated limit, or a version of tomorrow, is the reason.
+    pub fn is_limit(&self) -> bool {
+        match self {
+            ImportError::TooLong { .. } | ImportError::Version { .. } => true,
+            ImportError::Number { error, .. } => error.is_limit(),
+            _ => false,
         }
     }
 }
@@ -47,6 +66,7 @@ impl fmt::Display for ImportError {
             }
             ImportError::Empty => write!(f, "is empty, expected a tiling or point-set file"),
             ImportError::Json(error) => write!(f, "{error}"),
+            ImportError::Shape { place, error } => write!(f, "{place}: {error}"),
             ImportError::Format { found } => write!(
                 f,
                 "format is {found:?}, expected \"acutile-tiling\" or \"acutile-points\""
@@ -55,6 +75,13 @@ impl fmt::Display for ImportError {
                 write!(f, "version is {found}, expected 1")
             }
             ImportError::Entry { place, problem } => write!(f, "{place}: {problem}"),
+            ImportError::Number { place, error } => write!(f, "{place}: {error}"),
+            ImportError::ByteOrderMark => {
+                write!(
+                    f,
+                    "begins with a byte order mark, expected JSON without one"
+                )
+            }
         }
     }
 }

@@ -113,15 +113,16 @@ impl<const D: usize> Change<D> {
         vectors: &[[Number; D]; D],
         coordinates: Coordinates,
     ) -> Result<Self, ImportError> {
-        let determinant = linear::determinant(vectors);
-        let Some(scale) = determinant.inverse() else {
+        if coordinates == Coordinates::Fractional {
+            return Ok(Change { inverse: None });
+        }
+        let Some(scale) = linear::determinant(vectors).inverse() else {
             let problem = "the lattice vectors are linearly dependent: their determinant is 0";
             return Err(ImportError::entry("lattice", problem));
         };
+        let inverse = linear::cofactors(vectors).map(|row| row.map(|cofactor| &cofactor * &scale));
         Ok(Change {
-            inverse: (coordinates == Coordinates::Cartesian).then(|| {
-                linear::cofactors(vectors).map(|row| row.map(|cofactor| &cofactor * &scale))
-            }),
+            inverse: Some(inverse),
         })
     }
 

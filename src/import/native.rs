@@ -37,6 +37,9 @@ pub fn read_native(text: &str) -> Result<NativeFile, ImportError> {
     if text.trim().is_empty() {
         return Err(ImportError::Empty);
     }
+    if text.starts_with('\u{feff}') {
+        return Err(ImportError::ByteOrderMark);
+    }
     let header: Header = serde_json::from_str(text).map_err(ImportError::Json)?;
     if header.format != TILING && header.format != POINTS {
         return Err(ImportError::Format {
@@ -48,7 +51,7 @@ pub fn read_native(text: &str) -> Result<NativeFile, ImportError> {
             found: header.version,
         });
     }
-    let document: Document = serde_json::from_str(text).map_err(ImportError::Json)?;
+    let document: Document = serde_json::from_str(text).map_err(|error| with_place(text, error))?;
     let numbers = Numbers::of(&document)?;
     let content = match document.dimension {
         2 => content(
@@ -75,6 +78,18 @@ pub fn read_native(text: &str) -> Result<NativeFile, ImportError> {
         description: document.description,
         content,
     })
+}
+
+/// Where in the document the shape is wrong, if JSON it is: read once more, slowly.
+fn with_place(text: &str, error: serde_json::Error) -> ImportError {
+    let mut deserializer = serde_json::Deserializer::from_str(text);
+    match serde_path_to_error::deserialize::<_, Document>(&mut deserializer) {
+        Err(traced) if error.is_data() && traced.path().iter().len() > 0 => ImportError::Shape {
+            place: traced.path().to_string(),
+            error,
+        },
+        _ => ImportError::Json(error),
+    }
 }
 
 fn content<const D: usize>(

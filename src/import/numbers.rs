@@ -56,7 +56,7 @@ impl Numbers {
                     number_text(*text).map_err(|problem| ImportError::entry(at(), problem))?;
                 self.reader
                     .learn(&text)
-                    .map_err(|error| ImportError::entry(at(), error))?;
+                    .map_err(|error| ImportError::Number { place: at(), error })?;
             }
         }
         Ok(())
@@ -88,7 +88,7 @@ impl Numbers {
             let text = number_text(*text).map_err(|problem| ImportError::entry(at(), problem))?;
             self.reader
                 .value(&text)
-                .map_err(|error| ImportError::entry(at(), error))
+                .map_err(|error| ImportError::Number { place: at(), error })
         };
         row.iter().enumerate().map(value).collect()
     }
@@ -124,12 +124,18 @@ fn add_generator(
     let upper = rational(generator.root.1, || format!("generators.{name}.root[1]"))?;
     reader
         .generator(name, &polynomial, lower, upper)
-        .map_err(|error| ImportError::entry(format!("generators.{name}"), error))
+        .map_err(|error| ImportError::Number {
+            place: format!("generators.{name}"),
+            error,
+        })
 }
 
 fn rational(text: Text, place: impl Fn() -> String) -> Result<Rational, ImportError> {
     let value = number_text(text).map_err(|problem| ImportError::entry(place(), problem))?;
-    let number = crate::number::numbers(&[&value]).map_err(|e| ImportError::entry(place(), e))?;
+    let number = crate::number::numbers(&[&value]).map_err(|error| ImportError::Number {
+        place: place(),
+        error,
+    })?;
     match number[0].coefficients() {
         [] => Ok(Rational::from(0)),
         [rational] => Ok(rational.clone()),

@@ -34,6 +34,20 @@ pub enum FieldError {
     NoGenerator,
 }
 
+impl FieldError {
+    /// Whether a stated limit is the reason, and not the input.
+    pub fn is_limit(&self) -> bool {
+        matches!(
+            self,
+            Self::DegreeBeyondLimit(_)
+                | Self::SizeBeyondLimit(_)
+                | Self::RootsTooClose
+                | Self::ExtensionBeyondLimit(_)
+                | Self::NoGenerator
+        )
+    }
+}
+
 impl fmt::Display for FieldError {
     fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
         match self {
@@ -119,6 +133,22 @@ pub enum ReadErrorKind {
     ValueTooLarge,
     /// There is no such field.
     Field(Box<FieldError>),
+}
+
+impl ReadError {
+    /// Whether a stated limit is the reason, and not the text.
+    pub fn is_limit(&self) -> bool {
+        match &self.kind {
+            ReadErrorKind::TooLong(_)
+            | ReadErrorKind::TooDeep
+            | ReadErrorKind::TooManyDigits(_)
+            | ReadErrorKind::ExponentBeyondLimit(_)
+            | ReadErrorKind::RootUndecided(_)
+            | ReadErrorKind::ValueTooLarge => true,
+            ReadErrorKind::Field(error) => error.is_limit(),
+            _ => false,
+        }
+    }
 }
 
 impl fmt::Display for ReadError {

@@ -57,23 +57,17 @@ impl Extremes {
             .each_ref()
             .map(|row| row.each_ref().map(Number::approximate));
         let cogram = linear::cofactors(&gram);
-        let vertices: Vec<[f64; D]> = tiling
-            .vertices
-            .iter()
-            .map(|v| v.each_ref().map(Number::approximate))
-            .collect();
         let mut extremes = Extremes {
             smallest: 180.0,
             largest: 0.0,
             ratio: 0.0,
         };
         for corners in tiling.simplices() {
+            // Differences are exact before they are rounded: coordinates may be large.
+            let origin = tiling.position(&corners[0]);
             let points: Vec<[f64; D]> = corners
                 .iter()
-                .map(|c| {
-                    let vertex = &vertices[c.vertex as usize];
-                    std::array::from_fn(|k| vertex[k] + f64::from(c.shift[k]))
-                })
+                .map(|c| linear::subtract(&tiling.position(c), &origin).map(|x| x.approximate()))
                 .collect();
             extremes.include(&Simplex::new(&points), &gram, &cogram);
         }
