@@ -339,7 +339,7 @@ fn messages_name_the_place_and_what_was_expected() {
     );
     begins(
         with(&|d| d["color"] = json!("red")),
-        "unknown field `color`",
+        "color: unknown field `color`",
     );
     assert_eq!(
         with(&|d| d["version"] = json!(2)),
