@@ -108,7 +108,7 @@ enum Answer {
 }
 
 fn prove(input: &str, arguments: &CertifyArguments, output: &mut Output) -> Answer {
-    let mut named = match input::tiling(input) {
+    let mut named = match input::tiling(input, arguments.param.as_deref()) {
         Ok(named) => named,
         Err(message) => return Answer::Failed(message),
     };

@@ -16,13 +16,17 @@ pub struct Named {
     pub tiling: AnyTiling,
 }
 
-/// The tiling of a catalogue name, or of a file.
+/// The tiling of a catalogue name, for a parameter if one is given, or of a file.
 ///
 /// # Errors
 /// A message that names the input.
-pub fn tiling(input: &str) -> Result<Named, String> {
+pub fn tiling(input: &str, parameter: Option<&str>) -> Result<Named, String> {
     if let Some(entry) = catalog::find(input) {
-        let tiling = catalog::build(input).map_err(|error| format!("{input}: {error}"))?;
+        let tiling = match parameter {
+            Some(parameter) => catalog::build_with(input, parameter),
+            None => catalog::build(input),
+        };
+        let tiling = tiling.map_err(|error| format!("{input}: {error}"))?;
         return Ok(Named {
             name: input.to_owned(),
             description: entry.description.to_owned(),
@@ -34,6 +38,9 @@ pub fn tiling(input: &str) -> Result<Named, String> {
         return Err(format!(
             "{input}: neither a name of the catalogue (acutile list) nor a file"
         ));
+    }
+    if parameter.is_some() {
+        return Err(format!("{input}: a file takes no parameter (--param)"));
     }
     let file = read(path)?;
     match file.content {
