@@ -2,7 +2,7 @@
 
 use super::{
     CatalogError, Entry, Parameter, Recipe, congruent, icosahedral, kagome, planar,
-    plane_file::plane_tiling, plane_tiling, selected, slab, solid,
+    plane_file::plane_tiling, plane_tiling, selected, slab, solid, z_c15,
 };
 use crate::number::Number;
 use crate::tiling::{AnyTiling, Tiling};
@@ -16,7 +16,7 @@ const SOLID: &str = "polyhedron";
 const PLANE: &str = "plane";
 const POLYGON: &str = "polygon";
 
-pub(super) static ENTRIES: [Entry; 37] = [
+pub(super) static ENTRIES: &[Entry] = &[
     fixed(
         "z",
         SPACE,
@@ -79,6 +79,13 @@ pub(super) static ENTRIES: [Entry; 37] = [
         STRUCTURE,
         "TCP structure over the square/triangle tiling of a name or file",
         |file| space(plane_tiling(file)?.structure()),
+    ),
+    family(
+        "z-c15:",
+        SPACE,
+        STRUCTURE,
+        "mixture of Z and C15 over the square/triangle tiling of a name or file",
+        |name| space(z_c15::z_c15(&plane_tiling(name)?)),
     ),
     fixed(
         "icosahedral",

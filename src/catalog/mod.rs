@@ -4,6 +4,8 @@
 //! |---|---|
 //! | `square_triangle` | TCP structures from tilings by squares and triangles |
 //! | `plane_tiling`, `plane_file` | such tilings: built in, inflated, checked, from a file |
+//! | `z_c15` | the variant that mixes Z and C15 |
+//! | `blank`, `search` | the blank edges that the variant needs |
 //! | `icosahedral` | layers of icosahedra |
 //! | `slab` | the slab, and the slab repeated |
 //! | `kagome` | Laves phases, Z and mixtures as stacked layers |
@@ -16,6 +18,7 @@
 //!
 //! Names are a contract. Nothing here is proved; the checker does that.
 
+mod blank;
 mod congruent;
 mod entries;
 mod error;
@@ -25,10 +28,12 @@ mod planar;
 mod plane_file;
 pub mod plane_tiling;
 mod recipe;
+mod search;
 mod selected;
 mod slab;
 mod solid;
 mod square_triangle;
+mod z_c15;
 
 pub use error::CatalogError;
 pub use kagome::WORD_LIMIT;
@@ -108,7 +113,7 @@ impl Entry {
 
 /// All constructions.
 pub fn entries() -> &'static [Entry] {
-    &ENTRIES
+    ENTRIES
 }
 
 /// The names of all constructions that need no further word.
