@@ -1,7 +1,7 @@
 //! The catalogue: counts from the paper and the literature, and validity by other means
 //! than the recipes'.
 
-use acutile::catalog::{CatalogError, build, entries, find, square_triangle};
+use acutile::catalog::{CatalogError, build, entries, find, plane_tiling};
 use acutile::geometry::{Scalar, Sign, Simplex, linear};
 use acutile::number::Number;
 use acutile::tiling::{AnyTiling, Tiling, match_facets};
@@ -146,9 +146,9 @@ fn fields() {
 #[test]
 fn inflation_gives_hundreds_of_points() {
     let sizes = [
-        square_triangle::triangles(),
-        square_triangle::squares(),
-        square_triangle::snub(),
+        plane_tiling::triangles(),
+        plane_tiling::squares(),
+        plane_tiling::snub(),
     ]
     .map(|plane| plane.inflated().point_set().unwrap().points.len());
     assert!(sizes[0] >= 90 && sizes[2] >= 400, "{sizes:?}");
@@ -159,13 +159,13 @@ fn inflation_gives_hundreds_of_points() {
 
 #[test]
 fn what_is_no_square_triangle_tiling_is_refused() {
-    let mut holed = square_triangle::rhombitrihexagonal();
+    let mut holed = plane_tiling::rhombitrihexagonal();
     holed.vertices.remove(0);
     assert!(matches!(
         holed.structure(),
         Err(CatalogError::NotSquareTriangle { angle: 120, .. })
     ));
-    let mut flat = square_triangle::squares();
+    let mut flat = plane_tiling::squares();
     flat.lattice[1] = [3, 0, 0, 0];
     assert!(flat.structure().is_err());
 }

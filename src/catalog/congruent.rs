@@ -1,11 +1,12 @@
-//! Tilings by congruent tetrahedra (section 2.2): Sommerville's four, two of Goldberg's
+//! Tilings by congruent tetrahedra (section 2.2): Sommerville's four, Goldberg's three
 //! families, and the cube in five or six parts.
 
 use super::CatalogError;
-use super::recipe::{cubic_tiling, fraction, oriented, rational_points};
+use super::recipe::{cubic_tiling, fraction, rational_points};
 use crate::delaunay::{Ties, triangulate};
 use crate::number::{Field, Number};
 use crate::tiling::{Corner, Frame, Tiling};
+use std::collections::BTreeSet;
 
 /// The orders of three axes.
 const PERMUTATIONS: [[usize; 3]; 6] = [
@@ -131,11 +132,13 @@ pub fn cube_6() -> Tiling<3> {
 /// over all permutations s.
 fn path_tiling(frame: Frame<3>) -> Tiling<3> {
     let corners = PERMUTATIONS.iter().flat_map(path).collect();
-    oriented(Tiling {
+    let mut tiling = Tiling {
         frame,
         vertices: vec![[0; 3].map(|x| fraction(x, 1))],
         corners,
-    })
+    };
+    tiling.orient();
+    tiling
 }
 
 fn path(axes: &[usize; 3]) -> [Corner<3>; 4] {
@@ -151,7 +154,7 @@ fn path(axes: &[usize; 3]) -> [Corner<3>; 4] {
 /// the plane at 120 degrees.
 fn goldberg_frame(ratio: &Number) -> Frame<3> {
     let square = ratio * ratio;
-    let field = ratio.field().cloned().unwrap_or_else(Field::rationals);
+    let field = square.field().cloned().unwrap_or_else(Field::rationals);
     let product = |i, j| {
         if i == j {
             fraction(1, 1)
@@ -184,9 +187,113 @@ pub fn goldberg_2(ratio: &Number) -> Tiling<3> {
         [0; 3].map(|x| fraction(x, 1)),
         [1; 3].map(|x| fraction(x, 2)),
     ];
-    oriented(Tiling {
+    let mut tiling = Tiling {
         frame: goldberg_frame(ratio),
         vertices,
         corners,
-    })
+    };
+    tiling.orient();
+    tiling
+}
+
+/// Goldberg's third family: the first, cut by the plane through the edge AB of length 3a and the
+/// midpoint of the middle step CD of the path A, C, D, B.
+///
+/// *Face to face or not.* In the first family's tiling CD is the first or last step of other
+/// tetrahedra, which do not cut it: for every ratio the parts do not fit there. In any face-to-face
+/// tiling by parts A, C, B, M whose faces ACM, BCM and ABC are scalene and different, the neighbour
+/// across each of these is the mirror image. So the tetrahedra around CM and around AC are
+/// mirror images of one another in turn, and the angles there divide 180 degrees. These are the
+/// first family's angles at CD and AC, for which (six tetrahedra at CD, two of each
+/// kind) CD + 2 AC = 180. So they are 60 and 60, where (a/e)² = 1/8 and the first family is
+/// Sommerville's II, or 90 and 45, where (a/e)² = 1/2 and it is the cube in six. In both cases
+/// reflections do generate a tiling (the chambers of affine Weyl groups), in which every CD is cut.
+/// It is built for these ratios; for all others the first arrangement is, which the
+/// checker refutes.
+pub fn goldberg_3(ratio: &Number) -> Tiling<3> {
+    let square = ratio * ratio;
+    if square == fraction(1, 2) {
+        cubic_tiling(
+            4,
+            &halves(&reflected([[0, 0, 0], [2, 0, 0], [2, 2, 0], [2, 2, 2]], 4)),
+        )
+    } else if square == fraction(1, 8) {
+        cubic_tiling(
+            8,
+            &halves(&reflected([[0, 0, 0], [-2, 2, 2], [0, 0, 4], [2, 2, 2]], 8)),
+        )
+    } else {
+        goldberg_3_unfitting(ratio)
+    }
+}
+
+type Path = [[i64; 3]; 4];
+
+/// The images of a tetrahedron under the reflections in its faces, one for each orbit of
+/// `period` Z³.
+fn reflected(chamber: Path, period: i64) -> Vec<Path> {
+    let mut known = BTreeSet::new();
+    let mut found = Vec::new();
+    let mut stack = vec![chamber];
+    while let Some(path) = stack.pop() {
+        let center = |axis: usize| path.iter().map(|p| p[axis]).sum::<i64>();
+        let orbit: [i64; 3] = std::array::from_fn(|k| center(k).rem_euclid(4 * period));
+        if known.insert(orbit) {
+            found.push(path);
+            stack.extend((0..4).map(|corner| mirrored(path, corner)));
+        }
+    }
+    found
+}
+
+/// The mirror image of a tetrahedron in the face opposite to a corner. The chambers above
+/// stay integral.
+fn mirrored(mut path: Path, corner: usize) -> Path {
+    let [p, q, r] = [1, 2, 3].map(|k| path[(corner + k) % 4]);
+    let minus = |x: [i64; 3], y: [i64; 3]| -> [i64; 3] { std::array::from_fn(|k| x[k] - y[k]) };
+    let dot = |x: [i64; 3], y: [i64; 3]| -> i64 { (0..3).map(|k| x[k] * y[k]).sum() };
+    let (u, v) = (minus(q, p), minus(r, p));
+    let normal: [i64; 3] = std::array::from_fn(|k| {
+        let (i, j) = ((k + 1) % 3, (k + 2) % 3);
+        u[i] * v[j] - u[j] * v[i]
+    });
+    let height = 2 * dot(normal, minus(path[corner], p));
+    for k in 0..3 {
+        path[corner][k] -= height * normal[k] / dot(normal, normal);
+    }
+    path
+}
+
+/// A, C, D, B cut into A, C, M, B and A, M, D, B with M the midpoint of CD.
+fn halves(paths: &[Path]) -> Vec<Path> {
+    paths
+        .iter()
+        .flat_map(|&[a, c, d, b]| {
+            let m = std::array::from_fn(|k| (c[k] + d[k]) / 2);
+            [[a, c, m, b], [a, m, d, b]]
+        })
+        .collect()
+}
+
+/// The tetrahedra of the first family, all cut, where they are.
+fn goldberg_3_unfitting(ratio: &Number) -> Tiling<3> {
+    let mut vertices = vec![[0; 3].map(|x| fraction(x, 1))];
+    let mut corners = Vec::new();
+    for (axis, middle) in (1..).zip(0..3) {
+        let mut point = [0; 3].map(|x| fraction(x, 1));
+        point[middle] = fraction(1, 2);
+        vertices.push(point);
+        for axes in PERMUTATIONS.iter().filter(|axes| axes[1] == middle) {
+            let [start, first, second, end] = path(axes);
+            let cut = Corner::of(axis).moved(first.shift);
+            corners.extend([start, first, cut, end, start, cut, second, end]);
+        }
+    }
+    let mut tiling = Tiling {
+        frame: goldberg_frame(ratio),
+        vertices,
+        corners,
+    };
+    tiling.orient();
+    tiling
 }

@@ -59,6 +59,10 @@ pub struct ShowArguments {
     /// A name of the catalogue, or a tiling file
     #[arg(value_name = "NAME|FILE")]
     pub input: String,
+    /// The number that the construction depends on, like 3/7 or sqrt(2)/4: a/e of
+    /// goldberg-1, epsilon of two-corners
+    #[arg(long, value_name = "VALUE")]
+    pub param: Option<String>,
 }
 
 #[derive(Debug, Args)]
@@ -69,6 +73,10 @@ pub struct CertifyArguments {
     /// The whole catalogue
     #[arg(long)]
     pub all: bool,
+    /// The number that the construction depends on, like 3/7 or sqrt(2)/4: a/e of
+    /// goldberg-1, epsilon of two-corners
+    #[arg(long, value_name = "VALUE", conflicts_with = "all")]
+    pub param: Option<String>,
     /// Write the certificate to this file (`-` for standard output), or the
     /// certificates into this directory
     #[arg(short, long, value_name = "FILE|DIR")]
@@ -138,6 +146,10 @@ pub struct ExportArguments {
     /// Write the tiling file here and not to standard output
     #[arg(short, long, value_name = "FILE")]
     pub output: Option<PathBuf>,
+    /// The number that the construction depends on, like 3/7 or sqrt(2)/4: a/e of
+    /// goldberg-1, epsilon of two-corners
+    #[arg(long, value_name = "VALUE")]
+    pub param: Option<String>,
     /// Repeat the cell so many times in each direction of the lattice
     #[arg(long, value_name = "N,N,N", value_delimiter = ',', value_parser = clap::value_parser!(u16).range(1..))]
     pub supercell: Vec<u16>,

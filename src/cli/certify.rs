@@ -135,7 +135,7 @@ enum Answer {
 }
 
 fn prove(input: &str, arguments: &CertifyArguments, output: &mut Output) -> Answer {
-    let mut named = match input::tiling(input) {
+    let mut named = match input::tiling(input, arguments.param.as_deref()) {
         Ok(named) => named,
         Err(error) if error.outcome == Outcome::Declined => return Answer::Declined(error.message),
         Err(error) => return Answer::Failed(error.message),

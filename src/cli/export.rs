@@ -10,7 +10,7 @@ use crate::with_dimension;
 
 /// Writes the tiling file.
 pub fn run(arguments: &ExportArguments, output: &mut Output) -> Outcome {
-    let text = input::tiling(&arguments.input).and_then(
+    let text = input::tiling(&arguments.input, arguments.param.as_deref()).and_then(
         |named| with_dimension!(&named.tiling, AnyTiling, t => text(t, &named.name, arguments)),
     );
     match text {

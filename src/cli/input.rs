@@ -32,13 +32,17 @@ impl From<String> for InputError {
     }
 }
 
-/// The tiling of a catalogue name, or of a file.
+/// The tiling of a catalogue name, for a parameter if one is given, or of a file.
 ///
 /// # Errors
 /// A message that names the input.
-pub fn tiling(input: &str) -> Result<Named, InputError> {
+pub fn tiling(input: &str, parameter: Option<&str>) -> Result<Named, InputError> {
     if let Some(entry) = catalog::find(input) {
-        let tiling = catalog::build(input).map_err(|error| format!("{input}: {error}"))?;
+        let tiling = match parameter {
+            Some(parameter) => catalog::build_with(input, parameter),
+            None => catalog::build(input),
+        };
+        let tiling = tiling.map_err(|error| format!("{input}: {error}"))?;
         return Ok(Named {
             name: input.to_owned(),
             description: entry.description.to_owned(),
@@ -49,6 +53,9 @@ pub fn tiling(input: &str) -> Result<Named, InputError> {
     if input != "-" && !path.exists() && !input.contains(['/', '.']) {
         let message = format!("{input}: neither a name of the catalogue (acutile list) nor a file");
         return Err(message.into());
+    }
+    if parameter.is_some() {
+        return Err(format!("{input}: a file takes no parameter (--param)").into());
     }
     let file = read(path)?;
     match file.content {

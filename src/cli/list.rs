@@ -21,7 +21,10 @@ pub fn run(arguments: &ListArguments, output: &mut Output) -> Outcome {
                 "source": entry.source,
                 "domain": entry.domain,
                 "family": entry.is_family(),
-                "parameter": entry.parameter.map(|parameter| parameter.name),
+                "parameter": entry.parameter.map(|parameter| json!({
+                    "name": parameter.name,
+                    "default": parameter.default,
+                })),
             }));
         } else {
             let name = if entry.is_family() {

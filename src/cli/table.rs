@@ -45,7 +45,7 @@ fn row(name: &str, survey: &Survey) -> Result<Row, (String, Outcome)> {
             .map_err(|message| (message, Outcome::Refuted))?;
         return Ok(Row::of(name, study));
     }
-    let named = input::tiling(name).map_err(|error| (error.message, error.outcome))?;
+    let named = input::tiling(name, None).map_err(|error| (error.message, error.outcome))?;
     match AnyStudy::of(named.tiling) {
         Ok(study) => Ok(Row::of(name, &study)),
         Err(message) => Err((format!("{name}: {message}"), Outcome::Refuted)),
