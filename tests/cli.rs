@@ -87,6 +87,10 @@ fn refutations_in_json_are_one_object_a_line() {
     assert_eq!(answers[0]["verdict"], "refuted");
     assert_eq!(answers[0]["counts"]["right-angle"], 18);
     assert_eq!(answers[0]["defects"].as_array().map(Vec::len), Some(18));
+    let first = &answers[0]["defects"][0];
+    assert_eq!(first["product"], "0");
+    assert_eq!(first["degrees"], serde_json::json!(["90", "90"]));
+    assert_eq!(first["corners"].as_array().map(Vec::len), Some(4));
     assert_eq!(answers[1]["verdict"], "proved");
     assert_eq!(answers[1]["simplices"], 46);
 }
@@ -247,6 +251,60 @@ fn a_reader_that_leaves_early_is_no_error() {
         .expect("ten bytes");
     let output = child.wait_with_output().expect("it ends");
     assert_eq!((code(&output), stderr(&output)), (0, String::new()));
+}
+
+#[test]
+fn a_certificate_does_not_replace_its_input() {
+    let place = directory();
+    let path = file(place.path(), "kuhn.json", &kuhn().to_string());
+    let before = std::fs::read(&path).expect("readable");
+    for target in [text(&path), text(place.path())] {
+        let output = acutile(["certify", text(&path), "-o", target]);
+        assert_eq!(code(&output), 2);
+        assert!(
+            stderr(&output).contains("would overwrite the input"),
+            "{}",
+            stderr(&output)
+        );
+        assert_eq!(std::fs::read(&path).expect("readable"), before);
+    }
+}
+
+#[cfg(unix)]
+#[test]
+fn a_link_stays_and_what_it_points_to_is_written() {
+    let place = directory();
+    let real = file(place.path(), "real.json", "old");
+    let link = place.path().join("link.json");
+    std::os::unix::fs::symlink(&real, &link).expect("a link");
+    assert_eq!(code(&acutile(["certify", "bcc", "-o", text(&link)])), 0);
+    assert!(link.symlink_metadata().expect("there").is_symlink());
+    assert_eq!(code(&acutile_verify([&real])), 0);
+}
+
+#[test]
+fn limits_and_unknown_versions_are_declined() {
+    let place = directory();
+    let tomorrow = kuhn()
+        .to_string()
+        .replacen("\"version\":1", "\"version\":2", 1);
+    assert_eq!(
+        code(&acutile([
+            "certify",
+            text(&file(place.path(), "a.json", &tomorrow))
+        ])),
+        3
+    );
+    let large = kuhn()
+        .to_string()
+        .replacen("[0,0,0]", "[\"1e9999999\",0,0]", 1);
+    assert_eq!(
+        code(&acutile([
+            "certify",
+            text(&file(place.path(), "b.json", &large))
+        ])),
+        3
+    );
 }
 
 #[test]

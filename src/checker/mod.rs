@@ -6,6 +6,7 @@
 //! [`crate::verifier`].
 
 mod assemble;
+mod data;
 mod defect;
 mod domain;
 mod hypotheses;
@@ -13,6 +14,7 @@ mod model;
 mod render;
 mod statements;
 
+pub use data::defect_data;
 pub use defect::{Angle, Defect, Findings};
 pub use domain::{Boundary, check_domain, check_facets, check_inside};
 pub use hypotheses::{check_corners, check_metric, check_orientation, check_volume};

@@ -95,7 +95,7 @@ pub fn describe<const D: usize>(tiling: &Tiling<D>, defect: &Defect) -> String {
         }
         Defect::RightAngle { angle } => {
             format!(
-                "{} is a right angle, expected an acute one",
+                "{} is a right angle: the product of the normals is 0, expected a negative number",
                 angle_name(tiling, angle)
             )
         }
@@ -107,14 +107,16 @@ pub fn describe<const D: usize>(tiling: &Tiling<D>, defect: &Defect) -> String {
             "a negative number (acute) or zero (right)"
         ),
         Defect::AngleNotBelow { angle, bound } => format!(
-            "{} is {} degrees, expected less than {bound}",
+            "{} is {} degrees (the product of the normals is {}), expected less than {bound}",
             angle_name(tiling, angle),
-            decimal_range(&angle.degrees)
+            decimal_range(&angle.degrees),
+            exact(&angle.product)
         ),
         Defect::AngleNotAbove { angle, bound } => format!(
-            "{} is {} degrees, expected more than {bound}",
+            "{} is {} degrees (the product of the normals is {}), expected more than {bound}",
             angle_name(tiling, angle),
-            decimal_range(&angle.degrees)
+            decimal_range(&angle.degrees),
+            exact(&angle.product)
         ),
         Defect::RatioNotBelow {
             simplex,
@@ -128,8 +130,8 @@ pub fn describe<const D: usize>(tiling: &Tiling<D>, defect: &Defect) -> String {
         ),
         Defect::NotTcp { reason } => format!("not tetrahedrally close packed: {reason}"),
         Defect::OnCircumsphere { facet, neighbour } => format!(
-            "the corner of simplex {neighbour} behind {} lies on the circumsphere, expected \
-             outside",
+            "the corner of simplex {neighbour} behind {} lies on the circumsphere: its power \
+             is 0, expected a positive number",
             name(facet)
         ),
         Defect::InsideCircumsphere {

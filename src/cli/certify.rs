@@ -8,7 +8,7 @@ use super::progress::Progress;
 use super::verify::summary;
 use crate::catalog;
 use crate::certificate;
-use crate::checker::{self, Options, describe};
+use crate::checker::{self, Options, defect_data};
 use crate::tiling::Tiling;
 use crate::verifier::{self, Limits, Verified};
 use crate::with_dimension;
@@ -122,14 +122,8 @@ fn file_name(input: &str) -> String {
 
 /// What became of one input.
 enum Answer {
-    Proved {
-        verified: Verified,
-        bytes: Vec<u8>,
-    },
-    Refuted {
-        counts: Value,
-        defects: Vec<(&'static str, String)>,
-    },
+    Proved { verified: Verified, bytes: Vec<u8> },
+    Refuted { counts: Value, defects: Vec<Value> },
     Failed(String),
     Declined(String),
 }
@@ -162,7 +156,7 @@ fn prove_tiling<const D: usize>(tiling: &Tiling<D>, name: &str, options: &Option
             let kept = refutation.kept().iter();
             return Answer::Refuted {
                 counts: json!(refutation.counts()),
-                defects: kept.map(|d| (d.code(), describe(tiling, d))).collect(),
+                defects: kept.map(|defect| defect_data(tiling, defect)).collect(),
             };
         }
     };
@@ -229,9 +223,7 @@ impl Answer {
             },
             Answer::Refuted { counts, defects } => {
                 let head = format!("{input}: refuted: {}", count_text(counts));
-                let lines = defects
-                    .iter()
-                    .map(|(code, sentence)| format!("  {code}: {sentence}"));
+                let lines = defects.iter().map(|defect| format!("  {}", words(defect)));
                 std::iter::once(head)
                     .chain(lines)
                     .collect::<Vec<_>>()
@@ -260,10 +252,7 @@ impl Answer {
                 "input": input,
                 "verdict": "refuted",
                 "counts": counts,
-                "defects": defects
-                    .iter()
-                    .map(|(code, sentence)| json!({ "code": code, "message": sentence }))
-                    .collect::<Vec<_>>(),
+                "defects": defects,
             }),
             Answer::Failed(message) => {
                 json!({ "input": input, "verdict": "failed", "message": message })
@@ -273,6 +262,12 @@ impl Answer {
             }
         }
     }
+}
+
+/// `code: message` of a defect.
+fn words(defect: &Value) -> String {
+    let member = |name: &str| defect[name].as_str().unwrap_or_default();
+    format!("{}: {}", member("code"), member("message"))
 }
 
 fn count_text(counts: &Value) -> String {
