@@ -48,15 +48,22 @@ impl TileCorner {
     }
 }
 
-/// The tilings that are built in, by name.
+/// The tilings that are built in, by name: five, and these inflated once.
 pub fn named(name: &str) -> Option<PlaneTiling> {
+    match name.strip_prefix("inflated-") {
+        Some(name) => simple(name).map(|plane| plane.inflated()),
+        None => simple(name),
+    }
+}
+
+fn simple(name: &str) -> Option<PlaneTiling> {
     match name {
         "3" => Some(triangles()),
         "4" => Some(squares()),
         "33344" => Some(rows()),
         "32434" => Some(snub()),
         "3464" => Some(rhombitrihexagonal()),
-        _ => named(name.strip_prefix("inflated-")?).map(|plane| plane.inflated()),
+        _ => None,
     }
 }
 
