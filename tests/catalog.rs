@@ -413,6 +413,16 @@ fn what_is_no_square_triangle_tiling_is_refused() {
     let mut flat = plane_tiling::squares();
     flat.lattice[1] = [3, 0, 0, 0];
     assert!(flat.structure().is_err());
+    // Two square grids, moved against each other by 5 z.
+    let mut twice = plane_tiling::squares();
+    twice.vertices.push([0, 5, 0, 0]);
+    assert!(matches!(
+        twice.structure(),
+        Err(CatalogError::NotACover {
+            triangles: 0,
+            squares: 2
+        })
+    ));
 }
 
 #[test]
