@@ -2,7 +2,7 @@
 //! inflated, repeated, and checked.
 //!
 //! Vertices are exact: with z a 12th root of unity (z^4 = z² - 1) the vector
-//! (a, b, c, d) is a + b z + c z² + d z³. A number of Z[z] of absolute value 1 is a power
+//! (a, b, c, d) is a + b z + c z² + d z³. A combination of absolute value 1 is a power
 //! of z (its conjugate has absolute value 1 too, for x x' = 1 holds in Z[sqrt 3]; Kronecker), so
 //! edges have twelve directions.
 
