@@ -371,6 +371,9 @@ fn every_name_of_the_catalogue_is_shown_and_exported_and_read_back() {
         let entry: Value = serde_json::from_str(line).expect("an object");
         let name = match entry["name"].as_str().expect("a name") {
             "kagome:" => "kagome:z+-",
+            "square-triangle:" => "square-triangle:3464",
+            "z-c15:" => "z-c15:33344",
+            "triangle-tiling:" => "triangle-tiling:2,2,sqrt(3)",
             name => name,
         };
         assert_eq!(code(&acutile(["show", name])), 0, "{name}");
@@ -397,6 +400,80 @@ fn every_name_of_the_catalogue_is_shown_and_exported_and_read_back() {
             "{name}"
         );
     }
+}
+
+#[test]
+fn parameters_are_exact_numbers_of_the_entries_that_take_one() {
+    for (name, parameter, expected) in [
+        ("goldberg-1", "3/7", 0),
+        ("goldberg-1", "sqrt(2)/4", 0),
+        ("goldberg-3", "sqrt(2)/4", 0),
+        // The third arrangement is not face to face for other ratios.
+        ("goldberg-3", "1/2", 1),
+        ("goldberg-1", "0", 2),
+        ("goldberg-1", "-1", 2),
+        ("goldberg-1", "one", 2),
+        ("a15", "1", 2),
+        ("kagome:z", "1", 2),
+    ] {
+        let option = format!("--param={parameter}");
+        let output = acutile(["certify", name, &option]);
+        assert_eq!(code(&output), expected, "{name} {parameter}");
+        assert_eq!(stderr(&output).contains(name), expected == 2, "{name}");
+    }
+    assert_eq!(code(&acutile(["certify", "--all", "--param", "1"])), 2);
+    assert_eq!(code(&acutile(["show", "two-corners", "--param", "1/9"])), 0);
+    assert_eq!(code(&acutile(["export", "two-corners", "--param", "x"])), 2);
+    let place = directory();
+    let path = file(place.path(), "kuhn.json", &kuhn().to_string());
+    assert_eq!(code(&acutile(["show", text(&path), "--param", "1"])), 2);
+}
+
+#[test]
+fn plane_tilings_come_from_files() {
+    let place = directory();
+    let rows = r#"{"format": "acutile-plane-tiling", "version": 1,
+        "lattice": [[1, 0, 0, 0], [0, 0, 1, 1]], "vertices": [[0, 0, 0, 0], [0, 0, 0, 1]]}"#;
+    let certify = |family: &str, content: &str| {
+        let path = file(place.path(), "plane.json", content);
+        acutile(["certify", &format!("{family}:{}", text(&path)), "--json"])
+    };
+    for family in ["square-triangle", "z-c15"] {
+        let output = certify(family, rows);
+        assert_eq!(code(&output), 0, "{}", stderr(&output));
+        assert!(stdout(&output).contains("TCP"));
+    }
+    for (from, to, message) in [
+        // A row of squares that slides by half of a side is not of this form; by another vertex
+        // it has wrong angles.
+        ("[0, 0, 1, 1]]", "[0, 1, 0, 1]]", "degrees apart"),
+        ("[0, 0, 0, 1]]}", "[0, 0, 0, 2]]}", "degrees apart"),
+        (
+            "[0, 0, 0, 1]]}",
+            "[0, 0, 1, 1]]}",
+            "differ by a lattice vector",
+        ),
+        (
+            "[0, 0, 0, 1]]}",
+            "[0, 0, 0, 9223372036854775807]]}",
+            "at most 100000",
+        ),
+        ("[0, 0, 0, 1]]}", "[0, 0, 0]]}", "length 3"),
+        ("[[0, 0, 0, 0], [0, 0, 0, 1]]", "[]", "no vertices"),
+        ("\"version\": 1", "\"version\": 2", "version 2"),
+        ("[0, 0, 1, 1]]", "[2, 0, 0, 0]]", "degrees apart"),
+    ] {
+        let content = rows.replace(from, to);
+        assert_ne!(content, rows, "{from}");
+        let output = certify("square-triangle", &content);
+        assert_eq!(code(&output), 2, "{to}");
+        assert!(stdout(&output).contains(message), "{}", stdout(&output));
+    }
+    assert_eq!(
+        code(&acutile(["certify", "square-triangle:no-such-file"])),
+        2
+    );
+    assert_eq!(code(&acutile(["certify", "square-triangle:"])), 2);
 }
 
 #[test]

@@ -10,7 +10,10 @@
 //!
 //! A set with the period of a small multiple of the cell is searched for. Where there
 //! is none, the same search over the tiles around one vertex, not periodic, may show that
-//! there is none at all.
+//! there is none at all. The smallest such part is a wheel, six triangles at a vertex v ringed by
+//! squares. At a rim vertex p with the spoke s each of the two rim edges is either blank itself
+//! or the side of the square on it that begins at p is: two edges, so s is not blank. But v needs two
+//! blank spokes. The inflated tilings are made of wheels.
 
 use super::CatalogError;
 use super::plane_tiling::{Cyclotomic, POWERS, PlaneTiling, TileCorner, sum};
@@ -67,6 +70,7 @@ fn refute(plane: &PlaneTiling, stars: &[Vec<TileCorner>]) -> Result<(), CatalogE
             if let (Found::None, _) = constraints(ball.into_iter(), |x| x).0.solve() {
                 return Err(CatalogError::NoBlankEdges {
                     vertex,
+                    tiles: vertex_symbol(&stars[vertex]),
                     radius,
                     stars: count,
                 });
@@ -74,6 +78,14 @@ fn refute(plane: &PlaneTiling, stars: &[Vec<TileCorner>]) -> Result<(), CatalogE
         }
     }
     Ok(())
+}
+
+/// The tiles at a vertex by their numbers of sides, `3.3.4.3.4`.
+fn vertex_symbol(star: &[TileCorner]) -> String {
+    let sides = star
+        .iter()
+        .map(|tile| if tile.is_square() { "4" } else { "3" });
+    sides.collect::<Vec<_>>().join(".")
 }
 
 type Star<'s> = (Cyclotomic, &'s [TileCorner]);

@@ -46,6 +46,8 @@ pub enum CatalogError {
     NoBlankEdges {
         /// The vertex.
         vertex: usize,
+        /// The tiles at it by their numbers of sides, `3.3.3.3.3.3`.
+        tiles: String,
         /// Steps along edges from the vertex to the centres of the stars that are looked at.
         radius: usize,
         /// The vertices in the middle of these stars.
@@ -111,11 +113,12 @@ impl fmt::Display for CatalogError {
             ),
             Self::NoBlankEdges {
                 vertex,
+                tiles,
                 radius,
                 stars,
             } => write!(
                 f,
-                "no set of blank edges exists: none fits the tiles around vertex {vertex} and the {} other vertices that are at most {radius} edges away from it",
+                "there are no blank edges (one side of every triangle, two opposite sides of every square, two edges of one kind at every vertex): none fit the tiles around vertex {vertex}, where {tiles} meet, and around the {} other vertices within {radius} edges",
                 stars - 1
             ),
             Self::BlankEdgesNotFound => write!(

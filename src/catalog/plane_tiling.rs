@@ -2,7 +2,7 @@
 //! inflated, repeated, and checked.
 //!
 //! Vertices are exact: with z a 12th root of unity (z^4 = z² - 1) the vector
-//! (a, b, c, d) is a + b z + c z² + d z³. A number of Z[z] of absolute value 1 is a power
+//! (a, b, c, d) is a + b z + c z² + d z³. A combination of absolute value 1 is a power
 //! of z (its conjugate has absolute value 1 too, for x x' = 1 holds in Z[sqrt 3]; Kronecker), so
 //! edges have twelve directions.
 
@@ -48,15 +48,22 @@ impl TileCorner {
     }
 }
 
-/// The tilings that are built in, by name.
+/// The tilings that are built in, by name: five, and these inflated once.
 pub fn named(name: &str) -> Option<PlaneTiling> {
+    match name.strip_prefix("inflated-") {
+        Some(name) => simple(name).map(|plane| plane.inflated()),
+        None => simple(name),
+    }
+}
+
+fn simple(name: &str) -> Option<PlaneTiling> {
     match name {
         "3" => Some(triangles()),
         "4" => Some(squares()),
         "33344" => Some(rows()),
         "32434" => Some(snub()),
         "3464" => Some(rhombitrihexagonal()),
-        _ => named(name.strip_prefix("inflated-")?).map(|plane| plane.inflated()),
+        _ => None,
     }
 }
 

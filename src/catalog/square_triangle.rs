@@ -40,11 +40,12 @@ impl PlaneTiling {
     /// the height.
     fn points(&self) -> Result<Vec<(Cyclotomic, i64)>, CatalogError> {
         let dot = |black: bool| if black { -1 } else { 1 };
+        // First, for it bounds the entries.
+        let stars = self.stars()?;
         let mut points = Vec::new();
         for &vertex in &self.vertices {
             points.extend([(scaled(vertex, 12), 0), (scaled(vertex, 12), 2)]);
         }
-        let stars = self.stars()?;
         let corners = self.vertices.iter().zip(&stars);
         for (&vertex, tile) in corners.flat_map(|(v, star)| star.iter().map(move |t| (v, t))) {
             let k = tile.direction;
