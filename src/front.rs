@@ -101,7 +101,30 @@ fn as_text(file: &OsString, outcome: &Outcome) -> String {
         }
         Outcome::Unreadable(error) => format!("unreadable: {error}"),
     };
-    one_line(&format!("{}: {verdict}", file.to_string_lossy()))
+    format!("{}: {}", name(file), one_line(&verdict))
+}
+
+/// The name of a file as it is, if it holds nothing but ASCII letters, digits and
+/// `._/-+=@%~`; else as a JSON string in ASCII. So its end is never in doubt.
+fn name(file: &OsString) -> String {
+    let text = file.to_string_lossy();
+    let is_plain = |c: char| c.is_ascii_alphanumeric() || "._/-+=@%~".contains(c);
+    if !text.is_empty() && text.chars().all(is_plain) {
+        return text.into_owned();
+    }
+    let mut quoted = String::from("\"");
+    for c in text.chars() {
+        match c {
+            '"' | '\\' => quoted.extend(['\\', c]),
+            ' '..='~' => quoted.push(c),
+            _ => quoted.extend(
+                c.encode_utf16(&mut [0; 2])
+                    .iter()
+                    .map(|u| format!("\\u{u:04x}")),
+            ),
+        }
+    }
+    quoted + "\""
 }
 
 /// Members: file, verdict; claim, words, vertices, simplices, sha256 of a
@@ -126,8 +149,7 @@ fn as_json(file: &OsString, outcome: &Outcome) -> String {
     .to_string()
 }
 
-/// Names of files and texts in them cannot forge a line: whatever is not
-/// printable is escaped.
+/// No text can forge a line: whatever is not printable is escaped.
 pub fn one_line(text: &str) -> String {
     let mut line = String::with_capacity(text.len());
     for character in text.chars() {

@@ -143,7 +143,7 @@ fn a_huge_file() {
     assert_eq!(output.status.code(), Some(3));
     let text = String::from_utf8(output.stdout).unwrap();
     assert!(
-        text.contains("declined [too-many-bytes] at least 134217729 bytes"),
+        text.contains("declined [too-many-bytes] at least 33554433 bytes"),
         "{text}"
     );
 }
@@ -243,4 +243,30 @@ fn nothing_forges_a_line() {
     assert_eq!(text.lines().count(), 1);
     assert!(!text.contains('\x1b'));
     assert!(text.contains("malformed [format]"), "{text}");
+}
+
+/// A name cannot pass for a name and a verdict: what is unusual is a JSON string.
+#[test]
+fn unusual_names_are_json_strings() {
+    let cases = [
+        ("x: verified: y.json", r#""x: verified: y.json""#),
+        ("a\"b\\c", r#""a\"b\\c""#),
+        (
+            "\u{e9}\n\u{202e}\u{1d54f}\x7f",
+            r#""\u00e9\u000a\u202e\ud835\udd4f\u007f""#,
+        ),
+        ("", r#""""#),
+        ("\"", r#""\"""#),
+        ("a/B-0_+=@%~.json", "a/B-0_+=@%~.json"),
+    ];
+    for (file, printed) in cases {
+        let text = stdout(&[file]);
+        assert!(
+            text.starts_with(&format!("{printed}: unreadable: ")),
+            "{text}"
+        );
+        if printed.starts_with('"') {
+            assert_eq!(serde_json::from_str::<String>(printed).unwrap(), file);
+        }
+    }
 }

@@ -1,6 +1,6 @@
 //! Each limit holds at n and refuses at n + 1.
 
-use acutile::certificate::{AlgebraicField, Certificate, Field, Number, to_bytes};
+use acutile::certificate::{AlgebraicField, Certificate, Field, Number, Statement, to_bytes};
 use acutile::verifier::{Limits, verify};
 
 fn valid(name: &str) -> Certificate {
@@ -143,6 +143,45 @@ fn work() {
     };
     assert_eq!(answer(&file, &limit(6)), "verified");
     assert_eq!(answer(&file, &limit(5)), "work");
+}
+
+/// 10^40 has 133 bits, three words: two triangles, nine word products each.
+#[test]
+fn work_for_a_ratio() {
+    let mut certificate = valid("plane-equilateral");
+    let ratio = "1".to_owned() + &"0".repeat(40);
+    certificate.claim.statements = vec![
+        Statement::FaceToFaceTiling,
+        Statement::RadiusEdgeBelow(ratio),
+    ];
+    let file = to_bytes(&certificate);
+    let limit = |work| Limits {
+        work,
+        ..Limits::DEFAULT
+    };
+    assert_eq!(answer(&file, &limit(18)), "verified");
+    assert_eq!(answer(&file, &limit(17)), "work");
+}
+
+/// x² - 3 in (1, 2), and G with a = sqrt 3 in the first minor alone. While all numbers
+/// have one word, an evaluation costs 2 m² with m coefficients: 18 for p, 8 for p' and
+/// for the minor. That is p at both ends and once more at the upper, p', the minor, and
+/// k halvings: 70 + 18 k. Work 8 allows the products (4 for each of two triangles) and
+/// 512 for signs: 24 halvings, 502, and not 25, 520.
+#[test]
+fn work_for_signs() {
+    let mut certificate = valid("plane-equilateral-times-sqrt-3");
+    certificate.claim.statements.truncate(1);
+    let file = to_bytes(&certificate);
+    let limit = |work, bisections| Limits {
+        work,
+        bisections,
+        ..Limits::DEFAULT
+    };
+    assert_eq!(answer(&file, &limit(8, 24)), "verified");
+    assert_eq!(answer(&file, &limit(8, 25)), "work");
+    assert_eq!(answer(&file, &limit(9, 25)), "verified");
+    assert_eq!(answer(&file, &limit(7, 24)), "work");
 }
 
 /// The cube: 6 simplices, 6 faces of 4 vertices each against its 8 vertices, and

@@ -22,17 +22,18 @@ Usage: acutile-verify [OPTIONS] FILE...
   FILE                  a certificate; - is standard input
 
   --json                one JSON object for each file
-  --limit-bytes N       bytes of a file                          [134217728]
+  --limit-bytes N       bytes of a file                          [33554432]
   --limit-simplices N   simplices of a certificate               [1000000]
   --limit-digits N      decimal digits of a number               [1000]
   --limit-degree N      degree of the field                      [32]
   --limit-bisections N  halvings of the root's interval          [512]
   --limit-work N        word products for one product of numbers
-                        in every simplex                         [30000000]
+                        in every simplex; 64 N for all signs     [30000000]
   -h, --help            print this and stop
   -V, --version         print the version and stop
 
-Each file gets one line, FILE: VERDICT..., with one of the verdicts
+Each file gets one line, FILE: VERDICT..., where FILE is a JSON string if it holds
+more than ASCII letters, digits and ._/-+=@%~, with one of the verdicts
   verified     what the certificate claims is proved
   rejected     something that it states is false
   malformed    it is not a certificate, or not in canonical form

@@ -17,17 +17,21 @@ pub struct Limits {
     pub degree: usize,
     /// Halvings of the root's interval to prove one sign.
     pub bisections: usize,
-    /// Word multiplications for one product per simplex; they are counted
-    /// before any is made.
+    /// Word multiplications for one product per simplex, and 64 times as many
+    /// for all signs together; they are counted before they are made.
     pub work: u64,
 }
 
 impl Limits {
-    /// The limits of `acutile-verify` without options. Parsing takes up to
-    /// about thirty times the bytes in memory; the other bounds leave room for
+    /// A simplex takes some dozens of signs, most of them at the first enclosure.
+    pub(super) const SIGNS: u64 = 64;
+
+    /// The limits of `acutile-verify` without options. Parsing takes up to about
+    /// thirty times the bytes in memory, here one GiB; 80,000 tetrahedra of A15
+    /// are 10 MB. The other bounds leave room for
     /// every tiling of the literature and for a million simplices over Q.
     pub const DEFAULT: Limits = Limits {
-        bytes: 128 << 20,
+        bytes: 32 << 20,
         simplices: 1_000_000,
         digits: 1_000,
         degree: 32,

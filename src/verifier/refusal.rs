@@ -76,8 +76,8 @@ refusals! {
     Malformed "gram-shape"
     /// Not D rows of D numbers.
     GramShape {}
-    False "gram-asymmetric"
-    /// Two opposite entries differ.
+    Malformed "gram-asymmetric"
+    /// Two opposite entries are not the same text.
     GramAsymmetric { row: usize, column: usize }
     Malformed "prism-dimension"
     /// A prism in another dimension than 3.
@@ -159,7 +159,7 @@ refusals! {
     False "root-signs"
     /// The polynomial does not have opposite strict signs at the ends.
     RootSigns {}
-    False "root-derivative"
+    Malformed "root-derivative"
     /// The derivative could not be shown to keep its sign on the interval.
     RootDerivative {}
     Malformed "coefficients"
@@ -176,7 +176,7 @@ refusals! {
     CommonDenominator { of: &'static str, limit: usize }
     Declined "work"
     /// More arithmetic than the limit.
-    Work { found: u64, limit: u64 }
+    Work { of: &'static str, found: u64, limit: u64 }
 
     // Geometry.
     Declined "sign-undecided"

@@ -77,7 +77,7 @@ impl Display for Refusal {
             GramAsymmetric { row, column } => {
                 write!(
                     f,
-                    "gram[{row}][{column}] differs from gram[{column}][{row}]"
+                    "gram[{row}][{column}] is not the same text as gram[{column}][{row}]"
                 )
             }
             NoSimplices {} => write!(f, "there are no simplices"),
@@ -214,10 +214,10 @@ impl Display for Refusal {
                     "{of}: the common denominator has more than {limit} digits"
                 )
             }
-            Work { found, limit } => {
+            Work { of, found, limit } => {
                 write!(
                     f,
-                    "{found} word products for each product, more than the limit of {limit}"
+                    "{found} word products {of}, more than the limit of {limit}"
                 )
             }
             SignUndecided { of, value } => {

@@ -15,6 +15,7 @@
 use super::{Limits, Refusal};
 use num_bigint::{BigInt, Sign};
 use num_traits::{One, Zero};
+use std::cell::Cell;
 use std::cmp::Ordering;
 
 use super::number::Rational;
@@ -28,6 +29,7 @@ pub(super) struct Ring {
     modulus: Vec<BigInt>,
     /// Shrinking enclosures of the root; empty over Q.
     enclosures: Vec<Enclosure>,
+    budget: Budget,
 }
 
 impl Ring {
@@ -36,6 +38,7 @@ impl Ring {
         Ring {
             modulus: Vec::new(),
             enclosures: Vec::new(),
+            budget: Budget::default(),
         }
     }
 
@@ -45,13 +48,15 @@ impl Ring {
         root: (Rational, Rational),
         limits: &Limits,
     ) -> Result<Ring, Refusal> {
+        let budget = Budget::new(limits);
         let given = Enclosure::new(root)?;
-        check_root_signs(&modulus, &given)?;
-        check_root_derivative(&modulus, &given)?;
-        let enclosures = given.ladder(&modulus, limits.bisections);
+        check_root_signs(&modulus, &given, &budget)?;
+        check_root_derivative(&modulus, &given, &budget)?;
+        let enclosures = given.ladder(&modulus, limits.bisections, &budget)?;
         Ok(Ring {
             modulus,
             enclosures,
+            budget,
         })
     }
 
@@ -115,12 +120,19 @@ impl Ring {
 
     /// The strict sign where an enclosure proves it, `Equal` where the vector is
     /// zero, `None` where neither rule applies.
-    pub(super) fn sign(&self, x: &Element) -> Option<Ordering> {
+    pub(super) fn sign(&self, x: &Element) -> Result<Option<Ordering>, Refusal> {
         match x.0.as_slice() {
-            [] => Some(Ordering::Equal),
-            [integer] => Some(sign_of(integer)),
-            _ => self.enclosures.iter().find_map(|root| root.sign(&x.0)),
+            [] => return Ok(Some(Ordering::Equal)),
+            [integer] => return Ok(Some(sign_of(integer))),
+            _ => {}
         }
+        for root in &self.enclosures {
+            let sign = root.sign(&x.0, &self.budget)?;
+            if sign.is_some() {
+                return Ok(sign);
+            }
+        }
+        Ok(None)
     }
 }
 
@@ -162,6 +174,36 @@ impl Element {
     }
 }
 
+/// What all evaluations at enclosures together may cost. How fine an enclosure
+/// a sign needs is not known beforehand, so each is counted just before it is made.
+#[derive(Default)]
+struct Budget {
+    spent: Cell<u64>,
+    limit: u64,
+}
+
+impl Budget {
+    fn new(limits: &Limits) -> Budget {
+        Budget {
+            spent: Cell::new(0),
+            limit: limits.work.saturating_mul(Limits::SIGNS),
+        }
+    }
+
+    fn spend(&self, cost: u64) -> Result<(), Refusal> {
+        let (found, limit) = (self.spent.get().saturating_add(cost), self.limit);
+        self.spent.set(found);
+        match found <= limit {
+            true => Ok(()),
+            false => Err(Refusal::Work {
+                of: "for the signs",
+                found,
+                limit,
+            }),
+        }
+    }
+}
+
 /// The root lies in [low, high] / denominator; the denominator is positive.
 #[derive(Clone)]
 struct Enclosure {
@@ -171,8 +213,10 @@ struct Enclosure {
 }
 
 /// p(low) and p(high) have opposite strict signs: there is a root between.
-fn check_root_signs(modulus: &[BigInt], given: &Enclosure) -> Result<(), Refusal> {
-    match (given.at_low().sign(modulus), given.at_high().sign(modulus)) {
+fn check_root_signs(modulus: &[BigInt], given: &Enclosure, budget: &Budget) -> Result<(), Refusal> {
+    let at_low = given.at_low().sign(modulus, budget)?;
+    let at_high = given.at_high().sign(modulus, budget)?;
+    match (at_low, at_high) {
         (Some(Ordering::Less), Some(Ordering::Greater)) => Ok(()),
         (Some(Ordering::Greater), Some(Ordering::Less)) => Ok(()),
         _ => Err(Refusal::RootSigns {}),
@@ -181,14 +225,18 @@ fn check_root_signs(modulus: &[BigInt], given: &Enclosure) -> Result<(), Refusal
 
 /// 0 is not in p'([low, high]), by an enclosure: p is strictly monotone there,
 /// so the root is the only one.
-fn check_root_derivative(modulus: &[BigInt], given: &Enclosure) -> Result<(), Refusal> {
+fn check_root_derivative(
+    modulus: &[BigInt],
+    given: &Enclosure,
+    budget: &Budget,
+) -> Result<(), Refusal> {
     let derivative: Vec<BigInt> = modulus
         .iter()
         .enumerate()
         .skip(1)
         .map(|(k, c)| c * BigInt::from(k))
         .collect();
-    match given.sign(&derivative) {
+    match given.sign(&derivative, budget)? {
         Some(_) => Ok(()),
         None => Err(Refusal::RootDerivative {}),
     }
@@ -223,8 +271,11 @@ impl Enclosure {
     /// The sign of f on the whole interval, if the interval Horner scheme shows
     /// that it is strict and constant. With root = [l, h]/d and f of degree m,
     /// d^m f is enclosed by F_m = [c_m, c_m], F_k = F_(k+1) [l, h] + c_k d^(m-k).
-    fn sign(&self, f: &[BigInt]) -> Option<Ordering> {
-        let (top, rest) = f.split_last()?;
+    fn sign(&self, f: &[BigInt], budget: &Budget) -> Result<Option<Ordering>, Refusal> {
+        budget.spend(self.cost(f))?;
+        let Some((top, rest)) = f.split_last() else {
+            return Ok(None);
+        };
         let (mut least, mut most) = (top.clone(), top.clone());
         let mut power = BigInt::one();
         for c in rest.iter().rev() {
@@ -234,11 +285,21 @@ impl Enclosure {
             least += &c;
             most += &c;
         }
-        match (sign_of(&least), sign_of(&most)) {
+        Ok(match (sign_of(&least), sign_of(&most)) {
             (Ordering::Greater, _) => Some(Ordering::Greater),
             (_, Ordering::Less) => Some(Ordering::Less),
             _ => None,
-        }
+        })
+    }
+
+    /// Word products of the Horner scheme, up to a factor of five: with m
+    /// coefficients of v words, and d words for l, h and d, the k-th step multiplies
+    /// v + k d words by d words four times, k d by d words, and v by k d words.
+    fn cost(&self, f: &[BigInt]) -> u64 {
+        let m = f.len() as u64;
+        let v = words(f.iter());
+        let d = words([&self.low, &self.high, &self.denominator]);
+        [m, m, d, v + d].into_iter().fold(1, u64::saturating_mul)
     }
 
     /// The hull of [least, most] [low, high]: extremes are taken at ends.
@@ -257,29 +318,39 @@ impl Enclosure {
     }
 
     /// Enclosures after 64, 128, 256, … and `bisections` halvings.
-    fn ladder(mut self, modulus: &[BigInt], bisections: usize) -> Vec<Enclosure> {
+    fn ladder(
+        mut self,
+        modulus: &[BigInt],
+        bisections: usize,
+        budget: &Budget,
+    ) -> Result<Vec<Enclosure>, Refusal> {
         const FIRST: usize = 64;
-        let rising = self.at_high().sign(modulus);
+        let rising = self.at_high().sign(modulus, budget)?;
         let mut enclosures = vec![];
         for step in 1..=bisections {
-            self = self.halved(modulus, rising);
+            self = self.halved(modulus, rising, budget)?;
             if step == bisections || (step >= FIRST && step.is_power_of_two()) {
                 enclosures.push(self.clone());
             }
         }
-        enclosures
+        Ok(enclosures)
     }
 
     /// The half with the root, where p has the sign `rising` right of the root
     /// and the other one left of it. A root at the middle is the root.
-    fn halved(self, modulus: &[BigInt], rising: Option<Ordering>) -> Enclosure {
+    fn halved(
+        self,
+        modulus: &[BigInt],
+        rising: Option<Ordering>,
+        budget: &Budget,
+    ) -> Result<Enclosure, Refusal> {
         let middle = &self.low + &self.high;
         let half = Enclosure {
             low: middle.clone(),
             high: middle,
             denominator: self.denominator * 2,
         };
-        match half.sign(modulus) {
+        Ok(match half.sign(modulus, budget)? {
             None => half,
             right if right == rising => Enclosure {
                 low: self.low * 2,
@@ -289,8 +360,13 @@ impl Enclosure {
                 high: self.high * 2,
                 ..half
             },
-        }
+        })
     }
+}
+
+/// The words of the largest.
+fn words<'b>(integers: impl IntoIterator<Item = &'b BigInt>) -> u64 {
+    integers.into_iter().map(BigInt::bits).max().unwrap_or(0) / 64 + 1
 }
 
 fn sign_of(integer: &BigInt) -> Ordering {

@@ -77,7 +77,8 @@ fn check_gram_shape(certificate: &Certificate, _: &Limits) -> Result<(), Refusal
     }
 }
 
-/// G_ij = G_ji. Numbers have one notation each, so texts may be compared.
+/// G_ij = G_ji, as the same text: over a reducible polynomial, different
+/// coefficients can have the same value, which nobody needs to write.
 fn check_gram_symmetric(certificate: &Certificate, _: &Limits) -> Result<(), Refusal> {
     let gram = &certificate.claim.gram;
     for (row, entries) in gram.iter().enumerate() {

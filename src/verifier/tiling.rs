@@ -38,6 +38,15 @@ pub(super) struct Bounds {
     pub(super) radius_edge: Option<Rational>,
 }
 
+impl Bounds {
+    /// The bits of the ratio, by whose square each simplex is multiplied. Angles
+    /// enter through cosines of a fixed size.
+    fn bits(&self) -> u64 {
+        let ratio = self.radius_edge.as_ref();
+        ratio.map_or(0, |q| q.numer().bits().max(q.denom().bits()))
+    }
+}
+
 impl<'c> Tiling<'c> {
     /// Reads the numbers of a certificate that has passed [`super::shape`].
     pub(super) fn new(certificate: &'c Certificate, limits: &Limits) -> Result<Self, Refusal> {
@@ -71,7 +80,7 @@ impl<'c> Tiling<'c> {
         Ok(tiling)
     }
 
-    /// Bounds the arithmetic before it is done. A product of two elements whose
+    /// Bounds the products before they are made; the ring counts its signs. A product of two elements whose
     /// coefficients have w words costs n² w² word products; reductions multiply
     /// by powers of p up to the n-th, so p's bits count n times. The domain's
     /// vertices are put into the plane of each face and, at worst, the vertices
@@ -88,6 +97,7 @@ impl<'c> Tiling<'c> {
         let coefficients = table.flatten().map(Element::bits).max().unwrap_or(0);
         let bits = coefficients
             .max(self.scale.bits())
+            .max(self.bounds.bits())
             .max(n.saturating_mul(self.ring.bits()));
         let words = bits / 64 + 1;
         let product = [n, n, words, words]
@@ -101,6 +111,7 @@ impl<'c> Tiling<'c> {
         match found <= limits.work {
             true => Ok(()),
             false => Err(Refusal::Work {
+                of: "for each product",
                 found,
                 limit: limits.work,
             }),
@@ -165,7 +176,7 @@ impl<'c> Tiling<'c> {
             of: of(),
             value: number(value, scale),
         };
-        self.ring.sign(value).ok_or_else(undecided)
+        self.ring.sign(value)?.ok_or_else(undecided)
     }
 }
 

@@ -728,6 +728,15 @@ MALFORMED = {
     "mate-length--short-in-slab": edit(SLAB, (*MATES, 0, 0), [0, 0]),
     "mate-range--face": edit(SLAB, (*MATES, 0, 0), [2]),
     "mate-range--face-negative": edit(SLAB, (*MATES, 0, 0), [-1]),
+    "gram-asymmetric": edit(E, (*GRAM, 0, 1), "0"),
+    "gram-asymmetric--nothing-else-wrong": edit(BARE, (*GRAM, 0, 1), "0"),
+    # 2 - a^2 and a^2 - 2 have the same value, zero, for a^2 = 2.
+    "gram-asymmetric--equal-in-value": edit(VALID["plane-reducible-field"], GRAM,
+                                            [["1", ["2", "0", "-1"]], [["-2", "0", "1"], "1"]]),
+    "root-derivative--three-roots": root(THREE_ROOTS, "-2", "2"),
+    "root-derivative--one-root-but-wide": root(["-3", "0", "1"], "-1", "2"),
+    "root-derivative--triple-root": root(["-1", "3", "-3", "1"], "0", "3"),
+    "root-derivative--monotone-but-zero-at-an-end": root(["-3", "0", "1"], "0", "2"),
     "angle-range--above-180": edit(E, STATEMENTS, [TILING, below("1800001/10000")]),
 }
 
@@ -1014,8 +1023,6 @@ FALSE = {
     "edge-valence--chambers-of-the-cube": with_statements(VALID["space-chambers-of-the-cube"], "TCP"),
     "edge-valence--a15-with-one-tetrahedron-cut": a15_split("TCP"),
     "triangle-valence--z-with-an-edge-contracted": with_statements(VALID["space-z-contracted"], "TCP"),
-    "gram-asymmetric": edit(E, (*GRAM, 0, 1), "0"),
-    "gram-asymmetric--nothing-else-wrong": edit(BARE, (*GRAM, 0, 1), "0"),
     "gram-not-positive--indefinite": lattice([["1", "2"], ["2", "1"]]),
     "gram-not-positive--semidefinite": lattice([["1", "1"], ["1", "1"]]),
     "gram-not-positive--zero": lattice([["0", "0"], ["0", "0"]]),
@@ -1028,10 +1035,6 @@ FALSE = {
     "root-signs--two-roots": root(["-3", "0", "1"], "-2", "2"),
     "root-signs--double-root": root(["1", "-2", "1"], "0", "2"),
     "root-signs--root-at-an-end": root(["-4", "0", "1"], "1", "2"),
-    "root-derivative--three-roots": root(THREE_ROOTS, "-2", "2"),
-    "root-derivative--one-root-but-wide": root(["-3", "0", "1"], "-1", "2"),
-    "root-derivative--triple-root": root(["-1", "3", "-3", "1"], "0", "3"),
-    "root-derivative--monotone-but-zero-at-an-end": root(["-3", "0", "1"], "0", "2"),
     "orientation--one-negative": swapped(E, 1),
     "orientation--all-negative": mirrored(),
     "orientation--flat": edit(E, (*SIMPLICES, 0, 2), [0, 2, 0]),
@@ -1105,6 +1108,14 @@ def primes():
     return certificate(HEXAGONAL, vertices, simplices)
 
 
+def long_ends():
+    """A root of x^31 - 2, whose ends have denominators of 490 digits: 512 halvings cost about 1.4 · 10^9."""
+    q = 10 ** 490 + 7
+    low, high = (F(x * q // 1000, q) for x in (1021, 1024))
+    assert low ** 31 < 2 < high ** 31
+    return edit(BARE, FIELD, algebraic(["-2"] + ["0"] * 30 + ["1"], str(low), str(high)))
+
+
 DECLINED = {
     "too-many-bytes--limit-bytes-100": E,
     "version--2": edit(E, ("version",), 2),
@@ -1122,6 +1133,8 @@ DECLINED = {
     "common-denominator--primes": primes(),
     "work--limit-work-1": E,
     "work--large-numbers-in-a-large-field": root(["-" + "9" * 900] + ["1"] * 31 + ["1"], "0", "1" + "0" * 300),
+    "work--root-with-long-ends--limit-work-1000000": long_ends(),
+    "work--ratio-with-many-digits--limit-work-2": with_statements(BARE, ratio("1" + "0" * 40)),
     "sign-undecided--gram-zero": reducible([[ZERO, "0"], ["0", "1"]]),
     "sign-undecided--gram-zero-negated": reducible([[["2", "0", "-1"], "0"], ["0", "1"]]),
     "sign-undecided--right-angle-claimed-acute": reducible([["1", ZERO], [ZERO, "1"]], "acute"),
