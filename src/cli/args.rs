@@ -30,7 +30,7 @@ pub enum Command {
     Verify(VerifyArguments),
     /// Compute the periodic Delaunay triangulation of a point set
     Delaunay(DelaunayArguments),
-    /// Write a tiling, or a supercell of it, as a tiling file
+    /// Write a tiling, or a supercell of it, as a tiling file, or a certificate for Coq
     Export(ExportArguments),
     /// The paper's table, as rigorous enclosures, and rows it does not have
     Table(TableArguments),
@@ -81,7 +81,7 @@ pub struct CertifyArguments {
     /// certificates into this directory
     #[arg(short, long, value_name = "FILE|DIR")]
     pub output: Option<PathBuf>,
-    /// A statement that must hold: acute, nonobtuse, delaunay, weakly-delaunay, tcp,
+    /// A statement that must hold: tiling, acute, nonobtuse, delaunay, weakly-delaunay, tcp,
     /// dihedral<DEGREES, dihedral>DEGREES, radius-edge<RATIO
     #[arg(long = "require", value_name = "STATEMENT", value_parser = statement)]
     pub required: Vec<Statement>,
@@ -140,16 +140,19 @@ pub struct DelaunayArguments {
 
 #[derive(Debug, Args)]
 pub struct ExportArguments {
-    /// A name of the catalogue, or a tiling file
+    /// A name of the catalogue, or a tiling file; with --coq, a certificate
     #[arg(value_name = "NAME|FILE")]
     pub input: String,
-    /// Write the tiling file here and not to standard output
+    /// Write the file here and not to standard output
     #[arg(short, long, value_name = "FILE")]
     pub output: Option<PathBuf>,
     /// The number that the construction depends on, like 3/7 or sqrt(2)/4: a/e of
     /// goldberg-1, epsilon of two-corners
     #[arg(long, value_name = "VALUE")]
     pub param: Option<String>,
+    /// Write the certificate's claim as a theorem for Coq (see proofs/README.md)
+    #[arg(long, conflicts_with_all = ["supercell", "param"])]
+    pub coq: bool,
     /// Repeat the cell so many times in each direction of the lattice
     #[arg(long, value_name = "N,N,N", value_delimiter = ',', value_parser = clap::value_parser!(u16).range(1..))]
     pub supercell: Vec<u16>,

@@ -1,18 +1,21 @@
-//! `acutile export`: a tiling, or a supercell of it, as a tiling file.
+//! `acutile export`: a tiling, or a supercell of it, as a tiling file; a certificate
+//! as a theorem for Coq.
 
 use super::Outcome;
 use super::args::ExportArguments;
 use super::input::{self, InputError};
 use super::output::{Output, write_file};
-use crate::export::tiling_text;
+use crate::certificate::Certificate;
+use crate::export::{coq_theorem, tiling_text};
 use crate::tiling::{Tiling, supercell};
 use crate::with_dimension;
 
-/// Writes the tiling file.
+/// Writes the file.
 pub fn run(arguments: &ExportArguments, output: &mut Output) -> Outcome {
-    let text = input::tiling(&arguments.input, arguments.param.as_deref()).and_then(
-        |named| with_dimension!(&named.tiling, AnyTiling, t => text(t, &named.name, arguments)),
-    );
+    let text = match arguments.coq {
+        true => theorem(&arguments.input).map_err(InputError::from),
+        false => tiling_file(arguments),
+    };
     match text {
         Ok(text) => write_text(arguments.output.as_deref(), &text, output),
         Err(error) => {
@@ -20,6 +23,19 @@ pub fn run(arguments: &ExportArguments, output: &mut Output) -> Outcome {
             error.outcome
         }
     }
+}
+
+fn theorem(path: &str) -> Result<String, String> {
+    let bytes = std::fs::read(path).map_err(|error| format!("{path}: cannot be read: {error}"))?;
+    let certificate: Certificate =
+        serde_json::from_slice(&bytes).map_err(|error| format!("{path}: {error}"))?;
+    coq_theorem(&certificate).map_err(|reason| format!("{path}: {reason}"))
+}
+
+fn tiling_file(arguments: &ExportArguments) -> Result<String, InputError> {
+    input::tiling(&arguments.input, arguments.param.as_deref()).and_then(
+        |named| with_dimension!(&named.tiling, AnyTiling, t => text(t, &named.name, arguments)),
+    )
 }
 
 fn text<const D: usize>(

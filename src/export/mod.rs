@@ -1,5 +1,7 @@
 //! Tilings and point sets written as files for other programs and for people.
 
+mod coq;
 mod native;
 
+pub use coq::{NotATheorem, coq_theorem};
 pub use native::{points_text, tiling_text};

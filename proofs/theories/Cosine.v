@@ -1,0 +1,125 @@
+(** * A rational upper bound of the cosine of p/q degrees
+
+    With L < pi a rational number and y = (p/q) L / 360 half the angle, a little
+    less:  cos (p/q degrees) <= 2 cos(y)^2 - 1 <= 2 u^2 - 1, where u >= cos y is the
+    Taylor polynomial of degree 24, evaluated by Horner's scheme in integers. *)
+Require Import Reals Lra Psatz ZArith List Lia.
+Open Scope R_scope.
+
+(** pi > 3.1415926535897932 (Machin-like series of the standard library). *)
+Definition pi_num : Z := 31415926535897932.
+Definition pi_den : Z := 10000000000000000.
+Lemma pi_lower : IZR pi_num / IZR pi_den < PI.
+Proof.
+  pose proof (PI_2_3_7_ineq 8) as [H _]. unfold pi_num, pi_den.
+  unfold tg_alt, PI_2_3_7_tg, Ratan_seq in H. cbn [sum_f_R0 Nat.mul Nat.add pow] in H. rewrite !INR_IZR_INZ in H. cbn [Z.of_nat Pos.of_succ_nat Pos.succ] in H.
+  lra.
+Qed.
+
+(** Horner's scheme: 1 - z/((2k+1)(2k+2)) (1 - z/((2k+3)(2k+4)) (...)), n times. *)
+Fixpoint horner (y : R) (k n : nat) : R :=
+  match n with
+  | O => 1
+  | S n => 1 - y * y / (INR (2 * k + 1) * INR (2 * k + 2)) * horner y (S k) n
+  end.
+Lemma cos_term_succ y k : cos_term y (S k) = - cos_term y k * (y * y / (INR (2 * k + 1) * INR (2 * k + 2))).
+Proof.
+  unfold cos_term. replace (2 * S k)%nat with (S (S (2 * k))) by lia.
+  change (y ^ S (S (2 * k))) with (y * (y * y ^ (2 * k))). change ((-1) ^ S k) with (-1 * (-1) ^ k).
+  rewrite !fact_simpl, !mult_INR. replace (S (2 * k))%nat with (2 * k + 1)%nat by lia. replace (S (2 * k + 1)) with (2 * k + 2)%nat by lia.
+  assert (INR (fact (2 * k)) <> 0) by apply INR_fact_neq_0.
+  assert (INR (2 * k + 1) <> 0) by (apply not_0_INR; lia). assert (INR (2 * k + 2) <> 0) by (apply not_0_INR; lia).
+  field. auto.
+Qed.
+Lemma horner_sum y n : forall k, cos_term y k * horner y k n = sum_f_R0 (fun i => cos_term y (k + i)) n.
+Proof.
+  induction n as [|n IH]; intros k.
+  - cbn. rewrite Nat.add_0_r. ring.
+  - rewrite decomp_sum by lia. cbn [pred]. rewrite Nat.add_0_r.
+    rewrite (sum_eq _ (fun i => cos_term y (S k + i))) by (intros; f_equal; lia).
+    rewrite <- IH, cos_term_succ. cbn [horner]. ring.
+Qed.
+Lemma horner_cos y n : horner y 0 n = cos_approx y n.
+Proof.
+  unfold cos_approx. pose proof (horner_sum y n 0) as H.
+  assert (E : cos_term y 0 = 1) by (unfold cos_term; cbn; field). rewrite E, Rmult_1_l in H. exact H.
+Qed.
+
+(** The same in integers: numerator and denominator, for y = s/t. *)
+Fixpoint zhorner (s t : Z) (k : Z) (n : nat) : Z * Z :=
+  match n with
+  | O => (1, 1)%Z
+  | S n => let '(a, b) := zhorner s t (k + 1) n in
+           let d := ((2 * k + 1) * (2 * k + 2) * (t * t) * b)%Z in (d - s * s * a, d)%Z
+  end.
+Lemma zhorner_ok s t n : (0 < t)%Z -> forall k, let '(a, b) := zhorner s t (Z.of_nat k) n in
+  0 < IZR b /\ horner (IZR s / IZR t) k n = IZR a / IZR b.
+Proof.
+  intros Ht. induction n as [|n IH]; intros k.
+  - cbn. split; [lra|field].
+  - cbn [zhorner horner]. specialize (IH (S k)). replace (Z.of_nat (S k)) with (Z.of_nat k + 1)%Z in IH by lia.
+    destruct (zhorner s t (Z.of_nat k + 1) n) as [a b]. destruct IH as [Hb E]. rewrite E. clear E.
+    assert (K1 : INR (2 * k + 1) = IZR (2 * Z.of_nat k + 1)) by (rewrite INR_IZR_INZ; f_equal; lia).
+    assert (K2 : INR (2 * k + 2) = IZR (2 * Z.of_nat k + 2)) by (rewrite INR_IZR_INZ; f_equal; lia).
+    rewrite K1, K2. rewrite minus_IZR, !mult_IZR.
+    assert (P1 : 0 < IZR (2 * Z.of_nat k + 1)) by (apply IZR_lt; lia). assert (P2 : 0 < IZR (2 * Z.of_nat k + 2)) by (apply IZR_lt; lia).
+    apply IZR_lt in Ht.
+    split; [repeat apply Rmult_lt_0_compat; auto|]. field. repeat split; lra.
+Qed.
+
+(** a/b rounded up to a multiple of 2^-60, so that the numbers to compare with stay small. *)
+Definition unit60 : Z := 1152921504606846976.
+Definition round_up (a b : Z) : Z * Z := (a * unit60 / b + 1, unit60)%Z.
+Lemma round_up_ok a b : 0 < IZR b -> 0 < IZR (snd (round_up a b)) /\ IZR a / IZR b <= IZR (fst (round_up a b)) / IZR (snd (round_up a b)).
+Proof.
+  intros Hb. apply lt_IZR in Hb. unfold round_up; cbn [fst snd].
+  assert (U : (0 < unit60)%Z) by (unfold unit60; lia).
+  pose proof (Z.mul_succ_div_gt (a * unit60) b Hb) as D. set (m := (a * unit60 / b)%Z) in *. unfold Z.succ in D.
+  apply IZR_lt in Hb, U, D. rewrite !mult_IZR in D. split; auto.
+  apply Rmult_le_reg_r with (IZR b * IZR unit60); [apply Rmult_lt_0_compat; auto|].
+  replace (IZR a / IZR b * (IZR b * IZR unit60)) with (IZR a * IZR unit60) by (field; lra).
+  replace (IZR (m + 1) / IZR unit60 * (IZR b * IZR unit60)) with (IZR b * IZR (m + 1)) by (field; lra). lra.
+Qed.
+
+(** cos (p/q degrees) <= fst / snd, for 0 < p/q <= 180. *)
+Definition cos_upper (p q : Z) : Z * Z :=
+  let '(a, b) := zhorner (p * pi_num) (360 * q * pi_den) 0 12 in round_up (2 * a * a - b * b) (b * b).
+Definition degrees_ok (p q : Z) : bool := (Z.ltb 0 p && Z.ltb 0 q && Z.leb p (180 * q))%bool.
+
+Theorem cos_upper_ok p q : degrees_ok p q = true ->
+  let theta := IZR p / IZR q * (PI / 180) in
+  0 <= theta <= PI /\ 0 < IZR (snd (cos_upper p q)) /\ cos theta <= IZR (fst (cos_upper p q)) / IZR (snd (cos_upper p q)).
+Proof.
+  intros D theta. unfold degrees_ok in D. rewrite !Bool.andb_true_iff, !Z.ltb_lt, Z.leb_le in D. destruct D as [[Hp Hq] Hpq].
+  pose proof PI_RGT_0 as PI0. pose proof pi_lower as PL.
+  unfold cos_upper.
+  assert (Hd : (0 < 360 * q * pi_den)%Z) by (unfold pi_den; lia).
+  pose proof (zhorner_ok (p * pi_num) (360 * q * pi_den) 12 Hd 0) as H.
+  cbn [Z.of_nat] in H. destruct (zhorner (p * pi_num) (360 * q * pi_den) 0 12) as [a b]. destruct H as [Hb Hy].
+  set (y := IZR (p * pi_num) / IZR (360 * q * pi_den)) in *.
+  apply IZR_lt in Hp, Hq. apply IZR_le in Hpq. rewrite mult_IZR in Hpq.
+  set (r := IZR p / IZR q) in *.
+  assert (Er : r * IZR q = IZR p) by (unfold r; field; lra).
+  assert (R0 : 0 < r) by (apply Rdiv_lt_0_compat; auto).
+  assert (R1 : r <= 180) by (apply Rmult_le_reg_r with (IZR q); [auto|]; lra).
+  assert (T0 : 0 <= theta <= PI).
+  { unfold theta. split; [apply Rmult_le_pos; lra|]. nra. }
+  assert (Ey : y = r * (IZR pi_num / IZR pi_den) / 360).
+  { unfold y, r. rewrite !mult_IZR. unfold pi_num, pi_den. field. lra. }
+  assert (L0 : 0 < IZR pi_num / IZR pi_den) by (unfold pi_num, pi_den; lra).
+  assert (Y0 : 0 <= y) by (rewrite Ey; apply Rmult_le_pos; [apply Rmult_le_pos|]; lra).
+  assert (Yt : y <= theta / 2).
+  { rewrite Ey. unfold theta. assert (r * (IZR pi_num / IZR pi_den) <= r * PI) by (apply Rmult_le_compat_l; lra). lra. }
+  assert (BB : 0 < IZR (b * b)) by (rewrite mult_IZR; apply Rmult_lt_0_compat; auto).
+  destruct (round_up_ok (2 * a * a - b * b) (b * b) BB) as [RU0 RU1].
+  split; auto. split; auto. apply Rle_trans with (2 := RU1).
+  destruct (cos_bound y 5) as [_ UB]; [lra|lra|]. change (2 * (5 + 1))%nat with 12%nat in UB.
+  rewrite <- horner_cos, Hy in UB.
+  assert (DC : cos (theta / 2) <= cos y) by (apply cos_decr_1; lra).
+  assert (C0 : 0 <= cos (theta / 2)) by (apply cos_ge_0; lra).
+  assert (E2 : cos theta = 2 * cos (theta / 2) * cos (theta / 2) - 1).
+  { replace theta with (2 * (theta / 2)) at 1 by field. apply cos_2a_cos. }
+  rewrite E2, minus_IZR, !mult_IZR.
+  replace ((2 * IZR a * IZR a - IZR b * IZR b) / (IZR b * IZR b)) with (2 * (IZR a / IZR b) * (IZR a / IZR b) - 1) by (field; lra).
+  assert (cos (theta / 2) * cos (theta / 2) <= IZR a / IZR b * (IZR a / IZR b)) by (apply Rmult_le_compat; lra). lra.
+Qed.

@@ -1,0 +1,120 @@
+(** * Lattices of every rank, domains as intersections of half-spaces
+
+    The open domain { x : level H x > 0 for all H } is open and convex, and the
+    closed one is its closure.  The lattice of rank r leaves it alone when the
+    normals vanish on the first r coordinates. *)
+Require Import Reals Lra ZArith List Lia Bool.
+From Acutile Require Import Statement Sums Crossing Tetrahedra Topology Degree.
+Import ListNotations.
+Open Scope R_scope.
+
+(** [in_lattice] as a boolean. *)
+Definition latb (r : nat) (n : Z3) : bool :=
+  let '(x, y, z) := n in
+  match r with
+  | 0 => Z.eqb x 0 && Z.eqb y 0 && Z.eqb z 0 | 1 => Z.eqb y 0 && Z.eqb z 0 | 2 => Z.eqb z 0 | _ => true
+  end%nat.
+Lemma latb_iff r n : latb r n = true <-> in_lattice r n.
+Proof.
+  destruct n as [[x y] z]. destruct r as [|[|[|r]]]; simpl; rewrite ?andb_true_iff, ?Z.eqb_eq; intuition.
+Qed.
+Lemma latb_zero r : latb r z30 = true.
+Proof. destruct r as [|[|[|r]]]; reflexivity. Qed.
+Lemma latb_add r a b : latb r a = true -> latb r b = true -> latb r (zadd3 a b) = true.
+Proof.
+  rewrite !latb_iff. destruct a as [[? ?] ?], b as [[? ?] ?].
+  destruct r as [|[|[|r]]]; simpl; intuition (subst; auto).
+Qed.
+
+(** The open domain. *)
+Definition open_domain (Hs : list half_space) (x : point) := forall H, In H Hs -> 0 < level H x.
+
+Lemma aff_level H : affine (level H).
+Proof. exists (px (normal H)), (py (normal H)), (pz (normal H)), (offset H). intros x. unfold level, dot. ring. Qed.
+Lemma level_lerp H p q s : level H (lerp p q s) = level H p + s * (level H q - level H p).
+Proof. apply aff_lerp, aff_level. Qed.
+Lemma open_domain_open Hs : open (open_domain Hs).
+Proof. unfold open_domain. apply opn_all. intros H _. apply aff_pos_opn, aff_level. Qed.
+Lemma open_domain_convex Hs p q s : open_domain Hs p -> open_domain Hs q -> 0 <= s <= 1 -> open_domain Hs (lerp p q s).
+Proof. intros Hp Hq S H HI. rewrite level_lerp. specialize (Hp H HI). specialize (Hq H HI). nra. Qed.
+Lemma domain_closure Hs x z : (forall H, In H Hs -> 0 <= level H x) -> open_domain Hs z ->
+  forall e, 0 < e -> exists y, near e x y /\ open_domain Hs y.
+Proof.
+  intros Hx Hz e He. destruct (lerp_near e x z He) as [s [S Ns]]. exists (lerp x z s). split; auto.
+  intros H HI. rewrite level_lerp. specialize (Hx H HI). specialize (Hz H HI). nra.
+Qed.
+
+(** An affine function is the interpolation of its values at the vertices. *)
+Lemma interpolate t f x : affine f ->
+  vol t * f x = coord t 0 x * f (va t) + coord t 1 x * f (vb t) + coord t 2 x * f (vc t) + coord t 3 x * f (vd t).
+Proof.
+  intros [a [b [c [d H]]]]. rewrite !H. pose proof (L_sum t x) as S. pose proof (L_bary t x) as B.
+  pose proof (f_equal px B) as Bx. pose proof (f_equal py B) as By. pose proof (f_equal pz B) as Bz.
+  unfold scale, add in Bx, By, Bz; cbn [px py pz] in *.
+  replace (vol t * (a * px x + b * py x + c * pz x + d))
+    with (a * (vol t * px x) + b * (vol t * py x) + c * (vol t * pz x) + vol t * d) by ring.
+  rewrite Bx, By, Bz, <- S. ring.
+Qed.
+
+(** Tetrahedra whose vertices lie in the domain. *)
+Lemma level_closed H t x : 0 < vol t -> (forall v, In v (verts t) -> 0 <= level H v) -> closed t x -> 0 <= level H x.
+Proof.
+  intros V HV C. pose proof (interpolate t (level H) x (aff_level H)) as E.
+  pose proof (HV (va t) ltac:(simpl; auto)). pose proof (HV (vb t) ltac:(simpl; auto)).
+  pose proof (HV (vc t) ltac:(simpl; auto)). pose proof (HV (vd t) ltac:(simpl; auto)).
+  pose proof (C 0%nat ltac:(simpl; auto)). pose proof (C 1%nat ltac:(simpl; auto)).
+  pose proof (C 2%nat ltac:(simpl; auto)). pose proof (C 3%nat ltac:(simpl; auto)).
+  assert (0 <= vol t * level H x).
+  { rewrite E. repeat apply Rplus_le_le_0_compat; apply Rmult_le_pos; auto. }
+  nra.
+Qed.
+Lemma level_inside H t x : 0 < vol t -> (forall v, In v (verts t) -> 0 <= level H v) ->
+  (exists v, In v (verts t) /\ 0 < level H v) -> inside t x -> 0 < level H x.
+Proof.
+  intros V HV [v [Iv Pv]] C. pose proof (interpolate t (level H) x (aff_level H)) as E.
+  pose proof (HV (va t) ltac:(simpl; auto)) as V0. pose proof (HV (vb t) ltac:(simpl; auto)) as V1.
+  pose proof (HV (vc t) ltac:(simpl; auto)) as V2. pose proof (HV (vd t) ltac:(simpl; auto)) as V3.
+  pose proof (C 0%nat ltac:(simpl; auto)) as C0. pose proof (C 1%nat ltac:(simpl; auto)) as C1.
+  pose proof (C 2%nat ltac:(simpl; auto)) as C2. pose proof (C 3%nat ltac:(simpl; auto)) as C3.
+  assert (K0 : 0 <= coord t 0 x * level H (va t)) by (apply Rmult_le_pos; lra).
+  assert (K1 : 0 <= coord t 1 x * level H (vb t)) by (apply Rmult_le_pos; lra).
+  assert (K2 : 0 <= coord t 2 x * level H (vc t)) by (apply Rmult_le_pos; lra).
+  assert (K3 : 0 <= coord t 3 x * level H (vd t)) by (apply Rmult_le_pos; lra).
+  assert (0 < vol t * level H x); [|nra]. rewrite E.
+  destruct Iv as [<-|[<-|[<-|[<-|[]]]]].
+  - assert (0 < coord t 0 x * level H (va t)) by (apply Rmult_lt_0_compat; auto). lra.
+  - assert (0 < coord t 1 x * level H (vb t)) by (apply Rmult_lt_0_compat; auto). lra.
+  - assert (0 < coord t 2 x * level H (vc t)) by (apply Rmult_lt_0_compat; auto). lra.
+  - assert (0 < coord t 3 x * level H (vd t)) by (apply Rmult_lt_0_compat; auto). lra.
+Qed.
+(** A facet in the boundary plane: the vertex opposite to it and the whole open
+    domain lie on the same side. *)
+Lemma level_boundary H t i y : In i I4 -> 0 < vol t -> 0 <= level H (vx t i) ->
+  (forall j, In j I4 -> j <> i -> level H (vx t j) = 0) -> 0 < level H y -> 0 < coord t i y.
+Proof.
+  intros Hi V Pi Z Py. pose proof (interpolate t (level H) y (aff_level H)) as E.
+  assert (Q : vol t * level H y = coord t i y * level H (vx t i)).
+  { rewrite E. simpl in Hi. destruct Hi as [<-|[<-|[<-|[<-|[]]]]]; cbn [vx] in *.
+    - pose proof (Z 1%nat ltac:(simpl; auto) ltac:(lia)) as Z1. pose proof (Z 2%nat ltac:(simpl; auto) ltac:(lia)) as Z2. pose proof (Z 3%nat ltac:(simpl; auto) ltac:(lia)) as Z3.
+      cbn [vx] in *. rewrite Z1, Z2, Z3. ring.
+    - pose proof (Z 0%nat ltac:(simpl; auto) ltac:(lia)) as Z1. pose proof (Z 2%nat ltac:(simpl; auto) ltac:(lia)) as Z2. pose proof (Z 3%nat ltac:(simpl; auto) ltac:(lia)) as Z3.
+      cbn [vx] in *. rewrite Z1, Z2, Z3. ring.
+    - pose proof (Z 0%nat ltac:(simpl; auto) ltac:(lia)) as Z1. pose proof (Z 1%nat ltac:(simpl; auto) ltac:(lia)) as Z2. pose proof (Z 3%nat ltac:(simpl; auto) ltac:(lia)) as Z3.
+      cbn [vx] in *. rewrite Z1, Z2, Z3. ring.
+    - pose proof (Z 0%nat ltac:(simpl; auto) ltac:(lia)) as Z1. pose proof (Z 1%nat ltac:(simpl; auto) ltac:(lia)) as Z2. pose proof (Z 2%nat ltac:(simpl; auto) ltac:(lia)) as Z3.
+      cbn [vx] in *. rewrite Z1, Z2, Z3. ring. }
+  assert (0 < vol t * level H y) by (apply Rmult_lt_0_compat; auto). nra.
+Qed.
+
+(** Invariance under the lattice of rank r. *)
+Definition invariant (r : nat) (H : half_space) :=
+  ((1 <= r)%nat -> px (normal H) = 0) /\ ((2 <= r)%nat -> py (normal H) = 0) /\ ((3 <= r)%nat -> pz (normal H) = 0).
+Lemma level_shift r H h n x : invariant r H -> in_lattice r n -> level H (add x (vec h n)) = level H x.
+Proof.
+  destruct n as [[n1 n2] n3]. intros [I1 [I2 I3]] L. unfold level, dot, vec, add; cbn [px py pz].
+  destruct r as [|[|[|r]]]; cbn in L.
+  - destruct L as [-> [-> ->]]. ring.
+  - destruct L as [-> ->]. rewrite I1 by lia. ring.
+  - rewrite L, I1, I2 by lia. ring.
+  - rewrite I1, I2, I3 by lia. ring.
+Qed.

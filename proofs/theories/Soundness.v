@@ -1,0 +1,815 @@
+(** * Soundness: the checker's "true" implies the theorem
+
+    Over any ring A with a homomorphism phi to the real numbers for which the two
+    comparisons are sound.  Each lemma [c...] is what one check of Checker.v means;
+    the theorem [check_sound] puts them into the degree argument and moves the
+    result to Euclidean space. *)
+Require Import Reals Lra Psatz NArith Nnat ZArith List Lia Bool FunctionalExtensionality.
+From Acutile Require Import Statement Sums Crossing Tetrahedra Topology Degree Domain Cosine Angles Euclid Transfer Volume Delaunay Checker.
+Import ListNotations.
+Local Open Scope nat_scope.
+
+Lemma z3eqb_t a b : z3eqb a b = true <-> a = b.
+Proof. destruct a as [[? ?] ?], b as [[? ?] ?]. simpl. rewrite !andb_true_iff, !Z.eqb_eq. intuition congruence. Qed.
+Lemma ceqb_t a b : ceqb a b = true <-> a = b.
+Proof. destruct a, b. unfold ceqb; simpl. rewrite andb_true_iff, N.eqb_eq, z3eqb_t. intuition congruence. Qed.
+Lemma meqb_t a b : meqb a b = true <-> a = Some b.
+Proof.
+  destruct a as [[[? ?] ?]|], b as [[? ?] ?]; unfold meqb; cbn [fst snd]; [|split; discriminate].
+  rewrite !andb_true_iff, !N.eqb_eq, z3eqb_t. intuition congruence.
+Qed.
+Lemma existsl_eq {X} (f : X -> bool) l : existsl f l = existsb f l.
+Proof. induction l; simpl; auto. rewrite IHl. destruct (f a); auto. Qed.
+Lemma zint_In lo hi n : (lo <= n <= hi)%Z -> In n (zint lo hi).
+Proof. intros H. unfold zint. apply in_map_iff. exists (Z.to_nat (n - lo)). rewrite in_seq. lia. Qed.
+Lemma I4_lt i : In i I4 <-> (i < 4)%nat.
+Proof. simpl. lia. Qed.
+
+Section Ring.
+Variables (A : Type) (aadd asub amul : A -> A -> A) (aofZ : Z -> A) (alt ale : A -> A -> bool).
+Variable phi : A -> R.
+Hypothesis phi_add : forall x y, phi (aadd x y) = (phi x + phi y)%R.
+Hypothesis phi_sub : forall x y, phi (asub x y) = (phi x - phi y)%R.
+Hypothesis phi_mul : forall x y, phi (amul x y) = (phi x * phi y)%R.
+Hypothesis phi_Z : forall z, phi (aofZ z) = IZR z.
+Hypothesis alt_ok : forall x y, alt x y = true -> (phi x < phi y)%R.
+Hypothesis ale_ok : forall x y, ale x y = true -> (phi x <= phi y)%R.
+
+(* the operations of Checker.v, over this ring *)
+Notation v3 := (v3 A).
+Notation V3 := (V3 A).
+Notation vX := (vX A).
+Notation vY := (vY A).
+Notation vZ := (vZ A).
+Notation vadd := (vadd A aadd).
+Notation vsub := (vsub A asub).
+Notation kdet3 := (kdet3 A aadd asub amul).
+Notation kD := (kD A aadd asub amul).
+Notation zero := (zero A aofZ).
+Notation vzero := (vzero A aofZ).
+Notation vofZ := (vofZ A aofZ).
+Notation cert := (cert A).
+Notation kgram := (kgram A).
+Notation khalf := (khalf A).
+Notation ktet := (ktet A).
+Notation ka := (ka A).
+Notation kb := (kb A).
+Notation kc := (kc A).
+Notation kd := (kd A).
+Notation c_den := (c_den A).
+Notation c_gden := (c_gden A).
+Notation c_verts := (c_verts A).
+Notation c_tets := (c_tets A).
+Notation c_gram := (c_gram A).
+Notation c_rank := (c_rank A).
+Notation c_domain := (c_domain A).
+Notation c_cover := (c_cover A).
+Notation chk_cover := (chk_cover A aadd asub amul aofZ alt ale).
+Notation kvolume := (kvolume A aadd asub amul aofZ).
+Notation pos := (pos A aadd aofZ).
+Notation kpos := (kpos A aadd aofZ).
+Notation kL := (kL A aadd asub amul).
+Notation klev := (klev A aadd amul).
+Notation kvx := (kvx A).
+Notation kverts := (kverts A).
+Notation kgdot := (kgdot A aadd amul).
+Notation kgdet := (kgdet A aadd asub amul).
+Notation kac := (kac A aadd asub amul).
+Notation kpower := (kpower A aadd asub amul).
+Notation k11 := (k11 A).
+Notation k22 := (k22 A).
+Notation k33 := (k33 A).
+Notation k12 := (k12 A).
+Notation k13 := (k13 A).
+Notation k23 := (k23 A).
+Notation hn := (hn A).
+Notation hd := (hd A).
+Notation chk_vol := (chk_vol A aadd asub amul aofZ alt).
+Notation chk_mates := (chk_mates A aadd amul aofZ ale).
+Notation chk_mate := (chk_mate A aadd amul aofZ ale).
+Notation chk_wits := (chk_wits A aadd asub amul aofZ alt).
+Notation chk_wit1 := (chk_wit1 A aadd asub amul aofZ alt).
+Notation chk_box1 := (chk_box1 A asub aofZ alt).
+Notation chk_in := (chk_in A aadd asub amul aofZ alt).
+Notation outb := (outb A aadd asub amul aofZ alt).
+Notation chk_gram := (chk_gram A aadd asub amul aofZ alt).
+Notation chk_invariant := (chk_invariant A aofZ ale).
+Notation chk_inside := (chk_inside A aadd amul aofZ alt ale).
+Notation on_boundary := (on_boundary A aadd amul aofZ ale).
+Notation is_zero := (is_zero A aofZ ale).
+Notation positions := (positions A aadd aofZ).
+Notation check_tiling := (check_tiling A aadd asub amul aofZ alt ale).
+Notation check_statement := (check_statement A aadd asub amul aofZ alt ale).
+Notation check := (check A aadd asub amul aofZ alt ale).
+Notation all_six := (all_six A).
+Notation chk_cosine := (chk_cosine A aadd asub amul aofZ alt ale).
+Notation chk_power := (chk_power A aadd asub amul aofZ).
+
+(** ** What the ring operations mean *)
+Definition phi3 (v : v3) := Point (phi (vX v)) (phi (vY v)) (phi (vZ v)).
+Lemma phi3_add a b : phi3 (vadd a b) = add (phi3 a) (phi3 b).
+Proof. unfold phi3, Checker.vadd, add; cbn. rewrite !phi_add. auto. Qed.
+Lemma phi3_sub a b : phi3 (vsub a b) = sub (phi3 a) (phi3 b).
+Proof. unfold phi3, Checker.vsub, sub; cbn. rewrite !phi_sub. auto. Qed.
+Lemma phi_det3 a b c : phi (kdet3 a b c) = det (phi3 a) (phi3 b) (phi3 c).
+Proof. unfold Checker.kdet3, det, phi3; cbn [px py pz]. repeat rewrite ?phi_add, ?phi_sub, ?phi_mul. auto. Qed.
+Lemma phi_D a b c d : phi (kD a b c d) = orient (phi3 a) (phi3 b) (phi3 c) (phi3 d).
+Proof. unfold Checker.kD, orient. rewrite phi_det3, !phi3_sub. auto. Qed.
+Lemma phi3_ofZ den n : phi3 (vofZ den n) = vec (IZR den) n.
+Proof. destruct n as [[x y] z]. unfold Checker.vofZ, phi3, vec; cbn. rewrite !phi_Z, !mult_IZR. auto. Qed.
+Lemma phi_zero : phi zero = 0%R.
+Proof. unfold Checker.zero. apply phi_Z. Qed.
+Definition phiT (t : ktet) := Tetrahedron (phi3 (ka t)) (phi3 (kb t)) (phi3 (kc t)) (phi3 (kd t)).
+Lemma phi_L t i x : phi (kL t i x) = coord (phiT t) i (phi3 x).
+Proof. unfold Checker.kL, coord, side. destruct i as [|[|[|i]]]; cbn [kfc facet t1 t2 t3 phiT va vb vc vd]; apply phi_D. Qed.
+Lemma phi_vx t i : phi3 (kvx t i) = vx (phiT t) i.
+Proof. destruct i as [|[|[|i]]]; reflexivity. Qed.
+Definition phiH (H : khalf) := HalfSpace (phi3 (hn H)) (phi (hd H)).
+Lemma phi_lev H x : phi (klev H x) = level (phiH H) (phi3 x).
+Proof. unfold Checker.klev, level, phiH, dot, phi3; cbn [px py pz normal offset]. repeat rewrite ?phi_add, ?phi_mul. ring. Qed.
+Definition phiG (g : kgram) := Gram (phi (k11 g)) (phi (k22 g)) (phi (k33 g)) (phi (k12 g)) (phi (k13 g)) (phi (k23 g)).
+Lemma phi_gdot g u v : phi (kgdot g u v) = gdot (phiG g) (phi3 u) (phi3 v).
+Proof. unfold Checker.kgdot, gdot, phiG, phi3; cbn [g11 g22 g33 g12 g13 g23 px py pz]. repeat rewrite ?phi_add, ?phi_sub, ?phi_mul. ring. Qed.
+Lemma phi_gdet g : phi (kgdet g) = gdet (phiG g).
+Proof. unfold Checker.kgdet, gdet, phiG; cbn [g11 g22 g33 g12 g13 g23]. repeat rewrite ?phi_add, ?phi_sub, ?phi_mul. ring. Qed.
+Lemma phi_power g t x : phi (kpower g t x) = power_sum (phiG g) (phiT t) (phi3 x).
+Proof.
+  unfold Checker.kpower, power_sum, ksq, sq. repeat rewrite ?phi_add, ?phi_mul. rewrite !phi_L, !phi_gdot, !phi3_sub. reflexivity.
+Qed.
+
+(** ** What a certificate denotes
+
+    Corner (v, n) is the point with basis coordinates c_verts[v]/c_den + n. *)
+Section Denote.
+Local Open Scope R_scope.
+Variables (c : cert) (l1 l2 l3 : point).
+Definition dcorner (q : corner) : point :=
+  let v := nth (N.to_nat (fst q)) (c_verts c) vzero in let '(x, y, z) := snd q in let d := IZR (c_den c) in
+  at_coordinates l1 l2 l3 (Point (phi (vX v) / d + IZR x) (phi (vY v) / d + IZR y) (phi (vZ v) / d + IZR z)).
+Definition dtet (k : nat) : tetrahedron :=
+  match nth_error (c_tets c) k with
+  | Some t => Tetrahedron (dcorner (q0 t)) (dcorner (q1 t)) (dcorner (q2 t)) (dcorner (q3 t))
+  | None => Tetrahedron origin origin origin origin
+  end.
+Definition dhalf (H : khalf) := HalfSpace (phi3 (hn H)) (phi (hd H) / IZR (c_den c)).
+Definition ddomain := domain l1 l2 l3 (map dhalf (c_domain c)).
+Definition dgram :=
+  let s := IZR (c_gden c) in let g := c_gram c in
+  Gram (phi (k11 g) / s) (phi (k22 g) / s) (phi (k33 g) / s) (phi (k12 g) / s) (phi (k13 g) / s) (phi (k23 g) / s).
+End Denote.
+
+Open Scope R_scope.
+Section Sound.
+Variable c : cert.
+Let den := c_den c.
+Let h := IZR den.
+Let vs := c_verts c.
+Let N := length (c_tets c).
+Let r := c_rank c.
+Let Hs := map phiH (c_domain c).
+Definition cT (k : nat) : tetrahedron :=
+  match nth_error (c_tets c) k with Some t => phiT (kpos den vs t) | None => phiT (KT A vzero vzero vzero vzero) end.
+Definition cM (k i : nat) : option (nat * nat * Z3) :=
+  match nth_error (c_tets c) k with
+  | Some t => match mt t i with Some (k', i', d) => Some (N.to_nat k', N.to_nat i', d) | None => None end
+  | None => None end.
+Notation piece := (piece cT h).
+Notation valid := (valid N (latb r)).
+
+Hypothesis CHK : check_tiling c = true.
+
+Lemma chk_all :
+  (0 < den)%Z /\ (0 < c_gden c)%Z /\ (r <= 3)%nat /\ (forall t, In t (c_tets c) -> chk_vol (kpos den vs t) = true) /\
+  (forall H, In H (c_domain c) -> chk_invariant r H = true /\ chk_inside (positions c) H = true) /\
+  chk_mates r (c_domain c) (c_tets c) (kpos den vs) 0 (c_tets c) = true /\
+  chk_cover c = true /\
+  chk_gram (c_gram c) = true.
+Proof.
+  pose proof CHK as H. unfold Checker.check_tiling in H. cbv zeta in H. fold den vs r in H. rewrite !andb_true_iff in H.
+  destruct H as [[[[[[[H1 H1'] H1''] H2] H3] H6] H7] H9].
+  unfold Checker.positions in H2. fold den vs in H2.
+  repeat split; auto.
+  - apply Z.ltb_lt; auto.
+  - apply Z.ltb_lt; auto.
+  - apply Nat.leb_le; auto.
+  - intros t Ht. rewrite forallb_forall in H2. apply H2, in_map; auto.
+  - rewrite forallb_forall in H3. specialize (H3 H H0). apply andb_true_iff in H3. apply H3.
+  - rewrite forallb_forall in H3. specialize (H3 H H0). apply andb_true_iff in H3. apply H3.
+Qed.
+
+Lemma h_pos : 0 < h.
+Proof. destruct chk_all as [H _]. unfold h. apply IZR_lt; auto. Qed.
+Lemma gden_pos : 0 < IZR (c_gden c).
+Proof. destruct chk_all as [_ [H _]]. apply IZR_lt; auto. Qed.
+
+Lemma get k : (k < N)%nat -> exists t, nth_error (c_tets c) k = Some t /\ In t (c_tets c).
+Proof.
+  intros Hk. destruct (nth_error (c_tets c) k) as [t|] eqn:E.
+  - exists t. split; auto. eapply nth_error_In; eauto.
+  - apply nth_error_None in E. unfold N in Hk. lia.
+Qed.
+Lemma cT_eq k t : nth_error (c_tets c) k = Some t -> cT k = phiT (kpos den vs t).
+Proof. intros E. unfold cT. rewrite E. auto. Qed.
+
+Lemma cvol k : (k < N)%nat -> 0 < vol (cT k).
+Proof.
+  intros Hk. destruct (get k Hk) as [t [E I]]. rewrite (cT_eq k t E).
+  destruct chk_all as [_ [_ [_ [H _]]]]. specialize (H t I). unfold Checker.chk_vol in H. apply alt_ok in H.
+  rewrite phi_zero, phi_D in H. exact H.
+Qed.
+Lemma pvol k n : (k < N)%nat -> 0 < vol (piece (k, n)).
+Proof. intros Hk. unfold Degree.piece; cbn [fst snd]. rewrite vol_ttr. apply cvol; auto. Qed.
+
+(** *** The domain *)
+Lemma is_zero_ok x : is_zero x = true -> phi x = 0.
+Proof. unfold Checker.is_zero. rewrite andb_true_iff. intros [H1 H2]. apply ale_ok in H1, H2. rewrite phi_zero in *. lra. Qed.
+Lemma cinvariant H : In H Hs -> invariant r H.
+Proof.
+  unfold Hs. rewrite in_map_iff. intros [K [<- HK]]. destruct chk_all as [_ [_ [_ [_ [D _]]]]]. destruct (D K HK) as [D1 _].
+  unfold Checker.chk_invariant in D1. rewrite !andb_true_iff in D1. destruct D1 as [[D1 D2] D3].
+  unfold invariant, phiH, phi3; cbn [normal px py pz].
+  split; [|split]; intros L; apply is_zero_ok.
+  - destruct (Nat.leb_spec 1 r); [exact D1|lia].
+  - destruct (Nat.leb_spec 2 r); [exact D2|lia].
+  - destruct (Nat.leb_spec 3 r); [exact D3|lia].
+Qed.
+Lemma phiT_verts t v : In v (verts (phiT t)) <-> exists w, In w (kverts t) /\ v = phi3 w.
+Proof.
+  unfold verts, phiT, Checker.kverts; cbn. split.
+  - intros [<-|[<-|[<-|[<-|[]]]]]; eauto 8.
+  - intros [w [[<-|[<-|[<-|[<-|[]]]]] ->]]; auto.
+Qed.
+Lemma clevel k n H : (k < N)%nat -> latb r n = true -> In H Hs ->
+  (forall v, In v (verts (piece (k, n))) -> 0 <= level H v) /\ (exists v, In v (verts (piece (k, n))) /\ 0 < level H v).
+Proof.
+  intros Hk Hn HI. pose proof (cinvariant H HI) as INV. destruct (get k Hk) as [t [E I]].
+  assert (SH : forall x, level H (add x (vec h n)) = level H x) by (intros; apply level_shift with (r := r); auto; apply latb_iff; auto).
+  assert (VP : forall v, In v (verts (piece (k, n))) <-> exists w, In w (verts (cT k)) /\ v = add w (vec h n)).
+  { intros v. unfold Degree.piece, translate; cbn [fst snd]. unfold verts; cbn. split.
+    - intros [<-|[<-|[<-|[<-|[]]]]]; eauto 8.
+    - intros [w [[<-|[<-|[<-|[<-|[]]]]] ->]]; auto. }
+  unfold Hs in HI. apply in_map_iff in HI as [K [<- HK]]. destruct chk_all as [_ [_ [_ [_ [D _]]]]]. destruct (D K HK) as [_ D2].
+  unfold Checker.chk_inside in D2. rewrite forallb_forall in D2.
+  specialize (D2 (kpos den vs t)). rewrite andb_true_iff, forallb_forall, existsb_exists in D2.
+  destruct D2 as [D2 D3]. { unfold Checker.positions. fold den vs. apply in_map; auto. }
+  split.
+  - intros v Hv. apply VP in Hv as [w [Hw ->]]. rewrite SH. rewrite (cT_eq k t E) in Hw. apply phiT_verts in Hw as [w' [Hw' ->]].
+    specialize (D2 w' Hw'). apply ale_ok in D2. rewrite phi_zero, phi_lev in D2. auto.
+  - destruct D3 as [w [Hw D3]]. apply alt_ok in D3. rewrite phi_zero, phi_lev in D3.
+    exists (add (phi3 w) (vec h n)). rewrite SH. split; auto. apply VP. exists (phi3 w). split; auto.
+    rewrite (cT_eq k t E). apply phiT_verts. eauto.
+Qed.
+Lemma cdom_inside cc x : valid cc -> inside (piece cc) x -> open_domain Hs x.
+Proof.
+  destruct cc as [k n]. intros [Hk Hn] I H HI. cbn [fst snd] in *. destruct (clevel k n H Hk Hn HI) as [L1 L2].
+  apply (level_inside H (piece (k, n)) x); auto. apply pvol; auto.
+Qed.
+Lemma cdom_closed cc x : valid cc -> closed (piece cc) x -> forall H, In H Hs -> 0 <= level H x.
+Proof.
+  destruct cc as [k n]. intros [Hk Hn] I H HI. cbn [fst snd] in *. destruct (clevel k n H Hk Hn HI) as [L1 L2].
+  apply (level_closed H (piece (k, n)) x); auto. apply pvol; auto.
+Qed.
+
+(** *** The pairing *)
+Definition rp (q : corner) : point := phi3 (pos den vs q).
+Lemma rp_shift d q : rp (cshift d q) = add (rp q) (vec h d).
+Proof.
+  unfold rp, Checker.pos, cshift; cbn [fst snd]. rewrite !phi3_add, !phi3_ofZ. fold h. rewrite vec_add, padd_assoc. auto.
+Qed.
+Definition rtri (f : corner * corner * corner) := let '(a,b,c) := f in Triangle (rp a) (rp b) (rp c).
+Lemma rtri_fc t i : rtri (cfc t i) = facet (phiT (kpos den vs t)) i.
+Proof. destruct i as [|[|[|i]]]; reflexivity. Qed.
+Lemma codd_oddm d f g : codd d f g = true -> opposite (rtri f) (translate_triangle (vec h d) (rtri g)).
+Proof.
+  destruct f as [[a b] c0], g as [[a' b'] c']. unfold codd, opposite, translate_triangle, rtri; cbn [t1 t2 t3].
+  rewrite !orb_true_iff, !andb_true_iff, !ceqb_t. rewrite <- !rp_shift.
+  intros [[[[-> ->] ->]|[[-> ->] ->]]|[[-> ->] ->]]; auto.
+Qed.
+Lemma chk_mates_spec ps : forall ts k, chk_mates r (c_domain c) (c_tets c) ps k ts = true ->
+  forall j t i, nth_error ts j = Some t -> In i I4 -> chk_mate r (c_domain c) (c_tets c) (k + j) t (ps t) i = true.
+Proof.
+  induction ts as [|t0 ts IH]; intros k H j t i E Hi.
+  - destruct j; discriminate.
+  - cbn [Checker.chk_mates] in H. apply andb_true_iff in H as [H1 H2]. destruct j as [|j].
+    + injection E as <-. rewrite Nat.add_0_r. rewrite forallb_forall in H1. apply (H1 i Hi).
+    + replace (k + S j)%nat with (S k + j)%nat by lia. apply (IH (S k)); auto.
+Qed.
+Lemma vx_translate' u t i : vx (translate u t) i = add (vx t i) u.
+Proof. destruct i as [|[|[|i]]]; reflexivity. Qed.
+Lemma vx_In t i : In i I4 -> In (vx t i) (verts t).
+Proof. intros Hi. simpl in Hi. destruct Hi as [<-|[<-|[<-|[<-|[]]]]]; simpl; auto. Qed.
+
+(** A boundary facet lies in a boundary plane. *)
+Lemma cboundary k n i : (k < N)%nat -> latb r n = true -> In i I4 -> cM k i = None ->
+  exists H, In H Hs /\ forall j, In j I4 -> j <> i -> level H (vx (piece (k, n)) j) = 0.
+Proof.
+  intros Hk Hn Hi E. destruct (get k Hk) as [t [Et It]].
+  destruct chk_all as [_ [_ [_ [_ [_ [M _]]]]]].
+  pose proof (chk_mates_spec _ _ 0 M k t i Et Hi) as C. cbn [Nat.add] in C. unfold Checker.chk_mate in C.
+  unfold cM in E. rewrite Et in E. destruct (mt t i) as [[[k' i'] d]|]; [discriminate|].
+  unfold Checker.on_boundary in C. apply existsb_exists in C as [K [HK C]]. rewrite forallb_forall in C.
+  exists (phiH K). assert (HI : In (phiH K) Hs) by (unfold Hs; apply in_map; auto). split; auto.
+  intros j Hj Ne. destruct (clevel k n _ Hk Hn HI) as [L1 _].
+  pose proof (L1 _ (vx_In (piece (k, n)) j Hj)) as P0.
+  unfold Degree.piece in *; cbn [fst snd] in *. rewrite vx_translate' in *.
+  rewrite (level_shift r) in * by (auto using cinvariant; apply latb_iff; auto).
+  specialize (C j Hj). destruct (Nat.eqb_spec j i); [lia|]. apply ale_ok in C.
+  rewrite phi_zero, phi_lev, phi_vx in C. rewrite (cT_eq k t Et) in *. lra.
+Qed.
+
+Lemma cmate k i : (k < N)%nat -> In i I4 ->
+  match cM k i with
+  | Some (k', i', d) =>
+    (k' < N)%nat /\ In i' I4 /\ latb r d = true /\ cM k' i' = Some (k, i, zopp3 d) /\
+    opposite (facet (cT k) i) (facet (translate (vec h d) (cT k')) i')
+  | None => forall n y, latb r n = true -> open_domain Hs y -> 0 < coord (piece (k, n)) i y
+  end.
+Proof.
+  intros Hk Hi. destruct (cM k i) as [[[k1 i1] d1]|] eqn:EM.
+  - destruct (get k Hk) as [t [E I]].
+    destruct chk_all as [_ [_ [_ [_ [_ [M _]]]]]].
+    pose proof (chk_mates_spec _ _ 0 M k t i E Hi) as C. cbn [Nat.add] in C. unfold Checker.chk_mate in C.
+    unfold cM in EM. rewrite E in EM. destruct (mt t i) as [[[k' i'] d]|] eqn:Em; [|discriminate]. injection EM as <- <- <-.
+    rewrite !andb_true_iff in C. destruct C as [[C1 C0] C2]. apply N.ltb_lt in C1.
+    destruct (nth_error (c_tets c) (N.to_nat k')) as [t'|] eqn:E'; [|discriminate].
+    apply andb_true_iff in C2 as [C2 C3]. apply meqb_t in C2. apply codd_oddm in C3.
+    split; [|split; [|split; [|split]]]; auto.
+    + apply nth_error_Some. rewrite E'. discriminate.
+    + apply I4_lt. lia.
+    + unfold cM. rewrite E', C2. rewrite !Nnat.Nat2N.id. auto.
+    + rewrite (cT_eq k t E), (cT_eq _ t' E'). rewrite facet_translate, <- !rtri_fc. exact C3.
+  - intros n y Hn Hy. destruct (cboundary k n i Hk Hn Hi EM) as [H [HI Z]].
+    destruct (clevel k n H Hk Hn HI) as [L1 _].
+    apply (level_boundary H (piece (k, n)) i y); auto.
+    + apply pvol; auto.
+    + apply L1, vx_In; auto.
+Qed.
+
+(** *** The covering condition, by a witness point *)
+Section Witness.
+Variables (wk : nat) (wp : v3) (boxes : list (Z3 * Z3)).
+Hypothesis Hin : exists t, nth_error (c_tets c) wk = Some t /\ chk_in (kpos den vs t) wp = true.
+Hypothesis Hwits : chk_wits den r wk wp 0 (map (kpos den vs) (c_tets c)) boxes = true.
+
+Lemma cwk : (wk < N)%nat.
+Proof. destruct Hin as [t [E _]]. apply nth_error_Some. rewrite E. discriminate. Qed.
+Definition w0 := phi3 wp.
+Lemma cwin : inside (cT wk) w0.
+Proof.
+  destruct Hin as [t [E H]]. rewrite (cT_eq _ t E). unfold Checker.chk_in in H.
+  rewrite forallb_forall in H. intros i Hi. specialize (H i Hi). apply alt_ok in H. rewrite phi_zero, phi_L in H. exact H.
+Qed.
+Lemma chk_wits_spec : forall ts bs k, chk_wits den r wk wp k ts bs = true ->
+  forall j t, nth_error ts j = Some t -> exists b, chk_wit1 den r wk wp (k + j) t b = true.
+Proof.
+  induction ts as [|t0 ts IH]; intros bs k H j t E.
+  - destruct j; discriminate.
+  - destruct bs as [|b bs]; [discriminate|].
+    cbn [Checker.chk_wits] in H. apply andb_true_iff in H as [H1 H2]. destruct j as [|j].
+    + injection E as <-. rewrite Nat.add_0_r. eauto.
+    + replace (k + S j)%nat with (S k + j)%nat by lia. apply (IH bs (S k)); auto.
+Qed.
+Lemma convex_range a b cc d va' vb' vc' vd' u :
+  0 <= a -> 0 <= b -> 0 <= cc -> 0 <= d -> a + b + cc + d = 1 ->
+  u = a * va' + b * vb' + (cc * vc' + d * vd') ->
+  (va' < u -> vb' < u -> vc' < u -> vd' < u -> False) /\ (u < va' -> u < vb' -> u < vc' -> u < vd' -> False).
+Proof.
+  intros Ha Hb Hc Hd S ->. split; intros H1 H2 H3 H4;
+  set (u := a * va' + b * vb' + (cc * vc' + d * vd')) in *;
+  assert (Z : a * (u - va') + b * (u - vb') + cc * (u - vc') + d * (u - vd') = 0)
+   by (replace 0 with (u * (a + b + cc + d) - u) by (rewrite S; ring); unfold u; ring).
+  - assert (0 <= a * (u - va')) by (apply Rmult_le_pos; lra). assert (0 <= b * (u - vb')) by (apply Rmult_le_pos; lra).
+    assert (0 <= cc * (u - vc')) by (apply Rmult_le_pos; lra). assert (0 <= d * (u - vd')) by (apply Rmult_le_pos; lra).
+    destruct (Req_EM_T a 0); [|assert (0 < a * (u - va')) by (apply Rmult_lt_0_compat; lra); lra].
+    destruct (Req_EM_T b 0); [|assert (0 < b * (u - vb')) by (apply Rmult_lt_0_compat; lra); lra].
+    destruct (Req_EM_T cc 0); [|assert (0 < cc * (u - vc')) by (apply Rmult_lt_0_compat; lra); lra].
+    assert (0 < d * (u - vd')) by (apply Rmult_lt_0_compat; lra). lra.
+  - assert (0 <= a * (va' - u)) by (apply Rmult_le_pos; lra). assert (0 <= b * (vb' - u)) by (apply Rmult_le_pos; lra).
+    assert (0 <= cc * (vc' - u)) by (apply Rmult_le_pos; lra). assert (0 <= d * (vd' - u)) by (apply Rmult_le_pos; lra).
+    destruct (Req_EM_T a 0); [|assert (0 < a * (va' - u)) by (apply Rmult_lt_0_compat; lra); lra].
+    destruct (Req_EM_T b 0); [|assert (0 < b * (vb' - u)) by (apply Rmult_lt_0_compat; lra); lra].
+    destruct (Req_EM_T cc 0); [|assert (0 < cc * (vc' - u)) by (apply Rmult_lt_0_compat; lra); lra].
+    assert (0 < d * (vd' - u)) by (apply Rmult_lt_0_compat; lra). lra.
+Qed.
+
+Lemma closed_ttr u t x : closed (translate u t) x <-> closed t (sub x u).
+Proof.
+  assert (K : forall i, coord (translate u t) i x = coord t i (sub x u)).
+  { intros i. unfold coord, side. rewrite facet_translate. unfold translate_triangle; cbn [t1 t2 t3]. unf. ring. }
+  unfold closed. split; intros H i Hi; specialize (H i Hi); rewrite K in *; auto.
+Qed.
+
+(* one coordinate of the bounding-box argument *)
+Lemma box_ok (pr : v3 -> A) (pr' : point -> R) t n y lo hi :
+  (forall v, pr' (phi3 v) = phi (pr v)) ->
+  (forall a b, pr' (add a b) = pr' a + pr' b) -> (forall s a, pr' (scale s a) = s * pr' a) ->
+  chk_box1 den pr t wp lo hi = true ->
+  0 < vol (phiT t) -> closed (phiT t) y -> pr' y = phi (pr wp) - h * IZR n ->
+  In n (zint lo hi).
+Proof.
+  intros P1 P2 P3 Bx V C Ey.
+  destruct (proj2 (hull_closed _ _ V) C) as [a [b [cc [d [Ha [Hb [Hc [Hd [S E]]]]]]]]].
+  assert (E' : pr' y = a * phi (pr (ka t)) + b * phi (pr (kb t)) + (cc * phi (pr (kc t)) + d * phi (pr (kd t)))).
+  { rewrite E. unfold combination, phiT; cbn [va vb vc vd]. rewrite !P2, !P3, !P1. auto. }
+  clear E. destruct (convex_range a b cc d _ _ _ _ _ Ha Hb Hc Hd S E') as [R1 R2].
+  unfold Checker.chk_box1 in Bx. cbv zeta in Bx. repeat rewrite andb_true_iff in Bx.
+  destruct Bx as [[[[X1 X2] X3] X4] [[[Y1 Y2] Y3] Y4]].
+  apply alt_ok in X1, X2, X3, X4, Y1, Y2, Y3, Y4.
+  rewrite phi_sub, phi_Z, mult_IZR in *. fold h in X1, X2, X3, X4, Y1, Y2, Y3, Y4. pose proof h_pos as hp.
+  apply zint_In. split; apply Z.nlt_ge; intros K.
+  - assert (K' : (n <= lo - 1)%Z) by lia. apply IZR_le in K'.
+    assert (h * IZR n <= h * IZR (lo - 1)) by (apply Rmult_le_compat_l; lra). apply R1; lra.
+  - assert (K' : (hi + 1 <= n)%Z) by lia. apply IZR_le in K'.
+    assert (h * IZR (hi + 1) <= h * IZR n) by (apply Rmult_le_compat_l; lra). apply R2; lra.
+Qed.
+
+Lemma cwit cc : valid cc -> closed (piece cc) w0 -> cc = (wk, z30).
+Proof.
+  destruct cc as [k n]. intros [Hk Hn] C. cbn [fst snd] in Hk, Hn. destruct (get k Hk) as [t [E I]].
+  pose proof Hwits as H.
+  assert (E' : nth_error (map (kpos den vs) (c_tets c)) k = Some (kpos den vs t)).
+  { rewrite nth_error_map, E. reflexivity. }
+  destruct (chk_wits_spec _ _ 0%nat H k _ E') as [bx X]. cbn [Nat.add] in X.
+  pose proof (cvol k Hk) as V. unfold Degree.piece in C; cbn [fst snd] in C. rewrite (cT_eq k t E) in C, V.
+  set (kt := kpos den vs t) in *.
+  apply closed_ttr in C. apply latb_iff in Hn. destruct n as [[n1 n2] n3]. destruct bx as [[[lx ly] lz] [[hx hy] hz]].
+  unfold Checker.chk_wit1 in X. repeat rewrite andb_true_iff in X. destruct X as [[[B1 B2] B3] X].
+  rewrite forallb_forall in X. specialize (X (n1, n2, n3)). rewrite !in_prod_iff in X.
+  assert (Q : (if Nat.eqb k wk && z3eqb (n1, n2, n3) z30 then true else outb den kt wp (n1, n2, n3)) = true).
+  { apply X. split; [split|].
+    - destruct (Nat.leb_spec 1 r).
+      + apply box_ok with (pr := vX) (pr' := px) (t := kt) (y := sub w0 (vec h (n1,n2,n3))); auto.
+      + left. replace r with 0%nat in Hn by lia. symmetry; apply Hn.
+    - destruct (Nat.leb_spec 2 r).
+      + apply box_ok with (pr := vY) (pr' := py) (t := kt) (y := sub w0 (vec h (n1,n2,n3))); auto.
+      + left. destruct r as [|[|]]; [| |lia]; symmetry; apply Hn.
+    - destruct (Nat.leb_spec 3 r).
+      + apply box_ok with (pr := vZ) (pr' := pz) (t := kt) (y := sub w0 (vec h (n1,n2,n3))); auto.
+      + left. destruct r as [|[|[|]]]; [| | |lia]; symmetry; apply Hn. }
+  destruct (Nat.eqb k wk && z3eqb (n1, n2, n3) z30) eqn:Q'.
+  - apply andb_true_iff in Q' as [Q1 Q2]. apply Nat.eqb_eq in Q1. apply z3eqb_t in Q2. congruence.
+  - exfalso. unfold Checker.outb in Q. rewrite existsl_eq in Q. apply existsb_exists in Q as [i [Hi Q]]. apply alt_ok in Q.
+    rewrite phi_zero, phi_L, phi3_sub, phi3_ofZ in Q. specialize (C i Hi). fold h w0 in Q. lra.
+Qed.
+
+Lemma witness_once : covered_once N cT h (latb r) (open_domain Hs).
+Proof.
+  apply (witness_covers_once N cT h (latb r) (open_domain Hs) cM h_pos (latb_zero r) (latb_add r) (open_domain_convex Hs)
+    cdom_inside cvol cmate wk w0 cwk cwin cwit).
+Qed.
+End Witness.
+
+(** *** The covering condition, by the volume sum *)
+Lemma kvolume_sum : phi (kvolume (map (kpos den vs) (c_tets c))) = rsum (fun k => vol (cT k)) (seq 0 N).
+Proof.
+  assert (X : forall ts s f, (forall j t, nth_error ts j = Some t -> f (s + j)%nat = vol (phiT (kpos den vs t))) ->
+     phi (kvolume (map (kpos den vs) ts)) = rsum f (seq s (length ts))).
+  { induction ts as [|t ts IH]; intros s f H.
+    - apply phi_zero.
+    - cbn [map Checker.kvolume fold_right length seq rsum]. rewrite phi_add, phi_D.
+      change (fold_right _ zero (map (kpos den vs) ts)) with (kvolume (map (kpos den vs) ts)).
+      rewrite (IH (S s) f).
+      + f_equal. specialize (H 0%nat t eq_refl). rewrite Nat.add_0_r in H. rewrite H. reflexivity.
+      + intros j t' E. replace (S s + j)%nat with (s + S j)%nat by lia. apply H. exact E. }
+  apply X. intros j t E. cbn [Nat.add]. rewrite (cT_eq j t E). reflexivity.
+Qed.
+Lemma volume_once : chk_volume A aadd asub amul aofZ ale den r (c_tets c) (positions c) = true ->
+  (0 < N)%nat /\ covered_once N cT h (latb r) (open_domain Hs).
+Proof.
+  unfold chk_volume. rewrite !andb_true_iff. intros [[Hr HP] HV]. apply Nat.eqb_eq in Hr.
+  apply is_zero_ok in HV. unfold Checker.positions in HV. fold den vs in HV. rewrite phi_sub, kvolume_sum, phi_Z, !mult_IZR in HV. fold h in HV.
+  pose proof h_pos as hp. assert (H3 : 0 < h * h * h) by (repeat apply Rmult_lt_0_compat; auto).
+  split.
+  - destruct (Nat.eq_dec N 0) as [Z|Z]; [|lia]. exfalso. rewrite Z in HV. cbn [seq rsum] in HV. lra.
+  - apply volume_covers_once with (mate := cM).
+    + exact hp.
+    + intros [[x y] z]. rewrite Hr. reflexivity.
+    + exact cvol.
+    + intros k i Hk Hi. pose proof (cmate k i Hk Hi) as M. destruct (cM k i) as [[[k' i'] d]|] eqn:E; [tauto|].
+      destruct (get k Hk) as [t [Et It]]. rewrite forallb_forall in HP. specialize (HP t It).
+      unfold is_paired in HP. rewrite forallb_forall in HP. specialize (HP i Hi).
+      unfold cM in E. rewrite Et in E. destruct (mt t i) as [[[? ?] ?]|]; discriminate.
+    + lra.
+Qed.
+
+Lemma cover_once : (0 < N)%nat /\ covered_once N cT h (latb r) (open_domain Hs).
+Proof.
+  destruct chk_all as [_ [_ [_ [_ [_ [_ [H _]]]]]]]. unfold Checker.chk_cover in H. cbv zeta in H. fold den r in H.
+  destruct (c_cover c) as [|wk wp boxes].
+  - apply volume_once; auto.
+  - apply andb_true_iff in H as [H1 H2]. unfold Checker.positions in H1, H2. fold den vs in H1, H2. rewrite nth_error_map in H1.
+    assert (Hin : exists t, nth_error (c_tets c) (N.to_nat wk) = Some t /\ chk_in (kpos den vs t) wp = true).
+    { destruct (nth_error (c_tets c) (N.to_nat wk)) as [t|]; [|discriminate]. exists t. split; auto. }
+    split; [pose proof (cwk _ _ Hin); lia | apply (witness_once _ _ _ Hin H2)].
+Qed.
+Lemma cN : (0 < N)%nat.
+Proof. apply cover_once. Qed.
+Lemma conce : covered_once N cT h (latb r) (open_domain Hs).
+Proof. apply cover_once. Qed.
+
+Lemma cgram : gpos (phiG (c_gram c)).
+Proof.
+  destruct chk_all as [_ [_ [_ [_ [_ [_ [_ H]]]]]]]. unfold Checker.chk_gram in H. rewrite !andb_true_iff in H.
+  destruct H as [[H1 H2] H3]. apply alt_ok in H1, H2, H3. rewrite phi_zero in *.
+  rewrite phi_gdet in H3. rewrite phi_sub, !phi_mul in H2. unfold gpos, phiG at 1 2 3 4 5; cbn. auto.
+Qed.
+
+(** *** In Euclidean space *)
+Section Basis.
+Variables l1 l2 l3 : point.
+Hypothesis HG : has_gram (dgram c) l1 l2 l3.
+Let b1 := scale (/ h) l1.
+Let b2 := scale (/ h) l2.
+Let b3 := scale (/ h) l3.
+Let e := E b1 b2 b3.
+Let G := phiG (c_gram c).
+Let s := / h * / h * / IZR (c_gden c).
+Definition cP (k : nat) : tetrahedron := Pk cT h l1 l2 l3 k.
+
+Lemma s_pos : 0 < s.
+Proof. unfold s. pose proof (Rinv_0_lt_compat h h_pos). pose proof (Rinv_0_lt_compat _ gden_pos). repeat apply Rmult_lt_0_compat; auto. Qed.
+(** The inner product of images: s times that of the Gram matrix. *)
+Lemma dot_e u v : dot (e u) (e v) = s * gdot G u v.
+Proof.
+  assert (K : dot (e u) (e v) = / h * / h * gdot (dgram c) u v).
+  { rewrite <- (gram_dot (dgram c) l1 l2 l3 u v HG). unfold e, dot, E, at_coordinates, b1, b2, b3. unf. ring. }
+  rewrite K. unfold s, gdot, dgram, G, phiG; cbn [g11 g22 g33 g12 g13 g23]. unfold Rdiv. ring.
+Qed.
+Lemma cdet : det l1 l2 l3 <> 0.
+Proof.
+  pose proof (gram_det _ _ _ _ HG) as H. destruct cgram as [_ [_ D]]. intros Z. rewrite Z in H.
+  assert (K : gdet (dgram c) = / IZR (c_gden c) * / IZR (c_gden c) * / IZR (c_gden c) * gdet G).
+  { unfold gdet, dgram, G, phiG; cbn [g11 g22 g33 g12 g13 g23]. unfold Rdiv. ring. }
+  pose proof (Rinv_0_lt_compat _ gden_pos).
+  assert (0 < gdet (dgram c)) by (rewrite K; repeat apply Rmult_lt_0_compat; auto). lra.
+Qed.
+Lemma cdetb : det b1 b2 b3 <> 0.
+Proof. apply det_scl0; [apply h_pos|apply cdet]. Qed.
+
+Lemma rp_dcorner q : e (rp q) = dcorner c l1 l2 l3 q.
+Proof.
+  pose proof h_pos as hp. unfold rp, Checker.pos, dcorner. rewrite phi3_add, phi3_ofZ. fold den vs h.
+  destruct (snd q) as [[x y] z]. cbv zeta.
+  assert (K : forall u n, (u + h * IZR n) * / h = u / h + IZR n) by (intros; field; lra).
+  unfold e, E, b1, b2, b3, at_coordinates, vec, add, scale, phi3; cbn [px py pz]. apply point_eq; cbn [px py pz]; rewrite <- !K; ring.
+Qed.
+Lemma dtet_cP : dtet c l1 l2 l3 = cP.
+Proof.
+  apply functional_extensionality. intros k. unfold cP, Pk, cT, dtet. destruct (nth_error (c_tets c) k) as [t|].
+  - unfold Euclid.Et, phiT, Checker.kpos; cbn [Checker.ka Checker.kb Checker.kc Checker.kd va vb vc vd].
+    change (E (scale (/ h) l1) (scale (/ h) l2) (scale (/ h) l3)) with e.
+    change (phi3 (pos den vs (q0 t))) with (rp (q0 t)). change (phi3 (pos den vs (q1 t))) with (rp (q1 t)).
+    change (phi3 (pos den vs (q2 t))) with (rp (q2 t)). change (phi3 (pos den vs (q3 t))) with (rp (q3 t)).
+    rewrite !rp_dcorner. reflexivity.
+  - unfold Euclid.Et, phiT; cbn [Checker.ka Checker.kb Checker.kc Checker.kd va vb vc vd].
+    assert (K : E (scale (/ h) l1) (scale (/ h) l2) (scale (/ h) l3) (phi3 vzero) = origin).
+    { unfold phi3, Checker.vzero; cbn [Checker.vX Checker.vY Checker.vZ]. rewrite phi_zero.
+      unfold E, at_coordinates, origin, add, scale; cbn [px py pz]. apply point_eq; cbn [px py pz]; ring. }
+    rewrite K. reflexivity.
+Qed.
+Lemma dhalf_descale : map (dhalf c) (c_domain c) = map (descale h) Hs.
+Proof. unfold Hs. rewrite map_map. reflexivity. Qed.
+
+Lemma nonempty_domain : exists z, open_domain Hs z.
+Proof.
+  exists (centroid (piece (0%nat, z30))). apply (cdom_inside (0%nat, z30)).
+  - split; [apply cN | apply latb_zero].
+  - apply cen_inter, pvol, cN.
+Qed.
+
+Theorem tiling_sound : face_to_face_tiling l1 l2 l3 r (ddomain c l1 l2 l3) N (dtet c l1 l2 l3).
+Proof.
+  rewrite dtet_cP. unfold ddomain. rewrite dhalf_descale.
+  apply transfer.
+  - apply h_pos.
+  - apply cdet.
+  - apply cvol.
+  - intros cc x Hc C H HI. apply (cdom_closed cc x); auto.
+  - intros x Hx. apply (cover N cT h (latb r) (open_domain Hs) h_pos (open_domain_open Hs) cvol conce). destruct nonempty_domain as [z Hz]. apply domain_closure with (z := z); auto.
+  - apply (disjoint_closed N cT h (latb r) (open_domain Hs) cdom_inside cvol conce).
+  - apply (face_to_face N cT h (latb r) (open_domain Hs) cM h_pos (latb_add r) (open_domain_convex Hs)
+      cdom_inside cvol cmate conce).
+  - intros M. destruct (range N cT h (latb r) h_pos cvol M) as [K HK]. exists (cells N (latb r) K). exact HK.
+Qed.
+
+(** *** Dihedral angles *)
+Lemma e_sub x y : e (sub x y) = sub (e x) (e y).
+Proof. apply E_sub. Qed.
+Lemma kac_C a b c0 d : acpoly dot (sub (e (phi3 b)) (e (phi3 a))) (sub (e (phi3 c0)) (e (phi3 a))) (sub (e (phi3 d)) (e (phi3 a)))
+  = s * s * phi (kac (c_gram c) a b c0 d).
+Proof.
+  rewrite <- !e_sub. unfold acpoly. rewrite !dot_e. unfold Checker.kac. rewrite phi_sub, !phi_mul, !phi_gdot, !phi3_sub. fold G. ring.
+Qed.
+Lemma ss_pos : 0 < s * s.
+Proof. pose proof s_pos. apply Rmult_lt_0_compat; auto. Qed.
+
+Lemma acute_sound a b c0 d : orient (e (phi3 a)) (e (phi3 b)) (e (phi3 c0)) (e (phi3 d)) <> 0 ->
+  chk_acute A aadd asub amul aofZ alt (c_gram c) a b c0 d = true ->
+  dihedral (e (phi3 a)) (e (phi3 b)) (e (phi3 c0)) (e (phi3 d)) < PI / 2.
+Proof.
+  intros V H. apply alt_ok in H. rewrite phi_zero in H. apply acute_rule; auto. rewrite kac_C.
+  apply Rmult_lt_0_compat; auto using ss_pos.
+Qed.
+Lemma nonobtuse_sound a b c0 d : orient (e (phi3 a)) (e (phi3 b)) (e (phi3 c0)) (e (phi3 d)) <> 0 ->
+  chk_nonobtuse A aadd asub amul aofZ ale (c_gram c) a b c0 d = true ->
+  dihedral (e (phi3 a)) (e (phi3 b)) (e (phi3 c0)) (e (phi3 d)) <= PI / 2.
+Proof.
+  intros V H. apply ale_ok in H. rewrite phi_zero in H. apply nonobtuse_rule; auto. rewrite kac_C.
+  pose proof ss_pos. apply Rmult_le_pos; lra.
+Qed.
+Lemma cosine_sound p q theta a b c0 d : orient (e (phi3 a)) (e (phi3 b)) (e (phi3 c0)) (e (phi3 d)) <> 0 ->
+  0 < IZR q -> 0 <= theta <= PI -> cos theta <= IZR p / IZR q ->
+  chk_cosine (c_gram c) p q a b c0 d = true ->
+  dihedral (e (phi3 a)) (e (phi3 b)) (e (phi3 c0)) (e (phi3 d)) < theta.
+Proof.
+  intros V Hq Ht Hc H. apply below_rule with (p := IZR p) (q := IZR q); auto. rewrite !kac_C.
+  pose proof ss_pos as SS. set (m := s * s) in *.
+  set (x := phi (kac (c_gram c) a b c0 d)). set (y := phi (kac (c_gram c) a b c0 c0)). set (z := phi (kac (c_gram c) a b d d)).
+  assert (MM : 0 < m * m) by (apply Rmult_lt_0_compat; auto).
+  replace (IZR p * IZR p * (m * y * (m * z))) with ((m * m) * (IZR p * IZR p * (y * z))) by ring.
+  replace (IZR q * IZR q * (m * x * (m * x))) with ((m * m) * (IZR q * IZR q * (x * x))) by ring.
+  unfold Checker.chk_cosine in H. cbv zeta in H. destruct (Z.leb_spec 0 p) as [Hp|Hp].
+  - left. apply andb_true_iff in H as [H1 H2]. apply alt_ok in H1, H2. rewrite phi_zero in H1. rewrite !phi_mul, !phi_Z, !mult_IZR in H2.
+    fold x y z in H1, H2. split; [apply IZR_le; auto|]. split; [apply Rmult_lt_0_compat; auto|]. apply Rmult_lt_compat_l; auto.
+  - right. split; [apply IZR_lt; auto|].
+    destruct (ale zero (kac (c_gram c) a b c0 d)) eqn:E0.
+    + left. apply ale_ok in E0. rewrite phi_zero in E0. fold x in E0. apply Rmult_le_pos; lra.
+    + right. apply alt_ok in H. rewrite !phi_mul, !phi_Z, !mult_IZR in H. fold x y z in H. apply Rmult_lt_compat_l; auto.
+Qed.
+
+Lemma all_six_sound (f : v3 -> v3 -> v3 -> v3 -> bool) (Q : R -> Prop) :
+  (forall a b c0 d, orient (e (phi3 a)) (e (phi3 b)) (e (phi3 c0)) (e (phi3 d)) <> 0 -> f a b c0 d = true ->
+     Q (dihedral (e (phi3 a)) (e (phi3 b)) (e (phi3 c0)) (e (phi3 d)))) ->
+  (forall t, In t (positions c) -> all_six f t = true) ->
+  forall cc, is_tile r N cc -> all_dihedral Q (tile l1 l2 l3 cP cc).
+Proof.
+  intros HQ HF [k n] [Hk _]. cbn [fst] in Hk. unfold tile; cbn [fst snd]. apply all_dihedral_translate.
+  destruct (get k Hk) as [t [Et It]]. pose proof (cvol k Hk) as V. unfold cP, Pk. rewrite (cT_eq k t Et) in *.
+  assert (V' : vol (Euclid.Et b1 b2 b3 (phiT (kpos den vs t))) <> 0).
+  { rewrite vol_Et. apply Rmult_integral_contrapositive_currified; [lra|apply cdetb]. }
+  specialize (HF (kpos den vs t)). unfold Checker.positions in HF. fold den vs in HF.
+  specialize (HF (in_map _ _ _ It)). unfold Checker.all_six in HF. rewrite !andb_true_iff in HF.
+  destruct HF as [[[[[F1 F2] F3] F4] F5] F6].
+  unfold vol, Euclid.Et, phiT in V'; cbn [va vb vc vd] in V'.
+  unfold all_dihedral, Euclid.Et, phiT; cbn [va vb vc vd].
+  change (E (scale (/ h) l1) (scale (/ h) l2) (scale (/ h) l3)) with e.
+  change (E b1 b2 b3) with e in V'.
+  set (ta := kpos den vs t) in *.
+  assert (PV : forall X Y, X <> 0 -> (Y = X \/ Y = - X) -> Y <> 0) by (intros X Y HX [->| ->]; lra).
+  repeat split; apply HQ; auto; (eapply PV; [exact V'|]; unfold orient; clear; unf; (left; ring) || (right; ring)).
+Qed.
+
+(** *** Delaunay *)
+Lemma cpower k i : (k < N)%nat -> In i I4 -> forall less, chk_delaunay A aadd asub amul aofZ less c = true ->
+  match cM k i with
+  | Some (k', i', d) => exists x, less x zero = true /\ phi x = - (vol (cT k) * power G (cT k) (vx (translate (vec h d) (cT k')) i'))
+  | None => True end.
+Proof.
+  intros Hk Hi less H. destruct (get k Hk) as [t [Et It]].
+  unfold Checker.chk_delaunay in H. rewrite forallb_forall in H. specialize (H t It). rewrite forallb_forall in H. specialize (H i Hi).
+  unfold Checker.chk_power in H. unfold cM. rewrite Et. destruct (mt t i) as [[[k' i'] d]|]; auto.
+  unfold Checker.positions in H. fold den vs in H. rewrite nth_error_map in H.
+  destruct (nth_error (c_tets c) (N.to_nat k')) as [t'|] eqn:E'; [|discriminate]. cbn [option_map] in H.
+  eexists. split; [exact H|].
+  rewrite phi_power, phi3_add, phi3_ofZ, phi_vx, vx_translate'. fold h G.
+  rewrite power_power_sum by (pose proof (cvol k Hk); lra).
+  rewrite (cT_eq k t Et), (cT_eq _ t' E'). ring.
+Qed.
+
+(** The power is the squared distance to the centre minus the squared radius. *)
+Lemma power_distance t x : 0 < vol t ->
+  let C := circumcentre (Euclid.Et b1 b2 b3 t) in
+  distance_squared (e x) C - distance_squared (e (va t)) C = s * power G t x.
+Proof.
+  intros V C. set (sr := distance_squared (e (va t)) C).
+  assert (V' : vol (Euclid.Et b1 b2 b3 t) <> 0).
+  { rewrite vol_Et. apply Rmult_integral_contrapositive_currified; [lra|apply cdetb]. }
+  pose proof (circumscribed_centre _ V') as CC. fold C in CC. cbn [Euclid.Et va] in CC. fold e in CC. fold sr in CC.
+  set (f := fun x => distance_squared (e x) C - sr - s * power G t x).
+  assert (Af : affine f).
+  { apply aff_ext with (f := fun x => (-2) * dot (e x) C + (-s) * lift G t x + (dot C C - sr)).
+    - intros y. unfold f, power. rewrite Rmult_plus_distr_l. unfold sq. rewrite <- dot_e.
+      unfold distance_squared. unfold dot. unf. ring.
+    - apply aff_add; [apply aff_add; apply aff_scl; [|apply aff_lift]|].
+      + exists (dot b1 C), (dot b2 C), (dot b3 C), 0. intros y. unfold e, E, at_coordinates, dot. unf. ring.
+      + exists 0, 0, 0, (dot C C - sr). intros; ring. }
+  assert (Z : forall v, In v (verts t) -> f v = 0).
+  { intros v Hv. unfold f. rewrite (power_vertex G t v) by (auto; lra).
+    rewrite (CC (e v)); [ring|]. apply (in_map e) in Hv. exact Hv. }
+  pose proof (interpolate t f x Af) as I. rewrite (Z (va t)), (Z (vb t)), (Z (vc t)), (Z (vd t)) in I by (simpl; auto).
+  assert (FX : f x = 0). { apply Rmult_eq_reg_l with (vol t); [|lra]. rewrite I. ring. }
+  unfold f in FX. lra.
+Qed.
+
+Lemma tile_cP cc : tile l1 l2 l3 cP cc = Euclid.Et b1 b2 b3 (piece cc).
+Proof. apply tile_piece, h_pos. Qed.
+Lemma vertex_coordinates v : is_vertex l1 l2 l3 r N cP v -> exists cc x, valid cc /\ In x (verts (piece cc)) /\ v = e x.
+Proof.
+  intros [cc [Hc Hv]]. apply valid_is_tile in Hc. rewrite tile_cP in Hv. 
+  unfold verts, Euclid.Et in Hv; cbn [va vb vc vd] in Hv.
+  exists cc. simpl in Hv. destruct Hv as [<-|[<-|[<-|[<-|[]]]]]; eexists; (split; [exact Hc|]; split; [|reflexivity]); simpl; auto.
+Qed.
+
+Lemma weak_local less : (forall x y, less x y = true -> phi x <= phi y) -> chk_delaunay A aadd asub amul aofZ less c = true ->
+  forall k i, (k < N)%nat -> In i I4 ->
+  match cM k i with Some (k', i', d) => 0 <= power G (cT k) (vx (translate (vec h d) (cT k')) i') | None => True end.
+Proof.
+  intros LE H k i Hk Hi. pose proof (cpower k i Hk Hi less H) as X. destruct (cM k i) as [[[k' i'] d]|]; auto.
+  destruct X as [x [X1 X2]]. apply LE in X1. rewrite phi_zero, X2 in X1. pose proof (cvol k Hk).
+  apply Rmult_le_reg_l with (vol (cT k)); auto. lra.
+Qed.
+
+Lemma weakly_sound less : (forall x y, less x y = true -> phi x <= phi y) -> chk_delaunay A aadd asub amul aofZ less c = true ->
+  forall cc v, valid cc -> is_vertex l1 l2 l3 r N cP v ->
+  let C := circumcentre (tile l1 l2 l3 cP cc) in distance_squared (va (tile l1 l2 l3 cP cc)) C <= distance_squared v C.
+Proof.
+  intros LE H cc v Hc Hv. apply vertex_coordinates in Hv as [c' [x [Hc' [Hx ->]]]]. rewrite tile_cP. cbv zeta.
+  assert (V : 0 < vol (piece cc)) by (destruct cc; apply pvol, Hc).
+  pose proof (power_distance (piece cc) x V) as PD. cbv zeta in PD.
+  pose proof (weakly_delaunay_global N cT h (latb r) (open_domain Hs) cM h_pos (latb_add r) (open_domain_convex Hs)
+     cdom_inside cvol cmate conce G (weak_local less LE H) cc c' x Hc Hc' Hx) as W.
+  pose proof s_pos. cbn [Euclid.Et va]. fold e. assert (0 <= s * power G (piece cc) x) by (apply Rmult_le_pos; lra). lra.
+Qed.
+
+Lemma boundary_vertices k i n cc v : (k < N)%nat -> latb r n = true -> In i I4 -> cM k i = None ->
+  valid cc -> In v (verts (piece cc)) -> 0 <= coord (piece (k, n)) i v.
+Proof.
+  intros Hk Hn Hi EM Hc Hv. destruct (cboundary k n i Hk Hn Hi EM) as [H [HI Z]].
+  destruct (clevel k n H Hk Hn HI) as [L1 [v' [Iv' Pv']]]. destruct cc as [k' n']. destruct Hc as [Hk' Hn']. cbn [fst snd] in *.
+  destruct (clevel k' n' H Hk' Hn' HI) as [L1' _]. pose proof (L1' v Hv) as Lv.
+  apply Rnot_lt_le. intros NE. pose proof (pvol k n Hk) as V.
+  assert (AP : 0 < level H (vx (piece (k, n)) i)).
+  { destruct (Rlt_dec 0 (level H (vx (piece (k, n)) i))) as [|Nl]; auto. exfalso.
+    assert (X : exists j, In j I4 /\ v' = vx (piece (k, n)) j).
+    { simpl in Iv'. destruct Iv' as [<-|[<-|[<-|[<-|[]]]]]; [exists 0%nat|exists 1%nat|exists 2%nat|exists 3%nat]; (split; [simpl; tauto|reflexivity]). }
+    destruct X as [j [Hj ->]]. destruct (Nat.eq_dec j i) as [->|Ne]; [lra|]. rewrite Z in Pv' by auto. lra. }
+  pose proof (interpolate (piece (k, n)) (level H) v (aff_level H)) as IN.
+  assert (Q : vol (piece (k, n)) * level H v = coord (piece (k, n)) i v * level H (vx (piece (k, n)) i)).
+  { rewrite IN. pose proof (Z 0%nat ltac:(simpl; auto)) as Z0. pose proof (Z 1%nat ltac:(simpl; auto)) as Z1.
+    pose proof (Z 2%nat ltac:(simpl; auto)) as Z2. pose proof (Z 3%nat ltac:(simpl; auto)) as Z3. cbn [vx] in *.
+    simpl in Hi. destruct Hi as [<-|[<-|[<-|[<-|[]]]]]; cbn [vx]; rewrite ?Z0, ?Z1, ?Z2, ?Z3 by lia; ring. }
+  assert (0 <= vol (piece (k, n)) * level H v) by (apply Rmult_le_pos; lra).
+  assert (0 < - coord (piece (k, n)) i v * level H (vx (piece (k, n)) i)) by (apply Rmult_lt_0_compat; lra). lra.
+Qed.
+
+(** *** All statements *)
+Theorem statement_sound st : check_statement c st = true -> holds l1 l2 l3 r N cP st.
+Proof.
+  intros H. destruct st as [| |p q| |]; cbn [Checker.check_statement holds] in *.
+  - rewrite forallb_forall in H. unfold acute. apply (all_six_sound _ (fun x => x < PI / 2)) with (2 := H). intros; apply acute_sound; auto.
+  - rewrite forallb_forall in H. unfold nonobtuse. apply (all_six_sound _ (fun x => x <= PI / 2)) with (2 := H). intros; apply nonobtuse_sound; auto.
+  - apply andb_true_iff in H as [D H]. rewrite forallb_forall in H.
+    destruct (cos_upper_ok p q D) as [T [Q0 U]].
+    destruct (cos_upper p q) as [a b]. cbn [fst snd] in Q0, U.
+    unfold dihedral_below. apply (all_six_sound _ (fun x => x < IZR p / IZR q * (PI / 180))) with (2 := H).
+    intros. apply cosine_sound with (p := a) (q := b); auto.
+  - assert (LE : forall x y, alt x y = true -> phi x <= phi y) by (intros x y X; apply alt_ok in X; lra).
+    intros cc Hc. apply valid_is_tile in Hc.
+    assert (V : 0 < vol (piece cc)) by (destruct cc; apply pvol, Hc).
+    assert (V' : vol (tile l1 l2 l3 cP cc) <> 0).
+    { rewrite tile_cP, vol_Et. apply Rmult_integral_contrapositive_currified; [lra|apply cdetb]. }
+    exists (circumcentre (tile l1 l2 l3 cP cc)), (distance_squared (va (tile l1 l2 l3 cP cc)) (circumcentre (tile l1 l2 l3 cP cc))).
+    split; [apply circumscribed_centre; auto|]. intros v Hv. split; [apply (weakly_sound alt LE H cc v Hc Hv)|].
+    intros EQ. apply vertex_coordinates in Hv as [c' [x [Hc' [Hx ->]]]]. rewrite tile_cP in *.
+    pose proof (power_distance (piece cc) x V) as PD. cbv zeta in PD. cbn [Euclid.Et va] in EQ. fold e in EQ.
+    assert (PZ : power G (piece cc) x = 0).
+    { pose proof s_pos. apply Rmult_eq_reg_l with s; [|lra]. rewrite Rmult_0_r, <- PD. unfold e in EQ |- *. lra. }
+    apply (in_map e (verts (piece cc)) x).
+    apply (delaunay_global N cT h (latb r) (open_domain Hs) cM h_pos (latb_add r) (open_domain_convex Hs)
+      cdom_inside cvol cmate conce G (weak_local alt LE H)) with (c' := c'); auto.
+    + intros k i Hk Hi. pose proof (cpower k i Hk Hi alt H) as X. destruct (cM k i) as [[[k' i'] d]|]; auto.
+      destruct X as [y [X1 X2]]. apply alt_ok in X1. rewrite phi_zero, X2 in X1. pose proof (cvol k Hk).
+      apply Rmult_lt_reg_l with (vol (cT k)); auto. lra.
+    + apply boundary_vertices.
+  - intros cc Hc. apply valid_is_tile in Hc.
+    assert (V : 0 < vol (piece cc)) by (destruct cc; apply pvol, Hc).
+    assert (V' : vol (tile l1 l2 l3 cP cc) <> 0).
+    { rewrite tile_cP, vol_Et. apply Rmult_integral_contrapositive_currified; [lra|apply cdetb]. }
+    exists (circumcentre (tile l1 l2 l3 cP cc)), (distance_squared (va (tile l1 l2 l3 cP cc)) (circumcentre (tile l1 l2 l3 cP cc))).
+    split; [apply circumscribed_centre; auto|]. intros v Hv. apply (weakly_sound ale ale_ok H cc v Hc Hv).
+Qed.
+End Basis.
+End Sound.
+
+(** ** The theorem *)
+Theorem check_sound c ss : check c ss = true -> forall l1 l2 l3, has_gram (dgram c) l1 l2 l3 ->
+  face_to_face_tiling l1 l2 l3 (c_rank c) (ddomain c l1 l2 l3) (length (c_tets c)) (dtet c l1 l2 l3) /\
+  forall s, In s ss -> holds l1 l2 l3 (c_rank c) (length (c_tets c)) (dtet c l1 l2 l3) s.
+Proof.
+  intros H l1 l2 l3 HG. unfold Checker.check in H. apply andb_true_iff in H as [H1 H2]. rewrite forallb_forall in H2.
+  split; [apply tiling_sound; auto|]. intros s Hs. rewrite (dtet_cP c H1). apply statement_sound; auto.
+Qed.
+(** A basis with that Gram matrix exists. *)
+Theorem basis_exists c ss : check c ss = true -> exists l1 l2 l3, has_gram (dgram c) l1 l2 l3.
+Proof.
+  intros H. unfold Checker.check in H. apply andb_true_iff in H as [H1 H2]. apply gram_exists.
+  destruct (cgram c H1) as [G1 [G2 G3]]. pose proof (Rinv_0_lt_compat _ (gden_pos c H1)) as P. set (i := / IZR (c_gden c)) in *.
+  unfold gpos, gdet, dgram; cbn [g11 g22 g33 g12 g13 g23]. unfold gdet, phiG in *; cbn [g11 g22 g33 g12 g13 g23] in *. unfold Rdiv. fold i.
+  split; [|split].
+  - apply Rmult_lt_0_compat; auto.
+  - match goal with |- 0 < ?x => replace x with ((i * i) * (phi (k11 (c_gram c)) * phi (k22 (c_gram c)) - phi (k12 (c_gram c)) * phi (k12 (c_gram c)))) by ring end.
+    repeat apply Rmult_lt_0_compat; auto.
+  - match goal with |- 0 < ?x => match type of G3 with 0 < ?y => replace x with ((i * i * i) * y) by ring end end.
+    repeat apply Rmult_lt_0_compat; auto.
+Qed.
+End Ring.

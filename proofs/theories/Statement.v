@@ -1,0 +1,177 @@
+(** * What is proved: every definition that gives the theorem its meaning
+
+    This file alone says what the words of a claim mean: tiling, face to face,
+    dihedral angle, acute, Delaunay.  It contains definitions and not a single
+    proof.  Nothing in it mentions certificates, checkers or computations; the
+    theorems that end in these definitions are in [Theorem.v].
+
+    How to read it.  [R] is the set of the real numbers and [Z] that of the
+    integers, both from Coq's standard library.  [Record p := C { a : R; b : R }]
+    is a pair of real numbers; its components are [a x] and [b x].
+    [Definition f x := e] is f(x) = e.  [Prop] is the type of propositions, so a
+    [point -> Prop] is a set of points.  [/\] is "and", [->] "implies". *)
+
+Require Import Reals ZArith List.
+Open Scope R_scope.
+
+(** ** Euclidean three-space *)
+
+(** A point of R^3, or a vector, by its three Cartesian coordinates. *)
+Record point := Point { px : R; py : R; pz : R }.
+
+Definition origin := Point 0 0 0.
+Definition add (u v : point) := Point (px u + px v) (py u + py v) (pz u + pz v).
+Definition sub (u v : point) := Point (px u - px v) (py u - py v) (pz u - pz v).
+Definition scale (s : R) (u : point) := Point (s * px u) (s * py u) (s * pz u).
+
+(** The inner product, the length, the square of the distance. *)
+Definition dot (u v : point) := px u * px v + py u * py v + pz u * pz v.
+Definition norm (u : point) := sqrt (dot u u).
+Definition distance_squared (x y : point) := dot (sub x y) (sub x y).
+
+(** The determinant of three vectors. *)
+Definition det (u v w : point) :=
+  px u * (py v * pz w - pz v * py w)
+  - py u * (px v * pz w - pz v * px w)
+  + pz u * (px v * py w - py v * px w).
+
+(** ** Tetrahedra *)
+
+(** Four vertices, in order. *)
+Record tetrahedron := Tetrahedron { va : point; vb : point; vc : point; vd : point }.
+Definition verts (t : tetrahedron) := va t :: vb t :: vc t :: vd t :: nil.
+
+(** Six times the signed volume. *)
+Definition vol (t : tetrahedron) := det (sub (vb t) (va t)) (sub (vc t) (va t)) (sub (vd t) (va t)).
+
+(** The combination a va + b vb + c vc + d vd of the vertices. *)
+Definition combination (t : tetrahedron) (a b c d : R) :=
+  add (add (scale a (va t)) (scale b (vb t))) (add (scale c (vc t)) (scale d (vd t))).
+
+(** The closed tetrahedron: the convex hull of the four vertices. *)
+Definition hull (t : tetrahedron) (X : point) := exists a b c d,
+  0 <= a /\ 0 <= b /\ 0 <= c /\ 0 <= d /\ a + b + c + d = 1 /\ X = combination t a b c d.
+
+(** The open tetrahedron: all weights are positive.  It is the topological
+    interior of [hull t] (theorem [open_hull_is_interior] in Sanity.v). *)
+Definition open_hull (t : tetrahedron) (X : point) := exists a b c d,
+  0 < a /\ 0 < b /\ 0 < c /\ 0 < d /\ a + b + c + d = 1 /\ X = combination t a b c d.
+
+(** The convex hull of the vertices that t has in common with t': the only
+    vertices with positive weight are vertices of t'. *)
+Definition common_hull (t t' : tetrahedron) (X : point) := exists a b c d,
+  0 <= a /\ 0 <= b /\ 0 <= c /\ 0 <= d /\ a + b + c + d = 1 /\ X = combination t a b c d /\
+  (0 < a -> In (va t) (verts t')) /\ (0 < b -> In (vb t) (verts t')) /\
+  (0 < c -> In (vc t) (verts t')) /\ (0 < d -> In (vd t) (verts t')).
+
+Definition translate (u : point) (t : tetrahedron) :=
+  Tetrahedron (add (va t) u) (add (vb t) u) (add (vc t) u) (add (vd t) u).
+
+(** ** Topology: boxes as neighbourhoods, interior *)
+
+Definition near (e : R) (x y : point) :=
+  Rabs (px y - px x) < e /\ Rabs (py y - py x) < e /\ Rabs (pz y - pz x) < e.
+Definition interior (S : point -> Prop) (x : point) := exists e, 0 < e /\ forall y, near e x y -> S y.
+
+(** ** Angles *)
+
+(** The component of u perpendicular to e; the angle between two vectors. *)
+Definition perp (e u : point) := sub u (scale (dot u e / dot e e) e).
+Definition angle (u w : point) := acos (dot u w / (norm u * norm w)).
+
+(** The dihedral angle along the edge ab, between the half planes that contain
+    c and d, in radians. *)
+Definition dihedral (a b c d : point) := angle (perp (sub b a) (sub c a)) (perp (sub b a) (sub d a)).
+
+(** All six dihedral angles of t have the property Q. *)
+Definition all_dihedral (Q : R -> Prop) (t : tetrahedron) :=
+  Q (dihedral (va t) (vb t) (vc t) (vd t)) /\ Q (dihedral (va t) (vc t) (vb t) (vd t)) /\
+  Q (dihedral (va t) (vd t) (vb t) (vc t)) /\ Q (dihedral (vb t) (vc t) (va t) (vd t)) /\
+  Q (dihedral (vb t) (vd t) (va t) (vc t)) /\ Q (dihedral (vc t) (vd t) (va t) (vb t)).
+
+(** ** Bases, lattices, domains *)
+
+(** The point with coordinates x in the basis l1, l2, l3. *)
+Definition at_coordinates (l1 l2 l3 x : point) : point :=
+  add (add (scale (px x) l1) (scale (py x) l2)) (scale (pz x) l3).
+
+(** The Gram matrix of a basis: its inner products.  [Gram g11 g22 g33 g12 g13 g23]. *)
+Record gram := Gram { g11 : R; g22 : R; g33 : R; g12 : R; g13 : R; g23 : R }.
+Definition has_gram (G : gram) (l1 l2 l3 : point) :=
+  dot l1 l1 = g11 G /\ dot l2 l2 = g22 G /\ dot l3 l3 = g33 G /\
+  dot l1 l2 = g12 G /\ dot l1 l3 = g13 G /\ dot l2 l3 = g23 G.
+
+(** The lattice of rank r is spanned by the first r basis vectors: r = 3 for
+    space, 2 for a slab, 1 for a prism, 0 for a solid. *)
+Definition in_lattice (r : nat) (n : Z * Z * Z) : Prop :=
+  let '(x, y, z) := n in
+  match r with 0%nat => x = 0%Z /\ y = 0%Z /\ z = 0%Z | 1%nat => y = 0%Z /\ z = 0%Z | 2%nat => z = 0%Z | _ => True end.
+Definition lattice_vector (l1 l2 l3 : point) (n : Z * Z * Z) : point :=
+  let '(x, y, z) := n in at_coordinates l1 l2 l3 (Point (IZR x) (IZR y) (IZR z)).
+
+(** A domain is a finite intersection of closed half-spaces, each given in basis
+    coordinates: [HalfSpace n d] is { x : n . x + d >= 0 }.  No half-space at all
+    is the whole space, two parallel ones are a slab, enough of them a convex
+    solid or a prism. *)
+Record half_space := HalfSpace { normal : point; offset : R }.
+Definition level (H : half_space) (x : point) := dot (normal H) x + offset H.
+Definition domain (l1 l2 l3 : point) (Hs : list half_space) (X : point) :=
+  exists x, X = at_coordinates l1 l2 l3 x /\ forall H, In H Hs -> 0 <= level H x.
+
+(** ** Periodic tilings *)
+
+Section Tilings.
+(** A basis, the rank of the lattice, the domain, and N tetrahedra P 0, …, P (N-1),
+    one for each lattice orbit of tiles. *)
+Variables (l1 l2 l3 : point) (r : nat) (Omega : point -> Prop) (N : nat) (P : nat -> tetrahedron).
+
+(** The tile (k, n): the k-th tetrahedron, moved by the lattice vector n. *)
+Definition is_tile (c : nat * (Z * Z * Z)) := (fst c < N)%nat /\ in_lattice r (snd c).
+Definition tile (c : nat * (Z * Z * Z)) := translate (lattice_vector l1 l2 l3 (snd c)) (P (fst c)).
+
+(** "face-to-face tiling" *)
+Record face_to_face_tiling : Prop := {
+  (* l1, l2, l3 are a basis, and no tile is flat *)
+  tiling_basis : det l1 l2 l3 <> 0;
+  tiling_nondegenerate : forall c, is_tile c -> vol (tile c) <> 0;
+  (* only finitely many tiles meet any bounded set *)
+  tiling_locally_finite : forall M, exists F, forall c X, is_tile c ->
+     near M origin X -> hull (tile c) X -> In c F;
+  (* the tiles cover the domain and nothing else *)
+  tiling_inside : forall c X, is_tile c -> hull (tile c) X -> Omega X;
+  tiling_cover : forall X, Omega X -> exists c, is_tile c /\ hull (tile c) X;
+  (* an inner point of one tile lies in no other tile *)
+  tiling_disjoint : forall X c c', is_tile c -> is_tile c' ->
+     open_hull (tile c) X -> hull (tile c') X -> c = c';
+  (* two tiles meet in the hull of their common vertices: in a common face or not at all *)
+  tiling_face_to_face : forall X c c', is_tile c -> is_tile c' ->
+     hull (tile c) X -> hull (tile c') X -> common_hull (tile c) (tile c') X }.
+
+(** "acute", "nonobtuse", "all dihedral angles below q degrees" *)
+Definition acute := forall c, is_tile c -> all_dihedral (fun x => x < PI / 2) (tile c).
+Definition nonobtuse := forall c, is_tile c -> all_dihedral (fun x => x <= PI / 2) (tile c).
+Definition dihedral_below (q : R) := forall c, is_tile c -> all_dihedral (fun x => x < q * (PI / 180)) (tile c).
+
+(** "Delaunay": every tile has a circumscribed ball (centre C, squared radius s)
+    that holds no vertex in its interior and none but the tile's own on its
+    boundary; "weakly Delaunay": none in its interior. *)
+Definition is_vertex (v : point) := exists c, is_tile c /\ In v (verts (tile c)).
+Definition circumscribed (t : tetrahedron) (C : point) (s : R) := forall v, In v (verts t) -> distance_squared v C = s.
+Definition weakly_delaunay := forall c, is_tile c -> exists C s, circumscribed (tile c) C s /\
+  forall v, is_vertex v -> s <= distance_squared v C.
+Definition delaunay := forall c, is_tile c -> exists C s, circumscribed (tile c) C s /\
+  forall v, is_vertex v -> s <= distance_squared v C /\ (distance_squared v C = s -> In v (verts (tile c))).
+End Tilings.
+
+(** One statement of a claim, as a certificate lists them; [DihedralBelow p q]
+    is "all dihedral angles below p/q degrees". *)
+Inductive statement :=
+  | Acute | Nonobtuse | DihedralBelow (p q : Z) | Delaunay | WeaklyDelaunay.
+Definition holds (l1 l2 l3 : point) (r N : nat) (P : nat -> tetrahedron) (s : statement) : Prop :=
+  match s with
+  | Acute => acute l1 l2 l3 r N P
+  | Nonobtuse => nonobtuse l1 l2 l3 r N P
+  | DihedralBelow p q => dihedral_below l1 l2 l3 r N P (IZR p / IZR q)
+  | Delaunay => delaunay l1 l2 l3 r N P
+  | WeaklyDelaunay => weakly_delaunay l1 l2 l3 r N P
+  end.
