@@ -17,8 +17,8 @@ use std::fs::File;
 use std::io::Read;
 use std::path::Path;
 
-/// No input file may be longer: 1 GiB.
-pub const BYTE_LIMIT: u64 = 1 << 30;
+/// No input file may be longer: 256 MiB.
+pub const BYTE_LIMIT: u64 = 1 << 28;
 
 /// Reads a whole text file, or standard input for the path `-`.
 pub fn read_text(path: &Path) -> Result<String, ImportError> {

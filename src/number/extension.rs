@@ -149,13 +149,16 @@ pub(super) fn adjoin(
     Err(FieldError::NoGenerator)
 }
 
+/// A minimal polynomial, and the coefficients of the old generator in powers of the new.
+type Primitive = (Vec<Integer>, Vec<Rational>);
+
 /// The minimal polynomial of t = y + k a and the coefficients of a in the powers
 /// of t, if t generates the ring.
 fn primitive_element(
     field: &Field,
     relation: &[Number],
     k: &Rational,
-) -> Result<Option<(Vec<Integer>, Vec<Rational>)>, FieldError> {
+) -> Result<Option<Primitive>, FieldError> {
     let Some(columns) = powers(field, relation, k) else {
         return Ok(None);
     };
