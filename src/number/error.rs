@@ -28,7 +28,7 @@ pub enum FieldError {
     /// Other roots are closer than 2^-[`ISOLATION_LIMIT`].
     RootsTooClose,
     /// The linear system for a generator is larger than
-    /// [`MINOR_BITS_LIMIT`]: the bits of its minors, estimated.
+    /// `MINOR_BITS_LIMIT`: the bits of its minors, estimated.
     ExtensionBeyondLimit(u64),
     /// No small combination of two generators generates both.
     NoGenerator,
