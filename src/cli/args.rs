@@ -60,8 +60,8 @@ pub struct ShowArguments {
     #[arg(value_name = "NAME|FILE")]
     pub input: String,
     /// The number that the construction depends on, like 3/7 or sqrt(2)/4: a/e of
-    /// goldberg-1, epsilon of two-corners
-    #[arg(long, value_name = "VALUE")]
+    /// goldberg-1, -2 and -3, epsilon of two-corners
+    #[arg(long, value_name = "VALUE", allow_hyphen_values = true)]
     pub param: Option<String>,
 }
 
@@ -74,8 +74,13 @@ pub struct CertifyArguments {
     #[arg(long)]
     pub all: bool,
     /// The number that the construction depends on, like 3/7 or sqrt(2)/4: a/e of
-    /// goldberg-1, epsilon of two-corners
-    #[arg(long, value_name = "VALUE", conflicts_with = "all")]
+    /// goldberg-1, -2 and -3, epsilon of two-corners
+    #[arg(
+        long,
+        value_name = "VALUE",
+        conflicts_with = "all",
+        allow_hyphen_values = true
+    )]
     pub param: Option<String>,
     /// Write the certificate to this file (`-` for standard output), or the
     /// certificates into this directory
@@ -147,8 +152,8 @@ pub struct ExportArguments {
     #[arg(short, long, value_name = "FILE")]
     pub output: Option<PathBuf>,
     /// The number that the construction depends on, like 3/7 or sqrt(2)/4: a/e of
-    /// goldberg-1, epsilon of two-corners
-    #[arg(long, value_name = "VALUE")]
+    /// goldberg-1, -2 and -3, epsilon of two-corners
+    #[arg(long, value_name = "VALUE", allow_hyphen_values = true)]
     pub param: Option<String>,
     /// Write the certificate's claim as a theorem for Coq (see proofs/README.md)
     #[arg(long, conflicts_with_all = ["supercell", "param"])]

@@ -72,10 +72,14 @@ struct Tetrahedron {
 impl Tetrahedron {
     /// The first tetrahedron of a tiling by congruent ones.
     fn of(study: &Study<3>) -> Self {
-        let corners = study.tiling.simplex(0);
+        Tetrahedron::first(&study.tiling)
+    }
+
+    fn first(tiling: &Tiling<3>) -> Self {
+        let corners = tiling.simplex(0);
         Tetrahedron {
-            gram: study.tiling.frame.gram.clone(),
-            corners: std::array::from_fn(|k| study.tiling.position(&corners[k])),
+            gram: tiling.frame.gram.clone(),
+            corners: std::array::from_fn(|k| tiling.position(&corners[k])),
         }
     }
 
@@ -111,9 +115,17 @@ impl Tetrahedron {
         ]
     }
 
+    fn squared_edges(&self) -> Vec<Number> {
+        EDGES.iter().map(|&(i, j)| self.square(i, j)).collect()
+    }
+
+    fn is_congruent(&self, other: &Self) -> bool {
+        congruence_form(&self.squared_edges(), 4) == congruence_form(&other.squared_edges(), 4)
+    }
+
     /// Equal exactly for similar tetrahedra: the form of its edges in units of the shortest.
     fn similarity_form(&self) -> Option<Vec<Number>> {
-        let edges: Vec<Number> = EDGES.iter().map(|&(i, j)| self.square(i, j)).collect();
+        let edges = self.squared_edges();
         let scale = edges.iter().min()?.inverse()?;
         let scaled: Vec<Number> = edges.iter().map(|edge| edge * &scale).collect();
         Some(congruence_form(&scaled, 4))
@@ -261,8 +273,25 @@ enum Cut {
 }
 
 fn goldberg_cut(survey: &Survey, name: &str, cut: Cut, statement: &str) -> Row {
-    let finding = || {
-        let whole = Tetrahedron::of(survey.space("goldberg-1")?);
+    Row::new(
+        "2.2",
+        &format!("cut-{name}"),
+        statement,
+        "two congruent pieces",
+    )
+    .citing(survey, &["goldberg-1", name])
+    .found(halves_are(name, cut))
+}
+
+/// Ratios a/e for which both families are built; squared edges are linear in a² and e², so
+/// two would do.
+const RATIOS: [&str; 4] = ["1/2", "1", "sqrt(2)/2", "sqrt(2)/4"];
+
+/// Whether the halves of a tetrahedron of the first family are congruent, and similar to
+/// that of the family `name` with the same ratio.
+fn halves_are(name: &str, cut: Cut) -> Finding {
+    for ratio in RATIOS {
+        let whole = family_member("goldberg-1", ratio)?;
         let order = Goldberg::of(&whole)
             .ok_or("goldberg-1: has other sides")?
             .order;
@@ -271,23 +300,33 @@ fn goldberg_cut(survey: &Survey, name: &str, cut: Cut, statement: &str) -> Row {
             Cut::MiddleEdge => (order[1], order[2]),
         };
         let [one, other] = whole.halves(i, j);
-        let congruent = one.is_similar(&other);
-        let family = survey
-            .space(name)
-            .map(|study| one.is_similar(&Tetrahedron::of(study)));
-        let text = match &family {
-            Ok(true) => format!("the halves are congruent and similar to {name}"),
-            Ok(false) => format!("the halves are not similar to {name}"),
-            Err(reason) => format!("the halves are congruent ({reason})"),
-        };
-        Ok((congruent && family.unwrap_or(true), text))
-    };
-    Row::new(
-        "2.2",
-        &format!("cut-{name}"),
-        statement,
-        "two congruent pieces",
-    )
-    .citing(survey, &["goldberg-1", name])
-    .found(finding())
+        if !one.is_congruent(&other) {
+            return Ok((
+                false,
+                format!("the halves are not congruent for a/e = {ratio}"),
+            ));
+        }
+        if !one.is_similar(&family_member(name, ratio)?) {
+            return Ok((
+                false,
+                format!("the halves are congruent, but not similar to {name} for a/e = {ratio}"),
+            ));
+        }
+    }
+    let ratios = RATIOS.join(", ");
+    Ok((
+        true,
+        format!(
+            "the halves are congruent, and similar to {name} with the same ratio, for a/e = {ratios}; squared edges are linear in a² and e²"
+        ),
+    ))
+}
+
+/// The tetrahedron of a family for a ratio, whether or not the tiling is face to face.
+fn family_member(name: &str, ratio: &str) -> Result<Tetrahedron, String> {
+    match catalog::build_with(name, ratio) {
+        Ok(AnyTiling::Space(tiling)) => Ok(Tetrahedron::first(&tiling)),
+        Ok(AnyTiling::Plane(_)) => Err(format!("{name}: is not in space")),
+        Err(error) => Err(error.to_string()),
+    }
 }

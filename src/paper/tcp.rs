@@ -2,6 +2,7 @@
 
 use super::introduction::all_state;
 use super::row::{Finding, Row};
+use crate::catalog::{self, CatalogError};
 use crate::certificate::Statement;
 use crate::classify::{Star, frank_kasper};
 use crate::survey::{Study, Survey};
@@ -57,6 +58,25 @@ pub fn rows(survey: &Survey) -> Vec<Row> {
             "convex combinations",
         )
         .found(combinations(survey)),
+    );
+    rows.push(
+        row(
+            "combinations-z-c15",
+            "a variant of the construction gives combinations of Z and C15 (the recipe with blank \
+             edges, over the tilings by squares and triangles that admit them)",
+            "combinations of the Z and C15 structures",
+        )
+        .citing(survey, &VARIANTS)
+        .found(variants(survey)),
+    );
+    rows.push(
+        row(
+            "variant-arbitrary",
+            "the recipe with blank edges, which is our reading of the variant, works over every tiling by \
+             squares and triangles (the source that the paper cites may mean another one)",
+            "an arbitrary square/triangle tiling",
+        )
+        .found(variant_over("3464")),
     );
     rows.push(
         row(
@@ -141,6 +161,35 @@ fn combinations(survey: &Survey) -> Finding {
     match words.is_empty() {
         true => Err("no TCP structures in this build".to_owned()),
         false => Ok((true, format!("in cells: {}", words.join("; ")))),
+    }
+}
+
+/// The mixtures of Z and C15 in the catalogue.
+const VARIANTS: [&str; 4] = ["z-c15-3", "z-c15-4", "z-c15-33344", "z-c15-32434"];
+
+fn variants(survey: &Survey) -> Finding {
+    let mut words = Vec::new();
+    for name in VARIANTS {
+        let study = survey.space(name)?;
+        if let Err(reason) = study.check_tcp() {
+            return Ok((false, format!("{name} is not TCP: {reason}")));
+        }
+        match cells(study) {
+            Some([a15, z, c15]) if a15 == 0 => words.push(format!("{name} = {z} Z + {c15} C15")),
+            _ => return Ok((false, format!("{name} is no such combination"))),
+        }
+    }
+    Ok((true, format!("TCP, in cells: {}", words.join("; "))))
+}
+
+/// Whether the recipe of the variant works over one of the built-in tilings.
+fn variant_over(plane: &str) -> Finding {
+    match catalog::build(&format!("z-c15:{plane}")) {
+        Ok(_) => Ok((true, format!("it works over {plane}"))),
+        Err(error @ CatalogError::NoBlankEdges { .. }) => {
+            Ok((false, format!("not over {plane}: {error}")))
+        }
+        Err(error) => Err(error.to_string()),
     }
 }
 

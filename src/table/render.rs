@@ -128,8 +128,8 @@ fn field(text: &str) -> String {
     }
 }
 
-/// An object with the member `rows`. A row counts `tetrahedra`, in the plane
-/// `triangles`.
+/// An object with the member `rows`. `tetrahedra` counts the simplices, which for
+/// `dimension` 2 are triangles.
 pub fn json(rows: &[Row]) -> Value {
     let rows: Vec<Value> = rows.iter().map(json_row).collect();
     json!({ "rows": rows })
@@ -140,12 +140,7 @@ fn json_row(row: &Row) -> Value {
     object.insert("name".into(), json!(row.name));
     object.insert("label".into(), json!(row.label));
     object.insert("dimension".into(), json!(row.dimension));
-    let count = if row.dimension == 2 {
-        "triangles"
-    } else {
-        "tetrahedra"
-    };
-    object.insert(count.into(), json!(row.simplices));
+    object.insert("tetrahedra".into(), json!(row.simplices));
     object.insert("shapes".into(), json!(row.shapes));
     for ((column, _), (min, max)) in COLUMNS.iter().zip(&row.figures) {
         let mut measure = json!({ "min": ends(min), "max": ends(max) });
