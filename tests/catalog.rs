@@ -449,3 +449,47 @@ fn names_and_parameters() {
     };
     check("goldberg-1", &tiling);
 }
+
+/// The square tiling as a file; zeta^3 is perpendicular to 1.
+const SQUARES: &str = r#"{"format": "acutile-plane-tiling", "version": 1,
+    "lattice": [[1, 0, 0, 0], [0, 0, 0, 1]], "vertices": [[0, 0, 0, 0]]}"#;
+
+fn built_from(text: &str) -> Result<AnyTiling, CatalogError> {
+    let place = tempfile::tempdir().expect("a temporary directory");
+    let path = place.path().join("plane.json");
+    std::fs::write(&path, text).expect("written");
+    build(&format!("square-triangle:{}", path.display()))
+}
+
+#[test]
+fn a_plane_tiling_file_gives_a15() {
+    assert!(matches!(built_from(SQUARES), Ok(AnyTiling::Space(tiling)) if tiling.len() == 46));
+}
+
+proptest::proptest! {
+    #![proptest_config(proptest::prelude::ProptestConfig::with_cases(128))]
+
+    #[test]
+    fn changed_plane_tiling_files_never_panic(
+        changes in proptest::collection::vec((proptest::prelude::any::<proptest::sample::Index>(), "[ -~]"), 1..4),
+    ) {
+        let mut text = SQUARES.as_bytes().to_vec();
+        for (index, character) in &changes {
+            let place = index.index(text.len());
+            text[place] = character.as_bytes()[0];
+        }
+        let _ = built_from(&String::from_utf8_lossy(&text));
+    }
+
+    #[test]
+    fn random_plane_tilings_never_panic(
+        numbers in proptest::collection::vec(-3i64..4, 16),
+    ) {
+        let rows: Vec<String> = numbers.chunks(4).map(|row| format!("{row:?}")).collect();
+        let text = format!(
+            r#"{{"format": "acutile-plane-tiling", "version": 1, "lattice": [{}, {}], "vertices": [{}, {}]}}"#,
+            rows[0], rows[1], rows[2], rows[3]
+        );
+        let _ = built_from(&text);
+    }
+}

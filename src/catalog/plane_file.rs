@@ -34,6 +34,12 @@ pub fn plane_tiling(name: &str) -> Result<PlaneTiling, CatalogError> {
             "expected a plane-tiling file after the colon, or a name like 3464".to_owned(),
         ));
     }
+    if !Path::new(name).exists() && !name.contains(['/', '.']) {
+        return Err(CatalogError::File(format!(
+            "{name} is neither a file nor built in; built in are 3, 4, 33344, 32434, 3464 and \
+             inflated-NAME of these"
+        )));
+    }
     read_text(Path::new(name))
         .map_err(|error| error.to_string())
         .and_then(|text| parse(&text))

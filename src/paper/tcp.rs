@@ -19,7 +19,16 @@ const CALLED_TCP: [(&str, &str); 6] = [
 ];
 
 /// The structures over tilings by squares and triangles.
-const OVER_TILINGS: [&str; 4] = ["z", "a15", "sigma", "h"];
+const OVER_TILINGS: [&str; 8] = [
+    "z",
+    "a15",
+    "sigma",
+    "h",
+    "square-triangle-3464",
+    "square-triangle-inflated-3",
+    "square-triangle-inflated-4",
+    "square-triangle-inflated-32434",
+];
 
 /// The rows about the TCP property.
 pub fn rows(survey: &Survey) -> Vec<Row> {
