@@ -12,24 +12,26 @@ impl<const D: usize> Tiling<D> {
     pub fn from_positions(frame: Frame<D>, simplices: &[Vec<[Number; D]>]) -> Self {
         let rank = frame.rank();
         let mut indices: BTreeMap<[Number; D], u32> = BTreeMap::new();
-        let mut tiling = Tiling {
-            frame,
-            vertices: Vec::new(),
-            corners: Vec::new(),
-        };
+        let mut vertices = Vec::new();
+        let mut corners = Vec::with_capacity(simplices.len() * (D + 1));
         for position in simplices.iter().flatten() {
             let (vertex, shift) = split(position, rank);
             let index = *indices
                 .entry(vertex.clone())
-                .or_insert(tiling.vertices.len() as u32);
-            if index as usize == tiling.vertices.len() {
-                tiling.vertices.push(vertex);
+                .or_insert(vertices.len() as u32);
+            if index as usize == vertices.len() {
+                vertices.push(vertex);
             }
-            tiling.corners.push(Corner {
+            corners.push(Corner {
                 vertex: index,
                 shift,
             });
         }
+        let mut tiling = Tiling {
+            frame,
+            vertices: vertices.into(),
+            corners,
+        };
         tiling.orient();
         tiling
     }
