@@ -22,10 +22,16 @@ const ROUNDS: usize = 5;
 fn main() {
     let arguments: Vec<String> = std::env::args().collect();
     let wants = |name: &str| {
-        let named: Vec<&String> = arguments[1..].iter().filter(|a| !a.starts_with('-')).collect();
+        let named: Vec<&String> = arguments[1..]
+            .iter()
+            .filter(|a| !a.starts_with('-'))
+            .collect();
         named.is_empty() || named.iter().any(|a| *a == name)
     };
-    let single = rayon::ThreadPoolBuilder::new().num_threads(1).build().expect("a thread");
+    let single = rayon::ThreadPoolBuilder::new()
+        .num_threads(1)
+        .build()
+        .expect("a thread");
     single.install(|| {
         if wants("predicates") {
             predicates();
@@ -51,15 +57,27 @@ fn predicates() {
     let fraction = |text: &str| bent(&a15, text, "0");
     row("A15, integers", &a15);
     row("A15, moved, coordinates are doubles", &doubles(&a15));
-    row("BCC, angles of 90 degrees", &supercell(&entry("bcc"), [18; 3]));
-    row("cube in six, angles of 90 degrees", &supercell(&entry("cube-6"), [26; 3]));
+    row(
+        "BCC, angles of 90 degrees",
+        &supercell(&entry("bcc"), [18; 3]),
+    );
+    row(
+        "cube in six, angles of 90 degrees",
+        &supercell(&entry("cube-6"), [26; 3]),
+    );
     row("rational, 25 bits", &fraction("1/1048583"));
     row("rational, 50 bits", &fraction("1/1125899906842679"));
     row("Q(sqrt 5)", &bent(&a15, "sqrt(5)", "2236/1000"));
     row("Q(sqrt 3)", &bent(&a15, "sqrt(3)", "1732/1000"));
     let small = supercell(&entry("a15"), [4; 3]);
-    row("Q(sqrt 2 + sqrt 3), degree 4", &bent(&small, "sqrt(2)+sqrt(3)", "3146/1000"));
-    row("degree 8", &bent(&small, "sqrt(2)+sqrt(3)+sqrt(5)", "5382/1000"));
+    row(
+        "Q(sqrt 2 + sqrt 3), degree 4",
+        &bent(&small, "sqrt(2)+sqrt(3)", "3146/1000"),
+    );
+    row(
+        "degree 8",
+        &bent(&small, "sqrt(2)+sqrt(3)+sqrt(5)", "5382/1000"),
+    );
 }
 
 /// Filter and exact values together, and exact values alone.
@@ -104,7 +122,10 @@ fn statements() {
     println!("\nfurther statements, x naive");
     for (name, tiling) in [
         ("A15, integers", supercell(&entry("a15"), [12; 3])),
-        ("A15, moved, doubles", doubles(&supercell(&entry("a15"), [12; 3]))),
+        (
+            "A15, moved, doubles",
+            doubles(&supercell(&entry("a15"), [12; 3])),
+        ),
     ] {
         let naive = naive_time(&tiling).as_secs_f64();
         let model = Model::new(&tiling);
@@ -126,7 +147,10 @@ fn statements() {
 fn verifier() {
     println!("\nverifier");
     let a15 = supercell(&entry("a15"), [8; 3]);
-    for (name, tiling) in [("Q", a15.clone()), ("Q(sqrt 5)", bent(&a15, "sqrt(5)", "2236/1000"))] {
+    for (name, tiling) in [
+        ("Q", a15.clone()),
+        ("Q(sqrt 5)", bent(&a15, "sqrt(5)", "2236/1000")),
+    ] {
         let certificate = prove(&tiling, &Options::default(), &|_| ()).expect("it is a tiling");
         let bytes = to_bytes(&certificate);
         let limits = Limits {
@@ -141,7 +165,10 @@ fn verifier() {
 
 /// Orientation, acuteness, matching and volume of A15 on all cores, in four sizes.
 fn whole() {
-    println!("\nthe whole check of A15, {} threads", rayon::current_num_threads());
+    println!(
+        "\nthe whole check of A15, {} threads",
+        rayon::current_num_threads()
+    );
     for n in [16u16, 20, 23, 25, 32, 40, 50] {
         let tiling = supercell(&entry("a15"), [n; 3]);
         let mut parts = [Duration::ZERO; 5];
@@ -185,7 +212,10 @@ fn peak_megabytes() -> u64 {
 }
 
 fn entry(name: &str) -> Tiling<3> {
-    match acutile::catalog::find(name).expect("it is in the catalogue").build() {
+    match acutile::catalog::find(name)
+        .expect("it is in the catalogue")
+        .build()
+    {
         Ok(AnyTiling::Space(tiling)) => tiling,
         _ => unreachable!("{name} is a tiling of space"),
     }
@@ -214,12 +244,15 @@ fn bent(tiling: &Tiling<3>, number: &str, near: &str) -> Tiling<3> {
 fn doubles(tiling: &Tiling<3>) -> Tiling<3> {
     let mut state = 1u64;
     let mut noise = || {
-        state = state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1);
+        state = state
+            .wrapping_mul(6_364_136_223_846_793_005)
+            .wrapping_add(1);
         (state >> 11) as f64 / 2f64.powi(53) - 0.5
     };
-    let points = tiling.vertices.iter().map(|vertex| {
-        vertex.map(|x| x.approximate() + 1e-4 * noise())
-    });
+    let points = tiling
+        .vertices
+        .iter()
+        .map(|vertex| vertex.map(|x| x.approximate() + 1e-4 * noise()));
     let mut moved = tiling.clone();
     moved.vertices = Coordinates::from_doubles(points.collect()).expect("they are finite");
     moved

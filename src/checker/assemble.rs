@@ -87,7 +87,11 @@ fn mates<const D: usize>(
         let face = boundary.get(&facet);
         certificate::Mate(face.iter().map(|face| **face as i64).collect())
     };
-    let rows = |simplex| (0..=D).map(move |opposite| row_of(simplex, opposite)).collect();
+    let rows = |simplex| {
+        (0..=D)
+            .map(move |opposite| row_of(simplex, opposite))
+            .collect()
+    };
     (0..tiling.len()).map(rows).collect()
 }
 

@@ -92,9 +92,7 @@ pub fn check_volume<const D: usize>(model: &Model<D>, findings: &mut Findings) {
     let sum = quotient(&model.sum_of_determinants(), &factorial(D));
     let expected = match model.tiling.frame.domain.polytope() {
         None => Number::from(Rational::from(1)),
-        Some(polytope) => {
-            quotient(&polytope.scaled_volume(), &factorial(polytope.dimension()))
-        }
+        Some(polytope) => quotient(&polytope.scaled_volume(), &factorial(polytope.dimension())),
     };
     if sum != expected {
         findings.add(Defect::VolumeSum { sum, expected });

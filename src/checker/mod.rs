@@ -13,11 +13,11 @@ mod hypotheses;
 mod render;
 mod statements;
 
+pub use crate::predicates::Model;
 pub use data::defect_data;
 pub use defect::{Angle, Defect, Findings};
 pub use domain::{Boundary, check_domain, check_facets, check_inside};
 pub use hypotheses::{check_corners, check_metric, check_orientation, check_volume};
-pub use crate::predicates::Model;
 pub use render::describe;
 pub use statements::{
     check_acute, check_delaunay, check_dihedral_above, check_dihedral_below, check_nonobtuse,
@@ -69,13 +69,7 @@ pub fn prove<const D: usize>(
     let planes = check_domain(tiling, &mut findings);
     stop_if_any(&findings)?;
     progress("coordinates");
-    prove_model(
-        &Model::new(tiling),
-        &planes,
-        findings,
-        options,
-        progress,
-    )
+    prove_model(&Model::new(tiling), &planes, findings, options, progress)
 }
 
 fn prove_model<const D: usize>(

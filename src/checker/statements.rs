@@ -19,12 +19,12 @@ pub fn check_acute<const D: usize>(model: &Model<D>, findings: &mut Findings) {
             let evidence = || angle(model.tiling, simplex, pair);
             match signs.get(index) {
                 Sign::Less => {}
-                Sign::Equal => findings.add_with("right-angle", || Defect::RightAngle {
-                    angle: evidence(),
-                }),
-                Sign::Greater => findings.add_with("obtuse-angle", || Defect::ObtuseAngle {
-                    angle: evidence(),
-                }),
+                Sign::Equal => {
+                    findings.add_with("right-angle", || Defect::RightAngle { angle: evidence() })
+                }
+                Sign::Greater => {
+                    findings.add_with("obtuse-angle", || Defect::ObtuseAngle { angle: evidence() })
+                }
             }
         }
     }

@@ -64,7 +64,14 @@ fn raised(x: f64) -> f64 {
 impl Scalar for Bound {
     fn integer(&self, value: i64) -> Self {
         let size = raised(value.unsigned_abs() as f64);
-        Bound::given(size, if size < 2f64.powi(53) { 0.0 } else { size * ROUNDOFF })
+        Bound::given(
+            size,
+            if size < 2f64.powi(53) {
+                0.0
+            } else {
+                size * ROUNDOFF
+            },
+        )
     }
 
     fn plus(&self, other: &Self) -> Self {

@@ -94,7 +94,11 @@ impl<S: Scalar, const D: usize> Simplex<S, D> {
     /// dual to the edges, x is half the sum of |e_i|² ∇λ_i, and with the products
     /// P_ij = <g_i, g_j> measured by the adjugate of G this gives
     /// |x|² = Σ |e_i|² |e_j|² P_ij / (4 d² det G).
-    pub fn squared_circumradius(&self, gram: &[[S; D]; D], products: &NormalProducts<S, D>) -> (S, S) {
+    pub fn squared_circumradius(
+        &self,
+        gram: &[[S; D]; D],
+        products: &NormalProducts<S, D>,
+    ) -> (S, S) {
         let squares = self.edges.each_ref().map(|edge| linear::square(gram, edge));
         let mut numerator = self.determinant.integer(0);
         for (i, a) in squares.iter().enumerate() {

@@ -107,7 +107,11 @@ impl Scalar for I256 {
         } else {
             *self
         };
-        let value = size.0.iter().rev().fold(0.0, |sum, &word| sum * 2f64.powi(64) + word as f64);
+        let value = size
+            .0
+            .iter()
+            .rev()
+            .fold(0.0, |sum, &word| sum * 2f64.powi(64) + word as f64);
         if self.is_negative() { -value } else { value }
     }
 }

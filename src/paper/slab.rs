@@ -80,7 +80,9 @@ fn steps(survey: &Survey) -> Finding {
     // Cells of the lattice may hold several vertices of the base.
     let bases = study.tiling.vertices.iter().map(|[_, _, height]| height);
     let lowest = bases.clone().min();
-    let cells = bases.filter(|height| Some(height) == lowest.as_ref()).count();
+    let cells = bases
+        .filter(|height| Some(height) == lowest.as_ref())
+        .count();
     let found = study.tiling.len();
     Ok((
         found == expected * cells,

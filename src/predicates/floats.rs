@@ -51,23 +51,26 @@ pub struct Floats<'a, const D: usize> {
 impl<'a, const D: usize> Floats<'a, D> {
     /// The vertices of `tiling`, times a positive number.
     pub fn new(tiling: &'a Tiling<D>) -> Self {
-        let (points, unit, is_integral): (Cow<[[f64; D]]>, f64, bool) =
-            match tiling.vertices.form() {
-                Form::Integers {
-                    numerators,
-                    denominator,
-                } => {
-                    let points = numerators.iter().map(|x| x.map(|n| n as f64)).collect();
-                    (Cow::Owned(points), *denominator as f64, true)
-                }
-                Form::Doubles(points) => (Cow::Borrowed(points), 1.0, false),
-                Form::Numbers(points) => {
-                    let approximate = |x: &[Number; D]| x.each_ref().map(Number::approximate);
-                    let points = points.par_iter().map(approximate).collect();
-                    (Cow::Owned(points), 1.0, false)
-                }
-            };
-        let largest = points.iter().flatten().fold(0.0, |m: f64, x| m.max(x.abs()));
+        let (points, unit, is_integral): (Cow<[[f64; D]]>, f64, bool) = match tiling.vertices.form()
+        {
+            Form::Integers {
+                numerators,
+                denominator,
+            } => {
+                let points = numerators.iter().map(|x| x.map(|n| n as f64)).collect();
+                (Cow::Owned(points), *denominator as f64, true)
+            }
+            Form::Doubles(points) => (Cow::Borrowed(points), 1.0, false),
+            Form::Numbers(points) => {
+                let approximate = |x: &[Number; D]| x.each_ref().map(Number::approximate);
+                let points = points.par_iter().map(approximate).collect();
+                (Cow::Owned(points), 1.0, false)
+            }
+        };
+        let largest = points
+            .iter()
+            .flatten()
+            .fold(0.0, |m: f64, x| m.max(x.abs()));
         let shifts = tiling.corners.iter().flat_map(|c| c.shift);
         // Four times, for a corner of a neighbour that is moved next to a simplex.
         let steps = 4.0 * f64::from(shifts.map(i32::abs).max().unwrap_or(0));
@@ -223,7 +226,10 @@ fn bound_of<P: Predicate<D>, const D: usize>(
 /// The largest power of two for which no intermediate value exceeds 2^53.
 fn largest_exact(top: impl Fn(f64) -> f64) -> f64 {
     let sizes = (0..53).map(|k| 2f64.powi(k));
-    sizes.take_while(|size| top(*size) < 2f64.powi(53)).last().unwrap_or(-1.0)
+    sizes
+        .take_while(|size| top(*size) < 2f64.powi(53))
+        .last()
+        .unwrap_or(-1.0)
 }
 
 fn all_integers<const D: usize>(metric: &Metric<Rounded, D>) -> bool {

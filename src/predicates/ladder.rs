@@ -117,14 +117,22 @@ impl<B: Base, const D: usize> Ladder<B, D> {
             constants,
         };
         let sizes = map_metric(&big, B::size);
-        let tops: Vec<(f64, f64)> = (0..=126).map(|b| tops::<B, P, D>(predicate, &sizes, b)).collect();
+        let tops: Vec<(f64, f64)> = (0..=126)
+            .map(|b| tops::<B, P, D>(predicate, &sizes, b))
+            .collect();
         // Squares are compared in 256 bits by the narrow ring, without bound by the wide one.
         let safe_bits = |bits: i32, squares: f64| {
             let fits = |top: &&(f64, f64)| top.0 < 2f64.powi(bits) && top.1 < squares;
-            tops.iter().take_while(fits).count().checked_sub(1).map(|b| b as u32)
+            tops.iter()
+                .take_while(fits)
+                .count()
+                .checked_sub(1)
+                .map(|b| b as u32)
         };
         let narrow = narrowed::<B, D>(&big);
-        let wide = narrow.as_ref().map(|metric| map_metric(metric, |x| B::Wide::lift(x)));
+        let wide = narrow
+            .as_ref()
+            .map(|metric| map_metric(metric, |x| B::Wide::lift(x)));
         Ladder {
             narrow: safe_bits(127, 2f64.powi(255)).zip(narrow),
             wide: safe_bits(255, f64::INFINITY).zip(wide),
@@ -175,8 +183,15 @@ where
 
 fn narrowed<B: Base, const D: usize>(big: &Metric<B::Big, D>) -> Option<Metric<B, D>> {
     let options = map_metric(big, |x| B::narrow(x));
-    let entries = [&options.gram, &options.cogram].into_iter().flatten().flatten();
-    let zero = entries.chain(&options.constants).cloned().collect::<Option<Vec<B>>>()?[0].integer(0);
+    let entries = [&options.gram, &options.cogram]
+        .into_iter()
+        .flatten()
+        .flatten();
+    let zero = entries
+        .chain(&options.constants)
+        .cloned()
+        .collect::<Option<Vec<B>>>()?[0]
+        .integer(0);
     Some(map_metric(&options, |x| x.clone().unwrap_or(zero.clone())))
 }
 

@@ -119,7 +119,9 @@ impl<P: Predicate<D>, const D: usize> Prepared<'_, P, D> {
         let corners = self.model.tiling.simplex(simplex);
         let floats = &self.model.floats;
         let point = floats.difference(&corners[0], apex);
-        let filtered = self.filter.signs(&self.predicate, floats.edges(corners), &point);
+        let filtered = self
+            .filter
+            .signs(&self.predicate, floats.edges(corners), &point);
         filtered.unwrap_or_else(|| self.exact_signs(corners, apex))
     }
 
@@ -173,7 +175,11 @@ impl<const D: usize> Exact<D> {
                     d: Integer::from(root.d),
                 };
                 exact.quadratics = cleared_quadratics(gram, root).map(|gram| {
-                    Ladder::new(predicate, gram, constants.into_iter().map(element).collect())
+                    Ladder::new(
+                        predicate,
+                        gram,
+                        constants.into_iter().map(element).collect(),
+                    )
                 });
             }
             Ring::Numbers { .. } => {}
@@ -197,7 +203,10 @@ fn number_metric<const D: usize>(
     Metric {
         cogram: linear::cofactors(&gram),
         gram,
-        constants: constants.iter().map(|n| Number::from(Rational::from(n))).collect(),
+        constants: constants
+            .iter()
+            .map(|n| Number::from(Rational::from(n)))
+            .collect(),
     }
 }
 
@@ -212,7 +221,8 @@ fn rounded<const D: usize>(metric: &Metric<Number, D>) -> Metric<Rounded, D> {
         false => 0,
     };
     let matrix = |rows: &[[Number; D]; D], scale: i32| {
-        rows.each_ref().map(|row| row.each_ref().map(|x| Rounded::of(x, scale)))
+        rows.each_ref()
+            .map(|row| row.each_ref().map(|x| Rounded::of(x, scale)))
     };
     Metric {
         gram: matrix(&metric.gram, scale),
@@ -226,8 +236,15 @@ impl<P: Predicate<D>, const D: usize> Prepared<'_, P, D> {
         let Prepared { model, exact, .. } = self;
         let corners = model.tiling.simplex(simplex);
         let apex = &corners[0];
-        if let Some(Vectors { edges, exponent, .. }) = model.ring.integers(corners, apex) {
-            match exact.integers.as_ref().is_some_and(|ladder| ladder.is_narrow(&edges)) {
+        if let Some(Vectors {
+            edges, exponent, ..
+        }) = model.ring.integers(corners, apex)
+        {
+            match exact
+                .integers
+                .as_ref()
+                .is_some_and(|ladder| ladder.is_narrow(&edges))
+            {
                 true => total.add(exponent, [Simplex::from_edges(edges).determinant, 0]),
                 false => {
                     let edges = edges.map(|edge| edge.map(Integer::from));
@@ -236,7 +253,11 @@ impl<P: Predicate<D>, const D: usize> Prepared<'_, P, D> {
                 }
             }
         } else if let Some(Vectors { edges, .. }) = model.ring.quadratics(corners, apex) {
-            match exact.quadratics.as_ref().is_some_and(|ladder| ladder.is_narrow(&edges)) {
+            match exact
+                .quadratics
+                .as_ref()
+                .is_some_and(|ladder| ladder.is_narrow(&edges))
+            {
                 true => {
                     let Quadratic { x, y, .. } = Simplex::from_edges(edges).determinant;
                     total.add(0, [x, y]);

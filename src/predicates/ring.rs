@@ -137,9 +137,12 @@ impl<'a, const D: usize> Ring<'a, D> {
                 let at = |vertex: usize, k: usize| i128::from(vertices[vertex][k]);
                 Some(vectors(corners, apex, at, i128::from(*unit)))
             }
-            Ring::Long { vertices, unit } => {
-                Some(vectors(corners, apex, |vertex, k| vertices[vertex][k], *unit))
-            }
+            Ring::Long { vertices, unit } => Some(vectors(
+                corners,
+                apex,
+                |vertex, k| vertices[vertex][k],
+                *unit,
+            )),
             Ring::Doubles(points) => dyadic(points, corners, apex),
             _ => None,
         }
@@ -273,7 +276,11 @@ fn quadratic<'a, const D: usize>(
     unit: &Integer,
     root: SquareRoot,
 ) -> Option<Ring<'a, D>> {
-    let small = |n: &Integer| i64::try_from(n).ok().filter(|n| n.unsigned_abs() >> 62 == 0);
+    let small = |n: &Integer| {
+        i64::try_from(n)
+            .ok()
+            .filter(|n| n.unsigned_abs() >> 62 == 0)
+    };
     let clear = |x: &Number| {
         let [x, y] = root.doubled(x, unit)?;
         Some([small(&x)?, small(&y)?])

@@ -35,8 +35,12 @@ pub fn bounds<const D: usize>(model: &Model<D>) -> Bounds {
     let fraction = |n: i64, d: i64| Rational::from_signeds(n, d);
     let hundredths = |n: i64| (n > 0 && n <= 18_000).then(|| fraction(n, 100));
     Bounds {
-        above_angles: (0..CHOICES).filter_map(|k| hundredths(largest + k)).collect(),
-        below_angles: (0..CHOICES).filter_map(|k| hundredths(smallest - k)).collect(),
+        above_angles: (0..CHOICES)
+            .filter_map(|k| hundredths(largest + k))
+            .collect(),
+        below_angles: (0..CHOICES)
+            .filter_map(|k| hundredths(smallest - k))
+            .collect(),
         above_ratios: (0..CHOICES)
             .map(|k| fraction((ratio + k).max(1), 1000))
             .collect(),
@@ -62,7 +66,9 @@ impl Extremes {
 
     fn of<const D: usize>(model: &Model<D>) -> Self {
         let numbers = &model.tiling.frame.gram;
-        let gram = numbers.each_ref().map(|row| row.each_ref().map(Number::approximate));
+        let gram = numbers
+            .each_ref()
+            .map(|row| row.each_ref().map(Number::approximate));
         let cogram = linear::cofactors(&gram);
         let extremes = model.fold(Extremes::NONE, |extremes, edges| {
             extremes.with(&Simplex::from_edges(edges), &gram, &cogram)

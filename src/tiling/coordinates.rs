@@ -37,7 +37,8 @@ impl<const D: usize> Coordinates<D> {
     /// absolute value. `None` if that is not so.
     pub fn from_integers(numerators: Vec<[i64; D]>, denominator: i64) -> Option<Self> {
         let fits = |n: &i64| n.unsigned_abs() >> BITS == 0;
-        let all_fit = denominator > 0 && fits(&denominator) && numerators.iter().flatten().all(fits);
+        let all_fit =
+            denominator > 0 && fits(&denominator) && numerators.iter().flatten().all(fits);
         all_fit.then_some(Coordinates(Form::Integers {
             numerators,
             denominator,
@@ -79,8 +80,7 @@ impl<const D: usize> Coordinates<D> {
             Form::Integers {
                 numerators,
                 denominator,
-            } => numerators[index]
-                .map(|n| Number::from(Rational::from_signeds(n, *denominator))),
+            } => numerators[index].map(|n| Number::from(Rational::from_signeds(n, *denominator))),
             Form::Doubles(points) => points[index].map(number_of_double),
             Form::Numbers(points) => points[index].clone(),
         }

@@ -14,7 +14,6 @@
 //! orientation of its normal form. Two simplices that share the facet lie on
 //! opposite sides of it exactly when these signs differ.
 
-
 use super::{Corner, Tiling, difference};
 use rayon::prelude::*;
 use std::ops::Range;
@@ -155,7 +154,11 @@ impl Buckets {
     }
 
     fn fill<const D: usize>(&mut self, tiling: &Tiling<D>) {
-        let size = self.facets.len().div_ceil(rayon::current_num_threads()).max(CHUNK);
+        let size = self
+            .facets
+            .len()
+            .div_ceil(rayon::current_num_threads())
+            .max(CHUNK);
         let mut rest = &mut self.facets[..];
         let mut parts = Vec::new();
         for range in ranges(&self.starts, size) {
@@ -227,7 +230,12 @@ fn match_buckets<const D: usize>(
     let mut entries: Vec<Entry<D>> = Vec::new();
     for vertex in vertices {
         entries.clear();
-        entries.extend(buckets.bucket(vertex).iter().map(|&n| Entry::new(tiling, n)));
+        entries.extend(
+            buckets
+                .bucket(vertex)
+                .iter()
+                .map(|&n| Entry::new(tiling, n)),
+        );
         entries.sort_unstable();
         for group in entries.chunk_by(|a, b| a.form == b.form) {
             match group {

@@ -72,10 +72,15 @@ fn integer_copies<const D: usize>(
         (n > 0).then(|| lcm.checked_mul(n / n.gcd(&lcm))).flatten()
     })?;
     let mut copies = Vec::with_capacity(offsets.len() * numerators.len());
-    for (offset, point) in offsets.iter().flat_map(|o| numerators.iter().map(move |p| (o, p))) {
+    for (offset, point) in offsets
+        .iter()
+        .flat_map(|o| numerators.iter().map(move |p| (o, p)))
+    {
         let mut copy = [0; D];
         for k in 0..D {
-            let moved = denominator.checked_mul(i64::from(offset[k]))?.checked_add(point[k])?;
+            let moved = denominator
+                .checked_mul(i64::from(offset[k]))?
+                .checked_add(point[k])?;
             copy[k] = moved.checked_mul(lcm / i64::from(sizes[k]))?;
         }
         copies.push(copy);
