@@ -2,6 +2,7 @@
 
 use super::{Corner, Frame, Tiling};
 use crate::number::Number;
+use crate::predicates::{Model, Orientation};
 use std::collections::BTreeMap;
 
 impl<const D: usize> Tiling<D> {
@@ -39,9 +40,9 @@ impl<const D: usize> Tiling<D> {
     /// Exchanges the last two corners of every negatively oriented simplex; returns
     /// their indices.
     pub fn orient(&mut self) -> Vec<usize> {
-        let negative: Vec<usize> = (0..self.len())
-            .filter(|&index| self.shape(index).determinant.sign().is_lt())
-            .collect();
+        let negative = Model::new(self)
+            .prepare(Orientation)
+            .failing(|signs| signs.none_negative());
         for index in &negative {
             let end = (index + 1) * (D + 1);
             self.corners.swap(end - 2, end - 1);
