@@ -2,12 +2,12 @@
 //! deciding isomorphism.
 
 use acutile::catalog;
-use acutile::classify::{NotTcp, Star, frank_kasper};
+use acutile::classify::{NotTcp, Ridges, Star, check_tcp, frank_kasper, is_tcp};
 use acutile::import::{Content, read_native};
 use acutile::number::Number;
 use acutile::quality::{Exact, rounded_down, squared_edges};
 use acutile::survey::Study;
-use acutile::tiling::{AnyPointSet, AnyTiling, Corner, Tiling, supercell};
+use acutile::tiling::{AnyPointSet, AnyTiling, Corner, Tiling, match_facets, supercell};
 use malachite::Rational;
 use std::collections::{BTreeMap, BTreeSet, HashMap, VecDeque};
 
@@ -158,6 +158,22 @@ fn mirrored(tiling: &Tiling<3>) -> Tiling<3> {
         .chunks_exact_mut(4)
         .for_each(|corners| corners.swap(2, 3));
     other
+}
+
+/// Walking around every edge and counting by a list of edges agree.
+#[test]
+fn tcp_in_two_ways() {
+    let mut tcp = 0;
+    for entry in catalog::entries() {
+        let Ok(AnyTiling::Space(tiling)) = entry.build() else {
+            continue;
+        };
+        let matching = match_facets(&tiling);
+        let expected = check_tcp(&tiling, &Ridges::of(&tiling, &matching)).is_ok();
+        assert_eq!(is_tcp(&tiling, &matching), expected, "{}", entry.name);
+        tcp += usize::from(expected);
+    }
+    assert!(tcp > 5, "{tcp} are TCP");
 }
 
 #[test]
