@@ -27,6 +27,8 @@ pub mod number;
 #[cfg(feature = "prover")]
 pub mod paper;
 #[cfg(feature = "prover")]
+pub mod predicates;
+#[cfg(feature = "prover")]
 pub mod quality;
 #[cfg(feature = "prover")]
 pub mod survey;

@@ -156,6 +156,15 @@ impl Findings {
         }
     }
 
+    /// Adds a defect with this name; it is made only if it is kept.
+    pub fn add_with(&mut self, code: &'static str, make: impl FnOnce() -> Defect) {
+        let count = self.counts.entry(code).or_insert(0);
+        *count += 1;
+        if *count <= self.limit {
+            self.kept.push(make());
+        }
+    }
+
     /// Whether nothing is wrong.
     pub fn is_empty(&self) -> bool {
         self.counts.is_empty()

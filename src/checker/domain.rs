@@ -122,9 +122,12 @@ pub fn check_inside<const D: usize>(
     findings: &mut Findings,
 ) -> Vec<Vec<usize>> {
     let mut faces = vec![Vec::new(); tiling.vertices.len()];
+    if planes.is_empty() {
+        return faces;
+    }
     for (vertex, point) in tiling.vertices.iter().enumerate() {
         for (face, plane) in planes.iter().enumerate() {
-            let value = plane.value(tiling.frame.cross_section(point));
+            let value = plane.value(tiling.frame.cross_section(&point));
             match value.sign() {
                 Sign::Greater => {}
                 Sign::Equal => faces[vertex].push(face),

@@ -135,7 +135,7 @@ fn tiling<const D: usize>(
     let corners = corners(simplices, vertices.len(), &frame)?;
     Ok(Tiling {
         frame,
-        vertices,
+        vertices: vertices.into(),
         corners,
     })
 }
