@@ -31,6 +31,8 @@ pub mod paper;
 #[cfg(feature = "prover")]
 pub mod quality;
 #[cfg(feature = "prover")]
+pub mod statistics;
+#[cfg(feature = "prover")]
 pub mod survey;
 #[cfg(feature = "prover")]
 pub mod table;
