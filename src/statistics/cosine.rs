@@ -99,8 +99,8 @@ impl Bins {
             return (degrees / width).floor() as usize;
         }
         let is_below = |bin: u32| compared(cosine, bin * self.width, &exact).is_lt();
-        // NaN casts to zero and counts up from there.
-        let mut bin = end as u32;
+        // NaN casts to zero and counts up from there; 180 degrees are no angle.
+        let mut bin = (end as u32).min(180 / self.width - 1);
         while bin > 0 && is_below(bin) {
             bin -= 1;
         }
