@@ -204,9 +204,9 @@ pub fn svg(statistics: &Statistics, title: &str) -> String {
     svg
 }
 
-const SVG_HEAD: &str = "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 620 325\" \
+const SVG_HEAD: &str = "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 640 325\" \
     font-family=\"sans-serif\" font-size=\"12\">\n<style>rect{fill:#0072b2}path{fill:none;stroke:#000}\
-    .right{stroke:#d55e00;stroke-dasharray:4 3}</style>\n<rect width=\"620\" height=\"325\" style=\"fill:#fff\"/>\n";
+    .right{stroke:#d55e00;stroke-dasharray:4 3}</style>\n<rect width=\"640\" height=\"325\" style=\"fill:#fff\"/>\n";
 
 fn x_of(degrees: f64) -> f64 {
     60.0 + 3.0 * degrees
