@@ -5,6 +5,8 @@
 #![forbid(unsafe_code)]
 
 #[cfg(feature = "prover")]
+pub mod advice;
+#[cfg(feature = "prover")]
 pub mod catalog;
 pub mod certificate;
 #[cfg(feature = "prover")]
@@ -30,6 +32,8 @@ pub mod paper;
 pub mod predicates;
 #[cfg(feature = "prover")]
 pub mod quality;
+#[cfg(feature = "prover")]
+pub mod statistics;
 #[cfg(feature = "prover")]
 pub mod survey;
 #[cfg(feature = "prover")]

@@ -1,5 +1,6 @@
 //! The arguments of every command, as clap reads them.
 
+use super::quality::QualityArguments;
 use crate::certificate::Statement;
 use crate::verifier::Limits;
 use clap::{Args, Parser, Subcommand};
@@ -39,6 +40,8 @@ pub enum Command {
     /// The exit code is 0 when every statement was settled, misprints included, and 3 when one
     /// was not.
     Paper(PaperArguments),
+    /// How good the simplices are: dihedral angles, radius-edge and aspect ratios
+    Quality(QualityArguments),
     /// Valences, vertex types, TCP or why not, and what the tiling is isomorphic to
     Classify(ClassifyArguments),
     /// Print a completion script for a shell
