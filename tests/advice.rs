@@ -63,8 +63,8 @@ fn a_removed_tetrahedron_is_named() {
 #[test]
 fn two_neighbours_removed_are_a_hole_of_six_facets() {
     let mut tiling = a15();
-    let mates = acutile::tiling::match_facets(&tiling).mates;
-    let neighbour = mates[0].unwrap().facet.simplex as usize;
+    let matching = acutile::tiling::match_facets(&tiling);
+    let neighbour = matching.neighbour(0, 0).unwrap().simplex as usize;
     tiling.corners.drain(4 * neighbour..4 * neighbour + 4);
     tiling.corners.drain(0..4);
     let holes: Vec<(usize, bool)> = advice(&tiling)
@@ -87,7 +87,9 @@ fn a_split_vertex_is_found_with_its_distance() {
         let mut position = tiling.position(&Corner::of(corner.vertex));
         position[0] = &position[0] + &number(offset);
         let new = tiling.vertices.len() as u32;
-        tiling.vertices.push(position);
+        let mut vertices = tiling.vertices.to_numbers();
+        vertices.push(position);
+        tiling.vertices = vertices.into();
         tiling.corners[0].vertex = new;
         let squares: Vec<Number> = advice(&tiling)
             .into_iter()
@@ -107,12 +109,12 @@ fn a_split_vertex_is_found_with_its_distance() {
 #[test]
 fn a_double_cover_has_a_point_in_two_tetrahedra() {
     let mut tiling = a15();
-    let (vertices, corners) = (tiling.vertices.clone(), tiling.corners.clone());
+    let (vertices, corners) = (tiling.vertices.to_numbers(), tiling.corners.clone());
     let shifted = vertices.iter().map(|v| {
         let [x, y, z] = v;
         [x + &number("1/7"), y + &number("1/5"), z + &number("1/3")]
     });
-    tiling.vertices.extend(shifted);
+    tiling.vertices = vertices.iter().cloned().chain(shifted).collect();
     let second = corners.iter().map(|c| Corner {
         vertex: c.vertex + vertices.len() as u32,
         ..*c
@@ -174,7 +176,7 @@ fn tetrahedra_that_touch_have_no_common_inner_point() {
 fn alone(corners: [[&str; 3]; 4]) -> Tiling<3> {
     let mut tiling = Tiling {
         frame: Frame::cubic(),
-        vertices: corners.map(point).to_vec(),
+        vertices: corners.map(point).to_vec().into(),
         corners: (0..4).map(Corner::of).collect(),
     };
     tiling.orient();
@@ -194,7 +196,9 @@ fn a_low_apex_must_rise() {
     let motion = motion(&tiling, 0).expect("the base is acute");
     assert!(motion.distance <= Rational::from_signeds(5774, 10000));
     let mut moved = tiling.clone();
-    moved.vertices[motion.corner.vertex as usize] = motion.target.clone();
+    let mut vertices = moved.vertices.to_numbers();
+    vertices[motion.corner.vertex as usize] = motion.target.clone();
+    moved.vertices = vertices.into();
     let shape = moved.shape(0);
     assert_eq!(shape.determinant.sign(), Sign::Greater);
     let products = shape.normal_products(&linear::cofactors(&moved.frame.gram));

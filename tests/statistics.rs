@@ -67,7 +67,7 @@ fn one(corners: [[&str; 3]; 4]) -> Statistics {
     let number = |text: &str| Number::from(parse_rational(text).unwrap());
     let tiling = Tiling {
         frame: Frame::cubic(),
-        vertices: corners.map(|point| point.map(number)).to_vec(),
+        vertices: corners.map(|point| point.map(number)).to_vec().into(),
         corners: (0..4).map(Corner::of).collect(),
     };
     statistics(&tiling, 5)

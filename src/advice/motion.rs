@@ -177,13 +177,22 @@ impl<const D: usize> Search<D> {
             .map(|k| self.points[k])
             .collect();
         let middle = self.center(&others);
-        let gradients = Simplex::new(&self.points).all_gradients();
-        let normal = linear::apply(&self.cogram, &gradients[self.moving]);
+        let normal = linear::apply(&self.cogram, &self.inward());
         let length = self.length(&normal);
         let heights = (0..20).map(|k| self.size * 0.25 * 1.5f64.powi(k) / length);
         heights
             .map(|height| std::array::from_fn(|k| middle[k] + height * normal[k]))
             .find(|step| self.makes_acute(step))
+    }
+
+    /// The gradient of the moving corner's barycentric coordinate: the inward normal of the
+    /// opposite facet. All gradients sum to zero.
+    fn inward(&self) -> [f64; D] {
+        let gradients = Simplex::new(&self.points).gradients;
+        match self.moving {
+            0 => std::array::from_fn(|k| -gradients.iter().map(|g| g[k]).sum::<f64>()),
+            corner => gradients[corner - 1],
+        }
     }
 
     /// The incentre of a triangle, which is inside where the orthogonal projection must be; the middle of an

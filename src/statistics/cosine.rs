@@ -18,7 +18,10 @@ pub struct Cosine<S> {
 }
 
 impl<S: Scalar> Cosine<S> {
-    pub fn between(products: &NormalProducts<S>, (i, j): (usize, usize)) -> Self {
+    pub fn between<const D: usize>(
+        products: &NormalProducts<S, D>,
+        (i, j): (usize, usize),
+    ) -> Self {
         let product = products.get(i, j).clone();
         Cosine {
             sign: product.sign().reverse(),

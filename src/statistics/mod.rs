@@ -12,12 +12,17 @@ mod extreme;
 pub use chart::{csv, svg, text};
 pub use extreme::Extreme;
 
-use crate::checker::Model;
 use crate::geometry::{NormalProducts, Scalar, Sign, Simplex, linear};
+use crate::number::Number;
+use crate::predicates::ring::{Ring, cleared_integers, common_denominator};
 use crate::quality::{DihedralAngle, Exact, measures};
 use crate::tiling::Tiling;
 use cosine::{Bins, Cosine};
-use malachite::Rational;
+use malachite::base::num::arithmetic::traits::Floor;
+use malachite::base::num::basic::traits::Zero;
+use malachite::{Integer, Rational};
+use std::collections::BTreeMap;
+use std::rc::Rc;
 
 /// A dihedral angle of a tiling: the simplex and the two facets, each named by the corner
 /// opposite to it.
@@ -59,40 +64,101 @@ pub struct Statistics {
 
 /// The figures of `tiling`, with angles counted in bins of so many degrees, a divisor of 180.
 pub fn statistics<const D: usize>(tiling: &Tiling<D>, degrees_per_bin: u32) -> Statistics {
-    if tiling.frame.field.degree() == 1 {
-        Gathering::over(&Model::rational(tiling), degrees_per_bin)
-    } else {
-        Gathering::over(&Model::algebraic(tiling), degrees_per_bin)
+    let ring = Ring::new(tiling);
+    let gram = &tiling.frame.gram;
+    match cleared_integers(gram).filter(|_| tiling.frame.field.degree() == 1) {
+        Some(gram) => {
+            let edges = |simplex: usize| integer_edges(tiling, &ring, simplex);
+            Gathering::over(tiling, gram, edges, degrees_per_bin)
+        }
+        None => {
+            let edges = |simplex: usize| {
+                let corners = tiling.simplex(simplex);
+                ring.numbers(tiling, corners, &corners[0]).edges
+            };
+            Gathering::over(tiling, gram.clone(), edges, degrees_per_bin)
+        }
     }
 }
 
+/// The edges of a simplex times a positive number, which all figures leave alone.
+fn integer_edges<const D: usize>(
+    tiling: &Tiling<D>,
+    ring: &Ring<D>,
+    simplex: usize,
+) -> [[Integer; D]; D] {
+    let corners = tiling.simplex(simplex);
+    if let Some(vectors) = ring.integers(corners, &corners[0]) {
+        return vectors.edges.map(|edge| edge.map(Integer::from));
+    }
+    let edges = ring.numbers(tiling, corners, &corners[0]).edges;
+    let unit = Number::from(Rational::from(common_denominator(edges.iter().flatten())));
+    let integer = |x: &Number| {
+        let scaled = x * &unit;
+        scaled
+            .to_rational()
+            .map_or(Integer::ZERO, |value| value.floor())
+    };
+    edges.each_ref().map(|edge| edge.each_ref().map(integer))
+}
+
 /// The figures while they are gathered.
-struct Gathering<S> {
+struct Gathering<'t, S, const D: usize> {
+    tiling: &'t Tiling<D>,
+    metric: Metric<S, D>,
     statistics: Statistics,
     bins: Bins,
+    known: BTreeMap<[[S; D]; D], Option<Rc<Figures<S, D>>>>,
     smallest: extreme::Tracker<Cosine<S>, Place>,
     largest: extreme::Tracker<Cosine<S>, Place>,
     lowest: extreme::Tracker<Ratio<S>, usize>,
     highest: extreme::Tracker<Ratio<S>, usize>,
 }
 
-impl<S: Scalar> Gathering<S> {
-    fn over<const D: usize>(model: &Model<S, D>, degrees_per_bin: u32) -> Statistics {
-        let mut gathering = Gathering::new(model.tiling.len(), degrees_per_bin);
-        for index in 0..model.tiling.len() {
-            let simplex = model.simplex(index);
-            match simplex.determinant.sign() {
-                Sign::Greater => gathering.include(model, index, &simplex),
-                _ => gathering.statistics.left_out.push(index),
+/// The Gram matrix, and its adjugate, which measures covectors.
+struct Metric<S, const D: usize> {
+    gram: [[S; D]; D],
+    cogram: [[S; D]; D],
+}
+
+/// The figures of one simplex.
+struct Figures<S, const D: usize> {
+    /// Each angle: its facets, the sign of the product of their normals, its cosine, about how many
+    /// degrees, its bin.
+    angles: Vec<((usize, usize), Sign, Cosine<S>, f64, usize)>,
+    ratio: Ratio<S>,
+    aspect: f64,
+}
+
+/// So many different simplices are remembered, since periodic meshes repeat few.
+const REMEMBERED: usize = 1 << 12;
+
+impl<'t, S: Scalar + Ord, const D: usize> Gathering<'t, S, D> {
+    fn over(
+        tiling: &'t Tiling<D>,
+        gram: [[S; D]; D],
+        edges: impl Fn(usize) -> [[S; D]; D],
+        degrees_per_bin: u32,
+    ) -> Statistics {
+        let mut gathering = Gathering::new(tiling, gram, degrees_per_bin);
+        for index in 0..tiling.len() {
+            match gathering.figures(index, edges(index)) {
+                Some(figures) => gathering.include(index, &figures),
+                None => gathering.statistics.left_out.push(index),
             }
         }
-        gathering.finish(model)
+        gathering.finish()
     }
 
-    fn new(simplices: usize, degrees_per_bin: u32) -> Self {
+    fn new(tiling: &'t Tiling<D>, gram: [[S; D]; D], degrees_per_bin: u32) -> Self {
         Gathering {
+            tiling,
+            metric: Metric {
+                cogram: linear::cofactors(&gram),
+                gram,
+            },
             statistics: Statistics {
-                simplices,
+                simplices: tiling.len(),
                 left_out: Vec::new(),
                 kinds: [0; 3],
                 angles: [0; 3],
@@ -105,6 +171,7 @@ impl<S: Scalar> Gathering<S> {
                 aspects: None,
             },
             bins: Bins::new(degrees_per_bin),
+            known: BTreeMap::new(),
             smallest: extreme::Tracker::new(Sign::Less),
             largest: extreme::Tracker::new(Sign::Greater),
             lowest: extreme::Tracker::new(Sign::Less),
@@ -112,85 +179,90 @@ impl<S: Scalar> Gathering<S> {
         }
     }
 
-    fn include<const D: usize>(
-        &mut self,
-        model: &Model<S, D>,
-        index: usize,
-        simplex: &Simplex<S, D>,
-    ) {
-        let products = simplex.normal_products(&model.cogram);
-        let mut worst = Sign::Less;
-        for (i, j, product) in products.pairs() {
-            let sign = product.sign();
-            worst = worst.max(sign);
-            self.statistics.angles[kind(sign)] += 1;
+    /// The figures of a simplex, none if it is not positively oriented.
+    fn figures(&mut self, index: usize, edges: [[S; D]; D]) -> Option<Rc<Figures<S, D>>> {
+        if let Some(known) = self.known.get(&edges) {
+            return known.clone();
+        }
+        let figures = self.computed(index, Simplex::from_edges(edges.clone()));
+        let figures = figures.map(Rc::new);
+        if self.known.len() < REMEMBERED {
+            self.known.insert(edges, figures.clone());
+        }
+        figures
+    }
+
+    fn computed(&self, index: usize, simplex: Simplex<S, D>) -> Option<Figures<S, D>> {
+        if simplex.determinant.sign() != Sign::Greater {
+            return None;
+        }
+        let products = simplex.normal_products(&self.metric.cogram);
+        let angle = |(i, j, product): (usize, usize, &S)| {
+            let cosine = Cosine::between(&products, (i, j));
+            let degrees = cosine.degrees();
             let place = Place {
                 simplex: index,
                 facets: (i, j),
             };
-            self.include_angle(model.tiling, &products, place);
-        }
-        self.statistics.kinds[kind(worst)] += 1;
-        self.include_ratio(model, index, simplex, &products);
-        self.include_aspect(model, index, simplex, &products);
-    }
-
-    fn include_angle<const D: usize>(
-        &mut self,
-        tiling: &Tiling<D>,
-        products: &NormalProducts<S>,
-        place: Place,
-    ) {
-        let cosine = Cosine::between(products, place.facets);
-        let degrees = cosine.degrees();
-        let bin = self
-            .bins
-            .of(&cosine, degrees, || exact_angle(tiling, &place));
-        self.statistics.histogram[bin] += 1;
-        self.smallest.include(degrees, &cosine, place);
-        self.largest.include(degrees, &cosine, place);
-    }
-
-    fn include_ratio<const D: usize>(
-        &mut self,
-        model: &Model<S, D>,
-        index: usize,
-        simplex: &Simplex<S, D>,
-        products: &NormalProducts<S>,
-    ) {
-        let (numerator, denominator) = simplex.squared_circumradius(&model.gram, products);
-        let edges = simplex.squared_edges(&model.gram).into_iter();
-        let shortest = edges.reduce(|a, b| match a.minus(&b).sign() {
-            Sign::Greater => b,
-            _ => a,
-        });
-        let Some(shortest) = shortest else { return };
-        let ratio = Ratio {
-            numerator,
-            denominator: denominator.times(&shortest),
+            let exact = || exact_angle(self.tiling, &place);
+            let bin = self.bins.of(&cosine, degrees, exact);
+            ((i, j), product.sign(), cosine, degrees, bin)
         };
-        let value = ratio.approximate();
-        self.lowest.include(value, &ratio, index);
-        self.highest.include(value, &ratio, index);
+        Some(Figures {
+            angles: products.pairs().map(angle).collect(),
+            ratio: self.ratio(&simplex, &products)?,
+            aspect: self.aspect(&simplex, &products),
+        })
     }
 
-    fn include_aspect<const D: usize>(
-        &mut self,
-        model: &Model<S, D>,
-        index: usize,
-        simplex: &Simplex<S, D>,
-        products: &NormalProducts<S>,
-    ) {
-        let edges = simplex.squared_edges(&model.gram).into_iter();
-        let longest = edges.map(|e| e.approximate()).fold(0.0, f64::max).sqrt();
-        let metric = linear::determinant(&model.gram).approximate().sqrt();
+    fn ratio(&self, simplex: &Simplex<S, D>, products: &NormalProducts<S, D>) -> Option<Ratio<S>> {
+        let gram = &self.metric.gram;
+        let (numerator, denominator) = simplex.squared_circumradius(gram, products);
+        let mut shortest: Option<S> = None;
+        simplex.for_squared_edges(gram, |edge| {
+            if shortest.as_ref().is_none_or(|least| edge < least) {
+                shortest = Some(edge.clone());
+            }
+        });
+        Some(Ratio {
+            numerator,
+            denominator: denominator.times(&shortest?),
+        })
+    }
+
+    fn aspect(&self, simplex: &Simplex<S, D>, products: &NormalProducts<S, D>) -> f64 {
+        let gram = &self.metric.gram;
+        let mut longest = 0.0;
+        simplex.for_squared_edges(gram, |edge| longest = edge.approximate().max(longest));
         // The inradius is D V / (sum of the facets' volumes), with D! V = d √det G and
         // (D - 1)! times the volume of facet i = √<g_i, g_i>.
-        let facets: f64 = (0..=D)
-            .map(|i| products.get(i, i).approximate().sqrt())
-            .sum();
-        let inradius = simplex.determinant.approximate() * metric / facets;
-        let aspect = longest / ((2 * D * (D + 1)) as f64).sqrt() / inradius;
+        let facets = (0..=D).map(|i| products.get(i, i).approximate().sqrt());
+        let metric = linear::determinant(gram).approximate().sqrt();
+        let inradius = simplex.determinant.approximate() * metric / facets.sum::<f64>();
+        f64::sqrt(longest) / ((2 * D * (D + 1)) as f64).sqrt() / inradius
+    }
+
+    fn include(&mut self, index: usize, figures: &Figures<S, D>) {
+        let mut worst = Sign::Less;
+        for (facets, sign, cosine, degrees, bin) in &figures.angles {
+            worst = worst.max(*sign);
+            self.statistics.angles[kind(*sign)] += 1;
+            self.statistics.histogram[*bin] += 1;
+            let place = Place {
+                simplex: index,
+                facets: *facets,
+            };
+            self.smallest.include(*degrees, cosine, place);
+            self.largest.include(*degrees, cosine, place);
+        }
+        self.statistics.kinds[kind(worst)] += 1;
+        let value = figures.ratio.approximate();
+        self.lowest.include(value, &figures.ratio, index);
+        self.highest.include(value, &figures.ratio, index);
+        self.include_aspect(figures.aspect, index);
+    }
+
+    fn include_aspect(&mut self, aspect: f64, index: usize) {
         let [low, high] = self.statistics.aspects.unwrap_or([(aspect, index); 2]);
         let low = if aspect < low.0 { (aspect, index) } else { low };
         let high = if aspect > high.0 {
@@ -201,13 +273,13 @@ impl<S: Scalar> Gathering<S> {
         self.statistics.aspects = Some([low, high]);
     }
 
-    fn finish<const D: usize>(self, model: &Model<S, D>) -> Statistics {
+    fn finish(self) -> Statistics {
         let angle = |place: &Place| {
-            let angle = exact_angle(model.tiling, place);
+            let angle = exact_angle(self.tiling, place);
             (angle.enclosure(&width()), angle.closed_form())
         };
         let ratio = |simplex: &usize| {
-            let ratio = measures(model.tiling, *simplex).radius_edge;
+            let ratio = measures(self.tiling, *simplex).radius_edge;
             (ratio.enclosure(&width()), ratio.closed_form())
         };
         Statistics {
