@@ -22,8 +22,8 @@ impl Display for Verified {
             " is tiled {how} by {}",
             counted(self.simplices(), simplex)
         )?;
-        write_lattice(f, claim)?;
         write_boundary(f, self)?;
+        write_lattice(f, claim)?;
         write_field(f, claim)?;
         for statement in &claim.statements[1..] {
             write!(f, "; {}", Words(statement))?;
@@ -72,8 +72,8 @@ fn write_boundary(f: &mut Formatter, verified: &Verified) -> Result {
     }
     write!(
         f,
-        ", which is their union and whose boundary is the union of {} triangles that meet only in \
-         common vertices and edges",
+        ", whose union it is, and its boundary by {} triangles, which meet in common vertices \
+         and edges only",
         verified.boundary
     )
 }
