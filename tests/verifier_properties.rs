@@ -20,7 +20,7 @@ fn check(certificate: &Certificate) -> Result<Verified, Refusal> {
     verify(&to_bytes(certificate), &Limits::DEFAULT)
 }
 
-const NAMES: [&str; 8] = [
+const NAMES: [&str; 11] = [
     "plane-equilateral-acute",
     "plane-square-triangle",
     "space-bcc",
@@ -29,6 +29,9 @@ const NAMES: [&str; 8] = [
     "slab-bcc",
     "prism-cube-6",
     "solid-octahedron",
+    "region-two-cubes-at-an-edge",
+    "region-piece-in-a-cavity",
+    "region-prism-over-sqrt-3",
 ];
 
 proptest! {
@@ -253,7 +256,7 @@ proptest! {
 
 fn polytope(certificate: &mut Certificate) -> &mut Polytope {
     match &mut certificate.claim.domain {
-        Domain::Space => panic!("space has no polytope"),
+        Domain::Space | Domain::Region => panic!("no polytope"),
         Domain::Slab(polytope) | Domain::Prism(polytope) | Domain::Solid(polytope) => polytope,
     }
 }
