@@ -3,7 +3,7 @@
 //! Each answer "yes" is a linear functional that is strictly less at all points of
 //! the one set than at all points of the other: then their convex hulls are
 //! disjoint, whatever the functional is. That the functionals tried are
-//! enough, so that "no" is right as well, is in docs/soundness.md, section 9.
+//! enough, so that "no" is right as well, is in docs/soundness.md, section 8.
 
 use super::Refusal;
 use super::extent::Extents;
