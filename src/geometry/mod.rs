@@ -2,10 +2,12 @@
 //! kind of number. Called by the Delaunay room, the checker and the quality room.
 
 pub mod bound;
+pub mod boxes;
 pub mod linear;
 pub mod quadratic;
 pub mod scalar;
 pub mod simplex;
+pub mod triangle;
 pub mod wide;
 
 pub use bound::Bound;
