@@ -4,6 +4,7 @@ use super::ImportError;
 use super::document::{CornerEntry, Document, Header, Text};
 use super::frame::{Change, read_frame};
 use super::numbers::Numbers;
+use super::text::without_comments;
 use crate::number::Number;
 use crate::tiling::{AnyPointSet, AnyTiling, Corner, Frame, PointSet, SHIFT_LIMIT, Tiling};
 
@@ -40,6 +41,7 @@ pub fn read_native(text: &str) -> Result<NativeFile, ImportError> {
     if text.starts_with('\u{feff}') {
         return Err(ImportError::ByteOrderMark);
     }
+    let text = &*without_comments(text);
     let header: Header = serde_json::from_str(text).map_err(ImportError::Json)?;
     if header.format != TILING && header.format != POINTS {
         return Err(ImportError::Format {
