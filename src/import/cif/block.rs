@@ -2,11 +2,15 @@
 //!
 //! A tag with one value is a loop with one row, so that there is one way to look things
 //! up. Tags do not depend on case, and `.` and `_` are one (`_atom_site.label` of the newer
-//! dictionaries is `_atom_site_label` of the older). Called by [`super::read_cif`].
+//! dictionaries is `_atom_site_label` of the older). Tags of other categories than [`READ`]
+//! are passed over. Called by [`super::read_cif`].
 
 use super::ImportError;
 use super::token::{Token, Tokens, Value, at_line, short};
 use std::collections::HashMap;
+
+/// How the tags begin that anything is read from.
+const READ: [&str; 4] = ["_cell_", "_atom_site_", "_symmetry_", "_space_group_"];
 
 /// A data block.
 pub struct Block<'t> {
@@ -85,12 +89,13 @@ impl<'t> Block<'t> {
     }
 
     fn add(&mut self, tags: &[(&str, u32)], values: Vec<Value<'t>>) -> Result<(), ImportError> {
+        let group = self.loops.len();
         for (column, &(tag, line)) in tags.iter().enumerate() {
-            if self
-                .places
-                .insert(normal(tag), (self.loops.len(), column))
-                .is_some()
-            {
+            let name = normal(tag);
+            if !READ.iter().any(|category| name.starts_with(category)) {
+                continue;
+            }
+            if self.places.insert(name, (group, column)).is_some() {
                 let problem = format!("{} stands in this data block twice", short(tag));
                 return Err(at_line(line, problem));
             }

@@ -7,15 +7,13 @@
 
 use super::ImportError;
 use super::block::Block;
-use super::decimal::Decimal;
+use super::decimal::{Decimal, about};
 use super::operation::{Rotation, metric_change};
 use super::symmetry::Listed;
 use super::token::at_line;
 use crate::number::enclosure::cos_of_degrees;
 use malachite::Rational;
 use malachite::base::num::arithmetic::traits::{Abs, Floor, Pow};
-use malachite::base::num::conversion::traits::RoundingFrom;
-use malachite::base::rounding_modes::RoundingMode::Nearest;
 
 /// Decimals of a cosine that is not rational.
 const COSINE_DECIMALS: i64 = 15;
@@ -144,7 +142,7 @@ pub fn check_isometries(cell: &Cell, operations: &[Listed]) -> Result<Option<Str
             "the symmetry operation {:?} does not fit the cell: it takes {} to {}",
             listed.text,
             products(i, j, &cell.gram[i][j]),
-            approximately(&found),
+            about(&found, 10),
         );
         if cell.rounded.is_empty() || !is_near(&found, i, j, &cell.gram) {
             return Err(at_line(listed.line, problem));
@@ -162,9 +160,5 @@ fn is_near(found: &Rational, i: usize, j: usize, gram: &[[Rational; 3]; 3]) -> b
 
 fn products(i: usize, j: usize, value: &Rational) -> String {
     let names = ["a", "b", "c"];
-    format!("{}·{} = {}", names[i], names[j], approximately(value))
-}
-
-fn approximately(value: &Rational) -> String {
-    format!("{:.6}", f64::rounding_from(value, Nearest).0)
+    format!("{}·{} = {}", names[i], names[j], about(value, 10))
 }

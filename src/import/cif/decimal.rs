@@ -4,6 +4,8 @@
 //! left out. `1/3` is no number of CIF, but it is read, exactly.
 
 use malachite::base::num::arithmetic::traits::{Abs, Floor, Pow};
+use malachite::base::num::conversion::traits::RoundingFrom;
+use malachite::base::rounding_modes::RoundingMode::Nearest;
 use malachite::{Natural, Rational};
 
 /// The most digits of a number, and the largest size of its exponent.
@@ -68,6 +70,15 @@ impl Decimal {
             (false, false) => Snapped::Kept,
         }
     }
+}
+
+/// A value to so many decimals at most, for a message.
+pub fn about(value: &Rational, decimals: usize) -> String {
+    let digits = format!("{:.decimals$}", f64::rounding_from(value, Nearest).0);
+    digits
+        .trim_end_matches('0')
+        .trim_end_matches('.')
+        .to_owned()
 }
 
 fn problem(text: &str) -> String {

@@ -27,9 +27,8 @@ use super::ImportError;
 use crate::number::{Field, Number};
 use crate::tiling::{Frame, PointSet};
 use block::Block;
+use decimal::about;
 use malachite::Rational;
-use malachite::base::num::conversion::traits::RoundingFrom;
-use malachite::base::rounding_modes::RoundingMode::Nearest;
 use orbits::{Atom, PAIR_LIMIT};
 use sites::{Site, Sites};
 use std::path::Path;
@@ -225,7 +224,7 @@ fn wrong_multiplicities(sites: &[Site], counts: &[usize]) -> Vec<String> {
 fn near_atoms(sites: &[Site], atoms: &[Atom]) -> Vec<String> {
     let pairs = orbits::near_pairs(atoms);
     let place = |atom: &Atom| {
-        let numbers = atom.position.each_ref().map(decimal);
+        let numbers = atom.position.each_ref().map(|x| about(x, 6));
         format!("{} ({})", sites[atom.site].label, numbers.join(", "))
     };
     let named = pairs.iter().take(NAMED_PAIRS).map(|&(i, j)| {
@@ -240,21 +239,12 @@ fn near_atoms(sites: &[Site], atoms: &[Atom]) -> Vec<String> {
             "or more "
         };
         notes.push(format!(
-            "warning: {} {more}such pairs, which stay different atoms; if they are rounded fractions, --snap 12 or another \
-             denominator makes them exact",
+            "warning: {} {more}such pairs, which stay different atoms: --snap 12, or another denominator, makes \
+             rounded fractions exact; a coordinate that follows from another, like y = 2x, has to be exact in the file",
             pairs.len()
         ));
     }
     notes
-}
-
-/// About the value, for a message.
-fn decimal(value: &Rational) -> String {
-    let digits = format!("{:.6}", f64::rounding_from(value, Nearest).0);
-    digits
-        .trim_end_matches('0')
-        .trim_end_matches('.')
-        .to_owned()
 }
 
 fn counts(sites: &Sites, operations: usize, atoms: &[usize]) -> String {

@@ -140,7 +140,10 @@ impl<'t> Tokens<'t> {
                 Some(byte) if byte == quote && self.byte(1).is_none_or(is_blank) => break,
                 Some(byte) if !is_line_end(byte) => self.at += 1,
                 _ => {
-                    let problem = format!("the quote {} has no end", char::from(quote));
+                    let problem = format!(
+                        "the quote {0} has no end: {0} before a blank, on this line",
+                        char::from(quote)
+                    );
                     return Err(at_line(self.line, problem));
                 }
             }
@@ -281,7 +284,10 @@ mod tests {
                 "a\n;b\nc",
                 "line 2: the text that begins here with ';' has no end: a line that begins with ';' is missing",
             ),
-            ("\n'b\n'", "line 2: the quote ' has no end"),
+            (
+                "\n'b\n'",
+                "line 2: the quote ' has no end: ' before a blank, on this line",
+            ),
             (
                 "save_x",
                 "line 1: found \"save_x\", which has no place in a CIF of data",
