@@ -134,7 +134,7 @@ fn angles_with_irrational_cosines_are_rounded_and_told() {
     assert_eq!(
         cif.notes,
         [
-            "1 standard uncertainties, like 0.1234(5), are left out: the numbers before them are exact",
+            "numbers with a standard uncertainty, like 0.1234(5): 1; it is left out, and the number before it is exact",
             "beta: the cosine is taken to be -0.130526192220052 (15 decimals; what is proved is proved of that lattice)",
             "2 sites, 4 operations, 8 images, 8 atoms in a cell: A1 4, A2 4",
         ]
@@ -660,4 +660,77 @@ fn gzip(bytes: &[u8]) -> Vec<u8> {
     let mut encoder = flate2::write::GzEncoder::new(Vec::new(), flate2::Compression::default());
     encoder.write_all(bytes).expect("compressed");
     encoder.finish().expect("compressed")
+}
+
+#[test]
+fn limits_are_declined() {
+    let is_limit = |text: &str| {
+        read_cif(text, &CifOptions::default())
+            .err()
+            .expect("it is refused")
+            .is_limit()
+    };
+    let symbol = "_symmetry_space_group_name_H-M 'P 1'\n";
+    let operations = (0..1001).map(|k| format!("x+{k}/1001,y,z\n"));
+    let list = format!(
+        "loop_\n_symmetry_equiv_pos_as_xyz\n{}",
+        operations.collect::<String>()
+    );
+    assert!(is_limit(&P1.replace(symbol, &list)));
+    let sites: String = (0..200_000)
+        .map(|k| format!("C 0.25 0.25 0.{k:06} 1\n"))
+        .collect();
+    assert!(is_limit(&format!("{P1}{sites}")));
+    assert!(is_limit(&format!("{P1}#{}", " ".repeat(1 << 25))));
+    assert!(!is_limit(&P1.replace("B 0.5", "B ?")));
+}
+
+/// The lines of the example in docs/cif.md are the program's.
+#[test]
+fn the_documented_example() {
+    let document = include_str!("../docs/cif.md");
+    let run = |arguments: &[&str]| {
+        let output = Command::new(env!("CARGO_BIN_EXE_acutile"))
+            .args(arguments)
+            .current_dir(path("z").parent().expect("a folder"))
+            .output()
+            .expect("acutile runs");
+        format!("{}{}", stderr(&output), stdout(&output))
+    };
+    let place = tempfile::tempdir().expect("a directory");
+    let target = place.path().join("z.json");
+    let target = target.to_str().expect("UTF-8");
+    let printed = [
+        run(&["certify", "z.cif"]),
+        run(&[
+            "certify",
+            "z.cif",
+            "--snap",
+            "3",
+            "--require",
+            "acute",
+            "--require",
+            "tcp",
+            "-o",
+            target,
+        ]),
+        run(&["classify", "z.cif", "--snap", "3"]),
+    ];
+    let printed = printed.concat().replace(target, "z.json");
+    let words = |text: &str| text.split_whitespace().collect::<Vec<_>>().join(" ");
+    let (printed, mut count) = (words(&printed), 0);
+    for block in document.split("```").skip(1).step_by(2) {
+        // What stands between two commands or ellipses is one piece.
+        for piece in block
+            .split('\n')
+            .filter(|line| !line.starts_with('$'))
+            .collect::<Vec<_>>()
+            .join("\n")
+            .split('…')
+        {
+            assert!(printed.contains(&words(piece)), "{piece}");
+            count += 1;
+        }
+    }
+    assert!(count > 3);
 }

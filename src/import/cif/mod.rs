@@ -196,7 +196,12 @@ fn replacements(operations: &[Listed]) -> impl Iterator<Item = String> {
 }
 
 fn uncertainties(count: usize) -> Option<String> {
-    (count > 0).then(|| format!("{count} standard uncertainties, like 0.1234(5), are left out: the numbers before them are exact"))
+    (count > 0).then(|| {
+        format!(
+            "numbers with a standard uncertainty, like 0.1234(5): {count}; it is left out, and the number before it \
+             is exact"
+        )
+    })
 }
 
 /// The number of atoms of each site.

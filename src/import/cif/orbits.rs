@@ -12,7 +12,7 @@ use malachite::base::rounding_modes::RoundingMode::Nearest;
 use std::collections::HashMap;
 
 /// Images, before merging.
-const IMAGE_LIMIT: usize = 1_000_000;
+const IMAGE_LIMIT: usize = 200_000;
 /// Near pairs are looked for until so many are found.
 pub const PAIR_LIMIT: usize = 1000;
 /// No coordinate is taken to be written less finely than this when near images are

@@ -138,14 +138,11 @@ impl Table<'_, '_> {
         let wrong = |value: &Value, problem: String| {
             Err(at_line(value.line, format!("site {label} {problem}")))
         };
-        if let Some(value) = self.flag.map(|column| column.value(row)) {
-            if value.text.eq_ignore_ascii_case("dum") {
-                return wrong(
-                    &value,
-                    "is a dummy (_atom_site_calc_flag dum), no atom: leave it out with --only"
-                        .to_owned(),
-                );
-            }
+        let flag = self.flag.map(|column| column.value(row));
+        if let Some(value) = flag.filter(|value| value.text.eq_ignore_ascii_case("dum")) {
+            let problem =
+                "is a dummy (_atom_site_calc_flag dum), no atom: leave it out with --only";
+            return wrong(&value, problem.to_owned());
         }
         let Some(value) = self
             .occupancy
