@@ -16,6 +16,9 @@ pub type Rotation = [[i64; 3]; 3];
 /// A list may not be longer.
 pub const OPERATION_LIMIT: usize = 1000;
 
+/// Nor the text of an operation: the entries of R, sums of so many signs at most, stay small.
+const TEXT_LIMIT: usize = 200;
+
 /// x -> R x + t.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Operation {
@@ -34,6 +37,9 @@ impl Operation {
     /// # Errors
     /// What was expected.
     pub fn parse(text: &str, snap: Option<u32>) -> Result<Operation, String> {
+        if text.len() > TEXT_LIMIT {
+            return Err(format!("is longer than {TEXT_LIMIT} bytes"));
+        }
         let parts: Vec<&str> = text.split(',').collect();
         let [a, b, c] = parts[..] else {
             return Err(format!(
@@ -151,12 +157,7 @@ pub enum NotAGroup {
 /// # Errors
 /// The first two operations that are against it.
 pub fn check_group(operations: &[Operation]) -> Result<(), NotAGroup> {
-    let translations = operations.iter().flat_map(|o| &o.translation);
-    let modulus = translations.fold(Natural::from(1u32), |lcm, t| lcm.lcm(t.denominator_ref()));
-    let modulus = i64::try_from(&modulus)
-        .ok()
-        .filter(|&m| m < 1 << 31)
-        .ok_or(NotAGroup::Denominator)?;
+    let modulus = modulus(operations).ok_or(NotAGroup::Denominator)?;
     let whole = |o: &Operation| {
         let t = o.translation.each_ref().map(|t| {
             let scaled = fractional(t.clone()) * Rational::from(modulus);
@@ -181,6 +182,15 @@ pub fn check_group(operations: &[Operation]) -> Result<(), NotAGroup> {
         }
     }
     Ok(())
+}
+
+/// The least common denominator of all translations, below 2^31.
+fn modulus(operations: &[Operation]) -> Option<i64> {
+    let mut translations = operations.iter().flat_map(|o| &o.translation);
+    translations.try_fold(1i64, |modulus, t| {
+        let lcm = Natural::from(modulus.unsigned_abs()).lcm(t.denominator_ref());
+        i64::try_from(&lcm).ok().filter(|&m| m < 1 << 31)
+    })
 }
 
 type Whole = (Rotation, [i64; 3]);
@@ -273,6 +283,7 @@ mod tests {
                 "has \"1/0\", expected x, y, z or a number like 1/2",
             ),
             ("x,y,zx", "has \"x\" in \"zx\", expected + or -"),
+            (&"x+".repeat(101), "is longer than 200 bytes"),
             ("x,y,2", "has determinant 0, expected 1 or -1"),
             ("x+y,y-x,z", "has determinant 2, expected 1 or -1"),
         ] {
