@@ -25,7 +25,7 @@ fn example(kind: &str) -> String {
 }
 
 /// The Kuhn cube has 6 tetrahedra, the cube cut at its corners 5, A15 46, Z 40; triangles 2; the tiling of
-/// space over the rows of 3^3.4^2 has 86, one A15 cell (46 for a square) and two half cells of Z (40 for two triangles).
+/// space over the rows of 3^3.4^2 has 86, one cell of A15 (46 for a square) and one of Z (40 for two triangles).
 #[test]
 fn every_kind_is_certified_as_it_is() {
     let place = tempfile::tempdir().expect("a directory");
@@ -207,7 +207,21 @@ fn a_point_twice_is_refused() {
     assert!(judge(&example("point-set"), false).is_some());
 }
 
-/// A generator of Lehmer: the same changes in every run.
+/// The triangulation of a periodic point set fills space, so a slab of it means nothing.
+#[test]
+fn a_point_set_with_a_boundary_is_refused() {
+    let slab = example("point-set").replace(
+        "\"dimension\"",
+        "\"domain\": { \"slab\": [0, 1] }, \"dimension\"",
+    );
+    let message = read_native(&slab).err().expect("it is refused").to_string();
+    assert_eq!(
+        message,
+        "domain: a point set has no domain but \"space\", its Delaunay triangulation fills it"
+    );
+}
+
+/// A linear congruential generator (Knuth, MMIX): the same changes in every run.
 struct Random(u64);
 
 impl Random {

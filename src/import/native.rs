@@ -6,7 +6,7 @@ use super::frame::{Change, read_frame};
 use super::numbers::Numbers;
 use super::text::without_comments;
 use crate::number::Number;
-use crate::tiling::{AnyPointSet, AnyTiling, Corner, Frame, PointSet, SHIFT_LIMIT, Tiling};
+use crate::tiling::{AnyPointSet, AnyTiling, Corner, Domain, Frame, PointSet, SHIFT_LIMIT, Tiling};
 
 /// A file of ours.
 pub struct NativeFile {
@@ -115,9 +115,14 @@ fn points<const D: usize>(
     document: &Document,
     numbers: &Numbers,
 ) -> Result<PointSet<D>, ImportError> {
-    let (frame, change) = read_frame(document, numbers)?;
+    let (frame, change) = read_frame::<D>(document, numbers)?;
     forbid("vertices", document.vertices.is_some(), POINTS)?;
     forbid("simplices", document.simplices.is_some(), POINTS)?;
+    if frame.domain != Domain::Space {
+        let problem =
+            "a point set has no domain but \"space\", its Delaunay triangulation fills it";
+        return Err(ImportError::entry("domain", problem));
+    }
     let rows = require("points", document.points.as_ref(), POINTS)?;
     Ok(PointSet {
         points: positions("points", rows, numbers, &change)?,
