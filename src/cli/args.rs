@@ -25,6 +25,8 @@ pub enum Command {
     List(ListArguments),
     /// Tell what a tiling is: counts, lattice, field, shapes
     Show(ShowArguments),
+    /// Write a commented starting example of a kind of file
+    New(NewArguments),
     /// Prove a tiling and write its certificate
     Certify(CertifyArguments),
     /// Re-check certificates with the independent kernel
@@ -58,10 +60,50 @@ pub struct ListArguments {
 }
 
 #[derive(Debug, Args)]
+pub struct NewArguments {
+    /// The kind of file
+    #[arg(value_enum)]
+    pub kind: super::new::Kind,
+    /// Write the file here and not to standard output; a file that is there is not overwritten
+    #[arg(short, long, value_name = "FILE")]
+    pub output: Option<PathBuf>,
+}
+
+/// How a point set is read and triangulated.
+#[derive(Debug, Default, Args)]
+pub struct PointArguments {
+    /// Cut Delaunay cells with cospherical vertices into simplices, the same way
+    /// in every lattice translate, instead of refusing
+    #[arg(long)]
+    pub triangulate: bool,
+    /// The data block of a CIF that has several
+    #[arg(long, value_name = "NAME", help_heading = "CIF")]
+    pub block: Option<String>,
+    /// Replace each decimal of a CIF by the multiple of 1/DENOMINATOR that agrees with all of its
+    /// digits, if there is one; every replacement is printed
+    #[arg(long, value_name = "DENOMINATOR", help_heading = "CIF",
+          value_parser = clap::value_parser!(u32).range(1..=1_000_000))]
+    pub snap: Option<u32>,
+    /// The sites of a CIF that are taken
+    #[arg(
+        long,
+        value_name = "LABEL,LABEL",
+        help_heading = "CIF",
+        value_delimiter = ','
+    )]
+    pub only: Vec<String>,
+    /// Take sites of a CIF as atoms whatever their occupancy, and those at one place as one
+    #[arg(long, help_heading = "CIF")]
+    pub ignore_occupancy: bool,
+}
+
+#[derive(Debug, Args)]
 pub struct ShowArguments {
-    /// A name of the catalogue, or a tiling file
+    /// A name of the catalogue, a tiling file, or a point set (CIF too)
     #[arg(value_name = "NAME|FILE")]
     pub input: String,
+    #[command(flatten)]
+    pub points: PointArguments,
     /// The number that the construction depends on, like 3/7 or sqrt(2)/4: a/e of
     /// goldberg-1, -2 and -3, epsilon of two-corners
     #[arg(long, value_name = "VALUE", allow_hyphen_values = true)]
@@ -70,9 +112,12 @@ pub struct ShowArguments {
 
 #[derive(Debug, Args)]
 pub struct CertifyArguments {
-    /// Names of the catalogue, or tiling files (`-` for standard input)
+    /// Names of the catalogue, tiling files, or point sets (CIF too), whose Delaunay
+    /// triangulation is certified (`-` for standard input)
     #[arg(value_name = "NAME|FILE", required_unless_present = "all")]
     pub inputs: Vec<String>,
+    #[command(flatten)]
+    pub points: PointArguments,
     /// The whole catalogue
     #[arg(long)]
     pub all: bool,
@@ -134,23 +179,23 @@ pub struct VerifyArguments {
 
 #[derive(Debug, Args)]
 pub struct DelaunayArguments {
-    /// A point-set file (`-` for standard input)
+    /// A point-set file or a CIF (`-` for standard input)
     #[arg(value_name = "FILE")]
     pub file: PathBuf,
+    #[command(flatten)]
+    pub points: PointArguments,
     /// Write the tiling file here and not to standard output
     #[arg(short, long, value_name = "FILE")]
     pub output: Option<PathBuf>,
-    /// Cut Delaunay cells with cospherical vertices into simplices, the same way
-    /// in every lattice translate, instead of refusing
-    #[arg(long)]
-    pub triangulate: bool,
 }
 
 #[derive(Debug, Args)]
 pub struct ExportArguments {
-    /// A name of the catalogue, or a tiling file; with --coq, a certificate
+    /// A name of the catalogue, a tiling file, or a point set (CIF too); with --coq, a certificate
     #[arg(value_name = "NAME|FILE")]
     pub input: String,
+    #[command(flatten)]
+    pub points: PointArguments,
     /// Write the file here and not to standard output
     #[arg(short, long, value_name = "FILE")]
     pub output: Option<PathBuf>,
@@ -196,9 +241,11 @@ pub struct PaperArguments {
 
 #[derive(Debug, Args)]
 pub struct ClassifyArguments {
-    /// A name of the catalogue, or a tiling file (`-` for standard input)
+    /// A name of the catalogue, a tiling file, or a point set (CIF too) (`-` for standard input)
     #[arg(value_name = "NAME|FILE")]
     pub input: String,
+    #[command(flatten)]
+    pub points: PointArguments,
     /// One JSON object
     #[arg(long)]
     pub json: bool,

@@ -14,7 +14,7 @@ use crate::with_dimension;
 pub fn run(arguments: &ExportArguments, output: &mut Output) -> Outcome {
     let text = match arguments.coq {
         true => theorem(&arguments.input).map_err(InputError::from),
-        false => tiling_file(arguments),
+        false => tiling_file(arguments, output),
     };
     match text {
         Ok(text) => write_text(arguments.output.as_deref(), &text, output),
@@ -32,8 +32,14 @@ fn theorem(path: &str) -> Result<String, String> {
     coq_theorem(&certificate).map_err(|reason| format!("{path}: {reason}"))
 }
 
-fn tiling_file(arguments: &ExportArguments) -> Result<String, InputError> {
-    input::tiling(&arguments.input, arguments.param.as_deref()).and_then(
+fn tiling_file(arguments: &ExportArguments, output: &mut Output) -> Result<String, InputError> {
+    input::tiling(
+        &arguments.input,
+        arguments.param.as_deref(),
+        &arguments.points,
+        output,
+    )
+    .and_then(
         |named| with_dimension!(&named.tiling, AnyTiling, t => text(t, &named.name, arguments)),
     )
 }

@@ -1,8 +1,13 @@
-//! A name of the catalogue or a file, turned into a tiling.
+//! A name of the catalogue or a file, turned into a tiling; a point set becomes its
+//! Delaunay triangulation.
 
 use super::Outcome;
+use super::args::PointArguments;
+use super::delaunay;
+use super::output::Output;
 use crate::catalog;
-use crate::import::{Content, NativeFile, read_native, read_text};
+use crate::import::cif::{CifOptions, is_cif, read_cif};
+use crate::import::{Content, ImportError, NativeFile, read_native, read_text, uncompressed_name};
 use crate::tiling::{AnyPointSet, AnyTiling};
 use std::path::Path;
 
@@ -32,12 +37,19 @@ impl From<String> for InputError {
     }
 }
 
-/// The tiling of a catalogue name, for a parameter if one is given, or of a file.
+/// The tiling of a catalogue name, for a parameter if one is given, or of a file. What is to
+/// be said of a file is said.
 ///
 /// # Errors
 /// A message that names the input.
-pub fn tiling(input: &str, parameter: Option<&str>) -> Result<Named, InputError> {
+pub fn tiling(
+    input: &str,
+    parameter: Option<&str>,
+    points: &PointArguments,
+    output: &mut Output,
+) -> Result<Named, InputError> {
     if let Some(entry) = catalog::find(input) {
+        check_for_cif(input, points)?;
         let tiling = match parameter {
             Some(parameter) => catalog::build_with(input, parameter),
             None => catalog::build(input),
@@ -57,32 +69,30 @@ pub fn tiling(input: &str, parameter: Option<&str>) -> Result<Named, InputError>
     if parameter.is_some() {
         return Err(format!("{input}: a file takes no parameter (--param)").into());
     }
-    let file = read(path)?;
-    match file.content {
-        Content::Tiling(tiling) => {
-            let words = [file.name, file.description]
-                .into_iter()
-                .flatten()
-                .collect::<Vec<_>>();
-            Ok(Named {
-                name: input.to_owned(),
-                description: words.join(": "),
-                tiling,
-            })
-        }
-        Content::Points(_) => Err(format!(
-            "{input}: is a point-set file, expected a tiling file (acutile delaunay makes one)"
-        )
-        .into()),
-    }
+    let file = read(path, points, output)?;
+    let words = [file.name, file.description].into_iter().flatten();
+    let description = words.collect::<Vec<_>>().join(": ");
+    let tiling = match file.content {
+        Content::Tiling(tiling) => tiling,
+        Content::Points(set) => delaunay::of_points(input, &set, points, output)?,
+    };
+    Ok(Named {
+        name: input.to_owned(),
+        description,
+        tiling,
+    })
 }
 
 /// The points of a point-set file.
 ///
 /// # Errors
 /// A message that names the file.
-pub fn points(path: &Path) -> Result<AnyPointSet, InputError> {
-    match read(path)?.content {
+pub fn points(
+    path: &Path,
+    arguments: &PointArguments,
+    output: &mut Output,
+) -> Result<AnyPointSet, InputError> {
+    match read(path, arguments, output)?.content {
         Content::Points(points) => Ok(points),
         Content::Tiling(_) => Err(format!(
             "{}: is a tiling file, expected a point-set file",
@@ -92,15 +102,60 @@ pub fn points(path: &Path) -> Result<AnyPointSet, InputError> {
     }
 }
 
-fn read(path: &Path) -> Result<NativeFile, InputError> {
-    read_text(path)
-        .and_then(|text| read_native(&text))
-        .map_err(|error| InputError {
-            message: format!("{}: {error}", path.display()),
-            outcome: if error.is_limit() {
-                Outcome::Declined
-            } else {
-                Outcome::Failed
-            },
-        })
+fn read(
+    path: &Path,
+    points: &PointArguments,
+    output: &mut Output,
+) -> Result<NativeFile, InputError> {
+    let named = |error: ImportError| InputError {
+        message: format!("{}: {error}", path.display()),
+        outcome: if error.is_limit() {
+            Outcome::Declined
+        } else {
+            Outcome::Failed
+        },
+    };
+    let text = read_text(path).map_err(named)?;
+    if is_cif(&uncompressed_name(path), &text) {
+        return cif(path, &text, points, output).map_err(named);
+    }
+    check_for_cif(&path.display().to_string(), points)?;
+    read_native(&text).map_err(named)
+}
+
+fn cif(
+    path: &Path,
+    text: &str,
+    points: &PointArguments,
+    output: &mut Output,
+) -> Result<NativeFile, ImportError> {
+    let options = CifOptions {
+        block: points.block.clone(),
+        snap: points.snap,
+        only: points.only.clone(),
+        ignore_occupancy: points.ignore_occupancy,
+    };
+    let cif = read_cif(text, &options)?;
+    for note in cif.notes {
+        output.complain(format!("{}: {note}", path.display()));
+    }
+    Ok(NativeFile {
+        name: Some(cif.name),
+        description: None,
+        content: Content::Points(AnyPointSet::Space(cif.points)),
+    })
+}
+
+/// The options for a CIF mean nothing for `input`, which is none.
+fn check_for_cif(input: &str, points: &PointArguments) -> Result<(), String> {
+    let given = [
+        ("--block", points.block.is_some()),
+        ("--snap", points.snap.is_some()),
+        ("--only", !points.only.is_empty()),
+        ("--ignore-occupancy", points.ignore_occupancy),
+    ];
+    match given.iter().find(|(_, given)| *given) {
+        None => Ok(()),
+        Some((option, _)) => Err(format!("{input}: {option} is for a CIF, which this is not")),
+    }
 }

@@ -15,6 +15,7 @@ mod export;
 mod input;
 mod list;
 mod meta;
+mod new;
 mod output;
 mod paper;
 mod progress;
@@ -85,6 +86,7 @@ pub fn main() -> ExitCode {
     let outcome = match arguments.command {
         Command::List(list) => list::run(&list, &mut output),
         Command::Show(show) => show::run(&show, &mut output),
+        Command::New(new) => new::run(&new, &mut output),
         Command::Certify(certify) => certify::run(&certify, &mut output),
         Command::Verify(verify) => verify::run(&verify, &mut output),
         Command::Delaunay(delaunay) => delaunay::run(&delaunay, &mut output),

@@ -1,5 +1,6 @@
 //! `acutile quality`: how good the simplices of a mesh are.
 
+use super::args::PointArguments;
 use super::output::{Output, write_file};
 use super::progress::Progress;
 use super::{Outcome, input};
@@ -16,6 +17,8 @@ pub struct QualityArguments {
     /// The number that the construction depends on (see acutile show)
     #[arg(long, value_name = "VALUE", allow_hyphen_values = true)]
     pub param: Option<String>,
+    #[command(flatten)]
+    pub points: PointArguments,
     /// Degrees of a bin of the histogram, a divisor of 180
     #[arg(long, value_name = "DEGREES", default_value_t = 5, value_parser = divisor_of_180)]
     pub bin: u32,
@@ -44,7 +47,9 @@ fn divisor_of_180(text: &str) -> Result<u32, String> {
 
 /// Prints or writes the figures.
 pub fn run(arguments: &QualityArguments, output: &mut Output) -> Outcome {
-    let named = match input::tiling(&arguments.input, arguments.param.as_deref()) {
+    let input = &arguments.input;
+    let named = input::tiling(input, arguments.param.as_deref(), &arguments.points, output);
+    let named = match named {
         Ok(named) => named,
         Err(error) => {
             output.complain(format!("acutile: {}", error.message));
