@@ -132,7 +132,7 @@ impl Defect {
             Defect::RidgeNotShared { .. } => "ridge-not-shared",
             Defect::VertexOutside { .. } => "vertex-outside",
             Defect::CoincidentVertices { .. } => "coincident-vertices",
-            Defect::BoundaryMeets { .. } => "boundary-meets",
+            Defect::BoundaryMeets { .. } => BOUNDARY_MEETS,
             Defect::Covered { .. } => "covered-twice",
             Defect::RegionDimension => "region-dimension",
             Defect::DelaunayOfRegion => "delaunay-of-region",
@@ -148,6 +148,9 @@ impl Defect {
         }
     }
 }
+
+/// The code of [`Defect::BoundaryMeets`], whose evidence is made only where it is kept.
+pub(super) const BOUNDARY_MEETS: &str = "boundary-meets";
 
 /// Collects defects: all are counted, and of each kind the first few are kept.
 #[derive(Clone, Debug)]
