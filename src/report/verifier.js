@@ -560,6 +560,13 @@ class Comparison {
     for (let i = 0; i < text.length; i++, this.at++) if (this.bytes[this.at] !== text.charCodeAt(i)) this.fail();
   }
 
+  writeEncoded(text) {
+    for (const byte of new TextEncoder().encode(text)) {
+      if (this.bytes[this.at] !== byte) this.fail();
+      this.at++;
+    }
+  }
+
   /** `depth` arrays and objects are open around the value; the outer three have their items on lines. */
   value(value, depth) {
     if (Array.isArray(value)) this.group("[", "]", value, depth, (item) => this.value(item, depth + 1));
@@ -589,7 +596,7 @@ class Comparison {
     this.write('"');
     const escaped = text.replace(/["\\\u0000-\u001f]/g, escapedInJson);
     if (/^[\u0020-\u007f]*$/.test(escaped)) this.write(escaped);
-    else this.write(latinOf(new TextEncoder().encode(escaped)));
+    else this.writeEncoded(escaped);
     this.write('"');
   }
 }
@@ -598,13 +605,6 @@ const SHORT_ESCAPES = new Map([...ESCAPES].map(([letter, character]) => [charact
 
 function escapedInJson(character) {
   return SHORT_ESCAPES.get(character) ?? "\\u" + character.charCodeAt(0).toString(16).padStart(4, "0");
-}
-
-/** A character for each byte. */
-function latinOf(bytes) {
-  let text = "";
-  for (const byte of bytes) text += String.fromCharCode(byte);
-  return text;
 }
 
 // ---- Lengths, ranges, order --------------------------------------------------------------------------------------------------
@@ -1023,7 +1023,7 @@ function checkWork({ ring, gram, vertices, scale, simplices, polytope, bounds },
   const { vertices: corners, faces } = polytope ?? { vertices: [], faces: [] };
   const n = BigInt(ring.degree);
   const tables = [gram, vertices, corners].map((table) => table.reduce((most, line) => line.reduce((m, x) => wordsOfMore(m, x), most), 1));
-  const modulus = ring.degree * Math.max(0, ...(ring.modulus ?? []).map(bits));
+  const modulus = ring.degree * (ring.modulus ?? []).reduce((most, c) => Math.max(most, bits(c)), 0);
   const w = BigInt(Math.max(...tables, wordsOfAll([scale, ...(bounds.get(RATIO)?.value ?? [])]), Math.floor(modulus / 64) + 1));
   const incidences = faces.reduce((count, face) => count + BigInt(face.length), 0n);
   const domain = incidences * BigInt(corners.length) + BigInt(faces.length) * BigInt(vertices.length);
