@@ -1,0 +1,191 @@
+// The JavaScript verifier against the folders of certificates, and against the Rust verifier. Run: node --test tests/browser
+//
+// ACUTILE_VERIFY names the Rust program, MUTATIONS how many changed certificates are compared, SEED the first of their seeds.
+
+import assert from "node:assert/strict";
+import { createHash } from "node:crypto";
+import { mkdtempSync, readFileSync, rmSync, writeFileSync } from "node:fs";
+import { tmpdir } from "node:os";
+import { join } from "node:path";
+import { test } from "node:test";
+import { sha256, verify } from "../../src/report/verifier.js";
+import { askRust, certificatesIn, outputOf, ROOT, rustVerifier } from "./files.mjs";
+import { Chance, mutate, write } from "./mutate.mjs";
+
+const VERDICTS = new Map([["malformed", "malformed"], ["false", "rejected"], ["declined", "declined"]]);
+const MUTATIONS = Number(process.env.MUTATIONS ?? 3000);
+const SEED = Number(process.env.SEED ?? 1);
+const rust = rustVerifier();
+const needsRust = { skip: rust ? false : "acutile-verify is not built, and ACUTILE_VERIFY does not name it" };
+
+for (const [folder, verdict] of VERDICTS) {
+  test(`every file of ${folder} gets the code in its name`, () => {
+    const files = certificatesIn(`tests/certificates/${folder}`);
+    assert.ok(files.length >= 25);
+    for (const { stem, bytes, limits } of files) {
+      const answer = verify(bytes, limits);
+      assert.deepEqual([stem, answer.verdict, answer.code], [stem, verdict, stem.split("--")[0]]);
+      assert.deepEqual([answer.claim, answer.sha256], [[], null]);
+    }
+  });
+}
+
+for (const folder of ["tests/certificates/valid", "certificates"]) {
+  test(`every file of ${folder} is verified`, () => {
+    const files = certificatesIn(folder);
+    assert.ok(files.length >= 30);
+    for (const { name, bytes } of files) {
+      const answer = verify(bytes);
+      assert.equal(answer.verdict, "verified", `${name}: [${answer.code}] ${answer.message}`);
+      assert.equal(answer.sha256, createHash("sha256").update(bytes).digest("hex"));
+      const { claim, witness } = JSON.parse(new TextDecoder().decode(bytes));
+      assert.deepEqual(
+        [answer.claim.length, answer.vertices, answer.simplices],
+        [claim.statements.length, witness.vertices.length, witness.simplices.length],
+      );
+    }
+  });
+}
+
+test("a text and its bytes are the same certificate", () => {
+  for (const { bytes } of certificatesIn("tests/certificates/valid")) {
+    assert.deepEqual(verify(new TextDecoder("utf-8", { ignoreBOM: true }).decode(bytes)), verify(bytes));
+  }
+});
+
+test("SHA-256 of every length around the blocks", () => {
+  for (let length = 0; length < 200; length++) {
+    const bytes = Uint8Array.from({ length }, (_, i) => (i * 37 + length) & 255);
+    assert.equal(sha256(bytes), createHash("sha256").update(bytes).digest("hex"));
+  }
+  // FIPS 180-4, the example "abc".
+  assert.equal(sha256(new TextEncoder().encode("abc")), "ba7816bf8f01cfea414140de5dae2223b00361a396177a9cb410ff61f20015ad");
+});
+
+test("hostile texts are malformed, and nothing is left behind", () => {
+  const million = 1 << 20;
+  const texts = [
+    "[".repeat(million),
+    '{"a":'.repeat(million),
+    `{"format":"acutile-certificate","version":1,"claim":${"[".repeat(million)}${"]".repeat(million)},"witness":{}}`,
+    '{"__proto__":{"format":"acutile-certificate","version":1}}',
+    `{"format":"acutile-certificate","version":1,"claim":{"__proto__":{"dimension":2}},"witness":{}}`,
+    `{"format":"acutile-certificate","version":${"9".repeat(million)}}`,
+    `{"format":"acutile-certificate","version":1e${"9".repeat(million)}}`,
+    '"\ud800"',
+    "\ufeff{}",
+    "",
+    "nul",
+    '{"format":"acutile-certificate","version":1,}',
+  ];
+  for (const text of texts) {
+    const answer = verify(text);
+    assert.deepEqual([answer.verdict, answer.code], ["malformed", "json"], text.slice(0, 60));
+  }
+  assert.deepEqual([Object.keys(Object.prototype), {}.format, {}.dimension], [[], undefined, undefined]);
+});
+
+test("numbers that would be expensive are declined before they are made", () => {
+  const file = certificatesIn("tests/certificates/valid").find(({ name }) => name === "plane-square.json");
+  const certificate = JSON.parse(new TextDecoder().decode(file.bytes));
+  certificate.witness.vertices[0][0] = "7".repeat(30_000_000);
+  const start = performance.now();
+  assert.equal(verify(write(certificate)).code, "too-many-digits");
+  assert.ok(performance.now() - start < 20_000);
+});
+
+test("limits are integers with known names", () => {
+  for (const limits of [{ bytes: -1 }, { bytes: 1.5 }, { work: Infinity }, { depth: 3 }, { digits: "9" }]) assert.throws(() => verify("", limits), TypeError);
+  assert.throws(() => verify(null), TypeError);
+});
+
+test("a page can embed the module", () => {
+  const source = readFileSync(join(ROOT, "src/report/verifier.js"), "utf8");
+  assert.doesNotMatch(source, /<\/script|<!--|^import\b|\b(import|require|fetch|eval|Function)\(|Math\.random|\bDate\b/im);
+});
+
+test("sigma takes less than two seconds", () => {
+  const { bytes } = certificatesIn("certificates").find(({ name }) => name === "sigma.json");
+  const start = performance.now();
+  assert.equal(verify(bytes).verdict, "verified");
+  assert.ok(performance.now() - start < 2000);
+});
+
+// ---- Against the Rust verifier ----
+
+/** As the programs read files: one byte more than the limit is enough. */
+const verifyFile = (bytes, limits) => verify(bytes.subarray(0, (limits.bytes ?? Infinity) + 1), limits);
+
+/**
+ * What both must say. The words of `json` are the parser's own, and the value with a cosine depends on the enclosure of the cosine, of which each has
+ * its own; all other words are compared letter by letter.
+ */
+function essence({ verdict, code = null, message = null, claim, words, sha256: digest = null, vertices = null, simplices = null }) {
+  const sentences = verdict === "verified" ? (words ?? claim.join("; ")) : null;
+  const comparable = code === "json" ? null : message?.replace(/(sign of the cosine .* compared), .*, (is not decided)/, "$1 $2");
+  return { verdict, code, message: comparable, sentences, digest, vertices, simplices };
+}
+
+test("both verifiers say the same of every file", needsRust, () => {
+  const folders = [...VERDICTS.keys(), "valid"].map((folder) => `tests/certificates/${folder}`);
+  for (const { path, bytes, limits } of [...folders, "certificates"].flatMap(certificatesIn)) {
+    const expected = askRust(rust, [path], limits).get(path);
+    assert.deepEqual(essence(verifyFile(bytes, limits)), essence(expected), path);
+  }
+});
+
+test("both programs print the same lines and give the same exit codes", needsRust, () => {
+  const files = ["false/not-acute--cube-6", "declined/version--2", "valid/plane-square", "malformed/format--control-characters"];
+  const paths = files.map((file) => join(ROOT, `tests/certificates/${file}.json`));
+  const node = (...options) => outputOf(process.execPath, [join(ROOT, "src/report/verify-cli.mjs"), ...options]);
+  for (const options of [paths, ["--json", ...paths], ["--limit-simplices", "1", ...paths]]) assert.equal(node(...options), outputOf(rust, options));
+});
+
+/** Limits that bite, one set for each batch. */
+const LIMITS = [{}, {}, {}, {}, { work: 2000 }, { work: 20000 }, { bisections: 3 }, { bisections: 70 }, { bisections: 0 }, { digits: 4 }, { degree: 2 }, { simplices: 12 }, { bytes: 2500 }];
+const BATCH = 60;
+
+test(`both verifiers say the same of ${MUTATIONS} changed certificates`, { ...needsRust, timeout: 1_200_000 }, () => {
+  const bases = ["certificates", "tests/certificates/valid", "tests/certificates/declined"]
+    .flatMap(certificatesIn)
+    .filter(({ bytes }) => bytes.length < 25_000)
+    .filter(({ bytes }) => isJson(bytes));
+  const folder = mkdtempSync(join(tmpdir(), "acutile-mutations-"));
+  const seen = new Map();
+  try {
+    for (let first = 0; first < MUTATIONS; first += BATCH) {
+      const limits = LIMITS[(first / BATCH) % LIMITS.length];
+      compareBatch(folder, bases, SEED + first, Math.min(BATCH, MUTATIONS - first), limits, seen);
+    }
+  } finally {
+    rmSync(folder, { recursive: true });
+  }
+  if (process.env.SHOW_CODES) console.log([...seen].sort());
+  if (MUTATIONS >= 2000) assert.ok(seen.size >= 50, `only ${seen.size} codes are met: ${[...seen.keys()]}`);
+});
+
+function isJson(bytes) {
+  try {
+    return typeof JSON.parse(new TextDecoder().decode(bytes)).witness === "object";
+  } catch {
+    return false;
+  }
+}
+
+function compareBatch(folder, bases, seed, count, limits, seen) {
+  const files = Array.from({ length: count }, (_, i) => {
+    const chance = new Chance(seed + i);
+    const base = chance.of(bases);
+    const path = join(folder, `${seed + i}.json`);
+    const bytes = mutate(chance, base.bytes);
+    writeFileSync(path, bytes);
+    return { path, bytes, name: `seed ${seed + i}, ${base.name}, limits ${JSON.stringify(limits)}` };
+  });
+  const expected = askRust(rust, files.map(({ path }) => path), limits);
+  for (const { path, bytes, name } of files) {
+    const answer = verifyFile(bytes, limits);
+    assert.deepEqual(essence(answer), essence(expected.get(path)), name);
+    seen.set(answer.code ?? "verified", (seen.get(answer.code ?? "verified") ?? 0) + 1);
+    rmSync(path);
+  }
+}
