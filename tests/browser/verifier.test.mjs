@@ -141,6 +141,30 @@ test("both programs print the same lines and give the same exit codes", needsRus
   for (const options of [paths, ["--json", ...paths], ["--limit-simplices", "1", ...paths]]) assert.equal(node(...options), outputOf(rust, options));
 });
 
+test("both verifiers count the same work, to the last product", needsRust, () => {
+  const names = ["plane-cubic-field", "plane-reducible-field", "plane-square-triangle", "strip-of-height-sqrt-3", "slab-bcc", "solid-octahedron"];
+  const all = ["certificates", "tests/certificates/valid"].flatMap(certificatesIn);
+  for (const { name, path, bytes } of all.filter(({ stem }) => [...names, "z-c15-4", "square-8", "icosahedral"].includes(stem))) {
+    const work = leastWork(bytes);
+    for (const limits of [{ work }, { work: work - 1 }]) {
+      const expected = askRust(rust, [path], limits).get(path);
+      assert.equal(expected.verdict, limits.work === work ? "verified" : "declined", `${name} ${work}`);
+      assert.deepEqual(essence(verify(bytes, limits)), essence(expected), name);
+    }
+  }
+});
+
+/** The least limit of work under which a certificate is verified. */
+function leastWork(bytes) {
+  let [fails, passes] = [0, 1 << 24];
+  while (passes - fails > 1) {
+    const work = Math.floor((fails + passes) / 2);
+    if (verify(bytes, { work }).verdict === "verified") passes = work;
+    else fails = work;
+  }
+  return passes;
+}
+
 /** Limits that bite, one set for each batch. */
 const LIMITS = [{}, {}, {}, {}, { work: 2000 }, { work: 20000 }, { bisections: 3 }, { bisections: 70 }, { bisections: 0 }, { digits: 4 }, { degree: 2 }, { simplices: 12 }, { bytes: 2500 }];
 const BATCH = 60;
