@@ -46,6 +46,7 @@ fn domain(domain: &tiling::Domain) -> Domain {
         tiling::Domain::Slab(polytope) => Domain::Slab(polytope_data(polytope)),
         tiling::Domain::Prism(polytope) => Domain::Prism(polytope_data(polytope)),
         tiling::Domain::Solid(polytope) => Domain::Solid(polytope_data(polytope)),
+        tiling::Domain::Region => Domain::Region,
     }
 }
 

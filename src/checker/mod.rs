@@ -11,6 +11,7 @@ mod defect;
 mod domain;
 mod hypotheses;
 mod model;
+mod region;
 mod render;
 mod statements;
 
@@ -19,6 +20,7 @@ pub use defect::{Angle, Defect, Findings};
 pub use domain::{Boundary, check_domain, check_facets, check_inside};
 pub use hypotheses::{check_corners, check_metric, check_orientation, check_volume};
 pub use model::Model;
+pub use region::check_region;
 pub use render::describe;
 pub use statements::{
     check_acute, check_delaunay, check_dihedral_above, check_dihedral_below, check_nonobtuse,
@@ -28,7 +30,7 @@ pub use statements::{
 use crate::certificate::{Certificate, Statement};
 use crate::geometry::Scalar;
 use crate::quality;
-use crate::tiling::{Matching, Plane, Tiling, match_facets};
+use crate::tiling::{Domain, Matching, Plane, Tiling, match_facets};
 use malachite::Rational;
 use std::str::FromStr;
 
@@ -104,6 +106,10 @@ fn prove_over<S: Scalar, const D: usize>(
     let boundary = check_facets(model.tiling, &matching, &faces, &mut findings);
     progress("volume");
     check_volume(model, &mut findings);
+    if model.tiling.frame.domain == Domain::Region {
+        progress("boundary");
+        check_region(model, &matching, &mut findings);
+    }
     stop_if_any(&findings)?;
     progress("required statements");
     for statement in &options.required {
@@ -148,6 +154,11 @@ fn check_statement<S: Scalar, const D: usize>(
         }
         Statement::RadiusEdgeBelow(bound) => {
             check_radius_edge_below(model, &bound_value(bound), findings);
+        }
+        Statement::Delaunay | Statement::WeaklyDelaunay
+            if model.tiling.frame.domain == Domain::Region =>
+        {
+            findings.add(Defect::DelaunayOfRegion);
         }
         Statement::Delaunay => check_delaunay(model, matching, false, findings),
         Statement::WeaklyDelaunay => check_delaunay(model, matching, true, findings),
