@@ -26,13 +26,13 @@ const U64_MAX = 2n ** 64n - 1n;
 /** The verdict of every code, in the order of docs/format.md. */
 const CODES = new Map(
   `declined too-many-bytes; malformed json, format; declined version; malformed canonical, dimension, statements, tcp-domain,
-  gram-shape, gram-asymmetric, prism-dimension, domain-vertex-length, face-count, face-length, face-vertices, face-repeated,
+  delaunay-domain, gram-shape, gram-asymmetric, prism-dimension, region-dimension, domain-vertex-length, face-count, face-length, face-vertices, face-repeated,
   unused-domain-vertex, no-simplices; declined too-many-simplices; malformed vertex-length, simplex-length, corner-length,
   vertex-range, shift-range, unused-vertex, mates-length, mate-row-length, mate-length, mate-range, mate-shift-range, number;
   declined too-many-digits; malformed polynomial; declined degree; malformed root-order; rejected root-signs;
   malformed root-derivative, coefficients, angle-range, ratio-range; declined common-denominator, work, sign-undecided;
   rejected gram-not-positive, face-not-facet, face-not-convex, faces-not-closed, vertex-outside, orientation, mate-not-mutual,
-  mate-corners, mate-side, boundary-facet, volume-sum, not-acute, not-nonobtuse, angle-not-below, angle-not-above;
+  mate-corners, mate-side, boundary-facet, volume-sum, boundary-meets, covering, not-acute, not-nonobtuse, angle-not-below, angle-not-above;
   declined angle-undecided; rejected ratio-not-below, not-delaunay, not-weakly-delaunay, edge-valence, triangle-valence;
   declined machine`
     .split(";")
@@ -465,8 +465,8 @@ const STATEMENTS = [
   "TCP",
 ];
 const [TILING, ACUTE, NONOBTUSE, BELOW, ABOVE, RATIO, DELAUNAY, WEAKLY, TCP] = STATEMENTS.keys();
-const DOMAINS = ["space", "slab", "prism", "solid"];
-const [SPACE, SLAB, PRISM, SOLID] = DOMAINS.keys();
+const DOMAINS = ["space", "slab", "prism", "solid", "region"];
+const [SPACE, SLAB, PRISM, SOLID, REGION] = DOMAINS.keys();
 
 /**
  * The data of a certificate. A number is a text, or a list of texts that does not hold just one. The field is null for Q. Statements
@@ -491,7 +491,7 @@ function readCertificate(bytes) {
         natural,
         () => json.variant(["Q", "Q(a)"], [null, field]).value,
         numbers,
-        () => json.variant(DOMAINS, [null, polytope, polytope, polytope]),
+        () => json.variant(DOMAINS, [null, polytope, polytope, polytope, null]),
         () => json.list(() => json.variant(STATEMENTS, STATEMENTS.map((_, kind) => (isBound(kind) ? text : null)))),
       ],
     );
@@ -613,7 +613,7 @@ const FAR = 2 ** 31;
 
 /** r: the lattice is spanned by the first r vectors of the basis. */
 function rankOf({ dimension, domain }) {
-  return new Map([[SPACE, dimension], [SLAB, dimension - 1], [PRISM, 1], [SOLID, 0]]).get(domain.kind);
+  return new Map([[SPACE, dimension], [SLAB, dimension - 1], [PRISM, 1], [SOLID, 0], [REGION, 0]]).get(domain.kind);
 }
 
 function checkShape({ claim, witness }, limits) {
@@ -629,10 +629,13 @@ function checkClaim({ dimension, gram, domain, statements }) {
   if (late > 0) refuse("statements", `statement ${late} is out of order or repeats the one before it`);
   const isThreeSpace = dimension === 3 && domain.kind === SPACE;
   if (statements.at(-1).kind === TCP && !isThreeSpace) refuse("tcp-domain", '"TCP" is stated of all of three-space only');
+  const isDelaunay = statements.some(({ kind }) => kind === DELAUNAY || kind === WEAKLY);
+  if (isDelaunay && domain.kind === REGION) refuse("delaunay-domain", "Delaunay is not stated of a region, which need not be convex");
   const isSquare = gram.length === dimension && gram.every((row) => row.length === dimension);
   if (!isSquare) refuse("gram-shape", "the Gram matrix is not square of the dimension's size");
   gram.forEach((row, i) => row.slice(0, i).forEach((entry, j) => checkSameText(entry, gram[j][i], i, j)));
   if (domain.kind === PRISM && dimension !== 3) refuse("prism-dimension", "a prism has dimension 3");
+  if (domain.kind === REGION && dimension !== 3) refuse("region-dimension", "a region has dimension 3");
 }
 
 function checkSameText(entry, opposite, i, j) {
@@ -697,10 +700,10 @@ function checkWitness(claim, { vertices, simplices, mates }, limits) {
   });
   if (used.indexOf(0) >= 0) refuse("unused-vertex", `vertex ${used.indexOf(0)} is no corner of any simplex`);
   if (mates.length !== simplices.length) refuse("mates-length", `${mates.length} rows of mates for ${simplices.length} simplices`);
-  const sizes = [simplices.length, d + 1, r, claim.domain.value?.faces.length];
+  const sizes = { simplices: simplices.length, corners: d + 1, r, faces: claim.domain.value?.faces.length, isRegion: claim.domain.kind === REGION };
   mates.forEach((row, s) => {
     if (row.length !== d + 1) refuse("mate-row-length", `simplex ${s} has ${row.length} mates, not ${d + 1}`);
-    row.forEach((mate, i) => checkMate(mate, facetName(s, i), ...sizes));
+    row.forEach((mate, i) => checkMate(mate, facetName(s, i), sizes));
   });
 }
 
@@ -711,8 +714,9 @@ function checkCorner(corner, name, r, vertices) {
   if (far !== undefined) refuse("shift-range", `${name} is shifted by ${far}, not between -2^31 and 2^31`);
 }
 
-/** `faces` is undefined where the domain has no boundary. */
-function checkMate(mate, name, simplices, corners, r, faces) {
+/** `faces` is undefined where the domain has no polytope. */
+function checkMate(mate, name, { simplices, corners, r, faces, isRegion }) {
+  if (mate.length === 0 && isRegion) return;
   const isFace = mate.length === 1 && faces !== undefined;
   if (!isFace && mate.length !== 2 + r) refuse("mate-length", `the mate of ${name} has ${mate.length} entries, not ${2 + r}`);
   const exists = isFace ? isIndex(mate[0], faces) : isIndex(mate[0], simplices) && isIndex(mate[1], corners);
@@ -843,16 +847,15 @@ function powersFrom(modulus) {
   return rows;
 }
 
-/** What all evaluations at enclosures may cost together; counted before they are made. */
+/** What something may cost altogether; counted before it is done. */
 class Budget {
-  constructor(work) {
-    this.spent = 0n;
-    this.limit = BigInt(work) * SIGNS;
+  constructor(work, of) {
+    Object.assign(this, { spent: 0n, limit: BigInt(work) * SIGNS, of });
   }
 
   spend(cost) {
     this.spent += cost;
-    if (this.spent > this.limit) refuse("work", `${this.spent} word products for the signs, more than the limit of ${this.limit}`);
+    if (this.spent > this.limit) refuse("work", `${this.spent} word products ${this.of}, more than the limit of ${this.limit}`);
   }
 }
 
@@ -939,6 +942,7 @@ function readTiling(certificate, limits) {
     ...{ dimension: claim.dimension, rank: rankOf(claim), simplices: witness.simplices, mates: witness.mates },
     polytope: polytope && { vertices: corners, faces: polytope.faces, k: claim.dimension - rankOf(claim) },
     bounds: readBounds(claim.statements, limits),
+    work: limits.work,
   };
   checkWork(tiling, limits);
   return { ...tiling, determinantOfGram: determinant(ring, gram), dualGram: adjugate(ring, gram) };
@@ -948,7 +952,7 @@ function readField(field, limits) {
   if (!field) return new Ring(null, [], null);
   const p = readPolynomial(field.polynomial, limits);
   const root = field.root.map((text, i) => rational(text, () => `root[${i}]`, limits));
-  const budget = new Budget(limits.work);
+  const budget = new Budget(limits.work, "for the signs");
   return new Ring(p, ladder(p, root, limits.bisections, budget), budget);
 }
 
@@ -1019,17 +1023,23 @@ function checkBound(kind, text, [p, q]) {
 }
 
 /** (simplices + I W + F V) n² words²: see docs/format.md. */
-function checkWork({ ring, gram, vertices, scale, simplices, polytope, bounds }, limits) {
-  const { vertices: corners, faces } = polytope ?? { vertices: [], faces: [] };
-  const n = BigInt(ring.degree);
-  const tables = [gram, vertices, corners].map((table) => table.reduce((most, line) => line.reduce((m, x) => wordsOfMore(m, x), most), 1));
-  const modulus = ring.degree * (ring.modulus ?? []).reduce((most, c) => Math.max(most, bits(c)), 0);
-  const w = BigInt(Math.max(...tables, wordsOfAll([scale, ...(bounds.get(RATIO)?.value ?? [])]), Math.floor(modulus / 64) + 1));
+function checkWork(tiling, limits) {
+  const { vertices: corners, faces } = tiling.polytope ?? { vertices: [], faces: [] };
   const incidences = faces.reduce((count, face) => count + BigInt(face.length), 0n);
-  const domain = incidences * BigInt(corners.length) + BigInt(faces.length) * BigInt(vertices.length);
-  const exact = n * n * w * w * (domain + BigInt(simplices.length));
+  const domain = incidences * BigInt(corners.length) + BigInt(faces.length) * BigInt(tiling.vertices.length);
+  const exact = productCost(tiling) * (domain + BigInt(tiling.simplices.length));
   const found = exact > U64_MAX ? U64_MAX : exact;
   if (found > BigInt(limits.work)) refuse("work", `${found} word products for each product, more than the limit of ${limits.work}`);
+}
+
+/** n² words² */
+function productCost({ ring, gram, vertices, scale, polytope, bounds }) {
+  const n = BigInt(ring.degree);
+  const numbers = [gram, vertices, polytope ? polytope.vertices : []].flatMap((table) => table.map((line) => line.reduce(wordsOfMore, 1)));
+  const modulus = ring.degree * (ring.modulus ?? []).reduce((most, c) => Math.max(most, bits(c)), 0);
+  const others = [wordsOfAll([scale, ...(bounds.get(RATIO)?.value ?? [])]), Math.floor(modulus / 64) + 1];
+  const w = BigInt(numbers.concat(others).reduce((most, words) => Math.max(most, words)));
+  return n * n * w * w;
 }
 
 const wordsOfMore = (most, x) => Math.max(most, wordsOfAll(x));
@@ -1138,6 +1148,7 @@ function checkGeometry(tiling) {
   checkMates(tiling);
   checkBoundary(tiling);
   checkVolume(tiling);
+  checkRegion(tiling);
   checkAcute(tiling);
   checkNonobtuse(tiling);
   checkAngles(tiling, BELOW);
@@ -1148,6 +1159,7 @@ function checkGeometry(tiling) {
   checkClosePacked(tiling);
 }
 
+const domainOf = (tiling) => tiling.certificate.claim.domain.kind;
 const claims = (tiling, kind) => tiling.certificate.claim.statements.some((statement) => statement.kind === kind);
 
 /** G is positive definite: its leading principal minors are positive. */
@@ -1170,9 +1182,10 @@ function checkOrientation(tiling) {
   });
 }
 
-/** Σ det E = D! vol P, in units of the basis's parallelepiped; D! for space. */
+/** Σ det E = D! vol P, in units of the basis's parallelepiped; D! for space. A region has no volume but this sum. */
 function checkVolume(tiling) {
   const { dimension, polytope, scale } = tiling;
+  if (domainOf(tiling) === REGION) return;
   const [d, k] = [BigInt(dimension), BigInt(polytope ? polytope.k : 0)];
   const found = total(tiling.determinants);
   const volume = polytope ? volumeOf(tiling, polytope.planes.map((plane) => innerSide(tiling, plane))) : ONE;
@@ -1288,7 +1301,7 @@ function checkInside(tiling, plane) {
 function checkBoundary(tiling) {
   tiling.mates.forEach((row, s) =>
     row.forEach((mate, i) => {
-      if (mate.length > 1) return;
+      if (mate.length !== 1) return;
       const plane = tiling.polytope.planes[mate[0]];
       for (const [v] of facetOf(tiling, s, i)) {
         const point = tiling.vertices[v];
@@ -1348,6 +1361,210 @@ function missing(tiling, s, i, t, j, shift) {
   const mine = facetOf(tiling, s, i);
   const isThere = (corner) => mine.some((own) => byEntries(own, moved(corner, shift)) === 0);
   return facetOf(tiling, t, j).find((corner) => !isThere(corner));
+}
+
+// ---- The region of a mesh ------------------------------------------------------------------------------------------------------
+//
+// Its boundary does not meet itself, and nothing is outside of it. The verifier in Rust separates triangles by functionals and sends rays
+// along (1, ε, ε²); here edges are cut with triangles, and the rays go along (ε², ε, 1). The covering number that a ray finds is that at its
+// beginning, whatever its direction.
+
+function checkRegion(tiling) {
+  if (domainOf(tiling) !== REGION) return;
+  const triangles = boundaryOf(tiling);
+  const extents = extentsOf(tiling, triangles);
+  checkBoundaryApart(tiling, triangles, extents);
+  checkCovering(tiling, triangles, extents);
+}
+
+/** The facets with the mate `[]`: their vertices turn so that the normal (b - a) × (c - a) points out, as det E > 0. */
+function boundaryOf(tiling) {
+  return tiling.mates.flatMap((row, s) =>
+    row.flatMap((mate, i) => {
+      if (mate.length > 0) return [];
+      const [a, b, c] = facetOf(tiling, s, i).map(([v]) => v);
+      const corners = i % 2 === 0 ? [a, b, c] : [a, c, b];
+      return [{ s, i, corners, normal: normalOf(tiling, corners) }];
+    }),
+  );
+}
+
+const between = ({ vertices }, v, w) => vectorBetween(vertices[v], vertices[w]);
+const normalOf = (tiling, [a, b, c]) => normal(tiling.ring, [between(tiling, a, b), between(tiling, a, c)]);
+const signInBoundary = (tiling, value, of = "position of two facets in the boundary, scaled") => signOf(tiling, value, () => 1n, () => of);
+
+/** x_i, x_j + x_k and x_j - x_k. */
+const FUNCTIONALS = [[1, 0, 0], [0, 1, 0], [0, 0, 1], [0, 1, 1], [1, 0, 1], [1, 1, 0], [0, 1, -1], [1, 0, -1], [1, -1, 0]];
+
+/**
+ * Of each triangle the least and the greatest rank of its corners along each functional, where equal values have equal ranks.
+ * Triangles of which one ends before the other begins have a plane between them.
+ */
+function extentsOf(tiling, triangles) {
+  const used = [...new Set(triangles.flatMap(({ corners }) => corners))].sort((v, w) => v - w);
+  const ranks = FUNCTIONALS.map((functional) => {
+    const values = new Map(used.map((v) => [v, total(tiling.vertices[v].map((x, k) => scaled(x, BigInt(functional[k]))))]));
+    const of = () => "difference of two vertices along a functional";
+    const compare = (v, w) => signOf(tiling, difference(values.get(v), values.get(w)), () => tiling.scale, of);
+    const rank = new Map();
+    [...used].sort(compare).forEach((v, at, order) => rank.set(v, at === 0 ? 0 : rank.get(order[at - 1]) - Math.min(0, compare(order[at - 1], v))));
+    return rank;
+  });
+  return triangles.map(({ corners }) =>
+    ranks.map((rank) => {
+      const own = corners.map((v) => rank.get(v));
+      return { begin: Math.min(...own), end: Math.max(...own) };
+    }),
+  );
+}
+
+const overlap = (p, q) => p.begin <= q.end && q.begin <= p.end;
+
+/** Any two triangles meet in the convex hull of the corners that they share, and these are not three. */
+function checkBoundaryApart(tiling, triangles, extents) {
+  const budget = new Budget(tiling.work, "for the facets in the boundary");
+  const cost = productCost(tiling) * 64n;
+  eachClosePair(extents, budget.limit, (t, u) => {
+    budget.spend(cost);
+    const [f, g] = [triangles[t], triangles[u]];
+    const shared = f.corners.filter((v) => g.corners.includes(v));
+    if (meetInShared(tiling, f, g, shared)) return;
+    const [first, second] = [f, g].sort((x, y) => x.s - y.s || x.i - y.i).map(({ s, i }) => facetName(s, i));
+    const count = ["no corner", "one corner"][shared.length] ?? `${shared.length} corners`;
+    refuse("boundary-meets", `${first} and ${second} in the boundary have ${count} in common and meet elsewhere`);
+  });
+}
+
+/** Calls `visit` for the pairs that overlap along all functionals, in the order of the one along which the fewest do. */
+function eachClosePair(extents, limit, visit) {
+  const counts = FUNCTIONALS.map((_, f) => overlapsAlong(extents.map((extent) => extent[f])));
+  const best = counts.indexOf(counts.reduce((least, count) => Math.min(least, count)));
+  const isMuch = BigInt(counts[best]) > limit;
+  if (isMuch) refuse("work", `${counts[best]} word products for the pairs of facets in the boundary, more than the limit of ${limit}`);
+  let open = [];
+  const order = [...extents.keys()].sort((t, u) => extents[t][best].begin - extents[u][best].begin);
+  for (const t of order) {
+    open = open.filter((u) => extents[u][best].end >= extents[t][best].begin);
+    open.filter((u) => extents[u].every((extent, f) => overlap(extent, extents[t][f]))).forEach((u) => visit(u, t));
+    open.push(t);
+  }
+}
+
+/** How many pairs of intervals overlap: with each that begins, those that have begun and not ended. */
+function overlapsAlong(intervals) {
+  const begins = intervals.map(({ begin }) => begin).sort((x, y) => x - y);
+  const ends = intervals.map(({ end }) => end).sort((x, y) => x - y);
+  let [count, ended] = [0, 0];
+  begins.forEach((begin, at) => {
+    while (ends[ended] < begin) ended++;
+    count += at - ended;
+  });
+  return count;
+}
+
+/**
+ * None shared: an end of what two triangles have in common lies on an edge of one of them; so no edge of either may meet the other. One: only the
+ * edges opposite to it need be looked at, for beyond another common point the ray from the corner leaves one triangle there, inside of the other.
+ * Two: the triangles are in different planes, or on different sides of their edge.
+ */
+function meetInShared(tiling, f, g, shared) {
+  if (shared.length === 3) return false;
+  if (shared.length === 2) return isUnfolded(tiling, f, g, shared);
+  const edges = ({ corners }) => sidesOf(corners).filter((edge) => !edge.includes(shared[0]));
+  return !edges(f).some((edge) => cuts(tiling, edge, g)) && !edges(g).some((edge) => cuts(tiling, edge, f));
+}
+
+function isUnfolded(tiling, f, g, [b, c]) {
+  const [p, q] = [f, g].map(({ corners }) => corners.find((v) => v !== b && v !== c));
+  const [n, m] = [p, q].map((v) => normalOf(tiling, [b, c, v]));
+  const isOnePlane = signInBoundary(tiling, tiling.ring.dot(n, between(tiling, b, q))) === 0;
+  return !isOnePlane || signInBoundary(tiling, tiling.ring.dot(n, m)) < 0;
+}
+
+/** Whether a segment, with its ends, meets a triangle, with its boundary. */
+function cuts(tiling, [p, q], { corners, normal: n }) {
+  const { ring } = tiling;
+  const sides = [p, q].map((v) => signInBoundary(tiling, ring.dot(n, between(tiling, corners[0], v))));
+  if (sides[0] === sides[1]) return sides[0] === 0 && cutsInPlane(tiling, [p, q], corners, n);
+  // The line meets the plane in one point, of the segment; it is in the triangle if the line does not pass two sides in different senses.
+  const along = between(tiling, p, q);
+  const senses = sidesOf(corners).map(([v, w]) => {
+    const across = normal(ring, [between(tiling, p, v), between(tiling, p, w)]);
+    return signInBoundary(tiling, ring.dot(along, across));
+  });
+  return !(senses.includes(1) && senses.includes(-1));
+}
+
+/** In the plane with the normal n, a line separates them: strictly the triangle from a side's line, or from the segment's. */
+function cutsInPlane(tiling, [p, q], corners, n) {
+  const turn = (u, v, w) => signInBoundary(tiling, tiling.ring.dot(normalOf(tiling, [u, v, w]), n));
+  const isBeyond = ([v, w]) => turn(v, w, p) < 0 && turn(v, w, q) < 0;
+  if (sidesOf(corners).some(isBeyond)) return false;
+  const [first, ...others] = corners.map((v) => turn(p, q, v));
+  return first === 0 || others.some((side) => side !== first);
+}
+
+/** N = 0 directly outside of the first triangle of each class, where two are joined at an edge that no third one has. */
+function checkCovering(tiling, triangles, extents) {
+  const budget = new Budget(tiling.work, "for the facets in the boundary");
+  for (const first of firstOfClasses(triangles)) {
+    budget.spend(BigInt(triangles.length));
+    const start = triangles[first];
+    const isBehind = lastSign(tiling, start.normal) < 0;
+    const ahead = triangles.filter((_, t) => mayBeAhead(extents[first], extents[t]));
+    const outside = ahead.reduce((count, triangle) => count + crossing(tiling, start, triangle), isBehind ? -1 : 0);
+    if (outside === 0) continue;
+    const where = `directly outside of ${facetName(start.s, start.i)} in the boundary`;
+    refuse("covering", `${where} the covering number is ${outside}, not 0`);
+  }
+}
+
+/** Not where all of the other triangle is below the first, or beside it. */
+const mayBeAhead = (first, other) => other[2].end >= first[2].begin && overlap(other[0], first[0]) && overlap(other[1], first[1]);
+
+/** Classes as trees of parents; the root is the first of its class. */
+function firstOfClasses(triangles) {
+  const parents = [...triangles.keys()];
+  const root = (t) => {
+    while (parents[t] !== t) [parents[t], t] = [parents[parents[t]], parents[t]];
+    return t;
+  };
+  const around = new Map();
+  triangles.forEach(({ corners }, t) =>
+    sidesOf(corners).forEach(([v, w]) => {
+      const edge = v < w ? `${v},${w}` : `${w},${v}`;
+      around.set(edge, [...(around.get(edge) ?? []), t]);
+    }),
+  );
+  for (const [t, u, ...others] of around.values()) {
+    if (u === undefined || others.length > 0) continue;
+    const [x, y] = [root(t), root(u)];
+    parents[Math.max(x, y)] = Math.min(x, y);
+  }
+  return parents.filter((parent, t) => parent === t);
+}
+
+/**
+ * How the ray from the centroid m of `start` along d = (ε², ε, 1) passes a triangle: 1 if it leaves the region there, -1 if it enters, 0 if it
+ * misses it. With A = a - m, …: it meets the triangle where d · (A × B), d · (B × C), d · (C × A) have the sign of det(A, B, C), not zero; and
+ * that is the sign of d · n. All is 3 N times too large.
+ */
+function crossing(tiling, start, { corners, normal: n }) {
+  const { ring, vertices } = tiling;
+  const centre = [0, 1, 2].map((k) => total(start.corners.map((v) => vertices[v][k])));
+  const away = corners.map((v) => vectorBetween(centre, vertices[v].map((x) => scaled(x, 3n))));
+  const side = signInBoundary(tiling, ring.dot(n, away[0]), "side of a centroid with respect to a facet in the boundary");
+  const isMet = side !== 0 && sidesOf(away).every((pair) => lastSign(tiling, normal(ring, pair)) === side);
+  return isMet ? side : 0;
+}
+
+/** The sign of d · w for d = (ε², ε, 1) and all small ε > 0. */
+function lastSign(tiling, w) {
+  for (const entry of [...w].reverse()) {
+    const found = signInBoundary(tiling, entry, "direction of a facet in the boundary, scaled");
+    if (found !== 0) return found;
+  }
+  return 0;
 }
 
 // ---- Angles ------------------------------------------------------------------------------------------------------------------
@@ -1563,8 +1780,9 @@ function sentences({ claim, witness }) {
   const simplices = isPlane ? (count === 1 ? "triangle" : "triangles") : count === 1 ? "tetrahedron" : "tetrahedra";
   const how = isPlane ? "edge to edge" : "face to face";
   const gram = ` the Gram matrix ${bracketed(claim.gram.map(rowInWords))}`;
-  const tiling = `${domainInWords(claim)} is tiled ${how} by ${count} ${simplices}${latticeInWords(claim)}${gram}${fieldInWords(claim)}`;
-  return [tiling, ...claim.statements.slice(1).map(statementInWords)];
+  const tiling = `${domainInWords(claim)} is tiled ${how} by ${count} ${simplices}`;
+  const where = `${boundaryInWords(claim, witness)}${latticeInWords(claim)}${gram}${fieldInWords(claim)}`;
+  return [tiling + where, ...claim.statements.slice(1).map(statementInWords)];
 }
 
 const rowInWords = (numbers) => bracketed(numbers.map((number) => polynomialInWords([number].flat())));
@@ -1573,10 +1791,18 @@ function domainInWords(claim) {
   const { dimension, domain } = claim;
   const index = dimension - 2;
   if (domain.kind === SPACE) return ["the plane", "three-space"][index];
+  if (domain.kind === REGION) return "a bounded region of three-space";
   const names = new Map([[SLAB, ["strip", "slab"]], [PRISM, ["", "prism"]], [SOLID, ["polygon", "polyhedron"]]]);
   const last = Array.from({ length: dimension - rankOf(claim) }, (_, i) => `x_${rankOf(claim) + 1 + i}`);
   const hull = domain.value.vertices.map(rowInWords).join(", ");
   return `the ${names.get(domain.kind)[index]} of the points whose coordinates ${bracketed(last)} lie in the convex hull of ${hull}`;
+}
+
+/** Of a region, whose boundary nothing else describes. */
+function boundaryInWords({ domain }, { mates }) {
+  if (domain.kind !== REGION) return "";
+  const count = mates.flat().filter((mate) => mate.length === 0).length;
+  return `, whose union it is, and its boundary by ${count} triangles, which meet in common vertices and edges only`;
 }
 
 function latticeInWords(claim) {

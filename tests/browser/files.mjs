@@ -1,7 +1,7 @@
 // The certificates of the repository for the tests of the JavaScript verifier, and the Rust program to compare with.
 
 import { execFileSync } from "node:child_process";
-import { existsSync, readdirSync, readFileSync } from "node:fs";
+import { existsSync, readdirSync, readFileSync, statSync } from "node:fs";
 import { basename, join } from "node:path";
 import { fileURLToPath } from "node:url";
 
@@ -20,11 +20,12 @@ export function certificatesIn(folder) {
     });
 }
 
-/** `acutile-verify`, from the environment or where cargo puts it; undefined where it is not built. */
+/** `acutile-verify`, from the environment or the newest that cargo has built; undefined where there is none. */
 export function rustVerifier() {
   const given = process.env.ACUTILE_VERIFY;
   if (given) return given;
-  return ["release", "debug"].map((profile) => join(ROOT, "target", profile, "acutile-verify")).find(existsSync);
+  const built = ["release", "debug"].map((profile) => join(ROOT, "target", profile, "acutile-verify")).filter(existsSync);
+  return built.sort((p, q) => statSync(q).mtimeMs - statSync(p).mtimeMs)[0];
 }
 
 /** The answers of the Rust program for some files under the same limits, by file. */

@@ -144,7 +144,7 @@ function changeDomain(chance, certificate) {
   const kinds = ["space", "slab", "prism", "solid", "torus", "Q"];
   const face = solid && chance.of(solid.faces);
   const changes = [
-    () => (claim.domain = chance.of(["space", "slab", "solid", "torus", { space: null }, null])),
+    () => (claim.domain = chance.of(["space", "slab", "solid", "torus", "region", { region: null }, { space: null }, null])),
     () => solid && (claim.domain = { [chance.of(kinds)]: solid }),
     () => solid && solid.faces.splice(chance.index(solid.faces), 1),
     () => solid && solid.faces.push([...chance.of(solid.faces)]),
@@ -158,6 +158,43 @@ function changeDomain(chance, certificate) {
   ];
   chance.of(changes)();
 }
+
+/** Takes one simplex out of a mesh, and puts its neighbours' facets into the boundary: a mesh still. */
+function removeSimplex(chance, { witness }) {
+  const s = chance.index(witness.simplices);
+  witness.simplices.splice(s, 1);
+  witness.mates.splice(s, 1);
+  const renamed = (mate) => (mate.length < 2 || mate[0] < s ? mate : mate[0] === s ? [] : [mate[0] - 1, ...mate.slice(1)]);
+  witness.mates = witness.mates.map((row) => row.map(renamed));
+  dropUnused(witness);
+}
+
+function dropUnused({ vertices, simplices }) {
+  const used = [...new Set(simplices.flat().map(([v]) => v))].sort((v, w) => v - w);
+  vertices.splice(0, vertices.length, ...used.map((v) => vertices[v]));
+  for (const corner of simplices.flat()) corner[0] = used.indexOf(corner[0]);
+}
+
+/** A second mesh, the same one moved: beside, inside of or across the first. */
+function secondPiece(chance, { witness }) {
+  const { vertices, simplices, mates } = structuredClone(witness);
+  const [n, m] = [vertices.length, simplices.length];
+  const by = vertices[0].map(() => chance.of(["0", "0", "1", "-1", "1/2", "2", "1/7", "100"]));
+  const size = chance.of(["1", "1", "1/2", "1/10", "3"]);
+  const scaled = (x) => fromList(list(x).map((text) => ratio(parse(text)[0] * parse(size)[0], parse(text)[1] * parse(size)[1])));
+  witness.vertices.push(...vertices.map((x) => x.map((entry, k) => sum(scaled(entry), by[k]))));
+  witness.simplices.push(...simplices.map((corners) => corners.map(([v, ...shift]) => [v + n, ...shift])));
+  witness.mates.push(...mates.map((row) => row.map((mate) => (mate.length > 1 ? [mate[0] + m, ...mate.slice(1)] : mate))));
+}
+
+/** Two vertices of a mesh become one. */
+function identify(chance, { witness }) {
+  const [v, w] = [chance.index(witness.vertices), chance.index(witness.vertices)];
+  for (const corner of witness.simplices.flat()) if (corner[0] === w) corner[0] = v;
+  dropUnused(witness);
+}
+
+const MESH = [removeSimplex, secondPiece, secondPiece, identify, nudge, nudge, relabelSimplices];
 
 /** Every simplex's facets keep their mates: a tiling stays one. */
 function relabelSimplices(chance, { witness }) {
@@ -330,11 +367,12 @@ export function mutate(chance, bytes) {
   if (kind === 0) return changeBytes(chance, Uint8Array.from(bytes));
   if (kind < 3) return encoded(chance.of(TEXT)(chance, text));
   const certificate = JSON.parse(text);
-  for (let i = 0; i === 0 || (i < 4 && chance.below(3) === 0); i++) attempt(() => chance.of(DATA)(chance, certificate));
+  for (let i = 0; i === 0 || (i < 4 && chance.below(3) === 0); i++) attempt(() => chance.of(tableFor(chance, certificate))(chance, certificate));
   const changed = write(certificate);
   return encoded(chance.below(20) === 0 ? chance.of(TEXT)(chance, changed) : changed);
 }
 
+const tableFor = (chance, { claim }) => (claim?.domain === "region" && chance.below(3) > 0 ? MESH : DATA);
 const encoded = (text) => new TextEncoder().encode(text);
 
 /** A change that a change before it has made impossible is left out. */
