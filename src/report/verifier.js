@@ -1533,7 +1533,8 @@ function firstOfClasses(triangles) {
   triangles.forEach(({ corners }, t) =>
     sidesOf(corners).forEach(([v, w]) => {
       const edge = v < w ? `${v},${w}` : `${w},${v}`;
-      around.set(edge, [...(around.get(edge) ?? []), t]);
+      if (!around.has(edge)) around.set(edge, []);
+      around.get(edge).push(t);
     }),
   );
   for (const [t, u, ...others] of around.values()) {
