@@ -179,8 +179,9 @@ function dropUnused({ vertices, simplices }) {
 function secondPiece(chance, { witness }) {
   const { vertices, simplices, mates } = structuredClone(witness);
   const [n, m] = [vertices.length, simplices.length];
-  const by = vertices[0].map(() => chance.of(["0", "0", "1", "-1", "1/2", "2", "1/7", "100"]));
-  const size = chance.of(["1", "1", "1/2", "1/10", "3"]);
+  const isInside = chance.below(3) === 0;
+  const by = vertices[0].map(() => (isInside ? chance.of(["1/7", "1/5", "2/7"]) : chance.of(["0", "0", "1", "-1", "1/2", "2", "1/7", "100"])));
+  const size = chance.of(isInside ? ["1/2", "1/10", "1/40"] : ["1", "1", "1/2", "1/10", "3"]);
   const scaled = (x) => fromList(list(x).map((text) => ratio(parse(text)[0] * parse(size)[0], parse(text)[1] * parse(size)[1])));
   witness.vertices.push(...vertices.map((x) => x.map((entry, k) => sum(scaled(entry), by[k]))));
   witness.simplices.push(...simplices.map((corners) => corners.map(([v, ...shift]) => [v + n, ...shift])));
@@ -194,6 +195,32 @@ function identify(chance, { witness }) {
   dropUnused(witness);
 }
 
+/** A polytope written otherwise, or with a vertex moved. */
+function rewritePolytope(chance, certificate) {
+  const { vertices, faces } = polytope(certificate);
+  const [f, g] = [chance.index(faces), chance.index(faces)];
+  const other = (x) => (x === f ? g : x === g ? f : x);
+  const [w, x] = [chance.index(vertices), chance.index(vertices)];
+  const renamed = (v) => (v === w ? x : v === x ? w : v);
+  const [line, k] = entry(chance, vertices);
+  chance.of([
+    () => {
+      [faces[f], faces[g]] = [faces[g], faces[f]];
+      for (const mate of certificate.witness.mates.flat()) if (mate.length === 1) mate[0] = other(mate[0]);
+    },
+    () => {
+      [vertices[w], vertices[x]] = [vertices[x], vertices[w]];
+      faces.forEach((face) => face.forEach((v, i) => (face[i] = renamed(v))));
+    },
+    () => faces[f].push(faces[f].shift()),
+    () => faces[f].reverse(),
+    () => (line[k] = sum(line[k], chance.of(SMALL))),
+    () => ([faces[f][0], faces[f][1]] = [faces[f][1], faces[f][0]]),
+    () => certificate.witness.mates.flat().forEach((mate) => mate.length === 1 && chance.below(4) === 0 && (mate[0] = f)),
+  ])();
+}
+
+const SOLID = [rewritePolytope, rewritePolytope, rewritePolytope, changeDomain, nudge, changeStatements];
 const MESH = [removeSimplex, secondPiece, secondPiece, identify, nudge, nudge, relabelSimplices];
 
 /** Every simplex's facets keep their mates: a tiling stays one. */
@@ -363,7 +390,7 @@ function changeBytes(chance, bytes) {
 /** One certificate, changed once or a few times, as bytes. */
 export function mutate(chance, bytes) {
   const text = new TextDecoder().decode(bytes);
-  const kind = chance.below(10);
+  const kind = chance.below(16);
   if (kind === 0) return changeBytes(chance, Uint8Array.from(bytes));
   if (kind < 3) return encoded(chance.of(TEXT)(chance, text));
   const certificate = JSON.parse(text);
@@ -372,7 +399,14 @@ export function mutate(chance, bytes) {
   return encoded(chance.below(20) === 0 ? chance.of(TEXT)(chance, changed) : changed);
 }
 
-const tableFor = (chance, { claim }) => (claim?.domain === "region" && chance.below(3) > 0 ? MESH : DATA);
+
+/** What can be done to the kind of domain that it has, or what can be done to all. */
+function tableFor(chance, certificate) {
+  if (chance.below(3) === 0) return DATA;
+  if (certificate.claim.domain === "region") return MESH;
+  return polytope(certificate) ? SOLID : DATA;
+}
+
 const encoded = (text) => new TextEncoder().encode(text);
 
 /** A change that a change before it has made impossible is left out. */
