@@ -87,7 +87,7 @@ impl Extents {
             return Err(Refusal::Work { of, found, limit });
         }
         let mut order: Vec<usize> = (0..self.of_triangles.len()).collect();
-        order.sort_unstable_by_key(|&t| self.of_triangles[t][f].0);
+        order.sort_by_key(|&t| self.of_triangles[t][f].0);
         let mut open: Vec<usize> = Vec::new();
         for t in order {
             let extent = &self.of_triangles[t];
