@@ -46,6 +46,11 @@ fn domain(domain: &tiling::Domain) -> Domain {
         tiling::Domain::Slab(polytope) => Domain::Slab(polytope_data(polytope)),
         tiling::Domain::Prism(polytope) => Domain::Prism(polytope_data(polytope)),
         tiling::Domain::Solid(polytope) => Domain::Solid(polytope_data(polytope)),
+        // Certificates have no such domain; a polytope without faces is none.
+        tiling::Domain::Region => Domain::Solid(Polytope {
+            vertices: Vec::new(),
+            faces: Vec::new(),
+        }),
     }
 }
 

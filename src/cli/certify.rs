@@ -9,7 +9,7 @@ use super::verify::summary;
 use crate::catalog;
 use crate::certificate;
 use crate::checker::{self, Options, defect_data};
-use crate::tiling::Tiling;
+use crate::tiling::{Domain, Tiling};
 use crate::verifier::{self, Limits, Verified};
 use crate::with_dimension;
 use serde_json::{Value, json};
@@ -129,13 +129,17 @@ enum Answer {
 }
 
 fn prove(input: &str, arguments: &CertifyArguments, output: &mut Output) -> Answer {
-    let mut named = match input::tiling(input, arguments.param.as_deref()) {
+    let mut named = match input::tiling(input, arguments.param.as_deref(), &arguments.mesh) {
         Ok(named) => named,
         Err(error) if error.outcome == Outcome::Declined => return Answer::Declined(error.message),
         Err(error) => return Answer::Failed(error.message),
     };
+    named.tell(output);
     if arguments.reorient {
         let mended = with_dimension!(&mut named.tiling, AnyTiling, t => t.orient());
+        if let Some(provenance) = &mut named.provenance {
+            provenance.origin.reoriented(&mended);
+        }
         if !mended.is_empty() {
             output.complain(format!("{input}: {} simplices reoriented", mended.len()));
         }
@@ -147,8 +151,21 @@ fn prove(input: &str, arguments: &CertifyArguments, output: &mut Output) -> Answ
     with_dimension!(&named.tiling, AnyTiling, t => prove_tiling(t, input, &options))
 }
 
+/// Bounded meshes of any shape have no theorem yet.
+fn check_domain_is_convex<const D: usize>(tiling: &Tiling<D>, name: &str) -> Result<(), Answer> {
+    match tiling.frame.domain {
+        Domain::Region => Err(Answer::Declined(format!(
+            "{name}: a bounded mesh; --lattice makes it a periodic one"
+        ))),
+        _ => Ok(()),
+    }
+}
+
 /// The kernel has the last word: what it does not confirm is not called proved.
 fn prove_tiling<const D: usize>(tiling: &Tiling<D>, name: &str, options: &Options) -> Answer {
+    if let Err(answer) = check_domain_is_convex(tiling, name) {
+        return answer;
+    }
     let progress = Progress::of(name);
     let certificate = match checker::prove(tiling, options, &|step| progress.step(step)) {
         Ok(certificate) => certificate,

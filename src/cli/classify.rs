@@ -10,13 +10,14 @@ use serde_json::{Value, json};
 
 /// Prints what the tiling is; refuted where it is no tiling.
 pub fn run(arguments: &ClassifyArguments, output: &mut Output) -> Outcome {
-    let named = match input::tiling(&arguments.input, None) {
+    let named = match input::tiling(&arguments.input, None, &arguments.mesh) {
         Ok(named) => named,
         Err(error) => {
             output.complain(format!("acutile: {}", error.message));
             return error.outcome;
         }
     };
+    named.tell(output);
     let report = match AnyStudy::of(named.tiling) {
         Ok(AnyStudy::Plane(study)) => of_plane(&study),
         Ok(AnyStudy::Space(study)) => of_space(&study),

@@ -1,6 +1,6 @@
 //! `acutile table`: the paper's Table 1, rigorously, for its rows and all others.
 
-use super::args::{TableArguments, TableFormat};
+use super::args::{MeshArguments, TableArguments, TableFormat};
 use super::output::Output;
 use super::{Outcome, input};
 use crate::catalog;
@@ -45,7 +45,8 @@ fn row(name: &str, survey: &Survey) -> Result<Row, (String, Outcome)> {
             .map_err(|message| (message, Outcome::Refuted))?;
         return Ok(Row::of(name, study));
     }
-    let named = input::tiling(name, None).map_err(|error| (error.message, error.outcome))?;
+    let named = input::tiling(name, None, &MeshArguments::default())
+        .map_err(|error| (error.message, error.outcome))?;
     match AnyStudy::of(named.tiling) {
         Ok(study) => Ok(Row::of(name, &study)),
         Err(message) => Err((format!("{name}: {message}"), Outcome::Refuted)),
