@@ -56,6 +56,16 @@ impl Lattice {
             translations.extend(translation(link, mesh)?);
         }
         translations.retain(|t| t.iter().any(|x| *x != 0));
+        for translation in &mut translations {
+            // Of a translation and its opposite one.
+            if translation
+                .iter()
+                .find(|x| **x != 0)
+                .is_some_and(|x| *x < 0)
+            {
+                *translation = translation.each_ref().map(|x| -x);
+            }
+        }
         translations.sort_by_cached_key(|t| (t.iter().map(|x| x * x).sum::<Rational>(), t.clone()));
         translations.dedup();
         let mut vectors: Vec<[Rational; 3]> = Vec::new();

@@ -2,7 +2,7 @@
 
 use super::element::GMSH_TETRAHEDRON;
 use super::source::Encoding;
-use super::writer::{Shortest, Sink, labels};
+use super::writer::{Shortest, Sink, labels, labels_or};
 use super::{Mesh, Periodic};
 
 fn header(version: &str, encoding: Encoding) -> Sink {
@@ -40,13 +40,13 @@ pub fn msh2(mesh: &Mesh, encoding: Encoding) -> Vec<u8> {
             .iter()
             .for_each(|&n| sink.int(n));
     }
-    for (index, corners) in mesh.tetrahedra.iter().enumerate() {
+    let labels = labels_or(mesh, 1);
+    for ((index, corners), label) in mesh.tetrahedra.iter().enumerate().zip(labels) {
         sink.int(mesh.elements.get(index) as i64);
         if encoding == Encoding::Text {
             sink.int(GMSH_TETRAHEDRON);
             sink.int(2);
         }
-        let label = labels(mesh).map_or(1, |labels| labels[index]);
         sink.int(label);
         sink.int(label);
         corners

@@ -24,7 +24,7 @@ pub struct Move {
 }
 
 /// Moves every vertex that is within `tolerance` of a lattice translate of an earlier vertex
-/// that was not moved onto that translate. Gives for each vertex that was moved the
+/// that stays where it is onto the nearest such translate. Gives for each vertex that was moved the
 /// vertex it now is, and the lattice vector from that one.
 ///
 /// # Errors
@@ -42,14 +42,12 @@ pub fn snap(
     for (vertex, point) in (0u32..).zip(&points) {
         let near = grid.neighbours(point);
         let candidates = near.iter().filter_map(|cell| cells.get(cell)).flatten();
-        let image = candidates
-            .filter_map(|&other| {
-                grid.image(point, &points[other as usize])
-                    .map(|s| (other, s))
-            })
-            .next();
-        match image {
-            Some(image) => drop(moved.insert(vertex, image)),
+        let images = candidates.filter_map(|&other| {
+            let (distance, shift) = grid.image(point, &points[other as usize])?;
+            Some((distance, (other, shift)))
+        });
+        match images.min_by(|a, b| a.0.total_cmp(&b.0)) {
+            Some((_, image)) => drop(moved.insert(vertex, image)),
             None => cells.entry(grid.cell(point)).or_default().push(vertex),
         }
     }
@@ -130,8 +128,9 @@ impl Grid {
         cells
     }
 
-    /// The lattice vector that takes `other` next to `point`, if it comes near enough.
-    fn image(&self, point: &[f64; 3], other: &[f64; 3]) -> Option<[i32; 3]> {
+    /// The lattice vector that takes `other` next to `point`, if it comes near enough, with
+    /// the distance.
+    fn image(&self, point: &[f64; 3], other: &[f64; 3]) -> Option<(f64, [i32; 3])> {
         let shift: [i32; 3] = std::array::from_fn(|k| match k < self.rank {
             true => (point[k] - other[k]).round() as i32,
             false => 0,
@@ -139,6 +138,6 @@ impl Grid {
         let step: [f64; 3] = std::array::from_fn(|k| point[k] - other[k] - f64::from(shift[k]));
         let cartesian = |j: usize| (0..3).map(|k| step[k] * self.vectors[k][j]).sum::<f64>();
         let distance = (0..3).map(|j| cartesian(j).powi(2)).sum::<f64>().sqrt();
-        (distance <= self.tolerance).then_some(shift)
+        (distance <= self.tolerance).then_some((distance, shift))
     }
 }

@@ -220,8 +220,10 @@ fn vtk(mesh: &Mesh, encoding: Encoding) -> Vec<u8> {
     sink.bytes
 }
 
-fn label(mesh: &Mesh, tetrahedron: usize) -> i64 {
-    labels(mesh).map_or(0, |labels| labels[tetrahedron])
+/// The label of each tetrahedron, or `default` for all of them.
+pub fn labels_or(mesh: &Mesh, default: i64) -> impl Iterator<Item = i64> {
+    let labels = labels(mesh);
+    (0..mesh.tetrahedra.len()).map(move |index| labels.map_or(default, |labels| labels[index]))
 }
 
 fn medit_text(mesh: &Mesh) -> Vec<u8> {
@@ -244,11 +246,11 @@ fn medit_vertices(mesh: &Mesh, sink: &mut Sink) {
 }
 
 fn medit_tetrahedra(mesh: &Mesh, sink: &mut Sink) {
-    for (index, corners) in mesh.tetrahedra.iter().enumerate() {
+    for (corners, label) in mesh.tetrahedra.iter().zip(labels_or(mesh, 0)) {
         corners
             .iter()
             .for_each(|&corner| sink.int(i64::from(corner) + 1));
-        sink.int(label(mesh, index));
+        sink.int(label);
         sink.end();
     }
 }
@@ -296,13 +298,14 @@ fn tetgen_elements(mesh: &Mesh) -> Vec<u8> {
         mesh.tetrahedra.len(),
         u8::from(has_labels)
     ));
-    for (index, corners) in mesh.tetrahedra.iter().enumerate() {
+    let labels = labels_or(mesh, 0);
+    for ((index, corners), label) in mesh.tetrahedra.iter().enumerate().zip(labels) {
         sink.long(mesh.elements.get(index) as i64);
         corners
             .iter()
             .for_each(|&corner| sink.long(mesh.nodes.get(corner as usize) as i64));
         if has_labels {
-            sink.int(label(mesh, index));
+            sink.int(label);
         }
         sink.end();
     }
