@@ -11,9 +11,10 @@ use super::{Mesh, Periodic};
 fn count(source: &mut Source, least: usize, what: &str) -> Result<usize, MeshError> {
     let encoding = std::mem::replace(&mut source.encoding, Encoding::Text);
     let count = source.int(&format!("the number of {what}"))?;
+    let count = source.count(count, least, what)?;
     source.rest_of_line();
     source.encoding = encoding;
-    source.count(count, least, what)
+    Ok(count)
 }
 
 /// `tag x y z` for each node.
