@@ -150,7 +150,10 @@ fn written_and_read(mesh: &Mesh, format: Format, folder: &Path) -> Mesh {
             .mesh;
     }
     let mesh = format.family().read(&files[0].bytes);
-    mesh.unwrap_or_else(|error| panic!("{format:?}: {error}"))
+    let mut mesh = mesh.unwrap_or_else(|error| panic!("{format:?}: {error}"));
+    // The writer lists entities for Gmsh; the reader has no use for them.
+    mesh.unread.retain(|part| part != "section $Entities");
+    mesh
 }
 
 #[test]

@@ -78,13 +78,15 @@ fn links(corners: &[Corner<3>], lattice: &[[f64; 3]]) -> Vec<Periodic> {
             links.entry(step).or_default().push((index, original));
         }
     }
-    let link = |(number, (step, nodes)): (i64, ([i32; 3], Vec<(u32, u32)>))| Periodic {
-        dimension: 2,
-        entities: (2 * number, 2 * number - 1),
-        affine: Some(translation(step, lattice)),
-        nodes,
-    };
-    (1..).zip(links).map(link).collect()
+    let links = (1..)
+        .zip(links)
+        .map(|(number, (step, nodes)): (i64, (_, _))| Periodic {
+            dimension: 2,
+            entities: (2 * number, 2 * number - 1),
+            affine: Some(translation(step, lattice)),
+            nodes,
+        });
+    links.collect()
 }
 
 fn translation(step: [i32; 3], lattice: &[[f64; 3]]) -> [f64; 16] {

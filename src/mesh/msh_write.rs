@@ -4,6 +4,7 @@ use super::element::GMSH_TETRAHEDRON;
 use super::source::Encoding;
 use super::writer::{Shortest, Sink, labels, labels_or};
 use super::{Mesh, Periodic};
+use std::collections::BTreeSet;
 
 fn header(version: &str, encoding: Encoding) -> Sink {
     let mut sink = Sink::new(encoding);
@@ -89,6 +90,10 @@ fn pairs<'m>(mesh: &'m Mesh, link: &'m Periodic) -> impl Iterator<Item = (i64, i
 /// MSH 4.1.
 pub fn msh4(mesh: &Mesh, encoding: Encoding) -> Vec<u8> {
     let mut sink = header("4.1", encoding);
+    if !mesh.periodic.is_empty() {
+        entities4(mesh, &mut sink);
+        close(&mut sink, encoding, "Entities");
+    }
     nodes4(mesh, &mut sink);
     close(&mut sink, encoding, "Nodes");
     elements4(mesh, &mut sink);
@@ -115,6 +120,44 @@ fn block(sink: &mut Sink, numbers: [i64; 3], count: usize) {
     numbers.iter().for_each(|&number| sink.int(number));
     sink.long(count as i64);
     sink.end();
+}
+
+/// The entities of periodic links and the volumes, without boundaries or groups: Gmsh reads no link
+/// between entities that it does not know. For each `number box groups`, and from curves on
+/// `boundaries`.
+fn entities4(mesh: &Mesh, sink: &mut Sink) {
+    let mut entities: [BTreeSet<i64>; 4] = Default::default();
+    for link in &mesh.periodic {
+        if let Some(entities) = usize::try_from(link.dimension)
+            .ok()
+            .and_then(|d| entities.get_mut(d))
+        {
+            entities.extend([link.entities.0, link.entities.1]);
+        }
+    }
+    entities[3].extend(labels(mesh).unwrap_or(&[1]));
+    entities[3].insert(1);
+    sink.text("$Entities\n");
+    entities
+        .iter()
+        .for_each(|entities| sink.long(entities.len() as i64));
+    sink.end();
+    let bound = |start: f64, pick: fn(f64, f64) -> f64| -> [f64; 3] {
+        std::array::from_fn(|k| mesh.points.iter().map(|point| point[k]).fold(start, pick))
+    };
+    let (low, high) = (bound(f64::MAX, f64::min), bound(f64::MIN, f64::max));
+    for (dimension, entities) in entities.iter().enumerate() {
+        for &entity in entities {
+            sink.int(entity);
+            sink.point(&low);
+            if dimension > 0 {
+                sink.point(&high);
+                sink.long(0);
+            }
+            sink.long(0);
+            sink.end();
+        }
+    }
 }
 
 /// One block, of the volume 1.

@@ -67,8 +67,8 @@ fn reach(tiling: &Tiling<3>, radius: &Rational) -> Result<[i32; 3], String> {
     };
     let bounds = [bound(0), bound(1), bound(2)];
     let translates: f64 = bounds.iter().map(|bound| 2.0 * bound + 1.0).product();
-    // A bound that is no number is refused, too.
-    if !(translates * tiling.len() as f64 <= MOST) {
+    let work = translates * tiling.len() as f64;
+    if work.is_nan() || work > MOST {
         return Err(format!(
             "the ball of radius {radius} holds too many tetrahedra"
         ));

@@ -35,10 +35,10 @@ pub fn snap(
     inverse: &[[Rational; 3]; 3],
     tolerance: f64,
 ) -> Result<HashMap<u32, (u32, [i32; 3])>, MeshError> {
-    let grid = Grid::new(basis, inverse, tolerance)?;
+    let points: Vec<[f64; 3]> = fractions(found);
+    let grid = Grid::new(basis, inverse, tolerance, &points)?;
     let mut cells: HashMap<[i64; 3], Vec<u32>> = HashMap::new();
     let mut moved = HashMap::new();
-    let points: Vec<[f64; 3]> = fractions(found);
     for (vertex, point) in (0u32..).zip(&points) {
         let near = grid.neighbours(point);
         let candidates = near.iter().filter_map(|cell| cells.get(cell)).flatten();
@@ -80,7 +80,12 @@ const MOST_CELLS: f64 = 1e6;
 
 impl Grid {
     /// A step of length t changes basis coordinate k by at most t |row k of the inverse|.
-    fn new(basis: &Basis, inverse: &[[Rational; 3]; 3], tolerance: f64) -> Result<Self, MeshError> {
+    fn new(
+        basis: &Basis,
+        inverse: &[[Rational; 3]; 3],
+        tolerance: f64,
+        points: &[[f64; 3]],
+    ) -> Result<Self, MeshError> {
         let approximate = |x: &Rational| Number::from(x.clone()).approximate();
         let reach = inverse.each_ref().map(|row| {
             let squares = row.iter().map(|x| approximate(x).powi(2));
@@ -91,7 +96,15 @@ impl Grid {
                 "the tolerance {tolerance} is more than a quarter of the lattice's width"
             )));
         }
-        let sizes = reach.map(|r| r.max(1.0 / MOST_CELLS) * 1.001);
+        let span = |k: usize| match k < basis.rank {
+            true => 1.0,
+            false => {
+                let low = points.iter().map(|point| point[k]).fold(f64::MAX, f64::min);
+                let high = points.iter().map(|point| point[k]).fold(f64::MIN, f64::max);
+                (high - low).max(f64::MIN_POSITIVE)
+            }
+        };
+        let sizes: [f64; 3] = std::array::from_fn(|k| reach[k].max(span(k) / MOST_CELLS) * 1.001);
         Ok(Grid {
             counts: sizes.map(|size| (1.0 / size).floor().max(1.0) as i64),
             sizes,

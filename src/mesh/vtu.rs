@@ -47,7 +47,8 @@ pub fn read(bytes: &[u8]) -> Result<Mesh, MeshError> {
                 }
             }
             Event::End(_) => {
-                if path.pop().as_deref() == Some("Piece") {
+                let closed = path.pop();
+                if closed.as_deref() == Some("Piece") {
                     reading.close(piece.take())?;
                 }
             }

@@ -68,7 +68,8 @@ pub fn losses(mesh: &Mesh, format: Format) -> Vec<String> {
     }
     let holds_labels =
         format.family() != super::Family::Vtk && format.family() != super::Family::Vtu;
-    if !mesh.labels.is_empty() && !(holds_labels && labels(mesh).is_some()) {
+    let keeps_labels = holds_labels && labels(mesh).is_some();
+    if !mesh.labels.is_empty() && !keeps_labels {
         losses.push("the labels of tetrahedra".to_owned());
     }
     if !mesh.periodic.is_empty() && format.family() != super::Family::Msh {
