@@ -247,10 +247,12 @@ fn file(folder: &Path, name: &str, mesh: &Mesh) -> String {
     path.to_string_lossy().into_owned()
 }
 
+type Damage = fn(&mut Mesh);
+
 #[test]
 fn a_periodic_mesh_is_proved_in_every_format_and_not_when_it_is_damaged() {
     let folder = tempfile::tempdir().expect("a folder");
-    let damages: [(&str, fn(&mut Mesh)); 6] = [
+    let damages: [(&str, Damage); 6] = [
         ("one is missing", |mesh| mesh.tetrahedra.truncate(5)),
         ("one is there twice", |mesh| {
             mesh.tetrahedra.push(mesh.tetrahedra[0])
