@@ -25,6 +25,8 @@ pub mod geometry;
 #[cfg(feature = "prover")]
 pub mod import;
 #[cfg(feature = "prover")]
+pub mod mesh;
+#[cfg(feature = "prover")]
 pub mod number;
 #[cfg(feature = "prover")]
 pub mod paper;

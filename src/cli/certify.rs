@@ -130,16 +130,19 @@ enum Answer {
 }
 
 fn prove(input: &str, arguments: &CertifyArguments, output: &mut Output) -> Answer {
-    let mut named =
-        match input::tiling(input, arguments.param.as_deref(), &arguments.points, output) {
-            Ok(named) => named,
-            Err(error) if error.outcome == Outcome::Declined => {
-                return Answer::Declined(error.message);
-            }
-            Err(error) => return Answer::Failed(error.message),
-        };
+    let mut named = match input::tiling(input, arguments.param.as_deref(), &arguments.file, output)
+    {
+        Ok(named) => named,
+        Err(error) if error.outcome == Outcome::Declined => {
+            return Answer::Declined(error.message);
+        }
+        Err(error) => return Answer::Failed(error.message),
+    };
     if arguments.reorient {
         let mended = with_dimension!(&mut named.tiling, AnyTiling, t => t.orient());
+        if let Some(origin) = &mut named.origin {
+            origin.reoriented(&mended);
+        }
         if !mended.is_empty() {
             output.complain(format!("{input}: {} simplices reoriented", mended.len()));
         }

@@ -10,10 +10,12 @@
 mod args;
 mod certify;
 mod classify;
+mod convert;
 mod delaunay;
 mod export;
 mod input;
 mod list;
+mod mesh;
 mod meta;
 mod new;
 mod output;
@@ -91,6 +93,7 @@ pub fn main() -> ExitCode {
         Command::Verify(verify) => verify::run(&verify, &mut output),
         Command::Delaunay(delaunay) => delaunay::run(&delaunay, &mut output),
         Command::Export(export) => export::run(&export, &mut output),
+        Command::Convert(convert) => convert::run(&convert, &mut output),
         Command::Table(table) => table::run(&table, &mut output),
         Command::Paper(paper) => paper::run(&paper, &mut output),
         Command::Quality(quality) => quality::run(&quality, &mut output),

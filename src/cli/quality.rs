@@ -1,6 +1,6 @@
 //! `acutile quality`: how good the simplices of a mesh are.
 
-use super::args::PointArguments;
+use super::args::FileArguments;
 use super::output::{Output, write_file};
 use super::progress::Progress;
 use super::{Outcome, input};
@@ -18,7 +18,7 @@ pub struct QualityArguments {
     #[arg(long, value_name = "VALUE", allow_hyphen_values = true)]
     pub param: Option<String>,
     #[command(flatten)]
-    pub points: PointArguments,
+    pub file: FileArguments,
     /// Degrees of a bin of the histogram, a divisor of 180
     #[arg(long, value_name = "DEGREES", default_value_t = 5, value_parser = divisor_of_180)]
     pub bin: u32,
@@ -48,7 +48,7 @@ fn divisor_of_180(text: &str) -> Result<u32, String> {
 /// Prints or writes the figures.
 pub fn run(arguments: &QualityArguments, output: &mut Output) -> Outcome {
     let input = &arguments.input;
-    let named = input::tiling(input, arguments.param.as_deref(), &arguments.points, output);
+    let named = input::tiling(input, arguments.param.as_deref(), &arguments.file, output);
     let named = match named {
         Ok(named) => named,
         Err(error) => {

@@ -14,7 +14,7 @@ pub fn run(arguments: &ShowArguments, output: &mut Output) -> Outcome {
     match input::tiling(
         &arguments.input,
         arguments.param.as_deref(),
-        &arguments.points,
+        &arguments.file,
         output,
     ) {
         Ok(named) => {

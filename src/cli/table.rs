@@ -1,6 +1,6 @@
 //! `acutile table`: the paper's Table 1, rigorously, for its rows and all others.
 
-use super::args::{PointArguments, TableArguments, TableFormat};
+use super::args::{FileArguments, TableArguments, TableFormat};
 use super::output::Output;
 use super::{Outcome, input};
 use crate::catalog;
@@ -45,7 +45,7 @@ fn row(name: &str, survey: &Survey, output: &mut Output) -> Result<Row, (String,
             .map_err(|message| (message, Outcome::Refuted))?;
         return Ok(Row::of(name, study));
     }
-    let named = input::tiling(name, None, &PointArguments::default(), output)
+    let named = input::tiling(name, None, &FileArguments::default(), output)
         .map_err(|error| (error.message, error.outcome))?;
     match AnyStudy::of(named.tiling) {
         Ok(study) => Ok(Row::of(name, &study)),

@@ -19,7 +19,7 @@ pub const BYTE_LIMIT: u64 = 1 << 28;
 /// The file cannot be read or is no gzip file, is longer than [`BYTE_LIMIT`], or is not
 /// UTF-8.
 pub fn read_text(path: &Path) -> Result<String, ImportError> {
-    String::from_utf8(read_bytes(path)?).map_err(|error| ImportError::NotText {
+    String::from_utf8(read_bytes(path, BYTE_LIMIT)?).map_err(|error| ImportError::NotText {
         offset: error.utf8_error().valid_up_to(),
     })
 }
@@ -27,27 +27,27 @@ pub fn read_text(path: &Path) -> Result<String, ImportError> {
 /// The bytes of a file, of standard input for `-`, decompressed for `.gz`.
 ///
 /// # Errors
-/// As [`read_text`], but for the UTF-8.
-pub fn read_bytes(path: &Path) -> Result<Vec<u8>, ImportError> {
+/// It cannot be read, is no gzip file, or is longer than `limit`.
+pub fn read_bytes(path: &Path, limit: u64) -> Result<Vec<u8>, ImportError> {
     if path == Path::new("-") {
-        return limited(io::stdin().lock());
+        return limited(io::stdin().lock(), limit);
     }
     let file = File::open(path).map_err(ImportError::Unreadable)?;
     match is_gzip(path) {
-        true => limited(MultiGzDecoder::new(io::BufReader::new(file))),
-        false => limited(file),
+        true => limited(MultiGzDecoder::new(io::BufReader::new(file)), limit),
+        false => limited(file, limit),
     }
 }
 
 /// What is decompressed counts, so that a small file cannot fill the memory.
-fn limited(reader: impl Read) -> Result<Vec<u8>, ImportError> {
+fn limited(reader: impl Read, limit: u64) -> Result<Vec<u8>, ImportError> {
     let mut bytes = Vec::new();
     reader
-        .take(BYTE_LIMIT + 1)
+        .take(limit + 1)
         .read_to_end(&mut bytes)
         .map_err(ImportError::Unreadable)?;
-    match bytes.len() as u64 > BYTE_LIMIT {
-        true => Err(ImportError::TooLong { limit: BYTE_LIMIT }),
+    match bytes.len() as u64 > limit {
+        true => Err(ImportError::TooLong { limit }),
         false => Ok(bytes),
     }
 }
