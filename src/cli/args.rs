@@ -86,7 +86,7 @@ pub struct MeshArguments {
     pub moves: Option<PathBuf>,
     /// The format of a mesh file that has no extension of its own: msh4, vtk, vtu, medit,
     /// meshb, tetgen
-    #[arg(long = "format", value_name = "FORMAT", value_parser = Format::parse)]
+    #[arg(long = "from", value_name = "FORMAT", value_parser = Format::parse)]
     pub mesh_format: Option<Format>,
 }
 
@@ -211,10 +211,10 @@ pub struct CertifyArguments {
     /// Give negatively oriented simplices positive orientation
     #[arg(long)]
     pub reorient: bool,
-    /// How many defects of each kind to describe; all are counted
-    #[arg(long, value_name = "N", default_value_t = 20)]
-    pub max_defects: usize,
-    /// One JSON object for each input
+    /// How many defects of each kind to tell; all are counted. Without it 20, and with --json all
+    #[arg(long, value_name = "N")]
+    pub max_defects: Option<usize>,
+    /// One JSON object a line: one for each input, and for a refuted one then one for each defect
     #[arg(long)]
     pub json: bool,
 }

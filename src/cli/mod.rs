@@ -22,6 +22,7 @@ mod output;
 mod paper;
 mod progress;
 mod quality;
+mod refutation;
 mod show;
 mod table;
 mod verify;
