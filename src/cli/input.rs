@@ -80,11 +80,18 @@ pub fn tiling(
     if parameter.is_some() {
         return Err(format!("{input}: a file takes no parameter (--param)").into());
     }
-    let text = match text_or_mesh(path, options)? {
-        TextOrMesh::Mesh(loaded) => return mesh::tiling(input, loaded, options),
-        TextOrMesh::Text(text) => text,
-    };
-    let file = read_native(&text).map_err(|error| import_error(path, &error))?;
+    match text_or_mesh(path, options)? {
+        TextOrMesh::Mesh(loaded) => mesh::tiling(input, loaded, options),
+        TextOrMesh::Text(text) => native(input, &text),
+    }
+}
+
+/// The tiling of a tiling file's text.
+///
+/// # Errors
+/// A message that names the input.
+pub fn native(input: &str, text: &str) -> Result<Named, InputError> {
+    let file = read_native(text).map_err(|error| import_error(Path::new(input), &error))?;
     match file.content {
         Content::Tiling(tiling) => {
             let words = [file.name, file.description]
