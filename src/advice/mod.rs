@@ -66,9 +66,9 @@ impl<'t, const D: usize> Adviser<'t, D> {
             Defect::UnmatchedFacet { facet } => self.about_unmatched(*facet),
             Defect::SameSide { facets: (a, b) } => self.about_pair(*a, *b),
             Defect::OverusedFacet { facets } => self.about_overused(facets),
-            Defect::BoundaryMeets {
-                facets: (a, b), ..
-            } => self.about_overlap(a.simplex as usize, &[b.simplex as usize]),
+            Defect::BoundaryMeets { facets: (a, b), .. } => {
+                self.about_overlap(a.simplex as usize, &[b.simplex as usize])
+            }
             Defect::Covered { facet, simplices } => {
                 self.about_overlap(facet.simplex as usize, simplices)
             }
@@ -108,7 +108,10 @@ impl<'t, const D: usize> Adviser<'t, D> {
     /// The first of `others` that overlaps with a simplex, in the same place.
     fn about_overlap(&self, simplex: usize, others: &[usize]) -> Vec<Advice<D>> {
         let overlap = |other: &usize| overlap::overlap(self.tiling, (simplex, *other), [0; D]);
-        let found = others.iter().filter(|other| **other != simplex).find_map(overlap);
+        let found = others
+            .iter()
+            .filter(|other| **other != simplex)
+            .find_map(overlap);
         found.map(Advice::Overlap).into_iter().collect()
     }
 
