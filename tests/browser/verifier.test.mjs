@@ -107,6 +107,16 @@ test("numbers that would be expensive are declined before they are made", () => 
   assert.ok(performance.now() - start < 20_000);
 });
 
+test("limits are inclusive", () => {
+  const { bytes } = certificatesIn("tests/certificates/valid").find(({ name }) => name === "plane-square-triangle.json");
+  const { witness, claim } = JSON.parse(new TextDecoder().decode(bytes));
+  const degree = claim.field["Q(a)"].polynomial.length - 1;
+  for (const [name, value] of Object.entries({ bytes: bytes.length, simplices: witness.simplices.length, degree })) {
+    assert.equal(verify(bytes, { [name]: value }).verdict, "verified", name);
+    assert.equal(verify(bytes, { [name]: value - 1 }).verdict, "declined", name);
+  }
+});
+
 test("limits are integers with known names", () => {
   for (const limits of [{ bytes: -1 }, { bytes: 1.5 }, { work: Infinity }, { depth: 3 }, { digits: "9" }]) assert.throws(() => verify("", limits), TypeError);
   assert.throws(() => verify(null), TypeError);
