@@ -11,7 +11,8 @@ use acutile::certificate::{
 };
 use acutile::checker::{Findings, Options, prove};
 use acutile::geometry::triangle::{Triangle, folded};
-use acutile::tiling::{self, Corner, Frame, Tiling};
+use acutile::import::{Content, read_native};
+use acutile::tiling::{self, AnyTiling, Corner, Frame, Tiling};
 use acutile::verifier::{Limits, Refusal, Verified, verify};
 use malachite::{Integer, Rational};
 use meeting::{Point, meet_elsewhere};
@@ -442,4 +443,31 @@ fn defects_of_a_region() {
             .any(|line| line.contains("meet in the point (1, 1, 4)")),
         "{lines:?}"
     );
+}
+
+/// Meshes of TetGen and Gmsh (tests/regions/make.py), with the counts that these tell.
+#[test]
+fn meshes_of_others() {
+    for name in [
+        "gmsh-torus",
+        "gmsh-box-with-a-cavity",
+        "tetgen-box-with-a-cavity",
+    ] {
+        let path = format!("{}/tests/regions/{name}.json", env!("CARGO_MANIFEST_DIR"));
+        let text = std::fs::read_to_string(path).unwrap();
+        let file = read_native(&text).unwrap();
+        let Content::Tiling(AnyTiling::Space(mut tiling)) = file.content else {
+            panic!("{name} is a mesh of space");
+        };
+        tiling.orient();
+        let certificate = prove(&tiling, &Options::default(), &|_| ()).unwrap();
+        let verified = verify(&to_bytes(&certificate), &Limits::DEFAULT).unwrap();
+        let counts = format!(
+            "{name}: {} points, {} tetrahedra, {} boundary triangles",
+            verified.vertices(),
+            verified.simplices(),
+            verified.boundary()
+        );
+        assert!(text.contains(&counts), "{counts}");
+    }
 }

@@ -132,7 +132,7 @@ impl Defect {
             Defect::RidgeNotShared { .. } => "ridge-not-shared",
             Defect::VertexOutside { .. } => "vertex-outside",
             Defect::CoincidentVertices { .. } => "coincident-vertices",
-            Defect::BoundaryMeets { .. } => "boundary-meets",
+            Defect::BoundaryMeets { .. } => BOUNDARY_MEETS,
             Defect::Covered { .. } => "covered-twice",
             Defect::RegionDimension => "region-dimension",
             Defect::DelaunayOfRegion => "delaunay-of-region",
@@ -148,6 +148,9 @@ impl Defect {
         }
     }
 }
+
+/// The code of [`Defect::BoundaryMeets`], whose evidence is made only where it is kept.
+pub(super) const BOUNDARY_MEETS: &str = "boundary-meets";
 
 /// Collects defects: all are counted, and of each kind the first few are kept.
 #[derive(Clone, Debug)]
@@ -174,6 +177,11 @@ impl Findings {
         if *count <= self.limit {
             self.kept.push(defect);
         }
+    }
+
+    /// Whether the next defect of this kind is kept, not only counted.
+    pub fn keeps(&self, code: &str) -> bool {
+        self.counts.get(code).copied().unwrap_or(0) < self.limit
     }
 
     /// Whether nothing is wrong.

@@ -4,7 +4,7 @@
 //! The second is asked as it is meant: a point directly outside of a facet in the boundary is in no
 //! tetrahedron. The kernel counts crossings of a ray instead.
 
-use super::defect::{Defect, Findings};
+use super::defect::{BOUNDARY_MEETS, Defect, Findings};
 use super::model::Model;
 use crate::geometry::boxes::{self, Box3};
 use crate::geometry::triangle::{self, Point, Quotient, Triangle, cross};
@@ -101,19 +101,27 @@ impl<'m, S: Scalar, const D: usize> Region<'m, S, D> {
             .iter()
             .map(|f| self.extent(&f.vertices))
             .collect();
-        let mut meetings = Vec::new();
-        boxes::each_overlapping_pair(&extents, |f, g| {
+        let meeting = |f: usize, g: usize| {
             // A triangle with its corners on a line belongs to a flat simplex, already reported.
-            if let (Some(first), Some(second)) = (&triangles[f], &triangles[g]) {
-                let meeting = self.meeting((&self.boundary[f], first), (&self.boundary[g], second));
-                meetings.extend(meeting.map(|point| (f.min(g), f.max(g), point)));
+            let (first, second) = (triangles[f].as_ref()?, triangles[g].as_ref()?);
+            self.meeting((&self.boundary[f], first), (&self.boundary[g], second))
+        };
+        let mut pairs = Vec::new();
+        boxes::each_overlapping_pair(&extents, |f, g| {
+            if meeting(f, g).is_some() {
+                pairs.push((f.min(g), f.max(g)));
             }
         });
-        meetings.sort_by_key(|(f, g, _)| (*f, *g));
-        for (f, g, point) in meetings {
+        pairs.sort_unstable();
+        for (f, g) in pairs {
+            // Where no more defects are kept, this one is counted only.
+            let point = match findings.keeps(BOUNDARY_MEETS) {
+                true => meeting(f, g).map(|point| self.position(&point)),
+                false => None,
+            };
             findings.add(Defect::BoundaryMeets {
                 facets: (self.boundary[f].facet, self.boundary[g].facet),
-                point: self.position(&point),
+                point: point.unwrap_or_default(),
             });
         }
     }

@@ -42,20 +42,14 @@ impl Extents {
         used.dedup();
         let mut ranks = vec![[0; COUNT]; tiling.vertices.len()];
         for (f, functional) in FUNCTIONALS.iter().enumerate() {
-            let values: Vec<Element> = tiling
-                .vertices
-                .iter()
-                .map(|x| value(functional, x))
-                .collect();
+            let at = |&vertex: &usize| value(functional, &tiling.vertices[vertex]);
+            let values: Vec<Element> = used.iter().map(at).collect();
             let order = |v: usize, w: usize| compare(tiling, &values[v], &values[w]);
-            let mut rank = 0;
-            let mut last = None;
-            for vertex in sorted(used.clone(), &order)? {
-                if let Some(last) = last {
-                    rank += u32::from(order(last, vertex)? == Ordering::Less);
-                }
-                ranks[vertex][f] = rank;
-                last = Some(vertex);
+            let rising = sorted((0..used.len()).collect(), &order)?;
+            for (k, &v) in rising.iter().enumerate().skip(1) {
+                let last = rising[k - 1];
+                let step = u32::from(order(last, v)? == Ordering::Less);
+                ranks[used[v]][f] = ranks[used[last]][f] + step;
             }
         }
         let of_triangles = triangles.iter().map(|t| extent(&ranks, &t.corners));

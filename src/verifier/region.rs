@@ -88,7 +88,7 @@ pub(super) fn check_boundary_apart(tiling: &Tiling) -> Result<(), Refusal> {
     })
 }
 
-/// Products for one pair that is looked at exactly: mostly a few dozens.
+/// Products for one pair that is looked at exactly, mostly a few dozens.
 const COST: u64 = 64;
 
 fn spend(tiling: &Tiling, spent: &mut u64, cost: u64) -> Result<(), Refusal> {
@@ -109,7 +109,7 @@ pub(super) fn check_covering(tiling: &Tiling) -> Result<(), Refusal> {
     let triangles = boundary(tiling);
     let first = first_of_classes(&triangles);
     let extents = Extents::new(tiling, &triangles)?;
-    let mut spent = 0;
+    let (cost, mut spent) = (tiling.product().saturating_mul(COST), 0);
     for from in first {
         spend(tiling, &mut spent, triangles.len() as u64)?;
         let ahead = (0..triangles.len()).filter(|&t| extents.may_be_ahead(from, t));
@@ -120,6 +120,7 @@ pub(super) fn check_covering(tiling: &Tiling) -> Result<(), Refusal> {
             _ => 0,
         };
         for t in ahead {
+            spend(tiling, &mut spent, cost)?;
             outside += crossing(tiling, start, &triangles[t])?;
         }
         if outside != 0 {
@@ -216,3 +217,6 @@ fn first_sign(tiling: &Tiling, w: &[Element]) -> Result<Ordering, Refusal> {
     }
     Ok(Ordering::Equal)
 }
+
+#[cfg(test)]
+mod tests;

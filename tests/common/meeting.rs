@@ -48,20 +48,20 @@ fn solve(columns: &[[i64; 5]]) -> Option<Vec<Fraction>> {
     for k in 0..n {
         let pivot = (k..5).find(|&r| !rows[r][k].is_zero())?;
         rows.swap(k, pivot);
-        let inverse = Fraction::one() / &rows[k][k];
+        let inverse = Fraction::one() / rows[k][k];
         for x in &mut rows[k] {
-            *x *= &inverse;
+            *x *= inverse;
         }
         let row = rows[k].clone();
         for (r, other) in rows.iter_mut().enumerate() {
             if r != k && !other[k].is_zero() {
-                let factor = other[k].clone();
+                let factor = other[k];
                 for (x, y) in other.iter_mut().zip(&row) {
-                    *x -= &factor * y;
+                    *x -= factor * y;
                 }
             }
         }
     }
     let consistent = rows[n..].iter().all(|row| row[n].is_zero());
-    consistent.then(|| rows[..n].iter().map(|row| row[n].clone()).collect())
+    consistent.then(|| rows[..n].iter().map(|row| row[n]).collect())
 }
