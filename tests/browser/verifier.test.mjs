@@ -285,6 +285,13 @@ function isJson(bytes) {
   }
 }
 
+/** docs/format.md, "What may differ": over a field, the signs for the boundary of a region. One declines then; they never contradict one another. */
+function mayDiffer(bytes, mine, other) {
+  if (mine.code === other.code || ![mine.code, other.code].some((code) => code === "sign-undecided" || code === "work")) return false;
+  const { domain, field } = JSON.parse(new TextDecoder().decode(bytes)).claim;
+  return domain === "region" && field !== "Q";
+}
+
 function compareBatch(folder, bases, seed, count, limits, seen) {
   const files = Array.from({ length: count }, (_, i) => {
     const chance = new Chance(seed + i);
@@ -297,7 +304,8 @@ function compareBatch(folder, bases, seed, count, limits, seen) {
   const expected = askRust(rust, files.map(({ path }) => path), limits);
   for (const { path, bytes, name } of files) {
     const answer = verifyFile(bytes, limits);
-    assert.deepEqual(essence(answer), essence(expected.get(path)), name);
+    const [mine, other] = [essence(answer), essence(expected.get(path))];
+    if (!mayDiffer(bytes, mine, other)) assert.deepEqual(mine, other, name);
     seen.set(answer.code ?? "verified", (seen.get(answer.code ?? "verified") ?? 0) + 1);
     rmSync(path);
   }
