@@ -287,7 +287,7 @@ function isJson(bytes) {
 
 /** docs/format.md, "What may differ": over a field, the signs for the boundary of a region. One declines then; they never contradict one another. */
 function mayDiffer(bytes, mine, other) {
-  if (mine.code === other.code || ![mine.code, other.code].some((code) => code === "sign-undecided" || code === "work")) return false;
+  if (![mine.code, other.code].some((code) => code === "sign-undecided" || code === "work")) return false;
   const { domain, field } = JSON.parse(new TextDecoder().decode(bytes)).claim;
   return domain === "region" && field !== "Q";
 }
