@@ -29,6 +29,8 @@ pub mod paper;
 #[cfg(feature = "prover")]
 pub mod quality;
 #[cfg(feature = "prover")]
+pub mod report;
+#[cfg(feature = "prover")]
 pub mod survey;
 #[cfg(feature = "prover")]
 pub mod table;

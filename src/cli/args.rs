@@ -39,6 +39,11 @@ pub enum Command {
     /// The exit code is 0 when every statement was settled, misprints included, and 3 when one
     /// was not.
     Paper(PaperArguments),
+    /// Write a page to look at: the tiling in three dimensions, its exact data, its certificate
+    ///
+    /// One HTML file that loads nothing. A tiling that is no certificate yet is proved first;
+    /// nothing is written that the kernel does not confirm.
+    Report(ReportArguments),
     /// Valences, vertex types, TCP or why not, and what the tiling is isomorphic to
     Classify(ClassifyArguments),
     /// Print a completion script for a shell
@@ -189,6 +194,16 @@ pub struct PaperArguments {
     /// An array with one JSON object for each statement
     #[arg(long)]
     pub json: bool,
+}
+
+#[derive(Debug, Args)]
+pub struct ReportArguments {
+    /// Certificates, names of the catalogue, or tiling files
+    #[arg(value_name = "CERT|NAME|FILE", required = true)]
+    pub inputs: Vec<String>,
+    /// Write the page here and not to standard output
+    #[arg(short, long, value_name = "FILE")]
+    pub output: Option<PathBuf>,
 }
 
 #[derive(Debug, Args)]

@@ -18,6 +18,7 @@ mod meta;
 mod output;
 mod paper;
 mod progress;
+mod report;
 mod show;
 mod table;
 mod verify;
@@ -90,6 +91,7 @@ pub fn main() -> ExitCode {
         Command::Export(export) => export::run(&export, &mut output),
         Command::Table(table) => table::run(&table, &mut output),
         Command::Paper(paper) => paper::run(&paper, &mut output),
+        Command::Report(report) => report::run(&report, &mut output),
         Command::Classify(classify) => classify::run(&classify, &mut output),
         Command::Completions(completions) => meta::completions(&completions, &mut output),
         Command::Man => meta::man(&mut output),
