@@ -1,0 +1,134 @@
+// The tiling as polygons: placing simplices, cutting them by a plane, the triangles to draw. Doubles, for pictures only.
+
+// The tiling `data` (see src/report/data.rs) ready for drawing: every simplex with Cartesian corners, moved so that its centroid lies
+// in the cell, and `moved`, the lattice vector by which it was moved.
+function prepare(data) {
+  const certificate = JSON.parse(data.certificate);
+  const D = data.dimension, r = data.rank;
+  const cartesian = (x) => [0, 1, 2].map((i) => x.reduce((sum, c, k) => sum + c * (data.basis[k][i] ?? 0), 0));
+  const cells = data.cells.map((row, index) => {
+    const corners = certificate.witness.simplices[index];
+    const points = corners.map(([v, ...shift]) => data.points[v].map((x, k) => x + (shift[k] ?? 0)));
+    const moved = Array.from({ length: D }, (_, k) =>
+      k < r ? -Math.floor(points.reduce((sum, p) => sum + p[k], 0) / (D + 1) + 1e-9) : 0);
+    const pairs = D * (D + 1) / 2;
+    return {
+      index, corners, moved, class: row[0], volume: row[1],
+      edges: row.slice(2, 2 + pairs), angles: row.slice(2 + pairs),
+      points: points.map((p) => cartesian(p.map((x, k) => x + moved[k]))),
+    };
+  });
+  const largest = cells.map((cell) => Math.max(...cell.angles.map((a) => data.angles[a].approximate)));
+  return { data, certificate, cells, largest, cartesian, D, r };
+}
+
+const add = (a, b, s = 1) => [a[0] + s * b[0], a[1] + s * b[1], a[2] + s * b[2]];
+const dot = (a, b) => a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+const cross = (a, b) => [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]];
+const unit = (a) => { const n = Math.hypot(...a) || 1; return [a[0] / n, a[1] / n, a[2] / n]; };
+const mean = (points) => points.reduce((s, p) => add(s, p, 1 / points.length), [0, 0, 0]);
+
+// The translates of a cell: n in each direction of the lattice.
+function translates(tiling, n) {
+  let shifts = [[]];
+  for (let k = 0; k < tiling.D; k++) {
+    const steps = k < tiling.r ? n : 1;
+    shifts = shifts.flatMap((s) => Array.from({ length: steps }, (_, i) => [...s, i]));
+  }
+  return shifts;
+}
+
+// A convex polygon, corners with position p and barycentric coordinates b, on the side n · p <= c of a plane.
+function clip(polygon, plane) {
+  const kept = [];
+  polygon.forEach((a, i) => {
+    const b = polygon[(i + 1) % polygon.length];
+    const s = dot(plane.n, a.p) - plane.c, t = dot(plane.n, b.p) - plane.c;
+    if (s <= 0) kept.push(a);
+    if ((s < 0 && t > 0) || (s > 0 && t < 0)) kept.push(between(a, b, s / (s - t)));
+  });
+  return kept;
+}
+
+const between = (a, b, t) => ({
+  p: a.p.map((x, k) => x + t * (b.p[k] - x)),
+  b: a.b.map((x, k) => x + t * (b.b[k] - x)),
+});
+
+// Where a plane cuts a tetrahedron: a convex polygon, empty if it does not.
+function section(corners, plane) {
+  const side = corners.map((a) => dot(plane.n, a.p) - plane.c);
+  const points = [];
+  for (let i = 0; i < 4; i++) {
+    for (let j = 0; j < 4; j++) {
+      if (side[i] <= 0 && side[j] > 0) points.push(between(corners[i], corners[j], side[i] / (side[i] - side[j])));
+    }
+  }
+  const centre = mean(points.map((q) => q.p));
+  const u = unit(Math.abs(plane.n[0]) < 0.9 ? cross(plane.n, [1, 0, 0]) : cross(plane.n, [0, 1, 0]));
+  const v = cross(plane.n, u);
+  const turn = (q) => { const d = add(q.p, centre, -1); return Math.atan2(dot(d, v), dot(d, u)); };
+  return points.sort((a, b) => turn(a) - turn(b));
+}
+
+// Numbers for each corner of a triangle to draw: position 3, normal 3, centroid of its simplex 3, barycentric coordinates 4, and bytes:
+// colour at the four corners of the simplex 4, which facet the triangle lies in (4 for a section), and the simplex in a separate array.
+const FLOATS = 13;
+
+// All triangles to draw. `colours(cell)` gives four indices into the palette, `plane` may be null.
+function triangles(tiling, n, plane, colours) {
+  const floats = [], bytes = [], owners = [];
+  const shifts = translates(tiling, n);
+  shifts.forEach((shift, copy) => {
+    const offset = tiling.cartesian(shift);
+    for (const cell of tiling.cells) {
+      const points = cell.points.map((p) => add(p, offset));
+      const corners = points.map((p, i) => ({ p, b: [0, 1, 2, 3].map((k) => (k === i ? 1 : 0)) }));
+      const centroid = mean(points);
+      const ink = colours(cell);
+      const put = (polygon, normal, facet) => {
+        for (let i = 2; i < polygon.length; i++) {
+          for (const q of [polygon[0], polygon[i - 1], polygon[i]]) {
+            floats.push(...q.p, ...normal, ...centroid, ...q.b);
+            bytes.push(...ink, facet, 0, 0, 0);
+          }
+          owners.push(copy * tiling.cells.length + cell.index);
+        }
+      };
+      for (const [polygon, normal, facet] of facets(corners, tiling.D, centroid)) {
+        put(plane ? clip(polygon, plane) : polygon, normal, facet);
+      }
+      if (plane && tiling.D === 3) put(section(corners, plane), plane.n, 4);
+    }
+  });
+  return { floats: new Float32Array(floats), bytes: new Uint8Array(bytes), owners: new Uint32Array(owners), shifts };
+}
+
+// The facets of a tetrahedron with outward normals; a triangle of the plane is its own only one.
+function facets(corners, D, centroid) {
+  if (D === 2) return [[corners, [0, 0, 1], 3]];
+  return [0, 1, 2, 3].map((k) => {
+    const polygon = corners.filter((_, i) => i !== k);
+    let normal = unit(cross(add(polygon[1].p, polygon[0].p, -1), add(polygon[2].p, polygon[0].p, -1)));
+    if (dot(normal, add(polygon[0].p, centroid, -1)) < 0) normal = normal.map((x) => -x);
+    return [polygon, normal, k];
+  });
+}
+
+// Lower and upper corner of the box around all simplices of n cells in each direction.
+function box(tiling, n) {
+  const low = [Infinity, Infinity, Infinity], high = [-Infinity, -Infinity, -Infinity];
+  for (const shift of translates(tiling, n)) {
+    const offset = tiling.cartesian(shift);
+    for (const cell of tiling.cells) {
+      for (const p of cell.points) {
+        for (let k = 0; k < 3; k++) {
+          low[k] = Math.min(low[k], p[k] + offset[k]);
+          high[k] = Math.max(high[k], p[k] + offset[k]);
+        }
+      }
+    }
+  }
+  return { low, high };
+}
+
