@@ -7,9 +7,9 @@ use super::html::{escape, fill};
 use super::picture::{colour, hex, picture};
 use super::proved::Proved;
 use crate::number::{Field, Number};
-use crate::quality::{Measures, Shape, rounded_down, rounded_up};
+use crate::quality::{DihedralAngle, Measures, Shape, rounded_down, rounded_up};
 use crate::tiling::Tiling;
-use malachite::{Integer, Rational};
+use malachite::Rational;
 use std::collections::BTreeMap;
 
 const TEMPLATE: &str = include_str!("assets/article.html");
@@ -135,10 +135,10 @@ fn field_words(field: &Field) -> String {
     if field.is_rationals() {
         return "rational".to_owned();
     }
-    let coefficients = field.polynomial().iter().map(|c| Rational::from(c));
+    let coefficients = field.polynomial().iter().map(Rational::from);
     let (low, high) = field.root();
     let root = match field.polynomial() {
-        [c, zero, _] if *zero == 0 && low >= 0 => format!(", a = √{}", Integer::from(-c)),
+        [c, zero, _] if *zero == 0 && low >= 0 => format!(", a = √{}", -c),
         _ => String::new(),
     };
     escape(&format!(
@@ -177,20 +177,12 @@ fn classes(facts: &Facts) -> String {
         let cell = &facts.cells[shape.members[0]];
         let edges = shape.squared_edges.iter().map(Number::to_string);
         let largest = measures.angles.last().map(|angle| {
-            let (low, high) = degrees(angle);
-            let bounds = cosine_bounds(angle);
             format!(
-                "{}<br><small>cos = {} ∈ [{}, {}]</small>",
-                angle_text(&(low, high)),
-                escape(&cosine_text(angle)),
-                rounded_down(&bounds.0, 6),
-                rounded_up(&bounds.1, 6)
+                "{}<br><small>cos = {}</small>",
+                angle_text(&degrees(angle)),
+                cosine_with_bounds(angle)
             )
         });
-        let all = measures
-            .angles
-            .iter()
-            .map(|angle| angle_text(&degrees(angle)));
         format!(
             "<tr><th scope=\"row\">{}{}</th><td>{}</td><td>{}</td>\
              <td>{}</td><td>{}</td><td>{}</td><td>{}</td></tr>",
@@ -200,11 +192,35 @@ fn classes(facts: &Facts) -> String {
             escape(&edges.collect::<Vec<_>>().join(", ")),
             escape(&facts.numbers.values[cell.volume].to_string()),
             escape(&root_text(&measures.radius_edge.square)),
-            all.collect::<Vec<_>>().join(", "),
+            angle_list(measures),
             largest.unwrap_or_default(),
         )
     };
     facts.classes.iter().enumerate().map(row).collect()
+}
+
+/// `√(5/12) ∈ [0.645497, 0.645498]`, or a rational cosine alone.
+fn cosine_with_bounds(angle: &DihedralAngle) -> String {
+    let (low, high) = cosine_bounds(angle);
+    let text = escape(&cosine_text(angle));
+    match low == high {
+        true => text,
+        false => format!(
+            "{text} ∈ [{}, {}]",
+            rounded_down(&low, 6),
+            rounded_up(&high, 6)
+        ),
+    }
+}
+
+/// The angles by size, equal ones together: `60° ×2, 75.522…° ×4`.
+fn angle_list(measures: &Measures) -> String {
+    let equal = measures.angles.chunk_by(|a, b| a == b);
+    let words = equal.map(|angles| match angles.len() {
+        1 => angle_text(&degrees(&angles[0])),
+        n => format!("{} ×{n}", angle_text(&degrees(&angles[0]))),
+    });
+    words.collect::<Vec<_>>().join(", ")
 }
 
 /// A square in the colour of a class.

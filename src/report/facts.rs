@@ -5,7 +5,8 @@ use crate::classify::{Ridges, stars};
 use crate::geometry::linear;
 use crate::number::Number;
 use crate::quality::{
-    DihedralAngle, Exact, Measures, Shape, measures_of_shapes, root, shapes, squared_edges,
+    DihedralAngle, Exact, Measures, Shape, measures_of_shapes, rational_root, root, shapes,
+    squared_edges,
 };
 use crate::tiling::{Tiling, match_facets};
 use malachite::Rational;
@@ -145,8 +146,12 @@ pub fn root_text(square: &Number) -> String {
 
 /// Bounds of the cosine, 1e-10 apart or less.
 pub fn cosine_bounds(angle: &DihedralAngle) -> (Rational, Rational) {
+    let square = angle.signed_square.abs();
     let width = Rational::from_signeds(1i64, 10_000_000_000);
-    let (low, high) = angle.signed_square.abs().enclosure_of_root(&width);
+    let (low, high) = match rational_root(&square) {
+        Some(root) => (root.clone(), root),
+        None => square.enclosure_of_root(&width),
+    };
     match angle.signed_square.sign().is_lt() {
         true => (-high, -low),
         false => (low, high),

@@ -65,7 +65,7 @@ function details(tiling, cell, shift) {
   const moved = shift.map((s, k) => s + cell.moved[k]);
   const [volume, approximate] = data.numbers[cell.volume];
   const basis = data.basis, cellVolume = D === 2 ? basis[0][0] * basis[1][1] : basis[0][0] * basis[1][1] * basis[2][2];
-  const where = moved.some((x) => x) ? ` Chosen was its translate by (${moved.slice(0, tiling.r).join(", ")}).` : "";
+  const where = moved.some((x) => x) ? ` The chosen one is its translate by (${moved.slice(0, tiling.r).join(", ")}).` : "";
   return [
     element("h3", {}, `${word} ${cell.index}`),
     element("p", {}, `Congruence class ${cell.class + 1}. ${D === 2 ? "Area" : "Volume"}: `, element("b", {}, volume),

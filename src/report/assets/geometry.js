@@ -115,20 +115,15 @@ function facets(corners, D, centroid) {
   });
 }
 
-// Lower and upper corner of the box around all simplices of n cells in each direction.
-function box(tiling, n) {
-  const low = [Infinity, Infinity, Infinity], high = [-Infinity, -Infinity, -Infinity];
-  for (const shift of translates(tiling, n)) {
+// The box around all simplices of n cells in each direction, its centre, and the largest distance of a corner from that.
+function bounds(tiling, n) {
+  const points = translates(tiling, n).flatMap((shift) => {
     const offset = tiling.cartesian(shift);
-    for (const cell of tiling.cells) {
-      for (const p of cell.points) {
-        for (let k = 0; k < 3; k++) {
-          low[k] = Math.min(low[k], p[k] + offset[k]);
-          high[k] = Math.max(high[k], p[k] + offset[k]);
-        }
-      }
-    }
-  }
-  return { low, high };
+    return tiling.cells.flatMap((cell) => cell.points.map((p) => add(p, offset)));
+  });
+  const extreme = (f, start) => points.reduce((e, p) => e.map((x, k) => f(x, p[k])), [start, start, start]);
+  const low = extreme(Math.min, Infinity), high = extreme(Math.max, -Infinity), centre = mean([low, high]);
+  const radius = points.reduce((r, p) => Math.max(r, Math.hypot(...add(p, centre, -1))), 0);
+  return { low, high, centre, radius };
 }
 

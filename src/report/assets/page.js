@@ -90,20 +90,20 @@ class View {
     return Number(this.control.cells.value);
   }
 
-  plane(bounds) {
+  plane({ low, high }) {
     const cut = Number(this.control.cut.value);
     if (cut >= 100) return null;
     const k = Number(this.control.axis.value);
-    return { n: [0, 1, 2].map((i) => (i === k ? 1 : 0)), c: bounds.low[k] + (bounds.high[k] - bounds.low[k]) * (cut / 100) };
+    return { n: [0, 1, 2].map((i) => (i === k ? 1 : 0)), c: low[k] + (high[k] - low[k]) * (cut / 100) };
   }
 
   // Makes the triangles anew: after a change of tiling, cells, cut or colours.
   rebuild() {
-    const { tiling } = this, bounds = box(tiling, this.cells());
-    this.centre = mean([bounds.low, bounds.high]);
-    this.scale = 1.7 / Math.hypot(...add(bounds.high, bounds.low, -1));
+    const { tiling } = this, all = bounds(tiling, this.cells());
+    this.centre = all.centre;
+    this.scale = (tiling.D === 2 ? 0.97 : 0.88) / all.radius;
     this.colouring = COLOURINGS[this.control.colour.value](tiling);
-    this.renderer.upload(triangles(tiling, this.cells(), this.plane(bounds), this.colouring.of));
+    this.renderer.upload(triangles(tiling, this.cells(), this.plane(all), this.colouring.of));
     this.legend.replaceChildren(...this.colouring.legend.slice(0, 24).map(([hex, text]) => {
       const swatch = element("span", { class: "swatch" });
       swatch.style.background = hex;
@@ -131,7 +131,7 @@ class View {
     };
   }
 
-  paint(light = false) {
+  paint() {
     if (!this.centre) return;
     this.renderer.draw(this.camera(), this.colouring.palette, [0.08, 0.08, 0.1], this.chosen);
   }

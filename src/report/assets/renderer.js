@@ -2,13 +2,13 @@
 
 const VERTEX_SHADER = `#version 300 es
 precision highp float;
-layout(location=0) in vec3 position; layout(location=1) in vec3 normal; layout(location=2) in vec3 centroid;
+layout(location=0) in vec3 position; layout(location=1) in vec3 normal; layout(location=2) in vec3 middle;
 layout(location=3) in vec4 barycentric; layout(location=4) in vec4 ink; layout(location=5) in vec4 kind;
 layout(location=6) in float owner;
 uniform mat3 turn; uniform vec3 centre; uniform float explode, zoom, perspective, scale; uniform vec2 aspect, pan; uniform float selected;
 out vec4 weight; out vec3 light; flat out vec4 colours; flat out float facet; flat out float chosen;
 void main() {
-  vec3 p = turn * (position + explode * (centroid - centre) - centre) * scale;
+  vec3 p = turn * (position + explode * (middle - centre) - centre) * scale;
   vec3 n = turn * normal;
   light = vec3(n.z, n.y, n.x);
   weight = barycentric; colours = ink; facet = kind.x; chosen = abs(owner - selected) < 0.5 ? 1.0 : 0.0;
