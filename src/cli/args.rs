@@ -44,6 +44,8 @@ pub enum Command {
     /// One HTML file that loads nothing. A tiling that is no certificate yet is proved first;
     /// nothing is written that the kernel does not confirm.
     Report(ReportArguments),
+    /// Write a static site of the whole catalogue
+    Gallery(GalleryArguments),
     /// Valences, vertex types, TCP or why not, and what the tiling is isomorphic to
     Classify(ClassifyArguments),
     /// Print a completion script for a shell
@@ -204,6 +206,13 @@ pub struct ReportArguments {
     /// Write the page here and not to standard output
     #[arg(short, long, value_name = "FILE")]
     pub output: Option<PathBuf>,
+}
+
+#[derive(Debug, Args)]
+pub struct GalleryArguments {
+    /// Write the site into this directory
+    #[arg(short, long, value_name = "DIR", required = true)]
+    pub output: PathBuf,
 }
 
 #[derive(Debug, Args)]

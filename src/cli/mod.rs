@@ -12,6 +12,7 @@ mod certify;
 mod classify;
 mod delaunay;
 mod export;
+mod gallery;
 mod input;
 mod list;
 mod meta;
@@ -91,6 +92,7 @@ pub fn main() -> ExitCode {
         Command::Export(export) => export::run(&export, &mut output),
         Command::Table(table) => table::run(&table, &mut output),
         Command::Paper(paper) => paper::run(&paper, &mut output),
+        Command::Gallery(gallery) => gallery::run(&gallery, &mut output),
         Command::Report(report) => report::run(&report, &mut output),
         Command::Classify(classify) => classify::run(&classify, &mut output),
         Command::Completions(completions) => meta::completions(&completions, &mut output),

@@ -35,7 +35,7 @@ pub fn article<const D: usize>(
             ("statements", &statements),
             ("sha256", &escape(proved.verified().sha256())),
             ("bytes", &proved.bytes().len().to_string()),
-            ("picture", &picture(tiling, facts, &label)),
+            ("picture", &picture(tiling, &facts.class_of, &label)),
             ("facts", &summary(tiling, facts)),
             ("simplices", simplex),
             ("angles", if D == 2 { "angles" } else { "dihedral angles" }),

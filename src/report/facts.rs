@@ -55,6 +55,8 @@ pub struct Facts {
     pub angles: Table<DihedralAngle>,
     /// One for each simplex.
     pub cells: Vec<Cell>,
+    /// The congruence class of each simplex.
+    pub class_of: Vec<usize>,
     /// Congruence classes with their measures.
     pub classes: Vec<(Shape, Measures)>,
     /// For each vertex its type: Z12 … Z16 and others in space, the valence in the plane.
@@ -83,24 +85,19 @@ impl Facts {
 
     fn with_types<const D: usize>(tiling: &Tiling<D>, types: Vec<String>) -> Facts {
         let shapes = shapes(tiling);
-        let mut class = vec![0; tiling.len()];
-        for (index, shape) in shapes.iter().enumerate() {
-            shape
-                .members
-                .iter()
-                .for_each(|&member| class[member] = index);
-        }
+        let class_of = class_of(&shapes, tiling.len());
         let measures = measures_of_shapes(tiling, &shapes);
         let mut facts = Facts {
             numbers: Table::new(),
             angles: Table::new(),
             cells: Vec::with_capacity(tiling.len()),
+            class_of,
             classes: shapes.into_iter().zip(measures).collect(),
             types,
         };
         let cogram = linear::cofactors(&tiling.frame.gram);
-        for (simplex, class) in class.into_iter().enumerate() {
-            facts.add(tiling, &cogram, simplex, class);
+        for simplex in 0..tiling.len() {
+            facts.add(tiling, &cogram, simplex);
         }
         facts
     }
@@ -110,7 +107,6 @@ impl Facts {
         tiling: &Tiling<D>,
         cogram: &[[Number; D]; D],
         simplex: usize,
-        class: usize,
     ) {
         let shape = tiling.shape(simplex);
         let products = shape.normal_products(cogram);
@@ -118,7 +114,7 @@ impl Facts {
         let volume = &shape.determinant * &Number::from(factorial);
         let edges = squared_edges(tiling, simplex).into_iter();
         let cell = Cell {
-            class,
+            class: self.class_of[simplex],
             volume: self.numbers.number(volume),
             edges: edges.map(|square| self.numbers.number(square)).collect(),
             angles: products
@@ -128,6 +124,22 @@ impl Facts {
         };
         self.cells.push(cell);
     }
+}
+
+/// The congruence class of each simplex of a tiling.
+pub fn classes<const D: usize>(tiling: &Tiling<D>) -> Vec<usize> {
+    class_of(&shapes(tiling), tiling.len())
+}
+
+fn class_of(shapes: &[Shape], simplices: usize) -> Vec<usize> {
+    let mut class = vec![0; simplices];
+    for (index, shape) in shapes.iter().enumerate() {
+        shape
+            .members
+            .iter()
+            .for_each(|&member| class[member] = index);
+    }
+    class
 }
 
 /// The cosine of an angle, exactly: `√(5/12)`, or with the field's generator `√(1/2 + 1/4 a)`.

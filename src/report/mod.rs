@@ -18,11 +18,43 @@
 mod article;
 mod data;
 mod facts;
+mod gallery;
 mod histogram;
 mod html;
+mod markdown;
 mod page;
 mod picture;
 mod proved;
 
+pub use gallery::{DOCUMENTS, Site, gallery};
+pub use markdown::Document;
 pub use page::page;
 pub use proved::{NotProved, Proved};
+
+use crate::certificate::Statement;
+
+/// Counts of a tiling in a line.
+fn summary(proved: &Proved) -> String {
+    let verified = proved.verified();
+    let (one, many) = match verified.claim().dimension {
+        2 => ("triangle", "triangles"),
+        _ => ("tetrahedron", "tetrahedra"),
+    };
+    let count = |n: usize, one: &str, many: &str| match n {
+        1 => format!("1 {one}"),
+        _ => format!("{n} {many}"),
+    };
+    let mut words = vec![
+        count(verified.simplices(), one, many),
+        count(verified.vertices(), "vertex", "vertices"),
+    ];
+    for statement in &verified.claim().statements {
+        words.extend(match statement {
+            Statement::Acute => Some("acute".to_owned()),
+            Statement::Nonobtuse => Some("nonobtuse".to_owned()),
+            Statement::Tcp => Some("TCP".to_owned()),
+            _ => None,
+        });
+    }
+    words.join(", ")
+}

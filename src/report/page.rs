@@ -10,7 +10,8 @@ use crate::tiling::AnyTiling;
 use serde_json::{Value, json};
 
 const TEMPLATE: &str = include_str!("assets/page.html");
-const STYLE: &str = include_str!("assets/style.css");
+/// The style of pages.
+pub const STYLE: &str = include_str!("assets/style.css");
 /// The second verifier, which the page runs on its own certificates.
 const VERIFIER: &str = include_str!("verifier.js");
 /// The program, in the order in which its parts use each other.

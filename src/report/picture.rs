@@ -9,8 +9,8 @@
 //! beside it does not depend on it.
 
 use super::data::basis;
-use super::facts::Facts;
-use crate::tiling::Tiling;
+use crate::tiling::{Corner, Tiling};
+use std::collections::{BTreeMap, BTreeSet};
 use std::fmt::Write;
 
 /// Colours that the colour-blind tell apart (M. Okabe, K. Ito 2008), without black: red, green,
@@ -57,48 +57,89 @@ struct Face {
     colour: [f64; 3],
 }
 
-/// The picture; `label` describes it and is escaped already.
-pub fn picture<const D: usize>(tiling: &Tiling<D>, facts: &Facts, label: &str) -> String {
+/// The picture of simplices of these congruence classes; `label` describes it and is escaped already.
+pub fn picture<const D: usize>(tiling: &Tiling<D>, classes: &[usize], label: &str) -> String {
     let basis = basis(tiling);
     let mut faces = Vec::new();
-    for (simplex, cell) in (0..).zip(&facts.cells) {
-        let corners = placed(tiling, &basis, simplex);
-        let colour = colour(cell.class);
+    let moves: Vec<[i32; D]> = (0..tiling.len())
+        .map(|s| move_into_cell(tiling, s))
+        .collect();
+    let inner = inner_facets(tiling, &moves);
+    for (simplex, &class) in classes.iter().enumerate() {
+        let corners = placed(tiling, &basis, simplex, moves[simplex]);
+        let colour = colour(class);
         match D {
             2 => faces.push(flat_face(&corners, colour)),
-            _ => faces.extend(solid_faces(&corners, colour)),
+            _ => faces.extend(solid_faces(&corners, colour, |k| {
+                inner.contains(&(simplex, k))
+            })),
         }
     }
     faces.sort_by(|a, b| a.depth.total_cmp(&b.depth));
     draw(&faces, label)
 }
 
-/// Cartesian corners of a simplex, moved so that its centroid lies in the cell.
-fn placed<const D: usize>(tiling: &Tiling<D>, basis: &[Vec<f64>], simplex: usize) -> Vec<[f64; 3]> {
+/// The lattice vector that moves the centroid of a simplex into the cell.
+fn move_into_cell<const D: usize>(tiling: &Tiling<D>, simplex: usize) -> [i32; D] {
     let corners: Vec<[f64; D]> = tiling
         .simplex(simplex)
         .iter()
         .map(|corner| tiling.position(corner).map(|x| x.approximate()))
         .collect();
-    let move_by: [f64; D] = std::array::from_fn(|k| {
+    std::array::from_fn(|k| {
         let middle = corners.iter().map(|c| c[k]).sum::<f64>() / corners.len() as f64;
         // Centroids in the boundary of the cell go to one side, whatever was rounded.
         if k < tiling.frame.rank() {
-            (middle + 1e-9).floor()
+            -(middle + 1e-9).floor() as i32
         } else {
-            0.0
+            0
         }
-    });
-    let cartesian = |corner: &[f64; D]| {
+    })
+}
+
+/// The facets that two simplices of the picture share, as simplex and opposite corner: nobody
+/// sees them.
+fn inner_facets<const D: usize>(
+    tiling: &Tiling<D>,
+    moves: &[[i32; D]],
+) -> BTreeSet<(usize, usize)> {
+    let mut owners: BTreeMap<Vec<Corner<D>>, Vec<(usize, usize)>> = BTreeMap::new();
+    for (simplex, corners) in tiling.simplices().enumerate() {
+        for opposite in 0..=D {
+            let others = (0..=D).filter(|&k| k != opposite);
+            let mut facet: Vec<Corner<D>> =
+                others.map(|k| corners[k].moved(moves[simplex])).collect();
+            facet.sort_unstable();
+            owners.entry(facet).or_default().push((simplex, opposite));
+        }
+    }
+    owners
+        .into_values()
+        .filter(|facets| facets.len() > 1)
+        .flatten()
+        .collect()
+}
+
+/// Cartesian corners of a simplex that is moved by a lattice vector.
+fn placed<const D: usize>(
+    tiling: &Tiling<D>,
+    basis: &[Vec<f64>],
+    simplex: usize,
+    move_by: [i32; D],
+) -> Vec<[f64; 3]> {
+    let cartesian = |corner: &Corner<D>| {
+        let coordinates = tiling
+            .position(&corner.moved(move_by))
+            .map(|x| x.approximate());
         let mut point = [0.0; 3];
-        for k in 0..D {
-            for (slot, b) in point.iter_mut().zip(&basis[k]) {
-                *slot += (corner[k] - move_by[k]) * b;
+        for (x, vector) in coordinates.iter().zip(basis) {
+            for (slot, b) in point.iter_mut().zip(vector) {
+                *slot += x * b;
             }
         }
         point
     };
-    corners.iter().map(cartesian).collect()
+    tiling.simplex(simplex).iter().map(cartesian).collect()
 }
 
 fn flat_face(corners: &[[f64; 3]], colour: [f64; 3]) -> Face {
@@ -109,11 +150,15 @@ fn flat_face(corners: &[[f64; 3]], colour: [f64; 3]) -> Face {
     }
 }
 
-/// The facets of a tetrahedron that look at the viewer.
-fn solid_faces(corners: &[[f64; 3]], colour: [f64; 3]) -> Vec<Face> {
+/// The facets of a tetrahedron that look at the viewer and are not hidden.
+fn solid_faces(
+    corners: &[[f64; 3]],
+    colour: [f64; 3],
+    is_hidden: impl Fn(usize) -> bool,
+) -> Vec<Face> {
     let depth = dot(circumcentre(corners), VIEW[0]);
     let mut faces = Vec::new();
-    for opposite in 0..4 {
+    for opposite in (0..4).filter(|&k| !is_hidden(k)) {
         let face: Vec<[f64; 3]> = (0..4)
             .filter(|&k| k != opposite)
             .map(|k| corners[k])
@@ -160,7 +205,7 @@ fn draw(faces: &[Face], label: &str) -> String {
     let place = |k: usize, p: &[f64; 2]| (p[k] - low[k]) * scale + 4.0;
     let size = [0, 1].map(|k| (high[k] - low[k]) * scale + 8.0);
     let mut svg = format!(
-        "<svg class=\"picture\" viewBox=\"0 0 {:.0} {:.0}\" role=\"img\" aria-label=\"{label}\" \
+        "<svg xmlns=\"http://www.w3.org/2000/svg\" class=\"picture\" viewBox=\"0 0 {:.0} {:.0}\" role=\"img\" aria-label=\"{label}\" \
          stroke=\"#222\" stroke-width=\"1\" stroke-linejoin=\"round\">",
         size[0], size[1]
     );

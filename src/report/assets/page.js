@@ -8,12 +8,12 @@ root.classList.add("js");
 const rgb = (hex) => [1, 3, 5].map((k) => parseInt(hex.slice(k, k + 2), 16) / 255);
 // Colours of vertex types: blue, orange, green, purple, yellow, vermilion, dark blue, grey.
 const TYPE_COLOURS = ["#56b4e9", "#e69f00", "#009e73", "#cc79a7", "#f0e442", "#d55e00", "#0072b2", "#bbbbbb"];
-// Viridis (S. van der Walt, N. Smith), at nine places.
+// Viridis (S. van der Walt, N. Smith), at nine places; without its darkest part, on which edges would not show.
 const VIRIDIS = ["#440154", "#472d7b", "#3b528b", "#2c728e", "#21918c", "#28ae80", "#5ec962", "#addc30", "#fde725"].map(rgb);
 const MOST_SIMPLICES = 30000;
 
 function viridis(t) {
-  const x = Math.min(Math.max(t, 0), 1) * 8, k = Math.min(Math.floor(x), 7);
+  const x = 1 + Math.min(Math.max(t, 0), 1) * 7, k = Math.min(Math.floor(x), 7);
   return VIRIDIS[k].map((c, i) => c + (x - k) * (VIRIDIS[k + 1][i] - c));
 }
 
@@ -101,7 +101,7 @@ class View {
   rebuild() {
     const { tiling } = this, all = bounds(tiling, this.cells());
     this.centre = all.centre;
-    this.scale = (tiling.D === 2 ? 0.97 : 0.88) / all.radius;
+    this.scale = (tiling.D === 2 ? 0.97 : 0.94) / all.radius;
     this.colouring = COLOURINGS[this.control.colour.value](tiling);
     this.renderer.upload(triangles(tiling, this.cells(), this.plane(all), this.colouring.of));
     this.legend.replaceChildren(...this.colouring.legend.slice(0, 24).map(([hex, text]) => {
