@@ -108,14 +108,17 @@ fn counts<const D: usize>(tiling: &Tiling<D>, facts: &Facts) -> String {
         _ => count(tiling.len(), "tetrahedron", "tetrahedra"),
     };
     format!(
-        "{}, {simplices} of {}; the lattice has rank {}",
+        "{}, {simplices} of {}; {}",
         count(tiling.vertices.len(), "vertex", "vertices"),
         count(
             facts.classes.len(),
             "congruence class",
             "congruence classes"
         ),
-        tiling.frame.rank()
+        match tiling.frame.rank() {
+            0 => "no lattice".to_owned(),
+            rank => format!("the lattice has rank {rank}"),
+        }
     )
 }
 

@@ -2,7 +2,7 @@
 //! tiling, the paper's statements with verdicts, the documents. All links are relative.
 
 use super::html::{escape, fill};
-use super::markdown::{Document, table_html, to_html};
+use super::markdown::{Document, to_html};
 use super::page::{STYLE, page};
 use super::picture::picture;
 use super::proved::Proved;
@@ -200,17 +200,56 @@ fn index(entries: &[&Entry], proved: &[Shown], survey: &Survey) -> Result<String
         .map(|name| Ok(table::Row::of(name, survey.get(name)?)))
         .collect::<Result<Vec<_>, String>>()?;
     let body = format!(
-        "<p class=\"lead\">Tilings of space, slabs, solids and the plane by tetrahedra and triangles, most of them acute. Each was proved in exact \
+        "<h1 class=\"title\">Tilings by acute tetrahedra</h1><p class=\"lead\">Tilings of space, slabs, solids and the plane by tetrahedra and triangles, most of them acute. Each was proved in exact \
          arithmetic, and its certificate confirmed by a small independent kernel, when this site was written. Every page \
          carries its certificate and a verifier that runs in your browser.</p>\
          <ul class=\"cards\">{cards}</ul>\
          <h2 id=\"table\">Table 1 of the paper, as enclosures</h2>\
          <p>Radius-edge ratio ρ, smallest dihedral angle α and largest dihedral angle β of each tetrahedron, the least and the \
-         largest over the tiling. Minima are rounded down and maxima up; exact values in parentheses.</p>\
-         <div class=\"scroll figures\" tabindex=\"0\" role=\"region\" aria-label=\"Table 1\">{}</div>",
-        table_html(&table::markdown(&rows))
+         largest over the tiling. Minima are rounded down and maxima up; exact values below them where they are short.</p>\
+         {}",
+        figures(&rows)
     );
     Ok(site_page("", "Tilings by acute tetrahedra", &body))
+}
+
+/// The table with links to the tilings: the cells of its Markdown form.
+fn figures(rows: &[table::Row]) -> String {
+    let text = table::markdown(rows);
+    let mut lines = text
+        .lines()
+        .map(|line| line.trim_matches(['|', ' ']).split(" | "));
+    let head = lines.next().into_iter().flatten();
+    let head: String = head
+        .map(|cell| format!("<th scope=\"col\">{cell}</th>"))
+        .collect();
+    let row = |(row, cells): (&table::Row, std::str::Split<&str>)| {
+        let name = format!(
+            "<th scope=\"row\"><a href=\"tilings/{}.html\">{}</a></th>",
+            escape(&row.name),
+            escape(&row.label)
+        );
+        let figures: String = cells.skip(1).map(figure).collect();
+        format!("<tr>{name}{figures}</tr>")
+    };
+    let body: String = rows.iter().zip(lines.skip(1)).map(row).collect();
+    format!(
+        "<div class=\"scroll figures\" tabindex=\"0\" role=\"region\" aria-label=\"Table 1\"><table><thead><tr>{head}</tr>\
+         </thead><tbody>{body}</tbody></table></div>"
+    )
+}
+
+/// `0.645 (√(5/12))` in two lines; a closed form that is no help to a reader is left out.
+fn figure(cell: &str) -> String {
+    match cell.split_once(" (") {
+        Some((decimal, form)) if form.chars().count() <= 20 => format!(
+            "<td>{}<br><small>{}</small></td>",
+            escape(decimal),
+            escape(form.strip_suffix(')').unwrap_or(form))
+        ),
+        Some((decimal, _)) => format!("<td>{}</td>", escape(decimal)),
+        None => format!("<td>{}</td>", escape(cell)),
+    }
 }
 
 /// A page in the folder that `up` leads out of.
@@ -235,7 +274,7 @@ fn paper_page(rows: &[Row]) -> String {
         .map(|(word, n)| format!("{n} {word}"))
         .collect();
     let body = format!(
-        "<p class=\"lead\">Every checkable statement of D. Eppstein, J. M. Sullivan, A. Üngör, “Tiling space and slabs with acute tetrahedra”, \
+        "<h1 class=\"title\">The paper's statements</h1><p class=\"lead\">Every checkable statement of D. Eppstein, J. M. Sullivan, A. Üngör, “Tiling space and slabs with acute tetrahedra”, \
          decided in exact arithmetic. {} statements: {}.</p>\
          <div class=\"scroll\" tabindex=\"0\" role=\"region\" aria-label=\"Statements\"><table class=\"paper\"><thead><tr><th scope=\"col\">section</th>\
          <th scope=\"col\">statement</th><th scope=\"col\">printed</th><th scope=\"col\">proved</th><th scope=\"col\">verdict</th>\
@@ -278,7 +317,11 @@ fn contents() -> String {
         format!("<li><a href=\"{file}\">{}</a></li>", escape(document.title))
     };
     let items: String = DOCUMENTS.iter().map(item).collect();
-    site_page("../", "Documents", &format!("<ul>{items}</ul>"))
+    site_page(
+        "../",
+        "Documents",
+        &format!("<h1 class=\"title\">Documents</h1><ul>{items}</ul>"),
+    )
 }
 
 fn document_page(document: &Document, entries: &[&Entry]) -> String {

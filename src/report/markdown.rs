@@ -1,7 +1,7 @@
 //! The project's documents as HTML: headings get names, links lead inside the site or are left out.
 
 use super::html::escape;
-use pulldown_cmark::{Alignment, CowStr, Event, HeadingLevel, Options, Parser, Tag, TagEnd, html};
+use pulldown_cmark::{Alignment, CowStr, Event, Options, Parser, Tag, TagEnd, html};
 use std::collections::BTreeMap;
 
 /// A document of the project.
@@ -41,11 +41,6 @@ pub fn to_html(document: &Document, target: impl Fn(&str) -> Option<String>) -> 
         _ => true,
     });
     render(events)
-}
-
-/// A table in Markdown as HTML.
-pub fn table_html(text: &str) -> String {
-    render(Parser::new_ext(text, Options::ENABLE_TABLES).collect())
 }
 
 /// HTML without style attributes, which the site's content security policy forbids: columns are
@@ -106,12 +101,8 @@ fn name_headings(events: &mut [Event]) {
             format!("{plain}-{count}")
         };
         *count += 1;
-        if let Event::Start(Tag::Heading { id, level, .. }) = &mut events[start] {
+        if let Event::Start(Tag::Heading { id, .. }) = &mut events[start] {
             *id = Some(CowStr::from(name));
-            // The page has its own first heading.
-            if *level == HeadingLevel::H1 {
-                *level = HeadingLevel::H2;
-            }
         }
     }
 }

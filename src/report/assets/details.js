@@ -53,9 +53,9 @@ function details(tiling, cell, shift) {
   const angleCells = (a) => [a.cosine, decimal(a.decimals), a.name && !a.name.startsWith("arccos") ? `${a.name}°` : `${decimal(a.degrees)}°`];
   const square = (pair) => data.numbers[cell.edges[pair]][0];
   const edges = D === 3
-    ? table("Edges and dihedral angles", ["edge", "squared length", "cosine of the angle at it", "decimal", "degrees"],
+    ? table("Edges and the dihedral angles at them", ["edge", "squared length", "cosine", "decimal", "degrees"],
       pairs.map((pair, k) => [pair.map(name).join(""), square(k), ...angleCells(angle(opposite(pair)))]))
-    : table("Sides and the angles opposite to them", ["side", "squared length", "cosine of the angle", "decimal", "degrees"],
+    : table("Sides and the angles opposite to them", ["side", "squared length", "cosine", "decimal", "degrees"],
       pairs.map((pair, k) => {
         const corner = [0, 1, 2].find((i) => !pair.includes(i));
         const at = pairs.findIndex(([i, j]) => i !== corner && j !== corner);
@@ -71,7 +71,7 @@ function details(tiling, cell, shift) {
     element("p", {}, `Congruence class ${cell.class + 1}. ${D === 2 ? "Area" : "Volume"}: `, element("b", {}, volume),
       ` of the basis' ${D === 2 ? "parallelogram" : "parallelepiped"}, about ${(approximate * cellVolume).toPrecision(8)}.${where}`),
     element("div", { class: "pair" },
-      table("Corners", ["corner", "vertex of the certificate", "type", "exact coordinates in the basis"], corners), edges),
+      table("Corners", ["corner", "vertex", "type", "coordinates in the basis"], corners), edges),
   ];
 }
 

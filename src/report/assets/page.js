@@ -62,6 +62,7 @@ class View {
     const plane = tiling.D === 2;
     this.panel.classList.toggle("plane", plane);
     this.canvas.setAttribute("aria-label", `View of ${tiling.data.name}. ${plane ? "Arrow keys move" : "Arrow keys turn"}, plus and minus zoom, 0 resets, n and p choose the next and previous ${plane ? "triangle" : "tetrahedron"}.`);
+    this.panel.querySelector(".hint").textContent = `Drag to ${plane ? "move" : "turn"}, pinch or scroll to zoom, click a ${plane ? "triangle" : "tetrahedron"} for its exact data. Keys: arrows, + − 0, n p.`;
     for (const option of this.control.cells.options) {
       option.disabled = tiling.cells.length * option.value ** tiling.r > MOST_SIMPLICES || (tiling.r === 0 && option.value > 1);
     }
