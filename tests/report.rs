@@ -2,6 +2,10 @@
 
 mod common;
 
+use acutile::certificate::{Certificate, to_bytes};
+use acutile::checker::{Options, prove};
+use acutile::import::tiling_of_certificate;
+use acutile::tiling::AnyTiling;
 use common::{acutile, code, file, kuhn, stderr, stdout};
 use serde_json::{Value, json};
 
@@ -167,6 +171,77 @@ fn a_false_tiling_is_refuted_and_has_no_page() {
     assert_eq!(code(&output), 1, "{}", stderr(&output));
     assert!(stderr(&output).contains("refuted"));
     assert_eq!(stdout(&output), "");
+}
+
+#[test]
+fn a_page_does_not_replace_its_input() {
+    let directory = tempfile::tempdir().expect("a directory");
+    let path = file(directory.path(), "kuhn.json", &kuhn().to_string());
+    let output = acutile([
+        "report".as_ref(),
+        path.as_os_str(),
+        "-o".as_ref(),
+        path.as_os_str(),
+    ]);
+    assert_eq!(code(&output), 2);
+    assert!(stderr(&output).contains("would overwrite"));
+    let text = std::fs::read_to_string(&path).expect("it is there");
+    assert_eq!(text, kuhn().to_string());
+}
+
+/// A tiling whose text speaks of certificates is none.
+#[test]
+fn a_tiling_file_is_known_by_its_format() {
+    let directory = tempfile::tempdir().expect("a directory");
+    let mut tiling = kuhn();
+    tiling["description"] = json!("not an \"acutile-certificate\"");
+    let path = file(directory.path(), "kuhn.json", &tiling.to_string());
+    assert!(page(&[path.to_str().expect("UTF-8")]).contains("6 tetrahedra"));
+}
+
+/// The tiling read from a certificate, proved again, gives the certificate.
+#[test]
+fn certificates_are_read_back() {
+    let mut read = 0;
+    for entry in std::fs::read_dir("certificates").expect("certificates") {
+        let path = entry.expect("an entry").path();
+        let bytes = std::fs::read(&path).expect("it can be read");
+        if bytes.len() > 12_000 {
+            continue;
+        }
+        let certificate: Certificate = serde_json::from_slice(&bytes).expect("a certificate");
+        let tiling = tiling_of_certificate(&certificate).expect("its tiling");
+        let again = match &tiling {
+            AnyTiling::Plane(tiling) => prove(tiling, &Options::default(), &|_| {}),
+            AnyTiling::Space(tiling) => prove(tiling, &Options::default(), &|_| {}),
+        };
+        assert_eq!(
+            to_bytes(&again.expect("proved")),
+            bytes,
+            "{}",
+            path.display()
+        );
+        read += 1;
+    }
+    assert!(read >= 30, "{read} certificates");
+}
+
+/// Certificates that are wrong are tilings that are wrong, or errors; nothing panics.
+#[test]
+fn wrong_certificates_are_read_or_not() {
+    let mut read = 0;
+    for folder in ["malformed", "false"] {
+        for entry in std::fs::read_dir(format!("tests/certificates/{folder}")).expect(folder) {
+            let bytes = std::fs::read(entry.expect("an entry").path()).expect("it can be read");
+            if let Ok(certificate) = serde_json::from_slice::<Certificate>(&bytes) {
+                if let Err(error) = tiling_of_certificate(&certificate) {
+                    assert!(!error.to_string().is_empty());
+                }
+                read += 1;
+            }
+        }
+    }
+    assert!(read > 20, "{read} certificates");
 }
 
 #[test]

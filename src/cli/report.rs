@@ -6,14 +6,20 @@ use super::export::write_text;
 use super::input::{self, InputError};
 use super::output::Output;
 use crate::catalog;
+use crate::certificate;
 use crate::front::one_line;
 use crate::import::read_text;
 use crate::report::{NotProved, Proved, page};
 use crate::verifier::{Kind, Limits};
+use serde::Deserialize;
 use std::path::Path;
 
 /// Writes the page; nothing is written where an input is not proved.
 pub fn run(arguments: &ReportArguments, output: &mut Output) -> Outcome {
+    if let Some(input) = overwritten(arguments) {
+        output.complain(format!("acutile: -o would overwrite the input {input}"));
+        return Outcome::Failed;
+    }
     let mut tilings = Vec::new();
     for input in &arguments.inputs {
         match proved(input) {
@@ -25,6 +31,13 @@ pub fn run(arguments: &ReportArguments, output: &mut Output) -> Outcome {
         }
     }
     write_text(arguments.output.as_deref(), &page(&tilings, None), output)
+}
+
+/// The input that the page would replace.
+fn overwritten(arguments: &ReportArguments) -> Option<&String> {
+    let target = arguments.output.as_ref()?.canonicalize().ok()?;
+    let is_target = |input: &&String| Path::new(input).canonicalize().is_ok_and(|p| p == target);
+    arguments.inputs.iter().find(is_target)
 }
 
 /// A certificate that the kernel confirms: a file, or that of a tiling which is proved first.
@@ -50,8 +63,18 @@ fn certificate_file(input: &str) -> Result<Option<Vec<u8>>, InputError> {
         return Ok(None);
     }
     let text = read_text(Path::new(input)).map_err(|error| format!("{input}: {error}"))?;
-    let is_certificate = text.contains("\"acutile-certificate\"");
+    let is_certificate = match serde_json::from_str::<Header>(&text) {
+        Ok(header) => header.format == certificate::FORMAT,
+        // The kernel says best what is wrong with half a certificate.
+        Err(_) => text.contains(certificate::FORMAT),
+    };
     Ok(is_certificate.then(|| text.into_bytes()))
+}
+
+/// What says of a file what it is.
+#[derive(Deserialize)]
+struct Header {
+    format: String,
 }
 
 fn outcome(error: &NotProved) -> Outcome {

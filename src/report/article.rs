@@ -221,7 +221,7 @@ fn angle_list(measures: &Measures) -> String {
     let equal = measures.angles.chunk_by(|a, b| a == b);
     let words = equal.map(|angles| match angles.len() {
         1 => angle_text(&degrees(&angles[0])),
-        n => format!("{} ×{n}", angle_text(&degrees(&angles[0]))),
+        n => format!("{}\u{a0}×{n}", angle_text(&degrees(&angles[0]))),
     });
     words.collect::<Vec<_>>().join(", ")
 }
@@ -240,7 +240,7 @@ fn angle_text((low, high): &(Rational, Rational)) -> String {
     let (down, up) = (rounded_down(low, 3), rounded_up(high, 3));
     match down == up {
         true => format!("{}°", down.trim_end_matches('0').trim_end_matches('.')),
-        false => format!("{down}…°"),
+        false => format!("{down}…\u{2060}°"),
     }
 }
 

@@ -98,8 +98,14 @@ class View {
     return { n: [0, 1, 2].map((i) => (i === k ? 1 : 0)), c: low[k] + (high[k] - low[k]) * (cut / 100) };
   }
 
-  // Makes the triangles anew: after a change of tiling, cells, cut or colours.
+  // The triangles are to be made anew: after a change of tiling, cells, cut or colours. Once for each picture is enough.
   rebuild() {
+    this.stale = true;
+    this.redraw();
+  }
+
+  make() {
+    this.stale = false;
     const { tiling } = this, all = bounds(tiling, this.cells());
     this.centre = all.centre;
     this.scale = (tiling.D === 2 ? 0.97 : 0.94) / all.radius;
@@ -110,7 +116,6 @@ class View {
       swatch.style.background = hex;
       return element("li", {}, swatch, text);
     }));
-    this.redraw();
   }
 
   resize() {
@@ -133,7 +138,7 @@ class View {
   }
 
   paint() {
-    if (!this.centre) return;
+    if (this.stale) this.make();
     this.renderer.draw(this.camera(), this.colouring.palette, [0.08, 0.08, 0.1], this.chosen);
   }
 
@@ -168,6 +173,9 @@ class View {
       panel.replaceChildren(...details(this.tiling, this.tiling.cells[owner % count], shift));
       this.control.chosen.value = owner % count;
     }
+    const cell = this.tiling.cells[owner % count];
+    this.panel.querySelector(".spoken").textContent = owner < 0 ? "" :
+      `${panel.querySelector("h3").textContent}, class ${cell.class + 1}, largest angle ${this.tiling.largest[cell.index].toFixed(2)} degrees`;
     this.redraw();
   }
 
@@ -227,6 +235,7 @@ class View {
   click(event) {
     const box = this.canvas.getBoundingClientRect();
     const [x, y] = [2 * (event.clientX - box.left) / box.width - 1, 1 - 2 * (event.clientY - box.top) / box.height];
+    if (this.stale) this.paint();
     this.choose(this.renderer.pick(this.camera(), x, y));
   }
 
