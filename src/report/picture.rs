@@ -9,7 +9,7 @@
 //! beside it does not depend on it.
 
 use super::data::basis;
-use crate::tiling::{Corner, Tiling};
+use crate::tiling::{Corner, Tiling, supercell};
 use std::collections::{BTreeMap, BTreeSet};
 use std::fmt::Write;
 
@@ -45,9 +45,9 @@ pub fn hex(colour: [f64; 3]) -> String {
 const SIZE: f64 = 480.0;
 /// Toward the viewer, right, up: an orthonormal frame that shows no symmetric tiling edge-on.
 const VIEW: [[f64; 3]; 3] = [
-    [0.8138, 0.5105, 0.2778],
-    [-0.5314, 0.8471, 0.0],
-    [-0.2353, -0.1476, 0.9606],
+    [0.4680, -0.7488, 0.4695],
+    [0.8480, 0.5300, 0.0],
+    [-0.2488, 0.3981, 0.8830],
 ];
 
 /// A polygon on its way to the paper.
@@ -57,8 +57,18 @@ struct Face {
     colour: [f64; 3],
 }
 
-/// The picture of simplices of these congruence classes; `label` describes it and is escaped already.
+/// The picture of simplices of these congruence classes; `label` describes it and is escaped
+/// already. Few triangles of the plane are shown with their neighbours.
 pub fn picture<const D: usize>(tiling: &Tiling<D>, classes: &[usize], label: &str) -> String {
+    if D == 2 && tiling.len() < 12 {
+        let sizes: [u16; D] = std::array::from_fn(|k| if k < tiling.frame.rank() { 3 } else { 1 });
+        let copies = sizes.iter().map(|&n| usize::from(n)).product();
+        return cell_picture(&supercell(tiling, sizes), &classes.repeat(copies), label);
+    }
+    cell_picture(tiling, classes, label)
+}
+
+fn cell_picture<const D: usize>(tiling: &Tiling<D>, classes: &[usize], label: &str) -> String {
     let basis = basis(tiling);
     let mut faces = Vec::new();
     let moves: Vec<[i32; D]> = (0..tiling.len())

@@ -75,34 +75,64 @@ function section(corners, plane) {
 // colour at the four corners of the simplex 4, which facet the triangle lies in (4 for a section), and the simplex in a separate array.
 const FLOATS = 13;
 
+// A growing list of triangles.
+class Triangles {
+  constructor() {
+    this.count = 0;
+    this.grow(1024);
+  }
+
+  grow(room) {
+    const copy = (Kind, length, old) => { const fresh = new Kind(length); if (old) fresh.set(old); return fresh; };
+    this.room = room;
+    this.floats = copy(Float32Array, room * 3 * FLOATS, this.floats);
+    this.bytes = copy(Uint8Array, room * 3 * 8, this.bytes);
+    this.owners = copy(Uint32Array, room, this.owners);
+  }
+
+  // Adds a convex polygon as a fan.
+  put(polygon, normal, centroid, ink, facet, owner) {
+    for (let i = 2; i < polygon.length; i++) {
+      if (this.count === this.room) this.grow(2 * this.room);
+      [0, i - 1, i].forEach((k, corner) => {
+        const at = 3 * this.count + corner, { floats, bytes } = this, { p, b } = polygon[k];
+        floats.set(p, at * FLOATS);
+        floats.set(normal, at * FLOATS + 3);
+        floats.set(centroid, at * FLOATS + 6);
+        floats.set(b, at * FLOATS + 9);
+        bytes.set(ink, at * 8);
+        bytes[at * 8 + 4] = facet;
+      });
+      this.owners[this.count++] = owner;
+    }
+  }
+
+  done() {
+    const { count } = this;
+    return { floats: this.floats.subarray(0, count * 3 * FLOATS), bytes: this.bytes.subarray(0, count * 24), owners: this.owners.subarray(0, count) };
+  }
+}
+
 // All triangles to draw. `colours(cell)` gives four indices into the palette, `plane` may be null.
 function triangles(tiling, n, plane, colours) {
-  const floats = [], bytes = [], owners = [];
-  const shifts = translates(tiling, n);
-  shifts.forEach((shift, copy) => {
+  const list = new Triangles();
+  translates(tiling, n).forEach((shift, copy) => {
     const offset = tiling.cartesian(shift);
     for (const cell of tiling.cells) {
-      const points = cell.points.map((p) => add(p, offset));
-      const corners = points.map((p, i) => ({ p, b: [0, 1, 2, 3].map((k) => (k === i ? 1 : 0)) }));
-      const centroid = mean(points);
-      const ink = colours(cell);
-      const put = (polygon, normal, facet) => {
-        for (let i = 2; i < polygon.length; i++) {
-          for (const q of [polygon[0], polygon[i - 1], polygon[i]]) {
-            floats.push(...q.p, ...normal, ...centroid, ...q.b);
-            bytes.push(...ink, facet, 0, 0, 0);
-          }
-          owners.push(copy * tiling.cells.length + cell.index);
-        }
-      };
+      const corners = cell.points.map((p, i) => ({ p: add(p, offset), b: UNIT[i] }));
+      const outside = plane ? corners.filter(({ p }) => dot(plane.n, p) > plane.c).length : 0;
+      if (outside === corners.length) continue;
+      const centroid = mean(corners.map(({ p }) => p)), ink = colours(cell), owner = copy * tiling.cells.length + cell.index;
       for (const [polygon, normal, facet] of facets(corners, tiling.D, centroid)) {
-        put(plane ? clip(polygon, plane) : polygon, normal, facet);
+        list.put(outside ? clip(polygon, plane) : polygon, normal, centroid, ink, facet, owner);
       }
-      if (plane && tiling.D === 3) put(section(corners, plane), plane.n, 4);
+      if (outside && tiling.D === 3) list.put(section(corners, plane), plane.n, centroid, ink, 4, owner);
     }
   });
-  return { floats: new Float32Array(floats), bytes: new Uint8Array(bytes), owners: new Uint32Array(owners), shifts };
+  return list.done();
 }
+
+const UNIT = [[1, 0, 0, 0], [0, 1, 0, 0], [0, 0, 1, 0], [0, 0, 0, 1]];
 
 // The facets of a tetrahedron with outward normals; a triangle of the plane is its own only one.
 function facets(corners, D, centroid) {
@@ -115,15 +145,22 @@ function facets(corners, D, centroid) {
   });
 }
 
-// The box around all simplices of n cells in each direction, its centre, and the largest distance of a corner from that.
+// The box around all simplices of n cells in each direction, and a ball around them, close to the smallest one (M. Badoiu, K. Clarkson
+// 2003: again and again a step, each shorter, toward the point that is farthest).
 function bounds(tiling, n) {
   const points = translates(tiling, n).flatMap((shift) => {
     const offset = tiling.cartesian(shift);
     return tiling.cells.flatMap((cell) => cell.points.map((p) => add(p, offset)));
   });
   const extreme = (f, start) => points.reduce((e, p) => e.map((x, k) => f(x, p[k])), [start, start, start]);
-  const low = extreme(Math.min, Infinity), high = extreme(Math.max, -Infinity), centre = mean([low, high]);
-  const radius = points.reduce((r, p) => Math.max(r, Math.hypot(...add(p, centre, -1))), 0);
+  const low = extreme(Math.min, Infinity), high = extreme(Math.max, -Infinity);
+  const square = (a, b) => (a[0] - b[0]) ** 2 + (a[1] - b[1]) ** 2 + (a[2] - b[2]) ** 2;
+  let centre = mean([low, high]), farthest;
+  for (let step = 2; step < 40; step++) {
+    farthest = points.reduce((far, p) => (square(p, centre) > square(far, centre) ? p : far), points[0]);
+    centre = add(centre, add(farthest, centre, -1), 1 / step);
+  }
+  const radius = Math.sqrt(points.reduce((most, p) => Math.max(most, square(p, centre)), 0));
   return { low, high, centre, radius };
 }
 

@@ -80,7 +80,7 @@ class View {
 
   // The camera as in the still picture: toward the viewer, right, up.
   reset() {
-    const right = [-0.5314, 0.8471, 0], up = [-0.2353, -0.1476, 0.9606], toward = [0.8138, 0.5105, 0.2778];
+    const right = [0.8480, 0.5300, 0], up = [-0.2488, 0.3981, 0.8830], toward = [0.4680, -0.7488, 0.4695];
     this.turn = this.tiling.D === 2 ? [1, 0, 0, 0, 1, 0, 0, 0, 1] : [0, 1, 2].flatMap((k) => [right[k], up[k], toward[k]]);
     this.zoom = 1;
     this.pan = [0, 0];
@@ -106,11 +106,11 @@ class View {
 
   make() {
     this.stale = false;
-    const { tiling } = this, all = bounds(tiling, this.cells());
+    const { tiling } = this, n = this.cells(), all = (tiling.bounds ??= {})[n] ??= bounds(tiling, n);
     this.centre = all.centre;
     this.scale = (tiling.D === 2 ? 0.97 : 0.94) / all.radius;
     this.colouring = COLOURINGS[this.control.colour.value](tiling);
-    this.renderer.upload(triangles(tiling, this.cells(), this.plane(all), this.colouring.of));
+    this.renderer.upload(triangles(tiling, n, this.plane(all), this.colouring.of));
     this.legend.replaceChildren(...this.colouring.legend.slice(0, 24).map(([hex, text]) => {
       const swatch = element("span", { class: "swatch" });
       swatch.style.background = hex;
