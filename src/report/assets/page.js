@@ -180,42 +180,14 @@ class View {
   }
 
   listen() {
-    const { canvas } = this, fingers = new Map();
-    let travelled = 0, spread = 0;
-    const step = (event) => 2 / Math.min(canvas.clientWidth, canvas.clientHeight) * (event ? 1 : 0);
-    canvas.addEventListener("pointerdown", (event) => {
-      canvas.setPointerCapture(event.pointerId);
-      fingers.set(event.pointerId, [event.clientX, event.clientY]);
-      if (fingers.size === 1) travelled = 0;
-      spread = 0;
-    });
-    canvas.addEventListener("pointermove", (event) => {
-      const old = fingers.get(event.pointerId);
-      if (!old) return;
-      fingers.set(event.pointerId, [event.clientX, event.clientY]);
-      const [dx, dy] = [event.clientX - old[0], event.clientY - old[1]];
-      travelled += Math.hypot(dx, dy);
-      if (fingers.size === 1) this.rotate(dx * step(event), dy * step(event));
-      if (fingers.size === 2) {
-        const [a, b] = [...fingers.values()], now = Math.hypot(a[0] - b[0], a[1] - b[1]);
-        if (spread) this.magnify(now / spread);
-        spread = now;
-      }
-    });
-    const release = (event) => {
-      if (event.type === "pointerup" && fingers.size === 1 && travelled < 5) this.click(event);
-      fingers.delete(event.pointerId);
-      spread = 0;
-    };
-    canvas.addEventListener("pointerup", release);
-    canvas.addEventListener("pointercancel", release);
-    canvas.addEventListener("wheel", (event) => {
+    this.listenToPointers();
+    this.canvas.addEventListener("keydown", (event) => this.key(event));
+    this.canvas.addEventListener("wheel", (event) => {
       // A page scrolls past the view unless it is in use.
-      if (document.activeElement !== canvas && !event.ctrlKey) return;
+      if (document.activeElement !== this.canvas && !event.ctrlKey) return;
       event.preventDefault();
       this.magnify(Math.exp(-event.deltaY * 0.0015));
     }, { passive: false });
-    canvas.addEventListener("keydown", (event) => this.key(event));
     for (const name of ["cells", "cut", "axis", "colour"]) {
       this.control[name].addEventListener("input", () => {
         if (name === "cells") this.choose(-1);
@@ -230,6 +202,39 @@ class View {
     for (const button of this.panel.querySelectorAll("[data-view]")) {
       button.addEventListener("click", () => this.act(button.dataset.view));
     }
+  }
+
+  // One finger or the mouse turns, two fingers zoom, and what hardly moved was a click.
+  listenToPointers() {
+    const { canvas } = this, fingers = new Map();
+    let travelled = 0, spread = 0;
+    canvas.addEventListener("pointerdown", (event) => {
+      canvas.setPointerCapture(event.pointerId);
+      fingers.set(event.pointerId, [event.clientX, event.clientY]);
+      if (fingers.size === 1) travelled = 0;
+      spread = 0;
+    });
+    canvas.addEventListener("pointermove", (event) => {
+      const old = fingers.get(event.pointerId);
+      if (!old) return;
+      fingers.set(event.pointerId, [event.clientX, event.clientY]);
+      const [dx, dy] = [event.clientX - old[0], event.clientY - old[1]];
+      const size = Math.min(canvas.clientWidth, canvas.clientHeight) / 2;
+      travelled += Math.hypot(dx, dy);
+      if (fingers.size === 1) this.rotate(dx / size, dy / size);
+      if (fingers.size === 2) {
+        const [a, b] = [...fingers.values()], now = Math.hypot(a[0] - b[0], a[1] - b[1]);
+        if (spread) this.magnify(now / spread);
+        spread = now;
+      }
+    });
+    const release = (event) => {
+      if (event.type === "pointerup" && fingers.size === 1 && travelled < 5) this.click(event);
+      fingers.delete(event.pointerId);
+      spread = 0;
+    };
+    canvas.addEventListener("pointerup", release);
+    canvas.addEventListener("pointercancel", release);
   }
 
   click(event) {
