@@ -113,7 +113,7 @@ fn hostile_names_are_text() {
     );
     assert_eq!(page.matches("</script>").count(), 3);
     assert!(!page.contains("a<b>"));
-    assert_eq!(data(&page)["tilings"][0]["name"], json!(path.to_str()));
+    assert_eq!(data(&page)["tilings"][0]["name"], json!("a<b>&\"'"));
 }
 
 #[test]
@@ -187,6 +187,17 @@ fn a_page_does_not_replace_its_input() {
     assert!(stderr(&output).contains("would overwrite"));
     let text = std::fs::read_to_string(&path).expect("it is there");
     assert_eq!(text, kuhn().to_string());
+}
+
+/// A certificate in a file that bears a construction's name is not presented as that.
+#[test]
+fn file_names_promise_nothing() {
+    let directory = tempfile::tempdir().expect("a directory");
+    let bcc = std::fs::read_to_string("certificates/bcc.json").expect("bcc");
+    let path = file(directory.path(), "sigma.json", &bcc);
+    let page = page(&[path.to_str().expect("UTF-8")]);
+    assert!(!page.contains("TCP structure sigma"));
+    assert!(page.contains("the certificate in a file of this name"));
 }
 
 /// A tiling whose text speaks of certificates is none.

@@ -47,14 +47,23 @@ fn proved(input: &str) -> Result<Proved, InputError> {
         outcome: outcome(&error),
     };
     if let Some(bytes) = certificate_file(input)? {
-        let stem = Path::new(input).file_stem().unwrap_or_default();
-        let name = stem.to_string_lossy().into_owned();
-        let description = catalog::find(&name).map_or("", |entry| entry.description);
-        return Proved::of_certificate(name, description.to_owned(), bytes, &Limits::DEFAULT)
+        // What the file is called says nothing of what it proves.
+        let description = "the certificate in a file of this name".to_owned();
+        return Proved::of_certificate(stem(input), description, bytes, &Limits::DEFAULT)
             .map_err(refused);
     }
     let named = input::tiling(input, None)?;
-    Proved::of_tiling(named.name, named.description, &named.tiling).map_err(refused)
+    let name = match catalog::find(input) {
+        Some(_) => named.name,
+        None => stem(input),
+    };
+    Proved::of_tiling(name, named.description, &named.tiling).map_err(refused)
+}
+
+/// The name of a file; readers of a page need not know in whose folder it was.
+fn stem(path: &str) -> String {
+    let stem = Path::new(path).file_stem().unwrap_or_default();
+    stem.to_string_lossy().into_owned()
 }
 
 /// The bytes of a certificate; `None` for everything that says it is something else.

@@ -38,6 +38,7 @@ pub fn article<const D: usize>(
             ("picture", &picture(tiling, &facts.class_of, &label)),
             ("facts", &summary(tiling, facts)),
             ("simplices", simplex),
+            ("dimension", &D.to_string()),
             ("angles", if D == 2 { "angles" } else { "dihedral angles" }),
             ("volume", if D == 2 { "area" } else { "volume" }),
             ("histogram", &histogram(facts, simplex)),

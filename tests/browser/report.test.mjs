@@ -35,8 +35,9 @@ function write(name, ...inputs) {
 
 // Opens a page; at the end nothing was loaded and nothing complained.
 async function visit(path, use, options = {}) {
-  const { from = browser, ...context } = options;
+  const { from = browser, script, ...context } = options;
   const session = await from.newContext({ viewport: { width: 1200, height: 900 }, acceptDownloads: true, ...context });
+  if (script) await session.addInitScript(script);
   const page = await session.newPage(), complaints = [], requests = [];
   page.on("console", (message) => ["error", "warning"].includes(message.type()) && complaints.push(message.text()));
   page.on("pageerror", (error) => complaints.push(error.message));
@@ -196,6 +197,13 @@ test("a changed certificate is not verified", async () => {
     await verdict.waitFor();
     assert.match(await verdict.textContent(), /^Not verified: rejected \[[a-z-]+\] /);
   });
+});
+
+test("without workers the check runs in the page itself", async () => {
+  await visit(write("alone", "bcc"), async (page) => {
+    await page.getByRole("button", { name: "Re-check in the browser" }).click();
+    await page.locator(".verdict.good").waitFor();
+  }, { script: "delete window.Worker" });
 });
 
 test("keyboard", async () => {
