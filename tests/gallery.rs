@@ -115,7 +115,7 @@ fn every_document_is_in_the_site() {
             let is_there = DOCUMENTS.iter().any(|document| document.path == path);
             assert!(
                 is_there,
-                "{path} is missing in DOCUMENTS of src/report/gallery.rs"
+                "{path} is missing in DOCUMENTS of src/report/documents.rs"
             );
         }
     }

@@ -1,8 +1,8 @@
 //! A static site of the whole catalogue: an index with pictures and the table, a page for each
 //! tiling, the paper's statements with verdicts, the documents. All links are relative.
 
+use super::documents::{self, DOCUMENTS, FILES};
 use super::html::{escape, fill};
-use super::markdown::{Document, to_html};
 use super::page::{STYLE, page};
 use super::picture::picture;
 use super::proved::Proved;
@@ -18,75 +18,6 @@ use std::sync::atomic::{AtomicUsize, Ordering};
 
 const TEMPLATE: &str = include_str!("assets/site.html");
 const SITE_STYLE: &str = include_str!("assets/site.css");
-
-/// The documents that the site has.
-pub const DOCUMENTS: [Document; 7] = [
-    document(
-        "README.md",
-        "docs/readme.html",
-        "Read me",
-        include_str!("../../README.md"),
-    ),
-    document(
-        "docs/format.md",
-        "docs/format.html",
-        "File formats",
-        include_str!("../../docs/format.md"),
-    ),
-    document(
-        "docs/soundness.md",
-        "docs/soundness.html",
-        "Why a certificate proves what it claims",
-        include_str!("../../docs/soundness.md"),
-    ),
-    document(
-        "docs/trust.md",
-        "docs/trust.html",
-        "What is trusted",
-        include_str!("../../docs/trust.md"),
-    ),
-    document(
-        "docs/gallery.md",
-        "docs/gallery.html",
-        "This site",
-        include_str!("../../docs/gallery.md"),
-    ),
-    document(
-        "proofs/README.md",
-        "docs/proofs.html",
-        "The development in Coq",
-        include_str!("../../proofs/README.md"),
-    ),
-    document(
-        "ARCHITECTURE.md",
-        "docs/architecture.html",
-        "Architecture",
-        include_str!("../../ARCHITECTURE.md"),
-    ),
-];
-
-const fn document(
-    path: &'static str,
-    page: &'static str,
-    title: &'static str,
-    text: &'static str,
-) -> Document {
-    Document {
-        path,
-        page,
-        title,
-        text,
-    }
-}
-
-/// Files of the repository that the site has as they are.
-const FILES: [(&str, &str); 2] = [
-    (
-        "docs/certificate.schema.json",
-        include_str!("../../docs/certificate.schema.json"),
-    ),
-    ("LICENSE", include_str!("../../LICENSE")),
-];
 
 /// The files of a site by their paths in it.
 pub type Site = BTreeMap<String, Vec<u8>>;
@@ -114,9 +45,16 @@ pub fn gallery() -> Result<Site, String> {
     }
     put("index.html".into(), index(&entries, &proved, &survey)?);
     put("paper.html".into(), paper_page(&paper::rows(&survey)));
-    put("docs/index.html".into(), contents());
+    put(
+        "docs/index.html".into(),
+        site_page("../", "Documents", &documents::contents()),
+    );
     for document in &DOCUMENTS {
-        put(document.page.into(), document_page(document, &entries));
+        let body = documents::body(document, is_entry);
+        put(
+            document.page.into(),
+            site_page("../", document.title, &body),
+        );
     }
     for (path, text) in FILES {
         put(path.into(), text.to_owned());
@@ -286,10 +224,15 @@ fn paper_page(rows: &[Row]) -> String {
     site_page("", "The paper's statements", &body)
 }
 
+/// Whether the site has a tiling of this name.
+fn is_entry(name: &str) -> bool {
+    catalog::names().any(|known| known == name)
+}
+
 fn paper_row(row: &Row) -> String {
     let links = row.certificates.iter().map(|(name, _)| {
         let name = escape(name);
-        match catalog::names().any(|known| known == name) {
+        match is_entry(&name) {
             true => format!("<a href=\"tilings/{name}.html\">{name}</a>"),
             false => name,
         }
@@ -308,45 +251,5 @@ fn paper_row(row: &Row) -> String {
         escape(&row.proved),
         row.verdict.word(),
         links.collect::<Vec<_>>().join(", ")
-    )
-}
-
-fn contents() -> String {
-    let item = |document: &Document| {
-        let file = document.page.trim_start_matches("docs/");
-        format!("<li><a href=\"{file}\">{}</a></li>", escape(document.title))
-    };
-    let items: String = DOCUMENTS.iter().map(item).collect();
-    site_page(
-        "../",
-        "Documents",
-        &format!("<h1 class=\"title\">Documents</h1><ul>{items}</ul>"),
-    )
-}
-
-fn document_page(document: &Document, entries: &[&Entry]) -> String {
-    let up = "../";
-    let body = to_html(document, |path| {
-        let page = DOCUMENTS
-            .iter()
-            .find(|other| other.path == path)
-            .map(|other| other.page);
-        let file = FILES
-            .iter()
-            .find(|(file, _)| *file == path)
-            .map(|(file, _)| *file);
-        let certificate = path
-            .strip_prefix("certificates/")
-            .and_then(|file| file.strip_suffix(".json"))
-            .filter(|name| entries.iter().any(|entry| entry.name == *name))
-            .map(|_| path);
-        page.or(file)
-            .or(certificate)
-            .map(|link| format!("{up}{link}"))
-    });
-    site_page(
-        up,
-        document.title,
-        &format!("<div class=\"document\">{body}</div>"),
     )
 }

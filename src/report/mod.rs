@@ -10,13 +10,15 @@
 //! | `histogram`, `picture` | drawings in SVG |
 //! | `page` | the page: one file that loads nothing |
 //! | `html` | escaping, templates |
-//! | `gallery`, `markdown` | the site |
+//! | `gallery` | the site |
+//! | `documents`, `markdown` | the project's documents in it |
 //! | `assets` | template, style, program, and the verifier in JavaScript |
 //!
 //! Nothing here proves anything. Called by the command line.
 
 mod article;
 mod data;
+mod documents;
 mod facts;
 mod gallery;
 mod histogram;
@@ -26,7 +28,8 @@ mod page;
 mod picture;
 mod proved;
 
-pub use gallery::{DOCUMENTS, Site, gallery};
+pub use documents::DOCUMENTS;
+pub use gallery::{Site, gallery};
 pub use markdown::Document;
 pub use page::page;
 pub use proved::{NotProved, Proved};
