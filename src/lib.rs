@@ -35,6 +35,8 @@ pub mod predicates;
 #[cfg(feature = "prover")]
 pub mod quality;
 #[cfg(feature = "prover")]
+pub mod report;
+#[cfg(feature = "prover")]
 pub mod statistics;
 #[cfg(feature = "prover")]
 pub mod survey;

@@ -48,6 +48,13 @@ pub enum Command {
     Paper(PaperArguments),
     /// How good the simplices are: dihedral angles, radius-edge and aspect ratios
     Quality(QualityArguments),
+    /// Write a page to look at: the tiling in three dimensions, its exact data, its certificate
+    ///
+    /// One HTML file that loads nothing. A tiling that is no certificate yet is proved first;
+    /// nothing is written that the kernel does not confirm.
+    Report(ReportArguments),
+    /// Write a static site of the whole catalogue
+    Gallery(GalleryArguments),
     /// Valences, vertex types, TCP or why not, and what the tiling is isomorphic to
     Classify(ClassifyArguments),
     /// Print a completion script for a shell
@@ -307,6 +314,25 @@ pub struct PaperArguments {
     /// An array with one JSON object for each statement
     #[arg(long)]
     pub json: bool,
+}
+
+#[derive(Debug, Args)]
+pub struct ReportArguments {
+    /// Certificates, names of the catalogue, tiling or mesh files, or point sets (CIF too)
+    #[arg(value_name = "CERT|NAME|FILE", required = true)]
+    pub inputs: Vec<String>,
+    #[command(flatten)]
+    pub file: FileArguments,
+    /// Write the page here and not to standard output
+    #[arg(short, long, value_name = "FILE")]
+    pub output: Option<PathBuf>,
+}
+
+#[derive(Debug, Args)]
+pub struct GalleryArguments {
+    /// Write the site into this directory
+    #[arg(short, long, value_name = "DIR", required = true)]
+    pub output: PathBuf,
 }
 
 #[derive(Debug, Args)]

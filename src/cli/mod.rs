@@ -13,6 +13,7 @@ mod classify;
 mod convert;
 mod delaunay;
 mod export;
+mod gallery;
 mod input;
 mod list;
 mod mesh;
@@ -23,6 +24,7 @@ mod paper;
 mod progress;
 mod quality;
 mod refutation;
+mod report;
 mod show;
 mod table;
 mod verify;
@@ -98,6 +100,8 @@ pub fn main() -> ExitCode {
         Command::Table(table) => table::run(&table, &mut output),
         Command::Paper(paper) => paper::run(&paper, &mut output),
         Command::Quality(quality) => quality::run(&quality, &mut output),
+        Command::Gallery(gallery) => gallery::run(&gallery, &mut output),
+        Command::Report(report) => report::run(&report, &mut output),
         Command::Classify(classify) => classify::run(&classify, &mut output),
         Command::Completions(completions) => meta::completions(&completions, &mut output),
         Command::Man => meta::man(&mut output),

@@ -14,6 +14,7 @@ mod shape;
 
 pub use angle::{dihedral_degrees, display_width};
 pub use bounds::{Bounds, bounds};
+pub use closed_form::{rational_root, root};
 pub use decimal::{
     ceiling_to_i64, decimal_range, floor_to_i64, rounded_down, rounded_nearest, rounded_up,
     short_decimal, short_point,
