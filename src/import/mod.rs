@@ -3,6 +3,7 @@
 //! A reader checks form (what is there, of the right length, in range); whether
 //! the tiling is one is the checker's business. Every error names the place.
 
+mod certificate;
 mod document;
 mod domain;
 mod error;
@@ -10,6 +11,7 @@ mod frame;
 mod native;
 mod numbers;
 
+pub use certificate::tiling_of_certificate;
 pub use error::ImportError;
 pub use native::{Content, NativeFile, read_native};
 
