@@ -5,6 +5,8 @@
 #![forbid(unsafe_code)]
 
 #[cfg(feature = "prover")]
+pub mod appendix;
+#[cfg(feature = "prover")]
 pub mod catalog;
 pub mod certificate;
 #[cfg(feature = "prover")]

@@ -1,0 +1,289 @@
+//! Exact numbers as TeX: fractions, square roots, powers of the generator; and why a
+//! number is negative, in a form that paper and pencil can follow.
+//!
+//! Everything is written for math mode. Decimals go through the macro `\acutiledecimal`,
+//! so that a document may hand them to siunitx.
+
+use crate::number::{Field, Number};
+use crate::quality::{rounded_down, rounded_up};
+use malachite::base::num::arithmetic::traits::{CheckedSqrt, Gcd, Lcm, Parity};
+use malachite::base::num::basic::traits::{One, Zero};
+use malachite::{Integer, Natural, Rational};
+
+/// How the numbers of one field are written.
+#[derive(Clone, Debug)]
+pub enum Numerals {
+    /// p/q
+    Rational,
+    /// (p + q √d)/n; the generator of the field is offset + factor √d.
+    Quadratic {
+        offset: Rational,
+        factor: Rational,
+        radicand: Integer,
+    },
+    /// Combinations of powers of the generator α.
+    Powers,
+}
+
+/// Decimals of enclosures have so many digits behind the point.
+pub const DIGITS: u64 = 6;
+
+/// Prime factors are taken out of roots up to this one.
+const LARGEST_FACTOR: u32 = 10_000;
+
+impl Numerals {
+    /// The notation for a field.
+    pub fn of(field: &Field) -> Numerals {
+        let [c, b, _] = field.polynomial() else {
+            return match field.degree() {
+                1 => Numerals::Rational,
+                _ => Numerals::Powers,
+            };
+        };
+        // a = (-b ± √(b² - 4c))/2
+        let (square, radicand) = square_part(&(b * b - Integer::from(4) * c));
+        if radicand == 1u32 {
+            return Numerals::Powers;
+        }
+        let two = Rational::from(2);
+        let offset = -Rational::from(b) / &two;
+        let factor = Rational::from(square) / two;
+        let is_larger = field.generator() > Number::from(offset.clone());
+        Numerals::Quadratic {
+            offset,
+            factor: if is_larger { factor } else { -factor },
+            radicand,
+        }
+    }
+
+    /// The coefficients in the notation's basis: 1; 1, √d; or 1, α, α², …
+    pub fn coefficients(&self, x: &Number) -> Vec<Rational> {
+        match (self, x.coefficients()) {
+            (Numerals::Quadratic { offset, factor, .. }, [c, d]) => {
+                vec![c + d * offset, d * factor]
+            }
+            (_, coefficients) => coefficients.to_vec(),
+        }
+    }
+
+    /// The number.
+    pub fn number(&self, x: &Number) -> String {
+        let coefficients = self.coefficients(x);
+        let (numerators, denominator) = over_common_denominator(&coefficients);
+        if denominator == 1u32 {
+            return self.sum(&numerators);
+        }
+        let is_negative = numerators.iter().all(|n| *n <= 0);
+        let (sign, numerators) = match is_negative {
+            true => ("-", numerators.iter().map(|n| -n).collect()),
+            false => ("", numerators),
+        };
+        format!("{sign}\\frac{{{}}}{{{denominator}}}", self.sum(&numerators))
+    }
+
+    /// The number with parentheses where a factor needs them.
+    pub fn factor(&self, x: &Number) -> String {
+        let text = self.number(x);
+        let terms = self.coefficients(x).iter().filter(|c| **c != 0).count();
+        match text.starts_with('-') || (terms > 1 && !text.starts_with("\\frac")) {
+            true => format!("({text})"),
+            false => text,
+        }
+    }
+
+    /// Σ n_i of the basis.
+    fn sum(&self, numerators: &[Integer]) -> String {
+        let mut text = String::new();
+        for (power, n) in numerators.iter().enumerate().filter(|(_, n)| **n != 0) {
+            let sign = match (*n < 0, text.is_empty()) {
+                (true, _) => "-",
+                (false, true) => "",
+                (false, false) => "+",
+            };
+            let size = n.unsigned_abs_ref();
+            let basis = self.basis(power);
+            text.push_str(sign);
+            match (power, *size == 1u32) {
+                (0, _) => text.push_str(&size.to_string()),
+                (_, true) => text.push_str(&basis),
+                _ => text.push_str(&format!("{size}{basis}")),
+            }
+        }
+        if text.is_empty() {
+            text.push('0');
+        }
+        text
+    }
+
+    fn basis(&self, power: usize) -> String {
+        match (self, power) {
+            (Numerals::Quadratic { radicand, .. }, _) => format!("\\sqrt{{{radicand}}}"),
+            (_, 1) => "\\alpha".to_owned(),
+            _ => format!("\\alpha^{{{power}}}"),
+        }
+    }
+
+    /// √x for x >= 0: a number of the field where it is one and is found, else m √r / n for
+    /// rational x, else the root sign over x.
+    pub fn root(&self, x: &Number) -> String {
+        if let Some(x) = x.to_rational() {
+            return rational_root(x);
+        }
+        match self.root_in_field(x) {
+            Some(root) => root,
+            None => format!("\\sqrt{{{}}}", self.number(x)),
+        }
+    }
+
+    /// u + v √d with (u + v √d)² = p + q √d: u² and d v² are (p ± n)/2 with n² = p² - d q².
+    fn root_in_field(&self, x: &Number) -> Option<String> {
+        let Numerals::Quadratic { radicand, .. } = self else {
+            return None;
+        };
+        let coefficients = self.coefficients(x);
+        let (p, q) = (&coefficients[0], &coefficients[1]);
+        let d = Rational::from(radicand);
+        let n = (p * p - &d * q * q).checked_sqrt()?;
+        let halves = [(p + &n), (p - &n)].map(|sum| sum / Rational::from(2));
+        let u = halves.iter().find_map(|half| half.checked_sqrt())?;
+        if u == 0 {
+            return None;
+        }
+        let v = q / (Rational::from(2) * &u);
+        let text = self.of_coefficients(&[u.clone(), v.clone()]);
+        // Of the two roots the positive one: u > 0 here, so v decides where it is large.
+        let is_positive = v >= 0 || &u * &u > &d * &v * &v;
+        Some(match is_positive {
+            true => text,
+            false => self.of_coefficients(&[-u, -v]),
+        })
+    }
+
+    fn of_coefficients(&self, coefficients: &[Rational]) -> String {
+        let (numerators, denominator) = over_common_denominator(coefficients);
+        match denominator == 1u32 {
+            true => self.sum(&numerators),
+            false => format!("\\frac{{{}}}{{{denominator}}}", self.sum(&numerators)),
+        }
+    }
+
+    /// Why x < 0. Nothing where all terms are negative; for p + q √d the comparison of p²
+    /// and d q²; beyond that a decimal enclosure.
+    pub fn why_negative(&self, x: &Number) -> String {
+        let coefficients = self.coefficients(x);
+        if x.is_rational()
+            || coefficients.iter().all(|c| *c <= 0) && !matches!(self, Numerals::Powers)
+        {
+            return String::new();
+        }
+        let (n, _) = over_common_denominator(&coefficients);
+        match (self, n.as_slice()) {
+            (Numerals::Quadratic { radicand, .. }, [p, q]) => {
+                let (left, right) = (p * p, q * q * radicand);
+                let relation = if left < right { '<' } else { '>' };
+                format!(
+                    "{}^2={left}{relation}{right}={radicand}\\cdot{}^2",
+                    p.unsigned_abs_ref(),
+                    q.unsigned_abs_ref()
+                )
+            }
+            _ => {
+                let width = Rational::from_signeds(1, 100_000_000);
+                format!("\\in {}", interval(&x.enclosure(&width)))
+            }
+        }
+    }
+
+    /// A positive rational that makes all of these numbers integers of the notation without a
+    /// common factor; 1 if all are zero.
+    pub fn primitive_factor(&self, numbers: &[Number]) -> Rational {
+        let coefficients: Vec<Rational> =
+            numbers.iter().flat_map(|x| self.coefficients(x)).collect();
+        let (numerators, denominator) = over_common_denominator(&coefficients);
+        let common = numerators
+            .iter()
+            .fold(Natural::ZERO, |g, n| g.gcd(n.unsigned_abs_ref()));
+        match common == 0u32 {
+            true => Rational::ONE,
+            false => Rational::from_naturals(denominator, common),
+        }
+    }
+}
+
+/// Integers n_i and n > 0 with c_i = n_i / n in lowest terms.
+fn over_common_denominator(coefficients: &[Rational]) -> (Vec<Integer>, Natural) {
+    let denominator = coefficients
+        .iter()
+        .fold(Natural::ONE, |n, c| n.lcm(c.denominator_ref()));
+    let scale = Rational::from(&denominator);
+    let numerators = coefficients
+        .iter()
+        .map(|c| {
+            let scaled = c * &scale;
+            Integer::from_sign_and_abs(scaled >= 0, scaled.into_numerator())
+        })
+        .collect();
+    (numerators, denominator)
+}
+
+/// A rational.
+pub fn rational(x: &Rational) -> String {
+    Numerals::Rational.number(&Number::from(x.clone()))
+}
+
+/// √(p/q) = m √r / q with p q = m² r.
+fn rational_root(x: &Rational) -> String {
+    let (numerator, denominator) = (x.numerator_ref(), x.denominator_ref());
+    let (square, radicand) = square_part(&Integer::from(numerator * denominator));
+    let factor = Rational::from(square) / Rational::from(denominator);
+    if radicand == 1u32 || *x == 0 {
+        return rational(&factor);
+    }
+    let (m, n) = (factor.numerator_ref(), factor.denominator_ref());
+    let root = match *m == 1u32 {
+        true => format!("\\sqrt{{{radicand}}}"),
+        false => format!("{m}\\sqrt{{{radicand}}}"),
+    };
+    match *n == 1u32 {
+        true => root,
+        false => format!("\\frac{{{root}}}{{{n}}}"),
+    }
+}
+
+/// m and r with n = m² r, where r has no square of a small prime as a factor; (0, 1) for 0.
+fn square_part(n: &Integer) -> (Integer, Integer) {
+    let (mut square, mut rest) = (Integer::ONE, n.clone());
+    if *n == 0 {
+        return (Integer::ZERO, Integer::ONE);
+    }
+    for p in (2..=LARGEST_FACTOR).filter(|p| *p == 2 || p.odd()) {
+        let factor = Integer::from(p) * Integer::from(p);
+        if *rest.unsigned_abs_ref() < *factor.unsigned_abs_ref() {
+            break;
+        }
+        while &rest % &factor == 0 {
+            rest /= &factor;
+            square *= Integer::from(p);
+        }
+    }
+    if let (true, Some(root)) = (rest > 1, rest.unsigned_abs_ref().checked_sqrt()) {
+        return (square * Integer::from(root), Integer::ONE);
+    }
+    (square, rest)
+}
+
+/// Bounds as decimals rounded outward: `[53.130102, 53.130103]`, or one number where that
+/// is exact.
+pub fn interval((low, high): &(Rational, Rational)) -> String {
+    let (below, above) = (rounded_down(low, DIGITS), rounded_up(high, DIGITS));
+    if below == above {
+        let exact = below.trim_end_matches('0').trim_end_matches('.');
+        return decimal(exact);
+    }
+    format!("[{},\\,{}]", decimal(&below), decimal(&above))
+}
+
+/// A decimal as the document writes them.
+pub fn decimal(text: &str) -> String {
+    format!("\\acutiledecimal{{{text}}}")
+}
