@@ -10,9 +10,8 @@
 
 use super::numeral::interval;
 use super::subject::Analysis;
-use super::tex::{Table, counted, simplices};
+use super::tex::{counted, simplices, tabular};
 use super::theorem::{fits, matrix};
-use super::vertices::determinant;
 use crate::classify::Symmetry;
 use crate::geometry::linear;
 use crate::number::Number;
@@ -62,13 +61,16 @@ fn block<const D: usize>(analysis: &Analysis<D>, class: usize) -> String {
         orbits_in(&analysis.symmetry, &shape.members),
     );
     let signs = Signs::of::<D>(analysis, edges);
+    let factorial: i64 = (1..=D as i64).product();
+    let volume = analysis.tiling.shape(first).determinant
+        * Number::from(Rational::from_signeds(1, factorial));
     format!(
-        "\\paragraph{{Class {class}.}} {count} {kind} in {orbits}, $\\det={det}$; the first is $T_{{{first}}}$. Squared edges:\n\
+        "\\paragraph{{Class {class}.}} ${count}$ {kind} in {orbits}, {each}of volume ${volume}$ cells; the first is $T_{{{first}}}$. Squared edges:\n\
          % acutile:edges {slug} {class}\n{edges}.\n{signs}{table}\n",
-        count = format_args!("${count}$"),
         kind = simplices(D, count),
         orbits = counted(orbits, "orbit"),
-        det = determinant(analysis, first),
+        each = if count == 1 { "" } else { "each " },
+        volume = analysis.numerals.inline(&volume),
         slug = analysis.subject.slug(),
         edges = squared_edges::<D>(analysis, edges),
         signs = signs.matrices(analysis),
@@ -94,7 +96,7 @@ fn squared_edges<const D: usize>(analysis: &Analysis<D>, edges: &[Number]) -> St
     let items: Vec<String> = pairs::<D>()
         .iter()
         .zip(edges)
-        .map(|((i, j), edge)| format!("$l_{{{i}{j}}}={}$", analysis.numerals.number(edge)))
+        .map(|((i, j), edge)| format!("$l_{{{i}{j}}}={}$", analysis.numerals.inline(edge)))
         .collect();
     items.join(", ")
 }
@@ -170,7 +172,7 @@ impl Signs {
             .map(|&(i, j)| numerals.why_negative(&self.normals[i][j]))
             .collect();
         let has_reasons = reasons.iter().any(|reason| !reason.is_empty());
-        let rows = pairs::<D>()
+        let rows: Vec<String> = pairs::<D>()
             .into_iter()
             .zip(&reasons)
             .map(|((i, j), reason)| {
@@ -181,13 +183,8 @@ impl Signs {
                 let n = &self.normals[i][j];
                 let sign = match n.sign() {
                     Ordering::Less => "<0",
-                    Ordering::Equal => "=0",
+                    Ordering::Equal => "",
                     Ordering::Greater => ">0",
-                };
-                let sign = if n.is_zero() {
-                    "=0".to_owned()
-                } else {
-                    format!("{}{sign}", "")
                 };
                 let reason = match (has_reasons, reason.is_empty() || n.sign() != Ordering::Less) {
                     (false, _) => String::new(),
@@ -196,10 +193,9 @@ impl Signs {
                 };
                 let angle = DihedralAngle::between(&products, i, j);
                 format!(
-                    "{} & $N_{{{i}{j}}}={}{}${reason} & ${}$ & ${}$ & ${}$",
+                    "${}$ & $N_{{{i}{j}}}={}{sign}${reason} & ${}$ & ${}$ & ${}$",
                     opposite.join(""),
                     numerals.number(n),
-                    if n.is_zero() { "" } else { &sign },
                     cosine(analysis, &angle),
                     interval(&cosine_bounds(&angle)),
                     interval(&angle.enclosure(&Rational::from_signeds(1, 1_000_000_000)))
@@ -207,18 +203,15 @@ impl Signs {
             })
             .collect();
         let reason = if has_reasons { " & because" } else { "" };
-        Table {
-            mark: format!("angles {} {class}", analysis.subject.slug()),
-            columns: if has_reasons { "rllccc" } else { "rlccc" },
-            caption: format!("Class {class}: the signs, the cosines, and the angles in degrees."),
-            label: analysis.label(&format!("class-{class}")),
-            heading: format!(
-                "{} & sign{reason} & $\\cos\\theta$ & enclosed & $\\theta$",
+        tabular(
+            &format!("angles {} {class}", analysis.subject.slug()),
+            if has_reasons { "rllccc" } else { "rlccc" },
+            &format!(
+                "{} & sign{reason} & $\\cos\\theta$ & enclosed in & $\\theta$ in degrees",
                 if D == 2 { "at" } else { "edge" }
             ),
-            rows,
-        }
-        .tex()
+            &rows,
+        )
     }
 }
 
@@ -260,7 +253,8 @@ fn cosine<const D: usize>(analysis: &Analysis<D>, angle: &DihedralAngle) -> Stri
     }
 }
 
-fn cosine_bounds(angle: &DihedralAngle) -> (Rational, Rational) {
+/// Bounds of cos θ; the value itself where it is rational.
+pub fn cosine_bounds(angle: &DihedralAngle) -> (Rational, Rational) {
     let square = angle.signed_square.abs();
     let (low, high) = match square
         .to_rational()

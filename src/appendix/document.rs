@@ -19,10 +19,15 @@ pub fn files(subjects: &[Subject], parts: Vec<Parts>, options: &Options) -> Vec<
         text("acutile-macros.tex", MACROS.to_owned()),
         text("soundness.tex", SOUNDNESS.to_owned()),
         text("refs.bib", versioned(REFERENCES)),
-        text("main.bbl", versioned(FORMATTED)),
     ];
     let rows = parts.iter().filter_map(|part| part.row.clone()).collect();
     files.push(text("overview.tex", overview::table(rows, subjects)));
+    let sections = parts.iter().map(|part| part.section.as_str());
+    let cited: Vec<&str> = sections.chain([SOUNDNESS]).collect();
+    files.push(text(
+        "main.bbl",
+        versioned(&cited_only(&cited, subjects.len() > 1)),
+    ));
     for (subject, part) in subjects.iter().zip(parts) {
         files.push(text(
             &format!("tiling-{}.tex", subject.slug()),
@@ -40,6 +45,31 @@ pub fn files(subjects: &[Subject], parts: Vec<Parts>, options: &Options) -> Vec<
 
 fn versioned(text: &str) -> String {
     text.replace("@VERSION@", env!("CARGO_PKG_VERSION"))
+}
+
+/// The bibliography without what these texts do not cite, as BibTeX would make it.
+fn cited_only(texts: &[&str], has_overview: bool) -> String {
+    let mut items = FORMATTED.split("\\bibitem{");
+    let mut kept = items.next().unwrap_or_default().to_owned();
+    for item in items {
+        let key = item.split('}').next().unwrap_or_default();
+        let is_cited = |text: &&str| {
+            text.split("\\cite").skip(1).any(|rest| {
+                let keys = rest
+                    .split_once('{')
+                    .and_then(|(_, rest)| rest.split_once('}'));
+                keys.is_some_and(|(keys, _)| keys.split(',').any(|other| other == key))
+            })
+        };
+        let is_last = item.contains("\\end{thebibliography}");
+        let in_overview = has_overview && key == "EppsteinSullivanUngor2004";
+        if in_overview || texts.iter().any(|text| is_cited(text)) {
+            kept.push_str(&format!("\\bibitem{{{item}"));
+        } else if is_last {
+            kept.push_str("\\end{thebibliography}\n");
+        }
+    }
+    kept
 }
 
 /// The first line of a text says what wrote it and the digest of the rest, so that a file that
@@ -78,7 +108,7 @@ fn preamble(options: &Options) -> String {
     format!(
         "\\documentclass[11pt]{{article}}\n\\usepackage[utf8]{{inputenc}}\n\\usepackage{{amsmath,amssymb,amsthm}}\n\
          \\usepackage{{booktabs,longtable}}\n\\usepackage[a4paper,margin=25mm]{{geometry}}\n{siunitx}\
-         \\usepackage[hidelinks]{{hyperref}}\n\\renewcommand{{\\arraystretch}}{{1.25}}\n\\emergencystretch=3em\n"
+         \\usepackage[hidelinks]{{hyperref}}\n\\renewcommand{{\\arraystretch}}{{1.25}}\n\\setlength{{\\LTcapwidth}}{{.85\\textwidth}}\n\\emergencystretch=3em\n"
     )
 }
 

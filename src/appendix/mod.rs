@@ -41,7 +41,7 @@ use std::sync::atomic::{AtomicUsize, Ordering};
 use subject::Analysis;
 
 /// Tables with more rows go to the supplement.
-pub(self) const LONG: usize = 40;
+const LONG: usize = 40;
 
 /// How the document is written.
 #[derive(Clone, Copy, Debug, Default)]
@@ -60,7 +60,7 @@ pub struct File {
 
 /// What is written about one subject.
 #[derive(Default)]
-pub(self) struct Parts {
+struct Parts {
     section: String,
     tables: String,
     row: Option<String>,
@@ -112,7 +112,7 @@ fn section<const D: usize>(analysis: &Analysis<D>) -> String {
     [
         format!(
             "\\acutilesection{{{}}}\\label{{{}}}\n",
-            tex::escape(&subject.name),
+            theorem::heading(subject),
             analysis.label("section")
         ),
         theorem::introduction(subject, &citation),
@@ -135,7 +135,7 @@ fn section<const D: usize>(analysis: &Analysis<D>) -> String {
 /// The long tables of a subject.
 fn tables<const D: usize>(analysis: &Analysis<D>) -> String {
     [
-        format!("\\section{{{}}}\n", tex::escape(&analysis.subject.name)),
+        format!("\\section{{{}}}\n", theorem::heading(analysis.subject)),
         vertices::all_vertices(analysis),
         vertices::all_simplices(analysis),
         pairing::all_facets(analysis),

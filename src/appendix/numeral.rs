@@ -81,6 +81,21 @@ impl Numerals {
         format!("{sign}\\frac{{{}}}{{{denominator}}}", self.sum(&numerators))
     }
 
+    /// The number with a slash for the fraction bar, for lines of text and tables.
+    pub fn inline(&self, x: &Number) -> String {
+        self.slashed(&self.coefficients(x))
+    }
+
+    fn slashed(&self, coefficients: &[Rational]) -> String {
+        let (numerators, denominator) = over_common_denominator(coefficients);
+        let terms = numerators.iter().filter(|n| **n != 0).count();
+        match (denominator == 1u32, terms > 1) {
+            (true, _) => self.sum(&numerators),
+            (false, true) => format!("({})/{denominator}", self.sum(&numerators)),
+            (false, false) => format!("{}/{denominator}", self.sum(&numerators)),
+        }
+    }
+
     /// The number with parentheses where a factor needs them.
     pub fn factor(&self, x: &Number) -> String {
         let text = self.number(x);
@@ -131,7 +146,7 @@ impl Numerals {
         }
         match self.root_in_field(x) {
             Some(root) => root,
-            None => format!("\\sqrt{{{}}}", self.number(x)),
+            None => format!("\\sqrt{{{}}}", self.inline(x)),
         }
     }
 
@@ -150,21 +165,12 @@ impl Numerals {
             return None;
         }
         let v = q / (Rational::from(2) * &u);
-        let text = self.of_coefficients(&[u.clone(), v.clone()]);
-        // Of the two roots the positive one: u > 0 here, so v decides where it is large.
+        // Of the two roots the positive one; u > 0, so v decides where it is large.
         let is_positive = v >= 0 || &u * &u > &d * &v * &v;
         Some(match is_positive {
-            true => text,
-            false => self.of_coefficients(&[-u, -v]),
+            true => self.slashed(&[u, v]),
+            false => self.slashed(&[-u, -v]),
         })
-    }
-
-    fn of_coefficients(&self, coefficients: &[Rational]) -> String {
-        let (numerators, denominator) = over_common_denominator(coefficients);
-        match denominator == 1u32 {
-            true => self.sum(&numerators),
-            false => format!("\\frac{{{}}}{{{denominator}}}", self.sum(&numerators)),
-        }
     }
 
     /// Why x < 0. Nothing where all terms are negative; for p + q √d the comparison of p²
@@ -226,9 +232,9 @@ fn over_common_denominator(coefficients: &[Rational]) -> (Vec<Integer>, Natural)
     (numerators, denominator)
 }
 
-/// A rational.
+/// A rational in a line of text.
 pub fn rational(x: &Rational) -> String {
-    Numerals::Rational.number(&Number::from(x.clone()))
+    Numerals::Rational.inline(&Number::from(x.clone()))
 }
 
 /// √(p/q) = m √r / q with p q = m² r.
@@ -246,7 +252,7 @@ fn rational_root(x: &Rational) -> String {
     };
     match *n == 1u32 {
         true => root,
-        false => format!("\\frac{{{root}}}{{{n}}}"),
+        false => format!("{root}/{n}"),
     }
 }
 

@@ -52,7 +52,7 @@ fn faces<const D: usize>(analysis: &Analysis<D>) -> String {
     let point = |v: &usize| {
         let entries: Vec<String> = polytope.vertices[*v]
             .iter()
-            .map(|x| numerals.number(x))
+            .map(|x| numerals.inline(x))
             .collect();
         match entries.as_slice() {
             [height] => format!("$x_{D}={height}$"),

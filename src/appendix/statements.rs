@@ -2,6 +2,7 @@
 //! each with the numbers that show it.
 
 use super::LONG;
+use super::classes::cosine_bounds;
 use super::numeral::{interval, rational};
 use super::pairing::behind;
 use super::subject::{Analysis, first_and_count};
@@ -50,21 +51,25 @@ fn angle_bound<const D: usize>(analysis: &Analysis<D>, q: &str, is_below: bool) 
         true => ("largest", '>'),
         false => ("smallest", '<'),
     };
-    let square = analysis.numerals.number(&extreme.signed_square.abs());
+    let square = extreme.signed_square.abs();
     let sign = if extreme.signed_square.sign().is_lt() {
         "-"
     } else {
         ""
     };
+    let value = analysis.numerals.root(&square);
+    let bounds = interval(&cosine_bounds(&extreme));
+    let value = match extreme.signed_square.is_zero() || value == bounds {
+        true => format!("{sign}{value}"),
+        false => format!("{sign}{value}\\in{bounds}"),
+    };
     format!(
-        "\\paragraph{{The {word} angle}} $\\theta$ has $\\cos\\theta={sign}{}$, hence is in ${}$ degrees. It is {} than ${}^\\circ$ since \
-         ${sign}\\sqrt{{{square}}}{relation}\\cos {}^\\circ\\in{}$.\n\n",
-        analysis.numerals.root(&extreme.signed_square.abs()),
+        "\\paragraph{{The {word} angle}} $\\theta$ has $\\cos\\theta={value}$, so $\\theta$ is in ${}$ degrees. It is {} than \
+         ${bound}^\\circ$: $\\cos\\theta{relation}\\cos{bound}^\\circ\\in{}$.\n\n",
         interval(&extreme.enclosure(&fine())),
         if is_below { "less" } else { "more" },
-        bound(q),
-        bound(q),
         interval(&cosine),
+        bound = bound(q),
     )
 }
 
@@ -88,7 +93,7 @@ fn radius_edge<const D: usize>(analysis: &Analysis<D>, q: &str) -> String {
         "\\paragraph{{Circumradii.}} With the squared edges $l$ and the cofactors $C$ of $M=(\\langle e_i,e_j\\rangle)$ the squared circumradius is $\\sum_{{i,j}} \
          l_{{0i}}C_{{ij}}l_{{0j}}/(4\\det M)$. The largest ratio of circumradius and shortest edge has the square \
          ${}<{}$, the square of ${}$; it is in ${}${}.\n\n",
-        analysis.numerals.number(&largest.square),
+        analysis.numerals.inline(&largest.square),
         rational(&square),
         bound(q),
         interval(&largest.enclosure(&fine())),
@@ -96,7 +101,7 @@ fn radius_edge<const D: usize>(analysis: &Analysis<D>, q: &str) -> String {
             true => String::new(),
             false => format!(
                 " (difference ${}$: ${why}$)",
-                analysis.numerals.number(&difference)
+                analysis.numerals.inline(&difference)
             ),
         }
     )
@@ -161,7 +166,7 @@ fn power_row<const D: usize>(
         "${simplex}_{{{opposite}}}$ & {} & ${}$ & ${}{why}$",
         halves / 2,
         behind(analysis, simplex, opposite),
-        analysis.numerals.number(&power)
+        analysis.numerals.inline(&power)
     ))
 }
 
@@ -195,8 +200,8 @@ fn close_packed<const D: usize>(analysis: &Analysis<D>) -> String {
         .map(|(star, count)| format!("${count}$ of type {star}"))
         .collect();
     format!(
-        "\\paragraph{{Tetrahedrally close packed.}} Up to $\\Lambda$ there are ${}$ edges. Of these {}, and the certificate's kernel has looked at every triangle for two edges \
-         of valence six. It follows that each vertex has one of the four stars of Frank and Kasper~\\cite{{FrankKasper1958}}, with $12$, $14$, $15$ or $16$ neighbours \
+        "\\paragraph{{Tetrahedrally close packed.}} Up to $\\Lambda$ there are ${}$ edges. Of these {}, and no triangle has two edges \
+         that are in $6$ (checked for all, in the certificate). So the tiling is tetrahedrally close packed as defined by Sullivan~\\cite{{Sullivan1999}}, and it follows that each vertex has one of the four stars of Frank and Kasper~\\cite{{FrankKasper1958}}, with $12$, $14$, $15$ or $16$ neighbours \
          and as many edges of valence six as exceed $12$; a cell has {}.\n\n",
         analysis.ridges.list.len(),
         list(&valences),

@@ -125,15 +125,32 @@ impl Table<'_> {
             heading,
             rows,
         } = self;
-        let rows: String = rows.iter().map(|row| format!("{row} \\\\\n")).collect();
+        // A starred row end keeps a short table on one page.
+        let end = if rows.len() <= SHORT {
+            "\\\\*\n"
+        } else {
+            "\\\\\n"
+        };
+        let rows = rows.join(&format!(" {end}"));
         format!(
             "% acutile:table {mark}\n\\begin{{longtable}}{{{columns}}}\n\
              \\caption{{{caption}}}\\label{{{label}}}\\\\\n\
              \\toprule\n{heading} \\\\\n\\midrule\n\\endfirsthead\n\
              \\toprule\n{heading} \\\\\n\\midrule\n\\endhead\n\
-             \\bottomrule\n\\endlastfoot\n{rows}\\end{{longtable}}\n"
+             \\bottomrule\n\\endlastfoot\n{rows} \\\\\n\\end{{longtable}}\n"
         )
     }
+}
+
+/// Tables with no more rows are not broken.
+const SHORT: usize = 16;
+
+/// A centred table in the text, without a caption.
+pub fn tabular(mark: &str, columns: &str, heading: &str, rows: &[String]) -> String {
+    format!(
+        "\\nopagebreak\n% acutile:table {mark}\n\\begin{{center}}\\begin{{tabular}}{{{columns}}}\n\\toprule\n{heading} \\\\\n\\midrule\n{} \\\\\n\\bottomrule\n\\end{{tabular}}\\end{{center}}\n",
+        rows.join(" \\\\\n")
+    )
 }
 
 /// About how many letters wide a formula is: commands count one, braces nothing.

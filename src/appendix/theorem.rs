@@ -26,7 +26,7 @@ pub fn theorem<const D: usize>(analysis: &Analysis<D>) -> String {
     let further = match statements.is_empty() {
         true => String::new(),
         false => format!(
-            " Moreover:\n\\begin{{itemize}}\n{}\\end{{itemize}}",
+            " Moreover:\n\\begin{{itemize}}\\setlength{{\\itemsep}}{{0pt}}\\setlength{{\\parskip}}{{0pt}}\n{}\\end{{itemize}}",
             statements
                 .iter()
                 .map(|statement| format!("\\item {statement}\n"))
@@ -151,7 +151,7 @@ pub fn matrix(rows: &[Vec<String>]) -> String {
 fn domain<const D: usize>(analysis: &Analysis<D>) -> String {
     let numerals = &analysis.numerals;
     let row = |vertex: &Vec<Number>| {
-        let entries: Vec<String> = vertex.iter().map(|x| numerals.number(x)).collect();
+        let entries: Vec<String> = vertex.iter().map(|x| numerals.inline(x)).collect();
         format!("$({})$", entries.join(",\\,"))
     };
     let hull = |polytope: &Polytope| {
@@ -165,7 +165,7 @@ fn domain<const D: usize>(analysis: &Analysis<D>) -> String {
             let mut ends: Vec<&Number> = polytope.vertices.iter().flatten().collect();
             ends.sort();
             let [low, high] = [ends.first(), ends.last()]
-                .map(|end| end.map_or(String::new(), |x| numerals.number(x)));
+                .map(|end| end.map_or(String::new(), |x| numerals.inline(x)));
             let name = if D == 2 { "strip" } else { "slab" };
             format!("the {name} ${low}\\le x_{D}\\le {high}$ (in coordinates of the basis)")
         }
@@ -219,8 +219,7 @@ pub fn bound(text: &str) -> String {
     exact.map_or_else(|| rational(&value), |text| super::numeral::decimal(&text))
 }
 
-/// The heading of a subject's section and what it is, with the leading minors that show its
-/// metric to be positive definite.
+/// The leading principal minors, which show the metric to be positive definite.
 pub fn metric<const D: usize>(analysis: &Analysis<D>) -> String {
     let gram = &analysis.tiling.frame.gram;
     let minor = |k: usize| match k {
@@ -229,7 +228,7 @@ pub fn metric<const D: usize>(analysis: &Analysis<D>) -> String {
         _ => linear::determinant(gram),
     };
     let minors: Vec<String> = (1..=D)
-        .map(|k| format!("${}$", analysis.numerals.number(&minor(k))))
+        .map(|k| format!("${}$", analysis.numerals.inline(&minor(k))))
         .collect();
     let why: Vec<String> = (1..=D)
         .map(|k| analysis.numerals.why_negative(&-&minor(k)))
@@ -246,6 +245,14 @@ pub fn metric<const D: usize>(analysis: &Analysis<D>) -> String {
         list(&minors),
         analysis.numerals.root(&linear::determinant(gram)),
     )
+}
+
+/// The heading of a section: the paper's label where it has one, and the name.
+pub fn heading(subject: &Subject) -> String {
+    match crate::table::label(&subject.name) {
+        Some(label) => format!("{} (\\texttt{{{}}})", escape(label), escape(&subject.name)),
+        None => format!("\\texttt{{{}}}", escape(&subject.name)),
+    }
 }
 
 /// The first sentence of a section.

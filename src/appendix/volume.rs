@@ -31,7 +31,7 @@ pub fn volume<const D: usize>(analysis: &Analysis<D>) -> String {
         Domain::Slab(polytope) | Domain::Prism(polytope) | Domain::Solid(polytope) => {
             let k: u32 = (1..=polytope.dimension() as u32).product();
             let volume = polytope.scaled_volume() * Number::from(Rational::from_unsigneds(1u32, k));
-            let volume_text = numerals.number(&volume);
+            let volume_text = numerals.inline(&volume);
             let expected = &volume * &Number::from(Rational::from(factorial));
             debug_assert!(expected == sum);
             match analysis.rank() {
