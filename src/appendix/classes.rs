@@ -10,7 +10,7 @@
 
 use super::numeral::interval;
 use super::subject::Analysis;
-use super::tex::{counted, simplices, tabular};
+use super::tex::{counted, simplices, table_fits, tabular, width};
 use super::theorem::{fits, matrix};
 use crate::classify::Symmetry;
 use crate::geometry::linear;
@@ -46,7 +46,7 @@ fn how_to_check<const D: usize>() -> String {
     format!(
         "Write $l_{{ij}}$ for the squared length of the edge between the corners $i$ and $j$. Up to a factor the inner products of the edges \
          from corner $0$ are $q_{{ii}}=2\\lambda l_{{0i}}$ and {formula}; a number $\\lambda>0$ is chosen that makes these small integers of \
-         the field. Let $N_{{ij}}$, for $i,j\\ge1$, be the cofactors of the matrix $Q=(q_{{ij}})$, and let the other $N_{{ij}}=N_{{ji}}$ be such that all sums \
+         the field. Let $N_{{ij}}$, for $i,j\\ge1$, be the cofactors of the matrix $Q=(q_{{ij}})$, divided by a common factor where there is one, and let the other $N_{{ij}}=N_{{ji}}$ be such that all sums \
          $\\sum_j N_{{ij}}$ are zero. Then $N_{{ij}}$ is a positive multiple of $\\langle g_i,g_j\\rangle$, and the {angle}, {pair}, between the facets opposite \
          to the corners $i$ and $j$ has $\\cos\\theta=-N_{{ij}}/\\sqrt{{N_{{ii}}N_{{jj}}}}$ (Lemma~\\ref{{acutile:angles}}). It is acute if and only if $N_{{ij}}<0$.\n\n"
     )
@@ -101,6 +101,9 @@ fn squared_edges<const D: usize>(analysis: &Analysis<D>, edges: &[Number]) -> St
     items.join(", ")
 }
 
+/// Letters in a line of display.
+const LINE: usize = 64;
+
 /// λ, Q and N of a class.
 struct Signs {
     factor: Rational,
@@ -108,6 +111,8 @@ struct Signs {
     inner: Vec<Vec<Number>>,
     /// N, D + 1 rows.
     normals: Vec<Vec<Number>>,
+    /// What the cofactors of Q were divided by to give N.
+    divisor: Rational,
 }
 
 impl Signs {
@@ -126,8 +131,15 @@ impl Signs {
         let inner: [[Number; D]; D] = std::array::from_fn(|i| {
             std::array::from_fn(|j| &doubled[i][j] * &Number::from(factor.clone()))
         });
+        let cofactors = continued(&linear::cofactors(&inner));
+        let reduction = analysis.numerals.primitive_factor(&cofactors.concat());
+        let scale = Number::from(reduction.clone());
         Signs {
-            normals: continued(&linear::cofactors(&inner)),
+            normals: cofactors
+                .iter()
+                .map(|row| row.iter().map(|x| x * &scale).collect())
+                .collect(),
+            divisor: Rational::from(1) / reduction,
             inner: inner.iter().map(|row| row.to_vec()).collect(),
             factor,
         }
@@ -148,72 +160,123 @@ impl Signs {
             .zip(&normals)
             .map(|(a, b)| [&a[..], &b[..]].concat())
             .collect();
-        let mark = format!("% acutile:matrices {}", analysis.subject.slug());
-        match fits(&both, 56) {
-            true => format!(
-                "With $\\lambda={lambda}$:\n{mark}\n\\[ Q={},\\qquad N={}. \\]\n",
-                matrix(&inner),
-                matrix(&normals)
+        let (first, second) = match (fits(&both, LINE), fits(&normals, LINE)) {
+            (true, _) => (
+                format!("\\[ Q={},\\qquad ", matrix(&inner)),
+                format!("N={}. \\]", matrix(&normals)),
             ),
+            (false, true) => (
+                format!("\\[ Q={}, \\]\n", matrix(&inner)),
+                format!("\\[ N={}. \\]", matrix(&normals)),
+            ),
+            _ => (
+                entries("q", &inner, 1, true) + "; ",
+                entries("N", &normals, 0, false) + ".\n",
+            ),
+        };
+        let divided = match self.divisor == 1u32 {
+            true => String::new(),
             false => format!(
-                "With $\\lambda={lambda}$:\n{mark}\n{}; {}.\n\n",
-                entries("q", &inner, 1, true),
-                entries("N", &normals, 0, false)
+                ", and the cofactors divided by ${}$",
+                super::numeral::rational(&self.divisor)
             ),
-        }
-    }
-
-    /// One row for each angle.
-    fn table<const D: usize>(&self, analysis: &Analysis<D>, class: usize, first: usize) -> String {
-        let numerals = &analysis.numerals;
-        let products = analysis.products(first);
-        let reasons: Vec<String> = pairs::<D>()
-            .iter()
-            .map(|&(i, j)| numerals.why_negative(&self.normals[i][j]))
-            .collect();
-        let has_reasons = reasons.iter().any(|reason| !reason.is_empty());
-        let rows: Vec<String> = pairs::<D>()
-            .into_iter()
-            .zip(&reasons)
-            .map(|((i, j), reason)| {
-                let opposite: Vec<String> = (0..=D)
-                    .filter(|k| *k != i && *k != j)
-                    .map(|k| k.to_string())
-                    .collect();
-                let n = &self.normals[i][j];
-                let sign = match n.sign() {
-                    Ordering::Less => "<0",
-                    Ordering::Equal => "",
-                    Ordering::Greater => ">0",
-                };
-                let reason = match (has_reasons, reason.is_empty() || n.sign() != Ordering::Less) {
-                    (false, _) => String::new(),
-                    (true, true) => " & ".to_owned(),
-                    (true, false) => format!(" & ${reason}$"),
-                };
-                let angle = DihedralAngle::between(&products, i, j);
-                format!(
-                    "${}$ & $N_{{{i}{j}}}={}{sign}${reason} & ${}$ & ${}$ & ${}$",
-                    opposite.join(""),
-                    numerals.number(n),
-                    cosine(analysis, &angle),
-                    interval(&cosine_bounds(&angle)),
-                    interval(&angle.enclosure(&Rational::from_signeds(1, 1_000_000_000)))
-                )
-            })
-            .collect();
-        let reason = if has_reasons { " & because" } else { "" };
-        tabular(
-            &format!("angles {} {class}", analysis.subject.slug()),
-            if has_reasons { "rllccc" } else { "rlccc" },
-            &format!(
-                "{} & sign{reason} & $\\cos\\theta$ & enclosed in & $\\theta$ in degrees",
-                if D == 2 { "at" } else { "edge" }
-            ),
-            &rows,
+        };
+        format!(
+            "With $\\lambda={lambda}${divided}:\n% acutile:matrices {}\n{first}{second}\n",
+            analysis.subject.slug()
         )
     }
+
+    /// One row for each angle: its sign, and why; its cosine, and the angle. Where that is too
+    /// wide the reasons stand in a table of their own.
+    fn table<const D: usize>(&self, analysis: &Analysis<D>, class: usize, first: usize) -> String {
+        let products = analysis.products(first);
+        let pairs = pairs::<D>();
+        let signs: Vec<[String; 2]> = pairs.iter().map(|&p| self.sign(analysis, p)).collect();
+        let cosines: Vec<[String; 3]> = pairs
+            .iter()
+            .map(|&(i, j)| cosine_cells(analysis, (i, j), &DihedralAngle::between(&products, i, j)))
+            .collect();
+        let mark = format!("angles {} {class}", analysis.subject.slug());
+        let place = if D == 2 { "at" } else { "edge" };
+        let names: Vec<String> = pairs.iter().map(|&(i, j)| edge_name::<D>(i, j)).collect();
+        let values = "$\\cos\\theta$ & enclosed in & $\\theta$ in degrees";
+        let join =
+            |name: &String, cells: &[&[String]]| format!("{name} & {}", cells.concat().join(" & "));
+        let has_reasons = signs.iter().any(|[_, reason]| !reason.is_empty());
+        let widths: Vec<Vec<&str>> = signs
+            .iter()
+            .zip(&cosines)
+            .map(|(a, b)| a.iter().chain(b).map(String::as_str).collect())
+            .collect();
+        if !has_reasons && table_fits(&widths) {
+            let rows: Vec<String> = (0..names.len())
+                .map(|k| join(&names[k], &[&signs[k][..1], &cosines[k]]))
+                .collect();
+            return tabular(&mark, "rlccc", &format!("{place} & sign & {values}"), &rows);
+        }
+        let (columns, because) = match has_reasons {
+            true => (2, " & because"),
+            false => (1, ""),
+        };
+        let reasons: Vec<String> = (0..names.len())
+            .map(|k| join(&names[k], &[&signs[k][..columns]]))
+            .collect();
+        let angles: Vec<String> = (0..names.len())
+            .map(|k| join(&names[k], &[&cosines[k]]))
+            .collect();
+        tabular(
+            &mark.replace("angles", "signs"),
+            "rll",
+            &format!("{place} & sign{because}"),
+            &reasons,
+        ) + &tabular(&mark, "rccc", &format!("{place} & {values}"), &angles)
+    }
+
+    /// `N_{01}=-3<0`, and why where that is not seen.
+    fn sign<const D: usize>(&self, analysis: &Analysis<D>, (i, j): (usize, usize)) -> [String; 2] {
+        let n = &self.normals[i][j];
+        let sign = match n.sign() {
+            Ordering::Less => "<0",
+            Ordering::Equal => "",
+            Ordering::Greater => ">0",
+        };
+        let reason = analysis.numerals.why(n);
+        let reason = match reason.is_empty() {
+            true => reason,
+            false => format!("${reason}$"),
+        };
+        [
+            format!("$N_{{{i}{j}}}={}{sign}$", analysis.numerals.inline(n)),
+            reason,
+        ]
+    }
 }
+
+/// The corners of the edge in which the facets i and j meet.
+pub fn edge_name<const D: usize>(i: usize, j: usize) -> String {
+    let others = (0..=D).filter(|k| *k != i && *k != j);
+    format!("${}$", others.map(|k| k.to_string()).collect::<String>())
+}
+
+/// cos θ exactly, cos θ enclosed, θ enclosed. A cosine that is too long to be written stands
+/// as the quotient that defines it.
+fn cosine_cells<const D: usize>(
+    analysis: &Analysis<D>,
+    (i, j): (usize, usize),
+    angle: &DihedralAngle,
+) -> [String; 3] {
+    let exact = cosine(analysis, angle);
+    let exact = match width(&exact) > WIDE {
+        true => format!("-N_{{{i}{j}}}/\\sqrt{{N_{{{i}{i}}}N_{{{j}{j}}}}}"),
+        false => exact,
+    };
+    let degrees = angle.enclosure(&Rational::from_signeds(1, 1_000_000_000));
+    [exact, interval(&cosine_bounds(angle)), interval(&degrees)].map(|cell| format!("${cell}$"))
+}
+
+/// Letters of a cosine in a table.
+const WIDE: usize = 30;
 
 /// The cofactors C_ij, i, j >= 1, as N_ij, continued to i, j >= 0 by zero sums.
 fn continued<const D: usize>(cofactors: &[[Number; D]; D]) -> Vec<Vec<Number>> {

@@ -108,13 +108,13 @@ fn preamble(options: &Options) -> String {
     format!(
         "\\documentclass[11pt]{{article}}\n\\usepackage[utf8]{{inputenc}}\n\\usepackage{{amsmath,amssymb,amsthm}}\n\
          \\usepackage{{booktabs,longtable}}\n\\usepackage[a4paper,margin=25mm]{{geometry}}\n{siunitx}\
-         \\usepackage[hidelinks]{{hyperref}}\n\\renewcommand{{\\arraystretch}}{{1.25}}\n\\setlength{{\\LTcapwidth}}{{.85\\textwidth}}\n\\emergencystretch=3em\n"
+         \\usepackage[hidelinks]{{hyperref}}\n\\renewcommand{{\\arraystretch}}{{1.25}}\n\\setlength{{\\LTcapwidth}}{{.85\\textwidth}}\n\\emergencystretch=4em\n"
     )
 }
 
 fn main(options: &Options) -> String {
     format!(
-        "{}\\title{{{}}}\n\\author{{}}\n\\date{{}}\n\\begin{{document}}\n\\maketitle\n\\appendix\n\
+        "{}\\title{{{}}}\n\\author{{}}\n\\date{{}}\n\\begin{{document}}\n\\maketitle\n\
          \\input{{appendix}}\n\\bibliographystyle{{plain}}\n\\bibliography{{refs}}\n\\end{{document}}\n",
         preamble(options),
         "Tilings proved in exact arithmetic",

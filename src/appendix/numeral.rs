@@ -8,6 +8,7 @@ use crate::number::{Field, Number};
 use crate::quality::{rounded_down, rounded_up};
 use malachite::base::num::arithmetic::traits::{CheckedSqrt, Gcd, Lcm, Parity};
 use malachite::base::num::basic::traits::{One, Zero};
+use malachite::base::num::conversion::traits::FromSciString;
 use malachite::{Integer, Natural, Rational};
 
 /// How the numbers of one field are written.
@@ -173,31 +174,26 @@ impl Numerals {
         })
     }
 
-    /// Why x < 0. Nothing where all terms are negative; for p + q √d the comparison of p²
+    /// Why x has its sign. Nothing where all terms have it; for p + q √d the comparison of p²
     /// and d q²; beyond that a decimal enclosure.
-    pub fn why_negative(&self, x: &Number) -> String {
+    pub fn why(&self, x: &Number) -> String {
         let coefficients = self.coefficients(x);
         if x.is_rational()
-            || coefficients.iter().all(|c| *c <= 0) && !matches!(self, Numerals::Powers)
+            || !matches!(self, Numerals::Powers)
+                && (coefficients.iter().all(|c| *c <= 0) || coefficients.iter().all(|c| *c >= 0))
         {
             return String::new();
         }
         let (n, _) = over_common_denominator(&coefficients);
         match (self, n.as_slice()) {
-            (Numerals::Quadratic { radicand, .. }, [p, q]) => {
-                let (left, right) = (p * p, q * q * radicand);
-                let relation = if left < right { '<' } else { '>' };
-                format!(
-                    "{}^2={left}{relation}{right}={radicand}\\cdot{}^2",
-                    p.unsigned_abs_ref(),
-                    q.unsigned_abs_ref()
-                )
-            }
-            _ => {
-                let width = Rational::from_signeds(1, 100_000_000);
-                format!("\\in {}", interval(&x.enclosure(&width)))
-            }
+            (Numerals::Quadratic { radicand, .. }, [p, q]) => compared(p, q, radicand),
+            _ => format!("\\in {}", self.enclosed(x)),
         }
+    }
+
+    /// A decimal enclosure.
+    pub fn enclosed(&self, x: &Number) -> String {
+        interval(&x.enclosure(&Rational::from_signeds(1, 100_000_000)))
     }
 
     /// A positive rational that makes all of these numbers integers of the notation without a
@@ -230,6 +226,46 @@ fn over_common_denominator(coefficients: &[Rational]) -> (Vec<Integer>, Natural)
         })
         .collect();
     (numerators, denominator)
+}
+
+/// Squares with more digits are not written out.
+const SQUARE_DIGITS: usize = 9;
+
+/// The comparison of |p| and |q| √d: of their squares, or where these are long of |p/q| and √d
+/// with a short decimal between them.
+fn compared(p: &Integer, q: &Integer, d: &Integer) -> String {
+    let (left, right) = (p * p, q * q * d);
+    let relation = if left < right { '<' } else { '>' };
+    let [p, q] = [p, q].map(Integer::unsigned_abs_ref);
+    if left.to_string().len().max(right.to_string().len()) > SQUARE_DIGITS
+        && let Some(between) = between(&Rational::from_naturals_ref(p, q), d)
+    {
+        return format!(
+            "{p}/{q}{relation}{}{relation}\\sqrt{{{d}}}",
+            decimal(&between)
+        );
+    }
+    format!("{p}^2={left}{relation}{right}={d}\\cdot{q}^2")
+}
+
+/// A decimal with few digits strictly between a ratio and √d.
+fn between(ratio: &Rational, d: &Integer) -> Option<String> {
+    let root = Number::from(Rational::from(d));
+    (0..=DIGITS).find_map(|digits| {
+        let bounds = root.enclosure_of_root(&Rational::from_signeds(1, 100_000_000));
+        let candidates = [
+            rounded_up(&bounds.1, digits),
+            rounded_down(&bounds.0, digits),
+        ];
+        candidates.into_iter().find(|text| {
+            let Some(value) = Rational::from_sci_string(text) else {
+                return false;
+            };
+            let is_above_root = &value * &value > *d;
+            let is_below_root = &value * &value < *d;
+            (value < *ratio && is_above_root) || (value > *ratio && is_below_root)
+        })
+    })
 }
 
 /// A rational in a line of text.
@@ -286,7 +322,7 @@ pub fn interval((low, high): &(Rational, Rational)) -> String {
         let exact = below.trim_end_matches('0').trim_end_matches('.');
         return decimal(exact);
     }
-    format!("[{},\\,{}]", decimal(&below), decimal(&above))
+    format!("[{},\\allowbreak\\,{}]", decimal(&below), decimal(&above))
 }
 
 /// A decimal as the document writes them.

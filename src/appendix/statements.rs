@@ -2,11 +2,11 @@
 //! each with the numbers that show it.
 
 use super::LONG;
-use super::classes::cosine_bounds;
-use super::numeral::{interval, rational};
+use super::classes::{cosine_bounds, edge_name};
+use super::numeral::interval;
 use super::pairing::behind;
 use super::subject::{Analysis, first_and_count};
-use super::tex::{Table, list};
+use super::tex::{Table, list, width};
 use super::theorem::bound;
 use crate::certificate::Statement;
 use crate::geometry::linear;
@@ -36,41 +36,64 @@ pub fn statements<const D: usize>(analysis: &Analysis<D>) -> String {
 
 /// The extreme angle against a bound: cos θ on the right side of cos Q.
 fn angle_bound<const D: usize>(analysis: &Analysis<D>, q: &str, is_below: bool) -> String {
-    let angles = measures_of_shapes(analysis.tiling, &analysis.shapes)
-        .into_iter()
-        .flat_map(|measures| measures.angles);
-    let extreme: Option<DihedralAngle> = match is_below {
-        true => angles.max(),
-        false => angles.min(),
-    };
-    let (Some(extreme), Ok(degrees)) = (extreme, Rational::from_str(q)) else {
+    let (Some(extreme), Ok(degrees)) = (extreme(analysis, is_below), Rational::from_str(q)) else {
         return String::new();
     };
+    let (angle, class, (i, j)) = extreme;
     let cosine = enclosure::cos_of_degrees(&degrees, &fine());
-    let (word, relation) = match is_below {
-        true => ("largest", '>'),
-        false => ("smallest", '<'),
+    let (word, comparison, relation) = match is_below {
+        true => ("largest", "less", '>'),
+        false => ("smallest", "more", '<'),
     };
-    let square = extreme.signed_square.abs();
-    let sign = if extreme.signed_square.sign().is_lt() {
+    let sign = if angle.against_right().is_gt() {
         "-"
     } else {
         ""
     };
-    let value = analysis.numerals.root(&square);
-    let bounds = interval(&cosine_bounds(&extreme));
-    let value = match extreme.signed_square.is_zero() || value == bounds {
-        true => format!("{sign}{value}"),
-        false => format!("{sign}{value}\\in{bounds}"),
+    let exact = analysis.numerals.root(&angle.signed_square.abs());
+    let bounds = interval(&cosine_bounds(&angle));
+    let value = match (width(&exact) > WIDE, bounds.starts_with('[')) {
+        (true, _) => relation_to(&bounds),
+        (false, true) => format!("={sign}{exact}\\in{bounds}"),
+        (false, false) => format!("={sign}{exact}"),
     };
     format!(
-        "\\paragraph{{The {word} angle}} $\\theta$ has $\\cos\\theta={value}$, so $\\theta$ is in ${}$ degrees. It is {} than \
-         ${bound}^\\circ$: $\\cos\\theta{relation}\\cos{bound}^\\circ\\in{}$.\n\n",
-        interval(&extreme.enclosure(&fine())),
-        if is_below { "less" } else { "more" },
+        "\\paragraph{{The {word} angle}} $\\theta$ (class {class}, {place} {edge}) has $\\cos\\theta{value}$ and, in degrees, $\\theta{degrees}$. \
+         It is {comparison} than ${bound}^\\circ$, because $\\cos\\theta{relation}\\cos{bound}^\\circ$, which is in ${}$.\n\n",
         interval(&cosine),
+        place = if D == 2 { "corner" } else { "edge" },
+        edge = edge_name::<D>(i, j),
+        degrees = relation_to(&interval(&angle.enclosure(&fine()))),
         bound = bound(q),
     )
+}
+
+/// `=0.5`, or `\in[…]`.
+fn relation_to(bounds: &str) -> String {
+    let relation = if bounds.starts_with('[') { "\\in" } else { "=" };
+    format!("{relation}{bounds}")
+}
+
+/// The largest or smallest angle, its class, and the facets between which it is in the first
+/// simplex of the class.
+fn extreme<const D: usize>(
+    analysis: &Analysis<D>,
+    is_largest: bool,
+) -> Option<(DihedralAngle, usize, (usize, usize))> {
+    let all = analysis
+        .shapes
+        .iter()
+        .enumerate()
+        .flat_map(|(class, shape)| {
+            let products = analysis.products(shape.members[0]);
+            let pairs = (0..=D).flat_map(|i| (i + 1..=D).map(move |j| (i, j)));
+            pairs.map(move |(i, j)| (DihedralAngle::between(&products, i, j), class, (i, j)))
+        });
+    match is_largest {
+        // Of equal ones the first.
+        true => all.reduce(|best, next| if next.0 > best.0 { next } else { best }),
+        false => all.reduce(|best, next| if next.0 < best.0 { next } else { best }),
+    }
 }
 
 fn fine() -> Rational {
@@ -86,24 +109,31 @@ fn radius_edge<const D: usize>(analysis: &Analysis<D>, q: &str) -> String {
     else {
         return String::new();
     };
-    let square = &limit * &limit;
-    let difference = &largest.square - &Number::from(square.clone());
-    let why = analysis.numerals.why_negative(&difference);
+    let square = Number::from(&limit * &limit);
+    let difference = &largest.square - &square;
+    let why = analysis.numerals.why(&difference);
+    let exact = analysis.numerals.inline(&largest.square);
+    let (value, why) = match (width(&exact) > WIDE, why.is_empty()) {
+        (true, _) => (
+            format!("\\in{}", analysis.numerals.enclosed(&largest.square)),
+            String::new(),
+        ),
+        (_, true) => (format!("={exact}"), String::new()),
+        (_, false) => {
+            let difference = analysis.numerals.inline(&difference);
+            (
+                format!("={exact}"),
+                format!("; the difference is ${difference}$, and ${why}$"),
+            )
+        }
+    };
     format!(
         "\\paragraph{{Circumradii.}} With the squared edges $l$ and the cofactors $C$ of $M=(\\langle e_i,e_j\\rangle)$ the squared circumradius is $\\sum_{{i,j}} \
-         l_{{0i}}C_{{ij}}l_{{0j}}/(4\\det M)$. The largest ratio of circumradius and shortest edge has the square \
-         ${}<{}$, the square of ${}$; it is in ${}${}.\n\n",
-        analysis.numerals.inline(&largest.square),
-        rational(&square),
+         l_{{0i}}C_{{ij}}l_{{0j}}/(4\\det M)$. Let $\\sigma$ be the largest ratio of circumradius and shortest edge. $\\sigma^2{value}$ is less than \
+         ${}={}^2${why}. Approximately, $\\sigma{}$.\n\n",
+        analysis.numerals.inline(&square),
         bound(q),
-        interval(&largest.enclosure(&fine())),
-        match why.is_empty() {
-            true => String::new(),
-            false => format!(
-                " (difference ${}$: ${why}$)",
-                analysis.numerals.inline(&difference)
-            ),
-        }
+        relation_to(&interval(&largest.enclosure(&fine()))),
     )
 }
 
@@ -157,18 +187,22 @@ fn power_row<const D: usize>(
 ) -> Option<String> {
     let (simplex, opposite) = (facet / (D + 1), facet % (D + 1));
     let power = power(analysis, simplex, opposite)?;
-    let why = analysis.numerals.why_negative(&-&power);
-    let why = match why.is_empty() {
-        true => String::new(),
-        false => format!(" \\quad({why})"),
+    let why = analysis.numerals.why(&power);
+    let value = analysis.numerals.inline(&power);
+    let value = match (why.is_empty(), width(&value) + width(&why) > 46) {
+        (_, true) => format!("\\in{}", analysis.numerals.enclosed(&power)),
+        (true, _) => value,
+        (false, _) => format!("{value}\\quad({why})"),
     };
     Some(format!(
-        "${simplex}_{{{opposite}}}$ & {} & ${}$ & ${}{why}$",
+        "${simplex}_{{{opposite}}}$ & {} & ${}$ & ${value}$",
         halves / 2,
         behind(analysis, simplex, opposite),
-        analysis.numerals.inline(&power)
     ))
 }
+
+/// An exact number with more letters gives place to a decimal enclosure in a table.
+const WIDE: usize = 30;
 
 /// The power of the corner behind a facet; `None` at the boundary.
 fn power<const D: usize>(

@@ -94,6 +94,19 @@ pub fn mate<const D: usize>(mate: &Mate<D>, rank: usize) -> String {
     )
 }
 
+/// Whether a table with these columns fits into a line.
+pub fn table_fits(rows: &[Vec<&str>]) -> bool {
+    let columns = rows.first().map_or(0, Vec::len);
+    let widest = |column: usize| rows.iter().map(|row| width(row[column])).max();
+    (0..columns)
+        .map(|k| widest(k).unwrap_or(0) + 2)
+        .sum::<usize>()
+        <= LINE
+}
+
+/// Letters in a line of the text.
+const LINE: usize = 80;
+
 /// Items as they are read in a sentence.
 pub fn list(items: &[String]) -> String {
     match items {
@@ -153,7 +166,7 @@ pub fn tabular(mark: &str, columns: &str, heading: &str, rows: &[String]) -> Str
     )
 }
 
-/// About how many letters wide a formula is: commands count one, braces nothing.
+/// About how many letters wide a formula is: commands count one, signs two, braces nothing.
 pub fn width(formula: &str) -> usize {
     let mut width = 0;
     let mut characters = formula.chars().peekable();
@@ -161,6 +174,8 @@ pub fn width(formula: &str) -> usize {
         if c == '\\' {
             while characters.next_if(char::is_ascii_alphabetic).is_some() {}
             width += 1;
+        } else if "+-=<".contains(c) {
+            width += 2;
         } else if !"{}^_ ".contains(c) {
             width += 1;
         }

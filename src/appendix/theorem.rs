@@ -231,7 +231,7 @@ pub fn metric<const D: usize>(analysis: &Analysis<D>) -> String {
         .map(|k| format!("${}$", analysis.numerals.inline(&minor(k))))
         .collect();
     let why: Vec<String> = (1..=D)
-        .map(|k| analysis.numerals.why_negative(&-&minor(k)))
+        .map(|k| analysis.numerals.why(&minor(k)))
         .filter(|why| !why.is_empty())
         .map(|why| format!("${why}$"))
         .collect();

@@ -24,7 +24,9 @@ pub fn run(arguments: &AppendixArguments, output: &mut Output) -> Outcome {
     match write(arguments) {
         Ok(count) => {
             let place = arguments.output.display();
-            output.line(format!("{place}: {count} files; pdflatex main, twice"));
+            output.line(format!(
+                "{place}: {count} files; pdflatex main, three times"
+            ));
             Outcome::Done
         }
         Err((message, outcome)) => {
