@@ -87,6 +87,14 @@ impl Numerals {
         self.slashed(&self.coefficients(x))
     }
 
+    /// The number in a table: a fraction bar over and under digits only.
+    pub fn cell(&self, x: &Number) -> String {
+        match x.is_rational() {
+            true => self.number(x),
+            false => self.inline(x),
+        }
+    }
+
     fn slashed(&self, coefficients: &[Rational]) -> String {
         let (numerators, denominator) = over_common_denominator(coefficients);
         let terms = numerators.iter().filter(|n| **n != 0).count();

@@ -247,12 +247,9 @@ pub fn metric<const D: usize>(analysis: &Analysis<D>) -> String {
     )
 }
 
-/// The heading of a section: the paper's label where it has one, and the name.
+/// The heading of a section.
 pub fn heading(subject: &Subject) -> String {
-    match crate::table::label(&subject.name) {
-        Some(label) => format!("{} (\\texttt{{{}}})", escape(label), escape(&subject.name)),
-        None => format!("\\texttt{{{}}}", escape(&subject.name)),
-    }
+    format!("\\texttt{{{}}}", escape(&subject.name))
 }
 
 /// The first sentence of a section.
@@ -260,9 +257,15 @@ pub fn introduction(subject: &Subject, citation: &str) -> String {
     let description = subject.description.trim();
     let what = match description.is_empty() {
         true => String::new(),
-        false => format!("{}{citation}. ", escape(description)),
+        false => format!("{}{citation}. ", escape(&capitalised(description))),
     };
     format!("\\noindent {what}")
+}
+
+fn capitalised(text: &str) -> String {
+    let mut characters = text.chars();
+    let first = characters.next().map(char::to_uppercase);
+    first.into_iter().flatten().chain(characters).collect()
 }
 
 /// Whether a matrix of these entries fits into a line, `letters` wide.
