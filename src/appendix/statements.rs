@@ -145,6 +145,11 @@ fn delaunay<const D: usize>(analysis: &Analysis<D>, is_strict: bool) -> String {
         .into_iter()
         .filter(|(facet, _)| analysis.matching.mates[*facet].is_some())
         .collect();
+    if inner.is_empty() {
+        return "\\paragraph{Delaunay.} All facets are in the boundary, so nothing is to be checked in \
+                Theorem~\\ref{acutile:delaunay}.\n\n"
+            .to_owned();
+    }
     let rows: Vec<String> = inner
         .iter()
         .take(LONG)

@@ -146,11 +146,11 @@ impl Table<'_> {
         };
         let rows = rows.join(&format!(" {end}"));
         format!(
-            "% acutile:table {mark}\n\\begin{{longtable}}{{{columns}}}\n\
+            "{{\\acutiletables\n% acutile:table {mark}\n\\begin{{longtable}}{{{columns}}}\n\
              \\caption{{{caption}}}\\label{{{label}}}\\\\\n\
              \\toprule\n{heading} \\\\\n\\midrule\n\\endfirsthead\n\
              \\toprule\n{heading} \\\\\n\\midrule\n\\endhead\n\
-             \\bottomrule\n\\endlastfoot\n{rows} \\\\\n\\end{{longtable}}\n"
+             \\bottomrule\n\\endlastfoot\n{rows} \\\\\n\\end{{longtable}}}}\n"
         )
     }
 }
@@ -161,7 +161,7 @@ const SHORT: usize = 16;
 /// A centred table in the text, without a caption.
 pub fn tabular(mark: &str, columns: &str, heading: &str, rows: &[String]) -> String {
     format!(
-        "\\nopagebreak\n% acutile:table {mark}\n\\begin{{center}}\\begin{{tabular}}{{{columns}}}\n\\toprule\n{heading} \\\\\n\\midrule\n{} \\\\\n\\bottomrule\n\\end{{tabular}}\\end{{center}}\n",
+        "\\nopagebreak\n% acutile:table {mark}\n\\begin{{center}}\\acutiletables\\begin{{tabular}}{{{columns}}}\n\\toprule\n{heading} \\\\\n\\midrule\n{} \\\\\n\\bottomrule\n\\end{{tabular}}\\end{{center}}\n",
         rows.join(" \\\\\n")
     )
 }

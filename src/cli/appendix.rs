@@ -6,7 +6,7 @@
 //! at for all files before the first is written.
 
 use super::args::AppendixArguments;
-use super::output::{Output, write_file};
+use super::output::{Output, write_files};
 use super::progress::Progress;
 use super::{Outcome, exit_outcome, input};
 use crate::appendix::{self, File, NotASubject, Options, Subject, is_unchanged};
@@ -15,7 +15,7 @@ use crate::certificate;
 use crate::checker;
 use crate::verifier::{Kind, Limits};
 use crate::with_dimension;
-use std::path::Path;
+use std::path::{Path, PathBuf};
 
 type Failure = (String, Outcome);
 
@@ -51,7 +51,7 @@ fn write(arguments: &AppendixArguments) -> Result<usize, Failure> {
         siunitx: arguments.siunitx,
     };
     let files = appendix::appendix(&subjects, &options);
-    write_files(&arguments.output, &files, arguments.force)
+    write_into(&arguments.output, &files, arguments.force)
         .map_err(|message| (message, Outcome::Failed))?;
     Ok(files.len())
 }
@@ -166,22 +166,23 @@ fn refused(input: &str, error: NotASubject) -> Failure {
     (format!("{input}: {}", error.message), outcome)
 }
 
-fn write_files(directory: &Path, files: &[File], force: bool) -> Result<(), String> {
-    for file in files {
-        check_replaceable(&directory.join(&file.path), file, force)?;
+fn write_into(directory: &Path, files: &[File], force: bool) -> Result<(), String> {
+    let targets: Vec<(PathBuf, &[u8])> = files
+        .iter()
+        .map(|file| (directory.join(&file.path), file.bytes.as_slice()))
+        .collect();
+    for (path, bytes) in &targets {
+        check_replaceable(path, bytes, force)?;
     }
     let unwritten = |path: &Path, error| format!("{}: cannot be written: {error}", path.display());
-    for file in files {
-        let path = directory.join(&file.path);
-        let parent = path.parent().unwrap_or(directory);
+    for parent in targets.iter().filter_map(|(path, _)| path.parent()) {
         std::fs::create_dir_all(parent).map_err(|error| unwritten(parent, error))?;
-        write_file(&path, &file.bytes).map_err(|error| unwritten(&path, error))?;
     }
-    Ok(())
+    write_files(&targets).map_err(|(path, error)| unwritten(&path, error))
 }
 
 /// A foreign file, or one that was edited, stays.
-fn check_replaceable(path: &Path, file: &File, force: bool) -> Result<(), String> {
+fn check_replaceable(path: &Path, bytes: &[u8], force: bool) -> Result<(), String> {
     let Ok(metadata) = path.symlink_metadata() else {
         return Ok(());
     };
@@ -194,8 +195,8 @@ fn check_replaceable(path: &Path, file: &File, force: bool) -> Result<(), String
     if force {
         return Ok(());
     }
-    let bytes = std::fs::read(path).unwrap_or_default();
-    match bytes == file.bytes || is_unchanged(&bytes) {
+    let found = std::fs::read(path).unwrap_or_default();
+    match found == bytes || is_unchanged(&found) {
         true => Ok(()),
         false => Err(format!(
             "{}: is there and is not what acutile appendix wrote; --force replaces it",
