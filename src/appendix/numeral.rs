@@ -337,3 +337,89 @@ pub fn interval((low, high): &(Rational, Rational)) -> String {
 pub fn decimal(text: &str) -> String {
     format!("\\acutiledecimal{{{text}}}")
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::number::Reader;
+
+    /// The numbers of these texts, and the notation for their field.
+    fn read(texts: &[&str]) -> (Numerals, Vec<Number>) {
+        let mut reader = Reader::new();
+        for text in texts {
+            reader.learn(text).expect("a number");
+        }
+        let numbers = texts
+            .iter()
+            .map(|text| reader.value(text).expect("a number"));
+        let numbers = numbers.collect();
+        (Numerals::of(&reader.field()), numbers)
+    }
+
+    fn written(text: &str) -> String {
+        let (numerals, numbers) = read(&[text]);
+        numerals.inline(&numbers[0])
+    }
+
+    #[test]
+    fn numbers_are_written_over_one_denominator() {
+        let cases = [
+            ("0", "0"),
+            ("-3/4", "-3/4"),
+            ("sqrt(5)", "\\sqrt{5}"),
+            ("(1+sqrt(5))/2", "(1+\\sqrt{5})/2"),
+            ("1/2 - sqrt(12)/3", "(3-4\\sqrt{3})/6"),
+            ("-sqrt(2)/7", "-\\sqrt{2}/7"),
+        ];
+        for (text, expected) in cases {
+            assert_eq!(written(text), expected);
+        }
+    }
+
+    #[test]
+    fn roots_are_simplified_and_found_in_the_field() {
+        // The last: (√5 - 1)/2 squared is (3 - √5)/2, and 1 - √5 would be the wrong root.
+        let cases = [
+            ("1/25", "1/5"),
+            ("1/20", "\\sqrt{5}/10"),
+            ("12", "2\\sqrt{3}"),
+            ("(3-sqrt(5))/2", "(-1+\\sqrt{5})/2"),
+            ("(3-sqrt(5))/6", "\\sqrt{(3-\\sqrt{5})/6}"),
+        ];
+        for (text, expected) in cases {
+            let (numerals, numbers) = read(&[text]);
+            assert_eq!(numerals.root(&numbers[0]), expected);
+        }
+    }
+
+    #[test]
+    fn signs_are_explained_where_they_are_not_seen() {
+        let cases = [
+            ("-1-sqrt(5)", ""),
+            ("2-sqrt(5)", "2^2=4<5=5\\cdot1^2"),
+            ("sqrt(5)-3", "3^2=9>5=5\\cdot1^2"),
+            // 17/10 and √3 = 1.732…: 1.71 lies between.
+            (
+                "17000000-10000000*sqrt(3)",
+                "17000000/10000000<\\acutiledecimal{1.73}<\\sqrt{3}",
+            ),
+        ];
+        for (text, expected) in cases {
+            let (numerals, numbers) = read(&[text]);
+            assert_eq!(numerals.why(&numbers[0]), expected, "{text}");
+        }
+    }
+
+    #[test]
+    fn enclosures_are_rounded_outward() {
+        let third = Rational::from_signeds(1, 3);
+        assert_eq!(
+            interval(&(third.clone(), third)),
+            "[\\acutiledecimal{0.333333},\\allowbreak\\,\\acutiledecimal{0.333334}]"
+        );
+        let half = Rational::from_signeds(1, 2);
+        assert_eq!(interval(&(half.clone(), half)), "\\acutiledecimal{0.5}");
+        let ten = Rational::from(10);
+        assert_eq!(interval(&(ten.clone(), ten)), "\\acutiledecimal{10}");
+    }
+}

@@ -182,3 +182,42 @@ pub fn width(formula: &str) -> usize {
     }
     width
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn text_is_escaped() {
+        let cases = [
+            ("3^2.4.3.4", "3\\textasciicircum{}2.4.3.4"),
+            ("a_b & 50% #1 {x}", "a\\_b \\& 50\\% \\#1 \\{x\\}"),
+            (
+                "\\input{/etc/passwd}",
+                "\\textbackslash{}input\\{/etc/passwd\\}",
+            ),
+            ("Üngör, σ", "Üngör, $\\sigma$"),
+            ("東\n$", "[U+6771] \\$"),
+        ];
+        for (text, expected) in cases {
+            assert_eq!(escape(text), expected);
+        }
+    }
+
+    #[test]
+    fn corners_carry_their_shift() {
+        let at = |shift| Corner { vertex: 5, shift };
+        assert_eq!(corner(&at([0, 0, 0]), 3), "5");
+        assert_eq!(corner(&at([1, -1, 0]), 3), "5^{1\\bar10}");
+        assert_eq!(corner(&at([-1, 0, 0]), 2), "5^{\\bar10}");
+        assert_eq!(corner(&at([12, -1, 0]), 3), "5^{(12,-1,0)}");
+        assert_eq!(corner(&at([0, 0, 0]), 0), "5");
+    }
+
+    #[test]
+    fn slugs_are_plain() {
+        assert_eq!(slug("kagome:z+"), "kagome-z");
+        assert_eq!(slug("../x"), "x");
+        assert_eq!(slug("!"), "tiling");
+    }
+}

@@ -101,14 +101,14 @@ pub fn write_file(path: &Path, bytes: &[u8]) -> io::Result<()> {
 }
 
 /// Writes several files into directories that are there: all to temporary files first, so that
-/// what can fail has failed before the first is renamed.
+/// what can fail has failed before the first is renamed. The disk is not waited for: these are
+/// files that can be written again.
 pub fn write_files(files: &[(PathBuf, &[u8])]) -> Result<(), (PathBuf, io::Error)> {
     let mut staged = Vec::with_capacity(files.len());
     for (path, bytes) in files {
         let stage = || {
             let mut file = new_file(path.parent().unwrap_or(Path::new(".")))?;
             file.write_all(bytes)?;
-            file.as_file().sync_all()?;
             Ok(file)
         };
         let file = stage().map_err(|error| (path.clone(), without_temporary_name(error)))?;
