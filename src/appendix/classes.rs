@@ -65,7 +65,7 @@ fn block<const D: usize>(analysis: &Analysis<D>, class: usize) -> String {
     let volume = analysis.tiling.shape(first).determinant
         * Number::from(Rational::from_signeds(1, factorial));
     format!(
-        "\\paragraph{{Class {class}.}} ${count}$ {kind} in {orbits}, {each}of volume ${volume}$ cells; the first is $T_{{{first}}}$. Squared edges:\n\
+        "\\acutileparagraph{{Class {class}.}} ${count}$ {kind} in {orbits}, {each}of volume ${volume}$ cells; the first is $T_{{{first}}}$. Squared edges:\n\
          % acutile:edges {slug} {class}\n{edges}.\n{signs}{table}\n",
         kind = simplices(D, count),
         orbits = counted(orbits, "orbit"),

@@ -63,7 +63,7 @@ fn cited_only(texts: &[&str], has_overview: bool) -> String {
         };
         let is_last = item.contains("\\end{thebibliography}");
         let in_overview = has_overview && key == "EppsteinSullivanUngor2004";
-        if in_overview || texts.iter().any(|text| is_cited(text)) {
+        if in_overview || texts.iter().any(is_cited) {
             kept.push_str(&format!("\\bibitem{{{item}"));
         } else if is_last {
             kept.push_str("\\end{thebibliography}\n");
@@ -108,7 +108,7 @@ fn preamble(options: &Options) -> String {
     format!(
         "\\documentclass[11pt]{{article}}\n\\usepackage[utf8]{{inputenc}}\n\\usepackage{{amsmath,amssymb,amsthm}}\n\
          \\usepackage{{booktabs,longtable}}\n\\usepackage[a4paper,margin=25mm]{{geometry}}\n{siunitx}\
-         \\usepackage[hidelinks]{{hyperref}}\n\\renewcommand{{\\arraystretch}}{{1.25}}\n\\setlength{{\\LTcapwidth}}{{.85\\textwidth}}\n\\emergencystretch=4em\n"
+         \\usepackage[hidelinks]{{hyperref}}\n\\setlength{{\\LTcapwidth}}{{.85\\textwidth}}\n\\emergencystretch=4em\n"
     )
 }
 

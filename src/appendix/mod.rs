@@ -120,12 +120,24 @@ fn section<const D: usize>(analysis: &Analysis<D>) -> String {
         "\n\n".to_owned(),
         theorem::theorem(analysis),
         theorem::proof(analysis),
-        format!("\\paragraph{{Metric.}} {}", theorem::metric(analysis)),
-        format!("\\paragraph{{Vertices.}} {}", vertices::vertices(analysis)),
-        format!("\\paragraph{{Symmetry.}} {}", vertices::symmetry(analysis)),
+        format!(
+            "\\acutileparagraph{{Metric.}} {}",
+            theorem::metric(analysis)
+        ),
+        format!(
+            "\\acutileparagraph{{Vertices.}} {}",
+            vertices::vertices(analysis)
+        ),
+        format!(
+            "\\acutileparagraph{{Symmetry.}} {}",
+            vertices::symmetry(analysis)
+        ),
         volume::volume(analysis),
         pairing::pairing(analysis),
-        format!("\\paragraph{{Angles.}} {}", classes::classes(analysis)),
+        format!(
+            "\\acutileparagraph{{Angles.}} {}",
+            classes::classes(analysis)
+        ),
         statements::statements(analysis),
         recheck::recheck(subject),
     ]

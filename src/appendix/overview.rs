@@ -3,7 +3,6 @@
 //! Rounded outward to the paper's digits, a minimum down and a maximum up: the values of all
 //! tetrahedra lie between the two numbers as printed.
 
-use super::LONG;
 use super::numeral::decimal;
 use super::subject::{Analysis, Subject};
 use super::tex::{Table, escape};
@@ -57,7 +56,6 @@ pub fn table(rows: Vec<String>, subjects: &[Subject]) -> String {
         true => "tetrahedra",
         false => "simplices",
     };
-    debug_assert!(LONG > 0);
     Table {
         mark: "overview".to_owned(),
         columns: "lrrrrrrr",

@@ -25,7 +25,7 @@ pub fn pairing<const D: usize>(analysis: &Analysis<D>) -> String {
         ),
     };
     format!(
-        "\\paragraph{{Facets.}} The entry $t_j$ in column $i$ of the row of $T_s$ says that the facet of $T_s$ opposite to its corner $i$ is the facet \
+        "\\acutileparagraph{{Facets.}} The entry $t_j$ in column $i$ of the row of $T_s$ says that the facet of $T_s$ opposite to its corner $i$ is the facet \
          of $T_t$ opposite to its corner $j${moved}: the same corners, and the two tiles on opposite sides.{boundary} Table~\\ref{{{label}}} has \
          the rows for one tile of each orbit; the whole pairing, ${total}$ facets, is in the supplement.\n\n{table}",
         label = analysis.label("pairing"),

@@ -9,7 +9,7 @@ pub fn recheck(subject: &Subject) -> String {
     let digest = subject.verified.sha256();
     let (first, second) = digest.split_at(digest.len() / 2);
     format!(
-        "\\paragraph{{The certificate}} with the SHA-256\n% acutile:sha256 {slug} {digest}\n\
+        "\\acutileparagraph{{The certificate}} with the SHA-256\n% acutile:sha256 {slug} {digest}\n\
          \\begin{{center}}\\ttfamily\\small {first}\\\\ {second}\\end{{center}}\n\
          holds all tiles and facets. The command\n\
          \\begin{{center}}\\ttfamily\\small acutile-verify {path}\\end{{center}}\n\

@@ -58,7 +58,7 @@ fn angle_bound<const D: usize>(analysis: &Analysis<D>, q: &str, is_below: bool) 
         (false, false) => format!("={sign}{exact}"),
     };
     format!(
-        "\\paragraph{{The {word} angle}} $\\theta$ (class {class}, {place} {edge}) has $\\cos\\theta{value}$ and, in degrees, $\\theta{degrees}$. \
+        "\\acutileparagraph{{The {word} angle}} $\\theta$ (class {class}, {place} {edge}) has $\\cos\\theta{value}$ and, in degrees, $\\theta{degrees}$. \
          It is {comparison} than ${bound}^\\circ$, because $\\cos\\theta{relation}\\cos{bound}^\\circ$, which is in ${}$.\n\n",
         interval(&cosine),
         place = if D == 2 { "corner" } else { "edge" },
@@ -128,7 +128,7 @@ fn radius_edge<const D: usize>(analysis: &Analysis<D>, q: &str) -> String {
         }
     };
     format!(
-        "\\paragraph{{Circumradii.}} With the squared edges $l$ and the cofactors $C$ of $M=(\\langle e_i,e_j\\rangle)$ the squared circumradius is $\\sum_{{i,j}} \
+        "\\acutileparagraph{{Circumradii.}} With the squared edges $l$ and the cofactors $C$ of $M=(\\langle e_i,e_j\\rangle)$ the squared circumradius is $\\sum_{{i,j}} \
          l_{{0i}}C_{{ij}}l_{{0j}}/(4\\det M)$. Let $\\sigma$ be the largest ratio of circumradius and shortest edge. $\\sigma^2{value}$ is less than \
          ${}={}^2${why}. Approximately, $\\sigma{}$.\n\n",
         analysis.numerals.inline(&square),
@@ -146,7 +146,7 @@ fn delaunay<const D: usize>(analysis: &Analysis<D>, is_strict: bool) -> String {
         .filter(|(facet, _)| analysis.matching.mates[*facet].is_some())
         .collect();
     if inner.is_empty() {
-        return "\\paragraph{Delaunay.} All facets are in the boundary, so nothing is to be checked in \
+        return "\\acutileparagraph{Delaunay.} All facets are in the boundary, so nothing is to be checked in \
                 Theorem~\\ref{acutile:delaunay}.\n\n"
             .to_owned();
     }
@@ -167,13 +167,13 @@ fn delaunay<const D: usize>(analysis: &Analysis<D>, is_strict: bool) -> String {
         false => ("nonnegative", "not inside of"),
     };
     format!(
-        "\\paragraph{{Delaunay.}} By Theorem~\\ref{{acutile:delaunay}} it suffices that for each facet the corner $d$ of the tile behind it is {lemma} the circumsphere: \
+        "\\acutileparagraph{{Delaunay.}} By Theorem~\\ref{{acutile:delaunay}} it suffices that for each facet the corner $d$ of the tile behind it is {lemma} the circumsphere: \
          that its power $\\pi(d)=|d-z|^2-\\rho^2$, for the circumcentre $z$ and the circumradius $\\rho$, is {relation}. With $x=d-c_0$ it is \
          $|x|^2-\\sum_i\\lambda_i(x)\\,l_{{0i}}$, where $x=\\sum_i\\lambda_i(x)e_i$. Table~\\ref{{{}}} has one facet of each orbit.\n\n{}",
         analysis.label("delaunay"),
         Table {
             mark: format!("delaunay {}", analysis.subject.slug()),
-            columns: "rrrr",
+            columns: "rrrl",
             caption: format!(
                 "One facet of each orbit, how many a cell has, what is behind it, and the power of the corner there.{omitted}"
             ),
@@ -239,7 +239,7 @@ fn close_packed<const D: usize>(analysis: &Analysis<D>) -> String {
         .map(|(star, count)| format!("${count}$ of type {star}"))
         .collect();
     format!(
-        "\\paragraph{{Tetrahedrally close packed.}} Up to $\\Lambda$ there are ${}$ edges. Of these {}, and no triangle has two edges \
+        "\\acutileparagraph{{Tetrahedrally close packed.}} Up to $\\Lambda$ there are ${}$ edges. Of these {}, and no triangle has two edges \
          that are in $6$ (checked for all, in the certificate). So the tiling is tetrahedrally close packed as defined by Sullivan~\\cite{{Sullivan1999}}, and it follows that each vertex has one of the four stars of Frank and Kasper~\\cite{{FrankKasper1958}}, with $12$, $14$, $15$ or $16$ neighbours \
          and as many edges of valence six as exceed $12$; a cell has {}.\n\n",
         analysis.ridges.list.len(),

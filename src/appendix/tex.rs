@@ -104,8 +104,8 @@ pub fn table_fits(rows: &[Vec<&str>]) -> bool {
         <= LINE
 }
 
-/// Letters in a line of the text.
-const LINE: usize = 80;
+/// Letters in a line of a table, where they are small.
+const LINE: usize = 88;
 
 /// Items as they are read in a sentence.
 pub fn list(items: &[String]) -> String {

@@ -45,7 +45,7 @@ pub fn volume<const D: usize>(analysis: &Analysis<D>) -> String {
         }
     };
     format!(
-        "\\paragraph{{Volume.}} All determinants, {factorial} times the volumes in cells, are positive. Their sum, class by class, is\n\
+        "\\acutileparagraph{{Volume.}} All determinants, {factorial} times the volumes in cells, are positive. Their sum, class by class, is\n\
          % acutile:volume {}\n{}{meaning}.\n\n",
         analysis.subject.slug(),
         display_sum(

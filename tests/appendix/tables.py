@@ -204,7 +204,7 @@ class Check:
         kind = int(arguments[0])
         first = self.class_of().index(kind)
         head = lines[n - 1]
-        match = re.search(r"\\paragraph\{Class (\d+)\.\} \$(\d+)\$ \w+ in \$(\d+)\$ orbits?, (?:each )?of volume \$(.*?)\$ cells; the first is \$T_\{(\d+)\}\$", head)
+        match = re.search(r"\\acutileparagraph\{Class (\d+)\.\} \$(\d+)\$ \w+ in \$(\d+)\$ orbits?, (?:each )?of volume \$(.*?)\$ cells; the first is \$T_\{(\d+)\}\$", head)
         must(match, f"class {kind}: no heading")
         self.equal([int(match.group(i)) for i in (1, 2, 5)], [kind, self.class_of().count(kind), first], f"class {kind}, heading")
         orbits = self.find_orbits()
