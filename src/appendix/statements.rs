@@ -28,6 +28,12 @@ pub fn statements<const D: usize>(analysis: &Analysis<D>) -> String {
             Statement::DihedralAbove(q) => angle_bound(analysis, q, false),
             Statement::RadiusEdgeBelow(q) => radius_edge(analysis, q),
             Statement::Delaunay => delaunay(analysis, true),
+            // Where both are stated the stronger one has been told.
+            Statement::WeaklyDelaunay
+                if analysis.subject.statements().contains(&Statement::Delaunay) =>
+            {
+                String::new()
+            }
             Statement::WeaklyDelaunay => delaunay(analysis, false),
             Statement::Tcp => close_packed(analysis),
         });

@@ -35,12 +35,17 @@ pub fn theorem<const D: usize>(analysis: &Analysis<D>) -> String {
     };
     format!(
         "\\begin{{acutiletheorem}}[{name}]\\label{{{label}}}\n{setting} Then the ${count}$ {kind} \
-         of Table~\\ref{{{orbits}}}{translates} tile {domain} {how}: they cover it, their interiors are disjoint, and \
+         of Table~\\ref{{{orbits}}}{translates} {tile} {domain} {how}: they cover it, their interiors are disjoint, and \
          any two of them meet in a common face or not at all.{further}\n\\end{{acutiletheorem}}\n\n",
         name = escape(&subject.name),
         label = analysis.label("theorem"),
         setting = setting(analysis),
         kind = simplices(D, count),
+        tile = if (count, analysis.rank()) == (1, 0) {
+            "tiles"
+        } else {
+            "tile"
+        },
         orbits = analysis.label("orbits"),
         translates = match analysis.rank() {
             0 => "",

@@ -20,13 +20,18 @@ class Field:
         self.p = [F(0), F(1)] if self.q else [F(c) for c in data["Q(a)"]["polynomial"]]
         self.n = len(self.p) - 1
         self.root = (F(0), F(0)) if self.q else tuple(F(x) for x in data["Q(a)"]["root"])
-        self.radicand, self.radical = None, None
+        self.radicand, self.radical, self.rational = None, None, None
         if self.n == 2:
             c, b, _ = self.p
             square, d = 1, int(b * b - 4 * c)
             for k in range(2, 1000):
                 while d % (k * k) == 0:
                     square, d = square * k, d // (k * k)
+            if d == 1:  # a reducible polynomial: the root is rational
+                roots = [(-b + s * square) / 2 for s in (1, -1)]
+                self.rational = next(r for r in roots if self.root[0] < r < self.root[1])
+                self.p, self.n = [-self.rational, F(1)], 1
+                return
             # √d = ± (2a + b)/square
             radical = El(self, [b / square, F(2) / square])
             self.radicand, self.radical = d, radical if radical.sign() > 0 else -radical
@@ -47,6 +52,8 @@ class Field:
 
     def of(self, x):
         if isinstance(x, list):
+            if self.rational is not None:
+                return El(self, [sum(F(c) * self.rational ** i for i, c in enumerate(x))])
             return El(self, [F(c) for c in x])
         return El(self, [F(x)])
 

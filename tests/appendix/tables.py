@@ -55,7 +55,7 @@ class Check:
 
     def check_theorem(self, text):
         head = text[:text.index("\\end{acutiletheorem}")]
-        bounds = re.findall(r"(less|more) than \$\\acutiledecimal\{([\d.]+)\}(\^\\circ)?", head)
+        bounds = re.findall(r"(less|more) than \$(?:\\acutiledecimal\{)?([\d./]+)\}?(\^\\circ)?", head)
         expected = []
         for statement in self.c.claim["statements"]:
             if isinstance(statement, dict):
