@@ -4,7 +4,7 @@
 //! | file | part |
 //! |---|---|
 //! | `subject` | a confirmed certificate, and what is computed of its tiling |
-//! | `numeral`, `tex` | exact numbers and small pieces of TeX |
+//! | `numeral`, `surd`, `tex` | exact numbers and small pieces of TeX |
 //! | `theorem` | the theorem in words; field, lattice, metric |
 //! | `vertices` | vertices, symmetry, orbits of tiles |
 //! | `classes` | congruence classes: edges, angles, and why they are acute |
@@ -27,6 +27,7 @@ mod pairing;
 mod recheck;
 mod statements;
 mod subject;
+mod surd;
 mod tex;
 mod theorem;
 mod vertices;
@@ -71,12 +72,14 @@ pub fn appendix(subjects: &[Subject], options: &Options) -> Vec<File> {
     let next = AtomicUsize::new(0);
     let parts: Vec<Mutex<Parts>> = subjects.iter().map(|_| Mutex::default()).collect();
     let work = || {
-        while let Some(place) = parts.get(next.fetch_add(1, Ordering::Relaxed)) {
-            let index = parts.iter().position(|other| std::ptr::eq(other, place));
-            if let (Some(subject), Ok(mut place)) =
-                (index.and_then(|index| subjects.get(index)), place.lock())
-            {
-                *place = parts_of(subject);
+        loop {
+            let index = next.fetch_add(1, Ordering::Relaxed);
+            let Some(subject) = subjects.get(index) else {
+                break;
+            };
+            let part = parts_of(subject);
+            if let Ok(mut place) = parts[index].lock() {
+                *place = part;
             }
         }
     };

@@ -4,11 +4,11 @@
 //! Everything is written for math mode. Decimals go through the macro `\acutiledecimal`,
 //! so that a document may hand them to siunitx.
 
+use super::surd::{compared, rational_root, square_part};
 use crate::number::{Field, Number};
 use crate::quality::{rounded_down, rounded_up};
-use malachite::base::num::arithmetic::traits::{CheckedSqrt, Gcd, Lcm, Parity};
+use malachite::base::num::arithmetic::traits::{CheckedSqrt, Gcd, Lcm};
 use malachite::base::num::basic::traits::{One, Zero};
-use malachite::base::num::conversion::traits::FromSciString;
 use malachite::{Integer, Natural, Rational};
 
 /// How the numbers of one field are written.
@@ -28,9 +28,6 @@ pub enum Numerals {
 
 /// Decimals of enclosures have so many digits behind the point.
 pub const DIGITS: u64 = 6;
-
-/// Prime factors are taken out of roots up to this one.
-const LARGEST_FACTOR: u32 = 10_000;
 
 impl Numerals {
     /// The notation for a field.
@@ -236,90 +233,9 @@ fn over_common_denominator(coefficients: &[Rational]) -> (Vec<Integer>, Natural)
     (numerators, denominator)
 }
 
-/// Squares with more digits are not written out.
-const SQUARE_DIGITS: usize = 9;
-
-/// The comparison of |p| and |q| √d: of their squares, or where these are long of |p/q| and √d
-/// with a short decimal between them.
-fn compared(p: &Integer, q: &Integer, d: &Integer) -> String {
-    let (left, right) = (p * p, q * q * d);
-    let relation = if left < right { '<' } else { '>' };
-    let [p, q] = [p, q].map(Integer::unsigned_abs_ref);
-    if left.to_string().len().max(right.to_string().len()) > SQUARE_DIGITS
-        && let Some(between) = between(&Rational::from_naturals_ref(p, q), d)
-    {
-        return format!(
-            "{p}/{q}{relation}{}{relation}\\sqrt{{{d}}}",
-            decimal(&between)
-        );
-    }
-    format!("{p}^2={left}{relation}{right}={d}\\cdot{q}^2")
-}
-
-/// A decimal with few digits strictly between a ratio and √d.
-fn between(ratio: &Rational, d: &Integer) -> Option<String> {
-    let root = Number::from(Rational::from(d));
-    (0..=DIGITS).find_map(|digits| {
-        let bounds = root.enclosure_of_root(&Rational::from_signeds(1, 100_000_000));
-        let candidates = [
-            rounded_up(&bounds.1, digits),
-            rounded_down(&bounds.0, digits),
-        ];
-        candidates.into_iter().find(|text| {
-            let Some(value) = Rational::from_sci_string(text) else {
-                return false;
-            };
-            let is_above_root = &value * &value > *d;
-            let is_below_root = &value * &value < *d;
-            (value < *ratio && is_above_root) || (value > *ratio && is_below_root)
-        })
-    })
-}
-
 /// A rational in a line of text.
 pub fn rational(x: &Rational) -> String {
     Numerals::Rational.inline(&Number::from(x.clone()))
-}
-
-/// √(p/q) = m √r / q with p q = m² r.
-fn rational_root(x: &Rational) -> String {
-    let (numerator, denominator) = (x.numerator_ref(), x.denominator_ref());
-    let (square, radicand) = square_part(&Integer::from(numerator * denominator));
-    let factor = Rational::from(square) / Rational::from(denominator);
-    if radicand == 1u32 || *x == 0 {
-        return rational(&factor);
-    }
-    let (m, n) = (factor.numerator_ref(), factor.denominator_ref());
-    let root = match *m == 1u32 {
-        true => format!("\\sqrt{{{radicand}}}"),
-        false => format!("{m}\\sqrt{{{radicand}}}"),
-    };
-    match *n == 1u32 {
-        true => root,
-        false => format!("{root}/{n}"),
-    }
-}
-
-/// m and r with n = m² r, where r has no square of a small prime as a factor; (0, 1) for 0.
-fn square_part(n: &Integer) -> (Integer, Integer) {
-    let (mut square, mut rest) = (Integer::ONE, n.clone());
-    if *n == 0 {
-        return (Integer::ZERO, Integer::ONE);
-    }
-    for p in (2..=LARGEST_FACTOR).filter(|p| *p == 2 || p.odd()) {
-        let factor = Integer::from(p) * Integer::from(p);
-        if *rest.unsigned_abs_ref() < *factor.unsigned_abs_ref() {
-            break;
-        }
-        while &rest % &factor == 0 {
-            rest /= &factor;
-            square *= Integer::from(p);
-        }
-    }
-    if let (true, Some(root)) = (rest > 1, rest.unsigned_abs_ref().checked_sqrt()) {
-        return (square * Integer::from(root), Integer::ONE);
-    }
-    (square, rest)
 }
 
 /// Bounds as decimals rounded outward: `[53.130102, 53.130103]`, or one number where that
@@ -398,7 +314,7 @@ mod tests {
             ("-1-sqrt(5)", ""),
             ("2-sqrt(5)", "2^2=4<5=5\\cdot1^2"),
             ("sqrt(5)-3", "3^2=9>5=5\\cdot1^2"),
-            // 17/10 and √3 = 1.732…: 1.71 lies between.
+            // The squares have 15 digits; 1.73 lies between 1.7 and √3 = 1.732….
             (
                 "17000000-10000000*sqrt(3)",
                 "17000000/10000000<\\acutiledecimal{1.73}<\\sqrt{3}",
