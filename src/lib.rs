@@ -7,6 +7,8 @@
 #[cfg(feature = "prover")]
 pub mod advice;
 #[cfg(feature = "prover")]
+pub mod appendix;
+#[cfg(feature = "prover")]
 pub mod catalog;
 pub mod certificate;
 #[cfg(feature = "prover")]

@@ -57,6 +57,8 @@ pub enum Command {
     Gallery(GalleryArguments),
     /// Valences, vertex types, TCP or why not, and what the tiling is isomorphic to
     Classify(ClassifyArguments),
+    /// A LaTeX appendix about certificates: theorem, numbers, and how to check them
+    Appendix(AppendixArguments),
     /// Print a completion script for a shell
     Completions(CompletionsArguments),
     /// Print the manual page
@@ -345,6 +347,27 @@ pub struct ClassifyArguments {
     /// One JSON object
     #[arg(long)]
     pub json: bool,
+}
+
+#[derive(Debug, Args)]
+pub struct AppendixArguments {
+    /// Certificates, names of the catalogue, tiling files, or point sets (CIF too)
+    #[arg(value_name = "CERT|NAME|FILE", required_unless_present = "all")]
+    pub inputs: Vec<String>,
+    #[command(flatten)]
+    pub file: FileArguments,
+    /// The whole catalogue
+    #[arg(long)]
+    pub all: bool,
+    /// Write the files into this directory
+    #[arg(short, long, value_name = "DIR")]
+    pub output: PathBuf,
+    /// Replace files that are there, even if they are others' or were edited
+    #[arg(long)]
+    pub force: bool,
+    /// Print decimals with the package siunitx
+    #[arg(long)]
+    pub siunitx: bool,
 }
 
 #[derive(Debug, Args)]

@@ -7,6 +7,7 @@
 //! | 2 | usage, unreadable input, or output that could not be written |
 //! | 3 | declined: a limit, an undecided sign, an unknown version |
 
+mod appendix;
 mod args;
 mod certify;
 mod classify;
@@ -103,6 +104,7 @@ pub fn main() -> ExitCode {
         Command::Gallery(gallery) => gallery::run(&gallery, &mut output),
         Command::Report(report) => report::run(&report, &mut output),
         Command::Classify(classify) => classify::run(&classify, &mut output),
+        Command::Appendix(appendix) => appendix::run(&appendix, &mut output),
         Command::Completions(completions) => meta::completions(&completions, &mut output),
         Command::Man => meta::man(&mut output),
     };
