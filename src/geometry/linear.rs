@@ -4,6 +4,7 @@
 use super::Scalar;
 
 /// The determinant of a D x D matrix, by expansion along the first row.
+#[inline]
 pub fn determinant<S: Scalar, const D: usize>(matrix: &[[S; D]; D]) -> S {
     if D == 3 {
         let row: [S; D] = std::array::from_fn(|j| cofactor(matrix, 0, j));
@@ -16,10 +17,12 @@ pub fn determinant<S: Scalar, const D: usize>(matrix: &[[S; D]; D]) -> S {
 
 /// The matrix of cofactors C, C_ij = (-1)^(i+j) times the minor without row i and
 /// column j. Its transpose is the adjugate: M C^T = det M.
+#[inline]
 pub fn cofactors<S: Scalar, const D: usize>(matrix: &[[S; D]; D]) -> [[S; D]; D] {
     std::array::from_fn(|i| std::array::from_fn(|j| cofactor(matrix, i, j)))
 }
 
+#[inline]
 fn cofactor<S: Scalar, const D: usize>(matrix: &[[S; D]; D], i: usize, j: usize) -> S {
     // Cyclic order of the other rows and columns makes the sign come out right in
     // dimension 3 without a negation.
@@ -51,6 +54,7 @@ fn cofactor<S: Scalar, const D: usize>(matrix: &[[S; D]; D], i: usize, j: usize)
 }
 
 /// a d - b c
+#[inline]
 fn determinant2<S: Scalar>(a: &S, b: &S, c: &S, d: &S) -> S {
     a.times(d).minus(&b.times(c))
 }
@@ -79,6 +83,7 @@ fn expand<S: Scalar>(rows: &[&[S]], columns: &[usize]) -> S {
 }
 
 /// The sum of x_k y_k.
+#[inline]
 pub fn dot<S: Scalar, const D: usize>(x: &[S; D], y: &[S; D]) -> S {
     let mut sum = x[0].times(&y[0]);
     for k in 1..D {
@@ -88,6 +93,7 @@ pub fn dot<S: Scalar, const D: usize>(x: &[S; D], y: &[S; D]) -> S {
 }
 
 /// The sum of x_k.
+#[inline]
 pub fn sum<S: Scalar, const D: usize>(x: &[S; D]) -> S {
     let mut sum = x[0].clone();
     for k in 1..D {
@@ -97,16 +103,19 @@ pub fn sum<S: Scalar, const D: usize>(x: &[S; D]) -> S {
 }
 
 /// M x
+#[inline]
 pub fn apply<S: Scalar, const D: usize>(matrix: &[[S; D]; D], x: &[S; D]) -> [S; D] {
     std::array::from_fn(|i| dot(&matrix[i], x))
 }
 
 /// x^T M x: the squared length of a vector, for a Gram matrix M.
+#[inline]
 pub fn square<S: Scalar, const D: usize>(gram: &[[S; D]; D], x: &[S; D]) -> S {
     dot(x, &apply(gram, x))
 }
 
 /// x - y
+#[inline]
 pub fn subtract<S: Scalar, const D: usize>(x: &[S; D], y: &[S; D]) -> [S; D] {
     std::array::from_fn(|k| x[k].minus(&y[k]))
 }
