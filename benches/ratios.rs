@@ -287,11 +287,15 @@ fn naive_time(tiling: &Tiling<3>) -> Duration {
     fastest(|| {
         let mut acute = 0;
         for corners in tiling.simplices() {
-            let point = |i: usize| {
-                let vertex = &vertices[corners[i].vertex as usize];
-                std::array::from_fn(|k| vertex[k] + f64::from(corners[i].shift[k]))
-            };
-            let simplex = Simplex::new(&[point(0), point(1), point(2), point(3)]);
+            let mut points = [[0.0; 3]; 4];
+            for (point, corner) in points.iter_mut().zip(corners) {
+                let vertex = &vertices[corner.vertex as usize];
+                for k in 0..3 {
+                    point[k] = vertex[k] + f64::from(corner.shift[k]);
+                }
+            }
+            let edges = [1, 2, 3].map(|k| linear::subtract(&points[k], &points[0]));
+            let simplex = Simplex::from_edges(edges);
             acute += usize::from(simplex.determinant > 0.0 && naive_acute(&simplex, &cogram));
         }
         acute

@@ -48,7 +48,7 @@ impl<const D: usize> Predicate<D> for Orientation {
         D as i32
     }
 
-    #[inline]
+    #[inline(always)]
     fn values<S: Scalar>(
         &self,
         simplex: &Simplex<S, D>,
@@ -70,7 +70,7 @@ impl<const D: usize> Predicate<D> for Angles {
         2 * (D as i32 - 1)
     }
 
-    #[inline]
+    #[inline(always)]
     fn values<S: Scalar>(
         &self,
         simplex: &Simplex<S, D>,
@@ -107,7 +107,7 @@ impl<const D: usize> Predicate<D> for AnglesAgainst {
         4 * (D as i32 - 1)
     }
 
-    #[inline]
+    #[inline(always)]
     fn values<S: Scalar>(
         &self,
         simplex: &Simplex<S, D>,
@@ -173,7 +173,7 @@ impl<const D: usize> Predicate<D> for InSphere {
         D as i32 + 2
     }
 
-    #[inline]
+    #[inline(always)]
     fn values<S: Scalar>(
         &self,
         simplex: &Simplex<S, D>,
