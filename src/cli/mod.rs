@@ -9,6 +9,7 @@
 
 mod appendix;
 mod args;
+mod bundle;
 mod certify;
 mod classify;
 mod convert;
@@ -23,6 +24,7 @@ mod new;
 mod output;
 mod paper;
 mod progress;
+mod proved;
 mod quality;
 mod refutation;
 mod report;
@@ -105,6 +107,7 @@ pub fn main() -> ExitCode {
         Command::Report(report) => report::run(&report, &mut output),
         Command::Classify(classify) => classify::run(&classify, &mut output),
         Command::Appendix(appendix) => appendix::run(&appendix, &mut output),
+        Command::Bundle(bundle) => bundle::run(&bundle, &mut output),
         Command::Completions(completions) => meta::completions(&completions, &mut output),
         Command::Man => meta::man(&mut output),
     };
