@@ -61,13 +61,8 @@ fn a_requirement_that_fails_is_a_refutation() {
         lines.lines().next(),
         Some("cube-6: refuted: 18 right-angle")
     );
-    assert_eq!(
-        lines.lines().nth(1),
-        Some("  right-angle: 18, the first 3:")
-    );
-    let told = lines
-        .lines()
-        .filter(|line| line.contains("is a right angle"));
+    assert_eq!(lines.lines().nth(1), Some("  right-angle: 18, the first 3:"));
+    let told = lines.lines().filter(|line| line.contains("is a right angle"));
     assert_eq!(told.count(), 3);
     // The coordinates of the corners, and what can be done about it.
     assert!(lines.contains("      simplex 0: 0 at (0, 0, 0), 0+(1, 0, 0) at (1, 0, 0)"));
@@ -96,11 +91,7 @@ fn refutations_in_json_are_one_object_a_line() {
         .collect();
     assert_eq!(answers[0]["verdict"], "refuted");
     assert_eq!(answers[0]["counts"]["right-angle"], 18);
-    assert_eq!(
-        answers.len(),
-        1 + 18 + 1,
-        "all defects, and the second input"
-    );
+    assert_eq!(answers.len(), 1 + 18 + 1, "all defects, and the second input");
     let first = &answers[1];
     assert_eq!(first["code"], "right-angle");
     assert_eq!(first["input"], "cube-6");
