@@ -16,7 +16,7 @@ pub fn readme(entries: &[Entry], has_appendix: bool, has_pdf: bool) -> String {
         check(entries),
         contents(entries, has_appendix, has_pdf),
         meshes(entries),
-        "## To cite\n\n`CITATION.cff`. Everything is under the licence in `LICENSE`.\n".to_owned(),
+        "## To cite\n\n`CITATION.cff`. The programs and documents are under the licence in `LICENSE`.\n".to_owned(),
     ]
     .concat()
 }
@@ -43,25 +43,26 @@ fn check(entries: &[Entry]) -> String {
 
 First that the files are those that were deposited: `sha256sum -c SHA256SUMS` (on macOS `shasum -a 256 -c SHA256SUMS`).
 Then the certificates, with any of these three. They share no code; each reads a certificate, computes exactly, and
-believes nothing that the certificate does not show. Each prints a line for each file that begins with `verified`, and its
+believes nothing that the certificate does not show. For each file it prints a line, `FILE: verified: …` or what is wrong, and its
 exit code is 0 only if every file is verified. That this implies the claims is proved in `docs/soundness.md`.
 
 With **Python** 3.8 or later, and nothing else:
 
     python3 verify/verify.py certificates/*.json
 
-It checks the hypotheses from which the tiling theorem follows, and every statement of the claim. It does not
-check that the file is in the one canonical notation (two notations can say the same), limits its own work by nothing, and declines meshes of
-bounded regions (the domain `region`).{regions}
+It checks the hypotheses from which the tiling theorem follows, and every statement of the claim. It does not check that the file is
+in the one canonical notation (two notations can say the same), sets its own work no limits, and declines meshes of bounded regions (the
+domain `region`).{regions}
 
 With **Node** 20 or later, and nothing else, all of `docs/format.md`:
 
     node verify/verify-cli.mjs certificates/*.json
 
-With **Rust** (1.90 or later) and the source of acutile {VERSION}, the same with the verifier that confirmed these files when they were written:
+With **Rust** (1.90 or later) and the source of acutile {VERSION}, the same with the verifier that confirmed these files when they were written.
+In the folder of the source, and then with that program here:
 
     cargo build --release --locked --no-default-features --bin acutile-verify
-    target/release/acutile-verify certificates/*.json
+    acutile-verify certificates/*.json
 
 Or by hand: a certificate is text, `docs/format.md` says what every number in it means and works through one with pencil and paper.
 

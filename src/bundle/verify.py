@@ -313,7 +313,7 @@ class Certificate:
     def facet(self, simplex, i):
         return self.simplices[simplex][:i] + self.simplices[simplex][i + 1:]
 
-    def heights(self, face, point):
+    def height(self, face, point):
         """h_f of a point, given by its last k coordinates."""
         w = [self.polytope[n] for n in face]
         return det([minus(x, w[0]) for x in w[1:self.codimension]] + [minus(point, w[0])])
@@ -350,7 +350,7 @@ def check_polytope(c):
 
 
 def face_sign(c, face):
-    signs = [sign(c.heights(face, w)) for w in c.polytope]
+    signs = [sign(c.height(face, w)) for w in c.polytope]
     others = {s for n, s in enumerate(signs) if n not in face}
     is_facet = all(signs[n] == 0 for n in face) and others in ({1}, {-1})
     true(is_facet, "face-not-facet", f"face {face}")
@@ -369,26 +369,28 @@ def check_polygon(c, face):
 def check_inside(c, signs):
     for n, vertex in enumerate(c.vertices):
         for face, s in zip(c.faces, signs):
-            is_inside = s * sign(c.heights(face, vertex[c.rank:])) >= 0
+            is_inside = s * sign(c.height(face, vertex[c.rank:])) >= 0
             true(is_inside, "vertex-outside", f"vertex {n} is beyond face {face}")
 
 
+def facets(c):
+    return ((s, i, mate) for s, row in enumerate(c.mates) for i, mate in enumerate(row))
+
+
 def check_mates(c):
-    for s, i, mate in ((s, i, mate) for s, row in enumerate(c.mates) for i, mate in enumerate(row)):
-        if len(mate) > 1:
-            back = [s, i] + [-u for u in mate[2:]]
-            true(c.mates[mate[0]][mate[1]] == back, "mate-not-mutual", f"facet {i} of simplex {s}")
-    for s, i, mate in ((s, i, mate) for s, row in enumerate(c.mates) for i, mate in enumerate(row)):
-        here = c.facet(s, i)
-        if len(mate) == 1:
-            heights = (c.heights(c.faces[mate[0]], c.position(corner)[c.rank:]) for corner in here)
-            true(all(sign(h) == 0 for h in heights), "boundary-facet", f"facet {i} of simplex {s}")
-            continue
-        t, j, *shift = mate
-        there = [moved(corner, shift) for corner in c.facet(t, j)]
+    paired = [(s, i, *mate) for s, i, mate in facets(c) if len(mate) > 1]
+    for s, i, t, j, *shift in paired:
+        back = [s, i] + [-u for u in shift]
+        true(c.mates[t][j] == back, "mate-not-mutual", f"facet {i} of simplex {s}")
+    for s, i, t, j, *shift in paired:
+        here, there = c.facet(s, i), [moved(corner, shift) for corner in c.facet(t, j)]
         true(sorted(here) == sorted(there), "mate-corners", f"facet {i} of simplex {s}")
-        opposite = (-1) ** (i + j) * parity(here) * parity(there) == -1
-        true(opposite, "mate-side", f"facet {i} of simplex {s}")
+        is_opposite = (-1) ** (i + j) * parity(here) * parity(there) == -1
+        true(is_opposite, "mate-side", f"facet {i} of simplex {s}")
+    for s, i, mate in facets(c):
+        for corner in c.facet(s, i) if len(mate) == 1 else []:
+            height = c.height(c.faces[mate[0]], c.position(corner)[c.rank:])
+            true(sign(height) == 0, "boundary-facet", f"facet {i} of simplex {s}")
 
 
 def moved(corner, shift):
@@ -499,12 +501,11 @@ def check_ratio(shapes, q):
 
 
 def check_delaunay(c, shapes, least, code):
-    for s, row in enumerate(c.mates):
-        for i, mate in enumerate(row):
-            if len(mate) > 1:
-                t, j, *shift = mate
-                behind = c.position(moved(c.simplices[t][j], shift))
-                true(sign(shapes[s].power(c, behind)) >= least, code, f"behind facet {i} of simplex {s}")
+    for s, i, mate in facets(c):
+        if len(mate) > 1:
+            t, j, *shift = mate
+            behind = c.position(moved(c.simplices[t][j], shift))
+            true(sign(shapes[s].power(c, behind)) >= least, code, f"behind facet {i} of simplex {s}")
 
 
 def check_tcp(c):
