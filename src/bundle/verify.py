@@ -275,10 +275,10 @@ class Certificate:
         corners, self.faces = member(polytope, "vertices", "faces")
         def table(rows, length, code):
             return [[coefficients(x, self.field) for x in array(row, length, code)] for row in array(rows)]
-        gram = table(array(gram, d, "gram-shape"), d, "gram-shape")
+        texts, gram = gram, table(array(gram, d, "gram-shape"), d, "gram-shape")
         vertices = table(vertices, d, "vertex-length")
         corners = table(corners, self.codimension, "domain-vertex-length")
-        formed(gram == [list(column) for column in zip(*gram)], "gram-asymmetric", "G is not symmetric")
+        formed(texts == [list(column) for column in zip(*texts)], "gram-asymmetric", "G is not symmetric")
         def denominator(rows):
             return common_denominator(x for row in rows for number in row for x in number)
         self.scale = denominator(vertices + corners)

@@ -4,7 +4,7 @@ use super::html::escape;
 use super::markdown::{Document, to_html};
 
 /// The documents that the site has.
-pub const DOCUMENTS: [Document; 7] = [
+pub const DOCUMENTS: [Document; 11] = [
     document(
         "README.md",
         "docs/readme.html",
@@ -34,6 +34,30 @@ pub const DOCUMENTS: [Document; 7] = [
         "docs/gallery.html",
         "This site",
         include_str!("../../docs/gallery.md"),
+    ),
+    document(
+        "docs/appendix.md",
+        "docs/appendix.html",
+        "The LaTeX appendix",
+        include_str!("../../docs/appendix.md"),
+    ),
+    document(
+        "docs/bundle.md",
+        "docs/bundle.html",
+        "Archives to deposit",
+        include_str!("../../docs/bundle.md"),
+    ),
+    document(
+        "docs/cif.md",
+        "docs/cif.html",
+        "CIF",
+        include_str!("../../docs/cif.md"),
+    ),
+    document(
+        "docs/meshes.md",
+        "docs/meshes.html",
+        "Meshes",
+        include_str!("../../docs/meshes.md"),
     ),
     document(
         "proofs/README.md",
