@@ -6,7 +6,7 @@
 //! | `mod.rs` | which files there are |
 //! | `readme` | what the archive tells a referee |
 //! | `pdf` | the appendix by TeX |
-//! | [`zip`] | the files as one |
+//! | `zip` | the files as one |
 //! | `verify.py` | a third checker, in Python; it goes into the archive |
 //!
 //! Nothing here proves anything: what comes in is [`Proved`]. Called by the command line.
@@ -18,6 +18,7 @@ mod zip;
 pub use zip::archive;
 
 use crate::appendix::{self, File, Subject, slug};
+use crate::certificate::Domain;
 use crate::export::tiling_text;
 use crate::mesh::{Format, flatten, write};
 use crate::report::{Proved, page};
@@ -25,8 +26,7 @@ use crate::tiling::{AnyTiling, Tiling};
 use crate::with_dimension;
 use sha2::{Digest, Sha256};
 
-/// What the archive has beside what is made of the tilings. In these there is no name of a file
-/// that a tiling's name could become.
+/// What the archive has beside what is made of the tilings.
 const FIXED: [(&str, &str); 8] = [
     ("CITATION.cff", include_str!("../../CITATION.cff")),
     ("LICENSE", include_str!("../../LICENSE")),
@@ -86,49 +86,68 @@ struct Entry {
 /// # Errors
 /// Two tilings would have the same files.
 pub fn bundle(pieces: Vec<Piece>, options: &Options) -> Result<Bundle, String> {
-    let mut notes = Vec::new();
-    let mut files = fixed();
-    let mut entries: Vec<Entry> = Vec::new();
     let (proved, subjects): (Vec<Proved>, Vec<Option<Subject>>) =
         pieces.into_iter().map(|p| (p.proved, p.subject)).unzip();
-    for proved in &proved {
-        let entry = entry(proved, &mut files);
-        if entries.iter().any(|other| other.slug == entry.slug) {
-            return Err(format!("two inputs would both be {}", entry.slug));
+    let subjects: Vec<Subject> = subjects.into_iter().flatten().collect();
+    let mut notes = Vec::new();
+    let mut files = fixed();
+    let entries = entries(&proved, &mut files, &mut notes)?;
+    files.push(file("report.html", page(&proved, None)));
+    let has_pdf = add_appendix(&subjects, options, &mut files, &mut notes);
+    let readme = readme::readme(&entries, !subjects.is_empty(), has_pdf);
+    files.push(file("README.md", readme));
+    files.sort_by(|a, b| a.path.cmp(&b.path));
+    let sums = file("SHA256SUMS", sums(&files));
+    files.push(sums);
+    files.sort_by(|a, b| a.path.cmp(&b.path));
+    Ok(Bundle { files, notes })
+}
+
+fn entries(
+    proved: &[Proved],
+    files: &mut Vec<File>,
+    notes: &mut Vec<String>,
+) -> Result<Vec<Entry>, String> {
+    let mut entries: Vec<Entry> = Vec::new();
+    for proved in proved {
+        let entry = entry(proved, files);
+        let slug = &entry.slug;
+        // Some file systems do not tell A15 from a15.
+        let is_same = |other: &Entry| other.slug.eq_ignore_ascii_case(slug);
+        if entries.iter().any(is_same) {
+            return Err(format!("two inputs would both be {slug}"));
+        }
+        if entry.is_region {
+            notes.push(format!(
+                "{slug}: is about a region: the appendix does not have it, and verify.py declines it"
+            ));
         }
         entries.push(entry);
     }
-    files.push(file("report.html", page(&proved, None)));
-    let subjects: Vec<Subject> = subjects.into_iter().flatten().collect();
-    let has_appendix = !subjects.is_empty();
-    let mut has_pdf = false;
-    if has_appendix {
-        let appendix = appendix::appendix(&subjects, &appendix::Options::default());
-        if options.pdf {
-            match pdf::compile(&appendix) {
-                Ok(pdfs) => {
-                    has_pdf = true;
-                    files.extend(pdfs.into_iter().map(in_appendix));
-                }
-                Err(reason) => notes.push(format!("{reason}: the appendix comes without PDF")),
-            }
-        }
-        files.extend(appendix.into_iter().map(in_appendix));
+    Ok(entries)
+}
+
+/// Adds the appendix, if there is something to say in it; whether with PDF.
+fn add_appendix(
+    subjects: &[Subject],
+    options: &Options,
+    files: &mut Vec<File>,
+    notes: &mut Vec<String>,
+) -> bool {
+    if subjects.is_empty() {
+        return false;
     }
-    notes.extend(entries.iter().filter(|entry| entry.is_region).map(|entry| {
-        format!(
-            "{}: is about a region: the appendix does not have it, and verify.py declines it",
-            entry.slug
-        )
-    }));
-    files.push(file(
-        "README.md",
-        readme::readme(&entries, has_appendix, has_pdf),
-    ));
-    files.sort_by(|a, b| a.path.cmp(&b.path));
-    files.push(file("SHA256SUMS", sums(&files)));
-    files.sort_by(|a, b| a.path.cmp(&b.path));
-    Ok(Bundle { files, notes })
+    let appendix = appendix::appendix(subjects, &appendix::Options::default());
+    let pdfs = match options.pdf {
+        true => pdf::compile(&appendix).unwrap_or_else(|reason| {
+            notes.push(format!("{reason}: the appendix comes without PDF"));
+            Vec::new()
+        }),
+        false => Vec::new(),
+    };
+    let has_pdf = !pdfs.is_empty();
+    files.extend(appendix.into_iter().chain(pdfs).map(in_appendix));
+    has_pdf
 }
 
 fn fixed() -> Vec<File> {
@@ -169,7 +188,7 @@ fn entry(proved: &Proved, files: &mut Vec<File>) -> Entry {
     Entry {
         claim: verified.to_string(),
         sha256: verified.sha256().to_owned(),
-        is_region: verified.claim().domain == crate::certificate::Domain::Region,
+        is_region: verified.claim().domain == Domain::Region,
         slug,
         rounding,
     }
