@@ -76,5 +76,7 @@ fn complaint(place: &Path, document: &str) -> String {
     let log = std::fs::read(place.join(format!("{document}.log"))).unwrap_or_default();
     let log = String::from_utf8_lossy(&log);
     let line = log.lines().find(|line| line.starts_with('!'));
-    line.unwrap_or("its log has no error").to_owned()
+    line.unwrap_or("its log has no error")
+        .trim_end_matches('.')
+        .to_owned()
 }
