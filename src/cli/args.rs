@@ -220,6 +220,10 @@ pub struct CertifyArguments {
     /// Give negatively oriented simplices positive orientation
     #[arg(long)]
     pub reorient: bool,
+    /// Prove and tell, but make no certificate and do not ask the kernel: for large meshes that
+    /// are to be checked and not to be published
+    #[arg(long, conflicts_with = "output")]
+    pub no_certificate: bool,
     /// How many defects of each kind to tell; all are counted. Without it 20, and with --json all
     #[arg(long, value_name = "N")]
     pub max_defects: Option<usize>,
