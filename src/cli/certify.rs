@@ -318,7 +318,7 @@ fn examined(
     (words, data)
 }
 
-/// `acute`, `all dihedral angles below 78.47`: bounds of angles as decimals.
+/// `acute`, `all dihedral angles below 7847/100`.
 fn statement_text(statement: &Statement) -> String {
     match serde_json::to_value(statement) {
         Ok(Value::String(name)) => name,

@@ -4,7 +4,7 @@ use super::html::escape;
 use super::markdown::{Document, to_html};
 
 /// The documents that the site has.
-pub const DOCUMENTS: [Document; 7] = [
+pub const DOCUMENTS: [Document; 10] = [
     document(
         "README.md",
         "docs/readme.html",
@@ -28,6 +28,24 @@ pub const DOCUMENTS: [Document; 7] = [
         "docs/trust.html",
         "What is trusted",
         include_str!("../../docs/trust.md"),
+    ),
+    document(
+        "docs/meshes.md",
+        "docs/meshes.html",
+        "Mesh files",
+        include_str!("../../docs/meshes.md"),
+    ),
+    document(
+        "docs/cif.md",
+        "docs/cif.html",
+        "Crystallographic files",
+        include_str!("../../docs/cif.md"),
+    ),
+    document(
+        "docs/appendix.md",
+        "docs/appendix.html",
+        "Appendices in LaTeX",
+        include_str!("../../docs/appendix.md"),
     ),
     document(
         "docs/gallery.md",
