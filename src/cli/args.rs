@@ -1,5 +1,6 @@
 //! The arguments of every command, as clap reads them.
 
+use super::draw::DrawArguments;
 use super::quality::QualityArguments;
 use crate::certificate::Statement;
 use crate::verifier::Limits;
@@ -44,6 +45,8 @@ pub enum Command {
     Paper(PaperArguments),
     /// How good the simplices are: dihedral angles, radius-edge and aspect ratios
     Quality(QualityArguments),
+    /// Figures for print, as SVG or TikZ, with hidden lines found exactly
+    Draw(DrawArguments),
     /// Valences, vertex types, TCP or why not, and what the tiling is isomorphic to
     Classify(ClassifyArguments),
     /// Print a completion script for a shell

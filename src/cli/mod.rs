@@ -11,6 +11,7 @@ mod args;
 mod certify;
 mod classify;
 mod delaunay;
+mod draw;
 mod export;
 mod input;
 mod list;
@@ -94,6 +95,7 @@ pub fn main() -> ExitCode {
         Command::Table(table) => table::run(&table, &mut output),
         Command::Paper(paper) => paper::run(&paper, &mut output),
         Command::Quality(quality) => quality::run(&quality, &mut output),
+        Command::Draw(draw) => draw::run(&draw, &mut output),
         Command::Classify(classify) => classify::run(&classify, &mut output),
         Command::Completions(completions) => meta::completions(&completions, &mut output),
         Command::Man => meta::man(&mut output),
