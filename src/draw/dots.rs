@@ -4,20 +4,21 @@
 
 use super::drawing::{BLACK, Drawing, GREY, Item, Layout, Panel, Place, Stroke, WHITE};
 use super::{DrawError, Options};
-use crate::catalog::plane_tiling::{Cyclotomic, POWERS, PlaneTiling, named, sum};
+use crate::catalog::plane_tiling::{Cyclotomic, POWERS, PlaneTiling, named, scaled, sum};
+use std::collections::{BTreeSet, HashMap};
 
-/// The figure: several cells, as many as are needed for some tiles, and one of them outlined.
+/// The figure: the tiles of several cells, and one cell outlined.
 pub fn dots(name: &str, options: &Options) -> Result<Drawing, DrawError> {
     let plane = under(name).ok_or(DrawError::NoPlane)?;
     let copies = match plane.vertices.len() {
-        0..=1 => 3,
-        2..=12 => 2,
+        0..=4 => 3,
+        5..=12 => 2,
         _ => 1,
     };
-    let patch = plane.repeated([copies, copies]);
-    let mut items = edges(&patch)?;
-    items.extend(outline(&plane));
-    items.extend(marks(&patch)?);
+    let tiles = tiles(&plane.repeated([copies, copies]))?;
+    let mut items = sides(&tiles);
+    items.extend(outline(&plane, copies / 2));
+    items.extend(marks(&plane, &tiles)?);
     let panel = Panel {
         items,
         caption: String::new(),
@@ -46,41 +47,74 @@ fn under(name: &str) -> Option<PlaneTiling> {
     }
 }
 
-/// All edges at the vertices of the patch, each drawn from the end from which its direction is
-/// less than a half turn, and those that leave the patch backwards.
-fn edges(patch: &PlaneTiling) -> Result<Vec<Item>, DrawError> {
-    let stars = patch.stars()?;
-    let mut lines = Vec::new();
-    for (&vertex, star) in patch.vertices.iter().zip(&stars) {
-        for corner in star.iter().filter(|corner| corner.direction < 6) {
-            let end = sum(vertex, POWERS[corner.direction]);
-            lines.push(Item::Line {
-                ends: [cartesian(vertex, 1.0), cartesian(end, 1.0)],
-                stroke: Stroke::Edge,
-            });
+/// A square or a triangle: its corners in positive order.
+type Tile = Vec<Cyclotomic>;
+
+/// All tiles of a cell. A triangle's sides have directions k, k + 4, k + 8 and a square's k,
+/// k + 3, k + 6, k + 9, so that one corner of each begins with a small direction.
+fn tiles(plane: &PlaneTiling) -> Result<Vec<Tile>, DrawError> {
+    let mut tiles = Vec::new();
+    for (&vertex, star) in plane.vertices.iter().zip(&plane.stars()?) {
+        for corner in star {
+            let (sides, turn) = if corner.is_square() { (4, 3) } else { (3, 4) };
+            if corner.direction < turn {
+                let directions = (0..sides - 1).map(|side| corner.direction + side * turn);
+                let mut tile = vec![vertex];
+                tile.extend(directions.scan(vertex, |at, k| {
+                    *at = sum(*at, POWERS[k]);
+                    Some(*at)
+                }));
+                tiles.push(tile);
+            }
         }
     }
-    Ok(lines)
+    Ok(tiles)
 }
 
-fn outline(plane: &PlaneTiling) -> Vec<Item> {
+/// The sides of all tiles, each once.
+fn sides(tiles: &[Tile]) -> Vec<Item> {
+    let pairs = tiles.iter().flat_map(|tile| {
+        let next = tile.iter().cycle().skip(1);
+        tile.iter().zip(next).map(|(&a, &b)| [a.min(b), a.max(b)])
+    });
+    let pairs: BTreeSet<[Cyclotomic; 2]> = pairs.collect();
+    let line = |ends: [Cyclotomic; 2]| Item::Line {
+        ends: ends.map(|x| cartesian(x, 1.0)),
+        stroke: Stroke::Edge,
+    };
+    pairs.into_iter().map(line).collect()
+}
+
+/// The parallelogram of the lattice, moved along its diagonal.
+fn outline(plane: &PlaneTiling, along: i64) -> Vec<Item> {
     let [a, b] = plane.lattice;
-    let corners = [[0; 4], a, sum(a, b), b];
+    let first = scaled(sum(a, b), along);
+    let corners = [[0; 4], a, sum(a, b), b].map(|x| cartesian(sum(first, x), 1.0));
     (0..4)
         .map(|k| Item::Line {
-            ends: [corners[k], corners[(k + 1) % 4]].map(|x| cartesian(x, 1.0)),
+            ends: [corners[k], corners[(k + 1) % 4]],
             stroke: Stroke::HiddenCell,
         })
         .collect()
 }
 
-/// The dots, and the vertices of the tiling, once for their two heights.
-fn marks(patch: &PlaneTiling) -> Result<Vec<Item>, DrawError> {
-    let points = patch.points()?;
-    let dots = points.iter().filter(|(_, height)| *height != 2);
-    Ok(dots
-        .map(|&(place, height)| Item::Dot {
-            at: cartesian(place, 12.0),
+/// The dots of the tiles and their corners. The places where a tile may have dots are gone
+/// through, and the points of the structure tell which are there and at which height.
+fn marks(plane: &PlaneTiling, tiles: &[Tile]) -> Result<Vec<Item>, DrawError> {
+    let finer = PlaneTiling {
+        lattice: plane.lattice.map(|x| scaled(x, SCALE)),
+        vertices: Vec::new(),
+    };
+    let points = plane.points()?;
+    let low = points.iter().filter(|(_, height)| *height != 2);
+    let heights: HashMap<Cyclotomic, i64> = low
+        .map(|&(place, height)| (finer.residue(place), height))
+        .collect();
+    let places: BTreeSet<Cyclotomic> = tiles.iter().flat_map(|tile| candidates(tile)).collect();
+    let mark = |place: Cyclotomic| {
+        let height = *heights.get(&finer.residue(place))?;
+        Some(Item::Dot {
+            at: cartesian(place, SCALE as f64),
             radius: if height == 0 { 0.5 } else { 0.8 },
             fill: match height {
                 0 => GREY,
@@ -88,7 +122,37 @@ fn marks(patch: &PlaneTiling) -> Result<Vec<Item>, DrawError> {
                 _ => WHITE,
             },
         })
-        .collect())
+    };
+    Ok(places.into_iter().filter_map(mark).collect())
+}
+
+/// Points of a structure are given in so many parts of a side.
+const SCALE: i64 = 12;
+
+/// The corners, the middles of the sides, the centre of a triangle, and in a square the middles
+/// moved inwards by a quarter of the side, that is of the way to the opposite middle.
+fn candidates(tile: &[Cyclotomic]) -> Vec<Cyclotomic> {
+    let n = tile.len();
+    let combination = |weights: &[(usize, i64)]| {
+        let terms = weights
+            .iter()
+            .map(|&(k, weight)| scaled(tile[k % n], weight));
+        terms.fold([0; 4], sum)
+    };
+    let mut places = Vec::new();
+    for k in 0..n {
+        places.push(combination(&[(k, 12)]));
+        places.push(combination(&[(k, 6), (k + 1, 6)]));
+        if n == 4 {
+            // 3/4 (p + q)/2 + 1/4 (r + s)/2 in twelfths of a half: 9 and 3 of 24.
+            let doubled = combination(&[(k, 9), (k + 1, 9), (k + 2, 3), (k + 3, 3)]);
+            places.push(doubled.map(|x| x / 2));
+        }
+    }
+    if n == 3 {
+        places.push(combination(&[(0, 4), (1, 4), (2, 4)]));
+    }
+    places
 }
 
 /// z = (√3 + i)/2, z² = (1 + i √3)/2, z³ = i; divided by `scale`.

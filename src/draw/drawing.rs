@@ -29,9 +29,9 @@ pub fn class_colour(class: usize) -> Colour {
     PALETTE[class % PALETTE.len()]
 }
 
-/// A colour mixed with white: all of it for `light` 0, less by at most two fifths for 1.
+/// A colour mixed with white: the colour itself for `light` 0, three tenths white for 1.
 pub fn lit(colour: Colour, light: f64) -> Colour {
-    colour.map(|x| (f64::from(x) + 0.4 * light * (255.0 - f64::from(x))).round() as u8)
+    colour.map(|x| (f64::from(x) + 0.3 * light * (255.0 - f64::from(x))).round() as u8)
 }
 
 /// The kinds of lines; a journal column wants weights of 0.1 mm and more.
