@@ -30,7 +30,7 @@ pub struct DrawArguments {
     #[arg(long, value_name = "N", default_value_t = 0)]
     pub vertex: usize,
     /// How far exploded tetrahedra move out, in parts of their distance from the middle
-    #[arg(long, value_name = "PART", default_value = "0.6", value_parser = part)]
+    #[arg(long, value_name = "PART", default_value = "1", value_parser = part)]
     pub apart: Rational,
     /// The direction to the eye: x along the first lattice vector, z up
     #[arg(long, value_name = "X,Y,Z", default_value = "4,-9,5", value_parser = direction, allow_hyphen_values = true)]

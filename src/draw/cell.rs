@@ -32,6 +32,7 @@ pub fn cell(name: &str, tiling: &Tiling<3>, options: &Options) -> Result<Drawing
         width: options.width,
         columns: 1,
         margin: 2.0,
+        has_one_scale: true,
         legend: patch::legend(classes),
     };
     Ok(layout.arrange(&format!("{name}: cell"), &[panel]))

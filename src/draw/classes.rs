@@ -117,6 +117,7 @@ fn layout(shapes: &[Shape], options: &Options) -> Layout {
         width: options.width,
         columns: fitting.min(shapes.len()),
         margin: 5.0,
+        has_one_scale: false,
         legend: Vec::new(),
     }
 }

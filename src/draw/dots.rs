@@ -10,14 +10,23 @@ use std::collections::{BTreeSet, HashMap};
 /// The figure: the tiles of several cells, and one cell outlined.
 pub fn dots(name: &str, options: &Options) -> Result<Drawing, DrawError> {
     let plane = under(name).ok_or(DrawError::NoPlane)?;
-    let copies = match plane.vertices.len() {
-        0..=4 => 3,
-        5..=12 => 2,
-        _ => 1,
+    let around = match plane.vertices.len() {
+        0..=4 => -1..2,
+        5..=12 => 0..2,
+        _ => 0..1,
     };
-    let tiles = tiles(&plane.repeated([copies, copies]))?;
+    let cell = tiles(&plane)?;
+    let shifts = around
+        .clone()
+        .flat_map(|i| around.clone().map(move |j| [i, j]));
+    let copies = |by: [i64; 2]| {
+        cell.iter()
+            .map(|tile| moved(tile, &plane, by))
+            .collect::<Vec<Tile>>()
+    };
+    let tiles: Vec<Tile> = shifts.flat_map(copies).collect();
     let mut items = sides(&tiles);
-    items.extend(outline(&plane, copies / 2));
+    items.extend(outline(&plane));
     items.extend(marks(&plane, &tiles)?);
     let panel = Panel {
         items,
@@ -27,6 +36,7 @@ pub fn dots(name: &str, options: &Options) -> Result<Drawing, DrawError> {
         width: options.width,
         columns: 1,
         margin: 2.0,
+        has_one_scale: true,
         legend: vec![
             (BLACK, "height 4k \u{2212} 1".to_owned()),
             (WHITE, "height 4k + 1".to_owned()),
@@ -50,7 +60,7 @@ fn under(name: &str) -> Option<PlaneTiling> {
 /// A square or a triangle: its corners in positive order.
 type Tile = Vec<Cyclotomic>;
 
-/// All tiles of a cell. A triangle's sides have directions k, k + 4, k + 8 and a square's k,
+/// All tiles of a cell, with their centres in the parallelogram. A triangle's sides have directions k, k + 4, k + 8 and a square's k,
 /// k + 3, k + 6, k + 9, so that one corner of each begins with a small direction.
 fn tiles(plane: &PlaneTiling) -> Result<Vec<Tile>, DrawError> {
     let mut tiles = Vec::new();
@@ -64,11 +74,27 @@ fn tiles(plane: &PlaneTiling) -> Result<Vec<Tile>, DrawError> {
                     *at = sum(*at, POWERS[k]);
                     Some(*at)
                 }));
-                tiles.push(tile);
+                let by = place_of_centre(plane, &tile).map(|x| -(x + 1e-9).floor() as i64);
+                tiles.push(moved(&tile, plane, by));
             }
         }
     }
     Ok(tiles)
+}
+
+fn moved(tile: &[Cyclotomic], plane: &PlaneTiling, [i, j]: [i64; 2]) -> Tile {
+    let [a, b] = plane.lattice;
+    let by = sum(scaled(a, i), scaled(b, j));
+    tile.iter().map(|&corner| sum(corner, by)).collect()
+}
+
+/// The coordinates of a tile's centre in the lattice vectors.
+fn place_of_centre(plane: &PlaneTiling, tile: &[Cyclotomic]) -> [f64; 2] {
+    let cross = |x: Place, y: Place| x[0] * y[1] - x[1] * y[0];
+    let [a, b] = plane.lattice.map(|x| cartesian(x, 1.0));
+    let centre = tile.iter().fold([0; 4], |x, &corner| sum(x, corner));
+    let centre = cartesian(centre, tile.len() as f64);
+    [cross(centre, b), cross(a, centre)].map(|x| x / cross(a, b))
 }
 
 /// The sides of all tiles, each once.
@@ -85,15 +111,14 @@ fn sides(tiles: &[Tile]) -> Vec<Item> {
     pairs.into_iter().map(line).collect()
 }
 
-/// The parallelogram of the lattice, moved along its diagonal.
-fn outline(plane: &PlaneTiling, along: i64) -> Vec<Item> {
+/// The parallelogram of the lattice.
+fn outline(plane: &PlaneTiling) -> Vec<Item> {
     let [a, b] = plane.lattice;
-    let first = scaled(sum(a, b), along);
-    let corners = [[0; 4], a, sum(a, b), b].map(|x| cartesian(sum(first, x), 1.0));
+    let corners = [[0; 4], a, sum(a, b), b].map(|x| cartesian(x, 1.0));
     (0..4)
         .map(|k| Item::Line {
             ends: [corners[k], corners[(k + 1) % 4]],
-            stroke: Stroke::HiddenCell,
+            stroke: Stroke::Outline,
         })
         .collect()
 }

@@ -24,9 +24,15 @@ const PALETTE: [Colour; 8] = [
     [120, 120, 120],
 ];
 
-/// The colour of a class; after eight of them they repeat.
+/// The colour of a class: the palette, then its colours darkened, then whitened; after these
+/// they repeat.
 pub fn class_colour(class: usize) -> Colour {
-    PALETTE[class % PALETTE.len()]
+    let colour = PALETTE[class % PALETTE.len()];
+    match class / PALETTE.len() % 3 {
+        0 => colour,
+        1 => colour.map(|x| (u16::from(x) * 7 / 10) as u8),
+        _ => colour.map(|x| (x / 3).saturating_add(170)),
+    }
 }
 
 /// A colour mixed with white: the colour itself for `light` 0, three tenths white for 1.
@@ -45,6 +51,8 @@ pub enum Stroke {
     Cell,
     /// Such an edge behind a face.
     HiddenCell,
+    /// A cell of the plane, also where it runs along edges.
+    Outline,
 }
 
 impl Stroke {
@@ -55,6 +63,7 @@ impl Stroke {
             Stroke::HiddenEdge => 0.12,
             Stroke::Cell => 0.45,
             Stroke::HiddenCell => 0.25,
+            Stroke::Outline => 0.6,
         }
     }
 
@@ -64,6 +73,7 @@ impl Stroke {
             Stroke::Edge => BLACK,
             Stroke::HiddenEdge => [70, 70, 70],
             Stroke::Cell | Stroke::HiddenCell => [40, 40, 40],
+            Stroke::Outline => [0, 80, 130],
         }
     }
 
@@ -73,6 +83,7 @@ impl Stroke {
             Stroke::Edge | Stroke::Cell => None,
             Stroke::HiddenEdge => Some(0.7),
             Stroke::HiddenCell => Some(1.2),
+            Stroke::Outline => Some(1.6),
         }
     }
 }
@@ -134,6 +145,8 @@ pub struct Layout {
     pub columns: usize,
     /// Around each panel, in millimetres.
     pub margin: f64,
+    /// Whether all panels have one scale; else each fills its place.
+    pub has_one_scale: bool,
     /// Colours and what they mean, below everything.
     pub legend: Vec<(Colour, String)>,
 }
@@ -144,29 +157,30 @@ const HIGHEST: f64 = 1.5;
 const LINE: f64 = 1.6 * FONT;
 
 impl Layout {
-    /// The panels in rows, all in one scale, each in the middle of its place.
+    /// The panels in rows, each in the middle of its place.
     pub fn arrange(&self, title: &str, panels: &[Panel]) -> Drawing {
         let columns = self.columns.clamp(1, panels.len().max(1));
         let cell = self.width / columns as f64;
         let room = (cell - 2.0 * self.margin).max(1.0);
         let boxes: Vec<[Place; 2]> = panels.iter().map(bounds).collect();
-        let largest = |k: usize| boxes.iter().map(|[l, h]| h[k] - l[k]).fold(1e-9, f64::max);
-        let scale = (room / largest(0)).min(HIGHEST * room / largest(1));
+        let scales = self.scales(&boxes, room);
         let mut items = Vec::new();
         let mut top = 0.0;
-        for (row, boxes) in panels.chunks(columns).zip(boxes.chunks(columns)) {
-            let tallest = boxes.iter().map(|[l, h]| h[1] - l[1]).fold(0.0, f64::max);
-            let height = tallest * scale + 2.0 * self.margin;
-            let has_caption = row.iter().any(|panel| !panel.caption.is_empty());
-            for (k, (panel, [low, high])) in row.iter().zip(boxes).enumerate() {
-                let middle = [(k as f64 + 0.5) * cell, top - height / 2.0];
+        for first in (0..panels.len()).step_by(columns) {
+            let row = first..panels.len().min(first + columns);
+            let heights = row.clone().map(|k| extent(&boxes[k], 1) * scales[k]);
+            let height = heights.fold(0.0, f64::max) + 2.0 * self.margin;
+            for k in row.clone() {
+                let centre = [((k - first) as f64 + 0.5) * cell, top - height / 2.0];
+                let [low, high] = boxes[k];
                 let place = |p: Place| -> Place {
-                    [0, 1].map(|i| middle[i] + scale * (p[i] - (low[i] + high[i]) / 2.0))
+                    [0, 1].map(|i| centre[i] + scales[k] * (p[i] - (low[i] + high[i]) / 2.0))
                 };
-                items.extend(panel.items.iter().map(|item| item.moved(&place)));
-                let below = [middle[0], top - height - LINE / 3.0];
-                items.extend(caption(below, &panel.caption));
+                items.extend(panels[k].items.iter().map(|item| item.moved(&place)));
+                let below = [centre[0], top - height - LINE / 3.0];
+                items.extend(caption(below, &panels[k].caption));
             }
+            let has_caption = row.into_iter().any(|k| !panels[k].caption.is_empty());
             top -= height + if has_caption { LINE * 1.3 } else { 0.0 };
         }
         top = self.add_legend(&mut items, top);
@@ -175,6 +189,17 @@ impl Layout {
             title: title.to_owned(),
             size: [self.width, -top],
             items: items.iter().map(|item| item.moved(&up)).collect(),
+        }
+    }
+
+    /// Millimetres for a unit of each panel.
+    fn scales(&self, boxes: &[[Place; 2]], room: f64) -> Vec<f64> {
+        let scale = |b: &[Place; 2]| (room / extent(b, 0)).min(HIGHEST * room / extent(b, 1));
+        let scales: Vec<f64> = boxes.iter().map(scale).collect();
+        let least = scales.iter().copied().fold(f64::INFINITY, f64::min);
+        match self.has_one_scale {
+            true => vec![least; boxes.len()],
+            false => scales,
         }
     }
 
@@ -241,6 +266,11 @@ impl Item {
             Item::Dot { at, .. } | Item::Label { at, .. } => std::slice::from_ref(at),
         }
     }
+}
+
+/// In one direction; not 0.
+fn extent([low, high]: &[Place; 2], k: usize) -> f64 {
+    (high[k] - low[k]).max(1e-9)
 }
 
 /// The least and the greatest coordinates; 0 of nothing.

@@ -33,6 +33,7 @@ pub fn exploded(name: &str, tiling: &Tiling<3>, options: &Options) -> Result<Dra
         width: options.width,
         columns: 1,
         margin: 2.0,
+        has_one_scale: true,
         legend: patch::legend(classes),
     };
     Ok(layout.arrange(&format!("{name}: exploded"), &[panel]))

@@ -79,7 +79,7 @@ impl Default for Options {
         Options {
             direction: DIRECTION,
             vertex: 0,
-            apart: Rational::from_signeds(3, 5),
+            apart: Rational::from(1),
             width: 84.0,
         }
     }

@@ -80,7 +80,8 @@ fn peeled(rest: &mut [bool], before: &[Vec<usize>], after: &[Vec<usize>]) -> Vec
         let face = ready[done];
         done += 1;
         rest[face] = false;
-        for &next in &after[face] {
+        // Others were taken earlier, from the other end.
+        for &next in after[face].iter().filter(|&&next| rest[next]) {
             waiting[next] -= 1;
             if waiting[next] == 0 {
                 ready.push(next);

@@ -34,7 +34,7 @@ pub fn plane(name: &str, tiling: &Tiling<2>, options: &Options) -> Result<Drawin
     for ends in outline(tiling.frame.rank()) {
         scene.add_line(Line {
             ends,
-            visible: Stroke::Cell,
+            visible: Stroke::Outline,
             hidden: None,
         });
     }
@@ -46,6 +46,7 @@ pub fn plane(name: &str, tiling: &Tiling<2>, options: &Options) -> Result<Drawin
         width: options.width,
         columns: 1,
         margin: 2.0,
+        has_one_scale: true,
         legend: patch::legend(shapes.len()),
     };
     Ok(layout.arrange(&format!("{name}: plane"), &[panel]))

@@ -49,6 +49,7 @@ pub fn star(name: &str, tiling: &Tiling<3>, options: &Options) -> Result<Drawing
         width: options.width,
         columns: 1,
         margin: 4.0,
+        has_one_scale: true,
         legend: patch::legend(shapes.len()),
     };
     Ok(layout.arrange(&format!("{name}: star of vertex {vertex}"), &[panel]))

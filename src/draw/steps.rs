@@ -39,6 +39,7 @@ pub fn steps(name: &str, tiling: &Tiling<3>, options: &Options) -> Result<Drawin
         width: options.width,
         columns: if options.width < 120.0 { 2 } else { 4 },
         margin: 1.5,
+        has_one_scale: true,
         legend: Vec::new(),
     };
     Ok(layout.arrange("slab: the eight steps", &panels))
@@ -115,4 +116,62 @@ fn layer(height: &Number) -> Colour {
     let tenths = (height.approximate() * 10.0).round() as i64;
     let found = LAYERS.iter().find(|(until, _)| tenths <= *until);
     found.map_or(BLACK, |(_, colour)| *colour)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{NEW, layer};
+    use crate::catalog::build;
+    use crate::number::Number;
+    use crate::tiling::AnyTiling;
+    use malachite::Rational;
+
+    /// Section 4.3: the heights of the corners of the tetrahedra that each step places, in tenths.
+    const HEIGHTS: [[i64; 4]; 7] = [
+        [0, 0, 0, 40],
+        [0, 0, 40, 40],
+        [0, 40, 40, 46],
+        [40, 40, 46, 71],
+        [40, 46, 71, 71],
+        [40, 71, 71, 71],
+        [46, 71, 71, 96],
+    ];
+
+    #[test]
+    fn the_steps_are_those_of_the_paper() {
+        let AnyTiling::Space(slab) = build("slab").unwrap() else {
+            panic!("the slab is not in space");
+        };
+        let mut simplex = 0;
+        for (new, heights) in NEW[1..].iter().zip(HEIGHTS) {
+            for _ in 0..*new {
+                let corners = slab.simplex(simplex).iter();
+                let mut found: Vec<Number> = corners.map(|c| slab.position(c)[2].clone()).collect();
+                found.sort();
+                let tenths = |h: i64| Number::from(Rational::from_signeds(h, 10));
+                assert_eq!(found, heights.map(tenths));
+                simplex += 1;
+            }
+        }
+        // The eighth step, and twice the first seven.
+        assert_eq!(2 * (simplex - NEW[7]) + NEW[7], slab.len());
+    }
+
+    /// The caption of the figure of the slab: white, yellow, red, blue, black.
+    #[test]
+    fn layers_have_the_colours_of_the_paper() {
+        let colours =
+            [0, 40, 46, 71, 96].map(|h| layer(&Number::from(Rational::from_signeds(h, 10))));
+        let brightest = |c: [u8; 3]| c.map(|x| x > 150);
+        assert_eq!(
+            colours.map(brightest),
+            [
+                [true; 3],
+                [true, true, false],
+                [true, false, false],
+                [false, false, true],
+                [false; 3]
+            ]
+        );
+    }
 }

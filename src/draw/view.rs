@@ -29,9 +29,12 @@ impl View {
     pub fn new(gram: &[[Number; 3]; 3], direction: [f64; 3]) -> Result<View, DrawError> {
         let vectors = cholesky(gram).ok_or(DrawError::NotPositiveDefinite)?;
         let entries = coordinates(&vectors, direction);
+        if !entries.iter().all(|x| x.is_finite()) {
+            return Err(DrawError::NoDirection);
+        }
         let largest = entries.iter().fold(0.0, |m: f64, x| m.max(x.abs()));
         let steps = entries.map(|x| (x / largest * STEPS).round());
-        if !(largest > 0.0 && largest.is_finite()) || steps == [0.0; 3] {
+        if !steps.iter().any(|x| x.abs() > 0.0) {
             return Err(DrawError::NoDirection);
         }
         let eye = steps.map(|x| Number::from(Rational::from(x as i64)));
