@@ -2,7 +2,7 @@
 //! and against what the paper says; their files against what reads them.
 
 use acutile::catalog::build;
-use acutile::draw::drawing::Item;
+use acutile::draw::drawing::{Item, class_colour, lit};
 use acutile::draw::order::painted;
 use acutile::draw::polygon::{Face, Point, on_segment};
 use acutile::draw::svg::svg;
@@ -444,6 +444,7 @@ fn tikz_compiles_where_tex_is_there() {
     });
     let drawings = [
         nasty,
+        figure("a15", Figure::Plane),
         figure("a15", Figure::Classes),
         figure("sigma", Figure::Plane),
         figure("slab", Figure::Steps),
@@ -521,4 +522,59 @@ fn views_along_axes_are_drawn() {
             }
         }
     }
+}
+
+fn acutile(arguments: &[&str]) -> (Option<i32>, String, String) {
+    let run = Command::new(env!("CARGO_BIN_EXE_acutile"))
+        .args(arguments)
+        .output()
+        .unwrap();
+    let text = |bytes: Vec<u8>| String::from_utf8(bytes).unwrap();
+    (run.status.code(), text(run.stdout), text(run.stderr))
+}
+
+#[test]
+fn the_command_writes_whole_files_or_says_why_not() {
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("cell.svg");
+    let file = path.to_str().unwrap();
+    let (code, out, error) = acutile(&["draw", "bcc", "-o", file]);
+    assert_eq!((code, out.as_str(), error.as_str()), (Some(0), "", ""));
+    let written = std::fs::read_to_string(&path).unwrap();
+    well_formed(&written);
+    assert_eq!(acutile(&["draw", "bcc"]).1, written);
+    let (code, _, error) = acutile(&["draw", "a15", "--figure", "steps", "-o", file]);
+    assert_eq!(code, Some(2));
+    assert!(error.contains("only the slab"), "{error}");
+    assert_eq!(std::fs::read_to_string(&path).unwrap(), written);
+    for wrong in [
+        ["--view", "0,0,0"],
+        ["--view", "1,2"],
+        ["--view", "a,b,c"],
+        ["--width", "5"],
+        ["--apart", "-1"],
+        ["--vertex", "99999999999999999999999"],
+        ["--format", "pdf"],
+    ] {
+        let (code, out, _) = acutile(&["draw", "a15", wrong[0], wrong[1]]);
+        assert_eq!((code, out.as_str()), (Some(2), ""), "{wrong:?}");
+    }
+    let (code, _, error) = acutile(&["draw", "a15", "--standalone"]);
+    assert_eq!(code, Some(2));
+    assert!(error.contains("--format tikz"), "{error}");
+}
+
+/// The greys (ITU-R BT.601) of the first eight classes, from no light to full light, are intervals
+/// that do not meet.
+#[test]
+fn eight_classes_differ_in_grey() {
+    let grey = |[r, g, b]: [u8; 3]| 299 * u32::from(r) + 587 * u32::from(g) + 114 * u32::from(b);
+    let mut ranges: Vec<[u32; 2]> = (0..8)
+        .map(|class| [0.0, 1.0].map(|light| grey(lit(class_colour(class), light))))
+        .collect();
+    ranges.sort_unstable();
+    assert!(
+        ranges.windows(2).all(|pair| pair[0][1] < pair[1][0]),
+        "{ranges:?}"
+    );
 }

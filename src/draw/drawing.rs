@@ -11,17 +11,17 @@ pub const BLACK: Colour = [0, 0, 0];
 pub const WHITE: Colour = [255, 255, 255];
 pub const GREY: Colour = [200, 200, 200];
 
-/// The palette of Okabe and Ito (2008), in an order in which neighbours differ in lightness,
-/// so that they differ in grey, too.
+/// The hues of Okabe and Ito (2008), darkened or whitened a little so that their greys are apart:
+/// 215, 75, 165, 115, 190, 93, 140 and 238 of 255, in an order in which neighbours differ much.
 const PALETTE: [Colour; 8] = [
     [240, 228, 66],
-    [0, 114, 178],
-    [86, 180, 233],
-    [213, 94, 0],
-    [230, 159, 0],
-    [0, 158, 115],
-    [204, 121, 167],
-    [120, 120, 120],
+    [0, 98, 153],
+    [98, 185, 235],
+    [207, 91, 0],
+    [238, 188, 77],
+    [0, 139, 101],
+    [190, 113, 155],
+    [238, 238, 238],
 ];
 
 /// The colour of a class: the palette, then its colours darkened, then whitened; after these
@@ -35,9 +35,10 @@ pub fn class_colour(class: usize) -> Colour {
     }
 }
 
-/// A colour mixed with white: the colour itself for `light` 0, three tenths white for 1.
+/// A colour mixed with white: the colour itself for `light` 0, an eighth white for 1, so that
+/// no class gets the grey of another.
 pub fn lit(colour: Colour, light: f64) -> Colour {
-    colour.map(|x| (f64::from(x) + 0.3 * light * (255.0 - f64::from(x))).round() as u8)
+    colour.map(|x| (f64::from(x) + 0.12 * light * (255.0 - f64::from(x))).round() as u8)
 }
 
 /// The kinds of lines; a journal column wants weights of 0.1 mm and more.
@@ -134,6 +135,15 @@ pub struct Drawing {
     /// In millimetres.
     pub size: [f64; 2],
     pub items: Vec<Item>,
+}
+
+impl Drawing {
+    /// Whether everything has a place.
+    pub fn is_finite(&self) -> bool {
+        let places = self.items.iter().flat_map(Item::places);
+        let mut numbers = places.flatten().chain(&self.size);
+        numbers.all(|x| x.is_finite())
+    }
 }
 
 /// How panels are arranged.

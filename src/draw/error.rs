@@ -8,6 +8,8 @@ use std::fmt;
 pub enum DrawError {
     /// The Gram matrix is not one.
     NotPositiveDefinite,
+    /// A place on the paper is not finite.
+    TooLarge,
     /// The direction of sight is 0.
     NoDirection,
     /// A vertex beyond the last one, and how many there are.
@@ -37,12 +39,10 @@ impl fmt::Display for DrawError {
     fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
         match self {
             DrawError::NotPositiveDefinite => {
-                write!(
-                    f,
-                    "the Gram matrix is not positive definite, or far from it in size"
-                )
+                write!(f, "the Gram matrix is not positive definite")
             }
-            DrawError::NoDirection => write!(f, "the direction of view is 0 or too large"),
+            DrawError::TooLarge => write!(f, "lengths or coordinates are beyond those of doubles"),
+            DrawError::NoDirection => write!(f, "the direction of view is 0"),
             DrawError::NoVertex(vertex, count) => {
                 write!(
                     f,

@@ -96,7 +96,7 @@ pub fn draw(
     figure: Figure,
     options: &Options,
 ) -> Result<Drawing, DrawError> {
-    match (tiling, figure) {
+    let drawing = match (tiling, figure) {
         (AnyTiling::Plane(t), Figure::Classes) => classes::triangles(name, t, options),
         (AnyTiling::Plane(t), Figure::Cell | Figure::Plane) => plane::plane(name, t, options),
         (AnyTiling::Plane(_), _) => Err(DrawError::NotSolid),
@@ -106,5 +106,9 @@ pub fn draw(
         (AnyTiling::Space(t), Figure::Exploded) => exploded::exploded(name, t, options),
         (AnyTiling::Space(t), Figure::Steps) => steps::steps(name, t, options),
         (AnyTiling::Space(_), Figure::Plane) => dots::dots(name, options),
+    }?;
+    match drawing.is_finite() {
+        true => Ok(drawing),
+        false => Err(DrawError::TooLarge),
     }
 }

@@ -1,7 +1,7 @@
 //! Section 4.3: the slab in its eight steps, one panel each; new tetrahedra are coloured, and
 //! the vertices by their layers as in the paper: white, yellow, red, blue, black.
 
-use super::drawing::{BLACK, Colour, Drawing, GREY, Layout, Panel, Stroke, WHITE, class_colour};
+use super::drawing::{BLACK, Colour, Drawing, Layout, Panel, Stroke, WHITE};
 use super::polygon::Point;
 use super::scene::{Body, Dot, Line, Scene};
 use super::view::View;
@@ -18,6 +18,10 @@ pub const NEW: [usize; 8] = [0, 2, 3, 6, 6, 6, 2, 6];
 
 /// How far the patch reaches from the middle, in units of the slab: the side of the grid is 6.
 const REACH: i64 = 8;
+
+/// The colours of tetrahedra of earlier steps and of this one; apart in grey, too.
+const OLD: Colour = [228, 228, 228];
+const FRESH: Colour = [230, 159, 0];
 
 /// The colours of the layers, by the heights in tenths up to which they are.
 const LAYERS: [(i64, Colour); 5] = [
@@ -40,7 +44,11 @@ pub fn steps(name: &str, tiling: &Tiling<3>, options: &Options) -> Result<Drawin
         columns: if options.width < 120.0 { 2 } else { 4 },
         margin: 1.5,
         has_one_scale: true,
-        legend: Vec::new(),
+        legend: LAYERS
+            .iter()
+            .zip(["0", "4", "4.6", "7.1", "9.6"])
+            .map(|((_, colour), height)| (*colour, format!("height {height}")))
+            .collect(),
     };
     Ok(layout.arrange("slab: the eight steps", &panels))
 }
@@ -50,7 +58,7 @@ fn panel(tiling: &Tiling<3>, view: &View, step: usize) -> Panel {
     let until = old + NEW[step - 1];
     let mut bodies = Vec::new();
     for simplex in 0..until {
-        let colour = if simplex < old { GREY } else { class_colour(4) };
+        let colour = if simplex < old { OLD } else { FRESH };
         let places = patch(tiling, simplex).into_iter();
         bodies.extend(places.map(|corners| Body { corners, colour }));
     }

@@ -82,7 +82,8 @@ fn rgb([r, g, b]: Colour) -> String {
     format!("{{rgb,255:red,{r};green,{g};blue,{b}}}")
 }
 
-/// TeX's ten special characters; the degree and dot signs; others outside of ASCII are `?`.
+/// TeX's ten special characters and some signs are written by commands; others outside of ASCII
+/// are `?`.
 fn escaped(text: &str) -> String {
     let mut escaped = String::new();
     for letter in text.chars() {
@@ -93,7 +94,7 @@ fn escaped(text: &str) -> String {
             '<' => escaped.push_str("\\ensuremath{<}"),
             '>' => escaped.push_str("\\ensuremath{>}"),
             '°' => escaped.push_str("\\ensuremath{^\\circ}"),
-            '×' => escaped.push_str("\\ensuremath{\\times}"),
+            '\u{2212}' => escaped.push_str("\\ensuremath{-}"),
             '#' | '$' | '%' | '&' | '_' | '{' | '}' => {
                 escaped.push('\\');
                 escaped.push(letter);

@@ -25,7 +25,7 @@ impl View {
     /// first basis vector along x, the second in the plane of x and y, the third above it.
     ///
     /// # Errors
-    /// If the matrix is not positive definite or the direction is 0.
+    /// If the matrix is not positive definite, the direction is 0, or lengths are beyond doubles.
     pub fn new(gram: &[[Number; 3]; 3], direction: [f64; 3]) -> Result<View, DrawError> {
         let vectors = cholesky(gram).ok_or(DrawError::NotPositiveDefinite)?;
         let entries = coordinates(&vectors, direction);
@@ -47,7 +47,10 @@ impl View {
         let right = unit(cross(vertical, toward));
         let up = cross(toward, right);
         let basis = vectors.map(|b| [dot(b, right), dot(b, up), dot(b, toward)]);
-        Ok(View { eye, basis })
+        match basis.iter().flatten().all(|x| x.is_finite()) {
+            true => Ok(View { eye, basis }),
+            false => Err(DrawError::TooLarge),
+        }
     }
 
     /// The place on the screen: to the right and up, in units of length.
