@@ -163,7 +163,7 @@ fn area(corners: &[Point]) -> Fraction {
 /// No piece is before a point of one that is painted later, and each face is painted wholly.
 fn check_painting(faces: &[Face]) -> usize {
     let eye = exact(&point([0, 0, 1]));
-    let pieces = painted(faces);
+    let pieces = painted(faces).unwrap();
     for (i, piece) in pieces.iter().enumerate() {
         let corners: Vec<Exact> = piece.corners.iter().map(exact).collect();
         for k in 1..corners.len() - 1 {
@@ -218,6 +218,26 @@ fn faces_that_cross_are_cut() {
         let (_, faces): (Vec<_>, Vec<_>) = triangles(&mut dice, 5, 5, &eye).into_iter().unzip();
         check_painting(&faces);
     }
+}
+
+/// Eighty planes through a small ball cut one another into more pieces than the limit; a file may
+/// hold such triangles.
+#[test]
+fn too_many_pieces_are_refused() {
+    let mut dice = Dice(11);
+    let eye = point([0, 0, 1]);
+    let far = |dice: &mut Dice| {
+        let [x, y] = [(); 2].map(|_| dice.roll(9));
+        [
+            [9000 + x, 7 * y, 500 * x],
+            [-9000 + y, 8000 + x, 500 * y],
+            [-9000, -8000 + y, 70 * x - 500 * y],
+        ]
+    };
+    let faces: Vec<Face> = (0..80)
+        .filter_map(|_| Face::triangle(far(&mut dice).map(point), &eye))
+        .collect();
+    assert!(painted(&faces).is_none());
 }
 
 fn figure(name: &str, figure: Figure) -> Drawing {

@@ -103,7 +103,7 @@ fn direction(text: &str) -> Result<Direction, String> {
 
 fn part(text: &str) -> Result<Rational, String> {
     match parse_rational(text) {
-        Ok(part) if part >= 0 && part <= 100 => Ok(part),
+        Ok(part) if (Rational::from(0)..=Rational::from(100)).contains(&part) => Ok(part),
         _ => Err("expected a number from 0 to 100".to_owned()),
     }
 }

@@ -25,7 +25,7 @@ pub fn cell(name: &str, tiling: &Tiling<3>, options: &Options) -> Result<Drawing
         });
     }
     let panel = Panel {
-        items: scene.items(),
+        items: scene.items()?,
         caption: String::new(),
     };
     let layout = Layout {

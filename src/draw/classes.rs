@@ -40,7 +40,7 @@ pub fn tetrahedra(name: &str, tiling: &Tiling<3>, options: &Options) -> Result<D
         let view = best_view(tiling, &body, &layout)?;
         let mut scene = Scene::new(&view);
         scene.add_solid(std::slice::from_ref(&body), Some(Stroke::HiddenEdge));
-        let mut items = scene.items();
+        let mut items = scene.items()?;
         for ([a, b], [i, j]) in EDGES {
             let [p, q] = [a, b].map(|k| view.place(&body.corners[k]));
             items.push(Item::Label {

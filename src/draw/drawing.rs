@@ -12,10 +12,10 @@ pub const WHITE: Colour = [255, 255, 255];
 pub const GREY: Colour = [200, 200, 200];
 
 /// The hues of Okabe and Ito (2008), darkened or whitened a little so that their greys are apart:
-/// 215, 75, 165, 115, 190, 93, 140 and 238 of 255, in an order in which neighbours differ much.
+/// 215, 72, 165, 115, 190, 93, 140 and 238 of 255, in an order in which neighbours differ much.
 const PALETTE: [Colour; 8] = [
     [240, 228, 66],
-    [0, 98, 153],
+    [0, 94, 148],
     [98, 185, 235],
     [207, 91, 0],
     [238, 188, 77],
@@ -35,10 +35,10 @@ pub fn class_colour(class: usize) -> Colour {
     }
 }
 
-/// A colour mixed with white: the colour itself for `light` 0, an eighth white for 1, so that
+/// A colour mixed with white: the colour itself for `light` 0, a tenth white for 1, so that
 /// no class gets the grey of another.
 pub fn lit(colour: Colour, light: f64) -> Colour {
-    colour.map(|x| (f64::from(x) + 0.12 * light * (255.0 - f64::from(x))).round() as u8)
+    colour.map(|x| (f64::from(x) + 0.1 * light * (255.0 - f64::from(x))).round() as u8)
 }
 
 /// The kinds of lines; a journal column wants weights of 0.1 mm and more.

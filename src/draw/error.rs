@@ -1,5 +1,6 @@
 //! Why there is no figure, in words.
 
+use super::order::PIECE_LIMIT;
 use crate::catalog::CatalogError;
 use std::fmt;
 
@@ -18,6 +19,8 @@ pub enum DrawError {
     TooMany(usize, usize),
     /// So many congruence classes, more than the limit.
     TooManyClasses(usize, usize),
+    /// Faces that cross one another in more than [`super::order::PIECE_LIMIT`] pieces.
+    TooManyPieces,
     /// A figure of tetrahedra of a tiling of the plane.
     NotSolid,
     /// Steps of something else than the slab.
@@ -31,7 +34,8 @@ pub enum DrawError {
 impl DrawError {
     /// Whether a limit was reached.
     pub fn is_limit(&self) -> bool {
-        matches!(self, DrawError::TooMany(..) | DrawError::TooManyClasses(..))
+        use DrawError::{TooMany, TooManyClasses, TooManyPieces};
+        matches!(self, TooMany(..) | TooManyClasses(..) | TooManyPieces)
     }
 }
 
@@ -56,6 +60,10 @@ impl fmt::Display for DrawError {
             DrawError::TooManyClasses(count, limit) => write!(
                 f,
                 "{count} congruence classes are more than a figure shows; the limit is {limit}"
+            ),
+            DrawError::TooManyPieces => write!(
+                f,
+                "faces cross one another too often: more than {PIECE_LIMIT} pieces"
             ),
             DrawError::NotSolid => {
                 write!(

@@ -26,7 +26,7 @@ pub fn exploded(name: &str, tiling: &Tiling<3>, options: &Options) -> Result<Dra
         scene.add_solid(&[moved(body, &by)], None);
     }
     let panel = Panel {
-        items: scene.items(),
+        items: scene.items()?,
         caption: String::new(),
     };
     let layout = Layout {

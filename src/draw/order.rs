@@ -20,8 +20,11 @@ pub struct Piece {
     pub corners: Vec<Point>,
 }
 
-/// All faces, cut where that is needed, such that none hides one after it.
-pub fn painted(faces: &[Face]) -> Vec<Piece> {
+/// No figure has more pieces: n faces that all cross may have n³.
+pub const PIECE_LIMIT: usize = 20_000;
+
+/// All faces, cut where that is needed, such that no piece is before a point of a later one. `None` beyond [`PIECE_LIMIT`].
+pub fn painted(faces: &[Face]) -> Option<Vec<Piece>> {
     let piece = |&face: &usize| Piece {
         face,
         corners: faces[face].corners.clone(),
@@ -37,9 +40,9 @@ pub fn painted(faces: &[Face]) -> Vec<Piece> {
     near.reverse();
     let core: Vec<usize> = (0..faces.len()).filter(|&i| rest[i]).collect();
     let mut pieces: Vec<Piece> = far.iter().map(piece).collect();
-    partition(faces, core.iter().map(piece).collect(), &mut pieces);
+    partition(faces, core.iter().map(piece).collect(), &mut pieces)?;
     pieces.extend(near.iter().map(piece));
-    pieces
+    Some(pieces)
 }
 
 /// For each face those of which a part is behind it.
@@ -91,11 +94,15 @@ fn peeled(rest: &mut [bool], before: &[Vec<usize>], after: &[Vec<usize>]) -> Vec
     ready
 }
 
-/// Appends the pieces, cut by each other's planes, from the far to the near.
-fn partition(faces: &[Face], pieces: Vec<Piece>, painted: &mut Vec<Piece>) {
+/// Appends the pieces, cut by each other's planes, from the far to the near. It ends: the face
+/// whose plane cuts is on neither side of it.
+fn partition(faces: &[Face], pieces: Vec<Piece>, painted: &mut Vec<Piece>) -> Option<()> {
     let Some(plane) = best_plane(faces, &pieces) else {
-        return;
+        return Some(());
     };
+    if painted.len() + pieces.len() > PIECE_LIMIT {
+        return None;
+    }
     let (mut far, mut within, mut near) = (Vec::new(), Vec::new(), Vec::new());
     for piece in pieces {
         let parts = cut(&piece.corners, plane);
@@ -107,9 +114,9 @@ fn partition(faces: &[Face], pieces: Vec<Piece>, painted: &mut Vec<Piece>) {
         near.extend(parts.positive.map(|corners| Piece { face, corners }));
         far.extend(parts.negative.map(|corners| Piece { face, corners }));
     }
-    partition(faces, far, painted);
+    partition(faces, far, painted)?;
     painted.extend(within);
-    partition(faces, near, painted);
+    partition(faces, near, painted)
 }
 
 /// How many planes are tried.

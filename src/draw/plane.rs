@@ -39,7 +39,7 @@ pub fn plane(name: &str, tiling: &Tiling<2>, options: &Options) -> Result<Drawin
         });
     }
     let panel = Panel {
-        items: scene.items(),
+        items: scene.items()?,
         caption: String::new(),
     };
     let layout = Layout {

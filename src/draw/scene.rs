@@ -1,6 +1,7 @@
 //! What is seen in one panel: opaque tetrahedra, lines and points in space, turned into
 //! marks without anything that is covered.
 
+use super::DrawError;
 use super::drawing::{Colour, Item, Stroke, lit};
 use super::polygon::{Face, Point, on_segment};
 use super::view::View;
@@ -126,8 +127,12 @@ impl<'v> Scene<'v> {
 
     /// The marks, in units of length: fills from the far to the near, hidden lines, visible
     /// lines, points.
-    pub fn items(&self) -> Vec<Item> {
-        let mut items: Vec<Item> = order::painted(&self.faces)
+    ///
+    /// # Errors
+    /// Where faces cross so often that there are too many pieces.
+    pub fn items(&self) -> Result<Vec<Item>, DrawError> {
+        let pieces = order::painted(&self.faces).ok_or(DrawError::TooManyPieces)?;
+        let mut items: Vec<Item> = pieces
             .into_iter()
             .map(|piece| Item::Polygon {
                 corners: piece.corners.iter().map(|p| self.view.place(p)).collect(),
@@ -144,7 +149,7 @@ impl<'v> Scene<'v> {
             radius: dot.radius,
             fill: dot.colour,
         }));
-        items
+        Ok(items)
     }
 
     /// The visible and the hidden parts of all lines.

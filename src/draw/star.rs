@@ -42,7 +42,7 @@ pub fn star(name: &str, tiling: &Tiling<3>, options: &Options) -> Result<Drawing
         shines_through: true,
     });
     let panel = Panel {
-        items: scene.items(),
+        items: scene.items()?,
         caption: format!("vertex {vertex}: {} tetrahedra", bodies.len()),
     };
     let layout = Layout {

@@ -38,7 +38,8 @@ pub fn steps(name: &str, tiling: &Tiling<3>, options: &Options) -> Result<Drawin
         return Err(DrawError::NoSteps);
     }
     let view = View::new(&tiling.frame.gram, options.direction)?;
-    let panels: Vec<Panel> = (1..=8).map(|step| panel(tiling, &view, step)).collect();
+    let panels = (1..=8).map(|step| panel(tiling, &view, step));
+    let panels = panels.collect::<Result<Vec<Panel>, DrawError>>()?;
     let layout = Layout {
         width: options.width,
         columns: if options.width < 120.0 { 2 } else { 4 },
@@ -53,7 +54,7 @@ pub fn steps(name: &str, tiling: &Tiling<3>, options: &Options) -> Result<Drawin
     Ok(layout.arrange("slab: the eight steps", &panels))
 }
 
-fn panel(tiling: &Tiling<3>, view: &View, step: usize) -> Panel {
+fn panel(tiling: &Tiling<3>, view: &View, step: usize) -> Result<Panel, DrawError> {
     let old: usize = NEW[..step - 1].iter().sum();
     let until = old + NEW[step - 1];
     let mut bodies = Vec::new();
@@ -82,10 +83,10 @@ fn panel(tiling: &Tiling<3>, view: &View, step: usize) -> Panel {
             shines_through: false,
         });
     }
-    Panel {
-        items: scene.items(),
+    Ok(Panel {
+        items: scene.items()?,
         caption: format!("step {step}"),
-    }
+    })
 }
 
 /// The edges of the grid in the base plane: those of the tetrahedra of step 2.
