@@ -220,23 +220,13 @@ fn faces_that_cross_are_cut() {
     }
 }
 
-/// Eighty planes through a small ball cut one another into more pieces than the limit; a file may
-/// hold such triangles.
+/// Three hundred random triangles in a ball cut one another into more pieces than the limit; a
+/// file may hold such.
 #[test]
 fn too_many_pieces_are_refused() {
     let mut dice = Dice(11);
-    let eye = point([0, 0, 1]);
-    let far = |dice: &mut Dice| {
-        let [x, y] = [(); 2].map(|_| dice.roll(9));
-        [
-            [9000 + x, 7 * y, 500 * x],
-            [-9000 + y, 8000 + x, 500 * y],
-            [-9000, -8000 + y, 70 * x - 500 * y],
-        ]
-    };
-    let faces: Vec<Face> = (0..80)
-        .filter_map(|_| Face::triangle(far(&mut dice).map(point), &eye))
-        .collect();
+    let eye = point([1, 2, 3]);
+    let (_, faces): (Vec<_>, Vec<_>) = triangles(&mut dice, 300, 40, &eye).into_iter().unzip();
     assert!(painted(&faces).is_none());
 }
 
