@@ -315,6 +315,9 @@ fn labels_do_not_lie_on_one_another() {
         "slab",
         "bcc",
         "cube-5",
+        "square-8",
+        "square-10",
+        "square-14",
     ] {
         let drawing = figure(name, Figure::Classes);
         let all = angles(&drawing);

@@ -61,6 +61,7 @@ pub fn tetrahedra(name: &str, tiling: &Tiling<3>, options: &Options) -> Result<D
 /// The classes of a tiling of the plane.
 pub fn triangles(name: &str, tiling: &Tiling<2>, options: &Options) -> Result<Drawing, DrawError> {
     let shapes = checked_shapes(tiling)?;
+    let layout = layout(&shapes, options);
     let view = View::new(&plane::gram(&tiling.frame.gram), [0.0, 0.0, 1.0])?;
     let panels: Vec<Panel> = shapes
         .iter()
@@ -70,17 +71,22 @@ pub fn triangles(name: &str, tiling: &Tiling<2>, options: &Options) -> Result<Dr
             let corners = tiling.simplex(simplex);
             let places = [0, 1, 2].map(|k| view.place(&plane::place(tiling, &corners[k])));
             Panel {
-                items: triangle(tiling, simplex, places, class),
+                items: triangle(tiling, simplex, places, class, room(&layout)),
                 caption: caption(class, shape, tiling.len()),
             }
         })
         .collect();
-    Ok(layout(&shapes, options).arrange(&format!("{name}: classes"), &panels))
+    Ok(layout.arrange(&format!("{name}: classes"), &panels))
 }
 
-/// The angle at a corner is that between the two sides not opposite to it; its label is on the
-/// way to the middle.
-fn triangle(tiling: &Tiling<2>, simplex: usize, places: [Place; 3], class: usize) -> Vec<Item> {
+/// The angle at a corner is that between the two sides not opposite to it; its label is outside.
+fn triangle(
+    tiling: &Tiling<2>,
+    simplex: usize,
+    places: [Place; 3],
+    class: usize,
+    room: f64,
+) -> Vec<Item> {
     let mut items = vec![Item::Polygon {
         corners: places.to_vec(),
         fill: lit(class_colour(class), 1.0),
@@ -89,16 +95,33 @@ fn triangle(tiling: &Tiling<2>, simplex: usize, places: [Place; 3], class: usize
         ends: [places[a], places[b]],
         stroke: Stroke::Edge,
     }));
-    let centre = [0, 1].map(|k| (places[0][k] + places[1][k] + places[2][k]) / 3.0);
+    // What is left where there is a label on either side.
+    let room = (room - 2.0 * text_width("00.00°")).max(1.0);
+    let scale = room / extent(&places, 0).max(extent(&places, 1)).max(1e-9);
     for corner in 0..3 {
-        let inward = |k: usize| places[corner][k] + 0.45 * (centre[k] - places[corner][k]);
         items.push(Item::Label {
-            at: [0, 1].map(inward),
+            at: beside(&places, corner, scale),
             text: angle(tiling, simplex, (corner + 1) % 3, (corner + 2) % 3),
             has_halo: true,
         });
     }
     items
+}
+
+/// The middle of a label outside of a corner, in the direction away from the nearer other
+/// corner, so that the labels of two near corners go apart.
+fn beside(places: &[Place; 3], corner: usize, scale: f64) -> Place {
+    let at = places[corner];
+    let away = |k: usize| {
+        let [x, y] = [0, 1].map(|i| at[i] - places[(corner + k) % 3][i]);
+        (x.hypot(y), [x, y])
+    };
+    let (first, second) = (away(1), away(2));
+    let (length, [x, y]) = if first.0 <= second.0 { first } else { second };
+    let [x, y] = [x, y].map(|x| x / length.max(1e-9));
+    let reach = [0.6 * text_width("00.00°"), 0.9 * FONT];
+    let far = (reach[0] / x.abs()).min(reach[1] / y.abs()) / scale;
+    [at[0] + far * x, at[1] + far * y]
 }
 
 fn checked_shapes<const D: usize>(tiling: &Tiling<D>) -> Result<Vec<Shape>, DrawError> {
@@ -120,6 +143,11 @@ fn layout(shapes: &[Shape], options: &Options) -> Layout {
         has_one_scale: false,
         legend: Vec::new(),
     }
+}
+
+/// The width of a panel without its margins.
+fn room(layout: &Layout) -> f64 {
+    layout.width / layout.columns.max(1) as f64 - 2.0 * layout.margin
 }
 
 fn caption(class: usize, shape: &Shape, simplices: usize) -> String {
@@ -154,7 +182,7 @@ fn angle<const D: usize>(tiling: &Tiling<D>, simplex: usize, i: usize, j: usize)
 
 /// Of the directions with small whole coordinates the first in which the labels are clearest.
 fn best_view(tiling: &Tiling<3>, body: &Body, layout: &Layout) -> Result<View, DrawError> {
-    let room = layout.width / layout.columns.max(1) as f64 - 2.0 * layout.margin;
+    let room = room(layout);
     let mut best: Option<(f64, View)> = None;
     let range = -3..=3;
     for (x, y, z) in range
@@ -177,11 +205,7 @@ fn best_view(tiling: &Tiling<3>, body: &Body, layout: &Layout) -> Result<View, D
 /// The least distance between labels, and of a label from an edge that is not its own, in
 /// units of a label's width and height, for a tetrahedron that fills the room.
 fn clearness(places: [Place; 4], room: f64) -> f64 {
-    let extent = |k: usize| {
-        let all = places.iter().map(|p| p[k]);
-        all.clone().fold(f64::MIN, f64::max) - all.fold(f64::MAX, f64::min)
-    };
-    let scale = room / extent(0).max(extent(1)).max(1e-9);
+    let scale = room / extent(&places, 0).max(extent(&places, 1)).max(1e-9);
     let unit = [text_width("00.00°"), 1.2 * FONT];
     let places = places.map(|p| [0, 1].map(|k| p[k] * scale / unit[k]));
     let labels = EDGES.map(|([a, b], _)| middle(places[a], places[b]));
@@ -198,6 +222,11 @@ fn clearness(places: [Place; 4], room: f64) -> f64 {
         }
     }
     least
+}
+
+fn extent(places: &[Place], k: usize) -> f64 {
+    let all = places.iter().map(|p| p[k]);
+    all.clone().fold(f64::MIN, f64::max) - all.fold(f64::MAX, f64::min)
 }
 
 /// Of a point from a segment.

@@ -24,14 +24,14 @@ const PALETTE: [Colour; 8] = [
     [238, 238, 238],
 ];
 
-/// The colour of a class: the palette, then its colours darkened, then whitened; after these
+/// The colour of a class: the palette, then its colours whitened, then darkened; after these
 /// they repeat.
 pub fn class_colour(class: usize) -> Colour {
     let colour = PALETTE[class % PALETTE.len()];
     match class / PALETTE.len() % 3 {
         0 => colour,
-        1 => colour.map(|x| (u16::from(x) * 7 / 10) as u8),
-        _ => colour.map(|x| (x / 3).saturating_add(170)),
+        1 => colour.map(|x| (x / 3).saturating_add(170)),
+        _ => colour.map(|x| (u16::from(x) * 7 / 10) as u8),
     }
 }
 
