@@ -11,7 +11,7 @@ pub enum DrawError {
     NotPositiveDefinite,
     /// A place on the paper is not finite.
     TooLarge,
-    /// The direction of sight is 0.
+    /// The direction of sight is 0 or beyond doubles.
     NoDirection,
     /// A vertex beyond the last one, and how many there are.
     NoVertex(usize, usize),
@@ -46,7 +46,7 @@ impl fmt::Display for DrawError {
                 write!(f, "the Gram matrix is not positive definite")
             }
             DrawError::TooLarge => write!(f, "lengths or coordinates are beyond those of doubles"),
-            DrawError::NoDirection => write!(f, "the direction of view is 0"),
+            DrawError::NoDirection => write!(f, "the direction of view is 0 or too large"),
             DrawError::NoVertex(vertex, count) => {
                 write!(
                     f,
