@@ -1,5 +1,6 @@
 //! The arguments of every command, as clap reads them.
 
+use super::draw::DrawArguments;
 use super::quality::QualityArguments;
 use crate::certificate::Statement;
 use crate::mesh::{Format, Lattice};
@@ -55,6 +56,8 @@ pub enum Command {
     Report(ReportArguments),
     /// Write a static site of the whole catalogue
     Gallery(GalleryArguments),
+    /// Figures for print, as SVG or TikZ, with hidden lines found exactly
+    Draw(DrawArguments),
     /// Valences, vertex types, TCP or why not, and what the tiling is isomorphic to
     Classify(ClassifyArguments),
     /// A LaTeX appendix about certificates: theorem, numbers, and how to check them
