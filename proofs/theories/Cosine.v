@@ -123,3 +123,83 @@ Proof.
   replace ((2 * IZR a * IZR a - IZR b * IZR b) / (IZR b * IZR b)) with (2 * (IZR a / IZR b) * (IZR a / IZR b) - 1) by (field; lra).
   assert (cos (theta / 2) * cos (theta / 2) <= IZR a / IZR b * (IZR a / IZR b)) by (apply Rmult_le_compat; lra). lra.
 Qed.
+
+(** ** A rational lower bound
+
+    With U > pi and y = (p/q) U / 360, a little more than half the angle, and not beyond
+    pi/2: cos y >= u, the Taylor polynomial of degree 26; if u > 0, the cosine is at
+    least 2 u^2 - 1. *)
+Definition pi_above : Z := 31415926535897933.
+Lemma pi_upper : PI < IZR pi_above / IZR pi_den.
+Proof.
+  pose proof (PI_2_3_7_ineq 8) as [_ H]. unfold pi_above, pi_den.
+  unfold tg_alt, PI_2_3_7_tg, Ratan_seq in H. cbn [sum_f_R0 Nat.mul Nat.add pow] in H. rewrite !INR_IZR_INZ in H. cbn [Z.of_nat Pos.of_succ_nat Pos.succ] in H.
+  lra.
+Qed.
+Definition round_down (a b : Z) : Z * Z := (a * unit60 / b, unit60)%Z.
+Lemma round_down_ok a b : 0 < IZR b -> 0 < IZR (snd (round_down a b)) /\ IZR (fst (round_down a b)) / IZR (snd (round_down a b)) <= IZR a / IZR b.
+Proof.
+  intros Hb. apply lt_IZR in Hb. unfold round_down; cbn [fst snd].
+  assert (U : (0 < unit60)%Z) by (unfold unit60; lia).
+  pose proof (Z.mul_div_le (a * unit60) b Hb) as D. set (m := (a * unit60 / b)%Z) in *.
+  apply IZR_lt in Hb, U. apply IZR_le in D. rewrite !mult_IZR in D. split; auto.
+  apply Rmult_le_reg_r with (IZR b * IZR unit60); [apply Rmult_lt_0_compat; auto|].
+  replace (IZR a / IZR b * (IZR b * IZR unit60)) with (IZR a * IZR unit60) by (field; lra).
+  replace (IZR m / IZR unit60 * (IZR b * IZR unit60)) with (IZR b * IZR m) by (field; lra). lra.
+Qed.
+
+(** cos (p/q degrees) >= fst / snd, for 0 <= p/q < 180. *)
+Definition cos_lower (p q : Z) : Z * Z :=
+  if (p * pi_above * 2 <=? 360 * q * pi_num)%Z then
+    let '(a, b) := zhorner (p * pi_above) (360 * q * pi_den) 0 13 in
+    if (0 <? a)%Z then round_down (2 * a * a - b * b) (b * b) else (-1, 1)%Z
+  else (-1, 1)%Z.
+Definition above_ok (p q : Z) : bool := (Z.leb 0 p && Z.ltb 0 q && Z.ltb p (180 * q))%bool.
+
+Theorem cos_lower_ok p q : above_ok p q = true ->
+  let theta := IZR p / IZR q * (PI / 180) in
+  0 <= theta <= PI /\ 0 < IZR (snd (cos_lower p q)) /\ IZR (fst (cos_lower p q)) / IZR (snd (cos_lower p q)) <= cos theta.
+Proof.
+  intros D theta. unfold above_ok in D. rewrite !Bool.andb_true_iff, !Z.ltb_lt, Z.leb_le in D. destruct D as [[Hp Hq] Hpq].
+  pose proof PI_RGT_0 as PI0. pose proof pi_lower as PL. pose proof pi_upper as PU.
+  assert (Hd : (0 < 360 * q * pi_den)%Z) by (unfold pi_den; lia).
+  pose proof (COS_bound theta) as CB.
+  assert (HpR : 0 <= IZR p) by (apply IZR_le; auto). assert (HqR : 0 < IZR q) by (apply IZR_lt; auto).
+  apply IZR_lt in Hpq. rewrite mult_IZR in Hpq.
+  set (r := IZR p / IZR q) in *.
+  assert (Er : r * IZR q = IZR p) by (unfold r; field; lra).
+  assert (R0 : 0 <= r) by (apply Rmult_le_pos; [auto|left; apply Rinv_0_lt_compat; auto]).
+  assert (R1 : r <= 180) by (apply Rmult_le_reg_r with (IZR q); [auto|]; lra).
+  assert (T0 : 0 <= theta <= PI).
+  { unfold theta. split; [apply Rmult_le_pos; lra|]. nra. }
+  split; auto. unfold cos_lower.
+  destruct (Z.leb_spec (p * pi_above * 2) (360 * q * pi_num)) as [LE|]; [|cbn [fst snd]; lra].
+  pose proof (zhorner_ok (p * pi_above) (360 * q * pi_den) 13 Hd 0) as H.
+  cbn [Z.of_nat] in H. destruct (zhorner (p * pi_above) (360 * q * pi_den) 0 13) as [a b]. destruct H as [Hb Hy].
+  destruct (Z.ltb_spec 0 a) as [Ha|]; [|cbn [fst snd]; lra]. apply IZR_lt in Ha.
+  set (y := IZR (p * pi_above) / IZR (360 * q * pi_den)) in *.
+  assert (Ey : y = r * (IZR pi_above / IZR pi_den) / 360).
+  { unfold y, r. rewrite !mult_IZR. unfold pi_above, pi_den. field. lra. }
+  assert (L0 : 0 < IZR pi_num / IZR pi_den) by (unfold pi_num, pi_den; lra).
+  assert (Y0 : theta / 2 <= y).
+  { rewrite Ey. unfold theta. assert (r * PI <= r * (IZR pi_above / IZR pi_den)) by (apply Rmult_le_compat_l; lra). lra. }
+  assert (Y1 : y <= PI / 2).
+  { apply Rle_trans with (IZR pi_num / IZR pi_den / 2); [|lra].
+    apply IZR_le in LE. rewrite !mult_IZR in LE. unfold y. rewrite !mult_IZR.
+    assert (P : 0 < IZR pi_den) by (unfold pi_den; lra).
+    apply Rmult_le_reg_r with (360 * IZR q * IZR pi_den * 2); [repeat apply Rmult_lt_0_compat; lra|].
+    replace (IZR p * IZR pi_above / (360 * IZR q * IZR pi_den) * (360 * IZR q * IZR pi_den * 2)) with (IZR p * IZR pi_above * 2) by (field; lra).
+    replace (IZR pi_num / IZR pi_den / 2 * (360 * IZR q * IZR pi_den * 2)) with (360 * IZR q * IZR pi_num) by (field; lra). lra. }
+  assert (BB : 0 < IZR (b * b)) by (rewrite mult_IZR; apply Rmult_lt_0_compat; auto).
+  destruct (round_down_ok (2 * a * a - b * b) (b * b) BB) as [RU0 RU1].
+  split; auto. apply Rle_trans with (1 := RU1).
+  destruct (cos_bound y 6) as [LB _]; [lra|lra|]. change (2 * 6 + 1)%nat with 13%nat in LB.
+  rewrite <- horner_cos, Hy in LB.
+  assert (DC : cos y <= cos (theta / 2)) by (apply cos_decr_1; lra).
+  assert (C0 : 0 < IZR a / IZR b) by (apply Rdiv_lt_0_compat; auto).
+  assert (E2 : cos theta = 2 * cos (theta / 2) * cos (theta / 2) - 1).
+  { replace theta with (2 * (theta / 2)) at 1 by field. apply cos_2a_cos. }
+  rewrite E2, minus_IZR, !mult_IZR.
+  replace ((2 * IZR a * IZR a - IZR b * IZR b) / (IZR b * IZR b)) with (2 * (IZR a / IZR b) * (IZR a / IZR b) - 1) by (field; lra).
+  assert (IZR a / IZR b * (IZR a / IZR b) <= cos (theta / 2) * cos (theta / 2)) by (apply Rmult_le_compat; lra). lra.
+Qed.

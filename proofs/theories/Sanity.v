@@ -56,10 +56,23 @@ Proof.
 Qed.
 End Tiling.
 
-(** Without half-spaces the domain is the whole space. *)
-Theorem domain_space l1 l2 l3 X : det l1 l2 l3 <> 0 -> domain l1 l2 l3 nil X.
+(** With a lattice of rank 3 the domain is the whole space. *)
+Theorem domain_space l1 l2 l3 W X : det l1 l2 l3 <> 0 -> domain l1 l2 l3 3 W X.
+Proof. intros D. exists (Einv l1 l2 l3 X). split; [symmetry; apply (E_Einv l1 l2 l3 D)|]. exact I. Qed.
+(** With a lattice of rank 2 and W on two levels it is the slab between them. *)
+Theorem domain_slab l1 l2 l3 lo hi X : det l1 l2 l3 <> 0 -> lo < hi ->
+  domain l1 l2 l3 2 (Point 0 0 lo :: Point 0 0 hi :: nil) X <-> lo <= pz (Einv l1 l2 l3 X) <= hi.
 Proof.
-  intros D. exists (Einv l1 l2 l3 X). split; [symmetry; apply (E_Einv l1 l2 l3 D)|]. intros ? [].
+  intros D LH. split.
+  - intros [x [-> [w [Hw E]]]]. rewrite (Einv_E l1 l2 l3 D), E. clear E x.
+    induction Hw as [v [<-|[<-|[]]]|x y s _ IHx _ IHy S]; cbn; try lra. unf. nra.
+  - intros B. exists (Einv l1 l2 l3 X). split; [symmetry; apply (E_Einv l1 l2 l3 D)|].
+    set (z := pz (Einv l1 l2 l3 X)) in *.
+    exists (add (scale (1 - (z - lo) / (hi - lo)) (Point 0 0 lo)) (scale ((z - lo) / (hi - lo)) (Point 0 0 hi))). split.
+    + apply hull_segment; try (apply hull_vertex; simpl; auto).
+      split; [apply Rmult_le_pos; [lra|left; apply Rinv_0_lt_compat; lra]|].
+      apply Rmult_le_reg_r with (hi - lo); [lra|]. unfold Rdiv. rewrite Rmult_assoc, Rinv_l by lra. lra.
+    + unf. field. lra.
 Qed.
 
 (** Acute means a positive inner product; the angle is the usual one. *)
