@@ -13,6 +13,8 @@ Local Open Scope Z_scope.
 (** ** The integers *)
 Definition idZ (z : Z) := z.
 Definition zcheck : cert Z -> list statement -> bool := check Z Z.add Z.sub Z.mul idZ Z.ltb Z.leb.
+(** A certificate, its hints computed from the faces of the polytope. *)
+Definition zcert := faces_cert Z Z.add Z.sub Z.mul idZ Z.leb.
 Definition zparts := parts Z Z.add Z.sub Z.mul idZ Z.ltb Z.leb.
 Lemma zltb_ok x y : Z.ltb x y = true -> (IZR x < IZR y)%R.
 Proof. intros H. apply IZR_lt, Z.ltb_lt, H. Qed.
@@ -73,6 +75,7 @@ Definition lleb (p q : list Z) : bool :=
   let d := lsub q p in if forallb (Z.eqb 0) d then true else lpos (es ++ [e0]) d.
 
 Definition nfcheck (c : cert (list Z)) (ss : list statement) : bool := check (list Z) ladd lsub lmul lofZ lltb lleb c ss.
+Definition nfcert := faces_cert (list Z) ladd lsub lmul lofZ lleb.
 Definition nfparts := parts (list Z) ladd lsub lmul lofZ lltb lleb.
 
 (* root isolation: sign change of the polynomial, computed exactly *)
