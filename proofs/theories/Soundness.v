@@ -940,6 +940,39 @@ Proof.
   assert (0 < - coord (piece (k, n)) i v * level H (vx (piece (k, n)) i)) by (apply Rmult_lt_0_compat; lra). lra.
 Qed.
 
+(** For the plane: where the facet i has a positive power behind it, no vertex of the
+    tiling that lies beyond it is on the circumsphere. *)
+Theorem strict_sound k n i w0 w1 w2 w3 t : chk_delaunay A aadd asub amul aofZ ale c = true ->
+  is_tile r N (k, n) -> nth_error (c_tets c) k = Some t -> In i I4 ->
+  chk_power alt (c_gram c) den (positions c) t (kpos den vs t) i = true ->
+  w0 + w1 + w2 + w3 = 1 -> nth i [w0; w1; w2; w3] 0 < 0 ->
+  let P := tile l1 l2 l3 cP (k, n) in let v := combination P w0 w1 w2 w3 in
+  is_vertex l1 l2 l3 r N cP v -> distance_squared (va P) (circumcentre P) < distance_squared v (circumcentre P).
+Proof.
+  intros H Ht Et Hi CP SW Wi P v Hv. apply valid_is_tile in Ht. pose proof (pvol k n (proj1 Ht)) as V.
+  pose proof (proj1 Ht) as Hk. cbn [fst] in Hk.
+  apply vertex_coordinates in Hv as [c' [x [Hc' [Hx Ev]]]].
+  assert (PE : P = Euclid.Et b1 b2 b3 (piece (k, n))) by apply tile_cP.
+  pose proof (power_distance (piece (k, n)) x V) as PD. cbv zeta in PD. rewrite <- PE in PD. rewrite Ev.
+  replace (va P) with (e (va (piece (k, n)))) by (rewrite PE; reflexivity).
+  pose proof s_pos as S. cut (0 < power G (piece (k, n)) x).
+  { intros K. assert (0 < s * power G (piece (k, n)) x) by (apply Rmult_lt_0_compat; auto). lra. }
+  assert (X : x = combination (piece (k, n)) w0 w1 w2 w3).
+  { apply (E_inj b1 b2 b3 cdetb). change (E b1 b2 b3 x) with (e x). rewrite <- Ev. unfold v. rewrite PE. apply E_comb4. }
+  apply (strict_at N cT h (latb r) (open_domain Hs) cM h_pos (latb_add r) (open_domain_convex Hs)
+      cdom_inside cvol cmate conce G (weak_local ale ale_ok H) boundary_vertices (k, n) c' x i); auto.
+  - destruct (L_comb4 (piece (k, n)) w0 w1 w2 w3 SW) as [K0 [K1 [K2 K3]]]. rewrite <- X in *.
+    simpl in Hi. destruct Hi as [<-|[<-|[<-|[<-|[]]]]]; cbn [nth] in Wi; rewrite ?K0, ?K1, ?K2, ?K3; nra.
+  - cbn [fst]. unfold Checker.chk_power in CP. unfold cM. rewrite Et. destruct (mt t i) as [[[k' i'] d]|]; auto.
+    unfold Checker.positions in CP. fold den vs in CP. rewrite nth_error_map in CP.
+    destruct (nth_error (c_tets c) (N.to_nat k')) as [t'|] eqn:E'; [|discriminate]. cbn [option_map] in CP.
+    apply alt_ok in CP. rewrite phi_zero, phi_power, phi3_add, phi3_ofZ, phi_vx in CP. fold h G in CP.
+    rewrite (cT_eq k t Et), (cT_eq _ t' E'), vx_translate'.
+    pose proof (cvol k Hk) as V'. rewrite (cT_eq k t Et) in V'.
+    pose proof (power_power_sum G (phiT (kpos den vs t)) (add (vx (phiT (kpos den vs t')) (N.to_nat i')) (vec h d))) as PP.
+    apply Rmult_lt_reg_l with (vol (phiT (kpos den vs t))); auto. rewrite PP by lra. lra.
+Qed.
+
 (** *** Valences *)
 (** The name of a vertex of a tile: the corner, moved with the tile. *)
 Definition names (cc : cell) : list corner :=
@@ -1238,11 +1271,10 @@ Proof.
     { pose proof s_pos. apply Rmult_eq_reg_l with s; [|lra]. rewrite Rmult_0_r, <- PD. unfold e in EQ |- *. lra. }
     apply (in_map e (verts (piece cc)) x).
     apply (delaunay_global N cT h (latb r) (open_domain Hs) cM h_pos (latb_add r) (open_domain_convex Hs)
-      cdom_inside cvol cmate conce G (weak_local alt LE H)) with (c' := c'); auto.
+      cdom_inside cvol cmate conce G (weak_local alt LE H) boundary_vertices) with (c' := c'); auto.
     + intros k i Hk Hi. pose proof (cpower k i Hk Hi alt H) as X. destruct (cM k i) as [[[k' i'] d]|]; auto.
       destruct X as [y [X1 X2]]. apply alt_ok in X1. rewrite phi_zero, X2 in X1. pose proof (cvol k Hk).
       apply Rmult_lt_reg_l with (vol (cT k)); auto. lra.
-    + apply boundary_vertices.
   - intros cc Hc. apply valid_is_tile in Hc.
     assert (V : 0 < vol (piece cc)) by (destruct cc; apply pvol, Hc).
     assert (V' : vol (tile l1 l2 l3 cP cc) <> 0).

@@ -177,14 +177,10 @@ Proof.
     rewrite D, X. clearbody w. set (dd := det e1 e2 e3) in *. clearbody dd.
     unfold distance_squared, dot. unf. field. auto.
 Qed.
-Lemma radius_rule t p q l : vol t <> 0 -> 0 < p -> 0 < q -> 0 < l ->
-  let e1 := sub (vb t) (va t) in let e2 := sub (vc t) (va t) in let e3 := sub (vd t) (va t) in
-  let on f : R := f (dot e1 e1) (dot e2 e2) (dot e3 e3) (dot e1 e2) (dot e1 e3) (dot e2 e3) in
-  q * q * on radius_form < 4 * (p * p) * on gram_form * l ->
-  sqrt (distance_squared (va t) (circumcentre t)) < p / q * sqrt l.
+Lemma ratio_rule R2 g X p q l : 0 < g -> 4 * g * R2 = X -> 0 < p -> 0 < q -> 0 < l ->
+  q * q * X < 4 * (p * p) * g * l -> sqrt R2 < p / q * sqrt l.
 Proof.
-  intros V P Q L e1 e2 e3 on H. destruct (circumradius t V) as [G0 E0]. cbv zeta in G0, E0. fold e1 e2 e3 in G0, E0.
-  unfold on in H. rewrite <- E0 in H. set (g := gram_form _ _ _ _ _ _) in *. set (R2 := distance_squared _ _) in *. clearbody g R2.
+  intros G0 <- P Q L H.
   assert (K : q * q * R2 < p * p * l). { apply Rmult_lt_reg_l with (4 * g); lra. }
   assert (PQ : 0 < p / q) by (apply Rdiv_lt_0_compat; auto).
   replace (p / q * sqrt l) with (sqrt (p / q * (p / q) * l)).
@@ -195,5 +191,14 @@ Proof.
     + apply Rmult_lt_reg_l with (q * q); [apply Rmult_lt_0_compat; auto|].
       replace (q * q * (p / q * (p / q) * l)) with (p * p * l) by (field; lra). exact K.
   - rewrite (sqrt_neg_0 R2) by lra. apply sqrt_lt_R0, Rmult_lt_0_compat; [apply (Rmult_lt_0_compat _ _ PQ PQ)|exact L].
+Qed.
+Lemma radius_rule t p q l : vol t <> 0 -> 0 < p -> 0 < q -> 0 < l ->
+  let e1 := sub (vb t) (va t) in let e2 := sub (vc t) (va t) in let e3 := sub (vd t) (va t) in
+  let on f : R := f (dot e1 e1) (dot e2 e2) (dot e3 e3) (dot e1 e2) (dot e1 e3) (dot e2 e3) in
+  q * q * on radius_form < 4 * (p * p) * on gram_form * l ->
+  sqrt (distance_squared (va t) (circumcentre t)) < p / q * sqrt l.
+Proof.
+  intros V P Q L e1 e2 e3 on H. destruct (circumradius t V) as [G0 E0]. cbv zeta in G0, E0. fold e1 e2 e3 in G0, E0.
+  apply (ratio_rule _ _ _ p q l G0 E0); auto.
 Qed.
 End Transfer.
