@@ -473,6 +473,254 @@ Proof.
   - intros X cc cc' H H' [a [b [c0 [Ha [Hb [Hc [S E]]]]]]] HX.
     destruct (weights_common cc cc' X a b c0) as [Ia [Ib Ic]]; auto. exists a, b, c0. repeat split; auto.
 Qed.
+(** *** Angles *)
+Let ee (v : v3 A) : point := E (scale (/ IZR (c_den A c3)) L1) (scale (/ IZR (c_den A c3)) L2) (scale (/ IZR (c_den A c3)) L3) (phi3 A phi v).
+Notation place := (place A aadd aofZ c).
+Lemma place_corner q : ee (place q) = dcorner A aofZ phi c3 L1 L2 L3 q.
+Proof.
+  unfold PlaneChecker.place. rewrite <- lift_verts, <- lift_den.
+  apply (rp_dcorner A aadd asub amul aofZ alt ale phi phi_add phi_Z c3 chk3).
+Qed.
+Lemma place_low q : (fst q < V2 A c)%N -> ee (place (low q)) = up 0 (dcorner2 c l1 l2 q).
+Proof. intros. rewrite place_corner. apply dcorner_low; auto. Qed.
+Lemma place_top q : (fst q < V2 A c)%N -> ee (place (top (V2 A c) q)) = up 1 (dcorner2 c l1 l2 q).
+Proof. intros. rewrite place_corner. apply dcorner_top; auto. Qed.
+Lemma triangle_get k : (k < N)%nat -> exists t, In t (e_tris A c) /\ nth_error (e_tris A c) k = Some t /\
+  (fst (p0 t) < V2 A c)%N /\ (fst (p1 t) < V2 A c)%N /\ (fst (p2 t) < V2 A c)%N /\
+  T2 k = Triangle2 (dcorner2 c l1 l2 (p0 t)) (dcorner2 c l1 l2 (p1 t)) (dcorner2 c l1 l2 (p2 t)).
+Proof.
+  intros Hk. destruct (get2 k Hk) as [t [E [I [B0 [B1 B2]]]]]. exists t. repeat split; auto. unfold dtriangle. rewrite E. reflexivity.
+Qed.
+Lemma three_sound (f : v3 A -> v3 A -> v3 A -> v3 A -> bool) (Q : R -> Prop) :
+  (forall a b c0 d, orient (ee a) (ee b) (ee c0) (ee d) <> 0 -> f a b c0 d = true -> Q (dihedral (ee a) (ee b) (ee c0) (ee d))) ->
+  forallb (all_three A aadd aofZ c f) (e_tris A c) = true ->
+  forall cc, is_tile2 cc -> all_angles Q (tile2 cc).
+Proof.
+  intros HQ HF [k n] H. pose proof (area_tile _ H) as AR. unfold PlaneStatement.tile2 in *; cbn [fst snd] in *.
+  rewrite area_translate in AR. apply angles_translate. destruct (triangle_get k (proj1 H)) as [t [I [_ [B0 [B1 [B2 E]]]]]].
+  rewrite E in *. rewrite forallb_forall in HF. specialize (HF t I). unfold all_three in HF. rewrite !andb_true_iff in HF. destruct HF as [[F0 F1] F2].
+  set (a := dcorner2 c l1 l2 (p0 t)) in *. set (b := dcorner2 c l1 l2 (p1 t)) in *. set (d := dcorner2 c l1 l2 (p2 t)) in *.
+  assert (O : forall u v w, det2 (sub2 v u) (sub2 w u) <> 0 -> orient (up 0 u) (up 1 u) (up 0 v) (up 0 w) <> 0).
+  { intros u v w D Z. apply D. rewrite <- Z. unfold up. unf. unf2. ring. }
+  assert (D1 : det2 (sub2 a b) (sub2 d b) <> 0) by (intros Z; apply AR; unf2; lra).
+  assert (D2 : det2 (sub2 a d) (sub2 b d) <> 0) by (intros Z; apply AR; unf2; lra).
+  apply HQ in F0; [|rewrite !place_low, place_top by auto; apply O; exact AR].
+  apply HQ in F1; [|rewrite !place_low, place_top by auto; apply O; exact D1].
+  apply HQ in F2; [|rewrite !place_low, place_top by auto; apply O; exact D2].
+  rewrite !place_low, place_top, dihedral_up in F0, F1, F2 by auto. unfold all_angles; cbn [ta tb tc]. auto.
+Qed.
+
+(** *** Radii *)
+Let s := / IZR (c_den A c3) * / IZR (c_den A c3) * / IZR (c_gden A c3).
+Notation kgdot := (kgdot A aadd amul (c_gram A c3)).
+Notation vsub := (vsub A asub).
+Lemma s_pos2 : 0 < s.
+Proof. apply (s_pos A aadd asub amul aofZ alt ale c3 chk3). Qed.
+Lemma dot_ee a b d f : dot (sub (ee b) (ee a)) (sub (ee f) (ee d)) = s * phi (kgdot (vsub b a) (vsub f d)).
+Proof.
+  unfold ee. rewrite <- !E_sub, <- !(phi3_sub A asub phi phi_sub).
+  rewrite (phi_gdot A aadd amul phi phi_add phi_mul).
+  apply (dot_e A phi c3 L1 L2 L3 lift_gram).
+Qed.
+Lemma distance_pos2 u v : u <> v -> 0 < distance_squared2 u v.
+Proof. intros Ne. rewrite <- (distance_up 0). apply distance_pos. intros E. apply Ne, (up_inj 0 0), E. Qed.
+Lemma distance_translate2 u v w : distance_squared2 (add2 u w) (add2 v w) = distance_squared2 u v.
+Proof. unfold distance_squared2, dot2. unf2. ring. Qed.
+Lemma radius_sound2 p q : forallb (chk_radius2 A aadd asub amul aofZ alt ale c p q) (e_tris A c) = true ->
+  radius_edge_below2 l1 l2 r N T2 (IZR p / IZR q).
+Proof.
+  intros HF [k n] H. pose proof (area_tile _ H) as AR. unfold PlaneStatement.tile2 in *; cbn [fst snd] in *.
+  rewrite area_translate in AR. set (w := lattice_vector2 l1 l2 n).
+  destruct (triangle_get k (proj1 H)) as [t [I [_ [B0 [B1 [B2 E]]]]]].
+  rewrite forallb_forall in HF. specialize (HF t I). unfold chk_radius2 in HF. cbv zeta in HF.
+  rewrite !andb_true_iff, !Z.ltb_lt in HF. destruct HF as [[[[P Q] F0] F1] F2]. apply IZR_lt in P, Q.
+  exists (add2 (circumcentre2 (T2 k)) w), (distance_squared2 (ta (T2 k)) (circumcentre2 (T2 k))). split.
+  { intros v Hv. apply corners_translate in Hv as [u [Hu ->]]. rewrite distance_translate2. apply circumscribed_centre2; auto. }
+  destruct (circumradius2 (T2 k) AR) as [G0 R0]. cbv zeta in G0, R0. set (R2 := distance_squared2 (ta (T2 k)) _) in *. clearbody R2.
+  rewrite E in *. cbn [ta tb tc] in *.
+  pose proof (place_low (p0 t) B0) as X0. pose proof (place_low (p1 t) B1) as X1. pose proof (place_low (p2 t) B2) as X2.
+  set (a := dcorner2 c l1 l2 (p0 t)) in *. set (b := dcorner2 c l1 l2 (p1 t)) in *. set (d := dcorner2 c l1 l2 (p2 t)) in *.
+  set (ka := place (low (p0 t))) in *. set (kb := place (low (p1 t))) in *. set (kd := place (low (p2 t))) in *.
+  assert (K : forall x y z v X Y Z V, ee x = up 0 X -> ee y = up 0 Y -> ee z = up 0 Z -> ee v = up 0 V ->
+    dot2 (sub2 Y X) (sub2 V Z) = s * phi (kgdot (vsub y x) (vsub v z))).
+  { intros x y z v X Y Z V Ex Ey Ez Ev. rewrite <- dot_ee, Ex, Ey, Ez, Ev, !sub_up, dot_up. reflexivity. }
+  rewrite !(K ka kb ka kb a b a b), !(K ka kd ka kd a d a d), !(K ka kb ka kd a b a d), !(K kb kd kb kd b d b d) in * by auto.
+  pose proof s_pos2 as S. set (uu := phi (kgdot (vsub kb ka) (vsub kb ka))) in *. set (vv := phi (kgdot (vsub kd ka) (vsub kd ka))) in *.
+  set (uv := phi (kgdot (vsub kb ka) (vsub kd ka))) in *. set (ww := phi (kgdot (vsub kd kb) (vsub kd kb))) in *.
+  assert (F : forall x y X Y, ee x = up 0 X -> ee y = up 0 Y -> X <> Y ->
+    chk_ratio A aadd asub amul aofZ alt (c_gram A c3) p q (kradius2 A aadd asub amul (c_gram A c3) ka kb kd) x y = true ->
+    sqrt R2 < IZR p / IZR q * sqrt (distance_squared2 X Y)).
+  { intros x y X Y Ex Ey Ne C. apply (ratio_rule R2 _ _ _ _ _ G0 R0 P Q (distance_pos2 X Y Ne)).
+    rewrite distance_sym2. unfold distance_squared2. rewrite (K x y x y X Y X Y) by auto.
+    unfold chk_ratio, kradius2 in C. cbn [fst snd] in C. apply alt_ok in C. rewrite !phi_mul, phi_sub, !phi_mul, !phi_Z, !mult_IZR in C.
+    fold uu vv uv ww in C. set (l := phi (kgdot (vsub y x) (vsub y x))) in *.
+    assert (S3' : 0 < s * s * s) by (apply Rmult_lt_0_compat; [apply Rmult_lt_0_compat|]; apply s_pos2).
+    apply (Rmult_lt_compat_l _ _ _ S3') in C. clearbody s uu vv uv ww l.
+    replace (IZR q * IZR q * (s * uu * (s * vv * (s * ww)))) with (s * s * s * (IZR q * IZR q * (uu * (vv * ww)))) by ring.
+    replace (4 * (IZR p * IZR p) * (s * uu * (s * vv) - s * uv * (s * uv)) * (s * l)) with (s * s * s * (4 * (IZR p * IZR p) * (uu * vv - uv * uv) * l)) by ring.
+    exact C. }
+  intros u v Hu Hv Ne. apply corners_translate in Hu as [u' [Hu ->]]. apply corners_translate in Hv as [v' [Hv ->]].
+  rewrite distance_translate2. assert (Ne' : u' <> v') by congruence. clear Ne.
+  assert (SY : forall x y : point2, x <> y -> y <> x) by congruence.
+  simpl in Hu, Hv. destruct Hu as [<-|[<-|[<-|[]]]]; destruct Hv as [<-|[<-|[<-|[]]]]; try congruence;
+  first [ apply (F ka kb); auto; fail | apply (F ka kd); auto; fail | apply (F kb kd); auto; fail
+        | rewrite distance_sym2; apply SY in Ne'; first [ apply (F ka kb); auto; fail | apply (F ka kd); auto; fail | apply (F kb kd); auto; fail ] ].
+Qed.
+
+(** *** Delaunay *)
+Notation tile3' := (tile L1 L2 L3 T3).
+Lemma vertex_up v : is_vertex2 l1 l2 r N T2 v -> is_vertex L1 L2 L3 (c_rank A c3) (length (c_tets A c3)) T3 (up 0 v).
+Proof.
+  intros [[k n] [H Hv]]. destruct (over_tile k n H) as [e [[A1 A2] _]]. exists ((3 * k)%nat, up3 n). split; auto.
+  rewrite A1. apply bottom_vertex; auto.
+Qed.
+(** The balls of the tetrahedra over T meet the bottom plane in the circle of T. *)
+Lemma circle_A e T C q : circumscribed (overA e T) C q ->
+  circumscribed2 T (down C) (q - pz C * pz C) /\ forall v, distance_squared (up 0 v) C = distance_squared2 v (down C) + pz C * pz C.
+Proof.
+  intros H. assert (D : forall v, distance_squared (up 0 v) C = distance_squared2 v (down C) + pz C * pz C).
+  { intros v. rewrite distance_down. ring. }
+  split; auto. intros v Hv. assert (K : In (up 0 v) (verts (overA e T))) by (apply bottom_vertex; auto).
+  apply H in K. rewrite D in K. lra.
+Qed.
+Lemma circle_B e T C q : area T <> 0 -> circumscribed (overB e T) C q -> down C = circumcentre2 T /\ q = distance_squared2 (ta T) (circumcentre2 T) + pz C * pz C.
+Proof.
+  intros V H.
+  assert (Ka : distance_squared (up 0 (ta T)) C = q) by (apply H; unfold overB; apply verts_turn; simpl; auto).
+  assert (Kb0 : distance_squared (up 0 (tb T)) C = q) by (apply H; unfold overB; apply verts_turn; simpl; auto).
+  assert (Kb1 : distance_squared (up 1 (tb T)) C = q) by (apply H; unfold overB; apply verts_turn; simpl; auto).
+  assert (Kc : distance_squared (up 1 (tc T)) C = q) by (apply H; unfold overB; apply verts_turn; simpl; auto).
+  rewrite distance_down in Ka, Kb0, Kb1, Kc. assert (Hz : pz C = / 2) by lra. rewrite Hz in *.
+  pose proof (circumscribed_centre2 T V) as CC.
+  assert (DC : down C = circumcentre2 T).
+  { apply (centre_unique T); auto; try lra; [apply (CC (tb T))|apply (CC (tc T))]; simpl; auto. }
+  split; auto. rewrite <- DC. lra.
+Qed.
+Let weak3 := statement_sound A aadd asub amul aofZ alt ale phi phi_add phi_sub phi_mul phi_Z alt_ok ale_ok c3 chk3 L1 L2 L3 lift_gram WeaklyDelaunay.
+Lemma weakly_sound2 : chk_delaunay A aadd asub amul aofZ ale c3 = true -> forall k n, is_tile2 (k, n) ->
+  let T := tile2 (k, n) in circumscribed2 T (circumcentre2 T) (distance_squared2 (ta T) (circumcentre2 T)) /\
+  forall v, is_vertex2 l1 l2 r N T2 v -> distance_squared2 (ta T) (circumcentre2 T) <= distance_squared2 v (circumcentre2 T).
+Proof.
+  intros H k n Ht T. pose proof (area_tile _ Ht) as AR. fold T in AR. split; [apply circumscribed_centre2; auto|].
+  pose proof (weak3 H) as W. cbn [holds] in W. rewrite <- (dtet_cP A aadd asub amul aofZ alt ale phi phi_add phi_Z c3 chk3) in W.
+  destruct (over_tile k n Ht) as [e [[A1 A2] _]]. destruct (W _ A2) as [C [q [HC HW]]]. rewrite A1 in HC.
+  destruct (circle_A e T C q HC) as [H2 D].
+  assert (DC : down C = circumcentre2 T).
+  { pose proof (circumscribed_centre2 T AR) as CC. pose proof (H2 (ta T) ltac:(simpl; auto)) as Qa.
+    apply (centre_unique T); auto; try (rewrite Qa; apply H2; simpl; auto); [apply (CC (tb T))|apply (CC (tc T))]; simpl; auto. }
+  intros v Hv. specialize (HW _ (vertex_up v Hv)). rewrite D, DC in HW.
+  pose proof (H2 (ta T) ltac:(simpl; auto)) as Qa. rewrite DC in Qa. lra.
+Qed.
+Lemma walls_nth c' kts V all : forall ts k0 k t, chk_walls A aadd asub amul aofZ alt c' kts (prisms V all k0 ts) = true -> nth_error ts k = Some t ->
+  let strict u i := chk_power A aadd asub amul aofZ alt (c_gram A c') (c_den A c') kts u (kpos A aadd aofZ (c_den A c') (c_verts A c') u) i = true in
+  strict (tetA V all (k0 + N.of_nat k) t) 0%nat /\ strict (tetA V all (k0 + N.of_nat k) t) 1%nat /\ strict (tetB V all (k0 + N.of_nat k) t) 3%nat.
+Proof.
+  induction ts as [|t0 ts IH]; intros k0 k t H Ek; [destruct k; discriminate|].
+  cbn [prisms chk_walls] in H. rewrite !andb_true_iff in H. destruct H as [[[H0 H1] H3] H].
+  destruct k as [|k].
+  - injection Ek as ->. rewrite N.add_0_r. auto.
+  - cbn [nth_error] in Ek. replace (k0 + N.of_nat (S k))%N with (k0 + 1 + N.of_nat k)%N by lia. apply (IH _ k t H Ek).
+Qed.
+Lemma circumscribed_tile m n3 : is_tile3 (m, n3) ->
+  circumscribed (tile3 (m, n3)) (circumcentre (tile3 (m, n3))) (distance_squared (va (tile3 (m, n3))) (circumcentre (tile3 (m, n3)))).
+Proof. intros H. apply circumscribed_centre. apply (tiling_nondegenerate _ _ _ _ _ _ _ S3). auto. Qed.
+
+Ltac weigh := unfold combination; cbn [overA overB turn trev va vb vc vd]; unfold up; apply point_eq; unf; unf2; ring.
+Lemma strict_sound2 : check_statement2 A aadd asub amul aofZ alt ale c Delaunay = true -> delaunay2 l1 l2 r N T2.
+Proof.
+  intros H [k n] Ht. cbn [check_statement2] in H. cbv zeta in H. apply andb_true_iff in H as [H HWL].
+  destruct (weakly_sound2 H k n Ht) as [CC W]. cbv zeta in CC, W. set (T := tile2 (k, n)) in *.
+  exists (circumcentre2 T), (distance_squared2 (ta T) (circumcentre2 T)). split; auto. intros v Hv. split; auto. intros EQ.
+  pose proof (area_tile _ Ht) as AR. fold T in AR.
+  destruct (weights_exist T v AR) as [a [b [d [S E]]]].
+  change (c_tets A (lift c)) with (c_tets A c3) in HWL. rewrite lift_tets in HWL.
+  destruct (get2 k (proj1 Ht)) as [t [Et _]].
+  destruct (walls_nth _ _ _ _ _ _ k t HWL Et) as [W0 [W1 W3]]. cbv zeta in W0, W1, W3. rewrite N.add_0_l in W0, W1, W3.
+  destruct (prisms_nth (V2 A c) (e_tris A c) (e_tris A c) 0 k t Et) as [N0 [N1 _]]. rewrite N.add_0_l in N0, N1. rewrite <- lift_tets in N0, N1.
+  pose proof (strict_sound A aadd asub amul aofZ alt ale phi phi_add phi_sub phi_mul phi_Z alt_ok ale_ok c3 chk3 L1 L2 L3 lift_gram) as SS.
+  rewrite <- (dtet_cP A aadd asub amul aofZ alt ale phi phi_add phi_Z c3 chk3) in SS. cbv zeta in SS.
+  destruct (over_tile k n Ht) as [e [[A1 A2] [[B1 B2] _]]]. fold T in A1, B1.
+  pose proof (vertex_up v Hv) as VU.
+  pose proof (circumscribed_tile _ _ A2) as CA. pose proof (circumscribed_tile _ _ B2) as CB.
+  assert (HA : forall i, In i I4 -> forall w0 w1 w2 w3, w0 + w1 + w2 + w3 = 1 -> nth i [w0; w1; w2; w3] 0 < 0 ->
+     up 0 v = combination (tile3 ((3 * k)%nat, up3 n)) w0 w1 w2 w3 ->
+     chk_power A aadd asub amul aofZ alt (c_gram A c3) (c_den A c3) (positions A aadd aofZ c3) (tetA (V2 A c) (e_tris A c) (N.of_nat k) t)
+       (kpos A aadd aofZ (c_den A c3) (c_verts A c3) (tetA (V2 A c) (e_tris A c) (N.of_nat k) t)) i = true -> False).
+  { intros i Hi w0 w1 w2 w3 SW Wi Ev CP.
+    pose proof (SS _ (up3 n) i w0 w1 w2 w3 _ H A2 N0 Hi CP SW Wi) as K. rewrite <- Ev in K. specialize (K VU).
+    rewrite A1 in CA. destruct (circle_A e T _ _ CA) as [H2 D]. rewrite <- A1 in *. rewrite D in K.
+    set (C := circumcentre (tile3 ((3 * k)%nat, up3 n))) in *. set (q := distance_squared (va _) C) in *.
+    assert (DC : down C = circumcentre2 T).
+    { pose proof (H2 (ta T) ltac:(simpl; auto)) as Qa.
+      apply (centre_unique T); auto; try (rewrite Qa; apply H2; simpl; auto); [apply (CC (tb T))|apply (CC (tc T))]; simpl; auto. }
+    pose proof (H2 (ta T) ltac:(simpl; auto)) as Qa. rewrite DC in *. lra. }
+  destruct (Rlt_dec a 0) as [Na|Pa]; [exfalso|destruct (Rlt_dec b 0) as [Nb|Pb]; [exfalso|destruct (Rlt_dec d 0) as [Nd|Pd]; [exfalso|]]].
+  - destruct e.
+    + apply (HA 0%nat ltac:(simpl; auto) a b d 0); auto; [lra|]. rewrite A1, E. weigh.
+    + apply (HA 1%nat ltac:(simpl; auto) b a d 0); auto; [lra|]. rewrite A1, E. weigh.
+  - destruct e.
+    + apply (HA 1%nat ltac:(simpl; auto) a b d 0); auto; [lra|]. rewrite A1, E. weigh.
+    + apply (HA 0%nat ltac:(simpl; auto) b a d 0); auto; [lra|]. rewrite A1, E. weigh.
+  - assert (KB : forall w0 w1 w2 w3, w0 + w1 + w2 + w3 = 1 -> w3 < 0 -> up 0 v = combination (tile3 ((3 * k + 1)%nat, up3 n)) w0 w1 w2 w3 -> False).
+    { intros w0 w1 w2 w3 SW Wi Ev.
+      pose proof (SS _ (up3 n) 3%nat w0 w1 w2 w3 _ H B2 N1 ltac:(simpl; auto) W3 SW Wi) as K. rewrite <- Ev in K. specialize (K VU).
+      rewrite B1 in CB. destruct (circle_B e T _ _ AR CB) as [DC Q]. rewrite <- B1 in *. rewrite distance_down, DC in K.
+      set (C := circumcentre (tile3 ((3 * k + 1)%nat, up3 n))) in *. lra. }
+    destruct e.
+    + apply (KB a (- d) (b + d) d); auto; [lra|]. rewrite B1, E. weigh.
+    + apply (KB (- d) a (b + d) d); auto; [lra|]. rewrite B1, E. weigh.
+  - destruct Hv as [cc' [Ht' Hv]]. pose proof (corner_weights _ _ Hv) as [a' [b' [d' [P1 [P2 [P3 [S' [E' OR]]]]]]]].
+    destruct (weights_common cc' (k, n) v a' b' d' Ht' Ht) as [Ia [Ib Ic]]; auto.
+    { exists a, b, d. repeat split; auto; lra. }
+    fold T in Ia, Ib, Ic. destruct OR as [[-> ->]|[[-> ->]|[-> ->]]]; [apply Ia|apply Ib|apply Ic]; lra.
+Qed.
+
+Theorem plane_statement_sound st : check_statement2 A aadd asub amul aofZ alt ale c st = true -> holds2 l1 l2 r N T2 st.
+Proof.
+  intros H. destruct st as [| |p q|p q|p q| | |]; cbn [check_statement2 holds2] in *; cbv zeta in H.
+  - unfold acute2. apply (three_sound _ (fun x => x < PI / 2)) with (2 := H). intros.
+    apply (acute_sound A aadd asub amul aofZ alt ale phi phi_add phi_sub phi_mul phi_Z alt_ok c3 chk3 L1 L2 L3 lift_gram); auto.
+  - unfold nonobtuse2. apply (three_sound _ (fun x => x <= PI / 2)) with (2 := H). intros.
+    apply (nonobtuse_sound A aadd asub amul aofZ alt ale phi phi_add phi_sub phi_mul phi_Z ale_ok c3 chk3 L1 L2 L3 lift_gram); auto.
+  - apply andb_true_iff in H as [D H]. destruct (cos_upper_ok p q D) as [U1 [U2 U3]]. destruct (cos_upper p q) as [x y]. cbn [fst snd] in *.
+    unfold angles_below2. apply (three_sound _ (fun z => z < IZR p / IZR q * (PI / 180))) with (2 := H). intros.
+    apply (cosine_sound A aadd asub amul aofZ alt ale phi phi_add phi_sub phi_mul phi_Z alt_ok ale_ok c3 chk3 L1 L2 L3 lift_gram x y); auto.
+  - apply andb_true_iff in H as [D H]. destruct (cos_lower_ok p q D) as [U1 [U2 U3]]. destruct (cos_lower p q) as [x y]. cbn [fst snd] in *.
+    unfold angles_above2. apply (three_sound _ (fun z => IZR p / IZR q * (PI / 180) < z)) with (2 := H). intros.
+    apply (cosine_above_sound A aadd asub amul aofZ alt ale phi phi_add phi_sub phi_mul phi_Z alt_ok ale_ok c3 chk3 L1 L2 L3 lift_gram x y); auto.
+  - apply radius_sound2; auto.
+  - apply strict_sound2; auto.
+  - intros [k n] Ht. destruct (weakly_sound2 H k n Ht) as [CC W]. eexists. eexists. split; [exact CC|exact W].
+  - discriminate.
+Qed.
 End Basis.
 End Sound.
+
+(** ** The theorem *)
+Theorem check2_sound c ss : check2 A aadd asub amul aofZ alt ale c ss = true ->
+  (exists l1 l2, has_gram2 (dgram2 c) l1 l2) /\
+  forall l1 l2, has_gram2 (dgram2 c) l1 l2 ->
+  edge_to_edge_tiling l1 l2 (e_rank A c) (ddomain2 c l1 l2) (length (e_tris A c)) (dtriangle c l1 l2) /\
+  forall s, In s ss -> holds2 l1 l2 (e_rank A c) (length (e_tris A c)) (dtriangle c l1 l2) s.
+Proof.
+  intros H. unfold check2 in H. apply andb_true_iff in H as [H1 H2]. rewrite forallb_forall in H2. split.
+  - pose proof (chk3 c H1) as H3.
+    pose proof (cgram A aadd asub amul aofZ alt ale phi phi_add phi_sub phi_mul phi_Z alt_ok _ H3) as [G1 [G2 _]].
+    pose proof (gden_pos A aadd asub amul aofZ alt ale _ H3) as GD.
+    unfold lift in G1, G2, GD. unfold dgram2. destruct (e_gram A c) as [[x y] z]. cbn [c_gden c_gram k11 k22 k33 k12 k13 k23] in *.
+    unfold phiG in G1, G2; cbn [g11 g22 g33 g12 g13 g23 k11 k22 k12 k33 k13 k23] in G1, G2.
+    pose proof (Rinv_0_lt_compat _ GD) as P. set (i := / IZR (e_gden A c)) in *. unfold Rdiv. fold i.
+    set (a := sqrt (phi x * i)). assert (Pa : 0 < a) by (apply sqrt_lt_R0, Rmult_lt_0_compat; auto).
+    assert (Ea : a * a = phi x * i) by (apply sqrt_sqrt, Rlt_le, Rmult_lt_0_compat; auto).
+    set (b := phi z * i / a). set (m := phi y * i - b * b).
+    assert (Eb : a * b = phi z * i) by (unfold b; field; lra).
+    assert (M : (a * a) * m = i * i * (phi x * phi y - phi z * phi z)).
+    { unfold m. replace (a * a * (phi y * i - b * b)) with (a * a * (phi y * i) - (a * b) * (a * b)) by ring. rewrite Eb, Ea. ring. }
+    assert (Pm : 0 < m).
+    { assert (0 < i * i * (phi x * phi y - phi z * phi z)) by (repeat apply Rmult_lt_0_compat; auto). rewrite <- M in H.
+      assert (0 < a * a) by (apply Rmult_lt_0_compat; auto). nra. }
+    exists (Point2 a 0), (Point2 b (sqrt m)). unfold has_gram2, dot2; cbn [x2 y2 h11 h22 h12].
+    pose proof (sqrt_sqrt m ltac:(lra)) as Sm. unfold m in Sm at 3. repeat split; lra.
+  - intros l1 l2 HG. split; [apply plane_sound; auto|]. intros s Hs. apply plane_statement_sound; auto.
+Qed.
 End Ring.
