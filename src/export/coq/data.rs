@@ -8,7 +8,7 @@ use num_traits::{One, Zero};
 use std::fmt::Write;
 
 /// A simplex has a point of the grid of its vertices refined by D + 1 in its interior.
-const REFINED: usize = 4;
+pub(super) const REFINED: usize = 4;
 
 /// The definitions of the vertices, the simplices and the certificate `c`.
 pub(super) fn data(certificate: &Certificate, algebraic: bool) -> Result<String, NotATheorem> {
@@ -66,7 +66,7 @@ fn refinement(rank: usize) -> BigInt {
 }
 
 /// The table, if every row has the length.
-fn rows_of(table: &Table, length: usize) -> Result<Table, NotATheorem> {
+pub(super) fn rows_of(table: &Table, length: usize) -> Result<Table, NotATheorem> {
     match table.iter().all(|row| row.len() == length) {
         true => Ok(table.clone()),
         false => Err(NotATheorem::Malformed("the length of a row".to_owned())),
@@ -86,7 +86,7 @@ fn polytope(polytope: Option<&Polytope>, k: usize) -> Result<Table, NotATheorem>
     Ok(rows)
 }
 
-fn faces(polytope: Option<&Polytope>) -> Vec<String> {
+pub(super) fn faces(polytope: Option<&Polytope>) -> Vec<String> {
     let face = |face: &Vec<usize>| {
         let indices: Vec<String> = face.iter().map(|i| format!("{i}%N")).collect();
         format!("[{}]", indices.join(";"))
@@ -122,7 +122,7 @@ fn covering(
     Ok(format!("(ByWitness _ 0 ({}))", point(&sum, den, algebraic)))
 }
 
-fn add(total: &mut Vec<BigRational>, term: &[BigRational]) {
+pub(super) fn add(total: &mut Vec<BigRational>, term: &[BigRational]) {
     if total.len() < term.len() {
         total.resize(term.len(), BigRational::zero());
     }
@@ -137,7 +137,7 @@ fn point(x: &[Vec<BigRational>], den: &BigInt, algebraic: bool) -> String {
 }
 
 /// The vertex and the lattice vector, zeros filled in.
-fn corner_of(place: &Place, rank: usize) -> Result<(i64, [i64; 3]), NotATheorem> {
+pub(super) fn corner_of(place: &Place, rank: usize) -> Result<(i64, [i64; 3]), NotATheorem> {
     match place.0.split_first() {
         Some((&v, shift)) if shift.len() == rank => {
             let mut full = [0; 3];
