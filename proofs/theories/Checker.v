@@ -198,7 +198,7 @@ Definition box1 (den : Z) (pr : v3 -> A) (t : ktet) (w : v3) : Z * Z :=
   let all f := f (pr (ka t)) && f (pr (kb t)) && f (pr (kc t)) && f (pr (kd t)) in
   let below n := all (fun x => alt x (asub (pr w) (aofZ (den * (n - 1))))) in
   let above n := all (fun x => alt (asub (pr w) (aofZ (den * (n + 1)))) x) in
-  let fuel := 200 in
+  let fuel := 50 in
   (first below (-1) (first (fun n => negb (below n)) 1 0 fuel) fuel, first above 1 (first (fun n => negb (above n)) (-1) 0 fuel) fuel)%Z.
 Definition box (den : Z) (r : nat) (t : ktet) (w : v3) : Z3 * Z3 :=
   let one (active : bool) pr := if active then box1 den pr t w else (0, 0)%Z in

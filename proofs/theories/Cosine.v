@@ -45,26 +45,45 @@ Proof.
   assert (E : cos_term y 0 = 1) by (unfold cos_term; cbn; field). rewrite E, Rmult_1_l in H. exact H.
 Qed.
 
-(** The same in integers: numerator and denominator, for y = s/t. *)
-Fixpoint zhorner (s t : Z) (k : Z) (n : nat) : Z * Z :=
+(** The same in integers, for y = s/t, over the denominator 2^80: rounded up or down in
+    each step, so that the numbers stay small. *)
+Definition unit80 : Z := 1208925819614629174706176.
+Fixpoint zhorner (up : bool) (s t : Z) (k : Z) (n : nat) : Z :=
   match n with
-  | O => (1, 1)%Z
-  | S n => let '(a, b) := zhorner s t (k + 1) n in
-           let d := ((2 * k + 1) * (2 * k + 2) * (t * t) * b)%Z in (d - s * s * a, d)%Z
+  | O => unit80
+  | S n => let m := (s * s * zhorner (negb up) s t (k + 1) n / ((2 * k + 1) * (2 * k + 2) * (t * t)))%Z in
+           if up then (unit80 - m)%Z else (unit80 - m - 1)%Z
   end.
-Lemma zhorner_ok s t n : (0 < t)%Z -> forall k, let '(a, b) := zhorner s t (Z.of_nat k) n in
-  0 < IZR b /\ horner (IZR s / IZR t) k n = IZR a / IZR b.
+Lemma unit80_pos : 0 < IZR unit80.
+Proof. apply IZR_lt. reflexivity. Qed.
+Lemma zhorner_ok s t n : (0 < t)%Z -> forall up k, let h := IZR (zhorner up s t (Z.of_nat k) n) / IZR unit80 in
+  if up then horner (IZR s / IZR t) k n <= h else h <= horner (IZR s / IZR t) k n.
 Proof.
-  intros Ht. induction n as [|n IH]; intros k.
-  - cbn. split; [lra|field].
-  - cbn [zhorner horner]. specialize (IH (S k)). replace (Z.of_nat (S k)) with (Z.of_nat k + 1)%Z in IH by lia.
-    destruct (zhorner s t (Z.of_nat k + 1) n) as [a b]. destruct IH as [Hb E]. rewrite E. clear E.
+  intros Ht. pose proof unit80_pos as U. pose proof (IZR_lt _ _ Ht) as Ht'.
+  induction n as [|n IH]; intros up k.
+  - cbn [zhorner horner]. assert (IZR unit80 / IZR unit80 = 1) by (field; lra). destruct up; lra.
+  - cbn [zhorner horner]. specialize (IH (negb up) (S k)). cbv zeta in *. replace (Z.of_nat (S k)) with (Z.of_nat k + 1)%Z in IH by lia.
+    set (z := zhorner (negb up) s t (Z.of_nat k + 1) n) in *. set (H := horner (IZR s / IZR t) (S k) n) in *. clearbody z H.
     assert (K1 : INR (2 * k + 1) = IZR (2 * Z.of_nat k + 1)) by (rewrite INR_IZR_INZ; f_equal; lia).
     assert (K2 : INR (2 * k + 2) = IZR (2 * Z.of_nat k + 2)) by (rewrite INR_IZR_INZ; f_equal; lia).
-    rewrite K1, K2. rewrite minus_IZR, !mult_IZR.
+    rewrite K1, K2.
+    set (d := ((2 * Z.of_nat k + 1) * (2 * Z.of_nat k + 2) * (t * t))%Z).
+    assert (Hd : (0 < d)%Z) by (unfold d; repeat apply Z.mul_pos_pos; lia).
+    pose proof (Z.mul_div_le (s * s * z) d Hd) as D1. pose proof (Z.mul_succ_div_gt (s * s * z) d Hd) as D2.
+    set (m := (s * s * z / d)%Z) in *. unfold Z.succ in D2. clearbody m.
     assert (P1 : 0 < IZR (2 * Z.of_nat k + 1)) by (apply IZR_lt; lia). assert (P2 : 0 < IZR (2 * Z.of_nat k + 2)) by (apply IZR_lt; lia).
-    apply IZR_lt in Ht.
-    split; [repeat apply Rmult_lt_0_compat; auto|]. field. repeat split; lra.
+    apply IZR_lt in Hd, D2. apply IZR_le in D1. rewrite !mult_IZR in D1, D2. rewrite plus_IZR in D2.
+    set (c := IZR s / IZR t * (IZR s / IZR t) / (IZR (2 * Z.of_nat k + 1) * IZR (2 * Z.of_nat k + 2))).
+    assert (Ec : c * IZR d = IZR s * IZR s) by (unfold c, d; rewrite !mult_IZR; field; repeat split; lra).
+    assert (C0 : 0 <= c).
+    { unfold c. apply Rmult_le_pos; [apply Rle_0_sqr|]. apply Rlt_le, Rinv_0_lt_compat, Rmult_lt_0_compat; auto. }
+    set (u := IZR unit80) in *. set (h := IZR z / u) in *. assert (Eh : IZR z = h * u) by (unfold h; field; lra).
+    rewrite Eh, <- Ec in D1, D2.
+    assert (M1 : IZR m <= c * h * u) by (apply Rmult_le_reg_l with (IZR d); lra).
+    assert (M2 : c * h * u < IZR m + 1) by (apply Rmult_lt_reg_l with (IZR d); lra).
+    destruct up; cbn [negb] in IH; rewrite ?minus_IZR; fold u; apply Rmult_le_reg_r with u; auto.
+    + replace ((u - IZR m) / u * u) with (u - IZR m) by (field; lra). assert (c * h * u <= c * H * u) by (apply Rmult_le_compat_r; [lra|apply Rmult_le_compat_l; lra]). lra.
+    + replace ((u - IZR m - 1) / u * u) with (u - IZR m - 1) by (field; lra). assert (c * H * u <= c * h * u) by (apply Rmult_le_compat_r; [lra|apply Rmult_le_compat_l; lra]). lra.
 Qed.
 
 (** a/b rounded up to a multiple of 2^-60, so that the numbers to compare with stay small. *)
@@ -83,7 +102,7 @@ Qed.
 
 (** cos (p/q degrees) <= fst / snd, for 0 < p/q <= 180. *)
 Definition cos_upper (p q : Z) : Z * Z :=
-  let '(a, b) := zhorner (p * pi_num) (360 * q * pi_den) 0 12 in round_up (2 * a * a - b * b) (b * b).
+  let a := zhorner true (p * pi_num) (360 * q * pi_den) 0 12 in round_up (2 * a * a - unit80 * unit80) (unit80 * unit80).
 Definition degrees_ok (p q : Z) : bool := (Z.ltb 0 p && Z.ltb 0 q && Z.leb p (180 * q))%bool.
 
 Theorem cos_upper_ok p q : degrees_ok p q = true ->
@@ -94,8 +113,9 @@ Proof.
   pose proof PI_RGT_0 as PI0. pose proof pi_lower as PL.
   unfold cos_upper.
   assert (Hd : (0 < 360 * q * pi_den)%Z) by (unfold pi_den; lia).
-  pose proof (zhorner_ok (p * pi_num) (360 * q * pi_den) 12 Hd 0) as H.
-  cbn [Z.of_nat] in H. destruct (zhorner (p * pi_num) (360 * q * pi_den) 0 12) as [a b]. destruct H as [Hb Hy].
+  pose proof (zhorner_ok (p * pi_num) (360 * q * pi_den) 12 Hd true 0) as Hy.
+  cbn [Z.of_nat] in Hy. cbv zeta in Hy. set (a := zhorner true (p * pi_num) (360 * q * pi_den) 0 12) in *. clearbody a.
+  pose proof unit80_pos as Hb. set (b := unit80) in *.
   set (y := IZR (p * pi_num) / IZR (360 * q * pi_den)) in *.
   apply IZR_lt in Hp, Hq. apply IZR_le in Hpq. rewrite mult_IZR in Hpq.
   set (r := IZR p / IZR q) in *.
@@ -114,7 +134,7 @@ Proof.
   destruct (round_up_ok (2 * a * a - b * b) (b * b) BB) as [RU0 RU1].
   split; auto. split; auto. apply Rle_trans with (2 := RU1).
   destruct (cos_bound y 5) as [_ UB]; [lra|lra|]. change (2 * (5 + 1))%nat with 12%nat in UB.
-  rewrite <- horner_cos, Hy in UB.
+  rewrite <- horner_cos in UB.
   assert (DC : cos (theta / 2) <= cos y) by (apply cos_decr_1; lra).
   assert (C0 : 0 <= cos (theta / 2)) by (apply cos_ge_0; lra).
   assert (E2 : cos theta = 2 * cos (theta / 2) * cos (theta / 2) - 1).
@@ -151,8 +171,8 @@ Qed.
 (** cos (p/q degrees) >= fst / snd, for 0 <= p/q < 180. *)
 Definition cos_lower (p q : Z) : Z * Z :=
   if (p * pi_above * 2 <=? 360 * q * pi_num)%Z then
-    let '(a, b) := zhorner (p * pi_above) (360 * q * pi_den) 0 13 in
-    if (0 <? a)%Z then round_down (2 * a * a - b * b) (b * b) else (-1, 1)%Z
+    let a := zhorner false (p * pi_above) (360 * q * pi_den) 0 13 in
+    if (0 <? a)%Z then round_down (2 * a * a - unit80 * unit80) (unit80 * unit80) else (-1, 1)%Z
   else (-1, 1)%Z.
 Definition above_ok (p q : Z) : bool := (Z.leb 0 p && Z.ltb 0 q && Z.ltb p (180 * q))%bool.
 
@@ -174,8 +194,9 @@ Proof.
   { unfold theta. split; [apply Rmult_le_pos; lra|]. nra. }
   split; auto. unfold cos_lower.
   destruct (Z.leb_spec (p * pi_above * 2) (360 * q * pi_num)) as [LE|]; [|cbn [fst snd]; lra].
-  pose proof (zhorner_ok (p * pi_above) (360 * q * pi_den) 13 Hd 0) as H.
-  cbn [Z.of_nat] in H. destruct (zhorner (p * pi_above) (360 * q * pi_den) 0 13) as [a b]. destruct H as [Hb Hy].
+  pose proof (zhorner_ok (p * pi_above) (360 * q * pi_den) 13 Hd false 0) as Hy.
+  cbn [Z.of_nat] in Hy. cbv zeta in Hy. set (a := zhorner false (p * pi_above) (360 * q * pi_den) 0 13) in *. clearbody a.
+  pose proof unit80_pos as Hb. set (b := unit80) in *.
   destruct (Z.ltb_spec 0 a) as [Ha|]; [|cbn [fst snd]; lra]. apply IZR_lt in Ha.
   set (y := IZR (p * pi_above) / IZR (360 * q * pi_den)) in *.
   assert (Ey : y = r * (IZR pi_above / IZR pi_den) / 360).
@@ -194,7 +215,7 @@ Proof.
   destruct (round_down_ok (2 * a * a - b * b) (b * b) BB) as [RU0 RU1].
   split; auto. apply Rle_trans with (1 := RU1).
   destruct (cos_bound y 6) as [LB _]; [lra|lra|]. change (2 * 6 + 1)%nat with 13%nat in LB.
-  rewrite <- horner_cos, Hy in LB.
+  rewrite <- horner_cos in LB.
   assert (DC : cos y <= cos (theta / 2)) by (apply cos_decr_1; lra).
   assert (C0 : 0 < IZR a / IZR b) by (apply Rdiv_lt_0_compat; auto).
   assert (E2 : cos theta = 2 * cos (theta / 2) * cos (theta / 2) - 1).
