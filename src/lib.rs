@@ -5,6 +5,8 @@
 #![forbid(unsafe_code)]
 
 #[cfg(feature = "prover")]
+pub mod advice;
+#[cfg(feature = "prover")]
 pub mod catalog;
 pub mod certificate;
 #[cfg(feature = "prover")]
@@ -23,11 +25,17 @@ pub mod geometry;
 #[cfg(feature = "prover")]
 pub mod import;
 #[cfg(feature = "prover")]
+pub mod mesh;
+#[cfg(feature = "prover")]
 pub mod number;
 #[cfg(feature = "prover")]
 pub mod paper;
 #[cfg(feature = "prover")]
+pub mod predicates;
+#[cfg(feature = "prover")]
 pub mod quality;
+#[cfg(feature = "prover")]
+pub mod statistics;
 #[cfg(feature = "prover")]
 pub mod survey;
 #[cfg(feature = "prover")]

@@ -178,7 +178,7 @@ fn c15_has_the_crystallographic_positions() {
         .map(|p: [i64; 3]| p.map(|n| Number::from(Rational::from_signeds(n.rem_euclid(8), 8))))
         .collect();
     let c15 = tiling("c15");
-    let found: BTreeSet<[Number; 3]> = c15.vertices.iter().cloned().collect();
+    let found: BTreeSet<[Number; 3]> = c15.vertices.iter().collect();
     assert_eq!(found, expected);
 }
 

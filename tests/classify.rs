@@ -2,12 +2,12 @@
 //! deciding isomorphism.
 
 use acutile::catalog;
-use acutile::classify::{NotTcp, Star, frank_kasper};
+use acutile::classify::{NotTcp, Ridges, Star, check_tcp, frank_kasper, is_tcp};
 use acutile::import::{Content, read_native};
 use acutile::number::Number;
 use acutile::quality::{Exact, rounded_down, squared_edges};
 use acutile::survey::Study;
-use acutile::tiling::{AnyPointSet, AnyTiling, Corner, Tiling, supercell};
+use acutile::tiling::{AnyPointSet, AnyTiling, Corner, Tiling, match_facets, supercell};
 use malachite::Rational;
 use std::collections::{BTreeMap, BTreeSet, HashMap, VecDeque};
 
@@ -98,11 +98,11 @@ fn relabelled(tiling: &Tiling<3>) -> Tiling<3> {
         ]
     };
     let mut other = tiling.clone();
-    for old in 0..n {
-        let vertex = &tiling.vertices[old as usize];
-        other.vertices[(n - 1 - old) as usize] =
-            std::array::from_fn(|k| &vertex[k] - &Number::from(Rational::from(moved(old)[k])));
-    }
+    let vertices = (0..n).rev().map(|old| {
+        let vertex = tiling.vertices.vertex(old as usize);
+        std::array::from_fn(|k| &vertex[k] - &Number::from(Rational::from(moved(old)[k])))
+    });
+    other.vertices = vertices.collect();
     let corner = |c: &Corner<3>| {
         Corner {
             vertex: n - 1 - c.vertex,
@@ -136,9 +136,8 @@ fn sheared(tiling: &Tiling<3>) -> Tiling<3> {
             sum
         })
     });
-    for vertex in &mut other.vertices {
-        vertex[0] = &vertex[0] - &vertex[1] + &vertex[2] * number(2);
-    }
+    let sheared = |[x, y, z]: [Number; 3]| [&x - &y + &z * number(2), y, z];
+    other.vertices = tiling.vertices.iter().map(sheared).collect();
     for corner in &mut other.corners {
         corner.shift[0] += 2 * corner.shift[2] - corner.shift[1];
     }
@@ -149,10 +148,7 @@ fn sheared(tiling: &Tiling<3>) -> Tiling<3> {
 fn mirrored(tiling: &Tiling<3>) -> Tiling<3> {
     let mut other = tiling.clone();
     other.frame.gram = [1, 0, 2].map(|i| [1, 0, 2].map(|j| tiling.frame.gram[i][j].clone()));
-    other
-        .vertices
-        .iter_mut()
-        .for_each(|vertex| vertex.swap(0, 1));
+    other.vertices = tiling.vertices.iter().map(|[x, y, z]| [y, x, z]).collect();
     other
         .corners
         .iter_mut()
@@ -162,6 +158,22 @@ fn mirrored(tiling: &Tiling<3>) -> Tiling<3> {
         .chunks_exact_mut(4)
         .for_each(|corners| corners.swap(2, 3));
     other
+}
+
+/// Walking around every edge and counting by a list of edges agree.
+#[test]
+fn tcp_in_two_ways() {
+    let mut tcp = 0;
+    for entry in catalog::entries() {
+        let Ok(AnyTiling::Space(tiling)) = entry.build() else {
+            continue;
+        };
+        let matching = match_facets(&tiling);
+        let expected = check_tcp(&tiling, &Ridges::of(&tiling, &matching)).is_ok();
+        assert_eq!(is_tcp(&tiling, &matching), expected, "{}", entry.name);
+        tcp += usize::from(expected);
+    }
+    assert!(tcp > 5, "{tcp} are TCP");
 }
 
 #[test]

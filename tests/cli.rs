@@ -343,7 +343,13 @@ fn delaunay_takes_points_and_gives_a_tiling() {
     let confused = acutile(["delaunay", text(&tiling)]);
     assert_eq!(code(&confused), 2);
     assert!(stderr(&confused).contains("is a tiling file, expected a point-set file"));
-    assert!(stderr(&acutile(["certify", text(&bcc)])).contains("is a point-set file"));
+    let at_once = acutile(["certify", text(&bcc), "--require", "delaunay", "--json"]);
+    assert!(
+        stderr(&at_once)
+            .contains("a point set with 1 points in a cell; the tiling is its Delaunay")
+    );
+    let at_once: Value = serde_json::from_str(&stdout(&at_once)).expect("an object");
+    assert_eq!(at_once["sha256"], answer["sha256"]);
 }
 
 #[test]

@@ -74,7 +74,7 @@ fn check<const D: usize>(tiling: &Tiling<D>) {
         assert_eq!(shape.determinant.sign(), Sign::Greater);
         volume = &volume + &shape.determinant;
         for i in 0..=D {
-            let mate = matching.mates[s * (D + 1) + i].unwrap();
+            let mate = matching.mate(tiling, s, i).unwrap();
             let other = tiling.simplex(mate.facet.simplex as usize);
             let beyond = other[usize::from(mate.facet.opposite)].moved(mate.shift);
             let position = tiling.position(&beyond);

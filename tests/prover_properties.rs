@@ -95,7 +95,7 @@ fn relabel(tiling: &mut Tiling<3>, keys: &[u64]) {
     }
     tiling.vertices = order
         .iter()
-        .map(|&old| tiling.vertices[old].clone())
+        .map(|&old| tiling.vertices.vertex(old))
         .collect();
     for corner in &mut tiling.corners {
         corner.vertex = index[corner.vertex as usize];
@@ -115,11 +115,10 @@ fn reorder(tiling: &mut Tiling<3>, keys: &[u64]) {
 
 /// Replaces vertices by lattice translates of themselves, and simplices, too.
 fn move_vertices(tiling: &mut Tiling<3>, shifts: &[[i32; 3]]) {
-    for (vertex, shift) in tiling.vertices.iter_mut().zip(shifts) {
-        for (x, step) in vertex.iter_mut().zip(shift) {
-            *x = &*x + &Number::from(Rational::from(*step));
-        }
-    }
+    let moved = |(vertex, shift): ([Number; 3], &[i32; 3])| {
+        std::array::from_fn(|k| &vertex[k] + &Number::from(Rational::from(shift[k])))
+    };
+    tiling.vertices = tiling.vertices.iter().zip(shifts).map(moved).collect();
     for (index, corner) in tiling.corners.iter_mut().enumerate() {
         let back = shifts[corner.vertex as usize].map(|step| -step);
         *corner = corner.moved(back).moved(shifts[index / 4 % shifts.len()]);
@@ -144,9 +143,11 @@ fn shear(tiling: &mut Tiling<3>, row: usize, column: usize, factor: i32) {
     tiling.frame.gram = std::array::from_fn(|i| {
         std::array::from_fn(|j| linear::dot(&change[i], &linear::apply(gram, &change[j])))
     });
-    for vertex in &mut tiling.vertices {
+    let changed = |mut vertex: [Number; 3]| {
         vertex[column] = &vertex[column] - &(&number * &vertex[row]);
-    }
+        vertex
+    };
+    tiling.vertices = tiling.vertices.iter().map(changed).collect();
     for corner in &mut tiling.corners {
         corner.shift[column] -= factor * corner.shift[row];
     }

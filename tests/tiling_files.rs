@@ -231,7 +231,7 @@ fn cartesian_and_fractional_coordinates_give_the_same_tiling() {
         panic!("dimension 2")
     };
     assert_eq!(
-        plane.vertices[0].each_ref().map(ToString::to_string),
+        plane.vertices.vertex(0).map(|x| x.to_string()),
         ["0", "1/2"]
     );
     let statements = judge(&cartesian, &[]).expect("a tiling");

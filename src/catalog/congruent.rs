@@ -67,7 +67,7 @@ pub fn sommerville_3() -> Tiling<3> {
 /// Sommerville IV: II cut into four from its centroid.
 pub fn sommerville_4() -> Result<Tiling<3>, CatalogError> {
     let second = sommerville_2()?;
-    let mut vertices = second.vertices.clone();
+    let mut vertices = second.vertices.to_numbers();
     let mut corners = Vec::new();
     for simplex in second.simplices() {
         let centroid = Corner::of(vertices.len() as u32);
@@ -80,7 +80,7 @@ pub fn sommerville_4() -> Result<Tiling<3>, CatalogError> {
     }
     Ok(Tiling {
         frame: second.frame,
-        vertices,
+        vertices: vertices.into(),
         corners,
     })
 }
@@ -134,7 +134,7 @@ fn path_tiling(frame: Frame<3>) -> Tiling<3> {
     let corners = PERMUTATIONS.iter().flat_map(path).collect();
     let mut tiling = Tiling {
         frame,
-        vertices: vec![[0; 3].map(|x| fraction(x, 1))],
+        vertices: vec![[0; 3].map(|x| fraction(x, 1))].into(),
         corners,
     };
     tiling.orient();
@@ -189,7 +189,7 @@ pub fn goldberg_2(ratio: &Number) -> Tiling<3> {
     ];
     let mut tiling = Tiling {
         frame: goldberg_frame(ratio),
-        vertices,
+        vertices: vertices.into(),
         corners,
     };
     tiling.orient();
@@ -291,7 +291,7 @@ fn goldberg_3_unfitting(ratio: &Number) -> Tiling<3> {
     }
     let mut tiling = Tiling {
         frame: goldberg_frame(ratio),
-        vertices,
+        vertices: vertices.into(),
         corners,
     };
     tiling.orient();

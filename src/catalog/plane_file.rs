@@ -2,7 +2,7 @@
 
 use super::CatalogError;
 use super::plane_tiling::{Cyclotomic, PlaneTiling, named};
-use crate::import::read_text;
+use crate::import::{read_text, without_comments};
 use serde::Deserialize;
 use std::path::Path;
 
@@ -48,7 +48,8 @@ pub fn plane_tiling(name: &str) -> Result<PlaneTiling, CatalogError> {
 
 /// Reads the text of a file.
 fn parse(text: &str) -> Result<PlaneTiling, String> {
-    let document: Document = serde_json::from_str(text).map_err(|error| error.to_string())?;
+    let document: Document =
+        serde_json::from_str(&without_comments(text)).map_err(|error| error.to_string())?;
     if document.format != FORMAT || document.version != 1 {
         return Err(format!(
             "found {:?}, version {}, expected {FORMAT:?}, version 1",

@@ -24,7 +24,7 @@ pub fn a15_bcc() -> Result<Tiling<3>, CatalogError> {
 
 /// Whether each simplex is black, so that simplices with a common facet differ; the first one is.
 fn two_colouring(tiling: &Tiling<3>) -> Result<Vec<bool>, CatalogError> {
-    let mates = match_facets(tiling).mates;
+    let matching = match_facets(tiling);
     let mut colours: Vec<Option<bool>> = vec![None; tiling.len()];
     let mut stack = vec![(0, true)];
     while let Some((simplex, colour)) = stack.pop() {
@@ -33,8 +33,8 @@ fn two_colouring(tiling: &Tiling<3>) -> Result<Vec<bool>, CatalogError> {
             Some(_) => return Err(CatalogError::NotTwoColourable),
             None => colours[simplex] = Some(colour),
         }
-        let facets = mates[4 * simplex..4 * simplex + 4].iter().flatten();
-        stack.extend(facets.map(|mate| (mate.facet.simplex as usize, !colour)));
+        let facets = (0..4).filter_map(|k| matching.neighbour(simplex, k));
+        stack.extend(facets.map(|facet| (facet.simplex as usize, !colour)));
     }
     colours
         .into_iter()

@@ -81,7 +81,7 @@ pub struct AlgebraicField {
 
 /// What is tiled: all of space, or a convex polytope P of dimension k in the last
 /// k coordinates times the span of the first r = D - k basis vectors, which
-/// generate the lattice.
+/// generate the lattice; or whatever the simplices fill.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
 pub enum Domain {
     /// All of D-space; k = 0, r = D.
@@ -96,6 +96,9 @@ pub enum Domain {
     /// A convex polygon or polyhedron: k = D, r = 0.
     #[serde(rename = "solid")]
     Solid(Polytope),
+    /// The union of the simplices, only for D = 3: r = 0.
+    #[serde(rename = "region")]
+    Region,
 }
 
 /// A convex polytope of dimension 1, 2 or 3.
@@ -117,14 +120,14 @@ impl Domain {
             Domain::Space => dimension,
             Domain::Slab(_) => dimension - 1,
             Domain::Prism(_) => 1,
-            Domain::Solid(_) => 0,
+            Domain::Solid(_) | Domain::Region => 0,
         }
     }
 
-    /// The polytope, if the domain has a boundary.
+    /// The polytope, if the domain has one.
     pub fn polytope(&self) -> Option<&Polytope> {
         match self {
-            Domain::Space => None,
+            Domain::Space | Domain::Region => None,
             Domain::Slab(polytope) | Domain::Prism(polytope) | Domain::Solid(polytope) => {
                 Some(polytope)
             }
@@ -189,7 +192,8 @@ pub struct Place(pub Vec<i64>);
 
 /// A facet's mate `[t, j, u_1, …, u_r]`: the facet opposite to corner j of
 /// simplex t, moved by the lattice vector u, is the facet itself. Or `[f]`: the
-/// facet lies in face f of the domain's boundary.
+/// facet lies in face f of the domain's polytope. Or `[]`: it lies in the boundary of
+/// the region.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(transparent)]
 pub struct Mate(pub Vec<i64>);

@@ -29,13 +29,13 @@ pub fn certificate<const D: usize>(
             vertices: tiling
                 .vertices
                 .iter()
-                .map(|vertex| numbers(vertex))
+                .map(|vertex| numbers(&vertex))
                 .collect(),
             simplices: tiling
                 .simplices()
                 .map(|corners| places(corners, frame.rank()))
                 .collect(),
-            mates: mates(matching, boundary, frame.rank()),
+            mates: mates(tiling, matching, boundary),
         },
     }
 }
@@ -46,6 +46,7 @@ fn domain(domain: &tiling::Domain) -> Domain {
         tiling::Domain::Slab(polytope) => Domain::Slab(polytope_data(polytope)),
         tiling::Domain::Prism(polytope) => Domain::Prism(polytope_data(polytope)),
         tiling::Domain::Solid(polytope) => Domain::Solid(polytope_data(polytope)),
+        tiling::Domain::Region => Domain::Region,
     }
 }
 
@@ -72,34 +73,27 @@ fn places<const D: usize>(corners: &[Corner<D>], rank: usize) -> Vec<Place> {
 }
 
 fn mates<const D: usize>(
+    tiling: &Tiling<D>,
     matching: &Matching<D>,
     boundary: &Boundary,
-    rank: usize,
 ) -> Vec<Vec<certificate::Mate>> {
-    let row_of = |simplex: usize, opposite: usize, mate: &Option<Mate<D>>| match mate {
-        Some(mate) => mate_row(mate, rank),
-        None => {
-            let facet = Facet {
-                simplex: simplex as u32,
-                opposite: opposite as u8,
-            };
-            certificate::Mate(
-                boundary
-                    .get(&facet)
-                    .iter()
-                    .map(|face| **face as i64)
-                    .collect(),
-            )
+    let row_of = |simplex: usize, opposite: usize| {
+        if let Some(mate) = matching.mate(tiling, simplex, opposite) {
+            return mate_row(&mate, tiling.frame.rank());
         }
+        let facet = Facet {
+            simplex: simplex as u32,
+            opposite: opposite as u8,
+        };
+        let face = boundary.get(&facet);
+        certificate::Mate(face.iter().map(|face| **face as i64).collect())
     };
-    let rows = matching.mates.chunks_exact(D + 1).enumerate();
-    rows.map(|(s, mates)| {
-        (0..)
-            .zip(mates)
-            .map(|(i, mate)| row_of(s, i, mate))
+    let rows = |simplex| {
+        (0..=D)
+            .map(move |opposite| row_of(simplex, opposite))
             .collect()
-    })
-    .collect()
+    };
+    (0..tiling.len()).map(rows).collect()
 }
 
 fn mate_row<const D: usize>(mate: &Mate<D>, rank: usize) -> certificate::Mate {

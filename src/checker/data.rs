@@ -70,6 +70,23 @@ fn members<const D: usize>(tiling: &Tiling<D>, defect: &Defect) -> Value {
         } => {
             json!({ "vertex": vertex, "face": face, "value": text(value) })
         }
+        Defect::CoincidentVertices { vertices } => json!({ "vertices": vertices }),
+        Defect::BoundaryMeets {
+            facets: (a, b),
+            point,
+        } => {
+            let point: Vec<String> = point.iter().map(text).collect();
+            json!({ "facets": [facet(a), facet(b)], "point": point })
+        }
+        Defect::Covered {
+            facet: boundary,
+            simplices,
+        } => json!({
+            "facets": [facet(boundary)],
+            "simplices": simplices,
+            "outside": simplices.len(),
+        }),
+        Defect::RegionDimension | Defect::DelaunayOfRegion => json!({}),
         Defect::UnusedVertex { vertex } => json!({ "vertex": vertex }),
         Defect::RightAngle { angle } | Defect::ObtuseAngle { angle } => angle_data(tiling, angle),
         Defect::AngleNotBelow { angle, bound } | Defect::AngleNotAbove { angle, bound } => {

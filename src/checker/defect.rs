@@ -53,6 +53,21 @@ pub enum Defect {
         face: usize,
         value: Number,
     },
+    /// Different vertices of a region are the same point.
+    CoincidentVertices { vertices: Vec<usize> },
+    /// Two facets in the boundary of a region meet in this point, which their common vertices
+    /// do not span.
+    BoundaryMeets {
+        facets: (Facet, Facet),
+        point: Vec<Number>,
+    },
+    /// The points directly outside of a facet in the boundary of a region, at its centroid, lie
+    /// in these simplices.
+    Covered { facet: Facet, simplices: Vec<usize> },
+    /// A region in another dimension than 3.
+    RegionDimension,
+    /// Delaunay is required of a region.
+    DelaunayOfRegion,
     /// A vertex is a corner of no simplex.
     UnusedVertex { vertex: usize },
     /// A dihedral angle is a right angle where all must be acute.
@@ -116,6 +131,11 @@ impl Defect {
             Defect::FaceNotConvex { .. } => "face-not-convex",
             Defect::RidgeNotShared { .. } => "ridge-not-shared",
             Defect::VertexOutside { .. } => "vertex-outside",
+            Defect::CoincidentVertices { .. } => "coincident-vertices",
+            Defect::BoundaryMeets { .. } => BOUNDARY_MEETS,
+            Defect::Covered { .. } => "covered-twice",
+            Defect::RegionDimension => "region-dimension",
+            Defect::DelaunayOfRegion => "delaunay-of-region",
             Defect::UnusedVertex { .. } => "unused-vertex",
             Defect::RightAngle { .. } => "right-angle",
             Defect::ObtuseAngle { .. } => "obtuse-angle",
@@ -128,6 +148,9 @@ impl Defect {
         }
     }
 }
+
+/// The code of [`Defect::BoundaryMeets`], whose evidence is made only where it is kept.
+pub(super) const BOUNDARY_MEETS: &str = "boundary-meets";
 
 /// Collects defects: all are counted, and of each kind the first few are kept.
 #[derive(Clone, Debug)]
@@ -153,6 +176,15 @@ impl Findings {
         *count += 1;
         if *count <= self.limit {
             self.kept.push(defect);
+        }
+    }
+
+    /// Adds a defect with this name; it is made only if it is kept.
+    pub fn add_with(&mut self, code: &'static str, make: impl FnOnce() -> Defect) {
+        let count = self.counts.entry(code).or_insert(0);
+        *count += 1;
+        if *count <= self.limit {
+            self.kept.push(make());
         }
     }
 

@@ -10,7 +10,7 @@
 use super::defect::{Defect, Findings};
 use crate::geometry::Sign;
 use crate::number::Number;
-use crate::tiling::{Facet, Matching, Plane, Polytope, Tiling};
+use crate::tiling::{Domain, Facet, Matching, Plane, Polytope, Tiling};
 use std::collections::BTreeMap;
 
 /// Facets of simplices that lie in the boundary of the domain, with the face.
@@ -122,9 +122,12 @@ pub fn check_inside<const D: usize>(
     findings: &mut Findings,
 ) -> Vec<Vec<usize>> {
     let mut faces = vec![Vec::new(); tiling.vertices.len()];
+    if planes.is_empty() {
+        return faces;
+    }
     for (vertex, point) in tiling.vertices.iter().enumerate() {
         for (face, plane) in planes.iter().enumerate() {
-            let value = plane.value(tiling.frame.cross_section(point));
+            let value = plane.value(tiling.frame.cross_section(&point));
             match value.sign() {
                 Sign::Greater => {}
                 Sign::Equal => faces[vertex].push(face),
@@ -141,7 +144,7 @@ pub fn check_inside<const D: usize>(
 
 /// Hypothesis F. Every facet is shared, up to a lattice vector, by exactly two
 /// simplices on opposite sides of it, or it belongs to one and lies in a face of the
-/// domain. Gives the facets in the boundary.
+/// domain, or it belongs to one and the domain is a region. Gives the facets in faces.
 pub fn check_facets<const D: usize>(
     tiling: &Tiling<D>,
     matching: &Matching<D>,
@@ -152,6 +155,7 @@ pub fn check_facets<const D: usize>(
     for mismatch in &matching.mismatches {
         let facets: Vec<Facet> = mismatch.uses.iter().map(|(facet, _)| *facet).collect();
         match facets[..] {
+            [_] if tiling.frame.domain == Domain::Region => {}
             [facet] => match face_of(tiling, facet, faces_of_vertices) {
                 Some(face) => drop(boundary.insert(facet, face)),
                 None => findings.add(Defect::UnmatchedFacet { facet }),

@@ -4,10 +4,10 @@
 //! findings, and decides nothing else.
 
 use super::defect::{Defect, Findings};
-use super::model::Model;
 use crate::geometry::{Scalar, Sign, linear};
 use crate::number::Number;
-use crate::tiling::{Frame, Tiling};
+use crate::predicates::{Model, Orientation};
+use crate::tiling::{Domain, Frame, Tiling};
 use malachite::Rational;
 
 /// Hypothesis M. The Gram matrix is positive definite: by Sylvester's criterion,
@@ -59,19 +59,19 @@ pub fn check_corners<const D: usize>(tiling: &Tiling<D>, findings: &mut Findings
 /// Hypothesis O. Every simplex is positively oriented, hence not flat:
 /// det (c_1 - c_0, …, c_D - c_0) > 0. A simplex with a repeated corner has been
 /// reported already.
-pub fn check_orientation<S: Scalar, const D: usize>(model: &Model<S, D>, findings: &mut Findings) {
-    for (index, corners) in model.tiling.simplices().enumerate() {
-        let sign = model.simplex(index).determinant.sign();
-        if sign == Sign::Greater || has_repeated_corner(corners) {
+pub fn check_orientation<const D: usize>(model: &Model<D>, findings: &mut Findings) {
+    let orientation = model.prepare(Orientation);
+    for simplex in orientation.failing(|signs| signs.all_positive()) {
+        if has_repeated_corner(model.tiling.simplex(simplex)) {
             continue;
         }
-        findings.add(match sign {
-            Sign::Equal => Defect::Flat { simplex: index },
-            _ => Defect::NegativeOrientation {
-                simplex: index,
-                determinant: determinant(model.tiling, index),
-            },
-        });
+        match orientation.signs(simplex).get(0) {
+            Sign::Equal => findings.add(Defect::Flat { simplex }),
+            _ => findings.add_with("negative-orientation", || Defect::NegativeOrientation {
+                simplex,
+                determinant: determinant(model.tiling, simplex),
+            }),
+        }
     }
 }
 
@@ -86,30 +86,20 @@ pub fn determinant<const D: usize>(tiling: &Tiling<D>, simplex: usize) -> Number
 
 /// Hypothesis V. The volumes sum to the volume of the domain per cell, coordinates
 /// in the basis: Σ det (c_1 - c_0, …, c_D - c_0) = D! vol_k(P), where P is the polytope of
-/// the domain, a point for all of space.
-pub fn check_volume<S: Scalar, const D: usize>(model: &Model<S, D>, findings: &mut Findings) {
-    let zero = model.unit.integer(0);
-    let scaled = (0..model.tiling.len()).fold(zero, |sum, index| {
-        sum.plus(&model.simplex(index).determinant)
-    });
-    let cell = (0..D).fold(model.unit.integer(factorial(D)), |cell, _| {
-        cell.times(&model.unit)
-    });
-    let sum = quotient(&(model.to_number)(&scaled), &(model.to_number)(&cell));
+/// the domain, a point for all of space. A region has no other volume than this sum.
+pub fn check_volume<const D: usize>(model: &Model<D>, findings: &mut Findings) {
+    if model.tiling.frame.domain == Domain::Region {
+        return;
+    }
+    let factorial = |n: usize| Number::from(Rational::from((1..=n as u64).product::<u64>()));
+    let sum = quotient(&model.sum_of_determinants(), &factorial(D));
     let expected = match model.tiling.frame.domain.polytope() {
         None => Number::from(Rational::from(1)),
-        Some(polytope) => {
-            let factor = Number::from(Rational::from(factorial(polytope.dimension())));
-            quotient(&polytope.scaled_volume(), &factor)
-        }
+        Some(polytope) => quotient(&polytope.scaled_volume(), &factorial(polytope.dimension())),
     };
     if sum != expected {
         findings.add(Defect::VolumeSum { sum, expected });
     }
-}
-
-fn factorial(n: usize) -> i64 {
-    (1..=n as i64).product()
 }
 
 /// x / y for a y that is a product of positive integers.

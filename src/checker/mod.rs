@@ -10,15 +10,16 @@ mod data;
 mod defect;
 mod domain;
 mod hypotheses;
-mod model;
+mod region;
 mod render;
 mod statements;
 
+pub use crate::predicates::Model;
 pub use data::defect_data;
 pub use defect::{Angle, Defect, Findings};
 pub use domain::{Boundary, check_domain, check_facets, check_inside};
 pub use hypotheses::{check_corners, check_metric, check_orientation, check_volume};
-pub use model::Model;
+pub use region::check_region;
 pub use render::describe;
 pub use statements::{
     check_acute, check_delaunay, check_dihedral_above, check_dihedral_below, check_nonobtuse,
@@ -26,9 +27,8 @@ pub use statements::{
 };
 
 use crate::certificate::{Certificate, Statement};
-use crate::geometry::Scalar;
 use crate::quality;
-use crate::tiling::{Matching, Plane, Tiling, match_facets};
+use crate::tiling::{Domain, Matching, Plane, Tiling, match_facets};
 use malachite::Rational;
 use std::str::FromStr;
 
@@ -70,27 +70,12 @@ pub fn prove<const D: usize>(
     check_corners(tiling, &mut findings);
     let planes = check_domain(tiling, &mut findings);
     stop_if_any(&findings)?;
-    if tiling.frame.field.degree() == 1 {
-        prove_over(
-            &Model::rational(tiling),
-            &planes,
-            findings,
-            options,
-            progress,
-        )
-    } else {
-        prove_over(
-            &Model::algebraic(tiling),
-            &planes,
-            findings,
-            options,
-            progress,
-        )
-    }
+    progress("coordinates");
+    prove_model(&Model::new(tiling), &planes, findings, options, progress)
 }
 
-fn prove_over<S: Scalar, const D: usize>(
-    model: &Model<S, D>,
+fn prove_model<const D: usize>(
+    model: &Model<D>,
     planes: &[Plane],
     mut findings: Findings,
     options: &Options,
@@ -104,6 +89,10 @@ fn prove_over<S: Scalar, const D: usize>(
     let boundary = check_facets(model.tiling, &matching, &faces, &mut findings);
     progress("volume");
     check_volume(model, &mut findings);
+    if model.tiling.frame.domain == Domain::Region {
+        progress("boundary");
+        check_region(model.tiling, &matching, &mut findings);
+    }
     stop_if_any(&findings)?;
     progress("required statements");
     for statement in &options.required {
@@ -130,8 +119,8 @@ fn stop_if_any(findings: &Findings) -> Result<(), Refutation> {
 }
 
 /// Checks one statement about a tiling whose hypotheses hold.
-fn check_statement<S: Scalar, const D: usize>(
-    model: &Model<S, D>,
+fn check_statement<const D: usize>(
+    model: &Model<D>,
     matching: &Matching<D>,
     statement: &Statement,
     findings: &mut Findings,
@@ -149,6 +138,11 @@ fn check_statement<S: Scalar, const D: usize>(
         Statement::RadiusEdgeBelow(bound) => {
             check_radius_edge_below(model, &bound_value(bound), findings);
         }
+        Statement::Delaunay | Statement::WeaklyDelaunay
+            if model.tiling.frame.domain == Domain::Region =>
+        {
+            findings.add(Defect::DelaunayOfRegion);
+        }
         Statement::Delaunay => check_delaunay(model, matching, false, findings),
         Statement::WeaklyDelaunay => check_delaunay(model, matching, true, findings),
         Statement::Tcp => check_tcp(model.tiling, matching, findings),
@@ -162,8 +156,8 @@ fn bound_value(text: &str) -> Rational {
 
 /// The claim's statements: the tiling; acute, or else nonobtuse; the tightest bounds of
 /// angles and ratios; Delaunay, or else weakly Delaunay; TCP; and whatever is required.
-fn strongest_statements<S: Scalar, const D: usize>(
-    model: &Model<S, D>,
+fn strongest_statements<const D: usize>(
+    model: &Model<D>,
     matching: &Matching<D>,
     required: &[Statement],
 ) -> Vec<Statement> {
@@ -173,7 +167,7 @@ fn strongest_statements<S: Scalar, const D: usize>(
         findings.is_empty()
     };
     let first = |choices: Vec<Statement>| choices.into_iter().find(|choice| holds(choice));
-    let bounds = quality::bounds(model.tiling);
+    let bounds = quality::bounds(model);
     let bounded = |bounds: Vec<Rational>, statement: fn(String) -> Statement| {
         first(
             bounds

@@ -90,6 +90,30 @@ pub fn describe<const D: usize>(tiling: &Tiling<D>, defect: &Defect) -> String {
              {}, expected zero or a positive number",
             exact(value)
         ),
+        Defect::CoincidentVertices { vertices } => {
+            format!("the vertices {vertices:?} are the same point, expected different ones")
+        }
+        Defect::BoundaryMeets {
+            facets: (a, b),
+            point,
+        } => format!(
+            "{} and {} are in the boundary and meet in the point ({}), expected to meet in common \
+             corners and edges only",
+            name(a),
+            name(b),
+            point.iter().map(exact).collect::<Vec<_>>().join(", ")
+        ),
+        Defect::Covered { facet, simplices } => format!(
+            "directly outside of {}, which is in the boundary, points are covered {} times, expected \
+             none: by simplex {}",
+            name(facet),
+            simplices.len(),
+            some(simplices)
+        ),
+        Defect::RegionDimension => "a region has dimension 3".to_owned(),
+        Defect::DelaunayOfRegion => {
+            "Delaunay is not stated of a region, which need not be convex".to_owned()
+        }
         Defect::UnusedVertex { vertex } => {
             format!("vertex {vertex} is a corner of no simplex")
         }
@@ -145,6 +169,14 @@ pub fn describe<const D: usize>(tiling: &Tiling<D>, defect: &Defect) -> String {
             exact(power)
         ),
     }
+}
+
+/// The first few.
+fn some(indices: &[usize]) -> String {
+    const FEW: usize = 8;
+    let first = indices.iter().take(FEW).map(usize::to_string);
+    let rest = (indices.len() > FEW).then(|| "…".to_owned());
+    first.chain(rest).collect::<Vec<_>>().join(", ")
 }
 
 /// The exact value, and a decimal where that is shorter to read.

@@ -25,4 +25,4 @@ pub use ridges::{Ridge, Ridges, Wedge};
 pub use sphere::{Code, Triangle, code};
 pub use star::{Star, stars};
 pub use symbol::{Symbol, combinatorial_symbol, metric_symbol};
-pub use tcp::{NotTcp, check_tcp};
+pub use tcp::{NotTcp, check_tcp, is_tcp};

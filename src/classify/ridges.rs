@@ -58,7 +58,7 @@ impl<const D: usize> Ridges<D> {
             let is_boundary = around.iter().any(|&(simplex, (i, j))| {
                 [i, j]
                     .iter()
-                    .any(|&k| matching.mates[simplex * (D + 1) + k].is_none())
+                    .any(|&k| matching.neighbour(simplex, k).is_none())
             });
             list.push(Ridge {
                 corners,

@@ -154,7 +154,7 @@ fn gluing<const D: usize>(
     simplex: usize,
     opposite: usize,
 ) -> Option<(usize, Vec<usize>)> {
-    let mate = matching.mates[simplex * (D + 1) + opposite].as_ref()?;
+    let mate = matching.mate(tiling, simplex, opposite)?;
     let neighbour = mate.facet.simplex as usize;
     let there = tiling.simplex(neighbour);
     let place = |(k, corner): (usize, &crate::tiling::Corner<D>)| match k == opposite {

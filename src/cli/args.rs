@@ -1,8 +1,11 @@
 //! The arguments of every command, as clap reads them.
 
+use super::quality::QualityArguments;
 use crate::certificate::Statement;
+use crate::mesh::{Format, Lattice};
 use crate::verifier::Limits;
 use clap::{Args, Parser, Subcommand};
+use malachite::Rational;
 use std::ffi::OsString;
 use std::path::PathBuf;
 
@@ -24,6 +27,8 @@ pub enum Command {
     List(ListArguments),
     /// Tell what a tiling is: counts, lattice, field, shapes
     Show(ShowArguments),
+    /// Write a commented starting example of a kind of file
+    New(NewArguments),
     /// Prove a tiling and write its certificate
     Certify(CertifyArguments),
     /// Re-check certificates with the independent kernel
@@ -32,6 +37,8 @@ pub enum Command {
     Delaunay(DelaunayArguments),
     /// Write a tiling, or a supercell of it, as a tiling file, or a certificate for Coq
     Export(ExportArguments),
+    /// Turn a mesh or a tiling into a mesh file of another format, or a tiling file
+    Convert(ConvertArguments),
     /// The paper's table, as rigorous enclosures, and rows it does not have
     Table(TableArguments),
     /// Every checkable statement of the paper, with a verdict
@@ -39,6 +46,8 @@ pub enum Command {
     /// The exit code is 0 when every statement was settled, misprints included, and 3 when one
     /// was not.
     Paper(PaperArguments),
+    /// How good the simplices are: dihedral angles, radius-edge and aspect ratios
+    Quality(QualityArguments),
     /// Valences, vertex types, TCP or why not, and what the tiling is isomorphic to
     Classify(ClassifyArguments),
     /// Print a completion script for a shell
@@ -54,11 +63,117 @@ pub struct ListArguments {
     pub json: bool,
 }
 
+/// How a mesh file becomes a tiling. Coordinates in text mean the nearest double, and every
+/// double is taken as the exact number that it is.
+#[derive(Clone, Debug, Default, Args)]
+#[command(next_help_heading = "Mesh files")]
+pub struct MeshArguments {
+    /// The mesh is a cell of a periodic tiling with these lattice vectors, three for space or two
+    /// for a slab: integers, fractions and decimals, exact as written
+    #[arg(long, value_name = "A1,A2,A3;B1,B2,B3;C1,C2,C3", value_parser = Lattice::parse,
+        allow_hyphen_values = true)]
+    pub lattice: Option<Lattice>,
+    /// The mesh is bounded, even if the file has periodic links
+    #[arg(long, conflicts_with = "lattice")]
+    pub bounded: bool,
+    /// Move nodes that are within this distance of a lattice translate of another node exactly
+    /// onto it (of another node, if the mesh is bounded); what is proved is proved about the
+    /// moved mesh
+    #[arg(long, value_name = "TOLERANCE", value_parser = tolerance)]
+    pub identify: Option<f64>,
+    /// Write every move of --identify to this file, as CSV
+    #[arg(long, value_name = "FILE", requires = "identify")]
+    pub moves: Option<PathBuf>,
+    /// The format of a mesh file that has no extension of its own: msh4, vtk, vtu, medit,
+    /// meshb, tetgen
+    #[arg(long = "format", value_name = "FORMAT", value_parser = Format::parse)]
+    pub mesh_format: Option<Format>,
+}
+
 #[derive(Debug, Args)]
-pub struct ShowArguments {
-    /// A name of the catalogue, or a tiling file
+pub struct ConvertArguments {
+    /// A name of the catalogue, a tiling file or a mesh file (`-` for standard input)
     #[arg(value_name = "NAME|FILE")]
     pub input: String,
+    /// The file to write, its format told by the extension: msh, vtk, vtu, mesh, meshb, node or
+    /// ele, json for a tiling file; with .gz behind it compressed (`-` for standard output)
+    #[arg(value_name = "FILE")]
+    pub output: PathBuf,
+    /// The number that the construction depends on
+    #[arg(long, value_name = "VALUE", allow_hyphen_values = true)]
+    pub param: Option<String>,
+    /// The format to write: msh2, msh2-binary, msh4, msh4-binary, vtk, vtk-binary, vtu-text,
+    /// vtu-base64, vtu-raw, vtu (compressed), medit, meshb, tetgen
+    #[arg(long, value_name = "FORMAT", value_parser = Format::parse)]
+    pub to: Option<Format>,
+    /// Repeat the cell so many times in each direction of the lattice
+    #[arg(long, value_name = "N,N,N", value_delimiter = ',', value_parser = clap::value_parser!(u16).range(1..))]
+    pub supercell: Vec<u16>,
+    /// All whole tetrahedra of the tiling in the ball of this radius around the origin, as a
+    /// bounded mesh
+    #[arg(long, value_name = "RADIUS", value_parser = radius)]
+    pub patch: Option<Rational>,
+    /// Round coordinates that are no doubles, and tell how many and how far
+    #[arg(long)]
+    pub round: bool,
+    #[command(flatten)]
+    pub file: FileArguments,
+}
+
+#[derive(Debug, Args)]
+pub struct NewArguments {
+    /// The kind of file
+    #[arg(value_enum)]
+    pub kind: super::new::Kind,
+    /// Write the file here and not to standard output; a file that is there is not overwritten
+    #[arg(short, long, value_name = "FILE")]
+    pub output: Option<PathBuf>,
+}
+
+/// How a file becomes a tiling.
+#[derive(Debug, Default, Args)]
+pub struct FileArguments {
+    #[command(flatten)]
+    pub points: PointArguments,
+    #[command(flatten)]
+    pub mesh: MeshArguments,
+}
+
+/// How a point set is read and triangulated.
+#[derive(Debug, Default, Args)]
+pub struct PointArguments {
+    /// Cut Delaunay cells with cospherical vertices into simplices, the same way
+    /// in every lattice translate, instead of refusing
+    #[arg(long)]
+    pub triangulate: bool,
+    /// The data block of a CIF that has several
+    #[arg(long, value_name = "NAME", help_heading = "CIF")]
+    pub block: Option<String>,
+    /// Replace each decimal of a CIF by the multiple of 1/DENOMINATOR that agrees with all of its
+    /// digits, if there is one; every replacement is printed
+    #[arg(long, value_name = "DENOMINATOR", help_heading = "CIF",
+          value_parser = clap::value_parser!(u32).range(1..=1_000_000))]
+    pub snap: Option<u32>,
+    /// The sites of a CIF that are taken
+    #[arg(
+        long,
+        value_name = "LABEL,LABEL",
+        help_heading = "CIF",
+        value_delimiter = ','
+    )]
+    pub only: Vec<String>,
+    /// Take sites of a CIF as atoms whatever their occupancy, and those at one place as one
+    #[arg(long, help_heading = "CIF")]
+    pub ignore_occupancy: bool,
+}
+
+#[derive(Debug, Args)]
+pub struct ShowArguments {
+    /// A name of the catalogue, a tiling or mesh file, or a point set (CIF too)
+    #[arg(value_name = "NAME|FILE")]
+    pub input: String,
+    #[command(flatten)]
+    pub file: FileArguments,
     /// The number that the construction depends on, like 3/7 or sqrt(2)/4: a/e of
     /// goldberg-1, -2 and -3, epsilon of two-corners
     #[arg(long, value_name = "VALUE", allow_hyphen_values = true)]
@@ -67,9 +182,12 @@ pub struct ShowArguments {
 
 #[derive(Debug, Args)]
 pub struct CertifyArguments {
-    /// Names of the catalogue, or tiling files (`-` for standard input)
+    /// Names of the catalogue, tiling files, mesh files, or point sets (CIF too), whose
+    /// Delaunay triangulation is certified (`-` for standard input)
     #[arg(value_name = "NAME|FILE", required_unless_present = "all")]
     pub inputs: Vec<String>,
+    #[command(flatten)]
+    pub file: FileArguments,
     /// The whole catalogue
     #[arg(long)]
     pub all: bool,
@@ -131,23 +249,23 @@ pub struct VerifyArguments {
 
 #[derive(Debug, Args)]
 pub struct DelaunayArguments {
-    /// A point-set file (`-` for standard input)
+    /// A point-set file or a CIF (`-` for standard input)
     #[arg(value_name = "FILE")]
     pub file: PathBuf,
+    #[command(flatten)]
+    pub points: PointArguments,
     /// Write the tiling file here and not to standard output
     #[arg(short, long, value_name = "FILE")]
     pub output: Option<PathBuf>,
-    /// Cut Delaunay cells with cospherical vertices into simplices, the same way
-    /// in every lattice translate, instead of refusing
-    #[arg(long)]
-    pub triangulate: bool,
 }
 
 #[derive(Debug, Args)]
 pub struct ExportArguments {
-    /// A name of the catalogue, or a tiling file; with --coq, a certificate
+    /// A name of the catalogue, a tiling or mesh file, or a point set (CIF too); with --coq, a certificate
     #[arg(value_name = "NAME|FILE")]
     pub input: String,
+    #[command(flatten)]
+    pub file: FileArguments,
     /// Write the file here and not to standard output
     #[arg(short, long, value_name = "FILE")]
     pub output: Option<PathBuf>,
@@ -193,9 +311,11 @@ pub struct PaperArguments {
 
 #[derive(Debug, Args)]
 pub struct ClassifyArguments {
-    /// A name of the catalogue, or a tiling file (`-` for standard input)
+    /// A name of the catalogue, a tiling or mesh file, or a point set (CIF too) (`-` for standard input)
     #[arg(value_name = "NAME|FILE")]
     pub input: String,
+    #[command(flatten)]
+    pub file: FileArguments,
     /// One JSON object
     #[arg(long)]
     pub json: bool,
@@ -231,6 +351,24 @@ fn statement(text: &str) -> Result<Statement, String> {
                         .to_owned(),
                 )
             }),
+    }
+}
+
+/// A distance in doubles.
+fn tolerance(text: &str) -> Result<f64, String> {
+    match text.parse::<f64>() {
+        Ok(value) if value.is_finite() && value >= 0.0 => Ok(value),
+        _ => Err(format!(
+            "found {text}, expected a number that is not negative"
+        )),
+    }
+}
+
+fn radius(text: &str) -> Result<Rational, String> {
+    match crate::number::parse_rational(text) {
+        Ok(value) if value > 0 => Ok(value),
+        Ok(_) => Err(format!("found {text}, expected a positive number")),
+        Err(error) => Err(error.to_string()),
     }
 }
 

@@ -9,6 +9,7 @@ use super::verify::summary;
 use crate::catalog;
 use crate::certificate;
 use crate::checker::{self, Options, defect_data};
+use crate::import::uncompressed_name;
 use crate::tiling::Tiling;
 use crate::verifier::{self, Limits, Verified};
 use crate::with_dimension;
@@ -110,7 +111,7 @@ fn check_not_an_input(target: &Path, inputs: &[String]) -> Result<(), String> {
 fn file_name(input: &str) -> String {
     let stem = match catalog::find(input) {
         Some(_) => Some(input.to_owned()),
-        None => Path::new(input)
+        None => uncompressed_name(Path::new(input))
             .file_stem()
             .map(|stem| stem.to_string_lossy().into_owned()),
     };
@@ -129,13 +130,19 @@ enum Answer {
 }
 
 fn prove(input: &str, arguments: &CertifyArguments, output: &mut Output) -> Answer {
-    let mut named = match input::tiling(input, arguments.param.as_deref()) {
+    let mut named = match input::tiling(input, arguments.param.as_deref(), &arguments.file, output)
+    {
         Ok(named) => named,
-        Err(error) if error.outcome == Outcome::Declined => return Answer::Declined(error.message),
+        Err(error) if error.outcome == Outcome::Declined => {
+            return Answer::Declined(error.message);
+        }
         Err(error) => return Answer::Failed(error.message),
     };
     if arguments.reorient {
         let mended = with_dimension!(&mut named.tiling, AnyTiling, t => t.orient());
+        if let Some(origin) = &mut named.origin {
+            origin.reoriented(&mended);
+        }
         if !mended.is_empty() {
             output.complain(format!("{input}: {} simplices reoriented", mended.len()));
         }

@@ -10,7 +10,7 @@ use serde_json::{Value, json};
 
 /// Prints what the tiling is; refuted where it is no tiling.
 pub fn run(arguments: &ClassifyArguments, output: &mut Output) -> Outcome {
-    let named = match input::tiling(&arguments.input, None) {
+    let named = match input::tiling(&arguments.input, None, &arguments.file, output) {
         Ok(named) => named,
         Err(error) => {
             output.complain(format!("acutile: {}", error.message));

@@ -14,7 +14,7 @@ use crate::with_dimension;
 pub fn run(arguments: &ExportArguments, output: &mut Output) -> Outcome {
     let text = match arguments.coq {
         true => theorem(&arguments.input).map_err(InputError::from),
-        false => tiling_file(arguments),
+        false => tiling_file(arguments, output),
     };
     match text {
         Ok(text) => write_text(arguments.output.as_deref(), &text, output),
@@ -32,8 +32,14 @@ fn theorem(path: &str) -> Result<String, String> {
     coq_theorem(&certificate).map_err(|reason| format!("{path}: {reason}"))
 }
 
-fn tiling_file(arguments: &ExportArguments) -> Result<String, InputError> {
-    input::tiling(&arguments.input, arguments.param.as_deref()).and_then(
+fn tiling_file(arguments: &ExportArguments, output: &mut Output) -> Result<String, InputError> {
+    input::tiling(
+        &arguments.input,
+        arguments.param.as_deref(),
+        &arguments.file,
+        output,
+    )
+    .and_then(
         |named| with_dimension!(&named.tiling, AnyTiling, t => text(t, &named.name, arguments)),
     )
 }
@@ -46,21 +52,32 @@ fn text<const D: usize>(
     if arguments.supercell.is_empty() {
         return Ok(tiling_text(tiling, name));
     }
-    let rank = tiling.frame.rank();
-    if arguments.supercell.len() != rank {
-        let found = arguments.supercell.len();
-        return Err(format!("--supercell: found {found} numbers, expected {rank}").into());
-    }
-    let sizes = std::array::from_fn(|k| arguments.supercell.get(k).copied().unwrap_or(1));
-    let copies = arguments
-        .supercell
-        .iter()
-        .map(|&n| n as usize)
-        .product::<usize>();
-    if copies.saturating_mul(tiling.len().max(tiling.vertices.len())) > u32::MAX as usize {
-        return Err(format!("--supercell: {copies} copies are more than indices can count").into());
-    }
+    let sizes = supercell_sizes(tiling, &arguments.supercell)?;
     Ok(tiling_text(&supercell(tiling, sizes), name))
+}
+
+/// As many numbers as the lattice has directions, with ones behind them.
+///
+/// # Errors
+/// For another number of them, and where there would be too many copies.
+pub fn supercell_sizes<const D: usize>(
+    tiling: &Tiling<D>,
+    sizes: &[u16],
+) -> Result<[u16; D], String> {
+    let rank = tiling.frame.rank();
+    if sizes.len() != rank {
+        let found = sizes.len();
+        return Err(format!(
+            "--supercell: found {found} numbers, expected {rank}"
+        ));
+    }
+    let copies = sizes.iter().map(|&n| n as usize).product::<usize>();
+    if copies.saturating_mul(tiling.len().max(tiling.vertices.len())) > u32::MAX as usize {
+        return Err(format!(
+            "--supercell: {copies} copies are more than indices can count"
+        ));
+    }
+    Ok(std::array::from_fn(|k| sizes.get(k).copied().unwrap_or(1)))
 }
 
 /// Writes a file, or to standard output where there is none.

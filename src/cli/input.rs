@@ -1,8 +1,18 @@
-//! A name of the catalogue or a file, turned into a tiling.
+//! A name of the catalogue or a file, turned into a tiling; a point set becomes its
+//! Delaunay triangulation.
 
 use super::Outcome;
+use super::args::{FileArguments, MeshArguments, PointArguments};
+use super::delaunay;
+use super::mesh;
+use super::output::Output;
 use crate::catalog;
-use crate::import::{Content, NativeFile, read_native, read_text};
+use crate::import::cif::{CifOptions, is_cif, read_cif};
+use crate::import::{
+    BYTE_LIMIT, Content, ImportError, NativeFile, read_bytes, read_native, read_text,
+    uncompressed_name,
+};
+use crate::mesh::{Family, MeshError, Origin, load};
 use crate::tiling::{AnyPointSet, AnyTiling};
 use std::path::Path;
 
@@ -15,6 +25,8 @@ pub struct Named {
     pub description: String,
     /// The tiling.
     pub tiling: AnyTiling,
+    /// The numbers of a mesh file.
+    pub origin: Option<Origin>,
 }
 
 /// Why there is no input, in words that name it, and what that makes of the command.
@@ -32,12 +44,43 @@ impl From<String> for InputError {
     }
 }
 
-/// The tiling of a catalogue name, for a parameter if one is given, or of a file.
+impl InputError {
+    /// A mesh file could not be read.
+    pub fn of_mesh(input: &str, error: &MeshError) -> Self {
+        InputError {
+            message: format!("{input}: {error}"),
+            outcome: outcome(error.is_limit),
+        }
+    }
+
+    fn of_file(path: &Path, error: &ImportError) -> Self {
+        InputError {
+            message: format!("{}: {error}", path.display()),
+            outcome: outcome(error.is_limit()),
+        }
+    }
+}
+
+fn outcome(is_limit: bool) -> Outcome {
+    match is_limit {
+        true => Outcome::Declined,
+        false => Outcome::Failed,
+    }
+}
+
+/// The tiling of a catalogue name, for a parameter if one is given, or of a file. What is to
+/// be said of a file is said.
 ///
 /// # Errors
 /// A message that names the input.
-pub fn tiling(input: &str, parameter: Option<&str>) -> Result<Named, InputError> {
+pub fn tiling(
+    input: &str,
+    parameter: Option<&str>,
+    options: &FileArguments,
+    output: &mut Output,
+) -> Result<Named, InputError> {
     if let Some(entry) = catalog::find(input) {
+        check_for_cif(input, &options.points)?;
         let tiling = match parameter {
             Some(parameter) => catalog::build_with(input, parameter),
             None => catalog::build(input),
@@ -47,6 +90,7 @@ pub fn tiling(input: &str, parameter: Option<&str>) -> Result<Named, InputError>
             name: input.to_owned(),
             description: entry.description.to_owned(),
             tiling,
+            origin: None,
         });
     }
     let path = Path::new(input);
@@ -57,32 +101,37 @@ pub fn tiling(input: &str, parameter: Option<&str>) -> Result<Named, InputError>
     if parameter.is_some() {
         return Err(format!("{input}: a file takes no parameter (--param)").into());
     }
-    let file = read(path)?;
-    match file.content {
-        Content::Tiling(tiling) => {
-            let words = [file.name, file.description]
-                .into_iter()
-                .flatten()
-                .collect::<Vec<_>>();
-            Ok(Named {
-                name: input.to_owned(),
-                description: words.join(": "),
-                tiling,
-            })
-        }
-        Content::Points(_) => Err(format!(
-            "{input}: is a point-set file, expected a tiling file (acutile delaunay makes one)"
-        )
-        .into()),
-    }
+    let text = match text_or_mesh(path, &options.mesh)? {
+        TextOrMesh::Mesh(loaded) => return mesh::tiling(input, loaded, &options.mesh, output),
+        TextOrMesh::Text(text) => text,
+    };
+    let points = &options.points;
+    let file = document(path, &text, points, output)?;
+    let words = [file.name, file.description].into_iter().flatten();
+    let description = words.collect::<Vec<_>>().join(": ");
+    let tiling = match file.content {
+        Content::Tiling(tiling) => tiling,
+        Content::Points(set) => delaunay::of_points(input, &set, points, output)?,
+    };
+    Ok(Named {
+        name: input.to_owned(),
+        description,
+        tiling,
+        origin: None,
+    })
 }
 
 /// The points of a point-set file.
 ///
 /// # Errors
 /// A message that names the file.
-pub fn points(path: &Path) -> Result<AnyPointSet, InputError> {
-    match read(path)?.content {
+pub fn points(
+    path: &Path,
+    arguments: &PointArguments,
+    output: &mut Output,
+) -> Result<AnyPointSet, InputError> {
+    let text = read_text(path).map_err(|error| InputError::of_file(path, &error))?;
+    match document(path, &text, arguments, output)?.content {
         Content::Points(points) => Ok(points),
         Content::Tiling(_) => Err(format!(
             "{}: is a tiling file, expected a point-set file",
@@ -92,15 +141,86 @@ pub fn points(path: &Path) -> Result<AnyPointSet, InputError> {
     }
 }
 
-fn read(path: &Path) -> Result<NativeFile, InputError> {
-    read_text(path)
-        .and_then(|text| read_native(&text))
-        .map_err(|error| InputError {
-            message: format!("{}: {error}", path.display()),
-            outcome: if error.is_limit() {
-                Outcome::Declined
-            } else {
-                Outcome::Failed
-            },
-        })
+/// A CIF or one of the program's own files.
+fn document(
+    path: &Path,
+    text: &str,
+    points: &PointArguments,
+    output: &mut Output,
+) -> Result<NativeFile, InputError> {
+    let named = |error: ImportError| InputError::of_file(path, &error);
+    if is_cif(&uncompressed_name(path), text) {
+        return cif(path, text, points, output).map_err(named);
+    }
+    check_for_cif(&path.display().to_string(), points)?;
+    read_native(text).map_err(named)
+}
+
+fn cif(
+    path: &Path,
+    text: &str,
+    points: &PointArguments,
+    output: &mut Output,
+) -> Result<NativeFile, ImportError> {
+    let options = CifOptions {
+        block: points.block.clone(),
+        snap: points.snap,
+        only: points.only.clone(),
+        ignore_occupancy: points.ignore_occupancy,
+    };
+    let cif = read_cif(text, &options)?;
+    for note in cif.notes {
+        output.complain(format!("{}: {note}", path.display()));
+    }
+    Ok(NativeFile {
+        name: Some(cif.name),
+        description: None,
+        content: Content::Points(AnyPointSet::Space(cif.points)),
+    })
+}
+
+/// The options for a CIF mean nothing for `input`, which is none.
+fn check_for_cif(input: &str, points: &PointArguments) -> Result<(), String> {
+    let given = [
+        ("--block", points.block.is_some()),
+        ("--snap", points.snap.is_some()),
+        ("--only", !points.only.is_empty()),
+        ("--ignore-occupancy", points.ignore_occupancy),
+    ];
+    match given.iter().find(|(_, given)| *given) {
+        None => Ok(()),
+        Some((option, _)) => Err(format!("{input}: {option} is for a CIF, which this is not")),
+    }
+}
+
+/// What a file holds.
+pub enum TextOrMesh {
+    /// A mesh.
+    Mesh(load::Loaded),
+    /// Text that is no mesh file.
+    Text(String),
+}
+
+/// The mesh of a file of a mesh format, known by `--format`, by its extension, or by its first
+/// bytes; the text of any other.
+///
+/// # Errors
+/// A message that names the file.
+pub fn text_or_mesh(path: &Path, options: &MeshArguments) -> Result<TextOrMesh, InputError> {
+    let of_mesh = |error| InputError::of_mesh(&path.display().to_string(), &error);
+    let family = options.mesh_format.map(|format| format.family());
+    if let Some(family) = family.or_else(|| Family::of_path(path)) {
+        let loaded = load::load(path, family);
+        return loaded.map(TextOrMesh::Mesh).map_err(of_mesh);
+    }
+    let of_file = |error| InputError::of_file(path, &error);
+    let bytes = read_bytes(path, BYTE_LIMIT).map_err(of_file)?;
+    if let Some(family) = Family::of_content(&bytes) {
+        let mesh = family.read(&bytes).map_err(of_mesh)?;
+        return Ok(TextOrMesh::Mesh(load::Loaded { mesh, family }));
+    }
+    let text = String::from_utf8(bytes).map_err(|error| ImportError::NotText {
+        offset: error.utf8_error().valid_up_to(),
+    });
+    text.map(TextOrMesh::Text).map_err(of_file)
 }

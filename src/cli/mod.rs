@@ -10,14 +10,18 @@
 mod args;
 mod certify;
 mod classify;
+mod convert;
 mod delaunay;
 mod export;
 mod input;
 mod list;
+mod mesh;
 mod meta;
+mod new;
 mod output;
 mod paper;
 mod progress;
+mod quality;
 mod show;
 mod table;
 mod verify;
@@ -84,12 +88,15 @@ pub fn main() -> ExitCode {
     let outcome = match arguments.command {
         Command::List(list) => list::run(&list, &mut output),
         Command::Show(show) => show::run(&show, &mut output),
+        Command::New(new) => new::run(&new, &mut output),
         Command::Certify(certify) => certify::run(&certify, &mut output),
         Command::Verify(verify) => verify::run(&verify, &mut output),
         Command::Delaunay(delaunay) => delaunay::run(&delaunay, &mut output),
         Command::Export(export) => export::run(&export, &mut output),
+        Command::Convert(convert) => convert::run(&convert, &mut output),
         Command::Table(table) => table::run(&table, &mut output),
         Command::Paper(paper) => paper::run(&paper, &mut output),
+        Command::Quality(quality) => quality::run(&quality, &mut output),
         Command::Classify(classify) => classify::run(&classify, &mut output),
         Command::Completions(completions) => meta::completions(&completions, &mut output),
         Command::Man => meta::man(&mut output),

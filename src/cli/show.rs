@@ -11,7 +11,12 @@ use crate::with_dimension;
 
 /// Prints counts, lattice, field and shapes.
 pub fn run(arguments: &ShowArguments, output: &mut Output) -> Outcome {
-    match input::tiling(&arguments.input, arguments.param.as_deref()) {
+    match input::tiling(
+        &arguments.input,
+        arguments.param.as_deref(),
+        &arguments.file,
+        output,
+    ) {
         Ok(named) => {
             output.line(format!("{}: {}", named.name, named.description));
             with_dimension!(&named.tiling, AnyTiling, t => show(t, output));

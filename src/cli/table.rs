@@ -1,6 +1,6 @@
 //! `acutile table`: the paper's Table 1, rigorously, for its rows and all others.
 
-use super::args::{TableArguments, TableFormat};
+use super::args::{FileArguments, TableArguments, TableFormat};
 use super::output::Output;
 use super::{Outcome, input};
 use crate::catalog;
@@ -20,7 +20,7 @@ pub fn run(arguments: &TableArguments, output: &mut Output) -> Outcome {
     let mut outcome = Outcome::Done;
     let mut rows = Vec::new();
     for name in wanted {
-        match row(name, &survey) {
+        match row(name, &survey, output) {
             Ok(row) => rows.push(row),
             Err((message, failure)) => {
                 output.complain(format!("acutile: {message}"));
@@ -38,14 +38,15 @@ pub fn run(arguments: &TableArguments, output: &mut Output) -> Outcome {
     outcome
 }
 
-fn row(name: &str, survey: &Survey) -> Result<Row, (String, Outcome)> {
+fn row(name: &str, survey: &Survey, output: &mut Output) -> Result<Row, (String, Outcome)> {
     if catalog::find(name).is_some() {
         let study = survey
             .get(name)
             .map_err(|message| (message, Outcome::Refuted))?;
         return Ok(Row::of(name, study));
     }
-    let named = input::tiling(name, None).map_err(|error| (error.message, error.outcome))?;
+    let named = input::tiling(name, None, &FileArguments::default(), output)
+        .map_err(|error| (error.message, error.outcome))?;
     match AnyStudy::of(named.tiling) {
         Ok(study) => Ok(Row::of(name, &study)),
         Err(message) => Err((format!("{name}: {message}"), Outcome::Refuted)),

@@ -81,11 +81,12 @@ fn is_locally_delaunay<S: Scalar, const D: usize>(
     predicates: &Predicates<S, D>,
 ) -> bool {
     let matching = match_facets(shell);
-    matching.mates.iter().enumerate().all(|(index, mate)| {
-        let Some(mate) = mate else {
+    (0..shell.len() * (D + 1)).all(|index| {
+        let (here, opposite) = (index / (D + 1), index % (D + 1));
+        let Some(mate) = matching.mate(shell, here, opposite) else {
             return false;
         };
-        let (here, there) = (index / (D + 1), mate.facet.simplex as usize);
+        let there = mate.facet.simplex as usize;
         let beyond = shell.simplex(there)[usize::from(mate.facet.opposite)].moved(mate.shift);
         let (facet, apex) = parts(shell.simplex(here));
         match predicates.in_sphere(&facet, &apex, &beyond) {

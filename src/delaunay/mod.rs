@@ -86,7 +86,7 @@ pub fn triangulate<const D: usize>(
     let corners = simplices.iter().flat_map(Simplex::ordered).collect();
     Ok(Tiling {
         frame: set.frame.clone(),
-        vertices: model.vertices,
+        vertices: model.vertices.into(),
         corners,
     })
 }
@@ -176,7 +176,7 @@ fn search<S: Scalar, const D: usize>(
     }
     let shell = Tiling {
         frame: Frame::cubic(),
-        vertices: Vec::new(),
+        vertices: Vec::new().into(),
         corners,
     };
     if !certify::is_delaunay(&shell, &cells, predicates) {

@@ -3,11 +3,12 @@
 use crate::number::{Field, Number};
 use crate::tiling::{Corner, Domain, Frame, PointSet, Polytope, Tiling};
 use serde_json::{Value, json};
+use std::borrow::Borrow;
 use std::fmt::Write;
 
 /// The text of a tiling file.
 pub fn tiling_text<const D: usize>(tiling: &Tiling<D>, name: &str) -> String {
-    let vertices = rows(&tiling.vertices);
+    let vertices = rows(tiling.vertices.iter());
     let simplices = tiling
         .simplices()
         .map(|corners| simplex(corners, tiling.frame.rank()));
@@ -58,6 +59,7 @@ fn domain(domain: &Domain) -> Value {
         }
         Domain::Prism(polygon) => json!({ "prism": polytope(polygon) }),
         Domain::Solid(solid) => json!({ "solid": polytope(solid) }),
+        Domain::Region => json!("region"),
     }
 }
 
@@ -76,9 +78,11 @@ fn generator(field: &Field) -> Value {
     json!({ "a": { "polynomial": polynomial, "root": [lower.to_string(), upper.to_string()] } })
 }
 
-fn rows<const D: usize>(rows: &[[Number; D]]) -> impl Iterator<Item = Value> {
-    rows.iter()
-        .map(|row| Value::Array(row.iter().map(|x| json!(number(x))).collect()))
+fn rows<const D: usize>(
+    rows: impl IntoIterator<Item = impl Borrow<[Number; D]>>,
+) -> impl Iterator<Item = Value> {
+    rows.into_iter()
+        .map(|row| Value::Array(row.borrow().iter().map(|x| json!(number(x))).collect()))
 }
 
 /// `1/2+3/4*a^2`, in the generator a of the field.

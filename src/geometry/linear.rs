@@ -5,6 +5,10 @@ use super::Scalar;
 
 /// The determinant of a D x D matrix, by expansion along the first row.
 pub fn determinant<S: Scalar, const D: usize>(matrix: &[[S; D]; D]) -> S {
+    if D == 3 {
+        let row: [S; D] = std::array::from_fn(|j| cofactor(matrix, 0, j));
+        return dot(&matrix[0], &row);
+    }
     let rows: Vec<&[S]> = matrix.iter().map(|row| row.as_slice()).collect();
     let columns: Vec<usize> = (0..D).collect();
     minor(&rows, &columns)
@@ -22,6 +26,13 @@ fn cofactor<S: Scalar, const D: usize>(matrix: &[[S; D]; D], i: usize, j: usize)
     if D == 3 {
         let [a, b, c, d] = [(i + 1) % 3, (i + 2) % 3, (j + 1) % 3, (j + 2) % 3];
         return determinant2(&matrix[a][c], &matrix[a][d], &matrix[b][c], &matrix[b][d]);
+    }
+    if D == 2 {
+        let other = matrix[1 - i][1 - j].clone();
+        return match i == j {
+            true => other,
+            false => other.integer(0).minus(&other),
+        };
     }
     let rows: Vec<&[S]> = (0..D)
         .filter(|&k| k != i)
@@ -72,6 +83,15 @@ pub fn dot<S: Scalar, const D: usize>(x: &[S; D], y: &[S; D]) -> S {
     let mut sum = x[0].times(&y[0]);
     for k in 1..D {
         sum = sum.plus(&x[k].times(&y[k]));
+    }
+    sum
+}
+
+/// The sum of x_k.
+pub fn sum<S: Scalar, const D: usize>(x: &[S; D]) -> S {
+    let mut sum = x[0].clone();
+    for k in 1..D {
+        sum = sum.plus(&x[k]);
     }
     sum
 }

@@ -1,9 +1,17 @@
 //! Exact predicates of simplices, written once for every dimension and every
 //! kind of number. Called by the Delaunay room, the checker and the quality room.
 
+pub mod bound;
+pub mod boxes;
 pub mod linear;
+pub mod quadratic;
 pub mod scalar;
 pub mod simplex;
+pub mod triangle;
+pub mod wide;
 
+pub use bound::Bound;
+pub use quadratic::Quadratic;
 pub use scalar::{Scalar, Sign};
 pub use simplex::{NormalProducts, Simplex};
+pub use wide::I256;

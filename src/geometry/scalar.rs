@@ -20,6 +20,17 @@ pub trait Scalar: Clone + std::fmt::Debug + Send + Sync {
     fn times(&self, other: &Self) -> Self;
     /// The exact sign.
     fn sign(&self) -> Sign;
+    /// |x|
+    fn magnitude(&self) -> Self {
+        match self.sign() {
+            Ordering::Less => self.integer(0).minus(self),
+            _ => self.clone(),
+        }
+    }
+    /// x² compared with d y²
+    fn compare_squares(x: &Self, y: &Self, d: &Self) -> Ordering {
+        x.times(x).minus(&y.times(y).times(d)).sign()
+    }
     /// The nearest double or one close to it; infinite beyond its range. Only
     /// for filters that are confirmed exactly afterwards, and for display.
     fn approximate(&self) -> f64;

@@ -34,7 +34,13 @@ impl<S: Scalar, const D: usize> Simplex<S, D> {
     /// If there are not D + 1 corners.
     pub fn new(corners: &[[S; D]]) -> Self {
         assert_eq!(corners.len(), D + 1, "a {D}-simplex has {} corners", D + 1);
-        let edges = std::array::from_fn(|k| linear::subtract(&corners[k + 1], &corners[0]));
+        Simplex::from_edges(std::array::from_fn(|k| {
+            linear::subtract(&corners[k + 1], &corners[0])
+        }))
+    }
+
+    /// The simplex with these edges e_1 … e_D from corner 0, in basis coordinates.
+    pub fn from_edges(edges: [[S; D]; D]) -> Self {
         let gradients = linear::cofactors(&edges);
         let determinant = linear::dot(&edges[0], &gradients[0]);
         Simplex {
@@ -44,52 +50,42 @@ impl<S: Scalar, const D: usize> Simplex<S, D> {
         }
     }
 
-    /// g_0 = -(g_1 + … + g_D)
-    pub fn first_gradient(&self) -> [S; D] {
-        std::array::from_fn(|k| {
-            let zero = self.determinant.integer(0);
-            self.gradients
-                .iter()
-                .fold(zero, |sum, gradient| sum.minus(&gradient[k]))
-        })
-    }
-
-    /// All D + 1 gradients g_0 … g_D.
-    pub fn all_gradients(&self) -> Vec<[S; D]> {
-        std::iter::once(self.first_gradient())
-            .chain(self.gradients.iter().cloned())
-            .collect()
-    }
-
     /// The inner products <g_i, g_j> for 0 <= i, j <= D, measured by `cogram`.
-    pub fn normal_products(&self, cogram: &[[S; D]; D]) -> NormalProducts<S> {
-        let gradients = self.all_gradients();
-        let images: Vec<[S; D]> = gradients
-            .iter()
-            .map(|gradient| linear::apply(cogram, gradient))
-            .collect();
-        let rows = gradients
-            .iter()
-            .map(|gradient| {
-                images
-                    .iter()
-                    .map(|image| linear::dot(gradient, image))
-                    .collect()
-            })
-            .collect();
-        NormalProducts { rows }
+    ///
+    /// As g_0 = -(g_1 + … + g_D), its products are sums of the others:
+    /// <g_0, g_j> = -Σ_i <g_i, g_j> and <g_0, g_0> = -Σ_j <g_0, g_j>.
+    pub fn normal_products(&self, cogram: &[[S; D]; D]) -> NormalProducts<S, D> {
+        let images: [[S; D]; D] =
+            std::array::from_fn(|j| linear::apply(cogram, &self.gradients[j]));
+        let zero = self.determinant.integer(0);
+        let mut inner: [[S; D]; D] = std::array::from_fn(|_| std::array::from_fn(|_| zero.clone()));
+        for i in 0..D {
+            for j in i..D {
+                inner[i][j] = linear::dot(&self.gradients[i], &images[j]);
+                inner[j][i] = inner[i][j].clone();
+            }
+        }
+        let minus_sum = |row: &[S; D]| zero.minus(&linear::sum(row));
+        let first: [S; D] = std::array::from_fn(|j| minus_sum(&inner[j]));
+        NormalProducts {
+            corner: minus_sum(&first),
+            first,
+            inner,
+        }
     }
 
-    /// The squared lengths of the edges: of e_1 … e_D, then of e_j - e_i for i < j.
-    pub fn squared_edges(&self, gram: &[[S; D]; D]) -> Vec<S> {
-        let between = (0..D)
-            .flat_map(|i| (i + 1..D).map(move |j| (i, j)))
-            .map(|(i, j)| linear::square(gram, &linear::subtract(&self.edges[j], &self.edges[i])));
-        self.edges
-            .iter()
-            .map(|edge| linear::square(gram, edge))
-            .chain(between)
-            .collect()
+    /// Calls `visit` with the squared lengths of the edges: of e_1 … e_D, then of
+    /// e_j - e_i for i < j.
+    pub fn for_squared_edges(&self, gram: &[[S; D]; D], mut visit: impl FnMut(&S)) {
+        for edge in &self.edges {
+            visit(&linear::square(gram, edge));
+        }
+        for i in 0..D {
+            for j in i + 1..D {
+                let edge = linear::subtract(&self.edges[j], &self.edges[i]);
+                visit(&linear::square(gram, &edge));
+            }
+        }
     }
 
     /// Numerator and positive denominator of the squared circumradius.
@@ -98,12 +94,12 @@ impl<S: Scalar, const D: usize> Simplex<S, D> {
     /// dual to the edges, x is half the sum of |e_i|² ∇λ_i, and with the products
     /// P_ij = <g_i, g_j> measured by the adjugate of G this gives
     /// |x|² = Σ |e_i|² |e_j|² P_ij / (4 d² det G).
-    pub fn squared_circumradius(&self, gram: &[[S; D]; D], products: &NormalProducts<S>) -> (S, S) {
-        let squares: Vec<S> = self
-            .edges
-            .iter()
-            .map(|edge| linear::square(gram, edge))
-            .collect();
+    pub fn squared_circumradius(
+        &self,
+        gram: &[[S; D]; D],
+        products: &NormalProducts<S, D>,
+    ) -> (S, S) {
+        let squares = self.edges.each_ref().map(|edge| linear::square(gram, edge));
         let mut numerator = self.determinant.integer(0);
         for (i, a) in squares.iter().enumerate() {
             for (j, b) in squares.iter().enumerate() {
@@ -136,20 +132,28 @@ impl<S: Scalar, const D: usize> Simplex<S, D> {
 
 /// The matrix of <g_i, g_j>.
 #[derive(Clone, Debug)]
-pub struct NormalProducts<S> {
-    rows: Vec<Vec<S>>,
+pub struct NormalProducts<S, const D: usize> {
+    /// <g_0, g_0>
+    corner: S,
+    /// <g_0, g_j> for j = 1 … D
+    first: [S; D],
+    /// <g_i, g_j> for i, j = 1 … D
+    inner: [[S; D]; D],
 }
 
-impl<S: Scalar> NormalProducts<S> {
+impl<S: Scalar, const D: usize> NormalProducts<S, D> {
     /// <g_i, g_j>: negative, zero or positive as the dihedral angle between the
     /// facets i and j is acute, right or obtuse.
     pub fn get(&self, i: usize, j: usize) -> &S {
-        &self.rows[i][j]
+        match (i, j) {
+            (0, 0) => &self.corner,
+            (0, k) | (k, 0) => &self.first[k - 1],
+            _ => &self.inner[i - 1][j - 1],
+        }
     }
 
     /// All pairs i < j with their product.
     pub fn pairs(&self) -> impl Iterator<Item = (usize, usize, &S)> {
-        let n = self.rows.len();
-        (0..n).flat_map(move |i| (i + 1..n).map(move |j| (i, j, &self.rows[i][j])))
+        (0..=D).flat_map(move |i| (i + 1..=D).map(move |j| (i, j, self.get(i, j))))
     }
 }

@@ -90,6 +90,8 @@ pub enum Domain<'a> {
     Prism(PolytopeEntry<'a>),
     #[serde(borrow)]
     Solid(PolytopeEntry<'a>),
+    /// The union of the simplices.
+    Region,
 }
 
 /// A polygon by its corners in cyclic order, or a polyhedron with faces.

@@ -29,6 +29,8 @@ pub enum ImportError {
     Version { found: u64 },
     /// Something about the entry at `place`, like `vertices[3][1]`.
     Entry { place: String, problem: String },
+    /// At `place` a stated limit is exceeded.
+    Limit { place: String, problem: String },
     /// A number that cannot be read.
     Number { place: String, error: ReadError },
     /// A byte order mark before the text.
@@ -44,10 +46,20 @@ impl ImportError {
         }
     }
 
+    /// A limit exceeded at `place`.
+    pub fn limit(place: impl Into<String>, problem: impl fmt::Display) -> Self {
+        ImportError::Limit {
+            place: place.into(),
+            problem: problem.to_string(),
+        }
+    }
+
     /// Whether a stated limit, or a version of tomorrow, is the reason.
     pub fn is_limit(&self) -> bool {
         match self {
-            ImportError::TooLong { .. } | ImportError::Version { .. } => true,
+            ImportError::TooLong { .. }
+            | ImportError::Version { .. }
+            | ImportError::Limit { .. } => true,
             ImportError::Number { error, .. } => error.is_limit(),
             _ => false,
         }
@@ -62,7 +74,7 @@ impl fmt::Display for ImportError {
                 write!(f, "is longer than the limit of {limit} bytes")
             }
             ImportError::NotText { offset } => {
-                write!(f, "byte {offset}: not UTF-8 text, expected JSON")
+                write!(f, "byte {offset}: not UTF-8 text")
             }
             ImportError::Empty => write!(f, "is empty, expected a tiling or point-set file"),
             ImportError::Json(error) => write!(f, "{error}"),
@@ -74,7 +86,9 @@ impl fmt::Display for ImportError {
             ImportError::Version { found } => {
                 write!(f, "version is {found}, expected 1")
             }
-            ImportError::Entry { place, problem } => write!(f, "{place}: {problem}"),
+            ImportError::Entry { place, problem } | ImportError::Limit { place, problem } => {
+                write!(f, "{place}: {problem}")
+            }
             ImportError::Number { place, error } => write!(f, "{place}: {error}"),
             ImportError::ByteOrderMark => {
                 write!(

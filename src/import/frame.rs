@@ -47,15 +47,15 @@ pub fn read_frame<const D: usize>(
     ))
 }
 
-/// Without a lattice a solid lives in Cartesian coordinates.
+/// Without a lattice a solid or a region lives in Cartesian coordinates.
 fn identity<const D: usize>(
     numbers: &Numbers,
     domain: Domain,
 ) -> Result<(Frame<D>, Change<D>), ImportError> {
     match &domain {
-        Domain::Solid(_) => {}
+        Domain::Solid(_) | Domain::Region => {}
         _ => {
-            let problem = "is missing; only a solid needs none";
+            let problem = "is missing; only a solid and a region need none";
             return Err(ImportError::entry("lattice", problem));
         }
     }

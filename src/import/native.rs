@@ -4,8 +4,9 @@ use super::ImportError;
 use super::document::{CornerEntry, Document, Header, Text};
 use super::frame::{Change, read_frame};
 use super::numbers::Numbers;
+use super::text::without_comments;
 use crate::number::Number;
-use crate::tiling::{AnyPointSet, AnyTiling, Corner, Frame, PointSet, SHIFT_LIMIT, Tiling};
+use crate::tiling::{AnyPointSet, AnyTiling, Corner, Domain, Frame, PointSet, SHIFT_LIMIT, Tiling};
 
 /// A file of ours.
 pub struct NativeFile {
@@ -40,6 +41,7 @@ pub fn read_native(text: &str) -> Result<NativeFile, ImportError> {
     if text.starts_with('\u{feff}') {
         return Err(ImportError::ByteOrderMark);
     }
+    let text = &*without_comments(text);
     let header: Header = serde_json::from_str(text).map_err(ImportError::Json)?;
     if header.format != TILING && header.format != POINTS {
         return Err(ImportError::Format {
@@ -113,9 +115,14 @@ fn points<const D: usize>(
     document: &Document,
     numbers: &Numbers,
 ) -> Result<PointSet<D>, ImportError> {
-    let (frame, change) = read_frame(document, numbers)?;
+    let (frame, change) = read_frame::<D>(document, numbers)?;
     forbid("vertices", document.vertices.is_some(), POINTS)?;
     forbid("simplices", document.simplices.is_some(), POINTS)?;
+    if frame.domain != Domain::Space {
+        let problem =
+            "a point set has no domain but \"space\", its Delaunay triangulation fills it";
+        return Err(ImportError::entry("domain", problem));
+    }
     let rows = require("points", document.points.as_ref(), POINTS)?;
     Ok(PointSet {
         points: positions("points", rows, numbers, &change)?,
@@ -135,7 +142,7 @@ fn tiling<const D: usize>(
     let corners = corners(simplices, vertices.len(), &frame)?;
     Ok(Tiling {
         frame,
-        vertices,
+        vertices: vertices.into(),
         corners,
     })
 }

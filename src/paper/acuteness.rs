@@ -97,7 +97,7 @@ pub fn rows() -> Vec<Row> {
 }
 
 /// The products <g_i, g_j> that the program decides by.
-fn program(t: &[Vector; 4]) -> NormalProducts<Integer> {
+fn program(t: &[Vector; 4]) -> NormalProducts<Integer, 3> {
     let corners = t.map(|point| point.map(Integer::from));
     let unit: [[Integer; 3]; 3] =
         std::array::from_fn(|i| std::array::from_fn(|j| Integer::from(i32::from(i == j))));

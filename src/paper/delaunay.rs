@@ -153,7 +153,7 @@ fn unit_matrix() -> [[Polynomial; 3]; 3] {
     std::array::from_fn(|i| std::array::from_fn(|j| Polynomial::new(&[i64::from(i == j)], 1)))
 }
 
-fn products(corners: [usize; 4]) -> NormalProducts<Polynomial> {
+fn products(corners: [usize; 4]) -> NormalProducts<Polynomial, 3> {
     simplex(corners).normal_products(&unit_matrix())
 }
 

@@ -181,8 +181,8 @@ fn faces(survey: &Survey) -> Finding {
         let centre = (0..4)
             .find(|&k| (0..4).all(|other| other == k || !is_72(k, other)))
             .ok_or("a tetrahedron of an icosahedron has other angles")?;
-        let mate = study.matching.mates[cone * 4 + centre].as_ref();
-        shared += usize::from(mate.is_some_and(|m| cones.contains(&(m.facet.simplex as usize))));
+        let mate = study.matching.neighbour(cone, centre);
+        shared += usize::from(mate.is_some_and(|m| cones.contains(&(m.simplex as usize))));
     }
     let proved = format!(
         "{shared} of {} faces are shared by two icosahedra",

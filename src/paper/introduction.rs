@@ -126,7 +126,7 @@ fn copies_of_a_triangle() -> Finding {
     };
     let tiling = Tiling {
         frame: Frame::cubic(),
-        vertices: vec![[Field::rationals().integer(0), Field::rationals().integer(0)]],
+        vertices: vec![[Field::rationals().integer(0), Field::rationals().integer(0)]].into(),
         corners: vec![
             corner(0, 0),
             corner(1, 0),
@@ -137,7 +137,7 @@ fn copies_of_a_triangle() -> Finding {
         ],
     };
     let mut findings = Findings::new(1);
-    let model = Model::rational(&tiling);
+    let model = Model::new(&tiling);
     check_corners(&tiling, &mut findings);
     check_orientation(&model, &mut findings);
     let no_faces = vec![Vec::new(); tiling.vertices.len()];

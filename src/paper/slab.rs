@@ -78,9 +78,11 @@ fn steps(survey: &Survey) -> Finding {
     let half: usize = [2, 3, 6, 6, 6, 2].iter().sum();
     let expected = 2 * half + 6;
     // Cells of the lattice may hold several vertices of the base.
-    let bases = study.tiling.vertices.iter().map(|vertex| &vertex[2]);
+    let bases = study.tiling.vertices.iter().map(|[_, _, height]| height);
     let lowest = bases.clone().min();
-    let cells = bases.filter(|height| Some(*height) == lowest).count();
+    let cells = bases
+        .filter(|height| Some(height) == lowest.as_ref())
+        .count();
     let found = study.tiling.len();
     Ok((
         found == expected * cells,
@@ -92,14 +94,14 @@ fn steps(survey: &Survey) -> Finding {
 /// a factor; in units of the slab's height times 14.2 it must be a whole number of tenths.
 fn layers(survey: &Survey) -> Finding {
     let study = survey.space("slab")?;
-    let heights: BTreeSet<&Number> = study.tiling.vertices.iter().map(|v| &v[2]).collect();
+    let heights: BTreeSet<Number> = study.tiling.vertices.iter().map(|[_, _, z]| z).collect();
     let (Some(lowest), Some(highest)) = (heights.first(), heights.last()) else {
         return Err("the slab has no vertices".to_owned());
     };
-    let scale = (*highest - *lowest).inverse().ok_or("the slab is flat")?;
+    let scale = (highest - lowest).inverse().ok_or("the slab is flat")?;
     let found: Vec<Number> = heights
         .iter()
-        .map(|height| (*height - *lowest) * &scale * Number::from(tenths(142)))
+        .map(|height| (height - lowest) * &scale * Number::from(tenths(142)))
         .collect();
     let expected: Vec<Number> = [0, 40, 46, 71, 96, 102, 142]
         .map(|n| Number::from(tenths(n)))

@@ -12,8 +12,8 @@ pub fn display_width() -> Rational {
 
 /// The dihedral angle between two facets, enclosed in an interval of at most the
 /// given width, in degrees.
-pub fn dihedral_degrees(
-    products: &NormalProducts<Number>,
+pub fn dihedral_degrees<const D: usize>(
+    products: &NormalProducts<Number, D>,
     (i, j): (usize, usize),
     width: &Rational,
 ) -> (Rational, Rational) {

@@ -86,7 +86,11 @@ pub struct DihedralAngle {
 impl DihedralAngle {
     /// Between two facets: cos t = -p / √q with p = <g_i, g_j> and
     /// q = <g_i, g_i> <g_j, g_j>.
-    pub fn between(products: &NormalProducts<Number>, i: usize, j: usize) -> Self {
+    pub fn between<const D: usize>(
+        products: &NormalProducts<Number, D>,
+        i: usize,
+        j: usize,
+    ) -> Self {
         let p = products.get(i, j);
         let square = quotient(&(p * p), &(products.get(i, i) * products.get(j, j)));
         let is_obtuse = p.sign() == Sign::Greater;

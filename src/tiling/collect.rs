@@ -2,6 +2,7 @@
 
 use super::{Corner, Frame, Tiling};
 use crate::number::Number;
+use crate::predicates::{Model, Orientation};
 use std::collections::BTreeMap;
 
 impl<const D: usize> Tiling<D> {
@@ -12,24 +13,26 @@ impl<const D: usize> Tiling<D> {
     pub fn from_positions(frame: Frame<D>, simplices: &[Vec<[Number; D]>]) -> Self {
         let rank = frame.rank();
         let mut indices: BTreeMap<[Number; D], u32> = BTreeMap::new();
-        let mut tiling = Tiling {
-            frame,
-            vertices: Vec::new(),
-            corners: Vec::new(),
-        };
+        let mut vertices = Vec::new();
+        let mut corners = Vec::with_capacity(simplices.len() * (D + 1));
         for position in simplices.iter().flatten() {
             let (vertex, shift) = split(position, rank);
             let index = *indices
                 .entry(vertex.clone())
-                .or_insert(tiling.vertices.len() as u32);
-            if index as usize == tiling.vertices.len() {
-                tiling.vertices.push(vertex);
+                .or_insert(vertices.len() as u32);
+            if index as usize == vertices.len() {
+                vertices.push(vertex);
             }
-            tiling.corners.push(Corner {
+            corners.push(Corner {
                 vertex: index,
                 shift,
             });
         }
+        let mut tiling = Tiling {
+            frame,
+            vertices: vertices.into(),
+            corners,
+        };
         tiling.orient();
         tiling
     }
@@ -37,9 +40,9 @@ impl<const D: usize> Tiling<D> {
     /// Exchanges the last two corners of every negatively oriented simplex; returns
     /// their indices.
     pub fn orient(&mut self) -> Vec<usize> {
-        let negative: Vec<usize> = (0..self.len())
-            .filter(|&index| self.shape(index).determinant.sign().is_lt())
-            .collect();
+        let negative = Model::new(self)
+            .prepare(Orientation)
+            .failing(|signs| signs.none_negative());
         for index in &negative {
             let end = (index + 1) * (D + 1);
             self.corners.swap(end - 2, end - 1);

@@ -15,6 +15,9 @@
 //! opposite sides of it exactly when these signs differ.
 
 use super::{Corner, Tiling, difference};
+use rayon::prelude::*;
+use std::ops::Range;
+use std::sync::atomic::{AtomicU32, Ordering};
 
 /// A facet of a tiling: the one opposite to corner `opposite` of `simplex`.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
@@ -44,69 +47,231 @@ pub struct Mismatch {
 /// The result of matching.
 #[derive(Clone, Debug)]
 pub struct Matching<const D: usize> {
-    /// For simplex s and corner i the entry `s (D + 1) + i`; `None` for a facet
-    /// that has no single mate on its other side.
-    pub mates: Vec<Option<Mate<D>>>,
+    /// For the facet numbered n the number of its mate, or [`NONE`]. The lattice
+    /// vector follows from the corners, see [`Matching::mate`].
+    mates: Vec<u32>,
     /// One entry for each group of facets that does not match.
     pub mismatches: Vec<Mismatch>,
 }
 
-/// Matches all facets of `tiling`, each with the only other one that it is a
-/// translate of, in time n log n.
-pub fn match_facets<const D: usize>(tiling: &Tiling<D>) -> Matching<D> {
-    let mut entries = sorted_entries(tiling);
-    let mut matching = Matching {
-        mates: vec![None; entries.len()],
-        mismatches: Vec::new(),
-    };
-    for group in entries.chunk_by_mut(|a, b| a.form == b.form) {
-        match group {
-            [a, b] if a.side != b.side => matching.pair(a, b),
-            _ => matching.mismatches.push(Mismatch::of(group)),
+/// In the place of a mate: there is none.
+const NONE: u32 = u32::MAX;
+
+impl Facet {
+    /// The facet with the number s (D + 1) + i for simplex s and corner i.
+    fn numbered<const D: usize>(number: u32) -> Self {
+        let facets = D as u32 + 1;
+        Facet {
+            simplex: number / facets,
+            opposite: (number % facets) as u8,
         }
     }
-    matching.mismatches.sort_by_key(|mismatch| mismatch.uses[0]);
-    matching
 }
 
 impl<const D: usize> Matching<D> {
-    fn pair(&mut self, a: &Entry<D>, b: &Entry<D>) {
-        self.mates[a.index::<D>()] = Some(Mate {
-            facet: b.facet,
-            shift: difference(a.origin, b.origin),
-        });
-        self.mates[b.index::<D>()] = Some(Mate {
-            facet: a.facet,
-            shift: difference(b.origin, a.origin),
-        });
+    /// What lies behind a facet of the tiling that was matched; `None` for a facet
+    /// that has no single mate on its other side.
+    pub fn mate(&self, tiling: &Tiling<D>, simplex: usize, opposite: usize) -> Option<Mate<D>> {
+        let other = self.neighbour(simplex, opposite)?;
+        let facet = Facet {
+            simplex: simplex as u32,
+            opposite: opposite as u8,
+        };
+        let shift = difference(origin(tiling, facet), origin(tiling, other));
+        Some(Mate {
+            facet: other,
+            shift,
+        })
+    }
+
+    /// The facet behind a facet, up to a lattice vector.
+    pub fn neighbour(&self, simplex: usize, opposite: usize) -> Option<Facet> {
+        match self.mates[simplex * (D + 1) + opposite] {
+            NONE => None,
+            mate => Some(Facet::numbered::<D>(mate)),
+        }
     }
 }
 
-impl Mismatch {
-    fn of<const D: usize>(group: &mut [Entry<D>]) -> Self {
-        group.sort_unstable_by_key(|entry| entry.facet);
-        Mismatch {
-            uses: group
+/// Matches all facets of `tiling`, each with the only other one that it is a
+/// translate of, in time and memory proportional to their number.
+///
+/// The facets are counted into one bucket for each vertex, that of the least one
+/// among their corners, and each bucket is sorted by normal form. A bucket is as
+/// large as the star of a vertex.
+///
+/// # Panics
+/// If there are 2^32 facets or more: 64 GiB of corners.
+pub fn match_facets<const D: usize>(tiling: &Tiling<D>) -> Matching<D> {
+    assert!(tiling.corners.len() < NONE as usize, "too many facets");
+    let buckets = Buckets::of(tiling);
+    let mates: Vec<AtomicU32> = (0..tiling.corners.len())
+        .into_par_iter()
+        .map(|_| AtomicU32::new(NONE))
+        .collect();
+    let chunks = buckets.chunks();
+    let mut mismatches: Vec<Mismatch> = chunks
+        .into_par_iter()
+        .flat_map_iter(|vertices| match_buckets(tiling, &buckets, vertices, &mates))
+        .collect();
+    mismatches.sort_by_key(|mismatch| mismatch.uses[0]);
+    Matching {
+        mates: mates.into_iter().map(AtomicU32::into_inner).collect(),
+        mismatches,
+    }
+}
+
+/// Facets, by number, in the order of their least vertices.
+struct Buckets {
+    /// Bucket v is the range from `starts[v]` to `starts[v + 1]` of `facets`.
+    starts: Vec<u32>,
+    facets: Vec<u32>,
+}
+
+/// Work is cut into pieces of about so many facets.
+const CHUNK: usize = 1 << 16;
+
+impl Buckets {
+    /// Counting sort. Each of a few parts holds the buckets of a range of vertices
+    /// and is filled by one reader of all corners, in order.
+    fn of<const D: usize>(tiling: &Tiling<D>) -> Self {
+        let vertices = tiling.corners.iter().map(|c| c.vertex as usize + 1).max();
+        let mut starts = vec![0u32; vertices.unwrap_or(0) + 1];
+        for corners in tiling.simplices() {
+            for vertex in least_vertices(corners) {
+                starts[vertex as usize + 1] += 1;
+            }
+        }
+        for vertex in 1..starts.len() {
+            starts[vertex] += starts[vertex - 1];
+        }
+        let mut buckets = Buckets {
+            facets: vec![0; tiling.corners.len()],
+            starts,
+        };
+        buckets.fill(tiling);
+        buckets
+    }
+
+    fn fill<const D: usize>(&mut self, tiling: &Tiling<D>) {
+        let size = self
+            .facets
+            .len()
+            .div_ceil(rayon::current_num_threads())
+            .max(CHUNK);
+        let mut rest = &mut self.facets[..];
+        let mut parts = Vec::new();
+        for range in ranges(&self.starts, size) {
+            let length = self.starts[range.end] - self.starts[range.start];
+            let (part, tail) = rest.split_at_mut(length as usize);
+            parts.push((range, part));
+            rest = tail;
+        }
+        let starts = &self.starts;
+        parts.into_par_iter().for_each(|(vertices, part)| {
+            let first = starts[vertices.start];
+            let mut next: Vec<u32> = starts[vertices.clone()].iter().map(|s| s - first).collect();
+            for (simplex, corners) in (0u32..).zip(tiling.simplices()) {
+                for (opposite, vertex) in (0u32..).zip(least_vertices(corners)) {
+                    if vertices.contains(&(vertex as usize)) {
+                        let place = &mut next[vertex as usize - vertices.start];
+                        part[*place as usize] = simplex * (D as u32 + 1) + opposite;
+                        *place += 1;
+                    }
+                }
+            }
+        });
+    }
+
+    fn bucket(&self, vertex: usize) -> &[u32] {
+        &self.facets[self.starts[vertex] as usize..self.starts[vertex + 1] as usize]
+    }
+
+    fn chunks(&self) -> Vec<Range<usize>> {
+        ranges(&self.starts, CHUNK)
+    }
+}
+
+/// All vertices in ranges with about `size` facets each, at least one vertex.
+fn ranges(starts: &[u32], size: usize) -> Vec<Range<usize>> {
+    let (mut ranges, mut first) = (Vec::new(), 0);
+    for end in 1..starts.len() {
+        if (starts[end] - starts[first]) as usize >= size || end + 1 == starts.len() {
+            ranges.push(first..end);
+            first = end;
+        }
+    }
+    ranges
+}
+
+/// For each corner of a simplex the least vertex of the other corners: the least of
+/// all, and the second least where the least is left out.
+fn least_vertices<const D: usize>(corners: &[Corner<D>]) -> impl Iterator<Item = u32> {
+    let (mut least, mut second) = ((u32::MAX, 0), u32::MAX);
+    for (index, corner) in corners.iter().enumerate() {
+        if corner.vertex < least.0 {
+            second = least.0;
+            least = (corner.vertex, index);
+        } else {
+            second = second.min(corner.vertex);
+        }
+    }
+    (0..=D).map(move |index| if index == least.1 { second } else { least.0 })
+}
+
+/// Pairs the facets in the buckets of some vertices; gives what does not match.
+fn match_buckets<const D: usize>(
+    tiling: &Tiling<D>,
+    buckets: &Buckets,
+    vertices: Range<usize>,
+    mates: &[AtomicU32],
+) -> Vec<Mismatch> {
+    let mut mismatches = Vec::new();
+    let mut entries: Vec<Entry<D>> = Vec::new();
+    for vertex in vertices {
+        entries.clear();
+        entries.extend(
+            buckets
+                .bucket(vertex)
                 .iter()
-                .map(|entry| (entry.facet, entry.side))
-                .collect(),
+                .map(|&n| Entry::new(tiling, n)),
+        );
+        entries.sort_unstable();
+        for group in entries.chunk_by(|a, b| a.form == b.form) {
+            match group {
+                [a, b] if a.side != b.side => {
+                    mates[a.number as usize].store(b.number, Ordering::Relaxed);
+                    mates[b.number as usize].store(a.number, Ordering::Relaxed);
+                }
+                _ => mismatches.push(Mismatch::of(group)),
+            }
+        }
+    }
+    mismatches
+}
+
+impl Mismatch {
+    /// Of entries with one form, sorted, hence by their numbers.
+    fn of<const D: usize>(group: &[Entry<D>]) -> Self {
+        let usage = |entry: &Entry<D>| (Facet::numbered::<D>(entry.number), entry.side);
+        Mismatch {
+            uses: group.iter().map(usage).collect(),
         }
     }
 }
 
 /// A facet beside its normal form.
-#[derive(Clone, Copy)]
+#[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 struct Entry<const D: usize> {
     form: [Corner<D>; D],
-    origin: [i32; D],
-    facet: Facet,
+    number: u32,
     side: bool,
 }
 
 impl<const D: usize> Entry<D> {
-    fn new(simplex: &[Corner<D>], facet: Facet) -> Self {
-        let opposite = usize::from(facet.opposite);
-        let mut form = std::array::from_fn(|k| simplex[k + usize::from(k >= opposite)]);
+    fn new(tiling: &Tiling<D>, number: u32) -> Self {
+        let facet = Facet::numbered::<D>(number);
+        let mut form = corners_of(tiling, facet);
         let odd = sort_parity(&mut form);
         let origin = form[0].shift;
         for corner in &mut form {
@@ -114,15 +279,23 @@ impl<const D: usize> Entry<D> {
         }
         Entry {
             form,
-            origin,
-            facet,
-            side: odd ^ (opposite % 2 == 1),
+            number,
+            side: odd ^ (facet.opposite % 2 == 1),
         }
     }
+}
 
-    fn index<const E: usize>(&self) -> usize {
-        self.facet.simplex as usize * (E + 1) + usize::from(self.facet.opposite)
-    }
+fn corners_of<const D: usize>(tiling: &Tiling<D>, facet: Facet) -> [Corner<D>; D] {
+    let corners = tiling.simplex(facet.simplex as usize);
+    let opposite = usize::from(facet.opposite);
+    std::array::from_fn(|k| corners[k + usize::from(k >= opposite)])
+}
+
+/// The shift of the first corner of a facet in the order of its normal form.
+fn origin<const D: usize>(tiling: &Tiling<D>, facet: Facet) -> [i32; D] {
+    let mut corners = corners_of(tiling, facet);
+    sort_parity(&mut corners);
+    corners[0].shift
 }
 
 /// Insertion sort of a few corners; whether the permutation was odd.
@@ -137,16 +310,4 @@ fn sort_parity<const D: usize>(corners: &mut [Corner<D>; D]) -> bool {
         }
     }
     odd
-}
-
-/// All facets, those with the same normal form next to each other.
-fn sorted_entries<const D: usize>(tiling: &Tiling<D>) -> Vec<Entry<D>> {
-    let mut entries: Vec<Entry<D>> = (0u32..)
-        .zip(tiling.simplices())
-        .flat_map(|(simplex, corners)| {
-            (0..=D as u8).map(move |opposite| Entry::new(corners, Facet { simplex, opposite }))
-        })
-        .collect();
-    entries.sort_unstable_by(|a, b| a.form.cmp(&b.form).then(a.facet.cmp(&b.facet)));
-    entries
 }

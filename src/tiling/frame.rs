@@ -16,6 +16,8 @@ pub enum Domain {
     Prism(Polytope),
     /// A convex polygon or polyhedron, k = D: no lattice.
     Solid(Polytope),
+    /// The union of the simplices, D = 3: no lattice.
+    Region,
 }
 
 impl Domain {
@@ -25,14 +27,14 @@ impl Domain {
             Domain::Space => dimension,
             Domain::Slab(_) => dimension - 1,
             Domain::Prism(_) => 1,
-            Domain::Solid(_) => 0,
+            Domain::Solid(_) | Domain::Region => 0,
         }
     }
 
-    /// The polytope, where there is a boundary.
+    /// The polytope, where there is one.
     pub fn polytope(&self) -> Option<&Polytope> {
         match self {
-            Domain::Space => None,
+            Domain::Space | Domain::Region => None,
             Domain::Slab(polytope) | Domain::Prism(polytope) | Domain::Solid(polytope) => {
                 Some(polytope)
             }

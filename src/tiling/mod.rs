@@ -4,11 +4,13 @@
 //! the Delaunay room make tilings, everything downstream reads them.
 
 mod collect;
+pub mod coordinates;
 mod facets;
 mod frame;
 mod polytope;
 mod supercell;
 
+pub use coordinates::Coordinates;
 pub use facets::{Facet, Matching, Mate, Mismatch, match_facets};
 pub use frame::{Domain, Frame};
 pub use polytope::{Plane, Polytope};
@@ -81,7 +83,7 @@ pub struct Tiling<const D: usize> {
     /// Basis, metric, lattice and domain.
     pub frame: Frame<D>,
     /// Coordinates in the basis.
-    pub vertices: Vec<[Number; D]>,
+    pub vertices: Coordinates<D>,
     /// D + 1 corners for each simplex, one simplex after the other.
     pub corners: Vec<Corner<D>>,
 }
@@ -119,7 +121,7 @@ impl<const D: usize> Tiling<D> {
 
     /// The coordinates of a corner in the basis.
     pub fn position(&self, corner: &Corner<D>) -> [Number; D] {
-        let vertex = &self.vertices[corner.vertex as usize];
+        let vertex = self.vertices.vertex(corner.vertex as usize);
         std::array::from_fn(|k| &vertex[k] + &self.frame.field.integer(i64::from(corner.shift[k])))
     }
 }

@@ -49,6 +49,12 @@ pub(super) fn apply(ring: &Ring, m: &Matrix, x: &[Element]) -> Vec<Element> {
     m.iter().map(|row| ring.dot(row, x)).collect()
 }
 
+/// x × y in three coordinates: the functional z -> det(x, y, z).
+pub(super) fn cross(ring: &Ring, x: &[Element], y: &[Element]) -> Vec<Element> {
+    let entry = |i: usize, j: usize| ring.sum([(false, &x[i], &y[j]), (true, &x[j], &y[i])]);
+    vec![entry(1, 2), entry(2, 0), entry(0, 1)]
+}
+
 /// The first k rows and columns.
 pub(super) fn leading(m: &Matrix, k: usize) -> Matrix {
     m[..k].iter().map(|row| row[..k].to_vec()).collect()

@@ -11,6 +11,7 @@
 //! | `tiling` | all numbers of the certificate as elements of one ring |
 //! | `domain` | the domain's polytope, and that the tiling keeps to its boundary |
 //! | `mates` | the facets are paired, each pair one facet seen from two sides |
+//! | `region`, `extent`, `apart` | the boundary of a region does not meet itself, and nothing is outside of it |
 //! | `geometry` | metric, orientation, volume, and the claimed statements |
 //! | `angle`, `radius`, `tcp` | the statements that need more than a sign of a product |
 //! | `words` | the claim in words |
@@ -20,8 +21,10 @@
 //! no floating point, and no loop that the [`Limits`] do not bound.
 
 mod angle;
+mod apart;
 mod document;
 mod domain;
+mod extent;
 mod geometry;
 mod limits;
 mod mates;
@@ -29,6 +32,7 @@ mod matrix;
 mod number;
 mod radius;
 mod refusal;
+mod region;
 mod render;
 mod ring;
 #[cfg(test)]
@@ -51,6 +55,7 @@ pub struct Verified {
     claim: Claim,
     vertices: usize,
     simplices: usize,
+    boundary: usize,
     sha256: String,
 }
 
@@ -68,6 +73,11 @@ impl Verified {
     /// Simplices, up to lattice translations.
     pub fn simplices(&self) -> usize {
         self.simplices
+    }
+
+    /// Facets in the boundary of the domain, up to lattice translations.
+    pub fn boundary(&self) -> usize {
+        self.boundary
     }
 
     /// SHA-256 of the certificate's bytes: 64 hexadecimal digits.
@@ -104,10 +114,12 @@ fn verify_by(
 
 fn verified(certificate: &Certificate, bytes: &[u8]) -> Verified {
     let digest = Sha256::digest(bytes);
+    let mates = certificate.witness.mates.iter().flatten();
     Verified {
         claim: certificate.claim.clone(),
         vertices: certificate.witness.vertices.len(),
         simplices: certificate.witness.simplices.len(),
+        boundary: mates.filter(|mate| mate.0.len() < 2).count(),
         sha256: digest.iter().map(|byte| format!("{byte:02x}")).collect(),
     }
 }

@@ -73,6 +73,9 @@ refusals! {
     Malformed "tcp-domain"
     /// TCP is claimed of something else than all of three-space.
     TcpDomain {}
+    Malformed "delaunay-domain"
+    /// Delaunay is claimed of a region, which need not be convex.
+    DelaunayDomain {}
     Malformed "gram-shape"
     /// Not D rows of D numbers.
     GramShape {}
@@ -82,6 +85,9 @@ refusals! {
     Malformed "prism-dimension"
     /// A prism in another dimension than 3.
     PrismDimension {}
+    Malformed "region-dimension"
+    /// A region in another dimension than 3.
+    RegionDimension {}
     Malformed "domain-vertex-length"
     /// Not k coordinates.
     DomainVertexLength { vertex: usize, found: usize, expected: usize }
@@ -215,6 +221,12 @@ refusals! {
     False "volume-sum"
     /// The volumes of the simplices, in units of the cell, do not sum to that of the domain.
     VolumeSum { sum: Number, expected: Number }
+    False "boundary-meets"
+    /// Two facets (simplex, facet) in the boundary of a region that have `shared` corners in common and meet elsewhere.
+    BoundaryMeets { first: (usize, usize), second: (usize, usize), shared: usize }
+    False "covering"
+    /// Directly outside of a facet in the boundary of a region, `outside` simplices cover each point, less those that would have to be taken away.
+    Covering { simplex: usize, facet: usize, outside: i64 }
     False "not-acute"
     /// The angle between two facets is not acute; `product` is that of their inward normals, scaled.
     NotAcute { simplex: usize, facets: (usize, usize), product: Number }

@@ -46,7 +46,12 @@ impl Display for Refusal {
                 )
             }
             TcpDomain {} => write!(f, "\"TCP\" is stated of all of three-space only"),
+            DelaunayDomain {} => write!(
+                f,
+                "Delaunay is not stated of a region, which need not be convex"
+            ),
             PrismDimension {} => write!(f, "a prism has dimension 3"),
+            RegionDimension {} => write!(f, "a region has dimension 3"),
             DomainVertexLength {
                 vertex,
                 found,
@@ -317,6 +322,30 @@ impl Display for Refusal {
                     false => write!(f, "; the domain has {expected}"),
                 }
             }
+            BoundaryMeets {
+                first,
+                second,
+                shared,
+            } => write!(
+                f,
+                "{} and {} in the boundary have {} in common and meet elsewhere",
+                facet_of(first.0, first.1),
+                facet_of(second.0, second.1),
+                match shared {
+                    0 => "no corner".to_owned(),
+                    1 => "one corner".to_owned(),
+                    _ => format!("{shared} corners"),
+                }
+            ),
+            Covering {
+                simplex,
+                facet,
+                outside,
+            } => write!(
+                f,
+                "directly outside of {} in the boundary the covering number is {outside}, not 0",
+                facet_of(*simplex, *facet)
+            ),
             NotAcute {
                 simplex,
                 facets: (i, j),

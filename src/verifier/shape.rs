@@ -15,9 +15,11 @@ pub(super) const CHECKS: &[(&str, Check)] = &[
     ("dimension", check_dimension),
     ("statements", check_statements),
     ("tcp_domain", check_tcp_domain),
+    ("delaunay_domain", check_delaunay_domain),
     ("gram_shape", check_gram_shape),
     ("gram_symmetric", check_gram_symmetric),
     ("prism_dimension", check_prism_dimension),
+    ("region_dimension", check_region_dimension),
     ("domain_vertices", check_domain_vertices),
     ("face_count", check_face_count),
     ("face_lengths", check_face_lengths),
@@ -65,6 +67,16 @@ fn check_tcp_domain(certificate: &Certificate, _: &Limits) -> Result<(), Refusal
     }
 }
 
+/// The local condition of Delaunay implies the global one where the domain is convex.
+fn check_delaunay_domain(certificate: &Certificate, _: &Limits) -> Result<(), Refusal> {
+    let claim = &certificate.claim;
+    let is_delaunay = |s: &Statement| matches!(s, Statement::Delaunay | Statement::WeaklyDelaunay);
+    match claim.domain == Domain::Region && claim.statements.iter().any(is_delaunay) {
+        false => Ok(()),
+        true => Err(Refusal::DelaunayDomain {}),
+    }
+}
+
 /// The Gram matrix is D rows of D.
 fn check_gram_shape(certificate: &Certificate, _: &Limits) -> Result<(), Refusal> {
     let claim = &certificate.claim;
@@ -97,6 +109,15 @@ fn check_prism_dimension(certificate: &Certificate, _: &Limits) -> Result<(), Re
     match matches!(claim.domain, Domain::Prism(_)) && claim.dimension != 3 {
         false => Ok(()),
         true => Err(Refusal::PrismDimension {}),
+    }
+}
+
+/// A region is filled by tetrahedra: D = 3.
+fn check_region_dimension(certificate: &Certificate, _: &Limits) -> Result<(), Refusal> {
+    let claim = &certificate.claim;
+    match claim.domain == Domain::Region && claim.dimension != 3 {
+        false => Ok(()),
+        true => Err(Refusal::RegionDimension {}),
     }
 }
 
@@ -278,8 +299,8 @@ fn check_vertices_used(certificate: &Certificate, _: &Limits) -> Result<(), Refu
 }
 
 /// Each simplex has a row of D + 1 mates, each `[t, j, u_1, …, u_r]` with t a
-/// simplex, 0 <= j <= D and |u_k| < 2^31; or, where the domain has a boundary, `[f]`
-/// with f a face.
+/// simplex, 0 <= j <= D and |u_k| < 2^31; or, where the domain has a polytope, `[f]`
+/// with f a face; or, where it is a region, `[]`.
 fn check_mates(certificate: &Certificate, _: &Limits) -> Result<(), Refusal> {
     let witness = &certificate.witness;
     let (found, expected) = (witness.mates.len(), witness.simplices.len());
@@ -310,9 +331,14 @@ fn check_mate(
     mate: &Mate,
 ) -> Result<(), Refusal> {
     let (found, expected) = (mate.0.len(), 2 + rank_of_lattice(certificate));
-    let boundary = certificate.claim.domain.polytope();
-    let faces = boundary.map_or(0, |polytope| polytope.faces.len());
-    if found != expected && (found != 1 || boundary.is_none()) {
+    let domain = &certificate.claim.domain;
+    let faces = domain.polytope().map_or(0, |polytope| polytope.faces.len());
+    let in_boundary = match domain {
+        Domain::Space => None,
+        Domain::Slab(_) | Domain::Prism(_) | Domain::Solid(_) => Some(1),
+        Domain::Region => Some(0),
+    };
+    if found != expected && Some(found) != in_boundary {
         return Err(Refusal::MateLength {
             simplex,
             facet,
@@ -321,6 +347,7 @@ fn check_mate(
         });
     }
     let exists = match mate.0[..] {
+        [] => true,
         [face] => is_index(face, faces),
         _ => {
             is_index(mate.0[0], certificate.witness.simplices.len())

@@ -28,6 +28,8 @@ pub(super) struct Tiling<'c> {
     /// N
     pub(super) scale: BigInt,
     pub(super) bounds: Bounds,
+    /// What comparisons of the facets in the boundary of a region may cost.
+    pub(super) limit: u64,
 }
 
 /// The bounds of the claimed statements that have one; angles in degrees.
@@ -75,6 +77,7 @@ impl<'c> Tiling<'c> {
             polytope,
             scale,
             bounds: bounds(&claim.statements, limits)?,
+            limit: limits.work.saturating_mul(Limits::SIGNS),
         };
         tiling.check_work(limits)?;
         Ok(tiling)
@@ -86,28 +89,16 @@ impl<'c> Tiling<'c> {
     /// vertices are put into the plane of each face and, at worst, the vertices
     /// of each face into all planes through its sides; the tiling's into each plane.
     fn check_work(&self, limits: &Limits) -> Result<(), Refusal> {
-        let n = self.ring.degree() as u64;
-        let (mut corners, mut faces) = (&Matrix::new(), 0);
-        let mut incidences = 0;
+        let (mut corners, mut faces, mut incidences) = (0, 0, 0);
         if let Some(polytope) = &self.polytope {
-            (corners, faces) = (&polytope.vertices, polytope.faces.len());
+            (corners, faces) = (polytope.vertices.len(), polytope.faces.len());
             incidences = polytope.faces.iter().map(Vec::len).sum();
         }
-        let table = self.gram.iter().chain(&self.vertices).chain(corners);
-        let coefficients = table.flatten().map(Element::bits).max().unwrap_or(0);
-        let bits = coefficients
-            .max(self.scale.bits())
-            .max(self.bounds.bits())
-            .max(n.saturating_mul(self.ring.bits()));
-        let words = bits / 64 + 1;
-        let product = [n, n, words, words]
-            .into_iter()
-            .fold(1, u64::saturating_mul);
         let domain = incidences
-            .saturating_mul(corners.len())
+            .saturating_mul(corners)
             .saturating_add(faces.saturating_mul(self.vertices.len()));
         let count = domain.saturating_add(self.simplices().len());
-        let found = product.saturating_mul(count as u64);
+        let found = self.product().saturating_mul(count as u64);
         match found <= limits.work {
             true => Ok(()),
             false => Err(Refusal::Work {
@@ -116,6 +107,22 @@ impl<'c> Tiling<'c> {
                 limit: limits.work,
             }),
         }
+    }
+
+    /// n² w²
+    pub(super) fn product(&self) -> u64 {
+        let n = self.ring.degree() as u64;
+        let corners = self.polytope.iter().flat_map(|p| &p.vertices);
+        let table = self.gram.iter().chain(&self.vertices).chain(corners);
+        let coefficients = table.flatten().map(Element::bits).max().unwrap_or(0);
+        let bits = coefficients
+            .max(self.scale.bits())
+            .max(self.bounds.bits())
+            .max(n.saturating_mul(self.ring.bits()));
+        let words = bits / 64 + 1;
+        [n, n, words, words]
+            .into_iter()
+            .fold(1, u64::saturating_mul)
     }
 
     /// D

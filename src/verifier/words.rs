@@ -22,6 +22,7 @@ impl Display for Verified {
             " is tiled {how} by {}",
             counted(self.simplices(), simplex)
         )?;
+        write_boundary(f, self)?;
         write_lattice(f, claim)?;
         write_field(f, claim)?;
         for statement in &claim.statements[1..] {
@@ -39,6 +40,7 @@ fn write_domain(f: &mut Formatter, claim: &Claim) -> Result {
         (Domain::Slab(polytope), 2) => ("strip", polytope),
         (Domain::Slab(polytope), _) => ("slab", polytope),
         (Domain::Prism(polytope), _) => ("prism", polytope),
+        (Domain::Region, _) => return write!(f, "a bounded region of three-space"),
         (Domain::Solid(polytope), 2) => ("polygon", polytope),
         (Domain::Solid(polytope), _) => ("polyhedron", polytope),
     };
@@ -61,6 +63,19 @@ fn write_lattice(f: &mut Formatter, claim: &Claim) -> Result {
         _ => " and their translates under the lattice of the first two vectors of the basis with",
     })?;
     write!(f, " the Gram matrix {}", Matrix(&claim.gram))
+}
+
+/// Of a region, whose boundary nothing else describes.
+fn write_boundary(f: &mut Formatter, verified: &Verified) -> Result {
+    if verified.claim().domain != Domain::Region {
+        return Ok(());
+    }
+    write!(
+        f,
+        ", whose union it is, and its boundary by {} triangles, which meet in common vertices \
+         and edges only",
+        verified.boundary
+    )
 }
 
 fn counted(count: usize, simplex: &str) -> String {

@@ -99,9 +99,11 @@ def matched(simplices):
 def certificate(gram, vertices, simplices, *statements, field="Q", a=0.0, domain="space"):
     simplices = oriented(vertices, simplices, a)
     mates = matched(simplices)
-    if domain != "space":
+    if domain == "region":
+        mates = [[mate or [] for mate in row] for row in mates]
+    elif domain != "space":
         name_boundary(domain, vertices, simplices, mates, a)
-    assert all(mate for row in mates for mate in row), "not every facet has one mate"
+    assert all(mate is not None for row in mates for mate in row), "not every facet has one mate"
     return {
         "format": "acutile-certificate", "version": 1,
         "claim": {"dimension": len(gram), "field": field, "gram": gram, "domain": domain,
@@ -201,6 +203,54 @@ def strip_of_height_sqrt_3(*statements):
     simplices = [[[0, 0], [0, 1], [1, 0]], [[0, 1], [1, 1], [1, 0]]]
     return certificate([["1", "0"], ["0", "1"]], [["0", "0"], ["0", root]], simplices, *statements,
                        field=SQRT3, a=math.sqrt(3), domain=domain)
+
+
+# --- regions -------------------------------------------------------------------
+
+def region(vertices, simplices, *statements, gram=None, **field):
+    """A mesh: the facets without a mate are its boundary."""
+    vertices = [[x if isinstance(x, list) else str(x) for x in v] for v in vertices]
+    simplices = [[[v] for v in corners] for corners in simplices]
+    return certificate(gram or CUBE, vertices, simplices, *statements, domain="region", **field)
+
+
+def cells(*corners):
+    """Unit cubes at these corners, each cut into Kuhn's six tetrahedra: vertices and simplices."""
+    index, simplices = {}, []
+    for corner in corners:
+        for permutation in itertools.permutations(range(3)):
+            at, places = list(corner), []
+            for axis in (None, *permutation):
+                if axis is not None:
+                    at[axis] += 1
+                places.append(index.setdefault(tuple(at), len(index)))
+            simplices.append(places)
+    return list(index), simplices
+
+
+def beside(*meshes):
+    """Several meshes in one, none of whose vertices are shared."""
+    vertices, simplices = [], []
+    for points, tetrahedra in meshes:
+        simplices += [[v + len(vertices) for v in corners] for corners in tetrahedra]
+        vertices += points
+    return vertices, simplices
+
+
+def lone(*points):
+    """One tetrahedron."""
+    return list(points), [[0, 1, 2, 3]]
+
+
+def small(x, y, z, size=F(1, 4)):
+    """A small tetrahedron with its right-angled corner here."""
+    return lone((x, y, z), (x + size, y, z), (x, y + size, z), (x, y, z + size))
+
+
+THREE = list(itertools.product(range(3), repeat=3))
+CAVITY = cells(*(c for c in THREE if c != (1, 1, 1)))
+RING = cells(*((x, y, 0) for x, y, z in THREE if z == 0 and (x, y) != (1, 1)))
+CORNER = lone((0, 0, 0), (4, 0, 0), (0, 4, 0), (0, 0, 4))
 
 
 def below(degrees):
@@ -473,6 +523,25 @@ VALID = {
     "slab-bcc": block(3, 1, "nonobtuse", "Delaunay", gram=BCC),
     "slab-first-vertex-above": block(3, 1, domain={"slab": polytope([[1], [0]], [[0], [1]])}),
     "prism-cube-6": block(3, 2, "nonobtuse", "weakly Delaunay"),
+    "region-tetrahedron": region(*lone((0, 0, 0), (1, 0, 0), (0, 1, 0), (0, 0, 1)), "acute", below("7053/100"),
+                                 above("1763/25"), ratio("49/80"), gram=[["2", "1", "1"], ["1", "2", "1"], ["1", "1", "2"]]),
+    "region-cube-6": region(*cells((0, 0, 0)), "nonobtuse"),
+    "region-stairs": region(*cells((0, 0, 0), (1, 0, 0), (0, 1, 0), (0, 0, 1))),
+    "region-cavity": region(*CAVITY, "nonobtuse"),
+    "region-ring": region(*RING),
+    "region-two-cubes-at-an-edge": region(*cells((0, 0, 0), (1, 1, 0))),
+    "region-two-cubes-at-a-vertex": region(*cells((0, 0, 0), (1, 1, 1))),
+    "region-cavities-at-an-edge": region(*cells(*(c for c in itertools.product(range(4), range(4), range(3))
+                                                  if c not in ((1, 1, 1), (2, 2, 1))))),
+    "region-ring-pinched-shut": region(*cells((0, 0, 0), (1, 0, 0), (2, 0, 0), (0, 1, 0), (0, 2, 0), (2, 1, 0), (1, 2, 0))),
+    "region-piece-in-a-cavity": region(*beside(CAVITY, small(F(5, 4), F(5, 4), F(5, 4)))),
+    "region-piece-in-the-hole-of-a-ring": region(*beside(RING, small(F(5, 4), F(5, 4), F(1, 3)))),
+    "region-pieces-apart": region(*beside(*(small(x, y, z, F(1, 2)) for x, y, z in THREE))),
+    "region-two-in-a-plane": region([(0, 0, 0), (4, 0, 0), (0, 4, 0), (0, 0, 4), (4, 4, 0), (2, 2, -4)],
+                                    [[0, 1, 2, 3], [1, 2, 4, 5]]),
+    "region-prism-over-sqrt-3": region([(0, 0, 0), (2, 0, 0), (1, ["0", "1"], 0), (0, 0, 1), (2, 0, 1), (1, ["0", "1"], 1)],
+                                       [[0, 1, 2, 3], [1, 2, 3, 4], [2, 3, 4, 5]], below("135"),
+                                       field=SQRT3, a=math.sqrt(3)),
     "prism-sides-in-any-order": block(3, 2, domain={"prism": polytope(
         [[1, 0], [1, 1], [0, 0], [0, 1]], [[0, 2], [3, 1], [3, 2], [0, 1]])}),
     "solid-square-2": block(2, 2, "nonobtuse", above("44"), ratio("5/7"), "weakly Delaunay"),
@@ -492,7 +561,7 @@ def moved_by_a_lattice_vector():
     by = [5, -7, 2]
     c["witness"]["simplices"][2] = [
         [p[0]] + [x + y for x, y in zip(p[1:], by)] for p in c["witness"]["simplices"][2]]
-    c["witness"]["mates"] = matched(c["witness"]["simplices"])
+    c["witness"]["mates"] = [[mate or [] for mate in row] for row in matched(c["witness"]["simplices"])]
     return c
 
 
@@ -518,6 +587,7 @@ E, C6, K, A = (VALID[n] for n in
 GRAM, SIMPLICES, MATES = ("claim", "gram"), ("witness", "simplices"), ("witness", "mates")
 VERTICES, STATEMENTS = ("witness", "vertices"), ("claim", "statements")
 FIELD, DOMAIN = ("claim", "field"), ("claim", "domain")
+MESH = VALID["region-cube-6"]
 STRIP, SLAB, PRISM, SOLID = (VALID[n] for n in ("strip", "slab-cube-6", "prism-cube-6", "solid-cube-6"))
 BARE = lattice(HEXAGONAL)
 
@@ -685,6 +755,15 @@ MALFORMED = {
     "tcp-domain--plane": edit(E, STATEMENTS, [TILING, "TCP"]),
     "tcp-domain--slab": edit(SLAB, STATEMENTS, [TILING, "TCP"]),
     "tcp-domain--solid": edit(SOLID, STATEMENTS, [TILING, "TCP"]),
+    "tcp-domain--region": edit(MESH, STATEMENTS, [TILING, "TCP"]),
+    "delaunay-domain": edit(MESH, STATEMENTS, [TILING, "Delaunay"]),
+    "delaunay-domain--weakly": edit(MESH, STATEMENTS, [TILING, "nonobtuse", "weakly Delaunay"]),
+    "region-dimension": edit(block(2, 2), DOMAIN, "region"),
+    "json--region-with-polytope": edit(MESH, DOMAIN, {"region": CUBE_SOLID}),
+    "canonical--region-as-object": edit(MESH, DOMAIN, {"region": None}),
+    "mate-length--face-of-a-region": edit(MESH, (*MATES, 0, 0), [0]),
+    "mate-length--nothing-behind-in-space": edit(C6, (*MATES, 0, 0), []),
+    "mate-length--nothing-behind-in-a-solid": edit(SOLID, (*MATES, 0, 0), []),
     "json--slab-without-polytope": edit(SLAB, DOMAIN, "slab"),
     "json--space-with-polytope": edit(SLAB, DOMAIN, {"space": SEGMENT}),
     "json--two-domains": edit(SLAB, DOMAIN, {"slab": SEGMENT, "solid": SEGMENT}),
@@ -746,7 +825,7 @@ def swapped(base, simplex):
     c = copy.deepcopy(base)
     corners = c["witness"]["simplices"][simplex]
     corners[0], corners[1] = corners[1], corners[0]
-    c["witness"]["mates"] = matched(c["witness"]["simplices"])
+    c["witness"]["mates"] = [[mate or [] for mate in row] for row in matched(c["witness"]["simplices"])]
     return c
 
 
@@ -755,7 +834,7 @@ def mirrored():
     c = copy.deepcopy(E)
     for corners in c["witness"]["simplices"]:
         corners[0], corners[1] = corners[1], corners[0]
-    c["witness"]["mates"] = matched(c["witness"]["simplices"])
+    c["witness"]["mates"] = [[mate or [] for mate in row] for row in matched(c["witness"]["simplices"])]
     return c
 
 
@@ -965,7 +1044,86 @@ def with_statements(base, *statements):
     return edit(base, STATEMENTS, [TILING, *statements])
 
 
+def opened(base):
+    """One pair of mates parted: both are said to be in the boundary, from inside."""
+    c = copy.deepcopy(base)
+    s, i = next((s, i) for s, row in enumerate(base["witness"]["mates"]) for i, m in enumerate(row) if m)
+    t, j = base["witness"]["mates"][s][i]
+    c["witness"]["mates"][s][i] = c["witness"]["mates"][t][j] = []
+    return c
+
+
+def in_the_cavity(*points):
+    """A mesh with a cavity, and a tetrahedron with these vertices, given by their index or place."""
+    vertices, simplices = copy.deepcopy(CAVITY)
+    corners = []
+    for point in points:
+        if point in vertices:
+            corners.append(vertices.index(point))
+        else:
+            corners.append(len(vertices))
+            vertices.append(point)
+    return region(vertices, [*simplices, corners])
+
+
+FOLD = region([(0, 0, 0), (4, 0, 0), (0, 4, 0), (0, 0, 4), (1, 1, 4)], [[0, 1, 2, 3]])
+FOLD["witness"]["simplices"].append([[0], [1], [2], [4]])
+FOLD["witness"]["mates"].append([[], [], [], []])
+
 FALSE = {
+    # A large tetrahedron with a corner at 0, and another one outside that touches it or pierces it.
+    "boundary-meets--vertex-in-a-facet": region(*beside(CORNER, lone((1, 1, 0), (1, 2, -1), (2, 1, -1), (1, 1, -2)))),
+    "boundary-meets--vertex-on-an-edge": region(*beside(CORNER, lone((2, 0, 0), (2, -1, -1), (2, -2, -1), (3, -1, -2)))),
+    "boundary-meets--vertex-on-a-vertex": region(*beside(CORNER, lone((4, 0, 0), (5, 0, 0), (5, 1, 0), (5, 0, 1)))),
+    "boundary-meets--edges-cross": region(*beside(CORNER, lone((1, -1, -1), (1, 1, 1), (1, 1, -9), (2, -2, -9)))),
+    "boundary-meets--edge-on-an-edge": region(*beside(CORNER, lone((1, 0, 0), (2, 0, 0), (1, -1, -1), (2, -1, -2)))),
+    "boundary-meets--edge-in-a-facet": region(*beside(CORNER, lone((1, 1, 0), (2, 1, 0), (1, 1, -1), (2, 2, -2)))),
+    "boundary-meets--vertex-pierces": region(*beside(CORNER, lone((1, 1, 1), (1, 2, -1), (2, 1, -1), (1, 1, -2)))),
+    "boundary-meets--edge-passes-through": region(*beside(CORNER, lone((1, 1, -9), (1, 1, 9), (11, 11, 9), (11, 12, 9)))),
+    "boundary-meets--facet-in-a-facet": region(*beside(CORNER, lone((1, 1, 0), (2, 1, 0), (1, 2, 0), (1, 1, -2)))),
+    "boundary-meets--facets-overlap": region(*beside(CORNER, lone((1, 1, 0), (5, 1, 0), (1, 5, 0), (1, 1, -2)))),
+    "boundary-meets--star-of-david": region(*beside(lone((0, 4, 0), (-3, -2, 0), (3, -2, 0), (0, 0, 5)),
+                                                    lone((0, -4, 0), (-3, 2, 0), (3, 2, 0), (0, 0, -5)))),
+    "boundary-meets--same-facet-with-other-vertices": region(*beside(CORNER, lone((0, 0, 0), (4, 0, 0), (0, 4, 0), (0, 0, -4)))),
+    "boundary-meets--same-place": region(*beside(CORNER, CORNER)),
+    "boundary-meets--common-vertex-and-through-a-facet":
+        region([*CORNER[0], (1, 1, 1), (9, 9, -8), (9, 10, -8)], [[0, 1, 2, 3], [3, 4, 5, 6]]),
+    "boundary-meets--common-vertex-and-crossing-in-a-plane":
+        region([*CORNER[0], (1, 2, 0), (5, 1, 0), (2, 2, -3)], [[0, 1, 2, 3], [0, 4, 5, 6]]),
+    "boundary-meets--common-vertex-and-along-an-edge":
+        region([*CORNER[0], (2, 0, 0), (1, -1, -1), (1, -1, -2)], [[0, 1, 2, 3], [0, 4, 5, 6]]),
+    "boundary-meets--common-vertex-and-a-vertex-on-the-opposite-edge":
+        region([*CORNER[0], (2, 2, 0), (2, 1, -3), (3, 1, -5)], [[0, 1, 2, 3], [0, 4, 5, 6]]),
+    "boundary-meets--common-edge-and-folded":
+        region([*CORNER[0], (1, 1, 0), (1, 1, -3)], [[0, 1, 2, 3], [0, 1, 4, 5]]),
+    "boundary-meets--common-edge-and-folded-beyond":
+        region([*CORNER[0], (9, 1, 0), (1, 1, -3)], [[0, 1, 2, 3], [0, 1, 4, 5]]),
+    "boundary-meets--fold": FOLD,
+    "boundary-meets--pair-of-mates-parted": opened(MESH),
+    "boundary-meets--in-a-cavity-touching-its-wall": in_the_cavity((1, F(3, 2), F(4, 3)), (F(3, 2),) * 3, (F(3, 2), F(5, 4), F(4, 3)), (F(4, 3), F(3, 2), F(5, 4))),
+    "boundary-meets--slightly": region(*beside(CORNER, lone((1, 1, F(1, 10**30)), (1, 2, -1), (2, 1, -1), (1, 1, -2)))),
+    "boundary-meets--over-sqrt-3": region(
+        [(0, 0, 0), (1, 0, 0), (0, ["0", "1"], 0), (0, 0, 1), (0, ["0", "1/2"], 0), (-1, 0, 0), (-1, ["0", "1"], 0), (-1, 1, 1)],
+        [[0, 1, 2, 3], [4, 5, 6, 7]], field=SQRT3, a=math.sqrt(3)),
+    "covering--tetrahedron-inside": region(*beside(CORNER, small(F(1, 2), F(1, 2), F(1, 2)))),
+    "covering--tetrahedron-inside-of-a-mesh": region(*beside(cells(*THREE), small(F(5, 4), F(7, 6), F(9, 7)))),
+    "covering--cube-inside-of-a-mesh": region(*beside(cells(*THREE), ([[x + F(1, 2) for x in v] for v in cells((0, 0, 0))[0]], cells((0, 0, 0))[1]))),
+    "covering--inside-with-a-common-vertex": region([*CORNER[0], (1, F(1, 2), F(1, 3)), (F(1, 2), 1, F(1, 3)), (F(1, 3), F(1, 2), 1)],
+                                                    [[0, 1, 2, 3], [0, 4, 5, 6]]),
+    "covering--inside-with-a-common-edge": region([*CORNER[0], (1, F(1, 2), F(1, 3)), (1, F(1, 3), F(1, 2))],
+                                                  [[0, 1, 2, 3], [0, 1, 4, 5]]),
+    "covering--inside-of-a-piece-in-a-cavity":
+        region(*beside(CAVITY, small(F(5, 4), F(5, 4), F(5, 4)), small(F(21, 16), F(21, 16), F(21, 16), F(1, 100)))),
+    "covering--in-the-wall-of-a-cavity": region(*beside(CAVITY, small(F(1, 4), F(5, 4), F(5, 4), F(1, 9)))),
+    "covering--three-deep": region(*beside(CORNER, small(F(1, 2), F(1, 2), F(1, 2), 1), small(F(5, 8), F(5, 8), F(5, 8)))),
+    "covering--over-sqrt-3": region(*beside(([(0, 0, 0), (9, 0, 0), (0, ["0", "9"], 0), (0, 0, 9)], [[0, 1, 2, 3]]),
+                                            ([(1, 1, 1), (2, 1, 1), (1, ["0", "1"], 1), (1, 1, 2)], [[0, 1, 2, 3]])),
+                                    field=SQRT3, a=math.sqrt(3)),
+    "mate-not-mutual--nothing-behind-from-one-side": edit(MESH, (*MATES, 0, 1), []),
+    "mate-side--region-folded": edit(edit(FOLD, (*MATES, 0, 3), [1, 3]), (*MATES, 1, 3), [0, 3]),
+    "orientation--region": swapped(MESH, 3),
+    "not-acute--region": with_statements(MESH, "acute"),
+    "angle-not-below--region": with_statements(MESH, below("90")),
     "face-not-facet--dart": solid(CUBE_2, polygon([[0, 0], [4, 0], [1, 1], [0, 4]]),
                                   [[0, 0], [4, 0], [1, 1], [0, 4]], [[0, 1, 2], [0, 2, 3]]),
     "face-not-facet--polygon-in-star-order":
@@ -1152,6 +1310,12 @@ DECLINED = {
     "sign-undecided--slab-without-height": reducible_strip([["0"], [ZERO]]),
     "angle-undecided--45-claimed-above-45": with_statements(C6, above("45")),
     "work--domain--limit-work-200": SOLID,
+    "work--close-pairs-of-facets--limit-work-6": MESH,
+    "work--one-tetrahedron-many-times--limit-work-150": region(*beside(*[CORNER] * 150)),
+    "work--many-pieces-apart--limit-work-1300": region(*beside(*(small(x, 0, 0) for x in range(200)))),
+    "sign-undecided--region":
+        region([(0, 0, 0), (1, 0, 0), (0, 1, 0), (0, 0, 1), (1, 1, ZERO)], [[0, 1, 2, 3], [1, 2, 3, 4]],
+               field=REDUCIBLE, a=math.sqrt(2)),
     "sign-undecided--rational-root-hit":
         lattice([[["-2", "1"], "0"], ["0", "1"]], field=TWO, a=2),
     "sign-undecided--no-bisections--limit-bisections-0": K,

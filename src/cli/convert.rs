@@ -1,0 +1,230 @@
+//! `acutile convert`: meshes and tilings written in other formats.
+
+use super::args::ConvertArguments;
+use super::export::supercell_sizes;
+use super::input::{self, InputError, TextOrMesh};
+use super::output::{Output, write_file};
+use super::progress::Progress;
+use super::{Outcome, mesh};
+use crate::catalog;
+use crate::export::tiling_text;
+use crate::mesh::lattice::Basis;
+use crate::mesh::load::{Loaded, tetgen_paths};
+use crate::mesh::writer::{Shortest, losses};
+use crate::mesh::{Family, File, Flat, Format, Mesh, flatten, patch, write};
+use crate::number::Number;
+use crate::tiling::{AnyTiling, Tiling, supercell};
+use flate2::Compression;
+use flate2::write::GzEncoder;
+use std::io::{self, Write};
+use std::path::{Path, PathBuf};
+
+/// Reads, converts, writes.
+pub fn run(arguments: &ConvertArguments, output: &mut Output) -> Outcome {
+    let progress = Progress::of(&arguments.input);
+    let mut notes = Vec::new();
+    let files = target(arguments)
+        .map_err(InputError::from)
+        .and_then(|target| convert(arguments, target, &progress, &mut notes, output));
+    drop(progress);
+    for note in notes {
+        output.complain(format!("{}: {note}", arguments.input));
+    }
+    match files.and_then(|files| write_all(&arguments.output, files, output)) {
+        Ok(()) => Outcome::Done,
+        Err(error) => {
+            output.complain(format!("acutile: {}", error.message));
+            error.outcome
+        }
+    }
+}
+
+/// What is written.
+#[derive(Clone, Copy)]
+enum Target {
+    /// A tiling file.
+    Native,
+    Mesh(Format),
+}
+
+/// As `--to` says, or else the extension.
+fn target(arguments: &ConvertArguments) -> Result<Target, String> {
+    let path = &arguments.output;
+    let family = Family::of_path(path);
+    let name = path.to_string_lossy();
+    let is_native = name.strip_suffix(".gz").unwrap_or(&name).ends_with(".json");
+    match (arguments.to, family) {
+        (Some(Format::TetGen), found) if found != Some(Family::TetGen) => Err(format!(
+            "{name}: expected a name that ends in .node or .ele for TetGen"
+        )),
+        (Some(format), _) => Ok(Target::Mesh(format)),
+        (None, Some(family)) => Ok(Target::Mesh(family.format())),
+        (None, None) if is_native => Ok(Target::Native),
+        (None, None) => Err(format!(
+            "{name}: has no extension of a known format, and --to gives none"
+        )),
+    }
+}
+
+fn convert(
+    arguments: &ConvertArguments,
+    target: Target,
+    progress: &Progress,
+    notes: &mut Vec<String>,
+    output: &mut Output,
+) -> Result<Vec<File>, InputError> {
+    let name = arguments.input.as_str();
+    progress.step("reading");
+    let stays_mesh = arguments.supercell.is_empty()
+        && arguments.patch.is_none()
+        && arguments.file.mesh.identify.is_none();
+    let (mut tiling, mut basis) = match load(arguments)? {
+        Some(loaded) => match target {
+            Target::Mesh(format) if stays_mesh => {
+                progress.step("writing");
+                return Ok(write_mesh(&loaded.mesh, format, notes));
+            }
+            _ => {
+                lost_by_tiling(&loaded.mesh, notes);
+                let (converted, more) = mesh::converted(name, loaded.mesh, &arguments.file.mesh)?;
+                notes.extend(more);
+                (converted.tiling, Some(converted.basis))
+            }
+        },
+        None => (space(arguments, output)?, None),
+    };
+    if !arguments.supercell.is_empty() {
+        let sizes = supercell_sizes(&tiling, &arguments.supercell)?;
+        tiling = supercell(&tiling, sizes);
+        basis = basis.map(|basis| enlarged(basis, sizes));
+    }
+    if let Some(radius) = &arguments.patch {
+        tiling = patch(&tiling, radius)?;
+    }
+    progress.step("writing");
+    match target {
+        Target::Native => Ok(vec![File {
+            extension: None,
+            bytes: tiling_text(&tiling, name).into_bytes(),
+        }]),
+        Target::Mesh(format) => {
+            let flat = flatten(&tiling, basis.as_ref());
+            tell_flat(&flat, arguments, notes)?;
+            Ok(write_mesh(&flat.mesh, format, notes))
+        }
+    }
+}
+
+/// The mesh of a mesh file; nothing for a catalogue name or a tiling file.
+fn load(arguments: &ConvertArguments) -> Result<Option<Loaded>, InputError> {
+    let name = arguments.input.as_str();
+    let path = Path::new(name);
+    let is_mesh = arguments.file.mesh.mesh_format.is_some() || Family::of_path(path).is_some();
+    if catalog::find(name).is_some() || !is_mesh {
+        return Ok(None);
+    }
+    match input::text_or_mesh(path, &arguments.file.mesh)? {
+        TextOrMesh::Mesh(loaded) => Ok(Some(loaded)),
+        TextOrMesh::Text(_) => Ok(None),
+    }
+}
+
+/// A tiling of space by name or from a tiling file.
+fn space(arguments: &ConvertArguments, output: &mut Output) -> Result<Tiling<3>, InputError> {
+    let name = arguments.input.as_str();
+    match input::tiling(name, arguments.param.as_deref(), &arguments.file, output)?.tiling {
+        AnyTiling::Space(tiling) => Ok(tiling),
+        AnyTiling::Plane(_) => Err(format!("{name}: a tiling of dimension 2, expected 3").into()),
+    }
+}
+
+fn enlarged(mut basis: Basis, sizes: [u16; 3]) -> Basis {
+    for (vector, size) in basis.vectors.iter_mut().zip(sizes) {
+        let factor = Number::from(malachite::Rational::from(size));
+        vector.iter_mut().for_each(|x| *x = &*x * &factor);
+    }
+    basis
+}
+
+/// What a tiling does not hold of a mesh; the elements of other types are told anyway.
+fn lost_by_tiling(mesh: &Mesh, notes: &mut Vec<String>) {
+    let mut lost = mesh.unread.clone();
+    if !mesh.labels.is_empty() {
+        lost.push("the labels of tetrahedra".to_owned());
+    }
+    lost.push("the numbers of nodes and elements".to_owned());
+    notes.push(format!("lost: {}", lost.join("; ")));
+}
+
+fn write_mesh(mesh: &Mesh, format: Format, notes: &mut Vec<String>) -> Vec<File> {
+    let lost = losses(mesh, format);
+    if !lost.is_empty() {
+        notes.push(format!("lost: {}", lost.join("; ")));
+    }
+    write(mesh, format)
+}
+
+/// Rounding is told if it is wanted, and refused if not; the lattice is told as an option.
+fn tell_flat(
+    flat: &Flat,
+    arguments: &ConvertArguments,
+    notes: &mut Vec<String>,
+) -> Result<(), InputError> {
+    if flat.rounded > 0 {
+        let rounded = format!(
+            "{} coordinates are no doubles; rounding moves them by at most {:.3e}",
+            flat.rounded, flat.largest_move
+        );
+        match arguments.round {
+            true => notes.push(rounded),
+            false => {
+                let message = format!("{}: {rounded}; --round allows it", arguments.input);
+                return Err(message.into());
+            }
+        }
+    }
+    if !flat.lattice.is_empty() {
+        let row = |row: &[f64; 3]| row.map(|x| Shortest(x).to_string()).join(",");
+        let rows: Vec<String> = flat.lattice.iter().map(row).collect();
+        let tolerance = match flat.rounded {
+            0 => "",
+            _ => " and --identify (the coordinates are rounded)",
+        };
+        notes.push(format!(
+            "periodic: read it with --lattice \"{}\"{tolerance}",
+            rows.join(";")
+        ));
+    }
+    Ok(())
+}
+
+/// Every file, compressed where the name says so.
+fn write_all(path: &Path, files: Vec<File>, output: &mut Output) -> Result<(), InputError> {
+    let is_packed = path.extension().is_some_and(|extension| extension == "gz");
+    for file in files {
+        let path = match (file.extension, tetgen_paths(path)) {
+            (Some("node"), Some((nodes, _))) => nodes,
+            (Some(_), Some((_, elements))) => elements,
+            _ => PathBuf::from(path),
+        };
+        if path == Path::new("-") {
+            output.bytes(&file.bytes);
+            continue;
+        }
+        let bytes = if is_packed {
+            packed(&file.bytes)
+        } else {
+            Ok(file.bytes)
+        };
+        bytes
+            .and_then(|bytes| write_file(&path, &bytes))
+            .map_err(|error| format!("{}: cannot be written: {error}", path.display()))?;
+    }
+    Ok(())
+}
+
+fn packed(bytes: &[u8]) -> io::Result<Vec<u8>> {
+    let mut encoder = GzEncoder::new(Vec::new(), Compression::default());
+    encoder.write_all(bytes)?;
+    encoder.finish()
+}

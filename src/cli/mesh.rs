@@ -1,0 +1,148 @@
+//! Mesh files as tilings, and what has to be told about them on standard error.
+
+use super::args::MeshArguments;
+use super::input::{InputError, Named};
+use super::output::{Output, write_file};
+use crate::mesh::load::Loaded;
+use crate::mesh::{Converted, Lattice, Mesh, Move, periodic_tiling, region_tiling};
+use crate::tiling::AnyTiling;
+use std::fmt::Write;
+
+/// The tiling of a mesh, as the options say.
+///
+/// # Errors
+/// A message that names the input.
+pub fn tiling(
+    input: &str,
+    loaded: Loaded,
+    options: &MeshArguments,
+    output: &mut Output,
+) -> Result<Named, InputError> {
+    let description = format!(
+        "a mesh of {} nodes and {} tetrahedra",
+        loaded.mesh.points.len(),
+        loaded.mesh.tetrahedra.len()
+    );
+    let (converted, notes) = converted(input, loaded.mesh, options)?;
+    for note in notes {
+        output.complain(format!("{input}: {note}"));
+    }
+    if let Some(path) = &options.moves {
+        write_file(path, moves_text(&converted.moves).as_bytes())
+            .map_err(|error| format!("{}: cannot be written: {error}", path.display()))?;
+    }
+    Ok(Named {
+        name: input.to_owned(),
+        description,
+        tiling: AnyTiling::Space(converted.tiling),
+        origin: Some(converted.origin),
+    })
+}
+
+/// The lattice of the options or of the file; none for a bounded mesh.
+pub fn lattice(
+    input: &str,
+    mesh: &Mesh,
+    options: &MeshArguments,
+) -> Result<Option<Lattice>, InputError> {
+    match &options.lattice {
+        Some(lattice) => Ok(Some(lattice.clone())),
+        None if options.bounded || mesh.periodic.is_empty() => Ok(None),
+        None => Lattice::of_links(mesh)
+            .map(Some)
+            .map_err(|error| InputError::of_mesh(input, &error)),
+    }
+}
+
+/// The tiling with its numbers, and what is to be told.
+///
+/// # Errors
+/// A message that names the input.
+pub fn converted(
+    input: &str,
+    mesh: Mesh,
+    options: &MeshArguments,
+) -> Result<(Converted, Vec<String>), InputError> {
+    let mut notes = mesh_notes(&mesh);
+    let lattice = lattice(input, &mesh, options)?;
+    if let (Some(lattice), None) = (&lattice, &options.lattice) {
+        notes.push(format!("the lattice of $Periodic: {lattice}"));
+    }
+    let converted = match &lattice {
+        Some(lattice) => periodic_tiling(mesh, lattice, options.identify),
+        None => region_tiling(mesh, options.identify),
+    };
+    let converted = converted.map_err(|error| InputError::of_mesh(input, &error))?;
+    let is_exact = options.identify.is_none();
+    if let Some(numbers) = lattice
+        .filter(|_| is_exact)
+        .map(|lattice| lattice.inexact())
+        && !numbers.is_empty()
+    {
+        notes.push(format!(
+            "{} in the lattice: no double, so no node is the exact image of another one; \
+             --identify moves nodes",
+            numbers.join(", ")
+        ));
+    }
+    notes.extend(conversion_notes(&converted, options));
+    Ok((converted, notes))
+}
+
+fn mesh_notes(mesh: &Mesh) -> Vec<String> {
+    let mut notes = Vec::new();
+    if !mesh.others.is_empty() {
+        notes.push(format!("not looked at: {}", mesh.other_counts()));
+    }
+    if mesh.turned > 0 {
+        notes.push(format!(
+            "all {} tetrahedra have negative orientation, as TetGen files may; their last two \
+             corners are exchanged",
+            mesh.turned
+        ));
+    }
+    notes
+}
+
+fn conversion_notes(converted: &Converted, options: &MeshArguments) -> Vec<String> {
+    let mut notes = Vec::new();
+    if converted.unused > 0 {
+        notes.push(format!(
+            "{} nodes belong to no tetrahedron, and are left out",
+            converted.unused
+        ));
+    }
+    if converted.coincident > 0 {
+        notes.push(format!(
+            "{} nodes have the coordinates of another node and are vertices of their own; \
+             --identify 0 makes them one",
+            converted.coincident
+        ));
+    }
+    let moves = &converted.moves;
+    if !moves.is_empty() {
+        let largest = moves.iter().map(|m| m.distance).fold(0.0, f64::max);
+        let list = match &options.moves {
+            Some(path) => format!("listed in {}", path.display()),
+            None => "--moves lists them".to_owned(),
+        };
+        notes.push(format!(
+            "{} nodes moved to exact images, by at most {largest:.3e} ({list}); what follows is \
+             about the moved mesh",
+            moves.len()
+        ));
+    }
+    notes
+}
+
+/// One line for each node that was moved; the new coordinates are exact.
+fn moves_text(moves: &[Move]) -> String {
+    let mut text = String::from("node,x,y,z,new_x,new_y,new_z,distance\n");
+    for m in moves {
+        let [x, y, z] = m.from;
+        let [a, b, c] = &m.to;
+        // Writing to a string cannot fail.
+        let _ = writeln!(text, "{},{x},{y},{z},{a},{b},{c},{:e}", m.node, m.distance);
+    }
+    text
+}

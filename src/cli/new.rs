@@ -1,0 +1,66 @@
+//! `acutile new`: a commented starting example of each kind of file that is read.
+//!
+//! The files stand in `examples/` beside this one, and are accepted as they are.
+
+use super::Outcome;
+use super::args::NewArguments;
+use super::export::write_text;
+use super::output::Output;
+use clap::ValueEnum;
+
+/// A kind of file.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub enum Kind {
+    /// A tiling of space by tetrahedra
+    Tiling,
+    /// A tiling of the plane by triangles
+    Plane,
+    /// A tiling of a slab between two parallel planes
+    Slab,
+    /// A tiling of an infinite prism
+    Prism,
+    /// A tiling of a convex polyhedron
+    Solid,
+    /// A point set, of which the Delaunay triangulation is taken
+    PointSet,
+    /// A tiling whose coordinates are square roots and other algebraic numbers
+    SquareRoot,
+    /// A tiling of the plane by squares and triangles, for square-triangle:FILE and z-c15:FILE
+    SquareTriangle,
+    /// A crystallographic information file
+    Cif,
+}
+
+impl Kind {
+    /// The text of the example.
+    fn example(self) -> &'static str {
+        match self {
+            Kind::Tiling => include_str!("examples/tiling.json"),
+            Kind::Plane => include_str!("examples/plane.json"),
+            Kind::Slab => include_str!("examples/slab.json"),
+            Kind::Prism => include_str!("examples/prism.json"),
+            Kind::Solid => include_str!("examples/solid.json"),
+            Kind::PointSet => include_str!("examples/point-set.json"),
+            Kind::SquareRoot => include_str!("examples/square-root.json"),
+            Kind::SquareTriangle => include_str!("examples/square-triangle.json"),
+            Kind::Cif => include_str!("examples/cif.cif"),
+        }
+    }
+}
+
+/// Writes the example of a kind.
+pub fn run(arguments: &NewArguments, output: &mut Output) -> Outcome {
+    if let Some(path) = arguments.output.as_deref().filter(|path| path.is_file()) {
+        let message = format!(
+            "acutile: {}: is there already, and is not overwritten",
+            path.display()
+        );
+        output.complain(message);
+        return Outcome::Failed;
+    }
+    write_text(
+        arguments.output.as_deref(),
+        arguments.kind.example(),
+        output,
+    )
+}

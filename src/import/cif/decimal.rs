@@ -1,0 +1,232 @@
+//! The numbers of a CIF: decimals taken exactly as written, with their last written digit.
+//!
+//! `0.1234(5)` is 1234/10000: the standard uncertainty in parentheses is understood and
+//! left out. `1/3` is no number of CIF, but it is read, exactly.
+
+use malachite::base::num::arithmetic::traits::{Abs, Floor, Pow};
+use malachite::base::num::conversion::traits::RoundingFrom;
+use malachite::base::rounding_modes::RoundingMode::Nearest;
+use malachite::{Natural, Rational};
+
+/// The most digits of a number, and the largest size of its exponent.
+const DIGITS_LIMIT: usize = 100;
+
+/// A number as it is written.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Decimal {
+    /// Exactly.
+    pub value: Rational,
+    /// One unit of the last written digit; zero for a fraction like 1/3 or an integer.
+    pub unit: Rational,
+    /// Whether a standard uncertainty follows.
+    pub uncertain: bool,
+}
+
+/// What became of a number that was to be snapped.
+#[derive(Debug, PartialEq)]
+pub enum Snapped {
+    /// It is a multiple of 1/denominator, or no such multiple agrees with it.
+    Kept,
+    /// The only multiple that agrees with all of its digits.
+    To(Rational),
+    /// Several agree: too few digits.
+    Ambiguous,
+}
+
+impl Decimal {
+    /// Reads a number.
+    ///
+    /// # Errors
+    /// What was expected.
+    pub fn parse(text: &str) -> Result<Decimal, String> {
+        let mut rest = text;
+        let negative = rest.starts_with('-');
+        rest = rest.strip_prefix(['-', '+']).unwrap_or(rest);
+        let whole = digits(&mut rest);
+        let mut number = match rest.strip_prefix('/') {
+            Some(denominator) => fraction(whole, denominator),
+            None => decimal(whole, rest),
+        }
+        .ok_or_else(|| problem(text))?;
+        if negative {
+            number.value = -number.value;
+        }
+        Ok(number)
+    }
+
+    /// The multiples k/n that agree with all digits: |value - k/n| is less than a unit.
+    pub fn snap(&self, denominator: u32) -> Snapped {
+        let n = Rational::from(denominator);
+        let low = Rational::from((&self.value * &n).floor()) / &n;
+        if low == self.value {
+            return Snapped::Kept;
+        }
+        let high = &low + Rational::from(1) / &n;
+        let agrees = |x: &Rational| (x - &self.value).abs() < self.unit;
+        match (agrees(&low), agrees(&high)) {
+            (true, true) => Snapped::Ambiguous,
+            (true, false) => Snapped::To(low),
+            (false, true) => Snapped::To(high),
+            (false, false) => Snapped::Kept,
+        }
+    }
+}
+
+/// A value to so many decimals at most, for a message.
+pub fn about(value: &Rational, decimals: usize) -> String {
+    let digits = format!("{:.decimals$}", f64::rounding_from(value, Nearest).0);
+    digits
+        .trim_end_matches('0')
+        .trim_end_matches('.')
+        .to_owned()
+}
+
+fn problem(text: &str) -> String {
+    let found = super::token::short(text);
+    format!(
+        "found {found}, expected a number like 0.25, 0.3333(2) or 1/3, of at most {DIGITS_LIMIT} digits"
+    )
+}
+
+/// The digits at the beginning of `rest`, which is what follows then.
+fn digits<'t>(rest: &mut &'t str) -> &'t str {
+    let end = rest
+        .find(|c: char| !c.is_ascii_digit())
+        .unwrap_or(rest.len());
+    let (head, tail) = rest.split_at(end);
+    *rest = tail;
+    head
+}
+
+fn natural(digits: &str) -> Option<Natural> {
+    match digits.len() {
+        1..=DIGITS_LIMIT => digits.parse().ok(),
+        _ => None,
+    }
+}
+
+fn fraction(numerator: &str, denominator: &str) -> Option<Decimal> {
+    let is_digits = denominator.bytes().all(|byte| byte.is_ascii_digit());
+    let denominator = natural(denominator).filter(|n| is_digits && *n != 0u32)?;
+    Some(Decimal {
+        value: Rational::from_naturals(natural(numerator)?, denominator),
+        unit: Rational::from(0),
+        uncertain: false,
+    })
+}
+
+/// `whole`, then in `rest` a point and digits, an exponent, an uncertainty.
+fn decimal(whole: &str, mut rest: &str) -> Option<Decimal> {
+    let mut decimals = "";
+    if let Some(tail) = rest.strip_prefix('.') {
+        rest = tail;
+        decimals = digits(&mut rest);
+    }
+    let mantissa = natural(&format!("{whole}{decimals}"))?;
+    let mut power = -i64::try_from(decimals.len()).ok()?;
+    if let Some(tail) = rest.strip_prefix(['e', 'E']) {
+        rest = tail;
+        power += exponent(&mut rest)?;
+    }
+    let uncertain = !rest.is_empty();
+    if uncertain {
+        let inner = rest.strip_prefix('(')?.strip_suffix(')')?;
+        if inner.is_empty() || !inner.bytes().all(|byte| byte.is_ascii_digit()) {
+            return None;
+        }
+    }
+    let place = Rational::from(10).pow(power);
+    let unit = if power < 0 {
+        place.clone()
+    } else {
+        Rational::from(0)
+    };
+    Some(Decimal {
+        value: Rational::from(mantissa) * place,
+        unit,
+        uncertain,
+    })
+}
+
+fn exponent(rest: &mut &str) -> Option<i64> {
+    let negative = rest.starts_with('-');
+    *rest = rest.strip_prefix(['-', '+']).unwrap_or(rest);
+    let size: i64 = digits(rest).parse().ok()?;
+    let size = Some(size).filter(|&size| size <= DIGITS_LIMIT as i64)?;
+    Some(if negative { -size } else { size })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn q(n: i64, d: i64) -> Rational {
+        Rational::from_signeds(n, d)
+    }
+
+    #[test]
+    fn numbers_as_written() {
+        for (text, value, unit, uncertain) in [
+            ("0.1234(5)", q(617, 5000), q(1, 10000), true),
+            ("-.25", q(-1, 4), q(1, 100), false),
+            ("+5.", q(5, 1), q(0, 1), false),
+            ("90", q(90, 1), q(0, 1), false),
+            ("12.50(12)", q(25, 2), q(1, 100), true),
+            ("1.5e-2(3)", q(3, 200), q(1, 1000), true),
+            ("2E+1", q(20, 1), q(0, 1), false),
+            ("2/6", q(1, 3), q(0, 1), false),
+        ] {
+            let expected = Decimal {
+                value,
+                unit,
+                uncertain,
+            };
+            assert_eq!(Decimal::parse(text), Ok(expected), "{text}");
+        }
+    }
+
+    #[test]
+    fn texts_that_are_no_numbers() {
+        let long = "1".repeat(DIGITS_LIMIT + 1);
+        for text in [
+            "",
+            "-",
+            ".",
+            "x",
+            "1x",
+            "1/0",
+            "1/-3",
+            "1/",
+            "/3",
+            "0.1(",
+            "0.1()",
+            "0.1(x)",
+            "0.1(5)6",
+            "1e",
+            "1e101",
+            "--1",
+            "0x1",
+            "\u{663}",
+            "1/\u{663}",
+            "inf",
+            "0,5",
+            &long,
+        ] {
+            assert!(Decimal::parse(text).is_err(), "{text}");
+        }
+    }
+
+    /// By hand: 0.3333 lies 0.33 units below 1/3 and 0.6666 lies 0.67 units below 2/3.
+    #[test]
+    fn snapping() {
+        let snap = |text: &str, n| Decimal::parse(text).expect("a number").snap(n);
+        assert_eq!(snap("0.3333", 3), Snapped::To(q(1, 3)));
+        assert_eq!(snap("0.6666", 12), Snapped::To(q(2, 3)));
+        assert_eq!(snap("-0.667(2)", 3), Snapped::To(q(-2, 3)));
+        assert_eq!(snap("0.3330", 3), Snapped::Kept);
+        assert_eq!(snap("0.25", 12), Snapped::Kept);
+        assert_eq!(snap("1/7", 3), Snapped::Kept);
+        assert_eq!(snap("0.3", 3), Snapped::To(q(1, 3)));
+        assert_eq!(snap("0.3", 24), Snapped::Ambiguous);
+    }
+}

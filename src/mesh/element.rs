@@ -1,0 +1,87 @@
+//! Element types of other kinds than the tetrahedron with four nodes: names, and how
+//! many nodes they have, by the numbers of Gmsh and of VTK.
+
+/// The tetrahedron with four nodes in Gmsh's numbering.
+pub const GMSH_TETRAHEDRON: i64 = 4;
+/// The tetrahedron with four nodes in VTK's numbering.
+pub const VTK_TETRAHEDRON: i64 = 10;
+
+/// Name and number of nodes of a Gmsh element type (Gmsh reference manual, section
+/// "MSH file format").
+pub fn gmsh_element(kind: i64) -> Option<(&'static str, usize)> {
+    Some(match kind {
+        1 => ("lines", 2),
+        2 => ("triangles", 3),
+        3 => ("quadrangles", 4),
+        4 => ("tetrahedra", 4),
+        5 => ("hexahedra", 8),
+        6 => ("prisms", 6),
+        7 => ("pyramids", 5),
+        8 => ("second-order lines", 3),
+        9 => ("second-order triangles", 6),
+        10 => ("second-order quadrangles", 9),
+        11 => ("second-order tetrahedra", 10),
+        12 => ("second-order hexahedra", 27),
+        13 => ("second-order prisms", 18),
+        14 => ("second-order pyramids", 14),
+        15 => ("points", 1),
+        16 => ("second-order quadrangles", 8),
+        17 => ("second-order hexahedra", 20),
+        18 => ("second-order prisms", 15),
+        19 => ("second-order pyramids", 13),
+        20 => ("third-order triangles", 9),
+        21 => ("third-order triangles", 10),
+        22 => ("fourth-order triangles", 12),
+        23 => ("fourth-order triangles", 15),
+        24 => ("fifth-order triangles", 15),
+        25 => ("fifth-order triangles", 21),
+        26 => ("third-order lines", 4),
+        27 => ("fourth-order lines", 5),
+        28 => ("fifth-order lines", 6),
+        29 => ("third-order tetrahedra", 20),
+        30 => ("fourth-order tetrahedra", 35),
+        31 => ("fifth-order tetrahedra", 56),
+        36 => ("third-order quadrangles", 16),
+        92 => ("third-order hexahedra", 64),
+        93 => ("fourth-order hexahedra", 125),
+        _ => return None,
+    })
+}
+
+/// Name of a VTK cell type (vtkCellType.h).
+pub fn vtk_cell(kind: i64) -> String {
+    let name = match kind {
+        1 => "points",
+        2 => "polyvertices",
+        3 => "lines",
+        4 => "polylines",
+        5 => "triangles",
+        6 => "triangle strips",
+        7 => "polygons",
+        8 => "pixels",
+        9 => "quadrangles",
+        10 => "tetrahedra",
+        11 => "voxels",
+        12 => "hexahedra",
+        13 => "prisms",
+        14 => "pyramids",
+        21 => "second-order lines",
+        22 => "second-order triangles",
+        23 | 28 => "second-order quadrangles",
+        24 => "second-order tetrahedra",
+        25 | 29 => "second-order hexahedra",
+        26 => "second-order prisms",
+        27 => "second-order pyramids",
+        42 => "polyhedra",
+        71 => "Lagrange tetrahedra",
+        78 => "Bezier tetrahedra",
+        _ => return format!("cells of VTK type {kind}"),
+    };
+    name.to_owned()
+}
+
+/// Whether elements of this name are tetrahedra with more than four nodes, which need
+/// not have plane facets.
+pub fn is_curved_tetrahedron(name: &str) -> bool {
+    name.ends_with("tetrahedra") && name != "tetrahedra"
+}

@@ -1,0 +1,158 @@
+//! The formats: names, file extensions, and how a file without one is recognised.
+
+use super::MeshError;
+use std::path::Path;
+
+/// Formats that one reader reads.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Family {
+    /// Gmsh MSH 2 and 4.1.
+    Msh,
+    /// VTK legacy.
+    Vtk,
+    /// VTK XML, unstructured grid.
+    Vtu,
+    /// MEDIT, text.
+    Medit,
+    /// MEDIT, binary.
+    Meditb,
+    /// TetGen, two files.
+    TetGen,
+}
+
+/// How a mesh is written.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Format {
+    /// MSH 2.2 in text.
+    Msh2,
+    /// MSH 2.2 in binary.
+    Msh2Binary,
+    /// MSH 4.1 in text.
+    Msh4,
+    /// MSH 4.1 in binary.
+    Msh4Binary,
+    /// VTK legacy in text.
+    Vtk,
+    /// VTK legacy in binary.
+    VtkBinary,
+    /// VTU with arrays in text.
+    VtuText,
+    /// VTU with arrays in base64, in their places.
+    VtuBase64,
+    /// VTU with raw arrays at the end.
+    VtuRaw,
+    /// VTU with arrays at the end, compressed with zlib.
+    Vtu,
+    /// MEDIT in text.
+    Medit,
+    /// MEDIT in binary.
+    Meditb,
+    /// TetGen's `.node` and `.ele`.
+    TetGen,
+}
+
+/// Every format with its name on the command line.
+pub const NAMES: [(&str, Format); 13] = [
+    ("msh2", Format::Msh2),
+    ("msh2-binary", Format::Msh2Binary),
+    ("msh4", Format::Msh4),
+    ("msh4-binary", Format::Msh4Binary),
+    ("vtk", Format::Vtk),
+    ("vtk-binary", Format::VtkBinary),
+    ("vtu-text", Format::VtuText),
+    ("vtu-base64", Format::VtuBase64),
+    ("vtu-raw", Format::VtuRaw),
+    ("vtu", Format::Vtu),
+    ("medit", Format::Medit),
+    ("meshb", Format::Meditb),
+    ("tetgen", Format::TetGen),
+];
+
+impl Format {
+    /// The format with this name.
+    ///
+    /// # Errors
+    /// Lists the names.
+    pub fn parse(name: &str) -> Result<Format, String> {
+        let found = NAMES.iter().find(|(known, _)| *known == name);
+        found.map(|(_, format)| *format).ok_or_else(|| {
+            let names = NAMES.map(|(name, _)| name).join(", ");
+            format!("expected one of {names}")
+        })
+    }
+
+    /// Which reader reads it.
+    pub fn family(self) -> Family {
+        match self {
+            Format::Msh2 | Format::Msh2Binary | Format::Msh4 | Format::Msh4Binary => Family::Msh,
+            Format::Vtk | Format::VtkBinary => Family::Vtk,
+            Format::VtuText | Format::VtuBase64 | Format::VtuRaw | Format::Vtu => Family::Vtu,
+            Format::Medit => Family::Medit,
+            Format::Meditb => Family::Meditb,
+            Format::TetGen => Family::TetGen,
+        }
+    }
+}
+
+impl Family {
+    /// By the extension, `.gz` left aside.
+    pub fn of_path(path: &Path) -> Option<Family> {
+        let name = path.file_name()?.to_str()?.to_ascii_lowercase();
+        let name = name.strip_suffix(".gz").unwrap_or(&name);
+        Some(match name.rsplit_once('.')?.1 {
+            "msh" => Family::Msh,
+            "vtk" => Family::Vtk,
+            "vtu" => Family::Vtu,
+            "mesh" => Family::Medit,
+            "meshb" => Family::Meditb,
+            "node" | "ele" => Family::TetGen,
+            _ => return None,
+        })
+    }
+
+    /// By the first bytes.
+    pub fn of_content(bytes: &[u8]) -> Option<Family> {
+        let start = bytes.trim_ascii_start();
+        let begins = |mark: &str| start.starts_with(mark.as_bytes());
+        match bytes {
+            _ if begins("$MeshFormat") => Some(Family::Msh),
+            _ if begins("# vtk DataFile") => Some(Family::Vtk),
+            _ if begins("<?xml") || begins("<VTKFile") => Some(Family::Vtu),
+            _ if begins("MeshVersionFormatted") => Some(Family::Medit),
+            [1, 0, 0, 0, 1..=4, 0, 0, 0, ..] | [0, 0, 0, 1, 0, 0, 0, 1..=4, ..] => {
+                Some(Family::Meditb)
+            }
+            _ => None,
+        }
+    }
+
+    /// In which a mesh is written if nothing else is said.
+    pub fn format(self) -> Format {
+        match self {
+            Family::Msh => Format::Msh4,
+            Family::Vtk => Format::VtkBinary,
+            Family::Vtu => Format::Vtu,
+            Family::Medit => Format::Medit,
+            Family::Meditb => Format::Meditb,
+            Family::TetGen => Format::TetGen,
+        }
+    }
+
+    /// Reads a mesh of this family from the bytes of its file; TetGen has two files, see
+    /// [`super::load()`].
+    ///
+    /// # Errors
+    /// With the line or byte, what was expected and what was found.
+    pub fn read(self, bytes: &[u8]) -> Result<super::Mesh, MeshError> {
+        match self {
+            Family::Msh => super::msh::read(bytes),
+            Family::Vtk => super::vtk::read(bytes),
+            Family::Vtu => super::vtu::read(bytes),
+            Family::Medit => super::medit::read_text(bytes),
+            Family::Meditb => super::medit::read_binary(bytes),
+            Family::TetGen => Err(MeshError::of_file(
+                "TetGen has two files, NAME.node and NAME.ele, expected the name of one of them",
+            )),
+        }
+    }
+}

@@ -1,0 +1,70 @@
+//! Meshes from files, with the limits of their bytes; and the two files of TetGen.
+
+use super::{Family, Mesh, MeshError, tetgen};
+use crate::import::read_bytes;
+use std::path::{Path, PathBuf};
+
+/// No mesh file may be longer: 1 GiB, and 512 MiB after decompression.
+pub const BYTE_LIMIT: u64 = 1 << 30;
+/// What a compressed file may grow to.
+pub const UNPACKED_LIMIT: u64 = 1 << 29;
+
+/// A mesh with the family of formats that it came from.
+pub struct Loaded {
+    /// The mesh.
+    pub mesh: Mesh,
+    /// The family.
+    pub family: Family,
+}
+
+/// Reads the mesh of a file. For TetGen, `path` is either file, and the other is beside it.
+///
+/// # Errors
+/// The message names the second file of TetGen, where it is about that.
+pub fn load(path: &Path, family: Family) -> Result<Loaded, MeshError> {
+    let mesh = match family {
+        Family::TetGen => load_pair(path)?,
+        _ => family.read(&bytes(path, BYTE_LIMIT)?)?,
+    };
+    Ok(Loaded { mesh, family })
+}
+
+/// The `.node` and `.ele` file to the name of either, `.gz` kept.
+pub fn tetgen_paths(path: &Path) -> Option<(PathBuf, PathBuf)> {
+    let name = path.file_name()?.to_str()?;
+    let (name, packed) = match name.strip_suffix(".gz") {
+        Some(name) => (name, ".gz"),
+        None => (name, ""),
+    };
+    let stem = name.strip_suffix(".node").or(name.strip_suffix(".ele"))?;
+    let with = |extension| path.with_file_name(format!("{stem}.{extension}{packed}"));
+    Some((with("node"), with("ele")))
+}
+
+fn load_pair(path: &Path) -> Result<Mesh, MeshError> {
+    let (nodes, elements) = tetgen_paths(path).ok_or_else(|| {
+        MeshError::of_file("a TetGen mesh has a name that ends in .node or .ele, with .gz or not")
+    })?;
+    let named = |path: &Path, error: MeshError| MeshError {
+        problem: format!("{}: {error}", path.display()),
+        place: super::Place::File,
+        ..error
+    };
+    let read = |path: &Path| bytes(path, BYTE_LIMIT).map_err(|error| named(path, error));
+    let (nodes_bytes, elements_bytes) = (read(&nodes)?, read(&elements)?);
+    let (mesh, index) = tetgen::read_nodes(&nodes_bytes).map_err(|error| named(&nodes, error))?;
+    tetgen::read_elements(&elements_bytes, mesh, &index).map_err(|error| named(&elements, error))
+}
+
+fn bytes(path: &Path, limit: u64) -> Result<Vec<u8>, MeshError> {
+    let is_packed = path.extension().is_some_and(|extension| extension == "gz");
+    let limit = if is_packed {
+        limit.min(UNPACKED_LIMIT)
+    } else {
+        limit
+    };
+    read_bytes(path, limit).map_err(|error| match error.is_limit() {
+        true => MeshError::limit(error.to_string()),
+        false => MeshError::of_file(error.to_string()),
+    })
+}

@@ -1,0 +1,246 @@
+//! MEDIT's `.mesh` in text and `.meshb` in binary, the Gamma Mesh Format (P. Frey, "MEDIT: an
+//! interactive mesh visualization software", INRIA RT-0253; L. Maréchal, libMeshb).
+
+use super::Mesh;
+use super::error::{MeshError, Place};
+use super::source::{Encoding, Source};
+
+/// Reads the text format: keywords, each followed by a number of items and the items.
+/// Coordinates are doubles whatever the version.
+pub fn read_text(bytes: &[u8]) -> Result<Mesh, MeshError> {
+    let mut source = Source::with_comments(bytes, b'#');
+    source.expect("MeshVersionFormatted")?;
+    let version = source.int("a version from 1 to 4")?;
+    check_version(&source, version)?;
+    let mut medit = Medit::default();
+    while let Some(word) = source.try_word() {
+        match word {
+            b"End" => break,
+            b"Dimension" => check_dimension(&mut source)?,
+            b"Vertices" => {
+                let count = source.int("the number of vertices")?;
+                medit.vertices(&mut source, count, Source::double)?;
+            }
+            b"Tetrahedra" => {
+                let count = source.int("the number of tetrahedra")?;
+                medit.tetrahedra(&mut source, count)?;
+            }
+            [b'A'..=b'Z' | b'a'..=b'z', ..] => {
+                let name = String::from_utf8_lossy(word).into_owned();
+                let first = skip_numbers(&mut source);
+                medit.pass(&name, first);
+            }
+            _ => return Err(source.unexpected(word, "a keyword like Vertices, or End")),
+        }
+    }
+    medit.finish()
+}
+
+/// Passes over words that are no keywords; gives the first of them as a number.
+fn skip_numbers(source: &mut Source) -> usize {
+    let mut first = None;
+    loop {
+        let mut ahead = source.clone();
+        match ahead.try_word() {
+            None | Some([b'A'..=b'Z' | b'a'..=b'z', ..]) => return first.unwrap_or(0),
+            Some(word) => {
+                let number = || std::str::from_utf8(word).ok()?.parse().ok();
+                first = first.or_else(|| Some(number().unwrap_or(0)));
+                *source = ahead;
+            }
+        }
+    }
+}
+
+/// Reads the binary format: each keyword is a number, followed by the position of the next
+/// one. Version 1 has numbers of single precision; positions have 64 bits from version 3 on,
+/// integers in version 4.
+pub fn read_binary(bytes: &[u8]) -> Result<Mesh, MeshError> {
+    let mut source = Source::new(bytes);
+    source.encoding = match source.take(4, "the integer 1")? {
+        [1, 0, 0, 0] => Encoding::Little,
+        [0, 0, 0, 1] => Encoding::Big,
+        found => {
+            let problem = format!("found {found:?}, expected the integer 1 in four bytes");
+            return Err(MeshError::at(Place::Byte(0), problem));
+        }
+    };
+    let version = source.int("a version from 1 to 4")?;
+    check_version(&source, version)?;
+    let mut medit = Medit {
+        is_wide: version == 4,
+        ..Medit::default()
+    };
+    loop {
+        if source.remaining() == 0 {
+            return Err(source.error("the file ends, expected the keyword End (54)"));
+        }
+        let keyword = source.int("a keyword")?;
+        if keyword == 54 {
+            return medit.finish();
+        }
+        let next = match version {
+            3.. => source.long("the position of the next keyword")?,
+            _ => source.int("the position of the next keyword")?,
+        };
+        match keyword {
+            3 => check_dimension(&mut source)?,
+            4 => {
+                let count = medit.integer(&mut source, "the number of vertices")?;
+                let number = if version == 1 {
+                    Source::single
+                } else {
+                    Source::double
+                };
+                medit.vertices(&mut source, count, number)?;
+            }
+            8 => {
+                let count = medit.integer(&mut source, "the number of tetrahedra")?;
+                medit.tetrahedra(&mut source, count)?;
+            }
+            _ => {
+                let count = medit.integer(&mut source, "the number of items")?;
+                medit.pass(&keyword_name(keyword), usize::try_from(count).unwrap_or(0));
+                go_to(&mut source, next)?;
+                continue;
+            }
+        }
+        if next != source.position() as i64 {
+            let problem = format!("the next keyword should be at byte {next}, expected it here");
+            return Err(source.error(problem));
+        }
+    }
+}
+
+fn go_to(source: &mut Source, next: i64) -> Result<(), MeshError> {
+    let position = source.position();
+    match usize::try_from(next)
+        .ok()
+        .and_then(|next| next.checked_sub(position))
+    {
+        Some(length) => source
+            .take(length, "what comes before the next keyword")
+            .map(drop),
+        None => Err(source.error(format!(
+            "the next keyword is said to be at byte {next}, expected it after byte {position}"
+        ))),
+    }
+}
+
+fn keyword_name(keyword: i64) -> String {
+    match keyword {
+        5 => "Edges".to_owned(),
+        6 => "Triangles".to_owned(),
+        7 => "Quadrilaterals".to_owned(),
+        9 => "Prisms".to_owned(),
+        10 => "Hexahedra".to_owned(),
+        30 => "TetrahedraP2".to_owned(),
+        49 => "Pyramids".to_owned(),
+        _ => format!("keyword {keyword}"),
+    }
+}
+
+fn check_version(source: &Source, version: i64) -> Result<(), MeshError> {
+    match version {
+        1..=4 => Ok(()),
+        _ => Err(source.error(format!("found version {version}, expected 1 to 4"))),
+    }
+}
+
+fn check_dimension(source: &mut Source) -> Result<(), MeshError> {
+    match source.int("the dimension")? {
+        3 => Ok(()),
+        other => Err(source.error(format!("found dimension {other}, expected 3"))),
+    }
+}
+
+/// What has been read.
+#[derive(Default)]
+struct Medit {
+    mesh: Mesh,
+    /// Tetrahedra may stand before the vertices: their places are kept for messages.
+    nodes: Vec<([i64; 4], Place)>,
+    has_vertices: bool,
+    /// Whether integers have 64 bits.
+    is_wide: bool,
+}
+
+impl Medit {
+    fn integer(&self, source: &mut Source, what: &str) -> Result<i64, MeshError> {
+        match self.is_wide {
+            true => source.long(what),
+            false => source.int(what),
+        }
+    }
+
+    /// `x y z reference` for each vertex; vertices are numbered from 1.
+    fn vertices<'a>(
+        &mut self,
+        source: &mut Source<'a>,
+        count: i64,
+        number: fn(&mut Source<'a>, &str) -> Result<f64, MeshError>,
+    ) -> Result<(), MeshError> {
+        if std::mem::replace(&mut self.has_vertices, true) {
+            return Err(source.error("found Vertices a second time"));
+        }
+        let count = source.count(count, source.least_bytes(4, 4), "vertices")?;
+        self.mesh.points.reserve(count);
+        let mut referenced = false;
+        for tag in 1..=count as i64 {
+            let point = [
+                number(source, "the coordinate x")?,
+                number(source, "the coordinate y")?,
+                number(source, "the coordinate z")?,
+            ];
+            referenced |= self.integer(source, "a reference")? != 0;
+            self.mesh.add_node(tag, point, source.place())?;
+        }
+        if referenced {
+            self.mesh.unread.push("references of vertices".to_owned());
+        }
+        Ok(())
+    }
+
+    /// `node node node node reference` for each tetrahedron.
+    fn tetrahedra(&mut self, source: &mut Source, count: i64) -> Result<(), MeshError> {
+        let count = source.count(count, source.least_bytes(5, 4), "tetrahedra")?;
+        self.nodes.reserve(count);
+        for _ in 0..count {
+            let mut nodes = [0; 4];
+            for node in &mut nodes {
+                *node = self.integer(source, "a node number")?;
+            }
+            self.nodes.push((nodes, source.place()));
+            let reference = self.integer(source, "a reference")?;
+            self.mesh.labels.push(reference);
+        }
+        Ok(())
+    }
+
+    /// Elements of other types are counted, other things are named.
+    fn pass(&mut self, keyword: &str, count: usize) {
+        let name = match keyword {
+            "Edges" => "lines",
+            "Triangles" => "triangles",
+            "Quadrilaterals" => "quadrangles",
+            "Prisms" => "prisms",
+            "Hexahedra" | "Hexaedra" => "hexahedra",
+            "Pyramids" => "pyramids",
+            "TetrahedraP2" => "second-order tetrahedra",
+            _ => return self.mesh.unread.push(format!("{count} {keyword}")),
+        };
+        self.mesh.count_other(name, count);
+    }
+
+    fn finish(mut self) -> Result<Mesh, MeshError> {
+        let index = self.mesh.node_index()?;
+        self.mesh.tetrahedra.reserve(self.nodes.len());
+        for (tag, (nodes, place)) in (1..).zip(self.nodes) {
+            self.mesh.add_tetrahedron(&index, tag, nodes, place)?;
+        }
+        if self.mesh.labels.iter().all(|&label| label == 0) {
+            self.mesh.labels.clear();
+        }
+        self.mesh.checked()
+    }
+}

@@ -1,0 +1,335 @@
+//! A cursor over the bytes of a mesh file that reads numbers in text or in binary,
+//! and knows the line or the byte where it stands.
+
+use super::error::{MeshError, Place};
+
+/// How numbers are written.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Encoding {
+    /// Decimal, between white space.
+    Text,
+    /// As in memory, the least significant byte first.
+    Little,
+    /// As in memory, the most significant byte first.
+    Big,
+}
+
+/// The bytes, and where reading has come to.
+#[derive(Clone, Debug)]
+pub struct Source<'a> {
+    bytes: &'a [u8],
+    at: usize,
+    line: u64,
+    /// How numbers are written from here on.
+    pub encoding: Encoding,
+    /// Text from this byte to the end of the line is passed over.
+    comment: Option<u8>,
+}
+
+type Read<T> = Result<T, MeshError>;
+
+impl<'a> Source<'a> {
+    /// At the first byte, numbers in text.
+    pub fn new(bytes: &'a [u8]) -> Self {
+        Source {
+            bytes,
+            at: 0,
+            line: 1,
+            encoding: Encoding::Text,
+            comment: None,
+        }
+    }
+
+    /// With comments from `mark` to the end of a line.
+    pub fn with_comments(bytes: &'a [u8], mark: u8) -> Self {
+        Source {
+            comment: Some(mark),
+            ..Source::new(bytes)
+        }
+    }
+
+    /// The line of the next word.
+    pub fn next_line_number(&mut self) -> u64 {
+        self.skip_space();
+        self.line
+    }
+
+    /// The byte of the cursor.
+    pub fn position(&self) -> usize {
+        self.at
+    }
+
+    /// How many bytes are left.
+    pub fn remaining(&self) -> usize {
+        self.bytes.len() - self.at
+    }
+
+    /// Where the cursor stands.
+    pub fn place(&self) -> Place {
+        match self.encoding {
+            Encoding::Text => Place::Line(self.line),
+            _ => Place::Byte(self.at as u64),
+        }
+    }
+
+    /// An error where the cursor stands.
+    pub fn error(&self, problem: impl std::fmt::Display) -> MeshError {
+        MeshError::at(self.place(), problem)
+    }
+
+    fn skip_space(&mut self) {
+        while let Some(&byte) = self.bytes.get(self.at) {
+            if byte == b'\n' {
+                self.line += 1;
+            } else if Some(byte) == self.comment {
+                self.skip_to_line_end();
+                continue;
+            } else if !byte.is_ascii_whitespace() {
+                return;
+            }
+            self.at += 1;
+        }
+    }
+
+    fn skip_to_line_end(&mut self) {
+        let rest = &self.bytes[self.at..];
+        let length = rest.iter().position(|&byte| byte == b'\n');
+        self.at += length.unwrap_or(rest.len());
+    }
+
+    /// The next word of text, if there is one.
+    pub fn try_word(&mut self) -> Option<&'a [u8]> {
+        self.skip_space();
+        let rest = &self.bytes[self.at..];
+        let length = rest
+            .iter()
+            .position(u8::is_ascii_whitespace)
+            .unwrap_or(rest.len());
+        self.at += length;
+        (length > 0).then_some(&rest[..length])
+    }
+
+    /// The next word of text; `what` says what it should be.
+    pub fn word(&mut self, what: &str) -> Read<&'a [u8]> {
+        self.try_word()
+            .ok_or_else(|| self.error(format!("the file ends, expected {what}")))
+    }
+
+    /// Passes over this very word.
+    pub fn expect(&mut self, expected: &str) -> Read<()> {
+        let word = self.word(expected)?;
+        match word == expected.as_bytes() {
+            true => Ok(()),
+            false => Err(self.unexpected(word, expected)),
+        }
+    }
+
+    /// An error about a word that was just read.
+    pub fn unexpected(&self, word: &[u8], expected: &str) -> MeshError {
+        self.error(format!("found {}, expected {expected}", shown(word)))
+    }
+
+    /// The rest of the line without its end; the cursor goes to the next line.
+    pub fn rest_of_line(&mut self) -> &'a [u8] {
+        let start = self.at;
+        self.skip_to_line_end();
+        let line = &self.bytes[start..self.at];
+        if self.at < self.bytes.len() {
+            self.at += 1;
+            self.line += 1;
+        }
+        line.trim_ascii()
+    }
+
+    /// The cursor after the next line that begins with `mark`; the bytes before it are
+    /// passed over. `None` where there is no such line.
+    pub fn skip_past_line(&mut self, mark: &str) -> Option<()> {
+        let mark = mark.as_bytes();
+        loop {
+            if self.remaining() == 0 {
+                return None;
+            }
+            if self.rest_of_line().starts_with(mark) {
+                return Some(());
+            }
+        }
+    }
+
+    /// The next `length` bytes.
+    pub fn take(&mut self, length: usize, what: &str) -> Read<&'a [u8]> {
+        if self.remaining() < length {
+            let problem = format!(
+                "the file ends after {} bytes, expected {length} bytes: {what}",
+                self.remaining()
+            );
+            return Err(MeshError::at(Place::Byte(self.at as u64), problem));
+        }
+        let taken = &self.bytes[self.at..self.at + length];
+        self.at += length;
+        Ok(taken)
+    }
+
+    fn array<const N: usize>(&mut self, what: &str) -> Read<[u8; N]> {
+        let mut array = [0; N];
+        array.copy_from_slice(self.take(N, what)?);
+        if self.encoding == Encoding::Big {
+            array.reverse();
+        }
+        Ok(array)
+    }
+
+    /// A signed integer: in text, or of 32 bits.
+    pub fn int(&mut self, what: &str) -> Read<i64> {
+        match self.encoding {
+            Encoding::Text => self.decimal(what),
+            _ => Ok(i64::from(i32::from_le_bytes(self.array(what)?))),
+        }
+    }
+
+    /// A signed integer: in text, or of 64 bits.
+    pub fn long(&mut self, what: &str) -> Read<i64> {
+        match self.encoding {
+            Encoding::Text => self.decimal(what),
+            _ => Ok(i64::from_le_bytes(self.array(what)?)),
+        }
+    }
+
+    /// A finite double: in text, or of 64 bits.
+    pub fn double(&mut self, what: &str) -> Read<f64> {
+        let value = match self.encoding {
+            Encoding::Text => return self.decimal_double(what),
+            _ => f64::from_le_bytes(self.array(what)?),
+        };
+        self.finite(value, what)
+    }
+
+    /// A finite number of single precision: in text, or of 32 bits.
+    pub fn single(&mut self, what: &str) -> Read<f64> {
+        let value = match self.encoding {
+            Encoding::Text => f64::from(self.decimal_double(what)? as f32),
+            _ => f64::from(f32::from_le_bytes(self.array(what)?)),
+        };
+        self.finite(value, what)
+    }
+
+    fn finite(&self, value: f64, what: &str) -> Read<f64> {
+        match value.is_finite() {
+            true => Ok(value),
+            false => Err(self.error(format!("found {value}, expected {what}, a finite number"))),
+        }
+    }
+
+    /// The double nearest to a decimal text.
+    fn decimal_double(&mut self, what: &str) -> Read<f64> {
+        let word = self.word(what)?;
+        let is_number = |word: &&str| !word.contains(['n', 'N', 'y', 'Y']);
+        let value = std::str::from_utf8(word)
+            .ok()
+            .filter(is_number)
+            .and_then(|word| word.parse::<f64>().ok());
+        match value {
+            Some(value) if value.is_finite() => Ok(value),
+            Some(_) => Err(self.unexpected(word, &format!("{what} in the range of doubles"))),
+            None => Err(self.unexpected(word, &format!("{what}, a number"))),
+        }
+    }
+
+    fn decimal(&mut self, what: &str) -> Read<i64> {
+        let word = self.word(what)?;
+        integer(word).ok_or_else(|| self.unexpected(word, &format!("{what}, an integer")))
+    }
+
+    /// How many items follow, each of which takes at least `least` bytes: no more than
+    /// the file has room for.
+    pub fn count(&mut self, value: i64, least: usize, what: &str) -> Read<usize> {
+        let room = self.remaining() / least.max(1);
+        match usize::try_from(value) {
+            // The last item may lack the separator.
+            Ok(count) if count <= room + 1 => Ok(count),
+            _ => Err(self.error(format!(
+                "found {value} as the number of {what}, but the {} bytes that are left have \
+                 room for at most {room}",
+                self.remaining()
+            ))),
+        }
+    }
+
+    /// The fewest bytes of `numbers` integers: a digit and a space in text.
+    pub fn least_bytes(&self, numbers: usize, width: usize) -> usize {
+        match self.encoding {
+            Encoding::Text => 2 * numbers,
+            _ => width * numbers,
+        }
+    }
+}
+
+/// A decimal integer with an optional sign.
+fn integer(word: &[u8]) -> Option<i64> {
+    let (negative, digits) = match word {
+        [b'-', digits @ ..] => (true, digits),
+        [b'+', digits @ ..] => (false, digits),
+        digits => (false, digits),
+    };
+    if digits.is_empty() || digits.len() > 18 {
+        return None;
+    }
+    let mut value = 0i64;
+    for digit in digits {
+        if !digit.is_ascii_digit() {
+            return None;
+        }
+        value = value * 10 + i64::from(digit - b'0');
+    }
+    Some(if negative { -value } else { value })
+}
+
+/// A word in quotes, not longer than a line.
+pub fn shown(word: &[u8]) -> String {
+    let text = String::from_utf8_lossy(&word[..word.len().min(40)]);
+    let dots = if word.len() > 40 { "..." } else { "" };
+    format!("\"{}{dots}\"", text.escape_debug())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn text_numbers() {
+        let mut source = Source::with_comments(b"12 -7 # nothing 5\n 0.1 1e400 nan 1x", b'#');
+        assert_eq!(source.int("n"), Ok(12));
+        assert_eq!(source.long("n"), Ok(-7));
+        assert_eq!(source.double("x"), Ok(0.1));
+        for expected in [
+            "line 2: found \"1e400\", expected x in the range of doubles",
+            "line 2: found \"nan\", expected x, a number",
+            "line 2: found \"1x\", expected x, a number",
+            "line 2: the file ends, expected x",
+        ] {
+            let error = source.double("x").expect_err("no number");
+            assert_eq!(error.to_string(), expected);
+        }
+    }
+
+    #[test]
+    fn binary_numbers_in_either_order() {
+        let mut little = Source::new(&[1, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0xf0, 0x3f, 0, 0]);
+        little.encoding = Encoding::Little;
+        assert_eq!(little.int("n"), Ok(1));
+        assert_eq!(little.double("x"), Ok(1.0));
+        let error = little.int("n").expect_err("two bytes are left");
+        assert_eq!(error.place, Place::Byte(12));
+        let mut big = Source::new(&[0, 0, 0, 0, 0, 0, 1, 2]);
+        big.encoding = Encoding::Big;
+        assert_eq!(big.long("n"), Ok(258));
+    }
+
+    #[test]
+    fn a_count_is_no_more_than_the_file_has_room_for() {
+        let mut source = Source::new(b"1 2 3 4");
+        assert_eq!(source.count(4, 2, "numbers"), Ok(4));
+        assert!(source.count(5, 2, "numbers").is_err());
+        assert!(source.count(-1, 2, "numbers").is_err());
+        assert!(source.count(i64::MAX, 2, "numbers").is_err());
+    }
+}

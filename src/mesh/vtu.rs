@@ -1,0 +1,413 @@
+//! VTK's XML format for unstructured grids ("VTK File Formats", section "XML File
+//! Formats"). Arrays stand in their places, in text or base64, or at the end of the file
+//! after an underscore, raw or in base64.
+
+use super::Mesh;
+use super::error::{MeshError, Place};
+use super::numbering::Numbering;
+use super::source::{Encoding, Source, shown};
+use super::vtk::Cells;
+use super::vtu_data::{Kind, Layout, doubles, integers, unpack};
+use quick_xml::Reader;
+use quick_xml::events::{BytesStart, Event};
+use std::collections::BTreeMap;
+
+/// Reads all pieces of a grid into one mesh. Points and cells are numbered from 0 on,
+/// through all pieces.
+pub fn read(bytes: &[u8]) -> Result<Mesh, MeshError> {
+    let (xml, appended) = split(bytes)?;
+    let mut reading = Reading {
+        xml,
+        layout: None,
+        appended,
+        mesh: Mesh::default(),
+    };
+    let mut reader = Reader::from_str(xml);
+    let mut path: Vec<String> = Vec::new();
+    let mut piece = None;
+    loop {
+        let event = reader.read_event().map_err(|error| {
+            let at = reader.error_position();
+            MeshError::at(line_of(xml, at as usize), format!("no XML: {error}"))
+        })?;
+        let at = reader.buffer_position() as usize;
+        match event {
+            Event::Start(tag) => {
+                let is_array = reading.open(&tag, at, &path, &mut piece, false)?;
+                path.push(if is_array {
+                    "DataArray".to_owned()
+                } else {
+                    name(&tag)
+                });
+            }
+            Event::Empty(tag) => {
+                reading.open(&tag, at, &path, &mut piece, true)?;
+                if name(&tag) == "Piece" {
+                    reading.close(piece.take())?;
+                }
+            }
+            Event::End(_) => {
+                let closed = path.pop();
+                if closed.as_deref() == Some("Piece") {
+                    reading.close(piece.take())?;
+                }
+            }
+            Event::Eof => break,
+            _ => {}
+        }
+    }
+    if reading.layout.is_none() {
+        return Err(MeshError::of_file(
+            "has no element VTKFile, expected a VTU file",
+        ));
+    }
+    if piece.is_some() {
+        return Err(MeshError::of_file("the file ends inside of a Piece"));
+    }
+    reading.mesh.checked()
+}
+
+/// What comes after the tag `AppendedData`, and how it is encoded.
+#[derive(Clone, Copy)]
+struct Appended<'a> {
+    data: &'a [u8],
+    is_base64: bool,
+    /// The byte of the file where `data` begins.
+    start: usize,
+}
+
+/// The XML before the appended data, and these.
+fn split(bytes: &[u8]) -> Result<(&str, Option<Appended<'_>>), MeshError> {
+    let mark = b"<AppendedData";
+    let start = bytes.windows(mark.len()).position(|window| window == mark);
+    let head = &bytes[..start.unwrap_or(bytes.len())];
+    let xml = std::str::from_utf8(head).map_err(|error| {
+        let byte = error.valid_up_to() as u64;
+        MeshError::at(Place::Byte(byte), "not UTF-8 text, expected XML")
+    })?;
+    let Some(start) = start else {
+        return Ok((xml, None));
+    };
+    let wrong = |problem| MeshError::at(Place::Byte(start as u64), problem);
+    let rest = &bytes[start..];
+    let close = rest.iter().position(|&byte| byte == b'>');
+    let close = close.ok_or_else(|| wrong("the tag AppendedData does not end"))?;
+    let tag = String::from_utf8_lossy(&rest[..close]).replace('\'', "\"");
+    let is_base64 = match tag
+        .split("encoding=\"")
+        .nth(1)
+        .and_then(|t| t.split('"').next())
+    {
+        Some("base64") => true,
+        Some("raw") => false,
+        _ => {
+            return Err(wrong(
+                "AppendedData has no encoding, expected \"raw\" or \"base64\"",
+            ));
+        }
+    };
+    let underscore = rest[close..].iter().position(|&byte| byte == b'_');
+    let underscore = underscore.ok_or_else(|| wrong("the appended data have no underscore"))?;
+    let data = close + underscore + 1;
+    Ok((
+        xml,
+        Some(Appended {
+            data: &rest[data..],
+            is_base64,
+            start: start + data,
+        }),
+    ))
+}
+
+/// The line of a byte.
+fn line_of(xml: &str, at: usize) -> Place {
+    let before = &xml.as_bytes()[..at.min(xml.len())];
+    Place::Line(1 + before.iter().filter(|&&byte| byte == b'\n').count() as u64)
+}
+
+fn name(tag: &BytesStart) -> String {
+    tag.name().0.to_owned()
+}
+
+/// The arrays of a piece that are wanted.
+#[derive(Default)]
+struct Piece {
+    points: usize,
+    cells: usize,
+    coordinates: Option<Vec<f64>>,
+    lists: BTreeMap<&'static str, Vec<i64>>,
+}
+
+struct Reading<'a> {
+    xml: &'a str,
+    layout: Option<Layout>,
+    appended: Option<Appended<'a>>,
+    mesh: Mesh,
+}
+
+impl<'a> Reading<'a> {
+    /// Attends to a tag that ends at the byte `at`; tells whether it is an array.
+    fn open(
+        &mut self,
+        tag: &BytesStart,
+        at: usize,
+        path: &[String],
+        piece: &mut Option<Piece>,
+        is_empty: bool,
+    ) -> Result<bool, MeshError> {
+        let attributes = attributes(tag, line_of(self.xml, at))?;
+        match name(tag).as_str() {
+            "VTKFile" => self.layout = Some(layout(&attributes, line_of(self.xml, at))?),
+            "Piece" => {
+                *piece = Some(Piece {
+                    points: number(&attributes, "NumberOfPoints", line_of(self.xml, at))?,
+                    cells: number(&attributes, "NumberOfCells", line_of(self.xml, at))?,
+                    ..Piece::default()
+                });
+            }
+            "DataArray" => {
+                self.array(&attributes, at, path, piece, is_empty)?;
+                return Ok(true);
+            }
+            _ => {}
+        }
+        Ok(false)
+    }
+
+    fn array(
+        &mut self,
+        attributes: &BTreeMap<String, String>,
+        at: usize,
+        path: &[String],
+        piece: &mut Option<Piece>,
+        is_empty: bool,
+    ) -> Result<(), MeshError> {
+        let array_name = attributes.get("Name").map_or("", String::as_str);
+        let parent = path.last().map_or("", String::as_str);
+        let (Some(piece), "Points" | "Cells") = (piece.as_mut(), parent) else {
+            self.mesh
+                .unread
+                .push(format!("array {array_name} of {parent}"));
+            return Ok(());
+        };
+        let place = line_of(self.xml, at);
+        let kind = attributes.get("type").and_then(|kind| Kind::parse(kind));
+        let kind = kind.ok_or_else(|| {
+            MeshError::at(place, format!("the array {array_name} has no known type"))
+        })?;
+        let list = match (parent, array_name) {
+            ("Points", _) => {
+                let components = attributes.get("NumberOfComponents").map(String::as_str);
+                if components != Some("3") {
+                    let problem = format!("points have {components:?} components, expected 3");
+                    return Err(MeshError::at(place, problem));
+                }
+                let count = piece.points.saturating_mul(3);
+                let numbers = self.with_source(attributes, at, is_empty, |source| {
+                    doubles(source, kind, count)
+                })?;
+                piece.coordinates = Some(numbers);
+                return Ok(());
+            }
+            (_, "connectivity") => "connectivity",
+            (_, "offsets") => "offsets",
+            (_, "types") => "types",
+            _ => {
+                self.mesh
+                    .unread
+                    .push(format!("array {array_name} of {parent}"));
+                return Ok(());
+            }
+        };
+        let count = (list != "connectivity").then_some(piece.cells);
+        let numbers = self.with_source(attributes, at, is_empty, |source| {
+            integers(source, kind, count)
+        });
+        let numbers = numbers.map_err(|error| MeshError {
+            problem: format!("{list}: {}", error.problem),
+            ..error
+        })?;
+        piece.lists.insert(list, numbers);
+        Ok(())
+    }
+
+    /// Runs a reader over the bytes of an array whose tag ends at `at`.
+    fn with_source<T>(
+        &self,
+        attributes: &BTreeMap<String, String>,
+        at: usize,
+        is_empty: bool,
+        read: impl FnOnce(&mut Source) -> Result<T, MeshError>,
+    ) -> Result<T, MeshError> {
+        let place = line_of(self.xml, at);
+        let layout = self
+            .layout
+            .ok_or_else(|| MeshError::at(place, "found a DataArray outside of a VTKFile"))?;
+        let rest = &self.xml.as_bytes()[at..];
+        let end = rest
+            .iter()
+            .position(|&byte| byte == b'<')
+            .unwrap_or(rest.len());
+        let inside = if is_empty { &[] } else { &rest[..end] };
+        match attributes.get("format").map(String::as_str) {
+            Some("ascii") | None => {
+                let mut source = Source::new(inside);
+                read(&mut source).map_err(|error| shifted(error, place))
+            }
+            Some("binary") => {
+                let packed: Vec<u8> = inside
+                    .iter()
+                    .copied()
+                    .filter(|byte| !byte.is_ascii_whitespace())
+                    .collect();
+                let bytes = unpack(&packed, true, layout, place)?;
+                read_binary(&bytes, layout, place, read)
+            }
+            Some("appended") => {
+                let appended = self.appended.ok_or_else(|| {
+                    MeshError::at(place, "an array is appended, but there are no AppendedData")
+                })?;
+                let offset: usize = number(attributes, "offset", place)?;
+                let data = appended.data.get(offset..).ok_or_else(|| {
+                    let most = appended.data.len();
+                    MeshError::at(
+                        place,
+                        format!("found the offset {offset}, expected at most {most}"),
+                    )
+                })?;
+                let place = Place::Byte((appended.start + offset) as u64);
+                let bytes = unpack(data, appended.is_base64, layout, place)?;
+                read_binary(&bytes, layout, place, read)
+            }
+            Some(other) => {
+                let found = shown(other.as_bytes());
+                let expected = "ascii, binary or appended";
+                Err(MeshError::at(
+                    place,
+                    format!("found format {found}, expected {expected}"),
+                ))
+            }
+        }
+    }
+
+    /// Adds a piece to the mesh.
+    fn close(&mut self, piece: Option<Piece>) -> Result<(), MeshError> {
+        let Some(mut piece) = piece else {
+            return Ok(());
+        };
+        let missing = |what| MeshError::of_file(format!("a Piece has no array of {what}"));
+        let coordinates = match piece.coordinates.take() {
+            Some(coordinates) => coordinates,
+            None if piece.points == 0 => Vec::new(),
+            None => return Err(missing("points")),
+        };
+        let first = self.mesh.points.len() as i64;
+        let (points, _) = coordinates.as_chunks::<3>();
+        for (point, tag) in points.iter().zip(first..) {
+            self.mesh.add_node(tag, *point, Place::File)?;
+        }
+        let mut list = |name| match piece.lists.remove(name) {
+            Some(list) => Ok(list),
+            None if piece.cells == 0 => Ok(Vec::new()),
+            None => Err(missing(name)),
+        };
+        let cells = Cells {
+            connectivity: list("connectivity")?,
+            ends: list("offsets")?,
+            types: list("types")?,
+            lines: Numbering::default(),
+        };
+        let count = coordinates.len() / 3;
+        let outside = |&&point: &&i64| point < 0 || point >= count as i64;
+        if let Some(point) = cells.connectivity.iter().find(outside) {
+            return Err(MeshError::of_file(format!(
+                "connectivity has the point {point}, but the Piece has {count} points"
+            )));
+        }
+        let index = self.mesh.node_index()?;
+        cells.store(&mut self.mesh, &index, first)
+    }
+}
+
+fn read_binary<T>(
+    bytes: &[u8],
+    layout: Layout,
+    place: Place,
+    read: impl FnOnce(&mut Source) -> Result<T, MeshError>,
+) -> Result<T, MeshError> {
+    let mut source = Source::new(bytes);
+    source.encoding = layout.encoding;
+    read(&mut source).map_err(|error| MeshError { place, ..error })
+}
+
+/// A line of an array as a line of the file.
+fn shifted(error: MeshError, start: Place) -> MeshError {
+    let place = match (error.place, start) {
+        (Place::Line(line), Place::Line(start)) => Place::Line(start + line - 1),
+        (place, _) => place,
+    };
+    MeshError { place, ..error }
+}
+
+fn attributes(tag: &BytesStart, place: Place) -> Result<BTreeMap<String, String>, MeshError> {
+    let mut map = BTreeMap::new();
+    for attribute in tag.attributes() {
+        let attribute =
+            attribute.map_err(|error| MeshError::at(place, format!("no XML: {error}")))?;
+        map.insert(
+            attribute.key.0.to_owned(),
+            attribute.value.trim().to_owned(),
+        );
+    }
+    Ok(map)
+}
+
+fn layout(attributes: &BTreeMap<String, String>, place: Place) -> Result<Layout, MeshError> {
+    let get = |name: &str, default: &'static str| {
+        attributes
+            .get(name)
+            .map_or(default, String::as_str)
+            .to_owned()
+    };
+    let wrong = |name: &str, found: &str, expected: &str| {
+        let found = shown(found.as_bytes());
+        MeshError::at(place, format!("{name} is {found}, expected {expected}"))
+    };
+    let kind = get("type", "nothing");
+    if kind != "UnstructuredGrid" {
+        return Err(wrong("type", &kind, "UnstructuredGrid"));
+    }
+    let order = get("byte_order", "LittleEndian");
+    let encoding = match order.as_str() {
+        "LittleEndian" => Encoding::Little,
+        "BigEndian" => Encoding::Big,
+        other => return Err(wrong("byte_order", other, "LittleEndian or BigEndian")),
+    };
+    let head = match get("header_type", "UInt32").as_str() {
+        "UInt32" => 4,
+        "UInt64" => 8,
+        other => return Err(wrong("header_type", other, "UInt32 or UInt64")),
+    };
+    let zlib = match get("compressor", "").as_str() {
+        "" => false,
+        "vtkZLibDataCompressor" => true,
+        other => return Err(wrong("compressor", other, "vtkZLibDataCompressor or none")),
+    };
+    Ok(Layout {
+        encoding,
+        head,
+        zlib,
+    })
+}
+
+fn number(
+    attributes: &BTreeMap<String, String>,
+    name: &str,
+    place: Place,
+) -> Result<usize, MeshError> {
+    let text = attributes.get(name).map_or("", String::as_str);
+    text.parse().map_err(|_| {
+        let found = shown(text.as_bytes());
+        MeshError::at(place, format!("{name} is {found}, expected a number"))
+    })
+}

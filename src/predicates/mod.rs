@@ -1,0 +1,25 @@
+//! Exact signs of polynomials over all simplices of a tiling, at the speed of doubles.
+//!
+//! | file | holds |
+//! |---|---|
+//! | [`polynomials`] | the predicates, one text for every kind of number |
+//! | [`floats`] | doubles with a proved error: the filter in front |
+//! | [`ring`] | the cleared coordinates, and the edges of a simplex in them |
+//! | [`ladder`] | integers as wide as the bounds ask for: the exact values behind |
+//! | [`model`] | a tiling made ready; both together |
+//!
+//! A filter returns a sign that it proves, or none; what it leaves open is decided
+//! exactly. Called by the checker, and by [`Tiling::orient`](crate::tiling::Tiling).
+
+pub mod floats;
+pub mod ladder;
+pub mod model;
+pub mod polynomials;
+pub mod ring;
+mod signs;
+
+pub use model::{Model, Prepared};
+pub use polynomials::{
+    Angles, AnglesAgainst, InSphere, Metric, Orientation, Predicate, RadiusAgainst,
+};
+pub use signs::Signs;

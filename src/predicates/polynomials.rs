@@ -1,0 +1,196 @@
+//! The predicates: polynomials in the edges of a simplex, a further point and the
+//! metric, written once for every kind of number.
+//!
+//! The same text is evaluated over doubles, over [`Bound`](crate::geometry::Bound)s,
+//! which says how wrong the doubles can be and how wide the integers must be, and
+//! over integers, quadratic numbers and numbers of a field for the exact values.
+
+use crate::geometry::{Scalar, Simplex};
+use malachite::{Integer, Rational};
+
+/// The Gram matrix, its adjugate, and the predicate's constants, in one ring.
+#[derive(Clone, Debug)]
+pub struct Metric<S, const D: usize> {
+    /// Inner products of the basis vectors, times a positive number.
+    pub gram: [[S; D]; D],
+    /// Its adjugate, which measures covectors.
+    pub cogram: [[S; D]; D],
+    /// What [`Predicate::constants`] gives.
+    pub constants: Vec<S>,
+}
+
+/// Values whose signs are asked for.
+pub trait Predicate<const D: usize>: Sync {
+    /// Integers that the values depend on.
+    fn constants(&self) -> Vec<Integer> {
+        Vec::new()
+    }
+
+    /// Every value is homogeneous of this degree in edges and point together.
+    fn degree(&self) -> i32;
+
+    /// Calls `visit` with each value; at most 32.
+    fn values<S: Scalar>(
+        &self,
+        simplex: &Simplex<S, D>,
+        point: &[S; D],
+        metric: &Metric<S, D>,
+        visit: impl FnMut(&S),
+    );
+}
+
+/// det (e_1, …, e_D)
+#[derive(Clone, Copy, Debug)]
+pub struct Orientation;
+
+impl<const D: usize> Predicate<D> for Orientation {
+    fn degree(&self) -> i32 {
+        D as i32
+    }
+
+    #[inline]
+    fn values<S: Scalar>(
+        &self,
+        simplex: &Simplex<S, D>,
+        _: &[S; D],
+        _: &Metric<S, D>,
+        mut visit: impl FnMut(&S),
+    ) {
+        visit(&simplex.determinant);
+    }
+}
+
+/// <g_i, g_j> for the pairs i < j of facets: negative, zero or positive as the
+/// dihedral angle is acute, right or obtuse.
+#[derive(Clone, Copy, Debug)]
+pub struct Angles;
+
+impl<const D: usize> Predicate<D> for Angles {
+    fn degree(&self) -> i32 {
+        2 * (D as i32 - 1)
+    }
+
+    #[inline]
+    fn values<S: Scalar>(
+        &self,
+        simplex: &Simplex<S, D>,
+        _: &[S; D],
+        metric: &Metric<S, D>,
+        mut visit: impl FnMut(&S),
+    ) {
+        let products = simplex.normal_products(&metric.cogram);
+        for_pairs::<D>(|i, j| visit(products.get(i, j)));
+    }
+}
+
+/// cos t - c for the dihedral angles t, up to a positive factor, with c = n/d.
+///
+/// cos t = -p/√q with p = <g_i, g_j> and q = <g_i, g_i> <g_j, g_j>. As x ↦ x |x|
+/// grows, cos t - c has the sign of -p |p| d² - n |n| q. (In doubles the error of
+/// x |x| is that of x x, for |x |x| - y |y|| <= (|x| + |y|) |x - y|.)
+#[derive(Clone, Copy, Debug)]
+pub struct AnglesAgainst {
+    /// n
+    pub numerator: i64,
+    /// d > 0
+    pub denominator: i64,
+}
+
+impl<const D: usize> Predicate<D> for AnglesAgainst {
+    fn constants(&self) -> Vec<Integer> {
+        let [n, d] = [self.numerator, self.denominator].map(Integer::from);
+        let size = Integer::from(self.numerator.unsigned_abs());
+        vec![n * size, &d * &d]
+    }
+
+    fn degree(&self) -> i32 {
+        4 * (D as i32 - 1)
+    }
+
+    #[inline]
+    fn values<S: Scalar>(
+        &self,
+        simplex: &Simplex<S, D>,
+        _: &[S; D],
+        metric: &Metric<S, D>,
+        mut visit: impl FnMut(&S),
+    ) {
+        let products = simplex.normal_products(&metric.cogram);
+        let [n, d] = [&metric.constants[0], &metric.constants[1]];
+        let zero = simplex.determinant.integer(0);
+        for_pairs::<D>(|i, j| {
+            let p = products.get(i, j);
+            let left = p.times(&p.magnitude()).times(d);
+            let right = products.get(i, i).times(products.get(j, j)).times(n);
+            visit(&zero.minus(&left).minus(&right));
+        });
+    }
+}
+
+#[inline]
+fn for_pairs<const D: usize>(mut visit: impl FnMut(usize, usize)) {
+    for i in 0..=D {
+        for j in i + 1..=D {
+            visit(i, j);
+        }
+    }
+}
+
+/// b² |e|² - R² for all edges e, up to a positive factor: positive when the
+/// circumradius is less than b times the edge.
+#[derive(Clone, Debug)]
+pub struct RadiusAgainst {
+    /// b > 0
+    pub bound: Rational,
+}
+
+impl<const D: usize> Predicate<D> for RadiusAgainst {
+    fn constants(&self) -> Vec<Integer> {
+        let square = &self.bound * &self.bound;
+        [square.numerator_ref(), square.denominator_ref()]
+            .map(Integer::from)
+            .into()
+    }
+
+    fn degree(&self) -> i32 {
+        2 * D as i32 + 2
+    }
+
+    fn values<S: Scalar>(
+        &self,
+        simplex: &Simplex<S, D>,
+        _: &[S; D],
+        metric: &Metric<S, D>,
+        mut visit: impl FnMut(&S),
+    ) {
+        let products = simplex.normal_products(&metric.cogram);
+        let (numerator, denominator) = simplex.squared_circumradius(&metric.gram, &products);
+        let left = numerator.times(&metric.constants[1]);
+        let right = denominator.times(&metric.constants[0]);
+        simplex.for_squared_edges(&metric.gram, |edge| {
+            visit(&right.times(edge).minus(&left));
+        });
+    }
+}
+
+/// The power of the point corner_0 + x with respect to the circumsphere, times the
+/// determinant.
+#[derive(Clone, Copy, Debug)]
+pub struct InSphere;
+
+impl<const D: usize> Predicate<D> for InSphere {
+    fn degree(&self) -> i32 {
+        D as i32 + 2
+    }
+
+    #[inline]
+    fn values<S: Scalar>(
+        &self,
+        simplex: &Simplex<S, D>,
+        point: &[S; D],
+        metric: &Metric<S, D>,
+        mut visit: impl FnMut(&S),
+    ) {
+        visit(&simplex.power(&metric.gram, point));
+    }
+}

@@ -1,0 +1,81 @@
+//! The signs of the values of a predicate, in two words.
+
+use super::{Metric, Predicate};
+use crate::geometry::{Scalar, Sign, Simplex};
+
+/// Up to 32 signs, in the order of the values.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Signs {
+    count: u32,
+    negative: u32,
+    positive: u32,
+}
+
+impl Signs {
+    /// The exact signs of a predicate's values.
+    pub fn of<S: Scalar, P: Predicate<D>, const D: usize>(
+        predicate: &P,
+        edges: [[S; D]; D],
+        point: &[S; D],
+        metric: &Metric<S, D>,
+    ) -> Self {
+        let mut signs = Signs::default();
+        let simplex = Simplex::from_edges(edges);
+        predicate.values(&simplex, point, metric, |value| {
+            let sign = value.sign();
+            signs.push(sign == Sign::Less, sign == Sign::Greater);
+        });
+        signs
+    }
+
+    #[inline]
+    pub(super) fn push(&mut self, is_negative: bool, is_positive: bool) {
+        self.negative |= u32::from(is_negative) << self.count;
+        self.positive |= u32::from(is_positive) << self.count;
+        self.count += 1;
+    }
+
+    #[inline]
+    fn all(&self) -> u32 {
+        ((1u64 << self.count) - 1) as u32
+    }
+
+    /// The sign of the value with this index.
+    pub fn get(&self, index: usize) -> Sign {
+        match (self.negative >> index & 1, self.positive >> index & 1) {
+            (0, 0) => Sign::Equal,
+            (0, _) => Sign::Greater,
+            _ => Sign::Less,
+        }
+    }
+
+    /// Whether no value is zero.
+    #[inline]
+    pub fn none_zero(&self) -> bool {
+        self.negative | self.positive == self.all()
+    }
+
+    /// Whether all values are negative.
+    #[inline]
+    pub fn all_negative(&self) -> bool {
+        self.negative == self.all()
+    }
+
+    /// Whether all values are positive.
+    #[inline]
+    pub fn all_positive(&self) -> bool {
+        self.positive == self.all()
+    }
+
+    /// Whether no value is positive.
+    #[inline]
+    pub fn none_positive(&self) -> bool {
+        self.positive == 0
+    }
+
+    /// Whether no value is negative.
+    #[inline]
+    pub fn none_negative(&self) -> bool {
+        self.negative == 0
+    }
+}
