@@ -3,7 +3,7 @@
 
 #![cfg(feature = "prover")]
 
-use acutile::certificate::{Certificate, Number};
+use acutile::certificate::{Certificate, Domain, Number};
 use acutile::export::{NotATheorem, coq_theorem};
 use std::path::Path;
 
@@ -75,6 +75,13 @@ fn other_dimensions_have_no_theorem() {
     let mut bad = valid("space-bcc.json");
     bad.claim.dimension = 4;
     assert_eq!(coq_theorem(&bad), Err(NotATheorem::Dimension(4)));
+}
+
+#[test]
+fn a_region_has_no_theorem() {
+    let mut region = valid("solid-tetrahedron.json");
+    region.claim.domain = Domain::Region;
+    assert_eq!(coq_theorem(&region), Err(NotATheorem::Region));
 }
 
 #[test]

@@ -123,6 +123,7 @@ let in_front n row = List.init n (fun _ -> [Z0]) @ row
 let domain d v =
   match v with
   | String "space" -> (d, None)
+  | String "region" -> raise (Declined "a region: its soundness is proved on paper only")
   | Object [name, Object ["vertices", vertices; "faces", faces]] ->
     let k = match name with "slab" -> 1 | "prism" -> need (d = 3) "a prism in the plane"; 2 | "solid" -> d | _ -> reject "the domain" in
     (d - k, Some (vertices, List.map (fun f -> List.map int_of (array f)) (array faces)))
@@ -153,7 +154,9 @@ let judged (type a) (j : a judge) d r gram vertices polytope faces corners mates
         | Behind _ -> []) ms)) corners mates) in
   let padded = List.map (fun w -> v3 (in_front (3 - k) w)) ws in
   need (k = 0 || j.format den (nat_of_int (3 - k)) padded faces named) "the polytope, or a facet in its boundary";
-  (* the theorem *)
+  (* the theorem; with a witness point, tiles far apart are beyond the search for it *)
+  let far = (k > 0 || d = 2) && List.exists (List.exists (fun (_, (x, y, z)) -> List.exists (fun u -> abs u > 20) [x; y; z])) corners in
+  let need ok what = if not ok && far then raise (Declined "tiles more than 20 lattice vectors apart") else need ok what in
   let base = scaled least vertices and rank = nat_of_int r in
   if d = 3 then
     let covering = if k = 0 then ByVolume else ByWitness (N0, v3 (sum_of base least (List.hd corners))) in

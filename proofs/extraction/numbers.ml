@@ -40,7 +40,11 @@ let rational t =
 
 (* The least common denominator of rows of numbers; m T for a multiple m of it. *)
 let denominator tables =
-  let lcm m (_, q) = Z.div (Z.mul m q) (Z.gcd m q) in
+  let rec bits = function XH -> 1 | XO p | XI p -> 1 + bits p in
+  let lcm m (_, q) =
+    match Z.div (Z.mul m q) (Z.gcd m q) with
+    | Zpos p when bits p > 3400 -> raise (Declined "a common denominator of more than 1000 digits")
+    | m -> m in
   List.fold_left (List.fold_left (List.fold_left (List.fold_left lcm))) one tables
 let scaled m table = List.map (List.map (List.map (fun (p, q) -> Z.mul p (Z.div m q)))) table
 

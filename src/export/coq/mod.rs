@@ -12,7 +12,7 @@ mod numbers;
 mod plane;
 mod root;
 
-use crate::certificate::Certificate;
+use crate::certificate::{Certificate, Domain};
 use claim::Theorem;
 use root::RootOf;
 use std::fmt;
@@ -22,6 +22,8 @@ use std::fmt;
 pub enum NotATheorem {
     /// The development treats the dimensions 2 and 3.
     Dimension(usize),
+    /// The soundness of regions is proved on paper only.
+    Region,
     /// A text that is not a rational number, or a list of the wrong length.
     Malformed(String),
 }
@@ -35,6 +37,7 @@ impl fmt::Display for NotATheorem {
                     "the Coq development is about the dimensions 2 and 3, not {d}"
                 )
             }
+            NotATheorem::Region => f.write_str("the Coq development does not treat regions"),
             NotATheorem::Malformed(what) => write!(f, "not a certificate: {what}"),
         }
     }
@@ -44,6 +47,9 @@ impl std::error::Error for NotATheorem {}
 
 /// The file for `certificate`, whether or not its claim is true.
 pub fn coq_theorem(certificate: &Certificate) -> Result<String, NotATheorem> {
+    if certificate.claim.domain == Domain::Region {
+        return Err(NotATheorem::Region);
+    }
     let words = match certificate.claim.dimension {
         3 => &claim::SPACE,
         2 => &claim::PLANE,
