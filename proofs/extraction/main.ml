@@ -54,6 +54,7 @@ let field = function
     need (n >= 2 && Z.eqb (List.nth cs n) one) "the polynomial is not monic of degree at least two";
     if n > 32 then raise (Declined "the degree");
     let fl = List.filteri (fun k _ -> k < n) cs in
+    if String.length lo + String.length hi > 200 then raise (Declined "a root with long ends");
     let (p1, q1) = rational lo and (p2, q2) = rational hi in
     let lo = Z.mul p1 q2 and hi = Z.mul p2 q1 and s = Z.mul q1 q2 in
     need (Z.ltb lo hi) "the interval of the root";
@@ -144,6 +145,10 @@ let judged (type a) (j : a judge) d r gram vertices polytope faces corners mates
   let den = if d = 3 && k = 0 then least else Z.mul (z_of_int 4) least in
   let v3 = v3 j.scalar in
   let vs = scaled den vertices and ws = scaled den polytope and g = scaled gden gram in
+  let numbers = List.concat (List.concat [vs; ws; g]) in
+  let words = 1 + List.fold_left (fun m c -> max m (bits_of c)) 0 (List.concat numbers) / 64 in
+  let degree = List.fold_left (fun m c -> max m (List.length c)) 1 numbers in
+  if List.length corners * degree * degree * words * words > 1_000_000 then raise (Declined "the work");
   let e a b = j.scalar (List.nth (List.nth g a) b) in
   let faces = List.map (List.map n_of_int) faces in
   (* what the format demands of the domain *)

@@ -39,8 +39,9 @@ let rational t =
     (p, q)
 
 (* The least common denominator of rows of numbers; m T for a multiple m of it. *)
+let rec bits = function XH -> 1 | XO p | XI p -> 1 + bits p
+let bits_of = function Z0 -> 0 | Zpos p | Zneg p -> bits p
 let denominator tables =
-  let rec bits = function XH -> 1 | XO p | XI p -> 1 + bits p in
   let lcm m (_, q) =
     match Z.div (Z.mul m q) (Z.gcd m q) with
     | Zpos p when bits p > 3400 -> raise (Declined "a common denominator of more than 1000 digits")
