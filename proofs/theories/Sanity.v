@@ -3,7 +3,7 @@
     Nothing depends on this file.  It relates the definitions to plain topology and
     to the usual notions, and shows that they are not empty. *)
 Require Import Reals Lra ZArith List.
-From Acutile Require Import Statement Tetrahedra Topology Degree Angles Euclid.
+From Acutile Require Import Statement PlaneStatement Tetrahedra Topology Degree Angles Euclid.
 Open Scope R_scope.
 
 (** [open_hull] is the topological interior of the closed tetrahedron. *)
@@ -93,4 +93,20 @@ Proof.
   unfold dihedral, angle.
   replace (dot _ _) with 0 by (unfold perp, dot; unf; field).
   unfold Rdiv. rewrite Rmult_0_l, acos_0. lra.
+Qed.
+
+(** ** The plane *)
+
+(** With a lattice of rank 2 the domain is the whole plane. *)
+Theorem domain_plane l1 l2 W X : det2 l1 l2 <> 0 -> domain2 l1 l2 2 W X.
+Proof.
+  intros D. exists (Point2 (det2 X l2 / det2 l1 l2) (det2 l1 X / det2 l1 l2)). split; [|exact I].
+  unfold at_coordinates2, add2, scale2, det2 in *. destruct X as [x y]. cbn [x2 y2] in *. f_equal; field; exact D.
+Qed.
+(** The triangle 3, 4, 5 has a right angle: it is not acute. *)
+Example right_angle_not_acute2 : ~ all_angles (fun x => x < PI / 2) (Triangle2 (Point2 0 0) (Point2 3 0) (Point2 0 4)).
+Proof.
+  intros [H _]. unfold angle2 in H; cbn [ta tb tc] in H.
+  replace (dot2 _ _) with 0 in H at 1 by (unfold dot2, sub2; cbn [x2 y2]; ring).
+  unfold Rdiv at 1 in H. rewrite Rmult_0_l, acos_0 in H. lra.
 Qed.
