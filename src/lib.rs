@@ -7,6 +7,8 @@
 #[cfg(feature = "prover")]
 pub mod advice;
 #[cfg(feature = "prover")]
+pub mod appendix;
+#[cfg(feature = "prover")]
 pub mod catalog;
 pub mod certificate;
 #[cfg(feature = "prover")]
@@ -34,6 +36,8 @@ pub mod paper;
 pub mod predicates;
 #[cfg(feature = "prover")]
 pub mod quality;
+#[cfg(feature = "prover")]
+pub mod report;
 #[cfg(feature = "prover")]
 pub mod statistics;
 #[cfg(feature = "prover")]

@@ -61,7 +61,12 @@ fn a_requirement_that_fails_is_a_refutation() {
         lines.lines().next(),
         Some("cube-6: refuted: 18 right-angle")
     );
-    assert_eq!(lines.lines().count(), 1 + 3);
+    assert_eq!(lines.lines().nth(1), Some("  right-angle: 18, the first 3:"));
+    let told = lines.lines().filter(|line| line.contains("is a right angle"));
+    assert_eq!(told.count(), 3);
+    // The coordinates of the corners, and what can be done about it.
+    assert!(lines.contains("      simplex 0: 0 at (0, 0, 0), 0+(1, 0, 0) at (1, 0, 0)"));
+    assert!(lines.contains("> no motion of a single corner makes simplex 0 acute"));
     assert_eq!(
         code(&acutile(["certify", "a15", "--require", "dihedral<78.46"])),
         1
@@ -86,13 +91,18 @@ fn refutations_in_json_are_one_object_a_line() {
         .collect();
     assert_eq!(answers[0]["verdict"], "refuted");
     assert_eq!(answers[0]["counts"]["right-angle"], 18);
-    assert_eq!(answers[0]["defects"].as_array().map(Vec::len), Some(18));
-    let first = &answers[0]["defects"][0];
+    assert_eq!(answers.len(), 1 + 18 + 1, "all defects, and the second input");
+    let first = &answers[1];
+    assert_eq!(first["code"], "right-angle");
+    assert_eq!(first["input"], "cube-6");
     assert_eq!(first["product"], "0");
     assert_eq!(first["degrees"], serde_json::json!(["90", "90"]));
     assert_eq!(first["corners"].as_array().map(Vec::len), Some(4));
-    assert_eq!(answers[1]["verdict"], "proved");
-    assert_eq!(answers[1]["simplices"], 46);
+    let place = &first["places"][0];
+    assert_eq!(place["name"], "simplex 0");
+    assert_eq!(place["coordinates"][0], serde_json::json!(["0", "0", "0"]));
+    assert_eq!(answers[19]["verdict"], "proved");
+    assert_eq!(answers[19]["simplices"], 46);
 }
 
 #[test]

@@ -423,6 +423,17 @@ fn a_pipe_and_gzip_are_read() {
         .output()
         .expect("the program runs");
     assert_eq!(exit_code(&output), 0, "{}", stderr(&output));
+    // Known by its first bytes, a mesh stays what it is.
+    let nameless = folder.path().join("nameless");
+    std::fs::copy(&plain, &nameless).expect("copied");
+    let nameless = nameless.to_str().expect("UTF-8");
+    let again = folder.path().join("again.msh");
+    let output = acutile(&["convert", nameless, again.to_str().expect("UTF-8")]);
+    assert_eq!(exit_code(&output), 0, "{}", stderr(&output));
+    assert_eq!(
+        std::fs::read(&plain).expect("a"),
+        std::fs::read(&again).expect("b")
+    );
 }
 
 #[test]

@@ -434,7 +434,9 @@ fn defects_of_a_region() {
     let lines: Vec<String> = findings
         .kept()
         .iter()
-        .map(|defect| acutile::checker::describe(&mesh.tiling(), defect))
+        .map(|defect| {
+            acutile::checker::describe::<3>(&acutile::checker::Names::of(&mesh.tiling()), defect)
+        })
         .collect();
     // The edge from (1, 1, 2) to (1, 1, 9) leaves the cube in (1, 1, 4).
     assert!(

@@ -164,7 +164,8 @@ fn negative_orientation_is_reported_with_its_remedy_and_mended() {
     let AnyTiling::Space(mut read) = tiling(&document) else {
         panic!("dimension 3")
     };
-    let sentence = acutile::checker::describe(&read, &refutation.kept()[0]);
+    let sentence =
+        acutile::checker::describe::<3>(&acutile::checker::Names::of(&read), &refutation.kept()[0]);
     assert_eq!(
         sentence,
         "simplex 1 [0, 0+(0, 1, 0), 0+(1, 1, 1), 0+(0, 1, 1)] is negatively oriented: its \

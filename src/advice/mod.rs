@@ -17,7 +17,7 @@ pub use overlap::{Overlap, common_point};
 
 use crate::checker::Defect;
 use crate::number::Number;
-use crate::quality::{rounded_up, short_decimal};
+use crate::quality::{rounded_up, short_point};
 use crate::tiling::{Corner, Facet, Tiling, match_facets};
 use malachite::Rational;
 use place::Places;
@@ -66,6 +66,12 @@ impl<'t, const D: usize> Adviser<'t, D> {
             Defect::UnmatchedFacet { facet } => self.about_unmatched(*facet),
             Defect::SameSide { facets: (a, b) } => self.about_pair(*a, *b),
             Defect::OverusedFacet { facets } => self.about_overused(facets),
+            Defect::BoundaryMeets { facets: (a, b), .. } => {
+                self.about_overlap(a.simplex as usize, &[b.simplex as usize])
+            }
+            Defect::Covered { facet, simplices } => {
+                self.about_overlap(facet.simplex as usize, simplices)
+            }
             Defect::VolumeSum { sum, expected } => self.about_volume(sum, expected),
             Defect::RightAngle { angle } | Defect::ObtuseAngle { angle } => {
                 self.about_angle(angle.simplex).into_iter().collect()
@@ -97,6 +103,16 @@ impl<'t, const D: usize> Adviser<'t, D> {
             .flat_map(|(a, b)| self.about_pair(a, b))
             .take(1)
             .collect()
+    }
+
+    /// The first of `others` that overlaps with a simplex, in the same place.
+    fn about_overlap(&self, simplex: usize, others: &[usize]) -> Vec<Advice<D>> {
+        let overlap = |other: &usize| overlap::overlap(self.tiling, (simplex, *other), [0; D]);
+        let found = others
+            .iter()
+            .filter(|other| **other != simplex)
+            .find_map(overlap);
+        found.map(Advice::Overlap).into_iter().collect()
     }
 
     fn about_volume(&self, sum: &Number, expected: &Number) -> Vec<Advice<D>> {
@@ -172,7 +188,7 @@ impl<const D: usize> Advice<D> {
                 simplex(overlap.simplices.0),
                 simplex(overlap.simplices.1),
                 moved(&overlap.shift),
-                point(&overlap.point),
+                short_point(&overlap.point),
             ),
             Advice::Covered { ratio } => {
                 format!(
@@ -184,7 +200,7 @@ impl<const D: usize> Advice<D> {
                 "moving corner {} of {} to {}, by at most {}, makes this simplex acute",
                 corner(&motion.corner),
                 simplex(motion.simplex),
-                point(&motion.target),
+                short_point(&motion.target),
                 rounded_up(&motion.distance, 6),
             ),
             Advice::NoMotion { simplex: index } => format!(
@@ -212,20 +228,6 @@ fn moved<const D: usize>(shift: &[i32; D]) -> String {
             " moved by ({})",
             shift.map(|s| s.to_string()).as_slice().join(", ")
         ),
-    }
-}
-
-/// A point in basis coordinates, each exactly where that is short.
-fn point<const D: usize>(point: &[Number; D]) -> String {
-    let coordinates = point.each_ref().map(coordinate);
-    format!("({})", coordinates.as_slice().join(", "))
-}
-
-fn coordinate(number: &Number) -> String {
-    let exact = number.to_string();
-    match exact.len() {
-        0..=24 => exact,
-        _ => format!("about {}", short_decimal(number)),
     }
 }
 

@@ -54,7 +54,7 @@ pub fn behind_common_facet<const D: usize>(
 }
 
 /// Two simplices, the second moved by `shift`, if they overlap.
-fn overlap<const D: usize>(
+pub fn overlap<const D: usize>(
     tiling: &Tiling<D>,
     simplices: (usize, usize),
     shift: [i32; D],

@@ -2,6 +2,7 @@
 //! exact values as the sentences of [`super::render`].
 
 use super::defect::{Angle, Defect};
+use super::names::Names;
 use super::render::describe;
 use crate::number::Number;
 use crate::tiling::{Corner, Facet, Tiling};
@@ -10,14 +11,37 @@ use serde_json::{Map, Value, json};
 
 /// `{"code": …, "message": …}` and the members of the defect: indices from zero,
 /// corners as `[vertex, s_1, …, s_r]`, numbers and bounds as texts.
-pub fn defect_data<const D: usize>(tiling: &Tiling<D>, defect: &Defect) -> Value {
+/// Every simplex that the defect is about is among the `places`, with its names and
+/// its exact coordinates in the basis.
+pub fn defect_data<const D: usize>(tiling: &Tiling<D>, names: &Names, defect: &Defect) -> Value {
     let mut data = Map::new();
     data.insert("code".to_owned(), json!(defect.code()));
-    data.insert("message".to_owned(), json!(describe(tiling, defect)));
+    data.insert("message".to_owned(), json!(describe::<D>(names, defect)));
     if let Value::Object(members) = members(tiling, defect) {
         data.extend(members);
     }
+    let places: Vec<Value> = defect
+        .simplices()
+        .into_iter()
+        .map(|simplex| place(tiling, names, simplex))
+        .collect();
+    if !places.is_empty() {
+        data.insert("places".to_owned(), json!(places));
+    }
     Value::Object(data)
+}
+
+/// A simplex with its names and the coordinates of its corners.
+fn place<const D: usize>(tiling: &Tiling<D>, names: &Names, simplex: usize) -> Value {
+    let corners: Vec<String> = (0..=D).map(|k| names.corner(simplex, k)).collect();
+    let position = |corner: &Corner<D>| tiling.position(corner).each_ref().map(text).to_vec();
+    let positions = tiling.simplex(simplex).iter().map(position);
+    json!({
+        "simplex": simplex,
+        "name": names.simplex(simplex),
+        "corner_names": corners,
+        "coordinates": positions.collect::<Vec<_>>(),
+    })
 }
 
 fn members<const D: usize>(tiling: &Tiling<D>, defect: &Defect) -> Value {

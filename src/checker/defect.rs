@@ -114,6 +114,36 @@ pub struct Angle {
 }
 
 impl Defect {
+    /// The simplices that it is about, in order.
+    pub fn simplices(&self) -> Vec<usize> {
+        let of = |facet: &Facet| facet.simplex as usize;
+        let mut simplices = match self {
+            Defect::RepeatedCorner { simplex, .. }
+            | Defect::Flat { simplex }
+            | Defect::NegativeOrientation { simplex, .. }
+            | Defect::RatioNotBelow { simplex, .. } => vec![*simplex],
+            Defect::RightAngle { angle }
+            | Defect::ObtuseAngle { angle }
+            | Defect::AngleNotBelow { angle, .. }
+            | Defect::AngleNotAbove { angle, .. } => vec![angle.simplex],
+            Defect::UnmatchedFacet { facet } => vec![of(facet)],
+            Defect::SameSide { facets: (a, b) } | Defect::BoundaryMeets { facets: (a, b), .. } => {
+                vec![of(a), of(b)]
+            }
+            Defect::OverusedFacet { facets } => facets.iter().map(of).collect(),
+            Defect::Covered { facet, simplices } => std::iter::once(of(facet))
+                .chain(simplices.iter().copied())
+                .collect(),
+            Defect::OnCircumsphere { facet, neighbour }
+            | Defect::InsideCircumsphere {
+                facet, neighbour, ..
+            } => vec![of(facet), *neighbour],
+            _ => Vec::new(),
+        };
+        simplices.dedup();
+        simplices
+    }
+
     /// The name of this kind of defect.
     pub fn code(&self) -> &'static str {
         match self {

@@ -10,6 +10,7 @@ mod data;
 mod defect;
 mod domain;
 mod hypotheses;
+mod names;
 mod region;
 mod render;
 mod statements;
@@ -19,6 +20,7 @@ pub use data::defect_data;
 pub use defect::{Angle, Defect, Findings};
 pub use domain::{Boundary, check_domain, check_facets, check_inside};
 pub use hypotheses::{check_corners, check_metric, check_orientation, check_volume};
+pub use names::Names;
 pub use region::check_region;
 pub use render::describe;
 pub use statements::{

@@ -2,13 +2,16 @@
 //! exact value that was found, with a short decimal beside it.
 
 use super::defect::{Angle, Defect};
+use super::names::Names;
 use crate::number::Number;
 use crate::quality::{decimal_range, short_decimal};
-use crate::tiling::{Facet, Tiling};
+use crate::tiling::Facet;
 
-/// One defect of `tiling` as a sentence.
-pub fn describe<const D: usize>(tiling: &Tiling<D>, defect: &Defect) -> String {
-    let name = |facet: &Facet| facet_name(tiling, facet);
+/// One defect of a tiling of dimension D as a sentence, with things called by their `names`.
+pub fn describe<const D: usize>(names: &Names, defect: &Defect) -> String {
+    let words = Words::<D> { names };
+    let name = |facet: &Facet| words.facet(facet);
+    let of = |simplex: &usize| names.simplex(*simplex);
     match defect {
         Defect::MetricNotPositive { order, minor } => format!(
             "the Gram matrix is not positive definite: its leading {order} x {order} minor is {}, \
@@ -20,23 +23,26 @@ pub fn describe<const D: usize>(tiling: &Tiling<D>, defect: &Defect) -> String {
             simplex,
             corners: (i, j),
         } => format!(
-            "simplex {simplex}: corners {i} and {j} are both {}, expected {} different corners",
-            corner(tiling, *simplex, *i),
+            "{}: corners {i} and {j} are both {}, expected {} different corners",
+            of(simplex),
+            names.corner(*simplex, *i),
             D + 1
         ),
         Defect::Flat { simplex } => format!(
-            "simplex {simplex} {} is flat: its determinant is 0, expected a positive number",
-            corners(tiling, *simplex)
+            "{} {} is flat: its determinant is 0, expected a positive number",
+            of(simplex),
+            words.corners(*simplex)
         ),
         Defect::NegativeOrientation {
             simplex,
             determinant,
         } => format!(
-            "simplex {simplex} {} is negatively oriented: its determinant is {}, expected a \
+            "{} {} is negatively oriented: its determinant is {}, expected a \
              positive number; the order {} mends it (--reorient does)",
-            corners(tiling, *simplex),
+            of(simplex),
+            words.corners(*simplex),
             exact(determinant),
-            mended(tiling, *simplex)
+            words.mended(*simplex)
         ),
         Defect::UnmatchedFacet { facet } => {
             format!(
@@ -86,12 +92,17 @@ pub fn describe<const D: usize>(tiling: &Tiling<D>, defect: &Defect) -> String {
             face,
             value,
         } => format!(
-            "vertex {vertex} lies outside of the domain, behind face {face}: its value there is \
-             {}, expected zero or a positive number",
+            "{} lies outside of the domain, behind face {face}: its value there is {}, expected \
+             zero or a positive number",
+            names.vertex(*vertex),
             exact(value)
         ),
         Defect::CoincidentVertices { vertices } => {
-            format!("the vertices {vertices:?} are the same point, expected different ones")
+            let list: Vec<String> = vertices.iter().map(|v| names.vertex(*v)).collect();
+            format!(
+                "{} are the same point, expected different ones",
+                list.join(", ")
+            )
         }
         Defect::BoundaryMeets {
             facets: (a, b),
@@ -104,41 +115,40 @@ pub fn describe<const D: usize>(tiling: &Tiling<D>, defect: &Defect) -> String {
             point.iter().map(exact).collect::<Vec<_>>().join(", ")
         ),
         Defect::Covered { facet, simplices } => format!(
-            "directly outside of {}, which is in the boundary, points are covered {} times, expected \
-             none: by simplex {}",
+            "directly outside of {}, which is in the boundary, points are covered by {}, expected \
+             nothing there",
             name(facet),
-            simplices.len(),
-            some(simplices)
+            words.some(simplices)
         ),
         Defect::RegionDimension => "a region has dimension 3".to_owned(),
         Defect::DelaunayOfRegion => {
             "Delaunay is not stated of a region, which need not be convex".to_owned()
         }
         Defect::UnusedVertex { vertex } => {
-            format!("vertex {vertex} is a corner of no simplex")
+            format!("{} is a corner of no simplex", names.vertex(*vertex))
         }
         Defect::RightAngle { angle } => {
             format!(
                 "{} is a right angle: the product of the normals is 0, expected a negative number",
-                angle_name(tiling, angle)
+                words.angle(angle)
             )
         }
         Defect::ObtuseAngle { angle } => format!(
             "{} is obtuse: {} degrees; the product of the normals is {}, expected {}",
-            angle_name(tiling, angle),
+            words.angle(angle),
             decimal_range(&angle.degrees),
             exact(&angle.product),
             "a negative number (acute) or zero (right)"
         ),
         Defect::AngleNotBelow { angle, bound } => format!(
             "{} is {} degrees (the product of the normals is {}), expected less than {bound}",
-            angle_name(tiling, angle),
+            words.angle(angle),
             decimal_range(&angle.degrees),
             exact(&angle.product)
         ),
         Defect::AngleNotAbove { angle, bound } => format!(
             "{} is {} degrees (the product of the normals is {}), expected more than {bound}",
-            angle_name(tiling, angle),
+            words.angle(angle),
             decimal_range(&angle.degrees),
             exact(&angle.product)
         ),
@@ -147,15 +157,17 @@ pub fn describe<const D: usize>(tiling: &Tiling<D>, defect: &Defect) -> String {
             squared_ratio,
             bound,
         } => format!(
-            "simplex {simplex} {}: the square of its radius-edge ratio is {}, expected less than \
+            "{} {}: the square of its radius-edge ratio is {}, expected less than \
              the square of {bound}",
-            corners(tiling, *simplex),
+            of(simplex),
+            words.corners(*simplex),
             exact(squared_ratio)
         ),
         Defect::NotTcp { reason } => format!("not tetrahedrally close packed: {reason}"),
         Defect::OnCircumsphere { facet, neighbour } => format!(
-            "the corner of simplex {neighbour} behind {} lies on the circumsphere: its power \
+            "the corner of {} behind {} lies on the circumsphere: its power \
              is 0, expected a positive number",
+            of(neighbour),
             name(facet)
         ),
         Defect::InsideCircumsphere {
@@ -163,20 +175,13 @@ pub fn describe<const D: usize>(tiling: &Tiling<D>, defect: &Defect) -> String {
             neighbour,
             power,
         } => format!(
-            "the corner of simplex {neighbour} behind {} lies inside of the circumsphere: its \
+            "the corner of {} behind {} lies inside of the circumsphere: its \
              power times the determinant is {}, expected a positive number",
+            of(neighbour),
             name(facet),
             exact(power)
         ),
     }
-}
-
-/// The first few.
-fn some(indices: &[usize]) -> String {
-    const FEW: usize = 8;
-    let first = indices.iter().take(FEW).map(usize::to_string);
-    let rest = (indices.len() > FEW).then(|| "…".to_owned());
-    first.chain(rest).collect::<Vec<_>>().join(", ")
 }
 
 /// The exact value, and a decimal where that is shorter to read.
@@ -189,39 +194,50 @@ fn exact(number: &Number) -> String {
     }
 }
 
-fn corner<const D: usize>(tiling: &Tiling<D>, simplex: usize, index: usize) -> String {
-    tiling.simplex(simplex)[index].to_string()
+/// Names put together.
+struct Words<'t, const D: usize> {
+    names: &'t Names<'t>,
 }
 
-fn corners<const D: usize>(tiling: &Tiling<D>, simplex: usize) -> String {
-    list(tiling, simplex, 0..=D)
-}
+impl<const D: usize> Words<'_, D> {
+    /// The first few simplices.
+    fn some(&self, simplices: &[usize]) -> String {
+        const FEW: usize = 8;
+        let first = simplices.iter().take(FEW).map(|s| self.names.simplex(*s));
+        let rest = (simplices.len() > FEW).then(|| "…".to_owned());
+        first.chain(rest).collect::<Vec<_>>().join(", ")
+    }
 
-fn list<const D: usize>(
-    tiling: &Tiling<D>,
-    simplex: usize,
-    indices: impl IntoIterator<Item = usize>,
-) -> String {
-    let texts: Vec<String> = indices
-        .into_iter()
-        .map(|index| corner(tiling, simplex, index))
-        .collect();
-    format!("[{}]", texts.join(", "))
-}
+    fn corners(&self, simplex: usize) -> String {
+        self.list(simplex, 0..=D)
+    }
 
-fn mended<const D: usize>(tiling: &Tiling<D>, simplex: usize) -> String {
-    list(tiling, simplex, (0..D - 1).chain([D, D - 1]))
-}
+    fn list(&self, simplex: usize, indices: impl IntoIterator<Item = usize>) -> String {
+        let indices = indices.into_iter();
+        let texts: Vec<String> = indices.map(|k| self.names.corner(simplex, k)).collect();
+        format!("[{}]", texts.join(", "))
+    }
 
-fn facet_name<const D: usize>(tiling: &Tiling<D>, facet: &Facet) -> String {
-    let opposite = usize::from(facet.opposite);
-    let simplex = facet.simplex as usize;
-    let corners = list(tiling, simplex, (0..=D).filter(|&k| k != opposite));
-    format!("facet {opposite} of simplex {simplex} {corners}")
-}
+    fn mended(&self, simplex: usize) -> String {
+        self.list(simplex, (0..D - 1).chain([D, D - 1]))
+    }
 
-fn angle_name<const D: usize>(tiling: &Tiling<D>, angle: &Angle) -> String {
-    let (i, j) = angle.facets;
-    let ridge = list(tiling, angle.simplex, (0..=D).filter(|&k| k != i && k != j));
-    format!("the dihedral angle of simplex {} at {ridge}", angle.simplex)
+    fn facet(&self, facet: &Facet) -> String {
+        let opposite = usize::from(facet.opposite);
+        let simplex = facet.simplex as usize;
+        let corners = self.list(simplex, (0..=D).filter(|&k| k != opposite));
+        format!(
+            "facet {opposite} of {} {corners}",
+            self.names.simplex(simplex)
+        )
+    }
+
+    fn angle(&self, angle: &Angle) -> String {
+        let (i, j) = angle.facets;
+        let ridge = self.list(angle.simplex, (0..=D).filter(|&k| k != i && k != j));
+        format!(
+            "the dihedral angle of {} at {ridge}",
+            self.names.simplex(angle.simplex)
+        )
+    }
 }

@@ -9,6 +9,7 @@
 //! | `star` | the type of each vertex |
 //! | `tcp` | the definition of TCP, or what violates it |
 //! | `symbol` | Delaney-Dress symbols: isomorphism decided |
+//! | `symmetry` | the isometries that keep a tiling, and orbits under them |
 //!
 //! Input is a tiling that passed the checker's hypotheses; nothing here is proved
 //! about one that did not. Lengths play no part, but for the symbols that carry
@@ -19,10 +20,12 @@ mod ridges;
 mod sphere;
 mod star;
 mod symbol;
+mod symmetry;
 mod tcp;
 
 pub use ridges::{Ridge, Ridges, Wedge};
 pub use sphere::{Code, Triangle, code};
 pub use star::{Star, stars};
 pub use symbol::{Symbol, combinatorial_symbol, metric_symbol};
+pub use symmetry::{Isometry, Symmetry};
 pub use tcp::{NotTcp, check_tcp, is_tcp};

@@ -81,7 +81,7 @@ pub fn metric_symbol<const D: usize>(
 }
 
 /// The place of the edge ij, i < j, in the list 01, 02, …, 0D, 12, …
-fn edge_index<const D: usize>(i: usize, j: usize) -> usize {
+pub(super) fn edge_index<const D: usize>(i: usize, j: usize) -> usize {
     i * (2 * D + 1 - i) / 2 + (j - i - 1)
 }
 
@@ -90,7 +90,7 @@ fn symbol<L: Ord + Clone, const D: usize>(
     matching: &Matching<D>,
     label: impl Fn(usize, &[usize]) -> L,
 ) -> Option<Symbol<L, D>> {
-    if tiling.frame.domain != Domain::Space {
+    if tiling.frame.domain != Domain::Space || !matching.mismatches.is_empty() {
         return None;
     }
     let orders = orders::<D>();
@@ -103,7 +103,7 @@ fn symbol<L: Ord + Clone, const D: usize>(
 }
 
 /// All orders of D + 1 corners, sorted.
-fn orders<const D: usize>() -> Vec<Vec<usize>> {
+pub(super) fn orders<const D: usize>() -> Vec<Vec<usize>> {
     let mut orders: Vec<Vec<usize>> = vec![Vec::new()];
     for _ in 0..=D {
         orders = orders
@@ -118,8 +118,8 @@ fn orders<const D: usize>() -> Vec<Vec<usize>> {
 }
 
 /// The images s_0(C) … s_D(C) of all chambers; chamber number n of the simplex s is
-/// s (D+1)! + n. `None` if a facet has no mate.
-fn images<const D: usize>(
+/// s (D+1)! + n. Behind a facet without a mate is the chamber itself.
+pub(super) fn images<const D: usize>(
     tiling: &Tiling<D>,
     matching: &Matching<D>,
     orders: &[Vec<usize>],
@@ -127,9 +127,9 @@ fn images<const D: usize>(
     let number = |order: &[usize]| orders.binary_search_by(|other| other[..].cmp(order)).ok();
     let mut images = Vec::with_capacity(tiling.len() * orders.len());
     for simplex in 0..tiling.len() {
-        let gluings = (0..=D)
+        let gluings: Vec<Option<(usize, Vec<usize>)>> = (0..=D)
             .map(|opposite| gluing(tiling, matching, simplex, opposite))
-            .collect::<Option<Vec<_>>>()?;
+            .collect();
         for order in orders {
             let mut row = Vec::with_capacity(D + 1);
             for k in 0..D {
@@ -137,9 +137,13 @@ fn images<const D: usize>(
                 exchanged.swap(k, k + 1);
                 row.push((simplex * orders.len() + number(&exchanged)?) as u32);
             }
-            let (neighbour, map) = &gluings[order[D]];
-            let carried: Vec<usize> = order.iter().map(|&k| map[k]).collect();
-            row.push((neighbour * orders.len() + number(&carried)?) as u32);
+            row.push(match &gluings[order[D]] {
+                Some((neighbour, map)) => {
+                    let carried: Vec<usize> = order.iter().map(|&k| map[k]).collect();
+                    (neighbour * orders.len() + number(&carried)?) as u32
+                }
+                None => images.len() as u32,
+            });
             images.push(row);
         }
     }
@@ -172,9 +176,10 @@ fn gluing<const D: usize>(
     Some((neighbour, map))
 }
 
-/// The quotient by the coarsest partition that separates labels and that the maps respect.
-fn minimal<L: Ord + Clone, const D: usize>(labels: Vec<L>, images: &[Vec<u32>]) -> Symbol<L, D> {
-    let (mut colours, mut count) = ranks(&labels);
+/// The coarsest partition of the chambers that separates labels and that the maps respect:
+/// a colour for each chamber, numbered from zero.
+pub(super) fn coarsest<L: Ord>(labels: &[L], images: &[Vec<u32>]) -> Vec<u32> {
+    let (mut colours, mut count) = ranks(labels);
     loop {
         let signatures: Vec<Vec<u32>> = images
             .iter()
@@ -186,10 +191,15 @@ fn minimal<L: Ord + Clone, const D: usize>(labels: Vec<L>, images: &[Vec<u32>]) 
             .collect();
         let (finer, finer_count) = ranks(&signatures);
         if finer_count == count {
-            break;
+            return colours;
         }
         (colours, count) = (finer, finer_count);
     }
+}
+
+/// The quotient by the coarsest partition.
+fn minimal<L: Ord + Clone, const D: usize>(labels: Vec<L>, images: &[Vec<u32>]) -> Symbol<L, D> {
+    let colours = coarsest(&labels, images);
     // The last partition is respected: equal colours have equal images.
     let mut chambers: Vec<usize> = (0..labels.len()).collect();
     chambers.sort_by_key(|&chamber| colours[chamber]);

@@ -48,8 +48,17 @@ pub enum Command {
     Paper(PaperArguments),
     /// How good the simplices are: dihedral angles, radius-edge and aspect ratios
     Quality(QualityArguments),
+    /// Write a page to look at: the tiling in three dimensions, its exact data, its certificate
+    ///
+    /// One HTML file that loads nothing. A tiling that is no certificate yet is proved first;
+    /// nothing is written that the kernel does not confirm.
+    Report(ReportArguments),
+    /// Write a static site of the whole catalogue
+    Gallery(GalleryArguments),
     /// Valences, vertex types, TCP or why not, and what the tiling is isomorphic to
     Classify(ClassifyArguments),
+    /// A LaTeX appendix about certificates: theorem, numbers, and how to check them
+    Appendix(AppendixArguments),
     /// Print a completion script for a shell
     Completions(CompletionsArguments),
     /// Print the manual page
@@ -86,7 +95,7 @@ pub struct MeshArguments {
     pub moves: Option<PathBuf>,
     /// The format of a mesh file that has no extension of its own: msh4, vtk, vtu, medit,
     /// meshb, tetgen
-    #[arg(long = "format", value_name = "FORMAT", value_parser = Format::parse)]
+    #[arg(long = "from", value_name = "FORMAT", value_parser = Format::parse)]
     pub mesh_format: Option<Format>,
 }
 
@@ -211,10 +220,10 @@ pub struct CertifyArguments {
     /// Give negatively oriented simplices positive orientation
     #[arg(long)]
     pub reorient: bool,
-    /// How many defects of each kind to describe; all are counted
-    #[arg(long, value_name = "N", default_value_t = 20)]
-    pub max_defects: usize,
-    /// One JSON object for each input
+    /// How many defects of each kind to tell; all are counted. Without it 20, and with --json all
+    #[arg(long, value_name = "N")]
+    pub max_defects: Option<usize>,
+    /// One JSON object a line: one for each input, and for a refuted one then one for each defect
     #[arg(long)]
     pub json: bool,
 }
@@ -310,6 +319,25 @@ pub struct PaperArguments {
 }
 
 #[derive(Debug, Args)]
+pub struct ReportArguments {
+    /// Certificates, names of the catalogue, tiling or mesh files, or point sets (CIF too)
+    #[arg(value_name = "CERT|NAME|FILE", required = true)]
+    pub inputs: Vec<String>,
+    #[command(flatten)]
+    pub file: FileArguments,
+    /// Write the page here and not to standard output
+    #[arg(short, long, value_name = "FILE")]
+    pub output: Option<PathBuf>,
+}
+
+#[derive(Debug, Args)]
+pub struct GalleryArguments {
+    /// Write the site into this directory
+    #[arg(short, long, value_name = "DIR", required = true)]
+    pub output: PathBuf,
+}
+
+#[derive(Debug, Args)]
 pub struct ClassifyArguments {
     /// A name of the catalogue, a tiling or mesh file, or a point set (CIF too) (`-` for standard input)
     #[arg(value_name = "NAME|FILE")]
@@ -319,6 +347,27 @@ pub struct ClassifyArguments {
     /// One JSON object
     #[arg(long)]
     pub json: bool,
+}
+
+#[derive(Debug, Args)]
+pub struct AppendixArguments {
+    /// Certificates, names of the catalogue, tiling files, or point sets (CIF too)
+    #[arg(value_name = "CERT|NAME|FILE", required_unless_present = "all")]
+    pub inputs: Vec<String>,
+    #[command(flatten)]
+    pub file: FileArguments,
+    /// The whole catalogue
+    #[arg(long)]
+    pub all: bool,
+    /// Write the files into this directory
+    #[arg(short, long, value_name = "DIR")]
+    pub output: PathBuf,
+    /// Replace files that are there, even if they are others' or were edited
+    #[arg(long)]
+    pub force: bool,
+    /// Print decimals with the package siunitx
+    #[arg(long)]
+    pub siunitx: bool,
 }
 
 #[derive(Debug, Args)]

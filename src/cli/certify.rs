@@ -5,10 +5,11 @@ use super::args::CertifyArguments;
 use super::input;
 use super::output::{Output, write_file};
 use super::progress::Progress;
+use super::refutation::Refuted;
 use super::verify::summary;
 use crate::catalog;
 use crate::certificate;
-use crate::checker::{self, Options, defect_data};
+use crate::checker::{self, Findings, Options};
 use crate::import::uncompressed_name;
 use crate::tiling::Tiling;
 use crate::verifier::{self, Limits, Verified};
@@ -124,7 +125,7 @@ fn file_name(input: &str) -> String {
 /// What became of one input.
 enum Answer {
     Proved { verified: Verified, bytes: Vec<u8> },
-    Refuted { counts: Value, defects: Vec<Value> },
+    Refuted(Box<Refuted>),
     Failed(String),
     Declined(String),
 }
@@ -149,24 +150,35 @@ fn prove(input: &str, arguments: &CertifyArguments, output: &mut Output) -> Answ
     }
     let options = Options {
         required: arguments.required.clone(),
-        defect_limit: arguments.max_defects,
+        defect_limit: defect_limit(arguments),
     };
-    with_dimension!(&named.tiling, AnyTiling, t => prove_tiling(t, input, &options))
+    let proved = with_dimension!(&named.tiling, AnyTiling, t => prove_tiling(t, input, &options));
+    proved.unwrap_or_else(|findings| {
+        Answer::Refuted(Box::new(Refuted {
+            tiling: named.tiling,
+            origin: named.origin,
+            findings,
+        }))
+    })
+}
+
+/// Twenty defects of each kind for people, all for machines, if not said otherwise.
+fn defect_limit(arguments: &CertifyArguments) -> usize {
+    const FOR_PEOPLE: usize = 20;
+    arguments.max_defects.unwrap_or(match arguments.json {
+        true => usize::MAX,
+        false => FOR_PEOPLE,
+    })
 }
 
 /// The kernel has the last word: what it does not confirm is not called proved.
-fn prove_tiling<const D: usize>(tiling: &Tiling<D>, name: &str, options: &Options) -> Answer {
+fn prove_tiling<const D: usize>(
+    tiling: &Tiling<D>,
+    name: &str,
+    options: &Options,
+) -> Result<Answer, Findings> {
     let progress = Progress::of(name);
-    let certificate = match checker::prove(tiling, options, &|step| progress.step(step)) {
-        Ok(certificate) => certificate,
-        Err(refutation) => {
-            let kept = refutation.kept().iter();
-            return Answer::Refuted {
-                counts: json!(refutation.counts()),
-                defects: kept.map(|defect| defect_data(tiling, defect)).collect(),
-            };
-        }
-    };
+    let certificate = checker::prove(tiling, options, &|step| progress.step(step))?;
     let bytes = certificate::to_bytes(&certificate);
     progress.step("verification");
     // Its size is no reason to doubt what was proved here.
@@ -175,14 +187,14 @@ fn prove_tiling<const D: usize>(tiling: &Tiling<D>, name: &str, options: &Option
         simplices: usize::MAX,
         ..Limits::DEFAULT
     };
-    match verifier::verify(&bytes, &limits) {
+    Ok(match verifier::verify(&bytes, &limits) {
         Ok(verified) => Answer::Proved { verified, bytes },
         Err(refusal) => Answer::Declined(format!(
             "{name}: the kernel does not confirm the certificate: {} [{}] {refusal}",
             refusal.kind(),
             refusal.code()
         )),
-    }
+    })
 }
 
 impl Answer {
@@ -206,7 +218,7 @@ impl Answer {
     fn outcome(&self) -> Outcome {
         match self {
             Answer::Proved { .. } => Outcome::Done,
-            Answer::Refuted { .. } => Outcome::Refuted,
+            Answer::Refuted(_) => Outcome::Refuted,
             Answer::Failed(_) => Outcome::Failed,
             Answer::Declined(_) => Outcome::Declined,
         }
@@ -214,79 +226,47 @@ impl Answer {
 
     /// Tells the answer, on standard error where standard output has the certificate.
     fn report(&self, input: &str, target: &Target, as_json: bool, output: &mut Output) {
-        let is_failure = matches!(self, Answer::Failed(_) | Answer::Declined(_));
-        let text = match as_json {
-            true => self.in_json(input, target).to_string(),
-            false => self.in_words(input, target),
+        let to_error = matches!(target, Target::StandardOutput);
+        let (words, data) = match self {
+            Answer::Refuted(refuted) => return refuted.tell(input, as_json, to_error, output),
+            Answer::Proved { verified, .. } => proved(verified, input, target),
+            Answer::Failed(message) => (
+                format!("acutile: {message}"),
+                json!({ "input": input, "verdict": "failed", "message": message }),
+            ),
+            Answer::Declined(message) => (
+                format!("acutile: declined: {message}"),
+                json!({ "input": input, "verdict": "declined", "message": message }),
+            ),
         };
-        if matches!(target, Target::StandardOutput) || (is_failure && !as_json) {
-            output.complain(text);
-        } else {
-            output.line(text);
-        }
-    }
-
-    fn in_words(&self, input: &str, target: &Target) -> String {
-        match self {
-            Answer::Proved { verified, .. } => match target {
-                Target::File(path) => {
-                    format!("{input}: proved: {}; {}", summary(verified), path.display())
-                }
-                _ => format!("{input}: proved: {}", summary(verified)),
-            },
-            Answer::Refuted { counts, defects } => {
-                let head = format!("{input}: refuted: {}", count_text(counts));
-                let lines = defects.iter().map(|defect| format!("  {}", words(defect)));
-                std::iter::once(head)
-                    .chain(lines)
-                    .collect::<Vec<_>>()
-                    .join("\n")
-            }
-            Answer::Failed(message) => format!("acutile: {message}"),
-            Answer::Declined(message) => format!("acutile: declined: {message}"),
-        }
-    }
-
-    fn in_json(&self, input: &str, target: &Target) -> Value {
-        match self {
-            Answer::Proved { verified, .. } => json!({
-                "input": input,
-                "verdict": "proved",
-                "statements": verified.claim().statements,
-                "vertices": verified.vertices(),
-                "simplices": verified.simplices(),
-                "sha256": verified.sha256(),
-                "certificate": match target {
-                    Target::File(path) => Some(path.to_string_lossy()),
-                    _ => None,
-                },
-            }),
-            Answer::Refuted { counts, defects } => json!({
-                "input": input,
-                "verdict": "refuted",
-                "counts": counts,
-                "defects": defects,
-            }),
-            Answer::Failed(message) => {
-                json!({ "input": input, "verdict": "failed", "message": message })
-            }
-            Answer::Declined(message) => {
-                json!({ "input": input, "verdict": "declined", "message": message })
-            }
+        let is_failure = matches!(self, Answer::Failed(_) | Answer::Declined(_));
+        match as_json {
+            true if to_error => output.complain(data),
+            true => output.line(data),
+            false if to_error || is_failure => output.complain(words),
+            false => output.line(words),
         }
     }
 }
 
-/// `code: message` of a defect.
-fn words(defect: &Value) -> String {
-    let member = |name: &str| defect[name].as_str().unwrap_or_default();
-    format!("{}: {}", member("code"), member("message"))
-}
-
-fn count_text(counts: &Value) -> String {
-    let pairs = counts.as_object().into_iter().flatten();
-    pairs
-        .map(|(code, count)| format!("{count} {code}"))
-        .collect::<Vec<_>>()
-        .join(", ")
+/// A proof in words and as data.
+fn proved(verified: &Verified, input: &str, target: &Target) -> (String, Value) {
+    let path = match target {
+        Target::File(path) => Some(path.to_string_lossy()),
+        _ => None,
+    };
+    let words = format!("{input}: proved: {}", summary(verified));
+    let data = json!({
+        "input": input,
+        "verdict": "proved",
+        "statements": verified.claim().statements,
+        "vertices": verified.vertices(),
+        "simplices": verified.simplices(),
+        "sha256": verified.sha256(),
+        "certificate": path,
+    });
+    match path {
+        Some(path) => (format!("{words}; {path}"), data),
+        None => (words, data),
+    }
 }

@@ -78,8 +78,8 @@ fn convert(
     let stays_mesh = arguments.supercell.is_empty()
         && arguments.patch.is_none()
         && arguments.file.mesh.identify.is_none();
-    let (mut tiling, mut basis) = match load(arguments)? {
-        Some(loaded) => match target {
+    let (mut tiling, mut basis) = match load(arguments, output)? {
+        Source::Mesh(loaded) => match target {
             Target::Mesh(format) if stays_mesh => {
                 progress.step("writing");
                 return Ok(write_mesh(&loaded.mesh, format, notes));
@@ -91,7 +91,7 @@ fn convert(
                 (converted.tiling, Some(converted.basis))
             }
         },
-        None => (space(arguments, output)?, None),
+        Source::Tiling(tiling) => (tiling, None),
     };
     if !arguments.supercell.is_empty() {
         let sizes = supercell_sizes(&tiling, &arguments.supercell)?;
@@ -115,25 +115,28 @@ fn convert(
     }
 }
 
-/// The mesh of a mesh file; nothing for a catalogue name or a tiling file.
-fn load(arguments: &ConvertArguments) -> Result<Option<Loaded>, InputError> {
-    let name = arguments.input.as_str();
-    let path = Path::new(name);
-    let is_mesh = arguments.file.mesh.mesh_format.is_some() || Family::of_path(path).is_some();
-    if catalog::find(name).is_some() || !is_mesh {
-        return Ok(None);
-    }
-    match input::text_or_mesh(path, &arguments.file.mesh)? {
-        TextOrMesh::Mesh(loaded) => Ok(Some(loaded)),
-        TextOrMesh::Text(_) => Ok(None),
-    }
+/// What is converted.
+enum Source {
+    Mesh(Loaded),
+    Tiling(Tiling<3>),
 }
 
-/// A tiling of space by name or from a tiling file.
-fn space(arguments: &ConvertArguments, output: &mut Output) -> Result<Tiling<3>, InputError> {
+/// The mesh of a mesh file, or the tiling of space of a name or a tiling file.
+fn load(arguments: &ConvertArguments, output: &mut Output) -> Result<Source, InputError> {
     let name = arguments.input.as_str();
-    match input::tiling(name, arguments.param.as_deref(), &arguments.file, output)?.tiling {
-        AnyTiling::Space(tiling) => Ok(tiling),
+    let is_file = catalog::find(name).is_none() && (name == "-" || Path::new(name).exists());
+    if is_file && arguments.param.is_some() {
+        return Err(format!("{name}: a file takes no parameter (--param)").into());
+    }
+    let named = match is_file {
+        true => match input::text_or_mesh(Path::new(name), &arguments.file.mesh)? {
+            TextOrMesh::Mesh(loaded) => return Ok(Source::Mesh(loaded)),
+            TextOrMesh::Text(text) => input::of_text(name, &text, &arguments.file.points, output)?,
+        },
+        false => input::tiling(name, arguments.param.as_deref(), &arguments.file, output)?,
+    };
+    match named.tiling {
+        AnyTiling::Space(tiling) => Ok(Source::Tiling(tiling)),
         AnyTiling::Plane(_) => Err(format!("{name}: a tiling of dimension 2, expected 3").into()),
     }
 }

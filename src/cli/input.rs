@@ -101,12 +101,23 @@ pub fn tiling(
     if parameter.is_some() {
         return Err(format!("{input}: a file takes no parameter (--param)").into());
     }
-    let text = match text_or_mesh(path, &options.mesh)? {
-        TextOrMesh::Mesh(loaded) => return mesh::tiling(input, loaded, &options.mesh, output),
-        TextOrMesh::Text(text) => text,
-    };
-    let points = &options.points;
-    let file = document(path, &text, points, output)?;
+    match text_or_mesh(path, &options.mesh)? {
+        TextOrMesh::Mesh(loaded) => mesh::tiling(input, loaded, &options.mesh, output),
+        TextOrMesh::Text(text) => of_text(input, &text, &options.points, output),
+    }
+}
+
+/// The tiling of a file's text; a point set becomes its Delaunay triangulation.
+///
+/// # Errors
+/// A message that names the input.
+pub fn of_text(
+    input: &str,
+    text: &str,
+    points: &PointArguments,
+    output: &mut Output,
+) -> Result<Named, InputError> {
+    let file = document(Path::new(input), text, points, output)?;
     let words = [file.name, file.description].into_iter().flatten();
     let description = words.collect::<Vec<_>>().join(": ");
     let tiling = match file.content {
@@ -201,7 +212,7 @@ pub enum TextOrMesh {
     Text(String),
 }
 
-/// The mesh of a file of a mesh format, known by `--format`, by its extension, or by its first
+/// The mesh of a file of a mesh format, known by `--from`, by its extension, or by its first
 /// bytes; the text of any other.
 ///
 /// # Errors

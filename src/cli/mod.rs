@@ -7,12 +7,14 @@
 //! | 2 | usage, unreadable input, or output that could not be written |
 //! | 3 | declined: a limit, an undecided sign, an unknown version |
 
+mod appendix;
 mod args;
 mod certify;
 mod classify;
 mod convert;
 mod delaunay;
 mod export;
+mod gallery;
 mod input;
 mod list;
 mod mesh;
@@ -22,6 +24,8 @@ mod output;
 mod paper;
 mod progress;
 mod quality;
+mod refutation;
+mod report;
 mod show;
 mod table;
 mod verify;
@@ -97,7 +101,10 @@ pub fn main() -> ExitCode {
         Command::Table(table) => table::run(&table, &mut output),
         Command::Paper(paper) => paper::run(&paper, &mut output),
         Command::Quality(quality) => quality::run(&quality, &mut output),
+        Command::Gallery(gallery) => gallery::run(&gallery, &mut output),
+        Command::Report(report) => report::run(&report, &mut output),
         Command::Classify(classify) => classify::run(&classify, &mut output),
+        Command::Appendix(appendix) => appendix::run(&appendix, &mut output),
         Command::Completions(completions) => meta::completions(&completions, &mut output),
         Command::Man => meta::man(&mut output),
     };

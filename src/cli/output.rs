@@ -6,7 +6,7 @@
 use super::Outcome;
 use std::fmt::Display;
 use std::io::{self, BufWriter, ErrorKind, Stdout, Write};
-use std::path::Path;
+use std::path::{Path, PathBuf};
 
 /// Standard output and standard error.
 pub struct Output {
@@ -97,6 +97,27 @@ pub fn write_file(path: &Path, bytes: &[u8]) -> io::Result<()> {
     file.as_file().sync_all()?;
     file.persist(path)
         .map_err(|error| without_temporary_name(error.error))?;
+    Ok(())
+}
+
+/// Writes several files into directories that are there: all to temporary files first, so that
+/// what can fail has failed before the first is renamed. The disk is not waited for: these are
+/// files that can be written again.
+pub fn write_files(files: &[(PathBuf, &[u8])]) -> Result<(), (PathBuf, io::Error)> {
+    let mut staged = Vec::with_capacity(files.len());
+    for (path, bytes) in files {
+        let stage = || {
+            let mut file = new_file(path.parent().unwrap_or(Path::new(".")))?;
+            file.write_all(bytes)?;
+            Ok(file)
+        };
+        let file = stage().map_err(|error| (path.clone(), without_temporary_name(error)))?;
+        staged.push((path, file));
+    }
+    for (path, file) in staged {
+        let unwritten = |error| (path.clone(), without_temporary_name(error));
+        file.persist(path).map_err(|error| unwritten(error.error))?;
+    }
     Ok(())
 }
 

@@ -4,6 +4,7 @@
 use super::Scalar;
 
 /// The determinant of a D x D matrix, by expansion along the first row.
+#[inline]
 pub fn determinant<S: Scalar, const D: usize>(matrix: &[[S; D]; D]) -> S {
     if D == 3 {
         let row: [S; D] = std::array::from_fn(|j| cofactor(matrix, 0, j));
@@ -14,12 +15,28 @@ pub fn determinant<S: Scalar, const D: usize>(matrix: &[[S; D]; D]) -> S {
     minor(&rows, &columns)
 }
 
-/// The matrix of cofactors C, C_ij = (-1)^(i+j) times the minor without row i and
-/// column j. Its transpose is the adjugate: M C^T = det M.
-pub fn cofactors<S: Scalar, const D: usize>(matrix: &[[S; D]; D]) -> [[S; D]; D] {
-    std::array::from_fn(|i| std::array::from_fn(|j| cofactor(matrix, i, j)))
+/// A matrix to be filled. Loops over it are unrolled where closures that make the
+/// entries would be called.
+#[inline(always)]
+pub fn zeros<S: Scalar, const N: usize, const D: usize>(like: &S) -> [[S; D]; N] {
+    let zero = like.integer(0);
+    std::array::from_fn(|_| std::array::from_fn(|_| zero.clone()))
 }
 
+/// The matrix of cofactors C, C_ij = (-1)^(i+j) times the minor without row i and
+/// column j. Its transpose is the adjugate: M C^T = det M.
+#[inline(always)]
+pub fn cofactors<S: Scalar, const D: usize>(matrix: &[[S; D]; D]) -> [[S; D]; D] {
+    let mut cofactors = zeros(&matrix[0][0]);
+    for i in 0..D {
+        for j in 0..D {
+            cofactors[i][j] = cofactor(matrix, i, j);
+        }
+    }
+    cofactors
+}
+
+#[inline(always)]
 fn cofactor<S: Scalar, const D: usize>(matrix: &[[S; D]; D], i: usize, j: usize) -> S {
     // Cyclic order of the other rows and columns makes the sign come out right in
     // dimension 3 without a negation.
@@ -51,6 +68,7 @@ fn cofactor<S: Scalar, const D: usize>(matrix: &[[S; D]; D], i: usize, j: usize)
 }
 
 /// a d - b c
+#[inline(always)]
 fn determinant2<S: Scalar>(a: &S, b: &S, c: &S, d: &S) -> S {
     a.times(d).minus(&b.times(c))
 }
@@ -79,6 +97,7 @@ fn expand<S: Scalar>(rows: &[&[S]], columns: &[usize]) -> S {
 }
 
 /// The sum of x_k y_k.
+#[inline(always)]
 pub fn dot<S: Scalar, const D: usize>(x: &[S; D], y: &[S; D]) -> S {
     let mut sum = x[0].times(&y[0]);
     for k in 1..D {
@@ -88,6 +107,7 @@ pub fn dot<S: Scalar, const D: usize>(x: &[S; D], y: &[S; D]) -> S {
 }
 
 /// The sum of x_k.
+#[inline(always)]
 pub fn sum<S: Scalar, const D: usize>(x: &[S; D]) -> S {
     let mut sum = x[0].clone();
     for k in 1..D {
@@ -97,16 +117,27 @@ pub fn sum<S: Scalar, const D: usize>(x: &[S; D]) -> S {
 }
 
 /// M x
+#[inline(always)]
 pub fn apply<S: Scalar, const D: usize>(matrix: &[[S; D]; D], x: &[S; D]) -> [S; D] {
-    std::array::from_fn(|i| dot(&matrix[i], x))
+    let [mut image] = zeros(&x[0]);
+    for i in 0..D {
+        image[i] = dot(&matrix[i], x);
+    }
+    image
 }
 
 /// x^T M x: the squared length of a vector, for a Gram matrix M.
+#[inline(always)]
 pub fn square<S: Scalar, const D: usize>(gram: &[[S; D]; D], x: &[S; D]) -> S {
     dot(x, &apply(gram, x))
 }
 
 /// x - y
+#[inline(always)]
 pub fn subtract<S: Scalar, const D: usize>(x: &[S; D], y: &[S; D]) -> [S; D] {
-    std::array::from_fn(|k| x[k].minus(&y[k]))
+    let [mut difference] = zeros(&x[0]);
+    for k in 0..D {
+        difference[k] = x[k].minus(&y[k]);
+    }
+    difference
 }

@@ -21,6 +21,7 @@ pub trait Scalar: Clone + std::fmt::Debug + Send + Sync {
     /// The exact sign.
     fn sign(&self) -> Sign;
     /// |x|
+    #[inline]
     fn magnitude(&self) -> Self {
         match self.sign() {
             Ordering::Less => self.integer(0).minus(self),
@@ -38,22 +39,27 @@ pub trait Scalar: Clone + std::fmt::Debug + Send + Sync {
 
 /// Doubles, for candidates and pictures only: no sign of a double decides a proof.
 impl Scalar for f64 {
+    #[inline]
     fn integer(&self, value: i64) -> Self {
         value as f64
     }
 
+    #[inline]
     fn plus(&self, other: &Self) -> Self {
         self + other
     }
 
+    #[inline]
     fn minus(&self, other: &Self) -> Self {
         self - other
     }
 
+    #[inline]
     fn times(&self, other: &Self) -> Self {
         self * other
     }
 
+    #[inline]
     fn sign(&self) -> Sign {
         self.partial_cmp(&0.0).unwrap_or(Ordering::Equal)
     }

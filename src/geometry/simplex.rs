@@ -40,6 +40,7 @@ impl<S: Scalar, const D: usize> Simplex<S, D> {
     }
 
     /// The simplex with these edges e_1 … e_D from corner 0, in basis coordinates.
+    #[inline(always)]
     pub fn from_edges(edges: [[S; D]; D]) -> Self {
         let gradients = linear::cofactors(&edges);
         let determinant = linear::dot(&edges[0], &gradients[0]);
@@ -54,19 +55,22 @@ impl<S: Scalar, const D: usize> Simplex<S, D> {
     ///
     /// As g_0 = -(g_1 + … + g_D), its products are sums of the others:
     /// <g_0, g_j> = -Σ_i <g_i, g_j> and <g_0, g_0> = -Σ_j <g_0, g_j>.
+    #[inline(always)]
     pub fn normal_products(&self, cogram: &[[S; D]; D]) -> NormalProducts<S, D> {
-        let images: [[S; D]; D] =
-            std::array::from_fn(|j| linear::apply(cogram, &self.gradients[j]));
         let zero = self.determinant.integer(0);
-        let mut inner: [[S; D]; D] = std::array::from_fn(|_| std::array::from_fn(|_| zero.clone()));
-        for i in 0..D {
-            for j in i..D {
-                inner[i][j] = linear::dot(&self.gradients[i], &images[j]);
+        let mut inner: [[S; D]; D] = linear::zeros(&zero);
+        for j in 0..D {
+            let image = linear::apply(cogram, &self.gradients[j]);
+            for i in 0..=j {
+                inner[i][j] = linear::dot(&self.gradients[i], &image);
                 inner[j][i] = inner[i][j].clone();
             }
         }
         let minus_sum = |row: &[S; D]| zero.minus(&linear::sum(row));
-        let first: [S; D] = std::array::from_fn(|j| minus_sum(&inner[j]));
+        let [mut first] = linear::zeros(&zero);
+        for j in 0..D {
+            first[j] = minus_sum(&inner[j]);
+        }
         NormalProducts {
             corner: minus_sum(&first),
             first,
@@ -76,6 +80,7 @@ impl<S: Scalar, const D: usize> Simplex<S, D> {
 
     /// Calls `visit` with the squared lengths of the edges: of e_1 … e_D, then of
     /// e_j - e_i for i < j.
+    #[inline]
     pub fn for_squared_edges(&self, gram: &[[S; D]; D], mut visit: impl FnMut(&S)) {
         for edge in &self.edges {
             visit(&linear::square(gram, edge));
@@ -120,6 +125,7 @@ impl<S: Scalar, const D: usize> Simplex<S, D> {
     /// x ↦ |x|² - Σ λ_i(x) |e_i|² (x measured from corner 0) vanishes on the
     /// circumsphere, for it is a monic quadratic that is zero at all corners;
     /// times d it is the polynomial d |x|² - Σ (g_i · x) |e_i|².
+    #[inline(always)]
     pub fn power(&self, gram: &[[S; D]; D], offset: &[S; D]) -> S {
         let mut power = self.determinant.times(&linear::square(gram, offset));
         for (edge, gradient) in self.edges.iter().zip(&self.gradients) {
@@ -144,11 +150,25 @@ pub struct NormalProducts<S, const D: usize> {
 impl<S: Scalar, const D: usize> NormalProducts<S, D> {
     /// <g_i, g_j>: negative, zero or positive as the dihedral angle between the
     /// facets i and j is acute, right or obtuse.
+    #[inline(always)]
     pub fn get(&self, i: usize, j: usize) -> &S {
         match (i, j) {
             (0, 0) => &self.corner,
             (0, k) | (k, 0) => &self.first[k - 1],
             _ => &self.inner[i - 1][j - 1],
+        }
+    }
+
+    /// Calls `visit` with i, j and the product for all pairs i < j, in order.
+    #[inline(always)]
+    pub fn for_pairs(&self, mut visit: impl FnMut(usize, usize, &S)) {
+        for (j, product) in self.first.iter().enumerate() {
+            visit(0, j + 1, product);
+        }
+        for i in 0..D {
+            for j in i + 1..D {
+                visit(i + 1, j + 1, &self.inner[i][j]);
+            }
         }
     }
 

@@ -3,8 +3,8 @@
 //! | file | holds |
 //! |---|---|
 //! | `mod.rs` | [`Mesh`]: what all formats have in common |
-//! | [`format`] | [`Format`]: names, extensions, how a file is recognised |
-//! | [`load`] | a file, or standard input, read into a mesh |
+//! | [`mod@format`] | [`Format`]: names, extensions, how a file is recognised |
+//! | [`mod@load`] | a file, or standard input, read into a mesh |
 //! | `msh`, `msh2`, `msh4`, `msh_write` | Gmsh MSH 2 and 4.1 |
 //! | `vtk`, `vtu`, `vtu_data`, `vtu_write` | VTK legacy and XML files |
 //! | `medit`, `tetgen` | MEDIT `.mesh` and `.meshb`, TetGen `.node` and `.ele` |
@@ -12,7 +12,7 @@
 //! | [`lattice`] | the lattice of a periodic mesh |
 //! | [`convert`], `identify`, `snap` | a mesh as a tiling |
 //! | [`origin`] | a tiling's indices in the numbers of the file |
-//! | [`flatten`], `patch` | a tiling as a mesh |
+//! | [`mod@flatten`], `patch` | a tiling as a mesh |
 //!
 //! A reader checks form; whether the mesh tiles anything is the checker's business.
 //! Every coordinate is a finite double and means the dyadic rational that it is.

@@ -6,7 +6,7 @@ use crate::tiling::{Corner, Domain, Frame, Tiling};
 use malachite::Rational;
 use std::collections::HashMap;
 
-/// No patch looks at more translates of vertices.
+/// No patch looks at more translates of tetrahedra.
 const MOST: f64 = 2e7;
 
 /// The tetrahedra of a tiling, translates included, whose corners are at most `radius` away
@@ -15,7 +15,7 @@ const MOST: f64 = 2e7;
 /// # Errors
 /// Where there is none, or the ball holds too many.
 pub fn patch(tiling: &Tiling<3>, radius: &Rational) -> Result<Tiling<3>, String> {
-    let reach = reach(tiling, radius)?;
+    let reach = reach(tiling, radius);
     let mut patch = Patch {
         tiling,
         square: Number::from(radius * radius),
@@ -23,14 +23,22 @@ pub fn patch(tiling: &Tiling<3>, radius: &Rational) -> Result<Tiling<3>, String>
         vertices: Vec::new(),
     };
     let mut corners = Vec::new();
+    let mut work = 0.0;
     for simplex in tiling.simplices() {
-        // The translates that may have the first corner in the ball.
-        let first = simplex[0].shift;
-        for step in steps(reach) {
-            let step = crate::tiling::difference(step, first);
+        let ranges = ranges(tiling, simplex[0], reach);
+        work += ranges
+            .iter()
+            .map(|(low, high)| (high - low + 1.0).max(0.0))
+            .product::<f64>();
+        if work.is_nan() || work > MOST {
+            return Err(format!(
+                "the ball of radius {radius} holds too many tetrahedra"
+            ));
+        }
+        for step in steps(ranges) {
             let moved: Option<Vec<u32>> = simplex
                 .iter()
-                .map(|c| patch.vertex(c.moved(step)))
+                .map(|corner| patch.vertex(corner.moved(step)))
                 .collect();
             corners.extend(moved.into_iter().flatten().map(Corner::of));
         }
@@ -42,38 +50,29 @@ pub fn patch(tiling: &Tiling<3>, radius: &Rational) -> Result<Tiling<3>, String>
     Ok(used_only(frame, &patch.vertices, corners))
 }
 
-/// Bounds of the shifts in each direction: |f_k| <= R √(G^-1)_kk for a point with the basis
-/// coordinates f in the ball, so a shift is at most that and |x_k| of the vertex x.
-fn reach(tiling: &Tiling<3>, radius: &Rational) -> Result<[i32; 3], String> {
+/// R √(G^-1)_kk, about: no basis coordinate of a point in the ball is larger.
+fn reach(tiling: &Tiling<3>, radius: &Rational) -> [f64; 3] {
     let determinant = linear::determinant(&tiling.frame.gram).approximate();
     let cofactors = linear::cofactors(&tiling.frame.gram);
     let radius = Number::from(radius.clone()).approximate();
-    let rank = tiling.frame.rank();
-    let bound = |k: usize| {
-        let width = (cofactors[k][k].approximate() / determinant).sqrt();
-        let farthest = tiling
-            .vertices
-            .iter()
-            .map(|v| v[k].approximate().abs())
-            .fold(0.0, f64::max);
-        match k < rank {
-            true => (radius * width * (1.0 + 1e-9) + farthest + 1.0).ceil(),
-            false => 0.0,
-        }
-    };
-    let bounds = [bound(0), bound(1), bound(2)];
-    let translates: f64 = bounds.iter().map(|bound| 2.0 * bound + 1.0).product();
-    let work = translates * tiling.len() as f64;
-    if work.is_nan() || work > MOST {
-        return Err(format!(
-            "the ball of radius {radius} holds too many tetrahedra"
-        ));
-    }
-    Ok(bounds.map(|bound| bound as i32))
+    std::array::from_fn(|k| radius * (cofactors[k][k].approximate() / determinant).sqrt())
 }
 
-fn steps(reach: [i32; 3]) -> impl Iterator<Item = [i32; 3]> {
-    let range = move |k: usize| -reach[k]..=reach[k];
+/// The lattice vectors that may move a corner into the ball, with a margin for rounding.
+fn ranges(tiling: &Tiling<3>, corner: Corner<3>, reach: [f64; 3]) -> [(f64, f64); 3] {
+    let vertex = tiling.vertices.vertex(corner.vertex as usize);
+    std::array::from_fn(|k| {
+        let at = vertex[k].approximate() + f64::from(corner.shift[k]);
+        let reach = reach[k] * (1.0 + 1e-9) + 1e-6;
+        match k < tiling.frame.rank() {
+            true => ((-reach - at).ceil(), (reach - at).floor()),
+            false => (0.0, 0.0),
+        }
+    })
+}
+
+fn steps(ranges: [(f64, f64); 3]) -> impl Iterator<Item = [i32; 3]> {
+    let range = move |k: usize| ranges[k].0 as i32..=ranges[k].1 as i32;
     let plane = move |c| range(1).flat_map(move |b| range(0).map(move |a| [a, b, c]));
     range(2).flat_map(plane)
 }

@@ -86,16 +86,25 @@ impl<'a, const D: usize> Floats<'a, D> {
     }
 
     /// The vector from one corner to another, up to delta in each entry.
-    #[inline]
+    #[inline(always)]
     pub fn difference(&self, from: &Corner<D>, to: &Corner<D>) -> [f64; D] {
         let [a, b] = [from, to].map(|corner| &self.points[corner.vertex as usize]);
-        std::array::from_fn(|k| (b[k] - a[k]) + f64::from(to.shift[k] - from.shift[k]) * self.unit)
+        let mut difference = [0.0; D];
+        for k in 0..D {
+            let steps = f64::from(to.shift[k] - from.shift[k]);
+            difference[k] = (b[k] - a[k]) + steps * self.unit;
+        }
+        difference
     }
 
     /// The edges of a simplex from its first corner.
-    #[inline]
+    #[inline(always)]
     pub fn edges(&self, corners: &[Corner<D>]) -> [[f64; D]; D] {
-        std::array::from_fn(|k| self.difference(&corners[0], &corners[k + 1]))
+        let mut edges = [[0.0; D]; D];
+        for k in 0..D {
+            edges[k] = self.difference(&corners[0], &corners[k + 1]);
+        }
+        edges
     }
 }
 
@@ -180,15 +189,19 @@ impl<const D: usize> Filter<D> {
     }
 
     /// The signs that doubles prove; `None` if one of them stays open.
-    #[inline]
+    #[inline(always)]
     pub fn signs<P: Predicate<D>>(
         &self,
         predicate: &P,
         edges: [[f64; D]; D],
         point: &[f64; D],
     ) -> Option<Signs> {
-        let largest = |m: f64, x: &f64| if x.abs() > m { x.abs() } else { m };
-        let m = edges.iter().flatten().chain(point).fold(0.0, largest);
+        let mut m = 0.0;
+        for vector in edges.iter().chain([point]) {
+            for x in vector {
+                m = if x.abs() > m { x.abs() } else { m };
+            }
+        }
         let is_exact = m <= self.exact;
         if !is_exact && !(m >= self.low && m <= self.high && m >= self.floor) {
             return None;

@@ -48,7 +48,7 @@ impl<const D: usize> Predicate<D> for Orientation {
         D as i32
     }
 
-    #[inline]
+    #[inline(always)]
     fn values<S: Scalar>(
         &self,
         simplex: &Simplex<S, D>,
@@ -70,7 +70,7 @@ impl<const D: usize> Predicate<D> for Angles {
         2 * (D as i32 - 1)
     }
 
-    #[inline]
+    #[inline(always)]
     fn values<S: Scalar>(
         &self,
         simplex: &Simplex<S, D>,
@@ -79,7 +79,7 @@ impl<const D: usize> Predicate<D> for Angles {
         mut visit: impl FnMut(&S),
     ) {
         let products = simplex.normal_products(&metric.cogram);
-        for_pairs::<D>(|i, j| visit(products.get(i, j)));
+        products.for_pairs(|_, _, product| visit(product));
     }
 }
 
@@ -107,7 +107,7 @@ impl<const D: usize> Predicate<D> for AnglesAgainst {
         4 * (D as i32 - 1)
     }
 
-    #[inline]
+    #[inline(always)]
     fn values<S: Scalar>(
         &self,
         simplex: &Simplex<S, D>,
@@ -118,21 +118,11 @@ impl<const D: usize> Predicate<D> for AnglesAgainst {
         let products = simplex.normal_products(&metric.cogram);
         let [n, d] = [&metric.constants[0], &metric.constants[1]];
         let zero = simplex.determinant.integer(0);
-        for_pairs::<D>(|i, j| {
-            let p = products.get(i, j);
+        products.for_pairs(|i, j, p| {
             let left = p.times(&p.magnitude()).times(d);
             let right = products.get(i, i).times(products.get(j, j)).times(n);
             visit(&zero.minus(&left).minus(&right));
         });
-    }
-}
-
-#[inline]
-fn for_pairs<const D: usize>(mut visit: impl FnMut(usize, usize)) {
-    for i in 0..=D {
-        for j in i + 1..=D {
-            visit(i, j);
-        }
     }
 }
 
@@ -183,7 +173,7 @@ impl<const D: usize> Predicate<D> for InSphere {
         D as i32 + 2
     }
 
-    #[inline]
+    #[inline(always)]
     fn values<S: Scalar>(
         &self,
         simplex: &Simplex<S, D>,

@@ -21,6 +21,27 @@ pub fn short_decimal(number: &Number) -> String {
     format!("{:.6e}", number.approximate())
 }
 
+/// Nine decimals where that shows enough, else as [`short_decimal`].
+fn plain_decimal(number: &Number) -> String {
+    let value = number.approximate();
+    match (1e-3..1e9).contains(&value.abs()) {
+        true => format!("{value:.9}"),
+        false => short_decimal(number),
+    }
+}
+
+/// A point as `(1/2, 0, about 3.141592654)`: exact where that is short.
+pub fn short_point<const D: usize>(point: &[Number; D]) -> String {
+    let coordinates = point.each_ref().map(|x| {
+        let exact = x.to_string();
+        match exact.len() {
+            0..=24 => exact,
+            _ => format!("about {}", plain_decimal(x)),
+        }
+    });
+    format!("({})", coordinates.as_slice().join(", "))
+}
+
 /// An interval rounded outward to six decimals: `89.999998 to 90.000001`, or one
 /// number where both ends print alike.
 pub fn decimal_range((lower, upper): &(Rational, Rational)) -> String {

@@ -14,9 +14,10 @@ mod shape;
 
 pub use angle::{dihedral_degrees, display_width};
 pub use bounds::{Bounds, bounds};
+pub use closed_form::{rational_root, root};
 pub use decimal::{
     ceiling_to_i64, decimal_range, floor_to_i64, rounded_down, rounded_nearest, rounded_up,
-    short_decimal,
+    short_decimal, short_point,
 };
 pub use measure::{DihedralAngle, Exact, RadiusEdge};
 pub use ranges::{Measures, Range, Ranges, measures, measures_of_shapes, ranges};

@@ -1366,7 +1366,7 @@ function missing(tiling, s, i, t, j, shift) {
 // ---- The region of a mesh ------------------------------------------------------------------------------------------------------
 //
 // Its boundary does not meet itself, and nothing is outside of it. The verifier in Rust separates triangles by functionals and sends rays
-// along (1, ε, ε²); here edges are cut with triangles, and the rays go along (ε², ε, 1). The covering number that a ray finds is that at its
+// along (1, ε, ε²); here edges are cut with triangles, and the rays go along (1, ε², ε). The covering number that a ray finds is that at its
 // beginning, whatever its direction.
 
 function checkRegion(tiling) {
@@ -1418,12 +1418,13 @@ function extentsOf(tiling, triangles) {
   );
 }
 
+const pairCost = (tiling) => 64n * productCost(tiling);
 const overlap = (p, q) => p.begin <= q.end && q.begin <= p.end;
 
 /** Any two triangles meet in the convex hull of the corners that they share, and these are not three. */
 function checkBoundaryApart(tiling, triangles, extents) {
   const budget = new Budget(tiling.work, "for the facets in the boundary");
-  const cost = productCost(tiling) * 64n;
+  const cost = pairCost(tiling);
   eachClosePair(extents, budget.limit, (t, u) => {
     budget.spend(cost);
     const [f, g] = [triangles[t], triangles[u]];
@@ -1507,20 +1508,25 @@ function cutsInPlane(tiling, [p, q], corners, n) {
 /** N = 0 directly outside of the first triangle of each class, where two are joined at an edge that no third one has. */
 function checkCovering(tiling, triangles, extents) {
   const budget = new Budget(tiling.work, "for the facets in the boundary");
+  const cost = pairCost(tiling);
+  const passing = (start) => (count, triangle) => {
+    budget.spend(cost);
+    return count + crossing(tiling, start, triangle);
+  };
   for (const first of firstOfClasses(triangles)) {
     budget.spend(BigInt(triangles.length));
     const start = triangles[first];
-    const isBehind = lastSign(tiling, start.normal) < 0;
+    const isBehind = raySign(tiling, start.normal) < 0;
     const ahead = triangles.filter((_, t) => mayBeAhead(extents[first], extents[t]));
-    const outside = ahead.reduce((count, triangle) => count + crossing(tiling, start, triangle), isBehind ? -1 : 0);
+    const outside = ahead.reduce(passing(start), isBehind ? -1 : 0);
     if (outside === 0) continue;
     const where = `directly outside of ${facetName(start.s, start.i)} in the boundary`;
     refuse("covering", `${where} the covering number is ${outside}, not 0`);
   }
 }
 
-/** Not where all of the other triangle is below the first, or beside it. */
-const mayBeAhead = (first, other) => other[2].end >= first[2].begin && overlap(other[0], first[0]) && overlap(other[1], first[1]);
+/** Not where all of the other triangle is behind the first, or beside it. */
+const mayBeAhead = (first, other) => other[0].end >= first[0].begin && overlap(other[1], first[1]) && overlap(other[2], first[2]);
 
 /** Classes as trees of parents; the root is the first of its class. */
 function firstOfClasses(triangles) {
@@ -1546,7 +1552,7 @@ function firstOfClasses(triangles) {
 }
 
 /**
- * How the ray from the centroid m of `start` along d = (ε², ε, 1) passes a triangle: 1 if it leaves the region there, -1 if it enters, 0 if it
+ * How the ray from the centroid m of `start` along d = (1, ε², ε) passes a triangle: 1 if it leaves the region there, -1 if it enters, 0 if it
  * misses it. With A = a - m, …: it meets the triangle where d · (A × B), d · (B × C), d · (C × A) have the sign of det(A, B, C), not zero; and
  * that is the sign of d · n. All is 3 N times too large.
  */
@@ -1555,13 +1561,13 @@ function crossing(tiling, start, { corners, normal: n }) {
   const centre = [0, 1, 2].map((k) => total(start.corners.map((v) => vertices[v][k])));
   const away = corners.map((v) => vectorBetween(centre, vertices[v].map((x) => scaled(x, 3n))));
   const side = signInBoundary(tiling, ring.dot(n, away[0]), "side of a centroid with respect to a facet in the boundary");
-  const isMet = side !== 0 && sidesOf(away).every((pair) => lastSign(tiling, normal(ring, pair)) === side);
+  const isMet = side !== 0 && sidesOf(away).every((pair) => raySign(tiling, normal(ring, pair)) === side);
   return isMet ? side : 0;
 }
 
-/** The sign of d · w for d = (ε², ε, 1) and all small ε > 0. */
-function lastSign(tiling, w) {
-  for (const entry of [...w].reverse()) {
+/** The sign of d · w for d = (1, ε², ε) and all small ε > 0. */
+function raySign(tiling, [x, y, z]) {
+  for (const entry of [x, z, y]) {
     const found = signInBoundary(tiling, entry, "direction of a facet in the boundary, scaled");
     if (found !== 0) return found;
   }

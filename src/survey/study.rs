@@ -44,7 +44,12 @@ impl<const D: usize> Study<D> {
                 let first = refutation.kept().first();
                 return Err(first.map_or_else(
                     || "refuted".to_owned(),
-                    |defect| format!("refuted: {}", checker::describe(&tiling, defect)),
+                    |defect| {
+                        format!(
+                            "refuted: {}",
+                            checker::describe::<D>(&checker::Names::of(&tiling), defect)
+                        )
+                    },
                 ));
             }
         };

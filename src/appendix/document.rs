@@ -1,0 +1,150 @@
+//! The files: a document that compiles alone, the fragment for another document, a
+//! supplement with the long tables, the bibliography, and the certificates.
+
+use super::bibliography::{FORMATTED, REFERENCES};
+use super::overview;
+use super::subject::Subject;
+use super::{File, Options, Parts};
+use sha2::{Digest, Sha256};
+
+const MACROS: &str = include_str!("macros.tex");
+const SOUNDNESS: &str = include_str!("soundness.tex");
+
+/// All files, in the order of their names.
+pub fn files(subjects: &[Subject], parts: Vec<Parts>, options: &Options) -> Vec<File> {
+    let mut files = vec![
+        text("main.tex", main(options)),
+        text("supplement.tex", supplement(subjects, options)),
+        text("appendix.tex", fragment(subjects)),
+        text("acutile-macros.tex", MACROS.to_owned()),
+        text("soundness.tex", SOUNDNESS.to_owned()),
+        text("refs.bib", versioned(REFERENCES)),
+    ];
+    let rows = parts.iter().filter_map(|part| part.row.clone()).collect();
+    files.push(text("overview.tex", overview::table(rows, subjects)));
+    let sections = parts.iter().map(|part| part.section.as_str());
+    let cited: Vec<&str> = sections.chain([SOUNDNESS]).collect();
+    files.push(text(
+        "main.bbl",
+        versioned(&cited_only(&cited, subjects.len() > 1)),
+    ));
+    for (subject, part) in subjects.iter().zip(parts) {
+        files.push(text(
+            &format!("tiling-{}.tex", subject.slug()),
+            part.section,
+        ));
+        files.push(text(&format!("tables-{}.tex", subject.slug()), part.tables));
+        files.push(File {
+            path: subject.certificate_path(),
+            bytes: subject.bytes.clone(),
+        });
+    }
+    files.sort_by(|a, b| a.path.cmp(&b.path));
+    files
+}
+
+fn versioned(text: &str) -> String {
+    text.replace("@VERSION@", env!("CARGO_PKG_VERSION"))
+}
+
+/// The bibliography without what these texts do not cite, as BibTeX would make it.
+fn cited_only(texts: &[&str], has_overview: bool) -> String {
+    let mut items = FORMATTED.split("\\bibitem{");
+    let mut kept = items.next().unwrap_or_default().to_owned();
+    for item in items {
+        let key = item.split('}').next().unwrap_or_default();
+        let is_cited = |text: &&str| {
+            text.split("\\cite").skip(1).any(|rest| {
+                let keys = rest
+                    .split_once('{')
+                    .and_then(|(_, rest)| rest.split_once('}'));
+                keys.is_some_and(|(keys, _)| keys.split(',').any(|other| other == key))
+            })
+        };
+        let is_last = item.contains("\\end{thebibliography}");
+        let in_overview = has_overview && key == "EppsteinSullivanUngor2004";
+        if in_overview || texts.iter().any(is_cited) {
+            kept.push_str(&format!("\\bibitem{{{item}"));
+        } else if is_last {
+            kept.push_str("\\end{thebibliography}\n");
+        }
+    }
+    kept
+}
+
+/// The first line of a text says what wrote it and the digest of the rest, so that a file that
+/// somebody changed is known.
+fn text(path: &str, body: String) -> File {
+    File {
+        path: path.to_owned(),
+        bytes: format!("{}\n{body}", stamp(&body)).into_bytes(),
+    }
+}
+
+fn stamp(body: &str) -> String {
+    let digest: String = Sha256::digest(body.as_bytes())
+        .iter()
+        .map(|byte| format!("{byte:02x}"))
+        .collect();
+    format!("% Written by acutile appendix; SHA-256 of the lines below: {digest}")
+}
+
+/// Whether a file is as some `acutile appendix` wrote it.
+pub fn is_unchanged(bytes: &[u8]) -> bool {
+    let Ok(text) = std::str::from_utf8(bytes) else {
+        return false;
+    };
+    text.split_once('\n')
+        .is_some_and(|(first, body)| first == stamp(body))
+}
+
+fn preamble(options: &Options) -> String {
+    let siunitx = match options.siunitx {
+        true => {
+            "\\usepackage{siunitx}\n\\newcommand{\\acutiledecimal}[1]{\\ensuremath{\\num{#1}}}\n"
+        }
+        false => "",
+    };
+    format!(
+        "\\documentclass[11pt]{{article}}\n\\usepackage[utf8]{{inputenc}}\n\\usepackage{{amsmath,amssymb,amsthm}}\n\
+         \\usepackage{{booktabs,longtable}}\n\\usepackage[a4paper,margin=25mm]{{geometry}}\n{siunitx}\
+         \\usepackage[hidelinks]{{hyperref}}\n\\setlength{{\\LTcapwidth}}{{.85\\textwidth}}\n\\emergencystretch=4em\n"
+    )
+}
+
+fn main(options: &Options) -> String {
+    format!(
+        "{}\\title{{{}}}\n\\author{{}}\n\\date{{}}\n\\begin{{document}}\n\\maketitle\n\
+         \\input{{appendix}}\n\\bibliographystyle{{plain}}\n\\bibliography{{refs}}\n\\end{{document}}\n",
+        preamble(options),
+        "Tilings proved in exact arithmetic",
+    )
+}
+
+/// What another document inputs; it needs amsmath, amssymb, amsthm, booktabs and longtable.
+fn fragment(subjects: &[Subject]) -> String {
+    let sections: String = subjects
+        .iter()
+        .map(|subject| format!("\\input{{tiling-{}}}\n", subject.slug()))
+        .collect();
+    let overview = match subjects.len() {
+        1 => "",
+        _ => "\\acutilesection{Overview}\n\\input{overview}\n",
+    };
+    format!(
+        "% Needs amsmath, amssymb, amsthm, booktabs, longtable; see acutile-macros.tex for what can be set.\n\
+         \\input{{acutile-macros}}\n{overview}{sections}\\input{{soundness}}\n"
+    )
+}
+
+fn supplement(subjects: &[Subject], options: &Options) -> String {
+    let sections: String = subjects
+        .iter()
+        .map(|subject| format!("\\input{{tables-{}}}\n", subject.slug()))
+        .collect();
+    format!(
+        "{}\\title{{{}}}\n\\author{{}}\n\\date{{}}\n\\begin{{document}}\n\\maketitle\n\\input{{acutile-macros}}\n\\small\n{sections}\\end{{document}}\n",
+        preamble(options),
+        "Supplement: all vertices, tiles and facets",
+    )
+}

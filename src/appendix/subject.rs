@@ -1,0 +1,173 @@
+//! What an appendix is about: a certificate that the kernel confirmed, and what is
+//! computed of its tiling for the tables.
+
+use super::numeral::Numerals;
+use super::tex::slug;
+use crate::certificate::{Certificate, Domain, Statement};
+use crate::classify::{Ridges, Symmetry};
+use crate::geometry::{NormalProducts, linear};
+use crate::import::tiling_of_certificate;
+use crate::number::Number;
+use crate::quality::{Shape, shapes, squared_edges};
+use crate::tiling::{AnyTiling, Matching, Tiling, match_facets};
+use crate::verifier::{self, Kind, Limits, Verified};
+
+/// A confirmed certificate with a name.
+#[derive(Debug)]
+pub struct Subject {
+    /// What it is called in headings.
+    pub name: String,
+    /// What it is, in a line; not part of what is proved.
+    pub description: String,
+    /// Where it comes from, in the words of the catalogue.
+    pub source: Option<&'static str>,
+    pub(super) bytes: Vec<u8>,
+    pub(super) verified: Verified,
+    pub(super) tiling: AnyTiling,
+}
+
+/// Why a certificate is no subject.
+#[derive(Debug)]
+pub struct NotASubject {
+    pub message: String,
+    /// What the kernel said; `None` where the prover's reader fails.
+    pub kind: Option<Kind>,
+}
+
+impl Subject {
+    /// The certificate in `bytes`, confirmed by the kernel under its limits.
+    ///
+    /// # Errors
+    /// The kernel's refusal, or what the prover cannot read.
+    pub fn of_certificate(
+        name: &str,
+        description: &str,
+        bytes: Vec<u8>,
+        limits: &Limits,
+    ) -> Result<Subject, NotASubject> {
+        let verified = verifier::verify(&bytes, limits).map_err(|refusal| NotASubject {
+            message: format!("{} [{}] {refusal}", refusal.kind(), refusal.code()),
+            kind: Some(refusal.kind()),
+        })?;
+        let unread = |message: String| NotASubject {
+            message,
+            kind: None,
+        };
+        let certificate: Certificate =
+            serde_json::from_slice(&bytes).map_err(|error| unread(error.to_string()))?;
+        let tiling =
+            tiling_of_certificate(&certificate).map_err(|error| unread(error.to_string()))?;
+        if certificate.claim.domain == Domain::Region {
+            // Its proof is another theorem than that of soundness.tex.
+            let message = "is about a region; the appendix has no words for its theorem";
+            return Err(unread(message.to_owned()));
+        }
+        Ok(Subject {
+            name: name.to_owned(),
+            description: description.to_owned(),
+            source: None,
+            bytes,
+            verified,
+            tiling,
+        })
+    }
+
+    /// The same subject with a source.
+    pub fn from_source(self, source: &'static str) -> Subject {
+        Subject {
+            source: Some(source),
+            ..self
+        }
+    }
+
+    /// The name in files and labels.
+    pub fn slug(&self) -> String {
+        slug(&self.name)
+    }
+
+    /// Where the certificate stands beside the document.
+    pub fn certificate_path(&self) -> String {
+        format!("anc/{}.json", self.slug())
+    }
+
+    pub(super) fn statements(&self) -> &[Statement] {
+        &self.verified.claim().statements
+    }
+}
+
+/// A subject in its dimension, each thing computed once.
+pub(super) struct Analysis<'s, const D: usize> {
+    pub subject: &'s Subject,
+    pub tiling: &'s Tiling<D>,
+    pub numerals: Numerals,
+    pub matching: Matching<D>,
+    pub ridges: Ridges<D>,
+    /// Squared edges 01, 02, …, 12, … of each simplex.
+    pub edges: Vec<Vec<Number>>,
+    pub shapes: Vec<Shape>,
+    pub symmetry: Symmetry<D>,
+    cogram: [[Number; D]; D],
+}
+
+impl<'s, const D: usize> Analysis<'s, D> {
+    pub fn of(subject: &'s Subject, tiling: &'s Tiling<D>) -> Self {
+        let matching = match_facets(tiling);
+        let edges: Vec<Vec<Number>> = (0..tiling.len())
+            .map(|simplex| squared_edges(tiling, simplex))
+            .collect();
+        Analysis {
+            subject,
+            tiling,
+            numerals: Numerals::of(&tiling.frame.field),
+            ridges: Ridges::of(tiling, &matching),
+            shapes: shapes(tiling),
+            symmetry: Symmetry::of(tiling, &matching, &edges),
+            cogram: linear::cofactors(&tiling.frame.gram),
+            matching,
+            edges,
+        }
+    }
+
+    pub fn rank(&self) -> usize {
+        self.tiling.frame.rank()
+    }
+
+    /// A label of this subject, `tab:a15-vertices`.
+    pub fn label(&self, what: &str) -> String {
+        format!("acutile:{}:{what}", self.subject.slug())
+    }
+
+    /// The inner products of the gradients of a simplex.
+    pub fn products(&self, simplex: usize) -> NormalProducts<Number, D> {
+        self.tiling.shape(simplex).normal_products(&self.cogram)
+    }
+
+    /// The class of each simplex.
+    pub fn class_of(&self) -> Vec<usize> {
+        let mut classes = vec![0; self.tiling.len()];
+        for (class, shape) in self.shapes.iter().enumerate() {
+            for &member in &shape.members {
+                classes[member] = class;
+            }
+        }
+        classes
+    }
+
+    /// The first simplex of each orbit, and how many there are.
+    pub fn orbits(&self) -> Vec<(usize, usize)> {
+        first_and_count(&self.symmetry.simplices)
+    }
+}
+
+/// For each of the numbers 0, 1, … the place of its first occurrence, and how often
+/// it occurs.
+pub(super) fn first_and_count(numbers: &[usize]) -> Vec<(usize, usize)> {
+    let mut found: Vec<(usize, usize)> = Vec::new();
+    for (place, &number) in numbers.iter().enumerate() {
+        match found.get_mut(number) {
+            Some((_, count)) => *count += 1,
+            None => found.push((place, 1)),
+        }
+    }
+    found
+}

@@ -1,0 +1,51 @@
+//! What simplices, corners and vertices are called in messages: by their indices, or by the
+//! numbers of the file that a mesh was read from.
+
+use crate::tiling::Tiling;
+
+/// The names of one tiling's parts.
+pub struct Names<'a> {
+    simplex: Box<dyn Fn(usize) -> String + 'a>,
+    corner: Box<dyn Fn(usize, usize) -> String + 'a>,
+    vertex: Box<dyn Fn(usize) -> String + 'a>,
+}
+
+impl<'a> Names<'a> {
+    /// Indices from zero: `simplex 3`, and corners as `5+(0, 1, 0)`.
+    pub fn of<const D: usize>(tiling: &'a Tiling<D>) -> Self {
+        Names::new(
+            |simplex| format!("simplex {simplex}"),
+            |simplex, corner| tiling.simplex(simplex)[corner].to_string(),
+            |vertex| format!("vertex {vertex}"),
+        )
+    }
+
+    /// A simplex by its index, a corner by the index of its simplex and its place in it, a
+    /// vertex by its index.
+    pub fn new(
+        simplex: impl Fn(usize) -> String + 'a,
+        corner: impl Fn(usize, usize) -> String + 'a,
+        vertex: impl Fn(usize) -> String + 'a,
+    ) -> Self {
+        Names {
+            simplex: Box::new(simplex),
+            corner: Box::new(corner),
+            vertex: Box::new(vertex),
+        }
+    }
+
+    /// The name of a simplex.
+    pub fn simplex(&self, simplex: usize) -> String {
+        (self.simplex)(simplex)
+    }
+
+    /// The name of a corner of a simplex.
+    pub fn corner(&self, simplex: usize, corner: usize) -> String {
+        (self.corner)(simplex, corner)
+    }
+
+    /// The name of a vertex.
+    pub fn vertex(&self, vertex: usize) -> String {
+        (self.vertex)(vertex)
+    }
+}

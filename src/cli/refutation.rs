@@ -1,0 +1,160 @@
+//! What is wrong with a tiling, told to people and to machines: each kind of defect with its
+//! count, the first of each with names, coordinates and advice; or all of them, one JSON object
+//! a line.
+
+use super::output::Output;
+use crate::advice::{Advice, Adviser};
+use crate::checker::{Defect, Findings, Names, defect_data, describe};
+use crate::mesh::Origin;
+use crate::quality::short_point;
+use crate::tiling::{AnyTiling, Corner, Tiling};
+use crate::with_dimension;
+use serde_json::{Value, json};
+
+/// A refuted tiling.
+pub struct Refuted {
+    pub tiling: AnyTiling,
+    /// The numbers of the file, for a mesh.
+    pub origin: Option<Origin>,
+    pub findings: Findings,
+}
+
+/// Advice takes time, so it is given for so many defects of each kind.
+const ADVISED: usize = 20;
+
+impl Refuted {
+    /// Tells about the refutation of `input`: lines for people, or JSON objects; on standard error
+    /// where standard output has something else.
+    pub fn tell(&self, input: &str, as_json: bool, to_error: bool, output: &mut Output) {
+        let mut line = |text: String| match to_error {
+            true => output.complain(text),
+            false => output.line(text),
+        };
+        with_dimension!(&self.tiling, AnyTiling, t => {
+            let names = names(t, self.origin.as_ref());
+            match as_json {
+                true => self.in_json(t, &names, input, &mut line),
+                false => self.in_words(t, &names, input, &mut line),
+            }
+        });
+    }
+
+    fn in_words<const D: usize>(
+        &self,
+        tiling: &Tiling<D>,
+        names: &Names,
+        input: &str,
+        line: &mut dyn FnMut(String),
+    ) {
+        line(format!("{input}: refuted: {}", self.counts()));
+        let adviser = Adviser::new(tiling);
+        for (code, count) in self.findings.counts() {
+            let kept = self.findings.kept().iter();
+            let kept: Vec<&Defect> = kept.filter(|defect| defect.code() == *code).collect();
+            match kept.len() {
+                0 => continue,
+                n if n < *count => line(format!("  {code}: {count}, the first {n}:")),
+                _ => line(format!("  {code}: {count}")),
+            }
+            for (index, defect) in kept.into_iter().enumerate() {
+                line(format!("    {}", describe::<D>(names, defect)));
+                for place in places(tiling, names, defect) {
+                    line(format!("      {place}"));
+                }
+                for advice in advice(&adviser, defect, index) {
+                    line(format!("      > {}", in_words(&advice, names)));
+                }
+            }
+        }
+    }
+
+    /// First the verdict with the counts, then each defect.
+    fn in_json<const D: usize>(
+        &self,
+        tiling: &Tiling<D>,
+        names: &Names,
+        input: &str,
+        line: &mut dyn FnMut(String),
+    ) {
+        let counts = self.findings.counts();
+        let head = json!({ "input": input, "verdict": "refuted", "counts": counts });
+        line(head.to_string());
+        let adviser = Adviser::new(tiling);
+        let mut seen = std::collections::BTreeMap::new();
+        for defect in self.findings.kept() {
+            let index = seen.entry(defect.code()).or_insert(0);
+            let advice = advice(&adviser, defect, *index);
+            *index += 1;
+            let advice: Vec<String> = advice.iter().map(|a| in_words(a, names)).collect();
+            let mut data = defect_data(tiling, names, defect);
+            if let Value::Object(members) = &mut data {
+                members.insert("input".to_owned(), json!(input));
+                members.insert("advice".to_owned(), json!(advice));
+            }
+            line(data.to_string());
+        }
+    }
+
+    fn counts(&self) -> String {
+        let pairs = self.findings.counts().iter();
+        pairs
+            .map(|(code, count)| format!("{count} {code}"))
+            .collect::<Vec<_>>()
+            .join(", ")
+    }
+}
+
+/// Indices, or the numbers of the file that a mesh was read from.
+fn names<'a, const D: usize>(tiling: &'a Tiling<D>, origin: Option<&'a Origin>) -> Names<'a> {
+    let Some(origin) = origin else {
+        return Names::of(tiling);
+    };
+    Names::new(
+        |simplex| {
+            let element = origin.tetrahedron(simplex);
+            match element.line {
+                Some(line) => format!("element {} (line {line})", element.tag),
+                None => format!("element {}", element.tag),
+            }
+        },
+        |simplex, corner| origin.corner(simplex, corner).to_string(),
+        |vertex| format!("node {}", origin.vertex(vertex)),
+    )
+}
+
+/// The corners of each simplex of a defect with their coordinates, the first few simplices.
+fn places<const D: usize>(tiling: &Tiling<D>, names: &Names, defect: &Defect) -> Vec<String> {
+    const FEW: usize = 4;
+    let simplices = defect.simplices().into_iter().take(FEW);
+    let place = |simplex: usize| {
+        let corners = tiling.simplex(simplex).iter().enumerate();
+        let corners = corners.map(|(k, corner)| {
+            let position = short_point(&tiling.position(corner));
+            format!("{} at {position}", names.corner(simplex, k))
+        });
+        let corners = corners.collect::<Vec<_>>().join(", ");
+        format!("{}: {corners}", names.simplex(simplex))
+    };
+    simplices.map(place).collect()
+}
+
+fn advice<const D: usize>(adviser: &Adviser<D>, defect: &Defect, index: usize) -> Vec<Advice<D>> {
+    match index < ADVISED {
+        true => adviser.advice(defect),
+        false => Vec::new(),
+    }
+}
+
+fn in_words<const D: usize>(advice: &Advice<D>, names: &Names) -> String {
+    let corner = |corner: &Corner<D>| {
+        let name = names.vertex(corner.vertex as usize);
+        match corner.shift == [0; D] {
+            true => name,
+            false => {
+                let shift = corner.shift.map(|s| s.to_string());
+                format!("{name} moved by ({})", shift.as_slice().join(", "))
+            }
+        }
+    };
+    advice.in_words(&corner, &|simplex| names.simplex(simplex))
+}

@@ -1,0 +1,374 @@
+"""One check for each marked table of an appendix."""
+import hashlib, itertools, re
+from collections import Counter
+from fractions import Fraction as F
+
+from exact import SLACK, El, check_cosine_interval, check_degrees, must
+from formulas import Reader, corner, interval, mate, math, number, rows_of
+from tiling import Certificate
+
+ORBIT_LIMIT = 700  # larger tilings have their orbits counted, not recomputed
+
+
+class Check:
+    def __init__(self, directory, name, certificate=None):
+        self.name = name
+        self.directory = directory
+        self.c = certificate or Certificate(directory / "anc" / f"{name}.json")
+        self.k = self.c.k
+        self.counts = Counter()
+        self.orbits = None
+        self.classes = None
+
+    def texts(self, files=("tiling", "tables")):
+        return {kind: (self.directory / f"{kind}-{self.name}.tex").read_text() for kind in files}
+
+    def run(self, texts):
+        self.seen = set()
+        for kind, text in texts.items():
+            lines = text.split("\n")
+            for n, line in enumerate(lines):
+                match = re.match(r"% acutile:(?:table )?(\S+)\s*(.*)$", line)
+                if match:
+                    handler = getattr(self, "check_" + match.group(1).replace("-", "_"))
+                    handler(lines, n, match.group(2).split(" ")[1:])
+                    self.seen.add(f"{kind}:{match.group(1)}")
+        if "tiling" in texts:
+            must(self.seen >= {"tiling:gram", "tiling:volume", "tiling:orbits", "tiling:pairing", "tiling:sha256"}, f"tables are missing: {self.seen}")
+            self.check_theorem(texts["tiling"])
+        if "tables" in texts:
+            must(self.seen >= {"tables:vertices", "tables:simplices", "tables:mates"}, "tables of the supplement are missing")
+
+    def equal(self, found, expected, what):
+        self.counts["numbers"] += 1
+        must(found == expected, f"{what}: found {found if not isinstance(found, El) else found.c}, "
+                                f"expected {expected if not isinstance(expected, El) else expected.c}")
+
+    def matrix(self, text):
+        inner = re.search(r"\\begin\{pmatrix\}(.*)\\end\{pmatrix\}", text).group(1)
+        return [[number(self.k, x) for x in row.split("&")] for row in inner.split("\\\\")]
+
+    def check_gram(self, lines, n, _):
+        for i, (found, expected) in enumerate(zip(self.matrix(lines[n + 1]), self.c.gram)):
+            for j in range(self.c.d):
+                self.equal(found[j], expected[j], f"gram[{i}][{j}]")
+
+    def check_theorem(self, text):
+        head = text[:text.index("\\end{acutiletheorem}")]
+        bounds = re.findall(r"(less|more) than \$(?:\\acutiledecimal\{)?([\d./]+)\}?(\^\\circ)?", head)
+        expected = []
+        for statement in self.c.claim["statements"]:
+            if isinstance(statement, dict):
+                kind, value = next(iter(statement.items()))
+                expected.append(("more" if "above" in kind else "less", F(value), "ratios" not in kind))
+        self.equal([(w, F(x), bool(c)) for w, x, c in bounds], expected, "the theorem's bounds")
+        simplices = int(re.search(r"Then the \$(\d+)\$", head).group(1))
+        self.equal(simplices, len(self.c.simplices), "the theorem's number of simplices")
+
+    def find_orbits(self):
+        if self.orbits is None and len(self.c.simplices) <= ORBIT_LIMIT:
+            simplices, vertices, order = self.c.orbits()
+            self.orbits = ({s: o for o in map(frozenset, simplices) for s in o},
+                           {v: o for o in map(frozenset, vertices) for v in o}, order)
+        return self.orbits
+
+    def class_of(self):
+        if self.classes is None:
+            number, memo = {}, {}
+            self.classes = []
+            for s in range(len(self.c.simplices)):
+                edges = tuple(self.c.edges(s).values())
+                if edges not in memo:
+                    memo[edges] = number.setdefault(self.c.form(s), len(number))
+                self.classes.append(memo[edges])
+        return self.classes
+
+    def vertex_rows(self, lines, n, whole):
+        rows = rows_of(lines, n)
+        orbits = self.find_orbits()
+        names = {}
+        for row in rows:
+            v = int(row[0])
+            for i in range(self.c.d):
+                self.equal(number(self.k, math(row[1 + i])), self.c.vertices[v][i], f"vertex {v}, x_{i + 1}")
+            name, size = int(row[1 + self.c.d]), int(row[2 + self.c.d])
+            if orbits:
+                self.equal(size, len(orbits[1][v]), f"vertex {v}, size of its orbit")
+                self.equal(names.setdefault(name, orbits[1][v]), orbits[1][v], f"vertex {v}, orbit {name}")
+        if whole:
+            self.equal([int(row[0]) for row in rows], list(range(len(self.c.vertices))), "the list of vertices")
+            # orbits are numbered as they come
+            firsts = list(dict.fromkeys(int(row[1 + self.c.d]) for row in rows))
+            self.equal(firsts, list(range(len(firsts))), "the numbers of the vertex orbits")
+            sizes = Counter(int(row[1 + self.c.d]) for row in rows)
+            for row in rows:
+                self.equal(int(row[2 + self.c.d]), sizes[int(row[1 + self.c.d])], f"vertex {row[0]}, orbit's size")
+        self.check_stars(rows)
+
+    def check_stars(self, rows):
+        """The neighbours of a vertex: different corners at the other ends of its edges."""
+        if self.c.d != 3:
+            return
+        if not hasattr(self, "neighbours"):
+            self.neighbours = {}
+            for corners in self.c.simplices:
+                for a, b in itertools.permutations(corners, 2):
+                    self.neighbours.setdefault(a[0], set()).add((b[0], *[y - x for x, y in zip(a[1:], b[1:])]))
+        for row in rows:
+            found = int(re.search(r"\d+", row[3 + self.c.d]).group(0))
+            self.equal(found, len(self.neighbours[int(row[0])]), f"vertex {row[0]}, neighbours")
+
+    def check_vertices(self, lines, n, _):
+        self.vertex_rows(lines, n, True)
+
+    def check_vertex_orbits(self, lines, n, _):
+        self.vertex_rows(lines, n, False)
+
+    def check_orbits(self, lines, n, _):
+        rows = rows_of(lines, n)
+        orbits, classes = self.find_orbits(), self.class_of()
+        total, names = 0, []
+        for row in rows:
+            kind, orbit, count = int(row[0]), int(row[1]), int(row[2])
+            s = int(re.fullmatch(r"\$T_\{(\d+)\}\$", row[4]).group(1))
+            self.equal(kind, classes[s], f"T{s}, class")
+            self.equal(number(self.k, math(row[3])), self.c.det(s), f"T{s}, determinant")
+            must(self.c.det(s).sign() > 0, f"T{s} is negative")
+            self.equal([corner(math(x), self.c.rank) for x in row[5:]], self.c.simplices[s], f"T{s}, corners")
+            if orbits:
+                self.equal(count, len(orbits[0][s]), f"T{s}, size of its orbit")
+                self.equal(s, min(orbits[0][s]), f"T{s}, the first of its orbit")
+            total += count
+            names.append((s, orbit))
+        # orbits are numbered in the order of first members, counting all
+        ranks = {s: r for r, (s, _) in enumerate(sorted(names))}
+        if total == len(self.c.simplices):
+            for s, orbit in names:
+                self.equal(orbit, ranks[s], f"T{s}, number of its orbit")
+        if len(rows) < 40:
+            self.equal(total, len(self.c.simplices), "the sum of the orbits")
+        if orbits and len(rows) < 40:
+            self.equal(len(rows), len(set(orbits[0].values())), "the number of orbits")
+
+    def check_simplices(self, lines, n, _):
+        rows = rows_of(lines, n)
+        orbits, classes, names = self.find_orbits(), self.class_of(), {}
+        self.equal(len(rows), len(self.c.simplices), "the list of simplices")
+        for s, row in enumerate(rows):
+            self.equal(row[0], f"$T_{{{s}}}$", "a row's name")
+            self.equal(int(row[1]), classes[s], f"T{s}, class")
+            if orbits:
+                self.equal(names.setdefault(int(row[2]), orbits[0][s]), orbits[0][s], f"T{s}, orbit")
+            self.equal(number(self.k, math(row[3])), self.c.det(s), f"T{s}, determinant")
+            self.equal([corner(math(x), self.c.rank) for x in row[4:]], self.c.simplices[s], f"T{s}, corners")
+        firsts = list(dict.fromkeys(int(row[2]) for row in rows))
+        self.equal(firsts, list(range(len(firsts))), "the numbers of the orbits")
+
+    def mate_rows(self, lines, n):
+        rows = rows_of(lines, n)
+        for row in rows:
+            s = int(re.fullmatch(r"\$T_\{(\d+)\}\$", row[0]).group(1))
+            self.equal([mate(math(x), self.c.rank) for x in row[1:]], self.c.mates[s], f"T{s}, facets")
+        return [row[0] for row in rows]
+
+    def check_mates(self, lines, n, _):
+        self.equal(self.mate_rows(lines, n), [f"$T_{{{s}}}$" for s in range(len(self.c.simplices))], "the pairing")
+
+    def check_pairing(self, lines, n, _):
+        names = self.mate_rows(lines, n)
+        orbits = self.find_orbits()
+        if orbits and len(names) < 40:
+            firsts = sorted(min(o) for o in set(orbits[0].values()))
+            self.equal(names, [f"$T_{{{s}}}$" for s in firsts], "one of each orbit")
+
+    def check_volume(self, lines, n, _):
+        end = next(i for i in range(n, len(lines)) if lines[i].startswith("\\end{aligned}"))
+        text = " ".join(lines[n + 2:end]).replace("\\\\", " ").replace("&", " ").replace("\\quad{}", " ")
+        left, right = text.rstrip(" ,").split("=")
+        classes = self.class_of()
+        pieces = re.split(r"(?:^|\+)\s*(?=\d+\\cdot)", left.strip())[1:]
+        parts = [piece.strip().split("\\cdot", 1) for piece in pieces]
+        self.equal(len(parts), max(classes) + 1, "the number of terms of the volume sum")
+        total = self.k.of("0")
+        for kind, (count, factor) in enumerate(parts):
+            first = classes.index(kind)
+            self.equal(int(count), classes.count(kind), f"class {kind}, number")
+            self.equal(number(self.k, factor), self.c.det(first), f"class {kind}, determinant")
+            total = total + int(count) * number(self.k, factor)
+        self.equal(number(self.k, right), total, "the volume sum")
+        factorial = 2 if self.c.d == 2 else 6
+        if self.c.kind == "space":
+            self.equal(total, self.k.of(factorial), "the volume of the cell")
+
+    def check_edges(self, lines, n, arguments):
+        kind = int(arguments[0])
+        first = self.class_of().index(kind)
+        head = lines[n - 1]
+        match = re.search(r"\\acutileparagraph\{Class (\d+)\.\} \$(\d+)\$ \w+ in \$(\d+)\$ orbits?, (?:each )?of volume \$(.*?)\$ cells; the first is \$T_\{(\d+)\}\$", head)
+        must(match, f"class {kind}: no heading")
+        self.equal([int(match.group(i)) for i in (1, 2, 5)], [kind, self.class_of().count(kind), first], f"class {kind}, heading")
+        orbits = self.find_orbits()
+        if orbits:
+            found = {orbits[0][s] for s, c in enumerate(self.class_of()) if c == kind}
+            self.equal(int(match.group(3)), len(found), f"class {kind}, orbits")
+        factorial = 2 if self.c.d == 2 else 6
+        self.equal(number(self.k, match.group(4)) * factorial, self.c.det(first), f"class {kind}, volume")
+        found = re.findall(r"l_\{(\d)(\d)\}=([^$]*)\$", lines[n + 1])
+        expected = self.c.edges(first)
+        self.equal([(int(i), int(j)) for i, j, _ in found], list(expected), f"class {kind}, edges")
+        for i, j, text in found:
+            self.equal(number(self.k, text), expected[int(i), int(j)], f"class {kind}, l_{i}{j}")
+        self.first, self.kind = first, kind
+
+    def check_matrices(self, lines, n, _):
+        """Q = 2 λ M exactly, and N the bordered cofactors of Q over ν, as said."""
+        match = re.fullmatch(r"With \$\\lambda=(.*?)\$(?:, and the cofactors divided by \$(.*?)\$)?:", lines[n - 1])
+        must(match, f"class {self.kind}: no λ")
+        factor = number(self.k, match.group(1))
+        divisor = number(self.k, match.group(2) or "1")
+        must(factor.sign() > 0 and divisor.sign() > 0, "a factor that is not positive")
+        q = [[x * factor * 2 for x in row] for row in self.c.inner(self.first)]
+        power = factor * 2 if self.c.d == 2 else factor * factor * 4
+        self.N = [[x * power / divisor for x in row] for row in self.c.normals(self.first)]
+        text = lines[n + 1]
+        if "pmatrix" in text:
+            blocks = re.findall(r"([QN])=(\\begin\{pmatrix\}.*?\\end\{pmatrix\})", text + lines[n + 2])
+            self.equal([name for name, _ in blocks], ["Q", "N"], "the matrices")
+            for (name, block), expected in zip(blocks, (q, self.N)):
+                for i, row in enumerate(self.matrix(block)):
+                    for j, x in enumerate(row):
+                        self.equal(x, expected[i][j], f"class {self.kind}, {name}[{i}][{j}]")
+        else:
+            found = re.findall(r"\$([qN])_\{(\d)(\d)\}=([^$]*)\$", text)
+            self.equal(len(found), self.c.d * (self.c.d + 1) // 2 + self.c.d + 1, "the entries")
+            for name, i, j, text in found:
+                i, j = int(i), int(j)
+                self.equal(number(self.k, text), q[i - 1][j - 1] if name == "q" else self.N[i][j], f"class {self.kind}, {name}_{i}{j}")
+
+    def sign_cell(self, cell, pair):
+        match = re.fullmatch(r"\$N_\{(\d)(\d)\}=(.*?)([<>]0)?\$", cell)
+        must(match, f"no sign: {cell}")
+        i, j = int(match.group(1)), int(match.group(2))
+        self.equal((i, j), pair, "the facets of a row")
+        value = number(self.k, match.group(3))
+        self.equal(value, self.N[i][j], f"class {self.kind}, N_{i}{j}")
+        self.equal({None: 0, "<0": -1, ">0": 1}[match.group(4)], value.sign(), f"class {self.kind}, sign of N_{i}{j}")
+        return value
+
+    def check_reason(self, text, value):
+        """p² and d q², or p/q with a decimal between it and √d, or an enclosure."""
+        if text.startswith("\\in"):
+            low, high = interval(self.k, text[3:])
+            must(high - low < F(1, 10 ** 5) and low * high > 0, "an enclosure that decides nothing")
+            must((value - low).sign() >= 0 >= (value - high).sign(), "an enclosure without the number")
+            must((value - low - F(102, 10 ** 8)).sign() <= 0 <= (value - high + F(102, 10 ** 8)).sign(), "an enclosure that is wide")
+            self.counts["numbers"] += 2
+            return
+        lo = value.c + [F(0)] * 2
+        # in terms of √d: value = p + q √d
+        q = lo[1] / self.k.radical.c[1]
+        p = lo[0] - q * self.k.radical.c[0]
+        must(p * q < 0, "no reason is needed")
+        match = re.fullmatch(r"(\d+)\^2=(\d+)([<>])(\d+)=(\d+)\\cdot(\d+)\^2", text)
+        if match:
+            a, aa, relation, right, d, b = match.groups()
+            a, aa, right, d, b = map(int, (a, aa, right, d, b))
+            must(a * a == aa and d * b * b == right and d == self.k.radicand, f"wrong squares: {text}")
+            must((aa < right) == (relation == "<"), f"wrong comparison: {text}")
+            must(F(a, b) == abs(p / q), f"of another number: {text}")
+        else:
+            match = re.fullmatch(r"(\d+)/(\d+)([<>])\\acutiledecimal\{([\d.]+)\}([<>])\\sqrt\{(\d+)\}", text)
+            must(match, f"no reason: {text}")
+            a, b, relation, middle, again, d = match.groups()
+            ratio, middle = F(int(a), int(b)), F(middle)
+            must(int(d) == self.k.radicand and ratio == abs(p / q) and relation == again, f"of another number: {text}")
+            above = ratio > middle and middle * middle > int(d)
+            below = ratio < middle and middle * middle < int(d)
+            must(above if relation == ">" else below, f"wrong comparison: {text}")
+        self.counts["numbers"] += 1
+        larger = abs(p) if relation == ">" else abs(q)
+        sign = (p > 0) - (p < 0) if larger == abs(p) and relation == ">" else (q > 0) - (q < 0)
+        self.equal(sign, value.sign(), "the sign that the reason gives")
+
+    def pairs(self):
+        return list(itertools.combinations(range(self.c.d + 1), 2))
+
+    def edge_cell(self, cell, pair):
+        others = "".join(str(k) for k in range(self.c.d + 1) if k not in pair)
+        self.equal(math(cell), others, "the edge of a row")
+
+    def check_signs(self, lines, n, arguments):
+        self.equal(int(arguments[0]), self.kind, "a table's class")
+        rows = rows_of(lines, n)
+        self.equal(len(rows), len(self.pairs()), "the number of angles")
+        for row, pair in zip(rows, self.pairs()):
+            self.edge_cell(row[0], pair)
+            value = self.sign_cell(row[1], pair)
+            if len(row) > 2 and row[2]:
+                self.check_reason(math(row[2]), value)
+
+    def check_angles(self, lines, n, arguments):
+        self.equal(int(arguments[0]), self.kind, "a table's class")
+        rows = rows_of(lines, n)
+        self.equal(len(rows), len(self.pairs()), "the number of angles")
+        normals = self.c.normals(self.first)
+        for row, pair in zip(rows, self.pairs()):
+            i, j = pair
+            self.edge_cell(row[0], pair)
+            if len(row) == 5:
+                self.sign_cell(row[1], pair)
+            exact, bounds, degrees = map(math, row[-3:])
+            product = normals[i][j]
+            square = product * product / (normals[i][i] * normals[j][j])
+            square = -square if product.sign() > 0 else square
+            what = f"class {self.kind}, facets {i}, {j}"
+            quotient = f"-N_{{{i}{j}}}/\\sqrt{{N_{{{i}{i}}}N_{{{j}{j}}}}}"
+            if exact.startswith(("N", "-N")):
+                self.equal(exact, quotient, what)
+            else:
+                reader = Reader(self.k, exact)
+                value = reader.sum()
+                reader.end()
+                self.equal(value.signed_square(), square, f"{what}, cosine")
+            check_cosine_interval(square, *interval(self.k, bounds), what)
+            check_degrees(square, *interval(self.k, degrees), what)
+            self.counts["enclosures"] += 2
+
+    def check_delaunay(self, lines, n, _):
+        weak = "weakly Delaunay" in self.c.claim["statements"]
+        for row in rows_of(lines, n):
+            s, i = map(int, re.fullmatch(r"\$(\d+)_\{(\d)\}\$", row[0]).groups())
+            self.equal(mate(math(row[2]), self.c.rank), self.c.mates[s][i], f"facet {s}_{i}")
+            power = self.c.power(s, i)
+            must(power.sign() > (-1 if weak else 0), f"facet {s}_{i}: a negative power")
+            text, *why = math(row[3]).split("\\quad")
+            if text.startswith("\\in"):
+                self.check_reason(text, power)
+            else:
+                self.equal(number(self.k, text), power, f"facet {s}_{i}, power")
+            for reason in why:
+                self.check_reason(reason.strip("()"), power)
+            if self.facet_orbit_sizes():
+                self.equal(int(row[1]), self.facet_orbit_sizes()[s, i], f"facet {s}_{i}, number")
+
+    def facet_orbit_sizes(self):
+        if not hasattr(self, "facet_sizes"):
+            self.facet_sizes = None
+            if len(self.c.simplices) <= ORBIT_LIMIT:
+                label, orders = self.c.colours()
+                m = len(orders)
+                half = {}
+                for n, colour in enumerate(label):
+                    key = (n // m, orders[n % m][-1])
+                    half[key] = min(colour, half.get(key, colour))
+                joint = {(s, i): min(x, half[tuple(self.c.mates[s][i][:2])] if len(self.c.mates[s][i]) > 1 else x)
+                         for (s, i), x in half.items()}
+                sizes = Counter(joint.values())
+                self.facet_sizes = {f: sizes[x] // 2 for f, x in joint.items()}
+        return self.facet_sizes
+
+    def check_sha256(self, lines, n, arguments):
+        digest = hashlib.sha256(self.c.bytes).hexdigest()
+        self.equal(arguments[0], digest, "the digest")
+        printed = re.search(r"\\small (\w+)\\\\ (\w+)\\end", lines[n + 1])
+        self.equal(printed.group(1) + printed.group(2), digest, "the printed digest")

@@ -1,0 +1,275 @@
+//! `acutile report`: what is in a page, and what never comes into one.
+
+mod common;
+
+use acutile::certificate::{Certificate, to_bytes};
+use acutile::checker::{Options, prove};
+use acutile::import::tiling_of_certificate;
+use acutile::tiling::AnyTiling;
+use common::{acutile, code, file, kuhn, stderr, stdout};
+use serde_json::{Value, json};
+
+/// The text of the page for these inputs.
+fn page(inputs: &[&str]) -> String {
+    let output = acutile(["report"].iter().chain(inputs));
+    assert_eq!(code(&output), 0, "{}", stderr(&output));
+    stdout(&output)
+}
+
+/// The data that the page's program reads.
+fn data(page: &str) -> Value {
+    let start = page.find("id=\"data\">").expect("data") + "id=\"data\">".len();
+    let end = page[start..].find("</script>").expect("its end");
+    serde_json::from_str(&page[start..start + end]).expect("JSON")
+}
+
+#[test]
+fn the_certificate_in_the_page_is_the_file_byte_for_byte() {
+    for name in ["sigma", "slab", "square-10", "two-corners"] {
+        let certificate = std::fs::read_to_string(format!("certificates/{name}.json")).expect(name);
+        let data = data(&page(&[name]));
+        assert_eq!(data["tilings"][0]["certificate"], json!(certificate));
+        let from_file = data_of_file(name);
+        assert_eq!(
+            from_file["tilings"][0]["cells"],
+            data["tilings"][0]["cells"]
+        );
+        assert_eq!(
+            from_file["tilings"][0]["sha256"],
+            data["tilings"][0]["sha256"]
+        );
+    }
+}
+
+fn data_of_file(name: &str) -> Value {
+    data(&page(&[&format!("certificates/{name}.json")]))
+}
+
+#[test]
+fn pages_are_small_and_name_no_other_host() {
+    let page = page(&["sigma"]);
+    assert!(page.len() < 1_500_000, "{} bytes", page.len());
+    assert!(page.contains("default-src 'none'"));
+    // The only addresses are names of XML vocabularies, which nothing loads.
+    for (at, _) in page.match_indices("http") {
+        let rest = &page[at..];
+        let is_name = rest.starts_with("http://www.w3.org/2000/svg");
+        let is_meta = rest.starts_with("http-equiv");
+        assert!(is_name || is_meta, "{}", &rest[..60.min(rest.len())]);
+    }
+    for loading in ["src=", "@import", "url(", "<link rel=\"stylesheet\""] {
+        let markup = page.split("<script").next().expect("markup");
+        assert!(!markup.contains(loading), "{loading}");
+    }
+}
+
+/// Table 1 of the paper for A15: largest dihedral angle between 73.40 and 78.46 degrees,
+/// smallest between 53.13 and 67.79, hence cosines 2/7 … 1/5 and 3/5 … √(1/7).
+#[test]
+fn exact_values_of_a15() {
+    let page = page(&["a15"]);
+    for text in [
+        "cos = 1/5",
+        "cos = 2/7",
+        "√(125/256)",
+        "√(5/12)",
+        "√(1/2)",
+        "1/48",
+        "3/128",
+    ] {
+        assert!(page.contains(text), "{text}");
+    }
+    let data = data(&page);
+    let tiling = &data["tilings"][0];
+    assert_eq!(tiling["typeNames"], json!(["Z12", "Z14"]));
+    assert_eq!(tiling["cells"].as_array().expect("cells").len(), 46);
+    let cosines: Vec<&str> = tiling["angles"]
+        .as_array()
+        .expect("angles")
+        .iter()
+        .filter_map(|angle| angle["cosine"].as_str())
+        .collect();
+    assert!(
+        cosines.contains(&"3/5") && cosines.contains(&"√(1/7)"),
+        "{cosines:?}"
+    );
+}
+
+#[test]
+fn hostile_names_are_text() {
+    let directory = tempfile::tempdir().expect("a directory");
+    let mut tiling = kuhn();
+    tiling["name"] = json!("</script><script>alert(1)</script>{{data}}");
+    tiling["description"] = json!("<!-- \"'&\u{2028}\u{0}");
+    let path = file(directory.path(), "a<b>&\"'.json", &tiling.to_string());
+    let page = page(&[path.to_str().expect("UTF-8")]);
+    assert!(!page.contains("<script>alert"));
+    assert!(page.contains("&lt;/script&gt;&lt;script&gt;alert(1)&lt;/script&gt;{{data}}"));
+    assert!(!page.contains("<!--") && !page.contains('\u{0}'));
+    // data, verifier and program
+    assert_eq!(
+        page.matches("<script").count(),
+        page.matches("</script>").count()
+    );
+    assert_eq!(page.matches("</script>").count(), 3);
+    assert!(!page.contains("a<b>"));
+    assert_eq!(data(&page)["tilings"][0]["name"], json!("a<b>&\"'"));
+}
+
+#[test]
+fn what_the_kernel_refuses_has_no_page() {
+    let directory = tempfile::tempdir().expect("a directory");
+    let target = directory.path().join("page.html");
+    let certificate = std::fs::read_to_string("certificates/a15.json").expect("a15");
+    let head = certificate.find("\"witness\"").expect("a witness");
+    let (claim, witness) = certificate.split_at(head);
+    let moved = format!("{claim}{}", witness.replacen("\"1/4\"", "\"1/5\"", 1));
+    let future = certificate.replacen("\"version\":1", "\"version\":7", 1);
+    let cases = [
+        ("false.json", moved, 1, "rejected ["),
+        (
+            "malformed.json",
+            format!(" {certificate}"),
+            2,
+            "malformed [canonical]",
+        ),
+        ("future.json", future, 3, "declined [version]"),
+        (
+            "half.json",
+            certificate[..300].to_owned(),
+            2,
+            "malformed [json]",
+        ),
+    ];
+    for (name, text, expected, words) in cases {
+        assert_ne!(text, certificate);
+        let path = file(directory.path(), name, &text);
+        let output = acutile([
+            "report".as_ref(),
+            "a15".as_ref(),
+            path.as_os_str(),
+            "-o".as_ref(),
+            target.as_os_str(),
+        ]);
+        assert_eq!(code(&output), expected, "{name}: {}", stderr(&output));
+        assert!(
+            stderr(&output).contains(words),
+            "{name}: {}",
+            stderr(&output)
+        );
+        assert!(!target.exists(), "{name}: nothing is written");
+    }
+}
+
+#[test]
+fn a_false_tiling_is_refuted_and_has_no_page() {
+    let directory = tempfile::tempdir().expect("a directory");
+    let mut tiling = kuhn();
+    tiling["simplices"].as_array_mut().expect("simplices").pop();
+    let path = file(directory.path(), "hole.json", &tiling.to_string());
+    let output = acutile(["report", path.to_str().expect("UTF-8")]);
+    assert_eq!(code(&output), 1, "{}", stderr(&output));
+    assert!(stderr(&output).contains("refuted"));
+    assert_eq!(stdout(&output), "");
+}
+
+#[test]
+fn a_page_does_not_replace_its_input() {
+    let directory = tempfile::tempdir().expect("a directory");
+    let path = file(directory.path(), "kuhn.json", &kuhn().to_string());
+    let output = acutile([
+        "report".as_ref(),
+        path.as_os_str(),
+        "-o".as_ref(),
+        path.as_os_str(),
+    ]);
+    assert_eq!(code(&output), 2);
+    assert!(stderr(&output).contains("would overwrite"));
+    let text = std::fs::read_to_string(&path).expect("it is there");
+    assert_eq!(text, kuhn().to_string());
+}
+
+/// A certificate in a file that bears a construction's name is not presented as that.
+#[test]
+fn file_names_promise_nothing() {
+    let directory = tempfile::tempdir().expect("a directory");
+    let bcc = std::fs::read_to_string("certificates/bcc.json").expect("bcc");
+    let path = file(directory.path(), "sigma.json", &bcc);
+    let page = page(&[path.to_str().expect("UTF-8")]);
+    assert!(!page.contains("TCP structure sigma"));
+    assert!(page.contains("the certificate in a file of this name"));
+}
+
+/// A tiling whose text speaks of certificates is none.
+#[test]
+fn a_tiling_file_is_known_by_its_format() {
+    let directory = tempfile::tempdir().expect("a directory");
+    let mut tiling = kuhn();
+    tiling["description"] = json!("not an \"acutile-certificate\"");
+    let path = file(directory.path(), "kuhn.json", &tiling.to_string());
+    assert!(page(&[path.to_str().expect("UTF-8")]).contains("6 tetrahedra"));
+}
+
+/// The tiling read from a certificate, proved again, gives the certificate.
+#[test]
+fn certificates_are_read_back() {
+    let mut read = 0;
+    for entry in std::fs::read_dir("certificates").expect("certificates") {
+        let path = entry.expect("an entry").path();
+        let bytes = std::fs::read(&path).expect("it can be read");
+        if bytes.len() > 12_000 {
+            continue;
+        }
+        let certificate: Certificate = serde_json::from_slice(&bytes).expect("a certificate");
+        let tiling = tiling_of_certificate(&certificate).expect("its tiling");
+        let again = match &tiling {
+            AnyTiling::Plane(tiling) => prove(tiling, &Options::default(), &|_| {}),
+            AnyTiling::Space(tiling) => prove(tiling, &Options::default(), &|_| {}),
+        };
+        assert_eq!(
+            to_bytes(&again.expect("proved")),
+            bytes,
+            "{}",
+            path.display()
+        );
+        read += 1;
+    }
+    assert!(read >= 30, "{read} certificates");
+}
+
+/// Certificates that are wrong are tilings that are wrong, or errors; nothing panics.
+#[test]
+fn wrong_certificates_are_read_or_not() {
+    let mut read = 0;
+    for folder in ["malformed", "false"] {
+        for entry in std::fs::read_dir(format!("tests/certificates/{folder}")).expect(folder) {
+            let bytes = std::fs::read(entry.expect("an entry").path()).expect("it can be read");
+            if let Ok(certificate) = serde_json::from_slice::<Certificate>(&bytes) {
+                if let Err(error) = tiling_of_certificate(&certificate) {
+                    assert!(!error.to_string().is_empty());
+                }
+                read += 1;
+            }
+        }
+    }
+    assert!(read > 20, "{read} certificates");
+}
+
+#[test]
+fn several_tilings_and_what_is_missing() {
+    let page = page(&["equilateral", "slab", "cube-corner"]);
+    let data = data(&page);
+    let ranks: Vec<&Value> = data["tilings"]
+        .as_array()
+        .expect("tilings")
+        .iter()
+        .map(|tiling| &tiling["rank"])
+        .collect();
+    assert_eq!(ranks, [&json!(2), &json!(2), &json!(0)]);
+    for index in 0..3 {
+        assert!(page.contains(&format!("href=\"#tiling-{index}\"")));
+        assert!(page.contains(&format!("id=\"tiling-{index}\"")));
+    }
+    let output = acutile(["report", "no-such-tiling"]);
+    assert_eq!(code(&output), 2);
+}
