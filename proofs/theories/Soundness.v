@@ -5,21 +5,10 @@
     the theorem [check_sound] puts them into the degree argument and moves the
     result to Euclidean space. *)
 Require Import Reals Lra Psatz NArith Nnat ZArith List Lia Bool FunctionalExtensionality FMapPositive.
-From Acutile Require Import Statement Sums Crossing Tetrahedra Topology Degree Domain Cosine Angles Euclid Transfer Volume Delaunay Checker.
+From Acutile Require Import Statement Sums Crossing Tetrahedra Topology Degree Domain Cosine Angles Euclid Transfer Volume Delaunay Checker Keys.
 Import ListNotations.
 Local Open Scope nat_scope.
 
-(** Equality of lattice vectors, entry by entry. *)
-Ltac z3 := repeat match goal with |- (_, _) = (_, _) => apply f_equal2 end; try reflexivity; lia.
-Lemma z3eqb_t a b : z3eqb a b = true <-> a = b.
-Proof. destruct a as [[? ?] ?], b as [[? ?] ?]. simpl. rewrite !andb_true_iff, !Z.eqb_eq. intuition congruence. Qed.
-Lemma ceqb_t a b : ceqb a b = true <-> a = b.
-Proof. destruct a, b. unfold ceqb; simpl. rewrite andb_true_iff, N.eqb_eq, z3eqb_t. intuition congruence. Qed.
-Lemma meqb_t a b : meqb a b = true <-> a = Some b.
-Proof.
-  destruct a as [[[? ?] ?]|], b as [[? ?] ?]; unfold meqb; cbn [fst snd]; [|split; discriminate].
-  rewrite !andb_true_iff, !N.eqb_eq, z3eqb_t. intuition congruence.
-Qed.
 Lemma existsl_eq {X} (f : X -> bool) l : existsl f l = existsb f l.
 Proof. induction l; simpl; auto. rewrite IHl. destruct (f a); auto. Qed.
 Lemma zint_In lo hi n : (lo <= n <= hi)%Z -> In n (zint lo hi).
@@ -1000,8 +989,6 @@ Lemma name_closed cc q : valid cc -> In q (names cc) -> closed (piece cc) (rp q)
 Proof.
   intros Hc Hq. apply names_verts in Hq. destruct cc as [k n]. apply closed_vertex; auto. apply pvol, Hc.
 Qed.
-Lemma cshift_shift d n q : cshift (zadd3 n d) q = cshift n (cshift d q).
-Proof. destruct q as [v [[? ?] ?]], n as [[? ?] ?], d as [[? ?] ?]. unfold cshift, zadd3; cbn. z3. Qed.
 (** A facet has the same names on both sides. *)
 Lemma names_across cc i q : valid cc -> In i I4 -> paired cM (cc, i) -> In q (names cc) -> coord (piece cc) i (rp q) = 0 ->
   In q (names (fst (across cM (cc, i)))).
@@ -1064,26 +1051,6 @@ Qed.
 Definition all_pairs : list (nat * (nat * nat)) := list_prod (seq 0 N) pairs4.
 Definition corner_of (k i : nat) : corner := match nth_error (c_tets c) k with Some t => qx t i | None => (0%N, z30) end.
 Definition key_of (p : nat * (nat * nat)) : key := edge_key (corner_of (fst p) (fst (snd p))) (corner_of (fst p) (snd (snd p))).
-Definition keqb (a b : key) := N.eqb (fst a) (fst b) && end_eqb (snd a) (snd b).
-Lemma end_eqb_t a b : end_eqb a b = true <-> a = b.
-Proof. destruct a, b. unfold end_eqb; cbn [fst snd]. rewrite andb_true_iff, N.eqb_eq, z3eqb_t. intuition congruence. Qed.
-Lemma keqb_t a b : keqb a b = true <-> a = b.
-Proof. destruct a, b. unfold keqb; cbn [fst snd]. rewrite andb_true_iff, N.eqb_eq, end_eqb_t. intuition congruence. Qed.
-Lemma lookup_indexed v ks : lookup v (indexed ks) = map snd (filter (fun k => N.eqb v (fst k)) ks).
-Proof.
-  induction ks as [|k ks IH]; cbn [indexed fold_right filter map].
-  - unfold lookup. rewrite PositiveMap.gempty. reflexivity.
-  - fold (indexed ks). unfold lookup at 1. destruct (N.eqb_spec v (fst k)) as [->|Ne].
-    + rewrite PositiveMap.gss. cbn [map]. rewrite IH. reflexivity.
-    + rewrite PositiveMap.gso; [exact IH|]. intros X. apply Ne.
-      apply (f_equal Npos) in X. rewrite !N.succ_pos_spec in X. apply N.succ_inj; auto.
-Qed.
-Lemma count_key_filter ks k : count_key (indexed ks) k = length (filter (keqb k) ks).
-Proof.
-  unfold count_key. rewrite lookup_indexed. induction ks as [|a ks IH]; cbn [filter map]; auto. unfold keqb at 1.
-  destruct (N.eqb (fst k) (fst a)); cbn [map filter andb]; auto.
-  destruct (end_eqb (snd k) (snd a)); cbn [length]; auto.
-Qed.
 Lemma keys_all_pairs : flat_map keys (c_tets c) = map key_of all_pairs.
 Proof.
   assert (X : forall ts s, (forall j t, nth_error ts j = Some t -> nth_error (c_tets c) (s + j) = Some t) ->
@@ -1098,25 +1065,8 @@ Qed.
 Definition tiles_with (a b : corner) : list cell :=
   map (fun p => (fst p, zadd3 (snd a) (zopp3 (snd (corner_of (fst p) (fst (snd p)))))))
     (filter (fun p => keqb (edge_key a b) (key_of p)) all_pairs).
-Lemma filter_map {X Y} (f : X -> Y) (g : Y -> bool) l : filter g (map f l) = map f (filter (fun x => g (f x)) l).
-Proof. induction l; cbn; auto. destruct (g (f a)); cbn; rewrite IHl; auto. Qed.
 Lemma tiles_with_length a b : length (tiles_with a b) = count_key (indexed (flat_map keys (c_tets c))) (edge_key a b).
 Proof. rewrite count_key_filter, keys_all_pairs, filter_map. unfold tiles_with. rewrite !map_length. reflexivity. Qed.
-Lemma edge_key_shift n a b : edge_key (cshift n a) (cshift n b) = edge_key a b.
-Proof.
-  destruct a as [v [[? ?] ?]], b as [w [[? ?] ?]], n as [[? ?] ?]. unfold edge_key, cshift, zadd3, zopp3; cbn. z3.
-Qed.
-Lemma shift_to a b a' b' : edge_key a b = edge_key a' b' -> let m := zadd3 (snd a) (zopp3 (snd a')) in cshift m a' = a /\ cshift m b' = b.
-Proof.
-  destruct a as [v [[? ?] ?]], b as [w [[? ?] ?]], a' as [v' [[? ?] ?]], b' as [w' [[? ?] ?]].
-  unfold edge_key, cshift, zadd3, zopp3; cbn. intros H. injection H as -> -> X Y Z. split; z3.
-Qed.
-Lemma pairs4_In i j : In (i, j) pairs4 <-> In i I4 /\ In j I4 /\ i <> j.
-Proof.
-  unfold pairs4, I4. cbn [In]. split.
-  - intros H. repeat (destruct H as [H|H]; [injection H as <- <-; repeat split; auto; lia|]). destruct H.
-  - intros [[<-|[<-|[<-|[<-|[]]]]] [[<-|[<-|[<-|[<-|[]]]]] Ne]]; try lia; tauto.
-Qed.
 Lemma vertex_index k n i j : (k < N)%nat -> In i I4 -> In j I4 -> vx (piece (k, n)) i = vx (piece (k, n)) j -> i = j.
 Proof.
   intros Hk Hi Hj E. destruct (Nat.eq_dec i j); auto. exfalso. pose proof (pvol k n Hk) as V.
