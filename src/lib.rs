@@ -22,6 +22,8 @@ pub mod cli;
 #[cfg(feature = "prover")]
 pub mod delaunay;
 #[cfg(feature = "prover")]
+pub mod draw;
+#[cfg(feature = "prover")]
 pub mod export;
 pub mod front;
 #[cfg(feature = "prover")]

@@ -122,11 +122,11 @@ fn a_double_cover_has_a_point_in_two_tetrahedra() {
     tiling.corners.extend(second);
     let advice = advice(&tiling);
     assert!(advice.contains(&Advice::Covered { ratio: number("2") }));
-    let overlaps = advice.iter().filter_map(|advice| match advice {
+    let mut overlaps = advice.iter().filter_map(|advice| match advice {
         Advice::Overlap(overlap) => Some(overlap),
         _ => None,
     });
-    let overlap = overlaps.last().expect("an overlapping pair");
+    let overlap = overlaps.next_back().expect("an overlapping pair");
     let (s, t) = overlap.simplices;
     assert_ne!(s, t);
     for (index, shift) in [(s, [0; 3]), (t, overlap.shift)] {

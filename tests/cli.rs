@@ -61,8 +61,13 @@ fn a_requirement_that_fails_is_a_refutation() {
         lines.lines().next(),
         Some("cube-6: refuted: 18 right-angle")
     );
-    assert_eq!(lines.lines().nth(1), Some("  right-angle: 18, the first 3:"));
-    let told = lines.lines().filter(|line| line.contains("is a right angle"));
+    assert_eq!(
+        lines.lines().nth(1),
+        Some("  right-angle: 18, the first 3:")
+    );
+    let told = lines
+        .lines()
+        .filter(|line| line.contains("is a right angle"));
     assert_eq!(told.count(), 3);
     // The coordinates of the corners, and what can be done about it.
     assert!(lines.contains("      simplex 0: 0 at (0, 0, 0), 0+(1, 0, 0) at (1, 0, 0)"));
@@ -91,7 +96,11 @@ fn refutations_in_json_are_one_object_a_line() {
         .collect();
     assert_eq!(answers[0]["verdict"], "refuted");
     assert_eq!(answers[0]["counts"]["right-angle"], 18);
-    assert_eq!(answers.len(), 1 + 18 + 1, "all defects, and the second input");
+    assert_eq!(
+        answers.len(),
+        1 + 18 + 1,
+        "all defects, and the second input"
+    );
     let first = &answers[1];
     assert_eq!(first["code"], "right-angle");
     assert_eq!(first["input"], "cube-6");
@@ -496,4 +505,40 @@ fn plane_tilings_come_from_files() {
 fn completions_and_manual_are_generated() {
     assert!(stdout(&acutile(["completions", "bash"])).contains("_acutile"));
     assert!(stdout(&acutile(["man"])).contains(".TH"));
+}
+
+/// The prover's word alone says so, and has the same verdicts.
+#[test]
+fn without_a_certificate() {
+    let proved = acutile(["certify", "a15", "--no-certificate"]);
+    assert_eq!(code(&proved), 0);
+    let line = stdout(&proved);
+    assert!(
+        line.contains("by the prover alone, no certificate"),
+        "{line}"
+    );
+    assert!(
+        line.contains("all dihedral angles below 7847/100"),
+        "{line}"
+    );
+    let refuted = acutile([
+        "certify",
+        "cube-6",
+        "--no-certificate",
+        "--require",
+        "acute",
+    ]);
+    assert_eq!(code(&refuted), 1);
+    let data: Value = serde_json::from_str(&stdout(&acutile([
+        "certify",
+        "a15",
+        "--no-certificate",
+        "--json",
+    ])))
+    .expect("an object");
+    assert_eq!(data["kernel"], false);
+    assert_eq!(
+        code(&acutile(["certify", "a15", "--no-certificate", "-o", "x"])),
+        2
+    );
 }

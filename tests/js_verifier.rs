@@ -23,7 +23,7 @@ fn the_verifier_in_javascript_agrees() {
         .arg("tests/browser/verifier.test.mjs")
         .current_dir(Path::new(env!("CARGO_MANIFEST_DIR")))
         .env("ACUTILE_VERIFY", env!("CARGO_BIN_EXE_acutile-verify"))
-        .env("MUTATIONS", "2000")
+        .env("MUTATIONS", "500")
         .output()
         .unwrap();
     let report = String::from_utf8_lossy(&output.stdout);

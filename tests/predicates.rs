@@ -416,7 +416,8 @@ fn matching_against_a_map() {
 }
 
 fn check_matching(tiling: &Tiling<3>) {
-    let mut groups: BTreeMap<Vec<Corner<3>>, Vec<(u32, u8, bool, [i32; 3])>> = BTreeMap::new();
+    type Use = (u32, u8, bool, [i32; 3]);
+    let mut groups: BTreeMap<Vec<Corner<3>>, Vec<Use>> = BTreeMap::new();
     for (s, simplex) in tiling.simplices().enumerate() {
         for i in 0..4 {
             let rest: Vec<Corner<3>> = (0..4).filter(|&k| k != i).map(|k| simplex[k]).collect();

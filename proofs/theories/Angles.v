@@ -145,6 +145,26 @@ Proof.
   - assert (0 < (- p) * s) by (apply Rmult_lt_0_compat; lra).
     assert (((- p) * s) * ((- p) * s) <= (- (q * C)) * (- (q * C))) by (apply Rmult_le_compat; lra). nra.
 Qed.
+
+(** p/q <= cos theta and q C < p sqrt (A B) imply that the angle is more than theta. *)
+Lemma above_rule (p q theta : R) : 0 < q -> 0 <= theta <= PI -> p / q <= cos theta ->
+  (p <= 0 /\ C < 0 /\ (p * p) * (A * B) < (q * q) * (C * C)) \/
+  (0 < p /\ (C <= 0 \/ (q * q) * (C * C) < (p * p) * (A * B))) ->
+  theta < dihedral a b c d.
+Proof.
+  intros Hq [T1 T2] HT H. destruct dihedral_cos as [s [S1 [S2 S3]]]. destruct dihedral_bound as [B1 B2].
+  set (x := dihedral a b c d) in *.
+  apply Rnot_le_lt. intros K. pose proof (cos_decr_1 x theta B1 B2 T1 T2 K) as X.
+  assert (X' : p <= q * cos x).
+  { apply Rle_trans with (q * (p / q)); [right; field; lra | apply Rmult_le_compat_l; lra]. }
+  assert (Y : p * s <= q * C) by (rewrite <- S3; nra).
+  rewrite <- S2 in H. destruct H as [[P0 [C0 H]]|[P0 [C0|H]]].
+  - assert (0 < q * - C) by (apply Rmult_lt_0_compat; lra).
+    assert ((- (q * C)) * (- (q * C)) <= (- (p * s)) * (- (p * s))) by (apply Rmult_le_compat; lra). nra.
+  - assert (0 <= q * - C) by (apply Rmult_le_pos; lra). assert (0 < p * s) by (apply Rmult_lt_0_compat; lra). nra.
+  - assert (0 < p * s) by (apply Rmult_lt_0_compat; lra).
+    assert ((p * s) * (p * s) <= (q * C) * (q * C)) by (apply Rmult_le_compat; lra). nra.
+Qed.
 End Angle.
 
 (** Angles do not change under translation. *)

@@ -6,7 +6,7 @@
     the theorem, and extraction/ turns it into a program.
 
     Indices are binary ([N]): unary ones make large certificates slow to read. *)
-Require Import Reals NArith ZArith List Bool.
+Require Import Reals NArith ZArith List Bool FMapPositive.
 From Acutile Require Import Statement Tetrahedra Degree Domain Cosine.
 Import ListNotations.
 Local Open Scope nat_scope.
@@ -38,6 +38,31 @@ Definition codd (d : Z3) (f g : corner * corner * corner) :=
   let a' := cshift d a' in let b' := cshift d b' in let c' := cshift d c' in
   (ceqb a b' && ceqb b a' && ceqb c c') || (ceqb a a' && ceqb b c' && ceqb c b') || (ceqb a c' && ceqb b b' && ceqb c a').
 
+(** ** Valences, purely combinatorial
+
+    The key of an ordered pair of corners is the same for all lattice translates of it. The
+    valence of an edge is the number of ordered pairs of corners of all tetrahedra with
+    its key. *)
+Definition key := (N * (N * Z3))%type.
+Definition qx (t : ctet) (i : nat) : corner := match i with 0 => q0 t | 1 => q1 t | 2 => q2 t | _ => q3 t end.
+Definition edge_key (a b : corner) : key := (fst a, (fst b, zadd3 (snd b) (zopp3 (snd a)))).
+Definition pairs4 : list (nat * nat) := [(0,1);(0,2);(0,3);(1,0);(1,2);(1,3);(2,0);(2,1);(2,3);(3,0);(3,1);(3,2)].
+Definition triples4 : list (nat * nat * nat) := [(0,1,2);(0,1,3);(0,2,3);(1,0,2);(1,0,3);(1,2,3);(2,0,1);(2,0,3);(2,1,3);(3,0,1);(3,0,2);(3,1,2)].
+Definition keys (t : ctet) : list key := map (fun p => edge_key (qx t (fst p)) (qx t (snd p))) pairs4.
+(** The keys by their first vertex. *)
+Definition index := PositiveMap.t (list (N * Z3)).
+Definition lookup (v : N) (m : index) : list (N * Z3) := match PositiveMap.find (N.succ_pos v) m with Some l => l | None => [] end.
+Definition indexed (ks : list key) : index :=
+  fold_right (fun k m => PositiveMap.add (N.succ_pos (fst k)) (snd k :: lookup (fst k) m) m) (PositiveMap.empty _) ks.
+Definition end_eqb (a b : N * Z3) := N.eqb (fst a) (fst b) && z3eqb (snd a) (snd b).
+Definition count_key (m : index) (k : key) : nat := length (filter (end_eqb (snd k)) (lookup (fst k) m)).
+Definition chk_tcp (ts : list ctet) : bool :=
+  let m := indexed (flat_map keys ts) in
+  forallb (fun t =>
+    let val i j := count_key m (edge_key (qx t i) (qx t j)) in
+    forallb (fun p => let n := val (fst p) (snd p) in Nat.eqb n 5 || Nat.eqb n 6) pairs4 &&
+    forallb (fun p => let '(i, j, k) := p in negb (Nat.eqb (val i j) 6 && Nat.eqb (val i k) 6)) triples4) ts.
+
 Section Ring.
 Variables (A : Type) (aadd asub amul : A -> A -> A) (aofZ : Z -> A).
 (** [alt x y] proves x < y, [ale x y] proves x <= y; "false" proves nothing. *)
@@ -58,17 +83,21 @@ Definition vofZ den (n : Z3) := let '(x,y,z) := n in V3 (aofZ (den * x)) (aofZ (
 
 (** ** The certificate: integral data, denominators cleared
 
-    Vertices and half-spaces are [c_den] times the real ones, the Gram matrix is
-    [c_gden] times the real one. *)
+    Vertices, of the tiling and of the polytope, and half-spaces are [c_den] times the
+    real ones, the Gram matrix is [c_gden] times the real one. *)
 Record kgram := KG { k11 : A; k22 : A; k33 : A; k12 : A; k13 : A; k23 : A }.
 Record khalf := KH { hn : v3; hd : A }.
 (** Why generic points are covered once: the volume sum, or a point of the open
-    simplex wk in no other closed translate, with a box of translates for each simplex. *)
-Inductive covering := ByVolume | ByWitness (wk : N) (wp : v3) (boxes : list (Z3 * Z3)).
+    simplex wk in no other closed translate. *)
+Inductive covering := ByVolume | ByWitness (wk : N) (wp : v3).
+(** The claim's domain is spanned by the lattice and [c_polytope], whose points have
+    zeros in the first r coordinates. [c_domain] are half-spaces that have it as their
+    intersection, [c_pieces] tetrahedra that cover it, by points of [c_polytope] moved by
+    lattice vectors: hints, computed by [faces_cert] below, and checked. *)
 Record cert := Cert {
   c_den : Z; c_verts : list v3; c_tets : list ctet;
   c_gden : Z; c_gram : kgram;
-  c_rank : nat; c_domain : list khalf;
+  c_rank : nat; c_polytope : list v3; c_domain : list khalf; c_pieces : list (corner * corner * corner * corner);
   c_cover : covering }.
 
 Definition pos (den : Z) (vs : list v3) (c : corner) : v3 := vadd (nth (N.to_nat (fst c)) vs vzero) (vofZ den (snd c)).
@@ -101,6 +130,24 @@ Definition chk_inside (kts : list ktet) (H : khalf) :=
 Definition on_boundary (Hs : list khalf) (t : ktet) (i : nat) :=
   existsb (fun H => forallb (fun j => if Nat.eqb j i then true else ale (klev H (kvx t j)) zero) I4) Hs.
 
+(** The half-spaces hold the polytope, and each vertex lies over it: in one of the pieces,
+    once its first r coordinates are set to zero. *)
+Fixpoint existsl {X} (f : X -> bool) (l : list X) : bool :=   (* lazy under call by value *)
+  match l with [] => false | x :: l => if f x then true else existsl f l end.
+Definition zeroed (r : nat) (v : v3) :=
+  V3 (if 1 <=? r then zero else vX v) (if 2 <=? r then zero else vY v) (if 3 <=? r then zero else vZ v).
+Definition piece_corners (q : corner * corner * corner * corner) := let '(a, b, c, d) := q in [a; b; c; d].
+Definition piece_pos (den : Z) (W : list v3) (q : corner * corner * corner * corner) :=
+  let '(a, b, c, d) := q in KT (pos den W a) (pos den W b) (pos den W c) (pos den W d).
+Definition in_piece (den : Z) (r : nat) (W : list v3) (v : v3) (q : corner * corner * corner * corner) : bool :=
+  forallb (fun a => N.ltb (fst a) (N.of_nat (length W)) && latb r (snd a)) (piece_corners q) &&
+  let t := piece_pos den W q in let z := zeroed r v in chk_vol t && forallb (fun i => ale zero (kL t i z)) I4.
+Definition chk_polytope (c : cert) (kts : list ktet) : bool :=
+  let r := c_rank c in let W := c_polytope c in
+  if 3 <=? r then match c_domain c with [] => true | _ => false end else
+  forallb (fun H => forallb (fun w => ale zero (klev H w)) W) (c_domain c) &&
+  forallb (fun t => forallb (fun v => existsl (in_piece (c_den c) r W v) (c_pieces c)) (kverts t)) kts.
+
 (** ** 3. The pairing of facets, purely combinatorial *)
 Definition chk_mate (r : nat) (Hs : list khalf) (ts : list ctet) (k : nat) (t : ctet) (kt : ktet) (i : nat) : bool :=
   match mt t i with
@@ -127,10 +174,8 @@ Definition kvolume (kts : list ktet) : A := fold_right (fun t s => aadd (kD (ka 
 Definition chk_volume (den : Z) (r : nat) (ts : list ctet) (kts : list ktet) : bool :=
   Nat.eqb r 3 && forallb is_paired ts && is_zero (asub (kvolume kts) (aofZ (6 * (den * den * den)))).
 (** By a witness: a point of the open tetrahedron wk in no other closed translate.
-    The certificate gives for each tetrahedron a box lo..hi of lattice vectors; outside
-    of it a coordinate plane separates the point from the translate, inside a facet plane. *)
-Fixpoint existsl {X} (f : X -> bool) (l : list X) : bool :=   (* lazy under call by value *)
-  match l with [] => false | x :: l => if f x then true else existsl f l end.
+    For each tetrahedron there is a box lo..hi of lattice vectors; outside of it a
+    coordinate plane separates the point from the translate, inside a facet plane. *)
 Definition zint (lo hi : Z) : list Z := map (fun j => (lo + Z.of_nat j)%Z) (seq 0 (Z.to_nat (hi - lo + 1))).
 Definition chk_box1 (den : Z) (pr : v3 -> A) (t : ktet) (w : v3) (lo hi : Z) : bool :=
   let u := asub (pr w) (aofZ (den * (lo - 1))) in let v := asub (pr w) (aofZ (den * (hi + 1))) in
@@ -145,11 +190,24 @@ Definition chk_wit1 (den : Z) (r : nat) (wk : nat) (w : v3) (k : nat) (t : ktet)
   (if 3 <=? r then chk_box1 den vZ t w lz hz else true) &&
   forallb (fun n => if Nat.eqb k wk && z3eqb n z30 then true else outb den t w n)
     (list_prod (list_prod (if 1 <=? r then zint lx hx else [0%Z]) (if 2 <=? r then zint ly hy else [0%Z])) (if 3 <=? r then zint lz hz else [0%Z])).
-Fixpoint chk_wits (den : Z) (r : nat) (wk : nat) (w : v3) (k : nat) (ts : list ktet) (bs : list (Z3 * Z3)) : bool :=
-  match ts, bs with
-  | [], _ => true
-  | t :: ts, b :: bs => chk_wit1 den r wk w k t b && chk_wits den r wk w (S k) ts bs
-  | _, _ => false
+(** The box is found by trial, for its correctness is checked: the first n from [n] on, in
+    steps of [step], where f is true. *)
+Fixpoint first (f : Z -> bool) (step n : Z) (fuel : nat) : Z :=
+  match fuel with O => n | S fuel => if f n then n else first f step (n + step)%Z fuel end.
+Definition box1 (den : Z) (pr : v3 -> A) (t : ktet) (w : v3) : Z * Z :=
+  let all f := f (pr (ka t)) && f (pr (kb t)) && f (pr (kc t)) && f (pr (kd t)) in
+  let below n := all (fun x => alt x (asub (pr w) (aofZ (den * (n - 1))))) in
+  let above n := all (fun x => alt (asub (pr w) (aofZ (den * (n + 1)))) x) in
+  let fuel := 50 in
+  (first below (-1) (first (fun n => negb (below n)) 1 0 fuel) fuel, first above 1 (first (fun n => negb (above n)) (-1) 0 fuel) fuel)%Z.
+Definition box (den : Z) (r : nat) (t : ktet) (w : v3) : Z3 * Z3 :=
+  let one (active : bool) pr := if active then box1 den pr t w else (0, 0)%Z in
+  let x := one (1 <=? r) vX in let y := one (2 <=? r) vY in let z := one (3 <=? r) vZ in
+  ((fst x, fst y, fst z), (snd x, snd y, snd z)).
+Fixpoint chk_wits (den : Z) (r : nat) (wk : nat) (w : v3) (k : nat) (ts : list ktet) : bool :=
+  match ts with
+  | [] => true
+  | t :: ts => chk_wit1 den r wk w k t (box den r t w) && chk_wits den r wk w (S k) ts
   end.
 Definition chk_in (t : ktet) (w : v3) := forallb (fun i => alt zero (kL t i w)) I4.
 
@@ -165,15 +223,16 @@ Definition chk_cover (c : cert) : bool :=
   let den := c_den c in let r := c_rank c in let kts := positions c in
   match c_cover c with
   | ByVolume => chk_volume den r (c_tets c) kts
-  | ByWitness wk wp boxes =>
+  | ByWitness wk wp =>
     match nth_error kts (N.to_nat wk) with None => false | Some t => chk_in t wp end &&
-    chk_wits den r (N.to_nat wk) wp 0 kts boxes
+    chk_wits den r (N.to_nat wk) wp 0 kts
   end.
 Definition check_tiling (c : cert) : bool :=
   let den := c_den c in let r := c_rank c in let kts := positions c in
   Z.ltb 0 den && Z.ltb 0 (c_gden c) && Nat.leb r 3 &&
   forallb chk_vol kts &&
   forallb (fun H => chk_invariant r H && chk_inside kts H) (c_domain c) &&
+  chk_polytope c kts &&
   chk_mates r (c_domain c) (c_tets c) (kpos den (c_verts c)) 0 (c_tets c) &&
   chk_cover c &&
   chk_gram (c_gram c).
@@ -199,6 +258,32 @@ Definition chk_cosine g (p q : Z) a b c d :=
   let left := amul (aofZ (p * p)) (amul (kac g a b c c) (kac g a b d d)) in
   let right := amul (aofZ (q * q)) (amul x x) in
   if Z.leb 0 p then alt zero x && alt left right else if ale zero x then true else alt right left.
+(** cos (angle) < p/q, with q > 0: rule [above_rule] of Angles.v. *)
+Definition chk_cosine_above g (p q : Z) a b c d :=
+  let x := kac g a b c d in
+  let right := amul (aofZ (p * p)) (amul (kac g a b c c) (kac g a b d d)) in
+  let left := amul (aofZ (q * q)) (amul x x) in
+  if Z.leb p 0 then alt x zero && alt right left else if ale x zero then true else alt left right.
+(** The circumradius: R^2 = X / (4 det M) for the Gram matrix M of the edges from the first
+    vertex, its cofactors C, its diagonal m and X = m^T C m. *)
+Definition kradius g (t : ktet) : A * A :=
+  let e1 := vsub (kb t) (ka t) in let e2 := vsub (kc t) (ka t) in let e3 := vsub (kd t) (ka t) in
+  let m11 := kgdot g e1 e1 in let m22 := kgdot g e2 e2 in let m33 := kgdot g e3 e3 in
+  let m12 := kgdot g e1 e2 in let m13 := kgdot g e1 e3 in let m23 := kgdot g e2 e3 in
+  let minor a b c d := asub (amul a b) (amul c d) in
+  let c11 := minor m22 m33 m23 m23 in let c22 := minor m11 m33 m13 m13 in let c33 := minor m11 m22 m12 m12 in
+  let c12 := minor m13 m23 m12 m33 in let c13 := minor m12 m23 m13 m22 in let c23 := minor m12 m13 m11 m23 in
+  (aadd (aadd (aadd (amul m11 (amul m11 c11)) (amul m22 (amul m22 c22))) (amul m33 (amul m33 c33)))
+     (amul (aofZ 2) (aadd (aadd (amul m11 (amul m22 c12)) (amul m11 (amul m33 c13))) (amul m22 (amul m33 c23)))),
+   aadd (aadd (amul m11 c11) (amul m12 c12)) (amul m13 c13)).
+(** R < p/q |b - a|, for X and det M as above. *)
+Definition chk_ratio g (p q : Z) (r : A * A) (a b : v3) : bool :=
+  let e := vsub b a in alt (amul (aofZ (q * q)) (fst r)) (amul (amul (aofZ (4 * (p * p))) (snd r)) (kgdot g e e)).
+Definition chk_radius g (p q : Z) (t : ktet) : bool :=
+  let edge := chk_ratio g p q (kradius g t) in
+  Z.ltb 0 p && Z.ltb 0 q &&
+  edge (ka t) (kb t) && edge (ka t) (kc t) && edge (ka t) (kd t) && edge (kb t) (kc t) && edge (kb t) (kd t) && edge (kc t) (kd t).
+
 (** ** 7. Statements: Delaunay, by the power of the vertex behind each facet *)
 Definition ksq g u := kgdot g u u.
 (** - vol times the power of x: power_sum of Delaunay.v. *)
@@ -224,16 +309,55 @@ Definition check_statement (c : cert) (s : statement) : bool :=
   | Nonobtuse => forallb (all_six (chk_nonobtuse (c_gram c))) (positions c)
   | DihedralBelow p q =>
     degrees_ok p q && let bound := cos_upper p q in forallb (all_six (chk_cosine (c_gram c) (fst bound) (snd bound))) (positions c)
+  | DihedralAbove p q =>
+    above_ok p q && let bound := cos_lower p q in forallb (all_six (chk_cosine_above (c_gram c) (fst bound) (snd bound))) (positions c)
+  | RadiusEdgeBelow p q => forallb (chk_radius (c_gram c) p q) (positions c)
   | Delaunay => chk_delaunay alt c
   | WeaklyDelaunay => chk_delaunay ale c
+  | TCP => Nat.eqb (c_rank c) 3 && chk_tcp (c_tets c)
   end.
 Definition check (c : cert) (ss : list statement) : bool := check_tiling c && forallb (check_statement c) ss.
+
+(** ** The hints, from the faces of the polytope
+
+    For k = 3 - r: k = 1, a face is a vertex; k = 2, the two ends of a side; k = 3, the
+    corners in cyclic order. Directions of the lattice fill up the dimension. *)
+Definition at0 (i : N) : corner := (i, z30).
+Definition atx (i : N) : corner := (i, (1, 0, 0)%Z).
+Definition aty (i : N) : corner := (i, (0, 1, 0)%Z).
+Definition spanning (r : nat) (f : list N) : corner * corner * corner :=
+  match r, f with
+  | 2, i :: _ => (at0 i, atx i, aty i)
+  | 1, i :: j :: _ => (at0 i, at0 j, atx i)
+  | _, i :: j :: k :: _ => (at0 i, at0 j, at0 k)
+  | _, _ => (at0 0%N, at0 0%N, at0 0%N)
+  end.
+Definition half_space_over (den : Z) (r : nat) (W : list v3) (f : list N) : khalf :=
+  let '(a, b, c) := spanning r f in
+  let a := pos den W a in let u := vsub (pos den W b) a in let v := vsub (pos den W c) a in
+  let minor p q s t := asub (amul p q) (amul s t) in
+  let n := V3 (minor (vY u) (vZ v) (vZ u) (vY v)) (minor (vZ u) (vX v) (vX u) (vZ v)) (minor (vX u) (vY v) (vY u) (vX v)) in
+  let d := aadd (aadd (amul (vX n) (vX a)) (amul (vY n) (vY a))) (amul (vZ n) (vZ a)) in
+  let H := KH n (asub zero d) in
+  if forallb (fun w => ale zero (klev H w)) W then H else KH (vsub vzero n) d.
+(** Pyramids over the faces with their top at vertex 0, in both orders of the corners. *)
+Fixpoint fan (f : list N) : list (N * N) := match f with i :: ((j :: _) as f) => (i, j) :: fan f | _ => [] end.
+Definition pieces_over (r : nat) (f : list N) : list (corner * corner * corner * corner) :=
+  let both a b c d := [(a, b, c, d); (a, c, b, d)] in
+  match r, f with
+  | 2, i :: _ => both (at0 0%N) (at0 i) (atx 0%N) (aty 0%N)
+  | 1, i :: j :: _ => both (at0 0%N) (at0 i) (at0 j) (atx 0%N)
+  | _, i :: f => flat_map (fun jk => both (at0 0%N) (at0 i) (at0 (fst jk)) (at0 (snd jk))) (fan f)
+  | _, [] => []
+  end.
+Definition faces_cert den verts tets gden gram (r : nat) (W : list v3) (faces : list (list N)) cover : cert :=
+  Cert den verts tets gden gram r W (map (half_space_over den r W) faces) (flat_map (pieces_over r) faces) cover.
 
 (** Which part fails, for people; no theorem speaks of it. *)
 Definition parts (c : cert) (ss : list statement) : list bool :=
   let den := c_den c in let r := c_rank c in let kts := positions c in
   [ Z.ltb 0 den && Z.ltb 0 (c_gden c) && Nat.leb r 3; forallb chk_vol kts;
-    forallb (fun H => chk_invariant r H && chk_inside kts H) (c_domain c);
+    forallb (fun H => chk_invariant r H && chk_inside kts H) (c_domain c); chk_polytope c kts;
     chk_mates r (c_domain c) (c_tets c) (kpos den (c_verts c)) 0 (c_tets c);
     chk_cover c; chk_gram (c_gram c) ] ++ map (check_statement c) ss.
 End Ring.

@@ -428,13 +428,14 @@ Proof.
     exfalso. apply Ne. apply interb_t in Eb. apply disjoint with (x := q); auto; eapply cells_valid; eauto.
 Qed.
 
-Theorem face_to_face : forall x v c c', valid c -> valid c' ->
-  closed (piece c) x -> closed (piece c') x -> carT (piece c) x v -> carT (piece c') x v.
+(** What passes through every facet around x is the same for all tiles that contain x. *)
+Theorem constant_around (x : point) (w : cell -> Z) :
+  (forall d i, valid d -> In i I4 -> paired (d, i) -> closed (piece d) x -> coord (piece d) i x = 0 -> w (fst (across (d, i))) = w d) ->
+  forall c c', valid c -> valid c' -> closed (piece c) x -> closed (piece c') x -> w c = w c'.
 Proof.
-  intros x v c c' Hc Hc' C C' CAR.
+  intros HW c c' Hc Hc' C C'.
   destruct (near_org_exists x) as [M1 [HM1 Hx]].
   destruct (range M1) as [K RG].
-  set (w := fun c => Z.b2z (carb (piece c) x v)).
   set (G := fun y => near M1 org y /\ forall ci, In ci (list_prod (cells K) I4) ->
      (closed (piece (fst ci)) x /\ coord (piece (fst ci)) (snd ci) x = 0) \/
      (~ closed (piece (fst ci)) y \/ coord (piece (fst ci)) (snd ci) y <> 0)).
@@ -465,23 +466,33 @@ Proof.
       apply KG in Wy. destruct Wy as [_ Wy].
       specialize (Wy (d, i)). cbn [fst snd] in Wy. rewrite in_prod_iff in Wy.
       destruct (Wy (conj Hkn Hi)) as [[Cx Lx]|[|]]; [|tauto|tauto].
-      pose proof (cells_valid _ _ Hkn) as Hk.
-      destruct (sg_spec d i Hk Hi PA) as [S1 [S2 [S3 [S4 _]]]].
-      set (ci' := across (d, i)) in *.
-      assert (Lx' : coord (piece (fst ci')) (snd ci') x = 0).
-      { unfold coord in *. rewrite (oddm_o _ _ x S4) in Lx. lra. }
-      assert (V1 : 0 < vol (piece d)) by (apply cellt_vol, Hk).
-      assert (V2 : 0 < vol (piece (fst ci'))) by (apply cellt_vol, S1).
-      assert (S4' : opposite (facet (piece (fst ci')) (snd ci')) (facet (piece d) i)).
-      { clear - S4. unfold opposite in *. intuition congruence. }
-      unfold w. f_equal. apply beq_iff. rewrite !carb_t by auto. split; intros CC.
-      + apply carF_carT with (i := i); auto. apply carF_odd with (f := facet (piece (fst ci')) (snd ci')); auto.
-        apply carT_carF; auto.
-      + apply carF_carT with (i := snd ci'); auto. apply carF_odd with (f := facet (piece d) i); auto.
-        apply carT_carF; auto. }
-    rewrite (cnt_interior w K p c), (cnt_interior w K q c') in E by auto. unfold w in E.
-    apply carb_t; [apply cellt_vol, Hc'|]. rewrite <- (carb_t _ x v (cellt_vol c (proj1 Hc))) in CAR. rewrite CAR in E.
-    destruct (carb (piece c') x v); auto; discriminate.
+      apply HW; auto. exact (cells_valid _ _ Hkn). }
+    rewrite (cnt_interior w K p c), (cnt_interior w K q c') in E by auto. exact E.
+Qed.
+
+Theorem face_to_face : forall x v c c', valid c -> valid c' ->
+  closed (piece c) x -> closed (piece c') x -> carT (piece c) x v -> carT (piece c') x v.
+Proof.
+  intros x v c c' Hc Hc' C C' CAR.
+  pose proof (constant_around x (fun c => Z.b2z (carb (piece c) x v))) as E.
+  specialize (fun H => E H c c' Hc Hc' C C'). cbv beta in E.
+  rewrite <- (carb_t _ x v (cellt_vol c (proj1 Hc))) in CAR. rewrite CAR in E.
+  apply carb_t; [apply cellt_vol, Hc'|].
+  destruct (carb (piece c') x v); auto. exfalso. cut (1 = 0)%Z; [discriminate|]. apply E. clear E CAR C C' Hc Hc' c c'.
+  intros d i Hk Hi PA Cx Lx.
+  destruct (sg_spec d i Hk Hi PA) as [S1 [S2 [S3 [S4 _]]]].
+  set (ci' := across (d, i)) in *.
+  assert (Lx' : coord (piece (fst ci')) (snd ci') x = 0).
+  { unfold coord in *. rewrite (oddm_o _ _ x S4) in Lx. lra. }
+  assert (V1 : 0 < vol (piece d)) by (apply cellt_vol, Hk).
+  assert (V2 : 0 < vol (piece (fst ci'))) by (apply cellt_vol, S1).
+  assert (S4' : opposite (facet (piece (fst ci')) (snd ci')) (facet (piece d) i)).
+  { clear - S4. unfold opposite in *. intuition congruence. }
+  f_equal. apply beq_iff. rewrite !carb_t by auto. split; intros CC.
+  + apply carF_carT with (i := i); auto. apply carF_odd with (f := facet (piece (fst ci')) (snd ci')); auto.
+    apply carT_carF; auto.
+  + apply carF_carT with (i := snd ci'); auto. apply carF_odd with (f := facet (piece d) i); auto.
+    apply carT_carF; auto.
 Qed.
 
 (** ** Convexity: the global consequence of a local inequality

@@ -185,11 +185,31 @@ Proof.
     + rewrite L_vx' by auto. lra.
 Qed.
 
-(** Strictly: a vertex that is not a vertex of c lies behind a facet of c. *)
-Hypothesis strict : forall k i, (k < N)%nat -> In i I4 ->
-  match mate k i with Some (k', i', d) => 0 < power G (T k) (vx (translate (vec h d) (T k')) i') | None => True end.
+(** Strictly: a vertex behind a facet whose apex has a positive power. *)
 Hypothesis boundary_vertices : forall k i n c v, (k < N)%nat -> lat n = true -> In i I4 -> mate k i = None ->
   valid c -> In v (verts (piece c)) -> 0 <= coord (piece (k, n)) i v.
+Theorem strict_at c c' v i : valid c -> valid c' -> In v (verts (piece c')) -> In i I4 -> coord (piece c) i v < 0 ->
+  match mate (fst c) i with Some (k', i', d) => 0 < power G (T (fst c)) (vx (translate (vec h d) (T k')) i') | None => True end ->
+  0 < power G (piece c) v.
+Proof.
+  intros Hc Hc' Hv Hi Li ST. pose proof (vol_piece _ Hc) as V.
+  assert (PA : paired (c, i)).
+  { unfold Degree.paired; cbn [fst snd]. intros E. destruct c as [k n]. cbn [fst] in E.
+    pose proof (boundary_vertices k i n c' v (proj1 Hc) (proj2 Hc) Hi E Hc' Hv). lra. }
+  pose proof (apex_power c i Hc Hi PA) as AP.
+  destruct (sg_spec _ _ _ _ Dom mate lat_add Hmate c i Hc Hi PA) as [S1 [S2 [S3 [S4 _]]]].
+  set (ci := across (c, i)) in *. pose proof (vol_piece _ S1) as V1.
+  pose proof (power_difference G (piece c) i _ (snd ci) v Hi S2 V V1 S4) as PD.
+  assert (PP : 0 < power G (piece c) (vx (piece (fst ci)) (snd ci))).
+  { destruct (mate (fst c) i) as [[[k' i'] d]|]; [|tauto]. rewrite AP. exact ST. }
+  pose proof (weakly_delaunay_global (fst ci) c' v S1 Hc' Hv) as W.
+  assert (0 < - coord (piece c) i v * power G (piece c) (vx (piece (fst ci)) (snd ci))) by (apply Rmult_lt_0_compat; lra).
+  assert (0 <= vol (piece (fst ci)) * power G (piece (fst ci)) v) by (apply Rmult_le_pos; lra). nra.
+Qed.
+
+(** So a vertex that is not a vertex of c has positive power. *)
+Hypothesis strict : forall k i, (k < N)%nat -> In i I4 ->
+  match mate k i with Some (k', i', d) => 0 < power G (T k) (vx (translate (vec h d) (T k')) i') | None => True end.
 
 Lemma closed_vertex t v : 0 < vol t -> In v (verts t) -> closed t v /\ carT t v v.
 Proof.
@@ -217,18 +237,6 @@ Proof.
            once v v c' c); auto.
   - exfalso. assert (NC : ~ closed (piece c) v) by (rewrite <- closedb_t; congruence).
     apply not_closed_iff in NC as [i [Hi Li]].
-    assert (PA : paired (c, i)).
-    { unfold Degree.paired; cbn [fst snd]. intros E. destruct c as [k n]. cbn [fst] in E.
-      pose proof (boundary_vertices k i n c' v (proj1 Hc) (proj2 Hc) Hi E Hc' Hv). lra. }
-    pose proof (apex_power c i Hc Hi PA) as AP.
-    destruct (sg_spec _ _ _ _ Dom mate lat_add Hmate c i Hc Hi PA) as [S1 [S2 [S3 [S4 _]]]].
-    set (ci := across (c, i)) in *. pose proof (vol_piece _ S1) as V1.
-    pose proof (power_difference G (piece c) i _ (snd ci) v Hi S2 V V1 S4) as PD.
-    assert (PP : 0 < power G (piece c) (vx (piece (fst ci)) (snd ci))).
-    { destruct c as [k n]. cbn [fst] in AP. destruct (mate k i) as [[[k' i'] d]|] eqn:E; [|tauto].
-      rewrite AP. pose proof (strict k i (proj1 Hc) Hi) as LC. rewrite E in LC. exact LC. }
-    pose proof (weakly_delaunay_global (fst ci) c' v S1 Hc' Hv) as W.
-    rewrite PZ in PD. assert (0 < - coord (piece c) i v * power G (piece c) (vx (piece (fst ci)) (snd ci))) by (apply Rmult_lt_0_compat; lra).
-    assert (0 <= vol (piece (fst ci)) * power G (piece (fst ci)) v) by (apply Rmult_le_pos; lra). lra.
+    pose proof (strict_at c c' v i Hc Hc' Hv Hi Li (strict (fst c) i (proj1 Hc) Hi)). lra.
 Qed.
 End Delaunay.

@@ -26,6 +26,13 @@ Proof.
   destruct r as [|[|[|r]]]; simpl; intuition (subst; auto).
 Qed.
 
+(** Half-spaces in basis coordinates: { x : n . x + d >= 0 }; a finite intersection of
+    them.  The last theorems of Soundness.v show that it is the domain of Statement.v. *)
+Record half_space := HalfSpace { normal : point; offset : R }.
+Definition level (H : half_space) (x : point) := dot (normal H) x + offset H.
+Definition half_spaces (l1 l2 l3 : point) (Hs : list half_space) (X : point) :=
+  exists x, X = at_coordinates l1 l2 l3 x /\ forall H, In H Hs -> 0 <= level H x.
+
 (** The open domain. *)
 Definition open_domain (Hs : list half_space) (x : point) := forall H, In H Hs -> 0 < level H x.
 
@@ -117,4 +124,108 @@ Proof.
   - destruct L as [-> ->]. rewrite I1 by lia. ring.
   - rewrite L, I1, I2 by lia. ring.
   - rewrite I1, I2, I3 by lia. ring.
+Qed.
+
+(** ** The domain of the claim: a convex hull, times the span of the lattice *)
+
+(** x and w have the same last 3 - r coordinates. *)
+Definition agree (r : nat) (x w : point) : Prop :=
+  match r with 0 => x = w | 1 => py x = py w /\ pz x = pz w | 2 => pz x = pz w | _ => True end%nat.
+Definition over_hull (r : nat) (W : list point) (x : point) := (3 <= r)%nat \/ exists w, convex_hull W w /\ agree r x w.
+Lemma over_hull_domain r W x : over_hull r W x <->
+  match r with
+  | 0 => exists w, convex_hull W w /\ x = w
+  | 1 => exists w, convex_hull W w /\ py x = py w /\ pz x = pz w
+  | 2 => exists w, convex_hull W w /\ pz x = pz w
+  | _ => True
+  end%nat.
+Proof. unfold over_hull. destruct r as [|[|[|r]]]; cbn [agree]; intuition lia. Qed.
+
+Lemma agree_segment r x y w v s : agree r x w -> agree r y v ->
+  agree r (add (scale (1 - s) x) (scale s y)) (add (scale (1 - s) w) (scale s v)).
+Proof.
+  destruct r as [|[|[|r]]]; cbn; auto; unf.
+  - intros -> ->. reflexivity.
+  - intros [-> ->] [-> ->]. auto.
+  - intros -> ->. auto.
+Qed.
+Lemma over_hull_convex r W x y s : over_hull r W x -> over_hull r W y -> 0 <= s <= 1 ->
+  over_hull r W (add (scale (1 - s) x) (scale s y)).
+Proof.
+  intros [L|[w [Hw Aw]]] [L'|[v [Hv Av]]] S; try (left; assumption).
+  right. exists (add (scale (1 - s) w) (scale s v)). split; [apply hull_segment; auto|]. apply agree_segment; auto.
+Qed.
+Lemma agree_trans r x y w : agree r x y -> agree r y w -> agree r x w.
+Proof. destruct r as [|[|[|r]]]; cbn; intuition congruence. Qed.
+Lemma over_hull_agree r W x y : agree r x y -> over_hull r W y -> over_hull r W x.
+Proof. intros A [L|[w [Hw Aw]]]; [left; auto|]. right. exists w. split; auto. eapply agree_trans; eauto. Qed.
+Lemma agree_shift r h n x : in_lattice r n -> agree r (add x (vec h n)) x.
+Proof.
+  destruct n as [[a b] c]. destruct r as [|[|[|r]]]; cbn; auto; unf.
+  - intros [-> [-> ->]]. apply point_eq; cbn; ring.
+  - intros [-> ->]. split; ring.
+  - intros ->. ring.
+Qed.
+Lemma agree_shift' r h n x : in_lattice r n -> agree r x (add x (vec h n)).
+Proof.
+  intros L. pose proof (agree_shift r h n x L) as A. destruct r as [|[|[|r]]]; cbn [agree] in *; intuition congruence.
+Qed.
+
+(** A convex set holds the combinations of four of its points. *)
+Lemma convex_combination (Q : point -> Prop) t a b c d :
+  (forall x y s, Q x -> Q y -> 0 <= s <= 1 -> Q (add (scale (1 - s) x) (scale s y))) ->
+  (forall v, In v (verts t) -> Q v) ->
+  0 <= a -> 0 <= b -> 0 <= c -> 0 <= d -> a + b + c + d = 1 -> Q (combination t a b c d).
+Proof.
+  intros CV V A B C D S.
+  (* p is m times a point of Q *)
+  set (P := fun (m : R) (p : point) => 0 <= m /\ (m = 0 /\ p = Point 0 0 0 \/ 0 < m /\ exists q, Q q /\ p = scale m q)).
+  assert (P1 : forall m v, 0 <= m -> Q v -> P m (scale m v)).
+  { intros m v Hm Hv. split; auto. destruct (Req_dec m 0) as [->|N].
+    - left. split; auto. apply point_eq; unf; ring.
+    - right. split; [lra|]. eauto. }
+  assert (P2 : forall m n p q, P m p -> P n q -> P (m + n) (add p q)).
+  { intros m n p q [Hm [[M0 Ep]|[M1 [x [Qx Ep]]]]] [Hn [[N0 Eq]|[N1 [y [Qy Eq]]]]]; split; try lra; subst.
+    - left. split; [lra|]. apply point_eq; unf; ring.
+    - right. split; [lra|]. exists y. split; auto. apply point_eq; unf; ring.
+    - right. split; [lra|]. exists x. split; auto. apply point_eq; unf; ring.
+    - right. split; [lra|]. eexists. split; [apply (CV x y (n / (m + n))); auto|].
+      + split; [apply Rmult_le_pos; [lra|left; apply Rinv_0_lt_compat; lra]|].
+        apply Rmult_le_reg_r with (m + n); [lra|]. unfold Rdiv. rewrite Rmult_assoc, Rinv_l by lra. lra.
+      + apply point_eq; unf; field; lra. }
+  assert (F : P (a + b + (c + d)) (combination t a b c d)).
+  { unfold combination. apply P2; apply P2; apply P1; auto; apply V; simpl; auto. }
+  destruct F as [_ [[Z _]|[_ [q [Qq E]]]]]; [lra|].
+  rewrite E. replace (a + b + (c + d)) with 1 by lra. replace (scale 1 q) with q; auto.
+  apply point_eq; unf; ring.
+Qed.
+
+(** A half-space that is invariant and holds all points of W holds the domain. *)
+Lemma level_agree r H x w : invariant r H -> agree r x w -> level H x = level H w.
+Proof.
+  intros [I1 [I2 I3]] A. unfold level, dot. destruct r as [|[|[|r]]]; cbn in A.
+  - subst. reflexivity.
+  - destruct A as [-> ->]. rewrite I1 by lia. ring.
+  - rewrite A, I1, I2 by lia. ring.
+  - rewrite I1, I2, I3 by lia. ring.
+Qed.
+Lemma level_over_hull r H W x : (r <= 2)%nat -> invariant r H -> (forall w, In w W -> 0 <= level H w) -> over_hull r W x -> 0 <= level H x.
+Proof.
+  intros R I HW [L|[w [Hw A]]]; [lia|]. rewrite (level_agree r H x w I A). clear A x.
+  induction Hw as [v Hv|x y s _ IHx _ IHy S]; auto.
+  replace (level H (add (scale (1 - s) x) (scale s y))) with ((1 - s) * level H x + s * level H y).
+  - assert (0 <= (1 - s) * level H x) by (apply Rmult_le_pos; lra). assert (0 <= s * level H y) by (apply Rmult_le_pos; lra). lra.
+  - unfold level, dot. unf. ring.
+Qed.
+Lemma convex_hull_scale W k x : convex_hull W x -> convex_hull (map (scale k) W) (scale k x).
+Proof.
+  intros H. induction H as [v Hv|x y s _ IHx _ IHy S].
+  - apply hull_vertex, in_map, Hv.
+  - replace (scale k (add (scale (1 - s) x) (scale s y))) with (add (scale (1 - s) (scale k x)) (scale s (scale k y))) by (apply point_eq; unf; ring).
+    apply hull_segment; auto.
+Qed.
+Lemma over_hull_scale r W k x : over_hull r W x -> over_hull r (map (scale k) W) (scale k x).
+Proof.
+  intros [L|[w [Hw A]]]; [left; auto|]. right. exists (scale k w). split; [apply convex_hull_scale; auto|].
+  destruct r as [|[|[|r]]]; cbn [agree] in *; auto; unf; intuition congruence.
 Qed.

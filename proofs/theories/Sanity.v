@@ -3,7 +3,7 @@
     Nothing depends on this file.  It relates the definitions to plain topology and
     to the usual notions, and shows that they are not empty. *)
 Require Import Reals Lra ZArith List.
-From Acutile Require Import Statement Tetrahedra Topology Degree Angles Euclid.
+From Acutile Require Import Statement PlaneStatement Tetrahedra Topology Degree Angles Euclid.
 Open Scope R_scope.
 
 (** [open_hull] is the topological interior of the closed tetrahedron. *)
@@ -56,10 +56,23 @@ Proof.
 Qed.
 End Tiling.
 
-(** Without half-spaces the domain is the whole space. *)
-Theorem domain_space l1 l2 l3 X : det l1 l2 l3 <> 0 -> domain l1 l2 l3 nil X.
+(** With a lattice of rank 3 the domain is the whole space. *)
+Theorem domain_space l1 l2 l3 W X : det l1 l2 l3 <> 0 -> domain l1 l2 l3 3 W X.
+Proof. intros D. exists (Einv l1 l2 l3 X). split; [symmetry; apply (E_Einv l1 l2 l3 D)|]. exact I. Qed.
+(** With a lattice of rank 2 and W on two levels it is the slab between them. *)
+Theorem domain_slab l1 l2 l3 lo hi X : det l1 l2 l3 <> 0 -> lo < hi ->
+  domain l1 l2 l3 2 (Point 0 0 lo :: Point 0 0 hi :: nil) X <-> lo <= pz (Einv l1 l2 l3 X) <= hi.
 Proof.
-  intros D. exists (Einv l1 l2 l3 X). split; [symmetry; apply (E_Einv l1 l2 l3 D)|]. intros ? [].
+  intros D LH. split.
+  - intros [x [-> [w [Hw E]]]]. rewrite (Einv_E l1 l2 l3 D), E. clear E x.
+    induction Hw as [v [<-|[<-|[]]]|x y s _ IHx _ IHy S]; cbn; try lra. unf. nra.
+  - intros B. exists (Einv l1 l2 l3 X). split; [symmetry; apply (E_Einv l1 l2 l3 D)|].
+    set (z := pz (Einv l1 l2 l3 X)) in *.
+    exists (add (scale (1 - (z - lo) / (hi - lo)) (Point 0 0 lo)) (scale ((z - lo) / (hi - lo)) (Point 0 0 hi))). split.
+    + apply hull_segment; try (apply hull_vertex; simpl; auto).
+      split; [apply Rmult_le_pos; [lra|left; apply Rinv_0_lt_compat; lra]|].
+      apply Rmult_le_reg_r with (hi - lo); [lra|]. unfold Rdiv. rewrite Rmult_assoc, Rinv_l by lra. lra.
+    + unf. field. lra.
 Qed.
 
 (** Acute means a positive inner product; the angle is the usual one. *)
@@ -80,4 +93,20 @@ Proof.
   unfold dihedral, angle.
   replace (dot _ _) with 0 by (unfold perp, dot; unf; field).
   unfold Rdiv. rewrite Rmult_0_l, acos_0. lra.
+Qed.
+
+(** ** The plane *)
+
+(** With a lattice of rank 2 the domain is the whole plane. *)
+Theorem domain_plane l1 l2 W X : det2 l1 l2 <> 0 -> domain2 l1 l2 2 W X.
+Proof.
+  intros D. exists (Point2 (det2 X l2 / det2 l1 l2) (det2 l1 X / det2 l1 l2)). split; [|exact I].
+  unfold at_coordinates2, add2, scale2, det2 in *. destruct X as [x y]. cbn [x2 y2] in *. f_equal; field; exact D.
+Qed.
+(** The triangle 3, 4, 5 has a right angle: it is not acute. *)
+Example right_angle_not_acute2 : ~ all_angles (fun x => x < PI / 2) (Triangle2 (Point2 0 0) (Point2 3 0) (Point2 0 4)).
+Proof.
+  intros [H _]. unfold angle2 in H; cbn [ta tb tc] in H.
+  replace (dot2 _ _) with 0 in H at 1 by (unfold dot2, sub2; cbn [x2 y2]; ring).
+  unfold Rdiv at 1 in H. rewrite Rmult_0_l, acos_0 in H. lra.
 Qed.

@@ -4,20 +4,11 @@
     comparisons are sound.  Each lemma [c...] is what one check of Checker.v means;
     the theorem [check_sound] puts them into the degree argument and moves the
     result to Euclidean space. *)
-Require Import Reals Lra Psatz NArith Nnat ZArith List Lia Bool FunctionalExtensionality.
-From Acutile Require Import Statement Sums Crossing Tetrahedra Topology Degree Domain Cosine Angles Euclid Transfer Volume Delaunay Checker.
+Require Import Reals Lra Psatz NArith Nnat ZArith List Lia Bool FunctionalExtensionality FMapPositive.
+From Acutile Require Import Statement Sums Crossing Tetrahedra Topology Degree Domain Cosine Angles Euclid Transfer Volume Delaunay Checker Keys.
 Import ListNotations.
 Local Open Scope nat_scope.
 
-Lemma z3eqb_t a b : z3eqb a b = true <-> a = b.
-Proof. destruct a as [[? ?] ?], b as [[? ?] ?]. simpl. rewrite !andb_true_iff, !Z.eqb_eq. intuition congruence. Qed.
-Lemma ceqb_t a b : ceqb a b = true <-> a = b.
-Proof. destruct a, b. unfold ceqb; simpl. rewrite andb_true_iff, N.eqb_eq, z3eqb_t. intuition congruence. Qed.
-Lemma meqb_t a b : meqb a b = true <-> a = Some b.
-Proof.
-  destruct a as [[[? ?] ?]|], b as [[? ?] ?]; unfold meqb; cbn [fst snd]; [|split; discriminate].
-  rewrite !andb_true_iff, !N.eqb_eq, z3eqb_t. intuition congruence.
-Qed.
 Lemma existsl_eq {X} (f : X -> bool) l : existsl f l = existsb f l.
 Proof. induction l; simpl; auto. rewrite IHl. destruct (f a); auto. Qed.
 Lemma zint_In lo hi n : (lo <= n <= hi)%Z -> In n (zint lo hi).
@@ -63,6 +54,12 @@ Notation c_tets := (c_tets A).
 Notation c_gram := (c_gram A).
 Notation c_rank := (c_rank A).
 Notation c_domain := (c_domain A).
+Notation c_polytope := (c_polytope A).
+Notation c_pieces := (c_pieces A).
+Notation chk_polytope := (chk_polytope A aadd asub amul aofZ alt ale).
+Notation in_piece := (in_piece A aadd asub amul aofZ alt ale).
+Notation piece_pos := (piece_pos A aadd aofZ).
+Notation zeroed := (zeroed A aofZ).
 Notation c_cover := (c_cover A).
 Notation chk_cover := (chk_cover A aadd asub amul aofZ alt ale).
 Notation kvolume := (kvolume A aadd asub amul aofZ).
@@ -103,6 +100,10 @@ Notation check_statement := (check_statement A aadd asub amul aofZ alt ale).
 Notation check := (check A aadd asub amul aofZ alt ale).
 Notation all_six := (all_six A).
 Notation chk_cosine := (chk_cosine A aadd asub amul aofZ alt ale).
+Notation chk_cosine_above := (chk_cosine_above A aadd asub amul aofZ alt ale).
+Notation chk_radius := (chk_radius A aadd asub amul aofZ alt).
+Notation chk_ratio := (chk_ratio A aadd asub amul aofZ alt).
+Notation kradius := (kradius A aadd asub amul aofZ).
 Notation chk_power := (chk_power A aadd asub amul aofZ).
 
 (** ** What the ring operations mean *)
@@ -151,8 +152,8 @@ Definition dtet (k : nat) : tetrahedron :=
   | Some t => Tetrahedron (dcorner (q0 t)) (dcorner (q1 t)) (dcorner (q2 t)) (dcorner (q3 t))
   | None => Tetrahedron origin origin origin origin
   end.
-Definition dhalf (H : khalf) := HalfSpace (phi3 (hn H)) (phi (hd H) / IZR (c_den c)).
-Definition ddomain := domain l1 l2 l3 (map dhalf (c_domain c)).
+Definition dpoint (v : v3) := let d := IZR (c_den c) in Point (phi (vX v) / d) (phi (vY v) / d) (phi (vZ v) / d).
+Definition ddomain := domain l1 l2 l3 (c_rank c) (map dpoint (c_polytope c)).
 Definition dgram :=
   let s := IZR (c_gden c) in let g := c_gram c in
   Gram (phi (k11 g) / s) (phi (k22 g) / s) (phi (k33 g) / s) (phi (k12 g) / s) (phi (k13 g) / s) (phi (k23 g) / s).
@@ -183,10 +184,11 @@ Lemma chk_all :
   (forall H, In H (c_domain c) -> chk_invariant r H = true /\ chk_inside (positions c) H = true) /\
   chk_mates r (c_domain c) (c_tets c) (kpos den vs) 0 (c_tets c) = true /\
   chk_cover c = true /\
-  chk_gram (c_gram c) = true.
+  chk_gram (c_gram c) = true /\
+  chk_polytope c (positions c) = true.
 Proof.
   pose proof CHK as H. unfold Checker.check_tiling in H. cbv zeta in H. fold den vs r in H. rewrite !andb_true_iff in H.
-  destruct H as [[[[[[[H1 H1'] H1''] H2] H3] H6] H7] H9].
+  destruct H as [[[[[[[[H1 H1'] H1''] H2] H3] HP] H6] H7] H9].
   unfold Checker.positions in H2. fold den vs in H2.
   repeat split; auto.
   - apply Z.ltb_lt; auto.
@@ -294,6 +296,12 @@ Proof.
     + injection E as <-. rewrite Nat.add_0_r. rewrite forallb_forall in H1. apply (H1 i Hi).
     + replace (k + S j)%nat with (S k + j)%nat by lia. apply (IH (S k)); auto.
 Qed.
+Lemma translate_verts u t v : In v (verts (translate u t)) <-> exists w, In w (verts t) /\ v = add w u.
+Proof.
+  unfold verts, translate; cbn. split.
+  - intros [<-|[<-|[<-|[<-|[]]]]]; eauto 8.
+  - intros [w [[<-|[<-|[<-|[<-|[]]]]] ->]]; auto.
+Qed.
 Lemma vx_translate' u t i : vx (translate u t) i = add (vx t i) u.
 Proof. destruct i as [|[|[|i]]]; reflexivity. Qed.
 Lemma vx_In t i : In i I4 -> In (vx t i) (verts t).
@@ -347,9 +355,9 @@ Qed.
 
 (** *** The covering condition, by a witness point *)
 Section Witness.
-Variables (wk : nat) (wp : v3) (boxes : list (Z3 * Z3)).
+Variables (wk : nat) (wp : v3).
 Hypothesis Hin : exists t, nth_error (c_tets c) wk = Some t /\ chk_in (kpos den vs t) wp = true.
-Hypothesis Hwits : chk_wits den r wk wp 0 (map (kpos den vs) (c_tets c)) boxes = true.
+Hypothesis Hwits : chk_wits den r wk wp 0 (map (kpos den vs) (c_tets c)) = true.
 
 Lemma cwk : (wk < N)%nat.
 Proof. destruct Hin as [t [E _]]. apply nth_error_Some. rewrite E. discriminate. Qed.
@@ -359,15 +367,14 @@ Proof.
   destruct Hin as [t [E H]]. rewrite (cT_eq _ t E). unfold Checker.chk_in in H.
   rewrite forallb_forall in H. intros i Hi. specialize (H i Hi). apply alt_ok in H. rewrite phi_zero, phi_L in H. exact H.
 Qed.
-Lemma chk_wits_spec : forall ts bs k, chk_wits den r wk wp k ts bs = true ->
+Lemma chk_wits_spec : forall ts k, chk_wits den r wk wp k ts = true ->
   forall j t, nth_error ts j = Some t -> exists b, chk_wit1 den r wk wp (k + j) t b = true.
 Proof.
-  induction ts as [|t0 ts IH]; intros bs k H j t E.
+  induction ts as [|t0 ts IH]; intros k H j t E.
   - destruct j; discriminate.
-  - destruct bs as [|b bs]; [discriminate|].
-    cbn [Checker.chk_wits] in H. apply andb_true_iff in H as [H1 H2]. destruct j as [|j].
+  - cbn [Checker.chk_wits] in H. apply andb_true_iff in H as [H1 H2]. destruct j as [|j].
     + injection E as <-. rewrite Nat.add_0_r. eauto.
-    + replace (k + S j)%nat with (S k + j)%nat by lia. apply (IH bs (S k)); auto.
+    + replace (k + S j)%nat with (S k + j)%nat by lia. apply (IH (S k)); auto.
 Qed.
 Lemma convex_range a b cc d va' vb' vc' vd' u :
   0 <= a -> 0 <= b -> 0 <= cc -> 0 <= d -> a + b + cc + d = 1 ->
@@ -429,7 +436,7 @@ Proof.
   pose proof Hwits as H.
   assert (E' : nth_error (map (kpos den vs) (c_tets c)) k = Some (kpos den vs t)).
   { rewrite nth_error_map, E. reflexivity. }
-  destruct (chk_wits_spec _ _ 0%nat H k _ E') as [bx X]. cbn [Nat.add] in X.
+  destruct (chk_wits_spec _ 0%nat H k _ E') as [bx X]. cbn [Nat.add] in X.
   pose proof (cvol k Hk) as V. unfold Degree.piece in C; cbn [fst snd] in C. rewrite (cT_eq k t E) in C, V.
   set (kt := kpos den vs t) in *.
   apply closed_ttr in C. apply latb_iff in Hn. destruct n as [[n1 n2] n3]. destruct bx as [[[lx ly] lz] [[hx hy] hz]].
@@ -495,12 +502,12 @@ Qed.
 Lemma cover_once : (0 < N)%nat /\ covered_once N cT h (latb r) (open_domain Hs).
 Proof.
   destruct chk_all as [_ [_ [_ [_ [_ [_ [H _]]]]]]]. unfold Checker.chk_cover in H. cbv zeta in H. fold den r in H.
-  destruct (c_cover c) as [|wk wp boxes].
+  destruct (c_cover c) as [|wk wp].
   - apply volume_once; auto.
   - apply andb_true_iff in H as [H1 H2]. unfold Checker.positions in H1, H2. fold den vs in H1, H2. rewrite nth_error_map in H1.
     assert (Hin : exists t, nth_error (c_tets c) (N.to_nat wk) = Some t /\ chk_in (kpos den vs t) wp = true).
     { destruct (nth_error (c_tets c) (N.to_nat wk)) as [t|]; [|discriminate]. exists t. split; auto. }
-    split; [pose proof (cwk _ _ Hin); lia | apply (witness_once _ _ _ Hin H2)].
+    split; [pose proof (cwk _ _ Hin); lia | apply (witness_once _ _ Hin H2)].
 Qed.
 Lemma cN : (0 < N)%nat.
 Proof. apply cover_once. Qed.
@@ -509,7 +516,7 @@ Proof. apply cover_once. Qed.
 
 Lemma cgram : gpos (phiG (c_gram c)).
 Proof.
-  destruct chk_all as [_ [_ [_ [_ [_ [_ [_ H]]]]]]]. unfold Checker.chk_gram in H. rewrite !andb_true_iff in H.
+  destruct chk_all as [_ [_ [_ [_ [_ [_ [_ [H _]]]]]]]]. unfold Checker.chk_gram in H. rewrite !andb_true_iff in H.
   destruct H as [[H1 H2] H3]. apply alt_ok in H1, H2, H3. rewrite phi_zero in *.
   rewrite phi_gdet in H3. rewrite phi_sub, !phi_mul in H2. unfold gpos, phiG at 1 2 3 4 5; cbn. auto.
 Qed.
@@ -567,9 +574,6 @@ Proof.
       unfold E, at_coordinates, origin, add, scale; cbn [px py pz]. apply point_eq; cbn [px py pz]; ring. }
     rewrite K. reflexivity.
 Qed.
-Lemma dhalf_descale : map (dhalf c) (c_domain c) = map (descale h) Hs.
-Proof. unfold Hs. rewrite map_map. reflexivity. Qed.
-
 Lemma nonempty_domain : exists z, open_domain Hs z.
 Proof.
   exists (centroid (piece (0%nat, z30))). apply (cdom_inside (0%nat, z30)).
@@ -577,9 +581,9 @@ Proof.
   - apply cen_inter, pvol, cN.
 Qed.
 
-Theorem tiling_sound : face_to_face_tiling l1 l2 l3 r (ddomain c l1 l2 l3) N (dtet c l1 l2 l3).
+Lemma half_space_tiling : face_to_face_tiling l1 l2 l3 r (half_spaces l1 l2 l3 (map (descale h) Hs)) N (dtet c l1 l2 l3).
 Proof.
-  rewrite dtet_cP. unfold ddomain. rewrite dhalf_descale.
+  rewrite dtet_cP.
   apply transfer.
   - apply h_pos.
   - apply cdet.
@@ -590,6 +594,88 @@ Proof.
   - apply (face_to_face N cT h (latb r) (open_domain Hs) cM h_pos (latb_add r) (open_domain_convex Hs)
       cdom_inside cvol cmate conce).
   - intros M. destruct (range N cT h (latb r) h_pos cvol M) as [K HK]. exists (cells N (latb r) K). exact HK.
+Qed.
+
+(** The half-spaces hold the convex hull of the polytope, and the hull all tiles; as the
+    tiles cover what the half-spaces hold, it is the domain of the claim. *)
+Let Wh := map phi3 (c_polytope c).
+Lemma cpolytope_point : map (dpoint c) (c_polytope c) = map (scale (/ h)) Wh.
+Proof.
+  unfold Wh. rewrite map_map. apply map_ext. intros v. unfold dpoint, phi3. fold den h. pose proof h_pos.
+  apply point_eq; unf; field; lra.
+Qed.
+Lemma domain_half_spaces X : ddomain c l1 l2 l3 X -> half_spaces l1 l2 l3 (map (descale h) Hs) X.
+Proof.
+  intros [x [-> Hx]]. exists x. split; auto. apply over_hull_domain in Hx. fold r in Hx. rewrite cpolytope_point in Hx.
+  intros H HI. apply in_map_iff in HI as [H0 [<- HI]]. pose proof h_pos as hp.
+  apply Rmult_le_reg_l with h; auto. rewrite Rmult_0_r, level_descale by apply h_pos.
+  destruct chk_all as [_ [_ [R3 [_ [_ [_ [_ [_ K]]]]]]]]. unfold Checker.chk_polytope in K. fold r in K.
+  destruct (Nat.leb_spec 3 r) as [R|R].
+  - exfalso. unfold Hs in HI. destruct (c_domain c); [exact HI|discriminate].
+  - apply andb_true_iff in K as [K _]. rewrite forallb_forall in K.
+    apply level_over_hull with (r := r) (W := Wh); [lia|apply cinvariant; auto| |].
+    + intros w Hw. unfold Wh in Hw. apply in_map_iff in Hw as [v [<- Hv]].
+      unfold Hs in HI. apply in_map_iff in HI as [H1 [<- HI]]. specialize (K H1 HI). rewrite forallb_forall in K.
+      specialize (K v Hv). apply ale_ok in K. rewrite phi_zero, phi_lev in K. exact K.
+    + apply (over_hull_scale r _ h) in Hx. rewrite map_map in Hx.
+      replace (map (fun x => scale h (scale (/ h) x)) Wh) with Wh in Hx; auto.
+      rewrite <- (map_id Wh) at 1. apply map_ext. intros v. apply point_eq; unf; field; lra.
+Qed.
+
+Lemma agree_zeroed v : (r <= 3)%nat -> agree r (phi3 v) (phi3 (zeroed r v)).
+Proof.
+  intros R. unfold Checker.zeroed, phi3; cbn [Checker.vX Checker.vY Checker.vZ].
+  destruct r as [|[|[|[|]]]]; cbn; auto; lia.
+Qed.
+Lemma agree_sym k x y : agree k x y -> agree k y x.
+Proof. destruct k as [|[|[|k]]]; cbn; intuition congruence. Qed.
+Lemma cvertex cc v : valid cc -> In v (verts (piece cc)) -> over_hull r Wh v.
+Proof.
+  destruct cc as [k n]. intros [Hk Hn] Hv. cbn [fst snd] in *. apply latb_iff in Hn.
+  destruct chk_all as [_ [_ [R3 [_ [_ [_ [_ [_ K]]]]]]]]. unfold Checker.chk_polytope in K. fold r den in K.
+  destruct (Nat.leb_spec 3 r) as [R|R]; [left; auto|].
+  apply andb_true_iff in K as [_ K]. rewrite forallb_forall in K.
+  destruct (get k Hk) as [t [E I]]. specialize (K (kpos den vs t)).
+  unfold Checker.positions in K. fold den vs in K. specialize (K (in_map _ _ _ I)). rewrite forallb_forall in K.
+  assert (W : exists w, In w (verts (cT k)) /\ v = add w (vec h n)).
+  { unfold Degree.piece, translate, verts in Hv; cbn [fst snd va vb vc vd] in Hv. unfold verts. simpl in Hv |- *.
+    destruct Hv as [<-|[<-|[<-|[<-|[]]]]]; eauto 8. }
+  destruct W as [w [Hw ->]]. apply over_hull_agree with (y := w); [apply agree_shift; auto|].
+  rewrite (cT_eq k t E) in Hw. apply phiT_verts in Hw as [w' [Hw' ->]].
+  specialize (K w' Hw'). rewrite existsl_eq in K. apply existsb_exists in K as [q [_ K]]. unfold Checker.in_piece in K. cbv zeta in K.
+  apply andb_true_iff in K as [K1 K2]. apply andb_true_iff in K2 as [K2 K3]. rewrite forallb_forall in K1, K3.
+  apply over_hull_agree with (y := phi3 (zeroed r w')); [apply agree_zeroed; lia|].
+  set (kt := piece_pos den (c_polytope c) q) in *.
+  assert (V : 0 < vol (phiT kt)). { unfold Checker.chk_vol in K2. apply alt_ok in K2. rewrite phi_zero, phi_D in K2. exact K2. }
+  assert (C : closed (phiT kt) (phi3 (zeroed r w'))).
+  { intros i Hi. specialize (K3 i Hi). apply ale_ok in K3. rewrite phi_zero, phi_L in K3. exact K3. }
+  apply hull_closed in C; auto. destruct C as [a [b [c0 [d [A1 [B1 [C1 [D1 [S1 ->]]]]]]]]].
+  apply convex_combination; auto.
+  - intros x y s0 Hx Hy S0. apply over_hull_convex; auto.
+  - intros u Hu.
+    assert (Y : forall a, In a (piece_corners q) -> over_hull r Wh (phi3 (pos den (c_polytope c) a))).
+    { intros a' Ha. specialize (K1 a' Ha). apply andb_true_iff in K1 as [L1 L2]. apply N.ltb_lt in L1. apply latb_iff in L2.
+      unfold Checker.pos. rewrite phi3_add, phi3_ofZ. apply over_hull_agree with (y := phi3 (nth (N.to_nat (fst a')) (c_polytope c) vzero)).
+      - apply agree_shift; auto.
+      - right. eexists. split; [|destruct r as [|[|[|]]]; cbn; auto].
+        apply hull_vertex. unfold Wh. apply in_map, nth_In. lia. }
+    unfold kt, Checker.piece_pos in Hu. destruct q as [[[qa qb] qc] qd]. cbn [piece_corners] in Y.
+    simpl in Hu. destruct Hu as [<-|[<-|[<-|[<-|[]]]]]; apply Y; simpl; auto.
+Qed.
+
+Theorem tiling_sound : face_to_face_tiling l1 l2 l3 r (ddomain c l1 l2 l3) N (dtet c l1 l2 l3).
+Proof.
+  pose proof half_space_tiling as T. destruct T as [T1 T2 T3 T4 T5 T6 T7]. constructor; auto.
+  2:{ intros X HX. apply T5, domain_half_spaces, HX. }
+  clear T1 T2 T3 T4 T5 T6 T7. rewrite dtet_cP. intros cc X Hc H. apply valid_is_tile in Hc. unfold cP in H.
+  rewrite (tile_piece cT h l1 l2 l3 h_pos) in H. fold b1 b2 b3 in H.
+  rewrite <- (E_Einv b1 b2 b3 cdetb X) in H |- *. rewrite (hull_Et b1 b2 b3 cdetb) in H.
+  set (x := Einv b1 b2 b3 X) in *. unfold b1, b2, b3. rewrite E_scaled.
+  exists (scale (/ h) x). split; auto. apply over_hull_domain. fold r. rewrite cpolytope_point. apply over_hull_scale.
+  destruct H as [a [b [c0 [d [A1 [B1 [C1 [D1 [S1 ->]]]]]]]]].
+  apply convex_combination; auto.
+  - intros; apply over_hull_convex; auto.
+  - intros v Hv. apply (cvertex cc); auto.
 Qed.
 
 (** *** Dihedral angles *)
@@ -635,6 +721,97 @@ Proof.
     destruct (ale zero (kac (c_gram c) a b c0 d)) eqn:E0.
     + left. apply ale_ok in E0. rewrite phi_zero in E0. fold x in E0. apply Rmult_le_pos; lra.
     + right. apply alt_ok in H. rewrite !phi_mul, !phi_Z, !mult_IZR in H. fold x y z in H. apply Rmult_lt_compat_l; auto.
+Qed.
+
+Lemma cosine_above_sound p q theta a b c0 d : orient (e (phi3 a)) (e (phi3 b)) (e (phi3 c0)) (e (phi3 d)) <> 0 ->
+  0 < IZR q -> 0 <= theta <= PI -> IZR p / IZR q <= cos theta ->
+  chk_cosine_above (c_gram c) p q a b c0 d = true ->
+  theta < dihedral (e (phi3 a)) (e (phi3 b)) (e (phi3 c0)) (e (phi3 d)).
+Proof.
+  intros V Hq Ht Hc H. apply above_rule with (p := IZR p) (q := IZR q); auto. rewrite !kac_C.
+  pose proof ss_pos as SS. set (m := s * s) in *.
+  set (x := phi (kac (c_gram c) a b c0 d)). set (y := phi (kac (c_gram c) a b c0 c0)). set (z := phi (kac (c_gram c) a b d d)).
+  assert (MM : 0 < m * m) by (apply Rmult_lt_0_compat; auto).
+  replace (IZR p * IZR p * (m * y * (m * z))) with ((m * m) * (IZR p * IZR p * (y * z))) by ring.
+  replace (IZR q * IZR q * (m * x * (m * x))) with ((m * m) * (IZR q * IZR q * (x * x))) by ring.
+  unfold Checker.chk_cosine_above in H. cbv zeta in H. destruct (Z.leb_spec p 0) as [Hp|Hp].
+  - left. apply andb_true_iff in H as [H1 H2]. apply alt_ok in H1, H2. rewrite phi_zero in H1. rewrite !phi_mul, !phi_Z, !mult_IZR in H2.
+    fold x y z in H1, H2. split; [apply IZR_le; auto|]. split; [|apply Rmult_lt_compat_l; auto].
+    assert (0 < m * - x) by (apply Rmult_lt_0_compat; lra). lra.
+  - right. split; [apply IZR_lt; auto|].
+    destruct (ale (kac (c_gram c) a b c0 d) zero) eqn:E0.
+    + left. apply ale_ok in E0. rewrite phi_zero in E0. fold x in E0. assert (0 <= m * - x) by (apply Rmult_le_pos; lra). lra.
+    + right. apply alt_ok in H. rewrite !phi_mul, !phi_Z, !mult_IZR in H. fold x y z in H. apply Rmult_lt_compat_l; auto.
+Qed.
+
+(** *** The radius *)
+Lemma tile_vertices k n : (k < N)%nat -> exists t, In t (c_tets c) /\
+  tile l1 l2 l3 cP (k, n) = translate (lattice_vector l1 l2 l3 n) (Euclid.Et b1 b2 b3 (phiT (kpos den vs t))) /\
+  vol (Euclid.Et b1 b2 b3 (phiT (kpos den vs t))) <> 0.
+Proof.
+  intros Hk. destruct (get k Hk) as [t [Et It]]. exists t. split; auto. split.
+  - unfold tile; cbn [fst snd]. unfold cP, Pk. rewrite (cT_eq k t Et). reflexivity.
+  - rewrite vol_Et. apply Rmult_integral_contrapositive_currified; [|apply cdetb].
+    pose proof (cvol k Hk) as V. rewrite (cT_eq k t Et) in V. lra.
+Qed.
+Lemma distance_e a b : distance_squared (e (phi3 a)) (e (phi3 b)) = s * phi (kgdot (c_gram c) (vsub b a) (vsub b a)).
+Proof.
+  unfold distance_squared. rewrite <- e_sub, dot_e, phi_gdot, phi3_sub. fold G. f_equal.
+  unfold gdot. unf. ring.
+Qed.
+Lemma distance_sym u v : distance_squared u v = distance_squared v u.
+Proof. unfold distance_squared, dot. unf. ring. Qed.
+Lemma distance_translate u v w : distance_squared (add u w) (add v w) = distance_squared u v.
+Proof. unfold distance_squared, dot. unf. ring. Qed.
+Lemma distance_pos u v : u <> v -> 0 < distance_squared u v.
+Proof.
+  intros Ne. apply dot_self_pos. intros Z. apply Ne. pose proof (f_equal px Z) as X. pose proof (f_equal py Z) as Y. pose proof (f_equal pz Z) as W.
+  unf. apply point_eq; lra.
+Qed.
+Definition on_edges (f : R -> R -> R -> R -> R -> R -> R) (t : ktet) : R :=
+  let e1 := sub (phi3 (kb t)) (phi3 (ka t)) in let e2 := sub (phi3 (kc t)) (phi3 (ka t)) in let e3 := sub (phi3 (kd t)) (phi3 (ka t)) in
+  f (gdot G e1 e1) (gdot G e2 e2) (gdot G e3 e3) (gdot G e1 e2) (gdot G e1 e3) (gdot G e2 e3).
+Lemma kradius_x t : phi (fst (kradius (c_gram c) t)) = on_edges radius_form t.
+Proof.
+  unfold Checker.kradius; cbn [fst]. repeat rewrite ?phi_add, ?phi_sub, ?phi_mul, ?phi_Z. rewrite !phi_gdot, !phi3_sub. reflexivity.
+Qed.
+Lemma kradius_d t : phi (snd (kradius (c_gram c) t)) = on_edges gram_form t.
+Proof.
+  unfold Checker.kradius; cbn [snd]. repeat rewrite ?phi_add, ?phi_sub, ?phi_mul. rewrite !phi_gdot, !phi3_sub. reflexivity.
+Qed.
+Lemma radius_sound p q t : vol (Euclid.Et b1 b2 b3 (phiT t)) <> 0 -> chk_radius (c_gram c) p q t = true ->
+  let T := Euclid.Et b1 b2 b3 (phiT t) in
+  forall u v, In u (verts T) -> In v (verts T) -> u <> v ->
+  sqrt (distance_squared (va T) (circumcentre T)) < IZR p / IZR q * sqrt (distance_squared u v).
+Proof.
+  intros V H T. unfold Checker.chk_radius in H. cbv zeta in H. rewrite !andb_true_iff, !Z.ltb_lt in H.
+  destruct H as [[[[[[[P Q] H1] H2] H3] H4] H5] H6]. apply IZR_lt in P, Q. pose proof s_pos as S.
+  assert (R : forall a b, chk_ratio (c_gram c) p q (kradius (c_gram c) t) a b = true ->
+    e (phi3 a) <> e (phi3 b) ->
+    sqrt (distance_squared (va T) (circumcentre T)) < IZR p / IZR q * sqrt (distance_squared (e (phi3 a)) (e (phi3 b)))).
+  { intros a b K Ne. apply distance_pos in Ne. apply radius_rule; auto.
+    unfold Checker.chk_ratio in K. apply alt_ok in K. cbv zeta in K. rewrite !phi_mul, !phi_Z, !mult_IZR, kradius_x, kradius_d in K.
+    rewrite distance_e. unfold T, Euclid.Et, phiT; cbn [va vb vc vd].
+    change (E b1 b2 b3) with e. rewrite <- !e_sub, !dot_e.
+    assert (S4 : 0 < s * s * (s * s)) by (apply Rmult_lt_0_compat; apply ss_pos).
+    unfold on_edges in K. cbv zeta in K.
+    set (e1 := sub (phi3 (kb t)) (phi3 (ka t))) in *. set (e2 := sub (phi3 (kc t)) (phi3 (ka t))) in *. set (e3 := sub (phi3 (kd t)) (phi3 (ka t))) in *.
+    set (m11 := gdot G e1 e1) in *. set (m22 := gdot G e2 e2) in *. set (m33 := gdot G e3 e3) in *.
+    set (m12 := gdot G e1 e2) in *. set (m13 := gdot G e1 e3) in *. set (m23 := gdot G e2 e3) in *. set (l := phi (kgdot _ _ _)) in *.
+    replace (radius_form (s * m11) (s * m22) (s * m33) (s * m12) (s * m13) (s * m23)) with (s * s * (s * s) * radius_form m11 m22 m33 m12 m13 m23) by (unfold radius_form; ring).
+    replace (gram_form (s * m11) (s * m22) (s * m33) (s * m12) (s * m13) (s * m23)) with (s * s * s * gram_form m11 m22 m33 m12 m13 m23) by (unfold gram_form; ring).
+    apply (Rmult_lt_compat_l _ _ _ S4) in K. clearbody m11 m22 m33 m12 m13 m23 l s.
+    set (rf := radius_form _ _ _ _ _ _) in *. set (gf := gram_form _ _ _ _ _ _) in *. clearbody rf gf.
+    replace (IZR q * IZR q * (s * s * (s * s) * rf)) with (s * s * (s * s) * (IZR q * IZR q * rf)) by ring.
+    replace (4 * (IZR p * IZR p) * (s * s * s * gf) * (s * l)) with (s * s * (s * s) * (4 * (IZR p * IZR p) * gf * l)) by ring. exact K. }
+  assert (SY : forall x y : point, x <> y -> y <> x) by congruence.
+  assert (R' : forall a b, chk_ratio (c_gram c) p q (kradius (c_gram c) t) b a = true -> e (phi3 a) <> e (phi3 b) ->
+    sqrt (distance_squared (va T) (circumcentre T)) < IZR p / IZR q * sqrt (distance_squared (e (phi3 a)) (e (phi3 b)))).
+  { intros a b K Ne. rewrite (distance_sym (e (phi3 a))). apply R; auto. }
+  intros u v Hu Hv Ne. unfold T, verts, Euclid.Et, phiT in Hu, Hv; cbn [va vb vc vd] in Hu, Hv.
+  change (E b1 b2 b3) with e in Hu, Hv. simpl in Hu, Hv.
+  destruct Hu as [<-|[<-|[<-|[<-|[]]]]]; destruct Hv as [<-|[<-|[<-|[<-|[]]]]]; try congruence;
+  first [apply R; auto; fail | apply R'; auto].
 Qed.
 
 Lemma all_six_sound (f : v3 -> v3 -> v3 -> v3 -> bool) (Q : R -> Prop) :
@@ -752,10 +929,265 @@ Proof.
   assert (0 < - coord (piece (k, n)) i v * level H (vx (piece (k, n)) i)) by (apply Rmult_lt_0_compat; lra). lra.
 Qed.
 
+(** For the plane: where the facet i has a positive power behind it, no vertex of the
+    tiling that lies beyond it is on the circumsphere. *)
+Theorem strict_sound k n i w0 w1 w2 w3 t : chk_delaunay A aadd asub amul aofZ ale c = true ->
+  is_tile r N (k, n) -> nth_error (c_tets c) k = Some t -> In i I4 ->
+  chk_power alt (c_gram c) den (positions c) t (kpos den vs t) i = true ->
+  w0 + w1 + w2 + w3 = 1 -> nth i [w0; w1; w2; w3] 0 < 0 ->
+  let P := tile l1 l2 l3 cP (k, n) in let v := combination P w0 w1 w2 w3 in
+  is_vertex l1 l2 l3 r N cP v -> distance_squared (va P) (circumcentre P) < distance_squared v (circumcentre P).
+Proof.
+  intros H Ht Et Hi CP SW Wi P v Hv. apply valid_is_tile in Ht. pose proof (pvol k n (proj1 Ht)) as V.
+  pose proof (proj1 Ht) as Hk. cbn [fst] in Hk.
+  apply vertex_coordinates in Hv as [c' [x [Hc' [Hx Ev]]]].
+  assert (PE : P = Euclid.Et b1 b2 b3 (piece (k, n))) by apply tile_cP.
+  pose proof (power_distance (piece (k, n)) x V) as PD. cbv zeta in PD. rewrite <- PE in PD. rewrite Ev.
+  replace (va P) with (e (va (piece (k, n)))) by (rewrite PE; reflexivity).
+  pose proof s_pos as S. cut (0 < power G (piece (k, n)) x).
+  { intros K. assert (0 < s * power G (piece (k, n)) x) by (apply Rmult_lt_0_compat; auto). lra. }
+  assert (X : x = combination (piece (k, n)) w0 w1 w2 w3).
+  { apply (E_inj b1 b2 b3 cdetb). change (E b1 b2 b3 x) with (e x). rewrite <- Ev. unfold v. rewrite PE. apply E_comb4. }
+  apply (strict_at N cT h (latb r) (open_domain Hs) cM h_pos (latb_add r) (open_domain_convex Hs)
+      cdom_inside cvol cmate conce G (weak_local ale ale_ok H) boundary_vertices (k, n) c' x i); auto.
+  - destruct (L_comb4 (piece (k, n)) w0 w1 w2 w3 SW) as [K0 [K1 [K2 K3]]]. rewrite <- X in *.
+    simpl in Hi. destruct Hi as [<-|[<-|[<-|[<-|[]]]]]; cbn [nth] in Wi; rewrite ?K0, ?K1, ?K2, ?K3; nra.
+  - cbn [fst]. unfold Checker.chk_power in CP. unfold cM. rewrite Et. destruct (mt t i) as [[[k' i'] d]|]; auto.
+    unfold Checker.positions in CP. fold den vs in CP. rewrite nth_error_map in CP.
+    destruct (nth_error (c_tets c) (N.to_nat k')) as [t'|] eqn:E'; [|discriminate]. cbn [option_map] in CP.
+    apply alt_ok in CP. rewrite phi_zero, phi_power, phi3_add, phi3_ofZ, phi_vx in CP. fold h G in CP.
+    rewrite (cT_eq k t Et), (cT_eq _ t' E'), vx_translate'.
+    pose proof (cvol k Hk) as V'. rewrite (cT_eq k t Et) in V'.
+    pose proof (power_power_sum G (phiT (kpos den vs t)) (add (vx (phiT (kpos den vs t')) (N.to_nat i')) (vec h d))) as PP.
+    apply Rmult_lt_reg_l with (vol (phiT (kpos den vs t))); auto. rewrite PP by lra. lra.
+Qed.
+
+(** *** Valences *)
+(** The name of a vertex of a tile: the corner, moved with the tile. *)
+Definition names (cc : cell) : list corner :=
+  match nth_error (c_tets c) (fst cc) with Some t => map (fun i => cshift (snd cc) (qx t i)) I4 | None => [] end.
+Lemma qx_pos t i : rp (qx t i) = vx (phiT (kpos den vs t)) i.
+Proof. destruct i as [|[|[|i]]]; reflexivity. Qed.
+Lemma piece_name k n t i : nth_error (c_tets c) k = Some t -> rp (cshift n (qx t i)) = vx (piece (k, n)) i.
+Proof.
+  intros E. rewrite rp_shift, qx_pos. unfold Degree.piece; cbn [fst snd]. rewrite vx_translate', (cT_eq k t E). reflexivity.
+Qed.
+Lemma names_verts cc q : In q (names cc) -> In (rp q) (verts (piece cc)).
+Proof.
+  destruct cc as [k n]. unfold names; cbn [fst snd]. destruct (nth_error (c_tets c) k) as [t|] eqn:E; [|intros []].
+  intros H. apply in_map_iff in H as [i [<- Hi]]. rewrite (piece_name k n t i E). apply vx_In; auto.
+Qed.
+Lemma verts_names cc v : valid cc -> In v (verts (piece cc)) -> exists q, In q (names cc) /\ v = rp q.
+Proof.
+  destruct cc as [k n]. intros [Hk _] Hv. cbn [fst] in Hk. destruct (get k Hk) as [t [E _]].
+  assert (X : exists i, In i I4 /\ v = vx (piece (k, n)) i).
+  { simpl in Hv. destruct Hv as [<-|[<-|[<-|[<-|[]]]]]; [exists 0%nat|exists 1%nat|exists 2%nat|exists 3%nat]; (split; [simpl; tauto|reflexivity]). }
+  destruct X as [i [Hi ->]]. exists (cshift n (qx t i)). split; [|symmetry; apply piece_name; auto].
+  unfold names; cbn [fst snd]. rewrite E. apply in_map_iff. eauto.
+Qed.
+Lemma name_closed cc q : valid cc -> In q (names cc) -> closed (piece cc) (rp q).
+Proof.
+  intros Hc Hq. apply names_verts in Hq. destruct cc as [k n]. apply closed_vertex; auto. apply pvol, Hc.
+Qed.
+(** A facet has the same names on both sides. *)
+Lemma names_across cc i q : valid cc -> In i I4 -> paired cM (cc, i) -> In q (names cc) -> coord (piece cc) i (rp q) = 0 ->
+  In q (names (fst (across cM (cc, i)))).
+Proof.
+  destruct cc as [k n]. intros [Hk Hn] Hi PA Hq Z. cbn [fst snd] in Hk, Hn.
+  unfold Degree.paired in PA; cbn [fst snd] in PA. unfold Degree.across.
+  destruct (get k Hk) as [t [E I]]. destruct (cM k i) as [[[k1 i1] d1]|] eqn:EM; [|congruence]. clear PA.
+  destruct chk_all as [_ [_ [_ [_ [_ [M _]]]]]].
+  pose proof (chk_mates_spec _ _ 0 M k t i E Hi) as C. cbn [Nat.add] in C. unfold Checker.chk_mate in C.
+  unfold cM in EM. rewrite E in EM. destruct (mt t i) as [[[k' i'] d]|]; [|discriminate]. injection EM as <- <- <-.
+  rewrite !andb_true_iff in C. destruct C as [_ C2].
+  destruct (nth_error (c_tets c) (N.to_nat k')) as [t'|] eqn:E'; [|discriminate].
+  apply andb_true_iff in C2 as [_ C3]. cbn [fst snd].
+  unfold names in *; cbn [fst snd] in *. rewrite E in Hq. rewrite E'.
+  apply in_map_iff in Hq as [j [<- Hj]].
+  assert (Ne : j <> i).
+  { intros ->. rewrite (piece_name k n t i E), L_vx in Z by auto. pose proof (pvol k n Hk). lra. }
+  assert (F : exists j', In j' I4 /\ qx t j = cshift d (qx t' j')).
+  { clear - C3 Hi Hj Ne. 
+    assert (Q : qx t j = fst (fst (cfc t i)) \/ qx t j = snd (fst (cfc t i)) \/ qx t j = snd (cfc t i)).
+    { simpl in Hi, Hj. destruct Hi as [<-|[<-|[<-|[<-|[]]]]]; destruct Hj as [<-|[<-|[<-|[<-|[]]]]]; cbn; try lia; auto. }
+    assert (Q' : forall x, x = fst (fst (cfc t' (N.to_nat i'))) \/ x = snd (fst (cfc t' (N.to_nat i'))) \/ x = snd (cfc t' (N.to_nat i')) -> exists j', In j' I4 /\ x = qx t' j').
+    { intros x. destruct (N.to_nat i') as [|[|[|]]]; cbn [cfc fst snd]; intros [->|[->| ->]];
+      first [exists 0%nat; split; [simpl; tauto|reflexivity] | exists 1%nat; split; [simpl; tauto|reflexivity] | exists 2%nat; split; [simpl; tauto|reflexivity] | exists 3%nat; split; [simpl; tauto|reflexivity]]. }
+    destruct (cfc t i) as [[a b] c0], (cfc t' (N.to_nat i')) as [[a' b'] c']. cbn [fst snd] in *. unfold codd in C3.
+    rewrite !orb_true_iff, !andb_true_iff, !ceqb_t in C3.
+    assert (W : exists x, (x = a' \/ x = b' \/ x = c') /\ qx t j = cshift d x).
+    { destruct C3 as [[[[A1 A2] A3]|[[A1 A2] A3]]|[[A1 A2] A3]]; rewrite A1, A2, A3 in Q; destruct Q as [Q|[Q|Q]]; rewrite Q; eauto. }
+    destruct W as [x [W1 W2]]. destruct (Q' x W1) as [j' [J1 J2]]. exists j'. subst x. auto. }
+  destruct F as [j' [J1 J2]]. apply in_map_iff. exists j'. split; auto. rewrite J2. apply cshift_shift.
+Qed.
+(** A point has one name: the corollary on names. *)
+Theorem one_name cc cc' q : valid cc -> valid cc' -> In q (names cc) -> In (rp q) (verts (piece cc')) -> In q (names cc').
+Proof.
+  intros Hc Hc' Hq Hv.
+  assert (C' : closed (piece cc') (rp q)) by (destruct cc' as [k' n']; apply closed_vertex; auto; apply pvol, Hc').
+  set (has := fun cc => existsb (ceqb q) (names cc)).
+  assert (HAS : forall cc, has cc = true <-> In q (names cc)).
+  { intros c1. unfold has. rewrite existsb_exists. split.
+    - intros [x [Hx Ex]]. apply ceqb_t in Ex. congruence.
+    - intros H. exists q. split; auto. apply ceqb_t; auto. }
+  apply HAS. pose proof (proj2 (HAS cc) Hq) as T.
+  assert (K : (Z.b2z (has cc) = Z.b2z (has cc'))%Z).
+  { apply (constant_around N cT h (latb r) (open_domain Hs) cM h_pos (latb_add r) (open_domain_convex Hs)
+      cdom_inside cvol cmate conce (rp q) (fun c1 => Z.b2z (has c1))); auto; [|apply name_closed; auto].
+    intros d i Hd Hi PA Cx Lx. f_equal.
+    destruct (sg_spec N cT h (latb r) (open_domain Hs) cM (latb_add r) cmate d i Hd Hi PA) as [S1 [S2 [S3 [S4 S5]]]].
+    set (ci := across cM (d, i)) in *. destruct (has d) eqn:H1.
+    - apply HAS. apply HAS in H1. apply names_across; auto.
+    - destruct (has (fst ci)) eqn:H2; auto. exfalso. apply HAS in H2.
+      assert (X : In q (names d)); [|apply HAS in X; congruence].
+      assert (Lx' : coord (piece (fst ci)) (snd ci) (rp q) = 0).
+      { unfold coord in *. rewrite (oddm_o _ _ _ S4) in Lx. lra. }
+      rewrite (surjective_pairing ci) in S3. rewrite <- (f_equal fst S3 : _ = d).
+      apply names_across; auto. }
+  rewrite T in K. destruct (has cc'); auto; discriminate.
+Qed.
+
+(** The tiles with two given vertices, by the keys. *)
+Definition all_pairs : list (nat * (nat * nat)) := list_prod (seq 0 N) pairs4.
+Definition corner_of (k i : nat) : corner := match nth_error (c_tets c) k with Some t => qx t i | None => (0%N, z30) end.
+Definition key_of (p : nat * (nat * nat)) : key := edge_key (corner_of (fst p) (fst (snd p))) (corner_of (fst p) (snd (snd p))).
+Lemma keys_all_pairs : flat_map keys (c_tets c) = map key_of all_pairs.
+Proof.
+  assert (X : forall ts s, (forall j t, nth_error ts j = Some t -> nth_error (c_tets c) (s + j) = Some t) ->
+    flat_map keys ts = map key_of (list_prod (seq s (length ts)) pairs4)).
+  { induction ts as [|t ts IH]; intros s0 H; [reflexivity|].
+    cbn [flat_map length seq list_prod]. rewrite map_app. f_equal.
+    - specialize (H 0%nat t eq_refl). rewrite Nat.add_0_r in H. unfold keys. rewrite map_map. apply map_ext. intros p.
+      unfold key_of, corner_of; cbn [fst snd]. rewrite H. reflexivity.
+    - apply IH. intros j t' E. replace (S s0 + j)%nat with (s0 + S j)%nat by lia. apply H. exact E. }
+  apply (X (c_tets c) 0%nat). auto.
+Qed.
+Definition tiles_with (a b : corner) : list cell :=
+  map (fun p => (fst p, zadd3 (snd a) (zopp3 (snd (corner_of (fst p) (fst (snd p)))))))
+    (filter (fun p => keqb (edge_key a b) (key_of p)) all_pairs).
+Lemma tiles_with_length a b : length (tiles_with a b) = count_key (indexed (flat_map keys (c_tets c))) (edge_key a b).
+Proof. rewrite count_key_filter, keys_all_pairs, filter_map. unfold tiles_with. rewrite !map_length. reflexivity. Qed.
+Lemma vertex_index k n i j : (k < N)%nat -> In i I4 -> In j I4 -> vx (piece (k, n)) i = vx (piece (k, n)) j -> i = j.
+Proof.
+  intros Hk Hi Hj E. destruct (Nat.eq_dec i j); auto. exfalso. pose proof (pvol k n Hk) as V.
+  pose proof (L_vx (piece (k, n)) i Hi) as X. rewrite E, L_vx' in X by auto. lra.
+Qed.
+Lemma corner_get k : (k < N)%nat -> exists t, nth_error (c_tets c) k = Some t /\ forall i, corner_of k i = qx t i.
+Proof. intros Hk. destruct (get k Hk) as [t [E _]]. exists t. split; auto. intros. unfold corner_of. rewrite E. auto. Qed.
+Lemma names_In k n q : In q (names (k, n)) -> exists i, In i I4 /\ q = cshift n (corner_of k i).
+Proof.
+  unfold names, corner_of; cbn [fst snd]. destruct (nth_error (c_tets c) k) as [t|]; [|intros []].
+  intros H. apply in_map_iff in H as [i [<- Hi]]. eauto.
+Qed.
+Lemma In_names k n i : (k < N)%nat -> In i I4 -> In (cshift n (corner_of k i)) (names (k, n)).
+Proof.
+  intros Hk Hi. unfold names, corner_of; cbn [fst snd]. destruct (get k Hk) as [t [-> _]]. apply in_map_iff. eauto.
+Qed.
+Lemma tiles_with_In a b cc : r = 3%nat -> rp a <> rp b -> In cc (tiles_with a b) <-> valid cc /\ In a (names cc) /\ In b (names cc).
+Proof.
+  intros R3 Ne. unfold tiles_with. rewrite in_map_iff. split.
+  - intros [[k [i j]] [<- H]]. apply filter_In in H as [H1 H2]. unfold all_pairs in H1. apply in_prod_iff in H1 as [Hk Hij]. apply in_seq in Hk.
+    apply pairs4_In in Hij as [Hi [Hj _]]. apply keqb_t in H2. cbn [fst snd] in *. unfold key_of in H2; cbn [fst snd] in H2.
+    destruct (shift_to _ _ _ _ H2) as [S1 S2]. cbv zeta in S1, S2. set (m := zadd3 _ _) in *.
+    split; [split; [cbn; lia|rewrite R3; destruct m as [[? ?] ?]; reflexivity]|].
+    rewrite <- S1 at 1. rewrite <- S2. split; apply In_names; auto; lia.
+  - destruct cc as [k n]. intros [[Hk Hn] [Ha Hb]]. cbn [fst snd] in Hk.
+    apply names_In in Ha as [i [Hi ->]]. apply names_In in Hb as [j [Hj ->]].
+    exists (k, (i, j)). cbn [fst snd]. split.
+    + f_equal. destruct (corner_of k i) as [v [[? ?] ?]], n as [[? ?] ?]. cbn. z3.
+    + apply filter_In. split.
+      * unfold all_pairs. apply in_prod; [apply in_seq; lia|]. apply pairs4_In. repeat split; auto. intros ->. auto.
+      * apply keqb_t. unfold key_of; cbn [fst snd]. apply edge_key_shift.
+Qed.
+Lemma tiles_with_NoDup a b : rp a <> rp b -> NoDup (tiles_with a b).
+Proof.
+  intros Ne. unfold tiles_with. apply NoDup_map_inj_on.
+  - apply NoDup_filter. unfold all_pairs. apply NoDup_list_prod; [apply seq_NoDup|].
+    unfold pairs4. repeat constructor; simpl; intuition congruence.
+  - intros [k [i j]] [k' [i' j']] H H' E. apply filter_In in H as [H1 H2]. apply filter_In in H' as [H1' H2'].
+    unfold all_pairs in H1, H1'. apply in_prod_iff in H1 as [Hk Hij]. apply in_prod_iff in H1' as [_ Hij'].
+    apply pairs4_In in Hij as [Hi [Hj _]]. apply pairs4_In in Hij' as [Hi' [Hj' _]]. apply in_seq in Hk.
+    cbn [fst snd] in E. injection E as Ek Em. subst k'. cbn [fst snd] in *.
+    apply keqb_t in H2, H2'. unfold key_of in H2, H2'; cbn [fst snd] in H2, H2'.
+    destruct (shift_to _ _ _ _ H2) as [S1 S2]. destruct (shift_to _ _ _ _ H2') as [S1' S2']. cbv zeta in *. rewrite <- Em in S1', S2'.
+    set (m := zadd3 _ _) in *. clearbody m. destruct (corner_get k) as [t [Et Ct]]; [lia|]. rewrite !Ct in *.
+    assert (I1 : i = i'). { apply (vertex_index k m); auto; [lia|]. rewrite <- !(piece_name k m t) by auto. congruence. }
+    assert (I2 : j = j'). { apply (vertex_index k m); auto; [lia|]. rewrite <- !(piece_name k m t) by auto. congruence. }
+    subst. reflexivity.
+Qed.
+
+Notation has_vertices := (has_vertices l1 l2 l3 r N cP).
+Notation valence := (valence l1 l2 l3 r N cP).
+Lemma e_inj x y : e x = e y -> x = y.
+Proof. apply E_inj, cdetb. Qed.
+Lemma tile_vertex_name cc v : valid cc -> In v (verts (tile l1 l2 l3 cP cc)) -> exists q, In q (names cc) /\ v = e (rp q).
+Proof.
+  intros Hc Hv. assert (VV : is_vertex l1 l2 l3 r N cP v) by (exists cc; split; auto; apply valid_is_tile; auto).
+  rewrite tile_cP in Hv. change (verts (Euclid.Et b1 b2 b3 (piece cc))) with (map e (verts (piece cc))) in Hv.
+  apply in_map_iff in Hv as [x [<- Hx]]. destruct (verts_names cc x Hc Hx) as [q [Hq ->]]. eauto.
+Qed.
+Lemma name_tile_vertex cc q : valid cc -> In q (names cc) -> In (e (rp q)) (verts (tile l1 l2 l3 cP cc)).
+Proof.
+  intros Hc Hq. rewrite tile_cP. change (verts (Euclid.Et b1 b2 b3 (piece cc))) with (map e (verts (piece cc))).
+  apply in_map, names_verts, Hq.
+Qed.
+Lemma vertex_has_name cc cc' q : valid cc -> valid cc' -> In q (names cc) -> In (e (rp q)) (verts (tile l1 l2 l3 cP cc')) -> In q (names cc').
+Proof.
+  intros Hc Hc' Hq Hv. apply (one_name cc); auto. destruct (tile_vertex_name cc' _ Hc' Hv) as [q' [Hq' E]].
+  apply e_inj in E. rewrite E. apply names_verts; auto.
+Qed.
+Lemma valence_count cc a b : r = 3%nat -> valid cc -> In a (names cc) -> In b (names cc) -> rp a <> rp b ->
+  valence (e (rp a)) (e (rp b)) (length (tiles_with a b)).
+Proof.
+  intros R3 Hc Ha Hb Ne. exists (tiles_with a b). split; [apply tiles_with_NoDup; auto|]. split; auto.
+  intros c'. rewrite (tiles_with_In a b c' R3 Ne). unfold Statement.has_vertices. rewrite valid_is_tile. split.
+  - intros [Hc' [Ha' Hb']]. split; auto. intros v [<-|[<-|[]]]; apply name_tile_vertex; auto.
+  - intros [Hc' H]. split; auto. split; apply (vertex_has_name cc); auto; apply H; simpl; auto.
+Qed.
+Lemma valence_unique u v m m' : valence u v m -> valence u v m' -> m = m'.
+Proof.
+  intros [L [N1 [<- H]]] [L' [N1' [<- H']]]. apply Nat.le_antisymm; apply NoDup_incl_length; auto; intros x Hx;
+  [apply H', H, Hx | apply H, H', Hx].
+Qed.
+Theorem tcp_sound : Nat.eqb r 3 && chk_tcp (c_tets c) = true -> tcp l1 l2 l3 r N cP.
+Proof.
+  intros H. apply andb_true_iff in H as [R3 H]. apply Nat.eqb_eq in R3. unfold chk_tcp in H. cbv zeta in H.
+  set (m := indexed (flat_map keys (c_tets c))) in *. rewrite forallb_forall in H.
+  (* a vertex of a tile by its index *)
+  assert (V : forall cc v, valid cc -> In v (verts (tile l1 l2 l3 cP cc)) -> exists t i, nth_error (c_tets c) (fst cc) = Some t /\ In i I4 /\ v = e (rp (cshift (snd cc) (qx t i)))).
+  { intros cc v Hc Hv. destruct (tile_vertex_name cc v Hc Hv) as [q [Hq ->]]. unfold names in Hq.
+    destruct (nth_error (c_tets c) (fst cc)) as [t|]; [|destruct Hq]. apply in_map_iff in Hq as [i [<- Hi]]. eauto. }
+  assert (CNT : forall cc t i j, valid cc -> nth_error (c_tets c) (fst cc) = Some t -> In i I4 -> In j I4 ->
+    e (rp (cshift (snd cc) (qx t i))) <> e (rp (cshift (snd cc) (qx t j))) ->
+    valence (e (rp (cshift (snd cc) (qx t i)))) (e (rp (cshift (snd cc) (qx t j)))) (count_key m (edge_key (qx t i) (qx t j)))).
+  { intros cc t i j Hc E Hi Hj Ne. rewrite <- (edge_key_shift (snd cc)). unfold m. rewrite <- tiles_with_length.
+    apply (valence_count cc); auto; try congruence; unfold names; rewrite E; apply in_map_iff; eauto. }
+  split.
+  - intros cc u v [Hc HV] Ne. apply valid_is_tile in Hc.
+    destruct (V cc u Hc) as [t [i [E [Hi ->]]]]; [apply HV; simpl; auto|].
+    destruct (V cc v Hc) as [t' [j [E' [Hj ->]]]]; [apply HV; simpl; auto|]. rewrite E in E'. injection E' as <-.
+    pose proof (CNT cc t i j Hc E Hi Hj Ne) as K.
+    specialize (H t (nth_error_In _ _ E)). apply andb_true_iff in H as [H _]. rewrite forallb_forall in H.
+    specialize (H (i, j)). cbn [fst snd] in H. rewrite pairs4_In, orb_true_iff, !Nat.eqb_eq in H.
+    destruct H as [H|H]; [repeat split; auto; congruence| |]; rewrite H in K; auto.
+  - intros cc u v w [Hc HV] N1 N2 N3 [K1 K2]. apply valid_is_tile in Hc.
+    destruct (V cc u Hc) as [t [i [E [Hi ->]]]]; [apply HV; simpl; auto|].
+    destruct (V cc v Hc) as [t' [j [E' [Hj ->]]]]; [apply HV; simpl; auto|]. rewrite E in E'. injection E' as <-.
+    destruct (V cc w Hc) as [t' [k [E' [Hk ->]]]]; [apply HV; simpl; auto|]. rewrite E in E'. injection E' as <-.
+    assert (Nij : i <> j) by congruence. assert (Nik : i <> k) by congruence. assert (Njk : j <> k) by congruence.
+    pose proof (valence_unique _ _ _ _ K1 (CNT cc t i j Hc E Hi Hj N1)) as C1.
+    pose proof (valence_unique _ _ _ _ K2 (CNT cc t i k Hc E Hi Hk N2)) as C2.
+    specialize (H t (nth_error_In _ _ E)). apply andb_true_iff in H as [_ H]. rewrite forallb_forall in H.
+    assert (T : In (i, j, k) triples4 \/ In (i, k, j) triples4).
+    { clear - Hi Hj Hk Nij Nik Njk. unfold triples4. simpl in Hi, Hj, Hk.
+      destruct Hi as [<-|[<-|[<-|[<-|[]]]]]; destruct Hj as [<-|[<-|[<-|[<-|[]]]]]; try lia; destruct Hk as [<-|[<-|[<-|[<-|[]]]]]; try lia; simpl; tauto. }
+    destruct T as [T|T]; specialize (H _ T); cbv beta iota in H; rewrite <- C1, <- C2 in H; discriminate.
+Qed.
+
 (** *** All statements *)
 Theorem statement_sound st : check_statement c st = true -> holds l1 l2 l3 r N cP st.
 Proof.
-  intros H. destruct st as [| |p q| |]; cbn [Checker.check_statement holds] in *.
+  intros H. destruct st as [| |p q|p q|p q| | |]; cbn [Checker.check_statement holds] in *.
   - rewrite forallb_forall in H. unfold acute. apply (all_six_sound _ (fun x => x < PI / 2)) with (2 := H). intros; apply acute_sound; auto.
   - rewrite forallb_forall in H. unfold nonobtuse. apply (all_six_sound _ (fun x => x <= PI / 2)) with (2 := H). intros; apply nonobtuse_sound; auto.
   - apply andb_true_iff in H as [D H]. rewrite forallb_forall in H.
@@ -763,6 +1195,19 @@ Proof.
     destruct (cos_upper p q) as [a b]. cbn [fst snd] in Q0, U.
     unfold dihedral_below. apply (all_six_sound _ (fun x => x < IZR p / IZR q * (PI / 180))) with (2 := H).
     intros. apply cosine_sound with (p := a) (q := b); auto.
+  - apply andb_true_iff in H as [D H]. rewrite forallb_forall in H.
+    destruct (cos_lower_ok p q D) as [T [Q0 U]].
+    destruct (cos_lower p q) as [a b]. cbn [fst snd] in Q0, U.
+    unfold dihedral_above. apply (all_six_sound _ (fun x => IZR p / IZR q * (PI / 180) < x)) with (2 := H).
+    intros. apply cosine_above_sound with (p := a) (q := b); auto.
+  - rewrite forallb_forall in H. unfold radius_edge_below. intros [k n] [Hk _]. cbn [fst] in Hk.
+    destruct (tile_vertices k n Hk) as [t [It [-> V]]]. specialize (H (kpos den vs t)).
+    unfold Checker.positions in H. fold den vs in H. specialize (H (in_map _ _ _ It)).
+    set (T := Euclid.Et b1 b2 b3 (phiT (kpos den vs t))) in *. set (w := lattice_vector l1 l2 l3 n).
+    exists (add (circumcentre T) w), (distance_squared (va T) (circumcentre T)). split.
+    + intros v Hv. apply translate_verts in Hv as [u [Hu ->]]. rewrite distance_translate. apply circumscribed_centre; auto.
+    + intros u v Hu Hv Ne. apply translate_verts in Hu as [u' [Hu ->]]. apply translate_verts in Hv as [v' [Hv ->]].
+      rewrite distance_translate. apply radius_sound; auto. congruence.
   - assert (LE : forall x y, alt x y = true -> phi x <= phi y) by (intros x y X; apply alt_ok in X; lra).
     intros cc Hc. apply valid_is_tile in Hc.
     assert (V : 0 < vol (piece cc)) by (destruct cc; apply pvol, Hc).
@@ -776,17 +1221,17 @@ Proof.
     { pose proof s_pos. apply Rmult_eq_reg_l with s; [|lra]. rewrite Rmult_0_r, <- PD. unfold e in EQ |- *. lra. }
     apply (in_map e (verts (piece cc)) x).
     apply (delaunay_global N cT h (latb r) (open_domain Hs) cM h_pos (latb_add r) (open_domain_convex Hs)
-      cdom_inside cvol cmate conce G (weak_local alt LE H)) with (c' := c'); auto.
+      cdom_inside cvol cmate conce G (weak_local alt LE H) boundary_vertices) with (c' := c'); auto.
     + intros k i Hk Hi. pose proof (cpower k i Hk Hi alt H) as X. destruct (cM k i) as [[[k' i'] d]|]; auto.
       destruct X as [y [X1 X2]]. apply alt_ok in X1. rewrite phi_zero, X2 in X1. pose proof (cvol k Hk).
       apply Rmult_lt_reg_l with (vol (cT k)); auto. lra.
-    + apply boundary_vertices.
   - intros cc Hc. apply valid_is_tile in Hc.
     assert (V : 0 < vol (piece cc)) by (destruct cc; apply pvol, Hc).
     assert (V' : vol (tile l1 l2 l3 cP cc) <> 0).
     { rewrite tile_cP, vol_Et. apply Rmult_integral_contrapositive_currified; [lra|apply cdetb]. }
     exists (circumcentre (tile l1 l2 l3 cP cc)), (distance_squared (va (tile l1 l2 l3 cP cc)) (circumcentre (tile l1 l2 l3 cP cc))).
     split; [apply circumscribed_centre; auto|]. intros v Hv. apply (weakly_sound ale ale_ok H cc v Hc Hv).
+  - apply tcp_sound, H.
 Qed.
 End Basis.
 End Sound.

@@ -3,7 +3,7 @@
     This file alone says what the words of a claim mean: tiling, face to face,
     dihedral angle, acute, Delaunay.  It contains definitions and not a single
     proof.  Nothing in it mentions certificates, checkers or computations; the
-    theorems that end in these definitions are in [Theorem.v].
+    theorems that end in these definitions are in [Numbers.v].
 
     How to read it.  [R] is the set of the real numbers and [Z] that of the
     integers, both from Coq's standard library.  [Record p := C { a : R; b : R }]
@@ -109,14 +109,24 @@ Definition in_lattice (r : nat) (n : Z * Z * Z) : Prop :=
 Definition lattice_vector (l1 l2 l3 : point) (n : Z * Z * Z) : point :=
   let '(x, y, z) := n in at_coordinates l1 l2 l3 (Point (IZR x) (IZR y) (IZR z)).
 
-(** A domain is a finite intersection of closed half-spaces, each given in basis
-    coordinates: [HalfSpace n d] is { x : n . x + d >= 0 }.  No half-space at all
-    is the whole space, two parallel ones are a slab, enough of them a convex
-    solid or a prism. *)
-Record half_space := HalfSpace { normal : point; offset : R }.
-Definition level (H : half_space) (x : point) := dot (normal H) x + offset H.
-Definition domain (l1 l2 l3 : point) (Hs : list half_space) (X : point) :=
-  exists x, X = at_coordinates l1 l2 l3 x /\ forall H, In H Hs -> 0 <= level H x.
+(** ** Domains *)
+
+(** The convex hull of finitely many points: the smallest convex set that holds them. *)
+Inductive convex_hull (W : list point) : point -> Prop :=
+  | hull_vertex v : In v W -> convex_hull W v
+  | hull_segment x y s : convex_hull W x -> convex_hull W y -> 0 <= s <= 1 -> convex_hull W (add (scale (1 - s) x) (scale s y)).
+
+(** The domain: the points whose last 3 - r basis coordinates are those of a point of
+    the convex hull of W.  With r = 3 this is all of space, whatever W; with r = 2 a
+    slab, with r = 1 a prism, with r = 0 a polyhedron. *)
+Definition domain (l1 l2 l3 : point) (r : nat) (W : list point) (X : point) : Prop :=
+  exists x, X = at_coordinates l1 l2 l3 x /\
+  match r with
+  | 0 => exists w, convex_hull W w /\ x = w
+  | 1 => exists w, convex_hull W w /\ py x = py w /\ pz x = pz w
+  | 2 => exists w, convex_hull W w /\ pz x = pz w
+  | _ => True
+  end%nat.
 
 (** ** Periodic tilings *)
 
@@ -147,31 +157,51 @@ Record face_to_face_tiling : Prop := {
   tiling_face_to_face : forall X c c', is_tile c -> is_tile c' ->
      hull (tile c) X -> hull (tile c') X -> common_hull (tile c) (tile c') X }.
 
-(** "acute", "nonobtuse", "all dihedral angles below q degrees" *)
+(** "acute", "nonobtuse", "all dihedral angles below q degrees", "above" *)
 Definition acute := forall c, is_tile c -> all_dihedral (fun x => x < PI / 2) (tile c).
 Definition nonobtuse := forall c, is_tile c -> all_dihedral (fun x => x <= PI / 2) (tile c).
 Definition dihedral_below (q : R) := forall c, is_tile c -> all_dihedral (fun x => x < q * (PI / 180)) (tile c).
+Definition dihedral_above (q : R) := forall c, is_tile c -> all_dihedral (fun x => q * (PI / 180) < x) (tile c).
 
-(** "Delaunay": every tile has a circumscribed ball (centre C, squared radius s)
-    that holds no vertex in its interior and none but the tile's own on its
-    boundary; "weakly Delaunay": none in its interior. *)
-Definition is_vertex (v : point) := exists c, is_tile c /\ In v (verts (tile c)).
+(** "all radius-edge ratios below q": the radius of the circumscribed ball (centre C,
+    squared radius s) is less than q times every edge. *)
 Definition circumscribed (t : tetrahedron) (C : point) (s : R) := forall v, In v (verts t) -> distance_squared v C = s.
+Definition radius_edge_below (q : R) := forall c, is_tile c -> exists C s, circumscribed (tile c) C s /\
+  forall u v, In u (verts (tile c)) -> In v (verts (tile c)) -> u <> v -> sqrt s < q * sqrt (distance_squared u v).
+
+(** "Delaunay": the circumscribed ball of every tile holds no vertex in its
+    interior and none but the tile's own on its boundary; "weakly Delaunay": none in
+    its interior. *)
+Definition is_vertex (v : point) := exists c, is_tile c /\ In v (verts (tile c)).
 Definition weakly_delaunay := forall c, is_tile c -> exists C s, circumscribed (tile c) C s /\
   forall v, is_vertex v -> s <= distance_squared v C.
 Definition delaunay := forall c, is_tile c -> exists C s, circumscribed (tile c) C s /\
   forall v, is_vertex v -> s <= distance_squared v C /\ (distance_squared v C = s -> In v (verts (tile c))).
+
+(** "TCP", tetrahedrally close packed.  The valence of an edge uv is the number of
+    tiles that have it; it is 5 or 6, and no triangle has two edges of valence 6. *)
+Definition has_vertices (vs : list point) (c : nat * (Z * Z * Z)) := is_tile c /\ forall v, In v vs -> In v (verts (tile c)).
+Definition valence (u v : point) (m : nat) :=
+  exists L, NoDup L /\ length L = m /\ forall c, In c L <-> has_vertices (u :: v :: nil) c.
+Definition tcp :=
+  (forall c u v, has_vertices (u :: v :: nil) c -> u <> v -> valence u v 5 \/ valence u v 6) /\
+  (forall c u v w, has_vertices (u :: v :: w :: nil) c -> u <> v -> u <> w -> v <> w -> ~ (valence u v 6 /\ valence u w 6)).
 End Tilings.
 
 (** One statement of a claim, as a certificate lists them; [DihedralBelow p q]
-    is "all dihedral angles below p/q degrees". *)
+    is "all dihedral angles below p/q degrees", [RadiusEdgeBelow p q] "all
+    radius-edge ratios below p/q". *)
 Inductive statement :=
-  | Acute | Nonobtuse | DihedralBelow (p q : Z) | Delaunay | WeaklyDelaunay.
+  | Acute | Nonobtuse | DihedralBelow (p q : Z) | DihedralAbove (p q : Z) | RadiusEdgeBelow (p q : Z)
+  | Delaunay | WeaklyDelaunay | TCP.
 Definition holds (l1 l2 l3 : point) (r N : nat) (P : nat -> tetrahedron) (s : statement) : Prop :=
   match s with
   | Acute => acute l1 l2 l3 r N P
   | Nonobtuse => nonobtuse l1 l2 l3 r N P
   | DihedralBelow p q => dihedral_below l1 l2 l3 r N P (IZR p / IZR q)
+  | DihedralAbove p q => dihedral_above l1 l2 l3 r N P (IZR p / IZR q)
+  | RadiusEdgeBelow p q => radius_edge_below l1 l2 l3 r N P (IZR p / IZR q)
   | Delaunay => delaunay l1 l2 l3 r N P
   | WeaklyDelaunay => weakly_delaunay l1 l2 l3 r N P
+  | TCP => tcp l1 l2 l3 r N P
   end.

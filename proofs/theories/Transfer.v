@@ -92,7 +92,7 @@ Proof.
 Qed.
 
 
-Theorem transfer : face_to_face_tiling l1 l2 l3 r (domain l1 l2 l3 (map descale Hs)) N Pk.
+Theorem transfer : face_to_face_tiling l1 l2 l3 r (half_spaces l1 l2 l3 (map descale Hs)) N Pk.
 Proof.
   pose proof det_scl0 as D0.
   constructor; auto.
@@ -147,5 +147,58 @@ Proof.
   { intros v e -> Ke. unfold distance_squared. unfold dot in *. unf. lra. }
   intros v Hv. simpl in Hv. destruct Hv as [<-|[<-|[<-|[<-|[]]]]]; [reflexivity|apply (Q _ e1)|apply (Q _ e2)|apply (Q _ e3)]; auto;
   apply point_eq; unfold e1, e2, e3; unf; ring.
+Qed.
+
+(** ** The circumradius, from the Gram matrix m of the three edges at one vertex
+
+    With C the cofactors of m: R^2 = sum_ij m_ii C_ij m_jj / (4 det m). *)
+Definition radius_form m11 m22 m33 m12 m13 m23 : R :=
+  m11 * (m11 * (m22 * m33 - m23 * m23)) + m22 * (m22 * (m11 * m33 - m13 * m13)) + m33 * (m33 * (m11 * m22 - m12 * m12))
+  + 2 * (m11 * (m22 * (m13 * m23 - m12 * m33)) + m11 * (m33 * (m12 * m23 - m13 * m22)) + m22 * (m33 * (m12 * m13 - m11 * m23))).
+Definition gram_form m11 m22 m33 m12 m13 m23 : R :=
+  m11 * (m22 * m33 - m23 * m23) + m12 * (m13 * m23 - m12 * m33) + m13 * (m12 * m23 - m13 * m22).
+Lemma circumradius t : vol t <> 0 ->
+  let e1 := sub (vb t) (va t) in let e2 := sub (vc t) (va t) in let e3 := sub (vd t) (va t) in
+  let on f : R := f (dot e1 e1) (dot e2 e2) (dot e3 e3) (dot e1 e2) (dot e1 e3) (dot e2 e3) in
+  0 < on gram_form /\ 4 * on gram_form * distance_squared (va t) (circumcentre t) = on radius_form.
+Proof.
+  intros V e1 e2 e3 on. unfold circumcentre. fold e1 e2 e3. assert (EV : vol t = det e1 e2 e3) by reflexivity. rewrite EV in *.
+  assert (D : on gram_form = det e1 e2 e3 * det e1 e2 e3).
+  { unfold on, gram_form, dot, det. ring. }
+  split.
+  - rewrite D. destruct (Rlt_dec 0 (det e1 e2 e3)); nra.
+  - set (w := add (scale (dot e1 e1) (cross e2 e3)) (add (scale (dot e2 e2) (cross e3 e1)) (scale (dot e3 e3) (cross e1 e2)))).
+    assert (X : on radius_form = dot w w).
+    { assert (BC : forall a b c d, dot (cross a b) (cross c d) = dot a c * dot b d - dot a d * dot b c) by (intros; unfold dot, cross; cbn [px py pz]; ring).
+      assert (BL : forall p q r a b c, dot (add (scale p a) (add (scale q b) (scale r c))) (add (scale p a) (add (scale q b) (scale r c))) =
+        p * p * dot a a + q * q * dot b b + r * r * dot c c + 2 * (p * q * dot a b + p * r * dot a c + q * r * dot b c)) by (intros; unfold dot; unf; ring).
+      assert (SY : forall a b, dot a b = dot b a) by (intros; unfold dot; ring).
+      unfold w. rewrite BL, !BC. rewrite (SY e3 e1), (SY e2 e1), (SY e3 e2). unfold on, radius_form. ring. }
+    rewrite D, X. clearbody w. set (dd := det e1 e2 e3) in *. clearbody dd.
+    unfold distance_squared, dot. unf. field. auto.
+Qed.
+Lemma ratio_rule R2 g X p q l : 0 < g -> 4 * g * R2 = X -> 0 < p -> 0 < q -> 0 < l ->
+  q * q * X < 4 * (p * p) * g * l -> sqrt R2 < p / q * sqrt l.
+Proof.
+  intros G0 <- P Q L H.
+  assert (K : q * q * R2 < p * p * l). { apply Rmult_lt_reg_l with (4 * g); lra. }
+  assert (PQ : 0 < p / q) by (apply Rdiv_lt_0_compat; auto).
+  replace (p / q * sqrt l) with (sqrt (p / q * (p / q) * l)).
+  2:{ pose proof (Rlt_le _ _ PQ) as PQ'. rewrite sqrt_mult; [rewrite sqrt_square by exact PQ'; reflexivity | apply (Rmult_le_pos _ _ PQ' PQ') | apply Rlt_le, L]. }
+  destruct (Rle_dec 0 R2) as [R|R].
+  - apply sqrt_lt_1; auto.
+    + apply Rlt_le, Rmult_lt_0_compat; [apply (Rmult_lt_0_compat _ _ PQ PQ)|exact L].
+    + apply Rmult_lt_reg_l with (q * q); [apply Rmult_lt_0_compat; auto|].
+      replace (q * q * (p / q * (p / q) * l)) with (p * p * l) by (field; lra). exact K.
+  - rewrite (sqrt_neg_0 R2) by lra. apply sqrt_lt_R0, Rmult_lt_0_compat; [apply (Rmult_lt_0_compat _ _ PQ PQ)|exact L].
+Qed.
+Lemma radius_rule t p q l : vol t <> 0 -> 0 < p -> 0 < q -> 0 < l ->
+  let e1 := sub (vb t) (va t) in let e2 := sub (vc t) (va t) in let e3 := sub (vd t) (va t) in
+  let on f : R := f (dot e1 e1) (dot e2 e2) (dot e3 e3) (dot e1 e2) (dot e1 e3) (dot e2 e3) in
+  q * q * on radius_form < 4 * (p * p) * on gram_form * l ->
+  sqrt (distance_squared (va t) (circumcentre t)) < p / q * sqrt l.
+Proof.
+  intros V P Q L e1 e2 e3 on H. destruct (circumradius t V) as [G0 E0]. cbv zeta in G0, E0. fold e1 e2 e3 in G0, E0.
+  apply (ratio_rule _ _ _ p q l G0 E0); auto.
 Qed.
 End Transfer.

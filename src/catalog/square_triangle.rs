@@ -38,7 +38,10 @@ impl PlaneTiling {
 
     /// The points of the structure over one cell: 12 times the place in the plane, and
     /// the height.
-    fn points(&self) -> Result<Vec<(Cyclotomic, i64)>, CatalogError> {
+    ///
+    /// # Errors
+    /// Where the tiling is not one.
+    pub fn points(&self) -> Result<Vec<(Cyclotomic, i64)>, CatalogError> {
         let dot = |black: bool| if black { -1 } else { 1 };
         // First, for it bounds the entries.
         let stars = self.stars()?;

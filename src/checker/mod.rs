@@ -66,6 +66,31 @@ pub fn prove<const D: usize>(
     options: &Options,
     progress: Progress,
 ) -> Result<Certificate, Refutation> {
+    let proof = examine(tiling, options, progress)?;
+    progress("certificate");
+    Ok(assemble::certificate(
+        tiling,
+        &proof.matching,
+        &proof.boundary,
+        proof.statements,
+    ))
+}
+
+/// A proof as the prover holds it, without the certificate that lets others check it.
+#[derive(Clone, Debug)]
+pub struct Proof<const D: usize> {
+    /// What holds: the tiling, what is required, the strongest of the others.
+    pub statements: Vec<Statement>,
+    matching: Matching<D>,
+    boundary: Boundary,
+}
+
+/// As [`prove`], and makes no certificate.
+pub fn examine<const D: usize>(
+    tiling: &Tiling<D>,
+    options: &Options,
+    progress: Progress,
+) -> Result<Proof<D>, Refutation> {
     let mut findings = Findings::new(options.defect_limit);
     progress("metric");
     check_metric(&tiling.frame, &mut findings);
@@ -73,16 +98,16 @@ pub fn prove<const D: usize>(
     let planes = check_domain(tiling, &mut findings);
     stop_if_any(&findings)?;
     progress("coordinates");
-    prove_model(&Model::new(tiling), &planes, findings, options, progress)
+    examine_model(&Model::new(tiling), &planes, findings, options, progress)
 }
 
-fn prove_model<const D: usize>(
+fn examine_model<const D: usize>(
     model: &Model<D>,
     planes: &[Plane],
     mut findings: Findings,
     options: &Options,
     progress: Progress,
-) -> Result<Certificate, Refutation> {
+) -> Result<Proof<D>, Refutation> {
     progress("orientation");
     check_orientation(model, &mut findings);
     progress("facets");
@@ -103,13 +128,11 @@ fn prove_model<const D: usize>(
     stop_if_any(&findings)?;
     progress("strongest statements");
     let statements = strongest_statements(model, &matching, &options.required);
-    progress("certificate");
-    Ok(assemble::certificate(
-        model.tiling,
-        &matching,
-        &boundary,
+    Ok(Proof {
         statements,
-    ))
+        matching,
+        boundary,
+    })
 }
 
 fn stop_if_any(findings: &Findings) -> Result<(), Refutation> {

@@ -1,6 +1,7 @@
 //! The arguments of every command, as clap reads them.
 
 use super::bundle::BundleArguments;
+use super::draw::DrawArguments;
 use super::quality::QualityArguments;
 use crate::certificate::Statement;
 use crate::mesh::{Format, Lattice};
@@ -56,6 +57,8 @@ pub enum Command {
     Report(ReportArguments),
     /// Write a static site of the whole catalogue
     Gallery(GalleryArguments),
+    /// Figures for print, as SVG or TikZ, with hidden lines found exactly
+    Draw(DrawArguments),
     /// Valences, vertex types, TCP or why not, and what the tiling is isomorphic to
     Classify(ClassifyArguments),
     /// A LaTeX appendix about certificates: theorem, numbers, and how to check them
@@ -226,6 +229,10 @@ pub struct CertifyArguments {
     /// Give negatively oriented simplices positive orientation
     #[arg(long)]
     pub reorient: bool,
+    /// Prove and tell, but make no certificate and do not ask the kernel: for large meshes that
+    /// are to be checked and not to be published
+    #[arg(long, conflicts_with = "output")]
+    pub no_certificate: bool,
     /// How many defects of each kind to tell; all are counted. Without it 20, and with --json all
     #[arg(long, value_name = "N")]
     pub max_defects: Option<usize>,

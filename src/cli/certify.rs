@@ -8,7 +8,7 @@ use super::progress::Progress;
 use super::refutation::Refuted;
 use super::verify::summary;
 use crate::catalog;
-use crate::certificate;
+use crate::certificate::{self, Statement};
 use crate::checker::{self, Findings, Options};
 use crate::import::uncompressed_name;
 use crate::tiling::Tiling;
@@ -124,7 +124,12 @@ fn file_name(input: &str) -> String {
 
 /// What became of one input.
 enum Answer {
-    Proved { verified: Verified, bytes: Vec<u8> },
+    Proved {
+        verified: Verified,
+        bytes: Vec<u8>,
+    },
+    /// By the prover, without a certificate; vertices, simplices, statements.
+    Examined(usize, usize, Vec<Statement>),
     Refuted(Box<Refuted>),
     Failed(String),
     Declined(String),
@@ -152,7 +157,10 @@ fn prove(input: &str, arguments: &CertifyArguments, output: &mut Output) -> Answ
         required: arguments.required.clone(),
         defect_limit: defect_limit(arguments),
     };
-    let proved = with_dimension!(&named.tiling, AnyTiling, t => prove_tiling(t, input, &options));
+    let proved = with_dimension!(&named.tiling, AnyTiling, t => match arguments.no_certificate {
+        true => examine_tiling(t, input, &options),
+        false => prove_tiling(t, input, &options),
+    });
     proved.unwrap_or_else(|findings| {
         Answer::Refuted(Box::new(Refuted {
             tiling: named.tiling,
@@ -169,6 +177,18 @@ fn defect_limit(arguments: &CertifyArguments) -> usize {
         true => usize::MAX,
         false => FOR_PEOPLE,
     })
+}
+
+/// The prover's word alone.
+fn examine_tiling<const D: usize>(
+    tiling: &Tiling<D>,
+    name: &str,
+    options: &Options,
+) -> Result<Answer, Findings> {
+    let progress = Progress::of(name);
+    let proof = checker::examine(tiling, options, &|step| progress.step(step))?;
+    let vertices = tiling.vertices.len();
+    Ok(Answer::Examined(vertices, tiling.len(), proof.statements))
 }
 
 /// The kernel has the last word: what it does not confirm is not called proved.
@@ -217,7 +237,7 @@ impl Answer {
 
     fn outcome(&self) -> Outcome {
         match self {
-            Answer::Proved { .. } => Outcome::Done,
+            Answer::Proved { .. } | Answer::Examined(..) => Outcome::Done,
             Answer::Refuted(_) => Outcome::Refuted,
             Answer::Failed(_) => Outcome::Failed,
             Answer::Declined(_) => Outcome::Declined,
@@ -230,6 +250,9 @@ impl Answer {
         let (words, data) = match self {
             Answer::Refuted(refuted) => return refuted.tell(input, as_json, to_error, output),
             Answer::Proved { verified, .. } => proved(verified, input, target),
+            Answer::Examined(vertices, simplices, statements) => {
+                examined(input, *vertices, *simplices, statements)
+            }
             Answer::Failed(message) => (
                 format!("acutile: {message}"),
                 json!({ "input": input, "verdict": "failed", "message": message }),
@@ -268,5 +291,41 @@ fn proved(verified: &Verified, input: &str, target: &Target) -> (String, Value) 
     match path {
         Some(path) => (format!("{words}; {path}"), data),
         None => (words, data),
+    }
+}
+
+/// A proof without a certificate, which says so.
+fn examined(
+    input: &str,
+    vertices: usize,
+    simplices: usize,
+    statements: &[Statement],
+) -> (String, Value) {
+    let list: Vec<String> = statements.iter().map(statement_text).collect();
+    let words = format!(
+        "{input}: proved by the prover alone, no certificate: {} ({vertices} vertices, {simplices} simplices)",
+        list.join("; ")
+    );
+    let data = json!({
+        "input": input,
+        "verdict": "proved",
+        "statements": statements,
+        "vertices": vertices,
+        "simplices": simplices,
+        "certificate": null,
+        "kernel": false,
+    });
+    (words, data)
+}
+
+/// `acute`, `all dihedral angles below 7847/100`.
+fn statement_text(statement: &Statement) -> String {
+    match serde_json::to_value(statement) {
+        Ok(Value::String(name)) => name,
+        Ok(Value::Object(members)) => members
+            .iter()
+            .map(|(name, bound)| format!("{name} {}", bound.as_str().unwrap_or_default()))
+            .collect(),
+        _ => String::new(),
     }
 }

@@ -14,6 +14,7 @@ mod certify;
 mod classify;
 mod convert;
 mod delaunay;
+mod draw;
 mod export;
 mod gallery;
 mod input;
@@ -105,6 +106,7 @@ pub fn main() -> ExitCode {
         Command::Quality(quality) => quality::run(&quality, &mut output),
         Command::Gallery(gallery) => gallery::run(&gallery, &mut output),
         Command::Report(report) => report::run(&report, &mut output),
+        Command::Draw(draw) => draw::run(&draw, &mut output),
         Command::Classify(classify) => classify::run(&classify, &mut output),
         Command::Appendix(appendix) => appendix::run(&appendix, &mut output),
         Command::Bundle(bundle) => bundle::run(&bundle, &mut output),

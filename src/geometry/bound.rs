@@ -6,8 +6,8 @@
 //! has gone through, exact or in doubles. With u = 2^-53 and rounding to nearest,
 //! a double sum x' ∘ y' is off by at most u times its exact value, hence
 //!
-//!     x ± y:  size = s + t,   error = e + f + u (s + e + t + f)
-//!     x y:    size = s t,     error = s f + t e + e f + u (s + e)(t + f)
+//! - for x ± y: size s + t, error e + f + u (s + e + t + f);
+//! - for x y: size s t, error s f + t e + e f + u (s + e)(t + f);
 //!
 //! and where nothing is rounded, because all are integers of at most 53 bits, the
 //! doubles are exact. The bounds are themselves computed in doubles, so each is

@@ -21,7 +21,7 @@ use super::{Scalar, linear};
 pub struct Simplex<S, const D: usize> {
     /// e_1 … e_D, in basis coordinates.
     pub edges: [[S; D]; D],
-    /// g_1 … g_D; g_0 is [`Simplex::first_gradient`].
+    /// g_1 … g_D; g_0 = -(g_1 + … + g_D).
     pub gradients: [[S; D]; D],
     /// det E: D! times the signed volume in units of the basis' parallelepiped.
     pub determinant: S,

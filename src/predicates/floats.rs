@@ -4,7 +4,7 @@
 //! shifts s of at most S steps of length h, the edge (x_b - x_a) + (s_b - s_a) h is
 //! rounded in at most three operations, each by u times a result of at most
 //! 2 X + S h, and h itself by u h. All together is less than
-//!     delta = 16 u (X + S h).
+//! delta = 16 u (2 X + S h).
 //! Where coordinates and h are integers and 2 X + S h < 2^52, edges are exact and delta = 0.
 //!
 //! **Values.** Let m be the largest entry of the computed edges, and delta = r m. The
@@ -13,7 +13,7 @@
 //! at most m^k E(r), where E(r) is what the text of the predicate gives over
 //! [`Bound`]s for edges of size 1 + r with error r. E is a polynomial in r with
 //! coefficients that are not negative, hence convex, and for r <= R = 2^-20
-//!     E(r) <= E(0) + r (E(R) - E(0)) / R.
+//! E(r) <= E(0) + r (E(R) - E(0)) / R.
 //! Both constants are raised by 2^-20 of themselves for the roundings in the
 //! threshold itself, and for the few of E.
 //!
@@ -203,7 +203,8 @@ impl<const D: usize> Filter<D> {
             }
         }
         let is_exact = m <= self.exact;
-        if !is_exact && !(m >= self.low && m <= self.high && m >= self.floor) {
+        let is_in_range = m >= self.low && m <= self.high && m >= self.floor;
+        if !is_exact && !is_in_range {
             return None;
         }
         let threshold = match is_exact {

@@ -4,7 +4,7 @@ use super::html::escape;
 use super::markdown::{Document, to_html};
 
 /// The documents that the site has.
-pub const DOCUMENTS: [Document; 11] = [
+pub const DOCUMENTS: [Document; 12] = [
     document(
         "README.md",
         "docs/readme.html",
@@ -30,16 +30,28 @@ pub const DOCUMENTS: [Document; 11] = [
         include_str!("../../docs/trust.md"),
     ),
     document(
-        "docs/gallery.md",
-        "docs/gallery.html",
-        "This site",
-        include_str!("../../docs/gallery.md"),
+        "docs/meshes.md",
+        "docs/meshes.html",
+        "Mesh files",
+        include_str!("../../docs/meshes.md"),
+    ),
+    document(
+        "docs/cif.md",
+        "docs/cif.html",
+        "Crystallographic files",
+        include_str!("../../docs/cif.md"),
     ),
     document(
         "docs/appendix.md",
         "docs/appendix.html",
-        "The LaTeX appendix",
+        "Appendices in LaTeX",
         include_str!("../../docs/appendix.md"),
+    ),
+    document(
+        "docs/gallery.md",
+        "docs/gallery.html",
+        "This site",
+        include_str!("../../docs/gallery.md"),
     ),
     document(
         "docs/bundle.md",
@@ -48,16 +60,10 @@ pub const DOCUMENTS: [Document; 11] = [
         include_str!("../../docs/bundle.md"),
     ),
     document(
-        "docs/cif.md",
-        "docs/cif.html",
-        "CIF",
-        include_str!("../../docs/cif.md"),
-    ),
-    document(
-        "docs/meshes.md",
-        "docs/meshes.html",
-        "Meshes",
-        include_str!("../../docs/meshes.md"),
+        "docs/draw.md",
+        "docs/draw.html",
+        "Figures for print",
+        include_str!("../../docs/draw.md"),
     ),
     document(
         "proofs/README.md",

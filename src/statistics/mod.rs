@@ -123,11 +123,20 @@ struct Metric<S, const D: usize> {
 
 /// The figures of one simplex.
 struct Figures<S, const D: usize> {
-    /// Each angle: its facets, the sign of the product of their normals, its cosine, about how many
-    /// degrees, its bin.
-    angles: Vec<((usize, usize), Sign, Cosine<S>, f64, usize)>,
+    angles: Vec<AngleFigures<S>>,
     ratio: Ratio<S>,
     aspect: f64,
+}
+
+/// The figures of one angle.
+struct AngleFigures<S> {
+    facets: (usize, usize),
+    /// Of the product of their normals.
+    sign: Sign,
+    cosine: Cosine<S>,
+    /// About.
+    degrees: f64,
+    bin: usize,
 }
 
 /// So many different simplices are remembered, since periodic meshes repeat few.
@@ -206,7 +215,13 @@ impl<'t, S: Scalar + Ord, const D: usize> Gathering<'t, S, D> {
             };
             let exact = || exact_angle(self.tiling, &place);
             let bin = self.bins.of(&cosine, degrees, exact);
-            ((i, j), product.sign(), cosine, degrees, bin)
+            AngleFigures {
+                facets: (i, j),
+                sign: product.sign(),
+                cosine,
+                degrees,
+                bin,
+            }
         };
         Some(Figures {
             angles: products.pairs().map(angle).collect(),
@@ -244,16 +259,16 @@ impl<'t, S: Scalar + Ord, const D: usize> Gathering<'t, S, D> {
 
     fn include(&mut self, index: usize, figures: &Figures<S, D>) {
         let mut worst = Sign::Less;
-        for (facets, sign, cosine, degrees, bin) in &figures.angles {
-            worst = worst.max(*sign);
-            self.statistics.angles[kind(*sign)] += 1;
-            self.statistics.histogram[*bin] += 1;
+        for angle in &figures.angles {
+            worst = worst.max(angle.sign);
+            self.statistics.angles[kind(angle.sign)] += 1;
+            self.statistics.histogram[angle.bin] += 1;
             let place = Place {
                 simplex: index,
-                facets: *facets,
+                facets: angle.facets,
             };
-            self.smallest.include(*degrees, cosine, place);
-            self.largest.include(*degrees, cosine, place);
+            self.smallest.include(angle.degrees, &angle.cosine, place);
+            self.largest.include(angle.degrees, &angle.cosine, place);
         }
         self.statistics.kinds[kind(worst)] += 1;
         let value = figures.ratio.approximate();
