@@ -9,6 +9,8 @@ pub mod advice;
 #[cfg(feature = "prover")]
 pub mod appendix;
 #[cfg(feature = "prover")]
+pub mod bundle;
+#[cfg(feature = "prover")]
 pub mod catalog;
 pub mod certificate;
 #[cfg(feature = "prover")]

@@ -197,7 +197,7 @@ fn file_names_promise_nothing() {
     let path = file(directory.path(), "sigma.json", &bcc);
     let page = page(&[path.to_str().expect("UTF-8")]);
     assert!(!page.contains("TCP structure sigma"));
-    assert!(page.contains("the certificate in a file of this name"));
+    assert!(page.contains("as a file of this name has it"));
 }
 
 /// A tiling whose text speaks of certificates is none.

@@ -15,7 +15,7 @@
 //! | `bibliography`, `document` | references; the files |
 //!
 //! Nothing here proves anything: the kernel has confirmed the certificate before
-//! ([`Subject::of_certificate`]), and tests/appendix/check.py compares the printed numbers with
+//! ([`crate::report::Proved`]), and tests/appendix/check.py compares the printed numbers with
 //! the certificate. Called by the command line.
 
 mod bibliography;
@@ -34,7 +34,8 @@ mod vertices;
 mod volume;
 
 pub use document::is_unchanged;
-pub use subject::{NotASubject, Subject};
+pub use subject::Subject;
+pub use tex::slug;
 
 use crate::with_dimension;
 use std::sync::Mutex;

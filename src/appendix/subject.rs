@@ -3,21 +3,21 @@
 
 use super::numeral::Numerals;
 use super::tex::slug;
-use crate::certificate::{Certificate, Domain, Statement};
+use crate::certificate::{Domain, Statement};
 use crate::classify::{Ridges, Symmetry};
 use crate::geometry::{NormalProducts, linear};
-use crate::import::tiling_of_certificate;
 use crate::number::Number;
 use crate::quality::{Shape, shapes, squared_edges};
+use crate::report::Proved;
 use crate::tiling::{AnyTiling, Matching, Tiling, match_facets};
-use crate::verifier::{self, Kind, Limits, Verified};
+use crate::verifier::Verified;
 
 /// A confirmed certificate with a name.
 #[derive(Debug)]
 pub struct Subject {
     /// What it is called in headings.
     pub name: String,
-    /// What it is, in a line; not part of what is proved.
+    /// What it is, in a line, or nothing; not part of what is proved.
     pub description: String,
     /// Where it comes from, in the words of the catalogue.
     pub source: Option<&'static str>,
@@ -26,49 +26,21 @@ pub struct Subject {
     pub(super) tiling: AnyTiling,
 }
 
-/// Why a certificate is no subject.
-#[derive(Debug)]
-pub struct NotASubject {
-    pub message: String,
-    /// What the kernel said; `None` where the prover's reader fails.
-    pub kind: Option<Kind>,
-}
-
 impl Subject {
-    /// The certificate in `bytes`, confirmed by the kernel under its limits.
-    ///
-    /// # Errors
-    /// The kernel's refusal, or what the prover cannot read.
-    pub fn of_certificate(
-        name: &str,
-        description: &str,
-        bytes: Vec<u8>,
-        limits: &Limits,
-    ) -> Result<Subject, NotASubject> {
-        let verified = verifier::verify(&bytes, limits).map_err(|refusal| NotASubject {
-            message: format!("{} [{}] {refusal}", refusal.kind(), refusal.code()),
-            kind: Some(refusal.kind()),
-        })?;
-        let unread = |message: String| NotASubject {
-            message,
-            kind: None,
-        };
-        let certificate: Certificate =
-            serde_json::from_slice(&bytes).map_err(|error| unread(error.to_string()))?;
-        let tiling =
-            tiling_of_certificate(&certificate).map_err(|error| unread(error.to_string()))?;
-        if certificate.claim.domain == Domain::Region {
-            // Its proof is another theorem than that of soundness.tex.
-            let message = "is about a region; the appendix has no words for its theorem";
-            return Err(unread(message.to_owned()));
+    /// A confirmed certificate; nothing for a region, whose proof is another theorem than that of
+    /// soundness.tex.
+    pub fn of_proved(proved: &Proved) -> Option<Subject> {
+        let verified = proved.verified();
+        if verified.claim().domain == Domain::Region {
+            return None;
         }
-        Ok(Subject {
-            name: name.to_owned(),
-            description: description.to_owned(),
+        Some(Subject {
+            name: proved.name.clone(),
+            description: proved.description.clone(),
             source: None,
-            bytes,
-            verified,
-            tiling,
+            bytes: proved.bytes().to_vec(),
+            verified: verified.clone(),
+            tiling: proved.tiling().clone(),
         })
     }
 

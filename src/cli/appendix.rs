@@ -5,17 +5,12 @@
 //! `acutile appendix` wrote and nobody has changed since, or where `--force` is given; that is looked
 //! at for all files before the first is written.
 
+use super::Outcome;
 use super::args::{AppendixArguments, FileArguments};
 use super::output::{Output, write_files};
-use super::progress::Progress;
-use super::{Outcome, exit_outcome, input};
-use crate::appendix::{self, File, NotASubject, Options, Subject, is_unchanged};
+use super::proved;
+use crate::appendix::{self, File, Options, Subject, is_unchanged};
 use crate::catalog;
-use crate::certificate;
-use crate::checker;
-use crate::tiling::Tiling;
-use crate::verifier::{Kind, Limits};
-use crate::with_dimension;
 use std::path::{Path, PathBuf};
 
 type Failure = (String, Outcome);
@@ -106,72 +101,15 @@ fn check_different(subjects: &[Subject]) -> Result<(), Failure> {
     Ok(())
 }
 
-/// The first defect in words.
-fn first<const D: usize>(tiling: &Tiling<D>, refutation: &checker::Refutation) -> String {
-    let names = checker::Names::of(tiling);
-    let first = refutation.kept().first();
-    first.map_or(String::new(), |defect| {
-        checker::describe::<D>(&names, defect)
-    })
-}
-
 /// A construction of the catalogue, or a tiling file, proved; or a certificate.
 fn subject(input: &str, options: &FileArguments) -> Result<Subject, Failure> {
-    if catalog::find(input).is_none()
-        && let Some(bytes) = certificate_bytes(input)
-    {
-        let stem = Path::new(input).file_stem().map(|s| s.to_string_lossy());
-        let name = stem.as_deref().unwrap_or("tiling");
-        return Subject::of_certificate(name, "", bytes, &Limits::DEFAULT)
-            .map_err(|error| refused(input, error));
-    }
-    let mut output = Output::standard();
-    let named = input::tiling(input, None, options, &mut output)
+    let proved = proved::proved(input, options, &mut Output::standard())
         .map_err(|error| (error.message, error.outcome))?;
-    let bytes = with_dimension!(&named.tiling, AnyTiling, tiling => {
-        let progress = Progress::of(input);
-        checker::prove(tiling, &checker::Options::default(), &|step| progress.step(step))
-            .map_err(|refutation| (format!("{input}: refuted: {}", first(tiling, &refutation)), Outcome::Refuted))
-            .map(|certificate| certificate::to_bytes(&certificate))
-    })?;
-    // Its size is no reason to doubt what was proved here.
-    let limits = Limits {
-        bytes: u64::MAX,
-        simplices: usize::MAX,
-        ..Limits::DEFAULT
-    };
-    let entry = catalog::find(input);
-    let name = match entry {
-        Some(_) => input.to_owned(),
-        None => Path::new(input)
-            .file_stem()
-            .map_or_else(|| "tiling".to_owned(), |s| s.to_string_lossy().into_owned()),
-    };
-    let subject = Subject::of_certificate(&name, &named.description, bytes, &limits)
-        .map_err(|error| refused(input, error))?;
-    Ok(match entry {
-        Some(entry) => subject.from_source(entry.source),
-        None => subject,
+    proved::subject(input, &proved).ok_or_else(|| {
+        let message =
+            format!("{input}: is about a region; the appendix has no words for its theorem");
+        (message, Outcome::Declined)
     })
-}
-
-/// The bytes of a file that begins as certificates do.
-fn certificate_bytes(input: &str) -> Option<Vec<u8>> {
-    let bytes = match input {
-        "-" => return None,
-        path => std::fs::read(path).ok()?,
-    };
-    let start = String::from_utf8_lossy(&bytes[..bytes.len().min(200)]).into_owned();
-    start.contains(certificate::FORMAT).then_some(bytes)
-}
-
-fn refused(input: &str, error: NotASubject) -> Failure {
-    let outcome = match error.kind {
-        Some(Kind::False) => exit_outcome(1),
-        Some(Kind::Malformed) => exit_outcome(2),
-        Some(Kind::Declined) | None => exit_outcome(3),
-    };
-    (format!("{input}: {}", error.message), outcome)
 }
 
 fn write_into(directory: &Path, files: &[File], force: bool) -> Result<(), String> {

@@ -1,5 +1,6 @@
 //! The arguments of every command, as clap reads them.
 
+use super::bundle::BundleArguments;
 use super::draw::DrawArguments;
 use super::quality::QualityArguments;
 use crate::certificate::Statement;
@@ -62,6 +63,11 @@ pub enum Command {
     Classify(ClassifyArguments),
     /// A LaTeX appendix about certificates: theorem, numbers, and how to check them
     Appendix(AppendixArguments),
+    /// An archive to deposit: certificates, appendix, page, meshes, verifiers, checksums
+    ///
+    /// A tiling that is no certificate yet is proved first; nothing is written that the kernel does
+    /// not confirm. The same input gives the same bytes.
+    Bundle(BundleArguments),
     /// Print a completion script for a shell
     Completions(CompletionsArguments),
     /// Print the manual page

@@ -9,6 +9,7 @@
 
 mod appendix;
 mod args;
+mod bundle;
 mod certify;
 mod classify;
 mod convert;
@@ -24,6 +25,7 @@ mod new;
 mod output;
 mod paper;
 mod progress;
+mod proved;
 mod quality;
 mod refutation;
 mod report;
@@ -107,6 +109,7 @@ pub fn main() -> ExitCode {
         Command::Draw(draw) => draw::run(&draw, &mut output),
         Command::Classify(classify) => classify::run(&classify, &mut output),
         Command::Appendix(appendix) => appendix::run(&appendix, &mut output),
+        Command::Bundle(bundle) => bundle::run(&bundle, &mut output),
         Command::Completions(completions) => meta::completions(&completions, &mut output),
         Command::Man => meta::man(&mut output),
     };

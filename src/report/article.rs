@@ -30,7 +30,7 @@ pub fn article<const D: usize>(
         &[
             ("index", &index.to_string()),
             ("name", &name),
-            ("description", &escape(&proved.description)),
+            ("description", &escape(described(proved))),
             ("claim", &claim),
             ("statements", &statements),
             ("sha256", &escape(proved.verified().sha256())),
@@ -258,4 +258,12 @@ fn vertices<const D: usize>(tiling: &Tiling<D>, facts: &Facts) -> String {
         )
     };
     tiling.vertices.iter().enumerate().map(row).collect()
+}
+
+/// What a file is called says nothing of what it proves.
+fn described(proved: &Proved) -> &str {
+    match proved.description.as_str() {
+        "" => "as a file of this name has it",
+        description => description,
+    }
 }

@@ -4,7 +4,7 @@ use super::html::escape;
 use super::markdown::{Document, to_html};
 
 /// The documents that the site has.
-pub const DOCUMENTS: [Document; 10] = [
+pub const DOCUMENTS: [Document; 12] = [
     document(
         "README.md",
         "docs/readme.html",
@@ -52,6 +52,18 @@ pub const DOCUMENTS: [Document; 10] = [
         "docs/gallery.html",
         "This site",
         include_str!("../../docs/gallery.md"),
+    ),
+    document(
+        "docs/bundle.md",
+        "docs/bundle.html",
+        "Archives to deposit",
+        include_str!("../../docs/bundle.md"),
+    ),
+    document(
+        "docs/draw.md",
+        "docs/draw.html",
+        "Figures for print",
+        include_str!("../../docs/draw.md"),
     ),
     document(
         "proofs/README.md",

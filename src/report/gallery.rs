@@ -107,7 +107,7 @@ fn shown(entry: &Entry) -> Result<Shown, String> {
     let name = entry.name;
     let tiling = entry.build().map_err(|error| format!("{name}: {error}"))?;
     let description = format!("{} ({})", entry.description, entry.source);
-    let proved = Proved::of_tiling(name.to_owned(), description, &tiling)
+    let proved = Proved::of_tiling(name.to_owned(), description, &tiling, &|_| {})
         .map_err(|error| format!("{name}: {error}"))?;
     let label = format!("One cell of {}", escape(name));
     Ok(Shown {

@@ -14,7 +14,7 @@ use std::fmt;
 pub struct Proved {
     /// A name of the catalogue, or what its file is called. Not part of what is proved.
     pub name: String,
-    /// What it is, in a line; nor is this.
+    /// What it is, in a line, or nothing; nor is this.
     pub description: String,
     bytes: Vec<u8>,
     verified: Verified,
@@ -67,7 +67,7 @@ impl Proved {
         })
     }
 
-    /// Proves a tiling and asks the kernel.
+    /// Proves a tiling, telling the steps to `progress`, and asks the kernel.
     ///
     /// # Errors
     /// The first defect, or what the kernel says.
@@ -75,8 +75,9 @@ impl Proved {
         name: String,
         description: String,
         tiling: &AnyTiling,
+        progress: &dyn Fn(&str),
     ) -> Result<Proved, NotProved> {
-        let bytes = with_dimension!(tiling, AnyTiling, t => certificate_bytes(t))?;
+        let bytes = with_dimension!(tiling, AnyTiling, t => certificate_bytes(t, progress))?;
         // Its size is no reason to doubt what was proved here.
         let limits = Limits {
             bytes: u64::MAX,
@@ -104,8 +105,9 @@ impl Proved {
 
 fn certificate_bytes<const D: usize>(
     tiling: &crate::tiling::Tiling<D>,
+    progress: &dyn Fn(&str),
 ) -> Result<Vec<u8>, NotProved> {
-    match checker::prove(tiling, &Options::default(), &|_| {}) {
+    match checker::prove(tiling, &Options::default(), progress) {
         Ok(certificate) => Ok(certificate::to_bytes(&certificate)),
         Err(refutation) => {
             let first = refutation.kept().first();

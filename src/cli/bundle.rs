@@ -1,0 +1,64 @@
+//! `acutile bundle`: an archive to deposit.
+
+use super::Outcome;
+use super::args::FileArguments;
+use super::input::InputError;
+use super::output::{Output, write_file};
+use super::proved::{overwritten, proved, subject};
+use crate::bundle::{Options, Piece, archive, bundle};
+use crate::front::one_line;
+use clap::Args;
+use std::path::{Path, PathBuf};
+
+#[derive(Debug, Args)]
+pub struct BundleArguments {
+    /// Certificates, names of the catalogue, tiling or mesh files, or point sets (CIF too)
+    #[arg(value_name = "CERT|NAME|FILE", required = true)]
+    pub inputs: Vec<String>,
+    #[command(flatten)]
+    pub file: FileArguments,
+    /// Leave out the PDF, even if there is TeX
+    #[arg(long)]
+    pub no_pdf: bool,
+    /// Write the archive here (`-` for standard output)
+    #[arg(short, long, value_name = "FILE.zip")]
+    pub output: PathBuf,
+}
+
+/// Writes the archive; nothing is written where an input is not proved.
+pub fn run(arguments: &BundleArguments, output: &mut Output) -> Outcome {
+    match write(arguments, output) {
+        Ok(()) => Outcome::Done,
+        Err(error) => {
+            output.complain(format!("acutile: {}", one_line(&error.message)));
+            error.outcome
+        }
+    }
+}
+
+fn write(arguments: &BundleArguments, output: &mut Output) -> Result<(), InputError> {
+    let target = arguments.output.as_path();
+    if let Some(input) = overwritten(&arguments.inputs, Some(target)) {
+        return Err(format!("-o would overwrite the input {input}").into());
+    }
+    let mut pieces = Vec::new();
+    for input in &arguments.inputs {
+        let proved = proved(input, &arguments.file, output)?;
+        let subject = subject(input, &proved);
+        pieces.push(Piece { proved, subject });
+    }
+    let options = Options {
+        pdf: !arguments.no_pdf,
+    };
+    let bundle = bundle(pieces, &options)?;
+    let bytes = archive(&bundle.files)?;
+    for note in bundle.notes {
+        output.complain(format!("acutile: {}", one_line(&note)));
+    }
+    if target == Path::new("-") {
+        output.bytes(&bytes);
+        return Ok(());
+    }
+    write_file(target, &bytes)
+        .map_err(|error| format!("{}: cannot be written: {error}", target.display()).into())
+}

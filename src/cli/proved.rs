@@ -1,0 +1,101 @@
+//! Inputs of `acutile report`, `acutile appendix` and `acutile bundle`: certificates, or whatever
+//! else is a tiling, which is proved first. Nothing gets past here that the kernel does not confirm.
+
+use super::Outcome;
+use super::args::FileArguments;
+use super::input::{self, InputError};
+use super::output::Output;
+use super::progress::Progress;
+use crate::appendix::Subject;
+use crate::catalog;
+use crate::certificate;
+use crate::import::{BYTE_LIMIT, read_bytes};
+use crate::report::{NotProved, Proved};
+use crate::verifier::{Kind, Limits};
+use serde::Deserialize;
+use std::path::Path;
+
+/// A certificate that the kernel confirms: a file, or that of a tiling which is proved first.
+///
+/// # Errors
+/// A message that names the input.
+pub fn proved(
+    input: &str,
+    options: &FileArguments,
+    output: &mut Output,
+) -> Result<Proved, InputError> {
+    let refused = |error: NotProved| InputError {
+        message: format!("{input}: {error}"),
+        outcome: outcome(&error),
+    };
+    if let Some(bytes) = certificate_file(input)? {
+        return Proved::of_certificate(stem(input), String::new(), bytes, &Limits::DEFAULT)
+            .map_err(refused);
+    }
+    let named = input::tiling(input, None, options, output)?;
+    let name = match catalog::find(input) {
+        Some(_) => named.name,
+        None => stem(input),
+    };
+    let progress = Progress::of(input);
+    let step = |step: &str| progress.step(step);
+    Proved::of_tiling(name, named.description, &named.tiling, &step).map_err(refused)
+}
+
+/// What an appendix can say of it, with the place that the catalogue names; nothing for a region.
+pub fn subject(input: &str, proved: &Proved) -> Option<Subject> {
+    let subject = Subject::of_proved(proved)?;
+    Some(match catalog::find(input) {
+        Some(entry) => subject.from_source(entry.source),
+        None => subject,
+    })
+}
+
+/// The input that would be replaced by what is written to `target`.
+pub fn overwritten<'i>(inputs: &'i [String], target: Option<&Path>) -> Option<&'i String> {
+    let target = target?.canonicalize().ok()?;
+    let is_target = |input: &&String| Path::new(input).canonicalize().is_ok_and(|p| p == target);
+    inputs.iter().find(is_target)
+}
+
+/// The name of a file; readers of a page need not know in whose folder it was.
+fn stem(path: &str) -> String {
+    let stem = Path::new(path).file_stem().unwrap_or_default();
+    stem.to_string_lossy().into_owned()
+}
+
+/// The bytes of a certificate; `None` for everything that says it is something else.
+fn certificate_file(input: &str) -> Result<Option<Vec<u8>>, InputError> {
+    if catalog::find(input).is_some() || input == "-" || !Path::new(input).exists() {
+        return Ok(None);
+    }
+    let bytes =
+        read_bytes(Path::new(input), BYTE_LIMIT).map_err(|error| format!("{input}: {error}"))?;
+    let Ok(text) = str::from_utf8(&bytes) else {
+        return Ok(None);
+    };
+    let is_certificate = match serde_json::from_str::<Header>(text) {
+        Ok(header) => header.format == certificate::FORMAT,
+        // The kernel says best what is wrong with half a certificate.
+        Err(_) => text.contains(certificate::FORMAT),
+    };
+    Ok(is_certificate.then_some(bytes))
+}
+
+/// What says of a file what it is.
+#[derive(Deserialize)]
+struct Header {
+    format: String,
+}
+
+fn outcome(error: &NotProved) -> Outcome {
+    match error {
+        NotProved::Refuted(_) => Outcome::Refuted,
+        NotProved::Refused(refusal) => match refusal.kind() {
+            Kind::False => Outcome::Refuted,
+            Kind::Malformed => Outcome::Failed,
+            Kind::Declined => Outcome::Declined,
+        },
+        NotProved::Unreadable(_) => Outcome::Declined,
+    }
+}

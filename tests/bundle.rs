@@ -1,0 +1,267 @@
+//! `acutile bundle`: what is in an archive, that it depends on nothing but its input, and that a
+//! referee's three programs believe what is in it and nothing else.
+//!
+//! Python 3, Node and TeX need not be there, unless `REQUIRE_TOOLS` is set.
+
+mod common;
+
+use common::{acutile, acutile_verify, code, kuhn, stderr, stdout};
+use std::ffi::OsStr;
+use std::io::{self, Write};
+use std::path::Path;
+use std::process::{Command, Output};
+
+/// Writes an archive, and gives its bytes.
+fn bundle(directory: &Path, arguments: &[&str]) -> Vec<u8> {
+    let target = directory.join("artefact.zip");
+    let arguments = arguments.iter().map(OsStr::new);
+    let all = [OsStr::new("bundle")].into_iter().chain(arguments);
+    let output = acutile(all.chain([OsStr::new("-o"), target.as_os_str()]));
+    assert_eq!(code(&output), 0, "{}", stderr(&output));
+    assert_eq!(stdout(&output), "");
+    std::fs::read(target).expect("the archive")
+}
+
+/// Runs a program, if it is there.
+fn run(program: &str, directory: &Path, arguments: &[&str]) -> Option<Output> {
+    let output = Command::new(program)
+        .args(arguments)
+        .current_dir(directory)
+        .output();
+    if output.is_err() {
+        assert!(std::env::var_os("REQUIRE_TOOLS").is_none(), "{program}");
+        // Not by eprintln, which is shown for failures only.
+        writeln!(io::stderr(), "SKIPPED: {program} is not installed").expect("standard error");
+    }
+    output.ok()
+}
+
+/// An archive taken apart by Python's zipfile, if there is Python.
+fn unpacked(arguments: &[&str]) -> Option<tempfile::TempDir> {
+    let directory = tempfile::tempdir().expect("a directory");
+    bundle(directory.path(), arguments);
+    let script = "
+import hashlib, zipfile
+with zipfile.ZipFile('artefact.zip') as z:
+    assert z.testzip() is None
+    names = z.namelist()
+    assert names == sorted(names) and len(set(names)) == len(names)
+    for info in z.infolist():
+        assert info.date_time == (1980, 1, 1, 0, 0, 0), info
+        assert info.external_attr >> 16 == 0o100644, info
+        assert not info.filename.startswith('/') and '..' not in info.filename.split('/'), info
+    z.extractall('.')
+    sums = [line.split('  ') for line in z.read('SHA256SUMS').decode().splitlines()]
+    assert [name for _, name in sums] == [name for name in names if name != 'SHA256SUMS']
+    for digest, name in sums:
+        assert hashlib.sha256(z.read(name)).hexdigest() == digest, name
+";
+    let output = run("python3", directory.path(), &["-c", script])?;
+    assert!(output.status.success(), "{}", stderr(&output));
+    Some(directory)
+}
+
+#[test]
+fn three_verifiers_confirm_what_is_in_it_and_refuse_what_was_changed() {
+    let Some(directory) = unpacked(&["a15", "square-14", "slab", "--no-pdf"]) else {
+        return;
+    };
+    let certificates = directory.path().join("certificates");
+    for name in ["a15", "square-14", "slab"] {
+        let found = std::fs::read(certificates.join(format!("{name}.json"))).expect(name);
+        let expected = std::fs::read(format!("certificates/{name}.json")).expect(name);
+        assert_eq!(found, expected, "{name}");
+        assert_eq!(
+            verdicts(directory.path(), name),
+            [Some(0), Some(0), Some(0)],
+            "{name}"
+        );
+    }
+    // A vertex of A15 moves; it is a certificate still, of something false.
+    let text = std::fs::read_to_string(certificates.join("a15.json")).expect("a15");
+    let (claim, witness) = text.split_at(text.find("\"witness\"").expect("a witness"));
+    let moved = format!("{claim}{}", witness.replacen("\"1/4\"", "\"1/5\"", 1));
+    assert_ne!(moved, text);
+    std::fs::write(certificates.join("a15.json"), moved).expect("written");
+    assert_eq!(
+        verdicts(directory.path(), "a15"),
+        [Some(1), Some(1), Some(1)]
+    );
+}
+
+/// The exit codes of the three verifiers; that of a program that is not there is what it must be.
+fn verdicts(directory: &Path, name: &str) -> [Option<i32>; 3] {
+    let path = format!("certificates/{name}.json");
+    let rust = acutile_verify([directory.join(&path)]).status.code();
+    let one = |program, verifier: &str| match run(program, directory, &[verifier, &path]) {
+        Some(output) => output.status.code(),
+        None => rust,
+    };
+    let python = one("python3", "verify/verify.py");
+    [rust, python, one("node", "verify/verify-cli.mjs")]
+}
+
+#[test]
+fn the_same_input_gives_the_same_bytes() {
+    let (one, other) = (
+        tempfile::tempdir().expect("a directory"),
+        tempfile::tempdir().expect("a directory"),
+    );
+    let first = bundle(one.path(), &["a15", "square-8"]);
+    let script = "umask 077; exec \"$0\" bundle a15 square-8 -o other-name.zip";
+    let output = Command::new("sh")
+        .args(["-c", script, env!("CARGO_BIN_EXE_acutile")])
+        .current_dir(other.path())
+        .envs([
+            ("TZ", "Pacific/Kiritimati"),
+            ("LC_ALL", "C"),
+            ("SOURCE_DATE_EPOCH", "86400"),
+        ])
+        .output()
+        .expect("a shell");
+    assert_eq!(code(&output), 0, "{}", stderr(&output));
+    let second = std::fs::read(other.path().join("other-name.zip")).expect("the archive");
+    assert!(first == second);
+}
+
+#[test]
+fn the_appendix_is_there_as_pdf_or_it_is_said_why_not() {
+    let directory = tempfile::tempdir().expect("a directory");
+    let has_tex = run("pdflatex", directory.path(), &["--version"]).is_some();
+    let with = bundle(directory.path(), &["bcc"]);
+    let without = bundle(directory.path(), &["bcc", "--no-pdf"]);
+    let has = |bytes: &[u8], name: &str| bytes.windows(name.len()).any(|w| w == name.as_bytes());
+    for name in ["appendix/main.pdf", "appendix/supplement.pdf"] {
+        assert_eq!(has(&with, name), has_tex, "{name}");
+        assert!(!has(&without, name), "{name}");
+    }
+    let output = Command::new(env!("CARGO_BIN_EXE_acutile"))
+        .args(["bundle", "bcc", "-o", "-"])
+        .env("PATH", directory.path())
+        .output()
+        .expect("acutile runs");
+    assert_eq!(code(&output), 0);
+    assert!(stderr(&output).contains("pdflatex is not installed"));
+    assert!(!has(&output.stdout, "appendix/main.pdf"));
+}
+
+#[test]
+fn what_the_kernel_refuses_is_in_no_archive() {
+    let directory = tempfile::tempdir().expect("a directory");
+    let target = directory.path().join("artefact.zip");
+    let mut hole = kuhn();
+    hole["simplices"].as_array_mut().expect("simplices").pop();
+    let hole = common::file(directory.path(), "hole.json", &hole.to_string());
+    let cases = [
+        ("tests/certificates/false/not-acute--cube-6.json", 1),
+        ("tests/certificates/malformed/canonical--space.json", 2),
+        ("tests/certificates/declined/version--2.json", 3),
+        (hole.to_str().expect("UTF-8"), 1),
+        ("no-such-file.json", 2),
+        // Two inputs that would have one name.
+        ("certificates/a15.json", 2),
+    ];
+    for (input, expected) in cases {
+        let inputs = [
+            "bundle".as_ref(),
+            "a15".as_ref(),
+            input.as_ref(),
+            "-o".as_ref(),
+        ];
+        let output = acutile(inputs.into_iter().chain([target.as_os_str()]));
+        assert_eq!(code(&output), expected, "{input}: {}", stderr(&output));
+        assert!(stderr(&output).starts_with("acutile: "), "{input}");
+        assert!(!target.exists(), "{input}");
+    }
+    let own = acutile([
+        "bundle".as_ref(),
+        hole.as_os_str(),
+        "-o".as_ref(),
+        hole.as_os_str(),
+    ]);
+    assert_eq!(code(&own), 2);
+    assert!(stderr(&own).contains("would overwrite"));
+}
+
+#[test]
+fn regions_come_without_appendix() {
+    let region = "tests/certificates/valid/region-cavity.json";
+    let directory = tempfile::tempdir().expect("a directory");
+    let target = directory.path().join("artefact.zip");
+    let output = acutile([
+        "bundle".as_ref(),
+        region.as_ref(),
+        "-o".as_ref(),
+        target.as_os_str(),
+    ]);
+    assert_eq!(code(&output), 0, "{}", stderr(&output));
+    assert!(stderr(&output).contains("about a region"));
+    let Some(directory) = unpacked(&[region]) else {
+        return;
+    };
+    assert!(!directory.path().join("appendix").exists());
+    assert!(directory.path().join("tilings/region-cavity.msh").exists());
+    let readme = std::fs::read_to_string(directory.path().join("README.md")).expect("a README");
+    assert!(!readme.contains("appendix/"));
+}
+
+/// The meshes are those of the tiling: read again, they have its tetrahedra.
+#[test]
+fn meshes_and_tilings_are_read_again() {
+    let Some(directory) = unpacked(&["a15", "--no-pdf"]) else {
+        return;
+    };
+    let tilings = directory.path().join("tilings");
+    let proved = acutile([
+        "certify".as_ref(),
+        tilings.join("a15.json").as_os_str(),
+        "-o".as_ref(),
+        "-".as_ref(),
+    ]);
+    assert_eq!(code(&proved), 0, "{}", stderr(&proved));
+    assert_eq!(
+        proved.stdout,
+        std::fs::read("certificates/a15.json").expect("a15")
+    );
+    // No coordinate of A15 is rounded, so that its meshes are the tiling: the basis vectors have the length 4.
+    for extension in ["msh", "vtu", "mesh"] {
+        let path = tilings.join(format!("a15.{extension}"));
+        let lattice = [
+            "--lattice",
+            "4,0,0;0,4,0;0,0,4",
+            "--identify",
+            "0",
+            "--require",
+            "tcp",
+            "-o",
+            "-",
+        ];
+        let arguments = [OsStr::new("certify"), path.as_os_str()];
+        let output = acutile(arguments.into_iter().chain(lattice.map(OsStr::new)));
+        assert_eq!(code(&output), 0, "{extension}: {}", stderr(&output));
+        let certificate = stdout(&output);
+        assert_eq!(certificate.matches("\n[[").count(), 2 * 46, "{extension}");
+    }
+}
+
+#[test]
+fn the_checker_in_python_agrees() {
+    let program = env!("CARGO_BIN_EXE_acutile-verify");
+    let script = "tests/bundle/certificates.py";
+    let Some(output) = run(
+        "python3",
+        Path::new(env!("CARGO_MANIFEST_DIR")),
+        &[script, program],
+    ) else {
+        return;
+    };
+    assert!(output.status.success(), "{}", stderr(&output));
+    assert!(stdout(&output).contains("verify.py agrees"));
+}
+
+#[test]
+fn the_citation_is_of_this_version() {
+    let text = std::fs::read_to_string("CITATION.cff").expect("CITATION.cff");
+    let version = format!("\nversion: {}\n", env!("CARGO_PKG_VERSION"));
+    assert!(text.starts_with("cff-version: 1.2.0\n") && text.contains(&version));
+}
