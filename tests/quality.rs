@@ -158,3 +158,21 @@ proptest! {
         prop_assert!((double(&low) - ratio).abs() < 1e-6 * ratio);
     }
 }
+
+/// Odd multiples of 9 degrees, whose cosines have squares of degree four: s = (1 + cos 2t)/2 with
+/// cos 18° = √((5 + √5)/8) and cos 54° = √((5 - √5)/8).
+#[test]
+fn odd_multiples_of_nine_degrees_are_recognised() {
+    for (text, degrees) in [
+        ("(1+sqrt((5+sqrt(5))/8))/2", 9),
+        ("(1+sqrt((5-sqrt(5))/8))/2", 27),
+        ("(1-sqrt((5-sqrt(5))/8))/2", 63),
+        ("(1-sqrt((5+sqrt(5))/8))/2", 81),
+    ] {
+        let values = numbers(&[text]).expect("a number");
+        let angle = acutile::quality::DihedralAngle {
+            signed_square: values[0].clone(),
+        };
+        assert_eq!(angle.rational(), Some(malachite::Rational::from(degrees)));
+    }
+}

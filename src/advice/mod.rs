@@ -17,7 +17,7 @@ pub use overlap::{Overlap, common_point};
 
 use crate::checker::Defect;
 use crate::number::Number;
-use crate::quality::{rounded_up, short_point};
+use crate::quality::rounded_up;
 use crate::tiling::{Corner, Facet, Tiling, match_facets};
 use malachite::Rational;
 use place::Places;
@@ -81,8 +81,12 @@ impl<'t, const D: usize> Adviser<'t, D> {
     }
 
     fn about_unmatched(&self, facet: Facet) -> Vec<Advice<D>> {
-        let near = nearest::nearest(self.tiling, self.places(), facet, self.free());
         let hole = self.holes().get(&facet).cloned();
+        let is_filled = hole.as_ref().is_some_and(|hole| hole.missing.is_some());
+        // Where one simplex is missing, no facet is off.
+        let near = (!is_filled)
+            .then(|| nearest::nearest(self.tiling, self.places(), facet, self.free()))
+            .flatten();
         let overlap = overlap::partner(self.tiling, self.places(), facet.simplex as usize);
         let advice = [
             near.map(Advice::Near),
@@ -156,11 +160,12 @@ impl<'t, const D: usize> Adviser<'t, D> {
 }
 
 impl<const D: usize> Advice<D> {
-    /// The advice as a sentence; `name` writes a corner, `simplex` the name of a simplex.
+    /// The advice as a sentence; the functions write a corner, the name of a simplex, a point.
     pub fn in_words(
         &self,
         corner: &dyn Fn(&Corner<D>) -> String,
         simplex: &dyn Fn(usize) -> String,
+        point: &dyn Fn(&[Number; D]) -> String,
     ) -> String {
         let corners = |list: &[Corner<D>]| list.iter().map(corner).collect::<Vec<_>>().join(", ");
         match self {
@@ -188,7 +193,7 @@ impl<const D: usize> Advice<D> {
                 simplex(overlap.simplices.0),
                 simplex(overlap.simplices.1),
                 moved(&overlap.shift),
-                short_point(&overlap.point),
+                point(&overlap.point),
             ),
             Advice::Covered { ratio } => {
                 format!(
@@ -200,7 +205,7 @@ impl<const D: usize> Advice<D> {
                 "moving corner {} of {} to {}, by at most {}, makes this simplex acute",
                 corner(&motion.corner),
                 simplex(motion.simplex),
-                short_point(&motion.target),
+                point(&motion.target),
                 rounded_up(&motion.distance, 6),
             ),
             Advice::NoMotion { simplex: index } => format!(

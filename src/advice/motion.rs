@@ -10,6 +10,7 @@ use crate::geometry::{Scalar, Sign, Simplex, linear};
 use crate::number::Number;
 use crate::tiling::{Corner, Tiling};
 use malachite::Rational;
+use malachite::base::num::arithmetic::traits::{Floor, Pow};
 
 /// A motion of one corner that makes a simplex acute; it says nothing of the neighbours.
 #[derive(Clone, Debug, PartialEq)]
@@ -52,10 +53,11 @@ fn motion_of<const D: usize>(
     Search::new(tiling, &points, moving)
         .candidates()
         .into_iter()
-        .filter_map(|step| exact_step(&step))
-        .find_map(|step| {
+        .filter_map(|step| target(&points[moving], &step))
+        .find_map(|target| {
             let mut moved = points.clone();
-            moved[moving] = std::array::from_fn(|k| &points[moving][k] + &step[k]);
+            let step = linear::subtract(&target, &points[moving]);
+            moved[moving] = target;
             is_acute(&Simplex::new(&moved), &cogram).then(|| Motion {
                 simplex,
                 corner: corners[moving],
@@ -65,13 +67,22 @@ fn motion_of<const D: usize>(
         })
 }
 
-/// The doubles as what they are; none for an infinite one.
-fn exact_step<const D: usize>(step: &[f64; D]) -> Option<[Number; D]> {
-    let numbers = step.map(|x| Rational::try_from(x).ok().map(Number::from));
-    numbers
-        .iter()
-        .all(Option::is_some)
-        .then(|| numbers.map(|x| x.unwrap_or_else(Number::zero)))
+/// Where a step leads, as short decimals that can be typed in: four digits of the step's size.
+/// None for an infinite step.
+fn target<const D: usize>(from: &[Number; D], step: &[f64; D]) -> Option<[Number; D]> {
+    let size = step.iter().fold(0.0, |size: f64, x| size.max(x.abs()));
+    if !size.is_normal() {
+        return None;
+    }
+    let digits = (4.0 - size.log10().floor()).clamp(0.0, 300.0) as u64;
+    let unit = Rational::from(10).pow(digits);
+    let rounded = |k: usize| {
+        let half = Rational::from_signeds(1, 2);
+        let (low, high) = from[k].enclosure(&(Rational::from(1) / &unit));
+        let middle = (low + high) * &half + Rational::try_from(step[k]).unwrap_or_default();
+        Number::from(Rational::from((middle * &unit + half).floor()) / &unit)
+    };
+    Some(std::array::from_fn(rounded))
 }
 
 /// A little more than the length of a vector.
@@ -156,7 +167,7 @@ impl<const D: usize> Search<D> {
         };
         let best = self.improved(self.shortened(safe));
         let inward = |part: f64| std::array::from_fn(|k| best[k] + part * (safe[k] - best[k]));
-        [0.0, 1e-9, 1e-6, 1e-3, 1e-1, 1.0].map(inward).to_vec()
+        [1e-4, 1e-3, 1e-2, 1e-1, 1.0].map(inward).to_vec()
     }
 
     fn length(&self, step: &[f64; D]) -> f64 {

@@ -61,7 +61,12 @@ pub fn table(rows: Vec<String>, subjects: &[Subject]) -> String {
         columns: "lrrrrrrr",
         caption: format!(
             "The constructions in the form of Table~1 of~\\cite{{EppsteinSullivanUngor2004}}: number of {kind} in a cell, circumradius over \
-             shortest edge, smallest and largest dihedral angle of each, with the minimum and the maximum over them. Minima are rounded down and maxima up."
+             shortest edge, smallest and largest dihedral angle of each, with the minimum and the maximum over them. Minima are rounded down and maxima up.{}",
+            match subjects.iter().any(|subject| subject.name == "icosahedral") {
+                true => " The names are those of the article; that the tiling from icosahedra is Z is refuted by \\texttt{acutile paper}: \
+                         it is isomorphic to C14.",
+                false => "",
+            }
         ),
         label: "acutile:overview".to_owned(),
         heading: "& & \\multicolumn{2}{c}{radius/edge} & \\multicolumn{2}{c}{smallest angle} & \\multicolumn{2}{c}{largest angle} \\\\\n\

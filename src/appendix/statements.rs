@@ -180,7 +180,9 @@ fn delaunay<const D: usize>(analysis: &Analysis<D>, is_strict: bool) -> String {
     format!(
         "\\acutileparagraph{{Delaunay.}} By Theorem~\\ref{{acutile:delaunay}} it suffices that for each facet the corner $d$ of the tile behind it is {lemma} the circumsphere: \
          that its power $\\pi(d)=|d-z|^2-\\rho^2$, for the circumcentre $z$ and the circumradius $\\rho$, is {relation}. With $x=d-c_0$ it is \
-         $|x|^2-\\sum_i\\lambda_i(x)\\,l_{{0i}}$, where $x=\\sum_i\\lambda_i(x)e_i$. Table~\\ref{{{}}} has one facet of each orbit.\n\n{}",
+         $|x|^2-\\sum_i\\lambda_i(x)\\,l_{{0i}}$, where $x=\\sum_i\\lambda_i(x)e_i$. Table~\\ref{{{}}} has one facet of each orbit, seen from \
+         one of its two sides. That suffices: with $S$ and $T$ on the two sides of a facet, $\\pi_S-\\pi_T$ is affine and vanishes on the hyperplane of the facet; \
+         the corners $d$ of $T$ and $c$ of $S$ off the facet lie on different sides of it, and $\\pi_T(d)=\\pi_S(c)=0$. So $\\pi_S(d)$ and $\\pi_T(c)$ have the same sign.\n\n{}",
         analysis.label("delaunay"),
         Table {
             mark: format!("delaunay {}", analysis.subject.slug()),

@@ -200,8 +200,8 @@ fn in_words<const D: usize>(statement: &Statement) -> Option<String> {
             bound(q)
         ),
         Statement::Delaunay => {
-            "it is the Delaunay triangulation of its vertices: on no circumsphere, and inside of none, is a vertex of \
-             another tile;"
+            "it is the Delaunay triangulation of its vertices: no vertex of the tiling but a tile's own corners is on its \
+             circumsphere, and none is inside of it;"
                 .to_owned()
         }
         Statement::WeaklyDelaunay => {

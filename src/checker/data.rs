@@ -110,6 +110,7 @@ fn members<const D: usize>(tiling: &Tiling<D>, defect: &Defect) -> Value {
             "simplices": simplices,
             "outside": simplices.len(),
         }),
+        Defect::BoundaryWork { limit } => json!({ "limit": limit }),
         Defect::RegionDimension | Defect::DelaunayOfRegion => json!({}),
         Defect::UnusedVertex { vertex } => json!({ "vertex": vertex }),
         Defect::RightAngle { angle } | Defect::ObtuseAngle { angle } => angle_data(tiling, angle),

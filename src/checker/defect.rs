@@ -66,6 +66,9 @@ pub enum Defect {
     Covered { facet: Facet, simplices: Vec<usize> },
     /// A region in another dimension than 3.
     RegionDimension,
+    /// The boundary has more facets close to each other than are looked at: nothing is known to be
+    /// wrong, and nothing is proved.
+    BoundaryWork { limit: usize },
     /// Delaunay is required of a region.
     DelaunayOfRegion,
     /// A vertex is a corner of no simplex.
@@ -165,6 +168,7 @@ impl Defect {
             Defect::BoundaryMeets { .. } => BOUNDARY_MEETS,
             Defect::Covered { .. } => "covered-twice",
             Defect::RegionDimension => "region-dimension",
+            Defect::BoundaryWork { .. } => BOUNDARY_WORK,
             Defect::DelaunayOfRegion => "delaunay-of-region",
             Defect::UnusedVertex { .. } => "unused-vertex",
             Defect::RightAngle { .. } => "right-angle",
@@ -181,6 +185,8 @@ impl Defect {
 
 /// The code of [`Defect::BoundaryMeets`], whose evidence is made only where it is kept.
 pub(super) const BOUNDARY_MEETS: &str = "boundary-meets";
+/// The code of [`Defect::BoundaryWork`].
+pub(super) const BOUNDARY_WORK: &str = "boundary-work";
 
 /// Collects defects: all are counted, and of each kind the first few are kept.
 #[derive(Clone, Debug)]
@@ -216,6 +222,11 @@ impl Findings {
         if *count <= self.limit {
             self.kept.push(make());
         }
+    }
+
+    /// Whether nothing is known to be wrong, but a limit left something open.
+    pub fn is_declined(&self) -> bool {
+        self.counts.keys().eq([&BOUNDARY_WORK])
     }
 
     /// Whether nothing is wrong.

@@ -14,6 +14,7 @@ use crate::tiling::{Facet, Matching, Tiling};
 use malachite::base::num::arithmetic::traits::Floor;
 use malachite::base::num::basic::traits::Zero;
 use malachite::{Integer, Rational};
+use rayon::prelude::*;
 use std::cmp::Ordering;
 use std::collections::BTreeMap;
 
@@ -38,6 +39,13 @@ pub fn check_region<const D: usize>(
         Region::new(tiling, matching, unit, |x| x, Number::clone).check(findings);
     }
 }
+
+/// So many pairs of facets in the boundary are looked at exactly: some, and for each facet some
+/// more. Meshes of solids have a few dozens for each facet.
+const PAIRS: usize = 1_000_000;
+const PAIRS_PER_FACET: usize = 100;
+/// So many boxes of simplices are compared with boxes of facets.
+const COMPARISONS: usize = 2_000_000_000;
 
 struct Region<'t, S, const D: usize> {
     tiling: &'t Tiling<D>,
@@ -139,12 +147,14 @@ impl<'t, S: Scalar, const D: usize> Region<'t, S, D> {
             let (first, second) = (triangles[f].as_ref()?, triangles[g].as_ref()?);
             self.meeting((&self.boundary[f], first), (&self.boundary[g], second))
         };
-        let mut pairs = Vec::new();
-        boxes::each_overlapping_pair(&extents, |f, g| {
-            if meeting(f, g).is_some() {
-                pairs.push((f.min(g), f.max(g)));
-            }
-        });
+        let limit = PAIRS + PAIRS_PER_FACET * self.boundary.len();
+        let Some(pairs) = boxes::overlapping_pairs(&extents, limit) else {
+            return findings.add(Defect::BoundaryWork { limit });
+        };
+        let mut pairs: Vec<(usize, usize)> = pairs
+            .into_par_iter()
+            .filter(|(f, g)| meeting(*f, *g).is_some())
+            .collect();
         pairs.sort_unstable();
         for (f, g) in pairs {
             findings.add_with(BOUNDARY_MEETS, || Defect::BoundaryMeets {
@@ -209,12 +219,16 @@ impl<'t, S: Scalar, const D: usize> Region<'t, S, D> {
     /// No tetrahedron is directly outside of a facet in the boundary, asked once for each class
     /// of facets that are joined by edges which no third one has.
     fn check_covering(&self, findings: &mut Findings) {
+        let classes = self.first_of_classes();
+        if classes.len().saturating_mul(self.tiling.len()) > COMPARISONS {
+            return findings.add(Defect::BoundaryWork { limit: COMPARISONS });
+        }
         let tiles: Vec<Box3> = self
             .tiling
             .simplices()
             .map(|corners| boxes::hull(corners.iter().map(|c| self.extent(&[c.vertex as usize]))))
             .collect();
-        for facet in self.first_of_classes() {
+        for facet in classes {
             let extent = self.extent(&facet.vertices);
             let near = (0..tiles.len()).filter(|&t| boxes::overlap(&tiles[t], &extent));
             let simplices: Vec<usize> = near.filter(|&t| self.is_outside_in(facet, t)).collect();

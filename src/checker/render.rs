@@ -120,6 +120,10 @@ pub fn describe<const D: usize>(names: &Names, defect: &Defect) -> String {
             name(facet),
             words.some(simplices)
         ),
+        Defect::BoundaryWork { limit } => format!(
+            "the boundary has too many facets close to each other: more than the limit of {limit} pairs \
+             would have to be compared"
+        ),
         Defect::RegionDimension => "a region has dimension 3".to_owned(),
         Defect::DelaunayOfRegion => {
             "Delaunay is not stated of a region, which need not be convex".to_owned()

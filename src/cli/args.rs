@@ -348,6 +348,9 @@ pub struct GalleryArguments {
     /// Write the site into this directory
     #[arg(short, long, value_name = "DIR", required = true)]
     pub output: PathBuf,
+    /// Write into a directory that has other files, too
+    #[arg(long)]
+    pub force: bool,
 }
 
 #[derive(Debug, Args)]

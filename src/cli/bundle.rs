@@ -30,7 +30,7 @@ pub fn run(arguments: &BundleArguments, output: &mut Output) -> Outcome {
     match write(arguments, output) {
         Ok(()) => Outcome::Done,
         Err(error) => {
-            output.complain(format!("acutile: {}", one_line(&error.message)));
+            output.complain(format!("acutile: {}", error.message));
             error.outcome
         }
     }

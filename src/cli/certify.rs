@@ -9,7 +9,7 @@ use super::refutation::Refuted;
 use super::verify::summary;
 use crate::catalog;
 use crate::certificate::{self, Statement};
-use crate::checker::{self, Findings, Options};
+use crate::checker::{self, Defect, Findings, Names, Options};
 use crate::import::uncompressed_name;
 use crate::tiling::Tiling;
 use crate::verifier::{self, Limits, Verified};
@@ -38,8 +38,9 @@ pub fn run(arguments: &CertifyArguments, output: &mut Output) -> Outcome {
     };
     let mut worst = Outcome::Done;
     for (input, target) in inputs.iter().zip(targets) {
-        let answer = prove(input, arguments, output).write(&target, output);
-        answer.report(input, &target, arguments.json, output);
+        let mut notes = Vec::new();
+        let answer = prove(input, arguments, &mut notes, output).write(&target, output);
+        answer.report(input, &target, arguments, &notes, output);
         worst = worst.and(answer.outcome());
     }
     worst
@@ -135,7 +136,13 @@ enum Answer {
     Declined(String),
 }
 
-fn prove(input: &str, arguments: &CertifyArguments, output: &mut Output) -> Answer {
+/// Proves or refutes; `notes` gets what was done to the input before.
+fn prove(
+    input: &str,
+    arguments: &CertifyArguments,
+    notes: &mut Vec<String>,
+    output: &mut Output,
+) -> Answer {
     let mut named = match input::tiling(input, arguments.param.as_deref(), &arguments.file, output)
     {
         Ok(named) => named,
@@ -144,13 +151,16 @@ fn prove(input: &str, arguments: &CertifyArguments, output: &mut Output) -> Answ
         }
         Err(error) => return Answer::Failed(error.message),
     };
+    notes.append(&mut named.notes);
     if arguments.reorient {
         let mended = with_dimension!(&mut named.tiling, AnyTiling, t => t.orient());
         if let Some(origin) = &mut named.origin {
             origin.reoriented(&mended);
         }
         if !mended.is_empty() {
-            output.complain(format!("{input}: {} simplices reoriented", mended.len()));
+            let note = format!("{} simplices reoriented", mended.len());
+            output.complain(format!("{input}: {note}"));
+            notes.push(note);
         }
     }
     let options = Options {
@@ -162,12 +172,24 @@ fn prove(input: &str, arguments: &CertifyArguments, output: &mut Output) -> Answ
         false => prove_tiling(t, input, &options),
     });
     proved.unwrap_or_else(|findings| {
+        if findings.is_declined() {
+            let message = findings.kept().first().map_or(
+                String::new(),
+                |defect| with_dimension!(&named.tiling, AnyTiling, t => in_words(t, defect)),
+            );
+            return Answer::Declined(format!("{input}: {message}"));
+        }
         Answer::Refuted(Box::new(Refuted {
             tiling: named.tiling,
             origin: named.origin,
+            notes: notes.clone(),
             findings,
         }))
     })
+}
+
+fn in_words<const D: usize>(tiling: &Tiling<D>, defect: &Defect) -> String {
+    checker::describe::<D>(&Names::of(tiling), defect)
 }
 
 /// Twenty defects of each kind for people, all for machines, if not said otherwise.
@@ -245,9 +267,17 @@ impl Answer {
     }
 
     /// Tells the answer, on standard error where standard output has the certificate.
-    fn report(&self, input: &str, target: &Target, as_json: bool, output: &mut Output) {
+    fn report(
+        &self,
+        input: &str,
+        target: &Target,
+        arguments: &CertifyArguments,
+        notes: &[String],
+        output: &mut Output,
+    ) {
+        let as_json = arguments.json;
         let to_error = matches!(target, Target::StandardOutput);
-        let (words, data) = match self {
+        let (mut words, mut data) = match self {
             Answer::Refuted(refuted) => return refuted.tell(input, as_json, to_error, output),
             Answer::Proved { verified, .. } => proved(verified, input, target),
             Answer::Examined(vertices, simplices, statements) => {
@@ -263,6 +293,10 @@ impl Answer {
             ),
         };
         let is_failure = matches!(self, Answer::Failed(_) | Answer::Declined(_));
+        data["notes"] = json!(notes);
+        if arguments.file.mesh.identify.is_some() && !is_failure {
+            words.push_str("; this is about the mesh with its nodes moved by --identify");
+        }
         match as_json {
             true if to_error => output.complain(data),
             true => output.line(data),

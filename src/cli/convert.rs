@@ -5,6 +5,7 @@ use super::export::supercell_sizes;
 use super::input::{self, InputError, TextOrMesh};
 use super::output::{Output, write_file};
 use super::progress::Progress;
+use super::proved::overwritten;
 use super::{Outcome, mesh};
 use crate::catalog;
 use crate::export::tiling_text;
@@ -21,6 +22,11 @@ use std::path::{Path, PathBuf};
 
 /// Reads, converts, writes.
 pub fn run(arguments: &ConvertArguments, output: &mut Output) -> Outcome {
+    let inputs = std::slice::from_ref(&arguments.input);
+    if let Some(input) = overwritten(inputs, Some(arguments.output.as_path())) {
+        output.complain(format!("acutile: would overwrite the input {input}"));
+        return Outcome::Failed;
+    }
     let progress = Progress::of(&arguments.input);
     let mut notes = Vec::new();
     let files = target(arguments)

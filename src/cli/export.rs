@@ -56,6 +56,9 @@ fn text<const D: usize>(
     Ok(tiling_text(&supercell(tiling, sizes), name))
 }
 
+/// No supercell is larger: about 2 GiB.
+const SIMPLICES: usize = 20_000_000;
+
 /// As many numbers as the lattice has directions, with ones behind them.
 ///
 /// # Errors
@@ -72,9 +75,10 @@ pub fn supercell_sizes<const D: usize>(
         ));
     }
     let copies = sizes.iter().map(|&n| n as usize).product::<usize>();
-    if copies.saturating_mul(tiling.len().max(tiling.vertices.len())) > u32::MAX as usize {
+    let simplices = copies.saturating_mul(tiling.len().max(tiling.vertices.len()));
+    if simplices > SIMPLICES {
         return Err(format!(
-            "--supercell: {copies} copies are more than indices can count"
+            "--supercell: {copies} copies have {simplices} simplices or vertices, more than the limit of {SIMPLICES}"
         ));
     }
     Ok(std::array::from_fn(|k| sizes.get(k).copied().unwrap_or(1)))

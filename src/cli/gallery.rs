@@ -7,8 +7,13 @@ use crate::report::{Site, gallery};
 use std::io;
 use std::path::Path;
 
-/// Writes the site; nothing is written where a construction is not proved.
+/// Writes the site; nothing is written where a construction is not proved, nor into a directory
+/// that has other things than a site of this program, unless `--force` is given.
 pub fn run(arguments: &GalleryArguments, output: &mut Output) -> Outcome {
+    if let Err(message) = check_own(&arguments.output, arguments.force) {
+        output.complain(format!("acutile: {message}"));
+        return Outcome::Failed;
+    }
     let site = match gallery() {
         Ok(site) => site,
         Err(message) => {
@@ -30,9 +35,32 @@ pub fn run(arguments: &GalleryArguments, output: &mut Output) -> Outcome {
     }
 }
 
+/// The file by which a site is known.
+const MARK: &str = ".acutile-gallery";
+
+/// The directory is not there, is empty, or has a site that this program wrote.
+fn check_own(directory: &Path, force: bool) -> Result<(), String> {
+    let name = directory.display();
+    if directory.exists() && !directory.is_dir() {
+        return Err(format!("{name}: is not a directory"));
+    }
+    let is_empty = std::fs::read_dir(directory).map_or(true, |mut files| files.next().is_none());
+    match is_empty || directory.join(MARK).is_file() || force {
+        true => Ok(()),
+        false => Err(format!(
+            "{name}: has files that acutile gallery did not write; --force writes among them"
+        )),
+    }
+}
+
 fn write(directory: &Path, site: &Site) -> Result<(), (String, io::Error)> {
-    for (path, bytes) in site {
+    let mark = (MARK.to_owned(), b"Written by acutile gallery.\n".to_vec());
+    for (path, bytes) in site.iter().chain([(&mark.0, &mark.1)]) {
         let file = directory.join(path);
+        if file.is_symlink() {
+            let error = io::Error::new(io::ErrorKind::AlreadyExists, "is a link");
+            return Err((file.display().to_string(), error));
+        }
         let folder = file.parent().unwrap_or(directory);
         std::fs::create_dir_all(folder)
             .and_then(|()| write_file(&file, bytes))

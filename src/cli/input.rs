@@ -27,6 +27,8 @@ pub struct Named {
     pub tiling: AnyTiling,
     /// The numbers of a mesh file.
     pub origin: Option<Origin>,
+    /// What was told of a mesh file: what was moved, turned, or not looked at.
+    pub notes: Vec<String>,
 }
 
 /// Why there is no input, in words that name it, and what that makes of the command.
@@ -81,6 +83,7 @@ pub fn tiling(
 ) -> Result<Named, InputError> {
     if let Some(entry) = catalog::find(input) {
         check_for_cif(input, &options.points)?;
+        check_for_mesh(input, &options.mesh)?;
         let tiling = match parameter {
             Some(parameter) => catalog::build_with(input, parameter),
             None => catalog::build(input),
@@ -91,6 +94,7 @@ pub fn tiling(
             description: entry.description.to_owned(),
             tiling,
             origin: None,
+            notes: Vec::new(),
         });
     }
     let path = Path::new(input);
@@ -103,7 +107,10 @@ pub fn tiling(
     }
     match text_or_mesh(path, &options.mesh)? {
         TextOrMesh::Mesh(loaded) => mesh::tiling(input, loaded, &options.mesh, output),
-        TextOrMesh::Text(text) => of_text(input, &text, &options.points, output),
+        TextOrMesh::Text(text) => {
+            check_for_mesh(input, &options.mesh)?;
+            of_text(input, &text, &options.points, output)
+        }
     }
 }
 
@@ -129,6 +136,7 @@ pub fn of_text(
         description,
         tiling,
         origin: None,
+        notes: Vec::new(),
     })
 }
 
@@ -188,6 +196,21 @@ fn cif(
         description: None,
         content: Content::Points(AnyPointSet::Space(cif.points)),
     })
+}
+
+/// The options for a mesh mean nothing for `input`, which is none.
+fn check_for_mesh(input: &str, mesh: &MeshArguments) -> Result<(), String> {
+    let given = [
+        ("--lattice", mesh.lattice.is_some()),
+        ("--bounded", mesh.bounded),
+        ("--identify", mesh.identify.is_some()),
+    ];
+    match given.iter().find(|(_, given)| *given) {
+        None => Ok(()),
+        Some((option, _)) => Err(format!(
+            "{input}: {option} is for a mesh file, which this is not"
+        )),
+    }
 }
 
 /// The options for a CIF mean nothing for `input`, which is none.

@@ -24,7 +24,7 @@ pub fn tiling(
         loaded.mesh.tetrahedra.len()
     );
     let (converted, notes) = converted(input, loaded.mesh, options)?;
-    for note in notes {
+    for note in &notes {
         output.complain(format!("{input}: {note}"));
     }
     if let Some(path) = &options.moves {
@@ -36,6 +36,7 @@ pub fn tiling(
         description,
         tiling: AnyTiling::Space(converted.tiling),
         origin: Some(converted.origin),
+        notes,
     })
 }
 

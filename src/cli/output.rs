@@ -123,7 +123,10 @@ pub fn write_files(files: &[(PathBuf, &[u8])]) -> Result<(), (PathBuf, io::Error
 
 /// The user did not choose the temporary file's name.
 fn without_temporary_name(error: io::Error) -> io::Error {
-    io::Error::from(error.kind())
+    match error.kind() {
+        ErrorKind::NotFound => io::Error::new(ErrorKind::NotFound, "no such directory"),
+        kind => io::Error::from(kind),
+    }
 }
 
 /// A temporary file with the permissions of an ordinary new file.

@@ -1,6 +1,7 @@
 //! `acutile quality`: how good the simplices of a mesh are.
 
 use super::args::FileArguments;
+use super::input::Named;
 use super::output::{Output, write_file};
 use super::progress::Progress;
 use super::{Outcome, input};
@@ -61,7 +62,7 @@ pub fn run(arguments: &QualityArguments, output: &mut Output) -> Outcome {
     let statistics =
         with_dimension!(&named.tiling, AnyTiling, t => statistics::statistics(t, arguments.bin));
     drop(progress);
-    let text = rendered(&statistics, arguments.format, &named.name);
+    let text = rendered(&statistics, arguments.format, &named);
     let Some(path) = &arguments.output else {
         output.bytes(text.as_bytes());
         return Outcome::Done;
@@ -78,12 +79,14 @@ pub fn run(arguments: &QualityArguments, output: &mut Output) -> Outcome {
     }
 }
 
-fn rendered(statistics: &Statistics, format: QualityFormat, name: &str) -> String {
+fn rendered(statistics: &Statistics, format: QualityFormat, named: &Named) -> String {
+    let simplex = |simplex: usize| match &named.origin {
+        Some(origin) => format!("element {}", origin.tetrahedron(simplex).tag),
+        None => format!("simplex {simplex}"),
+    };
     match format {
-        QualityFormat::Text => {
-            statistics::text(statistics, &|simplex| format!("simplex {simplex}"))
-        }
+        QualityFormat::Text => statistics::text(statistics, &simplex),
         QualityFormat::Csv => statistics::csv(statistics),
-        QualityFormat::Svg => statistics::svg(statistics, name),
+        QualityFormat::Svg => statistics::svg(statistics, &named.name),
     }
 }

@@ -6,6 +6,7 @@ use super::output::Output;
 use crate::advice::{Advice, Adviser};
 use crate::checker::{Defect, Findings, Names, defect_data, describe};
 use crate::mesh::Origin;
+use crate::number::Number;
 use crate::quality::short_point;
 use crate::tiling::{AnyTiling, Corner, Tiling};
 use crate::with_dimension;
@@ -16,6 +17,8 @@ pub struct Refuted {
     pub tiling: AnyTiling,
     /// The numbers of the file, for a mesh.
     pub origin: Option<Origin>,
+    /// What was done to the input before.
+    pub notes: Vec<String>,
     pub findings: Findings,
 }
 
@@ -58,11 +61,11 @@ impl Refuted {
             }
             for (index, defect) in kept.into_iter().enumerate() {
                 line(format!("    {}", describe::<D>(names, defect)));
-                for place in places(tiling, names, defect) {
+                for place in self.places(tiling, names, defect) {
                     line(format!("      {place}"));
                 }
                 for advice in advice(&adviser, defect, index) {
-                    line(format!("      > {}", in_words(&advice, names)));
+                    line(format!("      > {}", self.told(&advice, names)));
                 }
             }
         }
@@ -77,7 +80,12 @@ impl Refuted {
         line: &mut dyn FnMut(String),
     ) {
         let counts = self.findings.counts();
-        let head = json!({ "input": input, "verdict": "refuted", "counts": counts });
+        let head = json!({
+            "input": input,
+            "verdict": "refuted",
+            "counts": counts,
+            "notes": self.notes,
+        });
         line(head.to_string());
         let adviser = Adviser::new(tiling);
         let mut seen = std::collections::BTreeMap::new();
@@ -85,7 +93,7 @@ impl Refuted {
             let index = seen.entry(defect.code()).or_insert(0);
             let advice = advice(&adviser, defect, *index);
             *index += 1;
-            let advice: Vec<String> = advice.iter().map(|a| in_words(a, names)).collect();
+            let advice: Vec<String> = advice.iter().map(|a| self.told(a, names)).collect();
             let mut data = defect_data(tiling, names, defect);
             if let Value::Object(members) = &mut data {
                 members.insert("input".to_owned(), json!(input));
@@ -93,6 +101,39 @@ impl Refuted {
             }
             line(data.to_string());
         }
+    }
+
+    /// The corners of each simplex of a defect with their coordinates, the first few simplices.
+    fn places<const D: usize>(
+        &self,
+        tiling: &Tiling<D>,
+        names: &Names,
+        defect: &Defect,
+    ) -> Vec<String> {
+        const FEW: usize = 4;
+        let simplices = defect.simplices().into_iter().take(FEW);
+        let place = |simplex: usize| {
+            let corners = tiling.simplex(simplex).iter().enumerate();
+            let corners = corners.map(|(k, corner)| {
+                let position = self.point(&tiling.position(corner));
+                format!("{} at {position}", names.corner(simplex, k))
+            });
+            let corners = corners.collect::<Vec<_>>().join(", ");
+            format!("{}: {corners}", names.simplex(simplex))
+        };
+        simplices.map(place).collect()
+    }
+
+    /// A point in the coordinates of the file where it is a mesh, else in the basis.
+    fn point<const D: usize>(&self, point: &[Number; D]) -> String {
+        match &self.origin {
+            Some(origin) => short_point(&origin.cartesian(point)),
+            None => short_point(point),
+        }
+    }
+
+    fn told<const D: usize>(&self, advice: &Advice<D>, names: &Names) -> String {
+        in_words(advice, names, &|point| self.point(point))
     }
 
     fn counts(&self) -> String {
@@ -122,22 +163,6 @@ fn names<'a, const D: usize>(tiling: &'a Tiling<D>, origin: Option<&'a Origin>) 
     )
 }
 
-/// The corners of each simplex of a defect with their coordinates, the first few simplices.
-fn places<const D: usize>(tiling: &Tiling<D>, names: &Names, defect: &Defect) -> Vec<String> {
-    const FEW: usize = 4;
-    let simplices = defect.simplices().into_iter().take(FEW);
-    let place = |simplex: usize| {
-        let corners = tiling.simplex(simplex).iter().enumerate();
-        let corners = corners.map(|(k, corner)| {
-            let position = short_point(&tiling.position(corner));
-            format!("{} at {position}", names.corner(simplex, k))
-        });
-        let corners = corners.collect::<Vec<_>>().join(", ");
-        format!("{}: {corners}", names.simplex(simplex))
-    };
-    simplices.map(place).collect()
-}
-
 fn advice<const D: usize>(adviser: &Adviser<D>, defect: &Defect, index: usize) -> Vec<Advice<D>> {
     match index < ADVISED {
         true => adviser.advice(defect),
@@ -145,7 +170,11 @@ fn advice<const D: usize>(adviser: &Adviser<D>, defect: &Defect, index: usize) -
     }
 }
 
-fn in_words<const D: usize>(advice: &Advice<D>, names: &Names) -> String {
+fn in_words<const D: usize>(
+    advice: &Advice<D>,
+    names: &Names,
+    point: &dyn Fn(&[Number; D]) -> String,
+) -> String {
     let corner = |corner: &Corner<D>| {
         let name = names.vertex(corner.vertex as usize);
         match corner.shift == [0; D] {
@@ -156,5 +185,5 @@ fn in_words<const D: usize>(advice: &Advice<D>, names: &Names) -> String {
             }
         }
     };
-    advice.in_words(&corner, &|simplex| names.simplex(simplex))
+    advice.in_words(&corner, &|simplex| names.simplex(simplex), point)
 }

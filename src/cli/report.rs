@@ -5,7 +5,6 @@ use super::args::ReportArguments;
 use super::export::write_text;
 use super::output::Output;
 use super::proved::{overwritten, proved};
-use crate::front::one_line;
 use crate::report::page;
 
 /// Writes the page; nothing is written where an input is not proved.
@@ -19,7 +18,7 @@ pub fn run(arguments: &ReportArguments, output: &mut Output) -> Outcome {
         match proved(input, &arguments.file, output) {
             Ok(tiling) => tilings.push(tiling),
             Err(error) => {
-                output.complain(format!("acutile: {}", one_line(&error.message)));
+                output.complain(format!("acutile: {}", error.message));
                 return error.outcome;
             }
         }

@@ -19,10 +19,11 @@ pub fn hull(boxes: impl IntoIterator<Item = Box3>) -> Box3 {
     })
 }
 
-/// Calls `visit` with the indices of every pair of boxes that overlap.
-pub fn each_overlapping_pair(boxes: &[Box3], mut visit: impl FnMut(usize, usize)) {
+/// Every pair of boxes that overlap, by their indices; `None` if there are more than `limit`.
+pub fn overlapping_pairs(boxes: &[Box3], limit: usize) -> Option<Vec<(usize, usize)>> {
+    let mut pairs = Vec::new();
     if boxes.is_empty() {
-        return;
+        return Some(pairs);
     }
     let mut tree = Tree {
         boxes,
@@ -30,7 +31,11 @@ pub fn each_overlapping_pair(boxes: &[Box3], mut visit: impl FnMut(usize, usize)
         nodes: Vec::new(),
     };
     let root = tree.add(0, boxes.len());
-    tree.within(root, &mut visit);
+    tree.within(root, &mut |a, b| {
+        pairs.push((a.min(b), a.max(b)));
+        pairs.len() <= limit
+    })
+    .then_some(pairs)
 }
 
 struct Tree<'b> {
@@ -77,51 +82,54 @@ impl Tree<'_> {
         self.nodes.len() - 1
     }
 
-    /// The pairs inside of one node.
-    fn within(&self, node: usize, visit: &mut impl FnMut(usize, usize)) {
+    /// The pairs inside of one node; like all below until `visit` says false, which is passed on.
+    fn within(&self, node: usize, visit: &mut impl FnMut(usize, usize) -> bool) -> bool {
         let node = &self.nodes[node];
         let Some((left, right)) = node.halves else {
             let items = &self.items[node.start..node.end];
-            for (k, &a) in items.iter().enumerate() {
-                self.visit(a, &items[k + 1..], visit);
-            }
-            return;
+            let mut each = items.iter().enumerate();
+            return each.all(|(k, &a)| self.visit(a, &items[k + 1..], visit));
         };
-        self.within(left, visit);
-        self.within(right, visit);
-        self.between(left, right, visit);
+        self.within(left, visit) && self.within(right, visit) && self.between(left, right, visit)
     }
 
     /// The pairs of an item of one node and an item of another.
-    fn between(&self, left: usize, right: usize, visit: &mut impl FnMut(usize, usize)) {
+    fn between(
+        &self,
+        left: usize,
+        right: usize,
+        visit: &mut impl FnMut(usize, usize) -> bool,
+    ) -> bool {
         let (a, b) = (&self.nodes[left], &self.nodes[right]);
         if !overlap(&a.hull, &b.hull) {
-            return;
+            return true;
         }
         match (a.halves, b.halves) {
             (None, None) => {
-                for &item in &self.items[a.start..a.end] {
-                    self.visit(item, &self.items[b.start..b.end], visit);
-                }
+                let others = &self.items[b.start..b.end];
+                let mut items = self.items[a.start..a.end].iter();
+                items.all(|&item| self.visit(item, others, visit))
             }
             (Some((first, second)), _) if b.halves.is_none() || a.len() >= b.len() => {
-                self.between(first, right, visit);
-                self.between(second, right, visit);
+                self.between(first, right, visit) && self.between(second, right, visit)
             }
             (_, Some((first, second))) => {
-                self.between(left, first, visit);
-                self.between(left, second, visit);
+                self.between(left, first, visit) && self.between(left, second, visit)
             }
-            (Some(_), None) => {}
+            (Some(_), None) => true,
         }
     }
 
-    fn visit(&self, a: usize, others: &[usize], visit: &mut impl FnMut(usize, usize)) {
-        for &b in others {
-            if overlap(&self.boxes[a], &self.boxes[b]) {
-                visit(a, b);
-            }
-        }
+    fn visit(
+        &self,
+        a: usize,
+        others: &[usize],
+        visit: &mut impl FnMut(usize, usize) -> bool,
+    ) -> bool {
+        let near = others
+            .iter()
+            .filter(|&&b| overlap(&self.boxes[a], &self.boxes[b]));
+        near.into_iter().all(|&b| visit(a, b))
     }
 }
 

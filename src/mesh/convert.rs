@@ -79,9 +79,9 @@ fn converted(
         tiling,
         unused: used.iter().filter(|used| !**used).count(),
         coincident,
-        basis,
         moves,
-        origin: Origin::new(mesh, found.representatives),
+        origin: Origin::new(mesh, found.representatives, &basis),
+        basis,
     })
 }
 

@@ -1,7 +1,9 @@
 //! What a tiling's indices are called in the file that it was read from.
 
 use super::Mesh;
+use super::lattice::Basis;
 use super::numbering::Numbering;
+use crate::number::Number;
 
 /// The file's numbers of tetrahedra, corners and vertices of a tiling.
 #[derive(Clone, Debug, Default)]
@@ -13,6 +15,8 @@ pub struct Origin {
     corners: Vec<[u32; 4]>,
     /// A point of each vertex.
     representatives: Vec<u32>,
+    /// The basis of the tiling's coordinates, in those of the file.
+    basis: Vec<[Number; 3]>,
 }
 
 /// A tetrahedron in the numbers of its file.
@@ -26,14 +30,24 @@ pub struct Element {
 
 impl Origin {
     /// The numbers of a mesh, with a point for each vertex of the tiling.
-    pub fn new(mesh: Mesh, representatives: Vec<u32>) -> Self {
+    pub fn new(mesh: Mesh, representatives: Vec<u32>, basis: &Basis) -> Self {
         Origin {
             nodes: mesh.nodes,
             elements: mesh.elements,
             lines: mesh.lines,
             corners: mesh.tetrahedra,
             representatives,
+            basis: basis.vectors.to_vec(),
         }
+    }
+
+    /// A point of the tiling in the coordinates of the file.
+    pub fn cartesian(&self, point: &[Number]) -> Vec<Number> {
+        let coordinate = |j: usize| {
+            let terms = point.iter().zip(&self.basis).map(|(x, b)| x * &b[j]);
+            terms.fold(Number::zero(), |sum, term| sum + term)
+        };
+        (0..3).map(coordinate).collect()
     }
 
     /// The element that became the simplex with this index.

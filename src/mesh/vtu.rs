@@ -33,6 +33,12 @@ pub fn read(bytes: &[u8]) -> Result<Mesh, MeshError> {
         let at = reader.buffer_position() as usize;
         match event {
             Event::Start(tag) => {
+                if path.len() >= DEPTH {
+                    return Err(MeshError::at(
+                        line_of(xml, at),
+                        format!("elements more than {DEPTH} deep, expected those of a VTU file"),
+                    ));
+                }
                 let is_array = reading.open(&tag, at, &path, &mut piece, false)?;
                 path.push(if is_array {
                     "DataArray".to_owned()
@@ -66,6 +72,9 @@ pub fn read(bytes: &[u8]) -> Result<Mesh, MeshError> {
     }
     reading.mesh.checked()
 }
+
+/// A VTU file has its elements at most five deep.
+const DEPTH: usize = 64;
 
 /// What comes after the tag `AppendedData`, and how it is encoded.
 #[derive(Clone, Copy)]

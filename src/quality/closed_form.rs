@@ -68,22 +68,47 @@ const KNOWN: [Known; 13] = [
 ];
 
 /// The angle in degrees if it is a multiple of 15, 18 or 22.5 degrees whose cosine
-/// has a square of degree at most two.
+/// has a square of degree at most two, or an odd multiple of 9 degrees.
 pub fn whole_degrees(signed_square: &Number) -> Option<Rational> {
     let square = signed_square.abs();
-    let is_known = |(_, polynomial, smaller): &&Known| {
-        let value = polynomial.iter().rev().fold(Number::zero(), |value, c| {
-            value * &square + Number::from(Rational::from(*c))
-        });
-        // The two roots of a quadratic here add up to 3/4, 1 or 5/4.
-        let half_sum = Rational::from_signeds(-polynomial[1], 2 * polynomial[2].max(1));
-        let is_right_root = polynomial[2] == 0 || (square < Number::from(half_sum)) == *smaller;
-        is_right_root && value.is_zero()
-    };
-    let (twice, ..) = KNOWN.iter().find(is_known)?;
-    let acute = Rational::from_signeds(*twice, 2);
+    let acute = known_degrees(&square).or_else(|| odd_multiple_of_nine(&square))?;
     Some(match signed_square.sign().is_lt() {
         true => Rational::from(180) - acute,
         false => acute,
     })
+}
+
+/// 9, 27, 63 or 81 for the square of its cosine. With c = cos 2t = 2 cos² t - 1 these are the
+/// angles for which 2t is 18, 54, 126 or 162 degrees, where cos 10t = 0 and c ≠ 0:
+/// 16 c⁴ - 20 c² + 5 = 0.
+fn odd_multiple_of_nine(square: &Number) -> Option<Rational> {
+    let integer = |n: i64| Number::from(Rational::from(n));
+    let c = &(square * &integer(2)) - &integer(1);
+    let cc = &c * &c;
+    let value = &(&(&cc * &integer(16)) - &integer(20)) * &cc + integer(5);
+    if !value.is_zero() {
+        return None;
+    }
+    // cos² 18° and cos² 54° add up to 5/4.
+    let is_steep = cc > Number::from(Rational::from_signeds(5, 8));
+    Some(Rational::from(match (c.sign().is_gt(), is_steep) {
+        (true, true) => 9,
+        (true, false) => 27,
+        (false, false) => 63,
+        (false, true) => 81,
+    }))
+}
+
+fn known_degrees(square: &Number) -> Option<Rational> {
+    let is_known = |(_, polynomial, smaller): &&Known| {
+        let value = polynomial.iter().rev().fold(Number::zero(), |value, c| {
+            value * square + Number::from(Rational::from(*c))
+        });
+        // The two roots of a quadratic here add up to 3/4, 1 or 5/4.
+        let half_sum = Rational::from_signeds(-polynomial[1], 2 * polynomial[2].max(1));
+        let is_right_root = polynomial[2] == 0 || (*square < Number::from(half_sum)) == *smaller;
+        is_right_root && value.is_zero()
+    };
+    let (twice, ..) = KNOWN.iter().find(is_known)?;
+    Some(Rational::from_signeds(*twice, 2))
 }

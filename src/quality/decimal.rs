@@ -31,15 +31,16 @@ fn plain_decimal(number: &Number) -> String {
 }
 
 /// A point as `(1/2, 0, about 3.141592654)`: exact where that is short.
-pub fn short_point<const D: usize>(point: &[Number; D]) -> String {
-    let coordinates = point.each_ref().map(|x| {
+pub fn short_point(point: &[Number]) -> String {
+    let coordinate = |x: &Number| {
         let exact = x.to_string();
         match exact.len() {
             0..=24 => exact,
             _ => format!("about {}", plain_decimal(x)),
         }
-    });
-    format!("({})", coordinates.as_slice().join(", "))
+    };
+    let coordinates: Vec<String> = point.iter().map(coordinate).collect();
+    format!("({})", coordinates.join(", "))
 }
 
 /// An interval rounded outward to six decimals: `89.999998 to 90.000001`, or one

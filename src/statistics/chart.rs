@@ -4,6 +4,10 @@ use super::{Extreme, Place, Statistics};
 use crate::quality::{rounded_down, rounded_up};
 use std::fmt::{Display, Write};
 
+/// What the figures are.
+const DEFINITIONS: &str = "radius-edge ratio: circumradius over shortest edge (Eppstein, Sullivan, Üngör, Table 1); aspect \
+    ratio: longest edge over √(2D(D+1)) inradii, 1 for the regular simplex (Verdict Library Reference Manual, SAND2007-1751)";
+
 /// Bars are at most so many characters long.
 const BAR: usize = 50;
 
@@ -64,6 +68,7 @@ pub fn text(statistics: &Statistics, simplex: &dyn Fn(usize) -> String) -> Strin
             simplex(high.1)
         ));
     }
+    lines.push(DEFINITIONS.to_owned());
     lines.push(String::new());
     lines.extend(bars(statistics));
     lines.join("\n") + "\n"

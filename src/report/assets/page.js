@@ -306,7 +306,7 @@ async function verifyAndTell(tiling, article) {
       tell("bad", element("b", {}, "Verified another certificate"), ` with the SHA-256 ${answer.sha256}`);
     } else {
       tell("good", element("b", {}, `Verified in this browser in ${seconds}.`),
-        ` ${answer.vertices} vertices, ${answer.simplices} simplices, SHA-256 as above. The claim:`,
+        ` ${answer.vertices} ${answer.vertices === 1 ? "vertex" : "vertices"}, ${answer.simplices} ${answer.simplices === 1 ? "simplex" : "simplices"}, SHA-256 as above. The claim:`,
         element("ul", {}, ...answer.claim.map((sentence) => element("li", {}, sentence))));
     }
   } catch (error) {
