@@ -42,8 +42,8 @@ pub fn check_region<const D: usize>(
 
 /// So many pairs of facets in the boundary are looked at exactly: some, and for each facet some
 /// more. Meshes of solids have a few dozens for each facet.
-const PAIRS: usize = 1_000_000;
-const PAIRS_PER_FACET: usize = 100;
+const PAIRS: usize = 500_000;
+const PAIRS_PER_FACET: usize = 30;
 /// So many boxes of simplices are compared with boxes of facets.
 const COMPARISONS: usize = 2_000_000_000;
 
