@@ -36,6 +36,7 @@ fn every_kind_is_certified_as_it_is() {
         ("slab", &["--require", "nonobtuse"], Some("6 tetrahedra")),
         ("prism", &["--require", "nonobtuse"], Some("6 tetrahedra")),
         ("solid", &["--require", "nonobtuse"], Some("5 tetrahedra")),
+        ("region", &[], Some("3 tetrahedra")),
         (
             "point-set",
             &["--require", "acute", "--require", "tcp"],

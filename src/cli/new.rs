@@ -21,6 +21,8 @@ pub enum Kind {
     Prism,
     /// A tiling of a convex polyhedron
     Solid,
+    /// A bounded mesh: a region that is the union of its tetrahedra
+    Region,
     /// A point set, of which the Delaunay triangulation is taken
     PointSet,
     /// A tiling whose coordinates are square roots and other algebraic numbers
@@ -40,6 +42,7 @@ impl Kind {
             Kind::Slab => include_str!("examples/slab.json"),
             Kind::Prism => include_str!("examples/prism.json"),
             Kind::Solid => include_str!("examples/solid.json"),
+            Kind::Region => include_str!("examples/region.json"),
             Kind::PointSet => include_str!("examples/point-set.json"),
             Kind::SquareRoot => include_str!("examples/square-root.json"),
             Kind::SquareTriangle => include_str!("examples/square-triangle.json"),
