@@ -3,7 +3,8 @@
 use super::place::{Places, facet_corners, mean};
 use crate::geometry::linear;
 use crate::number::Number;
-use crate::tiling::{Corner, Facet, Tiling, difference};
+use crate::quality::permutations;
+use crate::tiling::{Corner, Facet, Tiling};
 
 /// The free facet nearest to another.
 #[derive(Clone, Debug, PartialEq)]
@@ -51,8 +52,8 @@ fn closest_image<const D: usize>(
     let there = facet_corners(tiling, other);
     let here: Vec<[f64; D]> = there.iter().map(|c| places.position(c)).collect();
     let shift = places.shift_between(&mean(&here), &mean(&wanted));
-    let moved: Vec<Corner<D>> = there.iter().map(|c| by(c, shift)).collect();
-    let orders = orders(D).into_iter().map(|order| {
+    let moved: Vec<Corner<D>> = there.iter().map(|c| c.moved(shift)).collect();
+    let orders = permutations(D).into_iter().map(|order| {
         let image: Vec<Corner<D>> = order.iter().map(|&k| moved[k]).collect();
         let distance = image
             .iter()
@@ -63,23 +64,4 @@ fn closest_image<const D: usize>(
     orders
         .min_by(|a, b| a.0.total_cmp(&b.0))
         .unwrap_or((f64::INFINITY, moved.clone()))
-}
-
-fn by<const D: usize>(corner: &Corner<D>, shift: [i32; D]) -> Corner<D> {
-    corner.moved(difference(shift, [0; D]))
-}
-
-/// All orders of n things, n at most 3.
-fn orders(n: usize) -> Vec<Vec<usize>> {
-    (0..n).fold(vec![Vec::new()], |shorter, last| {
-        let longer = |order: &Vec<usize>, place: usize| {
-            let mut order = order.clone();
-            order.insert(place, last);
-            order
-        };
-        shorter
-            .iter()
-            .flat_map(|order| (0..=order.len()).map(move |place| longer(order, place)))
-            .collect()
-    })
 }

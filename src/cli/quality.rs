@@ -1,8 +1,9 @@
 //! `acutile quality`: how good the simplices of a mesh are.
 
 use super::args::FileArguments;
+use super::export::write_text;
 use super::input::Named;
-use super::output::{Output, write_file};
+use super::output::Output;
 use super::progress::Progress;
 use super::{Outcome, input};
 use crate::statistics::{self, Statistics};
@@ -63,20 +64,7 @@ pub fn run(arguments: &QualityArguments, output: &mut Output) -> Outcome {
         with_dimension!(&named.tiling, AnyTiling, t => statistics::statistics(t, arguments.bin));
     drop(progress);
     let text = rendered(&statistics, arguments.format, &named);
-    let Some(path) = &arguments.output else {
-        output.bytes(text.as_bytes());
-        return Outcome::Done;
-    };
-    match write_file(path, text.as_bytes()) {
-        Ok(()) => Outcome::Done,
-        Err(error) => {
-            output.complain(format!(
-                "acutile: {}: cannot be written: {error}",
-                path.display()
-            ));
-            Outcome::Failed
-        }
-    }
+    write_text(arguments.output.as_deref(), &text, output)
 }
 
 fn rendered(statistics: &Statistics, format: QualityFormat, named: &Named) -> String {

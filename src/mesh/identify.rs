@@ -8,6 +8,7 @@
 
 use super::error::MeshError;
 use crate::tiling::SHIFT_LIMIT;
+use crate::tiling::coordinates::decompose;
 use malachite::base::num::arithmetic::traits::{DivMod, Floor, Lcm};
 use malachite::base::num::basic::traits::One;
 use malachite::base::num::logic::traits::SignificantBits;
@@ -55,7 +56,7 @@ pub fn identify(
             .flat_map(|(p, _)| p)
     };
     let exponent = dyadic_points()
-        .map(|&x| dyadic(x).1)
+        .map(|&x| decompose(x).1)
         .min()
         .unwrap_or(0)
         .min(0);
@@ -82,26 +83,9 @@ pub fn identify(
     }
 }
 
-/// x = m 2^q with m odd; (0, 0) for 0.
-fn dyadic(x: f64) -> (i64, i32) {
-    if x == 0.0 {
-        return (0, 0);
-    }
-    let bits = x.to_bits();
-    let biased = (bits >> 52 & 0x7ff) as i32;
-    let fraction = (bits & ((1 << 52) - 1)) as i64;
-    let (m, q) = match biased {
-        0 => (fraction, -1074),
-        _ => (fraction | 1 << 52, biased - 1075),
-    };
-    let zeros = m.trailing_zeros();
-    let m = m >> zeros;
-    (if x < 0.0 { -m } else { m }, q + zeros as i32)
-}
-
 /// The bits of 2^-exponent x.
 fn width(x: f64, exponent: i32) -> u64 {
-    let (m, q) = dyadic(x);
+    let (m, q) = decompose(x);
     match m {
         0 => 0,
         _ => {
@@ -141,7 +125,7 @@ impl Job<'_> {
             .filter(|(i, _)| self.used[*i])
         {
             let scaled = point.map(|x| {
-                let (m, q) = dyadic(x);
+                let (m, q) = decompose(x);
                 W::shifted(m, (q - self.exponent).unsigned_abs())
             });
             let mut shift = [0; 3];
@@ -243,7 +227,7 @@ mod tests {
     #[test]
     fn every_double_is_what_its_parts_say() {
         for x in [1.0, -0.1, 3e300, 5e-324, -2.5e-310, 0.0, f64::MAX] {
-            let (m, q) = dyadic(x);
+            let (m, q) = decompose(x);
             let value = match q {
                 0.. => Rational::from(m) << q,
                 _ => Rational::from(m) >> q.unsigned_abs(),

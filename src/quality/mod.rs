@@ -21,4 +21,4 @@ pub use decimal::{
 };
 pub use measure::{DihedralAngle, Exact, RadiusEdge};
 pub use ranges::{Measures, Range, Ranges, measures, measures_of_shapes, ranges};
-pub use shape::{Shape, congruence_form, shapes, squared_edges};
+pub use shape::{Shape, congruence_form, permutations, shapes, squared_edges};

@@ -78,7 +78,7 @@ fn normal_form(edges: &[Number], corners: usize, numberings: &[Vec<usize>]) -> V
 }
 
 /// All permutations of 0, …, n - 1.
-fn permutations(n: usize) -> Vec<Vec<usize>> {
+pub fn permutations(n: usize) -> Vec<Vec<usize>> {
     (0..n).fold(vec![Vec::new()], |shorter, last| {
         shorter
             .iter()
