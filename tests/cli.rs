@@ -542,3 +542,63 @@ fn without_a_certificate() {
         2
     );
 }
+
+/// 500 thin cones with one common apex, which are legitimate: too many pairs of facets are close
+/// to each other, and that is declined at once.
+#[test]
+fn a_fan_of_many_tetrahedra_is_declined() {
+    let mut vertices = vec![serde_json::json!([0, 0, 0])];
+    let mut simplices = Vec::new();
+    for i in 0..500 {
+        let (first, y) = (vertices.len(), 10 * i);
+        for point in [[100, y, 0], [100, y + 4, 0], [100, y, 4]] {
+            vertices.push(serde_json::json!(point));
+        }
+        simplices.push(serde_json::json!([0, first, first + 1, first + 2]));
+    }
+    let place = tempfile::tempdir().expect("a directory");
+    let path = place.path().join("fan.json");
+    let tiling = serde_json::json!({
+        "format": "acutile-tiling", "version": 1, "dimension": 3, "domain": "region",
+        "vertices": vertices, "simplices": simplices,
+    });
+    std::fs::write(&path, tiling.to_string()).expect("written");
+    let declined = acutile(["certify", path.to_str().expect("UTF-8")]);
+    assert_eq!(code(&declined), 3, "{}", stdout(&declined));
+    assert!(stderr(&declined).contains("too many facets close to each other"));
+}
+
+#[test]
+fn a_deeply_nested_vtu_file_is_refused() {
+    let place = tempfile::tempdir().expect("a directory");
+    let path = place.path().join("deep.vtu");
+    std::fs::write(&path, "<a>".repeat(100_000)).expect("written");
+    let refused = acutile(["certify", path.to_str().expect("UTF-8")]);
+    assert_eq!(code(&refused), 2);
+    assert!(
+        stderr(&refused).contains("more than 64 deep"),
+        "{}",
+        stderr(&refused)
+    );
+}
+
+#[test]
+fn a_gallery_is_not_written_among_foreign_files() {
+    let place = tempfile::tempdir().expect("a directory");
+    let index = place.path().join("index.html");
+    std::fs::write(&index, "mine").expect("written");
+    let refused = acutile(["gallery", "-o", place.path().to_str().expect("UTF-8")]);
+    assert_eq!(code(&refused), 2);
+    assert!(stderr(&refused).contains("--force"));
+    assert_eq!(std::fs::read_to_string(&index).expect("kept"), "mine");
+}
+
+/// What is converted is not replaced by what comes of it.
+#[test]
+fn convert_does_not_overwrite_its_input() {
+    let place = tempfile::tempdir().expect("a directory");
+    let path = place.path().join("a15.msh");
+    let path = path.to_str().expect("UTF-8");
+    assert_eq!(code(&acutile(["convert", "a15", path])), 0);
+    assert_eq!(code(&acutile(["convert", path, path])), 2);
+}
