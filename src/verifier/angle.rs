@@ -3,11 +3,12 @@
 
 use super::Refusal;
 use super::geometry::{facet_pairs, gradient_products};
+use super::integer::Integer;
 use super::number::Rational;
 use super::ring::Element;
 use super::tiling::Tiling;
 use num_bigint::BigInt;
-use num_integer::Integer;
+use num_integer::Integer as _;
 use num_traits::{One, Zero};
 use std::cmp::Ordering;
 
@@ -19,7 +20,7 @@ pub(super) fn check_dihedral_below(tiling: &Tiling) -> Result<(), Refusal> {
         return Ok(());
     };
     let c = Cosine::of_degrees(angle);
-    let bounds = [(&c.high, &c.denominator), (&c.low, &c.denominator)];
+    let bounds = [&c.high, &c.low].map(|end| Bound::new(end, &c.denominator));
     let refuse = |simplex, facets| Refusal::AngleNotBelow {
         simplex,
         facets,
@@ -35,7 +36,7 @@ pub(super) fn check_dihedral_above(tiling: &Tiling) -> Result<(), Refusal> {
         return Ok(());
     };
     let c = Cosine::of_degrees(angle);
-    let bounds = [(&c.low, &c.denominator), (&c.high, &c.denominator)];
+    let bounds = [&c.low, &c.high].map(|end| Bound::new(end, &c.denominator));
     let refuse = |simplex, facets| Refusal::AngleNotAbove {
         simplex,
         facets,
@@ -50,7 +51,7 @@ fn compare_cosines(
     tiling: &Tiling,
     angle: &Rational,
     wanted: Ordering,
-    [proving, needed]: [(&BigInt, &BigInt); 2],
+    [proving, needed]: [Bound; 2],
     refuse: impl Fn(usize, (usize, usize)) -> Refusal,
 ) -> Result<(), Refusal> {
     for simplex in 0..tiling.simplices().len() {
@@ -59,11 +60,11 @@ fn compare_cosines(
             let square = tiling.ring.times(&products[i][i], &products[j][j]);
             let negated = Element::default().minus(&products[i][j]);
             let of = || format!("cosine of facets {i} and {j} of simplex {simplex}, compared");
-            if compare(tiling, &negated, &square, proving, of)? == wanted {
+            if compare(tiling, &negated, &square, &proving, of)? == wanted {
                 continue;
             }
             return Err(
-                match compare(tiling, &negated, &square, needed, of)? == wanted {
+                match compare(tiling, &negated, &square, &needed, of)? == wanted {
                     false => refuse(simplex, facets),
                     true => Refusal::AngleUndecided {
                         simplex,
@@ -77,6 +78,26 @@ fn compare_cosines(
     Ok(())
 }
 
+/// c = p/q with q > 0, as it is compared with.
+struct Bound {
+    sign: Ordering,
+    /// p²
+    numerator: Element,
+    /// q²
+    denominator: Element,
+}
+
+impl Bound {
+    fn new(p: &BigInt, q: &BigInt) -> Bound {
+        let square = |n: &BigInt| Element::integer(Integer::from(n * n));
+        Bound {
+            sign: p.cmp(&BigInt::zero()),
+            numerator: square(p),
+            denominator: square(q),
+        }
+    }
+}
+
 /// How x compares with c sqrt(y), for y > 0 and c = p/q, q > 0. Where the signs
 /// of x and c differ they decide. Where both are positive, x² q² - p² y has the
 /// sign of x - c sqrt(y); where both are negative, the opposite sign.
@@ -84,19 +105,18 @@ fn compare(
     tiling: &Tiling,
     x: &Element,
     y: &Element,
-    (p, q): (&BigInt, &BigInt),
+    c: &Bound,
     of: impl Fn() -> String,
 ) -> Result<Ordering, Refusal> {
-    let one = BigInt::one();
-    let (sign_x, sign_c) = (tiling.sign(x, &one, &of)?, p.cmp(&BigInt::zero()));
-    if sign_x != sign_c || sign_x == Ordering::Equal {
-        return Ok(sign_x.cmp(&sign_c));
+    let sign = tiling.sign(x, &Integer::ONE, &of)?;
+    if sign != c.sign || sign == Ordering::Equal {
+        return Ok(sign.cmp(&c.sign));
     }
     let ring = &tiling.ring;
-    let left = ring.times(&ring.times(x, x), &Element::integer(q * q));
-    let right = ring.times(y, &Element::integer(p * p));
-    let difference = tiling.sign(&left.minus(&right), &one, of)?;
-    Ok(if sign_x == Ordering::Less {
+    let square = ring.times(x, x);
+    let difference = ring.sum([(false, &square, &c.denominator), (true, y, &c.numerator)]);
+    let difference = tiling.sign(&difference, &Integer::ONE, of)?;
+    Ok(if sign == Ordering::Less {
         difference.reverse()
     } else {
         difference

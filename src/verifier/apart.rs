@@ -7,12 +7,11 @@
 
 use super::Refusal;
 use super::extent::Extents;
+use super::integer::Integer;
 use super::matrix::cross;
 use super::region::Triangle;
 use super::ring::Element;
 use super::tiling::Tiling;
-use num_bigint::BigInt;
-use num_traits::One;
 use std::cmp::Ordering;
 
 type Vector = Vec<Element>;
@@ -121,5 +120,5 @@ pub(super) fn vector(tiling: &Tiling, from: usize, to: usize) -> Vector {
 
 fn sign(tiling: &Tiling, value: &Element) -> Result<Ordering, Refusal> {
     let of = || "position of two facets in the boundary, scaled".to_owned();
-    tiling.sign(value, &BigInt::one(), of)
+    tiling.sign(value, &Integer::ONE, of)
 }

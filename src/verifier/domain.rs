@@ -72,14 +72,14 @@ impl<'t> Plane<'t> {
     }
 
     fn sign(&self, point: &[Element]) -> Result<Ordering, Refusal> {
-        let scale = self.tiling.scale.pow(self.origin.len() as u32);
+        let scale = self.tiling.scale.pow(self.origin.len());
         let of = || format!("side of a point with respect to face {}", self.face);
         self.tiling.sign(&self.value(point), &scale, of)
     }
 
     /// h_f(x) for a refusal.
     fn number(&self, point: &[Element]) -> Number {
-        let scale = self.tiling.scale.pow(self.origin.len() as u32);
+        let scale = self.tiling.scale.pow(self.origin.len());
         number(&self.value(point), &scale)
     }
 

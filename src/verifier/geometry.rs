@@ -5,14 +5,14 @@
 //! in basis coordinates, G the Gram matrix of the basis. That these hypotheses
 //! imply the claim is proved in docs/soundness.md.
 
+use super::integer::Integer;
 use super::matrix::{Matrix, apply, cofactors, determinant, leading};
 use super::ring::Element;
 use super::tiling::{Tiling, number};
 use super::{Refusal, angle, domain, mates, radius, region, tcp};
 use crate::certificate::{Domain, Number, Statement};
-use num_bigint::BigInt;
-use num_traits::One;
 use std::cmp::Ordering;
+use std::iter;
 
 /// A check of the numbers; it may rely on [`super::shape::CHECKS`] and on the
 /// checks before it.
@@ -50,7 +50,7 @@ pub(super) const CHECKS: &[(&str, Check)] = &[
 fn check_gram_positive(tiling: &Tiling) -> Result<(), Refusal> {
     for order in 1..=tiling.dimension() {
         let minor = determinant(&tiling.ring, &leading(&tiling.gram, order));
-        let scale = tiling.gram_scale.pow(order as u32);
+        let scale = tiling.gram_scale.pow(order);
         let of = || format!("leading principal minor {order} of the Gram matrix");
         if tiling.sign(&minor, &scale, of)? != Ordering::Greater {
             return Err(Refusal::GramNotPositive {
@@ -64,7 +64,7 @@ fn check_gram_positive(tiling: &Tiling) -> Result<(), Refusal> {
 
 /// det E > 0.
 fn check_orientation(tiling: &Tiling) -> Result<(), Refusal> {
-    let scale = tiling.scale.pow(tiling.dimension() as u32);
+    let scale = tiling.scale.pow(tiling.dimension());
     for (simplex, corners) in tiling.simplices().iter().enumerate() {
         let value = determinant(&tiling.ring, &tiling.edges(corners));
         let of = || format!("determinant of simplex {simplex}");
@@ -94,14 +94,14 @@ fn check_volume_sum(tiling: &Tiling) -> Result<(), Refusal> {
         .iter()
         .map(|corners| determinant(&tiling.ring, &tiling.edges(corners)));
     let sum = determinants.fold(Element::default(), add);
-    let factorial = |n: usize| BigInt::from((1..=n).product::<usize>());
     let (volume, k) = match &tiling.polytope {
-        None => (Element::integer(BigInt::one()), 0),
+        None => (Element::integer(Integer::ONE), 0),
         Some(polytope) => (domain::volume(tiling, polytope)?, polytope.dimension()),
     };
-    let units = factorial(d) / factorial(k) * tiling.scale.pow((d - k) as u32);
+    let falling = |k: usize| Integer::from((k + 1..=d).product::<usize>() as i64);
+    let units = &falling(k) * &tiling.scale.pow(d - k);
     let expected = tiling.ring.times(&volume, &Element::integer(units));
-    let cell = factorial(d) * tiling.scale.pow(d as u32);
+    let cell = &falling(0) * &tiling.scale.pow(d);
     let difference = sum.clone().minus(&expected);
     let of = || "sum of the volumes, minus that of the domain".to_owned();
     match tiling.sign(&difference, &cell, of)? {
@@ -136,11 +136,10 @@ pub(super) fn gradient_products(tiling: &Tiling, simplex: usize) -> Matrix {
     let negated_sum =
         |values: &[Element]| values.iter().fold(Element::default(), |s, v| s.minus(v));
     let first: Vec<Element> = inner.iter().map(|row| negated_sum(row)).collect();
-    let mut rows = vec![[vec![negated_sum(&first)], first.clone()].concat()];
-    for (corner, row) in first.into_iter().zip(inner) {
-        rows.push([vec![corner], row].concat());
-    }
-    rows
+    let corner = negated_sum(&first);
+    let row = |x: &Element, xs: &[Element]| iter::once(x).chain(xs).cloned().collect();
+    let others = first.iter().zip(&inner).map(|(x, xs)| row(x, xs));
+    iter::once(row(&corner, &first)).chain(others).collect()
 }
 
 /// The pairs i < j of facets or of corners of a D-simplex: one for each dihedral
@@ -186,8 +185,8 @@ fn each_product(
     tiling: &Tiling,
     judge: impl Fn(usize, (usize, usize), Ordering, Value) -> Result<(), Refusal>,
 ) -> Result<(), Refusal> {
-    let d = tiling.dimension() as u32;
-    let scale: BigInt = tiling.gram_scale.pow(d - 1) * tiling.scale.pow(2 * (d - 1));
+    let d = tiling.dimension();
+    let scale = &tiling.gram_scale.pow(d - 1) * &tiling.scale.pow(2 * (d - 1));
     for simplex in 0..tiling.simplices().len() {
         let products = gradient_products(tiling, simplex);
         for (i, j) in facet_pairs(tiling.dimension()) {
@@ -244,7 +243,7 @@ fn each_power(
     judge: impl Fn(usize, usize, Ordering, Value) -> Result<(), Refusal>,
 ) -> Result<(), Refusal> {
     let ring = &tiling.ring;
-    let scale: BigInt = &tiling.gram_scale * tiling.scale.pow(tiling.dimension() as u32 + 2);
+    let scale = &tiling.gram_scale * &tiling.scale.pow(tiling.dimension() + 2);
     let square = |x: &[Element]| ring.dot(x, &apply(ring, &tiling.gram, x));
     for (simplex, corners) in tiling.simplices().iter().enumerate() {
         let edges = tiling.edges(corners);

@@ -1,11 +1,10 @@
-//! Small square matrices over the ring, of any size.
+//! Square matrices of one, two or three rows over the ring: no others occur.
 //!
 //! Nothing is divided: determinants by expansion along the first row, which for
 //! two and three dimensions is also the fastest way.
 
+use super::integer::Integer;
 use super::ring::{Element, Ring};
-use num_bigint::BigInt;
-use num_traits::One;
 
 /// Rows.
 pub(super) type Matrix = Vec<Vec<Element>>;
@@ -13,35 +12,25 @@ pub(super) type Matrix = Vec<Vec<Element>>;
 /// det m
 pub(super) fn determinant(ring: &Ring, m: &Matrix) -> Element {
     match m.as_slice() {
-        [] => Element::integer(BigInt::one()),
+        [r] => r[0].clone(),
         [r, s] => ring.sum([(false, &r[0], &s[1]), (true, &r[1], &s[0])]),
-        _ => {
-            let minors: Vec<Element> = (0..m.len())
-                .map(|j| determinant(ring, &without(m, 0, j)))
-                .collect();
-            ring.sum(
-                m[0].iter()
-                    .zip(&minors)
-                    .enumerate()
-                    .map(|(j, (x, minor))| (is_odd(j), x, minor)),
-            )
-        }
+        [r, s, t] => ring.dot(r, &cross(ring, s, t)),
+        _ => Element::default(),
     }
 }
 
 /// C_ij = (-1)^(i+j) det(m without row i and column j), so m C^T = det(m) I.
 pub(super) fn cofactors(ring: &Ring, m: &Matrix) -> Matrix {
-    let signed = |i: usize, j: usize| {
-        let minor = determinant(ring, &without(m, i, j));
-        if is_odd(i + j) {
-            Element::default().minus(&minor)
-        } else {
-            minor
-        }
-    };
-    (0..m.len())
-        .map(|i| (0..m.len()).map(|j| signed(i, j)).collect())
-        .collect()
+    let negative = |x: &Element| Element::default().minus(x);
+    match m.as_slice() {
+        [_] => vec![vec![Element::integer(Integer::ONE)]],
+        [r, s] => vec![
+            vec![s[1].clone(), negative(&s[0])],
+            vec![negative(&r[1]), r[0].clone()],
+        ],
+        [r, s, t] => vec![cross(ring, s, t), cross(ring, t, r), cross(ring, r, s)],
+        _ => Matrix::new(),
+    }
 }
 
 /// m x
@@ -58,15 +47,4 @@ pub(super) fn cross(ring: &Ring, x: &[Element], y: &[Element]) -> Vec<Element> {
 /// The first k rows and columns.
 pub(super) fn leading(m: &Matrix, k: usize) -> Matrix {
     m[..k].iter().map(|row| row[..k].to_vec()).collect()
-}
-
-fn without(m: &Matrix, row: usize, column: usize) -> Matrix {
-    let keep = |skip: usize| (0..m.len()).filter(move |&k| k != skip);
-    keep(row)
-        .map(|i| keep(column).map(|j| m[i][j].clone()).collect())
-        .collect()
-}
-
-fn is_odd(n: usize) -> bool {
-    n % 2 == 1
 }

@@ -7,7 +7,7 @@
 //! |---|---|
 //! | `document` | the bytes are a certificate of a known version, in the one notation it has |
 //! | `shape` | lengths, ranges and order: every index points at something |
-//! | `number`, `ring` | rationals; the field; sums, products and signs in it |
+//! | `number`, `integer`, `ring` | rationals; integers; the field; sums, products and signs in it |
 //! | `tiling` | all numbers of the certificate as elements of one ring |
 //! | `domain` | the domain's polytope, and that the tiling keeps to its boundary |
 //! | `mates` | the facets are paired, each pair one facet seen from two sides |
@@ -26,6 +26,7 @@ mod document;
 mod domain;
 mod extent;
 mod geometry;
+mod integer;
 mod limits;
 mod mates;
 mod matrix;

@@ -2,11 +2,10 @@
 
 use super::Refusal;
 use super::geometry::{edge_products, facet_pairs};
+use super::integer::Integer;
 use super::matrix::{Matrix, apply, cofactors, determinant};
 use super::ring::Element;
 use super::tiling::Tiling;
-use num_bigint::BigInt;
-use num_traits::One;
 use std::cmp::Ordering;
 
 /// R < q l for every edge length l of every simplex, with R its circumradius.
@@ -20,8 +19,8 @@ pub(super) fn check_radius_edge(tiling: &Tiling) -> Result<(), Refusal> {
         return Ok(());
     };
     let ring = &tiling.ring;
-    let left = Element::integer(q.denom() * q.denom());
-    let right = Element::integer(q.numer() * q.numer() * 4);
+    let left = Element::integer(Integer::from(q.denom() * q.denom()));
+    let right = Element::integer(Integer::from(q.numer() * q.numer() * 4));
     for simplex in 0..tiling.simplices().len() {
         let products = edge_products(tiling, simplex);
         let diagonal: Vec<Element> = (0..products.len())
@@ -34,7 +33,7 @@ pub(super) fn check_radius_edge(tiling: &Tiling) -> Result<(), Refusal> {
             let length = length(&products, i, j);
             let value = radius.clone().minus(&ring.times(&volume, &length));
             let of = || format!("radius less edge {i} {j} of simplex {simplex}, scaled");
-            if tiling.sign(&value, &BigInt::one(), of)? != Ordering::Less {
+            if tiling.sign(&value, &Integer::ONE, of)? != Ordering::Less {
                 return Err(Refusal::RatioNotBelow {
                     simplex,
                     corners,

@@ -8,13 +8,12 @@
 //! more than one.
 
 use super::extent::Extents;
+use super::integer::Integer;
 use super::matrix::{cross, determinant};
 use super::ring::Element;
 use super::tiling::Tiling;
 use super::{Refusal, apart, mates};
 use crate::certificate::Domain;
-use num_bigint::BigInt;
-use num_traits::One;
 use std::cmp::Ordering;
 use std::collections::BTreeMap;
 
@@ -183,7 +182,7 @@ fn crossing(tiling: &Tiling, start: &Triangle, triangle: &Triangle) -> Result<i6
     let [a, b, c] = triangle.corners.map(|v| from_centroid(tiling, start, v));
     let rows = vec![a, b, c];
     let of = || "side of a centroid with respect to a facet in the boundary".to_owned();
-    let side = tiling.sign(&determinant(ring, &rows), &BigInt::one(), of)?;
+    let side = tiling.sign(&determinant(ring, &rows), &Integer::ONE, of)?;
     for (x, y) in [(0, 1), (1, 2), (2, 0)] {
         if first_sign(tiling, &cross(ring, &rows[x], &rows[y]))? != side {
             return Ok(0);
@@ -210,7 +209,7 @@ fn from_centroid(tiling: &Tiling, f: &Triangle, v: usize) -> Vec<Element> {
 fn first_sign(tiling: &Tiling, w: &[Element]) -> Result<Ordering, Refusal> {
     for entry in w {
         let of = || "direction of a facet in the boundary, scaled".to_owned();
-        let sign = tiling.sign(entry, &BigInt::one(), of)?;
+        let sign = tiling.sign(entry, &Integer::ONE, of)?;
         if sign != Ordering::Equal {
             return Ok(sign);
         }

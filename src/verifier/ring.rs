@@ -12,22 +12,25 @@
 //! neither rule applies and [`Ring::sign`] answers `None`, never a guess.
 //! Over Q, n = 1, there is no p, and an element is an integer.
 
+use super::integer::Integer;
+use super::number::Rational;
 use super::{Limits, Refusal};
-use num_bigint::{BigInt, Sign};
-use num_traits::{One, Zero};
 use std::cell::Cell;
 use std::cmp::Ordering;
+use std::iter;
 
-use super::number::Rational;
-
-/// Coefficients of 1, a, a², …, at most n, the last one not zero; zero is empty.
+/// Coefficients of 1, a, a², …, at most n: the first, and the others up to the last one
+/// that is not zero. So an integer takes no memory but its own.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
-pub(super) struct Element(pub(super) Vec<BigInt>);
+pub(super) struct Element {
+    constant: Integer,
+    rest: Vec<Integer>,
+}
 
 pub(super) struct Ring {
-    /// p from the constant term up, with its leading 1; empty over Q.
-    modulus: Vec<BigInt>,
-    /// Shrinking enclosures of the root; empty over Q.
+    /// p, with its leading 1; zero over Q.
+    modulus: Element,
+    /// Shrinking enclosures of the root, the first one rough; empty over Q.
     enclosures: Vec<Enclosure>,
     budget: Budget,
 }
@@ -36,7 +39,7 @@ impl Ring {
     /// Q, seen from its integers.
     pub(super) fn integers() -> Ring {
         Ring {
-            modulus: Vec::new(),
+            modulus: Element::default(),
             enclosures: Vec::new(),
             budget: Budget::default(),
         }
@@ -44,7 +47,7 @@ impl Ring {
 
     /// `Z[a]`, for a monic `modulus` of degree at least two.
     pub(super) fn extension(
-        modulus: Vec<BigInt>,
+        modulus: Element,
         root: (Rational, Rational),
         limits: &Limits,
     ) -> Result<Ring, Refusal> {
@@ -62,12 +65,12 @@ impl Ring {
 
     /// n.
     pub(super) fn degree(&self) -> usize {
-        self.modulus.len().saturating_sub(1).max(1)
+        self.modulus.rest.len().max(1)
     }
 
     /// The bits of the largest coefficient of p.
     pub(super) fn bits(&self) -> u64 {
-        self.modulus.iter().map(BigInt::bits).max().unwrap_or(0)
+        self.modulus.bits()
     }
 
     /// The sum of ± x y over the terms (is it minus?, x, y). Everything that is
@@ -76,19 +79,19 @@ impl Ring {
         &self,
         terms: impl IntoIterator<Item = (bool, &'e Element, &'e Element)>,
     ) -> Element {
-        let mut sum: Vec<BigInt> = Vec::new();
-        for (minus, Element(x), Element(y)) in terms {
-            if x.is_empty() || y.is_empty() {
+        let mut sum = Element::default();
+        for (minus, x, y) in terms {
+            if x.is_zero() || y.is_zero() {
                 continue;
             }
-            sum.resize(sum.len().max(x.len() + y.len() - 1), BigInt::zero());
-            for (i, x) in x.iter().enumerate() {
-                for (j, y) in y.iter().enumerate() {
-                    if minus {
-                        sum[i + j] -= x * y
-                    } else {
-                        sum[i + j] += x * y
-                    }
+            sum.constant.add_product(minus, &x.constant, &y.constant);
+            for (j, y) in y.rest.iter().enumerate() {
+                sum.at(j + 1).add_product(minus, &x.constant, y);
+            }
+            for (i, x) in x.rest.iter().enumerate() {
+                sum.at(i + 1).add_product(minus, x, &y.constant);
+                for (j, y) in y.rest.iter().enumerate() {
+                    sum.at(i + j + 2).add_product(minus, x, y);
                 }
             }
         }
@@ -106,28 +109,32 @@ impl Ring {
     }
 
     /// c x^m = -(c_0 x^(m-n) + … + c_(n-1) x^(m-1)) c modulo p, from the top.
-    fn reduced(&self, mut x: Vec<BigInt>) -> Element {
+    fn reduced(&self, mut x: Element) -> Element {
         let degree = self.degree();
-        while x.len() > degree {
-            let base = x.len() - 1 - degree;
-            let Some(top) = x.pop() else { break };
-            for (k, c) in self.modulus[..degree].iter().enumerate() {
-                x[base + k] -= c * &top;
+        while x.rest.len() >= degree {
+            let base = x.rest.len() - degree;
+            let Some(top) = x.rest.pop() else { break };
+            for (k, c) in self.modulus.coefficients().take(degree).enumerate() {
+                x.at(base + k).add_product(true, c, &top);
             }
         }
-        Element::new(x)
+        x.trimmed()
     }
 
     /// The strict sign where an enclosure proves it, `Equal` where the vector is
-    /// zero, `None` where neither rule applies.
+    /// zero, `None` where neither rule applies. All enclosures lie in the rough one, and so do
+    /// the values on them: a sign that it shows is shown by each. It is looked at first, for
+    /// it has few bits; what is counted is the finer one.
     pub(super) fn sign(&self, x: &Element) -> Result<Option<Ordering>, Refusal> {
-        match x.0.as_slice() {
-            [] => return Ok(Some(Ordering::Equal)),
-            [integer] => return Ok(Some(sign_of(integer))),
-            _ => {}
+        if x.rest.is_empty() {
+            return Ok(Some(x.constant.sign()));
         }
-        for root in &self.enclosures {
-            let sign = root.sign(&x.0, &self.budget)?;
+        let Some((rough, finer)) = self.enclosures.split_first() else {
+            return Ok(None);
+        };
+        for root in finer {
+            self.budget.spend(root.cost(x))?;
+            let sign = rough.shown(x).or_else(|| root.shown(x));
             if sign.is_some() {
                 return Ok(sign);
             }
@@ -137,40 +144,67 @@ impl Ring {
 }
 
 impl Element {
-    pub(super) fn new(mut coefficients: Vec<BigInt>) -> Element {
-        while coefficients.last().is_some_and(BigInt::is_zero) {
-            coefficients.pop();
-        }
-        Element(coefficients)
+    /// The element with these coefficients.
+    pub(super) fn new(coefficients: impl IntoIterator<Item = Integer>) -> Element {
+        let mut coefficients = coefficients.into_iter();
+        let constant = coefficients.next().unwrap_or_default();
+        let rest = coefficients.collect();
+        Element { constant, rest }.trimmed()
     }
 
-    pub(super) fn integer(value: BigInt) -> Element {
-        Element::new(vec![value])
+    pub(super) fn integer(value: Integer) -> Element {
+        Element {
+            constant: value,
+            rest: Vec::new(),
+        }
+    }
+
+    /// Those of 1, a, …, the last one not zero unless it is alone.
+    pub(super) fn coefficients(&self) -> impl DoubleEndedIterator<Item = &Integer> {
+        iter::once(&self.constant).chain(&self.rest)
+    }
+
+    fn is_zero(&self) -> bool {
+        self.rest.is_empty() && self.constant.is_zero()
+    }
+
+    /// That of the k-th power.
+    fn at(&mut self, k: usize) -> &mut Integer {
+        if k == 0 {
+            return &mut self.constant;
+        }
+        if k > self.rest.len() {
+            self.rest.resize(k, Integer::ZERO);
+        }
+        &mut self.rest[k - 1]
+    }
+
+    fn trimmed(mut self) -> Element {
+        while self.rest.last().is_some_and(Integer::is_zero) {
+            self.rest.pop();
+        }
+        self
     }
 
     /// self + other
     pub(super) fn plus(mut self, other: &Element) -> Element {
-        self.0
-            .resize(self.0.len().max(other.0.len()), BigInt::zero());
-        for (x, y) in self.0.iter_mut().zip(&other.0) {
-            *x += y;
+        for (k, c) in other.coefficients().enumerate() {
+            *self.at(k) += c;
         }
-        Element::new(self.0)
+        self.trimmed()
     }
 
     /// self - other
     pub(super) fn minus(mut self, other: &Element) -> Element {
-        self.0
-            .resize(self.0.len().max(other.0.len()), BigInt::zero());
-        for (x, y) in self.0.iter_mut().zip(&other.0) {
-            *x -= y;
+        for (k, c) in other.coefficients().enumerate() {
+            *self.at(k) -= c;
         }
-        Element::new(self.0)
+        self.trimmed()
     }
 
     /// The bits of the largest coefficient.
     pub(super) fn bits(&self) -> u64 {
-        self.0.iter().map(BigInt::bits).max().unwrap_or(0)
+        self.coefficients().map(Integer::bits).max().unwrap_or(0)
     }
 }
 
@@ -207,13 +241,13 @@ impl Budget {
 /// The root lies in [low, high] / denominator; the denominator is positive.
 #[derive(Clone)]
 struct Enclosure {
-    low: BigInt,
-    high: BigInt,
-    denominator: BigInt,
+    low: Integer,
+    high: Integer,
+    denominator: Integer,
 }
 
 /// p(low) and p(high) have opposite strict signs: there is a root between.
-fn check_root_signs(modulus: &[BigInt], given: &Enclosure, budget: &Budget) -> Result<(), Refusal> {
+fn check_root_signs(modulus: &Element, given: &Enclosure, budget: &Budget) -> Result<(), Refusal> {
     let at_low = given.at_low().sign(modulus, budget)?;
     let at_high = given.at_high().sign(modulus, budget)?;
     match (at_low, at_high) {
@@ -226,16 +260,12 @@ fn check_root_signs(modulus: &[BigInt], given: &Enclosure, budget: &Budget) -> R
 /// 0 is not in p'([low, high]), by an enclosure: p is strictly monotone there,
 /// so the root is the only one.
 fn check_root_derivative(
-    modulus: &[BigInt],
+    modulus: &Element,
     given: &Enclosure,
     budget: &Budget,
 ) -> Result<(), Refusal> {
-    let derivative: Vec<BigInt> = modulus
-        .iter()
-        .enumerate()
-        .skip(1)
-        .map(|(k, c)| c * BigInt::from(k))
-        .collect();
+    let powers = modulus.coefficients().zip(0..).skip(1);
+    let derivative = Element::new(powers.map(|(c, k)| c * &Integer::from(k)));
     match given.sign(&derivative, budget)? {
         Some(_) => Ok(()),
         None => Err(Refusal::RootDerivative {}),
@@ -248,9 +278,9 @@ impl Enclosure {
             return Err(Refusal::RootOrder {});
         }
         Ok(Enclosure {
-            low: low.numer() * high.denom(),
-            high: high.numer() * low.denom(),
-            denominator: low.denom() * high.denom(),
+            low: Integer::from(low.numer() * high.denom()),
+            high: Integer::from(high.numer() * low.denom()),
+            denominator: Integer::from(low.denom() * high.denom()),
         })
     }
 
@@ -268,42 +298,45 @@ impl Enclosure {
         }
     }
 
+    /// The sign that is [`shown`](Self::shown), counted.
+    fn sign(&self, f: &Element, budget: &Budget) -> Result<Option<Ordering>, Refusal> {
+        budget.spend(self.cost(f))?;
+        Ok(self.shown(f))
+    }
+
     /// The sign of f on the whole interval, if the interval Horner scheme shows
     /// that it is strict and constant. With root = [l, h]/d and f of degree m,
     /// d^m f is enclosed by F_m = [c_m, c_m], F_k = F_(k+1) [l, h] + c_k d^(m-k).
-    fn sign(&self, f: &[BigInt], budget: &Budget) -> Result<Option<Ordering>, Refusal> {
-        budget.spend(self.cost(f))?;
-        let Some((top, rest)) = f.split_last() else {
-            return Ok(None);
-        };
-        let (mut least, mut most) = (top.clone(), top.clone());
-        let mut power = BigInt::one();
-        for c in rest.iter().rev() {
-            power *= &self.denominator;
+    fn shown(&self, f: &Element) -> Option<Ordering> {
+        let mut falling = f.coefficients().rev();
+        let mut least = falling.next()?.clone();
+        let mut most = least.clone();
+        let mut power = Integer::ONE;
+        for c in falling {
+            power = &power * &self.denominator;
             (least, most) = self.times(&least, &most);
-            let c = c * &power;
-            least += &c;
-            most += &c;
+            least.add_product(false, c, &power);
+            most.add_product(false, c, &power);
         }
-        Ok(match (sign_of(&least), sign_of(&most)) {
+        match (least.sign(), most.sign()) {
             (Ordering::Greater, _) => Some(Ordering::Greater),
             (_, Ordering::Less) => Some(Ordering::Less),
             _ => None,
-        })
+        }
     }
 
     /// Word products of the Horner scheme, up to a factor of five: with m
     /// coefficients of v words, and d words for l, h and d, the k-th step multiplies
     /// v + k d words by d words four times, k d by d words, and v by k d words.
-    fn cost(&self, f: &[BigInt]) -> u64 {
-        let m = f.len() as u64;
-        let v = words(f.iter());
+    fn cost(&self, f: &Element) -> u64 {
+        let m = f.rest.len() as u64 + 1;
+        let v = words(f.coefficients());
         let d = words([&self.low, &self.high, &self.denominator]);
         [m, m, d, v + d].into_iter().fold(1, u64::saturating_mul)
     }
 
     /// The hull of [least, most] [low, high]: extremes are taken at ends.
-    fn times(&self, least: &BigInt, most: &BigInt) -> (BigInt, BigInt) {
+    fn times(&self, least: &Integer, most: &Integer) -> (Integer, Integer) {
         let products = [
             least * &self.low,
             least * &self.high,
@@ -317,18 +350,22 @@ impl Enclosure {
             })
     }
 
-    /// Enclosures after 64, 128, 256, … and `bisections` halvings.
+    /// Enclosures after 16, or all, and after 64, 128, 256, … and `bisections` halvings.
     fn ladder(
         mut self,
-        modulus: &[BigInt],
+        modulus: &Element,
         bisections: usize,
         budget: &Budget,
     ) -> Result<Vec<Enclosure>, Refusal> {
+        const ROUGH: usize = 16;
         const FIRST: usize = 64;
         let rising = self.at_high().sign(modulus, budget)?;
         let mut enclosures = vec![];
         for step in 1..=bisections {
             self = self.halved(modulus, rising, budget)?;
+            if step == bisections.min(ROUGH) {
+                enclosures.push(self.clone());
+            }
             if step == bisections || (step >= FIRST && step.is_power_of_two()) {
                 enclosures.push(self.clone());
             }
@@ -340,24 +377,26 @@ impl Enclosure {
     /// and the other one left of it. A root at the middle is the root.
     fn halved(
         self,
-        modulus: &[BigInt],
+        modulus: &Element,
         rising: Option<Ordering>,
         budget: &Budget,
     ) -> Result<Enclosure, Refusal> {
-        let middle = &self.low + &self.high;
+        let twice = |x: &Integer| x * &Integer::from(2);
+        let mut middle = self.low.clone();
+        middle += &self.high;
         let half = Enclosure {
             low: middle.clone(),
             high: middle,
-            denominator: self.denominator * 2,
+            denominator: twice(&self.denominator),
         };
         Ok(match half.sign(modulus, budget)? {
             None => half,
             right if right == rising => Enclosure {
-                low: self.low * 2,
+                low: twice(&self.low),
                 ..half
             },
             _ => Enclosure {
-                high: self.high * 2,
+                high: twice(&self.high),
                 ..half
             },
         })
@@ -365,14 +404,7 @@ impl Enclosure {
 }
 
 /// The words of the largest.
-fn words<'b>(integers: impl IntoIterator<Item = &'b BigInt>) -> u64 {
-    integers.into_iter().map(BigInt::bits).max().unwrap_or(0) / 64 + 1
-}
-
-fn sign_of(integer: &BigInt) -> Ordering {
-    match integer.sign() {
-        Sign::Minus => Ordering::Less,
-        Sign::NoSign => Ordering::Equal,
-        Sign::Plus => Ordering::Greater,
-    }
+fn words<'b>(integers: impl IntoIterator<Item = &'b Integer>) -> u64 {
+    let bits = integers.into_iter().map(Integer::bits);
+    bits.max().unwrap_or(0) / 64 + 1
 }

@@ -5,13 +5,14 @@
 //! predicate is homogeneous in x and in G, so its sign stays.
 
 use super::domain::Polytope;
+use super::integer::Integer;
 use super::matrix::Matrix;
 use super::number::{self, Rational};
 use super::ring::{Element, Ring};
 use super::{Limits, Refusal};
 use crate::certificate::{AlgebraicField, Certificate, Field, Number, Place, Statement};
 use num_bigint::BigInt;
-use num_integer::Integer;
+use num_integer::Integer as _;
 use num_traits::{One, Signed, Zero};
 use std::cmp::Ordering;
 
@@ -21,12 +22,12 @@ pub(super) struct Tiling<'c> {
     /// d G
     pub(super) gram: Matrix,
     /// d
-    pub(super) gram_scale: BigInt,
+    pub(super) gram_scale: Integer,
     /// N x for each vertex x.
     pub(super) vertices: Matrix,
     pub(super) polytope: Option<Polytope<'c>>,
     /// N
-    pub(super) scale: BigInt,
+    pub(super) scale: Integer,
     pub(super) bounds: Bounds,
     /// What comparisons of the facets in the boundary of a region may cost.
     pub(super) limit: u64,
@@ -150,7 +151,7 @@ impl<'c> Tiling<'c> {
         for (k, coordinate) in edge.iter_mut().enumerate().take(by.len()) {
             let shift = to.0[1 + k] - from.0[1 + k] + by[k];
             if shift != 0 {
-                let moved = Element::integer(&self.scale * shift);
+                let moved = Element::integer(&self.scale * &Integer::from(shift));
                 *coordinate = std::mem::take(coordinate).plus(&moved);
             }
         }
@@ -176,7 +177,7 @@ impl<'c> Tiling<'c> {
     pub(super) fn sign(
         &self,
         value: &Element,
-        scale: &BigInt,
+        scale: &Integer,
         of: impl Fn() -> String,
     ) -> Result<Ordering, Refusal> {
         let undecided = || Refusal::SignUndecided {
@@ -188,12 +189,10 @@ impl<'c> Tiling<'c> {
 }
 
 /// The element `value` divided by `scale`, as a certificate writes it.
-pub(super) fn number(value: &Element, scale: &BigInt) -> Number {
-    let text = |c: &BigInt| Rational::new(c.clone(), scale.clone()).to_string();
-    match value.0.as_slice() {
-        [] => Number(vec!["0".to_owned()]),
-        coefficients => Number(coefficients.iter().map(text).collect()),
-    }
+pub(super) fn number(value: &Element, scale: &Integer) -> Number {
+    let big = |x: &Integer| x.clone().into_big();
+    let text = |c| Rational::new(big(c), big(scale)).to_string();
+    Number(value.coefficients().map(text).collect())
 }
 
 /// The ring of the claimed field, once the field has been shown to be one.
@@ -208,7 +207,7 @@ fn ring(field: &Field, limits: &Limits) -> Result<Ring, Refusal> {
 }
 
 /// p is monic, of degree n with 2 <= n <= limit, and its coefficients are integers.
-fn modulus(polynomial: &[String], limits: &Limits) -> Result<Vec<BigInt>, Refusal> {
+fn modulus(polynomial: &[String], limits: &Limits) -> Result<Element, Refusal> {
     let refuse = |reason| Err(Refusal::Polynomial { reason });
     if polynomial.len() < 3 {
         return refuse("its degree is less than two");
@@ -229,9 +228,9 @@ fn modulus(polynomial: &[String], limits: &Limits) -> Result<Vec<BigInt>, Refusa
         if !coefficient.is_integer() {
             return refuse("a coefficient is not an integer");
         }
-        modulus.push(coefficient.to_integer());
+        modulus.push(Integer::from(coefficient.to_integer()));
     }
-    Ok(modulus)
+    Ok(Element::new(modulus))
 }
 
 /// The claimed bounds: angles below Q with 0 < Q <= 180 and above Q with
@@ -282,7 +281,7 @@ impl Reader<'_> {
     fn table(
         &self,
         tables: &[(&'static str, &[Vec<Number>])],
-    ) -> Result<(Matrix, BigInt), Refusal> {
+    ) -> Result<(Matrix, Integer), Refusal> {
         let mut rows = Vec::new();
         let mut common = BigInt::one();
         for &(name, table) in tables {
@@ -299,13 +298,13 @@ impl Reader<'_> {
                 rows.push(read);
             }
         }
-        let integral = |c: Rational| c.numer() * (&common / c.denom());
-        let element = |cs: Vec<Rational>| Element::new(cs.into_iter().map(integral).collect());
+        let integral = |c: Rational| Integer::from(c.numer() * (&common / c.denom()));
+        let element = |cs: Vec<Rational>| Element::new(cs.into_iter().map(integral));
         let scaled = rows
             .into_iter()
             .map(|row| row.into_iter().map(element).collect())
             .collect();
-        Ok((scaled, common))
+        Ok((scaled, Integer::from(common)))
     }
 
     /// Between one and n coefficients, the last one not zero unless it is alone.
