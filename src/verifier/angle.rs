@@ -20,7 +20,7 @@ pub(super) fn check_dihedral_below(tiling: &Tiling) -> Result<(), Refusal> {
         return Ok(());
     };
     let c = Cosine::of_degrees(angle);
-    let bounds = [&c.high, &c.low].map(|end| Bound::new(end, &c.denominator));
+    let bounds = c.bounds(tiling, |c| &c.high, |c| &c.low);
     let refuse = |simplex, facets| Refusal::AngleNotBelow {
         simplex,
         facets,
@@ -36,7 +36,7 @@ pub(super) fn check_dihedral_above(tiling: &Tiling) -> Result<(), Refusal> {
         return Ok(());
     };
     let c = Cosine::of_degrees(angle);
-    let bounds = [&c.low, &c.high].map(|end| Bound::new(end, &c.denominator));
+    let bounds = c.bounds(tiling, |c| &c.low, |c| &c.high);
     let refuse = |simplex, facets| Refusal::AngleNotAbove {
         simplex,
         facets,
@@ -45,34 +45,35 @@ pub(super) fn check_dihedral_above(tiling: &Tiling) -> Result<(), Refusal> {
     compare_cosines(tiling, angle, Ordering::Less, bounds, refuse)
 }
 
-/// Every cos θ_ij is on the `wanted` side of the first bound. Where one is not even
-/// on that side of the second, the statement is false.
+/// Every cos θ_ij is on the `wanted` side of one of the bounds that prove it. Where one is
+/// not even on that side of the bound that is needed, the statement is false.
 fn compare_cosines(
     tiling: &Tiling,
     angle: &Rational,
     wanted: Ordering,
-    [proving, needed]: [Bound; 2],
+    (proving, needed): (Vec<Bound>, Bound),
     refuse: impl Fn(usize, (usize, usize)) -> Refusal,
 ) -> Result<(), Refusal> {
     for simplex in 0..tiling.simplices().len() {
         let products = gradient_products(tiling, simplex);
-        for facets @ (i, j) in facet_pairs(tiling.dimension()) {
+        'angles: for facets @ (i, j) in facet_pairs(tiling.dimension()) {
             let square = tiling.ring.times(&products[i][i], &products[j][j]);
             let negated = Element::default().minus(&products[i][j]);
             let of = || format!("cosine of facets {i} and {j} of simplex {simplex}, compared");
-            if compare(tiling, &negated, &square, &proving, of)? == wanted {
-                continue;
+            let is_within = |bound| Ok(compare(tiling, &negated, &square, bound, of)? == wanted);
+            for bound in &proving {
+                if is_within(bound)? {
+                    continue 'angles;
+                }
             }
-            return Err(
-                match compare(tiling, &negated, &square, &needed, of)? == wanted {
-                    false => refuse(simplex, facets),
-                    true => Refusal::AngleUndecided {
-                        simplex,
-                        facets,
-                        degrees: angle.to_string(),
-                    },
+            return Err(match is_within(&needed)? {
+                false => refuse(simplex, facets),
+                true => Refusal::AngleUndecided {
+                    simplex,
+                    facets,
+                    degrees: angle.to_string(),
                 },
-            );
+            });
         }
     }
     Ok(())
@@ -146,7 +147,32 @@ impl Cosine {
         }
         enclose_cosine(degrees)
     }
+
+    /// The ends that prove, of which each suffices, and the end that is needed. The first is rounded to
+    /// few bits; over a field it is not tried, for there each sign asked is counted.
+    fn bounds(&self, tiling: &Tiling, proving: End, needed: End) -> (Vec<Bound>, Bound) {
+        let bound = |cosine: &Cosine, end: End| Bound::new(end(cosine), &cosine.denominator);
+        let mut bounds = vec![bound(self, proving)];
+        if tiling.ring.degree() == 1 {
+            bounds.insert(0, bound(&self.rough(), proving));
+        }
+        (bounds, bound(self, needed))
+    }
+
+    /// An enclosure of the enclosure, in units of 2^-24.
+    fn rough(&self) -> Cosine {
+        let unit = BigInt::one() << 24u8;
+        let [low, high] = [&self.low, &self.high].map(|end| end * &unit);
+        Cosine {
+            low: low.div_floor(&self.denominator),
+            high: high.div_ceil(&self.denominator),
+            denominator: unit,
+        }
+    }
 }
+
+/// `low` or `high`.
+type End = fn(&Cosine) -> &BigInt;
 
 /// Fixed point: a real number x is enclosed by integers l, h with l <= 2^BITS x <= h.
 const BITS: usize = 128;

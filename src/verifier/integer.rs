@@ -65,21 +65,20 @@ impl Integer {
         (0..exponent).fold(Integer::ONE, |power, _| &power * self)
     }
 
+    /// The greatest integer that is at most self / 2^bits.
+    pub(super) fn shifted_down(&self, bits: u64) -> Integer {
+        match &self.0 {
+            Small(x) => Integer(Small(x >> bits.min(127))),
+            Large(x) => Integer::from(x >> bits),
+        }
+    }
+
     /// self ± x y
     pub(super) fn add_product(&mut self, minus: bool, x: &Integer, y: &Integer) {
         let product = x * y;
         match minus {
             true => *self -= &product,
             false => *self += &product,
-        }
-    }
-
-    /// The machine's answer for two that are small, where it has one.
-    #[inline]
-    fn small(&self, other: &Integer, op: impl Fn(i128, i128) -> Option<i128>) -> Option<Integer> {
-        match (&self.0, &other.0) {
-            (Small(x), Small(y)) => op(*x, *y).map(|z| Integer(Small(z))),
-            _ => None,
         }
     }
 }
@@ -108,20 +107,34 @@ impl Default for Integer {
 impl AddAssign<&Integer> for Integer {
     #[inline]
     fn add_assign(&mut self, other: &Integer) {
-        *self = match self.small(other, i128::checked_add) {
-            Some(sum) => sum,
-            None => Integer::from(mem::take(self).into_big() + other.big().as_ref()),
-        };
+        if let (Small(x), Small(y)) = (&mut self.0, &other.0)
+            && let Some(sum) = x.checked_add(*y)
+        {
+            *x = sum;
+            return;
+        }
+        let x = mem::take(self).into_big();
+        *self = Integer::from(match &other.0 {
+            Small(y) => x + *y,
+            Large(y) => x + y,
+        });
     }
 }
 
 impl SubAssign<&Integer> for Integer {
     #[inline]
     fn sub_assign(&mut self, other: &Integer) {
-        *self = match self.small(other, i128::checked_sub) {
-            Some(difference) => difference,
-            None => Integer::from(mem::take(self).into_big() - other.big().as_ref()),
-        };
+        if let (Small(x), Small(y)) = (&mut self.0, &other.0)
+            && let Some(difference) = x.checked_sub(*y)
+        {
+            *x = difference;
+            return;
+        }
+        let x = mem::take(self).into_big();
+        *self = Integer::from(match &other.0 {
+            Small(y) => x - *y,
+            Large(y) => x - y,
+        });
     }
 }
 
@@ -130,9 +143,13 @@ impl Mul for &Integer {
 
     #[inline]
     fn mul(self, other: &Integer) -> Integer {
-        match self.small(other, product) {
-            Some(product) => product,
-            None => Integer::from(self.big().as_ref() * other.big().as_ref()),
+        match (&self.0, &other.0) {
+            (Small(x), Small(y)) => match product(*x, *y) {
+                Some(product) => Integer(Small(product)),
+                None => Integer(Large(BigInt::from(*x) * *y)),
+            },
+            (Large(x), Small(y)) | (Small(y), Large(x)) => Integer::from(x * *y),
+            (Large(x), Large(y)) => Integer::from(x * y),
         }
     }
 }
@@ -164,6 +181,7 @@ impl PartialOrd for Integer {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use num_integer::Integer as _;
     use proptest::prelude::*;
 
     /// Everything near a power of two, with both signs, up to 2^260: 0, the borders of i64
@@ -180,6 +198,10 @@ mod tests {
     fn check(x: &BigInt, y: &BigInt) {
         let (a, b) = (Integer::from(x.clone()), Integer::from(y.clone()));
         check_one(&(&a * &b), &(x * y));
+        check_one(
+            &a.shifted_down(y.bits()),
+            &x.div_floor(&(BigInt::from(1) << y.bits())),
+        );
         let by = |change: &dyn Fn(&mut Integer)| {
             let mut changed = a.clone();
             change(&mut changed);

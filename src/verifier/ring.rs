@@ -95,7 +95,10 @@ impl Ring {
                 }
             }
         }
-        self.reduced(sum)
+        match sum.rest.is_empty() {
+            true => sum,
+            false => self.reduced(sum),
+        }
     }
 
     /// x y
@@ -115,7 +118,9 @@ impl Ring {
             let base = x.rest.len() - degree;
             let Some(top) = x.rest.pop() else { break };
             for (k, c) in self.modulus.coefficients().take(degree).enumerate() {
-                x.at(base + k).add_product(true, c, &top);
+                if !c.is_zero() {
+                    x.at(base + k).add_product(true, c, &top);
+                }
             }
         }
         x.trimmed()
@@ -134,7 +139,7 @@ impl Ring {
         };
         for root in finer {
             self.budget.spend(root.cost(x))?;
-            let sign = rough.shown(x).or_else(|| root.shown(x));
+            let sign = rough.roughly_shown(x).or_else(|| root.shown(x));
             if sign.is_some() {
                 return Ok(sign);
             }
@@ -188,16 +193,18 @@ impl Element {
 
     /// self + other
     pub(super) fn plus(mut self, other: &Element) -> Element {
-        for (k, c) in other.coefficients().enumerate() {
-            *self.at(k) += c;
+        self.constant += &other.constant;
+        for (k, c) in other.rest.iter().enumerate() {
+            *self.at(k + 1) += c;
         }
         self.trimmed()
     }
 
     /// self - other
     pub(super) fn minus(mut self, other: &Element) -> Element {
-        for (k, c) in other.coefficients().enumerate() {
-            *self.at(k) -= c;
+        self.constant -= &other.constant;
+        for (k, c) in other.rest.iter().enumerate() {
+            *self.at(k + 1) -= c;
         }
         self.trimmed()
     }
@@ -305,18 +312,36 @@ impl Enclosure {
     }
 
     /// The sign of f on the whole interval, if the interval Horner scheme shows
-    /// that it is strict and constant. With root = [l, h]/d and f of degree m,
-    /// d^m f is enclosed by F_m = [c_m, c_m], F_k = F_(k+1) [l, h] + c_k d^(m-k).
+    /// that it is strict and constant.
     fn shown(&self, f: &Element) -> Option<Ordering> {
-        let mut falling = f.coefficients().rev();
-        let mut least = falling.next()?.clone();
-        let mut most = least.clone();
+        self.horner(f.coefficients().rev().map(|c| (c.clone(), c.clone())))
+    }
+
+    /// The same from the first 64 bits of the coefficients: for c the interval from
+    /// floor(c / 2^k) to that plus one, so that all are divided by 2^k.
+    fn roughly_shown(&self, f: &Element) -> Option<Ordering> {
+        let dropped = f.bits().saturating_sub(64);
+        if dropped == 0 {
+            return self.shown(f);
+        }
+        self.horner(f.coefficients().rev().map(|c| {
+            let low = c.shifted_down(dropped);
+            let mut high = low.clone();
+            high += &Integer::ONE;
+            (low, high)
+        }))
+    }
+
+    /// With root = [l, h]/d and f of degree m with coefficients in the intervals c_k,
+    /// from the top, d^m f is enclosed by F_m = c_m, F_k = F_(k+1) [l, h] + c_k d^(m-k).
+    fn horner(&self, mut falling: impl Iterator<Item = (Integer, Integer)>) -> Option<Ordering> {
+        let (mut least, mut most) = falling.next()?;
         let mut power = Integer::ONE;
-        for c in falling {
+        for (low, high) in falling {
             power = &power * &self.denominator;
             (least, most) = self.times(&least, &most);
-            least.add_product(false, c, &power);
-            most.add_product(false, c, &power);
+            least.add_product(false, &low, &power);
+            most.add_product(false, &high, &power);
         }
         match (least.sign(), most.sign()) {
             (Ordering::Greater, _) => Some(Ordering::Greater),
