@@ -121,7 +121,15 @@ pub(super) fn edge_products(tiling: &Tiling, simplex: usize) -> Matrix {
         .iter()
         .map(|edge| apply(ring, &tiling.gram, edge))
         .collect();
-    edges.iter().map(|edge| apply(ring, &dual, edge)).collect()
+    let mut products = Matrix::new();
+    for (i, edge) in edges.iter().enumerate() {
+        let product = |j| match products.get::<usize>(j) {
+            Some(row) => row[i].clone(),
+            None => ring.dot(edge, &dual[j]),
+        };
+        products.push((0..edges.len()).map(product).collect());
+    }
+    products
 }
 
 /// The inner products of the gradients g_0, …, g_D of the barycentric

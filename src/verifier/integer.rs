@@ -74,7 +74,23 @@ impl Integer {
     }
 
     /// self ± x y
+    #[inline]
     pub(super) fn add_product(&mut self, minus: bool, x: &Integer, y: &Integer) {
+        if let (Small(sum), Small(x), Small(y)) = (&mut self.0, &x.0, &y.0)
+            && let Some(product) = product(*x, *y)
+            && let Some(next) = match minus {
+                true => sum.checked_sub(product),
+                false => sum.checked_add(product),
+            }
+        {
+            *sum = next;
+            return;
+        }
+        self.add_large_product(minus, x, y);
+    }
+
+    #[cold]
+    fn add_large_product(&mut self, minus: bool, x: &Integer, y: &Integer) {
         let product = x * y;
         match minus {
             true => *self -= &product,

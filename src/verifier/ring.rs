@@ -79,7 +79,10 @@ impl Ring {
         &self,
         terms: impl IntoIterator<Item = (bool, &'e Element, &'e Element)>,
     ) -> Element {
-        let mut sum = Element::default();
+        let mut sum = Element {
+            constant: Integer::ZERO,
+            rest: Vec::with_capacity(2 * self.degree() - 2),
+        };
         for (minus, x, y) in terms {
             if x.is_zero() || y.is_zero() {
                 continue;
@@ -178,12 +181,13 @@ impl Element {
         if k == 0 {
             return &mut self.constant;
         }
-        if k > self.rest.len() {
-            self.rest.resize(k, Integer::ZERO);
+        while self.rest.len() < k {
+            self.rest.push(Integer::ZERO);
         }
         &mut self.rest[k - 1]
     }
 
+    #[inline]
     fn trimmed(mut self) -> Element {
         while self.rest.last().is_some_and(Integer::is_zero) {
             self.rest.pop();
@@ -192,6 +196,7 @@ impl Element {
     }
 
     /// self + other
+    #[inline]
     pub(super) fn plus(mut self, other: &Element) -> Element {
         self.constant += &other.constant;
         for (k, c) in other.rest.iter().enumerate() {
@@ -201,6 +206,7 @@ impl Element {
     }
 
     /// self - other
+    #[inline]
     pub(super) fn minus(mut self, other: &Element) -> Element {
         self.constant -= &other.constant;
         for (k, c) in other.rest.iter().enumerate() {
