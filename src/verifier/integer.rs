@@ -1,14 +1,14 @@
 //! Integers of any length: in 128 bits of the machine while they fit, else by num-bigint.
 //!
 //! No operation wraps or loses a bit: each is one of i128 that answers `None` on overflow,
-//! and then it is done again by num-bigint. Called by everything that computes.
+//! and then it is done by num-bigint. Called by everything that computes; it knows no field.
 
 use num_bigint::{BigInt, Sign};
 use num_traits::ToPrimitive;
 use std::borrow::Cow;
 use std::cmp::Ordering;
 use std::mem;
-use std::ops::{AddAssign, Mul, SubAssign};
+use std::ops::Mul;
 
 /// An integer, in the only form that it has: hence the derived equality is that of values.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -77,11 +77,8 @@ impl Integer {
     #[inline]
     pub(super) fn add_product(&mut self, minus: bool, x: &Integer, y: &Integer) {
         if let (Small(sum), Small(x), Small(y)) = (&mut self.0, &x.0, &y.0)
-            && let Some(product) = product(*x, *y)
-            && let Some(next) = match minus {
-                true => sum.checked_sub(product),
-                false => sum.checked_add(product),
-            }
+            && let Some(product) = small_product(*x, *y)
+            && let Some(next) = small_sum(minus, *sum, product)
         {
             *sum = next;
             return;
@@ -91,11 +88,42 @@ impl Integer {
 
     #[cold]
     fn add_large_product(&mut self, minus: bool, x: &Integer, y: &Integer) {
-        let product = x * y;
-        match minus {
-            true => *self -= &product,
-            false => *self += &product,
+        self.add(minus, &(x * y));
+    }
+
+    /// self ± x
+    #[inline]
+    pub(super) fn add(&mut self, minus: bool, x: &Integer) {
+        if let (Small(sum), Small(x)) = (&mut self.0, &x.0)
+            && let Some(next) = small_sum(minus, *sum, *x)
+        {
+            *sum = next;
+            return;
         }
+        let sum = mem::take(self).into_big();
+        *self = Integer::from(match (minus, &x.0) {
+            (true, Small(x)) => sum - *x,
+            (true, Large(x)) => sum - x,
+            (false, Small(x)) => sum + *x,
+            (false, Large(x)) => sum + x,
+        });
+    }
+}
+
+#[inline]
+fn small_sum(minus: bool, x: i128, y: i128) -> Option<i128> {
+    match minus {
+        true => x.checked_sub(y),
+        false => x.checked_add(y),
+    }
+}
+
+/// x y; where both have 64 bits it is one instruction that cannot overflow.
+#[inline]
+fn small_product(x: i128, y: i128) -> Option<i128> {
+    match (i64::try_from(x), i64::try_from(y)) {
+        (Ok(x), Ok(y)) => Some(i128::from(x) * i128::from(y)),
+        _ => x.checked_mul(y),
     }
 }
 
@@ -120,62 +148,19 @@ impl Default for Integer {
     }
 }
 
-impl AddAssign<&Integer> for Integer {
-    #[inline]
-    fn add_assign(&mut self, other: &Integer) {
-        if let (Small(x), Small(y)) = (&mut self.0, &other.0)
-            && let Some(sum) = x.checked_add(*y)
-        {
-            *x = sum;
-            return;
-        }
-        let x = mem::take(self).into_big();
-        *self = Integer::from(match &other.0 {
-            Small(y) => x + *y,
-            Large(y) => x + y,
-        });
-    }
-}
-
-impl SubAssign<&Integer> for Integer {
-    #[inline]
-    fn sub_assign(&mut self, other: &Integer) {
-        if let (Small(x), Small(y)) = (&mut self.0, &other.0)
-            && let Some(difference) = x.checked_sub(*y)
-        {
-            *x = difference;
-            return;
-        }
-        let x = mem::take(self).into_big();
-        *self = Integer::from(match &other.0 {
-            Small(y) => x - *y,
-            Large(y) => x - y,
-        });
-    }
-}
-
 impl Mul for &Integer {
     type Output = Integer;
 
     #[inline]
     fn mul(self, other: &Integer) -> Integer {
         match (&self.0, &other.0) {
-            (Small(x), Small(y)) => match product(*x, *y) {
+            (Small(x), Small(y)) => match small_product(*x, *y) {
                 Some(product) => Integer(Small(product)),
                 None => Integer(Large(BigInt::from(*x) * *y)),
             },
             (Large(x), Small(y)) | (Small(y), Large(x)) => Integer::from(x * *y),
             (Large(x), Large(y)) => Integer::from(x * y),
         }
-    }
-}
-
-/// x y; where both have 64 bits it is one instruction that cannot overflow.
-#[inline]
-fn product(x: i128, y: i128) -> Option<i128> {
-    match (i64::try_from(x), i64::try_from(y)) {
-        (Ok(x), Ok(y)) => Some(i128::from(x) * i128::from(y)),
-        _ => x.checked_mul(y),
     }
 }
 
@@ -223,8 +208,8 @@ mod tests {
             change(&mut changed);
             changed
         };
-        check_one(&by(&|x| *x += &b), &(x + y));
-        check_one(&by(&|x| *x -= &b), &(x - y));
+        check_one(&by(&|x| x.add(false, &b)), &(x + y));
+        check_one(&by(&|x| x.add(true, &b)), &(x - y));
         check_one(&by(&|x| x.add_product(false, &b, &a)), &(x + y * x));
         check_one(&by(&|x| x.add_product(true, &b, &a)), &(x - y * x));
         assert_eq!(a.cmp(&b), x.cmp(y));
@@ -282,14 +267,14 @@ mod tests {
         }
         // 2^127, by hand.
         let mut negative = Integer::ZERO;
-        negative -= &Integer::from(least);
+        negative.add(true, &Integer::from(least));
         assert_eq!(
             negative.big().to_string(),
             "170141183460469231731687303715884105728"
         );
         assert_eq!(negative.bits(), 128);
         // What has become large becomes small again.
-        negative -= &Integer::ONE;
+        negative.add(true, &Integer::ONE);
         assert_eq!(negative.0, Small(i128::MAX));
     }
 

@@ -7,7 +7,8 @@
 //! |---|---|
 //! | `document` | the bytes are a certificate of a known version, in the one notation it has |
 //! | `shape` | lengths, ranges and order: every index points at something |
-//! | `number`, `integer`, `ring` | rationals; integers; the field; sums, products and signs in it |
+//! | `number`, `integer` | rationals from text; integers of any length |
+//! | `ring`, `root` | the field; sums, products and signs in it |
 //! | `tiling` | all numbers of the certificate as elements of one ring |
 //! | `domain` | the domain's polytope, and that the tiling keeps to its boundary |
 //! | `mates` | the facets are paired, each pair one facet seen from two sides |
@@ -36,6 +37,7 @@ mod refusal;
 mod region;
 mod render;
 mod ring;
+mod root;
 #[cfg(test)]
 mod sabotage;
 mod shape;
