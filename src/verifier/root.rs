@@ -254,3 +254,6 @@ fn words<'b>(integers: impl IntoIterator<Item = &'b Integer>) -> u64 {
     let bits = integers.into_iter().map(Integer::bits);
     bits.max().unwrap_or(0) / 64 + 1
 }
+
+#[cfg(test)]
+mod tests;
