@@ -53,8 +53,8 @@ fn compare_cosines(
     [proving, needed]: [(&BigInt, &BigInt); 2],
     refuse: impl Fn(usize, (usize, usize)) -> Refusal,
 ) -> Result<(), Refusal> {
-    for simplex in 0..tiling.simplices().len() {
-        let products = gradient_products(tiling, simplex);
+    tiling.each_simplex(|simplex, corners| {
+        let products = gradient_products(tiling, corners);
         for facets @ (i, j) in facet_pairs(tiling.dimension()) {
             let square = tiling.ring.times(&products[i][i], &products[j][j]);
             let negated = Element::default().minus(&products[i][j]);
@@ -73,8 +73,8 @@ fn compare_cosines(
                 },
             );
         }
-    }
-    Ok(())
+        Ok(())
+    })
 }
 
 /// How x compares with c sqrt(y), for y > 0 and c = p/q, q > 0. Where the signs
