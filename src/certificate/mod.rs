@@ -201,6 +201,18 @@ pub struct Place(pub Vec<i64>);
 #[serde(transparent)]
 pub struct Mate(pub Vec<i64>);
 
+impl AsRef<[i64]> for Place {
+    fn as_ref(&self) -> &[i64] {
+        &self.0
+    }
+}
+
+impl AsRef<[i64]> for Mate {
+    fn as_ref(&self) -> &[i64] {
+        &self.0
+    }
+}
+
 /// An element of the claim's field: the coefficients of the powers of the
 /// generator, without trailing zeros, at least one.
 ///

@@ -157,35 +157,38 @@ fn verified(document: &Document) -> Result<Verified, Refusal> {
     })
 }
 
-/// Writes a certificate in JSON, whichever encoding it has. That it is one is checked,
-/// and nothing of what it says.
+/// A certificate in JSON, from either encoding. That it is one is checked, and nothing of
+/// what it says.
 ///
 /// # Errors
-/// Not a certificate, or `out` cannot be written.
-pub fn write_json(
-    bytes: &[u8],
-    limits: &Limits,
-    out: &mut impl io::Write,
-) -> Result<io::Result<()>, Refusal> {
-    if !is_cbor(bytes) {
-        return Ok(read_json(bytes, limits)?.write_json(out));
-    }
-    let source = Source::Memory(Cow::Borrowed(bytes));
-    Ok(read_cbor(&source, limits)?.write_json(out))
+/// Not a certificate, or too large.
+pub fn to_json(bytes: &[u8], limits: &Limits) -> Result<Vec<u8>, Refusal> {
+    transcribed(bytes, limits, |document, out| document.write_json(out))
 }
 
-/// Writes a certificate in CBOR, as [`write_json`] does in JSON.
+/// A certificate in CBOR, as [`to_json`] gives it in JSON.
 ///
 /// # Errors
-/// Not a certificate, or `out` cannot be written.
-pub fn write_cbor(
+/// Not a certificate, or too large.
+pub fn to_cbor(bytes: &[u8], limits: &Limits) -> Result<Vec<u8>, Refusal> {
+    transcribed(bytes, limits, |document, out| document.write_cbor(out))
+}
+
+fn transcribed(
     bytes: &[u8],
     limits: &Limits,
-    out: &mut impl io::Write,
-) -> Result<io::Result<()>, Refusal> {
-    if !is_cbor(bytes) {
-        return Ok(read_json(bytes, limits)?.write_cbor(out));
-    }
+    write: impl Fn(&Document, &mut Vec<u8>) -> io::Result<()>,
+) -> Result<Vec<u8>, Refusal> {
+    let mut out = Vec::new();
     let source = Source::Memory(Cow::Borrowed(bytes));
-    Ok(read_cbor(&source, limits)?.write_cbor(out))
+    let document = match is_cbor(bytes) {
+        true => read_cbor(&source, limits)?,
+        false => read_json(bytes, limits)?,
+    };
+    let message = |error: io::Error| error.to_string();
+    match write(&document, &mut out).map_err(message) {
+        Ok(()) => Ok(out),
+        // Nothing that is in memory changes, and a vector takes all bytes.
+        Err(message) => Err(Refusal::Changed { message }),
+    }
 }
