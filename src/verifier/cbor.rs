@@ -83,15 +83,15 @@ impl Bytes<'_> {
 
     pub(super) fn head(&mut self) -> Result<Head, Refusal> {
         let first = self.byte()?;
-        let argument = self.argument(first & 31)?;
-        match first >> 5 {
-            major::NATURAL => Ok(Head::Natural(argument)),
-            major::NEGATIVE => Ok(Head::Negative(argument)),
-            major::TEXT => Ok(Head::Text(argument)),
-            major::ARRAY => Ok(Head::Array(argument)),
-            major::MAP => Ok(Head::Map(argument)),
-            _ => self.wrong("neither an integer nor a text, an array or a map"),
-        }
+        let kind = match first >> 5 {
+            major::NATURAL => Head::Natural,
+            major::NEGATIVE => Head::Negative,
+            major::TEXT => Head::Text,
+            major::ARRAY => Head::Array,
+            major::MAP => Head::Map,
+            _ => return self.wrong("neither an integer nor a text, an array or a map"),
+        };
+        self.argument(first & 31).map(kind)
     }
 
     /// The integer in the head, in its shortest form.
@@ -161,13 +161,13 @@ impl Bytes<'_> {
     }
 
     fn text_of(&mut self, length: u64) -> Result<String, Refusal> {
+        if length > self.left() {
+            return self.wrong("the bytes end within a text");
+        }
         check_held(length)?;
-        let mut text = Vec::new();
+        let mut text = Vec::with_capacity(length as usize);
         while (text.len() as u64) < length {
             let piece = self.some(length - text.len() as u64)?;
-            if piece.is_empty() {
-                return self.wrong("the bytes end within a text");
-            }
             text.extend_from_slice(piece);
         }
         String::from_utf8(text).or_else(|_| self.wrong("a text that is not UTF-8"))

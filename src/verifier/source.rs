@@ -122,6 +122,11 @@ impl<'s> Bytes<'s> {
         self.end - (self.buffer.len() - self.at) as u64
     }
 
+    /// How many bytes are to come.
+    pub(super) fn left(&self) -> u64 {
+        self.source.length() - self.offset()
+    }
+
     /// The next byte; `None` at the end.
     #[inline]
     pub(super) fn next(&mut self) -> Result<Option<u8>, Refusal> {

@@ -378,8 +378,11 @@ impl Reader<'_> {
         for (name, each) in tables {
             each(&mut |i, row| {
                 let place = || format!("{name}[{i}]");
-                let scaled = row.iter().map(|n| self.element(n, &common, &place));
-                rows.push(scaled.collect::<Result<Vec<_>, _>>()?);
+                let mut scaled = Vec::with_capacity(row.len());
+                for number in row {
+                    scaled.push(self.element(number, &common, &place)?);
+                }
+                rows.push(scaled);
                 Ok(())
             })?;
         }
@@ -393,9 +396,15 @@ impl Reader<'_> {
         common: &BigInt,
         place: &dyn Fn() -> String,
     ) -> Result<Element, Refusal> {
-        let coefficients = self.coefficients(number, place)?.into_iter();
-        let integral = |c: Rational| c.numer() * (common / c.denom());
-        Ok(Element::new(coefficients.map(integral).collect()))
+        let coefficients = self.coefficients(number, place)?;
+        // No room for more: a million vertices are kept.
+        let mut integral = Vec::with_capacity(coefficients.len());
+        integral.extend(
+            coefficients
+                .iter()
+                .map(|c| c.numer() * (common / c.denom())),
+        );
+        Ok(Element::new(integral))
     }
 
     /// Between one and n coefficients, the last one not zero unless it is alone.
