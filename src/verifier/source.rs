@@ -205,3 +205,42 @@ impl Bytes<'_> {
         }
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::super::document::{Document, read_cbor};
+    use super::super::{Limits, Refusal};
+    use super::Source;
+    use std::fs::{self, File};
+
+    /// Reads a certificate from a file, changes the file, and goes over its tables again.
+    fn read_and_change(change: impl Fn(&mut Vec<u8>)) -> Result<(), Refusal> {
+        let root = env!("CARGO_MANIFEST_DIR");
+        let path = format!("{root}/tests/certificates/cbor/valid--space-a15-tcp.cbor");
+        let mut bytes = fs::read(path).unwrap();
+        let place = tempfile::NamedTempFile::new().unwrap();
+        fs::write(place.path(), &bytes).unwrap();
+        let file = File::open(place.path()).unwrap();
+        let source = Source::of_file(&file).unwrap();
+        let document: Document = read_cbor(&source, &Limits::DEFAULT).unwrap();
+        change(&mut bytes);
+        fs::write(place.path(), &bytes).unwrap();
+        document.witness.mates.each(|_, _| Ok(()))?;
+        document.witness.vertices.each(|_, _| Ok(()))?;
+        document.witness.simplices.each(|_, _| Ok(()))
+    }
+
+    /// The last byte is a shift of the last corner.
+    #[test]
+    fn a_file_that_changes_is_declined() {
+        assert_eq!(read_and_change(|_| {}), Ok(()));
+        let other_digit = |bytes: &mut Vec<u8>| *bytes.last_mut().unwrap() ^= 1;
+        let shorter = |bytes: &mut Vec<u8>| bytes.truncate(bytes.len() - 1);
+        let gone = |bytes: &mut Vec<u8>| bytes.clear();
+        let changes: [&dyn Fn(&mut Vec<u8>); 3] = [&other_digit, &shorter, &gone];
+        for change in changes {
+            let refusal = read_and_change(change).unwrap_err();
+            assert_eq!(refusal.code(), "changed", "{refusal}");
+        }
+    }
+}
