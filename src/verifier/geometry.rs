@@ -5,10 +5,11 @@
 //! in basis coordinates, G the Gram matrix of the basis. That these hypotheses
 //! imply the claim is proved in docs/soundness.md.
 
+use super::corners::Corners;
 use super::mates::Pair;
 use super::matrix::{Matrix, apply, cofactors, determinant, leading};
 use super::ring::Element;
-use super::tiling::{Corners, Tiling, number};
+use super::tiling::{Tiling, number};
 use super::{Refusal, angle, domain, mates, radius, region, tcp};
 use crate::certificate::{Domain, Number, Statement};
 use num_bigint::BigInt;

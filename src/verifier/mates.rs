@@ -6,7 +6,9 @@
 //! between the simplices that have been and those that come.
 
 use super::Refusal;
-use super::tiling::{Corners, Tiling};
+use super::cbor::Lists;
+use super::corners::Corners;
+use super::tiling::Tiling;
 use std::collections::HashMap;
 
 /// A facet: the number of its simplex, and of the corner opposite to it.
@@ -44,74 +46,55 @@ pub(super) struct Pair<'p> {
 }
 
 /// The facets whose mates are in simplices that have not come, with the entry of the
-/// mate and the corners of the simplex.
+/// mate and the corners of the simplex; and those whose mates have another mate.
 #[derive(Default)]
-struct Front(HashMap<Facet, Box<[i64]>>);
+struct Front {
+    open: HashMap<Facet, Box<[i64]>>,
+    unpaired: Vec<Facet>,
+}
 
 impl Front {
     fn open(&mut self, facet: Facet, mate: &[i64], corners: Corners) {
         let kept = [mate, corners.entries()].concat();
-        self.0.insert(facet, kept.into_boxed_slice());
+        self.open.insert(facet, kept.into_boxed_slice());
     }
 
-    /// Takes out the facet `first`, if it is open and has the mate `mate`.
-    fn close(&mut self, first: Facet, mate: &[i64]) -> Option<Box<[i64]>> {
-        match self.0.get(&first)?.starts_with(mate) {
-            true => self.0.remove(&first),
+    /// Takes out a facet, if it is open and has this mate.
+    fn close(&mut self, facet: Facet, mate: &[i64]) -> Option<Box<[i64]>> {
+        match self.open.get(&facet)?.starts_with(mate) {
+            true => self.open.remove(&facet),
             false => None,
         }
     }
-}
 
-/// The entry of a facet of which `facet`, moved by -`shift`, is the mate.
-fn entry((simplex, facet): Facet, shift: &[i64]) -> Vec<i64> {
-    let negated = shift.iter().map(|entry| -entry);
-    [simplex as i64, facet as i64]
-        .into_iter()
-        .chain(negated)
-        .collect()
-}
-
-/// Calls `judge` for each pair, until no refusal for an earlier first facet can come: that one is the answer.
-/// Without any, gives the first facet whose mate has another mate.
-pub(super) fn each_pair(
-    tiling: &Tiling,
-    mut judge: impl FnMut(&Pair) -> Result<(), Refusal>,
-) -> Result<Option<Facet>, Refusal> {
-    let mut front = Front::default();
-    let mut unpaired: Vec<Facet> = Vec::new();
-    let mut refused: Option<(Facet, Refusal)> = None;
-    let mut visit = |pair: &Pair| {
-        if refused
-            .as_ref()
-            .is_none_or(|(first, _)| pair.first < *first)
-        {
-            if let Err(refusal) = judge(pair) {
-                refused = Some((pair.first, refusal));
-            }
-        }
-    };
-    tiling.each_row(|simplex, corners, mates| {
+    /// Goes over the facets of the next simplex, and calls `visit` for each pair that is
+    /// complete: each once, also where both facets are here.
+    fn advance(
+        &mut self,
+        simplex: usize,
+        corners: Corners,
+        mates: &Lists,
+        mut visit: impl FnMut(&Pair),
+    ) {
         for (facet, own) in mates.iter().enumerate() {
             let second = (simplex, facet);
             let Some((first, shift)) = mate(own) else {
                 continue;
             };
             if first.0 > simplex {
-                front.open(second, own, corners);
+                self.open(second, own, corners);
                 continue;
             }
             let expected = entry(second, shift);
             let kept;
             let of_first = if first.0 < simplex {
-                kept = front.close(first, &expected);
-                kept.as_deref()
-                    .map(|kept| corners.like(&kept[expected.len()..]))
+                kept = self.close(first, &expected);
+                kept.as_deref().map(|kept| corners.like(&kept[own.len()..]))
             } else {
                 (mates.get(first.1) == expected).then_some(corners)
             };
             match of_first {
-                // The two facets of one simplex come twice.
+                None => self.unpaired.push(second),
                 Some(of_first) if first <= second => visit(&Pair {
                     first,
                     second,
@@ -119,14 +102,46 @@ pub(super) fn each_pair(
                     shift: &expected[2..],
                 }),
                 Some(_) => {}
-                None => unpaired.push(second),
             }
         }
+    }
+
+    /// The first facet whose mate has another mate: here it is the mate of none.
+    fn first_unpaired(self) -> Option<Facet> {
+        self.unpaired.into_iter().chain(self.open.into_keys()).min()
+    }
+}
+
+/// The entry of a facet of which `facet`, moved by -`shift`, is the mate.
+fn entry((simplex, facet): Facet, shift: &[i64]) -> Vec<i64> {
+    let negated = shift.iter().map(|entry| -entry);
+    let name = [simplex as i64, facet as i64];
+    name.into_iter().chain(negated).collect()
+}
+
+/// Calls `judge` for the pairs, and gives the refusal of the pair whose first facet is the first. Without
+/// any, gives the first facet whose mate has another mate.
+pub(super) fn each_pair(
+    tiling: &Tiling,
+    mut judge: impl FnMut(&Pair) -> Result<(), Refusal>,
+) -> Result<Option<Facet>, Refusal> {
+    let mut front = Front::default();
+    let mut refused: Option<(Facet, Refusal)> = None;
+    tiling.each_row(|simplex, corners, mates| {
+        front.advance(simplex, corners, mates, |pair| {
+            let is_first = |(first, _): &(Facet, Refusal)| pair.first < *first;
+            if refused.as_ref().is_none_or(is_first) {
+                let refusal = judge(pair).err();
+                refused = refusal
+                    .map(|refusal| (pair.first, refusal))
+                    .or(refused.take());
+            }
+        });
         Ok(())
     })?;
     match refused {
         Some((_, refusal)) => Err(refusal),
-        None => Ok(unpaired.into_iter().chain(front.0.into_keys()).min()),
+        None => Ok(front.first_unpaired()),
     }
 }
 
@@ -137,10 +152,8 @@ pub(super) fn check_mates_mutual(tiling: &Tiling) -> Result<(), Refusal> {
     let Some(first @ (simplex, facet)) = each_pair(tiling, |_| Ok(()))? else {
         return Ok(());
     };
-    let second = match mate(&entry_of(tiling, first)?) {
-        Some((second, _)) => second,
-        None => first,
-    };
+    let own = entry_of(tiling, first)?;
+    let second = mate(&own).map_or(first, |(second, _)| second);
     Err(Refusal::MateNotMutual {
         simplex,
         facet,

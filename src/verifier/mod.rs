@@ -9,7 +9,7 @@
 //! | `document`, `table` | the bytes are a certificate of a known version, in the one notation it has; its tables, row by row |
 //! | `shape` | lengths, ranges and order: every index points at something |
 //! | `number`, `ring` | rationals; the field; sums, products and signs in it |
-//! | `tiling` | all numbers of the certificate as elements of one ring |
+//! | `tiling`, `corners` | all numbers of the certificate as elements of one ring; its simplices, in order |
 //! | `domain` | the domain's polytope, and that the tiling keeps to its boundary |
 //! | `mates` | the facets are paired, each pair one facet seen from two sides |
 //! | `region`, `extent`, `apart` | the boundary of a region does not meet itself, and nothing is outside of it |
@@ -24,6 +24,7 @@
 mod angle;
 mod apart;
 mod cbor;
+mod corners;
 mod document;
 mod domain;
 mod extent;

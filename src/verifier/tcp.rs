@@ -6,8 +6,9 @@
 //! number of pairs (simplex, edge of it) with its `Edge`.
 
 use super::Refusal;
+use super::corners::Corners;
 use super::geometry::facet_pairs;
-use super::tiling::{Corners, Tiling};
+use super::tiling::Tiling;
 use crate::certificate::Statement;
 use std::collections::HashMap;
 

@@ -5,6 +5,7 @@
 //! predicate is homogeneous in x and in G, so its sign stays.
 
 use super::cbor::Lists;
+use super::corners::Corners;
 use super::document::Document;
 use super::domain::Polytope;
 use super::matrix::Matrix;
@@ -48,41 +49,6 @@ impl Bounds {
     fn bits(&self) -> u64 {
         let ratio = self.radius_edge.as_ref();
         ratio.map_or(0, |q| q.numer().bits().max(q.denom().bits()))
-    }
-}
-
-/// The corners of a simplex: places `[v, s_1, …, s_r]`, one after another.
-#[derive(Clone, Copy)]
-pub(super) struct Corners<'r> {
-    entries: &'r [i64],
-    width: usize,
-}
-
-impl<'r> Corners<'r> {
-    /// D + 1
-    pub(super) fn len(self) -> usize {
-        self.entries.len() / self.width
-    }
-
-    pub(super) fn get(self, corner: usize) -> &'r [i64] {
-        &self.entries[corner * self.width..][..self.width]
-    }
-
-    /// All but one: the corners of the facet opposite to it.
-    pub(super) fn without(self, corner: usize) -> impl Iterator<Item = &'r [i64]> {
-        let all = self.entries.chunks(self.width).enumerate();
-        all.filter(move |(k, _)| *k != corner)
-            .map(|(_, place)| place)
-    }
-
-    pub(super) fn entries(self) -> &'r [i64] {
-        self.entries
-    }
-
-    /// Corners of the same tiling, from their entries.
-    pub(super) fn like<'q>(self, entries: &'q [i64]) -> Corners<'q> {
-        let width = self.width;
-        Corners { entries, width }
     }
 }
 
@@ -201,10 +167,8 @@ impl<'c> Tiling<'c> {
     }
 
     fn corners<'r>(&self, row: &'r Lists) -> Corners<'r> {
-        Corners {
-            entries: row.entries(),
-            width: 1 + self.certificate.claim.domain.rank(self.dimension()),
-        }
+        let rank = self.certificate.claim.domain.rank(self.dimension());
+        Corners::new(row.entries(), rank)
     }
 
     /// N times the vector from one place, moved by the lattice vector `by`, to
