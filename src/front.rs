@@ -2,7 +2,8 @@
 //! codes. Both programs use it; what "verified" means is decided in
 //! [`crate::verifier`] alone.
 
-use crate::verifier::{Kind, Limits, Refusal, Verified, verify};
+use crate::certificate::cbor::is_cbor;
+use crate::verifier::{Kind, Limits, Refusal, Verified, verify, verify_file};
 use serde_json::json;
 use std::ffi::OsString;
 use std::fs::File;
@@ -61,26 +62,42 @@ impl Outcome {
 }
 
 fn look_at(file: &OsString, limits: &Limits) -> Outcome {
-    let bytes = match read(file, limits) {
-        Ok(bytes) => bytes,
+    let answer = match read(file, limits) {
+        Ok(Input::Bytes(bytes)) => verify(&bytes, limits),
+        Ok(Input::File(file)) => verify_file(&file, limits),
         Err(error) => return Outcome::Unreadable(error),
     };
-    match verify(&bytes, limits) {
+    match answer {
         Ok(verified) => Outcome::Verified(verified),
         Err(refusal) => Outcome::Refused(refusal),
     }
 }
 
-/// At most one byte more than the limit, which is enough to be refused.
-fn read(file: &OsString, limits: &Limits) -> io::Result<Vec<u8>> {
-    let enough = limits.bytes.saturating_add(1);
-    let mut bytes = Vec::new();
-    if file == "-" {
-        io::stdin().lock().take(enough).read_to_end(&mut bytes)?;
-    } else {
-        File::open(file)?.take(enough).read_to_end(&mut bytes)?;
+enum Input {
+    Bytes(Vec<u8>),
+    /// CBOR, which is read in pieces.
+    File(File),
+}
+
+/// Bytes are at most one more than the limit, which is enough to be refused.
+fn read(name: &OsString, limits: &Limits) -> io::Result<Input> {
+    if name == "-" {
+        return rest(io::stdin().lock(), Vec::new(), limits);
     }
-    Ok(bytes)
+    let file = File::open(name)?;
+    let mut begin = Vec::new();
+    (&file).take(1).read_to_end(&mut begin)?;
+    match is_cbor(&begin) && file.metadata()?.is_file() {
+        true => Ok(Input::File(file)),
+        false => rest(file, begin, limits),
+    }
+}
+
+/// All bytes of what begins with these.
+fn rest(from: impl Read, mut bytes: Vec<u8>, limits: &Limits) -> io::Result<Input> {
+    let more = (limits.bytes.saturating_add(1)).saturating_sub(bytes.len() as u64);
+    from.take(more).read_to_end(&mut bytes)?;
+    Ok(Input::Bytes(bytes))
 }
 
 fn as_text(file: &OsString, outcome: &Outcome) -> String {

@@ -19,7 +19,7 @@ Re-checks certificates of tilings in exact arithmetic, from their bytes alone.
 
 Usage: acutile-verify [OPTIONS] FILE...
 
-  FILE                  a certificate; - is standard input
+  FILE                  a certificate, in JSON or CBOR; - is standard input
 
   --json                one JSON object for each file
   --limit-bytes N       bytes of a file                          [33554432]

@@ -12,12 +12,18 @@ use std::io;
 /// The canonical bytes of `certificate`.
 pub fn to_bytes(certificate: &Certificate) -> Vec<u8> {
     let mut bytes = Vec::new();
-    let mut serializer = Serializer::with_formatter(&mut bytes, Lines { depth: 0 });
-    certificate
-        .serialize(&mut serializer)
+    to_writer(&mut bytes, certificate)
         .expect("strings and integers always serialize, and a Vec takes every byte");
-    bytes.push(b'\n');
     bytes
+}
+
+/// The canonical bytes of whatever has the members of a [`Certificate`].
+pub(crate) fn to_writer(out: &mut impl io::Write, data: &impl Serialize) -> serde_json::Result<()> {
+    data.serialize(&mut Serializer::with_formatter(
+        &mut *out,
+        Lines { depth: 0 },
+    ))?;
+    out.write_all(b"\n").map_err(serde_json::Error::io)
 }
 
 /// Containers that begin at a depth below this have their members on lines of

@@ -3,12 +3,14 @@
 //! This room knows serde and nothing else. It neither computes nor judges: the
 //! prover's room `checker` writes certificates, the kernel
 //! ([`crate::verifier`]) reads them, and both share this description and the
-//! canonical bytes ([`to_bytes`]). The grammar is docs/format.md.
+//! canonical bytes, in JSON ([`to_bytes`]) and in CBOR ([`cbor`]). The grammar is
+//! docs/format.md.
 //!
 //! Numbers are text here. A [`Number`] holds the coefficients c_0, c_1, … of
 //! c_0 + c_1 a + c_2 a² + …, where a is the generator of the claim's field.
 
 mod canonical;
+pub mod cbor;
 
 use serde::de::{self, SeqAccess, Visitor};
 use serde::ser::SerializeSeq;
@@ -16,6 +18,7 @@ use serde::{Deserialize, Deserializer, Serialize, Serializer};
 use std::fmt;
 
 pub use canonical::to_bytes;
+pub(crate) use canonical::to_writer;
 
 /// The only value of [`Certificate::format`].
 pub const FORMAT: &str = "acutile-certificate";
@@ -197,6 +200,18 @@ pub struct Place(pub Vec<i64>);
 #[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(transparent)]
 pub struct Mate(pub Vec<i64>);
+
+impl AsRef<[i64]> for Place {
+    fn as_ref(&self) -> &[i64] {
+        &self.0
+    }
+}
+
+impl AsRef<[i64]> for Mate {
+    fn as_ref(&self) -> &[i64] {
+        &self.0
+    }
+}
 
 /// An element of the claim's field: the coefficients of the powers of the
 /// generator, without trailing zeros, at least one.

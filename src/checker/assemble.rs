@@ -3,9 +3,11 @@
 use super::domain::Boundary;
 use crate::certificate::{
     self, Certificate, Claim, Domain, FORMAT, Number, Place, Polytope, Statement, VERSION, Witness,
+    cbor,
 };
 use crate::number;
-use crate::tiling::{self, Corner, Facet, Matching, Mate, Tiling};
+use crate::tiling::{self, Corner, Facet, Frame, Matching, Mate, Tiling};
+use std::io::{self, Write};
 
 /// The certificate of a tiling whose facets all have mates.
 pub fn certificate<const D: usize>(
@@ -14,29 +16,63 @@ pub fn certificate<const D: usize>(
     boundary: &Boundary,
     statements: Vec<Statement>,
 ) -> Certificate {
-    let frame = &tiling.frame;
+    let simplices = tiling.simplices();
     Certificate {
         format: FORMAT.to_owned(),
         version: VERSION,
-        claim: Claim {
-            dimension: D,
-            field: frame.field.to_certificate(),
-            gram: frame.gram.iter().map(|row| numbers(row)).collect(),
-            domain: domain(&frame.domain),
-            statements,
-        },
+        claim: claim(&tiling.frame, statements),
         witness: Witness {
             vertices: tiling
                 .vertices
                 .iter()
                 .map(|vertex| numbers(&vertex))
                 .collect(),
-            simplices: tiling
-                .simplices()
-                .map(|corners| places(corners, frame.rank()))
+            simplices: simplices
+                .map(|corners| places(corners, tiling.frame.rank()))
                 .collect(),
-            mates: mates(tiling, matching, boundary),
+            mates: (0..tiling.len())
+                .map(|simplex| mates(tiling, matching, boundary, simplex))
+                .collect(),
         },
+    }
+}
+
+/// Writes the same certificate in CBOR, row by row.
+pub fn write_cbor<const D: usize, W: Write>(
+    tiling: &Tiling<D>,
+    matching: &Matching<D>,
+    boundary: &Boundary,
+    statements: Vec<Statement>,
+    out: &mut W,
+) -> io::Result<()> {
+    let mut corners = tiling.simplices();
+    let tables = cbor::Tables {
+        mates: &mut |out: &mut W| {
+            cbor::array(out, tiling.len())?;
+            (0..tiling.len()).try_for_each(|simplex| {
+                cbor::lists(out, &mates(tiling, matching, boundary, simplex))
+            })
+        },
+        vertices: &mut |out| {
+            cbor::array(out, tiling.vertices.len())?;
+            let mut rows = tiling.vertices.iter();
+            rows.try_for_each(|vertex| cbor::numbers(out, &numbers(&vertex)))
+        },
+        simplices: &mut |out| {
+            cbor::array(out, tiling.len())?;
+            corners.try_for_each(|row| cbor::lists(out, &places(row, tiling.frame.rank())))
+        },
+    };
+    cbor::certificate(out, &claim(&tiling.frame, statements), tables)
+}
+
+fn claim<const D: usize>(frame: &Frame<D>, statements: Vec<Statement>) -> Claim {
+    Claim {
+        dimension: D,
+        field: frame.field.to_certificate(),
+        gram: frame.gram.iter().map(|row| numbers(row)).collect(),
+        domain: domain(&frame.domain),
+        statements,
     }
 }
 
@@ -72,12 +108,14 @@ fn places<const D: usize>(corners: &[Corner<D>], rank: usize) -> Vec<Place> {
         .collect()
 }
 
+/// The row of a simplex.
 fn mates<const D: usize>(
     tiling: &Tiling<D>,
     matching: &Matching<D>,
     boundary: &Boundary,
-) -> Vec<Vec<certificate::Mate>> {
-    let row_of = |simplex: usize, opposite: usize| {
+    simplex: usize,
+) -> Vec<certificate::Mate> {
+    let entry_of = |opposite: usize| {
         if let Some(mate) = matching.mate(tiling, simplex, opposite) {
             return mate_row(&mate, tiling.frame.rank());
         }
@@ -88,12 +126,7 @@ fn mates<const D: usize>(
         let face = boundary.get(&facet);
         certificate::Mate(face.iter().map(|face| **face as i64).collect())
     };
-    let rows = |simplex| {
-        (0..=D)
-            .map(move |opposite| row_of(simplex, opposite))
-            .collect()
-    };
-    (0..tiling.len()).map(rows).collect()
+    (0..=D).map(entry_of).collect()
 }
 
 fn mate_row<const D: usize>(mate: &Mate<D>, rank: usize) -> certificate::Mate {

@@ -32,6 +32,7 @@ use crate::certificate::{Certificate, Statement};
 use crate::quality;
 use crate::tiling::{Domain, Matching, Plane, Tiling, match_facets};
 use malachite::Rational;
+use std::io;
 use std::str::FromStr;
 
 /// What to prove beyond the tiling itself.
@@ -83,6 +84,17 @@ pub struct Proof<const D: usize> {
     pub statements: Vec<Statement>,
     matching: Matching<D>,
     boundary: Boundary,
+}
+
+impl<const D: usize> Proof<D> {
+    /// Writes the certificate of the tiling that was proved, in CBOR, a row at a time.
+    ///
+    /// # Errors
+    /// Where `out` cannot be written.
+    pub fn write_cbor(&self, tiling: &Tiling<D>, out: &mut impl io::Write) -> io::Result<()> {
+        let statements = self.statements.clone();
+        assemble::write_cbor(tiling, &self.matching, &self.boundary, statements, out)
+    }
 }
 
 /// As [`prove`], and makes no certificate.

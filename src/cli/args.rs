@@ -110,11 +110,13 @@ pub struct MeshArguments {
 
 #[derive(Debug, Args)]
 pub struct ConvertArguments {
-    /// A name of the catalogue, a tiling file or a mesh file (`-` for standard input)
+    /// A name of the catalogue, a tiling file or a mesh file (`-` for standard input), or a
+    /// certificate
     #[arg(value_name = "NAME|FILE")]
     pub input: String,
     /// The file to write, its format told by the extension: msh, vtk, vtu, mesh, meshb, node or
-    /// ele, json for a tiling file; with .gz behind it compressed (`-` for standard output)
+    /// ele, json for a tiling file; with .gz behind it compressed (`-` for standard output). For a
+    /// certificate json or cbor, its two encodings
     #[arg(value_name = "FILE")]
     pub output: PathBuf,
     /// The number that the construction depends on
@@ -222,6 +224,9 @@ pub struct CertifyArguments {
     /// certificates into this directory
     #[arg(short, long, value_name = "FILE|DIR")]
     pub output: Option<PathBuf>,
+    /// The encoding; without it CBOR for a file whose name ends in .cbor, and else JSON
+    #[arg(long, value_enum, conflicts_with = "no_certificate")]
+    pub format: Option<Encoding>,
     /// A statement that must hold: tiling, acute, nonobtuse, delaunay, weakly-delaunay, tcp,
     /// dihedral<DEGREES, dihedral>DEGREES, radius-edge<RATIO
     #[arg(long = "require", value_name = "STATEMENT", value_parser = statement)]
@@ -239,6 +244,34 @@ pub struct CertifyArguments {
     /// One JSON object a line: one for each input, and for a refuted one then one for each defect
     #[arg(long)]
     pub json: bool,
+}
+
+/// How a certificate is written.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, clap::ValueEnum)]
+pub enum Encoding {
+    /// For people and for every verifier
+    Json,
+    /// For large ones: shorter, written and verified in pieces
+    Cbor,
+}
+
+impl Encoding {
+    /// That of a file with this name, if the name says it.
+    pub fn of_path(path: &std::path::Path) -> Option<Encoding> {
+        match path.extension()?.to_str()? {
+            "json" => Some(Encoding::Json),
+            "cbor" => Some(Encoding::Cbor),
+            _ => None,
+        }
+    }
+
+    /// What names of files end in.
+    pub fn extension(self) -> &'static str {
+        match self {
+            Encoding::Json => "json",
+            Encoding::Cbor => "cbor",
+        }
+    }
 }
 
 #[derive(Debug, Args)]

@@ -1,21 +1,22 @@
 //! `acutile certify`: proves tilings and writes their certificates.
 
 use super::Outcome;
-use super::args::CertifyArguments;
+use super::args::{CertifyArguments, Encoding};
 use super::input;
-use super::output::{Output, write_file};
+use super::output::{Output, Staged, write_file};
 use super::progress::Progress;
 use super::refutation::Refuted;
 use super::verify::summary;
 use crate::catalog;
-use crate::certificate::{self, Statement};
+use crate::certificate::Statement;
 use crate::checker::{self, Defect, Findings, Names, Options};
 use crate::import::uncompressed_name;
 use crate::tiling::Tiling;
-use crate::verifier::{self, Limits, Verified};
+use crate::verifier::{Limits, Refusal, Verified, to_json, verify, verify_file};
 use crate::with_dimension;
 use serde_json::{Value, json};
 use std::collections::BTreeMap;
+use std::io::{self, BufWriter, Write};
 use std::path::{Path, PathBuf};
 
 /// Certifies every input; the outcome is the worst of all.
@@ -29,7 +30,7 @@ pub fn run(arguments: &CertifyArguments, output: &mut Output) -> Outcome {
             inputs.push(input);
         }
     }
-    let targets = match targets(&inputs, arguments.output.as_deref()) {
+    let targets = match targets(&inputs, arguments) {
         Ok(targets) => targets,
         Err(message) => {
             output.complain(format!("acutile: {message}"));
@@ -39,7 +40,7 @@ pub fn run(arguments: &CertifyArguments, output: &mut Output) -> Outcome {
     let mut worst = Outcome::Done;
     for (input, target) in inputs.iter().zip(targets) {
         let mut notes = Vec::new();
-        let answer = prove(input, arguments, &mut notes, output).write(&target, output);
+        let answer = prove(input, &target, arguments, &mut notes, output).write(&target, output);
         answer.report(input, &target, arguments, &notes, output);
         worst = worst.and(answer.outcome());
     }
@@ -54,8 +55,8 @@ enum Target {
 }
 
 /// One target for each input: several go into a directory, which is made.
-fn targets(inputs: &[String], output: Option<&Path>) -> Result<Vec<Target>, String> {
-    let Some(path) = output else {
+fn targets(inputs: &[String], arguments: &CertifyArguments) -> Result<Vec<Target>, String> {
+    let Some(path) = arguments.output.as_deref() else {
         return Ok(inputs.iter().map(|_| Target::Nowhere).collect());
     };
     let several = inputs.len() > 1;
@@ -74,16 +75,17 @@ fn targets(inputs: &[String], output: Option<&Path>) -> Result<Vec<Target>, Stri
         return Ok(vec![Target::File(path.to_path_buf())]);
     }
     let mut names = BTreeMap::new();
+    let encoding = arguments.format.unwrap_or(Encoding::Json);
     for input in inputs {
-        if let Some(other) = names.insert(file_name(input), input) {
-            let name = file_name(input);
+        let name = file_name(input, encoding);
+        if let Some(other) = names.insert(name.clone(), input) {
             return Err(format!(
                 "{other} and {input} would both be written to {name}"
             ));
         }
     }
     let file = |input: &String| {
-        let file = path.join(file_name(input));
+        let file = path.join(file_name(input, encoding));
         check_not_an_input(&file, inputs).map(|()| Target::File(file))
     };
     inputs.iter().map(file).collect()
@@ -110,25 +112,28 @@ fn check_not_an_input(target: &Path, inputs: &[String]) -> Result<(), String> {
 }
 
 /// `a15` and `dir/a15.json` both give `a15.json`.
-fn file_name(input: &str) -> String {
+fn file_name(input: &str, encoding: Encoding) -> String {
     let stem = match catalog::find(input) {
         Some(_) => Some(input.to_owned()),
         None => uncompressed_name(Path::new(input))
             .file_stem()
             .map(|stem| stem.to_string_lossy().into_owned()),
     };
-    match stem.as_deref() {
-        None | Some("-") => "certificate.json".to_owned(),
-        Some(stem) => format!("{}.json", stem.replace([':', '/'], "-")),
-    }
+    let stem = match stem.as_deref() {
+        None | Some("-") => "certificate".to_owned(),
+        Some(stem) => stem.replace([':', '/'], "-"),
+    };
+    format!("{stem}.{}", encoding.extension())
 }
 
 /// What became of one input.
 enum Answer {
     Proved {
         verified: Verified,
-        bytes: Vec<u8>,
+        certificate: Written,
     },
+    /// The same, with the certificate in its place.
+    Confirmed(Verified),
     /// By the prover, without a certificate; vertices, simplices, statements.
     Examined(usize, usize, Vec<Statement>),
     Refuted(Box<Refuted>),
@@ -139,6 +144,7 @@ enum Answer {
 /// Proves or refutes; `notes` gets what was done to the input before.
 fn prove(
     input: &str,
+    target: &Target,
     arguments: &CertifyArguments,
     notes: &mut Vec<String>,
     output: &mut Output,
@@ -169,7 +175,7 @@ fn prove(
     };
     let proved = with_dimension!(&named.tiling, AnyTiling, t => match arguments.no_certificate {
         true => examine_tiling(t, input, &options),
-        false => prove_tiling(t, input, &options),
+        false => prove_tiling(t, input, &options, target, encoding(target, arguments)),
     });
     proved.unwrap_or_else(|findings| {
         if findings.is_declined() {
@@ -218,19 +224,30 @@ fn prove_tiling<const D: usize>(
     tiling: &Tiling<D>,
     name: &str,
     options: &Options,
+    target: &Target,
+    encoding: Encoding,
 ) -> Result<Answer, Findings> {
     let progress = Progress::of(name);
-    let certificate = checker::prove(tiling, options, &|step| progress.step(step))?;
-    let bytes = certificate::to_bytes(&certificate);
-    progress.step("verification");
+    let proof = checker::examine(tiling, options, &|step| progress.step(step))?;
+    progress.step("certificate");
     // Its size is no reason to doubt what was proved here.
     let limits = Limits {
         bytes: u64::MAX,
         simplices: usize::MAX,
         ..Limits::DEFAULT
     };
-    Ok(match verifier::verify(&bytes, &limits) {
-        Ok(verified) => Answer::Proved { verified, bytes },
+    let write = |out: &mut dyn Write| proof.write_cbor(tiling, &mut { out });
+    let certificate = match Written::new(write, target, encoding, &limits) {
+        Ok(certificate) => certificate,
+        Err(error) => return Ok(unwritten(target, &error)),
+    };
+    drop(proof);
+    progress.step("verification");
+    Ok(match certificate.verify(&limits) {
+        Ok(verified) => Answer::Proved {
+            verified,
+            certificate,
+        },
         Err(refusal) => Answer::Declined(format!(
             "{name}: the kernel does not confirm the certificate: {} [{}] {refusal}",
             refusal.kind(),
@@ -239,27 +256,92 @@ fn prove_tiling<const D: usize>(
     })
 }
 
-impl Answer {
-    /// Writes a certificate to its target; where that fails, so does the input.
-    fn write(self, target: &Target, output: &mut Output) -> Answer {
-        match (&self, target) {
-            (Answer::Proved { bytes, .. }, Target::StandardOutput) => output.bytes(bytes),
-            (Answer::Proved { bytes, .. }, Target::File(path)) => {
-                if let Err(error) = write_file(path, bytes) {
-                    return Answer::Failed(format!(
-                        "{}: cannot be written: {error}",
-                        path.display()
-                    ));
-                }
-            }
-            _ => {}
+/// As asked for, or else as the name of the file says.
+fn encoding(target: &Target, arguments: &CertifyArguments) -> Encoding {
+    let by_name = match target {
+        Target::File(path) => Encoding::of_path(path),
+        _ => None,
+    };
+    arguments.format.or(by_name).unwrap_or(Encoding::Json)
+}
+
+/// A certificate that nobody can read as yet.
+enum Written {
+    Bytes(Vec<u8>),
+    File(Staged),
+}
+
+impl Written {
+    /// CBOR that has a place goes there, and is never in memory.
+    fn new(
+        write: impl Fn(&mut dyn Write) -> io::Result<()>,
+        target: &Target,
+        encoding: Encoding,
+        limits: &Limits,
+    ) -> io::Result<Written> {
+        if let (Encoding::Cbor, Target::File(path)) = (encoding, target)
+            && let Some(staged) = Staged::new(path)?
+        {
+            let mut out = BufWriter::new(staged.file());
+            write(&mut out)?;
+            out.flush()?;
+            drop(out);
+            return Ok(Written::File(staged));
         }
-        self
+        let mut bytes = Vec::new();
+        write(&mut bytes)?;
+        Ok(Written::Bytes(match encoding {
+            Encoding::Cbor => bytes,
+            Encoding::Json => to_json(&bytes, limits).map_err(io::Error::other)?,
+        }))
+    }
+
+    fn verify(&self, limits: &Limits) -> Result<Verified, Refusal> {
+        match self {
+            Written::Bytes(bytes) => verify(bytes, limits),
+            Written::File(staged) => verify_file(staged.file(), limits),
+        }
+    }
+
+    /// Puts it where it is to be.
+    fn put(self, target: &Target, output: &mut Output) -> io::Result<()> {
+        match (self, target) {
+            (Written::Bytes(bytes), Target::StandardOutput) => output.bytes(&bytes),
+            (Written::Bytes(bytes), Target::File(path)) => write_file(path, &bytes)?,
+            (Written::File(staged), _) => staged.persist()?,
+            (Written::Bytes(_), Target::Nowhere) => {}
+        }
+        Ok(())
+    }
+}
+
+fn unwritten(target: &Target, error: &io::Error) -> Answer {
+    let place = match target {
+        Target::File(path) => path.display().to_string(),
+        _ => "the certificate".to_owned(),
+    };
+    Answer::Failed(format!("{place}: cannot be written: {error}"))
+}
+
+impl Answer {
+    /// Puts a certificate where it is to be; where that fails, so does the input.
+    fn write(self, target: &Target, output: &mut Output) -> Answer {
+        let Answer::Proved {
+            verified,
+            certificate,
+        } = self
+        else {
+            return self;
+        };
+        match certificate.put(target, output) {
+            Ok(()) => Answer::Confirmed(verified),
+            Err(error) => unwritten(target, &error),
+        }
     }
 
     fn outcome(&self) -> Outcome {
         match self {
-            Answer::Proved { .. } | Answer::Examined(..) => Outcome::Done,
+            Answer::Proved { .. } | Answer::Confirmed(_) | Answer::Examined(..) => Outcome::Done,
             Answer::Refuted(_) => Outcome::Refuted,
             Answer::Failed(_) => Outcome::Failed,
             Answer::Declined(_) => Outcome::Declined,
@@ -279,7 +361,9 @@ impl Answer {
         let to_error = matches!(target, Target::StandardOutput);
         let (mut words, mut data) = match self {
             Answer::Refuted(refuted) => return refuted.tell(input, as_json, to_error, output),
-            Answer::Proved { verified, .. } => proved(verified, input, target),
+            Answer::Proved { verified, .. } | Answer::Confirmed(verified) => {
+                proved(verified, input, target)
+            }
             Answer::Examined(vertices, simplices, statements) => {
                 examined(input, *vertices, *simplices, statements)
             }

@@ -1,4 +1,4 @@
-//! `acutile convert`: meshes and tilings written in other formats.
+//! `acutile convert`: meshes and tilings written in other formats; certificates are for [`encoding`].
 
 use super::args::ConvertArguments;
 use super::export::supercell_sizes;
@@ -6,7 +6,7 @@ use super::input::{self, InputError, TextOrMesh};
 use super::output::{Output, write_file};
 use super::progress::Progress;
 use super::proved::overwritten;
-use super::{Outcome, mesh};
+use super::{Outcome, encoding, mesh};
 use crate::catalog;
 use crate::export::tiling_text;
 use crate::mesh::lattice::Basis;
@@ -27,6 +27,9 @@ pub fn run(arguments: &ConvertArguments, output: &mut Output) -> Outcome {
         output.complain(format!("acutile: would overwrite the input {input}"));
         return Outcome::Failed;
     }
+    if encoding::is_of_certificate(arguments) {
+        return ended(encoding::convert(arguments, output), output);
+    }
     let progress = Progress::of(&arguments.input);
     let mut notes = Vec::new();
     let files = target(arguments)
@@ -36,7 +39,12 @@ pub fn run(arguments: &ConvertArguments, output: &mut Output) -> Outcome {
     for note in notes {
         output.complain(format!("{}: {note}", arguments.input));
     }
-    match files.and_then(|files| write_all(&arguments.output, files, output)) {
+    let written = files.and_then(|files| write_all(&arguments.output, files, output));
+    ended(written, output)
+}
+
+fn ended(written: Result<(), InputError>, output: &mut Output) -> Outcome {
+    match written {
         Ok(()) => Outcome::Done,
         Err(error) => {
             output.complain(format!("acutile: {}", error.message));

@@ -5,9 +5,10 @@ use super::Outcome;
 use super::args::ExportArguments;
 use super::input::{self, InputError};
 use super::output::{Output, write_file};
-use crate::certificate::Certificate;
+use crate::certificate::{Certificate, cbor::is_cbor};
 use crate::export::{coq_theorem, tiling_text};
 use crate::tiling::{Tiling, supercell};
+use crate::verifier::{Limits, to_json};
 use crate::with_dimension;
 
 /// Writes the file.
@@ -27,8 +28,14 @@ pub fn run(arguments: &ExportArguments, output: &mut Output) -> Outcome {
 
 fn theorem(path: &str) -> Result<String, String> {
     let bytes = std::fs::read(path).map_err(|error| format!("{path}: cannot be read: {error}"))?;
+    let json = match is_cbor(&bytes) {
+        true => {
+            to_json(&bytes, &Limits::DEFAULT).map_err(|refusal| format!("{path}: {refusal}"))?
+        }
+        false => bytes,
+    };
     let certificate: Certificate =
-        serde_json::from_slice(&bytes).map_err(|error| format!("{path}: {error}"))?;
+        serde_json::from_slice(&json).map_err(|error| format!("{path}: {error}"))?;
     coq_theorem(&certificate).map_err(|reason| format!("{path}: {reason}"))
 }
 

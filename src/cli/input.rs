@@ -7,6 +7,7 @@ use super::delaunay;
 use super::mesh;
 use super::output::Output;
 use crate::catalog;
+use crate::certificate::cbor::is_cbor;
 use crate::import::cif::{CifOptions, is_cif, read_cif};
 use crate::import::{
     BYTE_LIMIT, Content, ImportError, NativeFile, read_bytes, read_native, read_text,
@@ -252,6 +253,10 @@ pub fn text_or_mesh(path: &Path, options: &MeshArguments) -> Result<TextOrMesh, 
     if let Some(family) = Family::of_content(&bytes) {
         let mesh = family.read(&bytes).map_err(of_mesh)?;
         return Ok(TextOrMesh::Mesh(load::Loaded { mesh, family }));
+    }
+    if is_cbor(&bytes) {
+        let path = path.display();
+        return Err(format!("{path}: CBOR, as a certificate is; expected a tiling").into());
     }
     let text = String::from_utf8(bytes).map_err(|error| ImportError::NotText {
         offset: error.utf8_error().valid_up_to(),

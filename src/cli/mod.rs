@@ -15,6 +15,7 @@ mod classify;
 mod convert;
 mod delaunay;
 mod draw;
+mod encoding;
 mod export;
 mod gallery;
 mod input;

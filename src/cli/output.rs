@@ -74,30 +74,54 @@ impl Write for Output {
 /// Writes a whole file or nothing: to a temporary file beside it, then renamed. A link
 /// stays, and what it points to is written; devices and pipes are written directly.
 pub fn write_file(path: &Path, bytes: &[u8]) -> io::Result<()> {
-    if path.is_dir() {
-        return Err(io::Error::new(ErrorKind::IsADirectory, "is a directory"));
-    }
-    if ["/dev", "/proc"]
-        .iter()
-        .any(|special| path.starts_with(special))
-    {
+    let Some(mut staged) = Staged::new(path)? else {
         return std::fs::write(path, bytes);
-    }
-    let path = path.canonicalize().unwrap_or_else(|_| path.to_path_buf());
-    // A pipe has no place for a temporary file beside it.
-    if path.exists() && !path.is_file() {
-        return std::fs::write(path, bytes);
-    }
-    let directory = match path.parent() {
-        Some(parent) if parent != Path::new("") => parent,
-        _ => Path::new("."),
     };
-    let mut file = new_file(directory).map_err(without_temporary_name)?;
-    file.write_all(bytes).map_err(without_temporary_name)?;
-    file.as_file().sync_all()?;
-    file.persist(path)
-        .map_err(|error| without_temporary_name(error.error))?;
-    Ok(())
+    staged
+        .file
+        .write_all(bytes)
+        .map_err(without_temporary_name)?;
+    staged.persist()
+}
+
+/// A file that is written whole or not at all, before it has its name.
+pub struct Staged {
+    file: tempfile::NamedTempFile,
+    path: PathBuf,
+}
+
+impl Staged {
+    /// A temporary file beside `path`, or beside what it points to; `None` where that is a
+    /// device or a pipe, which has no place beside it.
+    pub fn new(path: &Path) -> io::Result<Option<Staged>> {
+        if path.is_dir() {
+            return Err(io::Error::new(ErrorKind::IsADirectory, "is a directory"));
+        }
+        let is_special = ["/dev", "/proc"].iter().any(|top| path.starts_with(top));
+        let path = path.canonicalize().unwrap_or_else(|_| path.to_path_buf());
+        if is_special || (path.exists() && !path.is_file()) {
+            return Ok(None);
+        }
+        let directory = match path.parent() {
+            Some(parent) if parent != Path::new("") => parent,
+            _ => Path::new("."),
+        };
+        let file = new_file(directory).map_err(without_temporary_name)?;
+        Ok(Some(Staged { file, path }))
+    }
+
+    /// What has been written, and is to be.
+    pub fn file(&self) -> &std::fs::File {
+        self.file.as_file()
+    }
+
+    /// Gives the file its name.
+    pub fn persist(self) -> io::Result<()> {
+        self.file.as_file().sync_all()?;
+        let unnamed = |error: tempfile::PersistError| without_temporary_name(error.error);
+        self.file.persist(self.path).map_err(unnamed)?;
+        Ok(())
+    }
 }
 
 /// Writes several files into directories that are there: all to temporary files first, so that

@@ -8,10 +8,10 @@ use super::output::Output;
 use super::progress::Progress;
 use crate::appendix::Subject;
 use crate::catalog;
-use crate::certificate;
+use crate::certificate::{self, cbor::is_cbor};
 use crate::import::{BYTE_LIMIT, read_bytes};
 use crate::report::{NotProved, Proved};
-use crate::verifier::{Kind, Limits};
+use crate::verifier::{Kind, Limits, to_json};
 use serde::Deserialize;
 use std::path::Path;
 
@@ -29,7 +29,15 @@ pub fn proved(
         outcome: outcome(&error),
     };
     if let Some(bytes) = certificate_file(input)? {
-        return Proved::of_certificate(stem(input), String::new(), bytes, &Limits::DEFAULT)
+        // Pages and their verifier read JSON.
+        let json = match is_cbor(&bytes) {
+            true => to_json(&bytes, &Limits::DEFAULT).map_err(NotProved::Refused),
+            false => Ok(bytes),
+        };
+        return json
+            .and_then(|json| {
+                Proved::of_certificate(stem(input), String::new(), json, &Limits::DEFAULT)
+            })
             .map_err(refused);
     }
     let named = input::tiling(input, None, options, output)?;
@@ -64,13 +72,16 @@ fn stem(path: &str) -> String {
     stem.to_string_lossy().into_owned()
 }
 
-/// The bytes of a certificate; `None` for everything that says it is something else.
+/// The bytes of a certificate, in either encoding; `None` for everything that says it is something else.
 fn certificate_file(input: &str) -> Result<Option<Vec<u8>>, InputError> {
     if catalog::find(input).is_some() || input == "-" || !Path::new(input).exists() {
         return Ok(None);
     }
     let bytes =
         read_bytes(Path::new(input), BYTE_LIMIT).map_err(|error| format!("{input}: {error}"))?;
+    if is_cbor(&bytes) {
+        return Ok(Some(bytes));
+    }
     let Ok(text) = str::from_utf8(&bytes) else {
         return Ok(None);
     };

@@ -54,8 +54,8 @@ fn compare_cosines(
     (proving, needed): (Vec<Bound>, Bound),
     refuse: impl Fn(usize, (usize, usize)) -> Refusal,
 ) -> Result<(), Refusal> {
-    for simplex in 0..tiling.simplices().len() {
-        let products = gradient_products(tiling, simplex);
+    tiling.each_simplex(|simplex, corners| {
+        let products = gradient_products(tiling, corners);
         'angles: for facets @ (i, j) in facet_pairs(tiling.dimension()) {
             let square = tiling.ring.times(&products[i][i], &products[j][j]);
             let negated = Element::default().minus(&products[i][j]);
@@ -75,8 +75,8 @@ fn compare_cosines(
                 },
             });
         }
-    }
-    Ok(())
+        Ok(())
+    })
 }
 
 /// c = p/q with q > 0, as it is compared with.

@@ -213,12 +213,12 @@ pub(super) fn check_boundary(tiling: &Tiling) -> Result<(), Refusal> {
     };
     let all = 0..polytope.faces.len();
     let planes: Vec<Plane> = all.map(|f| Plane::new(tiling, polytope, f)).collect();
-    for simplex in 0..tiling.simplices().len() {
-        for facet in 0..=tiling.dimension() {
-            let Some(face) = mates::face(tiling, simplex, facet) else {
+    tiling.each_row(|simplex, corners, mates| {
+        for (facet, own) in mates.iter().enumerate() {
+            let Some(face) = mates::face(own) else {
                 continue;
             };
-            for corner in mates::corners_of_facet(tiling, simplex, facet) {
+            for corner in corners.without(facet) {
                 let point = tiling.vertex(corner);
                 if planes[face].sign(point)? != Ordering::Equal {
                     return Err(Refusal::BoundaryFacet {
@@ -230,8 +230,8 @@ pub(super) fn check_boundary(tiling: &Tiling) -> Result<(), Refusal> {
                 }
             }
         }
-    }
-    Ok(())
+        Ok(())
+    })
 }
 
 /// k! vol P, N^k times too large: the sum over the faces f of the pyramids with

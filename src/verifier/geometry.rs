@@ -5,7 +5,9 @@
 //! in basis coordinates, G the Gram matrix of the basis. That these hypotheses
 //! imply the claim is proved in docs/soundness.md.
 
+use super::corners::Corners;
 use super::integer::Integer;
+use super::mates::Pair;
 use super::matrix::{Matrix, apply, cofactors, determinant, leading};
 use super::ring::Element;
 use super::tiling::{Tiling, number};
@@ -65,17 +67,17 @@ fn check_gram_positive(tiling: &Tiling) -> Result<(), Refusal> {
 /// det E > 0.
 fn check_orientation(tiling: &Tiling) -> Result<(), Refusal> {
     let scale = tiling.scale.pow(tiling.dimension());
-    for (simplex, corners) in tiling.simplices().iter().enumerate() {
+    tiling.each_simplex(|simplex, corners| {
         let value = determinant(&tiling.ring, &tiling.edges(corners));
         let of = || format!("determinant of simplex {simplex}");
-        if tiling.sign(&value, &scale, of)? != Ordering::Greater {
-            return Err(Refusal::Orientation {
+        match tiling.sign(&value, &scale, of)? {
+            Ordering::Greater => Ok(()),
+            _ => Err(Refusal::Orientation {
                 simplex,
                 determinant: number(&value, &scale),
-            });
+            }),
         }
-    }
-    Ok(())
+    })
 }
 
 /// The volumes, in units of the basis's parallelepiped, sum to vol P, where P is
@@ -88,12 +90,12 @@ fn check_volume_sum(tiling: &Tiling) -> Result<(), Refusal> {
         return Ok(());
     }
     let d = tiling.dimension();
-    let add = |sum: Element, value: Element| sum.plus(&value);
-    let determinants = tiling
-        .simplices()
-        .iter()
-        .map(|corners| determinant(&tiling.ring, &tiling.edges(corners)));
-    let sum = determinants.fold(Element::default(), add);
+    let mut sum = Element::default();
+    tiling.each_simplex(|_, corners| {
+        let value = determinant(&tiling.ring, &tiling.edges(corners));
+        sum = std::mem::take(&mut sum).plus(&value);
+        Ok(())
+    })?;
     let (volume, k) = match &tiling.polytope {
         None => (Element::integer(Integer::ONE), 0),
         Some(polytope) => (domain::volume(tiling, polytope)?, polytope.dimension()),
@@ -114,9 +116,9 @@ fn check_volume_sum(tiling: &Tiling) -> Result<(), Refusal> {
 }
 
 /// M = E G E^T: the inner products e_i · e_j, d N² times too large.
-pub(super) fn edge_products(tiling: &Tiling, simplex: usize) -> Matrix {
+pub(super) fn edge_products(tiling: &Tiling, corners: Corners) -> Matrix {
     let ring = &tiling.ring;
-    let edges = tiling.edges(&tiling.simplices()[simplex]);
+    let edges = tiling.edges(corners);
     let dual: Matrix = edges
         .iter()
         .map(|edge| apply(ring, &tiling.gram, edge))
@@ -139,8 +141,8 @@ pub(super) fn edge_products(tiling: &Tiling, simplex: usize) -> Matrix {
 /// with C the cofactors of M, and g_0 = -(g_1 + … + g_D). The gradient g_i is
 /// the inward normal of the facet opposite to x_i. det M > 0 because det E and
 /// det G are. The result is d^(D-1) N^(2D-2) too large.
-pub(super) fn gradient_products(tiling: &Tiling, simplex: usize) -> Matrix {
-    let inner = cofactors(&tiling.ring, &edge_products(tiling, simplex));
+pub(super) fn gradient_products(tiling: &Tiling, corners: Corners) -> Matrix {
+    let inner = cofactors(&tiling.ring, &edge_products(tiling, corners));
     let negated_sum =
         |values: &[Element]| values.iter().fold(Element::default(), |s, v| s.minus(v));
     let first: Vec<Element> = inner.iter().map(|row| negated_sum(row)).collect();
@@ -195,8 +197,8 @@ fn each_product(
 ) -> Result<(), Refusal> {
     let d = tiling.dimension();
     let scale = &tiling.gram_scale.pow(d - 1) * &tiling.scale.pow(2 * (d - 1));
-    for simplex in 0..tiling.simplices().len() {
-        let products = gradient_products(tiling, simplex);
+    tiling.each_simplex(|simplex, corners| {
+        let products = gradient_products(tiling, corners);
         for (i, j) in facet_pairs(tiling.dimension()) {
             let value = &products[i][j];
             let of =
@@ -204,8 +206,8 @@ fn each_product(
             let sign = tiling.sign(value, &scale, of)?;
             judge(simplex, (i, j), sign, &|| number(value, &scale))?;
         }
-    }
-    Ok(())
+        Ok(())
+    })
 }
 
 /// The corner behind each facet lies strictly outside of the circumsphere. This
@@ -246,30 +248,63 @@ fn check_weakly_delaunay(tiling: &Tiling) -> Result<(), Refusal> {
 /// |w|² - 2 c · w, and 2 c · e_i = |e_i|² defines c. Write w = λ_1 e_1 + … +
 /// λ_D e_D, that is λ = C w / det E with C the cofactors of E. So, as det E > 0,
 /// the power has the sign of det(E) |w|² - Σ (C w)_i |e_i|².
+///
+/// That value belongs to the pair of facets. Let p and q be the powers with respect to the
+/// spheres of the two simplices, w and x the corners opposite to the common facet, q(w) = p(x) = 0.
+/// Then p - q is affine and zero on the facet; p(w) and -q(x) are its values at w and x, which lie on
+/// different sides. So p(w) and q(x) have one sign, and are as the distances of w and x from the facet,
+/// while the volumes are as those of x and w: the products are equal. Each pair is looked at
+/// once, from its second simplex.
 fn each_power(
     tiling: &Tiling,
     judge: impl Fn(usize, usize, Ordering, Value) -> Result<(), Refusal>,
 ) -> Result<(), Refusal> {
-    let ring = &tiling.ring;
     let scale = &tiling.gram_scale * &tiling.scale.pow(tiling.dimension() + 2);
-    let square = |x: &[Element]| ring.dot(x, &apply(ring, &tiling.gram, x));
-    for (simplex, corners) in tiling.simplices().iter().enumerate() {
+    let mut sphere: Option<(usize, Sphere)> = None;
+    let check = |pair: &Pair| {
+        let (simplex, facet) = pair.first;
+        let (behind, corners) = (pair.corners.0.get(facet), pair.corners.1);
+        let known = sphere.take().filter(|(of, _)| *of == pair.second.0);
+        let (_, of_second) =
+            sphere.insert(known.unwrap_or_else(|| (pair.second.0, Sphere::new(tiling, corners))));
+        let back: Vec<i64> = pair.shift.iter().map(|entry| -entry).collect();
+        let value = of_second.power(tiling, &tiling.edge(corners.get(0), behind, &back));
+        let of = || format!("power of the corner behind facet {facet} of simplex {simplex}");
+        let sign = tiling.sign(&value, &scale, of)?;
+        judge(simplex, facet, sign, &|| number(&value, &scale))
+    };
+    mates::each_pair(tiling, check).map(drop)
+}
+
+/// The circumsphere of a simplex.
+struct Sphere {
+    /// det E
+    volume: Element,
+    cofactors: Matrix,
+    /// |e_i|²
+    squares: Vec<Element>,
+}
+
+impl Sphere {
+    fn new(tiling: &Tiling, corners: Corners) -> Sphere {
         let edges = tiling.edges(corners);
-        let volume = determinant(ring, &edges);
-        let cofactors = cofactors(ring, &edges);
-        let squares: Vec<Element> = edges.iter().map(|edge| square(edge)).collect();
-        for facet in 0..corners.len() {
-            let Some(mate) = mates::mate(tiling, simplex, facet) else {
-                continue;
-            };
-            let w = tiling.edge(&corners[0], mate.corner(tiling), mate.shift);
-            let value = ring
-                .times(&volume, &square(&w))
-                .minus(&ring.dot(&apply(ring, &cofactors, &w), &squares));
-            let of = || format!("power of the corner behind facet {facet} of simplex {simplex}");
-            let sign = tiling.sign(&value, &scale, of)?;
-            judge(simplex, facet, sign, &|| number(&value, &scale))?;
+        Sphere {
+            volume: determinant(&tiling.ring, &edges),
+            cofactors: cofactors(&tiling.ring, &edges),
+            squares: edges.iter().map(|edge| square(tiling, edge)).collect(),
         }
     }
-    Ok(())
+
+    /// det(E) |w|² - Σ (C w)_i |e_i|²
+    fn power(&self, tiling: &Tiling, w: &[Element]) -> Element {
+        let ring = &tiling.ring;
+        ring.times(&self.volume, &square(tiling, w))
+            .minus(&ring.dot(&apply(ring, &self.cofactors, w), &self.squares))
+    }
+}
+
+/// |x|²
+fn square(tiling: &Tiling, x: &[Element]) -> Element {
+    let ring = &tiling.ring;
+    ring.dot(x, &apply(ring, &tiling.gram, x))
 }

@@ -26,9 +26,9 @@ impl Limits {
     /// A simplex takes some dozens of signs, most of them at the first enclosure.
     pub(super) const SIGNS: u64 = 64;
 
-    /// The limits of `acutile-verify` without options. Parsing takes up to about
-    /// thirty times the bytes in memory, here one GiB; 80,000 tetrahedra of A15
-    /// are 10 MB. The other bounds leave room for
+    /// The limits of `acutile-verify` without options. A hostile file may take up to about
+    /// thirty times its bytes in memory, here one GiB; 80,000 tetrahedra of A15
+    /// are 10 MB in JSON and 6 MB in CBOR. The other bounds leave room for
     /// every tiling of the literature and for a million simplices over Q.
     pub const DEFAULT: Limits = Limits {
         bytes: 32 << 20,

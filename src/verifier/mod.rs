@@ -5,11 +5,12 @@
 //!
 //! | file | what it establishes |
 //! |---|---|
-//! | `document` | the bytes are a certificate of a known version, in the one notation it has |
+//! | `source`, `cbor` | bytes in memory or in a file; items of CBOR, each in its one encoding |
+//! | `document`, `table` | the bytes are a certificate of a known version, in the one notation it has; its tables, row by row |
 //! | `shape` | lengths, ranges and order: every index points at something |
 //! | `number`, `integer` | rationals from text; integers of any length |
 //! | `ring`, `root` | the field; sums, products and signs in it |
-//! | `tiling` | all numbers of the certificate as elements of one ring |
+//! | `tiling`, `corners` | all numbers of the certificate as elements of one ring; its simplices, in order |
 //! | `domain` | the domain's polytope, and that the tiling keeps to its boundary |
 //! | `mates` | the facets are paired, each pair one facet seen from two sides |
 //! | `region`, `extent`, `apart` | the boundary of a region does not meet itself, and nothing is outside of it |
@@ -23,6 +24,8 @@
 
 mod angle;
 mod apart;
+mod cbor;
+mod corners;
 mod document;
 mod domain;
 mod extent;
@@ -41,12 +44,19 @@ mod root;
 #[cfg(test)]
 mod sabotage;
 mod shape;
+mod source;
+mod table;
 mod tcp;
 mod tiling;
 mod words;
 
-use crate::certificate::{Certificate, Claim};
-use sha2::{Digest, Sha256};
+use crate::certificate::Claim;
+use crate::certificate::cbor::is_cbor;
+use document::{Document, read_cbor, read_json};
+use source::Source;
+use std::borrow::Cow;
+use std::fs::File;
+use std::io;
 
 pub use limits::Limits;
 pub use refusal::{Kind, Refusal};
@@ -89,11 +99,19 @@ impl Verified {
     }
 }
 
-/// Checks everything that the certificate in `bytes` claims.
+/// Checks everything that the certificate in `bytes` claims, in JSON or in CBOR.
 ///
 /// Pure. The first check that fails gives the refusal.
 pub fn verify(bytes: &[u8], limits: &Limits) -> Result<Verified, Refusal> {
     verify_by(bytes, limits, shape::CHECKS, geometry::CHECKS)
+}
+
+/// [`verify`] for a certificate in CBOR that is a regular file. It is read once for each check, in
+/// pieces; what is held grows with the vertices, and with the facets that wait for their mates.
+pub fn verify_file(file: &File, limits: &Limits) -> Result<Verified, Refusal> {
+    let source = Source::of_file(file)?;
+    let document = read_cbor(&source, limits)?;
+    check(&document, limits, shape::CHECKS, geometry::CHECKS)
 }
 
 /// [`verify`], with its checks as a parameter so that the tests can show what
@@ -104,25 +122,77 @@ fn verify_by(
     shape: &[(&str, shape::Check)],
     geometry: &[(&str, geometry::Check)],
 ) -> Result<Verified, Refusal> {
-    let certificate = document::read(bytes, limits)?;
-    for (_, check) in shape {
-        check(&certificate, limits)?;
+    if !is_cbor(bytes) {
+        return check(&read_json(bytes, limits)?, limits, shape, geometry);
     }
-    let tiling = tiling::Tiling::new(&certificate, limits)?;
+    let source = Source::Memory(Cow::Borrowed(bytes));
+    check(&read_cbor(&source, limits)?, limits, shape, geometry)
+}
+
+fn check(
+    document: &Document,
+    limits: &Limits,
+    shape: &[(&str, shape::Check)],
+    geometry: &[(&str, geometry::Check)],
+) -> Result<Verified, Refusal> {
+    for (_, check) in shape {
+        check(document, limits)?;
+    }
+    let tiling = tiling::Tiling::new(document, limits)?;
     for (_, check) in geometry {
         check(&tiling)?;
     }
-    Ok(verified(&certificate, bytes))
+    verified(document)
 }
 
-fn verified(certificate: &Certificate, bytes: &[u8]) -> Verified {
-    let digest = Sha256::digest(bytes);
-    let mates = certificate.witness.mates.iter().flatten();
-    Verified {
-        claim: certificate.claim.clone(),
-        vertices: certificate.witness.vertices.len(),
-        simplices: certificate.witness.simplices.len(),
-        boundary: mates.filter(|mate| mate.0.len() < 2).count(),
-        sha256: digest.iter().map(|byte| format!("{byte:02x}")).collect(),
+fn verified(document: &Document) -> Result<Verified, Refusal> {
+    let mut boundary = 0;
+    document.witness.mates.each(|_, row| {
+        boundary += row.iter().filter(|entry| mates::is_boundary(entry)).count();
+        Ok(())
+    })?;
+    let digits = document.sha256.iter().map(|byte| format!("{byte:02x}"));
+    Ok(Verified {
+        claim: document.claim.clone(),
+        vertices: document.witness.vertices.len(),
+        simplices: document.witness.simplices.len(),
+        boundary,
+        sha256: digits.collect(),
+    })
+}
+
+/// A certificate in JSON, from either encoding. That it is one is checked, and nothing of
+/// what it says.
+///
+/// # Errors
+/// Not a certificate, or too large.
+pub fn to_json(bytes: &[u8], limits: &Limits) -> Result<Vec<u8>, Refusal> {
+    transcribed(bytes, limits, |document, out| document.write_json(out))
+}
+
+/// A certificate in CBOR, as [`to_json`] gives it in JSON.
+///
+/// # Errors
+/// Not a certificate, or too large.
+pub fn to_cbor(bytes: &[u8], limits: &Limits) -> Result<Vec<u8>, Refusal> {
+    transcribed(bytes, limits, |document, out| document.write_cbor(out))
+}
+
+fn transcribed(
+    bytes: &[u8],
+    limits: &Limits,
+    write: impl Fn(&Document, &mut Vec<u8>) -> io::Result<()>,
+) -> Result<Vec<u8>, Refusal> {
+    let mut out = Vec::new();
+    let source = Source::Memory(Cow::Borrowed(bytes));
+    let document = match is_cbor(bytes) {
+        true => read_cbor(&source, limits)?,
+        false => read_json(bytes, limits)?,
+    };
+    let message = |error: io::Error| error.to_string();
+    match write(&document, &mut out).map_err(message) {
+        Ok(()) => Ok(out),
+        // Nothing that is in memory changes, and a vector takes all bytes.
+        Err(message) => Err(Refusal::Changed { message }),
     }
 }

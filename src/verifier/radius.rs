@@ -21,28 +21,28 @@ pub(super) fn check_radius_edge(tiling: &Tiling) -> Result<(), Refusal> {
     let ring = &tiling.ring;
     let left = Element::integer(Integer::from(q.denom() * q.denom()));
     let right = Element::integer(Integer::from(q.numer() * q.numer() * 4));
-    for simplex in 0..tiling.simplices().len() {
-        let products = edge_products(tiling, simplex);
+    tiling.each_simplex(|simplex, corners| {
+        let products = edge_products(tiling, corners);
         let diagonal: Vec<Element> = (0..products.len())
             .map(|i| products[i][i].clone())
             .collect();
         let inner = apply(ring, &cofactors(ring, &products), &diagonal);
         let radius = ring.times(&left, &ring.dot(&diagonal, &inner));
         let volume = ring.times(&right, &determinant(ring, &products));
-        for corners @ (i, j) in facet_pairs(tiling.dimension()) {
+        for ends @ (i, j) in facet_pairs(tiling.dimension()) {
             let length = length(&products, i, j);
             let value = radius.clone().minus(&ring.times(&volume, &length));
             let of = || format!("radius less edge {i} {j} of simplex {simplex}, scaled");
             if tiling.sign(&value, &Integer::ONE, of)? != Ordering::Less {
                 return Err(Refusal::RatioNotBelow {
                     simplex,
-                    corners,
+                    corners: ends,
                     ratio: q.to_string(),
                 });
             }
         }
-    }
-    Ok(())
+        Ok(())
+    })
 }
 
 /// |x_i - x_j|² for i < j: M_jj for i = 0, and else |e_i - e_j|².

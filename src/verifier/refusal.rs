@@ -48,11 +48,17 @@ macro_rules! refusals {
 refusals! {
     // The bytes.
     Declined "too-many-bytes"
-    /// The file is larger than the limit. `found` is 1 + limit where reading stopped there.
+    /// The file, or what is to be held of it, is larger than the limit. `found` is 1 + limit where reading stopped there.
     TooManyBytes { found: u64, limit: u64 }
     Malformed "json"
     /// Not JSON, or not of the grammar's shape: a missing, unknown, repeated or mistyped member.
     Json { message: String }
+    Malformed "cbor"
+    /// Not CBOR of the kinds that occur, or not of the grammar's shape.
+    Cbor { offset: u64, message: String }
+    Declined "changed"
+    /// The file could not be read again, or has other bytes than before.
+    Changed { message: String }
     Malformed "format"
     /// Some other format.
     Format { found: String }

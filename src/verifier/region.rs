@@ -47,15 +47,15 @@ impl Triangle {
 /// All facets in the boundary of a region, none of any other domain. With
 /// det > 0, the corners f_1, f_2, f_3 but the i-th have det(f_1 - x_i, f_2 - x_i, f_3 - x_i)
 /// of the sign (-1)^i, which is positive where the normal points away from x_i.
-fn boundary(tiling: &Tiling) -> Vec<Triangle> {
+fn boundary(tiling: &Tiling) -> Result<Vec<Triangle>, Refusal> {
     let mut triangles = Vec::new();
     if tiling.certificate.claim.domain != Domain::Region {
-        return triangles;
+        return Ok(triangles);
     }
-    for simplex in 0..tiling.simplices().len() {
-        for facet in (0..4).filter(|&i| mates::mate(tiling, simplex, i).is_none()) {
-            let places = mates::corners_of_facet(tiling, simplex, facet);
-            let [a, b, c] = [0, 1, 2].map(|k| places[k].0[0] as usize);
+    tiling.each_row(|simplex, places, mates| {
+        for facet in (0..4).filter(|&i| mates::is_boundary(mates.get(i))) {
+            let others = [0, 1, 2].map(|k| k + usize::from(k >= facet));
+            let [a, b, c] = others.map(|k| places.get(k)[0] as usize);
             let corners = if facet % 2 == 0 { [a, b, c] } else { [a, c, b] };
             triangles.push(Triangle {
                 simplex,
@@ -63,14 +63,15 @@ fn boundary(tiling: &Tiling) -> Vec<Triangle> {
                 corners,
             });
         }
-    }
-    triangles
+        Ok(())
+    })?;
+    Ok(triangles)
 }
 
 /// |f| ∩ |g| is the convex hull of the corners that f and g have in common, which are
 /// not three, for any two facets f and g in the boundary.
 pub(super) fn check_boundary_apart(tiling: &Tiling) -> Result<(), Refusal> {
-    let triangles = boundary(tiling);
+    let triangles = boundary(tiling)?;
     let extents = Extents::new(tiling, &triangles)?;
     let (cost, mut spent) = (tiling.product().saturating_mul(COST), 0);
     extents.each_close_pair(tiling.limit, |f, g| {
@@ -105,7 +106,7 @@ fn spend(tiling: &Tiling, spent: &mut u64, cost: u64) -> Result<(), Refusal> {
 /// N = 0 directly outside of each facet in the boundary. Around an edge that exactly two of them have
 /// there is nothing else of the boundary, so N is the same outside of both; hence one of each class suffices.
 pub(super) fn check_covering(tiling: &Tiling) -> Result<(), Refusal> {
-    let triangles = boundary(tiling);
+    let triangles = boundary(tiling)?;
     let first = first_of_classes(&triangles);
     let extents = Extents::new(tiling, &triangles)?;
     let (cost, mut spent) = (tiling.product().saturating_mul(COST), 0);

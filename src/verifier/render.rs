@@ -27,6 +27,14 @@ impl Display for Refusal {
                 write!(f, "at least {found} bytes, more than the limit of {limit}")
             }
             Json { message } => write!(f, "{}", message.escape_debug()),
+            Cbor { offset, message } => {
+                write!(f, "{} at offset {offset}", message.escape_debug())
+            }
+            Changed { message } => write!(
+                f,
+                "the file cannot be read again as it was: {}",
+                message.escape_debug()
+            ),
             Format { found } => write!(f, "the format is {found:?}, not \"acutile-certificate\""),
             Version { found } => write!(f, "version {found} is unknown; this program knows 1"),
             Canonical { offset } => {

@@ -3,12 +3,13 @@
 //! After these checks every index of the certificate points at something, so
 //! the later ones may follow it. D is the dimension, r the rank of the lattice.
 
+use super::document::Document;
 use super::{Limits, Refusal};
-use crate::certificate::{Certificate, Domain, Mate, Place, Polytope, Statement};
+use crate::certificate::{Domain, Polytope, Statement};
 use std::collections::BTreeSet;
 
 /// A check of the certificate as it stands.
-pub(super) type Check = fn(&Certificate, &Limits) -> Result<(), Refusal>;
+pub(super) type Check = fn(&Document, &Limits) -> Result<(), Refusal>;
 
 /// All of them; the later ones rely on the earlier ones.
 pub(super) const CHECKS: &[(&str, Check)] = &[
@@ -34,7 +35,7 @@ pub(super) const CHECKS: &[(&str, Check)] = &[
 ];
 
 /// D is 2 or 3.
-fn check_dimension(certificate: &Certificate, _: &Limits) -> Result<(), Refusal> {
+fn check_dimension(certificate: &Document, _: &Limits) -> Result<(), Refusal> {
     match certificate.claim.dimension {
         2 | 3 => Ok(()),
         found => Err(Refusal::Dimension { found }),
@@ -43,7 +44,7 @@ fn check_dimension(certificate: &Certificate, _: &Limits) -> Result<(), Refusal>
 
 /// The first statement is the tiling, of which all others speak; their kinds
 /// strictly increase, so none is repeated.
-fn check_statements(certificate: &Certificate, _: &Limits) -> Result<(), Refusal> {
+fn check_statements(certificate: &Document, _: &Limits) -> Result<(), Refusal> {
     let statements = &certificate.claim.statements;
     if statements.first() != Some(&Statement::FaceToFaceTiling) {
         return Err(Refusal::Statements { index: 0 });
@@ -58,7 +59,7 @@ fn check_statements(certificate: &Certificate, _: &Limits) -> Result<(), Refusal
 }
 
 /// TCP speaks of tetrahedra around edges, none of which is in a boundary.
-fn check_tcp_domain(certificate: &Certificate, _: &Limits) -> Result<(), Refusal> {
+fn check_tcp_domain(certificate: &Document, _: &Limits) -> Result<(), Refusal> {
     let claim = &certificate.claim;
     let fits = claim.dimension == 3 && claim.domain == Domain::Space;
     match fits || !claim.statements.contains(&Statement::Tcp) {
@@ -68,7 +69,7 @@ fn check_tcp_domain(certificate: &Certificate, _: &Limits) -> Result<(), Refusal
 }
 
 /// The local condition of Delaunay implies the global one where the domain is convex.
-fn check_delaunay_domain(certificate: &Certificate, _: &Limits) -> Result<(), Refusal> {
+fn check_delaunay_domain(certificate: &Document, _: &Limits) -> Result<(), Refusal> {
     let claim = &certificate.claim;
     let is_delaunay = |s: &Statement| matches!(s, Statement::Delaunay | Statement::WeaklyDelaunay);
     match claim.domain == Domain::Region && claim.statements.iter().any(is_delaunay) {
@@ -78,7 +79,7 @@ fn check_delaunay_domain(certificate: &Certificate, _: &Limits) -> Result<(), Re
 }
 
 /// The Gram matrix is D rows of D.
-fn check_gram_shape(certificate: &Certificate, _: &Limits) -> Result<(), Refusal> {
+fn check_gram_shape(certificate: &Document, _: &Limits) -> Result<(), Refusal> {
     let claim = &certificate.claim;
     let square = claim.gram.len() == claim.dimension
         && claim.gram.iter().all(|row| row.len() == claim.dimension);
@@ -91,7 +92,7 @@ fn check_gram_shape(certificate: &Certificate, _: &Limits) -> Result<(), Refusal
 
 /// G_ij = G_ji, as the same text: over a reducible polynomial, different
 /// coefficients can have the same value, which nobody needs to write.
-fn check_gram_symmetric(certificate: &Certificate, _: &Limits) -> Result<(), Refusal> {
+fn check_gram_symmetric(certificate: &Document, _: &Limits) -> Result<(), Refusal> {
     let gram = &certificate.claim.gram;
     for (row, entries) in gram.iter().enumerate() {
         for column in 0..row {
@@ -104,7 +105,7 @@ fn check_gram_symmetric(certificate: &Certificate, _: &Limits) -> Result<(), Ref
 }
 
 /// A prism is a polygon times a line: D = 3.
-fn check_prism_dimension(certificate: &Certificate, _: &Limits) -> Result<(), Refusal> {
+fn check_prism_dimension(certificate: &Document, _: &Limits) -> Result<(), Refusal> {
     let claim = &certificate.claim;
     match matches!(claim.domain, Domain::Prism(_)) && claim.dimension != 3 {
         false => Ok(()),
@@ -113,7 +114,7 @@ fn check_prism_dimension(certificate: &Certificate, _: &Limits) -> Result<(), Re
 }
 
 /// A region is filled by tetrahedra: D = 3.
-fn check_region_dimension(certificate: &Certificate, _: &Limits) -> Result<(), Refusal> {
+fn check_region_dimension(certificate: &Document, _: &Limits) -> Result<(), Refusal> {
     let claim = &certificate.claim;
     match claim.domain == Domain::Region && claim.dimension != 3 {
         false => Ok(()),
@@ -122,14 +123,14 @@ fn check_region_dimension(certificate: &Certificate, _: &Limits) -> Result<(), R
 }
 
 /// The polytope of the domain, and k = D - r, its dimension.
-fn polytope(certificate: &Certificate) -> Option<(&Polytope, usize)> {
+fn polytope<'d>(certificate: &'d Document) -> Option<(&'d Polytope, usize)> {
     let polytope = certificate.claim.domain.polytope()?;
     let k = certificate.claim.dimension - rank_of_lattice(certificate);
     Some((polytope, k))
 }
 
 /// Each vertex of the domain has k coordinates.
-fn check_domain_vertices(certificate: &Certificate, _: &Limits) -> Result<(), Refusal> {
+fn check_domain_vertices(certificate: &Document, _: &Limits) -> Result<(), Refusal> {
     let Some((polytope, expected)) = polytope(certificate) else {
         return Ok(());
     };
@@ -145,7 +146,7 @@ fn check_domain_vertices(certificate: &Certificate, _: &Limits) -> Result<(), Re
 }
 
 /// A polytope of dimension k has at least k + 1 facets.
-fn check_face_count(certificate: &Certificate, _: &Limits) -> Result<(), Refusal> {
+fn check_face_count(certificate: &Document, _: &Limits) -> Result<(), Refusal> {
     match polytope(certificate) {
         Some((polytope, k)) if polytope.faces.len() <= k => Err(Refusal::FaceCount {
             found: polytope.faces.len(),
@@ -156,7 +157,7 @@ fn check_face_count(certificate: &Certificate, _: &Limits) -> Result<(), Refusal
 }
 
 /// A face has one vertex for k = 1, two for k = 2, at least three for k = 3.
-fn check_face_lengths(certificate: &Certificate, _: &Limits) -> Result<(), Refusal> {
+fn check_face_lengths(certificate: &Document, _: &Limits) -> Result<(), Refusal> {
     let Some((polytope, k)) = polytope(certificate) else {
         return Ok(());
     };
@@ -168,7 +169,7 @@ fn check_face_lengths(certificate: &Certificate, _: &Limits) -> Result<(), Refus
 }
 
 /// The vertices of a face exist and are distinct.
-fn check_face_vertices(certificate: &Certificate, _: &Limits) -> Result<(), Refusal> {
+fn check_face_vertices(certificate: &Document, _: &Limits) -> Result<(), Refusal> {
     let Some((polytope, _)) = polytope(certificate) else {
         return Ok(());
     };
@@ -184,7 +185,7 @@ fn check_face_vertices(certificate: &Certificate, _: &Limits) -> Result<(), Refu
 }
 
 /// No two faces have the same vertices.
-fn check_faces_distinct(certificate: &Certificate, _: &Limits) -> Result<(), Refusal> {
+fn check_faces_distinct(certificate: &Document, _: &Limits) -> Result<(), Refusal> {
     let faces = polytope(certificate).map_or(&[][..], |(polytope, _)| &polytope.faces);
     let mut seen = BTreeSet::new();
     let is_new = |face: &Vec<usize>| seen.insert(face.iter().copied().collect::<BTreeSet<usize>>());
@@ -195,7 +196,7 @@ fn check_faces_distinct(certificate: &Certificate, _: &Limits) -> Result<(), Ref
 }
 
 /// Each vertex of the domain is in a face.
-fn check_domain_vertices_used(certificate: &Certificate, _: &Limits) -> Result<(), Refusal> {
+fn check_domain_vertices_used(certificate: &Document, _: &Limits) -> Result<(), Refusal> {
     let Some((polytope, _)) = polytope(certificate) else {
         return Ok(());
     };
@@ -207,7 +208,7 @@ fn check_domain_vertices_used(certificate: &Certificate, _: &Limits) -> Result<(
 }
 
 /// 1 <= number of simplices <= limit. No claim follows from nothing.
-fn check_simplex_count(certificate: &Certificate, limits: &Limits) -> Result<(), Refusal> {
+fn check_simplex_count(certificate: &Document, limits: &Limits) -> Result<(), Refusal> {
     let (found, limit) = (certificate.witness.simplices.len(), limits.simplices);
     match found {
         0 => Err(Refusal::NoSimplices {}),
@@ -217,26 +218,24 @@ fn check_simplex_count(certificate: &Certificate, limits: &Limits) -> Result<(),
 }
 
 /// Each vertex has D coordinates.
-fn check_vertices(certificate: &Certificate, _: &Limits) -> Result<(), Refusal> {
+fn check_vertices(certificate: &Document, _: &Limits) -> Result<(), Refusal> {
     let expected = certificate.claim.dimension;
-    for (vertex, coordinates) in certificate.witness.vertices.iter().enumerate() {
-        let found = coordinates.len();
-        if found != expected {
-            return Err(Refusal::VertexLength {
-                vertex,
-                found,
-                expected,
-            });
-        }
-    }
-    Ok(())
+    let vertices = &certificate.witness.vertices;
+    vertices.each(|vertex, coordinates| match coordinates.len() {
+        found if found == expected => Ok(()),
+        found => Err(Refusal::VertexLength {
+            vertex,
+            found,
+            expected,
+        }),
+    })
 }
 
 /// Each simplex has D + 1 corners, each `[v, s_1, …, s_r]` with 0 <= v < the
 /// number of vertices and |s_k| < 2^31.
-fn check_corners(certificate: &Certificate, _: &Limits) -> Result<(), Refusal> {
+fn check_corners(certificate: &Document, _: &Limits) -> Result<(), Refusal> {
     let expected = certificate.claim.dimension + 1;
-    for (simplex, corners) in certificate.witness.simplices.iter().enumerate() {
+    certificate.witness.simplices.each(|simplex, corners| {
         let found = corners.len();
         if found != expected {
             return Err(Refusal::SimplexLength {
@@ -248,17 +247,17 @@ fn check_corners(certificate: &Certificate, _: &Limits) -> Result<(), Refusal> {
         for (corner, place) in corners.iter().enumerate() {
             check_place(certificate, simplex, corner, place)?;
         }
-    }
-    Ok(())
+        Ok(())
+    })
 }
 
 fn check_place(
-    certificate: &Certificate,
+    certificate: &Document,
     simplex: usize,
     corner: usize,
-    place: &Place,
+    place: &[i64],
 ) -> Result<(), Refusal> {
-    let (found, expected) = (place.0.len(), 1 + rank_of_lattice(certificate));
+    let (found, expected) = (place.len(), 1 + rank_of_lattice(certificate));
     if found != expected {
         return Err(Refusal::CornerLength {
             simplex,
@@ -267,7 +266,7 @@ fn check_place(
             expected,
         });
     }
-    let (found, vertices) = (place.0[0], certificate.witness.vertices.len());
+    let (found, vertices) = (place[0], certificate.witness.vertices.len());
     if !is_index(found, vertices) {
         return Err(Refusal::VertexRange {
             simplex,
@@ -276,7 +275,7 @@ fn check_place(
             vertices,
         });
     }
-    match first_far(&place.0[1..]) {
+    match first_far(&place[1..]) {
         Some(found) => Err(Refusal::ShiftRange {
             simplex,
             corner,
@@ -287,11 +286,14 @@ fn check_place(
 }
 
 /// Each vertex is a corner of some simplex: it belongs to the tiling.
-fn check_vertices_used(certificate: &Certificate, _: &Limits) -> Result<(), Refusal> {
+fn check_vertices_used(certificate: &Document, _: &Limits) -> Result<(), Refusal> {
     let mut used = vec![false; certificate.witness.vertices.len()];
-    for place in certificate.witness.simplices.iter().flatten() {
-        used[place.0[0] as usize] = true;
-    }
+    certificate.witness.simplices.each(|_, corners| {
+        corners
+            .iter()
+            .for_each(|place| used[place[0] as usize] = true);
+        Ok(())
+    })?;
     match used.iter().position(|used| !used) {
         Some(vertex) => Err(Refusal::UnusedVertex { vertex }),
         None => Ok(()),
@@ -301,14 +303,14 @@ fn check_vertices_used(certificate: &Certificate, _: &Limits) -> Result<(), Refu
 /// Each simplex has a row of D + 1 mates, each `[t, j, u_1, …, u_r]` with t a
 /// simplex, 0 <= j <= D and |u_k| < 2^31; or, where the domain has a polytope, `[f]`
 /// with f a face; or, where it is a region, `[]`.
-fn check_mates(certificate: &Certificate, _: &Limits) -> Result<(), Refusal> {
+fn check_mates(certificate: &Document, _: &Limits) -> Result<(), Refusal> {
     let witness = &certificate.witness;
     let (found, expected) = (witness.mates.len(), witness.simplices.len());
     if found != expected {
         return Err(Refusal::MatesLength { found, expected });
     }
     let expected = certificate.claim.dimension + 1;
-    for (simplex, row) in witness.mates.iter().enumerate() {
+    witness.mates.each(|simplex, row| {
         let found = row.len();
         if found != expected {
             return Err(Refusal::MateRowLength {
@@ -320,17 +322,17 @@ fn check_mates(certificate: &Certificate, _: &Limits) -> Result<(), Refusal> {
         for (facet, mate) in row.iter().enumerate() {
             check_mate(certificate, simplex, facet, mate)?;
         }
-    }
-    Ok(())
+        Ok(())
+    })
 }
 
 fn check_mate(
-    certificate: &Certificate,
+    certificate: &Document,
     simplex: usize,
     facet: usize,
-    mate: &Mate,
+    mate: &[i64],
 ) -> Result<(), Refusal> {
-    let (found, expected) = (mate.0.len(), 2 + rank_of_lattice(certificate));
+    let (found, expected) = (mate.len(), 2 + rank_of_lattice(certificate));
     let domain = &certificate.claim.domain;
     let faces = domain.polytope().map_or(0, |polytope| polytope.faces.len());
     let in_boundary = match domain {
@@ -346,22 +348,22 @@ fn check_mate(
             expected,
         });
     }
-    let exists = match mate.0[..] {
+    let exists = match mate {
         [] => true,
-        [face] => is_index(face, faces),
+        [face] => is_index(*face, faces),
         _ => {
-            is_index(mate.0[0], certificate.witness.simplices.len())
-                && is_index(mate.0[1], certificate.claim.dimension + 1)
+            is_index(mate[0], certificate.witness.simplices.len())
+                && is_index(mate[1], certificate.claim.dimension + 1)
         }
     };
     if !exists {
         return Err(Refusal::MateRange {
             simplex,
             facet,
-            found: mate.0.clone(),
+            found: mate.to_vec(),
         });
     }
-    match first_far(mate.0.get(2..).unwrap_or_default()) {
+    match first_far(mate.get(2..).unwrap_or_default()) {
         Some(found) => Err(Refusal::MateShiftRange {
             simplex,
             facet,
@@ -371,7 +373,7 @@ fn check_mate(
     }
 }
 
-fn rank_of_lattice(certificate: &Certificate) -> usize {
+fn rank_of_lattice(certificate: &Document) -> usize {
     certificate.claim.domain.rank(certificate.claim.dimension)
 }
 

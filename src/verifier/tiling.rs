@@ -4,20 +4,23 @@
 //! both positive integers, the kernel computes with N x and d G. Every
 //! predicate is homogeneous in x and in G, so its sign stays.
 
+use super::cbor::Lists;
+use super::corners::Corners;
+use super::document::Document;
 use super::domain::Polytope;
 use super::integer::Integer;
 use super::matrix::Matrix;
 use super::number::{self, Rational};
 use super::ring::{Element, Ring};
 use super::{Limits, Refusal};
-use crate::certificate::{AlgebraicField, Certificate, Field, Number, Place, Statement};
+use crate::certificate::{AlgebraicField, Field, Number, Statement};
 use num_bigint::BigInt;
 use num_integer::Integer as _;
 use num_traits::{One, Signed, Zero};
 use std::cmp::Ordering;
 
 pub(super) struct Tiling<'c> {
-    pub(super) certificate: &'c Certificate,
+    pub(super) certificate: &'c Document<'c>,
     pub(super) ring: Ring,
     /// d G
     pub(super) gram: Matrix,
@@ -52,8 +55,8 @@ impl Bounds {
 
 impl<'c> Tiling<'c> {
     /// Reads the numbers of a certificate that has passed [`super::shape`].
-    pub(super) fn new(certificate: &'c Certificate, limits: &Limits) -> Result<Self, Refusal> {
-        let (claim, witness) = (&certificate.claim, &certificate.witness);
+    pub(super) fn new(certificate: &'c Document<'c>, limits: &Limits) -> Result<Self, Refusal> {
+        let claim = &certificate.claim;
         let ring = ring(&claim.field, limits)?;
         let reader = Reader {
             degree: ring.degree(),
@@ -61,10 +64,12 @@ impl<'c> Tiling<'c> {
         };
         let polytope = claim.domain.polytope();
         let corners = polytope.map_or(&[][..], |polytope| &polytope.vertices);
-        let (gram, gram_scale) = reader.table(&[("gram", &claim.gram)])?;
-        let tables = [("vertices", &witness.vertices[..]), ("domain", corners)];
+        let (gram, gram_scale) = reader.table(&[("gram", &in_memory(&claim.gram))])?;
+        let vertices = &certificate.witness.vertices;
+        let all = |visit: Visit| vertices.each(|i, row| visit(i, row));
+        let tables: [(_, EachRow); 2] = [("vertices", &all), ("domain", &in_memory(corners))];
         let (mut vertices, scale) = reader.table(&tables)?;
-        let corners = vertices.split_off(witness.vertices.len());
+        let corners = vertices.split_off(certificate.witness.vertices.len());
         let polytope = polytope.map(|polytope| Polytope {
             faces: &polytope.faces,
             vertices: corners,
@@ -98,7 +103,7 @@ impl<'c> Tiling<'c> {
         let domain = incidences
             .saturating_mul(corners)
             .saturating_add(faces.saturating_mul(self.vertices.len()));
-        let count = domain.saturating_add(self.simplices().len());
+        let count = domain.saturating_add(self.count());
         let found = self.product().saturating_mul(count as u64);
         match found <= limits.work {
             true => Ok(()),
@@ -135,13 +140,41 @@ impl<'c> Tiling<'c> {
         self.certificate.claim.statements.contains(statement)
     }
 
-    pub(super) fn simplices(&self) -> &'c [Vec<Place>] {
-        &self.certificate.witness.simplices
+    /// How many simplices there are.
+    pub(super) fn count(&self) -> usize {
+        self.certificate.witness.simplices.len()
+    }
+
+    /// Calls `visit` for each simplex, in order.
+    pub(super) fn each_simplex(
+        &self,
+        mut visit: impl FnMut(usize, Corners) -> Result<(), Refusal>,
+    ) -> Result<(), Refusal> {
+        let simplices = &self.certificate.witness.simplices;
+        simplices.each(|simplex, corners| visit(simplex, self.corners(corners)))
+    }
+
+    /// Calls `visit` for each simplex with its mates, in order.
+    pub(super) fn each_row(
+        &self,
+        mut visit: impl FnMut(usize, Corners, &Lists) -> Result<(), Refusal>,
+    ) -> Result<(), Refusal> {
+        let witness = &self.certificate.witness;
+        witness
+            .simplices
+            .each_beside(&witness.mates, |simplex, corners, mates| {
+                visit(simplex, self.corners(corners), mates)
+            })
+    }
+
+    fn corners<'r>(&self, row: &'r Lists) -> Corners<'r> {
+        let rank = self.certificate.claim.domain.rank(self.dimension());
+        Corners::new(row.entries(), rank)
     }
 
     /// N times the vector from one place, moved by the lattice vector `by`, to
     /// another; in basis coordinates.
-    pub(super) fn edge(&self, from: &Place, to: &Place, by: &[i64]) -> Vec<Element> {
+    pub(super) fn edge(&self, from: &[i64], to: &[i64], by: &[i64]) -> Vec<Element> {
         let (start, end) = (self.vertex(from), self.vertex(to));
         let mut edge: Vec<Element> = end
             .iter()
@@ -149,7 +182,7 @@ impl<'c> Tiling<'c> {
             .map(|(end, start)| end.clone().minus(start))
             .collect();
         for (k, coordinate) in edge.iter_mut().enumerate().take(by.len()) {
-            let shift = to.0[1 + k] - from.0[1 + k] + by[k];
+            let shift = to[1 + k] - from[1 + k] + by[k];
             if shift != 0 {
                 let moved = Element::integer(&self.scale * &Integer::from(shift));
                 *coordinate = std::mem::take(coordinate).plus(&moved);
@@ -159,17 +192,18 @@ impl<'c> Tiling<'c> {
     }
 
     /// N times the edge vectors from corner 0 to the corners 1, …, D, as rows.
-    pub(super) fn edges(&self, corners: &[Place]) -> Matrix {
-        let still = vec![0; corners[0].0.len() - 1];
-        corners[1..]
-            .iter()
-            .map(|corner| self.edge(&corners[0], corner, &still))
+    pub(super) fn edges(&self, corners: Corners) -> Matrix {
+        let still = [0; 3];
+        let first = corners.get(0);
+        corners
+            .without(0)
+            .map(|corner| self.edge(first, corner, &still[..first.len() - 1]))
             .collect()
     }
 
     /// N times the vertex of a place, not moved.
-    pub(super) fn vertex(&self, place: &Place) -> &[Element] {
-        &self.vertices[place.0[0] as usize]
+    pub(super) fn vertex(&self, place: &[i64]) -> &[Element] {
+        &self.vertices[place[0] as usize]
     }
 
     /// The sign of `value`, or the refusal that it is undecided. `of` says what
@@ -269,6 +303,19 @@ fn bounds(statements: &[Statement], limits: &Limits) -> Result<Bounds, Refusal> 
     Ok(bounds)
 }
 
+/// Takes a row and its number.
+type Visit<'v> = &'v mut dyn FnMut(usize, &[Number]) -> Result<(), Refusal>;
+
+/// Goes through the rows of a table.
+type EachRow<'t> = &'t dyn Fn(Visit) -> Result<(), Refusal>;
+
+fn in_memory(rows: &[Vec<Number>]) -> impl Fn(Visit) -> Result<(), Refusal> {
+    move |visit| {
+        let mut rows = rows.iter().enumerate();
+        rows.try_for_each(|(i, row)| visit(i, row))
+    }
+}
+
 /// Reads tables of field elements.
 struct Reader<'l> {
     degree: usize,
@@ -277,34 +324,44 @@ struct Reader<'l> {
 
 impl Reader<'_> {
     /// m T for a positive integer m, the least that makes all T integral, and m;
-    /// the rows of the named tables one after another.
-    fn table(
-        &self,
-        tables: &[(&'static str, &[Vec<Number>])],
-    ) -> Result<(Matrix, Integer), Refusal> {
-        let mut rows = Vec::new();
+    /// the rows of the named tables one after another, each gone through twice.
+    fn table(&self, tables: &[(&'static str, EachRow)]) -> Result<(Matrix, Integer), Refusal> {
         let mut common = BigInt::one();
-        for &(name, table) in tables {
-            for (i, row) in table.iter().enumerate() {
-                let mut read = Vec::with_capacity(row.len());
+        for (name, each) in tables {
+            each(&mut |i, row| {
                 for (j, number) in row.iter().enumerate() {
-                    let coefficients =
-                        self.coefficients(number, &|| format!("{name}[{i}][{j}]"))?;
-                    for coefficient in &coefficients {
-                        self.widen(&mut common, coefficient, name)?;
+                    for c in self.coefficients(number, &|| format!("{name}[{i}][{j}]"))? {
+                        self.widen(&mut common, &c, name)?;
                     }
-                    read.push(coefficients);
                 }
-                rows.push(read);
-            }
+                Ok(())
+            })?;
         }
-        let integral = |c: Rational| Integer::from(c.numer() * (&common / c.denom()));
-        let element = |cs: Vec<Rational>| Element::new(cs.into_iter().map(integral));
-        let scaled = rows
-            .into_iter()
-            .map(|row| row.into_iter().map(element).collect())
-            .collect();
-        Ok((scaled, Integer::from(common)))
+        let mut rows = Vec::new();
+        for (name, each) in tables {
+            each(&mut |i, row| {
+                let place = || format!("{name}[{i}]");
+                let mut scaled = Vec::with_capacity(row.len());
+                for number in row {
+                    scaled.push(self.element(number, &common, &place)?);
+                }
+                rows.push(scaled);
+                Ok(())
+            })?;
+        }
+        Ok((rows, Integer::from(common)))
+    }
+
+    /// The number, `common` times too large, which makes it integral.
+    fn element(
+        &self,
+        number: &Number,
+        common: &BigInt,
+        place: &dyn Fn() -> String,
+    ) -> Result<Element, Refusal> {
+        let coefficients = self.coefficients(number, place)?;
+        let integral = |c: &Rational| Integer::from(c.numer() * (common / c.denom()));
+        Ok(Element::new(coefficients.iter().map(integral)))
     }
 
     /// Between one and n coefficients, the last one not zero unless it is alone.

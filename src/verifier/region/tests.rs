@@ -1,15 +1,16 @@
 //! What two triangles have in common, against a linear program.
 
 use super::super::Limits;
+use super::super::document::{Document, read_json};
 use super::*;
-use crate::certificate::{Certificate, Number};
+use crate::certificate::{Certificate, Number, to_bytes};
 use meeting::{Point, meet_elsewhere};
 
 #[path = "../../../tests/common/meeting.rs"]
 mod meeting;
 
 /// Some certificate of a region, with these vertices.
-fn certificate(points: &[Point]) -> Certificate {
+fn certificate(points: &[Point]) -> Document<'static> {
     let root = env!("CARGO_MANIFEST_DIR");
     let path = format!("{root}/tests/certificates/valid/region-cube-6.json");
     let mut certificate: Certificate =
@@ -17,7 +18,7 @@ fn certificate(points: &[Point]) -> Certificate {
     let text = |x: &i64| Number(vec![x.to_string()]);
     let vertices = points.iter().map(|p| p.iter().map(text).collect());
     certificate.witness.vertices = vertices.collect();
-    certificate
+    read_json(&to_bytes(&certificate), &Limits::DEFAULT).unwrap()
 }
 
 /// Every two of the triangles that are not flat, whose corners are the same if their indices are:
