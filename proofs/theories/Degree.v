@@ -44,7 +44,6 @@ Definition piece (c : cell) := translate (vec h (snd c)) (T (fst c)).
 Definition valid (c : cell) := (fst c < N)%nat /\ lat (snd c) = true.
 
 Hypothesis h_pos : 0 < h.
-Hypothesis lat_zero : lat z30 = true.
 Hypothesis lat_add : forall a b, lat a = true -> lat b = true -> lat (zadd3 a b) = true.
 Hypothesis Dom_open : open Dom.
 Hypothesis Dom_convex : forall p q s, Dom p -> Dom q -> 0 <= s <= 1 -> Dom (lerp p q s).

@@ -1,6 +1,6 @@
 (** * Integrals of piecewise polynomial functions of one variable
 
-    What Volume.v needs of the integral, and no more: a function f has the integral v
+    What Slices.v and Volume.v need of the integral, and no more: a function f has the integral v
     if it is, but for finitely many points, the derivative of a continuous function that
     is 0 far on the left and v far on the right.  No measure, no Riemann sums. *)
 Require Import Reals Ranalysis5 Lra Psatz ZArith List Lia.

@@ -291,14 +291,14 @@ Hypothesis B : forall v, In v (verts t) -> bnd M v.
 
 Definition I3 := [0; 1; 2]%nat.
 Definition ends f (e : nat) : point * point := match e with 0 => (t1 f, t2 f) | 1 => (t2 f, t3 f) | _ => (t3 f, t1 f) end%nat.
-Definition from (ie : nat * nat) := fst (ends (facet t (fst ie)) (snd ie)).
-Definition to_ (ie : nat * nat) := snd (ends (facet t (fst ie)) (snd ie)).
+Definition tail (ie : nat * nat) := fst (ends (facet t (fst ie)) (snd ie)).
+Definition tip (ie : nat * nat) := snd (ends (facet t (fst ie)) (snd ie)).
 Definition edges4 := list_prod I4 I3.
 
 (** The length of the part of t on the line over (y, z); the area of its part in the plane at height z. *)
 Definition chord (y z : R) := rsum (fun i => - sigma (Point 0 y z) (facet t i) * height (facet t i) y z) I4.
 Definition upto f y z := cubic (a0 f + a2 f * z) (a1 f) 0 y.
-Definition slice (z : R) := rsum (fun ie => - sign z (from ie) (to_ ie) * upto (facet t (fst ie)) (line (from ie) (to_ ie) z) z) edges4.
+Definition slice (z : R) := rsum (fun ie => - sign z (tail ie) (tip ie) * upto (facet t (fst ie)) (line (tail ie) (tip ie) z) z) edges4.
 
 Lemma outside x y z : M < Rabs x \/ M < Rabs y \/ M < Rabs z -> insideb t (Point x y z) = false.
 Proof.
@@ -332,23 +332,23 @@ Proof.
   - apply ae_all. intros x Hx. rewrite outside; auto.
 Qed.
 Lemma chord_steps x y z : (forall i, In i I4 -> good (Point x y z) (facet t i)) ->
-  chord y z = rsum (fun ie => b2r (posb (line (from ie) (to_ ie) z - y)) * (- sign z (from ie) (to_ ie) * height (facet t (fst ie)) y z)) edges4.
+  chord y z = rsum (fun ie => b2r (posb (line (tail ie) (tip ie) z - y)) * (- sign z (tail ie) (tip ie) * height (facet t (fst ie)) y z)) edges4.
 Proof.
   intros G. unfold edges4. rewrite rsum_prod. unfold chord. apply rsum_ext. intros i Hi.
   change (sigma (Point 0 y z) (facet t i)) with (sigma (Point x y z) (facet t i)). rewrite sigma_rho by auto. rewrite !rho_line.
-  cbn [rsum I3]. unfold from, to_; cbn [fst snd ends px py pz]. ring.
+  cbn [rsum I3]. unfold tail, tip; cbn [fst snd ends px py pz]. ring.
 Qed.
 Lemma slice_integral z : ae (fun y => ae (fun x => forall i, In i I4 -> good (Point x y z) (facet t i))) ->
   integral M (fun y => chord y z) (slice z).
 Proof.
   intros G. unfold slice.
-  apply (integral_steps edges4 (fun ie => line (from ie) (to_ ie) z) (fun ie y => - sign z (from ie) (to_ ie) * height (facet t (fst ie)) y z)
-    (fun ie y => - sign z (from ie) (to_ ie) * upto (facet t (fst ie)) y z)).
+  apply (integral_steps edges4 (fun ie => line (tail ie) (tip ie) z) (fun ie y => - sign z (tail ie) (tip ie) * height (facet t (fst ie)) y z)
+    (fun ie y => - sign z (tail ie) (tip ie) * upto (facet t (fst ie)) y z)).
   - intros ie y _. apply (derivable_pt_lim_scal (fun y => upto (facet t (fst ie)) y z)). unfold upto, height.
     replace (a0 (facet t (fst ie)) + a1 (facet t (fst ie)) * y + a2 (facet t (fst ie)) * z)
       with (a0 (facet t (fst ie)) + a2 (facet t (fst ie)) * z + a1 (facet t (fst ie)) * y + 0 * (y * y)) by ring.
     apply cubic_primitive.
-  - intros y. unfold edges4. rewrite rsum_prod. apply rsum_zero. intros i _. cbn [rsum I3]. unfold from, to_, sign; cbn [fst snd ends]. ring.
+  - intros y. unfold edges4. rewrite rsum_prod. apply rsum_zero. intros i _. cbn [rsum I3]. unfold tail, tip, sign; cbn [fst snd ends]. ring.
   - revert G. apply ae_imp. intros y G. destruct (ae_exists _ G) as [x G']. apply (chord_steps x); auto.
   - revert G. apply ae_imp. intros y G H. assert (M0 : 0 < M + 1).
     { destruct (B (va t) ltac:(simpl; auto)) as [A1 _]. pose proof (Rabs_pos (px (va t))). lra. }
@@ -359,29 +359,29 @@ Proof.
 Qed.
 
 (** The area as a quadratic polynomial between the heights of the vertices. *)
-Definition k0 ie := let f := facet t (fst ie) in let m := b0 (from ie) (to_ ie) in a0 f * m + a1 f * (m * m) / 2.
-Definition k1 ie := let f := facet t (fst ie) in let m := b0 (from ie) (to_ ie) in let n := b1 (from ie) (to_ ie) in a0 f * n + a2 f * m + a1 f * (m * n).
-Definition k2 ie := let f := facet t (fst ie) in let n := b1 (from ie) (to_ ie) in a2 f * n + a1 f * (n * n) / 2.
+Definition k0 ie := let f := facet t (fst ie) in let m := b0 (tail ie) (tip ie) in a0 f * m + a1 f * (m * m) / 2.
+Definition k1 ie := let f := facet t (fst ie) in let m := b0 (tail ie) (tip ie) in let n := b1 (tail ie) (tip ie) in a0 f * n + a2 f * m + a1 f * (m * n).
+Definition k2 ie := let f := facet t (fst ie) in let n := b1 (tail ie) (tip ie) in a2 f * n + a1 f * (n * n) / 2.
 Definition deep ie z := cubic (k0 ie) (k1 ie) (k2 ie) z.
-Lemma upto_line ie z : upto (facet t (fst ie)) (line (from ie) (to_ ie) z) z = k0 ie + k1 ie * z + k2 ie * (z * z).
+Lemma upto_line ie z : upto (facet t (fst ie)) (line (tail ie) (tip ie) z) z = k0 ie + k1 ie * z + k2 ie * (z * z).
 Proof. unfold upto, cubic, line, k0, k1, k2. cbv zeta. field. Qed.
 
 (** Simpson's rule. *)
-Lemma edge_value ie : let a := from ie in let b := to_ ie in let f := facet t (fst ie) in
+Lemma edge_value ie : let a := tail ie in let b := tip ie in let f := facet t (fst ie) in
   deep ie (pz b) - deep ie (pz a) = (pz b - pz a) / 6 * (upto f (py a) (pz a) + 4 * upto f ((py a + py b) / 2) ((pz a + pz b) / 2) + upto f (py b) (pz b)).
 Proof.
-  cbv zeta. destruct (Req_dec (pz (from ie)) (pz (to_ ie))) as [E|N]; [rewrite E; lra|].
-  set (a := from ie) in *. set (b := to_ ie) in *. set (f := facet t (fst ie)).
+  cbv zeta. destruct (Req_dec (pz (tail ie)) (pz (tip ie))) as [E|N]; [rewrite E; lra|].
+  set (a := tail ie) in *. set (b := tip ie) in *. set (f := facet t (fst ie)).
   assert (N' : pz b - pz a <> 0) by (intros K; apply N; lra).
   assert (L1 : py a = line a b (pz a)) by (unfold line, b0, b1; field; exact N').
   assert (L2 : py b = line a b (pz b)) by (unfold line, b0, b1; field; exact N').
   assert (L3 : (py a + py b) / 2 = line a b ((pz a + pz b) / 2)) by (unfold line, b0, b1; field; exact N').
   rewrite L3. rewrite L1 at 1. rewrite L2 at 1. unfold f, a, b. rewrite !upto_line. unfold deep, cubic. field.
 Qed.
-Lemma face_value i : rsum (fun e => deep (i, e) (pz (to_ (i, e))) - deep (i, e) (pz (from (i, e)))) I3
+Lemma face_value i : rsum (fun e => deep (i, e) (pz (tip (i, e))) - deep (i, e) (pz (tail (i, e)))) I3
   = shadow (facet t i) * (px (t1 (facet t i)) + px (t2 (facet t i)) + px (t3 (facet t i))) / 6.
 Proof.
-  cbn [rsum I3]. rewrite !edge_value. unfold from, to_; cbn [fst snd ends]. set (f := facet t i).
+  cbn [rsum I3]. rewrite !edge_value. unfold tail, tip; cbn [fst snd ends]. set (f := facet t i).
   unfold upto, cubic. destruct (Req_dec (shadow f) 0) as [E|N].
   - assert (D : forall n, n / shadow f = 0) by (intros; unfold Rdiv; rewrite E, Rinv_0; ring).
     unfold a0, a1, a2. rewrite !D, E. field.
@@ -390,11 +390,11 @@ Qed.
 Lemma volume_integral : ae (fun z => ae (fun y => ae (fun x => forall i, In i I4 -> good (Point x y z) (facet t i)))) ->
   integral M slice (vol t / 6).
 Proof.
-  intros G. set (u := fun ieb : nat * nat * bool => if snd ieb then pz (to_ (fst ieb)) else pz (from (fst ieb))).
+  intros G. set (u := fun ieb : nat * nat * bool => if snd ieb then pz (tip (fst ieb)) else pz (tail (fst ieb))).
   set (s := fun ieb : nat * nat * bool => if snd ieb then -1 else 1).
   replace (vol t / 6) with (rsum (fun ieb : nat * nat * bool => s ieb * deep (fst ieb) (u ieb)) (list_prod edges4 [true; false])).
   2:{ rewrite rsum_prod. cbn [rsum fst snd s u].
-      rewrite (rsum_ext _ (fun ie => -1 * (deep ie (pz (to_ ie)) - deep ie (pz (from ie))))) by (intros; unfold s, u; cbn [fst snd]; ring).
+      rewrite (rsum_ext _ (fun ie => -1 * (deep ie (pz (tip ie)) - deep ie (pz (tail ie))))) by (intros; unfold s, u; cbn [fst snd]; ring).
       rewrite rsum_mull. unfold edges4. rewrite rsum_prod.
       rewrite (rsum_ext _ (fun i => shadow (facet t i) * (px (t1 (facet t i)) + px (t2 (facet t i)) + px (t3 (facet t i))) / 6)) by (intros; apply face_value).
       unfold shadow, vol. cbn [rsum I4 facet t1 t2 t3]. unf. field. }
