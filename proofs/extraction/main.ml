@@ -110,13 +110,6 @@ let triangles corners mates =
     | _ -> reject "a simplex" in
   List.map2 one corners mates
 
-(* A sum of vertices moved by lattice vectors, over the common denominator. *)
-let sum_of vertices least corners =
-  let moved (v, (x, y, z)) = List.mapi (fun k c -> plus c [Z.mul least (z_of_int (List.nth [x; y; z] k))]) (List.nth vertices v) in
-  match List.map moved corners with
-  | first :: rest -> List.fold_left (List.map2 plus) first rest
-  | [] -> reject "no corner"
-
 (* Vectors of the ring: over Q the coefficient itself, over Q(a) all of them. *)
 let v3 scalar = function [x; y; z] -> { vX = scalar x; vY = scalar y; vZ = scalar z } | _ -> reject "a vertex"
 let in_front n row = List.init n (fun _ -> [Z0]) @ row
@@ -134,15 +127,14 @@ let domain d v =
 
 type 'a judge = {
   format : z -> nat -> 'a v3 list -> n list list -> (n * 'a v3 list) list -> bool;
-  cert : z -> 'a v3 list -> ctet list -> z -> 'a kgram -> nat -> 'a v3 list -> n list list -> 'a covering -> 'a cert;
+  cert : z -> 'a v3 list -> ctet list -> z -> 'a kgram -> nat -> 'a v3 list -> n list list -> 'a cert;
   space : 'a cert -> statement list -> bool;
   plane : 'a cert2 -> statement list -> bool;
   scalar : z list -> 'a }
 
 let judged (type a) (j : a judge) d r gram vertices polytope faces corners mates ss =
   let k = d - r in
-  let least = denominator [vertices; polytope] and gden = denominator [gram] in
-  let den = if d = 3 && k = 0 then least else Z.mul (z_of_int 4) least in
+  let den = denominator [vertices; polytope] and gden = denominator [gram] in
   let v3 = v3 j.scalar in
   let vs = scaled den vertices and ws = scaled den polytope and g = scaled gden gram in
   let numbers = List.concat (List.concat [vs; ws; g]) in
@@ -159,22 +151,16 @@ let judged (type a) (j : a judge) d r gram vertices polytope faces corners mates
         | Behind _ -> []) ms)) corners mates) in
   let padded = List.map (fun w -> v3 (in_front (3 - k) w)) ws in
   need (k = 0 || j.format den (nat_of_int (3 - k)) padded faces named) "the polytope, or a facet in its boundary";
-  (* the theorem; with a witness point, tiles far apart are beyond the search for it *)
-  let far = (k > 0 || d = 2) && List.exists (List.exists (fun (_, (x, y, z)) -> List.exists (fun u -> abs u > 20) [x; y; z])) corners in
-  let need ok what = if not ok && far then raise (Declined "tiles more than 20 lattice vectors apart") else need ok what in
-  let base = scaled least vertices and rank = nat_of_int r in
+  (* the theorem *)
+  let rank = nat_of_int r in
   if d = 3 then
-    let covering = if k = 0 then ByVolume else ByWitness (N0, v3 (sum_of base least (List.hd corners))) in
     let kgram = { k11 = e 0 0; k22 = e 1 1; k33 = e 2 2; k12 = e 0 1; k13 = e 0 2; k23 = e 1 2 } in
-    need (j.space (j.cert den (List.map v3 vs) (tetrahedra corners mates) gden kgram rank padded faces covering) ss) "the checks"
+    need (j.space (j.cert den (List.map v3 vs) (tetrahedra corners mates) gden kgram rank padded faces) ss) "the checks"
   else
     let pair = function [x; y] -> (j.scalar x, j.scalar y) | _ -> reject "a vertex" in
-    let wit = match List.map (List.nth (List.hd corners)) (order (List.hd corners)) with
-      | [a; b; c] -> sum_of base least [a; b; c; c] @ [[least]]
-      | _ -> reject "a simplex" in
     need (j.plane { e_den = den; e_verts = List.map pair vs; e_tris = triangles corners mates; e_gden = gden;
       e_gram = ((e 0 0, e 1 1), e 0 1); e_rank = rank; e_polytope = List.map (fun w -> pair (in_front (2 - k) w)) ws;
-      e_faces = faces; e_wit = v3 wit } ss) "the checks"
+      e_faces = faces } ss) "the checks"
 
 let certificate v =
   match v with

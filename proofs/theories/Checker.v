@@ -87,18 +87,15 @@ Definition vofZ den (n : Z3) := let '(x,y,z) := n in V3 (aofZ (den * x)) (aofZ (
     real ones, the Gram matrix is [c_gden] times the real one. *)
 Record kgram := KG { k11 : A; k22 : A; k33 : A; k12 : A; k13 : A; k23 : A }.
 Record khalf := KH { hn : v3; hd : A }.
-(** Why generic points are covered once: the volume sum, or a point of the open
-    simplex wk in no other closed translate. *)
-Inductive covering := ByVolume | ByWitness (wk : N) (wp : v3).
 (** The claim's domain is spanned by the lattice and [c_polytope], whose points have
     zeros in the first r coordinates. [c_domain] are half-spaces that have it as their
-    intersection, [c_pieces] tetrahedra that cover it, by points of [c_polytope] moved by
-    lattice vectors: hints, computed by [faces_cert] below, and checked. *)
+    intersection; [c_pieces] cut a cell of it, the part with the first r coordinates
+    between 0 and 1, into tetrahedra, by points of [c_polytope] moved by lattice vectors:
+    hints, computed by [faces_cert] below, and checked. *)
 Record cert := Cert {
   c_den : Z; c_verts : list v3; c_tets : list ctet;
   c_gden : Z; c_gram : kgram;
-  c_rank : nat; c_polytope : list v3; c_domain : list khalf; c_pieces : list (corner * corner * corner * corner);
-  c_cover : covering }.
+  c_rank : nat; c_polytope : list v3; c_domain : list khalf; c_pieces : list (corner * corner * corner * corner) }.
 
 Definition pos (den : Z) (vs : list v3) (c : corner) : v3 := vadd (nth (N.to_nat (fst c)) vs vzero) (vofZ den (snd c)).
 Record ktet := KT { ka : v3; kb : v3; kc : v3; kd : v3 }.
@@ -165,51 +162,24 @@ Fixpoint chk_mates (r : nat) (Hs : list khalf) (all : list ctet) (pos : ctet -> 
   | t :: ts => forallb (chk_mate r Hs all k t (pos t)) I4 && chk_mates r Hs all pos (S k) ts
   end.
 
-(** ** 4. The covering condition
+(** ** 4. The covering condition: volumes
 
-    By volume, for space only: all facets are paired and the volumes of the tetrahedra
-    sum to that of the cell, det sums to 6 den^3. *)
-Definition is_paired (t : ctet) := forallb (fun i => match mt t i with Some _ => true | None => false end) I4.
+    The cell of the domain, cut into pieces: those of [c_pieces] with positive volume. They lie in
+    the domain and in the cell; no two have common inner points; and the volumes of the
+    tetrahedra of the tiling sum to theirs. *)
+Definition unit_cell (c : cert) : list ktet := filter chk_vol (map (piece_pos (c_den c) (c_polytope c)) (c_pieces c)).
+Definition chk_unit (den : Z) (r : nat) (t : ktet) : bool :=
+  let unit x := ale zero x && ale x (aofZ den) in
+  forallb (fun v => (if 1 <=? r then unit (vX v) else true) && (if 2 <=? r then unit (vY v) else true) &&
+    (if 3 <=? r then unit (vZ v) else true)) (kverts t).
+(** The plane of facet i of t is between p and q; some plane of a facet, their own are tried first. *)
+Definition between (t : ktet) (i : nat) (p q : ktet) : bool :=
+  if forallb (fun v => ale zero (kL t i v)) (kverts p) then forallb (fun v => ale (kL t i v) zero) (kverts q) else false.
+Definition separated (all : list ktet) (p q : ktet) : bool :=
+  existsl (fun t => existsl (fun i => if between t i p q then true else between t i q p) I4) (p :: q :: all).
+Fixpoint chk_apart (all l : list ktet) : bool :=
+  match l with [] => true | p :: l => forallb (separated all p) l && chk_apart all l end.
 Definition kvolume (kts : list ktet) : A := fold_right (fun t s => aadd (kD (ka t) (kb t) (kc t) (kd t)) s) zero kts.
-Definition chk_volume (den : Z) (r : nat) (ts : list ctet) (kts : list ktet) : bool :=
-  Nat.eqb r 3 && forallb is_paired ts && is_zero (asub (kvolume kts) (aofZ (6 * (den * den * den)))).
-(** By a witness: a point of the open tetrahedron wk in no other closed translate.
-    For each tetrahedron there is a box lo..hi of lattice vectors; outside of it a
-    coordinate plane separates the point from the translate, inside a facet plane. *)
-Definition zint (lo hi : Z) : list Z := map (fun j => (lo + Z.of_nat j)%Z) (seq 0 (Z.to_nat (hi - lo + 1))).
-Definition chk_box1 (den : Z) (pr : v3 -> A) (t : ktet) (w : v3) (lo hi : Z) : bool :=
-  let u := asub (pr w) (aofZ (den * (lo - 1))) in let v := asub (pr w) (aofZ (den * (hi + 1))) in
-  (alt (pr (ka t)) u && alt (pr (kb t)) u && alt (pr (kc t)) u && alt (pr (kd t)) u) &&
-  (alt v (pr (ka t)) && alt v (pr (kb t)) && alt v (pr (kc t)) && alt v (pr (kd t))).
-Definition outb (den : Z) (t : ktet) (w : v3) (n : Z3) :=
-  let y := vsub w (vofZ den n) in existsl (fun i => alt (kL t i y) zero) I4.
-(** Only the first r coordinates move: the box is cut to the lattice. *)
-Definition chk_wit1 (den : Z) (r : nat) (wk : nat) (w : v3) (k : nat) (t : ktet) (bx : Z3 * Z3) : bool :=
-  let '((lx,ly,lz),(hx,hy,hz)) := bx in
-  (if 1 <=? r then chk_box1 den vX t w lx hx else true) && (if 2 <=? r then chk_box1 den vY t w ly hy else true) &&
-  (if 3 <=? r then chk_box1 den vZ t w lz hz else true) &&
-  forallb (fun n => if Nat.eqb k wk && z3eqb n z30 then true else outb den t w n)
-    (list_prod (list_prod (if 1 <=? r then zint lx hx else [0%Z]) (if 2 <=? r then zint ly hy else [0%Z])) (if 3 <=? r then zint lz hz else [0%Z])).
-(** The box is found by trial, for its correctness is checked: the first n from [n] on, in
-    steps of [step], where f is true. *)
-Fixpoint first (f : Z -> bool) (step n : Z) (fuel : nat) : Z :=
-  match fuel with O => n | S fuel => if f n then n else first f step (n + step)%Z fuel end.
-Definition box1 (den : Z) (pr : v3 -> A) (t : ktet) (w : v3) : Z * Z :=
-  let all f := f (pr (ka t)) && f (pr (kb t)) && f (pr (kc t)) && f (pr (kd t)) in
-  let below n := all (fun x => alt x (asub (pr w) (aofZ (den * (n - 1))))) in
-  let above n := all (fun x => alt (asub (pr w) (aofZ (den * (n + 1)))) x) in
-  let fuel := 50 in
-  (first below (-1) (first (fun n => negb (below n)) 1 0 fuel) fuel, first above 1 (first (fun n => negb (above n)) (-1) 0 fuel) fuel)%Z.
-Definition box (den : Z) (r : nat) (t : ktet) (w : v3) : Z3 * Z3 :=
-  let one (active : bool) pr := if active then box1 den pr t w else (0, 0)%Z in
-  let x := one (1 <=? r) vX in let y := one (2 <=? r) vY in let z := one (3 <=? r) vZ in
-  ((fst x, fst y, fst z), (snd x, snd y, snd z)).
-Fixpoint chk_wits (den : Z) (r : nat) (wk : nat) (w : v3) (k : nat) (ts : list ktet) : bool :=
-  match ts with
-  | [] => true
-  | t :: ts => chk_wit1 den r wk w k t (box den r t w) && chk_wits den r wk w (S k) ts
-  end.
-Definition chk_in (t : ktet) (w : v3) := forallb (fun i => alt zero (kL t i w)) I4.
 
 (** ** 5. The Gram matrix is positive definite *)
 Definition kgdet g :=
@@ -220,13 +190,10 @@ Definition chk_gram g := alt zero (k11 g) && alt zero (asub (amul (k11 g) (k22 g
 
 Definition positions (c : cert) := map (kpos (c_den c) (c_verts c)) (c_tets c).
 Definition chk_cover (c : cert) : bool :=
-  let den := c_den c in let r := c_rank c in let kts := positions c in
-  match c_cover c with
-  | ByVolume => chk_volume den r (c_tets c) kts
-  | ByWitness wk wp =>
-    match nth_error kts (N.to_nat wk) with None => false | Some t => chk_in t wp end &&
-    chk_wits den r (N.to_nat wk) wp 0 kts
-  end.
+  let l := unit_cell c in
+  match c_tets c with [] => false | _ => true end &&
+  forallb (chk_inside l) (c_domain c) && forallb (chk_unit (c_den c) (c_rank c)) l && chk_apart l l &&
+  is_zero (asub (kvolume (positions c)) (kvolume l)).
 Definition check_tiling (c : cert) : bool :=
   let den := c_den c in let r := c_rank c in let kts := positions c in
   Z.ltb 0 den && Z.ltb 0 (c_gden c) && Nat.leb r 3 &&
@@ -340,18 +307,26 @@ Definition half_space_over (den : Z) (r : nat) (W : list v3) (f : list N) : khal
   let d := aadd (aadd (amul (vX n) (vX a)) (amul (vY n) (vY a))) (amul (vZ n) (vZ a)) in
   let H := KH n (asub zero d) in
   if forallb (fun w => ale zero (klev H w)) W then H else KH (vsub vzero n) d.
-(** Pyramids over the faces with their top at vertex 0, in both orders of the corners. *)
+(** The pieces of a cell: pyramids over the faces with their top at vertex 0, times the
+    cell of the lattice; all in both orders of the corners, one of which is positive, or
+    none if vertex 0 is in the face. *)
+Definition both_orders (q : corner * corner * corner * corner) := let '(a, b, c, d) := q in [(a, b, c, d); (b, a, c, d)].
+(** A triangle times an interval; a parallelogram, that of the lattice, times an interval. *)
+Definition prism (up : corner -> corner) (a b c : corner) := [(a, b, c, up c); (a, b, up b, up c); (a, up a, up b, up c)].
+Definition box_over (up : corner -> corner) := let o := (0, 0, 0)%Z in let x := (1, 0, 0)%Z in let y := (0, 1, 0)%Z in let xy := (1, 1, 0)%Z in
+  prism up (0%N, o) (0%N, x) (0%N, y) ++ prism up (0%N, xy) (0%N, x) (0%N, y).
 Fixpoint fan (f : list N) : list (N * N) := match f with i :: ((j :: _) as f) => (i, j) :: fan f | _ => [] end.
 Definition pieces_over (r : nat) (f : list N) : list (corner * corner * corner * corner) :=
-  let both a b c d := [(a, b, c, d); (a, c, b, d)] in
-  match r, f with
-  | 2, i :: _ => both (at0 0%N) (at0 i) (atx 0%N) (aty 0%N)
-  | 1, i :: j :: _ => both (at0 0%N) (at0 i) (at0 j) (atx 0%N)
-  | _, i :: f => flat_map (fun jk => both (at0 0%N) (at0 i) (at0 (fst jk)) (at0 (snd jk))) (fan f)
+  flat_map both_orders match r, f with
+  | 2, i :: _ => box_over (fun a => (i, snd a))
+  | 1, i :: j :: _ => prism (fun a => (fst a, (1, 0, 0)%Z)) (at0 0%N) (at0 i) (at0 j)
+  | _, i :: f => map (fun jk => (at0 0%N, at0 i, at0 (fst jk), at0 (snd jk))) (fan f)
   | _, [] => []
   end.
-Definition faces_cert den verts tets gden gram (r : nat) (W : list v3) (faces : list (list N)) cover : cert :=
-  Cert den verts tets gden gram r W (map (half_space_over den r W) faces) (flat_map (pieces_over r) faces) cover.
+Definition cell_pieces (r : nat) (faces : list (list N)) :=
+  if 3 <=? r then flat_map both_orders (box_over (cshift (0, 0, 1)%Z)) else flat_map (pieces_over r) faces.
+Definition faces_cert den verts tets gden gram (r : nat) (W : list v3) (faces : list (list N)) : cert :=
+  Cert den verts tets gden gram r W (map (half_space_over den r W) faces) (cell_pieces r faces).
 
 (** Which part fails, for people; no theorem speaks of it. *)
 Definition parts (c : cert) (ss : list statement) : list bool :=

@@ -44,7 +44,6 @@ Definition piece (c : cell) := translate (vec h (snd c)) (T (fst c)).
 Definition valid (c : cell) := (fst c < N)%nat /\ lat (snd c) = true.
 
 Hypothesis h_pos : 0 < h.
-Hypothesis lat_zero : lat z30 = true.
 Hypothesis lat_add : forall a b, lat a = true -> lat b = true -> lat (zadd3 a b) = true.
 Hypothesis Dom_open : open Dom.
 Hypothesis Dom_convex : forall p q s, Dom p -> Dom q -> 0 <= s <= 1 -> Dom (lerp p q s).
@@ -313,8 +312,7 @@ Qed.
 (** ** The covering condition: generic points are covered once
 
     Every nonempty bounded open part of the domain holds a point that lies inside of
-    exactly one tile.  There are two ways to it: a witness (below) and the volume
-    sum (Volume.v). *)
+    exactly one tile.  The volume sum implies it (Volume.v). *)
 Definition covered_once := forall M x (V : point -> Prop), near M org x -> V x -> open V -> (forall y, V y -> Dom y) ->
   exists K q, V q /\ count one K q = 1%Z /\
    (forall c y, valid c -> near M org y -> closed (piece c) y -> In c (cells K)) /\ near M org q.
@@ -322,49 +320,36 @@ Definition covered_once := forall M x (V : point -> Prop), near M org x -> V x -
 Lemma near_Dom_convex e x p q s : near e x p /\ Dom p -> near e x q /\ Dom q -> 0 <= s <= 1 -> near e x (lerp p q s) /\ Dom (lerp p q s).
 Proof. intros [? ?] [? ?] ?. split; [apply near_convex|apply Dom_convex]; auto. Qed.
 
-(** The witness: w0 lies inside of the tile (k0, 0) and in no other tile. *)
-Section Witness.
-Variables (k0 : nat) (w0 : point).
-Hypothesis Hk0 : (k0 < N)%nat.
-Hypothesis Hw0 : inside (T k0) w0.
-Hypothesis Hw : forall c, valid c -> closed (piece c) w0 -> c = (k0, z30).
-
-Lemma valid0 : valid (k0, z30).
-Proof. split; auto. Qed.
-Theorem witness_covers_once : covered_once.
+(** The number of tiles is the same at all points of the domain that are in no facet plane. *)
+Definition off_planes K p := forall ci, In ci (list_prod (cells K) I4) -> coord (piece (fst ci)) (snd ci) p <> 0.
+Definition like K M p y := (near M org y /\ Dom y) /\
+  forall ci, In ci (list_prod (cells K) I4) -> 0 < coord (piece (fst ci)) (snd ci) p * coord (piece (fst ci)) (snd ci) y.
+Lemma like_open K M p : open (like K M p).
 Proof.
-  intros M x V Hx Vx OV VD.
-  destruct (near_org_exists w0) as [M1 [HM1 Hw0n]].
-  set (M' := Rmax M M1).
-  assert (m1 : M <= M') by apply Rmax_l. assert (m2 : M1 <= M') by apply Rmax_r.
-  destruct (range M') as [K RG].
-  set (U := fun y => near M1 org y /\ inside (piece (k0, z30)) y /\ forall c, In c (cells K) -> c = (k0, z30) \/ ~ closed (piece c) y).
-  assert (E0 : piece (k0, z30) = T k0) by (unfold piece; cbn [fst snd]; apply ttr0).
-  assert (I0 : In (k0, z30) (cells K)) by (apply cells_In; split; [apply valid0 | simpl; lia]).
-  destruct (connect K M' (fun y => near M' org y /\ Dom y) U (fun y => near M org y /\ V y)) as [p [q [Up [Vq [G CR]]]]]; auto.
-  - intros; apply near_Dom_convex; auto.
-  - unfold U. apply opn_and; [apply near_opn|]. apply opn_and; [apply inter_opn|].
-    apply opn_all. intros c Hc. apply opn_or; [apply opn_const|apply not_closed_opn].
-  - apply opn_and; auto. apply near_opn.
-  - exists w0. unfold U. rewrite E0. split; auto. split; auto. intros c Hc.
-    destruct (closedb (piece c) w0) eqn:Cb.
-    + left. apply closedb_t in Cb. apply Hw; auto. eapply cells_valid; eauto.
-    + right. rewrite <- closedb_t. congruence.
-  - exists x; auto.
-  - intros y [Hy [Iy _]]. split; [eapply near_mono; [|exact Hy]; auto|]. apply (Dom_inside _ _ valid0 Iy).
-  - intros y [Hy Vy]. split; auto. eapply near_mono; [|exact Hy]; auto.
-  - assert (E : count one K p = count one K q).
-    { apply weighted; auto. intros c i Hc Hi X. destruct (CR c i Hc Hi X) as [X1 [X2 _]]. auto. }
-    exists K, q. destruct Vq as [Vq1 Vq2]. split; auto. split; [|split; auto].
-    + rewrite <- E, cnt_one. destruct Up as [_ [U1 U2]].
-      rewrite (zsum_single _ _ (k0, z30)); [|apply cells_NoDup| auto|].
-      * rewrite (proj2 (interb_t _ _) U1). reflexivity.
-      * intros c Hc Ne. destruct (U2 c Hc) as [|U3]; [tauto|].
-        destruct (insideb (piece c) p) eqn:Eb; auto. exfalso. apply U3, inter_closed, interb_t; auto.
-    + intros c y Hc Hy. apply RG; auto. eapply near_mono; [|exact Hy]; auto.
+  apply opn_and; [apply opn_and; auto; apply near_opn|]. apply opn_all. intros ci _.
+  destruct (aff_o (facet (piece (fst ci)) (snd ci))) as [a [b [c [d H]]]]. set (k := coord (piece (fst ci)) (snd ci) p).
+  apply (aff_pos_opn (fun y => k * coord (piece (fst ci)) (snd ci) y)).
+  exists (k * a), (k * b), (k * c), (k * d). intros y. unfold coord. rewrite H. ring.
 Qed.
-
-End Witness.
+Lemma like_count K M p y : like K M p y -> count one K y = count one K p.
+Proof.
+  intros [_ H]. rewrite !cnt_one. apply zsum_ext. intros c Hc. f_equal. apply beq_iff. rewrite !interb_t.
+  split; intros I i Hi; specialize (H (c, i) (proj2 (in_prod_iff _ _ _ _) (conj Hc Hi))); specialize (I i Hi); cbn [fst snd] in H; nra.
+Qed.
+Lemma count_constant K M p q :
+  (forall c y, valid c -> near M org y -> closed (piece c) y -> In c (cells K)) ->
+  near M org p -> Dom p -> off_planes K p -> near M org q -> Dom q -> off_planes K q -> count one K p = count one K q.
+Proof.
+  intros RG Np Dp Op Nq Dq Oq.
+  assert (SELF : forall x, near M org x -> Dom x -> off_planes K x -> like K M x x).
+  { intros x Nx Dx Ox. split; auto. intros ci Hci. specialize (Ox ci Hci). nra. }
+  destruct (connect K M (fun y => near M org y /\ Dom y) (like K M p) (like K M q)) as [p' [q' [Lp [Lq [G CR]]]]];
+    eauto using like_open; try (intros; apply near_Dom_convex; auto).
+  { intros y [Hy _]. exact Hy. }
+  { intros y [Hy _]. exact Hy. }
+  rewrite <- (like_count K M p p' Lp), <- (like_count K M q q' Lq).
+  apply weighted; auto. intros c i Hc Hi X. destruct (CR c i Hc Hi X) as [X1 [X2 _]]. auto.
+Qed.
 
 (** ** What follows *)
 Section Once.

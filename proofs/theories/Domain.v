@@ -94,6 +94,32 @@ Proof.
   - assert (0 < coord t 2 x * level H (vc t)) by (apply Rmult_lt_0_compat; auto). lra.
   - assert (0 < coord t 3 x * level H (vd t)) by (apply Rmult_lt_0_compat; auto). lra.
 Qed.
+(** Tetrahedra on both sides of a plane have no common inner point. *)
+Lemma apart_affine f p q x : affine f -> (exists z, f z <> 0) -> 0 < vol p -> 0 < vol q ->
+  (forall v, In v (verts p) -> 0 <= f v) -> (forall v, In v (verts q) -> f v <= 0) ->
+  inside p x -> inside q x -> False.
+Proof.
+  intros AF [z Hz] Vp Vq P Q Ip Iq.
+  pose proof (interpolate p f x AF) as Ep. pose proof (interpolate q f x AF) as Eq. pose proof (interpolate p f z AF) as Ez.
+  pose proof (Ip 0%nat ltac:(simpl; auto)) as I0. pose proof (Ip 1%nat ltac:(simpl; auto)) as I1.
+  pose proof (Ip 2%nat ltac:(simpl; auto)) as I2. pose proof (Ip 3%nat ltac:(simpl; auto)) as I3.
+  pose proof (Iq 0%nat ltac:(simpl; auto)) as J0. pose proof (Iq 1%nat ltac:(simpl; auto)) as J1.
+  pose proof (Iq 2%nat ltac:(simpl; auto)) as J2. pose proof (Iq 3%nat ltac:(simpl; auto)) as J3.
+  pose proof (P (va p) ltac:(simpl; auto)) as P0. pose proof (P (vb p) ltac:(simpl; auto)) as P1.
+  pose proof (P (vc p) ltac:(simpl; auto)) as P2. pose proof (P (vd p) ltac:(simpl; auto)) as P3.
+  pose proof (Q (va q) ltac:(simpl; auto)) as Q0. pose proof (Q (vb q) ltac:(simpl; auto)) as Q1.
+  pose proof (Q (vc q) ltac:(simpl; auto)) as Q2. pose proof (Q (vd q) ltac:(simpl; auto)) as Q3.
+  assert (M : forall a b, 0 < a -> 0 <= b -> 0 <= a * b) by (intros; apply Rmult_le_pos; lra).
+  assert (L : f x <= 0).
+  { pose proof (M _ (- f (va q)) J0 ltac:(lra)). pose proof (M _ (- f (vb q)) J1 ltac:(lra)).
+    pose proof (M _ (- f (vc q)) J2 ltac:(lra)). pose proof (M _ (- f (vd q)) J3 ltac:(lra)).
+    apply Rnot_lt_le. intros K. assert (0 < vol q * f x) by (apply Rmult_lt_0_compat; auto). lra. }
+  pose proof (M _ _ I0 P0) as M0. pose proof (M _ _ I1 P1) as M1. pose proof (M _ _ I2 P2) as M2. pose proof (M _ _ I3 P3) as M3.
+  pose proof (M (vol p) (- f x) Vp ltac:(lra)) as MX.
+  assert (Z : forall a b, 0 < a -> a * b = 0 -> b = 0) by (intros a b Ha E; apply Rmult_integral in E; destruct E; lra).
+  rewrite (Z _ (f (va p)) I0 ltac:(lra)), (Z _ (f (vb p)) I1 ltac:(lra)), (Z _ (f (vc p)) I2 ltac:(lra)), (Z _ (f (vd p)) I3 ltac:(lra)) in Ez.
+  apply Hz, (Z (vol p)); auto. rewrite Ez. ring.
+Qed.
 (** A facet in the boundary plane: the vertex opposite to it and the whole open
     domain lie on the same side. *)
 Lemma level_boundary H t i y : In i I4 -> 0 < vol t -> 0 <= level H (vx t i) ->

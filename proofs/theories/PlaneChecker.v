@@ -46,10 +46,10 @@ Section Ring.
 Variables (A : Type) (aadd asub amul : A -> A -> A) (aofZ : Z -> A) (alt ale : A -> A -> bool).
 Notation zero := (zero A aofZ).
 
-(** Integral data, as in Checker.v; [e_wit] lies in the first tetrahedron over triangle 0. *)
+(** Integral data, as in Checker.v. *)
 Record cert2 := Cert2 {
   e_den : Z; e_verts : list (A * A); e_tris : list ctri; e_gden : Z; e_gram : A * A * A;
-  e_rank : nat; e_polytope : list (A * A); e_faces : list (list N); e_wit : v3 A }.
+  e_rank : nat; e_polytope : list (A * A); e_faces : list (list N) }.
 
 Definition level0 (p : A * A) : v3 A := V3 A (fst p) (snd p) zero.
 Definition level1 (den : Z) (p : A * A) : v3 A := V3 A (fst p) (snd p) (aofZ den).
@@ -69,8 +69,7 @@ Definition pieces2 (c : cert2) : list (corner * corner * corner * corner) :=
   let n := N.of_nat (length (e_polytope c)) in
   match e_rank c with
   | 0 => flat_map (fun f => match f with
-      | [i; j] => flat_map (fun q => let '(a, b, c, d) := q in [(a, b, c, d); (b, a, c, d)])
-        [(at0 0%N, at0 i, at0 j, at0 (n + j)%N); (at0 0%N, at0 i, at0 (n + i)%N, at0 (n + j)%N); (at0 0%N, at0 n, at0 (n + i)%N, at0 (n + j)%N)]
+      | [i; j] => flat_map both_orders (prism (fun a => ((n + fst a)%N, snd a)) (at0 0%N) (at0 i) (at0 j))
       | _ => [] end) (e_faces c)
   | r => flat_map (pieces_over r) (faces2 c)
   end.
@@ -80,8 +79,7 @@ Definition lift (c : cert2) : cert A :=
   let W := polytope2 c in
   Cert A (e_den c) (both_levels (e_den c) (e_verts c)) (prisms (V2 c) (e_tris c) 0 (e_tris c))
     (e_gden c) (KG A g11 g22 (aofZ (e_gden c)) g12 zero zero)
-    (e_rank c) W (map (half_space_over A aadd asub amul aofZ ale (e_den c) (e_rank c) W) (faces2 c)) (pieces2 c)
-    (ByWitness A 0 (e_wit c)).
+    (e_rank c) W (map (half_space_over A aadd asub amul aofZ ale (e_den c) (e_rank c) W) (faces2 c)) (pieces2 c).
 
 (** ** Statements *)
 Definition place (c : cert2) (q : corner) : v3 A := pos A aadd aofZ (e_den c) (both_levels (e_den c) (e_verts c)) q.

@@ -11,8 +11,6 @@ Local Open Scope nat_scope.
 
 Lemma existsl_eq {X} (f : X -> bool) l : existsl f l = existsb f l.
 Proof. induction l; simpl; auto. rewrite IHl. destruct (f a); auto. Qed.
-Lemma zint_In lo hi n : (lo <= n <= hi)%Z -> In n (zint lo hi).
-Proof. intros H. unfold zint. apply in_map_iff. exists (Z.to_nat (n - lo)). rewrite in_seq. lia. Qed.
 Lemma I4_lt i : In i I4 <-> (i < 4)%nat.
 Proof. simpl. lia. Qed.
 
@@ -60,7 +58,11 @@ Notation chk_polytope := (chk_polytope A aadd asub amul aofZ alt ale).
 Notation in_piece := (in_piece A aadd asub amul aofZ alt ale).
 Notation piece_pos := (piece_pos A aadd aofZ).
 Notation zeroed := (zeroed A aofZ).
-Notation c_cover := (c_cover A).
+Notation unit_cell := (unit_cell A aadd asub amul aofZ alt).
+Notation chk_unit := (chk_unit A aofZ ale).
+Notation between := (between A aadd asub amul aofZ ale).
+Notation separated := (separated A aadd asub amul aofZ ale).
+Notation chk_apart := (chk_apart A aadd asub amul aofZ ale).
 Notation chk_cover := (chk_cover A aadd asub amul aofZ alt ale).
 Notation kvolume := (kvolume A aadd asub amul aofZ).
 Notation pos := (pos A aadd aofZ).
@@ -84,11 +86,6 @@ Notation hd := (hd A).
 Notation chk_vol := (chk_vol A aadd asub amul aofZ alt).
 Notation chk_mates := (chk_mates A aadd amul aofZ ale).
 Notation chk_mate := (chk_mate A aadd amul aofZ ale).
-Notation chk_wits := (chk_wits A aadd asub amul aofZ alt).
-Notation chk_wit1 := (chk_wit1 A aadd asub amul aofZ alt).
-Notation chk_box1 := (chk_box1 A asub aofZ alt).
-Notation chk_in := (chk_in A aadd asub amul aofZ alt).
-Notation outb := (outb A aadd asub amul aofZ alt).
 Notation chk_gram := (chk_gram A aadd asub amul aofZ alt).
 Notation chk_invariant := (chk_invariant A aofZ ale).
 Notation chk_inside := (chk_inside A aadd amul aofZ alt ale).
@@ -241,25 +238,33 @@ Proof.
   - intros [<-|[<-|[<-|[<-|[]]]]]; eauto 8.
   - intros [w [[<-|[<-|[<-|[<-|[]]]]] ->]]; auto.
 Qed.
+Lemma in_piece_verts t n v : In v (verts (translate (vec h n) (phiT t))) <-> exists w, In w (kverts t) /\ v = add (phi3 w) (vec h n).
+Proof.
+  unfold verts, translate, phiT, Checker.kverts; cbn. split.
+  - intros [<-|[<-|[<-|[<-|[]]]]]; eauto 8.
+  - intros [w [[<-|[<-|[<-|[<-|[]]]]] ->]]; auto.
+Qed.
+(** What [chk_inside] says of the translates of one tetrahedron. *)
+Lemma inside_level kts t n K : In K (c_domain c) -> chk_inside kts K = true -> In t kts -> latb r n = true ->
+  (forall v, In v (verts (translate (vec h n) (phiT t))) -> 0 <= level (phiH K) v) /\
+  (exists v, In v (verts (translate (vec h n) (phiT t))) /\ 0 < level (phiH K) v).
+Proof.
+  intros HK D2 It Hn. assert (INV : invariant r (phiH K)) by (apply cinvariant; unfold Hs; apply in_map; auto).
+  assert (SH : forall x, level (phiH K) (add x (vec h n)) = level (phiH K) x) by (intros; apply level_shift with (r := r); auto; apply latb_iff; auto).
+  unfold Checker.chk_inside in D2. rewrite forallb_forall in D2.
+  specialize (D2 t It). rewrite andb_true_iff, forallb_forall, existsb_exists in D2. destruct D2 as [D2 [w [Hw D3]]].
+  split.
+  - intros v Hv. apply in_piece_verts in Hv as [u [Hu ->]]. rewrite SH.
+    specialize (D2 u Hu). apply ale_ok in D2. rewrite phi_zero, phi_lev in D2. auto.
+  - apply alt_ok in D3. rewrite phi_zero, phi_lev in D3.
+    exists (add (phi3 w) (vec h n)). rewrite SH. split; auto. apply in_piece_verts. eauto.
+Qed.
 Lemma clevel k n H : (k < N)%nat -> latb r n = true -> In H Hs ->
   (forall v, In v (verts (piece (k, n))) -> 0 <= level H v) /\ (exists v, In v (verts (piece (k, n))) /\ 0 < level H v).
 Proof.
-  intros Hk Hn HI. pose proof (cinvariant H HI) as INV. destruct (get k Hk) as [t [E I]].
-  assert (SH : forall x, level H (add x (vec h n)) = level H x) by (intros; apply level_shift with (r := r); auto; apply latb_iff; auto).
-  assert (VP : forall v, In v (verts (piece (k, n))) <-> exists w, In w (verts (cT k)) /\ v = add w (vec h n)).
-  { intros v. unfold Degree.piece, translate; cbn [fst snd]. unfold verts; cbn. split.
-    - intros [<-|[<-|[<-|[<-|[]]]]]; eauto 8.
-    - intros [w [[<-|[<-|[<-|[<-|[]]]]] ->]]; auto. }
+  intros Hk Hn HI. destruct (get k Hk) as [t [E I]]. unfold Degree.piece; cbn [fst snd]. rewrite (cT_eq k t E).
   unfold Hs in HI. apply in_map_iff in HI as [K [<- HK]]. destruct chk_all as [_ [_ [_ [_ [D _]]]]]. destruct (D K HK) as [_ D2].
-  unfold Checker.chk_inside in D2. rewrite forallb_forall in D2.
-  specialize (D2 (kpos den vs t)). rewrite andb_true_iff, forallb_forall, existsb_exists in D2.
-  destruct D2 as [D2 D3]. { unfold Checker.positions. fold den vs. apply in_map; auto. }
-  split.
-  - intros v Hv. apply VP in Hv as [w [Hw ->]]. rewrite SH. rewrite (cT_eq k t E) in Hw. apply phiT_verts in Hw as [w' [Hw' ->]].
-    specialize (D2 w' Hw'). apply ale_ok in D2. rewrite phi_zero, phi_lev in D2. auto.
-  - destruct D3 as [w [Hw D3]]. apply alt_ok in D3. rewrite phi_zero, phi_lev in D3.
-    exists (add (phi3 w) (vec h n)). rewrite SH. split; auto. apply VP. exists (phi3 w). split; auto.
-    rewrite (cT_eq k t E). apply phiT_verts. eauto.
+  apply (inside_level (positions c)); auto. unfold Checker.positions. fold den vs. apply in_map; auto.
 Qed.
 Lemma cdom_inside cc x : valid cc -> inside (piece cc) x -> open_domain Hs x.
 Proof.
@@ -353,161 +358,165 @@ Proof.
     + apply L1, vx_In; auto.
 Qed.
 
-(** *** The covering condition, by a witness point *)
-Section Witness.
-Variables (wk : nat) (wp : v3).
-Hypothesis Hin : exists t, nth_error (c_tets c) wk = Some t /\ chk_in (kpos den vs t) wp = true.
-Hypothesis Hwits : chk_wits den r wk wp 0 (map (kpos den vs) (c_tets c)) = true.
+(** *** The covering condition: the pieces of a cell of the domain *)
+Let NQ := length (unit_cell c).
+Definition cQ (k : nat) : tetrahedron := phiT (nth k (unit_cell c) (KT A vzero vzero vzero vzero)).
+Notation cell_piece := (Degree.piece cQ h).
 
-Lemma cwk : (wk < N)%nat.
-Proof. destruct Hin as [t [E _]]. apply nth_error_Some. rewrite E. discriminate. Qed.
-Definition w0 := phi3 wp.
-Lemma cwin : inside (cT wk) w0.
-Proof.
-  destruct Hin as [t [E H]]. rewrite (cT_eq _ t E). unfold Checker.chk_in in H.
-  rewrite forallb_forall in H. intros i Hi. specialize (H i Hi). apply alt_ok in H. rewrite phi_zero, phi_L in H. exact H.
-Qed.
-Lemma chk_wits_spec : forall ts k, chk_wits den r wk wp k ts = true ->
-  forall j t, nth_error ts j = Some t -> exists b, chk_wit1 den r wk wp (k + j) t b = true.
-Proof.
-  induction ts as [|t0 ts IH]; intros k H j t E.
-  - destruct j; discriminate.
-  - cbn [Checker.chk_wits] in H. apply andb_true_iff in H as [H1 H2]. destruct j as [|j].
-    + injection E as <-. rewrite Nat.add_0_r. eauto.
-    + replace (k + S j)%nat with (S k + j)%nat by lia. apply (IH (S k)); auto.
-Qed.
-Lemma convex_range a b cc d va' vb' vc' vd' u :
-  0 <= a -> 0 <= b -> 0 <= cc -> 0 <= d -> a + b + cc + d = 1 ->
-  u = a * va' + b * vb' + (cc * vc' + d * vd') ->
-  (va' < u -> vb' < u -> vc' < u -> vd' < u -> False) /\ (u < va' -> u < vb' -> u < vc' -> u < vd' -> False).
-Proof.
-  intros Ha Hb Hc Hd S ->. split; intros H1 H2 H3 H4;
-  set (u := a * va' + b * vb' + (cc * vc' + d * vd')) in *;
-  assert (Z : a * (u - va') + b * (u - vb') + cc * (u - vc') + d * (u - vd') = 0)
-   by (replace 0 with (u * (a + b + cc + d) - u) by (rewrite S; ring); unfold u; ring).
-  - assert (0 <= a * (u - va')) by (apply Rmult_le_pos; lra). assert (0 <= b * (u - vb')) by (apply Rmult_le_pos; lra).
-    assert (0 <= cc * (u - vc')) by (apply Rmult_le_pos; lra). assert (0 <= d * (u - vd')) by (apply Rmult_le_pos; lra).
-    destruct (Req_EM_T a 0); [|assert (0 < a * (u - va')) by (apply Rmult_lt_0_compat; lra); lra].
-    destruct (Req_EM_T b 0); [|assert (0 < b * (u - vb')) by (apply Rmult_lt_0_compat; lra); lra].
-    destruct (Req_EM_T cc 0); [|assert (0 < cc * (u - vc')) by (apply Rmult_lt_0_compat; lra); lra].
-    assert (0 < d * (u - vd')) by (apply Rmult_lt_0_compat; lra). lra.
-  - assert (0 <= a * (va' - u)) by (apply Rmult_le_pos; lra). assert (0 <= b * (vb' - u)) by (apply Rmult_le_pos; lra).
-    assert (0 <= cc * (vc' - u)) by (apply Rmult_le_pos; lra). assert (0 <= d * (vd' - u)) by (apply Rmult_le_pos; lra).
-    destruct (Req_EM_T a 0); [|assert (0 < a * (va' - u)) by (apply Rmult_lt_0_compat; lra); lra].
-    destruct (Req_EM_T b 0); [|assert (0 < b * (vb' - u)) by (apply Rmult_lt_0_compat; lra); lra].
-    destruct (Req_EM_T cc 0); [|assert (0 < cc * (vc' - u)) by (apply Rmult_lt_0_compat; lra); lra].
-    assert (0 < d * (vd' - u)) by (apply Rmult_lt_0_compat; lra). lra.
-Qed.
-
-Lemma closed_ttr u t x : closed (translate u t) x <-> closed t (sub x u).
-Proof.
-  assert (K : forall i, coord (translate u t) i x = coord t i (sub x u)).
-  { intros i. unfold coord, side. rewrite facet_translate. unfold translate_triangle; cbn [t1 t2 t3]. unf. ring. }
-  unfold closed. split; intros H i Hi; specialize (H i Hi); rewrite K in *; auto.
-Qed.
-
-(* one coordinate of the bounding-box argument *)
-Lemma box_ok (pr : v3 -> A) (pr' : point -> R) t n y lo hi :
-  (forall v, pr' (phi3 v) = phi (pr v)) ->
-  (forall a b, pr' (add a b) = pr' a + pr' b) -> (forall s a, pr' (scale s a) = s * pr' a) ->
-  chk_box1 den pr t wp lo hi = true ->
-  0 < vol (phiT t) -> closed (phiT t) y -> pr' y = phi (pr wp) - h * IZR n ->
-  In n (zint lo hi).
-Proof.
-  intros P1 P2 P3 Bx V C Ey.
-  destruct (proj2 (hull_closed _ _ V) C) as [a [b [cc [d [Ha [Hb [Hc [Hd [S E]]]]]]]]].
-  assert (E' : pr' y = a * phi (pr (ka t)) + b * phi (pr (kb t)) + (cc * phi (pr (kc t)) + d * phi (pr (kd t)))).
-  { rewrite E. unfold combination, phiT; cbn [va vb vc vd]. rewrite !P2, !P3, !P1. auto. }
-  clear E. destruct (convex_range a b cc d _ _ _ _ _ Ha Hb Hc Hd S E') as [R1 R2].
-  unfold Checker.chk_box1 in Bx. cbv zeta in Bx. repeat rewrite andb_true_iff in Bx.
-  destruct Bx as [[[[X1 X2] X3] X4] [[[Y1 Y2] Y3] Y4]].
-  apply alt_ok in X1, X2, X3, X4, Y1, Y2, Y3, Y4.
-  rewrite phi_sub, phi_Z, mult_IZR in *. fold h in X1, X2, X3, X4, Y1, Y2, Y3, Y4. pose proof h_pos as hp.
-  apply zint_In. split; apply Z.nlt_ge; intros K.
-  - assert (K' : (n <= lo - 1)%Z) by lia. apply IZR_le in K'.
-    assert (h * IZR n <= h * IZR (lo - 1)) by (apply Rmult_le_compat_l; lra). apply R1; lra.
-  - assert (K' : (hi + 1 <= n)%Z) by lia. apply IZR_le in K'.
-    assert (h * IZR (hi + 1) <= h * IZR n) by (apply Rmult_le_compat_l; lra). apply R2; lra.
-Qed.
-
-Lemma cwit cc : valid cc -> closed (piece cc) w0 -> cc = (wk, z30).
-Proof.
-  destruct cc as [k n]. intros [Hk Hn] C. cbn [fst snd] in Hk, Hn. destruct (get k Hk) as [t [E I]].
-  pose proof Hwits as H.
-  assert (E' : nth_error (map (kpos den vs) (c_tets c)) k = Some (kpos den vs t)).
-  { rewrite nth_error_map, E. reflexivity. }
-  destruct (chk_wits_spec _ 0%nat H k _ E') as [bx X]. cbn [Nat.add] in X.
-  pose proof (cvol k Hk) as V. unfold Degree.piece in C; cbn [fst snd] in C. rewrite (cT_eq k t E) in C, V.
-  set (kt := kpos den vs t) in *.
-  apply closed_ttr in C. apply latb_iff in Hn. destruct n as [[n1 n2] n3]. destruct bx as [[[lx ly] lz] [[hx hy] hz]].
-  unfold Checker.chk_wit1 in X. repeat rewrite andb_true_iff in X. destruct X as [[[B1 B2] B3] X].
-  rewrite forallb_forall in X. specialize (X (n1, n2, n3)). rewrite !in_prod_iff in X.
-  assert (Q : (if Nat.eqb k wk && z3eqb (n1, n2, n3) z30 then true else outb den kt wp (n1, n2, n3)) = true).
-  { apply X. split; [split|].
-    - destruct (Nat.leb_spec 1 r).
-      + apply box_ok with (pr := vX) (pr' := px) (t := kt) (y := sub w0 (vec h (n1,n2,n3))); auto.
-      + left. replace r with 0%nat in Hn by lia. symmetry; apply Hn.
-    - destruct (Nat.leb_spec 2 r).
-      + apply box_ok with (pr := vY) (pr' := py) (t := kt) (y := sub w0 (vec h (n1,n2,n3))); auto.
-      + left. destruct r as [|[|]]; [| |lia]; symmetry; apply Hn.
-    - destruct (Nat.leb_spec 3 r).
-      + apply box_ok with (pr := vZ) (pr' := pz) (t := kt) (y := sub w0 (vec h (n1,n2,n3))); auto.
-      + left. destruct r as [|[|[|]]]; [| | |lia]; symmetry; apply Hn. }
-  destruct (Nat.eqb k wk && z3eqb (n1, n2, n3) z30) eqn:Q'.
-  - apply andb_true_iff in Q' as [Q1 Q2]. apply Nat.eqb_eq in Q1. apply z3eqb_t in Q2. congruence.
-  - exfalso. unfold Checker.outb in Q. rewrite existsl_eq in Q. apply existsb_exists in Q as [i [Hi Q]]. apply alt_ok in Q.
-    rewrite phi_zero, phi_L, phi3_sub, phi3_ofZ in Q. specialize (C i Hi). fold h w0 in Q. lra.
-Qed.
-
-Lemma witness_once : covered_once N cT h (latb r) (open_domain Hs).
-Proof.
-  apply (witness_covers_once N cT h (latb r) (open_domain Hs) cM h_pos (latb_zero r) (latb_add r) (open_domain_convex Hs)
-    cdom_inside cvol cmate wk w0 cwk cwin cwit).
-Qed.
-End Witness.
-
-(** *** The covering condition, by the volume sum *)
-Lemma kvolume_sum : phi (kvolume (map (kpos den vs) (c_tets c))) = rsum (fun k => vol (cT k)) (seq 0 N).
-Proof.
-  assert (X : forall ts s f, (forall j t, nth_error ts j = Some t -> f (s + j)%nat = vol (phiT (kpos den vs t))) ->
-     phi (kvolume (map (kpos den vs) ts)) = rsum f (seq s (length ts))).
-  { induction ts as [|t ts IH]; intros s f H.
-    - apply phi_zero.
-    - cbn [map Checker.kvolume fold_right length seq rsum]. rewrite phi_add, phi_D.
-      change (fold_right _ zero (map (kpos den vs) ts)) with (kvolume (map (kpos den vs) ts)).
-      rewrite (IH (S s) f).
-      + f_equal. specialize (H 0%nat t eq_refl). rewrite Nat.add_0_r in H. rewrite H. reflexivity.
-      + intros j t' E. replace (S s + j)%nat with (s + S j)%nat by lia. apply H. exact E. }
-  apply X. intros j t E. cbn [Nat.add]. rewrite (cT_eq j t E). reflexivity.
-Qed.
-Lemma volume_once : chk_volume A aadd asub amul aofZ ale den r (c_tets c) (positions c) = true ->
-  (0 < N)%nat /\ covered_once N cT h (latb r) (open_domain Hs).
-Proof.
-  unfold chk_volume. rewrite !andb_true_iff. intros [[Hr HP] HV]. apply Nat.eqb_eq in Hr.
-  apply is_zero_ok in HV. unfold Checker.positions in HV. fold den vs in HV. rewrite phi_sub, kvolume_sum, phi_Z, !mult_IZR in HV. fold h in HV.
-  pose proof h_pos as hp. assert (H3 : 0 < h * h * h) by (repeat apply Rmult_lt_0_compat; auto).
-  split.
-  - destruct (Nat.eq_dec N 0) as [Z|Z]; [|lia]. exfalso. rewrite Z in HV. cbn [seq rsum] in HV. lra.
-  - apply volume_covers_once with (mate := cM).
-    + exact hp.
-    + intros [[x y] z]. rewrite Hr. reflexivity.
-    + exact cvol.
-    + intros k i Hk Hi. pose proof (cmate k i Hk Hi) as M. destruct (cM k i) as [[[k' i'] d]|] eqn:E; [tauto|].
-      destruct (get k Hk) as [t [Et It]]. rewrite forallb_forall in HP. specialize (HP t It).
-      unfold is_paired in HP. rewrite forallb_forall in HP. specialize (HP i Hi).
-      unfold cM in E. rewrite Et in E. destruct (mt t i) as [[[? ?] ?]|]; discriminate.
-    + lra.
-Qed.
-
-Lemma cover_once : (0 < N)%nat /\ covered_once N cT h (latb r) (open_domain Hs).
+Lemma chk_pieces : (0 < N)%nat /\ (forall K, In K (c_domain c) -> chk_inside (unit_cell c) K = true) /\
+  (forall t, In t (unit_cell c) -> chk_unit den r t = true) /\ chk_apart (unit_cell c) (unit_cell c) = true /\
+  phi (kvolume (positions c)) = phi (kvolume (unit_cell c)).
 Proof.
   destruct chk_all as [_ [_ [_ [_ [_ [_ [H _]]]]]]]. unfold Checker.chk_cover in H. cbv zeta in H. fold den r in H.
-  destruct (c_cover c) as [|wk wp].
-  - apply volume_once; auto.
-  - apply andb_true_iff in H as [H1 H2]. unfold Checker.positions in H1, H2. fold den vs in H1, H2. rewrite nth_error_map in H1.
-    assert (Hin : exists t, nth_error (c_tets c) (N.to_nat wk) = Some t /\ chk_in (kpos den vs t) wp = true).
-    { destruct (nth_error (c_tets c) (N.to_nat wk)) as [t|]; [|discriminate]. exists t. split; auto. }
-    split; [pose proof (cwk _ _ Hin); lia | apply (witness_once _ _ Hin H2)].
+  rewrite !andb_true_iff in H. destruct H as [[[[H1 H2] H3] H4] H5]. rewrite forallb_forall in H2, H3.
+  apply is_zero_ok in H5. rewrite phi_sub in H5. repeat split; auto; [|lra].
+  unfold N. destruct (c_tets c); [discriminate|]. cbn. lia.
+Qed.
+Lemma cell_In k : (k < NQ)%nat -> In (nth k (unit_cell c) (KT A vzero vzero vzero vzero)) (unit_cell c).
+Proof. intros Hk. apply nth_In. exact Hk. Qed.
+Lemma cells_vol t : In t (unit_cell c) -> 0 < vol (phiT t).
+Proof.
+  intros H. unfold Checker.unit_cell in H. apply filter_In in H as [_ H]. unfold Checker.chk_vol in H. apply alt_ok in H.
+  rewrite phi_zero, phi_D in H. exact H.
+Qed.
+Lemma cQ_vol k : (k < NQ)%nat -> 0 < vol (cQ k).
+Proof. intros Hk. apply cells_vol, cell_In, Hk. Qed.
+Lemma cQ_inside cc x : Degree.valid NQ (latb r) cc -> inside (cell_piece cc) x -> open_domain Hs x.
+Proof.
+  destruct cc as [k n]. intros [Hk Hn] I H HI. cbn [fst snd] in *.
+  unfold Hs in HI. apply in_map_iff in HI as [K [<- HK]]. destruct chk_pieces as [_ [D _]].
+  destruct (inside_level (unit_cell c) _ n K HK (D K HK) (cell_In k Hk) Hn) as [L1 L2].
+  apply (level_inside _ (cell_piece (k, n)) x); auto. unfold Degree.piece; cbn [fst snd]. rewrite vol_ttr. apply cQ_vol, Hk.
+Qed.
+
+(** No two pieces have common inner points. *)
+Lemma between_apart t i p q x : In t (unit_cell c) -> In i I4 -> In p (unit_cell c) -> In q (unit_cell c) ->
+  between t i p q = true -> inside (phiT p) x -> inside (phiT q) x -> False.
+Proof.
+  intros It Hi Ip Iq H. unfold Checker.between in H.
+  destruct (forallb (fun v => ale zero (kL t i v)) (kverts p)) eqn:E; [|discriminate]. rewrite forallb_forall in E, H.
+  apply (apart_affine (coord (phiT t) i)); auto using cells_vol.
+  - apply aff_o.
+  - exists (centroid (phiT t)). pose proof (cen_inter _ (cells_vol t It) i Hi). lra.
+  - intros v Hv. apply phiT_verts in Hv as [w [Hw ->]]. specialize (E w Hw). apply ale_ok in E. rewrite phi_zero, phi_L in E. exact E.
+  - intros v Hv. apply phiT_verts in Hv as [w [Hw ->]]. specialize (H w Hw). apply ale_ok in H. rewrite phi_zero, phi_L in H. exact H.
+Qed.
+Lemma separated_apart p q x : In p (unit_cell c) -> In q (unit_cell c) -> separated (unit_cell c) p q = true ->
+  inside (phiT p) x -> inside (phiT q) x -> False.
+Proof.
+  intros Ip Iq H Xp Xq. unfold Checker.separated in H. rewrite existsl_eq in H. apply existsb_exists in H as [t [It H]].
+  rewrite existsl_eq in H. apply existsb_exists in H as [i [Hi H]].
+  assert (It' : In t (unit_cell c)) by (destruct It as [<-|[<-|It]]; auto).
+  destruct (between t i p q) eqn:E; [apply (between_apart t i p q x) | apply (between_apart t i q p x)]; auto.
+Qed.
+Lemma chk_apart_spec all d : forall l j k, chk_apart all l = true -> (j < k < length l)%nat -> separated all (nth j l d) (nth k l d) = true.
+Proof.
+  induction l as [|p l IH]; intros j k H L; [cbn in L; lia|]. cbn [Checker.chk_apart] in H. apply andb_true_iff in H as [H1 H2].
+  rewrite forallb_forall in H1. cbn [length] in L. destruct k as [|k]; [lia|]. destruct j as [|j]; cbn [nth].
+  - apply H1, nth_In. lia.
+  - apply IH; auto. lia.
+Qed.
+Lemma same_shift_apart j k n x : (j < k < NQ)%nat -> inside (cell_piece (j, n)) x -> inside (cell_piece (k, n)) x -> False.
+Proof.
+  intros L I I'. destruct chk_pieces as [_ [_ [_ [AP _]]]].
+  apply (separated_apart _ _ (sub x (vec h n)) (cell_In j ltac:(lia)) (cell_In k ltac:(lia))).
+  - apply chk_apart_spec; auto.
+  - intros i Hi. specialize (I i Hi). unfold Degree.piece in I; cbn [fst snd] in I. rewrite coord_translate in I. exact I.
+  - intros i Hi. specialize (I' i Hi). unfold Degree.piece in I'; cbn [fst snd] in I'. rewrite coord_translate in I'. exact I'.
+Qed.
+(** Cells that differ in one coordinate of the shift are on different sides of a plane. *)
+Lemma layers_apart (pr : point -> R) (sh : Z3 -> Z) j k n n' x :
+  affine pr -> (forall u v, pr (add u v) = pr u + pr v) -> (forall d, pr (vec h d) = h * IZR (sh d)) ->
+  (exists z, pr z <> 0) -> (forall t v, In t (unit_cell c) -> In v (kverts t) -> 0 <= pr (phi3 v) <= h) ->
+  (j < NQ)%nat -> (k < NQ)%nat -> (sh n < sh n')%Z -> inside (cell_piece (j, n)) x -> inside (cell_piece (k, n')) x -> False.
+Proof.
+  intros AP PA PV [z0 Hz0] U Hj Hk L I I'. pose proof h_pos as hp.
+  assert (AP' := AP). destruct AP as [a [b [d [e0 PR]]]].
+  apply (apart_affine (fun y => pr y - h * IZR (sh n')) (cell_piece (k, n')) (cell_piece (j, n)) x); auto.
+  - exists a, b, d, (e0 - h * IZR (sh n')). intros y. rewrite PR. ring.
+  - destruct (Req_dec (pr z0) (h * IZR (sh n'))) as [E|E]; [|exists z0; lra].
+    exists (add z0 z0). rewrite PA, E. rewrite E in Hz0. lra.
+  - unfold Degree.piece; cbn [fst snd]. rewrite vol_ttr. apply cQ_vol; auto.
+  - unfold Degree.piece; cbn [fst snd]. rewrite vol_ttr. apply cQ_vol; auto.
+  - intros v Hv. apply in_piece_verts in Hv as [w [Hw ->]]. rewrite PA, PV. cbn [fst snd]. destruct (U _ w (cell_In k Hk) Hw). lra.
+  - intros v Hv. apply in_piece_verts in Hv as [w [Hw ->]]. rewrite PA, PV. cbn [fst snd]. destruct (U _ w (cell_In j Hj) Hw).
+    assert (L' : (sh n + 1 <= sh n')%Z) by lia. apply IZR_le in L'. rewrite plus_IZR in L'. nra.
+Qed.
+Lemma unit_coordinates t v : In t (unit_cell c) -> In v (kverts t) ->
+  ((1 <= r)%nat -> 0 <= px (phi3 v) <= h) /\ ((2 <= r)%nat -> 0 <= py (phi3 v) <= h) /\ ((3 <= r)%nat -> 0 <= pz (phi3 v) <= h).
+Proof.
+  intros It Hv. destruct chk_pieces as [_ [_ [U _]]]. specialize (U t It). unfold Checker.chk_unit in U. cbv zeta in U.
+  rewrite forallb_forall in U. specialize (U v Hv). rewrite !andb_true_iff in U. destruct U as [[U1 U2] U3].
+  assert (X : forall x, ale zero x && ale x (aofZ den) = true -> 0 <= phi x <= h).
+  { intros x H. apply andb_true_iff in H as [H1 H2]. apply ale_ok in H1, H2. rewrite phi_zero in H1. rewrite phi_Z in H2. auto. }
+  unfold phi3; cbn [px py pz]. split; [|split]; intros R; apply X.
+  - destruct (Nat.leb_spec 1 r); [auto|lia].
+  - destruct (Nat.leb_spec 2 r); [auto|lia].
+  - destruct (Nat.leb_spec 3 r); [auto|lia].
+Qed.
+Lemma cQ_apart x cc cc' : Degree.valid NQ (latb r) cc -> Degree.valid NQ (latb r) cc' -> inside (cell_piece cc) x -> inside (cell_piece cc') x -> cc = cc'.
+Proof.
+  destruct cc as [j n], cc' as [k n']. intros [Hj Hn] [Hk Hn'] I I'. cbn [fst snd] in *. apply latb_iff in Hn, Hn'.
+  assert (D : n = n').
+  { destruct n as [[n1 n2] n3], n' as [[n1' n2'] n3'].
+    assert (X : ~ (1 <= r)%nat -> n1 = n1') by (intros R; destruct r as [|[|[|]]]; cbn in Hn, Hn'; lia).
+    assert (Y : ~ (2 <= r)%nat -> n2 = n2') by (intros R; destruct r as [|[|[|]]]; cbn in Hn, Hn'; lia).
+    assert (Z : ~ (3 <= r)%nat -> n3 = n3') by (intros R; destruct r as [|[|[|]]]; cbn in Hn, Hn'; lia).
+    assert (LX : forall j k n n', (1 <= r)%nat -> (j < NQ)%nat -> (k < NQ)%nat -> inside (cell_piece (j, n)) x -> inside (cell_piece (k, n')) x -> (fst (fst n) < fst (fst n'))%Z -> False).
+    { intros j' k' d d' R Hj' Hk' I1 I2 L. apply (layers_apart px (fun d => fst (fst d)) j' k' d d' x); auto.
+      - exists 1, 0, 0, 0. intros; ring.
+      - intros [[? ?] ?]; reflexivity.
+      - exists (Point 1 0 0). cbn. lra.
+      - intros t v It Iv. apply (unit_coordinates t v It Iv), R. }
+    assert (LY : forall j k n n', (2 <= r)%nat -> (j < NQ)%nat -> (k < NQ)%nat -> inside (cell_piece (j, n)) x -> inside (cell_piece (k, n')) x -> (snd (fst n) < snd (fst n'))%Z -> False).
+    { intros j' k' d d' R Hj' Hk' I1 I2 L. apply (layers_apart py (fun d => snd (fst d)) j' k' d d' x); auto.
+      - exists 0, 1, 0, 0. intros; ring.
+      - intros [[? ?] ?]; reflexivity.
+      - exists (Point 0 1 0). cbn. lra.
+      - intros t v It Iv. apply (unit_coordinates t v It Iv), R. }
+    assert (LZ : forall j k n n', (3 <= r)%nat -> (j < NQ)%nat -> (k < NQ)%nat -> inside (cell_piece (j, n)) x -> inside (cell_piece (k, n')) x -> (snd n < snd n')%Z -> False).
+    { intros j' k' d d' R Hj' Hk' I1 I2 L. apply (layers_apart pz (fun d => snd d) j' k' d d' x); auto.
+      - exists 0, 0, 1, 0. intros; ring.
+      - intros [[? ?] ?]; reflexivity.
+      - exists (Point 0 0 1). cbn. lra.
+      - intros t v It Iv. apply (unit_coordinates t v It Iv), R. }
+    f_equal; [f_equal|].
+    - destruct (le_dec 1 r) as [R|R]; [|auto]. destruct (Z.lt_total n1 n1') as [L|[L|L]]; auto; exfalso;
+        [apply (LX _ _ _ _ R Hj Hk I I' L) | apply (LX _ _ _ _ R Hk Hj I' I L)].
+    - destruct (le_dec 2 r) as [R|R]; [|auto]. destruct (Z.lt_total n2 n2') as [L|[L|L]]; auto; exfalso;
+        [apply (LY _ _ _ _ R Hj Hk I I' L) | apply (LY _ _ _ _ R Hk Hj I' I L)].
+    - destruct (le_dec 3 r) as [R|R]; [|auto]. destruct (Z.lt_total n3 n3') as [L|[L|L]]; auto; exfalso;
+        [apply (LZ _ _ _ _ R Hj Hk I I' L) | apply (LZ _ _ _ _ R Hk Hj I' I L)]. }
+  subst n'. f_equal. destruct (lt_eq_lt_dec j k) as [[L|L]|L]; auto; exfalso.
+  - apply (same_shift_apart j k n x); auto.
+  - apply (same_shift_apart k j n x); auto.
+Qed.
+
+(** The volume sum. *)
+Lemma kvolume_sum : forall ts s f, (forall j t, nth_error ts j = Some t -> f (s + j)%nat = vol (phiT t)) ->
+  phi (kvolume ts) = rsum f (seq s (length ts)).
+Proof.
+  induction ts as [|t ts IH]; intros s f H.
+  - apply phi_zero.
+  - cbn [Checker.kvolume fold_right length seq rsum]. rewrite phi_add, phi_D.
+    change (fold_right _ zero ts) with (kvolume ts). rewrite (IH (S s) f).
+    + f_equal. specialize (H 0%nat t eq_refl). rewrite Nat.add_0_r in H. rewrite H. reflexivity.
+    + intros j t' E. replace (S s + j)%nat with (s + S j)%nat by lia. apply H. exact E.
+Qed.
+Lemma volumes_equal : rsum (fun k => vol (cT k)) (seq 0 N) = rsum (fun k => vol (cQ k)) (seq 0 NQ).
+Proof.
+  destruct chk_pieces as [_ [_ [_ [_ H]]]].
+  rewrite (kvolume_sum (positions c) 0 (fun k => vol (cT k))), (kvolume_sum (unit_cell c) 0 (fun k => vol (cQ k))) in H.
+  - unfold Checker.positions in H. rewrite map_length in H. exact H.
+  - intros j t E. cbn [Nat.add]. unfold cQ. rewrite (nth_error_nth _ _ _ E). reflexivity.
+  - intros j t E. cbn [Nat.add]. unfold Checker.positions in E. rewrite nth_error_map in E. unfold cT. fold den vs in E.
+    destruct (nth_error (c_tets c) j); [|discriminate]. injection E as <-. reflexivity.
+Qed.
+Lemma cover_once : (0 < N)%nat /\ covered_once N cT h (latb r) (open_domain Hs).
+Proof.
+  split; [apply chk_pieces|]. pose proof volumes_equal as E.
+  apply (volume_covers_once N cT h r (open_domain Hs) cM h_pos (open_domain_open Hs) (open_domain_convex Hs)
+    cdom_inside cvol cmate NQ cQ cQ_vol cQ_inside cQ_apart); [apply chk_pieces | lra].
 Qed.
 Lemma cN : (0 < N)%nat.
 Proof. apply cover_once. Qed.

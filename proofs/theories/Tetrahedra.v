@@ -91,7 +91,7 @@ Record generic_for t p q : Prop := {
   g_q : forall i, In i I4 -> coord t i q <> 0;
   g_e : forall i, In i I4 -> generic_edge (facet t i) p q }.
 
-(** The weaker condition that the ray of Volume.v needs: a facet that is not met in
+(** The weaker condition that the ray of Slices.v needs: a facet that is not met in
     general position is parallel to the segment or at least not crossed. *)
 Record weakly_generic_for t p q : Prop := {
   w_p : forall i, In i I4 -> coord t i p <> 0;

@@ -4,11 +4,8 @@ use super::NotATheorem;
 use super::numbers::{BigRational, Table, common_denominator, scaled, table};
 use crate::certificate::{Certificate, Mate, Place, Polytope};
 use num_bigint::BigInt;
-use num_traits::{One, Zero};
+use num_traits::Zero;
 use std::fmt::Write;
-
-/// A simplex has a point of the grid of its vertices refined by D + 1 in its interior.
-pub(super) const REFINED: usize = 4;
 
 /// The definitions of the vertices, the simplices and the certificate `c`.
 pub(super) fn data(certificate: &Certificate, algebraic: bool) -> Result<String, NotATheorem> {
@@ -22,9 +19,7 @@ pub(super) fn data(certificate: &Certificate, algebraic: bool) -> Result<String,
             "the Gram matrix, or the mates".to_owned(),
         ));
     }
-    let least = common_denominator([&vertices, &polytope]);
-    let covering = covering(certificate, &vertices, &least, algebraic)?;
-    let den = &least * refinement(rank);
+    let den = common_denominator([&vertices, &polytope]);
     let gram_den = common_denominator([&gram]);
     let ring = if algebraic { "list Z" } else { "Z" };
     let points = |table: &Table| -> Vec<String> {
@@ -46,23 +41,15 @@ pub(super) fn data(certificate: &Certificate, algebraic: bool) -> Result<String,
          Definition verts : list (v3 ({ring})) := [\n  {}].\n\n\
          (* Four corners (vertex, lattice vector), four mates (simplex, facet, lattice vector). *)\n\
          Definition tets : list ctet := [\n  {}].\n\n\
-         (* Rank {rank}; {den} times the vertices of the polytope, its faces; why points are covered once. *)\n\
+         (* Rank {rank}; {den} times the vertices of the polytope, its faces. *)\n\
          Definition c : cert ({ring}) :=\n  {constructor} {den} verts tets {gram_den} (KG _ {}) {rank}%nat\n  \
-         [{}]\n  [{}]\n  {covering}.\n",
+         [{}]\n  [{}].\n",
         points(&vertices).join(";\n  "),
         simplices.join(";\n  "),
         entries.join(" "),
         points(&polytope).join("; "),
         faces(claim.domain.polytope()).join("; "),
     ))
-}
-
-/// The vertices are printed on a finer grid where a witness point is needed.
-fn refinement(rank: usize) -> BigInt {
-    match rank {
-        3 => BigInt::one(),
-        _ => BigInt::from(REFINED),
-    }
 }
 
 /// The table, if every row has the length.
@@ -92,43 +79,6 @@ pub(super) fn faces(polytope: Option<&Polytope>) -> Vec<String> {
         format!("[{}]", indices.join(";"))
     };
     polytope.map_or_else(Vec::new, |p| p.faces.iter().map(face).collect())
-}
-
-/// The volume sum for all of space; else the centroid of simplex 0, on the refined grid:
-/// the sum of its corners.
-fn covering(
-    certificate: &Certificate,
-    vertices: &Table,
-    den: &BigInt,
-    algebraic: bool,
-) -> Result<String, NotATheorem> {
-    let rank = certificate.claim.domain.rank(3);
-    if rank == 3 {
-        return Ok("(ByVolume _)".to_owned());
-    }
-    let first = certificate.witness.simplices.first();
-    let corners = first.ok_or_else(|| NotATheorem::Malformed("no simplex".to_owned()))?;
-    let mut sum = vec![Vec::new(); 3];
-    for corner in corners {
-        let (vertex, shift) = corner_of(corner, rank)?;
-        let index = usize::try_from(vertex).ok();
-        let row = index.and_then(|v| vertices.get(v));
-        let row = row.ok_or_else(|| NotATheorem::Malformed("a corner".to_owned()))?;
-        for (total, (coordinate, s)) in sum.iter_mut().zip(row.iter().zip(shift)) {
-            add(total, coordinate);
-            add(total, &[BigRational::from_integer(s.into())]);
-        }
-    }
-    Ok(format!("(ByWitness _ 0 ({}))", point(&sum, den, algebraic)))
-}
-
-pub(super) fn add(total: &mut Vec<BigRational>, term: &[BigRational]) {
-    if total.len() < term.len() {
-        total.resize(term.len(), BigRational::zero());
-    }
-    for (t, x) in total.iter_mut().zip(term) {
-        *t += x;
-    }
 }
 
 fn point(x: &[Vec<BigRational>], den: &BigInt, algebraic: bool) -> String {

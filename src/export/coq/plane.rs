@@ -4,11 +4,10 @@
 //! told whether that order is positive; the mates follow.
 
 use super::NotATheorem;
-use super::data::{REFINED, add, corner_of, faces, rows_of};
+use super::data::{corner_of, faces, rows_of};
 use super::numbers::{BigRational, Table, common_denominator, scaled, table};
 use crate::certificate::{Certificate, Mate, Place};
 use num_bigint::BigInt;
-use num_traits::One;
 
 type Corner = (i64, [i64; 3]);
 
@@ -33,8 +32,7 @@ pub(super) fn data(certificate: &Certificate, algebraic: bool) -> Result<String,
             "the Gram matrix, or the mates".to_owned(),
         ));
     }
-    let least = common_denominator([&vertices, &polytope]);
-    let den = &least * BigInt::from(REFINED);
+    let den = common_denominator([&vertices, &polytope]);
     let gram_den = common_denominator([&gram]);
     let ring = if algebraic { "list Z" } else { "Z" };
     let number = |c: &[BigRational], m: &BigInt| scaled(c, m, algebraic);
@@ -56,15 +54,14 @@ pub(super) fn data(certificate: &Certificate, algebraic: bool) -> Result<String,
          Definition verts : list ({ring} * {ring}) := [\n  {}].\n\n\
          (* Three corners (vertex, lattice vector), three mates (triangle, edge, lattice vector), orientation. *)\n\
          Definition tris : list ctri := [\n  {}].\n\n\
-         (* Rank {rank}; {den} times the vertices of the polytope, its faces; a point over triangle 0. *)\n\
+         (* Rank {rank}; {den} times the vertices of the polytope, its faces. *)\n\
          Definition c : cert2 ({ring}) :=\n  Cert2 _ {den} verts tris {gram_den} ({}) {rank}%nat\n  \
-         [{}]\n  [{}]\n  ({}).\n",
+         [{}]\n  [{}].\n",
         points(&vertices).join(";\n  "),
         triangles.join(";\n  "),
         entries.join(", "),
         points(&polytope).join("; "),
         faces(claim.domain.polytope()).join("; "),
-        witness_point(&sorted, &vertices, &least, algebraic)?,
     ))
 }
 
@@ -139,28 +136,4 @@ fn mate_term(Mate(mate): &Mate, all: &[Sorted], rank: usize) -> Result<String, N
     let other = all.get(index(t)?).ok_or_else(wrong)?;
     let place = other.position.get(index(j)?).ok_or_else(wrong)?;
     Ok(format!("(Some ({t}%N,{place}%N,({x},{y})))"))
-}
-
-/// The centroid of the first tetrahedron over triangle 0, the corners a < b < c, which has
-/// c twice, on the refined grid: a + b + 2 c, at a quarter of the height.
-fn witness_point(
-    sorted: &[Sorted],
-    vertices: &Table,
-    least: &BigInt,
-    algebraic: bool,
-) -> Result<String, NotATheorem> {
-    let wrong = || NotATheorem::Malformed("a corner, or no simplex".to_owned());
-    let [a, b, c] = sorted.first().ok_or_else(wrong)?.corners;
-    let mut sum = vec![Vec::new(); 2];
-    for (vertex, shift) in [a, b, c, c] {
-        let index = usize::try_from(vertex).map_err(|_| wrong())?;
-        let row = vertices.get(index).ok_or_else(wrong)?;
-        for (total, (coordinate, s)) in sum.iter_mut().zip(row.iter().zip(shift)) {
-            add(total, coordinate);
-            add(total, &[BigRational::from_integer(s.into())]);
-        }
-    }
-    sum.push(vec![BigRational::from_integer(BigInt::one())]);
-    let coordinates: Vec<String> = sum.iter().map(|c| scaled(c, least, algebraic)).collect();
-    Ok(format!("V3 _ {}", coordinates.join(" ")))
 }
