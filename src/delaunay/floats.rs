@@ -6,14 +6,19 @@
 //!
 //! **Positions.** Let c* be the orthogonalised reduced basis and y_i the Cartesian
 //! coordinate along c*_i in units of |c*_0|: y = R d for coordinate differences d,
-//! where R_ij = |c*_i| mu_ji / |c*_0| is upper triangular. A fraction of a point
-//! is a double within 2^-52 of the exact one, entries of R have relative
-//! errors of at most 2^-50, and sums of three terms are rounded, so that
-//!     |y computed - y exact| <= 2^-49 Σ_j |R_ij| (1 + |d_j|).
+//! where R_ij = |c*_i| mu_ji / |c*_0| is upper triangular. For points with fractions f
+//! and g and shift s the difference d = g - f + s is placed as (R g - R f) + R s, where
+//! the first two products are kept. A fraction is a double within 2^-52 of the exact
+//! one and at most 1, and entries of R have relative errors of at most 2^-50. Write
+//! r = Σ_j |R_ij| and t = Σ_j |R_ij| |d_j|, so that Σ_j |R_ij| |s_j| <= r + t. Then the
+//! fractions contribute 2^-51 r, the entries of R 2^-50 t, the roundings of the kept
+//! products 2^-50 r (three to a term), those of R s 2^-51 (r + t), and the
+//! last two sums 2^-53 (3 r + t): together less than 2^-48 (r + t), or
+//!     |y computed - y exact| <= 2^-48 Σ_j |R_ij| (1 + |d_j|).
 //! With q_j the length of row j of R^-1, |d_j| <= q_j |y| <= 2 q_j m for m the
 //! largest entry of y. Hence every entry is right up to
-//!     e(m) = tau + eta m,  tau = 2^-49 max_i Σ_j |R_ij|,
-//!                          eta = 2^-47 max_i Σ_j |R_ij| q_j.
+//!     e(m) = tau + eta m,  tau = 2^-48 max_i Σ_j |R_ij|,
+//!                          eta = 2^-46 max_i Σ_j |R_ij| q_j.
 //!
 //! **Polynomials** (D <= 3). Let m bound the entries of the edge vectors and e =
 //! e(m); note eta >= 2^-47, so that rounding errors, multiples of 2^-53 m, are
@@ -39,6 +44,8 @@ const LENGTH_LIMIT: f64 = 1e40;
 pub struct Floats<const D: usize> {
     /// Coordinates in the reduced basis, 0 to 1 up to rounding.
     pub fractions: Vec<[f64; D]>,
+    /// R times the fractions.
+    pub places: Vec<[f64; D]>,
     /// R: Cartesian coordinates of the basis vectors, in units of |c*_0|.
     pub basis: [[f64; D]; D],
     /// q_j: how much the j-th coordinate changes at most per unit of length.
@@ -64,8 +71,11 @@ struct Shape<const D: usize> {
 }
 
 impl<const D: usize> Floats<D> {
-    /// `points` in the reduced basis that `orthogonal` belongs to.
-    pub fn new(points: &[[Number; D]], orthogonal: &Orthogonal<D>) -> Result<Self, DelaunayError> {
+    /// Points in the reduced basis that `orthogonal` belongs to.
+    pub fn new(
+        fractions: Vec<[f64; D]>,
+        orthogonal: &Orthogonal<D>,
+    ) -> Result<Self, DelaunayError> {
         let basis = cartesian(orthogonal)?;
         let dual = dual_lengths(&basis);
         let row_sums = |weights: &[f64; D]| {
@@ -79,14 +89,12 @@ impl<const D: usize> Floats<D> {
                 })
                 .fold(0.0, f64::max)
         };
-        let fractions = points
-            .iter()
-            .map(|x| std::array::from_fn(|k| x[k].approximate()))
-            .collect();
+        let places = fractions.iter().map(|x| upper_times(&basis, x)).collect();
         Ok(Floats {
-            tau: 2f64.powi(-49) * row_sums(&[1.0; D]),
-            eta: 2f64.powi(-47) * row_sums(&dual),
+            tau: 2f64.powi(-48) * row_sums(&[1.0; D]),
+            eta: 2f64.powi(-46) * row_sums(&dual),
             fractions,
+            places,
             basis,
             dual,
         })
@@ -94,7 +102,14 @@ impl<const D: usize> Floats<D> {
 
     /// The vector from `origin` to `p`, up to e(m) in each entry.
     pub fn difference(&self, origin: &Corner<D>, p: &Corner<D>) -> [f64; D] {
-        self.to_cartesian(&self.fractional_difference(origin, p))
+        let [a, b] = [origin, p].map(|corner| &self.places[corner.vertex as usize]);
+        let mut y: [f64; D] = std::array::from_fn(|k| b[k] - a[k]);
+        if p.shift != origin.shift {
+            let step = std::array::from_fn(|k| f64::from(p.shift[k] - origin.shift[k]));
+            let moved = self.to_cartesian(&step);
+            (0..D).for_each(|k| y[k] += moved[k]);
+        }
+        y
     }
 
     fn fractional_difference(&self, origin: &Corner<D>, p: &Corner<D>) -> [f64; D] {
@@ -103,7 +118,7 @@ impl<const D: usize> Floats<D> {
     }
 
     pub fn to_cartesian(&self, d: &[f64; D]) -> [f64; D] {
-        std::array::from_fn(|i| (i..D).map(|j| self.basis[i][j] * d[j]).sum())
+        upper_times(&self.basis, d)
     }
 
     /// R^-1 y
@@ -298,6 +313,10 @@ fn cartesian<const D: usize>(orthogonal: &Orthogonal<D>) -> Result<[[f64; D]; D]
         }
     }
     Ok(basis)
+}
+
+fn upper_times<const D: usize>(upper: &[[f64; D]; D], x: &[f64; D]) -> [f64; D] {
+    std::array::from_fn(|i| (i..D).map(|j| upper[i][j] * x[j]).sum())
 }
 
 fn back_substitute<const D: usize>(upper: &[[f64; D]; D], y: &[f64; D]) -> [f64; D] {

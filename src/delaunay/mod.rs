@@ -13,6 +13,7 @@
 //! | `tree` | the points in a ball |
 //! | `predicates` | exact signs behind the filters |
 //! | `seed` | a first cell |
+//! | `front` | the facets beyond which the cell is still to be found |
 //! | `wrap` | gift wrapping from cell to cell |
 //! | `polytope` | facets and pulling of cells that are not simplices |
 //! | `certify` | an independent exact check of the result |
@@ -22,6 +23,7 @@
 mod certify;
 mod error;
 mod floats;
+mod front;
 mod lattice;
 mod model;
 mod polytope;

@@ -56,7 +56,7 @@ impl<const D: usize> Model<D> {
         let mut points: Vec<_> = names.iter().map(|&i| points[i as usize].clone()).collect();
         let offsets = names.iter().map(|&i| offsets[i as usize]).collect();
         points.extend((0..WITNESSES).map(witness));
-        let floats = Floats::new(&points, &orthogonal)?;
+        let floats = Floats::new(points.iter().map(approximate).collect(), &orthogonal)?;
         let tree = Tree::new(&floats, names.len());
         let model = Model {
             lattice,

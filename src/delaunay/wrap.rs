@@ -13,14 +13,13 @@
 
 use super::DelaunayError;
 use super::floats::dot;
+use super::front::{Front, View};
 use super::polytope::Polytope;
 use super::predicates::Predicates;
 use super::seed;
 use super::tree::Ball;
 use crate::geometry::{Scalar, Sign};
-use crate::tiling::{Corner, difference};
-use std::collections::HashSet;
-use std::hash::{BuildHasherDefault, Hasher};
+use crate::tiling::Corner;
 
 /// All Delaunay cells, one of each orbit, in the model's coordinates.
 #[derive(Clone, Debug, Default)]
@@ -31,87 +30,9 @@ pub struct Cells<const D: usize> {
     pub polytopes: Vec<Polytope<D>>,
 }
 
-/// A facet up to translation, and a side: (corners, p) is positively oriented for p
-/// beyond it if `positive`. The corners are the D least by (vertex, shift), the first
-/// with shift zero. They determine the facet, for they span its hyperplane.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-struct View<const D: usize> {
-    corners: [Corner<D>; D],
-    positive: bool,
-}
-
-impl<const D: usize> View<D> {
-    /// The view of an ordered facet beyond which orientation is positive.
-    fn new(mut corners: [Corner<D>; D]) -> Self {
-        let positive = !sort_is_odd(&mut corners);
-        let origin = corners[0].shift;
-        for corner in &mut corners {
-            corner.shift = difference(corner.shift, origin);
-        }
-        View { corners, positive }
-    }
-
-    fn reversed(self) -> Self {
-        View {
-            positive: !self.positive,
-            ..self
-        }
-    }
-
-    /// The corners in an order with positive orientation beyond them.
-    fn facet(mut self) -> [Corner<D>; D] {
-        if !self.positive {
-            self.corners.swap(0, 1);
-        }
-        self.corners
-    }
-}
-
-/// Insertion sort of a few corners; whether the permutation was odd.
-fn sort_is_odd<const D: usize>(corners: &mut [Corner<D>; D]) -> bool {
-    let mut odd = false;
-    for end in 1..D {
-        for k in (1..=end).rev() {
-            if corners[k] < corners[k - 1] {
-                corners.swap(k, k - 1);
-                odd = !odd;
-            }
-        }
-    }
-    odd
-}
-
-/// A quick hash for small integers: what is stored is our own, so nobody can aim at
-/// collisions, and the order of the set is never used.
-#[derive(Default)]
-struct Mixer(u64);
-
-impl Hasher for Mixer {
-    fn write(&mut self, bytes: &[u8]) {
-        for chunk in bytes.chunks(8) {
-            let mut word = [0; 8];
-            word[..chunk.len()].copy_from_slice(chunk);
-            self.write_u64(u64::from_le_bytes(word));
-        }
-    }
-
-    fn write_u32(&mut self, value: u32) {
-        self.write_u64(u64::from(value));
-    }
-
-    fn write_u64(&mut self, value: u64) {
-        self.0 = (self.0.rotate_left(26) ^ value).wrapping_mul(0x9e37_79b9_7f4a_7c15);
-    }
-
-    fn finish(&self) -> u64 {
-        self.0 ^ (self.0 >> 32)
-    }
-}
-
 struct Wrapping<'a, S: Clone, const D: usize> {
     predicates: &'a Predicates<'a, S, D>,
-    open: HashSet<View<D>, BuildHasherDefault<Mixer>>,
-    stack: Vec<View<D>>,
+    front: Front<D>,
     cells: Cells<D>,
     /// Scratch space.
     near: Vec<Corner<D>>,
@@ -123,8 +44,7 @@ pub fn wrap<S: Scalar, const D: usize>(
 ) -> Result<Cells<D>, DelaunayError> {
     let mut wrapping = Wrapping {
         predicates,
-        open: HashSet::default(),
-        stack: Vec::new(),
+        front: Front::new(predicates.model.names.len()),
         cells: Cells {
             simplices: Vec::new(),
             polytopes: Vec::new(),
@@ -133,12 +53,10 @@ pub fn wrap<S: Scalar, const D: usize>(
     };
     let (facet, apex) = seed::seed(predicates)?;
     wrapping.settle(facet, apex)?;
-    while let Some(view) = wrapping.stack.pop() {
-        if wrapping.open.contains(&view) {
-            let facet = view.facet();
-            let apex = wrapping.propose(&facet)?;
-            wrapping.settle(facet, apex)?;
-        }
+    while let Some(view) = wrapping.front.first() {
+        let facet = view.facet();
+        let apex = wrapping.propose(&facet)?;
+        wrapping.settle(facet, apex)?;
     }
     Ok(wrapping.cells)
 }
@@ -201,9 +119,9 @@ impl<S: Scalar, const D: usize> Wrapping<'_, S, D> {
         for i in 0..D {
             let mut other = facet;
             other[i] = apex;
-            self.toggle(View::new(other));
+            self.front.toggle(View::new(other));
         }
-        self.toggle(View::new(facet).reversed());
+        self.front.toggle(View::new(facet).reversed());
         Ok(())
     }
 
@@ -215,19 +133,11 @@ impl<S: Scalar, const D: usize> Wrapping<'_, S, D> {
             let least: [Corner<D>; D] = std::array::from_fn(|k| facet[k]);
             let view = View::new(least);
             let inward = self.predicates.orientation(&least, &inner) == Sign::Greater;
-            self.toggle(if inward { view.reversed() } else { view });
+            self.front
+                .toggle(if inward { view.reversed() } else { view });
         }
         self.cells.polytopes.push(polytope);
         Ok(())
-    }
-
-    /// A facet of a new cell, seen from the cell: closes it if the cell beyond is
-    /// there, else it is open.
-    fn toggle(&mut self, view: View<D>) {
-        if !self.open.remove(&view.reversed()) {
-            self.open.insert(view);
-            self.stack.push(view);
-        }
     }
 
     /// A corner beyond a facet whose sphere is small, by doubles: growing balls
