@@ -39,6 +39,11 @@ use super::lattice::Orthogonal;
 /// Beyond this ratio of lengths doubles are not trusted to stay in range.
 const LENGTH_LIMIT: f64 = 1e40;
 
+/// The least sine of an angle of a facet whose normal has many digits.
+const SHARP: f64 = 1e-2;
+/// The largest error of an edge of such a facet, relative to the longest.
+const RESOLVED: f64 = 1e-12;
+
 /// The points of a cell as doubles.
 #[derive(Clone, Debug)]
 pub struct Floats<const D: usize> {
@@ -61,6 +66,17 @@ pub struct Sphere<const D: usize> {
     pub radius: f64,
     /// A point at computed distance beyond radius + slack is outside.
     pub slack: f64,
+}
+
+/// See [`Floats::circle`].
+#[derive(Clone, Copy, Debug)]
+pub struct Circle<const D: usize> {
+    /// Relative to the first corner of the facet.
+    pub center: [f64; D],
+    /// A unit vector to the side where (facet, p) is positive.
+    pub normal: [f64; D],
+    /// Whether centre and normal have many digits that are right.
+    pub is_sharp: bool,
 }
 
 /// The edges of a simplex from its first corner, with its cofactors.
@@ -156,20 +172,16 @@ impl<const D: usize> Floats<D> {
         proved(determinant, 32.0 * m.powi(D as i32 - 1) * e, e, m)
     }
 
-    /// Whether p is outside (`Greater`) or inside (`Less`) of the sphere through the
-    /// corners of a positively oriented simplex, if the doubles prove it.
-    pub fn in_sphere(
-        &self,
-        facet: &[Corner<D>; D],
-        apex: &Corner<D>,
-        p: &Corner<D>,
-    ) -> Option<Sign> {
+    /// The sphere through the corners of a positively oriented simplex.
+    pub fn sphere(&self, facet: &[Corner<D>; D], apex: &Corner<D>) -> FloatSphere<'_, D> {
         let shape = Shape::new(self.edges(facet, apex));
-        let x = self.difference(&facet[0], p);
-        let m = largest(&shape.edges).max(largest(&[x]));
-        let e = self.error(m);
-        let power = shape.determinant * dot(&x, &x) - dot(&shape.weighted(), &x);
-        proved(power, 1024.0 * m.powi(D as i32 + 1) * e, e, m)
+        FloatSphere {
+            floats: self,
+            origin: facet[0],
+            determinant: shape.determinant,
+            weighted: shape.weighted(),
+            size: largest(&shape.edges),
+        }
     }
 
     /// The circumsphere relative to the first corner, if it is well determined.
@@ -208,11 +220,10 @@ impl<const D: usize> Floats<D> {
         }
     }
 
-    /// The centre of the smallest sphere through a facet, relative to its first
-    /// corner, and the unit normal to the side where (facet, p) is positive. Only
-    /// for guesses. With n a multiple of the normal, the sphere through the facet
+    /// The circle (in the plane, the two points) in which spheres through a facet meet.
+    /// Only for guesses. With n a multiple of the normal, the sphere through the facet
     /// and its first corner + n has its centre above the one that is sought.
-    pub fn facet_center(&self, facet: &[Corner<D>; D]) -> ([f64; D], [f64; D]) {
+    pub fn circle(&self, facet: &[Corner<D>; D]) -> Circle<D> {
         let mut edges = self.edges(facet, &facet[0]);
         let normal = Shape::new(edges).gradients[D - 1];
         let length = dot(&normal, &normal).sqrt();
@@ -221,10 +232,12 @@ impl<const D: usize> Floats<D> {
         edges[D - 1] = normal.map(|x| x * size);
         let center = Shape::new(edges).center();
         let height = dot(&center, &normal);
-        (
-            std::array::from_fn(|k| center[k] - height * normal[k]),
+        Circle {
+            center: std::array::from_fn(|k| center[k] - height * normal[k]),
             normal,
-        )
+            is_sharp: length > SHARP * size.powi(D as i32 - 1)
+                && self.error(size) < RESOLVED * size,
+        }
     }
 }
 
@@ -250,6 +263,26 @@ impl<const D: usize> Shape<D> {
 
     fn center(&self) -> [f64; D] {
         self.weighted().map(|x| x / (2.0 * self.determinant))
+    }
+}
+
+/// The polynomial of a sphere, see [`Floats::sphere`].
+pub struct FloatSphere<'a, const D: usize> {
+    floats: &'a Floats<D>,
+    origin: Corner<D>,
+    determinant: f64,
+    weighted: [f64; D],
+    size: f64,
+}
+
+impl<const D: usize> FloatSphere<'_, D> {
+    /// Whether p is outside (`Greater`) or inside (`Less`), if the doubles prove it.
+    pub fn side(&self, p: &Corner<D>) -> Option<Sign> {
+        let x = self.floats.difference(&self.origin, p);
+        let m = self.size.max(largest(&[x]));
+        let e = self.floats.error(m);
+        let power = self.determinant * dot(&x, &x) - dot(&self.weighted, &x);
+        proved(power, 1024.0 * m.powi(D as i32 + 1) * e, e, m)
     }
 }
 

@@ -5,7 +5,7 @@
 //! work is in integers, unless that denominator is huge; else it is in the field.
 
 use super::DelaunayError;
-use super::floats::Sphere;
+use super::floats::{FloatSphere, Sphere};
 use super::model::Model;
 use super::tree::Ball;
 use crate::geometry::{Scalar, Sign, Simplex, linear};
@@ -125,14 +125,19 @@ impl<S: Scalar, const D: usize> Predicates<'_, S, D> {
         quick.unwrap_or_else(|| self.exact.simplex(facet, apex).determinant.sign())
     }
 
-    /// Whether p is outside of (`Greater`), on or inside (`Less`) the sphere through
-    /// the corners of a positively oriented simplex.
-    pub fn in_sphere(&self, facet: &[Corner<D>; D], apex: &Corner<D>, p: &Corner<D>) -> Sign {
-        let quick = self
-            .filtered
-            .then(|| self.model.floats.in_sphere(facet, apex, p))
-            .flatten();
-        quick.unwrap_or_else(|| self.exact.in_sphere(facet, apex, p))
+    /// The sphere through the corners of a positively oriented simplex, to ask on which
+    /// side of it points are.
+    pub fn sphere<'s>(
+        &'s self,
+        facet: &'s [Corner<D>; D],
+        apex: &'s Corner<D>,
+    ) -> SphereTest<'s, S, D> {
+        SphereTest {
+            exact: &self.exact,
+            facet,
+            apex,
+            floats: self.filtered.then(|| self.model.floats.sphere(facet, apex)),
+        }
     }
 
     /// The circumsphere of a simplex that is not flat, relative to facet[0].
@@ -168,6 +173,22 @@ impl<S: Scalar, const D: usize> Predicates<'_, S, D> {
         tree.gather(floats, &facet[0], ball, enough, found)?;
         found.retain(|p| p != apex && !facet.contains(p));
         Ok(())
+    }
+}
+
+/// See [`Predicates::sphere`].
+pub struct SphereTest<'a, S: Clone, const D: usize> {
+    exact: &'a Exact<'a, S, D>,
+    facet: &'a [Corner<D>; D],
+    apex: &'a Corner<D>,
+    floats: Option<FloatSphere<'a, D>>,
+}
+
+impl<S: Scalar, const D: usize> SphereTest<'_, S, D> {
+    /// Whether p is outside of (`Greater`), on or inside (`Less`) the sphere.
+    pub fn side(&self, p: &Corner<D>) -> Sign {
+        let quick = self.floats.as_ref().and_then(|sphere| sphere.side(p));
+        quick.unwrap_or_else(|| self.exact.in_sphere(self.facet, self.apex, p))
     }
 }
 

@@ -12,8 +12,9 @@
 //! may get stuck before all facets are locally Delaunay.)
 
 use super::DelaunayError;
-use super::floats::dot;
+use super::floats::{Circle, dot};
 use super::front::{Front, View};
+use super::model::Model;
 use super::polytope::Polytope;
 use super::predicates::Predicates;
 use super::seed;
@@ -30,9 +31,29 @@ pub struct Cells<const D: usize> {
     pub polytopes: Vec<Polytope<D>>,
 }
 
+/// The square of the radius of the first ball that is searched, that of the smallest
+/// sphere through the facet being 1.
+const FIRST_BALL: f64 = 2.0;
+/// Below this height, relative to the radius of the ball, a point is not proposed.
+const FLAT: f64 = 1e-6;
+/// Below this height on either side the exact predicates are asked.
+const CLEAR: f64 = 1e-3;
+/// If spheres reach more differently than this, relative to the radius of the ball,
+/// doubles know which is smaller, as they know the facet: see [`Circle::is_sharp`].
+const APART: f64 = 1e-4;
+
+/// A corner that may be beyond a facet.
+struct Proposal<const D: usize> {
+    apex: Corner<D>,
+    /// Whether there is hardly a doubt that it is the only one.
+    is_clear: bool,
+}
+
 struct Wrapping<'a, S: Clone, const D: usize> {
     predicates: &'a Predicates<'a, S, D>,
     front: Front<D>,
+    /// D! times the volume of the simplices, in units of the lattice's cell.
+    volume: f64,
     cells: Cells<D>,
     /// Scratch space.
     near: Vec<Corner<D>>,
@@ -45,6 +66,7 @@ pub fn wrap<S: Scalar, const D: usize>(
     let mut wrapping = Wrapping {
         predicates,
         front: Front::new(predicates.model.names.len()),
+        volume: 0.0,
         cells: Cells {
             simplices: Vec::new(),
             polytopes: Vec::new(),
@@ -55,8 +77,11 @@ pub fn wrap<S: Scalar, const D: usize>(
     wrapping.settle(facet, apex)?;
     while let Some(view) = wrapping.front.first() {
         let facet = view.facet();
-        let apex = wrapping.propose(&facet)?;
-        wrapping.settle(facet, apex)?;
+        let Proposal { apex, is_clear } = wrapping.propose(&facet)?;
+        match is_clear {
+            true => wrapping.record_simplex(facet, apex)?,
+            false => wrapping.settle(facet, apex)?,
+        }
     }
     Ok(wrapping.cells)
 }
@@ -86,8 +111,9 @@ impl<S: Scalar, const D: usize> Wrapping<'_, S, D> {
         near: &mut Vec<Corner<D>>,
     ) -> Result<Option<Corner<D>>, DelaunayError> {
         let mut inside = None;
+        let sphere = self.predicates.sphere(facet, apex);
         near.retain(|p| {
-            let sign = self.predicates.in_sphere(facet, apex, p);
+            let sign = sphere.side(p);
             if sign == Sign::Less {
                 inside = Some(*p);
             }
@@ -112,8 +138,21 @@ impl<S: Scalar, const D: usize> Wrapping<'_, S, D> {
                 .collect();
             return self.record_polytope(corners);
         }
+        self.record_simplex(facet, apex)
+    }
+
+    fn record_simplex(
+        &mut self,
+        facet: [Corner<D>; D],
+        apex: Corner<D>,
+    ) -> Result<(), DelaunayError> {
         self.cells.simplices.extend(facet);
         self.cells.simplices.push(apex);
+        let (determinant, _) = self.predicates.model.floats.determinant(&facet, &apex);
+        self.volume += determinant;
+        if self.volume > 2.0 * (1..=D).product::<usize>() as f64 {
+            return Err(DelaunayError::Uncertified);
+        }
         // The facet without facet[i]: putting the apex in the place of facet[i] and
         // that at the end is one exchange, so beyond it orientation is positive.
         for i in 0..D {
@@ -142,58 +181,67 @@ impl<S: Scalar, const D: usize> Wrapping<'_, S, D> {
 
     /// A corner beyond a facet whose sphere is small, by doubles: growing balls
     /// through the facet are searched until there is one.
-    fn propose(&mut self, facet: &[Corner<D>; D]) -> Result<Corner<D>, DelaunayError> {
-        let floats = &self.predicates.model.floats;
-        let (center, normal) = floats.facet_center(facet);
-        let least = dot(&center, &center);
-        let mut square = 2.0 * least;
+    fn propose(&mut self, facet: &[Corner<D>; D]) -> Result<Proposal<D>, DelaunayError> {
+        let Model { floats, tree, .. } = self.predicates.model;
+        let circle = floats.circle(facet);
+        let least = dot(&circle.center, &circle.center);
+        let mut square = FIRST_BALL * least;
         loop {
             let height = (square - least).max(0.0).sqrt();
-            let above = std::array::from_fn(|k| center[k] + height * normal[k]);
-            let ball = Ball {
-                center: above,
-                radius: square.sqrt() * (1.0 + 1e-9),
-            };
-            self.predicates.model.tree.gather(
-                floats,
-                &facet[0],
-                ball,
-                usize::MAX,
-                &mut self.near,
-            )?;
-            if let Some(apex) = self.lowest(facet, &center, &normal, 1e-6 * ball.radius) {
-                return Ok(apex);
+            let center = std::array::from_fn(|k| circle.center[k] + height * circle.normal[k]);
+            let radius = square.sqrt() * (1.0 + 1e-9);
+            let ball = Ball { center, radius };
+            tree.gather(floats, &facet[0], ball, usize::MAX, &mut self.near)?;
+            if let Some(proposal) = self.lowest(facet, &circle, height, radius) {
+                return Ok(proposal);
             }
             square *= 3.0;
         }
     }
 
-    /// Of the corners at hand that are clearly beyond the facet, the one whose sphere
-    /// reaches least far: the centre c + t n is as far from p as from the facet,
+    /// Of the corners at hand that are beyond the facet, the one whose sphere reaches
+    /// least far: the centre c + t n is as far from p as from the facet,
     /// so 2 t n · (p - c) = |p - c|² - |c|². (Corners almost in the plane of the facet
     /// have their turn when spheres are judged exactly.)
+    ///
+    /// All points beyond the facet with t below `height` are at hand. So the answer is
+    /// clear if none is near the plane and no other t is nearly as small.
     fn lowest(
         &self,
         facet: &[Corner<D>; D],
-        center: &[f64; D],
-        normal: &[f64; D],
-        clear: f64,
-    ) -> Option<Corner<D>> {
+        circle: &Circle<D>,
+        height: f64,
+        radius: f64,
+    ) -> Option<Proposal<D>> {
         let floats = &self.predicates.model.floats;
-        let square = dot(center, center);
+        let square = dot(&circle.center, &circle.center);
+        let is_sharp = circle.is_sharp && self.predicates.filtered;
         let mut best: Option<(f64, Corner<D>)> = None;
+        let (mut next, mut is_clear) = (height, is_sharp);
         for p in self.near.iter().filter(|p| !facet.contains(p)) {
             let y = floats.difference(&facet[0], p);
-            let x: [f64; D] = std::array::from_fn(|k| y[k] - center[k]);
-            let height = dot(&x, normal);
-            let t = (dot(&x, &x) - square) / (2.0 * height);
-            if height > clear
-                && best.is_none_or(|(least, _)| t < least)
-                && self.predicates.orientation(facet, p) == Sign::Greater
-            {
-                best = Some((t, *p));
+            let x: [f64; D] = std::array::from_fn(|k| y[k] - circle.center[k]);
+            let above = dot(&x, &circle.normal);
+            let t = (dot(&x, &x) - square) / (2.0 * above);
+            let is_off = above.abs() > CLEAR * radius;
+            is_clear &= is_off;
+            let is_beyond =
+                || is_sharp && is_off || self.predicates.orientation(facet, p) == Sign::Greater;
+            if above <= FLAT * radius {
+                continue;
+            }
+            match best {
+                Some((least, _)) if t >= least => next = next.min(t),
+                _ if is_beyond() => {
+                    next = best.map_or(next, |(least, _)| least);
+                    best = Some((t, *p));
+                }
+                _ => {}
             }
         }
-        best.map(|(_, p)| p)
+        best.map(|(t, apex)| Proposal {
+            apex,
+            is_clear: is_clear && t + APART * radius < next,
+        })
     }
 }
