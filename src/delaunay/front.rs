@@ -51,7 +51,7 @@ impl<const D: usize> View<D> {
 }
 
 /// Insertion sort of a few corners; whether the permutation was odd.
-fn sort_is_odd<const D: usize>(corners: &mut [Corner<D>; D]) -> bool {
+pub fn sort_is_odd<const D: usize>(corners: &mut [Corner<D>; D]) -> bool {
     let mut odd = false;
     for end in 1..D {
         for k in (1..=end).rev() {

@@ -12,6 +12,7 @@
 //! | `floats` | doubles with proved error bounds: filters and spheres |
 //! | `tree` | the points in a ball |
 //! | `predicates` | exact signs behind the filters |
+//! | `narrow` | exact signs in machine integers |
 //! | `seed` | a first cell |
 //! | `front` | the facets beyond which the cell is still to be found |
 //! | `wrap` | gift wrapping from cell to cell |
@@ -26,6 +27,7 @@ mod floats;
 mod front;
 mod lattice;
 mod model;
+mod narrow;
 mod polytope;
 mod predicates;
 mod seed;
@@ -37,7 +39,9 @@ pub use predicates::circumcenter;
 
 use crate::geometry::{Scalar, Sign};
 use crate::tiling::{Corner, Frame, PointSet, Tiling, difference};
+use front::sort_is_odd;
 use model::Model;
+use narrow::Narrow;
 use polytope::Polytope;
 use predicates::{Exact, Predicates};
 use wrap::Cells;
@@ -82,9 +86,10 @@ pub fn triangulate<const D: usize>(
     }
     let mut simplices = Vec::with_capacity(found.cells.len());
     for simplex in found.shell.simplices() {
-        simplices.push(normal_form(&model, simplex)?);
+        simplices.push(Simplex::new(&model, simplex)?);
     }
-    simplices.sort_unstable();
+    drop(found);
+    let simplices = sorted(simplices, model.names.len());
     let corners = simplices.iter().flat_map(Simplex::ordered).collect();
     Ok(Tiling {
         frame: set.frame.clone(),
@@ -133,11 +138,13 @@ fn find<const D: usize>(model: &Model<D>) -> Result<Found<D>, DelaunayError> {
         Some(exact) => attempt(Predicates {
             model,
             exact,
+            narrow: Narrow::new(model),
             filtered: true,
         }),
         None => attempt(Predicates {
             model,
             exact: Exact::numbers(model),
+            narrow: None,
             filtered: true,
         }),
     }
@@ -283,6 +290,25 @@ struct Simplex<const D: usize> {
 }
 
 impl<const D: usize> Simplex<D> {
+    /// The normal form of a positively oriented simplex.
+    fn new(model: &Model<D>, corners: &[Corner<D>]) -> Result<Self, DelaunayError> {
+        let mut facet = [corners[0]; D];
+        for (corner, given) in facet.iter_mut().zip(corners) {
+            *corner = model.original(given)?;
+        }
+        let mut apex = model.original(&corners[D])?;
+        let mut odd = sort_is_odd(&mut facet);
+        if apex < facet[D - 1] {
+            std::mem::swap(&mut apex, &mut facet[D - 1]);
+            odd ^= !sort_is_odd(&mut facet);
+        }
+        let origin = facet[0].shift;
+        for corner in facet.iter_mut().chain([&mut apex]) {
+            corner.shift = difference(corner.shift, origin);
+        }
+        Ok(Simplex { facet, apex, odd })
+    }
+
     /// The corners in positive order.
     fn ordered(&self) -> impl Iterator<Item = Corner<D>> + use<D> {
         let (mut facet, mut apex) = (self.facet, self.apex);
@@ -293,19 +319,23 @@ impl<const D: usize> Simplex<D> {
     }
 }
 
-/// The normal form of a positively oriented simplex.
-fn normal_form<const D: usize>(
-    model: &Model<D>,
-    simplex: &[Corner<D>],
-) -> Result<Simplex<D>, DelaunayError> {
-    let (corners, order) = sorted_original(model, simplex)?;
-    let inversions = (0..=D)
-        .flat_map(|j| (0..j).map(move |i| (i, j)))
-        .filter(|&(i, j)| order[i] > order[j])
-        .count();
-    Ok(Simplex {
-        facet: std::array::from_fn(|k| corners[k]),
-        apex: corners[D],
-        odd: inversions % 2 == 1,
-    })
+/// Sorts simplices: counted by the least vertex, then each lot by itself.
+fn sorted<const D: usize>(simplices: Vec<Simplex<D>>, vertices: usize) -> Vec<Simplex<D>> {
+    let least = |simplex: &Simplex<D>| simplex.facet[0].vertex as usize;
+    let mut ends = vec![0u32; vertices + 1];
+    simplices.iter().for_each(|s| ends[least(s) + 1] += 1);
+    (0..vertices).for_each(|v| ends[v + 1] += ends[v]);
+    let Some(&first) = simplices.first() else {
+        return simplices;
+    };
+    let mut sorted = vec![first; simplices.len()];
+    for simplex in simplices {
+        let place = &mut ends[least(&simplex)];
+        sorted[*place as usize] = simplex;
+        *place += 1;
+    }
+    sorted
+        .chunk_by_mut(|a, b| least(a) == least(b))
+        .for_each(|lot| lot.sort_unstable());
+    sorted
 }

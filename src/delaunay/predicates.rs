@@ -2,11 +2,13 @@
 //! the answer, exactly everywhere else.
 //!
 //! Over the rationals all coordinates are brought to one denominator and the exact
-//! work is in integers, unless that denominator is huge; else it is in the field.
+//! work is in integers, of machine words where they suffice, unless that denominator
+//! is huge; else it is in the field.
 
 use super::DelaunayError;
 use super::floats::{FloatSphere, Sphere};
 use super::model::Model;
+use super::narrow::Narrow;
 use super::tree::Ball;
 use crate::geometry::{Scalar, Sign, Simplex, linear};
 use crate::number::Number;
@@ -61,7 +63,8 @@ impl<const D: usize> Exact<'_, Integer, D> {
     }
 }
 
-fn common_denominator<const D: usize>(rows: &[[Number; D]]) -> Option<Natural> {
+/// Of all entries, if they are rational and it is not huge.
+pub fn common_denominator<const D: usize>(rows: &[[Number; D]]) -> Option<Natural> {
     let mut common = Natural::ONE;
     for x in rows.iter().flatten() {
         common = common.lcm(x.to_rational()?.denominator_ref());
@@ -72,7 +75,8 @@ fn common_denominator<const D: usize>(rows: &[[Number; D]]) -> Option<Natural> {
     Some(common)
 }
 
-fn cleared<const D: usize>(row: &[Number; D], unit: &Natural) -> Option<[Integer; D]> {
+/// The entries times `unit`, if these are integers.
+pub fn cleared<const D: usize>(row: &[Number; D], unit: &Natural) -> Option<[Integer; D]> {
     let mut integers = Vec::with_capacity(D);
     for x in row {
         let scaled = x.to_rational()? * Rational::from(unit);
@@ -111,6 +115,8 @@ impl<S: Scalar, const D: usize> Exact<'_, S, D> {
 pub struct Predicates<'a, S: Clone, const D: usize> {
     pub model: &'a Model<D>,
     pub exact: Exact<'a, S, D>,
+    /// The same points in machine integers, if they fit.
+    pub narrow: Option<Narrow<D>>,
     /// Whether doubles may decide where they prove the answer.
     pub filtered: bool,
 }
@@ -122,7 +128,9 @@ impl<S: Scalar, const D: usize> Predicates<'_, S, D> {
             .filtered
             .then(|| self.model.floats.orientation(facet, apex))
             .flatten();
-        quick.unwrap_or_else(|| self.exact.simplex(facet, apex).determinant.sign())
+        quick
+            .or_else(|| self.narrow.as_ref()?.orientation(facet, apex))
+            .unwrap_or_else(|| self.exact.simplex(facet, apex).determinant.sign())
     }
 
     /// The sphere through the corners of a positively oriented simplex, to ask on which
@@ -134,6 +142,7 @@ impl<S: Scalar, const D: usize> Predicates<'_, S, D> {
     ) -> SphereTest<'s, S, D> {
         SphereTest {
             exact: &self.exact,
+            narrow: self.narrow.as_ref(),
             facet,
             apex,
             floats: self.filtered.then(|| self.model.floats.sphere(facet, apex)),
@@ -179,6 +188,7 @@ impl<S: Scalar, const D: usize> Predicates<'_, S, D> {
 /// See [`Predicates::sphere`].
 pub struct SphereTest<'a, S: Clone, const D: usize> {
     exact: &'a Exact<'a, S, D>,
+    narrow: Option<&'a Narrow<D>>,
     facet: &'a [Corner<D>; D],
     apex: &'a Corner<D>,
     floats: Option<FloatSphere<'a, D>>,
@@ -188,7 +198,9 @@ impl<S: Scalar, const D: usize> SphereTest<'_, S, D> {
     /// Whether p is outside of (`Greater`), on or inside (`Less`) the sphere.
     pub fn side(&self, p: &Corner<D>) -> Sign {
         let quick = self.floats.as_ref().and_then(|sphere| sphere.side(p));
-        quick.unwrap_or_else(|| self.exact.in_sphere(self.facet, self.apex, p))
+        quick
+            .or_else(|| self.narrow?.in_sphere(self.facet, self.apex, p))
+            .unwrap_or_else(|| self.exact.in_sphere(self.facet, self.apex, p))
     }
 }
 
