@@ -135,16 +135,12 @@ impl<S: Scalar, const D: usize> Predicates<'_, S, D> {
 
     /// The sphere through the corners of a positively oriented simplex, to ask on which
     /// side of it points are.
-    pub fn sphere<'s>(
-        &'s self,
-        facet: &'s [Corner<D>; D],
-        apex: &'s Corner<D>,
-    ) -> SphereTest<'s, S, D> {
+    pub fn sphere(&self, facet: &[Corner<D>; D], apex: &Corner<D>) -> SphereTest<'_, S, D> {
         SphereTest {
             exact: &self.exact,
             narrow: self.narrow.as_ref(),
-            facet,
-            apex,
+            facet: *facet,
+            apex: *apex,
             floats: self.filtered.then(|| self.model.floats.sphere(facet, apex)),
         }
     }
@@ -189,8 +185,8 @@ impl<S: Scalar, const D: usize> Predicates<'_, S, D> {
 pub struct SphereTest<'a, S: Clone, const D: usize> {
     exact: &'a Exact<'a, S, D>,
     narrow: Option<&'a Narrow<D>>,
-    facet: &'a [Corner<D>; D],
-    apex: &'a Corner<D>,
+    facet: [Corner<D>; D],
+    apex: Corner<D>,
     floats: Option<FloatSphere<'a, D>>,
 }
 
@@ -199,8 +195,8 @@ impl<S: Scalar, const D: usize> SphereTest<'_, S, D> {
     pub fn side(&self, p: &Corner<D>) -> Sign {
         let quick = self.floats.as_ref().and_then(|sphere| sphere.side(p));
         quick
-            .or_else(|| self.narrow?.in_sphere(self.facet, self.apex, p))
-            .unwrap_or_else(|| self.exact.in_sphere(self.facet, self.apex, p))
+            .or_else(|| self.narrow?.in_sphere(&self.facet, &self.apex, p))
+            .unwrap_or_else(|| self.exact.in_sphere(&self.facet, &self.apex, p))
     }
 }
 

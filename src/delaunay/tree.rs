@@ -10,7 +10,7 @@ use crate::tiling::Corner;
 /// No query looks at more translated cells.
 const SHIFTS_LIMIT: f64 = 1e6;
 /// Leaves hold at most this many points.
-const LEAF: usize = 6;
+const LEAF: usize = 8;
 
 /// A k-d tree over points that are stored in the order of the tree.
 #[derive(Clone, Debug)]

@@ -33,7 +33,7 @@ pub struct Cells<const D: usize> {
 
 /// The square of the radius of the first ball that is searched, that of the smallest
 /// sphere through the facet being 1.
-const FIRST_BALL: f64 = 2.0;
+const FIRST_BALL: f64 = 1.5;
 /// Below this height, relative to the radius of the ball, a point is not proposed.
 const FLAT: f64 = 1e-6;
 /// Below this height on either side the exact predicates are asked.
@@ -89,41 +89,44 @@ pub fn wrap<S: Scalar, const D: usize>(
 impl<S: Scalar, const D: usize> Wrapping<'_, S, D> {
     /// Replaces the apex until the sphere is empty, and records the cell.
     fn settle(&mut self, facet: [Corner<D>; D], mut apex: Corner<D>) -> Result<(), DelaunayError> {
+        let mut near = std::mem::take(&mut self.near);
         loop {
-            let mut near = std::mem::take(&mut self.near);
             self.predicates
                 .near_sphere(&facet, &apex, usize::MAX, &mut near)?;
-            let better = self.keep_cospherical(&facet, &apex, &mut near)?;
-            self.near = near;
-            match better {
-                Some(inside) => apex = inside,
-                None => return self.record(facet, apex),
+            let lowest = self.keep_cospherical(&facet, &apex, &mut near)?;
+            if lowest == apex {
+                self.near = near;
+                return self.record(facet, apex);
             }
+            apex = lowest;
         }
     }
 
-    /// Drops the corners outside of the sphere; returns one that is inside. It must
-    /// be beyond the facet: on this side the sphere lies in that of the cell below.
+    /// Replaces the apex by each corner that is inside of the sphere of the one before,
+    /// and keeps the corners on the last sphere. A corner inside must be beyond the facet:
+    /// on this side the sphere lies in that of the cell below. Beyond, spheres lie in those
+    /// before, so a corner that is outside of one is outside of all that follow.
     fn keep_cospherical(
         &self,
         facet: &[Corner<D>; D],
         apex: &Corner<D>,
         near: &mut Vec<Corner<D>>,
-    ) -> Result<Option<Corner<D>>, DelaunayError> {
-        let mut inside = None;
-        let sphere = self.predicates.sphere(facet, apex);
+    ) -> Result<Corner<D>, DelaunayError> {
+        let mut lowest = *apex;
+        let mut sphere = self.predicates.sphere(facet, apex);
+        let mut is_beyond = true;
         near.retain(|p| {
             let sign = sphere.side(p);
             if sign == Sign::Less {
-                inside = Some(*p);
+                is_beyond &= self.predicates.orientation(facet, p) == Sign::Greater;
+                lowest = *p;
+                sphere = self.predicates.sphere(facet, p);
             }
             sign == Sign::Equal
         });
-        match inside {
-            Some(p) if self.predicates.orientation(facet, &p) != Sign::Greater => {
-                Err(DelaunayError::Uncertified)
-            }
-            inside => Ok(inside),
+        match is_beyond {
+            true => Ok(lowest),
+            false => Err(DelaunayError::Uncertified),
         }
     }
 
