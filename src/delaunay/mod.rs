@@ -32,6 +32,8 @@ mod polytope;
 mod predicates;
 mod seed;
 mod tree;
+#[cfg(test)]
+mod twins;
 mod wrap;
 
 pub use error::{COSPHERICAL_LIMIT, CosphericalSet, DelaunayError};
@@ -44,6 +46,7 @@ use model::Model;
 use narrow::Narrow;
 use polytope::Polytope;
 use predicates::{Exact, Predicates};
+use rayon::prelude::*;
 use wrap::Cells;
 
 /// What to do with cells that are not simplices.
@@ -84,10 +87,12 @@ pub fn triangulate<const D: usize>(
             &found.polytopes,
         )?));
     }
-    let mut simplices = Vec::with_capacity(found.cells.len());
-    for simplex in found.shell.simplices() {
-        simplices.push(Simplex::new(&model, simplex)?);
-    }
+    let simplices = found
+        .shell
+        .corners
+        .par_chunks_exact(D + 1)
+        .map(|simplex| Simplex::new(&model, simplex))
+        .collect::<Result<Vec<_>, _>>()?;
     drop(found);
     let simplices = sorted(simplices, model.names.len());
     let corners = simplices.iter().flat_map(Simplex::ordered).collect();
@@ -126,8 +131,6 @@ struct Found<const D: usize> {
     /// The simplices: first the cells that are simplices, then the parts of the others.
     /// (The frame and the vertices are not filled in.)
     shell: Tiling<D>,
-    /// The cell that each simplex comes from.
-    cells: Vec<u32>,
     /// How many cells are simplices.
     simple: usize,
     polytopes: Vec<Polytope<D>>,
@@ -150,7 +153,8 @@ fn find<const D: usize>(model: &Model<D>) -> Result<Found<D>, DelaunayError> {
     }
 }
 
-/// With doubles as filters, and if the check should fail, exactly throughout.
+/// With doubles as filters and for clear proposals, and if the check should fail, exactly
+/// throughout.
 fn attempt<S: Scalar, const D: usize>(
     mut predicates: Predicates<S, D>,
 ) -> Result<Found<D>, DelaunayError> {
@@ -193,7 +197,6 @@ fn search<S: Scalar, const D: usize>(
     }
     Ok(Found {
         shell,
-        cells,
         simple,
         polytopes,
     })

@@ -14,7 +14,8 @@ use crate::geometry::{Bound, I256, Scalar, Sign, Simplex};
 use crate::tiling::Corner;
 use malachite::Integer;
 
-/// Denominators and coordinates are below 2^62, shifts below 2^26, so edges below 2^90.
+/// Denominators and coordinates are at most 2^62 and shifts differ by less than 2^33, so
+/// edges are below 2^96 and do not overflow.
 const COORDINATE_LIMIT: i64 = 1 << 62;
 
 /// Rational points over one denominator.

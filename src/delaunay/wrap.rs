@@ -3,10 +3,12 @@
 //! A Delaunay cell is the convex hull of all points on an empty sphere. Beyond
 //! each of its facets lies exactly one further cell: of the spheres through the facet
 //! the one whose centre is pushed out until it meets a point beyond. Doubles propose
-//! that point; then all points that may lie on or inside of the sphere are fetched and
-//! judged exactly. A point inside is a better proposal; when there is none, the points
-//! on the sphere are the cell. So every cell that is recorded has been shown to be empty,
-//! and the sphere shrinks beyond the facet with each proposal, so this ends.
+//! that point, and where they leave hardly a doubt the simplex is recorded as it is: the
+//! certificate decides. Where they do leave a doubt, all points that may lie on or inside
+//! of the sphere are fetched and judged exactly. A point inside is a better
+//! proposal; when there is none, the points on the sphere are the cell. The sphere shrinks
+//! beyond the facet with each proposal, so this ends. Where predicates are not filtered,
+//! each cell is found in this way, and so has been shown to be empty.
 //!
 //! (In the plane a triangulation could be repaired by flips instead; in space these
 //! may get stuck before all facets are locally Delaunay.)
@@ -52,7 +54,8 @@ struct Proposal<const D: usize> {
 struct Wrapping<'a, S: Clone, const D: usize> {
     predicates: &'a Predicates<'a, S, D>,
     front: Front<D>,
-    /// D! times the volume of the simplices, in units of the lattice's cell.
+    /// D! times the volume of the simplices, in units of the lattice's cell: with a wrong
+    /// proposal they might go on for ever.
     volume: f64,
     cells: Cells<D>,
     /// Scratch space.
