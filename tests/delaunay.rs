@@ -1,9 +1,12 @@
 //! The Delaunay room against hand counts, a brute-force twin and its symmetries.
 
+use acutile::certificate::{Statement, to_bytes};
+use acutile::checker::{Options, prove};
 use acutile::delaunay::{Cell, DelaunayError, Ties, cells, triangulate};
 use acutile::geometry::{Sign, Simplex};
 use acutile::number::{Field, Number};
 use acutile::tiling::{Corner, Frame, PointSet, Tiling, match_facets};
+use acutile::verifier::{Limits, verify};
 use malachite::{Integer, Rational};
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -473,6 +476,53 @@ fn agrees_with_brute_force() {
                 "round {round}: {gram:?} {points:?}/{denominator}"
             );
         }
+    }
+}
+
+/// Sets that are too large for the twin: a basis of the same lattice, sheared by up to 10
+/// six times over, gives the same cells, with doubles proving most of them (random points),
+/// some (a triclinic lattice), or none (a grid).
+#[test]
+fn a_change_of_basis_changes_nothing() {
+    let mut random = Random(31);
+    let triclinic = [[100, 23, -17], [23, 121, 35], [-17, 35, 81]];
+    let flat = [[1, 0, 0], [0, 2, 0], [0, 0, 300]];
+    for (gram, denominator) in [
+        (CUBIC, 1 << 20),
+        (triclinic, 1 << 10),
+        (triclinic, 8),
+        (flat, 1 << 20),
+        (CUBIC, 12),
+    ] {
+        let points = random.points(250, denominator);
+        let expected = disguised(&gram, denominator, &points, &mut random, 0);
+        for size in [5, 10] {
+            let found = disguised(&gram, denominator, &points, &mut random, size);
+            assert!(found == expected, "{gram:?} in steps of 1/{denominator}");
+        }
+    }
+}
+
+/// The shears of the cubic lattice by 5 and by 10, and a triclinic lattice: the
+/// kernel confirms from the certificate's bytes that the tiling is the Delaunay one.
+#[test]
+fn the_kernel_confirms_skewed_triangulations() {
+    let mut random = Random(8);
+    let by_5 = [[1, 5, 0], [5, 26, 0], [0, 0, 1]];
+    let by_10 = [[1, 10, 10], [10, 101, 110], [10, 110, 201]];
+    let triclinic = [[100, 23, -17], [23, 121, 35], [-17, 35, 81]];
+    for gram in [CUBIC, by_5, by_10, triclinic] {
+        let points = random.points(60, 1 << 16);
+        let tiling = triangulate(&set(gram, 1 << 16, &points), Ties::Refuse).unwrap();
+        check(&tiling);
+        let options = Options {
+            required: vec![Statement::Delaunay],
+            ..Options::default()
+        };
+        let certificate = prove(&tiling, &options, &|_| ()).unwrap();
+        let verified = verify(&to_bytes(&certificate), &Limits::default()).unwrap();
+        let claimed = &verified.claim().statements;
+        assert!(claimed.contains(&Statement::Delaunay), "{claimed:?}");
     }
 }
 

@@ -17,7 +17,8 @@
 
 use super::predicates::Predicates;
 use crate::geometry::{Scalar, Sign};
-use crate::tiling::{Corner, Tiling, match_facets};
+use crate::tiling::{Corner, Matching, Tiling, match_facets};
+use rayon::prelude::*;
 
 /// Whether the simplices, in model coordinates, positively oriented, with the number
 /// of the cell that each comes from, are the Delaunay triangulation. `shell` is a tiling of the
@@ -28,9 +29,9 @@ pub fn is_delaunay<S: Scalar, const D: usize>(
     predicates: &Predicates<S, D>,
 ) -> bool {
     uses_all_points(shell, predicates.model.names.len())
-        && shell
-            .simplices()
-            .all(|simplex| is_positive(simplex, predicates))
+        && (0..shell.len())
+            .into_par_iter()
+            .all(|index| is_positive(shell.simplex(index), predicates))
         && is_simple_cover(shell, predicates)
         && is_locally_delaunay(shell, cells, predicates)
 }
@@ -75,24 +76,41 @@ fn is_simple_cover<S: Scalar, const D: usize>(
     sum + error < 1.4 * factorial
 }
 
+/// (3), and (4) from one side of each facet: that a corner is outside of the sphere of
+/// the mate is the same as that the corner of the mate is outside of this one, for both
+/// say that the interpolation of |x|² is strictly convex across the facet.
 fn is_locally_delaunay<S: Scalar, const D: usize>(
     shell: &Tiling<D>,
     cells: &[u32],
     predicates: &Predicates<S, D>,
 ) -> bool {
     let matching = match_facets(shell);
-    (0..shell.len() * (D + 1)).all(|index| {
-        let (here, opposite) = (index / (D + 1), index % (D + 1));
-        let Some(mate) = matching.mate(shell, here, opposite) else {
-            return false;
-        };
-        let there = mate.facet.simplex as usize;
-        let beyond = shell.simplex(there)[usize::from(mate.facet.opposite)].moved(mate.shift);
+    (0..shell.len()).into_par_iter().all(|here| {
         let (facet, apex) = parts(shell.simplex(here));
-        match predicates.in_sphere(&facet, &apex, &beyond) {
-            Sign::Greater => true,
-            Sign::Equal => cells[here] == cells[there],
-            Sign::Less => false,
-        }
+        let sphere = predicates.sphere(&facet, &apex);
+        (0..=D).all(|opposite| match matching.neighbour(here, opposite) {
+            None => false,
+            Some(mate) if (mate.simplex as usize) < here => true,
+            Some(mate) => {
+                let there = mate.simplex as usize;
+                beyond(shell, &matching, here, opposite).is_some_and(|p| match sphere.side(&p) {
+                    Sign::Greater => true,
+                    Sign::Equal => cells[here] == cells[there],
+                    Sign::Less => false,
+                })
+            }
+        })
     })
+}
+
+/// The corner of the mate of a facet that is not in the facet.
+fn beyond<const D: usize>(
+    shell: &Tiling<D>,
+    matching: &Matching<D>,
+    here: usize,
+    opposite: usize,
+) -> Option<Corner<D>> {
+    let mate = matching.mate(shell, here, opposite)?;
+    let corners = shell.simplex(mate.facet.simplex as usize);
+    Some(corners[usize::from(mate.facet.opposite)].moved(mate.shift))
 }

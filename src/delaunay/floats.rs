@@ -6,14 +6,19 @@
 //!
 //! **Positions.** Let c* be the orthogonalised reduced basis and y_i the Cartesian
 //! coordinate along c*_i in units of |c*_0|: y = R d for coordinate differences d,
-//! where R_ij = |c*_i| mu_ji / |c*_0| is upper triangular. A fraction of a point
-//! is a double within 2^-52 of the exact one, entries of R have relative
-//! errors of at most 2^-50, and sums of three terms are rounded, so that
-//!     |y computed - y exact| <= 2^-49 Σ_j |R_ij| (1 + |d_j|).
+//! where R_ij = |c*_i| mu_ji / |c*_0| is upper triangular. For points with fractions f
+//! and g and shift s the difference d = g - f + s is placed as (R g - R f) + R s, where
+//! the first two products are kept. A fraction is a double within 2^-52 of the exact
+//! one and at most 1, and entries of R have relative errors of at most 2^-50. Write
+//! r = Σ_j |R_ij| and t = Σ_j |R_ij| |d_j|, so that Σ_j |R_ij| |s_j| <= r + t. Then the
+//! fractions contribute 2^-51 r, the entries of R 2^-50 t, the roundings of the kept
+//! products 2^-50 r (three to a term), those of R s 2^-51 (r + t), and the
+//! last two sums 2^-53 (3 r + t): together less than 2^-48 (r + t), or
+//!     |y computed - y exact| <= 2^-48 Σ_j |R_ij| (1 + |d_j|).
 //! With q_j the length of row j of R^-1, |d_j| <= q_j |y| <= 2 q_j m for m the
 //! largest entry of y. Hence every entry is right up to
-//!     e(m) = tau + eta m,  tau = 2^-49 max_i Σ_j |R_ij|,
-//!                          eta = 2^-47 max_i Σ_j |R_ij| q_j.
+//!     e(m) = tau + eta m,  tau = 2^-48 max_i Σ_j |R_ij|,
+//!                          eta = 2^-46 max_i Σ_j |R_ij| q_j.
 //!
 //! **Polynomials** (D <= 3). Let m bound the entries of the edge vectors and e =
 //! e(m); note eta >= 2^-47, so that rounding errors, multiples of 2^-53 m, are
@@ -34,11 +39,18 @@ use super::lattice::Orthogonal;
 /// Beyond this ratio of lengths doubles are not trusted to stay in range.
 const LENGTH_LIMIT: f64 = 1e40;
 
+/// The least sine of an angle of a facet whose normal has many digits.
+const SHARP: f64 = 1e-2;
+/// The largest error of an edge of such a facet, relative to the longest.
+const RESOLVED: f64 = 1e-12;
+
 /// The points of a cell as doubles.
 #[derive(Clone, Debug)]
 pub struct Floats<const D: usize> {
     /// Coordinates in the reduced basis, 0 to 1 up to rounding.
     pub fractions: Vec<[f64; D]>,
+    /// R times the fractions.
+    pub places: Vec<[f64; D]>,
     /// R: Cartesian coordinates of the basis vectors, in units of |c*_0|.
     pub basis: [[f64; D]; D],
     /// q_j: how much the j-th coordinate changes at most per unit of length.
@@ -56,6 +68,17 @@ pub struct Sphere<const D: usize> {
     pub slack: f64,
 }
 
+/// See [`Floats::circle`].
+#[derive(Clone, Copy, Debug)]
+pub struct Circle<const D: usize> {
+    /// Relative to the first corner of the facet.
+    pub center: [f64; D],
+    /// A unit vector to the side where (facet, p) is positive.
+    pub normal: [f64; D],
+    /// Whether centre and normal have many digits that are right.
+    pub is_sharp: bool,
+}
+
 /// The edges of a simplex from its first corner, with its cofactors.
 struct Shape<const D: usize> {
     edges: [[f64; D]; D],
@@ -64,8 +87,11 @@ struct Shape<const D: usize> {
 }
 
 impl<const D: usize> Floats<D> {
-    /// `points` in the reduced basis that `orthogonal` belongs to.
-    pub fn new(points: &[[Number; D]], orthogonal: &Orthogonal<D>) -> Result<Self, DelaunayError> {
+    /// Points in the reduced basis that `orthogonal` belongs to.
+    pub fn new(
+        fractions: Vec<[f64; D]>,
+        orthogonal: &Orthogonal<D>,
+    ) -> Result<Self, DelaunayError> {
         let basis = cartesian(orthogonal)?;
         let dual = dual_lengths(&basis);
         let row_sums = |weights: &[f64; D]| {
@@ -79,14 +105,12 @@ impl<const D: usize> Floats<D> {
                 })
                 .fold(0.0, f64::max)
         };
-        let fractions = points
-            .iter()
-            .map(|x| std::array::from_fn(|k| x[k].approximate()))
-            .collect();
+        let places = fractions.iter().map(|x| upper_times(&basis, x)).collect();
         Ok(Floats {
-            tau: 2f64.powi(-49) * row_sums(&[1.0; D]),
-            eta: 2f64.powi(-47) * row_sums(&dual),
+            tau: 2f64.powi(-48) * row_sums(&[1.0; D]),
+            eta: 2f64.powi(-46) * row_sums(&dual),
             fractions,
+            places,
             basis,
             dual,
         })
@@ -94,7 +118,14 @@ impl<const D: usize> Floats<D> {
 
     /// The vector from `origin` to `p`, up to e(m) in each entry.
     pub fn difference(&self, origin: &Corner<D>, p: &Corner<D>) -> [f64; D] {
-        self.to_cartesian(&self.fractional_difference(origin, p))
+        let [a, b] = [origin, p].map(|corner| &self.places[corner.vertex as usize]);
+        let mut y: [f64; D] = std::array::from_fn(|k| b[k] - a[k]);
+        if p.shift != origin.shift {
+            let step = std::array::from_fn(|k| f64::from(p.shift[k] - origin.shift[k]));
+            let moved = self.to_cartesian(&step);
+            (0..D).for_each(|k| y[k] += moved[k]);
+        }
+        y
     }
 
     fn fractional_difference(&self, origin: &Corner<D>, p: &Corner<D>) -> [f64; D] {
@@ -103,7 +134,7 @@ impl<const D: usize> Floats<D> {
     }
 
     pub fn to_cartesian(&self, d: &[f64; D]) -> [f64; D] {
-        std::array::from_fn(|i| (i..D).map(|j| self.basis[i][j] * d[j]).sum())
+        upper_times(&self.basis, d)
     }
 
     /// R^-1 y
@@ -141,20 +172,16 @@ impl<const D: usize> Floats<D> {
         proved(determinant, 32.0 * m.powi(D as i32 - 1) * e, e, m)
     }
 
-    /// Whether p is outside (`Greater`) or inside (`Less`) of the sphere through the
-    /// corners of a positively oriented simplex, if the doubles prove it.
-    pub fn in_sphere(
-        &self,
-        facet: &[Corner<D>; D],
-        apex: &Corner<D>,
-        p: &Corner<D>,
-    ) -> Option<Sign> {
+    /// The sphere through the corners of a positively oriented simplex.
+    pub fn sphere(&self, facet: &[Corner<D>; D], apex: &Corner<D>) -> FloatSphere<'_, D> {
         let shape = Shape::new(self.edges(facet, apex));
-        let x = self.difference(&facet[0], p);
-        let m = largest(&shape.edges).max(largest(&[x]));
-        let e = self.error(m);
-        let power = shape.determinant * dot(&x, &x) - dot(&shape.weighted(), &x);
-        proved(power, 1024.0 * m.powi(D as i32 + 1) * e, e, m)
+        FloatSphere {
+            floats: self,
+            origin: facet[0],
+            determinant: shape.determinant,
+            weighted: shape.weighted(),
+            size: largest(&shape.edges),
+        }
     }
 
     /// The circumsphere relative to the first corner, if it is well determined.
@@ -193,11 +220,10 @@ impl<const D: usize> Floats<D> {
         }
     }
 
-    /// The centre of the smallest sphere through a facet, relative to its first
-    /// corner, and the unit normal to the side where (facet, p) is positive. Only
-    /// for guesses. With n a multiple of the normal, the sphere through the facet
+    /// The circle (in the plane, the two points) in which spheres through a facet meet.
+    /// Only for guesses. With n a multiple of the normal, the sphere through the facet
     /// and its first corner + n has its centre above the one that is sought.
-    pub fn facet_center(&self, facet: &[Corner<D>; D]) -> ([f64; D], [f64; D]) {
+    pub fn circle(&self, facet: &[Corner<D>; D]) -> Circle<D> {
         let mut edges = self.edges(facet, &facet[0]);
         let normal = Shape::new(edges).gradients[D - 1];
         let length = dot(&normal, &normal).sqrt();
@@ -206,10 +232,12 @@ impl<const D: usize> Floats<D> {
         edges[D - 1] = normal.map(|x| x * size);
         let center = Shape::new(edges).center();
         let height = dot(&center, &normal);
-        (
-            std::array::from_fn(|k| center[k] - height * normal[k]),
+        Circle {
+            center: std::array::from_fn(|k| center[k] - height * normal[k]),
             normal,
-        )
+            is_sharp: length > SHARP * size.powi(D as i32 - 1)
+                && self.error(size) < RESOLVED * size,
+        }
     }
 }
 
@@ -235,6 +263,26 @@ impl<const D: usize> Shape<D> {
 
     fn center(&self) -> [f64; D] {
         self.weighted().map(|x| x / (2.0 * self.determinant))
+    }
+}
+
+/// The polynomial of a sphere, see [`Floats::sphere`].
+pub struct FloatSphere<'a, const D: usize> {
+    floats: &'a Floats<D>,
+    origin: Corner<D>,
+    determinant: f64,
+    weighted: [f64; D],
+    size: f64,
+}
+
+impl<const D: usize> FloatSphere<'_, D> {
+    /// Whether p is outside (`Greater`) or inside (`Less`), if the doubles prove it.
+    pub fn side(&self, p: &Corner<D>) -> Option<Sign> {
+        let x = self.floats.difference(&self.origin, p);
+        let m = self.size.max(largest(&[x]));
+        let e = self.floats.error(m);
+        let power = self.determinant * dot(&x, &x) - dot(&self.weighted, &x);
+        proved(power, 1024.0 * m.powi(D as i32 + 1) * e, e, m)
     }
 }
 
@@ -298,6 +346,10 @@ fn cartesian<const D: usize>(orthogonal: &Orthogonal<D>) -> Result<[[f64; D]; D]
         }
     }
     Ok(basis)
+}
+
+fn upper_times<const D: usize>(upper: &[[f64; D]; D], x: &[f64; D]) -> [f64; D] {
+    std::array::from_fn(|i| (i..D).map(|j| upper[i][j] * x[j]).sum())
 }
 
 fn back_substitute<const D: usize>(upper: &[[f64; D]; D], y: &[f64; D]) -> [f64; D] {

@@ -12,7 +12,9 @@
 //! | `floats` | doubles with proved error bounds: filters and spheres |
 //! | `tree` | the points in a ball |
 //! | `predicates` | exact signs behind the filters |
+//! | `narrow` | exact signs in machine integers |
 //! | `seed` | a first cell |
+//! | `front` | the facets beyond which the cell is still to be found |
 //! | `wrap` | gift wrapping from cell to cell |
 //! | `polytope` | facets and pulling of cells that are not simplices |
 //! | `certify` | an independent exact check of the result |
@@ -22,12 +24,16 @@
 mod certify;
 mod error;
 mod floats;
+mod front;
 mod lattice;
 mod model;
+mod narrow;
 mod polytope;
 mod predicates;
 mod seed;
 mod tree;
+#[cfg(test)]
+mod twins;
 mod wrap;
 
 pub use error::{COSPHERICAL_LIMIT, CosphericalSet, DelaunayError};
@@ -35,9 +41,12 @@ pub use predicates::circumcenter;
 
 use crate::geometry::{Scalar, Sign};
 use crate::tiling::{Corner, Frame, PointSet, Tiling, difference};
+use front::sort_is_odd;
 use model::Model;
+use narrow::Narrow;
 use polytope::Polytope;
 use predicates::{Exact, Predicates};
+use rayon::prelude::*;
 use wrap::Cells;
 
 /// What to do with cells that are not simplices.
@@ -78,11 +87,14 @@ pub fn triangulate<const D: usize>(
             &found.polytopes,
         )?));
     }
-    let mut simplices = Vec::with_capacity(found.cells.len());
-    for simplex in found.shell.simplices() {
-        simplices.push(normal_form(&model, simplex)?);
-    }
-    simplices.sort_unstable();
+    let simplices = found
+        .shell
+        .corners
+        .par_chunks_exact(D + 1)
+        .map(|simplex| Simplex::new(&model, simplex))
+        .collect::<Result<Vec<_>, _>>()?;
+    drop(found);
+    let simplices = sorted(simplices, model.names.len());
     let corners = simplices.iter().flat_map(Simplex::ordered).collect();
     Ok(Tiling {
         frame: set.frame.clone(),
@@ -119,8 +131,6 @@ struct Found<const D: usize> {
     /// The simplices: first the cells that are simplices, then the parts of the others.
     /// (The frame and the vertices are not filled in.)
     shell: Tiling<D>,
-    /// The cell that each simplex comes from.
-    cells: Vec<u32>,
     /// How many cells are simplices.
     simple: usize,
     polytopes: Vec<Polytope<D>>,
@@ -131,17 +141,20 @@ fn find<const D: usize>(model: &Model<D>) -> Result<Found<D>, DelaunayError> {
         Some(exact) => attempt(Predicates {
             model,
             exact,
+            narrow: Narrow::new(model),
             filtered: true,
         }),
         None => attempt(Predicates {
             model,
             exact: Exact::numbers(model),
+            narrow: None,
             filtered: true,
         }),
     }
 }
 
-/// With doubles as filters, and if the check should fail, exactly throughout.
+/// With doubles as filters and for clear proposals, and if the check should fail, exactly
+/// throughout.
 fn attempt<S: Scalar, const D: usize>(
     mut predicates: Predicates<S, D>,
 ) -> Result<Found<D>, DelaunayError> {
@@ -184,7 +197,6 @@ fn search<S: Scalar, const D: usize>(
     }
     Ok(Found {
         shell,
-        cells,
         simple,
         polytopes,
     })
@@ -281,6 +293,25 @@ struct Simplex<const D: usize> {
 }
 
 impl<const D: usize> Simplex<D> {
+    /// The normal form of a positively oriented simplex.
+    fn new(model: &Model<D>, corners: &[Corner<D>]) -> Result<Self, DelaunayError> {
+        let mut facet = [corners[0]; D];
+        for (corner, given) in facet.iter_mut().zip(corners) {
+            *corner = model.original(given)?;
+        }
+        let mut apex = model.original(&corners[D])?;
+        let mut odd = sort_is_odd(&mut facet);
+        if apex < facet[D - 1] {
+            std::mem::swap(&mut apex, &mut facet[D - 1]);
+            odd ^= !sort_is_odd(&mut facet);
+        }
+        let origin = facet[0].shift;
+        for corner in facet.iter_mut().chain([&mut apex]) {
+            corner.shift = difference(corner.shift, origin);
+        }
+        Ok(Simplex { facet, apex, odd })
+    }
+
     /// The corners in positive order.
     fn ordered(&self) -> impl Iterator<Item = Corner<D>> + use<D> {
         let (mut facet, mut apex) = (self.facet, self.apex);
@@ -291,19 +322,23 @@ impl<const D: usize> Simplex<D> {
     }
 }
 
-/// The normal form of a positively oriented simplex.
-fn normal_form<const D: usize>(
-    model: &Model<D>,
-    simplex: &[Corner<D>],
-) -> Result<Simplex<D>, DelaunayError> {
-    let (corners, order) = sorted_original(model, simplex)?;
-    let inversions = (0..=D)
-        .flat_map(|j| (0..j).map(move |i| (i, j)))
-        .filter(|&(i, j)| order[i] > order[j])
-        .count();
-    Ok(Simplex {
-        facet: std::array::from_fn(|k| corners[k]),
-        apex: corners[D],
-        odd: inversions % 2 == 1,
-    })
+/// Sorts simplices: counted by the least vertex, then each lot by itself.
+fn sorted<const D: usize>(simplices: Vec<Simplex<D>>, vertices: usize) -> Vec<Simplex<D>> {
+    let least = |simplex: &Simplex<D>| simplex.facet[0].vertex as usize;
+    let mut ends = vec![0u32; vertices + 1];
+    simplices.iter().for_each(|s| ends[least(s) + 1] += 1);
+    (0..vertices).for_each(|v| ends[v + 1] += ends[v]);
+    let Some(&first) = simplices.first() else {
+        return simplices;
+    };
+    let mut sorted = vec![first; simplices.len()];
+    for simplex in simplices {
+        let place = &mut ends[least(&simplex)];
+        sorted[*place as usize] = simplex;
+        *place += 1;
+    }
+    sorted
+        .chunk_by_mut(|a, b| least(a) == least(b))
+        .for_each(|lot| lot.sort_unstable());
+    sorted
 }

@@ -13,6 +13,7 @@ use crate::number::Number;
 use crate::tiling::{Corner, PointSet, SHIFT_LIMIT};
 use malachite::base::num::arithmetic::traits::Floor;
 use malachite::{Integer, Rational};
+use rayon::prelude::*;
 
 /// How many witness points stand behind the points of the set, see [`Model::witness`].
 pub const WITNESSES: usize = 4;
@@ -42,21 +43,24 @@ impl<const D: usize> Model<D> {
         }
         let lattice = reduce(&set.frame.gram)?;
         let orthogonal = Orthogonal::of(&lattice.gram).ok_or(DelaunayError::NotPositiveDefinite)?;
-        let vertices: Vec<_> = set.points.iter().map(fractional_part).collect();
-        let mut points = Vec::with_capacity(vertices.len() + WITNESSES);
-        let mut offsets = Vec::with_capacity(vertices.len());
-        for vertex in &vertices {
+        let vertices: Vec<_> = set.points.par_iter().map(fractional_part).collect();
+        let placed = |vertex| {
             let (point, offset) = split(&lattice.coordinates(vertex));
-            offsets.push(small(offset)?);
-            points.push(point);
-        }
+            Ok((point, small(offset)?))
+        };
+        let (points, offsets): (Vec<_>, Vec<_>) = vertices
+            .par_iter()
+            .map(placed)
+            .collect::<Result<Vec<_>, DelaunayError>>()?
+            .into_iter()
+            .unzip();
         let lengths = std::array::from_fn(|k| orthogonal.norms[k].approximate().sqrt());
-        let fractions: Vec<_> = points.iter().map(approximate).collect();
+        let fractions: Vec<_> = points.par_iter().map(approximate).collect();
         let names = tree_order(&fractions, &lengths);
         let mut points: Vec<_> = names.iter().map(|&i| points[i as usize].clone()).collect();
         let offsets = names.iter().map(|&i| offsets[i as usize]).collect();
         points.extend((0..WITNESSES).map(witness));
-        let floats = Floats::new(&points, &orthogonal)?;
+        let floats = Floats::new(points.par_iter().map(approximate).collect(), &orthogonal)?;
         let tree = Tree::new(&floats, names.len());
         let model = Model {
             lattice,

@@ -2,11 +2,13 @@
 //! the answer, exactly everywhere else.
 //!
 //! Over the rationals all coordinates are brought to one denominator and the exact
-//! work is in integers, unless that denominator is huge; else it is in the field.
+//! work is in integers, of machine words where they suffice, unless that denominator
+//! is huge; else it is in the field.
 
 use super::DelaunayError;
-use super::floats::Sphere;
+use super::floats::{FloatSphere, Sphere};
 use super::model::Model;
+use super::narrow::Narrow;
 use super::tree::Ball;
 use crate::geometry::{Scalar, Sign, Simplex, linear};
 use crate::number::Number;
@@ -61,7 +63,8 @@ impl<const D: usize> Exact<'_, Integer, D> {
     }
 }
 
-fn common_denominator<const D: usize>(rows: &[[Number; D]]) -> Option<Natural> {
+/// Of all entries, if they are rational and it is not huge.
+pub fn common_denominator<const D: usize>(rows: &[[Number; D]]) -> Option<Natural> {
     let mut common = Natural::ONE;
     for x in rows.iter().flatten() {
         common = common.lcm(x.to_rational()?.denominator_ref());
@@ -72,7 +75,8 @@ fn common_denominator<const D: usize>(rows: &[[Number; D]]) -> Option<Natural> {
     Some(common)
 }
 
-fn cleared<const D: usize>(row: &[Number; D], unit: &Natural) -> Option<[Integer; D]> {
+/// The entries times `unit`, if these are integers.
+pub fn cleared<const D: usize>(row: &[Number; D], unit: &Natural) -> Option<[Integer; D]> {
     let mut integers = Vec::with_capacity(D);
     for x in row {
         let scaled = x.to_rational()? * Rational::from(unit);
@@ -111,6 +115,8 @@ impl<S: Scalar, const D: usize> Exact<'_, S, D> {
 pub struct Predicates<'a, S: Clone, const D: usize> {
     pub model: &'a Model<D>,
     pub exact: Exact<'a, S, D>,
+    /// The same points in machine integers, if they fit.
+    pub narrow: Option<Narrow<D>>,
     /// Whether doubles may decide where they prove the answer.
     pub filtered: bool,
 }
@@ -122,17 +128,21 @@ impl<S: Scalar, const D: usize> Predicates<'_, S, D> {
             .filtered
             .then(|| self.model.floats.orientation(facet, apex))
             .flatten();
-        quick.unwrap_or_else(|| self.exact.simplex(facet, apex).determinant.sign())
+        quick
+            .or_else(|| self.narrow.as_ref()?.orientation(facet, apex))
+            .unwrap_or_else(|| self.exact.simplex(facet, apex).determinant.sign())
     }
 
-    /// Whether p is outside of (`Greater`), on or inside (`Less`) the sphere through
-    /// the corners of a positively oriented simplex.
-    pub fn in_sphere(&self, facet: &[Corner<D>; D], apex: &Corner<D>, p: &Corner<D>) -> Sign {
-        let quick = self
-            .filtered
-            .then(|| self.model.floats.in_sphere(facet, apex, p))
-            .flatten();
-        quick.unwrap_or_else(|| self.exact.in_sphere(facet, apex, p))
+    /// The sphere through the corners of a positively oriented simplex, to ask on which
+    /// side of it points are.
+    pub fn sphere(&self, facet: &[Corner<D>; D], apex: &Corner<D>) -> SphereTest<'_, S, D> {
+        SphereTest {
+            exact: &self.exact,
+            narrow: self.narrow.as_ref(),
+            facet: *facet,
+            apex: *apex,
+            floats: self.filtered.then(|| self.model.floats.sphere(facet, apex)),
+        }
     }
 
     /// The circumsphere of a simplex that is not flat, relative to facet[0].
@@ -168,6 +178,25 @@ impl<S: Scalar, const D: usize> Predicates<'_, S, D> {
         tree.gather(floats, &facet[0], ball, enough, found)?;
         found.retain(|p| p != apex && !facet.contains(p));
         Ok(())
+    }
+}
+
+/// See [`Predicates::sphere`].
+pub struct SphereTest<'a, S: Clone, const D: usize> {
+    exact: &'a Exact<'a, S, D>,
+    narrow: Option<&'a Narrow<D>>,
+    facet: [Corner<D>; D],
+    apex: Corner<D>,
+    floats: Option<FloatSphere<'a, D>>,
+}
+
+impl<S: Scalar, const D: usize> SphereTest<'_, S, D> {
+    /// Whether p is outside of (`Greater`), on or inside (`Less`) the sphere.
+    pub fn side(&self, p: &Corner<D>) -> Sign {
+        let quick = self.floats.as_ref().and_then(|sphere| sphere.side(p));
+        quick
+            .or_else(|| self.narrow?.in_sphere(&self.facet, &self.apex, p))
+            .unwrap_or_else(|| self.exact.in_sphere(&self.facet, &self.apex, p))
     }
 }
 

@@ -134,7 +134,8 @@ impl<S: Scalar, const D: usize> Search<'_, S, D> {
         };
         let mut sorted: Vec<_> = near.iter().map(|p| (distance(p), *p)).collect();
         sorted.sort_by(|a, b| a.0.total_cmp(&b.0));
-        let is_inside = |p: &Corner<D>| self.predicates.in_sphere(facet, apex, p) == Sign::Less;
+        let test = self.predicates.sphere(facet, apex);
+        let is_inside = |p: &Corner<D>| test.side(p) == Sign::Less;
         sorted.into_iter().map(|(_, p)| p).find(is_inside)
     }
 

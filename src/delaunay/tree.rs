@@ -10,14 +10,25 @@ use crate::tiling::Corner;
 /// No query looks at more translated cells.
 const SHIFTS_LIMIT: f64 = 1e6;
 /// Leaves hold at most this many points.
-const LEAF: usize = 6;
+const LEAF: usize = 8;
 
 /// A k-d tree over points that are stored in the order of the tree.
 #[derive(Clone, Debug)]
 pub struct Tree<const D: usize> {
-    /// Bounding boxes; the children of node i are 2 i + 1 and 2 i + 2.
-    boxes: Vec<Extent<D>>,
+    /// The box around all points.
+    hull: Extent<D>,
+    /// The children of node i are 2 i + 1 and 2 i + 2.
+    splits: Vec<Split>,
     len: usize,
+}
+
+/// How the two halves of a node lie along one axis: where the first ends and where
+/// the second begins. Two comparisons tell which of them a window may meet.
+#[derive(Clone, Copy, Debug, Default)]
+struct Split {
+    axis: usize,
+    end: f64,
+    begin: f64,
 }
 
 #[derive(Clone, Copy, Debug)]
@@ -77,15 +88,39 @@ impl<const D: usize> Extent<D> {
     fn meets(&self, other: &Self) -> bool {
         (0..D).all(|k| self.low[k] <= other.high[k] && other.low[k] <= self.high[k])
     }
+
+    fn union(self, other: Self) -> Self {
+        Extent {
+            low: std::array::from_fn(|k| self.low[k].min(other.low[k])),
+            high: std::array::from_fn(|k| self.high[k].max(other.high[k])),
+        }
+    }
+}
+
+impl Split {
+    /// Along the axis that separates the halves best. (Any axis would be right.)
+    fn between<const D: usize>(left: &Extent<D>, right: &Extent<D>) -> Self {
+        let gap = |k: usize| right.low[k] - left.high[k];
+        let axis = (0..D)
+            .max_by(|&a, &b| gap(a).total_cmp(&gap(b)))
+            .unwrap_or(0);
+        Split {
+            axis,
+            end: left.high[axis],
+            begin: right.low[axis],
+        }
+    }
 }
 
 /// What a query carries down the tree.
 struct Query<'a, const D: usize> {
-    floats: &'a Floats<D>,
+    places: &'a [[f64; D]],
     window: Extent<D>,
-    origin: Corner<D>,
+    /// The centre of the ball, moved so that the cell that is searched has shift zero.
+    center: [f64; D],
+    square: f64,
+    /// What corners of that cell are given.
     shift: [i32; D],
-    ball: Ball<D>,
     found: &'a mut Vec<Corner<D>>,
 }
 
@@ -93,23 +128,31 @@ impl<const D: usize> Tree<D> {
     /// The tree over the first `len` of the points, which are in tree order.
     pub fn new(floats: &Floats<D>, len: usize) -> Self {
         let mut tree = Tree {
-            boxes: Vec::new(),
+            hull: Extent::around([].into_iter()),
+            splits: Vec::new(),
             len,
         };
-        tree.build(0, 0..len, &floats.fractions);
+        tree.hull = tree.build(0, 0..len, &floats.fractions);
         tree
     }
 
-    fn build(&mut self, node: usize, range: std::ops::Range<usize>, fractions: &[[f64; D]]) {
-        if self.boxes.len() <= node {
-            self.boxes.resize(node + 1, Extent::around([].into_iter()));
+    fn build(
+        &mut self,
+        node: usize,
+        range: std::ops::Range<usize>,
+        fractions: &[[f64; D]],
+    ) -> Extent<D> {
+        if range.len() <= LEAF {
+            return Extent::around(fractions[range].iter());
         }
-        self.boxes[node] = Extent::around(fractions[range.clone()].iter());
-        if range.len() > LEAF {
-            let middle = range.start + range.len() / 2;
-            self.build(2 * node + 1, range.start..middle, fractions);
-            self.build(2 * node + 2, middle..range.end, fractions);
+        if self.splits.len() <= node {
+            self.splits.resize(node + 1, Split::default());
         }
+        let middle = range.start + range.len() / 2;
+        let left = self.build(2 * node + 1, range.start..middle, fractions);
+        let right = self.build(2 * node + 2, middle..range.end, fractions);
+        self.splits[node] = Split::between(&left, &right);
+        left.union(right)
     }
 
     /// Puts all corners in the ball around `origin` + centre into `found`, at least
@@ -131,21 +174,26 @@ impl<const D: usize> Tree<D> {
         if count.is_nan() || count > SHIFTS_LIMIT || first.iter().any(is_far) {
             return Err(DelaunayError::TooElongated);
         }
+        let base = &floats.places[origin.vertex as usize];
+        let center: [f64; D] = std::array::from_fn(|k| base[k] + ball.center[k]);
         let mut shift = first.map(|x| x as i32);
         loop {
-            let moved = Extent {
-                low: std::array::from_fn(|k| window.low[k] - f64::from(shift[k])),
-                high: std::array::from_fn(|k| window.high[k] - f64::from(shift[k])),
-            };
+            let step = shift.map(f64::from);
+            let moved = floats.to_cartesian(&step);
             let mut query = Query {
-                floats,
-                window: moved,
-                origin: *origin,
-                shift,
-                ball,
+                places: &floats.places,
+                window: Extent {
+                    low: std::array::from_fn(|k| window.low[k] - step[k]),
+                    high: std::array::from_fn(|k| window.high[k] - step[k]),
+                },
+                center: std::array::from_fn(|k| center[k] - moved[k]),
+                square: ball.radius * ball.radius,
+                shift: std::array::from_fn(|k| origin.shift[k] + shift[k]),
                 found: &mut *found,
             };
-            self.visit(0, 0..self.len, &mut query);
+            if query.window.meets(&self.hull) {
+                self.visit(0, 0..self.len, &mut query);
+            }
             if found.len() >= enough || !advance(&mut shift, &first, &last) {
                 return Ok(());
             }
@@ -153,43 +201,44 @@ impl<const D: usize> Tree<D> {
     }
 
     fn visit(&self, node: usize, range: std::ops::Range<usize>, query: &mut Query<D>) {
-        if !self.boxes[node].meets(&query.window) {
-            return;
+        if range.len() <= LEAF {
+            return query.test(range);
         }
-        if range.len() > LEAF {
-            let middle = range.start + range.len() / 2;
+        let split = &self.splits[node];
+        let middle = range.start + range.len() / 2;
+        if query.window.low[split.axis] <= split.end {
             self.visit(2 * node + 1, range.start..middle, query);
-            return self.visit(2 * node + 2, middle..range.end, query);
         }
-        for vertex in range {
-            query.test(Corner {
-                vertex: vertex as u32,
-                shift: query.shift,
-            });
+        if query.window.high[split.axis] >= split.begin {
+            self.visit(2 * node + 2, middle..range.end, query);
         }
     }
 }
 
 impl<const D: usize> Query<'_, D> {
-    fn test(&mut self, corner: Corner<D>) {
-        let y = self.floats.difference(&self.origin, &corner);
-        let from_center: [f64; D] = std::array::from_fn(|k| y[k] - self.ball.center[k]);
-        // The callers' slack is far larger than the rounding of this comparison.
-        if dot(&from_center, &from_center) <= self.ball.radius * self.ball.radius {
-            self.found.push(corner);
+    /// The callers' slack is larger than the rounding here, see `floats`.
+    fn test(&mut self, leaf: std::ops::Range<usize>) {
+        for (place, vertex) in self.places[leaf.clone()].iter().zip(leaf.start as u32..) {
+            let x: [f64; D] = std::array::from_fn(|k| place[k] - self.center[k]);
+            if dot(&x, &x) <= self.square {
+                self.found.push(Corner {
+                    vertex,
+                    shift: self.shift,
+                });
+            }
         }
     }
 }
 
-/// The box around a ball in fractional coordinates, a little enlarged.
+/// The box around a ball in fractional coordinates, a little enlarged, where the origin
+/// has shift zero.
 fn window<const D: usize>(floats: &Floats<D>, origin: &Corner<D>, ball: &Ball<D>) -> Extent<D> {
     let center = floats.to_fractional(&ball.center);
     let base = &floats.fractions[origin.vertex as usize];
     let size = dot(&ball.center, &ball.center).sqrt() + ball.radius;
     let half: [f64; D] =
         std::array::from_fn(|k| floats.dual[k] * (ball.radius + 1e-9 * size) + 1e-9);
-    let middle: [f64; D] =
-        std::array::from_fn(|k| base[k] + f64::from(origin.shift[k]) + center[k]);
+    let middle: [f64; D] = std::array::from_fn(|k| base[k] + center[k]);
     Extent {
         low: std::array::from_fn(|k| middle[k] - half[k]),
         high: std::array::from_fn(|k| middle[k] + half[k]),

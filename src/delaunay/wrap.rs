@@ -3,24 +3,26 @@
 //! A Delaunay cell is the convex hull of all points on an empty sphere. Beyond
 //! each of its facets lies exactly one further cell: of the spheres through the facet
 //! the one whose centre is pushed out until it meets a point beyond. Doubles propose
-//! that point; then all points that may lie on or inside of the sphere are fetched and
-//! judged exactly. A point inside is a better proposal; when there is none, the points
-//! on the sphere are the cell. So every cell that is recorded has been shown to be empty,
-//! and the sphere shrinks beyond the facet with each proposal, so this ends.
+//! that point, and where they leave hardly a doubt the simplex is recorded as it is: the
+//! certificate decides. Where they do leave a doubt, all points that may lie on or inside
+//! of the sphere are fetched and judged exactly. A point inside is a better
+//! proposal; when there is none, the points on the sphere are the cell. The sphere shrinks
+//! beyond the facet with each proposal, so this ends. Where predicates are not filtered,
+//! each cell is found in this way, and so has been shown to be empty.
 //!
 //! (In the plane a triangulation could be repaired by flips instead; in space these
 //! may get stuck before all facets are locally Delaunay.)
 
 use super::DelaunayError;
-use super::floats::dot;
+use super::floats::{Circle, dot};
+use super::front::{Front, View};
+use super::model::Model;
 use super::polytope::Polytope;
 use super::predicates::Predicates;
 use super::seed;
 use super::tree::Ball;
 use crate::geometry::{Scalar, Sign};
-use crate::tiling::{Corner, difference};
-use std::collections::HashSet;
-use std::hash::{BuildHasherDefault, Hasher};
+use crate::tiling::Corner;
 
 /// All Delaunay cells, one of each orbit, in the model's coordinates.
 #[derive(Clone, Debug, Default)]
@@ -31,87 +33,30 @@ pub struct Cells<const D: usize> {
     pub polytopes: Vec<Polytope<D>>,
 }
 
-/// A facet up to translation, and a side: (corners, p) is positively oriented for p
-/// beyond it if `positive`. The corners are the D least by (vertex, shift), the first
-/// with shift zero. They determine the facet, for they span its hyperplane.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-struct View<const D: usize> {
-    corners: [Corner<D>; D],
-    positive: bool,
-}
+/// The square of the radius of the first ball that is searched, that of the smallest
+/// sphere through the facet being 1.
+const FIRST_BALL: f64 = 1.5;
+/// Below this height, relative to the radius of the ball, a point is not proposed.
+const FLAT: f64 = 1e-6;
+/// Below this height on either side the exact predicates are asked.
+const CLEAR: f64 = 1e-3;
+/// If spheres reach more differently than this, relative to the radius of the ball,
+/// doubles know which is smaller, as they know the facet: see [`Circle::is_sharp`].
+const APART: f64 = 1e-4;
 
-impl<const D: usize> View<D> {
-    /// The view of an ordered facet beyond which orientation is positive.
-    fn new(mut corners: [Corner<D>; D]) -> Self {
-        let positive = !sort_is_odd(&mut corners);
-        let origin = corners[0].shift;
-        for corner in &mut corners {
-            corner.shift = difference(corner.shift, origin);
-        }
-        View { corners, positive }
-    }
-
-    fn reversed(self) -> Self {
-        View {
-            positive: !self.positive,
-            ..self
-        }
-    }
-
-    /// The corners in an order with positive orientation beyond them.
-    fn facet(mut self) -> [Corner<D>; D] {
-        if !self.positive {
-            self.corners.swap(0, 1);
-        }
-        self.corners
-    }
-}
-
-/// Insertion sort of a few corners; whether the permutation was odd.
-fn sort_is_odd<const D: usize>(corners: &mut [Corner<D>; D]) -> bool {
-    let mut odd = false;
-    for end in 1..D {
-        for k in (1..=end).rev() {
-            if corners[k] < corners[k - 1] {
-                corners.swap(k, k - 1);
-                odd = !odd;
-            }
-        }
-    }
-    odd
-}
-
-/// A quick hash for small integers: what is stored is our own, so nobody can aim at
-/// collisions, and the order of the set is never used.
-#[derive(Default)]
-struct Mixer(u64);
-
-impl Hasher for Mixer {
-    fn write(&mut self, bytes: &[u8]) {
-        for chunk in bytes.chunks(8) {
-            let mut word = [0; 8];
-            word[..chunk.len()].copy_from_slice(chunk);
-            self.write_u64(u64::from_le_bytes(word));
-        }
-    }
-
-    fn write_u32(&mut self, value: u32) {
-        self.write_u64(u64::from(value));
-    }
-
-    fn write_u64(&mut self, value: u64) {
-        self.0 = (self.0.rotate_left(26) ^ value).wrapping_mul(0x9e37_79b9_7f4a_7c15);
-    }
-
-    fn finish(&self) -> u64 {
-        self.0 ^ (self.0 >> 32)
-    }
+/// A corner that may be beyond a facet.
+struct Proposal<const D: usize> {
+    apex: Corner<D>,
+    /// Whether there is hardly a doubt that it is the only one.
+    is_clear: bool,
 }
 
 struct Wrapping<'a, S: Clone, const D: usize> {
     predicates: &'a Predicates<'a, S, D>,
-    open: HashSet<View<D>, BuildHasherDefault<Mixer>>,
-    stack: Vec<View<D>>,
+    front: Front<D>,
+    /// D! times the volume of the simplices, in units of the lattice's cell: with a wrong
+    /// proposal they might go on for ever.
+    volume: f64,
     cells: Cells<D>,
     /// Scratch space.
     near: Vec<Corner<D>>,
@@ -123,8 +68,8 @@ pub fn wrap<S: Scalar, const D: usize>(
 ) -> Result<Cells<D>, DelaunayError> {
     let mut wrapping = Wrapping {
         predicates,
-        open: HashSet::default(),
-        stack: Vec::new(),
+        front: Front::new(predicates.model.names.len()),
+        volume: 0.0,
         cells: Cells {
             simplices: Vec::new(),
             polytopes: Vec::new(),
@@ -133,11 +78,12 @@ pub fn wrap<S: Scalar, const D: usize>(
     };
     let (facet, apex) = seed::seed(predicates)?;
     wrapping.settle(facet, apex)?;
-    while let Some(view) = wrapping.stack.pop() {
-        if wrapping.open.contains(&view) {
-            let facet = view.facet();
-            let apex = wrapping.propose(&facet)?;
-            wrapping.settle(facet, apex)?;
+    while let Some(view) = wrapping.front.first() {
+        let facet = view.facet();
+        let Proposal { apex, is_clear } = wrapping.propose(&facet)?;
+        match is_clear {
+            true => wrapping.record_simplex(facet, apex)?,
+            false => wrapping.settle(facet, apex)?,
         }
     }
     Ok(wrapping.cells)
@@ -146,40 +92,44 @@ pub fn wrap<S: Scalar, const D: usize>(
 impl<S: Scalar, const D: usize> Wrapping<'_, S, D> {
     /// Replaces the apex until the sphere is empty, and records the cell.
     fn settle(&mut self, facet: [Corner<D>; D], mut apex: Corner<D>) -> Result<(), DelaunayError> {
+        let mut near = std::mem::take(&mut self.near);
         loop {
-            let mut near = std::mem::take(&mut self.near);
             self.predicates
                 .near_sphere(&facet, &apex, usize::MAX, &mut near)?;
-            let better = self.keep_cospherical(&facet, &apex, &mut near)?;
-            self.near = near;
-            match better {
-                Some(inside) => apex = inside,
-                None => return self.record(facet, apex),
+            let lowest = self.keep_cospherical(&facet, &apex, &mut near)?;
+            if lowest == apex {
+                self.near = near;
+                return self.record(facet, apex);
             }
+            apex = lowest;
         }
     }
 
-    /// Drops the corners outside of the sphere; returns one that is inside. It must
-    /// be beyond the facet: on this side the sphere lies in that of the cell below.
+    /// Replaces the apex by each corner that is inside of the sphere of the one before,
+    /// and keeps the corners on the last sphere. A corner inside must be beyond the facet:
+    /// on this side the sphere lies in that of the cell below. Beyond, spheres lie in those
+    /// before, so a corner that is outside of one is outside of all that follow.
     fn keep_cospherical(
         &self,
         facet: &[Corner<D>; D],
         apex: &Corner<D>,
         near: &mut Vec<Corner<D>>,
-    ) -> Result<Option<Corner<D>>, DelaunayError> {
-        let mut inside = None;
+    ) -> Result<Corner<D>, DelaunayError> {
+        let mut lowest = *apex;
+        let mut sphere = self.predicates.sphere(facet, apex);
+        let mut is_beyond = true;
         near.retain(|p| {
-            let sign = self.predicates.in_sphere(facet, apex, p);
+            let sign = sphere.side(p);
             if sign == Sign::Less {
-                inside = Some(*p);
+                is_beyond &= self.predicates.orientation(facet, p) == Sign::Greater;
+                lowest = *p;
+                sphere = self.predicates.sphere(facet, p);
             }
             sign == Sign::Equal
         });
-        match inside {
-            Some(p) if self.predicates.orientation(facet, &p) != Sign::Greater => {
-                Err(DelaunayError::Uncertified)
-            }
-            inside => Ok(inside),
+        match is_beyond {
+            true => Ok(lowest),
+            false => Err(DelaunayError::Uncertified),
         }
     }
 
@@ -194,16 +144,29 @@ impl<S: Scalar, const D: usize> Wrapping<'_, S, D> {
                 .collect();
             return self.record_polytope(corners);
         }
+        self.record_simplex(facet, apex)
+    }
+
+    fn record_simplex(
+        &mut self,
+        facet: [Corner<D>; D],
+        apex: Corner<D>,
+    ) -> Result<(), DelaunayError> {
         self.cells.simplices.extend(facet);
         self.cells.simplices.push(apex);
+        let (determinant, _) = self.predicates.model.floats.determinant(&facet, &apex);
+        self.volume += determinant;
+        if self.volume > 2.0 * (1..=D).product::<usize>() as f64 {
+            return Err(DelaunayError::Uncertified);
+        }
         // The facet without facet[i]: putting the apex in the place of facet[i] and
         // that at the end is one exchange, so beyond it orientation is positive.
         for i in 0..D {
             let mut other = facet;
             other[i] = apex;
-            self.toggle(View::new(other));
+            self.front.toggle(View::new(other));
         }
-        self.toggle(View::new(facet).reversed());
+        self.front.toggle(View::new(facet).reversed());
         Ok(())
     }
 
@@ -215,75 +178,76 @@ impl<S: Scalar, const D: usize> Wrapping<'_, S, D> {
             let least: [Corner<D>; D] = std::array::from_fn(|k| facet[k]);
             let view = View::new(least);
             let inward = self.predicates.orientation(&least, &inner) == Sign::Greater;
-            self.toggle(if inward { view.reversed() } else { view });
+            self.front
+                .toggle(if inward { view.reversed() } else { view });
         }
         self.cells.polytopes.push(polytope);
         Ok(())
     }
 
-    /// A facet of a new cell, seen from the cell: closes it if the cell beyond is
-    /// there, else it is open.
-    fn toggle(&mut self, view: View<D>) {
-        if !self.open.remove(&view.reversed()) {
-            self.open.insert(view);
-            self.stack.push(view);
-        }
-    }
-
     /// A corner beyond a facet whose sphere is small, by doubles: growing balls
     /// through the facet are searched until there is one.
-    fn propose(&mut self, facet: &[Corner<D>; D]) -> Result<Corner<D>, DelaunayError> {
-        let floats = &self.predicates.model.floats;
-        let (center, normal) = floats.facet_center(facet);
-        let least = dot(&center, &center);
-        let mut square = 2.0 * least;
+    fn propose(&mut self, facet: &[Corner<D>; D]) -> Result<Proposal<D>, DelaunayError> {
+        let Model { floats, tree, .. } = self.predicates.model;
+        let circle = floats.circle(facet);
+        let least = dot(&circle.center, &circle.center);
+        let mut square = FIRST_BALL * least;
         loop {
             let height = (square - least).max(0.0).sqrt();
-            let above = std::array::from_fn(|k| center[k] + height * normal[k]);
-            let ball = Ball {
-                center: above,
-                radius: square.sqrt() * (1.0 + 1e-9),
-            };
-            self.predicates.model.tree.gather(
-                floats,
-                &facet[0],
-                ball,
-                usize::MAX,
-                &mut self.near,
-            )?;
-            if let Some(apex) = self.lowest(facet, &center, &normal, 1e-6 * ball.radius) {
-                return Ok(apex);
+            let center = std::array::from_fn(|k| circle.center[k] + height * circle.normal[k]);
+            let radius = square.sqrt() * (1.0 + 1e-9);
+            let ball = Ball { center, radius };
+            tree.gather(floats, &facet[0], ball, usize::MAX, &mut self.near)?;
+            if let Some(proposal) = self.lowest(facet, &circle, height, radius) {
+                return Ok(proposal);
             }
             square *= 3.0;
         }
     }
 
-    /// Of the corners at hand that are clearly beyond the facet, the one whose sphere
-    /// reaches least far: the centre c + t n is as far from p as from the facet,
+    /// Of the corners at hand that are beyond the facet, the one whose sphere reaches
+    /// least far: the centre c + t n is as far from p as from the facet,
     /// so 2 t n · (p - c) = |p - c|² - |c|². (Corners almost in the plane of the facet
     /// have their turn when spheres are judged exactly.)
+    ///
+    /// All points beyond the facet with t below `height` are at hand. So the answer is
+    /// clear if none is near the plane and no other t is nearly as small.
     fn lowest(
         &self,
         facet: &[Corner<D>; D],
-        center: &[f64; D],
-        normal: &[f64; D],
-        clear: f64,
-    ) -> Option<Corner<D>> {
+        circle: &Circle<D>,
+        height: f64,
+        radius: f64,
+    ) -> Option<Proposal<D>> {
         let floats = &self.predicates.model.floats;
-        let square = dot(center, center);
+        let square = dot(&circle.center, &circle.center);
+        let is_sharp = circle.is_sharp && self.predicates.filtered;
         let mut best: Option<(f64, Corner<D>)> = None;
+        let (mut next, mut is_clear) = (height, is_sharp);
         for p in self.near.iter().filter(|p| !facet.contains(p)) {
             let y = floats.difference(&facet[0], p);
-            let x: [f64; D] = std::array::from_fn(|k| y[k] - center[k]);
-            let height = dot(&x, normal);
-            let t = (dot(&x, &x) - square) / (2.0 * height);
-            if height > clear
-                && best.is_none_or(|(least, _)| t < least)
-                && self.predicates.orientation(facet, p) == Sign::Greater
-            {
-                best = Some((t, *p));
+            let x: [f64; D] = std::array::from_fn(|k| y[k] - circle.center[k]);
+            let above = dot(&x, &circle.normal);
+            let t = (dot(&x, &x) - square) / (2.0 * above);
+            let is_off = above.abs() > CLEAR * radius;
+            is_clear &= is_off;
+            let is_beyond =
+                || is_sharp && is_off || self.predicates.orientation(facet, p) == Sign::Greater;
+            if above <= FLAT * radius {
+                continue;
+            }
+            match best {
+                Some((least, _)) if t >= least => next = next.min(t),
+                _ if is_beyond() => {
+                    next = best.map_or(next, |(least, _)| least);
+                    best = Some((t, *p));
+                }
+                _ => {}
             }
         }
-        best.map(|(_, p)| p)
+        best.map(|(t, apex)| Proposal {
+            apex,
+            is_clear: is_clear && t + APART * radius < next,
+        })
     }
 }
