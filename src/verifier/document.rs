@@ -160,7 +160,7 @@ pub(super) fn read_cbor<'s>(
     limits: &Limits,
 ) -> Result<Document<'s>, Refusal> {
     check_size(source.length(), limits)?;
-    let mut bytes = Bytes::digested(source);
+    let mut bytes = Bytes::first(source);
     let mut parts = Parts::default();
     let members = bytes.map()?;
     bytes.members(members, |bytes, key| parts.read(bytes, source, key))?;

@@ -85,15 +85,17 @@ pub(super) struct Bytes<'s> {
     hashed: usize,
     /// Where the buffer ends in the source.
     end: u64,
-    /// The digest of all, and of what came since [`Bytes::mark`].
-    digests: Option<(Sha256, Sha256)>,
+    /// The digest of all; and of what came since [`Bytes::mark`].
+    all: Option<Sha256>,
+    part: Option<Sha256>,
 }
 
 impl<'s> Bytes<'s> {
-    /// With digests, whoever owns the bytes.
-    pub(super) fn digested(source: &'s Source<'s>) -> Bytes<'s> {
+    /// For the first time: with digests of the whole and of its parts, whoever owns the bytes.
+    pub(super) fn first(source: &'s Source<'s>) -> Bytes<'s> {
         Bytes {
-            digests: Some((Sha256::new(), Sha256::new())),
+            all: Some(Sha256::new()),
+            part: Some(Sha256::new()),
             ..Bytes::new(source)
         }
     }
@@ -105,15 +107,16 @@ impl<'s> Bytes<'s> {
             at: 0,
             hashed: 0,
             end: 0,
-            digests: None,
+            all: None,
+            part: None,
         }
     }
 
-    /// With digests where somebody else might change the bytes.
+    /// With a digest where somebody else might change the bytes.
     pub(super) fn again(source: &'s Source<'s>) -> Bytes<'s> {
-        match source.is_ours() {
-            true => Bytes::new(source),
-            false => Bytes::digested(source),
+        Bytes {
+            all: (!source.is_ours()).then(Sha256::new),
+            ..Bytes::new(source)
         }
     }
 
@@ -172,9 +175,8 @@ impl<'s> Bytes<'s> {
 
     fn feed(&mut self) {
         let new = &self.buffer[self.hashed..self.at];
-        if let Some((all, part)) = &mut self.digests {
-            all.update(new);
-            part.update(new);
+        for digest in [&mut self.all, &mut self.part].into_iter().flatten() {
+            digest.update(new);
         }
         self.hashed = self.at;
     }
@@ -182,14 +184,13 @@ impl<'s> Bytes<'s> {
     /// The digest since the last mark, and a new mark; `None` without digests.
     pub(super) fn mark(&mut self) -> Option<Sum> {
         self.feed();
-        let (_, part) = self.digests.as_mut()?;
-        Some(part.finalize_reset().into())
+        Some(self.part.as_mut()?.finalize_reset().into())
     }
 
     /// The digest of all that is gone.
     pub(super) fn sum(mut self) -> Option<Sum> {
         self.feed();
-        self.digests.map(|(all, _)| all.finalize().into())
+        Some(self.all?.finalize().into())
     }
 }
 
@@ -234,10 +235,11 @@ mod tests {
     #[test]
     fn a_file_that_changes_is_declined() {
         assert_eq!(read_and_change(|_| {}), Ok(()));
-        let other_digit = |bytes: &mut Vec<u8>| *bytes.last_mut().unwrap() ^= 1;
-        let shorter = |bytes: &mut Vec<u8>| bytes.truncate(bytes.len() - 1);
-        let gone = |bytes: &mut Vec<u8>| bytes.clear();
-        let changes: [&dyn Fn(&mut Vec<u8>); 3] = [&other_digit, &shorter, &gone];
+        let changes: [fn(&mut Vec<u8>); 3] = [
+            |bytes| *bytes.last_mut().unwrap() ^= 1,
+            |bytes| bytes.truncate(bytes.len() - 1),
+            |bytes| bytes.clear(),
+        ];
         for change in changes {
             let refusal = read_and_change(change).unwrap_err();
             assert_eq!(refusal.code(), "changed", "{refusal}");
