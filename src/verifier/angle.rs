@@ -2,10 +2,11 @@
 //! comparison of squares.
 
 use super::Refusal;
-use super::geometry::{facet_pairs, gradient_products};
+use super::geometry::facet_pairs;
 use super::integer::Integer;
 use super::number::Rational;
 use super::ring::Element;
+use super::simplex::{Judge, Simplex};
 use super::tiling::Tiling;
 use num_bigint::BigInt;
 use num_integer::Integer as _;
@@ -15,51 +16,62 @@ use std::cmp::Ordering;
 /// Every dihedral angle is less than Q degrees: cos θ_ij > cos Q°, where
 /// cos θ_ij = -g_i · g_j / (|g_i| |g_j|). With low <= cos Q° <= high it is proved by
 /// cos θ_ij > high and disproved by cos θ_ij <= low.
-pub(super) fn check_dihedral_below(tiling: &Tiling) -> Result<(), Refusal> {
-    let Some(angle) = &tiling.bounds.below else {
-        return Ok(());
-    };
+pub(super) fn judge_below<'t>(tiling: &'t Tiling) -> Option<Judge<'t>> {
+    let angle = tiling.bounds.below.as_ref()?;
     let c = Cosine::of_degrees(angle);
     let bounds = c.bounds(tiling, |c| &c.high, |c| &c.low);
-    let refuse = |simplex, facets| Refusal::AngleNotBelow {
+    let refuse = move |simplex, facets| Refusal::AngleNotBelow {
         simplex,
         facets,
         degrees: angle.to_string(),
     };
-    compare_cosines(tiling, angle, Ordering::Greater, bounds, refuse)
+    Some(Box::new(compare_cosines(
+        tiling,
+        angle,
+        Ordering::Greater,
+        bounds,
+        refuse,
+    )))
 }
 
 /// Every dihedral angle is more than Q degrees: cos θ_ij < cos Q°. It is proved by
 /// cos θ_ij < low and disproved by cos θ_ij >= high.
-pub(super) fn check_dihedral_above(tiling: &Tiling) -> Result<(), Refusal> {
-    let Some(angle) = &tiling.bounds.above else {
-        return Ok(());
-    };
+pub(super) fn judge_above<'t>(tiling: &'t Tiling) -> Option<Judge<'t>> {
+    let angle = tiling.bounds.above.as_ref()?;
     let c = Cosine::of_degrees(angle);
     let bounds = c.bounds(tiling, |c| &c.low, |c| &c.high);
-    let refuse = |simplex, facets| Refusal::AngleNotAbove {
+    let refuse = move |simplex, facets| Refusal::AngleNotAbove {
         simplex,
         facets,
         degrees: angle.to_string(),
     };
-    compare_cosines(tiling, angle, Ordering::Less, bounds, refuse)
+    Some(Box::new(compare_cosines(
+        tiling,
+        angle,
+        Ordering::Less,
+        bounds,
+        refuse,
+    )))
 }
 
 /// Every cos θ_ij is on the `wanted` side of one of the bounds that prove it. Where one is
 /// not even on that side of the bound that is needed, the statement is false.
-fn compare_cosines(
-    tiling: &Tiling,
-    angle: &Rational,
+fn compare_cosines<'t>(
+    tiling: &'t Tiling,
+    angle: &'t Rational,
     wanted: Ordering,
     (proving, needed): (Vec<Bound>, Bound),
-    refuse: impl Fn(usize, (usize, usize)) -> Refusal,
-) -> Result<(), Refusal> {
-    tiling.each_simplex(|simplex, corners| {
-        let products = gradient_products(tiling, corners);
+    refuse: impl Fn(usize, (usize, usize)) -> Refusal + 't,
+) -> impl Fn(&Simplex) -> Result<(), Refusal> + 't {
+    move |simplex| {
+        let products = &simplex.gradients;
         'angles: for facets @ (i, j) in facet_pairs(tiling.dimension()) {
             let square = tiling.ring.times(&products[i][i], &products[j][j]);
             let negated = Element::default().minus(&products[i][j]);
-            let of = || format!("cosine of facets {i} and {j} of simplex {simplex}, compared");
+            let of = || {
+                let simplex = simplex.index;
+                format!("cosine of facets {i} and {j} of simplex {simplex}, compared")
+            };
             let is_within = |bound| Ok(compare(tiling, &negated, &square, bound, of)? == wanted);
             for bound in &proving {
                 if is_within(bound)? {
@@ -67,16 +79,16 @@ fn compare_cosines(
                 }
             }
             return Err(match is_within(&needed)? {
-                false => refuse(simplex, facets),
+                false => refuse(simplex.index, facets),
                 true => Refusal::AngleUndecided {
-                    simplex,
+                    simplex: simplex.index,
                     facets,
                     degrees: angle.to_string(),
                 },
             });
         }
         Ok(())
-    })
+    }
 }
 
 /// c = p/q with q > 0, as it is compared with.

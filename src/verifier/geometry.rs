@@ -10,43 +10,69 @@ use super::integer::Integer;
 use super::mates::Pair;
 use super::matrix::{Matrix, apply, cofactors, determinant, leading};
 use super::ring::Element;
+use super::simplex::{self, Judge, check_simplices};
 use super::tiling::{Tiling, number};
 use super::{Refusal, angle, domain, mates, radius, region, tcp};
 use crate::certificate::{Domain, Number, Statement};
 use std::cmp::Ordering;
-use std::iter;
 
 /// A check of the numbers; it may rely on [`super::shape::CHECKS`] and on the
 /// checks before it.
-pub(super) type Check = fn(&Tiling) -> Result<(), Refusal>;
+#[derive(Clone, Copy)]
+pub(super) enum Check {
+    /// Of the tiling.
+    Whole(fn(&Tiling) -> Result<(), Refusal>),
+    /// Of each simplex for itself.
+    Each(simplex::Statement),
+}
+
+use Check::{Each, Whole};
 
 /// The exact value whose sign was judged, made only for a refusal.
 type Value<'v> = &'v dyn Fn() -> Number;
 
 /// All of them. A statement that is not claimed is not checked.
 pub(super) const CHECKS: &[(&str, Check)] = &[
-    ("gram_positive", check_gram_positive),
-    ("facets", domain::check_facets),
-    ("polygons", domain::check_polygons),
-    ("closed", domain::check_closed),
-    ("inside", domain::check_inside),
-    ("orientation", check_orientation),
-    ("mates_mutual", mates::check_mates_mutual),
-    ("mates_meet", mates::check_mates_meet),
-    ("boundary", domain::check_boundary),
-    ("volume_sum", check_volume_sum),
-    ("boundary_apart", region::check_boundary_apart),
-    ("covering", region::check_covering),
-    ("acute", check_acute),
-    ("nonobtuse", check_nonobtuse),
-    ("dihedral_below", angle::check_dihedral_below),
-    ("dihedral_above", angle::check_dihedral_above),
-    ("radius_edge", radius::check_radius_edge),
-    ("delaunay", check_delaunay),
-    ("weakly_delaunay", check_weakly_delaunay),
-    ("tcp_edges", tcp::check_tcp_edges),
-    ("tcp_triangles", tcp::check_tcp_triangles),
+    ("gram_positive", Whole(check_gram_positive)),
+    ("facets", Whole(domain::check_facets)),
+    ("polygons", Whole(domain::check_polygons)),
+    ("closed", Whole(domain::check_closed)),
+    ("inside", Whole(domain::check_inside)),
+    ("orientation", Whole(check_orientation)),
+    ("mates_mutual", Whole(mates::check_mates_mutual)),
+    ("mates_meet", Whole(mates::check_mates_meet)),
+    ("boundary", Whole(domain::check_boundary)),
+    ("volume_sum", Whole(check_volume_sum)),
+    ("boundary_apart", Whole(region::check_boundary_apart)),
+    ("covering", Whole(region::check_covering)),
+    ("acute", Each(judge_acute)),
+    ("nonobtuse", Each(judge_nonobtuse)),
+    ("dihedral_below", Each(angle::judge_below)),
+    ("dihedral_above", Each(angle::judge_above)),
+    ("radius_edge", Each(radius::judge_radius_edge)),
+    ("delaunay", Whole(check_delaunay)),
+    ("weakly_delaunay", Whole(check_weakly_delaunay)),
+    ("tcp_edges", Whole(tcp::check_tcp_edges)),
+    ("tcp_triangles", Whole(tcp::check_tcp_triangles)),
 ];
+
+/// All of these checks in their order; those of single simplices that stand side by side look
+/// at each simplex once.
+pub(super) fn check(tiling: &Tiling, checks: &[(&str, Check)]) -> Result<(), Refusal> {
+    for run in
+        checks.chunk_by(|(_, first), (_, second)| matches!((first, second), (Each(_), Each(_))))
+    {
+        let mut statements = Vec::new();
+        for (_, check) in run {
+            match check {
+                Whole(check) => check(tiling)?,
+                Each(statement) => statements.push(*statement),
+            }
+        }
+        check_simplices(tiling, &statements)?;
+    }
+    Ok(())
+}
 
 /// G is positive definite: its leading principal minors are positive (Sylvester).
 fn check_gram_positive(tiling: &Tiling) -> Result<(), Refusal> {
@@ -115,43 +141,6 @@ fn check_volume_sum(tiling: &Tiling) -> Result<(), Refusal> {
     }
 }
 
-/// M = E G E^T: the inner products e_i · e_j, d N² times too large.
-pub(super) fn edge_products(tiling: &Tiling, corners: Corners) -> Matrix {
-    let ring = &tiling.ring;
-    let edges = tiling.edges(corners);
-    let dual: Matrix = edges
-        .iter()
-        .map(|edge| apply(ring, &tiling.gram, edge))
-        .collect();
-    let mut products = Matrix::new();
-    for (i, edge) in edges.iter().enumerate() {
-        let product = |j| match products.get::<usize>(j) {
-            Some(row) => row[i].clone(),
-            None => ring.dot(edge, &dual[j]),
-        };
-        products.push((0..edges.len()).map(product).collect());
-    }
-    products
-}
-
-/// The inner products of the gradients g_0, …, g_D of the barycentric
-/// coordinates, times det M > 0, where M = E G E^T holds the e_i · e_j.
-///
-/// g_1, …, g_D is the dual basis of e_1, …, e_D, so (g_i · g_j) = M^-1 = C / det M
-/// with C the cofactors of M, and g_0 = -(g_1 + … + g_D). The gradient g_i is
-/// the inward normal of the facet opposite to x_i. det M > 0 because det E and
-/// det G are. The result is d^(D-1) N^(2D-2) too large.
-pub(super) fn gradient_products(tiling: &Tiling, corners: Corners) -> Matrix {
-    let inner = cofactors(&tiling.ring, &edge_products(tiling, corners));
-    let negated_sum =
-        |values: &[Element]| values.iter().fold(Element::default(), |s, v| s.minus(v));
-    let first: Vec<Element> = inner.iter().map(|row| negated_sum(row)).collect();
-    let corner = negated_sum(&first);
-    let row = |x: &Element, xs: &[Element]| iter::once(x).chain(xs).cloned().collect();
-    let others = first.iter().zip(&inner).map(|(x, xs)| row(x, xs));
-    iter::once(row(&corner, &first)).chain(others).collect()
-}
-
 /// The pairs i < j of facets or of corners of a D-simplex: one for each dihedral
 /// angle, and one for each edge.
 pub(super) fn facet_pairs(dimension: usize) -> impl Iterator<Item = (usize, usize)> {
@@ -160,54 +149,59 @@ pub(super) fn facet_pairs(dimension: usize) -> impl Iterator<Item = (usize, usiz
 
 /// The dihedral angle of the facets i and j is less than a right angle:
 /// cos = -g_i · g_j / (|g_i| |g_j|) > 0.
-fn check_acute(tiling: &Tiling) -> Result<(), Refusal> {
-    if !tiling.claims(&Statement::Acute) {
-        return Ok(());
-    }
-    each_product(tiling, |simplex, facets, sign, product| match sign {
-        Ordering::Less => Ok(()),
-        _ => Err(Refusal::NotAcute {
-            simplex,
-            facets,
-            product: product(),
-        }),
-    })
+fn judge_acute<'t>(tiling: &'t Tiling) -> Option<Judge<'t>> {
+    judge_products(
+        tiling,
+        Statement::Acute,
+        |simplex, facets, sign, product| match sign {
+            Ordering::Less => Ok(()),
+            _ => Err(Refusal::NotAcute {
+                simplex,
+                facets,
+                product: product(),
+            }),
+        },
+    )
 }
 
 /// It is at most a right angle: cos >= 0.
-fn check_nonobtuse(tiling: &Tiling) -> Result<(), Refusal> {
-    if !tiling.claims(&Statement::Nonobtuse) {
-        return Ok(());
-    }
-    each_product(tiling, |simplex, facets, sign, product| match sign {
-        Ordering::Less | Ordering::Equal => Ok(()),
-        Ordering::Greater => Err(Refusal::NotNonobtuse {
-            simplex,
-            facets,
-            product: product(),
-        }),
-    })
+fn judge_nonobtuse<'t>(tiling: &'t Tiling) -> Option<Judge<'t>> {
+    judge_products(
+        tiling,
+        Statement::Nonobtuse,
+        |simplex, facets, sign, product| match sign {
+            Ordering::Less | Ordering::Equal => Ok(()),
+            Ordering::Greater => Err(Refusal::NotNonobtuse {
+                simplex,
+                facets,
+                product: product(),
+            }),
+        },
+    )
 }
 
 /// Gives `judge` the sign of g_i · g_j, and its value times det M, for each
-/// dihedral angle.
-fn each_product(
-    tiling: &Tiling,
-    judge: impl Fn(usize, (usize, usize), Ordering, Value) -> Result<(), Refusal>,
-) -> Result<(), Refusal> {
+/// dihedral angle, if `statement` is claimed.
+fn judge_products<'t>(
+    tiling: &'t Tiling,
+    statement: Statement,
+    judge: impl Fn(usize, (usize, usize), Ordering, Value) -> Result<(), Refusal> + 't,
+) -> Option<Judge<'t>> {
+    if !tiling.claims(&statement) {
+        return None;
+    }
     let d = tiling.dimension();
     let scale = &tiling.gram_scale.pow(d - 1) * &tiling.scale.pow(2 * (d - 1));
-    tiling.each_simplex(|simplex, corners| {
-        let products = gradient_products(tiling, corners);
-        for (i, j) in facet_pairs(tiling.dimension()) {
-            let value = &products[i][j];
-            let of =
-                || format!("product of the normals of facets {i} and {j} of simplex {simplex}");
+    Some(Box::new(move |simplex| {
+        let index = simplex.index;
+        for (i, j) in facet_pairs(d) {
+            let value = &simplex.gradients[i][j];
+            let of = || format!("product of the normals of facets {i} and {j} of simplex {index}");
             let sign = tiling.sign(value, &scale, of)?;
-            judge(simplex, (i, j), sign, &|| number(value, &scale))?;
+            judge(index, (i, j), sign, &|| number(value, &scale))?;
         }
         Ok(())
-    })
+    }))
 }
 
 /// The corner behind each facet lies strictly outside of the circumsphere. This

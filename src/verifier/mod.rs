@@ -14,6 +14,7 @@
 //! | `domain` | the domain's polytope, and that the tiling keeps to its boundary |
 //! | `mates` | the facets are paired, each pair one facet seen from two sides |
 //! | `region`, `extent`, `apart` | the boundary of a region does not meet itself, and nothing is outside of it |
+//! | `simplex` | what several statements ask of one simplex |
 //! | `geometry` | metric, orientation, volume, and the claimed statements |
 //! | `angle`, `radius`, `tcp` | the statements that need more than a sign of a product |
 //! | `words` | the claim in words |
@@ -44,6 +45,7 @@ mod root;
 #[cfg(test)]
 mod sabotage;
 mod shape;
+mod simplex;
 mod source;
 mod table;
 mod tcp;
@@ -139,9 +141,7 @@ fn check(
         check(document, limits)?;
     }
     let tiling = tiling::Tiling::new(document, limits)?;
-    for (_, check) in geometry {
-        check(&tiling)?;
-    }
+    geometry::check(&tiling, geometry)?;
     verified(document)
 }
 

@@ -1,10 +1,11 @@
 //! `all radius-edge ratios below q`: the circumradius against every edge.
 
 use super::Refusal;
-use super::geometry::{edge_products, facet_pairs};
+use super::geometry::facet_pairs;
 use super::integer::Integer;
-use super::matrix::{Matrix, apply, cofactors, determinant};
+use super::matrix::{Matrix, apply, determinant};
 use super::ring::Element;
+use super::simplex::Judge;
 use super::tiling::Tiling;
 use std::cmp::Ordering;
 
@@ -14,35 +15,35 @@ use std::cmp::Ordering;
 /// from x_0, has 2 z · e_i = δ_i, so z = Σ y_i e_i with 2 M y = δ, and
 /// R² = y^T M y = δ^T M^-1 δ / 4 = δ^T C δ / (4 det M). Hence, for q = p/s, the
 /// rule is s² δ^T C δ - 4 p² det(M) l² < 0, for det M > 0.
-pub(super) fn check_radius_edge(tiling: &Tiling) -> Result<(), Refusal> {
-    let Some(q) = &tiling.bounds.radius_edge else {
-        return Ok(());
-    };
+pub(super) fn judge_radius_edge<'t>(tiling: &'t Tiling) -> Option<Judge<'t>> {
+    let q = tiling.bounds.radius_edge.as_ref()?;
     let ring = &tiling.ring;
     let left = Element::integer(Integer::from(q.denom() * q.denom()));
     let right = Element::integer(Integer::from(q.numer() * q.numer() * 4));
-    tiling.each_simplex(|simplex, corners| {
-        let products = edge_products(tiling, corners);
+    Some(Box::new(move |simplex| {
+        let products = &simplex.edges;
         let diagonal: Vec<Element> = (0..products.len())
             .map(|i| products[i][i].clone())
             .collect();
-        let inner = apply(ring, &cofactors(ring, &products), &diagonal);
+        let inner = apply(ring, &simplex.cofactors, &diagonal);
         let radius = ring.times(&left, &ring.dot(&diagonal, &inner));
-        let volume = ring.times(&right, &determinant(ring, &products));
+        let volume = ring.times(&right, &determinant(ring, products));
         for ends @ (i, j) in facet_pairs(tiling.dimension()) {
-            let length = length(&products, i, j);
-            let value = radius.clone().minus(&ring.times(&volume, &length));
-            let of = || format!("radius less edge {i} {j} of simplex {simplex}, scaled");
+            let value = radius
+                .clone()
+                .minus(&ring.times(&volume, &length(products, i, j)));
+            let index = simplex.index;
+            let of = || format!("radius less edge {i} {j} of simplex {index}, scaled");
             if tiling.sign(&value, &Integer::ONE, of)? != Ordering::Less {
                 return Err(Refusal::RatioNotBelow {
-                    simplex,
+                    simplex: index,
                     corners: ends,
                     ratio: q.to_string(),
                 });
             }
         }
         Ok(())
-    })
+    }))
 }
 
 /// |x_i - x_j|² for i < j: M_jj for i = 0, and else |e_i - e_j|².
