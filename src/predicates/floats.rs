@@ -25,7 +25,7 @@
 //! **Integers.** Where everything is an integer and all intermediate values are
 //! bounded by 2^53, doubles are exact and so is the sign zero.
 
-use super::polynomials::{Metric, Predicate};
+use super::polynomials::{MOST_PARTS, Metric, Predicate};
 use super::signs::Signs;
 use crate::geometry::bound::ROUNDOFF;
 use crate::geometry::{Bound, Simplex};
@@ -106,6 +106,40 @@ impl<'a, const D: usize> Floats<'a, D> {
         }
         edges
     }
+
+    /// The edges of [`BATCH`] simplices, whose corners follow each other.
+    #[inline(always)]
+    pub fn batch(&self, corners: &[Corner<D>]) -> Batch<D> {
+        let mut batch = Batch([[[0.0; BATCH]; D]; D]);
+        for (simplex, corners) in corners.chunks_exact(D + 1).take(BATCH).enumerate() {
+            let edges = self.edges(corners);
+            for i in 0..D {
+                for k in 0..D {
+                    batch.0[i][k][simplex] = edges[i][k];
+                }
+            }
+        }
+        batch
+    }
+}
+
+/// So many simplices are filtered together.
+pub const BATCH: usize = 16;
+
+/// The edges of some simplices, each entry of all of them side by side.
+pub struct Batch<const D: usize>([[[f64; BATCH]; D]; D]);
+
+impl<const D: usize> Batch<D> {
+    #[inline(always)]
+    fn edges(&self, simplex: usize) -> [[f64; D]; D] {
+        let mut edges = [[0.0; D]; D];
+        for i in 0..D {
+            for k in 0..D {
+                edges[i][k] = self.0[i][k][simplex];
+            }
+        }
+        edges
+    }
 }
 
 /// A number of the metric as a double, with a bound of its error.
@@ -145,15 +179,18 @@ impl Rounded {
 #[derive(Clone, Debug)]
 pub struct Filter<const D: usize> {
     metric: Metric<f64, D>,
-    /// E(0) and (E(R) - E(0)) / R, raised; times delta.
-    constant: f64,
-    slope: f64,
+    parts: [Part; MOST_PARTS],
     /// Values are exact up to this entry of the edges.
     exact: f64,
     low: f64,
     high: f64,
-    /// R delta / delta: the least m for which r <= R.
-    floor: f64,
+}
+
+/// E(0) and (E(R) - E(0)) / R of the values of one part, raised; the latter times delta.
+#[derive(Clone, Copy, Debug, Default)]
+struct Part {
+    constant: f64,
+    slope: f64,
 }
 
 /// R
@@ -166,24 +203,32 @@ impl<const D: usize> Filter<D> {
         floats: &Floats<D>,
         metric: &Metric<Rounded, D>,
     ) -> Self {
+        const { assert!(P::PARTS <= MOST_PARTS) };
         let bounds = map_metric(metric, Rounded::bound);
-        let at = |size: f64, error: f64| bound_of(predicate, &bounds, size, error);
+        let at = |size: f64, error: f64| bounds_of(predicate, &bounds, size, error);
         let (none, some) = (at(1.0, 0.0), at(1.0 + LARGEST_RATIO, LARGEST_RATIO));
-        let slope = (some.error - none.error) / LARGEST_RATIO;
         let raise = 1.0 + LARGEST_RATIO;
-        let reach = 2f64.powf(480.0 / f64::from(predicate.degree())).floor();
-        let in_range = none.top < 2f64.powi(200) && none.error > 2f64.powi(-300);
-        let is_on = in_range && is_strict();
+        let part = |k: usize| Part {
+            constant: none[k].error * raise,
+            slope: (some[k].error - none[k].error) / LARGEST_RATIO * raise * floats.error,
+        };
+        let in_range = |k: usize| none[k].top < 2f64.powi(200) && none[k].error > 2f64.powi(-300);
+        let degree = (0..P::PARTS).map(|k| predicate.degree(k)).max();
+        let reach = 2f64.powf(480.0 / f64::from(degree.unwrap_or(1))).floor();
+        let is_on = (0..P::PARTS).all(in_range) && is_strict();
+        let top = |size: f64| at(size, 0.0).iter().fold(0.0, |top, part| part.top.max(top));
         Filter {
-            constant: none.error * raise,
-            slope: slope * raise * floats.error,
+            parts: std::array::from_fn(part),
             exact: match floats.is_integral && is_strict() && all_integers(metric) {
-                true => largest_exact(|size| at(size, 0.0).top),
+                true => largest_exact(top),
                 false => -1.0,
             },
-            low: if is_on { 1.0 / reach } else { f64::INFINITY },
+            // The least m for which r <= R is delta / R.
+            low: match is_on {
+                true => (1.0 / reach).max(floats.error / LARGEST_RATIO),
+                false => f64::INFINITY,
+            },
             high: if is_on { reach } else { 0.0 },
-            floor: floats.error / LARGEST_RATIO,
             metric: map_metric(metric, |x| x.value),
         }
     }
@@ -196,45 +241,112 @@ impl<const D: usize> Filter<D> {
         edges: [[f64; D]; D],
         point: &[f64; D],
     ) -> Option<Signs> {
-        let mut m = 0.0;
-        for vector in edges.iter().chain([point]) {
-            for x in vector {
-                m = if x.abs() > m { x.abs() } else { m };
-            }
+        proved(self.judged(predicate, edges, point))
+    }
+
+    /// The same for many simplices, one after the other.
+    #[inline(always)]
+    pub fn signs_of_all<P: Predicate<D>>(
+        &self,
+        predicate: &P,
+        batch: &Batch<D>,
+    ) -> impl Iterator<Item = Option<Signs>> + use<P, D> {
+        let mut judged = [Judged::default(); BATCH];
+        for (k, judged) in judged.iter_mut().enumerate() {
+            *judged = self.judged(predicate, batch.edges(k), &[0.0; D]);
         }
+        judged.into_iter().map(proved)
+    }
+
+    /// The signs beyond the thresholds. Without a branch and with one width of all words,
+    /// so that a loop over this is compiled to vectors.
+    #[inline(always)]
+    fn judged<P: Predicate<D>>(
+        &self,
+        predicate: &P,
+        edges: [[f64; D]; D],
+        point: &[f64; D],
+    ) -> Judged {
+        let m = largest(&edges, point);
         let is_exact = m <= self.exact;
-        let is_in_range = m >= self.low && m <= self.high && m >= self.floor;
-        if !is_exact && !is_in_range {
-            return None;
+        let mut thresholds = [0.0; MOST_PARTS];
+        for part in 0..P::PARTS {
+            let Part { constant, slope } = self.parts[part];
+            let threshold = power(m, predicate.degree(part) - 1) * (constant * m + slope);
+            thresholds[part] = if is_exact { 0.0 } else { threshold };
         }
-        let threshold = match is_exact {
-            true => 0.0,
-            false => m.powi(predicate.degree() - 1) * (self.constant * m + self.slope),
-        };
         let mut signs = Signs::default();
         let simplex = Simplex::from_edges(edges);
-        predicate.values(&simplex, point, &self.metric, |value| {
-            signs.push(*value < -threshold, *value > threshold);
+        predicate.values(&simplex, point, &self.metric, |part, value| {
+            signs.push(*value < -thresholds[part], *value > thresholds[part]);
         });
-        (is_exact || signs.none_zero()).then_some(signs)
+        Judged {
+            signs,
+            is_exact: u64::from(is_exact),
+            is_in_range: u64::from((m >= self.low) & (m <= self.high)),
+        }
     }
 }
 
-/// The largest error and the largest intermediate value for edges of this size.
-fn bound_of<P: Predicate<D>, const D: usize>(
+/// The signs beyond the thresholds, and what says whether they are proved.
+#[derive(Clone, Copy, Default)]
+struct Judged {
+    signs: Signs,
+    is_exact: u64,
+    is_in_range: u64,
+}
+
+fn proved(judged: Judged) -> Option<Signs> {
+    let Judged { signs, is_exact, is_in_range } = judged;
+    (is_exact != 0 || is_in_range != 0 && signs.none_zero()).then_some(signs)
+}
+
+/// m^n for n < 16
+#[inline(always)]
+fn power(m: f64, n: i32) -> f64 {
+    let (mut power, mut square) = (1.0, m);
+    for bit in 0..4 {
+        if n >> bit & 1 == 1 {
+            power *= square;
+        }
+        square *= square;
+    }
+    power
+}
+
+/// m
+#[inline(always)]
+fn largest<const D: usize>(edges: &[[f64; D]; D], point: &[f64; D]) -> f64 {
+    let mut m = 0.0;
+    for k in 0..D {
+        for i in 0..D {
+            m = greater(m, edges[i][k].abs());
+        }
+        m = greater(m, point[k].abs());
+    }
+    m
+}
+
+#[inline(always)]
+fn greater(x: f64, y: f64) -> f64 {
+    if y > x { y } else { x }
+}
+
+/// For each part the largest error and the largest intermediate value for edges of this size.
+fn bounds_of<P: Predicate<D>, const D: usize>(
     predicate: &P,
     metric: &Metric<Bound, D>,
     size: f64,
     error: f64,
-) -> Bound {
+) -> [Bound; MOST_PARTS] {
     let edge = Bound::given(size, error);
-    let mut all = Bound::given(0.0, 0.0);
+    let mut parts = [Bound::given(0.0, 0.0); MOST_PARTS];
     let simplex = Simplex::from_edges([[edge; D]; D]);
-    predicate.values(&simplex, &[edge; D], metric, |value| {
-        all.error = all.error.max(value.error);
-        all.top = all.top.max(value.top);
+    predicate.values(&simplex, &[edge; D], metric, |part, value| {
+        parts[part].error = parts[part].error.max(value.error);
+        parts[part].top = parts[part].top.max(value.top);
     });
-    all
+    parts
 }
 
 /// The largest power of two for which no intermediate value exceeds 2^53.

@@ -206,7 +206,7 @@ fn tops<B: Base, P: Predicate<D>, const D: usize>(
     let vector: [B::Size; D] = std::array::from_fn(|_| entry.clone());
     let simplex = Simplex::from_edges(std::array::from_fn(|_| vector.clone()));
     let mut tops = (0.0f64, 0.0f64);
-    predicate.values(&simplex, &vector, metric, |value| {
+    predicate.values(&simplex, &vector, metric, |_, value| {
         let (top, squares) = B::top(value);
         tops = (tops.0.max(top), tops.1.max(squares));
     });

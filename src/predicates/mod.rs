@@ -20,6 +20,6 @@ mod signs;
 
 pub use model::{Model, Prepared};
 pub use polynomials::{
-    Angles, AnglesAgainst, InSphere, Metric, Orientation, Predicate, RadiusAgainst,
+    Angles, AnglesAgainst, InSphere, Metric, Orientation, Predicate, RadiusAgainst, Shape,
 };
 pub use signs::Signs;

@@ -1,6 +1,6 @@
 //! A tiling made ready for predicates, and its simplices run through them on all cores.
 
-use super::floats::{Filter, Floats, Rounded};
+use super::floats::{BATCH, Filter, Floats, Rounded};
 use super::ladder::{Ladder, Lift};
 use super::polynomials::{Metric, Orientation, Predicate};
 use super::ring::{Ring, Vectors, cleared_integers, cleared_quadratics};
@@ -12,6 +12,7 @@ use malachite::base::num::basic::traits::Zero;
 use malachite::{Integer, Rational};
 use rayon::prelude::*;
 use std::collections::BTreeMap;
+use std::ops::Range;
 
 /// Simplices that one task of a core takes.
 const CHUNK: usize = 1 << 12;
@@ -72,6 +73,15 @@ impl<'a, const D: usize> Model<'a, D> {
         simplices
             .with_min_len(CHUNK)
             .filter(|simplex| is_wanted(*simplex))
+            .collect()
+    }
+
+    /// What `work` makes of the simplices, a chunk of them at a time, on all cores.
+    pub fn by_chunks<T: Send>(&self, work: impl Fn(Range<usize>) -> T + Sync) -> Vec<T> {
+        let n = self.tiling.len();
+        let chunks = (0..n.div_ceil(CHUNK)).into_par_iter();
+        chunks
+            .map(|chunk| work(chunk * CHUNK..n.min((chunk + 1) * CHUNK)))
             .collect()
     }
 
@@ -150,7 +160,35 @@ impl<P: Predicate<D>, const D: usize> Prepared<'_, P, D> {
 
     /// The simplices, in order, whose signs are not as wanted.
     pub fn failing(&self, is_right: impl Fn(&Signs) -> bool + Sync) -> Vec<usize> {
-        self.model.select(|simplex| !is_right(&self.signs(simplex)))
+        let failing = self.model.by_chunks(|simplices| {
+            let mut failing = Vec::new();
+            self.for_each(simplices, |simplex, signs| {
+                if !is_right(signs) {
+                    failing.push(simplex);
+                }
+            });
+            failing
+        });
+        failing.concat()
+    }
+
+    /// Calls `visit` with each of these simplices, in order, and its exact signs.
+    #[inline]
+    pub fn for_each(&self, simplices: Range<usize>, mut visit: impl FnMut(usize, &Signs)) {
+        let Prepared { model, filter, predicate, .. } = self;
+        let mut simplex = simplices.start;
+        while simplex + BATCH <= simplices.end {
+            let batch = model.floats.batch(&model.tiling.corners[simplex * (D + 1)..]);
+            for signs in filter.signs_of_all(predicate, &batch) {
+                let corners = model.tiling.simplex(simplex);
+                let signs = signs.unwrap_or_else(|| self.exact_signs(corners, &corners[0]));
+                visit(simplex, &signs);
+                simplex += 1;
+            }
+        }
+        for simplex in simplex..simplices.end {
+            visit(simplex, &self.signs(simplex));
+        }
     }
 }
 
