@@ -106,39 +106,66 @@ impl<'a, const D: usize> Floats<'a, D> {
         }
         edges
     }
-
-    /// The edges of [`BATCH`] simplices, whose corners follow each other.
-    #[inline(always)]
-    pub fn batch(&self, corners: &[Corner<D>]) -> Batch<D> {
-        let mut batch = Batch([[[0.0; BATCH]; D]; D]);
-        for (simplex, corners) in corners.chunks_exact(D + 1).take(BATCH).enumerate() {
-            let edges = self.edges(corners);
-            for i in 0..D {
-                for k in 0..D {
-                    batch.0[i][k][simplex] = edges[i][k];
-                }
-            }
-        }
-        batch
-    }
 }
 
 /// So many simplices are filtered together.
 pub const BATCH: usize = 16;
 
-/// The edges of some simplices, each entry of all of them side by side.
-pub struct Batch<const D: usize>([[[f64; BATCH]; D]; D]);
+/// The edges of some simplices, and the vector to a further point, each entry of all of
+/// them side by side.
+#[derive(Clone, Debug)]
+pub struct Batch<const D: usize> {
+    edges: [[[f64; BATCH]; D]; D],
+    points: [[f64; BATCH]; D],
+}
+
+impl<const D: usize> Default for Batch<D> {
+    fn default() -> Self {
+        Batch {
+            edges: [[[0.0; BATCH]; D]; D],
+            points: [[0.0; BATCH]; D],
+        }
+    }
+}
 
 impl<const D: usize> Batch<D> {
+    /// Puts a simplex, and perhaps a further corner, to this place.
     #[inline(always)]
-    fn edges(&self, simplex: usize) -> [[f64; D]; D] {
+    pub fn put(
+        &mut self,
+        place: usize,
+        floats: &Floats<D>,
+        corners: &[Corner<D>],
+        apex: Option<&Corner<D>>,
+    ) {
+        let edges = floats.edges(corners);
+        let point = apex.map_or([0.0; D], |apex| floats.difference(&corners[0], apex));
+        for k in 0..D {
+            for i in 0..D {
+                self.edges[i][k][place] = edges[i][k];
+            }
+            self.points[k][place] = point[k];
+        }
+    }
+
+    #[inline(always)]
+    fn edges(&self, place: usize) -> [[f64; D]; D] {
         let mut edges = [[0.0; D]; D];
         for i in 0..D {
             for k in 0..D {
-                edges[i][k] = self.0[i][k][simplex];
+                edges[i][k] = self.edges[i][k][place];
             }
         }
         edges
+    }
+
+    #[inline(always)]
+    fn point(&self, place: usize) -> [f64; D] {
+        let mut point = [0.0; D];
+        for k in 0..D {
+            point[k] = self.points[k][place];
+        }
+        point
     }
 }
 
@@ -253,7 +280,7 @@ impl<const D: usize> Filter<D> {
     ) -> impl Iterator<Item = Option<Signs>> + use<P, D> {
         let mut judged = [Judged::default(); BATCH];
         for (k, judged) in judged.iter_mut().enumerate() {
-            *judged = self.judged(predicate, batch.edges(k), &[0.0; D]);
+            *judged = self.judged(predicate, batch.edges(k), &batch.point(k));
         }
         judged.into_iter().map(proved)
     }

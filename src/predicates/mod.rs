@@ -7,6 +7,8 @@
 //! | [`ring`] | the cleared coordinates, and the edges of a simplex in them |
 //! | [`ladder`] | integers as wide as the bounds ask for: the exact values behind |
 //! | [`model`] | a tiling made ready; both together |
+//! | [`shapes`] | orientation and right angles of all simplices, in one pass |
+//! | [`volume`] | the sum of the determinants |
 //!
 //! A filter returns a sign that it proves, or none; what it leaves open is decided
 //! exactly. Called by the checker, and by [`Tiling::orient`](crate::tiling::Tiling).
@@ -16,10 +18,13 @@ pub mod ladder;
 pub mod model;
 pub mod polynomials;
 pub mod ring;
+pub mod shapes;
 mod signs;
+pub mod volume;
 
 pub use model::{Model, Prepared};
 pub use polynomials::{
     Angles, AnglesAgainst, InSphere, Metric, Orientation, Predicate, RadiusAgainst, Shape,
 };
+pub use shapes::Shapes;
 pub use signs::Signs;

@@ -156,8 +156,8 @@ impl<const D: usize> Predicate<D> for AnglesAgainst {
         let [n, d] = [&metric.constants[0], &metric.constants[1]];
         let zero = simplex.determinant.integer(0);
         products.for_pairs(|i, j, p| {
-            let left = p.times(&p.magnitude()).times(d);
-            let right = products.get(i, i).times(products.get(j, j)).times(n);
+            let left = p.times(d).times(&p.magnitude());
+            let right = products.get(i, i).times(n).times(products.get(j, j));
             visit(0, &zero.minus(&left).minus(&right));
         });
     }

@@ -24,8 +24,11 @@ pub enum Ring<'a, const D: usize> {
         vertices: Vec<[i128; D]>,
         unit: i128,
     },
-    /// Z, times a power of two for each simplex.
-    Doubles(&'a [[f64; D]]),
+    /// Z, times a power of two for all simplices or one for each.
+    Doubles {
+        points: &'a [[f64; D]],
+        exponent: Option<i32>,
+    },
     /// Z[√d]: x + y √d for each coordinate [x, y], less than 2^62.
     Quadratic {
         vertices: Vec<[[i64; 2]; D]>,
@@ -114,7 +117,13 @@ impl<'a, const D: usize> Ring<'a, D> {
                         unit: *denominator,
                     };
                 }
-                Form::Doubles(points) => return Ring::Doubles(points),
+                Form::Doubles(points) => {
+                    let has_shift = tiling.corners.iter().any(|corner| corner.shift != [0; D]);
+                    return Ring::Doubles {
+                        points,
+                        exponent: common_exponent(points.iter().flatten(), has_shift),
+                    };
+                }
                 Form::Numbers(_) => {}
             }
         }
@@ -131,6 +140,7 @@ impl<'a, const D: usize> Ring<'a, D> {
 
     /// The vectors of a simplex over Z; `None` in the other rings, and for doubles
     /// too far apart in size.
+    #[inline]
     pub fn integers(&self, corners: &[Corner<D>], apex: &Corner<D>) -> Option<Vectors<i128, D>> {
         match self {
             Ring::Integers { vertices, unit } => {
@@ -143,7 +153,7 @@ impl<'a, const D: usize> Ring<'a, D> {
                 |vertex, k| vertices[vertex][k],
                 *unit,
             )),
-            Ring::Doubles(points) => dyadic(points, corners, apex),
+            Ring::Doubles { points, exponent } => dyadic(points, *exponent, corners, apex),
             _ => None,
         }
     }
@@ -197,13 +207,14 @@ impl<'a, const D: usize> Ring<'a, D> {
                 Number::from(Rational::from(*unit))
             }
             Ring::Long { unit, .. } => Number::from(Rational::from(*unit)),
-            Ring::Doubles(_) => Number::from(Rational::ONE),
+            Ring::Doubles { .. } => Number::from(Rational::ONE),
             Ring::Numbers { unit, .. } => unit.clone(),
         }
     }
 }
 
 /// The vectors from the first corner, given the coordinates of the vertices.
+#[inline(always)]
 fn vectors<B: Scalar, const D: usize>(
     corners: &[Corner<D>],
     apex: &Corner<D>,
@@ -228,25 +239,19 @@ fn vectors<B: Scalar, const D: usize>(
 }
 
 /// The vectors of a simplex with doubles as coordinates, as integers in the unit
-/// 2^e for the least exponent e that occurs; `None` beyond 95 bits.
+/// 2^e, e given or the greatest that is possible; `None` beyond 95 bits.
 fn dyadic<const D: usize>(
     points: &[[f64; D]],
+    exponent: Option<i32>,
     corners: &[Corner<D>],
     apex: &Corner<D>,
 ) -> Option<Vectors<i128, D>> {
     let all = || corners.iter().chain([apex]);
     let has_shift = all().any(|corner| corner.shift != [0; D]);
-    let exponents = || {
-        let doubles = all().flat_map(|corner| points[corner.vertex as usize]);
-        doubles.filter(|x| *x != 0.0).map(|x| decompose(x).1)
-    };
-    let step = has_shift.then_some(0);
-    let least = exponents().chain(step).min().unwrap_or(0);
-    let greatest = exponents().chain(step).max().unwrap_or(0);
-    // A mantissa has up to 53 bits, and a step is multiplied by a shift of 25 bits.
-    if greatest - least > 95 - 53 {
-        return None;
-    }
+    let doubles = || all().flat_map(|corner| &points[corner.vertex as usize]);
+    let least = exponent
+        .filter(|e| !has_shift || *e <= 0)
+        .or_else(|| common_exponent(doubles(), has_shift))?;
     let at = |vertex: usize, k: usize| match decompose(points[vertex][k]) {
         (0, _) => 0,
         (mantissa, exponent) => i128::from(mantissa) << (exponent - least),
@@ -256,6 +261,37 @@ fn dyadic<const D: usize>(
         exponent: least,
         ..vectors(corners, apex, at, unit)
     })
+}
+
+/// The greatest e for which these doubles, and 1 if `has_shift`, are multiples of 2^e, if
+/// they are less than 2^(e + 95). A shift has 25 bits, so that edges have 126 bits at most.
+fn common_exponent<'x>(doubles: impl Iterator<Item = &'x f64>, has_shift: bool) -> Option<i32> {
+    let (mut least, mut end) = if has_shift { (0, 1) } else { (i32::MAX, i32::MIN) };
+    for x in doubles.filter(|x| **x != 0.0) {
+        let (mantissa, exponent) = decompose(*x);
+        let bits = 64 - mantissa.unsigned_abs().leading_zeros();
+        least = least.min(exponent);
+        end = end.max(exponent + bits as i32);
+    }
+    match end.checked_sub(least) {
+        Some(bits) => (bits <= 95).then_some(least),
+        // Nothing but zeros.
+        None => Some(0),
+    }
+}
+
+impl<const D: usize> Vectors<i128, D> {
+    /// The same in the unit with the greatest exponent.
+    pub fn reduced(mut self) -> Self {
+        let entries = || self.edges.as_flattened().iter().chain(&self.point);
+        let zeros = entries().fold(0, |all, x| all | x).trailing_zeros();
+        // Zeros only have 128 of them.
+        let zeros = zeros.min(127);
+        let entries = self.edges.as_flattened_mut().iter_mut();
+        entries.chain(&mut self.point).for_each(|x| *x >>= zeros);
+        self.exponent += zeros as i32;
+        self
+    }
 }
 
 fn long<'a, const D: usize>(vertices: &[[Number; D]], unit: &Integer) -> Option<Ring<'a, D>> {

@@ -40,6 +40,22 @@ impl Signs {
         (1 << self.count) - 1
     }
 
+    /// The sign of the first value, and those of the others.
+    #[inline]
+    pub fn split_first(&self) -> (Signs, Signs) {
+        let first = Signs {
+            count: 1,
+            negative: self.negative & 1,
+            positive: self.positive & 1,
+        };
+        let others = Signs {
+            count: self.count - 1,
+            negative: self.negative >> 1,
+            positive: self.positive >> 1,
+        };
+        (first, others)
+    }
+
     /// The sign of the value with this index.
     pub fn get(&self, index: usize) -> Sign {
         match (self.negative >> index & 1, self.positive >> index & 1) {

@@ -293,9 +293,10 @@ fn corners_of<const D: usize>(tiling: &Tiling<D>, facet: Facet) -> [Corner<D>; D
 
 /// The shift of the first corner of a facet in the order of its normal form.
 fn origin<const D: usize>(tiling: &Tiling<D>, facet: Facet) -> [i32; D] {
-    let mut corners = corners_of(tiling, facet);
-    sort_parity(&mut corners);
-    corners[0].shift
+    let [first, others @ ..] = &corners_of(tiling, facet)[..] else {
+        return [0; D];
+    };
+    others.iter().fold(first, |least, corner| least.min(corner)).shift
 }
 
 /// Insertion sort of a few corners; whether the permutation was odd.
