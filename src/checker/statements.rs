@@ -205,10 +205,10 @@ fn suspects<const D: usize>(
             let mate = matching.neighbour(simplex, opposite)?;
             let is_first = (simplex, opposite) < (mate.simplex as usize, mate.opposite.into());
             let apex = is_first.then(|| apex_behind(tiling, matching, simplex, opposite))?;
-            Some((simplex, Some(apex?)))
+            Some((simplex, apex?))
         });
         let mut failing = Vec::new();
-        spheres.for_each(pairs, |simplex, signs| {
+        spheres.for_each_with(pairs, |simplex, signs| {
             let is_right = match weak {
                 true => signs.none_negative(),
                 false => signs.all_positive(),

@@ -139,12 +139,16 @@ impl<const D: usize> Batch<D> {
         apex: Option<&Corner<D>>,
     ) {
         let edges = floats.edges(corners);
-        let point = apex.map_or([0.0; D], |apex| floats.difference(&corners[0], apex));
-        for k in 0..D {
-            for i in 0..D {
+        for i in 0..D {
+            for k in 0..D {
                 self.edges[i][k][place] = edges[i][k];
             }
-            self.points[k][place] = point[k];
+        }
+        if let Some(apex) = apex {
+            let point = floats.difference(&corners[0], apex);
+            for k in 0..D {
+                self.points[k][place] = point[k];
+            }
         }
     }
 
@@ -243,7 +247,11 @@ impl<const D: usize> Filter<D> {
         let degree = (0..P::PARTS).map(|k| predicate.degree(k)).max();
         let reach = 2f64.powf(480.0 / f64::from(degree.unwrap_or(1))).floor();
         let is_on = (0..P::PARTS).all(in_range) && is_strict();
-        let top = |size: f64| at(size, 0.0).iter().fold(0.0, |top, part| part.top.max(top));
+        let top = |size: f64| {
+            at(size, 0.0)
+                .iter()
+                .fold(0.0, |top, part| part.top.max(top))
+        };
         Filter {
             parts: std::array::from_fn(part),
             exact: match floats.is_integral && is_strict() && all_integers(metric) {
@@ -324,7 +332,11 @@ struct Judged {
 }
 
 fn proved(judged: Judged) -> Option<Signs> {
-    let Judged { signs, is_exact, is_in_range } = judged;
+    let Judged {
+        signs,
+        is_exact,
+        is_in_range,
+    } = judged;
     (is_exact != 0 || is_in_range != 0 && signs.none_zero()).then_some(signs)
 }
 

@@ -156,7 +156,7 @@ impl<P: Predicate<D>, const D: usize> Prepared<'_, P, D> {
     pub fn failing(&self, is_right: impl Fn(&Signs) -> bool + Sync) -> Vec<usize> {
         let failing = self.model.by_chunks(|simplices| {
             let mut failing = Vec::new();
-            self.for_each(simplices.map(|simplex| (simplex, None)), |simplex, signs| {
+            self.for_each(simplices, |simplex, signs| {
                 if !is_right(signs) {
                     failing.push(simplex);
                 }
@@ -166,42 +166,59 @@ impl<P: Predicate<D>, const D: usize> Prepared<'_, P, D> {
         failing.concat()
     }
 
-    /// Calls `visit` with each item, a simplex and perhaps a further corner, in order, and
-    /// with its exact signs.
+    /// Calls `visit` with each of these simplices, in order, and its exact signs.
     #[inline]
-    pub fn for_each(
+    pub fn for_each(&self, simplices: Range<usize>, mut visit: impl FnMut(usize, &Signs)) {
+        let mut batch = Batch::default();
+        for first in simplices.clone().step_by(BATCH) {
+            let size = BATCH.min(simplices.end - first);
+            for place in 0..size {
+                let corners = self.model.tiling.simplex(first + place);
+                batch.put(place, &self.model.floats, corners, None);
+            }
+            let items = (first..first + size).map(|simplex| (simplex, None));
+            self.decide(&batch, items, &mut visit);
+        }
+    }
+
+    /// The same with a further corner for each simplex.
+    #[inline]
+    pub fn for_each_with(
         &self,
-        items: impl Iterator<Item = (usize, Option<Corner<D>>)>,
+        mut pairs: impl Iterator<Item = (usize, Corner<D>)>,
         mut visit: impl FnMut(usize, &Signs),
     ) {
         let mut batch = Batch::default();
-        let mut filled = [(0, None); BATCH];
-        let mut size = 0;
-        for (simplex, apex) in items {
-            let corners = self.model.tiling.simplex(simplex);
-            batch.put(size, &self.model.floats, corners, apex.as_ref());
-            filled[size] = (simplex, apex);
-            size += 1;
-            if size == BATCH {
-                self.decide(&batch, &filled, &mut visit);
-                size = 0;
+        let mut filled = Vec::with_capacity(BATCH);
+        loop {
+            filled.clear();
+            for (simplex, apex) in pairs.by_ref().take(BATCH) {
+                let corners = self.model.tiling.simplex(simplex);
+                batch.put(filled.len(), &self.model.floats, corners, Some(&apex));
+                filled.push((simplex, Some(apex)));
             }
+            if filled.is_empty() {
+                return;
+            }
+            self.decide(&batch, filled.iter().copied(), &mut visit);
         }
-        self.decide(&batch, &filled[..size], &mut visit);
     }
 
+    /// Calls `visit` with the items that fill the first places of a batch.
     #[inline(always)]
     fn decide(
         &self,
         batch: &Batch<D>,
-        filled: &[(usize, Option<Corner<D>>)],
+        items: impl Iterator<Item = (usize, Option<Corner<D>>)>,
         visit: &mut impl FnMut(usize, &Signs),
     ) {
         let signs = self.filter.signs_of_all(&self.predicate, batch);
-        for ((simplex, apex), signs) in filled.iter().zip(signs) {
-            let corners = self.model.tiling.simplex(*simplex);
-            let exact = || self.exact_signs(corners, apex.as_ref().unwrap_or(&corners[0]));
-            visit(*simplex, &signs.unwrap_or_else(exact));
+        for ((simplex, apex), signs) in items.zip(signs) {
+            let exact = || {
+                let corners = self.model.tiling.simplex(simplex);
+                self.exact_signs(corners, apex.as_ref().unwrap_or(&corners[0]))
+            };
+            visit(simplex, &signs.unwrap_or_else(exact));
         }
     }
 }

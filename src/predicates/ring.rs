@@ -266,7 +266,11 @@ fn dyadic<const D: usize>(
 /// The greatest e for which these doubles, and 1 if `has_shift`, are multiples of 2^e, if
 /// they are less than 2^(e + 95). A shift has 25 bits, so that edges have 126 bits at most.
 fn common_exponent<'x>(doubles: impl Iterator<Item = &'x f64>, has_shift: bool) -> Option<i32> {
-    let (mut least, mut end) = if has_shift { (0, 1) } else { (i32::MAX, i32::MIN) };
+    let (mut least, mut end) = if has_shift {
+        (0, 1)
+    } else {
+        (i32::MAX, i32::MIN)
+    };
     for x in doubles.filter(|x| **x != 0.0) {
         let (mantissa, exponent) = decompose(*x);
         let bits = 64 - mantissa.unsigned_abs().leading_zeros();

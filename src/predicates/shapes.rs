@@ -29,7 +29,7 @@ impl Shapes {
         let shape = model.prepare(Shape);
         let parts = model.by_chunks(|simplices: Range<usize>| {
             let mut part = Shapes::default();
-            shape.for_each(simplices.map(|simplex| (simplex, None)), |simplex, signs| {
+            shape.for_each(simplices, |simplex, signs| {
                 let (orientation, angles) = signs.split_first();
                 if !(orientation.all_positive() && angles.all_negative()) {
                     part.add(simplex as u32, orientation.all_positive(), angles);
