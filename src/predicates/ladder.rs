@@ -7,7 +7,7 @@
 //! there is a largest b for which nothing is lost; the lowest rung that is safe for
 //! a simplex is taken, and big integers where none is.
 
-use super::floats::map_metric;
+use super::filter::map_metric;
 use super::polynomials::{Metric, Predicate};
 use super::signs::Signs;
 use crate::geometry::{Bound, I128, I256, I512, Quadratic, Scalar, Simplex, linear, wide::Wide};

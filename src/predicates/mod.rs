@@ -3,8 +3,10 @@
 //! | file | holds |
 //! |---|---|
 //! | [`polynomials`] | the predicates, one text for every kind of number |
-//! | [`floats`] | doubles with a proved error: the filter in front |
+//! | [`floats`] | edges in doubles with a proved error |
+//! | [`filter`] | values in doubles with a proved error: in front of all else |
 //! | [`ring`] | the cleared coordinates, and the edges of a simplex in them |
+//! | [`binary`] | doubles as integers in one binary unit |
 //! | [`ladder`] | integers as wide as the bounds ask for: the exact values behind |
 //! | [`model`] | a tiling made ready; both together |
 //! | [`shapes`] | orientation and right angles of all simplices, in one pass |
@@ -13,6 +15,8 @@
 //! A filter returns a sign that it proves, or none; what it leaves open is decided
 //! exactly. Called by the checker, and by [`Tiling::orient`](crate::tiling::Tiling).
 
+pub mod binary;
+pub mod filter;
 pub mod floats;
 pub mod ladder;
 pub mod model;

@@ -1,6 +1,7 @@
 //! A tiling made ready for predicates, and its simplices run through them on all cores.
 
-use super::floats::{BATCH, Batch, Filter, Floats, Rounded};
+use super::filter::{Filter, Rounded};
+use super::floats::{BATCH, Batch, Floats};
 use super::ladder::Ladder;
 use super::polynomials::{Metric, Predicate};
 use super::ring::{Ring, Vectors, cleared_integers, cleared_quadratics};
@@ -172,8 +173,8 @@ impl<P: Predicate<D>, const D: usize> Prepared<'_, P, D> {
         let mut batch = Batch::default();
         for first in simplices.clone().step_by(BATCH) {
             let size = BATCH.min(simplices.end - first);
-            for place in 0..size {
-                let corners = self.model.tiling.simplex(first + place);
+            let corners = &self.model.tiling.corners[first * (D + 1)..(first + size) * (D + 1)];
+            for (place, corners) in (0..BATCH).zip(corners.chunks_exact(D + 1)) {
                 batch.put(place, &self.model.floats, corners, None);
             }
             let items = (first..first + size).map(|simplex| (simplex, None));
