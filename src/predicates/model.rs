@@ -71,15 +71,6 @@ impl<'a, const D: usize> Model<'a, D> {
         }
     }
 
-    /// The simplices, in order, that are wanted.
-    pub fn select(&self, is_wanted: impl Fn(usize) -> bool + Sync) -> Vec<usize> {
-        let simplices = (0..self.tiling.len()).into_par_iter();
-        simplices
-            .with_min_len(CHUNK)
-            .filter(|simplex| is_wanted(*simplex))
-            .collect()
-    }
-
     /// What `work` makes of the simplices, a chunk of them at a time, on all cores.
     pub fn by_chunks<T: Send>(&self, work: impl Fn(Range<usize>) -> T + Sync) -> Vec<T> {
         let n = self.tiling.len();
