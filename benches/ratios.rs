@@ -13,7 +13,7 @@ use acutile::checker::{
 };
 use acutile::geometry::{Simplex, linear};
 use acutile::number::{Number, Reader};
-use acutile::predicates::{Angles, AnglesAgainst, Orientation};
+use acutile::predicates::{AnglesAgainst, Shape, Signs};
 use acutile::tiling::{AnyTiling, Coordinates, Tiling, match_facets, supercell};
 use acutile::verifier::{Limits, verify};
 use std::hint::black_box;
@@ -87,16 +87,15 @@ fn predicates() {
 fn row(name: &str, tiling: &Tiling<3>) {
     let naive = naive_time(tiling);
     let model = Model::new(tiling);
-    let (orientation, angles) = (model.prepare(Orientation), model.prepare(Angles));
-    let filtered = fastest(|| {
-        let positive = orientation.failing(|signs| signs.all_positive());
-        let nonobtuse = angles.failing(|signs| signs.none_positive());
-        assert!(positive.is_empty() && nonobtuse.is_empty());
-    });
+    let shape = model.prepare(Shape);
+    let is_right = |signs: &Signs| {
+        let (orientation, angles) = signs.split_first();
+        orientation.all_positive() && angles.none_positive()
+    };
+    let filtered = fastest(|| assert!(shape.failing(is_right).is_empty()));
     let exact = fastest(|| {
         for corners in tiling.simplices() {
-            assert!(orientation.exact_signs(corners, &corners[0]).all_positive());
-            assert!(angles.exact_signs(corners, &corners[0]).none_positive());
+            assert!(is_right(&shape.exact_signs(corners, &corners[0])));
         }
     });
     let per = |time: Duration| time.as_secs_f64() * 1e9 / tiling.len() as f64;

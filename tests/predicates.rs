@@ -2,135 +2,15 @@
 //! is chosen to hurt: nearly flat, exactly flat, exact right angles, subnormals, huge
 //! exponents, coordinates at the limits of every width.
 
-use acutile::geometry::{Bound, I256, Scalar, Sign, Simplex, linear};
+#[path = "common/soup.rs"]
+mod soup;
+
+use acutile::geometry::{Bound, Sign, Simplex, linear};
 use acutile::number::{Number, Reader};
-use acutile::predicates::{
-    Angles, AnglesAgainst, InSphere, Metric, Model, Orientation, Predicate, RadiusAgainst, Signs,
-};
 use acutile::tiling::{Coordinates, Corner, Frame, Tiling, match_facets, supercell};
-use malachite::base::num::arithmetic::traits::ModPowerOf2;
-use malachite::{Integer, Rational};
+use malachite::Rational;
+use soup::{Random, compare_all, rational, skewed, soup};
 use std::collections::BTreeMap;
-
-/// A generator of numbers that is the same in every run (Knuth's constants).
-struct Random(u64);
-
-impl Random {
-    fn next(&mut self) -> u64 {
-        self.0 = self
-            .0
-            .wrapping_mul(6_364_136_223_846_793_005)
-            .wrapping_add(1_442_695_040_888_963_407);
-        self.0 ^ self.0 >> 29
-    }
-
-    fn below(&mut self, n: u64) -> u64 {
-        (self.next() >> 16) % n
-    }
-
-    fn integer(&mut self, bits: u32) -> i64 {
-        (self.next() as i64) >> (64 - bits)
-    }
-
-    fn unit(&mut self) -> f64 {
-        (self.next() >> 11) as f64 / 2f64.powi(53)
-    }
-}
-
-fn rational(n: i64) -> Number {
-    Number::from(Rational::from(n))
-}
-
-/// Simplices over these vertices, four corners each, some of them moved; they need
-/// not tile anything.
-fn soup(vertices: Coordinates<3>, frame: Frame<3>, shift: i32, random: &mut Random) -> Tiling<3> {
-    let n = vertices.len() as u64;
-    let corner = |vertex: u64, random: &mut Random| Corner {
-        vertex: vertex as u32,
-        shift: [0; 3].map(|_| random.below(2 * shift as u64 + 1) as i32 - shift),
-    };
-    let mut corners = Vec::new();
-    for first in (0..n).step_by(5) {
-        for k in [0, 1, 2, 3, 0, 2, 1, 4] {
-            corners.push(corner((first + k) % n, random));
-        }
-    }
-    Tiling {
-        frame,
-        vertices,
-        corners,
-    }
-}
-
-/// What the predicate is over the numbers of the tiling, without any shortcut.
-fn twin<P: Predicate<3>>(
-    predicate: &P,
-    tiling: &Tiling<3>,
-    simplex: usize,
-    apex: &Corner<3>,
-) -> Signs {
-    let corners = tiling.simplex(simplex);
-    let origin = tiling.position(&corners[0]);
-    let vector = |corner: &Corner<3>| linear::subtract(&tiling.position(corner), &origin);
-    let gram = tiling.frame.gram.clone();
-    let number = |n: Integer| Number::from(Rational::from(n));
-    let metric = Metric {
-        cogram: linear::cofactors(&gram),
-        gram,
-        constants: predicate.constants().into_iter().map(number).collect(),
-    };
-    let edges = [1, 2, 3].map(|k| vector(&corners[k]));
-    Signs::of(predicate, edges, &vector(apex), &metric)
-}
-
-/// Compares one predicate on all simplices; how many values are zero.
-fn compare<P: Predicate<3> + Clone>(predicate: P, tiling: &Tiling<3>) -> usize {
-    let model = Model::new(tiling);
-    let prepared = model.prepare(predicate.clone());
-    let mut zeros = 0;
-    for simplex in 0..tiling.len() {
-        let apex = tiling.simplex((simplex + 1) % tiling.len())[2];
-        let expected = twin(&predicate, tiling, simplex, &apex);
-        let corners = tiling.simplex(simplex);
-        assert_eq!(prepared.signs_with(simplex, &apex), expected, "{corners:?}");
-        assert_eq!(
-            prepared.exact_signs(corners, &apex),
-            expected,
-            "{corners:?}"
-        );
-        zeros += usize::from(!expected.none_zero());
-    }
-    zeros
-}
-
-/// All predicates; how many simplices have a value that is zero.
-fn compare_all(tiling: &Tiling<3>) -> usize {
-    let mut zeros = compare(Orientation, tiling) + compare(Angles, tiling);
-    zeros += compare(InSphere, tiling);
-    for numerator in [-(1 << 30), -1, 0, 1, 1 << 30, 1_518_500_250] {
-        let denominator = 1 << 31;
-        zeros += compare(
-            AnglesAgainst {
-                numerator,
-                denominator,
-            },
-            tiling,
-        );
-    }
-    let bound = Rational::from_signeds(866, 1000);
-    zeros += compare(RadiusAgainst { bound }, tiling);
-    let sum = (0..tiling.len()).fold(Number::zero(), |sum, s| sum + tiling.shape(s).determinant);
-    assert_eq!(Model::new(tiling).sum_of_determinants(), sum);
-    zeros
-}
-
-fn skewed() -> Frame<3> {
-    let gram = [[4, 1, -1], [1, 3, 1], [-1, 1, 5]];
-    Frame {
-        gram: gram.map(|row| row.map(rational)),
-        ..Frame::cubic()
-    }
-}
 
 /// In each five the fourth point makes a parallelogram of the first four where it fits.
 fn integers(random: &mut Random, n: usize, bits: u32, denominator: i64) -> Coordinates<3> {
@@ -346,28 +226,6 @@ fn bounds_hold() {
         for (i, j, x) in products.0.pairs() {
             check(*x, products.1.get(i, j), products.2.get(i, j));
         }
-    }
-}
-
-/// 256-bit integers against big ones, modulo 2^256.
-#[test]
-fn wide_integers() {
-    let mut random = Random(10);
-    let residue = |x: &Integer| x.mod_power_of_2(256);
-    let special = [0, 1, u64::MAX, 1 << 63, u64::MAX >> 1];
-    let mut word = || match random.below(3) {
-        0 => special[random.below(5) as usize],
-        _ => random.next(),
-    };
-    for _ in 0..20_000 {
-        let [a, b] = [0; 2].map(|_| I256([0; 4].map(|_| word())));
-        let [x, y] = [&a, &b].map(Integer::from);
-        assert_eq!(residue(&Integer::from(&a.plus(&b))), residue(&(&x + &y)));
-        assert_eq!(residue(&Integer::from(&a.minus(&b))), residue(&(&x - &y)));
-        assert_eq!(residue(&Integer::from(&a.times(&b))), residue(&(&x * &y)));
-        assert_eq!(a.sign(), x.cmp(&Integer::from(0)));
-        let ratio = a.approximate() / Scalar::approximate(&x);
-        assert!(x == 0 || (ratio - 1.0).abs() < 1e-12);
     }
 }
 

@@ -61,7 +61,7 @@ pub fn check_corners<const D: usize>(tiling: &Tiling<D>, findings: &mut Findings
 /// reported already.
 pub fn check_orientation<const D: usize>(model: &Model<D>, findings: &mut Findings) {
     let orientation = model.prepare(Orientation);
-    for simplex in orientation.failing(|signs| signs.all_positive()) {
+    for simplex in model.shapes().not_positive.iter().map(|s| *s as usize) {
         if has_repeated_corner(model.tiling.simplex(simplex)) {
             continue;
         }

@@ -5,7 +5,7 @@ use super::defect::{Angle, Defect, Findings};
 use crate::classify::{self, NotTcp, Ridges};
 use crate::geometry::{Sign, linear};
 use crate::number::enclosure;
-use crate::predicates::{Angles, AnglesAgainst, InSphere, Model, RadiusAgainst};
+use crate::predicates::{Angles, AnglesAgainst, InSphere, Model, Prepared, RadiusAgainst};
 use crate::quality::{self, ceiling_to_i64, floor_to_i64};
 use crate::tiling::{Corner, Facet, Matching, Tiling};
 use malachite::Rational;
@@ -13,7 +13,7 @@ use malachite::Rational;
 /// Every dihedral angle is acute: <g_i, g_j> < 0 for all facets i ≠ j.
 pub fn check_acute<const D: usize>(model: &Model<D>, findings: &mut Findings) {
     let angles = model.prepare(Angles);
-    for simplex in angles.failing(|signs| signs.all_negative()) {
+    for simplex in model.shapes().not_acute.iter().map(|s| *s as usize) {
         let signs = angles.signs(simplex);
         for (index, pair) in pairs(D).enumerate() {
             let evidence = || angle(model.tiling, simplex, pair);
@@ -33,7 +33,7 @@ pub fn check_acute<const D: usize>(model: &Model<D>, findings: &mut Findings) {
 /// No dihedral angle is obtuse: <g_i, g_j> <= 0 for all facets i ≠ j.
 pub fn check_nonobtuse<const D: usize>(model: &Model<D>, findings: &mut Findings) {
     let angles = model.prepare(Angles);
-    for simplex in angles.failing(|signs| signs.none_positive()) {
+    for simplex in model.shapes().obtuse.iter().map(|s| *s as usize) {
         let signs = angles.signs(simplex);
         for (_, pair) in (0..).zip(pairs(D)).filter(|(k, _)| signs.get(*k).is_gt()) {
             findings.add_with("obtuse-angle", || Defect::ObtuseAngle {
@@ -171,24 +171,66 @@ pub fn check_delaunay<const D: usize>(
 ) {
     let tiling = model.tiling;
     let spheres = model.prepare(InSphere);
-    let sign = |simplex: usize, opposite: usize| {
-        let apex = apex_behind(tiling, matching, simplex, opposite)?;
-        Some(spheres.signs_with(simplex, &apex).get(0))
-    };
-    let is_right = |simplex: &usize, opposite: usize| match sign(*simplex, opposite) {
-        None | Some(Sign::Greater) => true,
-        Some(sign) => weak && sign == Sign::Equal,
-    };
-    let failing = model.select(|simplex| !(0..=D).all(|opposite| is_right(&simplex, opposite)));
-    for simplex in failing {
+    for simplex in suspects(model, matching, &spheres, weak) {
         for opposite in 0..=D {
-            match sign(simplex, opposite) {
-                None | Some(Sign::Greater) => {}
-                Some(Sign::Equal) if weak => {}
-                Some(sign) => add_sphere(tiling, matching, (simplex, opposite), sign, findings),
+            let Some(apex) = apex_behind(tiling, matching, simplex, opposite) else {
+                continue;
+            };
+            match spheres.signs_with(simplex, &apex).get(0) {
+                Sign::Greater => {}
+                Sign::Equal if weak => {}
+                sign => add_sphere(tiling, matching, (simplex, opposite), sign, findings),
             }
         }
     }
+}
+
+/// The simplices, in order, behind one of whose facets a corner may be in the circumsphere.
+///
+/// Each pair of neighbours is tested from one side. Let p and q be the powers of a point
+/// with respect to the circumspheres of A and B, with apexes a and b over the common facet.
+/// p - q is affine and vanishes on the facet: p - q = c h for an affine h that is positive on
+/// the side of A. Then p(b) = c h(b) and q(a) = -c h(a), as q(b) = p(a) = 0, and both have
+/// the sign of -c, because b is on the other side.
+fn suspects<const D: usize>(
+    model: &Model<D>,
+    matching: &Matching<D>,
+    spheres: &Prepared<InSphere, D>,
+    weak: bool,
+) -> Vec<usize> {
+    let tiling = model.tiling;
+    let failing = model.by_chunks(|simplices| {
+        let facets = simplices.flat_map(|simplex| (0..=D).map(move |k| (simplex, k)));
+        let pairs = facets.filter_map(|(simplex, opposite)| {
+            let mate = matching.neighbour(simplex, opposite)?;
+            let is_first = (simplex, opposite) < (mate.simplex as usize, mate.opposite.into());
+            let apex = is_first.then(|| apex_behind(tiling, matching, simplex, opposite))?;
+            Some((simplex, apex?))
+        });
+        let mut failing = Vec::new();
+        spheres.for_each_with(pairs, |simplex, signs| {
+            let is_right = match weak {
+                true => signs.none_negative(),
+                false => signs.all_positive(),
+            };
+            if !is_right {
+                failing.push(simplex);
+            }
+        });
+        failing
+    });
+    let mut suspects = failing.concat();
+    for k in 0..suspects.len() {
+        let behind = |opposite| matching.neighbour(suspects[k], opposite);
+        let neighbours: Vec<usize> = (0..=D)
+            .filter_map(behind)
+            .map(|mate| mate.simplex as usize)
+            .collect();
+        suspects.extend(neighbours);
+    }
+    suspects.sort_unstable();
+    suspects.dedup();
+    suspects
 }
 
 /// The corner opposite to a facet in the simplex behind it, moved there.

@@ -3,7 +3,7 @@
 //!
 //! A [`Bound`] stands for all pairs of an exact value x and a double x' with
 //! |x| <= size and |x - x'| <= error; `top` bounds every value that its computation
-//! has gone through, exact or in doubles. With u = 2^-53 and rounding to nearest,
+//! has gone through, exact or in doubles, and `factor` those that were multiplied. With u = 2^-53 and rounding to nearest,
 //! a double sum x' ∘ y' is off by at most u times its exact value, hence
 //!
 //! - for x ± y: size s + t, error e + f + u (s + e + t + f);
@@ -26,6 +26,8 @@ pub struct Bound {
     pub error: f64,
     /// Of all values that led to it.
     pub top: f64,
+    /// Of all factors of products that led to it.
+    pub factor: f64,
 }
 
 /// The unit roundoff of doubles.
@@ -38,6 +40,7 @@ impl Bound {
             size,
             error,
             top: size + error,
+            factor: 0.0,
         }
     }
 
@@ -47,6 +50,7 @@ impl Bound {
             size,
             error,
             top: raised(size + error).max(self.top).max(other.top),
+            factor: self.factor.max(other.factor),
         }
     }
 
@@ -85,7 +89,12 @@ impl Scalar for Bound {
     fn times(&self, other: &Self) -> Self {
         let error = self.size * other.error + other.size * self.error + self.error * other.error;
         let rounding = ROUNDOFF * (self.size + self.error) * (other.size + other.error);
-        self.after(other, self.size * other.size, error + rounding)
+        let product = self.after(other, self.size * other.size, error + rounding);
+        let factor = raised((self.size + self.error).max(other.size + other.error));
+        Bound {
+            factor: factor.max(product.factor),
+            ..product
+        }
     }
 
     fn sign(&self) -> Sign {

@@ -14,4 +14,4 @@ pub use bound::Bound;
 pub use quadratic::Quadratic;
 pub use scalar::{Scalar, Sign};
 pub use simplex::{NormalProducts, Simplex};
-pub use wide::I256;
+pub use wide::{I128, I256, I512};

@@ -42,7 +42,8 @@ impl<T: Scalar> Scalar for Quadratic<T> {
 
     #[inline]
     fn times(&self, other: &Self) -> Self {
-        let yy = self.y.times(&other.y).times(&self.d);
+        // In this order no factor is a product of two coefficients.
+        let yy = self.y.times(&self.d).times(&other.y);
         self.with(
             self.x.times(&other.x).plus(&yy),
             self.x.times(&other.y).plus(&self.y.times(&other.x)),

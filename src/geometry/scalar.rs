@@ -30,7 +30,7 @@ pub trait Scalar: Clone + std::fmt::Debug + Send + Sync {
     }
     /// x² compared with d y²
     fn compare_squares(x: &Self, y: &Self, d: &Self) -> Ordering {
-        x.times(x).minus(&y.times(y).times(d)).sign()
+        x.times(x).minus(&y.times(d).times(y)).sign()
     }
     /// The nearest double or one close to it; infinite beyond its range. Only
     /// for filters that are confirmed exactly afterwards, and for display.

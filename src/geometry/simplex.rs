@@ -61,9 +61,12 @@ impl<S: Scalar, const D: usize> Simplex<S, D> {
         let mut inner: [[S; D]; D] = linear::zeros(&zero);
         for j in 0..D {
             let image = linear::apply(cogram, &self.gradients[j]);
-            for i in 0..=j {
-                inner[i][j] = linear::dot(&self.gradients[i], &image);
-                inner[j][i] = inner[i][j].clone();
+            // Not a range that ends with j: only loops of constant length are unrolled.
+            for i in 0..D {
+                if i <= j {
+                    inner[i][j] = linear::dot(&self.gradients[i], &image);
+                    inner[j][i] = inner[i][j].clone();
+                }
             }
         }
         let minus_sum = |row: &[S; D]| zero.minus(&linear::sum(row));

@@ -1,94 +1,152 @@
-//! Integers of 256 bits: for predicates whose values are known to fit.
+//! Integers of 128, 256 and 512 bits: for predicates whose values are known to fit.
 //!
-//! Arithmetic is modulo 2^256, in two's complement. Whoever uses it has proved that
-//! no value, final or intermediate, reaches 2^255 (see [`super::bound`]); then
-//! nothing wraps and the results are those of the integers.
+//! Arithmetic is modulo 2^(64 N), in two's complement, and a product takes the lower half of
+//! each factor as a signed integer: so few machine multiplications, 1, 4 and 16, are enough.
+//! Whoever uses it has proved that no value, final or intermediate, needs more than all bits,
+//! and no factor of a product more than half of them (see [`super::bound`]); then nothing is
+//! lost and the results are those of the integers. Debug builds look at each factor.
 
 use super::{Scalar, Sign};
 use malachite::Integer;
 use std::cmp::Ordering;
 
-/// An integer from -2^255 to 2^255 - 1, least significant word first.
+/// An integer of 128 bits, factors have 64.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct I256(pub [u64; 4]);
+pub struct I128(pub i128);
 
-impl I256 {
+/// An integer from -2^(64 N - 1) to 2^(64 N - 1) - 1, N even, least significant word first.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Wide<const N: usize>(pub [u64; N]);
+
+/// 256 bits, factors have 128.
+pub type I256 = Wide<4>;
+/// 512 bits, factors have 256.
+pub type I512 = Wide<8>;
+
+impl<const N: usize> Wide<N> {
     /// The integer 0.
-    pub const ZERO: I256 = I256([0; 4]);
-
-    /// x² compared with d y², where both are less than 2^255.
-    fn compare_squares_within(x: &Self, y: &Self, d: &Self) -> Ordering {
-        x.times(x).minus(&y.times(y).times(d)).sign()
-    }
+    pub const ZERO: Self = Wide([0; N]);
 
     /// Whether the integer is negative.
     pub fn is_negative(&self) -> bool {
-        (self.0[3] as i64) < 0
+        (self.0[N - 1] as i64) < 0
+    }
+
+    /// The sum, if it fits.
+    #[inline]
+    pub fn checked_sum(&self, other: &Self) -> Option<Self> {
+        let sum = self.plus(other);
+        let [a, b, c] = [self, other, &sum].map(Wide::is_negative);
+        (a != b || a == c).then_some(sum)
+    }
+
+    /// Whether the integer fits in the lower half.
+    fn is_half(&self) -> bool {
+        let sign = sign_word(self.0[N / 2 - 1]);
+        self.0[N / 2..].iter().all(|word| *word == sign)
     }
 }
 
-impl From<i128> for I256 {
+/// All ones for a negative number with this highest word, else zero.
+#[inline(always)]
+fn sign_word(word: u64) -> u64 {
+    ((word as i64) >> 63) as u64
+}
+
+#[inline(always)]
+fn add(x: u64, y: u64, carry: bool) -> (u64, bool) {
+    let (s, first) = x.overflowing_add(y);
+    let (s, second) = s.overflowing_add(u64::from(carry));
+    (s, first | second)
+}
+
+#[inline(always)]
+fn subtract(x: u64, y: u64, borrow: bool) -> (u64, bool) {
+    let (d, first) = x.overflowing_sub(y);
+    let (d, second) = d.overflowing_sub(u64::from(borrow));
+    (d, first | second)
+}
+
+impl<const N: usize> From<i128> for Wide<N> {
+    #[inline(always)]
     fn from(value: i128) -> Self {
-        let sign = (value >> 127) as u64;
-        I256([value as u64, (value >> 64) as u64, sign, sign])
+        let mut words = [(value >> 127) as u64; N];
+        words[0] = value as u64;
+        words[1] = (value >> 64) as u64;
+        Wide(words)
     }
 }
 
-impl From<&I256> for Integer {
-    fn from(value: &I256) -> Self {
+impl From<I256> for I512 {
+    #[inline(always)]
+    fn from(value: I256) -> Self {
+        let [a, b, c, d] = value.0;
+        let sign = sign_word(d);
+        Wide([a, b, c, d, sign, sign, sign, sign])
+    }
+}
+
+impl<const N: usize> From<&Wide<N>> for Integer {
+    fn from(value: &Wide<N>) -> Self {
         Integer::from_twos_complement_limbs_asc(&value.0)
     }
 }
 
-impl Scalar for I256 {
+impl<const N: usize> Scalar for Wide<N> {
     fn integer(&self, value: i64) -> Self {
-        I256::from(i128::from(value))
+        Wide::from(i128::from(value))
     }
 
     #[inline]
     fn plus(&self, other: &Self) -> Self {
-        let mut sum = [0; 4];
+        let mut sum = [0; N];
         let mut carry = false;
-        for k in 0..4 {
-            let (s, first) = self.0[k].overflowing_add(other.0[k]);
-            let (s, second) = s.overflowing_add(u64::from(carry));
-            (sum[k], carry) = (s, first | second);
+        for k in 0..N {
+            (sum[k], carry) = add(self.0[k], other.0[k], carry);
         }
-        I256(sum)
+        Wide(sum)
     }
 
     #[inline]
     fn minus(&self, other: &Self) -> Self {
-        let mut difference = [0; 4];
+        let mut difference = [0; N];
         let mut borrow = false;
-        for k in 0..4 {
-            let (d, first) = self.0[k].overflowing_sub(other.0[k]);
-            let (d, second) = d.overflowing_sub(u64::from(borrow));
-            (difference[k], borrow) = (d, first | second);
+        for k in 0..N {
+            (difference[k], borrow) = subtract(self.0[k], other.0[k], borrow);
         }
-        I256(difference)
+        Wide(difference)
     }
 
-    /// Schoolbook, without the words from 2^256 on. A column sum stays below 2^128:
-    /// (2^64 - 1)² + 2 (2^64 - 1) = 2^128 - 1.
+    /// Schoolbook for the lower halves X and Y as numbers without sign. A column sum stays
+    /// below 2^128: (2^64 - 1)² + 2 (2^64 - 1) = 2^128 - 1. With H = 2^(32 N), x = X - H if x is
+    /// negative, so that Y H is subtracted, and X H if y is negative; H² is 0.
     #[inline]
     fn times(&self, other: &Self) -> Self {
-        let mut product = [0u64; 4];
-        for i in 0..4 {
+        debug_assert!(self.is_half() && other.is_half(), "{self:?} {other:?}");
+        let mut product = [0u64; N];
+        for i in 0..N / 2 {
             let mut carry = 0;
-            for j in 0..4 - i {
+            for j in 0..N / 2 {
                 let column = u128::from(self.0[i]) * u128::from(other.0[j])
                     + u128::from(product[i + j])
                     + u128::from(carry);
                 product[i + j] = column as u64;
                 carry = (column >> 64) as u64;
             }
+            product[i + N / 2] = carry;
         }
-        I256(product)
+        for (x, y) in [(self, other), (other, self)] {
+            let mask = sign_word(x.0[N / 2 - 1]);
+            let mut borrow = false;
+            for k in 0..N / 2 {
+                (product[k + N / 2], borrow) = subtract(product[k + N / 2], y.0[k] & mask, borrow);
+            }
+        }
+        Wide(product)
     }
 
     fn sign(&self) -> Sign {
-        match (self.is_negative(), self.0 == [0; 4]) {
+        match (self.is_negative(), *self == Wide::ZERO) {
             (true, _) => Ordering::Less,
             (false, true) => Ordering::Equal,
             (false, false) => Ordering::Greater,
@@ -102,21 +160,55 @@ impl Scalar for I256 {
     }
 
     fn approximate(&self) -> f64 {
-        let size = if self.is_negative() {
-            I256::ZERO.minus(self)
-        } else {
-            *self
+        let size = match self.is_negative() {
+            true => Wide::ZERO.minus(self),
+            false => *self,
         };
-        let value = size
-            .0
-            .iter()
-            .rev()
-            .fold(0.0, |sum, &word| sum * 2f64.powi(64) + word as f64);
+        let words = size.0.iter().rev();
+        let value = words.fold(0.0, |sum, &word| sum * 2f64.powi(64) + word as f64);
         if self.is_negative() { -value } else { value }
     }
 }
 
-/// Machine integers, for predicates whose values are known to fit.
+impl Scalar for I128 {
+    fn integer(&self, value: i64) -> Self {
+        I128(i128::from(value))
+    }
+
+    #[inline]
+    fn plus(&self, other: &Self) -> Self {
+        I128(self.0 + other.0)
+    }
+
+    #[inline]
+    fn minus(&self, other: &Self) -> Self {
+        I128(self.0 - other.0)
+    }
+
+    #[inline]
+    fn times(&self, other: &Self) -> Self {
+        let half = |x: i128| i128::from(x as i64);
+        debug_assert!(half(self.0) == self.0 && half(other.0) == other.0);
+        I128(half(self.0) * half(other.0))
+    }
+
+    #[inline]
+    fn sign(&self) -> Sign {
+        self.0.cmp(&0)
+    }
+
+    /// In 256 bits: |d y| must be less than 2^127.
+    fn compare_squares(x: &Self, y: &Self, d: &Self) -> Ordering {
+        let [x, y, d] = [x, y, d].map(|n| I256::from(n.0));
+        x.times(&x).minus(&y.times(&d).times(&y)).sign()
+    }
+
+    fn approximate(&self) -> f64 {
+        self.0 as f64
+    }
+}
+
+/// Machine integers, for edges and other values that are known to fit.
 impl Scalar for i128 {
     fn integer(&self, value: i64) -> Self {
         i128::from(value)
@@ -141,10 +233,10 @@ impl Scalar for i128 {
         self.cmp(&0)
     }
 
-    /// In 256 bits: x² and d y² must be less than 2^255.
+    /// In integers without bound.
     fn compare_squares(x: &Self, y: &Self, d: &Self) -> Ordering {
-        let [x, y, d] = [x, y, d].map(|n| I256::from(*n));
-        I256::compare_squares_within(&x, &y, &d)
+        let [x, y, d] = [x, y, d].map(|n| Integer::from(*n));
+        Integer::compare_squares(&x, &y, &d)
     }
 
     fn approximate(&self) -> f64 {

@@ -1,40 +1,18 @@
-//! The filter: predicates in doubles with a proved bound of the error.
+//! Edges in doubles with a proved bound of their error, side by side for many simplices.
 //!
-//! **Edges.** With u = 2^-53, coordinates x of at most X known up to 3 u X, and
+//! With u = 2^-53, coordinates x of at most X known up to 3 u X, and
 //! shifts s of at most S steps of length h, the edge (x_b - x_a) + (s_b - s_a) h is
 //! rounded in at most three operations, each by u times a result of at most
 //! 2 X + S h, and h itself by u h. All together is less than
 //! delta = 16 u (2 X + S h).
 //! Where coordinates and h are integers and 2 X + S h < 2^52, edges are exact and delta = 0.
-//!
-//! **Values.** Let m be the largest entry of the computed edges, and delta = r m. The
-//! exact edges are at most (1 + r) m. A predicate is homogeneous of degree k, and
-//! doubles scale by powers of two without rounding, hence the error of a value is
-//! at most m^k E(r), where E(r) is what the text of the predicate gives over
-//! [`Bound`]s for edges of size 1 + r with error r. E is a polynomial in r with
-//! coefficients that are not negative, hence convex, and for r <= R = 2^-20
-//! E(r) <= E(0) + r (E(R) - E(0)) / R.
-//! Both constants are raised by 2^-20 of themselves for the roundings in the
-//! threshold itself, and for the few of E.
-//!
-//! **Underflow** adds at most 2^-1075 to a product, and that is multiplied further by
-//! at most the largest intermediate bound T for edges of size 1 (and m^k if m > 1).
-//! With less than 2^10 operations, T < 2^200, E(0) > 2^-300 and 2^-480 < m^k < 2^480 that is less
-//! than 2^-20 of the threshold, and nothing overflows. Beyond these limits the filter is silent.
-//!
-//! **Integers.** Where everything is an integer and all intermediate values are
-//! bounded by 2^53, doubles are exact and so is the sign zero.
 
-use super::polynomials::{Metric, Predicate};
-use super::signs::Signs;
 use crate::geometry::bound::ROUNDOFF;
-use crate::geometry::{Bound, Simplex};
 use crate::number::Number;
 use crate::tiling::coordinates::Form;
 use crate::tiling::{Corner, Tiling};
 use rayon::prelude::*;
 use std::borrow::Cow;
-use std::hint::black_box;
 
 /// The vertices of a tiling as doubles.
 #[derive(Clone, Debug)]
@@ -43,9 +21,9 @@ pub struct Floats<'a, const D: usize> {
     /// One lattice step.
     unit: f64,
     /// delta
-    error: f64,
+    pub(super) error: f64,
     /// Whether coordinates and lattice step are integers, and edges exact.
-    is_integral: bool,
+    pub(super) is_integral: bool,
 }
 
 impl<'a, const D: usize> Floats<'a, D> {
@@ -100,6 +78,8 @@ impl<'a, const D: usize> Floats<'a, D> {
     /// The edges of a simplex from its first corner.
     #[inline(always)]
     pub fn edges(&self, corners: &[Corner<D>]) -> [[f64; D]; D] {
+        // One check of the length, and none in the loop.
+        let corners = &corners[..D + 1];
         let mut edges = [[0.0; D]; D];
         for k in 0..D {
             edges[k] = self.difference(&corners[0], &corners[k + 1]);
@@ -108,178 +88,69 @@ impl<'a, const D: usize> Floats<'a, D> {
     }
 }
 
-/// A number of the metric as a double, with a bound of its error.
-#[derive(Clone, Copy, Debug)]
-pub struct Rounded {
-    pub value: f64,
-    pub error: f64,
-}
+/// So many simplices are filtered together.
+pub const BATCH: usize = 16;
 
-impl Rounded {
-    /// The number times 2^scale, for |scale| <= 400 and rationals that are integers.
-    pub fn of(number: &Number, scale: i32) -> Self {
-        let value = number.approximate();
-        let is_exact = number
-            .to_rational()
-            .is_some_and(|exact| malachite::Rational::try_from(value).is_ok_and(|x| x == *exact));
-        let scaled = value * 2f64.powi(scale);
-        Rounded {
-            value: scaled,
-            error: match is_exact {
-                true => 0.0,
-                false => scaled.abs() * 4.0 * ROUNDOFF + 2f64.powi(-900),
-            },
-        }
-    }
-
-    fn bound(&self) -> Bound {
-        Bound::given(self.value.abs() + self.error, self.error)
-    }
-
-    fn is_integer(&self) -> bool {
-        self.error == 0.0 && self.value.fract() == 0.0
-    }
-}
-
-/// What a predicate's filter needs to know.
+/// The edges of some simplices, and the vector to a further point, each entry of all of
+/// them side by side.
 #[derive(Clone, Debug)]
-pub struct Filter<const D: usize> {
-    metric: Metric<f64, D>,
-    /// E(0) and (E(R) - E(0)) / R, raised; times delta.
-    constant: f64,
-    slope: f64,
-    /// Values are exact up to this entry of the edges.
-    exact: f64,
-    low: f64,
-    high: f64,
-    /// R delta / delta: the least m for which r <= R.
-    floor: f64,
+pub struct Batch<const D: usize> {
+    edges: [[[f64; BATCH]; D]; D],
+    points: [[f64; BATCH]; D],
 }
 
-/// R
-const LARGEST_RATIO: f64 = 1.0 / (1 << 20) as f64;
-
-impl<const D: usize> Filter<D> {
-    /// The filter of a predicate for edges of a tiling with this metric.
-    pub fn new<P: Predicate<D>>(
-        predicate: &P,
-        floats: &Floats<D>,
-        metric: &Metric<Rounded, D>,
-    ) -> Self {
-        let bounds = map_metric(metric, Rounded::bound);
-        let at = |size: f64, error: f64| bound_of(predicate, &bounds, size, error);
-        let (none, some) = (at(1.0, 0.0), at(1.0 + LARGEST_RATIO, LARGEST_RATIO));
-        let slope = (some.error - none.error) / LARGEST_RATIO;
-        let raise = 1.0 + LARGEST_RATIO;
-        let reach = 2f64.powf(480.0 / f64::from(predicate.degree())).floor();
-        let in_range = none.top < 2f64.powi(200) && none.error > 2f64.powi(-300);
-        let is_on = in_range && is_strict();
-        Filter {
-            constant: none.error * raise,
-            slope: slope * raise * floats.error,
-            exact: match floats.is_integral && is_strict() && all_integers(metric) {
-                true => largest_exact(|size| at(size, 0.0).top),
-                false => -1.0,
-            },
-            low: if is_on { 1.0 / reach } else { f64::INFINITY },
-            high: if is_on { reach } else { 0.0 },
-            floor: floats.error / LARGEST_RATIO,
-            metric: map_metric(metric, |x| x.value),
+impl<const D: usize> Default for Batch<D> {
+    fn default() -> Self {
+        Batch {
+            edges: [[[0.0; BATCH]; D]; D],
+            points: [[0.0; BATCH]; D],
         }
     }
+}
 
-    /// The signs that doubles prove; `None` if one of them stays open.
+impl<const D: usize> Batch<D> {
+    /// Puts a simplex, and perhaps a further corner, to this place.
     #[inline(always)]
-    pub fn signs<P: Predicate<D>>(
-        &self,
-        predicate: &P,
-        edges: [[f64; D]; D],
-        point: &[f64; D],
-    ) -> Option<Signs> {
-        let mut m = 0.0;
-        for vector in edges.iter().chain([point]) {
-            for x in vector {
-                m = if x.abs() > m { x.abs() } else { m };
+    pub fn put(
+        &mut self,
+        place: usize,
+        floats: &Floats<D>,
+        corners: &[Corner<D>],
+        apex: Option<&Corner<D>>,
+    ) {
+        let edges = floats.edges(corners);
+        for i in 0..D {
+            for k in 0..D {
+                self.edges[i][k][place] = edges[i][k];
             }
         }
-        let is_exact = m <= self.exact;
-        let is_in_range = m >= self.low && m <= self.high && m >= self.floor;
-        if !is_exact && !is_in_range {
-            return None;
+        if let Some(apex) = apex {
+            let point = floats.difference(&corners[0], apex);
+            for k in 0..D {
+                self.points[k][place] = point[k];
+            }
         }
-        let threshold = match is_exact {
-            true => 0.0,
-            false => m.powi(predicate.degree() - 1) * (self.constant * m + self.slope),
-        };
-        let mut signs = Signs::default();
-        let simplex = Simplex::from_edges(edges);
-        predicate.values(&simplex, point, &self.metric, |value| {
-            signs.push(*value < -threshold, *value > threshold);
-        });
-        (is_exact || signs.none_zero()).then_some(signs)
     }
-}
 
-/// The largest error and the largest intermediate value for edges of this size.
-fn bound_of<P: Predicate<D>, const D: usize>(
-    predicate: &P,
-    metric: &Metric<Bound, D>,
-    size: f64,
-    error: f64,
-) -> Bound {
-    let edge = Bound::given(size, error);
-    let mut all = Bound::given(0.0, 0.0);
-    let simplex = Simplex::from_edges([[edge; D]; D]);
-    predicate.values(&simplex, &[edge; D], metric, |value| {
-        all.error = all.error.max(value.error);
-        all.top = all.top.max(value.top);
-    });
-    all
-}
-
-/// The largest power of two for which no intermediate value exceeds 2^53.
-fn largest_exact(top: impl Fn(f64) -> f64) -> f64 {
-    let sizes = (0..53).map(|k| 2f64.powi(k));
-    sizes
-        .take_while(|size| top(*size) < 2f64.powi(53))
-        .last()
-        .unwrap_or(-1.0)
-}
-
-fn all_integers<const D: usize>(metric: &Metric<Rounded, D>) -> bool {
-    let Metric {
-        gram,
-        cogram,
-        constants,
-    } = metric;
-    let entries = gram.iter().chain(cogram).flatten().chain(constants);
-    entries.into_iter().all(Rounded::is_integer)
-}
-
-/// The same metric in other numbers.
-pub fn map_metric<S, T, const D: usize>(
-    metric: &Metric<S, D>,
-    map: impl Fn(&S) -> T,
-) -> Metric<T, D> {
-    let matrix = |rows: &[[S; D]; D]| rows.each_ref().map(|row| row.each_ref().map(&map));
-    Metric {
-        gram: matrix(&metric.gram),
-        cogram: matrix(&metric.cogram),
-        constants: metric.constants.iter().map(&map).collect(),
+    /// The edges of one of the simplices.
+    #[inline(always)]
+    pub fn edges(&self, place: usize) -> [[f64; D]; D] {
+        let mut edges = [[0.0; D]; D];
+        for i in 0..D {
+            for k in 0..D {
+                edges[i][k] = self.edges[i][k][place];
+            }
+        }
+        edges
     }
-}
 
-/// Whether doubles round each operation to nearest, ties to even, in double
-/// precision, and have subnormals: where not, nothing is filtered.
-fn is_strict() -> bool {
-    let one = black_box(1.0f64);
-    let ulp = black_box(f64::EPSILON);
-    let half_up = one + ulp / 2.0 == one && (one + ulp) + ulp / 2.0 == one + 2.0 * ulp;
-    // Wrong where sums are rounded to 64 bits first.
-    let big = black_box(9_007_199_254_740_994.0f64);
-    let once = big + black_box(0.999_984_741_210_937_5) == big;
-    // (1 + e)² = 1 + 2 e + e², and the last term is lost in the product.
-    let square = (one + ulp) * (one + ulp) - (one + 2.0 * ulp);
-    let subnormal = black_box(f64::MIN_POSITIVE) / 2.0;
-    half_up && once && square == 0.0 && subnormal > 0.0 && subnormal * 2.0 == f64::MIN_POSITIVE
+    /// The vector to its further point.
+    #[inline(always)]
+    pub fn point(&self, place: usize) -> [f64; D] {
+        let mut point = [0.0; D];
+        for k in 0..D {
+            point[k] = self.points[k][place];
+        }
+        point
+    }
 }

@@ -1,17 +1,20 @@
 //! A tiling made ready for predicates, and its simplices run through them on all cores.
 
-use super::floats::{Filter, Floats, Rounded};
-use super::ladder::{Ladder, Lift};
-use super::polynomials::{Metric, Orientation, Predicate};
+use super::filter::{Filter, Rounded};
+use super::floats::{BATCH, Batch, Floats};
+use super::ladder::Ladder;
+use super::polynomials::{Metric, Predicate};
 use super::ring::{Ring, Vectors, cleared_integers, cleared_quadratics};
+use super::shapes::Shapes;
 use super::signs::Signs;
-use crate::geometry::{Quadratic, Scalar, Simplex, linear};
+use crate::geometry::{Quadratic, linear};
 use crate::number::Number;
 use crate::tiling::{Corner, Tiling};
 use malachite::base::num::basic::traits::Zero;
 use malachite::{Integer, Rational};
 use rayon::prelude::*;
-use std::collections::BTreeMap;
+use std::ops::Range;
+use std::sync::OnceLock;
 
 /// Simplices that one task of a core takes.
 const CHUNK: usize = 1 << 12;
@@ -22,25 +25,26 @@ pub struct Model<'a, const D: usize> {
     /// The tiling itself.
     pub tiling: &'a Tiling<D>,
     floats: Floats<'a, D>,
-    ring: Ring<'a, D>,
+    pub(super) ring: Ring<'a, D>,
+    pub(super) shapes: OnceLock<Shapes>,
 }
 
 /// A predicate with its filter and its exact twin, for one model.
 #[derive(Clone, Debug)]
 pub struct Prepared<'m, P, const D: usize> {
-    model: &'m Model<'m, D>,
+    pub(super) model: &'m Model<'m, D>,
     predicate: P,
     filter: Filter<D>,
-    exact: Exact<D>,
+    pub(super) exact: Exact<D>,
 }
 
 /// How values are computed exactly.
 #[derive(Clone, Debug)]
-struct Exact<const D: usize> {
-    integers: Option<Ladder<i128, D>>,
-    quadratics: Option<Ladder<Quadratic<i128>, D>>,
+pub(super) struct Exact<const D: usize> {
+    pub integers: Option<Ladder<i128, D>>,
+    pub quadratics: Option<Ladder<Quadratic<i128>, D>>,
     /// Where the others do not reach.
-    numbers: Metric<Number, D>,
+    pub numbers: Metric<Number, D>,
 }
 
 impl<'a, const D: usize> Model<'a, D> {
@@ -50,6 +54,7 @@ impl<'a, const D: usize> Model<'a, D> {
             tiling,
             floats: Floats::new(tiling),
             ring: Ring::new(tiling),
+            shapes: OnceLock::new(),
         }
     }
 
@@ -66,12 +71,12 @@ impl<'a, const D: usize> Model<'a, D> {
         }
     }
 
-    /// The simplices, in order, that are wanted.
-    pub fn select(&self, is_wanted: impl Fn(usize) -> bool + Sync) -> Vec<usize> {
-        let simplices = (0..self.tiling.len()).into_par_iter();
-        simplices
-            .with_min_len(CHUNK)
-            .filter(|simplex| is_wanted(*simplex))
+    /// What `work` makes of the simplices, a chunk of them at a time, on all cores.
+    pub fn by_chunks<T: Send>(&self, work: impl Fn(Range<usize>) -> T + Sync) -> Vec<T> {
+        let n = self.tiling.len();
+        let chunks = (0..n.div_ceil(CHUNK)).into_par_iter();
+        chunks
+            .map(|chunk| work(chunk * CHUNK..n.min((chunk + 1) * CHUNK)))
             .collect()
     }
 
@@ -87,19 +92,6 @@ impl<'a, const D: usize> Model<'a, D> {
             move || start,
             move |value, simplex| with(value, self.floats.edges(self.tiling.simplex(simplex))),
         )
-    }
-
-    /// The sum of det (e_1, …, e_D) over all simplices, in basis coordinates.
-    pub fn sum_of_determinants(&self) -> Number {
-        let orientation = self.prepare(Orientation);
-        let simplices = 0..self.tiling.len();
-        let chunks = simplices.into_par_iter().with_min_len(CHUNK);
-        let total = chunks.fold(Total::default, |mut total, simplex| {
-            orientation.add_determinant(simplex, &mut total);
-            total
-        });
-        let total = total.reduce(Total::default, Total::plus);
-        total.value(&self.ring, D)
     }
 }
 
@@ -137,6 +129,10 @@ impl<P: Predicate<D>, const D: usize> Prepared<'_, P, D> {
         if let Some(ladder) = &exact.integers
             && let Some(vectors) = model.ring.integers(corners, apex)
         {
+            let vectors = match model.ring {
+                Ring::Doubles { .. } => vectors.reduced(),
+                _ => vectors,
+            };
             return ladder.signs(predicate, &vectors.edges, &vectors.point);
         }
         if let Some(ladder) = &exact.quadratics
@@ -150,7 +146,72 @@ impl<P: Predicate<D>, const D: usize> Prepared<'_, P, D> {
 
     /// The simplices, in order, whose signs are not as wanted.
     pub fn failing(&self, is_right: impl Fn(&Signs) -> bool + Sync) -> Vec<usize> {
-        self.model.select(|simplex| !is_right(&self.signs(simplex)))
+        let failing = self.model.by_chunks(|simplices| {
+            let mut failing = Vec::new();
+            self.for_each(simplices, |simplex, signs| {
+                if !is_right(signs) {
+                    failing.push(simplex);
+                }
+            });
+            failing
+        });
+        failing.concat()
+    }
+
+    /// Calls `visit` with each of these simplices, in order, and its exact signs.
+    #[inline]
+    pub fn for_each(&self, simplices: Range<usize>, mut visit: impl FnMut(usize, &Signs)) {
+        let mut batch = Batch::default();
+        for first in simplices.clone().step_by(BATCH) {
+            let size = BATCH.min(simplices.end - first);
+            let corners = &self.model.tiling.corners[first * (D + 1)..(first + size) * (D + 1)];
+            for (place, corners) in (0..BATCH).zip(corners.chunks_exact(D + 1)) {
+                batch.put(place, &self.model.floats, corners, None);
+            }
+            let items = (first..first + size).map(|simplex| (simplex, None));
+            self.decide(&batch, items, &mut visit);
+        }
+    }
+
+    /// The same with a further corner for each simplex.
+    #[inline]
+    pub fn for_each_with(
+        &self,
+        mut pairs: impl Iterator<Item = (usize, Corner<D>)>,
+        mut visit: impl FnMut(usize, &Signs),
+    ) {
+        let mut batch = Batch::default();
+        let mut filled = Vec::with_capacity(BATCH);
+        loop {
+            filled.clear();
+            for (simplex, apex) in pairs.by_ref().take(BATCH) {
+                let corners = self.model.tiling.simplex(simplex);
+                batch.put(filled.len(), &self.model.floats, corners, Some(&apex));
+                filled.push((simplex, Some(apex)));
+            }
+            if filled.is_empty() {
+                return;
+            }
+            self.decide(&batch, filled.iter().copied(), &mut visit);
+        }
+    }
+
+    /// Calls `visit` with the items that fill the first places of a batch.
+    #[inline(always)]
+    fn decide(
+        &self,
+        batch: &Batch<D>,
+        items: impl Iterator<Item = (usize, Option<Corner<D>>)>,
+        visit: &mut impl FnMut(usize, &Signs),
+    ) {
+        let signs = self.filter.signs_of_all(&self.predicate, batch);
+        for ((simplex, apex), signs) in items.zip(signs) {
+            let exact = || {
+                let corners = self.model.tiling.simplex(simplex);
+                self.exact_signs(corners, apex.as_ref().unwrap_or(&corners[0]))
+            };
+            visit(simplex, &signs.unwrap_or_else(exact));
+        }
     }
 }
 
@@ -228,120 +289,5 @@ fn rounded<const D: usize>(metric: &Metric<Number, D>) -> Metric<Rounded, D> {
         gram: matrix(&metric.gram, scale),
         cogram: matrix(&metric.cogram, scale * (D as i32 - 1)),
         constants: metric.constants.iter().map(|x| Rounded::of(x, 0)).collect(),
-    }
-}
-
-impl<P: Predicate<D>, const D: usize> Prepared<'_, P, D> {
-    fn add_determinant(&self, simplex: usize, total: &mut Total) {
-        let Prepared { model, exact, .. } = self;
-        let corners = model.tiling.simplex(simplex);
-        let apex = &corners[0];
-        if let Some(Vectors {
-            edges, exponent, ..
-        }) = model.ring.integers(corners, apex)
-        {
-            match exact
-                .integers
-                .as_ref()
-                .is_some_and(|ladder| ladder.is_narrow(&edges))
-            {
-                true => total.add(exponent, [Simplex::from_edges(edges).determinant, 0]),
-                false => {
-                    let edges = edges.map(|edge| edge.map(Integer::from));
-                    let determinant = Simplex::from_edges(edges).determinant;
-                    total.add_big(exponent, [determinant, Integer::ZERO]);
-                }
-            }
-        } else if let Some(Vectors { edges, .. }) = model.ring.quadratics(corners, apex) {
-            match exact
-                .quadratics
-                .as_ref()
-                .is_some_and(|ladder| ladder.is_narrow(&edges))
-            {
-                true => {
-                    let Quadratic { x, y, .. } = Simplex::from_edges(edges).determinant;
-                    total.add(0, [x, y]);
-                }
-                false => {
-                    let edges = edges.map(|edge| edge.map(|x| Quadratic::<Integer>::lift(&x)));
-                    let Quadratic { x, y, .. } = Simplex::from_edges(edges).determinant;
-                    total.add_big(0, [x, y]);
-                }
-            }
-        } else {
-            let Vectors { edges, .. } = model.ring.numbers(model.tiling, corners, apex);
-            let determinant = Simplex::from_edges(edges).determinant;
-            total.numbers = total.numbers.plus(&determinant);
-        }
-    }
-}
-
-/// A sum of determinants: x + y √d in units of 2^(D e) for exponents e, and numbers.
-struct Total {
-    current: (i32, [i128; 2]),
-    sums: BTreeMap<i32, [Integer; 2]>,
-    numbers: Number,
-}
-
-impl Default for Total {
-    fn default() -> Self {
-        Total {
-            current: (0, [0, 0]),
-            sums: BTreeMap::new(),
-            numbers: Number::zero(),
-        }
-    }
-}
-
-impl Total {
-    fn add(&mut self, exponent: i32, [x, y]: [i128; 2]) {
-        let (current, sum) = self.current;
-        let sums = [sum[0].checked_add(x), sum[1].checked_add(y)];
-        match sums {
-            [Some(x), Some(y)] if current == exponent => self.current.1 = [x, y],
-            _ => {
-                self.flush();
-                self.current = (exponent, [x, y]);
-            }
-        }
-    }
-
-    fn add_big(&mut self, exponent: i32, [x, y]: [Integer; 2]) {
-        let sum = self.sums.entry(exponent).or_default();
-        sum[0] += x;
-        sum[1] += y;
-    }
-
-    fn flush(&mut self) {
-        let (exponent, sum) = std::mem::take(&mut self.current);
-        self.add_big(exponent, sum.map(Integer::from));
-    }
-
-    fn plus(mut self, mut other: Total) -> Total {
-        self.flush();
-        other.flush();
-        for (exponent, sum) in other.sums {
-            self.add_big(exponent, sum);
-        }
-        self.numbers = self.numbers.plus(&other.numbers);
-        self
-    }
-
-    /// The sum in basis coordinates.
-    fn value<const D: usize>(mut self, ring: &Ring<D>, dimension: usize) -> Number {
-        self.flush();
-        let root = match ring {
-            Ring::Quadratic { root, .. } => root.number.clone(),
-            _ => Number::zero(),
-        };
-        let mut value = self.numbers;
-        for (exponent, sum) in self.sums {
-            let scale = exponent * dimension as i32;
-            let [x, y] = sum.map(|n| Number::from(Rational::from(n) << scale));
-            value = value + x + y * &root;
-        }
-        let unit = ring.unit();
-        let cell = (1..dimension).fold(unit.clone(), |cell, _| cell * &unit);
-        value.divide(&cell).unwrap_or_else(Number::zero)
     }
 }

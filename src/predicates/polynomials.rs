@@ -21,30 +21,37 @@ pub struct Metric<S, const D: usize> {
 
 /// Values whose signs are asked for.
 pub trait Predicate<const D: usize>: Sync {
+    /// How many parts the values have; at most [`MOST_PARTS`].
+    const PARTS: usize = 1;
+
     /// Integers that the values depend on.
     fn constants(&self) -> Vec<Integer> {
         Vec::new()
     }
 
-    /// Every value is homogeneous of this degree in edges and point together.
-    fn degree(&self) -> i32;
+    /// The values of one part are homogeneous of this degree in edges and point together.
+    fn degree(&self, part: usize) -> i32;
 
-    /// Calls `visit` with each value; at most 32.
+    /// Calls `visit` with each value and its part; at most 32.
     fn values<S: Scalar>(
         &self,
         simplex: &Simplex<S, D>,
         point: &[S; D],
         metric: &Metric<S, D>,
-        visit: impl FnMut(&S),
+        visit: impl FnMut(usize, &S),
     );
 }
+
+/// The most parts of a predicate.
+pub const MOST_PARTS: usize = 2;
 
 /// det (e_1, …, e_D)
 #[derive(Clone, Copy, Debug)]
 pub struct Orientation;
 
 impl<const D: usize> Predicate<D> for Orientation {
-    fn degree(&self) -> i32 {
+    #[inline(always)]
+    fn degree(&self, _: usize) -> i32 {
         D as i32
     }
 
@@ -54,9 +61,9 @@ impl<const D: usize> Predicate<D> for Orientation {
         simplex: &Simplex<S, D>,
         _: &[S; D],
         _: &Metric<S, D>,
-        mut visit: impl FnMut(&S),
+        mut visit: impl FnMut(usize, &S),
     ) {
-        visit(&simplex.determinant);
+        visit(0, &simplex.determinant);
     }
 }
 
@@ -66,7 +73,8 @@ impl<const D: usize> Predicate<D> for Orientation {
 pub struct Angles;
 
 impl<const D: usize> Predicate<D> for Angles {
-    fn degree(&self) -> i32 {
+    #[inline(always)]
+    fn degree(&self, _: usize) -> i32 {
         2 * (D as i32 - 1)
     }
 
@@ -76,10 +84,38 @@ impl<const D: usize> Predicate<D> for Angles {
         simplex: &Simplex<S, D>,
         _: &[S; D],
         metric: &Metric<S, D>,
-        mut visit: impl FnMut(&S),
+        mut visit: impl FnMut(usize, &S),
     ) {
         let products = simplex.normal_products(&metric.cogram);
-        products.for_pairs(|_, _, product| visit(product));
+        products.for_pairs(|_, _, product| visit(0, product));
+    }
+}
+
+/// The value of [`Orientation`], and as a second part those of [`Angles`], of one simplex.
+#[derive(Clone, Copy, Debug)]
+pub struct Shape;
+
+impl<const D: usize> Predicate<D> for Shape {
+    const PARTS: usize = 2;
+
+    #[inline(always)]
+    fn degree(&self, part: usize) -> i32 {
+        match part {
+            0 => Predicate::<D>::degree(&Orientation, 0),
+            _ => Predicate::<D>::degree(&Angles, 0),
+        }
+    }
+
+    #[inline(always)]
+    fn values<S: Scalar>(
+        &self,
+        simplex: &Simplex<S, D>,
+        point: &[S; D],
+        metric: &Metric<S, D>,
+        mut visit: impl FnMut(usize, &S),
+    ) {
+        Orientation.values(simplex, point, metric, |_, value| visit(0, value));
+        Angles.values(simplex, point, metric, |_, value| visit(1, value));
     }
 }
 
@@ -103,7 +139,8 @@ impl<const D: usize> Predicate<D> for AnglesAgainst {
         vec![n * size, &d * &d]
     }
 
-    fn degree(&self) -> i32 {
+    #[inline(always)]
+    fn degree(&self, _: usize) -> i32 {
         4 * (D as i32 - 1)
     }
 
@@ -113,15 +150,15 @@ impl<const D: usize> Predicate<D> for AnglesAgainst {
         simplex: &Simplex<S, D>,
         _: &[S; D],
         metric: &Metric<S, D>,
-        mut visit: impl FnMut(&S),
+        mut visit: impl FnMut(usize, &S),
     ) {
         let products = simplex.normal_products(&metric.cogram);
         let [n, d] = [&metric.constants[0], &metric.constants[1]];
         let zero = simplex.determinant.integer(0);
         products.for_pairs(|i, j, p| {
-            let left = p.times(&p.magnitude()).times(d);
-            let right = products.get(i, i).times(products.get(j, j)).times(n);
-            visit(&zero.minus(&left).minus(&right));
+            let left = p.times(d).times(&p.magnitude());
+            let right = products.get(i, i).times(n).times(products.get(j, j));
+            visit(0, &zero.minus(&left).minus(&right));
         });
     }
 }
@@ -142,7 +179,8 @@ impl<const D: usize> Predicate<D> for RadiusAgainst {
             .into()
     }
 
-    fn degree(&self) -> i32 {
+    #[inline(always)]
+    fn degree(&self, _: usize) -> i32 {
         2 * D as i32 + 2
     }
 
@@ -151,14 +189,14 @@ impl<const D: usize> Predicate<D> for RadiusAgainst {
         simplex: &Simplex<S, D>,
         _: &[S; D],
         metric: &Metric<S, D>,
-        mut visit: impl FnMut(&S),
+        mut visit: impl FnMut(usize, &S),
     ) {
         let products = simplex.normal_products(&metric.cogram);
         let (numerator, denominator) = simplex.squared_circumradius(&metric.gram, &products);
         let left = numerator.times(&metric.constants[1]);
         let right = denominator.times(&metric.constants[0]);
         simplex.for_squared_edges(&metric.gram, |edge| {
-            visit(&right.times(edge).minus(&left));
+            visit(0, &right.times(edge).minus(&left));
         });
     }
 }
@@ -169,7 +207,8 @@ impl<const D: usize> Predicate<D> for RadiusAgainst {
 pub struct InSphere;
 
 impl<const D: usize> Predicate<D> for InSphere {
-    fn degree(&self) -> i32 {
+    #[inline(always)]
+    fn degree(&self, _: usize) -> i32 {
         D as i32 + 2
     }
 
@@ -179,8 +218,8 @@ impl<const D: usize> Predicate<D> for InSphere {
         simplex: &Simplex<S, D>,
         point: &[S; D],
         metric: &Metric<S, D>,
-        mut visit: impl FnMut(&S),
+        mut visit: impl FnMut(usize, &S),
     ) {
-        visit(&simplex.power(&metric.gram, point));
+        visit(0, &simplex.power(&metric.gram, point));
     }
 }

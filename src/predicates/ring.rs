@@ -6,9 +6,10 @@
 //! field, both where coefficients have less than 2^62 or so; else the field itself.
 //! Doubles keep their own exponents and are cleared simplex by simplex.
 
+use super::binary::{common_exponent, dyadic};
 use crate::geometry::{Quadratic, Scalar};
 use crate::number::{Field, Number};
-use crate::tiling::coordinates::{Form, decompose};
+use crate::tiling::coordinates::Form;
 use crate::tiling::{Corner, Tiling};
 use malachite::base::num::arithmetic::traits::{CheckedSqrt, Lcm};
 use malachite::base::num::basic::traits::{One, Zero};
@@ -24,8 +25,11 @@ pub enum Ring<'a, const D: usize> {
         vertices: Vec<[i128; D]>,
         unit: i128,
     },
-    /// Z, times a power of two for each simplex.
-    Doubles(&'a [[f64; D]]),
+    /// Z, times a power of two for all simplices or one for each.
+    Doubles {
+        points: &'a [[f64; D]],
+        exponent: Option<i32>,
+    },
     /// Z[√d]: x + y √d for each coordinate [x, y], less than 2^62.
     Quadratic {
         vertices: Vec<[[i64; 2]; D]>,
@@ -114,7 +118,13 @@ impl<'a, const D: usize> Ring<'a, D> {
                         unit: *denominator,
                     };
                 }
-                Form::Doubles(points) => return Ring::Doubles(points),
+                Form::Doubles(points) => {
+                    let has_shift = tiling.corners.iter().any(|corner| corner.shift != [0; D]);
+                    return Ring::Doubles {
+                        points,
+                        exponent: common_exponent(points.iter().flatten(), has_shift),
+                    };
+                }
                 Form::Numbers(_) => {}
             }
         }
@@ -131,6 +141,7 @@ impl<'a, const D: usize> Ring<'a, D> {
 
     /// The vectors of a simplex over Z; `None` in the other rings, and for doubles
     /// too far apart in size.
+    #[inline]
     pub fn integers(&self, corners: &[Corner<D>], apex: &Corner<D>) -> Option<Vectors<i128, D>> {
         match self {
             Ring::Integers { vertices, unit } => {
@@ -143,7 +154,7 @@ impl<'a, const D: usize> Ring<'a, D> {
                 |vertex, k| vertices[vertex][k],
                 *unit,
             )),
-            Ring::Doubles(points) => dyadic(points, corners, apex),
+            Ring::Doubles { points, exponent } => dyadic(points, *exponent, corners, apex),
             _ => None,
         }
     }
@@ -197,14 +208,15 @@ impl<'a, const D: usize> Ring<'a, D> {
                 Number::from(Rational::from(*unit))
             }
             Ring::Long { unit, .. } => Number::from(Rational::from(*unit)),
-            Ring::Doubles(_) => Number::from(Rational::ONE),
+            Ring::Doubles { .. } => Number::from(Rational::ONE),
             Ring::Numbers { unit, .. } => unit.clone(),
         }
     }
 }
 
 /// The vectors from the first corner, given the coordinates of the vertices.
-fn vectors<B: Scalar, const D: usize>(
+#[inline(always)]
+pub(super) fn vectors<B: Scalar, const D: usize>(
     corners: &[Corner<D>],
     apex: &Corner<D>,
     at: impl Fn(usize, usize) -> B,
@@ -225,37 +237,6 @@ fn vectors<B: Scalar, const D: usize>(
         point: vector(apex),
         exponent: 0,
     }
-}
-
-/// The vectors of a simplex with doubles as coordinates, as integers in the unit
-/// 2^e for the least exponent e that occurs; `None` beyond 95 bits.
-fn dyadic<const D: usize>(
-    points: &[[f64; D]],
-    corners: &[Corner<D>],
-    apex: &Corner<D>,
-) -> Option<Vectors<i128, D>> {
-    let all = || corners.iter().chain([apex]);
-    let has_shift = all().any(|corner| corner.shift != [0; D]);
-    let exponents = || {
-        let doubles = all().flat_map(|corner| points[corner.vertex as usize]);
-        doubles.filter(|x| *x != 0.0).map(|x| decompose(x).1)
-    };
-    let step = has_shift.then_some(0);
-    let least = exponents().chain(step).min().unwrap_or(0);
-    let greatest = exponents().chain(step).max().unwrap_or(0);
-    // A mantissa has up to 53 bits, and a step is multiplied by a shift of 25 bits.
-    if greatest - least > 95 - 53 {
-        return None;
-    }
-    let at = |vertex: usize, k: usize| match decompose(points[vertex][k]) {
-        (0, _) => 0,
-        (mantissa, exponent) => i128::from(mantissa) << (exponent - least),
-    };
-    let unit = if has_shift { 1i128 << -least } else { 0 };
-    Some(Vectors {
-        exponent: least,
-        ..vectors(corners, apex, at, unit)
-    })
 }
 
 fn long<'a, const D: usize>(vertices: &[[Number; D]], unit: &Integer) -> Option<Ring<'a, D>> {

@@ -6,9 +6,9 @@ use crate::geometry::{Scalar, Sign, Simplex};
 /// Up to 32 signs, in the order of the values.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Signs {
-    count: u32,
-    negative: u32,
-    positive: u32,
+    count: u64,
+    negative: u64,
+    positive: u64,
 }
 
 impl Signs {
@@ -21,7 +21,7 @@ impl Signs {
     ) -> Self {
         let mut signs = Signs::default();
         let simplex = Simplex::from_edges(edges);
-        predicate.values(&simplex, point, metric, |value| {
+        predicate.values(&simplex, point, metric, |_, value| {
             let sign = value.sign();
             signs.push(sign == Sign::Less, sign == Sign::Greater);
         });
@@ -30,14 +30,30 @@ impl Signs {
 
     #[inline]
     pub(super) fn push(&mut self, is_negative: bool, is_positive: bool) {
-        self.negative |= u32::from(is_negative) << self.count;
-        self.positive |= u32::from(is_positive) << self.count;
+        self.negative |= u64::from(is_negative) << self.count;
+        self.positive |= u64::from(is_positive) << self.count;
         self.count += 1;
     }
 
     #[inline]
-    fn all(&self) -> u32 {
-        ((1u64 << self.count) - 1) as u32
+    fn all(&self) -> u64 {
+        (1 << self.count) - 1
+    }
+
+    /// The sign of the first value, and those of the others.
+    #[inline]
+    pub fn split_first(&self) -> (Signs, Signs) {
+        let first = Signs {
+            count: 1,
+            negative: self.negative & 1,
+            positive: self.positive & 1,
+        };
+        let others = Signs {
+            count: self.count - 1,
+            negative: self.negative >> 1,
+            positive: self.positive >> 1,
+        };
+        (first, others)
     }
 
     /// The sign of the value with this index.

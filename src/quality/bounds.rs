@@ -31,7 +31,8 @@ pub fn bounds<const D: usize>(model: &Model<D>) -> Bounds {
     let extremes = Extremes::of(model);
     let largest = ((degrees(extremes.least_cosine) - SLACK) * 100.0).floor() as i64 + 1;
     let smallest = ((degrees(extremes.greatest_cosine) + SLACK) * 100.0).ceil() as i64 - 1;
-    let ratio = ((extremes.ratio.sqrt() - SLACK) * 1000.0).floor() as i64 + 1;
+    // Beyond all integers where a circumradius is 10^16 times an edge.
+    let ratio = (((extremes.ratio.sqrt() - SLACK) * 1000.0).floor() as i64).saturating_add(1);
     let fraction = |n: i64, d: i64| Rational::from_signeds(n, d);
     let hundredths = |n: i64| (n > 0 && n <= 18_000).then(|| fraction(n, 100));
     Bounds {
@@ -42,7 +43,7 @@ pub fn bounds<const D: usize>(model: &Model<D>) -> Bounds {
             .filter_map(|k| hundredths(smallest - k))
             .collect(),
         above_ratios: (0..CHOICES)
-            .map(|k| fraction((ratio + k).max(1), 1000))
+            .map(|k| fraction(ratio.saturating_add(k).max(1), 1000))
             .collect(),
     }
 }

@@ -220,6 +220,9 @@ fn least_vertices<const D: usize>(corners: &[Corner<D>]) -> impl Iterator<Item =
 }
 
 /// Pairs the facets in the buckets of some vertices; gives what does not match.
+///
+/// A bucket is sorted by the next two vertices, in one word; normal forms are made and
+/// compared only where these are equal, as they are for mates.
 fn match_buckets<const D: usize>(
     tiling: &Tiling<D>,
     buckets: &Buckets,
@@ -227,27 +230,51 @@ fn match_buckets<const D: usize>(
     mates: &[AtomicU32],
 ) -> Vec<Mismatch> {
     let mut mismatches = Vec::new();
-    let mut entries: Vec<Entry<D>> = Vec::new();
+    let mut keys: Vec<(u64, u32)> = Vec::new();
+    let pair = |a: &Entry<D>, b: &Entry<D>| {
+        mates[a.number as usize].store(b.number, Ordering::Relaxed);
+        mates[b.number as usize].store(a.number, Ordering::Relaxed);
+    };
     for vertex in vertices {
-        entries.clear();
-        entries.extend(
-            buckets
-                .bucket(vertex)
-                .iter()
-                .map(|&n| Entry::new(tiling, n)),
-        );
-        entries.sort_unstable();
-        for group in entries.chunk_by(|a, b| a.form == b.form) {
-            match group {
-                [a, b] if a.side != b.side => {
-                    mates[a.number as usize].store(b.number, Ordering::Relaxed);
-                    mates[b.number as usize].store(a.number, Ordering::Relaxed);
+        let bucket = buckets.bucket(vertex).iter();
+        keys.clear();
+        keys.extend(bucket.map(|&n| (next_vertices(tiling, n), n)));
+        keys.sort_unstable();
+        for alike in keys.chunk_by(|a, b| a.0 == b.0) {
+            let entry = |&(_, number): &(u64, u32)| Entry::new(tiling, number);
+            if let [a, b] = alike
+                && let [a, b] = [entry(a), entry(b)]
+                && a.is_mate(&b)
+            {
+                pair(&a, &b);
+                continue;
+            }
+            let mut entries: Vec<Entry<D>> = alike.iter().map(entry).collect();
+            entries.sort_unstable();
+            for group in entries.chunk_by(|a, b| a.form == b.form) {
+                match group {
+                    [a, b] if a.is_mate(b) => pair(a, b),
+                    _ => mismatches.push(Mismatch::of(group)),
                 }
-                _ => mismatches.push(Mismatch::of(group)),
             }
         }
     }
     mismatches
+}
+
+/// The second and the third least vertex of a facet in one word, without a branch. It is the
+/// same for facets that are translates of each other.
+fn next_vertices<const D: usize>(tiling: &Tiling<D>, number: u32) -> u64 {
+    let Facet { simplex, opposite } = Facet::numbered::<D>(number);
+    let mut least = [u32::MAX; 3];
+    for (index, corner) in tiling.simplex(simplex as usize).iter().enumerate() {
+        let is_opposite = index == usize::from(opposite);
+        let mut vertex = if is_opposite { u32::MAX } else { corner.vertex };
+        for place in &mut least {
+            (*place, vertex) = ((*place).min(vertex), (*place).max(vertex));
+        }
+    }
+    u64::from(least[1]) << 32 | u64::from(least[2])
 }
 
 impl Mismatch {
@@ -269,6 +296,11 @@ struct Entry<const D: usize> {
 }
 
 impl<const D: usize> Entry<D> {
+    /// Whether the other facet is a translate of this one, seen from the other side.
+    fn is_mate(&self, other: &Self) -> bool {
+        self.form == other.form && self.side != other.side
+    }
+
     fn new(tiling: &Tiling<D>, number: u32) -> Self {
         let facet = Facet::numbered::<D>(number);
         let mut form = corners_of(tiling, facet);
@@ -293,9 +325,17 @@ fn corners_of<const D: usize>(tiling: &Tiling<D>, facet: Facet) -> [Corner<D>; D
 
 /// The shift of the first corner of a facet in the order of its normal form.
 fn origin<const D: usize>(tiling: &Tiling<D>, facet: Facet) -> [i32; D] {
-    let mut corners = corners_of(tiling, facet);
-    sort_parity(&mut corners);
-    corners[0].shift
+    let corners = corners_of(tiling, facet);
+    let mut first = corners[0];
+    for corner in &corners[1..] {
+        // Vertices are different where it pays to be fast.
+        let is_less = match corner.vertex == first.vertex {
+            true => corner.shift < first.shift,
+            false => corner.vertex < first.vertex,
+        };
+        first = if is_less { *corner } else { first };
+    }
+    first.shift
 }
 
 /// Insertion sort of a few corners; whether the permutation was odd.
