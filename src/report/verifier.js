@@ -1718,7 +1718,7 @@ function crelle(ring, [l01, l02, l12, l03, l13, l23]) {
 
 /**
  * The power of the corner w behind each facet with respect to the circumsphere, times det E: π(x) = |x - w|² - Σ λ_i(x) |x_i - w|² vanishes at
- * all x_i, and so π(w) det E = -Σ det E λ_i(w) |x_i - w|².
+ * all x_i, and so π(w) det E = -Σ det E λ_i(w) |x_i - w|². A facet and its mate have one value (docs/soundness.md, section 6).
  */
 function checkPowers(tiling, kind) {
   if (!claims(tiling, kind)) return;
@@ -1726,7 +1726,7 @@ function checkPowers(tiling, kind) {
   tiling.simplices.forEach((_, s) => {
     const simplex = simplexOf(tiling, s);
     tiling.mates[s].forEach(([t, j, ...shift], i) => {
-      if (j === undefined) return;
+      if (j === undefined || t < s || (t === s && j < i)) return; // The first facet of a pair of mates speaks for both.
       const behind = pointOf(tiling, tiling.simplices[t][j], shift);
       const weights = simplex.points.map((_, k) => barycentric(tiling, simplex, k, behind));
       const squares = simplex.points.map((point) => square(tiling, vectorBetween(behind, point)));
