@@ -11,13 +11,18 @@ use super::vtu_data::{Kind, Layout, doubles, integers, unpack};
 use quick_xml::Reader;
 use quick_xml::events::{BytesStart, Event};
 use std::collections::BTreeMap;
+use std::io::BufRead;
 
 /// Reads all pieces of a grid into one mesh. Points and cells are numbered from 0 on,
 /// through all pieces.
 pub fn read(bytes: &[u8]) -> Result<Mesh, MeshError> {
     let (xml, appended) = split(bytes)?;
-    let mut reading = Reading {
+    let mut lines = Lines {
         xml,
+        at: 0,
+        line: 1,
+    };
+    let mut reading = Reading {
         layout: None,
         appended,
         mesh: Mesh::default(),
@@ -28,18 +33,20 @@ pub fn read(bytes: &[u8]) -> Result<Mesh, MeshError> {
     loop {
         let event = reader.read_event().map_err(|error| {
             let at = reader.error_position();
-            MeshError::at(line_of(xml, at as usize), format!("no XML: {error}"))
+            MeshError::at(lines.of(at as usize), format!("no XML: {error}"))
         })?;
         let at = reader.buffer_position() as usize;
+        let place = lines.of(at);
         match event {
             Event::Start(tag) => {
                 if path.len() >= DEPTH {
                     return Err(MeshError::at(
-                        line_of(xml, at),
+                        place,
                         format!("elements more than {DEPTH} deep, expected those of a VTU file"),
                     ));
                 }
-                let is_array = reading.open(&tag, at, &path, &mut piece, false)?;
+                let content = xml.get(at..).unwrap_or_default();
+                let is_array = reading.open(&tag, (content, place), &path, &mut piece)?;
                 path.push(if is_array {
                     "DataArray".to_owned()
                 } else {
@@ -47,7 +54,7 @@ pub fn read(bytes: &[u8]) -> Result<Mesh, MeshError> {
                 });
             }
             Event::Empty(tag) => {
-                reading.open(&tag, at, &path, &mut piece, true)?;
+                reading.open(&tag, ("", place), &path, &mut piece)?;
                 if name(&tag) == "Piece" {
                     reading.close(piece.take())?;
                 }
@@ -87,8 +94,7 @@ struct Appended<'a> {
 
 /// The XML before the appended data, and these.
 fn split(bytes: &[u8]) -> Result<(&str, Option<Appended<'_>>), MeshError> {
-    let mark = b"<AppendedData";
-    let start = bytes.windows(mark.len()).position(|window| window == mark);
+    let start = appended_start(bytes);
     let head = &bytes[..start.unwrap_or(bytes.len())];
     let xml = std::str::from_utf8(head).map_err(|error| {
         let byte = error.valid_up_to() as u64;
@@ -128,10 +134,47 @@ fn split(bytes: &[u8]) -> Result<(&str, Option<Appended<'_>>), MeshError> {
     ))
 }
 
-/// The line of a byte.
-fn line_of(xml: &str, at: usize) -> Place {
-    let before = &xml.as_bytes()[..at.min(xml.len())];
-    Place::Line(1 + before.iter().filter(|&&byte| byte == b'\n').count() as u64)
+/// The first byte of the tag AppendedData.
+fn appended_start(bytes: &[u8]) -> Option<usize> {
+    let mut at = 0;
+    loop {
+        at += length_before(&bytes[at..], b'<');
+        if at == bytes.len() {
+            return None;
+        }
+        if bytes[at..].starts_with(b"<AppendedData") {
+            return Some(at);
+        }
+        at += 1;
+    }
+}
+
+/// How many bytes there are before the first of this value, or at all.
+fn length_before(mut bytes: &[u8], mark: u8) -> usize {
+    let before = bytes;
+    // Reading from memory does not fail; this is the search of the standard library.
+    let read = bytes.skip_until(mark).unwrap_or(0);
+    match before[..read].last() {
+        Some(last) if *last == mark => read - 1,
+        _ => read,
+    }
+}
+
+/// Lines of bytes, asked for in ascending order.
+struct Lines<'a> {
+    xml: &'a str,
+    at: usize,
+    line: u64,
+}
+
+impl Lines<'_> {
+    fn of(&mut self, at: usize) -> Place {
+        let at = at.clamp(self.at, self.xml.len());
+        let between = &self.xml.as_bytes()[self.at..at];
+        self.line += between.iter().filter(|&&byte| byte == b'\n').count() as u64;
+        self.at = at;
+        Place::Line(self.line)
+    }
 }
 
 fn name(tag: &BytesStart) -> String {
@@ -148,34 +191,33 @@ struct Piece {
 }
 
 struct Reading<'a> {
-    xml: &'a str,
     layout: Option<Layout>,
     appended: Option<Appended<'a>>,
     mesh: Mesh,
 }
 
 impl<'a> Reading<'a> {
-    /// Attends to a tag that ends at the byte `at`; tells whether it is an array.
+    /// Attends to a tag with what follows it, and the line where it ends; tells whether it
+    /// is an array.
     fn open(
         &mut self,
         tag: &BytesStart,
-        at: usize,
+        (content, place): (&str, Place),
         path: &[String],
         piece: &mut Option<Piece>,
-        is_empty: bool,
     ) -> Result<bool, MeshError> {
-        let attributes = attributes(tag, line_of(self.xml, at))?;
+        let attributes = attributes(tag, place)?;
         match name(tag).as_str() {
-            "VTKFile" => self.layout = Some(layout(&attributes, line_of(self.xml, at))?),
+            "VTKFile" => self.layout = Some(layout(&attributes, place)?),
             "Piece" => {
                 *piece = Some(Piece {
-                    points: number(&attributes, "NumberOfPoints", line_of(self.xml, at))?,
-                    cells: number(&attributes, "NumberOfCells", line_of(self.xml, at))?,
+                    points: number(&attributes, "NumberOfPoints", place)?,
+                    cells: number(&attributes, "NumberOfCells", place)?,
                     ..Piece::default()
                 });
             }
             "DataArray" => {
-                self.array(&attributes, at, path, piece, is_empty)?;
+                self.array(&attributes, (content, place), path, piece)?;
                 return Ok(true);
             }
             _ => {}
@@ -186,10 +228,9 @@ impl<'a> Reading<'a> {
     fn array(
         &mut self,
         attributes: &BTreeMap<String, String>,
-        at: usize,
+        (content, place): (&str, Place),
         path: &[String],
         piece: &mut Option<Piece>,
-        is_empty: bool,
     ) -> Result<(), MeshError> {
         let array_name = attributes.get("Name").map_or("", String::as_str);
         let parent = path.last().map_or("", String::as_str);
@@ -199,7 +240,6 @@ impl<'a> Reading<'a> {
                 .push(format!("array {array_name} of {parent}"));
             return Ok(());
         };
-        let place = line_of(self.xml, at);
         let kind = attributes.get("type").and_then(|kind| Kind::parse(kind));
         let kind = kind.ok_or_else(|| {
             MeshError::at(place, format!("the array {array_name} has no known type"))
@@ -212,7 +252,7 @@ impl<'a> Reading<'a> {
                     return Err(MeshError::at(place, problem));
                 }
                 let count = piece.points.saturating_mul(3);
-                let numbers = self.with_source(attributes, at, is_empty, |source| {
+                let numbers = self.with_source(attributes, content, place, |source| {
                     doubles(source, kind, count)
                 })?;
                 piece.coordinates = Some(numbers);
@@ -229,7 +269,7 @@ impl<'a> Reading<'a> {
             }
         };
         let count = (list != "connectivity").then_some(piece.cells);
-        let numbers = self.with_source(attributes, at, is_empty, |source| {
+        let numbers = self.with_source(attributes, content, place, |source| {
             integers(source, kind, count)
         });
         let numbers = numbers.map_err(|error| MeshError {
@@ -240,24 +280,19 @@ impl<'a> Reading<'a> {
         Ok(())
     }
 
-    /// Runs a reader over the bytes of an array whose tag ends at `at`.
+    /// Runs a reader over the bytes of an array; its tag ends at this place, and `content`
+    /// follows.
     fn with_source<T>(
         &self,
         attributes: &BTreeMap<String, String>,
-        at: usize,
-        is_empty: bool,
+        content: &str,
+        place: Place,
         read: impl FnOnce(&mut Source) -> Result<T, MeshError>,
     ) -> Result<T, MeshError> {
-        let place = line_of(self.xml, at);
         let layout = self
             .layout
             .ok_or_else(|| MeshError::at(place, "found a DataArray outside of a VTKFile"))?;
-        let rest = &self.xml.as_bytes()[at..];
-        let end = rest
-            .iter()
-            .position(|&byte| byte == b'<')
-            .unwrap_or(rest.len());
-        let inside = if is_empty { &[] } else { &rest[..end] };
+        let inside = &content.as_bytes()[..length_before(content.as_bytes(), b'<')];
         match attributes.get("format").map(String::as_str) {
             Some("ascii") | None => {
                 let mut source = Source::new(inside);
