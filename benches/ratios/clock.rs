@@ -1,0 +1,54 @@
+//! Times and memory. Other programs disturb elapsed time, so that the least of many rounds is
+//! taken, and for long work the time that this process had a processor.
+
+use std::hint::black_box;
+use std::time::{Duration, Instant};
+
+const ROUNDS: usize = 100;
+const LONGEST: Duration = Duration::from_millis(800);
+
+/// The least elapsed time of many rounds, of which some are not disturbed.
+pub fn fastest<T>(mut work: impl FnMut() -> T) -> Duration {
+    let begin = Instant::now();
+    let mut least = Duration::MAX;
+    for round in 0..ROUNDS {
+        if round > 0 && begin.elapsed() > LONGEST {
+            break;
+        }
+        let start = Instant::now();
+        black_box(work());
+        least = least.min(start.elapsed());
+    }
+    least
+}
+
+/// The time on processors of one run.
+pub fn once<T>(work: impl FnOnce() -> T) -> (Duration, T) {
+    let start = processor_time();
+    let value = black_box(work());
+    (processor_time().saturating_sub(start), value)
+}
+
+/// The least time on processors of several rounds, each much longer than the kernel's tick.
+pub fn on_processor<T>(rounds: usize, mut work: impl FnMut() -> T) -> Duration {
+    let times = (0..rounds).map(|_| once(&mut work).0);
+    times.min().unwrap_or_default()
+}
+
+/// The time that all threads of this process have spent on a processor.
+pub fn processor_time() -> Duration {
+    let tasks = std::fs::read_dir("/proc/self/task").expect("Linux");
+    let nanoseconds = tasks.filter_map(|task| {
+        let text = std::fs::read_to_string(task.ok()?.path().join("schedstat")).ok()?;
+        text.split_whitespace().next()?.parse::<u64>().ok()
+    });
+    Duration::from_nanos(nanoseconds.sum())
+}
+
+/// The most memory that this process has had, in MB, from the kernel.
+pub fn peak_megabytes() -> f64 {
+    let status = std::fs::read_to_string("/proc/self/status").unwrap_or_default();
+    let line = status.lines().find_map(|line| line.strip_prefix("VmHWM:"));
+    let kibibytes = line.and_then(|rest| rest.split_whitespace().next()?.parse::<f64>().ok());
+    kibibytes.unwrap_or(0.0) * 1024.0 / 1e6
+}
