@@ -23,16 +23,30 @@ template <class T, class F> void measure(const char *program, const std::string 
     std::vector<Corners<T>> all(exact.rows.size());
     for (size_t i = 0; i < all.size(); i++)
         for (int k = 0; k < 12; k++) all[i][k / 3][k % 3] = number(exact.rows[i][k]);
-    size_t naive_count, count;
-    const double naive = count_acute(rounded(exact), naive_count);
+    size_t count;
     const double each = count_acute(all, count);
-    print(program, name, all.size(), count, each / naive, "x naive");
+    print(program, name, all.size(), count, each, "ns each");
+}
+
+// A polynomial as e-antic reads it.
+static std::string written(const std::vector<long> &polynomial) {
+    std::string text;
+    for (size_t k = polynomial.size(); k-- > 0;) {
+        if (polynomial[k] == 0) continue;
+        text += polynomial[k] < 0 ? " - " : text.empty() ? "" : " + ";
+        text += std::to_string(std::labs(polynomial[k]));
+        if (k > 0) text += "*a^" + std::to_string(k);
+    }
+    return text;
 }
 
 int main(int, char **arguments) {
     const std::string folder = std::string(arguments[1]) + "/";
     for (std::string name : {"rational-128", "rational-256"}) {
         const Exact exact = read_exact(folder + name, 1 << 20);
+        size_t count;
+        const double naive = count_acute(rounded(exact), count);
+        print("doubles in C++, no proof", name, exact.rows.size(), count, naive, "ns each");
         measure<mpq_class>("GMP mpq", name, exact, [](const auto &texts) { return mpq_class(texts[0]); });
         measure<Fmpq>("FLINT fmpq", name, exact, [](const auto &texts) {
             Fmpq value;
@@ -42,13 +56,13 @@ int main(int, char **arguments) {
     }
     for (std::string name : {"degree-2", "degree-4", "degree-8"}) {
         const Exact exact = read_exact(folder + name, 1 << 20);
-        std::string polynomial;
-        for (size_t k = 0; k < exact.polynomial.size(); k++)
-            polynomial += (k ? " + (" : "(") + std::to_string(exact.polynomial[k]) + ")*a^" + std::to_string(k);
         std::ostringstream root;
         root.precision(12);
         root << exact.root << " +/- 1e-9";
-        const auto field = eantic::renf_class::make(polynomial, "a", root.str());
+        size_t count;
+        const double naive = count_acute(rounded(exact), count);
+        print("doubles in C++, no proof", name, exact.rows.size(), count, naive, "ns each");
+        const auto field = eantic::renf_class::make(written(exact.polynomial), "a", root.str());
         measure<eantic::renf_elem_class>("e-antic", name, exact, [&](const auto &texts) {
             std::vector<mpq_class> coefficients;
             for (const auto &text : texts) coefficients.emplace_back(text);

@@ -10,7 +10,7 @@ use std::process::Command;
 const CASES: [(&str, u16); 4] = [
     ("filter", 8),
     ("exact", 4),
-    ("verifier, Q", 2),
+    ("verifier, Q", 3),
     ("matching", 8),
 ];
 
