@@ -90,7 +90,7 @@ pub struct Found {
 pub fn start(work: &Work) -> Found {
     let output = work.command(&[]).output().expect("the child starts");
     let text = String::from_utf8_lossy(&output.stdout).into_owned();
-    let words: Vec<&str> = text.trim_end().splitn(5, '\t').collect();
+    let words: Vec<&str> = text.trim_end_matches('\n').splitn(5, '\t').collect();
     let [count, seconds, elapsed, megabytes, remark] = words[..] else {
         let error = String::from_utf8_lossy(&output.stderr).into_owned();
         panic!("{} {}: {text}{error}", work.kind, work.size);

@@ -32,11 +32,20 @@ pub fn measure(table: &Table) {
     }
 }
 
-/// The run of several that took the least time.
+/// The run that took the least time, of three where they are short.
 fn least(work: &child::Work) -> Found {
-    let runs = (0..3).map(|_| child::start(work));
-    let least = runs.min_by(|a, b| a.seconds.total_cmp(&b.seconds));
-    least.expect("three runs")
+    let mut least = child::start(work);
+    for _ in 0..2 {
+        if least.seconds < 0.5 {
+            let next = child::start(work);
+            least = if next.seconds < least.seconds {
+                next
+            } else {
+                least
+            };
+        }
+    }
+    least
 }
 
 fn report(

@@ -19,9 +19,9 @@ pub fn measure(table: &Table) {
         table,
         "A15, coordinates are doubles",
         &doubles(&a15, 1e-4, None),
-        1.8,
+        Target::Most(1.8),
     );
-    filtered_row(table, "A15, integers", &a15, 1.8);
+    filtered_row(table, "A15, integers", &a15, Target::Most(1.8));
     right_angles(table, "BCC", &supercell(&entry("bcc"), [8; 3]), easy);
     right_angles(
         table,
@@ -29,43 +29,29 @@ pub fn measure(table: &Table) {
         &supercell(&entry("cube-6"), [10; 3]),
         easy,
     );
-    exact_row(
-        table,
-        "rationals, 128 bits suffice",
-        &bent(&a15, "1/1048583"),
-        Target::Most(6.0),
-    );
-    let long = bent(&a15, "1/1125899906842679");
-    exact_row(
-        table,
-        "rationals, 256 bits suffice",
-        &long,
-        Target::Most(60.0),
-    );
-    filtered_row(table, "the same", &long, 3.0);
+    for (bits, step, limit) in [(128, "1/1048583", 6.0), (256, "1/1125899906842679", 60.0)] {
+        let name = format!("rationals, {bits} bits suffice");
+        let tiling = bent(&a15, step);
+        exact_row(table, &name, &tiling, Target::Most(limit));
+        filtered_row(table, &name, &tiling, Target::None);
+    }
     for (name, step) in FIELDS {
         let is_quadratic = name.starts_with('Q');
         let tiling = bent(if is_quadratic { &a15 } else { &small }, step);
         let (exact, filtered) = match is_quadratic {
-            true => (Target::Most(100.0), 3.0),
-            false => (Target::None, 5.0),
+            true => (Target::Most(100.0), Target::Most(3.0)),
+            false => (Target::None, Target::Most(5.0)),
         };
         exact_row(table, name, &tiling, exact);
         filtered_row(table, name, &tiling, filtered);
     }
 }
 
-fn filtered_row(table: &Table, name: &str, tiling: &Tiling<3>, target: f64) -> f64 {
+fn filtered_row(table: &Table, name: &str, tiling: &Tiling<3>, target: Target) -> f64 {
     let naive = naive::time(tiling);
     let measured = ratio(filtered(tiling), naive);
     let name = format!("{name}, filtered");
-    table.row(
-        &name,
-        measured,
-        "x naive",
-        Target::Most(target),
-        &note(tiling, naive),
-    );
+    table.row(&name, measured, "x naive", target, &note(tiling, naive));
     measured
 }
 
