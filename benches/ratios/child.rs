@@ -136,7 +136,7 @@ type Done = (usize, Duration, Duration, String);
 fn done(work: &Work) -> Done {
     let (n, times) = (work.size, work.times);
     match work.kind.as_str() {
-        "whole" => whole::check(n),
+        "whole" => whole::check(n, times),
         "filter" => filter(&doubles(&a15(n), 1e-4, None), times),
         "exact" => exact(&bent(&a15(n), "1/1048583"), times),
         "quadratic" => exact(&bent(&a15(n), FIELDS[0].1), times),

@@ -29,10 +29,20 @@ pub fn once<T>(work: impl FnOnce() -> T) -> (Duration, T) {
     (processor_time().saturating_sub(start), value)
 }
 
-/// The least time on processors of several rounds, each much longer than the kernel's tick.
+/// The least time on processors of several rounds. The kernel counts it by its ticks of some
+/// milliseconds, so that a round repeats short work for a fifth of a second.
 pub fn on_processor<T>(rounds: usize, mut work: impl FnMut() -> T) -> Duration {
-    let times = (0..rounds).map(|_| once(&mut work).0);
-    times.min().unwrap_or_default()
+    let start = Instant::now();
+    black_box(work());
+    let times = repetitions(start.elapsed());
+    let round = |_| once(|| (0..times).for_each(|_| drop(black_box(work())))).0 / times;
+    (0..rounds).map(round).min().unwrap_or_default()
+}
+
+/// How often to repeat work of this length.
+pub fn repetitions(length: Duration) -> u32 {
+    let times = 0.2 / length.as_secs_f64().max(1e-5);
+    times.ceil() as u32
 }
 
 /// The time that all threads of this process have spent on a processor.

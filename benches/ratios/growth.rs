@@ -2,7 +2,9 @@
 //! factor for twice the size, fitted.
 
 use crate::child::{self, Found};
+use crate::clock::repetitions;
 use crate::row::{Table, Target};
+use std::time::Duration;
 
 /// Twice the size may take 15 percent more than twice the time.
 const LINEAR: f64 = 2.0 * 1.15;
@@ -32,20 +34,19 @@ pub fn measure(table: &Table) {
     }
 }
 
-/// The run that took the least time, of three where they are short.
+/// The run that took the least time, of three where they are short; short work is repeated.
 fn least(work: &child::Work) -> Found {
-    let mut least = child::start(work);
-    for _ in 0..2 {
-        if least.seconds < 0.5 {
-            let next = child::start(work);
-            least = if next.seconds < least.seconds {
-                next
-            } else {
-                least
-            };
-        }
+    let first = child::start(work);
+    if first.seconds > 0.5 {
+        return first;
     }
-    least
+    let times = repetitions(Duration::from_secs_f64(first.elapsed));
+    let runs = (0..2).map(|_| child::start(&work.clone().times(times)));
+    let seconds = runs.map(|found| found.seconds / f64::from(times));
+    Found {
+        seconds: seconds.min_by(f64::total_cmp).unwrap_or(first.seconds),
+        ..first
+    }
 }
 
 fn report(

@@ -8,20 +8,16 @@ use super::numbering::Numbering;
 use super::source::{Encoding, Source, shown};
 use super::vtk::Cells;
 use super::vtu_data::{Kind, Layout, doubles, integers, unpack};
+use super::vtu_parts::{Appended, Lines, length_before, split};
 use quick_xml::Reader;
 use quick_xml::events::{BytesStart, Event};
 use std::collections::BTreeMap;
-use std::io::BufRead;
 
 /// Reads all pieces of a grid into one mesh. Points and cells are numbered from 0 on,
 /// through all pieces.
 pub fn read(bytes: &[u8]) -> Result<Mesh, MeshError> {
     let (xml, appended) = split(bytes)?;
-    let mut lines = Lines {
-        xml,
-        at: 0,
-        line: 1,
-    };
+    let mut lines = Lines::new(xml);
     let mut reading = Reading {
         layout: None,
         appended,
@@ -82,100 +78,6 @@ pub fn read(bytes: &[u8]) -> Result<Mesh, MeshError> {
 
 /// A VTU file has its elements at most five deep.
 const DEPTH: usize = 64;
-
-/// What comes after the tag `AppendedData`, and how it is encoded.
-#[derive(Clone, Copy)]
-struct Appended<'a> {
-    data: &'a [u8],
-    is_base64: bool,
-    /// The byte of the file where `data` begins.
-    start: usize,
-}
-
-/// The XML before the appended data, and these.
-fn split(bytes: &[u8]) -> Result<(&str, Option<Appended<'_>>), MeshError> {
-    let start = appended_start(bytes);
-    let head = &bytes[..start.unwrap_or(bytes.len())];
-    let xml = std::str::from_utf8(head).map_err(|error| {
-        let byte = error.valid_up_to() as u64;
-        MeshError::at(Place::Byte(byte), "not UTF-8 text, expected XML")
-    })?;
-    let Some(start) = start else {
-        return Ok((xml, None));
-    };
-    let wrong = |problem| MeshError::at(Place::Byte(start as u64), problem);
-    let rest = &bytes[start..];
-    let close = rest.iter().position(|&byte| byte == b'>');
-    let close = close.ok_or_else(|| wrong("the tag AppendedData does not end"))?;
-    let tag = String::from_utf8_lossy(&rest[..close]).replace('\'', "\"");
-    let is_base64 = match tag
-        .split("encoding=\"")
-        .nth(1)
-        .and_then(|t| t.split('"').next())
-    {
-        Some("base64") => true,
-        Some("raw") => false,
-        _ => {
-            return Err(wrong(
-                "AppendedData has no encoding, expected \"raw\" or \"base64\"",
-            ));
-        }
-    };
-    let underscore = rest[close..].iter().position(|&byte| byte == b'_');
-    let underscore = underscore.ok_or_else(|| wrong("the appended data have no underscore"))?;
-    let data = close + underscore + 1;
-    Ok((
-        xml,
-        Some(Appended {
-            data: &rest[data..],
-            is_base64,
-            start: start + data,
-        }),
-    ))
-}
-
-/// The first byte of the tag AppendedData.
-fn appended_start(bytes: &[u8]) -> Option<usize> {
-    let mut at = 0;
-    loop {
-        at += length_before(&bytes[at..], b'<');
-        if at == bytes.len() {
-            return None;
-        }
-        if bytes[at..].starts_with(b"<AppendedData") {
-            return Some(at);
-        }
-        at += 1;
-    }
-}
-
-/// How many bytes there are before the first of this value, or at all.
-fn length_before(mut bytes: &[u8], mark: u8) -> usize {
-    let before = bytes;
-    // Reading from memory does not fail; this is the search of the standard library.
-    let read = bytes.skip_until(mark).unwrap_or(0);
-    match before[..read].last() {
-        Some(last) if *last == mark => read - 1,
-        _ => read,
-    }
-}
-
-/// Lines of bytes, asked for in ascending order.
-struct Lines<'a> {
-    xml: &'a str,
-    at: usize,
-    line: u64,
-}
-
-impl Lines<'_> {
-    fn of(&mut self, at: usize) -> Place {
-        let at = at.clamp(self.at, self.xml.len());
-        let between = &self.xml.as_bytes()[self.at..at];
-        self.line += between.iter().filter(|&&byte| byte == b'\n').count() as u64;
-        self.at = at;
-        Place::Line(self.line)
-    }
-}
 
 fn name(tag: &BytesStart) -> String {
     tag.name().0.to_owned()
