@@ -35,35 +35,38 @@ static void kernel(const std::string &folder, const std::string &name) {
     print("CGAL dihedral predicate", name, all.size(), count, each, "ns each");
 }
 
-template <class T, class F> static void field(const char *program, const std::string &folder, size_t most, F number) {
-    const std::string name = "degree-2";
-    const Exact exact = read_exact(folder + name, most);
-    std::vector<Corners<T>> all(exact.rows.size());
+// Expressions of CORE remember what was computed, so that they are made anew in each run by
+// `corner(i, k)`, coordinate k of tetrahedron i.
+template <class T, class F> static void field(const char *program, const char *name, size_t items, F corner) {
+    std::vector<Corners<T>> all(items);
     size_t count = 0;
-    // Expressions of CORE remember what was computed, so that they are made anew in each run.
     double least = 1e300;
     for (int round = 0; round < 3; round++) {
-        for (size_t i = 0; i < all.size(); i++)
-            for (int k = 0; k < 12; k++) all[i][k / 3][k % 3] = number(exact.rows[i][k]);
-        const auto start = std::chrono::steady_clock::now();
+        for (size_t i = 0; i < items; i++)
+            for (int k = 0; k < 12; k++) all[i][k / 3][k % 3] = corner(i, k);
+        const double start = processor_seconds();
         count = 0;
         for (const auto &corners : all) count += is_acute(corners);
-        const std::chrono::duration<double> time = std::chrono::steady_clock::now() - start;
-        least = std::min(least, time.count());
+        least = std::min(least, processor_seconds() - start);
     }
-    print(program, name, all.size(), count, least * 1e9 / all.size(), "ns each");
+    print(program, name, items, count, least * 1e9 / items, "ns each");
 }
 
 int main(int, char **arguments) {
     const std::string folder = std::string(arguments[1]) + "/";
     for (const char *name : {"easy", "mixed", "right"}) kernel(folder, name);
+    const Exact exact = read_exact(folder + "degree-2", 1 << 20);
     const auto rational = [](const std::string &text) { return CGAL::Gmpq(text); };
-    field<Root>("CGAL Sqrt_extension", folder, 1 << 20, [&](const auto &t) {
+    field<Root>("CGAL Sqrt_extension", "degree-2", exact.rows.size(), [&](size_t i, int k) {
+        const auto &t = exact.rows[i][k];
         return t.size() < 2 ? Root(rational(t[0])) : Root(rational(t[0]), rational(t[1]), CGAL::Gmpq(5));
     });
     const CORE::Expr root = CORE::sqrt(CORE::Expr(5));
     const auto expression = [](const std::string &text) { return CORE::Expr(CORE::BigRat(text.c_str())); };
-    field<CORE::Expr>("CORE Expr", folder, 300, [&](const auto &t) {
+    field<CORE::Expr>("CORE Expr", "degree-2", 300, [&](size_t i, int k) {
+        const auto &t = exact.rows[i][k];
         return t.size() < 2 ? expression(t[0]) : expression(t[0]) + expression(t[1]) * root;
     });
+    const auto right = read_corners(folder + "right");
+    field<CORE::Expr>("CORE Expr", "right", 300, [&](size_t i, int k) { return CORE::Expr(right[i][k / 3][k % 3]); });
 }
