@@ -30,18 +30,24 @@ pub fn read_text(path: &Path) -> Result<String, ImportError> {
 /// It cannot be read, is no gzip file, or is longer than `limit`.
 pub fn read_bytes(path: &Path, limit: u64) -> Result<Vec<u8>, ImportError> {
     if path == Path::new("-") {
-        return limited(io::stdin().lock(), limit);
+        return limited(io::stdin().lock(), limit, 0);
     }
     let file = File::open(path).map_err(ImportError::Unreadable)?;
     match is_gzip(path) {
-        true => limited(MultiGzDecoder::new(io::BufReader::new(file)), limit),
-        false => limited(file, limit),
+        true => limited(MultiGzDecoder::new(io::BufReader::new(file)), limit, 0),
+        false => {
+            // The system knows how long a file is; of a pipe or a device it says 0.
+            let length = file.metadata().map_or(0, |metadata| metadata.len());
+            limited(file, limit, length)
+        }
     }
 }
 
-/// What is decompressed counts, so that a small file cannot fill the memory.
-fn limited(reader: impl Read, limit: u64) -> Result<Vec<u8>, ImportError> {
-    let mut bytes = Vec::new();
+/// What is decompressed counts, so that a small file cannot fill the memory. Room is made
+/// for `expected` bytes at once, if they are allowed.
+fn limited(reader: impl Read, limit: u64, expected: u64) -> Result<Vec<u8>, ImportError> {
+    // A byte more, so that the end is seen without growing.
+    let mut bytes = Vec::with_capacity(expected.min(limit) as usize + 1);
     reader
         .take(limit + 1)
         .read_to_end(&mut bytes)

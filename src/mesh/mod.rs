@@ -6,7 +6,7 @@
 //! | [`mod@format`] | [`Format`]: names, extensions, how a file is recognised |
 //! | [`mod@load`] | a file, or standard input, read into a mesh |
 //! | `msh`, `msh2`, `msh4`, `msh_write` | Gmsh MSH 2 and 4.1 |
-//! | `vtk`, `vtu`, `vtu_data`, `vtu_write` | VTK legacy and XML files |
+//! | `vtk`, `vtu`, `vtu_data`, `vtu_parts`, `vtu_write` | VTK legacy and XML files |
 //! | `medit`, `tetgen` | MEDIT `.mesh` and `.meshb`, TetGen `.node` and `.ele` |
 //! | [`source`], [`numbering`], `element`, [`error`] | what the readers share |
 //! | [`lattice`] | the lattice of a periodic mesh |
@@ -39,6 +39,7 @@ mod tetgen;
 mod vtk;
 mod vtu;
 mod vtu_data;
+mod vtu_parts;
 mod vtu_write;
 pub mod writer;
 

@@ -97,6 +97,12 @@ impl<'a> Source<'a> {
         self.at += length.unwrap_or(rest.len());
     }
 
+    /// Whether nothing but white space and comments is left; these are passed over.
+    pub fn is_at_text_end(&mut self) -> bool {
+        self.skip_space();
+        self.remaining() == 0
+    }
+
     /// The next word of text, if there is one.
     pub fn try_word(&mut self) -> Option<&'a [u8]> {
         self.skip_space();
@@ -222,12 +228,9 @@ impl<'a> Source<'a> {
     /// The double nearest to a decimal text.
     fn decimal_double(&mut self, what: &str) -> Read<f64> {
         let word = self.word(what)?;
-        let is_number = |word: &&str| !word.contains(['n', 'N', 'y', 'Y']);
-        let value = std::str::from_utf8(word)
-            .ok()
-            .filter(is_number)
-            .and_then(|word| word.parse::<f64>().ok());
-        match value {
+        let text = std::str::from_utf8(word).ok();
+        let value = text.filter(|_| begins_as_number(word));
+        match value.and_then(|text| text.parse::<f64>().ok()) {
             Some(value) if value.is_finite() => Ok(value),
             Some(_) => Err(self.unexpected(word, &format!("{what} in the range of doubles"))),
             None => Err(self.unexpected(word, &format!("{what}, a number"))),
@@ -235,8 +238,28 @@ impl<'a> Source<'a> {
     }
 
     fn decimal(&mut self, what: &str) -> Read<i64> {
+        if let Some(value) = self.short_natural() {
+            return Ok(value);
+        }
         let word = self.word(what)?;
         integer(word).ok_or_else(|| self.unexpected(word, &format!("{what}, an integer")))
+    }
+
+    /// A word of at most 18 digits, which is most numbers of a mesh file, in one pass;
+    /// before any other word the cursor stays.
+    fn short_natural(&mut self) -> Option<i64> {
+        self.skip_space();
+        let rest = &self.bytes[self.at..];
+        let (mut value, mut length) = (0, 0);
+        while length < 18
+            && let Some(digit @ b'0'..=b'9') = rest.get(length)
+        {
+            value = 10 * value + i64::from(digit - b'0');
+            length += 1;
+        }
+        let is_word = length > 0 && rest.get(length).is_none_or(u8::is_ascii_whitespace);
+        self.at += if is_word { length } else { 0 };
+        is_word.then_some(value)
     }
 
     /// How many items follow, each of which takes at least `least` bytes: no more than
@@ -261,6 +284,16 @@ impl<'a> Source<'a> {
             _ => width * numbers,
         }
     }
+}
+
+/// Whether a digit or a point comes first, after a sign or not: then Rust reads the word as
+/// we do, for `inf` and `nan` are all that it reads otherwise.
+fn begins_as_number(word: &[u8]) -> bool {
+    let unsigned = match word {
+        [b'-' | b'+', rest @ ..] => rest,
+        rest => rest,
+    };
+    matches!(unsigned, [b'0'..=b'9' | b'.', ..])
 }
 
 /// A decimal integer with an optional sign.
@@ -308,6 +341,34 @@ mod tests {
         ] {
             let error = source.double("x").expect_err("no number");
             assert_eq!(error.to_string(), expected);
+        }
+    }
+
+    #[test]
+    fn integers_of_any_length_are_read_alike() {
+        let mut source =
+            Source::new(b"007 999999999999999999 +12\r\n-0\t1234567890123456789 1.5 5");
+        for expected in [7, 999_999_999_999_999_999, 12, 0] {
+            assert_eq!(source.int("n"), Ok(expected));
+        }
+        for expected in [
+            "line 2: found \"1234567890123456789\", expected n, an integer",
+            "line 2: found \"1.5\", expected n, an integer",
+        ] {
+            let error = source.int("n").expect_err("no integer of 18 digits");
+            assert_eq!(error.to_string(), expected);
+        }
+        assert_eq!(source.int("n"), Ok(5));
+        assert!(source.int("n").is_err());
+    }
+
+    #[test]
+    fn words_of_infinity_are_no_numbers() {
+        for word in ["inf", "-INF", "+infinity", "NaN", "-nan", "", "+", "."] {
+            assert!(Source::new(word.as_bytes()).double("x").is_err(), "{word}");
+        }
+        for (word, value) in [(".5", 0.5), ("+1.", 1.0), ("-2e-1", -0.2), ("1E3", 1000.0)] {
+            assert_eq!(Source::new(word.as_bytes()).double("x"), Ok(value));
         }
     }
 

@@ -8,6 +8,7 @@ use super::numbering::Numbering;
 use super::source::{Encoding, Source, shown};
 use super::vtk::Cells;
 use super::vtu_data::{Kind, Layout, doubles, integers, unpack};
+use super::vtu_parts::{Appended, Lines, length_before, split};
 use quick_xml::Reader;
 use quick_xml::events::{BytesStart, Event};
 use std::collections::BTreeMap;
@@ -16,8 +17,8 @@ use std::collections::BTreeMap;
 /// through all pieces.
 pub fn read(bytes: &[u8]) -> Result<Mesh, MeshError> {
     let (xml, appended) = split(bytes)?;
+    let mut lines = Lines::new(xml);
     let mut reading = Reading {
-        xml,
         layout: None,
         appended,
         mesh: Mesh::default(),
@@ -28,18 +29,20 @@ pub fn read(bytes: &[u8]) -> Result<Mesh, MeshError> {
     loop {
         let event = reader.read_event().map_err(|error| {
             let at = reader.error_position();
-            MeshError::at(line_of(xml, at as usize), format!("no XML: {error}"))
+            MeshError::at(lines.of(at as usize), format!("no XML: {error}"))
         })?;
         let at = reader.buffer_position() as usize;
+        let place = lines.of(at);
         match event {
             Event::Start(tag) => {
                 if path.len() >= DEPTH {
                     return Err(MeshError::at(
-                        line_of(xml, at),
+                        place,
                         format!("elements more than {DEPTH} deep, expected those of a VTU file"),
                     ));
                 }
-                let is_array = reading.open(&tag, at, &path, &mut piece, false)?;
+                let content = xml.get(at..).unwrap_or_default();
+                let is_array = reading.open(&tag, (content, place), &path, &mut piece)?;
                 path.push(if is_array {
                     "DataArray".to_owned()
                 } else {
@@ -47,7 +50,7 @@ pub fn read(bytes: &[u8]) -> Result<Mesh, MeshError> {
                 });
             }
             Event::Empty(tag) => {
-                reading.open(&tag, at, &path, &mut piece, true)?;
+                reading.open(&tag, ("", place), &path, &mut piece)?;
                 if name(&tag) == "Piece" {
                     reading.close(piece.take())?;
                 }
@@ -76,64 +79,6 @@ pub fn read(bytes: &[u8]) -> Result<Mesh, MeshError> {
 /// A VTU file has its elements at most five deep.
 const DEPTH: usize = 64;
 
-/// What comes after the tag `AppendedData`, and how it is encoded.
-#[derive(Clone, Copy)]
-struct Appended<'a> {
-    data: &'a [u8],
-    is_base64: bool,
-    /// The byte of the file where `data` begins.
-    start: usize,
-}
-
-/// The XML before the appended data, and these.
-fn split(bytes: &[u8]) -> Result<(&str, Option<Appended<'_>>), MeshError> {
-    let mark = b"<AppendedData";
-    let start = bytes.windows(mark.len()).position(|window| window == mark);
-    let head = &bytes[..start.unwrap_or(bytes.len())];
-    let xml = std::str::from_utf8(head).map_err(|error| {
-        let byte = error.valid_up_to() as u64;
-        MeshError::at(Place::Byte(byte), "not UTF-8 text, expected XML")
-    })?;
-    let Some(start) = start else {
-        return Ok((xml, None));
-    };
-    let wrong = |problem| MeshError::at(Place::Byte(start as u64), problem);
-    let rest = &bytes[start..];
-    let close = rest.iter().position(|&byte| byte == b'>');
-    let close = close.ok_or_else(|| wrong("the tag AppendedData does not end"))?;
-    let tag = String::from_utf8_lossy(&rest[..close]).replace('\'', "\"");
-    let is_base64 = match tag
-        .split("encoding=\"")
-        .nth(1)
-        .and_then(|t| t.split('"').next())
-    {
-        Some("base64") => true,
-        Some("raw") => false,
-        _ => {
-            return Err(wrong(
-                "AppendedData has no encoding, expected \"raw\" or \"base64\"",
-            ));
-        }
-    };
-    let underscore = rest[close..].iter().position(|&byte| byte == b'_');
-    let underscore = underscore.ok_or_else(|| wrong("the appended data have no underscore"))?;
-    let data = close + underscore + 1;
-    Ok((
-        xml,
-        Some(Appended {
-            data: &rest[data..],
-            is_base64,
-            start: start + data,
-        }),
-    ))
-}
-
-/// The line of a byte.
-fn line_of(xml: &str, at: usize) -> Place {
-    let before = &xml.as_bytes()[..at.min(xml.len())];
-    Place::Line(1 + before.iter().filter(|&&byte| byte == b'\n').count() as u64)
-}
-
 fn name(tag: &BytesStart) -> String {
     tag.name().0.to_owned()
 }
@@ -148,34 +93,33 @@ struct Piece {
 }
 
 struct Reading<'a> {
-    xml: &'a str,
     layout: Option<Layout>,
     appended: Option<Appended<'a>>,
     mesh: Mesh,
 }
 
 impl<'a> Reading<'a> {
-    /// Attends to a tag that ends at the byte `at`; tells whether it is an array.
+    /// Attends to a tag with what follows it, and the line where it ends; tells whether it
+    /// is an array.
     fn open(
         &mut self,
         tag: &BytesStart,
-        at: usize,
+        (content, place): (&str, Place),
         path: &[String],
         piece: &mut Option<Piece>,
-        is_empty: bool,
     ) -> Result<bool, MeshError> {
-        let attributes = attributes(tag, line_of(self.xml, at))?;
+        let attributes = attributes(tag, place)?;
         match name(tag).as_str() {
-            "VTKFile" => self.layout = Some(layout(&attributes, line_of(self.xml, at))?),
+            "VTKFile" => self.layout = Some(layout(&attributes, place)?),
             "Piece" => {
                 *piece = Some(Piece {
-                    points: number(&attributes, "NumberOfPoints", line_of(self.xml, at))?,
-                    cells: number(&attributes, "NumberOfCells", line_of(self.xml, at))?,
+                    points: number(&attributes, "NumberOfPoints", place)?,
+                    cells: number(&attributes, "NumberOfCells", place)?,
                     ..Piece::default()
                 });
             }
             "DataArray" => {
-                self.array(&attributes, at, path, piece, is_empty)?;
+                self.array(&attributes, (content, place), path, piece)?;
                 return Ok(true);
             }
             _ => {}
@@ -186,10 +130,9 @@ impl<'a> Reading<'a> {
     fn array(
         &mut self,
         attributes: &BTreeMap<String, String>,
-        at: usize,
+        (content, place): (&str, Place),
         path: &[String],
         piece: &mut Option<Piece>,
-        is_empty: bool,
     ) -> Result<(), MeshError> {
         let array_name = attributes.get("Name").map_or("", String::as_str);
         let parent = path.last().map_or("", String::as_str);
@@ -199,7 +142,6 @@ impl<'a> Reading<'a> {
                 .push(format!("array {array_name} of {parent}"));
             return Ok(());
         };
-        let place = line_of(self.xml, at);
         let kind = attributes.get("type").and_then(|kind| Kind::parse(kind));
         let kind = kind.ok_or_else(|| {
             MeshError::at(place, format!("the array {array_name} has no known type"))
@@ -212,7 +154,7 @@ impl<'a> Reading<'a> {
                     return Err(MeshError::at(place, problem));
                 }
                 let count = piece.points.saturating_mul(3);
-                let numbers = self.with_source(attributes, at, is_empty, |source| {
+                let numbers = self.with_source(attributes, content, place, |source| {
                     doubles(source, kind, count)
                 })?;
                 piece.coordinates = Some(numbers);
@@ -229,7 +171,7 @@ impl<'a> Reading<'a> {
             }
         };
         let count = (list != "connectivity").then_some(piece.cells);
-        let numbers = self.with_source(attributes, at, is_empty, |source| {
+        let numbers = self.with_source(attributes, content, place, |source| {
             integers(source, kind, count)
         });
         let numbers = numbers.map_err(|error| MeshError {
@@ -240,24 +182,19 @@ impl<'a> Reading<'a> {
         Ok(())
     }
 
-    /// Runs a reader over the bytes of an array whose tag ends at `at`.
+    /// Runs a reader over the bytes of an array; its tag ends at this place, and `content`
+    /// follows.
     fn with_source<T>(
         &self,
         attributes: &BTreeMap<String, String>,
-        at: usize,
-        is_empty: bool,
+        content: &str,
+        place: Place,
         read: impl FnOnce(&mut Source) -> Result<T, MeshError>,
     ) -> Result<T, MeshError> {
-        let place = line_of(self.xml, at);
         let layout = self
             .layout
             .ok_or_else(|| MeshError::at(place, "found a DataArray outside of a VTKFile"))?;
-        let rest = &self.xml.as_bytes()[at..];
-        let end = rest
-            .iter()
-            .position(|&byte| byte == b'<')
-            .unwrap_or(rest.len());
-        let inside = if is_empty { &[] } else { &rest[..end] };
+        let inside = &content.as_bytes()[..length_before(content.as_bytes(), b'<')];
         match attributes.get("format").map(String::as_str) {
             Some("ascii") | None => {
                 let mut source = Source::new(inside);

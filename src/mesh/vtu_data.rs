@@ -118,7 +118,7 @@ pub fn integers(
 
 fn at_end(source: &mut Source) -> bool {
     match source.encoding {
-        Encoding::Text => source.clone().try_word().is_none(),
+        Encoding::Text => source.is_at_text_end(),
         _ => source.remaining() == 0,
     }
 }

@@ -1,0 +1,71 @@
+//! Times and memory. Other programs disturb elapsed time, so that the least of many rounds is
+//! taken, and for long work the time that this process had a processor.
+
+use std::hint::black_box;
+use std::time::{Duration, Instant};
+
+const ROUNDS: usize = 100;
+const LONGEST: Duration = Duration::from_millis(800);
+
+/// Rounds as short as this are often not disturbed.
+const SHORT: Duration = Duration::from_millis(5);
+
+/// The least elapsed time of many short rounds, or the least processor time of long ones.
+pub fn fastest<T>(mut work: impl FnMut() -> T) -> Duration {
+    let begin = Instant::now();
+    black_box(work());
+    if begin.elapsed() > SHORT {
+        return on_processor(2, work);
+    }
+    let mut least = Duration::MAX;
+    for round in 0..ROUNDS {
+        if round > 0 && begin.elapsed() > LONGEST {
+            break;
+        }
+        let start = Instant::now();
+        black_box(work());
+        least = least.min(start.elapsed());
+    }
+    least
+}
+
+/// The time on processors of one run.
+pub fn once<T>(work: impl FnOnce() -> T) -> (Duration, T) {
+    let start = processor_time();
+    let value = black_box(work());
+    (processor_time().saturating_sub(start), value)
+}
+
+/// The least time on processors of several rounds. The kernel counts it by its ticks of some
+/// milliseconds, so that a round repeats short work for a fifth of a second.
+pub fn on_processor<T>(rounds: usize, mut work: impl FnMut() -> T) -> Duration {
+    let start = Instant::now();
+    black_box(work());
+    let times = repetitions(start.elapsed());
+    let round = |_| once(|| (0..times).for_each(|_| drop(black_box(work())))).0 / times;
+    (0..rounds).map(round).min().unwrap_or_default()
+}
+
+/// How often to repeat work of this length.
+pub fn repetitions(length: Duration) -> u32 {
+    let times = 0.2 / length.as_secs_f64().max(1e-5);
+    times.ceil() as u32
+}
+
+/// The time that all threads of this process have spent on a processor.
+pub fn processor_time() -> Duration {
+    let tasks = std::fs::read_dir("/proc/self/task").expect("Linux");
+    let nanoseconds = tasks.filter_map(|task| {
+        let text = std::fs::read_to_string(task.ok()?.path().join("schedstat")).ok()?;
+        text.split_whitespace().next()?.parse::<u64>().ok()
+    });
+    Duration::from_nanos(nanoseconds.sum())
+}
+
+/// The most memory that this process has had, in MB, from the kernel.
+pub fn peak_megabytes() -> f64 {
+    let status = std::fs::read_to_string("/proc/self/status").unwrap_or_default();
+    let line = status.lines().find_map(|line| line.strip_prefix("VmHWM:"));
+    let kibibytes = line.and_then(|rest| rest.split_whitespace().next()?.parse::<f64>().ok());
+    kibibytes.unwrap_or(0.0) * 1024.0 / 1e6
+}

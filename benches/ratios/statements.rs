@@ -1,0 +1,41 @@
+//! Further statements: one bound of all angles, and that all spheres are locally empty.
+
+use crate::clock::fastest;
+use crate::data::{a15, doubles};
+use crate::naive;
+use crate::row::{Table, ratio};
+use acutile::checker::{Findings, Model, check_delaunay};
+use acutile::predicates::AnglesAgainst;
+use acutile::tiling::match_facets;
+
+/// The rows of the statements.
+pub fn measure(table: &Table) {
+    table.head("further statements");
+    let a15 = a15(6);
+    for (name, tiling) in [
+        ("A15, integers", a15.clone()),
+        ("A15, doubles", doubles(&a15, 1e-4, None)),
+    ] {
+        let naive = naive::time(&tiling);
+        let model = Model::new(&tiling);
+        let matching = match_facets(&tiling);
+        let bound = model.prepare(AnglesAgainst {
+            numerator: 1,
+            denominator: 1 << 31,
+        });
+        let below = fastest(|| bound.failing(|signs| signs.all_positive()));
+        let delaunay = fastest(|| check_delaunay(&model, &matching, true, &mut Findings::new(0)));
+        table.plain(
+            &format!("{name}, one bound of angles"),
+            ratio(below, naive),
+            "x naive",
+            "",
+        );
+        table.plain(
+            &format!("{name}, local Delaunay"),
+            ratio(delaunay, naive),
+            "x naive",
+            "",
+        );
+    }
+}
