@@ -4,7 +4,7 @@ use super::html::escape;
 use super::markdown::{Document, to_html};
 
 /// The documents that the site has.
-pub const DOCUMENTS: [Document; 12] = [
+pub const DOCUMENTS: [Document; 14] = [
     document(
         "README.md",
         "docs/readme.html",
@@ -28,6 +28,18 @@ pub const DOCUMENTS: [Document; 12] = [
         "docs/trust.html",
         "What is trusted",
         include_str!("../../docs/trust.md"),
+    ),
+    document(
+        "docs/performance.md",
+        "docs/performance.html",
+        "Performance",
+        include_str!("../../docs/performance.md"),
+    ),
+    document(
+        "docs/profile.md",
+        "docs/profile.html",
+        "What profiles said",
+        include_str!("../../docs/profile.md"),
     ),
     document(
         "docs/meshes.md",
