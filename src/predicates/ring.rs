@@ -11,7 +11,7 @@ use crate::geometry::{Quadratic, Scalar};
 use crate::number::{Field, Number};
 use crate::tiling::coordinates::Form;
 use crate::tiling::{Corner, Tiling};
-use malachite::base::num::arithmetic::traits::{CheckedSqrt, Lcm};
+use malachite::base::num::arithmetic::traits::{CheckedSqrt, DivExact, Gcd, Lcm};
 use malachite::base::num::basic::traits::{One, Zero};
 use malachite::{Integer, Natural, Rational};
 
@@ -297,11 +297,17 @@ fn collected<T: Copy + Default, const D: usize>(
     vertices.iter().map(row).collect()
 }
 
-/// A matrix times one positive integer, over Z; `None` if it is not rational.
+/// A matrix times the positive number that makes its entries integers without a common
+/// divisor; `None` if it is not rational.
 pub fn cleared_integers<const D: usize>(matrix: &[[Number; D]; D]) -> Option<[[Integer; D]; D]> {
     let unit = Rational::from(common_denominator(matrix.iter().flatten()));
     let clear = |x: &Number| Integer::try_from(x.to_rational()? * &unit).ok();
-    square(matrix, clear)
+    let integers = square(matrix, clear)?;
+    let divisor = integers.iter().flatten().fold(Natural::ZERO, |divisor, x| {
+        divisor.gcd(x.unsigned_abs_ref())
+    });
+    let divisor = Integer::from(divisor.max(Natural::ONE));
+    Some(integers.map(|row| row.map(|x| x.div_exact(&divisor))))
 }
 
 /// A matrix times one positive integer, over Z[√d].
