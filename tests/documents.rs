@@ -24,7 +24,7 @@ fn sources(folder: &str) -> String {
     text
 }
 
-/// The `check_…` names in the column of a table row, counted from the left.
+/// The `check_…` and `judge_…` names in the column of a table row, counted from the left.
 fn checks(row: &str, column: usize) -> Vec<String> {
     let cells: Vec<&str> = row.trim_matches('|').split('|').collect();
     let cell = cells
@@ -33,7 +33,7 @@ fn checks(row: &str, column: usize) -> Vec<String> {
         .map_or("", |index| cells[index]);
     let names = cell.split('`').skip(1).step_by(2);
     names
-        .filter(|name| name.starts_with("check_"))
+        .filter(|name| name.starts_with("check_") || name.starts_with("judge_"))
         .map(str::to_owned)
         .collect()
 }

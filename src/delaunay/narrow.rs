@@ -1,16 +1,17 @@
-//! Exact coordinates in machine integers, and the predicates over 128 or 256 bits.
+//! Exact coordinates in machine integers, and the predicates over 128 or 512 bits.
 //!
 //! Points of a lattice with a small denominator have many cospherical sets, where
 //! doubles never decide. There big integers spend their time in the allocator, and these
 //! do not. Called by `predicates`, between the doubles and the numbers without bound.
 //!
 //! The text of the predicate is evaluated over [`Bound`]s for edges whose entries are
-//! below 2^b: this bounds every value on the way. So for either width there is a
-//! largest b for which nothing overflows; an edge with more bits is not for this file.
+//! below 2^b: this bounds every value on the way, and every factor, which in [`I512`] has
+//! half of the bits. So for either width there is a largest b for which nothing is lost; an
+//! edge with more bits is not for this file.
 
 use super::model::Model;
 use super::predicates::{cleared, common_denominator};
-use crate::geometry::{Bound, I256, Scalar, Sign, Simplex};
+use crate::geometry::{Bound, I512, Scalar, Sign, Simplex};
 use crate::tiling::Corner;
 use malachite::Integer;
 
@@ -25,7 +26,7 @@ pub struct Narrow<const D: usize> {
     points: Vec<[i64; D]>,
     unit: i64,
     medium: Width<i128, D>,
-    wide: Width<I256, D>,
+    wide: Width<I512, D>,
 }
 
 /// The Gram matrix in a kind of integers.
@@ -60,11 +61,11 @@ impl<const D: usize> Narrow<D> {
                 .filter(|x| *x <= COORDINATE_LIMIT)?,
             medium: Width {
                 gram,
-                bits: safe_bits(&gram, 127)?,
+                bits: safe_bits(&gram, 127, 127)?,
             },
             wide: Width {
-                gram: gram.map(|row| row.map(I256::from)),
-                bits: safe_bits(&gram, 255)?,
+                gram: gram.map(|row| row.map(I512::from)),
+                bits: safe_bits(&gram, 511, 255)?,
             },
         })
     }
@@ -108,7 +109,7 @@ impl<const D: usize> Narrow<D> {
         let offset = self.edge(&facet[0], p)?;
         match bits(&edges).max(bits(&[offset])) {
             b if b <= self.medium.bits => Some(self.medium.side(edges, &offset)),
-            b if b <= self.wide.bits => Some(self.wide.side(lift(edges), &offset.map(I256::from))),
+            b if b <= self.wide.bits => Some(self.wide.side(lift(edges), &offset.map(I512::from))),
             _ => None,
         }
     }
@@ -120,8 +121,8 @@ impl<S: Scalar, const D: usize> Width<S, D> {
     }
 }
 
-fn lift<const D: usize>(edges: [[i128; D]; D]) -> [[I256; D]; D] {
-    edges.map(|edge| edge.map(I256::from))
+fn lift<const D: usize>(edges: [[i128; D]; D]) -> [[I512; D]; D] {
+    edges.map(|edge| edge.map(I512::from))
 }
 
 fn small<const D: usize>(point: [Integer; D]) -> Option<[i64; D]> {
@@ -144,13 +145,14 @@ fn bits<const D: usize>(vectors: &[[i128; D]]) -> u32 {
 }
 
 /// The largest b such that for entries of at most 2^b no value of the predicates
-/// reaches 2^width; `None` if there is none.
-fn safe_bits<const D: usize>(gram: &[[i128; D]; D], width: i32) -> Option<u32> {
+/// reaches 2^width and no factor 2^factors; `None` if there is none.
+fn safe_bits<const D: usize>(gram: &[[i128; D]; D], width: i32, factors: i32) -> Option<u32> {
     let gram = gram.map(|row| row.map(|x| Bound::given(x.unsigned_abs() as f64 * 1.001, 0.0)));
     let fits = |b: &i32| {
         let vector = [Bound::given(2f64.powi(*b), 0.0); D];
         let simplex = Simplex::from_edges([vector; D]);
-        simplex.power(&gram, &vector).top < 2f64.powi(width)
+        let power = simplex.power(&gram, &vector);
+        power.top < 2f64.powi(width) && power.factor < 2f64.powi(factors)
     };
     (0..=90).take_while(fits).last().map(|b| b as u32)
 }

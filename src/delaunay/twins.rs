@@ -61,7 +61,9 @@ fn machine_integers_agree_with_big_ones() {
     let mut random = Random(1);
     let (mut zeros, mut answers, mut refusals) = (0, 0, 0);
     for gram in [CUBIC, TRICLINIC] {
-        for bits in [2, 4, 9, 14, 16, 20, 21, 22, 23, 30, 44, 46, 47, 48, 60] {
+        for bits in [
+            2, 4, 9, 14, 16, 20, 21, 22, 23, 30, 44, 46, 47, 48, 56, 58, 60,
+        ] {
             let mut points: Vec<[i64; 3]> = (0..20)
                 .map(|_| std::array::from_fn(|_| random.below(1 << bits)))
                 .collect();
@@ -70,7 +72,7 @@ fn machine_integers_agree_with_big_ones() {
             let model = model(gram, 1 << bits, &points);
             let narrow = Narrow::new(&model).unwrap();
             let [quick, slow] = [Some(narrow.clone()), None].map(|n| exactly(&model, n));
-            for reach in [1, 2, 1 << 10, 1 << 24] {
+            for reach in [1, 2, 1 << 10, 1 << 24, 1 << 30] {
                 for _ in 0..30 {
                     let facet: [Corner<3>; 3] =
                         std::array::from_fn(|_| random.corner(&model, reach));
