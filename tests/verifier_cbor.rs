@@ -177,7 +177,7 @@ fn bytes_of_the_file() {
     assert_eq!(refusal.code(), "too-many-bytes");
 }
 
-/// What is held at once has a bound of its own, 32 MiB: a text, a row, a claim.
+/// What is held at once has a bound of its own, 2 MiB: a text, a row, a claim.
 #[test]
 fn what_is_held_is_bounded() {
     let good = good();
@@ -189,7 +189,7 @@ fn what_is_held_is_bounded() {
         let from = good.windows(at.len()).position(|part| part == at).unwrap() + at.len();
         [&good[..from], &new[..], &good[from + old..]].concat()
     };
-    let long = (32 << 20) + 1u32;
+    let long = (2 << 20) + 1u32;
     let text = [&[0x7a][..], &long.to_be_bytes(), &vec![b'1'; long as usize]].concat();
     let row = [&[0x9a][..], &long.to_be_bytes(), &vec![0x80; long as usize]].concat();
     let cases = [

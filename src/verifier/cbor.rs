@@ -9,8 +9,8 @@ use crate::certificate::{Number, cbor::major};
 use serde::ser::{Serialize, SerializeSeq, Serializer};
 use serde_json::{Map, Value};
 
-/// The longest text, claim or row, in bytes.
-pub(super) const HELD: u64 = 32 << 20;
+/// The longest text, claim or row, in bytes. What is held of it may take 300 times as much.
+pub(super) const HELD: u64 = 2 << 20;
 
 /// An item without what it holds: an integer, or the length of a text, an array or a map.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -255,7 +255,7 @@ impl Bytes<'_> {
         }
     }
 
-    /// The item as JSON. For small ones: it takes some dozens of times its bytes.
+    /// The item as JSON. For small ones: it takes up to 300 times its bytes.
     pub(super) fn value(&mut self, depth: u8) -> Result<Value, Refusal> {
         let Some(below) = depth.checked_sub(1) else {
             return self.wrong("nested too deeply");

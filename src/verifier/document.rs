@@ -171,9 +171,11 @@ pub(super) fn read_cbor<'s>(
         return bytes.wrong("no format, or no version");
     };
     check_known(&format, version)?;
-    let (Some(claim), Some(witness), None) = (parts.claim, parts.witness, &parts.unknown) else {
-        let what = parts.unknown.unwrap_or("claim, or no witness".to_owned());
-        return bytes.wrong(&format!("an unknown member, or a missing one: {what}"));
+    if let Some(key) = parts.unknown {
+        return bytes.wrong(&format!("an unknown member: {key}"));
+    }
+    let (Some(claim), Some(witness)) = (parts.claim, parts.witness) else {
+        return bytes.wrong("no claim, or no witness");
     };
     Ok(Document {
         claim: read_claim(source, &claim)?,

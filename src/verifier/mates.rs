@@ -166,7 +166,7 @@ fn entry_of(tiling: &Tiling, (simplex, facet): Facet) -> Result<Vec<i64>, Refusa
     let mut found = Vec::new();
     tiling.certificate.witness.mates.each(|s, row| {
         if s == simplex {
-            found = row.get(facet).to_vec();
+            found = row.iter().nth(facet).unwrap_or_default().to_vec();
         }
         Ok(())
     })?;

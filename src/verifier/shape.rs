@@ -3,6 +3,7 @@
 //! After these checks every index of the certificate points at something, so
 //! the later ones may follow it. D is the dimension, r the rank of the lattice.
 
+use super::cbor::Lists;
 use super::document::Document;
 use super::{Limits, Refusal};
 use crate::certificate::{Domain, Polytope, Statement};
@@ -234,21 +235,26 @@ fn check_vertices(certificate: &Document, _: &Limits) -> Result<(), Refusal> {
 /// Each simplex has D + 1 corners, each `[v, s_1, …, s_r]` with 0 <= v < the
 /// number of vertices and |s_k| < 2^31.
 fn check_corners(certificate: &Document, _: &Limits) -> Result<(), Refusal> {
-    let expected = certificate.claim.dimension + 1;
-    certificate.witness.simplices.each(|simplex, corners| {
-        let found = corners.len();
-        if found != expected {
-            return Err(Refusal::SimplexLength {
-                simplex,
-                found,
-                expected,
-            });
-        }
-        for (corner, place) in corners.iter().enumerate() {
-            check_place(certificate, simplex, corner, place)?;
-        }
-        Ok(())
-    })
+    let simplices = &certificate.witness.simplices;
+    simplices.each(|simplex, corners| check_row_of_corners(certificate, simplex, corners))
+}
+
+/// The corners of one simplex.
+pub(super) fn check_row_of_corners(
+    certificate: &Document,
+    simplex: usize,
+    corners: &Lists,
+) -> Result<(), Refusal> {
+    let (found, expected) = (corners.len(), certificate.claim.dimension + 1);
+    if found != expected {
+        return Err(Refusal::SimplexLength {
+            simplex,
+            found,
+            expected,
+        });
+    }
+    let mut places = corners.iter().enumerate();
+    places.try_for_each(|(corner, place)| check_place(certificate, simplex, corner, place))
 }
 
 fn check_place(
@@ -289,9 +295,12 @@ fn check_place(
 fn check_vertices_used(certificate: &Document, _: &Limits) -> Result<(), Refusal> {
     let mut used = vec![false; certificate.witness.vertices.len()];
     certificate.witness.simplices.each(|_, corners| {
-        corners
-            .iter()
-            .for_each(|place| used[place[0] as usize] = true);
+        for place in corners.iter() {
+            let vertex = place
+                .first()
+                .and_then(|vertex| used.get_mut(*vertex as usize));
+            vertex.into_iter().for_each(|used| *used = true);
+        }
         Ok(())
     })?;
     match used.iter().position(|used| !used) {
@@ -309,21 +318,26 @@ fn check_mates(certificate: &Document, _: &Limits) -> Result<(), Refusal> {
     if found != expected {
         return Err(Refusal::MatesLength { found, expected });
     }
-    let expected = certificate.claim.dimension + 1;
-    witness.mates.each(|simplex, row| {
-        let found = row.len();
-        if found != expected {
-            return Err(Refusal::MateRowLength {
-                simplex,
-                found,
-                expected,
-            });
-        }
-        for (facet, mate) in row.iter().enumerate() {
-            check_mate(certificate, simplex, facet, mate)?;
-        }
-        Ok(())
-    })
+    let mates = &witness.mates;
+    mates.each(|simplex, row| check_row_of_mates(certificate, simplex, row))
+}
+
+/// The mates of the facets of one simplex.
+pub(super) fn check_row_of_mates(
+    certificate: &Document,
+    simplex: usize,
+    mates: &Lists,
+) -> Result<(), Refusal> {
+    let (found, expected) = (mates.len(), certificate.claim.dimension + 1);
+    if found != expected {
+        return Err(Refusal::MateRowLength {
+            simplex,
+            found,
+            expected,
+        });
+    }
+    let mut mates = mates.iter().enumerate();
+    mates.try_for_each(|(facet, mate)| check_mate(certificate, simplex, facet, mate))
 }
 
 fn check_mate(

@@ -96,11 +96,9 @@ impl<'s, R: Row> Table<'s, R> {
         &self,
         mut visit: impl FnMut(usize, &R) -> Result<(), Refusal>,
     ) -> Result<(), Refusal> {
-        let mut rows = Rows::new(self)?;
-        while let Some(index) = rows.advance()? {
-            visit(index, &rows.row)?;
-        }
-        rows.finish()
+        let mut rows = Rows::new(self);
+        let found = rows.each(|index, row| visit(index, row));
+        rows.finish(found)
     }
 
     /// Calls `visit` for each row with the same row of another table, which has as many.
@@ -109,12 +107,18 @@ impl<'s, R: Row> Table<'s, R> {
         other: &Table<Q>,
         mut visit: impl FnMut(usize, &R, &Q) -> Result<(), Refusal>,
     ) -> Result<(), Refusal> {
-        let (mut rows, mut others) = (Rows::new(self)?, Rows::new(other)?);
-        while let (Some(index), Some(_)) = (rows.advance()?, others.advance()?) {
-            visit(index, &rows.row, &others.row)?;
-        }
-        rows.finish()?;
-        others.finish()
+        let (mut rows, mut others) = (Rows::new(self), Rows::new(other));
+        let found = rows.each(|index, row| match others.advance()? {
+            Some(_) => visit(index, row, &others.row),
+            None => Ok(()),
+        });
+        let found = rows.finish(found);
+        others.finish(found)
+    }
+
+    /// Whether somebody else can change the rows between one pass and the next.
+    pub(super) fn may_change(&self) -> bool {
+        !self.source.is_ours()
     }
 }
 
@@ -142,20 +146,21 @@ struct Rows<'t, R> {
 }
 
 impl<'t, R: Row> Rows<'t, R> {
-    fn new(table: &'t Table<R>) -> Result<Self, Refusal> {
-        let mut bytes = Bytes::again(&table.source);
-        bytes.array()?;
-        Ok(Rows {
-            bytes,
+    fn new(table: &'t Table<R>) -> Self {
+        Rows {
+            bytes: Bytes::again(&table.source),
             sum: &table.sum,
             count: table.rows,
             index: 0,
             row: R::default(),
-        })
+        }
     }
 
     /// Reads the next row, and tells its number.
     fn advance(&mut self) -> Result<Option<usize>, Refusal> {
+        if self.bytes.offset() == 0 {
+            self.bytes.array()?;
+        }
         if self.index == self.count {
             return Ok(None);
         }
@@ -164,20 +169,35 @@ impl<'t, R: Row> Rows<'t, R> {
         Ok(Some(self.index - 1))
     }
 
-    /// That these were the rows of the first pass.
-    fn finish(self) -> Result<(), Refusal> {
-        self.bytes.check_sum(self.sum)
+    fn each(
+        &mut self,
+        mut visit: impl FnMut(usize, &R) -> Result<(), Refusal>,
+    ) -> Result<(), Refusal> {
+        while let Some(index) = self.advance()? {
+            visit(index, &self.row)?;
+        }
+        Ok(())
+    }
+
+    /// What was found, if these were the rows of the first pass. So a refusal, too, is one of
+    /// the bytes whose digest is told.
+    fn finish(mut self, found: Result<(), Refusal>) -> Result<(), Refusal> {
+        if found.is_err() && self.sum.is_some() {
+            self.bytes.skip_rest()?;
+        }
+        self.bytes.check_sum(self.sum)?;
+        found
     }
 }
 
 impl<R: Row> Serialize for Table<'_, R> {
     fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
         let mut array = serializer.serialize_seq(Some(self.rows))?;
-        let mut rows = Rows::new(self).map_err(ser::Error::custom)?;
+        let mut rows = Rows::new(self);
         while rows.advance().map_err(ser::Error::custom)?.is_some() {
             array.serialize_element(&rows.row)?;
         }
-        rows.finish().map_err(ser::Error::custom)?;
+        rows.finish(Ok(())).map_err(ser::Error::custom)?;
         array.end()
     }
 }

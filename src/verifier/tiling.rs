@@ -12,6 +12,7 @@ use super::integer::Integer;
 use super::matrix::Matrix;
 use super::number::{self, Rational};
 use super::ring::{Element, Ring};
+use super::shape::{check_row_of_corners, check_row_of_mates};
 use super::{Limits, Refusal};
 use crate::certificate::{AlgebraicField, Field, Number, Statement};
 use num_bigint::BigInt;
@@ -151,7 +152,7 @@ impl<'c> Tiling<'c> {
         mut visit: impl FnMut(usize, Corners) -> Result<(), Refusal>,
     ) -> Result<(), Refusal> {
         let simplices = &self.certificate.witness.simplices;
-        simplices.each(|simplex, corners| visit(simplex, self.corners(corners)))
+        simplices.each(|simplex, corners| visit(simplex, self.corners(simplex, corners)?))
     }
 
     /// Calls `visit` for each simplex with its mates, in order.
@@ -163,13 +164,20 @@ impl<'c> Tiling<'c> {
         witness
             .simplices
             .each_beside(&witness.mates, |simplex, corners, mates| {
-                visit(simplex, self.corners(corners), mates)
+                if witness.mates.may_change() {
+                    check_row_of_mates(self.certificate, simplex, mates)?;
+                }
+                visit(simplex, self.corners(simplex, corners)?, mates)
             })
     }
 
-    fn corners<'r>(&self, row: &'r Lists) -> Corners<'r> {
+    /// Its shape has been checked; but a file can change, which the digest tells at the end only.
+    fn corners<'r>(&self, simplex: usize, row: &'r Lists) -> Result<Corners<'r>, Refusal> {
+        if self.certificate.witness.simplices.may_change() {
+            check_row_of_corners(self.certificate, simplex, row)?;
+        }
         let rank = self.certificate.claim.domain.rank(self.dimension());
-        Corners::new(row.entries(), rank)
+        Ok(Corners::new(row.entries(), rank))
     }
 
     /// N times the vector from one place, moved by the lattice vector `by`, to
