@@ -89,6 +89,26 @@ fn three_verifiers_confirm_what_is_in_it_and_refuse_what_was_changed() {
     );
 }
 
+#[test]
+fn the_other_verifiers_decline_cbor_and_say_what_to_do() {
+    let here = Path::new(env!("CARGO_MANIFEST_DIR"));
+    let cbor = "tests/certificates/cbor/valid--slab-bcc.cbor";
+    for (program, verifier) in [
+        ("python3", "src/bundle/verify.py"),
+        ("node", "src/report/verify-cli.mjs"),
+    ] {
+        let Some(output) = run(program, here, &[verifier, cbor]) else {
+            continue;
+        };
+        assert_eq!(code(&output), 3, "{program}");
+        let line = stdout(&output);
+        assert!(
+            line.contains(": declined [") && line.contains("acutile convert F.cbor F.json"),
+            "{line}"
+        );
+    }
+}
+
 /// The exit codes of the three verifiers; that of a program that is not there is what it must be.
 fn verdicts(directory: &Path, name: &str) -> [Option<i32>; 3] {
     let path = format!("certificates/{name}.json");

@@ -98,3 +98,119 @@ fn other_commands_take_them_or_say_why_not() {
     let with_options = acutile(["convert", cbor, "/dev/null", "--round"]);
     assert_eq!(code(&with_options), 2);
 }
+
+#[test]
+fn the_name_keeps_its_promise() {
+    let place = tempfile::tempdir().expect("a directory");
+    let at = |name: &str| place.path().join(name);
+    let proved = acutile(["certify", "z", "-o", text(&at("z.CBOR"))]);
+    assert_eq!(code(&proved), 0, "{}", stderr(&proved));
+    let cbor = fs::read(at("z.CBOR")).expect("written");
+    assert_eq!(cbor[0] >> 5, 5, "a map, by RFC 8949, section 3.1");
+    fs::remove_file(at("z.CBOR")).expect("removed");
+    let refused: [(&[&str], &str, &str); 6] = [
+        (&["certify", "z", "-o"], "q.cbor.gz", "not compressed"),
+        (&["certify", "z", "-o"], "q.JSON.GZ", "not compressed"),
+        (&["certify", "z", "a15", "-o"], "two.cbor", "a directory"),
+        (&["certify", "z", "a15", "-o"], "two.Json", "a directory"),
+        (
+            &["convert", "certificates/z.json"],
+            "q.cbor.gz",
+            "not compressed",
+        ),
+        (&["convert", "certificates/z.json"], "q.msh", "written as"),
+    ];
+    for (arguments, name, expected) in refused {
+        let target = at(name);
+        let arguments = arguments.iter().copied().chain([text(&target)]);
+        let output = acutile(arguments);
+        assert_eq!(code(&output), 2, "{name}");
+        let message = stderr(&output);
+        assert!(
+            message.contains(expected) && message.contains(name),
+            "{message}"
+        );
+        assert_eq!(
+            fs::read_dir(place.path()).expect("read").count(),
+            0,
+            "{name}"
+        );
+    }
+    // A directory that is there may have any name.
+    fs::create_dir(at("two.cbor")).expect("made");
+    let proved = acutile(["certify", "z", "bcc", "-o", text(&at("two.cbor"))]);
+    assert_eq!(code(&proved), 0, "{}", stderr(&proved));
+    assert_eq!(fs::read_dir(at("two.cbor")).expect("read").count(), 2);
+}
+
+#[test]
+fn convert_knows_a_certificate_where_it_meets_one() {
+    let place = tempfile::tempdir().expect("a directory");
+    let at = |name: &str| place.path().join(name);
+    let original = fs::read("certificates/z.json").expect("z");
+    let with_input = |name: &str, target: &Path| {
+        Command::new(env!("CARGO_BIN_EXE_acutile"))
+            .args(["convert", "-", text(target)])
+            .stdin(Stdio::from(fs::File::open(name).expect("a file")))
+            .output()
+            .expect("acutile runs")
+    };
+    let cbor = with_input("certificates/z.json", &at("s.cbor"));
+    assert_eq!(code(&cbor), 0, "{}", stderr(&cbor));
+    let json = with_input(text(&at("s.cbor")), &at("s.json"));
+    assert_eq!(code(&json), 0, "{}", stderr(&json));
+    assert_eq!(fs::read(at("s.json")).expect("written"), original);
+    let copy = acutile(["convert", "certificates/z.json", text(&at("copy.json"))]);
+    assert_eq!(code(&copy), 0, "{}", stderr(&copy));
+    assert_eq!(fs::read(at("copy.json")).expect("written"), original);
+
+    let tiling = common::file(place.path(), "kuhn.json", &common::kuhn().to_string());
+    for input in ["a15", text(&tiling)] {
+        let target = at("no.cbor");
+        let output = acutile(["convert", input, text(&target)]);
+        assert_eq!(code(&output), 2, "{input}");
+        let way = format!("`acutile certify {input} -o {}`", text(&target));
+        assert!(stderr(&output).contains(&way), "{}", stderr(&output));
+        assert!(!target.exists(), "{input}");
+    }
+}
+
+/// From a pipe with a name no byte may be taken to look at it.
+#[cfg(unix)]
+#[test]
+fn convert_reads_a_named_pipe_from_its_first_byte() {
+    let place = tempfile::tempdir().expect("a directory");
+    let [pipe, target] = ["pipe", "mesh.msh"].map(|name| place.path().join(name));
+    let made = Command::new("mkfifo").arg(&pipe).status();
+    assert!(made.expect("mkfifo runs").success());
+    let writer = std::thread::spawn({
+        let pipe = pipe.clone();
+        move || fs::write(pipe, common::kuhn().to_string())
+    });
+    let output = acutile(["convert", text(&pipe), text(&target)]);
+    assert_eq!(code(&output), 0, "{}", stderr(&output));
+    writer.join().expect("no panic").expect("written");
+}
+
+/// One number of 32 MiB, about, is within the limit in CBOR and not in JSON, whose notation is longer.
+#[test]
+fn a_page_names_the_size_of_the_json() {
+    const LIMIT: usize = 32 << 20;
+    let place = tempfile::tempdir().expect("a directory");
+    let [json, cbor] = ["long.json", "long.cbor"].map(|name| place.path().join(name));
+    let small = fs::read_to_string("certificates/a15.json").expect("a15");
+    let digits = "7".repeat(LIMIT + 100 - small.len());
+    let (claim, witness) = small.split_at(small.find("\"witness\"").expect("a witness"));
+    let long = format!(
+        "{claim}{}",
+        witness.replacen("\"1/4\"", &format!("\"{digits}\""), 1)
+    );
+    fs::write(&json, &long).expect("written");
+    let converted = acutile(["convert", text(&json), text(&cbor)]);
+    assert_eq!(code(&converted), 0, "{}", stderr(&converted));
+    assert!(fs::read(&cbor).expect("written").len() < LIMIT);
+    let page = acutile(["report", text(&cbor)]);
+    assert_eq!(code(&page), 3);
+    let expected = format!("{} bytes in JSON", long.len());
+    assert!(stderr(&page).contains(&expected), "{}", stderr(&page));
+}

@@ -7,7 +7,8 @@ Codes of refusals are those of docs/format.md. Numbers are integers, fractions, 
 in a root that is enclosed by fractions; no floating-point number is used.
 
 What it does not check: that the bytes are the canonical ones, the order of members and statements, that
-fractions are in lowest terms, and limits of size. It declines certificates of the domain "region".
+fractions are in lowest terms, and limits of size. It declines certificates of the domain "region",
+and those in CBOR, which `acutile convert F.cbor F.json` turns into JSON.
 
 Python 3.8 or newer, its standard library alone. Exit code: 0 if every file is verified; else 1 if one is
 rejected (something stated is false); else 2 if one is malformed or unreadable; else 3 (declined).
@@ -568,11 +569,18 @@ def unrepeated(pairs):
     return dict(pairs)
 
 
+def check_encoding(content):
+    """A certificate in CBOR is a map, and no text in UTF-8 begins as one."""
+    message = "the certificate is in CBOR; `acutile convert F.cbor F.json` gives the JSON that this program reads"
+    require(content[:1] < b"\xa0" or content[:1] > b"\xbf", "declined", "encoding", message)
+
+
 def verdict(path):
     """A line about a file, and the exit code."""
     try:
         with open(path, "rb") as file:
             content = file.read()
+        check_encoding(content)
         c = check(json.loads(content.decode("utf-8"), object_pairs_hook=unrepeated))
     except Refusal as refusal:
         return str(refusal), refusal.exit_code

@@ -256,13 +256,12 @@ pub enum Encoding {
 }
 
 impl Encoding {
-    /// That of a file with this name, if the name says it.
+    /// That of a file with this name, if the name says it; `.CBOR` says what `.cbor` does.
     pub fn of_path(path: &std::path::Path) -> Option<Encoding> {
-        match path.extension()?.to_str()? {
-            "json" => Some(Encoding::Json),
-            "cbor" => Some(Encoding::Cbor),
-            _ => None,
-        }
+        let extension = path.extension()?;
+        [Encoding::Json, Encoding::Cbor]
+            .into_iter()
+            .find(|encoding| extension.eq_ignore_ascii_case(encoding.extension()))
     }
 
     /// What names of files end in.

@@ -10,7 +10,7 @@ use super::verify::summary;
 use crate::catalog;
 use crate::certificate::Statement;
 use crate::checker::{self, Defect, Findings, Names, Options};
-use crate::import::uncompressed_name;
+use crate::import::{is_gzip, uncompressed_name};
 use crate::tiling::Tiling;
 use crate::verifier::{Limits, Refusal, Verified, to_json, verify, verify_file};
 use crate::with_dimension;
@@ -66,6 +66,7 @@ fn targets(inputs: &[String], arguments: &CertifyArguments) -> Result<Vec<Target
             false => Ok(vec![Target::StandardOutput]),
         };
     }
+    check_name(path, several)?;
     if several {
         std::fs::create_dir_all(path)
             .map_err(|error| format!("{}: cannot be made a directory: {error}", path.display()))?;
@@ -89,6 +90,25 @@ fn targets(inputs: &[String], arguments: &CertifyArguments) -> Result<Vec<Target
         check_not_an_input(&file, inputs).map(|()| Target::File(file))
     };
     inputs.iter().map(file).collect()
+}
+
+/// The name of a new file or directory promises nothing that is not kept.
+fn check_name(path: &Path, several: bool) -> Result<(), String> {
+    let name = path.display();
+    if path.is_dir() {
+        return Ok(());
+    }
+    if several && Encoding::of_path(&uncompressed_name(path)).is_some() {
+        return Err(format!(
+            "{name}: several certificates need a directory; expected no extension .json or .cbor"
+        ));
+    }
+    match is_gzip(path) {
+        true => Err(format!(
+            "{name}: certificates are not compressed; expected no extension .gz"
+        )),
+        false => Ok(()),
+    }
 }
 
 /// A certificate must not replace the tiling that it certifies.

@@ -9,6 +9,7 @@ use super::proved::overwritten;
 use super::{Outcome, encoding, mesh};
 use crate::catalog;
 use crate::export::tiling_text;
+use crate::import::is_gzip;
 use crate::mesh::lattice::Basis;
 use crate::mesh::load::{Loaded, tetgen_paths};
 use crate::mesh::writer::{Shortest, losses};
@@ -217,7 +218,7 @@ fn tell_flat(
 
 /// Every file, compressed where the name says so.
 fn write_all(path: &Path, files: Vec<File>, output: &mut Output) -> Result<(), InputError> {
-    let is_packed = path.extension().is_some_and(|extension| extension == "gz");
+    let is_packed = is_gzip(path);
     for file in files {
         let path = match (file.extension, tetgen_paths(path)) {
             (Some("node"), Some((nodes, _))) => nodes,

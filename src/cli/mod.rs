@@ -6,6 +6,7 @@
 //! | 1 | refuted or rejected |
 //! | 2 | usage, unreadable input, or output that could not be written |
 //! | 3 | declined: a limit, an undecided sign, an unknown version |
+//! | 130 | interrupted |
 
 mod appendix;
 mod args;
@@ -19,6 +20,7 @@ mod encoding;
 mod export;
 mod gallery;
 mod input;
+mod interrupt;
 mod list;
 mod mesh;
 mod meta;
@@ -92,6 +94,7 @@ fn exit_outcome(code: u8) -> Outcome {
 /// Runs the program with the process's arguments.
 pub fn main() -> ExitCode {
     let arguments = Arguments::parse();
+    interrupt::listen();
     let mut output = Output::standard();
     let outcome = match arguments.command {
         Command::List(list) => list::run(&list, &mut output),

@@ -4,6 +4,7 @@
 //! of standard output makes the command fail.
 
 use super::Outcome;
+use super::interrupt::Guarded;
 use std::fmt::Display;
 use std::io::{self, BufWriter, ErrorKind, Stdout, Write};
 use std::path::{Path, PathBuf};
@@ -74,19 +75,17 @@ impl Write for Output {
 /// Writes a whole file or nothing: to a temporary file beside it, then renamed. A link
 /// stays, and what it points to is written; devices and pipes are written directly.
 pub fn write_file(path: &Path, bytes: &[u8]) -> io::Result<()> {
-    let Some(mut staged) = Staged::new(path)? else {
+    let Some(staged) = Staged::new(path)? else {
         return std::fs::write(path, bytes);
     };
-    staged
-        .file
-        .write_all(bytes)
-        .map_err(without_temporary_name)?;
+    let mut file = staged.file();
+    file.write_all(bytes).map_err(without_temporary_name)?;
     staged.persist()
 }
 
 /// A file that is written whole or not at all, before it has its name.
 pub struct Staged {
-    file: tempfile::NamedTempFile,
+    file: Guarded,
     path: PathBuf,
 }
 
@@ -118,9 +117,9 @@ impl Staged {
     /// Gives the file its name.
     pub fn persist(self) -> io::Result<()> {
         self.file.as_file().sync_all()?;
-        let unnamed = |error: tempfile::PersistError| without_temporary_name(error.error);
-        self.file.persist(self.path).map_err(unnamed)?;
-        Ok(())
+        self.file
+            .persist(&self.path)
+            .map_err(without_temporary_name)
     }
 }
 
@@ -131,8 +130,8 @@ pub fn write_files(files: &[(PathBuf, &[u8])]) -> Result<(), (PathBuf, io::Error
     let mut staged = Vec::with_capacity(files.len());
     for (path, bytes) in files {
         let stage = || {
-            let mut file = new_file(path.parent().unwrap_or(Path::new(".")))?;
-            file.write_all(bytes)?;
+            let file = new_file(path.parent().unwrap_or(Path::new(".")))?;
+            file.as_file().write_all(bytes)?;
             Ok(file)
         };
         let file = stage().map_err(|error| (path.clone(), without_temporary_name(error)))?;
@@ -140,7 +139,7 @@ pub fn write_files(files: &[(PathBuf, &[u8])]) -> Result<(), (PathBuf, io::Error
     }
     for (path, file) in staged {
         let unwritten = |error| (path.clone(), without_temporary_name(error));
-        file.persist(path).map_err(|error| unwritten(error.error))?;
+        file.persist(path).map_err(unwritten)?;
     }
     Ok(())
 }
@@ -154,7 +153,7 @@ fn without_temporary_name(error: io::Error) -> io::Error {
 }
 
 /// A temporary file with the permissions of an ordinary new file.
-fn new_file(directory: &Path) -> io::Result<tempfile::NamedTempFile> {
+fn new_file(directory: &Path) -> io::Result<Guarded> {
     let mut builder = tempfile::Builder::new();
     builder.prefix(".acutile-");
     #[cfg(unix)]
@@ -162,5 +161,5 @@ fn new_file(directory: &Path) -> io::Result<tempfile::NamedTempFile> {
         use std::os::unix::fs::PermissionsExt;
         builder.permissions(std::fs::Permissions::from_mode(0o666));
     }
-    builder.tempfile_in(directory)
+    Guarded::new(|| builder.tempfile_in(directory))
 }

@@ -24,20 +24,13 @@ pub fn proved(
     options: &FileArguments,
     output: &mut Output,
 ) -> Result<Proved, InputError> {
-    let refused = |error: NotProved| InputError {
-        message: format!("{input}: {error}"),
-        outcome: outcome(&error),
-    };
+    let refused = |error| refused(input, &error);
     if let Some(bytes) = certificate_file(input)? {
-        // Pages and their verifier read JSON.
         let json = match is_cbor(&bytes) {
-            true => to_json(&bytes, &Limits::DEFAULT).map_err(NotProved::Refused),
-            false => Ok(bytes),
+            true => transcribed(input, &bytes)?,
+            false => bytes,
         };
-        return json
-            .and_then(|json| {
-                Proved::of_certificate(stem(input), String::new(), json, &Limits::DEFAULT)
-            })
+        return Proved::of_certificate(stem(input), String::new(), json, &Limits::DEFAULT)
             .map_err(refused);
     }
     let named = input::tiling(input, None, options, output)?;
@@ -48,6 +41,35 @@ pub fn proved(
     let progress = Progress::of(input);
     let step = |step: &str| progress.step(step);
     Proved::of_tiling(name, named.description, &named.tiling, &step).map_err(refused)
+}
+
+fn refused(input: &str, error: &NotProved) -> InputError {
+    InputError {
+        message: format!("{input}: {error}"),
+        outcome: outcome(error),
+    }
+}
+
+/// A certificate in CBOR as JSON, for pages and their verifier read that.
+fn transcribed(input: &str, bytes: &[u8]) -> Result<Vec<u8>, InputError> {
+    let limits = Limits::DEFAULT;
+    let json =
+        to_json(bytes, &limits).map_err(|refusal| refused(input, &NotProved::Refused(refusal)))?;
+    check_size(input, json.len() as u64, limits.bytes)?;
+    Ok(json)
+}
+
+/// The limit is that of a file, and its JSON is not the file that was named.
+fn check_size(input: &str, size: u64, limit: u64) -> Result<(), InputError> {
+    match size <= limit {
+        true => Ok(()),
+        false => Err(InputError {
+            message: format!(
+                "{input}: declined [too-many-bytes] the certificate has {size} bytes in JSON, which this command needs; the limit is {limit}"
+            ),
+            outcome: Outcome::Declined,
+        }),
+    }
 }
 
 /// What an appendix can say of it, with the place that the catalogue names; nothing for a region.

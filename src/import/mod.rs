@@ -16,4 +16,4 @@ mod text;
 pub use certificate::tiling_of_certificate;
 pub use error::ImportError;
 pub use native::{Content, NativeFile, read_native};
-pub use text::{BYTE_LIMIT, read_bytes, read_text, uncompressed_name, without_comments};
+pub use text::{BYTE_LIMIT, is_gzip, read_bytes, read_text, uncompressed_name, without_comments};

@@ -58,7 +58,8 @@ fn limited(reader: impl Read, limit: u64, expected: u64) -> Result<Vec<u8>, Impo
     }
 }
 
-fn is_gzip(path: &Path) -> bool {
+/// Whether the name ends in `.gz`.
+pub fn is_gzip(path: &Path) -> bool {
     path.extension()
         .is_some_and(|extension| extension.eq_ignore_ascii_case("gz"))
 }

@@ -60,10 +60,21 @@ function limitsFrom(values) {
   );
 }
 
+const IN_CBOR = {
+  verdict: "declined",
+  code: "encoding",
+  message: "the certificate is in CBOR; `acutile convert F.cbor F.json` gives the JSON that this program reads",
+};
+
+/** A certificate in CBOR is a map, and no text in UTF-8 begins as one. */
+function isCbor(bytes) {
+  return bytes.length > 0 && bytes[0] >> 5 === 5;
+}
+
 function lookAt(file, limits) {
   try {
     const bytes = read(file, (limits.bytes ?? DEFAULT_LIMITS.bytes) + 1);
-    return { answer: verify(bytes, limits), bytes };
+    return { answer: isCbor(bytes) ? IN_CBOR : verify(bytes, limits), bytes };
   } catch (error) {
     if (!error.syscall) throw error;
     return { answer: { verdict: "unreadable", code: "unreadable", message: error.message } };
