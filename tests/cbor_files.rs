@@ -192,19 +192,20 @@ fn convert_reads_a_named_pipe_from_its_first_byte() {
     writer.join().expect("no panic").expect("written");
 }
 
-/// One number of 32 MiB, about, is within the limit in CBOR and not in JSON, whose notation is longer.
+/// Twenty numbers of 1.6 MiB, about: together within the limit in CBOR and not in JSON, whose notation is longer.
 #[test]
 fn a_page_names_the_size_of_the_json() {
     const LIMIT: usize = 32 << 20;
     let place = tempfile::tempdir().expect("a directory");
     let [json, cbor] = ["long.json", "long.cbor"].map(|name| place.path().join(name));
-    let small = fs::read_to_string("certificates/a15.json").expect("a15");
-    let digits = "7".repeat(LIMIT + 100 - small.len());
-    let (claim, witness) = small.split_at(small.find("\"witness\"").expect("a witness"));
+    let small = fs::read_to_string("certificates/c36.json").expect("c36");
+    let digits = "7".repeat((LIMIT + 100 - small.len()) / 20 + 20);
+    let (claim, witness) = small.split_at(small.find("\"vertices\"").expect("a witness"));
     let long = format!(
         "{claim}{}",
-        witness.replacen("\"1/4\"", &format!("\"{digits}\""), 1)
+        witness.replacen("\n[\"", &format!("\n[\"{digits}"), 20)
     );
+    assert!(long.len() > LIMIT);
     fs::write(&json, &long).expect("written");
     let converted = acutile(["convert", text(&json), text(&cbor)]);
     assert_eq!(code(&converted), 0, "{}", stderr(&converted));

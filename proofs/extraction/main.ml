@@ -132,6 +132,22 @@ type 'a judge = {
   plane : 'a cert2 -> statement list -> bool;
   scalar : z list -> 'a }
 
+(* How many determinants the checks compute, about and at most, for t simplices, k = d - r, a polytope
+   with w vertices. For a tile a hundred: signs, angles, spheres. For each of its corners half of the
+   pieces, and the planes of the faces (in_piece, chk_inside). For two pieces of positive volume the
+   planes of all of them, four each (chk_apart). Faces: each with all vertices, sides with sides. *)
+let determinants k t w faces =
+  let sum f = List.fold_left (fun n face -> n + f face) 0 faces in
+  let n = List.length faces and sides = sum List.length in
+  let pieces = match k with
+    | 0 -> 6
+    | 1 -> 6 * n
+    | 2 -> 3 * n
+    | _ -> sum (fun face -> if List.mem 0 face then 0 else max 0 (List.length face - 2)) in
+  let cap x = min x 100_000 in
+  let t = cap t and w = cap w and n = cap n and sides = cap sides and p = cap pieces in
+  100 * t + 20 * t * (p + n) + 2 * p * p * p + n * w + sides * sides
+
 let judged (type a) (j : a judge) d r gram vertices polytope faces corners mates ss =
   let k = d - r in
   let den = denominator [vertices; polytope] and gden = denominator [gram] in
@@ -140,7 +156,7 @@ let judged (type a) (j : a judge) d r gram vertices polytope faces corners mates
   let numbers = List.concat (List.concat [vs; ws; g]) in
   let words = 1 + List.fold_left (fun m c -> max m (bits_of c)) 0 (List.concat numbers) / 64 in
   let degree = List.fold_left (fun m c -> max m (List.length c)) 1 numbers in
-  if List.length corners * degree * degree * words * words > 1_000_000 then raise (Declined "the work");
+  if determinants k (List.length corners) (List.length ws) faces > 100_000_000 / (degree * degree * words * words) then raise (Declined "the work");
   let e a b = j.scalar (List.nth (List.nth g a) b) in
   let faces = List.map (List.map n_of_int) faces in
   (* what the format demands of the domain *)
@@ -161,6 +177,20 @@ let judged (type a) (j : a judge) d r gram vertices polytope faces corners mates
     need (j.plane { e_den = den; e_verts = List.map pair vs; e_tris = triangles corners mates; e_gden = gden;
       e_gram = ((e 0 0, e 1 1), e 0 1); e_rank = rank; e_polytope = List.map (fun w -> pair (in_front (2 - k) w)) ws;
       e_faces = faces } ss) "the checks"
+
+(* Over a field a check may fail because a sign is open: a value that is zero although its coefficients
+   are not, over a reducible polynomial, or one too close to zero. Such a certificate is declined. The
+   same functions run again, with comparisons that note it; what they answer is of no account. *)
+let why_rejected fl e0 es by what =
+  let is_open = ref false in
+  let note x y = if not (lleb e0 es x y || lltb e0 es y x) then is_open := true in
+  let less x y = note x y; lltb e0 es x y and at_most x y = note x y; lleb e0 es x y in
+  (try by { format = as_the_format_says ladd lsub (lmul fl) lofZ less at_most;
+            cert = faces_cert ladd lsub (lmul fl) lofZ at_most;
+            space = Checker.check ladd lsub (lmul fl) lofZ less at_most;
+            plane = check2 ladd lsub (lmul fl) lofZ less at_most; scalar = (fun x -> x) }
+   with Rejected _ -> ());
+  if !is_open then raise (Declined "a sign that 256 halvings of the root leave open") else reject what
 
 let certificate v =
   match v with
@@ -197,8 +227,9 @@ let certificate v =
         | Some (fl, ((lo, hi, s) as interval)) ->
           let (e0, es) = enclosures fl interval in
           let i = { e_lo = lo; e_hi = hi; e_S = s } in
-          judged { format = format_field fl e0 es; cert = cert_field fl e0 es; space = check_field fl e0 es i; plane = check_field2 fl e0 es i; scalar = (fun x -> x) }
-            d r g vs ws faces corners mates ss)
+          let by j = judged j d r g vs ws faces corners mates ss in
+          let proving = { format = format_field fl e0 es; cert = cert_field fl e0 es; space = check_field fl e0 es i; plane = check_field2 fl e0 es i; scalar = (fun x -> x) } in
+          try by proving with Rejected what -> why_rejected fl e0 es by what)
      | _ -> reject "the members of the claim or of the witness")
   | Object (("format", String "acutile-certificate") :: ("version", Integer v) :: _) when v <> "1" -> raise (Declined "the version")
   | _ -> reject "not an acutile certificate"

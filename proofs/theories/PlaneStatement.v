@@ -23,7 +23,7 @@ Definition det2 (u v : point2) := x2 u * y2 v - y2 u * x2 v.
 
 Record triangle2 := Triangle2 { ta : point2; tb : point2; tc : point2 }.
 Definition corners (t : triangle2) := ta t :: tb t :: tc t :: nil.
-(** Twice the signed area. *)
+(** Twice the signed area, whatever the name. *)
 Definition area (t : triangle2) := det2 (sub2 (tb t) (ta t)) (sub2 (tc t) (ta t)).
 Definition combination2 (t : triangle2) (a b c : R) := add2 (add2 (scale2 a (ta t)) (scale2 b (tb t))) (scale2 c (tc t)).
 (** The closed triangle, the open triangle, the hull of the corners that t has in common with t'. *)

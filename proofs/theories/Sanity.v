@@ -1,7 +1,8 @@
 (** * Sanity: the definitions of Statement.v say what they should
 
     Nothing depends on this file.  It relates the definitions to plain topology and
-    to the usual notions, and shows that they are not empty. *)
+    to the usual notions, and gives examples of what fulfils them and of what does not.  That there are
+    tilings is what the theorems of exported certificates say (docs/trust.md). *)
 Require Import Reals Lra ZArith List.
 From Acutile Require Import Statement PlaneStatement Tetrahedra Topology Degree Angles Euclid.
 Open Scope R_scope.
@@ -75,6 +76,10 @@ Proof.
     + unf. field. lra.
 Qed.
 
+(** With a lattice of rank 0 it is the hull itself, in the coordinates of the basis. *)
+Theorem domain_solid l1 l2 l3 W X : domain l1 l2 l3 0 W X <-> exists x, convex_hull W x /\ X = at_coordinates l1 l2 l3 x.
+Proof. split; [intros [x [E [w [H ->]]]] | intros [x [H E]]; exists x; split]; eauto. Qed.
+
 (** Acute means a positive inner product; the angle is the usual one. *)
 Theorem acute_iff u w : 0 < dot u u -> 0 < dot w w -> (angle u w < PI / 2 <-> 0 < dot u w).
 Proof.
@@ -93,6 +98,14 @@ Proof.
   unfold dihedral, angle.
   replace (dot _ _) with 0 by (unfold perp, dot; unf; field).
   unfold Rdiv. rewrite Rmult_0_l, acos_0. lra.
+Qed.
+
+(** The regular tetrahedron is acute. *)
+Example regular_acute : all_dihedral (fun x => x < PI / 2)
+  (Tetrahedron (Point 1 1 1) (Point 1 (-1) (-1)) (Point (-1) 1 (-1)) (Point (-1) (-1) 1)).
+Proof.
+  unfold all_dihedral, dihedral; cbn [va vb vc vd].
+  repeat split; apply acute_iff; unfold perp, dot, sub, scale; cbn [px py pz]; field_simplify; lra.
 Qed.
 
 (** ** The plane *)

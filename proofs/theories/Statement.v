@@ -6,10 +6,30 @@
     theorems that end in these definitions are in [Numbers.v].
 
     How to read it.  [R] is the set of the real numbers and [Z] that of the
-    integers, both from Coq's standard library.  [Record p := C { a : R; b : R }]
-    is a pair of real numbers; its components are [a x] and [b x].
-    [Definition f x := e] is f(x) = e.  [Prop] is the type of propositions, so a
-    [point -> Prop] is a set of points.  [/\] is "and", [->] "implies". *)
+    integers, [nat] the numbers 0, 1, 2, …, all from Coq's standard library; [IZR]
+    takes an integer to the real number.  [%nat] and [%Z] say of what kind the
+    numbers beside them are.  [Record p := C { a : R; b : R }] is a pair of real
+    numbers, made by [C 1 2]; its components are [a x] and [b x].  [(x, y)] is a pair
+    too, with the components [fst] and [snd].  [Definition f x := e] is f(x) = e, and
+    a function is applied without parentheses: [f x y] is f(x, y).  [fun x => e] is the
+    function that takes x to e.  [Prop] is the type of propositions, so a
+    [point -> Prop] is a set of points: [S x] says that x is in S.  [/\] is "and",
+    [\/] "or", [~] "not", [->] "implies", [<->] "if and only if", [<>] "is not equal
+    to"; [forall] and [exists] are the quantifiers.  [a :: b :: nil] is the list of a
+    and b, [In v l] says that v is a member of l, [length l] is the number of members,
+    [NoDup l] says that they are distinct.  [match n with 0 => e | _ => f end] is e if
+    n is 0, and f else; [let '(x, y) := n in e] takes a pair apart.  [Inductive] is the
+    least set, or the least predicate, closed under the rules listed.
+
+    [Section] opens a paragraph and [Variables] says for all of it "let these be
+    given".  When it closes they become arguments of what was defined there and uses
+    them: after the section [acute] takes [l1 l2 l3 r N P], and [acute l1 l2 l3 r N P] is
+    the proposition.
+
+    The theorems begin with [exists l1 l2 l3, has_gram G l1 l2 l3], and go on "for all
+    l1, l2, l3 with this Gram matrix".  A certificate gives the Gram matrix and no
+    basis: any two bases with it differ by a congruence, so the claim is about all of
+    them; and that there is one keeps "for all" from being empty. *)
 
 Require Import Reals ZArith List.
 Open Scope R_scope.
@@ -41,7 +61,7 @@ Definition det (u v w : point) :=
 Record tetrahedron := Tetrahedron { va : point; vb : point; vc : point; vd : point }.
 Definition verts (t : tetrahedron) := va t :: vb t :: vc t :: vd t :: nil.
 
-(** Six times the signed volume. *)
+(** Six times the signed volume, whatever the name; its sign is the orientation. *)
 Definition vol (t : tetrahedron) := det (sub (vb t) (va t)) (sub (vc t) (va t)) (sub (vd t) (va t)).
 
 (** The combination a va + b vb + c vc + d vd of the vertices. *)
@@ -118,7 +138,9 @@ Inductive convex_hull (W : list point) : point -> Prop :=
 
 (** The domain: the points whose last 3 - r basis coordinates are those of a point of
     the convex hull of W.  With r = 3 this is all of space, whatever W; with r = 2 a
-    slab, with r = 1 a prism, with r = 0 a polyhedron. *)
+    slab, with r = 1 a prism, with r = 0 a polyhedron.  The first r coordinates of the
+    points of W play no part; the certificates leave them out, and the theorems have
+    zeros there, in front. *)
 Definition domain (l1 l2 l3 : point) (r : nat) (W : list point) (X : point) : Prop :=
   exists x, X = at_coordinates l1 l2 l3 x /\
   match r with
@@ -132,7 +154,7 @@ Definition domain (l1 l2 l3 : point) (r : nat) (W : list point) (X : point) : Pr
 
 Section Tilings.
 (** A basis, the rank of the lattice, the domain, and N tetrahedra P 0, …, P (N-1),
-    one for each lattice orbit of tiles. *)
+    one for each lattice orbit of tiles.  P k is irrelevant for k >= N. *)
 Variables (l1 l2 l3 : point) (r : nat) (Omega : point -> Prop) (N : nat) (P : nat -> tetrahedron).
 
 (** The tile (k, n): the k-th tetrahedron, moved by the lattice vector n. *)

@@ -4,7 +4,7 @@
 //! tables transcribed; one in CBOR is gone over once, to see that it is one, and its
 //! tables stay where they are.
 
-use super::cbor::{Lists, check_held};
+use super::cbor::{HELD, Lists, check_held};
 use super::source::{Bytes, Source, Sum};
 use super::table::Table;
 use super::{Limits, Refusal};
@@ -86,10 +86,16 @@ fn check_known(format: &str, version: u64) -> Result<(), Refusal> {
 /// and whatever a JSON parser forgives (spaces, escapes, other notations of a
 /// number or of a structure) is not forgiven here.
 fn check_canonical(bytes: &[u8], document: &Document) -> Result<(), Refusal> {
-    let mut again = Compared { bytes, equal: 0 };
+    let mut again = Compared {
+        bytes,
+        equal: 0,
+        differs: false,
+    };
     let is_whole = certificate::to_writer(&mut again, document).is_ok();
     match is_whole && again.equal == bytes.len() {
         true => Ok(()),
+        // Equal so far, and then a row that is not held.
+        false if !is_whole && !again.differs => check_held(HELD + 1),
         false => Err(Refusal::Canonical {
             offset: again.equal,
         }),
@@ -100,6 +106,7 @@ fn check_canonical(bytes: &[u8], document: &Document) -> Result<(), Refusal> {
 struct Compared<'b> {
     bytes: &'b [u8],
     equal: usize,
+    differs: bool,
 }
 
 impl Write for Compared<'_> {
@@ -107,6 +114,7 @@ impl Write for Compared<'_> {
         let pairs = written.iter().zip(&self.bytes[self.equal..]);
         let equal = pairs.take_while(|(a, b)| a == b).count();
         self.equal += equal;
+        self.differs |= equal < written.len();
         match equal == written.len() {
             true => Ok(equal),
             false => Err(io::ErrorKind::InvalidData.into()),
