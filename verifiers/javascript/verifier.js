@@ -1,40 +1,26 @@
-// The verifier for browsers: re-checks a certificate from its bytes, in exact arithmetic.
+// The verifier for browsers: checks a certificate of format 2 from its JSON, in exact arithmetic.
 //
-// A second opinion on src/verifier (Rust). Both follow docs/format.md and answer with the same verdict and code; neither is a
-// translation of the other. Here every predicate is made of the normals of a simplex's facets and of squared lengths (radius: the
-// formulas of Heron and Crelle; Delaunay: barycentric coordinates of the corner behind), facets are compared by their sorted
-// corners, reductions go through a table of the powers of a, and cosines through other series. The values whose signs are asked
-// are the same elements of Z[a], so the same signs are decided.
+// It is a second opinion on the kernel in Rust. Both follow docs/format.md and docs/soundness.md; neither is a translation of the other.
+// Here a facet is named by the text of its corners, valences are counted at the end, angles and Delaunay come from the normals of the
+// facets, radii from the formulas of Heron and Crelle, and boundary facets are compared by cutting edges with triangles.
 //
-// One module without imports, for a page, a worker or Node; nothing but the language, TextDecoder and TextEncoder is used. Only
-// BigInt decides; a Number is an index, a count, a byte, or an entry of a shift below 2^33. No text of a certificate becomes the key of an object,
-// and nothing recurses on what it reads. The report page embeds this file, so it never holds the end of a script element.
+// The module has no imports and uses only the language, TextDecoder and TextEncoder. Only BigInt decides about numbers. A Number is an
+// index, a count, an entry of a shift, or an integer of the certificate below 2^53. The report page embeds this file, so no end of a
+// script element occurs in it. It leaves out CBOR as input: it reads JSON, and writes CBOR only for the digest.
 
-/** Inclusive upper bounds; the same as those of `acutile-verify`. */
-const DEFAULT_LIMITS = Object.freeze({
-  bytes: 33554432,
-  simplices: 1000000,
-  digits: 1000,
-  degree: 32,
-  bisections: 512,
-  work: 30000000,
-});
-
-const SIGNS = 64n; // the work for all signs is this many times that for each product
-const U64_MAX = 2n ** 64n - 1n;
+/** Inclusive upper bounds. A certificate beyond one is declined, never accepted. `work` counts comparisons of two boxes of a region. */
+const DEFAULT_LIMITS = Object.freeze({ bytes: 268435456, simplices: 4000000, bits: 4096, degree: 8, work: 200000000 });
 
 /** The verdict of every code, in the order of docs/format.md. */
 const CODES = new Map(
-  `declined too-many-bytes; malformed json, format; declined version; malformed canonical, dimension, statements, tcp-domain,
-  delaunay-domain, gram-shape, gram-asymmetric, prism-dimension, region-dimension, domain-vertex-length, face-count, face-length, face-vertices, face-repeated,
-  unused-domain-vertex, no-simplices; declined too-many-simplices; malformed vertex-length, simplex-length, corner-length,
-  vertex-range, shift-range, unused-vertex, mates-length, mate-row-length, mate-length, mate-range, mate-shift-range, number;
-  declined too-many-digits; malformed polynomial; declined degree; malformed root-order; rejected root-signs;
-  malformed root-derivative, coefficients, angle-range, ratio-range; declined common-denominator, work, sign-undecided;
-  rejected gram-not-positive, face-not-facet, face-not-convex, faces-not-closed, vertex-outside, orientation, mate-not-mutual,
-  mate-corners, mate-side, boundary-facet, volume-sum, boundary-meets, covering, not-acute, not-nonobtuse, angle-not-below, angle-not-above;
-  declined angle-undecided; rejected ratio-not-below, not-delaunay, not-weakly-delaunay, edge-valence, triangle-valence;
-  declined machine`
+  `declined unreadable, too-many-bytes; malformed json, canonical, format; declined version, kind; malformed dimension, polynomial;
+  declined degree, too-many-digits; malformed root-order; rejected root-signs; malformed root-derivative; rejected gram-not-positive;
+  malformed prism-dimension, region-rank, denominator, face-count, face-length, face-vertices, face-repeated, unused-domain-vertex;
+  rejected face-not-facet, face-not-convex, faces-not-closed; malformed statements, bound-range, statement-domain;
+  rejected denominator-domain, vertex-outside; malformed boundary-domain, no-simplices; declined too-many-simplices;
+  malformed vertex-range, shift-range, corner-order, sixes, boundary-repeated; rejected boundary-meets, facet-side, triangle-valence,
+  edge-valence, orientation, covering, not-acute, not-nonobtuse, angle-bound, ratio-bound, not-delaunay, not-weakly-delaunay,
+  open-facet, boundary-open; malformed unused-vertex; rejected volume-sum, not-attained; declined sign-undecided, work`
     .split(";")
     .flatMap((part) => {
       const [verdict, ...codes] = part.trim().split(/,?\s+/);
@@ -53,52 +39,54 @@ function refuse(code, message) {
   throw new Refusal(code, message);
 }
 
-// ---- The entrance -------------------------------------------------------------------------------------------------------
+// ---- The entrance ----------------------------------------------------------------------------------------------------------------
 
 /**
- * Checks everything that a certificate claims. The first check that fails gives the answer. Throws for nothing that `text` may hold.
+ * Checks everything that a certificate claims. The first check that fails gives the answer. No content of `text` makes it throw.
  *
- * @param {string|Uint8Array} text the certificate; a string stands for its bytes in UTF-8
+ * @param {string|Uint8Array} text the certificate in JSON; a string stands for its bytes in UTF-8
  * @param {object} [limits] some of the members of DEFAULT_LIMITS, integers from 0 to 2^53 - 1
  * @returns {{verdict: string, code: ?string, message: ?string, claim: string[], vertices: ?number, simplices: ?number,
- *   sha256: ?string}} verdict: verified, rejected, malformed or declined. Verified: claim, a sentence for
- *   the tiling and one for each further statement, the counts up to translations and the digest of the bytes. Else code and message.
+ *   sha256: ?string}} `verdict` is verified, rejected, malformed or declined. If it is verified: `claim` has a sentence for each
+ *   statement, and `sha256` is the digest of the certificate's CBOR. Otherwise `code` and `message` say why not.
  */
 function verify(text, limits = {}) {
   const bounds = completed(limits);
   try {
-    const bytes = bytesOf(text, bounds);
-    return verified(checked(bytes, bounds), bytes);
+    const tree = parsed(text, bounds);
+    return verified(checked(tree, bounds), tree);
   } catch (error) {
     return refused(error);
   }
 }
 
-function checked(bytes, limits) {
-  const certificate = readCertificate(bytes);
-  checkShape(certificate, limits);
-  checkGeometry(readTiling(certificate, limits));
-  return certificate;
+function checked(tree, limits) {
+  const reader = new Reader(limits);
+  const [, , kind, claim, witness] = reader.record(tree, ["format", "version", "kind", "claim", "witness"], "the certificate");
+  if (reader.text(kind, "kind") !== "tiling") refuse("kind", `the kind ${quoted(kind)} is unknown; this program knows "tiling"`);
+  const tiling = readClaim(reader, claim);
+  checkWitness(reader, tiling, witness);
+  return tiling;
 }
 
-function verified(certificate, bytes) {
+function verified(tiling, tree) {
   return {
     verdict: "verified",
     code: null,
     message: null,
-    claim: sentences(certificate),
-    vertices: certificate.witness.vertices.length,
-    simplices: certificate.witness.simplices.length,
-    sha256: sha256(bytes),
+    claim: sentences(tiling),
+    vertices: tiling.vertices.length,
+    simplices: tiling.rows.length,
+    sha256: digestOfCbor(tree),
   };
 }
 
-/** A RangeError is the engine's: a number, an array or a stack that it cannot hold. Nothing is proved then. */
+/** A RangeError or InternalError is the engine's: a number or a stack that is too large for it. Nothing is proved then. */
 function refused(error) {
-  const beyond = error instanceof RangeError;
-  if (!beyond && !(error instanceof Refusal)) throw error;
-  const code = beyond ? "machine" : error.code;
-  const message = beyond ? `the JavaScript engine gives up: ${error.message}` : error.message;
+  const isEngine = error instanceof RangeError || error.name === "InternalError";
+  if (!isEngine && !(error instanceof Refusal)) throw error;
+  const code = isEngine ? "work" : error.code;
+  const message = isEngine ? `the JavaScript engine gives up: ${error.message}` : error.message;
   return { verdict: CODES.get(code), code, message, claim: [], vertices: null, simplices: null, sha256: null };
 }
 
@@ -112,23 +100,9 @@ function completed(limits) {
   return Object.fromEntries(all);
 }
 
-function bytesOf(text, limits) {
-  if (typeof text !== "string" && !(text instanceof Uint8Array)) throw new TypeError("verify: a string or a Uint8Array");
-  checkSize(text.length, limits);
-  if (typeof text !== "string") return text;
-  if (/\p{Surrogate}/u.test(text)) refuse("json", "a surrogate stands alone, so the text has no bytes in UTF-8");
-  const bytes = new TextEncoder().encode(text);
-  checkSize(bytes.length, limits);
-  return bytes;
-}
+// ---- SHA-256 (FIPS 180-4) of the CBOR encoding; crypto.subtle is missing on pages from files ----------------------------------------
 
-function checkSize(found, limits) {
-  if (found > limits.bytes) refuse("too-many-bytes", `at least ${found} bytes, more than the limit of ${limits.bytes}`);
-}
-
-// ---- SHA-256 (FIPS 180-4); crypto.subtle is missing on pages from files ----------------------------------------------------------
-
-/** The fractional bits of the square (m = 2) and cube (m = 3) roots of the first primes, by integer roots. */
+/** The first 32 fractional bits of the square (m = 2) or cube (m = 3) roots of the first primes. */
 function rootBits(count, m) {
   const words = [];
   for (let p = 2; words.length < count; p++) {
@@ -149,651 +123,326 @@ function integerRoot(x, m) {
 const ROUND_WORDS = rootBits(64, 3);
 const FIRST_STATE = rootBits(8, 2);
 
-/** @returns {string} 64 hexadecimal digits */
-function sha256(bytes) {
-  const whole = bytes.length - (bytes.length % 64);
-  const rest = new Uint8Array(bytes.length - whole < 56 ? 64 : 128);
-  rest.set(bytes.subarray(whole));
-  rest[bytes.length - whole] = 0x80;
-  const bits = BigInt(bytes.length) * 8n;
-  for (let i = 0; i < 8; i++) rest[rest.length - 1 - i] = Number((bits >> BigInt(8 * i)) & 255n);
-  const state = Int32Array.from(FIRST_STATE);
-  const schedule = new Int32Array(64);
-  for (let at = 0; at < whole; at += 64) digestBlock(state, schedule, bytes, at);
-  for (let at = 0; at < rest.length; at += 64) digestBlock(state, schedule, rest, at);
-  return Array.from(state, (word) => (word >>> 0).toString(16).padStart(8, "0")).join("");
-}
-
-function digestBlock(state, w, bytes, at) {
-  const turn = (x, n) => (x >>> n) | (x << (32 - n));
-  for (let t = 0; t < 16; t++, at += 4) w[t] = (bytes[at] << 24) | (bytes[at + 1] << 16) | (bytes[at + 2] << 8) | bytes[at + 3];
-  for (let t = 16; t < 64; t++) {
-    const [x, y] = [w[t - 15], w[t - 2]];
-    w[t] = w[t - 16] + (turn(x, 7) ^ turn(x, 18) ^ (x >>> 3)) + w[t - 7] + (turn(y, 17) ^ turn(y, 19) ^ (y >>> 10));
-  }
-  let [a, b, c, d, e, f, g, h] = state;
-  for (let t = 0; t < 64; t++) {
-    const first = (h + (turn(e, 6) ^ turn(e, 11) ^ turn(e, 25)) + ((e & f) ^ (~e & g)) + ROUND_WORDS[t] + w[t]) | 0;
-    const second = ((turn(a, 2) ^ turn(a, 13) ^ turn(a, 22)) + ((a & b) ^ (a & c) ^ (b & c))) | 0;
-    [h, g, f, e, d, c, b, a] = [g, f, e, (d + first) | 0, c, b, a, (first + second) | 0];
-  }
-  [a, b, c, d, e, f, g, h].forEach((word, i) => (state[i] += word));
-}
-
-// ---- JSON, read by the grammar and never into general objects -------------------------------------------------------------------------
-
-const UTF8 = new TextDecoder("utf-8", { fatal: true, ignoreBOM: true });
-const ascii = (character) => character.charCodeAt(0);
-const [QUOTE, BACKSLASH, COMMA, COLON, MINUS, ZERO, NINE] = [...'"\\,:-09'].map(ascii);
-const [ARRAY, ARRAY_END, OBJECT, OBJECT_END] = [..."[]{}"].map(ascii);
-const ESCAPES = new Map([...'"\\/bfnrt'].map((character, i) => [ascii(character), '"\\/\b\f\n\r\t'[i]]));
-
-class JsonReader {
-  constructor(bytes) {
-    this.bytes = bytes;
-    this.at = 0;
-  }
-
-  fail(what) {
-    refuse("json", `${what} at byte ${this.at}`);
-  }
-
-  /** Skips space. The next byte, or -1. */
-  next() {
-    for (; this.at < this.bytes.length; this.at++) {
-      const byte = this.bytes[this.at];
-      if (byte !== 0x20 && byte !== 0x0a && byte !== 0x0d && byte !== 0x09) return byte;
-    }
-    return -1;
-  }
-
-  take(byte, what = `${JSON.stringify(String.fromCharCode(byte))} expected`) {
-    if (this.next() !== byte) this.fail(what);
-    this.at++;
-  }
-
-  end() {
-    if (this.next() !== -1) this.fail("something follows the document");
-  }
-
-  word(letters) {
-    this.next();
-    for (const letter of letters) if (this.bytes[this.at++] !== ascii(letter)) this.fail("a value expected");
-  }
-
-  /** The items of an array or object one after the other, until its end; `read` is called for each. */
-  items(open, close, read) {
-    this.take(open);
-    if (this.next() !== close) {
-      read();
-      while (this.next() !== close) {
-        this.take(COMMA, "a comma or the end expected");
-        read();
-      }
-    }
-    this.at++;
-  }
-
-  list(read) {
-    const list = [];
-    this.items(ARRAY, ARRAY_END, () => list.push(read()));
-    return list;
-  }
-
-  pair(read) {
-    const list = this.list(read);
-    if (list.length !== 2) this.fail("a pair expected, not the list that ends");
-    return list;
-  }
-
-  /** A string with its escapes resolved: valid UTF-8, no control characters, no surrogate alone. */
-  text() {
-    this.take(QUOTE, "a string expected");
-    let text = "";
-    for (let from = this.at; ; from = this.at) {
-      this.skipPlain();
-      text += this.decoded(from, this.at);
-      if (this.bytes[this.at++] === QUOTE) return text;
-      text += this.escape();
-    }
-  }
-
-  /** To the next quote or backslash. */
-  skipPlain() {
-    for (let byte; (byte = this.bytes[this.at]) !== QUOTE && byte !== BACKSLASH; this.at++) {
-      if (byte === undefined) this.fail("the end of a string is missing");
-      if (byte < 0x20) this.fail("a control character in a string");
-    }
-  }
-
-  decoded(from, to) {
-    const part = this.bytes.subarray(from, to);
-    if (to - from < 24 && part.every((byte) => byte < 0x80)) return String.fromCharCode(...part);
-    try {
-      return UTF8.decode(part);
-    } catch {
-      return this.fail("no UTF-8 in the string that ends");
-    }
-  }
-
-  /** What follows a backslash. */
-  escape() {
-    const plain = ESCAPES.get(this.bytes[this.at]);
-    if (plain !== undefined) {
-      this.at++;
-      return plain;
-    }
-    const unit = this.unit();
-    if (unit < 0xd800 || unit > 0xdfff) return String.fromCharCode(unit);
-    if (unit > 0xdbff || this.bytes[this.at++] !== BACKSLASH) this.fail("a surrogate stands alone");
-    const low = this.unit();
-    if (low < 0xdc00 || low > 0xdfff) this.fail("a surrogate stands alone");
-    return String.fromCharCode(unit, low);
-  }
-
-  /** `uXXXX` */
-  unit() {
-    const digits = String.fromCharCode(...this.bytes.subarray(this.at, this.at + 5));
-    if (!/^u[0-9a-fA-F]{4}$/.test(digits)) this.fail("no escape of JSON");
-    this.at += 5;
-    return parseInt(digits.slice(1), 16);
-  }
-
-  /** The text of a number. */
-  numeral() {
-    this.next();
-    const from = this.at;
-    const digits = () => {
-      const start = this.at;
-      while (this.bytes[this.at] >= ZERO && this.bytes[this.at] <= NINE) this.at++;
-      if (this.at === start) this.fail("a digit expected");
-    };
-    if (this.bytes[this.at] === MINUS) this.at++;
-    if (this.bytes[this.at] === ZERO) this.at++;
-    else digits();
-    const whole = this.at;
-    if (this.bytes[this.at] >= ZERO && this.bytes[this.at] <= NINE) this.fail("a leading zero");
-    if (this.bytes[this.at] === ascii(".")) this.at++, digits();
-    if ((this.bytes[this.at] | 0x20) === ascii("e")) {
-      this.at++;
-      if (this.bytes[this.at] === ascii("+") || this.bytes[this.at] === MINUS) this.at++;
-      digits();
-    }
-    return { from, isInteger: whole === this.at };
-  }
-
-  /** An integer from `least` to `most`: a Number where that is exact, a BigInt elsewhere. Not -0, 1.0 or 1e0. */
-  integer(least, most) {
-    const { from, isInteger } = this.numeral();
-    if (!isInteger || this.at - from > 20) this.fail("a smaller integer expected, not the number that ends");
-    const text = String.fromCharCode(...this.bytes.subarray(from, this.at));
-    const value = BigInt(text);
-    if (text === "-0" || value < least || value > most) this.fail("an integer out of range, which ends");
-    return Number.isSafeInteger(Number(value)) ? Number(value) : value;
-  }
-
-  /**
-   * The members of an object, by name, in any order; or in an array, in this order. Each is there once.
-   * Unknown ones are skipped if the record is `open`.
-   */
-  record(names, readers, open = false) {
-    const values = new Array(names.length).fill(undefined);
-    let count = 0;
-    const read = (i) => {
-      if (i >= names.length || values[i] !== undefined) this.fail("a member too many");
-      values[i] = readers[i]();
-      count++;
-    };
-    if (this.next() === ARRAY) this.items(ARRAY, ARRAY_END, () => read(count));
-    else this.items(OBJECT, OBJECT_END, () => this.member(names, read, open));
-    if (count !== names.length) this.fail("a member is missing in the object that ends");
-    return values;
-  }
-
-  member(names, read, open) {
-    const name = this.text();
-    this.take(COLON);
-    const i = names.indexOf(name);
-    if (i >= 0) read(i);
-    else if (open) this.skip();
-    else this.fail("an unknown member");
-  }
-
-  /** One of some names alone, `"name"` or `{"name":null}`, or `{"name":value}` for those with a reader. */
-  variant(names, readers) {
-    const isAlone = this.next() !== OBJECT;
-    if (!isAlone) this.at++;
-    const kind = names.indexOf(this.text());
-    if (kind < 0 || (isAlone && readers[kind])) this.fail("an unknown name");
-    let value = null;
-    if (!isAlone) {
-      this.take(COLON);
-      if (readers[kind]) value = readers[kind]();
-      else this.word("null");
-      this.take(OBJECT_END);
-    }
-    return { kind, value };
-  }
-
-  /** Any value; nested as deeply as it likes. */
-  skip() {
-    const open = new Stack();
-    do {
-      let isOpened = false;
-      const byte = this.next();
-      if (byte === ARRAY || byte === OBJECT) {
-        open.push(byte);
-        this.at++;
-        isOpened = true;
-      } else this.skipFlat(byte);
-      this.skipEnds(open, isOpened);
-    } while (open.size > 0);
-  }
-
-  /** After a value or an opening bracket: closes what ends here; else goes on to the next value. */
-  skipEnds(open, isOpened) {
-    for (let isFresh = isOpened; open.size > 0; isFresh = false) {
-      const end = open.top() === ARRAY ? ARRAY_END : OBJECT_END;
-      if (this.next() === end) {
-        this.at++;
-        open.size--;
-        continue;
-      }
-      if (!isFresh) this.take(COMMA, "a comma or the end expected");
-      if (end === OBJECT_END) {
-        this.next();
-        this.skipText();
-        this.take(COLON);
-      }
-      return;
-    }
-  }
-
-  skipFlat(byte) {
-    if (byte === QUOTE) this.skipText();
-    else if (byte === ascii("n")) this.word("null");
-    else if (byte === ascii("t")) this.word("true");
-    else if (byte === ascii("f")) this.word("false");
-    else this.numeral();
-  }
-
-  /** A string whose characters nobody asks for. */
-  skipText() {
-    this.take(QUOTE, "a string expected");
-    for (;;) {
-      this.skipPlain();
-      if (this.bytes[this.at++] === QUOTE) return;
-      if (ESCAPES.has(this.bytes[this.at])) this.at++;
-      else this.unit();
-    }
-  }
-}
-
-/** Bytes; as deep as a file is long, at a byte each. */
-class Stack {
+class Sha256 {
   constructor() {
-    this.bytes = new Uint8Array(64);
-    this.size = 0;
+    this.state = Int32Array.from(FIRST_STATE);
+    this.block = new Uint8Array(64);
+    this.schedule = new Int32Array(64);
+    this.length = 0;
   }
 
   push(byte) {
-    if (this.size === this.bytes.length) {
-      const wider = new Uint8Array(2 * this.size);
-      wider.set(this.bytes);
-      this.bytes = wider;
-    }
-    this.bytes[this.size++] = byte;
+    this.block[this.length % 64] = byte;
+    this.length++;
+    if (this.length % 64 === 0) this.mix();
   }
 
-  top() {
-    return this.bytes[this.size - 1];
+  /** @returns {string} 64 hexadecimal digits */
+  finish() {
+    const bits = BigInt(this.length) * 8n;
+    this.push(0x80);
+    while (this.length % 64 !== 56) this.push(0);
+    for (let i = 7n; i >= 0n; i--) this.push(Number((bits >> (8n * i)) & 255n));
+    return Array.from(this.state, (word) => (word >>> 0).toString(16).padStart(8, "0")).join("");
+  }
+
+  mix() {
+    const { state, block, schedule: w } = this;
+    const turn = (x, n) => (x >>> n) | (x << (32 - n));
+    for (let t = 0; t < 16; t++) w[t] = (block[4 * t] << 24) | (block[4 * t + 1] << 16) | (block[4 * t + 2] << 8) | block[4 * t + 3];
+    for (let t = 16; t < 64; t++) {
+      const [x, y] = [w[t - 15], w[t - 2]];
+      w[t] = w[t - 16] + (turn(x, 7) ^ turn(x, 18) ^ (x >>> 3)) + w[t - 7] + (turn(y, 17) ^ turn(y, 19) ^ (y >>> 10));
+    }
+    let [a, b, c, d, e, f, g, h] = state;
+    for (let t = 0; t < 64; t++) {
+      const first = (h + (turn(e, 6) ^ turn(e, 11) ^ turn(e, 25)) + ((e & f) ^ (~e & g)) + ROUND_WORDS[t] + w[t]) | 0;
+      const second = ((turn(a, 2) ^ turn(a, 13) ^ turn(a, 22)) + ((a & b) ^ (a & c) ^ (b & c))) | 0;
+      [h, g, f, e, d, c, b, a] = [g, f, e, (d + first) | 0, c, b, a, (first + second) | 0];
+    }
+    [a, b, c, d, e, f, g, h].forEach((word, i) => (state[i] += word));
   }
 }
 
-// ---- The certificate: from bytes to data, and back -----------------------------------------------------------------------------
+function sha256(bytes) {
+  const digest = new Sha256();
+  for (const byte of bytes) digest.push(byte);
+  return digest.finish();
+}
+
+function digestOfCbor(tree) {
+  const digest = new Sha256();
+  writeCbor(tree, (byte) => digest.push(byte));
+  return digest.finish();
+}
+
+/** RFC 8949, section 4.2.1. An object is the array of its values; a string of decimal digits is an integer. */
+function writeCbor(value, push) {
+  if (typeof value === "number" || isDecimal(value)) writeInteger(BigInt(value), push);
+  else if (typeof value === "string") writeBytes(3, new TextEncoder().encode(value), push);
+  else {
+    const items = Object.values(value);
+    writeHead(4, BigInt(items.length), push);
+    for (const item of items) writeCbor(item, push);
+  }
+}
+
+function writeBytes(major, bytes, push) {
+  writeHead(major, BigInt(bytes.length), push);
+  bytes.forEach(push);
+}
+
+function writeInteger(x, push) {
+  const [isNegative, size] = x < 0n ? [1, -1n - x] : [0, x];
+  if (size < 1n << 64n) return writeHead(isNegative, size, push);
+  push(0xc2 + isNegative);
+  const hex = size.toString(16);
+  const digits = hex.padStart(hex.length + (hex.length % 2), "0");
+  writeBytes(2, Uint8Array.from(digits.match(/../g), (pair) => parseInt(pair, 16)), push);
+}
+
+/** The head of an item: its major type and an argument in the fewest bytes. */
+function writeHead(major, argument, push) {
+  if (argument < 24n) return push(32 * major + Number(argument));
+  const order = [8n, 16n, 32n, 64n].findIndex((bits) => argument < 1n << bits);
+  push(32 * major + 24 + order);
+  for (let i = (1 << order) - 1; i >= 0; i--) push(Number((argument >> BigInt(8 * i)) & 255n));
+}
+
+// ---- JSON: the engine parses, and its result is printed again and compared ----------------------------------------------------------------
 
 const FORMAT = "acutile-certificate";
-const STATEMENTS = [
-  "face-to-face tiling",
-  "acute",
-  "nonobtuse",
-  "all dihedral angles below",
-  "all dihedral angles above",
-  "all radius-edge ratios below",
-  "Delaunay",
-  "weakly Delaunay",
-  "TCP",
-];
-const [TILING, ACUTE, NONOBTUSE, BELOW, ABOVE, RATIO, DELAUNAY, WEAKLY, TCP] = STATEMENTS.keys();
-const DOMAINS = ["space", "slab", "prism", "solid", "region"];
-const [SPACE, SLAB, PRISM, SOLID, REGION] = DOMAINS.keys();
+const VERSION = 2;
+const DEPTH = 10; // The grammar's values are at most 8 deep.
 
-/**
- * The data of a certificate. A number is a text, or a list of texts that does not hold just one. The field is null for Q. Statements
- * and domain have a `kind`, an index of the lists above, and a `value`.
- */
-function readCertificate(bytes) {
-  checkHeader(bytes);
-  const json = new JsonReader(bytes);
-  const text = () => json.text();
-  const natural = () => json.integer(0n, U64_MAX);
-  const entry = () => json.integer(-(2n ** 63n), 2n ** 63n - 1n);
-  const number = () => (json.next() === ARRAY ? alone(json.list(text)) : json.text());
-  const numbers = () => json.list(() => json.list(number));
-  const entries = () => json.list(() => json.list(() => json.list(entry)));
-  const polytope = () => named(["vertices", "faces"], [numbers, () => json.list(() => json.list(natural))]);
-  const field = () => named(["polynomial", "root"], [() => json.list(text), () => json.pair(text)]);
-  const named = (names, readers) => asObject(names, json.record(names, readers));
-  const claim = () =>
-    named(
-      ["dimension", "field", "gram", "domain", "statements"],
-      [
-        natural,
-        () => json.variant(["Q", "Q(a)"], [null, field]).value,
-        numbers,
-        () => json.variant(DOMAINS, [null, polytope, polytope, polytope, null]),
-        () => json.list(() => json.variant(STATEMENTS, STATEMENTS.map((_, kind) => (isBound(kind) ? text : null)))),
-      ],
-    );
-  const witness = () => named(["vertices", "simplices", "mates"], [numbers, entries, entries]);
-  const certificate = named(["format", "version", "claim", "witness"], [text, natural, claim, witness]);
-  json.end();
-  checkCanonical(bytes, certificate);
-  return certificate;
+const isDecimal = (value) => typeof value === "string" && /^-?[1-9][0-9]*$/.test(value);
+
+function parsed(input, limits) {
+  const text = textOf(input, limits);
+  let tree;
+  try {
+    tree = JSON.parse(text);
+  } catch (error) {
+    if (!(error instanceof SyntaxError)) throw error;
+    refuse("json", "the file is not JSON");
+  }
+  checkHeader(tree);
+  const canonical = new Canonical(text);
+  canonical.value(tree, 0);
+  canonical.expect("\n");
+  if (canonical.at !== text.length) canonical.fail();
+  return tree;
 }
 
-const isBound = (kind) => kind === BELOW || kind === ABOVE || kind === RATIO;
-const alone = (list) => (list.length === 1 ? list[0] : list);
-
-/** For names from this file only. */
-function asObject(names, values) {
-  return Object.fromEntries(names.map((name, i) => [name, values[i]]));
-}
-
-/** Format and version, before the rest, whose shape another version may change; but the whole file is JSON. */
-function checkHeader(bytes) {
-  const json = new JsonReader(bytes);
-  const readers = [() => json.text(), () => json.integer(0n, U64_MAX)];
-  const [format, version] = json.record(["format", "version"], readers, true);
-  json.end();
-  if (format !== FORMAT) refuse("format", `the format is ${quoted(excerpt(format))}, not "${FORMAT}"`);
-  if (version !== 1) refuse("version", `version ${version} is unknown; this program knows 1`);
-}
-
-/** An object to be written: its members in order. */
-class Members {
-  constructor(...members) {
-    this.members = members;
+function textOf(input, limits) {
+  if (typeof input !== "string" && !(input instanceof Uint8Array)) throw new TypeError("verify: a string or a Uint8Array");
+  const isLong = input.length > limits.bytes;
+  if (isLong) refuse("too-many-bytes", `at least ${input.length} bytes, more than the limit of ${limits.bytes}`);
+  if (typeof input === "string") return input; // Another character than ASCII is refused by Canonical.
+  if (input[0] >= 0x80) refuse("unreadable", "the file is not JSON; if it is CBOR, write it as JSON first");
+  try {
+    return new TextDecoder("utf-8", { fatal: true, ignoreBOM: true }).decode(input);
+  } catch {
+    return refuse("json", "the file is not in UTF-8");
   }
 }
 
-function checkCanonical(bytes, { claim, witness }) {
-  const { field, domain } = claim;
-  const polytope = () => new Members(["vertices", domain.value.vertices], ["faces", domain.value.faces]);
-  const theClaim = new Members(
-    ["dimension", claim.dimension],
-    ["field", field ? new Members(["Q(a)", new Members(["polynomial", field.polynomial], ["root", field.root])]) : "Q"],
-    ["gram", claim.gram],
-    ["domain", domain.value ? new Members([DOMAINS[domain.kind], polytope()]) : DOMAINS[domain.kind]],
-    ["statements", claim.statements.map(({ kind, value }) => (value === null ? STATEMENTS[kind] : new Members([STATEMENTS[kind], value])))],
-  );
-  const theWitness = new Members(["vertices", witness.vertices], ["simplices", witness.simplices], ["mates", witness.mates]);
-  const comparison = new Comparison(bytes);
-  comparison.value(new Members(["format", FORMAT], ["version", 1], ["claim", theClaim], ["witness", theWitness]), 0);
-  comparison.write("\n");
-  if (comparison.at !== bytes.length) comparison.fail();
+/** Format and version come first: another version may have another shape. */
+function checkHeader(tree) {
+  const isObject = typeof tree === "object" && tree !== null && !Array.isArray(tree);
+  const isHeader = isObject && Object.hasOwn(tree, "format") && Object.hasOwn(tree, "version");
+  if (!isHeader || typeof tree.format !== "string") refuse("json", "not an object with a format and a version");
+  if (tree.format !== FORMAT) refuse("format", `the format is ${quoted(tree.format)}, not "${FORMAT}"`);
+  if (!Number.isInteger(tree.version)) refuse("json", "the version is not an integer");
+  if (tree.version !== VERSION) refuse("version", `version ${tree.version} is unknown; this program knows ${VERSION}`);
 }
 
-/** Writes the canonical bytes, and compares each with the one that is there. */
-class Comparison {
-  constructor(bytes) {
-    this.bytes = bytes;
+/** Prints a value in the one canonical form and compares each piece with the text. */
+class Canonical {
+  constructor(text) {
+    this.text = text;
     this.at = 0;
   }
 
   fail() {
-    refuse("canonical", `not in canonical form: the first wrong byte is at offset ${this.at}`);
+    refuse("canonical", `not in canonical form: the first wrong character is at offset ${this.at}`);
   }
 
-  /** ASCII */
-  write(text) {
-    for (let i = 0; i < text.length; i++, this.at++) if (this.bytes[this.at] !== text.charCodeAt(i)) this.fail();
-  }
-
-  writeEncoded(text) {
-    for (const byte of new TextEncoder().encode(text)) {
-      if (this.bytes[this.at] !== byte) this.fail();
-      this.at++;
-    }
+  expect(piece) {
+    if (!this.text.startsWith(piece, this.at)) this.fail();
+    this.at += piece.length;
   }
 
   /** `depth` arrays and objects are open around the value; the outer three have their items on lines. */
   value(value, depth) {
-    if (Array.isArray(value)) this.group("[", "]", value, depth, (item) => this.value(item, depth + 1));
-    else if (value instanceof Members) this.group("{", "}", value.members, depth, (member) => this.member(member, depth + 1));
+    if (typeof value === "number") this.number(value);
     else if (typeof value === "string") this.string(value);
-    else this.write(String(value));
+    else if (typeof value === "boolean" || value === null) refuse("json", `${value} before offset ${this.at} is no value of the grammar`);
+    else if (depth === DEPTH) refuse("json", `brackets are nested too deeply at offset ${this.at}`);
+    else if (Array.isArray(value)) this.group("[", "]", value, depth, (item) => this.value(item, depth + 1));
+    else this.group("{", "}", Object.entries(value), depth, (member) => this.member(member, depth + 1));
   }
 
-  group(open, close, items, depth, write) {
-    const line = depth < 3 ? "\n" : "";
-    this.write(open);
-    for (let i = 0; i < items.length; i++) {
-      this.write(i > 0 ? "," + line : line);
-      write(items[i]);
-    }
-    this.write(line + close);
+  number(value) {
+    if (!Number.isInteger(value)) refuse("json", `a number that is no integer at offset ${this.at}`);
+    if (!Number.isSafeInteger(value)) this.fail();
+    this.expect(String(value));
+  }
+
+  string(value) {
+    if (!/^[ -~]*$/.test(value)) refuse("json", `a text with a character that is not printable ASCII at offset ${this.at}`);
+    this.expect(JSON.stringify(value));
   }
 
   member([name, value], depth) {
     this.string(name);
-    this.write(":");
+    this.expect(":");
     this.value(value, depth);
   }
 
-  /** Only quotes, backslashes and control characters are escaped, the short way where there is one. */
-  string(text) {
-    this.write('"');
-    const escaped = text.replace(/["\\\u0000-\u001f]/g, escapedInJson);
-    if (/^[\u0020-\u007f]*$/.test(escaped)) this.write(escaped);
-    else this.writeEncoded(escaped);
-    this.write('"');
+  group(open, close, items, depth, write) {
+    const line = depth < 3 && items.length > 0 ? "\n" : "";
+    this.expect(open);
+    items.forEach((item, i) => {
+      this.expect(i > 0 ? "," + line : line);
+      write(item);
+    });
+    this.expect(line + close);
   }
 }
 
-const SHORT_ESCAPES = new Map([...ESCAPES].map(([letter, character]) => [character, "\\" + String.fromCharCode(letter)]));
+// ---- The items of the grammar ----------------------------------------------------------------------------------------------------
 
-function escapedInJson(character) {
-  return SHORT_ESCAPES.get(character) ?? "\\u" + character.charCodeAt(0).toString(16).padStart(4, "0");
-}
+class Reader {
+  constructor(limits) {
+    this.limits = limits;
+    this.degree = 1; // of the field, once it is known
+  }
 
-// ---- Lengths, ranges, order --------------------------------------------------------------------------------------------------
+  fail(place, wanted) {
+    refuse("json", `${place}: expected ${wanted}`);
+  }
 
-const FAR = 2 ** 31;
+  /** The values of an object with exactly these members. */
+  record(value, names, place) {
+    const isObject = typeof value === "object" && !Array.isArray(value);
+    const found = isObject ? Object.keys(value) : [];
+    const isSame = found.length === names.length && names.every((name) => found.includes(name));
+    if (!isSame) this.fail(place, `an object with the members ${names.join(", ")}`);
+    if (found.some((name, i) => name !== names[i])) refuse("canonical", `${place}: the members are in another order`);
+    return Object.values(value);
+  }
 
-/** r: the lattice is spanned by the first r vectors of the basis. */
-function rankOf({ dimension, domain }) {
-  return new Map([[SPACE, dimension], [SLAB, dimension - 1], [PRISM, 1], [SOLID, 0], [REGION, 0]]).get(domain.kind);
-}
+  array(value, place, length = value.length) {
+    if (!Array.isArray(value) || value.length !== length) this.fail(place, length === undefined ? "an array" : `an array of ${length}`);
+    return value;
+  }
 
-function checkShape({ claim, witness }, limits) {
-  checkClaim(claim);
-  if (claim.domain.value) checkPolytope(claim.domain.value, claim.dimension - rankOf(claim));
-  checkWitness(claim, witness, limits);
-}
+  text(value, place) {
+    if (typeof value !== "string" || isDecimal(value)) this.fail(place, "a text");
+    return value;
+  }
 
-function checkClaim({ dimension, gram, domain, statements }) {
-  if (dimension !== 2 && dimension !== 3) refuse("dimension", `dimension ${dimension}; it must be 2 or 3`);
-  if (statements[0]?.kind !== TILING) refuse("statements", `the first statement must be "${STATEMENTS[TILING]}"`);
-  const late = statements.findIndex(({ kind }, i) => i > 0 && kind <= statements[i - 1].kind);
-  if (late > 0) refuse("statements", `statement ${late} is out of order or repeats the one before it`);
-  const isThreeSpace = dimension === 3 && domain.kind === SPACE;
-  if (statements.at(-1).kind === TCP && !isThreeSpace) refuse("tcp-domain", '"TCP" is stated of all of three-space only');
-  const isDelaunay = statements.some(({ kind }) => kind === DELAUNAY || kind === WEAKLY);
-  if (isDelaunay && domain.kind === REGION) refuse("delaunay-domain", "Delaunay is not stated of a region, which need not be convex");
-  const isSquare = gram.length === dimension && gram.every((row) => row.length === dimension);
-  if (!isSquare) refuse("gram-shape", "the Gram matrix is not square of the dimension's size");
-  gram.forEach((row, i) => row.slice(0, i).forEach((entry, j) => checkSameText(entry, gram[j][i], i, j)));
-  if (domain.kind === PRISM && dimension !== 3) refuse("prism-dimension", "a prism has dimension 3");
-  if (domain.kind === REGION && dimension !== 3) refuse("region-dimension", "a region has dimension 3");
-}
+  /** A Number below 2^53 in absolute value, a BigInt beyond. */
+  integer(value, place) {
+    if (typeof value === "number") return value;
+    if (!isDecimal(value)) this.fail(place, "an integer");
+    // 10^(n-1) > 2^(3n-3): a number of n digits has at least 3n - 2 bits. So no long text is converted.
+    if (3 * value.replace("-", "").length - 2 > this.limits.bits) this.long(place);
+    const integer = BigInt(value);
+    if (size(integer) < 1n << 53n) refuse("canonical", `${place}: ${value} is written as a text`);
+    return integer;
+  }
 
-function checkSameText(entry, opposite, i, j) {
-  const [x, y] = [entry, opposite].map((number) => [number].flat());
-  const isSame = x.length === y.length && x.every((text, k) => text === y[k]);
-  if (!isSame) refuse("gram-asymmetric", `gram[${i}][${j}] is not the same text as gram[${j}][${i}]`);
-}
+  /** As a BigInt within the limit. */
+  big(value, place) {
+    const integer = BigInt(this.integer(value, place));
+    if (size(integer) >> BigInt(this.limits.bits) > 0n) this.long(place);
+    return integer;
+  }
 
-/** Vertices, faces and their vertices in range, and all used; k is the dimension. */
-function checkPolytope({ vertices, faces }, k) {
-  vertices.forEach((vertex, w) => {
-    if (vertex.length !== k) refuse("domain-vertex-length", `vertex ${w} of the domain has ${vertex.length} coordinates, not ${k}`);
-  });
-  if (faces.length <= k) refuse("face-count", `the domain has ${faces.length} faces, fewer than ${k + 1}`);
-  faces.forEach(({ length }, f) => {
-    const fits = k === 3 ? length >= 3 : length === k;
-    if (!fits) refuse("face-length", `face ${f} of the domain has ${length} vertices`);
-  });
-  faces.forEach((face, f) => checkFaceVertices(face, f, vertices.length));
-  checkFacesDistinct(faces);
-  const used = new Set(faces.flat());
-  const unused = vertices.findIndex((_, w) => !used.has(w));
-  if (unused >= 0) refuse("unused-domain-vertex", `vertex ${unused} of the domain is in no face`);
-}
+  long(place) {
+    refuse("too-many-digits", `${place}: an integer of more than ${this.limits.bits} bits`);
+  }
 
-function checkFaceVertices(face, f, count) {
-  const seen = new Set();
-  for (const w of face) {
-    const fits = isIndex(w, count) && !seen.has(w);
-    if (!fits) refuse("face-vertices", `vertex ${w} of face ${f} of the domain does not exist or is there twice`);
-    seen.add(w);
+  bigs(values, place, length) {
+    return this.array(values, place, length).map((value, i) => this.big(value, `${place}[${i}]`));
+  }
+
+  positive(value, place, code) {
+    const integer = this.big(value, place);
+    if (integer <= 0n) refuse(code, `${place}: the denominator ${integer} is not positive`);
+    return integer;
+  }
+
+  /** An element of Z[a] by its coefficients. */
+  number(value, place) {
+    return this.degree === 1 ? [this.big(value, place)] : this.bigs(value, place, this.degree);
+  }
+
+  numbers(values, place, length) {
+    return this.array(values, place, length).map((value, i) => this.number(value, `${place}[${i}]`));
+  }
+
+  /** A corner as [vertex, shift…]. */
+  corner(value, place, { rank, vertices }) {
+    const entries = Array.isArray(value) ? value.map((entry) => this.integer(entry, place)) : [this.integer(value, place)];
+    const isShifted = Array.isArray(value);
+    if (isShifted && entries.length !== 1 + rank) this.fail(place, `a vertex, or an array of ${1 + rank}`);
+    const [v, ...shift] = entries;
+    if (!isIndex(v, vertices.length)) refuse("vertex-range", `${place}: vertex ${v} does not exist; there are ${vertices.length} vertices`);
+    const far = shift.find((entry) => !(entry > -FAR && entry < FAR));
+    if (far !== undefined) refuse("shift-range", `${place}: the shift ${far} is not between -2^29 and 2^29`);
+    if (isShifted && shift.every((entry) => entry === 0)) refuse("canonical", `${place}: a shift of zero is written`);
+    return isShifted ? entries : [v, ...new Array(rank).fill(0)];
   }
 }
 
-function checkFacesDistinct(faces) {
-  const seen = new Set();
-  faces.forEach((face, f) => {
-    const sorted = [...face].sort((v, w) => v - w).join();
-    if (seen.has(sorted)) refuse("face-repeated", `face ${f} of the domain is the same as another`);
-    seen.add(sorted);
-  });
-}
-
+const FAR = 2 ** 29;
 const isIndex = (value, count) => typeof value === "number" && value >= 0 && value < count;
-
-/** The first entry of a shift that is not between -2^31 and 2^31. */
-const farEntry = (shift) => shift.find((entry) => typeof entry === "bigint" || entry <= -FAR || entry >= FAR);
-
-function checkWitness(claim, { vertices, simplices, mates }, limits) {
-  const [d, r] = [claim.dimension, rankOf(claim)];
-  if (simplices.length === 0) refuse("no-simplices", "there are no simplices");
-  const isMany = simplices.length > limits.simplices;
-  if (isMany) refuse("too-many-simplices", `${simplices.length} simplices, more than the limit of ${limits.simplices}`);
-  vertices.forEach(({ length }, v) => {
-    if (length !== d) refuse("vertex-length", `vertex ${v} has ${length} coordinates, not ${d}`);
-  });
-  const used = new Uint8Array(vertices.length);
-  simplices.forEach((corners, s) => {
-    if (corners.length !== d + 1) refuse("simplex-length", `simplex ${s} has ${corners.length} corners, not ${d + 1}`);
-    corners.forEach((corner, i) => checkCorner(corner, `corner ${i} of simplex ${s}`, r, vertices.length));
-    corners.forEach(([v]) => (used[v] = 1));
-  });
-  if (used.indexOf(0) >= 0) refuse("unused-vertex", `vertex ${used.indexOf(0)} is no corner of any simplex`);
-  if (mates.length !== simplices.length) refuse("mates-length", `${mates.length} rows of mates for ${simplices.length} simplices`);
-  const sizes = { simplices: simplices.length, corners: d + 1, r, faces: claim.domain.value?.faces.length, isRegion: claim.domain.kind === REGION };
-  mates.forEach((row, s) => {
-    if (row.length !== d + 1) refuse("mate-row-length", `simplex ${s} has ${row.length} mates, not ${d + 1}`);
-    row.forEach((mate, i) => checkMate(mate, facetName(s, i), sizes));
-  });
-}
-
-function checkCorner(corner, name, r, vertices) {
-  if (corner.length !== 1 + r) refuse("corner-length", `${name} has ${corner.length} entries, not ${1 + r}`);
-  if (!isIndex(corner[0], vertices)) refuse("vertex-range", `${name} is at vertex ${corner[0]}; there are ${vertices} vertices`);
-  const far = farEntry(corner.slice(1));
-  if (far !== undefined) refuse("shift-range", `${name} is shifted by ${far}, not between -2^31 and 2^31`);
-}
-
-/** `faces` is undefined where the domain has no polytope. */
-function checkMate(mate, name, { simplices, corners, r, faces, isRegion }) {
-  if (mate.length === 0 && isRegion) return;
-  const isFace = mate.length === 1 && faces !== undefined;
-  if (!isFace && mate.length !== 2 + r) refuse("mate-length", `the mate of ${name} has ${mate.length} entries, not ${2 + r}`);
-  const exists = isFace ? isIndex(mate[0], faces) : isIndex(mate[0], simplices) && isIndex(mate[1], corners);
-  if (!exists) refuse("mate-range", `the mate of ${name}, ${bracketed(mate)}, does not exist`);
-  const far = farEntry(mate.slice(2));
-  if (far !== undefined) refuse("mate-shift-range", `the mate of ${name} is shifted by ${far}, not between -2^31 and 2^31`);
-}
-
-const facetName = (s, i) => `facet ${i} of simplex ${s}`;
-const bracketed = (items) => `[${items.join(", ")}]`;
-
-// ---- Rational numbers [p, q], q > 0, in lowest terms ----------------------------------------------------------------------------
-
-const sign = (x) => (x > 0n ? 1 : x < 0n ? -1 : 0);
 const size = (x) => (x < 0n ? -x : x);
-const isInteger = (text) => /^(0|-?[1-9][0-9]*)$/.test(text);
+const sign = (x) => (x > 0n ? 1 : x < 0n ? -1 : 0);
 
 function gcd(x, y) {
   for ([x, y] = [size(x), size(y)]; y > 0n; ) [x, y] = [y, x % y];
   return x;
 }
 
-/** `p` or `p/q`; the digits are counted before anything is done with them. */
-function rational(text, place, limits) {
-  const wrong = (reason) => refuse("number", `${place()}: ${quoted(excerpt(text))}: ${reason}`);
-  const digits = text.replace(/[^0-9]+/g, "").length;
-  if (digits > limits.digits) refuse("too-many-digits", `${place()}: ${digits} digits, more than the limit of ${limits.digits}`);
-  const slash = text.indexOf("/");
-  const parts = slash < 0 ? [text, "1"] : [text.slice(0, slash), text.slice(slash + 1)];
-  if (!parts.every(isInteger)) wrong("not an integer in decimal notation");
-  const [p, q] = parts.map(BigInt);
-  if (q <= 0n) wrong("the denominator is not positive");
-  if ((q === 1n) !== slash < 0) wrong("a denominator of 1 is not written");
-  if (slash >= 0 && gcd(p, q) !== 1n) wrong("not in lowest terms");
-  return [p, q];
+/** No integer beyond 1 divides all of these. */
+function checkPrimitive(integers, place) {
+  let common = 0n;
+  for (const integer of integers) {
+    common = gcd(common, integer);
+    if (common === 1n) return;
+  }
+  refuse("canonical", `${place}: all integers are divisible by ${common}`);
 }
-
-/** The least b with |x| < 2^b. */
-function bits(x) {
-  const hex = size(x).toString(16);
-  return x === 0n ? 0 : 4 * hex.length + 28 - Math.clz32(parseInt(hex[0], 16));
-}
-
-const WORD = 2n ** 63n;
-const words = (x) => (-WORD < x && x < WORD ? 1 : Math.floor(bits(x) / 64) + 1);
-const wordsOfAll = (integers) => integers.reduce((most, x) => Math.max(most, words(x)), 1);
 
 // ---- The ring Z[a] ----------------------------------------------------------------------------------------------------------
 //
-// Elements are the coefficients of 1, a, a², …, fewer than the degree n or as many, the last one not zero; zero is empty. Over Q n is 1.
-// Equal coefficients mean equal values; an enclosure that excludes zero shows a sign. Where neither holds nothing is said.
+// Elements are the coefficients of 1, a, …, a^(n-1); over Q n is 1. Equal coefficients mean equal values; an enclosure of a that
+// excludes zero shows a sign. Where neither holds the verifier declines.
 
-const ZERO_ELEMENT = [];
-const ONE = [1n];
-
-function trimmed(x) {
-  while (x.length > 0 && x[x.length - 1] === 0n) x.pop();
-  return x;
-}
-
-const integer = (value) => trimmed([value]);
+const plus = (x, y) => x.map((c, k) => c + y[k]);
+const minus = (x, y) => x.map((c, k) => c - y[k]);
 const negated = (x) => x.map((c) => -c);
-const scaled = (x, factor) => trimmed(x.map((c) => c * factor));
-
-function sum(x, y) {
-  const [long, short] = x.length < y.length ? [y, x] : [x, y];
-  return trimmed(long.map((c, k) => (k < short.length ? c + short[k] : c)));
-}
-
-const difference = (x, y) => sum(x, negated(y));
-const total = (elements) => elements.reduce(sum, ZERO_ELEMENT);
+const scaled = (x, factor) => x.map((c) => c * factor);
 
 class Ring {
-  /** @param {?bigint[]} modulus monic, of degree 2 or more; null over Q */
-  constructor(modulus, ladder, budget) {
-    Object.assign(this, { modulus, ladder, budget, degree: modulus ? modulus.length - 1 : 1 });
-    this.powers = null;
+  /** @param {?bigint[]} polynomial monic, of degree 2 or more; null over Q */
+  constructor(polynomial = null, rungs = []) {
+    this.degree = polynomial ? polynomial.length - 1 : 1;
+    this.powers = polynomial ? powersFrom(polynomial) : [];
+    this.rungs = rungs;
+    this.zero = new Array(this.degree).fill(0n);
+  }
+
+  integer(c) {
+    return this.zero.map((zero, k) => (k === 0 ? c : zero));
+  }
+
+  sum(elements) {
+    return elements.reduce(plus, this.zero);
   }
 
   times(x, y) {
@@ -802,43 +451,40 @@ class Ring {
 
   /** x_1 y_1 + x_2 y_2 + … */
   dot(xs, ys) {
-    const product = new Array(2 * this.degree - 1).fill(0n);
-    xs.forEach((x, i) => convolve(product, x, ys[i]));
-    return this.reduced(product);
-  }
-
-  /** a^(n+k) is row k of a table, made when it is first needed. */
-  reduced(product) {
     const n = this.degree;
+    const product = new Array(2 * n - 1).fill(0n);
+    xs.forEach((x, m) => {
+      for (let i = 0; i < n; i++) for (let j = 0; j < n; j++) product[i + j] += x[i] * ys[m][j];
+    });
     const low = product.slice(0, n);
-    for (let k = n; k < product.length; k++) {
-      if (product[k] === 0n) continue;
-      this.powers ??= powersFrom(this.modulus);
-      this.powers[k - n].forEach((c, i) => (low[i] += product[k] * c));
-    }
-    return trimmed(low);
+    this.powers.forEach((power, k) => power.forEach((c, i) => (low[i] += product[n + k] * c)));
+    return low;
   }
 
   /** -1, 0 or 1; undefined where it is not decided. */
   sign(x) {
-    if (x.length === 0) return 0;
-    if (x.length === 1) return sign(x[0]);
-    for (const enclosure of this.ladder) {
-      const found = enclosure.sign(x, this.budget);
-      if (found !== undefined) return found;
+    if (x.every((c, k) => k === 0 || c === 0n)) return sign(x[0]);
+    for (const rung of this.rungs) {
+      const [least, most] = rung.range(x);
+      if (least > 0n || most < 0n) return least > 0n ? 1 : -1;
     }
     return undefined;
   }
+
+  /** Integers below and above `factor` x. */
+  bounds(x, factor) {
+    if (this.degree === 1) return [x[0] * factor, x[0] * factor];
+    const [least, most, unit] = this.rungs[0].range(x);
+    return [floor(least * factor, unit), -floor(-most * factor, unit)];
+  }
 }
 
-function convolve(product, x, y) {
-  for (let i = 0; i < x.length; i++) for (let j = 0; j < y.length; j++) product[i + j] += x[i] * y[j];
-}
+const floor = (p, q) => p / q - (p % q < 0n ? 1n : 0n); // for q > 0
 
 /** a^n, …, a^(2n-2) by coefficients: a^n = -(c_0 + … + c_(n-1) a^(n-1)), and a times a row is the row moved up, its top replaced. */
-function powersFrom(modulus) {
-  const n = modulus.length - 1;
-  const first = modulus.slice(0, n).map((c) => -c);
+function powersFrom(polynomial) {
+  const n = polynomial.length - 1;
+  const first = polynomial.slice(0, n).map((c) => -c);
   const rows = [first];
   for (let k = 1; k < n - 1; k++) {
     const last = rows[k - 1];
@@ -847,210 +493,216 @@ function powersFrom(modulus) {
   return rows;
 }
 
-/** What something may cost altogether; counted before it is done. */
-class Budget {
-  constructor(work, of) {
-    Object.assign(this, { spent: 0n, limit: BigInt(work) * SIGNS, of });
-  }
-
-  spend(cost) {
-    this.spent += cost;
-    if (this.spent > this.limit) refuse("work", `${this.spent} word products ${this.of}, more than the limit of ${this.limit}`);
-  }
-}
-
 /** The root lies in [low, high] / unit, unit > 0. */
 class Enclosure {
   constructor(low, high, unit) {
-    Object.assign(this, { low, high, unit, words: BigInt(wordsOfAll([low, high, unit])) });
+    Object.assign(this, { low, high, unit });
   }
 
-  /** The strict sign of f(x) for all x of the interval, if Horner's rule in intervals shows it; times unit^m, m the degree of f. */
-  sign(f, budget) {
-    const count = BigInt(f.length);
-    budget.spend(count * count * this.words * (BigInt(wordsOfAll(f)) + this.words));
+  /** [least, most, u]: f takes values in [least, most] / u on the interval, by Horner's rule in intervals. */
+  range(f) {
     let [least, most] = [f.at(-1), f.at(-1)];
     let power = 1n;
     for (let k = f.length - 2; k >= 0; k--) {
       power *= this.unit;
-      [least, most] = this.hull(least, most);
-      least += f[k] * power;
-      most += f[k] * power;
+      const ends = [least * this.low, least * this.high, most * this.low, most * this.high];
+      least = ends.reduce((x, y) => (y < x ? y : x)) + f[k] * power;
+      most = ends.reduce((x, y) => (y > x ? y : x)) + f[k] * power;
     }
-    return least > 0n ? 1 : most < 0n ? -1 : undefined;
+    return [least, most, power];
   }
 
-  /** The least and the greatest product of a number from [least, most] and one from [low, high]. */
-  hull(least, most) {
-    const { low, high } = this;
-    if (low >= 0n) return [least * (least < 0n ? high : low), most * (most < 0n ? low : high)];
-    if (high <= 0n) return [most * (most < 0n ? high : low), least * (least < 0n ? low : high)];
-    const [a, b, c, d] = [least * high, most * low, least * low, most * high];
-    return [a < b ? a : b, c > d ? c : d];
-  }
-
-  /** The half with the root of p, which rises or falls through it; the middle alone if p is zero there. */
-  halved(p, rise, budget) {
-    const middle = this.low + this.high;
-    const unit = 2n * this.unit;
-    const half = new Enclosure(middle, middle, unit);
-    const found = half.sign(p, budget);
-    if (found === undefined) return half;
+  /** The half with the root of p, which has the sign `rise` at the upper end; the middle alone if p is zero there. */
+  halved(p, rise) {
+    const [middle, unit] = [this.low + this.high, 2n * this.unit];
+    const there = new Enclosure(middle, middle, unit);
+    const found = sign(there.range(p)[0]);
+    if (found === 0) return there;
     return found === rise ? new Enclosure(2n * this.low, middle, unit) : new Enclosure(middle, 2n * this.high, unit);
   }
 }
 
-/** Checks that p has one root in the interval, and encloses it after 64, 128, 256, … halvings and after the last. */
-function ladder(p, [[lowP, lowQ], [highP, highQ]], bisections, budget) {
-  let enclosure = new Enclosure(lowP * highQ, highP * lowQ, lowQ * highQ);
-  const { low, high, unit } = enclosure;
-  if (low >= high) refuse("root-order", "the root's interval does not rise");
-  const at = (end) => new Enclosure(end, end, unit).sign(p, budget);
-  const ends = [at(low), at(high)];
-  if (ends[0] === undefined || ends[1] !== -ends[0]) {
-    refuse("root-signs", "the field's polynomial does not have opposite signs at the ends of the root's interval");
-  }
-  const slope = enclosure.sign(p.slice(1).map((c, k) => c * BigInt(k + 1)), budget);
-  if (slope === undefined) {
-    refuse("root-derivative", "the derivative of the field's polynomial is not shown to keep its sign on the root's interval");
-  }
-  const rise = at(high);
+/** Checks that p has exactly one root in the interval, and encloses it after 64, 128, 256 and 512 halvings. */
+function rungsFrom(p, low, high, unit) {
+  let enclosure = new Enclosure(low, high, unit);
+  const [atLow, rise] = [low, high].map((end) => sign(new Enclosure(end, end, unit).range(p)[0]));
+  if (atLow * rise !== -1) refuse("root-signs", "the polynomial does not have opposite signs at the ends of the root's interval");
+  const [least, most] = enclosure.range(p.slice(1).map((c, k) => c * BigInt(k + 1)));
+  const isMonotone = least > 0n || most < 0n;
+  if (!isMonotone) refuse("root-derivative", "the polynomial's derivative is not shown to keep its sign on the root's interval");
   const rungs = [];
-  for (let step = 1; step <= bisections; step++) {
-    enclosure = enclosure.halved(p, rise, budget);
-    const isRung = step >= 64 && (step & (step - 1)) === 0;
-    if (isRung || step === bisections) rungs.push(enclosure);
+  for (let step = 1; step <= 512; step++) {
+    enclosure = enclosure.halved(p, rise);
+    if ([64, 128, 256, 512].includes(step)) rungs.push(enclosure);
   }
   return rungs;
 }
 
-// ---- The numbers of a certificate in one ring -----------------------------------------------------------------------------------
-
-/**
- * Coordinates are multiplied by one positive integer, `scale`, and the Gram matrix by another, `gramScale`; every condition is
- * homogeneous in both, so no sign changes.
- */
-function readTiling(certificate, limits) {
-  const { claim, witness } = certificate;
-  const polytope = claim.domain.value;
-  const ring = readField(claim.field, limits);
-  const read = (tables) => readTables(tables, ring.degree, limits);
-  const [[gram], gramScale] = read([["gram", claim.gram]]);
-  const [[vertices, corners], scale] = read([["vertices", witness.vertices], ["domain", polytope ? polytope.vertices : []]]);
-  const tiling = {
-    ...{ certificate, ring, gram, gramScale, vertices, scale },
-    ...{ dimension: claim.dimension, rank: rankOf(claim), simplices: witness.simplices, mates: witness.mates },
-    polytope: polytope && { vertices: corners, faces: polytope.faces, k: claim.dimension - rankOf(claim) },
-    bounds: readBounds(claim.statements, limits),
-    work: limits.work,
-  };
-  checkWork(tiling, limits);
-  return { ...tiling, determinantOfGram: determinant(ring, gram), dualGram: adjugate(ring, gram) };
+/** The sign of `value`; `of` names it, and the number meant is `value` over the positive integer `scale`. */
+function signOf({ ring }, value, of, scale = 1n) {
+  const found = ring.sign(value);
+  if (found !== undefined) return found;
+  return refuse("sign-undecided", `the sign of the ${of()}, ${shown(value, scale)}, is not decided by 512 bisections`);
 }
 
-function readField(field, limits) {
-  if (!field) return new Ring(null, [], null);
-  const p = readPolynomial(field.polynomial, limits);
-  const root = field.root.map((text, i) => rational(text, () => `root[${i}]`, limits));
-  const budget = new Budget(limits.work, "for the signs");
-  return new Ring(p, ladder(p, root, limits.bisections, budget), budget);
+/** An element over a positive integer, as an expression in a. */
+function shown(value, scale = 1n) {
+  const terms = value.flatMap((c, k) => (c === 0n ? [] : [ratio(c, scale) + ["", " a"][k] ?? ` a^${k}`]));
+  return terms.join(" + ").replaceAll("+ -", "- ") || "0";
 }
 
-function readPolynomial(texts, limits) {
-  const wrong = (reason) => refuse("polynomial", `the field's polynomial: ${reason}`);
-  const degree = texts.length - 1;
-  if (degree < 2) wrong("its degree is less than two");
-  if (degree > limits.degree) refuse("degree", `the field has degree ${degree}, more than the limit of ${limits.degree}`);
-  if (texts[degree] !== "1") wrong("it is not monic");
-  return texts.map((text, k) => {
-    const [p, q] = rational(text, () => `polynomial[${k}]`, limits);
-    return q === 1n ? p : wrong("a coefficient is not an integer");
-  });
+function ratio(p, q) {
+  const common = gcd(p, q);
+  return q === common ? `${p / common}` : `${p / common}/${q / common}`;
 }
 
-/** All rows of some tables, by the least positive integer that makes them integral; and that integer. */
-function readTables(tables, degree, limits) {
-  let common = 1n;
-  const rationals = tables.map(([name, table]) =>
-    table.map((line, i) =>
-      line.map((number, j) => {
-        const coefficients = readNumber(number, () => `${name}[${i}][${j}]`, degree, limits);
-        for (const [, q] of coefficients) common = widened(common, q, name, limits);
-        return coefficients;
-      }),
-    ),
-  );
-  const integral = (coefficients) => trimmed(coefficients.map(([p, q]) => p * (common / q)));
-  return [rationals.map((table) => table.map((line) => line.map(integral))), common];
+// ---- The claim ---------------------------------------------------------------------------------------------------------------
+
+const STATEMENTS = [
+  "face-to-face tiling",
+  "acute",
+  "nonobtuse",
+  "largest dihedral angle",
+  "smallest dihedral angle",
+  "squared radius-edge ratio",
+  "Delaunay",
+  "weakly Delaunay",
+  "locally Delaunay",
+  "locally weakly Delaunay",
+  "TCP",
+];
+const RELATIONS = ["less than", "at most", "maximum", "more than", "at least", "minimum"];
+const [TILING, , , LARGEST, SMALLEST, RATIO, DELAUNAY, WEAKLY, LOCALLY, LOCALLY_WEAKLY, TCP] = STATEMENTS.keys();
+const CODIMENSIONS = new Map([["slab", 1], ["prism", 2], ["solid", undefined]]);
+
+/** The tiling so far: everything that the claim says, checked. */
+function readClaim(reader, tree) {
+  const names = ["dimension", "field", "gram", "domain", "statements"];
+  const [dimensionTree, fieldTree, gramTree, domainTree, statementTrees] = reader.record(tree, names, "the claim");
+  const dimension = reader.integer(dimensionTree, "dimension");
+  if (dimension !== 2 && dimension !== 3) refuse("dimension", `dimension ${dimension}; it must be 2 or 3`);
+  const field = readField(reader, fieldTree);
+  const tiling = { dimension, ...field, work: new Work(reader.limits.work) };
+  tiling.gram = readGram(reader, tiling, gramTree);
+  Object.assign(tiling, readDomain(reader, tiling, domainTree));
+  tiling.statements = readStatements(reader, tiling, statementTrees);
+  return { ...tiling, determinantOfGram: determinant(tiling.ring, tiling.gram), dualGram: adjugate(tiling.ring, tiling.gram) };
 }
 
-function readNumber(number, place, degree, limits) {
-  const wrong = (reason) => refuse("coefficients", `${place()}: coefficients: ${reason}`);
-  const texts = typeof number === "string" ? [number] : number;
-  if (texts.length === 0) wrong("there is none");
-  if (texts.length > degree) wrong("there are more than the degree of the field");
-  const coefficients = texts.map((text) => rational(text, place, limits));
-  if (texts.length > 1 && coefficients.at(-1)[0] === 0n) wrong("the last one is zero");
-  return coefficients;
-}
-
-/** The least common multiple, while it has no more digits than allowed. */
-function widened(common, q, name, limits) {
-  if (common % q === 0n) return common;
-  const wider = (common / gcd(common, q)) * q;
-  const isLong = wider.toString().length > limits.digits;
-  return isLong ? refuse("common-denominator", `${name}: the common denominator has more than ${limits.digits} digits`) : wider;
-}
-
-/** By kind of statement: its text, and its value. */
-function readBounds(statements, limits) {
-  const bounds = new Map();
-  for (const { kind, value: text } of statements.filter(({ kind }) => isBound(kind))) {
-    const value = rational(text, () => STATEMENTS[kind], limits);
-    checkBound(kind, text, value);
-    bounds.set(kind, { text, value });
+/** What the pairs of boundary facets and tiles cost. */
+class Work {
+  constructor(limit) {
+    Object.assign(this, { spent: 0, limit });
   }
-  return bounds;
-}
 
-function checkBound(kind, text, [p, q]) {
-  if (kind === RATIO) {
-    if (p <= 0n) refuse("ratio-range", `a ratio of ${text}; it must be positive`);
-    return;
+  spend(cost) {
+    this.spent += cost;
+    if (this.spent > this.limit) refuse("work", `the boundary needs more than ${this.limit} comparisons`);
   }
-  const fits = kind === BELOW ? p > 0n && p <= 180n * q : p >= 0n && p < 180n * q;
-  if (!fits) refuse("angle-range", `an angle bound of ${text} degrees, out of the range from 0 to 180`);
 }
 
-/** (simplices + I W + F V) n² words²: see docs/format.md. */
-function checkWork(tiling, limits) {
-  const { vertices: corners, faces } = tiling.polytope ?? { vertices: [], faces: [] };
-  const incidences = faces.reduce((count, face) => count + BigInt(face.length), 0n);
-  const domain = incidences * BigInt(corners.length) + BigInt(faces.length) * BigInt(tiling.vertices.length);
-  const exact = productCost(tiling) * (domain + BigInt(tiling.simplices.length));
-  const found = exact > U64_MAX ? U64_MAX : exact;
-  if (found > BigInt(limits.work)) refuse("work", `${found} word products for each product, more than the limit of ${limits.work}`);
+function readField(reader, tree) {
+  if (tree === "Q") return { ring: new Ring(), root: null };
+  const [polynomialTree, rootTree] = reader.record(tree, ["polynomial", "root"], "field");
+  const degree = reader.array(polynomialTree, "polynomial").length - 1;
+  if (degree < 2) refuse("polynomial", "the degree of the field's polynomial is less than two");
+  if (degree > reader.limits.degree) refuse("degree", `the field has degree ${degree}, more than the limit of ${reader.limits.degree}`);
+  const polynomial = reader.bigs(polynomialTree, "polynomial");
+  if (polynomial[degree] !== 1n) refuse("polynomial", "the field's polynomial is not monic");
+  const names = ["low", "high", "denominator"];
+  const [low, high, unit] = reader.record(rootTree, names, "root").map((value, i) => reader.big(value, `root ${names[i]}`));
+  if (unit <= 0n || low >= high) refuse("root-order", `the root's interval from ${low} to ${high} over ${unit} does not rise`);
+  checkPrimitive([low, high, unit], "root");
+  reader.degree = degree;
+  return { ring: new Ring(polynomial, rungsFrom(polynomial, low, high, unit)), root: { polynomial, low, high, unit } };
 }
 
-/** n² words² */
-function productCost({ ring, gram, vertices, scale, polytope, bounds }) {
-  const n = BigInt(ring.degree);
-  const numbers = [gram, vertices, polytope ? polytope.vertices : []].flatMap((table) => table.map((line) => line.reduce(wordsOfMore, 1)));
-  const modulus = ring.degree * (ring.modulus ?? []).reduce((most, c) => Math.max(most, bits(c)), 0);
-  const others = [wordsOfAll([scale, ...(bounds.get(RATIO)?.value ?? [])]), Math.floor(modulus / 64) + 1];
-  const w = BigInt(numbers.concat(others).reduce((most, words) => Math.max(most, words)));
-  return n * n * w * w;
+/** The whole matrix, from its upper triangle; positive definite, that is, its leading principal minors are positive. */
+function readGram(reader, tiling, tree) {
+  const { dimension, ring } = tiling;
+  const rows = reader.array(tree, "gram", dimension).map((row, i) => reader.numbers(row, `gram[${i}]`, dimension - i));
+  checkPrimitive(rows.flat(2), "gram");
+  const gram = rows.map((row, i) => rows.map((_, j) => (i <= j ? row[j - i] : rows[j][i - j])));
+  for (let order = 1; order <= dimension; order++) {
+    const minor = determinant(ring, gram.slice(0, order).map((row) => row.slice(0, order)));
+    if (signOf(tiling, minor, () => `leading principal minor ${order} of the Gram matrix`) > 0) continue;
+    refuse("gram-not-positive", `the leading principal minor ${order} of the Gram matrix is ${shown(minor)}, not positive`);
+  }
+  return gram;
 }
 
-const wordsOfMore = (most, x) => Math.max(most, wordsOfAll(x));
+/** `kind`, the rank of the lattice, and the polytope where there is one. */
+function readDomain(reader, tiling, tree) {
+  const { dimension } = tiling;
+  if (tree === "space") return { kind: "space", rank: dimension, polytope: null };
+  const [kind, value] = reader.array(tree, "domain", 2);
+  if (kind === "region") {
+    const rank = reader.integer(value, "the region's rank");
+    const fits = rank >= 0 && rank <= dimension;
+    if (!fits) refuse("region-rank", `the rank ${rank} of the lattice is not from 0 to ${dimension}`);
+    return { kind, rank, polytope: null };
+  }
+  if (!CODIMENSIONS.has(kind)) reader.fail("domain", "space, slab, prism, solid or region");
+  if (kind === "prism" && dimension !== 3) refuse("prism-dimension", "a prism has dimension 3");
+  const k = CODIMENSIONS.get(kind) ?? dimension;
+  return { kind, rank: dimension - k, polytope: readPolytope(reader, tiling, value, k) };
+}
 
-// ---- Vectors, covectors, values in words ----------------------------------------------------------------------------------------
+function readStatements(reader, { dimension, kind, ring }, trees) {
+  const statements = reader.array(trees, "statements").map((tree, i) => readStatement(reader, { ring }, tree, `statement ${i}`));
+  if (statements[0]?.kind !== TILING) refuse("statements", `the first statement is not "${STATEMENTS[TILING]}"`);
+  const rankOf = (statement) => statement.kind * RELATIONS.length + (statement.relation ?? 0);
+  const late = statements.findIndex((statement, i) => i > 0 && rankOf(statement) <= rankOf(statements[i - 1]));
+  if (late > 0) refuse("statements", `statement ${late} is out of order or repeats the one before it`);
+  for (const statement of statements) {
+    const name = STATEMENTS[statement.kind];
+    const isMisplaced = {
+      [DELAUNAY]: kind === "region",
+      [WEAKLY]: kind === "region",
+      [LOCALLY]: kind !== "region",
+      [LOCALLY_WEAKLY]: kind !== "region",
+      [TCP]: kind !== "space" || dimension !== 3,
+    }[statement.kind];
+    if (isMisplaced) refuse("statement-domain", `"${name}" is not stated of this domain`);
+  }
+  return statements;
+}
 
-const vectorBetween = (from, to) => to.map((x, k) => difference(x, from[k]));
+const isBound = (kind) => kind === LARGEST || kind === SMALLEST || kind === RATIO;
+
+/** `kind` and `relation` are indices of the lists above; a bound has a fraction [p, q], that of an angle also the sign of its cosine. */
+function readStatement(reader, tiling, tree, place) {
+  const isAlone = typeof tree === "string";
+  const kind = STATEMENTS.indexOf(isAlone ? tree : reader.array(tree, place)[0]);
+  if (kind < 0 || isAlone === isBound(kind)) refuse("statements", `${place} is unknown`);
+  if (isAlone) return { kind };
+  const [, relationTree, ...rest] = reader.array(tree, place, kind === RATIO ? 3 : 4);
+  const relation = RELATIONS.indexOf(relationTree);
+  if (relation < 0) refuse("statements", `${place} has an unknown relation`);
+  const sign = kind === RATIO ? 1 : reader.integer(rest[0], `the sign of ${place}`);
+  const [p, q] = reader.array(rest.at(-1), place, 2);
+  const fraction = [reader.number(p, place), reader.positive(q, place, "bound-range")];
+  checkBound(tiling, kind, sign, fraction, place);
+  return { kind, relation, sign, fraction };
+}
+
+/** A squared cosine is from 0 to 1, and 0 exactly if the sign is 0; a ratio is positive. */
+function checkBound(tiling, kind, sign, [p, q], place) {
+  checkPrimitive([...p, q], place);
+  const isSign = [-1, 0, 1].includes(sign);
+  const found = signOf(tiling, p, () => `bound of ${place}`, q);
+  const isSmall = kind === RATIO || signOf(tiling, minus(p, tiling.ring.integer(q)), () => `bound of ${place} less 1`, q) <= 0;
+  const fits = isSign && isSmall && found === Math.abs(sign);
+  if (!fits) refuse("bound-range", `${place}: the sign ${sign} and the number ${shown(p, q)} are no bound`);
+}
+
+// ---- Vectors and covectors -------------------------------------------------------------------------------------------------------
+
+const vectorBetween = (from, to) => to.map((x, k) => minus(x, from[k]));
 
 /** The covector n with n · x = det(rows…, x), for k - 1 rows of k. */
 function normal(ring, rows) {
-  if (rows.length === 0) return [ONE];
+  if (rows.length === 0) return [ring.integer(1n)];
   const [[x0, x1, x2], y] = rows;
   if (rows.length === 1) return [negated(x1), x0];
   const minor = (a, b, c, d) => ring.dot([a, negated(b)], [d, c]);
@@ -1066,641 +718,390 @@ function adjugate(ring, rows) {
 }
 
 /** x · m y */
-const pairing = (ring, x, m, y) => ring.dot(x, m.map((line) => ring.dot(line, y)));
+const pairing = (ring, x, m, y) => ring.dot(x, m.map((row) => ring.dot(row, y)));
 
-/** The sign of `value`, decided; `of` names it, and `scale` is the positive integer by which it is too large. */
-function signOf(tiling, value, scale, of) {
-  const found = tiling.ring.sign(value);
-  if (found !== undefined) return found;
-  return refuse("sign-undecided", `the sign of the ${of()}, ${shown(value, scale())}, is not decided by the bisections allowed`);
-}
-
-/** An element divided by a positive integer, as an expression in a. */
-function shown(value, scale) {
-  return polynomialInWords(value.map((c) => ratioText(c, scale)));
-}
-
-function ratioText(p, q) {
-  const common = gcd(p, q);
-  return q === common ? `${p / common}` : `${p / common}/${q / common}`;
-}
-
-function polynomialInWords(texts) {
-  let words = "";
-  texts.forEach((text, k) => {
-    if (text === "0") return;
-    const isMinus = text.startsWith("-");
-    const size = isMinus ? text.slice(1) : text;
-    const power = k === 1 ? "a" : `a^${k}`;
-    words += words === "" ? (isMinus ? "-" : "") : isMinus ? " - " : " + ";
-    words += k === 0 ? size : size === "1" ? power : `${size} ${power}`;
-  });
-  return words || "0";
-}
-
-/** A simplex's corner, or its translate, in coordinates that are N times too large. */
-function pointOf(tiling, [v, ...shift], by) {
-  const point = [...tiling.vertices[v]];
-  shift.forEach((s, k) => {
-    const steps = BigInt(by ? s + by[k] : s);
-    if (steps !== 0n) point[k] = sum(point[k], integer(steps * tiling.scale));
-  });
-  return point;
-}
-
-/**
- * The points of a simplex and the normals of its facets: the i-th is det E times the gradient of the i-th barycentric coordinate. With y_0,
- * …, y_(D-1) the other points in their order, (-1)^(D-i) det(y_1 - y_0, …, y_(D-1) - y_0, x - y_0) is that coordinate times det E.
- */
-function simplexOf(tiling, s) {
-  const points = tiling.simplices[s].map((corner) => pointOf(tiling, corner));
-  const normals = points.map((_, i) => {
-    const [origin, ...others] = points.filter((_, j) => j !== i);
-    const covector = normal(tiling.ring, others.map((point) => vectorBetween(origin, point)));
-    return (points.length - 1 - i) % 2 === 0 ? covector : covector.map(negated);
-  });
-  return { points, normals };
-}
-
-/** det E times the i-th barycentric coordinate of x. */
-function barycentric({ ring }, { points, normals }, i, x) {
-  return ring.dot(normals[i], vectorBetween(points[i === 0 ? 1 : 0], x));
-}
-
-/** det E = det(x_1 - x_0, …, x_D - x_0), N^D times too large: the first barycentric coordinate is one at x_0. */
-const determinantOf = (tiling, simplex) => barycentric(tiling, simplex, 0, simplex.points[0]);
-
-/** The square of a vector's length, d N² times too large. */
-const square = ({ ring, gram }, x) => pairing(ring, x, gram, x);
+/** The pairs (i, j), i < j, of numbers up to n. */
+const pairs = (n) => Array.from({ length: n + 1 }, (_, j) => Array.from({ length: j }, (_, i) => [i, j])).flat();
 
 const factorial = (n) => (n < 2n ? 1n : n * factorial(n - 1n));
-const power = (base, exponent) => base ** BigInt(exponent);
 
-/** The pairs (i, j), i < j, of facets or corners: by j, then by i. */
-const pairs = (dimension) => [...Array(dimension + 1).keys()].flatMap((j) => [...Array(j).keys()].map((i) => [i, j]));
-
-// ---- The hypotheses of the theorem in docs/soundness.md, in the order of docs/format.md -----------------------------------------------
-
-function checkGeometry(tiling) {
-  checkGram(tiling);
-  checkDomain(tiling);
-  checkOrientation(tiling);
-  checkMates(tiling);
-  checkBoundary(tiling);
-  checkVolume(tiling);
-  checkRegion(tiling);
-  checkAcute(tiling);
-  checkNonobtuse(tiling);
-  checkAngles(tiling, BELOW);
-  checkAngles(tiling, ABOVE);
-  checkRadius(tiling);
-  checkPowers(tiling, DELAUNAY);
-  checkPowers(tiling, WEAKLY);
-  checkClosePacked(tiling);
+/** Lists by their first different entries. */
+function byEntries(x, y) {
+  const k = x.findIndex((entry, i) => entry !== y[i]);
+  return k < 0 ? 0 : x[k] - y[k];
 }
 
-const domainOf = (tiling) => tiling.certificate.claim.domain.kind;
-const claims = (tiling, kind) => tiling.certificate.claim.statements.some((statement) => statement.kind === kind);
+/** The items that follow one another, cyclically. */
+const sidesOf = (list) => list.map((p, i) => [p, list[(i + 1) % list.length]]);
 
-/** G is positive definite: its leading principal minors are positive. */
-function checkGram(tiling) {
-  for (let order = 1; order <= tiling.dimension; order++) {
-    const minor = determinant(tiling.ring, tiling.gram.slice(0, order).map((line) => line.slice(0, order)));
-    const scale = () => power(tiling.gramScale, order);
-    if (signOf(tiling, minor, scale, () => `leading principal minor ${order} of the Gram matrix`) > 0) continue;
-    refuse("gram-not-positive", `the Gram matrix is not positive definite: its leading principal minor ${order} is ${shown(minor, scale())}`);
-  }
-}
-
-/** det E > 0 */
-function checkOrientation(tiling) {
-  const scale = () => power(tiling.scale, tiling.dimension);
-  tiling.determinants = tiling.simplices.map((_, s) => {
-    const value = determinantOf(tiling, simplexOf(tiling, s));
-    if (signOf(tiling, value, scale, () => `determinant of simplex ${s}`) > 0) return value;
-    return refuse("orientation", `simplex ${s} has the determinant ${shown(value, scale())}, not a positive one`);
-  });
-}
-
-/** Σ det E = D! vol P, in units of the basis's parallelepiped; D! for space. A region has no volume but this sum. */
-function checkVolume(tiling) {
-  const { dimension, polytope, scale } = tiling;
-  if (domainOf(tiling) === REGION) return;
-  const [d, k] = [BigInt(dimension), BigInt(polytope ? polytope.k : 0)];
-  const found = total(tiling.determinants);
-  const volume = polytope ? volumeOf(tiling, polytope.planes.map((plane) => innerSide(tiling, plane))) : ONE;
-  const expected = scaled(volume, (factorial(d) / factorial(k)) * scale ** (d - k));
-  const cell = () => factorial(d) * scale ** d;
-  const excess = difference(found, expected);
-  if (signOf(tiling, excess, cell, () => "sum of the volumes, minus that of the domain") === 0) return;
-  const [is, should] = [found, expected].map((value) => shown(value, cell()));
-  const domain = should === "1" ? "" : `; the domain has ${should}`;
-  refuse("volume-sum", `the volumes of the simplices sum to ${is} times the cell${domain}`);
-}
-
-// ---- The domain --------------------------------------------------------------------------------------------------------------
+// ---- The polytope of a domain (docs/soundness.md, section 3) -----------------------------------------------------------------------------
 //
 // h_f(x) = det(w_1 - w_0, …, w_(k-1) - w_0, x - w_0) = n · x - n · w_0 for a face f with the vertices w_0, w_1, …
 
-function checkDomain(tiling) {
-  const { ring, polytope } = tiling;
-  if (!polytope) return;
-  polytope.planes = polytope.faces.map((face, f) => {
-    const [origin, ...others] = face.slice(0, polytope.k).map((w) => polytope.vertices[w]);
+function readPolytope(reader, { ring, work }, tree, k) {
+  const [denominatorTree, vertexTrees, faceTrees] = reader.record(tree, ["denominator", "vertices", "faces"], "the polytope");
+  const denominator = reader.positive(denominatorTree, "the polytope's denominator", "denominator");
+  const vertices = reader.array(vertexTrees, "the polytope's vertices").map((row, w) => reader.numbers(row, `polytope vertex ${w}`, k));
+  checkPrimitive([denominator, ...vertices.flat(2)], "the polytope");
+  const faces = reader.array(faceTrees, "faces").map((face, f) => reader.array(face, `face ${f}`).map((w) => reader.integer(w, `face ${f}`)));
+  checkIncidences(vertices, faces, k);
+  const polytope = { ring, work, k, denominator, vertices, faces };
+  polytope.planes = planesOf(polytope);
+  polytope.planes.forEach((plane) => checkFacet(polytope, plane));
+  if (k === 3) polytope.planes.forEach((plane) => checkPolygon(polytope, plane));
+  checkClosed(polytope);
+  return polytope;
+}
+
+function checkIncidences(vertices, faces, k) {
+  if (faces.length <= k) refuse("face-count", `the domain has ${faces.length} faces, fewer than ${k + 1}`);
+  const odd = faces.findIndex(({ length }) => !(k === 3 ? length >= 3 : length === k));
+  if (odd >= 0) refuse("face-length", `face ${odd} of the domain has ${faces[odd].length} vertices`);
+  const isWrong = (face) => face.some((w) => !isIndex(w, vertices.length)) || new Set(face).size < face.length;
+  const wrong = faces.findIndex(isWrong);
+  if (wrong >= 0) refuse("face-vertices", `a vertex of face ${wrong} of the domain does not exist or is there twice`);
+  const names = new Set(faces.map((face) => [...face].sort((v, w) => v - w).join()));
+  if (names.size < faces.length) refuse("face-repeated", "two faces of the domain have the same vertices");
+  const used = new Set(faces.flat());
+  const unused = vertices.findIndex((_, w) => !used.has(w));
+  if (unused >= 0) refuse("unused-domain-vertex", `vertex ${unused} of the domain is in no face`);
+}
+
+function planesOf({ ring, vertices, faces, k }) {
+  return faces.map((face, f) => {
+    const [origin, ...others] = face.slice(0, k).map((w) => vertices[w]);
     const covector = normal(ring, others.map((point) => vectorBetween(origin, point)));
     return { f, face, members: new Set(face), covector, level: ring.dot(covector, origin) };
   });
-  polytope.planes.forEach((plane) => checkFacet(tiling, plane));
-  if (polytope.k === 3) polytope.planes.forEach((plane) => checkPolygon(tiling, plane));
-  checkClosed(polytope);
-  polytope.planes.forEach((plane) => checkInside(tiling, plane));
 }
 
-/** h_f of a point of the polytope or of the tiling, N^k times too large. */
-function height({ ring, polytope }, plane, point) {
-  return difference(ring.dot(plane.covector, point.slice(-polytope.k)), plane.level);
-}
+/** h_f of a point. */
+const height = ({ ring, k }, plane, point) => minus(ring.dot(plane.covector, point.slice(-k)), plane.level);
 
-function sideOfPoint(tiling, plane, point) {
-  const of = () => `side of a point with respect to face ${plane.f}`;
-  return signOf(tiling, height(tiling, plane, point), () => power(tiling.scale, tiling.polytope.k), of);
+function sideOfPoint(polytope, plane, point) {
+  polytope.work.spend(100);
+  return signOf(polytope, height(polytope, plane, point), () => `side of a point with respect to face ${plane.f}`);
 }
-
-const heightShown = (tiling, plane, point) => shown(height(tiling, plane, point), power(tiling.scale, tiling.polytope.k));
 
 /** s_f: the sign of h_f at the first vertex that is not one of f; zero where there is none. */
-function innerSide(tiling, plane) {
-  const { vertices } = tiling.polytope;
-  const other = vertices.findIndex((_, w) => !plane.members.has(w));
-  return other < 0 ? 0 : sideOfPoint(tiling, plane, vertices[other]);
+function innerSide(polytope, plane) {
+  const other = polytope.vertices.findIndex((_, w) => !plane.members.has(w));
+  return other < 0 ? 0 : sideOfPoint(polytope, plane, polytope.vertices[other]);
 }
 
 /** h_f is zero at the vertices of f and has one strict sign at the others, of which there is one. */
-function checkFacet(tiling, plane) {
-  const inner = innerSide(tiling, plane);
-  tiling.polytope.vertices.forEach((point, w) => {
-    const expected = plane.members.has(w) ? 0 : inner;
-    if (inner !== 0 && sideOfPoint(tiling, plane, point) === expected) return;
-    const value = heightShown(tiling, plane, point);
-    refuse("face-not-facet", `face ${plane.f} is no facet of the domain: vertex ${w} of the domain has the determinant ${value}`);
+function checkFacet(polytope, plane) {
+  plane.inner = innerSide(polytope, plane);
+  polytope.vertices.forEach((point, w) => {
+    const expected = plane.members.has(w) ? 0 : plane.inner;
+    if (plane.inner !== 0 && sideOfPoint(polytope, plane, point) === expected) return;
+    refuse("face-not-facet", `face ${plane.f} is no facet: domain vertex ${w} has the determinant ${shown(height(polytope, plane, point))}`);
   });
 }
 
-/** The vertices that follow one another, cyclically. */
-const sidesOf = (face) => face.map((p, i) => [p, face[(i + 1) % face.length]]);
-
 /** For sides p q and every other vertex t, the cross product of q - p and t - p is a positive multiple of the normal. */
-function checkPolygon(tiling, { f, face, covector }) {
-  const { ring, polytope } = tiling;
+function checkPolygon(polytope, { f, face, covector }) {
+  const { ring, vertices, work } = polytope;
   for (const [p, q] of sidesOf(face)) {
-    const [side, ...diagonals] = [q, ...face.filter((t) => t !== p && t !== q)].map((t) => [
-      t,
-      vectorBetween(polytope.vertices[p], polytope.vertices[t]),
-    ]);
-    for (const [t, diagonal] of diagonals) {
-      const turn = ring.dot(normal(ring, [side[1], diagonal]), covector);
-      if (signOf(tiling, turn, () => tiling.scale ** 4n, () => `turn at vertex ${q} of face ${f}`) > 0) continue;
-      const line = `vertex ${t} is not on the inner side of the line through ${p} and ${q}`;
-      refuse("face-not-convex", `face ${f} of the domain is no convex polygon: ${line}`);
+    for (const t of face.filter((t) => t !== p && t !== q)) {
+      work.spend(100);
+      const across = normal(ring, [q, t].map((w) => vectorBetween(vertices[p], vertices[w])));
+      if (signOf(polytope, ring.dot(across, covector), () => `turn at vertex ${q} of face ${f}`) > 0) continue;
+      refuse("face-not-convex", `face ${f}: vertex ${t} is not on the inner side of the line through ${p} and ${q}`);
     }
   }
 }
 
 /** Every ridge (k = 1: the empty set, 2: a vertex, 3: a side) is in two faces. */
 function checkClosed({ faces, k }) {
-  const ridgesOf = [(_) => [[]], (face) => face.map((w) => [w]), sidesOf][k - 1];
+  const ridgesOf = [() => [""], (face) => face, (face) => sidesOf(face).map((side) => side.sort((p, q) => p - q).join())][k - 1];
   const counts = new Map();
-  for (const ridge of faces.flatMap(ridgesOf).map((ridge) => ridge.sort((p, q) => p - q))) {
-    const entry = counts.get(ridge.join()) ?? { ridge, count: 0 };
-    counts.set(ridge.join(), { ridge, count: entry.count + 1 });
-  }
-  const open = [...counts.values()].filter(({ count }) => count !== 2).sort((x, y) => byEntries(x.ridge, y.ridge));
-  if (open.length === 0) return;
-  const [{ ridge, count }] = open;
-  refuse("faces-not-closed", `the ridge of the domain with the vertices ${bracketed(ridge)} is in ${count} faces, not in 2`);
+  for (const ridge of faces.flatMap(ridgesOf)) counts.set(ridge, (counts.get(ridge) ?? 0) + 1);
+  const open = [...counts].find(([, count]) => count !== 2);
+  if (open) refuse("faces-not-closed", `the ridge of the domain with the vertices [${open[0]}] is in ${open[1]} faces, not in 2`);
 }
 
-/** Lists of the same length by their first different entries. */
-function byEntries(x, y) {
-  const k = x.findIndex((entry, i) => entry !== y[i]);
-  return k < 0 ? 0 : x[k] - y[k];
+/** The polytope in units of the witness's denominator. */
+function rescaled(polytope, denominator) {
+  const isDivisor = denominator % polytope.denominator === 0n;
+  if (!isDivisor) refuse("denominator-domain", `the polytope's denominator ${polytope.denominator} does not divide ${denominator}`);
+  const factor = denominator / polytope.denominator;
+  const larger = { ...polytope, vertices: polytope.vertices.map((vertex) => vertex.map((x) => scaled(x, factor))) };
+  larger.planes = planesOf(larger).map((plane, f) => ({ ...plane, inner: polytope.planes[f].inner }));
+  return larger;
 }
 
-/** s_f h_f >= 0 at every vertex of the tiling. */
-function checkInside(tiling, plane) {
-  const inner = innerSide(tiling, plane);
-  tiling.vertices.forEach((point, v) => {
-    const side = sideOfPoint(tiling, plane, point);
-    if (side === 0 || side === inner) return;
-    const value = heightShown(tiling, plane, point);
-    refuse("vertex-outside", `vertex ${v} is outside of face ${plane.f} of the domain: the determinant is ${value}`);
+/** The faces that contain a vertex of the tiling, which is on the inner side of all others: s_f h_f >= 0. */
+function facesAt(polytope, point, v) {
+  return polytope.planes.filter((plane) => {
+    const side = sideOfPoint(polytope, plane, point);
+    const isOutside = side === -plane.inner;
+    if (isOutside) refuse("vertex-outside", `vertex ${v} is beyond face ${plane.f}: the determinant is ${shown(height(polytope, plane, point))}`);
+    return side === 0;
   });
 }
 
-/** A facet whose mate is `[f]` lies in the plane of face f. */
-function checkBoundary(tiling) {
-  tiling.mates.forEach((row, s) =>
-    row.forEach((mate, i) => {
-      if (mate.length !== 1) return;
-      const plane = tiling.polytope.planes[mate[0]];
-      for (const [v] of facetOf(tiling, s, i)) {
-        const point = tiling.vertices[v];
-        if (sideOfPoint(tiling, plane, point) === 0) continue;
-        const where = `${facetName(s, i)} does not lie in face ${plane.f} of the domain`;
-        refuse("boundary-facet", `${where}: a corner has the determinant ${heightShown(tiling, plane, point)}, not 0`);
-      }
-    }),
-  );
-}
-
 /**
- * k! vol P, N^k times too large: the pyramids from the origin over the faces, counted by s_f. The sum over closed faces of
+ * k! vol P: the pyramids from the origin over the faces, counted by s_f. The sum over closed faces of
  * s_f det(w_i - w_0, …, o - w_0) does not depend on o; at the origin it is that of -s_f det(w_i, …, w_0).
  */
-function volumeOf({ ring, polytope }, sides) {
-  const at = (w) => polytope.vertices[w];
-  const pyramids = ({ face: [apex, ...others] }) => {
-    if (polytope.k === 1) return at(apex)[0];
-    const bases = polytope.k === 2 ? [others] : others.slice(1).map((w, i) => [others[i], w]);
-    return total(bases.map((base) => determinant(ring, [...base, apex].map(at))));
+function volumeOf({ ring, vertices, k, planes }) {
+  const pyramids = ([apex, ...others]) => {
+    if (k === 1) return vertices[apex][0];
+    const bases = k === 2 ? [others] : others.slice(1).map((w, i) => [others[i], w]);
+    return ring.sum(bases.map((base) => determinant(ring, [...base, apex].map((w) => vertices[w]))));
   };
-  return total(polytope.planes.map((plane, f) => (sides[f] < 0 ? pyramids(plane) : negated(pyramids(plane)))));
+  return ring.sum(planes.map(({ face, inner }) => scaled(pyramids(face), BigInt(-inner))));
 }
 
-// ---- Mates: by names of corners alone --------------------------------------------------------------------------------------------
+// ---- The witness -----------------------------------------------------------------------------------------------------------------
 
-const facetOf = (tiling, s, i) => tiling.simplices[s].filter((_, j) => j !== i);
-const moved = ([v, ...shift], by) => [v, ...shift.map((entry, k) => entry + by[k])];
+function checkWitness(reader, tiling, tree) {
+  const names = ["denominator", "vertices", "boundary", "simplices"];
+  const [denominatorTree, vertexTrees, boundaryTrees, rowTrees] = reader.record(tree, names, "the witness");
+  tiling.denominator = reader.positive(denominatorTree, "the witness's denominator", "denominator");
+  if (tiling.polytope) tiling.polytope = rescaled(tiling.polytope, tiling.denominator);
+  readVertices(reader, tiling, vertexTrees);
+  tiling.open = new Map(); // the facets that wait for their mates, by name
+  tiling.boundary = readBoundary(reader, tiling, boundaryTrees);
+  checkBoundaryApart(tiling);
+  const rows = reader.array(rowTrees, "simplices");
+  if (rows.length === 0) refuse("no-simplices", "there are no simplices");
+  const isMany = rows.length > reader.limits.simplices;
+  if (isMany) refuse("too-many-simplices", `${rows.length} simplices, more than the limit of ${reader.limits.simplices}`);
+  Object.assign(tiling, { rows: [], edges: new Map(), total: tiling.ring.zero, attained: new Set() });
+  rows.forEach((row, s) => checkRow(reader, tiling, row, s));
+  checkCovering(tiling);
+  checkEnd(tiling);
+}
 
-function checkMates(tiling) {
-  const eachMate = (check) =>
-    tiling.mates.forEach((row, s) => row.forEach((mate, i) => mate.length > 1 && check(s, i, mate[0], mate[1], mate.slice(2), mate)));
-  eachMate((s, i, t, j, shift) => {
-    const back = tiling.mates[t][j];
-    const isBack = back.length === 2 + tiling.rank && back[0] === s && back[1] === i && shift.every((entry, k) => back[2 + k] === -entry);
-    if (!isBack) refuse("mate-not-mutual", `the mate of ${facetName(s, i)} has ${bracketed(back)} for its mate`);
+function readVertices(reader, tiling, trees) {
+  const { dimension, denominator, polytope } = tiling;
+  const rows = reader.array(trees, "vertices");
+  tiling.faces = [];
+  tiling.vertices = rows.map((row, v) => {
+    const point = reader.numbers(row, `vertex ${v}`, dimension);
+    if (polytope) tiling.faces.push(new Set(facesAt(polytope, point, v)));
+    return point;
   });
-  eachMate((s, i, t, j, shift, mate) => {
-    const [mine, theirs] = [sortedFacet(tiling, s, i), sortedFacet(tiling, t, j)];
-    const isSame = mine.corners.every((corner, k) => byEntries(corner, moved(theirs.corners[k], shift)) === 0);
-    const both = `${facetName(s, i)} and its mate ${bracketed(mate)} have`;
-    if (!isSame) refuse("mate-corners", `${both} different corners, for one ${bracketed(missing(tiling, s, i, t, j, shift))}`);
-    if (mine.side === theirs.side) refuse("mate-side", `${both} their simplices on the same side`);
+  checkPrimitive(coefficientsOf(denominator, tiling.vertices), "vertices");
+}
+
+function* coefficientsOf(denominator, vertices) {
+  yield denominator;
+  for (const point of vertices) for (const x of point) yield* x;
+}
+
+/** A corner's point, in units of 1 / denominator. */
+function pointOf({ vertices, denominator }, [v, ...shift]) {
+  return vertices[v].map((x, k) => (shift[k] ? x.map((c, i) => (i === 0 ? c + BigInt(shift[k]) * denominator : c)) : x));
+}
+
+const moved = ([v, ...shift], by, factor = 1) => [v, ...shift.map((entry, k) => entry + factor * by[k])];
+const isUnshifted = ([, ...shift]) => shift.every((entry) => entry === 0);
+const facetName = (s, i) => `the facet opposite to sorted corner ${i} of simplex ${s}`;
+
+/** [name, base]: sorted corners have the same name as their translates; `base` is the shift of the first one. */
+function nameOf(facet) {
+  const base = facet[0].slice(1);
+  return [facet.map((corner) => moved(corner, base, -1)).join(), base];
+}
+
+/** Listed facets wait from the beginning, on the side that a mate would have. */
+function readBoundary(reader, tiling, trees) {
+  const isRegion = tiling.kind === "region";
+  const facets = reader.array(trees, "boundary");
+  if (facets.length > 0 !== isRegion) refuse("boundary-domain", "boundary facets are listed for a region, and only for a region");
+  return facets.map((tree, f) => {
+    const corners = reader.array(tree, `boundary facet ${f}`, tiling.dimension).map((corner) => reader.corner(corner, `boundary facet ${f}`, tiling));
+    const [first, ...others] = corners;
+    const isLeast = tiling.dimension === 2 || others.every((corner) => byEntries(first, corner) < 0);
+    const isOrdered = isUnshifted(first) && isLeast && byEntries(corners.at(-2), corners.at(-1)) !== 0;
+    if (!isOrdered) refuse("corner-order", `the corners of boundary facet ${f} are not in order`);
+    const [name] = nameOf([...corners].sort(byEntries));
+    if (tiling.open.has(name)) refuse("boundary-repeated", `boundary facet ${f} is listed before`);
+    const isSorted = byEntries(corners.at(-2), corners.at(-1)) < 0;
+    tiling.open.set(name, { side: isSorted ? 1 : 0, listed: f });
+    return surfaceOf(tiling, f, corners);
   });
 }
 
-/** The corners by vertex and then by shift, an order that translations keep; and (-1)^i times the sign of the sorting permutation. */
-function sortedFacet(tiling, s, i) {
-  const corners = facetOf(tiling, s, i);
-  const inversions = pairs(corners.length - 1).filter(([k, l]) => byEntries(corners[k], corners[l]) > 0).length;
-  return { corners: corners.sort(byEntries), side: (i + inversions) % 2 };
+function checkRow(reader, tiling, tree, s) {
+  const corners = readRow(reader, tiling, tree, s);
+  const mates = closeFacets(tiling, corners, s);
+  if (tiling.statements.at(-1).kind === TCP) countEdges(reader, tiling, corners, tree.at(-1), s);
+  const simplex = new Simplex(tiling, corners, s);
+  const found = signOf(tiling, simplex.determinant, () => `determinant of simplex ${s}`, tiling.denominator ** BigInt(tiling.dimension));
+  if (found <= 0) refuse("orientation", `simplex ${s} has the determinant ${shown(simplex.determinant)}, not a positive one`);
+  tiling.statements.forEach((statement, i) => judge(tiling, simplex, mates, statement, i));
+  tiling.total = plus(tiling.total, simplex.determinant);
+  tiling.rows.push(corners);
 }
 
-/** The first corner behind that is none of the facet's; there is one, for simplices that are not flat have different corners. */
-function missing(tiling, s, i, t, j, shift) {
-  const mine = facetOf(tiling, s, i);
-  const isThere = (corner) => mine.some((own) => byEntries(own, moved(corner, shift)) === 0);
-  return facetOf(tiling, t, j).find((corner) => !isThere(corner));
+/** The corners as they are listed: sorted, but the last two stand in the order of a positive determinant. */
+function readRow(reader, tiling, tree, s) {
+  const { dimension, statements } = tiling;
+  const isTcp = statements.at(-1).kind === TCP;
+  const row = reader.array(tree, `simplex ${s}`, dimension + 1 + Number(isTcp));
+  const corners = row.slice(0, dimension + 1).map((corner, i) => reader.corner(corner, `corner ${i} of simplex ${s}`, tiling));
+  const sorted = [...corners].sort(byEntries);
+  const isOrdered =
+    isUnshifted(corners[0]) &&
+    corners.slice(0, -2).every((corner, i) => corner === sorted[i]) &&
+    sorted.every((corner, i) => i === 0 || byEntries(sorted[i - 1], corner) < 0);
+  if (!isOrdered) refuse("corner-order", `the corners of simplex ${s} are not in order`);
+  const sixes = isTcp ? reader.integer(row.at(-1), `simplex ${s}`) : 0;
+  if (!isIndex(sixes, 64)) refuse("sixes", `simplex ${s}: ${sixes} is not from 0 to 63`);
+  return corners;
 }
-
-// ---- The region of a mesh ------------------------------------------------------------------------------------------------------
-//
-// Its boundary does not meet itself, and nothing is outside of it. The verifier in Rust separates triangles by functionals and sends rays
-// along (1, ε, ε²); here edges are cut with triangles, and the rays go along (1, ε², ε). The covering number that a ray finds is that at its
-// beginning, whatever its direction.
-
-function checkRegion(tiling) {
-  if (domainOf(tiling) !== REGION) return;
-  const triangles = boundaryOf(tiling);
-  const extents = extentsOf(tiling, triangles);
-  checkBoundaryApart(tiling, triangles, extents);
-  checkCovering(tiling, triangles, extents);
-}
-
-/** The facets with the mate `[]`: their vertices turn so that the normal (b - a) × (c - a) points out, as det E > 0. */
-function boundaryOf(tiling) {
-  return tiling.mates.flatMap((row, s) =>
-    row.flatMap((mate, i) => {
-      if (mate.length > 0) return [];
-      const [a, b, c] = facetOf(tiling, s, i).map(([v]) => v);
-      const corners = i % 2 === 0 ? [a, b, c] : [a, c, b];
-      return [{ s, i, corners, normal: normalOf(tiling, corners) }];
-    }),
-  );
-}
-
-const between = ({ vertices }, v, w) => vectorBetween(vertices[v], vertices[w]);
-const normalOf = (tiling, [a, b, c]) => normal(tiling.ring, [between(tiling, a, b), between(tiling, a, c)]);
-const signInBoundary = (tiling, value, of = "position of two facets in the boundary, scaled") => signOf(tiling, value, () => 1n, () => of);
-
-/** x_i, x_j + x_k and x_j - x_k. */
-const FUNCTIONALS = [[1, 0, 0], [0, 1, 0], [0, 0, 1], [0, 1, 1], [1, 0, 1], [1, 1, 0], [0, 1, -1], [1, 0, -1], [1, -1, 0]];
 
 /**
- * Of each triangle the least and the greatest rank of its corners along each functional, where equal values have equal ranks.
- * Triangles of which one ends before the other begins have a plane between them.
+ * The first facet with a name opens, the second closes it, and it must be on the other side. A facet in a face of the polytope has no mate.
+ * Returns the corners opposite to this simplex in the mates that are simplices.
  */
-function extentsOf(tiling, triangles) {
-  const used = [...new Set(triangles.flatMap(({ corners }) => corners))].sort((v, w) => v - w);
-  const ranks = FUNCTIONALS.map((functional) => {
-    const values = new Map(used.map((v) => [v, total(tiling.vertices[v].map((x, k) => scaled(x, BigInt(functional[k]))))]));
-    const of = () => "difference of two vertices along a functional";
-    const compare = (v, w) => signOf(tiling, difference(values.get(v), values.get(w)), () => tiling.scale, of);
-    const rank = new Map();
-    [...used].sort(compare).forEach((v, at, order) => rank.set(v, at === 0 ? 0 : rank.get(order[at - 1]) - Math.min(0, compare(order[at - 1], v))));
-    return rank;
+function closeFacets(tiling, corners, s) {
+  const sorted = [...corners].sort(byEntries);
+  const isOdd = Number(sorted.at(-1) !== corners.at(-1));
+  const mates = [];
+  sorted.forEach((apex, i) => {
+    const facet = sorted.filter((corner) => corner !== apex);
+    if (isInFace(tiling, facet)) return;
+    const [name, base] = nameOf(facet);
+    const side = isOdd ^ (i % 2);
+    const other = tiling.open.get(name);
+    if (other === undefined) {
+      tiling.open.set(name, { side, apex: moved(apex, base, -1), where: facetName(s, i) });
+      return;
+    }
+    if (other.side === side) refuse("facet-side", `${facetName(s, i)} and its mate are on the same side`);
+    tiling.open.delete(name);
+    if (other.apex) mates.push({ i, apex: moved(other.apex, base) });
   });
-  return triangles.map(({ corners }) =>
-    ranks.map((rank) => {
-      const own = corners.map((v) => rank.get(v));
-      return { begin: Math.min(...own), end: Math.max(...own) };
-    }),
-  );
+  return mates;
 }
 
-const pairCost = (tiling) => 64n * productCost(tiling);
-const overlap = (p, q) => p.begin <= q.end && q.begin <= p.end;
+/** All corners are in one face of the polytope. */
+function isInFace({ polytope, faces }, facet) {
+  return polytope !== null && [...faces[facet[0][0]]].some((plane) => facet.every(([v]) => faces[v].has(plane)));
+}
 
-/** Any two triangles meet in the convex hull of the corners that they share, and these are not three. */
-function checkBoundaryApart(tiling, triangles, extents) {
-  const budget = new Budget(tiling.work, "for the facets in the boundary");
-  const cost = pairCost(tiling);
-  eachClosePair(extents, budget.limit, (t, u) => {
-    budget.spend(cost);
-    const [f, g] = [triangles[t], triangles[u]];
-    const shared = f.corners.filter((v) => g.corners.includes(v));
-    if (meetInShared(tiling, f, g, shared)) return;
-    const [first, second] = [f, g].sort((x, y) => x.s - y.s || x.i - y.i).map(({ s, i }) => facetName(s, i));
-    const count = ["no corner", "one corner"][shared.length] ?? `${shared.length} corners`;
-    refuse("boundary-meets", `${first} and ${second} in the boundary have ${count} in common and meet elsewhere`);
+/** The end: nothing is verified before. */
+function checkEnd(tiling) {
+  const entries = [...tiling.open.values()];
+  const open = entries.find(({ apex }) => apex);
+  if (open) refuse("open-facet", `${open.where} has no mate`);
+  if (entries.length > 0) refuse("boundary-open", `boundary facet ${entries[0].listed} is a facet of no simplex`);
+  const used = new Set(tiling.rows.flatMap((corners) => corners.map(([v]) => v)));
+  const unused = tiling.vertices.findIndex((_, v) => !used.has(v));
+  if (unused >= 0) refuse("unused-vertex", `vertex ${unused} is no corner of any simplex`);
+  checkVolume(tiling);
+  checkValences(tiling);
+  tiling.statements.forEach((statement, i) => {
+    const isMissed = EXACT.includes(statement.relation) && !tiling.attained.has(i);
+    if (isMissed) refuse("not-attained", `statement ${i}: no simplex attains the bound`);
   });
 }
 
-/** Calls `visit` for the pairs that overlap along all functionals, in the order of the one along which the fewest do. */
-function eachClosePair(extents, limit, visit) {
-  const counts = FUNCTIONALS.map((_, f) => overlapsAlong(extents.map((extent) => extent[f])));
-  const best = counts.indexOf(counts.reduce((least, count) => Math.min(least, count)));
-  const isMuch = BigInt(counts[best]) > limit;
-  if (isMuch) refuse("work", `${counts[best]} word products for the pairs of facets in the boundary, more than the limit of ${limit}`);
-  let open = [];
-  const order = [...extents.keys()].sort((t, u) => extents[t][best].begin - extents[u][best].begin);
-  for (const t of order) {
-    open = open.filter((u) => extents[u][best].end >= extents[t][best].begin);
-    open.filter((u) => extents[u].every((extent, f) => overlap(extent, extents[t][f]))).forEach((u) => visit(u, t));
-    open.push(t);
+/** Σ det E = D! vol P, in units of the basis's parallelepiped; D! for space. Nothing states the volume of a region. */
+function checkVolume(tiling) {
+  const { ring, kind, polytope, denominator } = tiling;
+  if (kind === "region") return;
+  const [d, k] = [BigInt(tiling.dimension), BigInt(polytope ? polytope.k : 0)];
+  const volume = polytope ? volumeOf(polytope) : ring.integer(1n);
+  const expected = scaled(volume, (factorial(d) / factorial(k)) * denominator ** (d - k));
+  const cell = factorial(d) * denominator ** d;
+  if (signOf(tiling, minus(tiling.total, expected), () => "sum of the volumes, minus that of the domain", cell) === 0) return;
+  refuse("volume-sum", `the volumes of the simplices sum to ${shown(tiling.total, cell)} times the cell, those of the domain to ${shown(expected, cell)}`);
+}
+
+// ---- TCP -----------------------------------------------------------------------------------------------------------------------
+
+const SORTED_EDGES = [[0, 1], [0, 2], [0, 3], [1, 2], [1, 3], [2, 3]];
+
+/** A tetrahedron has no edge of valence 6, one, or two opposite ones, if no triangle has two; edges are counted by name. */
+function countEdges(reader, { edges }, corners, sixes, s) {
+  const sorted = [...corners].sort(byEntries);
+  const six = SORTED_EDGES.filter((_, p) => (sixes >> p) & 1);
+  const isAllowed = six.length < 2 || (six.length === 2 && new Set(six.flat()).size === 4);
+  if (!isAllowed) refuse("triangle-valence", `a triangle of simplex ${s} has two edges that are in 6`);
+  for (const edge of SORTED_EDGES) {
+    const [name] = nameOf(edge.map((i) => sorted[i]));
+    const stated = six.includes(edge) ? 6 : 5;
+    const entry = edges.get(name) ?? { stated, found: 0 };
+    if (entry.stated !== stated) refuse("edge-valence", `simplex ${s} states the valence ${stated} of an edge, another one ${entry.stated}`);
+    entry.found++;
+    edges.set(name, entry);
   }
 }
 
-/** How many pairs of intervals overlap: with each that begins, those that have begun and not ended. */
-function overlapsAlong(intervals) {
-  const begins = intervals.map(({ begin }) => begin).sort((x, y) => x - y);
-  const ends = intervals.map(({ end }) => end).sort((x, y) => x - y);
-  let [count, ended] = [0, 0];
-  begins.forEach((begin, at) => {
-    while (ends[ended] < begin) ended++;
-    count += at - ended;
-  });
-  return count;
-}
-
-/**
- * None shared: an end of what two triangles have in common lies on an edge of one of them; so no edge of either may meet the other. One: only the
- * edges opposite to it need be looked at, for beyond another common point the ray from the corner leaves one triangle there, inside of the other.
- * Two: the triangles are in different planes, or on different sides of their edge.
- */
-function meetInShared(tiling, f, g, shared) {
-  if (shared.length === 3) return false;
-  if (shared.length === 2) return isUnfolded(tiling, f, g, shared);
-  const edges = ({ corners }) => sidesOf(corners).filter((edge) => !edge.includes(shared[0]));
-  return !edges(f).some((edge) => cuts(tiling, edge, g)) && !edges(g).some((edge) => cuts(tiling, edge, f));
-}
-
-function isUnfolded(tiling, f, g, [b, c]) {
-  const [p, q] = [f, g].map(({ corners }) => corners.find((v) => v !== b && v !== c));
-  const [n, m] = [p, q].map((v) => normalOf(tiling, [b, c, v]));
-  const isOnePlane = signInBoundary(tiling, tiling.ring.dot(n, between(tiling, b, q))) === 0;
-  return !isOnePlane || signInBoundary(tiling, tiling.ring.dot(n, m)) < 0;
-}
-
-/** Whether a segment, with its ends, meets a triangle, with its boundary. */
-function cuts(tiling, [p, q], { corners, normal: n }) {
-  const { ring } = tiling;
-  const sides = [p, q].map((v) => signInBoundary(tiling, ring.dot(n, between(tiling, corners[0], v))));
-  if (sides[0] === sides[1]) return sides[0] === 0 && cutsInPlane(tiling, [p, q], corners, n);
-  // The line meets the plane in one point, of the segment; it is in the triangle if the line does not pass two sides in different senses.
-  const along = between(tiling, p, q);
-  const senses = sidesOf(corners).map(([v, w]) => {
-    const across = normal(ring, [between(tiling, p, v), between(tiling, p, w)]);
-    return signInBoundary(tiling, ring.dot(along, across));
-  });
-  return !(senses.includes(1) && senses.includes(-1));
-}
-
-/** In the plane with the normal n, a line separates them: strictly the triangle from a side's line, or from the segment's. */
-function cutsInPlane(tiling, [p, q], corners, n) {
-  const turn = (u, v, w) => signInBoundary(tiling, tiling.ring.dot(normalOf(tiling, [u, v, w]), n));
-  const isBeyond = ([v, w]) => turn(v, w, p) < 0 && turn(v, w, q) < 0;
-  if (sidesOf(corners).some(isBeyond)) return false;
-  const [first, ...others] = corners.map((v) => turn(p, q, v));
-  return first === 0 || others.some((side) => side !== first);
-}
-
-/** N = 0 directly outside of the first triangle of each class, where two are joined at an edge that no third one has. */
-function checkCovering(tiling, triangles, extents) {
-  const budget = new Budget(tiling.work, "for the facets in the boundary");
-  const cost = pairCost(tiling);
-  const passing = (start) => (count, triangle) => {
-    budget.spend(cost);
-    return count + crossing(tiling, start, triangle);
-  };
-  for (const first of firstOfClasses(triangles)) {
-    budget.spend(BigInt(triangles.length));
-    const start = triangles[first];
-    const isBehind = raySign(tiling, start.normal) < 0;
-    const ahead = triangles.filter((_, t) => mayBeAhead(extents[first], extents[t]));
-    const outside = ahead.reduce(passing(start), isBehind ? -1 : 0);
-    if (outside === 0) continue;
-    const where = `directly outside of ${facetName(start.s, start.i)} in the boundary`;
-    refuse("covering", `${where} the covering number is ${outside}, not 0`);
+/** In a tiling of space the valence of an edge is the number of its names in rows (docs/soundness.md, Lemma 5). */
+function checkValences({ edges }) {
+  for (const [name, { stated, found }] of edges) {
+    if (found !== stated) refuse("edge-valence", `the edge ${name} is in ${found} tetrahedra, not in ${stated}`);
   }
 }
 
-/** Not where all of the other triangle is behind the first, or beside it. */
-const mayBeAhead = (first, other) => other[0].end >= first[0].begin && overlap(other[1], first[1]) && overlap(other[2], first[2]);
-
-/** Classes as trees of parents; the root is the first of its class. */
-function firstOfClasses(triangles) {
-  const parents = [...triangles.keys()];
-  const root = (t) => {
-    while (parents[t] !== t) [parents[t], t] = [parents[parents[t]], parents[t]];
-    return t;
-  };
-  const around = new Map();
-  triangles.forEach(({ corners }, t) =>
-    sidesOf(corners).forEach(([v, w]) => {
-      const edge = v < w ? `${v},${w}` : `${w},${v}`;
-      if (!around.has(edge)) around.set(edge, []);
-      around.get(edge).push(t);
-    }),
-  );
-  for (const [t, u, ...others] of around.values()) {
-    if (u === undefined || others.length > 0) continue;
-    const [x, y] = [root(t), root(u)];
-    parents[Math.max(x, y)] = Math.min(x, y);
-  }
-  return parents.filter((parent, t) => parent === t);
-}
+// ---- Statements about simplices -----------------------------------------------------------------------------------------------------
 
 /**
- * How the ray from the centroid m of `start` along d = (1, ε², ε) passes a triangle: 1 if it leaves the region there, -1 if it enters, 0 if it
- * misses it. With A = a - m, …: it meets the triangle where d · (A × B), d · (B × C), d · (C × A) have the sign of det(A, B, C), not zero; and
- * that is the sign of d · n. All is 3 N times too large.
+ * The normal of the facet opposite to corner i is det E times the gradient of the i-th barycentric coordinate. With y_0, …, y_(D-1) the other
+ * points in their order, (-1)^(D-i) det(y_1 - y_0, …, y_(D-1) - y_0, x - y_0) is that coordinate times det E.
  */
-function crossing(tiling, start, { corners, normal: n }) {
-  const { ring, vertices } = tiling;
-  const centre = [0, 1, 2].map((k) => total(start.corners.map((v) => vertices[v][k])));
-  const away = corners.map((v) => vectorBetween(centre, vertices[v].map((x) => scaled(x, 3n))));
-  const side = signInBoundary(tiling, ring.dot(n, away[0]), "side of a centroid with respect to a facet in the boundary");
-  const isMet = side !== 0 && sidesOf(away).every((pair) => raySign(tiling, normal(ring, pair)) === side);
-  return isMet ? side : 0;
-}
-
-/** The sign of d · w for d = (1, ε², ε) and all small ε > 0. */
-function raySign(tiling, [x, y, z]) {
-  for (const entry of [x, z, y]) {
-    const found = signInBoundary(tiling, entry, "direction of a facet in the boundary, scaled");
-    if (found !== 0) return found;
-  }
-  return 0;
-}
-
-// ---- Angles ------------------------------------------------------------------------------------------------------------------
-
-/** Calls `check` with two facets of every simplex and the products of all its normals, det M g_i · g_j = n_i · adj(G) n_j. */
-function eachAngle(tiling, check) {
-  tiling.simplices.forEach((_, s) => {
-    const { normals } = simplexOf(tiling, s);
-    const product = (i, j) => pairing(tiling.ring, normals[i], tiling.dualGram, normals[j]);
-    pairs(tiling.dimension).forEach(([i, j]) => check(s, i, j, product));
-  });
-}
-
-const angleName = (s, i, j) => `the angle of facets ${i} and ${j} of simplex ${s}`;
-
-/** cos θ = -g_i · g_j / (|g_i| |g_j|), which has the sign of -n_i · adj(G) n_j. */
-function eachProduct(tiling, judge) {
-  const scale = () => power(tiling.gramScale, tiling.dimension - 1) * power(tiling.scale, 2 * tiling.dimension - 2);
-  eachAngle(tiling, (s, i, j, product) => {
-    const value = product(i, j);
-    const found = signOf(tiling, value, scale, () => `product of the normals of facets ${i} and ${j} of simplex ${s}`);
-    judge(found, angleName(s, i, j), () => shown(value, scale()));
-  });
-}
-
-function checkAcute(tiling) {
-  if (!claims(tiling, ACUTE)) return;
-  eachProduct(tiling, (found, name, value) => {
-    if (found < 0) return;
-    refuse("not-acute", `${name} is not acute: their scaled normals have the product ${value()}, not a negative one`);
-  });
-}
-
-function checkNonobtuse(tiling) {
-  if (!claims(tiling, NONOBTUSE)) return;
-  eachProduct(tiling, (found, name, value) => {
-    if (found <= 0) return;
-    refuse("not-nonobtuse", `${name} is obtuse: their scaled normals have the positive product ${value()}`);
-  });
-}
-
-/**
- * θ < Q where cos θ > cos Q, for BELOW; θ > Q where cos θ < cos Q, for ABOVE. With cos Q from low to high, it is proved at the far end and
- * disproved at the near one.
- */
-function checkAngles(tiling, kind) {
-  if (!tiling.bounds.has(kind)) return;
-  const { text, value } = tiling.bounds.get(kind);
-  const [low, high, unit] = cosine(value);
-  const [wanted, far, near, refusal] = kind === BELOW ? [1, high, low, "angle-not-below"] : [-1, low, high, "angle-not-above"];
-  eachAngle(tiling, (s, i, j, product) => {
-    const of = () => `cosine of facets ${i} and ${j} of simplex ${s}, compared`;
-    const [x, y] = [negated(product(i, j)), tiling.ring.times(product(i, i), product(j, j))];
-    if (compareWithRoot(tiling, x, y, far, unit, of) === wanted) return;
-    const isOpen = compareWithRoot(tiling, x, y, near, unit, of) === wanted;
-    if (isOpen) refuse("angle-undecided", `${angleName(s, i, j)} is too near to ${text} degrees to be decided`);
-    refuse(refusal, `${angleName(s, i, j)} is not ${STATEMENTS[kind].split(" ").at(-1)} ${text} degrees`);
-  });
-}
-
-/** The sign of x - (p/q) sqrt(y) for y, q > 0: of different signs the terms decide; else it is that of ±(q² x² - p² y). */
-function compareWithRoot(tiling, x, y, p, q, of) {
-  const one = () => 1n;
-  const [left, right] = [signOf(tiling, x, one, of), sign(p)];
-  if (left !== right || left === 0) return Math.sign(left - right);
-  const squares = difference(scaled(tiling.ring.times(x, x), q * q), scaled(y, p * p));
-  return left * signOf(tiling, squares, one, of);
-}
-
-const BITS = 192n;
-const UNIT = 1n << BITS;
-const GUARD = 64n;
-
-/**
- * [low, high, unit]: cos Q° lies in [low, high] / unit, for Q from 0 to 180; exact where it is rational (Niven), else of width 2 / 2^128.
- * In units of 2^-192 the errors are less than 2^13 for π, hence 2^13 + 1 for the angle, 1 for its square, and 200 for the series.
- */
-function cosine([p, q]) {
-  const exact = [[0n, 2n], [60n, 1n], [90n, 0n], [120n, -1n], [180n, -2n]].find(([degrees]) => degrees * q === p);
-  if (exact) return [exact[1], exact[1], 2n];
-  const angle = (p * PI) / (q * 180n);
-  const value = cosineSeries((angle * angle) >> BITS);
-  const error = 1n << 20n;
-  return [(value - error) >> GUARD, ((value + error) >> GUARD) + 1n, 1n << (BITS - GUARD)];
-}
-
-/**
- * cos sqrt(x) = 1 - x/2! + x²/4! - … for 0 <= x < 10. A term's error is at most that of the one before, times x / ((2k-1) 2k), plus one for
- * rounding down: less than 2 everywhere. There are fewer than 64 terms; what is left out after a term of zero is less than 4.
- */
-function cosineSeries(x) {
-  let value = 0n;
-  for (let [term, k] = [UNIT, 1n]; term !== 0n; k++) {
-    value += term;
-    term = -((term * x) / ((2n * k - 1n) * 2n * k)) / UNIT;
-  }
-  return value;
-}
-
-/** π = 48 arctan(1/18) + 32 arctan(1/57) - 20 arctan(1/239) (Gauss); each arctangent's error is less than 50 units. */
-const PI = 48n * arctangentOfInverse(18n) + 32n * arctangentOfInverse(57n) - 20n * arctangentOfInverse(239n);
-
-/** arctan(1/n) = 1/n - 1/(3 n³) + …: at most 24 terms that are not zero, each with an error less than 2, and the rest less than 1. */
-function arctangentOfInverse(n) {
-  let value = 0n;
-  for (let [k, power] = [1n, UNIT / n]; power !== 0n; k += 2n, power = -power / (n * n)) value += power / k;
-  return value;
-}
-
-// ---- Radius and Delaunay -----------------------------------------------------------------------------------------------------------
-
-/** R² < (p/q)² l² for all edges: q² (4 det M R²) - 4 p² det M l² < 0, where 4 det M R² comes from the edges alone. */
-function checkRadius(tiling) {
-  if (!tiling.bounds.has(RATIO)) return;
-  const { ring, dimension, determinantOfGram } = tiling;
-  const { text, value: [p, q] } = tiling.bounds.get(RATIO);
-  tiling.simplices.forEach((_, s) => {
-    const { points } = simplexOf(tiling, s);
-    const lengths = pairs(dimension).map(([i, j]) => square(tiling, vectorBetween(points[i], points[j])));
-    const radius = scaled(dimension === 2 ? heron(ring, lengths) : crelle(ring, lengths), q * q);
-    const volume = ring.times(ring.times(tiling.determinants[s], tiling.determinants[s]), determinantOfGram);
-    const bound = scaled(volume, 4n * p * p);
-    pairs(dimension).forEach(([i, j], e) => {
-      const excess = difference(radius, ring.times(bound, lengths[e]));
-      if (signOf(tiling, excess, () => 1n, () => `radius less edge ${i} ${j} of simplex ${s}, scaled`) < 0) return;
-      refuse("ratio-not-below", `the circumradius of simplex ${s} is not below ${text} times the edge from corner ${i} to ${j}`);
+class Simplex {
+  constructor(tiling, corners, s) {
+    const { ring, dimension } = tiling;
+    const points = corners.map((corner) => pointOf(tiling, corner));
+    const normals = points.map((_, i) => {
+      const [origin, ...others] = points.filter((_, j) => j !== i);
+      const covector = normal(ring, others.map((point) => vectorBetween(origin, point)));
+      return (dimension - i) % 2 === 0 ? covector : covector.map(negated);
     });
-  });
+    Object.assign(this, { tiling, s, points, normals, determinant: null, dual: null, squares: null });
+    this.determinant = this.barycentric(0, points[0]);
+  }
+
+  /** det E times the i-th barycentric coordinate of x. */
+  barycentric(i, x) {
+    return this.tiling.ring.dot(this.normals[i], vectorBetween(this.points[i === 0 ? 1 : 0], x));
+  }
+
+  /** det M g_i · g_j = n_i · adj(G) n_j for the gradients g of the barycentric coordinates. */
+  product(i, j) {
+    const { ring, dualGram } = this.tiling;
+    this.dual ??= this.normals.map((covector) => dualGram.map((row) => ring.dot(row, covector)));
+    return ring.dot(this.normals[i], this.dual[j]);
+  }
+
+  /** The squares of the edges, in the order of `pairs`. */
+  lengths() {
+    this.squares ??= pairs(this.tiling.dimension).map(([i, j]) => square(this.tiling, vectorBetween(this.points[i], this.points[j])));
+    return this.squares;
+  }
+
+  /** [numerator, factor]: R² is the numerator over `factor` det M. */
+  radius() {
+    const { ring, dimension } = this.tiling;
+    return dimension === 2 ? [heron(ring, this.lengths()), 4n] : [crelle(ring, this.lengths()), 16n];
+  }
+
+  /** det M for the Gram matrix M of the edges from a corner. */
+  gramDeterminant() {
+    const { ring, determinantOfGram } = this.tiling;
+    return ring.times(ring.times(this.determinant, this.determinant), determinantOfGram);
+  }
+
+  /**
+   * The power of w with respect to the circumsphere, times det E: π(x) = |x - w|² - Σ λ_i(x) |x_i - w|² vanishes at all x_i, so
+   * π(w) det E = -Σ det E λ_i(w) |x_i - w|².
+   */
+  power(w) {
+    const weights = this.points.map((_, i) => this.barycentric(i, w));
+    const squares = this.points.map((point) => square(this.tiling, vectorBetween(w, point)));
+    return negated(this.tiling.ring.dot(weights, squares));
+  }
 }
+
+const square = ({ ring, gram }, x) => pairing(ring, x, gram, x);
 
 /** R = a b c / (4 K), and 4 K² = det M: 4 det M R² = a² b² c². */
 const heron = (ring, [first, second, third]) => ring.times(ring.times(first, second), third);
@@ -1711,159 +1112,316 @@ const heron = (ring, [first, second, third]) => ring.times(ring.times(first, sec
  */
 function crelle(ring, [l01, l02, l12, l03, l13, l23]) {
   const [x, y, z] = [ring.times(l01, l23), ring.times(l02, l13), ring.times(l03, l12)];
-  const rest = difference(sum(x, y), z);
-  const sixteenfold = difference(scaled(ring.times(x, y), 4n), ring.times(rest, rest));
-  return sixteenfold.map((c) => c / 4n);
+  const rest = minus(plus(x, y), z);
+  return minus(scaled(ring.times(x, y), 4n), ring.times(rest, rest));
 }
 
-/**
- * The power of the corner w behind each facet with respect to the circumsphere, times det E: π(x) = |x - w|² - Σ λ_i(x) |x_i - w|² vanishes at
- * all x_i, and so π(w) det E = -Σ det E λ_i(w) |x_i - w|². A facet and its mate have one value (docs/soundness.md, section 6).
- */
-function checkPowers(tiling, kind) {
-  if (!claims(tiling, kind)) return;
-  const scale = () => tiling.gramScale * power(tiling.scale, tiling.dimension + 2);
-  tiling.simplices.forEach((_, s) => {
-    const simplex = simplexOf(tiling, s);
-    tiling.mates[s].forEach(([t, j, ...shift], i) => {
-      if (j === undefined || t < s || (t === s && j < i)) return; // The first facet of a pair of mates speaks for both.
-      const behind = pointOf(tiling, tiling.simplices[t][j], shift);
-      const weights = simplex.points.map((_, k) => barycentric(tiling, simplex, k, behind));
-      const squares = simplex.points.map((point) => square(tiling, vectorBetween(behind, point)));
-      const value = negated(tiling.ring.dot(weights, squares));
-      const found = signOf(tiling, value, scale, () => `power of the corner behind ${facetName(s, i)}`);
-      judgePower(kind, found, `the corner behind ${facetName(s, i)} has the scaled power`, () => shown(value, scale()));
-    });
+/** Whether a quantity that compares so with the bound fulfils the relation. */
+const HOLDS = [(c) => c < 0, (c) => c <= 0, (c) => c <= 0, (c) => c > 0, (c) => c >= 0, (c) => c >= 0];
+const EXACT = ["maximum", "minimum"].map((name) => RELATIONS.indexOf(name));
+
+/** Checks a statement about a single simplex, if it is one. */
+function judge(tiling, simplex, mates, statement, index) {
+  const { kind } = statement;
+  if (isBound(kind)) return judgeBound(tiling, simplex, statement, index);
+  const name = STATEMENTS[kind];
+  if (name === "acute") judgeAngles(tiling, simplex, (found) => found < 0, "not-acute");
+  if (name === "nonobtuse") judgeAngles(tiling, simplex, (found) => found <= 0, "not-nonobtuse");
+  if (kind === DELAUNAY || kind === LOCALLY) judgePowers(tiling, simplex, mates, (found) => found > 0, "not-delaunay");
+  if (kind === WEAKLY || kind === LOCALLY_WEAKLY) judgePowers(tiling, simplex, mates, (found) => found >= 0, "not-weakly-delaunay");
+}
+
+/** cos θ = -g_i · g_j / (|g_i| |g_j|) has the sign of -n_i · adj(G) n_j. */
+function judgeAngles(tiling, simplex, isAllowed, code) {
+  for (const [i, j] of pairs(tiling.dimension)) {
+    const value = simplex.product(i, j);
+    if (isAllowed(signOf(tiling, value, () => `product of normals ${i} and ${j} of simplex ${simplex.s}`))) continue;
+    refuse(code, `the normals of facets ${i} and ${j} of simplex ${simplex.s} have the product ${shown(value)}`);
+  }
+}
+
+function judgePowers(tiling, simplex, mates, isAllowed, code) {
+  for (const { i, apex } of mates) {
+    const value = simplex.power(pointOf(tiling, apex));
+    if (isAllowed(signOf(tiling, value, () => `power of the corner beyond ${facetName(simplex.s, i)}`))) continue;
+    refuse(code, `the corner beyond ${facetName(simplex.s, i)} has the power ${shown(value)} with respect to the circumsphere`);
+  }
+}
+
+function judgeBound(tiling, simplex, statement, index) {
+  const { kind, relation } = statement;
+  const isRatio = kind === RATIO;
+  const compare = isRatio ? compareRatio : compareAngle;
+  const found = pairs(tiling.dimension).map(([i, j], e) => compare(tiling, simplex, statement, i, j, e));
+  const extreme = kind === SMALLEST ? Math.min(...found) : Math.max(...found);
+  if (extreme === 0) tiling.attained.add(index);
+  if (HOLDS[relation](extreme)) return;
+  const [i, j] = pairs(tiling.dimension)[found.indexOf(extreme)];
+  const where = isRatio ? `corners ${i} and ${j}` : `facets ${i} and ${j}`;
+  refuse(isRatio ? "ratio-bound" : "angle-bound", `simplex ${simplex.s} does not fulfil statement ${index}, by its ${where}`);
+}
+
+/** The sign of θ - arccos(c): with cos θ = x / √y and c = ±√(p/q), different signs decide, else x² q - p y does. */
+function compareAngle(tiling, simplex, { sign: s, fraction: [p, q] }, i, j) {
+  const { ring } = tiling;
+  const of = () => `cosine of facets ${i} and ${j} of simplex ${simplex.s}, compared`;
+  const x = negated(simplex.product(i, j));
+  const left = signOf(tiling, x, of);
+  if (left !== s || s === 0) return Math.sign(s - left);
+  const y = ring.times(simplex.product(i, i), simplex.product(j, j));
+  return -s * signOf(tiling, minus(scaled(ring.times(x, x), q), ring.times(p, y)), of);
+}
+
+/** The sign of R² / l² - p/q for one edge; the shortest edge has the greatest quotient. */
+function compareRatio(tiling, simplex, { fraction: [p, q] }, i, j, e) {
+  const { ring } = tiling;
+  const [radius, factor] = simplex.radius();
+  const bound = scaled(ring.times(ring.times(p, simplex.gramDeterminant()), simplex.lengths()[e]), factor);
+  return signOf(tiling, minus(scaled(radius, q), bound), () => `radius less edge ${i} ${j} of simplex ${simplex.s}`);
+}
+
+// ---- The boundary of a region --------------------------------------------------------------------------------------------------------
+//
+// X: any two boundary facets, also translates, meet in the hull of their common corners. W: no tile is directly outside of one.
+
+/** A boundary facet with its points, and a covector that is positive outside. */
+function surfaceOf(tiling, f, corners) {
+  const points = corners.map((corner) => pointOf(tiling, corner));
+  const left = normal(tiling.ring, points.slice(1).map((point) => vectorBetween(points[0], point)));
+  const outward = tiling.dimension === 2 ? left.map(negated) : left;
+  return { f, corners, points, outward };
+}
+
+const signInBoundary = (tiling, value) => signOf(tiling, value, () => "position of two boundary facets");
+
+function checkBoundaryApart(tiling) {
+  const { boundary } = tiling;
+  const boxes = boundary.map(({ points }) => boxOf(tiling, points));
+  eachOverlap(tiling, boxes, boxes, (f, g, shift) => {
+    const isOther = f < g || (f === g && byEntries(shift, shift.map(() => 0)) > 0);
+    if (!isOther) return;
+    tiling.work.spend(100);
+    const other = surfaceOf(tiling, g, boundary[g].corners.map((corner) => moved(corner, shift)));
+    if (meetInShared(tiling, boundary[f], other)) return;
+    refuse("boundary-meets", `boundary facets ${f} and ${g}, moved by [${shift}], meet outside of their common corners`);
   });
 }
 
-function judgePower(kind, found, name, value) {
-  if (kind === DELAUNAY && found <= 0) refuse("not-delaunay", `${name} ${value()} and is not outside of the circumsphere`);
-  if (kind === WEAKLY && found < 0) refuse("not-weakly-delaunay", `${name} ${value()} and is inside of the circumsphere`);
+/** The least and the greatest coordinates, in units of 1 / (denominator · GRAIN), rounded outwards. */
+function boxOf({ ring, dimension }, points) {
+  const bounds = points.map((point) => point.map((x) => ring.bounds(x, GRAIN)));
+  const extreme = (end, isBetter) =>
+    Array.from({ length: dimension }, (_, k) => bounds.map((bound) => bound[k][end]).reduce((x, y) => (isBetter(y, x) ? y : x)));
+  return { low: extreme(0, (x, y) => x < y), high: extreme(1, (x, y) => x > y) };
 }
 
-// ---- TCP: edges counted by names ---------------------------------------------------------------------------------------------------
+const GRAIN = 1n << 20n;
 
-/** [v, w, shift from v to w], the ends sorted: the same for translates, and for no other edges. */
-function edgeForm(x, y) {
-  const [[v, ...from], [w, ...to]] = byEntries(x, y) <= 0 ? [x, y] : [y, x];
-  return [v, w, ...to.map((entry, k) => entry - from[k])];
-}
-
-function checkClosePacked(tiling) {
-  if (!claims(tiling, TCP)) return;
-  const edges = new Map();
-  for (const corners of tiling.simplices) {
-    for (const [i, j] of pairs(3)) {
-      const form = edgeForm(corners[i], corners[j]);
-      const entry = edges.get(form.join()) ?? { form, valence: 0 };
-      entry.valence++;
-      edges.set(form.join(), entry);
+/** Calls `visit(a, b, shift)` for all first boxes and all translates of second boxes that overlap: a sweep along the last coordinate. */
+function eachOverlap(tiling, first, second, visit) {
+  const { rank, dimension, denominator, work } = tiling;
+  const step = denominator * GRAIN;
+  const axes = Array.from({ length: rank }, (_, k) => k);
+  const homes = (boxes) =>
+    boxes.map((box, index) => {
+      const cell = axes.map((k) => floor(box.low[k], step));
+      return translated({ ...box, index, cell }, axes.map((k) => -cell[k]), step);
+    });
+  const queries = homes(first);
+  const reach = axes.map((k) => queries.reduce((most, { high }) => (high[k] > most ? high[k] : most), 0n));
+  const copies = homes(second).flatMap((box) => {
+    let shifts = [[]];
+    for (const k of axes) {
+      const [from, to] = [-floor(box.high[k], step), floor(reach[k] - box.low[k], step)];
+      work.spend(Number(to - from + 1n) * shifts.length);
+      shifts = shifts.flatMap((shift) => Array.from({ length: Number(to - from + 1n) }, (_, i) => [...shift, from + BigInt(i)]));
     }
+    return shifts.map((shift) => ({ ...translated(box, shift, step), shift, isCopy: true }));
+  });
+  const last = dimension - 1;
+  let open = [];
+  for (const box of [...queries, ...copies].sort((x, y) => sign(x.low[last] - y.low[last]))) {
+    open = open.filter((other) => other.high[last] >= box.low[last]);
+    work.spend(open.length);
+    for (const other of open) {
+      if (other.isCopy === box.isCopy || !overlap(box, other)) continue;
+      const [query, copy] = box.isCopy ? [other, box] : [box, other];
+      visit(query.index, copy.index, copy.shift.map((s, k) => Number(s - copy.cell[k] + query.cell[k])));
+    }
+    open.push(box);
   }
-  const wrong = [...edges.values()].filter(({ valence }) => valence !== 5 && valence !== 6);
-  const first = wrong.reduce((least, edge) => (least && byEntries(least.form, edge.form) < 0 ? least : edge), undefined);
-  if (first) refuseEdge(first);
-  const isSix = (x, y) => edges.get(edgeForm(x, y).join()).valence === 6;
-  tiling.simplices.forEach((corners, s) =>
-    corners.forEach((_, i) => {
-      const [x, y, z] = facetOf(tiling, s, i);
-      const sixes = [isSix(x, y), isSix(y, z), isSix(z, x)].filter(Boolean);
-      if (sixes.length > 1) refuse("triangle-valence", `${facetName(s, i)} has two edges that are in 6 tetrahedra`);
-    }),
-  );
 }
 
-function refuseEdge({ form: [v, w, ...shift], valence }) {
-  refuse("edge-valence", `the edge between the vertices ${v} and ${w}, shifted by ${bracketed(shift)}, is in ${valence} tetrahedra`);
+function translated(box, shift, step) {
+  const move = (ends) => ends.map((x, k) => (k < shift.length ? x + shift[k] * step : x));
+  return { ...box, low: move(box.low), high: move(box.high) };
 }
 
-// ---- Words for what is proved ------------------------------------------------------------------------------------------------------
+const overlap = (x, y) => x.low.every((low, k) => low <= y.high[k] && y.low[k] <= x.high[k]);
+
+/**
+ * None shared: where two facets meet, an edge of one meets the other. One: only the edges opposite to it need be examined, for beyond another
+ * common point the ray from the corner leaves one facet there, inside of the other. Two: the facets are in different planes, or on
+ * different sides of their edge.
+ */
+function meetInShared(tiling, f, g) {
+  const isOf = (other) => (corner) => other.corners.some((own) => byEntries(own, corner) === 0);
+  const own = (facet, other) => facet.points.filter((_, i) => !isOf(other)(facet.corners[i]));
+  const shared = f.points.filter((_, i) => isOf(g)(f.corners[i]));
+  const [mine, theirs] = [own(f, g), own(g, f)];
+  if (mine.length === 0) return false;
+  if (tiling.dimension === 2) return shared.length === 0 ? !segmentsMeet(tiling, f.points, g.points) : areApart(tiling, shared, mine[0], theirs[0]);
+  if (shared.length === 2) return areApart(tiling, shared, mine[0], theirs[0]);
+  const edges = (points, rest) => (shared.length === 0 ? sidesOf(points) : [rest]);
+  return !edges(f.points, mine).some((edge) => cuts(tiling, edge, g)) && !edges(g.points, theirs).some((edge) => cuts(tiling, edge, f));
+}
+
+/** Facets that share all corners but p of one and q of the other: not in one line or plane, or on different sides. */
+function areApart(tiling, shared, p, q) {
+  const { ring } = tiling;
+  const vectors = [...shared.slice(1), p, q].map((x) => vectorBetween(shared[0], x));
+  const [n, m] = vectors.slice(-2).map((x) => normal(ring, [...vectors.slice(0, -2), x]));
+  const isFlat = signInBoundary(tiling, ring.dot(n, vectors.at(-1))) === 0;
+  return !isFlat || signInBoundary(tiling, ring.dot(n, m)) < 0;
+}
+
+/** Whether two segments of the plane, with their ends, meet. */
+function segmentsMeet(tiling, [p, q], [u, v]) {
+  const { ring } = tiling;
+  const turn = (x, y, z) => signInBoundary(tiling, determinant(ring, [vectorBetween(x, y), vectorBetween(x, z)]));
+  const sides = [turn(p, q, u), turn(p, q, v), turn(u, v, p), turn(u, v, q)];
+  if (sides.some((side) => side !== 0)) return sides[0] * sides[1] <= 0 && sides[2] * sides[3] <= 0;
+  // On one line they meet if an end of one is in the other: the vectors to the other's ends are opposite, or one is zero.
+  const isBetween = (x, y, z) => signInBoundary(tiling, ring.dot(vectorBetween(x, y), vectorBetween(x, z))) <= 0;
+  return isBetween(u, p, q) || isBetween(v, p, q) || isBetween(p, u, v);
+}
+
+/** Whether a segment, with its ends, meets a triangle, with its boundary. */
+function cuts(tiling, [p, q], { points, outward: n }) {
+  const { ring } = tiling;
+  const sides = [p, q].map((x) => signInBoundary(tiling, ring.dot(n, vectorBetween(points[0], x))));
+  if (sides[0] === sides[1]) return sides[0] === 0 && cutsInPlane(tiling, [p, q], points, n);
+  // The line meets the plane in one point, of the segment; it is in the triangle if the line does not pass two sides in different senses.
+  const along = vectorBetween(p, q);
+  const senses = sidesOf(points).map((side) => {
+    const across = normal(ring, side.map((x) => vectorBetween(p, x)));
+    return signInBoundary(tiling, ring.dot(along, across));
+  });
+  return !(senses.includes(1) && senses.includes(-1));
+}
+
+/** In the plane with the normal n, a line separates them: strictly the triangle from a side's line, or from the segment's. */
+function cutsInPlane(tiling, [p, q], points, n) {
+  const { ring } = tiling;
+  const turn = (u, v, w) => signInBoundary(tiling, ring.dot(normal(ring, [v, w].map((x) => vectorBetween(u, x))), n));
+  const isBeyond = ([v, w]) => turn(v, w, p) < 0 && turn(v, w, q) < 0;
+  if (sidesOf(points).some(isBeyond)) return false;
+  const [first, ...others] = points.map((x) => turn(p, q, x));
+  return first === 0 || others.some((side) => side !== first);
+}
+
+/**
+ * No tile contains the point x = m + ε o + ε² e_1 + ε³ e_2 + … for small ε > 0, where m is the centroid of a boundary facet and o points out.
+ * x is directly outside of the facet and in no plane of a facet. A value of the barycentric coordinate at x, a polynomial in ε, has the sign of
+ * its first coefficient that is not zero.
+ */
+function checkCovering(tiling) {
+  const { boundary, rows, dimension } = tiling;
+  if (boundary.length === 0) return;
+  const centres = boundary.map(({ points }) => centreBox(tiling, points));
+  const boxes = rows.map((corners) => boxOf(tiling, corners.map((corner) => pointOf(tiling, corner))));
+  eachOverlap(tiling, centres, boxes, (f, s, shift) => {
+    tiling.work.spend(100);
+    const simplex = new Simplex(tiling, rows[s].map((corner) => moved(corner, shift)), s);
+    const isOutside = simplex.normals.some((covector, i) => {
+      const origin = simplex.points[i === 0 ? 1 : 0];
+      const offset = boundary[f].points.reduce((sum, point) => sum.map((x, k) => plus(x, minus(point[k], origin[k]))), origin.map(() => tiling.ring.zero));
+      return firstSign(tiling, [tiling.ring.dot(covector, offset), tiling.ring.dot(covector, boundary[f].outward), ...covector]) < 0;
+    });
+    if (!isOutside) refuse("covering", `simplex ${s}, moved by [${shift}], is directly outside of boundary facet ${f}`);
+  });
+}
+
+function centreBox(tiling, points) {
+  const { ring, dimension } = tiling;
+  const sums = Array.from({ length: dimension }, (_, k) => ring.bounds(ring.sum(points.map((point) => point[k])), GRAIN));
+  const count = BigInt(dimension);
+  return { low: sums.map(([low]) => floor(low, count)), high: sums.map(([, high]) => -floor(-high, count)) };
+}
+
+function firstSign(tiling, values) {
+  for (const value of values) {
+    const found = signInBoundary(tiling, value);
+    if (found !== 0) return found;
+  }
+  return 0;
+}
+
+// ---- Words for the claim -------------------------------------------------------------------------------------------------------------
 
 /** The claim: the tiling, and each further statement. */
-function sentences({ claim, witness }) {
-  const isPlane = claim.dimension === 2;
-  const count = witness.simplices.length;
-  const simplices = isPlane ? (count === 1 ? "triangle" : "triangles") : count === 1 ? "tetrahedron" : "tetrahedra";
-  const how = isPlane ? "edge to edge" : "face to face";
-  const gram = ` the Gram matrix ${bracketed(claim.gram.map(rowInWords))}`;
-  const tiling = `${domainInWords(claim)} is tiled ${how} by ${count} ${simplices}`;
-  const where = `${boundaryInWords(claim, witness)}${latticeInWords(claim)}${gram}${fieldInWords(claim)}`;
-  return [tiling + where, ...claim.statements.slice(1).map(statementInWords)];
+function sentences(tiling) {
+  const { dimension, rows, gram, root } = tiling;
+  const simplices = ["triangle", "tetrahedron"][dimension - 2];
+  const plural = ["triangles", "tetrahedra"][dimension - 2];
+  const how = ["edge to edge", "face to face"][dimension - 2];
+  const count = `${rows.length} ${rows.length === 1 ? simplices : plural}`;
+  const metric = `in a basis with inner products proportional to ${bracketed(gram.map((row) => bracketed(row.map((x) => shown(x)))))}`;
+  const field = root ? `, where a is the root of ${shown(root.polynomial)} between ${ratio(root.low, root.unit)} and ${ratio(root.high, root.unit)}` : "";
+  const first = `${domainInWords(tiling)} is tiled ${how} by ${count}${latticeInWords(tiling)}, ${metric}${field}`;
+  return [first, ...tiling.statements.slice(1).map(statementInWords)];
 }
 
-const rowInWords = (numbers) => bracketed(numbers.map((number) => polynomialInWords([number].flat())));
+const bracketed = (items) => `[${items.join(", ")}]`;
 
-function domainInWords(claim) {
-  const { dimension, domain } = claim;
+function domainInWords({ dimension, kind, rank, polytope, boundary, denominator }) {
   const index = dimension - 2;
-  if (domain.kind === SPACE) return ["the plane", "three-space"][index];
-  if (domain.kind === REGION) return "a bounded region of three-space";
-  const names = new Map([[SLAB, ["strip", "slab"]], [PRISM, ["", "prism"]], [SOLID, ["polygon", "polyhedron"]]]);
-  const last = Array.from({ length: dimension - rankOf(claim) }, (_, i) => `x_${rankOf(claim) + 1 + i}`);
-  const hull = domain.value.vertices.map(rowInWords).join(", ");
-  return `the ${names.get(domain.kind)[index]} of the points whose coordinates ${bracketed(last)} lie in the convex hull of ${hull}`;
+  if (kind === "space") return ["the plane", "three-space"][index];
+  if (kind === "region") return `a region with ${boundary.length} boundary ${["edges", "triangles"][index]} up to translations`;
+  const name = { slab: ["strip", "slab"], prism: ["", "prism"], solid: ["polygon", "polyhedron"] }[kind][index];
+  const last = Array.from({ length: dimension - rank }, (_, i) => `x_${rank + 1 + i}`);
+  const hull = polytope.vertices.map((point) => bracketed(point.map((x) => shown(x, denominator)))).join(", ");
+  return `the ${name} of the points whose coordinates ${bracketed(last)} lie in the convex hull of ${hull}`;
 }
 
-/** Of a region, whose boundary nothing else describes. */
-function boundaryInWords({ domain }, { mates }) {
-  if (domain.kind !== REGION) return "";
-  const count = mates.flat().filter((mate) => mate.length === 0).length;
-  return `, whose union it is, and its boundary by ${count} triangles, which meet in common vertices and edges only`;
+function latticeInWords({ rank, dimension }) {
+  if (rank === 0) return "";
+  if (rank === dimension) return " and their translates under the lattice of the basis";
+  return ` and their translates under the lattice of the first ${["vector", "two vectors"][rank - 1]} of the basis`;
 }
 
-function latticeInWords(claim) {
-  if (claim.domain.kind === SPACE) return " and their translates under the lattice whose basis has";
-  return [
-    ", in the basis with",
-    " and their translates by the integer multiples of the first vector of the basis with",
-    " and their translates under the lattice of the first two vectors of the basis with",
-  ][rankOf(claim)];
+function statementInWords({ kind, relation, sign: s, fraction }) {
+  if (!isBound(kind)) return PLAIN_WORDS[STATEMENTS[kind]];
+  const number = shown(fraction[0], fraction[1]);
+  const cosine = s === 0 ? "0" : `${s < 0 ? "-" : ""}√(${number})`;
+  const bound = kind === RATIO ? number : `arccos(${cosine})`;
+  const quantity = {
+    [LARGEST]: "the largest dihedral angle",
+    [SMALLEST]: "the smallest dihedral angle",
+    [RATIO]: "the squared quotient of circumradius and shortest edge",
+  }[kind];
+  const name = RELATIONS[relation];
+  const words = { maximum: "at most", minimum: "at least" }[name] ?? name;
+  return `${quantity} of every simplex is ${words} ${bound}${words === name ? "" : ", and equal to it for some simplex"}`;
 }
 
-function fieldInWords({ field }) {
-  if (!field) return "";
-  return `, where a is the root of ${polynomialInWords(field.polynomial)} between ${field.root[0]} and ${field.root[1]}`;
-}
-
-function statementInWords({ kind, value }) {
-  return {
-    [ACUTE]: () => "all dihedral angles are acute",
-    [NONOBTUSE]: () => "no dihedral angle is obtuse",
-    [BELOW]: () => `all dihedral angles are below ${decimal(value)} degrees`,
-    [ABOVE]: () => `all dihedral angles are above ${decimal(value)} degrees`,
-    [RATIO]: () => `every circumradius is below ${decimal(value)} times the shortest edge of its simplex`,
-    [DELAUNAY]: () => "it is the Delaunay triangulation of its vertices",
-    [WEAKLY]: () => "it is a Delaunay triangulation of its vertices",
-    [TCP]: () =>
-      "it is tetrahedrally close packed: every edge is in 5 or 6 tetrahedra, and no triangle has two edges that are in 6",
-  }[kind]();
-}
-
-/** A rational that is not negative, as a decimal where that is exact and of at most 18 places. */
-function decimal(text) {
-  const [p, q] = text.split("/").map(BigInt);
-  const places = q === undefined ? 0 : Array.from({ length: 18 }, (_, i) => i + 1).find((m) => 10n ** BigInt(m) % q === 0n);
-  if (!places) return text;
-  const digits = ((p * 10n ** BigInt(places)) / q).toString().padStart(places + 1, "0");
-  return `${digits.slice(0, -places)}.${digits.slice(-places)}`;
-}
-
-// ---- Text from a file, for people ---------------------------------------------------------------------------------------------------
-
-/** The beginning of a text, so that no message is as long as the file. */
-function excerpt(text) {
-  const characters = [...text.slice(0, 402)];
-  return characters.length > 200 ? `${characters.slice(0, 200).join("")}…` : text;
-}
+const PLAIN_WORDS = {
+  acute: "all dihedral angles are acute",
+  nonobtuse: "no dihedral angle is obtuse",
+  Delaunay: "it is the Delaunay triangulation of its vertices",
+  "weakly Delaunay": "it is a Delaunay triangulation of its vertices",
+  "locally Delaunay": "beyond every facet with a mate, the mate's other corner is outside of the circumsphere",
+  "locally weakly Delaunay": "beyond every facet with a mate, the mate's other corner is not inside of the circumsphere",
+  TCP: "it is tetrahedrally close packed: every edge is in 5 or 6 tetrahedra, and no triangle has two edges that are in 6",
+};
 
 /** Whatever is not printable is escaped, so no text can forge a line. */
 function oneLine(text) {
-  const short = new Map([["\0", "\\0"], ["\t", "\\t"], ["\n", "\\n"], ["\r", "\\r"]]);
-  const escaped = (character) => short.get(character) ?? `\\u{${character.codePointAt(0).toString(16)}}`;
+  const escaped = (character) => `\\u{${character.codePointAt(0).toString(16)}}`;
   return text.replace(/(?! )[\p{C}\p{Z}\p{Grapheme_Extend}]/gu, escaped);
 }
 
-const quoted = (text) => `"${oneLine(text.replace(/["\\]/g, "\\$&"))}"`;
+/** The beginning of a text, in quotes. */
+const quoted = (text) => `"${oneLine([...text.slice(0, 80)].join("").replace(/["\\]/g, "\\$&"))}"`;
 
 export { verify, sha256, oneLine, DEFAULT_LIMITS };
