@@ -8,8 +8,11 @@
 // index, a count, an entry of a shift, or an integer of the certificate below 2^53. The report page embeds this file, so no end of a
 // script element occurs in it. It leaves out CBOR as input: it reads JSON, and writes CBOR only for the digest.
 
-/** Inclusive upper bounds. A certificate beyond one is declined, never accepted. `work` counts comparisons of two boxes of a region. */
-const DEFAULT_LIMITS = Object.freeze({ bytes: 268435456, simplices: 4000000, bits: 4096, degree: 8, work: 200000000 });
+/**
+ * Inclusive upper bounds. A certificate beyond one is declined, never accepted. `bytes` counts those of the JSON, `bits` those of an integer.
+ * `work` counts sides of points with respect to faces, and comparisons of two boxes in a region.
+ */
+const DEFAULT_LIMITS = Object.freeze({ bytes: 67108864, simplices: 1000000, bits: 4096, degree: 8, work: 200000000 });
 
 /** The verdict of every code, in the order of docs/format.md. */
 const CODES = new Map(
@@ -589,7 +592,7 @@ function readClaim(reader, tree) {
   return { ...tiling, determinantOfGram: determinant(tiling.ring, tiling.gram), dualGram: adjugate(tiling.ring, tiling.gram) };
 }
 
-/** What the pairs of boundary facets and tiles cost. */
+/** Counts steps whose number is not bounded by the size of the certificate. */
 class Work {
   constructor(limit) {
     Object.assign(this, { spent: 0, limit });
@@ -597,7 +600,7 @@ class Work {
 
   spend(cost) {
     this.spent += cost;
-    if (this.spent > this.limit) refuse("work", `the boundary needs more than ${this.limit} comparisons`);
+    if (this.spent > this.limit) refuse("work", `the domain needs more than ${this.limit} comparisons`);
   }
 }
 
@@ -779,7 +782,7 @@ function planesOf({ ring, vertices, faces, k }) {
 const height = ({ ring, k }, plane, point) => minus(ring.dot(plane.covector, point.slice(-k)), plane.level);
 
 function sideOfPoint(polytope, plane, point) {
-  polytope.work.spend(100);
+  polytope.work.spend(1);
   return signOf(polytope, height(polytope, plane, point), () => `side of a point with respect to face ${plane.f}`);
 }
 
@@ -804,7 +807,7 @@ function checkPolygon(polytope, { f, face, covector }) {
   const { ring, vertices, work } = polytope;
   for (const [p, q] of sidesOf(face)) {
     for (const t of face.filter((t) => t !== p && t !== q)) {
-      work.spend(100);
+      work.spend(1);
       const across = normal(ring, [q, t].map((w) => vectorBetween(vertices[p], vertices[w])));
       if (signOf(polytope, ring.dot(across, covector), () => `turn at vertex ${q} of face ${f}`) > 0) continue;
       refuse("face-not-convex", `face ${f}: vertex ${t} is not on the inner side of the line through ${p} and ${q}`);
@@ -1200,7 +1203,7 @@ function checkBoundaryApart(tiling) {
   eachOverlap(tiling, boxes, boxes, (f, g, shift) => {
     const isOther = f < g || (f === g && byEntries(shift, shift.map(() => 0)) > 0);
     if (!isOther) return;
-    tiling.work.spend(100);
+    tiling.work.spend(10);
     const other = surfaceOf(tiling, g, boundary[g].corners.map((corner) => moved(corner, shift)));
     if (meetInShared(tiling, boundary[f], other)) return;
     refuse("boundary-meets", `boundary facets ${f} and ${g}, moved by [${shift}], meet outside of their common corners`);
@@ -1239,16 +1242,16 @@ function eachOverlap(tiling, first, second, visit) {
     return shifts.map((shift) => ({ ...translated(box, shift, step), shift, isCopy: true }));
   });
   const last = dimension - 1;
-  let open = [];
+  const open = [[], []];
   for (const box of [...queries, ...copies].sort((x, y) => sign(x.low[last] - y.low[last]))) {
-    open = open.filter((other) => other.high[last] >= box.low[last]);
-    work.spend(open.length);
-    for (const other of open) {
-      if (other.isCopy === box.isCopy || !overlap(box, other)) continue;
+    const [own, others] = box.isCopy ? [1, 0] : [0, 1];
+    open[own].push(box);
+    work.spend(open[others].length);
+    open[others] = open[others].filter((other) => other.high[last] >= box.low[last]);
+    for (const other of open[others].filter((other) => overlap(box, other))) {
       const [query, copy] = box.isCopy ? [other, box] : [box, other];
       visit(query.index, copy.index, copy.shift.map((s, k) => Number(s - copy.cell[k] + query.cell[k])));
     }
-    open.push(box);
   }
 }
 
@@ -1331,7 +1334,7 @@ function checkCovering(tiling) {
   const centres = boundary.map(({ points }) => centreBox(tiling, points));
   const boxes = rows.map((corners) => boxOf(tiling, corners.map((corner) => pointOf(tiling, corner))));
   eachOverlap(tiling, centres, boxes, (f, s, shift) => {
-    tiling.work.spend(100);
+    tiling.work.spend(10);
     const simplex = new Simplex(tiling, rows[s].map((corner) => moved(corner, shift)), s);
     const isOutside = simplex.normals.some((covector, i) => {
       const origin = simplex.points[i === 0 ? 1 : 0];
