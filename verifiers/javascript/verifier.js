@@ -16,7 +16,7 @@ const DEFAULT_LIMITS = Object.freeze({ bytes: 67108864, simplices: 1000000, bits
 
 /** The verdict of every code, in the order of docs/format.md. */
 const CODES = new Map(
-  `declined unreadable, too-many-bytes; malformed json, canonical, format; declined version, kind; malformed dimension, polynomial;
+  `declined encoding, too-many-bytes; malformed json, canonical, format; declined version, kind; malformed dimension, polynomial;
   declined degree, too-many-digits; malformed root-order; rejected root-signs; malformed root-derivative; rejected gram-not-positive;
   malformed prism-dimension, region-rank, denominator, face-count, face-length, face-vertices, face-repeated, unused-domain-vertex;
   rejected face-not-facet, face-not-convex, faces-not-closed; malformed statements, bound-range, statement-domain;
@@ -242,7 +242,8 @@ function textOf(input, limits) {
   const isLong = input.length > limits.bytes;
   if (isLong) refuse("too-many-bytes", `at least ${input.length} bytes, more than the limit of ${limits.bytes}`);
   if (typeof input === "string") return input; // Another character than ASCII is refused by Canonical.
-  if (input[0] >= 0x80) refuse("unreadable", "the file is not JSON; if it is CBOR, write it as JSON first");
+  const isCbor = input[0] >> 5 === 4; // An array of CBOR begins so, and no text in UTF-8.
+  if (isCbor) refuse("encoding", "the certificate is in CBOR; `acutile convert F.cbor F.json` writes it as JSON");
   try {
     return new TextDecoder("utf-8", { fatal: true, ignoreBOM: true }).decode(input);
   } catch {

@@ -9,7 +9,8 @@ floating-point number is used. The digest that it prints is that of the certific
 Every domain is checked, regions too: there it compares all pairs of boundary facets, and every boundary facet
 with every simplex. So a region with many boundary facets takes long.
 
-It leaves out limits on bytes, simplices and time. An integer has at most 4096 bits, and a field degree 8.
+It leaves out limits on bytes, simplices and time. An integer has at most 4096 bits, a field degree 8, and a
+simplex of a region reaches over less than 1000 cells.
 
 Python 3.8 or newer, its standard library alone. Exit code: 0 if every file is verified; else 1 if one is
 rejected (something stated is false); else 2 if one is malformed or unreadable; else 3 (declined).
@@ -22,10 +23,10 @@ import sys
 from collections import Counter
 from fractions import Fraction
 from itertools import combinations, product
-from math import factorial, gcd
+from math import ceil, factorial, floor, gcd
 
 EXIT_CODES = {"declined": 3, "malformed": 2, "rejected": 1}
-BITS, DEGREE, FAR = 4096, 8, 2 ** 29
+BITS, DEGREE, FAR, TRANSLATES = 4096, 8, 2 ** 29, 1000
 
 
 class Refusal(Exception):
@@ -124,16 +125,12 @@ def read_json(content):
         formed(len({name for name, _ in pairs}) == len(pairs), "canonical", "a member is there twice")
         return dict(pairs)
 
-    def decimal(text):
-        require(len(text) < 1300, "declined", "too-many-digits", f"more than {BITS} bits")
-        return int(text)
-
     def odd(text):
         raise Refusal("malformed", "json", f"{text[:20]} is no integer")
 
     try:
         text = content.decode("utf-8")
-        tree = json.loads(text, object_pairs_hook=unrepeated, parse_int=decimal, parse_float=odd, parse_constant=odd)
+        tree = json.loads(text, object_pairs_hook=unrepeated, parse_int=whole, parse_float=odd, parse_constant=odd)
     except (ValueError, RecursionError) as error:
         raise Refusal("malformed", "json", type(error).__name__) from error
     check_header(tree)
@@ -179,10 +176,14 @@ def integral(tree):
     if isinstance(tree, dict):
         return {name: integral(item) for name, item in tree.items()}
     if isinstance(tree, str) and re.fullmatch("-?[1-9][0-9]*", tree, re.ASCII):
-        require(len(tree) < 1300, "declined", "too-many-digits", f"more than {BITS} bits")
-        formed(abs(int(tree)) >= 2 ** 53, "canonical", "a small integer is written as a text")
-        return int(tree)
+        formed(abs(whole(tree)) >= 2 ** 53, "canonical", "a small integer is written as a text")
+        return whole(tree)
     return tree
+
+
+def whole(text):
+    """The integer; one that is beyond the limit, too, where the text is so long that the integer is."""
+    return int(text) if len(text) < 1300 else 1 << (BITS + 1)
 
 
 # The items of the grammar.
@@ -699,8 +700,9 @@ def shifts(c, one, other):
     ranges = []
     for k, ((low, high), (least, most)) in enumerate(zip(one, other)):
         if k < c.rank:
-            first, last = low - most, high - least
-            ranges.append(range(-(-first.numerator // first.denominator), last.numerator // last.denominator + 1))
+            first, last = ceil(low - most), floor(high - least)
+            require(last - first < TRANSLATES, "declined", "work", "a simplex extends over too many cells")
+            ranges.append(range(first, last + 1))
         elif low > most or high < least:
             return []
     return product(*ranges)
@@ -901,8 +903,8 @@ def check(data):
 
 
 def is_cbor(content):
-    """Every array of CBOR begins with a byte of 128 or more, and no text in JSON does."""
-    return content[:1] >= b"\x80"
+    """An array of CBOR begins with a byte from 0x80 to 0x9f, and no text in UTF-8 does."""
+    return b"\x80" <= content[:1] < b"\xa0"
 
 
 def tree_of(content):
