@@ -7,7 +7,7 @@ import { fileURLToPath } from "node:url";
 
 export const ROOT = fileURLToPath(new URL("../..", import.meta.url));
 
-/** Name, bytes, and the limits that the name's end `--limit-NAME-N` demands, of each file of a folder. */
+/** Name, bytes, and the limits that the name's end `--limit-NAME-N` or `--max-NAME-N` demands, of each file of a folder. */
 export function certificatesIn(folder) {
   const path = join(ROOT, folder);
   return readdirSync(path)
@@ -15,7 +15,7 @@ export function certificatesIn(folder) {
     .sort()
     .map((name) => {
       const stem = basename(name, ".json");
-      const [, limit, value] = /--limit-([a-z]+)-([0-9]+)$/.exec(stem) ?? [];
+      const [, limit, value] = /--(?:limit|max)-([a-z]+)-([0-9]+)$/.exec(stem) ?? [];
       return { name, stem, path: join(path, name), bytes: new Uint8Array(readFileSync(join(path, name))), limits: limit ? { [limit]: Number(value) } : {} };
     });
 }

@@ -13,7 +13,7 @@ Usage: node verify-cli.mjs [OPTIONS] FILE...
   FILE                  a certificate; - is standard input
 
   --json                one JSON object for each file
-${Object.entries(DEFAULT_LIMITS).map(([name, value]) => `  ${`--limit-${name} N`.padEnd(21)} [${value}]`).join("\n")}
+${Object.entries(DEFAULT_LIMITS).map(([name, value]) => `  ${`--max-${name} N`.padEnd(21)} [${value}]`).join("\n")}
   -h, --help            print this and stop
 
 Exit code: 0 if every file is verified; else 1 if one is rejected; else 2 if one
@@ -38,7 +38,7 @@ function main() {
 
 function commandLine() {
   try {
-    const names = Object.keys(DEFAULT_LIMITS).map((name) => [`limit-${name}`, { type: "string" }]);
+    const names = Object.keys(DEFAULT_LIMITS).map((name) => [`max-${name}`, { type: "string" }]);
     const options = { json: { type: "boolean" }, help: { type: "boolean", short: "h" }, ...Object.fromEntries(names) };
     const { values, positionals } = parseArgs({ options, allowPositionals: true });
     if (positionals.length === 0 && !values.help) throw new Error("no file is given");
@@ -50,12 +50,12 @@ function commandLine() {
 }
 
 function limitsFrom(values) {
-  const given = Object.entries(values).filter(([name]) => name.startsWith("limit-"));
+  const given = Object.entries(values).filter(([name]) => name.startsWith("max-"));
   return Object.fromEntries(
     given.map(([name, text]) => {
       const fits = /^[0-9]+$/.test(text) && Number.isSafeInteger(Number(text));
       if (!fits) throw new Error(`--${name}: not an integer from 0 to 2^53 - 1`);
-      return [name.slice("limit-".length), Number(text)];
+      return [name.slice("max-".length), Number(text)];
     }),
   );
 }
