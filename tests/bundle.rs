@@ -3,9 +3,7 @@
 //!
 //! Python 3, Node and TeX need not be there, unless `REQUIRE_TOOLS` is set.
 
-mod common;
-
-use common::{acutile, acutile_verify, code, kuhn, stderr, stdout};
+use crate::common::{acutile, acutile_verify, code, kuhn, stderr, stdout, verifier};
 use std::ffi::OsStr;
 use std::io::{self, Write};
 use std::path::Path;
@@ -90,22 +88,24 @@ fn three_verifiers_confirm_what_is_in_it_and_refuse_what_was_changed() {
 }
 
 #[test]
-fn the_other_verifiers_decline_cbor_and_say_what_to_do() {
+fn of_cbor_python_reads_and_javascript_says_what_to_do() {
     let here = Path::new(env!("CARGO_MANIFEST_DIR"));
     let cbor = "tests/certificates/cbor/valid--slab-bcc.cbor";
-    for (program, verifier) in [
-        ("python3", "src/bundle/verify.py"),
-        ("node", "src/report/verify-cli.mjs"),
+    for (program, verifier, expected, words) in [
+        ("python3", "verifiers/python/verify.py", 0, ": verified: "),
+        (
+            "node",
+            "verifiers/javascript/verify-cli.mjs",
+            3,
+            ": declined [encoding] the certificate is in CBOR; `acutile convert F.cbor F.json`",
+        ),
     ] {
         let Some(output) = run(program, here, &[verifier, cbor]) else {
             continue;
         };
-        assert_eq!(code(&output), 3, "{program}");
+        assert_eq!(code(&output), expected, "{program}");
         let line = stdout(&output);
-        assert!(
-            line.contains(": declined [") && line.contains("acutile convert F.cbor F.json"),
-            "{line}"
-        );
+        assert!(line.contains(words), "{line}");
     }
 }
 
@@ -171,7 +171,7 @@ fn what_the_kernel_refuses_is_in_no_archive() {
     let target = directory.path().join("artefact.zip");
     let mut hole = kuhn();
     hole["simplices"].as_array_mut().expect("simplices").pop();
-    let hole = common::file(directory.path(), "hole.json", &hole.to_string());
+    let hole = crate::common::file(directory.path(), "hole.json", &hole.to_string());
     let cases = [
         ("tests/certificates/false/not-acute--cube-6.json", 1),
         ("tests/certificates/malformed/canonical--space.json", 2),
@@ -266,7 +266,8 @@ fn meshes_and_tilings_are_read_again() {
 
 #[test]
 fn the_checker_in_python_agrees() {
-    let program = env!("CARGO_BIN_EXE_acutile-verify");
+    let program = verifier();
+    let program = program.to_str().expect("a path in UTF-8");
     let script = "tests/bundle/certificates.py";
     let Some(output) = run(
         "python3",
