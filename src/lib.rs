@@ -25,6 +25,8 @@ pub mod delaunay;
 pub mod draw;
 #[cfg(feature = "prover")]
 pub mod export;
+#[cfg(feature = "prover")]
+pub mod format;
 pub mod front;
 #[cfg(feature = "prover")]
 pub mod geometry;
