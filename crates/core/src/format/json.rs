@@ -7,6 +7,7 @@
 use super::cbor;
 use super::print::{self, CERTIFICATE, CLAIM_FILE, DEEPEST, Members, PrintError, RECORDS};
 use malachite::Integer;
+use std::collections::BTreeSet;
 use std::fmt;
 use std::io::{self, Write};
 use std::str::FromStr;
@@ -282,15 +283,16 @@ impl<'j> Reader<'j> {
         if RECORDS.iter().any(is) {
             return Ok(());
         }
-        let mut sorted: Vec<&str> = names.iter().map(String::as_str).collect();
-        sorted.sort_unstable();
-        let is_reordered = |members: &Members| {
-            let mut expected: Vec<&str> = members.iter().map(|(name, _)| *name).collect();
-            expected.sort_unstable();
+        let sorted: BTreeSet<&str> = names.iter().map(String::as_str).collect();
+        let has_these = |members: &Members| {
+            let expected: BTreeSet<&str> = members.iter().map(|(name, _)| *name).collect();
             expected == sorted
         };
-        Err(match RECORDS.iter().any(is_reordered) {
-            true => error(JsonCode::Canonical, "the members are in another order"),
+        Err(match RECORDS.iter().any(has_these) {
+            true => error(
+                JsonCode::Canonical,
+                "a member is repeated, or the order is another",
+            ),
             false => error(JsonCode::Json, "the members are not those of a record"),
         })
     }
@@ -333,24 +335,52 @@ impl<'j> Reader<'j> {
         }
     }
 
+    /// An integer. `1.0` and `1e3` are integers, too, and not canonical.
     fn number(&mut self) -> Result<Integer, JsonError> {
         let start = self.offset;
-        self.offset += usize::from(self.peek() == Some(b'-'));
-        while let Some(b'0'..=b'9') = self.peek() {
-            self.offset += 1;
-        }
+        let is_part = |byte: &u8| matches!(byte, b'0'..=b'9' | b'-' | b'+' | b'.' | b'e' | b'E');
+        let length = self.json[start..].iter().take_while(|b| is_part(b)).count();
+        self.offset += length;
         let text = std::str::from_utf8(&self.json[start..self.offset]).unwrap_or_default();
-        let is_integer = is_decimal(text) || text == "0" || text == "-0";
-        let goes_on = matches!(self.peek(), Some(b'.' | b'e' | b'E'));
-        match Integer::from_str(text) {
-            Ok(value) if is_integer && !goes_on => Ok(value),
-            _ => Err(JsonError {
-                offset: start,
-                ..self.error("expected an integer")
-            }),
-        }
+        integer(text).ok_or(JsonError {
+            code: JsonCode::Json,
+            offset: start,
+            problem: "expected an integer",
+        })
     }
 }
+
+/// The value of a number as JSON writes it, if it is an integer.
+fn integer(text: &str) -> Option<Integer> {
+    let (mantissa, exponent) = match text.split_once(['e', 'E']) {
+        Some((mantissa, exponent)) => (mantissa, exponent.parse::<i32>().ok()?),
+        None => (text, 0),
+    };
+    let (whole, fraction) = match mantissa.split_once('.') {
+        Some((_, "")) => return None,
+        Some((whole, fraction)) => (whole, fraction),
+        None => (mantissa, ""),
+    };
+    let is_whole = is_decimal(whole) || whole == "0" || whole == "-0";
+    if !is_whole || !fraction.bytes().all(|b| b.is_ascii_digit()) {
+        return None;
+    }
+    let zeros = i64::from(exponent) - i64::try_from(fraction.len()).ok()?;
+    let mut digits = format!("{whole}{fraction}");
+    if zeros.unsigned_abs() > LONGEST_EXPONENT {
+        return None;
+    }
+    for _ in 0..zeros {
+        digits.push('0');
+    }
+    for _ in zeros..0 {
+        digits = digits.strip_suffix('0')?.to_owned();
+    }
+    Integer::from_str(&digits).ok()
+}
+
+/// No exponent is larger.
+const LONGEST_EXPONENT: u64 = 400;
 
 /// `-?[1-9][0-9]*`
 fn is_decimal(text: &str) -> bool {
