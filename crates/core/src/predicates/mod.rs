@@ -10,6 +10,7 @@
 //! | [`ladder`] | integers as wide as the bounds ask for: the exact values behind |
 //! | [`model`] | a tiling made ready; both together |
 //! | [`shapes`] | orientation and right angles of all simplices, in one pass |
+//! | [`pairs`] | the in-sphere predicate for all pairs of neighbours |
 //! | [`volume`] | the sum of the determinants |
 //!
 //! A filter returns a sign that it proves, or none; what it leaves open is decided
@@ -20,6 +21,7 @@ pub mod filter;
 pub mod floats;
 pub mod ladder;
 pub mod model;
+pub mod pairs;
 pub mod polynomials;
 pub mod ring;
 pub mod shapes;
