@@ -8,7 +8,7 @@
 //! intersection of their half-spaces (docs/soundness.md, section on domains).
 
 use super::defect::{Defect, Findings};
-use crate::tiling::{Domain, Facet, Matching, Plane, Polytope, Tiling};
+use crate::tiling::{Facet, Matching, Plane, Polytope, Tiling};
 use acutile_exact::geometry::Sign;
 use acutile_exact::number::Number;
 use std::collections::BTreeMap;
@@ -155,7 +155,7 @@ pub fn check_facets<const D: usize>(
     for mismatch in &matching.mismatches {
         let facets: Vec<Facet> = mismatch.uses.iter().map(|(facet, _)| *facet).collect();
         match facets[..] {
-            [_] if tiling.frame.domain == Domain::Region => {}
+            [_] if tiling.frame.domain.is_region() => {}
             [facet] => match face_of(tiling, facet, faces_of_vertices) {
                 Some(face) => drop(boundary.insert(facet, face)),
                 None => findings.add(Defect::UnmatchedFacet { facet }),

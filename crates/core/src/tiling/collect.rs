@@ -59,11 +59,15 @@ fn split<const D: usize>(position: &[Number; D], rank: usize) -> ([Number; D], [
     (vertex, shift)
 }
 
-/// The largest integer that is not more than x; a double proposes, exact
-/// comparisons decide.
-fn floor(x: &Number) -> i32 {
+/// The largest integer that is not more than x, or 0 if it is beyond 2^30; a double proposes,
+/// exact comparisons decide.
+pub fn floor(x: &Number) -> i32 {
     let integer = |n: i32| Number::from(malachite::Rational::from(n));
-    let mut floor = x.approximate().floor() as i32;
+    let guess = x.approximate().floor();
+    if !(guess.abs() < f64::from(1 << 30)) {
+        return 0;
+    }
+    let mut floor = guess as i32;
     while *x < integer(floor) {
         floor -= 1;
     }

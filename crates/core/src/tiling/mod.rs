@@ -10,6 +10,7 @@ mod frame;
 mod polytope;
 mod supercell;
 
+pub use collect::floor;
 pub use coordinates::Coordinates;
 pub use facets::{Facet, Matching, Mate, Mismatch, match_facets};
 pub use frame::{Domain, Frame};
