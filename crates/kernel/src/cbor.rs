@@ -37,8 +37,8 @@ impl From<Integer> for BigInt {
     }
 }
 
-pub struct Cbor<R> {
-    input: R,
+pub struct Cbor<'r> {
+    input: &'r mut dyn Read,
     /// The bytes of this piece.
     piece: Vec<u8>,
     next: usize,
@@ -50,8 +50,8 @@ pub struct Cbor<R> {
     work: Rc<Work>,
 }
 
-impl<R: Read> Cbor<R> {
-    pub(crate) fn new(input: R, limits: &Limits, work: &Rc<Work>) -> Cbor<R> {
+impl Cbor<'_> {
+    pub(crate) fn new<'r>(input: &'r mut dyn Read, limits: &Limits, work: &Rc<Work>) -> Cbor<'r> {
         Cbor {
             input,
             piece: Vec::new(),
@@ -246,9 +246,9 @@ impl<R: Read> Cbor<R> {
         Ok(values)
     }
 
-    /// No byte is left. Returns the digest of all of them.
-    pub fn finish(mut self) -> Checked<[u8; 32]> {
+    /// No byte is left. Returns the number of bytes and their digest.
+    pub fn finish(mut self) -> Checked<(u64, [u8; 32])> {
         ensure!(self.peek()?.is_none(), Cbor, self.place());
-        Ok(self.digest.finalize().into())
+        Ok((self.before, self.digest.finalize().into()))
     }
 }

@@ -8,7 +8,6 @@ use crate::int::gcd;
 use crate::limits::{Limits, MAX_DEGREE};
 use crate::refusal::{Checked, Limit, Value};
 use num_bigint::{BigInt, Sign};
-use std::io::Read;
 
 /// A number of the field: its coefficients of 1, a, …, a^(n-1).
 pub type Number = Vec<BigInt>;
@@ -179,7 +178,7 @@ impl Statement {
         (self.row().0, bound)
     }
 
-    fn read(cbor: &mut Cbor<impl Read>, degree: usize) -> Checked<Statement> {
+    fn read(cbor: &mut Cbor, degree: usize) -> Checked<Statement> {
         if cbor.is_array()? {
             return read_bound(cbor, degree).map(Statement::Bound);
         }
@@ -191,8 +190,15 @@ impl Statement {
     }
 }
 
+impl Bound {
+    /// Bounds for angles have a sign.
+    pub fn has_sign(&self) -> bool {
+        self.quantity != Quantity::SquaredRatio
+    }
+}
+
 impl Claim {
-    pub(crate) fn read(cbor: &mut Cbor<impl Read>, limits: &Limits) -> Checked<Claim> {
+    pub(crate) fn read(cbor: &mut Cbor, limits: &Limits) -> Checked<Claim> {
         cbor.array_of(5)?;
         let dimension = match cbor.small()? {
             2 => 2,
@@ -235,7 +241,7 @@ impl Field {
         }
     }
 
-    fn read(cbor: &mut Cbor<impl Read>, limits: &Limits) -> Checked<Field> {
+    fn read(cbor: &mut Cbor, limits: &Limits) -> Checked<Field> {
         if !cbor.is_array()? {
             let text = cbor.text()?;
             ensure!(text == "Q", Cbor, cbor.place());
@@ -294,7 +300,7 @@ impl Domain {
         }
     }
 
-    fn read(cbor: &mut Cbor<impl Read>, dimension: usize, degree: usize) -> Checked<Domain> {
+    fn read(cbor: &mut Cbor, dimension: usize, degree: usize) -> Checked<Domain> {
         if !cbor.is_array()? {
             let text = cbor.text()?;
             ensure!(text == "space", Cbor, cbor.place());
@@ -325,7 +331,7 @@ impl Polytope {
         self.vertices.first().map_or(0, Vec::len)
     }
 
-    fn read(cbor: &mut Cbor<impl Read>, k: usize, degree: usize) -> Checked<Polytope> {
+    fn read(cbor: &mut Cbor, k: usize, degree: usize) -> Checked<Polytope> {
         cbor.array_of(3)?;
         let denominator = cbor.big()?;
         let is_positive = denominator.sign() == Sign::Plus;
@@ -357,7 +363,7 @@ impl Polytope {
 }
 
 /// One vertex for k = 1, the two ends of a side for k = 2, a polygon for k = 3.
-fn read_face(cbor: &mut Cbor<impl Read>, k: usize, vertices: usize) -> Checked<Vec<usize>> {
+fn read_face(cbor: &mut Cbor, k: usize, vertices: usize) -> Checked<Vec<usize>> {
     let face = cbor.list(|cbor, _| {
         let index = cbor.small()?;
         let vertex = usize::try_from(index).ok().filter(|&v| v < vertices);
@@ -374,7 +380,7 @@ fn read_face(cbor: &mut Cbor<impl Read>, k: usize, vertices: usize) -> Checked<V
 }
 
 /// [quantity, relation, sign, fraction], without the sign for ratios.
-fn read_bound(cbor: &mut Cbor<impl Read>, degree: usize) -> Checked<Bound> {
+fn read_bound(cbor: &mut Cbor, degree: usize) -> Checked<Bound> {
     let length = cbor.array()?;
     let text = cbor.text()?;
     let quantity = Quantity::ALL.into_iter().find(|q| q.text() == text);
@@ -404,7 +410,7 @@ fn read_bound(cbor: &mut Cbor<impl Read>, degree: usize) -> Checked<Bound> {
 }
 
 /// An integer for the field Q, and else the list of the coefficients.
-pub(crate) fn read_number(cbor: &mut Cbor<impl Read>, degree: usize) -> Checked<Number> {
+pub(crate) fn read_number(cbor: &mut Cbor, degree: usize) -> Checked<Number> {
     if degree == 1 {
         Ok(vec![cbor.big()?])
     } else {

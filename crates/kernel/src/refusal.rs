@@ -128,8 +128,6 @@ pub enum Place {
     /// A leading principal minor of the Gram matrix, by its number of rows.
     Minor(usize),
     Domain,
-    /// A vertex of the domain's polytope.
-    DomainVertex(usize),
     Face(usize),
     Statement(usize),
     Vertex(u32),

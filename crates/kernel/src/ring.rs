@@ -163,6 +163,10 @@ impl<T: Int, const N: usize> Exact<T, N> {
         Ok(())
     }
 
+    pub(crate) fn work(&self) -> &Work {
+        &self.work
+    }
+
     #[inline(always)]
     fn count(&self, x: &T, y: &T) {
         if T::PRICE == 0 {

@@ -7,7 +7,6 @@
 
 use crate::cbor::Cbor;
 use crate::refusal::{Checked, Place};
-use std::io::Read;
 
 /// A vertex, moved by a lattice vector. The derived order is that of the format.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, PartialOrd, Ord)]
@@ -69,7 +68,7 @@ pub struct Row {
 
 impl Shape {
     #[inline(always)]
-    pub(crate) fn read_row(&self, cbor: &mut Cbor<impl Read>, simplex: u64) -> Checked<Row> {
+    pub(crate) fn read_row(&self, cbor: &mut Cbor, simplex: u64) -> Checked<Row> {
         let place = Place::Simplex(simplex);
         let length = if self.dimension == 3 { 4 } else { 3 };
         cbor.array_of(length + u64::from(self.has_sixes))?;
@@ -101,11 +100,7 @@ impl Shape {
     /// A facet in the list `boundary`; in the plane the third corner is a default. Its last two
     /// corners stand in the order in which an inner point before them gives a positive
     /// orientation.
-    pub(crate) fn read_facet(
-        &self,
-        cbor: &mut Cbor<impl Read>,
-        index: u64,
-    ) -> Checked<[Corner; 3]> {
+    pub(crate) fn read_facet(&self, cbor: &mut Cbor, index: u64) -> Checked<[Corner; 3]> {
         let place = Place::Boundary(index);
         cbor.array_of(if self.dimension == 3 { 3 } else { 2 })?;
         let a = self.read_corner(cbor, place)?;
@@ -124,7 +119,7 @@ impl Shape {
     }
 
     #[inline(always)]
-    fn read_corner(&self, cbor: &mut Cbor<impl Read>, place: Place) -> Checked<Corner> {
+    fn read_corner(&self, cbor: &mut Cbor, place: Place) -> Checked<Corner> {
         let mut corner = Corner::default();
         let is_array = cbor.is_array()?;
         if is_array {

@@ -7,13 +7,12 @@ use crate::ring::Element;
 use crate::row::Corner;
 use num_bigint::{BigInt, Sign};
 use std::collections::BTreeMap;
-use std::io::Read;
 
 /// Stands for a coefficient that is in `large`.
 const LARGE: i64 = i64::MIN;
 
 pub struct Vertices {
-    /// The common denominator.
+    /// The common denominator; zero until it is read.
     pub(crate) denominator: BigInt,
     small_denominator: Option<i64>,
     dimension: usize,
@@ -25,24 +24,29 @@ pub struct Vertices {
 }
 
 impl Vertices {
-    /// Reads the denominator, not yet the vertices.
-    pub(crate) fn read_denominator(
-        cbor: &mut Cbor<impl Read>,
-        dimension: usize,
-        degree: usize,
-    ) -> Checked<Vertices> {
-        let denominator = cbor.big()?;
-        let is_positive = denominator.sign() == Sign::Plus;
-        ensure!(is_positive, Denominator, cbor.place(), denominator);
-        Ok(Vertices {
-            small_denominator: i64::try_from(&denominator).ok(),
-            denominator,
+    pub(crate) fn new(dimension: usize, degree: usize) -> Vertices {
+        Vertices {
+            denominator: BigInt::ZERO,
+            small_denominator: None,
             dimension,
             degree,
             small: Vec::new(),
             large: BTreeMap::new(),
             count: 0,
-        })
+        }
+    }
+
+    pub(crate) fn read_denominator(&mut self, cbor: &mut Cbor) -> Checked {
+        self.denominator = cbor.big()?;
+        let is_positive = self.denominator.sign() == Sign::Plus;
+        ensure!(
+            is_positive,
+            Denominator,
+            cbor.place(),
+            self.denominator.clone()
+        );
+        self.small_denominator = i64::try_from(&self.denominator).ok();
+        Ok(())
     }
 
     pub fn count(&self) -> u32 {
@@ -52,7 +56,7 @@ impl Vertices {
     /// Reads all vertices. `check` sees each one after it is read.
     pub(crate) fn read(
         &mut self,
-        cbor: &mut Cbor<impl Read>,
+        cbor: &mut Cbor,
         mut check: impl FnMut(&Vertices, u32) -> Checked,
     ) -> Checked {
         let count = cbor.array()?;
