@@ -203,6 +203,19 @@ impl Findings {
         }
     }
 
+    /// How many defects of each kind are kept.
+    pub fn limit(&self) -> usize {
+        self.limit
+    }
+
+    /// Adds everything that other findings have.
+    pub fn append(&mut self, other: Findings) {
+        for (code, count) in other.counts {
+            *self.counts.entry(code).or_insert(0) += count;
+        }
+        self.kept.extend(other.kept);
+    }
+
     /// Adds a defect.
     pub fn add(&mut self, defect: Defect) {
         let count = self.counts.entry(defect.code()).or_insert(0);

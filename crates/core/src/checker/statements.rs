@@ -93,7 +93,7 @@ pub fn list_not_above<const D: usize>(
 
 /// The width of the enclosures that sort most angles.
 fn cosine_width() -> Rational {
-    Rational::power_of_2(-60)
+    Rational::power_of_2(-60i64)
 }
 
 /// Angles compared with the one that has this cosine.
@@ -143,7 +143,7 @@ pub fn check_tcp<const D: usize>(
             reason: NotTcp::Dimension,
         });
     }
-    if classify::is_tcp(tiling, matching) {
+    if classify::six_valent(tiling, matching).is_some() {
         return;
     }
     findings.add_with("not-tcp", || {

@@ -17,8 +17,7 @@ pub use angle::{dihedral_degrees, display_width};
 pub use closed_form::{rational_root, root};
 pub use compare::{compare_with_degrees, cosine_above, cosine_below};
 pub use decimal::{
-    ceiling_to_i64, decimal_range, floor_to_i64, rounded_down, rounded_nearest, rounded_up,
-    short_decimal, short_point,
+    decimal_range, rounded_down, rounded_nearest, rounded_up, short_decimal, short_point,
 };
 pub use extremes::exact_ranges;
 pub use measure::{DihedralAngle, Exact, RadiusEdge};

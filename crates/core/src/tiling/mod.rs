@@ -3,16 +3,16 @@
 //! Nothing here is checked; [`crate::checker`] does that. Catalogue, importers and
 //! the Delaunay room make tilings, everything downstream reads them.
 
-mod collect;
 pub mod coordinates;
 mod facets;
+mod floor;
 mod frame;
 mod polytope;
 mod supercell;
 
-pub use collect::floor;
 pub use coordinates::Coordinates;
 pub use facets::{Facet, Matching, Mate, Mismatch, match_facets};
+pub use floor::floor;
 pub use frame::{Domain, Frame};
 pub use polytope::{Plane, Polytope};
 pub use supercell::supercell;

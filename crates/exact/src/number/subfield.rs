@@ -234,7 +234,7 @@ fn with_generator(field: &Field, t: &Number, relation: &[Rational]) -> Option<Su
     let mut polynomial: Vec<Rational> = relation.iter().map(|c| -c).collect();
     polynomial.push(Rational::ONE);
     let polynomial: Vec<Integer> = poly::primitive(&polynomial);
-    let mut bits = 8;
+    let mut bits = 8i64;
     let (smaller, root) = loop {
         let (lo, hi) = t.enclosure(&Rational::power_of_2(-bits));
         match Field::adjoin_root(&polynomial, lo, hi) {
