@@ -250,11 +250,11 @@ Definition kradius g (t : ktet) : A * A :=
   (aadd (aadd (aadd (amul m11 (amul m11 c11)) (amul m22 (amul m22 c22))) (amul m33 (amul m33 c33)))
      (amul (aofZ 2) (aadd (aadd (amul m11 (amul m22 c12)) (amul m11 (amul m33 c13))) (amul m22 (amul m33 c23)))),
    aadd (aadd (amul m11 c11) (amul m12 c12)) (amul m13 c13)).
-Definition compare (o : test) (x y : A) : bool :=
+Definition chk_compare (o : test) (x y : A) : bool :=
   match o with TLt => alt x y | TLe => ale x y | TGe => ale y x | TGt => alt y x end.
 (** R^2 / |b - a|^2 against p/q, for X and det M as above: rule [ratio_rule] of Transfer.v. *)
 Definition chk_ratio g (p : A) (q : Z) (r : A * A) (o : test) (a b : v3) : bool :=
-  let e := vsub b a in compare o (amul (aofZ q) (fst r)) (amul (amul (amul (aofZ 4) p) (snd r)) (kgdot g e e)).
+  let e := vsub b a in chk_compare o (amul (aofZ q) (fst r)) (amul (amul (amul (aofZ 4) p) (snd r)) (kgdot g e e)).
 (** The squared radius-edge ratio is the largest of R^2 / |b - a|^2. *)
 Definition chk_radius g (p : A) (q : Z) (t : ktet) (o : test) : bool :=
   let r := kradius g t in test_largest (fun o => on_edge (fun a b _ _ => chk_ratio g p q r o a b)) (six t) o.
@@ -347,12 +347,4 @@ Definition cell_pieces (r : nat) (faces : list (list N)) :=
   if 3 <=? r then flat_map both_orders (box_over (cshift (0, 0, 1)%Z)) else flat_map (pieces_over r) faces.
 Definition faces_cert den verts tets gram (r : nat) (W : list v3) (faces : list (list N)) : cert :=
   Cert den verts tets gram r W (map (half_space_over den r W) faces) (cell_pieces r faces).
-
-(** Which part fails, for people; no theorem speaks of it. *)
-Definition parts (c : cert) (ss : list cstatement) : list bool :=
-  let den := c_den c in let r := c_rank c in let kts := positions c in
-  [ Z.ltb 0 den && Nat.leb r 3; forallb chk_vol kts;
-    forallb (fun H => chk_invariant r H && chk_inside kts H) (c_domain c); chk_polytope c kts;
-    chk_mates r (c_domain c) (c_tets c) (kpos den (c_verts c)) 0 (c_tets c);
-    chk_cover c; chk_gram (c_gram c) ] ++ map (check_statement c) ss.
 End Ring.

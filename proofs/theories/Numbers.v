@@ -15,7 +15,6 @@ Definition idZ (z : Z) := z.
 Definition zcheck : cert Z -> list (cstatement Z) -> bool := check Z Z.add Z.sub Z.mul idZ Z.ltb Z.leb.
 (** A certificate, its hints computed from the faces of the polytope. *)
 Definition zcert := faces_cert Z Z.add Z.sub Z.mul idZ Z.leb.
-Definition zparts := parts Z Z.add Z.sub Z.mul idZ Z.ltb Z.leb.
 Lemma zltb_ok x y : Z.ltb x y = true -> (IZR x < IZR y)%R.
 Proof. intros H. apply IZR_lt, Z.ltb_lt, H. Qed.
 Lemma zleb_ok x y : Z.leb x y = true -> (IZR x <= IZR y)%R.
@@ -85,7 +84,6 @@ Definition lleb (p q : list Z) : bool :=
 
 Definition nfcheck (c : cert (list Z)) (ss : list (cstatement (list Z))) : bool := check (list Z) ladd lsub lmul lofZ lltb lleb c ss.
 Definition nfcert := faces_cert (list Z) ladd lsub lmul lofZ lleb.
-Definition nfparts := parts (list Z) ladd lsub lmul lofZ lltb lleb.
 
 Definition nfcheck2 (c : cert2 (list Z)) (ss : list (cstatement (list Z))) : bool := check2 (list Z) ladd lsub lmul lofZ lltb lleb c ss.
 

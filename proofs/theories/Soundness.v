@@ -102,7 +102,7 @@ Notation chk_root := (chk_root A amul aofZ ale).
 Notation chk_angle := (chk_angle A aadd asub amul aofZ alt ale).
 Notation chk_radius := (chk_radius A aadd asub amul aofZ alt ale).
 Notation chk_ratio := (chk_ratio A aadd asub amul aofZ alt ale).
-Notation compare := (compare A alt ale).
+Notation chk_compare := (chk_compare A alt ale).
 Notation kradius := (kradius A aadd asub amul aofZ).
 Notation chk_power := (chk_power A aadd asub amul aofZ).
 
@@ -855,7 +855,7 @@ Lemma kradius_d t : phi (snd (kradius (c_gram c) t)) = on_edges gram_form t.
 Proof.
   unfold Checker.kradius; cbn [snd]. repeat rewrite ?phi_add, ?phi_sub, ?phi_mul. rewrite !phi_gdot, !phi3_sub. reflexivity.
 Qed.
-Lemma compare_ok o x y : compare o x y = true -> compares o (phi x) (phi y).
+Lemma compare_ok o x y : chk_compare o x y = true -> compares o (phi x) (phi y).
 Proof. destruct o; [apply alt_ok|apply ale_ok|apply ale_ok|apply alt_ok]. Qed.
 Lemma compares_scale o k x y : 0 < k -> compares o x y -> compares o (k * x) (k * y).
 Proof. intros K H. destruct o; cbn [compares] in *; try (apply Rmult_lt_compat_l; lra); apply Rmult_le_compat_l; lra. Qed.
