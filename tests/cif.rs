@@ -2,14 +2,12 @@
 //!
 //! The files are made by tests/cif/make.py, their operations by gemmi.
 
-mod common;
-
-use acutile::certificate::Statement;
-use acutile::classify::Star;
-use acutile::delaunay::{DelaunayError, Ties, triangulate};
-use acutile::import::cif::{CifOptions, CifPoints, read_cif};
-use acutile::survey::Study;
-use common::{acutile, code, file, stderr, stdout};
+use crate::common::{acutile, code, file, stderr, stdout};
+use acutile_core::classify::Star;
+use acutile_core::delaunay::{DelaunayError, Ties, triangulate};
+use acutile_format1::certificate::Statement;
+use acutile_io::import::cif::{CifOptions, CifPoints, read_cif};
+use acutile_paper::survey::Study;
 use malachite::Rational;
 use std::io::Write;
 use std::path::{Path, PathBuf};
@@ -153,7 +151,7 @@ fn triclinic() {
     let minor = |i: usize, j: usize| &g[1][i] * &g[2][j] - &g[1][j] * &g[2][i];
     let squared = &g[0][0] * minor(1, 2) - &g[0][1] * minor(0, 2) + &g[0][2] * minor(0, 1);
     // gemmi.UnitCell(5.12, 6.34, 7.01, 81.3, 77.7, 68.9).volume = 206.72544785261377
-    let volume = acutile::number::parse_rational("206.72544785261377").expect("a decimal");
+    let volume = acutile_exact::number::parse_rational("206.72544785261377").expect("a decimal");
     let difference = squared / (&volume * &volume) - Rational::from(1);
     let tolerance = Rational::from_signeds(1, 1_000_000_000_000i64);
     assert!(difference < tolerance && difference > -tolerance);

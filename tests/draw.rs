@@ -1,14 +1,14 @@
 //! Figures against an oracle that solves for the point of a line of sight, against the literature
 //! and against what the paper says; their files against what reads them.
 
-use acutile::catalog::build;
-use acutile::draw::drawing::{Item, class_colour, lit};
-use acutile::draw::order::painted;
-use acutile::draw::polygon::{Face, Point, on_segment};
-use acutile::draw::svg::svg;
-use acutile::draw::tikz::tikz;
-use acutile::draw::{DrawError, Drawing, Figure, Options, draw, hidden};
-use acutile::number::Number;
+use acutile_catalog::build;
+use acutile_exact::number::Number;
+use acutile_publish::draw::drawing::{Item, class_colour, lit};
+use acutile_publish::draw::order::painted;
+use acutile_publish::draw::polygon::{Face, Point, on_segment};
+use acutile_publish::draw::svg::svg;
+use acutile_publish::draw::tikz::tikz;
+use acutile_publish::draw::{DrawError, Drawing, Figure, Options, draw, hidden};
 use malachite::Rational;
 use num_rational::Ratio;
 use num_traits::{One, Signed, Zero};

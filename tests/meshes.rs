@@ -2,7 +2,7 @@
 //! and read again, periodic meshes proved, damaged ones not. The files and their provenance
 //! are in tests/meshes/make.py.
 
-use acutile::mesh::{Family, Format, Lattice, Mesh, load, write};
+use acutile_io::mesh::{Family, Format, Lattice, Mesh, load, write};
 use serde_json::Value;
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
@@ -115,7 +115,7 @@ fn lines_and_numbers_are_those_of_the_file() {
 /// What a format holds of a mesh.
 fn kept(mesh: &Mesh, format: Format) -> Mesh {
     let mut kept = mesh.clone();
-    let consecutive = |first, length| acutile::mesh::Numbering::consecutive(first, length);
+    let consecutive = |first, length| acutile_io::mesh::Numbering::consecutive(first, length);
     let (nodes, elements) = (mesh.points.len(), mesh.tetrahedra.len());
     match format.family() {
         Family::Msh => {}
@@ -164,7 +164,7 @@ fn every_format_gives_back_what_it_holds_through_every_other() {
         .map(|k| 1 + k / 7)
         .collect();
     mesh.points[0] = [5e-324, -1.7976931348623157e308, 0.1];
-    for (_, first) in acutile::mesh::format::NAMES {
+    for (_, first) in acutile_io::mesh::format::NAMES {
         let once = written_and_read(&mesh, first, folder_.path());
         let expected = kept(&mesh, first);
         assert_eq!(
@@ -175,7 +175,7 @@ fn every_format_gives_back_what_it_holds_through_every_other() {
             expected,
             "{first:?}"
         );
-        for (_, second) in acutile::mesh::format::NAMES {
+        for (_, second) in acutile_io::mesh::format::NAMES {
             let twice = written_and_read(&once, second, folder_.path());
             let mut expected = kept(&once, second);
             if expected.labels.is_empty() && second.family() == Family::Msh {
@@ -226,8 +226,8 @@ fn cube() -> Mesh {
         [0, 4, 7, 6],
     ];
     Mesh {
-        nodes: acutile::mesh::Numbering::consecutive(1, points.len()),
-        elements: acutile::mesh::Numbering::consecutive(1, tetrahedra.len()),
+        nodes: acutile_io::mesh::Numbering::consecutive(1, points.len()),
+        elements: acutile_io::mesh::Numbering::consecutive(1, tetrahedra.len()),
         points,
         tetrahedra,
         ..Mesh::default()
@@ -287,7 +287,7 @@ fn a_periodic_mesh_is_proved_in_every_format_and_not_when_it_is_damaged() {
         for (damage, apply) in damages {
             let mut mesh = cube();
             apply(&mut mesh);
-            mesh.elements = acutile::mesh::Numbering::consecutive(1, mesh.tetrahedra.len());
+            mesh.elements = acutile_io::mesh::Numbering::consecutive(1, mesh.tetrahedra.len());
             let path = file(folder.path(), name, &mesh);
             let output = acutile(&["certify", &path, "--lattice", UNIT]);
             assert_eq!(

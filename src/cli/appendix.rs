@@ -9,8 +9,8 @@ use super::Outcome;
 use super::args::{AppendixArguments, FileArguments};
 use super::output::{Output, write_files};
 use super::proved;
-use crate::appendix::{self, File, Options, Subject, is_unchanged};
-use crate::catalog;
+use acutile_catalog as catalog;
+use acutile_publish::appendix::{self, File, Options, Subject, is_unchanged};
 use std::path::{Path, PathBuf};
 
 type Failure = (String, Outcome);

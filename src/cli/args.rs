@@ -3,9 +3,9 @@
 use super::bundle::BundleArguments;
 use super::draw::DrawArguments;
 use super::quality::QualityArguments;
-use crate::certificate::Statement;
-use crate::mesh::{Format, Lattice};
-use crate::verifier::Limits;
+use acutile_format1::certificate::Statement;
+use acutile_format1::verifier::Limits;
+use acutile_io::mesh::{Format, Lattice};
 use clap::{Args, Parser, Subcommand};
 use malachite::Rational;
 use std::ffi::OsString;
@@ -462,7 +462,7 @@ fn tolerance(text: &str) -> Result<f64, String> {
 }
 
 fn radius(text: &str) -> Result<Rational, String> {
-    match crate::number::parse_rational(text) {
+    match acutile_exact::number::parse_rational(text) {
         Ok(value) if value > 0 => Ok(value),
         Ok(_) => Err(format!("found {text}, expected a positive number")),
         Err(error) => Err(error.to_string()),
@@ -470,7 +470,7 @@ fn radius(text: &str) -> Result<Rational, String> {
 }
 
 fn bound_text(text: &str, largest: u8) -> Result<String, String> {
-    let bound = crate::number::parse_rational(text).map_err(|error| error.to_string())?;
+    let bound = acutile_exact::number::parse_rational(text).map_err(|error| error.to_string())?;
     if bound <= 0 || bound > largest {
         return Err(format!(
             "found {text}, expected more than 0 and at most {largest}"

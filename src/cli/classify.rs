@@ -3,8 +3,8 @@
 use super::args::ClassifyArguments;
 use super::output::Output;
 use super::{Outcome, input};
-use crate::survey::{AnyStudy, Study, Survey, isomorphic_entries};
-use crate::tiling::Domain;
+use acutile_core::tiling::Domain;
+use acutile_paper::survey::{AnyStudy, Study, Survey, isomorphic_entries};
 use malachite::Rational;
 use serde_json::{Value, json};
 
@@ -124,7 +124,7 @@ fn pairs(object: &Value, write: impl Fn(&str, &Value) -> String) -> String {
 /// `51/10 = 5 1/10`
 fn mixed(fraction: &str) -> String {
     match fraction.parse::<Rational>() {
-        Ok(value) if *value.denominator_ref() != 1u32 => crate::paper::mixed_number(&value)
+        Ok(value) if *value.denominator_ref() != 1u32 => acutile_paper::paper::mixed_number(&value)
             .map_or(fraction.to_owned(), |mixed| format!("{fraction} = {mixed}")),
         _ => fraction.to_owned(),
     }

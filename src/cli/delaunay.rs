@@ -7,11 +7,11 @@ use super::export::write_text;
 use super::input::{self, InputError};
 use super::output::Output;
 use super::progress::Progress;
-use crate::delaunay::{DelaunayError, Ties, triangulate};
-use crate::export::tiling_text;
-use crate::import::uncompressed_name;
-use crate::tiling::{AnyPointSet, AnyTiling, PointSet, Tiling};
-use crate::with_dimension;
+use acutile_core::delaunay::{DelaunayError, Ties, triangulate};
+use acutile_core::tiling::{AnyPointSet, AnyTiling, PointSet, Tiling};
+use acutile_core::with_dimension;
+use acutile_io::export::tiling_text;
+use acutile_io::import::uncompressed_name;
 
 /// Triangulates the points of a file.
 pub fn run(arguments: &DelaunayArguments, output: &mut Output) -> Outcome {

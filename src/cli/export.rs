@@ -5,11 +5,11 @@ use super::Outcome;
 use super::args::ExportArguments;
 use super::input::{self, InputError};
 use super::output::{Output, write_file};
-use crate::certificate::{Certificate, cbor::is_cbor};
-use crate::export::{coq_theorem, tiling_text};
-use crate::tiling::{Tiling, supercell};
-use crate::verifier::{Limits, to_json};
-use crate::with_dimension;
+use acutile_core::tiling::{Tiling, supercell};
+use acutile_core::with_dimension;
+use acutile_format1::certificate::{Certificate, cbor::is_cbor};
+use acutile_format1::verifier::{Limits, to_json};
+use acutile_io::export::{coq_theorem, tiling_text};
 
 /// Writes the file.
 pub fn run(arguments: &ExportArguments, output: &mut Output) -> Outcome {

@@ -3,7 +3,7 @@
 use super::Outcome;
 use super::args::GalleryArguments;
 use super::output::{Output, write_file};
-use crate::report::{Site, gallery};
+use acutile_publish::report::{Site, gallery};
 use std::io;
 use std::path::Path;
 

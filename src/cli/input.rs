@@ -6,15 +6,15 @@ use super::args::{FileArguments, MeshArguments, PointArguments};
 use super::delaunay;
 use super::mesh;
 use super::output::Output;
-use crate::catalog;
-use crate::certificate::cbor::is_cbor;
-use crate::import::cif::{CifOptions, is_cif, read_cif};
-use crate::import::{
+use acutile_catalog as catalog;
+use acutile_core::tiling::{AnyPointSet, AnyTiling};
+use acutile_format1::certificate::cbor::is_cbor;
+use acutile_io::import::cif::{CifOptions, is_cif, read_cif};
+use acutile_io::import::{
     BYTE_LIMIT, Content, ImportError, NativeFile, read_bytes, read_native, read_text,
-    uncompressed_name,
+    uncompressed_name, without_comments,
 };
-use crate::mesh::{Family, MeshError, Origin, load};
-use crate::tiling::{AnyPointSet, AnyTiling};
+use acutile_io::mesh::{Family, MeshError, Origin, load};
 use std::path::Path;
 
 /// Where a tiling comes from, with its name for messages and for the file name of
@@ -85,11 +85,7 @@ pub fn tiling(
     if let Some(entry) = catalog::find(input) {
         check_for_cif(input, &options.points)?;
         check_for_mesh(input, &options.mesh)?;
-        let tiling = match parameter {
-            Some(parameter) => catalog::build_with(input, parameter),
-            None => catalog::build(input),
-        };
-        let tiling = tiling.map_err(|error| format!("{input}: {error}"))?;
+        let tiling = construction(input, parameter)?;
         return Ok(Named {
             name: input.to_owned(),
             description: entry.description.to_owned(),
@@ -113,6 +109,22 @@ pub fn tiling(
             of_text(input, &text, &options.points, output)
         }
     }
+}
+
+/// A construction of the catalogue; `square-triangle:FILE` reads its file.
+fn construction(name: &str, parameter: Option<&str>) -> Result<AnyTiling, String> {
+    let file = catalog::plane_file(name).map(Path::new);
+    let file = file.filter(|file| file.exists() || file.to_string_lossy().contains(['/', '.']));
+    let tiling = match (parameter, file) {
+        (Some(parameter), _) => catalog::build_with(name, parameter),
+        (None, Some(file)) => {
+            let text = read_text(file).map_err(|error| format!("{name}: {error}"))?;
+            catalog::plane_file::parse(&without_comments(&text))
+                .and_then(|plane| catalog::build_over(name, &plane))
+        }
+        (None, None) => catalog::build(name),
+    };
+    tiling.map_err(|error| format!("{name}: {error}"))
 }
 
 /// The tiling of a file's text; a point set becomes its Delaunay triangulation.

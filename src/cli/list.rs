@@ -3,7 +3,7 @@
 use super::Outcome;
 use super::args::ListArguments;
 use super::output::Output;
-use crate::catalog;
+use acutile_catalog as catalog;
 use serde_json::json;
 
 /// Prints a line for each construction.

@@ -3,9 +3,9 @@
 use super::args::MeshArguments;
 use super::input::{InputError, Named};
 use super::output::{Output, write_file};
-use crate::mesh::load::Loaded;
-use crate::mesh::{Converted, Lattice, Mesh, Move, periodic_tiling, region_tiling};
-use crate::tiling::AnyTiling;
+use acutile_core::tiling::AnyTiling;
+use acutile_io::mesh::load::Loaded;
+use acutile_io::mesh::{Converted, Lattice, Mesh, Move, periodic_tiling, region_tiling};
 use std::fmt::Write;
 
 /// The tiling of a mesh, as the options say.

@@ -3,8 +3,8 @@
 use super::Outcome;
 use super::args::PaperArguments;
 use super::output::Output;
-use crate::paper::{self, Row, Verdict};
-use crate::survey::Survey;
+use acutile_paper::paper::{self, Row, Verdict};
+use acutile_paper::survey::Survey;
 
 /// Prints a row for each statement. Done when every statement was settled, whether it stands or
 /// not; declined when one was not.

@@ -6,12 +6,12 @@ use super::args::FileArguments;
 use super::input::{self, InputError};
 use super::output::Output;
 use super::progress::Progress;
-use crate::appendix::Subject;
-use crate::catalog;
-use crate::certificate::{self, cbor::is_cbor};
-use crate::import::{BYTE_LIMIT, read_bytes};
-use crate::report::{NotProved, Proved};
-use crate::verifier::{Kind, Limits, to_json};
+use acutile_catalog as catalog;
+use acutile_format1::certificate::{self, cbor::is_cbor};
+use acutile_format1::verifier::{Kind, Limits, to_json};
+use acutile_io::import::{BYTE_LIMIT, read_bytes};
+use acutile_publish::appendix::Subject;
+use acutile_publish::report::{NotProved, Proved};
 use serde::Deserialize;
 use std::path::Path;
 

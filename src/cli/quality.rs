@@ -6,8 +6,8 @@ use super::input::Named;
 use super::output::Output;
 use super::progress::Progress;
 use super::{Outcome, input};
-use crate::statistics::{self, Statistics};
-use crate::with_dimension;
+use acutile_core::statistics::{self, Statistics};
+use acutile_core::with_dimension;
 use clap::{Args, ValueEnum};
 use std::path::PathBuf;
 

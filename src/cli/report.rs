@@ -5,7 +5,7 @@ use super::args::ReportArguments;
 use super::export::write_text;
 use super::output::Output;
 use super::proved::{overwritten, proved};
-use crate::report::page;
+use acutile_publish::report::page;
 
 /// Writes the page; nothing is written where an input is not proved.
 pub fn run(arguments: &ReportArguments, output: &mut Output) -> Outcome {

@@ -3,11 +3,11 @@
 use super::args::ShowArguments;
 use super::output::Output;
 use super::{Outcome, input};
-use crate::geometry::linear;
-use crate::number::Number;
-use crate::quality::{decimal_range, dihedral_degrees, display_width, shapes};
-use crate::tiling::{Frame, Tiling};
-use crate::with_dimension;
+use acutile_core::quality::{decimal_range, dihedral_degrees, display_width, shapes};
+use acutile_core::tiling::{Frame, Tiling};
+use acutile_core::with_dimension;
+use acutile_exact::geometry::linear;
+use acutile_exact::number::Number;
 
 /// Prints counts, lattice, field and shapes.
 pub fn run(arguments: &ShowArguments, output: &mut Output) -> Outcome {

@@ -3,9 +3,9 @@
 use super::args::{FileArguments, TableArguments, TableFormat};
 use super::output::Output;
 use super::{Outcome, input};
-use crate::catalog;
-use crate::survey::{AnyStudy, Survey};
-use crate::table::{self, Row};
+use acutile_catalog as catalog;
+use acutile_paper::survey::{AnyStudy, Survey};
+use acutile_paper::table::{self, Row};
 
 /// Prints the table. A construction without a row is named on standard error.
 pub fn run(arguments: &TableArguments, output: &mut Output) -> Outcome {

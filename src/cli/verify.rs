@@ -3,8 +3,8 @@
 use super::args::VerifyArguments;
 use super::output::Output;
 use super::{Outcome, exit_outcome};
-use crate::front::verify_files;
-use crate::verifier::{Limits, Verified};
+use acutile_format1::front::verify_files;
+use acutile_format1::verifier::{Limits, Verified};
 
 /// Verifies every file.
 pub fn run(arguments: &VerifyArguments, output: &mut Output) -> Outcome {

@@ -1,0 +1,8 @@
+//! Tests of the public interface of `acutile-io`, one binary for all.
+
+mod coq_export;
+mod mesh_mutations;
+mod tiling_files;
+
+#[path = "../../../tests/common/kuhn.rs"]
+mod kuhn;
