@@ -6,8 +6,11 @@ docs/format.md, finds Delaunay tetrahedra by trying all quadruples of near point
 exact bounds in number fields. README.md says what each file is for.
 """
 import os
+import sys
 
+from source.check import code_of
 from source.encode import to_json
+from source.false import FALSE
 from source.valid import VALID
 
 HERE = os.path.dirname(os.path.abspath(__file__))
@@ -23,6 +26,20 @@ def write(folder, files):
             file.write(content if isinstance(content, bytes) else to_json(content))
 
 
+def check(folder, files):
+    """Compares the slow checker's answers with the names; files that need a limit are left out."""
+    for name, content in files.items():
+        data = content if isinstance(content, bytes) else to_json(content)
+        code, expected = code_of(data), None if folder == "valid" else name.split("--")[0]
+        if code != expected and "--limit-" not in name:
+            print(f"{folder}/{name}: {code}")
+
+
+FOLDERS = {"valid": VALID, "false": FALSE}
+
 if __name__ == "__main__":
-    for folder, files in (("valid", VALID),):
-        write(folder, files)
+    for folder, files in FOLDERS.items():
+        if "--check" not in sys.argv:
+            write(folder, files)
+        elif folder in sys.argv or len(sys.argv) == 2:
+            check(folder, files)

@@ -239,7 +239,7 @@ LOCALLY_DELAUNAY = {
 
 BIG = {
     "region-integers-at-limits": triangles_near(2**53, 2**63, 2**64, 2**72).certificate(),
-    "region-integers-at-limits-below": triangles_near(2**53 - 1, 2**64 - 1, 2**72 - 1, 256**9 - 1, 256**10 - 1).certificate(),
+    "region-integers-at-limits-below": triangles_near(2**53 - 1, 2**64 - 1, 2**72 - 1, 2**80 - 1).certificate(),
     "region-coordinates-of-300-bits": region(*beside(scaled(CORNER, 10**90), scaled(lone((-1, -1, -1), (-2, -1, -1), (-1, -2, -1), (-1, -1, -2)), 1))).certificate(
         "nonobtuse", largest("maximum", *NINETY)),
     "region-denominator-of-100-bits": region(*beside(CORNER, lone((1, 1, F(-1, 10**30)), (1, 2, -1), (2, 1, -1), (1, 1, -2)))).certificate(),
