@@ -104,43 +104,42 @@ def solve(f, columns, right):
 def covered(f, boundary, rows, position, rank):
     """Whether a simplex lies directly outside some boundary facet, near its centroid.
 
-    A simplex does so if it contains the centroid, and each facet of it through the centroid has the
-    outward normal's direction on its inner side. A facet in the same plane decides by its side.
+    The point just outside is the centroid + e n + e^2 t + e^3 u for the outward normal n and the edges t, u of the
+    facet and a small e. It is generic: a facet of a simplex may contain the centroid and the normal.
     """
     n = len(rows[0])
     simplices = [[position(c) for c in row] for row in rows]
     boxes = [box(f, s) for s in simplices]
     for facet in boundary:
         points = [position(c) for c in facet]
-        third = f.inverse(f.element(len(points)))
-        centre = [f.multiply(f.add(*xs), third) for xs in zip(*points)]
-        outward = normal(f, points)
+        share = f.inverse(f.element(len(points)))
+        centre = [f.multiply(f.add(*xs), share) for xs in zip(*points)]
+        directions = [normal(f, points), *([f.subtract(x, y) for x, y in zip(p, points[0])] for p in points[1:])]
         for simplex, its_box in zip(simplices, boxes):
             for shift in shifts(box(f, [centre]), its_box, rank):
                 by = [f.element(s) for s in [*shift, *[0] * (len(centre) - rank)]]
                 corners = [[f.add(x, s) for x, s in zip(p, by)] for p in simplex]
-                if all(directly_inside(f, corners[:i] + [None] + corners[i + 1:], i, centre, outward) for i in range(n)):
+                if all(inner_side(f, corners, i, centre, directions) for i in range(n)):
                     return True
     return False
 
 
 def normal(f, points):
-    """A vector that points outwards: the cofactors of the facet's edges."""
+    """A vector that points outwards, in basis coordinates: for D = 2 the inside is on the left."""
     base, *rest = points
     edges = [[f.subtract(x, y) for x, y in zip(p, base)] for p in rest]
     if len(base) == 2:
         return [edges[0][1], f.negative(edges[0][0])]
-    (a, b) = edges
+    a, b = edges
     return [f.subtract(f.multiply(a[i], b[j]), f.multiply(a[j], b[i])) for i, j in ((1, 2), (2, 0), (0, 1))]
 
 
-def directly_inside(f, corners, i, centre, outward):
-    """The sign of the i-th barycentric coordinate just outside; corners are positively oriented."""
-    def volume(points):
-        base, *rest = points
-        return f.sign(determinant(f, [[f.subtract(x, y) for x, y in zip(p, base)] for p in rest]))
-    sign = volume(corners[:i] + [centre] + corners[i + 1:])
-    if sign:
-        return sign > 0
-    # The derivative along the outward direction: replace the corner by centre + outward.
-    return volume(corners[:i] + [[f.add(x, y) for x, y in zip(centre, outward)]] + corners[i + 1:]) > 0
+def inner_side(f, corners, i, centre, directions):
+    """Whether the i-th barycentric coordinate of the point just outside is positive; corners are positively oriented."""
+    for step in [None, *directions]:
+        point = centre if step is None else [f.add(x, y) for x, y in zip(centre, step)]
+        base, *rest = [*corners[:i], point, *corners[i + 1:]]
+        sign = f.sign(determinant(f, [[f.subtract(x, y) for x, y in zip(p, base)] for p in rest]))
+        if sign:
+            return sign > 0
+    return False
