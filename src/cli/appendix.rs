@@ -5,14 +5,36 @@
 //! `acutile appendix` wrote and nobody has changed since, or where `--force` is given; that is looked
 //! at for all files before the first is written.
 
-use super::Outcome;
-use super::args::{AppendixArguments, FileArguments};
+use super::input::FileArguments;
+use super::outcome::Outcome;
 use super::output::{Output, write_files};
 use super::proved;
 use acutile_catalog as catalog;
 use acutile_publish::appendix::{self, File, Options, Subject, is_unchanged};
+use clap::Args;
 use rayon::prelude::*;
 use std::path::{Path, PathBuf};
+
+#[derive(Debug, Args)]
+pub struct AppendixArguments {
+    /// Certificates, names of the catalogue, tiling files, or point sets (CIF too)
+    #[arg(value_name = "CERT|NAME|FILE", required_unless_present = "all")]
+    pub inputs: Vec<String>,
+    #[command(flatten)]
+    pub file: FileArguments,
+    /// The whole catalogue
+    #[arg(long)]
+    pub all: bool,
+    /// Write the files into this directory
+    #[arg(short, long, value_name = "DIR")]
+    pub output: PathBuf,
+    /// Replace files that are there, even if they are others' or were edited
+    #[arg(long)]
+    pub force: bool,
+    /// Print decimals with the package siunitx
+    #[arg(long)]
+    pub siunitx: bool,
+}
 
 type Failure = (String, Outcome);
 
