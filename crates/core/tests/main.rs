@@ -3,6 +3,7 @@
 mod advice;
 mod assemble;
 mod delaunay;
+mod format;
 mod predicates;
 mod prover_properties;
 mod quality;

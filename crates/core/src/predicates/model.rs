@@ -4,13 +4,15 @@ use super::filter::{Filter, Rounded};
 use super::floats::{BATCH, Batch, Floats};
 use super::ladder::Ladder;
 use super::polynomials::{Metric, Predicate};
-use super::ring::{Ring, Vectors, cleared_integers, cleared_quadratics};
+use super::ring::{Ring, SquareRoot, Vectors, cleared_integers, cleared_quadratics};
 use super::shapes::Shapes;
 use super::signs::Signs;
 use crate::tiling::{Corner, Tiling};
 use acutile_exact::geometry::{Quadratic, linear};
 use acutile_exact::number::Number;
-use malachite::base::num::basic::traits::Zero;
+use malachite::base::num::arithmetic::traits::PowerOf2;
+use malachite::base::num::basic::traits::One;
+use malachite::base::num::logic::traits::SignificantBits;
 use malachite::{Integer, Rational};
 use rayon::prelude::*;
 use std::ops::Range;
@@ -79,7 +81,7 @@ impl<'a, const D: usize> Model<'a, D> {
         Prepared {
             model: self,
             filter: Filter::new(&predicate, &self.floats, &rounded),
-            exact: Exact::new(self, &predicate, numbers, constants),
+            exact: Exact::new(self, &predicate, numbers, &constants),
             predicate,
         }
     }
@@ -91,6 +93,11 @@ impl<'a, const D: usize> Model<'a, D> {
         chunks
             .map(|chunk| work(chunk * CHUNK..n.min((chunk + 1) * CHUNK)))
             .collect()
+    }
+
+    /// The edges of a simplex in doubles.
+    pub fn float_edges(&self, simplex: usize) -> [[f64; D]; D] {
+        self.floats.edges(self.tiling.simplex(simplex))
     }
 
     /// Folds the edges of all simplices, in doubles, on all cores; for what is decided
@@ -254,7 +261,7 @@ impl<const D: usize> Exact<D> {
         model: &Model<D>,
         predicate: &P,
         numbers: Metric<Number, D>,
-        constants: Vec<Integer>,
+        constants: &[Number],
     ) -> Self {
         let gram = &model.tiling.frame.gram;
         let mut exact = Exact {
@@ -264,32 +271,40 @@ impl<const D: usize> Exact<D> {
         };
         match &model.ring {
             Ring::Quadratic { root, .. } => {
-                let element = |n: Integer| Quadratic {
-                    x: n,
-                    y: Integer::ZERO,
-                    d: Integer::from(root.d),
-                };
-                exact.quadratics = cleared_quadratics(gram, root).map(|gram| {
-                    Ladder::new(
-                        predicate,
-                        gram,
-                        constants.into_iter().map(element).collect(),
-                    )
-                });
+                let constants = quadratic_constants(constants, root);
+                exact.quadratics = cleared_quadratics(gram, root)
+                    .zip(constants)
+                    .map(|(gram, constants)| Ladder::new(predicate, gram, constants));
             }
             Ring::Numbers { .. } => {}
             _ => {
-                let gram = cleared_integers(gram);
-                exact.integers = gram.map(|gram| Ladder::new(predicate, gram, constants));
+                let constants = integer_constants(constants);
+                exact.integers = cleared_integers(gram)
+                    .zip(constants)
+                    .map(|(gram, constants)| Ladder::new(predicate, gram, constants));
             }
         }
         exact
     }
 }
 
+/// `None` if one is not rational.
+fn integer_constants(constants: &[Number]) -> Option<Vec<Integer>> {
+    let integer = |x: &Number| Integer::try_from(x.to_rational()?.clone()).ok();
+    constants.iter().map(integer).collect()
+}
+
+fn quadratic_constants(
+    constants: &[Number],
+    root: &SquareRoot,
+) -> Option<Vec<Quadratic<Integer>>> {
+    let element = |x: &Number| root.element(x, &Integer::ONE);
+    constants.iter().map(element).collect()
+}
+
 fn number_metric<const D: usize>(
     gram: &[[Number; D]; D],
-    constants: &[Integer],
+    constants: &[Number],
 ) -> Metric<Number, D> {
     // Cleared, so that the numbers are short and a rational matrix is one of integers.
     let unit = super::ring::common_denominator(gram.iter().flatten());
@@ -298,10 +313,7 @@ fn number_metric<const D: usize>(
     Metric {
         cogram: linear::cofactors(&gram),
         gram,
-        constants: constants
-            .iter()
-            .map(|n| Number::from(Rational::from(n)))
-            .collect(),
+        constants: constants.to_vec(),
     }
 }
 
@@ -322,6 +334,28 @@ fn rounded<const D: usize>(metric: &Metric<Number, D>) -> Metric<Rounded, D> {
     Metric {
         gram: matrix(&metric.gram, scale),
         cogram: matrix(&metric.cogram, scale * (D as i32 - 1)),
-        constants: metric.constants.iter().map(|x| Rounded::of(x, 0)).collect(),
+        constants: scaled_down(&metric.constants)
+            .iter()
+            .map(|x| Rounded::of(x, 0))
+            .collect(),
+    }
+}
+
+/// Constants with more bits than this are scaled.
+const SMALL_CONSTANTS: i64 = 20;
+
+/// The constants, times one power of two if they are large. No sign changes by that.
+fn scaled_down(constants: &[Number]) -> Vec<Number> {
+    let bits = |c: &Rational| {
+        c.numerator_ref().significant_bits() as i64 - c.denominator_ref().significant_bits() as i64
+    };
+    let coefficients = constants.iter().flat_map(|x| x.coefficients());
+    let largest = coefficients.filter(|c| **c != 0).map(bits).max();
+    match largest {
+        Some(largest) if largest > SMALL_CONSTANTS => {
+            let scale = Number::from(Rational::power_of_2(-largest));
+            constants.iter().map(|x| x * &scale).collect()
+        }
+        _ => constants.to_vec(),
     }
 }

@@ -1,7 +1,7 @@
 //! A tiling from simplices that are given by the positions of their corners, oriented by exact signs.
 
 use super::{Model, Orientation};
-use crate::tiling::{Corner, Frame, Tiling};
+use crate::tiling::{Corner, Frame, Tiling, floor};
 use acutile_exact::number::Number;
 use std::collections::BTreeMap;
 
@@ -57,18 +57,4 @@ fn split<const D: usize>(position: &[Number; D], rank: usize) -> ([Number; D], [
     let vertex =
         std::array::from_fn(|k| &position[k] - &Number::from(malachite::Rational::from(shift[k])));
     (vertex, shift)
-}
-
-/// The largest integer that is not more than x; a double proposes, exact
-/// comparisons decide.
-fn floor(x: &Number) -> i32 {
-    let integer = |n: i32| Number::from(malachite::Rational::from(n));
-    let mut floor = x.approximate().floor() as i32;
-    while *x < integer(floor) {
-        floor -= 1;
-    }
-    while *x >= integer(floor + 1) {
-        floor += 1;
-    }
-    floor
 }

@@ -103,6 +103,18 @@ impl SquareRoot {
     }
 }
 
+impl SquareRoot {
+    /// 2 n x as an element of Z[√d], for a number n such that its coefficients are integers.
+    pub fn element(&self, number: &Number, n: &Integer) -> Option<Quadratic<Integer>> {
+        let [x, y] = self.doubled(number, n)?;
+        Some(Quadratic {
+            x,
+            y,
+            d: Integer::from(self.d),
+        })
+    }
+}
+
 impl<'a, const D: usize> Ring<'a, D> {
     /// The narrowest ring for the coordinates and the metric of `tiling`.
     pub fn new(tiling: &'a Tiling<D>) -> Self {
@@ -316,14 +328,7 @@ pub fn cleared_quadratics<const D: usize>(
     root: &SquareRoot,
 ) -> Option<[[Quadratic<Integer>; D]; D]> {
     let unit = common_denominator(matrix.iter().flatten());
-    square(matrix, |number| {
-        let [x, y] = root.doubled(number, &unit)?;
-        Some(Quadratic {
-            x,
-            y,
-            d: Integer::from(root.d),
-        })
-    })
+    square(matrix, |number| root.element(number, &unit))
 }
 
 fn square<T, const D: usize>(

@@ -101,7 +101,7 @@ fn square_class(d: &Number) -> (Number, Rational) {
 }
 
 /// (s, f) with x y = s² f.
-fn split_square(x: &Natural, y: &Natural) -> (Natural, Natural) {
+pub(super) fn split_square(x: &Natural, y: &Natural) -> (Natural, Natural) {
     let (mut square, mut free) = (Natural::ONE, x * y);
     for q in (2..SQUARE_FACTOR_LIMIT).map(Natural::from) {
         let q_squared = (&q).pow(2);

@@ -11,6 +11,7 @@
 //! | `polynomial` | polynomials over Q: Euclid, Sturm |
 //! | `extension` | K(√d), K(b): a generator of a larger field |
 //! | `recognition`, `lattice` | whether a real number lies in a field |
+//! | [`subfield`] | the field that some numbers generate |
 //! | [`text`] | the syntax of numbers |
 //! | [`reader`] | the numbers of a file in one field |
 //! | [`error`] | [`FieldError`], [`ReadError`] and their messages |
@@ -33,6 +34,7 @@ pub mod recognition;
 mod root;
 mod sign;
 mod small;
+pub mod subfield;
 pub mod text;
 
 pub use element::Number;
@@ -40,4 +42,5 @@ pub use enclosure::Interval;
 pub use error::{FieldError, ReadError, ReadErrorKind};
 pub use field::Field;
 pub use reader::{Reader, numbers};
+pub use subfield::Subfield;
 pub use text::{Expression, parse_rational};
