@@ -11,6 +11,7 @@ import sys
 from source.check import code_of
 from source.encode import to_json
 from source.false import FALSE
+from source.malformed import MALFORMED
 from source.valid import VALID
 
 HERE = os.path.dirname(os.path.abspath(__file__))
@@ -35,7 +36,7 @@ def check(folder, files):
             print(f"{folder}/{name}: {code}")
 
 
-FOLDERS = {"valid": VALID, "false": FALSE}
+FOLDERS = {"valid": VALID, "malformed": MALFORMED, "false": FALSE}
 
 if __name__ == "__main__":
     for folder, files in FOLDERS.items():

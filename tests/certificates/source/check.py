@@ -44,9 +44,16 @@ def no_such(_):
     raise Refusal("json")
 
 
+def decimal(literal):
+    """A whole number in another notation; `text` does not write it so."""
+    value = F(literal)
+    ensure(value.denominator == 1, "json")
+    return int(value)
+
+
 def read(data):
     try:
-        value = json.loads(data.decode("ascii"), parse_float=no_such, parse_constant=no_such,
+        value = json.loads(data.decode("ascii"), parse_float=decimal, parse_constant=no_such,
                            object_pairs_hook=lambda pairs: dict(pairs))
     except (ValueError, RecursionError):
         raise Refusal("json") from None
@@ -139,7 +146,7 @@ def shape(value):
     def corner(c):
         if isinstance(c, list):
             array(integer, rank + 1)(c)
-            ensure(rank == 0 or any(c[1:]), "canonical")
+            ensure(any(c[1:]), "canonical")
         else:
             integer(c)
 
