@@ -1,6 +1,6 @@
 """A slow checker of format 2: it answers with the code of the first refusal, or None.
 
-It reads JSON, keeps everything in memory and decides by brute force. It has no limits. It shares the number
+It reads JSON, keeps everything in memory and decides by brute force. Its only limits are the degree 8 and 4096 bits. It shares the number
 fields with the generator, and nothing with the program. `make.py --check` compares its answers with the names.
 """
 import itertools
@@ -66,6 +66,7 @@ def read(data):
 def numbers(value):
     """Integers that are written as texts become integers; `text` writes them as texts again."""
     if isinstance(value, str) and re.fullmatch("-?[1-9][0-9]*", value):
+        ensure(len(value) < 1300 and abs(int(value)) < 2 ** 4096, "too-many-digits")
         return int(value)
     if isinstance(value, list):
         return [numbers(item) for item in value]
