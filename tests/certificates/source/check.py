@@ -3,15 +3,14 @@
 It reads JSON, keeps everything in memory and decides by brute force. Its only limits are the degree 8 and 4096 bits. It shares the number
 fields with the generator, and nothing with the program. `make.py --check` compares its answers with the names.
 """
-import itertools
 import json
 import math
 import re
 from fractions import Fraction as F
 
 from .build import LARGEST, RATIO, RELATIONS, SMALLEST, TILING, edges, facets, from_first
-from .encode import NUMBERS, text
-from .field import Field, Q, Undecided, adjugate, determinant, figures, inner, products, signed, times
+from .encode import text
+from .field import Field, Q, Undecided, determinant, figures, inner, products, signed, times
 from .meet import covered, meet_wrongly
 
 ORDER = [TILING, "acute", "nonobtuse", LARGEST, SMALLEST, RATIO, "Delaunay", "weakly Delaunay", "locally Delaunay",

@@ -1,14 +1,13 @@
 """Files that are no certificates, or not in the canonical form."""
 import json
-from dataclasses import replace
 from fractions import Fraction as F
 
-from .build import TILING, edit, exchange_last, largest, ratio, smallest
+from .build import TILING, edit, exchange_last, largest
 from .encode import to_json
 from .false_regions import MESH, VOID
 from .regions import cells, periodic, region
 from .tilings import CUBE, CUBE_CORNERS, CUBE_FACES, HEXAGONAL, SQUARE, a15, block, kuhn, lattice, square_triangle
-from .wrong import BOUNDARY, DOMAIN, FIELD, GRAM, ROWS, STATEMENTS, VERTICES, edited, in_domain, moved
+from .wrong import BOUNDARY, DOMAIN, FIELD, GRAM, ROWS, STATEMENTS, VERTICES, edited, moved
 
 E = lattice(HEXAGONAL).certificate("acute", "nonobtuse", "Delaunay")
 BARE = lattice(HEXAGONAL).certificate()
