@@ -50,7 +50,7 @@ def counts():
     for document in (root / "docs/trust.md", here / "README.md"):
         for path, lines in re.findall(r"`([\w./-]+)` \(([\d,]+) lines", document.read_text()):
             n += 1
-            places = [p for p in (root / path, here / "theories" / path, here / "extraction" / path, root / "src/report" / path) if p.is_file()]
+            places = [p for p in (root / path, here / "theories" / path, here / "extraction" / path, root / "crates/publish/src/report" / path) if p.is_file()]
             true = len(places[0].read_text().splitlines()) if places else None
             if true != int(lines.replace(",", "")):
                 wrong.append(f"{document.name}: {path} has {true} lines, not {lines}")

@@ -1,53 +1,48 @@
 //! acutile proves that tilings by tetrahedra are valid and strictly acute.
 //!
-//! The rooms, in the direction in which data flows, are in ARCHITECTURE.md.
+//! This library is the short way in: [`certify`] proves a tiling and returns its certificate, and
+//! [`verify`] re-checks a certificate from its bytes alone. The crates of the workspace, listed in
+//! ARCHITECTURE.md, hold everything else.
+//!
+//! ```
+//! use acutile::{Limits, Statement, certify, verify};
+//!
+//! let a15 = acutile::catalog::build("a15")?;
+//! let certificate = certify(&a15, vec![Statement::Acute]).expect("A15 is acute");
+//! let verified = verify(&certificate, &Limits::DEFAULT).expect("and the verifier confirms it");
+//! assert!(verified.claim().statements.contains(&Statement::Acute));
+//! # Ok::<(), acutile::catalog::CatalogError>(())
+//! ```
 
-#![forbid(unsafe_code)]
+pub use acutile_catalog as catalog;
+pub use acutile_core::checker::Refutation;
+pub use acutile_core::tiling::{AnyTiling, Tiling};
+pub use acutile_format1::certificate::Statement;
+pub use acutile_format1::verifier::{Limits, Refusal, Verified, verify};
 
-#[cfg(feature = "prover")]
-pub mod advice;
-#[cfg(feature = "prover")]
-pub mod appendix;
-#[cfg(feature = "prover")]
-pub mod bundle;
-#[cfg(feature = "prover")]
-pub mod catalog;
-pub mod certificate;
-#[cfg(feature = "prover")]
-pub mod checker;
-#[cfg(feature = "prover")]
-pub mod classify;
-#[cfg(feature = "prover")]
-pub mod cli;
-#[cfg(feature = "prover")]
-pub mod delaunay;
-#[cfg(feature = "prover")]
-pub mod draw;
-#[cfg(feature = "prover")]
-pub mod export;
-pub mod front;
-#[cfg(feature = "prover")]
-pub mod geometry;
-#[cfg(feature = "prover")]
-pub mod import;
-#[cfg(feature = "prover")]
-pub mod mesh;
-#[cfg(feature = "prover")]
-pub mod number;
-#[cfg(feature = "prover")]
-pub mod paper;
-#[cfg(feature = "prover")]
-pub mod predicates;
-#[cfg(feature = "prover")]
-pub mod quality;
-#[cfg(feature = "prover")]
-pub mod report;
-#[cfg(feature = "prover")]
-pub mod statistics;
-#[cfg(feature = "prover")]
-pub mod survey;
-#[cfg(feature = "prover")]
-pub mod table;
-#[cfg(feature = "prover")]
-pub mod tiling;
-pub mod verifier;
+use acutile_core::checker::{Options, prove};
+use acutile_core::with_dimension;
+use acutile_format1::certificate::to_bytes;
+
+/// Proves that a tiling is one and that the statements hold, and returns the certificate.
+///
+/// ```
+/// use acutile::{Statement, certify};
+///
+/// // The largest angles of Sommerville's tetrahedra are right angles.
+/// let bcc = acutile::catalog::build("bcc")?;
+/// assert!(certify(&bcc, vec![Statement::Nonobtuse]).is_ok());
+/// assert!(certify(&bcc, vec![Statement::Acute]).is_err());
+/// # Ok::<(), acutile::catalog::CatalogError>(())
+/// ```
+///
+/// # Errors
+/// The defects of the tiling, and the simplices that violate a statement.
+pub fn certify(tiling: &AnyTiling, required: Vec<Statement>) -> Result<Vec<u8>, Refutation> {
+    let options = Options {
+        required,
+        ..Options::default()
+    };
+    let certificate = with_dimension!(tiling, AnyTiling, t => prove(t, &options, &|_| {}))?;
+    Ok(to_bytes(&certificate))
+}

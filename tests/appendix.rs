@@ -1,9 +1,7 @@
 //! `acutile appendix` as a user meets it: which files it writes, and which it leaves alone.
 //! That TeX compiles them and that their numbers are right is tested by .ci/appendix.
 
-mod common;
-
-use common::{acutile, code, file, stderr};
+use crate::common::{acutile, code, file, stderr};
 use std::fs;
 use std::path::Path;
 

@@ -3,9 +3,7 @@
 //!
 //! Python 3, Node and TeX need not be there, unless `REQUIRE_TOOLS` is set.
 
-mod common;
-
-use common::{acutile, acutile_verify, code, kuhn, stderr, stdout};
+use crate::common::{acutile, acutile_verify, code, kuhn, stderr, stdout, verifier};
 use std::ffi::OsStr;
 use std::io::{self, Write};
 use std::path::Path;
@@ -94,8 +92,8 @@ fn the_other_verifiers_decline_cbor_and_say_what_to_do() {
     let here = Path::new(env!("CARGO_MANIFEST_DIR"));
     let cbor = "tests/certificates/cbor/valid--slab-bcc.cbor";
     for (program, verifier) in [
-        ("python3", "src/bundle/verify.py"),
-        ("node", "src/report/verify-cli.mjs"),
+        ("python3", "crates/publish/src/bundle/verify.py"),
+        ("node", "crates/publish/src/report/verify-cli.mjs"),
     ] {
         let Some(output) = run(program, here, &[verifier, cbor]) else {
             continue;
@@ -171,7 +169,7 @@ fn what_the_kernel_refuses_is_in_no_archive() {
     let target = directory.path().join("artefact.zip");
     let mut hole = kuhn();
     hole["simplices"].as_array_mut().expect("simplices").pop();
-    let hole = common::file(directory.path(), "hole.json", &hole.to_string());
+    let hole = crate::common::file(directory.path(), "hole.json", &hole.to_string());
     let cases = [
         ("tests/certificates/false/not-acute--cube-6.json", 1),
         ("tests/certificates/malformed/canonical--space.json", 2),
@@ -266,7 +264,8 @@ fn meshes_and_tilings_are_read_again() {
 
 #[test]
 fn the_checker_in_python_agrees() {
-    let program = env!("CARGO_BIN_EXE_acutile-verify");
+    let program = verifier();
+    let program = program.to_str().expect("a path in UTF-8");
     let script = "tests/bundle/certificates.py";
     let Some(output) = run(
         "python3",

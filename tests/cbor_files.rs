@@ -1,8 +1,6 @@
 //! Certificates in CBOR as a user meets them: written, verified, turned into JSON, shown.
 
-mod common;
-
-use common::{acutile, acutile_verify, code, stderr, stdout};
+use crate::common::{acutile, acutile_verify, code, stderr, stdout, verifier};
 use std::fs;
 use std::path::Path;
 use std::process::{Command, Stdio};
@@ -52,7 +50,7 @@ fn the_format_can_be_said() {
 #[test]
 fn standard_input_is_verified() {
     let file = fs::File::open("tests/certificates/cbor/valid--slab-bcc.cbor").expect("a file");
-    let answer = Command::new(env!("CARGO_BIN_EXE_acutile-verify"))
+    let answer = Command::new(verifier())
         .arg("-")
         .stdin(Stdio::from(file))
         .output()
@@ -164,7 +162,11 @@ fn convert_knows_a_certificate_where_it_meets_one() {
     assert_eq!(code(&copy), 0, "{}", stderr(&copy));
     assert_eq!(fs::read(at("copy.json")).expect("written"), original);
 
-    let tiling = common::file(place.path(), "kuhn.json", &common::kuhn().to_string());
+    let tiling = crate::common::file(
+        place.path(),
+        "kuhn.json",
+        &crate::common::kuhn().to_string(),
+    );
     for input in ["a15", text(&tiling)] {
         let target = at("no.cbor");
         let output = acutile(["convert", input, text(&target)]);
@@ -185,7 +187,7 @@ fn convert_reads_a_named_pipe_from_its_first_byte() {
     assert!(made.expect("mkfifo runs").success());
     let writer = std::thread::spawn({
         let pipe = pipe.clone();
-        move || fs::write(pipe, common::kuhn().to_string())
+        move || fs::write(pipe, crate::common::kuhn().to_string())
     });
     let output = acutile(["convert", text(&pipe), text(&target)]);
     assert_eq!(code(&output), 0, "{}", stderr(&output));

@@ -1,8 +1,6 @@
 //! The programs as a user meets them: exit codes, messages, files and pipes.
 
-mod common;
-
-use common::{acutile, acutile_verify, code, file, kuhn, stderr, stdout};
+use crate::common::{acutile, acutile_verify, code, file, kuhn, stderr, stdout};
 use serde_json::Value;
 use std::io::{Read, Write};
 use std::path::Path;

@@ -1,9 +1,7 @@
 //! An interrupt leaves nothing behind: neither half a certificate nor a temporary file.
 #![cfg(target_os = "linux")] // env --default-signal is of GNU
 
-mod common;
-
-use common::{acutile, code, stderr};
+use crate::common::{acutile, code, stderr};
 use std::fs;
 use std::path::Path;
 use std::process::{Child, Command, Stdio};

@@ -1,8 +1,9 @@
-//! The verifier in JavaScript (src/report/verifier.js) agrees with the kernel: on every
+//! The verifier in JavaScript (crates/publish/src/report/verifier.js) agrees with the kernel: on every
 //! file of tests/certificates, and on certificates that are changed at random.
 //!
 //! The tests are in tests/browser/verifier.test.mjs and run under Node, which need not be there.
 
+use crate::common::verifier;
 use std::io::{self, Write};
 use std::path::Path;
 use std::process::{Command, Stdio};
@@ -22,7 +23,7 @@ fn the_verifier_in_javascript_agrees() {
         .args(["--test", "--test-reporter=tap"])
         .arg("tests/browser/verifier.test.mjs")
         .current_dir(Path::new(env!("CARGO_MANIFEST_DIR")))
-        .env("ACUTILE_VERIFY", env!("CARGO_BIN_EXE_acutile-verify"))
+        .env("ACUTILE_VERIFY", verifier())
         .env("MUTATIONS", "500")
         .output()
         .unwrap();

@@ -1,10 +1,8 @@
 //! The table and the paper's statements, through the program.
 
-mod common;
-
-use acutile::paper::{Rounding, Verdict, judge};
-use acutile::table::Figure;
-use common::{acutile, code, stderr, stdout};
+use crate::common::{acutile, code, stderr, stdout};
+use acutile_paper::paper::{Rounding, Verdict, judge};
+use acutile_paper::table::Figure;
 use malachite::Rational;
 use serde_json::Value;
 use std::collections::BTreeSet;
@@ -86,7 +84,7 @@ fn assert_is_tight(bounds: &Value) {
     let [low, high] = [0, 1].map(|k| {
         let text = bounds[k].as_str().expect("a string");
         text.parse::<f64>().expect("a decimal");
-        acutile::number::parse_rational(text).expect("a decimal")
+        acutile_exact::number::parse_rational(text).expect("a decimal")
     });
     assert!(
         low <= high && high - low <= Rational::from_signeds(1, 1_000_000_000),
@@ -170,7 +168,7 @@ fn classification_in_words_and_json() {
 /// point: a row that changes sides is either a mistake here or news about the paper.
 #[test]
 fn the_rows_that_differ_from_print() {
-    let output = common::acutile(["paper", "--json"]);
+    let output = crate::common::acutile(["paper", "--json"]);
     let rows: Vec<Value> = serde_json::from_slice(&output.stdout).expect("an array");
     let with = |verdict: &str| -> Vec<&str> {
         let rows = rows.iter().filter(|row| row["verdict"] == verdict);

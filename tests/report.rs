@@ -1,12 +1,10 @@
 //! `acutile report`: what is in a page, and what never comes into one.
 
-mod common;
-
-use acutile::certificate::{Certificate, to_bytes};
-use acutile::checker::{Options, prove};
-use acutile::import::tiling_of_certificate;
-use acutile::tiling::AnyTiling;
-use common::{acutile, code, file, kuhn, stderr, stdout};
+use crate::common::{acutile, code, file, kuhn, stderr, stdout};
+use acutile_core::checker::{Options, prove};
+use acutile_core::tiling::AnyTiling;
+use acutile_format1::certificate::{Certificate, to_bytes};
+use acutile_io::import::tiling_of_certificate;
 use serde_json::{Value, json};
 
 /// The text of the page for these inputs.

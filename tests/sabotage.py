@@ -17,7 +17,7 @@ CHECK = re.compile(r"fn (check_\w+)[^{;]*-> Result<\(\), Refusal> \{")
 
 
 def build(tree):
-    command = ["cargo", "build", "--quiet", "--no-default-features", "--bin", "acutile-verify"]
+    command = ["cargo", "build", "--quiet", "--package", "acutile-format1"]
     environment = dict(os.environ, CARGO_TARGET_DIR=os.path.join(ROOT, "target", "sabotage"), RUSTFLAGS="-Awarnings")
     subprocess.run(command, cwd=tree, env=environment, check=True)
     return os.path.join(ROOT, "target", "sabotage", "debug", "acutile-verify")
@@ -41,15 +41,16 @@ def wrong_answers(program):
 def main():
     failures, chosen = [], sys.argv[1:]
     with tempfile.TemporaryDirectory() as tree:
-        for part in ("Cargo.toml", "Cargo.lock", "src", "benches"):
+        for part in ("Cargo.toml", "Cargo.lock", "src", "crates", "benches", "tests/main.rs"):
             source, target = os.path.join(ROOT, part), os.path.join(tree, part)
             if os.path.isdir(source):
                 shutil.copytree(source, target)
             elif os.path.exists(source):
+                os.makedirs(os.path.dirname(target), exist_ok=True)
                 shutil.copy(source, target)
         assert not wrong_answers(build(tree)), "the kernel itself answers wrongly"
         count = 0
-        for path in sorted(glob.glob(os.path.join(tree, "src", "verifier", "*.rs"))):
+        for path in sorted(glob.glob(os.path.join(tree, "crates", "format1", "src", "verifier", "*.rs"))):
             with open(path) as file:
                 text = file.read()
             for match in CHECK.finditer(text):

@@ -1,17 +1,15 @@
 //! What `acutile new` writes: accepted as it is; and what becomes of it with one thing
 //! wrong, or with a thousand random changes.
 
-mod common;
-
-use acutile::certificate;
-use acutile::checker::{Options, prove};
-use acutile::delaunay::{Ties, triangulate};
-use acutile::import::cif::{CifOptions, read_cif};
-use acutile::import::{Content, read_native, without_comments};
-use acutile::tiling::{AnyPointSet, AnyTiling, PointSet, Tiling};
-use acutile::verifier::{self, Limits};
-use acutile::with_dimension;
-use common::{acutile, code, file, stderr, stdout};
+use crate::common::{acutile, code, file, stderr, stdout};
+use acutile_core::checker::{Options, prove};
+use acutile_core::delaunay::{Ties, triangulate};
+use acutile_core::tiling::{AnyPointSet, AnyTiling, PointSet, Tiling};
+use acutile_core::with_dimension;
+use acutile_format1::certificate;
+use acutile_format1::verifier::{self, Limits};
+use acutile_io::import::cif::{CifOptions, read_cif};
+use acutile_io::import::{Content, read_native, without_comments};
 use serde_json::{Value, json};
 use std::time::{Duration, Instant};
 

@@ -7,11 +7,11 @@ use crate::clock::{once, peak_megabytes};
 use crate::data::{FIELDS, a15, a15_points, bent, doubles, skewed_points};
 use crate::predicates::is_right;
 use crate::{reading, verifier, whole};
-use acutile::checker::Model;
-use acutile::delaunay::{Ties, triangulate};
-use acutile::mesh::{Family, load::load};
-use acutile::predicates::Shape;
-use acutile::tiling::{PointSet, Tiling, match_facets};
+use acutile_core::checker::Model;
+use acutile_core::delaunay::{Ties, triangulate};
+use acutile_core::predicates::Shape;
+use acutile_core::tiling::{PointSet, Tiling, match_facets};
+use acutile_io::mesh::{Family, load::load};
 use std::path::Path;
 use std::process::Command;
 use std::time::Duration;
@@ -204,7 +204,8 @@ pub fn prepared(kind: &str, size: u16, folder: &Path) -> Work {
     let file = folder.join(format!("{kind}-{size}"));
     let (kind, bytes) = match kind {
         "reading" => {
-            let file = acutile::mesh::write(&reading::mesh(size), acutile::mesh::Format::Msh4);
+            let file =
+                acutile_io::mesh::write(&reading::mesh(size), acutile_io::mesh::Format::Msh4);
             (kind, file.into_iter().next().map(|file| file.bytes))
         }
         "verifier, Q" => ("verifier", Some(verifier::certificate(&a15(size)))),

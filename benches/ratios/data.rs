@@ -1,12 +1,12 @@
 //! The tilings and point sets that are measured.
 
-use acutile::number::{Number, Reader};
-use acutile::tiling::{AnyTiling, Coordinates, Frame, PointSet, Tiling, supercell};
+use acutile_core::tiling::{AnyTiling, Coordinates, Frame, PointSet, Tiling, supercell};
+use acutile_exact::number::{Number, Reader};
 use malachite::Rational;
 
 /// A tiling of space of the catalogue.
 pub fn entry(name: &str) -> Tiling<3> {
-    match acutile::catalog::find(name)
+    match acutile_catalog::find(name)
         .expect("it is in the catalogue")
         .build()
     {

@@ -5,7 +5,7 @@ use crate::child::{self, Work};
 use crate::clock::fastest;
 use crate::data::{entry, points};
 use crate::row::{Table, Target};
-use acutile::delaunay::{Ties, triangulate};
+use acutile_core::delaunay::{Ties, triangulate};
 
 /// The rows of the Delaunay triangulation. Large ones run in processes of their own.
 pub fn measure(table: &Table) {

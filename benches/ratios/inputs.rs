@@ -3,11 +3,11 @@
 
 use crate::data::{FIELDS, a15, a15_points, bent, doubles, entry, points};
 use crate::reading;
-use acutile::checker::Model;
-use acutile::delaunay::{Ties, triangulate};
-use acutile::number::Number;
-use acutile::predicates::{Angles, Orientation};
-use acutile::tiling::{Frame, PointSet, Tiling, match_facets, supercell};
+use acutile_core::checker::Model;
+use acutile_core::delaunay::{Ties, triangulate};
+use acutile_core::predicates::{Angles, Orientation};
+use acutile_core::tiling::{Frame, PointSet, Tiling, match_facets, supercell};
+use acutile_exact::number::Number;
 use std::fmt::Write;
 use std::fs;
 use std::io::Result;

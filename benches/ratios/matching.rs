@@ -3,7 +3,7 @@
 use crate::clock::on_processor;
 use crate::data::a15;
 use crate::row::{Table, Target, ratio};
-use acutile::tiling::match_facets;
+use acutile_core::tiling::match_facets;
 
 /// 46 · 38³ tetrahedra have 10,096,448 half-facets.
 const CELLS: u16 = 38;

@@ -2,9 +2,9 @@
 //! with no error bound: what an unproved check does.
 
 use crate::clock::fastest;
-use acutile::geometry::{Simplex, linear};
-use acutile::number::Number;
-use acutile::tiling::Tiling;
+use acutile_core::tiling::Tiling;
+use acutile_exact::geometry::{Simplex, linear};
+use acutile_exact::number::Number;
 use std::time::Duration;
 
 /// The time of the pass.

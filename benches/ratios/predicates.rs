@@ -5,9 +5,9 @@ use crate::clock::fastest;
 use crate::data::{FIELDS, a15, bent, doubles, entry};
 use crate::naive;
 use crate::row::{Table, Target, ratio};
-use acutile::checker::Model;
-use acutile::predicates::{Shape, Signs};
-use acutile::tiling::{Tiling, supercell};
+use acutile_core::checker::Model;
+use acutile_core::predicates::{Shape, Signs};
+use acutile_core::tiling::{Tiling, supercell};
 use std::time::Duration;
 
 /// The rows of the predicates.

@@ -4,8 +4,8 @@
 use crate::clock::on_processor;
 use crate::data::{a15, doubles};
 use crate::row::{Table, Target};
-use acutile::mesh::load::load;
-use acutile::mesh::{Family, Format, Mesh, flatten, write};
+use acutile_io::mesh::load::load;
+use acutile_io::mesh::{Family, Format, Mesh, flatten, write};
 use std::path::{Path, PathBuf};
 
 const CELLS: u16 = 16;

@@ -4,9 +4,9 @@ use crate::clock::fastest;
 use crate::data::{a15, doubles};
 use crate::naive;
 use crate::row::{Table, ratio};
-use acutile::checker::{Findings, Model, check_delaunay};
-use acutile::predicates::AnglesAgainst;
-use acutile::tiling::match_facets;
+use acutile_core::checker::{Findings, Model, check_delaunay};
+use acutile_core::predicates::AnglesAgainst;
+use acutile_core::tiling::match_facets;
 
 /// The rows of the statements.
 pub fn measure(table: &Table) {

@@ -3,10 +3,10 @@
 use crate::clock::on_processor;
 use crate::data::{FIELDS, a15, bent};
 use crate::row::{Table, Target};
-use acutile::certificate::to_bytes;
-use acutile::checker::{Options, prove};
-use acutile::tiling::Tiling;
-use acutile::verifier::{Limits, verify};
+use acutile_core::checker::{Options, prove};
+use acutile_core::tiling::Tiling;
+use acutile_format1::certificate::to_bytes;
+use acutile_format1::verifier::{Limits, verify};
 
 /// The rows of the verifier.
 pub fn measure(table: &Table) {

@@ -4,8 +4,8 @@ use crate::child::{self, Work};
 use crate::clock::processor_time;
 use crate::data::a15;
 use crate::row::{Table, Target};
-use acutile::checker::{Findings, Model, check_acute, check_orientation, check_volume};
-use acutile::tiling::{Tiling, match_facets};
+use acutile_core::checker::{Findings, Model, check_acute, check_orientation, check_volume};
+use acutile_core::tiling::{Tiling, match_facets};
 use std::time::{Duration, Instant};
 
 /// The rows of the whole check, in a process of its own because of its peak.

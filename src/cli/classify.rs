@@ -1,12 +1,25 @@
 //! `acutile classify`: what a tiling is combinatorially.
 
-use super::args::ClassifyArguments;
+use super::input::{self, FileArguments};
+use super::outcome::Outcome;
 use super::output::Output;
-use super::{Outcome, input};
-use crate::survey::{AnyStudy, Study, Survey, isomorphic_entries};
-use crate::tiling::Domain;
+use acutile_core::tiling::Domain;
+use acutile_paper::survey::{AnyStudy, Study, Survey, isomorphic_entries};
+use clap::Args;
 use malachite::Rational;
 use serde_json::{Value, json};
+
+#[derive(Debug, Args)]
+pub struct ClassifyArguments {
+    /// A name of the catalogue, a tiling or mesh file, or a point set (CIF too) (`-` for standard input)
+    #[arg(value_name = "NAME|FILE")]
+    pub input: String,
+    #[command(flatten)]
+    pub file: FileArguments,
+    /// One JSON object
+    #[arg(long)]
+    pub json: bool,
+}
 
 /// Prints what the tiling is; refuted where it is no tiling.
 pub fn run(arguments: &ClassifyArguments, output: &mut Output) -> Outcome {
@@ -124,7 +137,7 @@ fn pairs(object: &Value, write: impl Fn(&str, &Value) -> String) -> String {
 /// `51/10 = 5 1/10`
 fn mixed(fraction: &str) -> String {
     match fraction.parse::<Rational>() {
-        Ok(value) if *value.denominator_ref() != 1u32 => crate::paper::mixed_number(&value)
+        Ok(value) if *value.denominator_ref() != 1u32 => acutile_paper::paper::mixed_number(&value)
             .map_or(fraction.to_owned(), |mixed| format!("{fraction} = {mixed}")),
         _ => fraction.to_owned(),
     }

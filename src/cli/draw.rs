@@ -1,14 +1,14 @@
 //! `acutile draw`: figures for print.
 
-use super::args::FileArguments;
+use super::input::{self, FileArguments};
+use super::outcome::Outcome;
 use super::output::{Output, write_file};
 use super::progress::Progress;
-use super::{Outcome, input};
-use crate::draw::svg::svg;
-use crate::draw::tikz::tikz;
-use crate::draw::{self, Figure, Options};
-use crate::number::{Number, parse_rational};
-use crate::tiling::AnyTiling;
+use acutile_core::tiling::AnyTiling;
+use acutile_exact::number::{Number, parse_rational};
+use acutile_publish::draw::svg::svg;
+use acutile_publish::draw::tikz::tikz;
+use acutile_publish::draw::{self, Figure, Options};
 use clap::{Args, ValueEnum};
 use malachite::Rational;
 use std::path::PathBuf;

@@ -1,74 +1,29 @@
 //! A name of the catalogue or a file, turned into a tiling; a point set becomes its
 //! Delaunay triangulation.
 
-use super::Outcome;
-use super::args::{FileArguments, MeshArguments, PointArguments};
-use super::delaunay;
-use super::mesh;
+use super::mesh::{self, MeshArguments};
+use super::named::{InputError, Named};
 use super::output::Output;
-use crate::catalog;
-use crate::certificate::cbor::is_cbor;
-use crate::import::cif::{CifOptions, is_cif, read_cif};
-use crate::import::{
+use super::points::{self, PointArguments};
+use acutile_catalog as catalog;
+use acutile_core::tiling::{AnyPointSet, AnyTiling};
+use acutile_format1::certificate::cbor::is_cbor;
+use acutile_io::import::cif::{CifOptions, is_cif, read_cif};
+use acutile_io::import::{
     BYTE_LIMIT, Content, ImportError, NativeFile, read_bytes, read_native, read_text,
-    uncompressed_name,
+    uncompressed_name, without_comments,
 };
-use crate::mesh::{Family, MeshError, Origin, load};
-use crate::tiling::{AnyPointSet, AnyTiling};
+use acutile_io::mesh::{Family, load};
+use clap::Args;
 use std::path::Path;
 
-/// Where a tiling comes from, with its name for messages and for the file name of
-/// its certificate.
-pub struct Named {
-    /// A name of the catalogue, or a path.
-    pub name: String,
-    /// What it is, in a line.
-    pub description: String,
-    /// The tiling.
-    pub tiling: AnyTiling,
-    /// The numbers of a mesh file.
-    pub origin: Option<Origin>,
-    /// What was told of a mesh file: what was moved, turned, or not looked at.
-    pub notes: Vec<String>,
-}
-
-/// Why there is no input, in words that name it, and what that makes of the command.
-pub struct InputError {
-    pub message: String,
-    pub outcome: Outcome,
-}
-
-impl From<String> for InputError {
-    fn from(message: String) -> Self {
-        InputError {
-            message,
-            outcome: Outcome::Failed,
-        }
-    }
-}
-
-impl InputError {
-    /// A mesh file could not be read.
-    pub fn of_mesh(input: &str, error: &MeshError) -> Self {
-        InputError {
-            message: format!("{input}: {error}"),
-            outcome: outcome(error.is_limit),
-        }
-    }
-
-    fn of_file(path: &Path, error: &ImportError) -> Self {
-        InputError {
-            message: format!("{}: {error}", path.display()),
-            outcome: outcome(error.is_limit()),
-        }
-    }
-}
-
-fn outcome(is_limit: bool) -> Outcome {
-    match is_limit {
-        true => Outcome::Declined,
-        false => Outcome::Failed,
-    }
+/// How a file becomes a tiling.
+#[derive(Debug, Default, Args)]
+pub struct FileArguments {
+    #[command(flatten)]
+    pub points: PointArguments,
+    #[command(flatten)]
+    pub mesh: MeshArguments,
 }
 
 /// The tiling of a catalogue name, for a parameter if one is given, or of a file. What is to
@@ -85,11 +40,7 @@ pub fn tiling(
     if let Some(entry) = catalog::find(input) {
         check_for_cif(input, &options.points)?;
         check_for_mesh(input, &options.mesh)?;
-        let tiling = match parameter {
-            Some(parameter) => catalog::build_with(input, parameter),
-            None => catalog::build(input),
-        };
-        let tiling = tiling.map_err(|error| format!("{input}: {error}"))?;
+        let tiling = construction(input, parameter)?;
         return Ok(Named {
             name: input.to_owned(),
             description: entry.description.to_owned(),
@@ -115,6 +66,22 @@ pub fn tiling(
     }
 }
 
+/// A construction of the catalogue; `square-triangle:FILE` reads its file.
+fn construction(name: &str, parameter: Option<&str>) -> Result<AnyTiling, String> {
+    let file = catalog::plane_file(name).map(Path::new);
+    let file = file.filter(|file| file.exists() || file.to_string_lossy().contains(['/', '.']));
+    let tiling = match (parameter, file) {
+        (Some(parameter), _) => catalog::build_with(name, parameter),
+        (None, Some(file)) => {
+            let text = read_text(file).map_err(|error| format!("{name}: {error}"))?;
+            catalog::plane_file::parse(&without_comments(&text))
+                .and_then(|plane| catalog::build_over(name, &plane))
+        }
+        (None, None) => catalog::build(name),
+    };
+    tiling.map_err(|error| format!("{name}: {error}"))
+}
+
 /// The tiling of a file's text; a point set becomes its Delaunay triangulation.
 ///
 /// # Errors
@@ -130,7 +97,7 @@ pub fn of_text(
     let description = words.collect::<Vec<_>>().join(": ");
     let tiling = match file.content {
         Content::Tiling(tiling) => tiling,
-        Content::Points(set) => delaunay::of_points(input, &set, points, output)?,
+        Content::Points(set) => points::of_points(input, &set, points, output)?,
     };
     Ok(Named {
         name: input.to_owned(),

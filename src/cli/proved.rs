@@ -1,17 +1,17 @@
 //! Inputs of `acutile report`, `acutile appendix` and `acutile bundle`: certificates, or whatever
 //! else is a tiling, which is proved first. Nothing gets past here that the kernel does not confirm.
 
-use super::Outcome;
-use super::args::FileArguments;
-use super::input::{self, InputError};
+use super::input::{self, FileArguments};
+use super::named::InputError;
+use super::outcome::Outcome;
 use super::output::Output;
 use super::progress::Progress;
-use crate::appendix::Subject;
-use crate::catalog;
-use crate::certificate::{self, cbor::is_cbor};
-use crate::import::{BYTE_LIMIT, read_bytes};
-use crate::report::{NotProved, Proved};
-use crate::verifier::{Kind, Limits, to_json};
+use acutile_catalog as catalog;
+use acutile_format1::certificate::{self, cbor::is_cbor};
+use acutile_format1::verifier::{Kind, Limits, to_json};
+use acutile_io::import::{BYTE_LIMIT, read_bytes};
+use acutile_publish::appendix::Subject;
+use acutile_publish::report::{NotProved, Proved};
 use serde::Deserialize;
 use std::path::Path;
 

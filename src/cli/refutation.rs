@@ -3,13 +3,13 @@
 //! a line.
 
 use super::output::Output;
-use crate::advice::{Advice, Adviser};
-use crate::checker::{Defect, Findings, Names, defect_data, describe};
-use crate::mesh::Origin;
-use crate::number::Number;
-use crate::quality::short_point;
-use crate::tiling::{AnyTiling, Corner, Tiling};
-use crate::with_dimension;
+use acutile_core::advice::{Advice, Adviser};
+use acutile_core::checker::{Defect, Findings, Names, defect_data, describe};
+use acutile_core::quality::short_point;
+use acutile_core::tiling::{AnyTiling, Corner, Tiling};
+use acutile_core::with_dimension;
+use acutile_exact::number::Number;
+use acutile_io::mesh::Origin;
 use serde_json::{Value, json};
 
 /// A refuted tiling.

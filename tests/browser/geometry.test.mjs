@@ -9,7 +9,7 @@ import { fileURLToPath } from "node:url";
 
 const ROOT = fileURLToPath(new URL("../../", import.meta.url));
 const ACUTILE = [process.env.ACUTILE, join(ROOT, "target/release/acutile"), join(ROOT, "target/debug/acutile")].find((path) => path && existsSync(path));
-const source = ["geometry", "files"].map((name) => readFileSync(join(ROOT, `src/report/assets/${name}.js`), "utf8")).join("\n");
+const source = ["geometry", "files"].map((name) => readFileSync(join(ROOT, `crates/publish/src/report/assets/${name}.js`), "utf8")).join("\n");
 const page = new Function(`${source}; return { prepare, triangles, bounds, meshOf, vtkText, objText, fileStem, FLOATS };`)();
 
 function tiling(name) {

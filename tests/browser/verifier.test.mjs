@@ -9,7 +9,7 @@ import { mkdtempSync, readFileSync, rmSync, writeFileSync } from "node:fs";
 import { tmpdir } from "node:os";
 import { join } from "node:path";
 import { test } from "node:test";
-import { sha256, verify } from "../../src/report/verifier.js";
+import { sha256, verify } from "../../crates/publish/src/report/verifier.js";
 import { askRust, certificatesIn, outputOf, ROOT, rustVerifier } from "./files.mjs";
 import { Chance, mutate, write } from "./mutate.mjs";
 
@@ -123,7 +123,7 @@ test("limits are integers with known names", () => {
 });
 
 test("a page can embed the module", () => {
-  const source = readFileSync(join(ROOT, "src/report/verifier.js"), "utf8");
+  const source = readFileSync(join(ROOT, "crates/publish/src/report/verifier.js"), "utf8");
   assert.doesNotMatch(source, /<\/script|<!--|^import\b|\b(import|require|fetch|eval|Function)\(|Math\.random|\bDate\b/im);
 });
 
@@ -138,7 +138,7 @@ test("sigma takes less than two seconds", () => {
 
 /** The module's own functions, which it does not export. */
 async function inside(...names) {
-  const source = readFileSync(join(ROOT, "src/report/verifier.js"), "utf8");
+  const source = readFileSync(join(ROOT, "crates/publish/src/report/verifier.js"), "utf8");
   return import(`data:text/javascript,${encodeURIComponent(`${source}\nexport { ${names} };`)}`);
 }
 
@@ -226,7 +226,7 @@ test("both verifiers say the same of every file", needsRust, () => {
 test("both programs print the same lines and give the same exit codes", needsRust, () => {
   const files = ["false/not-acute--cube-6", "declined/version--2", "valid/plane-square", "malformed/format--control-characters"];
   const paths = files.map((file) => join(ROOT, `tests/certificates/${file}.json`));
-  const node = (...options) => outputOf(process.execPath, [join(ROOT, "src/report/verify-cli.mjs"), ...options]);
+  const node = (...options) => outputOf(process.execPath, [join(ROOT, "crates/publish/src/report/verify-cli.mjs"), ...options]);
   for (const options of [paths, ["--json", ...paths], ["--limit-simplices", "1", ...paths]]) assert.equal(node(...options), outputOf(rust, options));
 });
 

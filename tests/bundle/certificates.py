@@ -1,4 +1,4 @@
-"""python3 tests/bundle/certificates.py ACUTILE_VERIFY [MUTATIONS]: src/bundle/verify.py against the certificates of the
+"""python3 tests/bundle/certificates.py ACUTILE_VERIFY [MUTATIONS]: crates/publish/src/bundle/verify.py against the certificates of the
 tests, whose verdicts are known, those in certificates/ if there is a third argument `all`, and against acutile-verify on
 certificates that are changed at random."""
 
@@ -14,7 +14,7 @@ from pathlib import Path
 
 ROOT = Path(__file__).parents[2]
 sys.dont_write_bytecode = True
-spec = importlib.util.spec_from_file_location("verify", ROOT / "src/bundle/verify.py")
+spec = importlib.util.spec_from_file_location("verify", ROOT / "crates/publish/src/bundle/verify.py")
 verify = importlib.util.module_from_spec(spec)
 spec.loader.exec_module(verify)
 

@@ -1,0 +1,3 @@
+//! Tests of the public interface of `acutile-catalog`, one binary for all.
+
+mod catalog;

@@ -1,0 +1,246 @@
+//! What can be wrong with a tiling: one variant per way, with the exact values.
+//! [`super::render`] puts them into words.
+
+use crate::classify::NotTcp;
+use crate::tiling::Facet;
+use acutile_exact::number::Number;
+use malachite::Rational;
+use std::collections::BTreeMap;
+
+/// One thing that is wrong. Simplices, facets and vertices are named by their
+/// indices in the tiling, from zero.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Defect {
+    /// The leading principal minor of this order is not positive.
+    MetricNotPositive { order: usize, minor: Number },
+    /// There is nothing to tile with.
+    NoSimplices,
+    /// Two corners of a simplex are the same vertex with the same shift.
+    RepeatedCorner {
+        simplex: usize,
+        corners: (usize, usize),
+    },
+    /// D! times the volume is zero.
+    Flat { simplex: usize },
+    /// D! times the volume is negative; exchanging the last two corners mends it.
+    NegativeOrientation { simplex: usize, determinant: Number },
+    /// No other simplex has this facet.
+    UnmatchedFacet { facet: Facet },
+    /// Two simplices lie on the same side of a facet.
+    SameSide { facets: (Facet, Facet) },
+    /// More than two simplices have the same facet.
+    OverusedFacet { facets: Vec<Facet> },
+    /// The volumes do not sum to the volume of the domain, `sum` and `expected`
+    /// both in units of the cell.
+    VolumeSum { sum: Number, expected: Number },
+    /// The first vertices of a face of the domain determine no plane, or all vertices
+    /// of the domain lie in it.
+    FaceWithoutPlane { face: usize },
+    /// A vertex of the domain is not where the plane of a face wants it: `value` is
+    /// zero in the plane and positive on the inner side.
+    FaceNotSupporting {
+        face: usize,
+        vertex: usize,
+        value: Number,
+    },
+    /// The corners of a face of the domain are not in the order of a convex polygon.
+    FaceNotConvex { face: usize },
+    /// A ridge of the domain's boundary lies in another number of faces than two.
+    RidgeNotShared { ridge: Vec<usize>, faces: usize },
+    /// A vertex lies outside of the domain, behind this face.
+    VertexOutside {
+        vertex: usize,
+        face: usize,
+        value: Number,
+    },
+    /// Different vertices of a region are the same point.
+    CoincidentVertices { vertices: Vec<usize> },
+    /// Two facets in the boundary of a region meet in this point, which their common vertices
+    /// do not span.
+    BoundaryMeets {
+        facets: (Facet, Facet),
+        point: Vec<Number>,
+    },
+    /// The points directly outside of a facet in the boundary of a region, at its centroid, lie
+    /// in these simplices.
+    Covered { facet: Facet, simplices: Vec<usize> },
+    /// A region in another dimension than 3.
+    RegionDimension,
+    /// The boundary has more facets close to each other than are looked at: nothing is known to be
+    /// wrong, and nothing is proved.
+    BoundaryWork { limit: usize },
+    /// Delaunay is required of a region.
+    DelaunayOfRegion,
+    /// A vertex is a corner of no simplex.
+    UnusedVertex { vertex: usize },
+    /// A dihedral angle is a right angle where all must be acute.
+    RightAngle { angle: Angle },
+    /// A dihedral angle is more than a right angle.
+    ObtuseAngle { angle: Angle },
+    /// A dihedral angle was not proved to be less than a bound in degrees.
+    AngleNotBelow { angle: Angle, bound: Rational },
+    /// A dihedral angle was not proved to be more than a bound in degrees.
+    AngleNotAbove { angle: Angle, bound: Rational },
+    /// The squared circumradius of a simplex over the square of its shortest edge is
+    /// `squared_ratio`, not less than the square of the bound.
+    RatioNotBelow {
+        simplex: usize,
+        squared_ratio: Number,
+        bound: Rational,
+    },
+    /// The tiling is not tetrahedrally close packed.
+    NotTcp { reason: NotTcp },
+    /// The corner of the neighbour behind a facet lies on the circumsphere; the
+    /// power is zero.
+    OnCircumsphere { facet: Facet, neighbour: usize },
+    /// The corner of the neighbour behind a facet lies inside of the circumsphere;
+    /// `power` is its power times D! times the volume.
+    InsideCircumsphere {
+        facet: Facet,
+        neighbour: usize,
+        power: Number,
+    },
+}
+
+/// A dihedral angle between two facets, with the evidence.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Angle {
+    /// The simplex.
+    pub simplex: usize,
+    /// The two facets, each named by the corner opposite to it.
+    pub facets: (usize, usize),
+    /// The inner product of the inward facet normals g_i and g_j (the gradients of
+    /// the barycentric coordinates, scaled): the angle is acute when it is negative.
+    pub product: Number,
+    /// Rational bounds of the angle in degrees.
+    pub degrees: (Rational, Rational),
+}
+
+impl Defect {
+    /// The simplices that it is about, in order.
+    pub fn simplices(&self) -> Vec<usize> {
+        let of = |facet: &Facet| facet.simplex as usize;
+        let mut simplices = match self {
+            Defect::RepeatedCorner { simplex, .. }
+            | Defect::Flat { simplex }
+            | Defect::NegativeOrientation { simplex, .. }
+            | Defect::RatioNotBelow { simplex, .. } => vec![*simplex],
+            Defect::RightAngle { angle }
+            | Defect::ObtuseAngle { angle }
+            | Defect::AngleNotBelow { angle, .. }
+            | Defect::AngleNotAbove { angle, .. } => vec![angle.simplex],
+            Defect::UnmatchedFacet { facet } => vec![of(facet)],
+            Defect::SameSide { facets: (a, b) } | Defect::BoundaryMeets { facets: (a, b), .. } => {
+                vec![of(a), of(b)]
+            }
+            Defect::OverusedFacet { facets } => facets.iter().map(of).collect(),
+            Defect::Covered { facet, simplices } => std::iter::once(of(facet))
+                .chain(simplices.iter().copied())
+                .collect(),
+            Defect::OnCircumsphere { facet, neighbour }
+            | Defect::InsideCircumsphere {
+                facet, neighbour, ..
+            } => vec![of(facet), *neighbour],
+            _ => Vec::new(),
+        };
+        simplices.dedup();
+        simplices
+    }
+
+    /// The name of this kind of defect.
+    pub fn code(&self) -> &'static str {
+        match self {
+            Defect::MetricNotPositive { .. } => "metric-not-positive",
+            Defect::NoSimplices => "no-simplices",
+            Defect::RepeatedCorner { .. } => "repeated-corner",
+            Defect::Flat { .. } => "flat",
+            Defect::NegativeOrientation { .. } => "negative-orientation",
+            Defect::UnmatchedFacet { .. } => "unmatched-facet",
+            Defect::SameSide { .. } => "same-side",
+            Defect::OverusedFacet { .. } => "overused-facet",
+            Defect::VolumeSum { .. } => "volume-sum",
+            Defect::FaceWithoutPlane { .. } => "face-without-plane",
+            Defect::FaceNotSupporting { .. } => "face-not-supporting",
+            Defect::FaceNotConvex { .. } => "face-not-convex",
+            Defect::RidgeNotShared { .. } => "ridge-not-shared",
+            Defect::VertexOutside { .. } => "vertex-outside",
+            Defect::CoincidentVertices { .. } => "coincident-vertices",
+            Defect::BoundaryMeets { .. } => BOUNDARY_MEETS,
+            Defect::Covered { .. } => "covered-twice",
+            Defect::RegionDimension => "region-dimension",
+            Defect::BoundaryWork { .. } => BOUNDARY_WORK,
+            Defect::DelaunayOfRegion => "delaunay-of-region",
+            Defect::UnusedVertex { .. } => "unused-vertex",
+            Defect::RightAngle { .. } => "right-angle",
+            Defect::ObtuseAngle { .. } => "obtuse-angle",
+            Defect::AngleNotBelow { .. } => "angle-not-below",
+            Defect::AngleNotAbove { .. } => "angle-not-above",
+            Defect::RatioNotBelow { .. } => "ratio-not-below",
+            Defect::NotTcp { .. } => "not-tcp",
+            Defect::OnCircumsphere { .. } => "on-circumsphere",
+            Defect::InsideCircumsphere { .. } => "inside-circumsphere",
+        }
+    }
+}
+
+/// The code of [`Defect::BoundaryMeets`], whose evidence is made only where it is kept.
+pub(super) const BOUNDARY_MEETS: &str = "boundary-meets";
+/// The code of [`Defect::BoundaryWork`].
+pub(super) const BOUNDARY_WORK: &str = "boundary-work";
+
+/// Collects defects: all are counted, and of each kind the first few are kept.
+#[derive(Clone, Debug)]
+pub struct Findings {
+    limit: usize,
+    counts: BTreeMap<&'static str, usize>,
+    kept: Vec<Defect>,
+}
+
+impl Findings {
+    /// Keeps up to `limit` defects of each kind.
+    pub fn new(limit: usize) -> Self {
+        Findings {
+            limit,
+            counts: BTreeMap::new(),
+            kept: Vec::new(),
+        }
+    }
+
+    /// Adds a defect.
+    pub fn add(&mut self, defect: Defect) {
+        let count = self.counts.entry(defect.code()).or_insert(0);
+        *count += 1;
+        if *count <= self.limit {
+            self.kept.push(defect);
+        }
+    }
+
+    /// Adds a defect with this name; it is made only if it is kept.
+    pub fn add_with(&mut self, code: &'static str, make: impl FnOnce() -> Defect) {
+        let count = self.counts.entry(code).or_insert(0);
+        *count += 1;
+        if *count <= self.limit {
+            self.kept.push(make());
+        }
+    }
+
+    /// Whether nothing is known to be wrong, but a limit left something open.
+    pub fn is_declined(&self) -> bool {
+        self.counts.keys().eq([&BOUNDARY_WORK])
+    }
+
+    /// Whether nothing is wrong.
+    pub fn is_empty(&self) -> bool {
+        self.counts.is_empty()
+    }
+
+    /// How many defects of each kind were found.
+    pub fn counts(&self) -> &BTreeMap<&'static str, usize> {
+        &self.counts
+    }
+
+    /// The first defects of each kind, in the order in which they were found.
+    pub fn kept(&self) -> &[Defect] {
+        &self.kept
+    }
+}

@@ -1,0 +1,108 @@
+//! One function for each hypothesis of the theorem in docs/soundness.md.
+//!
+//! Each takes the tiling with its denominators cleared, adds what is wrong to the
+//! findings, and decides nothing else.
+
+use super::defect::{Defect, Findings};
+use crate::predicates::{Model, Orientation};
+use crate::tiling::{Domain, Frame, Tiling};
+use acutile_exact::geometry::{Scalar, Sign, linear};
+use acutile_exact::number::Number;
+use malachite::Rational;
+
+/// Hypothesis M. The Gram matrix is positive definite: by Sylvester's criterion,
+/// all leading principal minors are positive.
+pub fn check_metric<const D: usize>(frame: &Frame<D>, findings: &mut Findings) {
+    for order in 1..=D {
+        let minor = leading_minor(&frame.gram, order);
+        if minor.sign() != Sign::Greater {
+            return findings.add(Defect::MetricNotPositive { order, minor });
+        }
+    }
+}
+
+/// The determinant of the upper left block: that of the matrix whose further rows
+/// and columns are replaced by those of the identity.
+fn leading_minor<const D: usize>(gram: &[[Number; D]; D], order: usize) -> Number {
+    let block: [[Number; D]; D] = std::array::from_fn(|i| {
+        std::array::from_fn(|j| match i.max(j) < order {
+            true => gram[i][j].clone(),
+            false => gram[i][j].integer(i64::from(i == j)),
+        })
+    });
+    linear::determinant(&block)
+}
+
+/// Hypothesis C. There are simplices; each has D + 1 different corners; every
+/// vertex is a corner of one.
+pub fn check_corners<const D: usize>(tiling: &Tiling<D>, findings: &mut Findings) {
+    if tiling.is_empty() {
+        findings.add(Defect::NoSimplices);
+    }
+    let mut used = vec![false; tiling.vertices.len()];
+    for (simplex, corners) in tiling.simplices().enumerate() {
+        for (i, corner) in corners.iter().enumerate() {
+            used[corner.vertex as usize] = true;
+            if let Some(j) = corners[..i].iter().position(|other| other == corner) {
+                findings.add(Defect::RepeatedCorner {
+                    simplex,
+                    corners: (j, i),
+                });
+            }
+        }
+    }
+    for (vertex, _) in used.iter().enumerate().filter(|(_, used)| !**used) {
+        findings.add(Defect::UnusedVertex { vertex });
+    }
+}
+
+/// Hypothesis O. Every simplex is positively oriented, hence not flat:
+/// det (c_1 - c_0, …, c_D - c_0) > 0. A simplex with a repeated corner has been
+/// reported already.
+pub fn check_orientation<const D: usize>(model: &Model<D>, findings: &mut Findings) {
+    let orientation = model.prepare(Orientation);
+    for simplex in model.shapes().not_positive.iter().map(|s| *s as usize) {
+        if has_repeated_corner(model.tiling.simplex(simplex)) {
+            continue;
+        }
+        match orientation.signs(simplex).get(0) {
+            Sign::Equal => findings.add(Defect::Flat { simplex }),
+            _ => findings.add_with("negative-orientation", || Defect::NegativeOrientation {
+                simplex,
+                determinant: determinant(model.tiling, simplex),
+            }),
+        }
+    }
+}
+
+fn has_repeated_corner<T: PartialEq>(corners: &[T]) -> bool {
+    (1..corners.len()).any(|i| corners[..i].contains(&corners[i]))
+}
+
+/// D! times the signed volume of a simplex, in units of the cell.
+pub fn determinant<const D: usize>(tiling: &Tiling<D>, simplex: usize) -> Number {
+    tiling.shape(simplex).determinant
+}
+
+/// Hypothesis V. The volumes sum to the volume of the domain per cell, coordinates
+/// in the basis: Σ det (c_1 - c_0, …, c_D - c_0) = D! vol_k(P), where P is the polytope of
+/// the domain, a point for all of space. A region has no other volume than this sum.
+pub fn check_volume<const D: usize>(model: &Model<D>, findings: &mut Findings) {
+    if model.tiling.frame.domain == Domain::Region {
+        return;
+    }
+    let factorial = |n: usize| Number::from(Rational::from((1..=n as u64).product::<u64>()));
+    let sum = quotient(&model.sum_of_determinants(), &factorial(D));
+    let expected = match model.tiling.frame.domain.polytope() {
+        None => Number::from(Rational::from(1)),
+        Some(polytope) => quotient(&polytope.scaled_volume(), &factorial(polytope.dimension())),
+    };
+    if sum != expected {
+        findings.add(Defect::VolumeSum { sum, expected });
+    }
+}
+
+/// x / y for a y that is a product of positive integers.
+fn quotient(x: &Number, y: &Number) -> Number {
+    x.divide(y).unwrap_or_else(Number::zero)
+}

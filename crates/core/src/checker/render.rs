@@ -1,0 +1,247 @@
+//! Defects in words: which simplex, facet or vertex, what was expected, and the
+//! exact value that was found, with a short decimal beside it.
+
+use super::defect::{Angle, Defect};
+use super::names::Names;
+use crate::quality::{decimal_range, short_decimal};
+use crate::tiling::Facet;
+use acutile_exact::number::Number;
+
+/// One defect of a tiling of dimension D as a sentence, with things called by their `names`.
+pub fn describe<const D: usize>(names: &Names, defect: &Defect) -> String {
+    let words = Words::<D> { names };
+    let name = |facet: &Facet| words.facet(facet);
+    let of = |simplex: &usize| names.simplex(*simplex);
+    match defect {
+        Defect::MetricNotPositive { order, minor } => format!(
+            "the Gram matrix is not positive definite: its leading {order} x {order} minor is {}, \
+             expected a positive number",
+            exact(minor)
+        ),
+        Defect::NoSimplices => "the tiling has no simplices".to_owned(),
+        Defect::RepeatedCorner {
+            simplex,
+            corners: (i, j),
+        } => format!(
+            "{}: corners {i} and {j} are both {}, expected {} different corners",
+            of(simplex),
+            names.corner(*simplex, *i),
+            D + 1
+        ),
+        Defect::Flat { simplex } => format!(
+            "{} {} is flat: its determinant is 0, expected a positive number",
+            of(simplex),
+            words.corners(*simplex)
+        ),
+        Defect::NegativeOrientation {
+            simplex,
+            determinant,
+        } => format!(
+            "{} {} is negatively oriented: its determinant is {}, expected a \
+             positive number; the order {} mends it (--reorient does)",
+            of(simplex),
+            words.corners(*simplex),
+            exact(determinant),
+            words.mended(*simplex)
+        ),
+        Defect::UnmatchedFacet { facet } => {
+            format!(
+                "{} is used once, expected one more simplex behind it",
+                name(facet)
+            )
+        }
+        Defect::SameSide { facets: (a, b) } => {
+            format!(
+                "{} and {} are the same facet seen from the same side",
+                name(a),
+                name(b)
+            )
+        }
+        Defect::OverusedFacet { facets } => format!(
+            "one facet is used {} times, expected twice: {}",
+            facets.len(),
+            facets.iter().map(name).collect::<Vec<_>>().join("; ")
+        ),
+        Defect::VolumeSum { sum, expected } => format!(
+            "the volumes of the simplices sum to {} cells, expected {}",
+            exact(sum),
+            exact(expected)
+        ),
+        Defect::FaceWithoutPlane { face } => format!(
+            "face {face} of the domain: its first vertices lie in no single plane, or the whole \
+             domain lies in it"
+        ),
+        Defect::FaceNotSupporting {
+            face,
+            vertex,
+            value,
+        } => format!(
+            "face {face} of the domain: vertex {vertex} of the domain has the value {} on its \
+             plane, expected zero for its own vertices and a positive number for all others",
+            exact(value)
+        ),
+        Defect::FaceNotConvex { face } => format!(
+            "face {face} of the domain: its corners are not in the cyclic order of a convex polygon"
+        ),
+        Defect::RidgeNotShared { ridge, faces } => format!(
+            "the domain's boundary does not close up: the ridge {ridge:?} lies in {faces} faces, \
+             expected 2"
+        ),
+        Defect::VertexOutside {
+            vertex,
+            face,
+            value,
+        } => format!(
+            "{} lies outside of the domain, behind face {face}: its value there is {}, expected \
+             zero or a positive number",
+            names.vertex(*vertex),
+            exact(value)
+        ),
+        Defect::CoincidentVertices { vertices } => {
+            let list: Vec<String> = vertices.iter().map(|v| names.vertex(*v)).collect();
+            format!(
+                "{} are the same point, expected different ones",
+                list.join(", ")
+            )
+        }
+        Defect::BoundaryMeets {
+            facets: (a, b),
+            point,
+        } => format!(
+            "{} and {} are in the boundary and meet in the point ({}), expected to meet in common \
+             corners and edges only",
+            name(a),
+            name(b),
+            point.iter().map(exact).collect::<Vec<_>>().join(", ")
+        ),
+        Defect::Covered { facet, simplices } => format!(
+            "directly outside of {}, which is in the boundary, points are covered by {}, expected \
+             nothing there",
+            name(facet),
+            words.some(simplices)
+        ),
+        Defect::BoundaryWork { limit } => format!(
+            "the boundary has too many facets close to each other: more than the limit of {limit} pairs \
+             would have to be compared"
+        ),
+        Defect::RegionDimension => "a region has dimension 3".to_owned(),
+        Defect::DelaunayOfRegion => {
+            "Delaunay is not stated of a region, which need not be convex".to_owned()
+        }
+        Defect::UnusedVertex { vertex } => {
+            format!("{} is a corner of no simplex", names.vertex(*vertex))
+        }
+        Defect::RightAngle { angle } => {
+            format!(
+                "{} is a right angle: the product of the normals is 0, expected a negative number",
+                words.angle(angle)
+            )
+        }
+        Defect::ObtuseAngle { angle } => format!(
+            "{} is obtuse: {} degrees; the product of the normals is {}, expected {}",
+            words.angle(angle),
+            decimal_range(&angle.degrees),
+            exact(&angle.product),
+            "a negative number (acute) or zero (right)"
+        ),
+        Defect::AngleNotBelow { angle, bound } => format!(
+            "{} is {} degrees (the product of the normals is {}), expected less than {bound}",
+            words.angle(angle),
+            decimal_range(&angle.degrees),
+            exact(&angle.product)
+        ),
+        Defect::AngleNotAbove { angle, bound } => format!(
+            "{} is {} degrees (the product of the normals is {}), expected more than {bound}",
+            words.angle(angle),
+            decimal_range(&angle.degrees),
+            exact(&angle.product)
+        ),
+        Defect::RatioNotBelow {
+            simplex,
+            squared_ratio,
+            bound,
+        } => format!(
+            "{} {}: the square of its radius-edge ratio is {}, expected less than \
+             the square of {bound}",
+            of(simplex),
+            words.corners(*simplex),
+            exact(squared_ratio)
+        ),
+        Defect::NotTcp { reason } => format!("not tetrahedrally close packed: {reason}"),
+        Defect::OnCircumsphere { facet, neighbour } => format!(
+            "the corner of {} behind {} lies on the circumsphere: its power \
+             is 0, expected a positive number",
+            of(neighbour),
+            name(facet)
+        ),
+        Defect::InsideCircumsphere {
+            facet,
+            neighbour,
+            power,
+        } => format!(
+            "the corner of {} behind {} lies inside of the circumsphere: its \
+             power times the determinant is {}, expected a positive number",
+            of(neighbour),
+            name(facet),
+            exact(power)
+        ),
+    }
+}
+
+/// The exact value, and a decimal where that is shorter to read.
+fn exact(number: &Number) -> String {
+    let text = number.to_string();
+    if text.parse::<i64>().is_ok() {
+        text
+    } else {
+        format!("{text} (about {})", short_decimal(number))
+    }
+}
+
+/// Names put together.
+struct Words<'t, const D: usize> {
+    names: &'t Names<'t>,
+}
+
+impl<const D: usize> Words<'_, D> {
+    /// The first few simplices.
+    fn some(&self, simplices: &[usize]) -> String {
+        const FEW: usize = 8;
+        let first = simplices.iter().take(FEW).map(|s| self.names.simplex(*s));
+        let rest = (simplices.len() > FEW).then(|| "…".to_owned());
+        first.chain(rest).collect::<Vec<_>>().join(", ")
+    }
+
+    fn corners(&self, simplex: usize) -> String {
+        self.list(simplex, 0..=D)
+    }
+
+    fn list(&self, simplex: usize, indices: impl IntoIterator<Item = usize>) -> String {
+        let indices = indices.into_iter();
+        let texts: Vec<String> = indices.map(|k| self.names.corner(simplex, k)).collect();
+        format!("[{}]", texts.join(", "))
+    }
+
+    fn mended(&self, simplex: usize) -> String {
+        self.list(simplex, (0..D - 1).chain([D, D - 1]))
+    }
+
+    fn facet(&self, facet: &Facet) -> String {
+        let opposite = usize::from(facet.opposite);
+        let simplex = facet.simplex as usize;
+        let corners = self.list(simplex, (0..=D).filter(|&k| k != opposite));
+        format!(
+            "facet {opposite} of {} {corners}",
+            self.names.simplex(simplex)
+        )
+    }
+
+    fn angle(&self, angle: &Angle) -> String {
+        let (i, j) = angle.facets;
+        let ridge = self.list(angle.simplex, (0..=D).filter(|&k| k != i && k != j));
+        format!(
+            "the dihedral angle of {} at {ridge}",
+            self.names.simplex(angle.simplex)
+        )
+    }
+}

@@ -1,0 +1,238 @@
+//! One function for each further statement that a claim may make about a tiling
+//! that passed the hypotheses: angles and Delaunay.
+
+use super::defect::{Angle, Defect, Findings};
+use crate::classify::{self, NotTcp, Ridges};
+use crate::predicates::{Angles, AnglesAgainst, InSphere, Model, Prepared, RadiusAgainst};
+use crate::quality::{self, ceiling_to_i64, floor_to_i64};
+use crate::tiling::{Facet, Matching, Tiling};
+use acutile_exact::geometry::{Sign, linear};
+use acutile_exact::number::enclosure;
+use malachite::Rational;
+
+/// Every dihedral angle is acute: <g_i, g_j> < 0 for all facets i ≠ j.
+pub fn check_acute<const D: usize>(model: &Model<D>, findings: &mut Findings) {
+    let angles = model.prepare(Angles);
+    for simplex in model.shapes().not_acute.iter().map(|s| *s as usize) {
+        let signs = angles.signs(simplex);
+        for (index, pair) in pairs(D).enumerate() {
+            let evidence = || angle(model.tiling, simplex, pair);
+            match signs.get(index) {
+                Sign::Less => {}
+                Sign::Equal => {
+                    findings.add_with("right-angle", || Defect::RightAngle { angle: evidence() })
+                }
+                Sign::Greater => {
+                    findings.add_with("obtuse-angle", || Defect::ObtuseAngle { angle: evidence() })
+                }
+            }
+        }
+    }
+}
+
+/// No dihedral angle is obtuse: <g_i, g_j> <= 0 for all facets i ≠ j.
+pub fn check_nonobtuse<const D: usize>(model: &Model<D>, findings: &mut Findings) {
+    let angles = model.prepare(Angles);
+    for simplex in model.shapes().obtuse.iter().map(|s| *s as usize) {
+        let signs = angles.signs(simplex);
+        for (_, pair) in (0..).zip(pairs(D)).filter(|(k, _)| signs.get(*k).is_gt()) {
+            findings.add_with("obtuse-angle", || Defect::ObtuseAngle {
+                angle: angle(model.tiling, simplex, pair),
+            });
+        }
+    }
+}
+
+/// Every dihedral angle t is less than `bound` degrees: with a rational
+/// c >= cos(bound) it suffices that cos t > c.
+pub fn check_dihedral_below<const D: usize>(
+    model: &Model<D>,
+    bound: &Rational,
+    findings: &mut Findings,
+) {
+    let angles = model.prepare(against(ceiling_to_i64(&scaled_cosine(bound).1)));
+    for simplex in angles.failing(|signs| signs.all_positive()) {
+        let signs = angles.signs(simplex);
+        for (_, pair) in (0..).zip(pairs(D)).filter(|(k, _)| signs.get(*k).is_le()) {
+            findings.add_with("angle-not-below", || Defect::AngleNotBelow {
+                angle: angle(model.tiling, simplex, pair),
+                bound: bound.clone(),
+            });
+        }
+    }
+}
+
+/// Every dihedral angle t is more than `bound` degrees: cos t < c for a rational
+/// c <= cos(bound).
+pub fn check_dihedral_above<const D: usize>(
+    model: &Model<D>,
+    bound: &Rational,
+    findings: &mut Findings,
+) {
+    let angles = model.prepare(against(floor_to_i64(&scaled_cosine(bound).0)));
+    for simplex in angles.failing(|signs| signs.all_negative()) {
+        let signs = angles.signs(simplex);
+        for (_, pair) in (0..).zip(pairs(D)).filter(|(k, _)| signs.get(*k).is_ge()) {
+            findings.add_with("angle-not-above", || Defect::AngleNotAbove {
+                angle: angle(model.tiling, simplex, pair),
+                bound: bound.clone(),
+            });
+        }
+    }
+}
+
+/// Rounding the cosine to this many binary digits keeps the products small; an
+/// angle within about 1e-8 degrees of the bound is not proved to be beyond it.
+const COSINE_BITS: u64 = 31;
+
+/// Bounds of the cosine of an angle in degrees, times 2^COSINE_BITS.
+fn scaled_cosine(degrees: &Rational) -> (Rational, Rational) {
+    let scale = Rational::from(1i64 << COSINE_BITS);
+    let (low, high) = enclosure::cos_of_degrees(degrees, &(Rational::from_signeds(1, 4) / &scale));
+    (low * &scale, high * &scale)
+}
+
+/// Angles compared with the one that has the cosine `numerator` / 2^COSINE_BITS.
+fn against(numerator: i64) -> AnglesAgainst {
+    AnglesAgainst {
+        numerator,
+        denominator: 1 << COSINE_BITS,
+    }
+}
+
+/// The circumradius of every simplex is less than `bound` times its shortest edge:
+/// R² < bound² |e|² for all its edges e.
+pub fn check_radius_edge_below<const D: usize>(
+    model: &Model<D>,
+    bound: &Rational,
+    findings: &mut Findings,
+) {
+    let radii = model.prepare(RadiusAgainst {
+        bound: bound.clone(),
+    });
+    for simplex in radii.failing(|signs| signs.all_positive()) {
+        findings.add_with("ratio-not-below", || Defect::RatioNotBelow {
+            simplex,
+            squared_ratio: quality::measures(model.tiling, simplex).radius_edge.square,
+            bound: bound.clone(),
+        });
+    }
+}
+
+/// Tetrahedrally close packed: every edge is in 5 or 6 tetrahedra, and no triangle has
+/// two edges that are in 6. Only for all of three-space.
+pub fn check_tcp<const D: usize>(
+    tiling: &Tiling<D>,
+    matching: &Matching<D>,
+    findings: &mut Findings,
+) {
+    if D != 3 {
+        return findings.add(Defect::NotTcp {
+            reason: NotTcp::Dimension,
+        });
+    }
+    if classify::is_tcp(tiling, matching) {
+        return;
+    }
+    findings.add_with("not-tcp", || {
+        let reason = classify::check_tcp(tiling, &Ridges::of(tiling, matching));
+        Defect::NotTcp {
+            // It fails, for the two agree on tilings.
+            reason: reason.err().unwrap_or(NotTcp::Dimension),
+        }
+    });
+}
+
+/// The pairs i < j of facets, in the order of the values of [`Angles`].
+fn pairs(dimension: usize) -> impl Iterator<Item = (usize, usize)> {
+    (0..=dimension).flat_map(move |i| (i + 1..=dimension).map(move |j| (i, j)))
+}
+
+/// The exact evidence about one angle, in the units of the tiling's own numbers.
+fn angle<const D: usize>(tiling: &Tiling<D>, simplex: usize, facets: (usize, usize)) -> Angle {
+    let cogram = linear::cofactors(&tiling.frame.gram);
+    let products = tiling.shape(simplex).normal_products(&cogram);
+    Angle {
+        simplex,
+        facets,
+        product: products.get(facets.0, facets.1).clone(),
+        degrees: quality::dihedral_degrees(&products, facets, &quality::display_width()),
+    }
+}
+
+/// Local Delaunay property: behind every facet the neighbour's opposite corner
+/// lies outside of the circumsphere (on it is allowed in the weak form). For a
+/// tiling this implies the global one (docs/soundness.md).
+pub fn check_delaunay<const D: usize>(
+    model: &Model<D>,
+    matching: &Matching<D>,
+    weak: bool,
+    findings: &mut Findings,
+) {
+    let tiling = model.tiling;
+    let spheres = model.prepare(InSphere);
+    for simplex in suspects(matching, &spheres, weak) {
+        for opposite in 0..=D {
+            let Some(apex) = matching.apex(tiling, simplex, opposite) else {
+                continue;
+            };
+            match spheres.signs_with(simplex, &apex).get(0) {
+                Sign::Greater => {}
+                Sign::Equal if weak => {}
+                sign => add_sphere(tiling, matching, (simplex, opposite), sign, findings),
+            }
+        }
+    }
+}
+
+/// The simplices, in order, that fail with a neighbour, and their neighbours.
+fn suspects<const D: usize>(
+    matching: &Matching<D>,
+    spheres: &Prepared<InSphere, D>,
+    weak: bool,
+) -> Vec<usize> {
+    let is_right = |_, _, sign| sign == Sign::Greater || weak && sign == Sign::Equal;
+    let mut suspects = spheres.failing_pairs(matching, is_right);
+    for k in 0..suspects.len() {
+        let behind = |opposite| matching.neighbour(suspects[k], opposite);
+        let neighbours: Vec<usize> = (0..=D)
+            .filter_map(behind)
+            .map(|mate| mate.simplex as usize)
+            .collect();
+        suspects.extend(neighbours);
+    }
+    suspects.sort_unstable();
+    suspects.dedup();
+    suspects
+}
+
+fn add_sphere<const D: usize>(
+    tiling: &Tiling<D>,
+    matching: &Matching<D>,
+    (simplex, opposite): (usize, usize),
+    sign: Sign,
+    findings: &mut Findings,
+) {
+    let Some(mate) = matching.neighbour(simplex, opposite) else {
+        return;
+    };
+    let neighbour = mate.simplex as usize;
+    let facet = Facet {
+        simplex: simplex as u32,
+        opposite: opposite as u8,
+    };
+    if sign == Sign::Equal {
+        return findings.add(Defect::OnCircumsphere { facet, neighbour });
+    }
+    findings.add_with("inside-circumsphere", || {
+        let apex = matching.apex(tiling, simplex, opposite);
+        let origin = &tiling.simplex(simplex)[0];
+        let position = tiling.position(&apex.unwrap_or(*origin));
+        let offset = linear::subtract(&position, &tiling.position(origin));
+        Defect::InsideCircumsphere {
+            facet,
+            neighbour,
+            power: tiling.shape(simplex).power(&tiling.frame.gram, &offset),
+        }
+    });
+}

@@ -1,0 +1,31 @@
+//! What a tiling is combinatorially: valences, vertex stars, TCP or not, and with
+//! which other tilings it is isomorphic.
+//!
+//! | file | holds |
+//! |---|---|
+//! | `ridges` | (D-2)-faces up to lattice translation and their valences |
+//! | `sphere` | triangulated spheres and their canonical codes |
+//! | `frank_kasper` | the vertex stars of TCP triangulations, found by exhaustion |
+//! | `star` | the type of each vertex |
+//! | `tcp` | the definition of TCP, or what violates it |
+//! | `symbol` | Delaney-Dress symbols: isomorphism decided |
+//! | `symmetry` | the isometries that keep a tiling, and orbits under them |
+//!
+//! Input is a tiling that passed the checker's hypotheses; nothing here is proved
+//! about one that did not. Lengths play no part, but for the symbols that carry
+//! them. Called by `survey` and the command line.
+
+pub mod frank_kasper;
+mod ridges;
+mod sphere;
+mod star;
+mod symbol;
+mod symmetry;
+mod tcp;
+
+pub use ridges::{Ridge, Ridges, Wedge};
+pub use sphere::{Code, Triangle, code};
+pub use star::{Star, stars};
+pub use symbol::{Symbol, combinatorial_symbol, metric_symbol};
+pub use symmetry::{Isometry, Symmetry};
+pub use tcp::{NotTcp, check_tcp, is_tcp};

@@ -1,0 +1,308 @@
+//! The symmetry group of a tiling, found exactly: all isometries of the space that map
+//! every tile to a tile.
+//!
+//! Two chambers (see `symbol`) that have the same squared edge lengths determine an
+//! isometry f that maps the one to the other. It is a symmetry exactly when both have the same
+//! colour in the coarsest partition of the chambers that separates edge lengths and
+//! boundary and that all s_k respect. Symmetries clearly keep such colours. Conversely let the
+//! colours of C and C' agree. Those of s_k(C) and s_k(C') do, too, and f maps s_k(C) to
+//! s_k(C'): for k < D nothing is to be said, and behind the facet of C, which f maps to the
+//! facet of C', there stand two congruent tiles in the same position. So f maps neighbour to
+//! neighbour, a boundary facet to a boundary facet, and since all tiles are connected
+//! through facets, every tile to a tile.
+//!
+//! The group acts freely on the chambers, since an isometry that fixes D + 1 points in general
+//! position is the identity. So the chambers of one colour, up to the lattice, stand for the
+//! elements of the group up to the lattice, and orbits of faces are seen from colours.
+//!
+//! The lattice that a tiling is given with may be too small, or not invariant under the
+//! group: neither matters here, but the cosets then form no group.
+
+use super::symbol::{coarsest, edge_index, images, orders};
+use crate::tiling::{Matching, Tiling};
+use acutile_exact::geometry::linear;
+use acutile_exact::number::Number;
+use malachite::Rational;
+use std::collections::BTreeMap;
+
+/// x ↦ M x + t in basis coordinates.
+#[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub struct Isometry<const D: usize> {
+    /// M
+    pub linear: [[Number; D]; D],
+    /// t; for an element up to the lattice 0 <= t < 1 in the lattice's directions.
+    pub translation: [Number; D],
+}
+
+/// The symmetry group of a tiling, up to the lattice that the tiling is given with.
+#[derive(Clone, Debug)]
+pub struct Symmetry<const D: usize> {
+    /// The orbit of each simplex; orbits are numbered in the order of first members.
+    pub simplices: Vec<usize>,
+    /// The orbit of each vertex.
+    pub vertices: Vec<usize>,
+    /// The orbit of the facet opposite to corner i of simplex s, at s (D+1) + i; a facet
+    /// and its mate have the same.
+    pub facets: Vec<usize>,
+    /// One element of each coset of the lattice, the identity among them.
+    pub elements: Vec<Isometry<D>>,
+}
+
+impl<const D: usize> Symmetry<D> {
+    /// The symmetries of a proved tiling. `edges` gives the squared edges 01, 02, …, 12, … of
+    /// each simplex.
+    pub fn of(tiling: &Tiling<D>, matching: &Matching<D>, edges: &[Vec<Number>]) -> Self {
+        let orders = orders::<D>();
+        // A facet without a mate is glued to itself, and no inner facet is.
+        let images = images(tiling, matching, &orders).unwrap_or_default();
+        let lengths = interned(edges);
+        let labels: Vec<Vec<usize>> = (0..tiling.len())
+            .flat_map(|simplex| orders.iter().map(move |order| (simplex, order)))
+            .map(|(simplex, order)| label(tiling, matching, &lengths[simplex], simplex, order))
+            .collect();
+        let colours = coarsest(&labels, &images);
+        let chambers = Chambers {
+            tiling,
+            matching,
+            orders,
+            colours,
+        };
+        Symmetry {
+            simplices: renumbered((0..tiling.len()).map(|s| chambers.least(s, |_| true))),
+            vertices: chambers.vertices(),
+            facets: chambers.facets(),
+            elements: chambers.elements(),
+        }
+    }
+
+    /// The number of orbits of simplices.
+    pub fn orbits(&self) -> usize {
+        self.simplices.iter().max().map_or(0, |last| last + 1)
+    }
+
+    /// The number of translations among the elements: the index of the given lattice in that of
+    /// all translations that keep the tiling.
+    pub fn translations(&self) -> usize {
+        let one = identity::<D>();
+        self.elements.iter().filter(|e| e.linear == one).count()
+    }
+
+    /// The order of the point group.
+    pub fn point_group_order(&self) -> usize {
+        self.elements.len() / self.translations().max(1)
+    }
+
+    /// Few elements that, with the lattice, generate the group; `None` where the lattice
+    /// is not invariant under it.
+    pub fn generators(&self, rank: usize) -> Option<Vec<&Isometry<D>>> {
+        let keeps_lattice = |e: &Isometry<D>| {
+            let columns = (0..D).flat_map(|i| (0..rank).map(move |j| (i, j)));
+            columns.into_iter().all(|(i, j)| {
+                let entry = e.linear[i][j].to_rational();
+                entry.is_some_and(|x| *x.denominator_ref() == 1u32 && (i < rank || *x == 0))
+            })
+        };
+        if !self.elements.iter().all(keeps_lattice) {
+            return None;
+        }
+        let mut generators = Vec::new();
+        let mut group = Vec::from([Isometry::identity()]);
+        for element in &self.elements {
+            if group.binary_search(element).is_err() {
+                generators.push(element);
+                group = closure(&generators, rank);
+            }
+        }
+        Some(generators)
+    }
+}
+
+/// All products of some isometries up to the lattice, sorted.
+fn closure<const D: usize>(generators: &[&Isometry<D>], rank: usize) -> Vec<Isometry<D>> {
+    let mut found = std::collections::BTreeSet::from([Isometry::identity()]);
+    let mut fresh = vec![Isometry::identity()];
+    while let Some(element) = fresh.pop() {
+        for generator in generators {
+            let product = generator.after(&element).reduced(rank);
+            if found.insert(product.clone()) {
+                fresh.push(product);
+            }
+        }
+    }
+    found.into_iter().collect()
+}
+
+impl<const D: usize> Isometry<D> {
+    /// x ↦ x
+    pub fn identity() -> Self {
+        Isometry {
+            linear: identity(),
+            translation: std::array::from_fn(|_| Number::zero()),
+        }
+    }
+
+    /// x ↦ self(first(x))
+    pub fn after(&self, first: &Isometry<D>) -> Self {
+        let column = |j: usize| std::array::from_fn(|k| first.linear[k][j].clone());
+        let moved = linear::apply(&self.linear, &first.translation);
+        Isometry {
+            linear: std::array::from_fn(|i| {
+                std::array::from_fn(|j| linear::dot(&self.linear[i], &column(j)))
+            }),
+            translation: std::array::from_fn(|i| &moved[i] + &self.translation[i]),
+        }
+    }
+
+    /// The isometry with the translation moved into 0 <= t < 1 by lattice vectors.
+    fn reduced(mut self, rank: usize) -> Self {
+        for entry in &mut self.translation[..rank] {
+            let floor = floor(entry);
+            *entry = &*entry - &Number::from(Rational::from(floor));
+        }
+        self
+    }
+}
+
+fn identity<const D: usize>() -> [[Number; D]; D] {
+    std::array::from_fn(|i| std::array::from_fn(|j| Number::from(Rational::from(u8::from(i == j)))))
+}
+
+/// The largest integer that is not more than x; a double proposes, exact comparisons
+/// decide.
+fn floor(x: &Number) -> i64 {
+    let integer = |n: i64| Number::from(Rational::from(n));
+    let mut floor = x.approximate().floor() as i64;
+    while *x < integer(floor) {
+        floor -= 1;
+    }
+    while *x >= integer(floor + 1) {
+        floor += 1;
+    }
+    floor
+}
+
+/// The squared edges, each length by its rank among the different ones.
+fn interned(edges: &[Vec<Number>]) -> Vec<Vec<usize>> {
+    let mut ranks: BTreeMap<&Number, usize> = BTreeMap::new();
+    for edge in edges.iter().flatten() {
+        ranks.insert(edge, 0);
+    }
+    for (rank, value) in ranks.values_mut().enumerate() {
+        *value = rank;
+    }
+    let rank_of = |edge: &Number| ranks.get(edge).copied().unwrap_or(0);
+    edges
+        .iter()
+        .map(|edges| edges.iter().map(rank_of).collect())
+        .collect()
+}
+
+/// What is told of a chamber: whether its last facet is in the boundary, and its lengths.
+fn label<const D: usize>(
+    tiling: &Tiling<D>,
+    matching: &Matching<D>,
+    lengths: &[usize],
+    simplex: usize,
+    order: &[usize],
+) -> Vec<usize> {
+    debug_assert!(simplex < tiling.len());
+    let is_boundary = matching.neighbour(simplex, order[D]).is_none();
+    let pairs = (0..=D).flat_map(|i| (i + 1..=D).map(move |j| (order[i], order[j])));
+    std::iter::once(usize::from(is_boundary))
+        .chain(pairs.map(|(i, j)| lengths[edge_index::<D>(i.min(j), i.max(j))]))
+        .collect()
+}
+
+/// Keys to numbers in the order of first occurrence.
+fn renumbered(keys: impl Iterator<Item = u32>) -> Vec<usize> {
+    let mut numbers = BTreeMap::new();
+    keys.map(|key| {
+        let fresh = numbers.len();
+        *numbers.entry(key).or_insert(fresh)
+    })
+    .collect()
+}
+
+struct Chambers<'t, const D: usize> {
+    tiling: &'t Tiling<D>,
+    matching: &'t Matching<D>,
+    orders: Vec<Vec<usize>>,
+    colours: Vec<u32>,
+}
+
+impl<const D: usize> Chambers<'_, D> {
+    /// The least colour among the chambers of a simplex whose order is as asked. The colours of
+    /// the chambers at a face determine its orbit, so the least one does.
+    fn least(&self, simplex: usize, is_asked: impl Fn(&[usize]) -> bool) -> u32 {
+        let of_simplex = &self.colours[simplex * self.orders.len()..];
+        let asked = self.orders.iter().zip(of_simplex);
+        let colours = asked.filter(|(order, _)| is_asked(order)).map(|(_, c)| *c);
+        colours.min().unwrap_or(0)
+    }
+
+    fn vertices(&self) -> Vec<usize> {
+        let mut least = vec![u32::MAX; self.tiling.vertices.len()];
+        for (simplex, corners) in self.tiling.simplices().enumerate() {
+            for (k, corner) in corners.iter().enumerate() {
+                let colour = self.least(simplex, |order| order[0] == k);
+                let least = &mut least[corner.vertex as usize];
+                *least = colour.min(*least);
+            }
+        }
+        renumbered(least.into_iter())
+    }
+
+    fn facets(&self) -> Vec<usize> {
+        let half = |simplex: usize, i: usize| self.least(simplex, |order| order[D] == i);
+        renumbered((0..self.tiling.corners.len()).map(|facet| {
+            let here = half(facet / (D + 1), facet % (D + 1));
+            let behind = self.matching.neighbour(facet / (D + 1), facet % (D + 1));
+            behind.map_or(here, |there| {
+                here.min(half(there.simplex as usize, usize::from(there.opposite)))
+            })
+        }))
+    }
+
+    fn elements(&self) -> Vec<Isometry<D>> {
+        let Some(first) = self.colours.first() else {
+            return Vec::new();
+        };
+        let rank = self.tiling.frame.rank();
+        let same = self.colours.iter().enumerate().filter(|(_, c)| *c == first);
+        let mut elements: Vec<Isometry<D>> = same
+            .map(|(chamber, _)| self.isometry(chamber).reduced(rank))
+            .collect();
+        elements.sort();
+        elements
+    }
+
+    /// The affine map from chamber 0 to another. With edges e_i and gradients g_i of
+    /// the one, d its determinant, and edges f_i of the other, x = Σ (g_i · x) e_i / d
+    /// goes to Σ (g_i · x) f_i / d.
+    fn isometry(&self, chamber: usize) -> Isometry<D> {
+        let order = &self.orders[chamber % self.orders.len()];
+        let from = self.tiling.shape(0);
+        let target = self.tiling.simplex(chamber / self.orders.len());
+        let images: Vec<[Number; D]> = order
+            .iter()
+            .map(|&k| self.tiling.position(&target[k]))
+            .collect();
+        let inverse = from.determinant.inverse().unwrap_or_else(Number::zero);
+        let edges: Vec<[Number; D]> = images[1..]
+            .iter()
+            .map(|image| linear::subtract(image, &images[0]))
+            .collect();
+        let linear: [[Number; D]; D] = std::array::from_fn(|i| {
+            std::array::from_fn(|j| {
+                let terms = edges.iter().zip(&from.gradients);
+                let sum = terms.fold(Number::zero(), |sum, (f, g)| sum + &f[i] * &g[j]);
+                sum * &inverse
+            })
+        });
+        let origin = self.tiling.position(&self.tiling.simplex(0)[0]);
+        Isometry {
+            translation: linear::subtract(&images[0], &linear::apply(&linear, &origin)),
+            linear,
+        }
+    }
+}

@@ -1,0 +1,165 @@
+//! A point set made ready: lattice reduced, points moved into the reduced cell,
+//! exact coordinates, doubles with error bounds, and the search tree.
+//!
+//! Here lives the translation between the caller's indices and basis and the ones
+//! that the rest of this room works in.
+
+use super::lattice::{Orthogonal, Reduced, reduce};
+use super::places::Places;
+use super::tree::{Tree, tree_order};
+use super::{DelaunayError, predicates};
+use crate::tiling::{Corner, Frame, PointSet, SHIFT_LIMIT, Tiling};
+use acutile_exact::geometry::Sign;
+use acutile_exact::number::Number;
+use malachite::base::num::arithmetic::traits::Floor;
+use malachite::{Integer, Rational};
+use rayon::prelude::*;
+
+/// How many witness points stand behind the points of the set, see [`Model::witness`].
+pub const WITNESSES: usize = 4;
+
+/// A point set in reduced coordinates. Corners of this room number its points in
+/// tree order and take shifts in the reduced basis.
+#[derive(Clone, Debug)]
+pub struct Model<const D: usize> {
+    pub lattice: Reduced<D>,
+    /// The caller's index of each point.
+    pub names: Vec<u32>,
+    /// By caller's index: the points moved into 0 <= x < 1, in the caller's basis.
+    pub vertices: Vec<[Number; D]>,
+    /// In the reduced basis, 0 <= x < 1; then the witnesses. There are no simplices.
+    pub points: Tiling<D>,
+    /// What was subtracted from the reduced coordinates of the vertex.
+    offsets: Vec<[i64; D]>,
+    pub places: Places<D>,
+    pub tree: Tree<D>,
+}
+
+impl<const D: usize> Model<D> {
+    /// The model of a point set in which no two points coincide.
+    pub fn new(set: &PointSet<D>) -> Result<Self, DelaunayError> {
+        if set.points.is_empty() {
+            return Err(DelaunayError::Empty);
+        }
+        let lattice = reduce(&set.frame.gram)?;
+        let orthogonal = Orthogonal::of(&lattice.gram).ok_or(DelaunayError::NotPositiveDefinite)?;
+        let vertices: Vec<_> = set.points.par_iter().map(fractional_part).collect();
+        let placed = |vertex| {
+            let (point, offset) = split(&lattice.coordinates(vertex));
+            Ok((point, small(offset)?))
+        };
+        let (points, offsets): (Vec<_>, Vec<_>) = vertices
+            .par_iter()
+            .map(placed)
+            .collect::<Result<Vec<_>, DelaunayError>>()?
+            .into_iter()
+            .unzip();
+        let lengths = std::array::from_fn(|k| orthogonal.norms[k].approximate().sqrt());
+        let fractions: Vec<_> = points.par_iter().map(approximate).collect();
+        let names = tree_order(&fractions, &lengths);
+        let mut points: Vec<_> = names.iter().map(|&i| points[i as usize].clone()).collect();
+        let offsets = names.iter().map(|&i| offsets[i as usize]).collect();
+        points.extend((0..WITNESSES).map(witness));
+        let places = Places::new(points.par_iter().map(approximate).collect(), &orthogonal)?;
+        let tree = Tree::new(&places, names.len());
+        let points = Tiling {
+            frame: Frame::space(set.frame.field.clone(), lattice.gram.clone()),
+            vertices: points.into(),
+            corners: Vec::new(),
+        };
+        let model = Model {
+            lattice,
+            names,
+            vertices,
+            points,
+            offsets,
+            places,
+            tree,
+        };
+        predicates::check_distinct(&model)?;
+        Ok(model)
+    }
+
+    /// The corner of the i-th witness: a point in the interior of the reduced cell
+    /// with a large denominator, in general position to points that occur.
+    pub fn witness(&self, i: usize) -> Corner<D> {
+        Corner::of((self.names.len() + i) as u32)
+    }
+
+    /// A corner in the caller's terms.
+    ///
+    /// The point of the corner is x - offset + shift for x the reduced coordinates
+    /// of the vertex, so the vertex was moved by shift - offset.
+    pub fn original(&self, corner: &Corner<D>) -> Result<Corner<D>, DelaunayError> {
+        let offset = &self.offsets[corner.vertex as usize];
+        let shift = std::array::from_fn(|k| i64::from(corner.shift[k]) - offset[k]);
+        let moved = self.lattice.original(shift);
+        if moved
+            .iter()
+            .any(|entry| entry.abs() > i64::from(SHIFT_LIMIT))
+        {
+            return Err(DelaunayError::TooSkewed);
+        }
+        Ok(Corner {
+            vertex: self.names[corner.vertex as usize],
+            shift: moved.map(|entry| entry as i32),
+        })
+    }
+
+    /// The exact position of a corner in the reduced basis.
+    pub fn position(&self, corner: &Corner<D>) -> [Number; D] {
+        let point = self.points.vertices.vertex(corner.vertex as usize);
+        std::array::from_fn(|k| &point[k] + &Number::from(Rational::from(corner.shift[k])))
+    }
+}
+
+/// All witnesses have one denominator, a prime, so that the common denominator of all points
+/// stays short.
+fn witness<const D: usize>(i: usize) -> [Number; D] {
+    const PRIME: u32 = 65_521;
+    const NUMERATORS: [[u32; 3]; WITNESSES] = [
+        [21_611, 27_749, 33_587],
+        [30_319, 16_487, 43_793],
+        [14_543, 39_461, 25_037],
+        [46_901, 34_877, 18_911],
+    ];
+    std::array::from_fn(|k| Number::from(Rational::from_unsigneds(NUMERATORS[i][k], PRIME)))
+}
+
+fn approximate<const D: usize>(x: &[Number; D]) -> [f64; D] {
+    std::array::from_fn(|k| x[k].approximate())
+}
+
+/// The largest integer that is not above x.
+pub fn floor(x: &Number) -> Integer {
+    if let Some(rational) = x.to_rational() {
+        return rational.floor();
+    }
+    // The width is below 1, so there are two candidates at most.
+    let (low, _) = x.enclosure(&Rational::from_unsigneds(1u8, 4u8));
+    let candidate = low.floor();
+    let next = &candidate + Integer::from(1);
+    match (x - &Number::from(Rational::from(&next))).sign() {
+        Sign::Less => candidate,
+        _ => next,
+    }
+}
+
+/// Fractional and integer parts of the coordinates.
+fn split<const D: usize>(x: &[Number; D]) -> ([Number; D], [Integer; D]) {
+    let whole: [Integer; D] = std::array::from_fn(|k| floor(&x[k]));
+    let rest = std::array::from_fn(|k| &x[k] - &Number::from(Rational::from(&whole[k])));
+    (rest, whole)
+}
+
+fn fractional_part<const D: usize>(x: &[Number; D]) -> [Number; D] {
+    split(x).0
+}
+
+fn small<const D: usize>(offset: [Integer; D]) -> Result<[i64; D], DelaunayError> {
+    let mut small = [0; D];
+    for (entry, value) in small.iter_mut().zip(&offset) {
+        *entry = i64::try_from(value).map_err(|_| DelaunayError::TooSkewed)?;
+    }
+    Ok(small)
+}

@@ -1,0 +1,327 @@
+//! A tiling made ready for predicates, and its simplices run through them on all cores.
+
+use super::filter::{Filter, Rounded};
+use super::floats::{BATCH, Batch, Floats};
+use super::ladder::Ladder;
+use super::polynomials::{Metric, Predicate};
+use super::ring::{Ring, Vectors, cleared_integers, cleared_quadratics};
+use super::shapes::Shapes;
+use super::signs::Signs;
+use crate::tiling::{Corner, Tiling};
+use acutile_exact::geometry::{Quadratic, linear};
+use acutile_exact::number::Number;
+use malachite::base::num::basic::traits::Zero;
+use malachite::{Integer, Rational};
+use rayon::prelude::*;
+use std::ops::Range;
+use std::sync::OnceLock;
+
+/// Simplices that one task of a core takes.
+const CHUNK: usize = 1 << 12;
+
+/// Corners that are given later pass the filter if their shifts differ by no more steps.
+const STEPS: i32 = 8;
+
+/// A tiling with its coordinates as doubles and in a ring.
+#[derive(Clone, Debug)]
+pub struct Model<'a, const D: usize> {
+    /// The tiling itself.
+    pub tiling: &'a Tiling<D>,
+    floats: Floats<'a, D>,
+    pub(super) ring: Ring<'a, D>,
+    pub(super) shapes: OnceLock<Shapes>,
+}
+
+/// A predicate with its filter and its exact twin, for one model.
+#[derive(Clone, Debug)]
+pub struct Prepared<'m, P, const D: usize> {
+    pub(super) model: &'m Model<'m, D>,
+    predicate: P,
+    filter: Filter<D>,
+    pub(super) exact: Exact<D>,
+}
+
+/// How values are computed exactly.
+#[derive(Clone, Debug)]
+pub(super) struct Exact<const D: usize> {
+    pub integers: Option<Ladder<i128, D>>,
+    pub quadratics: Option<Ladder<Quadratic<i128>, D>>,
+    /// Where the others do not reach.
+    pub numbers: Metric<Number, D>,
+}
+
+impl<'a, const D: usize> Model<'a, D> {
+    /// The model of a tiling whose corners name vertices that exist.
+    pub fn new(tiling: &'a Tiling<D>) -> Self {
+        Model::with_floats(tiling, Floats::new(tiling))
+    }
+
+    /// The model of vertices without simplices: corners are given later, see
+    /// [`Prepared::signs_of`].
+    pub fn of_vertices(tiling: &'a Tiling<D>) -> Self {
+        Model::with_floats(tiling, Floats::within(tiling, STEPS))
+    }
+
+    fn with_floats(tiling: &'a Tiling<D>, floats: Floats<'a, D>) -> Self {
+        Model {
+            tiling,
+            floats,
+            ring: Ring::new(tiling),
+            shapes: OnceLock::new(),
+        }
+    }
+
+    /// A predicate made ready.
+    pub fn prepare<P: Predicate<D>>(&self, predicate: P) -> Prepared<'_, P, D> {
+        let constants = predicate.constants();
+        let numbers = number_metric(&self.tiling.frame.gram, &constants);
+        let rounded = rounded(&numbers);
+        Prepared {
+            model: self,
+            filter: Filter::new(&predicate, &self.floats, &rounded),
+            exact: Exact::new(self, &predicate, numbers, constants),
+            predicate,
+        }
+    }
+
+    /// What `work` makes of the simplices, a chunk of them at a time, on all cores.
+    pub fn by_chunks<T: Send>(&self, work: impl Fn(Range<usize>) -> T + Sync) -> Vec<T> {
+        let n = self.tiling.len();
+        let chunks = (0..n.div_ceil(CHUNK)).into_par_iter();
+        chunks
+            .map(|chunk| work(chunk * CHUNK..n.min((chunk + 1) * CHUNK)))
+            .collect()
+    }
+
+    /// Folds the edges of all simplices, in doubles, on all cores; for what is decided
+    /// exactly afterwards.
+    pub fn fold<T: Copy + Send + Sync>(
+        &self,
+        start: T,
+        with: impl Fn(T, [[f64; D]; D]) -> T + Sync + Send,
+    ) -> impl ParallelIterator<Item = T> {
+        let simplices = (0..self.tiling.len()).into_par_iter().with_min_len(CHUNK);
+        simplices.fold(
+            move || start,
+            move |value, simplex| with(value, self.floats.edges(self.tiling.simplex(simplex))),
+        )
+    }
+}
+
+impl<P: Predicate<D>, const D: usize> Prepared<'_, P, D> {
+    /// The exact signs for a simplex.
+    #[inline]
+    pub fn signs(&self, simplex: usize) -> Signs {
+        let corners = self.model.tiling.simplex(simplex);
+        let edges = self.model.floats.edges(corners);
+        let filtered = self.filter.signs(&self.predicate, edges, &[0.0; D]);
+        filtered.unwrap_or_else(|| self.exact_signs(corners, &corners[0]))
+    }
+
+    /// The exact signs for a simplex and a further corner.
+    #[inline]
+    pub fn signs_with(&self, simplex: usize, apex: &Corner<D>) -> Signs {
+        let corners = self.model.tiling.simplex(simplex);
+        let floats = &self.model.floats;
+        let point = floats.difference(&corners[0], apex);
+        let filtered = self
+            .filter
+            .signs(&self.predicate, floats.edges(corners), &point);
+        filtered.unwrap_or_else(|| self.exact_signs(corners, apex))
+    }
+
+    /// The exact signs for the simplex with these corners, which need not be one of the
+    /// tiling, and a further corner.
+    #[inline]
+    pub fn signs_of(&self, corners: &[Corner<D>], apex: &Corner<D>) -> Signs {
+        let floats = &self.model.floats;
+        if !floats.cover(corners, apex) {
+            return self.exact_signs(corners, apex);
+        }
+        let point = floats.difference(&corners[0], apex);
+        let filtered = self
+            .filter
+            .signs(&self.predicate, floats.edges(corners), &point);
+        filtered.unwrap_or_else(|| self.exact_signs(corners, apex))
+    }
+
+    /// The exact signs without the filter.
+    #[cold]
+    pub fn exact_signs(&self, corners: &[Corner<D>], apex: &Corner<D>) -> Signs {
+        let Prepared {
+            model,
+            predicate,
+            exact,
+            ..
+        } = self;
+        if let Some(ladder) = &exact.integers
+            && let Some(vectors) = model.ring.integers(corners, apex)
+        {
+            let vectors = match model.ring {
+                Ring::Doubles { .. } => vectors.reduced(),
+                _ => vectors,
+            };
+            return ladder.signs(predicate, &vectors.edges, &vectors.point);
+        }
+        if let Some(ladder) = &exact.quadratics
+            && let Some(vectors) = model.ring.quadratics(corners, apex)
+        {
+            return ladder.signs(predicate, &vectors.edges, &vectors.point);
+        }
+        let Vectors { edges, point, .. } = model.ring.numbers(model.tiling, corners, apex);
+        Signs::of(predicate, edges, &point, &exact.numbers)
+    }
+
+    /// The simplices, in order, whose signs are not as wanted.
+    pub fn failing(&self, is_right: impl Fn(&Signs) -> bool + Sync) -> Vec<usize> {
+        let failing = self.model.by_chunks(|simplices| {
+            let mut failing = Vec::new();
+            self.for_each(simplices, |simplex, signs| {
+                if !is_right(signs) {
+                    failing.push(simplex);
+                }
+            });
+            failing
+        });
+        failing.concat()
+    }
+
+    /// Calls `visit` with each of these simplices, in order, and its exact signs.
+    #[inline]
+    pub fn for_each(&self, simplices: Range<usize>, mut visit: impl FnMut(usize, &Signs)) {
+        let mut batch = Batch::default();
+        for first in simplices.clone().step_by(BATCH) {
+            let size = BATCH.min(simplices.end - first);
+            let corners = &self.model.tiling.corners[first * (D + 1)..(first + size) * (D + 1)];
+            for (place, corners) in (0..BATCH).zip(corners.chunks_exact(D + 1)) {
+                batch.put(place, &self.model.floats, corners, None);
+            }
+            let items = (first..first + size).map(|simplex| (simplex, None));
+            self.decide(&batch, items, &mut visit);
+        }
+    }
+
+    /// The same for pairs of simplices, of each the first, with a further corner.
+    #[inline]
+    pub fn for_each_with(
+        &self,
+        mut pairs: impl Iterator<Item = ((usize, usize), Corner<D>)>,
+        mut visit: impl FnMut((usize, usize), &Signs),
+    ) {
+        let mut batch = Batch::default();
+        let mut filled = Vec::with_capacity(BATCH);
+        loop {
+            filled.clear();
+            for (pair, apex) in pairs.by_ref().take(BATCH) {
+                let corners = self.model.tiling.simplex(pair.0);
+                batch.put(filled.len(), &self.model.floats, corners, Some(&apex));
+                filled.push((pair, apex));
+            }
+            if filled.is_empty() {
+                return;
+            }
+            let items = filled.iter().map(|(pair, apex)| (pair.0, Some(*apex)));
+            let mut pairs = filled.iter().map(|(pair, _)| *pair);
+            self.decide(&batch, items, &mut |_, signs| {
+                if let Some(pair) = pairs.next() {
+                    visit(pair, signs);
+                }
+            });
+        }
+    }
+
+    /// Calls `visit` with the items that fill the first places of a batch.
+    #[inline(always)]
+    fn decide(
+        &self,
+        batch: &Batch<D>,
+        items: impl Iterator<Item = (usize, Option<Corner<D>>)>,
+        visit: &mut impl FnMut(usize, &Signs),
+    ) {
+        let signs = self.filter.signs_of_all(&self.predicate, batch);
+        for ((simplex, apex), signs) in items.zip(signs) {
+            let exact = || {
+                let corners = self.model.tiling.simplex(simplex);
+                self.exact_signs(corners, apex.as_ref().unwrap_or(&corners[0]))
+            };
+            visit(simplex, &signs.unwrap_or_else(exact));
+        }
+    }
+}
+
+impl<const D: usize> Exact<D> {
+    fn new<P: Predicate<D>>(
+        model: &Model<D>,
+        predicate: &P,
+        numbers: Metric<Number, D>,
+        constants: Vec<Integer>,
+    ) -> Self {
+        let gram = &model.tiling.frame.gram;
+        let mut exact = Exact {
+            integers: None,
+            quadratics: None,
+            numbers,
+        };
+        match &model.ring {
+            Ring::Quadratic { root, .. } => {
+                let element = |n: Integer| Quadratic {
+                    x: n,
+                    y: Integer::ZERO,
+                    d: Integer::from(root.d),
+                };
+                exact.quadratics = cleared_quadratics(gram, root).map(|gram| {
+                    Ladder::new(
+                        predicate,
+                        gram,
+                        constants.into_iter().map(element).collect(),
+                    )
+                });
+            }
+            Ring::Numbers { .. } => {}
+            _ => {
+                let gram = cleared_integers(gram);
+                exact.integers = gram.map(|gram| Ladder::new(predicate, gram, constants));
+            }
+        }
+        exact
+    }
+}
+
+fn number_metric<const D: usize>(
+    gram: &[[Number; D]; D],
+    constants: &[Integer],
+) -> Metric<Number, D> {
+    // Cleared, so that the numbers are short and a rational matrix is one of integers.
+    let unit = super::ring::common_denominator(gram.iter().flatten());
+    let unit = Number::from(Rational::from(unit));
+    let gram = gram.each_ref().map(|row| row.each_ref().map(|x| x * &unit));
+    Metric {
+        cogram: linear::cofactors(&gram),
+        gram,
+        constants: constants
+            .iter()
+            .map(|n| Number::from(Rational::from(n)))
+            .collect(),
+    }
+}
+
+/// The metric in doubles: if the largest entry is beyond 2^20 or so, the Gram matrix
+/// is multiplied by a power of two, and its adjugate by the power that belongs to it.
+fn rounded<const D: usize>(metric: &Metric<Number, D>) -> Metric<Rounded, D> {
+    let entries = metric.gram.iter().flatten().map(|x| x.approximate().abs());
+    let largest = entries.fold(0.0, f64::max);
+    // Beyond 2^200 there is no filter.
+    let scale = match (2f64.powi(20)..2f64.powi(200)).contains(&largest) {
+        true => -(largest.log2().floor() as i32),
+        false => 0,
+    };
+    let matrix = |rows: &[[Number; D]; D], scale: i32| {
+        rows.each_ref()
+            .map(|row| row.each_ref().map(|x| Rounded::of(x, scale)))
+    };
+    Metric {
+        gram: matrix(&metric.gram, scale),
+        cogram: matrix(&metric.cogram, scale * (D as i32 - 1)),
+        constants: metric.constants.iter().map(|x| Rounded::of(x, 0)).collect(),
+    }
+}

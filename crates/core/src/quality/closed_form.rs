@@ -1,0 +1,114 @@
+//! Short names of square roots and of angles, recognised exactly.
+//!
+//! An angle is given by the signed square of its cosine, s = ±cos² t. Half the
+//! double angle formula, cos² t = (1 + cos 2t)/2, makes s an integer combination
+//! of square roots for the multiples of 15, 18 and 22.5 degrees, and each is
+//! recognised by the polynomial that s is a root of.
+
+use acutile_exact::number::Number;
+use malachite::Rational;
+use malachite::base::num::arithmetic::traits::CheckedSqrt;
+
+/// √square as a text.
+pub fn root(square: &Number) -> Option<String> {
+    let square = square.to_rational()?;
+    Some(match square.checked_sqrt() {
+        Some(root) => root.to_string(),
+        None if *square.denominator_ref() == 1u32 => format!("√{square}"),
+        None => format!("√({square})"),
+    })
+}
+
+/// √square where it is rational.
+pub fn rational_root(square: &Number) -> Option<Rational> {
+    square.to_rational()?.checked_sqrt()
+}
+
+/// The angle with this signed square of the cosine, as a text: degrees where they
+/// are a known multiple, else an arc cosine where the square is rational.
+pub fn angle(signed_square: &Number) -> Option<String> {
+    if let Some(degrees) = whole_degrees(signed_square) {
+        return Some(degrees_text(&degrees));
+    }
+    let sign = if signed_square.sign().is_lt() {
+        "-"
+    } else {
+        ""
+    };
+    let root = root(&signed_square.abs())?;
+    Some(format!("arccos({sign}{root})"))
+}
+
+fn degrees_text(degrees: &Rational) -> String {
+    match *degrees.denominator_ref() == 1u32 {
+        true => degrees.to_string(),
+        false => super::decimal::rounded_down(degrees, 1),
+    }
+}
+
+/// A known angle below 90 degrees: twice the degrees, the coefficients of a polynomial
+/// with root cos² t (constant first), and whether it is the smaller of two roots.
+type Known = (i64, [i64; 3], bool);
+
+const KNOWN: [Known; 13] = [
+    (60, [-3, 4, 0], false),
+    (90, [-1, 2, 0], false),
+    (120, [-1, 4, 0], false),
+    (30, [1, -16, 16], false),
+    (150, [1, -16, 16], true),
+    (72, [1, -12, 16], false),
+    (144, [1, -12, 16], true),
+    (36, [5, -20, 16], false),
+    (108, [5, -20, 16], true),
+    (45, [1, -8, 8], false),
+    (135, [1, -8, 8], true),
+    // Angles whose cosines are 1 and 0.
+    (0, [-1, 1, 0], false),
+    (180, [0, 1, 0], false),
+];
+
+/// The angle in degrees if it is a multiple of 15, 18 or 22.5 degrees whose cosine
+/// has a square of degree at most two, or an odd multiple of 9 degrees.
+pub fn whole_degrees(signed_square: &Number) -> Option<Rational> {
+    let square = signed_square.abs();
+    let acute = known_degrees(&square).or_else(|| odd_multiple_of_nine(&square))?;
+    Some(match signed_square.sign().is_lt() {
+        true => Rational::from(180) - acute,
+        false => acute,
+    })
+}
+
+/// 9, 27, 63 or 81 for the square of its cosine. With c = cos 2t = 2 cos² t - 1 these are the
+/// angles for which 2t is 18, 54, 126 or 162 degrees, where cos 10t = 0 and c ≠ 0:
+/// 16 c⁴ - 20 c² + 5 = 0.
+fn odd_multiple_of_nine(square: &Number) -> Option<Rational> {
+    let integer = |n: i64| Number::from(Rational::from(n));
+    let c = &(square * &integer(2)) - &integer(1);
+    let cc = &c * &c;
+    let value = &(&(&cc * &integer(16)) - &integer(20)) * &cc + integer(5);
+    if !value.is_zero() {
+        return None;
+    }
+    // cos² 18° and cos² 54° add up to 5/4.
+    let is_steep = cc > Number::from(Rational::from_signeds(5, 8));
+    Some(Rational::from(match (c.sign().is_gt(), is_steep) {
+        (true, true) => 9,
+        (true, false) => 27,
+        (false, false) => 63,
+        (false, true) => 81,
+    }))
+}
+
+fn known_degrees(square: &Number) -> Option<Rational> {
+    let is_known = |(_, polynomial, smaller): &&Known| {
+        let value = polynomial.iter().rev().fold(Number::zero(), |value, c| {
+            value * square + Number::from(Rational::from(*c))
+        });
+        // The two roots of a quadratic here add up to 3/4, 1 or 5/4.
+        let half_sum = Rational::from_signeds(-polynomial[1], 2 * polynomial[2].max(1));
+        let is_right_root = polynomial[2] == 0 || (*square < Number::from(half_sum)) == *smaller;
+        is_right_root && value.is_zero()
+    };
+    let (twice, ..) = KNOWN.iter().find(is_known)?;
+    Some(Rational::from_signeds(*twice, 2))
+}

@@ -1,0 +1,92 @@
+//! Exact numbers as short decimals, for people.
+
+use acutile_exact::number::Number;
+use malachite::base::num::arithmetic::traits::{Ceiling, Floor, Pow};
+use malachite::base::num::conversion::traits::RoundingFrom;
+use malachite::base::rounding_modes::RoundingMode;
+use malachite::{Integer, Rational};
+
+/// The least integer that is not less, kept within the range of i64.
+pub fn ceiling_to_i64(value: &Rational) -> i64 {
+    i64::try_from(&value.clone().ceiling()).unwrap_or(if *value < 0 { i64::MIN } else { i64::MAX })
+}
+
+/// The greatest integer that is not more, kept within the range of i64.
+pub fn floor_to_i64(value: &Rational) -> i64 {
+    i64::try_from(&value.clone().floor()).unwrap_or(if *value < 0 { i64::MIN } else { i64::MAX })
+}
+
+/// About six significant digits.
+pub fn short_decimal(number: &Number) -> String {
+    format!("{:.6e}", number.approximate())
+}
+
+/// Nine decimals where that shows enough, else as [`short_decimal`].
+fn plain_decimal(number: &Number) -> String {
+    let value = number.approximate();
+    match (1e-3..1e9).contains(&value.abs()) {
+        true => format!("{value:.9}"),
+        false => short_decimal(number),
+    }
+}
+
+/// A point as `(1/2, 0, about 3.141592654)`: exact where that is short.
+pub fn short_point(point: &[Number]) -> String {
+    let coordinate = |x: &Number| {
+        let exact = x.to_string();
+        match exact.len() {
+            0..=24 => exact,
+            _ => format!("about {}", plain_decimal(x)),
+        }
+    };
+    let coordinates: Vec<String> = point.iter().map(coordinate).collect();
+    format!("({})", coordinates.join(", "))
+}
+
+/// An interval rounded outward to six decimals: `89.999998 to 90.000001`, or one
+/// number where both ends print alike.
+pub fn decimal_range((lower, upper): &(Rational, Rational)) -> String {
+    let (low, high) = (rounded_down(lower, 6), rounded_up(upper, 6));
+    if low == high {
+        low
+    } else {
+        format!("{low} to {high}")
+    }
+}
+
+/// The largest decimal with so many digits behind the point that is at most `value`.
+pub fn rounded_down(value: &Rational, digits: u64) -> String {
+    decimal(&(value * power_of_ten(digits)).floor(), digits)
+}
+
+/// The smallest decimal with so many digits behind the point that is at least `value`.
+pub fn rounded_up(value: &Rational, digits: u64) -> String {
+    decimal(&(value * power_of_ten(digits)).ceiling(), digits)
+}
+
+/// The nearest decimal with so many digits behind the point; of two the larger one
+/// in absolute value.
+pub fn rounded_nearest(value: &Rational, digits: u64) -> String {
+    let doubled = value * power_of_ten(digits) * Rational::from(2);
+    let (half, _) = Integer::rounding_from(
+        (doubled + Rational::from(if *value < 0 { -1 } else { 1 })) / Rational::from(2),
+        RoundingMode::Down,
+    );
+    decimal(&half, digits)
+}
+
+fn power_of_ten(digits: u64) -> Rational {
+    Rational::from(10).pow(digits)
+}
+
+/// value / 10^digits
+fn decimal(value: &Integer, digits: u64) -> String {
+    let width = digits as usize + 1;
+    let text = format!("{:0width$}", value.unsigned_abs_ref());
+    let (whole, fraction) = text.split_at(text.len() - digits as usize);
+    let sign = if *value < 0 { "-" } else { "" };
+    match digits {
+        0 => format!("{sign}{whole}"),
+        _ => format!("{sign}{whole}.{fraction}"),
+    }
+}

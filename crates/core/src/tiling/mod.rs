@@ -1,0 +1,156 @@
+//! The object that is proved: a lattice, vertices, and one simplex per orbit.
+//!
+//! Nothing here is checked; [`crate::checker`] does that. Catalogue, importers and
+//! the Delaunay room make tilings, everything downstream reads them.
+
+pub mod coordinates;
+mod facets;
+mod frame;
+mod polytope;
+mod supercell;
+
+pub use coordinates::Coordinates;
+pub use facets::{Facet, Matching, Mate, Mismatch, match_facets};
+pub use frame::{Domain, Frame};
+pub use polytope::{Plane, Polytope};
+pub use supercell::supercell;
+
+use acutile_exact::geometry::Simplex;
+use acutile_exact::number::Number;
+use std::fmt;
+
+/// A vertex moved by a lattice vector; `shift` holds its integer coordinates in
+/// the basis, zero beyond the rank of the lattice.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub struct Corner<const D: usize> {
+    /// Index into [`Tiling::vertices`].
+    pub vertex: u32,
+    /// The lattice vector, |entries| at most [`SHIFT_LIMIT`].
+    pub shift: [i32; D],
+}
+
+/// No shift entry is larger in absolute value, so that sums and differences of a
+/// few of them cannot overflow.
+pub const SHIFT_LIMIT: i32 = 1 << 24;
+
+impl<const D: usize> Corner<D> {
+    /// The vertex itself, not moved.
+    pub fn of(vertex: u32) -> Self {
+        Corner {
+            vertex,
+            shift: [0; D],
+        }
+    }
+
+    /// The corner moved by a further lattice vector.
+    pub fn moved(self, by: [i32; D]) -> Self {
+        Corner {
+            vertex: self.vertex,
+            shift: std::array::from_fn(|k| self.shift[k] + by[k]),
+        }
+    }
+}
+
+/// `3`, or `3+(0, 1, -1)` with its shift.
+impl<const D: usize> fmt::Display for Corner<D> {
+    fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
+        if self.shift.iter().all(|&s| s == 0) {
+            return write!(f, "{}", self.vertex);
+        }
+        let shift: Vec<String> = self.shift.iter().map(i32::to_string).collect();
+        write!(f, "{}+({})", self.vertex, shift.join(", "))
+    }
+}
+
+/// `a - b`, entry by entry.
+pub fn difference<const D: usize>(a: [i32; D], b: [i32; D]) -> [i32; D] {
+    std::array::from_fn(|k| a[k] - b[k])
+}
+
+/// Points of D-space up to the translations of a lattice.
+#[derive(Clone, Debug)]
+pub struct PointSet<const D: usize> {
+    /// Basis, metric and lattice.
+    pub frame: Frame<D>,
+    /// Coordinates in the basis; no two may differ by a lattice vector.
+    pub points: Vec<[Number; D]>,
+}
+
+/// A periodic arrangement of D-simplices, one for each orbit of the lattice.
+#[derive(Clone, Debug)]
+pub struct Tiling<const D: usize> {
+    /// Basis, metric, lattice and domain.
+    pub frame: Frame<D>,
+    /// Coordinates in the basis.
+    pub vertices: Coordinates<D>,
+    /// D + 1 corners for each simplex, one simplex after the other.
+    pub corners: Vec<Corner<D>>,
+}
+
+impl<const D: usize> Tiling<D> {
+    /// The number of simplices in a cell.
+    pub fn len(&self) -> usize {
+        self.corners.len() / (D + 1)
+    }
+
+    /// Whether there is no simplex at all.
+    pub fn is_empty(&self) -> bool {
+        self.corners.is_empty()
+    }
+
+    /// The D + 1 corners of a simplex.
+    pub fn simplex(&self, index: usize) -> &[Corner<D>] {
+        &self.corners[index * (D + 1)..(index + 1) * (D + 1)]
+    }
+
+    /// All simplices in order.
+    pub fn simplices(&self) -> impl ExactSizeIterator<Item = &[Corner<D>]> {
+        self.corners.chunks_exact(D + 1)
+    }
+
+    /// A simplex in exact basis coordinates.
+    pub fn shape(&self, index: usize) -> Simplex<Number, D> {
+        let corners: Vec<[Number; D]> = self
+            .simplex(index)
+            .iter()
+            .map(|corner| self.position(corner))
+            .collect();
+        Simplex::new(&corners)
+    }
+
+    /// The coordinates of a corner in the basis.
+    pub fn position(&self, corner: &Corner<D>) -> [Number; D] {
+        let vertex = self.vertices.vertex(corner.vertex as usize);
+        std::array::from_fn(|k| &vertex[k] + &self.frame.field.integer(i64::from(corner.shift[k])))
+    }
+}
+
+/// A tiling of the plane or of space, where the dimension is known only when the
+/// program runs.
+#[derive(Clone, Debug)]
+pub enum AnyTiling {
+    /// D = 2
+    Plane(Tiling<2>),
+    /// D = 3
+    Space(Tiling<3>),
+}
+
+/// A point set of the plane or of space.
+#[derive(Clone, Debug)]
+pub enum AnyPointSet {
+    /// D = 2
+    Plane(PointSet<2>),
+    /// D = 3
+    Space(PointSet<3>),
+}
+
+/// Runs the same code for either dimension: `with_dimension!(any, AnyTiling, t => code)`.
+#[macro_export]
+macro_rules! with_dimension {
+    ($any:expr, $kind:ident, $name:ident => $code:expr) => {
+        match $any {
+            $crate::tiling::$kind::Plane($name) => $code,
+            $crate::tiling::$kind::Space($name) => $code,
+        }
+    };
+}

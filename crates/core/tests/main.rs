@@ -1,0 +1,18 @@
+//! Tests of the public interface of `acutile-core`, one binary for all.
+
+mod advice;
+mod assemble;
+mod delaunay;
+mod predicates;
+mod prover_properties;
+mod quality;
+mod region;
+mod rungs;
+mod soup;
+mod statistics;
+mod symmetry;
+
+#[path = "../../../tests/common/kuhn.rs"]
+mod kuhn;
+#[path = "../../../tests/common/meeting.rs"]
+mod meeting;

@@ -1,0 +1,4 @@
+//! Exact numbers, and geometry over any ring.
+
+pub mod geometry;
+pub mod number;

@@ -1,0 +1,7 @@
+//! Tests of the public interface of `acutile-exact`, one binary for all.
+
+mod enclosure;
+mod field;
+mod reader;
+mod text;
+mod twins;

@@ -1,0 +1,187 @@
+//! The project's own tiling and point-set files as they stand in JSON, numbers
+//! still as text. The format is described in docs/format.md.
+
+use serde::de::{MapAccess, SeqAccess, Visitor};
+use serde::{Deserialize, Deserializer};
+use serde_json::value::RawValue;
+use std::collections::BTreeMap;
+use std::fmt;
+
+/// What every file of ours begins with.
+#[derive(Deserialize)]
+pub struct Header {
+    pub format: String,
+    pub version: u64,
+}
+
+/// A tiling file, or a point-set file: the latter has `points` where the former
+/// has `vertices` and `simplices`.
+#[derive(Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Document<'a> {
+    #[serde(rename = "format")]
+    _format: String,
+    #[serde(rename = "version")]
+    _version: u64,
+    /// Free text; never part of what is proved.
+    #[serde(default)]
+    pub name: Option<String>,
+    #[serde(default)]
+    pub description: Option<String>,
+    pub dimension: usize,
+    #[serde(borrow, default, deserialize_with = "generators")]
+    pub generators: BTreeMap<String, Generator<'a>>,
+    #[serde(borrow, default)]
+    pub lattice: Option<Lattice<'a>>,
+    #[serde(default)]
+    pub coordinates: Coordinates,
+    #[serde(borrow, default)]
+    pub domain: Domain<'a>,
+    #[serde(borrow, default)]
+    pub vertices: Option<Vec<Vec<Text<'a>>>>,
+    #[serde(default)]
+    pub simplices: Option<Vec<Vec<CornerEntry>>>,
+    #[serde(borrow, default)]
+    pub points: Option<Vec<Vec<Text<'a>>>>,
+}
+
+/// A named real algebraic number: the only root of a polynomial in an interval.
+#[derive(Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Generator<'a> {
+    /// Integer coefficients, constant term first.
+    #[serde(borrow)]
+    pub polynomial: Vec<Text<'a>>,
+    /// Rational ends of the interval.
+    #[serde(borrow)]
+    pub root: (Text<'a>, Text<'a>),
+}
+
+/// The generators by name. A map would keep the last of two definitions of one name, so a
+/// repeated name is an error.
+fn generators<'de: 'a, 'a, D: Deserializer<'de>>(
+    deserializer: D,
+) -> Result<BTreeMap<String, Generator<'a>>, D::Error> {
+    deserializer.deserialize_map(GeneratorsVisitor)
+}
+
+struct GeneratorsVisitor;
+
+impl<'de> Visitor<'de> for GeneratorsVisitor {
+    type Value = BTreeMap<String, Generator<'de>>;
+
+    fn expecting(&self, f: &mut fmt::Formatter) -> fmt::Result {
+        f.write_str("an object of generators by name")
+    }
+
+    fn visit_map<A: MapAccess<'de>>(self, mut map: A) -> Result<Self::Value, A::Error> {
+        let mut generators = BTreeMap::new();
+        while let Some(name) = map.next_key::<String>()? {
+            if generators.contains_key(&name) {
+                let problem =
+                    format!("the generator {name:?} is defined twice; keep one definition");
+                return Err(serde::de::Error::custom(problem));
+            }
+            generators.insert(name, map.next_value()?);
+        }
+        Ok(generators)
+    }
+}
+
+/// The basis: its Gram matrix, or its vectors in Cartesian coordinates.
+#[derive(Deserialize)]
+#[serde(rename_all = "lowercase")]
+pub enum Lattice<'a> {
+    #[serde(borrow)]
+    Gram(Vec<Vec<Text<'a>>>),
+    #[serde(borrow)]
+    Vectors(Vec<Vec<Text<'a>>>),
+}
+
+/// In which coordinates points are given.
+#[derive(Clone, Copy, Default, PartialEq, Eq, Deserialize)]
+#[serde(rename_all = "lowercase")]
+pub enum Coordinates {
+    #[default]
+    Fractional,
+    Cartesian,
+}
+
+/// What is tiled.
+#[derive(Default, Deserialize)]
+#[serde(rename_all = "lowercase")]
+pub enum Domain<'a> {
+    #[default]
+    Space,
+    /// Lower and upper bound of the last coordinate.
+    #[serde(borrow)]
+    Slab(Vec<Text<'a>>),
+    /// The corners of a polygon, in the last two coordinates.
+    #[serde(borrow)]
+    Prism(PolytopeEntry<'a>),
+    #[serde(borrow)]
+    Solid(PolytopeEntry<'a>),
+    /// The union of the simplices.
+    Region,
+}
+
+/// A polygon by its corners in cyclic order, or a polyhedron with faces.
+#[derive(Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct PolytopeEntry<'a> {
+    #[serde(borrow)]
+    pub vertices: Vec<Vec<Text<'a>>>,
+    #[serde(default)]
+    pub faces: Option<Vec<Vec<usize>>>,
+}
+
+/// A number as it stands in the file: a JSON number or a string.
+#[derive(Clone, Copy, Deserialize)]
+#[serde(transparent)]
+pub struct Text<'a>(#[serde(borrow)] pub &'a RawValue);
+
+/// A corner: `3`, or `[3, 0, 0, 1]` with its shift.
+pub struct CornerEntry {
+    pub vertex: u64,
+    pub shift: Vec<i64>,
+}
+
+impl<'de> Deserialize<'de> for CornerEntry {
+    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+        deserializer.deserialize_any(CornerVisitor)
+    }
+}
+
+struct CornerVisitor;
+
+impl<'de> Visitor<'de> for CornerVisitor {
+    type Value = CornerEntry;
+
+    fn expecting(&self, f: &mut fmt::Formatter) -> fmt::Result {
+        f.write_str("a corner: a vertex number like 3, or [3, 0, 0, 1] with its shift")
+    }
+
+    fn visit_u64<E>(self, vertex: u64) -> Result<CornerEntry, E> {
+        Ok(CornerEntry {
+            vertex,
+            shift: Vec::new(),
+        })
+    }
+
+    fn visit_seq<A: SeqAccess<'de>>(self, mut array: A) -> Result<CornerEntry, A::Error> {
+        let vertex = array
+            .next_element()?
+            .ok_or_else(|| serde::de::Error::invalid_length(0, &"a vertex number and its shift"))?;
+        let mut shift = Vec::new();
+        while let Some(step) = array.next_element()? {
+            shift.push(step);
+        }
+        if shift.is_empty() {
+            return Err(serde::de::Error::invalid_length(
+                1,
+                &"a vertex number and its shift",
+            ));
+        }
+        Ok(CornerEntry { vertex, shift })
+    }
+}

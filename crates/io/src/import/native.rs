@@ -1,0 +1,235 @@
+//! Reads the project's own tiling and point-set files.
+
+use super::ImportError;
+use super::document::{CornerEntry, Document, Header, Text};
+use super::frame::{Change, read_frame};
+use super::numbers::Numbers;
+use super::text::without_comments;
+use acutile_core::tiling::{
+    AnyPointSet, AnyTiling, Corner, Domain, Frame, PointSet, SHIFT_LIMIT, Tiling,
+};
+use acutile_exact::number::Number;
+
+/// A file of ours.
+pub struct NativeFile {
+    /// What its author calls it.
+    pub name: Option<String>,
+    /// What its author says of it.
+    pub description: Option<String>,
+    /// What it holds.
+    pub content: Content,
+}
+
+/// What a file holds.
+pub enum Content {
+    /// A tiling file.
+    Tiling(AnyTiling),
+    /// A point-set file.
+    Points(AnyPointSet),
+}
+
+/// The formats of our own files.
+const TILING: &str = "acutile-tiling";
+const POINTS: &str = "acutile-points";
+
+/// Reads the text of a tiling or point-set file.
+///
+/// # Errors
+/// [`ImportError`], naming line and column for JSON and the entry otherwise.
+pub fn read_native(text: &str) -> Result<NativeFile, ImportError> {
+    if text.trim().is_empty() {
+        return Err(ImportError::Empty);
+    }
+    if text.starts_with('\u{feff}') {
+        return Err(ImportError::ByteOrderMark);
+    }
+    let text = &*without_comments(text);
+    let header: Header = serde_json::from_str(text).map_err(ImportError::Json)?;
+    if header.format != TILING && header.format != POINTS {
+        return Err(ImportError::Format {
+            found: header.format,
+        });
+    }
+    if header.version != 1 {
+        return Err(ImportError::Version {
+            found: header.version,
+        });
+    }
+    let document: Document = serde_json::from_str(text).map_err(|error| with_place(text, error))?;
+    let numbers = Numbers::of(&document)?;
+    let content = match document.dimension {
+        2 => content(
+            &header,
+            &document,
+            &numbers,
+            AnyTiling::Plane,
+            AnyPointSet::Plane,
+        ),
+        3 => content(
+            &header,
+            &document,
+            &numbers,
+            AnyTiling::Space,
+            AnyPointSet::Space,
+        ),
+        other => Err(ImportError::entry(
+            "dimension",
+            format!("found {other}, expected 2 or 3"),
+        )),
+    }?;
+    Ok(NativeFile {
+        name: document.name,
+        description: document.description,
+        content,
+    })
+}
+
+/// Where in the document the shape is wrong, if JSON it is: read once more, slowly.
+fn with_place(text: &str, error: serde_json::Error) -> ImportError {
+    let mut deserializer = serde_json::Deserializer::from_str(text);
+    match serde_path_to_error::deserialize::<_, Document>(&mut deserializer) {
+        Err(traced) if error.is_data() && traced.path().iter().len() > 0 => ImportError::Shape {
+            place: traced.path().to_string(),
+            error,
+        },
+        _ => ImportError::Json(error),
+    }
+}
+
+fn content<const D: usize>(
+    header: &Header,
+    document: &Document,
+    numbers: &Numbers,
+    any_tiling: fn(Tiling<D>) -> AnyTiling,
+    any_points: fn(PointSet<D>) -> AnyPointSet,
+) -> Result<Content, ImportError> {
+    match header.format == TILING {
+        true => tiling(document, numbers)
+            .map(any_tiling)
+            .map(Content::Tiling),
+        false => points(document, numbers)
+            .map(any_points)
+            .map(Content::Points),
+    }
+}
+
+fn points<const D: usize>(
+    document: &Document,
+    numbers: &Numbers,
+) -> Result<PointSet<D>, ImportError> {
+    let (frame, change) = read_frame::<D>(document, numbers)?;
+    forbid("vertices", document.vertices.is_some(), POINTS)?;
+    forbid("simplices", document.simplices.is_some(), POINTS)?;
+    if frame.domain != Domain::Space {
+        let problem =
+            "a point set has no domain but \"space\", its Delaunay triangulation fills it";
+        return Err(ImportError::entry("domain", problem));
+    }
+    let rows = require("points", document.points.as_ref(), POINTS)?;
+    Ok(PointSet {
+        points: positions("points", rows, numbers, &change)?,
+        frame,
+    })
+}
+
+fn tiling<const D: usize>(
+    document: &Document,
+    numbers: &Numbers,
+) -> Result<Tiling<D>, ImportError> {
+    let (frame, change) = read_frame(document, numbers)?;
+    forbid("points", document.points.is_some(), TILING)?;
+    let rows = require("vertices", document.vertices.as_ref(), TILING)?;
+    let simplices = require("simplices", document.simplices.as_ref(), TILING)?;
+    let vertices = positions("vertices", rows, numbers, &change)?;
+    let corners = corners(simplices, vertices.len(), &frame)?;
+    Ok(Tiling {
+        frame,
+        vertices: vertices.into(),
+        corners,
+    })
+}
+
+fn require<'d, T>(
+    member: &str,
+    value: Option<&'d Vec<T>>,
+    format: &str,
+) -> Result<&'d Vec<T>, ImportError> {
+    value.ok_or_else(|| ImportError::entry(member, format!("is missing, {format} needs it")))
+}
+
+fn forbid(member: &str, present: bool, format: &str) -> Result<(), ImportError> {
+    match present {
+        false => Ok(()),
+        true => Err(ImportError::entry(
+            member,
+            format!("has no place in {format}"),
+        )),
+    }
+}
+
+fn positions<const D: usize>(
+    place: &str,
+    rows: &[Vec<Text>],
+    numbers: &Numbers,
+    change: &Change<D>,
+) -> Result<Vec<[Number; D]>, ImportError> {
+    (0..)
+        .zip(rows)
+        .map(|(i, row)| Ok(change.apply(numbers.row(row, || format!("{place}[{i}]"))?)))
+        .collect()
+}
+
+fn corners<const D: usize>(
+    simplices: &[Vec<CornerEntry>],
+    vertices: usize,
+    frame: &Frame<D>,
+) -> Result<Vec<Corner<D>>, ImportError> {
+    let mut corners = Vec::with_capacity(simplices.len() * (D + 1));
+    for (s, entries) in simplices.iter().enumerate() {
+        if entries.len() != D + 1 {
+            let problem = format!("has {} corners, expected {}", entries.len(), D + 1);
+            return Err(ImportError::entry(format!("simplices[{s}]"), problem));
+        }
+        for (i, entry) in entries.iter().enumerate() {
+            corners.push(
+                corner(entry, vertices, frame.rank()).map_err(|problem| {
+                    ImportError::entry(format!("simplices[{s}][{i}]"), problem)
+                })?,
+            );
+        }
+    }
+    Ok(corners)
+}
+
+fn corner<const D: usize>(
+    entry: &CornerEntry,
+    vertices: usize,
+    rank: usize,
+) -> Result<Corner<D>, String> {
+    let vertex = u32::try_from(entry.vertex)
+        .ok()
+        .filter(|&v| (v as usize) < vertices)
+        .ok_or_else(|| {
+            format!(
+                "vertex {} is out of range, expected 0 to {}",
+                entry.vertex,
+                vertices as i64 - 1
+            )
+        })?;
+    if !entry.shift.is_empty() && entry.shift.len() != rank {
+        return Err(format!(
+            "the shift has {} entries, expected {rank}",
+            entry.shift.len()
+        ));
+    }
+    let mut shift = [0; D];
+    for (slot, &step) in shift.iter_mut().zip(&entry.shift) {
+        *slot = i32::try_from(step)
+            .ok()
+            .filter(|s| s.unsigned_abs() <= SHIFT_LIMIT.unsigned_abs())
+            .ok_or_else(|| {
+                format!("the shift {step} is out of range, expected at most {SHIFT_LIMIT} in size")
+            })?;
+    }
+    Ok(Corner { vertex, shift })
+}

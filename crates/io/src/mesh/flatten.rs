@@ -1,0 +1,210 @@
+//! A tiling as a mesh: one cell of it, in Cartesian coordinates.
+
+use super::lattice::Basis;
+use super::numbering::Numbering;
+use super::{Mesh, Periodic};
+use acutile_core::tiling::{Corner, Tiling};
+use acutile_exact::number::Number;
+use malachite::Rational;
+use malachite::base::num::arithmetic::traits::CheckedSqrt;
+use malachite::base::num::basic::traits::{One, Zero};
+use std::collections::{BTreeMap, HashMap};
+
+/// A mesh, and what rounding did to it.
+pub struct Flat {
+    /// A node for each corner that differs from the others as a vertex or by its shift.
+    pub mesh: Mesh,
+    /// How many coordinates are no doubles.
+    pub rounded: usize,
+    /// No coordinate was moved by more.
+    pub largest_move: f64,
+    /// The lattice vectors, each coordinate exact where it has a name, else rounded.
+    pub lattice: Vec<[f64; 3]>,
+}
+
+/// The mesh of a tiling. Without a basis the first basis vector points along the x axis and the
+/// second lies in the plane of x and y.
+pub fn flatten(tiling: &Tiling<3>, basis: Option<&Basis>) -> Flat {
+    let mut cartesian = Cartesian::new(tiling, basis);
+    let mut indices: HashMap<Corner<3>, u32> = HashMap::new();
+    let mut corners: Vec<Corner<3>> = Vec::new();
+    let mut mesh = Mesh::default();
+    let (simplices, _) = tiling.corners.as_chunks::<4>();
+    for simplex in simplices {
+        mesh.tetrahedra.push(simplex.map(|corner| {
+            *indices.entry(corner).or_insert_with(|| {
+                corners.push(corner);
+                corners.len() as u32 - 1
+            })
+        }));
+    }
+    mesh.points = corners
+        .iter()
+        .map(|c| cartesian.point(&tiling.position(c)))
+        .collect();
+    mesh.nodes = Numbering::consecutive(1, mesh.points.len());
+    mesh.elements = Numbering::consecutive(1, mesh.tetrahedra.len());
+    let (rounded, largest_move) = (cartesian.rounded, cartesian.largest_move);
+    let unit = |k: usize| -> [Number; 3] {
+        std::array::from_fn(|j| tiling.frame.field.integer(i64::from(j == k)))
+    };
+    let lattice: Vec<[f64; 3]> = (0..tiling.frame.rank())
+        .map(|k| cartesian.point(&unit(k)))
+        .collect();
+    mesh.periodic = links(&corners, &lattice);
+    Flat {
+        mesh,
+        rounded,
+        largest_move,
+        lattice,
+    }
+}
+
+/// A link for each lattice vector between a node and the first node of the same vertex.
+fn links(corners: &[Corner<3>], lattice: &[[f64; 3]]) -> Vec<Periodic> {
+    let mut originals: HashMap<u32, (u32, Corner<3>)> = HashMap::new();
+    for (index, corner) in (0u32..).zip(corners) {
+        let size = |c: &Corner<3>| (c.shift.map(i32::abs).iter().sum::<i32>(), c.shift);
+        let first = originals.entry(corner.vertex).or_insert((index, *corner));
+        if size(corner) < size(&first.1) {
+            *first = (index, *corner);
+        }
+    }
+    let mut links: BTreeMap<[i32; 3], Vec<(u32, u32)>> = BTreeMap::new();
+    for (index, corner) in (0u32..).zip(corners) {
+        let (original, first) = originals[&corner.vertex];
+        let step = acutile_core::tiling::difference(corner.shift, first.shift);
+        if step != [0; 3] {
+            links.entry(step).or_default().push((index, original));
+        }
+    }
+    let links = (1..)
+        .zip(links)
+        .map(|(number, (step, nodes)): (i64, (_, _))| Periodic {
+            dimension: 2,
+            entities: (2 * number, 2 * number - 1),
+            affine: Some(translation(step, lattice)),
+            nodes,
+        });
+    links.collect()
+}
+
+fn translation(step: [i32; 3], lattice: &[[f64; 3]]) -> [f64; 16] {
+    let mut matrix = [0.0; 16];
+    for i in 0..4 {
+        matrix[5 * i] = 1.0;
+    }
+    for j in 0..3 {
+        let terms = lattice
+            .iter()
+            .zip(step)
+            .map(|(vector, n)| f64::from(n) * vector[j]);
+        matrix[4 * j + 3] = terms.sum();
+    }
+    matrix
+}
+
+/// Turns basis coordinates into Cartesian ones: y_j = Σ_i f_i B_ij, where either B is given,
+/// or B_ij = L_ij √D_j for G = L D Lᵀ with L unit lower triangular and D diagonal.
+struct Cartesian {
+    rows: [[Number; 3]; 3],
+    /// D_j where √D_j is no rational, else nothing.
+    squares: [Option<Number>; 3],
+    rounded: usize,
+    largest_move: f64,
+}
+
+impl Cartesian {
+    fn new(tiling: &Tiling<3>, basis: Option<&Basis>) -> Self {
+        let (rows, squares) = match basis {
+            Some(basis) => (basis.vectors.clone(), [const { None }; 3]),
+            None => factored(&tiling.frame.gram),
+        };
+        Cartesian {
+            rows,
+            squares,
+            rounded: 0,
+            largest_move: 0.0,
+        }
+    }
+
+    fn point(&mut self, fractions: &[Number; 3]) -> [f64; 3] {
+        std::array::from_fn(|j| {
+            let sum = (0..3).fold(Number::zero(), |sum, i| {
+                &sum + &(&fractions[i] * &self.rows[i][j])
+            });
+            match &self.squares[j] {
+                Some(square) if !sum.is_zero() => {
+                    let value = &(&sum * &sum) * square;
+                    self.root(&value, sum.sign().is_lt())
+                }
+                _ => self.double(&sum),
+            }
+        })
+    }
+
+    fn double(&mut self, value: &Number) -> f64 {
+        let double = value.approximate();
+        let exact = Rational::try_from(double).unwrap_or(Rational::ZERO);
+        let step = value - &Number::from(exact);
+        if !step.is_zero() {
+            self.note(step.approximate().abs());
+        }
+        double
+    }
+
+    /// √value or -√value, for a value that is not 0.
+    fn root(&mut self, value: &Number, is_negative: bool) -> f64 {
+        let root = value.to_rational().and_then(|value| value.checked_sqrt());
+        let root = match root {
+            Some(root) => {
+                return self.double(&Number::from(if is_negative { -root } else { root }));
+            }
+            None => value.enclosure_of_root(&(Rational::ONE >> 120u32)).0,
+        };
+        let double = Number::from(root.clone()).approximate();
+        let exact = Rational::try_from(double).unwrap_or(Rational::ZERO);
+        // The enclosure's width is nothing against the unit in the last place.
+        self.note(Number::from(root - exact).approximate().abs());
+        if is_negative { -double } else { double }
+    }
+
+    fn note(&mut self, step: f64) {
+        self.rounded += 1;
+        self.largest_move = self.largest_move.max(step);
+    }
+}
+
+/// L with its columns multiplied by √D_j where that is rational, and the other D_j.
+fn factored(gram: &[[Number; 3]; 3]) -> ([[Number; 3]; 3], [Option<Number>; 3]) {
+    let mut lower: [[Number; 3]; 3] =
+        std::array::from_fn(|_| std::array::from_fn(|_| Number::zero()));
+    let mut squares: [Number; 3] = std::array::from_fn(|_| Number::zero());
+    for j in 0..3 {
+        let known = |i: usize, lower: &[[Number; 3]; 3], squares: &[Number; 3]| {
+            (0..j).fold(gram[i][j].clone(), |rest, k| {
+                &rest - &(&(&lower[i][k] * &lower[j][k]) * &squares[k])
+            })
+        };
+        squares[j] = known(j, &lower, &squares);
+        for i in j..3 {
+            let entry = known(i, &lower, &squares);
+            // Positive for a metric; otherwise nothing is a mesh of this.
+            lower[i][j] = entry.divide(&squares[j]).unwrap_or_else(Number::zero);
+        }
+    }
+    let mut irrational = [const { None }; 3];
+    for j in 0..3 {
+        match squares[j]
+            .to_rational()
+            .and_then(|square| square.checked_sqrt())
+        {
+            Some(root) => {
+                let root = Number::from(root);
+                lower.iter_mut().for_each(|row| row[j] = &row[j] * &root);
+            }
+            None => irrational[j] = Some(squares[j].clone()),
+        }
+    }
+    (lower, irrational)
+}

@@ -1,0 +1,121 @@
+//! All whole tetrahedra of a tiling in a ball around the origin.
+
+use acutile_core::tiling::{Corner, Domain, Frame, Tiling};
+use acutile_exact::geometry::linear;
+use acutile_exact::number::Number;
+use malachite::Rational;
+use std::collections::HashMap;
+
+/// No patch looks at more translates of tetrahedra.
+const MOST: f64 = 5e6;
+
+/// The tetrahedra of a tiling, translates included, whose corners are at most `radius` away
+/// from the origin, decided exactly; a bounded mesh in the same basis.
+///
+/// # Errors
+/// Where there is none, or the ball holds too many.
+pub fn patch(tiling: &Tiling<3>, radius: &Rational) -> Result<Tiling<3>, String> {
+    let reach = reach(tiling, radius);
+    let mut patch = Patch {
+        tiling,
+        square: Number::from(radius * radius),
+        indices: HashMap::new(),
+        vertices: Vec::new(),
+    };
+    let mut corners = Vec::new();
+    let mut work = 0.0;
+    for simplex in tiling.simplices() {
+        let ranges = ranges(tiling, simplex[0], reach);
+        let counts = ranges.iter().map(|(low, high)| (high - low + 1.0).max(0.0));
+        work += counts.product::<f64>();
+    }
+    if work.is_nan() || work > MOST {
+        return Err(format!(
+            "the ball of radius {radius} holds too many tetrahedra, more than {MOST}"
+        ));
+    }
+    for simplex in tiling.simplices() {
+        let ranges = ranges(tiling, simplex[0], reach);
+        for step in steps(ranges) {
+            let moved: Option<Vec<u32>> = simplex
+                .iter()
+                .map(|corner| patch.vertex(corner.moved(step)))
+                .collect();
+            corners.extend(moved.into_iter().flatten().map(Corner::of));
+        }
+    }
+    if corners.is_empty() {
+        return Err(format!("no tetrahedron lies within {radius} of the origin"));
+    }
+    let frame = tiling.frame.clone().with_domain(Domain::Region);
+    Ok(used_only(frame, &patch.vertices, corners))
+}
+
+/// R √(G^-1)_kk, about: no basis coordinate of a point in the ball is larger.
+fn reach(tiling: &Tiling<3>, radius: &Rational) -> [f64; 3] {
+    let determinant = linear::determinant(&tiling.frame.gram).approximate();
+    let cofactors = linear::cofactors(&tiling.frame.gram);
+    let radius = Number::from(radius.clone()).approximate();
+    std::array::from_fn(|k| radius * (cofactors[k][k].approximate() / determinant).sqrt())
+}
+
+/// The lattice vectors that may move a corner into the ball, with a margin for rounding.
+fn ranges(tiling: &Tiling<3>, corner: Corner<3>, reach: [f64; 3]) -> [(f64, f64); 3] {
+    let vertex = tiling.vertices.vertex(corner.vertex as usize);
+    std::array::from_fn(|k| {
+        let at = vertex[k].approximate() + f64::from(corner.shift[k]);
+        let reach = reach[k] * (1.0 + 1e-9) + 1e-6;
+        match k < tiling.frame.rank() {
+            true => ((-reach - at).ceil(), (reach - at).floor()),
+            false => (0.0, 0.0),
+        }
+    })
+}
+
+fn steps(ranges: [(f64, f64); 3]) -> impl Iterator<Item = [i32; 3]> {
+    let range = move |k: usize| ranges[k].0 as i32..=ranges[k].1 as i32;
+    let plane = move |c| range(1).flat_map(move |b| range(0).map(move |a| [a, b, c]));
+    range(2).flat_map(plane)
+}
+
+struct Patch<'a> {
+    tiling: &'a Tiling<3>,
+    square: Number,
+    indices: HashMap<Corner<3>, Option<u32>>,
+    vertices: Vec<[Number; 3]>,
+}
+
+impl Patch<'_> {
+    /// The vertex at a corner, if it lies in the ball.
+    fn vertex(&mut self, corner: Corner<3>) -> Option<u32> {
+        if let Some(known) = self.indices.get(&corner) {
+            return *known;
+        }
+        let position = self.tiling.position(&corner);
+        let square = linear::square(&self.tiling.frame.gram, &position);
+        let vertex = (square <= self.square).then(|| {
+            self.vertices.push(position);
+            self.vertices.len() as u32 - 1
+        });
+        self.indices.insert(corner, vertex);
+        vertex
+    }
+}
+
+/// Without the vertices that are no corners.
+fn used_only(frame: Frame<3>, points: &[[Number; 3]], mut corners: Vec<Corner<3>>) -> Tiling<3> {
+    let mut renumbered: HashMap<u32, u32> = HashMap::new();
+    let mut vertices: Vec<[Number; 3]> = Vec::new();
+    for corner in &mut corners {
+        let old = corner.vertex;
+        corner.vertex = *renumbered.entry(old).or_insert_with(|| {
+            vertices.push(points[old as usize].clone());
+            vertices.len() as u32 - 1
+        });
+    }
+    Tiling {
+        frame,
+        vertices: vertices.into(),
+        corners,
+    }
+}

@@ -1,0 +1,215 @@
+//! A row: a statement of the paper, what it prints, what is proved, and the verdict.
+
+use crate::survey::Survey;
+use crate::table::Figure;
+use acutile_core::quality::{rounded_down, rounded_nearest, rounded_up};
+use malachite::Rational;
+use malachite::base::num::arithmetic::traits::Floor;
+use serde_json::{Value, json};
+use std::fmt;
+
+/// What became of a statement.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Verdict {
+    /// It holds as printed.
+    Confirmed,
+    /// The printed figure is the proved value rounded in this way.
+    Rounded(Rounding),
+    /// The printed figure is neither the proved value nor that value rounded or truncated.
+    Misprint,
+    /// It does not hold.
+    Refuted,
+    /// Nothing was proved; the row says why. Only where a construction is missing.
+    Undecided,
+}
+
+/// How a figure was rounded.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Rounding {
+    /// To the nearest; truncation would give another figure.
+    Nearest,
+    /// Digits were cut off; the nearest figure is another one.
+    Truncated,
+    /// Rounding and truncation give the same figure.
+    Either,
+}
+
+impl Verdict {
+    /// The verdict in a word.
+    pub fn word(&self) -> &'static str {
+        match self {
+            Verdict::Confirmed => "confirmed",
+            Verdict::Rounded(_) => "rounded",
+            Verdict::Misprint => "misprint",
+            Verdict::Refuted => "refuted",
+            Verdict::Undecided => "undecided",
+        }
+    }
+
+    /// Confirmed or refuted.
+    pub fn of(holds: bool) -> Verdict {
+        if holds {
+            Verdict::Confirmed
+        } else {
+            Verdict::Refuted
+        }
+    }
+}
+
+impl Rounding {
+    fn words(self) -> &'static str {
+        match self {
+            Rounding::Nearest => "to nearest",
+            Rounding::Truncated => "truncated",
+            Rounding::Either => "to nearest, truncation gives the same",
+        }
+    }
+}
+
+/// A statement with its verdict.
+#[derive(Clone, Debug)]
+pub struct Row {
+    /// A stable name.
+    pub id: String,
+    /// The paper's section.
+    pub section: &'static str,
+    /// The statement in our words.
+    pub statement: String,
+    /// What the paper prints.
+    pub printed: String,
+    /// What is proved.
+    pub proved: String,
+    pub verdict: Verdict,
+    /// The certificates that the proof rests on: constructions and SHA-256.
+    pub certificates: Vec<(String, String)>,
+}
+
+/// What a proof gave: whether the statement holds and what was found; or why nothing was
+/// decided.
+pub type Finding = Result<(bool, String), String>;
+
+impl Row {
+    /// A row that is still to be decided.
+    pub fn new(section: &'static str, id: &str, statement: &str, printed: &str) -> Row {
+        Row {
+            id: id.to_owned(),
+            section,
+            statement: statement.to_owned(),
+            printed: printed.to_owned(),
+            proved: String::new(),
+            verdict: Verdict::Undecided,
+            certificates: Vec::new(),
+        }
+    }
+
+    /// Cites the certificates of those of these constructions that there are.
+    pub fn citing(mut self, survey: &Survey, names: &[&str]) -> Row {
+        for name in names {
+            if let Ok(study) = survey.get(name) {
+                let hash = study.certificate().to_owned();
+                self.certificates.push(((*name).to_owned(), hash));
+            }
+        }
+        self
+    }
+
+    /// The row with what a proof found.
+    pub fn found(mut self, finding: Finding) -> Row {
+        (self.verdict, self.proved) = match finding {
+            Ok((holds, proved)) => (Verdict::of(holds), proved),
+            Err(reason) => (Verdict::Undecided, reason),
+        };
+        self
+    }
+
+    /// The row with its printed decimal judged against the proved figure.
+    pub fn figure(mut self, unit: &str, figure: Result<Figure, String>) -> Row {
+        (self.verdict, self.proved) = match figure {
+            Ok(figure) => (judge(&self.printed, &figure), describe(&figure, unit)),
+            Err(reason) => (Verdict::Undecided, reason),
+        };
+        self
+    }
+
+    /// The row as an object.
+    pub fn to_json(&self) -> Value {
+        let mut row = json!({
+            "id": self.id,
+            "section": self.section,
+            "statement": self.statement,
+            "printed": self.printed,
+            "proved": self.proved,
+            "verdict": self.verdict.word(),
+        });
+        if let Verdict::Rounded(rounding) = self.verdict {
+            row["rounding"] = json!(rounding.words());
+        }
+        if !self.certificates.is_empty() {
+            let pairs = self.certificates.iter().cloned();
+            row["certificates"] = json!(pairs.collect::<std::collections::BTreeMap<_, _>>());
+        }
+        row
+    }
+}
+
+impl fmt::Display for Row {
+    fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
+        let verdict = match self.verdict {
+            Verdict::Rounded(rounding) => format!("rounded ({})", rounding.words()),
+            verdict => verdict.word().to_owned(),
+        };
+        writeln!(f, "{} [section {}] {verdict}", self.id, self.section)?;
+        writeln!(f, "  statement: {}", self.statement)?;
+        writeln!(f, "  printed: {}", self.printed)?;
+        write!(f, "  proved: {}", self.proved)
+    }
+}
+
+/// Judges a printed decimal against a figure.
+pub fn judge(printed: &str, figure: &Figure) -> Verdict {
+    let digits = printed
+        .split_once('.')
+        .map_or(0, |(_, fraction)| fraction.len()) as u64;
+    // The paper writes .651 for 0.651.
+    let printed = match printed.starts_with('.') {
+        true => format!("0{printed}"),
+        false => printed.to_owned(),
+    };
+    let (low, high) = &figure.bounds;
+    let agrees = |round: fn(&Rational, u64) -> String| {
+        round(low, digits) == printed && round(high, digits) == printed
+    };
+    let is_exact = low == high && decimal(&printed).as_ref() == Some(low);
+    match (is_exact, agrees(rounded_nearest), agrees(rounded_down)) {
+        (true, ..) => Verdict::Confirmed,
+        (_, true, true) => Verdict::Rounded(Rounding::Either),
+        (_, true, false) => Verdict::Rounded(Rounding::Nearest),
+        (_, false, true) => Verdict::Rounded(Rounding::Truncated),
+        (_, false, false) => Verdict::Misprint,
+    }
+}
+
+/// The value of a decimal.
+pub fn decimal(text: &str) -> Option<Rational> {
+    acutile_exact::number::parse_rational(text).ok()
+}
+
+/// A figure for readers: the value, or an enclosure, with the closed form.
+pub fn describe(figure: &Figure, unit: &str) -> String {
+    let (low, high) = &figure.bounds;
+    let value = match low == high {
+        true => format!("{low}{unit}"),
+        false => format!("{} to {}{unit}", rounded_down(low, 9), rounded_up(high, 9)),
+    };
+    match &figure.closed_form {
+        Some(form) if low != high => format!("{form} = {value}"),
+        _ => value,
+    }
+}
+
+/// A fraction above 1 as `5 1/10`.
+pub fn mixed_number(value: &Rational) -> Option<String> {
+    let whole = value.clone().floor();
+    let rest = value - Rational::from(&whole);
+    (whole > 0 && rest != 0).then(|| format!("{whole} {rest}"))
+}

@@ -1,0 +1,75 @@
+//! What is known of a construction, each thing once: the tiling, its certificate's hash,
+//! congruence classes, measures and combinatorics.
+//!
+//! The table, the paper's statements and the classification all read studies, so that a
+//! construction is built and proved once in a run. A study is made of proved tilings only: what
+//! the checker refutes has none.
+
+mod known;
+mod study;
+
+pub use known::isomorphic_entries;
+pub use study::{AnyStudy, Study};
+
+use acutile_catalog as catalog;
+use rayon::prelude::*;
+use std::collections::BTreeMap;
+
+/// Studies of several constructions by name, or why there is none.
+pub struct Survey {
+    studies: BTreeMap<String, Result<AnyStudy, String>>,
+}
+
+impl Survey {
+    /// Studies these constructions of the catalogue, several at a time.
+    pub fn of(names: &[&str]) -> Survey {
+        let study = |name: &&str| ((*name).to_owned(), AnyStudy::of_entry(name));
+        Survey {
+            studies: names.par_iter().map(study).collect(),
+        }
+    }
+
+    /// Studies the whole catalogue.
+    pub fn of_catalog() -> Survey {
+        Survey::of(&catalog::names().collect::<Vec<_>>())
+    }
+
+    /// The study of a construction.
+    ///
+    /// # Errors
+    /// Why there is none, in a message that names the construction.
+    pub fn get(&self, name: &str) -> Result<&AnyStudy, String> {
+        match self.studies.get(name) {
+            Some(Ok(study)) => Ok(study),
+            Some(Err(message)) => Err(message.clone()),
+            None => Err(format!("{name}: not in this build")),
+        }
+    }
+
+    /// The study of a construction of space.
+    ///
+    /// # Errors
+    /// As [`Survey::get`].
+    pub fn space(&self, name: &str) -> Result<&Study<3>, String> {
+        match self.get(name)? {
+            AnyStudy::Space(study) => Ok(study),
+            AnyStudy::Plane(_) => Err(format!("{name}: is not in space")),
+        }
+    }
+
+    /// All studies of space, by name.
+    pub fn spaces(&self) -> impl Iterator<Item = (&str, &Study<3>)> {
+        self.studies.iter().filter_map(|(name, study)| match study {
+            Ok(AnyStudy::Space(study)) => Some((name.as_str(), study)),
+            _ => None,
+        })
+    }
+
+    /// All studies of the plane, by name.
+    pub fn planes(&self) -> impl Iterator<Item = (&str, &Study<2>)> {
+        self.studies.iter().filter_map(|(name, study)| match study {
+            Ok(AnyStudy::Plane(study)) => Some((name.as_str(), study)),
+            _ => None,
+        })
+    }
+}

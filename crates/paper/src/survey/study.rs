@@ -1,0 +1,174 @@
+//! A proved tiling and what follows from it.
+
+use acutile_catalog as catalog;
+use acutile_core::checker::{self, Options};
+use acutile_core::classify::{
+    NotTcp, Ridges, Star, Symbol, check_tcp, combinatorial_symbol, metric_symbol, stars,
+};
+use acutile_core::delaunay::{Ties, triangulate};
+use acutile_core::quality::{
+    Measures, Ranges, Shape, measures_of_shapes, ranges, shapes, squared_edges,
+};
+use acutile_core::tiling::{AnyTiling, Matching, PointSet, Tiling, match_facets};
+use acutile_exact::number::Number;
+use acutile_format1::certificate::{self, Statement};
+use sha2::{Digest, Sha256};
+use std::collections::BTreeMap;
+use std::fmt::Write;
+
+/// A tiling that the checker proved.
+#[derive(Debug)]
+pub struct Study<const D: usize> {
+    pub tiling: Tiling<D>,
+    pub matching: Matching<D>,
+    /// What the certificate states.
+    pub statements: Vec<Statement>,
+    /// The SHA-256 of the certificate's bytes, in hexadecimal digits.
+    pub certificate: String,
+    /// Congruence classes.
+    pub shapes: Vec<Shape>,
+    /// The measures of each class.
+    pub measures: Vec<Measures>,
+    /// Their ranges.
+    pub ranges: Ranges,
+    pub ridges: Ridges<D>,
+}
+
+impl<const D: usize> Study<D> {
+    /// Proves a tiling and studies it.
+    ///
+    /// # Errors
+    /// The first defect, in words.
+    pub fn of(tiling: Tiling<D>) -> Result<Self, String> {
+        let certificate = match checker::prove(&tiling, &Options::default(), &|_| {}) {
+            Ok(certificate) => certificate,
+            Err(refutation) => {
+                let first = refutation.kept().first();
+                return Err(first.map_or_else(
+                    || "refuted".to_owned(),
+                    |defect| {
+                        format!(
+                            "refuted: {}",
+                            checker::describe::<D>(&checker::Names::of(&tiling), defect)
+                        )
+                    },
+                ));
+            }
+        };
+        let shapes = shapes(&tiling);
+        let measures = measures_of_shapes(&tiling, &shapes);
+        let matching = match_facets(&tiling);
+        Ok(Study {
+            ranges: ranges(&measures).ok_or("there are no simplices")?,
+            ridges: Ridges::of(&tiling, &matching),
+            certificate: hexadecimal(&Sha256::digest(certificate::to_bytes(&certificate))),
+            statements: certificate.claim.statements,
+            matching,
+            shapes,
+            measures,
+            tiling,
+        })
+    }
+
+    /// Whether the certificate makes this statement.
+    pub fn states(&self, statement: &Statement) -> bool {
+        self.statements.contains(statement)
+    }
+
+    /// The study of a tiling of space that a point set's Delaunay triangulation gives.
+    ///
+    /// # Errors
+    /// Why there is none.
+    pub fn of_points(points: &PointSet<D>) -> Result<Self, String> {
+        let tiling = triangulate(points, Ties::Refuse).map_err(|error| error.to_string())?;
+        Study::of(tiling)
+    }
+
+    /// The minimal symbol with edge lengths, equal exactly for similar tilings of the
+    /// same field; `None` for a domain with boundary.
+    pub fn metric_symbol(&self) -> Option<Symbol<(usize, Vec<Number>), D>> {
+        metric_symbol(&self.tiling, &self.matching, &self.ridges, |simplex| {
+            squared_edges(&self.tiling, simplex)
+        })
+    }
+
+    /// The minimal combinatorial symbol; `None` for a domain with boundary.
+    pub fn symbol(&self) -> Option<Symbol<usize, D>> {
+        combinatorial_symbol(&self.tiling, &self.matching, &self.ridges)
+    }
+}
+
+impl Study<3> {
+    /// Whether the triangulation is TCP.
+    ///
+    /// # Errors
+    /// The first edge or triangle that violates the definition.
+    pub fn check_tcp(&self) -> Result<(), NotTcp> {
+        check_tcp(&self.tiling, &self.ridges)
+    }
+
+    /// How many vertices of a cell have each star.
+    pub fn star_counts(&self) -> BTreeMap<Star, usize> {
+        let mut counts = BTreeMap::new();
+        for star in stars(&self.tiling) {
+            *counts.entry(star).or_insert(0) += 1;
+        }
+        counts
+    }
+}
+
+/// A study in either dimension.
+#[derive(Debug)]
+pub enum AnyStudy {
+    /// D = 2
+    Plane(Study<2>),
+    /// D = 3
+    Space(Study<3>),
+}
+
+impl AnyStudy {
+    /// Builds, proves and studies a construction of the catalogue.
+    ///
+    /// # Errors
+    /// A message that names the construction.
+    pub fn of_entry(name: &str) -> Result<AnyStudy, String> {
+        let entry = catalog::find(name).ok_or_else(|| format!("{name}: not in this build"))?;
+        let tiling = entry.build().map_err(|error| format!("{name}: {error}"))?;
+        AnyStudy::of(tiling).map_err(|error| format!("{name}: {error}"))
+    }
+
+    /// The SHA-256 of the certificate.
+    pub fn certificate(&self) -> &str {
+        match self {
+            AnyStudy::Plane(study) => &study.certificate,
+            AnyStudy::Space(study) => &study.certificate,
+        }
+    }
+
+    /// Whether the certificate makes this statement.
+    pub fn states(&self, statement: &Statement) -> bool {
+        match self {
+            AnyStudy::Plane(study) => study.states(statement),
+            AnyStudy::Space(study) => study.states(statement),
+        }
+    }
+
+    /// Proves and studies a tiling.
+    ///
+    /// # Errors
+    /// The first defect, in words.
+    pub fn of(tiling: AnyTiling) -> Result<AnyStudy, String> {
+        Ok(match tiling {
+            AnyTiling::Plane(tiling) => AnyStudy::Plane(Study::of(tiling)?),
+            AnyTiling::Space(tiling) => AnyStudy::Space(Study::of(tiling)?),
+        })
+    }
+}
+
+fn hexadecimal(bytes: &[u8]) -> String {
+    bytes.iter().fold(String::new(), |mut text, byte| {
+        // Writing to a string cannot fail.
+        let _ = write!(text, "{byte:02x}");
+        text
+    })
+}

@@ -1,0 +1,3 @@
+//! Tests of the public interface of `acutile-paper`, one binary for all.
+
+mod classify;

@@ -1,0 +1,134 @@
+//! A LaTeX appendix about certificates: what was proved, with the numbers by which a
+//! referee can follow it, and how to check it again.
+//!
+//! | file | part |
+//! |---|---|
+//! | `subject` | a confirmed certificate, and what is computed of its tiling |
+//! | `numeral`, `surd`, `tex` | exact numbers and small pieces of TeX |
+//! | `theorem` | the theorem in words; field, lattice, metric |
+//! | `vertices` | vertices, symmetry, orbits of tiles |
+//! | `classes` | congruence classes: edges, angles, and why they are acute |
+//! | `pairing`, `volume` | the pairing of facets; the sum of volumes |
+//! | `statements` | bounds, Delaunay, TCP |
+//! | `recheck` | the certificate's digest and command |
+//! | `overview` | the table in the form of the paper's Table 1 |
+//! | `bibliography`, `document` | references; the files |
+//!
+//! Nothing here proves anything: the kernel has confirmed the certificate before
+//! ([`crate::report::Proved`]), and tests/appendix/check.py compares the printed numbers with
+//! the certificate. Called by the command line.
+
+mod bibliography;
+mod classes;
+mod document;
+mod numeral;
+mod overview;
+mod pairing;
+mod recheck;
+mod statements;
+mod subject;
+mod surd;
+mod tex;
+mod theorem;
+mod vertices;
+mod volume;
+
+pub use document::is_unchanged;
+pub use subject::Subject;
+pub use tex::slug;
+
+use acutile_core::with_dimension;
+use rayon::prelude::*;
+use subject::Analysis;
+
+/// Tables with more rows go to the supplement.
+const LONG: usize = 40;
+
+/// How the document is written.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct Options {
+    /// Decimals through the package siunitx.
+    pub siunitx: bool,
+}
+
+/// A file of the appendix.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct File {
+    /// Relative, with `/`.
+    pub path: String,
+    pub bytes: Vec<u8>,
+}
+
+/// What is written about one subject.
+struct Parts {
+    section: String,
+    tables: String,
+    row: Option<String>,
+}
+
+/// All files of an appendix about these subjects, several computed at a time.
+pub fn appendix(subjects: &[Subject], options: &Options) -> Vec<File> {
+    let parts = subjects.par_iter().map(parts_of).collect();
+    document::files(subjects, parts, options)
+}
+
+fn parts_of(subject: &Subject) -> Parts {
+    with_dimension!(&subject.tiling, AnyTiling, tiling => {
+        let analysis = Analysis::of(subject, tiling);
+        Parts {
+            section: section(&analysis),
+            tables: tables(&analysis),
+            row: overview::row(&analysis),
+        }
+    })
+}
+
+/// The section on a subject.
+fn section<const D: usize>(analysis: &Analysis<D>) -> String {
+    let subject = analysis.subject;
+    let citation = bibliography::citation(&subject.name, subject.source);
+    [
+        format!(
+            "\\acutilesection{{{}}}\\label{{{}}}\n",
+            theorem::heading(subject),
+            analysis.label("section")
+        ),
+        theorem::introduction(subject, &citation),
+        theorem::sizes(analysis),
+        "\n\n".to_owned(),
+        theorem::theorem(analysis),
+        theorem::proof(analysis),
+        format!(
+            "\\acutileparagraph{{Metric.}} {}",
+            theorem::metric(analysis)
+        ),
+        format!(
+            "\\acutileparagraph{{Vertices.}} {}",
+            vertices::vertices(analysis)
+        ),
+        format!(
+            "\\acutileparagraph{{Symmetry.}} {}",
+            vertices::symmetry(analysis)
+        ),
+        volume::volume(analysis),
+        pairing::pairing(analysis),
+        format!(
+            "\\acutileparagraph{{Angles.}} {}",
+            classes::classes(analysis)
+        ),
+        statements::statements(analysis),
+        recheck::recheck(subject),
+    ]
+    .concat()
+}
+
+/// The long tables of a subject.
+fn tables<const D: usize>(analysis: &Analysis<D>) -> String {
+    [
+        format!("\\section{{{}}}\n", theorem::heading(analysis.subject)),
+        vertices::all_vertices(analysis),
+        vertices::all_simplices(analysis),
+        pairing::all_facets(analysis),
+    ]
+    .concat()
+}

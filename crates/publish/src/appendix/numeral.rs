@@ -1,0 +1,341 @@
+//! Exact numbers as TeX: fractions, square roots, powers of the generator; and why a
+//! number is negative, in a form that paper and pencil can follow.
+//!
+//! Everything is written for math mode. Decimals go through the macro `\acutiledecimal`,
+//! so that a document may hand them to siunitx.
+
+use super::surd::{compared, rational_root, square_part};
+use acutile_core::quality::{rounded_down, rounded_up};
+use acutile_exact::number::{Field, Number};
+use malachite::base::num::arithmetic::traits::{CheckedSqrt, Gcd, Lcm};
+use malachite::base::num::basic::traits::{One, Zero};
+use malachite::{Integer, Natural, Rational};
+
+/// How the numbers of one field are written.
+#[derive(Clone, Debug)]
+pub enum Numerals {
+    /// p/q
+    Rational,
+    /// (p + q √d)/n; the generator of the field is offset + factor √d.
+    Quadratic {
+        offset: Rational,
+        factor: Rational,
+        radicand: Integer,
+    },
+    /// Combinations of powers of the generator α.
+    Powers,
+}
+
+/// Decimals of enclosures have so many digits behind the point.
+pub const DIGITS: u64 = 6;
+
+impl Numerals {
+    /// The notation for a field.
+    pub fn of(field: &Field) -> Numerals {
+        let [c, b, _] = field.polynomial() else {
+            return match field.degree() {
+                1 => Numerals::Rational,
+                _ => Numerals::Powers,
+            };
+        };
+        // a = (-b ± √(b² - 4c))/2
+        let (square, radicand) = square_part(&(b * b - Integer::from(4) * c));
+        if radicand == 1u32 {
+            return Numerals::Powers;
+        }
+        let two = Rational::from(2);
+        let offset = -Rational::from(b) / &two;
+        let factor = Rational::from(square) / two;
+        let is_larger = field.generator() > Number::from(offset.clone());
+        Numerals::Quadratic {
+            offset,
+            factor: if is_larger { factor } else { -factor },
+            radicand,
+        }
+    }
+
+    /// The coefficients in the notation's basis: 1; 1, √d; or 1, α, α², …
+    pub fn coefficients(&self, x: &Number) -> Vec<Rational> {
+        match (self, x.coefficients()) {
+            (Numerals::Quadratic { offset, factor, .. }, [c, d]) => {
+                vec![c + d * offset, d * factor]
+            }
+            (_, coefficients) => coefficients.to_vec(),
+        }
+    }
+
+    /// The number.
+    pub fn number(&self, x: &Number) -> String {
+        let coefficients = self.coefficients(x);
+        let (numerators, denominator) = over_common_denominator(&coefficients);
+        if denominator == 1u32 {
+            return self.sum(&numerators);
+        }
+        let is_negative = numerators.iter().all(|n| *n <= 0);
+        let (sign, numerators) = match is_negative {
+            true => ("-", numerators.iter().map(|n| -n).collect()),
+            false => ("", numerators),
+        };
+        format!("{sign}\\frac{{{}}}{{{denominator}}}", self.sum(&numerators))
+    }
+
+    /// The number with a slash for the fraction bar, for lines of text and tables.
+    pub fn inline(&self, x: &Number) -> String {
+        self.slashed(&self.coefficients(x))
+    }
+
+    /// The number in a table: a fraction bar over and under digits only.
+    pub fn cell(&self, x: &Number) -> String {
+        match x.is_rational() {
+            true => self.number(x),
+            false => self.inline(x),
+        }
+    }
+
+    fn slashed(&self, coefficients: &[Rational]) -> String {
+        let (numerators, denominator) = over_common_denominator(coefficients);
+        let terms = numerators.iter().filter(|n| **n != 0).count();
+        match (denominator == 1u32, terms > 1) {
+            (true, _) => self.sum(&numerators),
+            (false, true) => format!("({})/{denominator}", self.sum(&numerators)),
+            (false, false) => format!("{}/{denominator}", self.sum(&numerators)),
+        }
+    }
+
+    /// The number with parentheses where a factor needs them.
+    pub fn factor(&self, x: &Number) -> String {
+        let text = self.number(x);
+        let terms = self.coefficients(x).iter().filter(|c| **c != 0).count();
+        match text.starts_with('-') || (terms > 1 && !text.starts_with("\\frac")) {
+            true => format!("({text})"),
+            false => text,
+        }
+    }
+
+    /// Σ n_i of the basis.
+    fn sum(&self, numerators: &[Integer]) -> String {
+        let mut text = String::new();
+        for (power, n) in numerators.iter().enumerate().filter(|(_, n)| **n != 0) {
+            let sign = match (*n < 0, text.is_empty()) {
+                (true, _) => "-",
+                (false, true) => "",
+                (false, false) => "+",
+            };
+            let size = n.unsigned_abs_ref();
+            let basis = self.basis(power);
+            text.push_str(sign);
+            match (power, *size == 1u32) {
+                (0, _) => text.push_str(&size.to_string()),
+                (_, true) => text.push_str(&basis),
+                _ => text.push_str(&format!("{size}{basis}")),
+            }
+        }
+        if text.is_empty() {
+            text.push('0');
+        }
+        text
+    }
+
+    fn basis(&self, power: usize) -> String {
+        match (self, power) {
+            (Numerals::Quadratic { radicand, .. }, _) => format!("\\sqrt{{{radicand}}}"),
+            (_, 1) => "\\alpha".to_owned(),
+            _ => format!("\\alpha^{{{power}}}"),
+        }
+    }
+
+    /// √x for x >= 0: a number of the field where it is one and is found, else m √r / n for
+    /// rational x, else the root sign over x.
+    pub fn root(&self, x: &Number) -> String {
+        if let Some(x) = x.to_rational() {
+            return rational_root(x);
+        }
+        match self.root_in_field(x) {
+            Some(root) => root,
+            None => format!("\\sqrt{{{}}}", self.inline(x)),
+        }
+    }
+
+    /// u + v √d with (u + v √d)² = p + q √d: u² and d v² are (p ± n)/2 with n² = p² - d q².
+    fn root_in_field(&self, x: &Number) -> Option<String> {
+        let Numerals::Quadratic { radicand, .. } = self else {
+            return None;
+        };
+        let coefficients = self.coefficients(x);
+        let (p, q) = (&coefficients[0], &coefficients[1]);
+        let d = Rational::from(radicand);
+        let n = (p * p - &d * q * q).checked_sqrt()?;
+        let halves = [(p + &n), (p - &n)].map(|sum| sum / Rational::from(2));
+        let u = halves.iter().find_map(|half| half.checked_sqrt())?;
+        if u == 0 {
+            return None;
+        }
+        let v = q / (Rational::from(2) * &u);
+        // Of the two roots the positive one; u > 0, so v decides where it is large.
+        let is_positive = v >= 0 || &u * &u > &d * &v * &v;
+        Some(match is_positive {
+            true => self.slashed(&[u, v]),
+            false => self.slashed(&[-u, -v]),
+        })
+    }
+
+    /// Why x has its sign. Nothing where all terms have it; for p + q √d the comparison of p²
+    /// and d q²; beyond that a decimal enclosure.
+    pub fn why(&self, x: &Number) -> String {
+        let coefficients = self.coefficients(x);
+        if x.is_rational()
+            || !matches!(self, Numerals::Powers)
+                && (coefficients.iter().all(|c| *c <= 0) || coefficients.iter().all(|c| *c >= 0))
+        {
+            return String::new();
+        }
+        let (n, _) = over_common_denominator(&coefficients);
+        match (self, n.as_slice()) {
+            (Numerals::Quadratic { radicand, .. }, [p, q]) => compared(p, q, radicand),
+            _ => format!("\\in {}", self.enclosed(x)),
+        }
+    }
+
+    /// A decimal enclosure.
+    pub fn enclosed(&self, x: &Number) -> String {
+        interval(&x.enclosure(&Rational::from_signeds(1, 100_000_000)))
+    }
+
+    /// A positive rational that makes all of these numbers integers of the notation without a
+    /// common factor; 1 if all are zero.
+    pub fn primitive_factor(&self, numbers: &[Number]) -> Rational {
+        let coefficients: Vec<Rational> =
+            numbers.iter().flat_map(|x| self.coefficients(x)).collect();
+        let (numerators, denominator) = over_common_denominator(&coefficients);
+        let common = numerators
+            .iter()
+            .fold(Natural::ZERO, |g, n| g.gcd(n.unsigned_abs_ref()));
+        match common == 0u32 {
+            true => Rational::ONE,
+            false => Rational::from_naturals(denominator, common),
+        }
+    }
+}
+
+/// Integers n_i and n > 0 with c_i = n_i / n in lowest terms.
+fn over_common_denominator(coefficients: &[Rational]) -> (Vec<Integer>, Natural) {
+    let denominator = coefficients
+        .iter()
+        .fold(Natural::ONE, |n, c| n.lcm(c.denominator_ref()));
+    let scale = Rational::from(&denominator);
+    let numerators = coefficients
+        .iter()
+        .map(|c| {
+            let scaled = c * &scale;
+            Integer::from_sign_and_abs(scaled >= 0, scaled.into_numerator())
+        })
+        .collect();
+    (numerators, denominator)
+}
+
+/// A rational in a line of text.
+pub fn rational(x: &Rational) -> String {
+    Numerals::Rational.inline(&Number::from(x.clone()))
+}
+
+/// Bounds as decimals rounded outward: `[53.130102, 53.130103]`, or one number where that
+/// is exact.
+pub fn interval((low, high): &(Rational, Rational)) -> String {
+    let (below, above) = (rounded_down(low, DIGITS), rounded_up(high, DIGITS));
+    if below == above {
+        let exact = below.trim_end_matches('0').trim_end_matches('.');
+        return decimal(exact);
+    }
+    format!("[{},\\allowbreak\\,{}]", decimal(&below), decimal(&above))
+}
+
+/// A decimal as the document writes them.
+pub fn decimal(text: &str) -> String {
+    format!("\\acutiledecimal{{{text}}}")
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use acutile_exact::number::Reader;
+
+    /// The numbers of these texts, and the notation for their field.
+    fn read(texts: &[&str]) -> (Numerals, Vec<Number>) {
+        let mut reader = Reader::new();
+        for text in texts {
+            reader.learn(text).expect("a number");
+        }
+        let numbers = texts
+            .iter()
+            .map(|text| reader.value(text).expect("a number"));
+        let numbers = numbers.collect();
+        (Numerals::of(&reader.field()), numbers)
+    }
+
+    fn written(text: &str) -> String {
+        let (numerals, numbers) = read(&[text]);
+        numerals.inline(&numbers[0])
+    }
+
+    #[test]
+    fn numbers_are_written_over_one_denominator() {
+        let cases = [
+            ("0", "0"),
+            ("-3/4", "-3/4"),
+            ("sqrt(5)", "\\sqrt{5}"),
+            ("(1+sqrt(5))/2", "(1+\\sqrt{5})/2"),
+            ("1/2 - sqrt(12)/3", "(3-4\\sqrt{3})/6"),
+            ("-sqrt(2)/7", "-\\sqrt{2}/7"),
+        ];
+        for (text, expected) in cases {
+            assert_eq!(written(text), expected);
+        }
+    }
+
+    #[test]
+    fn roots_are_simplified_and_found_in_the_field() {
+        // The last: (√5 - 1)/2 squared is (3 - √5)/2, and 1 - √5 would be the wrong root.
+        let cases = [
+            ("1/25", "1/5"),
+            ("1/20", "\\sqrt{5}/10"),
+            ("12", "2\\sqrt{3}"),
+            ("(3-sqrt(5))/2", "(-1+\\sqrt{5})/2"),
+            ("(3-sqrt(5))/6", "\\sqrt{(3-\\sqrt{5})/6}"),
+        ];
+        for (text, expected) in cases {
+            let (numerals, numbers) = read(&[text]);
+            assert_eq!(numerals.root(&numbers[0]), expected);
+        }
+    }
+
+    #[test]
+    fn signs_are_explained_where_they_are_not_seen() {
+        let cases = [
+            ("-1-sqrt(5)", ""),
+            ("2-sqrt(5)", "2^2=4<5=5\\cdot1^2"),
+            ("sqrt(5)-3", "3^2=9>5=5\\cdot1^2"),
+            // The squares have 15 digits; 1.73 lies between 1.7 and √3 = 1.732….
+            (
+                "17000000-10000000*sqrt(3)",
+                "17000000/10000000<\\acutiledecimal{1.73}<\\sqrt{3}",
+            ),
+        ];
+        for (text, expected) in cases {
+            let (numerals, numbers) = read(&[text]);
+            assert_eq!(numerals.why(&numbers[0]), expected, "{text}");
+        }
+    }
+
+    #[test]
+    fn enclosures_are_rounded_outward() {
+        let third = Rational::from_signeds(1, 3);
+        assert_eq!(
+            interval(&(third.clone(), third)),
+            "[\\acutiledecimal{0.333333},\\allowbreak\\,\\acutiledecimal{0.333334}]"
+        );
+        let half = Rational::from_signeds(1, 2);
+        assert_eq!(interval(&(half.clone(), half)), "\\acutiledecimal{0.5}");
+        let ten = Rational::from(10);
+        assert_eq!(interval(&(ten.clone(), ten)), "\\acutiledecimal{10}");
+    }
+}

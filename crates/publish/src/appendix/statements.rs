@@ -1,0 +1,276 @@
+//! What is claimed beyond tiling and acuteness: bounds of angles and ratios, Delaunay, TCP,
+//! each with the numbers that show it.
+
+use super::LONG;
+use super::classes::{cosine_bounds, edge_name};
+use super::numeral::interval;
+use super::pairing::behind;
+use super::subject::{Analysis, first_and_count};
+use super::tex::{Table, list, width};
+use super::theorem::bound;
+use acutile_core::quality::{DihedralAngle, Exact, RadiusEdge, measures_of_shapes};
+use acutile_exact::geometry::linear;
+use acutile_exact::number::{Number, enclosure};
+use acutile_format1::certificate::Statement;
+use malachite::Rational;
+use std::collections::BTreeMap;
+use std::str::FromStr;
+
+/// A paragraph for each statement that has one.
+pub fn statements<const D: usize>(analysis: &Analysis<D>) -> String {
+    let paragraphs = analysis
+        .subject
+        .statements()
+        .iter()
+        .map(|statement| match statement {
+            Statement::FaceToFaceTiling | Statement::Acute | Statement::Nonobtuse => String::new(),
+            Statement::DihedralBelow(q) => angle_bound(analysis, q, true),
+            Statement::DihedralAbove(q) => angle_bound(analysis, q, false),
+            Statement::RadiusEdgeBelow(q) => radius_edge(analysis, q),
+            Statement::Delaunay => delaunay(analysis, true),
+            // Where both are stated the stronger one has been told.
+            Statement::WeaklyDelaunay
+                if analysis.subject.statements().contains(&Statement::Delaunay) =>
+            {
+                String::new()
+            }
+            Statement::WeaklyDelaunay => delaunay(analysis, false),
+            Statement::Tcp => close_packed(analysis),
+        });
+    paragraphs.collect()
+}
+
+/// The extreme angle against a bound: cos θ on the right side of cos Q.
+fn angle_bound<const D: usize>(analysis: &Analysis<D>, q: &str, is_below: bool) -> String {
+    let (Some(extreme), Ok(degrees)) = (extreme(analysis, is_below), Rational::from_str(q)) else {
+        return String::new();
+    };
+    let (angle, class, (i, j)) = extreme;
+    let cosine = enclosure::cos_of_degrees(&degrees, &fine());
+    let (word, comparison, relation) = match is_below {
+        true => ("largest", "less", '>'),
+        false => ("smallest", "more", '<'),
+    };
+    let sign = if angle.against_right().is_gt() {
+        "-"
+    } else {
+        ""
+    };
+    let exact = analysis.numerals.root(&angle.signed_square.abs());
+    let bounds = interval(&cosine_bounds(&angle));
+    let value = match (width(&exact) > WIDE, bounds.starts_with('[')) {
+        (true, _) => relation_to(&bounds),
+        (false, true) => format!("={sign}{exact}\\in{bounds}"),
+        (false, false) => format!("={sign}{exact}"),
+    };
+    format!(
+        "\\acutileparagraph{{The {word} angle}} $\\theta$ (class {class}, {place} {edge}) has $\\cos\\theta{value}$ and, in degrees, $\\theta{degrees}$. \
+         It is {comparison} than ${bound}^\\circ$, because $\\cos\\theta{relation}\\cos{bound}^\\circ$, which is in ${}$.\n\n",
+        interval(&cosine),
+        place = if D == 2 { "corner" } else { "edge" },
+        edge = edge_name::<D>(i, j),
+        degrees = relation_to(&interval(&angle.enclosure(&fine()))),
+        bound = bound(q),
+    )
+}
+
+/// `=0.5`, or `\in[…]`.
+fn relation_to(bounds: &str) -> String {
+    let relation = if bounds.starts_with('[') { "\\in" } else { "=" };
+    format!("{relation}{bounds}")
+}
+
+/// The largest or smallest angle, its class, and the facets between which it is in the first
+/// simplex of the class.
+fn extreme<const D: usize>(
+    analysis: &Analysis<D>,
+    is_largest: bool,
+) -> Option<(DihedralAngle, usize, (usize, usize))> {
+    let all = analysis
+        .shapes
+        .iter()
+        .enumerate()
+        .flat_map(|(class, shape)| {
+            let products = analysis.products(shape.members[0]);
+            let pairs = (0..=D).flat_map(|i| (i + 1..=D).map(move |j| (i, j)));
+            pairs.map(move |(i, j)| (DihedralAngle::between(&products, i, j), class, (i, j)))
+        });
+    match is_largest {
+        // Of equal ones the first.
+        true => all.reduce(|best, next| if next.0 > best.0 { next } else { best }),
+        false => all.reduce(|best, next| if next.0 < best.0 { next } else { best }),
+    }
+}
+
+fn fine() -> Rational {
+    Rational::from_signeds(1, 1_000_000_000)
+}
+
+/// The largest ratio of circumradius and shortest edge, by its square.
+fn radius_edge<const D: usize>(analysis: &Analysis<D>, q: &str) -> String {
+    let ratios = measures_of_shapes(analysis.tiling, &analysis.shapes)
+        .into_iter()
+        .map(|measures| measures.radius_edge);
+    let (Some(largest), Ok(limit)): (Option<RadiusEdge>, _) = (ratios.max(), Rational::from_str(q))
+    else {
+        return String::new();
+    };
+    let square = Number::from(&limit * &limit);
+    let difference = &largest.square - &square;
+    let why = analysis.numerals.why(&difference);
+    let exact = analysis.numerals.inline(&largest.square);
+    let (value, why) = match (width(&exact) > WIDE, why.is_empty()) {
+        (true, _) => (
+            format!("\\in{}", analysis.numerals.enclosed(&largest.square)),
+            String::new(),
+        ),
+        (_, true) => (format!("={exact}"), String::new()),
+        (_, false) => {
+            let difference = analysis.numerals.inline(&difference);
+            (
+                format!("={exact}"),
+                format!("; the difference is ${difference}$, and ${why}$"),
+            )
+        }
+    };
+    format!(
+        "\\acutileparagraph{{Circumradii.}} With the squared edges $l$ and the cofactors $C$ of $M=(\\langle e_i,e_j\\rangle)$ the squared circumradius is $\\sum_{{i,j}} \
+         l_{{0i}}C_{{ij}}l_{{0j}}/(4\\det M)$. Let $\\sigma$ be the largest ratio of circumradius and shortest edge. $\\sigma^2{value}$ is less than \
+         ${}={}^2${why}. Approximately, $\\sigma{}$.\n\n",
+        analysis.numerals.inline(&square),
+        bound(q),
+        relation_to(&interval(&largest.enclosure(&fine()))),
+    )
+}
+
+/// The power of the corner behind each facet, one facet of each orbit.
+fn delaunay<const D: usize>(analysis: &Analysis<D>, is_strict: bool) -> String {
+    let facets = &analysis.symmetry.facets;
+    let all: Vec<(usize, usize)> = first_and_count(facets);
+    let inner: Vec<(usize, usize)> = all
+        .into_iter()
+        .filter(|(facet, _)| {
+            analysis
+                .matching
+                .neighbour(facet / (D + 1), facet % (D + 1))
+                .is_some()
+        })
+        .collect();
+    if inner.is_empty() {
+        return "\\acutileparagraph{Delaunay.} All facets are in the boundary, so nothing is to be checked in \
+                Theorem~\\ref{acutile:delaunay}.\n\n"
+            .to_owned();
+    }
+    let rows: Vec<String> = inner
+        .iter()
+        .take(LONG)
+        .filter_map(|&(facet, count)| power_row(analysis, facet, count))
+        .collect();
+    let omitted = match inner.len() > LONG {
+        true => format!(
+            " The first ${LONG}$ of ${}$ orbits; \\texttt{{acutile}} has checked all.",
+            inner.len()
+        ),
+        false => String::new(),
+    };
+    let (relation, lemma) = match is_strict {
+        true => ("positive", "outside of"),
+        false => ("nonnegative", "not inside of"),
+    };
+    format!(
+        "\\acutileparagraph{{Delaunay.}} By Theorem~\\ref{{acutile:delaunay}} it suffices that for each facet the corner $d$ of the tile behind it is {lemma} the circumsphere: \
+         that its power $\\pi(d)=|d-z|^2-\\rho^2$, for the circumcentre $z$ and the circumradius $\\rho$, is {relation}. With $x=d-c_0$ it is \
+         $|x|^2-\\sum_i\\lambda_i(x)\\,l_{{0i}}$, where $x=\\sum_i\\lambda_i(x)e_i$. Table~\\ref{{{}}} has one facet of each orbit, seen from \
+         one of its two sides. That suffices: with $S$ and $T$ on the two sides of a facet, $\\pi_S-\\pi_T$ is affine and vanishes on the hyperplane of the facet; \
+         the corners $d$ of $T$ and $c$ of $S$ off the facet lie on different sides of it, and $\\pi_T(d)=\\pi_S(c)=0$. So $\\pi_S(d)$ and $\\pi_T(c)$ have the same sign.\n\n{}",
+        analysis.label("delaunay"),
+        Table {
+            mark: format!("delaunay {}", analysis.subject.slug()),
+            columns: "rrrl",
+            caption: format!(
+                "One facet of each orbit, how many a cell has, what is behind it, and the power of the corner there.{omitted}"
+            ),
+            label: analysis.label("delaunay"),
+            heading: "facet & number & behind & power".to_owned(),
+            rows,
+        }
+        .tex()
+    )
+}
+
+fn power_row<const D: usize>(
+    analysis: &Analysis<D>,
+    facet: usize,
+    halves: usize,
+) -> Option<String> {
+    let (simplex, opposite) = (facet / (D + 1), facet % (D + 1));
+    let power = power(analysis, simplex, opposite)?;
+    let why = analysis.numerals.why(&power);
+    let value = analysis.numerals.inline(&power);
+    let value = match (why.is_empty(), width(&value) + width(&why) > 46) {
+        (_, true) => format!("\\in{}", analysis.numerals.enclosed(&power)),
+        (true, _) => value,
+        (false, _) => format!("{value}\\quad({why})"),
+    };
+    Some(format!(
+        "${simplex}_{{{opposite}}}$ & {} & ${}$ & ${value}$",
+        halves / 2,
+        behind(analysis, simplex, opposite),
+    ))
+}
+
+/// An exact number with more letters gives place to a decimal enclosure in a table.
+const WIDE: usize = 30;
+
+/// The power of the corner behind a facet; `None` at the boundary.
+fn power<const D: usize>(
+    analysis: &Analysis<D>,
+    simplex: usize,
+    opposite: usize,
+) -> Option<Number> {
+    let tiling = analysis.tiling;
+    let mate = analysis.matching.mate(tiling, simplex, opposite)?;
+    let behind = tiling.simplex(mate.facet.simplex as usize)[usize::from(mate.facet.opposite)];
+    let origin = tiling.position(&tiling.simplex(simplex)[0]);
+    let offset = linear::subtract(&tiling.position(&behind.moved(mate.shift)), &origin);
+    let shape = tiling.shape(simplex);
+    shape
+        .power(&tiling.frame.gram, &offset)
+        .divide(&shape.determinant)
+}
+
+/// Valences of edges, and stars of vertices.
+fn close_packed<const D: usize>(analysis: &Analysis<D>) -> String {
+    let valences: Vec<String> = analysis
+        .ridges
+        .valence_counts()
+        .iter()
+        .map(|(valence, count)| format!("${count}$ are in ${valence}$ tetrahedra"))
+        .collect();
+    let stars: Vec<String> = star_counts(analysis)
+        .iter()
+        .map(|(star, count)| format!("${count}$ of type {star}"))
+        .collect();
+    format!(
+        "\\acutileparagraph{{Tetrahedrally close packed.}} Up to $\\Lambda$ there are ${}$ edges. Of these {}, and no triangle has two edges \
+         that are in $6$ (checked for all, in the certificate). So the tiling is tetrahedrally close packed as defined by Sullivan~\\cite{{Sullivan1999}}, and it follows that each vertex has one of the four stars of Frank and Kasper~\\cite{{FrankKasper1958}}, with $12$, $14$, $15$ or $16$ neighbours \
+         and as many edges of valence six as exceed $12$; a cell has {}.\n\n",
+        analysis.ridges.list.len(),
+        list(&valences),
+        list(&stars)
+    )
+}
+
+fn star_counts<const D: usize>(analysis: &Analysis<D>) -> BTreeMap<String, usize> {
+    let mut counts = BTreeMap::new();
+    if let acutile_core::tiling::AnyTiling::Space(tiling) = &analysis.subject.tiling {
+        for star in acutile_core::classify::stars(tiling) {
+            let name = match star {
+                acutile_core::classify::Star::FrankKasper(n) => format!("$Z_{{{n}}}$"),
+                other => other.to_string(),
+            };
+            *counts.entry(name).or_insert(0) += 1;
+        }
+    }
+    counts
+}

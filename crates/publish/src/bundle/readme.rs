@@ -1,0 +1,134 @@
+//! The README of an archive: for a referee who has Python 3, or Node, or Rust, and has never heard of
+//! this program.
+
+use super::Entry;
+
+const VERSION: &str = env!("CARGO_PKG_VERSION");
+
+/// The text, in Markdown. Names in it are slugs, and claims are in the kernel's words.
+pub fn readme(entries: &[Entry], has_appendix: bool, has_pdf: bool) -> String {
+    [
+        format!(
+            "# Tilings proved in exact arithmetic\n\nWritten by acutile {VERSION} (`acutile bundle`). Each certificate below proves the \
+             claim beside it, and can be\nchecked without the program that found it.\n\n## What is proved\n\n"
+        ),
+        entries.iter().map(claim).collect(),
+        check(entries),
+        contents(entries, has_appendix, has_pdf),
+        meshes(entries),
+        "## To cite\n\n`CITATION.cff`. The programs and documents are under the licence in `LICENSE`.\n".to_owned(),
+    ]
+    .concat()
+}
+
+fn claim(entry: &Entry) -> String {
+    format!(
+        "- `certificates/{}.json`, SHA-256 `{}`: {}.\n",
+        entry.slug,
+        entry.sha256,
+        entry.claim.trim_end_matches('.')
+    )
+}
+
+fn check(entries: &[Entry]) -> String {
+    let regions = match entries.iter().any(|entry| entry.is_region) {
+        true => {
+            " The meshes of bounded regions above are of this kind: take one of the other two for them."
+        }
+        false => "",
+    };
+    format!(
+        "
+## How to check it
+
+First that the files are those that were deposited: `sha256sum -c SHA256SUMS` (on macOS `shasum -a 256 -c SHA256SUMS`).
+Then the certificates, with any of these three. They share no code; each reads a certificate, computes exactly, and
+believes nothing that the certificate does not show. For each file it prints a line, `FILE: verified: …` or what is wrong, and its
+exit code is 0 only if every file is verified. That this implies the claims is proved in `docs/soundness.md`.
+
+With **Python** 3.8 or later, and nothing else:
+
+    python3 verify/verify.py certificates/*.json
+
+It checks the hypotheses from which the tiling theorem follows, and every statement of the claim. It does not check that the file is
+in the one canonical notation (two notations can say the same), sets its own work no limits, and declines meshes of bounded regions (the
+domain `region`).{regions}
+
+With **Node** 20 or later, and nothing else, all of `docs/format.md`:
+
+    node verify/verify-cli.mjs certificates/*.json
+
+With **Rust** (1.90 or later) and the source of acutile {VERSION}, the same with the verifier that confirmed these files when they were written.
+In the folder of the source, and then with that program here:
+
+    cargo build --release --locked --bin acutile-verify
+    acutile-verify certificates/*.json
+
+Or by hand: a certificate is text, `docs/format.md` says what every number in it means and works through one with pencil and paper.
+
+"
+    )
+}
+
+fn contents(entries: &[Entry], has_appendix: bool, has_pdf: bool) -> String {
+    let pdf = match has_pdf {
+        true => "; `main.pdf` and `supplement.pdf` are made of it",
+        false => "; `pdflatex main` and `pdflatex supplement`, three times each, make PDFs of it",
+    };
+    let appendix = match has_appendix {
+        true => format!("| `appendix/` | theorems, exact tables and proofs in LaTeX{pdf} |\n"),
+        false => String::new(),
+    };
+    let is_flat = |entry: &Entry| entry.rounding.is_none();
+    let meshes = match entries.iter().all(is_flat) {
+        true => "",
+        false => {
+            "| `tilings/*.msh`, `*.vtu`, `*.mesh` | one cell as a mesh in MSH 4.1, VTU and MEDIT, in doubles |\n"
+        }
+    };
+    format!(
+        "## What is here
+
+| file | what it is |
+|---|---|
+| `certificates/` | claims with all that is needed to check them |
+{appendix}| `report.html` | a page to look at, with a check in the browser; it loads nothing |
+| `tilings/*.json` | the tilings for acutile, exact |
+{meshes}| `verify/` | the verifiers in Python and JavaScript |
+| `docs/` | the format of certificates, and why they prove what they claim |
+| `SHA256SUMS` | the SHA-256 of every other file |
+
+"
+    )
+}
+
+/// What rounding did.
+fn meshes(entries: &[Entry]) -> String {
+    let rows: String = entries.iter().filter_map(row).collect();
+    if rows.is_empty() {
+        return String::new();
+    }
+    format!(
+        "## What is not exact
+
+Coordinates in the mesh files are rounded to doubles, so that a check of a mesh is not a check of the tiling; those of the
+certificates and of `tilings/*.json` are exact.
+
+| mesh | coordinates that are no doubles | moved by at most |
+|---|---|---|
+{rows}
+The lattice of a periodic tiling is in the MSH file alone, as `$Periodic`. Decimals in the appendix and on the page are cut off or
+enclosed by exact bounds; the pictures are made of doubles.
+
+"
+    )
+}
+
+fn row(entry: &Entry) -> Option<String> {
+    let (rounded, largest) = entry.rounding?;
+    let largest = match rounded {
+        0 => "0".to_owned(),
+        _ => format!("{largest:.3e}"),
+    };
+    Some(format!("| `{}` | {rounded} | {largest} |\n", entry.slug))
+}

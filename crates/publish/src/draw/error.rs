@@ -1,0 +1,91 @@
+//! Why there is no figure, in words.
+
+use super::order::PIECE_LIMIT;
+use acutile_catalog::CatalogError;
+use std::fmt;
+
+/// Why there is no figure.
+#[derive(Debug)]
+pub enum DrawError {
+    /// The Gram matrix is not one.
+    NotPositiveDefinite,
+    /// A place on the paper is not finite.
+    TooLarge,
+    /// The direction of sight is 0 or beyond doubles.
+    NoDirection,
+    /// A vertex beyond the last one, and how many there are.
+    NoVertex(usize, usize),
+    /// So many simplices, more than the limit.
+    TooMany(usize, usize),
+    /// So many congruence classes, more than the limit.
+    TooManyClasses(usize, usize),
+    /// Faces that cross one another in more than [`super::order::PIECE_LIMIT`] pieces.
+    TooManyPieces,
+    /// A figure of tetrahedra of a tiling of the plane.
+    NotSolid,
+    /// Steps of something else than the slab.
+    NoSteps,
+    /// A plane tiling under something that has none.
+    NoPlane,
+    /// A plane tiling that is not one.
+    Catalog(CatalogError),
+}
+
+impl DrawError {
+    /// Whether a limit was reached.
+    pub fn is_limit(&self) -> bool {
+        use DrawError::{TooMany, TooManyClasses, TooManyPieces};
+        matches!(self, TooMany(..) | TooManyClasses(..) | TooManyPieces)
+    }
+}
+
+impl fmt::Display for DrawError {
+    fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
+        match self {
+            DrawError::NotPositiveDefinite => {
+                write!(f, "the Gram matrix is not positive definite")
+            }
+            DrawError::TooLarge => write!(f, "lengths or coordinates are beyond those of doubles"),
+            DrawError::NoDirection => write!(f, "the direction of view is 0 or too large"),
+            DrawError::NoVertex(vertex, count) => {
+                write!(
+                    f,
+                    "there is no vertex {vertex}: {count} vertices, counted from 0"
+                )
+            }
+            DrawError::TooMany(count, limit) => write!(
+                f,
+                "{count} simplices are more than a figure shows; the limit is {limit}"
+            ),
+            DrawError::TooManyClasses(count, limit) => write!(
+                f,
+                "{count} congruence classes are more than a figure shows; the limit is {limit}"
+            ),
+            DrawError::TooManyPieces => write!(
+                f,
+                "faces cross one another too often: more than {PIECE_LIMIT} pieces"
+            ),
+            DrawError::NotSolid => {
+                write!(
+                    f,
+                    "a tiling of the plane has the figures classes and plane only"
+                )
+            }
+            DrawError::NoSteps => write!(f, "only the slab (acutile draw slab) is built in steps"),
+            DrawError::NoPlane => write!(
+                f,
+                "there is no plane tiling under it: that have tilings of the plane, and z, a15, sigma, h, \
+                 square-triangle-…"
+            ),
+            DrawError::Catalog(error) => write!(f, "{error}"),
+        }
+    }
+}
+
+impl std::error::Error for DrawError {}
+
+impl From<CatalogError> for DrawError {
+    fn from(error: CatalogError) -> Self {
+        DrawError::Catalog(error)
+    }
+}

@@ -1,0 +1,114 @@
+//! Figures for print: tetrahedra of each congruence class, the cell, the star of a vertex, an
+//! exploded view, the slab's eight steps, plane tilings.
+//!
+//! | file | holds |
+//! |---|---|
+//! | [`polygon`] | exact faces, and planes that cut them |
+//! | [`order`] | what is painted before what |
+//! | [`hidden`] | which parts of a line are behind faces |
+//! | [`view`] | the direction of sight, and the projection |
+//! | `scene` | bodies, lines and points, turned into marks |
+//! | [`drawing`] | marks in millimetres, panels, line weights, colours |
+//! | [`svg`], [`tikz`] | how marks are written |
+//! | `classes`, `cell`, `star`, `exploded`, `steps`, `plane`, `dots` | one kind of figure each |
+//! | `patch` | simplices of a tiling as bodies |
+//!
+//! What hides what is decided exactly; only places on the paper are doubles. Nothing here
+//! proves anything about a tiling, and nothing is assumed: simplices may overlap.
+
+mod cell;
+mod classes;
+mod dots;
+pub mod drawing;
+mod error;
+mod exploded;
+pub mod hidden;
+pub mod order;
+mod patch;
+mod plane;
+pub mod polygon;
+mod scene;
+mod star;
+mod steps;
+pub mod svg;
+pub mod tikz;
+pub mod view;
+
+pub use drawing::Drawing;
+pub use error::DrawError;
+
+use acutile_core::tiling::AnyTiling;
+use malachite::Rational;
+
+/// What is drawn.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Figure {
+    /// One simplex of each congruence class with its angles in degrees.
+    Classes,
+    /// The simplices of a cell, with the cell itself.
+    Cell,
+    /// The tetrahedra at a vertex.
+    Star,
+    /// The tetrahedra of a cell, moved apart.
+    Exploded,
+    /// The slab in its eight steps.
+    Steps,
+    /// A tiling of the plane; for a TCP structure over a square/triangle tiling that tiling.
+    Plane,
+}
+
+/// How it is drawn.
+#[derive(Clone, Debug)]
+pub struct Options {
+    /// The direction to the eye; see [`view::View::new`].
+    pub direction: [f64; 3],
+    /// The vertex of [`Figure::Star`].
+    pub vertex: usize,
+    /// By which part of its distance from the centre a tetrahedron is moved outward.
+    pub apart: Rational,
+    /// Of the figure, in millimetres.
+    pub width: f64,
+}
+
+/// From the front, a little from the right and from above; no edge of a lattice that one draws is
+/// seen end on.
+pub const DIRECTION: [f64; 3] = [4.0, -9.0, 5.0];
+
+impl Default for Options {
+    fn default() -> Self {
+        Options {
+            direction: DIRECTION,
+            vertex: 0,
+            apart: Rational::from(1),
+            width: 84.0,
+        }
+    }
+}
+
+/// The figure of a tiling with this name.
+///
+/// # Errors
+/// If the figure is none of this tiling's, is too large to be looked at, or the Gram matrix is
+/// not positive definite.
+pub fn draw(
+    name: &str,
+    tiling: &AnyTiling,
+    figure: Figure,
+    options: &Options,
+) -> Result<Drawing, DrawError> {
+    let drawing = match (tiling, figure) {
+        (AnyTiling::Plane(t), Figure::Classes) => classes::triangles(name, t, options),
+        (AnyTiling::Plane(t), Figure::Cell | Figure::Plane) => plane::plane(name, t, options),
+        (AnyTiling::Plane(_), _) => Err(DrawError::NotSolid),
+        (AnyTiling::Space(t), Figure::Classes) => classes::tetrahedra(name, t, options),
+        (AnyTiling::Space(t), Figure::Cell) => cell::cell(name, t, options),
+        (AnyTiling::Space(t), Figure::Star) => star::star(name, t, options),
+        (AnyTiling::Space(t), Figure::Exploded) => exploded::exploded(name, t, options),
+        (AnyTiling::Space(t), Figure::Steps) => steps::steps(name, t, options),
+        (AnyTiling::Space(_), Figure::Plane) => dots::dots(name, options),
+    }?;
+    match drawing.is_finite() {
+        true => Ok(drawing),
+        false => Err(DrawError::TooLarge),
+    }
+}

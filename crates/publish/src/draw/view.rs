@@ -1,0 +1,121 @@
+//! From where a figure is seen: an exact direction, and a projection in doubles.
+//!
+//! What hides what is decided by the direction to the eye, which is a rational vector in basis
+//! coordinates. Only places on the paper are doubles.
+
+use super::DrawError;
+use super::polygon::Point;
+use acutile_exact::number::Number;
+use malachite::Rational;
+
+/// An orthographic view.
+#[derive(Clone, Debug)]
+pub struct View {
+    /// The direction to the eye, in basis coordinates.
+    pub eye: Point,
+    /// The basis vectors in Cartesian coordinates on the screen: to the right, up, to the eye.
+    basis: [[f64; 3]; 3],
+}
+
+/// Entries of the direction are multiples of one part in so many of the largest one.
+const STEPS: f64 = 4096.0;
+
+impl View {
+    /// For a basis with this Gram matrix, seen from `direction`: Cartesian coordinates with the
+    /// first basis vector along x, the second in the plane of x and y, the third above it.
+    ///
+    /// # Errors
+    /// If the matrix is not positive definite, the direction is 0, or lengths are beyond doubles.
+    pub fn new(gram: &[[Number; 3]; 3], direction: [f64; 3]) -> Result<View, DrawError> {
+        let vectors = cholesky(gram).ok_or(DrawError::NotPositiveDefinite)?;
+        let entries = coordinates(&vectors, direction);
+        if !entries.iter().all(|x| x.is_finite()) {
+            return Err(DrawError::NoDirection);
+        }
+        let largest = entries.iter().fold(0.0, |m: f64, x| m.max(x.abs()));
+        let steps = entries.map(|x| (x / largest * STEPS).round());
+        if !steps.iter().any(|x| x.abs() > 0.0) {
+            return Err(DrawError::NoDirection);
+        }
+        let eye = steps.map(|x| Number::from(Rational::from(x as i64)));
+        let toward = unit(combination(&vectors, steps));
+        let vertical = if toward[0].hypot(toward[1]) > 1e-3 {
+            [0.0, 0.0, 1.0]
+        } else {
+            [0.0, 1.0, 0.0]
+        };
+        let right = unit(cross(vertical, toward));
+        let up = cross(toward, right);
+        let basis = vectors.map(|b| [dot(b, right), dot(b, up), dot(b, toward)]);
+        match basis.iter().flatten().all(|x| x.is_finite()) {
+            true => Ok(View { eye, basis }),
+            false => Err(DrawError::TooLarge),
+        }
+    }
+
+    /// The place on the screen: to the right and up, in units of length.
+    pub fn place(&self, point: &Point) -> [f64; 2] {
+        let [x, y, _] = self.on_screen(point);
+        [x, y]
+    }
+
+    /// How much light a triangle gets, 0 to 1; the light comes from the upper left, from
+    /// behind the eye.
+    pub fn light(&self, corners: &[Point]) -> f64 {
+        let [a, b, c] = [0, 1, 2].map(|k| self.on_screen(&corners[k]));
+        let edge = |p: [f64; 3]| std::array::from_fn(|k| p[k] - a[k]);
+        let normal = unit(cross(edge(b), edge(c)));
+        let toward = if normal[2] < 0.0 { -1.0 } else { 1.0 };
+        (toward * dot(normal, [-0.48, 0.6, 0.64])).max(0.0)
+    }
+
+    fn on_screen(&self, point: &Point) -> [f64; 3] {
+        combination(&self.basis, point.each_ref().map(Number::approximate))
+    }
+}
+
+/// The rows of the lower triangular L with L L^T = G.
+fn cholesky(gram: &[[Number; 3]; 3]) -> Option<[[f64; 3]; 3]> {
+    let mut rows = [[0.0f64; 3]; 3];
+    for i in 0..3 {
+        for j in 0..=i {
+            let rest = gram[i][j].approximate() - dot(rows[i], rows[j]);
+            rows[i][j] = match i == j {
+                true if rest > 0.0 && rest.is_finite() => rest.sqrt(),
+                true => return None,
+                false => rest / rows[j][j],
+            };
+        }
+    }
+    Some(rows)
+}
+
+/// The c with Σ c_i b_i = x, for a triangular basis.
+fn coordinates(vectors: &[[f64; 3]; 3], x: [f64; 3]) -> [f64; 3] {
+    let mut c = [0.0; 3];
+    for k in (0..3).rev() {
+        let others: f64 = (k + 1..3).map(|i| c[i] * vectors[i][k]).sum();
+        c[k] = (x[k] - others) / vectors[k][k];
+    }
+    c
+}
+
+fn combination(vectors: &[[f64; 3]; 3], c: [f64; 3]) -> [f64; 3] {
+    std::array::from_fn(|k| (0..3).map(|i| c[i] * vectors[i][k]).sum())
+}
+
+fn dot(a: [f64; 3], b: [f64; 3]) -> f64 {
+    a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
+}
+
+fn cross(a: [f64; 3], b: [f64; 3]) -> [f64; 3] {
+    std::array::from_fn(|k| {
+        let (i, j) = ((k + 1) % 3, (k + 2) % 3);
+        a[i] * b[j] - a[j] * b[i]
+    })
+}
+
+fn unit(a: [f64; 3]) -> [f64; 3] {
+    let length = dot(a, a).sqrt();
+    a.map(|x| x / length)
+}

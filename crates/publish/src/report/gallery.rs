@@ -1,0 +1,231 @@
+//! A static site of the whole catalogue: an index with pictures and the table, a page for each
+//! tiling, the paper's statements with verdicts, the documents. All links are relative.
+
+use super::documents::{self, DOCUMENTS, FILES};
+use super::html::{escape, fill};
+use super::page::{STYLE, page};
+use super::picture::picture;
+use super::proved::Proved;
+use super::summary;
+use acutile_catalog::{self as catalog, Entry};
+use acutile_core::tiling::AnyTiling;
+use acutile_paper::paper::{self, Row, Verdict};
+use acutile_paper::survey::Survey;
+use acutile_paper::table;
+use rayon::prelude::*;
+use std::collections::BTreeMap;
+
+const TEMPLATE: &str = include_str!("assets/site.html");
+const SITE_STYLE: &str = include_str!("assets/site.css");
+
+/// The files of a site by their paths in it.
+pub type Site = BTreeMap<String, Vec<u8>>;
+
+/// The site of all constructions that the catalogue has by a plain name.
+///
+/// # Errors
+/// The first construction that is not proved, in words.
+pub fn gallery() -> Result<Site, String> {
+    let entries: Vec<&Entry> = catalog::names().filter_map(catalog::find).collect();
+    let proved = prove_all(&entries)?;
+    let survey = Survey::of_catalog();
+    let mut site = Site::new();
+    let mut put = |path: String, text: String| drop(site.insert(path, text.into_bytes()));
+    for (entry, tiling) in entries.iter().zip(&proved) {
+        put(
+            format!("pictures/{}.svg", entry.name),
+            tiling.picture.clone(),
+        );
+        put(format!("tilings/{}.html", entry.name), tiling.page.clone());
+        put(
+            format!("certificates/{}.json", entry.name),
+            tiling.certificate.clone(),
+        );
+    }
+    put("index.html".into(), index(&entries, &proved, &survey)?);
+    put("paper.html".into(), paper_page(&paper::rows(&survey)));
+    put(
+        "docs/index.html".into(),
+        site_page("../", "Documents", &documents::contents()),
+    );
+    for document in &DOCUMENTS {
+        let body = documents::body(document, is_entry);
+        put(
+            document.page.into(),
+            site_page("../", document.title, &body),
+        );
+    }
+    for (path, text) in FILES {
+        put(path.into(), text.to_owned());
+    }
+    put("site.css".into(), [STYLE, SITE_STYLE].concat());
+    // Hosts that run generators over sites are told not to.
+    put(".nojekyll".into(), String::new());
+    Ok(site)
+}
+
+/// What the site needs of a tiling; the rest is forgotten.
+struct Shown {
+    page: String,
+    picture: String,
+    certificate: String,
+    counts: String,
+}
+
+/// Proves all constructions, several at a time.
+fn prove_all(entries: &[&Entry]) -> Result<Vec<Shown>, String> {
+    let shown: Vec<_> = entries.par_iter().map(|entry| shown(entry)).collect();
+    // The error of the first entry, whichever was found first.
+    shown.into_iter().collect()
+}
+
+fn shown(entry: &Entry) -> Result<Shown, String> {
+    let name = entry.name;
+    let tiling = entry.build().map_err(|error| format!("{name}: {error}"))?;
+    let description = format!("{} ({})", entry.description, entry.source);
+    let proved = Proved::of_tiling(name.to_owned(), description, &tiling, &|_| {})
+        .map_err(|error| format!("{name}: {error}"))?;
+    let label = format!("One cell of {}", escape(name));
+    Ok(Shown {
+        certificate: String::from_utf8_lossy(proved.bytes()).into_owned(),
+        picture: match proved.tiling() {
+            AnyTiling::Plane(tiling) => picture(tiling, &super::facts::classes(tiling), &label),
+            AnyTiling::Space(tiling) => picture(tiling, &super::facts::classes(tiling), &label),
+        },
+        counts: summary(&proved),
+        page: page(std::slice::from_ref(&proved), Some("../index.html")),
+    })
+}
+
+fn index(entries: &[&Entry], proved: &[Shown], survey: &Survey) -> Result<String, String> {
+    let card = |(entry, shown): (&&Entry, &Shown)| {
+        let name = escape(entry.name);
+        format!(
+            "<li><a href=\"tilings/{name}.html\"><img src=\"pictures/{name}.svg\" alt=\"\" loading=\"lazy\">\
+             <b>{name}</b></a><span>{}</span><small>{}</small></li>",
+            escape(entry.description),
+            escape(&shown.counts)
+        )
+    };
+    let cards: String = entries.iter().zip(proved).map(card).collect();
+    let names: Vec<&str> = entries.iter().map(|entry| entry.name).collect();
+    let rows = table::order(&names)
+        .into_iter()
+        .map(|name| Ok(table::Row::of(name, survey.get(name)?)))
+        .collect::<Result<Vec<_>, String>>()?;
+    let body = format!(
+        "<h1 class=\"title\">Tilings by acute tetrahedra</h1><p class=\"lead\">Tilings of space, slabs, solids and the plane by tetrahedra and triangles, most of them acute. Each was proved in exact \
+         arithmetic, and its certificate confirmed by a small independent kernel, when this site was written. Every page \
+         carries its certificate and a verifier that runs in your browser.</p>\
+         <ul class=\"cards\">{cards}</ul>\
+         <h2 id=\"table\">Table 1 of the paper, as enclosures</h2>\
+         <p>Radius-edge ratio ρ, smallest dihedral angle α and largest dihedral angle β of each tetrahedron, the least and the \
+         largest over the tiling. Minima are rounded down and maxima up; exact values below them where they are short.</p>\
+         {}",
+        figures(&rows)
+    );
+    Ok(site_page("", "Tilings by acute tetrahedra", &body))
+}
+
+/// The table with links to the tilings: the cells of its Markdown form.
+fn figures(rows: &[table::Row]) -> String {
+    let text = table::markdown(rows);
+    let mut lines = text
+        .lines()
+        .map(|line| line.trim_matches(['|', ' ']).split(" | "));
+    let head = lines.next().into_iter().flatten();
+    let head: String = head
+        .map(|cell| format!("<th scope=\"col\">{cell}</th>"))
+        .collect();
+    let row = |(row, cells): (&table::Row, std::str::Split<&str>)| {
+        let name = format!(
+            "<th scope=\"row\"><a href=\"tilings/{}.html\">{}</a></th>",
+            escape(&row.name),
+            escape(&row.label)
+        );
+        let figures: String = cells.skip(1).map(figure).collect();
+        format!("<tr>{name}{figures}</tr>")
+    };
+    let body: String = rows.iter().zip(lines.skip(1)).map(row).collect();
+    format!(
+        "<div class=\"scroll figures\" tabindex=\"0\" role=\"region\" aria-label=\"Table 1\"><table><thead><tr>{head}</tr>\
+         </thead><tbody>{body}</tbody></table></div>"
+    )
+}
+
+/// `0.645 (√(5/12))` in two lines; a closed form that is no help to a reader is left out.
+fn figure(cell: &str) -> String {
+    match cell.split_once(" (") {
+        Some((decimal, form)) if form.chars().count() <= 20 => format!(
+            "<td>{}<br><small>{}</small></td>",
+            escape(decimal),
+            escape(form.strip_suffix(')').unwrap_or(form))
+        ),
+        Some((decimal, _)) => format!("<td>{}</td>", escape(decimal)),
+        None => format!("<td>{}</td>", escape(cell)),
+    }
+}
+
+/// A page in the folder that `up` leads out of.
+fn site_page(up: &str, title: &str, body: &str) -> String {
+    fill(
+        TEMPLATE,
+        &[
+            ("up", up),
+            ("title", &escape(title)),
+            ("body", body),
+            ("version", env!("CARGO_PKG_VERSION")),
+        ],
+    )
+}
+
+fn paper_page(rows: &[Row]) -> String {
+    let mut counts = BTreeMap::new();
+    rows.iter()
+        .for_each(|row| *counts.entry(row.verdict.word()).or_insert(0) += 1);
+    let counts: Vec<String> = counts
+        .iter()
+        .map(|(word, n)| format!("{n} {word}"))
+        .collect();
+    let body = format!(
+        "<h1 class=\"title\">The paper's statements</h1><p class=\"lead\">Every checkable statement of D. Eppstein, J. M. Sullivan, A. Üngör, “Tiling space and slabs with acute tetrahedra”, \
+         decided in exact arithmetic. {} statements: {}.</p>\
+         <div class=\"scroll\" tabindex=\"0\" role=\"region\" aria-label=\"Statements\"><table class=\"paper\"><thead><tr><th scope=\"col\">section</th>\
+         <th scope=\"col\">statement</th><th scope=\"col\">printed</th><th scope=\"col\">proved</th><th scope=\"col\">verdict</th>\
+         <th scope=\"col\">certificates</th></tr></thead><tbody>{}</tbody></table></div>",
+        rows.len(),
+        counts.join(", "),
+        rows.iter().map(paper_row).collect::<String>()
+    );
+    site_page("", "The paper's statements", &body)
+}
+
+/// Whether the site has a tiling of this name.
+fn is_entry(name: &str) -> bool {
+    catalog::names().any(|known| known == name)
+}
+
+fn paper_row(row: &Row) -> String {
+    let links = row.certificates.iter().map(|(name, _)| {
+        let name = escape(name);
+        match is_entry(&name) {
+            true => format!("<a href=\"tilings/{name}.html\">{name}</a>"),
+            false => name,
+        }
+    });
+    let mark = match row.verdict {
+        Verdict::Confirmed | Verdict::Rounded(_) => "holds",
+        Verdict::Misprint | Verdict::Refuted => "differs",
+        Verdict::Undecided => "open",
+    };
+    format!(
+        "<tr id=\"{}\"><td>{}</td><td>{}</td><td>{}</td><td>{}</td><td class=\"{mark}\">{}</td><td>{}</td></tr>",
+        escape(&row.id),
+        escape(row.section),
+        escape(&row.statement),
+        escape(&row.printed),
+        escape(&row.proved),
+        row.verdict.word(),
+        links.collect::<Vec<_>>().join(", ")
+    )
+}

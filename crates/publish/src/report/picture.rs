@@ -1,0 +1,250 @@
+//! A still picture of one cell in SVG: what stands where the page's program does not run, and in
+//! the index of a site.
+//!
+//! Parallel projection, faces that look at the viewer only, painted from back to front. In a
+//! Delaunay triangulation the simplices can be ordered by the depth of their circumcentres
+//! (H. Edelsbrunner, An acyclicity theorem for cell complexes in d dimensions, 1990, with the
+//! viewpoint at infinity): a facet that two share lies in the plane of equal power of the two
+//! spheres. For other tilings this order, and hence the picture, may be wrong in places; the text
+//! beside it does not depend on it.
+
+use super::data::basis;
+use acutile_core::tiling::{Corner, Tiling, supercell};
+use std::collections::{BTreeMap, BTreeSet};
+use std::fmt::Write;
+
+/// Colours that the colour-blind tell apart (M. Okabe, K. Ito 2008), without black: red, green,
+/// blue from 0 to 1.
+const COLOURS: [[f64; 3]; 7] = [
+    [0.34, 0.71, 0.91],
+    [0.90, 0.62, 0.00],
+    [0.00, 0.62, 0.45],
+    [0.94, 0.89, 0.26],
+    [0.80, 0.47, 0.65],
+    [0.00, 0.45, 0.70],
+    [0.84, 0.37, 0.00],
+];
+
+/// The colour of a congruence class: the seven, then lighter, then darker, then again.
+pub fn colour(class: usize) -> [f64; 3] {
+    let plain = COLOURS[class % COLOURS.len()];
+    match class / COLOURS.len() % 3 {
+        0 => plain,
+        1 => plain.map(|c| 1.0 - 0.5 * (1.0 - c)),
+        _ => plain.map(|c| 0.6 * c),
+    }
+}
+
+/// `#56b4e9`
+pub fn hex(colour: [f64; 3]) -> String {
+    let [r, g, b] = colour.map(|c| (c * 255.0).round() as u8);
+    format!("#{r:02x}{g:02x}{b:02x}")
+}
+
+/// The longer side of the picture.
+const SIZE: f64 = 480.0;
+/// Toward the viewer, right, up: an orthonormal frame that shows no symmetric tiling edge-on.
+const VIEW: [[f64; 3]; 3] = [
+    [0.4680, -0.7488, 0.4695],
+    [0.8480, 0.5300, 0.0],
+    [-0.2488, 0.3981, 0.8830],
+];
+
+/// A polygon on its way to the paper.
+struct Face {
+    depth: f64,
+    points: Vec<[f64; 2]>,
+    colour: [f64; 3],
+}
+
+/// The picture of simplices of these congruence classes; `label` describes it and is escaped
+/// already. Few triangles of the plane are shown with their neighbours.
+pub fn picture<const D: usize>(tiling: &Tiling<D>, classes: &[usize], label: &str) -> String {
+    if D == 2 && tiling.len() < 12 {
+        let sizes: [u16; D] = std::array::from_fn(|k| if k < tiling.frame.rank() { 3 } else { 1 });
+        let copies = sizes.iter().map(|&n| usize::from(n)).product();
+        return cell_picture(&supercell(tiling, sizes), &classes.repeat(copies), label);
+    }
+    cell_picture(tiling, classes, label)
+}
+
+fn cell_picture<const D: usize>(tiling: &Tiling<D>, classes: &[usize], label: &str) -> String {
+    let basis = basis(tiling);
+    let mut faces = Vec::new();
+    let moves: Vec<[i32; D]> = (0..tiling.len())
+        .map(|s| move_into_cell(tiling, s))
+        .collect();
+    let inner = inner_facets(tiling, &moves);
+    for (simplex, &class) in classes.iter().enumerate() {
+        let corners = placed(tiling, &basis, simplex, moves[simplex]);
+        let colour = colour(class);
+        match D {
+            2 => faces.push(flat_face(&corners, colour)),
+            _ => faces.extend(solid_faces(&corners, colour, |k| {
+                inner.contains(&(simplex, k))
+            })),
+        }
+    }
+    faces.sort_by(|a, b| a.depth.total_cmp(&b.depth));
+    draw(&faces, label)
+}
+
+/// The lattice vector that moves the centroid of a simplex into the cell.
+fn move_into_cell<const D: usize>(tiling: &Tiling<D>, simplex: usize) -> [i32; D] {
+    let corners: Vec<[f64; D]> = tiling
+        .simplex(simplex)
+        .iter()
+        .map(|corner| tiling.position(corner).map(|x| x.approximate()))
+        .collect();
+    std::array::from_fn(|k| {
+        let middle = corners.iter().map(|c| c[k]).sum::<f64>() / corners.len() as f64;
+        // Centroids in the boundary of the cell go to one side, whatever was rounded.
+        if k < tiling.frame.rank() {
+            -(middle + 1e-9).floor() as i32
+        } else {
+            0
+        }
+    })
+}
+
+/// The facets that two simplices of the picture share, as simplex and opposite corner: nobody
+/// sees them.
+fn inner_facets<const D: usize>(
+    tiling: &Tiling<D>,
+    moves: &[[i32; D]],
+) -> BTreeSet<(usize, usize)> {
+    let mut owners: BTreeMap<Vec<Corner<D>>, Vec<(usize, usize)>> = BTreeMap::new();
+    for (simplex, corners) in tiling.simplices().enumerate() {
+        for opposite in 0..=D {
+            let others = (0..=D).filter(|&k| k != opposite);
+            let mut facet: Vec<Corner<D>> =
+                others.map(|k| corners[k].moved(moves[simplex])).collect();
+            facet.sort_unstable();
+            owners.entry(facet).or_default().push((simplex, opposite));
+        }
+    }
+    owners
+        .into_values()
+        .filter(|facets| facets.len() > 1)
+        .flatten()
+        .collect()
+}
+
+/// Cartesian corners of a simplex that is moved by a lattice vector.
+fn placed<const D: usize>(
+    tiling: &Tiling<D>,
+    basis: &[Vec<f64>],
+    simplex: usize,
+    move_by: [i32; D],
+) -> Vec<[f64; 3]> {
+    let cartesian = |corner: &Corner<D>| {
+        let coordinates = tiling
+            .position(&corner.moved(move_by))
+            .map(|x| x.approximate());
+        let mut point = [0.0; 3];
+        for (x, vector) in coordinates.iter().zip(basis) {
+            for (slot, b) in point.iter_mut().zip(vector) {
+                *slot += x * b;
+            }
+        }
+        point
+    };
+    tiling.simplex(simplex).iter().map(cartesian).collect()
+}
+
+fn flat_face(corners: &[[f64; 3]], colour: [f64; 3]) -> Face {
+    Face {
+        depth: 0.0,
+        points: corners.iter().map(|p| [p[0], -p[1]]).collect(),
+        colour,
+    }
+}
+
+/// The facets of a tetrahedron that look at the viewer and are not hidden.
+fn solid_faces(
+    corners: &[[f64; 3]],
+    colour: [f64; 3],
+    is_hidden: impl Fn(usize) -> bool,
+) -> Vec<Face> {
+    let depth = dot(circumcentre(corners), VIEW[0]);
+    let mut faces = Vec::new();
+    for opposite in (0..4).filter(|&k| !is_hidden(k)) {
+        let face: Vec<[f64; 3]> = (0..4)
+            .filter(|&k| k != opposite)
+            .map(|k| corners[k])
+            .collect();
+        let normal = cross(minus(face[1], face[0]), minus(face[2], face[0]));
+        let outward = dot(normal, minus(face[0], corners[opposite])).signum();
+        let facing = outward * dot(normal, VIEW[0]) / dot(normal, normal).sqrt();
+        if facing > 1e-9 {
+            faces.push(Face {
+                depth,
+                points: face
+                    .iter()
+                    .map(|&p| [dot(p, VIEW[1]), -dot(p, VIEW[2])])
+                    .collect(),
+                colour: colour.map(|c| c * (0.55 + 0.45 * facing)),
+            });
+        }
+    }
+    faces
+}
+
+/// e_i · x = |e_i|²/2 for the edges from corner 0, solved by their cross products.
+fn circumcentre(corners: &[[f64; 3]]) -> [f64; 3] {
+    let edges = [1, 2, 3].map(|k| minus(corners[k], corners[0]));
+    let duals = [
+        cross(edges[1], edges[2]),
+        cross(edges[2], edges[0]),
+        cross(edges[0], edges[1]),
+    ];
+    let determinant = dot(edges[0], duals[0]);
+    std::array::from_fn(|k| {
+        let sum: f64 = (0..3).map(|i| dot(edges[i], edges[i]) * duals[i][k]).sum();
+        corners[0][k] + sum / (2.0 * determinant)
+    })
+}
+
+fn draw(faces: &[Face], label: &str) -> String {
+    let points = || faces.iter().flat_map(|face| &face.points);
+    let bound =
+        |k: usize, f: fn(f64, f64) -> f64, start: f64| points().map(|p| p[k]).fold(start, f);
+    let low = [0, 1].map(|k| bound(k, f64::min, f64::INFINITY));
+    let high = [0, 1].map(|k| bound(k, f64::max, f64::NEG_INFINITY));
+    let scale = (SIZE - 8.0) / (high[0] - low[0]).max(high[1] - low[1]).max(1e-300);
+    let place = |k: usize, p: &[f64; 2]| (p[k] - low[k]) * scale + 4.0;
+    let size = [0, 1].map(|k| (high[k] - low[k]) * scale + 8.0);
+    let mut svg = format!(
+        "<svg xmlns=\"http://www.w3.org/2000/svg\" class=\"picture\" viewBox=\"0 0 {:.0} {:.0}\" role=\"img\" aria-label=\"{label}\" \
+         stroke=\"#222\" stroke-width=\"1\" stroke-linejoin=\"round\">",
+        size[0], size[1]
+    );
+    for face in faces {
+        let corner = |p: &[f64; 2]| format!("{:.1},{:.1}", place(0, p), place(1, p));
+        let corners: Vec<String> = face.points.iter().map(corner).collect();
+        // Writing to a string cannot fail.
+        let _ = write!(
+            svg,
+            "<polygon points=\"{}\" fill=\"{}\"/>",
+            corners.join(" "),
+            hex(face.colour)
+        );
+    }
+    svg + "</svg>"
+}
+
+fn minus(a: [f64; 3], b: [f64; 3]) -> [f64; 3] {
+    std::array::from_fn(|k| a[k] - b[k])
+}
+
+fn dot(a: [f64; 3], b: [f64; 3]) -> f64 {
+    a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
+}
+
+fn cross(a: [f64; 3], b: [f64; 3]) -> [f64; 3] {
+    [
+        a[1] * b[2] - a[2] * b[1],
+        a[2] * b[0] - a[0] * b[2],
+        a[0] * b[1] - a[1] * b[0],
+    ]
+}

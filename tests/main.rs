@@ -1,0 +1,16 @@
+//! Tests of the programs and of several crates together, one binary for all.
+
+mod appendix;
+mod bundle;
+mod cbor_files;
+mod cif;
+mod cli;
+mod common;
+mod documents;
+mod draw;
+mod interrupt;
+mod js_verifier;
+mod meshes;
+mod paper;
+mod report;
+mod starting_files;
