@@ -1,19 +1,25 @@
 #!/usr/bin/env python3
 """Checkers of certificates against each other, on files and on random mutations.
 
-usage: differential.py [--mutations N] [--seed S] [--also COMMAND] VERIFY COQ_CHECK FILE|FOLDER...
+usage: differential.py [--mutations N] [--seed S] [--also COMMAND]... VERIFY COQ_CHECK FILE|FOLDER...
 
-VERIFY is acutile-verify, COQ_CHECK the extracted checker, COMMAND any further one that
-prints lines as acutile-verify does (its words are separated by spaces). A file is a
-disagreement when one program accepts it and another refuses it: rejected, malformed.
-"declined" agrees with everything, for the limits differ; what one accepts and another
-declines is listed, and the share of it is bounded: at most one file in a hundred.
-Files whose name sets a limit of acutile-verify are checked under its default limits.
-Exit code 1 if there is a disagreement, if nothing was accepted or refused, or if too
-much was declined by one program alone.
+The files are certificates in JSON. VERIFY is acutile-verify, which gets each of them in CBOR; COQ_CHECK is the
+extracted checker, COMMAND any further one that reads JSON and prints lines as acutile-verify does (its words are
+separated by spaces). A file is a disagreement when one program accepts it and another refuses it: rejected,
+malformed. "declined" agrees with everything, for the limits differ; what one accepts and another declines is
+listed, and the share of it is bounded: at most one file in a hundred, without regions, which COQ_CHECK declines.
+A file that has no CBOR is not shown to VERIFY. Files whose name sets a limit are checked under the default limits.
+Exit code 1 if there is a disagreement, if nothing was accepted or refused, or if too much was declined by one
+program alone.
 """
-import collections, json, pathlib, random, shlex, subprocess, sys, tempfile
+import collections, importlib.util, json, pathlib, random, shlex, subprocess, sys, tempfile
 
+sys.dont_write_bytecode = True
+spec = importlib.util.spec_from_file_location("verify", pathlib.Path(__file__).parents[1] / "verifiers/python/verify.py")
+encodings = importlib.util.module_from_spec(spec)
+spec.loader.exec_module(encodings)
+
+NONE = "no CBOR"
 WORDS = {"verified": "accepted", "proved": "accepted", "rejected": "refused", "malformed": "refused", "declined": "declined"}
 
 
@@ -32,19 +38,30 @@ def answers(program, paths, seconds):
     return [WORDS.get(line.split(": ", 1)[1].split()[0].rstrip(":"), line) for line in lines]
 
 
-def canonical(value, depth=0):
-    """The one byte string of a certificate (docs/format.md)."""
-    if isinstance(value, str):
-        return json.dumps(value)
-    if isinstance(value, int):
-        return str(value)
-    inner = depth + 1
+def cbor_of(path):
+    """The file's CBOR beside it; None if its text is not that of a certificate."""
+    try:
+        data = encodings.cbor(encodings.read_json(path.read_bytes()))
+    except encodings.Refusal:
+        return None
+    return data if has_names(json.loads(path.read_bytes())) else None
+
+
+NAMES = [["format", "version", "kind", "claim", "witness"], ["dimension", "field", "gram", "domain", "statements"],
+         ["denominator", "vertices", "boundary", "simplices"], ["denominator", "vertices", "faces"],
+         ["polynomial", "root"], ["low", "high", "denominator"]]
+
+
+def has_names(value):
+    """CBOR has no names, so those of the grammar are needed to write it."""
     if isinstance(value, dict):
-        items, ends = [json.dumps(k) + ":" + canonical(v, inner) for k, v in value.items()], "{}"
-    else:
-        items, ends = [canonical(v, inner) for v in value], "[]"
-    line = "\n" if inner <= 3 else ""
-    return ends[0] + line + ("," + line).join(items) + line + ends[1]
+        return list(value) in NAMES and all(map(has_names, value.values()))
+    return not isinstance(value, list) or all(map(has_names, value))
+
+
+def canonical(value):
+    """The one text of a certificate (docs/format.md)."""
+    return "".join(encodings.printed(value, 0)) + "\n"
 
 
 def leaves(value, path=()):
@@ -58,17 +75,18 @@ def leaves(value, path=()):
 def entry(old, rng):
     """Another value of the same kind."""
     if isinstance(old, int):
-        return old + rng.choice([-2, -1, 1, 2])
-    if old and old.lstrip("-")[:1].isdigit():
-        p, _, q = old.partition("/")
-        return rng.choice([str(int(p) + rng.choice([-1, 1])) + ("/" + q if q else ""), "0", "-" + old.lstrip("-"), old.lstrip("-")])
-    return rng.choice(["acute", "nonobtuse", "Delaunay", "weakly Delaunay", "TCP", "space", "Q"])
+        new = rng.choice([old - 2, old - 1, old + 1, old + 2, -old, 0])
+        return new if abs(new) < 2 ** 53 else str(new)
+    if old.lstrip("-").isdigit():
+        return str(int(old) + rng.choice([-1, 1]))
+    return rng.choice(["acute", "nonobtuse", "Delaunay", "weakly Delaunay", "TCP", "space", "Q", "at most", "maximum", "minimum", "less than"])
 
 
 def mutate(certificate, rng):
-    """One entry changed; or two corners, mates or faces exchanged; or a simplex left out, or there twice."""
+    """One entry changed; or two corners, coordinates or faces exchanged; or a row left out, or there twice."""
     kind = rng.random()
-    simplices, mates = certificate["witness"]["simplices"], certificate["witness"]["mates"]
+    witness = certificate["witness"]
+    simplices, boundary = witness["simplices"], witness["boundary"]
     if kind < 0.7:
         # the claim is small beside the witness: half of the changes are there
         part = rng.choice(["claim", "witness"])
@@ -79,53 +97,76 @@ def mutate(certificate, rng):
         holder[path[-1]] = entry(holder[path[-1]], rng)
     elif kind < 0.9:
         domain = certificate["claim"]["domain"]
-        faces = [] if isinstance(domain, str) else next(iter(domain.values()))["faces"]
-        row = rng.choice([rng.choice(simplices), rng.choice(mates), certificate["witness"]["vertices"], faces])
+        polytope = domain[1] if isinstance(domain, list) and isinstance(domain[1], dict) else {"faces": [[]]}
+        row = rng.choice([rng.choice(simplices), rng.choice(boundary or [[]]), witness["vertices"], polytope["faces"], rng.choice(polytope["faces"])])
         if len(row) > 1:
             i, j = rng.sample(range(len(row)), 2)
             row[i], row[j] = row[j], row[i]
     else:
-        i = rng.randrange(len(simplices))
-        for rows in (simplices, mates):
-            rows.insert(rng.randrange(len(rows) + 1), rows[i]) if kind < 0.95 else rows.pop(i)
+        rows = rng.choice([simplices, simplices, boundary or simplices])
+        i = rng.randrange(len(rows))
+        rows.insert(rng.randrange(len(rows) + 1), rows[i]) if kind < 0.95 else rows.pop(i)
 
 
 def options(words):
-    arguments, chosen = [], {"--mutations": "0", "--seed": "1", "--also": ""}
+    arguments, chosen, also = [], {"--mutations": "0", "--seed": "1"}, []
     words = iter(words)
     for word in words:
-        if word in chosen:
+        if word == "--also":
+            also.append(shlex.split(next(words)))
+        elif word in chosen:
             chosen[word] = next(words)
         else:
             arguments.append(word)
     if len(arguments) < 3:
         sys.exit(__doc__)
-    return arguments, int(chosen["--mutations"]), int(chosen["--seed"]), shlex.split(chosen["--also"])
+    return arguments, int(chosen["--mutations"]), int(chosen["--seed"]), also
 
 
 class Comparison:
+    """The programs, of which the first reads CBOR."""
+
     def __init__(self, programs):
         self.programs, self.tally, self.bad, self.alone = programs, collections.Counter(), [], []
 
     def compare(self, paths, seconds):
         """The verdicts on each file; disagreements are kept."""
-        columns = [answers(program, paths, seconds) for program in self.programs]
+        columns = [self.of_cbor(paths, seconds)] + [answers(program, paths, seconds) for program in self.programs[1:]]
         for path, row in zip(paths, zip(*columns)):
             self.tally[row] += 1
-            if {"accepted", "refused"} <= set(row) or not set(row) <= set(WORDS.values()):
+            if {"accepted", "refused"} <= set(row) or not set(row) <= {NONE, *WORDS.values()}:
                 self.bad.append(path)
                 print("DISAGREE", path, *row, flush=True)
-            elif {"accepted", "declined"} <= set(row):
+            elif {"accepted", "declined"} <= set(row) and not is_region(path):
                 self.alone.append(path)
                 print("declined by one alone:", path, *row, flush=True)
         return list(zip(*columns))
+
+    def of_cbor(self, paths, seconds):
+        with tempfile.TemporaryDirectory() as folder:
+            encoded = {}
+            for n, path in enumerate(paths):
+                data = cbor_of(path)
+                if data is not None:
+                    encoded[path] = pathlib.Path(folder) / f"{n}.cbor"
+                    encoded[path].write_bytes(data)
+            found = answers(self.programs[0], list(encoded.values()), seconds) if encoded else []
+        return [dict(zip(encoded, found)).get(path, NONE) for path in paths]
+
+
+def is_region(path):
+    return '"domain":[\n"region"' in path.read_text(errors="replace")
+
+
+def is_accepted(row):
+    return "accepted" in row and "refused" not in row
 
 
 def main():
     (verify, coq, *places), mutations, seed, also = options(sys.argv[1:])
     files = sorted(f for p in map(pathlib.Path, places) for f in ([p] if p.is_file() else p.rglob("*.json")))
-    comparison = Comparison([[verify], [coq]] + ([also] if also else []))
-    good = [f for f in files if set(comparison.compare([f], 600)[0]) == {"accepted"}]
+    comparison = Comparison([[verify], [coq], *also])
+    good = [f for f in files if is_accepted(comparison.compare([f], 600)[0])]
     small = [f for f in good if f.stat().st_size < 12000]
     rng = random.Random(seed)
     with tempfile.TemporaryDirectory() as folder:
@@ -134,7 +175,7 @@ def main():
             for path in paths:
                 certificate = json.loads(rng.choice(small).read_text())
                 mutate(certificate, rng)
-                path.write_text(canonical(certificate) + "\n")
+                path.write_text(canonical(certificate))
             before = len(comparison.bad)
             comparison.compare(paths, 900)
             for path in comparison.bad[before:]:

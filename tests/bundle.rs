@@ -92,8 +92,8 @@ fn the_other_verifiers_decline_cbor_and_say_what_to_do() {
     let here = Path::new(env!("CARGO_MANIFEST_DIR"));
     let cbor = "tests/certificates/cbor/valid--slab-bcc.cbor";
     for (program, verifier) in [
-        ("python3", "crates/publish/src/bundle/verify.py"),
-        ("node", "crates/publish/src/report/verify-cli.mjs"),
+        ("python3", "verifiers/python/verify.py"),
+        ("node", "verifiers/javascript/verify-cli.mjs"),
     ] {
         let Some(output) = run(program, here, &[verifier, cbor]) else {
             continue;

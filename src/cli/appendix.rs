@@ -11,8 +11,8 @@ use super::output::{Output, write_files};
 use super::proved;
 use acutile_catalog as catalog;
 use acutile_publish::appendix::{self, File, Options, Subject, is_unchanged};
-use rayon::prelude::*;
 use clap::Args;
+use rayon::prelude::*;
 use std::path::{Path, PathBuf};
 
 #[derive(Debug, Args)]

@@ -10,7 +10,9 @@ import sys
 
 from source.check import code_of
 from source.encode import to_json
+from source.declined import DECLINED
 from source.false import FALSE
+from source.malformed import MALFORMED
 from source.valid import VALID
 
 HERE = os.path.dirname(os.path.abspath(__file__))
@@ -35,7 +37,7 @@ def check(folder, files):
             print(f"{folder}/{name}: {code}")
 
 
-FOLDERS = {"valid": VALID, "false": FALSE}
+FOLDERS = {"valid": VALID, "malformed": MALFORMED, "false": FALSE, "declined": DECLINED}
 
 if __name__ == "__main__":
     for folder, files in FOLDERS.items():

@@ -1,17 +1,16 @@
 """A slow checker of format 2: it answers with the code of the first refusal, or None.
 
-It reads JSON, keeps everything in memory and decides by brute force. It has no limits. It shares the number
+It reads JSON, keeps everything in memory and decides by brute force. Its only limits are the degree 8 and 4096 bits. It shares the number
 fields with the generator, and nothing with the program. `make.py --check` compares its answers with the names.
 """
-import itertools
 import json
 import math
 import re
 from fractions import Fraction as F
 
 from .build import LARGEST, RATIO, RELATIONS, SMALLEST, TILING, edges, facets, from_first
-from .encode import NUMBERS, text
-from .field import Field, Q, Undecided, adjugate, determinant, figures, inner, products, signed, times
+from .encode import text
+from .field import Field, Q, Undecided, determinant, figures, inner, products, signed, times
 from .meet import covered, meet_wrongly
 
 ORDER = [TILING, "acute", "nonobtuse", LARGEST, SMALLEST, RATIO, "Delaunay", "weakly Delaunay", "locally Delaunay",
@@ -44,9 +43,16 @@ def no_such(_):
     raise Refusal("json")
 
 
+def decimal(literal):
+    """A whole number in another notation; `text` does not write it so."""
+    value = F(literal)
+    ensure(value.denominator == 1, "json")
+    return int(value)
+
+
 def read(data):
     try:
-        value = json.loads(data.decode("ascii"), parse_float=no_such, parse_constant=no_such,
+        value = json.loads(data.decode("ascii"), parse_float=decimal, parse_constant=no_such,
                            object_pairs_hook=lambda pairs: dict(pairs))
     except (ValueError, RecursionError):
         raise Refusal("json") from None
@@ -59,6 +65,7 @@ def read(data):
 def numbers(value):
     """Integers that are written as texts become integers; `text` writes them as texts again."""
     if isinstance(value, str) and re.fullmatch("-?[1-9][0-9]*", value):
+        ensure(len(value) < 1300 and abs(int(value)) < 2 ** 4096, "too-many-digits")
         return int(value)
     if isinstance(value, list):
         return [numbers(item) for item in value]
@@ -139,7 +146,7 @@ def shape(value):
     def corner(c):
         if isinstance(c, list):
             array(integer, rank + 1)(c)
-            ensure(rank == 0 or any(c[1:]), "canonical")
+            ensure(any(c[1:]), "canonical")
         else:
             integer(c)
 

@@ -1,5 +1,4 @@
 """Certificates of false claims, and witnesses that do not prove their claims."""
-import itertools
 from dataclasses import replace
 from fractions import Fraction as F
 

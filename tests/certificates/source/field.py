@@ -9,7 +9,7 @@ from functools import cache, reduce
 
 
 class Undecided(Exception):
-    """No enclosure of the root shows the sign."""
+    """No enclosure of the root shows the sign, or a divisor of zero has no inverse."""
 
 
 class Field:
@@ -53,7 +53,9 @@ class Field:
         columns = [self.multiply(x, power) for power in powers]
         rows = [[column[i] for column in columns] + [powers[0][i]] for i in range(n)]
         for k in range(n):
-            pivot = next(i for i in range(k, n) if rows[i][k])
+            pivot = next((i for i in range(k, n) if rows[i][k]), None)
+            if pivot is None:
+                raise Undecided
             rows[k], rows[pivot] = rows[pivot], rows[k]
             rows[k] = [c / rows[k][k] for c in rows[k]]
             for i in range(n):

@@ -2,7 +2,6 @@
 import itertools
 import math
 
-from .build import from_first
 from .field import determinant
 
 

@@ -39,12 +39,12 @@ const FIXED: [(&str, &str); 8] = [
         "verify/package.json",
         include_str!("../report/package.json"),
     ),
-    ("verify/verifier.js", include_str!("../report/verifier.js")),
+    ("verify/verifier.js", include_str!("../../../../verifiers/javascript/verifier.js")),
     (
         "verify/verify-cli.mjs",
-        include_str!("../report/verify-cli.mjs"),
+        include_str!("../../../../verifiers/javascript/verify-cli.mjs"),
     ),
-    ("verify/verify.py", include_str!("verify.py")),
+    ("verify/verify.py", include_str!("../../../../verifiers/python/verify.py")),
 ];
 
 /// The extensions of the mesh formats, all of them as text.
