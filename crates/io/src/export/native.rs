@@ -59,7 +59,7 @@ fn domain(domain: &Domain) -> Value {
         }
         Domain::Prism(polygon) => json!({ "prism": polytope(polygon) }),
         Domain::Solid(solid) => json!({ "solid": polytope(solid) }),
-        Domain::Region => json!("region"),
+        Domain::Region(_) => json!("region"),
     }
 }
 
