@@ -4,7 +4,7 @@
 //! certificate in memory ([`prove`]) or in a file ([`prove_to`]); a certificate is read again with
 //! [`Proved::of_certificate`].
 
-use crate::checker::{self, Findings, Options, Progress};
+use crate::checker::{self, Findings, Names, Options, Progress};
 use crate::format::{self, json::JsonError};
 use crate::statement::Statement;
 use crate::tiling::{AnyTiling, Tiling};
@@ -45,6 +45,23 @@ pub enum NotProved {
     Unreadable(ReadError),
 }
 
+impl NotProved {
+    /// In words: the first defect of a tiling, or what else is in the way.
+    pub fn in_words<const D: usize>(&self, tiling: &Tiling<D>) -> String {
+        let first = |findings: &Findings| {
+            let defect = findings.kept().first();
+            let words = |defect| checker::describe::<D>(&Names::of(tiling), defect);
+            defect.map_or_else(|| self.to_string(), words)
+        };
+        match self {
+            NotProved::Refuted(findings) => format!("refuted: {}", first(findings)),
+            NotProved::Declined(findings) => format!("declined: {}", first(findings)),
+            _ => self.to_string(),
+        }
+    }
+}
+
+/// Defects by their codes; [`NotProved::in_words`] says more.
 impl fmt::Display for NotProved {
     fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
         let codes = |findings: &Findings| {
@@ -55,10 +72,11 @@ impl fmt::Display for NotProved {
             NotProved::Refuted(findings) => write!(f, "refuted: {}", codes(findings)),
             NotProved::Declined(findings) => write!(f, "declined: {}", codes(findings)),
             NotProved::Unconfirmed(refusal) => {
-                write!(f, "{}", crate::refusal::in_words(refusal))
+                let words = crate::refusal::in_words(refusal);
+                write!(f, "the kernel does not confirm the certificate: {words}")
             }
             NotProved::Io(error) => write!(f, "{error}"),
-            NotProved::Json(error) => write!(f, "malformed [{}]: {error}", error.code.name()),
+            NotProved::Json(error) => write!(f, "malformed [{}] {error}", error.code.name()),
             NotProved::Unreadable(error) => write!(f, "{error}"),
         }
     }

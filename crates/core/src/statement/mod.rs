@@ -11,7 +11,7 @@ pub use requirement::Requirement;
 pub use words::{in_words, summary};
 
 pub use crate::format::Relation;
-use crate::quality::{DihedralAngle, RadiusEdge};
+use crate::quality::{DihedralAngle, RadiusEdge, Range, Ranges};
 
 /// A statement. The order of the variants is the order in a claim.
 ///
@@ -72,29 +72,34 @@ fn is_stronger<T: Ord>(relation: Relation, x: &T, y: &T) -> bool {
     }
 }
 
-/// The bound of a kind of statements, among several.
-impl Statement {
-    /// The maximum, over the simplices, of the largest dihedral angle.
-    pub fn maximum_angle(statements: &[Statement]) -> Option<&DihedralAngle> {
-        statements.iter().find_map(|statement| match statement {
-            Statement::LargestAngle(Relation::Maximum, angle) => Some(angle),
-            _ => None,
-        })
-    }
-
-    /// The minimum, over the simplices, of the smallest dihedral angle.
-    pub fn minimum_angle(statements: &[Statement]) -> Option<&DihedralAngle> {
-        statements.iter().find_map(|statement| match statement {
-            Statement::SmallestAngle(Relation::Minimum, angle) => Some(angle),
-            _ => None,
-        })
-    }
-
-    /// The maximum, over the simplices, of the radius-edge ratio.
-    pub fn maximum_ratio(statements: &[Statement]) -> Option<&RadiusEdge> {
-        statements.iter().find_map(|statement| match statement {
-            Statement::RadiusEdge(Relation::Maximum, ratio) => Some(ratio),
-            _ => None,
-        })
-    }
+/// The six exact bounds among statements: the least and the greatest value of each quantity over
+/// the simplices; `None` if one is not stated.
+pub fn ranges(statements: &[Statement]) -> Option<Ranges> {
+    let find = |wanted: Relation| {
+        let (mut largest, mut smallest, mut ratio) = (None, None, None);
+        for statement in statements {
+            match statement {
+                Statement::LargestAngle(relation, x) if *relation == wanted => largest = Some(x),
+                Statement::SmallestAngle(relation, x) if *relation == wanted => smallest = Some(x),
+                Statement::RadiusEdge(relation, x) if *relation == wanted => ratio = Some(x),
+                _ => {}
+            }
+        }
+        Some((largest?.clone(), smallest?.clone(), ratio?.clone()))
+    };
+    let (low, high) = (find(Relation::Minimum)?, find(Relation::Maximum)?);
+    Some(Ranges {
+        largest_dihedral: Range {
+            min: low.0,
+            max: high.0,
+        },
+        smallest_dihedral: Range {
+            min: low.1,
+            max: high.1,
+        },
+        radius_edge: Range {
+            min: low.2,
+            max: high.2,
+        },
+    })
 }

@@ -260,14 +260,15 @@ fn field<const D: usize>(frame: &Frame<D>) -> String {
         return String::new();
     }
     let (low, high) = frame.field.root();
+    let a = frame.field.symbol();
     format!(
-        ", where a is the root of {} between {low} and {high}",
-        polynomial(frame.field.polynomial())
+        ", where {a} is the root of {} between {low} and {high}",
+        polynomial(frame.field.polynomial(), a)
     )
 }
 
-/// Coefficients from the constant term up, written as a sum in a.
-fn polynomial(coefficients: &[Integer]) -> String {
+/// Coefficients from the constant term up, written as a sum in the generator a.
+fn polynomial(coefficients: &[Integer], a: &str) -> String {
     let mut text = String::new();
     for (power, c) in coefficients.iter().enumerate().filter(|(_, c)| **c != 0) {
         let sign = match (*c < 0, text.is_empty()) {
@@ -280,10 +281,10 @@ fn polynomial(coefficients: &[Integer]) -> String {
         let size = c.unsigned_abs_ref();
         text += &match (power, *size == 1u32) {
             (0, _) => size.to_string(),
-            (1, true) => "a".to_owned(),
-            (1, false) => format!("{size} a"),
-            (_, true) => format!("a^{power}"),
-            (_, false) => format!("{size} a^{power}"),
+            (1, true) => a.to_owned(),
+            (1, false) => format!("{size} {a}"),
+            (_, true) => format!("{a}^{power}"),
+            (_, false) => format!("{size} {a}^{power}"),
         };
     }
     text

@@ -6,7 +6,7 @@ use super::row::{Finding, Row};
 use crate::survey::Survey;
 use acutile_exact::geometry::{NormalProducts, Scalar, Simplex, linear};
 use acutile_exact::number::numbers;
-use acutile_format1::certificate::Statement;
+use acutile_core::statement::Statement;
 
 /// The rows of section 3.2.
 pub fn rows(survey: &Survey) -> Vec<Row> {

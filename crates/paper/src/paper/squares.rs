@@ -6,7 +6,7 @@ use crate::table::Figure;
 use acutile_core::quality::{DihedralAngle, Exact};
 use acutile_exact::geometry::Simplex;
 use acutile_exact::number::Number;
-use acutile_format1::certificate::Statement;
+use acutile_core::statement::Statement;
 use malachite::Rational;
 
 /// The rows of section 2.1.

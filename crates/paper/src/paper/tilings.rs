@@ -7,7 +7,7 @@ use crate::survey::{Study, Survey};
 use crate::table::Figure;
 use acutile_core::quality::{DihedralAngle, Exact, decimal_range, display_width};
 use acutile_exact::geometry::Sign;
-use acutile_format1::certificate::Statement;
+use acutile_core::statement::Statement;
 use malachite::Rational;
 
 /// The rows of section 2.2 but those of `sommerville`.

@@ -1,22 +1,19 @@
 //! A proved tiling and what follows from it.
 
 use acutile_catalog as catalog;
-use acutile_core::checker::{self, Options};
+use acutile_core::checker::Options;
 use acutile_core::classify::{
     NotTcp, Ridges, Star, Symbol, check_tcp, combinatorial_symbol, metric_symbol, stars,
 };
 use acutile_core::delaunay::{Ties, triangulate};
-use acutile_core::quality::{
-    Measures, Ranges, Shape, measures_of_shapes, ranges, shapes, squared_edges,
-};
+use acutile_core::proved::prove;
+use acutile_core::quality::{Measures, Ranges, Shape, measures_of_shapes, shapes, squared_edges};
+use acutile_core::statement::{Statement, ranges};
 use acutile_core::tiling::{AnyTiling, Matching, PointSet, Tiling, match_facets};
 use acutile_exact::number::Number;
-use acutile_format1::certificate::{self, Statement};
-use sha2::{Digest, Sha256};
 use std::collections::BTreeMap;
-use std::fmt::Write;
 
-/// A tiling that the checker proved.
+/// A tiling that is proved; the kernel has confirmed its certificate.
 #[derive(Debug)]
 pub struct Study<const D: usize> {
     pub tiling: Tiling<D>,
@@ -29,7 +26,7 @@ pub struct Study<const D: usize> {
     pub shapes: Vec<Shape>,
     /// The measures of each class.
     pub measures: Vec<Measures>,
-    /// Their ranges.
+    /// The exact ranges that the certificate claims.
     pub ranges: Ranges,
     pub ridges: Ridges<D>,
 }
@@ -40,29 +37,16 @@ impl<const D: usize> Study<D> {
     /// # Errors
     /// The first defect, in words.
     pub fn of(tiling: Tiling<D>) -> Result<Self, String> {
-        let certificate = match checker::prove(&tiling, &Options::default(), &|_| {}) {
-            Ok(certificate) => certificate,
-            Err(refutation) => {
-                let first = refutation.kept().first();
-                return Err(first.map_or_else(
-                    || "refuted".to_owned(),
-                    |defect| {
-                        format!(
-                            "refuted: {}",
-                            checker::describe::<D>(&checker::Names::of(&tiling), defect)
-                        )
-                    },
-                ));
-            }
-        };
+        let proved = prove(&tiling, &Options::default(), &|_| {})
+            .map_err(|reason| reason.in_words(&tiling))?;
         let shapes = shapes(&tiling);
         let measures = measures_of_shapes(&tiling, &shapes);
         let matching = match_facets(&tiling);
         Ok(Study {
-            ranges: ranges(&measures).ok_or("there are no simplices")?,
+            ranges: ranges(proved.statements()).ok_or("the certificate has no exact bounds")?,
             ridges: Ridges::of(&tiling, &matching),
-            certificate: hexadecimal(&Sha256::digest(certificate::to_bytes(&certificate))),
-            statements: certificate.claim.statements,
+            certificate: proved.sha256(),
+            statements: proved.statements().to_vec(),
             matching,
             shapes,
             measures,
@@ -163,12 +147,4 @@ impl AnyStudy {
             AnyTiling::Space(tiling) => AnyStudy::Space(Study::of(tiling)?),
         })
     }
-}
-
-fn hexadecimal(bytes: &[u8]) -> String {
-    bytes.iter().fold(String::new(), |mut text, byte| {
-        // Writing to a string cannot fail.
-        let _ = write!(text, "{byte:02x}");
-        text
-    })
 }
