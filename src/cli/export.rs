@@ -5,10 +5,9 @@ use super::input::{self, FileArguments};
 use super::named::InputError;
 use super::outcome::Outcome;
 use super::output::{Output, write_text};
+use acutile_core::format;
 use acutile_core::tiling::{Tiling, supercell};
 use acutile_core::with_dimension;
-use acutile_format1::certificate::{Certificate, cbor::is_cbor};
-use acutile_format1::verifier::{Limits, to_json};
 use acutile_io::export::{coq_theorem, tiling_text};
 use clap::Args;
 use std::path::PathBuf;
@@ -52,14 +51,9 @@ pub fn run(arguments: &ExportArguments, output: &mut Output) -> Outcome {
 
 fn theorem(path: &str) -> Result<String, String> {
     let bytes = std::fs::read(path).map_err(|error| format!("{path}: cannot be read: {error}"))?;
-    let json = match is_cbor(&bytes) {
-        true => {
-            to_json(&bytes, &Limits::DEFAULT).map_err(|refusal| format!("{path}: {refusal}"))?
-        }
-        false => bytes,
-    };
-    let certificate: Certificate =
-        serde_json::from_slice(&json).map_err(|error| format!("{path}: {error}"))?;
+    let cbor = format::to_cbor(&bytes).map_err(|error| format!("{path}: {error}"))?;
+    let certificate =
+        format::read::certificate(&cbor).map_err(|error| format!("{path}: {error}"))?;
     coq_theorem(&certificate).map_err(|reason| format!("{path}: {reason}"))
 }
 
