@@ -5,7 +5,7 @@ use super::named::InputError;
 use super::outcome::Outcome;
 use super::output::{Output, write_file};
 use super::proved::{overwritten, proved, subject};
-use acutile_format1::front::one_line;
+use super::words::one_line;
 use acutile_publish::bundle::{Options, Piece, archive, bundle};
 use clap::Args;
 use std::path::{Path, PathBuf};

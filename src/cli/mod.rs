@@ -36,10 +36,10 @@ mod quality;
 mod refutation;
 mod report;
 mod show;
-mod statement;
 mod table;
 mod transcribe;
 mod verify;
+mod words;
 
 use args::{Arguments, Command};
 use clap::Parser;

@@ -5,8 +5,7 @@ use super::named::InputError;
 use super::outcome::Outcome;
 use super::output::{Output, write_file};
 use acutile_catalog as catalog;
-use acutile_format1::certificate::{FORMAT, cbor::is_cbor};
-use acutile_format1::verifier::{Kind, Limits, to_cbor, to_json};
+use acutile_core::format::{self, json::JsonCode, print, recognise};
 use acutile_io::import::{read_bytes, uncompressed_name};
 use std::fs::{self, File};
 use std::io::{self, BufRead, Read};
@@ -21,7 +20,7 @@ pub fn is_of_certificate(input: &str, path: &Path) -> bool {
 /// Whether an input begins as a certificate does, in either encoding.
 fn is_certificate(input: &str) -> bool {
     let is_name = catalog::find(input).is_some();
-    !is_name && beginning(input).is_ok_and(|bytes| begins_as_certificate(&bytes))
+    !is_name && beginning(input).is_ok_and(|bytes| recognise(&bytes).is_some())
 }
 
 /// The first bytes, which stay to be read; none of a pipe that has a name, from which they would
@@ -36,12 +35,6 @@ fn beginning(input: &str) -> io::Result<Vec<u8>> {
         File::open(input)?.take(LENGTH).read_to_end(&mut bytes)?;
     }
     Ok(bytes)
-}
-
-fn begins_as_certificate(bytes: &[u8]) -> bool {
-    let start = format!("{{\"format\":\"{FORMAT}\"");
-    let letters = bytes.iter().filter(|byte| !byte.is_ascii_whitespace());
-    is_cbor(bytes) || letters.take(start.len()).eq(start.as_bytes())
 }
 
 /// Reads, transcribes, writes. What the certificate claims is not looked at.
@@ -61,24 +54,23 @@ pub fn convert(
     check_alone(input, has_options)?;
     let bytes =
         read_bytes(Path::new(input), u64::MAX - 1).map_err(|error| format!("{input}: {error}"))?;
-    if !begins_as_certificate(&bytes) {
+    if recognise(&bytes).is_none() {
         return Err(format!("{input}: not a certificate; {}", way(input, path)).into());
     }
-    let limits = Limits {
-        bytes: u64::MAX,
-        ..Limits::DEFAULT
-    };
-    let written = match Encoding::of_path(path) {
-        Some(Encoding::Cbor) => to_cbor(&bytes, &limits),
-        _ => to_json(&bytes, &limits),
-    };
-    let written = written.map_err(|refusal| InputError {
-        message: format!("{input}: {} [{}] {refusal}", refusal.kind(), refusal.code()),
-        outcome: match refusal.kind() {
-            Kind::Declined => Outcome::Declined,
+    let cbor = format::to_cbor(&bytes).map_err(|error| InputError {
+        message: format!("{input}: malformed [{}] {error}", error.code.name()),
+        outcome: match error.code {
+            JsonCode::Version => Outcome::Declined,
             _ => Outcome::Failed,
         },
     })?;
+    // Both ways, so that what is written can be read again.
+    let json = print::to_json(&cbor)
+        .map_err(|error| format!("{input}: malformed [cbor] {error}"))?;
+    let written = match Encoding::of_path(path) {
+        Some(Encoding::Cbor) => cbor.into_owned(),
+        _ => json,
+    };
     if path == Path::new("-") {
         output.bytes(&written);
         return Ok(());

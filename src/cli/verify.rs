@@ -1,63 +1,249 @@
-//! `acutile verify`: the same kernel and the same lines as `acutile-verify`.
+//! `acutile verify`: asks the kernel about certificates in either encoding.
 
 use super::outcome::{Outcome, exit_outcome};
 use super::output::Output;
-use acutile_format1::front::verify_files;
-use acutile_format1::verifier::{Limits, Verified};
+use super::words::{name, one_line};
+use acutile_core::format::{self, Encoding, json::JsonError, recognise};
+use acutile_core::proved::{hexadecimal, in_words};
+use acutile_core::refusal;
+use acutile_kernel::{Code, Kind, Limits, Refusal, Verified, verify};
 use clap::Args;
+use serde_json::{Value, json};
 use std::ffi::OsString;
+use std::fs::File;
+use std::io::{self, BufReader, Read};
+use std::path::PathBuf;
 
 #[derive(Debug, Args)]
 pub struct VerifyArguments {
     /// Certificates (`-` for standard input)
     #[arg(value_name = "FILE", required = true)]
     pub files: Vec<OsString>,
+    /// Succeed only if each certificate proves exactly the claim in this file
+    #[arg(long, value_name = "FILE")]
+    pub claim: Option<PathBuf>,
     /// One JSON object for each file
     #[arg(long)]
     pub json: bool,
-    /// Bytes of a file
-    #[arg(long, value_name = "N", default_value_t = Limits::DEFAULT.bytes)]
-    pub limit_bytes: u64,
-    /// Simplices of a certificate
-    #[arg(long, value_name = "N", default_value_t = Limits::DEFAULT.simplices)]
-    pub limit_simplices: usize,
-    /// Decimal digits of a number
-    #[arg(long, value_name = "N", default_value_t = Limits::DEFAULT.digits)]
-    pub limit_digits: usize,
-    /// Degree of the field
-    #[arg(long, value_name = "N", default_value_t = Limits::DEFAULT.degree)]
-    pub limit_degree: usize,
-    /// Halvings of the root's interval
-    #[arg(long, value_name = "N", default_value_t = Limits::DEFAULT.bisections)]
-    pub limit_bisections: usize,
-    /// Word products for one product of numbers in every simplex
-    #[arg(long, value_name = "N", default_value_t = Limits::DEFAULT.work)]
-    pub limit_work: u64,
+    #[command(flatten)]
+    pub limits: LimitArguments,
 }
 
-/// Verifies every file.
-pub fn run(arguments: &VerifyArguments, output: &mut Output) -> Outcome {
-    let limits = Limits {
-        bytes: arguments.limit_bytes,
-        simplices: arguments.limit_simplices,
-        digits: arguments.limit_digits,
-        degree: arguments.limit_degree,
-        bisections: arguments.limit_bisections,
-        work: arguments.limit_work,
-    };
-    // Output keeps its errors to itself until it is finished.
-    match verify_files(&arguments.files, &limits, arguments.json, output) {
-        Ok(code) => exit_outcome(code),
-        Err(_) => Outcome::Failed,
+/// Limits beyond which a certificate is declined.
+#[derive(Clone, Debug, Args)]
+pub struct LimitArguments {
+    /// Bytes of a certificate
+    #[arg(long, value_name = "N", default_value_t = Limits::DEFAULT.bytes)]
+    pub max_bytes: u64,
+    /// Simplices of a certificate
+    #[arg(long, value_name = "N", default_value_t = Limits::DEFAULT.simplices)]
+    pub max_simplices: u64,
+    /// Bits of an integer
+    #[arg(long, value_name = "N", default_value_t = Limits::DEFAULT.bits)]
+    pub max_bits: u64,
+    /// Degree of the field
+    #[arg(long, value_name = "N", default_value_t = Limits::DEFAULT.degree)]
+    pub max_degree: usize,
+    /// Units of work, about nanoseconds, for a certificate and again for each MiB of it
+    #[arg(long, value_name = "N", default_value_t = Limits::DEFAULT.work)]
+    pub max_work: u64,
+}
+
+impl LimitArguments {
+    /// The kernel's limits.
+    pub fn limits(&self) -> Limits {
+        Limits {
+            bytes: self.max_bytes,
+            simplices: self.max_simplices,
+            bits: self.max_bits,
+            degree: self.max_degree,
+            work: self.max_work,
+        }
     }
 }
 
-/// What was verified, in a line.
+/// The verdict on a file.
+enum Verdict {
+    Verified(Box<Verified>),
+    /// It proves another claim.
+    OtherClaim(Box<Verified>),
+    Refused(Box<Refusal>),
+    Malformed(JsonError),
+    TooLong,
+    Unreadable(io::Error),
+}
+
+/// Verifies every file, a line each. Gives 0 if all are verified, else the first that occurs of 1
+/// (one is rejected), 2 (one is malformed or unreadable), 3 (one is declined).
+pub fn run(arguments: &VerifyArguments, output: &mut Output) -> Outcome {
+    let claim = match arguments.claim.as_ref().map(std::fs::read_to_string) {
+        None => None,
+        Some(Ok(text)) => Some(text),
+        Some(Err(error)) => {
+            output.complain(format!("acutile: --claim: cannot be read: {error}"));
+            return Outcome::Failed;
+        }
+    };
+    let limits = arguments.limits.limits();
+    let mut code = 0;
+    for file in &arguments.files {
+        let verdict = judge(file, claim.as_deref(), &limits);
+        let line = match arguments.json {
+            true => verdict.as_json(file).to_string(),
+            false => verdict.as_text(file),
+        };
+        output.line(line);
+        code = first_of(code, verdict.exit_code());
+    }
+    exit_outcome(code)
+}
+
+/// The first of 1, 2, 3 that is there, else 0.
+fn first_of(a: u8, b: u8) -> u8 {
+    if a == 0 || (b != 0 && b < a) { b } else { a }
+}
+
+fn judge(file: &OsString, claim: Option<&str>, limits: &Limits) -> Verdict {
+    let verified = match check(file, limits) {
+        Ok(verified) => Box::new(verified),
+        Err(verdict) => return verdict,
+    };
+    match claim {
+        Some(claim) if verified.claim().print() != claim => Verdict::OtherClaim(verified),
+        _ => Verdict::Verified(verified),
+    }
+}
+
+fn check(file: &OsString, limits: &Limits) -> Result<Verified, Verdict> {
+    let unreadable = Verdict::Unreadable;
+    if file == "-" {
+        return check_reader(&mut io::stdin().lock(), limits);
+    }
+    check_reader(&mut File::open(file).map_err(unreadable)?, limits)
+}
+
+/// CBOR is read in pieces; JSON is transcribed first.
+fn check_reader(reader: &mut dyn Read, limits: &Limits) -> Result<Verified, Verdict> {
+    let mut begin = Vec::new();
+    let taken = reader.take(BEGIN).read_to_end(&mut begin);
+    taken.map_err(Verdict::Unreadable)?;
+    let is_json = matches!(begin.first(), Some(b'{' | b' ' | b'\t' | b'\n' | b'\r'));
+    if !is_json && recognise(&begin) != Some(Encoding::Json) {
+        let mut rest = BufReader::new(io::Read::chain(&begin[..], reader));
+        return verify(&mut rest, limits).map_err(Verdict::Refused);
+    }
+    // One byte more than the limit is enough to be declined.
+    let more = limits.bytes.saturating_add(1);
+    let mut bytes = begin;
+    let taken = reader.take(more).read_to_end(&mut bytes);
+    taken.map_err(Verdict::Unreadable)?;
+    if bytes.len() as u64 > limits.bytes {
+        return Err(Verdict::TooLong);
+    }
+    let cbor = format::to_cbor(&bytes).map_err(Verdict::Malformed)?;
+    verify(&mut &cbor[..], limits).map_err(Verdict::Refused)
+}
+
+/// Bytes that tell the encodings apart.
+const BEGIN: u64 = 1024;
+
+impl Verdict {
+    fn exit_code(&self) -> u8 {
+        match self {
+            Verdict::Verified(_) => 0,
+            Verdict::OtherClaim(_) => 1,
+            Verdict::Refused(refusal) => match refusal.code.kind() {
+                _ if refusal.code == Code::Unreadable => 2,
+                Kind::Rejected => 1,
+                Kind::Malformed => 2,
+                Kind::Declined => 3,
+            },
+            Verdict::Malformed(error) if error.code == format::json::JsonCode::Version => 3,
+            Verdict::Malformed(_) | Verdict::Unreadable(_) => 2,
+            Verdict::TooLong => 3,
+        }
+    }
+
+    fn as_text(&self, file: &OsString) -> String {
+        let verdict = match self {
+            Verdict::Verified(verified) => format!("verified: {}", summary(verified)),
+            _ => format!("{} [{}] {}", self.word(), self.code(), self.message()),
+        };
+        format!("{}: {}", name(file), one_line(&verdict))
+    }
+
+    fn word(&self) -> &'static str {
+        match self {
+            Verdict::Verified(_) => "verified",
+            Verdict::OtherClaim(_) => "rejected",
+            Verdict::Refused(refusal) => refusal::verdict(refusal.code.kind()),
+            Verdict::Malformed(_) => match self.exit_code() {
+                3 => "declined",
+                _ => "malformed",
+            },
+            Verdict::TooLong => "declined",
+            Verdict::Unreadable(_) => "unreadable",
+        }
+    }
+
+    fn code(&self) -> &'static str {
+        match self {
+            Verdict::Verified(_) => "verified",
+            Verdict::OtherClaim(_) => "claim",
+            Verdict::Refused(refusal) => refusal.code.text(),
+            Verdict::Malformed(error) => error.code.name(),
+            Verdict::TooLong => "too-many-bytes",
+            Verdict::Unreadable(_) => "unreadable",
+        }
+    }
+
+    fn message(&self) -> String {
+        match self {
+            Verdict::Verified(verified) => in_words(verified),
+            Verdict::OtherClaim(verified) => {
+                format!("it proves another claim: {}", in_words(verified))
+            }
+            Verdict::Refused(refusal) => refusal::message(refusal),
+            Verdict::Malformed(error) => error.to_string(),
+            Verdict::TooLong => "the file is too long; --max-bytes raises the limit".to_owned(),
+            Verdict::Unreadable(error) => error.to_string(),
+        }
+    }
+
+    /// Members: file, verdict; claim, words, vertices, simplices, sha256 of a verified one; code,
+    /// message of any other.
+    fn as_json(&self, file: &OsString) -> Value {
+        let file = file.to_string_lossy();
+        match self {
+            Verdict::Verified(verified) => json!({
+                "file": file, "verdict": "verified", "claim": claim_json(verified),
+                "words": in_words(verified), "vertices": verified.vertices(),
+                "simplices": verified.simplices(), "sha256": hexadecimal(verified.sha256()),
+            }),
+            _ => json!({
+                "file": file, "verdict": self.word(), "code": self.code(),
+                "message": self.message(),
+            }),
+        }
+    }
+}
+
+/// The claim as the kernel prints it.
+pub fn claim_json(verified: &Verified) -> Value {
+    let file: Value = serde_json::from_str(&verified.claim().print()).unwrap_or_default();
+    file["claim"].clone()
+}
+
+/// The claim in words with counts and digest, in a line.
 pub fn summary(verified: &Verified) -> String {
+    let vertices = match verified.vertices() {
+        1 => "1 vertex".to_owned(),
+        n => format!("{n} vertices"),
+    };
     format!(
-        "{verified} ({} vertices, {} simplices, sha256 {})",
-        verified.vertices(),
+        "{}. ({vertices}, {} simplices, sha256 {})",
+        in_words(verified),
         verified.simplices(),
-        verified.sha256()
+        hexadecimal(verified.sha256())
     )
 }

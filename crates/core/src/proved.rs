@@ -191,6 +191,11 @@ impl Proved {
 }
 
 impl Confirmed {
+    /// What the kernel confirmed, alone.
+    pub fn into_verified(self) -> Verified {
+        self.verified
+    }
+
     /// What the kernel confirmed.
     pub fn verified(&self) -> &Verified {
         &self.verified
@@ -205,6 +210,22 @@ impl Confirmed {
     pub fn sha256(&self) -> String {
         hexadecimal(self.verified.sha256())
     }
+}
+
+/// The claim that the kernel confirmed, as data: read from the text that the kernel prints.
+pub fn claim_of(verified: &Verified) -> Option<format::Claim> {
+    let cbor = format::json::claim_to_cbor(verified.claim().print().as_bytes()).ok()?;
+    format::read::claim_file(&cbor).ok()
+}
+
+/// The claim that the kernel confirmed, in words, one line. A claim beyond the prover's limits is
+/// given as its JSON.
+pub fn in_words(verified: &Verified) -> String {
+    let (simplices, boundary) = (verified.simplices(), verified.boundary_facets());
+    let words = claim_of(verified).and_then(|claim| {
+        transcribe::claim_in_words(&claim, simplices as usize, boundary as usize).ok()
+    });
+    words.unwrap_or_else(|| verified.claim().print().replace('\n', ""))
 }
 
 /// Bytes in hexadecimal digits.

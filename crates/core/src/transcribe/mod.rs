@@ -18,5 +18,5 @@ pub mod order;
 pub mod read;
 pub mod write;
 
-pub use read::{ReadError, of_certificate};
+pub use read::{ReadError, claim_in_words, of_certificate};
 pub use write::{Parts, claim, to_certificate, write};

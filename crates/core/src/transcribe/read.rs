@@ -4,7 +4,7 @@
 
 use crate::format::{self, Cosine, Fraction, cbor, cbor::CborError, read};
 use crate::quality::{DihedralAngle, RadiusEdge};
-use crate::statement::Statement;
+use crate::statement::{Statement, summary};
 use crate::tiling::{
     AnyTiling, Coordinates, Corner, Domain, Frame, Polytope, SHIFT_LIMIT, Tiling,
 };
@@ -67,6 +67,26 @@ pub fn of_certificate(cbor: &[u8]) -> Result<(AnyTiling, Vec<Statement>), ReadEr
     };
     items.end()?;
     Ok((tiling, statements))
+}
+
+/// A claim in words, one line, with the number of its simplices and of its boundary facets.
+///
+/// # Errors
+/// [`ReadError`].
+pub fn claim_in_words(
+    claim: &format::Claim,
+    simplices: usize,
+    boundary: usize,
+) -> Result<String, ReadError> {
+    let numbers = Numbers::of(&claim.field)?;
+    let statements = claim.statements.iter();
+    let statements: Vec<Statement> = statements
+        .map(|statement| numbers.statement(statement))
+        .collect::<Result<_, _>>()?;
+    Ok(match claim.dimension {
+        2 => summary(&numbers.frame::<2>(claim)?, simplices, boundary, &statements),
+        _ => summary(&numbers.frame::<3>(claim)?, simplices, boundary, &statements),
+    })
 }
 
 /// Numbers of a certificate's field.

@@ -6,7 +6,7 @@ use super::tex::escape;
 /// The paragraph on the certificate of a subject.
 pub fn recheck(subject: &Subject) -> String {
     let path = subject.certificate_path();
-    let digest = subject.verified.sha256();
+    let digest = &subject.sha256;
     let (first, second) = digest.split_at(digest.len() / 2);
     format!(
         "\\acutileparagraph{{The certificate}} with the SHA-256\n% acutile:sha256 {slug} {digest}\n\

@@ -9,8 +9,7 @@ use acutile_core::quality::{Shape, shapes, squared_edges};
 use acutile_core::tiling::{AnyTiling, Matching, Tiling, match_facets};
 use acutile_exact::geometry::{NormalProducts, linear};
 use acutile_exact::number::Number;
-use acutile_format1::certificate::{Domain, Statement};
-use acutile_format1::verifier::Verified;
+use acutile_core::statement::Statement;
 
 /// A confirmed certificate with a name.
 #[derive(Debug)]
@@ -21,8 +20,10 @@ pub struct Subject {
     pub description: String,
     /// Where it comes from, in the words of the catalogue.
     pub source: Option<&'static str>,
+    /// The certificate in JSON.
     pub(super) bytes: Vec<u8>,
-    pub(super) verified: Verified,
+    pub(super) sha256: String,
+    statements: Vec<Statement>,
     pub(super) tiling: AnyTiling,
 }
 
@@ -30,16 +31,16 @@ impl Subject {
     /// A confirmed certificate; nothing for a region, whose proof is another theorem than that of
     /// soundness.tex.
     pub fn of_proved(proved: &Proved) -> Option<Subject> {
-        let verified = proved.verified();
-        if verified.claim().domain == Domain::Region {
+        if proved.is_region() {
             return None;
         }
         Some(Subject {
             name: proved.name.clone(),
             description: proved.description.clone(),
             source: None,
-            bytes: proved.bytes().to_vec(),
-            verified: verified.clone(),
+            bytes: proved.json().as_bytes().to_vec(),
+            sha256: proved.sha256(),
+            statements: proved.statements().to_vec(),
             tiling: proved.tiling().clone(),
         })
     }
@@ -63,7 +64,7 @@ impl Subject {
     }
 
     pub(super) fn statements(&self) -> &[Statement] {
-        &self.verified.claim().statements
+        &self.statements
     }
 }
 

@@ -33,8 +33,8 @@ pub fn article<const D: usize>(
             ("description", &escape(described(proved))),
             ("claim", &claim),
             ("statements", &statements),
-            ("sha256", &escape(proved.verified().sha256())),
-            ("bytes", &proved.bytes().len().to_string()),
+            ("sha256", &escape(&proved.sha256())),
+            ("bytes", &proved.json().len().to_string()),
             ("picture", &picture(tiling, &facts.class_of, &label)),
             ("facts", &summary(tiling, facts)),
             ("simplices", simplex),
@@ -48,9 +48,9 @@ pub fn article<const D: usize>(
     )
 }
 
-/// The kernel's own words: the first sentence, and a list of the other statements.
+/// The claim: the first sentence, and a list of the other statements.
 fn claim(proved: &Proved) -> (String, String) {
-    let words = proved.verified().to_string();
+    let words = proved.in_words();
     let mut sentences = words
         .split("; ")
         .map(|sentence| format!("{}.", capital(sentence)));

@@ -87,7 +87,7 @@ fn shown(entry: &Entry) -> Result<Shown, String> {
         .map_err(|error| format!("{name}: {error}"))?;
     let label = format!("One cell of {}", escape(name));
     Ok(Shown {
-        certificate: String::from_utf8_lossy(proved.bytes()).into_owned(),
+        certificate: proved.json().to_owned(),
         picture: match proved.tiling() {
             AnyTiling::Plane(tiling) => picture(tiling, &super::facts::classes(tiling), &label),
             AnyTiling::Space(tiling) => picture(tiling, &super::facts::classes(tiling), &label),
