@@ -40,7 +40,10 @@ fn checks(row: &str, column: usize) -> Vec<String> {
 
 #[test]
 fn every_hypothesis_names_functions_that_exist() {
-    let (prover, kernel) = (sources("crates/core/src/checker"), sources("crates/format1/src/verifier"));
+    let (prover, kernel) = (
+        sources("crates/core/src/checker"),
+        sources("crates/format1/src/verifier"),
+    );
     let mut count = 0;
     for row in read("docs/soundness.md")
         .lines()

@@ -5,13 +5,36 @@
 //! `acutile appendix` wrote and nobody has changed since, or where `--force` is given; that is looked
 //! at for all files before the first is written.
 
-use super::Outcome;
-use super::args::{AppendixArguments, FileArguments};
+use super::input::FileArguments;
+use super::outcome::Outcome;
 use super::output::{Output, write_files};
 use super::proved;
 use acutile_catalog as catalog;
 use acutile_publish::appendix::{self, File, Options, Subject, is_unchanged};
+use clap::Args;
+use rayon::prelude::*;
 use std::path::{Path, PathBuf};
+
+#[derive(Debug, Args)]
+pub struct AppendixArguments {
+    /// Certificates, names of the catalogue, tiling files, or point sets (CIF too)
+    #[arg(value_name = "CERT|NAME|FILE", required_unless_present = "all")]
+    pub inputs: Vec<String>,
+    #[command(flatten)]
+    pub file: FileArguments,
+    /// The whole catalogue
+    #[arg(long)]
+    pub all: bool,
+    /// Write the files into this directory
+    #[arg(short, long, value_name = "DIR")]
+    pub output: PathBuf,
+    /// Replace files that are there, even if they are others' or were edited
+    #[arg(long)]
+    pub force: bool,
+    /// Print decimals with the package siunitx
+    #[arg(long)]
+    pub siunitx: bool,
+}
 
 type Failure = (String, Outcome);
 
@@ -54,32 +77,11 @@ fn write(arguments: &AppendixArguments) -> Result<usize, Failure> {
 
 /// The subjects of all inputs, several at a time; the first failure in their order.
 fn subjects(inputs: &[&str], options: &FileArguments) -> Result<Vec<Subject>, Failure> {
-    let next = std::sync::atomic::AtomicUsize::new(0);
-    let found = std::sync::Mutex::new(std::collections::BTreeMap::new());
-    let work = || {
-        loop {
-            let index = next.fetch_add(1, std::sync::atomic::Ordering::Relaxed);
-            let Some(input) = inputs.get(index) else {
-                break;
-            };
-            let subject = subject(input, options);
-            if let Ok(mut found) = found.lock() {
-                found.insert(index, subject);
-            }
-        }
-    };
-    let workers = std::thread::available_parallelism().map_or(1, usize::from);
-    std::thread::scope(|scope| {
-        for _ in 1..workers {
-            scope.spawn(work);
-        }
-        work();
-    });
-    found
-        .into_inner()
-        .unwrap_or_default()
-        .into_values()
-        .collect()
+    let found: Vec<_> = inputs
+        .par_iter()
+        .map(|input| subject(input, options))
+        .collect();
+    found.into_iter().collect()
 }
 
 /// Two subjects of one name would be written to the same files.

@@ -1,8 +1,8 @@
 //! `acutile bundle`: an archive to deposit.
 
-use super::Outcome;
-use super::args::FileArguments;
-use super::input::InputError;
+use super::input::FileArguments;
+use super::named::InputError;
+use super::outcome::Outcome;
 use super::output::{Output, write_file};
 use super::proved::{overwritten, proved, subject};
 use acutile_format1::front::one_line;

@@ -1,11 +1,12 @@
 //! `acutile certify`: proves tilings and writes their certificates.
 
-use super::Outcome;
-use super::args::{CertifyArguments, Encoding};
-use super::input;
+use super::encoding::Encoding;
+use super::input::{self, FileArguments};
+use super::outcome::Outcome;
 use super::output::{Output, Staged, write_file};
 use super::progress::Progress;
 use super::refutation::Refuted;
+use super::statement::statement;
 use super::verify::summary;
 use acutile_catalog as catalog;
 use acutile_core::checker::{self, Defect, Findings, Names, Options};
@@ -14,10 +15,57 @@ use acutile_core::with_dimension;
 use acutile_format1::certificate::Statement;
 use acutile_format1::verifier::{Limits, Refusal, Verified, to_json, verify, verify_file};
 use acutile_io::import::{is_gzip, uncompressed_name};
+use clap::Args;
 use serde_json::{Value, json};
 use std::collections::BTreeMap;
 use std::io::{self, BufWriter, Write};
 use std::path::{Path, PathBuf};
+
+#[derive(Debug, Args)]
+pub struct CertifyArguments {
+    /// Names of the catalogue, tiling files, mesh files, or point sets (CIF too), whose
+    /// Delaunay triangulation is certified (`-` for standard input)
+    #[arg(value_name = "NAME|FILE", required_unless_present = "all")]
+    pub inputs: Vec<String>,
+    #[command(flatten)]
+    pub file: FileArguments,
+    /// The whole catalogue
+    #[arg(long)]
+    pub all: bool,
+    /// The number that the construction depends on, like 3/7 or sqrt(2)/4: a/e of
+    /// goldberg-1, -2 and -3, epsilon of two-corners
+    #[arg(
+        long,
+        value_name = "VALUE",
+        conflicts_with = "all",
+        allow_hyphen_values = true
+    )]
+    pub param: Option<String>,
+    /// Write the certificate to this file (`-` for standard output), or the
+    /// certificates into this directory
+    #[arg(short, long, value_name = "FILE|DIR")]
+    pub output: Option<PathBuf>,
+    /// The encoding; without it CBOR for a file whose name ends in .cbor, and else JSON
+    #[arg(long, value_enum, conflicts_with = "no_certificate")]
+    pub format: Option<Encoding>,
+    /// A statement that must hold: tiling, acute, nonobtuse, delaunay, weakly-delaunay, tcp,
+    /// dihedral<DEGREES, dihedral>DEGREES, radius-edge<RATIO
+    #[arg(long = "require", value_name = "STATEMENT", value_parser = statement)]
+    pub required: Vec<Statement>,
+    /// Give negatively oriented simplices positive orientation
+    #[arg(long)]
+    pub reorient: bool,
+    /// Prove and tell, but make no certificate and do not ask the kernel: for large meshes that
+    /// are to be checked and not to be published
+    #[arg(long, conflicts_with = "output")]
+    pub no_certificate: bool,
+    /// How many defects of each kind to tell; all are counted. Without it 20, and with --json all
+    #[arg(long, value_name = "N")]
+    pub max_defects: Option<usize>,
+    /// One JSON object a line: one for each input, and for a refuted one then one for each defect
+    #[arg(long)]
+    pub json: bool,
+}
 
 /// Certifies every input; the outcome is the worst of all.
 pub fn run(arguments: &CertifyArguments, output: &mut Output) -> Outcome {

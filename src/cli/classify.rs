@@ -1,12 +1,25 @@
 //! `acutile classify`: what a tiling is combinatorially.
 
-use super::args::ClassifyArguments;
+use super::input::{self, FileArguments};
+use super::outcome::Outcome;
 use super::output::Output;
-use super::{Outcome, input};
 use acutile_core::tiling::Domain;
 use acutile_paper::survey::{AnyStudy, Study, Survey, isomorphic_entries};
+use clap::Args;
 use malachite::Rational;
 use serde_json::{Value, json};
+
+#[derive(Debug, Args)]
+pub struct ClassifyArguments {
+    /// A name of the catalogue, a tiling or mesh file, or a point set (CIF too) (`-` for standard input)
+    #[arg(value_name = "NAME|FILE")]
+    pub input: String,
+    #[command(flatten)]
+    pub file: FileArguments,
+    /// One JSON object
+    #[arg(long)]
+    pub json: bool,
+}
 
 /// Prints what the tiling is; refuted where it is no tiling.
 pub fn run(arguments: &ClassifyArguments, output: &mut Output) -> Outcome {

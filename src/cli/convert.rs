@@ -1,12 +1,13 @@
-//! `acutile convert`: meshes and tilings written in other formats; certificates are for [`encoding`].
+//! `acutile convert`: meshes and tilings written in other formats; certificates are for [`transcribe`].
 
-use super::args::ConvertArguments;
 use super::export::supercell_sizes;
-use super::input::{self, InputError, TextOrMesh};
+use super::input::{self, FileArguments, TextOrMesh};
+use super::named::InputError;
+use super::outcome::Outcome;
 use super::output::{Output, write_file};
 use super::progress::Progress;
 use super::proved::overwritten;
-use super::{Outcome, encoding, mesh};
+use super::{mesh, transcribe};
 use acutile_catalog as catalog;
 use acutile_core::tiling::{AnyTiling, Tiling, supercell};
 use acutile_exact::number::Number;
@@ -16,10 +17,63 @@ use acutile_io::mesh::lattice::Basis;
 use acutile_io::mesh::load::{Loaded, tetgen_paths};
 use acutile_io::mesh::writer::{Shortest, losses};
 use acutile_io::mesh::{Family, File, Flat, Format, Mesh, flatten, patch, write};
+use clap::Args;
 use flate2::Compression;
 use flate2::write::GzEncoder;
+use malachite::Rational;
 use std::io::{self, Write};
 use std::path::{Path, PathBuf};
+
+#[derive(Debug, Args)]
+pub struct ConvertArguments {
+    /// A name of the catalogue, a tiling file or a mesh file (`-` for standard input), or a
+    /// certificate
+    #[arg(value_name = "NAME|FILE")]
+    pub input: String,
+    /// The file to write, its format told by the extension: msh, vtk, vtu, mesh, meshb, node or
+    /// ele, json for a tiling file; with .gz behind it compressed (`-` for standard output). For a
+    /// certificate json or cbor, its two encodings
+    #[arg(value_name = "FILE")]
+    pub output: PathBuf,
+    /// The number that the construction depends on
+    #[arg(long, value_name = "VALUE", allow_hyphen_values = true)]
+    pub param: Option<String>,
+    /// The format to write: msh2, msh2-binary, msh4, msh4-binary, vtk, vtk-binary, vtu-text,
+    /// vtu-base64, vtu-raw, vtu (compressed), medit, meshb, tetgen
+    #[arg(long, value_name = "FORMAT", value_parser = Format::parse)]
+    pub to: Option<Format>,
+    /// Repeat the cell so many times in each direction of the lattice
+    #[arg(long, value_name = "N,N,N", value_delimiter = ',', value_parser = clap::value_parser!(u16).range(1..))]
+    pub supercell: Vec<u16>,
+    /// All whole tetrahedra of the tiling in the ball of this radius around the origin, as a
+    /// bounded mesh
+    #[arg(long, value_name = "RADIUS", value_parser = radius)]
+    pub patch: Option<Rational>,
+    /// Round coordinates that are no doubles, and tell how many and how far
+    #[arg(long)]
+    pub round: bool,
+    #[command(flatten)]
+    pub file: FileArguments,
+}
+
+impl ConvertArguments {
+    /// Whether an option says how a mesh or a tiling is converted.
+    fn has_options(&self) -> bool {
+        self.param.is_some()
+            || self.to.is_some()
+            || !self.supercell.is_empty()
+            || self.patch.is_some()
+            || self.round
+    }
+}
+
+fn radius(text: &str) -> Result<Rational, String> {
+    match acutile_exact::number::parse_rational(text) {
+        Ok(value) if value > 0 => Ok(value),
+        Ok(_) => Err(format!("found {text}, expected a positive number")),
+        Err(error) => Err(error.to_string()),
+    }
+}
 
 /// Reads, converts, writes.
 pub fn run(arguments: &ConvertArguments, output: &mut Output) -> Outcome {
@@ -28,8 +82,10 @@ pub fn run(arguments: &ConvertArguments, output: &mut Output) -> Outcome {
         output.complain(format!("acutile: would overwrite the input {input}"));
         return Outcome::Failed;
     }
-    if encoding::is_of_certificate(arguments) {
-        return ended(encoding::convert(arguments, output), output);
+    let (input, path) = (&arguments.input, arguments.output.as_path());
+    if transcribe::is_of_certificate(input, path) {
+        let written = transcribe::convert(input, path, arguments.has_options(), output);
+        return ended(written, output);
     }
     let progress = Progress::of(&arguments.input);
     let mut notes = Vec::new();

@@ -1,9 +1,9 @@
 //! `acutile draw`: figures for print.
 
-use super::args::FileArguments;
+use super::input::{self, FileArguments};
+use super::outcome::Outcome;
 use super::output::{Output, write_file};
 use super::progress::Progress;
-use super::{Outcome, input};
 use acutile_core::tiling::AnyTiling;
 use acutile_exact::number::{Number, parse_rational};
 use acutile_publish::draw::svg::svg;

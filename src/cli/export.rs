@@ -1,14 +1,38 @@
 //! `acutile export`: a tiling, or a supercell of it, as a tiling file; a certificate
 //! as a theorem for Coq.
 
-use super::Outcome;
-use super::args::ExportArguments;
-use super::input::{self, InputError};
-use super::output::{Output, write_file};
+use super::input::{self, FileArguments};
+use super::named::InputError;
+use super::outcome::Outcome;
+use super::output::{Output, write_text};
 use acutile_core::format;
 use acutile_core::tiling::{Tiling, supercell};
 use acutile_core::with_dimension;
 use acutile_io::export::{coq_theorem, tiling_text};
+use clap::Args;
+use std::path::PathBuf;
+
+#[derive(Debug, Args)]
+pub struct ExportArguments {
+    /// A name of the catalogue, a tiling or mesh file, or a point set (CIF too); with --coq, a certificate
+    #[arg(value_name = "NAME|FILE")]
+    pub input: String,
+    #[command(flatten)]
+    pub file: FileArguments,
+    /// Write the file here and not to standard output
+    #[arg(short, long, value_name = "FILE")]
+    pub output: Option<PathBuf>,
+    /// The number that the construction depends on, like 3/7 or sqrt(2)/4: a/e of
+    /// goldberg-1, -2 and -3, epsilon of two-corners
+    #[arg(long, value_name = "VALUE", allow_hyphen_values = true)]
+    pub param: Option<String>,
+    /// Write the certificate's claim as a theorem for Coq (see proofs/README.md)
+    #[arg(long, conflicts_with_all = ["supercell", "param"])]
+    pub coq: bool,
+    /// Repeat the cell so many times in each direction of the lattice
+    #[arg(long, value_name = "N,N,N", value_delimiter = ',', value_parser = clap::value_parser!(u16).range(1..))]
+    pub supercell: Vec<u16>,
+}
 
 /// Writes the file.
 pub fn run(arguments: &ExportArguments, output: &mut Output) -> Outcome {
@@ -83,22 +107,4 @@ pub fn supercell_sizes<const D: usize>(
         ));
     }
     Ok(std::array::from_fn(|k| sizes.get(k).copied().unwrap_or(1)))
-}
-
-/// Writes a file, or to standard output where there is none.
-pub fn write_text(path: Option<&std::path::Path>, text: &str, output: &mut Output) -> Outcome {
-    let Some(path) = path else {
-        output.bytes(text.as_bytes());
-        return Outcome::Done;
-    };
-    match write_file(path, text.as_bytes()) {
-        Ok(()) => Outcome::Done,
-        Err(error) => {
-            output.complain(format!(
-                "acutile: {}: cannot be written: {error}",
-                path.display()
-            ));
-            Outcome::Failed
-        }
-    }
 }

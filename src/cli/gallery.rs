@@ -1,11 +1,22 @@
 //! `acutile gallery`: a static site of the whole catalogue.
 
-use super::Outcome;
-use super::args::GalleryArguments;
+use super::outcome::Outcome;
 use super::output::{Output, write_file};
 use acutile_publish::report::{Site, gallery};
+use clap::Args;
 use std::io;
 use std::path::Path;
+use std::path::PathBuf;
+
+#[derive(Debug, Args)]
+pub struct GalleryArguments {
+    /// Write the site into this directory
+    #[arg(short, long, value_name = "DIR", required = true)]
+    pub output: PathBuf,
+    /// Write into a directory that has other files, too
+    #[arg(long)]
+    pub force: bool,
+}
 
 /// Writes the site; nothing is written where a construction is not proved, nor into a directory
 /// that has other things than a site of this program, unless `--force` is given.

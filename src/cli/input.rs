@@ -1,11 +1,10 @@
 //! A name of the catalogue or a file, turned into a tiling; a point set becomes its
 //! Delaunay triangulation.
 
-use super::Outcome;
-use super::args::{FileArguments, MeshArguments, PointArguments};
-use super::delaunay;
-use super::mesh;
+use super::mesh::{self, MeshArguments};
+use super::named::{InputError, Named};
 use super::output::Output;
+use super::points::{self, PointArguments};
 use acutile_catalog as catalog;
 use acutile_core::tiling::{AnyPointSet, AnyTiling};
 use acutile_format1::certificate::cbor::is_cbor;
@@ -14,61 +13,17 @@ use acutile_io::import::{
     BYTE_LIMIT, Content, ImportError, NativeFile, read_bytes, read_native, read_text,
     uncompressed_name, without_comments,
 };
-use acutile_io::mesh::{Family, MeshError, Origin, load};
+use acutile_io::mesh::{Family, load};
+use clap::Args;
 use std::path::Path;
 
-/// Where a tiling comes from, with its name for messages and for the file name of
-/// its certificate.
-pub struct Named {
-    /// A name of the catalogue, or a path.
-    pub name: String,
-    /// What it is, in a line.
-    pub description: String,
-    /// The tiling.
-    pub tiling: AnyTiling,
-    /// The numbers of a mesh file.
-    pub origin: Option<Origin>,
-    /// What was told of a mesh file: what was moved, turned, or not looked at.
-    pub notes: Vec<String>,
-}
-
-/// Why there is no input, in words that name it, and what that makes of the command.
-pub struct InputError {
-    pub message: String,
-    pub outcome: Outcome,
-}
-
-impl From<String> for InputError {
-    fn from(message: String) -> Self {
-        InputError {
-            message,
-            outcome: Outcome::Failed,
-        }
-    }
-}
-
-impl InputError {
-    /// A mesh file could not be read.
-    pub fn of_mesh(input: &str, error: &MeshError) -> Self {
-        InputError {
-            message: format!("{input}: {error}"),
-            outcome: outcome(error.is_limit),
-        }
-    }
-
-    fn of_file(path: &Path, error: &ImportError) -> Self {
-        InputError {
-            message: format!("{}: {error}", path.display()),
-            outcome: outcome(error.is_limit()),
-        }
-    }
-}
-
-fn outcome(is_limit: bool) -> Outcome {
-    match is_limit {
-        true => Outcome::Declined,
-        false => Outcome::Failed,
-    }
+/// How a file becomes a tiling.
+#[derive(Debug, Default, Args)]
+pub struct FileArguments {
+    #[command(flatten)]
+    pub points: PointArguments,
+    #[command(flatten)]
+    pub mesh: MeshArguments,
 }
 
 /// The tiling of a catalogue name, for a parameter if one is given, or of a file. What is to
@@ -142,7 +97,7 @@ pub fn of_text(
     let description = words.collect::<Vec<_>>().join(": ");
     let tiling = match file.content {
         Content::Tiling(tiling) => tiling,
-        Content::Points(set) => delaunay::of_points(input, &set, points, output)?,
+        Content::Points(set) => points::of_points(input, &set, points, output)?,
     };
     Ok(Named {
         name: input.to_owned(),

@@ -1,10 +1,17 @@
 //! `acutile list`: the catalogue.
 
-use super::Outcome;
-use super::args::ListArguments;
+use super::outcome::Outcome;
 use super::output::Output;
 use acutile_catalog as catalog;
+use clap::Args;
 use serde_json::json;
+
+#[derive(Debug, Args)]
+pub struct ListArguments {
+    /// One JSON object for each construction
+    #[arg(long)]
+    pub json: bool,
+}
 
 /// Prints a line for each construction.
 pub fn run(arguments: &ListArguments, output: &mut Output) -> Outcome {

@@ -1,12 +1,51 @@
 //! Mesh files as tilings, and what has to be told about them on standard error.
 
-use super::args::MeshArguments;
-use super::input::{InputError, Named};
+use super::named::{InputError, Named};
 use super::output::{Output, write_file};
 use acutile_core::tiling::AnyTiling;
+use acutile_io::mesh::Format;
 use acutile_io::mesh::load::Loaded;
 use acutile_io::mesh::{Converted, Lattice, Mesh, Move, periodic_tiling, region_tiling};
+use clap::Args;
 use std::fmt::Write;
+use std::path::PathBuf;
+
+/// How a mesh file becomes a tiling. Coordinates in text mean the nearest double, and every
+/// double is taken as the exact number that it is.
+#[derive(Clone, Debug, Default, Args)]
+#[command(next_help_heading = "Mesh files")]
+pub struct MeshArguments {
+    /// The mesh is a cell of a periodic tiling with these lattice vectors, three for space or two
+    /// for a slab: integers, fractions and decimals, exact as written
+    #[arg(long, value_name = "A1,A2,A3;B1,B2,B3;C1,C2,C3", value_parser = Lattice::parse,
+        allow_hyphen_values = true)]
+    pub lattice: Option<Lattice>,
+    /// The mesh is bounded, even if the file has periodic links
+    #[arg(long, conflicts_with = "lattice")]
+    pub bounded: bool,
+    /// Move nodes that are within this distance of a lattice translate of another node exactly
+    /// onto it (of another node, if the mesh is bounded); what is proved is proved about the
+    /// moved mesh
+    #[arg(long, value_name = "TOLERANCE", value_parser = tolerance)]
+    pub identify: Option<f64>,
+    /// Write every move of --identify to this file, as CSV
+    #[arg(long, value_name = "FILE", requires = "identify")]
+    pub moves: Option<PathBuf>,
+    /// The format of a mesh file that has no extension of its own: msh4, vtk, vtu, medit,
+    /// meshb, tetgen
+    #[arg(long = "from", value_name = "FORMAT", value_parser = Format::parse)]
+    pub mesh_format: Option<Format>,
+}
+
+/// A distance in doubles.
+fn tolerance(text: &str) -> Result<f64, String> {
+    match text.parse::<f64>() {
+        Ok(value) if value.is_finite() && value >= 0.0 => Ok(value),
+        _ => Err(format!(
+            "found {text}, expected a number that is not negative"
+        )),
+    }
+}
 
 /// The tiling of a mesh, as the options say.
 ///

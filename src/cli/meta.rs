@@ -1,7 +1,7 @@
 //! `acutile completions` and `acutile man`, generated from the arguments.
 
-use super::Outcome;
 use super::args::{Arguments, CompletionsArguments};
+use super::outcome::Outcome;
 use super::output::Output;
 use clap::CommandFactory;
 

@@ -2,11 +2,21 @@
 //!
 //! The files stand in `examples/` beside this one, and are accepted as they are.
 
-use super::Outcome;
-use super::args::NewArguments;
-use super::export::write_text;
-use super::output::Output;
+use super::outcome::Outcome;
+use super::output::{Output, write_text};
+use clap::Args;
 use clap::ValueEnum;
+use std::path::PathBuf;
+
+#[derive(Debug, Args)]
+pub struct NewArguments {
+    /// The kind of file
+    #[arg(value_enum)]
+    pub kind: Kind,
+    /// Write the file here and not to standard output; a file that is there is not overwritten
+    #[arg(short, long, value_name = "FILE")]
+    pub output: Option<PathBuf>,
+}
 
 /// A kind of file.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]

@@ -3,8 +3,8 @@
 //! A reader that closes the pipe early ends the printing quietly; any other error
 //! of standard output makes the command fail.
 
-use super::Outcome;
 use super::interrupt::Guarded;
+use super::outcome::Outcome;
 use std::fmt::Display;
 use std::io::{self, BufWriter, ErrorKind, Stdout, Write};
 use std::path::{Path, PathBuf};
@@ -162,4 +162,22 @@ fn new_file(directory: &Path) -> io::Result<Guarded> {
         builder.permissions(std::fs::Permissions::from_mode(0o666));
     }
     Guarded::new(|| builder.tempfile_in(directory))
+}
+
+/// Writes a file, or to standard output where there is none.
+pub fn write_text(path: Option<&Path>, text: &str, output: &mut Output) -> Outcome {
+    let Some(path) = path else {
+        output.bytes(text.as_bytes());
+        return Outcome::Done;
+    };
+    match write_file(path, text.as_bytes()) {
+        Ok(()) => Outcome::Done,
+        Err(error) => {
+            output.complain(format!(
+                "acutile: {}: cannot be written: {error}",
+                path.display()
+            ));
+            Outcome::Failed
+        }
+    }
 }

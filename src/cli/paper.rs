@@ -1,10 +1,17 @@
 //! `acutile paper`: every checkable statement of the paper with its verdict.
 
-use super::Outcome;
-use super::args::PaperArguments;
+use super::outcome::Outcome;
 use super::output::Output;
 use acutile_paper::paper::{self, Row, Verdict};
 use acutile_paper::survey::Survey;
+use clap::Args;
+
+#[derive(Debug, Args)]
+pub struct PaperArguments {
+    /// An array with one JSON object for each statement
+    #[arg(long)]
+    pub json: bool,
+}
 
 /// Prints a row for each statement. Done when every statement was settled, whether it stands or
 /// not; declined when one was not.

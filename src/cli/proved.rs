@@ -1,9 +1,9 @@
 //! Inputs of `acutile report`, `acutile appendix` and `acutile bundle`: certificates, or whatever
 //! else is a tiling, which is proved first. Nothing gets past here that the kernel does not confirm.
 
-use super::Outcome;
-use super::args::FileArguments;
-use super::input::{self, InputError};
+use super::input::{self, FileArguments};
+use super::named::InputError;
+use super::outcome::Outcome;
 use super::output::Output;
 use super::progress::Progress;
 use acutile_catalog as catalog;

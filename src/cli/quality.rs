@@ -1,11 +1,10 @@
 //! `acutile quality`: how good the simplices of a mesh are.
 
-use super::args::FileArguments;
-use super::export::write_text;
-use super::input::Named;
-use super::output::Output;
+use super::input::{self, FileArguments};
+use super::named::Named;
+use super::outcome::Outcome;
+use super::output::{Output, write_text};
 use super::progress::Progress;
-use super::{Outcome, input};
 use acutile_core::statistics::{self, Statistics};
 use acutile_core::with_dimension;
 use clap::{Args, ValueEnum};

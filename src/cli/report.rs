@@ -1,11 +1,24 @@
 //! `acutile report`: a page to look at.
 
-use super::Outcome;
-use super::args::ReportArguments;
-use super::export::write_text;
-use super::output::Output;
+use super::input::FileArguments;
+use super::outcome::Outcome;
+use super::output::{Output, write_text};
 use super::proved::{overwritten, proved};
 use acutile_publish::report::page;
+use clap::Args;
+use std::path::PathBuf;
+
+#[derive(Debug, Args)]
+pub struct ReportArguments {
+    /// Certificates, names of the catalogue, tiling or mesh files, or point sets (CIF too)
+    #[arg(value_name = "CERT|NAME|FILE", required = true)]
+    pub inputs: Vec<String>,
+    #[command(flatten)]
+    pub file: FileArguments,
+    /// Write the page here and not to standard output
+    #[arg(short, long, value_name = "FILE")]
+    pub output: Option<PathBuf>,
+}
 
 /// Writes the page; nothing is written where an input is not proved.
 pub fn run(arguments: &ReportArguments, output: &mut Output) -> Outcome {

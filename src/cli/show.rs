@@ -1,13 +1,27 @@
 //! `acutile show`: what a tiling is, before anything about it is proved.
 
-use super::args::ShowArguments;
+use super::input::{self, FileArguments};
+use super::outcome::Outcome;
 use super::output::Output;
-use super::{Outcome, input};
 use acutile_core::quality::{decimal_range, dihedral_degrees, display_width, shapes};
 use acutile_core::tiling::{Frame, Tiling};
 use acutile_core::with_dimension;
 use acutile_exact::geometry::linear;
 use acutile_exact::number::Number;
+use clap::Args;
+
+#[derive(Debug, Args)]
+pub struct ShowArguments {
+    /// A name of the catalogue, a tiling or mesh file, or a point set (CIF too)
+    #[arg(value_name = "NAME|FILE")]
+    pub input: String,
+    #[command(flatten)]
+    pub file: FileArguments,
+    /// The number that the construction depends on, like 3/7 or sqrt(2)/4: a/e of
+    /// goldberg-1, -2 and -3, epsilon of two-corners
+    #[arg(long, value_name = "VALUE", allow_hyphen_values = true)]
+    pub param: Option<String>,
+}
 
 /// Prints counts, lattice, field and shapes.
 pub fn run(arguments: &ShowArguments, output: &mut Output) -> Outcome {

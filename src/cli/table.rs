@@ -1,11 +1,33 @@
 //! `acutile table`: the paper's Table 1, rigorously, for its rows and all others.
 
-use super::args::{FileArguments, TableArguments, TableFormat};
+use super::input::{self, FileArguments};
+use super::outcome::Outcome;
 use super::output::Output;
-use super::{Outcome, input};
 use acutile_catalog as catalog;
 use acutile_paper::survey::{AnyStudy, Survey};
 use acutile_paper::table::{self, Row};
+use clap::Args;
+
+#[derive(Debug, Args)]
+pub struct TableArguments {
+    /// Names of the catalogue, or tiling files; without any the whole catalogue, the
+    /// paper's rows first
+    #[arg(value_name = "NAME|FILE")]
+    pub inputs: Vec<String>,
+    /// How to write it
+    #[arg(long, value_enum, default_value = "text")]
+    pub format: TableFormat,
+}
+
+/// How the table is written.
+#[derive(Clone, Copy, Debug, clap::ValueEnum)]
+pub enum TableFormat {
+    Text,
+    Markdown,
+    Latex,
+    Csv,
+    Json,
+}
 
 /// Prints the table. A construction without a row is named on standard error.
 pub fn run(arguments: &TableArguments, output: &mut Output) -> Outcome {

@@ -1,6 +1,7 @@
 //! What the integration tests share: running the programs, and the Kuhn cube.
 
 mod kuhn;
+pub mod well_formed;
 
 pub use kuhn::kuhn;
 use std::path::{Path, PathBuf};

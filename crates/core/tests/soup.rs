@@ -93,7 +93,7 @@ pub fn compare<P: Predicate<3> + Clone>(predicate: P, tiling: &Tiling<3>) -> usi
     let mut zeros = 0;
     let apex_of = |simplex: usize| tiling.simplex((simplex + 1) % tiling.len())[2];
     let mut together = Vec::new();
-    let items = (0..tiling.len()).map(|simplex| (simplex, apex_of(simplex)));
+    let items = (0..tiling.len()).map(|simplex| ((simplex, simplex), apex_of(simplex)));
     prepared.for_each_with(items, |_, signs| together.push(*signs));
     for simplex in 0..tiling.len() {
         let apex = apex_of(simplex);

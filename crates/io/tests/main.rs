@@ -1,7 +1,9 @@
 //! Tests of the public interface of `acutile-io`, one binary for all.
 
+mod cif;
 mod coq_export;
 mod mesh_mutations;
+mod meshes;
 mod tiling_files;
 
 #[path = "../../../tests/common/kuhn.rs"]

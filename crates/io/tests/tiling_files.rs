@@ -6,7 +6,7 @@ use acutile_core::checker::{Defect, Options, Refutation, prove};
 use acutile_core::tiling::AnyTiling;
 use acutile_core::with_dimension;
 use acutile_format1::certificate::Statement;
-use acutile_io::import::{Content, read_native};
+use acutile_io::import::{Content, read_bytes, read_native, read_text};
 use serde_json::{Value, json};
 
 fn tiling(document: &Value) -> AnyTiling {
@@ -420,4 +420,71 @@ fn text_that_is_no_document() {
         error(&whole.replacen("[0,0,0]", &format!("[\"{deep}\",0,0]"), 1))
             .starts_with("vertices[0][0]: ")
     );
+}
+
+/// A generator may be defined once; numbers are printed by its name.
+#[test]
+fn generators() {
+    let text = |generators: &str| {
+        let document = kuhn().to_string();
+        let vertices = "\"vertices\":[[0,0,0]]";
+        assert!(document.contains(vertices), "{document}");
+        document.replacen(
+            vertices,
+            &format!("\"generators\":{{{generators}}},\"vertices\":[[\"t/2\",0,0]]"),
+            1,
+        )
+    };
+    let golden = "\"t\":{\"polynomial\":[-1,-1,1],\"root\":[1,2]}";
+    let file = read_native(&text(golden)).expect("a tiling");
+    let Content::Tiling(AnyTiling::Space(tiling)) = file.content else {
+        panic!("a tiling of space");
+    };
+    assert_eq!(tiling.vertices.vertex(0)[0].to_string(), "1/2 t");
+    let twice = format!("{golden},\"t\":{{\"polynomial\":[-2,0,1],\"root\":[1,2]}}");
+    let message = error(&text(&twice));
+    assert!(
+        message.contains("the generator \"t\" is defined twice"),
+        "{message}"
+    );
+}
+
+/// A small compressed file does not become a large text.
+#[test]
+fn compressed_files_that_grow() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let write = |name: &str, bytes: &[u8]| {
+        let path = folder.path().join(name);
+        let file = std::fs::File::create(&path).expect("a file");
+        let mut packed = flate2::write::GzEncoder::new(file, flate2::Compression::best());
+        std::io::Write::write_all(&mut packed, bytes).expect("written");
+        packed.finish().expect("written");
+        path
+    };
+    let bomb = write("bomb.json.gz", &vec![b' '; 30 << 20]);
+    let error = read_text(&bomb).expect_err("grows by a factor of 1,000");
+    assert!(error.is_limit());
+    assert!(
+        error.to_string().contains("decompress the file first"),
+        "{error}"
+    );
+    let honest = write("honest.json.gz", &vec![b' '; 1 << 20]);
+    assert_eq!(
+        read_text(&honest).expect("one MiB is allowed").len(),
+        1 << 20
+    );
+}
+
+/// No space is reserved for a file beyond the limit.
+#[test]
+fn a_sparse_file() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let path = folder.path().join("sparse.msh");
+    std::fs::File::create(&path)
+        .and_then(|file| file.set_len(40 << 30))
+        .expect("a sparse file");
+    for limit in [1 << 20, 1 << 30] {
+        let bytes = read_bytes(&path, limit);
+        assert!(bytes.expect_err("40 GiB").is_limit());
+    }
 }

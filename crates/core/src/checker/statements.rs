@@ -5,7 +5,7 @@ use super::defect::{Angle, Defect, Findings};
 use crate::classify::{self, NotTcp, Ridges};
 use crate::predicates::{Angles, AnglesAgainst, InSphere, Model, Prepared, RadiusAgainst};
 use crate::quality::{self, ceiling_to_i64, floor_to_i64};
-use crate::tiling::{Corner, Facet, Matching, Tiling};
+use crate::tiling::{Facet, Matching, Tiling};
 use acutile_exact::geometry::{Sign, linear};
 use acutile_exact::number::enclosure;
 use malachite::Rational;
@@ -171,9 +171,9 @@ pub fn check_delaunay<const D: usize>(
 ) {
     let tiling = model.tiling;
     let spheres = model.prepare(InSphere);
-    for simplex in suspects(model, matching, &spheres, weak) {
+    for simplex in suspects(matching, &spheres, weak) {
         for opposite in 0..=D {
-            let Some(apex) = apex_behind(tiling, matching, simplex, opposite) else {
+            let Some(apex) = matching.apex(tiling, simplex, opposite) else {
                 continue;
             };
             match spheres.signs_with(simplex, &apex).get(0) {
@@ -185,41 +185,14 @@ pub fn check_delaunay<const D: usize>(
     }
 }
 
-/// The simplices, in order, behind one of whose facets a corner may be in the circumsphere.
-///
-/// Each pair of neighbours is tested from one side. Let p and q be the powers of a point
-/// with respect to the circumspheres of A and B, with apexes a and b over the common facet.
-/// p - q is affine and vanishes on the facet: p - q = c h for an affine h that is positive on
-/// the side of A. Then p(b) = c h(b) and q(a) = -c h(a), as q(b) = p(a) = 0, and both have
-/// the sign of -c, because b is on the other side.
+/// The simplices, in order, that fail with a neighbour, and their neighbours.
 fn suspects<const D: usize>(
-    model: &Model<D>,
     matching: &Matching<D>,
     spheres: &Prepared<InSphere, D>,
     weak: bool,
 ) -> Vec<usize> {
-    let tiling = model.tiling;
-    let failing = model.by_chunks(|simplices| {
-        let facets = simplices.flat_map(|simplex| (0..=D).map(move |k| (simplex, k)));
-        let pairs = facets.filter_map(|(simplex, opposite)| {
-            let mate = matching.neighbour(simplex, opposite)?;
-            let is_first = (simplex, opposite) < (mate.simplex as usize, mate.opposite.into());
-            let apex = is_first.then(|| apex_behind(tiling, matching, simplex, opposite))?;
-            Some((simplex, apex?))
-        });
-        let mut failing = Vec::new();
-        spheres.for_each_with(pairs, |simplex, signs| {
-            let is_right = match weak {
-                true => signs.none_negative(),
-                false => signs.all_positive(),
-            };
-            if !is_right {
-                failing.push(simplex);
-            }
-        });
-        failing
-    });
-    let mut suspects = failing.concat();
+    let is_right = |_, _, sign| sign == Sign::Greater || weak && sign == Sign::Equal;
+    let mut suspects = spheres.failing_pairs(matching, is_right);
     for k in 0..suspects.len() {
         let behind = |opposite| matching.neighbour(suspects[k], opposite);
         let neighbours: Vec<usize> = (0..=D)
@@ -231,18 +204,6 @@ fn suspects<const D: usize>(
     suspects.sort_unstable();
     suspects.dedup();
     suspects
-}
-
-/// The corner opposite to a facet in the simplex behind it, moved there.
-fn apex_behind<const D: usize>(
-    tiling: &Tiling<D>,
-    matching: &Matching<D>,
-    simplex: usize,
-    opposite: usize,
-) -> Option<Corner<D>> {
-    let mate = matching.mate(tiling, simplex, opposite)?;
-    let neighbour = tiling.simplex(mate.facet.simplex as usize);
-    Some(neighbour[usize::from(mate.facet.opposite)].moved(mate.shift))
 }
 
 fn add_sphere<const D: usize>(
@@ -264,7 +225,7 @@ fn add_sphere<const D: usize>(
         return findings.add(Defect::OnCircumsphere { facet, neighbour });
     }
     findings.add_with("inside-circumsphere", || {
-        let apex = apex_behind(tiling, matching, simplex, opposite);
+        let apex = matching.apex(tiling, simplex, opposite);
         let origin = &tiling.simplex(simplex)[0];
         let position = tiling.position(&apex.unwrap_or(*origin));
         let offset = linear::subtract(&position, &tiling.position(origin));

@@ -19,6 +19,9 @@ use std::sync::OnceLock;
 /// Simplices that one task of a core takes.
 const CHUNK: usize = 1 << 12;
 
+/// Corners that are given later pass the filter if their shifts differ by no more steps.
+const STEPS: i32 = 8;
+
 /// A tiling with its coordinates as doubles and in a ring.
 #[derive(Clone, Debug)]
 pub struct Model<'a, const D: usize> {
@@ -50,9 +53,19 @@ pub(super) struct Exact<const D: usize> {
 impl<'a, const D: usize> Model<'a, D> {
     /// The model of a tiling whose corners name vertices that exist.
     pub fn new(tiling: &'a Tiling<D>) -> Self {
+        Model::with_floats(tiling, Floats::new(tiling))
+    }
+
+    /// The model of vertices without simplices: corners are given later, see
+    /// [`Prepared::signs_of`].
+    pub fn of_vertices(tiling: &'a Tiling<D>) -> Self {
+        Model::with_floats(tiling, Floats::within(tiling, STEPS))
+    }
+
+    fn with_floats(tiling: &'a Tiling<D>, floats: Floats<'a, D>) -> Self {
         Model {
             tiling,
-            floats: Floats::new(tiling),
+            floats,
             ring: Ring::new(tiling),
             shapes: OnceLock::new(),
         }
@@ -117,6 +130,21 @@ impl<P: Predicate<D>, const D: usize> Prepared<'_, P, D> {
         filtered.unwrap_or_else(|| self.exact_signs(corners, apex))
     }
 
+    /// The exact signs for the simplex with these corners, which need not be one of the
+    /// tiling, and a further corner.
+    #[inline]
+    pub fn signs_of(&self, corners: &[Corner<D>], apex: &Corner<D>) -> Signs {
+        let floats = &self.model.floats;
+        if !floats.cover(corners, apex) {
+            return self.exact_signs(corners, apex);
+        }
+        let point = floats.difference(&corners[0], apex);
+        let filtered = self
+            .filter
+            .signs(&self.predicate, floats.edges(corners), &point);
+        filtered.unwrap_or_else(|| self.exact_signs(corners, apex))
+    }
+
     /// The exact signs without the filter.
     #[cold]
     pub fn exact_signs(&self, corners: &[Corner<D>], apex: &Corner<D>) -> Signs {
@@ -173,26 +201,32 @@ impl<P: Predicate<D>, const D: usize> Prepared<'_, P, D> {
         }
     }
 
-    /// The same with a further corner for each simplex.
+    /// The same for pairs of simplices, of each the first, with a further corner.
     #[inline]
     pub fn for_each_with(
         &self,
-        mut pairs: impl Iterator<Item = (usize, Corner<D>)>,
-        mut visit: impl FnMut(usize, &Signs),
+        mut pairs: impl Iterator<Item = ((usize, usize), Corner<D>)>,
+        mut visit: impl FnMut((usize, usize), &Signs),
     ) {
         let mut batch = Batch::default();
         let mut filled = Vec::with_capacity(BATCH);
         loop {
             filled.clear();
-            for (simplex, apex) in pairs.by_ref().take(BATCH) {
-                let corners = self.model.tiling.simplex(simplex);
+            for (pair, apex) in pairs.by_ref().take(BATCH) {
+                let corners = self.model.tiling.simplex(pair.0);
                 batch.put(filled.len(), &self.model.floats, corners, Some(&apex));
-                filled.push((simplex, Some(apex)));
+                filled.push((pair, apex));
             }
             if filled.is_empty() {
                 return;
             }
-            self.decide(&batch, filled.iter().copied(), &mut visit);
+            let items = filled.iter().map(|(pair, apex)| (pair.0, Some(*apex)));
+            let mut pairs = filled.iter().map(|(pair, _)| *pair);
+            self.decide(&batch, items, &mut |_, signs| {
+                if let Some(pair) = pairs.next() {
+                    visit(pair, signs);
+                }
+            });
         }
     }
 

@@ -84,6 +84,13 @@ impl<const D: usize> Matching<D> {
         })
     }
 
+    /// The corner of the mate's simplex opposite to the mate, moved there.
+    pub fn apex(&self, tiling: &Tiling<D>, simplex: usize, opposite: usize) -> Option<Corner<D>> {
+        let mate = self.mate(tiling, simplex, opposite)?;
+        let neighbour = tiling.simplex(mate.facet.simplex as usize);
+        Some(neighbour[usize::from(mate.facet.opposite)].moved(mate.shift))
+    }
+
     /// The facet behind a facet, up to a lattice vector.
     pub fn neighbour(&self, simplex: usize, opposite: usize) -> Option<Facet> {
         match self.mates[simplex * (D + 1) + opposite] {

@@ -3,7 +3,6 @@
 //! Nothing here is checked; [`crate::checker`] does that. Catalogue, importers and
 //! the Delaunay room make tilings, everything downstream reads them.
 
-mod collect;
 pub mod coordinates;
 mod facets;
 mod frame;

@@ -20,11 +20,16 @@ use std::fmt;
 use std::sync::{Arc, OnceLock};
 
 /// Q, or Q(a) for one real root a of an integer polynomial. Cheap to clone;
-/// equal when the polynomials and the roots are the same.
+/// equal when the polynomials and the roots are the same, whatever their symbols are.
 #[derive(Clone)]
 pub struct Field(Arc<Inner>);
 
+/// The symbol of a generator that has no name.
+pub(super) const SYMBOL: &str = "a";
+
 struct Inner {
+    /// How the generator is printed.
+    symbol: Box<str>,
     /// Monic, squarefree.
     polynomial: Vec<Integer>,
     /// The indices and negatives of the coefficients below the leading one that
@@ -51,12 +56,12 @@ impl Field {
                     high: Integer::ONE,
                     bits: 0,
                 };
-                Field::new(vec![Integer::ZERO, Integer::ONE], around_zero)
+                Field::new(SYMBOL, vec![Integer::ZERO, Integer::ONE], around_zero)
             })
             .clone()
     }
 
-    fn new(polynomial: Vec<Integer>, isolation: Dyadic) -> Field {
+    fn new(symbol: &str, polynomial: Vec<Integer>, isolation: Dyadic) -> Field {
         let reduction = polynomial[..polynomial.len() - 1]
             .iter()
             .enumerate()
@@ -65,6 +70,7 @@ impl Field {
             .collect();
         let sign_below = poly::sign_at(&polynomial, &isolation.ends().0);
         Field(Arc::new(Inner {
+            symbol: symbol.into(),
             polynomial,
             reduction,
             isolation,
@@ -85,6 +91,17 @@ impl Field {
         lo: Rational,
         hi: Rational,
     ) -> Result<(Field, Number), FieldError> {
+        Field::adjoin_named_root(SYMBOL, polynomial, lo, hi)
+    }
+
+    /// The same, with a name for the root. The generator of the field is printed by this name
+    /// if it is the root, that is if the polynomial is monic.
+    pub(super) fn adjoin_named_root(
+        name: &str,
+        polynomial: &[Integer],
+        lo: Rational,
+        hi: Rational,
+    ) -> Result<(Field, Number), FieldError> {
         isolation::check_limits(polynomial, &lo, &hi)?;
         let p = poly::squarefree(&poly::from_integers(polynomial));
         match poly::count_roots(&p, &lo, &hi) {
@@ -97,11 +114,17 @@ impl Field {
         Ok(match root.ok_or(FieldError::RootsTooClose)? {
             Isolated::Integer(m) => (Field::rationals(), Number::from(Rational::from(m) / scale)),
             Isolated::Irrational(interval) => {
-                let field = Field::new(monic, interval);
+                let symbol = if scale == 1 { name } else { SYMBOL };
+                let field = Field::new(symbol, monic, interval);
                 let a = field.element(vec![Rational::ZERO, Rational::ONE / scale]);
                 (field, a)
             }
         })
+    }
+
+    /// How the generator is printed: the name that a file gives it, or `a`.
+    pub fn symbol(&self) -> &str {
+        &self.0.symbol
     }
 
     /// Q(a) for the root a of the monic squarefree `polynomial` that `enclose`
@@ -115,7 +138,7 @@ impl Field {
             let (low, high) = ((lo << bits).floor(), (hi << bits).floor() + Integer::ONE);
             let root = Dyadic { low, high, bits };
             if isolation::isolates(&polynomial, &root) {
-                return Ok(Field::new(polynomial, root));
+                return Ok(Field::new(SYMBOL, polynomial, root));
             }
         }
         Err(FieldError::RootsTooClose)

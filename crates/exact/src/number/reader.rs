@@ -79,7 +79,7 @@ impl Reader {
             return Err(error(ReadErrorKind::NameTaken(name.to_owned())));
         }
         let field_error = |e| error(ReadErrorKind::Field(Box::new(e)));
-        let (other, b) = Field::adjoin_root(polynomial, lo, hi).map_err(field_error)?;
+        let (other, b) = Field::adjoin_named_root(name, polynomial, lo, hi).map_err(field_error)?;
         let generator = self.join(&other).map_err(field_error)?;
         self.names
             .insert(name.to_owned(), extension::at(b.coefficients(), &generator));

@@ -1,7 +1,7 @@
-//! A tiling from simplices that are given by the positions of their corners.
+//! A tiling from simplices that are given by the positions of their corners, oriented by exact signs.
 
-use super::{Corner, Frame, Tiling};
-use crate::predicates::{Model, Orientation};
+use super::{Model, Orientation};
+use crate::tiling::{Corner, Frame, Tiling};
 use acutile_exact::number::Number;
 use std::collections::BTreeMap;
 

@@ -1,36 +1,14 @@
-//! Coordinates in double precision with proved error bounds, the floating filter
-//! of the predicates, and circumspheres with a proved uncertainty.
+//! Positions in double precision, to search by: where points are, and which spheres and
+//! circles pass through them.
 //!
-//! Nothing here decides by itself: a filter returns a sign that it proves, or
-//! `None`, and a sphere says how wrong it may be.
+//! Nothing here decides. A sphere or a circle is a guess, the search asks the exact
+//! predicates where it matters, and [`super::certify`] checks the result.
 //!
-//! **Positions.** Let c* be the orthogonalised reduced basis and y_i the Cartesian
-//! coordinate along c*_i in units of |c*_0|: y = R d for coordinate differences d,
-//! where R_ij = |c*_i| mu_ji / |c*_0| is upper triangular. For points with fractions f
-//! and g and shift s the difference d = g - f + s is placed as (R g - R f) + R s, where
-//! the first two products are kept. A fraction is a double within 2^-52 of the exact
-//! one and at most 1, and entries of R have relative errors of at most 2^-50. Write
-//! r = Σ_j |R_ij| and t = Σ_j |R_ij| |d_j|, so that Σ_j |R_ij| |s_j| <= r + t. Then the
-//! fractions contribute 2^-51 r, the entries of R 2^-50 t, the roundings of the kept
-//! products 2^-50 r (three to a term), those of R s 2^-51 (r + t), and the
-//! last two sums 2^-53 (3 r + t): together less than 2^-48 (r + t), or
-//!     |y computed - y exact| <= 2^-48 Σ_j |R_ij| (1 + |d_j|).
-//! With q_j the length of row j of R^-1, |d_j| <= q_j |y| <= 2 q_j m for m the
-//! largest entry of y. Hence every entry is right up to
-//!     e(m) = tau + eta m,  tau = 2^-48 max_i Σ_j |R_ij|,
-//!                          eta = 2^-46 max_i Σ_j |R_ij| q_j.
-//!
-//! **Polynomials** (D <= 3). Let m bound the entries of the edge vectors and e =
-//! e(m); note eta >= 2^-47, so that rounding errors, multiples of 2^-53 m, are
-//! below e/64. First order in e, the errors are at most: 4 m e for a cofactor (of
-//! size 2 m²), 6 m e for a squared length (3 m²), 18 m² e for a determinant (6 m³),
-//! 72 m³ e for w = Σ |e_k|² g_k (18 m⁴), 360 m⁴ e for the power d |x|² - w · x. The
-//! rounding errors add less than a third to each, and terms of second order are
-//! less than that as long as e < m / 1024. So 32 m² e and 1024 m⁴ e are safe
-//! (in the plane the same numbers with one power of m less).
+//! Let c* be the orthogonalised reduced basis. The Cartesian coordinate along c*_i, in units
+//! of |c*_0|, is y = R d for coordinate differences d, where
+//! R_ij = |c*_i| mu_ji / |c*_0| is upper triangular.
 
 use crate::tiling::Corner;
-use acutile_exact::geometry::Sign;
 use acutile_exact::number::Number;
 
 use super::DelaunayError;
@@ -41,12 +19,19 @@ const LENGTH_LIMIT: f64 = 1e40;
 
 /// The least sine of an angle of a facet whose normal has many digits.
 const SHARP: f64 = 1e-2;
-/// The largest error of an edge of such a facet, relative to the longest.
-const RESOLVED: f64 = 1e-12;
+/// The least size of such a facet, relative to the cell.
+const RESOLVED: f64 = 1e-4;
+/// The least determinant of a simplex whose circumsphere doubles know, relative to the
+/// largest that edges of its size can have.
+const SOLID: f64 = 1e-4;
+/// The error of such a circumsphere is far less than this part of its radius.
+const SLACK: f64 = 1e-5;
+/// Points that coincide are computed to be closer than this, relative to the cell.
+const RESOLUTION: f64 = 1e-9;
 
 /// The points of a cell as doubles.
 #[derive(Clone, Debug)]
-pub struct Floats<const D: usize> {
+pub struct Places<const D: usize> {
     /// Coordinates in the reduced basis, 0 to 1 up to rounding.
     pub fractions: Vec<[f64; D]>,
     /// R times the fractions.
@@ -55,8 +40,9 @@ pub struct Floats<const D: usize> {
     pub basis: [[f64; D]; D],
     /// q_j: how much the j-th coordinate changes at most per unit of length.
     pub dual: [f64; D],
-    tau: f64,
-    eta: f64,
+    /// The largest sum of a row of |R|: no point of the cell is farther from another in one
+    /// Cartesian coordinate.
+    extent: f64,
 }
 
 /// A ball, the centre relative to some corner.
@@ -68,7 +54,7 @@ pub struct Sphere<const D: usize> {
     pub slack: f64,
 }
 
-/// See [`Floats::circle`].
+/// See [`Places::circle`].
 #[derive(Clone, Copy, Debug)]
 pub struct Circle<const D: usize> {
     /// Relative to the first corner of the facet.
@@ -86,37 +72,26 @@ struct Shape<const D: usize> {
     determinant: f64,
 }
 
-impl<const D: usize> Floats<D> {
+impl<const D: usize> Places<D> {
     /// Points in the reduced basis that `orthogonal` belongs to.
     pub fn new(
         fractions: Vec<[f64; D]>,
         orthogonal: &Orthogonal<D>,
     ) -> Result<Self, DelaunayError> {
         let basis = cartesian(orthogonal)?;
-        let dual = dual_lengths(&basis);
-        let row_sums = |weights: &[f64; D]| {
-            basis
-                .iter()
-                .map(|row| {
-                    row.iter()
-                        .zip(weights)
-                        .map(|(r, q)| r.abs() * q)
-                        .sum::<f64>()
-                })
-                .fold(0.0, f64::max)
-        };
+        let row_sum = |row: &[f64; D]| row.iter().map(|r| r.abs()).sum();
+        let extent = basis.iter().map(row_sum).fold(0.0, f64::max);
         let places = fractions.iter().map(|x| upper_times(&basis, x)).collect();
-        Ok(Floats {
-            tau: 2f64.powi(-48) * row_sums(&[1.0; D]),
-            eta: 2f64.powi(-46) * row_sums(&dual),
+        Ok(Places {
+            dual: dual_lengths(&basis),
+            extent,
             fractions,
             places,
             basis,
-            dual,
         })
     }
 
-    /// The vector from `origin` to `p`, up to e(m) in each entry.
+    /// The vector from `origin` to `p`.
     pub fn difference(&self, origin: &Corner<D>, p: &Corner<D>) -> [f64; D] {
         let [a, b] = [origin, p].map(|corner| &self.places[corner.vertex as usize]);
         let mut y: [f64; D] = std::array::from_fn(|k| b[k] - a[k]);
@@ -142,69 +117,34 @@ impl<const D: usize> Floats<D> {
         back_substitute(&self.basis, y)
     }
 
-    /// Points at one place are computed to be closer than this.
+    /// Points that coincide are computed to be closer than this.
     pub fn resolution(&self) -> f64 {
-        8.0 * self.tau
-    }
-
-    fn error(&self, m: f64) -> f64 {
-        self.tau + self.eta * m
+        RESOLUTION * self.extent
     }
 
     fn edges(&self, facet: &[Corner<D>; D], apex: &Corner<D>) -> [[f64; D]; D] {
         std::array::from_fn(|k| self.difference(&facet[0], facet.get(k + 1).unwrap_or(apex)))
     }
 
-    /// The determinant of the fractional edges of a simplex, and their largest entry.
-    pub fn determinant(&self, facet: &[Corner<D>; D], apex: &Corner<D>) -> (f64, f64) {
+    /// The determinant of the fractional edges of a simplex.
+    pub fn determinant(&self, facet: &[Corner<D>; D], apex: &Corner<D>) -> f64 {
         let edges = std::array::from_fn(|k| {
             self.fractional_difference(&facet[0], facet.get(k + 1).unwrap_or(apex))
         });
-        (Shape::new(edges).determinant, largest(&edges))
+        Shape::new(edges).determinant
     }
 
-    /// The sign of the orientation of (facet, apex), if the doubles prove it.
-    pub fn orientation(&self, facet: &[Corner<D>; D], apex: &Corner<D>) -> Option<Sign> {
-        let edges = self.edges(facet, apex);
-        let m = largest(&edges);
-        let e = self.error(m);
-        let determinant = Shape::new(edges).determinant;
-        proved(determinant, 32.0 * m.powi(D as i32 - 1) * e, e, m)
-    }
-
-    /// The sphere through the corners of a positively oriented simplex.
-    pub fn sphere(&self, facet: &[Corner<D>; D], apex: &Corner<D>) -> FloatSphere<'_, D> {
-        let shape = Shape::new(self.edges(facet, apex));
-        FloatSphere {
-            floats: self,
-            origin: facet[0],
-            determinant: shape.determinant,
-            weighted: shape.weighted(),
-            size: largest(&shape.edges),
-        }
-    }
-
-    /// The circumsphere relative to the first corner, if it is well determined.
-    ///
-    /// Its centre is w/(2d). The errors of w and d divide through to
-    /// (|δw| + 2 |c| |δd|) / (2 (|d| - |δd|)) for an entry; the same again bounds
-    /// the error of the radius |c|, and 2 e that of a point compared with it.
+    /// The circumsphere relative to the first corner, if the simplex is far from flat.
     pub fn circumsphere(&self, facet: &[Corner<D>; D], apex: &Corner<D>) -> Option<Sphere<D>> {
         let shape = Shape::new(self.edges(facet, apex));
-        let m = largest(&shape.edges);
-        let e = self.error(m);
+        let size = largest(&shape.edges).powi(D as i32);
         let center = shape.center();
         let radius = dot(&center, &center).sqrt();
-        let determinant_error = 32.0 * m.powi(D as i32 - 1) * e;
-        let weighted_error = 128.0 * m.powi(D as i32) * e;
-        let room = 2.0 * (shape.determinant.abs() - determinant_error);
-        let entry = (weighted_error + 2.0 * radius * determinant_error) / room;
-        let slack = 4.0 * (entry + self.error(2.0 * radius));
         // False where something is not a number.
-        (room > 0.0 && slack < 1e-6 * radius).then_some(Sphere {
+        (shape.determinant.abs() > SOLID * size).then_some(Sphere {
             center,
             radius,
-            slack,
+            slack: SLACK * radius,
         })
     }
 
@@ -216,7 +156,7 @@ impl<const D: usize> Floats<D> {
         Sphere {
             center,
             radius,
-            slack: 8.0 * self.error(2.0 * radius),
+            slack: SLACK * radius + self.resolution(),
         }
     }
 
@@ -235,8 +175,7 @@ impl<const D: usize> Floats<D> {
         Circle {
             center: std::array::from_fn(|k| center[k] - height * normal[k]),
             normal,
-            is_sharp: length > SHARP * size.powi(D as i32 - 1)
-                && self.error(size) < RESOLVED * size,
+            is_sharp: length > SHARP * size.powi(D as i32 - 1) && size > RESOLVED * self.extent,
         }
     }
 }
@@ -264,38 +203,6 @@ impl<const D: usize> Shape<D> {
     fn center(&self) -> [f64; D] {
         self.weighted().map(|x| x / (2.0 * self.determinant))
     }
-}
-
-/// The polynomial of a sphere, see [`Floats::sphere`].
-pub struct FloatSphere<'a, const D: usize> {
-    floats: &'a Floats<D>,
-    origin: Corner<D>,
-    determinant: f64,
-    weighted: [f64; D],
-    size: f64,
-}
-
-impl<const D: usize> FloatSphere<'_, D> {
-    /// Whether p is outside (`Greater`) or inside (`Less`), if the doubles prove it.
-    pub fn side(&self, p: &Corner<D>) -> Option<Sign> {
-        let x = self.floats.difference(&self.origin, p);
-        let m = self.size.max(largest(&[x]));
-        let e = self.floats.error(m);
-        let power = self.determinant * dot(&x, &x) - dot(&self.weighted, &x);
-        proved(power, 1024.0 * m.powi(D as i32 + 1) * e, e, m)
-    }
-}
-
-/// The sign of `value` if it is larger than its error bound (false for NaN).
-fn proved(value: f64, bound: f64, e: f64, m: f64) -> Option<Sign> {
-    if !(value.abs() > bound && e < m / 1024.0) {
-        return None;
-    }
-    Some(if value > 0.0 {
-        Sign::Greater
-    } else {
-        Sign::Less
-    })
 }
 
 /// The inner product.

@@ -1,0 +1,62 @@
+//! A tiling with its name, or why there is none.
+
+use super::outcome::Outcome;
+use acutile_core::tiling::AnyTiling;
+use acutile_io::import::ImportError;
+use acutile_io::mesh::{MeshError, Origin};
+use std::path::Path;
+
+/// Where a tiling comes from, with its name for messages and for the file name of
+/// its certificate.
+pub struct Named {
+    /// A name of the catalogue, or a path.
+    pub name: String,
+    /// What it is, in a line.
+    pub description: String,
+    /// The tiling.
+    pub tiling: AnyTiling,
+    /// The numbers of a mesh file.
+    pub origin: Option<Origin>,
+    /// What was told of a mesh file: what was moved, turned, or not looked at.
+    pub notes: Vec<String>,
+}
+
+/// Why there is no input, in words that name it, and what that makes of the command.
+pub struct InputError {
+    pub message: String,
+    pub outcome: Outcome,
+}
+
+impl From<String> for InputError {
+    fn from(message: String) -> Self {
+        InputError {
+            message,
+            outcome: Outcome::Failed,
+        }
+    }
+}
+
+impl InputError {
+    /// A mesh file could not be read.
+    pub fn of_mesh(input: &str, error: &MeshError) -> Self {
+        InputError {
+            message: format!("{input}: {error}"),
+            outcome: outcome(error.is_limit),
+        }
+    }
+
+    /// One of the program's own files could not be read.
+    pub fn of_file(path: &Path, error: &ImportError) -> Self {
+        InputError {
+            message: format!("{}: {error}", path.display()),
+            outcome: outcome(error.is_limit()),
+        }
+    }
+}
+
+fn outcome(is_limit: bool) -> Outcome {
+    match is_limit {
+        true => Outcome::Declined,
+        false => Outcome::Failed,
+    }
+}
