@@ -257,7 +257,8 @@ function checkHeader(tree) {
   const isHeader = isObject && Object.hasOwn(tree, "format") && Object.hasOwn(tree, "version");
   if (!isHeader || typeof tree.format !== "string") refuse("json", "not an object with a format and a version");
   if (tree.format !== FORMAT) refuse("format", `the format is ${quoted(tree.format)}, not "${FORMAT}"`);
-  if (!Number.isInteger(tree.version)) refuse("json", "the version is not an integer");
+  if (isDecimal(tree.version) && tree.version.length < 16) refuse("canonical", "the version is written as a text");
+  if (!Number.isInteger(tree.version) && !isDecimal(tree.version)) refuse("json", "the version is not an integer");
   if (tree.version !== VERSION) refuse("version", `version ${tree.version} is unknown; this program knows ${VERSION}`);
 }
 
@@ -681,7 +682,7 @@ function readStatement(reader, tiling, tree, place) {
   if (kind < 0 || isAlone === isBound(kind)) refuse("statements", `${place} is unknown`);
   if (isAlone) return { kind };
   const [, relationTree, ...rest] = reader.array(tree, place, kind === RATIO ? 3 : 4);
-  const relation = RELATIONS.indexOf(relationTree);
+  const relation = RELATIONS.indexOf(reader.text(relationTree, `the relation of ${place}`));
   if (relation < 0) refuse("statements", `${place} has an unknown relation`);
   const sign = kind === RATIO ? 1 : reader.integer(rest[0], `the sign of ${place}`);
   const [p, q] = reader.array(rest.at(-1), place, 2);

@@ -7,7 +7,6 @@
 //! | `readme` | what the archive tells a referee |
 //! | `pdf` | the appendix by TeX |
 //! | `zip` | the files as one |
-//! | `verify.py` | a third checker, in Python; it goes into the archive |
 //!
 //! Nothing here proves anything: what comes in is [`Proved`]. Called by the command line.
 
@@ -21,6 +20,7 @@ use crate::appendix::{self, File, Subject, slug};
 use crate::report::{Proved, page};
 use acutile_core::tiling::{AnyTiling, Tiling};
 use acutile_core::with_dimension;
+use acutile_format1::certificate::Domain;
 use acutile_io::export::tiling_text;
 use acutile_io::mesh::{Format, flatten, write};
 use sha2::{Digest, Sha256};
@@ -38,12 +38,18 @@ const FIXED: [(&str, &str); 8] = [
         "verify/package.json",
         include_str!("../../../../verifiers/javascript/package.json"),
     ),
-    ("verify/verifier.js", include_str!("../../../../verifiers/javascript/verifier.js")),
+    (
+        "verify/verifier.js",
+        include_str!("../../../../verifiers/javascript/verifier.js"),
+    ),
     (
         "verify/verify-cli.mjs",
         include_str!("../../../../verifiers/javascript/verify-cli.mjs"),
     ),
-    ("verify/verify.py", include_str!("../../../../verifiers/python/verify.py")),
+    (
+        "verify/verify.py",
+        include_str!("../../../../verifiers/python/verify.py"),
+    ),
 ];
 
 /// The extensions of the mesh formats, all of them as text.
@@ -121,7 +127,7 @@ fn entries(
         }
         if entry.is_region {
             notes.push(format!(
-                "{slug}: is about a region: the appendix does not have it, and verify.py declines it"
+                "{slug}: is about a region: the appendix does not have it"
             ));
         }
         entries.push(entry);
@@ -178,7 +184,7 @@ fn entry(proved: &Proved, files: &mut Vec<File>) -> Entry {
     let slug = slug(&proved.name);
     files.push(File {
         path: format!("certificates/{slug}.json"),
-        bytes: proved.json().as_bytes().to_vec(),
+        bytes: proved.bytes().to_vec(),
     });
     let text = with_dimension!(proved.tiling(), AnyTiling, t => tiling_text(t, &slug));
     files.push(file(&format!("tilings/{slug}.json"), text));
@@ -186,10 +192,11 @@ fn entry(proved: &Proved, files: &mut Vec<File>) -> Entry {
         AnyTiling::Plane(_) => None,
         AnyTiling::Space(tiling) => Some(meshes(tiling, &slug, files)),
     };
+    let verified = proved.verified();
     Entry {
-        claim: proved.in_words(),
-        sha256: proved.sha256(),
-        is_region: proved.is_region(),
+        claim: verified.to_string(),
+        sha256: verified.sha256().to_owned(),
+        is_region: verified.claim().domain == Domain::Region,
         slug,
         rounding,
     }
