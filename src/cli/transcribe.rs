@@ -65,8 +65,8 @@ pub fn convert(
         },
     })?;
     // Both ways, so that what is written can be read again.
-    let json = print::to_json(&cbor)
-        .map_err(|error| format!("{input}: malformed [cbor] {error}"))?;
+    let json =
+        print::to_json(&cbor).map_err(|error| format!("{input}: malformed [cbor] {error}"))?;
     let written = match Encoding::of_path(path) {
         Some(Encoding::Cbor) => cbor.into_owned(),
         _ => json,

@@ -153,10 +153,7 @@ impl Proved {
     ///
     /// # Errors
     /// What the kernel refuses, or what cannot be read.
-    pub fn of_certificate(
-        bytes: &[u8],
-        limits: &Limits,
-    ) -> Result<(Proved, AnyTiling), NotProved> {
+    pub fn of_certificate(bytes: &[u8], limits: &Limits) -> Result<(Proved, AnyTiling), NotProved> {
         let cbor = format::to_cbor(bytes).map_err(NotProved::Json)?;
         let verified = verify(&mut &cbor[..], limits).map_err(NotProved::Unconfirmed)?;
         let (tiling, statements) =

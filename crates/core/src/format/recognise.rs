@@ -1,8 +1,8 @@
 //! Tells from the first bytes whether data are a certificate, and in which encoding.
 
+use super::FORMAT;
 use super::cbor::Items;
 use super::json::{self, JsonError};
-use super::FORMAT;
 use std::borrow::Cow;
 
 /// An encoding of a certificate.
@@ -24,7 +24,10 @@ pub fn recognise(bytes: &[u8]) -> Option<Encoding> {
     if items.array().is_ok() && items.text().is_ok_and(|text| text == FORMAT) {
         return Some(Encoding::Cbor);
     }
-    let mut begin = bytes.iter().take(BEGIN).filter(|b| !b.is_ascii_whitespace());
+    let mut begin = bytes
+        .iter()
+        .take(BEGIN)
+        .filter(|b| !b.is_ascii_whitespace());
     let expected = format!("{{\"format\":\"{FORMAT}\"");
     let is_json = expected.bytes().all(|byte| begin.next() == Some(&byte));
     is_json.then_some(Encoding::Json)
@@ -32,7 +35,6 @@ pub fn recognise(bytes: &[u8]) -> Option<Encoding> {
 
 /// Bytes that are searched for the format of JSON.
 const BEGIN: usize = 1024;
-
 
 /// The CBOR of a certificate in either encoding. Bytes that begin with `{` or a space are taken
 /// as JSON; all others are left as they are.

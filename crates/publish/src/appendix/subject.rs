@@ -6,10 +6,10 @@ use super::tex::slug;
 use crate::report::Proved;
 use acutile_core::classify::{Ridges, Symmetry};
 use acutile_core::quality::{Shape, shapes, squared_edges};
+use acutile_core::statement::Statement;
 use acutile_core::tiling::{AnyTiling, Matching, Tiling, match_facets};
 use acutile_exact::geometry::{NormalProducts, linear};
 use acutile_exact::number::Number;
-use acutile_core::statement::Statement;
 
 /// A confirmed certificate with a name.
 #[derive(Debug)]

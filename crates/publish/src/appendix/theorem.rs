@@ -259,7 +259,11 @@ fn angle_text<const D: usize>(analysis: &Analysis<D>, angle: &DihedralAngle) -> 
         return format!("${}^\\circ$", rational(&degrees));
     }
     let root = analysis.numerals.root(&angle.signed_square.abs());
-    let sign = if angle.against_right().is_gt() { "-" } else { "" };
+    let sign = if angle.against_right().is_gt() {
+        "-"
+    } else {
+        ""
+    };
     if width(&root) > WIDE {
         let bounds = angle.enclosure(&Rational::from_signeds(1, 1_000_000));
         return format!("$\\theta^\\circ$ with $\\theta\\in{}$", interval(&bounds));

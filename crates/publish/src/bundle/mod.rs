@@ -7,6 +7,7 @@
 //! | `readme` | what the archive tells a referee |
 //! | `pdf` | the appendix by TeX |
 //! | `zip` | the files as one |
+//! | `verify.py` | a third checker, in Python; it goes into the archive |
 //!
 //! Nothing here proves anything: what comes in is [`Proved`]. Called by the command line.
 
@@ -20,7 +21,6 @@ use crate::appendix::{self, File, Subject, slug};
 use crate::report::{Proved, page};
 use acutile_core::tiling::{AnyTiling, Tiling};
 use acutile_core::with_dimension;
-use acutile_format1::certificate::Domain;
 use acutile_io::export::tiling_text;
 use acutile_io::mesh::{Format, flatten, write};
 use sha2::{Digest, Sha256};
@@ -127,7 +127,7 @@ fn entries(
         }
         if entry.is_region {
             notes.push(format!(
-                "{slug}: is about a region: the appendix does not have it"
+                "{slug}: is about a region: the appendix does not have it, and verify.py declines it"
             ));
         }
         entries.push(entry);
@@ -184,7 +184,7 @@ fn entry(proved: &Proved, files: &mut Vec<File>) -> Entry {
     let slug = slug(&proved.name);
     files.push(File {
         path: format!("certificates/{slug}.json"),
-        bytes: proved.bytes().to_vec(),
+        bytes: proved.json().as_bytes().to_vec(),
     });
     let text = with_dimension!(proved.tiling(), AnyTiling, t => tiling_text(t, &slug));
     files.push(file(&format!("tilings/{slug}.json"), text));
@@ -192,11 +192,10 @@ fn entry(proved: &Proved, files: &mut Vec<File>) -> Entry {
         AnyTiling::Plane(_) => None,
         AnyTiling::Space(tiling) => Some(meshes(tiling, &slug, files)),
     };
-    let verified = proved.verified();
     Entry {
-        claim: verified.to_string(),
-        sha256: verified.sha256().to_owned(),
-        is_region: verified.claim().domain == Domain::Region,
+        claim: proved.in_words(),
+        sha256: proved.sha256(),
+        is_region: proved.is_region(),
         slug,
         rounding,
     }
