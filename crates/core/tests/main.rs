@@ -1,7 +1,6 @@
 //! Tests of the public interface of `acutile-core`, one binary for all.
 
 mod advice;
-mod assemble;
 mod delaunay;
 mod format;
 mod predicates;
