@@ -8,9 +8,13 @@ use std::collections::BTreeSet;
 use std::fs::{self, File};
 use std::path::{Path, PathBuf};
 
+/// A path of the repository.
+fn repository(path: &str) -> PathBuf {
+    Path::new(concat!(env!("CARGO_MANIFEST_DIR"), "/../..")).join(path)
+}
+
 fn files(folder: &str) -> Vec<PathBuf> {
-    let path = Path::new(concat!(env!("CARGO_MANIFEST_DIR"), "/../..")).join(folder);
-    let entries = fs::read_dir(path).unwrap();
+    let entries = fs::read_dir(repository(folder)).unwrap();
     let mut files: Vec<_> = entries.map(|entry| entry.unwrap().path()).collect();
     files.sort();
     files
@@ -21,7 +25,10 @@ fn stem(path: &Path) -> &str {
 }
 
 fn good() -> Vec<u8> {
-    fs::read("tests/certificates/cbor/valid--plane-equilateral-acute.cbor").unwrap()
+    fs::read(repository(
+        "tests/certificates/cbor/valid--plane-equilateral-acute.cbor",
+    ))
+    .unwrap()
 }
 
 /// Of bytes in memory; the same of a file.
@@ -45,7 +52,8 @@ fn every_file_gets_the_answer_of_its_name() {
         let bytes = fs::read(&path).unwrap();
         let found = answer(&bytes, &Limits::DEFAULT);
         if code == "valid" {
-            let json = fs::read(format!("tests/certificates/valid/{what}.json")).unwrap();
+            let json =
+                fs::read(repository(&format!("tests/certificates/valid/{what}.json"))).unwrap();
             assert_eq!(to_cbor(&json, &Limits::DEFAULT).unwrap(), bytes, "{what}");
             assert_eq!(to_json(&bytes, &Limits::DEFAULT).unwrap(), json, "{what}");
             assert!(found.is_ok(), "{what}");
@@ -61,7 +69,10 @@ fn every_file_gets_the_answer_of_its_name() {
 /// The refusal names the row.
 #[test]
 fn the_row_is_named() {
-    let bytes = fs::read("tests/certificates/cbor/cbor--mate-is-an-integer.cbor").unwrap();
+    let bytes = fs::read(repository(
+        "tests/certificates/cbor/cbor--mate-is-an-integer.cbor",
+    ))
+    .unwrap();
     let refusal = verify(&bytes, &Limits::DEFAULT).unwrap_err();
     // cbor.py puts the integer, one byte, at 173.
     let expected = "mates[1]: expected an array at offset 174";
