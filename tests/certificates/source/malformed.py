@@ -232,7 +232,7 @@ AT_MOST_90 = [ANGLE, "at most", 0, [0, 1]]
 
 CLAIMS = {
     "format--other": edit(E, ("format",), "acutile-tiling"),
-    "format--long": edit(E, ("format",), "x" * 5000),
+    "format--long": edit(E, ("format",), "acutile-certificate" * 3),
     "format--empty": edit(E, ("format",), ""),
     "dimension--1": edit(E, ("claim", "dimension"), 1),
     "dimension--0": edit(E, ("claim", "dimension"), 0),
