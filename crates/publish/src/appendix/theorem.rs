@@ -1,6 +1,6 @@
 //! What is proved, in words and exact numbers; field, lattice and metric.
 
-use super::numeral::{interval, rational};
+use super::rational::{interval, rational};
 use super::subject::{Analysis, Subject};
 use super::tex::{counted, escape, list, simplices, width};
 use acutile_core::tiling::{Domain, Polytope};
@@ -222,7 +222,7 @@ pub fn bound(text: &str) -> String {
         let below = acutile_core::quality::rounded_down(&value, digits);
         (below == acutile_core::quality::rounded_up(&value, digits)).then_some(below)
     });
-    exact.map_or_else(|| rational(&value), |text| super::numeral::decimal(&text))
+    exact.map_or_else(|| rational(&value), |text| super::rational::decimal(&text))
 }
 
 /// The leading principal minors, which show the metric to be positive definite.
