@@ -176,7 +176,7 @@ NOT_CBOR = {
     "big-integer-cut": put(2 ** 64, WITNESS)[:-4],
     "tag-alone": raw(b"\xc2", WITNESS),
     "huge-text": raw(b"\x7b" + HUGE, DOMAIN),
-    "huge-array-of-rows": raw(b"\x9b" + HUGE, ROWS),
+    "many-rows-announced": raw(b"\x9a\x08\0\0\0", ROWS),
     "huge-row": raw(b"\x9b" + HUGE, ROWS, 0),
     "huge-corner": raw(b"\x9b" + HUGE, ROWS, 0, 1),
     "huge-boundary": raw(b"\x9b" + HUGE, BOUNDARY, base=REGION),

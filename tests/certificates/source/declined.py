@@ -98,7 +98,8 @@ DECLINED = {
         replace(strip_of_height(1, REDUCIBLE), domain=("slab", [[0], [PLUS_ONE]], [[0], [1]])).certificate(),
     "sign-undecided--solid-with-a-vertex-on-a-side": reducible_solid(
         [[0, 0], [1, 0], [1, 1], [0, 1], [PLUS_ONE, F(1, 2)]], [[0, 1], [1, 4], [4, 2], [2, 3], [3, 0]]),
-    "sign-undecided--locally-delaunay": region(*cells((0, 0)), gram=[[1, TWICE_ZERO], [TWICE_ZERO, 1]], field=REDUCIBLE).certificate("locally Delaunay"),
+    "sign-undecided--locally-delaunay":
+        region(*cells((0, 0)), gram=[[1, TWICE_ZERO], [TWICE_ZERO, 1]], field=REDUCIBLE).certificate("locally Delaunay"),
     "sign-undecided--gap-between-two-boundary-facets": apart(ZERO).certificate(),
     "sign-undecided--rational-root-hit": lattice([[[-2, 1], 0], [0, 1]], TWO).certificate(),
 }

@@ -146,7 +146,8 @@ COVERING = {
     "cube-inside-of-a-mesh": region(*beside(cells(*THREE), (HALF_MOVED, cells((0, 0, 0))[1]))),
     "inside-with-a-common-vertex": region([*CORNER[0], (1, F(1, 2), F(1, 3)), (F(1, 2), 1, F(1, 3)), (F(1, 3), F(1, 2), 1)],
                                           [[0, 1, 2, 3], [0, 4, 5, 6]]),
-    "inside-with-a-common-edge": region([*CORNER[0], (1, F(1, 2), F(1, 3)), (1, F(1, 3), F(1, 2))], [[0, 1, 2, 3], [0, 1, 4, 5]]),
+    "inside-with-a-common-edge":
+        region([*CORNER[0], (1, F(1, 2), F(1, 3)), (1, F(1, 3), F(1, 2))], [[0, 1, 2, 3], [0, 1, 4, 5]]),
     "inside-of-a-piece-in-a-cavity":
         region(*beside(CAVITY, small(F(5, 4), F(5, 4), F(5, 4)), small(F(21, 16), F(21, 16), F(21, 16), F(1, 100)))),
     "between-a-cavity-and-the-outside": region(*beside(CAVITY, small(F(1, 4), F(5, 4), F(5, 4), F(1, 9)))),

@@ -136,6 +136,7 @@ JSON = {
     "json--bound-with-one-number": bound("largest dihedral angle", "maximum", 1, [1]),
     "json--bound-with-three-numbers": bound("largest dihedral angle", "maximum", 1, [1, 4, 1]),
     "json--bound-with-a-field-number": bound("largest dihedral angle", "maximum", 1, [[1], 4]),
+    "json--bound-with-a-relation-of-numbers": bound("largest dihedral angle", 90, 1, [1, 4]),
     "json--vertex-short": edit(E, (*VERTICES, 0), [0]),
     "json--vertex-long": edit(E, (*VERTICES, 0), [0, 0, 0]),
     "json--coordinate-is-null": replaced(BARE, b"[0,0]", b"[0,null]"),
@@ -232,7 +233,7 @@ AT_MOST_90 = [ANGLE, "at most", 0, [0, 1]]
 
 CLAIMS = {
     "format--other": edit(E, ("format",), "acutile-tiling"),
-    "format--long": edit(E, ("format",), "x" * 5000),
+    "format--long": edit(E, ("format",), "acutile-certificate" * 3),
     "format--empty": edit(E, ("format",), ""),
     "dimension--1": edit(E, ("claim", "dimension"), 1),
     "dimension--0": edit(E, ("claim", "dimension"), 0),
