@@ -2,6 +2,7 @@
 
 use super::encoding::Encoding;
 use super::input::{self, FileArguments};
+use super::limits::LimitArguments;
 use super::outcome::Outcome;
 use super::output::{Output, Staged, write_file};
 use super::progress::Progress;
@@ -67,6 +68,8 @@ pub struct CertifyArguments {
     /// One JSON object a line: one for each input, and for a refuted one then one for each defect
     #[arg(long)]
     pub json: bool,
+    #[command(flatten)]
+    pub limits: LimitArguments,
 }
 
 /// Certifies every input; the outcome is the worst of all.
@@ -251,6 +254,7 @@ fn prove(
     let options = Options {
         required: arguments.required.clone(),
         defect_limit: defect_limit(arguments),
+        limits: arguments.limits.limits(),
     };
     let proved = with_dimension!(&named.tiling, AnyTiling, t => match arguments.no_certificate {
         true => examine_tiling(t, input, &options),

@@ -53,6 +53,9 @@ pub struct ConvertArguments {
     /// Round coordinates that are no doubles, and tell how many and how far
     #[arg(long)]
     pub round: bool,
+    /// Bytes of a certificate; longer ones are declined
+    #[arg(long, value_name = "N", default_value_t = transcribe::BYTES)]
+    pub max_bytes: u64,
     #[command(flatten)]
     pub file: FileArguments,
 }
@@ -85,7 +88,13 @@ pub fn run(arguments: &ConvertArguments, output: &mut Output) -> Outcome {
     }
     let (input, path) = (&arguments.input, arguments.output.as_path());
     if transcribe::is_of_certificate(input, path) {
-        let written = transcribe::convert(input, path, arguments.has_options(), output);
+        let written = transcribe::convert(
+            input,
+            path,
+            arguments.has_options(),
+            arguments.max_bytes,
+            output,
+        );
         return ended(written, output);
     }
     let progress = Progress::of(&arguments.input);

@@ -1,7 +1,8 @@
 //! `acutile gallery`: every link of the site leads somewhere inside it, and it has what it should.
 
 use acutile_catalog as catalog;
-use acutile_format1::verifier;
+use acutile_core::format;
+use acutile_kernel::{Limits, verify};
 use acutile_publish::report::{DOCUMENTS, Site, gallery};
 use std::collections::BTreeSet;
 use std::path::{Path, PathBuf};
@@ -89,7 +90,8 @@ fn the_site_of_the_catalogue() {
         let certificate = &site[&format!("certificates/{name}.json")];
         let file = std::fs::read(repository(&format!("certificates/{name}.json"))).expect(name);
         assert_eq!(*certificate, file, "{name}");
-        verifier::verify(certificate, &verifier::Limits::DEFAULT).expect(name);
+        let cbor = format::to_cbor(certificate).expect(name);
+        verify(&mut &cbor[..], &Limits::DEFAULT).expect(name);
         assert!(site.contains_key(&format!("tilings/{name}.html")));
         assert!(site.contains_key(&format!("pictures/{name}.svg")));
     }

@@ -3,6 +3,7 @@
 use super::FORMAT;
 use super::cbor::Items;
 use super::json::{self, JsonError};
+use malachite::Integer;
 use std::borrow::Cow;
 
 /// An encoding of a certificate.
@@ -31,6 +32,14 @@ pub fn recognise(bytes: &[u8]) -> Option<Encoding> {
     let expected = format!("{{\"format\":\"{FORMAT}\"");
     let is_json = expected.bytes().all(|byte| begin.next() == Some(&byte));
     is_json.then_some(Encoding::Json)
+}
+
+/// The version of a certificate in CBOR, if it begins as one of any version does.
+pub fn version(cbor: &[u8]) -> Option<Integer> {
+    let mut items = Items::new(cbor);
+    items.array().ok()?;
+    let is_format = items.text().ok()? == FORMAT;
+    is_format.then(|| items.integer().ok()).flatten()
 }
 
 /// Bytes that are searched for the format of JSON.

@@ -20,8 +20,10 @@ pub struct Subject {
     pub description: String,
     /// Where it comes from, in the words of the catalogue.
     pub source: Option<&'static str>,
-    /// The certificate in JSON.
-    pub(super) bytes: Vec<u8>,
+    /// The certificate.
+    pub(super) cbor: Vec<u8>,
+    /// The same for people.
+    pub(super) json: String,
     pub(super) sha256: String,
     statements: Vec<Statement>,
     pub(super) tiling: AnyTiling,
@@ -38,7 +40,8 @@ impl Subject {
             name: proved.name.clone(),
             description: proved.description.clone(),
             source: None,
-            bytes: proved.json().as_bytes().to_vec(),
+            cbor: proved.certificate().to_vec(),
+            json: proved.json().to_owned(),
             sha256: proved.sha256(),
             statements: proved.statements().to_vec(),
             tiling: proved.tiling().clone(),
@@ -60,6 +63,11 @@ impl Subject {
 
     /// Where the certificate stands beside the document.
     pub fn certificate_path(&self) -> String {
+        format!("anc/{}.cbor", self.slug())
+    }
+
+    /// Where its JSON stands.
+    pub(super) fn json_path(&self) -> String {
         format!("anc/{}.json", self.slug())
     }
 

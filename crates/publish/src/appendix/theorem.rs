@@ -218,17 +218,12 @@ fn in_words<const D: usize>(analysis: &Analysis<D>, statement: &Statement) -> Op
         }
         Statement::RadiusEdge(relation, bound) => {
             let bound = ratio_text(analysis, bound);
-            let (what, is_or) = match relation {
-                Relation::Maximum => ("the largest quotient", "is"),
-                Relation::Minimum => ("the least quotient", "is"),
-                _ => ("each quotient", "is"),
-            };
-            let relation = match relation {
-                Relation::Maximum | Relation::Minimum => "",
-                other => other.text(),
-            };
-            format!("{what} of circumradius and shortest edge of a tile {is_or} {relation} {bound};")
-                .replace("  ", " ")
+            let quotient = "quotient of circumradius and shortest edge of a tile";
+            match relation {
+                Relation::Maximum => format!("the largest {quotient} is {bound};"),
+                Relation::Minimum => format!("the least {quotient} is {bound};"),
+                _ => format!("each {quotient} is {} {bound};", relation.text()),
+            }
         }
         Statement::Delaunay => {
             "it is the Delaunay triangulation of its vertices: no vertex of the tiling but a tile's own corners is on its \
