@@ -1,4 +1,4 @@
-//! The verifier in JavaScript (crates/publish/src/report/verifier.js) agrees with the kernel: on every
+//! The verifier in JavaScript (verifiers/javascript/verifier.js) agrees with the kernel: on every
 //! file of tests/certificates, and on certificates that are changed at random.
 //!
 //! The tests are in tests/browser/verifier.test.mjs and run under Node, which need not be there.

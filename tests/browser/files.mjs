@@ -1,4 +1,4 @@
-// The certificates of the repository for the tests of the JavaScript verifier, and the Rust program to compare with.
+// The certificates of the repository for the tests of the verifiers, and the other programs to compare with.
 
 import { execFileSync } from "node:child_process";
 import { existsSync, readdirSync, readFileSync, statSync } from "node:fs";
@@ -7,7 +7,7 @@ import { fileURLToPath } from "node:url";
 
 export const ROOT = fileURLToPath(new URL("../..", import.meta.url));
 
-/** Name, bytes, and the limits that the name's end `--limit-NAME-N` demands, of each file of a folder. */
+/** Name, bytes, and the limits that the name's end `--limit-NAME-N` or `--max-NAME-N` demands, of each file of a folder. */
 export function certificatesIn(folder) {
   const path = join(ROOT, folder);
   return readdirSync(path)
@@ -15,24 +15,45 @@ export function certificatesIn(folder) {
     .sort()
     .map((name) => {
       const stem = basename(name, ".json");
-      const [, limit, value] = /--limit-([a-z]+)-([0-9]+)$/.exec(stem) ?? [];
+      const [, limit, value] = /--(?:limit|max)-([a-z]+)-([0-9]+)$/.exec(stem) ?? [];
       return { name, stem, path: join(path, name), bytes: new Uint8Array(readFileSync(join(path, name))), limits: limit ? { [limit]: Number(value) } : {} };
     });
 }
 
 /** `acutile-verify`, from the environment or the newest that cargo has built; undefined where there is none. */
-export function rustVerifier() {
+function rustVerifier() {
   const given = process.env.ACUTILE_VERIFY;
   if (given) return given;
   const built = ["release", "debug"].map((profile) => join(ROOT, "target", profile, "acutile-verify")).filter(existsSync);
   return built.sort((p, q) => statSync(q).mtimeMs - statSync(p).mtimeMs)[0];
 }
 
-/** The answers of the Rust program for some files under the same limits, by file. */
-export function askRust(program, files, limits) {
-  const options = Object.entries(limits).flatMap(([name, value]) => [`--limit-${name}`, String(value)]);
-  const lines = outputOf(program, ["--json", ...options, ...files]).trimEnd().split("\n");
-  return new Map(lines.map((line) => JSON.parse(line)).map((answer) => [answer.file, answer]));
+function pythonIsThere() {
+  try {
+    execFileSync("python3", ["--version"], { stdio: "ignore" });
+    return true;
+  } catch {
+    return false;
+  }
+}
+
+const rust = rustVerifier();
+
+/** The other verifiers: the command, and the encoding that it reads. */
+export const OTHERS = [
+  { name: "acutile-verify", command: rust && [rust], reads: "cbor" },
+  { name: "verify.py", command: pythonIsThere() && ["python3", join(ROOT, "verifiers/python/verify.py")], reads: "json" },
+  { name: "verify.py on CBOR", command: pythonIsThere() && ["python3", join(ROOT, "verifiers/python/verify.py")], reads: "cbor" },
+].filter(({ command }) => command);
+
+/** The answers of a program about some files: the lines of all verifiers begin alike. */
+export function ask({ command: [program, ...options] }, files) {
+  const lines = outputOf(program, [...options, ...files]).trimEnd().split("\n");
+  if (lines.length !== files.length) throw new Error(`${program}: ${lines.length} lines for ${files.length} files`);
+  return lines.map((line) => {
+    const [, verdict, code = null] = /: (verified|rejected|malformed|declined)(?: \[([a-z-]+)\])?/.exec(line) ?? [];
+    return { verdict, code, sha256: /sha256 ([0-9a-f]{64})/.exec(line)?.[1] ?? null, line };
+  });
 }
 
 /** Standard output, whatever the exit code says of the files. */

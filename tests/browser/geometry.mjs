@@ -20,11 +20,11 @@ const ZERO = new Rational(0n);
 
 // Arithmetic modulo a monic polynomial; elements are arrays of its degree's length.
 export class Field {
-  constructor(claim) {
-    const data = claim["Q(a)"];
-    this.modulus = data ? data.polynomial.map(Rational.of) : [ZERO, new Rational(1n)];
+  constructor(data) {
+    const isField = data !== "Q";
+    this.modulus = isField ? data.polynomial.map((c) => new Rational(BigInt(c))) : [ZERO, new Rational(1n)];
     this.degree = this.modulus.length - 1;
-    this.root = data ? this.bisect(data.root.map((x) => Rational.of(x).double)) : 0;
+    this.root = isField ? this.bisect([data.root.low, data.root.high].map((end) => Number(end) / Number(data.root.denominator))) : 0;
   }
   bisect([low, high]) {
     const value = (x) => this.modulus.reduceRight((sum, c) => sum * x + c.double, 0);
@@ -35,9 +35,9 @@ export class Field {
     }
     return low;
   }
-  // A number as a certificate writes it.
-  of(number) {
-    const c = (typeof number === "string" ? [number] : number).map(Rational.of);
+  // A number as a certificate writes it, over a denominator.
+  of(number, denominator = 1) {
+    const c = [number].flat().map((x) => new Rational(BigInt(x), BigInt(denominator)));
     return Array.from({ length: this.degree }, (_, k) => c[k] ?? ZERO);
   }
   // `1/2 - 3/4 a + a^2`, as a page writes it.
@@ -75,34 +75,39 @@ export class Tiling {
   constructor(text) {
     const { claim, witness } = JSON.parse(text);
     Object.assign(this, { claim, witness, field: new Field(claim.field), dimension: claim.dimension });
-    this.gram = claim.gram.map((row) => row.map((x) => this.field.of(x)));
+    const upper = claim.gram.map((row) => row.map((x) => this.field.of(x)));
+    this.gram = upper.map((row, i) => upper.map((_, j) => (i <= j ? row[j - i] : upper[j][i - j])));
   }
-  corner([vertex, ...shift]) {
-    return this.witness.vertices[vertex].map((x, k) => this.field.plus(this.field.of(x), this.field.of(`${shift[k] ?? 0}`)));
+  corner(corner) {
+    const [vertex, ...shift] = [corner].flat();
+    return this.witness.vertices[vertex].map((x, k) => this.field.plus(this.field.of(x, this.witness.denominator), this.field.of(shift[k] ?? 0)));
+  }
+  corners(simplex) {
+    return this.witness.simplices[simplex].slice(0, this.dimension + 1).map((corner) => this.corner(corner));
   }
   dot(x, y) {
     const { field } = this;
-    let sum = field.of("0");
+    let sum = field.of(0);
     x.forEach((a, i) => y.forEach((b, j) => { sum = field.plus(sum, field.times(field.times(a, b), this.gram[i][j])); }));
     return sum;
   }
   difference(x, y) { return x.map((c, k) => this.field.minus(c, y[k])); }
   squaredLength(simplex, i, j) {
-    const corners = this.witness.simplices[simplex].map((c) => this.corner(c));
+    const corners = this.corners(simplex);
     const edge = this.difference(corners[j], corners[i]);
     return this.dot(edge, edge);
   }
   // The angle at the edge AB between C and D: numerator n and product d of its cosine n / √d.
   // With u = AB, v = AC, w = AD the parts of v and w orthogonal to u have the inner product (v·w - (u·v)(u·w)/(u·u)).
   dihedral(simplex, a, b, c, d) {
-    const corners = this.witness.simplices[simplex].map((x) => this.corner(x)), { field } = this;
+    const corners = this.corners(simplex), { field } = this;
     const [u, v, w] = [b, c, d].map((k) => this.difference(corners[k], corners[a]));
     const part = (x, y) => field.minus(field.times(this.dot(x, y), this.dot(u, u)), field.times(this.dot(u, x), this.dot(u, y)));
     return { n: part(v, w), d: field.times(part(v, v), part(w, w)) };
   }
   // The angle of a triangle at A: cos = v·w / √((v·v)(w·w)).
   planeAngle(simplex, a, b, c) {
-    const corners = this.witness.simplices[simplex].map((x) => this.corner(x));
+    const corners = this.corners(simplex);
     const [v, w] = [b, c].map((k) => this.difference(corners[k], corners[a]));
     return { n: this.dot(v, w), d: this.field.times(this.dot(v, v), this.dot(w, w)) };
   }
@@ -114,7 +119,7 @@ export class Tiling {
     const plain = inside ? null : field.parse(body);
     const square = inside ?? field.times(plain, plain);
     const sign = inside ? negative : Math.sign(field.double(plain));
-    const zero = field.equal(n, field.of("0"));
+    const zero = field.equal(n, field.of(0));
     return field.equal(field.times(square, d), field.times(n, n)) && (zero || sign === Math.sign(field.double(n)));
   }
 }

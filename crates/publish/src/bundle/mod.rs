@@ -7,7 +7,6 @@
 //! | `readme` | what the archive tells a referee |
 //! | `pdf` | the appendix by TeX |
 //! | `zip` | the files as one |
-//! | `verify.py` | a third checker, in Python; it goes into the archive |
 //!
 //! Nothing here proves anything: what comes in is [`Proved`]. Called by the command line.
 
@@ -37,14 +36,20 @@ const FIXED: [(&str, &str); 8] = [
     ),
     (
         "verify/package.json",
-        include_str!("../report/package.json"),
+        include_str!("../../../../verifiers/javascript/package.json"),
     ),
-    ("verify/verifier.js", include_str!("../report/verifier.js")),
+    (
+        "verify/verifier.js",
+        include_str!("../../../../verifiers/javascript/verifier.js"),
+    ),
     (
         "verify/verify-cli.mjs",
-        include_str!("../report/verify-cli.mjs"),
+        include_str!("../../../../verifiers/javascript/verify-cli.mjs"),
     ),
-    ("verify/verify.py", include_str!("verify.py")),
+    (
+        "verify/verify.py",
+        include_str!("../../../../verifiers/python/verify.py"),
+    ),
 ];
 
 /// The extensions of the mesh formats, all of them as text.
@@ -122,7 +127,7 @@ fn entries(
         }
         if entry.is_region {
             notes.push(format!(
-                "{slug}: is about a region: the appendix does not have it, and verify.py declines it"
+                "{slug}: is about a region: the appendix does not have it"
             ));
         }
         entries.push(entry);

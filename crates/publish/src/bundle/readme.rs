@@ -13,7 +13,7 @@ pub fn readme(entries: &[Entry], has_appendix: bool, has_pdf: bool) -> String {
              claim beside it, and can be\nchecked without the program that found it.\n\n## What is proved\n\n"
         ),
         entries.iter().map(claim).collect(),
-        check(entries),
+        check(),
         contents(entries, has_appendix, has_pdf),
         meshes(entries),
         "## To cite\n\n`CITATION.cff`. The programs and documents are under the licence in `LICENSE`.\n".to_owned(),
@@ -30,13 +30,7 @@ fn claim(entry: &Entry) -> String {
     )
 }
 
-fn check(entries: &[Entry]) -> String {
-    let regions = match entries.iter().any(|entry| entry.is_region) {
-        true => {
-            " The meshes of bounded regions above are of this kind: take one of the other two for them."
-        }
-        false => "",
-    };
+fn check() -> String {
     format!(
         "
 ## How to check it
@@ -50,9 +44,8 @@ With **Python** 3.8 or later, and nothing else:
 
     python3 verify/verify.py certificates/*.json
 
-It checks the hypotheses from which the tiling theorem follows, and every statement of the claim. It does not check that the file is
-in the one canonical notation (two notations can say the same), sets its own work no limits, and declines meshes of bounded regions (the
-domain `region`).{regions}
+It checks the hypotheses from which the tiling theorem follows, and every statement of the claim. It reads certificates in CBOR, too.
+It sets its own work no limits.
 
 With **Node** 20 or later, and nothing else, all of `docs/format.md`:
 

@@ -13,7 +13,7 @@ const TEMPLATE: &str = include_str!("assets/page.html");
 /// The style of pages.
 pub const STYLE: &str = include_str!("assets/style.css");
 /// The second verifier, which the page runs on its own certificates.
-const VERIFIER: &str = include_str!("verifier.js");
+const VERIFIER: &str = include_str!("../../../../verifiers/javascript/verifier.js");
 /// The program, in the order in which its parts use each other.
 const PROGRAM: [&str; 5] = [
     include_str!("assets/geometry.js"),

@@ -7,12 +7,18 @@ function element(name, attributes = {}, ...children) {
   return node;
 }
 
-// An element of the field as the certificate writes it, moved by an integer: `1/2 + 3/4 a`.
-function exact(number, shift) {
-  const coefficients = typeof number === "string" ? [number] : [...number];
-  const [p, q = "1"] = coefficients[0].split("/");
-  const numerator = BigInt(p) + BigInt(shift) * BigInt(q);
-  coefficients[0] = q === "1" ? `${numerator}` : `${numerator}/${q}`;
+// A fraction of integers in lowest terms.
+function fraction(p, q) {
+  const divisor = (a, b) => (b === 0n ? a : divisor(b, a % b));
+  const common = divisor(p < 0n ? -p : p, q);
+  return q === common ? `${p / common}` : `${p / common}/${q / common}`;
+}
+
+// A coordinate of the certificate over its denominator, moved by an integer: `1/2 + 3/4 a`.
+function exact(number, denominator, shift) {
+  const integers = [number].flat().map(BigInt), q = BigInt(denominator);
+  integers[0] += BigInt(shift) * q;
+  const coefficients = integers.map((c) => fraction(c, q));
   let text = "";
   coefficients.forEach((c, k) => {
     if (c === "0" && !(coefficients.length === 1)) return;
@@ -43,7 +49,7 @@ function details(tiling, cell, shift) {
   const word = D === 2 ? "Triangle" : "Tetrahedron";
   const name = (i) => "ABCD"[i];
   const corners = cell.corners.map(([v, ...s], i) => {
-    const coordinates = certificate.witness.vertices[v].map((x, k) => exact(x, s[k] ?? 0)).join(", ");
+    const coordinates = certificate.witness.vertices[v].map((x, k) => exact(x, certificate.witness.denominator, s[k] ?? 0)).join(", ");
     return [name(i), s.some((x) => x) ? `${v} + (${s.join(", ")})` : `${v}`, data.typeNames[data.types[v]], `(${coordinates})`];
   });
   const pairs = [];

@@ -7,7 +7,8 @@ function prepare(data) {
   const D = data.dimension, r = data.rank;
   const cartesian = (x) => [0, 1, 2].map((i) => x.reduce((sum, c, k) => sum + c * (data.basis[k][i] ?? 0), 0));
   const cells = data.cells.map((row, index) => {
-    const corners = certificate.witness.simplices[index];
+    const row = certificate.witness.simplices[index].slice(0, D + 1);
+    const corners = row.map((corner) => (Array.isArray(corner) ? corner : [corner, ...Array(r).fill(0)]));
     const points = corners.map(([v, ...shift]) => data.points[v].map((x, k) => x + (shift[k] ?? 0)));
     const moved = Array.from({ length: D }, (_, k) =>
       k < r ? -Math.floor(points.reduce((sum, p) => sum + p[k], 0) / (D + 1) + 1e-9) : 0);

@@ -1,5 +1,5 @@
-// `node verify-cli.mjs FILE…`: the verifier of the report page at a terminal, with the options, lines and exit codes of `acutile-verify`.
-// What "verified" means is decided in verifier.js alone.
+// `node verify-cli.mjs FILE…`: the verifier of the report page at a terminal. It reads certificates in JSON.
+// It reads files and prints lines; verifier.js alone decides what is verified.
 
 import { closeSync, openSync, readSync } from "node:fs";
 import { parseArgs } from "node:util";
@@ -13,7 +13,7 @@ Usage: node verify-cli.mjs [OPTIONS] FILE...
   FILE                  a certificate; - is standard input
 
   --json                one JSON object for each file
-${Object.entries(DEFAULT_LIMITS).map(([name, value]) => `  ${`--limit-${name} N`.padEnd(21)} [${value}]`).join("\n")}
+${Object.entries(DEFAULT_LIMITS).map(([name, value]) => `  ${`--max-${name} N`.padEnd(21)} [${value}]`).join("\n")}
   -h, --help            print this and stop
 
 Exit code: 0 if every file is verified; else 1 if one is rejected; else 2 if one
@@ -27,7 +27,7 @@ function main() {
   if (values.help) return process.stdout.write(HELP);
   let exitCode = 0;
   for (const file of positionals) {
-    const { answer, bytes } = lookAt(file, limits);
+    const { answer, bytes } = answerFor(file, limits);
     const line = values.json ? asJson(file, answer, bytes) : asText(file, answer);
     process.stdout.write(line + "\n");
     const own = EXIT_CODES.get(answer.verdict);
@@ -38,7 +38,7 @@ function main() {
 
 function commandLine() {
   try {
-    const names = Object.keys(DEFAULT_LIMITS).map((name) => [`limit-${name}`, { type: "string" }]);
+    const names = Object.keys(DEFAULT_LIMITS).map((name) => [`max-${name}`, { type: "string" }]);
     const options = { json: { type: "boolean" }, help: { type: "boolean", short: "h" }, ...Object.fromEntries(names) };
     const { values, positionals } = parseArgs({ options, allowPositionals: true });
     if (positionals.length === 0 && !values.help) throw new Error("no file is given");
@@ -50,38 +50,27 @@ function commandLine() {
 }
 
 function limitsFrom(values) {
-  const given = Object.entries(values).filter(([name]) => name.startsWith("limit-"));
+  const given = Object.entries(values).filter(([name]) => name.startsWith("max-"));
   return Object.fromEntries(
     given.map(([name, text]) => {
       const fits = /^[0-9]+$/.test(text) && Number.isSafeInteger(Number(text));
       if (!fits) throw new Error(`--${name}: not an integer from 0 to 2^53 - 1`);
-      return [name.slice("limit-".length), Number(text)];
+      return [name.slice("max-".length), Number(text)];
     }),
   );
 }
 
-const IN_CBOR = {
-  verdict: "declined",
-  code: "encoding",
-  message: "the certificate is in CBOR; `acutile convert F.cbor F.json` gives the JSON that this program reads",
-};
-
-/** A certificate in CBOR is a map, and no text in UTF-8 begins as one. */
-function isCbor(bytes) {
-  return bytes.length > 0 && bytes[0] >> 5 === 5;
-}
-
-function lookAt(file, limits) {
+function answerFor(file, limits) {
   try {
     const bytes = read(file, (limits.bytes ?? DEFAULT_LIMITS.bytes) + 1);
-    return { answer: isCbor(bytes) ? IN_CBOR : verify(bytes, limits), bytes };
+    return { answer: verify(bytes, limits), bytes };
   } catch (error) {
     if (!error.syscall) throw error;
     return { answer: { verdict: "unreadable", code: "unreadable", message: error.message } };
   }
 }
 
-/** At most so many bytes, which is enough to be refused. */
+/** The first bytes of a file, at most `most`: one more than the limit is refused. */
 function read(file, most) {
   const handle = file === "-" ? 0 : openSync(file);
   const parts = [];
@@ -106,7 +95,7 @@ function verdictOf({ verdict, code, message, claim, vertices, simplices, sha256 
   return `verified: ${claim.join("; ")}. (${count}, sha256 ${sha256})`;
 }
 
-/** As it is, if it holds nothing but ASCII letters, digits and `._/-+=@%~`; else as a JSON string in ASCII. */
+/** The name itself if it has only ASCII letters, digits and `._/-+=@%~`; otherwise a JSON string in ASCII. So no name forges a line. */
 function nameOf(file) {
   if (/^[A-Za-z0-9._/+=@%~-]+$/.test(file)) return file;
   const escaped = (unit) => `\\u${unit.charCodeAt(0).toString(16).padStart(4, "0")}`;
@@ -116,16 +105,9 @@ function nameOf(file) {
 function asJson(file, answer, bytes) {
   const { verdict, code, message, claim, vertices, simplices, sha256 } = answer;
   if (verdict !== "verified") return JSON.stringify({ code, file, message, verdict });
-  // A verified certificate is canonical JSON of small integers and texts: nothing is lost in objects.
-  const data = sorted(JSON.parse(new TextDecoder().decode(bytes)).claim);
+  // A verified certificate is canonical JSON, whose larger integers are texts: nothing is lost in objects.
+  const data = JSON.parse(new TextDecoder().decode(bytes)).claim;
   return JSON.stringify({ claim: data, file, sha256, simplices, verdict, vertices, words: claim.join("; ") });
-}
-
-/** With the members of objects by name. */
-function sorted(value) {
-  if (Array.isArray(value)) return value.map(sorted);
-  if (typeof value !== "object") return value;
-  return Object.fromEntries(Object.keys(value).sort().map((name) => [name, sorted(value[name])]));
 }
 
 main();

@@ -1,0 +1,967 @@
+#!/usr/bin/env python3
+"""python3 verify.py FILE…: a checker of acutile's certificates of format 2, in plain Python.
+
+It reads a certificate, in CBOR or JSON, and checks the hypotheses of docs/soundness.md, which imply that the
+simplices tile the domain face to face, and every other statement of the claim. Codes of refusals are those of
+docs/format.md. Numbers are integers, and integer polynomials in a root that is enclosed by fractions; no
+floating-point number is used. The digest that it prints is that of the certificate's CBOR.
+
+Every domain is checked, regions too: there it compares all pairs of boundary facets, and every boundary facet
+with every simplex. So a region with many boundary facets takes long.
+
+It leaves out limits on bytes, simplices and time. An integer has at most 4096 bits, a field degree 8, and a
+simplex of a region reaches over less than 1000 cells.
+
+Python 3.8 or newer, its standard library alone. Exit code: 0 if every file is verified; else 1 if one is
+rejected (something stated is false); else 2 if one is malformed or unreadable; else 3 (declined).
+"""
+
+import hashlib
+import json
+import re
+import sys
+from collections import Counter
+from fractions import Fraction
+from itertools import combinations, product
+from math import ceil, factorial, floor, gcd
+
+EXIT_CODES = {"declined": 3, "malformed": 2, "rejected": 1}
+BITS, DEGREE, FAR, TRANSLATES = 4096, 8, 2 ** 29, 1000
+
+
+class Refusal(Exception):
+    def __init__(self, kind, code, message):
+        super().__init__(message)
+        self.kind, self.code = kind, code
+
+
+def require(condition, kind, code, message):
+    if not condition:
+        raise Refusal(kind, code, message)
+
+
+def true(condition, code, message):
+    require(condition, "rejected", code, message)
+
+
+def formed(condition, code, message):
+    require(condition, "malformed", code, message)
+
+
+# The two encodings. Both give a tree of integers, texts and arrays. An object of JSON is a dictionary; in CBOR it is an array.
+
+
+class Record(list):
+    """An array of CBOR, which may stand for an object. No array of JSON does."""
+
+
+def read_cbor(content):
+    """The items of RFC 8949 that a certificate has. Only the deterministic encoding is accepted."""
+    at = 0
+
+    def take(count):
+        nonlocal at
+        formed(at + count <= len(content), "cbor", "the bytes end inside of an item")
+        at += count
+        return content[at - count:at]
+
+    def head():
+        first = take(1)[0]
+        major, short = first >> 5, first & 31
+        formed(major < 7 and not 28 <= short < 31, "cbor", "a float, a simple value or a reserved length")
+        formed(short < 31, "canonical" if 2 <= major < 6 else "cbor", "an indefinite length")
+        if short < 24:
+            return major, short
+        argument = int.from_bytes(take(1 << (short - 24)), "big")
+        formed(argument >= (24 if short == 24 else 1 << (4 << (short - 24))), "canonical", "a head is too long")
+        return major, argument
+
+    def item(depth):
+        formed(depth < 12, "cbor", "arrays are nested too deeply")
+        major, argument = head()
+        if major < 2:
+            return argument if major == 0 else -1 - argument
+        if major == 3:
+            text = take(argument)
+            formed(all(32 <= byte < 127 for byte in text), "cbor", "a text is not printable ASCII")
+            return text.decode("ascii")
+        if major == 4:
+            return Record(item(depth + 1) for _ in range(argument))
+        formed(major == 6 and argument in (2, 3), "cbor", f"an item of the major type {major}")
+        kind, length = head()
+        formed(kind == 2, "cbor", "a big integer without a byte string")
+        size = take(length)
+        formed(length > 8 and size[0] > 0, "canonical", "a big integer could be shorter")
+        size = int.from_bytes(size, "big")
+        return size if argument == 2 else -1 - size
+
+    tree = item(0)
+    formed(at == len(content), "cbor", "a byte follows the certificate")
+    return tree
+
+
+def cbor(tree):
+    """The deterministic encoding, in which an object is the list of its values."""
+    def head(major, argument):
+        if argument < 24:
+            return bytes([32 * major + argument])
+        order = next(k for k in range(4) if argument < 1 << (8 << k))
+        return bytes([32 * major + 24 + order]) + argument.to_bytes(1 << order, "big")
+
+    if isinstance(tree, int):
+        size = tree if tree >= 0 else -1 - tree
+        if size < 1 << 64:
+            return head(0 if tree >= 0 else 1, size)
+        digits = size.to_bytes((size.bit_length() + 7) // 8, "big")
+        return (b"\xc2" if tree >= 0 else b"\xc3") + head(2, len(digits)) + digits
+    if isinstance(tree, str):
+        return head(3, len(tree)) + tree.encode("ascii")
+    items = list(tree.values()) if isinstance(tree, dict) else tree
+    return head(4, len(items)) + b"".join(map(cbor, items))
+
+
+def read_json(content):
+    """The tree of a JSON file: its canonical text is printed again and compared."""
+    def unrepeated(pairs):
+        formed(len({name for name, _ in pairs}) == len(pairs), "canonical", "a member is there twice")
+        return dict(pairs)
+
+    def odd(text):
+        is_whole = re.fullmatch(r"-?[0-9]+(\.0+)?(e[+]?[0-9]+)?", text, re.ASCII | re.IGNORECASE)
+        raise Refusal("malformed", "canonical" if is_whole else "json", f"{text[:20]} is not written as an integer")
+
+    try:
+        text = content.decode("utf-8")
+        tree = json.loads(text, object_pairs_hook=unrepeated, parse_int=whole, parse_float=odd, parse_constant=odd)
+    except (ValueError, RecursionError) as error:
+        raise Refusal("malformed", "json", type(error).__name__) from error
+    check_header(tree)
+    formed("".join(printed(tree, 0)) + "\n" == text, "canonical", "not in canonical form")
+    return integral(tree)
+
+
+def check_header(tree):
+    """Another version may have another shape."""
+    formed(isinstance(tree, dict) and isinstance(tree.get("format"), str), "json", "no format")
+    formed(tree["format"] == "acutile-certificate", "format", "no certificate")
+    version = integral(tree.get("version"))
+    formed(is_integer(version), "json", "no version")
+    require(version == 2, "declined", "version", "a version that is unknown here")
+
+
+def printed(tree, depth):
+    """The one JSON text of a tree, in pieces."""
+    if isinstance(tree, str):
+        formed(re.fullmatch("[ -~]*", tree), "json", "a text is not printable ASCII")
+        yield json.dumps(tree)
+    elif is_integer(tree):
+        formed(abs(tree) < 2 ** 53, "canonical", "an integer of more than 53 bits is written as a number")
+        yield str(tree)
+    else:
+        formed(isinstance(tree, (list, dict)) and depth < 12, "json", "a value that the grammar has not")
+        line = "\n" if depth < 3 and tree else ""
+        opening, closing = "[]" if isinstance(tree, list) else "{}"
+        yield opening
+        for n, item in enumerate(tree):
+            yield ("," if n else "") + line
+            if isinstance(tree, dict):
+                yield from printed(item, depth)
+                yield ":"
+                item = tree[item]
+            yield from printed(item, depth + 1)
+        yield line + closing
+
+
+def integral(tree):
+    """The tree with integers for texts of decimal digits."""
+    if isinstance(tree, list):
+        return [integral(item) for item in tree]
+    if isinstance(tree, dict):
+        return {name: integral(item) for name, item in tree.items()}
+    if isinstance(tree, str) and re.fullmatch("-?[1-9][0-9]*", tree, re.ASCII):
+        formed(abs(whole(tree)) >= 2 ** 53, "canonical", "a small integer is written as a text")
+        return whole(tree)
+    return tree
+
+
+def whole(text):
+    """The integer; one that is beyond the limit, too, where the text is so long that the integer is."""
+    return int(text) if len(text) < 1300 else 1 << (BITS + 1)
+
+
+# The items of the grammar.
+
+
+def is_integer(value):
+    return type(value) is int
+
+
+def record(data, *names):
+    """The values of an object with these members; in CBOR it is an array of as many."""
+    if isinstance(data, dict):
+        formed(set(data) == set(names), "json", f"expected the members {', '.join(names)}")
+        formed(list(data) == list(names), "canonical", "the members are in another order")
+        return list(data.values())
+    formed(isinstance(data, Record) and len(data) == len(names), "json", f"expected the members {', '.join(names)}")
+    return data
+
+
+def array(data, length=None):
+    formed(isinstance(data, list) and length in (None, len(data)), "json", f"expected an array of {length or 'items'}")
+    return data
+
+
+def integer(data):
+    formed(is_integer(data), "json", "expected an integer")
+    require(abs(data).bit_length() <= BITS, "declined", "too-many-digits", f"more than {BITS} bits")
+    return data
+
+
+def integers(data, length=None):
+    return [integer(x) for x in array(data, length)]
+
+
+def positive(data, code="denominator"):
+    formed(integer(data) > 0, code, f"the denominator {data} is not positive")
+    return data
+
+
+def check_primitive(values):
+    formed(gcd_of(values) == 1, "canonical", "all integers have a common divisor")
+
+
+def gcd_of(values):
+    common = 0
+    for value in values:
+        common = gcd(common, value)
+    return common
+
+
+# Numbers: over Q integers; over Q(a) elements of Z[a].
+
+
+class Field:
+    """Q(a), for the one root a of a monic integer polynomial in an interval (hypothesis K)."""
+
+    def __init__(self, data):
+        polynomial, root = record(data, "polynomial", "root")
+        self.degree = len(array(polynomial)) - 1
+        formed(self.degree >= 2, "polynomial", "the degree is less than two")
+        require(self.degree <= DEGREE, "declined", "degree", f"a field of degree {self.degree}")
+        self.polynomial = integers(polynomial)
+        formed(self.polynomial[-1] == 1, "polynomial", "not monic")
+        low, high, denominator = map(integer, record(root, "low", "high", "denominator"))
+        formed(low < high and denominator > 0, "root-order", "the root's interval does not rise")
+        check_primitive([low, high, denominator])
+        self.low, self.high = Fraction(low, denominator), Fraction(high, denominator)
+        self.rises = self.value(self.high) > 0
+        true(self.value(self.low) * self.value(self.high) < 0, "root-signs", "no opposite signs at the ends")
+        low, high = Fraction(0), Fraction(0)
+        for power in range(self.degree, 0, -1):
+            ends = [x * y for x in (low, high) for y in (self.low, self.high)]
+            low, high = (end(ends) + power * self.polynomial[power] for end in (min, max))
+        formed(low > 0 or high < 0, "root-derivative", "the derivative's enclosure contains zero")
+        self.found = []
+
+    def value(self, x):
+        total = Fraction(0)
+        for coefficient in reversed(self.polynomial):
+            total = total * x + coefficient
+        return total
+
+    def enclosures(self):
+        """Finer and finer: for each power of a an interval of integers, over one denominator for all."""
+        for level, halvings in enumerate((64, 64, 128, 256, 512, 1024)):
+            if level == len(self.found):
+                for _ in range(halvings):
+                    self.halve()
+                self.found.append(self.powers())
+            yield self.found[level]
+
+    def halve(self):
+        middle = (self.low + self.high) / 2
+        at_middle = self.value(middle) if self.rises else -self.value(middle)
+        self.low, self.high = (self.low if at_middle > 0 else middle), (self.high if at_middle < 0 else middle)
+
+    def powers(self):
+        intervals = [(Fraction(1), Fraction(1))]
+        for _ in range(self.degree - 1):
+            ends = [x * y for x in intervals[-1] for y in (self.low, self.high)]
+            intervals.append((min(ends), max(ends)))
+        common = 1
+        for end in (end for interval in intervals for end in interval):
+            common *= (end * common).denominator
+        return common, [(int(x * common), int(y * common)) for x, y in intervals]
+
+
+class Element:
+    """c_0 + c_1 a + … with integers c_i."""
+
+    def __init__(self, field, coefficients):
+        self.field, self.coefficients = field, coefficients
+
+    def lifted(self, other):
+        if isinstance(other, Element):
+            return other.coefficients
+        return [other] + [0] * (self.field.degree - 1)
+
+    def __add__(self, other):
+        return Element(self.field, [x + y for x, y in zip(self.coefficients, self.lifted(other))])
+
+    def __sub__(self, other):
+        return Element(self.field, [x - y for x, y in zip(self.coefficients, self.lifted(other))])
+
+    def __neg__(self):
+        return Element(self.field, [-x for x in self.coefficients])
+
+    def __mul__(self, other):
+        if isinstance(other, int):
+            return Element(self.field, [x * other for x in self.coefficients])
+        n = self.field.degree
+        result = [0] * (2 * n - 1)
+        for i, x in enumerate(self.coefficients):
+            for j, y in enumerate(other.coefficients):
+                result[i + j] += x * y
+        for top in range(2 * n - 2, n - 1, -1):
+            for k in range(n):
+                result[top - n + k] -= result[top] * self.field.polynomial[k]
+        return Element(self.field, result[:n])
+
+    __radd__ = __add__
+    __rmul__ = __mul__
+
+    def __rsub__(self, other):
+        return -self + other
+
+    def between(self, enclosure):
+        """Integers over a common denominator: the value is from the first to the second."""
+        common, powers = enclosure
+        low = sum(c * (lower if c > 0 else upper) for c, (lower, upper) in zip(self.coefficients, powers))
+        high = sum(c * (upper if c > 0 else lower) for c, (lower, upper) in zip(self.coefficients, powers))
+        return low, high, common
+
+
+def sign(x):
+    """-1, 0 or 1. Zero only where all coefficients are; otherwise an enclosure decides, or nothing does."""
+    if isinstance(x, int):
+        return (x > 0) - (x < 0)
+    if not any(x.coefficients):
+        return 0
+    for enclosure in x.field.enclosures():
+        low, high, _ = x.between(enclosure)
+        if low > 0 or high < 0:
+            return 1 if low > 0 else -1
+    raise Refusal("declined", "sign-undecided", "a value is too near to zero")
+
+
+def bounds(x, scale):
+    """Fractions below and above x / scale."""
+    if isinstance(x, int):
+        return Fraction(x, scale), Fraction(x, scale)
+    low, high, common = x.between(next(x.field.enclosures()))
+    return Fraction(low, common * scale), Fraction(high, common * scale)
+
+
+# Vectors and matrices.
+
+
+def minus(x, y):
+    return [a - b for a, b in zip(x, y)]
+
+
+def dot(x, y):
+    return sum((a * b for a, b in zip(x, y)), 0)
+
+
+def det(rows):
+    if not rows:
+        return 1
+    minors = ([row[:j] + row[j + 1:] for row in rows[1:]] for j in range(len(rows)))
+    return sum((rows[0][j] * det(minor) * (-1) ** j for j, minor in enumerate(minors)), 0)
+
+
+def cofactors(m):
+    def minor(i, j):
+        return [row[:j] + row[j + 1:] for k, row in enumerate(m) if k != i]
+    return [[det(minor(i, j)) * (-1) ** (i + j) for j in range(len(m))] for i in range(len(m))]
+
+
+def parity(items):
+    """The sign of the permutation that sorts different items."""
+    return (-1) ** sum(x > y for x, y in combinations(items, 2))
+
+
+# The claim.
+
+PLAIN = ["face-to-face tiling", "acute", "nonobtuse"]
+BOUNDS = ["largest dihedral angle", "smallest dihedral angle", "squared radius-edge ratio"]
+LATER = ["Delaunay", "weakly Delaunay", "locally Delaunay", "locally weakly Delaunay", "TCP"]
+STATEMENTS = PLAIN + BOUNDS + LATER
+RELATIONS = ["less than", "at most", "maximum", "more than", "at least", "minimum"]
+DELAUNAY = {"Delaunay": (1, "not-delaunay"), "locally Delaunay": (1, "not-delaunay"),
+            "weakly Delaunay": (0, "not-weakly-delaunay"), "locally weakly Delaunay": (0, "not-weakly-delaunay")}
+
+
+class Certificate:
+    """The claim, with the checks that need nothing else; then the witness."""
+
+    def __init__(self, data):
+        _, _, kind, claim, witness = record(data, "format", "version", "kind", "claim", "witness")
+        formed(isinstance(kind, str), "json", "no kind")
+        require(kind == "tiling", "declined", "kind", "a kind that is unknown here")
+        self.dimension, field, gram, domain, statements = record(
+            claim, "dimension", "field", "gram", "domain", "statements")
+        formed(integer(self.dimension) in (2, 3), "dimension", "expected 2 or 3")
+        self.field = None if field == "Q" else Field(field)
+        self.read_gram(gram)
+        self.read_domain(domain)
+        self.read_statements(statements)
+        self.read_witness(witness)
+
+    def number(self, data):
+        if self.field is None:
+            return integer(data)
+        return Element(self.field, integers(data, self.field.degree))
+
+    def numbers(self, data, length):
+        return [self.number(x) for x in array(data, length)]
+
+    def read_gram(self, data):
+        """The matrix by its upper triangle; positive definite (hypothesis M)."""
+        d = self.dimension
+        upper = [self.numbers(row, d - i) for i, row in enumerate(array(data, d))]
+        check_primitive(coefficients(upper))
+        self.gram = [[upper[min(i, j)][abs(i - j)] for j in range(d)] for i in range(d)]
+        for n in range(1, d + 1):
+            true(sign(det([row[:n] for row in self.gram[:n]])) > 0, "gram-not-positive", f"leading minor {n}")
+
+    def read_domain(self, data):
+        d = self.dimension
+        self.domain, self.rank, self.polytope, self.faces = "space", d, [], []
+        if data == "space":
+            return
+        self.domain, value = array(data, 2)
+        if self.domain == "region":
+            self.rank = integer(value)
+            formed(0 <= self.rank <= d, "region-rank", f"the rank {self.rank}")
+            return
+        formed(self.domain in ("slab", "prism", "solid"), "json", "an unknown domain")
+        formed(self.domain != "prism" or d == 3, "prism-dimension", "a prism in the plane")
+        self.rank = d - {"slab": 1, "prism": 2, "solid": d}[self.domain]
+        denominator, vertices, faces = record(value, "denominator", "vertices", "faces")
+        self.polytope_scale = positive(denominator)
+        self.polytope = [self.numbers(row, self.codimension) for row in array(vertices)]
+        check_primitive([self.polytope_scale, *coefficients(self.polytope)])
+        self.faces = [integers(face) for face in array(faces)]
+        self.sides = check_polytope(self)
+
+    @property
+    def codimension(self):
+        return self.dimension - self.rank
+
+    def read_statements(self, data):
+        self.statements = [self.read_statement(x) for x in array(data)]
+        order = [(STATEMENTS.index(name), RELATIONS.index(relation) if relation else 0)
+                 for name, relation, _, _ in self.statements]
+        is_ordered = order == sorted(set(order)) and order[:1] == [(0, 0)]
+        formed(is_ordered, "statements", "not in order, or the tiling is not the first")
+        names = {name for name, _, _, _ in self.statements}
+        wrong = {"Delaunay", "weakly Delaunay"} if self.domain == "region" else {name for name in LATER if "locally" in name}
+        if self.domain != "space" or self.dimension != 3:
+            wrong.add("TCP")
+        formed(not names & wrong, "statement-domain", "a statement is not for this domain")
+
+    def read_statement(self, data):
+        """Name, relation, sign and fraction; the last three are None for statements that are texts."""
+        if isinstance(data, str):
+            formed(data in PLAIN + LATER, "statements", f"the unknown statement {data[:40]!r}")
+            return data, None, None, None
+        name = (array(data) or [None])[0]
+        formed(name in BOUNDS, "statements", "an unknown statement")
+        _, relation, *rest = array(data, 3 if name == BOUNDS[2] else 4)
+        formed(isinstance(relation, str), "json", "a relation is no text")
+        formed(relation in RELATIONS, "statements", "an unknown relation")
+        side = integer(rest[0]) if name != BOUNDS[2] else 1
+        p, q = array(rest[-1], 2)
+        p, q = self.number(p), positive(q, "bound-range")
+        check_primitive([q, *coefficients([[p]])])
+        is_bound = side in (-1, 0, 1) and sign(p) == abs(side) and (name == BOUNDS[2] or sign(p - q) <= 0)
+        formed(is_bound, "bound-range", f"a bound of {name}")
+        return name, relation, side, (p, q)
+
+    # The witness.
+
+    def read_witness(self, data):
+        d = self.dimension
+        denominator, vertices, boundary, simplices = record(data, "denominator", "vertices", "boundary", "simplices")
+        self.scale = positive(denominator)
+        if self.polytope:
+            true(self.scale % self.polytope_scale == 0, "denominator-domain", "the polytope's does not divide it")
+            factor = self.scale // self.polytope_scale
+            self.polytope = [[x * factor for x in vertex] for vertex in self.polytope]
+        self.vertices = [self.numbers(row, d) for row in array(vertices)]
+        check_primitive([self.scale, *coefficients(self.vertices)])
+        self.on_faces = [check_inside(self, v) for v in range(len(self.vertices))]
+        formed(bool(array(boundary)) == (self.domain == "region"), "boundary-domain", "of a region, and of no other domain")
+        self.boundary = [self.read_facet(facet) for facet in array(boundary)]
+        names = {facet_name(facet)[0] for facet in self.boundary}
+        formed(len(names) == len(self.boundary), "boundary-repeated", "a boundary facet is listed twice")
+        formed(array(simplices), "no-simplices", "there is no simplex")
+        has_sixes = self.claims("TCP")
+        rows = [array(row, d + 1 + has_sixes) for row in array(simplices)]
+        self.sixes = [integer(row[-1]) if has_sixes else 0 for row in rows]
+        self.simplices = [self.read_row(row[:d + 1]) for row in rows]
+        formed(all(0 <= n < 64 for n in self.sixes), "sixes", "not from 0 to 63")
+
+    def claims(self, statement):
+        return any(name == statement for name, _, _, _ in self.statements)
+
+    def corner(self, data):
+        v, *shift = integers(data, 1 + self.rank) if isinstance(data, list) else [integer(data)]
+        formed(0 <= v < len(self.vertices), "vertex-range", f"vertex {v}")
+        formed(all(abs(s) < FAR for s in shift), "shift-range", f"the shift {shift}")
+        formed(any(shift) or not isinstance(data, list), "canonical", "a shift of zero is written")
+        return (v, *(shift or [0] * self.rank))
+
+    def read_facet(self, data):
+        corners = [self.corner(x) for x in array(data, self.dimension)]
+        least, *_ = sorted(corners)
+        is_ordered = not any(corners[0][1:]) and len(set(corners)) == len(corners)
+        is_ordered = is_ordered and (self.dimension == 2 or corners[0] == least)
+        formed(is_ordered, "corner-order", f"boundary facet {data}")
+        return corners
+
+    def read_row(self, data):
+        """Sorted corners, but the last two stand in the order of a positive determinant."""
+        corners = [self.corner(x) for x in data]
+        is_ordered = not any(corners[0][1:]) and len(set(corners)) == len(corners)
+        is_ordered = is_ordered and corners[:-2] == sorted(corners)[:-2]
+        formed(is_ordered, "corner-order", f"simplex {data}")
+        return corners
+
+    def position(self, corner):
+        """The coordinates of a corner, scaled."""
+        shift = [s * self.scale for s in corner[1:]] + [0] * self.codimension
+        return [x + s for x, s in zip(self.vertices[corner[0]], shift)]
+
+    def product(self, x, y):
+        return dot(x, [dot(row, y) for row in self.gram])
+
+    def height(self, face, point):
+        """h_f of a point, given by its last k coordinates."""
+        w = [self.polytope[n] for n in face]
+        return det([minus(x, w[0]) for x in w[1:self.codimension]] + [minus(point, w[0])])
+
+
+def coefficients(rows):
+    return (c for row in rows for x in row for c in (x.coefficients if isinstance(x, Element) else [x]))
+
+
+def moved(corner, shift, factor=1):
+    return (corner[0],) + tuple(x + factor * u for x, u in zip(corner[1:], shift))
+
+
+def facet_name(corners):
+    """The same for translates, in any order; and the shift of the first corner."""
+    first, *_ = ordered = sorted(corners)
+    return tuple(moved(corner, first[1:], -1) for corner in ordered), first[1:]
+
+
+# Domains with a polytope: hypotheses P1, P2, P3, I.
+
+
+def check_polytope(c):
+    """Returns the sign s_f of each face."""
+    k, count = c.codimension, len(c.polytope)
+    formed(len(c.faces) > k, "face-count", "too few faces")
+    for face in c.faces:
+        formed(len(face) == k or len(face) > k == 3, "face-length", f"{len(face)} vertices")
+    for face in c.faces:
+        is_face = all(0 <= n < count for n in face) and len(set(face)) == len(face)
+        formed(is_face, "face-vertices", f"face {face}")
+    formed(len({frozenset(face) for face in c.faces}) == len(c.faces), "face-repeated", "a face is there twice")
+    formed(len({n for face in c.faces for n in face}) == count, "unused-domain-vertex", "a vertex is in no face")
+    signs = [face_sign(c, face) for face in c.faces]
+    if k == 3:
+        for face in c.faces:
+            check_polygon(c, face)
+    ridges = {
+        1: lambda face: [()], 2: lambda face: face,
+        3: lambda face: [frozenset(pair) for pair in zip(face, face[1:] + face[:1])],
+    }[k]
+    found = Counter(ridge for face in c.faces for ridge in ridges(face))
+    true(set(found.values()) == {2}, "faces-not-closed", "a ridge is not in two faces")
+    return signs
+
+
+def face_sign(c, face):
+    signs = [sign(c.height(face, w)) for w in c.polytope]
+    others = {s for n, s in enumerate(signs) if n not in face}
+    is_facet = all(signs[n] == 0 for n in face) and others in ({1}, {-1})
+    true(is_facet, "face-not-facet", f"face {face}")
+    return others.pop()
+
+
+def check_polygon(c, face):
+    outside = next(w for n, w in enumerate(c.polytope) if n not in face)
+    turns = set()
+    for p, q in zip(face, face[1:] + face[:1]):
+        for t in set(face) - {p, q}:
+            turns.add(sign(det([minus(x, c.polytope[p]) for x in (c.polytope[q], c.polytope[t], outside)])))
+    true(turns in ({1}, {-1}), "face-not-convex", f"face {face}")
+
+
+def check_inside(c, v):
+    """The faces that have a vertex of the tiling; it is on the inner side of the others."""
+    heights = [s * sign(c.height(face, c.vertices[v][c.rank:])) for face, s in zip(c.faces, c.sides)] if c.faces else []
+    true(all(h >= 0 for h in heights), "vertex-outside", f"vertex {v}")
+    return {f for f, h in enumerate(heights) if h == 0}
+
+
+# The tiling: hypotheses O, F, B, V and, of regions, X and W.
+
+
+def check_orientation(c, determinants):
+    for s, determinant in enumerate(determinants):
+        true(sign(determinant) > 0, "orientation", f"simplex {s}")
+
+
+class Facet:
+    """A facet of a simplex: its side, what is opposite to it, and by what it is moved from the facet of its name."""
+
+    def __init__(self, row, s, apex):
+        corners = [corner for corner in row if corner != apex]
+        self.simplex, self.apex, self.corners = s, apex, corners
+        self.name, self.base = facet_name(corners)
+        self.side = (-1) ** row.index(apex) * parity(corners)
+
+
+def matched(c):
+    """
+    Pairs of a facet and its mate. Facets of one name are paired in the order of the rows; in a region the first one
+    closes a listed facet of its name. What is in a face of the polytope has no mate.
+    """
+    listed = {facet_name(facet)[0]: parity(facet) for facet in c.boundary}
+    groups = {}
+    for s, row in enumerate(c.simplices):
+        for apex in sorted(row):
+            facet = Facet(row, s, apex)
+            if not set.intersection(*(c.on_faces[corner[0]] for corner in facet.corners)):
+                groups.setdefault(facet.name, []).append(facet)
+    mates = []
+    for key, group in groups.items():
+        if key in listed:
+            true(group.pop(0).side == listed[key], "facet-side", "a boundary facet turns its outer side to its simplex")
+        for one, other in zip(group[::2], group[1::2]):
+            true(one.side != other.side, "facet-side", f"simplices {one.simplex} and {other.simplex}")
+            mates.append((one, other))
+    return mates, groups, listed
+
+
+def check_end(c, groups, listed, determinants):
+    for group in groups.values():
+        true(len(group) % 2 == 0, "open-facet", f"a facet of simplex {group[-1].simplex} has no mate" if group else "")
+    true(set(listed) <= set(groups), "boundary-open", "a boundary facet is a facet of no simplex")
+    used = {corner[0] for row in c.simplices for corner in row}
+    formed(len(used) == len(c.vertices), "unused-vertex", "a vertex is no corner")
+    if c.domain != "region":
+        check_volume(c, determinants)
+
+
+def check_volume(c, determinants):
+    """The sum of the determinants is D! vol P, with Lemma 0's k! vol P."""
+    k = c.codimension
+    volume = 0 if k else 1
+    for face in c.faces:
+        w = [minus(c.polytope[n], c.polytope[face[0]]) for n in face]
+        apex = minus(c.polytope[0], c.polytope[face[0]])
+        pieces = sum((det(w[i:i + k - 1] + [apex]) for i in range(1, len(face) - k + 2)), 0)
+        volume = volume + pieces * sign(pieces)
+    expected = volume * (factorial(c.dimension) // factorial(k) * c.scale ** c.rank)
+    true(sign(sum(determinants, 0) - expected) == 0, "volume-sum", "the volumes do not sum to the domain's")
+
+
+def check_apart(c):
+    """X: any two boundary facets, also translates, meet in the hull of their common corners."""
+    boxes = [box(c, facet) for facet in c.boundary]
+    for f, g in product(range(len(boxes)), repeat=2):
+        if f > g:
+            continue
+        for shift in shifts(c, boxes[f], boxes[g]):
+            if f < g or shift > (0,) * c.rank:
+                there = [moved(corner, shift) for corner in c.boundary[g]]
+                true(meet_in_shared(c, c.boundary[f], there), "boundary-meets", f"boundary facets {f} and {g}, moved by {shift}")
+
+
+def box(c, corners):
+    """For each coordinate fractions below and above those of the corners."""
+    points = [[bounds(x, c.scale) for x in c.position(corner)] for corner in corners]
+    return [(min(low for low, _ in column), max(high for _, high in column)) for column in zip(*points)]
+
+
+def shifts(c, one, other):
+    """All lattice vectors that could move the second box to one that meets the first."""
+    ranges = []
+    for k, ((low, high), (least, most)) in enumerate(zip(one, other)):
+        if k < c.rank:
+            first, last = ceil(low - most), floor(high - least)
+            require(last - first < TRANSLATES, "declined", "work", "a simplex extends over too many cells")
+            ranges.append(range(first, last + 1))
+        elif low > most or high < least:
+            return []
+    return product(*ranges)
+
+
+def meet_in_shared(c, f, g):
+    """
+    Two hulls of corners meet in that of the common ones exactly if some affine function is zero at these, positive at
+    the others of the first, negative at the others of the second.
+    """
+    shared = [corner for corner in f if corner in g]
+    rows = [[1] + c.position(corner) for corner in f if corner not in shared]
+    rows += [[-x for x in [1] + c.position(corner)] for corner in g if corner not in shared]
+    return is_feasible(rows, [[1] + c.position(corner) for corner in shared])
+
+
+def is_feasible(positive_rows, zero_rows):
+    """Whether some w has row · w > 0 for all rows of the first list and = 0 for the second (Fourier and Motzkin)."""
+    if not positive_rows:
+        return True
+    if not positive_rows[0]:
+        return False
+    pivot = next((row for row in zero_rows if sign(row[0]) != 0), None)
+    if pivot is not None:
+        others = [row for row in zero_rows if row is not pivot]
+        return is_feasible([eliminated(row, pivot) for row in positive_rows], [eliminated(row, pivot) for row in others])
+    signs = [sign(row[0]) for row in positive_rows]
+    kept = [row[1:] for row, s in zip(positive_rows, signs) if s == 0]
+    up, down = ([row for row, s in zip(positive_rows, signs) if s == side] for side in (1, -1))
+    if not up or not down:
+        return is_feasible(kept, [row[1:] for row in zero_rows])
+    kept += [[x * -q[0] + y * p[0] for x, y in zip(p[1:], q[1:])] for p in up for q in down]
+    return is_feasible(kept, [row[1:] for row in zero_rows])
+
+
+def eliminated(row, pivot):
+    """A positive multiple of the row, plus a multiple of the pivot, without its first entry, which is zero."""
+    s = sign(pivot[0])
+    return [x * (pivot[0] * s) - y * (row[0] * s) for x, y in zip(row[1:], pivot[1:])]
+
+
+def check_covering(c):
+    """
+    W: no tile has the point x = m + ε o + ε² e_1 + ε³ e_2 + … for small ε > 0, where m is the centroid of a boundary
+    facet and o is a vector to the outside. x is in no plane of a facet, and directly outside.
+    """
+    d = c.dimension
+    boxes = [box(c, row) for row in c.simplices]
+    for facet in c.boundary:
+        points = [c.position(corner) for corner in facet]
+        centre = [sum(column, 0) for column in zip(*points)]
+        outward = outward_normal([minus(x, points[0]) for x in points[1:]])
+        middle = [tuple(end / d for end in bounds(x, c.scale)) for x in centre]
+        for s, row in enumerate(c.simplices):
+            for shift in shifts(c, middle, boxes[s]):
+                tile = [c.position(moved(corner, shift)) for corner in row]
+                is_covered = all(first_sign(values) > 0 for values in coordinates(tile, centre, outward))
+                true(not is_covered, "covering", f"simplex {s}, moved by {shift}, is outside of boundary facet {facet}")
+
+
+def outward_normal(rows):
+    """In coordinates: det(outward, rows…) > 0."""
+    minors = [[row[:j] + row[j + 1:] for row in rows] for j in range(len(rows) + 1)]
+    return [det(minor) * (-1) ** j for j, minor in enumerate(minors)]
+
+
+def coordinates(tile, centre, outward):
+    """For each corner the positive multiple of its barycentric coordinate at x, by powers of ε."""
+    d = len(outward)
+    unit = [[int(i == j) for j in range(d)] for i in range(d)]
+    for i in range(d + 1):
+        def value(point, weight):
+            """The determinant of the homogeneous coordinates, where the point replaces corner i."""
+            return det([[1] + x if j != i else [weight] + point for j, x in enumerate(tile)])
+        yield [value(centre, d), value(outward, 0)] + [value(e, 0) for e in unit]
+
+
+def first_sign(values):
+    return next((s for s in map(sign, values) if s), 0)
+
+
+# The statements.
+
+
+class Shape:
+    """The Gram matrix of a simplex's edges from corner 0, its cofactors and determinant."""
+
+    def __init__(self, c, corners):
+        self.origin, *others = [c.position(corner) for corner in corners]
+        self.edges = [minus(x, self.origin) for x in others]
+        self.m = [[c.product(x, y) for y in self.edges] for x in self.edges]
+        self.cofactors = cofactors(self.m)
+        self.det = det(self.m)
+        self.delta = [row[i] for i, row in enumerate(self.m)]
+
+    def gradients(self):
+        """det M times the inner products of the gradients g_0, …, g_D."""
+        first = [-sum(column, 0) for column in zip(*self.cofactors)]
+        return [[-sum(first, 0)] + first] + [[x] + row for x, row in zip(first, self.cofactors)]
+
+    def squared_edges(self):
+        between = [x + y - 2 * self.m[i][j] for (i, x), (j, y) in combinations(enumerate(self.delta), 2)]
+        return self.delta + between
+
+    def power(self, c, point):
+        """det M times the power of a point in the circumsphere."""
+        x = minus(point, self.origin)
+        products = [c.product(edge, x) for edge in self.edges]
+        return self.det * c.product(x, x) - dot(self.delta, [dot(row, products) for row in self.cofactors])
+
+
+def compared_angle(g, i, j, side, bound):
+    """The sign of the angle of facets i and j less that with the cosine side · √bound."""
+    cosine, (p, q) = -g[i][j], bound
+    s = sign(cosine)
+    if s != side or s == 0:
+        return (side > s) - (side < s)
+    return -s * sign(cosine * cosine * q - g[i][i] * g[j][j] * p)
+
+
+def compared_ratio(shape, bound):
+    """The sign of R² / l² less the bound, for the shortest edge; 4 det M R² = δ · C δ."""
+    p, q = bound
+    radius = dot(shape.delta, [dot(row, shape.delta) for row in shape.cofactors])
+    return max(sign(radius * q - shape.det * edge * p * 4) for edge in shape.squared_edges())
+
+
+def check_bound(shapes, statement):
+    name, relation, side, bound = statement
+    code = "ratio-bound" if name == BOUNDS[2] else "angle-bound"
+    attained = False
+    for s, shape in enumerate(shapes):
+        if name == BOUNDS[2]:
+            found = compared_ratio(shape, bound)
+        else:
+            g = shape.gradients()
+            angles = [compared_angle(g, i, j, side, bound) for i, j in combinations(range(len(g)), 2)]
+            found = max(angles) if name == BOUNDS[0] else min(angles)
+        is_strict = relation in ("less than", "more than")
+        upward = found if relation in RELATIONS[:3] else -found
+        true(upward < 0 or (upward == 0 and not is_strict), code, f"simplex {s}: {name}")
+        attained = attained or found == 0
+    return attained or relation not in ("maximum", "minimum")
+
+
+def check_acute(shapes, least, code):
+    for s, g in enumerate(shape.gradients() for shape in shapes):
+        for i, j in combinations(range(len(g)), 2):
+            true(-sign(g[i][j]) >= least, code, f"facets {i} and {j} of simplex {s}")
+
+
+def check_delaunay(c, shapes, mates, least, code):
+    for one, other in mates:
+        beyond = moved(moved(other.apex, other.base, -1), one.base)
+        found = sign(shapes[one.simplex].power(c, c.position(beyond)))
+        true(found >= least, code, f"simplices {one.simplex} and {other.simplex}")
+
+
+def check_tcp(c):
+    edges = [[facet_name(pair)[0] for pair in combinations(sorted(row), 2)] for row in c.simplices]
+    valences = Counter(edge for row in edges for edge in row)
+    for s, (row, sixes) in enumerate(zip(c.simplices, c.sixes)):
+        six = [pair for p, pair in enumerate(combinations(range(4), 2)) if sixes >> p & 1]
+        is_allowed = len(six) < 2 or (len(six) == 2 and not set(six[0]) & set(six[1]))
+        true(is_allowed, "triangle-valence", f"simplex {s}")
+        stated = [6 if pair in six else 5 for pair in combinations(range(4), 2)]
+        true(stated == [valences[edge] for edge in edges[s]], "edge-valence", f"simplex {s}")
+
+
+def check(data):
+    """Refuses, or returns the certificate, which then proves what it claims."""
+    c = Certificate(data)
+    check_apart(c)
+    mates, groups, listed = matched(c)
+    shapes = [Shape(c, row) for row in c.simplices]
+    determinants = [det(shape.edges) for shape in shapes]
+    check_orientation(c, determinants)
+    check_covering(c)
+    attained = True
+    for statement in c.statements:
+        name = statement[0]
+        if name == "acute":
+            check_acute(shapes, 1, "not-acute")
+        elif name == "nonobtuse":
+            check_acute(shapes, 0, "not-nonobtuse")
+        elif name in BOUNDS:
+            attained = check_bound(shapes, statement) and attained
+        elif name in DELAUNAY:
+            check_delaunay(c, shapes, mates, *DELAUNAY[name])
+    check_end(c, groups, listed, determinants)
+    if c.claims("TCP"):
+        check_tcp(c)
+    true(attained, "not-attained", "no simplex attains a bound")
+    return c
+
+
+# Files.
+
+
+def is_cbor(content):
+    """An array of CBOR begins with a byte from 0x80 to 0x9f, and no text in UTF-8 does."""
+    return b"\x80" <= content[:1] < b"\xa0"
+
+
+def tree_of(content):
+    if not is_cbor(content):
+        return read_json(content)
+    tree = read_cbor(content)
+    formed(isinstance(tree, list) and len(tree) == 5, "json", "not an array of five")
+    check_header(dict(zip(("format", "version"), tree)))
+    return tree
+
+
+def verdict(path):
+    """A line about a file, and the exit code."""
+    try:
+        with open(path, "rb") as file:
+            content = file.read()
+        tree = tree_of(content)
+        c = check(tree)
+    except Refusal as refusal:
+        code = "cbor" if refusal.code == "json" and is_cbor(content) else refusal.code
+        return f"{refusal.kind} [{code}] {refusal}", EXIT_CODES[refusal.kind]
+    except OSError as error:
+        return f"unreadable: {error.strerror}", 2
+    said = "; ".join(in_words(statement) for statement in c.statements)
+    sizes = f"dimension {c.dimension}, domain {c.domain}, {len(c.vertices)} vertices, {len(c.simplices)} simplices"
+    return f"verified: {said} ({sizes}, sha256 {hashlib.sha256(cbor(tree)).hexdigest()})", 0
+
+
+def in_words(statement):
+    name, relation, side, bound = statement
+    if bound is None:
+        return name
+    p, q = bound
+    number = f"{p.coefficients if isinstance(p, Element) else p}/{q}"
+    return f"{name} {relation} " + (number if name == BOUNDS[2] else f"arccos({side} √({number}))")
+
+
+def shown(path):
+    """A name of ordinary characters itself, any other as a JSON string: no name forges a line."""
+    return path if re.fullmatch("[A-Za-z0-9._/+=@%~-]+", path) else json.dumps(path)
+
+
+def main(paths):
+    if not paths or paths[0].startswith("-"):
+        print(__doc__)
+        return 0 if paths and paths[0] in ("-h", "--help") else 2
+    worst = 0
+    for path in paths:
+        line, code = verdict(path)
+        print(f"{shown(path)}: {line}", flush=True)
+        worst = min(worst or code, code or worst)
+    return worst
+
+
+if __name__ == "__main__":
+    sys.exit(main(sys.argv[1:]))
