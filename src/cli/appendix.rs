@@ -6,6 +6,7 @@
 //! at for all files before the first is written.
 
 use super::input::FileArguments;
+use super::limits::LimitArguments;
 use super::outcome::Outcome;
 use super::output::{Output, write_files};
 use super::proved;
@@ -34,6 +35,8 @@ pub struct AppendixArguments {
     /// Print decimals with the package siunitx
     #[arg(long)]
     pub siunitx: bool,
+    #[command(flatten)]
+    pub limits: LimitArguments,
 }
 
 type Failure = (String, Outcome);
@@ -64,7 +67,7 @@ fn write(arguments: &AppendixArguments) -> Result<usize, Failure> {
             inputs.push(input);
         }
     }
-    let subjects = subjects(&inputs, &arguments.file)?;
+    let subjects = subjects(&inputs, arguments)?;
     check_different(&subjects)?;
     let options = Options {
         siunitx: arguments.siunitx,
@@ -76,10 +79,10 @@ fn write(arguments: &AppendixArguments) -> Result<usize, Failure> {
 }
 
 /// The subjects of all inputs, several at a time; the first failure in their order.
-fn subjects(inputs: &[&str], options: &FileArguments) -> Result<Vec<Subject>, Failure> {
+fn subjects(inputs: &[&str], arguments: &AppendixArguments) -> Result<Vec<Subject>, Failure> {
     let found: Vec<_> = inputs
         .par_iter()
-        .map(|input| subject(input, options))
+        .map(|input| subject(input, arguments))
         .collect();
     found.into_iter().collect()
 }
@@ -104,8 +107,9 @@ fn check_different(subjects: &[Subject]) -> Result<(), Failure> {
 }
 
 /// A construction of the catalogue, or a tiling file, proved; or a certificate.
-fn subject(input: &str, options: &FileArguments) -> Result<Subject, Failure> {
-    let proved = proved::proved(input, options, &mut Output::standard())
+fn subject(input: &str, arguments: &AppendixArguments) -> Result<Subject, Failure> {
+    let limits = arguments.limits.limits();
+    let proved = proved::proved(input, &arguments.file, &limits, &mut Output::standard())
         .map_err(|error| (error.message, error.outcome))?;
     proved::subject(input, &proved).ok_or_else(|| {
         let message =

@@ -2,6 +2,7 @@
 
 use super::encoding::Encoding;
 use super::input::{self, FileArguments};
+use super::limits::LimitArguments;
 use super::outcome::Outcome;
 use super::output::{Output, Staged, write_file};
 use super::progress::Progress;
@@ -15,8 +16,8 @@ use acutile_core::statement::{Requirement, in_words as statement_in_words};
 use acutile_core::tiling::Tiling;
 use acutile_core::transcribe;
 use acutile_core::with_dimension;
-use acutile_kernel::Verified;
 use acutile_io::import::{is_gzip, uncompressed_name};
+use acutile_kernel::Verified;
 use clap::Args;
 use serde_json::{Value, json};
 use std::collections::BTreeMap;
@@ -67,6 +68,8 @@ pub struct CertifyArguments {
     /// One JSON object a line: one for each input, and for a refuted one then one for each defect
     #[arg(long)]
     pub json: bool,
+    #[command(flatten)]
+    pub limits: LimitArguments,
 }
 
 /// Certifies every input; the outcome is the worst of all.
@@ -251,6 +254,7 @@ fn prove(
     let options = Options {
         required: arguments.required.clone(),
         defect_limit: defect_limit(arguments),
+        limits: arguments.limits.limits(),
     };
     let proved = with_dimension!(&named.tiling, AnyTiling, t => match arguments.no_certificate {
         true => examine_tiling(t, input, &options),

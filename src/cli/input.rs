@@ -5,10 +5,10 @@ use super::mesh::{self, MeshArguments};
 use super::named::{InputError, Named};
 use super::output::Output;
 use super::points::{self, PointArguments};
+use super::transcribe;
 use acutile_catalog as catalog;
 use acutile_core::format;
 use acutile_core::tiling::{AnyPointSet, AnyTiling};
-use acutile_core::transcribe;
 use acutile_io::import::cif::{CifOptions, is_cif, read_cif};
 use acutile_io::import::{
     BYTE_LIMIT, Content, ImportError, NativeFile, read_bytes, read_native, read_text,
@@ -88,9 +88,9 @@ pub fn of_content(
 
 /// The tiling of a certificate, which is not judged here.
 fn of_certificate(input: &str, bytes: &[u8]) -> Result<Named, InputError> {
-    let cbor = format::to_cbor(bytes).map_err(|error| format!("{input}: {error}"))?;
+    let cbor = transcribe::cbor(input, bytes)?;
     let (tiling, _) =
-        transcribe::of_certificate(&cbor).map_err(|error| format!("{input}: {error}"))?;
+        acutile_core::transcribe::of_certificate(&cbor).map_err(|error| format!("{input}: {error}"))?;
     Ok(Named {
         name: input.to_owned(),
         description: "the tiling of a certificate".to_owned(),

@@ -21,6 +21,7 @@ mod export;
 mod gallery;
 mod input;
 mod interrupt;
+mod limits;
 mod list;
 mod mesh;
 mod meta;

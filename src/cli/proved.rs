@@ -21,6 +21,7 @@ use std::path::Path;
 pub fn proved(
     input: &str,
     options: &FileArguments,
+    limits: &Limits,
     output: &mut Output,
 ) -> Result<Proved, InputError> {
     let refused = |error: NotProved| InputError {
@@ -32,8 +33,7 @@ pub fn proved(
         false => input::tiling(input, None, options, output)?,
         true => match input::text_or_mesh(Path::new(input), &options.mesh)? {
             TextOrMesh::Certificate(bytes) => {
-                let limits = Limits::DEFAULT;
-                return Proved::of_certificate(stem(input), String::new(), &bytes, &limits)
+                return Proved::of_certificate(stem(input), String::new(), &bytes, limits)
                     .map_err(refused);
             }
             other => input::of_content(input, other, options, output)?,
@@ -45,7 +45,7 @@ pub fn proved(
     };
     let progress = Progress::of(input);
     let step = |step: &str| progress.step(step);
-    Proved::of_tiling(name, named.description, &named.tiling, &step).map_err(refused)
+    Proved::of_tiling(name, named.description, &named.tiling, limits, &step).map_err(refused)
 }
 
 /// What an appendix can say of it, with the place that the catalogue names; nothing for a region.

@@ -5,8 +5,11 @@ use super::named::InputError;
 use super::outcome::Outcome;
 use super::output::{Output, write_file};
 use acutile_catalog as catalog;
-use acutile_core::format::{self, json::JsonCode, print, recognise};
-use acutile_io::import::{read_bytes, uncompressed_name};
+use acutile_core::format::{self, VERSION, json::JsonCode, print, recognise};
+use acutile_core::refusal::exceeded;
+use acutile_io::import::{ImportError, read_bytes, uncompressed_name};
+use acutile_kernel::Limit;
+use std::borrow::Cow;
 use std::fs::{self, File};
 use std::io::{self, BufRead, Read};
 use std::path::Path;
@@ -37,7 +40,11 @@ fn beginning(input: &str) -> io::Result<Vec<u8>> {
     Ok(bytes)
 }
 
-/// Reads, transcribes, writes. What the certificate claims is not looked at.
+/// Bytes of a certificate that `convert` reads if no option says more. It has both encodings in
+/// memory.
+pub const BYTES: u64 = 1 << 30;
+
+/// Reads, transcribes, writes. The claim is not judged.
 ///
 /// # Errors
 /// A message that names the file.
@@ -45,6 +52,7 @@ pub fn convert(
     input: &str,
     path: &Path,
     has_options: bool,
+    limit: u64,
     output: &mut Output,
 ) -> Result<(), InputError> {
     check_target(path)?;
@@ -52,21 +60,14 @@ pub fn convert(
         return Err(format!("{input}: a tiling; {}", way(input, path)).into());
     }
     check_alone(input, has_options)?;
-    let bytes =
-        read_bytes(Path::new(input), u64::MAX - 1).map_err(|error| format!("{input}: {error}"))?;
+    let bytes = read(input, limit)?;
     if recognise(&bytes).is_none() {
         return Err(format!("{input}: not a certificate; {}", way(input, path)).into());
     }
-    let cbor = format::to_cbor(&bytes).map_err(|error| InputError {
-        message: format!("{input}: malformed [{}] {error}", error.code.name()),
-        outcome: match error.code {
-            JsonCode::Version => Outcome::Declined,
-            _ => Outcome::Failed,
-        },
-    })?;
+    let cbor = cbor(input, &bytes)?;
     // Both ways, so that what is written can be read again.
-    let json = print::to_json(&cbor)
-        .map_err(|error| format!("{input}: malformed [cbor] {error}"))?;
+    let json =
+        print::to_json(&cbor).map_err(|error| format!("{input}: malformed [cbor] {error}"))?;
     let written = match Encoding::of_path(path) {
         Some(Encoding::Cbor) => cbor.into_owned(),
         _ => json,
@@ -77,6 +78,50 @@ pub fn convert(
     }
     let message = |error| format!("{}: cannot be written: {error}", path.display());
     Ok(write_file(path, &written).map_err(message)?)
+}
+
+/// The bytes of a certificate, if there are no more than `limit`.
+fn read(input: &str, limit: u64) -> Result<Vec<u8>, InputError> {
+    let length = fs::metadata(input).ok().map(|metadata| metadata.len());
+    read_bytes(Path::new(input), limit).map_err(|error| match error {
+        ImportError::TooLong { .. } => InputError {
+            message: format!(
+                "{input}: declined [too-many-bytes] {}",
+                exceeded(Limit::Bytes, length.filter(|_| input != "-"))
+            ),
+            outcome: Outcome::Declined,
+        },
+        error => InputError::of_file(Path::new(input), &error),
+    })
+}
+
+/// The CBOR of a certificate in either encoding.
+///
+/// # Errors
+/// JSON that is not canonical, or another version.
+pub fn cbor<'b>(input: &str, bytes: &'b [u8]) -> Result<Cow<'b, [u8]>, InputError> {
+    let cbor = format::to_cbor(bytes).map_err(|error| {
+        let is_version = error.code == JsonCode::Version;
+        refused(input, error.code.name(), &error.to_string(), is_version)
+    })?;
+    match format::version(&cbor) {
+        Some(version) if version != VERSION => {
+            let message = format!("expected version {VERSION}, found {version}");
+            Err(refused(input, "version", &message, true))
+        }
+        _ => Ok(cbor),
+    }
+}
+
+fn refused(input: &str, code: &str, message: &str, is_declined: bool) -> InputError {
+    let (verdict, outcome) = match is_declined {
+        true => ("declined", Outcome::Declined),
+        false => ("malformed", Outcome::Failed),
+    };
+    InputError {
+        message: format!("{input}: {verdict} [{code}] {message}"),
+        outcome,
+    }
 }
 
 /// How a tiling comes to a certificate.

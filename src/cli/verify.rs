@@ -1,12 +1,13 @@
 //! `acutile verify`: asks the kernel about certificates in either encoding.
 
+use super::limits::LimitArguments;
 use super::outcome::{Outcome, exit_outcome};
 use super::output::Output;
 use super::words::{name, one_line};
 use acutile_core::format::{self, Encoding, json::JsonError, recognise};
 use acutile_core::proved::{hexadecimal, in_words};
 use acutile_core::refusal;
-use acutile_kernel::{Code, Kind, Limits, Refusal, Verified, verify};
+use acutile_kernel::{Code, Kind, Limit, Limits, Refusal, Value as Wrong, Verified, verify};
 use clap::Args;
 use serde_json::{Value, json};
 use std::ffi::OsString;
@@ -29,39 +30,6 @@ pub struct VerifyArguments {
     pub limits: LimitArguments,
 }
 
-/// Limits beyond which a certificate is declined.
-#[derive(Clone, Debug, Args)]
-pub struct LimitArguments {
-    /// Bytes of a certificate
-    #[arg(long, value_name = "N", default_value_t = Limits::DEFAULT.bytes)]
-    pub max_bytes: u64,
-    /// Simplices of a certificate
-    #[arg(long, value_name = "N", default_value_t = Limits::DEFAULT.simplices)]
-    pub max_simplices: u64,
-    /// Bits of an integer
-    #[arg(long, value_name = "N", default_value_t = Limits::DEFAULT.bits)]
-    pub max_bits: u64,
-    /// Degree of the field
-    #[arg(long, value_name = "N", default_value_t = Limits::DEFAULT.degree)]
-    pub max_degree: usize,
-    /// Units of work, about nanoseconds, for a certificate and again for each MiB of it
-    #[arg(long, value_name = "N", default_value_t = Limits::DEFAULT.work)]
-    pub max_work: u64,
-}
-
-impl LimitArguments {
-    /// The kernel's limits.
-    pub fn limits(&self) -> Limits {
-        Limits {
-            bytes: self.max_bytes,
-            simplices: self.max_simplices,
-            bits: self.max_bits,
-            degree: self.max_degree,
-            work: self.max_work,
-        }
-    }
-}
-
 /// The verdict on a file.
 enum Verdict {
     Verified(Box<Verified>),
@@ -69,7 +37,8 @@ enum Verdict {
     OtherClaim(Box<Verified>),
     Refused(Box<Refusal>),
     Malformed(JsonError),
-    TooLong,
+    /// JSON of more bytes than the limit, and its length, if it is known.
+    TooLong(Option<u64>),
     Unreadable(io::Error),
 }
 
@@ -115,22 +84,31 @@ fn judge(file: &OsString, claim: Option<&str>, limits: &Limits) -> Verdict {
 }
 
 fn check(file: &OsString, limits: &Limits) -> Result<Verified, Verdict> {
-    let unreadable = Verdict::Unreadable;
     if file == "-" {
-        return check_reader(&mut io::stdin().lock(), limits);
+        return check_reader(&mut io::stdin().lock(), None, limits);
     }
-    check_reader(&mut File::open(file).map_err(unreadable)?, limits)
+    let mut opened = File::open(file).map_err(Verdict::Unreadable)?;
+    let metadata = opened.metadata().map_err(Verdict::Unreadable)?;
+    let length = Some(metadata.len()).filter(|_| metadata.is_file());
+    check_reader(&mut opened, length, limits)
 }
 
 /// CBOR is read in pieces; JSON is transcribed first.
-fn check_reader(reader: &mut dyn Read, limits: &Limits) -> Result<Verified, Verdict> {
+fn check_reader(
+    reader: &mut dyn Read,
+    length: Option<u64>,
+    limits: &Limits,
+) -> Result<Verified, Verdict> {
     let mut begin = Vec::new();
     let taken = reader.take(BEGIN).read_to_end(&mut begin);
     taken.map_err(Verdict::Unreadable)?;
     let is_json = matches!(begin.first(), Some(b'{' | b' ' | b'\t' | b'\n' | b'\r'));
     if !is_json && recognise(&begin) != Some(Encoding::Json) {
         let mut rest = BufReader::new(io::Read::chain(&begin[..], reader));
-        return verify(&mut rest, limits).map_err(Verdict::Refused);
+        return verify(&mut rest, limits).map_err(|refusal| refused(refusal, length));
+    }
+    if length.is_some_and(|length| length > limits.bytes) {
+        return Err(Verdict::TooLong(length));
     }
     // One byte more than the limit is enough to be declined.
     let more = limits.bytes.saturating_add(1);
@@ -138,10 +116,18 @@ fn check_reader(reader: &mut dyn Read, limits: &Limits) -> Result<Verified, Verd
     let taken = reader.take(more).read_to_end(&mut bytes);
     taken.map_err(Verdict::Unreadable)?;
     if bytes.len() as u64 > limits.bytes {
-        return Err(Verdict::TooLong);
+        return Err(Verdict::TooLong(length));
     }
     let cbor = format::to_cbor(&bytes).map_err(Verdict::Malformed)?;
     verify(&mut &cbor[..], limits).map_err(Verdict::Refused)
+}
+
+/// The kernel does not know how long a file is that it refuses to read to its end.
+fn refused(mut refusal: Box<Refusal>, length: Option<u64>) -> Verdict {
+    if let Wrong::Exceeds(Limit::Bytes, enough) = &mut refusal.value {
+        *enough = enough.or(length);
+    }
+    Verdict::Refused(refusal)
 }
 
 /// Bytes that tell the encodings apart.
@@ -160,7 +146,7 @@ impl Verdict {
             },
             Verdict::Malformed(error) if error.code == format::json::JsonCode::Version => 3,
             Verdict::Malformed(_) | Verdict::Unreadable(_) => 2,
-            Verdict::TooLong => 3,
+            Verdict::TooLong(_) => 3,
         }
     }
 
@@ -181,7 +167,7 @@ impl Verdict {
                 3 => "declined",
                 _ => "malformed",
             },
-            Verdict::TooLong => "declined",
+            Verdict::TooLong(_) => "declined",
             Verdict::Unreadable(_) => "unreadable",
         }
     }
@@ -189,10 +175,10 @@ impl Verdict {
     fn code(&self) -> &'static str {
         match self {
             Verdict::Verified(_) => "verified",
-            Verdict::OtherClaim(_) => "claim",
+            Verdict::OtherClaim(_) => "other-claim",
             Verdict::Refused(refusal) => refusal.code.text(),
             Verdict::Malformed(error) => error.code.name(),
-            Verdict::TooLong => "too-many-bytes",
+            Verdict::TooLong(_) => "too-many-bytes",
             Verdict::Unreadable(_) => "unreadable",
         }
     }
@@ -205,7 +191,9 @@ impl Verdict {
             }
             Verdict::Refused(refusal) => refusal::message(refusal),
             Verdict::Malformed(error) => error.to_string(),
-            Verdict::TooLong => "the file is too long; --max-bytes raises the limit".to_owned(),
+            Verdict::TooLong(length) => {
+                format!("the file is {}", refusal::exceeded(Limit::Bytes, *length))
+            }
             Verdict::Unreadable(error) => error.to_string(),
         }
     }

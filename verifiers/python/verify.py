@@ -127,7 +127,8 @@ def read_json(content):
         return dict(pairs)
 
     def odd(text):
-        raise Refusal("malformed", "json", f"{text[:20]} is no integer")
+        is_whole = re.fullmatch(r"-?[0-9]+(\.0+)?(e[+]?[0-9]+)?", text, re.ASCII | re.IGNORECASE)
+        raise Refusal("malformed", "canonical" if is_whole else "json", f"{text[:20]} is not written as an integer")
 
     try:
         text = content.decode("utf-8")
@@ -143,8 +144,9 @@ def check_header(tree):
     """Another version may have another shape."""
     formed(isinstance(tree, dict) and isinstance(tree.get("format"), str), "json", "no format")
     formed(tree["format"] == "acutile-certificate", "format", "no certificate")
-    formed(is_integer(tree.get("version")), "json", "no version")
-    require(tree["version"] == 2, "declined", "version", "a version that is unknown here")
+    version = integral(tree.get("version"))
+    formed(is_integer(version), "json", "no version")
+    require(version == 2, "declined", "version", "a version that is unknown here")
 
 
 def printed(tree, depth):
@@ -477,6 +479,7 @@ class Certificate:
         name = (array(data) or [None])[0]
         formed(name in BOUNDS, "statements", "an unknown statement")
         _, relation, *rest = array(data, 3 if name == BOUNDS[2] else 4)
+        formed(isinstance(relation, str), "json", "a relation is no text")
         formed(relation in RELATIONS, "statements", "an unknown relation")
         side = integer(rest[0]) if name != BOUNDS[2] else 1
         p, q = array(rest[-1], 2)

@@ -9,7 +9,7 @@ use crate::format::{self, json::JsonError};
 use crate::statement::Statement;
 use crate::tiling::{AnyTiling, Tiling};
 use crate::transcribe::{self, ReadError};
-use acutile_kernel::{Limits, Refusal, Verified, verify};
+use acutile_kernel::{Limit, Limits, Refusal, Value, Verified, verify};
 use std::fmt;
 use std::io::{self, BufReader, BufWriter, Cursor, Read, Seek, Write};
 
@@ -141,7 +141,7 @@ pub fn prove_to<const D: usize>(
     let statements = proof.statements;
     progress("verification");
     storage.rewind().map_err(NotProved::Io)?;
-    let verified = verify(&mut BufReader::new(storage), &own_limits());
+    let verified = verify(&mut BufReader::new(storage), &options.limits);
     Ok(Confirmed {
         verified: verified.map_err(NotProved::Unconfirmed)?,
         statements,
@@ -153,12 +153,15 @@ impl Proved {
     ///
     /// # Errors
     /// What the kernel refuses, or what cannot be read.
-    pub fn of_certificate(
-        bytes: &[u8],
-        limits: &Limits,
-    ) -> Result<(Proved, AnyTiling), NotProved> {
+    pub fn of_certificate(bytes: &[u8], limits: &Limits) -> Result<(Proved, AnyTiling), NotProved> {
         let cbor = format::to_cbor(bytes).map_err(NotProved::Json)?;
-        let verified = verify(&mut &cbor[..], limits).map_err(NotProved::Unconfirmed)?;
+        let length = cbor.len() as u64;
+        let verified = verify(&mut &cbor[..], limits).map_err(|mut refusal| {
+            if let Value::Exceeds(Limit::Bytes, enough) = &mut refusal.value {
+                *enough = Some(length);
+            }
+            NotProved::Unconfirmed(refusal)
+        })?;
         let (tiling, statements) =
             transcribe::of_certificate(&cbor).map_err(NotProved::Unreadable)?;
         let proved = Proved {

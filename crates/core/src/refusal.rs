@@ -133,7 +133,7 @@ fn rule(code: Code) -> &'static str {
 }
 
 /// The option that raises a limit, and a value that suffices, where it is known.
-fn exceeded(limit: Limit, enough: Option<u64>) -> String {
+pub fn exceeded(limit: Limit, enough: Option<u64>) -> String {
     let (what, option) = match limit {
         Limit::Bytes => ("bytes", "--max-bytes"),
         Limit::Simplices => ("simplices", "--max-simplices"),

@@ -108,8 +108,17 @@ fn encodings_are_recognised() {
     assert_eq!(recognise(&cbor), Some(Encoding::Cbor));
     assert_eq!(recognise(&cbor[..64]), Some(Encoding::Cbor));
     assert_eq!(recognise(TRIANGLES.as_bytes()), Some(Encoding::Json));
-    assert_eq!(recognise(b" {\n \"format\" : \"acutile-certificate\""), Some(Encoding::Json));
-    for other in [&b""[..], b"{", b"{\"format\":\"acutile-tiling\"}", b"\x85\x61a", b"\xff"] {
+    assert_eq!(
+        recognise(b" {\n \"format\" : \"acutile-certificate\""),
+        Some(Encoding::Json)
+    );
+    for other in [
+        &b""[..],
+        b"{",
+        b"{\"format\":\"acutile-tiling\"}",
+        b"\x85\x61a",
+        b"\xff",
+    ] {
         assert_eq!(recognise(other), None, "{other:?}");
     }
 }
@@ -136,13 +145,28 @@ fn integers() {
         ("1000", b"\x19\x03\xe8"),
         ("1000000", b"\x1a\x00\x0f\x42\x40"),
         ("1000000000000", b"\x1b\x00\x00\x00\xe8\xd4\xa5\x10\x00"),
-        ("18446744073709551615", b"\x1b\xff\xff\xff\xff\xff\xff\xff\xff"),
-        ("18446744073709551616", b"\xc2\x49\x01\x00\x00\x00\x00\x00\x00\x00\x00"),
-        ("-18446744073709551616", b"\x3b\xff\xff\xff\xff\xff\xff\xff\xff"),
-        ("-18446744073709551617", b"\xc3\x49\x01\x00\x00\x00\x00\x00\x00\x00\x00"),
+        (
+            "18446744073709551615",
+            b"\x1b\xff\xff\xff\xff\xff\xff\xff\xff",
+        ),
+        (
+            "18446744073709551616",
+            b"\xc2\x49\x01\x00\x00\x00\x00\x00\x00\x00\x00",
+        ),
+        (
+            "-18446744073709551616",
+            b"\x3b\xff\xff\xff\xff\xff\xff\xff\xff",
+        ),
+        (
+            "-18446744073709551617",
+            b"\xc3\x49\x01\x00\x00\x00\x00\x00\x00\x00\x00",
+        ),
         ("-1", b"\x20"),
         ("-100", b"\x38\x63"),
-        ("9223372036854775808", b"\x1b\x80\x00\x00\x00\x00\x00\x00\x00"),
+        (
+            "9223372036854775808",
+            b"\x1b\x80\x00\x00\x00\x00\x00\x00\x00",
+        ),
     ];
     for (text, bytes) in cases {
         let value: Integer = text.parse().unwrap();
@@ -156,16 +180,16 @@ fn integers() {
 #[test]
 fn bytes_that_are_not_deterministic() {
     let cases: [&[u8]; 10] = [
-        b"\x18\x17",                                         // 23 in two bytes
-        b"\x19\x00\xff",                                     // 255 in three
-        b"\x1b\x00\x00\x00\x00\xff\xff\xff\xff",             // 2^32 - 1 in nine
-        b"\xc2\x48\xff\xff\xff\xff\xff\xff\xff\xff",         // a big integer of eight bytes
-        b"\xc2\x49\x00\xff\xff\xff\xff\xff\xff\xff\xff",     // a leading zero
-        b"\x9f\xff",                                         // an indefinite length
-        b"\xf9\x00\x00",                                     // a float
-        b"\xa0",                                             // a map
-        b"\xc0\x00",                                         // another tag
-        b"\x61\x0a",                                         // a line feed in a text
+        b"\x18\x17",                                     // 23 in two bytes
+        b"\x19\x00\xff",                                 // 255 in three
+        b"\x1b\x00\x00\x00\x00\xff\xff\xff\xff",         // 2^32 - 1 in nine
+        b"\xc2\x48\xff\xff\xff\xff\xff\xff\xff\xff",     // a big integer of eight bytes
+        b"\xc2\x49\x00\xff\xff\xff\xff\xff\xff\xff\xff", // a leading zero
+        b"\x9f\xff",                                     // an indefinite length
+        b"\xf9\x00\x00",                                 // a float
+        b"\xa0",                                         // a map
+        b"\xc0\x00",                                     // another tag
+        b"\x61\x0a",                                     // a line feed in a text
     ];
     for bytes in cases {
         assert!(Items::new(bytes).next_item().is_err(), "{bytes:02x?}");
@@ -193,11 +217,20 @@ fn json_that_is_not_canonical() {
         (with("[0,0]", "[1e999999999999,0]"), JsonCode::Json),
         (with("\"Q\"", "\"\\u0051\""), JsonCode::Canonical),
         (with("\"Q\"", "\"\u{e9}\""), JsonCode::Json),
-        (with("\"boundary\":[],", "\"boundary\":[\n],"), JsonCode::Canonical),
-        (with("\"boundary\":[],", ""), JsonCode::Json),
-        (with("\"boundary\":[],", "\"boundary\":[],\"boundary\":[],"), JsonCode::Canonical),
         (
-            with("\"version\":2,\n\"kind\":\"tiling\"", "\"kind\":\"tiling\",\n\"version\":2"),
+            with("\"boundary\":[],", "\"boundary\":[\n],"),
+            JsonCode::Canonical,
+        ),
+        (with("\"boundary\":[],", ""), JsonCode::Json),
+        (
+            with("\"boundary\":[],", "\"boundary\":[],\"boundary\":[],"),
+            JsonCode::Canonical,
+        ),
+        (
+            with(
+                "\"version\":2,\n\"kind\":\"tiling\"",
+                "\"kind\":\"tiling\",\n\"version\":2",
+            ),
             JsonCode::Canonical,
         ),
         (with("\"version\":2", "\"version\":1"), JsonCode::Version),

@@ -20,10 +20,17 @@ fn rationals_in_a_larger_field() {
     let (field, all) = in_one_field(&["sqrt(3)", "1/2", "5"]);
     let subfield = Subfield::of(&field, all[1..].iter());
     assert!(subfield.field.is_rationals());
-    assert_eq!(subfield.coefficients(&all[1]), Some(vec![Rational::from_signeds(1, 2)]));
+    assert_eq!(
+        subfield.coefficients(&all[1]),
+        Some(vec![Rational::from_signeds(1, 2)])
+    );
     assert_eq!(subfield.coefficients(&all[0]), None);
     // √3 √3 is written as a rational.
-    assert!(Subfield::of(&field, [&all[0] * &all[0]].iter()).field.is_rationals());
+    assert!(
+        Subfield::of(&field, [&all[0] * &all[0]].iter())
+            .field
+            .is_rationals()
+    );
 }
 
 #[test]
@@ -42,7 +49,9 @@ fn quadratic_subfields_of_a_field_of_degree_four() {
     for (index, square) in [(0, 2), (1, 3), (2, 6), (3, 2)] {
         let subfield = Subfield::of(&field, [&all[index]].into_iter());
         assert_eq!(polynomial(&subfield.field), [-square, 0, 1], "{index}");
-        let coefficients = subfield.coefficients(&all[index]).expect("it is in the field");
+        let coefficients = subfield
+            .coefficients(&all[index])
+            .expect("it is in the field");
         let value = subfield.field.element(coefficients).approximate();
         assert!((value - all[index].approximate()).abs() < 1e-12, "{index}");
     }

@@ -82,7 +82,7 @@ impl Interval {
 }
 
 pub struct Intervals {
-    root: Rc<Root>,
+    pub(crate) root: Rc<Root>,
 }
 
 impl Intervals {

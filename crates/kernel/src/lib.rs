@@ -8,16 +8,21 @@
 
 #[macro_use]
 mod refusal;
+mod boxes;
 mod cbor;
 mod claim;
 mod domain;
 mod edges;
 mod filter;
 mod front;
+mod grid;
 mod int;
 mod judge;
 mod limits;
+mod meets;
 mod print;
+mod questions;
+mod region;
 mod ring;
 mod root;
 mod row;

@@ -21,13 +21,30 @@ use crate::ring::{Ring, Vector, each};
 use std::cmp::Ordering;
 
 pub(crate) struct Meets<'r, R: Ring> {
-    pub(crate) ring: &'r R,
-    pub(crate) work: &'r Work,
+    ring: &'r R,
+    work: &'r Work,
+    pub(crate) rounding: Option<Rounding<R::Element>>,
+}
+
+/// For coordinates that are not exact.
+pub(crate) struct Rounding<E> {
+    /// A bound on the errors of det(x, y, z), for vectors as below.
+    pub(crate) slack: E,
+    /// The length of the vectors along the axes: comparable with that of the others.
+    pub(crate) length: E,
 }
 
 type Triangle<R> = [Vector<R>; 3];
 
-impl<R: Ring> Meets<'_, R> {
+impl<'r, R: Ring> Meets<'r, R> {
+    pub(crate) fn new(ring: &'r R, work: &'r Work) -> Self {
+        Meets {
+            ring,
+            work,
+            rounding: None,
+        }
+    }
+
     /// Whether f and g meet in the hull of their first `common` corners, which are the same.
     pub(crate) fn only_in_common(
         &self,
@@ -142,7 +159,17 @@ impl<R: Ring> Meets<'_, R> {
     /// Nothing if the sign is undecided; an error if a product does not fit.
     fn sign(&self, w: &Vector<R>, x: &Vector<R>) -> Result<Option<Ordering>, Larger> {
         self.work.add(3 * self.ring.price());
-        Ok(self.ring.sign(&self.ring.inner(w, x)?).ok())
+        let (ring, value) = (self.ring, self.ring.inner(w, x)?);
+        let Some(Rounding { slack, .. }) = &self.rounding else {
+            return Ok(ring.sign(&value).ok());
+        };
+        let is_positive = ring.compare(&value, slack)? == Ordering::Greater;
+        let is_negative = ring.sign(&ring.plus(&value, slack)?)? == Ordering::Less;
+        Ok(match (is_positive, is_negative) {
+            (true, _) => Some(Ordering::Greater),
+            (_, true) => Some(Ordering::Less),
+            _ => None,
+        })
     }
 
     fn cross(&self, x: &Vector<R>, y: &Vector<R>) -> Result<Vector<R>, Larger> {
@@ -153,11 +180,16 @@ impl<R: Ring> Meets<'_, R> {
     /// The products of a vector and each axis.
     fn on_axes(&self, [x, y, z]: &Vector<R>) -> [Result<Vector<R>, Larger>; 3] {
         let zero = R::Element::default;
-        let minus = |x| self.ring.minus(&zero(), x);
+        let plus = |x: &R::Element| match &self.rounding {
+            Some(Rounding { length, .. }) => self.ring.times(x, length),
+            None => Ok(x.clone()),
+        };
+        let minus = |x| self.ring.minus(&zero(), &plus(x)?);
+        let functional = |[x, y, z]: [Result<R::Element, Larger>; 3]| Ok([x?, y?, z?]);
         [
-            minus(y).map(|y| [zero(), z.clone(), y]),
-            minus(z).map(|z| [z, zero(), x.clone()]),
-            minus(x).map(|x| [y.clone(), x, zero()]),
+            functional([Ok(zero()), plus(z), minus(y)]),
+            functional([minus(z), Ok(zero()), plus(x)]),
+            functional([plus(y), minus(x), Ok(zero())]),
         ]
     }
 

@@ -1,10 +1,9 @@
 //! The questions about regions that need exact coordinates. They are asked with the least integers that suffice.
 
-use crate::filter::Intervals;
 use crate::grid::APEX;
 use crate::int::Int;
 use crate::limits::Work;
-use crate::meets::Meets;
+use crate::meets::{Meets, Rounding};
 use crate::refusal::{Checked, Larger, Place, Stop};
 use crate::ring::{Element, Exact, Ring, Rings, each, zip};
 use crate::row::Corner;
@@ -46,10 +45,9 @@ impl Points<'_> {
     /// The vector from one corner to another one. That to the apex is (0, 0, 1).
     fn edge<T: Int, const N: usize>(&self, from: Corner, to: Corner) -> Result<Vector<T, N>, Larger> {
         if to == APEX {
-            return Ok([Element::default(), Element::default(), one()]);
+            return Ok([Element::default(), Element::default(), constant(1)]);
         }
-        let (from, to) = (self.vertices.point(from)?, self.vertices.point(to)?);
-        zip(&to, &from, |x: &Element<T, N>, y| zip(&x.0, &y.0, T::minus).map(Element))
+        minus(&self.vertices.point(to)?, &self.vertices.point(from)?)
     }
 
     /// A normal of the facet, which points outwards.
@@ -62,12 +60,19 @@ impl Points<'_> {
     }
 }
 
-fn one<T: Int, const N: usize>() -> Element<T, N> {
-    let mut one = Element::default();
-    for constant in one.0.iter_mut().take(1) {
-        *constant = T::of_small(1);
+fn minus<T: Int, const N: usize>(
+    x: &Vector<T, N>,
+    y: &Vector<T, N>,
+) -> Result<Vector<T, N>, Larger> {
+    zip(x, y, |x, y| zip(&x.0, &y.0, T::minus).map(Element))
+}
+
+fn constant<T: Int, const N: usize>(value: i64) -> Element<T, N> {
+    let mut element = Element::default();
+    if let Some(first) = element.0.first_mut() {
+        *first = T::of_small(value);
     }
-    one
+    element
 }
 
 /// The sign of w · (1, ε, ε²) for small ε > 0: that of the first entry of w that is not zero.
@@ -85,48 +90,75 @@ fn first_sign<T: Int, const N: usize>(
 }
 
 /// Whether two boundary facets meet in the hull of their first `common` corners, which are the same.
-pub(crate) struct Pair<'q> {
+pub(crate) struct Pair<'q, const N: usize> {
     pub(crate) points: Points<'q>,
-    pub(crate) intervals: &'q Intervals,
+    pub(crate) rings: &'q Rings<N>,
     pub(crate) work: &'q Work,
     pub(crate) common: usize,
     pub(crate) f: Corners,
     pub(crate) g: Corners,
 }
 
-impl Pair<'_> {
+impl<const N: usize> Pair<'_, N> {
     /// The corners seen from a corner of f; in the plane as `meets` needs them.
-    fn seen<T: Int, const N: usize>(&self, corners: Corners) -> Result<[Vector<T, N>; 3], Larger> {
+    fn seen<T: Int>(&self, corners: Corners) -> Result<[Vector<T, N>; 3], Larger> {
         let [a, b, _] = self.f;
-        let base = if a == APEX { b } else { a };
+        let base = self.points.vertices.point(if a == APEX { b } else { a })?;
         let is_plane = self.f.contains(&APEX);
         each(&corners, |corner| {
             if *corner == APEX {
                 return Ok(Vector::default());
             }
-            let [x, y, z] = self.points.edge(base, *corner)?;
-            Ok([x, y, if is_plane { one() } else { z }])
+            let [x, y, z] = minus(&self.points.vertices.point(*corner)?, &base)?;
+            Ok([x, y, if is_plane { constant(1) } else { z }])
         })
+    }
+
+    /// For rational coordinates in space: by their first 19 bits.
+    ///
+    /// The vectors whose determinant `meets` computes are differences or sums of two points.
+    /// Their entries are at most m = 2^20, with errors below 2. So the error of the determinant is at
+    /// most 6 ((m + 2)³ - m³) < 2^46.
+    fn by_rounded<T: Int>(
+        &self,
+        f: &[Vector<T, N>; 3],
+        g: &[Vector<T, N>; 3],
+    ) -> Result<bool, Larger> {
+        let ring = self.rings.small.as_ref().ok_or(Larger)?;
+        let all = f.iter().chain(g).flatten().flat_map(|x| &x.0);
+        let bits = all.map(T::bits).max().unwrap_or(0);
+        let top = |c: &T| c.top(bits.saturating_sub(19));
+        let rounded = |x: &Vector<T, N>| each(x, |x| each(&x.0, top).map(Element));
+        let (f, g) = (each(f, rounded)?, each(g, rounded)?);
+        let mut meets = Meets::new(ring, self.work);
+        meets.rounding = Some(Rounding {
+            slack: constant(1 << 46),
+            length: constant(1 << 20),
+        });
+        meets.only_in_common(self.common, &f, &g)
     }
 }
 
-impl<const N: usize> Question<N> for Pair<'_> {
+impl<const N: usize> Question<N> for Pair<'_, N> {
     type Answer = bool;
 
     fn ask<T: Int>(&self, ring: &Exact<T, N>) -> Result<bool, Larger> {
         let (f, g) = (self.seen(self.f)?, self.seen(self.g)?);
-        let work = self.work;
-        // Intervals are faster than long products. What they decide is true.
-        if N > 1 || T::PRICE != 1 {
-            let ring = self.intervals;
-            let round = |x: &Vector<T, N>| each(x, |x| ring.of(&x.0));
-            let (f, g) = (each(&f, round)?, each(&g, round)?);
-            let answer = Meets { ring, work }.only_in_common(self.common, &f, &g);
-            if answer.is_ok() {
-                return answer;
-            }
+        let (common, work) = (self.common, self.work);
+        let exactly = || Meets::new(ring, work).only_in_common(common, &f, &g);
+        let by_intervals = || {
+            let ring = &self.rings.intervals;
+            let enclosed = |x: &Vector<T, N>| each(x, |x| ring.of(&x.0));
+            let (f, g) = (each(&f, enclosed)?, each(&g, enclosed)?);
+            Meets::new(ring, work).only_in_common(common, &f, &g)
+        };
+        // Rounded numbers decide nothing that is not true. They are faster than long products.
+        if N == 1 && T::PRICE == 1 {
+            let rounded = |Larger| self.by_rounded(&f, &g);
+            exactly().or_else(rounded).or_else(|Larger| by_intervals())
+        } else {
+            by_intervals().or_else(|Larger| exactly())
         }
-        Meets { ring, work }.only_in_common(self.common, &f, &g)
     }
 }
 

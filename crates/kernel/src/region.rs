@@ -138,7 +138,7 @@ impl<const N: usize> Region<N> {
         let (f, g, common) = common_first(f, g);
         let pair = Pair {
             points,
-            intervals: &rings.intervals,
+            rings,
             work: &self.work,
             common,
             f,

@@ -13,6 +13,7 @@ use crate::int::Int;
 use crate::judge::Judge;
 use crate::limits::{Limits, Work};
 use crate::refusal::{Checked, Code, Larger, Limit, Place, Refusal, Stop, Value};
+use crate::region::Region;
 use crate::ring::{Element, Exact, Ring, Rings, each};
 use crate::root::Root;
 use crate::row::{Row, Shape};
@@ -114,6 +115,7 @@ pub(crate) struct Tiling<const N: usize> {
     rings: Rc<Rings<N>>,
     work: Rc<Work>,
     faces: Option<Faces<N>>,
+    region: Option<Region<N>>,
     vertices: Vertices,
     used: Vec<bool>,
     front: Front,
@@ -160,6 +162,7 @@ impl<const N: usize> Tiling<N> {
         Ok(Tiling {
             shape,
             faces,
+            region: None,
             vertices: Vertices::new(claim.dimension, claim.field.degree()),
             used: Vec::new(),
             front: Front::new(claim.dimension, work),
@@ -201,10 +204,17 @@ impl<const N: usize> Tiling<N> {
         let is_region = self.claim.domain.is_region();
         let is_fitting = (count > 0) == is_region;
         ensure!(is_fitting, BoundaryDomain, Place::Witness, count);
+        let mut facets = Vec::new();
         for index in 0..count {
             let facet = self.shape.read_facet(cbor, index)?;
             self.front.list(facet, index)?;
             self.work.check(Place::Boundary(index))?;
+            facets.push(facet);
+        }
+        if is_region {
+            let region =
+                Region::new(facets, self.shape, &self.vertices, &self.rings, &self.work)?;
+            self.region = Some(region);
         }
         Ok(())
     }
@@ -233,6 +243,9 @@ impl<const N: usize> Tiling<N> {
             Ok((determinant, attained)) => self.add(&determinant, attained),
             Err(Stop::Larger) => self.judge_larger(row, &steps, simplex)?,
             Err(stop) => return Err(self.with_units(stop, simplex)),
+        }
+        if let Some(region) = &mut self.region {
+            region.check_row(row, &self.vertices, simplex)?;
         }
         self.work.check(Place::Simplex(simplex))
     }

@@ -10,8 +10,10 @@ from .regions import cells, periodic, region
 from .tilings import HEXAGONAL, REDUCIBLE, SQUARE_GRAM, TWO, lattice, strip_of_height
 from .wrong import GRAM, VERTICES, edited, fan, with_vertex
 
-# Over (x^2 - 2)(x^2 - 3) with the root sqrt 2: a^2 - 2 is zero, 1 - a^2 is -1, but not as coefficients.
-ZERO, ZERO_NEGATED, MINUS_ONE, PLUS_ONE = [-2, 0, 1], [2, 0, -1], [1, 0, -1], [-1, 0, 1]
+# Over (x^2 - 2)(x^2 - 3) with the root sqrt 2: a^2 - 2 is zero, a^2 - 1 is 1, but not as coefficients. At the other
+# root, sqrt 3, no factor of a value below is zero; so no multiple of it has zero coefficients alone.
+ZERO, ZERO_NEGATED, PLUS_ONE = [-2, 0, 1], [2, 0, -1], [-1, 0, 1]
+TWICE_ZERO, ONE_AND_ZERO, MINUS_ONE_AND_ZERO = [-4, 0, 2], [-3, 0, 2], [3, 0, -2]
 LONG = 10 ** 2000
 OTHER = {"tiles": [{"x": [1, 2]}]}
 
@@ -20,8 +22,9 @@ def reducible(gram):
     return lattice(gram, REDUCIBLE)
 
 
-RIGHT, OBLIQUE = reducible([[1, ZERO], [ZERO, 1]]), reducible([[2, MINUS_ONE], [MINUS_ONE, 2]])
-EQUILATERAL = reducible([[2, PLUS_ONE], [PLUS_ONE, 2]])
+RIGHT = reducible([[1, TWICE_ZERO], [TWICE_ZERO, 1]])
+OBLIQUE = reducible([[2, MINUS_ONE_AND_ZERO], [MINUS_ONE_AND_ZERO, 2]])
+EQUILATERAL = reducible([[2, ONE_AND_ZERO], [ONE_AND_ZERO, 2]])
 
 
 def reducible_solid(corners, faces):
@@ -51,7 +54,7 @@ DECLINED = {
     "version--1": version(1),
     "version--3": version(3),
     "version--negative": version(-2),
-    "version--beyond-64-bits": version(2 ** 64 + 2),
+    "version--large": version(2 ** 32 + 2),
     "version--3-and-another-shape": edited(version(3), (("claim",), OTHER), (("witness",), [])),
     "kind--family": edit(E, ("kind",), "family"),
     "kind--empty": edit(E, ("kind",), ""),
@@ -95,7 +98,8 @@ DECLINED = {
         replace(strip_of_height(1, REDUCIBLE), domain=("slab", [[0], [PLUS_ONE]], [[0], [1]])).certificate(),
     "sign-undecided--solid-with-a-vertex-on-a-side": reducible_solid(
         [[0, 0], [1, 0], [1, 1], [0, 1], [PLUS_ONE, F(1, 2)]], [[0, 1], [1, 4], [4, 2], [2, 3], [3, 0]]),
-    "sign-undecided--locally-delaunay": region(*cells((0, 0)), gram=[[1, ZERO], [ZERO, 1]], field=REDUCIBLE).certificate("locally Delaunay"),
+    "sign-undecided--locally-delaunay":
+        region(*cells((0, 0)), gram=[[1, TWICE_ZERO], [TWICE_ZERO, 1]], field=REDUCIBLE).certificate("locally Delaunay"),
     "sign-undecided--gap-between-two-boundary-facets": apart(ZERO).certificate(),
     "sign-undecided--rational-root-hit": lattice([[[-2, 1], 0], [0, 1]], TWO).certificate(),
 }

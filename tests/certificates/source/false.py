@@ -139,11 +139,13 @@ BOUNDS = {
     "angle-bound--a15": A.certificate(largest("at most", 1, (F(1, 5) + TINY) ** 2)),
     "angle-bound--a15-not-less-than-itself": A.certificate(largest("less than", 1, F(1, 25))),
     "angle-bound--a15-smallest": A.certificate(smallest("more than", 1, F(9, 25))),
-    "angle-bound--only-the-last-triangle": replace(K, simplices=K.simplices[2:] + K.simplices[:2]).certificate(largest("less than", *NINETY)),
+    "angle-bound--only-the-last-triangle":
+        replace(K, simplices=K.simplices[2:] + K.simplices[:2]).certificate(largest("less than", *NINETY)),
     "angle-bound--region": MESH.certificate(largest("less than", *NINETY)),
     "angle-bound--region-of-rank-3": PERFORATED.certificate(smallest("more than", 1, F(1, 2))),
     "angle-bound--bound-in-the-field": K.certificate(smallest("at least", 1, [F(1, 2), F(-1, 4)])),
-    "angle-bound--second-bound-of-three": E.certificate(largest("less than", *NINETY), largest("at least", *NINETY), smallest("maximum", *SIXTY)),
+    "angle-bound--second-bound-of-three":
+        E.certificate(largest("less than", *NINETY), largest("at least", *NINETY), smallest("maximum", *SIXTY)),
     "angle-bound--degree-8": DEGREE_8.certificate(smallest("at least", 1, F(478, 1000))),
     "ratio-bound--3-4-5-exactly": RIGHT_3_4_5.certificate(ratio("less than", F(25, 36))),
     "ratio-bound--3-4-5": RIGHT_3_4_5.certificate(ratio("at most", F(9, 25))),
@@ -158,7 +160,8 @@ BOUNDS = {
     "not-attained--by-an-angle-between-as-smallest": C6.certificate(smallest("maximum", *SIXTY)),
     "not-attained--same-square-of-the-other-sign": E.certificate(largest("maximum", *HUNDRED_TWENTY)),
     "not-attained--maximum-of-the-smallest-by-the-largest": K.certificate(smallest("maximum", *NINETY)),
-    "not-attained--one-of-several": K.certificate(largest("maximum", *NINETY), largest("minimum", 1, F(1, 2)), smallest("minimum", 1, F(1, 2))),
+    "not-attained--one-of-several":
+        K.certificate(largest("maximum", *NINETY), largest("minimum", 1, F(1, 2)), smallest("minimum", 1, F(1, 2))),
     "not-attained--over-sqrt-3": TIMES_SQRT_3.certificate(largest("maximum", 1, [F(1, 2), F(-1, 4)])),
     "not-attained--region": MESH.certificate(ratio("maximum", 1)),
     "not-attained--degree-8": DEGREE_8.certificate(ratio("maximum", F(5227, 10000))),
@@ -200,7 +203,8 @@ STATEMENTS = {
     "not-delaunay--locally-cospherical-of-rank-3": PERFORATED.certificate("locally Delaunay"),
     "not-weakly-delaunay--wrong-diagonal": LONG_DIAGONAL.certificate("weakly Delaunay"),
     "not-weakly-delaunay--sheared-cube": sheared(C6).certificate("weakly Delaunay"),
-    "not-weakly-delaunay--locally-wrong-diagonal": region(*cells((0, 0)), gram=HEXAGONAL).certificate("locally weakly Delaunay"),
+    "not-weakly-delaunay--locally-wrong-diagonal":
+        region(*cells((0, 0)), gram=HEXAGONAL).certificate("locally weakly Delaunay"),
     "not-weakly-delaunay--locally-sheared-cube": sheared(MESH).certificate("locally weakly Delaunay"),
     "not-weakly-delaunay--locally-sheared-of-rank-3": sheared(PERFORATED).certificate("locally weakly Delaunay"),
 }
@@ -261,7 +265,8 @@ DART = [[0, 0], [4, 0], [1, 1], [0, 4]]
 
 
 def root(polynomial, low, high, denominator=1):
-    return edit(K.certificate(), FIELD, {"polynomial": polynomial, "root": {"low": low, "high": high, "denominator": denominator}})
+    return edit(K.certificate(
+        ), FIELD, {"polynomial": polynomial, "root": {"low": low, "high": high, "denominator": denominator}})
 
 
 def square(corners, faces):
@@ -281,7 +286,8 @@ CLAIMS = {
     "face-not-facet--far-point-with-flat-faces": far_point_with_flat_faces(),
     "face-not-facet--not-planar": cube_with_faces(CUBE_FACES, MOVED_CORNER),
     "face-not-facet--flat-solid": cube_with_faces([[0, 1, 2], [0, 1, 3], [0, 2, 3], [1, 2, 3]], FLAT_SOLID),
-    "face-not-facet--flat-solid-and-one-face-with-all": cube_with_faces([[0, 1, 2, 3], [0, 1, 3], [0, 2, 3], [1, 2, 3]], FLAT_SOLID),
+    "face-not-facet--flat-solid-and-one-face-with-all":
+        cube_with_faces([[0, 1, 2, 3], [0, 1, 3], [0, 2, 3], [1, 2, 3]], FLAT_SOLID),
     "face-not-facet--slab-without-height": slab([[0], [0]], [[0], [1]]),
     "face-not-facet--third-plane-of-a-slab": slab([[0], [1], [F(1, 2)]], [[0], [1], [2]]),
     "face-not-facet--inner-face": cube_with_faces([*CUBE_FACES, [0, 1, 7, 6]]),

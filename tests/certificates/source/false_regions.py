@@ -114,6 +114,9 @@ AFTER_TRANSLATION = {
     # The lower edge is longer than the period.
     "rank-1-edge-on-its-translate": triangle(1, (0, 0), (F(3, 2), 0), (0, 1)).certificate(),
     "rank-1-edge-through-its-translate": triangle(1, (0, 0), (F(5, 2), F(1, 2)), (F(1, 4), 1)).certificate(),
+    # Each edge between two triangles has its mate; only an edge of the strip and its own translate meet.
+    "rank-1-strip-of-twice-the-period": Tiling(
+        SQUARE_GRAM, [[0, 0], [0, 1]], [[[0, 0], [0, 2], [1, 0]], [[0, 2], [1, 2], [1, 0]]], ("region", 1)).certificate(),
     "rank-1-vertex-with-two-names": triangle(1, (0, 0), (1, 0), (F(1, 2), 1)).certificate(),
     "rank-1-vertex-on-a-translated-edge":
         two_triangles(1, (0, 0), (F(1, 2), 0), (0, 1), (F(13, 4), 0), (F(13, 4), -1), (F(7, 2), -1)).certificate(),
@@ -143,7 +146,8 @@ COVERING = {
     "cube-inside-of-a-mesh": region(*beside(cells(*THREE), (HALF_MOVED, cells((0, 0, 0))[1]))),
     "inside-with-a-common-vertex": region([*CORNER[0], (1, F(1, 2), F(1, 3)), (F(1, 2), 1, F(1, 3)), (F(1, 3), F(1, 2), 1)],
                                           [[0, 1, 2, 3], [0, 4, 5, 6]]),
-    "inside-with-a-common-edge": region([*CORNER[0], (1, F(1, 2), F(1, 3)), (1, F(1, 3), F(1, 2))], [[0, 1, 2, 3], [0, 1, 4, 5]]),
+    "inside-with-a-common-edge":
+        region([*CORNER[0], (1, F(1, 2), F(1, 3)), (1, F(1, 3), F(1, 2))], [[0, 1, 2, 3], [0, 1, 4, 5]]),
     "inside-of-a-piece-in-a-cavity":
         region(*beside(CAVITY, small(F(5, 4), F(5, 4), F(5, 4)), small(F(21, 16), F(21, 16), F(21, 16), F(1, 100)))),
     "between-a-cavity-and-the-outside": region(*beside(CAVITY, small(F(1, 4), F(5, 4), F(5, 4), F(1, 9)))),

@@ -86,7 +86,8 @@ PLANE = {
     "plane-right-triangles-3-4-5": RIGHT_3_4_5.certificate(
         largest("maximum", *NINETY), smallest("maximum", 1, F(16, 25)), smallest("minimum", 1, F(16, 25)),
         ratio("maximum", F(25, 36)), ratio("minimum", F(25, 36))),
-    "plane-square-triangle": square_triangle().certificate("nonobtuse", largest("less than", *HUNDRED_TWENTY), "weakly Delaunay"),
+    "plane-square-triangle":
+        square_triangle().certificate("nonobtuse", largest("less than", *HUNDRED_TWENTY), "weakly Delaunay"),
     "plane-every-relation": square_triangle().certificate("nonobtuse", *EVERY_RELATION),
     "plane-shift-of-29-bits": renamed(block(2, 1, [[2, -1], [-1, 2]]), 1, [2**29 - 2]).certificate("acute"),
 }
@@ -140,7 +141,8 @@ DOMAINS = {
     "prism-cube-6": block(3, 2).certificate("nonobtuse", "weakly Delaunay"),
     "prism-sides-in-any-order": in_domain(block(3, 2), "prism", [[1, 0], [1, 1], [0, 0], [0, 1]],
                                           [[0, 2], [3, 1], [3, 2], [0, 1]]).certificate(),
-    "solid-square-2": block(2, 2).certificate("nonobtuse", smallest("minimum", *FORTY_FIVE), ratio("maximum", F(1, 2)), "weakly Delaunay"),
+    "solid-square-2":
+        block(2, 2).certificate("nonobtuse", smallest("minimum", *FORTY_FIVE), ratio("maximum", F(1, 2)), "weakly Delaunay"),
     "solid-hexagon": hexagon().certificate("acute", "Delaunay"),
     "solid-cube-6": block(3, 3).certificate("nonobtuse", largest("at most", *NINETY), "weakly Delaunay"),
     "solid-cube-faces-turned-and-reversed":
@@ -207,13 +209,16 @@ PERIODIC = {
                                              [[[v, 0, 0, 0] for v in range(4)]], ("region", 3)).certificate("acute"),
     "region-rank-3-octahedral-voids": Tiling(REGULAR, [[0, 0, 0]], [[[0, 0, 0, 0], [0, 1, 0, 0], [0, 0, 1, 0], [0, 0, 0, 1]]],
                                              ("region", 3)).certificate("acute", largest("maximum", 1, F(1, 9))),
-    "region-plane-cells": region(*cells((0, 0), (1, 0))).certificate("nonobtuse", largest("maximum", *NINETY), "locally weakly Delaunay"),
+    "region-plane-cells":
+        region(*cells((0, 0), (1, 0))).certificate("nonobtuse", largest("maximum", *NINETY), "locally weakly Delaunay"),
     "region-plane-hole": region(*cells(*(c for c in NINE if c != (1, 1)))).certificate("nonobtuse"),
     "region-plane-piece-in-a-hole": region(*beside(
         cells(*(c for c in NINE if c != (1, 1))), lone((F(5, 4), F(5, 4)), (F(3, 2), F(5, 4)), (F(5, 4), F(3, 2))))).certificate(),
     "region-plane-two-cells-at-a-vertex": region(*cells((0, 0), (1, 1))).certificate(),
-    "region-plane-triangle": region(*lone((0, 0), (3, 0), (0, 4))).certificate(smallest("minimum", 1, F(16, 25)), ratio("maximum", F(25, 36))),
-    "region-plane-over-sqrt-3": region([(0, 0), (2, 0), (1, ROOT), (1, [0, -1])], [[0, 1, 2], [0, 1, 3]], field=SQRT3).certificate(
+    "region-plane-triangle":
+        region(*lone((0, 0), (3, 0), (0, 4))).certificate(smallest("minimum", 1, F(16, 25)), ratio("maximum", F(25, 36))),
+    "region-plane-over-sqrt-3":
+        region([(0, 0), (2, 0), (1, ROOT), (1, [0, -1])], [[0, 1, 2], [0, 1, 3]], field=SQRT3).certificate(
         "acute", largest("maximum", *SIXTY), "locally Delaunay"),
     "region-plane-rank-1-strip": periodic((1,), (0, 0)).certificate("nonobtuse"),
     "region-plane-rank-1-strip-with-holes": periodic((3,), *(c for c in NINE if c != (1, 1))).certificate("nonobtuse"),
@@ -222,28 +227,36 @@ PERIODIC = {
     "region-plane-rank-2-holes": periodic((2, 2), (0, 0), (1, 0), (0, 1)).certificate("nonobtuse"),
     "region-plane-rank-2-checkerboard": periodic((2, 2), (0, 0), (1, 1)).certificate("nonobtuse"),
     "region-plane-rank-2-triangles-at-vertices":
-        Tiling(HEXAGONAL, [[0, 0]], [[[0, 0, 0], [0, 1, 0], [0, 0, 1]]], ("region", 2)).certificate("acute", largest("maximum", *SIXTY)),
+        Tiling(HEXAGONAL, [[0, 0]], [[[0, 0, 0], [0, 1, 0], [0, 0, 1]]], ("region", 2)).certificate(
+            "acute", largest("maximum", *SIXTY)),
     "region-plane-rank-2-hexagon-holes": Tiling(
         HEXAGONAL, [[F(1, 2), 0], [0, F(1, 2)], [F(1, 2), F(1, 2)]],
         [[[0, 0, 0], [2, 0, 0], [1, 0, 0]], [[1, 1, 0], [0, 0, 1], [2, 0, 0]]], ("region", 2)).certificate("acute"),
 }
 
 LOCALLY_DELAUNAY = {
-    "region-locally-delaunay-bcc": replace(periodic((1, 1), (0, 0, 0)), gram=BCC).certificate("locally Delaunay", "locally weakly Delaunay"),
-    "region-locally-delaunay-cells-of-bcc": region(*cells((0, 0, 0), (1, 0, 0)), gram=BCC).certificate("nonobtuse", "locally Delaunay"),
+    "region-locally-delaunay-bcc":
+        replace(periodic((1, 1), (0, 0, 0)), gram=BCC).certificate("locally Delaunay", "locally weakly Delaunay"),
+    "region-locally-delaunay-cells-of-bcc":
+        region(*cells((0, 0, 0), (1, 0, 0)), gram=BCC).certificate("nonobtuse", "locally Delaunay"),
     "region-locally-delaunay-cube": region(*cells((0, 0, 0), (1, 0, 0))).certificate("locally weakly Delaunay"),
-    # The flat triangle's circle has the centre (2, -3/2) and the radius 5/2. It contains the other piece, but no edge is between them.
+    # The flat triangle's circle has the centre (2, -3/2) and the radius 5/2.
+    # It contains the other piece, but no edge is between them.
     "region-locally-delaunay-not-globally": region(
-        [(0, 0), (4, 0), (2, 1), (4, 2), (1, -1), (3, -1), (2, -3)], [[0, 1, 2], [1, 2, 3], [4, 5, 6]]).certificate("locally Delaunay"),
+        [(0, 0), (4, 0), (2, 1), (4, 2), (1, -1), (3, -1), (2, -3)], [[0, 1, 2], [1, 2, 3], [4, 5, 6]]).certificate(
+            "locally Delaunay"),
 }
 
 BIG = {
     "region-integers-at-limits": triangles_near(2**53, 2**63, 2**64, 2**72).certificate(),
     "region-integers-at-limits-below": triangles_near(2**53 - 1, 2**64 - 1, 2**72 - 1, 2**80 - 1).certificate(),
-    "region-coordinates-of-300-bits": region(*beside(scaled(CORNER, 10**90), scaled(lone((-1, -1, -1), (-2, -1, -1), (-1, -2, -1), (-1, -1, -2)), 1))).certificate(
-        "nonobtuse", largest("maximum", *NINETY)),
-    "region-denominator-of-100-bits": region(*beside(CORNER, lone((1, 1, F(-1, 10**30)), (1, 2, -1), (2, 1, -1), (1, 1, -2)))).certificate(),
-    "plane-gram-of-200-bits": lattice([[2**200, 1], [1, 2**200 + 1]]).certificate("acute", largest("less than", *NINETY), "Delaunay"),
+    "region-coordinates-of-300-bits": region(*beside(
+        scaled(CORNER, 10**90), lone((-1, -1, -1), (-2, -1, -1), (-1, -2, -1), (-1, -1, -2)))).certificate(
+            "nonobtuse", largest("maximum", *NINETY)),
+    "region-denominator-of-100-bits":
+        region(*beside(CORNER, lone((1, 1, F(-1, 10**30)), (1, 2, -1), (2, 1, -1), (1, 1, -2)))).certificate(),
+    "plane-gram-of-200-bits":
+        lattice([[2**200, 1], [1, 2**200 + 1]]).certificate("acute", largest("less than", *NINETY), "Delaunay"),
     "space-cube-with-coordinates-beyond-64-bits": renamed(kuhn(CUBE), 0, [2**80, -2**70, 3**50]).certificate("nonobtuse"),
 }
 

@@ -27,10 +27,12 @@ pub use statements::{check_acute, check_delaunay, check_nonobtuse, check_tcp};
 
 use crate::classify;
 use crate::format::Relation;
+use crate::proved::own_limits;
 use crate::quality::{Ranges, exact_ranges};
 use crate::statement::{Requirement, Statement};
 use crate::tiling::{Matching, Plane, Tiling, match_facets};
 use crate::transcribe::Parts;
+use acutile_kernel::Limits;
 use std::cmp::Ordering;
 
 /// What to prove beyond the tiling itself.
@@ -40,6 +42,8 @@ pub struct Options {
     pub required: Vec<Requirement>,
     /// How many defects of each kind a refutation keeps; all are counted.
     pub defect_limit: usize,
+    /// Limits of the kernel, which checks the certificate.
+    pub limits: Limits,
 }
 
 impl Default for Options {
@@ -47,6 +51,7 @@ impl Default for Options {
         Options {
             required: Vec::new(),
             defect_limit: 20,
+            limits: own_limits(),
         }
     }
 }

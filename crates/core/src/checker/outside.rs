@@ -24,7 +24,12 @@ const MARGIN: f64 = 1.0 / (1u64 << 40) as f64;
 impl<'t, S: Scalar, const D: usize> Outside<'t, S, D> {
     pub(super) fn new(tiling: &'t Tiling<D>, scale: &'t Scale<S>) -> Self {
         let vertices = (0..tiling.vertices.len()).into_par_iter();
-        let double = |vertex: usize| tiling.vertices.vertex(vertex).map(|x| Number::approximate(&x));
+        let double = |vertex: usize| {
+            tiling
+                .vertices
+                .vertex(vertex)
+                .map(|x| Number::approximate(&x))
+        };
         Outside {
             tiling,
             scale,
@@ -34,7 +39,10 @@ impl<'t, S: Scalar, const D: usize> Outside<'t, S, D> {
 
     /// The simplices, in order, a translate of which contains the points.
     pub(super) fn simplices(&self, facet: &BoundaryFacet<D>) -> Vec<usize> {
-        let points = facet.corners.each_ref().map(|c| self.scale.point(self.tiling, c));
+        let points = facet
+            .corners
+            .each_ref()
+            .map(|c| self.scale.point(self.tiling, c));
         let normal = outward(&points);
         let corners = facet.corners.each_ref().map(|corner| self.position(corner));
         let centroid: [f64; D] =
@@ -77,16 +85,19 @@ impl<'t, S: Scalar, const D: usize> Outside<'t, S, D> {
                 ranges[k] = (first.ceil() as i32, last.floor() as i32);
             }
         }
-        ranges.into_iter().enumerate().fold(vec![[0; D]], |list, (k, (first, last))| {
-            let longer = |by: [i32; D]| {
-                (first..=last).map(move |step| {
-                    let mut longer = by;
-                    longer[k] = step;
-                    longer
-                })
-            };
-            list.into_iter().flat_map(longer).collect()
-        })
+        ranges
+            .into_iter()
+            .enumerate()
+            .fold(vec![[0; D]], |list, (k, (first, last))| {
+                let longer = |by: [i32; D]| {
+                    (first..=last).map(move |step| {
+                        let mut longer = by;
+                        longer[k] = step;
+                        longer
+                    })
+                };
+                list.into_iter().flat_map(longer).collect()
+            })
     }
 
     /// Whether the points directly outside of the centroid m of a facet lie in the simplex, moved.

@@ -11,9 +11,9 @@ use super::defect::{BOUNDARY_MEETS, Defect, Findings};
 use super::outside::Outside;
 use crate::predicates::ring::common_denominator;
 use crate::tiling::{Corner, Facet, Matching, Tiling, difference, floor};
+use acutile_exact::geometry::Scalar;
 use acutile_exact::geometry::boxes::{self, Box3};
 use acutile_exact::geometry::triangle::{self, Point, Quotient, Triangle};
-use acutile_exact::geometry::Scalar;
 use acutile_exact::number::Number;
 use malachite::base::num::arithmetic::traits::Floor;
 use malachite::base::num::basic::traits::Zero;
@@ -58,11 +58,7 @@ pub(super) struct Scale<S> {
 
 impl<S: Scalar> Scale<S> {
     /// The position of a corner; in the plane the third coordinate is zero.
-    pub(super) fn point<const D: usize>(
-        &self,
-        tiling: &Tiling<D>,
-        corner: &Corner<D>,
-    ) -> Point<S> {
+    pub(super) fn point<const D: usize>(&self, tiling: &Tiling<D>, corner: &Corner<D>) -> Point<S> {
         let position = tiling.position(corner);
         std::array::from_fn(|k| match position.get(k) {
             Some(x) => (self.from_number)(x * &self.unit),
@@ -189,7 +185,11 @@ impl<'t, S: Scalar, const D: usize> Region<'t, S, D> {
         let rank = self.tiling.frame.rank();
         let normal = |vertex: usize| {
             let corner = Corner::of(vertex as u32);
-            let cell = if rank == 0 { [0; D] } else { cell(self.tiling, &corner) };
+            let cell = if rank == 0 {
+                [0; D]
+            } else {
+                cell(self.tiling, &corner)
+            };
             let moved = corner.moved(difference([0; D], cell));
             self.scale.point(self.tiling, &moved)
         };
@@ -199,8 +199,10 @@ impl<'t, S: Scalar, const D: usize> Region<'t, S, D> {
         let mut sorted: Vec<usize> = (0..points.len()).collect();
         sorted.par_sort_by(order);
         let runs = sorted.chunk_by(|v, w| order(v, w).is_eq());
-        let mut coinciding: Vec<Vec<usize>> =
-            runs.filter(|run| run.len() > 1).map(<[usize]>::to_vec).collect();
+        let mut coinciding: Vec<Vec<usize>> = runs
+            .filter(|run| run.len() > 1)
+            .map(<[usize]>::to_vec)
+            .collect();
         coinciding.sort();
         for vertices in coinciding {
             findings.add(Defect::CoincidentVertices { vertices });
@@ -335,7 +337,11 @@ impl<S: Scalar, const D: usize> Copies<S, D> {
             extents: Vec::new(),
             list,
         };
-        copies.extents = copies.list.iter().map(|c| copies.extent(&c.points)).collect();
+        copies.extents = copies
+            .list
+            .iter()
+            .map(|c| copies.extent(&c.points))
+            .collect();
         Some(copies)
     }
 

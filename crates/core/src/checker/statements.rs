@@ -46,11 +46,7 @@ pub fn check_nonobtuse<const D: usize>(model: &Model<D>, findings: &mut Findings
 }
 
 /// The dihedral angles that are not less than `bound` degrees.
-pub fn list_not_below<const D: usize>(
-    model: &Model<D>,
-    bound: &Rational,
-    findings: &mut Findings,
-) {
+pub fn list_not_below<const D: usize>(model: &Model<D>, bound: &Rational, findings: &mut Findings) {
     let (low, high) = enclosure::cos_of_degrees(bound, &cosine_width());
     // cos t <= high is necessary for t >= bound, and cos t <= low is sufficient.
     let [needed, enough] = [high, low].map(|c| model.prepare(against(&c)));
@@ -69,11 +65,7 @@ pub fn list_not_below<const D: usize>(
 }
 
 /// The dihedral angles that are not more than `bound` degrees.
-pub fn list_not_above<const D: usize>(
-    model: &Model<D>,
-    bound: &Rational,
-    findings: &mut Findings,
-) {
+pub fn list_not_above<const D: usize>(model: &Model<D>, bound: &Rational, findings: &mut Findings) {
     let (low, high) = enclosure::cos_of_degrees(bound, &cosine_width());
     // cos t >= low is necessary for t <= bound, and cos t >= high is sufficient.
     let [needed, enough] = [low, high].map(|c| model.prepare(against(&c)));

@@ -55,10 +55,7 @@ pub fn check_tcp<const D: usize>(tiling: &Tiling<D>, ridges: &Ridges<D>) -> Resu
 /// TCP; without a list of its edges: the tetrahedra around each edge are visited from one to its
 /// mate. The edges are those between the corners (0, 1), (0, 2), (0, 3), (1, 2), (1, 3), (2, 3),
 /// the first one in the lowest bit.
-pub fn six_valent<const D: usize>(
-    tiling: &Tiling<D>,
-    matching: &Matching<D>,
-) -> Option<Vec<u8>> {
+pub fn six_valent<const D: usize>(tiling: &Tiling<D>, matching: &Matching<D>) -> Option<Vec<u8>> {
     if D != 3 {
         return None;
     }

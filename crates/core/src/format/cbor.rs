@@ -177,10 +177,10 @@ impl<'b> Items<'b> {
                 Ok(length) => Item::Array(length),
                 Err(_) => return Err(at_start("the array is too long")),
             },
-            major::TAG => Item::Big(self.big(argument).map_err(|e| CborError {
-                offset: start,
-                ..e
-            })?),
+            major::TAG => Item::Big(
+                self.big(argument)
+                    .map_err(|e| CborError { offset: start, ..e })?,
+            ),
             _ => return Err(at_start("expected an integer, a text or an array")),
         })
     }

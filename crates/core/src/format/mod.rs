@@ -23,7 +23,7 @@ pub mod read;
 mod recognise;
 pub mod write;
 
-pub use recognise::{Encoding, recognise, to_cbor};
+pub use recognise::{Encoding, recognise, to_cbor, version};
 
 use malachite::Integer;
 

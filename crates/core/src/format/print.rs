@@ -63,7 +63,13 @@ pub const CLAIM_FILE: Members = &[
 ];
 /// All records.
 pub const RECORDS: [Members; 7] = [
-    CERTIFICATE, CLAIM_FILE, CLAIM, FIELD, ROOT, POLYTOPE, WITNESS,
+    CERTIFICATE,
+    CLAIM_FILE,
+    CLAIM,
+    FIELD,
+    ROOT,
+    POLYTOPE,
+    WITNESS,
 ];
 
 /// Containers that begin at a depth below this have their elements on lines of their own.
@@ -209,4 +215,3 @@ impl<W: Write> Printer<'_, '_, W> {
         }
     }
 }
-

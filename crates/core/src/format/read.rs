@@ -145,11 +145,7 @@ fn field(items: &mut Items) -> Result<Field, CborError> {
 }
 
 /// A row of `length` numbers.
-pub fn numbers(
-    items: &mut Items,
-    length: usize,
-    degree: usize,
-) -> Result<Vec<Number>, CborError> {
+pub fn numbers(items: &mut Items, length: usize, degree: usize) -> Result<Vec<Number>, CborError> {
     items.array_of(length)?;
     (0..length).map(|_| number(items, degree)).collect()
 }
@@ -223,12 +219,14 @@ fn statement(items: &mut Items, degree: usize) -> Result<Statement, CborError> {
         _ => return Err(unknown),
     };
     match (items.text()?, length) {
-        ("largest dihedral angle", 4) => {
-            Ok(Statement::LargestAngle(relation(items)?, cosine(items, degree)?))
-        }
-        ("smallest dihedral angle", 4) => {
-            Ok(Statement::SmallestAngle(relation(items)?, cosine(items, degree)?))
-        }
+        ("largest dihedral angle", 4) => Ok(Statement::LargestAngle(
+            relation(items)?,
+            cosine(items, degree)?,
+        )),
+        ("smallest dihedral angle", 4) => Ok(Statement::SmallestAngle(
+            relation(items)?,
+            cosine(items, degree)?,
+        )),
         ("squared radius-edge ratio", 3) => Ok(Statement::SquaredRatio(
             relation(items)?,
             fraction(items, degree)?,

@@ -1,8 +1,9 @@
 //! Tells from the first bytes whether data are a certificate, and in which encoding.
 
+use super::FORMAT;
 use super::cbor::Items;
 use super::json::{self, JsonError};
-use super::FORMAT;
+use malachite::Integer;
 use std::borrow::Cow;
 
 /// An encoding of a certificate.
@@ -24,15 +25,25 @@ pub fn recognise(bytes: &[u8]) -> Option<Encoding> {
     if items.array().is_ok() && items.text().is_ok_and(|text| text == FORMAT) {
         return Some(Encoding::Cbor);
     }
-    let mut begin = bytes.iter().take(BEGIN).filter(|b| !b.is_ascii_whitespace());
+    let mut begin = bytes
+        .iter()
+        .take(BEGIN)
+        .filter(|b| !b.is_ascii_whitespace());
     let expected = format!("{{\"format\":\"{FORMAT}\"");
     let is_json = expected.bytes().all(|byte| begin.next() == Some(&byte));
     is_json.then_some(Encoding::Json)
 }
 
+/// The version of a certificate in CBOR, if it begins as one of any version does.
+pub fn version(cbor: &[u8]) -> Option<Integer> {
+    let mut items = Items::new(cbor);
+    items.array().ok()?;
+    let is_format = items.text().ok()? == FORMAT;
+    is_format.then(|| items.integer().ok()).flatten()
+}
+
 /// Bytes that are searched for the format of JSON.
 const BEGIN: usize = 1024;
-
 
 /// The CBOR of a certificate in either encoding. Bytes that begin with `{` or a space are taken
 /// as JSON; all others are left as they are.

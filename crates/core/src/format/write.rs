@@ -171,7 +171,9 @@ fn domain(out: &mut impl Write, domain: &Domain) -> io::Result<()> {
     array(out, 3)?;
     integer(out, denominator)?;
     array(out, vertices.len())?;
-    vertices.iter().try_for_each(|vertex| numbers(out, vertex))?;
+    vertices
+        .iter()
+        .try_for_each(|vertex| numbers(out, vertex))?;
     array(out, faces.len())?;
     for face in faces {
         array(out, face.len())?;

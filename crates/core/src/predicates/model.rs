@@ -294,10 +294,7 @@ fn integer_constants(constants: &[Number]) -> Option<Vec<Integer>> {
     constants.iter().map(integer).collect()
 }
 
-fn quadratic_constants(
-    constants: &[Number],
-    root: &SquareRoot,
-) -> Option<Vec<Quadratic<Integer>>> {
+fn quadratic_constants(constants: &[Number], root: &SquareRoot) -> Option<Vec<Quadratic<Integer>>> {
     let element = |x: &Number| root.element(x, &Integer::ONE);
     constants.iter().map(element).collect()
 }

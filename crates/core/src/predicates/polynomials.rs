@@ -5,8 +5,8 @@
 //! which says how wrong the doubles can be and how wide the integers must be, and
 //! over integers, quadratic numbers and numbers of a field for the exact values.
 
-use acutile_exact::geometry::{Scalar, Simplex};
 use super::ring::common_denominator;
+use acutile_exact::geometry::{Scalar, Simplex};
 use acutile_exact::number::Number;
 use malachite::Rational;
 

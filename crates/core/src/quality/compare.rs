@@ -2,8 +2,8 @@
 
 use super::measure::DihedralAngle;
 use acutile_exact::number::{Number, enclosure};
-use malachite::base::num::arithmetic::traits::{Ceiling, PowerOf2};
 use malachite::Rational;
+use malachite::base::num::arithmetic::traits::{Ceiling, PowerOf2};
 use std::cmp::Ordering;
 
 /// Compares the angle t with `degrees`, 0 < `degrees` <= 180. Always decided.
@@ -30,11 +30,7 @@ pub fn compare_with_degrees(angle: &DihedralAngle, degrees: &Rational) -> Orderi
 const FIRST_BITS: i64 = 64;
 
 /// The order, if enclosures of both cosines with this many bits are disjoint.
-fn compare_by_enclosures(
-    angle: &DihedralAngle,
-    degrees: &Rational,
-    bits: i64,
-) -> Option<Ordering> {
+fn compare_by_enclosures(angle: &DihedralAngle, degrees: &Rational, bits: i64) -> Option<Ordering> {
     let width = Rational::power_of_2(-bits);
     let (low, high) = angle.cosine(&width);
     let (cos_low, cos_high) = enclosure::cos_of_degrees(degrees, &width);
@@ -113,21 +109,25 @@ fn chebyshev(n: u64, x: &Number) -> Number {
 /// than arccos c, and arccos c is at most b. `None` if t is not less than b.
 pub fn cosine_above(angle: &DihedralAngle, degrees: &Rational) -> Option<Rational> {
     let is_less = compare_with_degrees(angle, degrees) == Ordering::Less;
-    is_less.then(|| between(|width| {
-        let (_, low) = enclosure::cos_of_degrees(degrees, width);
-        let (high, _) = angle.cosine(width);
-        (low, high)
-    }))
+    is_less.then(|| {
+        between(|width| {
+            let (_, low) = enclosure::cos_of_degrees(degrees, width);
+            let (high, _) = angle.cosine(width);
+            (low, high)
+        })
+    })
 }
 
 /// A rational c with few decimals, cos t < c <= cos b for b = `degrees` < t.
 pub fn cosine_below(angle: &DihedralAngle, degrees: &Rational) -> Option<Rational> {
     let is_more = compare_with_degrees(angle, degrees) == Ordering::Greater;
-    is_more.then(|| -between(|width| {
-        let (low, _) = enclosure::cos_of_degrees(degrees, width);
-        let (_, high) = angle.cosine(width);
-        (-low, -high)
-    }))
+    is_more.then(|| {
+        -between(|width| {
+            let (low, _) = enclosure::cos_of_degrees(degrees, width);
+            let (_, high) = angle.cosine(width);
+            (-low, -high)
+        })
+    })
 }
 
 /// The shortest decimal c with low <= c < high; the ends come closer to different values as the

@@ -19,7 +19,9 @@ pub fn exact_ranges<const D: usize>(model: &Model<D>) -> Option<Ranges> {
         return None;
     }
     let candidates = candidates(model);
-    let measured = candidates.into_par_iter().map(|s| measures(model.tiling, s));
+    let measured = candidates
+        .into_par_iter()
+        .map(|s| measures(model.tiling, s));
     let measured: Vec<Measures> = measured.collect();
     let mut ranges = super::ranges::ranges(&measured)?;
     confirm_angles(model, &mut ranges);

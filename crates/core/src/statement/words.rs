@@ -43,7 +43,10 @@ pub fn in_words(statement: &Statement, dimension: usize) -> String {
             format!("it is Delaunay at every {} that two share", names.facet)
         }
         Statement::LocallyWeaklyDelaunay => {
-            format!("it is weakly Delaunay at every {} that two share", names.facet)
+            format!(
+                "it is weakly Delaunay at every {} that two share",
+                names.facet
+            )
         }
         Statement::Tcp => "it is tetrahedrally close packed: every edge is in 5 or 6 tetrahedra, \
                            and no triangle has two edges that are in 6"

@@ -5,9 +5,7 @@
 use crate::format::{self, Cosine, Fraction, cbor, cbor::CborError, read};
 use crate::quality::{DihedralAngle, RadiusEdge};
 use crate::statement::{Statement, summary};
-use crate::tiling::{
-    AnyTiling, Coordinates, Corner, Domain, Frame, Polytope, SHIFT_LIMIT, Tiling,
-};
+use crate::tiling::{AnyTiling, Coordinates, Corner, Domain, Frame, Polytope, SHIFT_LIMIT, Tiling};
 use acutile_exact::number::{Field, FieldError, Number};
 use malachite::base::num::basic::traits::Zero;
 use malachite::{Integer, Rational};
@@ -84,8 +82,18 @@ pub fn claim_in_words(
         .map(|statement| numbers.statement(statement))
         .collect::<Result<_, _>>()?;
     Ok(match claim.dimension {
-        2 => summary(&numbers.frame::<2>(claim)?, simplices, boundary, &statements),
-        _ => summary(&numbers.frame::<3>(claim)?, simplices, boundary, &statements),
+        2 => summary(
+            &numbers.frame::<2>(claim)?,
+            simplices,
+            boundary,
+            &statements,
+        ),
+        _ => summary(
+            &numbers.frame::<3>(claim)?,
+            simplices,
+            boundary,
+            &statements,
+        ),
     })
 }
 
@@ -110,8 +118,8 @@ impl Numbers {
         }
         let end = |n: &Integer| Rational::from_integers_ref(n, &algebraic.denominator);
         let ends = (end(&algebraic.low), end(&algebraic.high));
-        let (field, root) = Field::adjoin_root(&algebraic.polynomial, ends.0, ends.1)
-            .map_err(ReadError::Field)?;
+        let (field, root) =
+            Field::adjoin_root(&algebraic.polynomial, ends.0, ends.1).map_err(ReadError::Field)?;
         let degree = algebraic.polynomial.len() - 1;
         let powers = std::iter::successors(Some(one), |power| Some(power * &root));
         Ok(Numbers {
@@ -123,9 +131,9 @@ impl Numbers {
     /// The number over a denominator that is not zero.
     fn number(&self, number: &format::Number, denominator: &Integer) -> Number {
         let coefficients = number.0.iter().zip(&self.powers);
-        let terms = coefficients.filter(|(c, _)| **c != 0).map(|(c, power)| {
-            power * Number::from(Rational::from_integers_ref(c, denominator))
-        });
+        let terms = coefficients
+            .filter(|(c, _)| **c != 0)
+            .map(|(c, power)| power * Number::from(Rational::from_integers_ref(c, denominator)));
         terms.fold(Number::zero(), |sum, term| sum + term)
     }
 
@@ -238,7 +246,10 @@ fn tiling<const D: usize>(
 }
 
 fn in_tiling<const D: usize>(corner: format::Corner, vertices: usize) -> Option<Corner<D>> {
-    let is_near = corner.shift.iter().all(|s| s.unsigned_abs() <= SHIFT_LIMIT as u32);
+    let is_near = corner
+        .shift
+        .iter()
+        .all(|s| s.unsigned_abs() <= SHIFT_LIMIT as u32);
     (is_near && (corner.vertex as usize) < vertices).then(|| Corner {
         vertex: corner.vertex,
         shift: std::array::from_fn(|k| corner.shift[k]),
@@ -264,7 +275,9 @@ fn coordinates<const D: usize>(
     let mut points: Vec<[Number; D]> = Vec::new();
     for _ in 0..items.array()? {
         let row = read::numbers(items, D, degree)?;
-        points.push(std::array::from_fn(|k| numbers.number(&row[k], &denominator)));
+        points.push(std::array::from_fn(|k| {
+            numbers.number(&row[k], &denominator)
+        }));
     }
     Ok(points.into())
 }

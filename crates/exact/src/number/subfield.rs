@@ -26,10 +26,7 @@ pub struct Subfield {
 
 impl Subfield {
     /// The field that `numbers`, all of `field`, generate.
-    pub fn of<N: Borrow<Number>>(
-        field: &Field,
-        numbers: impl IntoIterator<Item = N>,
-    ) -> Subfield {
+    pub fn of<N: Borrow<Number>>(field: &Field, numbers: impl IntoIterator<Item = N>) -> Subfield {
         let same = || Subfield {
             field: field.clone(),
             powers: None,

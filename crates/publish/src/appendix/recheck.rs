@@ -11,10 +11,11 @@ pub fn recheck(subject: &Subject) -> String {
     format!(
         "\\acutileparagraph{{The certificate}} with the SHA-256\n% acutile:sha256 {slug} {digest}\n\
          \\begin{{center}}\\ttfamily\\small {first}\\\\ {second}\\end{{center}}\n\
-         holds all tiles and facets. The command\n\
+         lists all tiles; {json} is the same for people. The command\n\
          \\begin{{center}}\\ttfamily\\small acutile-verify {path}\\end{{center}}\n\
          of version {version} checks it without any of the code that found it, and says what it has verified~\\cite{{acutile}}.\n\n",
         path = escape(&path),
+        json = format_args!("\\texttt{{{}}}", escape(&subject.json_path())),
         slug = subject.slug(),
         version = env!("CARGO_PKG_VERSION"),
     )

@@ -3,14 +3,14 @@
 
 use super::LONG;
 use super::classes::{cosine_bounds, edge_name};
-use super::numeral::interval;
 use super::pairing::behind;
+use super::rational::interval;
 use super::subject::{Analysis, first_and_count};
 use super::tex::{Table, list, width};
 use acutile_core::quality::{DihedralAngle, Exact, RadiusEdge};
+use acutile_core::statement::{Relation, Statement};
 use acutile_exact::geometry::linear;
 use acutile_exact::number::Number;
-use acutile_core::statement::{Relation, Statement};
 use malachite::Rational;
 use std::collections::BTreeMap;
 

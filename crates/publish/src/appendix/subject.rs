@@ -6,10 +6,10 @@ use super::tex::slug;
 use crate::report::Proved;
 use acutile_core::classify::{Ridges, Symmetry};
 use acutile_core::quality::{Shape, shapes, squared_edges};
+use acutile_core::statement::Statement;
 use acutile_core::tiling::{AnyTiling, Matching, Tiling, match_facets};
 use acutile_exact::geometry::{NormalProducts, linear};
 use acutile_exact::number::Number;
-use acutile_core::statement::Statement;
 
 /// A confirmed certificate with a name.
 #[derive(Debug)]
@@ -20,8 +20,10 @@ pub struct Subject {
     pub description: String,
     /// Where it comes from, in the words of the catalogue.
     pub source: Option<&'static str>,
-    /// The certificate in JSON.
-    pub(super) bytes: Vec<u8>,
+    /// The certificate.
+    pub(super) cbor: Vec<u8>,
+    /// The same for people.
+    pub(super) json: String,
     pub(super) sha256: String,
     statements: Vec<Statement>,
     pub(super) tiling: AnyTiling,
@@ -38,7 +40,8 @@ impl Subject {
             name: proved.name.clone(),
             description: proved.description.clone(),
             source: None,
-            bytes: proved.json().as_bytes().to_vec(),
+            cbor: proved.certificate().to_vec(),
+            json: proved.json().to_owned(),
             sha256: proved.sha256(),
             statements: proved.statements().to_vec(),
             tiling: proved.tiling().clone(),
@@ -60,6 +63,11 @@ impl Subject {
 
     /// Where the certificate stands beside the document.
     pub fn certificate_path(&self) -> String {
+        format!("anc/{}.cbor", self.slug())
+    }
+
+    /// Where its JSON stands.
+    pub(super) fn json_path(&self) -> String {
         format!("anc/{}.json", self.slug())
     }
 

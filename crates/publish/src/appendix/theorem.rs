@@ -1,6 +1,6 @@
 //! What is proved, in words and exact numbers; field, lattice and metric.
 
-use super::numeral::{interval, rational};
+use super::rational::{interval, rational};
 use super::subject::{Analysis, Subject};
 use super::tex::{counted, escape, list, simplices, width};
 use acutile_core::quality::{DihedralAngle, Exact, RadiusEdge};
@@ -218,17 +218,12 @@ fn in_words<const D: usize>(analysis: &Analysis<D>, statement: &Statement) -> Op
         }
         Statement::RadiusEdge(relation, bound) => {
             let bound = ratio_text(analysis, bound);
-            let (what, is_or) = match relation {
-                Relation::Maximum => ("the largest quotient", "is"),
-                Relation::Minimum => ("the least quotient", "is"),
-                _ => ("each quotient", "is"),
-            };
-            let relation = match relation {
-                Relation::Maximum | Relation::Minimum => "",
-                other => other.text(),
-            };
-            format!("{what} of circumradius and shortest edge of a tile {is_or} {relation} {bound};")
-                .replace("  ", " ")
+            let quotient = "quotient of circumradius and shortest edge of a tile";
+            match relation {
+                Relation::Maximum => format!("the largest {quotient} is {bound};"),
+                Relation::Minimum => format!("the least {quotient} is {bound};"),
+                _ => format!("each {quotient} is {} {bound};", relation.text()),
+            }
         }
         Statement::Delaunay => {
             "it is the Delaunay triangulation of its vertices: no vertex of the tiling but a tile's own corners is on its \
@@ -259,7 +254,11 @@ fn angle_text<const D: usize>(analysis: &Analysis<D>, angle: &DihedralAngle) -> 
         return format!("${}^\\circ$", rational(&degrees));
     }
     let root = analysis.numerals.root(&angle.signed_square.abs());
-    let sign = if angle.against_right().is_gt() { "-" } else { "" };
+    let sign = if angle.against_right().is_gt() {
+        "-"
+    } else {
+        ""
+    };
     if width(&root) > WIDE {
         let bounds = angle.enclosure(&Rational::from_signeds(1, 1_000_000));
         return format!("$\\theta^\\circ$ with $\\theta\\in{}$", interval(&bounds));

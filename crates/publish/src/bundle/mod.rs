@@ -38,12 +38,18 @@ const FIXED: [(&str, &str); 8] = [
         "verify/package.json",
         include_str!("../../../../verifiers/javascript/package.json"),
     ),
-    ("verify/verifier.js", include_str!("../../../../verifiers/javascript/verifier.js")),
+    (
+        "verify/verifier.js",
+        include_str!("../../../../verifiers/javascript/verifier.js"),
+    ),
     (
         "verify/verify-cli.mjs",
         include_str!("../../../../verifiers/javascript/verify-cli.mjs"),
     ),
-    ("verify/verify.py", include_str!("../../../../verifiers/python/verify.py")),
+    (
+        "verify/verify.py",
+        include_str!("../../../../verifiers/python/verify.py"),
+    ),
 ];
 
 /// The extensions of the mesh formats, all of them as text.
@@ -121,7 +127,7 @@ fn entries(
         }
         if entry.is_region {
             notes.push(format!(
-                "{slug}: is about a region: the appendix does not have it, and verify.py declines it"
+                "{slug}: is about a region: the appendix does not have it"
             ));
         }
         entries.push(entry);
@@ -173,13 +179,17 @@ fn in_appendix(file: File) -> File {
     }
 }
 
-/// Adds the certificate, the tiling and its meshes.
+/// Adds the certificate in both encodings, the tiling and its meshes.
 fn entry(proved: &Proved, files: &mut Vec<File>) -> Entry {
     let slug = slug(&proved.name);
     files.push(File {
-        path: format!("certificates/{slug}.json"),
-        bytes: proved.json().as_bytes().to_vec(),
+        path: format!("certificates/{slug}.cbor"),
+        bytes: proved.certificate().to_vec(),
     });
+    files.push(file(
+        &format!("certificates/{slug}.json"),
+        proved.json().to_owned(),
+    ));
     let text = with_dimension!(proved.tiling(), AnyTiling, t => tiling_text(t, &slug));
     files.push(file(&format!("tilings/{slug}.json"), text));
     let rounding = match proved.tiling() {

@@ -62,7 +62,7 @@ impl Proved {
         Ok(Proved::new(name, description, proved, tiling))
     }
 
-    /// Proves a tiling, calling `progress` with each step.
+    /// Proves a tiling within the kernel's limits, calling `progress` with each step.
     ///
     /// # Errors
     /// The first defect, or the kernel's refusal.
@@ -70,10 +70,15 @@ impl Proved {
         name: String,
         description: String,
         tiling: &AnyTiling,
+        limits: &Limits,
         progress: &dyn Fn(&str),
     ) -> Result<Proved, NotProved> {
+        let options = Options {
+            limits: limits.clone(),
+            ..Options::default()
+        };
         let proved = with_dimension!(tiling, AnyTiling, t => {
-            prove(t, &Options::default(), progress).map_err(|reason| NotProved {
+            prove(t, &options, progress).map_err(|reason| NotProved {
                 message: reason.in_words(t),
                 reason,
             })
@@ -93,6 +98,11 @@ impl Proved {
             proved,
             tiling,
         }
+    }
+
+    /// The certificate, in CBOR.
+    pub fn certificate(&self) -> &[u8] {
+        self.proved.certificate()
     }
 
     /// The certificate in JSON.
