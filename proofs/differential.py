@@ -1,19 +1,25 @@
 #!/usr/bin/env python3
 """Checkers of certificates against each other, on files and on random mutations.
 
-usage: differential.py [--mutations N] [--seed S] [--also COMMAND] VERIFY COQ_CHECK FILE|FOLDER...
+usage: differential.py [--mutations N] [--seed S] [--also COMMAND]... VERIFY COQ_CHECK FILE|FOLDER...
 
-VERIFY is a command that verifies certificates in JSON (`acutile verify`), COQ_CHECK the
-extracted checker, COMMAND any further one. Each takes files and prints one line for each;
-words of a command are separated by spaces. A file is a disagreement if one program accepts it
-and another one refuses it: rejected, malformed. "declined" agrees with everything, because the
-limits differ; the share of files that one accepts and another declines is bounded: at most one
-in a hundred, and regions do not count, which COQ_CHECK always declines.
-Exit code 1 if there is a disagreement, if nothing was accepted or refused, or if too many files
-were declined by one program alone.
+The files are certificates in JSON. VERIFY is acutile-verify, which gets each of them in CBOR; COQ_CHECK is the
+extracted checker, COMMAND any further one that reads JSON and prints lines as acutile-verify does (its words are
+separated by spaces). A file is a disagreement when one program accepts it and another refuses it: rejected,
+malformed. "declined" agrees with everything, for the limits differ; what one accepts and another declines is
+listed, and the share of it is bounded: at most one file in a hundred, without regions, which COQ_CHECK declines.
+A file that has no CBOR is not shown to VERIFY. Files whose name sets a limit are checked under the default limits.
+Exit code 1 if there is a disagreement, if nothing was accepted or refused, or if too much was declined by one
+program alone.
 """
-import collections, json, pathlib, random, shlex, subprocess, sys, tempfile
+import collections, importlib.util, json, pathlib, random, shlex, subprocess, sys, tempfile
 
+sys.dont_write_bytecode = True
+spec = importlib.util.spec_from_file_location("verify", pathlib.Path(__file__).parents[1] / "verifiers/python/verify.py")
+encodings = importlib.util.module_from_spec(spec)
+spec.loader.exec_module(encodings)
+
+NONE = "no CBOR"
 WORDS = {"verified": "accepted", "proved": "accepted", "rejected": "refused", "malformed": "refused", "declined": "declined"}
 
 
@@ -32,19 +38,30 @@ def answers(program, paths, seconds):
     return [WORDS.get(line.split(": ", 1)[1].split()[0].rstrip(":"), line) for line in lines]
 
 
-def canonical(value, depth=0):
-    """The one JSON text of a certificate (docs/format.md)."""
-    if isinstance(value, str):
-        return json.dumps(value)
-    if isinstance(value, int):
-        return str(value) if abs(value) < 1 << 53 else f'"{value}"'
-    inner = depth + 1
+def cbor_of(path):
+    """The file's CBOR beside it; None if its text is not that of a certificate."""
+    try:
+        data = encodings.cbor(encodings.read_json(path.read_bytes()))
+    except encodings.Refusal:
+        return None
+    return data if has_names(json.loads(path.read_bytes())) else None
+
+
+NAMES = [["format", "version", "kind", "claim", "witness"], ["dimension", "field", "gram", "domain", "statements"],
+         ["denominator", "vertices", "boundary", "simplices"], ["denominator", "vertices", "faces"],
+         ["polynomial", "root"], ["low", "high", "denominator"]]
+
+
+def has_names(value):
+    """CBOR has no names, so those of the grammar are needed to write it."""
     if isinstance(value, dict):
-        items, ends = [json.dumps(k) + ":" + canonical(v, inner) for k, v in value.items()], "{}"
-    else:
-        items, ends = [canonical(v, inner) for v in value], "[]"
-    line = "\n" if inner <= 3 and items else ""
-    return ends[0] + line + ("," + line).join(items) + line + ends[1]
+        return list(value) in NAMES and all(map(has_names, value.values()))
+    return not isinstance(value, list) or all(map(has_names, value))
+
+
+def canonical(value):
+    """The one text of a certificate (docs/format.md)."""
+    return "".join(encodings.printed(value, 0)) + "\n"
 
 
 def leaves(value, path=()):
@@ -55,21 +72,16 @@ def leaves(value, path=()):
         yield path
 
 
-STATEMENTS = ["acute", "nonobtuse", "Delaunay", "weakly Delaunay", "TCP"]
-RELATIONS = ["less than", "at most", "maximum", "more than", "at least", "minimum"]
-
-
 def entry(old, rng):
     """Another value of the same kind."""
     if isinstance(old, int):
-        return rng.choice([old - 2, old - 1, old + 1, old + 2, -old, 0])
+        new = rng.choice([old - 2, old - 1, old + 1, old + 2, -old, 0])
+        return new if abs(new) < 2 ** 53 else str(new)
     if old.lstrip("-").isdigit():
-        return int(old) + rng.choice([-1, 1])
-    if old in RELATIONS:
-        return rng.choice(RELATIONS)
+        return str(int(old) + rng.choice([-1, 1]))
     if old.endswith("angle"):
         return rng.choice(["largest dihedral angle", "smallest dihedral angle"])
-    return rng.choice(STATEMENTS + ["space", "Q"])
+    return rng.choice(["acute", "nonobtuse", "Delaunay", "weakly Delaunay", "TCP", "space", "Q", "at most", "maximum", "minimum", "less than"])
 
 
 def tidy(row, dimension, rank):
@@ -93,71 +105,93 @@ def rank(claim):
 
 
 def mutate(certificate, rng):
-    """One entry changed; or two items of a row exchanged; or a simplex left out, or there twice."""
-    claim, witness = certificate["claim"], certificate["witness"]
-    simplices = witness["simplices"]
-    shape = claim["dimension"], rank(claim)
+    """One entry changed; or two corners, coordinates or faces exchanged; or a row left out, or there twice."""
     kind = rng.random()
+    witness, shape = certificate["witness"], (certificate["claim"]["dimension"], rank(certificate["claim"]))
+    simplices, boundary = witness["simplices"], witness["boundary"]
     if kind < 0.7:
         # the claim is small beside the witness: half of the changes are there
-        part = rng.choice([claim, witness])
-        path = rng.choice(list(leaves(part)))
-        holder = part
+        part = rng.choice(["claim", "witness"])
+        path = (part,) + rng.choice(list(leaves(certificate[part])))
+        holder = certificate
         for key in path[:-1]:
             holder = holder[key]
         holder[path[-1]] = entry(holder[path[-1]], rng)
     elif kind < 0.9:
-        domain = claim["domain"]
-        faces = domain[1]["faces"] if isinstance(domain, list) and domain[0] != "region" else []
-        row = rng.choice([rng.choice(simplices), witness["vertices"], claim["statements"], faces])
+        domain = certificate["claim"]["domain"]
+        polytope = domain[1] if isinstance(domain, list) and isinstance(domain[1], dict) else {"faces": [[]]}
+        row = rng.choice([rng.choice(simplices), rng.choice(boundary or [[]]), witness["vertices"], polytope["faces"], rng.choice(polytope["faces"])])
         if len(row) > 1:
             i, j = rng.sample(range(len(row)), 2)
             row[i], row[j] = row[j], row[i]
     else:
-        i = rng.randrange(len(simplices))
-        simplices.insert(rng.randrange(len(simplices) + 1), simplices[i]) if kind < 0.95 else simplices.pop(i)
-    # most changes of corners break their order: put it right, so that more than that is tested
+        rows = rng.choice([simplices, simplices, boundary or simplices])
+        i = rng.randrange(len(rows))
+        rows.insert(rng.randrange(len(rows) + 1), rows[i]) if kind < 0.95 else rows.pop(i)
+    # most changes of corners break their order; put it right, so that the later checks are tested
     if rng.random() < 0.8:
         witness["simplices"] = [tidy(row, *shape) for row in simplices]
 
 
 def options(words):
-    arguments, chosen = [], {"--mutations": "0", "--seed": "1", "--also": ""}
+    arguments, chosen, also = [], {"--mutations": "0", "--seed": "1"}, []
     words = iter(words)
     for word in words:
-        if word in chosen:
+        if word == "--also":
+            also.append(shlex.split(next(words)))
+        elif word in chosen:
             chosen[word] = next(words)
         else:
             arguments.append(word)
     if len(arguments) < 3:
         sys.exit(__doc__)
-    commands = [shlex.split(words) for words in arguments[:2] + [chosen["--also"]] if words]
-    return commands, arguments[2:], int(chosen["--mutations"]), int(chosen["--seed"])
+    return arguments, int(chosen["--mutations"]), int(chosen["--seed"]), also
 
 
 class Comparison:
+    """The programs, of which the first reads CBOR."""
+
     def __init__(self, programs):
         self.programs, self.tally, self.bad, self.alone = programs, collections.Counter(), [], []
 
     def compare(self, paths, seconds):
         """The verdicts on each file; disagreements are kept."""
-        columns = [answers(program, paths, seconds) for program in self.programs]
+        columns = [self.of_cbor(paths, seconds)] + [answers(program, paths, seconds) for program in self.programs[1:]]
         for path, row in zip(paths, zip(*columns)):
             self.tally[row] += 1
-            if {"accepted", "refused"} <= set(row) or not set(row) <= set(WORDS.values()):
+            if {"accepted", "refused"} <= set(row) or not set(row) <= {NONE, *WORDS.values()}:
                 self.bad.append(path)
                 print("DISAGREE", path, *row, flush=True)
-            elif {"accepted", "declined"} <= set(row) and '"region"' not in path.read_text():
+            elif {"accepted", "declined"} <= set(row) and not is_region(path):
                 self.alone.append(path)
                 print("declined by one alone:", path, *row, flush=True)
         return list(zip(*columns))
 
+    def of_cbor(self, paths, seconds):
+        with tempfile.TemporaryDirectory() as folder:
+            encoded = {}
+            for n, path in enumerate(paths):
+                data = cbor_of(path)
+                if data is not None:
+                    encoded[path] = pathlib.Path(folder) / f"{n}.cbor"
+                    encoded[path].write_bytes(data)
+            found = answers(self.programs[0], list(encoded.values()), seconds) if encoded else []
+        return [dict(zip(encoded, found)).get(path, NONE) for path in paths]
+
+
+def is_region(path):
+    return '"domain":[\n"region"' in path.read_text(errors="replace")
+
+
+def is_accepted(row):
+    return "accepted" in row and "refused" not in row
+
 
 def main():
-    commands, places, mutations, seed = options(sys.argv[1:])
+    (verify, coq, *places), mutations, seed, also = options(sys.argv[1:])
     files = sorted(f for p in map(pathlib.Path, places) for f in ([p] if p.is_file() else p.rglob("*.json")))
-    comparison = Comparison(commands)
-    good = [f for f in files if set(comparison.compare([f], 600)[0]) == {"accepted"}]
+    comparison = Comparison([[verify], [coq], *also])
+    good = [f for f in files if is_accepted(comparison.compare([f], 600)[0])]
     small = [f for f in good if f.stat().st_size < 12000]
     rng = random.Random(seed)
     with tempfile.TemporaryDirectory() as folder:
@@ -166,7 +200,7 @@ def main():
             for path in paths:
                 certificate = json.loads(rng.choice(small).read_text())
                 mutate(certificate, rng)
-                path.write_text(canonical(certificate) + "\n")
+                path.write_text(canonical(certificate))
             before = len(comparison.bad)
             comparison.compare(paths, 900)
             for path in comparison.bad[before:]:

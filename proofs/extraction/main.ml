@@ -270,10 +270,10 @@ let tiling claim witness =
     let used = Array.make (List.length vertices) false in
     let rows = Array.of_list (List.map (simplex d r used tcp) (array simplices)) in
     form (rows <> [||]) "no simplices";
-    form (Array.for_all (fun u -> u) used) "an unused vertex";
     let corners = Array.map fst rows in
     judge field { d; r; den; gram = List.concat gram; vertices; polytope; faces; corners; claimed };
-    need (not tcp || Pairing.valences corners (Array.map snd rows)) "the bits of valence 6"
+    need (not tcp || Pairing.valences corners (Array.map snd rows)) "the bits of valence 6";
+    form (Array.for_all (fun u -> u) used) "an unused vertex"
   | _ -> malformed "the members of the claim or of the witness"
 
 let certificate = function

@@ -12,15 +12,21 @@ Inductive test := TLt | TLe | TGe | TGt.
 Definition compares (o : test) (q B : R) : Prop :=
   match o with TLt => q < B | TLe => q <= B | TGe => B <= q | TGt => B < q end.
 
+(** Is there a member with f?  The search ends at the first one, under call by value too. *)
+Fixpoint existsl {X} (f : X -> bool) (l : list X) : bool :=
+  match l with [] => false | x :: l => if f x then true else existsl f l end.
+Lemma existsl_eq {X} (f : X -> bool) l : existsl f l = existsb f l.
+Proof. induction l; simpl; auto. rewrite IHl. destruct (f a); auto. Qed.
+
 (** [f o x] tests the number of the item x; the list has one item for each number. *)
 Definition test_largest {X} (f : test -> X -> bool) (l : list X) (o : test) : bool :=
-  match o with TLt | TLe => forallb (f o) l | TGe | TGt => existsb (f o) l end.
+  match o with TLt | TLe => forallb (f o) l | TGe | TGt => existsl (f o) l end.
 Definition test_smallest {X} (f : test -> X -> bool) (l : list X) (o : test) : bool :=
-  match o with TLt | TLe => existsb (f o) l | TGe | TGt => forallb (f o) l end.
+  match o with TLt | TLe => existsl (f o) l | TGe | TGt => forallb (f o) l end.
 (** [f c o] tests the quantity of the tile c. *)
 Definition related {X} (rel : relation) (f : X -> test -> bool) (tiles : list X) : bool :=
   let all o := forallb (fun c => f c o) tiles in
-  let some o := existsb (fun c => f c o) tiles in
+  let some o := existsl (fun c => f c o) tiles in
   match rel with
   | LessThan => all TLt
   | AtMost => all TLe
@@ -53,7 +59,7 @@ Hypothesis f_ok : forall o x, In x l -> f o x = true -> compares o (number x) B.
 Lemma test_largest_ok o : largest (map number l) q -> test_largest f l o = true -> compares o q B.
 Proof.
   intros [I U] H. apply in_map_iff in I as [x0 [E I]]. unfold test_largest in H.
-  destruct o; [rewrite forallb_forall in H | rewrite forallb_forall in H | apply existsb_exists in H as [x [Ix H]] ..].
+  destruct o; [rewrite forallb_forall in H | rewrite forallb_forall in H | rewrite existsl_eq in H; apply existsb_exists in H as [x [Ix H]] ..].
   - rewrite <- E. apply (f_ok TLt); auto.
   - rewrite <- E. apply (f_ok TLe); auto.
   - apply f_ok in H; auto. pose proof (U _ (in_map number _ _ Ix)). cbn in *. lra.
@@ -62,7 +68,7 @@ Qed.
 Lemma test_smallest_ok o : smallest (map number l) q -> test_smallest f l o = true -> compares o q B.
 Proof.
   intros [I U] H. apply in_map_iff in I as [x0 [E I]]. unfold test_smallest in H.
-  destruct o; [apply existsb_exists in H as [x [Ix H]] | apply existsb_exists in H as [x [Ix H]] | rewrite forallb_forall in H ..].
+  destruct o; [rewrite existsl_eq in H; apply existsb_exists in H as [x [Ix H]] | rewrite existsl_eq in H; apply existsb_exists in H as [x [Ix H]] | rewrite forallb_forall in H ..].
   - apply f_ok in H; auto. pose proof (U _ (in_map number _ _ Ix)). cbn in *. lra.
   - apply f_ok in H; auto. pose proof (U _ (in_map number _ _ Ix)). cbn in *. lra.
   - rewrite <- E. apply (f_ok TGe); auto.
@@ -88,9 +94,9 @@ Proof.
   rewrite forallb_forall. intros H c Hc. destruct (f_ok c Hc) as [q [Q K]]. exists q. split; auto.
 Qed.
 Lemma reached_ok o o' : (forall q, compares o q B -> compares o' q B -> q = B) ->
-  forallb (fun c => f c o) l = true -> existsb (fun c => f c o') l = true -> reached tiles of B.
+  forallb (fun c => f c o) l = true -> existsl (fun c => f c o') l = true -> reached tiles of B.
 Proof.
-  rewrite forallb_forall, existsb_exists. intros E H [x [Ix H']]. destruct (in_item x Ix) as [c [Hc <-]].
+  rewrite existsl_eq, forallb_forall, existsb_exists. intros E H [x [Ix H']]. destruct (in_item x Ix) as [c [Hc <-]].
   destruct (f_ok c Hc) as [q [Q K]]. exists c. split; auto. rewrite <- (E q); auto.
 Qed.
 Theorem related_ok rel : related rel f l = true -> bounded tiles of rel B.

@@ -126,10 +126,8 @@ Definition chk_inside (kts : list ktet) (H : khalf) :=
 Definition on_boundary (Hs : list khalf) (t : ktet) (i : nat) :=
   existsb (fun H => forallb (fun j => if Nat.eqb j i then true else ale (klev H (kvx t j)) zero) I4) Hs.
 
-(** The half-spaces hold the polytope, and each vertex lies over it: in one of the pieces,
+(** The half-spaces contain the polytope, and each vertex lies over it: in one of the pieces,
     once its first r coordinates are set to zero. *)
-Fixpoint existsl {X} (f : X -> bool) (l : list X) : bool :=   (* lazy under call by value *)
-  match l with [] => false | x :: l => if f x then true else existsl f l end.
 Definition zeroed (r : nat) (v : v3) :=
   V3 (if 1 <=? r then zero else vX v) (if 2 <=? r then zero else vY v) (if 3 <=? r then zero else vZ v).
 Definition piece_corners (q : corner * corner * corner * corner) := let '(a, b, c, d) := q in [a; b; c; d].
@@ -212,7 +210,7 @@ Definition kgdot g u v :=
 Definition kac g a b c d :=
   let e := vsub b a in let u := vsub c a in let w := vsub d a in
   asub (amul (kgdot g u w) (kgdot g e e)) (amul (kgdot g u e) (kgdot g w e)).
-(** The six edges, each with the other two corners behind it. *)
+(** The six edges, each with the other two corners after it. *)
 Definition six (t : ktet) : list (v3 * v3 * v3 * v3) :=
   [(ka t, kb t, kc t, kd t); (ka t, kc t, kb t, kd t); (ka t, kd t, kb t, kc t);
    (kb t, kc t, ka t, kd t); (kb t, kd t, ka t, kc t); (kc t, kd t, ka t, kb t)].
@@ -259,7 +257,7 @@ Definition chk_ratio g (p : A) (q : Z) (r : A * A) (o : test) (a b : v3) : bool 
 Definition chk_radius g (p : A) (q : Z) (t : ktet) (o : test) : bool :=
   let r := kradius g t in test_largest (fun o => on_edge (fun a b _ _ => chk_ratio g p q r o a b)) (six t) o.
 
-(** ** 7. Statements: Delaunay, by the power of the vertex behind each facet *)
+(** ** 7. Statements: Delaunay, by the power of the mate's opposite vertex at each facet *)
 Definition ksq g u := kgdot g u u.
 (** - vol times the power of x: power_sum of Delaunay.v. *)
 Definition kpower g t x :=

@@ -24,7 +24,7 @@ Definition turned (e : bool) (t : ctet) : ctet :=
   if e then t else CT (q1 t) (q0 t) (q2 t) (q3 t) (m1 t) (m0 t) (m2 t) (m3 t).
 Definition slot (e : bool) (i : N) : N := if e then i else match i with 0%N => 1%N | 1%N => 0%N | _ => i end.
 (** The lower and the upper triangle over the mate of an edge. *)
-Definition wall (ts : list ctri) (f : N -> bool -> N * N) (m : mref2) : mref :=
+Definition lifted_mate (ts : list ctri) (f : N -> bool -> N * N) (m : mref2) : mref :=
   match m with
   | None => None
   | Some (t, j, u) =>
@@ -34,11 +34,11 @@ Definition wall (ts : list ctri) (f : N -> bool -> N * N) (m : mref2) : mref :=
 Definition lower (j : N) (e : bool) : N * N := match j with 0%N => (0%N, slot e 0) | 1%N => (0%N, slot e 1) | 2%N => (1%N, 3%N) | _ => (0%N, 4%N) end.
 Definition upper (j : N) (e : bool) : N * N := match j with 0%N => (1%N, slot e 0) | 1%N => (2%N, 2%N) | 2%N => (2%N, 3%N) | _ => (0%N, 4%N) end.
 Definition tetA V ts (k : N) t := turned (even t) (CT (low (p0 t)) (low (p1 t)) (low (p2 t)) (top V (p2 t))
-  (wall ts lower (n0 t)) (wall ts lower (n1 t)) (Some ((3 * k + 1)%N, slot (even t) 1, z30)) None).
+  (lifted_mate ts lower (n0 t)) (lifted_mate ts lower (n1 t)) (Some ((3 * k + 1)%N, slot (even t) 1, z30)) None).
 Definition tetB V ts (k : N) t := turned (even t) (CT (low (p0 t)) (top V (p1 t)) (low (p1 t)) (top V (p2 t))
-  (wall ts upper (n0 t)) (Some ((3 * k)%N, 2%N, z30)) (Some ((3 * k + 2)%N, slot (even t) 1, z30)) (wall ts lower (n2 t))).
+  (lifted_mate ts upper (n0 t)) (Some ((3 * k)%N, 2%N, z30)) (Some ((3 * k + 2)%N, slot (even t) 1, z30)) (lifted_mate ts lower (n2 t))).
 Definition tetC V ts (k : N) t := turned (even t) (CT (low (p0 t)) (top V (p0 t)) (top V (p1 t)) (top V (p2 t))
-  None (Some ((3 * k + 1)%N, 2%N, z30)) (wall ts upper (n1 t)) (wall ts upper (n2 t))).
+  None (Some ((3 * k + 1)%N, 2%N, z30)) (lifted_mate ts upper (n1 t)) (lifted_mate ts upper (n2 t))).
 Fixpoint prisms V all (k : N) (ts : list ctri) : list ctet :=
   match ts with [] => [] | t :: ts => tetA V all k t :: tetB V all k t :: tetC V all k t :: prisms V all (k + 1) ts end.
 
@@ -97,11 +97,11 @@ Definition chk_radius2 (c : cert2) (p : A) (q : Z) (t : ctri) (o : test) : bool 
   let a := place c (low (p0 t)) in let b := place c (low (p1 t)) in let d := place c (low (p2 t)) in
   let r := kradius2 g a b d in
   test_largest (fun o e => chk_ratio A aadd asub amul aofZ alt ale g p q r o (fst e) (snd e)) [(a, b); (a, d); (b, d)] o.
-(** Strictly Delaunay: behind each edge, by one triangle of its wall. *)
-Fixpoint chk_walls (c : cert A) (kts : list (ktet A)) (ts : list ctet) : bool :=
+(** Strictly Delaunay: at each edge, by one of the two triangles over it. *)
+Fixpoint chk_edges (c : cert A) (kts : list (ktet A)) (ts : list ctet) : bool :=
   let strict t i := chk_power A aadd asub amul aofZ alt (c_gram A c) (c_den A c) kts t (kpos A aadd aofZ (c_den A c) (c_verts A c) t) i in
   match ts with
-  | a :: b :: _ :: ts => strict a 0 && strict a 1 && strict b 3 && chk_walls c kts ts
+  | a :: b :: _ :: ts => strict a 0 && strict a 1 && strict b 3 && chk_edges c kts ts
   | _ => true
   end.
 Definition check_statement2 (c : cert2) (s : cstatement A) : bool :=
@@ -117,7 +117,7 @@ Definition check_statement2 (c : cert2) (s : cstatement A) : bool :=
     chk_bound A aofZ alt ale sg p q && related rel (fun t => test_smallest (angles sg p q) (three c t)) (e_tris c)
   | CSquaredRadiusEdgeRatio _ rel p q => Z.ltb 0 q && alt zero p && related rel (chk_radius2 c p q) (e_tris c)
   | CDelaunay _ => let c3 := lift c in
-    chk_delaunay A aadd asub amul aofZ ale c3 && chk_walls c3 (positions A aadd aofZ c3) (c_tets A c3)
+    chk_delaunay A aadd asub amul aofZ ale c3 && chk_edges c3 (positions A aadd aofZ c3) (c_tets A c3)
   | CWeaklyDelaunay _ => chk_delaunay A aadd asub amul aofZ ale (lift c)
   | CTCP _ => false
   end.

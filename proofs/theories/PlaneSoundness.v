@@ -673,12 +673,12 @@ Proof.
   intros v Hv. specialize (HW _ (vertex_up v Hv)). rewrite D, DC in HW.
   pose proof (H2 (ta T) ltac:(simpl; auto)) as Qa. rewrite DC in Qa. lra.
 Qed.
-Lemma walls_nth c' kts V all : forall ts k0 k t, chk_walls A aadd asub amul aofZ alt c' kts (prisms V all k0 ts) = true -> nth_error ts k = Some t ->
+Lemma edges_nth c' kts V all : forall ts k0 k t, chk_edges A aadd asub amul aofZ alt c' kts (prisms V all k0 ts) = true -> nth_error ts k = Some t ->
   let strict u i := chk_power A aadd asub amul aofZ alt (c_gram A c') (c_den A c') kts u (kpos A aadd aofZ (c_den A c') (c_verts A c') u) i = true in
   strict (tetA V all (k0 + N.of_nat k) t) 0%nat /\ strict (tetA V all (k0 + N.of_nat k) t) 1%nat /\ strict (tetB V all (k0 + N.of_nat k) t) 3%nat.
 Proof.
   induction ts as [|t0 ts IH]; intros k0 k t H Ek; [destruct k; discriminate|].
-  cbn [prisms chk_walls] in H. rewrite !andb_true_iff in H. destruct H as [[[H0 H1] H3] H].
+  cbn [prisms chk_edges] in H. rewrite !andb_true_iff in H. destruct H as [[[H0 H1] H3] H].
   destruct k as [|k].
   - injection Ek as ->. rewrite N.add_0_r. auto.
   - cbn [nth_error] in Ek. replace (k0 + N.of_nat (S k))%N with (k0 + 1 + N.of_nat k)%N by lia. apply (IH _ k t H Ek).
@@ -697,7 +697,7 @@ Proof.
   destruct (weights_exist T v AR) as [a [b [d [S E]]]].
   change (c_tets A (lift c)) with (c_tets A c3) in HWL. rewrite lift_tets in HWL.
   destruct (get2 k (proj1 Ht)) as [t [Et _]].
-  destruct (walls_nth _ _ _ _ _ _ k t HWL Et) as [W0 [W1 W3]]. cbv zeta in W0, W1, W3. rewrite N.add_0_l in W0, W1, W3.
+  destruct (edges_nth _ _ _ _ _ _ k t HWL Et) as [W0 [W1 W3]]. cbv zeta in W0, W1, W3. rewrite N.add_0_l in W0, W1, W3.
   destruct (prisms_nth (V2 A c) (e_tris A c) (e_tris A c) 0 k t Et) as [N0 [N1 _]]. rewrite N.add_0_l in N0, N1. rewrite <- lift_tets in N0, N1.
   pose proof (strict_sound A aadd asub amul aofZ alt ale phi phi_add phi_sub phi_mul phi_Z alt_ok ale_ok c3 chk3 L1 L2 L3 lift_gram) as SS.
   rewrite <- (dtet_cP A aadd asub amul aofZ alt ale phi phi_add phi_Z c3 chk3) in SS. cbv zeta in SS.

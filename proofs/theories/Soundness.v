@@ -9,8 +9,6 @@ From Acutile Require Import Statement Sums Crossing Tetrahedra Topology Degree D
 Import ListNotations.
 Local Open Scope nat_scope.
 
-Lemma existsl_eq {X} (f : X -> bool) l : existsl f l = existsb f l.
-Proof. induction l; simpl; auto. rewrite IHl. destruct (f a); auto. Qed.
 Lemma I4_lt i : In i I4 <-> (i < 4)%nat.
 Proof. simpl. lia. Qed.
 

@@ -158,7 +158,7 @@ Definition lattice_vector (l1 l2 l3 : point) (n : Z * Z * Z) : point :=
 
 (** ** Domains *)
 
-(** The convex hull of finitely many points: the smallest convex set that holds them. *)
+(** The convex hull of finitely many points: the smallest convex set that contains them. *)
 Inductive convex_hull (W : list point) : point -> Prop :=
   | hull_vertex v : In v W -> convex_hull W v
   | hull_segment x y s : convex_hull W x -> convex_hull W y -> 0 <= s <= 1 -> convex_hull W (add (scale (1 - s) x) (scale s y)).
@@ -221,7 +221,7 @@ Definition circumscribed (t : tetrahedron) (C : point) (s : R) := forall v, In v
 Definition squared_ratio (t : tetrahedron) (q : R) := exists C s l, circumscribed t C s /\ smallest (squared_edges t) l /\ q = s / l.
 Definition squared_radius_edge_ratio := bounded is_tile (fun c => squared_ratio (tile c)).
 
-(** "Delaunay": the circumscribed ball of every tile holds no vertex in its
+(** "Delaunay": the circumscribed ball of every tile has no vertex in its
     interior and none but the tile's own on its boundary; "weakly Delaunay": none in
     its interior. *)
 Definition is_vertex (v : point) := exists c, is_tile c /\ In v (verts (tile c)).

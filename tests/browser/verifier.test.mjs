@@ -395,6 +395,48 @@ test("overlapping boxes are found, with all translates", async () => {
   }
 });
 
+// ---- Pieces of a region, by inspection ----
+
+/** A region of the plane from triangles without common vertices, their corners counterclockwise and in units of 1 / denominator. */
+function pieces(rank, denominator, triangles) {
+  const short = (x) => (x > -(2n ** 53n) && x < 2n ** 53n ? Number(x) : `${x}`);
+  const rows = triangles.map((_, i) => [3 * i, 3 * i + 1, 3 * i + 2]);
+  return write({
+    ...{ format: "acutile-certificate", version: 2, kind: "tiling" },
+    claim: { dimension: 2, field: "Q", gram: [[1, 0], [1]], domain: ["region", rank], statements: ["face-to-face tiling"] },
+    witness: {
+      denominator,
+      vertices: triangles.flat().map((point) => point.map((x) => short(BigInt(x)))),
+      boundary: rows.flatMap(([a, b, c]) => [[a, b], [b, c], [c, a]]),
+      simplices: rows,
+    },
+  });
+}
+
+/** A right triangle from its corner, with legs of the same length. */
+const triangleAt = (x, y, leg) => [[BigInt(x), BigInt(y)], [BigInt(x) + BigInt(leg), BigInt(y)], [BigInt(x), BigInt(y) + BigInt(leg)]];
+
+const PIECES = [
+  ["a triangle wider than the cell meets its own translate", 1, 2, [[[0, 0], [3, 0], [0, 2]]], "boundary-meets"],
+  ["a triangle of half a cell does not", 1, 2, [triangleAt(0, 0, 1)], null],
+  ["a triangle as wide as the cell meets its translate in a corner that has two names", 1, 1, [triangleAt(0, 0, 1)], "boundary-meets"],
+  ["without a lattice nothing meets", 0, 1, [triangleAt(0, 0, 2)], null],
+  ...[0n, 5n, -3n, 2n ** 60n + 1n, -(2n ** 200n) - 1n].flatMap((cells) => [
+    [`across, ${cells} cells on`, 1, 4, [triangleAt(0, 0, 2), triangleAt(4n * cells + 1n, 0, 2)], "boundary-meets"],
+    [`inside, ${cells} cells on`, 1, 401, [triangleAt(0, 0, 200), triangleAt(401n * cells + 10n, 10, 50)], "covering"],
+    [`beside, ${cells} cells on`, 1, 401, [triangleAt(0, 0, 180), triangleAt(401n * cells + 190n, 0, 180)], null],
+    [`across in the second direction, ${cells} cells on`, 2, 8, [triangleAt(0, 0, 4), triangleAt(1, 8n * cells + 1n, 4)], "boundary-meets"],
+  ]),
+];
+
+for (const [name, rank, denominator, triangles, code] of PIECES) {
+  test(name, () => {
+    const text = pieces(rank, denominator, triangles);
+    assert.equal(verify(text).code, code);
+    for (const other of OTHERS) compareTexts(other, [{ name, text }], false);
+  });
+}
+
 // ---- Against the other verifiers ----
 
 const BATCH = 100;
@@ -458,7 +500,9 @@ function dataFor({ reads }, { text, bytes }) {
   if (reads === "json") return bytes ?? text;
   try {
     const tree = JSON.parse(text);
-    const isPlain = write(tree) === text && namesAreRight(tree);
+    const { claim, witness } = tree;
+    const records = [tree, claim, witness, claim.field, claim.field.root, claim.domain[1]];
+    const isPlain = write(tree) === text && namesAreRight(tree) && !records.some(Array.isArray);
     const data = isPlain ? toCbor(tree) : undefined;
     return data && Uint8Array.from(data);
   } catch {
@@ -475,8 +519,12 @@ const RECORDS = [
   ["denominator", "vertices", "faces"],
 ].map((names) => names.join());
 
-/** CBOR has no names: the objects have those of the grammar. Small integers are no texts: what CBOR makes of them is another certificate. */
+/**
+ * CBOR has no names, so the objects have those of the grammar, and no array stands for one. A small integer as a text would be another
+ * certificate. The kernel reads no text that is longer than those of the grammar.
+ */
 function namesAreRight(tree) {
+  if (typeof tree === "string" && /[^-0-9]/.test(tree) && tree.length > 40) return false;
   if (typeof tree === "string") return !/^-?[0-9]{1,16}$/.test(tree) || (tree.length > 15 && BigInt(tree) ** 2n >= 2n ** 106n);
   if (tree === null || typeof tree !== "object") return true;
   return (Array.isArray(tree) || RECORDS.includes(Object.keys(tree).join())) && Object.values(tree).every(namesAreRight);

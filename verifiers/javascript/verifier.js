@@ -1203,10 +1203,10 @@ function checkBoundaryApart(tiling) {
   const { boundary } = tiling;
   const boxes = boundary.map(({ points }) => boxOf(tiling, points));
   eachOverlap(tiling, boxes, boxes, (f, g, shift) => {
-    const isOther = f < g || (f === g && byEntries(shift, shift.map(() => 0)) > 0);
+    const isOther = f < g || (f === g && shift.find((entry) => entry !== 0n) > 0n);
     if (!isOther) return;
     tiling.work.spend(10);
-    const other = surfaceOf(tiling, g, boundary[g].corners.map((corner) => moved(corner, shift)));
+    const other = surfaceOf(tiling, g, movedFar(boundary[g].corners, shift));
     if (meetInShared(tiling, boundary[f], other)) return;
     refuse("boundary-meets", `boundary facets ${f} and ${g}, moved by [${shift}], meet outside of their common corners`);
   });
@@ -1222,7 +1222,10 @@ function boxOf({ ring, dimension }, points) {
 
 const GRAIN = 1n << 20n;
 
-/** Calls `visit(a, b, shift)` for all first boxes and all translates of second boxes that overlap: a sweep along the last coordinate. */
+/**
+ * Calls `visit(a, b, shift)` for all first boxes and all translates of second boxes that overlap: a sweep along the last coordinate. The
+ * entries of the shift are BigInt: vertices of one region may be any number of cells apart.
+ */
 function eachOverlap(tiling, first, second, visit) {
   const { rank, dimension, denominator, work } = tiling;
   const step = denominator * GRAIN;
@@ -1252,10 +1255,12 @@ function eachOverlap(tiling, first, second, visit) {
     open[others] = open[others].filter((other) => other.high[last] >= box.low[last]);
     for (const other of open[others].filter((other) => overlap(box, other))) {
       const [query, copy] = box.isCopy ? [other, box] : [box, other];
-      visit(query.index, copy.index, copy.shift.map((s, k) => Number(s - copy.cell[k] + query.cell[k])));
+      visit(query.index, copy.index, copy.shift.map((s, k) => s - copy.cell[k] + query.cell[k]));
     }
   }
 }
+
+const movedFar = (corners, by) => corners.map(([v, ...shift]) => [v, ...shift.map((entry, k) => BigInt(entry) + by[k])]);
 
 function translated(box, shift, step) {
   const move = (ends) => ends.map((x, k) => (k < shift.length ? x + shift[k] * step : x));
@@ -1270,10 +1275,10 @@ const overlap = (x, y) => x.low.every((low, k) => low <= y.high[k] && y.low[k] <
  * different sides of their edge.
  */
 function meetInShared(tiling, f, g) {
-  const isOf = (other) => (corner) => other.corners.some((own) => byEntries(own, corner) === 0);
-  const own = (facet, other) => facet.points.filter((_, i) => !isOf(other)(facet.corners[i]));
-  const shared = f.points.filter((_, i) => isOf(g)(f.corners[i]));
-  const [mine, theirs] = [own(f, g), own(g, f)];
+  const names = [f, g].map(({ corners }) => corners.map((corner) => corner.join()));
+  const shared = f.points.filter((_, i) => names[1].includes(names[0][i]));
+  const mine = f.points.filter((_, i) => !names[1].includes(names[0][i]));
+  const theirs = g.points.filter((_, i) => !names[0].includes(names[1][i]));
   if (mine.length === 0) return false;
   if (tiling.dimension === 2) return shared.length === 0 ? !segmentsMeet(tiling, f.points, g.points) : areApart(tiling, shared, mine[0], theirs[0]);
   if (shared.length === 2) return areApart(tiling, shared, mine[0], theirs[0]);
@@ -1337,7 +1342,7 @@ function checkCovering(tiling) {
   const boxes = rows.map((corners) => boxOf(tiling, corners.map((corner) => pointOf(tiling, corner))));
   eachOverlap(tiling, centres, boxes, (f, s, shift) => {
     tiling.work.spend(10);
-    const simplex = new Simplex(tiling, rows[s].map((corner) => moved(corner, shift)), s);
+    const simplex = new Simplex(tiling, movedFar(rows[s], shift), s);
     const isOutside = simplex.normals.some((covector, i) => {
       const origin = simplex.points[i === 0 ? 1 : 0];
       const offset = boundary[f].points.reduce((sum, point) => sum.map((x, k) => plus(x, minus(point[k], origin[k]))), origin.map(() => tiling.ring.zero));

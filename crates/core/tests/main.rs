@@ -7,10 +7,12 @@ mod predicates;
 mod prover_properties;
 mod quality;
 mod region;
+mod requirements;
 mod rungs;
 mod soup;
 mod statistics;
 mod symmetry;
+mod transcribe;
 
 #[path = "../../../tests/common/kuhn.rs"]
 mod kuhn;

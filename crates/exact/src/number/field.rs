@@ -6,9 +6,9 @@
 //! decided about an element is decided at the root itself. The elements are in
 //! `element`; this file makes fields and encloses their roots.
 
-use super::element::Number;
 use super::error::FieldError;
-use super::isolation::{self, ISOLATION_LIMIT, Isolated};
+use super::isolation;
+use super::limits::ISOLATION_LIMIT;
 use super::polynomial as poly;
 use super::root::{Dyadic, Level};
 use super::small::Small;
@@ -61,7 +61,7 @@ impl Field {
             .clone()
     }
 
-    fn new(symbol: &str, polynomial: Vec<Integer>, isolation: Dyadic) -> Field {
+    pub(super) fn new(symbol: &str, polynomial: Vec<Integer>, isolation: Dyadic) -> Field {
         let reduction = polynomial[..polynomial.len() - 1]
             .iter()
             .enumerate()
@@ -78,48 +78,6 @@ impl Field {
             levels: Default::default(),
             small: OnceLock::new(),
         }))
-    }
-
-    /// Q(a) for the only root a of `polynomial` in the closed interval
-    /// [`lo`, `hi`], and a itself.
-    ///
-    /// `polynomial`: integers, constant term first, of degree at least one; any
-    /// leading coefficient, not necessarily irreducible or squarefree. A
-    /// multiple root counts once. If a is rational the field is Q.
-    pub fn adjoin_root(
-        polynomial: &[Integer],
-        lo: Rational,
-        hi: Rational,
-    ) -> Result<(Field, Number), FieldError> {
-        Field::adjoin_named_root(SYMBOL, polynomial, lo, hi)
-    }
-
-    /// The same, with a name for the root. The generator of the field is printed by this name
-    /// if it is the root, that is if the polynomial is monic.
-    pub(super) fn adjoin_named_root(
-        name: &str,
-        polynomial: &[Integer],
-        lo: Rational,
-        hi: Rational,
-    ) -> Result<(Field, Number), FieldError> {
-        isolation::check_limits(polynomial, &lo, &hi)?;
-        let p = poly::squarefree(&poly::from_integers(polynomial));
-        match poly::count_roots(&p, &lo, &hi) {
-            0 => return Err(FieldError::NoRoot(lo, hi)),
-            1 => {}
-            count => return Err(FieldError::SeveralRoots(lo, hi, count)),
-        }
-        let (monic, scale) = isolation::make_monic(poly::primitive(&p));
-        let root = isolation::isolate(&monic, &(lo * &scale), &(hi * &scale));
-        Ok(match root.ok_or(FieldError::RootsTooClose)? {
-            Isolated::Integer(m) => (Field::rationals(), Number::from(Rational::from(m) / scale)),
-            Isolated::Irrational(interval) => {
-                let symbol = if scale == 1 { name } else { SYMBOL };
-                let field = Field::new(symbol, monic, interval);
-                let a = field.element(vec![Rational::ZERO, Rational::ONE / scale]);
-                (field, a)
-            }
-        })
     }
 
     /// How the generator is printed: the name that a file gives it, or `a`.
@@ -166,26 +124,6 @@ impl Field {
     /// and the interval value of the derivative (Horner) excludes 0.
     pub fn root(&self) -> (Rational, Rational) {
         self.0.isolation.ends()
-    }
-
-    /// The integer `value`.
-    pub fn integer(&self, value: i64) -> Number {
-        Number::from(Rational::from(value))
-    }
-
-    /// The rational number `value`.
-    pub fn rational(&self, value: Rational) -> Number {
-        Number::from(value)
-    }
-
-    /// Σ c_i a^i for the generator a and any number of coefficients c_i.
-    pub fn element(&self, coefficients: Vec<Rational>) -> Number {
-        Number::reduced(self, coefficients)
-    }
-
-    /// The generator a.
-    pub fn generator(&self) -> Number {
-        self.element(vec![Rational::ZERO, Rational::ONE])
     }
 
     /// a^n = Σ c a^i with n the degree: the pairs (i, c).

@@ -4,7 +4,7 @@
 //! | file | part |
 //! |---|---|
 //! | `subject` | a confirmed certificate, and what is computed of its tiling |
-//! | `numeral`, `surd`, `tex` | exact numbers and small pieces of TeX |
+//! | `rational`, `numeral`, `surd`, `tex` | exact numbers and small pieces of TeX |
 //! | `theorem` | the theorem in words; field, lattice, metric |
 //! | `vertices` | vertices, symmetry, orbits of tiles |
 //! | `classes` | congruence classes: edges, angles, and why they are acute |
@@ -24,6 +24,7 @@ mod document;
 mod numeral;
 mod overview;
 mod pairing;
+mod rational;
 mod recheck;
 mod statements;
 mod subject;

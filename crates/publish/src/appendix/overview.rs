@@ -3,7 +3,7 @@
 //! Rounded outward to the paper's digits, a minimum down and a maximum up: the values of all
 //! tetrahedra lie between the two numbers as printed.
 
-use super::numeral::decimal;
+use super::rational::decimal;
 use super::subject::{Analysis, Subject};
 use super::tex::{Table, escape};
 use acutile_core::quality::{Exact, Range, measures_of_shapes, ranges, rounded_down, rounded_up};

@@ -3,8 +3,8 @@
 
 use super::LONG;
 use super::classes::{cosine_bounds, edge_name};
-use super::numeral::interval;
 use super::pairing::behind;
+use super::rational::interval;
 use super::subject::{Analysis, first_and_count};
 use super::tex::{Table, list, width};
 use acutile_core::quality::{DihedralAngle, Exact, RadiusEdge};

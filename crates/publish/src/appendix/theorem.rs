@@ -1,6 +1,6 @@
 //! What is proved, in words and exact numbers; field, lattice and metric.
 
-use super::numeral::{interval, rational};
+use super::rational::{interval, rational};
 use super::subject::{Analysis, Subject};
 use super::tex::{counted, escape, list, simplices, width};
 use acutile_core::quality::{DihedralAngle, Exact, RadiusEdge};

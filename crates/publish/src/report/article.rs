@@ -1,10 +1,11 @@
 //! What a page says of one tiling, as text and tables: complete without the page's program.
 
+use super::colour::{colour, hex};
 use super::data::domain_word;
 use super::facts::{Facts, cosine_bounds, cosine_text, degrees, root_text};
 use super::histogram::histogram;
 use super::html::{escape, fill};
-use super::picture::{colour, hex, picture};
+use super::picture::picture;
 use super::proved::Proved;
 use acutile_core::quality::{DihedralAngle, Measures, Shape, rounded_down, rounded_up};
 use acutile_core::tiling::Tiling;

@@ -3,8 +3,8 @@
 //! Corners and exact coordinates are not here; the page reads them from the certificate that it
 //! carries. A tiling without a lattice has rank 0.
 
+use super::colour::{colour, hex};
 use super::facts::{Facts, cosine_bounds, cosine_text, degrees, middle};
-use super::picture::{colour, hex};
 use super::proved::Proved;
 use acutile_core::quality::{DihedralAngle, Exact, rounded_down, rounded_up};
 use acutile_core::tiling::{Domain, Tiling};

@@ -17,6 +17,7 @@
 //! Nothing here proves anything. Called by the command line.
 
 mod article;
+mod colour;
 mod data;
 mod documents;
 mod facts;
