@@ -157,7 +157,10 @@ fn data_of_a_wrong_shape_are_errors() {
         let mut bad = valid("space-bcc.json");
         cut(&mut bad);
         let result = coq_theorem(&bad);
-        assert!(matches!(result, Err(NotATheorem::Malformed(_))), "{k}: {result:?}");
+        assert!(
+            matches!(result, Err(NotATheorem::Malformed(_))),
+            "{k}: {result:?}"
+        );
     }
     let mut bad = valid("solid-tetrahedron.json");
     bad.witness.denominator = 3.into();
@@ -172,7 +175,10 @@ fn data_of_a_wrong_shape_are_errors() {
 #[test]
 fn a_third_facet_has_no_mate() {
     let mut twice = valid("solid-tetrahedron.json");
-    let corner = |vertex| Corner { vertex, shift: [0; 3] };
+    let corner = |vertex| Corner {
+        vertex,
+        shift: [0; 3],
+    };
     for _ in 0..2 {
         twice.witness.simplices.extend([0, 1, 2, 3].map(corner));
     }

@@ -69,8 +69,15 @@ pub(super) struct Theorem<'a> {
 impl Theorem<'_> {
     /// The theorem over the rational numbers.
     pub(super) fn over_the_rationals(&self) -> Result<String, NotATheorem> {
-        let Words { suffix, simplices, simplices_type, denotation, point, polytope, .. } =
-            self.words;
+        let Words {
+            suffix,
+            simplices,
+            simplices_type,
+            denotation,
+            point,
+            polytope,
+            ..
+        } = self.words;
         let named = named(&self.certificate.claim)?;
         Ok(format!(
             "{}Local Open Scope R_scope.\nDefinition G : gram{suffix} := {}.\n\
@@ -95,8 +102,15 @@ impl Theorem<'_> {
 
     /// The theorem over Q(a): there is one root in the interval, and it is the a of the claim.
     pub(super) fn over_a_field(&self, root: &RootOf) -> Result<String, NotATheorem> {
-        let Words { suffix, simplices, simplices_type, denotation, point, polytope, .. } =
-            self.words;
+        let Words {
+            suffix,
+            simplices,
+            simplices_type,
+            denotation,
+            point,
+            polytope,
+            ..
+        } = self.words;
         let named = named(&self.certificate.claim)?;
         Ok(format!(
             "{}Local Open Scope R_scope.\nDefinition p (x : R) : R := {}.\nDefinition G (a : R) : gram{suffix} := {}.\n\
@@ -131,13 +145,27 @@ impl Theorem<'_> {
 
     /// The tactic that computes what the data denote; over a ring: 0 is Z, 1 a field.
     fn same(&self, ring: usize) -> String {
-        let Words { suffix, unfolded, computed, .. } = self.words;
-        format!("unfold dgram{suffix}, dpoint{suffix}, {}; cbn [{computed}]", unfolded[ring])
+        let Words {
+            suffix,
+            unfolded,
+            computed,
+            ..
+        } = self.words;
+        format!(
+            "unfold dgram{suffix}, dpoint{suffix}, {}; cbn [{computed}]",
+            unfolded[ring]
+        )
     }
 
     /// "l1, l2, l3 have the Gram matrix, and for all such the statements hold".
     fn conclusion(&self, gram: &str, polytope: &str, simplices: &str, named: &[Named]) -> String {
-        let Words { dimension, basis, suffix, tiling, .. } = self.words;
+        let Words {
+            dimension,
+            basis,
+            suffix,
+            tiling,
+            ..
+        } = self.words;
         let rank = self.certificate.claim.rank();
         let count = self.certificate.witness.simplices.len() / (dimension + 1);
         let of = format!("{basis} {rank} {count} ({simplices} {basis})");
@@ -148,7 +176,11 @@ impl Theorem<'_> {
         );
         for statement in named {
             // A String takes every text.
-            let _ = write!(text, " /\\\n    {}", statement.proposition.replace('@', &of));
+            let _ = write!(
+                text,
+                " /\\\n    {}",
+                statement.proposition.replace('@', &of)
+            );
         }
         text + ".\n"
     }
@@ -191,7 +223,11 @@ impl Theorem<'_> {
             for x in vertex {
                 coordinates.push(real(x, &polytope.denominator, &claim.field, "a")?);
             }
-            points.push(format!("Point{} {}", self.words.suffix, coordinates.join(" ")));
+            points.push(format!(
+                "Point{} {}",
+                self.words.suffix,
+                coordinates.join(" ")
+            ));
         }
         Ok(format!("[{}]", points.join("; ")))
     }

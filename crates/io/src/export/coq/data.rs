@@ -57,7 +57,13 @@ pub(super) fn polytope(certificate: &Certificate) -> Result<Vec<Vec<Number>>, No
         return Ok(Vec::new());
     };
     let factor = factor(&witness.denominator, &polytope.denominator)?;
-    padded(polytope, &factor, claim.rank(), &claim.field, claim.dimension)
+    padded(
+        polytope,
+        &factor,
+        claim.rank(),
+        &claim.field,
+        claim.dimension,
+    )
 }
 
 /// The vertices of the polytope times a factor, with `rank` zeros in front.
@@ -72,7 +78,11 @@ pub(super) fn padded(
     for vertex in &polytope.vertices {
         require(rank + vertex.len() == dimension, "the length of a row")?;
         let zeros = std::iter::repeat_n(zero(field), rank);
-        points.push(zeros.chain(vertex.iter().map(|x| times(x, factor))).collect());
+        points.push(
+            zeros
+                .chain(vertex.iter().map(|x| times(x, factor)))
+                .collect(),
+        );
     }
     Ok(points)
 }
@@ -97,14 +107,22 @@ fn point(x: &[Number], field: &Field) -> Result<String, NotATheorem> {
 
 fn simplex(corners: &[Corner], mates: &[Option<Mate>]) -> String {
     let mut text = "CT".to_owned();
-    for Corner { vertex, shift: [x, y, z] } in corners {
+    for Corner {
+        vertex,
+        shift: [x, y, z],
+    } in corners
+    {
         // A String takes every text.
         let _ = write!(text, " ({vertex}%N,({x},{y},{z}))");
     }
     for mate in mates {
         let _ = match mate {
             None => write!(text, " None"),
-            Some(Mate { simplex, facet, shift: [x, y, z] }) => {
+            Some(Mate {
+                simplex,
+                facet,
+                shift: [x, y, z],
+            }) => {
                 write!(text, " (Some ({simplex}%N,{facet}%N,({x},{y},{z})))")
             }
         };

@@ -45,7 +45,10 @@ impl fmt::Display for NotATheorem {
     fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
         match self {
             NotATheorem::Dimension(d) => {
-                write!(f, "the Coq development is about the dimensions 2 and 3, not {d}")
+                write!(
+                    f,
+                    "the Coq development is about the dimensions 2 and 3, not {d}"
+                )
             }
             NotATheorem::Region => f.write_str("the Coq development does not treat regions"),
             NotATheorem::Malformed(rule) => write!(f, "not a certificate: {rule}"),

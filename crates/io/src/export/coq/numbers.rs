@@ -35,7 +35,10 @@ pub(super) fn element(number: &Number, field: &Field) -> Result<String, NotATheo
 
 /// The coefficients without zeros at the end, and at least one.
 fn coefficients<'n>(number: &'n Number, field: &Field) -> Result<&'n [Integer], NotATheorem> {
-    require(number.0.len() == field.degree(), "the number of coefficients")?;
+    require(
+        number.0.len() == field.degree(),
+        "the number of coefficients",
+    )?;
     let last = number.0.iter().rposition(|c| *c != 0).unwrap_or(0);
     Ok(&number.0[..=last])
 }
@@ -77,7 +80,10 @@ pub(super) fn fraction(p: &Integer, q: &Integer) -> String {
 /// The factor by which numbers over `part` become numbers over `whole`.
 pub(super) fn factor(whole: &Integer, part: &Integer) -> Result<Integer, NotATheorem> {
     let is_divisor = *part > 0 && whole.divisible_by(part);
-    require(is_divisor, "the denominator of the domain divides the other")?;
+    require(
+        is_divisor,
+        "the denominator of the domain divides the other",
+    )?;
     Ok(whole.div_exact(part))
 }
 

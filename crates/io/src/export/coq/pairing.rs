@@ -34,7 +34,13 @@ pub(super) fn mates(rows: &[impl AsRef<[Corner]>]) -> Vec<Vec<Option<Mate>>> {
                 open.insert(name, (k, i, offset));
                 continue;
             };
-            let mate = |simplex, facet, shift| Some(Mate { simplex, facet, shift });
+            let mate = |simplex, facet, shift| {
+                Some(Mate {
+                    simplex,
+                    facet,
+                    shift,
+                })
+            };
             found[k][i] = mate(k2, i2, minus(offset, offset2));
             found[k2][i2] = mate(k, i, minus(offset2, offset));
         }
@@ -48,7 +54,9 @@ type Name = Vec<(u32, [i64; 3])>;
 /// The name of the facet opposite to corner `i`, and the shift of its first corner.
 fn facet(row: &[Corner], i: usize) -> (Name, [i64; 3]) {
     let corners = row.iter().enumerate().filter(|(k, _)| *k != i);
-    let mut name: Name = corners.map(|(_, c)| (c.vertex, c.shift.map(i64::from))).collect();
+    let mut name: Name = corners
+        .map(|(_, c)| (c.vertex, c.shift.map(i64::from)))
+        .collect();
     name.sort_unstable();
     let offset = name.first().map_or([0; 3], |(_, shift)| *shift);
     for (_, shift) in &mut name {

@@ -43,7 +43,11 @@ fn points(points: &[Vec<Number>], field: &Field) -> Result<Vec<String>, NotATheo
 
 fn point(x: &[Number], field: &Field) -> Result<String, NotATheorem> {
     require(x.len() == 2, "the length of a row")?;
-    Ok(format!("({}, {})", element(&x[0], field)?, element(&x[1], field)?))
+    Ok(format!(
+        "({}, {})",
+        element(&x[0], field)?,
+        element(&x[1], field)?
+    ))
 }
 
 fn sorted(row: &[Corner]) -> Vec<Corner> {
@@ -63,7 +67,11 @@ fn triangle(corners: &[Corner], mates: &[Option<Mate>], is_even: bool) -> String
 fn mate(mate: &Option<Mate>) -> String {
     match mate {
         None => "None".to_owned(),
-        Some(Mate { simplex, facet, shift: [x, y, _] }) => {
+        Some(Mate {
+            simplex,
+            facet,
+            shift: [x, y, _],
+        }) => {
             format!("(Some ({simplex}%N,{facet}%N,({x},{y})))")
         }
     }

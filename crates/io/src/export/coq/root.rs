@@ -41,7 +41,11 @@ impl<'f> RootOf<'f> {
     /// "low <= x <= high".
     pub(super) fn between(&self, x: &str) -> String {
         let end = |e| fraction(e, &self.field.denominator);
-        format!("{} <= {x} <= {}", end(&self.field.low), end(&self.field.high))
+        format!(
+            "{} <= {x} <= {}",
+            end(&self.field.low),
+            end(&self.field.high)
+        )
     }
 
     /// The lower coefficients of the polynomial, the interval, and finer enclosures.

@@ -17,7 +17,10 @@ pub(super) struct Named {
 /// All statements but the first, which is the tiling itself.
 pub(super) fn named(claim: &Claim) -> Result<Vec<Named>, NotATheorem> {
     let (first, rest) = claim.statements.split_first().ok_or(ORDER)?;
-    require(*first == Statement::FaceToFaceTiling, "the order of the statements")?;
+    require(
+        *first == Statement::FaceToFaceTiling,
+        "the order of the statements",
+    )?;
     rest.iter().map(|statement| one(statement, claim)).collect()
 }
 
@@ -72,7 +75,10 @@ fn angle_bound(
         1 => "1",
         _ => return Err(NotATheorem::Malformed("the sign of a cosine")),
     };
-    let bound = format!("(acos ({sign} * sqrt {}))", quotient(&cosine.square, claim)?);
+    let bound = format!(
+        "(acos ({sign} * sqrt {}))",
+        quotient(&cosine.square, claim)?
+    );
     let checked = format!("{sign} {}", checked(&cosine.square, claim)?);
     Ok(related(term, word, relation, &checked, &bound, claim))
 }
@@ -85,7 +91,14 @@ fn ratio_bound(
     let bound = quotient(fraction, claim)?;
     let checked = checked(fraction, claim)?;
     let word = "squared_radius_edge_ratio".to_owned();
-    Ok(related("SquaredRadiusEdgeRatio", word, relation, &checked, &bound, claim))
+    Ok(related(
+        "SquaredRadiusEdgeRatio",
+        word,
+        relation,
+        &checked,
+        &bound,
+        claim,
+    ))
 }
 
 fn related(
