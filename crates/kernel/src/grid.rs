@@ -5,8 +5,8 @@
 use crate::boxes::Bounds;
 use crate::int::Int;
 use crate::limits::Work;
-use crate::ring::{Element, each};
 use crate::refusal::{Checked, Larger, Limit, Place, Stop, Value};
+use crate::ring::{Element, each};
 use crate::root::{BITS, Root, enclosure};
 use crate::row::{Corner, Shape};
 use crate::vertices::Vertices;
@@ -128,7 +128,12 @@ impl Grid {
             let (a, b) = (self.period * entry, (self.period + 1) * entry);
             let (least, most) = (a.min(b) >> FRACTION, (a.max(b) >> FRACTION) + 1);
             let is_within = -MOST_END < least && most < MOST_END;
-            ensure!(is_within, Work, Place::Witness, Value::Exceeds(Limit::Work, None));
+            ensure!(
+                is_within,
+                Work,
+                Place::Witness,
+                Value::Exceeds(Limit::Work, None)
+            );
             *low = i64::try_from(least).unwrap_or(0);
             *high = i64::try_from(most).unwrap_or(0);
         }
@@ -200,7 +205,12 @@ pub(crate) fn at<T>(list: &[T], index: usize) -> Checked<&T> {
 
 fn to_shift(entry: i64) -> Checked<i32> {
     let is_within = entry.abs() < MOST_SHIFT;
-    ensure!(is_within, Work, Place::Witness, Value::Exceeds(Limit::Work, None));
+    ensure!(
+        is_within,
+        Work,
+        Place::Witness,
+        Value::Exceeds(Limit::Work, None)
+    );
     Ok(i32::try_from(entry).unwrap_or(0))
 }
 

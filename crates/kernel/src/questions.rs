@@ -43,7 +43,11 @@ pub(crate) struct Points<'v> {
 
 impl Points<'_> {
     /// The vector from one corner to another one. That to the apex is (0, 0, 1).
-    fn edge<T: Int, const N: usize>(&self, from: Corner, to: Corner) -> Result<Vector<T, N>, Larger> {
+    fn edge<T: Int, const N: usize>(
+        &self,
+        from: Corner,
+        to: Corner,
+    ) -> Result<Vector<T, N>, Larger> {
         if to == APEX {
             return Ok([Element::default(), Element::default(), constant(1)]);
         }

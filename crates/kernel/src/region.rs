@@ -240,7 +240,11 @@ fn mark(across: Option<&mut [Across; 3]>, f: Corners, g: Corners, neighbour: usi
 /// The first facet of each class.
 fn first_of_classes(across: &[[Across; 3]]) -> Checked<Vec<usize>> {
     let mut is_seen = vec![false; across.len()];
-    let mut see = |facet: usize| is_seen.get_mut(facet).is_some_and(|seen| !replace(seen, true));
+    let mut see = |facet: usize| {
+        is_seen
+            .get_mut(facet)
+            .is_some_and(|seen| !replace(seen, true))
+    };
     let mut firsts = Vec::new();
     for first in 0..across.len() {
         if see(first) {

@@ -212,8 +212,7 @@ impl<const N: usize> Tiling<N> {
             facets.push(facet);
         }
         if is_region {
-            let region =
-                Region::new(facets, self.shape, &self.vertices, &self.rings, &self.work)?;
+            let region = Region::new(facets, self.shape, &self.vertices, &self.rings, &self.work)?;
             self.region = Some(region);
         }
         Ok(())
