@@ -93,16 +93,6 @@ impl From<Findings> for NotProved {
     }
 }
 
-/// Limits for certificates that were written here. Their size is no reason to decline them.
-pub fn own_limits() -> Limits {
-    Limits {
-        bytes: u64::MAX,
-        simplices: u64::MAX,
-        bits: 1 << 20,
-        ..Limits::DEFAULT
-    }
-}
-
 /// Proves a tiling: it is a face-to-face tiling with the required statements, and with the
 /// strongest of the others that hold.
 ///

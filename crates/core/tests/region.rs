@@ -10,8 +10,8 @@ use acutile_core::statement::Statement;
 use acutile_core::tiling::{self, AnyTiling, Corner, Frame, Tiling, match_facets};
 use acutile_core::transcribe::{Parts, to_certificate};
 use acutile_exact::geometry::triangle::{Triangle, folded};
-use acutile_kernel::{Limits, Refusal, Verified, verify};
 use acutile_io::import::{Content, read_native};
+use acutile_kernel::{Limits, Refusal, Verified, verify};
 use malachite::{Integer, Rational};
 use proptest::prelude::*;
 

@@ -4,6 +4,7 @@
 //! Nothing here is trusted. [`crate::proved`] writes what comes out as a certificate and asks the
 //! kernel.
 
+mod boundary;
 mod data;
 mod defect;
 mod domain;
@@ -27,7 +28,7 @@ pub use statements::{check_acute, check_delaunay, check_nonobtuse, check_tcp};
 
 use crate::classify;
 use crate::format::Relation;
-use crate::proved::own_limits;
+use crate::limits::own_limits;
 use crate::quality::{Ranges, exact_ranges};
 use crate::statement::{Requirement, Statement};
 use crate::tiling::{Matching, Plane, Tiling, match_facets};
