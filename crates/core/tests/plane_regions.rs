@@ -40,7 +40,13 @@ impl Region {
 
     fn corner(&mut self, point: [i64; 2]) -> Corner<2> {
         let in_lattice = |k: usize| k < self.rank;
-        let shift = [0, 1].map(|k| if in_lattice(k) { point[k].div_euclid(CELL) } else { 0 });
+        let shift = [0, 1].map(|k| {
+            if in_lattice(k) {
+                point[k].div_euclid(CELL)
+            } else {
+                0
+            }
+        });
         let vertex = [0, 1].map(|k| point[k] - shift[k] * CELL);
         let found = self.points.iter().position(|other| *other == vertex);
         let index = found.unwrap_or_else(|| {
@@ -54,9 +60,8 @@ impl Region {
     }
 
     fn position(&self, corner: &Corner<2>) -> Point {
-        let at = |k: usize| {
-            self.points[corner.vertex as usize][k] + CELL * i64::from(corner.shift[k])
-        };
+        let at =
+            |k: usize| self.points[corner.vertex as usize][k] + CELL * i64::from(corner.shift[k]);
         [at(0), at(1), 0]
     }
 
@@ -67,7 +72,9 @@ impl Region {
 
     fn shifts(&self) -> Vec<[i32; 2]> {
         let range = |k: usize| if k < self.rank { -REACH..=REACH } else { 0..=0 };
-        range(0).flat_map(|x| range(1).map(move |y| [x, y])).collect()
+        range(0)
+            .flat_map(|x| range(1).map(move |y| [x, y]))
+            .collect()
     }
 
     /// Positive triangles of which any two, up to the lattice, meet in what their common corners
@@ -108,7 +115,12 @@ fn judge(region: &Region) -> Result<bool, TestCaseError> {
     let has_boundary = matching.mismatches.iter().any(|m| m.uses.len() == 1);
     let expected = region.is_embedded() && has_boundary;
     let examined = examine(&tiling, &Options::default(), &|_| ());
-    prop_assert_eq!(examined.is_ok(), expected, "prover: {:?}", examined.map(|_| ()));
+    prop_assert_eq!(
+        examined.is_ok(),
+        expected,
+        "prover: {:?}",
+        examined.map(|_| ())
+    );
     let certificate = to_certificate(Parts {
         tiling: &tiling,
         matching: &matching,
@@ -116,7 +128,12 @@ fn judge(region: &Region) -> Result<bool, TestCaseError> {
         sixes: None,
     });
     let verified = verify(&mut &certificate[..], &Limits::DEFAULT);
-    prop_assert_eq!(verified.is_ok(), expected, "kernel: {:?}", verified.map(|_| ()));
+    prop_assert_eq!(
+        verified.is_ok(),
+        expected,
+        "kernel: {:?}",
+        verified.map(|_| ())
+    );
     Ok(expected)
 }
 
@@ -128,7 +145,11 @@ fn point() -> impl Strategy<Value = [i64; 2]> {
 fn triangle() -> impl Strategy<Value = [[i64; 2]; 3]> {
     ([point(), point(), point()], 0..8).prop_map(|([a, b, c], keep)| {
         let area = (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0]);
-        if area < 0 && keep > 0 { [a, c, b] } else { [a, b, c] }
+        if area < 0 && keep > 0 {
+            [a, c, b]
+        } else {
+            [a, b, c]
+        }
     })
 }
 
@@ -186,8 +207,8 @@ fn strip_of_twice_the_period() {
         let [v_next, w_next] = [[length, 0], [length, CELL]];
         Region::of_points(1, &[[v, v_next, w], [v_next, w_next, w]])
     };
-    assert_eq!(judge(&strip(CELL)), Ok(true));
-    assert_eq!(judge(&strip(2 * CELL)), Ok(false));
+    assert!(judge(&strip(CELL)).expect("they agree"));
+    assert!(!judge(&strip(2 * CELL)).expect("they agree"));
 }
 
 /// A square in a square, with its boundary or without.
@@ -202,8 +223,9 @@ fn a_hole_in_each_cell() {
         .collect();
     // Without a hole there is no boundary if the lattice has rank 2.
     for (rank, expected) in [(0, true), (1, true), (2, false)] {
-        assert_eq!(judge(&Region::of_points(rank, &all)), Ok(expected), "{rank}");
+        let answer = judge(&Region::of_points(rank, &all)).expect("they agree");
+        assert_eq!(answer, expected, "{rank}");
         let with_hole = Region::of_points(rank, &all[2..]);
-        assert_eq!(judge(&with_hole), Ok(true), "{rank}");
+        assert!(judge(&with_hole).expect("they agree"), "{rank}");
     }
 }
