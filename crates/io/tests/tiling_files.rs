@@ -232,6 +232,7 @@ fn all_defects_are_counted_and_the_first_are_kept() {
     let options = Options {
         required: vec![Requirement::Acute],
         defect_limit: 2,
+        ..Options::default()
     };
     let AnyTiling::Space(read) = tiling(&kuhn()) else {
         panic!("dimension 3")
