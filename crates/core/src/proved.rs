@@ -7,6 +7,7 @@
 use crate::checker::{self, Findings, Names, Options, Progress};
 use crate::format::{self, json::JsonError};
 use crate::statement::Statement;
+use crate::tiling::dimension::same;
 use crate::tiling::{AnyTiling, Tiling};
 use crate::transcribe::{self, ReadError};
 use acutile_kernel::{Limits, Refusal, Value, Verified, verify};
@@ -121,6 +122,43 @@ pub fn prove_to<const D: usize>(
     options: &Options,
     progress: Progress,
     storage: &mut (impl Read + Write + Seek),
+) -> Result<Confirmed, NotProved> {
+    match D {
+        2 => prove_plane(same(tiling), options, progress, storage),
+        _ => prove_space(same(tiling), options, progress, storage),
+    }
+}
+
+/// A place that a certificate is written to and read from.
+trait Storage: Read + Write + Seek {}
+
+impl<S: Read + Write + Seek> Storage for S {}
+
+#[inline(never)]
+fn prove_plane(
+    tiling: &Tiling<2>,
+    options: &Options,
+    progress: Progress,
+    storage: &mut dyn Storage,
+) -> Result<Confirmed, NotProved> {
+    confirmed(tiling, options, progress, storage)
+}
+
+#[inline(never)]
+fn prove_space(
+    tiling: &Tiling<3>,
+    options: &Options,
+    progress: Progress,
+    storage: &mut dyn Storage,
+) -> Result<Confirmed, NotProved> {
+    confirmed(tiling, options, progress, storage)
+}
+
+fn confirmed<const D: usize>(
+    tiling: &Tiling<D>,
+    options: &Options,
+    progress: Progress,
+    storage: &mut dyn Storage,
 ) -> Result<Confirmed, NotProved> {
     let proof = checker::examine(tiling, options, progress)?;
     progress("certificate");
