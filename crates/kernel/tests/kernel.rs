@@ -196,19 +196,28 @@ fn the_program_has_one_line_for_each_file_and_the_worst_exit_code() {
 
     let (exit, out) = text(&program(&[&good, &forged, &path("missing")], b""));
     assert_eq!((exit, out.lines().count()), (2, 3), "{out}");
-    assert!(out.lines().nth(1).unwrap().contains("a\\ngood: verified\": malformed [cbor]")
-        || out.lines().nth(1).unwrap().contains("a\\u000agood: verified\": malformed [cbor]"), "{out}");
+    assert!(
+        out.lines().nth(1).unwrap().contains("a\\ngood: verified\": malformed [cbor]")
+            || out.lines().nth(1).unwrap().contains("a\\u000agood: verified\": malformed [cbor]"),
+        "{out}"
+    );
     assert!(out.lines().nth(2).unwrap().contains("malformed [unreadable]"), "{out}");
 
     let (exit, out) = text(&program(&["--max-simplices", "1", &good], b""));
     assert_eq!(exit, 3);
-    assert!(out.contains("declined [too-many-simplices]") && out.contains("--max-simplices 2"), "{out}");
+    assert!(
+        out.contains("declined [too-many-simplices]") && out.contains("--max-simplices 2"),
+        "{out}"
+    );
     let length = valid().len();
     let (exit, out) = text(&program(&["--max-bytes", "10", &good], b""));
     assert!(exit == 3 && out.contains(&format!("--max-bytes {length}")), "{out}");
 
     let (exit, out) = text(&program(&["--json", "-"], &valid()));
-    assert!(exit == 0 && out.starts_with("{\"file\":\"-\",\"verdict\":\"verified\",\"simplices\":2,"), "{out}");
+    assert!(
+        exit == 0 && out.starts_with("{\"file\":\"-\",\"verdict\":\"verified\",\"simplices\":2,"),
+        "{out}"
+    );
 
     let (exit, out) = text(&program(&["-"], b"{\n"));
     assert!(exit == 2 && out.contains("acutile convert"), "{out}");
@@ -236,7 +245,13 @@ fn the_program_compares_and_prints_claims() {
 
 #[test]
 fn a_wrong_command_line_is_exit_code_2() {
-    for words in [&[][..], &["--nothing"], &["--max-work"], &["--max-work", "x", "-"], &["--claim", "/none", "-"]] {
+    for words in [
+        &[][..],
+        &["--nothing"],
+        &["--max-work"],
+        &["--max-work", "x", "-"],
+        &["--claim", "/none", "-"],
+    ] {
         let output = program(words, b"");
         assert_eq!(output.status.code(), Some(2));
         assert!(output.stdout.is_empty() && !output.stderr.is_empty());

@@ -8,7 +8,7 @@
 
 use super::curve;
 use crate::tiling::coordinates::Form;
-use crate::tiling::{Matching, Tiling, floor};
+use crate::tiling::{Corner, Matching, Tiling, floor};
 use acutile_exact::number::Number;
 use rayon::prelude::*;
 
@@ -95,11 +95,11 @@ fn numbering<const D: usize>(tiling: &Tiling<D>, rows: &[u32]) -> (Vec<u32>, Vec
     let mut vertices = Vec::with_capacity(numbers.len());
     for heavy in [false, true] {
         for row in rows {
-            for corner in tiling.simplex(*row as usize) {
-                let number = &mut numbers[corner.vertex as usize];
-                if *number == NONE && is_heavy(corner.vertex) == heavy {
+            for vertex in in_order(tiling.simplex(*row as usize)) {
+                let number = &mut numbers[vertex as usize];
+                if *number == NONE && is_heavy(vertex) == heavy {
                     *number = vertices.len() as u32;
-                    vertices.push(corner.vertex);
+                    vertices.push(vertex);
                 }
             }
         }
@@ -114,6 +114,18 @@ fn numbering<const D: usize>(tiling: &Tiling<D>, rows: &[u32]) -> (Vec<u32>, Vec
         }
     }
     (vertices, numbers)
+}
+
+/// The vertices of a simplex, the least first. A row lists its last two corners in the order that
+/// makes it positive. The numbers must not depend on that order: otherwise the tiling of a
+/// certificate would get another certificate.
+fn in_order<const D: usize>(corners: &[Corner<D>]) -> impl Iterator<Item = u32> {
+    let mut vertices = [u32::MAX; 4];
+    for (vertex, corner) in vertices.iter_mut().zip(corners) {
+        *vertex = corner.vertex;
+    }
+    vertices.sort_unstable();
+    vertices.into_iter().take(D + 1)
 }
 
 /// The given order is good if at most this times n^((D-1)/D) facets are open.

@@ -104,8 +104,7 @@ pub fn head(out: &mut Vec<u8>, kind: u8, value: u64) {
 fn integer(out: &mut Vec<u8>, text: &str) -> Option<()> {
     use num_bigint::BigInt;
     let value: BigInt = text.parse().ok()?;
-    let (negative, natural) =
-        if value < BigInt::ZERO { (1, !value) } else { (0, value) };
+    let (negative, natural) = if value < BigInt::ZERO { (1, !value) } else { (0, value) };
     match u64::try_from(&natural) {
         Ok(value) => head(out, negative, value),
         Err(_) => {
@@ -147,7 +146,9 @@ impl File {
 
     /// The fault is one of the text, which the transcription hides.
     pub fn is_about_json(&self) -> bool {
-        self.json.is_some() && self.folder == "malformed" && matches!(self.code(), "cbor" | "canonical")
+        self.json.is_some()
+            && self.folder == "malformed"
+            && matches!(self.code(), "cbor" | "canonical")
     }
 }
 
