@@ -93,22 +93,14 @@ pub(crate) struct Grid {
 }
 
 impl Grid {
-    pub(crate) fn new<const N: usize>(
-        shape: Shape,
-        vertices: &Vertices,
-        root: &Root,
-    ) -> Checked<Grid> {
+    pub(crate) fn new<const N: usize>(shape: Shape, vertices: &Vertices, root: &Root) -> Checked<Grid> {
         let signed = |x: u64| i64::try_from(x).map_err(|_| Stop::LARGER);
         // Coordinates lie between low 2^s and high 2^s, divided by 2^exponent and the denominator.
         let exponent = signed(BITS)? - signed(root.dropped)?;
         let divisor = signed(vertices.denominator.bits())? + exponent;
-        let enclosures = |vertex| {
-            enclosures::<i64, N>(vertices, root, vertex)
-                .or_else(|_| enclosures::<BigInt, N>(vertices, root, vertex))
-        };
         let mut most = if shape.rank > 0 { 1 } else { -exponent };
         for vertex in 0..shape.vertices {
-            for (low, high, s) in enclosures(vertex)? {
+            for (low, high, s) in enclosures::<N>(vertices, root, vertex)? {
                 most = most.max(signed(low.length().max(high.length()) + s)? - divisor);
             }
         }
@@ -120,10 +112,8 @@ impl Grid {
             *period = 1 << u32::try_from(scale).map_err(|_| Stop::LARGER)?;
         }
         for vertex in 0..shape.vertices {
-            grid.points.push(each(&enclosures(vertex)?, |&(low, high, s)| {
-                let end = |end: i128, error| -> BigInt {
-                    (BigInt::from(end) << s) / &vertices.denominator + error
-                };
+            grid.points.push(each(&enclosures::<N>(vertices, root, vertex)?, |&(low, high, s)| {
+                let end = |end: i128, error| -> BigInt { (BigInt::from(end) << s) / &vertices.denominator + error };
                 Ok((end(low, -1).top(shift)?, end(high, 1).top(shift)? + 1))
             })?);
         }
@@ -150,17 +140,16 @@ impl Grid {
         work: &Work,
         visit: &mut impl FnMut([i32; 3], usize, usize) -> Checked,
     ) -> Checked {
-        // The periods between -n and n, for a distance of n periods.
         let ranges = zip(&first.bounds, &second.bounds, |a, b| Ok((b.1 - a.0, a.1 - b.0)))?;
         let [x, y, z] = zip(&ranges, &self.periods, |(back, forth), period| {
-            Ok((-back.div_euclid(*period), forth.div_euclid(*period)))
+            let entries = (-back.div_euclid(*period), forth.div_euclid(*period));
+            Ok((to_entry(entries.0)?, to_entry(entries.1)?))
         })?;
         for x in x.0..=x.1 {
             for y in y.0..=y.1 {
                 for z in z.0..=z.1 {
-                    let shift = [to_entry(x)?, to_entry(y)?, to_entry(z)?];
-                    let by = self.vector(shift)?;
-                    first.each_pair(second, &by, work, &mut |f, g| visit(shift, f, g))?;
+                    let by = self.vector([x, y, z])?;
+                    first.each_pair(second, &by, work, &mut |f, g| visit([x, y, z], f, g))?;
                 }
             }
         }
@@ -168,9 +157,7 @@ impl Grid {
     }
 
     fn vector(&self, shift: [i32; 3]) -> Checked<[i64; 3]> {
-        zip(&shift, &self.periods, |entry, period| {
-            Ok(i64::from(to_entry((*entry).into())?) * period)
-        })
+        zip(&shift, &self.periods, |entry, period| Ok(i64::from(to_entry((*entry).into())?) * period))
     }
 }
 
@@ -180,11 +167,10 @@ fn to_entry(entry: i64) -> Checked<i32> {
     Ok(some!(small, Work, Place::Witness, Value::Limit("work", None)))
 }
 
-fn enclosures<T: Int, const N: usize>(
-    vertices: &Vertices,
-    root: &Root,
-    vertex: u32,
-) -> Checked<[(i128, i128, u64); 3]> {
-    let point = vertices.point::<T, N>(Corner { vertex, shift: [0; 3] })?;
-    each(&point, |x| enclosure(&x.0, &root.rough))
+fn enclosures<const N: usize>(vertices: &Vertices, root: &Root, vertex: u32) -> Checked<[(i128, i128, u64); 3]> {
+    let corner = Corner { vertex, shift: [0; 3] };
+    if let Ok(point) = vertices.point::<i64, N>(corner) {
+        return each(&point, |x| enclosure(&x.0, &root.rough));
+    }
+    each(&vertices.point::<BigInt, N>(corner)?, |x| enclosure(&x.0, &root.rough))
 }

@@ -21,21 +21,8 @@ const PIECE: usize = 1 << 16;
 /// The longest text. All texts of the grammar are shorter.
 const LONGEST: u64 = 1 << 16;
 
-/// An integer as it is encoded.
-#[derive(Clone)]
-pub enum Integer {
-    Small(i64),
-    Large(BigInt),
-}
-
-impl Integer {
-    pub fn big(self) -> BigInt {
-        match self {
-            Integer::Small(value) => value.into(),
-            Integer::Large(value) => value,
-        }
-    }
-}
+/// An integer of 64 bits, or else a larger one.
+pub type Integer = Result<i64, BigInt>;
 
 pub struct Cbor<'r> {
     input: &'r mut dyn Read,
@@ -130,25 +117,22 @@ impl<'r> Cbor<'r> {
 
     pub fn integer(&mut self) -> Checked<Integer> {
         match self.take()? {
-            first @ 0..24 => Ok(Integer::Small(i64::from(first))),
-            first @ 32..56 => Ok(Integer::Small(31 - i64::from(first))),
+            first @ 0..24 => Ok(Ok(i64::from(first))),
+            first @ 32..56 => Ok(Ok(31 - i64::from(first))),
             first => self.long_integer(first),
         }
     }
 
     #[inline(never)]
     fn long_integer(&mut self, first: u8) -> Checked<Integer> {
+        ensure!(matches!(first >> 5, NATURAL | NEGATIVE | TAG), Cbor, self.place());
         let (kind, value) = self.rest_of_head(first)?;
-        ensure!(matches!(kind, NATURAL | NEGATIVE | TAG), Cbor, self.place());
         if kind == TAG {
             return self.big_integer(value);
         }
-        Ok(match (i64::try_from(value), kind) {
-            (Ok(value), NATURAL) => Integer::Small(value),
-            (Ok(value), _) => Integer::Small(!value),
-            (Err(_), NATURAL) => Integer::Large(value.into()),
-            (Err(_), _) => Integer::Large(!BigInt::from(value)),
-        })
+        let sign = |value: BigInt| if kind == NATURAL { value } else { !value };
+        let small = i64::try_from(value).map(|value| if kind == NATURAL { value } else { !value });
+        Ok(small.map_err(|_| sign(value.into())))
     }
 
     /// Tag 2, or 3 for negative ones: the bytes of n, or of -1 - n, more than eight.
@@ -165,20 +149,17 @@ impl<'r> Cbor<'r> {
             bytes.push(self.take()?);
         }
         let value = BigInt::from_bytes_be(Sign::Plus, &bytes);
-        Ok(Integer::Large(if tag == 3 { !value } else { value }))
+        Ok(Err(if tag == 3 { !value } else { value }))
     }
 
     /// An integer that fits 64 bits, or else the nearest one that does.
     pub fn small(&mut self) -> Checked<i64> {
-        Ok(match self.integer()? {
-            Integer::Small(value) => value,
-            Integer::Large(value) if value < BigInt::ZERO => i64::MIN,
-            Integer::Large(_) => i64::MAX,
-        })
+        let nearest = |value| if value < BigInt::ZERO { i64::MIN } else { i64::MAX };
+        Ok(self.integer()?.unwrap_or_else(nearest))
     }
 
     pub fn big(&mut self) -> Checked<BigInt> {
-        self.integer().map(Integer::big)
+        Ok(self.integer()?.map_or_else(|large| large, BigInt::from))
     }
 
     pub fn text(&mut self) -> Checked<String> {
@@ -211,32 +192,12 @@ impl<'r> Cbor<'r> {
         Ok(())
     }
 
-    /// An array of known length, of which each item is read by a function.
-    pub fn array_with<V>(
-        &mut self,
-        length: usize,
-        read: impl FnMut(&mut Self) -> Checked<V>,
-    ) -> Checked<Vec<V>> {
-        self.array_of(length)?;
-        self.items(wide(length), read)
-    }
-
-    /// An array of any length.
-    pub fn list<V>(&mut self, read: impl FnMut(&mut Self) -> Checked<V>) -> Checked<Vec<V>> {
-        let length = self.array()?;
-        self.items(length, read)
-    }
-
-    fn items<V>(
-        &mut self,
-        length: u64,
-        mut read: impl FnMut(&mut Self) -> Checked<V>,
-    ) -> Checked<Vec<V>> {
-        let mut values = Vec::new();
-        for _ in 0..length {
-            values.push(read(self)?);
-        }
-        Ok(values)
+    /// An array, of which each item is read by a function; of a given length, or of any.
+    pub fn list<V>(&mut self, length: Option<usize>, mut read: impl FnMut(&mut Self) -> Checked<V>) -> Checked<Vec<V>> {
+        let found = self.array()?;
+        let is_length = length.is_none_or(|length| wide(length) == found);
+        ensure!(is_length, Cbor, self.place(), found);
+        (0..found).map(|_| read(self)).collect()
     }
 
     /// No byte is left. Returns the number of bytes and their digest.

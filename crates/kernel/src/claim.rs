@@ -133,11 +133,11 @@ impl Claim {
         cbor.array_of(dimension)?;
         let mut gram = Vec::new();
         for length in (1..=dimension).rev() {
-            gram.extend(cbor.array_with(length, |cbor| read_number(cbor, degree))?);
+            gram.extend(cbor.list(Some(length), |cbor| read_number(cbor, degree))?);
         }
         check_lowest(cbor, gram.iter().flatten())?;
         let domain = Domain::read(cbor, dimension, degree)?;
-        let statements = cbor.list(|cbor| Statement::read(cbor, degree))?;
+        let statements = cbor.list(None, |cbor| Statement::read(cbor, degree))?;
         // The statements are in the order of the grammar, each at most once; the tiling is first.
         let order = |of: &Statement| (of.property, of.bound.as_ref().map(|bound| bound.relation));
         let is_ordered = statements.is_sorted_by(|first, second| order(first) < order(second));
@@ -229,10 +229,10 @@ impl Polytope {
         cbor.array_of(3)?;
         let denominator = cbor.big()?;
         ensure!(denominator > BigInt::ZERO, Denominator, cbor.place(), denominator);
-        let read_vertex = |cbor: &mut Cbor| cbor.array_with(k, |cbor| read_number(cbor, degree));
-        let vertices = cbor.list(read_vertex)?;
+        let read_vertex = |cbor: &mut Cbor| cbor.list(Some(k), |cbor| read_number(cbor, degree));
+        let vertices = cbor.list(None, read_vertex)?;
         check_lowest(cbor, vertices.iter().flatten().flatten().chain([&denominator]))?;
-        let faces = cbor.list(|cbor| read_face(cbor, k, vertices.len()))?;
+        let faces = cbor.list(None, |cbor| read_face(cbor, k, vertices.len()))?;
         // A polytope of dimension k has more than k facets.
         ensure!(faces.len() > k, FaceCount, cbor.place(), faces.len());
         let mut sorted: Vec<_> = faces.iter().map(|face| sorted(face)).collect();
@@ -258,7 +258,7 @@ fn is_strict<T: PartialOrd>(sorted: &[T]) -> bool {
 
 /// One vertex for k = 1, the two ends of a side for k = 2, a polygon for k = 3.
 fn read_face(cbor: &mut Cbor, k: usize, vertices: usize) -> Checked<Vec<usize>> {
-    let face = cbor.list(|cbor| {
+    let face = cbor.list(None, |cbor| {
         let index = cbor.small()?;
         let vertex = usize::try_from(index).ok().filter(|&vertex| vertex < vertices);
         Ok(some!(vertex, FaceVertices, cbor.place(), index))
@@ -300,7 +300,7 @@ fn read_number(cbor: &mut Cbor, degree: usize) -> Checked<Number> {
     if degree == 1 {
         return Ok(vec![cbor.big()?]);
     }
-    cbor.array_with(degree, Cbor::big)
+    cbor.list(Some(degree), Cbor::big)
 }
 
 /// The greatest common divisor is 1.

@@ -50,12 +50,7 @@ impl<const N: usize> Faces<N> {
     }
 
     /// The vertices of the tiling have this denominator.
-    pub(crate) fn set_denominator(
-        &mut self,
-        polytope: &Polytope,
-        denominator: &BigInt,
-        rings: &Rings<N>,
-    ) -> Checked {
+    pub(crate) fn set_denominator(&mut self, polytope: &Polytope, denominator: &BigInt, rings: &Rings<N>) -> Checked {
         // In a tiling every vertex of P is a corner, so its coordinates have this denominator.
         let factor = denominator / &polytope.denominator;
         let divides = &factor * &polytope.denominator == *denominator;
@@ -145,11 +140,8 @@ impl<'p, const N: usize> Frame<'p, N> {
         }
         let (one, zero) = (ring.integer(1)?, Element::default());
         let first = [one.clone(), zero.clone(), zero.clone()];
-        let spare = if dimension == 3 {
-            [first, [zero.clone(), one, zero]]
-        } else {
-            [[zero.clone(), zero, one], first]
-        };
+        let spare =
+            if dimension == 3 { [first, [zero.clone(), one, zero]] } else { [[zero.clone(), zero, one], first] };
         Ok(Frame { ring, points, spare })
     }
 

@@ -134,9 +134,7 @@ impl Ring for Intervals {
         match self.sign(&difference) {
             Ok(Ordering::Less) => Ok(*y),
             Ok(_) => Ok(*x),
-            Err(_) => {
-                self.plus(x, &Interval { middle: -half.cast_signed(), radius: half, ..difference })
-            }
+            Err(_) => self.plus(x, &Interval { middle: -half.cast_signed(), radius: half, ..difference }),
         }
     }
 

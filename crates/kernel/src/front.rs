@@ -89,12 +89,7 @@ impl Front {
     /// Opens and closes the facets of a simplex, in the order of the sorted corners that they do
     /// not have. `share` says whether vertices lie in one face of the domain. A facet whose
     /// corners do is in the boundary and has no mate.
-    pub(crate) fn step(
-        &mut self,
-        row: &Row,
-        share: impl Fn([u32; 3]) -> bool,
-        simplex: u64,
-    ) -> Checked<[Step; 4]> {
+    pub(crate) fn step(&mut self, row: &Row, share: impl Fn([u32; 3]) -> bool, simplex: u64) -> Checked<[Step; 4]> {
         let [a, b, c, d] = row.sorted;
         let facets = if self.dimension == 3 {
             [[b, c, d], [a, c, d], [a, b, d], [a, b, c]]

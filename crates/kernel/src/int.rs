@@ -6,9 +6,7 @@ use num_bigint::BigInt;
 use num_traits::{CheckedAdd, CheckedMul, CheckedSub};
 use std::cmp::Ordering;
 
-pub trait Int:
-    Clone + Default + Ord + From<i64> + Into<BigInt> + CheckedAdd + CheckedSub + CheckedMul
-{
+pub trait Int: Clone + Default + Ord + From<i64> + Into<BigInt> + CheckedAdd + CheckedSub + CheckedMul {
     /// The next larger integers.
     type Next: Int + From<Self>;
     /// The price of a product in units of work; zero where it depends on the factors.

@@ -46,11 +46,7 @@ impl<R: Ring> Judge<'_, R> {
     }
 
     /// The result, or the one with larger integers where it does not fit.
-    fn or_next<V>(
-        &self,
-        found: Checked<V>,
-        again: impl FnOnce(&Rules<R::Next>) -> Checked<V>,
-    ) -> Checked<V> {
+    fn or_next<V>(&self, found: Checked<V>, again: impl FnOnce(&Rules<R::Next>) -> Checked<V>) -> Checked<V> {
         match (found, self.next) {
             (Err(stop), Some(next)) if stop.is_larger() => again(next),
             (found, _) => found,
@@ -75,19 +71,13 @@ impl<R: Ring> Judge<'_, R> {
                 let ordering = rules.compare_angle(angle, index);
                 let ordering = self.or_next(ordering, |next| {
                     next.compare_angle(
-                        &next.angle(
-                            angle.facets,
-                            R::next(&angle.c),
-                            &R::next(&angle.x),
-                            &R::next(&angle.y),
-                        )?,
+                        &next.angle(angle.facets, R::next(&angle.c), &R::next(&angle.x), &R::next(&angle.y))?,
                         index,
                     )
                 })?;
                 // The largest angle compares as the largest of all orderings does, and so on.
-                let is_first = found.is_none_or(|(first, _)| {
-                    if bound.is_smallest { ordering < first } else { ordering > first }
-                });
+                let is_first =
+                    found.is_none_or(|(first, _)| if bound.is_smallest { ordering < first } else { ordering > first });
                 if is_first {
                     found = Some((ordering, angle));
                 }
@@ -116,8 +106,7 @@ impl<R: Ring> Judge<'_, R> {
         let mut attained = 0;
         for (bound, index) in rules.ratios.iter().zip(0..) {
             let ordering = rules.compare_ratio(sphere, index);
-            let ordering =
-                self.or_next(ordering, |next| next.compare_ratio(&sphere.next(), index))?;
+            let ordering = self.or_next(ordering, |next| next.compare_ratio(&sphere.next(), index))?;
             let value = || rules.ratio(sphere).map(|[x, y]| rules.ring.quotient(&x, &y));
             let is_allowed = bound.relation.allows(ordering);
             ensure!(is_allowed, RatioBound, Place::Simplex(simplex), value()?);
@@ -133,9 +122,8 @@ impl<R: Ring> Judge<'_, R> {
     fn check_mate(&self, sphere: &Sphere<R>, x: &Vector<R>, place: Place) -> Checked {
         let rules = self.rules;
         let sign = rules.power(sphere, x).and_then(|power| rules.ring.sign(&power));
-        let sign = self.or_next(sign, |next| {
-            next.ring.sign(&next.power(&sphere.next(), &each(x, |x| Ok(R::next(x)))?)?)
-        })?;
+        let sign =
+            self.or_next(sign, |next| next.ring.sign(&next.power(&sphere.next(), &each(x, |x| Ok(R::next(x)))?)?))?;
         let power = || rules.power(sphere, x);
         let value = || power().map(|power| rules.ring.quotient(&power, &sphere.determinant));
         ensure!(!rules.delaunay || sign == Greater, NotDelaunay, place, value()?);

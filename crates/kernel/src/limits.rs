@@ -23,13 +23,8 @@ pub struct Limits {
 pub const MAX_DEGREE: usize = 8;
 
 impl Limits {
-    pub const DEFAULT: Limits = Limits {
-        bytes: 1 << 32,
-        simplices: 1 << 28,
-        bits: 4096,
-        degree: MAX_DEGREE,
-        work: 3_000_000_000,
-    };
+    pub const DEFAULT: Limits =
+        Limits { bytes: 1 << 32, simplices: 1 << 28, bits: 4096, degree: MAX_DEGREE, work: 3_000_000_000 };
 }
 
 /// The work so far. Each part of the kernel counts what it does, and calls [`Work::check`] after

@@ -195,7 +195,7 @@ fn line(file: &str, found: &Result<Verified, Failure>, is_json: bool) -> String 
             format!("{name}: {verdict} [{code}] {words}\n")
         }
         (Err(Failure { verdict, code, words }), true) => format!(
-            "{{\"file\":{name},\"verdict\":\"{verdict}\",\"code\":\"{code}\",\"text\":{}}}\n",
+            "{{\"file\":{name},\"verdict\":\"{verdict}\",\"code\":\"{code}\",\"message\":{}}}\n",
             text::json(words)
         ),
     }

@@ -19,26 +19,24 @@ use crate::refusal::{Checked, Stop};
 use crate::ring::{Ring, Vector, each};
 use std::cmp::Ordering;
 
-pub(crate) struct Meets<'r, R: Ring> {
+pub(crate) struct Meets<'r, R: Ring, S> {
     pub(crate) ring: &'r R,
     pub(crate) work: &'r Work,
-    /// Vectors along the axes.
-    pub(crate) axes: [Vector<R>; 3],
-    /// A bound on the errors of determinants, if coordinates are rounded.
-    pub(crate) slack: Option<R::Element>,
+    /// The sign of a determinant. The coordinates can be rounded.
+    pub(crate) sign: S,
+    /// The length of vectors along the axes.
+    pub(crate) axis: R::Element,
 }
 
-impl<R: Ring> Meets<'_, R> {
+impl<R: Ring, S: Fn(&R::Element) -> Checked<Ordering>> Meets<'_, R, S> {
     /// Whether f and g meet in the hull of their first `common` corners, which are the same.
-    pub(crate) fn only_in_common(
-        &self,
-        common: usize,
-        f: &[Vector<R>; 3],
-        g: &[Vector<R>; 3],
-    ) -> Checked<bool> {
+    pub(crate) fn only_in_common(&self, common: usize, [f, g]: &[[Vector<R>; 3]; 2]) -> Checked<bool> {
         let ([f0, f1, f2], [g0, g1, g2]) = (f, g);
         let to = |x: &_, y: &_| self.ring.difference(x, y);
-        let [x, y, z] = &self.axes;
+        let (zero, axis) = (R::Element::default, || self.axis.clone());
+        let x = &[axis(), zero(), zero()];
+        let y = &[zero(), axis(), zero()];
+        let z = &[zero(), zero(), axis()];
         match common {
             // 0 is beyond some side of P = g - f. If P is a solid, the normal of the side is that
             // of f or g, or orthogonal to an edge of each. Otherwise f and g are parallel. Then
@@ -66,8 +64,7 @@ impl<R: Ring> Meets<'_, R> {
             2 => {
                 let rays = [to(f2, f0)?, to(g0, g2)?];
                 let [opposite, q] = &rays;
-                let sum = to(opposite, q)?;
-                self.is_some_positive(&rays, &[to(f0, f1)?], &[&sum, x, y, z])
+                self.is_some_positive(&rays, &[to(f0, f1)?], &[&to(opposite, q)?, x, y, z])
             }
             _ => Ok(false),
         }
@@ -75,49 +72,27 @@ impl<R: Ring> Meets<'_, R> {
 
     /// Whether the product of an edge and another vector, or of two edges, or its negative, is
     /// positive on all rays.
-    fn is_some_positive(
-        &self,
-        rays: &[Vector<R>],
-        edges: &[Vector<R>],
-        others: &[&Vector<R>],
-    ) -> Checked<bool> {
+    fn is_some_positive(&self, rays: &[Vector<R>], edges: &[Vector<R>], others: &[&Vector<R>]) -> Checked<bool> {
         let mut answer = Ok(false);
         for (k, x) in edges.iter().enumerate() {
-            for y in others.iter().copied().chain(edges.iter().take(k)) {
+            'functionals: for y in others.iter().copied().chain(edges.iter().take(k)) {
                 self.work.add(6 * self.ring.price());
-                match self.has_one_sign(&self.ring.cross(x, y)?, rays)? {
-                    Some(true) => return Ok(true),
-                    Some(false) => {}
-                    // Another functional may be decided.
-                    None => answer = Err(Stop::LARGER),
+                let w = self.ring.cross(x, y)?;
+                let mut first = None;
+                for ray in rays {
+                    self.work.add(3 * self.ring.price());
+                    let Ok(sign) = (self.sign)(&self.ring.inner(&w, ray)?) else {
+                        // Another functional may be decided.
+                        answer = Err(Stop::LARGER);
+                        continue 'functionals;
+                    };
+                    if sign == Ordering::Equal || *first.get_or_insert(sign) != sign {
+                        continue 'functionals;
+                    }
                 }
+                return Ok(true);
             }
         }
         answer
-    }
-
-    /// Nothing if a sign is undecided.
-    fn has_one_sign(&self, w: &Vector<R>, rays: &[Vector<R>]) -> Checked<Option<bool>> {
-        let mut first = None;
-        for ray in rays {
-            self.work.add(3 * self.ring.price());
-            let mut value = self.ring.inner(w, ray)?;
-            let Ok(sign) = self.ring.sign(&value) else {
-                return Ok(None);
-            };
-            if let Some(slack) = &self.slack {
-                value = match sign {
-                    Ordering::Greater => self.ring.minus(&value, slack)?,
-                    _ => self.ring.plus(&value, slack)?,
-                };
-                if self.ring.sign(&value)? != sign {
-                    return Ok(None);
-                }
-            }
-            if sign == Ordering::Equal || *first.get_or_insert(sign) != sign {
-                return Ok(Some(false));
-            }
-        }
-        Ok(Some(true))
     }
 }

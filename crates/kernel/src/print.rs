@@ -14,10 +14,7 @@ impl Claim {
             format!("\"field\":{}", self.print_field()),
             format!("\"gram\":{}", block("[]", rows)),
             format!("\"domain\":{}", self.print_domain()),
-            format!(
-                "\"statements\":{}",
-                block("[]", self.statements.iter().map(statement).collect())
-            ),
+            format!("\"statements\":{}", block("[]", self.statements.iter().map(statement).collect())),
         ];
         let head = r#""format":"acutile-claim","version":2,"kind":"tiling""#;
         let mut file: Vec<String> = head.split(',').map(String::from).collect();
@@ -45,9 +42,7 @@ impl Claim {
                 let faces = polytope.faces.iter().map(|f| list(f.iter().map(usize::to_string)));
                 let (vertices, faces) = (list(vertices), list(faces));
                 let denominator = integer(&polytope.denominator);
-                format!(
-                    "{{\"denominator\":{denominator},\"vertices\":{vertices},\"faces\":{faces}}}"
-                )
+                format!("{{\"denominator\":{denominator},\"vertices\":{vertices},\"faces\":{faces}}}")
             }
         };
         block("[]", vec![name, value])

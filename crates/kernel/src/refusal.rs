@@ -181,8 +181,7 @@ impl Stop {
 
     /// The refusal; no integers are larger.
     pub(crate) fn refusal(self) -> Refusal {
-        let undecided =
-            || Refusal { code: Code::SignUndecided, place: Place::Witness, value: Value::Nothing };
+        let undecided = || Refusal { code: Code::SignUndecided, place: Place::Witness, value: Value::Nothing };
         self.0.map_or_else(undecided, |refusal| *refusal)
     }
 
@@ -196,9 +195,7 @@ impl Stop {
 
     /// Divides the determinant, or the power of a point, by the units of the coordinates.
     pub(crate) fn over(mut self, denominator: &BigInt, dimension: usize) -> Stop {
-        if let Some(Refusal { code, value: Value::Quotient(_, divisor), .. }) =
-            self.0.as_deref_mut()
-        {
+        if let Some(Refusal { code, value: Value::Quotient(_, divisor), .. }) = self.0.as_deref_mut() {
             let power = match code {
                 Code::Orientation => dimension,
                 Code::NotDelaunay | Code::NotWeaklyDelaunay => 2,

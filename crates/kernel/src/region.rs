@@ -107,9 +107,8 @@ impl<const N: usize> Region<N> {
             let (mut f_sorted, mut g_sorted) = (f, g);
             f_sorted.sort_by_key(|corner| !g.contains(corner));
             g_sorted.sort_by_key(|corner| f_sorted.iter().position(|c| c == corner).unwrap_or(3));
-            let is_right = answer!(self.rings, place, |ring| {
-                self.meet(ring, vertices, common, [&f_sorted, &g_sorted])
-            })?;
+            let is_right =
+                answer!(self.rings, place, |ring| { self.meet(ring, vertices, common, [&f_sorted, &g_sorted]) })?;
             ensure!(is_right, BoundaryMeets, place);
             for (own, f, g, other) in [(first, &f, &g, second), (second, &g, &f, first)] {
                 for (ridge, corner) in across.get_mut(own).into_iter().flatten().zip(f) {
@@ -142,24 +141,21 @@ impl<const N: usize> Region<N> {
                 Ok([x, y, if self.is_plane { ring.integer(1)? } else { z }])
             })
         })?;
-        let (mut slack, mut length) = (None, 1);
-        // Small integers are rounded to 19 bits. The vectors of `meets` are differences or sums of
-        // two points. So their entries are at most m = 2^20 with errors below 2, and determinants
-        // have errors of at most 6 ((m + 2)³ - m³) < 2^46.
-        let entries = points.as_flattened().as_flattened().iter().flat_map(|x| &x.0);
-        let bits = entries.map(T::length).max().unwrap_or(0);
-        if N == 1 && T::PRICE == 1 && !self.is_plane && bits > 19 {
-            for x in points.as_flattened_mut().as_flattened_mut().iter_mut().flat_map(|x| &mut x.0)
-            {
-                *x = T::from(x.top(bits - 19)?);
-            }
-            (slack, length) = (Some(ring.integer(1 << 46)?), 1 << 20);
+        let length = |x: &Element<T, N>| x.0.iter().map(T::length).max().unwrap_or(0);
+        let all = points.as_flattened_mut().as_flattened_mut();
+        let most = all.iter().map(length).max().unwrap_or(0);
+        // Small integers are rounded to 19 bits. Then the vectors of `meets` have entries of at most
+        // m = 2^20 with errors below 2. So determinants have errors of at most
+        // 6 ((m + 2)³ - m³) < 2^46, and a sign is certain from 47 bits on.
+        let is_rounded = N == 1 && T::PRICE == 1 && !self.is_plane && most > 19;
+        for x in all.iter_mut().flat_map(|x| &mut x.0).filter(|_| is_rounded) {
+            *x = T::from(x.top(most - 19)?);
         }
-        let (zero, one) = (Element::default, ring.integer(length)?);
-        let axes =
-            [[one.clone(), zero(), zero()], [zero(), one.clone(), zero()], [zero(), zero(), one]];
-        let [f, g] = &points;
-        Meets { ring, work: &self.work, axes, slack }.only_in_common(common, f, g)
+        let sign = |x: &Element<T, N>| {
+            if is_rounded && length(x) < 47 { Err(Stop::LARGER) } else { ring.sign(x) }
+        };
+        let axis = ring.integer(if is_rounded { 1 << 20 } else { 1 })?;
+        Meets { ring, work: &self.work, sign, axis }.only_in_common(common, &points)
     }
 
     /// W for a row: no translate of its tile contains the point just outside of a base.
@@ -172,8 +168,7 @@ impl<const N: usize> Region<N> {
             let tile = tile.map(|corner| moved(corner, by));
             let facet = self.facet(base)?;
             self.work.add(300);
-            let is_covered =
-                answer!(self.rings, place, |ring| { self.contains(ring, vertices, &tile, facet) })?;
+            let is_covered = answer!(self.rings, place, |ring| { self.contains(ring, vertices, &tile, facet) })?;
             ensure!(!is_covered, Covering, place, base);
             Ok(())
         })
@@ -239,8 +234,7 @@ fn first_of_classes(across: &[Across]) -> Checked<Vec<usize>> {
         let mut reached = vec![first];
         while let Some(facet) = reached.pop() {
             if !replace(is_seen.get_mut(facet).ok_or(Stop::LARGER)?, true) {
-                reached
-                    .extend(across.get(facet).into_iter().flatten().copied().flatten().flatten());
+                reached.extend(across.get(facet).into_iter().flatten().copied().flatten().flatten());
             }
         }
     }

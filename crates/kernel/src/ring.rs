@@ -30,11 +30,7 @@ pub trait Ring: Sized {
     fn plus(&self, x: &Self::Element, y: &Self::Element) -> Checked<Self::Element>;
     fn minus(&self, x: &Self::Element, y: &Self::Element) -> Checked<Self::Element>;
     /// Σ x_i y_i, for at most three terms.
-    fn dot<const K: usize>(
-        &self,
-        x: [&Self::Element; K],
-        y: [&Self::Element; K],
-    ) -> Checked<Self::Element>;
+    fn dot<const K: usize>(&self, x: [&Self::Element; K], y: [&Self::Element; K]) -> Checked<Self::Element>;
     /// The sign; [`Stop::LARGER`] where it is undecided.
     fn sign(&self, x: &Self::Element) -> Checked<Ordering>;
     /// The lesser of two numbers.
@@ -95,10 +91,7 @@ pub(crate) fn zip<A, B, V: Default, const K: usize>(
 }
 
 /// f of the entries of an array.
-pub(crate) fn each<A, V: Default, const K: usize>(
-    a: &[A; K],
-    mut f: impl FnMut(&A) -> Checked<V>,
-) -> Checked<[V; K]> {
+pub(crate) fn each<A, V: Default, const K: usize>(a: &[A; K], mut f: impl FnMut(&A) -> Checked<V>) -> Checked<[V; K]> {
     zip(a, &[(); K], |a, ()| f(a))
 }
 
@@ -229,11 +222,7 @@ impl<T: Int, const N: usize> Ring for Exact<T, N> {
         zip(&x.0, &y.0, T::minus).map(Element)
     }
 
-    fn dot<const K: usize>(
-        &self,
-        x: [&Element<T, N>; K],
-        y: [&Element<T, N>; K],
-    ) -> Checked<Element<T, N>> {
+    fn dot<const K: usize>(&self, x: [&Element<T, N>; K], y: [&Element<T, N>; K]) -> Checked<Element<T, N>> {
         let degree = self.degree();
         let mut sum: [T; N] = from_fn(|_| T::default());
         // Horner's rule in a: the coefficients of x from the last one down.

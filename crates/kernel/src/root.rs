@@ -109,10 +109,7 @@ fn product(x: (&BigInt, &BigInt), y: (&BigInt, &BigInt)) -> (BigInt, BigInt) {
 
 /// Σ c_k a^k lies in [low, high] 2^s in units of the rough enclosures, by the first 60 bits of the
 /// coefficients. Returns low, high and s.
-pub(crate) fn enclosure<T: Int>(
-    coefficients: &[T],
-    rough: &[(i64, i64)],
-) -> Checked<(i128, i128, u64)> {
+pub(crate) fn enclosure<T: Int>(coefficients: &[T], rough: &[(i64, i64)]) -> Checked<(i128, i128, u64)> {
     let length = coefficients.iter().map(T::length).max().unwrap_or(0);
     let dropped = length.saturating_sub(ROUGH_BITS);
     // A coefficient lies between its floor and that plus the width.

@@ -207,12 +207,7 @@ impl<R: Ring> Rules<R> {
     }
 
     /// x q and y p: they compare as x/y does with the bound p/q.
-    fn scaled(
-        &self,
-        x: &R::Element,
-        y: &R::Element,
-        bound: &Bound<R::Element>,
-    ) -> Checked<(R::Element, R::Element)> {
+    fn scaled(&self, x: &R::Element, y: &R::Element, bound: &Bound<R::Element>) -> Checked<(R::Element, R::Element)> {
         Ok((self.ring.times(x, &bound.q)?, self.ring.times(y, &bound.p)?))
     }
 

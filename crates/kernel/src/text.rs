@@ -39,8 +39,7 @@ fn quotient(p: &[BigInt], q: &[BigInt]) -> String {
     let divisor = p.iter().chain(q).fold(BigInt::ZERO, |divisor, x| divisor.gcd(x));
     let number = |number: &[BigInt]| {
         let length = number.iter().rposition(|c| *c != BigInt::ZERO).map_or(0, |last| last + 1);
-        let lowest: Vec<String> =
-            number.iter().take(length).map(|c| (c / &divisor).to_string()).collect();
+        let lowest: Vec<String> = number.iter().take(length).map(|c| (c / &divisor).to_string()).collect();
         match lowest.as_slice() {
             [] => "0".into(),
             [value] => value.clone(),

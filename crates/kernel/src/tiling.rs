@@ -248,8 +248,7 @@ impl<const N: usize> Tiling<N> {
                 Ok(determinant) => self.add((determinant, attained)),
                 Err(_) => {
                     let next = |x: &[Element<i128, N>; 3]| x.each_ref().map(Exact::<i128, N>::next);
-                    let determinant =
-                        self.rings.large.inner(&next(&seen.edges[0]), &next(&normal))?;
+                    let determinant = self.rings.large.inner(&next(&seen.edges[0]), &next(&normal))?;
                     self.add((determinant, attained));
                 }
             }
@@ -314,12 +313,7 @@ struct Seen<T, const N: usize> {
 }
 
 impl<T: Int, const N: usize> Seen<T, N> {
-    fn new(
-        rules: &Rules<Exact<T, N>>,
-        vertices: &Vertices,
-        row: &Row,
-        steps: &[Step; 4],
-    ) -> Checked<Self> {
+    fn new(rules: &Rules<Exact<T, N>>, vertices: &Vertices, row: &Row, steps: &[Step; 4]) -> Checked<Self> {
         let [a, b, c, d] = row.corners;
         let origin = vertices.point(a)?;
         let vector = |corner| rules.ring.difference(&origin, &vertices.point(corner)?);

@@ -25,14 +25,7 @@ pub struct Vertices {
 
 impl Vertices {
     pub(crate) fn new(dimension: usize, degree: usize) -> Vertices {
-        Vertices {
-            denominator: BigInt::ZERO,
-            dimension,
-            degree,
-            small: Vec::new(),
-            large: BTreeMap::new(),
-            count: 0,
-        }
+        Vertices { denominator: BigInt::ZERO, dimension, degree, small: Vec::new(), large: BTreeMap::new(), count: 0 }
     }
 
     pub(crate) fn read_denominator(&mut self, cbor: &mut Cbor) -> Checked {
@@ -43,11 +36,7 @@ impl Vertices {
     }
 
     /// Reads all vertices. `check` sees each one after it is read.
-    pub(crate) fn read(
-        &mut self,
-        cbor: &mut Cbor,
-        mut check: impl FnMut(&Vertices, u32) -> Checked,
-    ) -> Checked {
+    pub(crate) fn read(&mut self, cbor: &mut Cbor, mut check: impl FnMut(&Vertices, u32) -> Checked) -> Checked {
         // The denominator and all coefficients have no common divisor.
         let (mut divisor, one) = (self.denominator.clone(), BigInt::from(1));
         for _ in 0..cbor.array()? {
@@ -59,7 +48,7 @@ impl Vertices {
                 for _ in 0..self.degree {
                     let coefficient = cbor.integer()?;
                     if divisor != one {
-                        divisor = divisor.gcd(&coefficient.clone().big());
+                        divisor = divisor.gcd(&coefficient.clone().map_or_else(|large| large, BigInt::from));
                     }
                     self.push(coefficient);
                 }
@@ -74,19 +63,16 @@ impl Vertices {
 
     fn push(&mut self, coefficient: Integer) {
         match coefficient {
-            Integer::Small(value) if value != LARGE => self.small.push(value),
+            Ok(value) if value != LARGE => self.small.push(value),
             large => {
-                self.large.insert(self.small.len(), large.big());
+                self.large.insert(self.small.len(), large.map_or_else(|large| large, BigInt::from));
                 self.small.push(LARGE);
             }
         }
     }
 
     /// The coordinates of a corner, times the denominator; in the plane the third one is zero.
-    pub(crate) fn point<T: Int, const N: usize>(
-        &self,
-        corner: Corner,
-    ) -> Checked<[Element<T, N>; 3]> {
+    pub(crate) fn point<T: Int, const N: usize>(&self, corner: Corner) -> Checked<[Element<T, N>; 3]> {
         let degree = if N <= 2 { N } else { self.degree };
         let size = self.dimension * degree;
         let start = usize::try_from(corner.vertex).map_err(|_| Stop::LARGER)? * size;

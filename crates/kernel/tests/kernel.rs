@@ -73,8 +73,7 @@ fn every_code_has_a_file() {
     let seen: BTreeSet<String> = files().iter().map(|file| file.code().to_owned()).collect();
     // A file that cannot be read is none.
     let missing: Vec<_> = Code::ALL.iter().map(|code| code.text()).collect();
-    let missing: Vec<_> =
-        missing.into_iter().filter(|code| !seen.contains(*code) && *code != "unreadable").collect();
+    let missing: Vec<_> = missing.into_iter().filter(|code| !seen.contains(*code) && *code != "unreadable").collect();
     assert!(missing.is_empty(), "{missing:?}");
 }
 
@@ -157,6 +156,19 @@ fn a_prefix_is_no_certificate() {
     }
 }
 
+#[test]
+fn a_reader_that_fails_is_refused() {
+    struct Broken;
+    impl std::io::Read for Broken {
+        fn read(&mut self, _: &mut [u8]) -> std::io::Result<usize> {
+            Err(std::io::Error::other("broken"))
+        }
+    }
+    let start = &valid()[..40];
+    let found = verify(&mut std::io::Read::chain(start, Broken), &Limits::DEFAULT);
+    assert_eq!(code(&found), "unreadable");
+}
+
 fn program(words: &[&str], input: &[u8]) -> Output {
     let mut child = Command::new(env!("CARGO_BIN_EXE_acutile-verify"))
         .args(words)
@@ -205,19 +217,13 @@ fn the_program_has_one_line_for_each_file_and_the_worst_exit_code() {
 
     let (exit, out) = text(&program(&["--max-simplices", "1", &good], b""));
     assert_eq!(exit, 3);
-    assert!(
-        out.contains("declined [too-many-simplices]") && out.contains("--max-simplices 2"),
-        "{out}"
-    );
+    assert!(out.contains("declined [too-many-simplices]") && out.contains("--max-simplices 2"), "{out}");
     let length = valid().len();
     let (exit, out) = text(&program(&["--max-bytes", "10", &good], b""));
     assert!(exit == 3 && out.contains(&format!("--max-bytes {length}")), "{out}");
 
     let (exit, out) = text(&program(&["--json", "-"], &valid()));
-    assert!(
-        exit == 0 && out.starts_with("{\"file\":\"-\",\"verdict\":\"verified\",\"simplices\":2,"),
-        "{out}"
-    );
+    assert!(exit == 0 && out.starts_with("{\"file\":\"-\",\"verdict\":\"verified\",\"simplices\":2,"), "{out}");
 
     let (exit, out) = text(&program(&["-"], b"{\n"));
     assert!(exit == 2 && out.contains("acutile convert"), "{out}");
@@ -245,13 +251,7 @@ fn the_program_compares_and_prints_claims() {
 
 #[test]
 fn a_wrong_command_line_is_exit_code_2() {
-    for words in [
-        &[][..],
-        &["--nothing"],
-        &["--max-work"],
-        &["--max-work", "x", "-"],
-        &["--claim", "/none", "-"],
-    ] {
+    for words in [&[][..], &["--nothing"], &["--max-work"], &["--max-work", "x", "-"], &["--claim", "/none", "-"]] {
         let output = program(words, b"");
         assert_eq!(output.status.code(), Some(2));
         assert!(output.stdout.is_empty() && !output.stderr.is_empty());

@@ -146,9 +146,7 @@ impl File {
 
     /// The fault is one of the text, which the transcription hides.
     pub fn is_about_json(&self) -> bool {
-        self.json.is_some()
-            && self.folder == "malformed"
-            && matches!(self.code(), "cbor" | "canonical")
+        self.json.is_some() && self.folder == "malformed" && matches!(self.code(), "cbor" | "canonical")
     }
 }
 
@@ -159,10 +157,8 @@ pub fn folder() -> PathBuf {
 pub fn files() -> Vec<File> {
     let mut files = Vec::new();
     for folder in ["valid", "false", "malformed", "declined", "cbor"] {
-        let mut paths: Vec<PathBuf> = fs::read_dir(self::folder().join(folder))
-            .unwrap()
-            .map(|entry| entry.unwrap().path())
-            .collect();
+        let mut paths: Vec<PathBuf> =
+            fs::read_dir(self::folder().join(folder)).unwrap().map(|entry| entry.unwrap().path()).collect();
         paths.sort();
         for path in paths {
             let name = path.file_stem().unwrap().to_str().unwrap().to_owned();
