@@ -144,7 +144,7 @@ impl Verdict {
                 Kind::Malformed => 2,
                 Kind::Declined => 3,
             },
-            Verdict::Malformed(error) if error.code == format::json::JsonCode::Version => 3,
+            Verdict::Malformed(error) if error.code.is_declined() => 3,
             Verdict::Malformed(_) | Verdict::Unreadable(_) => 2,
             Verdict::TooLong(_) => 3,
         }
@@ -153,6 +153,7 @@ impl Verdict {
     fn as_text(&self, file: &OsString) -> String {
         let verdict = match self {
             Verdict::Verified(verified) => format!("verified: {}", summary(verified)),
+            _ if self.word() == self.code() => format!("{}: {}", self.word(), self.message()),
             _ => format!("{} [{}] {}", self.word(), self.code(), self.message()),
         };
         format!("{}: {}", name(file), one_line(&verdict))
@@ -162,6 +163,7 @@ impl Verdict {
         match self {
             Verdict::Verified(_) => "verified",
             Verdict::OtherClaim(_) => "rejected",
+            Verdict::Refused(refusal) if refusal.code == Code::Unreadable => "unreadable",
             Verdict::Refused(refusal) => refusal::verdict(refusal.code.kind()),
             Verdict::Malformed(_) => match self.exit_code() {
                 3 => "declined",
