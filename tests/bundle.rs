@@ -117,7 +117,8 @@ fn of_cbor_python_reads_and_javascript_says_what_to_do() {
 fn verdicts(directory: &Path, name: &str) -> [Option<i32>; 4] {
     let [json, cbor] = ["json", "cbor"].map(|encoding| format!("certificates/{name}.{encoding}"));
     let rust = acutile_verify([directory.join(&cbor)]).status.code();
-    let one = |program, verifier: &str, path: &str| match run(program, directory, &[verifier, path]) {
+    let one = |program, verifier: &str, path: &str| match run(program, directory, &[verifier, path])
+    {
         Some(output) => output.status.code(),
         None => rust,
     };
@@ -182,7 +183,10 @@ fn what_the_kernel_refuses_is_in_no_archive() {
     let hole = crate::common::file(directory.path(), "hole.json", &hole.to_string());
     let cases = [
         ("tests/certificates/false/not-acute--cube-6.json", 1),
-        ("tests/certificates/malformed/canonical--gram-not-primitive.json", 2),
+        (
+            "tests/certificates/malformed/canonical--gram-not-primitive.json",
+            2,
+        ),
         ("tests/certificates/declined/version--3.json", 3),
         (hole.to_str().expect("UTF-8"), 1),
         ("no-such-file.json", 2),

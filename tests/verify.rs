@@ -37,7 +37,9 @@ fn files(folder: &str) -> Vec<String> {
     let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/certificates");
     let entries = fs::read_dir(path.join(folder)).expect(folder);
     let name = |entry: fs::DirEntry| entry.file_name().into_string().expect("ASCII");
-    let mut names: Vec<String> = entries.map(|entry| name(entry.expect("an entry"))).collect();
+    let mut names: Vec<String> = entries
+        .map(|entry| name(entry.expect("an entry")))
+        .collect();
     names.sort();
     names.into_iter().map(|n| format!("{folder}/{n}")).collect()
 }
@@ -45,7 +47,9 @@ fn files(folder: &str) -> Vec<String> {
 /// The option and the value that the end of a name demands: `…--limit-bits-5`, `…--max-bits-5`.
 fn limit(file: &str) -> Option<String> {
     let stem = file.rsplit_once('.').expect("an extension").0;
-    let (_, limit) = stem.rsplit_once("--limit-").or(stem.rsplit_once("--max-"))?;
+    let (_, limit) = stem
+        .rsplit_once("--limit-")
+        .or(stem.rsplit_once("--max-"))?;
     let (name, value) = limit.rsplit_once('-').expect("a value");
     Some(format!("--max-{name}={value}"))
 }

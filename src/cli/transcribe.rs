@@ -8,7 +8,6 @@ use acutile_catalog as catalog;
 use acutile_core::format::{self, VERSION, print, recognise};
 use acutile_core::refusal::exceeded;
 use acutile_io::import::{ImportError, read_bytes, uncompressed_name};
-use acutile_kernel::Limit;
 use std::borrow::Cow;
 use std::fs::{self, File};
 use std::io::{self, BufRead, Read};
@@ -87,7 +86,7 @@ fn read(input: &str, limit: u64) -> Result<Vec<u8>, InputError> {
         ImportError::TooLong { .. } => InputError {
             message: format!(
                 "{input}: declined [too-many-bytes] {}",
-                exceeded(Limit::Bytes, length.filter(|_| input != "-"))
+                exceeded("bytes", length.filter(|_| input != "-"))
             ),
             outcome: Outcome::Declined,
         },

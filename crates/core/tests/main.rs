@@ -3,6 +3,7 @@
 mod advice;
 mod delaunay;
 mod format;
+mod plane_regions;
 mod predicates;
 mod prover_properties;
 mod quality;

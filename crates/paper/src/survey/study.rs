@@ -38,11 +38,10 @@ impl<const D: usize> Study<D> {
     /// # Errors
     /// The first defect, in words.
     pub fn of(tiling: Tiling<D>) -> Result<Self, NotStudied> {
-        let proved =
-            prove(&tiling, &Options::default(), &|_| {}).map_err(|reason| NotStudied {
-                message: reason.in_words(&tiling),
-                is_refuted: matches!(reason, NotProved::Refuted(_)),
-            })?;
+        let proved = prove(&tiling, &Options::default(), &|_| {}).map_err(|reason| NotStudied {
+            message: reason.in_words(&tiling),
+            is_refuted: matches!(reason, NotProved::Refuted(_)),
+        })?;
         let shapes = shapes(&tiling);
         let measures = measures_of_shapes(&tiling, &shapes);
         let matching = match_facets(&tiling);
