@@ -5,7 +5,7 @@ use super::named::InputError;
 use super::outcome::Outcome;
 use super::output::{Output, write_file};
 use acutile_catalog as catalog;
-use acutile_core::format::{self, VERSION, json::JsonCode, print, recognise};
+use acutile_core::format::{self, VERSION, print, recognise};
 use acutile_core::refusal::exceeded;
 use acutile_io::import::{ImportError, read_bytes, uncompressed_name};
 use std::borrow::Cow;
@@ -100,8 +100,8 @@ fn read(input: &str, limit: u64) -> Result<Vec<u8>, InputError> {
 /// JSON that is not canonical, or another version.
 pub fn cbor<'b>(input: &str, bytes: &'b [u8]) -> Result<Cow<'b, [u8]>, InputError> {
     let cbor = format::to_cbor(bytes).map_err(|error| {
-        let is_version = error.code == JsonCode::Version;
-        refused(input, error.code.name(), &error.to_string(), is_version)
+        let is_declined = error.code.is_declined();
+        refused(input, error.code.name(), &error.to_string(), is_declined)
     })?;
     match format::version(&cbor) {
         Some(version) if version != VERSION => {

@@ -144,7 +144,7 @@ impl Verdict {
                 Kind::Malformed => 2,
                 Kind::Declined => 3,
             },
-            Verdict::Malformed(error) if error.code == format::json::JsonCode::Version => 3,
+            Verdict::Malformed(error) if error.code.is_declined() => 3,
             Verdict::Malformed(_) | Verdict::Unreadable(_) => 2,
             Verdict::TooLong(_) => 3,
         }

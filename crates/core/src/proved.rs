@@ -77,7 +77,13 @@ impl fmt::Display for NotProved {
                 write!(f, "the kernel does not confirm the certificate: {words}")
             }
             NotProved::Io(error) => write!(f, "{error}"),
-            NotProved::Json(error) => write!(f, "malformed [{}] {error}", error.code.name()),
+            NotProved::Json(error) => {
+                let verdict = match error.code.is_declined() {
+                    true => "declined",
+                    false => "malformed",
+                };
+                write!(f, "{verdict} [{}] {error}", error.code.name())
+            }
             NotProved::Unreadable(error) => write!(f, "{error}"),
         }
     }

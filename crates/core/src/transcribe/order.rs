@@ -171,6 +171,10 @@ fn most_open<const D: usize>(matching: &Matching<D>, rows: &[u32]) -> u32 {
     most
 }
 
+/// Added to coordinates before they are rounded down. Centroids often have round coordinates, where
+/// rounding errors would decide. Then the tiling of a certificate could get another certificate.
+const GENERIC: f64 = 0.000_317_81;
+
 /// The simplices sorted by the places of their centroids on a space-filling curve. In the
 /// directions of the lattice the places in the cell count.
 fn along_curve<const D: usize>(tiling: &Tiling<D>) -> Vec<u32> {
@@ -182,7 +186,7 @@ fn along_curve<const D: usize>(tiling: &Tiling<D>) -> Vec<u32> {
             let sum = corners.iter().fold(0.0, |sum, corner| {
                 sum + points[corner.vertex as usize][k] + f64::from(corner.shift[k])
             });
-            let mean = sum / (D as f64 + 1.0);
+            let mean = sum / (D as f64 + 1.0) + GENERIC;
             if k < rank { mean - mean.floor() } else { mean }
         })
     };
@@ -197,6 +201,9 @@ fn along_curve<const D: usize>(tiling: &Tiling<D>) -> Vec<u32> {
     keys.into_iter().map(|(_, simplex)| simplex).collect()
 }
 
+/// The same for the grid, whose cells have the length 1.
+const ABOVE: f64 = 0.37;
+
 /// The cells of a grid in which points lie; its cells are about cubes.
 fn places<const D: usize>(tiling: &Tiling<D>, points: &[[f64; D]]) -> Vec<[u32; D]> {
     let lengths: [f64; D] =
@@ -209,7 +216,9 @@ fn places<const D: usize>(tiling: &Tiling<D>, points: &[[f64; D]]) -> Vec<[u32; 
     let last = (1u32 << curve::BITS) - 1;
     let place = |x: &[f64; D]| -> [u32; D] {
         // A conversion of a double saturates.
-        std::array::from_fn(|k| (((x[k] - low[k]) * lengths[k] * cells) as u32).min(last))
+        std::array::from_fn(|k| {
+            (((x[k] - low[k]) * lengths[k] * cells + ABOVE) as u32).min(last)
+        })
     };
     points.iter().map(place).collect()
 }
