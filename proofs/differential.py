@@ -79,13 +79,35 @@ def entry(old, rng):
         return new if abs(new) < 2 ** 53 else str(new)
     if old.lstrip("-").isdigit():
         return str(int(old) + rng.choice([-1, 1]))
+    if old.endswith("angle"):
+        return rng.choice(["largest dihedral angle", "smallest dihedral angle"])
     return rng.choice(["acute", "nonobtuse", "Delaunay", "weakly Delaunay", "TCP", "space", "Q", "at most", "maximum", "minimum", "less than"])
+
+
+def tidy(row, dimension, rank):
+    """The row with its corners in the canonical order. The last two stay exchanged if they were."""
+    corners, rest = row[: dimension + 1], row[dimension + 1 :]
+    corners = [(c, [0] * rank) if isinstance(c, int) else (c[0], c[1:]) for c in corners]
+    was_exchanged = corners[-2] > corners[-1]
+    corners.sort()
+    origin = corners[0][1]
+    corners = [(v, [a - b for a, b in zip(shift, origin)]) for v, shift in corners]
+    if was_exchanged:
+        corners[-2:] = corners[:-3:-1]
+    return [[v] + shift if any(shift) else v for v, shift in corners] + rest
+
+
+def rank(claim):
+    name, dimension = claim["domain"], claim["dimension"]
+    if isinstance(name, str):
+        return dimension
+    return {"slab": dimension - 1, "prism": 1, "solid": 0}.get(name[0], name[1])
 
 
 def mutate(certificate, rng):
     """One entry changed; or two corners, coordinates or faces exchanged; or a row left out, or there twice."""
     kind = rng.random()
-    witness = certificate["witness"]
+    witness, shape = certificate["witness"], (certificate["claim"]["dimension"], rank(certificate["claim"]))
     simplices, boundary = witness["simplices"], witness["boundary"]
     if kind < 0.7:
         # the claim is small beside the witness: half of the changes are there
@@ -106,6 +128,9 @@ def mutate(certificate, rng):
         rows = rng.choice([simplices, simplices, boundary or simplices])
         i = rng.randrange(len(rows))
         rows.insert(rng.randrange(len(rows) + 1), rows[i]) if kind < 0.95 else rows.pop(i)
+    # most changes of corners break their order; put it right, so that the later checks are tested
+    if rng.random() < 0.8:
+        witness["simplices"] = [tidy(row, *shape) for row in simplices]
 
 
 def options(words):

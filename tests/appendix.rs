@@ -1,7 +1,7 @@
 //! `acutile appendix` as a user meets it: which files it writes, and which it leaves alone.
 //! That TeX compiles them and that their numbers are right is tested by .ci/appendix.
 
-use crate::common::{acutile, code, file, stderr};
+use crate::common::{acutile, acutile_verify, code, file, stderr, stdout};
 use std::fs;
 use std::path::Path;
 
@@ -60,6 +60,11 @@ fn a15_is_three_rows_and_its_certificate_is_the_one_of_the_catalogue() {
     assert!(section.contains(r"$\cos\theta=1/5$"));
     let of_catalogue = Path::new(env!("CARGO_MANIFEST_DIR")).join("certificates/a15.json");
     assert_eq!(text(place.path().join("anc/a15.json")), text(of_catalogue));
+    // The section names the certificate by its digest, which the kernel prints, too.
+    let verified = stdout(&acutile_verify([place.path().join("anc/a15.cbor")]));
+    let digest = verified.split("sha256 ").nth(1).expect("a digest").trim();
+    assert_eq!(digest.len(), 64);
+    assert!(section.contains(&format!("% acutile:sha256 a15 {digest}\n")));
 }
 
 #[test]
@@ -134,7 +139,7 @@ fn two_tilings_of_one_name_are_refused() {
     let refused = write(&["a15", path], &target, &[]);
     assert_eq!(code(&refused), 2);
     assert!(
-        stderr(&refused).contains("anc/a15.json"),
+        stderr(&refused).contains("anc/a15.cbor"),
         "{}",
         stderr(&refused)
     );

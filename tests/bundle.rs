@@ -69,22 +69,25 @@ fn three_verifiers_confirm_what_is_in_it_and_refuse_what_was_changed() {
         let found = std::fs::read(certificates.join(format!("{name}.json"))).expect(name);
         let expected = std::fs::read(format!("certificates/{name}.json")).expect(name);
         assert_eq!(found, expected, "{name}");
-        assert_eq!(
-            verdicts(directory.path(), name),
-            [Some(0), Some(0), Some(0)],
-            "{name}"
-        );
+        assert_eq!(verdicts(directory.path(), name), [Some(0); 4], "{name}");
+        let shown = acutile(["convert", path(&certificates, name, "cbor").as_str(), "-"]);
+        assert_eq!(shown.stdout, found, "{name}");
     }
     // A vertex of A15 moves; it is a certificate still, of something false.
     let text = std::fs::read_to_string(certificates.join("a15.json")).expect("a15");
     let (claim, witness) = text.split_at(text.find("\"witness\"").expect("a witness"));
-    let moved = format!("{claim}{}", witness.replacen("\"1/4\"", "\"1/5\"", 1));
+    let moved = format!("{claim}{}", witness.replacen("[0,0,2]", "[0,0,1]", 1));
     assert_ne!(moved, text);
-    std::fs::write(certificates.join("a15.json"), moved).expect("written");
-    assert_eq!(
-        verdicts(directory.path(), "a15"),
-        [Some(1), Some(1), Some(1)]
-    );
+    let [json, cbor] = ["json", "cbor"].map(|encoding| path(&certificates, "a15", encoding));
+    std::fs::write(&json, moved).expect("written");
+    std::fs::remove_file(&cbor).expect("removed");
+    assert_eq!(code(&acutile(["convert", json.as_str(), cbor.as_str()])), 0);
+    assert_eq!(verdicts(directory.path(), "a15"), [Some(1); 4]);
+}
+
+fn path(folder: &Path, name: &str, encoding: &str) -> String {
+    let path = folder.join(format!("{name}.{encoding}"));
+    path.to_str().expect("UTF-8").to_owned()
 }
 
 #[test]
@@ -109,16 +112,22 @@ fn of_cbor_python_reads_and_javascript_says_what_to_do() {
     }
 }
 
-/// The exit codes of the three verifiers; that of a program that is not there is what it must be.
-fn verdicts(directory: &Path, name: &str) -> [Option<i32>; 3] {
-    let path = format!("certificates/{name}.json");
-    let rust = acutile_verify([directory.join(&path)]).status.code();
-    let one = |program, verifier: &str| match run(program, directory, &[verifier, &path]) {
+/// The exit codes of the three verifiers, of the one in Python for both encodings; that of a program that is
+/// not there is what it must be.
+fn verdicts(directory: &Path, name: &str) -> [Option<i32>; 4] {
+    let [json, cbor] = ["json", "cbor"].map(|encoding| format!("certificates/{name}.{encoding}"));
+    let rust = acutile_verify([directory.join(&cbor)]).status.code();
+    let one = |program, verifier: &str, path: &str| match run(program, directory, &[verifier, path])
+    {
         Some(output) => output.status.code(),
         None => rust,
     };
-    let python = one("python3", "verify/verify.py");
-    [rust, python, one("node", "verify/verify-cli.mjs")]
+    [
+        rust,
+        one("python3", "verify/verify.py", &json),
+        one("python3", "verify/verify.py", &cbor),
+        one("node", "verify/verify-cli.mjs", &json),
+    ]
 }
 
 #[test]
@@ -174,8 +183,11 @@ fn what_the_kernel_refuses_is_in_no_archive() {
     let hole = crate::common::file(directory.path(), "hole.json", &hole.to_string());
     let cases = [
         ("tests/certificates/false/not-acute--cube-6.json", 1),
-        ("tests/certificates/malformed/canonical--space.json", 2),
-        ("tests/certificates/declined/version--2.json", 3),
+        (
+            "tests/certificates/malformed/canonical--gram-not-primitive.json",
+            2,
+        ),
+        ("tests/certificates/declined/version--3.json", 3),
         (hole.to_str().expect("UTF-8"), 1),
         ("no-such-file.json", 2),
         // Two inputs that would have one name.
@@ -243,12 +255,12 @@ fn meshes_and_tilings_are_read_again() {
         proved.stdout,
         std::fs::read("certificates/a15.json").expect("a15")
     );
-    // No coordinate of A15 is rounded, so that its meshes are the tiling: the basis vectors have the length 4.
+    // No coordinate of A15 is rounded, so that its meshes are the tiling. Its Gram matrix is the identity.
     for extension in ["msh", "vtu", "mesh"] {
         let path = tilings.join(format!("a15.{extension}"));
         let lattice = [
             "--lattice",
-            "4,0,0;0,4,0;0,0,4",
+            "1,0,0;0,1,0;0,0,1",
             "--identify",
             "0",
             "--require",
@@ -260,7 +272,8 @@ fn meshes_and_tilings_are_read_again() {
         let output = acutile(arguments.into_iter().chain(lattice.map(OsStr::new)));
         assert_eq!(code(&output), 0, "{extension}: {}", stderr(&output));
         let certificate = stdout(&output);
-        assert_eq!(certificate.matches("\n[[").count(), 2 * 46, "{extension}");
+        let (_, rows) = certificate.split_once("\"simplices\":[\n").expect("rows");
+        assert_eq!(rows.matches("\n[").count() + 1, 46, "{extension}");
     }
 }
 

@@ -18,21 +18,19 @@ fn text(path: &Path) -> &str {
 #[test]
 fn certify_writes_what_the_verifier_confirms() {
     let place = directory();
-    let certificate = place.path().join("a15.json");
-    let proved = acutile([
-        "certify",
-        "a15",
-        "--require",
-        "acute",
-        "-o",
-        text(&certificate),
-    ]);
-    assert_eq!(code(&proved), 0, "{}", stderr(&proved));
-    assert!(stdout(&proved).starts_with("a15: proved: "));
-    for verified in [
-        acutile_verify([&certificate]),
-        acutile(["verify", text(&certificate)]),
-    ] {
+    for name in ["a15.cbor", "a15.json"] {
+        let certificate = place.path().join(name);
+        let proved = acutile([
+            "certify",
+            "a15",
+            "--require",
+            "acute",
+            "-o",
+            text(&certificate),
+        ]);
+        assert_eq!(code(&proved), 0, "{}", stderr(&proved));
+        assert!(stdout(&proved).starts_with("a15: proved: "));
+        let verified = acutile(["verify", text(&certificate)]);
         assert_eq!(code(&verified), 0);
         let line = stdout(&verified);
         assert!(
@@ -41,6 +39,15 @@ fn certify_writes_what_the_verifier_confirms() {
         );
         assert_eq!(line.lines().count(), 1);
     }
+    // The kernel alone reads the certificate itself, which is the CBOR.
+    let verified = acutile_verify([place.path().join("a15.cbor")]);
+    assert_eq!(code(&verified), 0);
+    let line = stdout(&verified);
+    assert!(line.contains(": verified: 46 simplices"), "{line}");
+    assert_eq!(line.lines().count(), 1);
+    let refused = acutile_verify([place.path().join("a15.json")]);
+    assert_eq!(code(&refused), 2);
+    assert!(stdout(&refused).contains("`acutile verify FILE` reads it"));
 }
 
 #[test]
@@ -70,18 +77,17 @@ fn a_requirement_that_fails_is_a_refutation() {
     // The coordinates of the corners, and what can be done about it.
     assert!(lines.contains("      simplex 0: 0 at (0, 0, 0), 0+(1, 0, 0) at (1, 0, 0)"));
     assert!(lines.contains("> no motion of a single corner makes simplex 0 acute"));
-    assert_eq!(
-        code(&acutile(["certify", "a15", "--require", "dihedral<78.46"])),
-        1
-    );
-    assert_eq!(
-        code(&acutile(["certify", "a15", "--require", "dihedral<78.47"])),
-        0
-    );
-    assert_eq!(
-        code(&acutile(["certify", "z", "--require", "dihedral<77.08"])),
-        0
-    );
+    // The largest angle of A15 is arccos(1/5) = 78.4630409671… degrees.
+    for (input, requirement, expected) in [
+        ("a15", "dihedral<78.46", 1),
+        ("a15", "dihedral<78.46304096", 1),
+        ("a15", "dihedral<78.46304097", 0),
+        ("a15", "dihedral<78.47", 0),
+        ("z", "dihedral<77.08", 0),
+    ] {
+        let output = acutile(["certify", input, "--require", requirement]);
+        assert_eq!(code(&output), expected, "{input} {requirement}");
+    }
 }
 
 #[test]
@@ -292,11 +298,14 @@ fn a_certificate_does_not_replace_its_input() {
 fn a_link_stays_and_what_it_points_to_is_written() {
     let place = directory();
     let real = file(place.path(), "real.json", "old");
-    let link = place.path().join("link.json");
-    std::os::unix::fs::symlink(&real, &link).expect("a link");
-    assert_eq!(code(&acutile(["certify", "bcc", "-o", text(&link)])), 0);
-    assert!(link.symlink_metadata().expect("there").is_symlink());
-    assert_eq!(code(&acutile_verify([&real])), 0);
+    for name in ["link.json", "link.cbor"] {
+        let link = place.path().join(name);
+        std::os::unix::fs::symlink(&real, &link).expect("a link");
+        assert_eq!(code(&acutile(["certify", "bcc", "-o", text(&link)])), 0);
+        assert!(link.symlink_metadata().expect("there").is_symlink());
+        assert_eq!(code(&acutile(["verify", text(&real)])), 0, "{name}");
+    }
+    assert_eq!(code(&acutile_verify([&real])), 0, "CBOR is there last");
 }
 
 #[test]
@@ -338,7 +347,7 @@ fn several_certificates_go_into_a_directory() {
     let output = acutile(["certify", "a15", "cube-6", "-o", text(&target)]);
     assert_eq!(code(&output), 0, "{}", stderr(&output));
     for name in ["a15.json", "cube-6.json"] {
-        assert_eq!(code(&acutile_verify([target.join(name)])), 0);
+        assert_eq!(code(&acutile(["verify", text(&target.join(name))])), 0);
     }
 }
 
@@ -516,7 +525,7 @@ fn without_a_certificate() {
         "{line}"
     );
     assert!(
-        line.contains("all dihedral angles below 7847/100"),
+        line.contains("all dihedral angles are at most arccos(1/5) = 78.4630... degrees, attained"),
         "{line}"
     );
     let refuted = acutile([

@@ -3,6 +3,7 @@
 mod appendix;
 mod bundle;
 mod cbor_files;
+mod certificate_inputs;
 mod cif;
 mod cli;
 mod common;
@@ -14,3 +15,4 @@ mod meshes;
 mod paper;
 mod report;
 mod starting_files;
+mod verify;

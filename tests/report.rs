@@ -1,10 +1,10 @@
 //! `acutile report`: what is in a page, and what never comes into one.
 
 use crate::common::{acutile, code, file, kuhn, stderr, stdout};
-use acutile_core::checker::{Options, prove};
+use acutile_core::checker::Options;
+use acutile_core::proved::prove;
 use acutile_core::tiling::AnyTiling;
-use acutile_format1::certificate::{Certificate, to_bytes};
-use acutile_io::import::tiling_of_certificate;
+use acutile_core::{format, transcribe};
 use serde_json::{Value, json};
 
 /// The text of the page for these inputs.
@@ -121,8 +121,8 @@ fn what_the_kernel_refuses_has_no_page() {
     let certificate = std::fs::read_to_string("certificates/a15.json").expect("a15");
     let head = certificate.find("\"witness\"").expect("a witness");
     let (claim, witness) = certificate.split_at(head);
-    let moved = format!("{claim}{}", witness.replacen("\"1/4\"", "\"1/5\"", 1));
-    let future = certificate.replacen("\"version\":1", "\"version\":7", 1);
+    let moved = format!("{claim}{}", witness.replacen("[0,0,2]", "[0,0,1]", 1));
+    let future = certificate.replacen("\"version\":2", "\"version\":7", 1);
     let cases = [
         ("false.json", moved, 1, "rejected ["),
         (
@@ -214,19 +214,19 @@ fn certificates_are_read_back() {
     let mut read = 0;
     for entry in std::fs::read_dir("certificates").expect("certificates") {
         let path = entry.expect("an entry").path();
-        let bytes = std::fs::read(&path).expect("it can be read");
-        if bytes.len() > 12_000 {
+        let json = std::fs::read(&path).expect("it can be read");
+        if json.len() > 12_000 {
             continue;
         }
-        let certificate: Certificate = serde_json::from_slice(&bytes).expect("a certificate");
-        let tiling = tiling_of_certificate(&certificate).expect("its tiling");
+        let cbor = format::to_cbor(&json).expect("a certificate");
+        let (tiling, _) = transcribe::of_certificate(&cbor).expect("its tiling");
         let again = match &tiling {
             AnyTiling::Plane(tiling) => prove(tiling, &Options::default(), &|_| {}),
             AnyTiling::Space(tiling) => prove(tiling, &Options::default(), &|_| {}),
         };
         assert_eq!(
-            to_bytes(&again.expect("proved")),
-            bytes,
+            again.expect("proved").certificate(),
+            &cbor[..],
             "{}",
             path.display()
         );
@@ -238,19 +238,23 @@ fn certificates_are_read_back() {
 /// Certificates that are wrong are tilings that are wrong, or errors; nothing panics.
 #[test]
 fn wrong_certificates_are_read_or_not() {
-    let mut read = 0;
-    for folder in ["malformed", "false"] {
+    let (mut read, mut refused) = (0, 0);
+    for folder in ["malformed", "false", "declined", "cbor"] {
         for entry in std::fs::read_dir(format!("tests/certificates/{folder}")).expect(folder) {
             let bytes = std::fs::read(entry.expect("an entry").path()).expect("it can be read");
-            if let Ok(certificate) = serde_json::from_slice::<Certificate>(&bytes) {
-                if let Err(error) = tiling_of_certificate(&certificate) {
+            let Ok(cbor) = format::to_cbor(&bytes) else {
+                continue;
+            };
+            match transcribe::of_certificate(&cbor) {
+                Ok(_) => read += 1,
+                Err(error) => {
                     assert!(!error.to_string().is_empty());
+                    refused += 1;
                 }
-                read += 1;
             }
         }
     }
-    assert!(read > 20, "{read} certificates");
+    assert!(read > 200 && refused > 20, "{read} read, {refused} refused");
 }
 
 #[test]

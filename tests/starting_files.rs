@@ -2,12 +2,11 @@
 //! wrong, or with a thousand random changes.
 
 use crate::common::{acutile, code, file, stderr, stdout};
-use acutile_core::checker::{Options, prove};
+use acutile_core::checker::Options;
 use acutile_core::delaunay::{Ties, triangulate};
+use acutile_core::proved::{NotProved, prove};
 use acutile_core::tiling::{AnyPointSet, AnyTiling, PointSet, Tiling};
 use acutile_core::with_dimension;
-use acutile_format1::certificate;
-use acutile_format1::verifier::{self, Limits};
 use acutile_io::import::cif::{CifOptions, read_cif};
 use acutile_io::import::{Content, read_native, without_comments};
 use serde_json::{Value, json};
@@ -136,10 +135,11 @@ fn delaunay<const D: usize>(points: &PointSet<D>) -> Option<Tiling<D>> {
 
 /// What the prover proves the kernel confirms.
 fn statements<const D: usize>(tiling: &Tiling<D>) -> Option<usize> {
-    let certificate = prove(tiling, &Options::default(), &|_| ()).ok()?;
-    let bytes = certificate::to_bytes(&certificate);
-    let verified = verifier::verify(&bytes, &Limits::DEFAULT).expect("the kernel confirms");
-    Some(verified.claim().statements.len())
+    match prove(tiling, &Options::default(), &|_| ()) {
+        Ok(proved) => Some(proved.verified().claim.statements.len()),
+        Err(NotProved::Refuted(_) | NotProved::Declined(_)) => None,
+        Err(error) => panic!("the kernel does not confirm: {error}"),
+    }
 }
 
 /// Every corner moved by a lattice vector, or replaced by another vertex where there is no lattice; every

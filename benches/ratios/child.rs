@@ -6,7 +6,7 @@
 use crate::clock::{once, peak_megabytes};
 use crate::data::{FIELDS, a15, a15_points, bent, doubles, skewed_points};
 use crate::predicates::is_right;
-use crate::{reading, verifier, whole};
+use crate::{parts, reading, verifier};
 use acutile_core::checker::Model;
 use acutile_core::delaunay::{Ties, triangulate};
 use acutile_core::predicates::Shape;
@@ -137,7 +137,7 @@ type Done = (usize, Duration, Duration, String);
 fn done(work: &Work) -> Done {
     let (n, times) = (work.size, work.times);
     match work.kind.as_str() {
-        "whole" => whole::check(n, times),
+        "whole" => parts::check(n, times),
         "filter" => filter(&doubles(&a15(n), 1e-4, None), times),
         "exact" => exact(&bent(&a15(n), "1/1048583"), times),
         "quadratic" => exact(&bent(&a15(n), FIELDS[0].1), times),

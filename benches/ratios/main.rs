@@ -10,6 +10,7 @@
 //! | `data` | the tilings that are measured |
 //! | `naive` | the pass in doubles that proves nothing |
 //! | `predicates`, `statements`, `matching`, `whole`, `delaunay`, `reading`, `verifier` | rows of the table |
+//! | `parts` | the work of "whole" |
 //! | `growth` | time and memory over four sizes |
 //! | `instructions` | callgrind's counts of three fixed cases |
 //! | `inputs` | files for the programs of others in `benches/peers` |
@@ -27,6 +28,7 @@ mod inputs;
 mod instructions;
 mod matching;
 mod naive;
+mod parts;
 mod predicates;
 mod reading;
 mod row;

@@ -3,10 +3,10 @@
 use crate::clock::on_processor;
 use crate::data::{FIELDS, a15, bent};
 use crate::row::{Table, Target};
-use acutile_core::checker::{Options, prove};
+use acutile_core::checker::Options;
+use acutile_core::proved::prove;
 use acutile_core::tiling::Tiling;
-use acutile_format1::certificate::to_bytes;
-use acutile_format1::verifier::{Limits, verify};
+use acutile_kernel::{Limits, verify};
 
 /// The rows of the verifier.
 pub fn measure(table: &Table) {
@@ -26,14 +26,12 @@ pub fn measure(table: &Table) {
 
 /// The certificate of a tiling.
 pub fn certificate(tiling: &Tiling<3>) -> Vec<u8> {
-    to_bytes(&prove(tiling, &Options::default(), &|_| ()).expect("it is a tiling"))
+    let proved = prove(tiling, &Options::default(), &|_| ()).expect("it is a tiling");
+    proved.certificate().to_vec()
 }
 
 /// Runs the kernel; gives the number of tetrahedra.
-pub fn check(bytes: &[u8]) -> usize {
-    let limits = Limits {
-        simplices: usize::MAX,
-        ..Limits::default()
-    };
-    verify(bytes, &limits).expect("it is right").simplices()
+pub fn check(mut bytes: &[u8]) -> usize {
+    let verified = verify(&mut bytes, &Limits::DEFAULT).expect("it is right");
+    verified.simplices as usize
 }

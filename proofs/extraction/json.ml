@@ -1,11 +1,11 @@
-(* The little of JSON that certificates use, read and written: objects, arrays,
-   strings without escapes, integers. Unverified. *)
+(* The part of JSON that certificates use: objects, arrays, strings of printable ASCII
+   without escapes, integers. It reads a text and writes the canonical text. *)
 
 type t = Object of (string * t) list | Array of t list | String of string | Integer of string
 
 exception Unreadable of string
 
-let fail at what = raise (Unreadable (Printf.sprintf "byte %d: %s" at what))
+let fail at reason = raise (Unreadable (Printf.sprintf "byte %d: %s" at reason))
 
 let parse (s : string) : t =
   let n = String.length s and i = ref 0 in
@@ -16,7 +16,7 @@ let parse (s : string) : t =
     expect '"';
     let start = !i in
     while !i < n && peek () <> '"' do
-      if peek () = '\\' || peek () < ' ' then fail !i "an escape or a control character";
+      if peek () = '\\' || peek () < ' ' || peek () > '~' then fail !i "an escape or a character that is not printable ASCII";
       incr i
     done;
     let t = String.sub s start (!i - start) in
@@ -38,7 +38,7 @@ let parse (s : string) : t =
       | c when c = close && !i < n -> incr i; List.rev (x :: acc)
       | _ -> fail !i "expected a comma or the end"
     end in
-  (* Nesting is bounded, so that the stack is. *)
+  (* The bound on nesting bounds the stack. *)
   let rec value depth =
     if depth > 16 then fail !i "nested too deeply";
     space ();
@@ -52,13 +52,13 @@ let parse (s : string) : t =
   if !i < n then fail !i "trailing data";
   v
 
-(* The canonical bytes: a line break around and within the outer three levels. *)
+(* The canonical bytes: each item of the outer three levels stands on its own line. *)
 let canonical (v : t) : string =
   let b = Buffer.create 65536 in
   let line depth = if depth <= 3 then Buffer.add_char b '\n' in
   let members depth items write =
     List.iteri (fun k x -> if k > 0 then Buffer.add_char b ','; line depth; write x) items;
-    if depth <= 3 then Buffer.add_char b '\n' in
+    if items <> [] then line depth in
   let rec write depth = function
     | String s -> Buffer.add_char b '"'; Buffer.add_string b s; Buffer.add_char b '"'
     | Integer s -> Buffer.add_string b s

@@ -1,136 +1,186 @@
-(* acutile-coq-check CERTIFICATE...: the extracted checker on certificate files.
+(* acutile-coq-check CERTIFICATE...: the extracted checker on certificates in JSON.
 
    Trusted, besides the extraction and the OCaml compiler: json.ml, numbers.ml and this
    file, which turn text into the data that the theorems speak of. The verdict is
    computed by extracted code alone.
    One line for each file. Exit code 0 if all are proved, else the first that occurs of
-   1 (one is rejected), 2 (one is unreadable, or usage), 3 (one is declined). *)
+   1 (one is rejected), 2 (one is malformed or unreadable, or usage), 3 (one is declined). *)
 
 open Checker
 open Json
 open Numbers
 
-(* The claim: numbers, field, statements *)
+(* Numbers: an integer over Q, n coefficients over a field of degree n *)
 
-let array = function Array l -> l | _ -> reject "expected an array"
+let array = function Array l -> l | _ -> malformed "expected an array"
 let number degree v =
-  let text = function String t -> rational t | _ -> reject "a number is not a string" in
-  match v with
-  | String t -> [rational t]
-  | Array l ->
-    let cs = List.map text l in
-    let n = List.length cs in
-    need (2 <= n && n <= degree) "the number of coefficients";
-    need (not (Z.eqb (fst (List.nth cs (n - 1))) Z0)) "a last coefficient of zero";
+  if degree = 1 then [integer v]
+  else begin
+    let cs = List.map integer (array v) in
+    form (List.length cs = degree) "the number of coefficients";
     cs
-  | _ -> reject "a number"
-let rows degree length v =
-  let row v = let l = List.map (number degree) (array v) in need (List.length l = length) "the length of a row"; l in
-  List.map row (array v)
+  end
+let row degree length v =
+  let l = List.map (number degree) (array v) in
+  form (List.length l = length) "the length of a row";
+  l
+let rows degree length v = List.map (row degree length) (array v)
+let denominator v table =
+  let m = integer v in
+  form (is_positive m) "a denominator that is not positive";
+  form (Z.eqb (common_divisor m table) one) "a common factor of a denominator";
+  m
 
-let statement = function
-  | String "face-to-face tiling" -> (0, None)
-  | String "acute" -> (1, Some Acute)
-  | String "nonobtuse" -> (2, Some Nonobtuse)
-  | Object ["all dihedral angles below", String t] -> let (p, q) = rational t in (3, Some (DihedralBelow (p, q)))
-  | Object ["all dihedral angles above", String t] -> let (p, q) = rational t in (4, Some (DihedralAbove (p, q)))
-  | Object ["all radius-edge ratios below", String t] -> let (p, q) = rational t in (5, Some (RadiusEdgeBelow (p, q)))
-  | String "Delaunay" -> (6, Some Delaunay)
-  | String "weakly Delaunay" -> (7, Some WeaklyDelaunay)
-  | String "TCP" -> (8, Some TCP)
-  | _ -> reject "an unknown statement"
-let statements v =
-  let l = List.map statement (array v) in
-  let rec increasing = function a :: (b :: _ as r) -> fst a < fst b && increasing r | _ -> true in
-  need (l <> [] && fst (List.hd l) = 0 && increasing l) "the order of the statements";
-  List.filter_map snd l
+(* The field: the lower coefficients of the polynomial, and the interval of the root *)
 
 let field = function
   | String "Q" -> None
-  | Object ["Q(a)", Object ["polynomial", p; "root", Array [String lo; String hi]]] ->
-    let text = function String t -> z_of_text t | _ -> reject "the polynomial" in
-    let cs = List.map text (array p) in
+  | Object ["polynomial", p; "root", Object ["low", lo; "high", hi; "denominator", s]] ->
+    let cs = List.map integer (array p) in
     let n = List.length cs - 1 in
-    need (n >= 2 && Z.eqb (List.nth cs n) one) "the polynomial is not monic of degree at least two";
-    if n > 32 then raise (Declined "the degree");
-    let fl = List.filteri (fun k _ -> k < n) cs in
-    if String.length lo + String.length hi > 200 then raise (Declined "a root with long ends");
-    let (p1, q1) = rational lo and (p2, q2) = rational hi in
-    let lo = Z.mul p1 q2 and hi = Z.mul p2 q1 and s = Z.mul q1 q2 in
-    need (Z.ltb lo hi) "the interval of the root";
-    Some (fl, (lo, hi, s))
-  | _ -> reject "the field"
+    form (n >= 2 && Z.eqb (List.nth cs n) one) "the polynomial is not monic of degree at least two";
+    if n > 8 then raise (Declined "the degree");
+    let lo = integer lo and hi = integer hi and s = integer s in
+    form (is_positive s && Z.ltb lo hi) "the interval of the root";
+    form (Z.eqb (Z.gcd s (Z.gcd lo hi)) one) "a common factor of the interval of the root";
+    if List.exists (fun x -> bits_of x > 400) [lo; hi; s] then raise (Declined "a root with long ends");
+    Some (List.filteri (fun k _ -> k < n) cs, (lo, hi, s))
+  | _ -> malformed "the field"
 
-(* The witness: corners and mates *)
+(* Statements, each with its place in the order; numbers are lists of coefficients *)
 
-let bound = 1 lsl 31
-let int_of = function
-  | Integer t when integer_text t && String.length t <= 11 ->
-    let n = int_of_string t in
-    need (abs n < bound) "an integer beyond 2^31"; n
-  | _ -> reject "expected a small integer"
-let index limit n = need (0 <= n && n < limit) "an index out of range"; n
-(* The entries of a lattice vector of rank r, zeros filled in. *)
+let relation = function
+  | String "less than" -> (0, LessThan)
+  | String "at most" -> (1, AtMost)
+  | String "maximum" -> (2, Maximum)
+  | String "more than" -> (3, MoreThan)
+  | String "at least" -> (4, AtLeast)
+  | String "minimum" -> (5, Minimum)
+  | _ -> malformed "an unknown relation"
+let fraction degree = function
+  | Array [p; q] ->
+    let p = number degree p in
+    (p, denominator q [[p]])
+  | _ -> malformed "a fraction"
+let sign v =
+  match small v with
+  | (-1 | 0 | 1) as n -> z_of_int n
+  | _ -> malformed "a sign"
+let is_zero p = List.for_all (fun c -> c = Z0) p
+let statement degree = function
+  | String "face-to-face tiling" -> (0, None)
+  | String "acute" -> (10, Some CAcute)
+  | String "nonobtuse" -> (20, Some CNonobtuse)
+  | Array [String ("largest dihedral angle" | "smallest dihedral angle" as quantity); rel; sg; f] ->
+    let (place, rel) = relation rel and sg = sign sg and (p, q) = fraction degree f in
+    form (sg = Z0 = is_zero p) "a bound of zero with a sign, or the reverse";
+    if quantity = "largest dihedral angle" then (30 + place, Some (CLargestDihedralAngle (rel, sg, p, q)))
+    else (40 + place, Some (CSmallestDihedralAngle (rel, sg, p, q)))
+  | Array [String "squared radius-edge ratio"; rel; f] ->
+    let (place, rel) = relation rel and (p, q) = fraction degree f in
+    (50 + place, Some (CSquaredRadiusEdgeRatio (rel, p, q)))
+  | String "Delaunay" -> (60, Some CDelaunay)
+  | String "weakly Delaunay" -> (70, Some CWeaklyDelaunay)
+  | String ("locally Delaunay" | "locally weakly Delaunay") -> malformed "a local statement about a domain that is not a region"
+  | String "TCP" -> (80, Some CTCP)
+  | _ -> malformed "an unknown statement"
+let statements degree v =
+  let l = List.map (statement degree) (array v) in
+  let rec increasing = function a :: (b :: _ as r) -> fst a < fst b && increasing r | _ -> true in
+  form (l <> [] && fst (List.hd l) = 0 && increasing l) "the order of the statements";
+  List.filter_map snd l
+
+(* The domain: the rank of the lattice, and the polytope *)
+
+let domain d degree v =
+  let polytope k = function
+    | Object ["denominator", m; "vertices", vertices; "faces", faces] ->
+      let ws = rows degree k vertices in
+      let index i = let i = small i in form (0 <= i && i < List.length ws) "a vertex of a face out of range"; i in
+      (d - k, Some (denominator m ws, ws, List.map (fun f -> List.map index (array f)) (array faces)))
+    | _ -> malformed "the polytope" in
+  match v with
+  | String "space" -> (d, None)
+  | Array [String "slab"; p] -> polytope 1 p
+  | Array [String "prism"; p] -> form (d = 3) "a prism in the plane"; polytope 2 p
+  | Array [String "solid"; p] -> polytope d p
+  | Array [String "region"; _] -> raise (Declined "a region: its soundness is proved on paper only")
+  | _ -> malformed "the domain"
+
+(* Rows: corners, in the canonical order, and the bits of TCP *)
+
 let shift r l =
-  need (List.length l = r) "the length of a corner or a mate";
+  let entry v = let n = small v in form (abs n < 1 lsl 29) "a shift out of range"; n in
+  let l = List.map entry l in
+  form (List.length l = r && List.exists (fun n -> n <> 0) l) "a shift";
   let at k = if k < r then List.nth l k else 0 in
   (at 0, at 1, at 2)
 let corner r used v =
-  match List.map int_of (array v) with
-  | i :: l -> let i = index (Array.length used) i in used.(i) <- true; (i, shift r l)
-  | [] -> reject "an empty corner"
-type mate = Behind of int * int * (int * int * int) | Face of int
-let mate d r simplices faces v =
-  match List.map int_of (array v) with
-  | [f] when r < d -> Face (index faces f)
-  | t :: j :: l -> Behind (index simplices t, index (d + 1) j, shift r l)
-  | _ -> reject "the length of a mate"
-let same_length l n what = need (List.length l = n) what; l
+  let vertex v = let i = small v in form (0 <= i && i < Array.length used) "a vertex out of range"; used.(i) <- true; i in
+  match v with
+  | Array (v :: l) -> (vertex v, shift r l)
+  | v -> (vertex v, (0, 0, 0))
+let in_order = function
+  | [a; b; c] -> a < b && a < c && b <> c
+  | [a; b; c; d] -> a < b && b < c && b < d && c <> d
+  | _ -> false
+let simplex d r used tcp v =
+  let n = d + 1 in
+  let items = array v in
+  form (List.length items = n + Bool.to_int tcp) "the length of a row";
+  let corners = List.map (corner r used) (List.filteri (fun k _ -> k < n) items) in
+  form (snd (List.hd corners) = (0, 0, 0) && in_order corners) "the order of the corners";
+  let sixes = if tcp then small (List.nth items n) else 0 in
+  form (0 <= sixes && sixes < 64) "the bits of a row";
+  (corners, sixes)
+
+(* The data of the checker *)
 
 let z3 (x, y, z) = ((z_of_int x, z_of_int y), z_of_int z)
 let z2 (x, y, _) = (z_of_int x, z_of_int y)
-
-let tetrahedra corners mates =
+let mate shift = Option.map (fun (k, i, s) -> ((n_of_int k, n_of_int i), shift s))
+let tetrahedra corners =
   let place (v, s) = (n_of_int v, z3 s) in
-  let behind = function Behind (t, j, s) -> Some ((n_of_int t, n_of_int j), z3 s) | Face _ -> None in
-  let one cs ms = match List.map place cs, List.map behind ms with
+  let one cs ms = match List.map place cs, List.map (mate z3) ms with
     | [q0; q1; q2; q3], [m0; m1; m2; m3] -> { q0; q1; q2; q3; m0; m1; m2; m3 }
-    | _ -> reject "a simplex" in
-  List.map2 one corners mates
-
-(* In the plane the corners stand in ascending order, and the mates follow them. *)
-let order corners = List.sort (fun i j -> compare (List.nth corners i) (List.nth corners j)) [0; 1; 2]
-let position corners i = let rec find k = function j :: l -> if i = j then k else find (k + 1) l | [] -> 0 in find 0 (order corners)
-let triangles corners mates =
-  let all = Array.of_list corners in
+    | _ -> malformed "a simplex" in
+  Array.to_list (Array.map2 one corners (Pairing.mates corners))
+(* The corners of a triangle ascend; it is even if they did so in its row. *)
+let triangles corners =
+  let sorted = Array.map (List.sort compare) corners in
   let place (v, s) = (n_of_int v, z2 s) in
-  let behind = function Behind (t, j, s) -> Some ((n_of_int t, n_of_int (position all.(t) j)), z2 s) | Face _ -> None in
-  let one cs ms = match List.map (fun i -> (place (List.nth cs i), behind (List.nth ms i))) (order cs) with
-    | [(p0, n0); (p1, n1); (p2, n2)] -> { p0; p1; p2; n0; n1; n2; even = List.mem (order cs) [[0; 1; 2]; [1; 2; 0]; [2; 0; 1]] }
-    | _ -> reject "a simplex" in
-  List.map2 one corners mates
+  let one cs ms even = match List.map place cs, List.map (mate z2) ms with
+    | [p0; p1; p2], [n0; n1; n2] -> { p0; p1; p2; n0; n1; n2; even }
+    | _ -> malformed "a simplex" in
+  let pairs = Array.map2 (fun ms even -> (ms, even)) (Pairing.mates sorted) (Array.map2 (=) sorted corners) in
+  Array.to_list (Array.map2 (fun cs (ms, even) -> one cs ms even) sorted pairs)
 
-(* Vectors of the ring: over Q the coefficient itself, over Q(a) all of them. *)
-let v3 scalar = function [x; y; z] -> { vX = scalar x; vY = scalar y; vZ = scalar z } | _ -> reject "a vertex"
+(* Vectors of the ring: over Q the coefficient itself, over a field all of them. *)
+let v3 scalar = function [x; y; z] -> { vX = scalar x; vY = scalar y; vZ = scalar z } | _ -> malformed "a vertex"
 let in_front n row = List.init n (fun _ -> [Z0]) @ row
+let over scalar = function
+  | CAcute -> CAcute
+  | CNonobtuse -> CNonobtuse
+  | CLargestDihedralAngle (rel, sg, p, q) -> CLargestDihedralAngle (rel, sg, scalar p, q)
+  | CSmallestDihedralAngle (rel, sg, p, q) -> CSmallestDihedralAngle (rel, sg, scalar p, q)
+  | CSquaredRadiusEdgeRatio (rel, p, q) -> CSquaredRadiusEdgeRatio (rel, scalar p, q)
+  | CDelaunay -> CDelaunay
+  | CWeaklyDelaunay -> CWeaklyDelaunay
+  | CTCP -> CTCP
 
-let domain d v =
-  match v with
-  | String "space" -> (d, None)
-  | String "region" -> raise (Declined "a region: its soundness is proved on paper only")
-  | Object [name, Object ["vertices", vertices; "faces", faces]] ->
-    let k = match name with "slab" -> 1 | "prism" -> need (d = 3) "a prism in the plane"; 2 | "solid" -> d | _ -> reject "the domain" in
-    (d - k, Some (vertices, List.map (fun f -> List.map int_of (array f)) (array faces)))
-  | _ -> reject "the domain"
-
-(* All of a certificate, over the ring in which [scalar] puts numbers *)
+(* The checker over one ring, in which [scalar] puts numbers *)
 
 type 'a judge = {
-  format : z -> nat -> 'a v3 list -> n list list -> (n * 'a v3 list) list -> bool;
-  cert : z -> 'a v3 list -> ctet list -> z -> 'a kgram -> nat -> 'a v3 list -> n list list -> 'a cert;
-  space : 'a cert -> statement list -> bool;
-  plane : 'a cert2 -> statement list -> bool;
+  format : z -> nat -> 'a v3 list -> n list list -> bool;
+  cert : z -> 'a v3 list -> ctet list -> 'a kgram -> nat -> 'a v3 list -> n list list -> 'a cert;
+  space : 'a cert -> 'a cstatement list -> bool;
+  plane : 'a cert2 -> 'a cstatement list -> bool;
   scalar : z list -> 'a }
+
+type data = {
+  d : int; r : int; den : z; gram : z list list; vertices : z list list list;
+  polytope : z list list list; faces : int list list;
+  corners : (int * (int * int * int)) list array; claimed : z list cstatement list }
 
 (* How many determinants the checks compute, about and at most, for t simplices, k = d - r, a polytope
    with w vertices. For a tile a hundred: signs, angles, spheres. For each of its corners half of the
@@ -148,112 +198,111 @@ let determinants k t w faces =
   let t = cap t and w = cap w and n = cap n and sides = cap sides and p = cap pieces in
   100 * t + 20 * t * (p + n) + 2 * p * p * p + n * w + sides * sides
 
-let judged (type a) (j : a judge) d r gram vertices polytope faces corners mates ss =
-  let k = d - r in
-  let den = denominator [vertices; polytope] and gden = denominator [gram] in
-  let v3 = v3 j.scalar in
-  let vs = scaled den vertices and ws = scaled den polytope and g = scaled gden gram in
-  let numbers = List.concat (List.concat [vs; ws; g]) in
-  let words = 1 + List.fold_left (fun m c -> max m (bits_of c)) 0 (List.concat numbers) / 64 in
-  let degree = List.fold_left (fun m c -> max m (List.length c)) 1 numbers in
-  if determinants k (List.length corners) (List.length ws) faces > 100_000_000 / (degree * degree * words * words) then raise (Declined "the work");
-  let e a b = j.scalar (List.nth (List.nth g a) b) in
-  let faces = List.map (List.map n_of_int) faces in
-  (* what the format demands of the domain *)
-  let corner_of c = v3 (in_front (3 - d) (List.nth vs (fst c))) in
-  let named = List.concat (List.map2 (fun cs ms ->
-      List.concat (List.mapi (fun i m -> match m with
-        | Face f -> [(n_of_int f, List.map corner_of (List.filteri (fun k _ -> k <> i) cs))]
-        | Behind _ -> []) ms)) corners mates) in
-  let padded = List.map (fun w -> v3 (in_front (3 - k) w)) ws in
-  need (k = 0 || j.format den (nat_of_int (3 - k)) padded faces named) "the polytope, or a facet in its boundary";
-  (* the theorem *)
-  let rank = nat_of_int r in
-  if d = 3 then
-    let kgram = { k11 = e 0 0; k22 = e 1 1; k33 = e 2 2; k12 = e 0 1; k13 = e 0 2; k23 = e 1 2 } in
-    need (j.space (j.cert den (List.map v3 vs) (tetrahedra corners mates) gden kgram rank padded faces) ss) "the checks"
-  else
-    let pair = function [x; y] -> (j.scalar x, j.scalar y) | _ -> reject "a vertex" in
-    need (j.plane { e_den = den; e_verts = List.map pair vs; e_tris = triangles corners mates; e_gden = gden;
-      e_gram = ((e 0 0, e 1 1), e 0 1); e_rank = rank; e_polytope = List.map (fun w -> pair (in_front (2 - k) w)) ws;
-      e_faces = faces } ss) "the checks"
+let judged (type a) (j : a judge) (c : data) =
+  let k = c.d - c.r in
+  let numbers = c.gram :: c.vertices @ c.polytope in
+  let words = 1 + List.fold_left (fun m c -> max m (bits_of c)) 0 (List.concat (List.concat numbers)) / 64 in
+  let degree = List.fold_left (fun m c -> max m (List.length c)) 1 (List.concat numbers) in
+  if determinants k (Array.length c.corners) (List.length c.polytope) c.faces > 100_000_000 / (degree * degree * words * words) then raise (Declined "the work");
+  let v3 = v3 j.scalar and faces = List.map (List.map n_of_int) c.faces and claimed = List.map (over j.scalar) c.claimed in
+  let padded = List.map (fun w -> v3 (in_front (3 - k) w)) c.polytope in
+  need (k = 0 || j.format c.den (nat_of_int (3 - k)) padded faces) "the polytope";
+  let rank = nat_of_int c.r in
+  match c.d, List.map j.scalar c.gram with
+  | 3, [k11; k12; k13; k22; k23; k33] ->
+    let kgram = { k11; k22; k33; k12; k13; k23 } in
+    need (j.space (j.cert c.den (List.map v3 c.vertices) (tetrahedra c.corners) kgram rank padded faces) claimed) "the checks"
+  | 2, [g11; g12; g22] ->
+    let pair = function [x; y] -> (j.scalar x, j.scalar y) | _ -> malformed "a vertex" in
+    need (j.plane { e_den = c.den; e_verts = List.map pair c.vertices; e_tris = triangles c.corners;
+      e_gram = ((g11, g22), g12); e_rank = rank; e_polytope = List.map (fun w -> pair (in_front (2 - k) w)) c.polytope;
+      e_faces = faces } claimed) "the checks"
+  | _ -> malformed "the Gram matrix"
 
 (* Over a field a check may fail because a sign is open: a value that is zero although its coefficients
    are not, over a reducible polynomial, or one too close to zero. Such a certificate is declined. The
-   same functions run again, with comparisons that note it; what they answer is of no account. *)
-let why_rejected fl e0 es by what =
+   same functions run again, with comparisons that note it; their answers have no effect. *)
+let why_rejected fl e0 es c reason =
   let is_open = ref false in
   let note x y = if not (lleb e0 es x y || lltb e0 es y x) then is_open := true in
   let less x y = note x y; lltb e0 es x y and at_most x y = note x y; lleb e0 es x y in
-  (try by { format = as_the_format_says ladd lsub (lmul fl) lofZ less at_most;
+  (try judged { format = as_the_format_says ladd lsub (lmul fl) lofZ less at_most;
             cert = faces_cert ladd lsub (lmul fl) lofZ at_most;
             space = Checker.check ladd lsub (lmul fl) lofZ less at_most;
-            plane = check2 ladd lsub (lmul fl) lofZ less at_most; scalar = (fun x -> x) }
+            plane = check2 ladd lsub (lmul fl) lofZ less at_most; scalar = (fun x -> x) } c
    with Rejected _ -> ());
-  if !is_open then raise (Declined "a sign that 256 halvings of the root leave open") else reject what
+  raise (if !is_open then Declined "a sign that 256 halvings of the root leave open" else Rejected reason)
 
-let certificate v =
-  match v with
-  | Object ["format", String "acutile-certificate"; "version", Integer version; "claim", claim; "witness", witness] ->
-    if version <> "1" then raise (Declined "the version");
-    (match claim, witness with
-     | Object ["dimension", d; "field", f; "gram", gram; "domain", dom; "statements", ss],
-       Object ["vertices", vertices; "simplices", simplices; "mates", mates] ->
-       let d = int_of d in
-       need (d = 2 || d = 3) "the dimension";
-       let ss = statements ss in
-       let (r, polytope) = domain d dom in
-       need (not (List.mem TCP ss) || (d = 3 && r = 3)) "TCP is stated of space only";
-       let entry i j = List.nth (array (List.nth (array gram) i)) j in
-       let symmetric g = List.iteri (fun i row -> List.iteri (fun j x -> if j < i then need (x = entry j i) "the Gram matrix is not symmetric") (array row)) (array g) in
-       let field = field f in
-       let degree = match field with None -> 1 | Some (fl, _) -> List.length fl in
-       let g = rows degree d gram in
-       need (List.length g = d) "the shape of the Gram matrix"; symmetric gram;
-       let ws, faces = match polytope with None -> [], [] | Some (ws, faces) -> rows degree (d - r) ws, faces in
-       List.iter (List.iter (fun i -> ignore (index (List.length ws) i))) faces;
-       let vs = rows degree d vertices in
-       let used = Array.make (List.length vs) false in
-       let ss_json = array simplices and ms_json = array mates in
-       let n = List.length ss_json in
-       need (n > 0 && List.length ms_json = n) "the number of simplices or of rows of mates";
-       let corners = List.map (fun s -> same_length (List.map (corner r used) (array s)) (d + 1) "the length of a simplex") ss_json in
-       let mates = List.map (fun s -> same_length (List.map (mate d r n (List.length faces)) (array s)) (d + 1) "the length of a row of mates") ms_json in
-       need (Array.for_all (fun u -> u) used) "an unused vertex";
-       (match field with
-        | None ->
-          judged { format = format_rationals; cert = cert_rationals; space = check_rationals; plane = check_rationals2; scalar = List.hd }
-            d r g vs ws faces corners mates ss
-        | Some (fl, ((lo, hi, s) as interval)) ->
-          let (e0, es) = enclosures fl interval in
-          let i = { e_lo = lo; e_hi = hi; e_S = s } in
-          let by j = judged j d r g vs ws faces corners mates ss in
-          let proving = { format = format_field fl e0 es; cert = cert_field fl e0 es; space = check_field fl e0 es i; plane = check_field2 fl e0 es i; scalar = (fun x -> x) } in
-          try by proving with Rejected what -> why_rejected fl e0 es by what)
-     | _ -> reject "the members of the claim or of the witness")
-  | Object (("format", String "acutile-certificate") :: ("version", Integer v) :: _) when v <> "1" -> raise (Declined "the version")
-  | _ -> reject "not an acutile certificate"
+let judge field c =
+  match field with
+  | None -> judged { format = format_rationals; cert = cert_rationals; space = check_rationals; plane = check_rationals2; scalar = List.hd } c
+  | Some (fl, ((lo, hi, s) as interval)) ->
+    let (e0, es) = enclosures fl interval in
+    let i = { e_lo = lo; e_hi = hi; e_S = s } in
+    let proving = { format = format_field fl e0 es; cert = cert_field fl e0 es; space = check_field fl e0 es i; plane = check_field2 fl e0 es i; scalar = (fun x -> x) } in
+    try judged proving c with Rejected reason -> why_rejected fl e0 es c reason
+
+(* A tiling: its claim and its witness *)
+
+let tiling claim witness =
+  match claim, witness with
+  | Object ["dimension", d; "field", f; "gram", gram; "domain", dom; "statements", ss],
+    Object ["denominator", den; "vertices", vertices; "boundary", boundary; "simplices", simplices] ->
+    let d = small d in
+    form (d = 2 || d = 3) "the dimension";
+    let field = field f in
+    let degree = match field with None -> 1 | Some (fl, _) -> List.length fl in
+    let gram = List.mapi (fun i -> row degree (d - i)) (array gram) in
+    form (List.length gram = d && Z.eqb (common_divisor Z0 gram) one) "the Gram matrix";
+    let (r, polytope) = domain d degree dom in
+    let claimed = statements degree ss in
+    let tcp = List.mem CTCP claimed in
+    form (not tcp || (d = 3 && r = 3)) "TCP is stated of space only";
+    let vertices = rows degree d vertices in
+    let den = denominator den vertices in
+    let (polytope, faces) = match polytope with
+      | None -> ([], [])
+      | Some (m, ws, faces) ->
+        let factor = Z.div den m in
+        need (Z.eqb (Z.mul m factor) den) "the denominator of the domain";
+        (times factor ws, faces) in
+    form (boundary = Array []) "boundary facets of a domain that is not a region";
+    let used = Array.make (List.length vertices) false in
+    let rows = Array.of_list (List.map (simplex d r used tcp) (array simplices)) in
+    form (rows <> [||]) "no simplices";
+    let corners = Array.map fst rows in
+    judge field { d; r; den; gram = List.concat gram; vertices; polytope; faces; corners; claimed };
+    need (not tcp || Pairing.valences corners (Array.map snd rows)) "the bits of valence 6";
+    form (Array.for_all (fun u -> u) used) "an unused vertex"
+  | _ -> malformed "the members of the claim or of the witness"
+
+let certificate = function
+  | Object (("format", String "acutile-certificate") :: ("version", Integer version) :: _) when version <> "2" -> raise (Declined "the version")
+  | Object ["format", String "acutile-certificate"; "version", Integer _; "kind", String kind; "claim", claim; "witness", witness] ->
+    if kind <> "tiling" then raise (Declined "the kind");
+    tiling claim witness
+  | _ -> malformed "not an acutile certificate"
 
 let check path =
   let channel = open_in_bin path in
   let text = really_input_string channel (in_channel_length channel) in
   close_in channel;
   let v = parse text in
-  need (canonical v = text) "not the canonical bytes";
+  form (canonical v = text) "not the canonical bytes";
   certificate v
 
 let verdict path =
   match check path with
   | () -> (0, "proved")
-  | exception Rejected what -> (1, "rejected: " ^ what)
-  | exception Declined what -> (3, "declined: " ^ what)
-  | exception Unreadable what -> (1, "rejected: " ^ what)
-  | exception Sys_error what -> (2, what)
+  | exception Rejected reason -> (1, "rejected: " ^ reason)
+  | exception (Malformed reason | Unreadable reason) -> (2, "malformed: " ^ reason)
+  | exception Declined reason -> (3, "declined: " ^ reason)
+  | exception Sys_error reason -> (2, "unreadable: " ^ reason)
   | exception Stack_overflow -> (3, "declined: out of stack")
 
 let () =
   match List.tl (Array.to_list Sys.argv) with
   | [] -> print_endline "usage: acutile-coq-check CERTIFICATE..."; exit 2
   | paths ->
-    let codes = List.map (fun path -> let (code, what) = verdict path in Printf.printf "%s: %s\n%!" path what; code) paths in
+    let codes = List.map (fun path -> let (code, text) = verdict path in Printf.printf "%s: %s\n%!" path text; code) paths in
     exit (match List.find_opt (fun c -> List.mem c codes) [1; 2; 3] with Some c -> c | None -> 0)

@@ -3,10 +3,10 @@
     With e the edge ab, u and w the edges ac and ad, let
       A = |e|^2 |u|^2 - (e.u)^2,  B = |e|^2 |w|^2 - (e.w)^2,  C = |e|^2 (u.w) - (e.u)(e.w).
     The cosine of the dihedral angle at ab is C / sqrt (A B).  So the angle is
-    acute when C > 0, and compares with a given angle as the squares compare:
-    polynomial signs, no division and no root. *)
-Require Import Reals Lra Psatz.
-From Acutile Require Import Statement Tetrahedra.
+    acute when C > 0, and compares with arccos (sg sqrt f) as C, |C| and squares
+    compare: polynomial signs, no division and no root. *)
+Require Import Reals Lra Psatz ZArith.
+From Acutile Require Import Statement Tetrahedra Bounds.
 Open Scope R_scope.
 
 (** C above, for any inner product dt; A and B are its values at (u,u) and (w,w). *)
@@ -73,6 +73,59 @@ Proof.
     replace (det e u w) with (dot n w) by (unfold n, dot; unf; ring). rewrite Z. unfold dot; cbn [px py pz]. ring.
 Qed.
 
+(** ** Comparing with the bound arccos (sg sqrt f)
+
+    The sign sg is -1, 0 or 1, and f is between 0 and 1. *)
+Definition sign_ok (sg : Z) (f : R) : Prop :=
+  match sg with Z0 => True | Zpos xH | Zneg xH => 0 < f <= 1 | _ => False end.
+Lemma sqrt_bound f : 0 < f <= 1 -> 0 < sqrt f <= 1.
+Proof.
+  intros [F0 F1]. split; [apply sqrt_lt_R0; auto|]. rewrite <- sqrt_1. apply sqrt_le_1; lra.
+Qed.
+Lemma root_bound sg f : sign_ok sg f -> -1 <= IZR sg * sqrt f <= 1.
+Proof. destruct sg as [|[p|p|]|[p|p|]]; cbn [sign_ok]; try tauto; intros H; [lra| |]; pose proof (sqrt_bound f H); lra. Qed.
+
+(** sg sqrt f s < x for s^2 = m, where [less] is "<"; at most for "<=". *)
+Definition below_root (less : R -> R -> Prop) (sg : Z) (f x m : R) : Prop :=
+  match sg with
+  | Z0 => less 0 x
+  | Zpos _ => 0 <= x /\ less (f * m) (x * x)
+  | Zneg _ => 0 <= x \/ less (x * x) (f * m)
+  end.
+Lemma below_root_lt sg f s x : sign_ok sg f -> 0 < s -> below_root Rlt sg f x (s * s) -> IZR sg * sqrt f * s < x.
+Proof.
+  intros HF S H. destruct sg as [|[p|p|]|[p|p|]]; cbn [sign_ok below_root] in *; try tauto; [lra| |];
+  pose proof (sqrt_bound f HF) as [R0 _]; pose proof (sqrt_sqrt f ltac:(lra)) as RR; set (r := sqrt f) in *; assert (K : 0 < r * s) by (apply Rmult_lt_0_compat; auto);
+  replace (f * (s * s)) with ((r * s) * (r * s)) in H by (rewrite <- RR; ring).
+  - destruct H as [X H]. apply Rnot_le_lt. intros L. assert (x * x <= r * s * (r * s)) by (apply Rmult_le_compat; lra). lra.
+  - destruct H as [H|H]; [lra|]. apply Rnot_le_lt. intros L. assert (r * s * (r * s) <= (- x) * (- x)) by (apply Rmult_le_compat; lra). lra.
+Qed.
+Lemma below_root_le sg f s x : sign_ok sg f -> 0 < s -> below_root Rle sg f x (s * s) -> IZR sg * sqrt f * s <= x.
+Proof.
+  intros HF S H. destruct sg as [|[p|p|]|[p|p|]]; cbn [sign_ok below_root] in *; try tauto; [lra| |];
+  pose proof (sqrt_bound f HF) as [R0 _]; pose proof (sqrt_sqrt f ltac:(lra)) as RR; set (r := sqrt f) in *; assert (K : 0 < r * s) by (apply Rmult_lt_0_compat; auto);
+  replace (f * (s * s)) with ((r * s) * (r * s)) in H by (rewrite <- RR; ring).
+  - destruct H as [X H]. apply Rnot_lt_le. intros L. assert (x * x < r * s * (r * s)) by (apply Rmult_le_0_lt_compat; lra). lra.
+  - destruct H as [H|H]; [lra|]. apply Rnot_lt_le. intros L. assert (r * s * (r * s) < (- x) * (- x)) by (apply Rmult_le_0_lt_compat; lra). lra.
+Qed.
+(** An angle is less than arccos y if its cosine is more than y. *)
+Definition compares_root (o : test) (sg : Z) (f x m : R) : Prop :=
+  match o with
+  | TLt => below_root Rlt sg f x m
+  | TLe => below_root Rle sg f x m
+  | TGe => below_root Rle (- sg) f (- x) m
+  | TGt => below_root Rlt (- sg) f (- x) m
+  end.
+Lemma compares_root_ok o sg f s x : sign_ok sg f -> 0 < s -> compares_root o sg f x (s * s) -> compares o (IZR sg * sqrt f * s) x.
+Proof.
+  intros HF S H. assert (HF' : sign_ok (- sg) f) by (destruct sg as [|[p|p|]|[p|p|]]; exact HF).
+  destruct o; cbn [compares_root compares] in *.
+  - apply below_root_lt; auto.
+  - apply below_root_le; auto.
+  - apply below_root_le in H; auto. rewrite opp_IZR in H. lra.
+  - apply below_root_lt in H; auto. rewrite opp_IZR in H. lra.
+Qed.
+
 Section Angle.
 Variables a b c d : point.
 Let e := sub b a.
@@ -126,44 +179,18 @@ Proof.
   apply Rnot_lt_le. intros K. assert (cos (dihedral a b c d) < 0) by (apply cos_lt_0; lra). nra.
 Qed.
 
-(** cos theta <= p/q and p sqrt (A B) < q C imply that the angle is less than theta. *)
-Lemma below_rule (p q theta : R) : 0 < q -> 0 <= theta <= PI -> cos theta <= p / q ->
-  (0 <= p /\ 0 < C /\ (p * p) * (A * B) < (q * q) * (C * C)) \/
-  (p < 0 /\ (0 <= C \/ (q * q) * (C * C) < (p * p) * (A * B))) ->
-  dihedral a b c d < theta.
+(** The dihedral angle compares with a bound as [compares_root] says. *)
+Lemma bound_rule o sg f : sign_ok sg f -> compares_root o sg f C (A * B) ->
+  compares o (dihedral a b c d) (acos (IZR sg * sqrt f)).
 Proof.
-  intros Hq [T1 T2] HT H. destruct dihedral_cos as [s [S1 [S2 S3]]]. destruct dihedral_bound as [B1 B2].
-  set (x := dihedral a b c d) in *.
-  apply Rnot_le_lt. intros K. pose proof (cos_decr_1 theta x T1 T2 B1 B2 K) as X.
-  assert (X' : q * cos x <= p).
-  { apply Rle_trans with (q * (p / q)); [apply Rmult_le_compat_l; lra|]. right. field. lra. }
-  assert (Y : q * C <= p * s) by (rewrite <- S3; nra).
-  rewrite <- S2 in H. destruct H as [[P0 [C0 H]]|[P0 [C0|H]]].
-  - assert (0 < q * C) by (apply Rmult_lt_0_compat; auto).
-    assert ((q * C) * (q * C) <= (p * s) * (p * s)) by (apply Rmult_le_compat; lra). nra.
-  - assert (0 <= q * C) by (apply Rmult_le_pos; lra). assert (0 < (- p) * s) by (apply Rmult_lt_0_compat; lra). nra.
-  - assert (0 < (- p) * s) by (apply Rmult_lt_0_compat; lra).
-    assert (((- p) * s) * ((- p) * s) <= (- (q * C)) * (- (q * C))) by (apply Rmult_le_compat; lra). nra.
-Qed.
-
-(** p/q <= cos theta and q C < p sqrt (A B) imply that the angle is more than theta. *)
-Lemma above_rule (p q theta : R) : 0 < q -> 0 <= theta <= PI -> p / q <= cos theta ->
-  (p <= 0 /\ C < 0 /\ (p * p) * (A * B) < (q * q) * (C * C)) \/
-  (0 < p /\ (C <= 0 \/ (q * q) * (C * C) < (p * p) * (A * B))) ->
-  theta < dihedral a b c d.
-Proof.
-  intros Hq [T1 T2] HT H. destruct dihedral_cos as [s [S1 [S2 S3]]]. destruct dihedral_bound as [B1 B2].
-  set (x := dihedral a b c d) in *.
-  apply Rnot_le_lt. intros K. pose proof (cos_decr_1 x theta B1 B2 T1 T2 K) as X.
-  assert (X' : p <= q * cos x).
-  { apply Rle_trans with (q * (p / q)); [right; field; lra | apply Rmult_le_compat_l; lra]. }
-  assert (Y : p * s <= q * C) by (rewrite <- S3; nra).
-  rewrite <- S2 in H. destruct H as [[P0 [C0 H]]|[P0 [C0|H]]].
-  - assert (0 < q * - C) by (apply Rmult_lt_0_compat; lra).
-    assert ((- (q * C)) * (- (q * C)) <= (- (p * s)) * (- (p * s))) by (apply Rmult_le_compat; lra). nra.
-  - assert (0 <= q * - C) by (apply Rmult_le_pos; lra). assert (0 < p * s) by (apply Rmult_lt_0_compat; lra). nra.
-  - assert (0 < p * s) by (apply Rmult_lt_0_compat; lra).
-    assert ((p * s) * (p * s) <= (q * C) * (q * C)) by (apply Rmult_le_compat; lra). nra.
+  intros HF H. destruct dihedral_cos as [s [S1 [S2 S3]]]. pose proof dihedral_bound as B1.
+  pose proof (acos_bound (IZR sg * sqrt f)) as B2. pose proof (cos_acos _ (root_bound sg f HF)) as CB.
+  rewrite <- S2 in H. apply (compares_root_ok o sg f s) in H; auto. rewrite <- S3, <- CB in H.
+  set (x := dihedral a b c d) in *. set (y := acos _) in *. destruct o; cbn [compares] in *.
+  - apply cos_decreasing_0; try lra. apply Rmult_lt_reg_r with s; lra.
+  - apply cos_decr_0; try lra. apply Rmult_le_reg_r with s; lra.
+  - apply cos_decr_0; try lra. apply Rmult_le_reg_r with s; lra.
+  - apply cos_decreasing_0; try lra. apply Rmult_lt_reg_r with s; lra.
 Qed.
 End Angle.
 
@@ -173,5 +200,5 @@ Proof.
   assert (K : forall x y, sub (add x u) (add y u) = sub x y) by (intros; apply point_eq; unf; ring).
   unfold dihedral. rewrite !K. reflexivity.
 Qed.
-Lemma all_dihedral_translate Q u t : all_dihedral Q t -> all_dihedral Q (translate u t).
-Proof. unfold all_dihedral, translate; cbn [va vb vc vd]. rewrite !dihedral_translate. auto. Qed.
+Lemma dihedrals_translate u t : dihedrals (translate u t) = dihedrals t.
+Proof. unfold dihedrals, translate; cbn [va vb vc vd]. rewrite !dihedral_translate. reflexivity. Qed.

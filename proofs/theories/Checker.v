@@ -7,7 +7,7 @@
 
     Indices are binary ([N]): unary ones make large certificates slow to read. *)
 Require Import Reals NArith ZArith List Bool FMapPositive.
-From Acutile Require Import Statement Tetrahedra Degree Domain Cosine.
+From Acutile Require Import Statement Tetrahedra Degree Domain Bounds.
 Import ListNotations.
 Local Open Scope nat_scope.
 
@@ -81,10 +81,10 @@ Definition zero := aofZ 0.
 Definition vzero := V3 zero zero zero.
 Definition vofZ den (n : Z3) := let '(x,y,z) := n in V3 (aofZ (den * x)) (aofZ (den * y)) (aofZ (den * z)).
 
-(** ** The certificate: integral data, denominators cleared
+(** ** The certificate: integral data
 
     Vertices, of the tiling and of the polytope, and half-spaces are [c_den] times the
-    real ones, the Gram matrix is [c_gden] times the real one. *)
+    real ones. *)
 Record kgram := KG { k11 : A; k22 : A; k33 : A; k12 : A; k13 : A; k23 : A }.
 Record khalf := KH { hn : v3; hd : A }.
 (** The claim's domain is spanned by the lattice and [c_polytope], whose points have
@@ -93,8 +93,7 @@ Record khalf := KH { hn : v3; hd : A }.
     between 0 and 1, into tetrahedra, by points of [c_polytope] moved by lattice vectors:
     hints, computed by [faces_cert] below, and checked. *)
 Record cert := Cert {
-  c_den : Z; c_verts : list v3; c_tets : list ctet;
-  c_gden : Z; c_gram : kgram;
+  c_den : Z; c_verts : list v3; c_tets : list ctet; c_gram : kgram;
   c_rank : nat; c_polytope : list v3; c_domain : list khalf; c_pieces : list (corner * corner * corner * corner) }.
 
 Definition pos (den : Z) (vs : list v3) (c : corner) : v3 := vadd (nth (N.to_nat (fst c)) vs vzero) (vofZ den (snd c)).
@@ -127,10 +126,8 @@ Definition chk_inside (kts : list ktet) (H : khalf) :=
 Definition on_boundary (Hs : list khalf) (t : ktet) (i : nat) :=
   existsb (fun H => forallb (fun j => if Nat.eqb j i then true else ale (klev H (kvx t j)) zero) I4) Hs.
 
-(** The half-spaces hold the polytope, and each vertex lies over it: in one of the pieces,
+(** The half-spaces contain the polytope, and each vertex lies over it: in one of the pieces,
     once its first r coordinates are set to zero. *)
-Fixpoint existsl {X} (f : X -> bool) (l : list X) : bool :=   (* lazy under call by value *)
-  match l with [] => false | x :: l => if f x then true else existsl f l end.
 Definition zeroed (r : nat) (v : v3) :=
   V3 (if 1 <=? r then zero else vX v) (if 2 <=? r then zero else vY v) (if 3 <=? r then zero else vZ v).
 Definition piece_corners (q : corner * corner * corner * corner) := let '(a, b, c, d) := q in [a; b; c; d].
@@ -196,7 +193,7 @@ Definition chk_cover (c : cert) : bool :=
   is_zero (asub (kvolume (positions c)) (kvolume l)).
 Definition check_tiling (c : cert) : bool :=
   let den := c_den c in let r := c_rank c in let kts := positions c in
-  Z.ltb 0 den && Z.ltb 0 (c_gden c) && Nat.leb r 3 &&
+  Z.ltb 0 den && Nat.leb r 3 &&
   forallb chk_vol kts &&
   forallb (fun H => chk_invariant r H && chk_inside kts H) (c_domain c) &&
   chk_polytope c kts &&
@@ -213,24 +210,32 @@ Definition kgdot g u v :=
 Definition kac g a b c d :=
   let e := vsub b a in let u := vsub c a in let w := vsub d a in
   asub (amul (kgdot g u w) (kgdot g e e)) (amul (kgdot g u e) (kgdot g w e)).
-Definition all_six (f : v3 -> v3 -> v3 -> v3 -> bool) (t : ktet) :=
-  f (ka t) (kb t) (kc t) (kd t) && f (ka t) (kc t) (kb t) (kd t) &&
-  f (ka t) (kd t) (kb t) (kc t) && f (kb t) (kc t) (ka t) (kd t) &&
-  f (kb t) (kd t) (ka t) (kc t) && f (kc t) (kd t) (ka t) (kb t).
+(** The six edges, each with the other two corners after it. *)
+Definition six (t : ktet) : list (v3 * v3 * v3 * v3) :=
+  [(ka t, kb t, kc t, kd t); (ka t, kc t, kb t, kd t); (ka t, kd t, kb t, kc t);
+   (kb t, kc t, ka t, kd t); (kb t, kd t, ka t, kc t); (kc t, kd t, ka t, kb t)].
+Definition on_edge {X} (f : v3 -> v3 -> v3 -> v3 -> X) (i : v3 * v3 * v3 * v3) : X := let '(a, b, c, d) := i in f a b c d.
 Definition chk_acute g a b c d := alt zero (kac g a b c d).
 Definition chk_nonobtuse g a b c d := ale zero (kac g a b c d).
-(** cos (angle) > p/q, with q > 0: rule [below_rule] of Angles.v. *)
-Definition chk_cosine g (p q : Z) a b c d :=
-  let x := kac g a b c d in
-  let left := amul (aofZ (p * p)) (amul (kac g a b c c) (kac g a b d d)) in
-  let right := amul (aofZ (q * q)) (amul x x) in
-  if Z.leb 0 p then alt zero x && alt left right else if ale zero x then true else alt right left.
-(** cos (angle) < p/q, with q > 0: rule [above_rule] of Angles.v. *)
-Definition chk_cosine_above g (p q : Z) a b c d :=
-  let x := kac g a b c d in
-  let right := amul (aofZ (p * p)) (amul (kac g a b c c) (kac g a b d d)) in
-  let left := amul (aofZ (q * q)) (amul x x) in
-  if Z.leb p 0 then alt x zero && alt right left else if ale x zero then true else alt left right.
+(** The bound of an angle is arccos (sg sqrt (p/q)), where sg is the sign -1, 0 or 1. *)
+Definition chk_bound (sg : Z) (p : A) (q : Z) : bool :=
+  Z.ltb 0 q && match sg with Z0 => is_zero p | Zpos xH | Zneg xH => alt zero p && ale p (aofZ q) | _ => false end.
+(** sg sqrt (p/q) < x / sqrt m for "less than": [below_root] of Angles.v. *)
+Definition chk_root (less : A -> A -> bool) (sg : Z) (p : A) (q : Z) (x m : A) : bool :=
+  match sg with
+  | Z0 => less zero x
+  | Zpos _ => if ale zero x then less (amul p m) (amul (aofZ q) (amul x x)) else false
+  | Zneg _ => if ale zero x then true else less (amul (aofZ q) (amul x x)) (amul p m)
+  end.
+(** The dihedral angle along ab passes the test: rule [bound_rule] of Angles.v. *)
+Definition chk_angle g (sg : Z) (p : A) (q : Z) (o : test) a b c d : bool :=
+  let x := kac g a b c d in let m := amul (kac g a b c c) (kac g a b d d) in
+  match o with
+  | TLt => chk_root alt sg p q x m
+  | TLe => chk_root ale sg p q x m
+  | TGe => chk_root ale (- sg) p q (asub zero x) m
+  | TGt => chk_root alt (- sg) p q (asub zero x) m
+  end.
 (** The circumradius: R^2 = X / (4 det M) for the Gram matrix M of the edges from the first
     vertex, its cofactors C, its diagonal m and X = m^T C m. *)
 Definition kradius g (t : ktet) : A * A :=
@@ -243,15 +248,16 @@ Definition kradius g (t : ktet) : A * A :=
   (aadd (aadd (aadd (amul m11 (amul m11 c11)) (amul m22 (amul m22 c22))) (amul m33 (amul m33 c33)))
      (amul (aofZ 2) (aadd (aadd (amul m11 (amul m22 c12)) (amul m11 (amul m33 c13))) (amul m22 (amul m33 c23)))),
    aadd (aadd (amul m11 c11) (amul m12 c12)) (amul m13 c13)).
-(** R < p/q |b - a|, for X and det M as above. *)
-Definition chk_ratio g (p q : Z) (r : A * A) (a b : v3) : bool :=
-  let e := vsub b a in alt (amul (aofZ (q * q)) (fst r)) (amul (amul (aofZ (4 * (p * p))) (snd r)) (kgdot g e e)).
-Definition chk_radius g (p q : Z) (t : ktet) : bool :=
-  let edge := chk_ratio g p q (kradius g t) in
-  Z.ltb 0 p && Z.ltb 0 q &&
-  edge (ka t) (kb t) && edge (ka t) (kc t) && edge (ka t) (kd t) && edge (kb t) (kc t) && edge (kb t) (kd t) && edge (kc t) (kd t).
+Definition chk_compare (o : test) (x y : A) : bool :=
+  match o with TLt => alt x y | TLe => ale x y | TGe => ale y x | TGt => alt y x end.
+(** R^2 / |b - a|^2 against p/q, for X and det M as above: rule [ratio_rule] of Transfer.v. *)
+Definition chk_ratio g (p : A) (q : Z) (r : A * A) (o : test) (a b : v3) : bool :=
+  let e := vsub b a in chk_compare o (amul (aofZ q) (fst r)) (amul (amul (amul (aofZ 4) p) (snd r)) (kgdot g e e)).
+(** The squared radius-edge ratio is the largest of R^2 / |b - a|^2. *)
+Definition chk_radius g (p : A) (q : Z) (t : ktet) (o : test) : bool :=
+  let r := kradius g t in test_largest (fun o => on_edge (fun a b _ _ => chk_ratio g p q r o a b)) (six t) o.
 
-(** ** 7. Statements: Delaunay, by the power of the vertex behind each facet *)
+(** ** 7. Statements: Delaunay, by the power of the mate's opposite vertex at each facet *)
 Definition ksq g u := kgdot g u u.
 (** - vol times the power of x: power_sum of Delaunay.v. *)
 Definition kpower g t x :=
@@ -270,20 +276,32 @@ Definition chk_delaunay (less : A -> A -> bool) (c : cert) :=
   let kts := positions c in
   forallb (fun t => forallb (chk_power less (c_gram c) (c_den c) kts t (kpos (c_den c) (c_verts c) t)) I4) (c_tets c).
 
-Definition check_statement (c : cert) (s : statement) : bool :=
+(** The statements of a claim. The bound of an angle is given by the sign and the square p/q
+    of its cosine, that of a ratio by p/q. *)
+Inductive cstatement :=
+  | CAcute | CNonobtuse
+  | CLargestDihedralAngle (rel : relation) (sg : Z) (p : A) (q : Z)
+  | CSmallestDihedralAngle (rel : relation) (sg : Z) (p : A) (q : Z)
+  | CSquaredRadiusEdgeRatio (rel : relation) (p : A) (q : Z)
+  | CDelaunay | CWeaklyDelaunay | CTCP.
+Definition check_statement (c : cert) (s : cstatement) : bool :=
+  let g := c_gram c in
+  let all f := forallb (fun t => forallb (on_edge f) (six t)) (positions c) in
+  let angles sg p q o := on_edge (chk_angle g sg p q o) in
   match s with
-  | Acute => forallb (all_six (chk_acute (c_gram c))) (positions c)
-  | Nonobtuse => forallb (all_six (chk_nonobtuse (c_gram c))) (positions c)
-  | DihedralBelow p q =>
-    degrees_ok p q && let bound := cos_upper p q in forallb (all_six (chk_cosine (c_gram c) (fst bound) (snd bound))) (positions c)
-  | DihedralAbove p q =>
-    above_ok p q && let bound := cos_lower p q in forallb (all_six (chk_cosine_above (c_gram c) (fst bound) (snd bound))) (positions c)
-  | RadiusEdgeBelow p q => forallb (chk_radius (c_gram c) p q) (positions c)
-  | Delaunay => chk_delaunay alt c
-  | WeaklyDelaunay => chk_delaunay ale c
-  | TCP => Nat.eqb (c_rank c) 3 && chk_tcp (c_tets c)
+  | CAcute => all (chk_acute g)
+  | CNonobtuse => all (chk_nonobtuse g)
+  | CLargestDihedralAngle rel sg p q =>
+    chk_bound sg p q && related rel (fun t => test_largest (angles sg p q) (six t)) (positions c)
+  | CSmallestDihedralAngle rel sg p q =>
+    chk_bound sg p q && related rel (fun t => test_smallest (angles sg p q) (six t)) (positions c)
+  | CSquaredRadiusEdgeRatio rel p q =>
+    Z.ltb 0 q && alt zero p && related rel (chk_radius g p q) (positions c)
+  | CDelaunay => chk_delaunay alt c
+  | CWeaklyDelaunay => chk_delaunay ale c
+  | CTCP => Nat.eqb (c_rank c) 3 && chk_tcp (c_tets c)
   end.
-Definition check (c : cert) (ss : list statement) : bool := check_tiling c && forallb (check_statement c) ss.
+Definition check (c : cert) (ss : list cstatement) : bool := check_tiling c && forallb (check_statement c) ss.
 
 (** ** The hints, from the faces of the polytope
 
@@ -325,14 +343,6 @@ Definition pieces_over (r : nat) (f : list N) : list (corner * corner * corner *
   end.
 Definition cell_pieces (r : nat) (faces : list (list N)) :=
   if 3 <=? r then flat_map both_orders (box_over (cshift (0, 0, 1)%Z)) else flat_map (pieces_over r) faces.
-Definition faces_cert den verts tets gden gram (r : nat) (W : list v3) (faces : list (list N)) : cert :=
-  Cert den verts tets gden gram r W (map (half_space_over den r W) faces) (cell_pieces r faces).
-
-(** Which part fails, for people; no theorem speaks of it. *)
-Definition parts (c : cert) (ss : list statement) : list bool :=
-  let den := c_den c in let r := c_rank c in let kts := positions c in
-  [ Z.ltb 0 den && Z.ltb 0 (c_gden c) && Nat.leb r 3; forallb chk_vol kts;
-    forallb (fun H => chk_invariant r H && chk_inside kts H) (c_domain c); chk_polytope c kts;
-    chk_mates r (c_domain c) (c_tets c) (kpos den (c_verts c)) 0 (c_tets c);
-    chk_cover c; chk_gram (c_gram c) ] ++ map (check_statement c) ss.
+Definition faces_cert den verts tets gram (r : nat) (W : list v3) (faces : list (list N)) : cert :=
+  Cert den verts tets gram r W (map (half_space_over den r W) faces) (cell_pieces r faces).
 End Ring.

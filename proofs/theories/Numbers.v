@@ -12,28 +12,27 @@ Local Open Scope Z_scope.
 
 (** ** The integers *)
 Definition idZ (z : Z) := z.
-Definition zcheck : cert Z -> list statement -> bool := check Z Z.add Z.sub Z.mul idZ Z.ltb Z.leb.
+Definition zcheck : cert Z -> list (cstatement Z) -> bool := check Z Z.add Z.sub Z.mul idZ Z.ltb Z.leb.
 (** A certificate, its hints computed from the faces of the polytope. *)
 Definition zcert := faces_cert Z Z.add Z.sub Z.mul idZ Z.leb.
-Definition zparts := parts Z Z.add Z.sub Z.mul idZ Z.ltb Z.leb.
 Lemma zltb_ok x y : Z.ltb x y = true -> (IZR x < IZR y)%R.
 Proof. intros H. apply IZR_lt, Z.ltb_lt, H. Qed.
 Lemma zleb_ok x y : Z.leb x y = true -> (IZR x <= IZR y)%R.
 Proof. intros H. apply IZR_le, Z.leb_le, H. Qed.
 Theorem z_sound c ss : zcheck c ss = true -> forall l1 l2 l3, has_gram (dgram Z IZR c) l1 l2 l3 ->
   face_to_face_tiling l1 l2 l3 (c_rank Z c) (ddomain Z IZR c l1 l2 l3) (length (c_tets Z c)) (dtet Z idZ IZR c l1 l2 l3) /\
-  forall s, In s ss -> holds l1 l2 l3 (c_rank Z c) (length (c_tets Z c)) (dtet Z idZ IZR c l1 l2 l3) s.
+  forall s, In s (map (dstatement Z IZR) ss) -> holds l1 l2 l3 (c_rank Z c) (length (c_tets Z c)) (dtet Z idZ IZR c l1 l2 l3) s.
 Proof. apply (check_sound Z Z.add Z.sub Z.mul idZ Z.ltb Z.leb IZR plus_IZR minus_IZR mult_IZR (fun _ => eq_refl) zltb_ok zleb_ok). Qed.
 Theorem z_basis c ss : zcheck c ss = true -> exists l1 l2 l3, has_gram (dgram Z IZR c) l1 l2 l3.
 Proof. apply (basis_exists Z Z.add Z.sub Z.mul idZ Z.ltb Z.leb IZR plus_IZR minus_IZR mult_IZR (fun _ => eq_refl) zltb_ok). Qed.
 
 (** The same in the plane. *)
-Definition zcheck2 : cert2 Z -> list statement -> bool := check2 Z Z.add Z.sub Z.mul idZ Z.ltb Z.leb.
+Definition zcheck2 : cert2 Z -> list (cstatement Z) -> bool := check2 Z Z.add Z.sub Z.mul idZ Z.ltb Z.leb.
 Theorem z_theorem2 c ss : zcheck2 c ss = true ->
   (exists l1 l2, has_gram2 (dgram2 Z IZR c) l1 l2) /\
   forall l1 l2, has_gram2 (dgram2 Z IZR c) l1 l2 ->
   edge_to_edge_tiling l1 l2 (e_rank Z c) (ddomain2 Z IZR c l1 l2) (length (e_tris Z c)) (dtriangle Z idZ IZR c l1 l2) /\
-  forall s, In s ss -> holds2 l1 l2 (e_rank Z c) (length (e_tris Z c)) (dtriangle Z idZ IZR c l1 l2) s.
+  forall s, In s (map (dstatement Z IZR) ss) -> holds2 l1 l2 (e_rank Z c) (length (e_tris Z c)) (dtriangle Z idZ IZR c l1 l2) s.
 Proof. apply (check2_sound Z Z.add Z.sub Z.mul idZ Z.ltb Z.leb IZR plus_IZR minus_IZR mult_IZR (fun _ => eq_refl) zltb_ok zleb_ok). Qed.
 
 (** ** Number fields *)
@@ -83,11 +82,10 @@ Definition lltb (p q : list Z) : bool := lpos (es ++ [e0]) (lsub q p).
 Definition lleb (p q : list Z) : bool :=
   let d := lsub q p in if forallb (Z.eqb 0) d then true else lpos (es ++ [e0]) d.
 
-Definition nfcheck (c : cert (list Z)) (ss : list statement) : bool := check (list Z) ladd lsub lmul lofZ lltb lleb c ss.
+Definition nfcheck (c : cert (list Z)) (ss : list (cstatement (list Z))) : bool := check (list Z) ladd lsub lmul lofZ lltb lleb c ss.
 Definition nfcert := faces_cert (list Z) ladd lsub lmul lofZ lleb.
-Definition nfparts := parts (list Z) ladd lsub lmul lofZ lltb lleb.
 
-Definition nfcheck2 (c : cert2 (list Z)) (ss : list statement) : bool := check2 (list Z) ladd lsub lmul lofZ lltb lleb c ss.
+Definition nfcheck2 (c : cert2 (list Z)) (ss : list (cstatement (list Z))) : bool := check2 (list Z) ladd lsub lmul lofZ lltb lleb c ss.
 
 (* root isolation: sign change of the polynomial, computed exactly *)
 Fixpoint hev (S : Z) (p : list Z) (a : Z) : Z * Z :=   (* (S^k p(a/S), S^k) with k = length p *)
@@ -201,7 +199,7 @@ Qed.
 
 Theorem nf_sound c ss : nfcheck c ss = true -> forall l1 l2 l3, has_gram (dgram (list Z) ev c) l1 l2 l3 ->
   face_to_face_tiling l1 l2 l3 (c_rank _ c) (ddomain (list Z) ev c l1 l2 l3) (length (c_tets _ c)) (dtet (list Z) lofZ ev c l1 l2 l3) /\
-  forall s, In s ss -> holds l1 l2 l3 (c_rank _ c) (length (c_tets _ c)) (dtet (list Z) lofZ ev c l1 l2 l3) s.
+  forall s, In s (map (dstatement (list Z) ev) ss) -> holds l1 l2 l3 (c_rank _ c) (length (c_tets _ c)) (dtet (list Z) lofZ ev c l1 l2 l3) s.
 Proof. apply (check_sound (list Z) ladd lsub lmul lofZ lltb lleb ev ev_add ev_sub ev_mul ev_ofZ lltb_ok lleb_ok). Qed.
 Theorem nf_basis c ss : nfcheck c ss = true -> exists l1 l2 l3, has_gram (dgram (list Z) ev c) l1 l2 l3.
 Proof. apply (basis_exists (list Z) ladd lsub lmul lofZ lltb lleb ev ev_add ev_sub ev_mul ev_ofZ lltb_ok). Qed.
@@ -210,7 +208,7 @@ Theorem nf_sound2 c ss : nfcheck2 c ss = true ->
   (exists l1 l2, has_gram2 (dgram2 (list Z) ev c) l1 l2) /\
   forall l1 l2, has_gram2 (dgram2 (list Z) ev c) l1 l2 ->
   edge_to_edge_tiling l1 l2 (e_rank _ c) (ddomain2 (list Z) ev c l1 l2) (length (e_tris _ c)) (dtriangle (list Z) lofZ ev c l1 l2) /\
-  forall s, In s ss -> holds2 l1 l2 (e_rank _ c) (length (e_tris _ c)) (dtriangle (list Z) lofZ ev c l1 l2) s.
+  forall s, In s (map (dstatement (list Z) ev) ss) -> holds2 l1 l2 (e_rank _ c) (length (e_tris _ c)) (dtriangle (list Z) lofZ ev c l1 l2) s.
 Proof. apply (check2_sound (list Z) ladd lsub lmul lofZ lltb lleb ev ev_add ev_sub ev_mul ev_ofZ lltb_ok lleb_ok). Qed.
 End Alpha.
 
@@ -322,7 +320,7 @@ Theorem nf_theorem c ss : isolated = true -> nfcheck c ss = true ->
   (exists l1 l2 l3, has_gram (dgram (list Z) (ev al) c) l1 l2 l3) /\
   forall l1 l2 l3, has_gram (dgram (list Z) (ev al) c) l1 l2 l3 ->
   face_to_face_tiling l1 l2 l3 (c_rank _ c) (ddomain (list Z) (ev al) c l1 l2 l3) (length (c_tets _ c)) (dtet (list Z) lofZ (ev al) c l1 l2 l3) /\
-  forall s, In s ss -> holds l1 l2 l3 (c_rank _ c) (length (c_tets _ c)) (dtet (list Z) lofZ (ev al) c l1 l2 l3) s.
+  forall s, In s (map (dstatement (list Z) (ev al)) ss) -> holds l1 l2 l3 (c_rank _ c) (length (c_tets _ c)) (dtet (list Z) lofZ (ev al) c l1 l2 l3) s.
 Proof.
   intros HI HC. destruct (isolated_root HI) as [al [A1 [A2 [A3 A4]]]]. exists al. split; auto. split; auto. split; auto.
   split; [apply (nf_basis al A1 A4 c ss HC) | apply (nf_sound al A1 A4 c ss HC)].
@@ -332,7 +330,7 @@ Theorem nf_theorem2 c ss : isolated = true -> nfcheck2 c ss = true ->
   (exists l1 l2, has_gram2 (dgram2 (list Z) (ev al) c) l1 l2) /\
   forall l1 l2, has_gram2 (dgram2 (list Z) (ev al) c) l1 l2 ->
   edge_to_edge_tiling l1 l2 (e_rank _ c) (ddomain2 (list Z) (ev al) c l1 l2) (length (e_tris _ c)) (dtriangle (list Z) lofZ (ev al) c l1 l2) /\
-  forall s, In s ss -> holds2 l1 l2 (e_rank _ c) (length (e_tris _ c)) (dtriangle (list Z) lofZ (ev al) c l1 l2) s.
+  forall s, In s (map (dstatement (list Z) (ev al)) ss) -> holds2 l1 l2 (e_rank _ c) (length (e_tris _ c)) (dtriangle (list Z) lofZ (ev al) c l1 l2) s.
 Proof.
   intros HI HC. destruct (isolated_root HI) as [al [A1 [A2 [A3 A4]]]]. exists al. split; auto. split; auto. split; auto.
   apply (nf_sound2 al A1 A4 c ss HC).
@@ -343,5 +341,5 @@ Theorem z_theorem c ss : zcheck c ss = true ->
   (exists l1 l2 l3, has_gram (dgram Z IZR c) l1 l2 l3) /\
   forall l1 l2 l3, has_gram (dgram Z IZR c) l1 l2 l3 ->
   face_to_face_tiling l1 l2 l3 (c_rank Z c) (ddomain Z IZR c l1 l2 l3) (length (c_tets Z c)) (dtet Z idZ IZR c l1 l2 l3) /\
-  forall s, In s ss -> holds l1 l2 l3 (c_rank Z c) (length (c_tets Z c)) (dtet Z idZ IZR c l1 l2 l3) s.
+  forall s, In s (map (dstatement Z IZR) ss) -> holds l1 l2 l3 (c_rank Z c) (length (c_tets Z c)) (dtet Z idZ IZR c l1 l2 l3) s.
 Proof. intros H. split; [apply (z_basis c ss H) | apply (z_sound c ss H)]. Qed.

@@ -3,7 +3,7 @@
     The tetrahedra over the triangles tile the domain times [0, 1], by Soundness.v. What
     they do in the bottom plane is the theorem about the triangles. *)
 Require Import Reals Lra Psatz NArith Nnat ZArith List Lia Bool.
-From Acutile Require Import Statement PlaneStatement Tetrahedra Topology Degree Domain Cosine Angles Euclid Transfer Checker Soundness PlaneChecker.
+From Acutile Require Import Statement PlaneStatement Tetrahedra Topology Degree Domain Bounds Angles Euclid Transfer Checker Soundness PlaneChecker.
 Import ListNotations.
 Open Scope R_scope.
 
@@ -76,10 +76,10 @@ Proof.
   - intros [<-|[<-|[<-|[]]]]; eauto 8.
   - intros [w [[<-|[<-|[<-|[]]]] ->]]; auto.
 Qed.
-Lemma angles_translate Q u T : all_angles Q T -> all_angles Q (translate2 u T).
+Lemma angles_translate u T : angles2 (translate2 u T) = angles2 T.
 Proof.
   assert (K : forall x y, sub2 (add2 x u) (add2 y u) = sub2 x y) by (intros; apply point2_eq; unf2; ring).
-  unfold all_angles, translate2; cbn [ta tb tc]. rewrite !K. auto.
+  unfold angles2, translate2; cbn [ta tb tc]. rewrite !K. reflexivity.
 Qed.
 
 (** The centre and the radius of the circumscribed circle. *)
@@ -212,7 +212,7 @@ Definition dtriangle (k : nat) : triangle2 :=
   end.
 Definition ddomain2 := domain2 l1 l2 (e_rank A c) (map dpoint2 (e_polytope A c)).
 Definition dgram2 :=
-  let s := IZR (e_gden A c) in let '(g11, g22, g12) := e_gram A c in Gram2 (phi g11 / s) (phi g22 / s) (phi g12 / s).
+  let '(g11, g22, g12) := e_gram A c in Gram2 (phi g11) (phi g22) (phi g12).
 End Denote.
 
 Section Sound.
@@ -270,8 +270,7 @@ Let L3 := Point 0 0 1.
 Lemma lift_gram : has_gram (dgram A phi c3) L1 L2 L3.
 Proof.
   destruct HG as [H1 [H2 H3]]. unfold dgram2 in *. unfold dgram, c3, PlaneChecker.lift. 
-  assert (G0 : 0 < IZR (c_gden A c3)) by apply (gden_pos A aadd asub amul aofZ alt ale c3 chk3).
-  unfold c3, PlaneChecker.lift in G0. destruct (e_gram A c) as [[g11' g22'] g12']. cbn [h11 h22 h12] in *. cbn [c_gden c_gram k11 k22 k33 k12 k13 k23] in *.
+  destruct (e_gram A c) as [[g11' g22'] g12']. cbn [h11 h22 h12] in *. cbn [c_gram k11 k22 k33 k12 k13 k23] in *.
   unfold has_gram; cbn [g11 g22 g33 g12 g13 g23]. unfold L1, L2. rewrite !dot_up. unfold Checker.zero. rewrite !phi_Z.
   repeat split; auto; unfold dot, L3, up; cbn [px py pz]; field; lra.
 Qed.
@@ -491,27 +490,74 @@ Lemma triangle_get k : (k < N)%nat -> exists t, In t (e_tris A c) /\ nth_error (
 Proof.
   intros Hk. destruct (get2 k Hk) as [t [E [I [B0 [B1 B2]]]]]. exists t. repeat split; auto. unfold dtriangle. rewrite E. reflexivity.
 Qed.
-Lemma three_sound (f : v3 A -> v3 A -> v3 A -> v3 A -> bool) (Q : R -> Prop) :
-  (forall a b c0 d, orient (ee a) (ee b) (ee c0) (ee d) <> 0 -> f a b c0 d = true -> Q (dihedral (ee a) (ee b) (ee c0) (ee d))) ->
-  forallb (all_three A aadd aofZ c f) (e_tris A c) = true ->
-  forall cc, is_tile2 cc -> all_angles Q (tile2 cc).
+(** The triangle of a tile, and the tile itself. *)
+Definition item2 (cc : nat * (Z * Z)) : ctri :=
+  match nth_error (e_tris A c) (fst cc) with Some t => t | None => CTri (0%N, (0, 0)%Z) (0%N, (0, 0)%Z) (0%N, (0, 0)%Z) None None None true end.
+Lemma item2_in cc : is_tile2 cc -> In (item2 cc) (e_tris A c).
+Proof. intros [Hk _]. destruct (triangle_get (fst cc) Hk) as [t [I [E _]]]. unfold item2. rewrite E. exact I. Qed.
+Lemma in_item2 t : In t (e_tris A c) -> exists cc, is_tile2 cc /\ item2 cc = t.
 Proof.
-  intros HQ HF [k n] H. pose proof (area_tile _ H) as AR. unfold PlaneStatement.tile2 in *; cbn [fst snd] in *.
-  rewrite area_translate in AR. apply angles_translate. destruct (triangle_get k (proj1 H)) as [t [I [_ [B0 [B1 [B2 E]]]]]].
-  rewrite E in *. rewrite forallb_forall in HF. specialize (HF t I). unfold all_three in HF. rewrite !andb_true_iff in HF. destruct HF as [[F0 F1] F2].
+  intros H. apply In_nth_error in H as [k E]. exists (k, (0, 0)%Z). split; [|unfold item2; cbn [fst]; rewrite E; reflexivity].
+  split; cbn [fst snd]; [apply nth_error_Some; congruence|]. destruct r as [|[|]]; cbn; auto.
+Qed.
+Definition real2 (t : ctri) := Triangle2 (dcorner2 c l1 l2 (p0 t)) (dcorner2 c l1 l2 (p1 t)) (dcorner2 c l1 l2 (p2 t)).
+Lemma tile_item2 cc : is_tile2 cc -> let t := item2 cc in tile2 cc = translate2 (lattice_vector2 l1 l2 (snd cc)) (real2 t) /\ area (real2 t) <> 0 /\
+  (fst (p0 t) < V2 A c)%N /\ (fst (p1 t) < V2 A c)%N /\ (fst (p2 t) < V2 A c)%N.
+Proof.
+  intros H. destruct (triangle_get (fst cc) (proj1 H)) as [t [_ [E [B0 [B1 [B2 ET]]]]]]. unfold item2. rewrite E. cbv zeta.
+  pose proof (area_tile _ H) as AR. unfold PlaneStatement.tile2 in *. rewrite area_translate in AR. unfold real2. rewrite ET in *. auto.
+Qed.
+(** The number of a vertical edge. *)
+Definition edge_angle2 := on_edge A (fun a b c0 d => dihedral (ee a) (ee b) (ee c0) (ee d)).
+Lemma angles_three cc : is_tile2 cc -> angles2 (tile2 cc) = map edge_angle2 (three A aadd aofZ c (item2 cc)).
+Proof.
+  intros H. destruct (tile_item2 cc H) as [-> [_ [B0 [B1 B2]]]]. rewrite angles_translate.
+  unfold three, edge_angle2, on_edge. cbn [map]. rewrite !place_low, !place_top, !dihedral_up by auto. reflexivity.
+Qed.
+Lemma three_orient cc i : is_tile2 cc -> In i (three A aadd aofZ c (item2 cc)) -> on_edge A (fun a b c0 d => orient (ee a) (ee b) (ee c0) (ee d)) i <> 0.
+Proof.
+  intros H Hi. destruct (tile_item2 cc H) as [_ [AR [B0 [B1 B2]]]]. unfold three in Hi. unfold real2 in AR.
+  set (t := item2 cc) in *.
   set (a := dcorner2 c l1 l2 (p0 t)) in *. set (b := dcorner2 c l1 l2 (p1 t)) in *. set (d := dcorner2 c l1 l2 (p2 t)) in *.
   assert (O : forall u v w, det2 (sub2 v u) (sub2 w u) <> 0 -> orient (up 0 u) (up 1 u) (up 0 v) (up 0 w) <> 0).
   { intros u v w D Z. apply D. rewrite <- Z. unfold up. unf. unf2. ring. }
-  assert (D1 : det2 (sub2 a b) (sub2 d b) <> 0) by (intros Z; apply AR; unf2; lra).
-  assert (D2 : det2 (sub2 a d) (sub2 b d) <> 0) by (intros Z; apply AR; unf2; lra).
-  apply HQ in F0; [|rewrite !place_low, place_top by auto; apply O; exact AR].
-  apply HQ in F1; [|rewrite !place_low, place_top by auto; apply O; exact D1].
-  apply HQ in F2; [|rewrite !place_low, place_top by auto; apply O; exact D2].
-  rewrite !place_low, place_top, dihedral_up in F0, F1, F2 by auto. unfold all_angles; cbn [ta tb tc]. auto.
+  simpl in Hi. destruct Hi as [<-|[<-|[<-|[]]]]; cbn [on_edge]; rewrite !place_low, place_top by auto; apply O; fold a b d; intros Z; apply AR; unf2; lra.
+Qed.
+Lemma each_angle2 (f : v3 A -> v3 A -> v3 A -> v3 A -> bool) (Q : R -> Prop) :
+  (forall a b c0 d, orient (ee a) (ee b) (ee c0) (ee d) <> 0 -> f a b c0 d = true -> Q (dihedral (ee a) (ee b) (ee c0) (ee d))) ->
+  forallb (fun t => forallb (on_edge A f) (three A aadd aofZ c t)) (e_tris A c) = true ->
+  forall cc x, is_tile2 cc -> In x (angles2 (tile2 cc)) -> Q x.
+Proof.
+  intros HQ HF cc x Hc Hx. rewrite (angles_three cc Hc) in Hx. apply in_map_iff in Hx as [i [<- Hi]].
+  rewrite forallb_forall in HF. specialize (HF _ (item2_in cc Hc)). rewrite forallb_forall in HF. specialize (HF i Hi).
+  pose proof (three_orient cc i Hc Hi) as V. destruct i as [[[a b] c0] d]. apply HQ; auto.
+Qed.
+Notation chk_angle := (chk_angle A aadd asub amul aofZ alt ale (c_gram A c3)).
+Lemma item_angle2 cc sg p q o i : is_tile2 cc -> chk_bound A aofZ alt ale sg p q = true -> In i (three A aadd aofZ c (item2 cc)) ->
+  on_edge A (chk_angle sg p q o) i = true -> compares o (edge_angle2 i) (dangle A phi sg p q).
+Proof.
+  intros Hc B Hi H. pose proof (three_orient cc i Hc Hi) as V. destruct i as [[[a b] c0] d].
+  apply (angle_sound A aadd asub amul aofZ alt ale phi phi_add phi_sub phi_mul phi_Z alt_ok ale_ok c3 chk3 L1 L2 L3 lift_gram o sg p q); auto.
+Qed.
+Lemma largest_sound2 rel sg p q : chk_bound A aofZ alt ale sg p q = true ->
+  related rel (fun t => test_largest (fun o => on_edge A (chk_angle sg p q o)) (three A aadd aofZ c t)) (e_tris A c) = true ->
+  largest_angle2 l1 l2 r N T2 rel (dangle A phi sg p q).
+Proof.
+  intros B. apply related_ok with (item := item2); [exact item2_in|exact in_item2|]. intros cc Hc. rewrite (angles_three cc Hc).
+  unfold three. cbv zeta. cbn [map]. match goal with |- exists q, largest (?x :: ?l) _ /\ _ => destruct (largest_exists x l) as [y Hy] end.
+  exists y. split; [exact Hy|]. intros o. apply (test_largest_ok _ _ edge_angle2); [|exact Hy]. intros o' i Hi. apply (item_angle2 cc); auto.
+Qed.
+Lemma smallest_sound2 rel sg p q : chk_bound A aofZ alt ale sg p q = true ->
+  related rel (fun t => test_smallest (fun o => on_edge A (chk_angle sg p q o)) (three A aadd aofZ c t)) (e_tris A c) = true ->
+  smallest_angle2 l1 l2 r N T2 rel (dangle A phi sg p q).
+Proof.
+  intros B. apply related_ok with (item := item2); [exact item2_in|exact in_item2|]. intros cc Hc. rewrite (angles_three cc Hc).
+  unfold three. cbv zeta. cbn [map]. match goal with |- exists q, smallest (?x :: ?l) _ /\ _ => destruct (smallest_exists x l) as [y Hy] end.
+  exists y. split; [exact Hy|]. intros o. apply (test_smallest_ok _ _ edge_angle2); [|exact Hy]. intros o' i Hi. apply (item_angle2 cc); auto.
 Qed.
 
 (** *** Radii *)
-Let s := / IZR (c_den A c3) * / IZR (c_den A c3) * / IZR (c_gden A c3).
+Let s := / IZR (c_den A c3) * / IZR (c_den A c3).
 Notation kgdot := (kgdot A aadd amul (c_gram A c3)).
 Notation vsub := (vsub A asub).
 Lemma s_pos2 : 0 < s.
@@ -526,19 +572,26 @@ Lemma distance_pos2 u v : u <> v -> 0 < distance_squared2 u v.
 Proof. intros Ne. rewrite <- (distance_up 0). apply distance_pos. intros E. apply Ne, (up_inj 0 0), E. Qed.
 Lemma distance_translate2 u v w : distance_squared2 (add2 u w) (add2 v w) = distance_squared2 u v.
 Proof. unfold distance_squared2, dot2. unf2. ring. Qed.
-Lemma radius_sound2 p q : forallb (chk_radius2 A aadd asub amul aofZ alt ale c p q) (e_tris A c) = true ->
-  radius_edge_below2 l1 l2 r N T2 (IZR p / IZR q).
+Lemma radius_sound2 rel p q : 0 < IZR q -> related rel (chk_radius2 A aadd asub amul aofZ alt ale c p q) (e_tris A c) = true ->
+  squared_radius_edge_ratio2 l1 l2 r N T2 rel (phi p / IZR q).
 Proof.
-  intros HF [k n] H. pose proof (area_tile _ H) as AR. unfold PlaneStatement.tile2 in *; cbn [fst snd] in *.
-  rewrite area_translate in AR. set (w := lattice_vector2 l1 l2 n).
-  destruct (triangle_get k (proj1 H)) as [t [I [_ [B0 [B1 [B2 E]]]]]].
-  rewrite forallb_forall in HF. specialize (HF t I). unfold chk_radius2 in HF. cbv zeta in HF.
-  rewrite !andb_true_iff, !Z.ltb_lt in HF. destruct HF as [[[[P Q] F0] F1] F2]. apply IZR_lt in P, Q.
-  exists (add2 (circumcentre2 (T2 k)) w), (distance_squared2 (ta (T2 k)) (circumcentre2 (T2 k))). split.
-  { intros v Hv. apply corners_translate in Hv as [u [Hu ->]]. rewrite distance_translate2. apply circumscribed_centre2; auto. }
-  destruct (circumradius2 (T2 k) AR) as [G0 R0]. cbv zeta in G0, R0. set (R2 := distance_squared2 (ta (T2 k)) _) in *. clearbody R2.
-  rewrite E in *. cbn [ta tb tc] in *.
+  intros Q. apply related_ok with (item := item2); [exact item2_in|exact in_item2|]. intros cc Hc.
+  destruct (tile_item2 cc Hc) as [-> [AR [B0 [B1 B2]]]]. set (w := lattice_vector2 _ _ _). set (t := item2 cc) in *.
+  set (R2 := distance_squared2 (ta (real2 t)) (circumcentre2 (real2 t))).
+  assert (ES : squared_edges2 (translate2 w (real2 t)) = squared_edges2 (real2 t)).
+  { unfold squared_edges2, translate2; cbn [ta tb tc]. rewrite !distance_translate2. reflexivity. }
+  destruct (smallest_exists (distance_squared2 (ta (real2 t)) (tb (real2 t))) (tl (squared_edges2 (real2 t)))) as [l Hl].
+  change (smallest (squared_edges2 (real2 t)) l) in Hl.
+  exists (R2 / l). split.
+  { exists (add2 (circumcentre2 (real2 t)) w), R2, l. split; [|split; [rewrite ES; exact Hl|reflexivity]].
+    intros v Hv. apply corners_translate in Hv as [u [Hu ->]]. rewrite distance_translate2. apply circumscribed_centre2; auto. }
+  destruct (distinct_corners _ AR) as [N1 [N2 N3]].
+  destruct (circumradius2 (real2 t) AR) as [G0 R0]. cbv zeta in G0, R0. fold R2 in R0.
+  assert (R2P : 0 <= R2).
+  { unfold R2, distance_squared2. set (u := sub2 _ _). unfold dot2. pose proof (Rle_0_sqr (x2 u)); pose proof (Rle_0_sqr (y2 u)). unfold Rsqr in *. lra. }
+  clearbody R2. unfold real2 in *; cbn [ta tb tc] in *.
   pose proof (place_low (p0 t) B0) as X0. pose proof (place_low (p1 t) B1) as X1. pose proof (place_low (p2 t) B2) as X2.
+  intros o. unfold chk_radius2. cbv zeta. change (c_gram A (lift c)) with (c_gram A c3).
   set (a := dcorner2 c l1 l2 (p0 t)) in *. set (b := dcorner2 c l1 l2 (p1 t)) in *. set (d := dcorner2 c l1 l2 (p2 t)) in *.
   set (ka := place (low (p0 t))) in *. set (kb := place (low (p1 t))) in *. set (kd := place (low (p2 t))) in *.
   assert (K : forall x y z v X Y Z V, ee x = up 0 X -> ee y = up 0 Y -> ee z = up 0 Z -> ee v = up 0 V ->
@@ -547,24 +600,33 @@ Proof.
   rewrite !(K ka kb ka kb a b a b), !(K ka kd ka kd a d a d), !(K ka kb ka kd a b a d), !(K kb kd kb kd b d b d) in * by auto.
   pose proof s_pos2 as S. set (uu := phi (kgdot (vsub kb ka) (vsub kb ka))) in *. set (vv := phi (kgdot (vsub kd ka) (vsub kd ka))) in *.
   set (uv := phi (kgdot (vsub kb ka) (vsub kd ka))) in *. set (ww := phi (kgdot (vsub kd kb) (vsub kd kb))) in *.
-  assert (F : forall x y X Y, ee x = up 0 X -> ee y = up 0 Y -> X <> Y ->
-    chk_ratio A aadd asub amul aofZ alt (c_gram A c3) p q (kradius2 A aadd asub amul (c_gram A c3) ka kb kd) x y = true ->
-    sqrt R2 < IZR p / IZR q * sqrt (distance_squared2 X Y)).
-  { intros x y X Y Ex Ey Ne C. apply (ratio_rule R2 _ _ _ _ _ G0 R0 P Q (distance_pos2 X Y Ne)).
+  assert (F : forall o x y X Y, ee x = up 0 X -> ee y = up 0 Y -> X <> Y ->
+    chk_ratio A aadd asub amul aofZ alt ale (c_gram A c3) p q (kradius2 A aadd asub amul (c_gram A c3) ka kb kd) o x y = true ->
+    compares o (R2 / distance_squared2 X Y) (phi p / IZR q)).
+  { clear o. intros o x y X Y Ex Ey Ne C. apply (ratio_rule o R2 _ _ _ _ _ G0 R0 Q (distance_pos2 X Y Ne)).
     rewrite distance_sym2. unfold distance_squared2. rewrite (K x y x y X Y X Y) by auto.
-    unfold chk_ratio, kradius2 in C. cbn [fst snd] in C. apply alt_ok in C. rewrite !phi_mul, phi_sub, !phi_mul, !phi_Z, !mult_IZR in C.
-    fold uu vv uv ww in C. set (l := phi (kgdot (vsub y x) (vsub y x))) in *.
+    unfold chk_ratio, kradius2 in C. cbn [fst snd] in C. apply (compare_ok A alt ale phi alt_ok ale_ok) in C. rewrite !phi_mul, phi_sub, !phi_mul, !phi_Z in C.
+    fold uu vv uv ww in C. set (l' := phi (kgdot (vsub y x) (vsub y x))) in *.
     assert (S3' : 0 < s * s * s) by (apply Rmult_lt_0_compat; [apply Rmult_lt_0_compat|]; apply s_pos2).
-    apply (Rmult_lt_compat_l _ _ _ S3') in C. clearbody s uu vv uv ww l.
-    replace (IZR q * IZR q * (s * uu * (s * vv * (s * ww)))) with (s * s * s * (IZR q * IZR q * (uu * (vv * ww)))) by ring.
-    replace (4 * (IZR p * IZR p) * (s * uu * (s * vv) - s * uv * (s * uv)) * (s * l)) with (s * s * s * (4 * (IZR p * IZR p) * (uu * vv - uv * uv) * l)) by ring.
+    apply (compares_scale _ _ _ _ S3') in C. clearbody s uu vv uv ww l'.
+    replace (IZR q * (s * uu * (s * vv * (s * ww)))) with (s * s * s * (IZR q * (uu * (vv * ww)))) by ring.
+    replace (4 * phi p * (s * uu * (s * vv) - s * uv * (s * uv)) * (s * l')) with (s * s * s * (4 * phi p * (uu * vv - uv * uv) * l')) by ring.
     exact C. }
-  intros u v Hu Hv Ne. apply corners_translate in Hu as [u' [Hu ->]]. apply corners_translate in Hv as [v' [Hv ->]].
-  rewrite distance_translate2. assert (Ne' : u' <> v') by congruence. clear Ne.
-  assert (SY : forall x y : point2, x <> y -> y <> x) by congruence.
-  simpl in Hu, Hv. destruct Hu as [<-|[<-|[<-|[]]]]; destruct Hv as [<-|[<-|[<-|[]]]]; try congruence;
-  first [ apply (F ka kb); auto; fail | apply (F ka kd); auto; fail | apply (F kb kd); auto; fail
-        | rewrite distance_sym2; apply SY in Ne'; first [ apply (F ka kb); auto; fail | apply (F ka kd); auto; fail | apply (F kb kd); auto; fail ] ].
+  (* the three sides, each with its square *)
+  set (square := fun i : v3 A * v3 A => s * phi (kgdot (vsub (snd i) (fst i)) (vsub (snd i) (fst i)))).
+  assert (SQ : forall x y X Y, ee x = up 0 X -> ee y = up 0 Y -> distance_squared2 X Y = square (x, y)).
+  { intros x y X Y Ex Ey. rewrite distance_sym2. unfold distance_squared2. apply (K x y x y X Y X Y); auto. }
+  unfold squared_edges2 in Hl; cbn [ta tb tc] in Hl.
+  apply (test_largest_ok _ _ (fun i => R2 / square i)).
+  - intros o' i [<-|[<-|[<-|[]]]] H; cbn [fst snd] in H.
+    + rewrite <- (SQ ka kb a b) by auto. apply (F o' ka kb); auto.
+    + rewrite <- (SQ ka kd a d) by auto. apply (F o' ka kd); auto.
+    + rewrite <- (SQ kb kd b d) by auto. apply (F o' kb kd); auto.
+  - rewrite (SQ ka kb a b), (SQ ka kd a d), (SQ kb kd b d) in Hl by auto. rewrite <- (map_map square (fun x => R2 / x)). apply largest_quotient; auto.
+    intros x [<-|[<-|[<-|[]]]].
+    + rewrite <- (SQ ka kb a b) by auto. apply distance_pos2; auto.
+    + rewrite <- (SQ ka kd a d) by auto. apply distance_pos2; auto.
+    + rewrite <- (SQ kb kd b d) by auto. apply distance_pos2; auto.
 Qed.
 
 (** *** Delaunay *)
@@ -596,7 +658,7 @@ Proof.
   { apply (centre_unique T); auto; try lra; [apply (CC (tb T))|apply (CC (tc T))]; simpl; auto. }
   split; auto. rewrite <- DC. lra.
 Qed.
-Let weak3 := statement_sound A aadd asub amul aofZ alt ale phi phi_add phi_sub phi_mul phi_Z alt_ok ale_ok c3 chk3 L1 L2 L3 lift_gram WeaklyDelaunay.
+Let weak3 := statement_sound A aadd asub amul aofZ alt ale phi phi_add phi_sub phi_mul phi_Z alt_ok ale_ok c3 chk3 L1 L2 L3 lift_gram (CWeaklyDelaunay A).
 Lemma weakly_sound2 : chk_delaunay A aadd asub amul aofZ ale c3 = true -> forall k n, is_tile2 (k, n) ->
   let T := tile2 (k, n) in circumscribed2 T (circumcentre2 T) (distance_squared2 (ta T) (circumcentre2 T)) /\
   forall v, is_vertex2 l1 l2 r N T2 v -> distance_squared2 (ta T) (circumcentre2 T) <= distance_squared2 v (circumcentre2 T).
@@ -611,12 +673,12 @@ Proof.
   intros v Hv. specialize (HW _ (vertex_up v Hv)). rewrite D, DC in HW.
   pose proof (H2 (ta T) ltac:(simpl; auto)) as Qa. rewrite DC in Qa. lra.
 Qed.
-Lemma walls_nth c' kts V all : forall ts k0 k t, chk_walls A aadd asub amul aofZ alt c' kts (prisms V all k0 ts) = true -> nth_error ts k = Some t ->
+Lemma edges_nth c' kts V all : forall ts k0 k t, chk_edges A aadd asub amul aofZ alt c' kts (prisms V all k0 ts) = true -> nth_error ts k = Some t ->
   let strict u i := chk_power A aadd asub amul aofZ alt (c_gram A c') (c_den A c') kts u (kpos A aadd aofZ (c_den A c') (c_verts A c') u) i = true in
   strict (tetA V all (k0 + N.of_nat k) t) 0%nat /\ strict (tetA V all (k0 + N.of_nat k) t) 1%nat /\ strict (tetB V all (k0 + N.of_nat k) t) 3%nat.
 Proof.
   induction ts as [|t0 ts IH]; intros k0 k t H Ek; [destruct k; discriminate|].
-  cbn [prisms chk_walls] in H. rewrite !andb_true_iff in H. destruct H as [[[H0 H1] H3] H].
+  cbn [prisms chk_edges] in H. rewrite !andb_true_iff in H. destruct H as [[[H0 H1] H3] H].
   destruct k as [|k].
   - injection Ek as ->. rewrite N.add_0_r. auto.
   - cbn [nth_error] in Ek. replace (k0 + N.of_nat (S k))%N with (k0 + 1 + N.of_nat k)%N by lia. apply (IH _ k t H Ek).
@@ -626,7 +688,7 @@ Lemma circumscribed_tile m n3 : is_tile3 (m, n3) ->
 Proof. intros H. apply circumscribed_centre. apply (tiling_nondegenerate _ _ _ _ _ _ _ S3). auto. Qed.
 
 Ltac weigh := unfold combination; cbn [overA overB turn trev va vb vc vd]; unfold up; apply point_eq; unf; unf2; ring.
-Lemma strict_sound2 : check_statement2 A aadd asub amul aofZ alt ale c Delaunay = true -> delaunay2 l1 l2 r N T2.
+Lemma strict_sound2 : check_statement2 A aadd asub amul aofZ alt ale c (CDelaunay A) = true -> delaunay2 l1 l2 r N T2.
 Proof.
   intros H [k n] Ht. cbn [check_statement2] in H. cbv zeta in H. apply andb_true_iff in H as [H HWL].
   destruct (weakly_sound2 H k n Ht) as [CC W]. cbv zeta in CC, W. set (T := tile2 (k, n)) in *.
@@ -635,7 +697,7 @@ Proof.
   destruct (weights_exist T v AR) as [a [b [d [S E]]]].
   change (c_tets A (lift c)) with (c_tets A c3) in HWL. rewrite lift_tets in HWL.
   destruct (get2 k (proj1 Ht)) as [t [Et _]].
-  destruct (walls_nth _ _ _ _ _ _ k t HWL Et) as [W0 [W1 W3]]. cbv zeta in W0, W1, W3. rewrite N.add_0_l in W0, W1, W3.
+  destruct (edges_nth _ _ _ _ _ _ k t HWL Et) as [W0 [W1 W3]]. cbv zeta in W0, W1, W3. rewrite N.add_0_l in W0, W1, W3.
   destruct (prisms_nth (V2 A c) (e_tris A c) (e_tris A c) 0 k t Et) as [N0 [N1 _]]. rewrite N.add_0_l in N0, N1. rewrite <- lift_tets in N0, N1.
   pose proof (strict_sound A aadd asub amul aofZ alt ale phi phi_add phi_sub phi_mul phi_Z alt_ok ale_ok c3 chk3 L1 L2 L3 lift_gram) as SS.
   rewrite <- (dtet_cP A aadd asub amul aofZ alt ale phi phi_add phi_Z c3 chk3) in SS. cbv zeta in SS.
@@ -675,20 +737,14 @@ Proof.
     fold T in Ia, Ib, Ic. destruct OR as [[-> ->]|[[-> ->]|[-> ->]]]; [apply Ia|apply Ib|apply Ic]; lra.
 Qed.
 
-Theorem plane_statement_sound st : check_statement2 A aadd asub amul aofZ alt ale c st = true -> holds2 l1 l2 r N T2 st.
+Theorem plane_statement_sound st : check_statement2 A aadd asub amul aofZ alt ale c st = true -> holds2 l1 l2 r N T2 (dstatement A phi st).
 Proof.
-  intros H. destruct st as [| |p q|p q|p q| | |]; cbn [check_statement2 holds2] in *; cbv zeta in H.
-  - unfold acute2. apply (three_sound _ (fun x => x < PI / 2)) with (2 := H). intros.
-    apply (acute_sound A aadd asub amul aofZ alt ale phi phi_add phi_sub phi_mul phi_Z alt_ok c3 chk3 L1 L2 L3 lift_gram); auto.
-  - unfold nonobtuse2. apply (three_sound _ (fun x => x <= PI / 2)) with (2 := H). intros.
-    apply (nonobtuse_sound A aadd asub amul aofZ alt ale phi phi_add phi_sub phi_mul phi_Z ale_ok c3 chk3 L1 L2 L3 lift_gram); auto.
-  - apply andb_true_iff in H as [D H]. destruct (cos_upper_ok p q D) as [U1 [U2 U3]]. destruct (cos_upper p q) as [x y]. cbn [fst snd] in *.
-    unfold angles_below2. apply (three_sound _ (fun z => z < IZR p / IZR q * (PI / 180))) with (2 := H). intros.
-    apply (cosine_sound A aadd asub amul aofZ alt ale phi phi_add phi_sub phi_mul phi_Z alt_ok ale_ok c3 chk3 L1 L2 L3 lift_gram x y); auto.
-  - apply andb_true_iff in H as [D H]. destruct (cos_lower_ok p q D) as [U1 [U2 U3]]. destruct (cos_lower p q) as [x y]. cbn [fst snd] in *.
-    unfold angles_above2. apply (three_sound _ (fun z => IZR p / IZR q * (PI / 180) < z)) with (2 := H). intros.
-    apply (cosine_above_sound A aadd asub amul aofZ alt ale phi phi_add phi_sub phi_mul phi_Z alt_ok ale_ok c3 chk3 L1 L2 L3 lift_gram x y); auto.
-  - apply radius_sound2; auto.
+  intros H. destruct st as [| |rel sg p q|rel sg p q|rel p q| | |]; cbn [check_statement2 dstatement holds2] in *; cbv zeta in H; change (c_gram A (lift c)) with (c_gram A c3) in H.
+  - exact (each_angle2 _ (fun x => x < PI / 2) (acute_sound A aadd asub amul aofZ alt ale phi phi_add phi_sub phi_mul phi_Z alt_ok c3 chk3 L1 L2 L3 lift_gram) H).
+  - exact (each_angle2 _ (fun x => x <= PI / 2) (nonobtuse_sound A aadd asub amul aofZ alt ale phi phi_add phi_sub phi_mul phi_Z ale_ok c3 chk3 L1 L2 L3 lift_gram) H).
+  - apply andb_true_iff in H as [B H]. apply largest_sound2; auto.
+  - apply andb_true_iff in H as [B H]. apply smallest_sound2; auto.
+  - apply andb_true_iff in H as [B H]. apply andb_true_iff in B as [B _]. apply Z.ltb_lt, IZR_lt in B. apply radius_sound2; auto.
   - apply strict_sound2; auto.
   - intros [k n] Ht. destruct (weakly_sound2 H k n Ht) as [CC W]. eexists. eexists. split; [exact CC|exact W].
   - discriminate.
@@ -701,26 +757,23 @@ Theorem check2_sound c ss : check2 A aadd asub amul aofZ alt ale c ss = true ->
   (exists l1 l2, has_gram2 (dgram2 c) l1 l2) /\
   forall l1 l2, has_gram2 (dgram2 c) l1 l2 ->
   edge_to_edge_tiling l1 l2 (e_rank A c) (ddomain2 c l1 l2) (length (e_tris A c)) (dtriangle c l1 l2) /\
-  forall s, In s ss -> holds2 l1 l2 (e_rank A c) (length (e_tris A c)) (dtriangle c l1 l2) s.
+  forall s, In s (map (dstatement A phi) ss) -> holds2 l1 l2 (e_rank A c) (length (e_tris A c)) (dtriangle c l1 l2) s.
 Proof.
   intros H. unfold check2 in H. apply andb_true_iff in H as [H1 H2]. rewrite forallb_forall in H2. split.
   - pose proof (chk3 c H1) as H3.
     pose proof (cgram A aadd asub amul aofZ alt ale phi phi_add phi_sub phi_mul phi_Z alt_ok _ H3) as [G1 [G2 _]].
-    pose proof (gden_pos A aadd asub amul aofZ alt ale _ H3) as GD.
-    unfold lift in G1, G2, GD. unfold dgram2. destruct (e_gram A c) as [[x y] z]. cbn [c_gden c_gram k11 k22 k33 k12 k13 k23] in *.
+    unfold lift in G1, G2. unfold dgram2. destruct (e_gram A c) as [[x y] z]. cbn [c_gram k11 k22 k33 k12 k13 k23] in *.
     unfold phiG in G1, G2; cbn [g11 g22 g33 g12 g13 g23 k11 k22 k12 k33 k13 k23] in G1, G2.
-    pose proof (Rinv_0_lt_compat _ GD) as P. set (i := / IZR (e_gden A c)) in *. unfold Rdiv. fold i.
-    set (a := sqrt (phi x * i)). assert (Pa : 0 < a) by (apply sqrt_lt_R0, Rmult_lt_0_compat; auto).
-    assert (Ea : a * a = phi x * i) by (apply sqrt_sqrt, Rlt_le, Rmult_lt_0_compat; auto).
-    set (b := phi z * i / a). set (m := phi y * i - b * b).
-    assert (Eb : a * b = phi z * i) by (unfold b; field; lra).
-    assert (M : (a * a) * m = i * i * (phi x * phi y - phi z * phi z)).
-    { unfold m. replace (a * a * (phi y * i - b * b)) with (a * a * (phi y * i) - (a * b) * (a * b)) by ring. rewrite Eb, Ea. ring. }
+    set (a := sqrt (phi x)). assert (Pa : 0 < a) by (apply sqrt_lt_R0; auto).
+    assert (Ea : a * a = phi x) by (apply sqrt_sqrt, Rlt_le; auto).
+    set (b := phi z / a). set (m := phi y - b * b).
+    assert (Eb : a * b = phi z) by (unfold b; field; lra).
+    assert (M : (a * a) * m = phi x * phi y - phi z * phi z).
+    { unfold m. replace (a * a * (phi y - b * b)) with (a * a * phi y - (a * b) * (a * b)) by ring. rewrite Eb, Ea. ring. }
     assert (Pm : 0 < m).
-    { assert (0 < i * i * (phi x * phi y - phi z * phi z)) by (repeat apply Rmult_lt_0_compat; auto). rewrite <- M in H.
-      assert (0 < a * a) by (apply Rmult_lt_0_compat; auto). nra. }
+    { rewrite <- M in G2. assert (0 < a * a) by (apply Rmult_lt_0_compat; auto). nra. }
     exists (Point2 a 0), (Point2 b (sqrt m)). unfold has_gram2, dot2; cbn [x2 y2 h11 h22 h12].
     pose proof (sqrt_sqrt m ltac:(lra)) as Sm. unfold m in Sm at 3. repeat split; lra.
-  - intros l1 l2 HG. split; [apply plane_sound; auto|]. intros s Hs. apply plane_statement_sound; auto.
+  - intros l1 l2 HG. split; [apply plane_sound; auto|]. intros s Hs. apply in_map_iff in Hs as [st [<- Hs]]. apply plane_statement_sound; auto.
 Qed.
 End Ring.

@@ -37,12 +37,14 @@ Definition common_hull2 (t t' : triangle2) (X : point2) := exists a b c,
 Definition translate2 (u : point2) (t : triangle2) := Triangle2 (add2 (ta t) u) (add2 (tb t) u) (add2 (tc t) u).
 Definition near2 (e : R) (x y : point2) := Rabs (x2 y - x2 x) < e /\ Rabs (y2 y - y2 x) < e.
 
-(** The angle between two vectors; all three angles of t have the property Q. *)
+(** The angle between two vectors; the three angles of t, the squares of its three sides. *)
 Definition angle2 (u w : point2) := acos (dot2 u w / (norm2 u * norm2 w)).
-Definition all_angles (Q : R -> Prop) (t : triangle2) :=
-  Q (angle2 (sub2 (tb t) (ta t)) (sub2 (tc t) (ta t))) /\
-  Q (angle2 (sub2 (ta t) (tb t)) (sub2 (tc t) (tb t))) /\
-  Q (angle2 (sub2 (ta t) (tc t)) (sub2 (tb t) (tc t))).
+Definition angles2 (t : triangle2) : list R :=
+  angle2 (sub2 (tb t) (ta t)) (sub2 (tc t) (ta t)) ::
+  angle2 (sub2 (ta t) (tb t)) (sub2 (tc t) (tb t)) ::
+  angle2 (sub2 (ta t) (tc t)) (sub2 (tb t) (tc t)) :: nil.
+Definition squared_edges2 (t : triangle2) : list R :=
+  distance_squared2 (ta t) (tb t) :: distance_squared2 (ta t) (tc t) :: distance_squared2 (tb t) (tc t) :: nil.
 
 (** ** Bases, lattices, domains *)
 
@@ -85,14 +87,14 @@ Record edge_to_edge_tiling : Prop := {
   edge_to_edge2 : forall X c c', is_tile2 c -> is_tile2 c' ->
      hull2 (tile2 c) X -> hull2 (tile2 c') X -> common_hull2 (tile2 c) (tile2 c') X }.
 
-Definition acute2 := forall c, is_tile2 c -> all_angles (fun x => x < PI / 2) (tile2 c).
-Definition nonobtuse2 := forall c, is_tile2 c -> all_angles (fun x => x <= PI / 2) (tile2 c).
-Definition angles_below2 (q : R) := forall c, is_tile2 c -> all_angles (fun x => x < q * (PI / 180)) (tile2 c).
-Definition angles_above2 (q : R) := forall c, is_tile2 c -> all_angles (fun x => q * (PI / 180) < x) (tile2 c).
+Definition acute2 := forall c x, is_tile2 c -> In x (angles2 (tile2 c)) -> x < PI / 2.
+Definition nonobtuse2 := forall c x, is_tile2 c -> In x (angles2 (tile2 c)) -> x <= PI / 2.
+Definition largest_angle2 := bounded is_tile2 (fun c => largest (angles2 (tile2 c))).
+Definition smallest_angle2 := bounded is_tile2 (fun c => smallest (angles2 (tile2 c))).
 
 Definition circumscribed2 (t : triangle2) (C : point2) (s : R) := forall v, In v (corners t) -> distance_squared2 v C = s.
-Definition radius_edge_below2 (q : R) := forall c, is_tile2 c -> exists C s, circumscribed2 (tile2 c) C s /\
-  forall u v, In u (corners (tile2 c)) -> In v (corners (tile2 c)) -> u <> v -> sqrt s < q * sqrt (distance_squared2 u v).
+Definition squared_ratio2 (t : triangle2) (q : R) := exists C s l, circumscribed2 t C s /\ smallest (squared_edges2 t) l /\ q = s / l.
+Definition squared_radius_edge_ratio2 := bounded is_tile2 (fun c => squared_ratio2 (tile2 c)).
 Definition is_vertex2 (v : point2) := exists c, is_tile2 c /\ In v (corners (tile2 c)).
 Definition weakly_delaunay2 := forall c, is_tile2 c -> exists C s, circumscribed2 (tile2 c) C s /\
   forall v, is_vertex2 v -> s <= distance_squared2 v C.
@@ -100,14 +102,15 @@ Definition delaunay2 := forall c, is_tile2 c -> exists C s, circumscribed2 (tile
   forall v, is_vertex2 v -> s <= distance_squared2 v C /\ (distance_squared2 v C = s -> In v (corners (tile2 c))).
 End Tilings.
 
-(** The statements of Statement.v; "TCP" is none about the plane. *)
+(** The statements of Statement.v; the dihedral angles of a triangle are its angles, and
+    "TCP" is no statement about the plane. *)
 Definition holds2 (l1 l2 : point2) (r N : nat) (P : nat -> triangle2) (s : statement) : Prop :=
   match s with
   | Acute => acute2 l1 l2 r N P
   | Nonobtuse => nonobtuse2 l1 l2 r N P
-  | DihedralBelow p q => angles_below2 l1 l2 r N P (IZR p / IZR q)
-  | DihedralAbove p q => angles_above2 l1 l2 r N P (IZR p / IZR q)
-  | RadiusEdgeBelow p q => radius_edge_below2 l1 l2 r N P (IZR p / IZR q)
+  | LargestDihedralAngle rel B => largest_angle2 l1 l2 r N P rel B
+  | SmallestDihedralAngle rel B => smallest_angle2 l1 l2 r N P rel B
+  | SquaredRadiusEdgeRatio rel B => squared_radius_edge_ratio2 l1 l2 r N P rel B
   | Delaunay => delaunay2 l1 l2 r N P
   | WeaklyDelaunay => weakly_delaunay2 l1 l2 r N P
   | TCP => False

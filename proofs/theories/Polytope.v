@@ -2,9 +2,8 @@
 
     No theorem speaks of this file: the domain is the convex hull of the points listed,
     whatever is said about its faces, and the checker uses them as hints.  A certificate
-    is nevertheless refused where they are not the facets of the hull, each once, or
-    where a facet is said to be in a face that it is not in; the extracted program does
-    so too.  P1 to P3 and B are those of docs/soundness.md. *)
+    is nevertheless refused where they are not the facets of the hull, each once; the
+    extracted program does so too.  P1 to P3 are those of docs/soundness.md. *)
 Require Import NArith ZArith List Bool.
 From Acutile Require Import Tetrahedra Domain Checker.
 Import ListNotations.
@@ -57,13 +56,6 @@ Definition closed_up (faces : list (list N)) : bool :=
   | 1 => twice N.eqb (concat faces)
   | _ => Nat.eqb (length faces) 2
   end.
-(** B: the corners of a facet are in the plane of the face that it names. *)
-Definition in_face (faces : list (list N)) (named : N * list (v3 A)) : bool :=
-  match nth_error faces (N.to_nat (fst named)) with
-  | Some f => let H := half_space_over A aadd asub amul aofZ ale den r W f in
-      forallb (fun v => is_zero A aofZ ale (klev A aadd amul H v)) (snd named)
-  | None => false
-  end.
-Definition as_the_format_says (faces : list (list N)) (named : list (N * list (v3 A))) : bool :=
-  shape faces && forallb facet_of_hull faces && forallb convex_face faces && closed_up faces && forallb (in_face faces) named.
+Definition as_the_format_says (faces : list (list N)) : bool :=
+  shape faces && forallb facet_of_hull faces && forallb convex_face faces && closed_up faces.
 End Ring.

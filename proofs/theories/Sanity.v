@@ -4,7 +4,7 @@
     to the usual notions, and gives examples of what fulfils them and of what does not.  That there are
     tilings is what the theorems of exported certificates say (docs/trust.md). *)
 Require Import Reals Lra ZArith List.
-From Acutile Require Import Statement PlaneStatement Tetrahedra Topology Degree Angles Euclid.
+From Acutile Require Import Statement PlaneStatement Tetrahedra Topology Degree Bounds Angles Euclid Transfer.
 Open Scope R_scope.
 
 (** [open_hull] is the topological interior of the closed tetrahedron. *)
@@ -101,11 +101,86 @@ Proof.
 Qed.
 
 (** The regular tetrahedron is acute. *)
-Example regular_acute : all_dihedral (fun x => x < PI / 2)
-  (Tetrahedron (Point 1 1 1) (Point 1 (-1) (-1)) (Point (-1) 1 (-1)) (Point (-1) (-1) 1)).
+Example regular_acute x :
+  In x (dihedrals (Tetrahedron (Point 1 1 1) (Point 1 (-1) (-1)) (Point (-1) 1 (-1)) (Point (-1) (-1) 1))) -> x < PI / 2.
 Proof.
-  unfold all_dihedral, dihedral; cbn [va vb vc vd].
-  repeat split; apply acute_iff; unfold perp, dot, sub, scale; cbn [px py pz]; field_simplify; lra.
+  unfold dihedrals, dihedral; cbn [va vb vc vd].
+  intros [<-|[<-|[<-|[<-|[<-|[<-|[]]]]]]]; apply acute_iff; unfold perp, dot, sub, scale; cbn [px py pz]; field_simplify; lra.
+Qed.
+
+(** ** Quantities and bounds *)
+
+(** A tile has one largest number, one smallest, one squared radius-edge ratio. *)
+Theorem largest_unique l p q : largest l p -> largest l q -> p = q.
+Proof. intros [P P'] [Q Q']. specialize (P' q Q). specialize (Q' p P). lra. Qed.
+Theorem smallest_unique l p q : smallest l p -> smallest l q -> p = q.
+Proof. intros [P P'] [Q Q']. specialize (P' q Q). specialize (Q' p P). lra. Qed.
+Theorem squared_ratio_unique t p q : vol t <> 0 -> squared_ratio t p -> squared_ratio t q -> p = q.
+Proof.
+  intros V [C [s [l [HC [Hl ->]]]]] [C' [s' [l' [HC' [Hl' ->]]]]]. rewrite (smallest_unique _ _ _ Hl Hl').
+  (* C and C' have the same inner products with the three edges *)
+  assert (K : forall v, In v (verts t) -> dot (sub v (va t)) (sub C C') = 0).
+  { intros v Hv. pose proof (HC v Hv) as A. pose proof (HC (va t) ltac:(simpl; auto)) as B.
+    pose proof (HC' v Hv) as A'. pose proof (HC' (va t) ltac:(simpl; auto)) as B'.
+    unfold distance_squared, dot in *. unf. lra. }
+  assert (E : C = C').
+  { pose proof (K (vb t) ltac:(simpl; auto)) as K1. pose proof (K (vc t) ltac:(simpl; auto)) as K2. pose proof (K (vd t) ltac:(simpl; auto)) as K3.
+    unfold vol in V. set (u := sub (vb t) (va t)) in *. set (v := sub (vc t) (va t)) in *. set (w := sub (vd t) (va t)) in *. set (n := sub C C') in *.
+    assert (N : scale (det u v w) n = origin).
+    { replace (scale (det u v w) n) with (add (scale (dot u n) (cross v w)) (add (scale (dot v n) (cross w u)) (scale (dot w n) (cross u v))))
+        by (unfold cross, dot; apply point_eq; unf; ring).
+      rewrite K1, K2, K3. unfold origin. apply point_eq; unf; ring. }
+    clearbody u v w. pose proof (f_equal px N) as X. pose proof (f_equal py N) as Y. pose proof (f_equal pz N) as Z. clear N K K1 K2 K3.
+    unfold scale, origin, n, sub in X, Y, Z; cbn [px py pz] in X, Y, Z. apply Rmult_integral in X, Y, Z.
+    apply point_eq; lra. }
+  subst C'. rewrite <- (HC (va t) ltac:(simpl; auto)), <- (HC' (va t) ltac:(simpl; auto)). reflexivity.
+Qed.
+(** "The largest at most B" bounds every number; "at least B" is reached by some number. *)
+Theorem largest_at_most {T} (tiles : T -> Prop) (l : T -> list R) B : (forall c, l c <> nil) ->
+  (bounded tiles (fun c => largest (l c)) AtMost B <-> forall c x, tiles c -> In x (l c) -> x <= B).
+Proof.
+  intros NE. split.
+  - intros H c x Hc Hx. destruct (H c Hc) as [q [[_ U] L]]. specialize (U x Hx). lra.
+  - intros H c Hc. destruct (l c) as [|x m] eqn:E; [destruct (NE c E)|]. destruct (largest_exists x m) as [q Hq]. exists q. split; auto.
+    apply (H c); auto. rewrite E. apply Hq.
+Qed.
+Theorem largest_at_least {T} (tiles : T -> Prop) (l : T -> list R) B : (forall c, l c <> nil) ->
+  (bounded tiles (fun c => largest (l c)) AtLeast B <-> forall c, tiles c -> exists x, In x (l c) /\ B <= x).
+Proof.
+  intros NE. split.
+  - intros H c Hc. destruct (H c Hc) as [q [[I _] L]]. eauto.
+  - intros H c Hc. destruct (H c Hc) as [x [Hx L]]. destruct (l c) as [|y m] eqn:E; [destruct Hx|].
+    destruct (largest_exists y m) as [q Hq]. exists q. split; auto. pose proof (proj2 Hq x Hx). lra.
+Qed.
+(** "The maximum is B" says that B is the largest quantity of all tiles. *)
+Theorem maximum_iff {T} (tiles : T -> Prop) (of : T -> R -> Prop) B : (forall c p q, of c p -> of c q -> p = q) ->
+  (bounded tiles of Maximum B <-> (forall c, tiles c -> exists q, of c q) /\ (forall c q, tiles c -> of c q -> q <= B) /\ exists c, tiles c /\ of c B).
+Proof.
+  intros U. split.
+  - intros [H R]. split; [|split; auto].
+    + intros c Hc. destruct (H c Hc) as [q [Q _]]. eauto.
+    + intros c q Hc Q. destruct (H c Hc) as [p [P L]]. rewrite (U c q p); auto.
+  - intros [E [H R]]. split; auto. intros c Hc. destruct (E c Hc) as [q Q]. exists q. split; auto. apply (H c); auto.
+Qed.
+(** An angle is at most arccos y if its cosine is at least y. *)
+Theorem at_most_arccos x y : 0 <= x <= PI -> -1 <= y <= 1 -> (x <= acos y <-> y <= cos x).
+Proof.
+  intros X Y. pose proof (cos_acos y Y) as E. pose proof (acos_bound y) as B. split; intros H.
+  - rewrite <- E. apply cos_decr_1; lra.
+  - rewrite <- E in H. apply cos_decr_0; lra.
+Qed.
+(** The largest dihedral angle of the regular tetrahedron is arccos(1/3): the sign is 1, the square is 1/9. *)
+Example regular_largest :
+  largest (dihedrals (Tetrahedron (Point 1 1 1) (Point 1 (-1) (-1)) (Point (-1) 1 (-1)) (Point (-1) (-1) 1))) (acos (1 * sqrt (1 / 9))).
+Proof.
+  assert (S : forall x, 0 <= x -> sqrt (x * x) = x) by apply sqrt_square.
+  assert (A : forall u w m, dot u u = m -> dot w w = m -> 0 < m -> dot u w = m / 3 -> angle u w = acos (1 * sqrt (1 / 9))).
+  { intros u w m U W M D. unfold angle, norm. rewrite U, W, D, sqrt_sqrt by lra. f_equal.
+    replace (1 / 9) with (1 / 3 * (1 / 3)) by field. rewrite S by lra. field. lra. }
+  unfold dihedrals, dihedral; cbn [va vb vc vd].
+  assert (K : forall l x, l <> nil -> (forall y, In y l -> y = x) -> largest l x).
+  { intros [|y l] x NE H; [congruence|]. split; [left; apply H; left; reflexivity|]. intros z Hz. rewrite (H z Hz). lra. }
+  apply K; [discriminate|]. intros y [<-|[<-|[<-|[<-|[<-|[<-|[]]]]]]]; apply (A _ _ 6); unfold perp, dot, sub, scale; cbn [px py pz]; try field; lra.
 Qed.
 
 (** ** The plane *)
@@ -117,9 +192,9 @@ Proof.
   unfold at_coordinates2, add2, scale2, det2 in *. destruct X as [x y]. cbn [x2 y2] in *. f_equal; field; exact D.
 Qed.
 (** The triangle 3, 4, 5 has a right angle: it is not acute. *)
-Example right_angle_not_acute2 : ~ all_angles (fun x => x < PI / 2) (Triangle2 (Point2 0 0) (Point2 3 0) (Point2 0 4)).
+Example right_angle_not_acute2 : ~ forall x, In x (angles2 (Triangle2 (Point2 0 0) (Point2 3 0) (Point2 0 4))) -> x < PI / 2.
 Proof.
-  intros [H _]. unfold angle2 in H; cbn [ta tb tc] in H.
+  intros H. specialize (H _ (or_introl eq_refl)). unfold angle2 in H; cbn [ta tb tc] in H.
   replace (dot2 _ _) with 0 in H at 1 by (unfold dot2, sub2; cbn [x2 y2]; ring).
   unfold Rdiv at 1 in H. rewrite Rmult_0_l, acos_0 in H. lra.
 Qed.

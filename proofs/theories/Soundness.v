@@ -5,12 +5,10 @@
     the theorem [check_sound] puts them into the degree argument and moves the
     result to Euclidean space. *)
 Require Import Reals Lra Psatz NArith Nnat ZArith List Lia Bool FunctionalExtensionality FMapPositive.
-From Acutile Require Import Statement Sums Crossing Tetrahedra Topology Degree Domain Cosine Angles Euclid Transfer Volume Delaunay Checker Keys.
+From Acutile Require Import Statement Sums Crossing Tetrahedra Topology Degree Domain Bounds Angles Euclid Transfer Volume Delaunay Checker Keys.
 Import ListNotations.
 Local Open Scope nat_scope.
 
-Lemma existsl_eq {X} (f : X -> bool) l : existsl f l = existsb f l.
-Proof. induction l; simpl; auto. rewrite IHl. destruct (f a); auto. Qed.
 Lemma I4_lt i : In i I4 <-> (i < 4)%nat.
 Proof. simpl. lia. Qed.
 
@@ -46,7 +44,6 @@ Notation kb := (kb A).
 Notation kc := (kc A).
 Notation kd := (kd A).
 Notation c_den := (c_den A).
-Notation c_gden := (c_gden A).
 Notation c_verts := (c_verts A).
 Notation c_tets := (c_tets A).
 Notation c_gram := (c_gram A).
@@ -95,11 +92,15 @@ Notation positions := (positions A aadd aofZ).
 Notation check_tiling := (check_tiling A aadd asub amul aofZ alt ale).
 Notation check_statement := (check_statement A aadd asub amul aofZ alt ale).
 Notation check := (check A aadd asub amul aofZ alt ale).
-Notation all_six := (all_six A).
-Notation chk_cosine := (chk_cosine A aadd asub amul aofZ alt ale).
-Notation chk_cosine_above := (chk_cosine_above A aadd asub amul aofZ alt ale).
-Notation chk_radius := (chk_radius A aadd asub amul aofZ alt).
-Notation chk_ratio := (chk_ratio A aadd asub amul aofZ alt).
+Notation six := (six A).
+Notation on_edge := (on_edge A).
+Notation cstatement := (cstatement A).
+Notation chk_bound := (chk_bound A aofZ alt ale).
+Notation chk_root := (chk_root A amul aofZ ale).
+Notation chk_angle := (chk_angle A aadd asub amul aofZ alt ale).
+Notation chk_radius := (chk_radius A aadd asub amul aofZ alt ale).
+Notation chk_ratio := (chk_ratio A aadd asub amul aofZ alt ale).
+Notation chk_compare := (chk_compare A alt ale).
 Notation kradius := (kradius A aadd asub amul aofZ).
 Notation chk_power := (chk_power A aadd asub amul aofZ).
 
@@ -152,8 +153,20 @@ Definition dtet (k : nat) : tetrahedron :=
 Definition dpoint (v : v3) := let d := IZR (c_den c) in Point (phi (vX v) / d) (phi (vY v) / d) (phi (vZ v) / d).
 Definition ddomain := domain l1 l2 l3 (c_rank c) (map dpoint (c_polytope c)).
 Definition dgram :=
-  let s := IZR (c_gden c) in let g := c_gram c in
-  Gram (phi (k11 g) / s) (phi (k22 g) / s) (phi (k33 g) / s) (phi (k12 g) / s) (phi (k13 g) / s) (phi (k23 g) / s).
+  let g := c_gram c in Gram (phi (k11 g)) (phi (k22 g)) (phi (k33 g)) (phi (k12 g)) (phi (k13 g)) (phi (k23 g)).
+(** The statements, with their bounds as real numbers. *)
+Definition dangle (sg : Z) (p : A) (q : Z) : R := acos (IZR sg * sqrt (phi p / IZR q)).
+Definition dstatement (s : cstatement) : statement :=
+  match s with
+  | CAcute _ => Acute
+  | CNonobtuse _ => Nonobtuse
+  | CLargestDihedralAngle _ rel sg p q => LargestDihedralAngle rel (dangle sg p q)
+  | CSmallestDihedralAngle _ rel sg p q => SmallestDihedralAngle rel (dangle sg p q)
+  | CSquaredRadiusEdgeRatio _ rel p q => SquaredRadiusEdgeRatio rel (phi p / IZR q)
+  | CDelaunay _ => Delaunay
+  | CWeaklyDelaunay _ => WeaklyDelaunay
+  | CTCP _ => TCP
+  end.
 End Denote.
 
 Open Scope R_scope.
@@ -177,7 +190,7 @@ Notation valid := (valid N (latb r)).
 Hypothesis CHK : check_tiling c = true.
 
 Lemma chk_all :
-  (0 < den)%Z /\ (0 < c_gden c)%Z /\ (r <= 3)%nat /\ (forall t, In t (c_tets c) -> chk_vol (kpos den vs t) = true) /\
+  (0 < den)%Z /\ (r <= 3)%nat /\ (forall t, In t (c_tets c) -> chk_vol (kpos den vs t) = true) /\
   (forall H, In H (c_domain c) -> chk_invariant r H = true /\ chk_inside (positions c) H = true) /\
   chk_mates r (c_domain c) (c_tets c) (kpos den vs) 0 (c_tets c) = true /\
   chk_cover c = true /\
@@ -185,10 +198,9 @@ Lemma chk_all :
   chk_polytope c (positions c) = true.
 Proof.
   pose proof CHK as H. unfold Checker.check_tiling in H. cbv zeta in H. fold den vs r in H. rewrite !andb_true_iff in H.
-  destruct H as [[[[[[[[H1 H1'] H1''] H2] H3] HP] H6] H7] H9].
+  destruct H as [[[[[[[H1 H1''] H2] H3] HP] H6] H7] H9].
   unfold Checker.positions in H2. fold den vs in H2.
   repeat split; auto.
-  - apply Z.ltb_lt; auto.
   - apply Z.ltb_lt; auto.
   - apply Nat.leb_le; auto.
   - intros t Ht. rewrite forallb_forall in H2. apply H2, in_map; auto.
@@ -198,8 +210,6 @@ Qed.
 
 Lemma h_pos : 0 < h.
 Proof. destruct chk_all as [H _]. unfold h. apply IZR_lt; auto. Qed.
-Lemma gden_pos : 0 < IZR (c_gden c).
-Proof. destruct chk_all as [_ [H _]]. apply IZR_lt; auto. Qed.
 
 Lemma get k : (k < N)%nat -> exists t, nth_error (c_tets c) k = Some t /\ In t (c_tets c).
 Proof.
@@ -213,7 +223,7 @@ Proof. intros E. unfold cT. rewrite E. auto. Qed.
 Lemma cvol k : (k < N)%nat -> 0 < vol (cT k).
 Proof.
   intros Hk. destruct (get k Hk) as [t [E I]]. rewrite (cT_eq k t E).
-  destruct chk_all as [_ [_ [_ [H _]]]]. specialize (H t I). unfold Checker.chk_vol in H. apply alt_ok in H.
+  destruct chk_all as [_ [_ [H _]]]. specialize (H t I). unfold Checker.chk_vol in H. apply alt_ok in H.
   rewrite phi_zero, phi_D in H. exact H.
 Qed.
 Lemma pvol k n : (k < N)%nat -> 0 < vol (piece (k, n)).
@@ -224,7 +234,7 @@ Lemma is_zero_ok x : is_zero x = true -> phi x = 0.
 Proof. unfold Checker.is_zero. rewrite andb_true_iff. intros [H1 H2]. apply ale_ok in H1, H2. rewrite phi_zero in *. lra. Qed.
 Lemma cinvariant H : In H Hs -> invariant r H.
 Proof.
-  unfold Hs. rewrite in_map_iff. intros [K [<- HK]]. destruct chk_all as [_ [_ [_ [_ [D _]]]]]. destruct (D K HK) as [D1 _].
+  unfold Hs. rewrite in_map_iff. intros [K [<- HK]]. destruct chk_all as [_ [_ [_ [D _]]]]. destruct (D K HK) as [D1 _].
   unfold Checker.chk_invariant in D1. rewrite !andb_true_iff in D1. destruct D1 as [[D1 D2] D3].
   unfold invariant, phiH, phi3; cbn [normal px py pz].
   split; [|split]; intros L; apply is_zero_ok.
@@ -263,7 +273,7 @@ Lemma clevel k n H : (k < N)%nat -> latb r n = true -> In H Hs ->
   (forall v, In v (verts (piece (k, n))) -> 0 <= level H v) /\ (exists v, In v (verts (piece (k, n))) /\ 0 < level H v).
 Proof.
   intros Hk Hn HI. destruct (get k Hk) as [t [E I]]. unfold Degree.piece; cbn [fst snd]. rewrite (cT_eq k t E).
-  unfold Hs in HI. apply in_map_iff in HI as [K [<- HK]]. destruct chk_all as [_ [_ [_ [_ [D _]]]]]. destruct (D K HK) as [_ D2].
+  unfold Hs in HI. apply in_map_iff in HI as [K [<- HK]]. destruct chk_all as [_ [_ [_ [D _]]]]. destruct (D K HK) as [_ D2].
   apply (inside_level (positions c)); auto. unfold Checker.positions. fold den vs. apply in_map; auto.
 Qed.
 Lemma cdom_inside cc x : valid cc -> inside (piece cc) x -> open_domain Hs x.
@@ -317,7 +327,7 @@ Lemma cboundary k n i : (k < N)%nat -> latb r n = true -> In i I4 -> cM k i = No
   exists H, In H Hs /\ forall j, In j I4 -> j <> i -> level H (vx (piece (k, n)) j) = 0.
 Proof.
   intros Hk Hn Hi E. destruct (get k Hk) as [t [Et It]].
-  destruct chk_all as [_ [_ [_ [_ [_ [M _]]]]]].
+  destruct chk_all as [_ [_ [_ [_ [M _]]]]].
   pose proof (chk_mates_spec _ _ 0 M k t i Et Hi) as C. cbn [Nat.add] in C. unfold Checker.chk_mate in C.
   unfold cM in E. rewrite Et in E. destruct (mt t i) as [[[k' i'] d]|]; [discriminate|].
   unfold Checker.on_boundary in C. apply existsb_exists in C as [K [HK C]]. rewrite forallb_forall in C.
@@ -340,7 +350,7 @@ Lemma cmate k i : (k < N)%nat -> In i I4 ->
 Proof.
   intros Hk Hi. destruct (cM k i) as [[[k1 i1] d1]|] eqn:EM.
   - destruct (get k Hk) as [t [E I]].
-    destruct chk_all as [_ [_ [_ [_ [_ [M _]]]]]].
+    destruct chk_all as [_ [_ [_ [_ [M _]]]]].
     pose proof (chk_mates_spec _ _ 0 M k t i E Hi) as C. cbn [Nat.add] in C. unfold Checker.chk_mate in C.
     unfold cM in EM. rewrite E in EM. destruct (mt t i) as [[[k' i'] d]|] eqn:Em; [|discriminate]. injection EM as <- <- <-.
     rewrite !andb_true_iff in C. destruct C as [[C1 C0] C2]. apply N.ltb_lt in C1.
@@ -367,7 +377,7 @@ Lemma chk_pieces : (0 < N)%nat /\ (forall K, In K (c_domain c) -> chk_inside (un
   (forall t, In t (unit_cell c) -> chk_unit den r t = true) /\ chk_apart (unit_cell c) (unit_cell c) = true /\
   phi (kvolume (positions c)) = phi (kvolume (unit_cell c)).
 Proof.
-  destruct chk_all as [_ [_ [_ [_ [_ [_ [H _]]]]]]]. unfold Checker.chk_cover in H. cbv zeta in H. fold den r in H.
+  destruct chk_all as [_ [_ [_ [_ [_ [H _]]]]]]. unfold Checker.chk_cover in H. cbv zeta in H. fold den r in H.
   rewrite !andb_true_iff in H. destruct H as [[[[H1 H2] H3] H4] H5]. rewrite forallb_forall in H2, H3.
   apply is_zero_ok in H5. rewrite phi_sub in H5. repeat split; auto; [|lra].
   unfold N. destruct (c_tets c); [discriminate|]. cbn. lia.
@@ -525,7 +535,7 @@ Proof. apply cover_once. Qed.
 
 Lemma cgram : gpos (phiG (c_gram c)).
 Proof.
-  destruct chk_all as [_ [_ [_ [_ [_ [_ [_ [H _]]]]]]]]. unfold Checker.chk_gram in H. rewrite !andb_true_iff in H.
+  destruct chk_all as [_ [_ [_ [_ [_ [_ [H _]]]]]]]. unfold Checker.chk_gram in H. rewrite !andb_true_iff in H.
   destruct H as [[H1 H2] H3]. apply alt_ok in H1, H2, H3. rewrite phi_zero in *.
   rewrite phi_gdet in H3. rewrite phi_sub, !phi_mul in H2. unfold gpos, phiG at 1 2 3 4 5; cbn. auto.
 Qed.
@@ -539,11 +549,11 @@ Let b2 := scale (/ h) l2.
 Let b3 := scale (/ h) l3.
 Let e := E b1 b2 b3.
 Let G := phiG (c_gram c).
-Let s := / h * / h * / IZR (c_gden c).
+Let s := / h * / h.
 Definition cP (k : nat) : tetrahedron := Pk cT h l1 l2 l3 k.
 
 Lemma s_pos : 0 < s.
-Proof. unfold s. pose proof (Rinv_0_lt_compat h h_pos). pose proof (Rinv_0_lt_compat _ gden_pos). repeat apply Rmult_lt_0_compat; auto. Qed.
+Proof. unfold s. pose proof (Rinv_0_lt_compat h h_pos). repeat apply Rmult_lt_0_compat; auto. Qed.
 (** The inner product of images: s times that of the Gram matrix. *)
 Lemma dot_e u v : dot (e u) (e v) = s * gdot G u v.
 Proof.
@@ -554,10 +564,7 @@ Qed.
 Lemma cdet : det l1 l2 l3 <> 0.
 Proof.
   pose proof (gram_det _ _ _ _ HG) as H. destruct cgram as [_ [_ D]]. intros Z. rewrite Z in H.
-  assert (K : gdet (dgram c) = / IZR (c_gden c) * / IZR (c_gden c) * / IZR (c_gden c) * gdet G).
-  { unfold gdet, dgram, G, phiG; cbn [g11 g22 g33 g12 g13 g23]. unfold Rdiv. ring. }
-  pose proof (Rinv_0_lt_compat _ gden_pos).
-  assert (0 < gdet (dgram c)) by (rewrite K; repeat apply Rmult_lt_0_compat; auto). lra.
+  assert (0 < gdet (dgram c)) by exact D. lra.
 Qed.
 Lemma cdetb : det b1 b2 b3 <> 0.
 Proof. apply det_scl0; [apply h_pos|apply cdet]. Qed.
@@ -618,7 +625,7 @@ Proof.
   intros [x [-> Hx]]. exists x. split; auto. apply over_hull_domain in Hx. fold r in Hx. rewrite cpolytope_point in Hx.
   intros H HI. apply in_map_iff in HI as [H0 [<- HI]]. pose proof h_pos as hp.
   apply Rmult_le_reg_l with h; auto. rewrite Rmult_0_r, level_descale by apply h_pos.
-  destruct chk_all as [_ [_ [R3 [_ [_ [_ [_ [_ K]]]]]]]]. unfold Checker.chk_polytope in K. fold r in K.
+  destruct chk_all as [_ [R3 [_ [_ [_ [_ [_ K]]]]]]]. unfold Checker.chk_polytope in K. fold r in K.
   destruct (Nat.leb_spec 3 r) as [R|R].
   - exfalso. unfold Hs in HI. destruct (c_domain c); [exact HI|discriminate].
   - apply andb_true_iff in K as [K _]. rewrite forallb_forall in K.
@@ -641,7 +648,7 @@ Proof. destruct k as [|[|[|k]]]; cbn; intuition congruence. Qed.
 Lemma cvertex cc v : valid cc -> In v (verts (piece cc)) -> over_hull r Wh v.
 Proof.
   destruct cc as [k n]. intros [Hk Hn] Hv. cbn [fst snd] in *. apply latb_iff in Hn.
-  destruct chk_all as [_ [_ [R3 [_ [_ [_ [_ [_ K]]]]]]]]. unfold Checker.chk_polytope in K. fold r den in K.
+  destruct chk_all as [_ [R3 [_ [_ [_ [_ [_ K]]]]]]]. unfold Checker.chk_polytope in K. fold r den in K.
   destruct (Nat.leb_spec 3 r) as [R|R]; [left; auto|].
   apply andb_true_iff in K as [_ K]. rewrite forallb_forall in K.
   destruct (get k Hk) as [t [E I]]. specialize (K (kpos den vs t)).
@@ -712,57 +719,115 @@ Proof.
   intros V H. apply ale_ok in H. rewrite phi_zero in H. apply nonobtuse_rule; auto. rewrite kac_C.
   pose proof ss_pos. apply Rmult_le_pos; lra.
 Qed.
-Lemma cosine_sound p q theta a b c0 d : orient (e (phi3 a)) (e (phi3 b)) (e (phi3 c0)) (e (phi3 d)) <> 0 ->
-  0 < IZR q -> 0 <= theta <= PI -> cos theta <= IZR p / IZR q ->
-  chk_cosine (c_gram c) p q a b c0 d = true ->
-  dihedral (e (phi3 a)) (e (phi3 b)) (e (phi3 c0)) (e (phi3 d)) < theta.
+(** [chk_root], of numbers that are k and k^2 times the true ones. *)
+Lemma root_sound (less : A -> A -> bool) (Less : R -> R -> Prop) sg p q x m k :
+  (forall x y, less x y = true -> Less (phi x) (phi y)) -> (forall k x y, 0 < k -> Less x y -> Less (k * x) (k * y)) ->
+  0 < IZR q -> 0 < k -> chk_root less sg p q x m = true -> below_root Less sg (phi p / IZR q) (k * phi x) (k * k * phi m).
 Proof.
-  intros V Hq Ht Hc H. apply below_rule with (p := IZR p) (q := IZR q); auto. rewrite !kac_C.
-  pose proof ss_pos as SS. set (m := s * s) in *.
-  set (x := phi (kac (c_gram c) a b c0 d)). set (y := phi (kac (c_gram c) a b c0 c0)). set (z := phi (kac (c_gram c) a b d d)).
-  assert (MM : 0 < m * m) by (apply Rmult_lt_0_compat; auto).
-  replace (IZR p * IZR p * (m * y * (m * z))) with ((m * m) * (IZR p * IZR p * (y * z))) by ring.
-  replace (IZR q * IZR q * (m * x * (m * x))) with ((m * m) * (IZR q * IZR q * (x * x))) by ring.
-  unfold Checker.chk_cosine in H. cbv zeta in H. destruct (Z.leb_spec 0 p) as [Hp|Hp].
-  - left. apply andb_true_iff in H as [H1 H2]. apply alt_ok in H1, H2. rewrite phi_zero in H1. rewrite !phi_mul, !phi_Z, !mult_IZR in H2.
-    fold x y z in H1, H2. split; [apply IZR_le; auto|]. split; [apply Rmult_lt_0_compat; auto|]. apply Rmult_lt_compat_l; auto.
-  - right. split; [apply IZR_lt; auto|].
-    destruct (ale zero (kac (c_gram c) a b c0 d)) eqn:E0.
-    + left. apply ale_ok in E0. rewrite phi_zero in E0. fold x in E0. apply Rmult_le_pos; lra.
-    + right. apply alt_ok in H. rewrite !phi_mul, !phi_Z, !mult_IZR in H. fold x y z in H. apply Rmult_lt_compat_l; auto.
+  intros LO LM Hq Hk H. unfold Checker.chk_root in H. unfold below_root.
+  assert (K : 0 < k * k / IZR q) by (apply Rdiv_lt_0_compat; auto; apply Rmult_lt_0_compat; auto).
+  assert (E1 : phi p / IZR q * (k * k * phi m) = k * k / IZR q * (phi p * phi m)) by (field; lra).
+  assert (E2 : k * phi x * (k * phi x) = k * k / IZR q * (IZR q * (phi x * phi x))) by (field; lra).
+  assert (P : ale zero x = true -> 0 <= k * phi x).
+  { intros X. apply ale_ok in X. rewrite phi_zero in X. apply Rmult_le_pos; lra. }
+  destruct sg as [|g|g].
+  - apply LO, (LM k) in H; auto. rewrite phi_zero, Rmult_0_r in H. exact H.
+  - destruct (ale zero x) eqn:X; [|discriminate]. split; auto. apply LO in H. rewrite !phi_mul, phi_Z in H. rewrite E1, E2. auto.
+  - destruct (ale zero x) eqn:X; [left; auto|]. right. apply LO in H. rewrite !phi_mul, phi_Z in H. rewrite E1, E2. auto.
+Qed.
+Lemma bound_sound sg p q : chk_bound sg p q = true -> 0 < IZR q /\ sign_ok sg (phi p / IZR q).
+Proof.
+  intros H. unfold Checker.chk_bound in H. apply andb_true_iff in H as [Q H]. apply Z.ltb_lt, IZR_lt in Q. split; auto.
+  assert (F : alt zero p && ale p (aofZ q) = true -> 0 < phi p / IZR q <= 1).
+  { intros X. apply andb_true_iff in X as [X1 X2]. apply alt_ok in X1. apply ale_ok in X2. rewrite phi_zero in X1. rewrite phi_Z in X2.
+    split; [apply Rdiv_lt_0_compat; auto|]. apply Rmult_le_reg_r with (IZR q); auto. unfold Rdiv. rewrite Rmult_assoc, Rinv_l by lra. lra. }
+  destruct sg as [|[g|g|]|[g|g|]]; cbn [sign_ok]; try discriminate; auto.
+Qed.
+Lemma angle_sound o sg p q a b c0 d : orient (e (phi3 a)) (e (phi3 b)) (e (phi3 c0)) (e (phi3 d)) <> 0 ->
+  chk_bound sg p q = true -> chk_angle (c_gram c) sg p q o a b c0 d = true ->
+  compares o (dihedral (e (phi3 a)) (e (phi3 b)) (e (phi3 c0)) (e (phi3 d))) (dangle sg p q).
+Proof.
+  intros V B H. destruct (bound_sound _ _ _ B) as [Q F]. apply bound_rule; auto. rewrite !kac_C.
+  pose proof ss_pos as SS. set (k := s * s) in *. clearbody k.
+  unfold Checker.chk_angle in H. cbv zeta in H. set (x := kac (c_gram c) a b c0 d) in *.
+  set (y := kac (c_gram c) a b c0 c0) in *. set (z := kac (c_gram c) a b d d) in *.
+  replace (k * phi y * (k * phi z)) with (k * k * phi (amul y z)) by (rewrite phi_mul; ring).
+  assert (NX : - (k * phi x) = k * phi (asub zero x)) by (rewrite phi_sub, phi_zero; ring).
+  destruct o; cbn [compares_root]; rewrite ?NX.
+  - apply (root_sound alt Rlt); auto. intros; apply Rmult_lt_compat_l; auto.
+  - apply (root_sound ale Rle); auto. intros; apply Rmult_le_compat_l; lra.
+  - apply (root_sound ale Rle); auto. intros; apply Rmult_le_compat_l; lra.
+  - apply (root_sound alt Rlt); auto. intros; apply Rmult_lt_compat_l; auto.
 Qed.
 
-Lemma cosine_above_sound p q theta a b c0 d : orient (e (phi3 a)) (e (phi3 b)) (e (phi3 c0)) (e (phi3 d)) <> 0 ->
-  0 < IZR q -> 0 <= theta <= PI -> IZR p / IZR q <= cos theta ->
-  chk_cosine_above (c_gram c) p q a b c0 d = true ->
-  theta < dihedral (e (phi3 a)) (e (phi3 b)) (e (phi3 c0)) (e (phi3 d)).
+(** *** The tiles and their tetrahedra *)
+Definition item (cc : cell) : ktet := match nth_error (positions c) (fst cc) with Some t => t | None => KT A vzero vzero vzero vzero end.
+Lemma item_in cc : is_tile r N cc -> In (item cc) (positions c).
 Proof.
-  intros V Hq Ht Hc H. apply above_rule with (p := IZR p) (q := IZR q); auto. rewrite !kac_C.
-  pose proof ss_pos as SS. set (m := s * s) in *.
-  set (x := phi (kac (c_gram c) a b c0 d)). set (y := phi (kac (c_gram c) a b c0 c0)). set (z := phi (kac (c_gram c) a b d d)).
-  assert (MM : 0 < m * m) by (apply Rmult_lt_0_compat; auto).
-  replace (IZR p * IZR p * (m * y * (m * z))) with ((m * m) * (IZR p * IZR p * (y * z))) by ring.
-  replace (IZR q * IZR q * (m * x * (m * x))) with ((m * m) * (IZR q * IZR q * (x * x))) by ring.
-  unfold Checker.chk_cosine_above in H. cbv zeta in H. destruct (Z.leb_spec p 0) as [Hp|Hp].
-  - left. apply andb_true_iff in H as [H1 H2]. apply alt_ok in H1, H2. rewrite phi_zero in H1. rewrite !phi_mul, !phi_Z, !mult_IZR in H2.
-    fold x y z in H1, H2. split; [apply IZR_le; auto|]. split; [|apply Rmult_lt_compat_l; auto].
-    assert (0 < m * - x) by (apply Rmult_lt_0_compat; lra). lra.
-  - right. split; [apply IZR_lt; auto|].
-    destruct (ale (kac (c_gram c) a b c0 d) zero) eqn:E0.
-    + left. apply ale_ok in E0. rewrite phi_zero in E0. fold x in E0. assert (0 <= m * - x) by (apply Rmult_le_pos; lra). lra.
-    + right. apply alt_ok in H. rewrite !phi_mul, !phi_Z, !mult_IZR in H. fold x y z in H. apply Rmult_lt_compat_l; auto.
+  intros [Hk _]. destruct (get (fst cc) Hk) as [t [Et It]]. unfold item, Checker.positions. rewrite nth_error_map, Et. apply in_map, It.
+Qed.
+Lemma in_item t : In t (positions c) -> exists cc, is_tile r N cc /\ item cc = t.
+Proof.
+  intros H. apply In_nth_error in H as [k E]. exists (k, z30). split.
+  - split; [|apply latb_iff, latb_zero]. cbn [fst]. assert (L : (k < length (positions c))%nat) by (apply nth_error_Some; congruence).
+    unfold Checker.positions in L. rewrite map_length in L. exact L.
+  - unfold item; cbn [fst]. rewrite E. reflexivity.
+Qed.
+Definition real_tile (cc : cell) := Euclid.Et b1 b2 b3 (phiT (item cc)).
+Lemma tile_item cc : is_tile r N cc -> tile l1 l2 l3 cP cc = translate (lattice_vector l1 l2 l3 (snd cc)) (real_tile cc) /\ vol (real_tile cc) <> 0.
+Proof.
+  intros [Hk _]. destruct (get (fst cc) Hk) as [t [Et It]]. unfold real_tile, item, Checker.positions. rewrite nth_error_map, Et. cbn [option_map]. split.
+  - unfold tile, cP, Pk. rewrite (cT_eq (fst cc) t Et). reflexivity.
+  - rewrite vol_Et. apply Rmult_integral_contrapositive_currified; [|apply cdetb].
+    pose proof (cvol (fst cc) Hk) as V. rewrite (cT_eq (fst cc) t Et) in V. unfold den, vs in V. lra.
+Qed.
+(** The numbers of the six edges. *)
+Definition edge_angle := on_edge (fun a b c0 d => dihedral (e (phi3 a)) (e (phi3 b)) (e (phi3 c0)) (e (phi3 d))).
+Definition edge_square := on_edge (fun a b _ _ => distance_squared (e (phi3 a)) (e (phi3 b))).
+Lemma dihedrals_six cc : is_tile r N cc -> dihedrals (tile l1 l2 l3 cP cc) = map edge_angle (six (item cc)).
+Proof. intros H. rewrite (proj1 (tile_item cc H)), dihedrals_translate. reflexivity. Qed.
+Lemma six_orient t i : vol (Euclid.Et b1 b2 b3 (phiT t)) <> 0 -> In i (six t) ->
+  on_edge (fun a b c0 d => orient (e (phi3 a)) (e (phi3 b)) (e (phi3 c0)) (e (phi3 d))) i <> 0.
+Proof.
+  intros V Hi. unfold vol, Euclid.Et, phiT in V; cbn [va vb vc vd] in V. change (E b1 b2 b3) with e in V.
+  assert (PV : forall X Y, X <> 0 -> (Y = X \/ Y = - X) -> Y <> 0) by (intros X Y HX [->| ->]; lra).
+  unfold Checker.six in Hi. simpl in Hi.
+  destruct Hi as [<-|[<-|[<-|[<-|[<-|[<-|[]]]]]]]; cbn [Checker.on_edge]; (eapply PV; [exact V|]; unfold orient; clear; unf; (left; ring) || (right; ring)).
+Qed.
+Lemma each_angle (f : v3 -> v3 -> v3 -> v3 -> bool) (Q : R -> Prop) :
+  (forall a b c0 d, orient (e (phi3 a)) (e (phi3 b)) (e (phi3 c0)) (e (phi3 d)) <> 0 -> f a b c0 d = true ->
+     Q (dihedral (e (phi3 a)) (e (phi3 b)) (e (phi3 c0)) (e (phi3 d)))) ->
+  forallb (fun t => forallb (on_edge f) (six t)) (positions c) = true ->
+  forall cc x, is_tile r N cc -> In x (dihedrals (tile l1 l2 l3 cP cc)) -> Q x.
+Proof.
+  intros HQ HF cc x Hc Hx. rewrite (dihedrals_six cc Hc) in Hx. apply in_map_iff in Hx as [i [<- Hi]].
+  rewrite forallb_forall in HF. specialize (HF _ (item_in cc Hc)). rewrite forallb_forall in HF. specialize (HF i Hi).
+  pose proof (six_orient _ i (proj2 (tile_item cc Hc)) Hi) as V. destruct i as [[[a b] c0] d]. apply HQ; auto.
+Qed.
+Lemma item_angle cc sg p q o i : is_tile r N cc -> chk_bound sg p q = true -> In i (six (item cc)) ->
+  on_edge (chk_angle (c_gram c) sg p q o) i = true -> compares o (edge_angle i) (dangle sg p q).
+Proof.
+  intros Hc B Hi H. pose proof (six_orient _ i (proj2 (tile_item cc Hc)) Hi) as V. destruct i as [[[a b] c0] d].
+  apply (angle_sound o sg p q); auto.
+Qed.
+Lemma largest_sound rel sg p q : chk_bound sg p q = true ->
+  related rel (fun t => test_largest (fun o => on_edge (chk_angle (c_gram c) sg p q o)) (six t)) (positions c) = true ->
+  largest_dihedral_angle l1 l2 l3 r N cP rel (dangle sg p q).
+Proof.
+  intros B. apply related_ok with (item := item); [exact item_in|exact in_item|]. intros cc Hc. rewrite (dihedrals_six cc Hc).
+  destruct (largest_exists (edge_angle (ka (item cc), kb (item cc), kc (item cc), kd (item cc))) (tl (map edge_angle (six (item cc))))) as [x Hx].
+  exists x. split; [exact Hx|]. intros o. apply (test_largest_ok _ _ edge_angle); [|exact Hx]. intros o' i Hi. apply (item_angle cc); auto.
+Qed.
+Lemma smallest_sound rel sg p q : chk_bound sg p q = true ->
+  related rel (fun t => test_smallest (fun o => on_edge (chk_angle (c_gram c) sg p q o)) (six t)) (positions c) = true ->
+  smallest_dihedral_angle l1 l2 l3 r N cP rel (dangle sg p q).
+Proof.
+  intros B. apply related_ok with (item := item); [exact item_in|exact in_item|]. intros cc Hc. rewrite (dihedrals_six cc Hc).
+  destruct (smallest_exists (edge_angle (ka (item cc), kb (item cc), kc (item cc), kd (item cc))) (tl (map edge_angle (six (item cc))))) as [x Hx].
+  exists x. split; [exact Hx|]. intros o. apply (test_smallest_ok _ _ edge_angle); [|exact Hx]. intros o' i Hi. apply (item_angle cc); auto.
 Qed.
 
 (** *** The radius *)
-Lemma tile_vertices k n : (k < N)%nat -> exists t, In t (c_tets c) /\
-  tile l1 l2 l3 cP (k, n) = translate (lattice_vector l1 l2 l3 n) (Euclid.Et b1 b2 b3 (phiT (kpos den vs t))) /\
-  vol (Euclid.Et b1 b2 b3 (phiT (kpos den vs t))) <> 0.
-Proof.
-  intros Hk. destruct (get k Hk) as [t [Et It]]. exists t. split; auto. split.
-  - unfold tile; cbn [fst snd]. unfold cP, Pk. rewrite (cT_eq k t Et). reflexivity.
-  - rewrite vol_Et. apply Rmult_integral_contrapositive_currified; [|apply cdetb].
-    pose proof (cvol k Hk) as V. rewrite (cT_eq k t Et) in V. lra.
-Qed.
 Lemma distance_e a b : distance_squared (e (phi3 a)) (e (phi3 b)) = s * phi (kgdot (c_gram c) (vsub b a) (vsub b a)).
 Proof.
   unfold distance_squared. rewrite <- e_sub, dot_e, phi_gdot, phi3_sub. fold G. f_equal.
@@ -788,61 +853,56 @@ Lemma kradius_d t : phi (snd (kradius (c_gram c) t)) = on_edges gram_form t.
 Proof.
   unfold Checker.kradius; cbn [snd]. repeat rewrite ?phi_add, ?phi_sub, ?phi_mul. rewrite !phi_gdot, !phi3_sub. reflexivity.
 Qed.
-Lemma radius_sound p q t : vol (Euclid.Et b1 b2 b3 (phiT t)) <> 0 -> chk_radius (c_gram c) p q t = true ->
-  let T := Euclid.Et b1 b2 b3 (phiT t) in
-  forall u v, In u (verts T) -> In v (verts T) -> u <> v ->
-  sqrt (distance_squared (va T) (circumcentre T)) < IZR p / IZR q * sqrt (distance_squared u v).
+Lemma compare_ok o x y : chk_compare o x y = true -> compares o (phi x) (phi y).
+Proof. destruct o; [apply alt_ok|apply ale_ok|apply ale_ok|apply alt_ok]. Qed.
+Lemma compares_scale o k x y : 0 < k -> compares o x y -> compares o (k * x) (k * y).
+Proof. intros K H. destruct o; cbn [compares] in *; try (apply Rmult_lt_compat_l; lra); apply Rmult_le_compat_l; lra. Qed.
+Lemma ratio_sound t o p q a b : let T := Euclid.Et b1 b2 b3 (phiT t) in vol T <> 0 -> 0 < IZR q ->
+  0 < distance_squared (e (phi3 a)) (e (phi3 b)) -> chk_ratio (c_gram c) p q (kradius (c_gram c) t) o a b = true ->
+  compares o (distance_squared (va T) (circumcentre T) / distance_squared (e (phi3 a)) (e (phi3 b))) (phi p / IZR q).
 Proof.
-  intros V H T. unfold Checker.chk_radius in H. cbv zeta in H. rewrite !andb_true_iff, !Z.ltb_lt in H.
-  destruct H as [[[[[[[P Q] H1] H2] H3] H4] H5] H6]. apply IZR_lt in P, Q. pose proof s_pos as S.
-  assert (R : forall a b, chk_ratio (c_gram c) p q (kradius (c_gram c) t) a b = true ->
-    e (phi3 a) <> e (phi3 b) ->
-    sqrt (distance_squared (va T) (circumcentre T)) < IZR p / IZR q * sqrt (distance_squared (e (phi3 a)) (e (phi3 b)))).
-  { intros a b K Ne. apply distance_pos in Ne. apply radius_rule; auto.
-    unfold Checker.chk_ratio in K. apply alt_ok in K. cbv zeta in K. rewrite !phi_mul, !phi_Z, !mult_IZR, kradius_x, kradius_d in K.
-    rewrite distance_e. unfold T, Euclid.Et, phiT; cbn [va vb vc vd].
-    change (E b1 b2 b3) with e. rewrite <- !e_sub, !dot_e.
-    assert (S4 : 0 < s * s * (s * s)) by (apply Rmult_lt_0_compat; apply ss_pos).
-    unfold on_edges in K. cbv zeta in K.
-    set (e1 := sub (phi3 (kb t)) (phi3 (ka t))) in *. set (e2 := sub (phi3 (kc t)) (phi3 (ka t))) in *. set (e3 := sub (phi3 (kd t)) (phi3 (ka t))) in *.
-    set (m11 := gdot G e1 e1) in *. set (m22 := gdot G e2 e2) in *. set (m33 := gdot G e3 e3) in *.
-    set (m12 := gdot G e1 e2) in *. set (m13 := gdot G e1 e3) in *. set (m23 := gdot G e2 e3) in *. set (l := phi (kgdot _ _ _)) in *.
-    replace (radius_form (s * m11) (s * m22) (s * m33) (s * m12) (s * m13) (s * m23)) with (s * s * (s * s) * radius_form m11 m22 m33 m12 m13 m23) by (unfold radius_form; ring).
-    replace (gram_form (s * m11) (s * m22) (s * m33) (s * m12) (s * m13) (s * m23)) with (s * s * s * gram_form m11 m22 m33 m12 m13 m23) by (unfold gram_form; ring).
-    apply (Rmult_lt_compat_l _ _ _ S4) in K. clearbody m11 m22 m33 m12 m13 m23 l s.
-    set (rf := radius_form _ _ _ _ _ _) in *. set (gf := gram_form _ _ _ _ _ _) in *. clearbody rf gf.
-    replace (IZR q * IZR q * (s * s * (s * s) * rf)) with (s * s * (s * s) * (IZR q * IZR q * rf)) by ring.
-    replace (4 * (IZR p * IZR p) * (s * s * s * gf) * (s * l)) with (s * s * (s * s) * (4 * (IZR p * IZR p) * gf * l)) by ring. exact K. }
-  assert (SY : forall x y : point, x <> y -> y <> x) by congruence.
-  assert (R' : forall a b, chk_ratio (c_gram c) p q (kradius (c_gram c) t) b a = true -> e (phi3 a) <> e (phi3 b) ->
-    sqrt (distance_squared (va T) (circumcentre T)) < IZR p / IZR q * sqrt (distance_squared (e (phi3 a)) (e (phi3 b)))).
-  { intros a b K Ne. rewrite (distance_sym (e (phi3 a))). apply R; auto. }
-  intros u v Hu Hv Ne. unfold T, verts, Euclid.Et, phiT in Hu, Hv; cbn [va vb vc vd] in Hu, Hv.
-  change (E b1 b2 b3) with e in Hu, Hv. simpl in Hu, Hv.
-  destruct Hu as [<-|[<-|[<-|[<-|[]]]]]; destruct Hv as [<-|[<-|[<-|[<-|[]]]]]; try congruence;
-  first [apply R; auto; fail | apply R'; auto].
+  intros T V Q D H. pose proof s_pos as S. apply radius_rule; auto.
+  unfold Checker.chk_ratio in H. cbv zeta in H. apply compare_ok in H. rewrite !phi_mul, !phi_Z, kradius_x, kradius_d in H.
+  rewrite distance_e. unfold T, Euclid.Et, phiT; cbn [va vb vc vd].
+  change (E b1 b2 b3) with e. rewrite <- !e_sub, !dot_e.
+  assert (S4 : 0 < s * s * (s * s)) by (apply Rmult_lt_0_compat; apply ss_pos).
+  unfold on_edges in H. cbv zeta in H.
+  set (e1 := sub (phi3 (kb t)) (phi3 (ka t))) in *. set (e2 := sub (phi3 (kc t)) (phi3 (ka t))) in *. set (e3 := sub (phi3 (kd t)) (phi3 (ka t))) in *.
+  set (m11 := gdot G e1 e1) in *. set (m22 := gdot G e2 e2) in *. set (m33 := gdot G e3 e3) in *.
+  set (m12 := gdot G e1 e2) in *. set (m13 := gdot G e1 e3) in *. set (m23 := gdot G e2 e3) in *. set (l := phi (kgdot _ _ _)) in *.
+  replace (radius_form (s * m11) (s * m22) (s * m33) (s * m12) (s * m13) (s * m23)) with (s * s * (s * s) * radius_form m11 m22 m33 m12 m13 m23) by (unfold radius_form; ring).
+  replace (gram_form (s * m11) (s * m22) (s * m33) (s * m12) (s * m13) (s * m23)) with (s * s * s * gram_form m11 m22 m33 m12 m13 m23) by (unfold gram_form; ring).
+  apply (compares_scale _ _ _ _ S4) in H. clearbody m11 m22 m33 m12 m13 m23 l s.
+  set (rf := radius_form _ _ _ _ _ _) in *. set (gf := gram_form _ _ _ _ _ _) in *. clearbody rf gf.
+  replace (IZR q * (s * s * (s * s) * rf)) with (s * s * (s * s) * (IZR q * rf)) by ring.
+  replace (4 * phi p * (s * s * s * gf) * (s * l)) with (s * s * (s * s) * (4 * phi p * gf * l)) by ring. exact H.
 Qed.
-
-Lemma all_six_sound (f : v3 -> v3 -> v3 -> v3 -> bool) (Q : R -> Prop) :
-  (forall a b c0 d, orient (e (phi3 a)) (e (phi3 b)) (e (phi3 c0)) (e (phi3 d)) <> 0 -> f a b c0 d = true ->
-     Q (dihedral (e (phi3 a)) (e (phi3 b)) (e (phi3 c0)) (e (phi3 d)))) ->
-  (forall t, In t (positions c) -> all_six f t = true) ->
-  forall cc, is_tile r N cc -> all_dihedral Q (tile l1 l2 l3 cP cc).
+Lemma six_square t i : vol (Euclid.Et b1 b2 b3 (phiT t)) <> 0 -> In i (six t) -> 0 < edge_square i.
 Proof.
-  intros HQ HF [k n] [Hk _]. cbn [fst] in Hk. unfold tile; cbn [fst snd]. apply all_dihedral_translate.
-  destruct (get k Hk) as [t [Et It]]. pose proof (cvol k Hk) as V. unfold cP, Pk. rewrite (cT_eq k t Et) in *.
-  assert (V' : vol (Euclid.Et b1 b2 b3 (phiT (kpos den vs t))) <> 0).
-  { rewrite vol_Et. apply Rmult_integral_contrapositive_currified; [lra|apply cdetb]. }
-  specialize (HF (kpos den vs t)). unfold Checker.positions in HF. fold den vs in HF.
-  specialize (HF (in_map _ _ _ It)). unfold Checker.all_six in HF. rewrite !andb_true_iff in HF.
-  destruct HF as [[[[[F1 F2] F3] F4] F5] F6].
-  unfold vol, Euclid.Et, phiT in V'; cbn [va vb vc vd] in V'.
-  unfold all_dihedral, Euclid.Et, phiT; cbn [va vb vc vd].
-  change (E (scale (/ h) l1) (scale (/ h) l2) (scale (/ h) l3)) with e.
-  change (E b1 b2 b3) with e in V'.
-  set (ta := kpos den vs t) in *.
-  assert (PV : forall X Y, X <> 0 -> (Y = X \/ Y = - X) -> Y <> 0) by (intros X Y HX [->| ->]; lra).
-  repeat split; apply HQ; auto; (eapply PV; [exact V'|]; unfold orient; clear; unf; (left; ring) || (right; ring)).
+  intros V Hi. pose proof (six_orient t i V Hi) as O. destruct i as [[[a b] c0] d]. apply distance_pos. intros E. apply O.
+  cbn [Checker.on_edge]. rewrite E. unfold orient. unf. ring.
+Qed.
+Lemma circumscribed_translate t C q w : circumscribed t C q -> circumscribed (translate w t) (add C w) q.
+Proof. intros H v Hv. apply translate_verts in Hv as [u [Hu ->]]. rewrite distance_translate. apply H, Hu. Qed.
+Lemma radius_sound rel p q : 0 < IZR q -> related rel (chk_radius (c_gram c) p q) (positions c) = true ->
+  squared_radius_edge_ratio l1 l2 l3 r N cP rel (phi p / IZR q).
+Proof.
+  intros Q. apply related_ok with (item := item); [exact item_in|exact in_item|]. intros cc Hc.
+  destruct (tile_item cc Hc) as [-> V]. set (w := lattice_vector _ _ _ _). set (t := item cc) in *.
+  set (T := real_tile cc) in *. set (R2 := distance_squared (va T) (circumcentre T)).
+  assert (ES : squared_edges (translate w T) = map edge_square (six t)).
+  { unfold squared_edges, translate; cbn [va vb vc vd]. rewrite !distance_translate. reflexivity. }
+  destruct (smallest_exists (edge_square (ka t, kb t, kc t, kd t)) (tl (map edge_square (six t)))) as [l Hl].
+  change (smallest (map edge_square (six t)) l) in Hl.
+  exists (R2 / l). split.
+  - exists (add (circumcentre T) w), R2, l. split; [|split; [rewrite ES; exact Hl|reflexivity]].
+    apply circumscribed_translate, circumscribed_centre, V.
+  - intros o. unfold Checker.chk_radius. cbv zeta. apply (test_largest_ok _ _ (fun i => R2 / edge_square i)).
+    + intros o' i Hi H. pose proof (six_square t i V Hi) as D. destruct i as [[[a b] c0] d]. apply ratio_sound; auto.
+    + rewrite <- (map_map edge_square (fun x => R2 / x)). apply largest_quotient; auto.
+      * unfold R2, distance_squared. set (u := sub _ _). unfold dot.
+        pose proof (Rle_0_sqr (px u)); pose proof (Rle_0_sqr (py u)); pose proof (Rle_0_sqr (pz u)). unfold Rsqr in *. lra.
+      * intros x Hx. apply in_map_iff in Hx as [i [<- Hi]]. apply (six_square t); auto.
 Qed.
 
 (** *** Delaunay *)
@@ -1005,7 +1065,7 @@ Proof.
   destruct cc as [k n]. intros [Hk Hn] Hi PA Hq Z. cbn [fst snd] in Hk, Hn.
   unfold Degree.paired in PA; cbn [fst snd] in PA. unfold Degree.across.
   destruct (get k Hk) as [t [E I]]. destruct (cM k i) as [[[k1 i1] d1]|] eqn:EM; [|congruence]. clear PA.
-  destruct chk_all as [_ [_ [_ [_ [_ [M _]]]]]].
+  destruct chk_all as [_ [_ [_ [_ [M _]]]]].
   pose proof (chk_mates_spec _ _ 0 M k t i E Hi) as C. cbn [Nat.add] in C. unfold Checker.chk_mate in C.
   unfold cM in EM. rewrite E in EM. destruct (mt t i) as [[[k' i'] d]|]; [|discriminate]. injection EM as <- <- <-.
   rewrite !andb_true_iff in C. destruct C as [_ C2].
@@ -1194,29 +1254,14 @@ Proof.
 Qed.
 
 (** *** All statements *)
-Theorem statement_sound st : check_statement c st = true -> holds l1 l2 l3 r N cP st.
+Theorem statement_sound st : check_statement c st = true -> holds l1 l2 l3 r N cP (dstatement st).
 Proof.
-  intros H. destruct st as [| |p q|p q|p q| | |]; cbn [Checker.check_statement holds] in *.
-  - rewrite forallb_forall in H. unfold acute. apply (all_six_sound _ (fun x => x < PI / 2)) with (2 := H). intros; apply acute_sound; auto.
-  - rewrite forallb_forall in H. unfold nonobtuse. apply (all_six_sound _ (fun x => x <= PI / 2)) with (2 := H). intros; apply nonobtuse_sound; auto.
-  - apply andb_true_iff in H as [D H]. rewrite forallb_forall in H.
-    destruct (cos_upper_ok p q D) as [T [Q0 U]].
-    destruct (cos_upper p q) as [a b]. cbn [fst snd] in Q0, U.
-    unfold dihedral_below. apply (all_six_sound _ (fun x => x < IZR p / IZR q * (PI / 180))) with (2 := H).
-    intros. apply cosine_sound with (p := a) (q := b); auto.
-  - apply andb_true_iff in H as [D H]. rewrite forallb_forall in H.
-    destruct (cos_lower_ok p q D) as [T [Q0 U]].
-    destruct (cos_lower p q) as [a b]. cbn [fst snd] in Q0, U.
-    unfold dihedral_above. apply (all_six_sound _ (fun x => IZR p / IZR q * (PI / 180) < x)) with (2 := H).
-    intros. apply cosine_above_sound with (p := a) (q := b); auto.
-  - rewrite forallb_forall in H. unfold radius_edge_below. intros [k n] [Hk _]. cbn [fst] in Hk.
-    destruct (tile_vertices k n Hk) as [t [It [-> V]]]. specialize (H (kpos den vs t)).
-    unfold Checker.positions in H. fold den vs in H. specialize (H (in_map _ _ _ It)).
-    set (T := Euclid.Et b1 b2 b3 (phiT (kpos den vs t))) in *. set (w := lattice_vector l1 l2 l3 n).
-    exists (add (circumcentre T) w), (distance_squared (va T) (circumcentre T)). split.
-    + intros v Hv. apply translate_verts in Hv as [u [Hu ->]]. rewrite distance_translate. apply circumscribed_centre; auto.
-    + intros u v Hu Hv Ne. apply translate_verts in Hu as [u' [Hu ->]]. apply translate_verts in Hv as [v' [Hv ->]].
-      rewrite distance_translate. apply radius_sound; auto. congruence.
+  intros H. destruct st as [| |rel sg p q|rel sg p q|rel p q| | |]; cbn [Checker.check_statement dstatement holds] in *; cbv zeta in H.
+  - exact (each_angle _ (fun x => x < PI / 2) acute_sound H).
+  - exact (each_angle _ (fun x => x <= PI / 2) nonobtuse_sound H).
+  - apply andb_true_iff in H as [B H]. apply largest_sound; auto.
+  - apply andb_true_iff in H as [B H]. apply smallest_sound; auto.
+  - apply andb_true_iff in H as [B H]. apply andb_true_iff in B as [B _]. apply Z.ltb_lt, IZR_lt in B. apply radius_sound; auto.
   - assert (LE : forall x y, alt x y = true -> phi x <= phi y) by (intros x y X; apply alt_ok in X; lra).
     intros cc Hc. apply valid_is_tile in Hc.
     assert (V : 0 < vol (piece cc)) by (destruct cc; apply pvol, Hc).
@@ -1248,22 +1293,15 @@ End Sound.
 (** ** The theorem *)
 Theorem check_sound c ss : check c ss = true -> forall l1 l2 l3, has_gram (dgram c) l1 l2 l3 ->
   face_to_face_tiling l1 l2 l3 (c_rank c) (ddomain c l1 l2 l3) (length (c_tets c)) (dtet c l1 l2 l3) /\
-  forall s, In s ss -> holds l1 l2 l3 (c_rank c) (length (c_tets c)) (dtet c l1 l2 l3) s.
+  forall s, In s (map dstatement ss) -> holds l1 l2 l3 (c_rank c) (length (c_tets c)) (dtet c l1 l2 l3) s.
 Proof.
   intros H l1 l2 l3 HG. unfold Checker.check in H. apply andb_true_iff in H as [H1 H2]. rewrite forallb_forall in H2.
-  split; [apply tiling_sound; auto|]. intros s Hs. rewrite (dtet_cP c H1). apply statement_sound; auto.
+  split; [apply tiling_sound; auto|]. intros s Hs. apply in_map_iff in Hs as [st [<- Hs]]. rewrite (dtet_cP c H1). apply statement_sound; auto.
 Qed.
 (** A basis with that Gram matrix exists. *)
 Theorem basis_exists c ss : check c ss = true -> exists l1 l2 l3, has_gram (dgram c) l1 l2 l3.
 Proof.
   intros H. unfold Checker.check in H. apply andb_true_iff in H as [H1 H2]. apply gram_exists.
-  destruct (cgram c H1) as [G1 [G2 G3]]. pose proof (Rinv_0_lt_compat _ (gden_pos c H1)) as P. set (i := / IZR (c_gden c)) in *.
-  unfold gpos, gdet, dgram; cbn [g11 g22 g33 g12 g13 g23]. unfold gdet, phiG in *; cbn [g11 g22 g33 g12 g13 g23] in *. unfold Rdiv. fold i.
-  split; [|split].
-  - apply Rmult_lt_0_compat; auto.
-  - match goal with |- 0 < ?x => replace x with ((i * i) * (phi (k11 (c_gram c)) * phi (k22 (c_gram c)) - phi (k12 (c_gram c)) * phi (k12 (c_gram c)))) by ring end.
-    repeat apply Rmult_lt_0_compat; auto.
-  - match goal with |- 0 < ?x => match type of G3 with 0 < ?y => replace x with ((i * i * i) * y) by ring end end.
-    repeat apply Rmult_lt_0_compat; auto.
+  apply (cgram c H1).
 Qed.
 End Ring.

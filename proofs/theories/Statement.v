@@ -103,11 +103,38 @@ Definition angle (u w : point) := acos (dot u w / (norm u * norm w)).
     c and d, in radians. *)
 Definition dihedral (a b c d : point) := angle (perp (sub b a) (sub c a)) (perp (sub b a) (sub d a)).
 
-(** All six dihedral angles of t have the property Q. *)
-Definition all_dihedral (Q : R -> Prop) (t : tetrahedron) :=
-  Q (dihedral (va t) (vb t) (vc t) (vd t)) /\ Q (dihedral (va t) (vc t) (vb t) (vd t)) /\
-  Q (dihedral (va t) (vd t) (vb t) (vc t)) /\ Q (dihedral (vb t) (vc t) (va t) (vd t)) /\
-  Q (dihedral (vb t) (vd t) (va t) (vc t)) /\ Q (dihedral (vc t) (vd t) (va t) (vb t)).
+(** The six dihedral angles of t, and the squares of its six edges. *)
+Definition dihedrals (t : tetrahedron) : list R :=
+  dihedral (va t) (vb t) (vc t) (vd t) :: dihedral (va t) (vc t) (vb t) (vd t) ::
+  dihedral (va t) (vd t) (vb t) (vc t) :: dihedral (vb t) (vc t) (va t) (vd t) ::
+  dihedral (vb t) (vd t) (va t) (vc t) :: dihedral (vc t) (vd t) (va t) (vb t) :: nil.
+Definition squared_edges (t : tetrahedron) : list R :=
+  distance_squared (va t) (vb t) :: distance_squared (va t) (vc t) ::
+  distance_squared (va t) (vd t) :: distance_squared (vb t) (vc t) ::
+  distance_squared (vb t) (vd t) :: distance_squared (vc t) (vd t) :: nil.
+
+(** ** Quantities and bounds *)
+
+(** q is the largest number in the list, the smallest. *)
+Definition largest (l : list R) (q : R) := In q l /\ forall x, In x l -> x <= q.
+Definition smallest (l : list R) (q : R) := In q l /\ forall x, In x l -> q <= x.
+
+(** The relations between a quantity of the tiles and a bound B.  [of c q] says that the
+    tile c has the quantity q.  "Less than": every tile has a quantity less than B.
+    "Maximum": every tile has a quantity of at most B, and some tile has the quantity B.
+    The other relations are alike. *)
+Inductive relation := LessThan | AtMost | Maximum | MoreThan | AtLeast | Minimum.
+Definition every {T} (tiles : T -> Prop) (of : T -> R -> Prop) (ok : R -> Prop) := forall c, tiles c -> exists q, of c q /\ ok q.
+Definition reached {T} (tiles : T -> Prop) (of : T -> R -> Prop) (B : R) := exists c, tiles c /\ of c B.
+Definition bounded {T} (tiles : T -> Prop) (of : T -> R -> Prop) (rel : relation) (B : R) : Prop :=
+  match rel with
+  | LessThan => every tiles of (fun q => q < B)
+  | AtMost => every tiles of (fun q => q <= B)
+  | Maximum => every tiles of (fun q => q <= B) /\ reached tiles of B
+  | MoreThan => every tiles of (fun q => B < q)
+  | AtLeast => every tiles of (fun q => B <= q)
+  | Minimum => every tiles of (fun q => B <= q) /\ reached tiles of B
+  end.
 
 (** ** Bases, lattices, domains *)
 
@@ -131,7 +158,7 @@ Definition lattice_vector (l1 l2 l3 : point) (n : Z * Z * Z) : point :=
 
 (** ** Domains *)
 
-(** The convex hull of finitely many points: the smallest convex set that holds them. *)
+(** The convex hull of finitely many points: the smallest convex set that contains them. *)
 Inductive convex_hull (W : list point) : point -> Prop :=
   | hull_vertex v : In v W -> convex_hull W v
   | hull_segment x y s : convex_hull W x -> convex_hull W y -> 0 <= s <= 1 -> convex_hull W (add (scale (1 - s) x) (scale s y)).
@@ -179,19 +206,22 @@ Record face_to_face_tiling : Prop := {
   tiling_face_to_face : forall X c c', is_tile c -> is_tile c' ->
      hull (tile c) X -> hull (tile c') X -> common_hull (tile c) (tile c') X }.
 
-(** "acute", "nonobtuse", "all dihedral angles below q degrees", "above" *)
-Definition acute := forall c, is_tile c -> all_dihedral (fun x => x < PI / 2) (tile c).
-Definition nonobtuse := forall c, is_tile c -> all_dihedral (fun x => x <= PI / 2) (tile c).
-Definition dihedral_below (q : R) := forall c, is_tile c -> all_dihedral (fun x => x < q * (PI / 180)) (tile c).
-Definition dihedral_above (q : R) := forall c, is_tile c -> all_dihedral (fun x => q * (PI / 180) < x) (tile c).
+(** "acute", "nonobtuse" *)
+Definition acute := forall c x, is_tile c -> In x (dihedrals (tile c)) -> x < PI / 2.
+Definition nonobtuse := forall c x, is_tile c -> In x (dihedrals (tile c)) -> x <= PI / 2.
 
-(** "all radius-edge ratios below q": the radius of the circumscribed ball (centre C,
-    squared radius s) is less than q times every edge. *)
+(** "largest dihedral angle", "smallest dihedral angle": the quantity of a tile is the
+    largest, the smallest of its six dihedral angles, and B is an angle, in radians. *)
+Definition largest_dihedral_angle := bounded is_tile (fun c => largest (dihedrals (tile c))).
+Definition smallest_dihedral_angle := bounded is_tile (fun c => smallest (dihedrals (tile c))).
+
+(** "squared radius-edge ratio": the quantity of a tile is s / l for the squared radius s
+    of the circumscribed ball (with the centre C) and the square l of the shortest edge. *)
 Definition circumscribed (t : tetrahedron) (C : point) (s : R) := forall v, In v (verts t) -> distance_squared v C = s.
-Definition radius_edge_below (q : R) := forall c, is_tile c -> exists C s, circumscribed (tile c) C s /\
-  forall u v, In u (verts (tile c)) -> In v (verts (tile c)) -> u <> v -> sqrt s < q * sqrt (distance_squared u v).
+Definition squared_ratio (t : tetrahedron) (q : R) := exists C s l, circumscribed t C s /\ smallest (squared_edges t) l /\ q = s / l.
+Definition squared_radius_edge_ratio := bounded is_tile (fun c => squared_ratio (tile c)).
 
-(** "Delaunay": the circumscribed ball of every tile holds no vertex in its
+(** "Delaunay": the circumscribed ball of every tile has no vertex in its
     interior and none but the tile's own on its boundary; "weakly Delaunay": none in
     its interior. *)
 Definition is_vertex (v : point) := exists c, is_tile c /\ In v (verts (tile c)).
@@ -210,19 +240,20 @@ Definition tcp :=
   (forall c u v w, has_vertices (u :: v :: w :: nil) c -> u <> v -> u <> w -> v <> w -> ~ (valence u v 6 /\ valence u w 6)).
 End Tilings.
 
-(** One statement of a claim, as a certificate lists them; [DihedralBelow p q]
-    is "all dihedral angles below p/q degrees", [RadiusEdgeBelow p q] "all
-    radius-edge ratios below p/q". *)
+(** One statement of a claim, as a certificate lists them; with the relation and the
+    bound.  A certificate gives the bound of an angle as acos (sign * sqrt fraction). *)
 Inductive statement :=
-  | Acute | Nonobtuse | DihedralBelow (p q : Z) | DihedralAbove (p q : Z) | RadiusEdgeBelow (p q : Z)
+  | Acute | Nonobtuse
+  | LargestDihedralAngle (rel : relation) (B : R) | SmallestDihedralAngle (rel : relation) (B : R)
+  | SquaredRadiusEdgeRatio (rel : relation) (B : R)
   | Delaunay | WeaklyDelaunay | TCP.
 Definition holds (l1 l2 l3 : point) (r N : nat) (P : nat -> tetrahedron) (s : statement) : Prop :=
   match s with
   | Acute => acute l1 l2 l3 r N P
   | Nonobtuse => nonobtuse l1 l2 l3 r N P
-  | DihedralBelow p q => dihedral_below l1 l2 l3 r N P (IZR p / IZR q)
-  | DihedralAbove p q => dihedral_above l1 l2 l3 r N P (IZR p / IZR q)
-  | RadiusEdgeBelow p q => radius_edge_below l1 l2 l3 r N P (IZR p / IZR q)
+  | LargestDihedralAngle rel B => largest_dihedral_angle l1 l2 l3 r N P rel B
+  | SmallestDihedralAngle rel B => smallest_dihedral_angle l1 l2 l3 r N P rel B
+  | SquaredRadiusEdgeRatio rel B => squared_radius_edge_ratio l1 l2 l3 r N P rel B
   | Delaunay => delaunay l1 l2 l3 r N P
   | WeaklyDelaunay => weakly_delaunay l1 l2 l3 r N P
   | TCP => tcp l1 l2 l3 r N P

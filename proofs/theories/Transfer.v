@@ -4,7 +4,7 @@
     can be proved in lattice coordinates, where the lattice is h Z^3, and moved
     to Euclidean space by x |-> (x1 l1 + x2 l2 + x3 l3) / h. *)
 Require Import Reals Lra Psatz ZArith List Lia Bool.
-From Acutile Require Import Statement Sums Crossing Tetrahedra Topology Degree Domain Euclid.
+From Acutile Require Import Statement Sums Crossing Tetrahedra Topology Degree Domain Euclid Bounds.
 Import ListNotations.
 Open Scope R_scope.
 
@@ -177,28 +177,27 @@ Proof.
     rewrite D, X. clearbody w. set (dd := det e1 e2 e3) in *. clearbody dd.
     unfold distance_squared, dot. unf. field. auto.
 Qed.
-Lemma ratio_rule R2 g X p q l : 0 < g -> 4 * g * R2 = X -> 0 < p -> 0 < q -> 0 < l ->
-  q * q * X < 4 * (p * p) * g * l -> sqrt R2 < p / q * sqrt l.
+(** R^2 / l and p / q compare as q X and 4 p g l. *)
+Lemma ratio_rule o R2 g X p q l : 0 < g -> 4 * g * R2 = X -> 0 < q -> 0 < l ->
+  compares o (q * X) (4 * p * g * l) -> compares o (R2 / l) (p / q).
 Proof.
-  intros G0 <- P Q L H.
-  assert (K : q * q * R2 < p * p * l). { apply Rmult_lt_reg_l with (4 * g); lra. }
-  assert (PQ : 0 < p / q) by (apply Rdiv_lt_0_compat; auto).
-  replace (p / q * sqrt l) with (sqrt (p / q * (p / q) * l)).
-  2:{ pose proof (Rlt_le _ _ PQ) as PQ'. rewrite sqrt_mult; [rewrite sqrt_square by exact PQ'; reflexivity | apply (Rmult_le_pos _ _ PQ' PQ') | apply Rlt_le, L]. }
-  destruct (Rle_dec 0 R2) as [R|R].
-  - apply sqrt_lt_1; auto.
-    + apply Rlt_le, Rmult_lt_0_compat; [apply (Rmult_lt_0_compat _ _ PQ PQ)|exact L].
-    + apply Rmult_lt_reg_l with (q * q); [apply Rmult_lt_0_compat; auto|].
-      replace (q * q * (p / q * (p / q) * l)) with (p * p * l) by (field; lra). exact K.
-  - rewrite (sqrt_neg_0 R2) by lra. apply sqrt_lt_R0, Rmult_lt_0_compat; [apply (Rmult_lt_0_compat _ _ PQ PQ)|exact L].
+  intros G0 <- Q L H.
+  assert (K : 0 < 4 * g * (q * l)) by (repeat apply Rmult_lt_0_compat; lra).
+  assert (E1 : R2 / l * (4 * g * (q * l)) = q * (4 * g * R2)) by (field; lra).
+  assert (E2 : p / q * (4 * g * (q * l)) = 4 * p * g * l) by (field; lra).
+  rewrite <- E1, <- E2 in H. destruct o; cbn [compares] in *.
+  - apply (Rmult_lt_reg_r _ _ _ K H).
+  - apply (Rmult_le_reg_r _ _ _ K H).
+  - apply (Rmult_le_reg_r _ _ _ K H).
+  - apply (Rmult_lt_reg_r _ _ _ K H).
 Qed.
-Lemma radius_rule t p q l : vol t <> 0 -> 0 < p -> 0 < q -> 0 < l ->
+Lemma radius_rule t o p q l : vol t <> 0 -> 0 < q -> 0 < l ->
   let e1 := sub (vb t) (va t) in let e2 := sub (vc t) (va t) in let e3 := sub (vd t) (va t) in
   let on f : R := f (dot e1 e1) (dot e2 e2) (dot e3 e3) (dot e1 e2) (dot e1 e3) (dot e2 e3) in
-  q * q * on radius_form < 4 * (p * p) * on gram_form * l ->
-  sqrt (distance_squared (va t) (circumcentre t)) < p / q * sqrt l.
+  compares o (q * on radius_form) (4 * p * on gram_form * l) ->
+  compares o (distance_squared (va t) (circumcentre t) / l) (p / q).
 Proof.
-  intros V P Q L e1 e2 e3 on H. destruct (circumradius t V) as [G0 E0]. cbv zeta in G0, E0. fold e1 e2 e3 in G0, E0.
-  apply (ratio_rule _ _ _ p q l G0 E0); auto.
+  intros V Q L e1 e2 e3 on H. destruct (circumradius t V) as [G0 E0]. cbv zeta in G0, E0. fold e1 e2 e3 in G0, E0.
+  apply (ratio_rule o _ _ _ p q l G0 E0); auto.
 Qed.
 End Transfer.

@@ -6,12 +6,14 @@
 //! at for all files before the first is written.
 
 use super::input::FileArguments;
+use super::limits::LimitArguments;
 use super::outcome::Outcome;
 use super::output::{Output, write_files};
 use super::proved;
 use acutile_catalog as catalog;
 use acutile_publish::appendix::{self, File, Options, Subject, is_unchanged};
 use clap::Args;
+use rayon::prelude::*;
 use std::path::{Path, PathBuf};
 
 #[derive(Debug, Args)]
@@ -33,6 +35,8 @@ pub struct AppendixArguments {
     /// Print decimals with the package siunitx
     #[arg(long)]
     pub siunitx: bool,
+    #[command(flatten)]
+    pub limits: LimitArguments,
 }
 
 type Failure = (String, Outcome);
@@ -63,7 +67,7 @@ fn write(arguments: &AppendixArguments) -> Result<usize, Failure> {
             inputs.push(input);
         }
     }
-    let subjects = subjects(&inputs, &arguments.file)?;
+    let subjects = subjects(&inputs, arguments)?;
     check_different(&subjects)?;
     let options = Options {
         siunitx: arguments.siunitx,
@@ -75,33 +79,12 @@ fn write(arguments: &AppendixArguments) -> Result<usize, Failure> {
 }
 
 /// The subjects of all inputs, several at a time; the first failure in their order.
-fn subjects(inputs: &[&str], options: &FileArguments) -> Result<Vec<Subject>, Failure> {
-    let next = std::sync::atomic::AtomicUsize::new(0);
-    let found = std::sync::Mutex::new(std::collections::BTreeMap::new());
-    let work = || {
-        loop {
-            let index = next.fetch_add(1, std::sync::atomic::Ordering::Relaxed);
-            let Some(input) = inputs.get(index) else {
-                break;
-            };
-            let subject = subject(input, options);
-            if let Ok(mut found) = found.lock() {
-                found.insert(index, subject);
-            }
-        }
-    };
-    let workers = std::thread::available_parallelism().map_or(1, usize::from);
-    std::thread::scope(|scope| {
-        for _ in 1..workers {
-            scope.spawn(work);
-        }
-        work();
-    });
-    found
-        .into_inner()
-        .unwrap_or_default()
-        .into_values()
-        .collect()
+fn subjects(inputs: &[&str], arguments: &AppendixArguments) -> Result<Vec<Subject>, Failure> {
+    let found: Vec<_> = inputs
+        .par_iter()
+        .map(|input| subject(input, arguments))
+        .collect();
+    found.into_iter().collect()
 }
 
 /// Two subjects of one name would be written to the same files.
@@ -124,8 +107,9 @@ fn check_different(subjects: &[Subject]) -> Result<(), Failure> {
 }
 
 /// A construction of the catalogue, or a tiling file, proved; or a certificate.
-fn subject(input: &str, options: &FileArguments) -> Result<Subject, Failure> {
-    let proved = proved::proved(input, options, &mut Output::standard())
+fn subject(input: &str, arguments: &AppendixArguments) -> Result<Subject, Failure> {
+    let limits = arguments.limits.limits();
+    let proved = proved::proved(input, &arguments.file, &limits, &mut Output::standard())
         .map_err(|error| (error.message, error.outcome))?;
     proved::subject(input, &proved).ok_or_else(|| {
         let message =

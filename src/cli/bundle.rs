@@ -1,11 +1,12 @@
 //! `acutile bundle`: an archive to deposit.
 
 use super::input::FileArguments;
+use super::limits::LimitArguments;
 use super::named::InputError;
 use super::outcome::Outcome;
 use super::output::{Output, write_file};
 use super::proved::{overwritten, proved, subject};
-use acutile_format1::front::one_line;
+use super::words::one_line;
 use acutile_publish::bundle::{Options, Piece, archive, bundle};
 use clap::Args;
 use std::path::{Path, PathBuf};
@@ -23,6 +24,8 @@ pub struct BundleArguments {
     /// Write the archive here (`-` for standard output)
     #[arg(short, long, value_name = "FILE.zip")]
     pub output: PathBuf,
+    #[command(flatten)]
+    pub limits: LimitArguments,
 }
 
 /// Writes the archive; nothing is written where an input is not proved.
@@ -41,9 +44,10 @@ fn write(arguments: &BundleArguments, output: &mut Output) -> Result<(), InputEr
     if let Some(input) = overwritten(&arguments.inputs, Some(target)) {
         return Err(format!("-o would overwrite the input {input}").into());
     }
+    let limits = arguments.limits.limits();
     let mut pieces = Vec::new();
     for input in &arguments.inputs {
-        let proved = proved(input, &arguments.file, output)?;
+        let proved = proved(input, &arguments.file, &limits, output)?;
         let subject = subject(input, &proved);
         pieces.push(Piece { proved, subject });
     }

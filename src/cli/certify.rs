@@ -2,23 +2,26 @@
 
 use super::encoding::Encoding;
 use super::input::{self, FileArguments};
+use super::limits::LimitArguments;
 use super::outcome::Outcome;
 use super::output::{Output, Staged, write_file};
 use super::progress::Progress;
 use super::refutation::Refuted;
-use super::statement::statement;
-use super::verify::summary;
+use super::verify::{claim_json, summary};
 use acutile_catalog as catalog;
-use acutile_core::checker::{self, Defect, Findings, Names, Options};
+use acutile_core::checker::{self, Defect, Names, Options};
+use acutile_core::format::{self, print};
+use acutile_core::proved::{Confirmed, NotProved, hexadecimal, prove_to};
+use acutile_core::statement::{Requirement, in_words as statement_in_words};
 use acutile_core::tiling::Tiling;
+use acutile_core::transcribe;
 use acutile_core::with_dimension;
-use acutile_format1::certificate::Statement;
-use acutile_format1::verifier::{Limits, Refusal, Verified, to_json, verify, verify_file};
 use acutile_io::import::{is_gzip, uncompressed_name};
+use acutile_kernel::Verified;
 use clap::Args;
 use serde_json::{Value, json};
 use std::collections::BTreeMap;
-use std::io::{self, BufWriter, Write};
+use std::io::{self, Cursor};
 use std::path::{Path, PathBuf};
 
 #[derive(Debug, Args)]
@@ -50,8 +53,8 @@ pub struct CertifyArguments {
     pub format: Option<Encoding>,
     /// A statement that must hold: tiling, acute, nonobtuse, delaunay, weakly-delaunay, tcp,
     /// dihedral<DEGREES, dihedral>DEGREES, radius-edge<RATIO
-    #[arg(long = "require", value_name = "STATEMENT", value_parser = statement)]
-    pub required: Vec<Statement>,
+    #[arg(long = "require", value_name = "STATEMENT")]
+    pub required: Vec<Requirement>,
     /// Give negatively oriented simplices positive orientation
     #[arg(long)]
     pub reorient: bool,
@@ -65,6 +68,8 @@ pub struct CertifyArguments {
     /// One JSON object a line: one for each input, and for a refuted one then one for each defect
     #[arg(long)]
     pub json: bool,
+    #[command(flatten)]
+    pub limits: LimitArguments,
 }
 
 /// Certifies every input; the outcome is the worst of all.
@@ -202,11 +207,20 @@ enum Answer {
     },
     /// The same, with the certificate in its place.
     Confirmed(Verified),
-    /// By the prover, without a certificate; vertices, simplices, statements.
-    Examined(usize, usize, Vec<Statement>),
+    /// By the prover, without a certificate.
+    Examined(Box<Examined>),
     Refuted(Box<Refuted>),
     Failed(String),
     Declined(String),
+}
+
+/// What the prover alone says.
+struct Examined {
+    vertices: usize,
+    simplices: usize,
+    words: String,
+    /// The statements as the claim of a certificate has them.
+    statements: Value,
 }
 
 /// Proves or refutes; `notes` gets what was done to the input before.
@@ -240,26 +254,34 @@ fn prove(
     let options = Options {
         required: arguments.required.clone(),
         defect_limit: defect_limit(arguments),
+        limits: arguments.limits.limits(),
     };
     let proved = with_dimension!(&named.tiling, AnyTiling, t => match arguments.no_certificate {
         true => examine_tiling(t, input, &options),
         false => prove_tiling(t, input, &options, target, encoding(target, arguments)),
     });
-    proved.unwrap_or_else(|findings| {
-        if findings.is_declined() {
+    let findings = match proved {
+        Ok(answer) => return answer,
+        Err(NotProved::Refuted(findings)) => findings,
+        Err(NotProved::Declined(findings)) => {
             let message = findings.kept().first().map_or(
                 String::new(),
                 |defect| with_dimension!(&named.tiling, AnyTiling, t => in_words(t, defect)),
             );
             return Answer::Declined(format!("{input}: {message}"));
         }
-        Answer::Refuted(Box::new(Refuted {
-            tiling: named.tiling,
-            origin: named.origin,
-            notes: notes.clone(),
-            findings,
-        }))
-    })
+        Err(NotProved::Io(error)) => return unwritten(target, &error),
+        Err(reason) => {
+            // The tiling is right by the prover; a certificate that is not confirmed proves nothing.
+            return Answer::Declined(format!("{input}: {reason}"));
+        }
+    };
+    Answer::Refuted(Box::new(Refuted {
+        tiling: named.tiling,
+        origin: named.origin,
+        notes: notes.clone(),
+        findings,
+    }))
 }
 
 fn in_words<const D: usize>(tiling: &Tiling<D>, defect: &Defect) -> String {
@@ -280,11 +302,25 @@ fn examine_tiling<const D: usize>(
     tiling: &Tiling<D>,
     name: &str,
     options: &Options,
-) -> Result<Answer, Findings> {
+) -> Result<Answer, NotProved> {
     let progress = Progress::of(name);
     let proof = checker::examine(tiling, options, &|step| progress.step(step))?;
-    let vertices = tiling.vertices.len();
-    Ok(Answer::Examined(vertices, tiling.len(), proof.statements))
+    let claim = transcribe::claim(proof.parts(tiling));
+    let statements = proof.statements.iter();
+    let words: Vec<String> = statements.map(|s| statement_in_words(s, D)).collect();
+    Ok(Answer::Examined(Box::new(Examined {
+        vertices: tiling.vertices.len(),
+        simplices: tiling.len(),
+        words: words.join("; "),
+        statements: statements_json(&claim),
+    })))
+}
+
+/// The statements of a claim as its JSON has them.
+fn statements_json(claim: &format::Claim) -> Value {
+    let json = print::claim_to_json(&format::write::claim_file(claim)).unwrap_or_default();
+    let file: Value = serde_json::from_slice(&json).unwrap_or_default();
+    file["claim"]["statements"].clone()
 }
 
 /// The kernel has the last word: what it does not confirm is not called proved.
@@ -294,34 +330,35 @@ fn prove_tiling<const D: usize>(
     options: &Options,
     target: &Target,
     encoding: Encoding,
-) -> Result<Answer, Findings> {
+) -> Result<Answer, NotProved> {
     let progress = Progress::of(name);
-    let proof = checker::examine(tiling, options, &|step| progress.step(step))?;
-    progress.step("certificate");
-    // Its size is no reason to doubt what was proved here.
-    let limits = Limits {
-        bytes: u64::MAX,
-        simplices: usize::MAX,
-        ..Limits::DEFAULT
+    let step = |step: &str| progress.step(step);
+    // CBOR that has a place goes there, and is never in memory.
+    if let (Encoding::Cbor, Target::File(path)) = (encoding, target)
+        && let Some(staged) = Staged::new(path).map_err(NotProved::Io)?
+    {
+        let confirmed = prove_to(tiling, options, &step, &mut staged.file())?;
+        return Ok(answer(confirmed, Written::File(staged)));
+    }
+    let mut storage = Cursor::new(Vec::new());
+    let confirmed = prove_to(tiling, options, &step, &mut storage)?;
+    let cbor = storage.into_inner();
+    let bytes = match (encoding, target) {
+        (_, Target::Nowhere) => Vec::new(),
+        (Encoding::Cbor, _) => cbor,
+        (Encoding::Json, _) => {
+            let json = print::to_json(&cbor);
+            json.map_err(|error| NotProved::Io(io::Error::other(error)))?
+        }
     };
-    let write = |out: &mut dyn Write| proof.write_cbor(tiling, &mut { out });
-    let certificate = match Written::new(write, target, encoding, &limits) {
-        Ok(certificate) => certificate,
-        Err(error) => return Ok(unwritten(target, &error)),
-    };
-    drop(proof);
-    progress.step("verification");
-    Ok(match certificate.verify(&limits) {
-        Ok(verified) => Answer::Proved {
-            verified,
-            certificate,
-        },
-        Err(refusal) => Answer::Declined(format!(
-            "{name}: the kernel does not confirm the certificate: {} [{}] {refusal}",
-            refusal.kind(),
-            refusal.code()
-        )),
-    })
+    Ok(answer(confirmed, Written::Bytes(bytes)))
+}
+
+fn answer(confirmed: Confirmed, certificate: Written) -> Answer {
+    Answer::Proved {
+        verified: confirmed.into_verified(),
+        certificate,
+    }
 }
 
 /// As asked for, or else as the name of the file says.
@@ -340,37 +377,6 @@ enum Written {
 }
 
 impl Written {
-    /// CBOR that has a place goes there, and is never in memory.
-    fn new(
-        write: impl Fn(&mut dyn Write) -> io::Result<()>,
-        target: &Target,
-        encoding: Encoding,
-        limits: &Limits,
-    ) -> io::Result<Written> {
-        if let (Encoding::Cbor, Target::File(path)) = (encoding, target)
-            && let Some(staged) = Staged::new(path)?
-        {
-            let mut out = BufWriter::new(staged.file());
-            write(&mut out)?;
-            out.flush()?;
-            drop(out);
-            return Ok(Written::File(staged));
-        }
-        let mut bytes = Vec::new();
-        write(&mut bytes)?;
-        Ok(Written::Bytes(match encoding {
-            Encoding::Cbor => bytes,
-            Encoding::Json => to_json(&bytes, limits).map_err(io::Error::other)?,
-        }))
-    }
-
-    fn verify(&self, limits: &Limits) -> Result<Verified, Refusal> {
-        match self {
-            Written::Bytes(bytes) => verify(bytes, limits),
-            Written::File(staged) => verify_file(staged.file(), limits),
-        }
-    }
-
     /// Puts it where it is to be.
     fn put(self, target: &Target, output: &mut Output) -> io::Result<()> {
         match (self, target) {
@@ -432,9 +438,7 @@ impl Answer {
             Answer::Proved { verified, .. } | Answer::Confirmed(verified) => {
                 proved(verified, input, target)
             }
-            Answer::Examined(vertices, simplices, statements) => {
-                examined(input, *vertices, *simplices, statements)
-            }
+            Answer::Examined(examined) => examined.report(input),
             Answer::Failed(message) => (
                 format!("acutile: {message}"),
                 json!({ "input": input, "verdict": "failed", "message": message }),
@@ -468,10 +472,10 @@ fn proved(verified: &Verified, input: &str, target: &Target) -> (String, Value) 
     let data = json!({
         "input": input,
         "verdict": "proved",
-        "statements": verified.claim().statements,
-        "vertices": verified.vertices(),
-        "simplices": verified.simplices(),
-        "sha256": verified.sha256(),
+        "statements": claim_json(verified)["statements"],
+        "vertices": verified.vertices,
+        "simplices": verified.simplices,
+        "sha256": hexadecimal(&verified.sha256),
         "certificate": path,
     });
     match path {
@@ -480,38 +484,27 @@ fn proved(verified: &Verified, input: &str, target: &Target) -> (String, Value) 
     }
 }
 
-/// A proof without a certificate, which says so.
-fn examined(
-    input: &str,
-    vertices: usize,
-    simplices: usize,
-    statements: &[Statement],
-) -> (String, Value) {
-    let list: Vec<String> = statements.iter().map(statement_text).collect();
-    let words = format!(
-        "{input}: proved by the prover alone, no certificate: {} ({vertices} vertices, {simplices} simplices)",
-        list.join("; ")
-    );
-    let data = json!({
-        "input": input,
-        "verdict": "proved",
-        "statements": statements,
-        "vertices": vertices,
-        "simplices": simplices,
-        "certificate": null,
-        "kernel": false,
-    });
-    (words, data)
-}
-
-/// `acute`, `all dihedral angles below 7847/100`.
-fn statement_text(statement: &Statement) -> String {
-    match serde_json::to_value(statement) {
-        Ok(Value::String(name)) => name,
-        Ok(Value::Object(members)) => members
-            .iter()
-            .map(|(name, bound)| format!("{name} {}", bound.as_str().unwrap_or_default()))
-            .collect(),
-        _ => String::new(),
+impl Examined {
+    /// A proof without a certificate, which says so.
+    fn report(&self, input: &str) -> (String, Value) {
+        let Examined {
+            vertices,
+            simplices,
+            words,
+            statements,
+        } = self;
+        let words = format!(
+            "{input}: proved by the prover alone, no certificate: {words} ({vertices} vertices, {simplices} simplices)"
+        );
+        let data = json!({
+            "input": input,
+            "verdict": "proved",
+            "statements": statements,
+            "vertices": vertices,
+            "simplices": simplices,
+            "certificate": null,
+            "kernel": false,
+        });
+        (words, data)
     }
 }

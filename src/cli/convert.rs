@@ -15,7 +15,8 @@ use acutile_io::export::tiling_text;
 use acutile_io::import::is_gzip;
 use acutile_io::mesh::lattice::Basis;
 use acutile_io::mesh::load::{Loaded, tetgen_paths};
-use acutile_io::mesh::writer::{Shortest, losses};
+use acutile_io::mesh::sink::Shortest;
+use acutile_io::mesh::writer::losses;
 use acutile_io::mesh::{Family, File, Flat, Format, Mesh, flatten, patch, write};
 use clap::Args;
 use flate2::Compression;
@@ -52,6 +53,9 @@ pub struct ConvertArguments {
     /// Round coordinates that are no doubles, and tell how many and how far
     #[arg(long)]
     pub round: bool,
+    /// Bytes of a certificate; longer ones are declined
+    #[arg(long, value_name = "N", default_value_t = transcribe::BYTES)]
+    pub max_bytes: u64,
     #[command(flatten)]
     pub file: FileArguments,
 }
@@ -84,7 +88,13 @@ pub fn run(arguments: &ConvertArguments, output: &mut Output) -> Outcome {
     }
     let (input, path) = (&arguments.input, arguments.output.as_path());
     if transcribe::is_of_certificate(input, path) {
-        let written = transcribe::convert(input, path, arguments.has_options(), output);
+        let written = transcribe::convert(
+            input,
+            path,
+            arguments.has_options(),
+            arguments.max_bytes,
+            output,
+        );
         return ended(written, output);
     }
     let progress = Progress::of(&arguments.input);
@@ -202,7 +212,7 @@ fn load(arguments: &ConvertArguments, output: &mut Output) -> Result<Source, Inp
     let named = match is_file {
         true => match input::text_or_mesh(Path::new(name), &arguments.file.mesh)? {
             TextOrMesh::Mesh(loaded) => return Ok(Source::Mesh(loaded)),
-            TextOrMesh::Text(text) => input::of_text(name, &text, &arguments.file.points, output)?,
+            other => input::of_content(name, other, &arguments.file, output)?,
         },
         false => input::tiling(name, arguments.param.as_deref(), &arguments.file, output)?,
     };

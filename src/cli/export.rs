@@ -5,13 +5,14 @@ use super::input::{self, FileArguments};
 use super::named::InputError;
 use super::outcome::Outcome;
 use super::output::{Output, write_text};
+use super::transcribe;
+use acutile_core::format;
 use acutile_core::tiling::{Tiling, supercell};
 use acutile_core::with_dimension;
-use acutile_format1::certificate::{Certificate, cbor::is_cbor};
-use acutile_format1::verifier::{Limits, to_json};
 use acutile_io::export::{coq_theorem, tiling_text};
+use acutile_io::import::{BYTE_LIMIT, read_bytes};
 use clap::Args;
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
 #[derive(Debug, Args)]
 pub struct ExportArguments {
@@ -38,7 +39,7 @@ pub struct ExportArguments {
 /// Writes the file.
 pub fn run(arguments: &ExportArguments, output: &mut Output) -> Outcome {
     let text = match arguments.coq {
-        true => theorem(&arguments.input).map_err(InputError::from),
+        true => theorem(&arguments.input),
         false => tiling_file(arguments, output),
     };
     match text {
@@ -50,17 +51,13 @@ pub fn run(arguments: &ExportArguments, output: &mut Output) -> Outcome {
     }
 }
 
-fn theorem(path: &str) -> Result<String, String> {
-    let bytes = std::fs::read(path).map_err(|error| format!("{path}: cannot be read: {error}"))?;
-    let json = match is_cbor(&bytes) {
-        true => {
-            to_json(&bytes, &Limits::DEFAULT).map_err(|refusal| format!("{path}: {refusal}"))?
-        }
-        false => bytes,
-    };
-    let certificate: Certificate =
-        serde_json::from_slice(&json).map_err(|error| format!("{path}: {error}"))?;
-    coq_theorem(&certificate).map_err(|reason| format!("{path}: {reason}"))
+fn theorem(path: &str) -> Result<String, InputError> {
+    let bytes = read_bytes(Path::new(path), BYTE_LIMIT)
+        .map_err(|error| InputError::of_file(Path::new(path), &error))?;
+    let cbor = transcribe::cbor(path, &bytes)?;
+    let certificate =
+        format::read::certificate(&cbor).map_err(|error| format!("{path}: {error}"))?;
+    Ok(coq_theorem(&certificate).map_err(|reason| format!("{path}: {reason}"))?)
 }
 
 fn tiling_file(arguments: &ExportArguments, output: &mut Output) -> Result<String, InputError> {

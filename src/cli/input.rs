@@ -5,9 +5,10 @@ use super::mesh::{self, MeshArguments};
 use super::named::{InputError, Named};
 use super::output::Output;
 use super::points::{self, PointArguments};
+use super::transcribe;
 use acutile_catalog as catalog;
+use acutile_core::format;
 use acutile_core::tiling::{AnyPointSet, AnyTiling};
-use acutile_format1::certificate::cbor::is_cbor;
 use acutile_io::import::cif::{CifOptions, is_cif, read_cif};
 use acutile_io::import::{
     BYTE_LIMIT, Content, ImportError, NativeFile, read_bytes, read_native, read_text,
@@ -57,13 +58,46 @@ pub fn tiling(
     if parameter.is_some() {
         return Err(format!("{input}: a file takes no parameter (--param)").into());
     }
-    match text_or_mesh(path, &options.mesh)? {
+    let content = text_or_mesh(path, &options.mesh)?;
+    of_content(input, content, options, output)
+}
+
+/// The tiling of a file's content.
+///
+/// # Errors
+/// A message that names the input.
+pub fn of_content(
+    input: &str,
+    content: TextOrMesh,
+    options: &FileArguments,
+    output: &mut Output,
+) -> Result<Named, InputError> {
+    match content {
         TextOrMesh::Mesh(loaded) => mesh::tiling(input, loaded, &options.mesh, output),
         TextOrMesh::Text(text) => {
             check_for_mesh(input, &options.mesh)?;
             of_text(input, &text, &options.points, output)
         }
+        TextOrMesh::Certificate(bytes) => {
+            check_for_cif(input, &options.points)?;
+            check_for_mesh(input, &options.mesh)?;
+            of_certificate(input, &bytes)
+        }
     }
+}
+
+/// The tiling of a certificate, which is not judged here.
+fn of_certificate(input: &str, bytes: &[u8]) -> Result<Named, InputError> {
+    let cbor = transcribe::cbor(input, bytes)?;
+    let (tiling, _) = acutile_core::transcribe::of_certificate(&cbor)
+        .map_err(|error| format!("{input}: {error}"))?;
+    Ok(Named {
+        name: input.to_owned(),
+        description: "the tiling of a certificate".to_owned(),
+        tiling,
+        origin: None,
+        notes: Vec::new(),
+    })
 }
 
 /// A construction of the catalogue; `square-triangle:FILE` reads its file.
@@ -86,7 +120,7 @@ fn construction(name: &str, parameter: Option<&str>) -> Result<AnyTiling, String
 ///
 /// # Errors
 /// A message that names the input.
-pub fn of_text(
+fn of_text(
     input: &str,
     text: &str,
     points: &PointArguments,
@@ -195,8 +229,10 @@ fn check_for_cif(input: &str, points: &PointArguments) -> Result<(), String> {
     }
 }
 
-/// What a file holds.
+/// The content of a file.
 pub enum TextOrMesh {
+    /// A certificate in either encoding.
+    Certificate(Vec<u8>),
     /// A mesh.
     Mesh(load::Loaded),
     /// Text that is no mesh file.
@@ -221,9 +257,8 @@ pub fn text_or_mesh(path: &Path, options: &MeshArguments) -> Result<TextOrMesh, 
         let mesh = family.read(&bytes).map_err(of_mesh)?;
         return Ok(TextOrMesh::Mesh(load::Loaded { mesh, family }));
     }
-    if is_cbor(&bytes) {
-        let path = path.display();
-        return Err(format!("{path}: CBOR, as a certificate is; expected a tiling").into());
+    if format::recognise(&bytes).is_some() {
+        return Ok(TextOrMesh::Certificate(bytes));
     }
     let text = String::from_utf8(bytes).map_err(|error| ImportError::NotText {
         offset: error.utf8_error().valid_up_to(),

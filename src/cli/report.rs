@@ -1,6 +1,7 @@
 //! `acutile report`: a page to look at.
 
 use super::input::FileArguments;
+use super::limits::LimitArguments;
 use super::outcome::Outcome;
 use super::output::{Output, write_text};
 use super::proved::{overwritten, proved};
@@ -18,6 +19,8 @@ pub struct ReportArguments {
     /// Write the page here and not to standard output
     #[arg(short, long, value_name = "FILE")]
     pub output: Option<PathBuf>,
+    #[command(flatten)]
+    pub limits: LimitArguments,
 }
 
 /// Writes the page; nothing is written where an input is not proved.
@@ -26,9 +29,10 @@ pub fn run(arguments: &ReportArguments, output: &mut Output) -> Outcome {
         output.complain(format!("acutile: -o would overwrite the input {input}"));
         return Outcome::Failed;
     }
+    let limits = arguments.limits.limits();
     let mut tilings = Vec::new();
     for input in &arguments.inputs {
-        match proved(input, &arguments.file, output) {
+        match proved(input, &arguments.file, &limits, output) {
             Ok(tiling) => tilings.push(tiling),
             Err(error) => {
                 output.complain(format!("acutile: {}", error.message));

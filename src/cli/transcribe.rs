@@ -5,9 +5,10 @@ use super::named::InputError;
 use super::outcome::Outcome;
 use super::output::{Output, write_file};
 use acutile_catalog as catalog;
-use acutile_format1::certificate::{FORMAT, cbor::is_cbor};
-use acutile_format1::verifier::{Kind, Limits, to_cbor, to_json};
-use acutile_io::import::{read_bytes, uncompressed_name};
+use acutile_core::format::{self, VERSION, print, recognise};
+use acutile_core::refusal::exceeded;
+use acutile_io::import::{ImportError, read_bytes, uncompressed_name};
+use std::borrow::Cow;
 use std::fs::{self, File};
 use std::io::{self, BufRead, Read};
 use std::path::Path;
@@ -21,7 +22,7 @@ pub fn is_of_certificate(input: &str, path: &Path) -> bool {
 /// Whether an input begins as a certificate does, in either encoding.
 fn is_certificate(input: &str) -> bool {
     let is_name = catalog::find(input).is_some();
-    !is_name && beginning(input).is_ok_and(|bytes| begins_as_certificate(&bytes))
+    !is_name && beginning(input).is_ok_and(|bytes| recognise(&bytes).is_some())
 }
 
 /// The first bytes, which stay to be read; none of a pipe that has a name, from which they would
@@ -38,13 +39,11 @@ fn beginning(input: &str) -> io::Result<Vec<u8>> {
     Ok(bytes)
 }
 
-fn begins_as_certificate(bytes: &[u8]) -> bool {
-    let start = format!("{{\"format\":\"{FORMAT}\"");
-    let letters = bytes.iter().filter(|byte| !byte.is_ascii_whitespace());
-    is_cbor(bytes) || letters.take(start.len()).eq(start.as_bytes())
-}
+/// Bytes of a certificate that `convert` reads if no option says more. It has both encodings in
+/// memory.
+pub const BYTES: u64 = 1 << 30;
 
-/// Reads, transcribes, writes. What the certificate claims is not looked at.
+/// Reads, transcribes, writes. The claim is not judged.
 ///
 /// # Errors
 /// A message that names the file.
@@ -52,6 +51,7 @@ pub fn convert(
     input: &str,
     path: &Path,
     has_options: bool,
+    limit: u64,
     output: &mut Output,
 ) -> Result<(), InputError> {
     check_target(path)?;
@@ -59,32 +59,68 @@ pub fn convert(
         return Err(format!("{input}: a tiling; {}", way(input, path)).into());
     }
     check_alone(input, has_options)?;
-    let bytes =
-        read_bytes(Path::new(input), u64::MAX - 1).map_err(|error| format!("{input}: {error}"))?;
-    if !begins_as_certificate(&bytes) {
+    let bytes = read(input, limit)?;
+    if recognise(&bytes).is_none() {
         return Err(format!("{input}: not a certificate; {}", way(input, path)).into());
     }
-    let limits = Limits {
-        bytes: u64::MAX,
-        ..Limits::DEFAULT
-    };
+    let cbor = cbor(input, &bytes)?;
+    // Both ways, so that what is written can be read again.
+    let json =
+        print::to_json(&cbor).map_err(|error| format!("{input}: malformed [cbor] {error}"))?;
     let written = match Encoding::of_path(path) {
-        Some(Encoding::Cbor) => to_cbor(&bytes, &limits),
-        _ => to_json(&bytes, &limits),
+        Some(Encoding::Cbor) => cbor.into_owned(),
+        _ => json,
     };
-    let written = written.map_err(|refusal| InputError {
-        message: format!("{input}: {} [{}] {refusal}", refusal.kind(), refusal.code()),
-        outcome: match refusal.kind() {
-            Kind::Declined => Outcome::Declined,
-            _ => Outcome::Failed,
-        },
-    })?;
     if path == Path::new("-") {
         output.bytes(&written);
         return Ok(());
     }
     let message = |error| format!("{}: cannot be written: {error}", path.display());
     Ok(write_file(path, &written).map_err(message)?)
+}
+
+/// The bytes of a certificate, if there are no more than `limit`.
+fn read(input: &str, limit: u64) -> Result<Vec<u8>, InputError> {
+    let length = fs::metadata(input).ok().map(|metadata| metadata.len());
+    read_bytes(Path::new(input), limit).map_err(|error| match error {
+        ImportError::TooLong { .. } => InputError {
+            message: format!(
+                "{input}: declined [too-many-bytes] {}",
+                exceeded("bytes", length.filter(|_| input != "-"))
+            ),
+            outcome: Outcome::Declined,
+        },
+        error => InputError::of_file(Path::new(input), &error),
+    })
+}
+
+/// The CBOR of a certificate in either encoding.
+///
+/// # Errors
+/// JSON that is not canonical, or another version.
+pub fn cbor<'b>(input: &str, bytes: &'b [u8]) -> Result<Cow<'b, [u8]>, InputError> {
+    let cbor = format::to_cbor(bytes).map_err(|error| {
+        let is_declined = error.code.is_declined();
+        refused(input, error.code.name(), &error.to_string(), is_declined)
+    })?;
+    match format::version(&cbor) {
+        Some(version) if version != VERSION => {
+            let message = format!("expected version {VERSION}, found {version}");
+            Err(refused(input, "version", &message, true))
+        }
+        _ => Ok(cbor),
+    }
+}
+
+fn refused(input: &str, code: &str, message: &str, is_declined: bool) -> InputError {
+    let (verdict, outcome) = match is_declined {
+        true => ("declined", Outcome::Declined),
+        false => ("malformed", Outcome::Failed),
+    };
+    InputError {
+        message: format!("{input}: {verdict} [{code}] {message}"),
+        outcome,
+    }
 }
 
 /// How a tiling comes to a certificate.

@@ -17,9 +17,10 @@ class Field:
 
     def __init__(self, data):
         self.q = data == "Q"
-        self.p = [F(0), F(1)] if self.q else [F(c) for c in data["Q(a)"]["polynomial"]]
+        self.p = [F(0), F(1)] if self.q else [F(int(c)) for c in data["polynomial"]]
         self.n = len(self.p) - 1
-        self.root = (F(0), F(0)) if self.q else tuple(F(x) for x in data["Q(a)"]["root"])
+        self.root = (F(0), F(0)) if self.q else tuple(
+            F(int(data["root"][end]), int(data["root"]["denominator"])) for end in ("low", "high"))
         self.radicand, self.radical, self.rational = None, None, None
         if self.n == 2:
             c, b, _ = self.p
@@ -51,10 +52,11 @@ class Field:
             self.root = (lo, mid)
 
     def of(self, x):
+        """A number of a certificate, or a decimal."""
         if isinstance(x, list):
             if self.rational is not None:
-                return El(self, [sum(F(c) * self.rational ** i for i, c in enumerate(x))])
-            return El(self, [F(c) for c in x])
+                return El(self, [sum(int(c) * self.rational ** i for i, c in enumerate(x))])
+            return El(self, [F(int(c)) for c in x])
         return El(self, [F(x)])
 
 

@@ -54,16 +54,51 @@ class Check:
                 self.equal(found[j], expected[j], f"gram[{i}][{j}]")
 
     def check_theorem(self, text):
+        """Every bound of the claim is an item, in order, and no other item has a number."""
         head = text[:text.index("\\end{acutiletheorem}")]
-        bounds = re.findall(r"(less|more) than \$(?:\\acutiledecimal\{)?([\d./]+)\}?(\^\\circ)?", head)
-        expected = []
-        for statement in self.c.claim["statements"]:
-            if isinstance(statement, dict):
-                kind, value = next(iter(statement.items()))
-                expected.append(("more" if "above" in kind else "less", F(value), "ratios" not in kind))
-        self.equal([(w, F(x), bool(c)) for w, x, c in bounds], expected, "the theorem's bounds")
+        items = [item for item in head.split("\\item ")[1:] if "$" in item]
+        bounds = [statement for statement in self.c.claim["statements"] if isinstance(statement, list)]
+        self.equal(len(items), len(bounds), "the theorem's number of bounds")
+        for item, (quantity, relation, *bound) in zip(items, bounds):
+            words, value = re.fullmatch(r"(.*?) (?:some |)\$(.*)\$[;.]\s*", item.split("\n")[0]).groups()
+            self.equal(words, self.words(quantity, relation), f"the theorem's words on {quantity}")
+            sign, (numerator, denominator) = bound if len(bound) == 2 else (1, *bound)
+            square = self.k.of(numerator) * F(sign, int(denominator))
+            self.check_bound("ratio" in quantity, value, square, f"the theorem's {relation} of the {quantity}")
         simplices = int(re.search(r"Then the \$(\d+)\$", head).group(1))
         self.equal(simplices, len(self.c.simplices), "the theorem's number of simplices")
+
+    def words(self, quantity, relation):
+        angle = "angle" if self.c.d == 2 else "dihedral angle"
+        which = quantity.split(" ")[0]
+        name = "quotient of circumradius and shortest edge of a tile" if which == "squared" else f"{which} {angle}"
+        extreme = {("largest", "maximum"): f"the {name} is", ("smallest", "minimum"): f"the {name} is",
+                   ("largest", "minimum"): f"the least among the {name}s of the tiles is",
+                   ("smallest", "maximum"): f"the greatest among the {name}s of the tiles is",
+                   ("squared", "maximum"): f"the largest {name} is", ("squared", "minimum"): f"the least {name} is"}
+        other = f"each {name} is {relation}" if which == "squared" else f"the {name} of each is {relation}"
+        return extreme.get((which, relation), other)
+
+    def check_bound(self, is_ratio, text, square, what):
+        """An angle as an arc cosine or in degrees, a ratio as a root, or an enclosure of either."""
+        self.counts["numbers"] += 1
+        enclosed = re.fullmatch(r"(?:\\theta\^\\circ\$ with \$\\theta|\\sigma)\\in(.*)", text)
+        degrees, arc = re.fullmatch(r"(.*)\^\\circ", text), re.fullmatch(r"\\arccos\((.*)\)", text)
+        if enclosed and is_ratio:
+            low, high = interval(self.k, enclosed.group(1))
+            must(0 < low < high, f"{what}: an enclosure that decides nothing")
+            must((square - low * low).sign() >= 0 >= (square - high * high).sign(), f"{what}: not in its enclosure")
+            near = (low + SLACK) ** 2, (high - SLACK) ** 2
+            must((square - near[0]).sign() <= 0 <= (square - near[1]).sign(), f"{what}: far from an end of its enclosure")
+        elif enclosed:
+            check_degrees(square, *interval(self.k, enclosed.group(1)), what)
+        elif degrees:
+            check_degrees(square, *interval(self.k, degrees.group(1)), what)
+        else:
+            reader = Reader(self.k, text if is_ratio else arc.group(1))
+            value = reader.sum()
+            reader.end()
+            self.equal(value.signed_square(), square, what)
 
     def find_orbits(self):
         if self.orbits is None and len(self.c.simplices) <= ORBIT_LIMIT:
@@ -335,7 +370,7 @@ class Check:
             self.counts["enclosures"] += 2
 
     def check_delaunay(self, lines, n, _):
-        weak = "weakly Delaunay" in self.c.claim["statements"]
+        weak = "Delaunay" not in self.c.claim["statements"]
         for row in rows_of(lines, n):
             s, i = map(int, re.fullmatch(r"\$(\d+)_\{(\d)\}\$", row[0]).groups())
             self.equal(mate(math(row[2]), self.c.rank), self.c.mates[s][i], f"facet {s}_{i}")
@@ -368,7 +403,7 @@ class Check:
         return self.facet_sizes
 
     def check_sha256(self, lines, n, arguments):
-        digest = hashlib.sha256(self.c.bytes).hexdigest()
+        digest = hashlib.sha256(self.c.cbor).hexdigest()
         self.equal(arguments[0], digest, "the digest")
         printed = re.search(r"\\small (\w+)\\\\ (\w+)\\end", lines[n + 1])
         self.equal(printed.group(1) + printed.group(2), digest, "the printed digest")

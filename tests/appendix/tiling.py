@@ -1,7 +1,12 @@
 """A certificate, and what follows from it by formulas of its own."""
-import itertools, json
+import itertools, json, sys
+from fractions import Fraction as F
+from pathlib import Path
 
-from exact import Field
+from exact import Field, Wrong
+
+sys.path.append(str(Path(__file__).parents[1] / "certificates"))
+from source.encode import to_cbor
 
 
 def minor(m, i, j):
@@ -15,22 +20,72 @@ def determinant(m):
                m[0][0] * determinant(minor(m, 0, 0)))
 
 
+def arrays(value):
+    """Records as the arrays of their values, decimal strings as integers: the structure of CBOR."""
+    if isinstance(value, dict):
+        value = list(value.values())
+    if isinstance(value, str) and value.lstrip("-").isdigit():
+        return int(value)
+    return [arrays(item) for item in value] if isinstance(value, list) else value
+
+
 class Certificate:
+    """The members of the JSON, with all corners as [vertex, shift…] and all numbers as elements of the field."""
+
     def __init__(self, path):
-        self.bytes = path.read_bytes()
-        data = json.loads(self.bytes)
-        claim, self.witness = data["claim"], data["witness"]
-        self.claim = claim
-        self.d = claim["dimension"]
-        self.k = Field(claim["field"])
-        self.gram = [[self.k.of(x) for x in row] for row in claim["gram"]]
-        self.vertices = [[self.k.of(x) for x in v] for v in self.witness["vertices"]]
-        self.simplices = self.witness["simplices"]
-        self.mates = self.witness["mates"]
-        domain = claim["domain"]
-        self.kind = domain if isinstance(domain, str) else next(iter(domain))
+        data = json.loads(path.read_bytes())
+        self.cbor = to_cbor(arrays(data))
+        self.claim, self.witness = data["claim"], data["witness"]
+        self.d = self.claim["dimension"]
+        self.k = Field(self.claim["field"])
+        upper = [[self.k.of(x) for x in row] for row in self.claim["gram"]]
+        self.gram = [[upper[min(i, j)][abs(i - j)] for j in range(self.d)] for i in range(self.d)]
+        self.vertices = self.points(self.witness)
+        domain = self.claim["domain"]
+        self.kind, self.polytope = (domain, None) if isinstance(domain, str) else domain
         self.rank = {"space": self.d, "slab": self.d - 1, "prism": 1, "solid": 0}[self.kind]
+        rows = [row[:self.d + 1] for row in self.witness["simplices"]]
+        self.simplices = [[self.full(corner) for corner in row] for row in rows]
+        self.mates = self.pairing()
         self.lengths = {}
+
+    def points(self, record):
+        denominator = F(1, int(record["denominator"]))
+        return [[self.k.of(x) * denominator for x in vertex] for vertex in record["vertices"]]
+
+    def full(self, corner):
+        return corner if isinstance(corner, list) else [corner] + [0] * self.rank
+
+    def pairing(self):
+        """What is on the other side of each facet: [simplex, corner, shift…], or the face of the domain, [f]."""
+        mates, found = [[None] * (self.d + 1) for _ in self.simplices], {}
+        for s, corners in enumerate(self.simplices):
+            for i in range(self.d + 1):
+                facet = sorted(corners[:i] + corners[i + 1:])
+                shift = facet[0][1:]
+                name = tuple((c[0], *[a - b for a, b in zip(c[1:], shift)]) for c in facet)
+                found.setdefault(name, []).append((s, i, shift))
+        for name, places in found.items():
+            if len(places) == 1:
+                (s, i, _), = places
+                mates[s][i] = [self.face(name)]
+                continue
+            (s, i, p), (t, j, q) = places
+            mates[s][i] = [t, j] + [a - b for a, b in zip(p, q)]
+            mates[t][j] = [s, i] + [b - a for a, b in zip(p, q)]
+        return mates
+
+    def face(self, corners):
+        """The first face of the polytope in whose plane these corners are."""
+        vertices, k = self.points(self.polytope), self.d - self.rank
+        points = [self.position(list(corner))[self.rank:] for corner in corners]
+        for f, face in enumerate(self.polytope["faces"]):
+            first, *others = [vertices[w] for w in face[:k]]
+            sides = [[b - a for a, b in zip(first, other)] for other in others]
+            heights = [determinant(sides + [[b - a for a, b in zip(first, point)]]) for point in points]
+            if all(height.sign() == 0 for height in heights):
+                return f
+        raise Wrong("a facet without a mate, and in no face")
 
     def position(self, place):
         shifts = place[1:] + [0] * (self.d - self.rank)

@@ -1,186 +1,222 @@
 #!/usr/bin/env python3
-"""Writes the files of the folder `cbor`; needs Python 3 alone and shares no code with the program.
+"""Encodes certificates, and writes the files of the folder `cbor`; needs Python 3 alone.
 
-An encoder of RFC 8949, section 4.2.1, in twenty lines, applied to certificates of the folder `valid`,
-and what must be refused, bytes by hand. `valid--NAME.cbor` is the certificate NAME; any other name
-begins with the code of its refusal.
+usage: cbor.py                  writes the folder, from the folder `valid`
+       cbor.py F.json F.cbor    encodes one certificate
+
+The encoder, source/encode.py, shares no code with the program. `valid--NAME.cbor` is the certificate
+NAME; any other name begins with the code of its refusal.
 """
-import json, os
+import copy
+import json
+import os
+import sys
+
+from source.encode import Raw, to_cbor
 
 HERE = os.path.dirname(os.path.abspath(__file__))
+VALID = ["plane-equilateral-acute", "plane-cubic-field", "plane-square-triangle", "plane-every-relation", "space-a15-tcp", "slab-bcc",
+         "prism-cube-6", "solid-octahedron", "region-cavity", "region-rank-3-void", "region-integers-at-limits",
+         "region-integers-at-limits-below", "plane-field-of-degree-8"]
 
 
-def head(major, n):
-    for info, size in ((24, 1), (25, 2), (26, 4), (27, 8)):
-        if n < 24:
-            return bytes([major << 5 | n])
-        if n < 256 ** size:
-            return bytes([major << 5 | info]) + n.to_bytes(size, "big")
-    raise OverflowError
-
-
-class Raw(bytes):
-    """An item that is encoded already."""
-
-
-class Members(list):
-    """A map as pairs, in this order."""
-
-
-def encode(x):
-    if isinstance(x, Raw):
-        return bytes(x)
-    if isinstance(x, Members):
-        return head(5, len(x)) + b"".join(encode(k) + encode(v) for k, v in x)
-    if isinstance(x, dict):
-        return encode(Members(sorted(x.items(), key=lambda member: encode(member[0]))))
-    if isinstance(x, list):
-        return head(4, len(x)) + b"".join(map(encode, x))
-    if isinstance(x, str):
-        return head(3, len(x.encode())) + x.encode()
-    return head(0, x) if x >= 0 else head(1, -1 - x)
+def arrays(value):
+    """Objects as the arrays of their values: the structure of CBOR."""
+    if isinstance(value, dict):
+        value = list(value.values())
+    return [arrays(item) for item in value] if isinstance(value, list) else value
 
 
 def valid(name):
     with open(os.path.join(HERE, "valid", name + ".json")) as file:
-        return json.load(file)
+        return arrays(json.load(file))
 
 
-VALID = ["plane-equilateral-acute", "plane-cubic-field", "plane-square-triangle", "space-a15-tcp", "slab-bcc", "prism-cube-6",
-         "solid-octahedron", "region-cavity"]
+GOOD, BIG, REGION = valid("plane-equilateral-acute"), valid("region-integers-at-limits"), valid("region-cube-6")
+A_FIELD, SLAB = valid("plane-cubic-field"), valid("slab-bcc")
+BYTES = to_cbor(GOOD)
+FORMAT, VERSION, KIND, CLAIM, WITNESS = range(5)
+DIMENSION, FIELD, GRAM, DOMAIN, STATEMENTS = ((CLAIM, i) for i in range(5))
+DENOMINATOR, VERTICES, BOUNDARY, ROWS = ((WITNESS, i) for i in range(4))
+HUGE = b"\x7f" + b"\xff" * 7
 
 
-def changed(change, name="plane-equilateral-acute"):
-    certificate = valid(name)
-    change(certificate)
-    return encode(certificate)
+def put(value, *path, base=GOOD):
+    """The certificate with one item replaced; `path` is a path, with more indices behind it."""
+    outer = [*(path[0] if isinstance(path[0], tuple) else path[:1]), *path[1:]]
+    certificate = copy.deepcopy(base)
+    at = certificate
+    for index in outer[:-1]:
+        at = at[index]
+    at[outer[-1]] = value
+    return to_cbor(certificate)
 
 
-def put(value, *path):
-    """The certificate with one item replaced."""
-    def change(certificate):
-        *outer, last = path
-        for key in outer:
-            certificate = certificate[key]
-        certificate[last] = value
-    return changed(change)
+def item(path, base=GOOD):
+    for index in path:
+        base = base[index]
+    return to_cbor(base)
 
 
-def ordered(certificate, *keys):
-    return Members((key, certificate[key]) for key in keys)
+def raw(data, *path, base=GOOD):
+    return put(Raw(data), *path, base=base)
 
 
-GOOD = valid("plane-equilateral-acute")
-BYTES = encode(GOOD)
-CLAIM, WITNESS = GOOD["claim"], GOOD["witness"]
-DEEP = Raw(b"\x81" * 20 + b"\x00")
-VERY_DEEP = Raw(b"\x81" * 200000 + b"\x00")
+def without(index, outer=()):
+    certificate = copy.deepcopy(GOOD)
+    at = certificate
+    for i in outer:
+        at = at[i]
+    del at[index]
+    return to_cbor(certificate)
 
-FILES = {f"valid--{name}": encode(valid(name)) for name in VALID} | {
-    # Another encoding of the same data.
-    "canonical--version-in-two-bytes": put(Raw(b"\x18\x01"), "version"),
-    "canonical--version-in-three-bytes": put(Raw(b"\x19\x00\x01"), "version"),
-    "canonical--version-in-nine-bytes": put(Raw(b"\x1b" + b"\0" * 7 + b"\x01"), "version"),
-    "canonical--shift-in-two-bytes": put(Raw(b"\x38\x00"), "witness", "mates", 0, 1, 2),
-    "canonical--vertex-index-in-five-bytes": put(Raw(b"\x1a\0\0\0\0"), "witness", "simplices", 0, 0, 0),
-    "canonical--length-of-text-in-two-bytes": put(Raw(b"\x78\x05" + b"space"), "claim", "domain"),
-    "canonical--length-of-array-in-two-bytes": put(Raw(b"\x98\x02" + encode(WITNESS["mates"])[1:]), "witness", "mates"),
-    "canonical--length-of-map-in-two-bytes": b"\xb8\x04" + BYTES[1:],
-    "canonical--indefinite-map": b"\xbf" + BYTES[1:] + b"\xff",
-    "canonical--indefinite-array": put(Raw(b"\x9f" + encode(WITNESS["simplices"])[1:] + b"\xff"), "witness", "simplices"),
-    "canonical--indefinite-row": put(Raw(b"\x9f" + encode(WITNESS["simplices"][1])[1:] + b"\xff"), "witness", "simplices", 1),
-    "canonical--indefinite-text": put(Raw(b"\x7f\x65space\xff"), "claim", "domain"),
-    "canonical--members-as-in-json": encode(ordered(GOOD, "format", "version", "claim", "witness")),
-    "canonical--version-behind-witness": encode(ordered(GOOD, "claim", "format", "witness", "version")),
-    "canonical--witness-as-in-json": put(ordered(WITNESS, "vertices", "simplices", "mates"), "witness"),
-    "canonical--claim-as-in-json": put(ordered(CLAIM, "dimension", "field", "gram", "domain", "statements"), "claim"),
-    "canonical--coefficient-in-an-array": put(["0"], "witness", "vertices", 0, 0),
-    "canonical--entry-of-gram-in-an-array": put(["2"], "claim", "gram", 0, 0),
-    # Not CBOR of a certificate.
-    "json--empty": b"",
-    "json--tagged": b"\xd9\xd9\xf7" + BYTES,
-    "json--array": encode([GOOD]),
-    "cbor--empty-map": b"\xa0",
-    "cbor--byte-behind": BYTES + b"\x00",
-    "cbor--twice": BYTES + BYTES,
-    "cbor--line-feed-behind": BYTES + b"\n",
-    "cbor--last-byte-missing": BYTES[:-1],
-    "cbor--one-row-more-announced": put(Raw(b"\x83" + encode(WITNESS["simplices"])[1:]), "witness", "simplices"),
-    "cbor--one-row-less-announced": put(Raw(b"\x81" + encode(WITNESS["simplices"])[1:]), "witness", "simplices"),
-    "cbor--key-twice": b"\xa5" + BYTES[1:BYTES.index(b"\x66format")] + 2 * (encode("format") + encode(GOOD["format"])) +
-                       BYTES[BYTES.index(b"\x67version"):],
-    "cbor--key-of-witness-twice": put(Members([("mates", WITNESS["mates"])] + list(ordered(WITNESS, "mates", "vertices", "simplices"))), "witness"),
-    "cbor--key-of-claim-twice": put(Members([("gram", CLAIM["gram"])] + list(ordered(CLAIM, "gram", "field", "domain", "dimension", "statements"))), "claim"),
-    "cbor--key-is-an-integer": encode(Members([(1, 2)] + list(ordered(GOOD, "claim", "format", "version", "witness")))),
-    "cbor--member-unknown": changed(lambda c: c.update(comment="no")),
-    "cbor--member-of-claim-unknown": changed(lambda c: c["claim"].update(name="no")),
-    "cbor--member-of-witness-unknown": changed(lambda c: c["witness"].update(name="no")),
-    "cbor--claim-missing": changed(lambda c: c.pop("claim")),
-    "cbor--witness-missing": changed(lambda c: c.pop("witness")),
-    "cbor--format-missing": changed(lambda c: c.pop("format")),
-    "cbor--version-missing": changed(lambda c: c.pop("version")),
-    "cbor--mates-missing": changed(lambda c: c["witness"].pop("mates")),
-    "cbor--gram-missing": changed(lambda c: c["claim"].pop("gram")),
-    "cbor--format-is-an-integer": put(1, "format"),
-    "cbor--version-is-a-text": put("1", "version"),
-    "cbor--version-negative": put(-1, "version"),
-    "cbor--version-is-a-float": put(Raw(b"\xf9\x3c\x00"), "version"),
-    "cbor--witness-is-an-array": put([[], [], []], "witness"),
-    "cbor--claim-is-a-text": put("claim", "claim"),
-    "cbor--dimension-is-a-text": put("2", "claim", "dimension"),
-    "cbor--dimension-negative": put(-2, "claim", "dimension"),
-    "cbor--table-is-a-map": put({}, "witness", "mates"),
-    "cbor--row-is-an-integer": put(0, "witness", "mates", 1),
-    "cbor--mate-is-an-integer": put(0, "witness", "mates", 1, 2),
-    "cbor--shift-is-a-text": put("0", "witness", "mates", 1, 2, 3),
-    "cbor--shift-is-a-float": put(Raw(b"\xf9\x00\x00"), "witness", "mates", 1, 2, 3),
-    "cbor--shift-is-a-big-number": put(Raw(b"\xc2\x49\x01" + b"\0" * 8), "witness", "mates", 1, 2, 3),
-    "cbor--shift-of-65-bits": put(Raw(b"\x1b\x80" + b"\0" * 7), "witness", "mates", 1, 2, 3),
-    "cbor--shift-of-65-bits-negative": put(Raw(b"\x3b\xff" + b"\xff" * 7), "witness", "mates", 1, 2, 3),
-    "cbor--corner-is-null": put(Raw(b"\xf6"), "witness", "simplices", 0, 0),
-    "cbor--coordinate-is-an-integer": put(0, "witness", "vertices", 0, 0),
-    "cbor--coordinate-is-bytes": put(Raw(b"\x410"), "witness", "vertices", 0, 0),
-    "cbor--coefficient-is-an-array": put([["0"], "1"], "witness", "vertices", 0, 0),
-    "cbor--text-is-not-utf-8": put(Raw(b"\x61\xff"), "witness", "vertices", 0, 0),
-    "cbor--text-is-a-surrogate": put(Raw(b"\x63\xed\xa0\x80"), "witness", "vertices", 0, 0),
-    "cbor--simple-value": put(Raw(b"\xf5"), "claim", "domain"),
-    "cbor--reserved-head": put(Raw(b"\x1c"), "claim", "dimension"),
-    "cbor--huge-text": put(Raw(b"\x7b\x7f" + b"\xff" * 7), "claim", "domain"),
-    "cbor--huge-coordinate": put(Raw(b"\x7b\xff" + b"\xff" * 7), "witness", "vertices", 0, 0),
-    "cbor--huge-array": put(Raw(b"\x9b\xff" + b"\xff" * 7), "witness", "simplices"),
-    "cbor--huge-row": put(Raw(b"\x9b\xff" + b"\xff" * 7), "witness", "simplices", 0),
-    "cbor--huge-mate": put(Raw(b"\x9b\xff" + b"\xff" * 7), "witness", "mates", 0, 0),
-    "cbor--huge-map": b"\xbb" + b"\xff" * 8 + BYTES[1:],
-    "cbor--huge-gram": put(Raw(b"\x9b\xff" + b"\xff" * 7), "claim", "gram"),
-    "cbor--deep-claim": put(DEEP, "claim", "domain"),
-    "cbor--very-deep-claim": put(VERY_DEEP, "claim", "domain"),
-    "cbor--very-deep-in-another-version": changed(lambda c: c.update(version=2, witness=VERY_DEEP)),
-    "cbor--cut-in-another-version": put(2, "version")[:-1],
-    "format--other": put("another", "format"),
-    "version--2": changed(lambda c: c.update(version=2, witness={"cells": [], "and": 1})),
-    # CBOR of a certificate, and something is wrong with it: as in JSON.
-    "vertex-range--beyond": put(1, "witness", "simplices", 0, 0, 0),
-    "vertex-range--least-integer": put(-2 ** 63, "witness", "simplices", 0, 0, 0),
-    "shift-range--2-to-31": put(2 ** 31, "witness", "simplices", 0, 0, 1),
-    "mate-shift-range--minus-2-to-31": put(-2 ** 31, "witness", "mates", 0, 0, 2),
-    "mate-range--one-beyond": put(2, "witness", "mates", 0, 0, 0),
-    "mates-length--one-less": changed(lambda c: c["witness"]["mates"].pop()),
-    "simplex-length--none": put([], "witness", "simplices", 0),
-    "no-simplices--none": changed(lambda c: c["witness"].update(simplices=[], mates=[])),
-    "coefficients--none": put([], "witness", "vertices", 0, 0),
-    # Facets that the front must not confuse.
-    "mate-not-mutual--closed-twice": put([0, 0, 0, 0], "witness", "mates", 1, 2),
-    "mate-not-mutual--opened-and-never-closed": put([1, 1, 1, 0], "witness", "mates", 0, 0),
-    "mate-not-mutual--two-for-one": put([1, 1, 0, 0], "witness", "mates", 0, 1),
-    "mate-not-mutual--of-itself-moved": put([0, 0, 1, 0], "witness", "mates", 0, 0),
-    "mate-not-mutual--back-to-a-facet-that-went-elsewhere": put([0, 1, 0, 0], "witness", "mates", 1, 0),
-    "mate-not-mutual--of-itself": put([0, 0, 0, 0], "witness", "mates", 0, 0),
-    "mate-side--both-of-themselves": changed(lambda c: (c["witness"]["mates"][0].__setitem__(0, [0, 0, 0, 0]),
-                                                        c["witness"]["mates"][1].__setitem__(1, [1, 1, 0, 0]))),
+
+def with_more(value, *outer):
+    certificate = copy.deepcopy(GOOD)
+    at = certificate
+    for i in outer:
+        at = at[i]
+    at.append(value)
+    return to_cbor(certificate)
+
+
+CANONICAL = {
+    "version-in-two-bytes": raw(b"\x18\x02", VERSION),
+    "version-in-three-bytes": raw(b"\x19\x00\x02", VERSION),
+    "version-in-nine-bytes": raw(b"\x1b" + b"\0" * 7 + b"\x02", VERSION),
+    "shift-in-two-bytes": raw(b"\x38\x00", ROWS, 1, 1, 2),
+    "vertex-index-in-five-bytes": raw(b"\x1a\0\0\0\0", ROWS, 0, 0),
+    "length-of-text-in-two-bytes": raw(b"\x78\x05space", DOMAIN),
+    "length-of-array-in-two-bytes": raw(b"\x98\x02" + item(ROWS)[1:], ROWS),
+    "length-of-row-in-two-bytes": raw(b"\x98\x03" + item((*ROWS, 1))[1:], ROWS, 1),
+    "length-of-certificate-in-two-bytes": b"\x98\x05" + BYTES[1:],
+    "coordinate-of-32-bits-in-nine-bytes": raw(b"\x1b\0\0\0\0\xff\xff\xff\xff", VERTICES, 0, 0),
+    "shift-zero-in-an-array": put([0, 0, 0], ROWS, 0, 0),
+    "gram-not-primitive": put([[4, 2], [4]], GRAM),
+    "denominator-not-least": put(2, DENOMINATOR),
+    # Big integers: tag 2 or 3 and at least nine bytes, the first one not zero.
+    "big-integer-for-zero": raw(b"\xc2\x40", VERTICES, 0, 0),
+    "big-integer-of-one-byte": raw(b"\xc2\x41\x01", VERTICES, 0, 0),
+    "big-integer-of-eight-bytes": raw(b"\xc2\x48" + b"\xff" * 8, VERTICES, 0, 0),
+    "big-integer-of-eight-bytes-negative": raw(b"\xc3\x48" + b"\xff" * 8, VERTICES, 0, 0),
+    "big-integer-with-a-leading-zero": raw(b"\xc2\x49\0" + b"\xff" * 8, VERTICES, 0, 0),
+    "big-integer-with-a-leading-zero-of-eleven-bytes": raw(b"\xc2\x4b\0" + b"\xff" * 10, VERTICES, 0, 0),
+    "big-integer-with-a-leading-zero-negative": raw(b"\xc3\x4a\0" + b"\xff" * 9, VERTICES, 0, 0),
+    "big-integer-whose-length-is-in-two-bytes": raw(b"\xc2\x58\x09\x01" + b"\0" * 8, VERTICES, 0, 0),
+    "shift-is-a-short-big-integer": raw(b"\xc2\x41\x01", ROWS, 0, 1, 1),
 }
 
+NOT_CBOR = {
+    "empty": b"",
+    "tagged": b"\xd9\xd9\xf7" + BYTES,
+    "in-an-array": to_cbor([GOOD]),
+    "empty-array": b"\x80",
+    "a-map": b"\xa5" + b"".join(to_cbor(key) + to_cbor(value) for key, value in
+                                zip(("format", "version", "kind", "claim", "witness"), GOOD)),
+    "byte-after-the-end": BYTES + b"\x00",
+    "twice": BYTES + BYTES,
+    "line-feed-after-the-end": BYTES + b"\n",
+    "last-byte-missing": BYTES[:-1],
+    "half": BYTES[:len(BYTES) // 2],
+    "first-byte-alone": BYTES[:1],
+    "indefinite-certificate": b"\x9f" + BYTES[1:] + b"\xff",
+    "indefinite-rows": raw(b"\x9f" + item(ROWS)[1:] + b"\xff", ROWS),
+    "indefinite-row": raw(b"\x9f" + item((*ROWS, 1))[1:] + b"\xff", ROWS, 1),
+    "indefinite-text": raw(b"\x7f\x65space\xff", DOMAIN),
+    "indefinite-integer": raw(b"\x1f", VERTICES, 0, 0),
+    "break": raw(b"\xff", VERTICES, 0, 0),
+    "one-row-more-announced": raw(b"\x83" + item(ROWS)[1:], ROWS),
+    "one-row-less-announced": raw(b"\x81" + item(ROWS)[1:], ROWS),
+    "claim-missing": without(CLAIM),
+    "kind-missing": without(KIND),
+    "witness-missing": without(WITNESS),
+    "gram-missing": without(2, (CLAIM,)),
+    "boundary-missing": without(2, (WITNESS,)),
+    "item-after-the-witness": with_more(0),
+    "item-in-the-claim": with_more("no", CLAIM),
+    "item-in-the-witness": with_more([], WITNESS),
+    "format-is-an-integer": put(1, FORMAT),
+    "version-is-a-text": put("two", VERSION),
+    "version-is-a-float": raw(b"\xf9\x40\x00", VERSION),
+    "kind-is-an-array": put(["tiling"], KIND),
+    "witness-is-a-text": put("witness", WITNESS),
+    "claim-is-a-text": put("claim", CLAIM),
+    "dimension-is-a-text": put("two", DIMENSION),
+    "field-is-another-text": put("R", FIELD),
+    "field-without-root": put([[-3, 0, 1]], FIELD),
+    "root-of-two-integers": put([0, 1], (*FIELD, 1), base=A_FIELD),
+    "domain-is-another-text": put("sphere", DOMAIN),
+    "domain-is-an-integer": put(0, DOMAIN),
+    "slab-without-polytope": put(["slab"], DOMAIN, base=SLAB),
+    "region-of-a-text": put(["region", "three"], DOMAIN, base=REGION),
+    "rows-are-a-map": raw(b"\xa0", ROWS),
+    "row-is-an-integer": put(0, ROWS, 1),
+    "row-without-a-corner": put([0, [0, 0, 1]], ROWS, 0),
+    "row-with-a-corner-more": put([0, [0, 0, 1], [0, 1, 0], [0, 1, 1]], ROWS, 0),
+    "corner-is-a-text": put("origin", ROWS, 0, 0),
+    "corner-is-null": raw(b"\xf6", ROWS, 0, 0),
+    "corner-with-a-shift-too-long": put([0, 0, 1, 0], ROWS, 0, 1),
+    "shift-is-a-text": put("one", ROWS, 0, 1, 2),
+    "shift-is-a-float": raw(b"\xf9\x00\x00", ROWS, 0, 1, 2),
+    "coordinate-is-an-array": put([0], VERTICES, 0, 0),
+    "coordinate-is-bytes": raw(b"\x410", VERTICES, 0, 0),
+    "coordinate-is-a-float-of-64-bits": raw(b"\xfb" + b"\0" * 8, VERTICES, 0, 0),
+    "coordinate-of-a-field-is-an-integer": put(0, VERTICES, 0, 0, base=A_FIELD),
+    "coefficient-missing": put([2, 0], GRAM, 0, 0, base=A_FIELD),
+    "digits-as-a-text": raw(b"\x6218", VERTICES, 0, 0),
+    "text-is-not-utf-8": raw(b"\x61\xff", DOMAIN),
+    "text-beyond-ascii": raw(b"\x66spac\xc3\xa9", DOMAIN),
+    "text-with-a-line-feed": raw(b"\x66space\n", DOMAIN),
+    "simple-value": raw(b"\xf5", DOMAIN),
+    "reserved-head": raw(b"\x1c", DIMENSION),
+    "big-integer-with-another-tag": raw(b"\xc4\x49\x01" + b"\0" * 8, VERTICES, 0, 0),
+    "big-integer-of-a-text": raw(b"\xc2\x69" + b"1" * 9, VERTICES, 0, 0),
+    "big-integer-of-an-integer": raw(b"\xc2\x01", VERTICES, 0, 0),
+    "big-integer-of-indefinite-length": raw(b"\xc2\x5f\x49\x01" + b"\0" * 8 + b"\xff", VERTICES, 0, 0),
+    "big-integer-cut": put(2 ** 64, WITNESS)[:-4],
+    "tag-alone": raw(b"\xc2", WITNESS),
+    "huge-text": raw(b"\x7b" + HUGE, DOMAIN),
+    "many-rows-announced": raw(b"\x9a\x08\0\0\0", ROWS),
+    "huge-row": raw(b"\x9b" + HUGE, ROWS, 0),
+    "huge-corner": raw(b"\x9b" + HUGE, ROWS, 0, 1),
+    "huge-boundary": raw(b"\x9b" + HUGE, BOUNDARY, base=REGION),
+    "huge-gram": raw(b"\x9b" + HUGE, GRAM),
+    "huge-certificate": b"\x9b" + HUGE + BYTES[1:],
+    "huge-map": b"\xbb" + HUGE + BYTES[1:],
+    "deep-domain": raw(b"\x81" * 20 + b"\x00", DOMAIN),
+    "very-deep-domain": raw(b"\x81" * 200000 + b"\x00", DOMAIN),
+    "very-deep-coordinate": raw(b"\x81" * 200000 + b"\x00", VERTICES, 0, 0),
+}
 
-if __name__ == "__main__":
+# CBOR of a certificate, and something is wrong with it: as in JSON.
+OTHERS = {
+    "format--other": put("another", FORMAT),
+    "version--1": put(1, VERSION),
+    "version--3": put(3, VERSION),
+    "version--negative": put(-2, VERSION),
+    "version--3-and-another-shape": to_cbor([*GOOD[:1], 3, "tiling", ["cells"], [1]]),
+    "kind--family": put("family", KIND),
+    "vertex-range--beyond": put(1, ROWS, 0, 0),
+    "vertex-range--least-integer": put(-2 ** 63, ROWS, 0, 0),
+    "vertex-range--of-65-bits-negative": put(-2 ** 64, ROWS, 0, 0),
+    "vertex-range--big-integer": put(2 ** 64, ROWS, 0, 0),
+    "shift-range--2-to-29": put(2 ** 29, ROWS, 0, 1, 1),
+    "shift-range--2-to-31": put(2 ** 31, ROWS, 0, 1, 1),
+    "shift-range--2-to-63": put(2 ** 63, ROWS, 0, 1, 1),
+    "shift-range--big-integer": put(2 ** 64, ROWS, 0, 1, 1),
+    "corner-order--second-corner-too-small": put([0, -1, 0], ROWS, 0, 1),
+    "no-simplices--none": put([], ROWS),
+    "polynomial--empty": put([], (*FIELD, 0), base=A_FIELD),
+    "boundary-domain--of-the-plane": put([[0, [0, 1, 0]]], BOUNDARY),
+    "too-many-digits--of-600-bytes": put(2 ** 4799, VERTICES, 0, 0),
+}
+
+FILES = {**{f"valid--{name}": to_cbor(valid(name)) for name in VALID},
+         **{f"canonical--{name}": data for name, data in CANONICAL.items()},
+         **{f"cbor--{name}": data for name, data in NOT_CBOR.items()}, **OTHERS}
+
+
+def write_folder():
     folder = os.path.join(HERE, "cbor")
     os.makedirs(folder, exist_ok=True)
     for name in os.listdir(folder):
@@ -188,3 +224,17 @@ if __name__ == "__main__":
     for name, content in FILES.items():
         with open(os.path.join(folder, name + ".cbor"), "wb") as file:
             file.write(content)
+
+
+def encode_file(source, target):
+    with open(source) as file:
+        data = to_cbor(json.load(file))
+    with open(target, "wb") as file:
+        file.write(data)
+
+
+if __name__ == "__main__":
+    if len(sys.argv) == 3:
+        encode_file(*sys.argv[1:])
+    else:
+        write_folder()

@@ -1,8 +1,10 @@
 //! The table of constructions.
 
+use super::entry::{Entry, Parameter, Recipe};
 use super::{
-    CatalogError, Entry, Parameter, PlaneTiling, Recipe, built_in, congruent, icosahedral, kagome,
-    planar, plane_tiling, selected, slab, solid, z_c15,
+    CatalogError, congruent, icosahedral, kagome, planar,
+    plane_tiling::{self, PlaneTiling, built_in},
+    selected, slab, solid, z_c15,
 };
 use acutile_core::tiling::{AnyTiling, Tiling};
 use acutile_exact::number::Number;

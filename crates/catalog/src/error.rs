@@ -1,6 +1,6 @@
 //! Why a construction fails.
 
-use super::{WORD_LIMIT, plane_tiling::ENTRY_LIMIT};
+use super::limits::{ENTRY_LIMIT, WORD_LIMIT};
 use acutile_core::delaunay::DelaunayError;
 use acutile_exact::number::{FieldError, ReadError};
 use std::fmt;

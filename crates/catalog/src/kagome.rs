@@ -15,14 +15,12 @@
 //! `z` is Z, `+` C15, `+-` C14, `++--` C36, `z+` mu.
 
 use super::CatalogError;
+use super::limits::WORD_LIMIT;
 use super::recipe::{common_field, fraction, quotient};
 use acutile_core::delaunay::{Ties, triangulate};
 use acutile_core::tiling::{Frame, PointSet, Tiling};
 use acutile_exact::number::{Field, Number};
 use malachite::{Integer, Rational};
-
-/// No word is longer.
-pub const WORD_LIMIT: usize = 64;
 
 /// A point: the registry or place in the plane, in the basis with 120 degrees, and the height.
 type Point = ([Number; 2], Number);

@@ -7,6 +7,7 @@
 //! edges have twelve directions.
 
 use super::CatalogError;
+use super::limits::ENTRY_LIMIT;
 use std::collections::{BTreeSet, HashMap};
 
 /// a + b z + c z² + d z³
@@ -27,10 +28,6 @@ pub const POWERS: [Cyclotomic; 12] = [
     [1, 0, -1, 0],
     [0, 1, 0, -1],
 ];
-
-/// No entry of a vertex or a lattice vector is larger in size: products of three of them, with
-/// small factors, fit into an i64.
-pub const ENTRY_LIMIT: i64 = 100_000;
 
 /// A corner of a tile, at a vertex.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -54,6 +51,19 @@ pub fn named(name: &str) -> Option<PlaneTiling> {
         Some(name) => simple(name).map(|plane| plane.inflated()),
         None => simple(name),
     }
+}
+
+/// The plane tiling that is built in under this name.
+///
+/// # Errors
+/// There is none; the message lists the names.
+pub fn built_in(name: &str) -> Result<PlaneTiling, CatalogError> {
+    named(name).ok_or_else(|| {
+        CatalogError::File(format!(
+            "found {name:?} after the colon, expected a plane-tiling file or a built-in tiling: 3, \
+             4, 33344, 32434, 3464, inflated-NAME of these"
+        ))
+    })
 }
 
 fn simple(name: &str) -> Option<PlaneTiling> {

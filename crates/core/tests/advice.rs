@@ -2,7 +2,7 @@
 
 use acutile_catalog::build;
 use acutile_core::advice::{Advice, Adviser, common_point, motion};
-use acutile_core::checker::{Defect, Options, prove};
+use acutile_core::checker::{Defect, Options, examine};
 use acutile_core::tiling::{AnyTiling, Corner, Frame, Tiling};
 use acutile_exact::geometry::{Sign, Simplex, linear};
 use acutile_exact::number::{Number, parse_rational};
@@ -25,7 +25,7 @@ fn point(texts: [&str; 3]) -> [Number; 3] {
 }
 
 fn defects(tiling: &Tiling<3>) -> Vec<Defect> {
-    let refutation = prove(tiling, &Options::default(), &|_| {}).unwrap_err();
+    let refutation = examine(tiling, &Options::default(), &|_| {}).unwrap_err();
     refutation.kept().to_vec()
 }
 

@@ -1,12 +1,12 @@
 //! The Delaunay room against hand counts, a brute-force twin and its symmetries.
 
-use acutile_core::checker::{Options, prove};
+use acutile_core::checker::Options;
 use acutile_core::delaunay::{Cell, DelaunayError, Ties, cells, triangulate};
+use acutile_core::proved::prove;
+use acutile_core::statement::{Requirement, Statement};
 use acutile_core::tiling::{Corner, Frame, PointSet, Tiling, match_facets};
 use acutile_exact::geometry::{Sign, Simplex};
 use acutile_exact::number::{Field, Number};
-use acutile_format1::certificate::{Statement, to_bytes};
-use acutile_format1::verifier::{Limits, verify};
 use malachite::{Integer, Rational};
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -516,12 +516,11 @@ fn the_kernel_confirms_skewed_triangulations() {
         let tiling = triangulate(&set(gram, 1 << 16, &points), Ties::Refuse).unwrap();
         check(&tiling);
         let options = Options {
-            required: vec![Statement::Delaunay],
+            required: vec![Requirement::Delaunay],
             ..Options::default()
         };
-        let certificate = prove(&tiling, &options, &|_| ()).unwrap();
-        let verified = verify(&to_bytes(&certificate), &Limits::default()).unwrap();
-        let claimed = &verified.claim().statements;
+        let proved = prove(&tiling, &options, &|_| ()).unwrap();
+        let claimed = proved.statements();
         assert!(claimed.contains(&Statement::Delaunay), "{claimed:?}");
     }
 }

@@ -1,16 +1,19 @@
 //! Tests of the public interface of `acutile-core`, one binary for all.
 
 mod advice;
-mod assemble;
 mod delaunay;
+mod format;
+mod plane_regions;
 mod predicates;
 mod prover_properties;
 mod quality;
 mod region;
+mod requirements;
 mod rungs;
 mod soup;
 mod statistics;
 mod symmetry;
+mod transcribe;
 
 #[path = "../../../tests/common/kuhn.rs"]
 mod kuhn;

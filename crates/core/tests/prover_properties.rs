@@ -3,13 +3,13 @@
 
 use crate::kuhn::kuhn;
 use acutile_catalog as catalog;
-use acutile_core::checker::{Options, prove};
+use acutile_core::checker::{Options, examine};
+use acutile_core::proved::prove;
+use acutile_core::statement::Statement;
 use acutile_core::tiling::{AnyTiling, Corner, Tiling, supercell};
 use acutile_core::with_dimension;
 use acutile_exact::geometry::linear;
 use acutile_exact::number::Number;
-use acutile_format1::certificate::{Statement, to_bytes};
-use acutile_format1::verifier::{Limits, verify};
 use acutile_io::import::{Content, read_native};
 use malachite::Rational;
 use proptest::prelude::*;
@@ -23,10 +23,11 @@ fn judged(text: &str) -> Option<Vec<Statement>> {
 }
 
 fn statements<const D: usize>(tiling: &Tiling<D>) -> Option<Vec<Statement>> {
-    let certificate = prove(tiling, &Options::default(), &|_| ()).ok()?;
-    let verified = verify(&to_bytes(&certificate), &Limits::default());
-    assert!(verified.is_ok(), "proved, but {}", verified.unwrap_err());
-    Some(certificate.claim.statements)
+    let proof = examine(tiling, &Options::default(), &|_| ()).ok()?;
+    let proved = prove(tiling, &Options::default(), &|_| ());
+    let proved = proved.unwrap_or_else(|reason| panic!("examined, but {reason}"));
+    assert_eq!(proved.statements(), proof.statements);
+    Some(proof.statements)
 }
 
 fn named(name: &str) -> Tiling<3> {

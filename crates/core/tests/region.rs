@@ -4,17 +4,16 @@
 //! part of an embedded triangulation is one.
 
 use crate::meeting::{Point, meet_elsewhere};
-use acutile_core::checker::{Findings, Options, prove};
-use acutile_core::tiling::{self, AnyTiling, Corner, Frame, Tiling};
+use acutile_core::checker::{Findings, Options, Proof, examine};
+use acutile_core::proved::prove;
+use acutile_core::statement::Statement;
+use acutile_core::tiling::{self, AnyTiling, Corner, Frame, Tiling, match_facets};
+use acutile_core::transcribe::{Parts, to_certificate};
 use acutile_exact::geometry::triangle::{Triangle, folded};
-use acutile_format1::certificate::{
-    Certificate, Claim, Domain, Field, Mate, Number, Place, Statement, Witness, to_bytes,
-};
-use acutile_format1::verifier::{Limits, Refusal, Verified, verify};
 use acutile_io::import::{Content, read_native};
+use acutile_kernel::{Limits, Refusal, Verified, verify};
 use malachite::{Integer, Rational};
 use proptest::prelude::*;
-use std::collections::BTreeMap;
 
 /// Points with integer coordinates, and tetrahedra.
 #[derive(Clone, Debug)]
@@ -104,55 +103,23 @@ impl Mesh {
         (0..n).all(|t| self.volume(t) > 0) && (0..n).all(|t| (0..t).all(|s| meet_well(s, t)))
     }
 
-    fn certificate(&self) -> Certificate {
-        let text = |x: i64| Number(vec![x.to_string()]);
-        let row = |k: usize| (0..3).map(|j| text(i64::from(j == k))).collect();
-        let facet = |t: usize, i: usize| {
-            let mut facet = self.tetrahedra[t].to_vec();
-            facet.remove(i);
-            facet.sort_unstable();
-            facet
-        };
-        let mut users: BTreeMap<Vec<usize>, Vec<(usize, usize)>> = BTreeMap::new();
-        for t in 0..self.tetrahedra.len() {
-            for i in 0..4 {
-                users.entry(facet(t, i)).or_default().push((t, i));
-            }
-        }
-        let mate = |t: usize, i: usize| {
-            let other = users[&facet(t, i)].iter().find(|user| **user != (t, i));
-            Mate(other.map_or(vec![], |(t, i)| vec![*t as i64, *i as i64]))
-        };
-        Certificate {
-            format: "acutile-certificate".to_owned(),
-            version: 1,
-            claim: Claim {
-                dimension: 3,
-                field: Field::Rationals,
-                gram: (0..3).map(row).collect(),
-                domain: Domain::Region,
-                statements: vec![Statement::FaceToFaceTiling],
-            },
-            witness: Witness {
-                vertices: self.points.iter().map(|p| p.map(text).to_vec()).collect(),
-                simplices: self
-                    .tetrahedra
-                    .iter()
-                    .map(|t| t.map(|v| Place(vec![v as i64])).to_vec())
-                    .collect(),
-                mates: (0..self.tetrahedra.len())
-                    .map(|t| (0..4).map(|i| mate(t, i)).collect())
-                    .collect(),
-            },
-        }
+    /// The certificate of the mesh, whatever it is: nothing is checked before the kernel.
+    fn certificate(&self) -> Vec<u8> {
+        let tiling = self.tiling();
+        to_certificate(Parts {
+            tiling: &tiling,
+            matching: &match_facets(&tiling),
+            statements: &[Statement::FaceToFaceTiling],
+            sixes: None,
+        })
     }
 
     fn verified(&self) -> Result<Verified, Refusal> {
-        verify(&to_bytes(&self.certificate()), &Limits::DEFAULT)
+        verify(&mut &self.certificate()[..], &Limits::DEFAULT)
     }
 
     fn tiling(&self) -> Tiling<3> {
-        let frame = Frame::<3>::cubic().with_domain(tiling::Domain::Region);
+        let frame = Frame::<3>::cubic().with_domain(tiling::Domain::Region(0));
         let integer = |x: i64| acutile_exact::number::Number::from(Rational::from(x));
         Tiling {
             frame,
@@ -166,8 +133,8 @@ impl Mesh {
         }
     }
 
-    fn proved(&self) -> Result<Certificate, Findings> {
-        prove(&self.tiling(), &Options::default(), &|_| ())
+    fn proved(&self) -> Result<Proof<3>, Findings> {
+        examine(&self.tiling(), &Options::default(), &|_| ())
     }
 }
 
@@ -410,9 +377,9 @@ fn every_two_triangles_on_an_edge() {
 fn the_boundary_is_counted() {
     for n in 1..4 {
         let verified = Mesh::of_cubes(&grid(n), 1).verified().unwrap();
-        assert_eq!(verified.simplices() as i64, 6 * n * n * n);
-        assert_eq!(verified.vertices() as i64, (n + 1) * (n + 1) * (n + 1));
-        assert_eq!(verified.boundary() as i64, 12 * n * n);
+        assert_eq!(verified.simplices as i64, 6 * n * n * n);
+        assert_eq!(verified.vertices as i64, (n + 1) * (n + 1) * (n + 1));
+        assert_eq!(verified.boundary_facets as i64, 12 * n * n);
     }
 }
 
@@ -465,13 +432,11 @@ fn meshes_of_others() {
             panic!("{name} is a mesh of space");
         };
         tiling.orient();
-        let certificate = prove(&tiling, &Options::default(), &|_| ()).unwrap();
-        let verified = verify(&to_bytes(&certificate), &Limits::DEFAULT).unwrap();
+        let proved = prove(&tiling, &Options::default(), &|_| ()).unwrap();
+        let verified = proved.verified();
         let counts = format!(
             "{name}: {} points, {} tetrahedra, {} boundary triangles",
-            verified.vertices(),
-            verified.simplices(),
-            verified.boundary()
+            verified.vertices, verified.simplices, verified.boundary_facets
         );
         assert!(text.contains(&counts), "{counts}");
     }

@@ -8,7 +8,7 @@ use acutile_core::predicates::{
 use acutile_core::tiling::{Coordinates, Corner, Frame, Tiling};
 use acutile_exact::geometry::linear;
 use acutile_exact::number::Number;
-use malachite::{Integer, Rational};
+use malachite::Rational;
 
 /// A generator of numbers that is the same in every run (Knuth's constants).
 pub struct Random(pub u64);
@@ -76,11 +76,10 @@ pub fn twin<P: Predicate<3>>(
     let origin = tiling.position(&corners[0]);
     let vector = |corner: &Corner<3>| linear::subtract(&tiling.position(corner), &origin);
     let gram = tiling.frame.gram.clone();
-    let number = |n: Integer| Number::from(Rational::from(n));
     let metric = Metric {
         cogram: linear::cofactors(&gram),
         gram,
-        constants: predicate.constants().into_iter().map(number).collect(),
+        constants: predicate.constants(),
     };
     let edges = [1, 2, 3].map(|k| vector(&corners[k]));
     Signs::of(predicate, edges, &vector(apex), &metric)
@@ -93,7 +92,7 @@ pub fn compare<P: Predicate<3> + Clone>(predicate: P, tiling: &Tiling<3>) -> usi
     let mut zeros = 0;
     let apex_of = |simplex: usize| tiling.simplex((simplex + 1) % tiling.len())[2];
     let mut together = Vec::new();
-    let items = (0..tiling.len()).map(|simplex| (simplex, apex_of(simplex)));
+    let items = (0..tiling.len()).map(|simplex| ((simplex, simplex), apex_of(simplex)));
     prepared.for_each_with(items, |_, signs| together.push(*signs));
     for simplex in 0..tiling.len() {
         let apex = apex_of(simplex);
@@ -115,18 +114,14 @@ pub fn compare<P: Predicate<3> + Clone>(predicate: P, tiling: &Tiling<3>) -> usi
 pub fn compare_all(tiling: &Tiling<3>) -> usize {
     let mut zeros = compare(Orientation, tiling) + compare(Angles, tiling);
     zeros += compare(Shape, tiling) + compare(InSphere, tiling);
-    for numerator in [-(1 << 30), -1, 0, 1, 1 << 30, 1_518_500_250] {
-        let denominator = 1 << 31;
-        zeros += compare(
-            AnglesAgainst {
-                numerator,
-                denominator,
-            },
-            tiling,
-        );
+    for numerator in [-(1i64 << 30), -1, 0, 1, 1 << 30, 1_518_500_250] {
+        let cosine = Rational::from_signeds(numerator, 1i64 << 31);
+        let square = &cosine * &cosine;
+        let signed_square = if cosine < 0 { -square } else { square };
+        zeros += compare(AnglesAgainst::new(&Number::from(signed_square)), tiling);
     }
     let bound = Rational::from_signeds(866, 1000);
-    zeros += compare(RadiusAgainst { bound }, tiling);
+    zeros += compare(RadiusAgainst::new(&Number::from(&bound * &bound)), tiling);
     check_shapes(tiling);
     let sum = (0..tiling.len()).fold(Number::zero(), |sum, s| sum + tiling.shape(s).determinant);
     assert_eq!(Model::new(tiling).sum_of_determinants(), sum);

@@ -3,5 +3,6 @@
 mod enclosure;
 mod field;
 mod reader;
+mod subfield;
 mod text;
 mod twins;

@@ -318,7 +318,7 @@ fn messages() {
 
 #[test]
 fn limits() {
-    use acutile_exact::number::text::{DEPTH_LIMIT, DIGITS_LIMIT, TEXT_LIMIT};
+    use acutile_exact::number::limits::{DEPTH_LIMIT, DIGITS_LIMIT, TEXT_LIMIT};
     let nested = |n| format!("{}1{}", "(".repeat(n), ")".repeat(n));
     assert!(Reader::new().learn(&nested(DEPTH_LIMIT)).is_ok());
     let error = Reader::new().learn(&nested(DEPTH_LIMIT + 1)).unwrap_err();

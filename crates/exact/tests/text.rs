@@ -2,10 +2,13 @@
 //! random bytes.
 
 use acutile_exact::number::{ReadErrorKind, Reader, parse_rational};
-use num_rational::BigRational;
+use num_bigint::BigInt;
+use num_rational::Ratio;
 use num_traits::{One, Zero};
 use proptest::prelude::*;
 use std::time::{Duration, Instant};
+
+type BigRational = Ratio<BigInt>;
 
 /// A text and its value, computed while it is made; `None` for a division by 0.
 #[derive(Clone, Debug)]

@@ -6,10 +6,13 @@ use acutile_exact::geometry::Scalar;
 use acutile_exact::number::{Field, Number, Reader};
 use malachite::base::num::arithmetic::traits::Pow;
 use malachite::{Integer, Rational};
-use num_rational::BigRational;
+use num_bigint::BigInt;
+use num_rational::Ratio;
 use num_traits::{Signed, Zero};
 use proptest::prelude::*;
 use std::cmp::Ordering;
+
+type BigRational = Ratio<BigInt>;
 
 fn big(text: &str) -> BigRational {
     text.parse().unwrap()

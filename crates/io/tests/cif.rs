@@ -4,7 +4,7 @@
 
 use acutile_core::classify::Star;
 use acutile_core::delaunay::{DelaunayError, Ties, triangulate};
-use acutile_format1::certificate::Statement;
+use acutile_core::statement::Statement;
 use acutile_io::import::cif::{CifOptions, CifPoints, read_cif};
 use acutile_paper::survey::Study;
 use malachite::Rational;

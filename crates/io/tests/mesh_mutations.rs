@@ -1,7 +1,7 @@
 //! Damaged mesh files of every format: reading never panics and is quick, and what is read is
 //! proved only where it is the undamaged mesh.
 
-use acutile_core::checker::{Options, prove};
+use acutile_core::checker::{Options, examine};
 use acutile_io::mesh::{
     Family, Format, Lattice, Mesh, MeshError, Numbering, load, periodic_tiling, write,
 };
@@ -181,7 +181,7 @@ fn damaged_files_are_refused_or_refuted() {
                 Ok(mesh) if geometry(&mesh) == original => unchanged += 1,
                 Ok(mesh) => {
                     if let Ok(converted) = periodic_tiling(mesh, &lattice, None) {
-                        let proof = prove(&converted.tiling, &Options::default(), &|_| ());
+                        let proof = examine(&converted.tiling, &Options::default(), &|_| ());
                         assert!(proof.is_err(), "{name}, seed {seed}: proved");
                     }
                     refuted += 1;

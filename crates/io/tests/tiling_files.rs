@@ -2,11 +2,15 @@
 //! checker says of tilings that are wrong in one way each.
 
 use crate::kuhn::kuhn;
-use acutile_core::checker::{Defect, Options, Refutation, prove};
+use acutile_core::checker::{Defect, Findings, Options, examine};
+use acutile_core::format;
+use acutile_core::proved::prove;
+use acutile_core::quality::{DihedralAngle, RadiusEdge};
+use acutile_core::statement::{Relation, Requirement, Statement};
 use acutile_core::tiling::AnyTiling;
 use acutile_core::with_dimension;
-use acutile_format1::certificate::Statement;
-use acutile_io::import::{Content, read_native};
+use acutile_exact::number::{Number, parse_rational};
+use acutile_io::import::{Content, read_bytes, read_native, read_text};
 use serde_json::{Value, json};
 
 fn tiling(document: &Value) -> AnyTiling {
@@ -17,14 +21,17 @@ fn tiling(document: &Value) -> AnyTiling {
     }
 }
 
-/// The statements that are proved, or the refutation.
-fn judge(document: &Value, required: &[Statement]) -> Result<Vec<Statement>, Refutation> {
+/// The statements that are proved, or what is wrong.
+fn judge(document: &Value, required: &[Requirement]) -> Result<Vec<Statement>, Findings> {
     let options = Options {
         required: required.to_vec(),
         ..Options::default()
     };
-    with_dimension!(&tiling(document), AnyTiling, t => prove(t, &options, &|_| ()))
-        .map(|certificate| certificate.claim.statements)
+    with_dimension!(&tiling(document), AnyTiling, t => {
+        let proof = examine(t, &options, &|_| ())?;
+        prove(t, &options, &|_| ()).unwrap_or_else(|reason| panic!("examined, but {reason}"));
+        Ok(proof.statements)
+    })
 }
 
 /// The kinds of defects with their counts, as `code count` in alphabetical order.
@@ -32,7 +39,7 @@ fn defects(document: &Value) -> Vec<String> {
     defects_requiring(document, &[])
 }
 
-fn defects_requiring(document: &Value, required: &[Statement]) -> Vec<String> {
+fn defects_requiring(document: &Value, required: &[Requirement]) -> Vec<String> {
     let refutation = judge(document, required).expect_err("it is wrong");
     refutation
         .counts()
@@ -50,32 +57,48 @@ fn error(document: &str) -> String {
 
 #[test]
 fn the_kuhn_cube_is_a_nonobtuse_weakly_delaunay_tiling() {
-    // All angles are 45, 60 or 90 degrees (the paper's Table 1, "Cube VI").
+    // The angles of all are 45, 45, 60, 90, 90, 90 degrees (the paper's Table 1, "Cube VI"); the
+    // circumradius is √3/2 and the shortest edge 1.
+    let (right, half) = (angle("0"), angle("1/2"));
+    let ratio = ratio("3/4");
     let expected = [
         Statement::FaceToFaceTiling,
         Statement::Nonobtuse,
-        Statement::DihedralBelow("9001/100".to_owned()),
-        Statement::DihedralAbove("4499/100".to_owned()),
-        // The circumradius is sqrt(3)/2 and the shortest edge 1.
-        Statement::RadiusEdgeBelow("867/1000".to_owned()),
+        Statement::LargestAngle(Relation::Maximum, right.clone()),
+        Statement::LargestAngle(Relation::Minimum, right),
+        Statement::SmallestAngle(Relation::Maximum, half.clone()),
+        Statement::SmallestAngle(Relation::Minimum, half),
+        Statement::RadiusEdge(Relation::Maximum, ratio.clone()),
+        Statement::RadiusEdge(Relation::Minimum, ratio),
         Statement::WeaklyDelaunay,
     ];
     assert_eq!(judge(&kuhn(), &[]).expect("it is a tiling"), expected);
+}
+
+/// The angle whose cosine has this square.
+fn angle(square: &str) -> DihedralAngle {
+    DihedralAngle::of_rational(parse_rational(square).unwrap())
+}
+
+fn ratio(square: &str) -> RadiusEdge {
+    RadiusEdge {
+        square: Number::from(parse_rational(square).unwrap()),
+    }
 }
 
 #[test]
 fn requirements_that_fail_name_every_angle() {
     // Each path tetrahedron has three right angles: at its first, middle and last step.
     assert_eq!(
-        defects_requiring(&kuhn(), &[Statement::Acute]),
+        defects_requiring(&kuhn(), &[Requirement::Acute]),
         ["right-angle 18"]
     );
-    let sixty = Statement::DihedralBelow("60".to_owned());
+    let sixty = Requirement::DihedralBelow(60.into());
     // The six angles are 45, 45, 60, 90, 90, 90, and 60 is not less than 60.
     assert_eq!(defects_requiring(&kuhn(), &[sixty]), ["angle-not-below 24"]);
     // Two facets of each lie inside of the cube, whose corners are cospherical.
     assert_eq!(
-        defects_requiring(&kuhn(), &[Statement::Delaunay]),
+        defects_requiring(&kuhn(), &[Requirement::Delaunay]),
         ["on-circumsphere 12"]
     );
 }
@@ -173,7 +196,7 @@ fn negative_orientation_is_reported_with_its_remedy_and_mended() {
          0+(1, 1, 1)] mends it (--reorient does)"
     );
     assert_eq!(read.orient(), [1]);
-    assert!(prove(&read, &Options::default(), &|_| ()).is_ok());
+    assert!(examine(&read, &Options::default(), &|_| ()).is_ok());
 }
 
 #[test]
@@ -207,13 +230,14 @@ fn metrics_that_are_none() {
 #[test]
 fn all_defects_are_counted_and_the_first_are_kept() {
     let options = Options {
-        required: vec![Statement::Acute],
+        required: vec![Requirement::Acute],
         defect_limit: 2,
+        ..Options::default()
     };
     let AnyTiling::Space(read) = tiling(&kuhn()) else {
         panic!("dimension 3")
     };
-    let refutation = prove(&read, &options, &|_| ()).expect_err("right angles");
+    let refutation = examine(&read, &options, &|_| ()).expect_err("right angles");
     assert_eq!(refutation.kept().len(), 2);
     assert_eq!(refutation.counts()["right-angle"], 18);
 }
@@ -237,20 +261,25 @@ fn cartesian_and_fractional_coordinates_give_the_same_tiling() {
     );
     let statements = judge(&cartesian, &[]).expect("a tiling");
     assert_eq!(statements[1], Statement::Acute);
+    // Angles of 60 degrees; the squared ratio is 1/3.
+    let sixty = angle("1/4");
     assert_eq!(
         statements[2],
-        Statement::DihedralBelow("6001/100".to_owned())
+        Statement::LargestAngle(Relation::Maximum, sixty.clone())
     );
     assert_eq!(
-        statements[3],
-        Statement::DihedralAbove("5999/100".to_owned())
+        statements[5],
+        Statement::SmallestAngle(Relation::Minimum, sixty)
     );
-    // 1 / sqrt(3) = 0.57735…
     assert_eq!(
-        statements[4],
-        Statement::RadiusEdgeBelow("289/500".to_owned())
+        statements[6],
+        Statement::RadiusEdge(Relation::Maximum, ratio("1/3"))
     );
-    assert_eq!(statements[5], Statement::Delaunay);
+    assert_eq!(statements[8], Statement::Delaunay);
+    // Its numbers are rational but for a factor of the Gram matrix.
+    let proved = prove(&plane, &Options::default(), &|_| ()).expect("a tiling");
+    let certificate = format::read::certificate(proved.certificate()).unwrap();
+    assert_eq!(certificate.claim.field, format::Field::Rationals);
 }
 
 #[test]
@@ -400,7 +429,7 @@ fn bounds_hold_far_from_the_origin() {
     let mut document = kuhn();
     document["vertices"] = json!([["(sqrt(2)+1)^200", 0, 0]]);
     let statements = judge(&document, &[]).expect("it is a tiling");
-    assert!(statements.contains(&Statement::DihedralBelow("9001/100".to_owned())));
+    assert!(statements.contains(&Statement::LargestAngle(Relation::Maximum, angle("0"))));
 }
 
 #[test]
@@ -420,4 +449,71 @@ fn text_that_is_no_document() {
         error(&whole.replacen("[0,0,0]", &format!("[\"{deep}\",0,0]"), 1))
             .starts_with("vertices[0][0]: ")
     );
+}
+
+/// A generator may be defined once; numbers are printed by its name.
+#[test]
+fn generators() {
+    let text = |generators: &str| {
+        let document = kuhn().to_string();
+        let vertices = "\"vertices\":[[0,0,0]]";
+        assert!(document.contains(vertices), "{document}");
+        document.replacen(
+            vertices,
+            &format!("\"generators\":{{{generators}}},\"vertices\":[[\"t/2\",0,0]]"),
+            1,
+        )
+    };
+    let golden = "\"t\":{\"polynomial\":[-1,-1,1],\"root\":[1,2]}";
+    let file = read_native(&text(golden)).expect("a tiling");
+    let Content::Tiling(AnyTiling::Space(tiling)) = file.content else {
+        panic!("a tiling of space");
+    };
+    assert_eq!(tiling.vertices.vertex(0)[0].to_string(), "1/2 t");
+    let twice = format!("{golden},\"t\":{{\"polynomial\":[-2,0,1],\"root\":[1,2]}}");
+    let message = error(&text(&twice));
+    assert!(
+        message.contains("the generator \"t\" is defined twice"),
+        "{message}"
+    );
+}
+
+/// A small compressed file does not become a large text.
+#[test]
+fn compressed_files_that_grow() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let write = |name: &str, bytes: &[u8]| {
+        let path = folder.path().join(name);
+        let file = std::fs::File::create(&path).expect("a file");
+        let mut packed = flate2::write::GzEncoder::new(file, flate2::Compression::best());
+        std::io::Write::write_all(&mut packed, bytes).expect("written");
+        packed.finish().expect("written");
+        path
+    };
+    let bomb = write("bomb.json.gz", &vec![b' '; 30 << 20]);
+    let error = read_text(&bomb).expect_err("grows by a factor of 1,000");
+    assert!(error.is_limit());
+    assert!(
+        error.to_string().contains("decompress the file first"),
+        "{error}"
+    );
+    let honest = write("honest.json.gz", &vec![b' '; 1 << 20]);
+    assert_eq!(
+        read_text(&honest).expect("one MiB is allowed").len(),
+        1 << 20
+    );
+}
+
+/// No space is reserved for a file beyond the limit.
+#[test]
+fn a_sparse_file() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let path = folder.path().join("sparse.msh");
+    std::fs::File::create(&path)
+        .and_then(|file| file.set_len(40 << 30))
+        .expect("a sparse file");
+    for limit in [1 << 20, 1 << 30] {
+        let bytes = read_bytes(&path, limit);
+        assert!(bytes.expect_err("40 GiB").is_limit());
+    }
 }

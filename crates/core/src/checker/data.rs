@@ -111,7 +111,7 @@ fn members<const D: usize>(tiling: &Tiling<D>, defect: &Defect) -> Value {
             "outside": simplices.len(),
         }),
         Defect::BoundaryWork { limit } => json!({ "limit": limit }),
-        Defect::RegionDimension | Defect::DelaunayOfRegion => json!({}),
+        Defect::NoBoundary => json!({}),
         Defect::UnusedVertex { vertex } => json!({ "vertex": vertex }),
         Defect::RightAngle { angle } | Defect::ObtuseAngle { angle } => angle_data(tiling, angle),
         Defect::AngleNotBelow { angle, bound } | Defect::AngleNotAbove { angle, bound } => {

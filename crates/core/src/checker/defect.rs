@@ -64,22 +64,20 @@ pub enum Defect {
     /// The points directly outside of a facet in the boundary of a region, at its centroid, lie
     /// in these simplices.
     Covered { facet: Facet, simplices: Vec<usize> },
-    /// A region in another dimension than 3.
-    RegionDimension,
+    /// A region without boundary: it is all of space.
+    NoBoundary,
     /// The boundary has more facets close to each other than are looked at: nothing is known to be
     /// wrong, and nothing is proved.
     BoundaryWork { limit: usize },
-    /// Delaunay is required of a region.
-    DelaunayOfRegion,
     /// A vertex is a corner of no simplex.
     UnusedVertex { vertex: usize },
     /// A dihedral angle is a right angle where all must be acute.
     RightAngle { angle: Angle },
     /// A dihedral angle is more than a right angle.
     ObtuseAngle { angle: Angle },
-    /// A dihedral angle was not proved to be less than a bound in degrees.
+    /// A dihedral angle is not less than a bound in degrees.
     AngleNotBelow { angle: Angle, bound: Rational },
-    /// A dihedral angle was not proved to be more than a bound in degrees.
+    /// A dihedral angle is not more than a bound in degrees.
     AngleNotAbove { angle: Angle, bound: Rational },
     /// The squared circumradius of a simplex over the square of its shortest edge is
     /// `squared_ratio`, not less than the square of the bound.
@@ -167,9 +165,8 @@ impl Defect {
             Defect::CoincidentVertices { .. } => "coincident-vertices",
             Defect::BoundaryMeets { .. } => BOUNDARY_MEETS,
             Defect::Covered { .. } => "covered-twice",
-            Defect::RegionDimension => "region-dimension",
+            Defect::NoBoundary => "no-boundary",
             Defect::BoundaryWork { .. } => BOUNDARY_WORK,
-            Defect::DelaunayOfRegion => "delaunay-of-region",
             Defect::UnusedVertex { .. } => "unused-vertex",
             Defect::RightAngle { .. } => "right-angle",
             Defect::ObtuseAngle { .. } => "obtuse-angle",
@@ -204,6 +201,19 @@ impl Findings {
             counts: BTreeMap::new(),
             kept: Vec::new(),
         }
+    }
+
+    /// How many defects of each kind are kept.
+    pub fn limit(&self) -> usize {
+        self.limit
+    }
+
+    /// Adds everything that other findings have.
+    pub fn append(&mut self, other: Findings) {
+        for (code, count) in other.counts {
+            *self.counts.entry(code).or_insert(0) += count;
+        }
+        self.kept.extend(other.kept);
     }
 
     /// Adds a defect.

@@ -8,13 +8,10 @@
 //! intersection of their half-spaces (docs/soundness.md, section on domains).
 
 use super::defect::{Defect, Findings};
-use crate::tiling::{Domain, Facet, Matching, Plane, Polytope, Tiling};
+use crate::tiling::{Facet, Matching, Plane, Polytope, Tiling};
 use acutile_exact::geometry::Sign;
 use acutile_exact::number::Number;
 use std::collections::BTreeMap;
-
-/// Facets of simplices that lie in the boundary of the domain, with the face.
-pub type Boundary = BTreeMap<Facet, usize>;
 
 /// Hypothesis D. The faces are the facets of a convex polytope. Gives their planes,
 /// none for all of space.
@@ -144,27 +141,26 @@ pub fn check_inside<const D: usize>(
 
 /// Hypothesis F. Every facet is shared, up to a lattice vector, by exactly two
 /// simplices on opposite sides of it, or it belongs to one and lies in a face of the
-/// domain, or it belongs to one and the domain is a region. Gives the facets in faces.
+/// domain, or it belongs to one and the domain is a region.
 pub fn check_facets<const D: usize>(
     tiling: &Tiling<D>,
     matching: &Matching<D>,
     faces_of_vertices: &[Vec<usize>],
     findings: &mut Findings,
-) -> Boundary {
-    let mut boundary = Boundary::new();
+) {
     for mismatch in &matching.mismatches {
         let facets: Vec<Facet> = mismatch.uses.iter().map(|(facet, _)| *facet).collect();
         match facets[..] {
-            [_] if tiling.frame.domain == Domain::Region => {}
-            [facet] => match face_of(tiling, facet, faces_of_vertices) {
-                Some(face) => drop(boundary.insert(facet, face)),
-                None => findings.add(Defect::UnmatchedFacet { facet }),
-            },
+            [_] if tiling.frame.domain.is_region() => {}
+            [facet] => {
+                if face_of(tiling, facet, faces_of_vertices).is_none() {
+                    findings.add(Defect::UnmatchedFacet { facet });
+                }
+            }
             [a, b] => findings.add(Defect::SameSide { facets: (a, b) }),
             _ => findings.add(Defect::OverusedFacet { facets }),
         }
     }
-    boundary
 }
 
 /// The face in which all corners of a facet lie.

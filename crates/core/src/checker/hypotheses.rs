@@ -5,7 +5,7 @@
 
 use super::defect::{Defect, Findings};
 use crate::predicates::{Model, Orientation};
-use crate::tiling::{Domain, Frame, Tiling};
+use crate::tiling::{Frame, Tiling};
 use acutile_exact::geometry::{Scalar, Sign, linear};
 use acutile_exact::number::Number;
 use malachite::Rational;
@@ -88,7 +88,7 @@ pub fn determinant<const D: usize>(tiling: &Tiling<D>, simplex: usize) -> Number
 /// in the basis: Σ det (c_1 - c_0, …, c_D - c_0) = D! vol_k(P), where P is the polytope of
 /// the domain, a point for all of space. A region has no other volume than this sum.
 pub fn check_volume<const D: usize>(model: &Model<D>, findings: &mut Findings) {
-    if model.tiling.frame.domain == Domain::Region {
+    if model.tiling.frame.domain.is_region() {
         return;
     }
     let factorial = |n: usize| Number::from(Rational::from((1..=n as u64).product::<u64>()));

@@ -1,47 +1,51 @@
-//! A tiling in, a certificate or a refutation out.
+//! Runs every hypothesis of the theorem in docs/soundness.md, then the statements that the caller
+//! requires, then finds the strongest further statements.
 //!
-//! [`prove`] runs every hypothesis of the theorem of docs/soundness.md, then the
-//! statements that the caller requires, then looks for the strongest further
-//! statements that hold. Nothing here is trusted: what comes out is re-checked by
-//! [`acutile_format1::verifier`].
+//! Nothing here is trusted. [`crate::proved`] writes what comes out as a certificate and asks the
+//! kernel.
 
-pub mod assemble;
+mod boundary;
 mod data;
 mod defect;
 mod domain;
 mod hypotheses;
 mod names;
+mod outside;
 mod region;
 mod render;
+mod required;
 mod statements;
 
 pub use crate::predicates::Model;
 pub use data::defect_data;
 pub use defect::{Angle, Defect, Findings};
-pub use domain::{Boundary, check_domain, check_facets, check_inside};
+pub use domain::{check_domain, check_facets, check_inside};
 pub use hypotheses::{check_corners, check_metric, check_orientation, check_volume};
 pub use names::Names;
 pub use region::check_region;
 pub use render::describe;
-pub use statements::{
-    check_acute, check_delaunay, check_dihedral_above, check_dihedral_below, check_nonobtuse,
-    check_radius_edge_below, check_tcp,
-};
+pub use statements::{check_acute, check_delaunay, check_nonobtuse, check_tcp};
 
-use crate::quality;
-use crate::tiling::{Domain, Matching, Plane, Tiling, match_facets};
-use acutile_format1::certificate::{Certificate, Statement};
-use malachite::Rational;
-use std::io;
-use std::str::FromStr;
+use crate::classify;
+use crate::format::Relation;
+use crate::limits::own_limits;
+use crate::quality::{Ranges, exact_ranges};
+use crate::statement::{Requirement, Statement};
+use crate::tiling::dimension::{same, same_value};
+use crate::tiling::{Matching, Plane, Tiling, match_facets};
+use crate::transcribe::Parts;
+use acutile_kernel::Limits;
+use std::cmp::Ordering;
 
 /// What to prove beyond the tiling itself.
 #[derive(Clone, Debug)]
 pub struct Options {
     /// Statements that must hold; where one fails the tiling is refuted.
-    pub required: Vec<Statement>,
+    pub required: Vec<Requirement>,
     /// How many defects of each kind a refutation keeps; all are counted.
     pub defect_limit: usize,
+    /// Limits of the kernel, which checks the certificate.
+    pub limits: Limits,
 }
 
 impl Default for Options {
@@ -49,60 +53,78 @@ impl Default for Options {
         Options {
             required: Vec::new(),
             defect_limit: 20,
+            limits: own_limits(),
         }
     }
 }
 
-/// Tells how far a long check has come: called with the name of a step when it
-/// begins.
+/// Called with the name of each step of a long check when it begins.
 pub type Progress<'a> = &'a dyn Fn(&str);
 
-/// Why there is no certificate.
-pub type Refutation = Findings;
-
-/// Proves that `tiling` is a face-to-face tiling with the required statements and
-/// the strongest of the others that hold.
-pub fn prove<const D: usize>(
-    tiling: &Tiling<D>,
-    options: &Options,
-    progress: Progress,
-) -> Result<Certificate, Refutation> {
-    let proof = examine(tiling, options, progress)?;
-    progress("certificate");
-    Ok(assemble::certificate(
-        tiling,
-        &proof.matching,
-        &proof.boundary,
-        proof.statements,
-    ))
-}
-
-/// A proof as the prover holds it, without the certificate that lets others check it.
+/// A proof in the prover's memory, without the certificate that lets others check it.
 #[derive(Clone, Debug)]
 pub struct Proof<const D: usize> {
-    /// What holds: the tiling, what is required, the strongest of the others.
+    /// The tiling, what is required, and the strongest of the others, in the order of a claim.
     pub statements: Vec<Statement>,
     matching: Matching<D>,
-    boundary: Boundary,
+    sixes: Option<Vec<u8>>,
 }
 
 impl<const D: usize> Proof<D> {
-    /// Writes the certificate of the tiling that was proved, in CBOR, a row at a time.
-    ///
-    /// # Errors
-    /// Where `out` cannot be written.
-    pub fn write_cbor(&self, tiling: &Tiling<D>, out: &mut impl io::Write) -> io::Result<()> {
-        let statements = self.statements.clone();
-        assemble::write_cbor(tiling, &self.matching, &self.boundary, statements, out)
+    /// What the certificate of the tiling is made of.
+    pub fn parts<'t>(&'t self, tiling: &'t Tiling<D>) -> Parts<'t, D> {
+        Parts {
+            tiling,
+            matching: &self.matching,
+            statements: &self.statements,
+            sixes: self.sixes.as_deref(),
+        }
+    }
+
+    /// The number of facets without a mate.
+    pub fn boundary_facets(&self) -> usize {
+        self.matching.mismatches.len()
     }
 }
 
-/// As [`prove`], and makes no certificate.
+/// Examines a tiling: a proof, or everything that is wrong with it.
+///
+/// # Errors
+/// The defects. See [`Findings::is_declined`].
 pub fn examine<const D: usize>(
     tiling: &Tiling<D>,
     options: &Options,
     progress: Progress,
-) -> Result<Proof<D>, Refutation> {
+) -> Result<Proof<D>, Findings> {
+    match D {
+        2 => same_value(examine_plane(same(tiling), options, progress)),
+        _ => same_value(examine_space(same(tiling), options, progress)),
+    }
+}
+
+#[inline(never)]
+fn examine_plane(
+    tiling: &Tiling<2>,
+    options: &Options,
+    progress: Progress,
+) -> Result<Proof<2>, Findings> {
+    examine_tiling(tiling, options, progress)
+}
+
+#[inline(never)]
+fn examine_space(
+    tiling: &Tiling<3>,
+    options: &Options,
+    progress: Progress,
+) -> Result<Proof<3>, Findings> {
+    examine_tiling(tiling, options, progress)
+}
+
+fn examine_tiling<const D: usize>(
+    tiling: &Tiling<D>,
+    options: &Options,
+    progress: Progress,
+) -> Result<Proof<D>, Findings> {
     let mut findings = Findings::new(options.defect_limit);
     progress("metric");
     check_metric(&tiling.frame, &mut findings);
@@ -119,35 +141,53 @@ fn examine_model<const D: usize>(
     mut findings: Findings,
     options: &Options,
     progress: Progress,
-) -> Result<Proof<D>, Refutation> {
+) -> Result<Proof<D>, Findings> {
     progress("orientation");
     check_orientation(model, &mut findings);
     progress("facets");
     let matching = match_facets(model.tiling);
     let faces = check_inside(model.tiling, planes, &mut findings);
-    let boundary = check_facets(model.tiling, &matching, &faces, &mut findings);
+    check_facets(model.tiling, &matching, &faces, &mut findings);
     progress("volume");
     check_volume(model, &mut findings);
-    if model.tiling.frame.domain == Domain::Region {
+    if model.tiling.frame.domain.is_region() {
         progress("boundary");
         check_region(model.tiling, &matching, &mut findings);
     }
     stop_if_any(&findings)?;
+    progress("angles and ratios");
+    let Some(ranges) = exact_ranges(model) else {
+        // A tiling without simplices has been refused.
+        return Err(findings);
+    };
     progress("required statements");
-    for statement in &options.required {
-        check_statement(model, &matching, statement, &mut findings);
+    let mut statements = vec![Statement::FaceToFaceTiling];
+    for requirement in &options.required {
+        let required = required::Required {
+            model,
+            matching: &matching,
+            ranges: &ranges,
+        };
+        statements.extend(required.statement(requirement, &mut findings));
     }
     stop_if_any(&findings)?;
     progress("strongest statements");
-    let statements = strongest_statements(model, &matching, &options.required);
+    statements.extend(of_shapes(&ranges));
+    statements.extend(delaunay(model, &matching));
+    let is_space = model.tiling.frame.domain == crate::tiling::Domain::Space;
+    let sixes = match is_space {
+        true => classify::six_valent(model.tiling, &matching),
+        false => None,
+    };
+    statements.extend(sixes.as_ref().map(|_| Statement::Tcp));
     Ok(Proof {
-        statements,
+        statements: without_implied(statements),
         matching,
-        boundary,
+        sixes,
     })
 }
 
-fn stop_if_any(findings: &Findings) -> Result<(), Refutation> {
+fn stop_if_any(findings: &Findings) -> Result<(), Findings> {
     if findings.is_empty() {
         Ok(())
     } else {
@@ -155,96 +195,48 @@ fn stop_if_any(findings: &Findings) -> Result<(), Refutation> {
     }
 }
 
-/// Checks one statement about a tiling whose hypotheses hold.
-fn check_statement<const D: usize>(
-    model: &Model<D>,
-    matching: &Matching<D>,
-    statement: &Statement,
-    findings: &mut Findings,
-) {
-    match statement {
-        Statement::FaceToFaceTiling => {}
-        Statement::Acute => check_acute(model, findings),
-        Statement::Nonobtuse => check_nonobtuse(model, findings),
-        Statement::DihedralBelow(bound) => {
-            check_dihedral_below(model, &bound_value(bound), findings);
-        }
-        Statement::DihedralAbove(bound) => {
-            check_dihedral_above(model, &bound_value(bound), findings);
-        }
-        Statement::RadiusEdgeBelow(bound) => {
-            check_radius_edge_below(model, &bound_value(bound), findings);
-        }
-        Statement::Delaunay | Statement::WeaklyDelaunay
-            if model.tiling.frame.domain == Domain::Region =>
-        {
-            findings.add(Defect::DelaunayOfRegion);
-        }
-        Statement::Delaunay => check_delaunay(model, matching, false, findings),
-        Statement::WeaklyDelaunay => check_delaunay(model, matching, true, findings),
-        Statement::Tcp => check_tcp(model.tiling, matching, findings),
+/// Acute or nonobtuse, and the exact ranges of the largest angle, the smallest, and the ratio.
+fn of_shapes(ranges: &Ranges) -> Vec<Statement> {
+    let (largest, smallest) = (&ranges.largest_dihedral, &ranges.smallest_dihedral);
+    let ratio = &ranges.radius_edge;
+    let right = match largest.max.against_right() {
+        Ordering::Less => Some(Statement::Acute),
+        Ordering::Equal => Some(Statement::Nonobtuse),
+        Ordering::Greater => None,
+    };
+    right
+        .into_iter()
+        .chain([
+            Statement::LargestAngle(Relation::Maximum, largest.max.clone()),
+            Statement::LargestAngle(Relation::Minimum, largest.min.clone()),
+            Statement::SmallestAngle(Relation::Maximum, smallest.max.clone()),
+            Statement::SmallestAngle(Relation::Minimum, smallest.min.clone()),
+            Statement::RadiusEdge(Relation::Maximum, ratio.max.clone()),
+            Statement::RadiusEdge(Relation::Minimum, ratio.min.clone()),
+        ])
+        .collect()
+}
+
+/// The stronger of the two Delaunay statements that holds.
+fn delaunay<const D: usize>(model: &Model<D>, matching: &Matching<D>) -> Option<Statement> {
+    let holds = |weak: bool| {
+        let mut findings = Findings::new(0);
+        check_delaunay(model, matching, weak, &mut findings);
+        findings.is_empty()
+    };
+    let is_region = model.tiling.frame.domain.is_region();
+    if holds(false) {
+        Some(required::delaunay(is_region, false))
+    } else {
+        holds(true).then(|| required::delaunay(is_region, true))
     }
 }
 
-/// The bound of a statement; a text that is none bounds nothing.
-fn bound_value(text: &str) -> Rational {
-    Rational::from_str(text).unwrap_or(Rational::from(0))
-}
-
-/// The claim's statements: the tiling; acute, or else nonobtuse; the tightest bounds of
-/// angles and ratios; Delaunay, or else weakly Delaunay; TCP; and whatever is required.
-fn strongest_statements<const D: usize>(
-    model: &Model<D>,
-    matching: &Matching<D>,
-    required: &[Statement],
-) -> Vec<Statement> {
-    let holds = |statement: &Statement| {
-        let mut findings = Findings::new(0);
-        check_statement(model, matching, statement, &mut findings);
-        findings.is_empty()
-    };
-    let first = |choices: Vec<Statement>| choices.into_iter().find(|choice| holds(choice));
-    let bounds = quality::bounds(model);
-    let bounded = |bounds: Vec<Rational>, statement: fn(String) -> Statement| {
-        first(
-            bounds
-                .iter()
-                .map(|bound| statement(bound.to_string()))
-                .collect(),
-        )
-    };
-    let mut statements = vec![Statement::FaceToFaceTiling];
-    statements.extend(first(vec![Statement::Acute, Statement::Nonobtuse]));
-    statements.extend(bounded(bounds.above_angles, Statement::DihedralBelow));
-    statements.extend(bounded(bounds.below_angles, Statement::DihedralAbove));
-    statements.extend(bounded(bounds.above_ratios, Statement::RadiusEdgeBelow));
-    statements.extend(first(vec![Statement::Delaunay, Statement::WeaklyDelaunay]));
-    statements.extend(first(vec![Statement::Tcp]));
-    statements.extend(required.iter().cloned());
-    without_implied(statements)
-}
-
-/// Sorted, without what a stronger statement of the list implies.
+/// Sorted, without what a stronger statement of the same kind implies.
 fn without_implied(mut statements: Vec<Statement>) -> Vec<Statement> {
     statements.sort();
     statements.dedup();
     let all = statements.clone();
-    statements.retain(|statement| !all.iter().any(|other| implies(other, statement)));
+    statements.retain(|statement| !all.iter().any(|other| other.implies(statement)));
     statements
-}
-
-/// Whether `a` is stronger than `b`.
-fn implies(a: &Statement, b: &Statement) -> bool {
-    match (a, b) {
-        (Statement::Acute, Statement::Nonobtuse) => true,
-        (Statement::Delaunay, Statement::WeaklyDelaunay) => true,
-        (Statement::DihedralBelow(a), Statement::DihedralBelow(b))
-        | (Statement::RadiusEdgeBelow(a), Statement::RadiusEdgeBelow(b)) => {
-            bound_value(a) < bound_value(b)
-        }
-        (Statement::DihedralAbove(a), Statement::DihedralAbove(b)) => {
-            bound_value(a) > bound_value(b)
-        }
-        _ => false,
-    }
 }

@@ -1,15 +1,20 @@
-//! The hypotheses about a region: its boundary meets itself in shared corners and edges
-//! only, and no tetrahedron lies outside of it (docs/soundness.md, Theorem 4).
+//! The hypotheses about a region of any rank (docs/soundness.md, Theorem 4).
 //!
-//! The second is asked as it is meant: a point directly outside of a facet in the boundary is in no
-//! tetrahedron. The kernel counts crossings of a ray instead.
+//! **X.** Two facets in the boundary, up to the lattice, meet in the hull of their common corners.
+//! **W.** No simplex lies directly outside of one boundary facet of each class. Classes join facets
+//! that share a ridge which no third boundary facet has.
+//!
+//! A pair of boundary facets is compared once, up to translation: each facet in its own place
+//! with all facets that a lattice vector not before zero moves near to it.
 
+use super::boundary::{BoundaryFacet, Scale, cell};
 use super::defect::{BOUNDARY_MEETS, Defect, Findings};
+use super::outside::Outside;
 use crate::predicates::ring::common_denominator;
-use crate::tiling::{Facet, Matching, Tiling};
+use crate::tiling::{Corner, Matching, Tiling, difference};
+use acutile_exact::geometry::Scalar;
 use acutile_exact::geometry::boxes::{self, Box3};
-use acutile_exact::geometry::triangle::{self, Point, Quotient, Triangle, cross};
-use acutile_exact::geometry::{Scalar, linear};
+use acutile_exact::geometry::triangle::{self, Point, Quotient, Triangle};
 use acutile_exact::number::Number;
 use malachite::base::num::arithmetic::traits::Floor;
 use malachite::base::num::basic::traits::Zero;
@@ -18,15 +23,12 @@ use rayon::prelude::*;
 use std::cmp::Ordering;
 use std::collections::BTreeMap;
 
-/// Hypotheses X and N.
+/// Hypotheses X and W.
 pub fn check_region<const D: usize>(
     tiling: &Tiling<D>,
     matching: &Matching<D>,
     findings: &mut Findings,
 ) {
-    if D != 3 {
-        return findings.add(Defect::RegionDimension);
-    }
     // Cleared of their denominators, rational coordinates are integers.
     let unit = Number::from(Rational::from(common_denominator(
         tiling.vertices.iter().flatten().collect::<Vec<_>>().iter(),
@@ -40,7 +42,7 @@ pub fn check_region<const D: usize>(
     }
 }
 
-/// So many pairs of facets in the boundary are looked at exactly: some, and for each facet some
+/// So many pairs of facets in the boundary are compared exactly: some, and for each facet some
 /// more. Meshes of solids have a few dozens for each facet.
 const PAIRS: usize = 500_000;
 const PAIRS_PER_FACET: usize = 30;
@@ -49,40 +51,8 @@ const COMPARISONS: usize = 2_000_000_000;
 
 struct Region<'t, S, const D: usize> {
     tiling: &'t Tiling<D>,
-    /// Coordinates are so many times too large.
-    unit: Number,
-    points: Vec<Point<S>>,
-    to_number: fn(&S) -> Number,
-    ranks: Vec<[u32; 3]>,
-    boundary: Vec<BoundaryFacet>,
-}
-
-/// A facet in the boundary, by its vertices in an order whose normal points out.
-struct BoundaryFacet {
-    facet: Facet,
-    vertices: [usize; 3],
-}
-
-impl BoundaryFacet {
-    fn new<const D: usize>(tiling: &Tiling<D>, facet: Facet) -> Self {
-        let corners = tiling.simplex(facet.simplex as usize);
-        let opposite = usize::from(facet.opposite);
-        let vertex = |k: usize| corners[k + usize::from(k >= opposite)].vertex as usize;
-        let order = if opposite % 2 == 0 {
-            [0, 1, 2]
-        } else {
-            [1, 0, 2]
-        };
-        BoundaryFacet {
-            facet,
-            vertices: order.map(vertex),
-        }
-    }
-
-    fn edges(&self) -> [[usize; 2]; 3] {
-        let [a, b, c] = self.vertices;
-        [[a, b], [b, c], [c, a]].map(|[p, q]| [p.min(q), p.max(q)])
-    }
+    scale: Scale<S>,
+    boundary: Vec<BoundaryFacet<D>>,
 }
 
 impl<'t, S: Scalar, const D: usize> Region<'t, S, D> {
@@ -95,19 +65,22 @@ impl<'t, S: Scalar, const D: usize> Region<'t, S, D> {
     ) -> Self {
         let used_once = matching.mismatches.iter().filter(|m| m.uses.len() == 1);
         let boundary = used_once.map(|m| BoundaryFacet::new(tiling, m.uses[0].0));
-        let point = |vertex: [Number; D]| std::array::from_fn(|k| from_number(&vertex[k] * &unit));
-        let points: Vec<Point<S>> = tiling.vertices.iter().map(point).collect();
         Region {
             tiling,
-            ranks: ranks(&points),
-            points,
-            unit,
-            to_number,
+            scale: Scale {
+                unit,
+                from_number,
+                to_number,
+            },
             boundary: boundary.collect(),
         }
     }
 
     fn check(&self, findings: &mut Findings) {
+        let is_closed = self.boundary.is_empty() && findings.is_empty();
+        if is_closed && !self.tiling.is_empty() {
+            findings.add(Defect::NoBoundary);
+        }
         self.check_vertices_differ(findings);
         self.check_boundary(findings);
         // A simplex that is not positively oriented has no sides.
@@ -119,119 +92,72 @@ impl<'t, S: Scalar, const D: usize> Region<'t, S, D> {
         }
     }
 
-    /// Different vertices are different points. This follows from the other hypotheses, and
-    /// says more plainly what is wrong.
+    /// Different vertices are different points, up to the lattice. This follows from the other
+    /// hypotheses, and says more plainly what is wrong.
     fn check_vertices_differ(&self, findings: &mut Findings) {
-        let mut at: BTreeMap<[u32; 3], Vec<usize>> = BTreeMap::new();
-        for (vertex, &ranks) in self.ranks.iter().enumerate() {
-            at.entry(ranks).or_default().push(vertex);
-        }
-        let mut coinciding: Vec<_> = at.into_values().filter(|v| v.len() > 1).collect();
+        let rank = self.tiling.frame.rank();
+        let normal = |vertex: usize| {
+            let corner = Corner::of(vertex as u32);
+            let cell = if rank == 0 {
+                [0; D]
+            } else {
+                cell(self.tiling, &corner)
+            };
+            let moved = corner.moved(difference([0; D], cell));
+            self.scale.point(self.tiling, &moved)
+        };
+        let vertices = 0..self.tiling.vertices.len();
+        let points: Vec<Point<S>> = vertices.into_par_iter().map(normal).collect();
+        let order = |v: &usize, w: &usize| compare(&points[*v], &points[*w]);
+        let mut sorted: Vec<usize> = (0..points.len()).collect();
+        sorted.par_sort_by(order);
+        let runs = sorted.chunk_by(|v, w| order(v, w).is_eq());
+        let mut coinciding: Vec<Vec<usize>> = runs
+            .filter(|run| run.len() > 1)
+            .map(<[usize]>::to_vec)
+            .collect();
         coinciding.sort();
         for vertices in coinciding {
             findings.add(Defect::CoincidentVertices { vertices });
         }
     }
 
-    /// Any two facets in the boundary meet in what their common vertices span.
+    /// Any two facets in the boundary meet in what their common corners span.
     fn check_boundary(&self, findings: &mut Findings) {
-        let points = |f: &BoundaryFacet| Triangle::new(f.vertices.map(|v| &self.points[v]));
-        let triangles: Vec<Option<Triangle<S>>> = self.boundary.iter().map(points).collect();
-        let extents: Vec<Box3> = self
-            .boundary
-            .iter()
-            .map(|f| self.extent(&f.vertices))
-            .collect();
-        let meeting = |f: usize, g: usize| {
-            // A triangle with its corners on a line belongs to a flat simplex, already reported.
-            let (first, second) = (triangles[f].as_ref()?, triangles[g].as_ref()?);
-            self.meeting((&self.boundary[f], first), (&self.boundary[g], second))
-        };
         let limit = PAIRS + PAIRS_PER_FACET * self.boundary.len();
-        let Some(pairs) = boxes::overlapping_pairs(&extents, limit) else {
+        let Some(copies) = Copies::of(self, limit) else {
+            return findings.add(Defect::BoundaryWork { limit });
+        };
+        let limit = PAIRS + PAIRS_PER_FACET * copies.list.len();
+        let Some(pairs) = boxes::overlapping_pairs(&copies.extents, limit) else {
             return findings.add(Defect::BoundaryWork { limit });
         };
         let mut pairs: Vec<(usize, usize)> = pairs
             .into_par_iter()
-            .filter(|(f, g)| meeting(*f, *g).is_some())
+            .filter(|(f, g)| copies.is_base(*f) || copies.is_base(*g))
+            .filter(|(f, g)| copies.meeting(*f, *g).is_some())
             .collect();
         pairs.sort_unstable();
         for (f, g) in pairs {
+            let facet = |copy: usize| self.boundary[copies.list[copy].facet].facet;
             findings.add_with(BOUNDARY_MEETS, || Defect::BoundaryMeets {
-                facets: (self.boundary[f].facet, self.boundary[g].facet),
-                point: meeting(f, g).map_or_else(Vec::new, |point| self.position(&point)),
+                facets: (facet(f), facet(g)),
+                point: copies
+                    .meeting(f, g)
+                    .map_or_else(Vec::new, |point| self.scale.position(&point, D)),
             });
         }
     }
 
-    /// A common point of two triangles that is not in the hull of their common vertices.
-    fn meeting(
-        &self,
-        (f, first): (&BoundaryFacet, &Triangle<S>),
-        (g, second): (&BoundaryFacet, &Triangle<S>),
-    ) -> Option<Quotient<S>> {
-        let (rest_f, rest_g) = (rest(f, g), rest(g, f));
-        match (&rest_f[..], &rest_g[..]) {
-            (&[p], &[q]) => {
-                let edge = f.edges().into_iter().find(|edge| !edge.contains(&p))?;
-                let [p, q] = [p, q].map(|v| &self.points[v]);
-                triangle::folded(edge.map(|v| &self.points[v]), p, q)
-            }
-            (&[p, q], &[r, s]) => self
-                .pierced(&[[p, q]], g, second)
-                .or_else(|| self.pierced(&[[r, s]], f, first)),
-            _ => self
-                .pierced(&f.edges(), g, second)
-                .or_else(|| self.pierced(&g.edges(), f, first)),
-        }
-    }
-
-    /// A point in which one of these edges meets the triangle.
-    fn pierced(
-        &self,
-        edges: &[[usize; 2]],
-        facet: &BoundaryFacet,
-        triangle: &Triangle<S>,
-    ) -> Option<Quotient<S>> {
-        let extent = self.extent(&facet.vertices);
-        let near = edges
-            .iter()
-            .filter(|edge| boxes::overlap(&self.extent(&edge[..]), &extent));
-        near.into_iter()
-            .find_map(|&[p, q]| triangle.meets_segment(&self.points[p], &self.points[q]))
-    }
-
-    fn extent(&self, vertices: &[usize]) -> Box3 {
-        let at = |&v: &usize| self.ranks[v].map(|rank| (rank, rank));
-        boxes::hull(vertices.iter().map(at))
-    }
-
-    /// The point in the coordinates of the tiling.
-    fn position(&self, point: &Quotient<S>) -> Vec<Number> {
-        let denominator = (self.to_number)(&point.denominator) * &self.unit;
-        let coordinate = |x: &S| {
-            let numerator = (self.to_number)(x);
-            numerator.divide(&denominator).unwrap_or_else(Number::zero)
-        };
-        point.numerators.iter().map(coordinate).collect()
-    }
-
-    /// No tetrahedron is directly outside of a facet in the boundary, asked once for each class
-    /// of facets that are joined by edges which no third one has.
+    /// No simplex is directly outside of the first facet of each class.
     fn check_covering(&self, findings: &mut Findings) {
         let classes = self.first_of_classes();
         if classes.len().saturating_mul(self.tiling.len()) > COMPARISONS {
             return findings.add(Defect::BoundaryWork { limit: COMPARISONS });
         }
-        let tiles: Vec<Box3> = self
-            .tiling
-            .simplices()
-            .map(|corners| boxes::hull(corners.iter().map(|c| self.extent(&[c.vertex as usize]))))
-            .collect();
+        let outside = Outside::new(self.tiling, &self.scale);
         for facet in classes {
-            let extent = self.extent(&facet.vertices);
-            let near = (0..tiles.len()).filter(|&t| boxes::overlap(&tiles[t], &extent));
-            let simplices: Vec<usize> = near.filter(|&t| self.is_outside_in(facet, t)).collect();
+            let simplices = outside.simplices(facet);
             if !simplices.is_empty() {
                 findings.add(Defect::Covered {
                     facet: facet.facet,
@@ -241,45 +167,15 @@ impl<'t, S: Scalar, const D: usize> Region<'t, S, D> {
         }
     }
 
-    /// Whether the points directly outside of the centroid m of a facet lie in a simplex. The points are
-    /// m + δ (n + ε e_1 + ε² e_2 + ε³ e_3), for the outward normal n and small δ and ε; a
-    /// barycentric coordinate with the gradient g has the sign there of the first that is not zero of its value at m,
-    /// g · n and the entries of g. For a coordinate system let n be the covector itself: it
-    /// is positive at itself.
-    fn is_outside_in(&self, facet: &BoundaryFacet, simplex: usize) -> bool {
-        let corners = self.tiling.simplex(simplex);
-        let [a, b, c] = facet.vertices.map(|v| &self.points[v]);
-        let normal = cross(&linear::subtract(b, a), &linear::subtract(c, a));
-        (0..4).all(|opposite| {
-            let others: Vec<&Point<S>> = (0..4)
-                .filter(|&k| k != opposite)
-                .map(|k| &self.points[corners[k].vertex as usize])
-                .collect();
-            let Some(plane) = Triangle::new([others[0], others[1], others[2]]) else {
-                return false;
-            };
-            let inner = plane
-                .value(&self.points[corners[opposite].vertex as usize])
-                .sign();
-            let at_centroid = plane.value(a).plus(&plane.value(b)).plus(&plane.value(c));
-            let signs = [
-                at_centroid.sign(),
-                linear::dot(&plane.normal, &normal).sign(),
-            ];
-            let signs = signs.into_iter().chain(plane.normal.iter().map(S::sign));
-            inner.is_ne() && signs.into_iter().find(|sign| sign.is_ne()) == Some(inner)
-        })
-    }
-
-    fn first_of_classes(&self) -> Vec<&BoundaryFacet> {
-        let mut at_edge: BTreeMap<[usize; 2], Vec<usize>> = BTreeMap::new();
+    fn first_of_classes(&self) -> Vec<&BoundaryFacet<D>> {
+        let mut at_ridge: BTreeMap<Vec<Corner<D>>, Vec<usize>> = BTreeMap::new();
         for (index, facet) in self.boundary.iter().enumerate() {
-            for edge in facet.edges() {
-                at_edge.entry(edge).or_default().push(index);
+            for ridge in facet.ridges() {
+                at_ridge.entry(ridge).or_default().push(index);
             }
         }
         let mut classes = Classes((0..self.boundary.len()).collect());
-        for facets in at_edge.values() {
+        for facets in at_ridge.values() {
             if let [f, g] = facets[..] {
                 classes.join(f, g);
             }
@@ -287,6 +183,174 @@ impl<'t, S: Scalar, const D: usize> Region<'t, S, D> {
         let firsts = (0..self.boundary.len()).filter(|&f| classes.first(f) == f);
         firsts.map(|f| &self.boundary[f]).collect()
     }
+}
+
+fn compare<S: Scalar>(p: &Point<S>, q: &Point<S>) -> Ordering {
+    let entries = p.iter().zip(q).map(|(x, y)| x.minus(y).sign());
+    entries.fold(Ordering::Equal, Ordering::then)
+}
+
+/// Boundary facets in their own place, and moved near to others.
+struct Copies<S, const D: usize> {
+    /// The facets in their own place come first.
+    list: Vec<Copy<D>>,
+    bases: usize,
+    points: Vec<Point<S>>,
+    extents: Vec<Box3>,
+    ranks: Vec<[u32; 3]>,
+}
+
+/// A facet that is moved by a lattice vector.
+struct Copy<const D: usize> {
+    facet: usize,
+    /// Indices of its corners' points.
+    points: [usize; D],
+}
+
+impl<S: Scalar, const D: usize> Copies<S, D> {
+    /// `None` if there would be more than `limit`.
+    fn of(region: &Region<S, D>, limit: usize) -> Option<Self> {
+        let rank = region.tiling.frame.rank();
+        let boundary = &region.boundary;
+        let reach: [i32; D] =
+            std::array::from_fn(|k| boundary.iter().map(|f| f.reach[k]).max().unwrap_or(0));
+        let mut indices: BTreeMap<Corner<D>, usize> = BTreeMap::new();
+        let mut list = Vec::new();
+        let mut add = |facet: usize, by: [i32; D]| {
+            let corners = boundary[facet].corners.map(|corner| corner.moved(by));
+            list.push(Copy {
+                facet,
+                points: corners.map(|corner| {
+                    let next = indices.len();
+                    *indices.entry(corner).or_insert(next)
+                }),
+            });
+            list.len() <= limit
+        };
+        for facet in 0..boundary.len() {
+            add(facet, [0; D]);
+        }
+        for facet in 0..boundary.len() {
+            // A copy that overlaps the first cells is moved by at most `reach`.
+            let low = boundary[facet].reach.map(|steps| -steps);
+            for by in vectors(low, reach, rank).filter(|by| *by > [0; D]) {
+                if !add(facet, by) {
+                    return None;
+                }
+            }
+        }
+        let mut corners: Vec<(Corner<D>, usize)> = indices.into_iter().collect();
+        corners.sort_unstable_by_key(|(_, index)| *index);
+        let point = |(corner, _): &(Corner<D>, usize)| region.scale.point(region.tiling, corner);
+        let points: Vec<Point<S>> = corners.iter().map(point).collect();
+        let mut copies = Copies {
+            ranks: ranks(&points),
+            points,
+            bases: boundary.len(),
+            extents: Vec::new(),
+            list,
+        };
+        copies.extents = copies
+            .list
+            .iter()
+            .map(|c| copies.extent(&c.points))
+            .collect();
+        Some(copies)
+    }
+
+    fn is_base(&self, copy: usize) -> bool {
+        copy < self.bases
+    }
+
+    fn extent(&self, points: &[usize]) -> Box3 {
+        let at = |&p: &usize| self.ranks[p].map(|rank| (rank, rank));
+        boxes::hull(points.iter().map(at))
+    }
+
+    /// A common point of two copies that is not in the hull of their common corners.
+    fn meeting(&self, f: usize, g: usize) -> Option<Quotient<S>> {
+        let (f, g) = (&self.list[f].points[..], &self.list[g].points[..]);
+        match (f, g) {
+            (&[a, b, c], &[p, q, r]) => self.triangles_meet([a, b, c], [p, q, r]),
+            (&[a, b], &[p, q]) => self.segments_meet([a, b], [p, q]),
+            _ => None,
+        }
+    }
+
+    fn segments_meet(&self, f: [usize; 2], g: [usize; 2]) -> Option<Quotient<S>> {
+        let at = |point: usize| &self.points[point];
+        match (&rest(&f, &g)[..], &rest(&g, &f)[..]) {
+            (&[p], &[q]) => {
+                let common = f.into_iter().find(|point| *point != p)?;
+                triangle::aligned(at(common), at(p), at(q))
+            }
+            _ => triangle::segments_meet((at(f[0]), at(f[1])), (at(g[0]), at(g[1]))),
+        }
+    }
+
+    fn triangles_meet(&self, f: [usize; 3], g: [usize; 3]) -> Option<Quotient<S>> {
+        let triangle = |f: [usize; 3]| Triangle::new(f.map(|point| &self.points[point]));
+        // A triangle with its corners on a line belongs to a flat simplex, already reported.
+        let (first, second) = (triangle(f)?, triangle(g)?);
+        match (&rest(&f, &g)[..], &rest(&g, &f)[..]) {
+            (&[p], &[q]) => {
+                let edge = edges(f).into_iter().find(|edge| !edge.contains(&p))?;
+                let [p, q] = [p, q].map(|v| &self.points[v]);
+                triangle::folded(edge.map(|v| &self.points[v]), p, q)
+            }
+            (&[p, q], &[r, s]) => self
+                .pierced(&[[p, q]], g, &second)
+                .or_else(|| self.pierced(&[[r, s]], f, &first)),
+            _ => self
+                .pierced(&edges(f), g, &second)
+                .or_else(|| self.pierced(&edges(g), f, &first)),
+        }
+    }
+
+    /// A point in which one of these edges meets the triangle.
+    fn pierced(
+        &self,
+        edges: &[[usize; 2]],
+        corners: [usize; 3],
+        triangle: &Triangle<S>,
+    ) -> Option<Quotient<S>> {
+        let extent = self.extent(&corners);
+        let near = edges
+            .iter()
+            .filter(|edge| boxes::overlap(&self.extent(&edge[..]), &extent));
+        near.into_iter()
+            .find_map(|&[p, q]| triangle.meets_segment(&self.points[p], &self.points[q]))
+    }
+}
+
+fn edges([a, b, c]: [usize; 3]) -> [[usize; 2]; 3] {
+    [[a, b], [b, c], [c, a]]
+}
+
+/// The entries of f that g does not have.
+fn rest<const N: usize>(f: &[usize; N], g: &[usize; N]) -> Vec<usize> {
+    let own = f.iter().copied();
+    own.filter(|point| !g.contains(point)).collect()
+}
+
+/// All integer vectors from `low` to `high` in the first `rank` directions.
+fn vectors<const D: usize>(
+    low: [i32; D],
+    high: [i32; D],
+    rank: usize,
+) -> impl Iterator<Item = [i32; D]> {
+    let length = move |k: usize| match k < rank {
+        true => (high[k] - low[k] + 1).max(0) as usize,
+        false => 1,
+    };
+    let count: usize = (0..D).map(length).product();
+    (0..count).map(move |mut index| {
+        std::array::from_fn(|k| {
+            let step = index % length(k);
+            index /= length(k);
+            if k < rank { low[k] + step as i32 } else { 0 }
+        })
+    })
 }
 
 /// Disjoint sets; each is named by its least element, to which the entries lead, the shorter
@@ -306,12 +370,6 @@ impl Classes {
         let (a, b) = (self.first(a), self.first(b));
         self.0[a.max(b)] = a.min(b);
     }
-}
-
-/// The vertices of f that g does not have.
-fn rest(f: &BoundaryFacet, g: &BoundaryFacet) -> Vec<usize> {
-    let own = f.vertices.into_iter();
-    own.filter(|vertex| !g.vertices.contains(vertex)).collect()
 }
 
 /// The ranks of each point's coordinates among all; equal ones have equal ranks.

@@ -124,10 +124,9 @@ pub fn describe<const D: usize>(names: &Names, defect: &Defect) -> String {
             "the boundary has too many facets close to each other: more than the limit of {limit} pairs \
              would have to be compared"
         ),
-        Defect::RegionDimension => "a region has dimension 3".to_owned(),
-        Defect::DelaunayOfRegion => {
-            "Delaunay is not stated of a region, which need not be convex".to_owned()
-        }
+        Defect::NoBoundary => "the region has no boundary: every facet has a mate; expected the \
+                               domain \"space\""
+            .to_owned(),
         Defect::UnusedVertex { vertex } => {
             format!("{} is a corner of no simplex", names.vertex(*vertex))
         }

@@ -4,11 +4,13 @@
 use super::defect::{Angle, Defect, Findings};
 use crate::classify::{self, NotTcp, Ridges};
 use crate::predicates::{Angles, AnglesAgainst, InSphere, Model, Prepared, RadiusAgainst};
-use crate::quality::{self, ceiling_to_i64, floor_to_i64};
-use crate::tiling::{Corner, Facet, Matching, Tiling};
+use crate::quality::{self, DihedralAngle, compare_with_degrees};
+use crate::tiling::{Facet, Matching, Tiling};
 use acutile_exact::geometry::{Sign, linear};
-use acutile_exact::number::enclosure;
+use acutile_exact::number::{Number, enclosure};
 use malachite::Rational;
+use malachite::base::num::arithmetic::traits::PowerOf2;
+use std::cmp::Ordering;
 
 /// Every dihedral angle is acute: <g_i, g_j> < 0 for all facets i ≠ j.
 pub fn check_acute<const D: usize>(model: &Model<D>, findings: &mut Findings) {
@@ -43,73 +45,75 @@ pub fn check_nonobtuse<const D: usize>(model: &Model<D>, findings: &mut Findings
     }
 }
 
-/// Every dihedral angle t is less than `bound` degrees: with a rational
-/// c >= cos(bound) it suffices that cos t > c.
-pub fn check_dihedral_below<const D: usize>(
-    model: &Model<D>,
-    bound: &Rational,
-    findings: &mut Findings,
-) {
-    let angles = model.prepare(against(ceiling_to_i64(&scaled_cosine(bound).1)));
-    for simplex in angles.failing(|signs| signs.all_positive()) {
-        let signs = angles.signs(simplex);
-        for (_, pair) in (0..).zip(pairs(D)).filter(|(k, _)| signs.get(*k).is_le()) {
-            findings.add_with("angle-not-below", || Defect::AngleNotBelow {
-                angle: angle(model.tiling, simplex, pair),
-                bound: bound.clone(),
-            });
+/// The dihedral angles that are not less than `bound` degrees.
+pub fn list_not_below<const D: usize>(model: &Model<D>, bound: &Rational, findings: &mut Findings) {
+    let (low, high) = enclosure::cos_of_degrees(bound, &cosine_width());
+    // cos t <= high is necessary for t >= bound, and cos t <= low is sufficient.
+    let [needed, enough] = [high, low].map(|c| model.prepare(against(&c)));
+    for simplex in needed.failing(|signs| signs.all_positive()) {
+        let (needed, enough) = (needed.signs(simplex), enough.signs(simplex));
+        for (k, pair) in pairs(D).enumerate().filter(|(k, _)| needed.get(*k).is_le()) {
+            let exact = || compare(model.tiling, simplex, pair, bound) != Ordering::Less;
+            if enough.get(k).is_le() || exact() {
+                findings.add_with("angle-not-below", || Defect::AngleNotBelow {
+                    angle: angle(model.tiling, simplex, pair),
+                    bound: bound.clone(),
+                });
+            }
         }
     }
 }
 
-/// Every dihedral angle t is more than `bound` degrees: cos t < c for a rational
-/// c <= cos(bound).
-pub fn check_dihedral_above<const D: usize>(
-    model: &Model<D>,
-    bound: &Rational,
-    findings: &mut Findings,
-) {
-    let angles = model.prepare(against(floor_to_i64(&scaled_cosine(bound).0)));
-    for simplex in angles.failing(|signs| signs.all_negative()) {
-        let signs = angles.signs(simplex);
-        for (_, pair) in (0..).zip(pairs(D)).filter(|(k, _)| signs.get(*k).is_ge()) {
-            findings.add_with("angle-not-above", || Defect::AngleNotAbove {
-                angle: angle(model.tiling, simplex, pair),
-                bound: bound.clone(),
-            });
+/// The dihedral angles that are not more than `bound` degrees.
+pub fn list_not_above<const D: usize>(model: &Model<D>, bound: &Rational, findings: &mut Findings) {
+    let (low, high) = enclosure::cos_of_degrees(bound, &cosine_width());
+    // cos t >= low is necessary for t <= bound, and cos t >= high is sufficient.
+    let [needed, enough] = [low, high].map(|c| model.prepare(against(&c)));
+    for simplex in needed.failing(|signs| signs.all_negative()) {
+        let (needed, enough) = (needed.signs(simplex), enough.signs(simplex));
+        for (k, pair) in pairs(D).enumerate().filter(|(k, _)| needed.get(*k).is_ge()) {
+            let exact = || compare(model.tiling, simplex, pair, bound) != Ordering::Greater;
+            if enough.get(k).is_ge() || exact() {
+                findings.add_with("angle-not-above", || Defect::AngleNotAbove {
+                    angle: angle(model.tiling, simplex, pair),
+                    bound: bound.clone(),
+                });
+            }
         }
     }
 }
 
-/// Rounding the cosine to this many binary digits keeps the products small; an
-/// angle within about 1e-8 degrees of the bound is not proved to be beyond it.
-const COSINE_BITS: u64 = 31;
-
-/// Bounds of the cosine of an angle in degrees, times 2^COSINE_BITS.
-fn scaled_cosine(degrees: &Rational) -> (Rational, Rational) {
-    let scale = Rational::from(1i64 << COSINE_BITS);
-    let (low, high) = enclosure::cos_of_degrees(degrees, &(Rational::from_signeds(1, 4) / &scale));
-    (low * &scale, high * &scale)
+/// The width of the enclosures that sort most angles.
+fn cosine_width() -> Rational {
+    Rational::power_of_2(-60i64)
 }
 
-/// Angles compared with the one that has the cosine `numerator` / 2^COSINE_BITS.
-fn against(numerator: i64) -> AnglesAgainst {
-    AnglesAgainst {
-        numerator,
-        denominator: 1 << COSINE_BITS,
-    }
+/// Angles compared with the one that has this cosine.
+fn against(cosine: &Rational) -> AnglesAgainst {
+    AnglesAgainst::new(&DihedralAngle::of_cosine(cosine).signed_square)
 }
 
-/// The circumradius of every simplex is less than `bound` times its shortest edge:
-/// R² < bound² |e|² for all its edges e.
-pub fn check_radius_edge_below<const D: usize>(
+/// A dihedral angle compared with a bound in degrees.
+fn compare<const D: usize>(
+    tiling: &Tiling<D>,
+    simplex: usize,
+    (i, j): (usize, usize),
+    bound: &Rational,
+) -> Ordering {
+    let cogram = linear::cofactors(&tiling.frame.gram);
+    let products = tiling.shape(simplex).normal_products(&cogram);
+    compare_with_degrees(&DihedralAngle::between(&products, i, j), bound)
+}
+
+/// The simplices whose circumradius is not less than `bound` times the shortest edge: not
+/// R² < bound² |e|² for all edges e.
+pub fn list_not_below_ratio<const D: usize>(
     model: &Model<D>,
     bound: &Rational,
     findings: &mut Findings,
 ) {
-    let radii = model.prepare(RadiusAgainst {
-        bound: bound.clone(),
-    });
+    let square = Number::from(bound * bound);
+    let radii = model.prepare(RadiusAgainst::new(&square));
     for simplex in radii.failing(|signs| signs.all_positive()) {
         findings.add_with("ratio-not-below", || Defect::RatioNotBelow {
             simplex,
@@ -131,7 +135,7 @@ pub fn check_tcp<const D: usize>(
             reason: NotTcp::Dimension,
         });
     }
-    if classify::is_tcp(tiling, matching) {
+    if classify::six_valent(tiling, matching).is_some() {
         return;
     }
     findings.add_with("not-tcp", || {
@@ -171,9 +175,9 @@ pub fn check_delaunay<const D: usize>(
 ) {
     let tiling = model.tiling;
     let spheres = model.prepare(InSphere);
-    for simplex in suspects(model, matching, &spheres, weak) {
+    for simplex in suspects(matching, &spheres, weak) {
         for opposite in 0..=D {
-            let Some(apex) = apex_behind(tiling, matching, simplex, opposite) else {
+            let Some(apex) = matching.apex(tiling, simplex, opposite) else {
                 continue;
             };
             match spheres.signs_with(simplex, &apex).get(0) {
@@ -185,41 +189,14 @@ pub fn check_delaunay<const D: usize>(
     }
 }
 
-/// The simplices, in order, behind one of whose facets a corner may be in the circumsphere.
-///
-/// Each pair of neighbours is tested from one side. Let p and q be the powers of a point
-/// with respect to the circumspheres of A and B, with apexes a and b over the common facet.
-/// p - q is affine and vanishes on the facet: p - q = c h for an affine h that is positive on
-/// the side of A. Then p(b) = c h(b) and q(a) = -c h(a), as q(b) = p(a) = 0, and both have
-/// the sign of -c, because b is on the other side.
+/// The simplices, in order, that fail with a neighbour, and their neighbours.
 fn suspects<const D: usize>(
-    model: &Model<D>,
     matching: &Matching<D>,
     spheres: &Prepared<InSphere, D>,
     weak: bool,
 ) -> Vec<usize> {
-    let tiling = model.tiling;
-    let failing = model.by_chunks(|simplices| {
-        let facets = simplices.flat_map(|simplex| (0..=D).map(move |k| (simplex, k)));
-        let pairs = facets.filter_map(|(simplex, opposite)| {
-            let mate = matching.neighbour(simplex, opposite)?;
-            let is_first = (simplex, opposite) < (mate.simplex as usize, mate.opposite.into());
-            let apex = is_first.then(|| apex_behind(tiling, matching, simplex, opposite))?;
-            Some((simplex, apex?))
-        });
-        let mut failing = Vec::new();
-        spheres.for_each_with(pairs, |simplex, signs| {
-            let is_right = match weak {
-                true => signs.none_negative(),
-                false => signs.all_positive(),
-            };
-            if !is_right {
-                failing.push(simplex);
-            }
-        });
-        failing
-    });
-    let mut suspects = failing.concat();
+    let is_right = |_, _, sign| sign == Sign::Greater || weak && sign == Sign::Equal;
+    let mut suspects = spheres.failing_pairs(matching, is_right);
     for k in 0..suspects.len() {
         let behind = |opposite| matching.neighbour(suspects[k], opposite);
         let neighbours: Vec<usize> = (0..=D)
@@ -231,18 +208,6 @@ fn suspects<const D: usize>(
     suspects.sort_unstable();
     suspects.dedup();
     suspects
-}
-
-/// The corner opposite to a facet in the simplex behind it, moved there.
-fn apex_behind<const D: usize>(
-    tiling: &Tiling<D>,
-    matching: &Matching<D>,
-    simplex: usize,
-    opposite: usize,
-) -> Option<Corner<D>> {
-    let mate = matching.mate(tiling, simplex, opposite)?;
-    let neighbour = tiling.simplex(mate.facet.simplex as usize);
-    Some(neighbour[usize::from(mate.facet.opposite)].moved(mate.shift))
 }
 
 fn add_sphere<const D: usize>(
@@ -264,7 +229,7 @@ fn add_sphere<const D: usize>(
         return findings.add(Defect::OnCircumsphere { facet, neighbour });
     }
     findings.add_with("inside-circumsphere", || {
-        let apex = apex_behind(tiling, matching, simplex, opposite);
+        let apex = matching.apex(tiling, simplex, opposite);
         let origin = &tiling.simplex(simplex)[0];
         let position = tiling.position(&apex.unwrap_or(*origin));
         let offset = linear::subtract(&position, &tiling.position(origin));

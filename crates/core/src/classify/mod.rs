@@ -28,4 +28,4 @@ pub use sphere::{Code, Triangle, code};
 pub use star::{Star, stars};
 pub use symbol::{Symbol, combinatorial_symbol, metric_symbol};
 pub use symmetry::{Isometry, Symmetry};
-pub use tcp::{NotTcp, check_tcp, is_tcp};
+pub use tcp::{NotTcp, check_tcp, six_valent};

@@ -51,37 +51,43 @@ pub fn check_tcp<const D: usize>(tiling: &Tiling<D>, ridges: &Ridges<D>) -> Resu
     Ok(())
 }
 
-/// Whether a tiling of space whose hypotheses hold is TCP, without a list of its
-/// edges: the tetrahedra around each edge are visited from one to its mate.
-pub fn is_tcp<const D: usize>(tiling: &Tiling<D>, matching: &Matching<D>) -> bool {
-    D == 3
-        && (0..tiling.len())
-            .into_par_iter()
-            .all(|simplex| is_locally_tcp(tiling, matching, simplex))
+/// For each tetrahedron the edges of valence 6, if a tiling of space whose hypotheses hold is
+/// TCP; without a list of its edges: the tetrahedra around each edge are visited from one to its
+/// mate. The edges are those between the corners (0, 1), (0, 2), (0, 3), (1, 2), (1, 3), (2, 3),
+/// the first one in the lowest bit.
+pub fn six_valent<const D: usize>(tiling: &Tiling<D>, matching: &Matching<D>) -> Option<Vec<u8>> {
+    if D != 3 {
+        return None;
+    }
+    let simplices = (0..tiling.len()).into_par_iter();
+    simplices
+        .map(|simplex| sixes_of(tiling, matching, simplex))
+        .collect()
 }
 
-/// Whether the edges of a tetrahedron have valence 5 or 6 and no facet has two of
-/// valence 6. Edges are named by the facets i, j that meet there; the facet opposite
-/// to corner i has the edges (i, j) for all j ≠ i.
-fn is_locally_tcp<const D: usize>(
+/// The facets that meet in each edge: those opposite to the other two corners.
+const AT_EDGES: [(usize, usize); 6] = [(2, 3), (1, 3), (1, 2), (0, 3), (0, 2), (0, 1)];
+
+/// The edges of valence 6; `None` if one has another valence than 5 and 6, or a facet has two of
+/// valence 6. The facet opposite to corner i has the edges where it meets the others.
+fn sixes_of<const D: usize>(
     tiling: &Tiling<D>,
     matching: &Matching<D>,
     simplex: usize,
-) -> bool {
-    let mut sixes = [0; 4];
-    for i in 0..4 {
-        for j in i + 1..4 {
-            match valence(tiling, matching, simplex, (i, j)) {
-                Some(5) => {}
-                Some(6) => {
-                    sixes[i] += 1;
-                    sixes[j] += 1;
-                }
-                _ => return false,
+) -> Option<u8> {
+    let (mut bits, mut in_facet) = (0, [0; 4]);
+    for (edge, (i, j)) in AT_EDGES.into_iter().enumerate() {
+        match valence(tiling, matching, simplex, (i, j)) {
+            Some(5) => {}
+            Some(6) => {
+                bits |= 1 << edge;
+                in_facet[i] += 1;
+                in_facet[j] += 1;
             }
+            _ => return None,
         }
     }
-    sixes.iter().all(|count| *count < 2)
+    in_facet.iter().all(|count| *count < 2).then_some(bits)
 }
 
 /// The number of tetrahedra around the edge in which two facets meet, if it is at

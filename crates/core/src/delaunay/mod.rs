@@ -9,10 +9,9 @@
 //! |---|---|
 //! | `lattice` | a reduced basis, exactly |
 //! | `model` | coordinates in the reduced cell, and back to the caller's |
-//! | `floats` | doubles with proved error bounds: filters and spheres |
+//! | `places` | positions in doubles, to search by |
 //! | `tree` | the points in a ball |
-//! | `predicates` | exact signs behind the filters |
-//! | `narrow` | exact signs in machine integers |
+//! | `predicates` | exact signs and circumcentres |
 //! | `seed` | a first cell |
 //! | `front` | the facets beyond which the cell is still to be found |
 //! | `wrap` | gift wrapping from cell to cell |
@@ -23,11 +22,10 @@
 
 mod certify;
 mod error;
-mod floats;
 mod front;
 mod lattice;
 mod model;
-mod narrow;
+mod places;
 mod polytope;
 mod predicates;
 mod seed;
@@ -39,13 +37,14 @@ mod wrap;
 pub use error::{COSPHERICAL_LIMIT, CosphericalSet, DelaunayError};
 pub use predicates::circumcenter;
 
-use crate::tiling::{Corner, Frame, PointSet, Tiling, difference};
-use acutile_exact::geometry::{Scalar, Sign};
+use crate::predicates::Model as Coordinates;
+use crate::tiling::dimension::{same, same_value};
+use crate::tiling::{Corner, PointSet, Tiling, difference};
+use acutile_exact::geometry::Sign;
 use front::sort_is_odd;
 use model::Model;
-use narrow::Narrow;
 use polytope::Polytope;
-use predicates::{Exact, Predicates};
+use predicates::Predicates;
 use rayon::prelude::*;
 use wrap::Cells;
 
@@ -76,6 +75,26 @@ pub struct Cell<const D: usize> {
 /// where the orientation asks for it; the simplices are sorted by corners. So
 /// the result depends on nothing but the points, the basis and their order.
 pub fn triangulate<const D: usize>(
+    set: &PointSet<D>,
+    ties: Ties,
+) -> Result<Tiling<D>, DelaunayError> {
+    match D {
+        2 => same_value(triangulate_plane(same(set), ties)),
+        _ => same_value(triangulate_space(same(set), ties)),
+    }
+}
+
+#[inline(never)]
+fn triangulate_plane(set: &PointSet<2>, ties: Ties) -> Result<Tiling<2>, DelaunayError> {
+    triangulate_set(set, ties)
+}
+
+#[inline(never)]
+fn triangulate_space(set: &PointSet<3>, ties: Ties) -> Result<Tiling<3>, DelaunayError> {
+    triangulate_set(set, ties)
+}
+
+fn triangulate_set<const D: usize>(
     set: &PointSet<D>,
     ties: Ties,
 ) -> Result<Tiling<D>, DelaunayError> {
@@ -129,35 +148,17 @@ pub fn cells<const D: usize>(set: &PointSet<D>) -> Result<Vec<Cell<D>>, Delaunay
 /// What the search found, in model coordinates.
 struct Found<const D: usize> {
     /// The simplices: first the cells that are simplices, then the parts of the others.
-    /// (The frame and the vertices are not filled in.)
     shell: Tiling<D>,
     /// How many cells are simplices.
     simple: usize,
     polytopes: Vec<Polytope<D>>,
 }
 
-fn find<const D: usize>(model: &Model<D>) -> Result<Found<D>, DelaunayError> {
-    match Exact::integers(model) {
-        Some(exact) => attempt(Predicates {
-            model,
-            exact,
-            narrow: Narrow::new(model),
-            filtered: true,
-        }),
-        None => attempt(Predicates {
-            model,
-            exact: Exact::numbers(model),
-            narrow: None,
-            filtered: true,
-        }),
-    }
-}
-
 /// With doubles as filters and for clear proposals, and if the check should fail, exactly
 /// throughout.
-fn attempt<S: Scalar, const D: usize>(
-    mut predicates: Predicates<S, D>,
-) -> Result<Found<D>, DelaunayError> {
+fn find<const D: usize>(model: &Model<D>) -> Result<Found<D>, DelaunayError> {
+    let coordinates = Coordinates::of_vertices(&model.points);
+    let mut predicates = Predicates::new(model, &coordinates);
     match search(&predicates) {
         Err(DelaunayError::Uncertified) => {
             predicates.filtered = false;
@@ -168,9 +169,7 @@ fn attempt<S: Scalar, const D: usize>(
 }
 
 /// Wraps, pulls and certifies.
-fn search<S: Scalar, const D: usize>(
-    predicates: &Predicates<S, D>,
-) -> Result<Found<D>, DelaunayError> {
+fn search<const D: usize>(predicates: &Predicates<D>) -> Result<Found<D>, DelaunayError> {
     let Cells {
         simplices: mut corners,
         polytopes,
@@ -187,12 +186,12 @@ fn search<S: Scalar, const D: usize>(
             cells.push(cell);
         }
     }
+    let model = predicates.model;
     let shell = Tiling {
-        frame: Frame::cubic(),
-        vertices: Vec::new().into(),
         corners,
+        ..model.points.clone()
     };
-    if !certify::is_delaunay(&shell, &cells, predicates) {
+    if !certify::is_delaunay(&shell, &cells, model.names.len()) {
         return Err(DelaunayError::Uncertified);
     }
     Ok(Found {
@@ -222,7 +221,7 @@ fn cospherical_set<const D: usize>(
     let moved = &polytope.corners[order[0]];
     let (facet, apex) = polytope.spanning(polytope.facets[0]);
     let facet = std::array::from_fn(|k| facet[k]);
-    let (center, squared_radius) = predicates::exact_center(model, &facet, &apex);
+    let (center, squared_radius) = predicates::exact_center(model, &facet, &apex)?;
     // From relative to facet[0] to relative to the least corner.
     let [from, to] = [&facet[0], moved].map(|corner| model.position(corner));
     let center = std::array::from_fn(|k| &center[k] + &(&from[k] - &to[k]));

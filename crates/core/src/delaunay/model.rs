@@ -4,11 +4,11 @@
 //! Here lives the translation between the caller's indices and basis and the ones
 //! that the rest of this room works in.
 
-use super::floats::Floats;
+use super::DelaunayError;
 use super::lattice::{Orthogonal, Reduced, reduce};
-use super::tree::{Tree, tree_order};
-use super::{DelaunayError, predicates};
-use crate::tiling::{Corner, PointSet, SHIFT_LIMIT};
+use super::places::Places;
+use super::tree::{Ball, Tree, tree_order};
+use crate::tiling::{Corner, Frame, PointSet, SHIFT_LIMIT, Tiling};
 use acutile_exact::geometry::Sign;
 use acutile_exact::number::Number;
 use malachite::base::num::arithmetic::traits::Floor;
@@ -27,11 +27,11 @@ pub struct Model<const D: usize> {
     pub names: Vec<u32>,
     /// By caller's index: the points moved into 0 <= x < 1, in the caller's basis.
     pub vertices: Vec<[Number; D]>,
-    /// In the reduced basis, 0 <= x < 1; then the witnesses.
-    pub points: Vec<[Number; D]>,
+    /// In the reduced basis, 0 <= x < 1; then the witnesses. There are no simplices.
+    pub points: Tiling<D>,
     /// What was subtracted from the reduced coordinates of the vertex.
     offsets: Vec<[i64; D]>,
-    pub floats: Floats<D>,
+    pub places: Places<D>,
     pub tree: Tree<D>,
 }
 
@@ -60,23 +60,28 @@ impl<const D: usize> Model<D> {
         let mut points: Vec<_> = names.iter().map(|&i| points[i as usize].clone()).collect();
         let offsets = names.iter().map(|&i| offsets[i as usize]).collect();
         points.extend((0..WITNESSES).map(witness));
-        let floats = Floats::new(points.par_iter().map(approximate).collect(), &orthogonal)?;
-        let tree = Tree::new(&floats, names.len());
+        let places = Places::new(points.par_iter().map(approximate).collect(), &orthogonal)?;
+        let tree = Tree::new(&places, names.len());
+        let points = Tiling {
+            frame: Frame::space(set.frame.field.clone(), lattice.gram.clone()),
+            vertices: points.into(),
+            corners: Vec::new(),
+        };
         let model = Model {
             lattice,
             names,
             vertices,
             points,
             offsets,
-            floats,
+            places,
             tree,
         };
-        predicates::check_distinct(&model)?;
+        check_distinct(&model)?;
         Ok(model)
     }
 
     /// The corner of the i-th witness: a point in the interior of the reduced cell
-    /// with large denominators, in general position to points that occur.
+    /// with a large denominator, in general position to points that occur.
     pub fn witness(&self, i: usize) -> Corner<D> {
         Corner::of((self.names.len() + i) as u32)
     }
@@ -103,20 +108,22 @@ impl<const D: usize> Model<D> {
 
     /// The exact position of a corner in the reduced basis.
     pub fn position(&self, corner: &Corner<D>) -> [Number; D] {
-        let point = &self.points[corner.vertex as usize];
+        let point = self.points.vertices.vertex(corner.vertex as usize);
         std::array::from_fn(|k| &point[k] + &Number::from(Rational::from(corner.shift[k])))
     }
 }
 
+/// All witnesses have one denominator, a prime, so that the common denominator of all points
+/// stays short.
 fn witness<const D: usize>(i: usize) -> [Number; D] {
-    const PRIMES: [u32; 12] = [
-        1009, 1013, 1019, 1021, 1031, 1033, 1039, 1049, 1051, 1061, 1063, 1069,
+    const PRIME: u32 = 65_521;
+    const NUMERATORS: [[u32; 3]; WITNESSES] = [
+        [21_611, 27_749, 33_587],
+        [30_319, 16_487, 43_793],
+        [14_543, 39_461, 25_037],
+        [46_901, 34_877, 18_911],
     ];
-    std::array::from_fn(|k| {
-        let prime = PRIMES[(3 * i + k) % PRIMES.len()];
-        let numerator = prime * (k as u32 + 4) / (4 * D as u32 + 7);
-        Number::from(Rational::from_unsigneds(numerator, prime))
-    })
+    std::array::from_fn(|k| Number::from(Rational::from_unsigneds(NUMERATORS[i][k], PRIME)))
 }
 
 fn approximate<const D: usize>(x: &[Number; D]) -> [f64; D] {
@@ -155,4 +162,28 @@ fn small<const D: usize>(offset: [Integer; D]) -> Result<[i64; D], DelaunayError
         *entry = i64::try_from(value).map_err(|_| DelaunayError::TooSkewed)?;
     }
     Ok(small)
+}
+
+/// Refuses points that differ by a lattice vector: of the corners that the doubles
+/// cannot tell from a point, none has the same exact position.
+fn check_distinct<const D: usize>(model: &Model<D>) -> Result<(), DelaunayError> {
+    let ball = Ball {
+        center: [0.0; D],
+        radius: model.places.resolution(),
+    };
+    let mut near = Vec::new();
+    for vertex in 0..model.names.len() as u32 {
+        let corner = Corner::of(vertex);
+        model
+            .tree
+            .gather(&model.places, &corner, ball, usize::MAX, &mut near)?;
+        let twin = near
+            .iter()
+            .find(|p| p.vertex != vertex && model.position(p) == model.position(&corner));
+        if let Some(twin) = twin {
+            let [a, b] = [vertex, twin.vertex].map(|v| model.names[v as usize] as usize);
+            return Err(DelaunayError::Coincident(a.min(b), a.max(b)));
+        }
+    }
+    Ok(())
 }

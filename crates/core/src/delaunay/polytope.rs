@@ -25,7 +25,7 @@ use super::DelaunayError;
 use super::error::COSPHERICAL_LIMIT;
 use super::predicates::Predicates;
 use crate::tiling::Corner;
-use acutile_exact::geometry::{Scalar, Sign};
+use acutile_exact::geometry::Sign;
 
 /// A set of corners: bit i for the i-th.
 pub type Mask = u128;
@@ -45,9 +45,9 @@ impl<const D: usize> Polytope<D> {
     /// Every D corners that lie in no facet yet span a hyperplane (no three points
     /// of a sphere are on a line); it bears a facet exactly when no two corners lie on
     /// different sides.
-    pub fn new<S: Scalar>(
+    pub fn new(
         mut corners: Vec<Corner<D>>,
-        predicates: &Predicates<S, D>,
+        predicates: &Predicates<D>,
     ) -> Result<Self, DelaunayError> {
         if corners.len() > COSPHERICAL_LIMIT {
             return Err(DelaunayError::TooManyCospherical(corners.len()));
@@ -73,11 +73,7 @@ impl<const D: usize> Polytope<D> {
 
     /// The corners in the hyperplane of the chosen ones, if all others lie on one
     /// side of it.
-    fn supporting<S: Scalar>(
-        &self,
-        chosen: &[usize; D],
-        predicates: &Predicates<S, D>,
-    ) -> Option<Mask> {
+    fn supporting(&self, chosen: &[usize; D], predicates: &Predicates<D>) -> Option<Mask> {
         let facet = chosen.map(|i| self.corners[i]);
         let mut on: Mask = 0;
         let mut side = None;
@@ -162,9 +158,9 @@ fn indices(mask: Mask) -> impl Iterator<Item = usize> {
 
 /// Sorts by position, lexicographically in the caller's basis. There the vertices
 /// have coordinates 0 <= x < 1, so shifts compare first.
-fn sort_for_pulling<S: Scalar, const D: usize>(
+fn sort_for_pulling<const D: usize>(
     corners: &mut [Corner<D>],
-    predicates: &Predicates<S, D>,
+    predicates: &Predicates<D>,
 ) -> Result<(), DelaunayError> {
     let model = predicates.model;
     let mut keyed = Vec::with_capacity(corners.len());

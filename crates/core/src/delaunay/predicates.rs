@@ -1,160 +1,83 @@
-//! Orientation, in-sphere and circumsphere of corners: by doubles where they prove
-//! the answer, exactly everywhere else.
+//! Orientation, in-sphere and circumspheres of corners, by the predicates of
+//! [`crate::predicates`].
 //!
-//! Over the rationals all coordinates are brought to one denominator and the exact
-//! work is in integers, of machine words where they suffice, unless that denominator
-//! is huge; else it is in the field.
+//! A simplex is given as a facet and the corner opposite to it.
 
 use super::DelaunayError;
-use super::floats::{FloatSphere, Sphere};
 use super::model::Model;
-use super::narrow::Narrow;
+use super::places::Sphere;
 use super::tree::Ball;
+use crate::predicates::{self, InSphere, Orientation, Predicate, Prepared};
 use crate::tiling::Corner;
-use acutile_exact::geometry::{Scalar, Sign, Simplex, linear};
+use acutile_exact::geometry::{Sign, Simplex, linear};
 use acutile_exact::number::Number;
-use malachite::base::num::arithmetic::traits::Lcm;
-use malachite::base::num::basic::traits::One;
-use malachite::base::num::logic::traits::SignificantBits;
-use malachite::{Integer, Natural, Rational};
-use std::borrow::Cow;
+use malachite::Rational;
 
-/// A common denominator with more bits than this would not pay.
-const DENOMINATOR_BITS: u64 = 256;
-
-/// Exact coordinates in some ring, in units of 1/`unit`.
+/// The predicates of a model.
 #[derive(Clone, Debug)]
-pub struct Exact<'a, S: Clone, const D: usize> {
-    points: Cow<'a, [[S; D]]>,
-    unit: S,
-    gram: [[S; D]; D],
-}
-
-impl<'a, const D: usize> Exact<'a, Number, D> {
-    /// The coordinates of the model as they are.
-    pub fn numbers(model: &'a Model<D>) -> Self {
-        Exact {
-            points: Cow::Borrowed(&model.points),
-            unit: Number::from(Rational::ONE),
-            gram: model.lattice.gram.clone(),
-        }
-    }
-}
-
-impl<const D: usize> Exact<'_, Integer, D> {
-    /// The coordinates over one denominator, if all are rational and it is small.
-    pub fn integers(model: &Model<D>) -> Option<Self> {
-        let unit = common_denominator(&model.points)?;
-        let metric = common_denominator(&model.lattice.gram)?;
-        let points = model
-            .points
-            .iter()
-            .map(|x| cleared(x, &unit))
-            .collect::<Option<Vec<_>>>()?;
-        let mut gram = Vec::with_capacity(D);
-        for row in &model.lattice.gram {
-            gram.push(cleared(row, &metric)?);
-        }
-        Some(Exact {
-            points: Cow::Owned(points),
-            unit: Integer::from(unit),
-            gram: gram.try_into().ok()?,
-        })
-    }
-}
-
-/// Of all entries, if they are rational and it is not huge.
-pub fn common_denominator<const D: usize>(rows: &[[Number; D]]) -> Option<Natural> {
-    let mut common = Natural::ONE;
-    for x in rows.iter().flatten() {
-        common = common.lcm(x.to_rational()?.denominator_ref());
-        if common.significant_bits() > DENOMINATOR_BITS {
-            return None;
-        }
-    }
-    Some(common)
-}
-
-/// The entries times `unit`, if these are integers.
-pub fn cleared<const D: usize>(row: &[Number; D], unit: &Natural) -> Option<[Integer; D]> {
-    let mut integers = Vec::with_capacity(D);
-    for x in row {
-        let scaled = x.to_rational()? * Rational::from(unit);
-        integers.push(Integer::try_from(scaled).ok()?);
-    }
-    integers.try_into().ok()
-}
-
-impl<S: Scalar, const D: usize> Exact<'_, S, D> {
-    fn position(&self, corner: &Corner<D>) -> [S; D] {
-        let point = &self.points[corner.vertex as usize];
-        std::array::from_fn(|k| match corner.shift[k] {
-            0 => point[k].clone(),
-            s => point[k].plus(&self.unit.times(&self.unit.integer(i64::from(s)))),
-        })
-    }
-
-    fn simplex(&self, facet: &[Corner<D>; D], apex: &Corner<D>) -> Simplex<S, D> {
-        let corners: Vec<_> = facet
-            .iter()
-            .chain([apex])
-            .map(|corner| self.position(corner))
-            .collect();
-        Simplex::new(&corners)
-    }
-
-    fn in_sphere(&self, facet: &[Corner<D>; D], apex: &Corner<D>, p: &Corner<D>) -> Sign {
-        let offset = linear::subtract(&self.position(p), &self.position(&facet[0]));
-        self.simplex(facet, apex).power(&self.gram, &offset).sign()
-    }
-}
-
-/// The predicates of a model. A simplex is given as a facet and the corner
-/// opposite to it.
-#[derive(Clone, Debug)]
-pub struct Predicates<'a, S: Clone, const D: usize> {
+pub struct Predicates<'a, const D: usize> {
     pub model: &'a Model<D>,
-    pub exact: Exact<'a, S, D>,
-    /// The same points in machine integers, if they fit.
-    pub narrow: Option<Narrow<D>>,
-    /// Whether doubles may decide where they prove the answer.
+    orientation: Prepared<'a, Orientation, D>,
+    in_sphere: Prepared<'a, InSphere, D>,
+    /// Whether doubles may decide where they prove the answer, and propose where they are
+    /// clear.
     pub filtered: bool,
 }
 
-impl<S: Scalar, const D: usize> Predicates<'_, S, D> {
+impl<'a, const D: usize> Predicates<'a, D> {
+    /// The predicates for corners of a point set; `coordinates` are those of its points.
+    pub fn new(model: &'a Model<D>, coordinates: &'a predicates::Model<'a, D>) -> Self {
+        Predicates {
+            model,
+            orientation: coordinates.prepare(Orientation),
+            in_sphere: coordinates.prepare(InSphere),
+            filtered: true,
+        }
+    }
+
     /// The sign of the determinant of the edges from the first corner of the facet.
     pub fn orientation(&self, facet: &[Corner<D>; D], apex: &Corner<D>) -> Sign {
-        let quick = self
-            .filtered
-            .then(|| self.model.floats.orientation(facet, apex))
-            .flatten();
-        quick
-            .or_else(|| self.narrow.as_ref()?.orientation(facet, apex))
-            .unwrap_or_else(|| self.exact.simplex(facet, apex).determinant.sign())
+        self.sign(&self.orientation, &Corners::new(facet, apex), apex)
     }
 
     /// The sphere through the corners of a positively oriented simplex, to ask on which
     /// side of it points are.
-    pub fn sphere(&self, facet: &[Corner<D>; D], apex: &Corner<D>) -> SphereTest<'_, S, D> {
+    pub fn sphere(&self, facet: &[Corner<D>; D], apex: &Corner<D>) -> SphereTest<'_, D> {
         SphereTest {
-            exact: &self.exact,
-            narrow: self.narrow.as_ref(),
-            facet: *facet,
-            apex: *apex,
-            floats: self.filtered.then(|| self.model.floats.sphere(facet, apex)),
+            predicates: self,
+            corners: Corners::new(facet, apex),
         }
     }
 
+    fn sign<P: Predicate<D>>(
+        &self,
+        prepared: &Prepared<P, D>,
+        corners: &Corners<D>,
+        point: &Corner<D>,
+    ) -> Sign {
+        let corners = corners.as_slice();
+        let signs = if self.filtered {
+            prepared.signs_of(corners, point)
+        } else {
+            prepared.exact_signs(corners, point)
+        };
+        signs.get(0)
+    }
+
     /// The circumsphere of a simplex that is not flat, relative to facet[0].
-    pub fn circumsphere(&self, facet: &[Corner<D>; D], apex: &Corner<D>) -> Sphere<D> {
-        let quick = self
-            .filtered
-            .then(|| self.model.floats.circumsphere(facet, apex))
-            .flatten();
-        quick.unwrap_or_else(|| {
-            let (center, _) = exact_center(self.model, facet, apex);
-            self.model.floats.sphere_at(&center)
-        })
+    pub fn circumsphere(
+        &self,
+        facet: &[Corner<D>; D],
+        apex: &Corner<D>,
+    ) -> Result<Sphere<D>, DelaunayError> {
+        let places = &self.model.places;
+        if self.filtered
+            && let Some(sphere) = places.circumsphere(facet, apex)
+        {
+            return Ok(sphere);
+        }
+        let (center, _) = exact_center(self.model, facet, apex)?;
+        Ok(places.sphere_at(&center))
     }
 
     /// All corners but those of the simplex that may be on or inside its sphere.
@@ -169,55 +92,73 @@ impl<S: Scalar, const D: usize> Predicates<'_, S, D> {
             center,
             radius,
             slack,
-        } = self.circumsphere(facet, apex);
+        } = self.circumsphere(facet, apex)?;
         let ball = Ball {
             center,
             radius: radius + slack,
         };
-        let Model { floats, tree, .. } = self.model;
-        tree.gather(floats, &facet[0], ball, enough, found)?;
+        let Model { places, tree, .. } = self.model;
+        tree.gather(places, &facet[0], ball, enough, found)?;
         found.retain(|p| p != apex && !facet.contains(p));
         Ok(())
     }
 }
 
-/// See [`Predicates::sphere`].
-pub struct SphereTest<'a, S: Clone, const D: usize> {
-    exact: &'a Exact<'a, S, D>,
-    narrow: Option<&'a Narrow<D>>,
-    facet: [Corner<D>; D],
-    apex: Corner<D>,
-    floats: Option<FloatSphere<'a, D>>,
+/// The D + 1 corners of a simplex: those of a facet, then its apex.
+#[derive(Clone, Copy, Debug)]
+struct Corners<const D: usize> {
+    /// The first D + 1 count.
+    array: [Corner<D>; 4],
 }
 
-impl<S: Scalar, const D: usize> SphereTest<'_, S, D> {
-    /// Whether p is outside of (`Greater`), on or inside (`Less`) the sphere.
-    pub fn side(&self, p: &Corner<D>) -> Sign {
-        let quick = self.floats.as_ref().and_then(|sphere| sphere.side(p));
-        quick
-            .or_else(|| self.narrow?.in_sphere(&self.facet, &self.apex, p))
-            .unwrap_or_else(|| self.exact.in_sphere(&self.facet, &self.apex, p))
+impl<const D: usize> Corners<D> {
+    fn new(facet: &[Corner<D>; D], apex: &Corner<D>) -> Self {
+        const { assert!(D < 4) };
+        Corners {
+            array: std::array::from_fn(|k| *facet.get(k).unwrap_or(apex)),
+        }
+    }
+
+    fn as_slice(&self) -> &[Corner<D>] {
+        &self.array[..=D]
     }
 }
 
-/// The exact circumcentre of a simplex that is not flat, relative to its first
-/// corner and in the reduced basis, and the square of the radius.
+/// See [`Predicates::sphere`].
+pub struct SphereTest<'a, const D: usize> {
+    predicates: &'a Predicates<'a, D>,
+    corners: Corners<D>,
+}
+
+impl<const D: usize> SphereTest<'_, D> {
+    /// Whether p is outside of (`Greater`), on or inside (`Less`) the sphere.
+    pub fn side(&self, p: &Corner<D>) -> Sign {
+        let Predicates { in_sphere, .. } = self.predicates;
+        self.predicates.sign(in_sphere, &self.corners, p)
+    }
+}
+
+/// The exact circumcentre of a simplex, relative to its first corner and in the reduced
+/// basis, and the square of the radius.
+///
+/// # Errors
+/// [`DelaunayError::Uncertified`] if the simplex is flat, as no simplex of a right search is.
 pub fn exact_center<const D: usize>(
     model: &Model<D>,
     facet: &[Corner<D>; D],
     apex: &Corner<D>,
-) -> ([Number; D], Number) {
-    let corners: Vec<_> = facet
+) -> Result<([Number; D], Number), DelaunayError> {
+    let corners = Corners::new(facet, apex);
+    let corners: Vec<_> = corners
+        .as_slice()
         .iter()
-        .chain([apex])
         .map(|c| model.position(c))
         .collect();
     let gram = &model.lattice.gram;
-    // There is one: the simplex is not flat and the metric is positive definite.
-    let center = circumcenter(gram, &corners).unwrap_or_else(|| corners[0].clone());
+    let center = circumcenter(gram, &corners).ok_or(DelaunayError::Uncertified)?;
     let center = linear::subtract(&center, &corners[0]);
     let squared_radius = linear::square(gram, &center);
-    (center, squared_radius)
+    Ok((center, squared_radius))
 }
 
 /// The circumcentre of the simplex with these D + 1 corners, exactly, in the basis with
@@ -244,28 +185,4 @@ pub fn circumcenter<const D: usize>(
     Some(std::array::from_fn(|k| {
         &corners[0][k] + &(&offset[k] * &inverse)
     }))
-}
-
-/// Refuses points that differ by a lattice vector: of the corners that the doubles
-/// cannot tell from a point, none has the same exact position.
-pub fn check_distinct<const D: usize>(model: &Model<D>) -> Result<(), DelaunayError> {
-    let ball = Ball {
-        center: [0.0; D],
-        radius: model.floats.resolution(),
-    };
-    let mut near = Vec::new();
-    for vertex in 0..model.names.len() as u32 {
-        let corner = Corner::of(vertex);
-        model
-            .tree
-            .gather(&model.floats, &corner, ball, usize::MAX, &mut near)?;
-        let twin = near
-            .iter()
-            .find(|p| p.vertex != vertex && model.position(p) == model.position(&corner));
-        if let Some(twin) = twin {
-            let [a, b] = [vertex, twin.vertex].map(|v| model.names[v as usize] as usize);
-            return Err(DelaunayError::Coincident(a.min(b), a.max(b)));
-        }
-    }
-    Ok(())
 }

@@ -1,11 +1,11 @@
 //! The first cell: a simplex with an empty circumsphere, from which gift wrapping starts.
 
 use super::DelaunayError;
-use super::floats::dot;
 use super::model::WITNESSES;
+use super::places::dot;
 use super::predicates::Predicates;
 use crate::tiling::Corner;
-use acutile_exact::geometry::{Scalar, Sign};
+use acutile_exact::geometry::Sign;
 
 /// A simplex as a facet and its opposite corner.
 type Proposal<const D: usize> = ([Corner<D>; D], Corner<D>);
@@ -13,16 +13,14 @@ type Proposal<const D: usize> = ([Corner<D>; D], Corner<D>);
 /// How many candidates the search looks at in one step.
 const CANDIDATES: usize = 4096;
 
-struct Search<'a, S: Clone, const D: usize> {
-    predicates: &'a Predicates<'a, S, D>,
+struct Search<'a, const D: usize> {
+    predicates: &'a Predicates<'a, D>,
     /// Scratch space.
     near: Vec<Corner<D>>,
 }
 
 /// A positively oriented simplex with no point inside its circumsphere.
-pub fn seed<S: Scalar, const D: usize>(
-    predicates: &Predicates<S, D>,
-) -> Result<Proposal<D>, DelaunayError> {
+pub fn seed<const D: usize>(predicates: &Predicates<D>) -> Result<Proposal<D>, DelaunayError> {
     Search {
         predicates,
         near: Vec::new(),
@@ -30,7 +28,7 @@ pub fn seed<S: Scalar, const D: usize>(
     .run()
 }
 
-impl<S: Scalar, const D: usize> Search<'_, S, D> {
+impl<const D: usize> Search<'_, D> {
     /// A simplex with an empty sphere.
     ///
     /// Let g be a point in no hyperplane of corners. A simplex that contains g lifts to
@@ -61,7 +59,7 @@ impl<S: Scalar, const D: usize> Search<'_, S, D> {
             let mut near = std::mem::take(&mut self.near);
             self.predicates
                 .near_sphere(&facet, &apex, CANDIDATES, &mut near)?;
-            let inside = self.deepest(&facet, &apex, &near);
+            let inside = self.deepest(&facet, &apex, &near)?;
             self.near = near;
             let Some(p) = inside else {
                 return Ok(Some(simplex));
@@ -76,8 +74,8 @@ impl<S: Scalar, const D: usize> Search<'_, S, D> {
     /// A simplex with g inside among those of Kuhn: 0, b_i, b_i + b_j, … added to a
     /// point of the set that is lattice-moved to be near.
     fn first_simplex(&self, witness: &Corner<D>) -> Option<Proposal<D>> {
-        let floats = &self.predicates.model.floats;
-        let [g, p] = [witness.vertex, 0].map(|v| &floats.fractions[v as usize]);
+        let places = &self.predicates.model.places;
+        let [g, p] = [witness.vertex, 0].map(|v| &places.fractions[v as usize]);
         let offset: [f64; D] = std::array::from_fn(|k| g[k] - p[k]);
         let mut axes: [usize; D] = std::array::from_fn(|k| k);
         axes.sort_by(|&a, &b| {
@@ -125,10 +123,10 @@ impl<S: Scalar, const D: usize> Search<'_, S, D> {
         facet: &[Corner<D>; D],
         apex: &Corner<D>,
         near: &[Corner<D>],
-    ) -> Option<Corner<D>> {
-        let sphere = self.predicates.circumsphere(facet, apex);
+    ) -> Result<Option<Corner<D>>, DelaunayError> {
+        let sphere = self.predicates.circumsphere(facet, apex)?;
         let distance = |p: &Corner<D>| {
-            let y = self.predicates.model.floats.difference(&facet[0], p);
+            let y = self.predicates.model.places.difference(&facet[0], p);
             let x: [f64; D] = std::array::from_fn(|k| y[k] - sphere.center[k]);
             dot(&x, &x)
         };
@@ -136,7 +134,7 @@ impl<S: Scalar, const D: usize> Search<'_, S, D> {
         sorted.sort_by(|a, b| a.0.total_cmp(&b.0));
         let test = self.predicates.sphere(facet, apex);
         let is_inside = |p: &Corner<D>| test.side(p) == Sign::Less;
-        sorted.into_iter().map(|(_, p)| p).find(is_inside)
+        Ok(sorted.into_iter().map(|(_, p)| p).find(is_inside))
     }
 
     /// The simplex with p in the place of one corner that has g inside.

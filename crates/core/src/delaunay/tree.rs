@@ -4,7 +4,7 @@
 //! The answer may hold points a little outside of the ball, never lacks one inside.
 
 use super::DelaunayError;
-use super::floats::{Floats, dot};
+use super::places::{Places, dot};
 use crate::tiling::Corner;
 
 /// No query looks at more translated cells.
@@ -126,13 +126,13 @@ struct Query<'a, const D: usize> {
 
 impl<const D: usize> Tree<D> {
     /// The tree over the first `len` of the points, which are in tree order.
-    pub fn new(floats: &Floats<D>, len: usize) -> Self {
+    pub fn new(places: &Places<D>, len: usize) -> Self {
         let mut tree = Tree {
             hull: Extent::around([].into_iter()),
             splits: Vec::new(),
             len,
         };
-        tree.hull = tree.build(0, 0..len, &floats.fractions);
+        tree.hull = tree.build(0, 0..len, &places.fractions);
         tree
     }
 
@@ -159,14 +159,14 @@ impl<const D: usize> Tree<D> {
     /// those; stops early once there are `enough`.
     pub fn gather(
         &self,
-        floats: &Floats<D>,
+        places: &Places<D>,
         origin: &Corner<D>,
         ball: Ball<D>,
         enough: usize,
         found: &mut Vec<Corner<D>>,
     ) -> Result<(), DelaunayError> {
         found.clear();
-        let window = window(floats, origin, &ball);
+        let window = window(places, origin, &ball);
         let first = window.low.map(f64::floor);
         let last = window.high.map(f64::floor);
         let count: f64 = (0..D).map(|k| last[k] - first[k] + 1.0).product();
@@ -174,14 +174,14 @@ impl<const D: usize> Tree<D> {
         if count.is_nan() || count > SHIFTS_LIMIT || first.iter().any(is_far) {
             return Err(DelaunayError::TooElongated);
         }
-        let base = &floats.places[origin.vertex as usize];
+        let base = &places.places[origin.vertex as usize];
         let center: [f64; D] = std::array::from_fn(|k| base[k] + ball.center[k]);
         let mut shift = first.map(|x| x as i32);
         loop {
             let step = shift.map(f64::from);
-            let moved = floats.to_cartesian(&step);
+            let moved = places.to_cartesian(&step);
             let mut query = Query {
-                places: &floats.places,
+                places: &places.places,
                 window: Extent {
                     low: std::array::from_fn(|k| window.low[k] - step[k]),
                     high: std::array::from_fn(|k| window.high[k] - step[k]),
@@ -216,7 +216,7 @@ impl<const D: usize> Tree<D> {
 }
 
 impl<const D: usize> Query<'_, D> {
-    /// The callers' slack is larger than the rounding here, see `floats`.
+    /// The callers' slack is larger than the rounding here, see `places`.
     fn test(&mut self, leaf: std::ops::Range<usize>) {
         for (place, vertex) in self.places[leaf.clone()].iter().zip(leaf.start as u32..) {
             let x: [f64; D] = std::array::from_fn(|k| place[k] - self.center[k]);
@@ -232,12 +232,12 @@ impl<const D: usize> Query<'_, D> {
 
 /// The box around a ball in fractional coordinates, a little enlarged, where the origin
 /// has shift zero.
-fn window<const D: usize>(floats: &Floats<D>, origin: &Corner<D>, ball: &Ball<D>) -> Extent<D> {
-    let center = floats.to_fractional(&ball.center);
-    let base = &floats.fractions[origin.vertex as usize];
+fn window<const D: usize>(places: &Places<D>, origin: &Corner<D>, ball: &Ball<D>) -> Extent<D> {
+    let center = places.to_fractional(&ball.center);
+    let base = &places.fractions[origin.vertex as usize];
     let size = dot(&ball.center, &ball.center).sqrt() + ball.radius;
     let half: [f64; D] =
-        std::array::from_fn(|k| floats.dual[k] * (ball.radius + 1e-9 * size) + 1e-9);
+        std::array::from_fn(|k| places.dual[k] * (ball.radius + 1e-9 * size) + 1e-9);
     let middle: [f64; D] = std::array::from_fn(|k| base[k] + center[k]);
     Extent {
         low: std::array::from_fn(|k| middle[k] - half[k]),

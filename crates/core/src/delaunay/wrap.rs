@@ -14,15 +14,15 @@
 //! may get stuck before all facets are locally Delaunay.)
 
 use super::DelaunayError;
-use super::floats::{Circle, dot};
 use super::front::{Front, View};
 use super::model::Model;
+use super::places::{Circle, dot};
 use super::polytope::Polytope;
 use super::predicates::Predicates;
 use super::seed;
 use super::tree::Ball;
 use crate::tiling::Corner;
-use acutile_exact::geometry::{Scalar, Sign};
+use acutile_exact::geometry::Sign;
 
 /// All Delaunay cells, one of each orbit, in the model's coordinates.
 #[derive(Clone, Debug, Default)]
@@ -51,8 +51,8 @@ struct Proposal<const D: usize> {
     is_clear: bool,
 }
 
-struct Wrapping<'a, S: Clone, const D: usize> {
-    predicates: &'a Predicates<'a, S, D>,
+struct Wrapping<'a, const D: usize> {
+    predicates: &'a Predicates<'a, D>,
     front: Front<D>,
     /// D! times the volume of the simplices, in units of the lattice's cell: with a wrong
     /// proposal they might go on for ever.
@@ -63,9 +63,7 @@ struct Wrapping<'a, S: Clone, const D: usize> {
 }
 
 /// All Delaunay cells of a model.
-pub fn wrap<S: Scalar, const D: usize>(
-    predicates: &Predicates<S, D>,
-) -> Result<Cells<D>, DelaunayError> {
+pub fn wrap<const D: usize>(predicates: &Predicates<D>) -> Result<Cells<D>, DelaunayError> {
     let mut wrapping = Wrapping {
         predicates,
         front: Front::new(predicates.model.names.len()),
@@ -89,7 +87,7 @@ pub fn wrap<S: Scalar, const D: usize>(
     Ok(wrapping.cells)
 }
 
-impl<S: Scalar, const D: usize> Wrapping<'_, S, D> {
+impl<const D: usize> Wrapping<'_, D> {
     /// Replaces the apex until the sphere is empty, and records the cell.
     fn settle(&mut self, facet: [Corner<D>; D], mut apex: Corner<D>) -> Result<(), DelaunayError> {
         let mut near = std::mem::take(&mut self.near);
@@ -154,8 +152,7 @@ impl<S: Scalar, const D: usize> Wrapping<'_, S, D> {
     ) -> Result<(), DelaunayError> {
         self.cells.simplices.extend(facet);
         self.cells.simplices.push(apex);
-        let (determinant, _) = self.predicates.model.floats.determinant(&facet, &apex);
-        self.volume += determinant;
+        self.volume += self.predicates.model.places.determinant(&facet, &apex);
         if self.volume > 2.0 * (1..=D).product::<usize>() as f64 {
             return Err(DelaunayError::Uncertified);
         }
@@ -188,8 +185,8 @@ impl<S: Scalar, const D: usize> Wrapping<'_, S, D> {
     /// A corner beyond a facet whose sphere is small, by doubles: growing balls
     /// through the facet are searched until there is one.
     fn propose(&mut self, facet: &[Corner<D>; D]) -> Result<Proposal<D>, DelaunayError> {
-        let Model { floats, tree, .. } = self.predicates.model;
-        let circle = floats.circle(facet);
+        let Model { places, tree, .. } = self.predicates.model;
+        let circle = places.circle(facet);
         let least = dot(&circle.center, &circle.center);
         let mut square = FIRST_BALL * least;
         loop {
@@ -197,7 +194,7 @@ impl<S: Scalar, const D: usize> Wrapping<'_, S, D> {
             let center = std::array::from_fn(|k| circle.center[k] + height * circle.normal[k]);
             let radius = square.sqrt() * (1.0 + 1e-9);
             let ball = Ball { center, radius };
-            tree.gather(floats, &facet[0], ball, usize::MAX, &mut self.near)?;
+            tree.gather(places, &facet[0], ball, usize::MAX, &mut self.near)?;
             if let Some(proposal) = self.lowest(facet, &circle, height, radius) {
                 return Ok(proposal);
             }
@@ -219,13 +216,13 @@ impl<S: Scalar, const D: usize> Wrapping<'_, S, D> {
         height: f64,
         radius: f64,
     ) -> Option<Proposal<D>> {
-        let floats = &self.predicates.model.floats;
+        let places = &self.predicates.model.places;
         let square = dot(&circle.center, &circle.center);
         let is_sharp = circle.is_sharp && self.predicates.filtered;
         let mut best: Option<(f64, Corner<D>)> = None;
         let (mut next, mut is_clear) = (height, is_sharp);
         for p in self.near.iter().filter(|p| !facet.contains(p)) {
-            let y = floats.difference(&facet[0], p);
+            let y = places.difference(&facet[0], p);
             let x: [f64; D] = std::array::from_fn(|k| y[k] - circle.center[k]);
             let above = dot(&x, &circle.normal);
             let t = (dot(&x, &x) - square) / (2.0 * above);

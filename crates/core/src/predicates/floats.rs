@@ -24,11 +24,22 @@ pub struct Floats<'a, const D: usize> {
     pub(super) error: f64,
     /// Whether coordinates and lattice step are integers, and edges exact.
     pub(super) is_integral: bool,
+    /// S: the error holds for corners whose shifts differ by no more.
+    steps: i32,
 }
 
 impl<'a, const D: usize> Floats<'a, D> {
-    /// The vertices of `tiling`, times a positive number.
+    /// The vertices of `tiling`, times a positive number, for its simplices and their
+    /// neighbours.
     pub fn new(tiling: &'a Tiling<D>) -> Self {
+        let shifts = tiling.corners.iter().flat_map(|c| c.shift);
+        // Four times, for a corner of a neighbour that is moved next to a simplex. Shifts have
+        // 25 bits.
+        Floats::within(tiling, 4 * shifts.map(i32::abs).max().unwrap_or(0))
+    }
+
+    /// The same for corners whose shifts differ by no more than `steps`.
+    pub fn within(tiling: &'a Tiling<D>, steps: i32) -> Self {
         let (points, unit, is_integral): (Cow<[[f64; D]]>, f64, bool) = match tiling.vertices.form()
         {
             Form::Integers {
@@ -49,10 +60,7 @@ impl<'a, const D: usize> Floats<'a, D> {
             .iter()
             .flatten()
             .fold(0.0, |m: f64, x| m.max(x.abs()));
-        let shifts = tiling.corners.iter().flat_map(|c| c.shift);
-        // Four times, for a corner of a neighbour that is moved next to a simplex.
-        let steps = 4.0 * f64::from(shifts.map(i32::abs).max().unwrap_or(0));
-        let reach = 2.0 * largest + steps * unit;
+        let reach = 2.0 * largest + f64::from(steps) * unit;
         let is_integral = is_integral && reach < 2f64.powi(52);
         let error = 16.0 * ROUNDOFF * reach + 2f64.powi(-1000);
         Floats {
@@ -60,7 +68,17 @@ impl<'a, const D: usize> Floats<'a, D> {
             unit,
             error: if is_integral { 0.0 } else { error },
             is_integral,
+            steps,
         }
+    }
+
+    /// Whether the error holds for edges between these corners and the first.
+    #[inline(always)]
+    pub fn cover(&self, corners: &[Corner<D>], apex: &Corner<D>) -> bool {
+        let first = corners[0].shift;
+        let is_near =
+            |corner: &Corner<D>| (0..D).all(|k| (corner.shift[k] - first[k]).abs() <= self.steps);
+        corners.iter().all(is_near) && is_near(apex)
     }
 
     /// The vector from one corner to another, up to delta in each entry.

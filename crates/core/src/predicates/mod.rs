@@ -10,7 +10,9 @@
 //! | [`ladder`] | integers as wide as the bounds ask for: the exact values behind |
 //! | [`model`] | a tiling made ready; both together |
 //! | [`shapes`] | orientation and right angles of all simplices, in one pass |
+//! | [`pairs`] | the in-sphere predicate for all pairs of neighbours |
 //! | `positions` | [`Tiling::orient`](crate::tiling::Tiling), and tilings from positions |
+//! | `vectors` | the vectors of a simplex from its first corner |
 //! | [`volume`] | the sum of the determinants |
 //!
 //! A filter returns a sign that it proves, or none; what it leaves open is decided
@@ -21,11 +23,13 @@ pub mod filter;
 pub mod floats;
 pub mod ladder;
 pub mod model;
+pub mod pairs;
 pub mod polynomials;
 mod positions;
 pub mod ring;
 pub mod shapes;
 mod signs;
+mod vectors;
 pub mod volume;
 
 pub use model::{Model, Prepared};

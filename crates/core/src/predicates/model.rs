@@ -3,14 +3,17 @@
 use super::filter::{Filter, Rounded};
 use super::floats::{BATCH, Batch, Floats};
 use super::ladder::Ladder;
-use super::polynomials::{Metric, Predicate};
-use super::ring::{Ring, Vectors, cleared_integers, cleared_quadratics};
+use super::polynomials::{Metric, Predicate, Shape};
+use super::ring::{Ring, SquareRoot, cleared_integers, cleared_quadratics};
 use super::shapes::Shapes;
 use super::signs::Signs;
+use super::vectors::Vectors;
 use crate::tiling::{Corner, Tiling};
 use acutile_exact::geometry::{Quadratic, linear};
 use acutile_exact::number::Number;
-use malachite::base::num::basic::traits::Zero;
+use malachite::base::num::arithmetic::traits::PowerOf2;
+use malachite::base::num::basic::traits::One;
+use malachite::base::num::logic::traits::SignificantBits;
 use malachite::{Integer, Rational};
 use rayon::prelude::*;
 use std::ops::Range;
@@ -19,6 +22,9 @@ use std::sync::OnceLock;
 /// Simplices that one task of a core takes.
 const CHUNK: usize = 1 << 12;
 
+/// Corners that are given later pass the filter if their shifts differ by no more steps.
+const STEPS: i32 = 8;
+
 /// A tiling with its coordinates as doubles and in a ring.
 #[derive(Clone, Debug)]
 pub struct Model<'a, const D: usize> {
@@ -26,7 +32,7 @@ pub struct Model<'a, const D: usize> {
     pub tiling: &'a Tiling<D>,
     floats: Floats<'a, D>,
     pub(super) ring: Ring<'a, D>,
-    pub(super) shapes: OnceLock<Shapes>,
+    shapes: OnceLock<Shapes>,
 }
 
 /// A predicate with its filter and its exact twin, for one model.
@@ -50,9 +56,19 @@ pub(super) struct Exact<const D: usize> {
 impl<'a, const D: usize> Model<'a, D> {
     /// The model of a tiling whose corners name vertices that exist.
     pub fn new(tiling: &'a Tiling<D>) -> Self {
+        Model::with_floats(tiling, Floats::new(tiling))
+    }
+
+    /// The model of vertices without simplices: corners are given later, see
+    /// [`Prepared::signs_of`].
+    pub fn of_vertices(tiling: &'a Tiling<D>) -> Self {
+        Model::with_floats(tiling, Floats::within(tiling, STEPS))
+    }
+
+    fn with_floats(tiling: &'a Tiling<D>, floats: Floats<'a, D>) -> Self {
         Model {
             tiling,
-            floats: Floats::new(tiling),
+            floats,
             ring: Ring::new(tiling),
             shapes: OnceLock::new(),
         }
@@ -66,7 +82,7 @@ impl<'a, const D: usize> Model<'a, D> {
         Prepared {
             model: self,
             filter: Filter::new(&predicate, &self.floats, &rounded),
-            exact: Exact::new(self, &predicate, numbers, constants),
+            exact: Exact::new(self, &predicate, numbers, &constants),
             predicate,
         }
     }
@@ -78,6 +94,11 @@ impl<'a, const D: usize> Model<'a, D> {
         chunks
             .map(|chunk| work(chunk * CHUNK..n.min((chunk + 1) * CHUNK)))
             .collect()
+    }
+
+    /// The edges of a simplex in doubles.
+    pub fn float_edges(&self, simplex: usize) -> [[f64; D]; D] {
+        self.floats.edges(self.tiling.simplex(simplex))
     }
 
     /// Folds the edges of all simplices, in doubles, on all cores; for what is decided
@@ -110,6 +131,21 @@ impl<P: Predicate<D>, const D: usize> Prepared<'_, P, D> {
     pub fn signs_with(&self, simplex: usize, apex: &Corner<D>) -> Signs {
         let corners = self.model.tiling.simplex(simplex);
         let floats = &self.model.floats;
+        let point = floats.difference(&corners[0], apex);
+        let filtered = self
+            .filter
+            .signs(&self.predicate, floats.edges(corners), &point);
+        filtered.unwrap_or_else(|| self.exact_signs(corners, apex))
+    }
+
+    /// The exact signs for the simplex with these corners, which need not be one of the
+    /// tiling, and a further corner.
+    #[inline]
+    pub fn signs_of(&self, corners: &[Corner<D>], apex: &Corner<D>) -> Signs {
+        let floats = &self.model.floats;
+        if !floats.cover(corners, apex) {
+            return self.exact_signs(corners, apex);
+        }
         let point = floats.difference(&corners[0], apex);
         let filtered = self
             .filter
@@ -173,26 +209,32 @@ impl<P: Predicate<D>, const D: usize> Prepared<'_, P, D> {
         }
     }
 
-    /// The same with a further corner for each simplex.
+    /// The same for pairs of simplices, of each the first, with a further corner.
     #[inline]
     pub fn for_each_with(
         &self,
-        mut pairs: impl Iterator<Item = (usize, Corner<D>)>,
-        mut visit: impl FnMut(usize, &Signs),
+        mut pairs: impl Iterator<Item = ((usize, usize), Corner<D>)>,
+        mut visit: impl FnMut((usize, usize), &Signs),
     ) {
         let mut batch = Batch::default();
         let mut filled = Vec::with_capacity(BATCH);
         loop {
             filled.clear();
-            for (simplex, apex) in pairs.by_ref().take(BATCH) {
-                let corners = self.model.tiling.simplex(simplex);
+            for (pair, apex) in pairs.by_ref().take(BATCH) {
+                let corners = self.model.tiling.simplex(pair.0);
                 batch.put(filled.len(), &self.model.floats, corners, Some(&apex));
-                filled.push((simplex, Some(apex)));
+                filled.push((pair, apex));
             }
             if filled.is_empty() {
                 return;
             }
-            self.decide(&batch, filled.iter().copied(), &mut visit);
+            let items = filled.iter().map(|(pair, apex)| (pair.0, Some(*apex)));
+            let mut pairs = filled.iter().map(|(pair, _)| *pair);
+            self.decide(&batch, items, &mut |_, signs| {
+                if let Some(pair) = pairs.next() {
+                    visit(pair, signs);
+                }
+            });
         }
     }
 
@@ -215,12 +257,39 @@ impl<P: Predicate<D>, const D: usize> Prepared<'_, P, D> {
     }
 }
 
+impl<const D: usize> Model<'_, D> {
+    /// The shapes of all simplices, found in one pass when they are asked for first.
+    pub fn shapes(&self) -> &Shapes {
+        self.shapes.get_or_init(|| self.find_shapes())
+    }
+
+    fn find_shapes(&self) -> Shapes {
+        let shape = self.prepare(Shape);
+        let parts = self.by_chunks(|simplices: Range<usize>| {
+            let mut part = Shapes::default();
+            shape.for_each(simplices, |simplex, signs| {
+                let (orientation, angles) = signs.split_first();
+                if !(orientation.all_positive() && angles.all_negative()) {
+                    part.add(simplex as u32, orientation.all_positive(), angles);
+                }
+            });
+            part
+        });
+        let list = |of: fn(&Shapes) -> &Vec<u32>| parts.iter().flat_map(of).copied().collect();
+        Shapes {
+            not_positive: list(|part| &part.not_positive),
+            not_acute: list(|part| &part.not_acute),
+            obtuse: list(|part| &part.obtuse),
+        }
+    }
+}
+
 impl<const D: usize> Exact<D> {
     fn new<P: Predicate<D>>(
         model: &Model<D>,
         predicate: &P,
         numbers: Metric<Number, D>,
-        constants: Vec<Integer>,
+        constants: &[Number],
     ) -> Self {
         let gram = &model.tiling.frame.gram;
         let mut exact = Exact {
@@ -230,32 +299,37 @@ impl<const D: usize> Exact<D> {
         };
         match &model.ring {
             Ring::Quadratic { root, .. } => {
-                let element = |n: Integer| Quadratic {
-                    x: n,
-                    y: Integer::ZERO,
-                    d: Integer::from(root.d),
-                };
-                exact.quadratics = cleared_quadratics(gram, root).map(|gram| {
-                    Ladder::new(
-                        predicate,
-                        gram,
-                        constants.into_iter().map(element).collect(),
-                    )
-                });
+                let constants = quadratic_constants(constants, root);
+                exact.quadratics = cleared_quadratics(gram, root)
+                    .zip(constants)
+                    .map(|(gram, constants)| Ladder::new(predicate, gram, constants));
             }
             Ring::Numbers { .. } => {}
             _ => {
-                let gram = cleared_integers(gram);
-                exact.integers = gram.map(|gram| Ladder::new(predicate, gram, constants));
+                let constants = integer_constants(constants);
+                exact.integers = cleared_integers(gram)
+                    .zip(constants)
+                    .map(|(gram, constants)| Ladder::new(predicate, gram, constants));
             }
         }
         exact
     }
 }
 
+/// `None` if one is not rational.
+fn integer_constants(constants: &[Number]) -> Option<Vec<Integer>> {
+    let integer = |x: &Number| Integer::try_from(x.to_rational()?.clone()).ok();
+    constants.iter().map(integer).collect()
+}
+
+fn quadratic_constants(constants: &[Number], root: &SquareRoot) -> Option<Vec<Quadratic<Integer>>> {
+    let element = |x: &Number| root.element(x, &Integer::ONE);
+    constants.iter().map(element).collect()
+}
+
 fn number_metric<const D: usize>(
     gram: &[[Number; D]; D],
-    constants: &[Integer],
+    constants: &[Number],
 ) -> Metric<Number, D> {
     // Cleared, so that the numbers are short and a rational matrix is one of integers.
     let unit = super::ring::common_denominator(gram.iter().flatten());
@@ -264,10 +338,7 @@ fn number_metric<const D: usize>(
     Metric {
         cogram: linear::cofactors(&gram),
         gram,
-        constants: constants
-            .iter()
-            .map(|n| Number::from(Rational::from(n)))
-            .collect(),
+        constants: constants.to_vec(),
     }
 }
 
@@ -288,6 +359,28 @@ fn rounded<const D: usize>(metric: &Metric<Number, D>) -> Metric<Rounded, D> {
     Metric {
         gram: matrix(&metric.gram, scale),
         cogram: matrix(&metric.cogram, scale * (D as i32 - 1)),
-        constants: metric.constants.iter().map(|x| Rounded::of(x, 0)).collect(),
+        constants: scaled_down(&metric.constants)
+            .iter()
+            .map(|x| Rounded::of(x, 0))
+            .collect(),
+    }
+}
+
+/// Constants with more bits than this are scaled.
+const SMALL_CONSTANTS: i64 = 20;
+
+/// The constants, times one power of two if they are large. No sign changes by that.
+fn scaled_down(constants: &[Number]) -> Vec<Number> {
+    let bits = |c: &Rational| {
+        c.numerator_ref().significant_bits() as i64 - c.denominator_ref().significant_bits() as i64
+    };
+    let coefficients = constants.iter().flat_map(|x| x.coefficients());
+    let largest = coefficients.filter(|c| **c != 0).map(bits).max();
+    match largest {
+        Some(largest) if largest > SMALL_CONSTANTS => {
+            let scale = Number::from(Rational::power_of_2(-largest));
+            constants.iter().map(|x| x * &scale).collect()
+        }
+        _ => constants.to_vec(),
     }
 }

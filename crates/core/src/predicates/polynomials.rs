@@ -5,8 +5,10 @@
 //! which says how wrong the doubles can be and how wide the integers must be, and
 //! over integers, quadratic numbers and numbers of a field for the exact values.
 
+use super::ring::common_denominator;
 use acutile_exact::geometry::{Scalar, Simplex};
-use malachite::{Integer, Rational};
+use acutile_exact::number::Number;
+use malachite::Rational;
 
 /// The Gram matrix, its adjugate, and the predicate's constants, in one ring.
 #[derive(Clone, Debug)]
@@ -24,8 +26,9 @@ pub trait Predicate<const D: usize>: Sync {
     /// How many parts the values have; at most [`MOST_PARTS`].
     const PARTS: usize = 1;
 
-    /// Integers that the values depend on.
-    fn constants(&self) -> Vec<Integer> {
+    /// Numbers on which the values depend, linearly in all of them together. Their coefficients
+    /// are integers.
+    fn constants(&self) -> Vec<Number> {
         Vec::new()
     }
 
@@ -119,24 +122,49 @@ impl<const D: usize> Predicate<D> for Shape {
     }
 }
 
-/// cos t - c for the dihedral angles t, up to a positive factor, with c = n/d.
+/// cos t - c for the dihedral angles t, up to a positive factor, with c |c| = n/d.
 ///
 /// cos t = -p/√q with p = <g_i, g_j> and q = <g_i, g_i> <g_j, g_j>. As x ↦ x |x|
-/// grows, cos t - c has the sign of -p |p| d² - n |n| q. (In doubles the error of
+/// grows, cos t - c has the sign of -p |p| d - n q. (In doubles the error of
 /// x |x| is that of x x, for |x |x| - y |y|| <= (|x| + |y|) |x - y|.)
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Debug)]
 pub struct AnglesAgainst {
-    /// n
-    pub numerator: i64,
-    /// d > 0
-    pub denominator: i64,
+    bound: Quotient,
+}
+
+impl AnglesAgainst {
+    /// Against the angle whose cosine has this square, with its sign.
+    pub fn new(signed_square: &Number) -> Self {
+        AnglesAgainst {
+            bound: Quotient::of(signed_square),
+        }
+    }
+}
+
+/// A number as a quotient n/d of one with integer coefficients and a positive integer.
+#[derive(Clone, Debug)]
+struct Quotient {
+    numerator: Number,
+    denominator: Number,
+}
+
+impl Quotient {
+    fn of(number: &Number) -> Self {
+        let denominator = Number::from(Rational::from(common_denominator([number].into_iter())));
+        Quotient {
+            numerator: number * &denominator,
+            denominator,
+        }
+    }
+
+    fn constants(&self) -> Vec<Number> {
+        vec![self.numerator.clone(), self.denominator.clone()]
+    }
 }
 
 impl<const D: usize> Predicate<D> for AnglesAgainst {
-    fn constants(&self) -> Vec<Integer> {
-        let [n, d] = [self.numerator, self.denominator].map(Integer::from);
-        let size = Integer::from(self.numerator.unsigned_abs());
-        vec![n * size, &d * &d]
+    fn constants(&self) -> Vec<Number> {
+        self.bound.constants()
     }
 
     #[inline(always)]
@@ -163,20 +191,25 @@ impl<const D: usize> Predicate<D> for AnglesAgainst {
     }
 }
 
-/// b² |e|² - R² for all edges e, up to a positive factor: positive when the
-/// circumradius is less than b times the edge.
+/// b |e|² - R² for all edges e, up to a positive factor, with b = n/d: negative for none if
+/// R² / |e|² is at most b for the shortest edge.
 #[derive(Clone, Debug)]
 pub struct RadiusAgainst {
-    /// b > 0
-    pub bound: Rational,
+    bound: Quotient,
+}
+
+impl RadiusAgainst {
+    /// Against this squared ratio, which is positive.
+    pub fn new(squared_ratio: &Number) -> Self {
+        RadiusAgainst {
+            bound: Quotient::of(squared_ratio),
+        }
+    }
 }
 
 impl<const D: usize> Predicate<D> for RadiusAgainst {
-    fn constants(&self) -> Vec<Integer> {
-        let square = &self.bound * &self.bound;
-        [square.numerator_ref(), square.denominator_ref()]
-            .map(Integer::from)
-            .into()
+    fn constants(&self) -> Vec<Number> {
+        self.bound.constants()
     }
 
     #[inline(always)]

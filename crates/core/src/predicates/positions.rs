@@ -1,7 +1,8 @@
 //! A tiling from simplices that are given by the positions of their corners, oriented by exact signs.
 
 use super::{Model, Orientation};
-use crate::tiling::{Corner, Frame, Tiling};
+use crate::tiling::dimension::same;
+use crate::tiling::{Corner, Frame, Tiling, floor};
 use acutile_exact::number::Number;
 use std::collections::BTreeMap;
 
@@ -40,9 +41,10 @@ impl<const D: usize> Tiling<D> {
     /// Exchanges the last two corners of every negatively oriented simplex; returns
     /// their indices.
     pub fn orient(&mut self) -> Vec<usize> {
-        let negative = Model::new(self)
-            .prepare(Orientation)
-            .failing(|signs| signs.none_negative());
+        let negative = match D {
+            2 => negative_in_plane(same(self)),
+            _ => negative_in_space(same(self)),
+        };
         for index in &negative {
             let end = (index + 1) * (D + 1);
             self.corners.swap(end - 2, end - 1);
@@ -51,24 +53,27 @@ impl<const D: usize> Tiling<D> {
     }
 }
 
+#[inline(never)]
+fn negative_in_plane(tiling: &Tiling<2>) -> Vec<usize> {
+    negative(tiling)
+}
+
+#[inline(never)]
+fn negative_in_space(tiling: &Tiling<3>) -> Vec<usize> {
+    negative(tiling)
+}
+
+/// The negatively oriented simplices.
+fn negative<const D: usize>(tiling: &Tiling<D>) -> Vec<usize> {
+    Model::new(tiling)
+        .prepare(Orientation)
+        .failing(|signs| signs.none_negative())
+}
+
 /// A position as a vertex of the cell and a lattice vector.
 fn split<const D: usize>(position: &[Number; D], rank: usize) -> ([Number; D], [i32; D]) {
     let shift: [i32; D] = std::array::from_fn(|k| if k < rank { floor(&position[k]) } else { 0 });
     let vertex =
         std::array::from_fn(|k| &position[k] - &Number::from(malachite::Rational::from(shift[k])));
     (vertex, shift)
-}
-
-/// The largest integer that is not more than x; a double proposes, exact
-/// comparisons decide.
-fn floor(x: &Number) -> i32 {
-    let integer = |n: i32| Number::from(malachite::Rational::from(n));
-    let mut floor = x.approximate().floor() as i32;
-    while *x < integer(floor) {
-        floor -= 1;
-    }
-    while *x >= integer(floor + 1) {
-        floor += 1;
-    }
-    floor
 }

@@ -6,16 +6,6 @@ use malachite::base::num::conversion::traits::RoundingFrom;
 use malachite::base::rounding_modes::RoundingMode;
 use malachite::{Integer, Rational};
 
-/// The least integer that is not less, kept within the range of i64.
-pub fn ceiling_to_i64(value: &Rational) -> i64 {
-    i64::try_from(&value.clone().ceiling()).unwrap_or(if *value < 0 { i64::MIN } else { i64::MAX })
-}
-
-/// The greatest integer that is not more, kept within the range of i64.
-pub fn floor_to_i64(value: &Rational) -> i64 {
-    i64::try_from(&value.clone().floor()).unwrap_or(if *value < 0 { i64::MIN } else { i64::MAX })
-}
-
 /// About six significant digits.
 pub fn short_decimal(number: &Number) -> String {
     format!("{:.6e}", number.approximate())

@@ -16,8 +16,8 @@ pub enum Domain {
     Prism(Polytope),
     /// A convex polygon or polyhedron, k = D: no lattice.
     Solid(Polytope),
-    /// The union of the simplices, D = 3: no lattice.
-    Region,
+    /// The union of the simplices and their translates by a lattice of this rank, 0 to D.
+    Region(usize),
 }
 
 impl Domain {
@@ -27,14 +27,20 @@ impl Domain {
             Domain::Space => dimension,
             Domain::Slab(_) => dimension - 1,
             Domain::Prism(_) => 1,
-            Domain::Solid(_) | Domain::Region => 0,
+            Domain::Solid(_) => 0,
+            Domain::Region(rank) => *rank,
         }
+    }
+
+    /// Whether it is the union of the simplices.
+    pub fn is_region(&self) -> bool {
+        matches!(self, Domain::Region(_))
     }
 
     /// The polytope, where there is one.
     pub fn polytope(&self) -> Option<&Polytope> {
         match self {
-            Domain::Space | Domain::Region => None,
+            Domain::Space | Domain::Region(_) => None,
             Domain::Slab(polytope) | Domain::Prism(polytope) | Domain::Solid(polytope) => {
                 Some(polytope)
             }

@@ -4,13 +4,16 @@
 //! the Delaunay room make tilings, everything downstream reads them.
 
 pub mod coordinates;
+pub(crate) mod dimension;
 mod facets;
+mod floor;
 mod frame;
 mod polytope;
 mod supercell;
 
 pub use coordinates::Coordinates;
 pub use facets::{Facet, Matching, Mate, Mismatch, match_facets};
+pub use floor::floor;
 pub use frame::{Domain, Frame};
 pub use polytope::{Plane, Polytope};
 pub use supercell::supercell;

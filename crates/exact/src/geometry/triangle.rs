@@ -114,6 +114,38 @@ pub fn folded<S: Scalar>(
     }
 }
 
+/// A common point of two closed segments of the plane z = 0, whose ends differ.
+pub fn segments_meet<S: Scalar>(
+    (p, q): (&Point<S>, &Point<S>),
+    (a, b): (&Point<S>, &Point<S>),
+) -> Option<Quotient<S>> {
+    if turn(a, b, p, 2).sign().is_ne() || turn(a, b, q, 2).sign().is_ne() {
+        return crossing((p, q), (a, b), 2);
+    }
+    let ends = [(p, (a, b)), (q, (a, b)), (a, (p, q)), (b, (p, q))];
+    let common = ends.into_iter().find(|(end, line)| is_between(end, *line));
+    common.map(|(end, _)| whole(end))
+}
+
+/// Whether a point of the line through a and b is on the segment ab.
+fn is_between<S: Scalar>(x: &Point<S>, (a, b): (&Point<S>, &Point<S>)) -> bool {
+    let product = |k: usize| x[k].minus(&a[k]).times(&x[k].minus(&b[k]));
+    (0..3).all(|k| product(k).sign().is_le())
+}
+
+/// A common point, not a, of the segments ap and aq in the plane z = 0: the nearer end, if p and
+/// q lie in the same direction.
+pub fn aligned<S: Scalar>(a: &Point<S>, p: &Point<S>, q: &Point<S>) -> Option<Quotient<S>> {
+    if turn(a, p, q, 2).sign().is_ne() {
+        return None;
+    }
+    let nearer = [(p, q), (q, p)].into_iter();
+    nearer
+        .map(|(near, far)| (near, (a, far)))
+        .find(|(near, line)| is_between(near, *line))
+        .map(|(near, _)| whole(near))
+}
+
 fn whole<S: Scalar>(point: &Point<S>) -> Quotient<S> {
     Quotient {
         numerators: point.clone(),

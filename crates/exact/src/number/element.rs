@@ -4,7 +4,7 @@
 //! combination of the powers of a generator with a coefficient behind the
 //! first that is not zero. Signs and enclosures are in [`super::sign`].
 
-use super::field::Field;
+use super::field::{Field, SYMBOL};
 use super::polynomial as poly;
 use crate::geometry::{Scalar, Sign};
 use malachite::base::num::arithmetic::traits::Reciprocal;
@@ -311,10 +311,11 @@ impl Scalar for Integer {
     }
 }
 
-/// `1/2 + 3/2 a - a^2`
+/// `1/2 + 3/2 a - a^2`, with the symbol of the field's generator.
 impl fmt::Display for Number {
     fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
         let terms = self.coefficients().iter().enumerate();
+        let symbol = self.field().map_or(SYMBOL, Field::symbol);
         let mut first = true;
         for (i, c) in terms.filter(|(i, c)| **c != 0 || *i == 0 && self.is_rational()) {
             let size = if *c < 0 { -c } else { c.clone() };
@@ -327,10 +328,10 @@ impl fmt::Display for Number {
             first = false;
             match i {
                 0 => write!(f, "{size}")?,
-                _ if size == Rational::ONE => write_power(f, i)?,
+                _ if size == Rational::ONE => write_power(f, symbol, i)?,
                 _ => {
                     write!(f, "{size} ")?;
-                    write_power(f, i)?;
+                    write_power(f, symbol, i)?;
                 }
             }
         }
@@ -338,11 +339,11 @@ impl fmt::Display for Number {
     }
 }
 
-fn write_power(f: &mut fmt::Formatter, i: usize) -> fmt::Result {
+fn write_power(f: &mut fmt::Formatter, symbol: &str, i: usize) -> fmt::Result {
     if i == 1 {
-        write!(f, "a")
+        write!(f, "{symbol}")
     } else {
-        write!(f, "a^{i}")
+        write!(f, "{symbol}^{i}")
     }
 }
 

@@ -1,9 +1,9 @@
 //! What can be wrong with a field or with the text of a number, and how it is said.
 
-use super::extension::MINOR_BITS_LIMIT;
-use super::isolation::{DEGREE_LIMIT, ISOLATION_LIMIT, POLYNOMIAL_BITS_LIMIT};
-use super::reader::BITS_LIMIT;
-use super::text::{DEPTH_LIMIT, DIGITS_LIMIT, TEXT_LIMIT};
+use super::limits::{
+    BITS_LIMIT, DEGREE_LIMIT, DEPTH_LIMIT, DIGITS_LIMIT, ISOLATION_LIMIT, MINOR_BITS_LIMIT,
+    POLYNOMIAL_BITS_LIMIT, TEXT_LIMIT,
+};
 use malachite::Rational;
 use std::fmt;
 

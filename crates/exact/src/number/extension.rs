@@ -9,7 +9,7 @@
 use super::element::Number;
 use super::error::FieldError;
 use super::field::Field;
-use super::isolation::DEGREE_LIMIT;
+use super::limits::{DEGREE_LIMIT, MINOR_BITS_LIMIT};
 use super::polynomial as poly;
 use malachite::base::num::arithmetic::traits::{DivExact, DivisibleBy, Gcd, Pow};
 use malachite::base::num::basic::traits::{One, Zero};
@@ -21,10 +21,6 @@ const SQUARE_FACTOR_LIMIT: u64 = 10_000;
 /// The values of k for which y + k a is tried as a generator: for each pair of
 /// roots of different factors one k fails at most.
 const MULTIPLIERS: std::ops::Range<i64> = 0..1000;
-
-/// No minor of the linear system for a generator may have more bits (estimated):
-/// with the largest degree the elimination then takes some seconds.
-pub const MINOR_BITS_LIMIT: u64 = 60_000;
 
 /// A field that contains another one.
 pub(super) struct Extension {
@@ -101,7 +97,7 @@ fn square_class(d: &Number) -> (Number, Rational) {
 }
 
 /// (s, f) with x y = s² f.
-fn split_square(x: &Natural, y: &Natural) -> (Natural, Natural) {
+pub(super) fn split_square(x: &Natural, y: &Natural) -> (Natural, Natural) {
     let (mut square, mut free) = (Natural::ONE, x * y);
     for q in (2..SQUARE_FACTOR_LIMIT).map(Natural::from) {
         let q_squared = (&q).pow(2);

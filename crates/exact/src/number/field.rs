@@ -6,9 +6,9 @@
 //! decided about an element is decided at the root itself. The elements are in
 //! `element`; this file makes fields and encloses their roots.
 
-use super::element::Number;
 use super::error::FieldError;
-use super::isolation::{self, ISOLATION_LIMIT, Isolated};
+use super::isolation;
+use super::limits::ISOLATION_LIMIT;
 use super::polynomial as poly;
 use super::root::{Dyadic, Level};
 use super::small::Small;
@@ -20,11 +20,16 @@ use std::fmt;
 use std::sync::{Arc, OnceLock};
 
 /// Q, or Q(a) for one real root a of an integer polynomial. Cheap to clone;
-/// equal when the polynomials and the roots are the same.
+/// equal when the polynomials and the roots are the same, whatever their symbols are.
 #[derive(Clone)]
 pub struct Field(Arc<Inner>);
 
+/// The symbol of a generator that has no name.
+pub(super) const SYMBOL: &str = "a";
+
 struct Inner {
+    /// How the generator is printed.
+    symbol: Box<str>,
     /// Monic, squarefree.
     polynomial: Vec<Integer>,
     /// The indices and negatives of the coefficients below the leading one that
@@ -51,12 +56,12 @@ impl Field {
                     high: Integer::ONE,
                     bits: 0,
                 };
-                Field::new(vec![Integer::ZERO, Integer::ONE], around_zero)
+                Field::new(SYMBOL, vec![Integer::ZERO, Integer::ONE], around_zero)
             })
             .clone()
     }
 
-    fn new(polynomial: Vec<Integer>, isolation: Dyadic) -> Field {
+    pub(super) fn new(symbol: &str, polynomial: Vec<Integer>, isolation: Dyadic) -> Field {
         let reduction = polynomial[..polynomial.len() - 1]
             .iter()
             .enumerate()
@@ -65,6 +70,7 @@ impl Field {
             .collect();
         let sign_below = poly::sign_at(&polynomial, &isolation.ends().0);
         Field(Arc::new(Inner {
+            symbol: symbol.into(),
             polynomial,
             reduction,
             isolation,
@@ -74,34 +80,9 @@ impl Field {
         }))
     }
 
-    /// Q(a) for the only root a of `polynomial` in the closed interval
-    /// [`lo`, `hi`], and a itself.
-    ///
-    /// `polynomial`: integers, constant term first, of degree at least one; any
-    /// leading coefficient, not necessarily irreducible or squarefree. A
-    /// multiple root counts once. If a is rational the field is Q.
-    pub fn adjoin_root(
-        polynomial: &[Integer],
-        lo: Rational,
-        hi: Rational,
-    ) -> Result<(Field, Number), FieldError> {
-        isolation::check_limits(polynomial, &lo, &hi)?;
-        let p = poly::squarefree(&poly::from_integers(polynomial));
-        match poly::count_roots(&p, &lo, &hi) {
-            0 => return Err(FieldError::NoRoot(lo, hi)),
-            1 => {}
-            count => return Err(FieldError::SeveralRoots(lo, hi, count)),
-        }
-        let (monic, scale) = isolation::make_monic(poly::primitive(&p));
-        let root = isolation::isolate(&monic, &(lo * &scale), &(hi * &scale));
-        Ok(match root.ok_or(FieldError::RootsTooClose)? {
-            Isolated::Integer(m) => (Field::rationals(), Number::from(Rational::from(m) / scale)),
-            Isolated::Irrational(interval) => {
-                let field = Field::new(monic, interval);
-                let a = field.element(vec![Rational::ZERO, Rational::ONE / scale]);
-                (field, a)
-            }
-        })
+    /// How the generator is printed: the name that a file gives it, or `a`.
+    pub fn symbol(&self) -> &str {
+        &self.0.symbol
     }
 
     /// Q(a) for the root a of the monic squarefree `polynomial` that `enclose`
@@ -115,7 +96,7 @@ impl Field {
             let (low, high) = ((lo << bits).floor(), (hi << bits).floor() + Integer::ONE);
             let root = Dyadic { low, high, bits };
             if isolation::isolates(&polynomial, &root) {
-                return Ok(Field::new(polynomial, root));
+                return Ok(Field::new(SYMBOL, polynomial, root));
             }
         }
         Err(FieldError::RootsTooClose)
@@ -143,26 +124,6 @@ impl Field {
     /// and the interval value of the derivative (Horner) excludes 0.
     pub fn root(&self) -> (Rational, Rational) {
         self.0.isolation.ends()
-    }
-
-    /// The integer `value`.
-    pub fn integer(&self, value: i64) -> Number {
-        Number::from(Rational::from(value))
-    }
-
-    /// The rational number `value`.
-    pub fn rational(&self, value: Rational) -> Number {
-        Number::from(value)
-    }
-
-    /// Σ c_i a^i for the generator a and any number of coefficients c_i.
-    pub fn element(&self, coefficients: Vec<Rational>) -> Number {
-        Number::reduced(self, coefficients)
-    }
-
-    /// The generator a.
-    pub fn generator(&self) -> Number {
-        self.element(vec![Rational::ZERO, Rational::ONE])
     }
 
     /// a^n = Σ c a^i with n the degree: the pairs (i, c).

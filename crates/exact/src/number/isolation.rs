@@ -4,6 +4,7 @@
 
 use super::enclosure::Interval;
 use super::error::FieldError;
+use super::limits::{DEGREE_LIMIT, ISOLATION_LIMIT, POLYNOMIAL_BITS_LIMIT};
 use super::polynomial as poly;
 use super::root::Dyadic;
 use malachite::base::num::arithmetic::traits::{Ceiling, DivExact, DivisibleBy, Floor, Pow};
@@ -11,14 +12,6 @@ use malachite::base::num::basic::traits::One;
 use malachite::base::num::logic::traits::SignificantBits;
 use malachite::{Integer, Rational};
 use std::cmp::Ordering;
-
-/// No field has a larger degree.
-pub const DEGREE_LIMIT: usize = 32;
-/// No coefficient of a defining polynomial, and no numerator or denominator of
-/// an interval's end, has more bits (about 1,200 decimal digits).
-pub const POLYNOMIAL_BITS_LIMIT: u64 = 4096;
-/// A root that is not alone in a dyadic interval of width 2^-this is declined.
-pub const ISOLATION_LIMIT: u64 = 1024;
 
 /// Checks what can be checked without arithmetic.
 pub(super) fn check_limits(

@@ -3,7 +3,9 @@
 //! | file | holds |
 //! |---|---|
 //! | [`field`] | [`Field`]: Q and Q(a) |
-//! | [`isolation`] | how a root becomes a field's, and limits |
+//! | [`isolation`] | how a root becomes a field's |
+//! | [`limits`] | numbers beyond them are declined |
+//! | `adjoin` | the numbers of a field, fields from roots |
 //! | `element` | [`Number`]: arithmetic, comparison, display |
 //! | `sign` | exact signs, enclosures, nearest doubles |
 //! | `small` | products and signs in machine integers, where they fit |
@@ -11,15 +13,16 @@
 //! | `polynomial` | polynomials over Q: Euclid, Sturm |
 //! | `extension` | K(√d), K(b): a generator of a larger field |
 //! | `recognition`, `lattice` | whether a real number lies in a field |
+//! | [`subfield`] | the field that some numbers generate |
 //! | [`text`] | the syntax of numbers |
 //! | [`reader`] | the numbers of a file in one field |
 //! | [`error`] | [`FieldError`], [`ReadError`] and their messages |
 //! | [`enclosure`] | intervals, π, cosines and angles in degrees |
 //!
-//! It knows malachite, the certificate's way of writing numbers, and the
-//! [`Scalar`](crate::geometry::Scalar) that predicates ask for. The verifier
-//! uses nothing of it.
+//! It knows malachite and the [`Scalar`](crate::geometry::Scalar) that predicates ask for. The
+//! verifier uses nothing of it.
 
+mod adjoin;
 mod element;
 pub mod enclosure;
 pub mod error;
@@ -27,17 +30,20 @@ mod extension;
 pub mod field;
 pub mod isolation;
 mod lattice;
+pub mod limits;
 mod polynomial;
 pub mod reader;
 pub mod recognition;
 mod root;
 mod sign;
 mod small;
+pub mod subfield;
 pub mod text;
 
 pub use element::Number;
 pub use enclosure::Interval;
 pub use error::{FieldError, ReadError, ReadErrorKind};
 pub use field::Field;
-pub use reader::{Reader, numbers};
-pub use text::{Expression, parse_rational};
+pub use reader::{Reader, numbers, parse_rational};
+pub use subfield::Subfield;
+pub use text::Expression;

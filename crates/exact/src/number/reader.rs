@@ -7,16 +7,13 @@ use super::element::Number;
 use super::error::{FieldError, ReadError, ReadErrorKind};
 use super::extension::{self, Extension};
 use super::field::Field;
+use super::limits::BITS_LIMIT;
 use super::recognition::{self, Undecided};
 use super::text::{self, Expression, ROOT_NAME};
 use malachite::base::num::logic::traits::SignificantBits;
 use malachite::{Integer, Rational};
 use std::cmp::Ordering;
 use std::collections::BTreeMap;
-
-/// No value, also in between, has more bits in all its numerators and
-/// denominators together.
-pub const BITS_LIMIT: u64 = 65_536;
 
 /// Reads texts as elements of one field, which grows while it learns.
 #[derive(Clone, Debug)]
@@ -79,7 +76,7 @@ impl Reader {
             return Err(error(ReadErrorKind::NameTaken(name.to_owned())));
         }
         let field_error = |e| error(ReadErrorKind::Field(Box::new(e)));
-        let (other, b) = Field::adjoin_root(polynomial, lo, hi).map_err(field_error)?;
+        let (other, b) = Field::adjoin_named_root(name, polynomial, lo, hi).map_err(field_error)?;
         let generator = self.join(&other).map_err(field_error)?;
         self.names
             .insert(name.to_owned(), extension::at(b.coefficients(), &generator));
@@ -281,4 +278,13 @@ fn shown(x: &Number) -> String {
         (_, near) if near.is_finite() => format!("about {near:e}"),
         (bits, _) => format!("a number of {bits} bits"),
     }
+}
+
+/// The rational number that `text` is; it may be any expression, without roots
+/// of numbers that are no squares.
+pub fn parse_rational(text: &str) -> Result<Rational, ReadError> {
+    // In Q every element has one coefficient.
+    Reader::new()
+        .value(text)
+        .map(|x| x.coefficients()[0].clone())
 }

@@ -17,19 +17,9 @@
 //! sum only, so that `--5` and `2*-3` are errors and `-2^2` is -(2^2).
 
 use super::error::{ReadError, ReadErrorKind};
+use super::limits::{DECIMAL_EXPONENT_LIMIT, DEPTH_LIMIT, DIGITS_LIMIT, POWER_LIMIT, TEXT_LIMIT};
 use malachite::base::num::arithmetic::traits::Pow;
 use malachite::{Natural, Rational};
-
-/// The longest text of one number, in characters.
-pub const TEXT_LIMIT: usize = 4096;
-/// The deepest nesting of parentheses and roots.
-pub const DEPTH_LIMIT: usize = 50;
-/// The most digits of one decimal.
-pub const DIGITS_LIMIT: usize = 1000;
-/// The largest absolute value of the exponent in `1e3`.
-pub const DECIMAL_EXPONENT_LIMIT: i64 = 1000;
-/// The largest absolute value of the exponent in `x^3`.
-pub const POWER_LIMIT: i64 = 1000;
 
 /// The name of the square root, which no generator can have.
 pub(super) const ROOT_NAME: &str = "sqrt";
@@ -74,15 +64,6 @@ pub fn parse(text: &str) -> Result<Expression, ReadError> {
         None => Ok(expression),
         Some(_) => Err(parser.unexpected("an operator or the end")),
     }
-}
-
-/// The rational number that `text` is; it may be any expression, without roots
-/// of numbers that are no squares.
-pub fn parse_rational(text: &str) -> Result<Rational, ReadError> {
-    // In Q every element has one coefficient.
-    super::Reader::new()
-        .value(text)
-        .map(|x| x.coefficients()[0].clone())
 }
 
 struct Parser {

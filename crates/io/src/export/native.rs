@@ -59,7 +59,7 @@ fn domain(domain: &Domain) -> Value {
         }
         Domain::Prism(polygon) => json!({ "prism": polytope(polygon) }),
         Domain::Solid(solid) => json!({ "solid": polytope(solid) }),
-        Domain::Region => json!("region"),
+        Domain::Region(_) => json!("region"),
     }
 }
 
@@ -75,7 +75,7 @@ fn polytope(polytope: &Polytope) -> Value {
 fn generator(field: &Field) -> Value {
     let (lower, upper) = field.root();
     let polynomial: Vec<String> = field.polynomial().iter().map(ToString::to_string).collect();
-    json!({ "a": { "polynomial": polynomial, "root": [lower.to_string(), upper.to_string()] } })
+    json!({ field.symbol(): { "polynomial": polynomial, "root": [lower.to_string(), upper.to_string()] } })
 }
 
 fn rows<const D: usize>(
@@ -85,8 +85,9 @@ fn rows<const D: usize>(
         .map(|row| Value::Array(row.borrow().iter().map(|x| json!(number(x))).collect()))
 }
 
-/// `1/2+3/4*a^2`, in the generator a of the field.
+/// `1/2+3/4*a^2`, in the generator of the field, by its symbol.
 fn number(number: &Number) -> String {
+    let symbol = number.field().map_or("", Field::symbol);
     let mut text = String::new();
     for (power, coefficient) in number.coefficients().iter().enumerate() {
         if *coefficient == 0 {
@@ -97,8 +98,8 @@ fn number(number: &Number) -> String {
         }
         let _ = match power {
             0 => write!(text, "{coefficient}"),
-            1 => write!(text, "{coefficient}*a"),
-            _ => write!(text, "{coefficient}*a^{power}"),
+            1 => write!(text, "{coefficient}*{symbol}"),
+            _ => write!(text, "{coefficient}*{symbol}^{power}"),
         };
     }
     if text.is_empty() {

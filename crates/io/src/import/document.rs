@@ -1,7 +1,7 @@
 //! The project's own tiling and point-set files as they stand in JSON, numbers
 //! still as text. The format is described in docs/format.md.
 
-use serde::de::{SeqAccess, Visitor};
+use serde::de::{MapAccess, SeqAccess, Visitor};
 use serde::{Deserialize, Deserializer};
 use serde_json::value::RawValue;
 use std::collections::BTreeMap;
@@ -29,7 +29,7 @@ pub struct Document<'a> {
     #[serde(default)]
     pub description: Option<String>,
     pub dimension: usize,
-    #[serde(borrow, default)]
+    #[serde(borrow, default, deserialize_with = "generators")]
     pub generators: BTreeMap<String, Generator<'a>>,
     #[serde(borrow, default)]
     pub lattice: Option<Lattice<'a>>,
@@ -55,6 +55,37 @@ pub struct Generator<'a> {
     /// Rational ends of the interval.
     #[serde(borrow)]
     pub root: (Text<'a>, Text<'a>),
+}
+
+/// The generators by name. A map would keep the last of two definitions of one name, so a
+/// repeated name is an error.
+fn generators<'de: 'a, 'a, D: Deserializer<'de>>(
+    deserializer: D,
+) -> Result<BTreeMap<String, Generator<'a>>, D::Error> {
+    deserializer.deserialize_map(GeneratorsVisitor)
+}
+
+struct GeneratorsVisitor;
+
+impl<'de> Visitor<'de> for GeneratorsVisitor {
+    type Value = BTreeMap<String, Generator<'de>>;
+
+    fn expecting(&self, f: &mut fmt::Formatter) -> fmt::Result {
+        f.write_str("an object of generators by name")
+    }
+
+    fn visit_map<A: MapAccess<'de>>(self, mut map: A) -> Result<Self::Value, A::Error> {
+        let mut generators = BTreeMap::new();
+        while let Some(name) = map.next_key::<String>()? {
+            if generators.contains_key(&name) {
+                let problem =
+                    format!("the generator {name:?} is defined twice; keep one definition");
+                return Err(serde::de::Error::custom(problem));
+            }
+            generators.insert(name, map.next_value()?);
+        }
+        Ok(generators)
+    }
 }
 
 /// The basis: its Gram matrix, or its vectors in Cartesian coordinates.

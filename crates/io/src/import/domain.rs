@@ -29,7 +29,7 @@ pub fn read_domain<const D: usize>(
             "domain",
             "\"region\" found in dimension 2, expected 3",
         )),
-        document::Domain::Region => Ok(Domain::Region),
+        document::Domain::Region => Ok(Domain::Region(0)),
         document::Domain::Solid(entry) => {
             polytope(entry, D, "domain.solid", numbers).map(Domain::Solid)
         }

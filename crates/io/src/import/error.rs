@@ -12,6 +12,8 @@ pub enum ImportError {
     Unreadable(io::Error),
     /// More bytes than the limit.
     TooLong { limit: u64 },
+    /// A compressed file of `length` bytes that has more than `growth` bytes of content.
+    GrowsTooMuch { length: u64, growth: u64 },
     /// Not UTF-8 from this byte on.
     NotText { offset: usize },
     /// Nothing but white space.
@@ -58,6 +60,7 @@ impl ImportError {
     pub fn is_limit(&self) -> bool {
         match self {
             ImportError::TooLong { .. }
+            | ImportError::GrowsTooMuch { .. }
             | ImportError::Version { .. }
             | ImportError::Limit { .. } => true,
             ImportError::Number { error, .. } => error.is_limit(),
@@ -73,6 +76,11 @@ impl fmt::Display for ImportError {
             ImportError::TooLong { limit } => {
                 write!(f, "is longer than the limit of {limit} bytes")
             }
+            ImportError::GrowsTooMuch { length, growth } => write!(
+                f,
+                "has {length} bytes compressed and more than {growth} bytes of content, \
+                 expected at most {growth}; if this is intended, decompress the file first"
+            ),
             ImportError::NotText { offset } => {
                 write!(f, "byte {offset}: not UTF-8 text")
             }

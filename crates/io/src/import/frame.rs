@@ -53,7 +53,7 @@ fn identity<const D: usize>(
     domain: Domain,
 ) -> Result<(Frame<D>, Change<D>), ImportError> {
     match &domain {
-        Domain::Solid(_) | Domain::Region => {}
+        Domain::Solid(_) | Domain::Region(_) => {}
         _ => {
             let problem = "is missing; only a solid and a region need none";
             return Err(ImportError::entry("lattice", problem));

@@ -3,7 +3,6 @@
 //! A reader checks form (what is there, of the right length, in range); whether
 //! the tiling is one is the checker's business. Every error names the place.
 
-mod certificate;
 pub mod cif;
 mod document;
 mod domain;
@@ -13,7 +12,6 @@ mod native;
 mod numbers;
 mod text;
 
-pub use certificate::tiling_of_certificate;
 pub use error::ImportError;
 pub use native::{Content, NativeFile, read_native};
 pub use text::{BYTE_LIMIT, is_gzip, read_bytes, read_text, uncompressed_name, without_comments};

@@ -12,6 +12,13 @@ use std::path::Path;
 /// No input file may be longer, decompressed: 256 MiB.
 pub const BYTE_LIMIT: u64 = 1 << 28;
 
+/// A compressed file may grow by this factor, and by [`GROWTH_ALLOWANCE`] beyond. What readers
+/// build takes up to thirty times the text, so a small file must not become a large text.
+/// Meshes and tilings grow by factors of 3 to 30.
+pub const GROWTH_LIMIT: u64 = 100;
+/// See [`GROWTH_LIMIT`]: 1 MiB.
+pub const GROWTH_ALLOWANCE: u64 = 1 << 20;
+
 /// Reads a whole text file, or standard input for the path `-`; a file whose name ends
 /// in `.gz` is decompressed.
 ///
@@ -29,33 +36,48 @@ pub fn read_text(path: &Path) -> Result<String, ImportError> {
 /// # Errors
 /// It cannot be read, is no gzip file, or is longer than `limit`.
 pub fn read_bytes(path: &Path, limit: u64) -> Result<Vec<u8>, ImportError> {
+    let too_long = || ImportError::TooLong { limit };
     if path == Path::new("-") {
-        return limited(io::stdin().lock(), limit, 0);
+        return limited(io::stdin().lock(), limit, 0)?.ok_or_else(too_long);
     }
     let file = File::open(path).map_err(ImportError::Unreadable)?;
-    match is_gzip(path) {
-        true => limited(MultiGzDecoder::new(io::BufReader::new(file)), limit, 0),
-        false => {
-            // The system knows how long a file is; of a pipe or a device it says 0.
-            let length = file.metadata().map_or(0, |metadata| metadata.len());
-            limited(file, limit, length)
-        }
+    // The system knows how long a file is; of a pipe or a device it says 0.
+    let length = file.metadata().map_or(0, |metadata| metadata.len());
+    if !is_gzip(path) {
+        return limited(file, limit, length)?.ok_or_else(too_long);
     }
+    let growth = GROWTH_ALLOWANCE.saturating_add(length.saturating_mul(GROWTH_LIMIT));
+    let unpacked = MultiGzDecoder::new(io::BufReader::new(file));
+    limited(unpacked, limit.min(growth), 0)?.ok_or_else(|| {
+        if growth < limit {
+            ImportError::GrowsTooMuch { length, growth }
+        } else {
+            too_long()
+        }
+    })
 }
 
-/// What is decompressed counts, so that a small file cannot fill the memory. Room is made
-/// for `expected` bytes at once, if they are allowed.
-fn limited(reader: impl Read, limit: u64, expected: u64) -> Result<Vec<u8>, ImportError> {
+/// The bytes of a reader, or `None` if there are more than `limit`. Reserves space for
+/// `expected` bytes, if they are allowed.
+fn limited(reader: impl Read, limit: u64, expected: u64) -> Result<Option<Vec<u8>>, ImportError> {
+    if expected > limit {
+        return Ok(None);
+    }
+    let mut bytes = Vec::new();
     // A byte more, so that the end is seen without growing.
-    let mut bytes = Vec::with_capacity(expected.min(limit) as usize + 1);
+    let capacity = usize::try_from(expected).map_err(|_| too_large())?;
+    bytes
+        .try_reserve(capacity.saturating_add(1))
+        .map_err(|_| too_large())?;
     reader
-        .take(limit + 1)
+        .take(limit.saturating_add(1))
         .read_to_end(&mut bytes)
         .map_err(ImportError::Unreadable)?;
-    match bytes.len() as u64 > limit {
-        true => Err(ImportError::TooLong { limit }),
-        false => Ok(bytes),
-    }
+    Ok(Some(bytes).filter(|bytes| bytes.len() as u64 <= limit))
+}
+
+fn too_large() -> ImportError {
+    ImportError::Unreadable(io::ErrorKind::OutOfMemory.into())
 }
 
 /// Whether the name ends in `.gz`.

@@ -140,7 +140,7 @@ fn domain(rank: usize, found: &Identified) -> Domain {
     let number = |x: &Integer| Number::from(Rational::from_integers_ref(x, &found.denominator));
     match (rank, heights().min(), heights().max()) {
         (2, Some(low), Some(high)) => Domain::Slab(Polytope::interval(number(low), number(high))),
-        (0, ..) => Domain::Region,
+        (0, ..) => Domain::Region(0),
         _ => Domain::Space,
     }
 }

@@ -9,6 +9,7 @@
 //! | `vtk`, `vtu`, `vtu_data`, `vtu_parts`, `vtu_write` | VTK legacy and XML files |
 //! | `medit`, `tetgen` | MEDIT `.mesh` and `.meshb`, TetGen `.node` and `.ele` |
 //! | [`source`], [`numbering`], `element`, [`error`] | what the readers share |
+//! | [`sink`], [`writer`] | what the writers share; which writer a format has |
 //! | [`lattice`] | the lattice of a periodic mesh |
 //! | [`convert`], `identify`, `snap` | a mesh as a tiling |
 //! | [`origin`] | a tiling's indices in the numbers of the file |
@@ -33,6 +34,7 @@ mod msh_write;
 pub mod numbering;
 pub mod origin;
 mod patch;
+pub mod sink;
 mod snap;
 pub mod source;
 mod tetgen;

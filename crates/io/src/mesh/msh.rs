@@ -140,11 +140,3 @@ fn after_nodes<'i>(
         .as_ref()
         .ok_or_else(|| source.error(format!("${name} comes before $Nodes, expected it after")))
 }
-
-/// The point with this number, for a pair of a periodic link.
-pub fn periodic_node(index: &Index, tag: i64, place: Place) -> Result<u32, MeshError> {
-    index.find(tag).ok_or_else(|| {
-        let problem = format!("a periodic link has the node {tag}, which is not there");
-        MeshError::at(place, problem)
-    })
-}

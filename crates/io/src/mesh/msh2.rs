@@ -2,8 +2,7 @@
 
 use super::element::{GMSH_TETRAHEDRON, gmsh_element};
 use super::error::MeshError;
-use super::msh::periodic_node;
-use super::numbering::Index;
+use super::numbering::{Index, periodic_node};
 use super::source::{Encoding, Source, shown};
 use super::{Mesh, Periodic};
 

@@ -3,8 +3,7 @@
 
 use super::element::{GMSH_TETRAHEDRON, gmsh_element};
 use super::error::MeshError;
-use super::msh::periodic_node;
-use super::numbering::Index;
+use super::numbering::{Index, periodic_node};
 use super::source::Source;
 use super::{Mesh, Periodic};
 

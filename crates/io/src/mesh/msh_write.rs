@@ -1,8 +1,8 @@
 //! Writes MSH 2.2 and 4.1, text or binary.
 
 use super::element::GMSH_TETRAHEDRON;
+use super::sink::{Shortest, Sink, labels, labels_or};
 use super::source::Encoding;
-use super::writer::{Shortest, Sink, labels, labels_or};
 use super::{Mesh, Periodic};
 use std::collections::BTreeSet;
 

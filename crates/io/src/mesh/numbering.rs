@@ -1,6 +1,8 @@
 //! The numbers that a file gives to its nodes, its elements or its lines: mostly
 //! consecutive, then they take no memory.
 
+use super::error::{MeshError, Place};
+
 /// A list of numbers, stored only where they are not consecutive.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct Numbering {
@@ -145,6 +147,14 @@ impl Index {
             }
         }
     }
+}
+
+/// The point with this number, for a pair of a periodic link.
+pub fn periodic_node(index: &Index, tag: i64, place: Place) -> Result<u32, MeshError> {
+    index.find(tag).ok_or_else(|| {
+        let problem = format!("a periodic link has the node {tag}, which is not there");
+        MeshError::at(place, problem)
+    })
 }
 
 #[cfg(test)]

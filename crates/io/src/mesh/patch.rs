@@ -47,7 +47,7 @@ pub fn patch(tiling: &Tiling<3>, radius: &Rational) -> Result<Tiling<3>, String>
     if corners.is_empty() {
         return Err(format!("no tetrahedron lies within {radius} of the origin"));
     }
-    let frame = tiling.frame.clone().with_domain(Domain::Region);
+    let frame = tiling.frame.clone().with_domain(Domain::Region(0));
     Ok(used_only(frame, &patch.vertices, corners))
 }
 

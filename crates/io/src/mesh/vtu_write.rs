@@ -1,7 +1,7 @@
 //! Writes VTU files.
 
+use super::sink::Sink;
 use super::source::Encoding;
-use super::writer::Sink;
 use super::{Format, Mesh};
 use base64::Engine;
 use base64::engine::general_purpose::STANDARD;

@@ -4,9 +4,9 @@ use super::identity::{dot, is_zero, minus};
 use super::infinitesimal::Polynomial;
 use super::row::{Finding, Row};
 use crate::survey::Survey;
+use acutile_core::statement::Statement;
 use acutile_exact::geometry::{NormalProducts, Scalar, Simplex, linear};
 use acutile_exact::number::numbers;
-use acutile_format1::certificate::Statement;
 
 /// The rows of section 3.2.
 pub fn rows(survey: &Survey) -> Vec<Row> {

@@ -6,9 +6,9 @@ use acutile_core::checker::{
     Findings, Model, check_corners, check_facets, check_orientation, check_volume,
 };
 use acutile_core::quality::{DihedralAngle, Exact, rounded_down, rounded_up};
+use acutile_core::statement::Statement;
 use acutile_core::tiling::{Corner, Frame, Tiling, match_facets};
 use acutile_exact::number::Field;
-use acutile_format1::certificate::Statement;
 use malachite::Rational;
 
 /// The constructions of section 4 that tile space.

@@ -3,8 +3,8 @@
 use super::introduction::all_state;
 use super::row::{Finding, Row};
 use crate::survey::Survey;
+use acutile_core::statement::Statement;
 use acutile_exact::number::Number;
-use acutile_format1::certificate::Statement;
 use malachite::Rational;
 use std::collections::BTreeSet;
 

@@ -4,7 +4,8 @@
 use super::row::{Finding, Row};
 use crate::survey::{Study, Survey};
 use acutile_catalog as catalog;
-use acutile_core::checker::{Options, prove};
+use acutile_core::checker::Options;
+use acutile_core::proved::prove;
 use acutile_core::quality::congruence_form;
 use acutile_core::tiling::{AnyTiling, Tiling};
 use acutile_exact::geometry::linear;

@@ -4,9 +4,9 @@ use super::row::{Finding, Row};
 use crate::survey::{AnyStudy, Study, Survey};
 use crate::table::Figure;
 use acutile_core::quality::{DihedralAngle, Exact};
+use acutile_core::statement::Statement;
 use acutile_exact::geometry::Simplex;
 use acutile_exact::number::Number;
-use acutile_format1::certificate::Statement;
 use malachite::Rational;
 
 /// The rows of section 2.1.

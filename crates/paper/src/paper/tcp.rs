@@ -5,7 +5,7 @@ use super::row::{Finding, Row};
 use crate::survey::{Study, Survey};
 use acutile_catalog::{self as catalog, CatalogError};
 use acutile_core::classify::{Star, frank_kasper};
-use acutile_format1::certificate::Statement;
+use acutile_core::statement::Statement;
 use malachite::Rational;
 
 /// The structures that the text calls TCP, with its names.

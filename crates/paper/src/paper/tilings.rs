@@ -6,8 +6,8 @@ use super::row::{Finding, Row};
 use crate::survey::{Study, Survey};
 use crate::table::Figure;
 use acutile_core::quality::{DihedralAngle, Exact, decimal_range, display_width};
+use acutile_core::statement::Statement;
 use acutile_exact::geometry::Sign;
-use acutile_format1::certificate::Statement;
 use malachite::Rational;
 
 /// The rows of section 2.2 but those of `sommerville`.

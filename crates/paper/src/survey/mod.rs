@@ -9,12 +9,11 @@ mod known;
 mod study;
 
 pub use known::isomorphic_entries;
-pub use study::{AnyStudy, Study};
+pub use study::{AnyStudy, NotStudied, Study};
 
 use acutile_catalog as catalog;
+use rayon::prelude::*;
 use std::collections::BTreeMap;
-use std::sync::Mutex;
-use std::sync::atomic::{AtomicUsize, Ordering};
 
 /// Studies of several constructions by name, or why there is none.
 pub struct Survey {
@@ -24,25 +23,9 @@ pub struct Survey {
 impl Survey {
     /// Studies these constructions of the catalogue, several at a time.
     pub fn of(names: &[&str]) -> Survey {
-        let next = AtomicUsize::new(0);
-        let studies = Mutex::new(BTreeMap::new());
-        let work = || {
-            while let Some(name) = names.get(next.fetch_add(1, Ordering::Relaxed)) {
-                let study = AnyStudy::of_entry(name);
-                if let Ok(mut studies) = studies.lock() {
-                    studies.insert((*name).to_owned(), study);
-                }
-            }
-        };
-        let workers = std::thread::available_parallelism().map_or(1, usize::from);
-        std::thread::scope(|scope| {
-            for _ in 1..workers {
-                scope.spawn(work);
-            }
-            work();
-        });
+        let study = |name: &&str| ((*name).to_owned(), AnyStudy::of_entry(name));
         Survey {
-            studies: studies.into_inner().unwrap_or_default(),
+            studies: names.par_iter().map(study).collect(),
         }
     }
 

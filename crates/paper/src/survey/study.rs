@@ -1,22 +1,20 @@
 //! A proved tiling and what follows from it.
 
 use acutile_catalog as catalog;
-use acutile_core::checker::{self, Options};
+use acutile_core::checker::Options;
 use acutile_core::classify::{
     NotTcp, Ridges, Star, Symbol, check_tcp, combinatorial_symbol, metric_symbol, stars,
 };
 use acutile_core::delaunay::{Ties, triangulate};
-use acutile_core::quality::{
-    Measures, Ranges, Shape, measures_of_shapes, ranges, shapes, squared_edges,
-};
+use acutile_core::proved::{NotProved, prove};
+use acutile_core::quality::{Measures, Ranges, Shape, measures_of_shapes, shapes, squared_edges};
+use acutile_core::statement::{Statement, ranges};
 use acutile_core::tiling::{AnyTiling, Matching, PointSet, Tiling, match_facets};
 use acutile_exact::number::Number;
-use acutile_format1::certificate::{self, Statement};
-use sha2::{Digest, Sha256};
 use std::collections::BTreeMap;
-use std::fmt::Write;
+use std::fmt;
 
-/// A tiling that the checker proved.
+/// A tiling that is proved; the kernel has confirmed its certificate.
 #[derive(Debug)]
 pub struct Study<const D: usize> {
     pub tiling: Tiling<D>,
@@ -29,7 +27,7 @@ pub struct Study<const D: usize> {
     pub shapes: Vec<Shape>,
     /// The measures of each class.
     pub measures: Vec<Measures>,
-    /// Their ranges.
+    /// The exact ranges that the certificate claims.
     pub ranges: Ranges,
     pub ridges: Ridges<D>,
 }
@@ -39,30 +37,20 @@ impl<const D: usize> Study<D> {
     ///
     /// # Errors
     /// The first defect, in words.
-    pub fn of(tiling: Tiling<D>) -> Result<Self, String> {
-        let certificate = match checker::prove(&tiling, &Options::default(), &|_| {}) {
-            Ok(certificate) => certificate,
-            Err(refutation) => {
-                let first = refutation.kept().first();
-                return Err(first.map_or_else(
-                    || "refuted".to_owned(),
-                    |defect| {
-                        format!(
-                            "refuted: {}",
-                            checker::describe::<D>(&checker::Names::of(&tiling), defect)
-                        )
-                    },
-                ));
-            }
-        };
+    pub fn of(tiling: Tiling<D>) -> Result<Self, NotStudied> {
+        let proved = prove(&tiling, &Options::default(), &|_| {}).map_err(|reason| NotStudied {
+            message: reason.in_words(&tiling),
+            is_refuted: matches!(reason, NotProved::Refuted(_)),
+        })?;
         let shapes = shapes(&tiling);
         let measures = measures_of_shapes(&tiling, &shapes);
         let matching = match_facets(&tiling);
         Ok(Study {
-            ranges: ranges(&measures).ok_or("there are no simplices")?,
+            ranges: ranges(proved.statements())
+                .ok_or_else(|| NotStudied::open("the certificate has no exact bounds"))?,
             ridges: Ridges::of(&tiling, &matching),
-            certificate: hexadecimal(&Sha256::digest(certificate::to_bytes(&certificate))),
-            statements: certificate.claim.statements,
+            certificate: proved.sha256(),
+            statements: proved.statements().to_vec(),
             matching,
             shapes,
             measures,
@@ -79,8 +67,8 @@ impl<const D: usize> Study<D> {
     ///
     /// # Errors
     /// Why there is none.
-    pub fn of_points(points: &PointSet<D>) -> Result<Self, String> {
-        let tiling = triangulate(points, Ties::Refuse).map_err(|error| error.to_string())?;
+    pub fn of_points(points: &PointSet<D>) -> Result<Self, NotStudied> {
+        let tiling = triangulate(points, Ties::Refuse).map_err(NotStudied::open)?;
         Study::of(tiling)
     }
 
@@ -114,6 +102,37 @@ impl Study<3> {
             *counts.entry(star).or_insert(0) += 1;
         }
         counts
+    }
+}
+
+/// Why there is no study.
+#[derive(Clone, Debug)]
+pub struct NotStudied {
+    /// The first defect, or what else is in the way.
+    pub message: String,
+    /// Whether something is wrong with the tiling. Otherwise nothing is decided.
+    pub is_refuted: bool,
+}
+
+impl NotStudied {
+    /// Nothing is known to be wrong with the tiling.
+    fn open(message: impl fmt::Display) -> Self {
+        NotStudied {
+            message: message.to_string(),
+            is_refuted: false,
+        }
+    }
+}
+
+impl fmt::Display for NotStudied {
+    fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
+        f.write_str(&self.message)
+    }
+}
+
+impl From<NotStudied> for String {
+    fn from(error: NotStudied) -> String {
+        error.message
     }
 }
 
@@ -157,18 +176,10 @@ impl AnyStudy {
     ///
     /// # Errors
     /// The first defect, in words.
-    pub fn of(tiling: AnyTiling) -> Result<AnyStudy, String> {
+    pub fn of(tiling: AnyTiling) -> Result<AnyStudy, NotStudied> {
         Ok(match tiling {
             AnyTiling::Plane(tiling) => AnyStudy::Plane(Study::of(tiling)?),
             AnyTiling::Space(tiling) => AnyStudy::Space(Study::of(tiling)?),
         })
     }
-}
-
-fn hexadecimal(bytes: &[u8]) -> String {
-    bytes.iter().fold(String::new(), |mut text, byte| {
-        // Writing to a string cannot fail.
-        let _ = write!(text, "{byte:02x}");
-        text
-    })
 }

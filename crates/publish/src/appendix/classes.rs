@@ -8,7 +8,7 @@
 //! numbers N_ij printed are the cofactors of Q, continued to i = 0. So a reader needs
 //! nothing but six squared lengths and 2 x 2 minors.
 
-use super::numeral::interval;
+use super::rational::interval;
 use super::subject::Analysis;
 use super::tex::{counted, simplices, table_fits, tabular, width};
 use super::theorem::{fits, matrix};
@@ -154,7 +154,7 @@ impl Signs {
                 .collect()
         };
         let (inner, normals) = (text(&self.inner), text(&self.normals));
-        let lambda = super::numeral::rational(&self.factor);
+        let lambda = super::rational::rational(&self.factor);
         let both: Vec<Vec<String>> = inner
             .iter()
             .zip(&normals)
@@ -178,7 +178,7 @@ impl Signs {
             true => String::new(),
             false => format!(
                 ", and the cofactors divided by ${}$",
-                super::numeral::rational(&self.divisor)
+                super::rational::rational(&self.divisor)
             ),
         };
         format!(

@@ -36,7 +36,11 @@ pub fn files(subjects: &[Subject], parts: Vec<Parts>, options: &Options) -> Vec<
         files.push(text(&format!("tables-{}.tex", subject.slug()), part.tables));
         files.push(File {
             path: subject.certificate_path(),
-            bytes: subject.bytes.clone(),
+            bytes: subject.cbor.clone(),
+        });
+        files.push(File {
+            path: subject.json_path(),
+            bytes: subject.json.clone().into_bytes(),
         });
     }
     files.sort_by(|a, b| a.path.cmp(&b.path));

@@ -4,7 +4,7 @@
 //! | file | part |
 //! |---|---|
 //! | `subject` | a confirmed certificate, and what is computed of its tiling |
-//! | `numeral`, `surd`, `tex` | exact numbers and small pieces of TeX |
+//! | `rational`, `numeral`, `surd`, `tex` | exact numbers and small pieces of TeX |
 //! | `theorem` | the theorem in words; field, lattice, metric |
 //! | `vertices` | vertices, symmetry, orbits of tiles |
 //! | `classes` | congruence classes: edges, angles, and why they are acute |
@@ -24,6 +24,7 @@ mod document;
 mod numeral;
 mod overview;
 mod pairing;
+mod rational;
 mod recheck;
 mod statements;
 mod subject;
@@ -38,8 +39,7 @@ pub use subject::Subject;
 pub use tex::slug;
 
 use acutile_core::with_dimension;
-use std::sync::Mutex;
-use std::sync::atomic::{AtomicUsize, Ordering};
+use rayon::prelude::*;
 use subject::Analysis;
 
 /// Tables with more rows go to the supplement.
@@ -61,7 +61,6 @@ pub struct File {
 }
 
 /// What is written about one subject.
-#[derive(Default)]
 struct Parts {
     section: String,
     tables: String,
@@ -70,31 +69,7 @@ struct Parts {
 
 /// All files of an appendix about these subjects, several computed at a time.
 pub fn appendix(subjects: &[Subject], options: &Options) -> Vec<File> {
-    let next = AtomicUsize::new(0);
-    let parts: Vec<Mutex<Parts>> = subjects.iter().map(|_| Mutex::default()).collect();
-    let work = || {
-        loop {
-            let index = next.fetch_add(1, Ordering::Relaxed);
-            let Some(subject) = subjects.get(index) else {
-                break;
-            };
-            let part = parts_of(subject);
-            if let Ok(mut place) = parts[index].lock() {
-                *place = part;
-            }
-        }
-    };
-    let workers = std::thread::available_parallelism().map_or(1, usize::from);
-    std::thread::scope(|scope| {
-        for _ in 1..workers {
-            scope.spawn(work);
-        }
-        work();
-    });
-    let parts = parts
-        .into_iter()
-        .map(|part| part.into_inner().unwrap_or_default())
-        .collect();
+    let parts = subjects.par_iter().map(parts_of).collect();
     document::files(subjects, parts, options)
 }
 

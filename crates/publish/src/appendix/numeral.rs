@@ -4,8 +4,8 @@
 //! Everything is written for math mode. Decimals go through the macro `\acutiledecimal`,
 //! so that a document may hand them to siunitx.
 
+use super::rational::interval;
 use super::surd::{compared, rational_root, square_part};
-use acutile_core::quality::{rounded_down, rounded_up};
 use acutile_exact::number::{Field, Number};
 use malachite::base::num::arithmetic::traits::{CheckedSqrt, Gcd, Lcm};
 use malachite::base::num::basic::traits::{One, Zero};
@@ -25,9 +25,6 @@ pub enum Numerals {
     /// Combinations of powers of the generator α.
     Powers,
 }
-
-/// Decimals of enclosures have so many digits behind the point.
-pub const DIGITS: u64 = 6;
 
 impl Numerals {
     /// The notation for a field.
@@ -231,27 +228,6 @@ fn over_common_denominator(coefficients: &[Rational]) -> (Vec<Integer>, Natural)
         })
         .collect();
     (numerators, denominator)
-}
-
-/// A rational in a line of text.
-pub fn rational(x: &Rational) -> String {
-    Numerals::Rational.inline(&Number::from(x.clone()))
-}
-
-/// Bounds as decimals rounded outward: `[53.130102, 53.130103]`, or one number where that
-/// is exact.
-pub fn interval((low, high): &(Rational, Rational)) -> String {
-    let (below, above) = (rounded_down(low, DIGITS), rounded_up(high, DIGITS));
-    if below == above {
-        let exact = below.trim_end_matches('0').trim_end_matches('.');
-        return decimal(exact);
-    }
-    format!("[{},\\allowbreak\\,{}]", decimal(&below), decimal(&above))
-}
-
-/// A decimal as the document writes them.
-pub fn decimal(text: &str) -> String {
-    format!("\\acutiledecimal{{{text}}}")
 }
 
 #[cfg(test)]

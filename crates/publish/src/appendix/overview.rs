@@ -3,10 +3,11 @@
 //! Rounded outward to the paper's digits, a minimum down and a maximum up: the values of all
 //! tetrahedra lie between the two numbers as printed.
 
-use super::numeral::decimal;
+use super::rational::decimal;
 use super::subject::{Analysis, Subject};
 use super::tex::{Table, escape};
 use acutile_core::quality::{Exact, Range, measures_of_shapes, ranges, rounded_down, rounded_up};
+use acutile_core::tiling::AnyTiling;
 use acutile_paper::table::label;
 use malachite::Rational;
 
@@ -52,7 +53,10 @@ fn cells<T: Exact>(range: &Range<T>, digits: u64) -> String {
 
 /// The table of all rows.
 pub fn table(rows: Vec<String>, subjects: &[Subject]) -> String {
-    let kind = match subjects.iter().all(|s| s.verified.claim().dimension == 3) {
+    let kind = match subjects
+        .iter()
+        .all(|s| matches!(s.tiling, AnyTiling::Space(_)))
+    {
         true => "tetrahedra",
         false => "simplices",
     };

@@ -3,18 +3,16 @@
 
 use super::LONG;
 use super::classes::{cosine_bounds, edge_name};
-use super::numeral::interval;
 use super::pairing::behind;
+use super::rational::interval;
 use super::subject::{Analysis, first_and_count};
 use super::tex::{Table, list, width};
-use super::theorem::bound;
-use acutile_core::quality::{DihedralAngle, Exact, RadiusEdge, measures_of_shapes};
+use acutile_core::quality::{DihedralAngle, Exact, RadiusEdge};
+use acutile_core::statement::{Relation, Statement};
 use acutile_exact::geometry::linear;
-use acutile_exact::number::{Number, enclosure};
-use acutile_format1::certificate::Statement;
+use acutile_exact::number::Number;
 use malachite::Rational;
 use std::collections::BTreeMap;
-use std::str::FromStr;
 
 /// A paragraph for each statement that has one.
 pub fn statements<const D: usize>(analysis: &Analysis<D>) -> String {
@@ -23,54 +21,48 @@ pub fn statements<const D: usize>(analysis: &Analysis<D>) -> String {
         .statements()
         .iter()
         .map(|statement| match statement {
-            Statement::FaceToFaceTiling | Statement::Acute | Statement::Nonobtuse => String::new(),
-            Statement::DihedralBelow(q) => angle_bound(analysis, q, true),
-            Statement::DihedralAbove(q) => angle_bound(analysis, q, false),
-            Statement::RadiusEdgeBelow(q) => radius_edge(analysis, q),
-            Statement::Delaunay => delaunay(analysis, true),
-            // Where both are stated the stronger one has been told.
-            Statement::WeaklyDelaunay
-                if analysis.subject.statements().contains(&Statement::Delaunay) =>
-            {
-                String::new()
+            Statement::LargestAngle(Relation::Maximum, angle) => {
+                extreme_angle(analysis, angle, true)
             }
+            Statement::SmallestAngle(Relation::Minimum, angle) => {
+                extreme_angle(analysis, angle, false)
+            }
+            Statement::RadiusEdge(Relation::Maximum, ratio) => radius_edge(analysis, ratio),
+            Statement::Delaunay => delaunay(analysis, true),
             Statement::WeaklyDelaunay => delaunay(analysis, false),
             Statement::Tcp => close_packed(analysis),
+            _ => String::new(),
         });
     paragraphs.collect()
 }
 
-/// The extreme angle against a bound: cos θ on the right side of cos Q.
-fn angle_bound<const D: usize>(analysis: &Analysis<D>, q: &str, is_below: bool) -> String {
-    let (Some(extreme), Ok(degrees)) = (extreme(analysis, is_below), Rational::from_str(q)) else {
+/// The largest or the smallest angle: where it is, its cosine, and its size in degrees.
+fn extreme_angle<const D: usize>(
+    analysis: &Analysis<D>,
+    angle: &DihedralAngle,
+    is_largest: bool,
+) -> String {
+    let Some((class, (i, j))) = place(analysis, angle) else {
         return String::new();
     };
-    let (angle, class, (i, j)) = extreme;
-    let cosine = enclosure::cos_of_degrees(&degrees, &fine());
-    let (word, comparison, relation) = match is_below {
-        true => ("largest", "less", '>'),
-        false => ("smallest", "more", '<'),
-    };
+    let word = if is_largest { "largest" } else { "smallest" };
     let sign = if angle.against_right().is_gt() {
         "-"
     } else {
         ""
     };
     let exact = analysis.numerals.root(&angle.signed_square.abs());
-    let bounds = interval(&cosine_bounds(&angle));
+    let bounds = interval(&cosine_bounds(angle));
     let value = match (width(&exact) > WIDE, bounds.starts_with('[')) {
         (true, _) => relation_to(&bounds),
         (false, true) => format!("={sign}{exact}\\in{bounds}"),
         (false, false) => format!("={sign}{exact}"),
     };
     format!(
-        "\\acutileparagraph{{The {word} angle}} $\\theta$ (class {class}, {place} {edge}) has $\\cos\\theta{value}$ and, in degrees, $\\theta{degrees}$. \
-         It is {comparison} than ${bound}^\\circ$, because $\\cos\\theta{relation}\\cos{bound}^\\circ$, which is in ${}$.\n\n",
-        interval(&cosine),
+        "\\acutileparagraph{{The {word} angle}} $\\theta$ (class {class}, {place} {edge}) has $\\cos\\theta{value}$ and, in degrees, $\\theta{degrees}$.\n\n",
         place = if D == 2 { "corner" } else { "edge" },
         edge = edge_name::<D>(i, j),
         degrees = relation_to(&interval(&angle.enclosure(&fine()))),
-        bound = bound(q),
     )
 }
 
@@ -80,26 +72,19 @@ fn relation_to(bounds: &str) -> String {
     format!("{relation}{bounds}")
 }
 
-/// The largest or smallest angle, its class, and the facets between which it is in the first
-/// simplex of the class.
-fn extreme<const D: usize>(
+/// The first class with this angle, and the facets between which it is in the class's first
+/// simplex.
+fn place<const D: usize>(
     analysis: &Analysis<D>,
-    is_largest: bool,
-) -> Option<(DihedralAngle, usize, (usize, usize))> {
-    let all = analysis
-        .shapes
-        .iter()
-        .enumerate()
-        .flat_map(|(class, shape)| {
-            let products = analysis.products(shape.members[0]);
-            let pairs = (0..=D).flat_map(|i| (i + 1..=D).map(move |j| (i, j)));
-            pairs.map(move |(i, j)| (DihedralAngle::between(&products, i, j), class, (i, j)))
-        });
-    match is_largest {
-        // Of equal ones the first.
-        true => all.reduce(|best, next| if next.0 > best.0 { next } else { best }),
-        false => all.reduce(|best, next| if next.0 < best.0 { next } else { best }),
-    }
+    angle: &DihedralAngle,
+) -> Option<(usize, (usize, usize))> {
+    let mut classes = analysis.shapes.iter().enumerate();
+    classes.find_map(|(class, shape)| {
+        let products = analysis.products(shape.members[0]);
+        let mut pairs = (0..=D).flat_map(|i| (i + 1..=D).map(move |j| (i, j)));
+        let pair = pairs.find(|(i, j)| DihedralAngle::between(&products, *i, *j) == *angle)?;
+        Some((class, pair))
+    })
 }
 
 fn fine() -> Rational {
@@ -107,38 +92,15 @@ fn fine() -> Rational {
 }
 
 /// The largest ratio of circumradius and shortest edge, by its square.
-fn radius_edge<const D: usize>(analysis: &Analysis<D>, q: &str) -> String {
-    let ratios = measures_of_shapes(analysis.tiling, &analysis.shapes)
-        .into_iter()
-        .map(|measures| measures.radius_edge);
-    let (Some(largest), Ok(limit)): (Option<RadiusEdge>, _) = (ratios.max(), Rational::from_str(q))
-    else {
-        return String::new();
-    };
-    let square = Number::from(&limit * &limit);
-    let difference = &largest.square - &square;
-    let why = analysis.numerals.why(&difference);
+fn radius_edge<const D: usize>(analysis: &Analysis<D>, largest: &RadiusEdge) -> String {
     let exact = analysis.numerals.inline(&largest.square);
-    let (value, why) = match (width(&exact) > WIDE, why.is_empty()) {
-        (true, _) => (
-            format!("\\in{}", analysis.numerals.enclosed(&largest.square)),
-            String::new(),
-        ),
-        (_, true) => (format!("={exact}"), String::new()),
-        (_, false) => {
-            let difference = analysis.numerals.inline(&difference);
-            (
-                format!("={exact}"),
-                format!("; the difference is ${difference}$, and ${why}$"),
-            )
-        }
+    let value = match width(&exact) > WIDE {
+        true => format!("\\in{}", analysis.numerals.enclosed(&largest.square)),
+        false => format!("={exact}"),
     };
     format!(
         "\\acutileparagraph{{Circumradii.}} With the squared edges $l$ and the cofactors $C$ of $M=(\\langle e_i,e_j\\rangle)$ the squared circumradius is $\\sum_{{i,j}} \
-         l_{{0i}}C_{{ij}}l_{{0j}}/(4\\det M)$. Let $\\sigma$ be the largest ratio of circumradius and shortest edge. $\\sigma^2{value}$ is less than \
-         ${}={}^2${why}. Approximately, $\\sigma{}$.\n\n",
-        analysis.numerals.inline(&square),
-        bound(q),
+         l_{{0i}}C_{{ij}}l_{{0j}}/(4\\det M)$. For the largest ratio $\\sigma$ of circumradius and shortest edge, $\\sigma^2{value}$. Approximately, $\\sigma{}$.\n\n",
         relation_to(&interval(&largest.enclosure(&fine()))),
     )
 }

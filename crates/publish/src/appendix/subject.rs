@@ -6,11 +6,10 @@ use super::tex::slug;
 use crate::report::Proved;
 use acutile_core::classify::{Ridges, Symmetry};
 use acutile_core::quality::{Shape, shapes, squared_edges};
+use acutile_core::statement::Statement;
 use acutile_core::tiling::{AnyTiling, Matching, Tiling, match_facets};
 use acutile_exact::geometry::{NormalProducts, linear};
 use acutile_exact::number::Number;
-use acutile_format1::certificate::{Domain, Statement};
-use acutile_format1::verifier::Verified;
 
 /// A confirmed certificate with a name.
 #[derive(Debug)]
@@ -21,8 +20,12 @@ pub struct Subject {
     pub description: String,
     /// Where it comes from, in the words of the catalogue.
     pub source: Option<&'static str>,
-    pub(super) bytes: Vec<u8>,
-    pub(super) verified: Verified,
+    /// The certificate.
+    pub(super) cbor: Vec<u8>,
+    /// The same for people.
+    pub(super) json: String,
+    pub(super) sha256: String,
+    statements: Vec<Statement>,
     pub(super) tiling: AnyTiling,
 }
 
@@ -30,16 +33,17 @@ impl Subject {
     /// A confirmed certificate; nothing for a region, whose proof is another theorem than that of
     /// soundness.tex.
     pub fn of_proved(proved: &Proved) -> Option<Subject> {
-        let verified = proved.verified();
-        if verified.claim().domain == Domain::Region {
+        if proved.is_region() {
             return None;
         }
         Some(Subject {
             name: proved.name.clone(),
             description: proved.description.clone(),
             source: None,
-            bytes: proved.bytes().to_vec(),
-            verified: verified.clone(),
+            cbor: proved.certificate().to_vec(),
+            json: proved.json().to_owned(),
+            sha256: proved.sha256(),
+            statements: proved.statements().to_vec(),
             tiling: proved.tiling().clone(),
         })
     }
@@ -59,11 +63,16 @@ impl Subject {
 
     /// Where the certificate stands beside the document.
     pub fn certificate_path(&self) -> String {
+        format!("anc/{}.cbor", self.slug())
+    }
+
+    /// Where its JSON stands.
+    pub(super) fn json_path(&self) -> String {
         format!("anc/{}.json", self.slug())
     }
 
     pub(super) fn statements(&self) -> &[Statement] {
-        &self.verified.claim().statements
+        &self.statements
     }
 }
 

@@ -1,7 +1,7 @@
 //! Square roots of integers: their simplest form, and comparisons with them that paper and
 //! pencil can follow. Called by `numeral`.
 
-use super::numeral::{DIGITS, decimal, rational};
+use super::rational::{DIGITS, decimal, rational};
 use acutile_core::quality::{rounded_down, rounded_up};
 use acutile_exact::number::Number;
 use malachite::base::num::arithmetic::traits::{CheckedSqrt, Parity};

@@ -1,14 +1,14 @@
 //! What is proved, in words and exact numbers; field, lattice and metric.
 
-use super::numeral::{interval, rational};
+use super::rational::{interval, rational};
 use super::subject::{Analysis, Subject};
 use super::tex::{counted, escape, list, simplices, width};
+use acutile_core::quality::{DihedralAngle, Exact, RadiusEdge};
+use acutile_core::statement::{Relation, Statement};
 use acutile_core::tiling::{Domain, Polytope};
 use acutile_exact::geometry::linear;
 use acutile_exact::number::Number;
-use acutile_format1::certificate::Statement;
 use malachite::Rational;
-use std::str::FromStr;
 
 /// The theorem, and the paragraph on field, lattice and metric.
 pub fn theorem<const D: usize>(analysis: &Analysis<D>) -> String {
@@ -17,7 +17,7 @@ pub fn theorem<const D: usize>(analysis: &Analysis<D>) -> String {
     let mut statements: Vec<String> = subject
         .statements()
         .iter()
-        .filter_map(in_words::<D>)
+        .filter_map(|statement| in_words(analysis, statement))
         .collect();
     if let Some(last) = statements.last_mut() {
         last.truncate(last.len() - 1);
@@ -166,7 +166,7 @@ fn domain<const D: usize>(analysis: &Analysis<D>) -> String {
     match (&analysis.tiling.frame.domain, D) {
         (Domain::Space, 2) => "the plane".to_owned(),
         (Domain::Space, _) => "space".to_owned(),
-        (Domain::Region, _) => "the region that is their union".to_owned(),
+        (Domain::Region(_), _) => "the region that is their union".to_owned(),
         (Domain::Slab(polytope), _) => {
             let mut ends: Vec<&Number> = polytope.vertices.iter().flatten().collect();
             ends.sort();
@@ -187,18 +187,44 @@ fn domain<const D: usize>(analysis: &Analysis<D>) -> String {
 }
 
 /// A statement beyond the tiling.
-fn in_words<const D: usize>(statement: &Statement) -> Option<String> {
-    let angles = if D == 2 { "angles" } else { "dihedral angles" };
+fn in_words<const D: usize>(analysis: &Analysis<D>, statement: &Statement) -> Option<String> {
+    let (angle, angles) = match D {
+        2 => ("angle", "angles"),
+        _ => ("dihedral angle", "dihedral angles"),
+    };
     Some(match statement {
         Statement::FaceToFaceTiling => return None,
         Statement::Acute => format!("all {angles} are acute;"),
-        Statement::Nonobtuse => format!("no {} is obtuse;", angles.trim_end_matches('s')),
-        Statement::DihedralBelow(q) => format!("all {angles} are less than ${}^\\circ$;", bound(q)),
-        Statement::DihedralAbove(q) => format!("all {angles} are more than ${}^\\circ$;", bound(q)),
-        Statement::RadiusEdgeBelow(q) => format!(
-            "the circumradius of each is less than ${}$ times its shortest edge;",
-            bound(q)
-        ),
+        Statement::Nonobtuse => format!("no {angle} is obtuse;"),
+        Statement::LargestAngle(relation, bound) => {
+            let bound = angle_text(analysis, bound);
+            match relation {
+                Relation::Maximum => format!("the largest {angle} is {bound};"),
+                Relation::Minimum => {
+                    format!("the least among the largest {angles} of the tiles is {bound};")
+                }
+                _ => format!("the largest {angle} of each is {} {bound};", relation.text()),
+            }
+        }
+        Statement::SmallestAngle(relation, bound) => {
+            let bound = angle_text(analysis, bound);
+            match relation {
+                Relation::Minimum => format!("the smallest {angle} is {bound};"),
+                Relation::Maximum => {
+                    format!("the greatest among the smallest {angles} of the tiles is {bound};")
+                }
+                _ => format!("the smallest {angle} of each is {} {bound};", relation.text()),
+            }
+        }
+        Statement::RadiusEdge(relation, bound) => {
+            let bound = ratio_text(analysis, bound);
+            let quotient = "quotient of circumradius and shortest edge of a tile";
+            match relation {
+                Relation::Maximum => format!("the largest {quotient} is {bound};"),
+                Relation::Minimum => format!("the least {quotient} is {bound};"),
+                _ => format!("each {quotient} is {} {bound};", relation.text()),
+            }
+        }
         Statement::Delaunay => {
             "it is the Delaunay triangulation of its vertices: no vertex of the tiling but a tile's own corners is on its \
              circumsphere, and none is inside of it;"
@@ -207,22 +233,47 @@ fn in_words<const D: usize>(statement: &Statement) -> Option<String> {
         Statement::WeaklyDelaunay => {
             "it is a Delaunay triangulation of its vertices: inside of no circumsphere is a vertex;".to_owned()
         }
+        Statement::LocallyDelaunay => {
+            "it is Delaunay at each facet that two tiles share;".to_owned()
+        }
+        Statement::LocallyWeaklyDelaunay => {
+            "it is weakly Delaunay at each facet that two tiles share;".to_owned()
+        }
         Statement::Tcp => "it is tetrahedrally close packed: every edge is in five or six tetrahedra, and no triangle has \
              two edges that are in six;"
             .to_owned(),
     })
 }
 
-/// A bound as a decimal where that is exact.
-pub fn bound(text: &str) -> String {
-    let Ok(value) = Rational::from_str(text) else {
-        return escape(text);
+/// An exact number with more letters gives place to a decimal enclosure.
+const WIDE: usize = 30;
+
+/// `$\arccos 1/5$`, `$60^\circ$`, or an enclosure in degrees.
+fn angle_text<const D: usize>(analysis: &Analysis<D>, angle: &DihedralAngle) -> String {
+    if let Some(degrees) = angle.rational() {
+        return format!("${}^\\circ$", rational(&degrees));
+    }
+    let root = analysis.numerals.root(&angle.signed_square.abs());
+    let sign = if angle.against_right().is_gt() {
+        "-"
+    } else {
+        ""
     };
-    let exact = (0..=18u64).find_map(|digits| {
-        let below = acutile_core::quality::rounded_down(&value, digits);
-        (below == acutile_core::quality::rounded_up(&value, digits)).then_some(below)
-    });
-    exact.map_or_else(|| rational(&value), |text| super::numeral::decimal(&text))
+    if width(&root) > WIDE {
+        let bounds = angle.enclosure(&Rational::from_signeds(1, 1_000_000_000));
+        return format!("$\\theta^\\circ$ with $\\theta\\in{}$", interval(&bounds));
+    }
+    format!("$\\arccos({sign}{root})$")
+}
+
+/// The ratio, or an enclosure.
+fn ratio_text<const D: usize>(analysis: &Analysis<D>, ratio: &RadiusEdge) -> String {
+    let root = analysis.numerals.root(&ratio.square);
+    if width(&root) > WIDE {
+        let bounds = ratio.enclosure(&Rational::from_signeds(1, 1_000_000_000));
+        return format!("some $\\sigma\\in{}$", interval(&bounds));
+    }
+    format!("${root}$")
 }
 
 /// The leading principal minors, which show the metric to be positive definite.

@@ -28,7 +28,7 @@ pub fn volume<const D: usize>(analysis: &Analysis<D>) -> String {
     let factorial: u32 = (1..=D as u32).product();
     let meaning = match &analysis.tiling.frame.domain {
         Domain::Space => format!("which is ${D}!$ times the volume of a cell, in cells"),
-        Domain::Region => format!("which is ${D}!$ times the volume of the region, in cells"),
+        Domain::Region(_) => format!("which is ${D}!$ times the volume of the region, in cells"),
         Domain::Slab(polytope) | Domain::Prism(polytope) | Domain::Solid(polytope) => {
             let k: u32 = (1..=polytope.dimension() as u32).product();
             let volume = polytope.scaled_volume() * Number::from(Rational::from_unsigneds(1u32, k));

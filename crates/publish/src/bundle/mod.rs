@@ -7,6 +7,7 @@
 //! | `readme` | what the archive tells a referee |
 //! | `pdf` | the appendix by TeX |
 //! | `zip` | the files as one |
+//! | `verify.py` | a third checker, in Python; it goes into the archive |
 //!
 //! Nothing here proves anything: what comes in is [`Proved`]. Called by the command line.
 
@@ -20,7 +21,6 @@ use crate::appendix::{self, File, Subject, slug};
 use crate::report::{Proved, page};
 use acutile_core::tiling::{AnyTiling, Tiling};
 use acutile_core::with_dimension;
-use acutile_format1::certificate::Domain;
 use acutile_io::export::tiling_text;
 use acutile_io::mesh::{Format, flatten, write};
 use sha2::{Digest, Sha256};
@@ -179,24 +179,27 @@ fn in_appendix(file: File) -> File {
     }
 }
 
-/// Adds the certificate, the tiling and its meshes.
+/// Adds the certificate in both encodings, the tiling and its meshes.
 fn entry(proved: &Proved, files: &mut Vec<File>) -> Entry {
     let slug = slug(&proved.name);
     files.push(File {
-        path: format!("certificates/{slug}.json"),
-        bytes: proved.bytes().to_vec(),
+        path: format!("certificates/{slug}.cbor"),
+        bytes: proved.certificate().to_vec(),
     });
+    files.push(file(
+        &format!("certificates/{slug}.json"),
+        proved.json().to_owned(),
+    ));
     let text = with_dimension!(proved.tiling(), AnyTiling, t => tiling_text(t, &slug));
     files.push(file(&format!("tilings/{slug}.json"), text));
     let rounding = match proved.tiling() {
         AnyTiling::Plane(_) => None,
         AnyTiling::Space(tiling) => Some(meshes(tiling, &slug, files)),
     };
-    let verified = proved.verified();
     Entry {
-        claim: verified.to_string(),
-        sha256: verified.sha256().to_owned(),
-        is_region: verified.claim().domain == Domain::Region,
+        claim: proved.in_words(),
+        sha256: proved.sha256(),
+        is_region: proved.is_region(),
         slug,
         rounding,
     }

@@ -23,7 +23,7 @@ pub fn readme(entries: &[Entry], has_appendix: bool, has_pdf: bool) -> String {
 
 fn claim(entry: &Entry) -> String {
     format!(
-        "- `certificates/{}.json`, SHA-256 `{}`: {}.\n",
+        "- `certificates/{}.cbor`, SHA-256 `{}`: {}.\n",
         entry.slug,
         entry.sha256,
         entry.claim.trim_end_matches('.')
@@ -38,14 +38,15 @@ fn check() -> String {
 First that the files are those that were deposited: `sha256sum -c SHA256SUMS` (on macOS `shasum -a 256 -c SHA256SUMS`).
 Then the certificates, with any of these three. They share no code; each reads a certificate, computes exactly, and
 believes nothing that the certificate does not show. For each file it prints a line, `FILE: verified: …` or what is wrong, and its
-exit code is 0 only if every file is verified. That this implies the claims is proved in `docs/soundness.md`.
+exit code is 0 only if every file is verified. That this implies the claims is proved in `docs/soundness.md`. The certificate
+itself is the CBOR; the JSON is the same certificate for people, and the verifiers print the SHA-256 of the CBOR for both.
 
 With **Python** 3.8 or later, and nothing else:
 
     python3 verify/verify.py certificates/*.json
 
 It checks the hypotheses from which the tiling theorem follows, and every statement of the claim. It reads certificates in CBOR, too.
-It sets its own work no limits.
+It sets no limit to its own work.
 
 With **Node** 20 or later, and nothing else, all of `docs/format.md`:
 
@@ -54,10 +55,10 @@ With **Node** 20 or later, and nothing else, all of `docs/format.md`:
 With **Rust** (1.90 or later) and the source of acutile {VERSION}, the same with the verifier that confirmed these files when they were written.
 In the folder of the source, and then with that program here:
 
-    cargo build --release --locked --bin acutile-verify
-    acutile-verify certificates/*.json
+    cargo build --release --locked --package acutile-kernel
+    acutile-verify certificates/*.cbor
 
-Or by hand: a certificate is text, `docs/format.md` says what every number in it means and works through one with pencil and paper.
+Or by hand: the JSON is text, and `docs/format.md` says what every number in it means and works through one with pencil and paper.
 
 "
     )
@@ -84,7 +85,7 @@ fn contents(entries: &[Entry], has_appendix: bool, has_pdf: bool) -> String {
 
 | file | what it is |
 |---|---|
-| `certificates/` | claims with all that is needed to check them |
+| `certificates/` | claims with all that is needed to check them, as CBOR and as JSON |
 {appendix}| `report.html` | a page to look at, with a check in the browser; it loads nothing |
 | `tilings/*.json` | the tilings for acutile, exact |
 {meshes}| `verify/` | the verifiers in Python and JavaScript |

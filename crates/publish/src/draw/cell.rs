@@ -48,7 +48,7 @@ fn parallelepiped(frame: &Frame<3>) -> Vec<[Point; 2]> {
             [low, high] => [low[0].clone(), high[0].clone()],
             _ => return Vec::new(),
         },
-        Domain::Prism(_) | Domain::Solid(_) | Domain::Region => return Vec::new(),
+        Domain::Prism(_) | Domain::Solid(_) | Domain::Region(_) => return Vec::new(),
     };
     let ranges = [unit.clone(), unit, heights];
     let corner = |bits: usize| -> Point { [0, 1, 2].map(|k| ranges[k][bits >> k & 1].clone()) };

@@ -1,10 +1,11 @@
 //! What a page says of one tiling, as text and tables: complete without the page's program.
 
+use super::colour::{colour, hex};
 use super::data::domain_word;
 use super::facts::{Facts, cosine_bounds, cosine_text, degrees, root_text};
 use super::histogram::histogram;
 use super::html::{escape, fill};
-use super::picture::{colour, hex, picture};
+use super::picture::picture;
 use super::proved::Proved;
 use acutile_core::quality::{DihedralAngle, Measures, Shape, rounded_down, rounded_up};
 use acutile_core::tiling::Tiling;
@@ -33,8 +34,8 @@ pub fn article<const D: usize>(
             ("description", &escape(described(proved))),
             ("claim", &claim),
             ("statements", &statements),
-            ("sha256", &escape(proved.verified().sha256())),
-            ("bytes", &proved.bytes().len().to_string()),
+            ("sha256", &escape(&proved.sha256())),
+            ("bytes", &proved.json().len().to_string()),
             ("picture", &picture(tiling, &facts.class_of, &label)),
             ("facts", &summary(tiling, facts)),
             ("simplices", simplex),
@@ -48,9 +49,9 @@ pub fn article<const D: usize>(
     )
 }
 
-/// The kernel's own words: the first sentence, and a list of the other statements.
+/// The claim: the first sentence, and a list of the other statements.
 fn claim(proved: &Proved) -> (String, String) {
-    let words = proved.verified().to_string();
+    let words = proved.in_words();
     let mut sentences = words
         .split("; ")
         .map(|sentence| format!("{}.", capital(sentence)));

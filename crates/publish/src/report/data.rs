@@ -3,8 +3,8 @@
 //! Corners and exact coordinates are not here; the page reads them from the certificate that it
 //! carries. A tiling without a lattice has rank 0.
 
+use super::colour::{colour, hex};
 use super::facts::{Facts, cosine_bounds, cosine_text, degrees, middle};
-use super::picture::{colour, hex};
 use super::proved::Proved;
 use acutile_core::quality::{DihedralAngle, Exact, rounded_down, rounded_up};
 use acutile_core::tiling::{Domain, Tiling};
@@ -27,8 +27,8 @@ pub fn tiling_data<const D: usize>(proved: &Proved, tiling: &Tiling<D>, facts: &
         "dimension": D,
         "rank": tiling.frame.rank(),
         "domain": domain_word(&tiling.frame.domain),
-        "sha256": proved.verified().sha256(),
-        "certificate": String::from_utf8_lossy(proved.bytes()),
+        "sha256": proved.sha256(),
+        "certificate": proved.json(),
         "basis": basis(tiling),
         "points": tiling.vertices.iter().map(|v| v.each_ref().map(|x| x.approximate()).to_vec())
             .collect::<Vec<_>>(),
@@ -51,7 +51,7 @@ pub fn domain_word(domain: &Domain) -> &'static str {
         Domain::Slab(_) => "slab",
         Domain::Prism(_) => "prism",
         Domain::Solid(_) => "solid",
-        Domain::Region => "region",
+        Domain::Region(_) => "region",
     }
 }
 

@@ -8,13 +8,13 @@ use super::picture::picture;
 use super::proved::Proved;
 use super::summary;
 use acutile_catalog::{self as catalog, Entry};
+use acutile_core::limits::own_limits;
 use acutile_core::tiling::AnyTiling;
 use acutile_paper::paper::{self, Row, Verdict};
 use acutile_paper::survey::Survey;
 use acutile_paper::table;
+use rayon::prelude::*;
 use std::collections::BTreeMap;
-use std::sync::Mutex;
-use std::sync::atomic::{AtomicUsize, Ordering};
 
 const TEMPLATE: &str = include_str!("assets/site.html");
 const SITE_STYLE: &str = include_str!("assets/site.css");
@@ -75,43 +75,26 @@ struct Shown {
 
 /// Proves all constructions, several at a time.
 fn prove_all(entries: &[&Entry]) -> Result<Vec<Shown>, String> {
-    let next = AtomicUsize::new(0);
-    let results = Mutex::new(BTreeMap::new());
-    let work = || {
-        loop {
-            let index = next.fetch_add(1, Ordering::Relaxed);
-            let Some(entry) = entries.get(index) else {
-                break;
-            };
-            let shown = shown(entry);
-            if let Ok(mut results) = results.lock() {
-                results.insert(index, shown);
-            }
-        }
-    };
-    let workers = std::thread::available_parallelism().map_or(1, usize::from);
-    std::thread::scope(|scope| {
-        for _ in 1..workers {
-            scope.spawn(work);
-        }
-        work();
-    });
-    results
-        .into_inner()
-        .unwrap_or_default()
-        .into_values()
-        .collect()
+    let shown: Vec<_> = entries.par_iter().map(|entry| shown(entry)).collect();
+    // The error of the first entry, whichever was found first.
+    shown.into_iter().collect()
 }
 
 fn shown(entry: &Entry) -> Result<Shown, String> {
     let name = entry.name;
     let tiling = entry.build().map_err(|error| format!("{name}: {error}"))?;
     let description = format!("{} ({})", entry.description, entry.source);
-    let proved = Proved::of_tiling(name.to_owned(), description, &tiling, &|_| {})
-        .map_err(|error| format!("{name}: {error}"))?;
+    let proved = Proved::of_tiling(
+        name.to_owned(),
+        description,
+        &tiling,
+        &own_limits(),
+        &|_| {},
+    )
+    .map_err(|error| format!("{name}: {error}"))?;
     let label = format!("One cell of {}", escape(name));
     Ok(Shown {
-        certificate: String::from_utf8_lossy(proved.bytes()).into_owned(),
+        certificate: proved.json().to_owned(),
         picture: match proved.tiling() {
             AnyTiling::Plane(tiling) => picture(tiling, &super::facts::classes(tiling), &label),
             AnyTiling::Space(tiling) => picture(tiling, &super::facts::classes(tiling), &label),

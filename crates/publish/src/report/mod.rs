@@ -17,6 +17,7 @@
 //! Nothing here proves anything. Called by the command line.
 
 mod article;
+mod colour;
 mod data;
 mod documents;
 mod facts;
@@ -34,24 +35,25 @@ pub use markdown::Document;
 pub use page::page;
 pub use proved::{NotProved, Proved};
 
-use acutile_format1::certificate::Statement;
+use acutile_core::statement::Statement;
+use acutile_core::tiling::AnyTiling;
 
 /// Counts of a tiling in a line.
 fn summary(proved: &Proved) -> String {
     let verified = proved.verified();
-    let (one, many) = match verified.claim().dimension {
-        2 => ("triangle", "triangles"),
-        _ => ("tetrahedron", "tetrahedra"),
+    let (one, many) = match proved.tiling() {
+        AnyTiling::Plane(_) => ("triangle", "triangles"),
+        AnyTiling::Space(_) => ("tetrahedron", "tetrahedra"),
     };
     let count = |n: usize, one: &str, many: &str| match n {
         1 => format!("1 {one}"),
         _ => format!("{n} {many}"),
     };
     let mut words = vec![
-        count(verified.simplices(), one, many),
-        count(verified.vertices(), "vertex", "vertices"),
+        count(verified.simplices as usize, one, many),
+        count(verified.vertices as usize, "vertex", "vertices"),
     ];
-    for statement in &verified.claim().statements {
+    for statement in proved.statements() {
         words.extend(match statement {
             Statement::Acute => Some("acute".to_owned()),
             Statement::Nonobtuse => Some("nonobtuse".to_owned()),

@@ -1,118 +1,142 @@
 //! What a page may show as proved: a certificate that the kernel has confirmed, with the
 //! tiling that it describes.
 
-use acutile_core::checker::{self, Names, Options};
+use acutile_core::checker::Options;
+use acutile_core::format::print;
+use acutile_core::proved::{self, prove};
+use acutile_core::statement::Statement;
 use acutile_core::tiling::AnyTiling;
+use acutile_core::transcribe;
 use acutile_core::with_dimension;
-use acutile_format1::certificate::{self, Certificate};
-use acutile_format1::verifier::{Limits, Refusal, Verified, verify};
-use acutile_io::import::{ImportError, tiling_of_certificate};
+use acutile_kernel::{Limits, Verified};
 use std::fmt;
 
-/// A confirmed certificate. Made by [`Proved::of_certificate`] alone, after the kernel.
+/// A confirmed certificate with a name. The tiling has the certificate's order of vertices,
+/// simplices and corners.
 #[derive(Debug)]
 pub struct Proved {
     /// A name of the catalogue, or what its file is called. Not part of what is proved.
     pub name: String,
     /// What it is, in a line, or nothing; nor is this.
     pub description: String,
-    bytes: Vec<u8>,
-    verified: Verified,
+    proved: proved::Proved,
     tiling: AnyTiling,
+    json: String,
 }
 
 /// Why there is nothing to show as proved.
 #[derive(Debug)]
-pub enum NotProved {
-    /// The checker found the tiling wrong; the first defect, in words.
-    Refuted(String),
-    /// The kernel does not confirm the certificate.
-    Refused(Refusal),
-    /// The kernel confirms it, and its numbers are beyond the prover's limits.
-    Unreadable(ImportError),
+pub struct NotProved {
+    pub reason: proved::NotProved,
+    /// The same in words, with the first defect of a tiling.
+    pub message: String,
 }
 
 impl fmt::Display for NotProved {
     fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
-        match self {
-            NotProved::Refuted(reason) => write!(f, "refuted: {reason}"),
-            NotProved::Refused(refusal) => {
-                write!(f, "{} [{}] {refusal}", refusal.kind(), refusal.code())
-            }
-            NotProved::Unreadable(error) => write!(f, "{error}"),
+        f.write_str(&self.message)
+    }
+}
+
+impl From<proved::NotProved> for NotProved {
+    fn from(reason: proved::NotProved) -> Self {
+        NotProved {
+            message: reason.to_string(),
+            reason,
         }
     }
 }
 
 impl Proved {
-    /// Asks the kernel whether `bytes` prove what they claim, and reads the tiling from them.
+    /// Asks the kernel whether `bytes`, in either encoding, prove what they claim.
     ///
     /// # Errors
-    /// What the kernel says, or what cannot be read.
+    /// The kernel's refusal, or what cannot be read.
     pub fn of_certificate(
         name: String,
         description: String,
-        bytes: Vec<u8>,
+        bytes: &[u8],
         limits: &Limits,
     ) -> Result<Proved, NotProved> {
-        let verified = verify(&bytes, limits).map_err(NotProved::Refused)?;
-        let json = |error| NotProved::Unreadable(ImportError::Json(error));
-        let certificate: Certificate = serde_json::from_slice(&bytes).map_err(json)?;
-        Ok(Proved {
-            tiling: tiling_of_certificate(&certificate).map_err(NotProved::Unreadable)?,
-            name,
-            description,
-            bytes,
-            verified,
-        })
+        let (proved, tiling) = proved::Proved::of_certificate(bytes, limits)?;
+        Ok(Proved::new(name, description, proved, tiling))
     }
 
-    /// Proves a tiling, telling the steps to `progress`, and asks the kernel.
+    /// Proves a tiling within the kernel's limits, calling `progress` with each step.
     ///
     /// # Errors
-    /// The first defect, or what the kernel says.
+    /// The first defect, or the kernel's refusal.
     pub fn of_tiling(
         name: String,
         description: String,
         tiling: &AnyTiling,
+        limits: &Limits,
         progress: &dyn Fn(&str),
     ) -> Result<Proved, NotProved> {
-        let bytes = with_dimension!(tiling, AnyTiling, t => certificate_bytes(t, progress))?;
-        // Its size is no reason to doubt what was proved here.
-        let limits = Limits {
-            bytes: u64::MAX,
-            simplices: usize::MAX,
-            ..Limits::DEFAULT
+        let options = Options {
+            limits: limits.clone(),
+            ..Options::default()
         };
-        Proved::of_certificate(name, description, bytes, &limits)
+        let proved = with_dimension!(tiling, AnyTiling, t => {
+            prove(t, &options, progress).map_err(|reason| NotProved {
+                message: reason.in_words(t),
+                reason,
+            })
+        })?;
+        let (tiling, _) = transcribe::of_certificate(proved.certificate())
+            .map_err(proved::NotProved::Unreadable)?;
+        Ok(Proved::new(name, description, proved, tiling))
     }
 
-    /// The certificate.
-    pub fn bytes(&self) -> &[u8] {
-        &self.bytes
+    fn new(name: String, description: String, proved: proved::Proved, tiling: AnyTiling) -> Proved {
+        // The kernel has read the bytes.
+        let json = print::to_json(proved.certificate()).unwrap_or_default();
+        Proved {
+            name,
+            description,
+            json: String::from_utf8(json).unwrap_or_default(),
+            proved,
+            tiling,
+        }
+    }
+
+    /// The certificate, in CBOR.
+    pub fn certificate(&self) -> &[u8] {
+        self.proved.certificate()
+    }
+
+    /// The certificate in JSON.
+    pub fn json(&self) -> &str {
+        &self.json
     }
 
     /// What the kernel confirmed.
     pub fn verified(&self) -> &Verified {
-        &self.verified
+        self.proved.verified()
+    }
+
+    /// The statements of the claim.
+    pub fn statements(&self) -> &[Statement] {
+        self.proved.statements()
+    }
+
+    /// The SHA-256 of the certificate, which is its CBOR, in hexadecimal digits.
+    pub fn sha256(&self) -> String {
+        self.proved.sha256()
+    }
+
+    /// The claim in words: the tiling and its further statements, with semicolons between.
+    pub fn in_words(&self) -> String {
+        proved::in_words(self.verified())
+    }
+
+    /// Whether the domain is a region.
+    pub fn is_region(&self) -> bool {
+        with_dimension!(&self.tiling, AnyTiling, t => t.frame.domain.is_region())
     }
 
     /// The tiling that the certificate describes.
     pub fn tiling(&self) -> &AnyTiling {
         &self.tiling
-    }
-}
-
-fn certificate_bytes<const D: usize>(
-    tiling: &acutile_core::tiling::Tiling<D>,
-    progress: &dyn Fn(&str),
-) -> Result<Vec<u8>, NotProved> {
-    match checker::prove(tiling, &Options::default(), progress) {
-        Ok(certificate) => Ok(certificate::to_bytes(&certificate)),
-        Err(refutation) => {
-            let first = refutation.kept().first();
-            let words = first.map(|defect| checker::describe::<D>(&Names::of(tiling), defect));
-            Err(NotProved::Refuted(words.unwrap_or_default()))
-        }
     }
 }

@@ -1,14 +1,17 @@
 //! The theorem itself: the claim in the words of Statement.v, and the proof by the checker.
 
-use super::NotATheorem;
-use super::numbers::{coefficients, integer, rational, real, table};
-use super::root::{Enclosure, RootOf};
-use acutile_format1::certificate::{Certificate, Statement};
+use super::error::NotATheorem;
+use super::numbers::real;
+use super::root::RootOf;
+use super::statements::{Named, named};
+use acutile_core::format::Certificate;
+use malachite::Integer;
+use malachite::base::num::basic::traits::One;
 use std::fmt::Write;
 
 /// The words of Statement.v, or of PlaneStatement.v.
 pub(super) struct Words {
-    dimension: usize,
+    pub(super) dimension: usize,
     basis: &'static str,
     /// The numeral that the names of the plane end in.
     suffix: &'static str,
@@ -17,8 +20,9 @@ pub(super) struct Words {
     simplices_type: &'static str,
     denotation: &'static str,
     point: &'static str,
+    /// The entries of the Gram matrix, in the order of the record.
     entries: &'static [(usize, usize)],
-    /// What to unfold and to compute, to see that the data are the claim's.
+    /// The definitions to unfold, to see that the data are the claim's: over Z, over a field.
     unfolded: [&'static str; 2],
     computed: &'static str,
     /// The polytope of a certificate.
@@ -36,7 +40,7 @@ pub(super) const SPACE: Words = Words {
     point: "point",
     entries: &[(0, 0), (1, 1), (2, 2), (0, 1), (0, 2), (1, 2)],
     unfolded: ["c, zcert, faces_cert", "c, nfcert, faces_cert"],
-    computed: "Checker.c_gram Checker.c_gden Checker.k11 Checker.k22 Checker.k33 Checker.k12 Checker.k13 Checker.k23 \
+    computed: "Checker.c_gram Checker.k11 Checker.k22 Checker.k33 Checker.k12 Checker.k13 Checker.k23 \
                Checker.c_polytope Checker.c_den Checker.vX Checker.vY Checker.vZ map ev",
     polytope: "c_polytope",
 };
@@ -52,7 +56,7 @@ pub(super) const PLANE: Words = Words {
     point: "point2",
     entries: &[(0, 0), (1, 1), (0, 1)],
     unfolded: ["c", "c"],
-    computed: "PlaneChecker.e_gram PlaneChecker.e_gden PlaneChecker.e_polytope PlaneChecker.e_den fst snd map ev",
+    computed: "PlaneChecker.e_gram PlaneChecker.e_polytope PlaneChecker.e_den fst snd map ev",
     polytope: "e_polytope",
 };
 
@@ -63,10 +67,6 @@ pub(super) struct Theorem<'a> {
 }
 
 impl Theorem<'_> {
-    fn rank(&self) -> usize {
-        self.certificate.claim.domain.rank(self.words.dimension)
-    }
-
     /// The theorem over the rational numbers.
     pub(super) fn over_the_rationals(&self) -> Result<String, NotATheorem> {
         let Words {
@@ -78,21 +78,25 @@ impl Theorem<'_> {
             polytope,
             ..
         } = self.words;
-        let conclusion = self.conclusion("G", "W", simplices)?;
-        let same = self.same(0);
+        let named = named(&self.certificate.claim)?;
         Ok(format!(
             "{}Local Open Scope R_scope.\nDefinition G : gram{suffix} := {}.\n\
-             Definition W : list {point} := {}.\n\
+             Definition W : list {point} := {}.\nDefinition claimed : list statement := {}.\n\
              {CORNERS}Definition {simplices} : {simplices_type} := {denotation} Z idZ IZR c.\n\n\
              Lemma checked : zcheck{suffix} c statements = true.\n{BY_COMPUTATION}\n\
-             Theorem claim :\n  {conclusion}\
-             Proof.\n  assert (E : dgram{suffix} Z IZR c = G) by ({same}; unfold G; f_equal; field).\n  \
+             Theorem claim :\n  {}\
+             Proof.\n  assert (E : dgram{suffix} Z IZR c = G) by ({same}; reflexivity).\n  \
              assert (D : map (dpoint{suffix} Z IZR c) ({polytope} Z c) = W) by ({same}; unfold W; {POINTWISE}).\n  \
-             destruct (z_theorem{suffix} c statements checked) as [B T]. unfold ddomain{suffix} in T. rewrite E, D in *.\n  split; [exact B|].\n{}",
-            self.statements()?,
+             assert (S : map (dstatement Z IZR) statements = claimed) by reflexivity.\n  \
+             destruct (z_theorem{suffix} c statements checked) as [B T]. unfold ddomain{suffix} in T. rewrite E, D, S in *.\n  \
+             split; [exact B|].\n{}",
+            statements("Z", &named),
             self.gram()?,
             self.polytope()?,
-            self.last_steps()?
+            claimed(&named),
+            self.conclusion("G", "W", simplices, &named),
+            self.last_steps(&named),
+            same = self.same(0),
         ))
     }
 
@@ -107,36 +111,35 @@ impl Theorem<'_> {
             polytope,
             ..
         } = self.words;
-        let between = |x: &str| {
-            let end = |e| real(std::slice::from_ref(e), x);
-            format!("{} <= {x} <= {}", end(&root.low), end(&root.high))
-        };
-        let conclusion = self.conclusion("(G a)", "(W a)", &format!("{simplices} a"))?;
-        let same = self.same(1);
+        let named = named(&self.certificate.claim)?;
         Ok(format!(
             "{}Local Open Scope R_scope.\nDefinition p (x : R) : R := {}.\nDefinition G (a : R) : gram{suffix} := {}.\n\
-             Definition W (a : R) : list {point} := {}.\n\
+             Definition W (a : R) : list {point} := {}.\nDefinition claimed (a : R) : list statement := {}.\n\
              {CORNERS}Definition {simplices} (a : R) : {simplices_type} := {denotation} (list Z) lofZ (ev a) c.\n\n\
              Lemma root_isolated : isolated fl e0 es interval = true.\n{BY_COMPUTATION}\
              Lemma checked : nfcheck{suffix} fl e0 es c statements = true.\n{BY_COMPUTATION}\n\
-             Theorem claim : exists a : R, p a = 0 /\\ {} /\\ (forall x, p x = 0 -> {} -> x = a) /\\\n  {conclusion}\
+             Theorem claim : exists a : R, p a = 0 /\\ {} /\\ (forall x, p x = 0 -> {between_x} -> x = a) /\\\n  {}\
              Proof.\n  \
              destruct (nf_theorem{suffix} fl e0 es interval c statements root_isolated checked) as [a [A1 [A2 [A3 [B T]]]]].\n  \
              assert (P : forall x, ev x (fl ++ [1%Z]) = p x) by (intros; unfold p, fl; cbn [app ev]; ring).\n  \
-             assert (I : forall x, in_claimed interval x <-> {}) by (intros; unfold in_claimed, interval; cbn [e_lo e_hi e_S]; lra).\n  \
+             assert (I : forall x, in_claimed interval x <-> {between_x}) by (intros; unfold in_claimed, interval; cbn [e_lo e_hi e_S]; lra).\n  \
              assert (E : dgram{suffix} (list Z) (ev a) c = G a) by ({same}; unfold G; f_equal; field).\n  \
              assert (D : map (dpoint{suffix} (list Z) (ev a) c) ({polytope} (list Z) c) = W a) by ({same}; unfold W; {POINTWISE}).\n  \
-             unfold ddomain{suffix} in T. rewrite E, D in *. rewrite P in A1. exists a.\n  \
+             assert (S : map (dstatement (list Z) (ev a)) statements = claimed a)\n    \
+             by (unfold statements, claimed; cbn [map dstatement]; unfold dangle; cbn [ev]; repeat f_equal; ring).\n  \
+             unfold ddomain{suffix} in T. rewrite E, D, S in *. rewrite P in A1. exists a.\n  \
              split; [exact A1|]. split; [apply I; exact A2|].\n  \
              split; [intros x X1 X2; apply A3; [rewrite P; exact X1 | apply I; exact X2]|]. split; [exact B|].\n{}",
-            self.statements()?,
-            real(&root.rational_polynomial(), "x"),
+            statements("list Z", &named),
+            root.polynomial("x"),
             self.gram()?,
             self.polytope()?,
-            between("a"),
-            between("x"),
-            between("x"),
-            self.last_steps()?
+            claimed(&named),
+            root.between("a"),
+            self.conclusion("(G a)", "(W a)", &format!("{simplices} a"), &named),
+            self.last_steps(&named),
+            between_x = root.between("x"),
+            same = self.same(1),
         ))
     }
 
@@ -154,104 +157,93 @@ impl Theorem<'_> {
         )
     }
 
-    fn all_named(&self) -> Result<Vec<(String, String)>, NotATheorem> {
-        let statements = self.certificate.claim.statements.iter();
-        let named = |s| named(s, self.words).transpose();
-        statements.filter_map(named).collect()
-    }
-
-    fn statements(&self) -> Result<String, NotATheorem> {
-        let terms: Vec<String> = self.all_named()?.into_iter().map(|(t, _)| t).collect();
-        Ok(format!(
-            "Definition statements : list statement := [{}].\n\n",
-            terms.join("; ")
-        ))
-    }
-
     /// "l1, l2, l3 have the Gram matrix, and for all such the statements hold".
-    fn conclusion(
-        &self,
-        gram: &str,
-        polytope: &str,
-        simplices: &str,
-    ) -> Result<String, NotATheorem> {
-        let (n, r) = (self.certificate.witness.simplices.len(), self.rank());
+    fn conclusion(&self, gram: &str, polytope: &str, simplices: &str, named: &[Named]) -> String {
         let Words {
+            dimension,
             basis,
             suffix,
             tiling,
             ..
         } = self.words;
-        let of = format!("{basis} {r} {n} ({simplices} {basis})");
+        let rank = self.certificate.claim.rank();
+        let count = self.certificate.witness.simplices.len() / (dimension + 1);
+        let of = format!("{basis} {rank} {count} ({simplices} {basis})");
         let mut text = format!(
             "(exists {basis}, has_gram{suffix} {gram} {basis}) /\\\n  \
              forall {basis}, has_gram{suffix} {gram} {basis} ->\n    \
-             {tiling} {basis} {r} (domain{suffix} {basis} {r} {polytope}) {n} ({simplices} {basis})"
+             {tiling} {basis} {rank} (domain{suffix} {basis} {rank} {polytope}) {count} ({simplices} {basis})"
         );
-        for (_, proposition) in self.all_named()? {
-            let _ = write!(text, " /\\\n    {}", proposition.replace('@', &of));
+        for statement in named {
+            // A String takes every text.
+            let _ = write!(
+                text,
+                " /\\\n    {}",
+                statement.proposition.replace('@', &of)
+            );
         }
-        Ok(text + ".\n")
+        text + ".\n"
     }
 
     /// The end of both proofs: the k-th statement by its place in the list.
-    fn last_steps(&self) -> Result<String, NotATheorem> {
+    fn last_steps(&self, named: &[Named]) -> String {
         let basis = self.words.basis;
         let mut text = format!("  intros {basis} L. destruct (T {basis} L) as [T1 T2].\n");
         let mut place = "(or_introl eq_refl)".to_owned();
         let mut proof = "T1".to_owned();
-        for _ in self.all_named()? {
+        for _ in named {
             let _ = writeln!(text, "  split; [exact {proof}|].");
             proof = format!("(T2 _ {place})");
             place = format!("(or_intror {place})");
         }
-        Ok(text + &format!("  exact {proof}.\nQed.\nPrint Assumptions claim.\n"))
+        text + &format!("  exact {proof}.\nQed.\nPrint Assumptions claim.\n")
     }
 
     fn gram(&self) -> Result<String, NotATheorem> {
+        let claim = &self.certificate.claim;
+        let wrong = NotATheorem::Malformed("the shape of the Gram matrix");
         let mut entries = Vec::new();
         for &(i, j) in self.words.entries {
-            entries.push(real(
-                &coefficients(&self.certificate.claim.gram[i][j])?,
-                "a",
-            ));
+            let entry = claim.gram.get(i).and_then(|row| row.get(j - i));
+            let entry = entry.ok_or_else(|| wrong.clone())?;
+            entries.push(real(entry, &Integer::ONE, &claim.field, "a")?);
         }
         Ok(format!("Gram{} {}", self.words.suffix, entries.join(" ")))
     }
 
     /// The vertices of the polytope as points, in the basis.
     fn polytope(&self) -> Result<String, NotATheorem> {
-        let polytope = self.certificate.claim.domain.polytope();
-        let rows = table(polytope.map_or(&[], |p| p.vertices.as_slice()))?;
-        let point = |row: &Vec<Vec<_>>| {
-            let zeros = std::iter::repeat_n("0".to_owned(), self.rank());
-            let all: Vec<String> = zeros.chain(row.iter().map(|c| real(c, "a"))).collect();
-            format!("Point{} {}", self.words.suffix, all.join(" "))
+        let claim = &self.certificate.claim;
+        let Some(polytope) = claim.domain.polytope() else {
+            return Ok("[]".to_owned());
         };
-        let points: Vec<String> = rows.iter().map(point).collect();
+        let mut points = Vec::new();
+        for vertex in &polytope.vertices {
+            let mut coordinates = vec!["0".to_owned(); claim.rank()];
+            for x in vertex {
+                coordinates.push(real(x, &polytope.denominator, &claim.field, "a")?);
+            }
+            points.push(format!(
+                "Point{} {}",
+                self.words.suffix,
+                coordinates.join(" ")
+            ));
+        }
         Ok(format!("[{}]", points.join("; ")))
     }
 }
 
-/// The field's polynomial, the interval of the claim, and enclosures of the root.
-pub(super) fn field(root: &RootOf) -> Result<String, NotATheorem> {
-    let ladder = root.ladder();
-    let terms: Vec<String> = ladder.iter().map(Enclosure::term).collect();
-    let (finest, coarse) = terms
-        .split_last()
-        .ok_or_else(|| NotATheorem::Malformed("the root".to_owned()))?;
-    let low_terms: Vec<String> = root.polynomial[..root.polynomial.len() - 1]
-        .iter()
-        .map(integer)
-        .collect();
-    Ok(format!(
-        "(* The lower coefficients of the polynomial, the interval of the claim, and enclosures. *)\n\
-         Definition fl : list Z := [{}].\nDefinition interval := {}.\n\
-         Definition es : list encl := [{}].\nDefinition e0 := {finest}.\n\n",
-        low_terms.join(";"),
-        root.enclosure().term(),
-        coarse.join("; "),
-    ))
+/// The statements for the checker.
+fn statements(ring: &str, named: &[Named]) -> String {
+    let terms: Vec<&str> = named.iter().map(|s| s.checked.as_str()).collect();
+    let terms = terms.join("; ");
+    format!("Definition statements : list (cstatement ({ring})) := [{terms}].\n\n")
+}
+
+/// The same with real numbers.
+fn claimed(named: &[Named]) -> String {
+    let terms: Vec<&str> = named.iter().map(|s| s.claimed.as_str()).collect();
+    format!("[{}]", terms.join("; "))
 }
 
 const CORNERS: &str =
@@ -262,32 +254,3 @@ const BY_COMPUTATION: &str = "Proof. vm_cast_no_check (eq_refl true). Qed.\n";
 
 /// Two lists of points, entry by entry.
 const POINTWISE: &str = "repeat (apply f_equal2; [f_equal; field|]); reflexivity";
-
-/// A statement but the first: its term of type `statement`, and its proposition about the
-/// tiling `@`.
-fn named(statement: &Statement, words: &Words) -> Result<Option<(String, String)>, NotATheorem> {
-    let suffix = words.suffix;
-    let angles = match words.dimension {
-        3 => "dihedral",
-        _ => "angles",
-    };
-    let plain = |term: &str, word: &str| Ok(Some((term.to_owned(), format!("{word}{suffix} @"))));
-    let bounded = |term: &str, word: &str, bound: &str| {
-        let bound = rational(bound)?;
-        let (p, q) = (integer(bound.numer()), integer(bound.denom()));
-        let proposition = format!("{word}{suffix} @ ({p} / {q})");
-        Ok(Some((format!("{term} {p} {q}"), proposition)))
-    };
-    match statement {
-        Statement::FaceToFaceTiling => Ok(None),
-        Statement::Acute => plain("Acute", "acute"),
-        Statement::Nonobtuse => plain("Nonobtuse", "nonobtuse"),
-        Statement::DihedralBelow(q) => bounded("DihedralBelow", &format!("{angles}_below"), q),
-        Statement::DihedralAbove(q) => bounded("DihedralAbove", &format!("{angles}_above"), q),
-        Statement::RadiusEdgeBelow(q) => bounded("RadiusEdgeBelow", "radius_edge_below", q),
-        Statement::Delaunay => plain("Delaunay", "delaunay"),
-        Statement::WeaklyDelaunay => plain("WeaklyDelaunay", "weakly_delaunay"),
-        Statement::Tcp if words.dimension == 3 => plain("TCP", "tcp"),
-        Statement::Tcp => Err(NotATheorem::Malformed("TCP in the plane".to_owned())),
-    }
-}

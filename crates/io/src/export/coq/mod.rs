@@ -1,53 +1,43 @@
 //! A certificate as a file for Coq that ends in its claim, a theorem about real space or the real plane.
 //!
-//! The file holds the certificate's integers, denominators cleared, states the
-//! claim with the words of proofs/theories/Statement.v and the claim's numbers, and
-//! lets Coq's kernel run the checker of proofs/theories/Checker.v, which is proved
-//! sound. So nothing here is trusted: a mistake makes `coqc` fail, or state
-//! something else in plain sight. Called by `acutile export --coq`.
+//! The file contains the certificate's integers, and the mates of the facets as a hint. It states
+//! the claim with the words of `Statement.v` and the claim's numbers, and lets Coq's kernel run the
+//! checker of `Checker.v`, which is proved sound. So nothing here is trusted: a mistake makes
+//! `coqc` fail, or state something else in plain sight.
+//!
+//! | file | contains |
+//! |---|---|
+//! | `claim` | the theorem and its proof |
+//! | `statements` | the statements of the claim, for the checker and for people |
+//! | `data`, `plane` | the witness as a term, in space and in the plane |
+//! | `pairing` | rows of corners, and the mates of their facets |
+//! | `error` | why a certificate has no such file |
+//! | `numbers`, `root` | numbers as terms; the root of the field, isolated |
+//!
+//! Regions are left out: the development does not treat them.
 
 mod claim;
 mod data;
+mod error;
 mod numbers;
+mod pairing;
 mod plane;
 mod root;
+mod statements;
 
-use acutile_format1::certificate::{Certificate, Domain};
+pub use error::NotATheorem;
+
+use acutile_core::format;
 use claim::Theorem;
+use format::{Certificate, Domain, Field};
 use root::RootOf;
-use std::fmt;
-
-/// Why a certificate has no such file.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub enum NotATheorem {
-    /// The development treats the dimensions 2 and 3.
-    Dimension(usize),
-    /// The soundness of regions is proved on paper only.
-    Region,
-    /// A text that is not a rational number, or a list of the wrong length.
-    Malformed(String),
-}
-
-impl fmt::Display for NotATheorem {
-    fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
-        match self {
-            NotATheorem::Dimension(d) => {
-                write!(
-                    f,
-                    "the Coq development is about the dimensions 2 and 3, not {d}"
-                )
-            }
-            NotATheorem::Region => f.write_str("the Coq development does not treat regions"),
-            NotATheorem::Malformed(what) => write!(f, "not a certificate: {what}"),
-        }
-    }
-}
-
-impl std::error::Error for NotATheorem {}
 
 /// The file for `certificate`, whether or not its claim is true.
+///
+/// # Errors
+/// [`NotATheorem`] for regions, and for data of a wrong shape.
 pub fn coq_theorem(certificate: &Certificate) -> Result<String, NotATheorem> {
-    if certificate.claim.domain == Domain::Region {
+    if let Domain::Region(_) = certificate.claim.domain {
         return Err(NotATheorem::Region);
     }
     let words = match certificate.claim.dimension {
@@ -55,19 +45,22 @@ pub fn coq_theorem(certificate: &Certificate) -> Result<String, NotATheorem> {
         2 => &claim::PLANE,
         d => return Err(NotATheorem::Dimension(d)),
     };
+    let root = match &certificate.claim.field {
+        Field::Rationals => None,
+        Field::Algebraic(field) => Some(RootOf::new(field)?),
+    };
     let theorem = Theorem { certificate, words };
-    let root = RootOf::new(&certificate.claim.field)?;
     let mut text = HEAD.to_owned();
     if let Some(root) = &root {
-        text += &claim::field(root)?;
+        text += &root.definitions()?;
     }
-    text += &match certificate.claim.dimension {
-        2 => plane::data(certificate, root.is_some())?,
-        _ => data::data(certificate, root.is_some())?,
+    text += &match words.dimension {
+        2 => plane::data(certificate)?,
+        _ => data::data(certificate)?,
     };
-    text += &match root {
+    text += &match &root {
         None => theorem.over_the_rationals()?,
-        Some(root) => theorem.over_a_field(&root)?,
+        Some(root) => theorem.over_a_field(root)?,
     };
     Ok(text)
 }

@@ -1,88 +1,96 @@
 //! The root of an algebraic field, isolated by bisection: enclosures for the checker.
 
-use super::NotATheorem;
-use super::numbers::{BigRational, integer, rational};
-use acutile_format1::certificate::{AlgebraicField, Field};
-use num_bigint::BigInt;
-use num_traits::{One, Signed, Zero};
+use super::error::{NotATheorem, require};
+use super::numbers::{fraction, integer, polynomial, sign};
+use acutile_core::format::AlgebraicField;
+use malachite::Integer;
+use malachite::base::num::basic::traits::{One, Zero};
 
-/// The field's polynomial, constant term first, and the interval of its root.
-pub(super) struct RootOf {
-    pub(super) polynomial: Vec<BigInt>,
-    pub(super) low: BigRational,
-    pub(super) high: BigRational,
+/// The field's polynomial, and the interval of its root.
+pub(super) struct RootOf<'f> {
+    field: &'f AlgebraicField,
 }
 
 /// The root lies in [low, high] / scale.
 #[derive(Clone)]
-pub(super) struct Enclosure {
-    low: BigInt,
-    high: BigInt,
-    scale: BigInt,
+struct Enclosure {
+    low: Integer,
+    high: Integer,
+    scale: Integer,
 }
 
 impl Enclosure {
-    pub(super) fn term(&self) -> String {
-        format!(
-            "Encl {} {} {}",
-            integer(&self.low),
-            integer(&self.high),
-            self.scale
-        )
+    fn term(&self) -> String {
+        let (low, high) = (integer(&self.low), integer(&self.high));
+        format!("Encl {low} {high} {}", self.scale)
     }
 }
 
-impl RootOf {
-    pub(super) fn new(field: &Field) -> Result<Option<RootOf>, NotATheorem> {
-        let Field::Algebraic(AlgebraicField { polynomial, root }) = field else {
-            return Ok(None);
-        };
-        let coefficients = polynomial
-            .iter()
-            .map(|c| rational(c))
-            .collect::<Result<Vec<_>, _>>()?;
-        if coefficients.len() < 3 || coefficients.iter().any(|c| !c.is_integer()) {
-            return Err(NotATheorem::Malformed("the polynomial".to_owned()));
-        }
-        let polynomial = coefficients.iter().map(BigRational::to_integer).collect();
-        let (low, high) = (rational(&root.0)?, rational(&root.1)?);
-        Ok(Some(RootOf {
-            polynomial,
-            low,
-            high,
-        }))
+impl<'f> RootOf<'f> {
+    pub(super) fn new(field: &'f AlgebraicField) -> Result<RootOf<'f>, NotATheorem> {
+        require(field.polynomial.len() >= 3, "the degree of the polynomial")?;
+        require(field.denominator > 0, "a denominator is positive")?;
+        Ok(RootOf { field })
     }
 
-    pub(super) fn rational_polynomial(&self) -> Vec<BigRational> {
-        let coefficients = self.polynomial.iter().cloned();
-        coefficients.map(BigRational::from_integer).collect()
+    /// The polynomial at `x`, for people.
+    pub(super) fn polynomial(&self, x: &str) -> String {
+        polynomial(&self.field.polynomial, &Integer::ONE, x)
     }
 
-    pub(super) fn enclosure(&self) -> Enclosure {
+    /// "low <= x <= high".
+    pub(super) fn between(&self, x: &str) -> String {
+        let end = |e| fraction(e, &self.field.denominator);
+        format!(
+            "{} <= {x} <= {}",
+            end(&self.field.low),
+            end(&self.field.high)
+        )
+    }
+
+    /// The lower coefficients of the polynomial, the interval, and finer enclosures.
+    pub(super) fn definitions(&self) -> Result<String, NotATheorem> {
+        let ladder = self.ladder();
+        let terms: Vec<String> = ladder.iter().map(Enclosure::term).collect();
+        let broken = NotATheorem::Malformed("the root");
+        let (finest, coarse) = terms.split_last().ok_or(broken.clone())?;
+        let (_, lower) = self.field.polynomial.split_last().ok_or(broken)?;
+        let lower: Vec<String> = lower.iter().map(integer).collect();
+        Ok(format!(
+            "(* The lower coefficients of the polynomial, the interval of the claim, and enclosures. *)\n\
+             Definition fl : list Z := [{}].\nDefinition interval := {}.\n\
+             Definition es : list encl := [{}].\nDefinition e0 := {finest}.\n\n",
+            lower.join(";"),
+            self.enclosure().term(),
+            coarse.join("; "),
+        ))
+    }
+
+    fn enclosure(&self) -> Enclosure {
         Enclosure {
-            low: self.low.numer() * self.high.denom(),
-            high: self.high.numer() * self.low.denom(),
-            scale: self.low.denom() * self.high.denom(),
+            low: self.field.low.clone(),
+            high: self.field.high.clone(),
+            scale: self.field.denominator.clone(),
         }
     }
 
     /// Enclosures after 32, 64, …, 512 halvings: coarse ones are cheap and mostly do.
-    pub(super) fn ladder(&self) -> Vec<Enclosure> {
+    fn ladder(&self) -> Vec<Enclosure> {
         let mut at = self.enclosure();
         let right = self.sign(&at.high, &at.scale);
         let mut ladder = Vec::new();
         for step in 1..=512u32 {
             let middle = &at.low + &at.high;
             at = Enclosure {
-                low: at.low * 2,
-                high: at.high * 2,
-                scale: at.scale * 2,
+                low: at.low * Integer::from(2),
+                high: at.high * Integer::from(2),
+                scale: at.scale * Integer::from(2),
             };
             let sign = self.sign(&middle, &at.scale);
-            if sign.is_zero() || sign != right {
+            if sign == 0 || sign != right {
                 at.low = middle.clone();
             }
-            if sign.is_zero() || sign == right {
+            if sign == 0 || sign == right {
                 at.high = middle;
             }
             if step >= 32 && step.is_power_of_two() {
@@ -93,13 +101,13 @@ impl RootOf {
     }
 
     /// The sign of the polynomial at x / scale, for scale > 0.
-    fn sign(&self, x: &BigInt, scale: &BigInt) -> BigInt {
-        let mut power = BigInt::one();
-        let mut value = BigInt::zero();
-        for c in self.polynomial.iter().rev() {
+    fn sign(&self, x: &Integer, scale: &Integer) -> i8 {
+        let mut power = Integer::ONE;
+        let mut value = Integer::ZERO;
+        for c in self.field.polynomial.iter().rev() {
             value = value * x + c * &power;
             power *= scale;
         }
-        value.signum()
+        sign(&value)
     }
 }

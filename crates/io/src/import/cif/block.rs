@@ -5,8 +5,8 @@
 //! dictionaries is `_atom_site_label` of the older). Tags of other categories than [`READ`]
 //! are passed over. Called by [`super::read_cif`].
 
-use super::ImportError;
 use super::token::{Token, Tokens, Value, at_line, short};
+use crate::import::ImportError;
 use std::collections::HashMap;
 
 /// How the tags begin that anything is read from.

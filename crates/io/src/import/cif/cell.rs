@@ -5,12 +5,12 @@
 //! rounded to 15 decimals, so that the field stays Q, and the caller is told. What is
 //! proved is then proved of that lattice.
 
-use super::ImportError;
 use super::block::Block;
 use super::decimal::{Decimal, about};
 use super::operation::{Rotation, metric_change};
 use super::symmetry::Listed;
 use super::token::at_line;
+use crate::import::ImportError;
 use acutile_exact::number::enclosure::cos_of_degrees;
 use malachite::Rational;
 use malachite::base::num::arithmetic::traits::{Abs, Floor, Pow};

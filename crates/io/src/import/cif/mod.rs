@@ -8,6 +8,7 @@
 //! | `decimal` | numbers exactly as written, and snapping |
 //! | `cell` | lengths and angles, as a Gram matrix over Q |
 //! | `operation`, `symmetry` | operations; the list of a file, checked to be its group |
+//! | `options` | the options |
 //! | `sites` | the sites of the asymmetric unit |
 //! | `orbits` | the atoms of a cell |
 //!
@@ -18,10 +19,13 @@ mod block;
 mod cell;
 mod decimal;
 mod operation;
+mod options;
 mod orbits;
 mod sites;
 mod symmetry;
 mod token;
+
+pub use options::CifOptions;
 
 use super::ImportError;
 use acutile_core::tiling::{Frame, PointSet};
@@ -41,19 +45,6 @@ const CIF_LIMIT: usize = 1 << 25;
 const NAMED_SITES: usize = 20;
 /// How many pairs of near atoms a warning names.
 const NAMED_PAIRS: usize = 3;
-
-/// How a CIF is read.
-#[derive(Clone, Debug, Default)]
-pub struct CifOptions {
-    /// The data block, where several have sites.
-    pub block: Option<String>,
-    /// Decimals become the multiple of 1/snap that agrees with all of their digits.
-    pub snap: Option<u32>,
-    /// Labels of the sites that are taken; all where there is none.
-    pub only: Vec<String>,
-    /// Sites of any occupancy are atoms, and those at one place are one.
-    pub ignore_occupancy: bool,
-}
 
 /// The point set of a CIF.
 pub struct CifPoints {

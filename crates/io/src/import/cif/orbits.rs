@@ -1,11 +1,11 @@
 //! The atoms of a cell: the images of the sites under the operations, merged where they
 //! are equal modulo the lattice, exactly.
 
-use super::ImportError;
 use super::operation::fractional;
 use super::sites::Site;
 use super::symmetry::Listed;
 use super::token::at_line;
+use crate::import::ImportError;
 use malachite::Rational;
 use malachite::base::num::conversion::traits::RoundingFrom;
 use malachite::base::rounding_modes::RoundingMode::Nearest;

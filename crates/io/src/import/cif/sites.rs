@@ -2,8 +2,9 @@
 
 use super::block::{Block, Column};
 use super::decimal::{Decimal, Snapped};
+use super::options::CifOptions;
 use super::token::{Value, at_line, short};
-use super::{CifOptions, ImportError};
+use crate::import::ImportError;
 use malachite::Rational;
 
 const FRACTIONS: [&str; 3] = [

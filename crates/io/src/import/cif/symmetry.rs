@@ -5,10 +5,10 @@
 //! refused: the list must be a group, its point group must have the order that the number of
 //! the space group asks for, and its centring must be that of the symbol.
 
-use super::ImportError;
 use super::block::Block;
 use super::operation::{NotAGroup, OPERATION_LIMIT, Operation, Rotation, check_group};
 use super::token::{Value, at_line, short};
+use crate::import::ImportError;
 use std::collections::HashSet;
 
 const OPERATIONS: [&str; 4] = [

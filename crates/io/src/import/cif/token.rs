@@ -5,7 +5,7 @@
 //! value is a word, a text in quotes (a quote ends it only before white space), or
 //! the lines between two lines that begin with `;`. Called by [`super::block`].
 
-use super::ImportError;
+use crate::import::ImportError;
 
 /// A value as it stands in the file.
 #[derive(Clone, Copy, Debug)]

@@ -1,0 +1,7 @@
+//! Limits: input beyond them is refused.
+
+/// No entry of a vertex or a lattice vector is larger in size: products of three of them, with
+/// small factors, fit into an i64.
+pub const ENTRY_LIMIT: i64 = 100_000;
+/// No word is longer.
+pub const WORD_LIMIT: usize = 64;

@@ -1,0 +1,125 @@
+//! What a user requires, decided: a statement for the claim, or the defects.
+//!
+//! A bound in degrees becomes a rational cosine between the bound and the angle. So the statement
+//! implies the requirement, and no degrees occur in a certificate.
+
+use super::defect::Findings;
+use super::statements::{
+    check_acute, check_delaunay, check_nonobtuse, check_tcp, list_not_above, list_not_below,
+    list_not_below_ratio,
+};
+use crate::classify::NotTcp;
+use crate::format::Relation;
+use crate::predicates::Model;
+use crate::quality::{DihedralAngle, RadiusEdge, Ranges, cosine_above, cosine_below};
+use crate::statement::{Requirement, Statement};
+use crate::tiling::{Domain, Matching};
+use acutile_exact::number::Number;
+use malachite::Rational;
+
+/// A tiling whose hypotheses hold.
+pub(super) struct Required<'m, const D: usize> {
+    pub model: &'m Model<'m, D>,
+    pub matching: &'m Matching<D>,
+    pub ranges: &'m Ranges,
+}
+
+impl<const D: usize> Required<'_, D> {
+    /// The statement that implies the requirement; `None` if it does not hold, or holds for every
+    /// tiling. What is wrong is added to the findings.
+    pub fn statement(
+        &self,
+        requirement: &Requirement,
+        findings: &mut Findings,
+    ) -> Option<Statement> {
+        let mut found = Findings::new(findings.limit());
+        let statement = self.decide(requirement, &mut found);
+        let holds = found.is_empty();
+        findings.append(found);
+        statement.filter(|_| holds)
+    }
+
+    fn decide(&self, requirement: &Requirement, findings: &mut Findings) -> Option<Statement> {
+        let Required {
+            model, matching, ..
+        } = self;
+        match requirement {
+            Requirement::Tiling => None,
+            Requirement::Acute => {
+                check_acute(model, findings);
+                Some(Statement::Acute)
+            }
+            Requirement::Nonobtuse => {
+                check_nonobtuse(model, findings);
+                Some(Statement::Nonobtuse)
+            }
+            Requirement::DihedralBelow(bound) => self.dihedral_below(bound, findings),
+            Requirement::DihedralAbove(bound) => self.dihedral_above(bound, findings),
+            Requirement::RadiusEdgeBelow(bound) => self.radius_edge_below(bound, findings),
+            Requirement::Delaunay | Requirement::WeaklyDelaunay => {
+                let weak = *requirement == Requirement::WeaklyDelaunay;
+                check_delaunay(model, matching, weak, findings);
+                Some(delaunay(model.tiling.frame.domain.is_region(), weak))
+            }
+            Requirement::Tcp if model.tiling.frame.domain != Domain::Space => {
+                let reason = match D {
+                    3 => NotTcp::Boundary,
+                    _ => NotTcp::Dimension,
+                };
+                findings.add(super::Defect::NotTcp { reason });
+                None
+            }
+            Requirement::Tcp => {
+                check_tcp(model.tiling, matching, findings);
+                Some(Statement::Tcp)
+            }
+        }
+    }
+
+    fn dihedral_below(&self, bound: &Rational, findings: &mut Findings) -> Option<Statement> {
+        match cosine_above(&self.ranges.largest_dihedral.max, bound) {
+            Some(cosine) => Some(Statement::LargestAngle(
+                Relation::LessThan,
+                DihedralAngle::of_cosine(&cosine),
+            )),
+            None => {
+                list_not_below(self.model, bound, findings);
+                None
+            }
+        }
+    }
+
+    fn dihedral_above(&self, bound: &Rational, findings: &mut Findings) -> Option<Statement> {
+        match cosine_below(&self.ranges.smallest_dihedral.min, bound) {
+            Some(cosine) => Some(Statement::SmallestAngle(
+                Relation::MoreThan,
+                DihedralAngle::of_cosine(&cosine),
+            )),
+            None => {
+                list_not_above(self.model, bound, findings);
+                None
+            }
+        }
+    }
+
+    fn radius_edge_below(&self, bound: &Rational, findings: &mut Findings) -> Option<Statement> {
+        let square = Number::from(bound * bound);
+        if self.ranges.radius_edge.max.square < square {
+            let ratio = RadiusEdge { square };
+            Some(Statement::RadiusEdge(Relation::LessThan, ratio))
+        } else {
+            list_not_below_ratio(self.model, bound, findings);
+            None
+        }
+    }
+}
+
+/// The Delaunay statement for a domain.
+pub(super) fn delaunay(is_region: bool, weak: bool) -> Statement {
+    match (is_region, weak) {
+        (false, false) => Statement::Delaunay,
+        (false, true) => Statement::WeaklyDelaunay,
+        (true, false) => Statement::LocallyDelaunay,
+        (true, true) => Statement::LocallyWeaklyDelaunay,
+    }
+}

@@ -1,0 +1,163 @@
+//! The kernel's refusals in words. The kernel gives a code, a place and an exact value; nothing
+//! here decides. All numbers count from zero.
+
+use acutile_kernel::{Code, Place, Refusal, Value};
+use malachite::Integer;
+use std::str::FromStr;
+
+/// `rejected [orientation] simplex 3: expected a positive determinant, found 0`
+pub fn in_words(refusal: &Refusal) -> String {
+    format!(
+        "{} [{}] {}",
+        refusal.code.kind().text(),
+        refusal.code.text(),
+        message(refusal)
+    )
+}
+
+/// The place, the rule, and the value, without the code.
+pub fn message(refusal: &Refusal) -> String {
+    let place = place(refusal.place);
+    let rule = rule(refusal.code);
+    match &refusal.value {
+        Value::Nothing => format!("{place}: {rule}"),
+        Value::Integer(value) => format!("{place}: {rule}, found {value}"),
+        Value::Quotient(p, q) => {
+            let [p, q] = [p, q].map(|row| {
+                let texts = row.iter().map(|n| n.to_string());
+                texts.map(|text| integer(&text)).collect::<Vec<Integer>>()
+            });
+            format!("{place}: {rule}, found {}", quotient(&p, &q))
+        }
+        Value::Limit(limit, enough) => format!("{place}: {}", exceeded(limit, *enough)),
+    }
+}
+
+/// The digits of the kernel's integers are those of ours.
+fn integer(digits: &str) -> Integer {
+    Integer::from_str(digits).unwrap_or_default()
+}
+
+fn place(place: Place) -> String {
+    match place {
+        Place::Byte(offset) => format!("byte {offset}"),
+        Place::Field => "the field".to_owned(),
+        Place::Minor(rows) => format!("the leading {rows} x {rows} minor of the Gram matrix"),
+        Place::Domain => "the domain".to_owned(),
+        Place::Face(face) => format!("face {face} of the domain"),
+        Place::Statement(statement) => format!("statement {statement}"),
+        Place::Vertex(vertex) => format!("vertex {vertex}"),
+        Place::Boundary(facet) => format!("boundary facet {facet}"),
+        Place::BoundaryPair(first, second) => format!("boundary facets {first} and {second}"),
+        Place::Simplex(simplex) => format!("simplex {simplex}"),
+        Place::Facet(simplex, facet) => format!("simplex {simplex}, facet {facet}"),
+        Place::Edge(simplex, i, j) => format!("simplex {simplex}, edge {i} {j}"),
+        Place::Angle(simplex, i, j) => {
+            format!("simplex {simplex}, the angle between its facets {i} and {j}")
+        }
+        Place::Witness => "the witness".to_owned(),
+    }
+}
+
+/// The condition that each code stands for.
+fn rule(code: Code) -> &'static str {
+    match code {
+        Code::Cbor => "expected an item of the grammar",
+        Code::Canonical => "expected the canonical encoding, in lowest terms",
+        Code::Format => "expected the format \"acutile-certificate\"",
+        Code::Dimension => "expected the dimension 2 or 3",
+        Code::Polynomial => "expected a monic polynomial of degree at least 2",
+        Code::RootOrder => "expected low < high over a positive denominator",
+        Code::RootDerivative => "expected a derivative without zero in the interval",
+        Code::PrismDimension => "expected dimension 3 for a prism",
+        Code::RegionRank => "expected a rank from 0 to the dimension",
+        Code::Denominator => "expected a positive denominator",
+        Code::FaceCount => "expected as many faces as a polytope needs",
+        Code::FaceLength => "expected as many vertices as a face has",
+        Code::FaceVertices => "expected different vertices of the polytope",
+        Code::FaceRepeated => "expected different faces",
+        Code::UnusedDomainVertex => "expected every vertex of the polytope in a face",
+        Code::Statements => "expected known statements in their order, the tiling first",
+        Code::BoundRange => "expected a bound in its range",
+        Code::StatementDomain => "expected a statement that this domain allows",
+        Code::BoundaryDomain => "expected boundary facets of a region, and of nothing else",
+        Code::NoSimplices => "expected at least one simplex",
+        Code::VertexRange => "expected the number of a vertex",
+        Code::ShiftRange => "expected a shift of less than 2^29 steps",
+        Code::CornerOrder => "expected sorted corners, the first without shift",
+        Code::Sixes => "expected six bits",
+        Code::BoundaryRepeated => "expected every boundary facet once",
+        Code::UnusedVertex => "expected every vertex in a simplex",
+        Code::RootSigns => "expected opposite signs of the polynomial at the ends",
+        Code::GramNotPositive => "expected a positive number",
+        Code::FaceNotFacet => "expected the other vertices of the polytope on its inner side",
+        Code::FaceNotConvex => "expected its corners in the cyclic order of a convex polygon",
+        Code::FacesNotClosed => "expected every ridge of the polytope in two faces",
+        Code::DenominatorDomain => "expected that the polytope's denominator divides the witness's",
+        Code::VertexOutside => "expected a vertex in the domain",
+        Code::BoundaryMeets => "expected boundary facets that meet in common faces only",
+        Code::FacetSide => "expected simplices on different sides of the facet",
+        Code::TriangleValence => "expected no triangle with two edges of valence 6",
+        Code::EdgeValence => "expected the valence that the hint says, 5 or 6",
+        Code::Orientation => "expected a positive determinant",
+        Code::Covering => "expected no simplex directly outside of a boundary facet",
+        Code::NotAcute => "expected an acute angle",
+        Code::NotNonobtuse => "expected no obtuse angle",
+        Code::AngleBound => "expected angles within the bound",
+        Code::RatioBound => "expected a squared radius-edge ratio within the bound",
+        Code::NotDelaunay => "expected the neighbour's corner outside of the circumsphere",
+        Code::NotWeaklyDelaunay => "expected the neighbour's corner not inside of the circumsphere",
+        Code::OpenFacet => "expected a mate of every facet",
+        Code::BoundaryOpen => "expected a simplex at every boundary facet",
+        Code::VolumeSum => "expected volumes that sum to that of the domain",
+        Code::NotAttained => "expected a simplex that attains the bound",
+        Code::Unreadable => "the bytes cannot be read",
+        Code::TooManyBytes => "the certificate is too long",
+        Code::Version => "expected version 2",
+        Code::UnknownKind => "expected the kind \"tiling\"",
+        Code::Degree => "the degree of the field is beyond the limit",
+        Code::TooManyDigits => "an integer is beyond the limit",
+        Code::TooManySimplices => "there are more simplices than the limit",
+        Code::SignUndecided => "a sign is not decided by the enclosures of the root",
+        Code::Work => "the work is beyond the limit",
+    }
+}
+
+/// The option that raises a limit, and a value that suffices, where it is known. The option has
+/// the name of the limit.
+pub fn exceeded(limit: &str, enough: Option<u64>) -> String {
+    let unit = match limit {
+        "bits" => "bits of an integer",
+        "degree" => "the degree of the field",
+        "work" => "units of work",
+        other => other,
+    };
+    match enough {
+        Some(enough) => format!("beyond the limit of {unit}; --max-{limit} {enough} is enough"),
+        None => format!("beyond the limit of {unit}; --max-{limit} raises it"),
+    }
+}
+
+/// p/q for numbers of the field in terms of a.
+fn quotient(p: &[Integer], q: &[Integer]) -> String {
+    let is_one = q.iter().enumerate().all(|(k, c)| *c == i32::from(k == 0));
+    match is_one {
+        true => sum(p),
+        false => format!("({})/({})", sum(p), sum(q)),
+    }
+}
+
+fn sum(coefficients: &[Integer]) -> String {
+    let terms = coefficients.iter().enumerate().filter(|(_, c)| **c != 0);
+    let terms: Vec<String> = terms
+        .map(|(power, c)| match power {
+            0 => c.to_string(),
+            1 => format!("{c} a"),
+            _ => format!("{c} a^{power}"),
+        })
+        .collect();
+    match terms.is_empty() {
+        true => "0".to_owned(),
+        false => terms.join(" + "),
+    }
+}

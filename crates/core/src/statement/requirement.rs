@@ -1,0 +1,89 @@
+//! What a user asks a tiling to be.
+
+use acutile_exact::number::parse_rational;
+use malachite::Rational;
+use std::fmt;
+use std::str::FromStr;
+
+/// A statement that must hold, in the words of the command line.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum Requirement {
+    /// `tiling`: holds for whatever is proved.
+    Tiling,
+    /// `acute`
+    Acute,
+    /// `nonobtuse`
+    Nonobtuse,
+    /// `dihedral<DEGREES`
+    DihedralBelow(Rational),
+    /// `dihedral>DEGREES`
+    DihedralAbove(Rational),
+    /// `radius-edge<RATIO`
+    RadiusEdgeBelow(Rational),
+    /// `delaunay`; of a region, locally.
+    Delaunay,
+    /// `weakly-delaunay`; of a region, locally.
+    WeaklyDelaunay,
+    /// `tcp`
+    Tcp,
+}
+
+/// The words that are known.
+const EXPECTED: &str = "expected acute, nonobtuse, delaunay, weakly-delaunay, tcp, tiling, \
+                        dihedral<DEGREES, dihedral>DEGREES or radius-edge<RATIO";
+
+impl FromStr for Requirement {
+    type Err = String;
+
+    fn from_str(text: &str) -> Result<Self, String> {
+        match text {
+            "tiling" => return Ok(Requirement::Tiling),
+            "acute" => return Ok(Requirement::Acute),
+            "nonobtuse" => return Ok(Requirement::Nonobtuse),
+            "delaunay" => return Ok(Requirement::Delaunay),
+            "weakly-delaunay" => return Ok(Requirement::WeaklyDelaunay),
+            "tcp" => return Ok(Requirement::Tcp),
+            _ => {}
+        }
+        if let Some(text) = text.strip_prefix("dihedral<") {
+            return bound(text, Some(180)).map(Requirement::DihedralBelow);
+        }
+        if let Some(text) = text.strip_prefix("dihedral>") {
+            return bound(text, Some(180)).map(Requirement::DihedralAbove);
+        }
+        match text.strip_prefix("radius-edge<") {
+            Some(text) => bound(text, None).map(Requirement::RadiusEdgeBelow),
+            None => Err(EXPECTED.to_owned()),
+        }
+    }
+}
+
+/// A positive number, at most `largest`.
+fn bound(text: &str, largest: Option<u8>) -> Result<Rational, String> {
+    let bound = parse_rational(text).map_err(|error| error.to_string())?;
+    if bound <= 0 {
+        return Err(format!("found {text}, expected more than 0"));
+    }
+    match largest {
+        Some(largest) if bound > largest => {
+            Err(format!("found {text}, expected at most {largest}"))
+        }
+        _ => Ok(bound),
+    }
+}
+
+impl fmt::Display for Requirement {
+    fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
+        match self {
+            Requirement::Tiling => write!(f, "tiling"),
+            Requirement::Acute => write!(f, "acute"),
+            Requirement::Nonobtuse => write!(f, "nonobtuse"),
+            Requirement::DihedralBelow(bound) => write!(f, "dihedral<{bound}"),
+            Requirement::DihedralAbove(bound) => write!(f, "dihedral>{bound}"),
+            Requirement::RadiusEdgeBelow(bound) => write!(f, "radius-edge<{bound}"),
+            Requirement::Delaunay => write!(f, "delaunay"),
+            Requirement::WeaklyDelaunay => write!(f, "weakly-delaunay"),
+            Requirement::Tcp => write!(f, "tcp"),
+        }
+    }
+}

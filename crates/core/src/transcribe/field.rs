@@ -1,0 +1,167 @@
+//! The field of a certificate: the smallest one that contains its numbers.
+
+use crate::format::{self, Cosine, Fraction};
+use crate::predicates::ring::common_denominator;
+use crate::quality::{DihedralAngle, RadiusEdge};
+use crate::statement::Statement;
+use crate::tiling::coordinates::Form;
+use crate::tiling::{Frame, Tiling};
+use acutile_exact::geometry::Sign;
+use acutile_exact::number::{Number, Subfield};
+use malachite::base::num::arithmetic::traits::{DivExact, Gcd};
+use malachite::base::num::basic::traits::{One, Zero};
+use malachite::{Integer, Natural, Rational};
+
+/// The Gram matrix and the field in which a tiling is written.
+#[derive(Clone, Debug)]
+pub struct Written<const D: usize> {
+    subfield: Subfield,
+    gram: [[Number; D]; D],
+}
+
+impl<const D: usize> Written<D> {
+    /// For a tiling. A common factor of the Gram matrix is divided out if the field is smaller
+    /// without it.
+    pub fn of(tiling: &Tiling<D>) -> Self {
+        let Frame { field, gram, .. } = &tiling.frame;
+        let ratios = gram.each_ref().map(|row| {
+            row.each_ref()
+                .map(|x| x.divide(&gram[0][0]).unwrap_or_else(Number::zero))
+        });
+        let vertices: &[[Number; D]] = match tiling.vertices.form() {
+            Form::Numbers(points) => points,
+            _ => &[],
+        };
+        let polytope = tiling.frame.domain.polytope();
+        let corners = polytope.iter().flat_map(|p| p.vertices.iter().flatten());
+        let numbers = ratios.iter().flatten().chain(corners);
+        let subfield = Subfield::of(field, numbers.chain(vertices.iter().flatten()));
+        let entries = gram.iter().flatten();
+        let gram = match entries.clone().all(|x| subfield.contains(x)) {
+            true => gram.clone(),
+            false => ratios,
+        };
+        Written { subfield, gram }
+    }
+
+    /// The field of the certificate.
+    pub fn field(&self) -> format::Field {
+        let field = &self.subfield.field;
+        if field.is_rationals() {
+            return format::Field::Rationals;
+        }
+        let (low, high) = field.root();
+        let denominator = common_denominator_of([&low, &high].into_iter());
+        let scaled = |x: Rational| integer(&(x * Rational::from(&denominator)));
+        format::Field::Algebraic(format::AlgebraicField {
+            polynomial: field.polynomial().to_vec(),
+            low: scaled(low),
+            high: scaled(high),
+            denominator,
+        })
+    }
+
+    /// The degree of the field.
+    pub fn degree(&self) -> usize {
+        self.subfield.field.degree()
+    }
+
+    /// The upper triangle of the primitive Gram matrix.
+    pub fn gram(&self) -> Vec<Vec<format::Number>> {
+        let unit = self.denominator(self.gram.iter().flatten());
+        let entry = |x: &Number| self.numerator(x, &unit);
+        let rows = self.gram.iter().enumerate();
+        let rows: Vec<Vec<format::Number>> = rows
+            .map(|(k, row)| row[k..].iter().map(entry).collect())
+            .collect();
+        let all = rows.iter().flatten().flat_map(|number| &number.0);
+        let content = all.fold(Natural::ZERO, |gcd, n| gcd.gcd(n.unsigned_abs_ref()));
+        let content = Integer::from(content.max(Natural::ONE));
+        let primitive = |number: &format::Number| {
+            format::Number(number.0.iter().map(|n| n.div_exact(&content)).collect())
+        };
+        rows.iter()
+            .map(|row| row.iter().map(primitive).collect())
+            .collect()
+    }
+
+    /// The coefficients of a number of the tiling in the certificate's field.
+    fn coefficients(&self, number: &Number) -> Vec<Rational> {
+        let coefficients = self.subfield.coefficients(number);
+        coefficients.expect("the numbers of a tiling are in the field that they generate")
+    }
+
+    /// The least positive integer that clears these numbers.
+    pub fn denominator<'n>(&self, numbers: impl Iterator<Item = &'n Number>) -> Integer {
+        if self.is_same() {
+            return common_denominator(numbers);
+        }
+        let coefficients: Vec<Rational> = numbers.flat_map(|x| self.coefficients(x)).collect();
+        common_denominator_of(coefficients.iter())
+    }
+
+    /// Whether numbers keep their coefficients.
+    fn is_same(&self) -> bool {
+        self.subfield.is_whole()
+    }
+
+    /// A number times an integer that clears it.
+    pub fn numerator(&self, number: &Number, unit: &Integer) -> format::Number {
+        let unit = Rational::from(unit);
+        let coefficients = self.coefficients(number).into_iter();
+        format::Number(coefficients.map(|c| integer(&(c * &unit))).collect())
+    }
+
+    fn fraction(&self, number: &Number) -> Fraction {
+        let denominator = self.denominator([number].into_iter());
+        Fraction {
+            numerator: self.numerator(number, &denominator),
+            denominator,
+        }
+    }
+
+    fn cosine(&self, angle: &DihedralAngle) -> Cosine {
+        Cosine {
+            sign: match angle.signed_square.sign() {
+                Sign::Less => -1,
+                Sign::Equal => 0,
+                Sign::Greater => 1,
+            },
+            square: self.fraction(&angle.signed_square.abs()),
+        }
+    }
+
+    /// A statement as a certificate has it.
+    pub fn statement(&self, statement: &Statement) -> format::Statement {
+        match statement {
+            Statement::FaceToFaceTiling => format::Statement::FaceToFaceTiling,
+            Statement::Acute => format::Statement::Acute,
+            Statement::Nonobtuse => format::Statement::Nonobtuse,
+            Statement::LargestAngle(relation, angle) => {
+                format::Statement::LargestAngle(*relation, self.cosine(angle))
+            }
+            Statement::SmallestAngle(relation, angle) => {
+                format::Statement::SmallestAngle(*relation, self.cosine(angle))
+            }
+            Statement::RadiusEdge(relation, RadiusEdge { square }) => {
+                format::Statement::SquaredRatio(*relation, self.fraction(square))
+            }
+            Statement::Delaunay => format::Statement::Delaunay,
+            Statement::WeaklyDelaunay => format::Statement::WeaklyDelaunay,
+            Statement::LocallyDelaunay => format::Statement::LocallyDelaunay,
+            Statement::LocallyWeaklyDelaunay => format::Statement::LocallyWeaklyDelaunay,
+            Statement::Tcp => format::Statement::Tcp,
+        }
+    }
+}
+
+/// The least common multiple of denominators.
+pub fn common_denominator_of<'r>(numbers: impl Iterator<Item = &'r Rational>) -> Integer {
+    let numbers: Vec<Number> = numbers.map(|x| Number::from(x.clone())).collect();
+    common_denominator(numbers.iter())
+}
+
+/// The value of a rational number that is an integer.
+fn integer(x: &Rational) -> Integer {
+    Integer::try_from(x.clone()).expect("the number is cleared of its denominator")
+}

@@ -1,0 +1,69 @@
+//! The trusted kernel of acutile.
+//!
+//! [`verify`] reads a certificate once, in deterministic CBOR, and checks everything that its
+//! claim states. The kernel shares no code with the prover. It writes no certificates and no
+//! sentences, and it reads no JSON.
+
+#![forbid(unsafe_code)]
+
+#[macro_use]
+mod refusal;
+mod boxes;
+mod cbor;
+mod claim;
+mod domain;
+mod edges;
+mod filter;
+mod front;
+mod int;
+mod judge;
+mod limits;
+mod meets;
+mod print;
+mod region;
+mod ring;
+mod root;
+mod row;
+mod rules;
+mod table;
+mod tiling;
+mod vertices;
+
+pub use claim::{Bound, Claim, Domain, Field, Number, Polytope, Property, Relation, Statement};
+pub use limits::Limits;
+pub use refusal::{Code, Kind, Place, Refusal, Value};
+pub use tiling::{Facts, Verified};
+
+use cbor::Cbor;
+use limits::Work;
+use refusal::{Checked, Stop};
+use std::io::Read;
+use std::rc::Rc;
+
+/// Checks a certificate.
+///
+/// # Errors
+/// The first condition that does not hold, in the order in which the file is read.
+pub fn verify(input: &mut dyn Read, limits: &Limits) -> Result<Verified, Refusal> {
+    let work = Rc::new(Work::new(limits.work));
+    read(Cbor::new(input, limits, &work), limits, &work).map_err(Stop::refusal)
+}
+
+fn read(mut cbor: Cbor, limits: &Limits, work: &Rc<Work>) -> Checked<Verified> {
+    cbor.array_of(5)?;
+    ensure!(cbor.text()? == "acutile-certificate", Format, cbor.place());
+    let version = cbor.small()?;
+    ensure!(version == 2, Version, cbor.place(), version);
+    ensure!(cbor.text()? == "tiling", UnknownKind, cbor.place());
+    let claim = Claim::read(&mut cbor, limits)?;
+    // The number is the capacity for coefficients. The compiler knows the degrees 1 and 2.
+    match claim.field.degree() {
+        1 => tiling::verify::<1>(cbor, claim, limits, work),
+        2 => tiling::verify::<2>(cbor, claim, limits, work),
+        _ => tiling::verify::<8>(cbor, claim, limits, work),
+    }
+}
+
+#[cfg(test)]
+#[path = "../tests/unit/mod.rs"]
+mod tests;

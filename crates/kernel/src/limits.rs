@@ -1,0 +1,57 @@
+//! The limits, and the account of the work that was done.
+//!
+//! A limit declines and never accepts. A certificate that passes under some limits passes under
+//! larger ones.
+
+use crate::refusal::{Checked, Place, Value};
+use std::cell::Cell;
+
+/// Upper bounds, each inclusive.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Limits {
+    pub bytes: u64,
+    pub simplices: u64,
+    /// Bits of one integer.
+    pub bits: u64,
+    /// Degree of the field; more than [`MAX_DEGREE`] means no more.
+    pub degree: usize,
+    /// Units of work for the certificate, and again for each MiB of it. A unit is about one
+    /// nanosecond: a product of two 64-bit words, or half a step along a list.
+    pub work: u64,
+}
+
+pub const MAX_DEGREE: usize = 8;
+
+impl Limits {
+    pub const DEFAULT: Limits =
+        Limits { bytes: 1 << 32, simplices: 1 << 28, bits: 4096, degree: MAX_DEGREE, work: 3_000_000_000 };
+}
+
+/// The work so far. Each part of the kernel counts what it does, and calls [`Work::check`] after
+/// each piece of work that other limits bound.
+pub(crate) struct Work {
+    limit: u64,
+    allowed: Cell<u64>,
+    spent: Cell<u64>,
+}
+
+impl Work {
+    pub(crate) fn new(limit: u64) -> Work {
+        Work { limit, allowed: Cell::new(limit), spent: Cell::new(0) }
+    }
+
+    pub(crate) fn add(&self, units: u64) {
+        self.spent.set(self.spent.get().saturating_add(units));
+    }
+
+    /// This many bytes of the certificate have been read.
+    pub(crate) fn set_bytes(&self, bytes: u64) {
+        self.allowed.set(self.limit.saturating_mul(1 + (bytes >> 20)));
+    }
+
+    pub(crate) fn check(&self, place: Place) -> Checked {
+        let is_within = self.spent.get() <= self.allowed.get();
+        ensure!(is_within, Work, place, Value::Limit("work", None));
+        Ok(())
+    }
+}

@@ -1,0 +1,202 @@
+//! `acutile-verify FILE…`: the kernel, and words for its verdicts.
+
+#![forbid(unsafe_code)]
+
+mod text;
+
+use acutile_kernel::{Code, Limits, Verified, verify};
+use std::ffi::OsString;
+use std::fs::{self, File};
+use std::io::{self, Read, Write};
+use std::process::ExitCode;
+
+const HELP: &str = "\
+Checks certificates of tilings in exact arithmetic, from their bytes alone.
+
+Usage: acutile-verify [OPTIONS] FILE...
+
+  FILE               a certificate in CBOR; - is standard input
+
+  --claim FILE       succeed only if each certificate proves the claim in FILE
+  --print-claim      print the claims that are proved; verdicts go to standard error
+  --json             one JSON object for each file
+  --max-bytes N      bytes of a certificate                         [4294967296]
+  --max-simplices N  simplices of a certificate                     [268435456]
+  --max-bits N       bits of an integer                             [4096]
+  --max-degree N     degree of the field, at most 8                 [8]
+  --max-work N       units of work, about nanoseconds, for a
+                     certificate and again for each MiB of it       [3000000000]
+  -h, --help         print this and stop
+  -V, --version      print the version and stop
+
+Each file gets one line, FILE: VERDICT..., where FILE is a JSON string if it holds
+more than ASCII letters, digits and ._/-+=@%~, with one of the verdicts
+  verified     everything that the certificate claims is proved
+  rejected     something that it states is false
+  malformed    it is no certificate, or not in canonical form, or cannot be read
+  declined     neither: a limit, an undecided sign, an unknown version
+Exit code: 0 if every file is verified; else 1 if one is rejected; else 2 if one is
+malformed, or if the command line is wrong; else 3.
+";
+
+struct Options {
+    files: Vec<OsString>,
+    limits: Limits,
+    claim: Option<Vec<u8>>,
+    json: bool,
+    print_claim: bool,
+}
+
+/// A file that is not verified: the verdict, the code, and words.
+struct Failure {
+    verdict: &'static str,
+    code: &'static str,
+    words: String,
+}
+
+fn main() -> ExitCode {
+    run().unwrap_or_else(|message| {
+        // Nobody reads the message if standard error is closed.
+        let _ = writeln!(io::stderr(), "acutile-verify: {message}");
+        ExitCode::from(2)
+    })
+}
+
+/// The exit code, or a message where the command line is wrong or the output is not written.
+fn run() -> Result<ExitCode, String> {
+    let options = match parse()? {
+        Ok(options) => options,
+        Err(text) => return write(&mut io::stdout(), text).map(|()| ExitCode::SUCCESS),
+    };
+    let mut verdicts = Vec::new();
+    for file in &options.files {
+        let found = check(file, &options);
+        let line = line(&file.to_string_lossy(), &found, options.json);
+        if options.print_claim {
+            write(&mut io::stderr(), &line)?;
+            let claim = found.as_ref().map(|found| found.claim.print());
+            write(&mut io::stdout(), &claim.unwrap_or_default())?;
+        } else {
+            write(&mut io::stdout(), &line)?;
+        }
+        verdicts.push(found.map_or_else(|failure| failure.verdict, |_| "verified"));
+    }
+    let order = ["rejected", "malformed", "declined"];
+    let worst = order.iter().zip(1..).find(|(verdict, _)| verdicts.contains(verdict));
+    Ok(ExitCode::from(worst.map_or(0, |(_, code)| code)))
+}
+
+fn write(out: &mut dyn Write, text: &str) -> Result<(), String> {
+    let written = out.write_all(text.as_bytes()).and_then(|()| out.flush());
+    written.map_err(|error| format!("output: {error}"))
+}
+
+/// The options, or a text that the command line asks for.
+fn parse() -> Result<Result<Options, &'static str>, String> {
+    let (files, claim, json, print_claim) = (Vec::new(), None, false, false);
+    let mut options = Options { files, limits: Limits::DEFAULT, claim, json, print_claim };
+    let mut words = std::env::args_os().skip(1);
+    let mut is_file = false;
+    while let Some(word) = words.next() {
+        let option = word.to_string_lossy().into_owned();
+        if is_file || option == "-" || !option.starts_with('-') {
+            options.files.push(word);
+            continue;
+        }
+        let mut value = || words.next().ok_or(format!("{option} needs a value; try --help"));
+        let limits = &mut options.limits;
+        match option.as_str() {
+            "--" => is_file = true,
+            "--json" => options.json = true,
+            "--print-claim" => options.print_claim = true,
+            "--claim" => {
+                let file = value()?;
+                let name = text::name(&file.to_string_lossy());
+                let claim = fs::read(file).map_err(|error| format!("{name}: {error}"))?;
+                options.claim = Some(claim);
+            }
+            "--max-bytes" => limits.bytes = number(value()?)?,
+            "--max-simplices" => limits.simplices = number(value()?)?,
+            "--max-bits" => limits.bits = number(value()?)?,
+            "--max-degree" => limits.degree = number(value()?)?.try_into().unwrap_or(usize::MAX),
+            "--max-work" => limits.work = number(value()?)?,
+            "-h" | "--help" => return Ok(Err(HELP)),
+            "-V" | "--version" => {
+                return Ok(Err(concat!("acutile-verify ", env!("CARGO_PKG_VERSION"), "\n")));
+            }
+            _ => return Err(format!("unknown option {}; try --help", text::name(&option))),
+        }
+    }
+    if options.files.is_empty() {
+        return Err("no file; try --help".into());
+    }
+    Ok(Ok(options))
+}
+
+fn number(word: OsString) -> Result<u64, String> {
+    let word = word.to_string_lossy();
+    let number = word.parse().ok().filter(|_| !word.starts_with('+'));
+    number.ok_or(format!("{} is no number; try --help", text::name(&word)))
+}
+
+fn check(file: &OsString, options: &Options) -> Result<Verified, Failure> {
+    let malformed = |code, words| Failure { verdict: "malformed", code, words };
+    let unreadable = |error: io::Error| malformed("unreadable", error.to_string());
+    let mut length = None;
+    let mut input: Box<dyn Read> = if file == "-" {
+        Box::new(io::stdin())
+    } else {
+        let file = File::open(file).map_err(unreadable)?;
+        length = file.metadata().ok().filter(|data| data.is_file()).map(|data| data.len());
+        Box::new(file)
+    };
+    let mut first = Vec::new();
+    input.by_ref().take(1).read_to_end(&mut first).map_err(unreadable)?;
+    if matches!(first.as_slice(), [b'{' | b' ' | b'\t' | b'\n' | b'\r']) {
+        let hint = "this is JSON: `acutile convert F.json F.cbor` writes the certificate itself, \
+                    and `acutile verify F.json` reads JSON";
+        return Err(malformed(Code::Cbor.text(), hint.into()));
+    }
+    let found = verify(&mut first.chain(input), &options.limits).map_err(|refusal| Failure {
+        verdict: refusal.code.kind().text(),
+        code: refusal.code.text(),
+        words: text::refusal(&refusal, length),
+    })?;
+    match &options.claim {
+        Some(claim) if *claim != found.claim.print().into_bytes() => Err(Failure {
+            verdict: "rejected",
+            code: "other-claim",
+            words: "the certificate proves another claim".into(),
+        }),
+        _ => Ok(found),
+    }
+}
+
+fn line(file: &str, found: &Result<Verified, Failure>, is_json: bool) -> String {
+    let name = if is_json { text::json(file) } else { text::name(file) };
+    match (found, is_json) {
+        (Ok(found), _) => {
+            let (simplices, vertices, bytes) = (found.simplices, found.vertices, found.bytes);
+            let boundary = found.boundary_facets;
+            let (facets, edges) = (found.peak_facets, found.peak_edges);
+            let sha256: String = found.sha256.iter().map(|byte| format!("{byte:02x}")).collect();
+            if !is_json {
+                let counts = format!("{simplices} simplices, {vertices} vertices");
+                return format!("{name}: verified: {counts}, sha256 {sha256}\n");
+            }
+            format!(
+                "{{\"file\":{name},\"verdict\":\"verified\",\"simplices\":{simplices},\
+                 \"vertices\":{vertices},\"boundary_facets\":{boundary},\
+                 \"peak_open_facets\":{facets},\"peak_open_edges\":{edges},\
+                 \"bytes\":{bytes},\"sha256\":\"{sha256}\"}}\n"
+            )
+        }
+        (Err(Failure { verdict, code, words }), false) => {
+            format!("{name}: {verdict} [{code}] {words}\n")
+        }
+        (Err(Failure { verdict, code, words }), true) => format!(
+            "{{\"file\":{name},\"verdict\":\"{verdict}\",\"code\":\"{code}\",\"message\":{}}}\n",
+            text::json(words)
+        ),
+    }
+}

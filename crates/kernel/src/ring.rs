@@ -1,0 +1,266 @@
+//! The rings in which the checks compute, and Z[a] with integers of one size.
+//!
+//! Every check of a simplex is written once, over a [`Ring`]. The rings are Z[a] for three sizes
+//! of integers, and the real intervals of [`crate::filter`]. A ring of polynomials in parameters
+//! would be another one, with signs that hold for all parameters or are undecided.
+
+use crate::filter::Intervals;
+use crate::int::Int;
+use crate::limits::Work;
+use crate::refusal::{Checked, Stop, Value};
+use crate::root::{Root, enclosure, sign_between};
+use num_bigint::BigInt;
+use std::array::from_fn;
+use std::cmp::Ordering;
+use std::rc::Rc;
+
+/// Three coordinates; in the plane the third one is zero.
+pub type Vector<R> = [<R as Ring>::Element; 3];
+
+pub trait Ring: Sized {
+    type Element: Clone + Default;
+    /// A ring in which more results fit.
+    type Next: Ring;
+
+    /// The number with these coefficients of 1, a, a², …
+    fn element(&self, coefficients: &[BigInt]) -> Checked<Self::Element>;
+    /// The coefficients, where the ring is exact; else nothing.
+    fn coefficients(&self, x: &Self::Element) -> Vec<BigInt>;
+    fn next(x: &Self::Element) -> <Self::Next as Ring>::Element;
+    fn plus(&self, x: &Self::Element, y: &Self::Element) -> Checked<Self::Element>;
+    fn minus(&self, x: &Self::Element, y: &Self::Element) -> Checked<Self::Element>;
+    /// Σ x_i y_i, for at most three terms.
+    fn dot<const K: usize>(&self, x: [&Self::Element; K], y: [&Self::Element; K]) -> Checked<Self::Element>;
+    /// The sign; [`Stop::LARGER`] where it is undecided.
+    fn sign(&self, x: &Self::Element) -> Checked<Ordering>;
+    /// The lesser of two numbers.
+    fn lesser(&self, x: &Self::Element, y: &Self::Element) -> Checked<Self::Element>;
+    /// Units of work for one product; zero where the ring counts them itself.
+    fn price(&self) -> u64;
+
+    fn integer(&self, value: i64) -> Checked<Self::Element> {
+        self.element(&[value.into()])
+    }
+
+    fn times(&self, x: &Self::Element, y: &Self::Element) -> Checked<Self::Element> {
+        self.dot([x], [y])
+    }
+
+    fn inner(&self, x: &Vector<Self>, y: &Vector<Self>) -> Checked<Self::Element> {
+        self.dot(x.each_ref(), y.each_ref())
+    }
+
+    /// x × y: the functional z -> det(x, y, z).
+    fn cross(&self, x: &Vector<Self>, y: &Vector<Self>) -> Checked<Vector<Self>> {
+        let ([x0, x1, x2], [y0, y1, y2]) = (x, y);
+        let minor = |a, b, c, d| self.minus(&self.times(a, b)?, &self.times(c, d)?);
+        Ok([minor(x1, y2, x2, y1)?, minor(x2, y0, x0, y2)?, minor(x0, y1, x1, y0)?])
+    }
+
+    /// y - x
+    fn difference(&self, x: &Vector<Self>, y: &Vector<Self>) -> Checked<Vector<Self>> {
+        zip(y, x, |y, x| self.minus(y, x))
+    }
+
+    /// The sign of x - y.
+    fn compare(&self, x: &Self::Element, y: &Self::Element) -> Checked<Ordering> {
+        self.sign(&self.minus(x, y)?)
+    }
+
+    /// x / y for a refusal.
+    fn quotient(&self, x: &Self::Element, y: &Self::Element) -> Value {
+        Value::Quotient(self.coefficients(x), self.coefficients(y))
+    }
+
+    fn value(&self, x: &Self::Element) -> Value {
+        Value::Quotient(self.coefficients(x), vec![1.into()])
+    }
+}
+
+/// f of the entries of two arrays.
+pub(crate) fn zip<A, B, V: Default, const K: usize>(
+    a: &[A; K],
+    b: &[B; K],
+    mut f: impl FnMut(&A, &B) -> Checked<V>,
+) -> Checked<[V; K]> {
+    let mut values = from_fn(|_| V::default());
+    for ((value, a), b) in values.iter_mut().zip(a).zip(b) {
+        *value = f(a, b)?;
+    }
+    Ok(values)
+}
+
+/// f of the entries of an array.
+pub(crate) fn each<A, V: Default, const K: usize>(a: &[A; K], mut f: impl FnMut(&A) -> Checked<V>) -> Checked<[V; K]> {
+    zip(a, &[(); K], |a, ()| f(a))
+}
+
+/// Coefficients of 1, a, …, a^(N-1); those from the degree on are zero.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Element<T, const N: usize>(pub [T; N]);
+
+impl<T: Default, const N: usize> Default for Element<T, N> {
+    fn default() -> Self {
+        Element(from_fn(|_| T::default()))
+    }
+}
+
+/// Z[a] for a root a of a monic polynomial of degree at most N; Z for degree 1.
+#[derive(Clone)]
+pub struct Exact<T, const N: usize> {
+    /// a^degree = Σ tail_k a^k
+    tail: [T; N],
+    rough: [(i64, i64); N],
+    root: Rc<Root>,
+    work: Rc<Work>,
+}
+
+/// The rings of one field.
+pub struct Rings<const N: usize> {
+    pub(crate) small: Option<Exact<i64, N>>,
+    pub(crate) medium: Option<Exact<i128, N>>,
+    pub(crate) large: Exact<BigInt, N>,
+    pub(crate) intervals: Intervals,
+}
+
+impl<const N: usize> Rings<N> {
+    pub(crate) fn new(root: &Rc<Root>, work: &Rc<Work>) -> Checked<Rings<N>> {
+        Ok(Rings {
+            small: Exact::new(root, work).ok(),
+            medium: Exact::new(root, work).ok(),
+            large: Exact::new(root, work)?,
+            intervals: Intervals { root: root.clone() },
+        })
+    }
+}
+
+impl<T: Int, const N: usize> Exact<T, N> {
+    fn new(root: &Rc<Root>, work: &Rc<Work>) -> Checked<Self> {
+        let mut rough = [(0, 0); N];
+        for (slot, power) in rough.iter_mut().zip(&root.rough) {
+            *slot = *power;
+        }
+        let tail = element(&root.tail)?.0;
+        Ok(Exact { tail, rough, root: root.clone(), work: work.clone() })
+    }
+
+    pub(crate) fn work(&self) -> &Work {
+        &self.work
+    }
+
+    /// The compiler knows the degrees 1 and 2.
+    fn degree(&self) -> usize {
+        if N <= 2 { N } else { self.root.tail.len().min(N) }
+    }
+
+    fn add_product(&self, sum: &mut T, x: &T, y: &T) -> Checked {
+        if T::PRICE == 0 {
+            // The products of words, and something for the memory.
+            self.work.add(50 + (1 + x.length() / 64) * (1 + y.length() / 64));
+        }
+        sum.add_product(x, y)
+    }
+
+    fn times_a(&self, sum: &mut [T; N]) -> Checked {
+        let sum = sum.get_mut(..self.degree()).ok_or(Stop::LARGER)?;
+        sum.rotate_right(1);
+        let last = std::mem::take(sum.first_mut().ok_or(Stop::LARGER)?);
+        for (sum, tail) in sum.iter_mut().zip(&self.tail) {
+            self.add_product(sum, &last, tail)?;
+        }
+        Ok(())
+    }
+
+    /// The sign by the fine enclosures; only for the largest integers.
+    #[cold]
+    #[inline(never)]
+    fn fine_sign(&self, x: &Element<T, N>) -> Checked<Ordering> {
+        let (mut low, mut high) = (BigInt::ZERO, BigInt::ZERO);
+        for (c, (least, most)) in x.0.iter().zip(&self.root.fine) {
+            if T::PRICE != 0 {
+                return Err(Stop::LARGER);
+            }
+            let c = c.big();
+            self.work.add(100 + (1 + c.length() / 64) * (1 + most.length() / 64));
+            let (x, y) = (&c * least, &c * most);
+            low += (&x).min(&y);
+            high += (&x).max(&y);
+        }
+        sign_between(low > BigInt::ZERO, high < BigInt::ZERO)
+    }
+}
+
+fn element<T: Int, const N: usize>(coefficients: &[BigInt]) -> Checked<Element<T, N>> {
+    let mut element = Element::default();
+    for (slot, c) in element.0.iter_mut().zip(coefficients) {
+        *slot = T::of(c)?;
+    }
+    Ok(element)
+}
+
+impl<T: Int, const N: usize> Ring for Exact<T, N> {
+    type Element = Element<T, N>;
+    type Next = Exact<T::Next, N>;
+
+    fn element(&self, coefficients: &[BigInt]) -> Checked<Element<T, N>> {
+        element(coefficients)
+    }
+
+    fn coefficients(&self, x: &Element<T, N>) -> Vec<BigInt> {
+        x.0.iter().take(self.degree()).map(T::big).collect()
+    }
+
+    fn next(x: &Element<T, N>) -> Element<T::Next, N> {
+        Element(x.0.clone().map(T::Next::from))
+    }
+
+    fn plus(&self, x: &Element<T, N>, y: &Element<T, N>) -> Checked<Element<T, N>> {
+        zip(&x.0, &y.0, T::plus).map(Element)
+    }
+
+    fn minus(&self, x: &Element<T, N>, y: &Element<T, N>) -> Checked<Element<T, N>> {
+        zip(&x.0, &y.0, T::minus).map(Element)
+    }
+
+    fn dot<const K: usize>(&self, x: [&Element<T, N>; K], y: [&Element<T, N>; K]) -> Checked<Element<T, N>> {
+        let degree = self.degree();
+        let mut sum: [T; N] = from_fn(|_| T::default());
+        // Horner's rule in a: the coefficients of x from the last one down.
+        for j in (0..degree).rev() {
+            if j + 1 < degree {
+                self.times_a(&mut sum)?;
+            }
+            for (x, y) in x.iter().zip(y) {
+                let x = x.0.get(j).ok_or(Stop::LARGER)?;
+                if N > 2 && *x == T::default() {
+                    continue;
+                }
+                for (sum, y) in sum.iter_mut().zip(&y.0).take(degree) {
+                    self.add_product(sum, x, y)?;
+                }
+            }
+        }
+        Ok(Element(sum))
+    }
+
+    /// Zero if all coefficients are. Else an enclosure must show the sign.
+    fn sign(&self, x: &Element<T, N>) -> Checked<Ordering> {
+        if let [c] = &x.0[..] {
+            return Ok(c.sign());
+        }
+        if x.0.iter().all(|c| *c == T::default()) {
+            return Ok(Ordering::Equal);
+        }
+        let (low, high, _) = enclosure(&x.0, &self.rough)?;
+        sign_between(low > 0, high < 0).or_else(|_| self.fine_sign(x))
+    }
+
+    fn lesser(&self, x: &Element<T, N>, y: &Element<T, N>) -> Checked<Element<T, N>> {
+        let is_first = self.compare(x, y)? != Ordering::Greater;
+        Ok(if is_first { x.clone() } else { y.clone() })
+    }
+
+    fn price(&self) -> u64 {
+        u64::try_from(self.degree() * self.degree()).unwrap_or(64) * T::PRICE
+    }
+}
