@@ -39,11 +39,13 @@ function pythonIsThere() {
 
 const rust = rustVerifier();
 
-/** The other verifiers: the command, and the encoding that it reads. */
+const python = pythonIsThere() && ["python3", join(ROOT, "verifiers/python/verify.py")];
+
+/** The other verifiers: the command, the encoding that it reads, and the size of files for which it is quick enough. */
 export const OTHERS = [
-  { name: "acutile-verify", command: rust && [rust], reads: "cbor" },
-  { name: "verify.py", command: pythonIsThere() && ["python3", join(ROOT, "verifiers/python/verify.py")], reads: "json" },
-  { name: "verify.py on CBOR", command: pythonIsThere() && ["python3", join(ROOT, "verifiers/python/verify.py")], reads: "cbor" },
+  { name: "acutile-verify", command: rust && [rust], reads: "cbor", most: Infinity },
+  { name: "verify.py", command: python, reads: "json", most: 10_000 },
+  { name: "verify.py on CBOR", command: python, reads: "cbor", most: 10_000 },
 ].filter(({ command }) => command);
 
 /** The answers of a program about some files: the lines of all verifiers begin alike. */

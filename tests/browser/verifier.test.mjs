@@ -454,7 +454,7 @@ test("the command line prints a line for each file and ends with the right code"
 for (const other of OTHERS) {
   test(`${other.name} says the same of every file`, () => {
     const folders = [...VERDICTS.keys(), "valid"].map((folder) => `tests/certificates/${folder}`);
-    const files = [...folders, "certificates"].flatMap(certificatesIn).filter(({ limits }) => Object.keys(limits).length === 0);
+    const files = [...folders, "certificates"].flatMap(certificatesIn).filter(({ limits, bytes }) => Object.keys(limits).length === 0 && bytes.length < other.most);
     compareTexts(other, files.map(({ bytes, path }) => ({ text: textOf(bytes), bytes, name: path })), true);
   });
 }
@@ -471,7 +471,9 @@ test(`the verifiers say the same of ${MUTATIONS} changed certificates`, { timeou
       const base = chance.of(bases);
       return { name: `${base.name}, seed ${SEED + first + k}`, text: mutate(chance, base.text) };
     });
-    for (const other of OTHERS) compareTexts(other, files, false, seen);
+    // The Python verifier is slow: one encoding in each batch.
+    const skipped = ["verify.py", "verify.py on CBOR"][(first / BATCH) % 2];
+    for (const other of OTHERS.filter(({ name }) => name !== skipped)) compareTexts(other, files, false, seen);
   }
   if (process.env.SHOW_CODES) console.log([...seen].sort().map(([pair, count]) => `${count} ${pair}`).join("\n"));
   const codes = new Set([...seen.keys()].map((pair) => pair.split(" ")[1]));
