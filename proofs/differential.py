@@ -191,7 +191,8 @@ def main():
     (verify, coq, *places), mutations, seed, also = options(sys.argv[1:])
     files = sorted(f for p in map(pathlib.Path, places) for f in ([p] if p.is_file() else p.rglob("*.json")))
     comparison = Comparison([[verify], [coq], *also])
-    good = [f for f in files if is_accepted(comparison.compare([f], 600)[0])]
+    batches = [files[start:start + 100] for start in range(0, len(files), 100)]
+    good = [f for batch in batches for f, row in zip(batch, comparison.compare(batch, 900)) if is_accepted(row)]
     small = [f for f in good if f.stat().st_size < 12000]
     rng = random.Random(seed)
     with tempfile.TemporaryDirectory() as folder:

@@ -63,7 +63,7 @@ def check_integers():
         assert verify.read_cbor(bytes.fromhex(expected)) == value, value
     assert verify.cbor([1, [2, 3], "IETF"]).hex() == "830182020364" + b"IETF".hex()
     for wrong, code in {"1817": "canonical", "190018": "canonical", "c2480100000000000000": "canonical", "c24100": "canonical",
-                        "c249000100000000000000": "canonical", "9f01ff": "canonical", "f6": "cbor", "f90000": "cbor", "a0": "cbor",
+                        "c249000100000000000000": "canonical", "9f01ff": "cbor", "f6": "cbor", "f90000": "cbor", "a0": "cbor",
                         "0000": "cbor", "8201": "cbor", "41ff": "cbor", "c48201": "cbor", "63e282ac": "cbor", "1c": "cbor"}.items():
         try:
             verify.read_cbor(bytes.fromhex(wrong))
@@ -151,7 +151,9 @@ def check_known():
             assert is_other or said(path) == (verdict, code), (path, said(path))
     for path in files("tests/certificates/cbor", "cbor"):
         code = path.stem.split("--")[0]
-        assert said(path)[1] == (None if code == "valid" else code), (path, said(path))
+        # Where the first byte is not that of an array in CBOR, the file is read as JSON.
+        found = said(path)[1]
+        assert found == (None if code == "valid" else code) or (found, code) == ("json", "cbor"), (path, found)
 
 
 def places(data, at=()):

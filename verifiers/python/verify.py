@@ -68,8 +68,7 @@ def read_cbor(content):
     def head():
         first = take(1)[0]
         major, short = first >> 5, first & 31
-        formed(major < 7 and not 28 <= short < 31, "cbor", "a float, a simple value or a reserved length")
-        formed(short < 31, "canonical" if 2 <= major < 6 else "cbor", "an indefinite length")
+        formed(major < 7 and short < 28, "cbor", "a float, a simple value, or an indefinite or reserved length")
         if short < 24:
             return major, short
         argument = int.from_bytes(take(1 << (short - 24)), "big")
