@@ -77,7 +77,8 @@ impl Region {
         let meet_well = |s: &[Corner<2>; 3], t: &[Corner<2>; 3]| {
             let shared = s.iter().filter(|corner| t.contains(corner));
             let common: Vec<Point> = shared.map(|corner| self.position(corner)).collect();
-            !meet_elsewhere(&places(s), &places(t), &common)
+            // Two with the same corners are the same tile twice.
+            common.len() < 3 && !meet_elsewhere(&places(s), &places(t), &common)
         };
         let is_right = |(index, s): (usize, &[Corner<2>; 3])| {
             self.triangles.iter().enumerate().all(|(other, t)| {
@@ -91,10 +92,9 @@ impl Region {
     }
 
     fn tiling(&self) -> Tiling<2> {
-        let scaled = |point: &[i64; 2]| *point;
         Tiling {
             frame: Frame::<2>::cubic().with_domain(Domain::Region(self.rank)),
-            vertices: Coordinates::from_integers(self.points.iter().map(scaled).collect(), CELL)
+            vertices: Coordinates::from_integers(self.points.clone(), CELL)
                 .unwrap(),
             corners: self.triangles.concat(),
         }
@@ -186,8 +186,8 @@ fn strip_of_twice_the_period() {
         let [v_next, w_next] = [[length, 0], [length, CELL]];
         Region::of_points(1, &[[v, v_next, w], [v_next, w_next, w]])
     };
-    assert_eq!(judge(&strip(CELL)), Ok(true));
-    assert_eq!(judge(&strip(2 * CELL)), Ok(false));
+    assert!(judge(&strip(CELL)).unwrap());
+    assert!(!judge(&strip(2 * CELL)).unwrap());
 }
 
 /// A square in a square, with its boundary or without.
@@ -202,8 +202,8 @@ fn a_hole_in_each_cell() {
         .collect();
     // Without a hole there is no boundary if the lattice has rank 2.
     for (rank, expected) in [(0, true), (1, true), (2, false)] {
-        assert_eq!(judge(&Region::of_points(rank, &all)), Ok(expected), "{rank}");
+        assert_eq!(judge(&Region::of_points(rank, &all)).unwrap(), expected, "{rank}");
         let with_hole = Region::of_points(rank, &all[2..]);
-        assert_eq!(judge(&with_hole), Ok(true), "{rank}");
+        assert!(judge(&with_hole).unwrap(), "{rank}");
     }
 }

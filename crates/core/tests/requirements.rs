@@ -38,8 +38,8 @@ fn code(result: Result<Proof<3>, Findings>) -> &'static str {
     }
 }
 
-/// arccos(1/5) = 78.46304096718452… degrees: the largest angle of A15; the smallest is
-/// arccos(3/5) = 53.13010235415598… degrees, and the largest radius-edge ratio 1/√2 =
+/// arccos(1/5) = 78.4630409671845123… degrees: the largest angle of A15; the smallest is
+/// arccos(3/5) = 53.1301023541559787… degrees, and the largest radius-edge ratio 1/√2 =
 /// 0.70710678118654752….
 #[test]
 fn bounds_of_a15_at_any_distance() {
@@ -47,15 +47,14 @@ fn bounds_of_a15_at_any_distance() {
     for (requirement, expected) in [
         ("dihedral<78.47", "proved"),
         ("dihedral<78.46304097", "proved"),
-        ("dihedral<78.46304096718453", "proved"),
-        ("dihedral<78.46304096718452", "angle-not-below"),
+        ("dihedral<78.46304096718452", "proved"),
+        ("dihedral<78.46304096718451", "angle-not-below"),
         ("dihedral<78.463040967", "angle-not-below"),
         ("dihedral<60", "angle-not-below"),
         ("dihedral<180", "proved"),
         ("dihedral>53.13", "proved"),
         ("dihedral>53.13010235415597", "proved"),
-        ("dihedral>53.13010235415598", "proved"),
-        ("dihedral>53.13010235415599", "angle-not-above"),
+        ("dihedral>53.13010235415598", "angle-not-above"),
         ("dihedral>60", "angle-not-above"),
         ("dihedral>0.00001", "proved"),
         ("radius-edge<0.7071067811865476", "proved"),

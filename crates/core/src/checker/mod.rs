@@ -4,6 +4,7 @@
 //! Nothing here is trusted. [`crate::proved`] writes what comes out as a certificate and asks the
 //! kernel.
 
+mod copies;
 mod data;
 mod defect;
 mod domain;

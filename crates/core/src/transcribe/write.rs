@@ -231,7 +231,8 @@ impl<const D: usize> Rows<'_, D> {
             if is_odd {
                 corners.swap(D - 2, D - 1);
             }
-            format::write::row(out, &corners.map(in_format), rank, None)
+            // In the plane this has exchanged the first one.
+            format::write::row(out, &seen_from_first(corners).map(in_format), rank, None)
         })
     }
 
