@@ -10,7 +10,7 @@
 //! let a15 = acutile::catalog::build("a15")?;
 //! let certificate = certify(&a15, vec![Requirement::Acute]).expect("A15 is acute");
 //! let verified = verify(&certificate, &Limits::DEFAULT).expect("and the kernel confirms it");
-//! assert!(verified.claim().print().contains("\"acute\""));
+//! assert!(verified.claim.print().contains("\"acute\""));
 //! # Ok::<(), acutile::catalog::CatalogError>(())
 //! ```
 
@@ -52,7 +52,7 @@ pub fn certify(tiling: &AnyTiling, required: Vec<Requirement>) -> Result<Vec<u8>
 ///
 /// # Errors
 /// The first condition that does not hold.
-pub fn verify(mut certificate: &[u8], limits: &Limits) -> Result<Verified, Box<Refusal>> {
+pub fn verify(mut certificate: &[u8], limits: &Limits) -> Result<Verified, Refusal> {
     acutile_kernel::verify(&mut certificate, limits)
 }
 

@@ -215,7 +215,11 @@ fn convert_reads_no_more_than_its_limit() {
         file.expect("opened").set_len(40 << 30).expect("sparse");
         let output = acutile(["convert", text(&at(name)), text(&at("out.cbor"))]);
         assert_eq!(code(&output), 3, "{}", stderr(&output));
-        assert!(stderr(&output).contains("--max-bytes 42949672960"), "{}", stderr(&output));
+        assert!(
+            stderr(&output).contains("--max-bytes 42949672960"),
+            "{}",
+            stderr(&output)
+        );
         assert!(!at("out.cbor").exists());
     }
     let small = acutile(["convert", "--max-bytes", "100", "certificates/z.json", "-"]);

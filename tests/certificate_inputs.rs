@@ -70,8 +70,16 @@ fn certificates_are_verified_where_something_is_called_proved() {
         ] {
             let path = format!("tests/certificates/{file}");
             let output = acutile([command, &path, "-o", target]);
-            assert_eq!(code(&output), expected, "{command} {file}: {}", stderr(&output));
-            assert!(!fs::exists(target).expect("a directory"), "{command} {file}");
+            assert_eq!(
+                code(&output),
+                expected,
+                "{command} {file}: {}",
+                stderr(&output)
+            );
+            assert!(
+                !fs::exists(target).expect("a directory"),
+                "{command} {file}"
+            );
         }
     }
 }
@@ -99,7 +107,10 @@ fn limits_are_options_of_every_command_that_verifies() {
         let refused = output(&["--max-simplices", "45"]);
         assert_eq!(code(&refused), 3, "{command}: {}", stderr(&refused));
         let message = stdout(&refused) + &stderr(&refused);
-        assert!(message.contains("--max-simplices 46"), "{command}: {message}");
+        assert!(
+            message.contains("--max-simplices 46"),
+            "{command}: {message}"
+        );
         let done = output(&["--max-simplices", "46"]);
         assert_eq!(code(&done), 0, "{command}: {}", stderr(&done));
         let _ = fs::remove_file(target);

@@ -525,9 +525,7 @@ fn without_a_certificate() {
         "{line}"
     );
     assert!(
-        line.contains(
-            "all dihedral angles are at most arccos(1/5) = 78.4630... degrees, attained"
-        ),
+        line.contains("all dihedral angles are at most arccos(1/5) = 78.4630... degrees, attained"),
         "{line}"
     );
     let refuted = acutile([

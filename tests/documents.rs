@@ -53,7 +53,11 @@ fn hypotheses(document: &str) -> Vec<(String, String)> {
 fn every_hypothesis_names_functions_and_codes_that_exist() {
     let prover = sources("crates/core/src") + &sources("crates/exact/src");
     let rows = hypotheses(&read("docs/soundness.md"));
-    assert_eq!(rows.len(), 12 + 4 + 4 + 2, "one for each hypothesis and statement");
+    assert_eq!(
+        rows.len(),
+        12 + 4 + 4 + 2,
+        "one for each hypothesis and statement"
+    );
     for (functions, codes) in &rows {
         assert!(!names(functions).is_empty() && !names(codes).is_empty());
         for path in names(functions) {

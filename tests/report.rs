@@ -121,8 +121,8 @@ fn what_the_kernel_refuses_has_no_page() {
     let certificate = std::fs::read_to_string("certificates/a15.json").expect("a15");
     let head = certificate.find("\"witness\"").expect("a witness");
     let (claim, witness) = certificate.split_at(head);
-    let moved = format!("{claim}{}", witness.replacen("\"1/4\"", "\"1/5\"", 1));
-    let future = certificate.replacen("\"version\":1", "\"version\":7", 1);
+    let moved = format!("{claim}{}", witness.replacen("[0,0,2]", "[0,0,1]", 1));
+    let future = certificate.replacen("\"version\":2", "\"version\":7", 1);
     let cases = [
         ("false.json", moved, 1, "rejected ["),
         (

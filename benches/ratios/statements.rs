@@ -6,9 +6,9 @@ use crate::naive;
 use crate::row::{Table, ratio};
 use acutile_core::checker::{Findings, Model, check_delaunay};
 use acutile_core::predicates::AnglesAgainst;
+use acutile_core::tiling::match_facets;
 use acutile_exact::number::Number;
 use malachite::Rational;
-use acutile_core::tiling::match_facets;
 
 /// The rows of the statements.
 pub fn measure(table: &Table) {
@@ -21,9 +21,10 @@ pub fn measure(table: &Table) {
         let naive = naive::time(&tiling);
         let model = Model::new(&tiling);
         let matching = match_facets(&tiling);
-        let bound = model.prepare(AnglesAgainst::new(&Number::from(
-            Rational::from_signeds(1i64, 1 << 62),
-        )));
+        let bound = model.prepare(AnglesAgainst::new(&Number::from(Rational::from_signeds(
+            1i64,
+            1 << 62,
+        ))));
         let below = fastest(|| bound.failing(|signs| signs.all_positive()));
         let delaunay = fastest(|| check_delaunay(&model, &matching, true, &mut Findings::new(0)));
         table.plain(

@@ -373,9 +373,9 @@ fn proved(verified: &Verified, input: &str, target: &Target) -> (String, Value) 
         "input": input,
         "verdict": "proved",
         "statements": claim_json(verified)["statements"],
-        "vertices": verified.vertices(),
-        "simplices": verified.simplices(),
-        "sha256": hexadecimal(verified.sha256()),
+        "vertices": verified.vertices,
+        "simplices": verified.simplices,
+        "sha256": hexadecimal(&verified.sha256),
         "certificate": path,
     });
     match path {

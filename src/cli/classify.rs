@@ -4,7 +4,7 @@ use super::input::{self, FileArguments};
 use super::outcome::Outcome;
 use super::output::Output;
 use acutile_core::tiling::Domain;
-use acutile_paper::survey::{AnyStudy, Study, Survey, isomorphic_entries};
+use acutile_paper::survey::{AnyStudy, NotStudied, Study, Survey, isomorphic_entries};
 use clap::Args;
 use malachite::Rational;
 use serde_json::{Value, json};
@@ -33,9 +33,9 @@ pub fn run(arguments: &ClassifyArguments, output: &mut Output) -> Outcome {
     let report = match AnyStudy::of(named.tiling) {
         Ok(AnyStudy::Plane(study)) => of_plane(&study),
         Ok(AnyStudy::Space(study)) => of_space(&study),
-        Err(message) => {
-            output.complain(format!("acutile: {}: {message}", arguments.input));
-            return Outcome::Refuted;
+        Err(error) => {
+            output.complain(format!("acutile: {}: {error}", arguments.input));
+            return of_study(&error);
         }
     };
     match arguments.json {
@@ -43,6 +43,14 @@ pub fn run(arguments: &ClassifyArguments, output: &mut Output) -> Outcome {
         false => in_words(&arguments.input, &report, output),
     }
     Outcome::Done
+}
+
+/// How a command ends that has no study to show.
+pub fn of_study(error: &NotStudied) -> Outcome {
+    match error.is_refuted {
+        true => Outcome::Refuted,
+        false => Outcome::Declined,
+    }
 }
 
 fn with_name(name: &str, mut report: Value) -> Value {

@@ -89,8 +89,8 @@ pub fn of_content(
 /// The tiling of a certificate, which is not judged here.
 fn of_certificate(input: &str, bytes: &[u8]) -> Result<Named, InputError> {
     let cbor = transcribe::cbor(input, bytes)?;
-    let (tiling, _) =
-        acutile_core::transcribe::of_certificate(&cbor).map_err(|error| format!("{input}: {error}"))?;
+    let (tiling, _) = acutile_core::transcribe::of_certificate(&cbor)
+        .map_err(|error| format!("{input}: {error}"))?;
     Ok(Named {
         name: input.to_owned(),
         description: "the tiling of a certificate".to_owned(),

@@ -7,7 +7,6 @@ use super::outcome::Outcome;
 use super::output::Output;
 use super::progress::Progress;
 use acutile_catalog as catalog;
-use acutile_core::format::json::JsonCode;
 use acutile_core::proved;
 use acutile_kernel::{Kind, Limits};
 use acutile_publish::appendix::Subject;
@@ -79,7 +78,7 @@ pub fn outcome(error: &proved::NotProved) -> Outcome {
             Kind::Malformed => Outcome::Failed,
             Kind::Declined => Outcome::Declined,
         },
-        proved::NotProved::Json(error) if error.code != JsonCode::Version => Outcome::Failed,
+        proved::NotProved::Json(error) if !error.code.is_declined() => Outcome::Failed,
         proved::NotProved::Io(_) => Outcome::Failed,
         _ => Outcome::Declined,
     }

@@ -1,5 +1,6 @@
 //! `acutile table`: the paper's Table 1, rigorously, for its rows and all others.
 
+use super::classify::of_study;
 use super::input::{self, FileArguments};
 use super::outcome::Outcome;
 use super::output::Output;
@@ -71,6 +72,6 @@ fn row(name: &str, survey: &Survey, output: &mut Output) -> Result<Row, (String,
         .map_err(|error| (error.message, error.outcome))?;
     match AnyStudy::of(named.tiling) {
         Ok(study) => Ok(Row::of(name, &study)),
-        Err(message) => Err((format!("{name}: {message}"), Outcome::Refuted)),
+        Err(error) => Err((format!("{name}: {error}"), of_study(&error))),
     }
 }

@@ -5,10 +5,9 @@ use super::named::InputError;
 use super::outcome::Outcome;
 use super::output::{Output, write_file};
 use acutile_catalog as catalog;
-use acutile_core::format::{self, VERSION, json::JsonCode, print, recognise};
+use acutile_core::format::{self, VERSION, print, recognise};
 use acutile_core::refusal::exceeded;
 use acutile_io::import::{ImportError, read_bytes, uncompressed_name};
-use acutile_kernel::Limit;
 use std::borrow::Cow;
 use std::fs::{self, File};
 use std::io::{self, BufRead, Read};
@@ -87,7 +86,7 @@ fn read(input: &str, limit: u64) -> Result<Vec<u8>, InputError> {
         ImportError::TooLong { .. } => InputError {
             message: format!(
                 "{input}: declined [too-many-bytes] {}",
-                exceeded(Limit::Bytes, length.filter(|_| input != "-"))
+                exceeded("bytes", length.filter(|_| input != "-"))
             ),
             outcome: Outcome::Declined,
         },
@@ -101,8 +100,8 @@ fn read(input: &str, limit: u64) -> Result<Vec<u8>, InputError> {
 /// JSON that is not canonical, or another version.
 pub fn cbor<'b>(input: &str, bytes: &'b [u8]) -> Result<Cow<'b, [u8]>, InputError> {
     let cbor = format::to_cbor(bytes).map_err(|error| {
-        let is_version = error.code == JsonCode::Version;
-        refused(input, error.code.name(), &error.to_string(), is_version)
+        let is_declined = error.code.is_declined();
+        refused(input, error.code.name(), &error.to_string(), is_declined)
     })?;
     match format::version(&cbor) {
         Some(version) if version != VERSION => {

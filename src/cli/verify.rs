@@ -7,7 +7,7 @@ use super::words::{name, one_line};
 use acutile_core::format::{self, Encoding, json::JsonError, recognise};
 use acutile_core::proved::{hexadecimal, in_words};
 use acutile_core::refusal;
-use acutile_kernel::{Code, Kind, Limit, Limits, Refusal, Value as Wrong, Verified, verify};
+use acutile_kernel::{Code, Kind, Limits, Refusal, Value as Wrong, Verified, verify};
 use clap::Args;
 use serde_json::{Value, json};
 use std::ffi::OsString;
@@ -78,7 +78,7 @@ fn judge(file: &OsString, claim: Option<&str>, limits: &Limits) -> Verdict {
         Err(verdict) => return verdict,
     };
     match claim {
-        Some(claim) if verified.claim().print() != claim => Verdict::OtherClaim(verified),
+        Some(claim) if verified.claim.print() != claim => Verdict::OtherClaim(verified),
         _ => Verdict::Verified(verified),
     }
 }
@@ -119,15 +119,15 @@ fn check_reader(
         return Err(Verdict::TooLong(length));
     }
     let cbor = format::to_cbor(&bytes).map_err(Verdict::Malformed)?;
-    verify(&mut &cbor[..], limits).map_err(Verdict::Refused)
+    verify(&mut &cbor[..], limits).map_err(|refusal| Verdict::Refused(Box::new(refusal)))
 }
 
 /// The kernel does not know how long a file is that it refuses to read to its end.
-fn refused(mut refusal: Box<Refusal>, length: Option<u64>) -> Verdict {
-    if let Wrong::Exceeds(Limit::Bytes, enough) = &mut refusal.value {
+fn refused(mut refusal: Refusal, length: Option<u64>) -> Verdict {
+    if let Wrong::Limit("bytes", enough) = &mut refusal.value {
         *enough = enough.or(length);
     }
-    Verdict::Refused(refusal)
+    Verdict::Refused(Box::new(refusal))
 }
 
 /// Bytes that tell the encodings apart.
@@ -144,7 +144,7 @@ impl Verdict {
                 Kind::Malformed => 2,
                 Kind::Declined => 3,
             },
-            Verdict::Malformed(error) if error.code == format::json::JsonCode::Version => 3,
+            Verdict::Malformed(error) if error.code.is_declined() => 3,
             Verdict::Malformed(_) | Verdict::Unreadable(_) => 2,
             Verdict::TooLong(_) => 3,
         }
@@ -153,6 +153,7 @@ impl Verdict {
     fn as_text(&self, file: &OsString) -> String {
         let verdict = match self {
             Verdict::Verified(verified) => format!("verified: {}", summary(verified)),
+            _ if self.word() == self.code() => format!("{}: {}", self.word(), self.message()),
             _ => format!("{} [{}] {}", self.word(), self.code(), self.message()),
         };
         format!("{}: {}", name(file), one_line(&verdict))
@@ -162,7 +163,8 @@ impl Verdict {
         match self {
             Verdict::Verified(_) => "verified",
             Verdict::OtherClaim(_) => "rejected",
-            Verdict::Refused(refusal) => refusal::verdict(refusal.code.kind()),
+            Verdict::Refused(refusal) if refusal.code == Code::Unreadable => "unreadable",
+            Verdict::Refused(refusal) => refusal.code.kind().text(),
             Verdict::Malformed(_) => match self.exit_code() {
                 3 => "declined",
                 _ => "malformed",
@@ -192,7 +194,7 @@ impl Verdict {
             Verdict::Refused(refusal) => refusal::message(refusal),
             Verdict::Malformed(error) => error.to_string(),
             Verdict::TooLong(length) => {
-                format!("the file is {}", refusal::exceeded(Limit::Bytes, *length))
+                format!("the file is {}", refusal::exceeded("bytes", *length))
             }
             Verdict::Unreadable(error) => error.to_string(),
         }
@@ -205,8 +207,8 @@ impl Verdict {
         match self {
             Verdict::Verified(verified) => json!({
                 "file": file, "verdict": "verified", "claim": claim_json(verified),
-                "words": in_words(verified), "vertices": verified.vertices(),
-                "simplices": verified.simplices(), "sha256": hexadecimal(verified.sha256()),
+                "words": in_words(verified), "vertices": verified.vertices,
+                "simplices": verified.simplices, "sha256": hexadecimal(&verified.sha256),
             }),
             _ => json!({
                 "file": file, "verdict": self.word(), "code": self.code(),
@@ -218,20 +220,20 @@ impl Verdict {
 
 /// The claim as the kernel prints it.
 pub fn claim_json(verified: &Verified) -> Value {
-    let file: Value = serde_json::from_str(&verified.claim().print()).unwrap_or_default();
+    let file: Value = serde_json::from_str(&verified.claim.print()).unwrap_or_default();
     file["claim"].clone()
 }
 
 /// The claim in words with counts and digest, in a line.
 pub fn summary(verified: &Verified) -> String {
-    let vertices = match verified.vertices() {
+    let vertices = match verified.vertices {
         1 => "1 vertex".to_owned(),
         n => format!("{n} vertices"),
     };
     format!(
         "{}. ({vertices}, {} simplices, sha256 {})",
         in_words(verified),
-        verified.simplices(),
-        hexadecimal(verified.sha256())
+        verified.simplices,
+        hexadecimal(&verified.sha256)
     )
 }

@@ -78,7 +78,7 @@ def check_overview(directory, names):
 
 
 def data_lines(text):
-    """The places of digits in the data of marked tables."""
+    """The places of digits in the data of marked tables and in the bounds of the theorem."""
     places, offset, inside = [], 0, False
     lines = text.split("\n")
     single = 0
@@ -93,6 +93,8 @@ def data_lines(text):
                 kind = line
         elif inside is True and line.startswith(("\\end{", "\\bottomrule")):
             inside = False
+        elif line.startswith("\\item "):
+            places += [offset + i for i, c in enumerate(line) if c.isdigit()]
         elif inside is True or single:
             single -= bool(single)
             if not line.startswith(("\\end{", "which", "\\[\\begin{aligned}")):

@@ -86,12 +86,12 @@ class Check:
         degrees, arc = re.fullmatch(r"(.*)\^\\circ", text), re.fullmatch(r"\\arccos\((.*)\)", text)
         if enclosed and is_ratio:
             low, high = interval(self.k, enclosed.group(1))
-            must(0 < low <= high < low + F(1, 10 ** 5), f"{what}: an enclosure that is wide")
+            must(0 < low < high, f"{what}: an enclosure that decides nothing")
             must((square - low * low).sign() >= 0 >= (square - high * high).sign(), f"{what}: not in its enclosure")
+            near = (low + SLACK) ** 2, (high - SLACK) ** 2
+            must((square - near[0]).sign() <= 0 <= (square - near[1]).sign(), f"{what}: far from an end of its enclosure")
         elif enclosed:
-            low, high = interval(self.k, enclosed.group(1))
-            must(low < high < low + F(1, 10 ** 5), f"{what}: an enclosure that is wide")
-            check_degrees(square, low, high, what)
+            check_degrees(square, *interval(self.k, enclosed.group(1)), what)
         elif degrees:
             check_degrees(square, *interval(self.k, degrees.group(1)), what)
         else:

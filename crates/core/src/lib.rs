@@ -5,6 +5,7 @@ pub mod checker;
 pub mod classify;
 pub mod delaunay;
 pub mod format;
+pub mod limits;
 pub mod predicates;
 pub mod proved;
 pub mod quality;

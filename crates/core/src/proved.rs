@@ -7,9 +7,10 @@
 use crate::checker::{self, Findings, Names, Options, Progress};
 use crate::format::{self, json::JsonError};
 use crate::statement::Statement;
+use crate::tiling::dimension::same;
 use crate::tiling::{AnyTiling, Tiling};
 use crate::transcribe::{self, ReadError};
-use acutile_kernel::{Limit, Limits, Refusal, Value, Verified, verify};
+use acutile_kernel::{Limits, Refusal, Value, Verified, verify};
 use std::fmt;
 use std::io::{self, BufReader, BufWriter, Cursor, Read, Seek, Write};
 
@@ -76,7 +77,13 @@ impl fmt::Display for NotProved {
                 write!(f, "the kernel does not confirm the certificate: {words}")
             }
             NotProved::Io(error) => write!(f, "{error}"),
-            NotProved::Json(error) => write!(f, "malformed [{}] {error}", error.code.name()),
+            NotProved::Json(error) => {
+                let verdict = match error.code.is_declined() {
+                    true => "declined",
+                    false => "malformed",
+                };
+                write!(f, "{verdict} [{}] {error}", error.code.name())
+            }
             NotProved::Unreadable(error) => write!(f, "{error}"),
         }
     }
@@ -90,16 +97,6 @@ impl From<Findings> for NotProved {
             true => NotProved::Declined(findings),
             false => NotProved::Refuted(findings),
         }
-    }
-}
-
-/// Limits for certificates that were written here. Their size is no reason to decline them.
-pub fn own_limits() -> Limits {
-    Limits {
-        bytes: u64::MAX,
-        simplices: u64::MAX,
-        bits: 1 << 20,
-        ..Limits::DEFAULT
     }
 }
 
@@ -132,6 +129,43 @@ pub fn prove_to<const D: usize>(
     progress: Progress,
     storage: &mut (impl Read + Write + Seek),
 ) -> Result<Confirmed, NotProved> {
+    match D {
+        2 => prove_plane(same(tiling), options, progress, storage),
+        _ => prove_space(same(tiling), options, progress, storage),
+    }
+}
+
+/// A place that a certificate is written to and read from.
+trait Storage: Read + Write + Seek {}
+
+impl<S: Read + Write + Seek> Storage for S {}
+
+#[inline(never)]
+fn prove_plane(
+    tiling: &Tiling<2>,
+    options: &Options,
+    progress: Progress,
+    storage: &mut dyn Storage,
+) -> Result<Confirmed, NotProved> {
+    confirmed(tiling, options, progress, storage)
+}
+
+#[inline(never)]
+fn prove_space(
+    tiling: &Tiling<3>,
+    options: &Options,
+    progress: Progress,
+    storage: &mut dyn Storage,
+) -> Result<Confirmed, NotProved> {
+    confirmed(tiling, options, progress, storage)
+}
+
+fn confirmed<const D: usize>(
+    tiling: &Tiling<D>,
+    options: &Options,
+    progress: Progress,
+    storage: &mut dyn Storage,
+) -> Result<Confirmed, NotProved> {
     let proof = checker::examine(tiling, options, progress)?;
     progress("certificate");
     let mut out = BufWriter::new(&mut *storage);
@@ -143,7 +177,7 @@ pub fn prove_to<const D: usize>(
     storage.rewind().map_err(NotProved::Io)?;
     let verified = verify(&mut BufReader::new(storage), &options.limits);
     Ok(Confirmed {
-        verified: verified.map_err(NotProved::Unconfirmed)?,
+        verified: verified.map_err(|refusal| NotProved::Unconfirmed(Box::new(refusal)))?,
         statements,
     })
 }
@@ -157,10 +191,10 @@ impl Proved {
         let cbor = format::to_cbor(bytes).map_err(NotProved::Json)?;
         let length = cbor.len() as u64;
         let verified = verify(&mut &cbor[..], limits).map_err(|mut refusal| {
-            if let Value::Exceeds(Limit::Bytes, enough) = &mut refusal.value {
+            if let Value::Limit("bytes", enough) = &mut refusal.value {
                 *enough = Some(length);
             }
-            NotProved::Unconfirmed(refusal)
+            NotProved::Unconfirmed(Box::new(refusal))
         })?;
         let (tiling, statements) =
             transcribe::of_certificate(&cbor).map_err(NotProved::Unreadable)?;
@@ -189,7 +223,7 @@ impl Proved {
 
     /// The SHA-256 of the certificate, in hexadecimal digits.
     pub fn sha256(&self) -> String {
-        hexadecimal(self.verified.sha256())
+        hexadecimal(&self.verified.sha256)
     }
 }
 
@@ -211,24 +245,24 @@ impl Confirmed {
 
     /// The SHA-256 of the certificate, in hexadecimal digits.
     pub fn sha256(&self) -> String {
-        hexadecimal(self.verified.sha256())
+        hexadecimal(&self.verified.sha256)
     }
 }
 
 /// The claim that the kernel confirmed, as data: read from the text that the kernel prints.
 pub fn claim_of(verified: &Verified) -> Option<format::Claim> {
-    let cbor = format::json::claim_to_cbor(verified.claim().print().as_bytes()).ok()?;
+    let cbor = format::json::claim_to_cbor(verified.claim.print().as_bytes()).ok()?;
     format::read::claim_file(&cbor).ok()
 }
 
 /// The claim that the kernel confirmed, in words, one line. A claim beyond the prover's limits is
 /// given as its JSON.
 pub fn in_words(verified: &Verified) -> String {
-    let (simplices, boundary) = (verified.simplices(), verified.boundary_facets());
+    let (simplices, boundary) = (verified.simplices, verified.boundary_facets);
     let words = claim_of(verified).and_then(|claim| {
         transcribe::claim_in_words(&claim, simplices as usize, boundary as usize).ok()
     });
-    words.unwrap_or_else(|| verified.claim().print().replace('\n', ""))
+    words.unwrap_or_else(|| verified.claim.print().replace('\n', ""))
 }
 
 /// Bytes in hexadecimal digits.

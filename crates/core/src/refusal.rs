@@ -1,7 +1,7 @@
 //! The kernel's refusals in words. The kernel gives a code, a place and an exact value; nothing
 //! here decides. All numbers count from zero.
 
-use acutile_kernel::{Code, Kind, Limit, Place, Refusal, Value};
+use acutile_kernel::{Code, Place, Refusal, Value};
 use malachite::Integer;
 use std::str::FromStr;
 
@@ -9,19 +9,10 @@ use std::str::FromStr;
 pub fn in_words(refusal: &Refusal) -> String {
     format!(
         "{} [{}] {}",
-        verdict(refusal.code.kind()),
+        refusal.code.kind().text(),
         refusal.code.text(),
         message(refusal)
     )
-}
-
-/// The verdict that a kind of refusal means.
-pub fn verdict(kind: Kind) -> &'static str {
-    match kind {
-        Kind::Rejected => "rejected",
-        Kind::Malformed => "malformed",
-        Kind::Declined => "declined",
-    }
 }
 
 /// The place, the rule, and the value, without the code.
@@ -38,7 +29,7 @@ pub fn message(refusal: &Refusal) -> String {
             });
             format!("{place}: {rule}, found {}", quotient(&p, &q))
         }
-        Value::Exceeds(limit, enough) => format!("{place}: {}", exceeded(*limit, *enough)),
+        Value::Limit(limit, enough) => format!("{place}: {}", exceeded(limit, *enough)),
     }
 }
 
@@ -132,18 +123,18 @@ fn rule(code: Code) -> &'static str {
     }
 }
 
-/// The option that raises a limit, and a value that suffices, where it is known.
-pub fn exceeded(limit: Limit, enough: Option<u64>) -> String {
-    let (what, option) = match limit {
-        Limit::Bytes => ("bytes", "--max-bytes"),
-        Limit::Simplices => ("simplices", "--max-simplices"),
-        Limit::Bits => ("bits of an integer", "--max-bits"),
-        Limit::Degree => ("the degree of the field", "--max-degree"),
-        Limit::Work => ("units of work", "--max-work"),
+/// The option that raises a limit, and a value that suffices, where it is known. The option has
+/// the name of the limit.
+pub fn exceeded(limit: &str, enough: Option<u64>) -> String {
+    let unit = match limit {
+        "bits" => "bits of an integer",
+        "degree" => "the degree of the field",
+        "work" => "units of work",
+        other => other,
     };
     match enough {
-        Some(enough) => format!("beyond the limit of {what}; {option} {enough} is enough"),
-        None => format!("beyond the limit of {what}; {option} raises it"),
+        Some(enough) => format!("beyond the limit of {unit}; --max-{limit} {enough} is enough"),
+        None => format!("beyond the limit of {unit}; --max-{limit} raises it"),
     }
 }
 

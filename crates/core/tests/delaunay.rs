@@ -1,9 +1,9 @@
 //! The Delaunay room against hand counts, a brute-force twin and its symmetries.
 
 use acutile_core::checker::Options;
+use acutile_core::delaunay::{Cell, DelaunayError, Ties, cells, triangulate};
 use acutile_core::proved::prove;
 use acutile_core::statement::{Requirement, Statement};
-use acutile_core::delaunay::{Cell, DelaunayError, Ties, cells, triangulate};
 use acutile_core::tiling::{Corner, Frame, PointSet, Tiling, match_facets};
 use acutile_exact::geometry::{Sign, Simplex};
 use acutile_exact::number::{Field, Number};

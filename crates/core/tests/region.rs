@@ -10,8 +10,8 @@ use acutile_core::statement::Statement;
 use acutile_core::tiling::{self, AnyTiling, Corner, Frame, Tiling, match_facets};
 use acutile_core::transcribe::{Parts, to_certificate};
 use acutile_exact::geometry::triangle::{Triangle, folded};
-use acutile_kernel::{Limits, Refusal, Verified, verify};
 use acutile_io::import::{Content, read_native};
+use acutile_kernel::{Limits, Refusal, Verified, verify};
 use malachite::{Integer, Rational};
 use proptest::prelude::*;
 
@@ -114,7 +114,7 @@ impl Mesh {
         })
     }
 
-    fn verified(&self) -> Result<Verified, Box<Refusal>> {
+    fn verified(&self) -> Result<Verified, Refusal> {
         verify(&mut &self.certificate()[..], &Limits::DEFAULT)
     }
 
@@ -377,9 +377,9 @@ fn every_two_triangles_on_an_edge() {
 fn the_boundary_is_counted() {
     for n in 1..4 {
         let verified = Mesh::of_cubes(&grid(n), 1).verified().unwrap();
-        assert_eq!(verified.simplices() as i64, 6 * n * n * n);
-        assert_eq!(verified.vertices() as i64, (n + 1) * (n + 1) * (n + 1));
-        assert_eq!(verified.boundary_facets() as i64, 12 * n * n);
+        assert_eq!(verified.simplices as i64, 6 * n * n * n);
+        assert_eq!(verified.vertices as i64, (n + 1) * (n + 1) * (n + 1));
+        assert_eq!(verified.boundary_facets as i64, 12 * n * n);
     }
 }
 
@@ -436,9 +436,7 @@ fn meshes_of_others() {
         let verified = proved.verified();
         let counts = format!(
             "{name}: {} points, {} tetrahedra, {} boundary triangles",
-            verified.vertices(),
-            verified.simplices(),
-            verified.boundary_facets()
+            verified.vertices, verified.simplices, verified.boundary_facets
         );
         assert!(text.contains(&counts), "{counts}");
     }

@@ -38,8 +38,8 @@ fn code(result: Result<Proof<3>, Findings>) -> &'static str {
     }
 }
 
-/// arccos(1/5) = 78.4630409671845123… degrees: the largest angle of A15; the smallest is
-/// arccos(3/5) = 53.1301023541559787… degrees, and the largest radius-edge ratio 1/√2 =
+/// arccos(1/5) = 78.463040967184512… degrees: the largest angle of A15; the smallest is
+/// arccos(3/5) = 53.130102354155978… degrees, and the largest radius-edge ratio 1/√2 =
 /// 0.70710678118654752….
 #[test]
 fn bounds_of_a15_at_any_distance() {
@@ -47,6 +47,7 @@ fn bounds_of_a15_at_any_distance() {
     for (requirement, expected) in [
         ("dihedral<78.47", "proved"),
         ("dihedral<78.46304097", "proved"),
+        ("dihedral<78.46304096718453", "proved"),
         ("dihedral<78.46304096718452", "proved"),
         ("dihedral<78.46304096718451", "angle-not-below"),
         ("dihedral<78.463040967", "angle-not-below"),
@@ -72,10 +73,13 @@ fn bounds_of_a15_at_any_distance() {
 #[test]
 fn the_statement_implies_the_degrees() {
     let proof = decide(&space("a15"), "dihedral<78.46304097").unwrap();
-    let bound = proof.statements.iter().find_map(|statement| match statement {
-        Statement::LargestAngle(Relation::LessThan, angle) => Some(angle.clone()),
-        _ => None,
-    });
+    let bound = proof
+        .statements
+        .iter()
+        .find_map(|statement| match statement {
+            Statement::LargestAngle(Relation::LessThan, angle) => Some(angle.clone()),
+            _ => None,
+        });
     let bound = bound.expect("the requirement is stated");
     let square = bound.signed_square.to_rational().expect("it is rational");
     // Between cos² 78.46304097° and (1/5)².
@@ -110,13 +114,25 @@ fn angles_against_degrees() {
         ("(2+sqrt(2+sqrt(2)))/4", "11.25"),
     ] {
         let bound = degrees(text);
-        assert_eq!(compare_with_degrees(&angle(square), &bound), Ordering::Equal, "{text}");
+        assert_eq!(
+            compare_with_degrees(&angle(square), &bound),
+            Ordering::Equal,
+            "{text}"
+        );
         assert_eq!(cosine_above(&angle(square), &bound), None);
         assert_eq!(cosine_below(&angle(square), &bound), None);
         let nearby = parse_rational("1e-30").unwrap();
         let (below, above) = (&bound - &nearby, &bound + &nearby);
-        assert_eq!(compare_with_degrees(&angle(square), &above), Ordering::Less, "{text}");
-        assert_eq!(compare_with_degrees(&angle(square), &below), Ordering::Greater, "{text}");
+        assert_eq!(
+            compare_with_degrees(&angle(square), &above),
+            Ordering::Less,
+            "{text}"
+        );
+        assert_eq!(
+            compare_with_degrees(&angle(square), &below),
+            Ordering::Greater,
+            "{text}"
+        );
         assert!(cosine_above(&angle(square), &above).is_some(), "{text}");
         assert!(cosine_below(&angle(square), &below).is_some(), "{text}");
     }
@@ -146,7 +162,11 @@ fn a_sliver() {
         ("tcp", "not-tcp"),
         ("delaunay", "proved"),
     ] {
-        assert_eq!(code(decide(&tiling, requirement)), expected, "{requirement}");
+        assert_eq!(
+            code(decide(&tiling, requirement)),
+            expected,
+            "{requirement}"
+        );
     }
 }
 
@@ -175,11 +195,25 @@ fn regions_are_decided_locally() {
 
 #[test]
 fn requirements_are_read() {
-    for text in ["acute", "dihedral<90", "dihedral>1/2", "radius-edge<7/10", "tcp", "tiling"] {
+    for text in [
+        "acute",
+        "dihedral<90",
+        "dihedral>1/2",
+        "radius-edge<7/10",
+        "tcp",
+        "tiling",
+    ] {
         let requirement: Requirement = text.parse().unwrap();
         assert_eq!(requirement.to_string(), text);
     }
-    for text in ["", "sharp", "dihedral<0", "dihedral<181", "dihedral>x", "radius-edge<-1"] {
+    for text in [
+        "",
+        "sharp",
+        "dihedral<0",
+        "dihedral<181",
+        "dihedral>x",
+        "radius-edge<-1",
+    ] {
         assert!(text.parse::<Requirement>().is_err(), "{text}");
     }
 }

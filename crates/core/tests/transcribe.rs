@@ -62,7 +62,11 @@ fn check_order(data: &format::Certificate, name: &str) {
     let content = claim.gram.iter().flatten().flat_map(|number| &number.0);
     let content = content.fold(Natural::from(0u32), |gcd, n| gcd.gcd(n.unsigned_abs_ref()));
     assert_eq!(content, 1u32, "{name}: the Gram matrix is primitive");
-    let coefficients = witness.vertices.iter().flatten().flat_map(|number| &number.0);
+    let coefficients = witness
+        .vertices
+        .iter()
+        .flatten()
+        .flat_map(|number| &number.0);
     let divisor = coefficients.fold(witness.denominator.unsigned_abs_ref().clone(), |gcd, n| {
         gcd.gcd(n.unsigned_abs_ref())
     });
@@ -76,7 +80,10 @@ fn check_order(data: &format::Certificate, name: &str) {
     let mut next = 0;
     for row in witness.simplices.chunks_exact(d + 1) {
         assert_eq!(row[0].shift, [0; 3], "{name}");
-        assert!(row[..d].is_sorted_by(|x, y| x < y) && row[d - 2] < row[d], "{name}: {row:?}");
+        assert!(
+            row[..d].is_sorted_by(|x, y| x < y) && row[d - 2] < row[d],
+            "{name}: {row:?}"
+        );
         assert_ne!(row[d - 1], row[d]);
         for corner in row {
             assert!(corner.vertex <= next, "{name}: numbers follow the rows");
@@ -88,7 +95,9 @@ fn check_order(data: &format::Certificate, name: &str) {
                 &witness.vertices[corner.vertex as usize][k].0[0] + shift
             };
             let edge = |corner: &format::Corner| -> Vec<Integer> {
-                (0..d).map(|k| position(corner, k) - position(&row[0], k)).collect()
+                (0..d)
+                    .map(|k| position(corner, k) - position(&row[0], k))
+                    .collect()
             };
             let edges: Vec<Vec<Integer>> = row[1..].iter().map(edge).collect();
             assert!(determinant(&edges) > 0, "{name}: {row:?}");
@@ -162,7 +171,7 @@ fn random_rows_are_sorted() {
     let tiling = supercell(&space("a15"), [6, 6, 6]);
     let open = |tiling: &Tiling<3>| {
         let proved = prove(tiling, &Options::default(), &|_| ()).unwrap();
-        proved.verified().peak_facets()
+        proved.verified().peak_facets
     };
     let given = open(&tiling);
     let mut rows: Vec<&[Corner<3>]> = tiling.simplices().collect();
@@ -174,7 +183,10 @@ fn random_rows_are_sorted() {
         ..tiling.clone()
     };
     let sorted = open(&shuffled);
-    assert!(sorted < 2 * given, "{sorted} facets open, {given} in the given order");
+    assert!(
+        sorted < 2 * given,
+        "{sorted} facets open, {given} in the given order"
+    );
 }
 
 /// A vertex of many simplices comes after all others.
@@ -211,7 +223,12 @@ fn double_wheel(n: usize) -> Tiling<2> {
 /// Doubles of very different sizes are multiples of one power of two.
 #[test]
 fn doubles() {
-    let points = vec![[0.0, 0.0, 0.0], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.1, 1e-25, 0.3]];
+    let points = vec![
+        [0.0, 0.0, 0.0],
+        [1.0, 0.0, 0.0],
+        [0.0, 1.0, 0.0],
+        [0.1, 1e-25, 0.3],
+    ];
     let tiling = Tiling {
         frame: Frame::<3>::cubic().with_domain(Domain::Region(0)),
         vertices: Coordinates::from_doubles(points).unwrap(),

@@ -232,6 +232,7 @@ fn all_defects_are_counted_and_the_first_are_kept() {
     let options = Options {
         required: vec![Requirement::Acute],
         defect_limit: 2,
+        ..Options::default()
     };
     let AnyTiling::Space(read) = tiling(&kuhn()) else {
         panic!("dimension 3")
@@ -262,9 +263,18 @@ fn cartesian_and_fractional_coordinates_give_the_same_tiling() {
     assert_eq!(statements[1], Statement::Acute);
     // Angles of 60 degrees; the squared ratio is 1/3.
     let sixty = angle("1/4");
-    assert_eq!(statements[2], Statement::LargestAngle(Relation::Maximum, sixty.clone()));
-    assert_eq!(statements[5], Statement::SmallestAngle(Relation::Minimum, sixty));
-    assert_eq!(statements[6], Statement::RadiusEdge(Relation::Maximum, ratio("1/3")));
+    assert_eq!(
+        statements[2],
+        Statement::LargestAngle(Relation::Maximum, sixty.clone())
+    );
+    assert_eq!(
+        statements[5],
+        Statement::SmallestAngle(Relation::Minimum, sixty)
+    );
+    assert_eq!(
+        statements[6],
+        Statement::RadiusEdge(Relation::Maximum, ratio("1/3"))
+    );
     assert_eq!(statements[8], Statement::Delaunay);
     // Its numbers are rational but for a factor of the Gram matrix.
     let proved = prove(&plane, &Options::default(), &|_| ()).expect("a tiling");

@@ -1,179 +1,176 @@
-//! Boxes with integer ends, and a tree of them: which facets and tiles can have a common point.
+//! Boxes with integer ends: which facets and tiles can have a common point.
 //!
-//! **Invariant.** A box contains its facet or tile, since its ends are rounded outwards.
-//! Things whose boxes are disjoint are disjoint. Nothing else follows from a box.
+//! **Invariant.** A box contains its facet or tile, since its ends are rounded outwards. Things
+//! whose boxes are disjoint are disjoint. Nothing else follows from a box.
 
+use crate::int::Int;
 use crate::limits::Work;
-use crate::refusal::{Checked, Place};
+use crate::refusal::{Checked, Place, Stop, Value};
+use crate::ring::{each, zip};
+use crate::root::{BITS, Root, enclosure};
+use crate::row::{Corner, Shape};
+use crate::vertices::Vertices;
+use num_bigint::BigInt;
 
-/// The product of three intervals, from `low` to `high`.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub(crate) struct Bounds {
-    pub(crate) low: [i64; 3],
-    pub(crate) high: [i64; 3],
+/// In the plane, the third corner of each facet. It has no place, and the lattice does not move it.
+pub(crate) const APEX: Corner = Corner { vertex: u32::MAX, shift: [0; 3] };
+
+/// The least and the greatest value of each coordinate.
+pub(crate) type Bounds = [(i64, i64); 3];
+
+fn moved(bounds: &Bounds, by: &[i64; 3]) -> Checked<Bounds> {
+    zip(bounds, by, |(low, high), by| Ok((low + by, high + by)))
 }
 
-impl Bounds {
-    /// The least box that contains both.
-    pub(crate) fn join(&self, other: &Bounds) -> Bounds {
-        let ([a, b, c], [d, e, f]) = (self.low, other.low);
-        let ([p, q, r], [s, t, u]) = (self.high, other.high);
-        Bounds {
-            low: [a.min(d), b.min(e), c.min(f)],
-            high: [p.max(s), q.max(t), r.max(u)],
-        }
-    }
-
-    /// The sums of a point of each.
-    pub(crate) fn plus(&self, other: &Bounds) -> Bounds {
-        let sum = |[a, b, c]: [i64; 3], [d, e, f]: [i64; 3]| [a + d, b + e, c + f];
-        Bounds {
-            low: sum(self.low, other.low),
-            high: sum(self.high, other.high),
-        }
-    }
-
-    pub(crate) fn meets(&self, other: &Bounds) -> bool {
-        let is_below = |[a, b, c]: [i64; 3], [d, e, f]: [i64; 3]| a <= d && b <= e && c <= f;
-        is_below(self.low, other.high) && is_below(other.low, self.high)
-    }
-
-    /// The middle of the interval along an axis.
-    fn middle(&self, axis: usize) -> Option<i64> {
-        let (low, high) = (self.low.get(axis)?, self.high.get(axis)?);
-        Some(low.midpoint(*high))
-    }
-
-    fn width(&self, axis: usize) -> Option<i64> {
-        Some(self.high.get(axis)? - self.low.get(axis)?)
-    }
+/// The smallest box that contains both.
+fn join(a: &Bounds, b: &Bounds) -> Checked<Bounds> {
+    zip(a, b, |a, b| Ok((a.0.min(b.0), a.1.max(b.1))))
 }
 
-/// A number in a box.
-pub(crate) struct Item {
-    pub(crate) bounds: Bounds,
-    pub(crate) number: usize,
-}
-
-/// A balanced tree of items. A node has either items or children.
+/// A balanced tree of boxes. The leaves have numbers.
 pub(crate) struct Tree {
-    pub(crate) bounds: Bounds,
-    items: Vec<Item>,
-    children: Option<Box<[Tree; 2]>>,
+    bounds: Bounds,
+    number: usize,
+    children: Vec<Tree>,
 }
-
-/// The most items of a node.
-const LEAF: usize = 4;
-/// Units of work for the comparison of two boxes.
-const PRICE: u64 = 4;
 
 impl Tree {
-    /// Nothing without items.
-    pub(crate) fn new(mut items: Vec<Item>) -> Option<Tree> {
-        let boxes = items.iter().map(|item| item.bounds);
-        let bounds = boxes.reduce(|all, one| all.join(&one))?;
-        let mut children = None;
-        if items.len() > LEAF {
-            let axis = (0..3).max_by_key(|&axis| bounds.width(axis)).unwrap_or(0);
-            let half = items.len() / 2;
-            items.select_nth_unstable_by_key(half, |item| item.bounds.middle(axis));
-            let rest = items.split_off(half);
-            children = Some(Box::new([Tree::new(items)?, Tree::new(rest)?]));
-            items = Vec::new();
+    /// Of at least one box.
+    pub(crate) fn new(items: &mut [(Bounds, usize)]) -> Checked<Tree> {
+        let (first, others) = items.split_first().ok_or(Stop::LARGER)?;
+        let (mut bounds, number) = *first;
+        for (other, _) in others {
+            bounds = join(&bounds, other)?;
         }
-        Some(Tree {
-            bounds,
-            items,
-            children,
-        })
+        let mut children = Vec::new();
+        if !others.is_empty() {
+            // By halves along the widest axis.
+            let widths = bounds.map(|(low, high)| high - low);
+            let axis = (0..3).max_by_key(|&axis| widths.get(axis)).unwrap_or(0);
+            let middle = |item: &(Bounds, usize)| item.0.get(axis).map(|x| x.0.midpoint(x.1));
+            items.select_nth_unstable_by_key(items.len() / 2, middle);
+            let (first, second) = items.split_at_mut(items.len() / 2);
+            children = vec![Tree::new(first)?, Tree::new(second)?];
+        }
+        Ok(Tree { bounds, number, children })
     }
 
-    /// Visits each pair of different items whose boxes meet, once.
-    pub(crate) fn each_pair(
-        &self,
-        work: &Work,
-        visit: &mut impl FnMut(usize, usize) -> Checked,
-    ) -> Checked {
-        let mut items = self.items.iter();
-        while let Some(item) = items.next() {
-            for other in items.as_slice() {
-                work.add(PRICE);
-                if item.bounds.meets(&other.bounds) {
-                    visit(item.number, other.number)?;
-                }
-            }
-        }
-        if let Some([first, second]) = self.children.as_deref() {
-            first.each_pair(work, visit)?;
-            second.each_pair(work, visit)?;
-            first.each_pair_with(second, &Bounds::default(), work, visit)?;
-        }
-        Ok(())
-    }
-
-    /// Visits each pair of an item here and one of `other` whose boxes meet after the second
-    /// is moved by some vector of the box `by`.
-    pub(crate) fn each_pair_with(
+    /// Visits each leaf here and each leaf of the other tree, moved by a vector, whose boxes meet.
+    fn each_pair(
         &self,
         other: &Tree,
-        by: &Bounds,
+        by: &[i64; 3],
         work: &Work,
         visit: &mut impl FnMut(usize, usize) -> Checked,
     ) -> Checked {
-        work.add(PRICE);
-        if !self.bounds.meets(&other.bounds.plus(by)) {
+        work.add(4);
+        let moved = moved(&other.bounds, by)?;
+        if self.bounds.iter().zip(&moved).any(|(a, b)| a.1 < b.0 || b.1 < a.0) {
             return Ok(());
         }
         work.check(Place::Witness)?;
-        match (self.children.as_deref(), other.children.as_deref()) {
-            (Some([a, b]), Some([c, d])) => {
-                for (own, other) in [(a, c), (a, d), (b, c), (b, d)] {
-                    own.each_pair_with(other, by, work, visit)?;
-                }
+        if self.children.is_empty() && other.children.is_empty() {
+            return visit(self.number, other.number);
+        }
+        for first in self.parts() {
+            for second in other.parts() {
+                first.each_pair(second, by, work, visit)?;
             }
-            (Some([a, b]), None) => {
-                a.each_pair_with(other, by, work, visit)?;
-                b.each_pair_with(other, by, work, visit)?;
+        }
+        Ok(())
+    }
+
+    fn parts(&self) -> &[Tree] {
+        if self.children.is_empty() { std::slice::from_ref(self) } else { &self.children }
+    }
+}
+
+/// Coordinates as integers of about 40 bits, in one unit for all axes.
+pub(crate) struct Grid {
+    points: Vec<Bounds>,
+    /// The lengths of the lattice's basis vectors. Along other axes, more than the size of any box.
+    periods: [i64; 3],
+}
+
+impl Grid {
+    pub(crate) fn new<const N: usize>(shape: Shape, vertices: &Vertices, root: &Root) -> Checked<Grid> {
+        let signed = |x: u64| i64::try_from(x).map_err(|_| Stop::LARGER);
+        // Coordinates lie between low 2^s and high 2^s, divided by 2^exponent and the denominator.
+        let exponent = signed(BITS)? - signed(root.dropped)?;
+        let divisor = signed(vertices.denominator.bits())? + exponent;
+        let mut most = if shape.rank > 0 { 1 } else { -exponent };
+        for vertex in 0..shape.vertices {
+            for (low, high, s) in enclosures::<N>(vertices, root, vertex)? {
+                most = most.max(signed(low.length().max(high.length()) + s)? - divisor);
             }
-            (None, Some([c, d])) => {
-                self.each_pair_with(c, by, work, visit)?;
-                self.each_pair_with(d, by, work, visit)?;
-            }
-            (None, None) => {
-                for other in &other.items {
-                    let moved = other.bounds.plus(by);
-                    for item in &self.items {
-                        work.add(PRICE);
-                        if item.bounds.meets(&moved) {
-                            visit(item.number, other.number)?;
-                        }
-                    }
+        }
+        // The unit is 2^-scale. Division rounds towards zero.
+        let scale = (40 - most).min(exponent);
+        let shift = u64::try_from(exponent - scale).map_err(|_| Stop::LARGER)?;
+        let mut grid = Grid { points: Vec::new(), periods: [1 << 62; 3] };
+        for period in grid.periods.iter_mut().take(shape.rank) {
+            *period = 1 << u32::try_from(scale).map_err(|_| Stop::LARGER)?;
+        }
+        for vertex in 0..shape.vertices {
+            grid.points.push(each(&enclosures::<N>(vertices, root, vertex)?, |&(low, high, s)| {
+                let end = |end: i128, error| -> BigInt { (BigInt::from(end) << s) / &vertices.denominator + error };
+                Ok((end(low, -1).top(shift)?, end(high, 1).top(shift)? + 1))
+            })?);
+        }
+        Ok(grid)
+    }
+
+    /// The box of the corners.
+    pub(crate) fn bounds(&self, corners: &[Corner]) -> Checked<Bounds> {
+        let mut all = None;
+        for corner in corners.iter().filter(|corner| **corner != APEX) {
+            let index = usize::try_from(corner.vertex).map_err(|_| Stop::LARGER)?;
+            let point = self.points.get(index).ok_or(Stop::LARGER)?;
+            let point = moved(point, &self.vector(corner.shift)?)?;
+            all = Some(join(&all.unwrap_or(point), &point)?);
+        }
+        all.ok_or(Stop::LARGER)
+    }
+
+    /// Visits each leaf of the two trees, after each translation of the second one, whose boxes meet.
+    pub(crate) fn each_near(
+        &self,
+        first: &Tree,
+        second: &Tree,
+        work: &Work,
+        visit: &mut impl FnMut([i32; 3], usize, usize) -> Checked,
+    ) -> Checked {
+        let ranges = zip(&first.bounds, &second.bounds, |a, b| Ok((b.1 - a.0, a.1 - b.0)))?;
+        let [x, y, z] = zip(&ranges, &self.periods, |(back, forth), period| {
+            let entries = (-back.div_euclid(*period), forth.div_euclid(*period));
+            Ok((to_entry(entries.0)?, to_entry(entries.1)?))
+        })?;
+        for x in x.0..=x.1 {
+            for y in y.0..=y.1 {
+                for z in z.0..=z.1 {
+                    let by = self.vector([x, y, z])?;
+                    first.each_pair(second, &by, work, &mut |f, g| visit([x, y, z], f, g))?;
                 }
             }
         }
         Ok(())
     }
 
-    /// Visits each item whose box meets the given one.
-    pub(crate) fn each_near(
-        &self,
-        bounds: &Bounds,
-        work: &Work,
-        visit: &mut impl FnMut(usize) -> Checked,
-    ) -> Checked {
-        work.add(PRICE);
-        if !self.bounds.meets(bounds) {
-            return Ok(());
-        }
-        for item in &self.items {
-            work.add(PRICE);
-            if item.bounds.meets(bounds) {
-                visit(item.number)?;
-            }
-        }
-        for child in self.children.iter().flat_map(|pair| pair.iter()) {
-            child.each_near(bounds, work, visit)?;
-        }
-        work.check(Place::Witness)
+    fn vector(&self, shift: [i32; 3]) -> Checked<[i64; 3]> {
+        zip(&shift, &self.periods, |entry, period| Ok(i64::from(to_entry((*entry).into())?) * period))
     }
+}
+
+/// Declines larger translations, so that no sum of ends is too large.
+fn to_entry(entry: i64) -> Checked<i32> {
+    let small = i32::try_from(entry).ok().filter(|entry| entry.unsigned_abs() < 1 << 18);
+    Ok(some!(small, Work, Place::Witness, Value::Limit("work", None)))
+}
+
+fn enclosures<const N: usize>(vertices: &Vertices, root: &Root, vertex: u32) -> Checked<[(i128, i128, u64); 3]> {
+    let corner = Corner { vertex, shift: [0; 3] };
+    if let Ok(point) = vertices.point::<i64, N>(corner) {
+        return each(&point, |x| enclosure(&x.0, &root.rough));
+    }
+    each(&vertices.point::<BigInt, N>(corner)?, |x| enclosure(&x.0, &root.rough))
 }

@@ -4,7 +4,7 @@
 //! The bytes are read once, in pieces. The digest is of exactly the bytes that were read.
 
 use crate::limits::{Limits, Work};
-use crate::refusal::{Checked, Limit, Place, Value};
+use crate::refusal::{Checked, Place, Value};
 use num_bigint::{BigInt, Sign};
 use sha2::{Digest, Sha256};
 use std::io::{ErrorKind, Read};
@@ -19,23 +19,10 @@ const TAG: u8 = 6;
 
 const PIECE: usize = 1 << 16;
 /// The longest text. All texts of the grammar are shorter.
-const LONGEST: u64 = 64;
+const LONGEST: u64 = 1 << 16;
 
-/// An integer as it is encoded.
-#[derive(Clone)]
-pub enum Integer {
-    Small(i64),
-    Large(BigInt),
-}
-
-impl From<Integer> for BigInt {
-    fn from(integer: Integer) -> BigInt {
-        match integer {
-            Integer::Small(value) => value.into(),
-            Integer::Large(value) => value,
-        }
-    }
-}
+/// An integer of 64 bits, or else a larger one.
+pub type Integer = Result<i64, BigInt>;
 
 pub struct Cbor<'r> {
     input: &'r mut dyn Read,
@@ -44,84 +31,79 @@ pub struct Cbor<'r> {
     next: usize,
     /// Bytes before this piece.
     before: u64,
-    limit: u64,
-    bits: u64,
+    limits: Limits,
     digest: Sha256,
     work: Rc<Work>,
 }
 
-impl Cbor<'_> {
-    pub(crate) fn new<'r>(input: &'r mut dyn Read, limits: &Limits, work: &Rc<Work>) -> Cbor<'r> {
+fn wide(length: usize) -> u64 {
+    u64::try_from(length).unwrap_or(u64::MAX)
+}
+
+impl<'r> Cbor<'r> {
+    pub(crate) fn new(input: &'r mut dyn Read, limits: &Limits, work: &Rc<Work>) -> Cbor<'r> {
         Cbor {
             input,
             piece: Vec::new(),
             next: 0,
             before: 0,
-            limit: limits.bytes,
-            bits: limits.bits,
+            limits: limits.clone(),
             digest: Sha256::new(),
             work: work.clone(),
         }
     }
 
     pub fn place(&self) -> Place {
-        let next = u64::try_from(self.next).unwrap_or(u64::MAX);
-        Place::Byte(self.before.saturating_add(next))
+        Place::Byte(self.before.saturating_add(wide(self.next)))
     }
 
     /// The next byte, which stays; nothing at the end.
-    #[inline(always)]
     fn peek(&mut self) -> Checked<Option<u8>> {
-        match self.piece.get(self.next) {
-            Some(&byte) => Ok(Some(byte)),
-            None => self.peek_at_next(),
+        if self.next >= self.piece.len() {
+            self.read_piece()?;
         }
+        Ok(self.piece.get(self.next).copied())
     }
 
     #[cold]
     #[inline(never)]
-    fn peek_at_next(&mut self) -> Checked<Option<u8>> {
-        let length = u64::try_from(self.piece.len()).unwrap_or(u64::MAX);
-        self.before = self.before.saturating_add(length);
+    fn read_piece(&mut self) -> Checked {
+        self.before = self.before.saturating_add(wide(self.piece.len()));
         self.next = 0;
         self.piece.resize(PIECE, 0);
         let length = loop {
             match self.input.read(&mut self.piece) {
                 Err(error) if error.kind() == ErrorKind::Interrupted => {}
-                length => break length,
+                length => break length.ok(),
             }
         };
-        ensure!(length.is_ok(), Unreadable, self.place());
-        self.piece.truncate(length.unwrap_or(0));
-        let length = u64::try_from(self.piece.len()).unwrap_or(u64::MAX);
-        let read = self.before.saturating_add(length);
-        let exceeds = Value::Exceeds(Limit::Bytes, None);
-        ensure!(read <= self.limit, TooManyBytes, self.place(), exceeds);
+        self.piece.truncate(some!(length, Unreadable, self.place()));
+        let read = self.before.saturating_add(wide(self.piece.len()));
+        let is_within = read <= self.limits.bytes;
+        ensure!(is_within, TooManyBytes, self.place(), Value::Limit("bytes", None));
         self.work.set_bytes(read);
         self.digest.update(&self.piece);
-        Ok(self.piece.first().copied())
+        Ok(())
     }
 
-    #[inline(always)]
     fn take(&mut self) -> Checked<u8> {
         let byte = self.peek()?;
-        ensure!(byte.is_some(), Cbor, self.place());
         self.next += 1;
-        Ok(byte.unwrap_or(0))
+        Ok(some!(byte, Cbor, self.place()))
     }
 
     /// The kind of an item, and its value or length in the shortest form.
-    #[inline(always)]
     fn head(&mut self) -> Checked<(u8, u64)> {
         let first = self.take()?;
-        match first & 31 {
-            info @ 0..24 => Ok((first >> 5, u64::from(info))),
-            info => Ok((first >> 5, self.long_head(info)?)),
-        }
+        self.rest_of_head(first)
     }
 
-    fn long_head(&mut self, info: u8) -> Checked<u64> {
-        ensure!((24..28).contains(&info), Cbor, self.place());
+    fn rest_of_head(&mut self, first: u8) -> Checked<(u8, u64)> {
+        let info = first & 31;
+        if info < 24 {
+            return Ok((first >> 5, u64::from(info)));
+        }
+        ensure!(info < 28, Cbor, self.place());
         let length = 1 << (info - 24);
         let mut value = 0;
         for _ in 0..length {
@@ -130,64 +112,54 @@ impl Cbor<'_> {
         // A value that fits in half as many bytes, or in the first byte, is not canonical.
         let least = if length == 1 { 24 } else { 1 << (4 * length) };
         ensure!(value >= least, Canonical, self.place());
-        Ok(value)
+        Ok((first >> 5, value))
     }
 
-    #[inline(always)]
     pub fn integer(&mut self) -> Checked<Integer> {
         match self.take()? {
-            first @ 0..24 => Ok(Integer::Small(i64::from(first))),
-            first @ 32..56 => Ok(Integer::Small(31 - i64::from(first))),
+            first @ 0..24 => Ok(Ok(i64::from(first))),
+            first @ 32..56 => Ok(Ok(31 - i64::from(first))),
             first => self.long_integer(first),
         }
     }
 
+    #[inline(never)]
     fn long_integer(&mut self, first: u8) -> Checked<Integer> {
-        let is_integer = matches!(first >> 5, NATURAL | NEGATIVE | TAG);
-        ensure!(is_integer, Cbor, self.place());
-        if first >> 5 == TAG {
-            return self.big_integer(first);
+        ensure!(matches!(first >> 5, NATURAL | NEGATIVE | TAG), Cbor, self.place());
+        let (kind, value) = self.rest_of_head(first)?;
+        if kind == TAG {
+            return self.big_integer(value);
         }
-        let value = self.long_head(first & 31)?;
-        Ok(match (first >> 5, i64::try_from(value)) {
-            (NATURAL, Ok(value)) => Integer::Small(value),
-            (_, Ok(value)) => Integer::Small(!value),
-            (NATURAL, Err(_)) => Integer::Large(value.into()),
-            (_, Err(_)) => Integer::Large(!BigInt::from(value)),
-        })
+        let sign = |value: BigInt| if kind == NATURAL { value } else { !value };
+        let small = i64::try_from(value).map(|value| if kind == NATURAL { value } else { !value });
+        Ok(small.map_err(|_| sign(value.into())))
     }
 
     /// Tag 2, or 3 for negative ones: the bytes of n, or of -1 - n, more than eight.
-    fn big_integer(&mut self, tag: u8) -> Checked<Integer> {
-        ensure!(matches!(tag & 31, 2 | 3), Cbor, self.place());
+    fn big_integer(&mut self, tag: u64) -> Checked<Integer> {
         let (kind, length) = self.head()?;
-        ensure!(kind == BYTES, Cbor, self.place());
-        let first = self.peek()?.unwrap_or(0);
+        ensure!(matches!(tag, 2 | 3) && kind == BYTES, Cbor, self.place());
+        let first = self.peek()?.unwrap_or(1);
         ensure!(length > 8 && first > 0, Canonical, self.place());
         let bits = length.saturating_mul(8) - u64::from(first.leading_zeros());
-        let exceeds = Value::Exceeds(Limit::Bits, Some(bits));
-        ensure!(bits <= self.bits, TooManyDigits, self.place(), exceeds);
+        let is_within = bits <= self.limits.bits;
+        ensure!(is_within, TooManyDigits, self.place(), Value::Limit("bits", Some(bits)));
         let mut bytes = Vec::new();
         for _ in 0..length {
             bytes.push(self.take()?);
         }
         let value = BigInt::from_bytes_be(Sign::Plus, &bytes);
-        let is_negative = tag & 31 == 3;
-        Ok(Integer::Large(if is_negative { !value } else { value }))
+        Ok(Err(if tag == 3 { !value } else { value }))
     }
 
     /// An integer that fits 64 bits, or else the nearest one that does.
-    #[inline(always)]
     pub fn small(&mut self) -> Checked<i64> {
-        match self.integer()? {
-            Integer::Small(value) => Ok(value),
-            Integer::Large(value) if value.sign() == Sign::Minus => Ok(i64::MIN),
-            Integer::Large(_) => Ok(i64::MAX),
-        }
+        let nearest = |value| if value < BigInt::ZERO { i64::MIN } else { i64::MAX };
+        Ok(self.integer()?.unwrap_or_else(nearest))
     }
 
     pub fn big(&mut self) -> Checked<BigInt> {
-        self.integer().map(BigInt::from)
+        Ok(self.integer()?.map_or_else(|large| large, BigInt::from))
     }
 
     pub fn text(&mut self) -> Checked<String> {
@@ -203,12 +175,10 @@ impl Cbor<'_> {
     }
 
     /// Whether the next item is an array.
-    #[inline(always)]
     pub fn is_array(&mut self) -> Checked<bool> {
         Ok(self.peek()?.is_some_and(|byte| byte >> 5 == ARRAY))
     }
 
-    #[inline(always)]
     pub fn array(&mut self) -> Checked<u64> {
         let (kind, length) = self.head()?;
         ensure!(kind == ARRAY, Cbor, self.place());
@@ -216,34 +186,18 @@ impl Cbor<'_> {
     }
 
     /// A record or an array of known length.
-    #[inline(always)]
-    pub fn array_of(&mut self, length: u64) -> Checked {
+    pub fn array_of(&mut self, length: usize) -> Checked {
         let found = self.array()?;
-        ensure!(found == length, Cbor, self.place(), found);
+        ensure!(found == wide(length), Cbor, self.place(), found);
         Ok(())
     }
 
-    /// An array of known length, read by a function of the index.
-    pub fn array_with<V>(
-        &mut self,
-        length: u64,
-        mut read: impl FnMut(&mut Self, u64) -> Checked<V>,
-    ) -> Checked<Vec<V>> {
-        self.array_of(length)?;
-        (0..length).map(|i| read(self, i)).collect()
-    }
-
-    /// An array of any length.
-    pub fn list<V>(
-        &mut self,
-        mut read: impl FnMut(&mut Self, u64) -> Checked<V>,
-    ) -> Checked<Vec<V>> {
-        let length = self.array()?;
-        let mut values = Vec::new();
-        for i in 0..length {
-            values.push(read(self, i)?);
-        }
-        Ok(values)
+    /// An array, of which each item is read by a function; of a given length, or of any.
+    pub fn list<V>(&mut self, length: Option<usize>, mut read: impl FnMut(&mut Self) -> Checked<V>) -> Checked<Vec<V>> {
+        let found = self.array()?;
+        let is_length = length.is_none_or(|length| wide(length) == found);
+        ensure!(is_length, Cbor, self.place(), found);
+        (0..found).map(|_| read(self)).collect()
     }
 
     /// No byte is left. Returns the number of bytes and their digest.

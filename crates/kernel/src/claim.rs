@@ -1,13 +1,13 @@
 //! The claim of a certificate: everything that "verified" means, and nothing else.
 //!
-//! This module reads a claim and checks lengths, ranges, order and lowest terms. What a claim
-//! states of numbers is checked in [`crate::root`], [`crate::domain`] and [`crate::judge`].
+//! This module reads a claim and checks lengths, ranges, order and lowest terms. The statements
+//! about its numbers are checked in [`crate::root`], [`crate::rules`] and [`crate::domain`].
 
 use crate::cbor::Cbor;
-use crate::int::gcd;
 use crate::limits::{Limits, MAX_DEGREE};
-use crate::refusal::{Checked, Limit, Value};
-use num_bigint::{BigInt, Sign};
+use crate::refusal::{Checked, Value};
+use num_bigint::BigInt;
+use num_integer::Integer;
 
 /// A number of the field: its coefficients of 1, a, …, a^(n-1).
 pub type Number = Vec<BigInt>;
@@ -20,7 +20,7 @@ pub struct Claim {
     /// The upper triangle of the Gram matrix, row by row; primitive.
     pub gram: Vec<Number>,
     pub domain: Domain,
-    /// The first one is [`Statement::FaceToFace`].
+    /// The first one is [`Property::FaceToFace`].
     pub statements: Vec<Statement>,
 }
 
@@ -40,14 +40,13 @@ pub enum Field {
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum Domain {
     Space,
-    Slab(Polytope),
-    Prism(Polytope),
-    Solid(Polytope),
+    /// A polytope P in the last k coordinates, times the span of the lattice: a slab for k = 1,
+    /// a solid for k = D, else a prism.
+    Polytope(Polytope),
     /// The union of the simplices, for a lattice of this rank.
     Region(usize),
 }
 
-/// A convex polytope P in the last k coordinates.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Polytope {
     pub denominator: BigInt,
@@ -57,179 +56,95 @@ pub struct Polytope {
     pub faces: Vec<Vec<usize>>,
 }
 
+/// A property of all simplices; with a bound for the quantities.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub enum Statement {
-    FaceToFace,
-    Acute,
-    Nonobtuse,
-    Bound(Bound),
-    Delaunay,
-    WeaklyDelaunay,
-    LocallyDelaunay,
-    LocallyWeaklyDelaunay,
-    Tcp,
+pub struct Statement {
+    pub property: Property,
+    pub bound: Option<Bound>,
 }
 
-/// A bound for a quantity of each simplex. The square root of the fraction, with the sign, is the
-/// cosine of a bound for angles; the fraction is a bound for squared ratios.
+/// The square root of the fraction, with the sign, is the cosine of a bound for angles. For squared
+/// ratios the sign is 1, and the fraction is the bound.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Bound {
-    pub quantity: Quantity,
     pub relation: Relation,
-    /// 1 for ratios.
     pub sign: i64,
     pub numerator: Number,
     pub denominator: BigInt,
 }
 
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
-pub enum Quantity {
-    LargestAngle,
-    SmallestAngle,
-    SquaredRatio,
-}
-
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
-pub enum Relation {
-    LessThan,
-    AtMost,
-    Maximum,
-    MoreThan,
-    AtLeast,
-    Minimum,
-}
-
-impl Quantity {
-    const ALL: [Quantity; 3] = [
-        Quantity::LargestAngle,
-        Quantity::SmallestAngle,
-        Quantity::SquaredRatio,
-    ];
-
-    pub fn text(self) -> &'static str {
-        match self {
-            Quantity::LargestAngle => "largest dihedral angle",
-            Quantity::SmallestAngle => "smallest dihedral angle",
-            Quantity::SquaredRatio => "squared radius-edge ratio",
-        }
+texts! {
+    /// In the order of the grammar.
+    Property {
+        FaceToFace "face-to-face tiling",
+        Acute "acute",
+        Nonobtuse "nonobtuse",
+        LargestAngle "largest dihedral angle",
+        SmallestAngle "smallest dihedral angle",
+        SquaredRatio "squared radius-edge ratio",
+        Delaunay "Delaunay",
+        WeaklyDelaunay "weakly Delaunay",
+        LocallyDelaunay "locally Delaunay",
+        LocallyWeaklyDelaunay "locally weakly Delaunay",
+        Tcp "TCP",
     }
 }
 
-impl Relation {
-    const ALL: [Relation; 6] = [
-        Relation::LessThan,
-        Relation::AtMost,
-        Relation::Maximum,
-        Relation::MoreThan,
-        Relation::AtLeast,
-        Relation::Minimum,
-    ];
-
-    pub fn text(self) -> &'static str {
-        match self {
-            Relation::LessThan => "less than",
-            Relation::AtMost => "at most",
-            Relation::Maximum => "maximum",
-            Relation::MoreThan => "more than",
-            Relation::AtLeast => "at least",
-            Relation::Minimum => "minimum",
-        }
+texts! {
+    /// How a quantity of every simplex compares with a bound; some simplex attains a maximum or a
+    /// minimum.
+    Relation {
+        LessThan "less than",
+        AtMost "at most",
+        Maximum "maximum",
+        MoreThan "more than",
+        AtLeast "at least",
+        Minimum "minimum",
     }
 }
 
-impl Statement {
-    fn without_values() -> [Statement; 8] {
-        [
-            Statement::FaceToFace,
-            Statement::Acute,
-            Statement::Nonobtuse,
-            Statement::Delaunay,
-            Statement::WeaklyDelaunay,
-            Statement::LocallyDelaunay,
-            Statement::LocallyWeaklyDelaunay,
-            Statement::Tcp,
-        ]
-    }
-
-    /// The place in the order of the grammar, and the text; for a bound that of its quantity.
-    fn row(&self) -> (usize, &'static str) {
-        match self {
-            Statement::FaceToFace => (0, "face-to-face tiling"),
-            Statement::Acute => (1, "acute"),
-            Statement::Nonobtuse => (2, "nonobtuse"),
-            Statement::Bound(bound) => (3, bound.quantity.text()),
-            Statement::Delaunay => (4, "Delaunay"),
-            Statement::WeaklyDelaunay => (5, "weakly Delaunay"),
-            Statement::LocallyDelaunay => (6, "locally Delaunay"),
-            Statement::LocallyWeaklyDelaunay => (7, "locally weakly Delaunay"),
-            Statement::Tcp => (8, "TCP"),
-        }
-    }
-
-    pub fn text(&self) -> &'static str {
-        self.row().1
-    }
-
-    fn order(&self) -> (usize, Option<(Quantity, Relation)>) {
-        let bound = match self {
-            Statement::Bound(bound) => Some((bound.quantity, bound.relation)),
-            _ => None,
-        };
-        (self.row().0, bound)
-    }
-
-    fn read(cbor: &mut Cbor, degree: usize) -> Checked<Statement> {
-        if cbor.is_array()? {
-            return read_bound(cbor, degree).map(Statement::Bound);
-        }
-        let text = cbor.text()?;
-        let mut known = Statement::without_values().into_iter();
-        let statement = known.find(|statement| statement.text() == text);
-        ensure!(statement.is_some(), Statements, cbor.place());
-        Ok(statement.unwrap_or(Statement::FaceToFace))
-    }
-}
-
-impl Bound {
-    /// Bounds for angles have a sign.
-    pub fn has_sign(&self) -> bool {
-        self.quantity != Quantity::SquaredRatio
+impl Property {
+    pub fn is_angle(self) -> bool {
+        matches!(self, Property::LargestAngle | Property::SmallestAngle)
     }
 }
 
 impl Claim {
+    pub fn has(&self, property: Property) -> bool {
+        self.statements.iter().any(|statement| statement.property == property)
+    }
+
+    /// The rank r of the lattice: translations by integral combinations of b_1, …, b_r.
+    pub fn rank(&self) -> usize {
+        match &self.domain {
+            Domain::Space => self.dimension,
+            Domain::Polytope(polytope) => self.dimension.saturating_sub(polytope.dimension()),
+            Domain::Region(rank) => *rank,
+        }
+    }
+
     pub(crate) fn read(cbor: &mut Cbor, limits: &Limits) -> Checked<Claim> {
         cbor.array_of(5)?;
-        let dimension = match cbor.small()? {
-            2 => 2,
-            found => {
-                ensure!(found == 3, Dimension, cbor.place(), found);
-                3
-            }
-        };
+        let found = cbor.small()?;
+        let dimension = usize::try_from(found).ok().filter(|d| matches!(d, 2 | 3));
+        let dimension = some!(dimension, Dimension, cbor.place(), found);
         let field = Field::read(cbor, limits)?;
         let degree = field.degree();
-        cbor.array_of(wide(dimension))?;
+        cbor.array_of(dimension)?;
         let mut gram = Vec::new();
-        for row in 0..dimension {
-            let length = wide(dimension - row);
-            gram.extend(cbor.array_with(length, |cbor, _| read_number(cbor, degree))?);
+        for length in (1..=dimension).rev() {
+            gram.extend(cbor.list(Some(length), |cbor| read_number(cbor, degree))?);
         }
-        ensure!(is_primitive(gram.iter().flatten()), Canonical, cbor.place());
+        check_lowest(cbor, gram.iter().flatten())?;
         let domain = Domain::read(cbor, dimension, degree)?;
-        let statements = cbor.list(|cbor, _| Statement::read(cbor, degree))?;
+        let statements = cbor.list(None, |cbor| Statement::read(cbor, degree))?;
         // The statements are in the order of the grammar, each at most once; the tiling is first.
-        let orders: Vec<_> = statements.iter().map(Statement::order).collect();
-        let is_ordered = orders.is_sorted_by(|first, second| first < second);
-        let is_first = statements.first() == Some(&Statement::FaceToFace);
+        let order = |of: &Statement| (of.property, of.bound.as_ref().map(|bound| bound.relation));
+        let is_ordered = statements.is_sorted_by(|first, second| order(first) < order(second));
+        let first = statements.first().map(|statement| statement.property);
+        let is_first = first == Some(Property::FaceToFace);
         ensure!(is_ordered && is_first, Statements, cbor.place());
-        Ok(Claim {
-            dimension,
-            field,
-            gram,
-            domain,
-            statements,
-        })
+        Ok(Claim { dimension, field, gram, domain, statements })
     }
 }
 
@@ -243,18 +158,17 @@ impl Field {
 
     fn read(cbor: &mut Cbor, limits: &Limits) -> Checked<Field> {
         if !cbor.is_array()? {
-            let text = cbor.text()?;
-            ensure!(text == "Q", Cbor, cbor.place());
+            ensure!(cbor.text()? == "Q", Cbor, cbor.place());
             return Ok(Field::Rational);
         }
         cbor.array_of(2)?;
         let length = cbor.array()?;
         let degree = length.saturating_sub(1);
         ensure!(degree >= 2, Polynomial, cbor.place(), degree);
-        let suffices = Some(degree).filter(|&degree| degree <= wide(MAX_DEGREE));
-        let exceeds = Value::Exceeds(Limit::Degree, suffices);
-        let most = limits.degree.min(MAX_DEGREE);
-        ensure!(degree <= wide(most), Degree, cbor.place(), exceeds);
+        let within = |most| usize::try_from(degree).is_ok_and(|degree| degree <= most);
+        let suffices = Some(degree).filter(|_| within(MAX_DEGREE));
+        let is_within = within(limits.degree.min(MAX_DEGREE));
+        ensure!(is_within, Degree, cbor.place(), Value::Limit("degree", suffices));
         let mut polynomial = Vec::new();
         for _ in 0..length {
             polynomial.push(cbor.big()?);
@@ -263,64 +177,44 @@ impl Field {
         ensure!(is_monic, Polynomial, cbor.place());
         cbor.array_of(3)?;
         let [low, high, denominator] = [cbor.big()?, cbor.big()?, cbor.big()?];
-        let is_primitive = is_primitive([&low, &high, &denominator]);
-        ensure!(is_primitive, Canonical, cbor.place());
-        Ok(Field::Algebraic {
-            polynomial,
-            low,
-            high,
-            denominator,
-        })
+        check_lowest(cbor, [&low, &high, &denominator])?;
+        Ok(Field::Algebraic { polynomial, low, high, denominator })
     }
 }
 
 impl Domain {
-    /// The polytope P, where the domain is P times the span of the lattice.
-    pub fn polytope(&self) -> Option<&Polytope> {
-        match self {
-            Domain::Space | Domain::Region(_) => None,
-            Domain::Slab(polytope) | Domain::Prism(polytope) | Domain::Solid(polytope) => {
-                Some(polytope)
-            }
-        }
-    }
-
-    pub fn is_region(&self) -> bool {
-        matches!(self, Domain::Region(_))
-    }
-
-    /// The rank r of the lattice: translations by integral combinations of b_1, …, b_r.
-    pub fn rank(&self, dimension: usize) -> usize {
-        match self {
-            Domain::Space => dimension,
-            Domain::Slab(_) => dimension.saturating_sub(1),
-            Domain::Prism(_) => dimension.saturating_sub(2),
-            Domain::Solid(_) => 0,
-            Domain::Region(rank) => *rank,
-        }
-    }
-
     fn read(cbor: &mut Cbor, dimension: usize, degree: usize) -> Checked<Domain> {
         if !cbor.is_array()? {
-            let text = cbor.text()?;
-            ensure!(text == "space", Cbor, cbor.place());
+            ensure!(cbor.text()? == "space", Cbor, cbor.place());
             return Ok(Domain::Space);
         }
         cbor.array_of(2)?;
-        match cbor.text()?.as_str() {
-            "slab" => Polytope::read(cbor, 1, degree).map(Domain::Slab),
-            "prism" => {
-                ensure!(dimension == 3, PrismDimension, cbor.place());
-                Polytope::read(cbor, 2, degree).map(Domain::Prism)
+        let name = cbor.text()?;
+        let k = match name.as_str() {
+            "region" => {
+                let found = cbor.small()?;
+                let rank = usize::try_from(found).ok().filter(|&rank| rank <= dimension);
+                return Ok(Domain::Region(some!(rank, RegionRank, cbor.place(), found)));
             }
-            "solid" => Polytope::read(cbor, dimension, degree).map(Domain::Solid),
-            name => {
-                ensure!(name == "region", Cbor, cbor.place());
-                let rank = cbor.small()?;
-                let found = usize::try_from(rank).ok().filter(|&r| r <= dimension);
-                ensure!(found.is_some(), RegionRank, cbor.place(), rank);
-                Ok(Domain::Region(found.unwrap_or(0)))
-            }
+            "slab" => Some(1),
+            "prism" => Some(2),
+            "solid" => Some(dimension),
+            _ => None,
+        };
+        let is_prism = name == "prism";
+        ensure!(!is_prism || dimension == 3, PrismDimension, cbor.place());
+        let k = some!(k, Cbor, cbor.place());
+        Polytope::read(cbor, k, degree).map(Domain::Polytope)
+    }
+
+    /// The name in the grammar.
+    pub fn name(&self, dimension: usize) -> &'static str {
+        match self {
+            Domain::Space => "space",
+            Domain::Region(_) => "region",
+            Domain::Polytope(polytope) if polytope.dimension() == dimension => "solid",
+            Domain::Polytope(polytope) if polytope.dimension() == 1 => "slab",
+            Domain::Polytope(_) => "prism",
         }
     }
 }
@@ -334,103 +228,84 @@ impl Polytope {
     fn read(cbor: &mut Cbor, k: usize, degree: usize) -> Checked<Polytope> {
         cbor.array_of(3)?;
         let denominator = cbor.big()?;
-        let is_positive = denominator.sign() == Sign::Plus;
-        ensure!(is_positive, Denominator, cbor.place(), denominator);
-        let vertices: Vec<Vec<Number>> =
-            cbor.list(|cbor, _| cbor.array_with(wide(k), |cbor, _| read_number(cbor, degree)))?;
-        let coefficients = vertices.iter().flatten().flatten();
-        let is_primitive = is_primitive(coefficients.chain([&denominator]));
-        ensure!(is_primitive, Canonical, cbor.place());
-        let faces = cbor.list(|cbor, _| read_face(cbor, k, vertices.len()))?;
+        ensure!(denominator > BigInt::ZERO, Denominator, cbor.place(), denominator);
+        let read_vertex = |cbor: &mut Cbor| cbor.list(Some(k), |cbor| read_number(cbor, degree));
+        let vertices = cbor.list(None, read_vertex)?;
+        check_lowest(cbor, vertices.iter().flatten().flatten().chain([&denominator]))?;
+        let faces = cbor.list(None, |cbor| read_face(cbor, k, vertices.len()))?;
         // A polytope of dimension k has more than k facets.
-        ensure!(faces.len() > k, FaceCount, cbor.place(), wide(faces.len()));
-        let mut sorted: Vec<Vec<usize>> = faces.clone();
-        sorted.iter_mut().for_each(|face| face.sort_unstable());
+        ensure!(faces.len() > k, FaceCount, cbor.place(), faces.len());
+        let mut sorted: Vec<_> = faces.iter().map(|face| sorted(face)).collect();
         sorted.sort_unstable();
-        let is_strict = sorted.is_sorted_by(|first, second| first < second);
-        ensure!(is_strict, FaceRepeated, cbor.place());
-        let mut used: Vec<usize> = sorted.into_iter().flatten().collect();
+        ensure!(is_strict(&sorted), FaceRepeated, cbor.place());
+        let mut used = sorted.concat();
         used.sort_unstable();
         used.dedup();
-        let all_used = used.len() == vertices.len();
-        ensure!(all_used, UnusedDomainVertex, cbor.place());
-        Ok(Polytope {
-            denominator,
-            vertices,
-            faces,
-        })
+        ensure!(used.len() == vertices.len(), UnusedDomainVertex, cbor.place());
+        Ok(Polytope { denominator, vertices, faces })
     }
+}
+
+fn sorted(face: &[usize]) -> Vec<usize> {
+    let mut sorted = face.to_vec();
+    sorted.sort_unstable();
+    sorted
+}
+
+fn is_strict<T: PartialOrd>(sorted: &[T]) -> bool {
+    sorted.is_sorted_by(|first, second| first < second)
 }
 
 /// One vertex for k = 1, the two ends of a side for k = 2, a polygon for k = 3.
 fn read_face(cbor: &mut Cbor, k: usize, vertices: usize) -> Checked<Vec<usize>> {
-    let face = cbor.list(|cbor, _| {
+    let face = cbor.list(None, |cbor| {
         let index = cbor.small()?;
-        let vertex = usize::try_from(index).ok().filter(|&v| v < vertices);
-        ensure!(vertex.is_some(), FaceVertices, cbor.place(), index);
-        Ok(vertex.unwrap_or(0))
+        let vertex = usize::try_from(index).ok().filter(|&vertex| vertex < vertices);
+        Ok(some!(vertex, FaceVertices, cbor.place(), index))
     })?;
     let is_length = face.len() == k || (k == 3 && face.len() > 3);
-    ensure!(is_length, FaceLength, cbor.place(), wide(face.len()));
-    let mut sorted = face.clone();
-    sorted.sort_unstable();
-    let is_strict = sorted.is_sorted_by(|first, second| first < second);
-    ensure!(is_strict, FaceVertices, cbor.place());
+    ensure!(is_length, FaceLength, cbor.place(), face.len());
+    ensure!(is_strict(&sorted(&face)), FaceVertices, cbor.place());
     Ok(face)
 }
 
-/// [quantity, relation, sign, fraction], without the sign for ratios.
-fn read_bound(cbor: &mut Cbor, degree: usize) -> Checked<Bound> {
-    let length = cbor.array()?;
-    let text = cbor.text()?;
-    let quantity = Quantity::ALL.into_iter().find(|q| q.text() == text);
-    ensure!(quantity.is_some(), Statements, cbor.place());
-    let quantity = quantity.unwrap_or(Quantity::LargestAngle);
-    let is_angle = quantity != Quantity::SquaredRatio;
-    ensure!(length == 3 + u64::from(is_angle), Cbor, cbor.place());
-    let text = cbor.text()?;
-    let relation = Relation::ALL.into_iter().find(|r| r.text() == text);
-    ensure!(relation.is_some(), Statements, cbor.place());
-    let sign = if is_angle { cbor.small()? } else { 1 };
-    ensure!((-1..=1).contains(&sign), BoundRange, cbor.place(), sign);
-    cbor.array_of(2)?;
-    let numerator = read_number(cbor, degree)?;
-    let denominator = cbor.big()?;
-    let is_positive = denominator.sign() == Sign::Plus;
-    ensure!(is_positive, BoundRange, cbor.place(), denominator);
-    let is_lowest = is_primitive(numerator.iter().chain([&denominator]));
-    ensure!(is_lowest, Canonical, cbor.place());
-    Ok(Bound {
-        quantity,
-        relation: relation.unwrap_or(Relation::LessThan),
-        sign,
-        numerator,
-        denominator,
-    })
+impl Statement {
+    /// A property, or [property, relation, sign, fraction]; ratios have no sign.
+    fn read(cbor: &mut Cbor, degree: usize) -> Checked<Statement> {
+        let length = if cbor.is_array()? { cbor.array()? } else { 0 };
+        let property = Property::find(&cbor.text()?);
+        let property = some!(property, Statements, cbor.place());
+        let is_ratio = property == Property::SquaredRatio;
+        let has_bound = is_ratio || property.is_angle();
+        ensure!(has_bound == (length > 0), Statements, cbor.place());
+        if !has_bound {
+            return Ok(Statement { property, bound: None });
+        }
+        ensure!(length == if is_ratio { 3 } else { 4 }, Cbor, cbor.place(), length);
+        let relation = some!(Relation::find(&cbor.text()?), Statements, cbor.place());
+        let sign = if is_ratio { 1 } else { cbor.small()? };
+        ensure!((-1..=1).contains(&sign), BoundRange, cbor.place(), sign);
+        cbor.array_of(2)?;
+        let numerator = read_number(cbor, degree)?;
+        let denominator = cbor.big()?;
+        ensure!(denominator > BigInt::ZERO, BoundRange, cbor.place(), denominator);
+        check_lowest(cbor, numerator.iter().chain([&denominator]))?;
+        let bound = Some(Bound { relation, sign, numerator, denominator });
+        Ok(Statement { property, bound })
+    }
 }
 
 /// An integer for the field Q, and else the list of the coefficients.
-pub(crate) fn read_number(cbor: &mut Cbor, degree: usize) -> Checked<Number> {
+fn read_number(cbor: &mut Cbor, degree: usize) -> Checked<Number> {
     if degree == 1 {
-        Ok(vec![cbor.big()?])
-    } else {
-        cbor.array_with(wide(degree), |cbor, _| cbor.big())
+        return Ok(vec![cbor.big()?]);
     }
+    cbor.list(Some(degree), Cbor::big)
 }
 
 /// The greatest common divisor is 1.
-pub(crate) fn is_primitive<'a>(integers: impl IntoIterator<Item = &'a BigInt>) -> bool {
-    let one = BigInt::from(1);
-    let mut divisor = BigInt::ZERO;
-    for integer in integers {
-        divisor = gcd(integer, &divisor);
-        if divisor == one {
-            return true;
-        }
-    }
-    false
-}
-
-fn wide(length: usize) -> u64 {
-    u64::try_from(length).unwrap_or(u64::MAX)
+fn check_lowest<'a>(cbor: &Cbor, integers: impl IntoIterator<Item = &'a BigInt>) -> Checked {
+    let divisor = integers.into_iter().fold(BigInt::ZERO, |divisor, x| divisor.gcd(x));
+    ensure!(divisor == BigInt::from(1), Canonical, cbor.place(), divisor);
+    Ok(())
 }

@@ -10,24 +10,18 @@ use crate::front::Step;
 use crate::limits::Work;
 use crate::refusal::{Checked, Place};
 use crate::row::{Corner, Row};
-use crate::table::{Name, Table};
+use crate::table::Table;
 use std::rc::Rc;
 
 /// The ends in sorted order, and the shift from the first to the second: one name for all
 /// translates of an edge.
-#[derive(Clone, Copy, PartialEq, Eq)]
-struct Edge {
-    ends: [u32; 2],
-    shift: [i32; 3],
+type Edge = ([u32; 2], [i32; 3]);
+
+fn edge(first: Corner, second: Corner) -> Edge {
+    ([first.vertex, second.vertex], second.seen_from(first).shift)
 }
 
-impl Name for Edge {
-    #[inline(always)]
-    fn vertex(&self) -> u32 {
-        self.ends[0]
-    }
-}
-
+#[derive(Clone, Copy)]
 struct Valence {
     tetrahedra: u64,
     /// The number of open facets that have the edge.
@@ -44,68 +38,56 @@ const ENDS: [(usize, usize); 6] = [(0, 1), (0, 2), (0, 3), (1, 2), (1, 3), (2, 3
 
 impl Edges {
     pub(crate) fn new(work: &Rc<Work>) -> Edges {
-        Edges {
-            open: Table::new(work),
-        }
+        Edges { open: Table::new(work) }
     }
 
+    /// The largest number of open edges at one time.
     pub(crate) fn peak(&self) -> usize {
-        self.open.peak()
+        self.open.peak
     }
 
     /// Counts a tetrahedron at its edges and closes those that are open no more.
-    #[inline(always)]
     pub(crate) fn step(&mut self, row: &Row, steps: &[Step; 4], simplex: u64) -> Checked {
-        let sixes = row.sixes;
         // Two edges of a tetrahedron are in one triangle unless they are opposite. So those of
         // valence 6 are none, one, or two opposite ones.
+        let sixes = row.sixes;
         let is_allowed = sixes.count_ones() < 2 || matches!(sixes, 0b100001 | 0b010010 | 0b001100);
         ensure!(is_allowed, TriangleValence, Place::Simplex(simplex));
-        let [a, b, c, d] = row.sorted(3);
+        let [a, b, c, d] = row.sorted;
         let [p, q, r, s] = steps.map(|step| if matches!(step, Step::Opened) { 1 } else { -1 });
         // The facets that have an edge are those opposite to the other two corners.
-        let edges = [
-            (edge(a, b), r + s),
-            (edge(a, c), q + s),
-            (edge(a, d), q + r),
-            (edge(b, c), p + s),
-            (edge(b, d), p + r),
-            (edge(c, d), p + q),
-        ];
-        for (bit, ((name, change), (i, j))) in edges.into_iter().zip(ENDS).enumerate() {
+        let changes = [r + s, q + s, q + r, p + s, p + r, p + q];
+        let names = [edge(a, b), edge(a, c), edge(a, d), edge(b, c), edge(b, d), edge(c, d)];
+        for (bit, (name, change)) in names.into_iter().zip(changes).enumerate() {
             let is_six = sixes >> bit & 1 == 1;
-            let new = || Valence {
-                tetrahedra: 0,
-                open: 0,
-                is_six,
-            };
-            let agrees = self.open.update(name, new, |valence| {
-                valence.tetrahedra += 1;
-                valence.open += change;
-                valence.is_six == is_six
-            });
+            let agrees = self.open.with(name.0[0], &name, |list, position| {
+                let position = position.unwrap_or(list.len());
+                if position == list.len() {
+                    list.push((name, Valence { tetrahedra: 0, open: 0, is_six }));
+                }
+                list.get_mut(position).is_some_and(|(_, valence)| {
+                    valence.tetrahedra += 1;
+                    valence.open += change;
+                    valence.is_six == is_six
+                })
+            })?;
             // All rows say the same about an edge.
-            let place = Place::Edge(simplex, i, j);
-            ensure!(agrees == Some(true), EdgeValence, place);
+            let (i, j) = ENDS.get(bit).copied().unwrap_or_default();
+            ensure!(agrees, EdgeValence, Place::Edge(simplex, i, j));
         }
         // Only now, for another edge of this tetrahedron may be a translate.
-        for ((name, _), (i, j)) in edges.into_iter().zip(ENDS) {
-            if let Some(closed) = self.open.take_if(&name, |valence| valence.open == 0) {
+        for (name, (i, j)) in names.into_iter().zip(ENDS) {
+            let closed = self.open.with(name.0[0], &name, |list, position| {
+                let position = position?;
+                let is_closed = list.get(position)?.1.open == 0;
+                is_closed.then(|| list.swap_remove(position).1)
+            })?;
+            if let Some(Valence { tetrahedra, is_six, .. }) = closed {
                 // The edge has the valence that the rows say.
-                let expected = if closed.is_six { 6 } else { 5 };
-                let place = Place::Edge(simplex, i, j);
-                let found = closed.tetrahedra;
-                ensure!(found == expected, EdgeValence, place, found);
+                let is_right = tetrahedra == if is_six { 6 } else { 5 };
+                ensure!(is_right, EdgeValence, Place::Edge(simplex, i, j), tetrahedra);
             }
         }
         Ok(())
-    }
-}
-
-#[inline(always)]
-fn edge(first: Corner, second: Corner) -> Edge {
-    Edge {
-        ends: [first.vertex, second.vertex],
-        shift: second.seen_from(first).shift,
     }
 }

@@ -9,45 +9,27 @@
 use crate::limits::Work;
 use crate::refusal::{Checked, Place};
 use crate::row::{Corner, Row};
-use crate::table::{Name, Table};
+use crate::table::Table;
 use std::rc::Rc;
 
-/// In the plane the third corner is the first one again.
-#[derive(Clone, Copy, PartialEq, Eq)]
-struct Facet {
-    vertices: [u32; 3],
-    shifts: [[i32; 3]; 2],
+/// The vertices, and the shifts of the second and the third corner as seen from the first. In the
+/// plane the third corner is the first one again.
+type Facet = ([u32; 3], [[i32; 3]; 2]);
+
+/// The name of the facet with these sorted corners.
+fn facet([first, second, third]: [Corner; 3]) -> Facet {
+    let vertices = [first.vertex, second.vertex, third.vertex];
+    (vertices, [second.seen_from(first).shift, third.seen_from(first).shift])
 }
 
-impl Name for Facet {
-    #[inline(always)]
-    fn vertex(&self) -> u32 {
-        self.vertices[0]
-    }
-}
-
-impl Facet {
-    /// The name of the facet with these sorted corners.
-    #[inline(always)]
-    fn new([first, second, third]: [Corner; 3]) -> Facet {
-        Facet {
-            vertices: [first.vertex, second.vertex, third.vertex],
-            shifts: [second.seen_from(first).shift, third.seen_from(first).shift],
-        }
-    }
-}
-
-/// What is known of the simplex of an open facet.
-enum Open {
-    Simplex {
-        /// The corner opposite to the facet, seen from the facet's first corner.
-        opposite: Corner,
-        /// The sign of the simplex's sorted corners, with the opposite one moved to the front.
-        side: bool,
-        simplex: u64,
-    },
-    /// A facet in the list `boundary`; its mate would have this side.
-    Listed { side: bool, index: u64 },
+/// The simplex of an open facet, or the mate that a facet in the list `boundary` would have.
+struct Open {
+    /// The sign of the simplex's sorted corners, with the opposite one moved to the front.
+    side: bool,
+    /// The corner opposite to the facet, seen from the facet's first corner; none in the list.
+    opposite: Option<Corner>,
+    /// A facet in the list, or a simplex.
+    place: Place,
 }
 
 pub(crate) struct Front {
@@ -57,7 +39,7 @@ pub(crate) struct Front {
     pub(crate) boundary: u64,
 }
 
-/// What becomes of a facet of a simplex.
+/// The effect of a row on one of its facets.
 #[derive(Clone, Copy, Default)]
 pub(crate) enum Step {
     #[default]
@@ -69,52 +51,55 @@ pub(crate) enum Step {
 
 impl Front {
     pub(crate) fn new(dimension: usize, work: &Rc<Work>) -> Front {
-        Front {
-            open: Table::new(work),
-            dimension,
-            boundary: 0,
-        }
+        Front { open: Table::new(work), dimension, boundary: 0 }
     }
 
+    /// The largest number of open facets at one time.
     pub(crate) fn peak(&self) -> usize {
-        self.open.peak()
+        self.open.peak
+    }
+
+    /// Opens the facet, or closes and returns the open one with its name.
+    fn toggle(&mut self, name: Facet, open: Open) -> Checked<Option<Open>> {
+        self.open.with(name.0[0], &name, |list, position| match position {
+            Some(position) => Some(list.swap_remove(position).1),
+            None => {
+                list.push((name, open));
+                None
+            }
+        })
     }
 
     /// Opens a facet of the list `boundary`. Its last two corners stand in the order that gives a
     /// positive orientation after the opposite corner of its simplex. So its simplex has the side
     /// that says whether they are exchanged, and its mate would have the other one.
     pub(crate) fn list(&mut self, [a, b, c]: [Corner; 3], index: u64) -> Checked {
-        let (name, is_odd) = match (self.dimension, b < c, a < b) {
-            (3, true, _) => (Facet::new([a, b, c]), false),
-            (3, false, _) => (Facet::new([a, c, b]), true),
-            (_, _, true) => (Facet::new([a, b, a]), false),
-            (_, _, false) => (Facet::new([b, a, b]), true),
+        let (is_odd, sorted) = match self.dimension {
+            3 if b < c => (false, [a, b, c]),
+            3 => (true, [a, c, b]),
+            _ if a < b => (false, [a, b, a]),
+            _ => (true, [b, a, b]),
         };
-        let side = !is_odd;
-        let found = self.open.toggle(name, || Open::Listed { side, index });
-        ensure!(found.is_none(), BoundaryRepeated, Place::Boundary(index));
+        let place = Place::Boundary(index);
+        let found = self.toggle(facet(sorted), Open { side: !is_odd, opposite: None, place })?;
+        ensure!(found.is_none(), BoundaryRepeated, place);
         Ok(())
     }
 
     /// Opens and closes the facets of a simplex, in the order of the sorted corners that they do
-    /// not have. `share` tells whether vertices lie in one face of the domain. A facet whose
+    /// not have. `share` says whether vertices lie in one face of the domain. A facet whose
     /// corners do is in the boundary and has no mate.
-    #[inline(always)]
-    pub(crate) fn step(
-        &mut self,
-        row: &Row,
-        share: impl Fn([u32; 3]) -> bool,
-        simplex: u64,
-    ) -> Checked<[Step; 4]> {
-        let [a, b, c, d] = row.sorted(self.dimension);
+    pub(crate) fn step(&mut self, row: &Row, share: impl Fn([u32; 3]) -> bool, simplex: u64) -> Checked<[Step; 4]> {
+        let [a, b, c, d] = row.sorted;
         let facets = if self.dimension == 3 {
             [[b, c, d], [a, c, d], [a, b, d], [a, b, c]]
         } else {
             [[b, c, b], [a, c, a], [a, b, a], [a, b, a]]
         };
         let mut steps = [Step::Opened; 4];
-        let items = facets.into_iter().zip([a, b, c, d]).zip(&mut steps);
-        for (i, ((corners, opposite), step)) in items.enumerate().take(self.dimension + 1) {
+        let items = facets.into_iter().zip(row.sorted).zip(&mut steps).enumerate();
+        for (i, ((corners, opposite), step)) in items.take(self.dimension + 1) {
+            let first = corners[0];
             if share(corners.map(|corner| corner.vertex)) {
                 *step = Step::Boundary;
                 self.boundary += 1;
@@ -122,39 +107,29 @@ impl Front {
             }
             // Moving corner i to the front takes i exchanges.
             let side = row.is_odd ^ (i % 2 == 1);
-            let first = corners[0];
-            let opposite = opposite.seen_from(first);
-            let open = || Open::Simplex {
-                opposite,
-                side,
-                simplex,
-            };
-            let Some(mate) = self.open.toggle(Facet::new(corners), open) else {
-                continue;
-            };
-            // Rule F: a facet and its mate have opposite sides.
-            let (Open::Simplex { side: other, .. } | Open::Listed { side: other, .. }) = mate;
-            ensure!(other != side, FacetSide, Place::Facet(simplex, i));
-            *step = match mate {
-                Open::Simplex { opposite, .. } => Step::Closed(opposite.moved_by(first)),
-                Open::Listed { .. } => Step::Boundary,
-            };
-            self.boundary += u64::from(matches!(step, Step::Boundary));
+            let opposite = Some(opposite.seen_from(first));
+            let open = Open { side, opposite, place: Place::Simplex(simplex) };
+            if let Some(mate) = self.toggle(facet(corners), open)? {
+                // Rule F: a facet and its mate have opposite sides.
+                ensure!(mate.side != side, FacetSide, Place::Facet(simplex, i));
+                *step = match mate.opposite {
+                    Some(opposite) => Step::Closed(opposite.moved_by(first)),
+                    None => Step::Boundary,
+                };
+                self.boundary += u64::from(mate.opposite.is_none());
+            }
         }
         Ok(steps)
     }
 
-    /// At the end no facet is open.
     pub(crate) fn check_end(&self) -> Checked {
-        let count = u64::try_from(self.open.len()).unwrap_or(u64::MAX);
-        let is_simplex = |open: &&Open| matches!(open, Open::Simplex { .. });
         // Rule F: no facet of a simplex is without its mate.
-        if let Some(Open::Simplex { simplex, .. }) = self.open.any(is_simplex) {
-            ensure!(false, OpenFacet, Place::Simplex(*simplex), count);
+        if let Some(open) = self.open.find(|open| open.opposite.is_some()) {
+            ensure!(false, OpenFacet, open.place, self.open.count);
         }
         // Every facet of the list is a facet of a simplex.
-        if let Some(Open::Listed { index, .. }) = self.open.any(|_| true) {
-            ensure!(false, BoundaryOpen, Place::Boundary(*index), count);
+        if let Some(open) = self.open.find(|open| open.opposite.is_none()) {
+            ensure!(false, BoundaryOpen, open.place, self.open.count);
         }
         Ok(())
     }

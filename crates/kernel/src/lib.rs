@@ -15,13 +15,11 @@ mod domain;
 mod edges;
 mod filter;
 mod front;
-mod grid;
 mod int;
 mod judge;
 mod limits;
 mod meets;
 mod print;
-mod questions;
 mod region;
 mod ring;
 mod root;
@@ -31,13 +29,14 @@ mod table;
 mod tiling;
 mod vertices;
 
-pub use claim::{Bound, Claim, Domain, Field, Number, Polytope, Quantity, Relation, Statement};
+pub use claim::{Bound, Claim, Domain, Field, Number, Polytope, Property, Relation, Statement};
 pub use limits::Limits;
-pub use refusal::{Checked, Code, Kind, Limit, Place, Refusal, Value};
-pub use tiling::Verified;
+pub use refusal::{Code, Kind, Place, Refusal, Value};
+pub use tiling::{Facts, Verified};
 
 use cbor::Cbor;
 use limits::Work;
+use refusal::{Checked, Stop};
 use std::io::Read;
 use std::rc::Rc;
 
@@ -45,22 +44,22 @@ use std::rc::Rc;
 ///
 /// # Errors
 /// The first condition that does not hold, in the order in which the file is read.
-pub fn verify(input: &mut dyn Read, limits: &Limits) -> Checked<Verified> {
-    let work = Rc::new(Work::new(limits));
-    let mut cbor = Cbor::new(input, limits, &work);
+pub fn verify(input: &mut dyn Read, limits: &Limits) -> Result<Verified, Refusal> {
+    let work = Rc::new(Work::new(limits.work));
+    read(Cbor::new(input, limits, &work), limits, &work).map_err(Stop::refusal)
+}
+
+fn read(mut cbor: Cbor, limits: &Limits, work: &Rc<Work>) -> Checked<Verified> {
     cbor.array_of(5)?;
-    let format = cbor.text()?;
-    ensure!(format == "acutile-certificate", Format, cbor.place());
+    ensure!(cbor.text()? == "acutile-certificate", Format, cbor.place());
     let version = cbor.small()?;
     ensure!(version == 2, Version, cbor.place(), version);
-    let kind = cbor.text()?;
-    ensure!(kind == "tiling", UnknownKind, cbor.place());
+    ensure!(cbor.text()? == "tiling", UnknownKind, cbor.place());
     let claim = Claim::read(&mut cbor, limits)?;
     // The number is the capacity for coefficients. The compiler knows the degrees 1 and 2.
     match claim.field.degree() {
         1 => tiling::verify::<1>(cbor, claim, limits, work),
         2 => tiling::verify::<2>(cbor, claim, limits, work),
-        3 | 4 => tiling::verify::<4>(cbor, claim, limits, work),
         _ => tiling::verify::<8>(cbor, claim, limits, work),
     }
 }

@@ -4,7 +4,7 @@
 
 mod text;
 
-use acutile_kernel::{Code, Kind, Limits, Refusal, Verified, verify};
+use acutile_kernel::{Code, Limits, Verified, verify};
 use std::ffi::OsString;
 use std::fs::{self, File};
 use std::io::{self, Read, Write};
@@ -33,256 +33,170 @@ Each file gets one line, FILE: VERDICT..., where FILE is a JSON string if it hol
 more than ASCII letters, digits and ._/-+=@%~, with one of the verdicts
   verified     everything that the certificate claims is proved
   rejected     something that it states is false
-  malformed    it is no certificate, or not in canonical form
-  unreadable   the file cannot be read
+  malformed    it is no certificate, or not in canonical form, or cannot be read
   declined     neither: a limit, an undecided sign, an unknown version
 Exit code: 0 if every file is verified; else 1 if one is rejected; else 2 if one is
-malformed or unreadable, or if the command line is wrong; else 3.
+malformed, or if the command line is wrong; else 3.
 ";
 
-#[derive(Default)]
 struct Options {
     files: Vec<OsString>,
     limits: Limits,
-    claim: Option<String>,
+    claim: Option<Vec<u8>>,
     json: bool,
     print_claim: bool,
 }
 
-/// The reasons for which a file is not verified.
-enum Failure {
-    Refused(Box<Refusal>),
-    Unreadable(String),
-    /// The file begins like JSON.
-    Json,
-    OtherClaim,
+/// A file that is not verified: the verdict, the code, and words.
+struct Failure {
+    verdict: &'static str,
+    code: &'static str,
+    words: String,
 }
 
 fn main() -> ExitCode {
-    match run() {
-        Ok(code) => ExitCode::from(code),
-        Err(message) => {
-            // Nobody reads the message if standard error is closed.
-            let _ = writeln!(io::stderr(), "acutile-verify: {message}");
-            ExitCode::from(2)
-        }
-    }
+    run().unwrap_or_else(|message| {
+        // Nobody reads the message if standard error is closed.
+        let _ = writeln!(io::stderr(), "acutile-verify: {message}");
+        ExitCode::from(2)
+    })
 }
 
 /// The exit code, or a message where the command line is wrong or the output is not written.
-fn run() -> Result<u8, String> {
-    let Some(options) = parse()? else {
-        return Ok(0);
+fn run() -> Result<ExitCode, String> {
+    let options = match parse()? {
+        Ok(options) => options,
+        Err(text) => return write(&mut io::stdout(), text).map(|()| ExitCode::SUCCESS),
     };
-    let mut codes = Vec::new();
+    let mut verdicts = Vec::new();
     for file in &options.files {
         let found = check(file, &options);
-        let line = line(file, &found, &options);
+        let line = line(&file.to_string_lossy(), &found, options.json);
         if options.print_claim {
-            let claim = found
-                .as_ref()
-                .map_or(String::new(), |found| found.claim().print());
-            print(&claim)?;
-            writeln!(io::stderr(), "{line}").map_err(|error| error.to_string())?;
+            write(&mut io::stderr(), &line)?;
+            let claim = found.as_ref().map(|found| found.claim.print());
+            write(&mut io::stdout(), &claim.unwrap_or_default())?;
         } else {
-            print(&(line + "\n"))?;
+            write(&mut io::stdout(), &line)?;
         }
-        codes.push(found.err().map_or(0, |failure| failure.exit_code()));
+        verdicts.push(found.map_or_else(|failure| failure.verdict, |_| "verified"));
     }
-    let worst = [1, 2, 3].into_iter().find(|code| codes.contains(code));
-    Ok(worst.unwrap_or(0))
+    let order = ["rejected", "malformed", "declined"];
+    let worst = order.iter().zip(1..).find(|(verdict, _)| verdicts.contains(verdict));
+    Ok(ExitCode::from(worst.map_or(0, |(_, code)| code)))
 }
 
-fn print(text: &str) -> Result<(), String> {
-    let mut out = io::stdout();
+fn write(out: &mut dyn Write, text: &str) -> Result<(), String> {
     let written = out.write_all(text.as_bytes()).and_then(|()| out.flush());
-    written.map_err(|error| format!("standard output: {error}"))
+    written.map_err(|error| format!("output: {error}"))
 }
 
-/// The options; nothing where the command line asks for a text only.
-fn parse() -> Result<Option<Options>, String> {
-    let mut options = Options::default();
+/// The options, or a text that the command line asks for.
+fn parse() -> Result<Result<Options, &'static str>, String> {
+    let (files, claim, json, print_claim) = (Vec::new(), None, false, false);
+    let mut options = Options { files, limits: Limits::DEFAULT, claim, json, print_claim };
     let mut words = std::env::args_os().skip(1);
     let mut is_file = false;
     while let Some(word) = words.next() {
-        let text = word.to_string_lossy().into_owned();
-        if is_file || text == "-" || !text.starts_with('-') {
+        let option = word.to_string_lossy().into_owned();
+        if is_file || option == "-" || !option.starts_with('-') {
             options.files.push(word);
             continue;
         }
-        let mut value = || {
-            words
-                .next()
-                .ok_or(format!("{text} needs a value; try --help"))
-        };
-        match text.as_str() {
+        let mut value = || words.next().ok_or(format!("{option} needs a value; try --help"));
+        let limits = &mut options.limits;
+        match option.as_str() {
             "--" => is_file = true,
             "--json" => options.json = true,
             "--print-claim" => options.print_claim = true,
             "--claim" => {
                 let file = value()?;
-                let claim = fs::read_to_string(&file);
-                options.claim = Some(claim.map_err(|error| {
-                    format!("{}: {error}", text::name(&file.to_string_lossy()))
-                })?);
+                let name = text::name(&file.to_string_lossy());
+                let claim = fs::read(file).map_err(|error| format!("{name}: {error}"))?;
+                options.claim = Some(claim);
             }
-            "--max-bytes" => options.limits.bytes = number(&value()?)?,
-            "--max-simplices" => options.limits.simplices = number(&value()?)?,
-            "--max-bits" => options.limits.bits = number(&value()?)?,
-            "--max-work" => options.limits.work = number(&value()?)?,
-            "--max-degree" => {
-                let degree = number(&value()?)?;
-                options.limits.degree = usize::try_from(degree).unwrap_or(usize::MAX);
-            }
-            "-h" | "--help" => return print(HELP).map(|()| None),
+            "--max-bytes" => limits.bytes = number(value()?)?,
+            "--max-simplices" => limits.simplices = number(value()?)?,
+            "--max-bits" => limits.bits = number(value()?)?,
+            "--max-degree" => limits.degree = number(value()?)?.try_into().unwrap_or(usize::MAX),
+            "--max-work" => limits.work = number(value()?)?,
+            "-h" | "--help" => return Ok(Err(HELP)),
             "-V" | "--version" => {
-                return print(concat!("acutile-verify ", env!("CARGO_PKG_VERSION"), "\n"))
-                    .map(|()| None);
+                return Ok(Err(concat!("acutile-verify ", env!("CARGO_PKG_VERSION"), "\n")));
             }
-            _ => return Err(format!("unknown option {}; try --help", text::name(&text))),
+            _ => return Err(format!("unknown option {}; try --help", text::name(&option))),
         }
     }
     if options.files.is_empty() {
         return Err("no file; try --help".into());
     }
-    Ok(Some(options))
+    Ok(Ok(options))
 }
 
-fn number(word: &OsString) -> Result<u64, String> {
-    let text = word.to_string_lossy();
-    let found = text
-        .parse()
-        .ok()
-        .filter(|_| text.bytes().all(|byte| byte.is_ascii_digit()));
-    found.ok_or(format!("{} is no number; try --help", text::name(&text)))
+fn number(word: OsString) -> Result<u64, String> {
+    let word = word.to_string_lossy();
+    let number = word.parse().ok().filter(|_| !word.starts_with('+'));
+    number.ok_or(format!("{} is no number; try --help", text::name(&word)))
 }
 
 fn check(file: &OsString, options: &Options) -> Result<Verified, Failure> {
-    let unreadable = |error: io::Error| Failure::Unreadable(error.to_string());
+    let malformed = |code, words| Failure { verdict: "malformed", code, words };
+    let unreadable = |error: io::Error| malformed("unreadable", error.to_string());
+    let mut length = None;
     let mut input: Box<dyn Read> = if file == "-" {
         Box::new(io::stdin())
     } else {
-        Box::new(File::open(file).map_err(unreadable)?)
+        let file = File::open(file).map_err(unreadable)?;
+        length = file.metadata().ok().filter(|data| data.is_file()).map(|data| data.len());
+        Box::new(file)
     };
     let mut first = Vec::new();
-    input
-        .by_ref()
-        .take(1)
-        .read_to_end(&mut first)
-        .map_err(unreadable)?;
+    input.by_ref().take(1).read_to_end(&mut first).map_err(unreadable)?;
     if matches!(first.as_slice(), [b'{' | b' ' | b'\t' | b'\n' | b'\r']) {
-        return Err(Failure::Json);
+        let hint = "this is JSON: `acutile convert F.json F.cbor` writes the certificate itself, \
+                    and `acutile verify F.json` reads JSON";
+        return Err(malformed(Code::Cbor.text(), hint.into()));
     }
-    let found = verify(&mut first.chain(input), &options.limits).map_err(Failure::Refused)?;
+    let found = verify(&mut first.chain(input), &options.limits).map_err(|refusal| Failure {
+        verdict: refusal.code.kind().text(),
+        code: refusal.code.text(),
+        words: text::refusal(&refusal, length),
+    })?;
     match &options.claim {
-        Some(claim) if *claim != found.claim().print() => Err(Failure::OtherClaim),
+        Some(claim) if *claim != found.claim.print().into_bytes() => Err(Failure {
+            verdict: "rejected",
+            code: "other-claim",
+            words: "the certificate proves another claim".into(),
+        }),
         _ => Ok(found),
     }
 }
 
-impl Failure {
-    fn exit_code(&self) -> u8 {
-        match self {
-            Failure::Refused(refusal) => match refusal.code.kind() {
-                _ if refusal.code == Code::Unreadable => 2,
-                Kind::Rejected => 1,
-                Kind::Malformed => 2,
-                Kind::Declined => 3,
-            },
-            Failure::OtherClaim => 1,
-            Failure::Unreadable(_) | Failure::Json => 2,
-        }
-    }
-
-    /// The verdict, the code, and words.
-    fn words(&self, file: &OsString) -> (&'static str, &'static str, String) {
-        match self {
-            Failure::Unreadable(error) => ("unreadable", "unreadable", error.clone()),
-            Failure::OtherClaim => (
-                "rejected",
-                "other-claim",
-                "the certificate proves another claim".into(),
-            ),
-            Failure::Json => {
-                let hint = "this is JSON: `acutile verify FILE` reads it, and \
-                            `acutile convert FILE F.cbor` writes the certificate itself";
-                ("malformed", "cbor", hint.into())
+fn line(file: &str, found: &Result<Verified, Failure>, is_json: bool) -> String {
+    let name = if is_json { text::json(file) } else { text::name(file) };
+    match (found, is_json) {
+        (Ok(found), _) => {
+            let (simplices, vertices, bytes) = (found.simplices, found.vertices, found.bytes);
+            let boundary = found.boundary_facets;
+            let (facets, edges) = (found.peak_facets, found.peak_edges);
+            let sha256: String = found.sha256.iter().map(|byte| format!("{byte:02x}")).collect();
+            if !is_json {
+                let counts = format!("{simplices} simplices, {vertices} vertices");
+                return format!("{name}: verified: {counts}, sha256 {sha256}\n");
             }
-            Failure::Refused(refusal) if refusal.code == Code::Unreadable => {
-                ("unreadable", "unreadable", text::place(refusal.place))
-            }
-            Failure::Refused(refusal) => {
-                let code = refusal.code;
-                (
-                    text::verdict(code.kind()),
-                    code.text(),
-                    explain(refusal, file),
-                )
-            }
-        }
-    }
-}
-
-/// The place, the value, and the option that accepts more.
-fn explain(refusal: &Refusal, file: &OsString) -> String {
-    let length = fs::metadata(file)
-        .ok()
-        .filter(|found| found.is_file())
-        .map(|found| found.len());
-    let mut words = text::place(refusal.place);
-    if let Some(value) = text::value(refusal) {
-        words += &format!(": found {value}");
-    }
-    match text::option(refusal, length) {
-        Some((option, Some(value))) => words += &format!(": {option} {value} suffices here"),
-        Some((option, None)) => words += &format!(": {option} takes a larger limit"),
-        None => {}
-    }
-    words
-}
-
-fn line(file: &OsString, found: &Result<Verified, Failure>, options: &Options) -> String {
-    let name = file.to_string_lossy();
-    match (found, options.json) {
-        (Ok(found), false) => {
-            let (simplices, vertices) = (found.simplices(), found.vertices());
-            let (name, sha256) = (text::name(&name), hexadecimal(found.sha256()));
-            format!("{name}: verified: {simplices} simplices, {vertices} vertices, sha256 {sha256}")
-        }
-        (Ok(found), true) => {
-            let members = [
-                format!("\"file\":{}", text::json(&name)),
-                "\"verdict\":\"verified\"".into(),
-                format!("\"simplices\":{}", found.simplices()),
-                format!("\"vertices\":{}", found.vertices()),
-                format!("\"boundary_facets\":{}", found.boundary_facets()),
-                format!("\"peak_open_facets\":{}", found.peak_facets()),
-                format!("\"peak_open_edges\":{}", found.peak_edges()),
-                format!("\"bytes\":{}", found.bytes()),
-                format!("\"sha256\":\"{}\"", hexadecimal(found.sha256())),
-            ];
-            format!("{{{}}}", members.join(","))
-        }
-        (Err(failure), false) => {
-            let (verdict, code, words) = failure.words(file);
-            let name = text::name(&name);
-            if verdict == code {
-                format!("{name}: {verdict}: {words}")
-            } else {
-                format!("{name}: {verdict} [{code}] {words}")
-            }
-        }
-        (Err(failure), true) => {
-            let (verdict, code, words) = failure.words(file);
-            let (name, words) = (text::json(&name), text::json(&words));
             format!(
-                "{{\"file\":{name},\"verdict\":\"{verdict}\",\"code\":\"{code}\",\
-                 \"text\":{words}}}"
+                "{{\"file\":{name},\"verdict\":\"verified\",\"simplices\":{simplices},\
+                 \"vertices\":{vertices},\"boundary_facets\":{boundary},\
+                 \"peak_open_facets\":{facets},\"peak_open_edges\":{edges},\
+                 \"bytes\":{bytes},\"sha256\":\"{sha256}\"}}\n"
             )
         }
+        (Err(Failure { verdict, code, words }), false) => {
+            format!("{name}: {verdict} [{code}] {words}\n")
+        }
+        (Err(Failure { verdict, code, words }), true) => format!(
+            "{{\"file\":{name},\"verdict\":\"{verdict}\",\"code\":\"{code}\",\"message\":{}}}\n",
+            text::json(words)
+        ),
     }
-}
-
-fn hexadecimal(bytes: &[u8; 32]) -> String {
-    bytes.iter().map(|byte| format!("{byte:02x}")).collect()
 }

@@ -1,102 +1,65 @@
 //! The canonical JSON of a claim: the text that `--claim` compares.
 
-use crate::claim::{Bound, Claim, Domain, Field, Number, Polytope, Statement};
+use crate::claim::{Claim, Domain, Field, Number, Property, Statement};
 use num_bigint::BigInt;
 
 impl Claim {
     /// The claim file of this claim.
     pub fn print(&self) -> String {
-        let claim = block(
-            "{}",
-            vec![
-                format!("\"dimension\":{}", self.dimension),
-                format!("\"field\":{}", field(&self.field)),
-                format!("\"gram\":{}", self.print_gram()),
-                format!("\"domain\":{}", domain(&self.domain)),
-                format!(
-                    "\"statements\":{}",
-                    block("[]", self.statements.iter().map(statement))
-                ),
-            ],
-        );
-        let file = vec![
-            String::from("\"format\":\"acutile-claim\""),
-            String::from("\"version\":2"),
-            String::from("\"kind\":\"tiling\""),
-            format!("\"claim\":{claim}"),
+        let mut entries = self.gram.iter().map(number);
+        let rows = (1..=self.dimension).rev();
+        let rows = rows.map(|length| list(entries.by_ref().take(length))).collect();
+        let claim = vec![
+            format!("\"dimension\":{}", self.dimension),
+            format!("\"field\":{}", self.print_field()),
+            format!("\"gram\":{}", block("[]", rows)),
+            format!("\"domain\":{}", self.print_domain()),
+            format!("\"statements\":{}", block("[]", self.statements.iter().map(statement).collect())),
         ];
+        let head = r#""format":"acutile-claim","version":2,"kind":"tiling""#;
+        let mut file: Vec<String> = head.split(',').map(String::from).collect();
+        file.push(format!("\"claim\":{}", block("{}", claim)));
         block("{}", file) + "\n"
     }
 
-    fn print_gram(&self) -> String {
-        let mut entries = self.gram.iter().map(number);
-        let rows = (0..self.dimension).map(|row| list(entries.by_ref().take(self.dimension - row)));
-        block("[]", rows.collect::<Vec<_>>())
+    fn print_field(&self) -> String {
+        let Field::Algebraic { polynomial, low, high, denominator } = &self.field else {
+            return "\"Q\"".into();
+        };
+        let [low, high, denominator] = [low, high, denominator].map(integer);
+        let polynomial = list(polynomial.iter().map(integer));
+        let root = format!("{{\"low\":{low},\"high\":{high},\"denominator\":{denominator}}}");
+        block("{}", vec![format!("\"polynomial\":{polynomial}"), format!("\"root\":{root}")])
     }
-}
 
-fn field(field: &Field) -> String {
-    match field {
-        Field::Rational => String::from("\"Q\""),
-        Field::Algebraic {
-            polynomial,
-            low,
-            high,
-            denominator,
-        } => {
-            let [low, high, denominator] = [low, high, denominator].map(integer);
-            let root = format!("{{\"low\":{low},\"high\":{high},\"denominator\":{denominator}}}");
-            let members = vec![
-                format!("\"polynomial\":{}", list(polynomial.iter().map(integer))),
-                format!("\"root\":{root}"),
-            ];
-            block("{}", members)
-        }
+    fn print_domain(&self) -> String {
+        let name = format!("\"{}\"", self.domain.name(self.dimension));
+        let value = match &self.domain {
+            Domain::Space => return name,
+            Domain::Region(rank) => rank.to_string(),
+            Domain::Polytope(polytope) => {
+                let vertices = polytope.vertices.iter().map(|v| list(v.iter().map(number)));
+                let faces = polytope.faces.iter().map(|f| list(f.iter().map(usize::to_string)));
+                let (vertices, faces) = (list(vertices), list(faces));
+                let denominator = integer(&polytope.denominator);
+                format!("{{\"denominator\":{denominator},\"vertices\":{vertices},\"faces\":{faces}}}")
+            }
+        };
+        block("[]", vec![name, value])
     }
-}
-
-fn domain(domain: &Domain) -> String {
-    let (name, value) = match domain {
-        Domain::Space => return String::from("\"space\""),
-        Domain::Slab(p) => ("slab", polytope(p)),
-        Domain::Prism(p) => ("prism", polytope(p)),
-        Domain::Solid(p) => ("solid", polytope(p)),
-        Domain::Region(rank) => ("region", rank.to_string()),
-    };
-    block("[]", vec![format!("\"{name}\""), value])
-}
-
-fn polytope(polytope: &Polytope) -> String {
-    let vertices = polytope
-        .vertices
-        .iter()
-        .map(|vertex| list(vertex.iter().map(number)));
-    let faces = polytope
-        .faces
-        .iter()
-        .map(|face| list(face.iter().map(usize::to_string)));
-    let (vertices, faces) = (list(vertices), list(faces));
-    let denominator = integer(&polytope.denominator);
-    format!("{{\"denominator\":{denominator},\"vertices\":{vertices},\"faces\":{faces}}}")
 }
 
 fn statement(statement: &Statement) -> String {
-    let text = format!("\"{}\"", statement.text());
-    match statement {
-        Statement::Bound(bound) => bound_values(text, bound),
-        _ => text,
-    }
-}
-
-fn bound_values(quantity: String, bound: &Bound) -> String {
-    let mut values = vec![quantity, format!("\"{}\"", bound.relation.text())];
-    if bound.has_sign() {
+    let text = |text| format!("\"{text}\"");
+    let mut values = vec![text(statement.property.text())];
+    let Some(bound) = &statement.bound else {
+        return values.concat();
+    };
+    values.push(text(bound.relation.text()));
+    if statement.property != Property::SquaredRatio {
         values.push(bound.sign.to_string());
     }
-    values.push(list([
-        number(&bound.numerator),
-        integer(&bound.denominator),
-    ]));
+    values.push(list([number(&bound.numerator), integer(&bound.denominator)]));
     list(values)
 }
 
@@ -107,28 +70,18 @@ fn number(number: &Number) -> String {
     }
 }
 
-/// A number of less than 53 bits, or a text.
+/// A number where the absolute value is less than 2^53, else a text.
 fn integer(value: &BigInt) -> String {
-    if value.bits() <= 53 {
-        value.to_string()
-    } else {
-        format!("\"{value}\"")
-    }
+    if value.bits() <= 53 { value.to_string() } else { format!("\"{value}\"") }
 }
 
 /// On one line.
 fn list(items: impl IntoIterator<Item = String>) -> String {
-    let items: Vec<String> = items.into_iter().collect();
-    format!("[{}]", items.join(","))
+    format!("[{}]", items.into_iter().collect::<Vec<_>>().join(","))
 }
 
 /// Each item on its own line.
-fn block(brackets: &str, items: impl IntoIterator<Item = String>) -> String {
-    let items: Vec<String> = items.into_iter().collect();
+fn block(brackets: &str, items: Vec<String>) -> String {
     let (open, close) = brackets.split_at(1);
-    if items.is_empty() {
-        brackets.to_string()
-    } else {
-        format!("{open}\n{}\n{close}", items.join(",\n"))
-    }
+    format!("{open}\n{}\n{close}", items.join(",\n"))
 }

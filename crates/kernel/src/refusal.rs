@@ -6,115 +6,101 @@ use num_bigint::BigInt;
 
 /// Refuses unless a condition holds.
 macro_rules! ensure {
-    ($condition:expr, $code:ident, $place:expr $(, $value:expr)?) => {
+    ($condition:expr, $code:ident, $place:expr) => {
+        ensure!($condition, $code, $place, $crate::refusal::Value::Nothing)
+    };
+    ($condition:expr, $code:ident, $place:expr, $value:expr) => {
         if !$condition && !$crate::refusal::is_left_out(file!(), line!()) {
-            #[allow(unused_mut, unused_assignments)]
-            let mut value = $crate::refusal::Value::Nothing;
-            $(value = $value.into();)?
             let code = $crate::refusal::Code::$code;
-            return Err($crate::refusal::Refusal::new(code, $place, value, line!()).into());
+            return Err($crate::refusal::Stop::refuse(code, $place, $value.into()));
         }
     };
 }
 
-/// Writes the enumeration, the names and the kinds of the codes from one list.
-macro_rules! codes {
-    ($($kind:ident { $($name:ident $text:literal,)* })*) => {
-        /// The condition that does not hold. The order is that of the checks, within each kind.
-        #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
-        pub enum Code { $($($name,)*)* }
+/// The content of an option; refuses where there is none.
+macro_rules! some {
+    ($option:expr, $($refusal:tt)*) => {{
+        let option = $option;
+        ensure!(option.is_some(), $($refusal)*);
+        option.unwrap_or_default()
+    }};
+}
 
-        impl Code {
-            /// All codes.
-            pub const ALL: &[Code] = &[$($(Code::$name,)*)*];
+/// An enumeration of which each value has a text.
+macro_rules! texts {
+    ($(#[$doc:meta])* $name:ident { $first:ident $first_text:literal, $($value:ident $text:literal,)* }) => {
+        $(#[$doc])*
+        #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, PartialOrd, Ord, Hash)]
+        pub enum $name { #[default] $first, $($value,)* }
 
-            /// The name in documents and in the program's output.
+        impl $name {
+            pub const ALL: &[$name] = &[$name::$first, $($name::$value,)*];
+
             pub fn text(self) -> &'static str {
-                match self { $($(Code::$name => $text,)*)* }
+                match self { $name::$first => $first_text, $($name::$value => $text,)* }
             }
 
-            pub fn kind(self) -> Kind {
-                match self { $($(Code::$name => Kind::$kind,)*)* }
+            pub fn find(text: &str) -> Option<$name> {
+                $name::ALL.iter().copied().find(|value| value.text() == text)
             }
         }
     };
 }
 
-/// The verdict that a refusal means.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
-pub enum Kind {
-    /// A statement of the certificate does not hold.
-    Rejected,
-    /// The bytes are no certificate.
-    Malformed,
-    /// Neither: a limit, an unknown version, a sign that is not decided.
-    Declined,
+texts! {
+    /// The verdict that a refusal means.
+    Kind {
+        // A statement of the certificate does not hold.
+        Rejected "rejected",
+        // The bytes are no certificate, or they cannot be read.
+        Malformed "malformed",
+        // Neither: a limit, an unknown version, a sign that is not decided.
+        Declined "declined",
+    }
 }
 
-codes! {
-    Malformed {
-        Cbor "cbor",
-        Canonical "canonical",
-        Format "format",
-        Dimension "dimension",
-        Polynomial "polynomial",
-        RootOrder "root-order",
-        RootDerivative "root-derivative",
-        PrismDimension "prism-dimension",
-        RegionRank "region-rank",
-        Denominator "denominator",
-        FaceCount "face-count",
-        FaceLength "face-length",
-        FaceVertices "face-vertices",
-        FaceRepeated "face-repeated",
-        UnusedDomainVertex "unused-domain-vertex",
-        Statements "statements",
-        BoundRange "bound-range",
-        StatementDomain "statement-domain",
-        BoundaryDomain "boundary-domain",
-        NoSimplices "no-simplices",
-        VertexRange "vertex-range",
-        ShiftRange "shift-range",
-        CornerOrder "corner-order",
-        Sixes "sixes",
-        BoundaryRepeated "boundary-repeated",
-        UnusedVertex "unused-vertex",
-    }
-    Rejected {
-        RootSigns "root-signs",
-        GramNotPositive "gram-not-positive",
-        FaceNotFacet "face-not-facet",
-        FaceNotConvex "face-not-convex",
-        FacesNotClosed "faces-not-closed",
-        DenominatorDomain "denominator-domain",
-        VertexOutside "vertex-outside",
-        BoundaryMeets "boundary-meets",
-        FacetSide "facet-side",
-        TriangleValence "triangle-valence",
-        EdgeValence "edge-valence",
-        Orientation "orientation",
-        Covering "covering",
-        NotAcute "not-acute",
-        NotNonobtuse "not-nonobtuse",
-        AngleBound "angle-bound",
-        RatioBound "ratio-bound",
-        NotDelaunay "not-delaunay",
-        NotWeaklyDelaunay "not-weakly-delaunay",
-        OpenFacet "open-facet",
-        BoundaryOpen "boundary-open",
-        VolumeSum "volume-sum",
+texts! {
+    /// The condition that does not hold.
+    Code {
+        // Malformed.
+        Unreadable "unreadable", Cbor "cbor", Canonical "canonical", Format "format",
+        Dimension "dimension", Polynomial "polynomial", RootOrder "root-order",
+        RootDerivative "root-derivative", PrismDimension "prism-dimension",
+        RegionRank "region-rank", Denominator "denominator", FaceCount "face-count",
+        FaceLength "face-length", FaceVertices "face-vertices", FaceRepeated "face-repeated",
+        UnusedDomainVertex "unused-domain-vertex", Statements "statements",
+        BoundRange "bound-range", StatementDomain "statement-domain",
+        BoundaryDomain "boundary-domain", NoSimplices "no-simplices", VertexRange "vertex-range",
+        ShiftRange "shift-range", CornerOrder "corner-order", Sixes "sixes",
+        BoundaryRepeated "boundary-repeated", UnusedVertex "unused-vertex",
+        // Rejected.
+        RootSigns "root-signs", GramNotPositive "gram-not-positive",
+        FaceNotFacet "face-not-facet", FaceNotConvex "face-not-convex",
+        FacesNotClosed "faces-not-closed", DenominatorDomain "denominator-domain",
+        VertexOutside "vertex-outside", BoundaryMeets "boundary-meets", FacetSide "facet-side",
+        TriangleValence "triangle-valence", EdgeValence "edge-valence",
+        Orientation "orientation", Covering "covering", NotAcute "not-acute",
+        NotNonobtuse "not-nonobtuse", AngleBound "angle-bound", RatioBound "ratio-bound",
+        NotDelaunay "not-delaunay", NotWeaklyDelaunay "not-weakly-delaunay",
+        OpenFacet "open-facet", BoundaryOpen "boundary-open", VolumeSum "volume-sum",
         NotAttained "not-attained",
+        // Declined.
+        TooManyBytes "too-many-bytes", Version "version", UnknownKind "kind", Degree "degree",
+        TooManyDigits "too-many-digits", TooManySimplices "too-many-simplices",
+        SignUndecided "sign-undecided", Work "work",
     }
-    Declined {
-        Unreadable "unreadable",
-        TooManyBytes "too-many-bytes",
-        Version "version",
-        UnknownKind "kind",
-        Degree "degree",
-        TooManyDigits "too-many-digits",
-        TooManySimplices "too-many-simplices",
-        SignUndecided "sign-undecided",
-        Work "work",
+}
+
+impl Code {
+    /// The codes of a kind stand together.
+    pub fn kind(self) -> Kind {
+        if self <= Code::UnusedVertex {
+            Kind::Malformed
+        } else if self <= Code::NotAttained {
+            Kind::Rejected
+        } else {
+            Kind::Declined
+        }
     }
 }
 
@@ -123,7 +109,6 @@ codes! {
 pub enum Place {
     /// An offset in the file.
     Byte(u64),
-    /// The field, the Gram matrix or the domain.
     Field,
     /// A leading principal minor of the Gram matrix, by its number of rows.
     Minor(usize),
@@ -131,9 +116,8 @@ pub enum Place {
     Face(usize),
     Statement(usize),
     Vertex(u32),
-    /// A facet in the list `boundary`.
+    /// One facet, or two, in the list `boundary`.
     Boundary(u64),
-    /// Two facets in the list `boundary`.
     BoundaryPair(u64, u64),
     Simplex(u64),
     /// A facet of a simplex, by the sorted corner that it does not have.
@@ -142,18 +126,7 @@ pub enum Place {
     Edge(u64, usize, usize),
     /// The angle of a simplex between two facets, by the corners of the row that they do not have.
     Angle(u64, usize, usize),
-    /// The witness as a whole.
     Witness,
-}
-
-/// A limit that declines.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Limit {
-    Bytes,
-    Simplices,
-    Bits,
-    Degree,
-    Work,
 }
 
 /// The exact value that is wrong.
@@ -163,84 +136,76 @@ pub enum Value {
     Integer(BigInt),
     /// A quotient of two numbers of the field, each by its coefficients of 1, a, a², …
     Quotient(Vec<BigInt>, Vec<BigInt>),
-    /// A limit that is too small, and a value that suffices for this check, if it is known.
-    Exceeds(Limit, Option<u64>),
+    /// The name of a limit, and a value that suffices for this check, if it is known.
+    Limit(&'static str, Option<u64>),
 }
 
-impl From<BigInt> for Value {
-    fn from(value: BigInt) -> Value {
-        Value::Integer(value)
-    }
+macro_rules! integers {
+    ($($integer:ty)*) => {$(
+        impl From<$integer> for Value {
+            fn from(value: $integer) -> Value {
+                Value::Integer(value.into())
+            }
+        }
+    )*};
 }
-
-impl From<i64> for Value {
-    fn from(value: i64) -> Value {
-        Value::Integer(value.into())
-    }
-}
-
-impl From<u64> for Value {
-    fn from(value: u64) -> Value {
-        Value::Integer(value.into())
-    }
-}
+integers! { BigInt i64 u64 usize }
 
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Refusal {
     pub code: Code,
     pub place: Place,
     pub value: Value,
-    /// The line of the check in the kernel's source, for the tests that leave checks out.
-    pub line: u32,
 }
 
-/// The box keeps results small.
-pub type Checked<T = ()> = Result<T, Box<Refusal>>;
-
-impl Refusal {
-    #[cold]
-    #[inline(never)]
-    pub(crate) fn new(code: Code, place: Place, value: Value, line: u32) -> Box<Refusal> {
-        Box::new(Refusal {
-            code,
-            place,
-            value,
-            line,
-        })
-    }
-}
-
-/// A result does not fit the integers in use, or its sign is not visible at their precision.
-/// The caller starts again with larger ones.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Larger;
-
-/// The reasons for which the judgement of a simplex stops.
+/// The reason for which a computation stops: a refusal, or nothing if a result does not fit the
+/// integers in use or a sign is not visible at their precision. Then the caller starts again with
+/// larger ones. The box keeps results small.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub enum Stop {
-    Larger,
-    Refused(Box<Refusal>),
-}
+pub struct Stop(Option<Box<Refusal>>);
 
-impl From<Larger> for Stop {
-    fn from(_: Larger) -> Stop {
-        Stop::Larger
-    }
-}
-
-impl From<Box<Refusal>> for Stop {
-    fn from(refusal: Box<Refusal>) -> Stop {
-        Stop::Refused(refusal)
-    }
-}
+pub type Checked<T = ()> = Result<T, Stop>;
 
 impl Stop {
-    /// The refusal, where no larger integers are left.
-    pub(crate) fn at_last(self, place: Place) -> Box<Refusal> {
-        match self {
-            Stop::Refused(refusal) => refusal,
-            Stop::Larger => Refusal::new(Code::SignUndecided, place, Value::Nothing, line!()),
+    pub(crate) const LARGER: Stop = Stop(None);
+
+    #[cold]
+    #[inline(never)]
+    pub(crate) fn refuse(code: Code, place: Place, value: Value) -> Stop {
+        Stop(Some(Box::new(Refusal { code, place, value })))
+    }
+
+    pub(crate) fn is_larger(&self) -> bool {
+        self.0.is_none()
+    }
+
+    /// The refusal; no integers are larger.
+    pub(crate) fn refusal(self) -> Refusal {
+        let undecided = || Refusal { code: Code::SignUndecided, place: Place::Witness, value: Value::Nothing };
+        self.0.map_or_else(undecided, |refusal| *refusal)
+    }
+
+    /// The refusal, with a place for an undecided sign.
+    pub(crate) fn at(self, place: Place) -> Stop {
+        Stop(Some(Box::new(match self.0 {
+            None => Refusal { place, ..Stop::LARGER.refusal() },
+            Some(refusal) => *refusal,
+        })))
+    }
+
+    /// Divides the determinant, or the power of a point, by the units of the coordinates.
+    pub(crate) fn over(mut self, denominator: &BigInt, dimension: usize) -> Stop {
+        if let Some(Refusal { code, value: Value::Quotient(_, divisor), .. }) = self.0.as_deref_mut() {
+            let power = match code {
+                Code::Orientation => dimension,
+                Code::NotDelaunay | Code::NotWeaklyDelaunay => 2,
+                _ => 0,
+            };
+            for _ in 0..power {
+                divisor.iter_mut().for_each(|c| *c *= denominator);
+            }
         }
+        self
     }
 }
 

@@ -1,259 +1,240 @@
 //! Regions: conditions X and W, which make the covering number N of the tiles at most 1.
 //!
-//! N(x) is the number of tiles that contain x, for a point x on no facet. It changes only at boundary
-//! facets, by one, since each other facet has a mate on its other side.
+//! N(x) is the number of tiles that contain x, for a point x on no facet. It changes only at
+//! boundary facets, by one, since any other facet has a mate on its other side.
 //!
-//! **X** (`boundary-meets`). Two boundary facets, up to the lattice, meet in the hull of their common corners.
+//! **X** (`boundary-meets`). Two boundary facets, up to the lattice, meet in the hull of their
+//! common corners.
 //!
-//! **W** (`covering`). N = 0 just outside of the first boundary facet of each class.
-//! Two boundary facets belong to one class if they have a ridge that no third one has, up to the lattice.
-//! (A ridge is an edge, in the plane a vertex.) By X nothing else of the boundary is near to this ridge.
-//! So N has one value just outside of both facets.
+//! **W** (`covering`). N = 0 just outside of the first boundary facet of each class. Two boundary
+//! facets belong to one class if they have a ridge that no third one has, up to the lattice. (A
+//! ridge is an edge, in the plane a vertex.) By X nothing else of the boundary is near to this
+//! ridge, so N has one value just outside of both.
 //!
-//! Then N ≤ 1: from a point follow any path that avoids ridges to the first boundary facet that it meets.
-//! Before it N is constant, and there it is 0 or 1. The lattice may have any rank.
+//! Then N ≤ 1: from a point follow any path that avoids ridges to the first boundary facet that it
+//! meets. Before it N is constant, and there it is 0 or 1. The lattice may have any rank.
 //!
-//! Left out: that each boundary facet is a facet of one simplex, on the side that it says. See `front`.
+//! Left out: that each boundary facet is a facet of one simplex, on the side that it says.
 
-use crate::boxes::{Item, Tree};
-use crate::grid::{APEX, Grid, at, moved};
+use crate::boxes::{APEX, Grid, Tree};
+use crate::int::Int;
 use crate::limits::Work;
-use crate::questions::{Contains, Corners, OuterNormal, Pair, Points, decide};
+use crate::meets::Meets;
 use crate::refusal::{Checked, Place, Stop};
-use crate::ring::Rings;
+use crate::ring::{Element, Exact, Ring, Rings, Vector, each};
 use crate::row::{Corner, Row, Shape};
 use crate::vertices::Vertices;
 use std::cmp::Ordering;
 use std::mem::replace;
 use std::rc::Rc;
 
-/// The boundary facets that have a ridge in common with a facet, up to the lattice.
-#[derive(Clone, Copy, Default)]
-enum Across {
-    #[default]
-    None,
-    One(usize),
-    More,
-}
+/// A boundary facet. With an inner point before them, the corners have a positive orientation.
+type Corners = [Corner; 3];
 
-/// The first boundary facet of a class.
-struct Base {
-    facet: u64,
-    corners: Corners,
-    /// The sign of w · (1, ε, ε²) for the outer normal w and small ε > 0.
-    outwards: Ordering,
-}
+/// For each ridge of a facet, the other boundary facets that have it, up to the lattice: none, one
+/// (`Some(Some(facet))`) or more. The k-th ridge is the one without the k-th corner.
+type Across = [Option<Option<usize>>; 3];
 
 pub(crate) struct Region<const N: usize> {
     rings: Rc<Rings<N>>,
     work: Rc<Work>,
     grid: Grid,
     is_plane: bool,
-    bases: Vec<Base>,
-    /// The centroids of the bases.
-    tree: Option<Tree>,
+    facets: Vec<Corners>,
+    /// The first facet of each class.
+    bases: Tree,
+}
+
+/// The answer by small integers, or else by large ones.
+macro_rules! answer {
+    ($rings:expr, $place:expr, |$ring:ident| $answer:expr) => {{
+        let small = $rings.small.as_ref().ok_or(Stop::LARGER).and_then(|$ring| $answer);
+        small
+            .or_else(|_| Some(&$rings.large).map_or(Err(Stop::LARGER), |$ring| $answer))
+            .map_err(|stop| stop.at($place))
+    }};
 }
 
 impl<const N: usize> Region<N> {
-    /// Checks X, and prepares W. The facets are seen from outside, as the format lists them.
+    /// Checks X. There is a facet at least; they are as the format lists them.
     pub(crate) fn new(
-        facets: Vec<Corners>,
+        mut facets: Vec<Corners>,
         shape: Shape,
         vertices: &Vertices,
         rings: &Rc<Rings<N>>,
         work: &Rc<Work>,
     ) -> Checked<Region<N>> {
-        let grid = Grid::new::<N>(shape, vertices, &rings.intervals.root);
-        let mut region = Region {
-            rings: rings.clone(),
-            work: work.clone(),
-            grid: grid.map_err(|larger| Stop::from(larger).at_last(Place::Witness))?,
-            is_plane: shape.dimension == 2,
-            bases: Vec::new(),
-            tree: None,
-        };
-        let (facets, tree) = region.at_home(facets)?;
-        let mut across = vec![[Across::None; 3]; facets.len()];
-        if let Some(tree) = tree {
-            region.check_meets(&facets, &tree, vertices, &mut across)?;
+        let grid = Grid::new::<N>(shape, vertices, &rings.intervals.root)?;
+        let is_plane = shape.dimension == 2;
+        let mut boxes = Vec::new();
+        for (number, facet) in facets.iter_mut().enumerate() {
+            let [a, b, c] = *facet;
+            *facet = [a, b, if is_plane { APEX } else { c }];
+            boxes.push((grid.bounds(&*facet)?, number));
         }
-        region.choose_bases(&facets, &first_of_classes(&across)?, vertices)?;
+        let bases = Tree::new(&mut boxes)?;
+        let (rings, work) = (rings.clone(), work.clone());
+        let mut region = Region { rings, work, grid, is_plane, facets, bases };
+        let across = region.check_meets(vertices)?;
+        boxes.clear();
+        for first in first_of_classes(&across)? {
+            boxes.push((region.grid.bounds(region.facet(first)?)?, first));
+        }
+        region.bases = Tree::new(&mut boxes)?;
         Ok(region)
     }
 
-    /// Moves each facet near to the cell, so that few translations bring two of them together.
-    fn at_home(&self, facets: Vec<Corners>) -> Checked<(Vec<Corners>, Option<Tree>)> {
-        let (mut at_home, mut items) = (Vec::new(), Vec::new());
-        for (number, [a, b, c]) in facets.into_iter().enumerate() {
-            let facet = [a, b, if self.is_plane { APEX } else { c }];
-            let home = self.grid.home(&self.grid.bounds(&facet)?)?;
-            let facet = facet.map(|corner| moved(corner, home));
-            let bounds = self.grid.bounds(&facet)?;
-            items.push(Item { bounds, number });
-            at_home.push(facet);
-        }
-        Ok((at_home, Tree::new(items)))
+    fn facet(&self, number: usize) -> Checked<&Corners> {
+        self.facets.get(number).ok_or(Stop::LARGER)
     }
 
-    /// X for each pair of facets whose boxes meet, and for one of each two opposite translations.
-    fn check_meets(
-        &self,
-        facets: &[Corners],
-        tree: &Tree,
-        vertices: &Vertices,
-        across: &mut [[Across; 3]],
-    ) -> Checked {
-        let (work, grid) = (&*self.work, &self.grid);
-        grid.each_translation(&tree.bounds, &tree.bounds, work, |by| {
-            let mut visit = |f: usize, g: usize| {
-                let own = *at(facets, f)?;
-                let other = at(facets, g)?.map(|corner| moved(corner, by));
-                let place = Place::BoundaryPair(count(f.min(g)), count(f.max(g)));
-                let common = self.check_pair(own, other, vertices, place)?;
-                if common == 2 {
-                    mark(across.get_mut(f), own, other, g);
-                    mark(across.get_mut(g), other, own, f);
-                }
-                Ok(())
-            };
-            match by.cmp(&[0; 3]) {
-                Ordering::Less => Ok(()),
-                Ordering::Equal => tree.each_pair(work, &mut visit),
-                Ordering::Greater => {
-                    tree.each_pair_with(tree, &grid.translation(by)?, work, &mut visit)
+    /// X for each pair of facets whose boxes meet.
+    fn check_meets(&self, vertices: &Vertices) -> Checked<Vec<Across>> {
+        let mut across = vec![[None; 3]; self.facets.len()];
+        self.grid.each_near(&self.bases, &self.bases, &self.work, &mut |by, first, second| {
+            // One of two opposite translations suffices.
+            if (by, second) <= ([0; 3], first) {
+                return Ok(());
+            }
+            let f = *self.facet(first)?;
+            let g = self.facet(second)?.map(|corner| moved(corner, by));
+            let number = |facet: usize| u64::try_from(facet).unwrap_or(u64::MAX);
+            let place = Place::BoundaryPair(number(first.min(second)), number(first.max(second)));
+            self.work.add(100);
+            self.work.check(place)?;
+            // The common corners first, in one order.
+            let common = f.iter().filter(|corner| g.contains(corner)).count();
+            let (mut f_sorted, mut g_sorted) = (f, g);
+            f_sorted.sort_by_key(|corner| !g.contains(corner));
+            g_sorted.sort_by_key(|corner| f_sorted.iter().position(|c| c == corner).unwrap_or(3));
+            let is_right =
+                answer!(self.rings, place, |ring| { self.meet(ring, vertices, common, [&f_sorted, &g_sorted]) })?;
+            ensure!(is_right, BoundaryMeets, place);
+            for (own, f, g, other) in [(first, &f, &g, second), (second, &g, &f, first)] {
+                for (ridge, corner) in across.get_mut(own).into_iter().flatten().zip(f) {
+                    if common == 2 && !g.contains(corner) {
+                        *ridge = Some(ridge.is_none().then_some(other));
+                    }
                 }
             }
-        })
+            Ok(())
+        })?;
+        Ok(across)
     }
 
-    /// Checks X for two facets, and returns the number of common corners; in the plane that plus one.
-    fn check_pair(
+    /// Whether two facets meet in the hull of their first common corners.
+    fn meet<T: Int>(
         &self,
-        f: Corners,
-        g: Corners,
+        ring: &Exact<T, N>,
         vertices: &Vertices,
-        place: Place,
-    ) -> Checked<usize> {
-        let (points, rings) = (Points { vertices }, &*self.rings);
-        let (f, g, common) = common_first(f, g);
-        let pair = Pair {
-            points,
-            rings,
-            work: &self.work,
-            common,
-            f,
-            g,
-        };
-        ensure!(decide(rings, &pair, place)?, BoundaryMeets, place);
-        self.work.add(PAIR_PRICE);
-        self.work.check(place)?;
-        Ok(common)
-    }
-
-    fn choose_bases(
-        &mut self,
-        facets: &[Corners],
-        firsts: &[usize],
-        vertices: &Vertices,
-    ) -> Checked {
-        let mut items = Vec::new();
-        for first in firsts {
-            let corners = *at(facets, *first)?;
-            let facet = count(*first);
-            let points = Points { vertices };
-            let normal = OuterNormal { points, corners };
-            items.push(Item {
-                bounds: self.grid.centroid(&corners)?,
-                number: self.bases.len(),
-            });
-            self.bases.push(Base {
-                facet,
-                corners,
-                outwards: decide(&self.rings, &normal, Place::Boundary(facet))?,
-            });
+        common: usize,
+        facets: [&Corners; 2],
+    ) -> Checked<bool> {
+        let base = facets.into_iter().flatten().find(|corner| **corner != APEX);
+        let base = vertices.point(*base.ok_or(Stop::LARGER)?)?;
+        let mut points = each(&facets, |facet| {
+            each(facet, |corner| {
+                if *corner == APEX {
+                    return Ok(Default::default());
+                }
+                let [x, y, z] = ring.difference(&base, &vertices.point(*corner)?)?;
+                Ok([x, y, if self.is_plane { ring.integer(1)? } else { z }])
+            })
+        })?;
+        let length = |x: &Element<T, N>| x.0.iter().map(T::length).max().unwrap_or(0);
+        let all = points.as_flattened_mut().as_flattened_mut();
+        let most = all.iter().map(length).max().unwrap_or(0);
+        // Small integers are rounded to 19 bits. Then the vectors of `meets` have entries of at most
+        // m = 2^20 with errors below 2. So determinants have errors of at most
+        // 6 ((m + 2)³ - m³) < 2^46, and a sign is certain from 47 bits on.
+        let is_rounded = N == 1 && T::PRICE == 1 && !self.is_plane && most > 19;
+        for x in all.iter_mut().flat_map(|x| &mut x.0).filter(|_| is_rounded) {
+            *x = T::from(x.top(most - 19)?);
         }
-        self.tree = Tree::new(items);
-        Ok(())
+        let sign = |x: &Element<T, N>| {
+            if is_rounded && length(x) < 47 { Err(Stop::LARGER) } else { ring.sign(x) }
+        };
+        let axis = ring.integer(if is_rounded { 1 << 20 } else { 1 })?;
+        Meets { ring, work: &self.work, sign, axis }.only_in_common(common, &points)
     }
 
     /// W for a row: no translate of its tile contains the point just outside of a base.
     pub(crate) fn check_row(&self, row: &Row, vertices: &Vertices, simplex: u64) -> Checked {
         let [a, b, c, d] = row.corners;
         let tile = [a, b, c, if self.is_plane { APEX } else { d }];
-        let bounds = self.grid.bounds(&tile)?;
-        let (work, grid) = (&*self.work, &self.grid);
-        let Some(tree) = &self.tree else {
-            return Ok(());
-        };
-        grid.each_translation(&tree.bounds, &bounds, work, |by| {
-            let moved_bounds = bounds.plus(&grid.translation(by)?);
-            tree.each_near(&moved_bounds, work, &mut |base| {
-                let base = at(&self.bases, base)?;
-                let question = Contains {
-                    points: Points { vertices },
-                    tile: tile.map(|corner| moved(corner, by)),
-                    facet: base.corners,
-                    outwards: base.outwards,
-                };
-                let place = Place::Simplex(simplex);
-                let is_covered = decide(&self.rings, &question, place)?;
-                ensure!(!is_covered, Covering, place, base.facet);
-                Ok(())
-            })
+        let leaf = Tree::new(&mut [(self.grid.bounds(&tile)?, 0)])?;
+        let place = Place::Simplex(simplex);
+        self.grid.each_near(&self.bases, &leaf, &self.work, &mut |by, base, _| {
+            let tile = tile.map(|corner| moved(corner, by));
+            let facet = self.facet(base)?;
+            self.work.add(300);
+            let is_covered = answer!(self.rings, place, |ring| { self.contains(ring, vertices, &tile, facet) })?;
+            ensure!(!is_covered, Covering, place, base);
+            Ok(())
         })
     }
-}
 
-/// Units of work for a pair of facets, without products.
-const PAIR_PRICE: u64 = 100;
-
-fn count(number: usize) -> u64 {
-    u64::try_from(number).unwrap_or(u64::MAX)
-}
-
-/// The corners in such an order that the common ones come first, and the number of these.
-fn common_first(mut f: Corners, mut g: Corners) -> (Corners, Corners, usize) {
-    let mut common = 0;
-    for i in 0..f.len() {
-        let corner = f.get(i).copied();
-        if let Some(j) = g.iter().position(|other| Some(*other) == corner) {
-            f.swap(common, i);
-            g.swap(common, j);
-            common += 1;
+    /// Whether a tile contains the point just outside of a facet: the centroid m, moved outwards by
+    /// ε (1, ε, ε²) or its negative, for small ε > 0. It is on the inner side of each facet of the
+    /// tile: for the outer normal w and a corner o, w · (m - o) is negative, or it is zero and
+    /// the point is moved inwards.
+    fn contains<T: Int>(
+        &self,
+        ring: &Exact<T, N>,
+        vertices: &Vertices,
+        [a, b, c, d]: &[Corner; 4],
+        facet: &Corners,
+    ) -> Checked<bool> {
+        // The vector to the apex is (0, 0, 1).
+        let edge = |from: &Corner, to: &Corner| -> Checked<Vector<Exact<T, N>>> {
+            if *to == APEX {
+                return Ok([Element::default(), Element::default(), ring.integer(1)?]);
+            }
+            ring.difference(&vertices.point(*from)?, &vertices.point(*to)?)
+        };
+        let normal = |[o, p, q]: [&Corner; 3]| ring.cross(&edge(o, p)?, &edge(o, q)?);
+        // The sign of w · (1, ε, ε²): that of the first entry of w that is not zero.
+        let forwards = |[x, y, z]: &Vector<Exact<T, N>>| -> Checked<Ordering> {
+            Ok(ring.sign(x)?.then(ring.sign(y)?).then(ring.sign(z)?))
+        };
+        let is_backwards = forwards(&normal(facet.each_ref())?)? == Ordering::Less;
+        let facets = if self.is_plane {
+            &[[a, b, d], [b, c, d], [c, a, d]][..]
+        } else {
+            &[[b, c, d], [a, d, c], [a, b, d], [a, c, b]]
+        };
+        for &[o, p, q] in facets {
+            let w = normal([o, p, q])?;
+            let mut side = Element::default();
+            for corner in facet.iter().filter(|corner| **corner != APEX) {
+                side = ring.plus(&side, &ring.inner(&w, &edge(o, corner)?)?)?;
+            }
+            let turned = forwards(&w)?;
+            let turned = if is_backwards { turned.reverse() } else { turned };
+            if ring.sign(&side)?.then(turned) != Ordering::Less {
+                return Ok(false);
+            }
         }
-    }
-    (f, g, common)
-}
-
-/// The ridge that f has in common with g is the one without the corner that g does not have.
-fn mark(across: Option<&mut [Across; 3]>, f: Corners, g: Corners, neighbour: usize) {
-    for (ridge, corner) in across.into_iter().flatten().zip(f) {
-        if !g.contains(&corner) {
-            *ridge = match ridge {
-                Across::None => Across::One(neighbour),
-                _ => Across::More,
-            };
-        }
+        Ok(true)
     }
 }
 
-/// The first facet of each class.
-fn first_of_classes(across: &[[Across; 3]]) -> Checked<Vec<usize>> {
+/// The corner, moved by a lattice vector.
+fn moved(corner: Corner, shift: [i32; 3]) -> Corner {
+    if corner == APEX { APEX } else { corner.moved_by(Corner { vertex: 0, shift }) }
+}
+
+fn first_of_classes(across: &[Across]) -> Checked<Vec<usize>> {
     let mut is_seen = vec![false; across.len()];
-    let mut see = |facet: usize| is_seen.get_mut(facet).is_some_and(|seen| !replace(seen, true));
     let mut firsts = Vec::new();
     for first in 0..across.len() {
-        if see(first) {
+        if is_seen.get(first) == Some(&false) {
             firsts.push(first);
-            let mut reached = vec![first];
-            while let Some(facet) = reached.pop() {
-                for ridge in at(across, facet)? {
-                    if let Across::One(neighbour) = ridge
-                        && see(*neighbour)
-                    {
-                        reached.push(*neighbour);
-                    }
-                }
+        }
+        let mut reached = vec![first];
+        while let Some(facet) = reached.pop() {
+            if !replace(is_seen.get_mut(facet).ok_or(Stop::LARGER)?, true) {
+                reached.extend(across.get(facet).into_iter().flatten().copied().flatten().flatten());
             }
         }
     }

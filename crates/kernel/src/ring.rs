@@ -7,7 +7,7 @@
 use crate::filter::Intervals;
 use crate::int::Int;
 use crate::limits::Work;
-use crate::refusal::Larger;
+use crate::refusal::{Checked, Stop, Value};
 use crate::root::{Root, enclosure, sign_between};
 use num_bigint::BigInt;
 use std::array::from_fn;
@@ -17,81 +17,72 @@ use std::rc::Rc;
 /// Three coordinates; in the plane the third one is zero.
 pub type Vector<R> = [<R as Ring>::Element; 3];
 
-pub trait Ring {
+pub trait Ring: Sized {
     type Element: Clone + Default;
     /// A ring in which more results fit.
     type Next: Ring;
 
     /// The number with these coefficients of 1, a, a², …
-    fn element(&self, coefficients: &[BigInt]) -> Result<Self::Element, Larger>;
+    fn element(&self, coefficients: &[BigInt]) -> Checked<Self::Element>;
     /// The coefficients, where the ring is exact; else nothing.
     fn coefficients(&self, x: &Self::Element) -> Vec<BigInt>;
     fn next(x: &Self::Element) -> <Self::Next as Ring>::Element;
-    fn plus(&self, x: &Self::Element, y: &Self::Element) -> Result<Self::Element, Larger>;
-    fn minus(&self, x: &Self::Element, y: &Self::Element) -> Result<Self::Element, Larger>;
+    fn plus(&self, x: &Self::Element, y: &Self::Element) -> Checked<Self::Element>;
+    fn minus(&self, x: &Self::Element, y: &Self::Element) -> Checked<Self::Element>;
     /// Σ x_i y_i, for at most three terms.
-    fn dot<const K: usize>(
-        &self,
-        x: [&Self::Element; K],
-        y: [&Self::Element; K],
-    ) -> Result<Self::Element, Larger>;
-    /// The sign; [`Larger`] where it is undecided.
-    fn sign(&self, x: &Self::Element) -> Result<Ordering, Larger>;
+    fn dot<const K: usize>(&self, x: [&Self::Element; K], y: [&Self::Element; K]) -> Checked<Self::Element>;
+    /// The sign; [`Stop::LARGER`] where it is undecided.
+    fn sign(&self, x: &Self::Element) -> Checked<Ordering>;
     /// The lesser of two numbers.
-    fn lesser(&self, x: &Self::Element, y: &Self::Element) -> Result<Self::Element, Larger>;
-    /// Units of work for one product, where the ring does not count each one.
+    fn lesser(&self, x: &Self::Element, y: &Self::Element) -> Checked<Self::Element>;
+    /// Units of work for one product; zero where the ring counts them itself.
     fn price(&self) -> u64;
 
-    #[inline(always)]
-    fn times(&self, x: &Self::Element, y: &Self::Element) -> Result<Self::Element, Larger> {
+    fn integer(&self, value: i64) -> Checked<Self::Element> {
+        self.element(&[value.into()])
+    }
+
+    fn times(&self, x: &Self::Element, y: &Self::Element) -> Checked<Self::Element> {
         self.dot([x], [y])
     }
 
-    #[inline(always)]
-    fn inner(&self, x: &Vector<Self>, y: &Vector<Self>) -> Result<Self::Element, Larger>
-    where
-        Self: Sized,
-    {
+    fn inner(&self, x: &Vector<Self>, y: &Vector<Self>) -> Checked<Self::Element> {
         self.dot(x.each_ref(), y.each_ref())
     }
 
     /// x × y: the functional z -> det(x, y, z).
-    #[inline(always)]
-    fn cross(&self, x: &Vector<Self>, y: &Vector<Self>) -> Result<Vector<Self>, Larger>
-    where
-        Self: Sized,
-    {
+    fn cross(&self, x: &Vector<Self>, y: &Vector<Self>) -> Checked<Vector<Self>> {
         let ([x0, x1, x2], [y0, y1, y2]) = (x, y);
-        Ok([
-            self.minus(&self.times(x1, y2)?, &self.times(x2, y1)?)?,
-            self.minus(&self.times(x2, y0)?, &self.times(x0, y2)?)?,
-            self.minus(&self.times(x0, y1)?, &self.times(x1, y0)?)?,
-        ])
+        let minor = |a, b, c, d| self.minus(&self.times(a, b)?, &self.times(c, d)?);
+        Ok([minor(x1, y2, x2, y1)?, minor(x2, y0, x0, y2)?, minor(x0, y1, x1, y0)?])
     }
 
     /// y - x
-    #[inline(always)]
-    fn difference(&self, x: &Vector<Self>, y: &Vector<Self>) -> Result<Vector<Self>, Larger>
-    where
-        Self: Sized,
-    {
+    fn difference(&self, x: &Vector<Self>, y: &Vector<Self>) -> Checked<Vector<Self>> {
         zip(y, x, |y, x| self.minus(y, x))
     }
 
     /// The sign of x - y.
-    #[inline(always)]
-    fn compare(&self, x: &Self::Element, y: &Self::Element) -> Result<Ordering, Larger> {
+    fn compare(&self, x: &Self::Element, y: &Self::Element) -> Checked<Ordering> {
         self.sign(&self.minus(x, y)?)
+    }
+
+    /// x / y for a refusal.
+    fn quotient(&self, x: &Self::Element, y: &Self::Element) -> Value {
+        Value::Quotient(self.coefficients(x), self.coefficients(y))
+    }
+
+    fn value(&self, x: &Self::Element) -> Value {
+        Value::Quotient(self.coefficients(x), vec![1.into()])
     }
 }
 
 /// f of the entries of two arrays.
-#[inline(always)]
-pub(crate) fn zip<A, B, V: Default, E, const K: usize>(
+pub(crate) fn zip<A, B, V: Default, const K: usize>(
     a: &[A; K],
     b: &[B; K],
-    mut f: impl FnMut(&A, &B) -> Result<V, E>,
-) -> Result<[V; K], E> {
+    mut f: impl FnMut(&A, &B) -> Checked<V>,
+) -> Checked<[V; K]> {
     let mut values = from_fn(|_| V::default());
     for ((value, a), b) in values.iter_mut().zip(a).zip(b) {
         *value = f(a, b)?;
@@ -100,11 +91,7 @@ pub(crate) fn zip<A, B, V: Default, E, const K: usize>(
 }
 
 /// f of the entries of an array.
-#[inline(always)]
-pub(crate) fn each<A, V: Default, E, const K: usize>(
-    a: &[A; K],
-    mut f: impl FnMut(&A) -> Result<V, E>,
-) -> Result<[V; K], E> {
+pub(crate) fn each<A, V: Default, const K: usize>(a: &[A; K], mut f: impl FnMut(&A) -> Checked<V>) -> Checked<[V; K]> {
     zip(a, &[(); K], |a, ()| f(a))
 }
 
@@ -113,7 +100,6 @@ pub(crate) fn each<A, V: Default, E, const K: usize>(
 pub struct Element<T, const N: usize>(pub [T; N]);
 
 impl<T: Default, const N: usize> Default for Element<T, N> {
-    #[inline(always)]
     fn default() -> Self {
         Element(from_fn(|_| T::default()))
     }
@@ -122,76 +108,11 @@ impl<T: Default, const N: usize> Default for Element<T, N> {
 /// Z[a] for a root a of a monic polynomial of degree at most N; Z for degree 1.
 #[derive(Clone)]
 pub struct Exact<T, const N: usize> {
-    degree: usize,
     /// a^degree = Σ tail_k a^k
     tail: [T; N],
     rough: [(i64, i64); N],
     root: Rc<Root>,
     work: Rc<Work>,
-}
-
-impl<T: Int, const N: usize> Exact<T, N> {
-    pub(crate) fn new(root: &Rc<Root>, work: &Rc<Work>) -> Result<Self, Larger> {
-        let mut rough = [(0, 0); N];
-        for (slot, power) in rough.iter_mut().zip(&root.rough) {
-            *slot = *power;
-        }
-        Ok(Exact {
-            degree: root.tail.len(),
-            tail: element(&root.tail)?.0,
-            rough,
-            root: root.clone(),
-            work: work.clone(),
-        })
-    }
-
-    /// The compiler knows it for small N.
-    #[inline(always)]
-    pub(crate) fn degree(&self) -> usize {
-        if N <= 2 { N } else { self.degree.min(N) }
-    }
-
-    #[inline(always)]
-    fn times_a(&self, sum: &mut [T; N]) -> Result<(), Larger> {
-        let sum = sum.get_mut(..self.degree()).ok_or(Larger)?;
-        sum.rotate_right(1);
-        let last = std::mem::take(sum.first_mut().ok_or(Larger)?);
-        for (sum, tail) in sum.iter_mut().zip(&self.tail) {
-            self.count(&last, tail);
-            sum.add_product(&last, tail)?;
-        }
-        Ok(())
-    }
-
-    pub(crate) fn work(&self) -> &Work {
-        &self.work
-    }
-
-    #[inline(always)]
-    fn count(&self, x: &T, y: &T) {
-        if T::PRICE == 0 {
-            self.work.add(T::price(x, y));
-        }
-    }
-
-    /// The sign by the fine enclosures; only for the largest integers.
-    #[cold]
-    #[inline(never)]
-    fn fine_sign(&self, x: &Element<T, N>) -> Result<Ordering, Larger> {
-        if T::PRICE != 0 {
-            return Err(Larger);
-        }
-        let (mut low, mut high) = (BigInt::ZERO, BigInt::ZERO);
-        for (c, (least, most)) in x.0.iter().zip(&self.root.fine) {
-            let c = c.big();
-            self.work.add(2 * BigInt::price(&c, most));
-            let (x, y) = (&c * least, &c * most);
-            let (x, y) = if x < y { (x, y) } else { (y, x) };
-            low += x;
-            high += y;
-        }
-        sign_between(Int::sign(&low), Int::sign(&high))
-    }
 }
 
 /// The rings of one field.
@@ -203,17 +124,73 @@ pub struct Rings<const N: usize> {
 }
 
 impl<const N: usize> Rings<N> {
-    pub(crate) fn new(root: &Rc<Root>, work: &Rc<Work>) -> Result<Rings<N>, Larger> {
+    pub(crate) fn new(root: &Rc<Root>, work: &Rc<Work>) -> Checked<Rings<N>> {
         Ok(Rings {
             small: Exact::new(root, work).ok(),
             medium: Exact::new(root, work).ok(),
             large: Exact::new(root, work)?,
-            intervals: Intervals::new(root),
+            intervals: Intervals { root: root.clone() },
         })
     }
 }
 
-fn element<T: Int, const N: usize>(coefficients: &[BigInt]) -> Result<Element<T, N>, Larger> {
+impl<T: Int, const N: usize> Exact<T, N> {
+    fn new(root: &Rc<Root>, work: &Rc<Work>) -> Checked<Self> {
+        let mut rough = [(0, 0); N];
+        for (slot, power) in rough.iter_mut().zip(&root.rough) {
+            *slot = *power;
+        }
+        let tail = element(&root.tail)?.0;
+        Ok(Exact { tail, rough, root: root.clone(), work: work.clone() })
+    }
+
+    pub(crate) fn work(&self) -> &Work {
+        &self.work
+    }
+
+    /// The compiler knows the degrees 1 and 2.
+    fn degree(&self) -> usize {
+        if N <= 2 { N } else { self.root.tail.len().min(N) }
+    }
+
+    fn add_product(&self, sum: &mut T, x: &T, y: &T) -> Checked {
+        if T::PRICE == 0 {
+            // The products of words, and something for the memory.
+            self.work.add(50 + (1 + x.length() / 64) * (1 + y.length() / 64));
+        }
+        sum.add_product(x, y)
+    }
+
+    fn times_a(&self, sum: &mut [T; N]) -> Checked {
+        let sum = sum.get_mut(..self.degree()).ok_or(Stop::LARGER)?;
+        sum.rotate_right(1);
+        let last = std::mem::take(sum.first_mut().ok_or(Stop::LARGER)?);
+        for (sum, tail) in sum.iter_mut().zip(&self.tail) {
+            self.add_product(sum, &last, tail)?;
+        }
+        Ok(())
+    }
+
+    /// The sign by the fine enclosures; only for the largest integers.
+    #[cold]
+    #[inline(never)]
+    fn fine_sign(&self, x: &Element<T, N>) -> Checked<Ordering> {
+        let (mut low, mut high) = (BigInt::ZERO, BigInt::ZERO);
+        for (c, (least, most)) in x.0.iter().zip(&self.root.fine) {
+            if T::PRICE != 0 {
+                return Err(Stop::LARGER);
+            }
+            let c = c.big();
+            self.work.add(100 + (1 + c.length() / 64) * (1 + most.length() / 64));
+            let (x, y) = (&c * least, &c * most);
+            low += (&x).min(&y);
+            high += (&x).max(&y);
+        }
+        sign_between(low > BigInt::ZERO, high < BigInt::ZERO)
+    }
+}
+
+fn element<T: Int, const N: usize>(coefficients: &[BigInt]) -> Checked<Element<T, N>> {
     let mut element = Element::default();
     for (slot, c) in element.0.iter_mut().zip(coefficients) {
         *slot = T::of(c)?;
@@ -225,7 +202,7 @@ impl<T: Int, const N: usize> Ring for Exact<T, N> {
     type Element = Element<T, N>;
     type Next = Exact<T::Next, N>;
 
-    fn element(&self, coefficients: &[BigInt]) -> Result<Element<T, N>, Larger> {
+    fn element(&self, coefficients: &[BigInt]) -> Checked<Element<T, N>> {
         element(coefficients)
     }
 
@@ -233,27 +210,19 @@ impl<T: Int, const N: usize> Ring for Exact<T, N> {
         x.0.iter().take(self.degree()).map(T::big).collect()
     }
 
-    #[inline(always)]
     fn next(x: &Element<T, N>) -> Element<T::Next, N> {
-        Element(x.0.each_ref().map(T::next))
+        Element(x.0.clone().map(T::Next::from))
     }
 
-    #[inline(always)]
-    fn plus(&self, x: &Element<T, N>, y: &Element<T, N>) -> Result<Element<T, N>, Larger> {
+    fn plus(&self, x: &Element<T, N>, y: &Element<T, N>) -> Checked<Element<T, N>> {
         zip(&x.0, &y.0, T::plus).map(Element)
     }
 
-    #[inline(always)]
-    fn minus(&self, x: &Element<T, N>, y: &Element<T, N>) -> Result<Element<T, N>, Larger> {
+    fn minus(&self, x: &Element<T, N>, y: &Element<T, N>) -> Checked<Element<T, N>> {
         zip(&x.0, &y.0, T::minus).map(Element)
     }
 
-    #[inline(always)]
-    fn dot<const K: usize>(
-        &self,
-        x: [&Element<T, N>; K],
-        y: [&Element<T, N>; K],
-    ) -> Result<Element<T, N>, Larger> {
+    fn dot<const K: usize>(&self, x: [&Element<T, N>; K], y: [&Element<T, N>; K]) -> Checked<Element<T, N>> {
         let degree = self.degree();
         let mut sum: [T; N] = from_fn(|_| T::default());
         // Horner's rule in a: the coefficients of x from the last one down.
@@ -262,13 +231,12 @@ impl<T: Int, const N: usize> Ring for Exact<T, N> {
                 self.times_a(&mut sum)?;
             }
             for (x, y) in x.iter().zip(y) {
-                let x = x.0.get(j).ok_or(Larger)?;
+                let x = x.0.get(j).ok_or(Stop::LARGER)?;
                 if N > 2 && *x == T::default() {
                     continue;
                 }
                 for (sum, y) in sum.iter_mut().zip(&y.0).take(degree) {
-                    self.count(x, y);
-                    sum.add_product(x, y)?;
+                    self.add_product(sum, x, y)?;
                 }
             }
         }
@@ -276,8 +244,7 @@ impl<T: Int, const N: usize> Ring for Exact<T, N> {
     }
 
     /// Zero if all coefficients are. Else an enclosure must show the sign.
-    #[inline(always)]
-    fn sign(&self, x: &Element<T, N>) -> Result<Ordering, Larger> {
+    fn sign(&self, x: &Element<T, N>) -> Checked<Ordering> {
         if let [c] = &x.0[..] {
             return Ok(c.sign());
         }
@@ -285,16 +252,15 @@ impl<T: Int, const N: usize> Ring for Exact<T, N> {
             return Ok(Ordering::Equal);
         }
         let (low, high, _) = enclosure(&x.0, &self.rough)?;
-        sign_between(low.cmp(&0), high.cmp(&0)).or_else(|Larger| self.fine_sign(x))
+        sign_between(low > 0, high < 0).or_else(|_| self.fine_sign(x))
     }
 
-    #[inline(always)]
-    fn lesser(&self, x: &Element<T, N>, y: &Element<T, N>) -> Result<Element<T, N>, Larger> {
-        let first = self.compare(x, y)? != Ordering::Greater;
-        Ok(if first { x.clone() } else { y.clone() })
+    fn lesser(&self, x: &Element<T, N>, y: &Element<T, N>) -> Checked<Element<T, N>> {
+        let is_first = self.compare(x, y)? != Ordering::Greater;
+        Ok(if is_first { x.clone() } else { y.clone() })
     }
 
     fn price(&self) -> u64 {
-        u64::try_from(self.degree * self.degree).unwrap_or(u64::MAX) * T::PRICE
+        u64::try_from(self.degree() * self.degree()).unwrap_or(64) * T::PRICE
     }
 }

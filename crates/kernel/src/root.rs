@@ -2,9 +2,10 @@
 
 use crate::claim::Field;
 use crate::int::Int;
-use crate::refusal::{Checked, Larger, Place, Stop};
+use crate::limits::Work;
+use crate::refusal::{Checked, Place, Stop};
 use num_bigint::BigInt;
-use std::cmp::Ordering::{self, Greater, Less};
+use std::cmp::Ordering;
 
 /// The bits of the fine enclosures after the point.
 pub(crate) const BITS: u64 = 1024;
@@ -23,65 +24,47 @@ pub(crate) struct Root {
 }
 
 impl Root {
-    pub(crate) fn new(field: &Field) -> Checked<Root> {
-        let (tail, fine) = match field {
-            Field::Rational => {
-                let one = BigInt::from(1) << BITS;
-                (vec![BigInt::ZERO], vec![(one.clone(), one)])
+    pub(crate) fn new(field: &Field, work: &Work) -> Checked<Root> {
+        let one = BigInt::from(1) << BITS;
+        let (mut tail, mut fine) = (vec![BigInt::ZERO], vec![(one.clone(), one)]);
+        if let Field::Algebraic { polynomial: p, low, high, denominator } = field {
+            check_root(p, low, high, denominator, work)?;
+            let (low, high) = enclose(p, [low, high, denominator], work)?;
+            tail = p.iter().take(field.degree()).map(|c| -c).collect();
+            while fine.len() < field.degree() {
+                let (least, most) = fine.last().ok_or(Stop::LARGER)?;
+                let (least, most) = product((least, most), (&low, &high));
+                // The shift rounds down.
+                fine.push((least >> BITS, (most >> BITS) + 1));
             }
-            Field::Algebraic {
-                polynomial,
-                low,
-                high,
-                denominator,
-            } => {
-                check_root(polynomial, low, high, denominator)?;
-                let (low, high) = enclose(polynomial, low, high, denominator);
-                let degree = polynomial.len().saturating_sub(1);
-                let tail = polynomial.iter().take(degree).map(|c| -c).collect();
-                (tail, powers(&low, &high, degree))
-            }
-        };
-        let most = fine.iter().map(|(low, high)| low.bits().max(high.bits()));
-        let dropped = most.max().unwrap_or(0).saturating_sub(ROUGH_BITS);
+        }
+        let most = fine.iter().map(|(low, high)| low.bits().max(high.bits())).max();
+        let dropped = most.unwrap_or(0).saturating_sub(ROUGH_BITS);
         let mut rough = Vec::new();
         for (low, high) in &fine {
-            let ceiling: BigInt = -(-high >> dropped);
-            // They fit, for all others are smaller than the one with the most bits.
-            let ends = (low.top(dropped), i64::of(&ceiling));
-            let (Ok(low), Ok(high)) = ends else {
-                return Err(Stop::Larger.at_last(Place::Field));
-            };
-            rough.push((low, high));
+            rough.push((low.top(dropped)?, -(-high).top(dropped)?));
         }
-        Ok(Root {
-            tail,
-            rough,
-            dropped,
-            fine,
-        })
+        Ok(Root { tail, rough, dropped, fine })
     }
 }
 
 /// The polynomial p is monic. It has exactly one root between the ends of the interval.
-fn check_root(p: &[BigInt], low: &BigInt, high: &BigInt, denominator: &BigInt) -> Checked {
-    let is_interval = low < high && *denominator > BigInt::ZERO;
+fn check_root(p: &[BigInt], low: &BigInt, high: &BigInt, d: &BigInt, work: &Work) -> Checked {
+    let is_interval = low < high && *d > BigInt::ZERO;
     ensure!(is_interval, RootOrder, Place::Field);
     // p has opposite strict signs at the ends: there is a root between them.
-    let signs = (sign_at(p, low, denominator), sign_at(p, high, denominator));
-    let are_opposite = matches!(signs, (Less, Greater) | (Greater, Less));
+    let signs = (sign_at(p, low, d, work), sign_at(p, high, d, work));
+    let are_opposite = signs.0 == signs.1.reverse() && signs.0 != Ordering::Equal;
     ensure!(are_opposite, RootSigns, Place::Field);
     // The derivative is nowhere zero between the ends, so there is no other root. Horner's rule
     // with [low, high] / d encloses d^m p'.
-    let derivative: Vec<BigInt> = p.iter().zip(0u32..).skip(1).map(|(c, k)| c * k).collect();
-    let (mut least, mut most) = (BigInt::ZERO, BigInt::ZERO);
-    let mut unit = BigInt::from(1);
-    for c in derivative.iter().rev() {
-        let ends = [&least * low, &least * high, &most * low, &most * high];
-        let term = c * &unit;
-        least = ends.iter().min().unwrap_or(&BigInt::ZERO) + &term;
-        most = ends.iter().max().unwrap_or(&BigInt::ZERO) + &term;
-        unit *= denominator;
+    let (mut least, mut most, mut unit) = (BigInt::ZERO, BigInt::ZERO, BigInt::from(1));
+    for (c, k) in p.iter().zip(0u32..).skip(1).collect::<Vec<_>>().into_iter().rev() {
+        (least, most) = product((&least, &most), (low, high));
+        let term = c * k * &unit;
+        least += &term;
+        most += term;
+        unit *= d;
     }
     let is_monotone = least > BigInt::ZERO || most < BigInt::ZERO;
     ensure!(is_monotone, RootDerivative, Place::Field);
@@ -89,67 +72,46 @@ fn check_root(p: &[BigInt], low: &BigInt, high: &BigInt, denominator: &BigInt) -
 }
 
 /// The sign of p(x / d), which is that of d^n p(x / d).
-fn sign_at(p: &[BigInt], x: &BigInt, d: &BigInt) -> Ordering {
+fn sign_at(p: &[BigInt], x: &BigInt, d: &BigInt, work: &Work) -> Ordering {
+    // The numbers grow to this many words.
+    let words = p.iter().map(|_| 1 + (x.bits() + d.bits()) / 64).sum::<u64>();
+    work.add(words.saturating_mul(words));
     let (mut sum, mut unit) = (BigInt::ZERO, BigInt::from(1));
     for c in p.iter().rev() {
         sum = sum * x + c * &unit;
         unit *= d;
     }
-    sum.cmp(&BigInt::ZERO)
+    Int::sign(&sum)
 }
 
-/// Neighbouring integers between which 2^BITS a lies. p rises or falls on the whole interval, so
-/// halving it keeps the root. All points at which p is evaluated are inside of the interval.
-fn enclose(p: &[BigInt], low: &BigInt, high: &BigInt, denominator: &BigInt) -> (BigInt, BigInt) {
-    let unit = BigInt::from(1) << BITS;
-    let rises = sign_at(p, high, denominator);
-    let mut least = floor(&(low << BITS), denominator);
-    let mut most = -floor(&-(high << BITS), denominator);
-    while &most - &least > BigInt::from(1) {
-        let middle: BigInt = (&least + &most) >> 1;
-        if sign_at(p, &middle, &unit) == rises {
-            most = middle;
-        } else {
-            least = middle;
-        }
+/// Integers between which 2^BITS a lies. p rises or falls on the whole interval, so halving it
+/// keeps the root.
+fn enclose(p: &[BigInt], ends: [&BigInt; 3], work: &Work) -> Checked<(BigInt, BigInt)> {
+    let [mut low, mut high, mut unit] = ends.map(BigInt::clone);
+    let rises = sign_at(p, &high, &unit, work);
+    while (&high - &low) << BITS > unit {
+        work.check(Place::Field)?;
+        let middle = &low + &high;
+        (low, high, unit) = (low << 1, high << 1, unit << 1);
+        let is_above = sign_at(p, &middle, &unit, work) == rises;
+        *(if is_above { &mut high } else { &mut low }) = middle;
     }
-    (least, most)
+    // Division rounds towards zero: one more unit encloses the end.
+    Ok(((low << BITS) / &unit - 1, (high << BITS) / unit + 1))
 }
 
-fn floor(x: &BigInt, positive: &BigInt) -> BigInt {
-    let quotient = x / positive;
-    if &quotient * positive > *x {
-        quotient - 1
-    } else {
-        quotient
-    }
-}
-
-/// The first powers of an enclosure, all in units of 2^-BITS.
-fn powers(low: &BigInt, high: &BigInt, count: usize) -> Vec<(BigInt, BigInt)> {
-    let one = BigInt::from(1) << BITS;
-    let mut power = (one.clone(), one);
-    let mut powers = Vec::new();
-    for _ in 0..count {
-        let (least, most) = &power;
-        let ends = [least * low, least * high, most * low, most * high];
-        // Shifts round down.
-        let next_least: BigInt = ends.iter().min().unwrap_or(&BigInt::ZERO) >> BITS;
-        let next_most: BigInt = (ends.iter().max().unwrap_or(&BigInt::ZERO) >> BITS) + 1;
-        powers.push(std::mem::replace(&mut power, (next_least, next_most)));
-    }
-    powers
+/// An interval that contains all products of two intervals; it is the smallest one.
+fn product(x: (&BigInt, &BigInt), y: (&BigInt, &BigInt)) -> (BigInt, BigInt) {
+    let [a, b, c, d] = [x.0 * y.0, x.0 * y.1, x.1 * y.0, x.1 * y.1];
+    let least = (&a).min(&b).min(&c).min(&d).clone();
+    (least, a.max(b).max(c).max(d))
 }
 
 /// Σ c_k a^k lies in [low, high] 2^s in units of the rough enclosures, by the first 60 bits of the
 /// coefficients. Returns low, high and s.
-#[inline(always)]
-pub(crate) fn enclosure<T: Int>(
-    coefficients: &[T],
-    rough: &[(i64, i64)],
-) -> Result<(i128, i128, u64), Larger> {
-    let bits = coefficients.iter().map(T::bits).max().unwrap_or(0);
-    let dropped = bits.saturating_sub(ROUGH_BITS);
+pub(crate) fn enclosure<T: Int>(coefficients: &[T], rough: &[(i64, i64)]) -> Checked<(i128, i128, u64)> {
+    let length = coefficients.iter().map(T::length).max().unwrap_or(0);
+    let dropped = length.saturating_sub(ROUGH_BITS);
     // A coefficient lies between its floor and that plus the width.
     let width = i128::from(dropped > 0);
     let (mut low, mut high) = (0i128, 0i128);
@@ -163,12 +125,11 @@ pub(crate) fn enclosure<T: Int>(
     Ok((low, high, dropped))
 }
 
-/// The sign of a number between two others, if they show it.
-#[inline(always)]
-pub(crate) fn sign_between(low: Ordering, high: Ordering) -> Result<Ordering, Larger> {
-    match (low, high) {
-        (Greater, _) => Ok(Greater),
-        (_, Less) => Ok(Less),
-        _ => Err(Larger),
+/// The sign of a number, from whether its lower bound is positive and its upper one negative.
+pub(crate) fn sign_between(is_positive: bool, is_negative: bool) -> Checked<Ordering> {
+    match (is_positive, is_negative) {
+        (true, _) => Ok(Ordering::Greater),
+        (_, true) => Ok(Ordering::Less),
+        _ => Err(Stop::LARGER),
     }
 }

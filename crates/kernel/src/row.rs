@@ -20,27 +20,14 @@ pub struct Corner {
 const MOST_SHIFT: u64 = 1 << 29;
 
 impl Corner {
-    #[inline(always)]
     pub fn seen_from(self, base: Corner) -> Corner {
         let ([x, y, z], [a, b, c]) = (self.shift, base.shift);
-        Corner {
-            vertex: self.vertex,
-            shift: [x - a, y - b, z - c],
-        }
+        Corner { vertex: self.vertex, shift: [x - a, y - b, z - c] }
     }
 
-    #[inline(always)]
     pub fn moved_by(self, base: Corner) -> Corner {
         let ([x, y, z], [a, b, c]) = (self.shift, base.shift);
-        Corner {
-            vertex: self.vertex,
-            shift: [x + a, y + b, z + c],
-        }
-    }
-
-    #[inline(always)]
-    pub(crate) fn is_shifted(&self) -> bool {
-        self.shift != [0; 3]
+        Corner { vertex: self.vertex, shift: [x + a, y + b, z + c] }
     }
 }
 
@@ -60,41 +47,36 @@ pub struct Shape {
 pub struct Row {
     /// In the order of the witness: positively oriented.
     pub corners: [Corner; 4],
-    /// The last two corners must be exchanged to sort them.
+    /// The corners in sorted order; the last two may be exchanged.
+    pub sorted: [Corner; 4],
     pub is_odd: bool,
     /// With `TCP`: bit p says that edge p of the sorted corners has the valence 6.
     pub sixes: u8,
 }
 
 impl Shape {
-    #[inline(always)]
     pub(crate) fn read_row(&self, cbor: &mut Cbor, simplex: u64) -> Checked<Row> {
         let place = Place::Simplex(simplex);
-        let length = if self.dimension == 3 { 4 } else { 3 };
-        cbor.array_of(length + u64::from(self.has_sixes))?;
-        let a = self.read_corner(cbor, place)?;
-        let b = self.read_corner(cbor, place)?;
-        let c = self.read_corner(cbor, place)?;
-        let mut d = Corner::default();
-        if self.dimension == 3 {
-            d = self.read_corner(cbor, place)?;
+        cbor.array_of(self.dimension + 1 + usize::from(self.has_sixes))?;
+        let mut corners = [Corner::default(); 4];
+        for corner in corners.iter_mut().take(self.dimension + 1) {
+            *corner = self.read_corner(cbor, place)?;
         }
+        let [a, b, c, d] = corners;
+        let is_space = self.dimension == 3;
         // The corners are sorted but for the last two, different, and seen from the first one.
-        let is_odd = if self.dimension == 3 { c > d } else { b > c };
-        let is_sorted = if self.dimension == 3 {
-            a < b && b < c && b < d && c != d
-        } else {
-            a < b && a < c && b != c
+        let is_start = a < b && a.shift == [0; 3];
+        let is_sorted = if is_space { b < c && b < d && c != d } else { a < c && b != c };
+        ensure!(is_start && is_sorted, CornerOrder, place);
+        let is_odd = if is_space { c > d } else { b > c };
+        let sorted = match (is_odd, is_space) {
+            (false, _) => corners,
+            (true, true) => [a, b, d, c],
+            (true, false) => [a, c, b, d],
         };
-        ensure!(is_sorted && !a.is_shifted(), CornerOrder, place);
         let sixes = if self.has_sixes { cbor.small()? } else { 0 };
-        let bits = u8::try_from(sixes).ok().filter(|&bits| bits < 64);
-        ensure!(bits.is_some(), Sixes, place, sixes);
-        Ok(Row {
-            corners: [a, b, c, d],
-            is_odd,
-            sixes: bits.unwrap_or(0),
-        })
+        let sixes = some!(u8::try_from(sixes).ok().filter(|&s| s < 64), Sixes, place, sixes);
+        Ok(Row { corners, sorted, is_odd, sixes })
     }
 
     /// A facet in the list `boundary`; in the plane the third corner is a default. Its last two
@@ -102,63 +84,34 @@ impl Shape {
     /// orientation.
     pub(crate) fn read_facet(&self, cbor: &mut Cbor, index: u64) -> Checked<[Corner; 3]> {
         let place = Place::Boundary(index);
-        cbor.array_of(if self.dimension == 3 { 3 } else { 2 })?;
-        let a = self.read_corner(cbor, place)?;
-        let b = self.read_corner(cbor, place)?;
-        let mut c = Corner::default();
-        if self.dimension == 3 {
-            c = self.read_corner(cbor, place)?;
+        cbor.array_of(self.dimension)?;
+        let mut corners = [Corner::default(); 3];
+        for corner in corners.iter_mut().take(self.dimension) {
+            *corner = self.read_corner(cbor, place)?;
         }
-        let is_sorted = if self.dimension == 3 {
-            a < b && a < c && b != c
-        } else {
-            a != b
-        };
-        ensure!(is_sorted && !a.is_shifted(), CornerOrder, place);
-        Ok([a, b, c])
+        let [a, b, c] = corners;
+        let is_sorted = if self.dimension == 3 { a < b && a < c && b != c } else { a != b };
+        ensure!(is_sorted && a.shift == [0; 3], CornerOrder, place);
+        Ok(corners)
     }
 
-    #[inline(always)]
     fn read_corner(&self, cbor: &mut Cbor, place: Place) -> Checked<Corner> {
-        let mut corner = Corner::default();
         let is_array = cbor.is_array()?;
         if is_array {
-            cbor.array_of(if self.rank == 3 {
-                4
-            } else {
-                self.rank_length()
-            })?;
+            cbor.array_of(self.rank + 1)?;
         }
         let index = cbor.small()?;
-        let vertex = u32::try_from(index).ok().filter(|&v| v < self.vertices);
-        ensure!(vertex.is_some(), VertexRange, place, index);
-        corner.vertex = vertex.unwrap_or(0);
-        if is_array {
-            for entry in corner.shift.iter_mut().take(self.rank) {
-                let value = cbor.small()?;
-                let is_small = value.unsigned_abs() < MOST_SHIFT;
-                ensure!(is_small, ShiftRange, place, value);
-                *entry = i32::try_from(value).unwrap_or(0);
-            }
-            ensure!(corner.is_shifted(), Canonical, cbor.place());
+        let is_vertex = |vertex: &u32| *vertex < self.vertices;
+        let vertex = u32::try_from(index).ok().filter(is_vertex);
+        let vertex = some!(vertex, VertexRange, place, index);
+        let mut shift = [0; 3];
+        for entry in shift.iter_mut().take(if is_array { self.rank } else { 0 }) {
+            let value = cbor.small()?;
+            let is_small = |entry: &i32| u64::from(entry.unsigned_abs()) < MOST_SHIFT;
+            let small = i32::try_from(value).ok().filter(is_small);
+            *entry = some!(small, ShiftRange, place, value);
         }
-        Ok(corner)
-    }
-
-    fn rank_length(&self) -> u64 {
-        u64::try_from(self.rank + 1).unwrap_or(u64::MAX)
-    }
-}
-
-impl Row {
-    /// The corners in sorted order.
-    #[inline(always)]
-    pub fn sorted(&self, dimension: usize) -> [Corner; 4] {
-        let [a, b, c, d] = self.corners;
-        match (self.is_odd, dimension) {
-            (true, 2) => [a, c, b, d],
-            (true, _) => [a, b, d, c],
-            (false, _) => [a, b, c, d],
-        }
+        ensure!(is_array == (shift != [0; 3]), Canonical, cbor.place());
+        Ok(Corner { vertex, shift })
     }
 }

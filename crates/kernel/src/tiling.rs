@@ -4,73 +4,49 @@
 //! place, after the last check.
 
 use crate::cbor::Cbor;
-use crate::claim::{Claim, Statement};
+use crate::claim::{Claim, Domain, Property, Relation};
 use crate::domain::Faces;
 use crate::edges::Edges;
-use crate::filter::{Interval, Intervals};
+use crate::filter::Intervals;
 use crate::front::{Front, Step};
 use crate::int::Int;
 use crate::judge::Judge;
 use crate::limits::{Limits, Work};
-use crate::refusal::{Checked, Code, Larger, Limit, Place, Refusal, Stop, Value};
+use crate::refusal::{Checked, Place, Stop, Value};
 use crate::region::Region;
 use crate::ring::{Element, Exact, Ring, Rings, each};
 use crate::root::Root;
 use crate::row::{Row, Shape};
-use crate::rules::{Rules, to_attain};
+use crate::rules::Rules;
 use crate::vertices::Vertices;
 use num_bigint::BigInt;
+use std::ops::Deref;
 use std::rc::Rc;
 
-/// A certificate that fulfils every condition of the format.
+/// A certificate that fulfils every condition of the format. Only this module makes one.
 #[derive(Debug)]
-pub struct Verified {
-    claim: Claim,
-    vertices: u32,
-    simplices: u64,
-    boundary: u64,
-    peak_facets: usize,
-    peak_edges: usize,
-    bytes: u64,
-    sha256: [u8; 32],
+pub struct Verified(Facts);
+
+/// What is proved, and some counts.
+#[derive(Debug)]
+pub struct Facts {
+    pub claim: Claim,
+    pub vertices: u32,
+    pub simplices: u64,
+    /// Facets in the boundary of the domain.
+    pub boundary_facets: u64,
+    /// The largest numbers of open facets and, with `TCP`, of open edges at one time.
+    pub peak_facets: usize,
+    pub peak_edges: usize,
+    pub bytes: u64,
+    pub sha256: [u8; 32],
 }
 
-impl Verified {
-    /// What is proved.
-    pub fn claim(&self) -> &Claim {
-        &self.claim
-    }
+impl Deref for Verified {
+    type Target = Facts;
 
-    pub fn vertices(&self) -> u32 {
-        self.vertices
-    }
-
-    pub fn simplices(&self) -> u64 {
-        self.simplices
-    }
-
-    /// The number of facets in the boundary of the domain.
-    pub fn boundary_facets(&self) -> u64 {
-        self.boundary
-    }
-
-    /// The largest number of open facets at one time.
-    pub fn peak_facets(&self) -> usize {
-        self.peak_facets
-    }
-
-    /// The largest number of open edges at one time, with `TCP`.
-    pub fn peak_edges(&self) -> usize {
-        self.peak_edges
-    }
-
-    pub fn bytes(&self) -> u64 {
-        self.bytes
-    }
-
-    /// The SHA-256 of the bytes of the certificate.
-    pub fn sha256(&self) -> &[u8; 32] {
-        &self.sha256
+    fn deref(&self) -> &Facts {
+        &self.0
     }
 }
 
@@ -79,33 +55,32 @@ pub(crate) fn verify<const N: usize>(
     mut cbor: Cbor,
     claim: Claim,
     limits: &Limits,
-    work: Rc<Work>,
+    work: &Rc<Work>,
 ) -> Checked<Verified> {
-    let mut tiling = Tiling::<N>::new(claim, &work)?;
+    let mut tiling = Tiling::<N>::new(claim, work)?;
     tiling.read_vertices(&mut cbor)?;
     tiling.read_boundary(&mut cbor)?;
     let simplices = cbor.array()?;
     // An empty list proves nothing.
     ensure!(simplices > 0, NoSimplices, Place::Witness);
-    let exceeds = Value::Exceeds(Limit::Simplices, Some(simplices));
-    let is_within = simplices <= limits.simplices;
-    ensure!(is_within, TooManySimplices, Place::Witness, exceeds);
+    let exceeds = Value::Limit("simplices", Some(simplices));
+    ensure!(simplices <= limits.simplices, TooManySimplices, Place::Witness, exceeds);
     for simplex in 0..simplices {
         let row = tiling.shape.read_row(&mut cbor, simplex)?;
         tiling.check_row(&row, simplex)?;
     }
     let (bytes, sha256) = cbor.finish()?;
     tiling.check_end()?;
-    Ok(Verified {
-        vertices: tiling.vertices.count(),
+    Ok(Verified(Facts {
+        vertices: tiling.vertices.count,
         simplices,
-        boundary: tiling.front.boundary,
+        boundary_facets: tiling.front.boundary,
         peak_facets: tiling.front.peak(),
         peak_edges: tiling.edges.map_or(0, |edges| edges.peak()),
         bytes,
         sha256,
         claim: tiling.claim,
-    })
+    }))
 }
 
 /// The check of one tiling, or of one part of a larger structure: its rows come one by one.
@@ -124,86 +99,71 @@ pub(crate) struct Tiling<const N: usize> {
     medium: Option<Rules<Exact<i128, N>>>,
     large: Rules<Exact<BigInt, N>>,
     intervals: Option<Rules<Intervals>>,
-    volume: Volume<N>,
-    /// The set of the bounds that some simplex attains.
+    /// The sum of the determinants.
+    volume: Element<BigInt, N>,
+    /// The set of the statements of which some simplex attains the bound.
     attained: u32,
 }
 
 impl<const N: usize> Tiling<N> {
     /// Checks what the claim states of its own numbers.
     pub(crate) fn new(claim: Claim, work: &Rc<Work>) -> Checked<Tiling<N>> {
-        let root = Rc::new(Root::new(&claim.field)?);
-        let undecided = |stop: Stop| stop.at_last(Place::Field);
-        let rings = Rings::new(&root, work).map_err(|Larger| undecided(Stop::Larger))?;
-        let rings: Rc<Rings<N>> = Rc::new(rings);
-        let large = Rules::new(rings.large.clone(), &claim).map_err(undecided)?;
-        let medium = rings
-            .medium
-            .as_ref()
-            .and_then(|ring| Rules::new(ring.clone(), &claim).ok());
-        let small = rings
-            .small
-            .as_ref()
-            .and_then(|ring| Rules::new(ring.clone(), &claim).ok());
-        let intervals = Rules::new(Intervals::new(&root), &claim).ok();
-        let polytope = claim.domain.polytope();
-        let faces = match polytope {
-            Some(polytope) => Some(Faces::new(&claim, polytope, &rings, work)?),
-            None => None,
+        let root = Rc::new(Root::new(&claim.field, work)?);
+        let rings = Rc::new(Rings::<N>::new(&root, work)?);
+        let large = Rules::new(&rings.large, &claim).map_err(|stop| stop.at(Place::Field))?;
+        let faces = match &claim.domain {
+            Domain::Polytope(polytope) => {
+                let faces = Faces::new(polytope, claim.dimension, &rings.large);
+                Some(faces.map_err(|stop| stop.at(Place::Domain))?)
+            }
+            _ => None,
         };
         check_statements(&claim)?;
-        let has_sixes = claim.statements.contains(&Statement::Tcp);
-        let shape = Shape {
-            dimension: claim.dimension,
-            rank: claim.domain.rank(claim.dimension),
-            vertices: 0,
-            has_sixes,
-        };
+        let has_sixes = claim.has(Property::Tcp);
+        let (dimension, rank) = (claim.dimension, claim.rank());
         Ok(Tiling {
-            shape,
+            shape: Shape { dimension, rank, vertices: 0, has_sixes },
             faces,
             region: None,
-            vertices: Vertices::new(claim.dimension, claim.field.degree()),
+            vertices: Vertices::new(dimension, claim.field.degree()),
             used: Vec::new(),
-            front: Front::new(claim.dimension, work),
-            edges: Some(Edges::new(work)).filter(|_| has_sixes),
-            volume: Volume::default(),
+            front: Front::new(dimension, work),
+            edges: has_sixes.then(|| Edges::new(work)),
+            small: rings.small.as_ref().and_then(|ring| Rules::new(ring, &claim).ok()),
+            medium: rings.medium.as_ref().and_then(|ring| Rules::new(ring, &claim).ok()),
+            large,
+            intervals: Rules::new(&rings.intervals, &claim).ok(),
+            rings,
+            volume: Element::default(),
             attained: 0,
             work: work.clone(),
             claim,
-            rings,
-            small,
-            medium,
-            large,
-            intervals,
         })
     }
 
     fn read_vertices(&mut self, cbor: &mut Cbor) -> Checked {
         cbor.array_of(4)?;
         self.vertices.read_denominator(cbor)?;
-        let mut faces = self.faces.as_mut();
-        if let (Some(faces), Some(polytope)) = (&mut faces, self.claim.domain.polytope()) {
+        if let (Some(faces), Domain::Polytope(polytope)) = (&mut self.faces, &self.claim.domain) {
             faces.set_denominator(polytope, &self.vertices.denominator, &self.rings)?;
         }
-        let work = &self.work;
+        let (faces, work) = (&mut self.faces, &self.work);
         self.vertices.read(cbor, |vertices, vertex| {
-            if let Some(faces) = &mut faces {
+            if let Some(faces) = faces {
                 faces.check_vertex(vertices, vertex)?;
             }
             work.check(Place::Vertex(vertex))
         })?;
-        self.shape.vertices = self.vertices.count();
-        self.used = vec![false; index(self.vertices.count())];
+        self.shape.vertices = self.vertices.count;
+        self.used = vec![false; index(self.vertices.count)];
         Ok(())
     }
 
     fn read_boundary(&mut self, cbor: &mut Cbor) -> Checked {
         let count = cbor.array()?;
         // A region without boundary is space; other domains compute their boundary.
-        let is_region = self.claim.domain.is_region();
-        let is_fitting = (count > 0) == is_region;
-        ensure!(is_fitting, BoundaryDomain, Place::Witness, count);
+        let is_region = matches!(self.claim.domain, Domain::Region(_));
+        ensure!((count > 0) == is_region, BoundaryDomain, Place::Witness, count);
         let mut facets = Vec::new();
         for index in 0..count {
             let facet = self.shape.read_facet(cbor, index)?;
@@ -212,19 +172,15 @@ impl<const N: usize> Tiling<N> {
             facets.push(facet);
         }
         if is_region {
-            let region =
-                Region::new(facets, self.shape, &self.vertices, &self.rings, &self.work)?;
-            self.region = Some(region);
+            let (vertices, rings) = (&self.vertices, &self.rings);
+            self.region = Some(Region::new(facets, self.shape, vertices, rings, &self.work)?);
         }
         Ok(())
     }
 
-    #[inline(always)]
     pub(crate) fn check_row(&mut self, row: &Row, simplex: u64) -> Checked {
         for corner in row.corners.iter().take(self.shape.dimension + 1) {
-            if let Some(used) = self.used.get_mut(index(corner.vertex)) {
-                *used = true;
-            }
+            *self.used.get_mut(index(corner.vertex)).ok_or(Stop::LARGER)? = true;
         }
         let steps = match &self.faces {
             None => self.front.step(row, |_| false, simplex)?,
@@ -233,65 +189,33 @@ impl<const N: usize> Tiling<N> {
         if let Some(edges) = &mut self.edges {
             edges.step(row, &steps, simplex)?;
         }
-        match self.judge(
-            self.small.as_ref(),
-            self.medium.as_ref(),
-            row,
-            &steps,
-            simplex,
-        ) {
-            Ok((determinant, attained)) => self.add(&determinant, attained),
-            Err(Stop::Larger) => self.judge_larger(row, &steps, simplex)?,
-            Err(stop) => return Err(self.with_units(stop, simplex)),
+        match self.judge(self.small.as_ref(), self.medium.as_ref(), row, &steps, simplex) {
+            Ok(found) => self.add(found),
+            Err(stop) if stop.is_larger() => self.judge_larger(row, &steps, simplex)?,
+            Err(stop) => return Err(stop),
         }
-        if let Some(region) = &mut self.region {
+        if let Some(region) = &self.region {
             region.check_row(row, &self.vertices, simplex)?;
         }
         self.work.check(Place::Simplex(simplex))
-    }
-
-    /// The refusal of a simplex, with its value in units of the lattice's cell.
-    #[cold]
-    fn with_units(&self, stop: Stop, simplex: u64) -> Box<Refusal> {
-        let mut refusal = stop.at_last(Place::Simplex(simplex));
-        let power = match refusal.code {
-            Code::Orientation => self.shape.dimension,
-            Code::NotDelaunay | Code::NotWeaklyDelaunay => 2,
-            _ => 0,
-        };
-        if let Value::Quotient(_, divisor) = &mut refusal.value {
-            for _ in 0..power {
-                divisor
-                    .iter_mut()
-                    .for_each(|c| *c *= &self.vertices.denominator);
-            }
-        }
-        refusal
     }
 
     /// The judgement where products do not fit 64 bits: by intervals, and then by larger integers.
     #[cold]
     #[inline(never)]
     fn judge_larger(&mut self, row: &Row, steps: &[Step; 4], simplex: u64) -> Checked {
-        if self.judge_filtered(row, steps, simplex).is_ok() {
+        if self.judge_by_intervals(row, steps, simplex).is_ok() {
             return Ok(());
         }
         match self.judge(self.medium.as_ref(), Some(&self.large), row, steps, simplex) {
-            Ok((determinant, attained)) => {
-                self.add(&determinant, attained);
-                return Ok(());
-            }
-            Err(Stop::Refused(refusal)) => return Err(refusal),
-            Err(Stop::Larger) => {}
+            Err(stop) if stop.is_larger() => {}
+            found => return found.map(|found| self.add(found)),
         }
-        let (determinant, attained) = self
-            .judge(Some(&self.large), None, row, steps, simplex)
-            .map_err(|stop| stop.at_last(Place::Simplex(simplex)))?;
-        self.add(&determinant, attained);
+        let found = self.judge(Some(&self.large), None, row, steps, simplex);
+        self.add(found.map_err(|stop| stop.at(Place::Simplex(simplex)))?);
         Ok(())
     }
 
-    #[inline(always)]
     fn judge<T: Int>(
         &self,
         rules: Option<&Rules<Exact<T, N>>>,
@@ -299,45 +223,45 @@ impl<const N: usize> Tiling<N> {
         row: &Row,
         steps: &[Step; 4],
         simplex: u64,
-    ) -> Result<(Element<T, N>, u32), Stop> {
-        let rules = rules.ok_or(Larger)?;
+    ) -> Checked<(Element<T, N>, u32)> {
+        let rules = rules.ok_or(Stop::LARGER)?;
         self.work.add(rules.price());
-        let seen = Seen::new(&rules.ring, &self.vertices, row, steps, rules.needs_mates())?;
-        Judge { rules, next }.check(&seen.edges, &seen.mates, simplex)
+        let seen = Seen::new(rules, &self.vertices, row, steps)?;
+        let found = Judge { rules, next }.check(&seen.edges, &seen.mates, simplex);
+        found.map_err(|stop| stop.over(&self.vertices.denominator, self.shape.dimension))
     }
 
     /// The judgement by intervals. Only the volume needs the determinant itself. Exact integers
     /// repeat a refusal, for its value.
-    fn judge_filtered(&mut self, row: &Row, steps: &[Step; 4], simplex: u64) -> Result<(), Stop> {
-        let rules = self.intervals.as_ref().ok_or(Larger)?;
-        let medium = self.medium.as_ref().ok_or(Larger)?;
+    fn judge_by_intervals(&mut self, row: &Row, steps: &[Step; 4], simplex: u64) -> Checked {
+        let rules = self.intervals.as_ref().ok_or(Stop::LARGER)?;
+        let medium = self.medium.as_ref().ok_or(Stop::LARGER)?;
         self.work.add(rules.price());
-        let seen = Seen::new(
-            &medium.ring,
-            &self.vertices,
-            row,
-            steps,
-            rules.needs_mates(),
-        )?;
-        let interval = |x: &Element<i128, N>| rules.ring.of(&x.0);
-        let edges = each(&seen.edges, |edge| each(edge, interval))?;
-        let mates: [Option<[Interval; 3]>; 4] = each(&seen.mates, |mate| {
-            mate.as_ref().map(|x| each(x, interval)).transpose()
-        })?;
-        let next = None;
-        let (_, attained) = Judge { rules, next }.check(&edges, &mates, simplex)?;
-        if !self.claim.domain.is_region() {
-            let (rules, next) = (medium, Some(&self.large));
-            self.volume
-                .add(&Judge { rules, next }.determinant(&seen.edges)?);
+        let seen = Seen::new(medium, &self.vertices, row, steps)?;
+        let vector = |x: &[Element<i128, N>; 3]| each(x, |x| rules.ring.of(&x.0));
+        let edges = each(&seen.edges, vector)?;
+        let mates = each(&seen.mates, |mate| mate.as_ref().map(vector).transpose())?;
+        let (_, attained) = Judge { rules, next: None }.check(&edges, &mates, simplex)?;
+        if self.region.is_none() {
+            let normal = medium.first_normal(&seen.edges)?;
+            match medium.ring.inner(&seen.edges[0], &normal) {
+                Ok(determinant) => self.add((determinant, attained)),
+                Err(_) => {
+                    let next = |x: &[Element<i128, N>; 3]| x.each_ref().map(Exact::<i128, N>::next);
+                    let determinant = self.rings.large.inner(&next(&seen.edges[0]), &next(&normal))?;
+                    self.add((determinant, attained));
+                }
+            }
         }
         self.attained |= attained;
         Ok(())
     }
 
-    #[inline(always)]
-    fn add<T: Int>(&mut self, determinant: &Element<T, N>, attained: u32) {
-        self.volume.add(determinant);
+    /// Adds a judged simplex to the statements about all of them.
+    fn add<T: Int>(&mut self, (determinant, attained): (Element<T, N>, u32)) {
+        for (sum, c) in self.volume.0.iter_mut().zip(&determinant.0) {
+            *sum += c.big();
+        }
         self.attained |= attained;
     }
 
@@ -345,14 +269,18 @@ impl<const N: usize> Tiling<N> {
     fn check_end(&self) -> Checked {
         self.front.check_end()?;
         // Every vertex is used.
-        let unused = self.used.iter().zip(0u32..).find(|(used, _)| !**used);
-        let vertex = unused.map_or(0, |(_, vertex)| vertex);
-        ensure!(unused.is_none(), UnusedVertex, Place::Vertex(vertex));
-        self.check_volume()?;
+        if let Some((_, vertex)) = self.used.iter().zip(0..).find(|(used, _)| !**used) {
+            ensure!(false, UnusedVertex, Place::Vertex(vertex));
+        }
+        if self.region.is_none() {
+            self.check_volume()?;
+        }
         // Each maximum and each minimum is attained.
-        for (statement, bit) in to_attain(&self.claim) {
-            let is_attained = self.attained & bit != 0;
-            ensure!(is_attained, NotAttained, Place::Statement(statement));
+        for (statement, index) in self.claim.statements.iter().zip(0..) {
+            let relation = statement.bound.as_ref().map(|bound| bound.relation);
+            let is_extreme = matches!(relation, Some(Relation::Maximum | Relation::Minimum));
+            let is_attained = self.attained >> index & 1 == 1;
+            ensure!(!is_extreme || is_attained, NotAttained, Place::Statement(index));
         }
         Ok(())
     }
@@ -361,32 +289,19 @@ impl<const N: usize> Tiling<N> {
     /// domain, all times the D-th power of the denominator. With k! vol P in place of the domain's
     /// volume the factor is D! / k!.
     fn check_volume(&self) -> Checked {
-        if self.claim.domain.is_region() {
-            return Ok(());
-        }
-        let rank = self.shape.rank;
-        let mut factor = BigInt::from(1);
-        for k in (self.shape.dimension - rank)..self.shape.dimension {
-            factor *= k + 1;
-        }
-        for _ in 0..rank {
-            factor *= &self.vertices.denominator;
-        }
+        let ring = &self.rings.large;
         let mut expected = match &self.faces {
             Some(faces) => faces.volume.clone(),
-            None => self
-                .rings
-                .large
-                .element(&[BigInt::from(1)])
-                .unwrap_or_default(),
+            None => ring.integer(1)?,
         };
-        expected.0.iter_mut().for_each(|c| *c *= &factor);
-        let sum = self.volume.sum();
-        let found = || {
-            let of = |x: &Element<BigInt, N>| self.rings.large.coefficients(x);
-            Value::Quotient(of(&sum), of(&expected))
-        };
-        ensure!(sum == expected, VolumeSum, Place::Witness, found());
+        for factor in (1..=self.shape.dimension).rev().take(self.shape.rank) {
+            for c in &mut expected.0 {
+                *c *= &self.vertices.denominator * factor;
+            }
+        }
+        let is_equal = self.volume == expected;
+        let found = || ring.quotient(&self.volume, &expected);
+        ensure!(is_equal, VolumeSum, Place::Witness, found());
         Ok(())
     }
 }
@@ -398,71 +313,28 @@ struct Seen<T, const N: usize> {
 }
 
 impl<T: Int, const N: usize> Seen<T, N> {
-    #[inline(always)]
-    fn new(
-        ring: &Exact<T, N>,
-        vertices: &Vertices,
-        row: &Row,
-        steps: &[Step; 4],
-        needs_mates: bool,
-    ) -> Result<Self, Larger> {
+    fn new(rules: &Rules<Exact<T, N>>, vertices: &Vertices, row: &Row, steps: &[Step; 4]) -> Checked<Self> {
         let [a, b, c, d] = row.corners;
         let origin = vertices.point(a)?;
-        let vector = |corner| ring.difference(&origin, &vertices.point(corner)?);
+        let vector = |corner| rules.ring.difference(&origin, &vertices.point(corner)?);
         // In the plane the last one is without meaning.
         let edges = [vector(b)?, vector(c)?, vector(d)?];
         let mates = each(steps, |step| match step {
-            Step::Closed(corner) if needs_mates => vector(*corner).map(Some),
+            Step::Closed(corner) if rules.needs_mates() => vector(*corner).map(Some),
             _ => Ok(None),
         })?;
         Ok(Seen { edges, mates })
     }
 }
 
-/// A sum of determinants: in 128 bits as long as it fits.
-struct Volume<const N: usize> {
-    small: [i128; N],
-    large: [BigInt; N],
-}
-
-impl<const N: usize> Default for Volume<N> {
-    fn default() -> Self {
-        Volume {
-            small: [0; N],
-            large: std::array::from_fn(|_| BigInt::ZERO),
-        }
-    }
-}
-
-impl<const N: usize> Volume<N> {
-    #[inline(always)]
-    fn add<T: Int>(&mut self, value: &Element<T, N>) {
-        for ((small, large), c) in self.small.iter_mut().zip(&mut self.large).zip(&value.0) {
-            match c.small().and_then(|c| small.checked_add(c)) {
-                Some(sum) => *small = sum,
-                None => *large += c.big(),
-            }
-        }
-    }
-
-    fn sum(&self) -> Element<BigInt, N> {
-        let mut sum = Element(self.large.clone());
-        for (sum, small) in sum.0.iter_mut().zip(self.small) {
-            *sum += small;
-        }
-        sum
-    }
-}
-
 /// Statements about angles need no domain. The others are defined for some domains only.
 fn check_statements(claim: &Claim) -> Checked {
-    let is_region = claim.domain.is_region();
-    let is_space = claim.domain == crate::claim::Domain::Space;
+    let is_region = matches!(claim.domain, Domain::Region(_));
     for (index, statement) in claim.statements.iter().enumerate() {
-        let is_defined = match statement {
-            Statement::Delaunay | Statement::WeaklyDelaunay => !is_region,
-            Statement::LocallyDelaunay | Statement::LocallyWeaklyDelaunay => is_region,
-            Statement::Tcp => claim.dimension == 3 && is_space,
+        let is_defined = match statement.property {
+            Property::Delaunay | Property::WeaklyDelaunay => !is_region,
+            Property::LocallyDelaunay | Property::LocallyWeaklyDelaunay => is_region,
+            Property::Tcp => claim.dimension == 3 && claim.domain == Domain::Space,
             _ => true,
         };
         ensure!(is_defined, StatementDomain, Place::Statement(index));

@@ -170,7 +170,12 @@ fn tcp_in_two_ways() {
         };
         let matching = match_facets(&tiling);
         let expected = check_tcp(&tiling, &Ridges::of(&tiling, &matching)).is_ok();
-        assert_eq!(six_valent(&tiling, &matching).is_some(), expected, "{}", entry.name);
+        assert_eq!(
+            six_valent(&tiling, &matching).is_some(),
+            expected,
+            "{}",
+            entry.name
+        );
         tcp += usize::from(expected);
     }
     assert!(tcp > 5, "{tcp} are TCP");

@@ -4,7 +4,7 @@
 //! Nothing here is trusted. [`crate::proved`] writes what comes out as a certificate and asks the
 //! kernel.
 
-mod copies;
+mod boundary;
 mod data;
 mod defect;
 mod domain;
@@ -28,9 +28,10 @@ pub use statements::{check_acute, check_delaunay, check_nonobtuse, check_tcp};
 
 use crate::classify;
 use crate::format::Relation;
-use crate::proved::own_limits;
+use crate::limits::own_limits;
 use crate::quality::{Ranges, exact_ranges};
 use crate::statement::{Requirement, Statement};
+use crate::tiling::dimension::{same, same_value};
 use crate::tiling::{Matching, Plane, Tiling, match_facets};
 use crate::transcribe::Parts;
 use acutile_kernel::Limits;
@@ -91,6 +92,35 @@ impl<const D: usize> Proof<D> {
 /// # Errors
 /// The defects. See [`Findings::is_declined`].
 pub fn examine<const D: usize>(
+    tiling: &Tiling<D>,
+    options: &Options,
+    progress: Progress,
+) -> Result<Proof<D>, Findings> {
+    match D {
+        2 => same_value(examine_plane(same(tiling), options, progress)),
+        _ => same_value(examine_space(same(tiling), options, progress)),
+    }
+}
+
+#[inline(never)]
+fn examine_plane(
+    tiling: &Tiling<2>,
+    options: &Options,
+    progress: Progress,
+) -> Result<Proof<2>, Findings> {
+    examine_tiling(tiling, options, progress)
+}
+
+#[inline(never)]
+fn examine_space(
+    tiling: &Tiling<3>,
+    options: &Options,
+    progress: Progress,
+) -> Result<Proof<3>, Findings> {
+    examine_tiling(tiling, options, progress)
+}
+
+fn examine_tiling<const D: usize>(
     tiling: &Tiling<D>,
     options: &Options,
     progress: Progress,

@@ -3,7 +3,7 @@
 //! Doubles with a margin leave out simplices, and lattice translates of them, whose box is away
 //! from the facet's centroid. The others are decided exactly.
 
-use super::region::{BoundaryFacet, Scale};
+use super::boundary::{BoundaryFacet, Scale};
 use crate::tiling::{Corner, Tiling};
 use acutile_exact::geometry::triangle::{Point, cross};
 use acutile_exact::geometry::{Scalar, linear};

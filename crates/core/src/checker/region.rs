@@ -7,11 +7,11 @@
 //! A pair of boundary facets is compared once, up to translation: each facet in its own place
 //! with all facets that a lattice vector not before zero moves near to it.
 
-use super::copies::Copies;
+use super::boundary::{BoundaryFacet, Scale, cell};
 use super::defect::{BOUNDARY_MEETS, Defect, Findings};
 use super::outside::Outside;
 use crate::predicates::ring::common_denominator;
-use crate::tiling::{Corner, Facet, Matching, Tiling, difference, floor};
+use crate::tiling::{Corner, Matching, Tiling, difference};
 use acutile_exact::geometry::Scalar;
 use acutile_exact::geometry::boxes::{self, Box3};
 use acutile_exact::geometry::triangle::{self, Point, Quotient, Triangle};
@@ -49,98 +49,10 @@ const PAIRS_PER_FACET: usize = 30;
 /// So many boxes of simplices are compared with boxes of facets.
 const COMPARISONS: usize = 2_000_000_000;
 
-/// How numbers become scalars, and back.
-pub(super) struct Scale<S> {
-    /// Coordinates are so many times too large.
-    unit: Number,
-    from_number: fn(Number) -> S,
-    to_number: fn(&S) -> Number,
-}
-
-impl<S: Scalar> Scale<S> {
-    /// The position of a corner; in the plane the third coordinate is zero.
-    pub(super) fn point<const D: usize>(&self, tiling: &Tiling<D>, corner: &Corner<D>) -> Point<S> {
-        let position = tiling.position(corner);
-        std::array::from_fn(|k| match position.get(k) {
-            Some(x) => (self.from_number)(x * &self.unit),
-            None => (self.from_number)(Number::zero()),
-        })
-    }
-
-    /// The point in the coordinates of the tiling.
-    fn position(&self, point: &Quotient<S>, dimension: usize) -> Vec<Number> {
-        let denominator = (self.to_number)(&point.denominator) * &self.unit;
-        let coordinate = |x: &S| {
-            let numerator = (self.to_number)(x);
-            numerator.divide(&denominator).unwrap_or_else(Number::zero)
-        };
-        point.numerators[..dimension]
-            .iter()
-            .map(coordinate)
-            .collect()
-    }
-}
-
-pub(super) struct Region<'t, S, const D: usize> {
-    pub tiling: &'t Tiling<D>,
-    pub scale: Scale<S>,
-    pub boundary: Vec<BoundaryFacet<D>>,
-}
-
-/// A facet in the boundary, by its corners in an order whose normal points out. It is moved to
-/// where its least coordinate in each direction of the lattice is in the first cell.
-pub(super) struct BoundaryFacet<const D: usize> {
-    pub facet: Facet,
-    pub corners: [Corner<D>; D],
-    /// Steps of the lattice that the facet reaches to, in each direction.
-    pub reach: [i32; D],
-}
-
-impl<const D: usize> BoundaryFacet<D> {
-    fn new(tiling: &Tiling<D>, facet: Facet) -> Self {
-        let simplex = tiling.simplex(facet.simplex as usize);
-        let opposite = usize::from(facet.opposite);
-        let mut corners: [Corner<D>; D] =
-            std::array::from_fn(|k| simplex[k + usize::from(k >= opposite)]);
-        if opposite % 2 == 1 {
-            corners.swap(D - 2, D - 1);
-        }
-        let cells: Vec<[i32; D]> = corners.iter().map(|corner| cell(tiling, corner)).collect();
-        let entries = |k: usize| cells.iter().map(move |cell| cell[k]);
-        let least: [i32; D] = std::array::from_fn(|k| entries(k).min().unwrap_or(0));
-        BoundaryFacet {
-            facet,
-            corners: corners.map(|c| c.moved(difference([0; D], least))),
-            reach: std::array::from_fn(|k| entries(k).max().unwrap_or(0) - least[k] + 1),
-        }
-    }
-
-    /// The ridges of the facet up to translation.
-    fn ridges(&self) -> impl Iterator<Item = Vec<Corner<D>>> {
-        (0..D).map(|left_out| {
-            let rest = (0..D).filter(|k| *k != left_out);
-            let mut ridge: Vec<Corner<D>> = rest.map(|k| self.corners[k]).collect();
-            ridge.sort_unstable();
-            let origin = ridge.first().map_or([0; D], |first| first.shift);
-            for corner in &mut ridge {
-                corner.shift = difference(corner.shift, origin);
-            }
-            ridge
-        })
-    }
-}
-
-/// The cell of the lattice in which a corner lies; zero in the directions without lattice.
-fn cell<const D: usize>(tiling: &Tiling<D>, corner: &Corner<D>) -> [i32; D] {
-    let rank = tiling.frame.rank();
-    if rank == 0 {
-        return [0; D];
-    }
-    let vertex = tiling.vertices.vertex(corner.vertex as usize);
-    std::array::from_fn(|k| match k < rank {
-        true => floor(&vertex[k]) + corner.shift[k],
-        false => 0,
-    })
+struct Region<'t, S, const D: usize> {
+    tiling: &'t Tiling<D>,
+    scale: Scale<S>,
+    boundary: Vec<BoundaryFacet<D>>,
 }
 
 impl<'t, S: Scalar, const D: usize> Region<'t, S, D> {
@@ -278,6 +190,169 @@ fn compare<S: Scalar>(p: &Point<S>, q: &Point<S>) -> Ordering {
     entries.fold(Ordering::Equal, Ordering::then)
 }
 
+/// Boundary facets in their own place, and moved near to others.
+struct Copies<S, const D: usize> {
+    /// The facets in their own place come first.
+    list: Vec<Copy<D>>,
+    bases: usize,
+    points: Vec<Point<S>>,
+    extents: Vec<Box3>,
+    ranks: Vec<[u32; 3]>,
+}
+
+/// A facet that is moved by a lattice vector.
+struct Copy<const D: usize> {
+    facet: usize,
+    /// Indices of its corners' points.
+    points: [usize; D],
+}
+
+impl<S: Scalar, const D: usize> Copies<S, D> {
+    /// `None` if there would be more than `limit`.
+    fn of(region: &Region<S, D>, limit: usize) -> Option<Self> {
+        let rank = region.tiling.frame.rank();
+        let boundary = &region.boundary;
+        let reach: [i32; D] =
+            std::array::from_fn(|k| boundary.iter().map(|f| f.reach[k]).max().unwrap_or(0));
+        let mut indices: BTreeMap<Corner<D>, usize> = BTreeMap::new();
+        let mut list = Vec::new();
+        let mut add = |facet: usize, by: [i32; D]| {
+            let corners = boundary[facet].corners.map(|corner| corner.moved(by));
+            list.push(Copy {
+                facet,
+                points: corners.map(|corner| {
+                    let next = indices.len();
+                    *indices.entry(corner).or_insert(next)
+                }),
+            });
+            list.len() <= limit
+        };
+        for facet in 0..boundary.len() {
+            add(facet, [0; D]);
+        }
+        for facet in 0..boundary.len() {
+            // A copy that overlaps the first cells is moved by at most `reach`.
+            let low = boundary[facet].reach.map(|steps| -steps);
+            for by in vectors(low, reach, rank).filter(|by| *by > [0; D]) {
+                if !add(facet, by) {
+                    return None;
+                }
+            }
+        }
+        let mut corners: Vec<(Corner<D>, usize)> = indices.into_iter().collect();
+        corners.sort_unstable_by_key(|(_, index)| *index);
+        let point = |(corner, _): &(Corner<D>, usize)| region.scale.point(region.tiling, corner);
+        let points: Vec<Point<S>> = corners.iter().map(point).collect();
+        let mut copies = Copies {
+            ranks: ranks(&points),
+            points,
+            bases: boundary.len(),
+            extents: Vec::new(),
+            list,
+        };
+        copies.extents = copies
+            .list
+            .iter()
+            .map(|c| copies.extent(&c.points))
+            .collect();
+        Some(copies)
+    }
+
+    fn is_base(&self, copy: usize) -> bool {
+        copy < self.bases
+    }
+
+    fn extent(&self, points: &[usize]) -> Box3 {
+        let at = |&p: &usize| self.ranks[p].map(|rank| (rank, rank));
+        boxes::hull(points.iter().map(at))
+    }
+
+    /// A common point of two copies that is not in the hull of their common corners.
+    fn meeting(&self, f: usize, g: usize) -> Option<Quotient<S>> {
+        let (f, g) = (&self.list[f].points[..], &self.list[g].points[..]);
+        match (f, g) {
+            (&[a, b, c], &[p, q, r]) => self.triangles_meet([a, b, c], [p, q, r]),
+            (&[a, b], &[p, q]) => self.segments_meet([a, b], [p, q]),
+            _ => None,
+        }
+    }
+
+    fn segments_meet(&self, f: [usize; 2], g: [usize; 2]) -> Option<Quotient<S>> {
+        let at = |point: usize| &self.points[point];
+        match (&rest(&f, &g)[..], &rest(&g, &f)[..]) {
+            (&[p], &[q]) => {
+                let common = f.into_iter().find(|point| *point != p)?;
+                triangle::aligned(at(common), at(p), at(q))
+            }
+            _ => triangle::segments_meet((at(f[0]), at(f[1])), (at(g[0]), at(g[1]))),
+        }
+    }
+
+    fn triangles_meet(&self, f: [usize; 3], g: [usize; 3]) -> Option<Quotient<S>> {
+        let triangle = |f: [usize; 3]| Triangle::new(f.map(|point| &self.points[point]));
+        // A triangle with its corners on a line belongs to a flat simplex, already reported.
+        let (first, second) = (triangle(f)?, triangle(g)?);
+        match (&rest(&f, &g)[..], &rest(&g, &f)[..]) {
+            (&[p], &[q]) => {
+                let edge = edges(f).into_iter().find(|edge| !edge.contains(&p))?;
+                let [p, q] = [p, q].map(|v| &self.points[v]);
+                triangle::folded(edge.map(|v| &self.points[v]), p, q)
+            }
+            (&[p, q], &[r, s]) => self
+                .pierced(&[[p, q]], g, &second)
+                .or_else(|| self.pierced(&[[r, s]], f, &first)),
+            _ => self
+                .pierced(&edges(f), g, &second)
+                .or_else(|| self.pierced(&edges(g), f, &first)),
+        }
+    }
+
+    /// A point in which one of these edges meets the triangle.
+    fn pierced(
+        &self,
+        edges: &[[usize; 2]],
+        corners: [usize; 3],
+        triangle: &Triangle<S>,
+    ) -> Option<Quotient<S>> {
+        let extent = self.extent(&corners);
+        let near = edges
+            .iter()
+            .filter(|edge| boxes::overlap(&self.extent(&edge[..]), &extent));
+        near.into_iter()
+            .find_map(|&[p, q]| triangle.meets_segment(&self.points[p], &self.points[q]))
+    }
+}
+
+fn edges([a, b, c]: [usize; 3]) -> [[usize; 2]; 3] {
+    [[a, b], [b, c], [c, a]]
+}
+
+/// The entries of f that g does not have.
+fn rest<const N: usize>(f: &[usize; N], g: &[usize; N]) -> Vec<usize> {
+    let own = f.iter().copied();
+    own.filter(|point| !g.contains(point)).collect()
+}
+
+/// All integer vectors from `low` to `high` in the first `rank` directions.
+fn vectors<const D: usize>(
+    low: [i32; D],
+    high: [i32; D],
+    rank: usize,
+) -> impl Iterator<Item = [i32; D]> {
+    let length = move |k: usize| match k < rank {
+        true => (high[k] - low[k] + 1).max(0) as usize,
+        false => 1,
+    };
+    let count: usize = (0..D).map(length).product();
+    (0..count).map(move |mut index| {
+        std::array::from_fn(|k| {
+            let step = index % length(k);
+            index /= length(k);
+            if k < rank { low[k] + step as i32 } else { 0 }
+        })
+    })
+}
+
 /// Disjoint sets; each is named by its least element, to which the entries lead, the shorter
 /// the oftener they are followed.
 struct Classes(Vec<usize>);
@@ -295,4 +370,19 @@ impl Classes {
         let (a, b) = (self.first(a), self.first(b));
         self.0[a.max(b)] = a.min(b);
     }
+}
+
+/// The ranks of each point's coordinates among all; equal ones have equal ranks.
+fn ranks<S: Scalar>(points: &[Point<S>]) -> Vec<[u32; 3]> {
+    let mut ranks = vec![[0; 3]; points.len()];
+    for axis in 0..3 {
+        let order = |&v: &usize, &w: &usize| points[v][axis].minus(&points[w][axis]).sign();
+        let mut sorted: Vec<usize> = (0..points.len()).collect();
+        sorted.sort_unstable_by(order);
+        for pair in sorted.windows(2) {
+            let step = u32::from(order(&pair[0], &pair[1]) == Ordering::Less);
+            ranks[pair[1]][axis] = ranks[pair[0]][axis] + step;
+        }
+    }
+    ranks
 }

@@ -38,6 +38,7 @@ pub use error::{COSPHERICAL_LIMIT, CosphericalSet, DelaunayError};
 pub use predicates::circumcenter;
 
 use crate::predicates::Model as Coordinates;
+use crate::tiling::dimension::{same, same_value};
 use crate::tiling::{Corner, PointSet, Tiling, difference};
 use acutile_exact::geometry::Sign;
 use front::sort_is_odd;
@@ -74,6 +75,26 @@ pub struct Cell<const D: usize> {
 /// where the orientation asks for it; the simplices are sorted by corners. So
 /// the result depends on nothing but the points, the basis and their order.
 pub fn triangulate<const D: usize>(
+    set: &PointSet<D>,
+    ties: Ties,
+) -> Result<Tiling<D>, DelaunayError> {
+    match D {
+        2 => same_value(triangulate_plane(same(set), ties)),
+        _ => same_value(triangulate_space(same(set), ties)),
+    }
+}
+
+#[inline(never)]
+fn triangulate_plane(set: &PointSet<2>, ties: Ties) -> Result<Tiling<2>, DelaunayError> {
+    triangulate_set(set, ties)
+}
+
+#[inline(never)]
+fn triangulate_space(set: &PointSet<3>, ties: Ties) -> Result<Tiling<3>, DelaunayError> {
+    triangulate_set(set, ties)
+}
+
+fn triangulate_set<const D: usize>(
     set: &PointSet<D>,
     ties: Ties,
 ) -> Result<Tiling<D>, DelaunayError> {

@@ -4,10 +4,10 @@
 //! Here lives the translation between the caller's indices and basis and the ones
 //! that the rest of this room works in.
 
+use super::DelaunayError;
 use super::lattice::{Orthogonal, Reduced, reduce};
 use super::places::Places;
-use super::tree::{Tree, tree_order};
-use super::{DelaunayError, predicates};
+use super::tree::{Ball, Tree, tree_order};
 use crate::tiling::{Corner, Frame, PointSet, SHIFT_LIMIT, Tiling};
 use acutile_exact::geometry::Sign;
 use acutile_exact::number::Number;
@@ -76,7 +76,7 @@ impl<const D: usize> Model<D> {
             places,
             tree,
         };
-        predicates::check_distinct(&model)?;
+        check_distinct(&model)?;
         Ok(model)
     }
 
@@ -162,4 +162,28 @@ fn small<const D: usize>(offset: [Integer; D]) -> Result<[i64; D], DelaunayError
         *entry = i64::try_from(value).map_err(|_| DelaunayError::TooSkewed)?;
     }
     Ok(small)
+}
+
+/// Refuses points that differ by a lattice vector: of the corners that the doubles
+/// cannot tell from a point, none has the same exact position.
+fn check_distinct<const D: usize>(model: &Model<D>) -> Result<(), DelaunayError> {
+    let ball = Ball {
+        center: [0.0; D],
+        radius: model.places.resolution(),
+    };
+    let mut near = Vec::new();
+    for vertex in 0..model.names.len() as u32 {
+        let corner = Corner::of(vertex);
+        model
+            .tree
+            .gather(&model.places, &corner, ball, usize::MAX, &mut near)?;
+        let twin = near
+            .iter()
+            .find(|p| p.vertex != vertex && model.position(p) == model.position(&corner));
+        if let Some(twin) = twin {
+            let [a, b] = [vertex, twin.vertex].map(|v| model.names[v as usize] as usize);
+            return Err(DelaunayError::Coincident(a.min(b), a.max(b)));
+        }
+    }
+    Ok(())
 }

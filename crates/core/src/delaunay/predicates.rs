@@ -186,27 +186,3 @@ pub fn circumcenter<const D: usize>(
         &corners[0][k] + &(&offset[k] * &inverse)
     }))
 }
-
-/// Refuses points that differ by a lattice vector: of the corners that the doubles
-/// cannot tell from a point, none has the same exact position.
-pub fn check_distinct<const D: usize>(model: &Model<D>) -> Result<(), DelaunayError> {
-    let ball = Ball {
-        center: [0.0; D],
-        radius: model.places.resolution(),
-    };
-    let mut near = Vec::new();
-    for vertex in 0..model.names.len() as u32 {
-        let corner = Corner::of(vertex);
-        model
-            .tree
-            .gather(&model.places, &corner, ball, usize::MAX, &mut near)?;
-        let twin = near
-            .iter()
-            .find(|p| p.vertex != vertex && model.position(p) == model.position(&corner));
-        if let Some(twin) = twin {
-            let [a, b] = [vertex, twin.vertex].map(|v| model.names[v as usize] as usize);
-            return Err(DelaunayError::Coincident(a.min(b), a.max(b)));
-        }
-    }
-    Ok(())
-}

@@ -32,6 +32,8 @@ pub enum JsonCode {
     Canonical,
     /// Another version.
     Version,
+    /// Another kind of certificate.
+    Kind,
 }
 
 impl JsonCode {
@@ -41,7 +43,13 @@ impl JsonCode {
             JsonCode::Json => "json",
             JsonCode::Canonical => "canonical",
             JsonCode::Version => "version",
+            JsonCode::Kind => "kind",
         }
+    }
+
+    /// Whether nothing is decided: a later program may read the certificate.
+    pub fn is_declined(self) -> bool {
+        matches!(self, JsonCode::Version | JsonCode::Kind)
     }
 }
 
@@ -75,14 +83,19 @@ fn transcribed(json: &[u8], members: Members) -> Result<Vec<u8>, JsonError> {
         offset: 0,
         cbor: Vec::with_capacity(json.len() / 2),
         version: None,
+        kind: None,
     };
     let read = reader.document();
+    let declined = |code, problem| JsonError {
+        code,
+        offset: 0,
+        problem,
+    };
     if reader.version.is_some_and(|v| v != super::VERSION) {
-        return Err(JsonError {
-            code: JsonCode::Version,
-            offset: 0,
-            problem: "expected version 2",
-        });
+        return Err(declined(JsonCode::Version, "expected version 2"));
+    }
+    if reader.kind.is_some_and(|kind| kind != super::KIND) {
+        return Err(declined(JsonCode::Kind, "expected the kind \"tiling\""));
     }
     read?;
     check_canonical(json, &reader.cbor, members)?;
@@ -94,11 +107,17 @@ fn check_canonical(json: &[u8], cbor: &[u8], members: Members) -> Result<(), Jso
     let mut comparison = Comparison {
         expected: json,
         offset: 0,
+        is_other_shape: false,
     };
     let printed = print::print(cbor, members, &mut comparison);
     let offset = comparison.offset;
     match printed {
         Ok(()) if offset == json.len() => Ok(()),
+        Err(PrintError::Write(_)) if comparison.is_other_shape => Err(JsonError {
+            code: JsonCode::Json,
+            offset,
+            problem: "an array stands for a record, or a record for an array",
+        }),
         Ok(()) | Err(PrintError::Write(_)) => Err(JsonError {
             code: JsonCode::Canonical,
             offset,
@@ -116,6 +135,8 @@ fn check_canonical(json: &[u8], cbor: &[u8], members: Members) -> Result<(), Jso
 struct Comparison<'j> {
     expected: &'j [u8],
     offset: usize,
+    /// Whether the bytes differ in the bracket that opens an array or a record.
+    is_other_shape: bool,
 }
 
 impl Write for Comparison<'_> {
@@ -126,6 +147,8 @@ impl Write for Comparison<'_> {
         if equal == bytes.len() {
             Ok(equal)
         } else {
+            let is_bracket = |byte: Option<&u8>| matches!(byte, Some(b'[' | b'{'));
+            self.is_other_shape = is_bracket(rest.get(equal)) && is_bracket(bytes.get(equal));
             Err(io::ErrorKind::InvalidData.into())
         }
     }
@@ -141,6 +164,8 @@ struct Reader<'j> {
     cbor: Vec<u8>,
     /// The version that the outermost record gives.
     version: Option<u64>,
+    /// Its kind, if that is a text.
+    kind: Option<String>,
 }
 
 impl<'j> Reader<'j> {
@@ -257,6 +282,9 @@ impl<'j> Reader<'j> {
                 self.value(depth + 1)?;
                 if depth == 0 && name == "version" {
                     self.version = version(&self.cbor[value..]);
+                }
+                if depth == 0 && name == "kind" {
+                    self.kind = cbor::Items::new(&self.cbor[value..]).text().ok().map(str::to_owned);
                 }
                 names.push(name);
                 if self.take(b'}') {

@@ -1,6 +1,6 @@
 //! Doubles as integers in one binary unit.
 
-use super::ring::{Vectors, vectors};
+use super::vectors::{Vectors, vectors};
 use crate::tiling::Corner;
 use crate::tiling::coordinates::decompose;
 
@@ -47,19 +47,5 @@ pub fn common_exponent<'x>(doubles: impl Iterator<Item = &'x f64>, has_shift: bo
         Some(bits) => (bits <= 95).then_some(least),
         // Nothing but zeros.
         None => Some(0),
-    }
-}
-
-impl<const D: usize> Vectors<i128, D> {
-    /// The same in the unit with the greatest exponent.
-    pub fn reduced(mut self) -> Self {
-        let entries = || self.edges.as_flattened().iter().chain(&self.point);
-        let zeros = entries().fold(0, |all, x| all | x).trailing_zeros();
-        // Zeros only have 128 of them.
-        let zeros = zeros.min(127);
-        let entries = self.edges.as_flattened_mut().iter_mut();
-        entries.chain(&mut self.point).for_each(|x| *x >>= zeros);
-        self.exponent += zeros as i32;
-        self
     }
 }

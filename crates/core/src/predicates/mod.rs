@@ -12,6 +12,7 @@
 //! | [`shapes`] | orientation and right angles of all simplices, in one pass |
 //! | [`pairs`] | the in-sphere predicate for all pairs of neighbours |
 //! | `positions` | [`Tiling::orient`](crate::tiling::Tiling), and tilings from positions |
+//! | `vectors` | the vectors of a simplex from its first corner |
 //! | [`volume`] | the sum of the determinants |
 //!
 //! A filter returns a sign that it proves, or none; what it leaves open is decided
@@ -28,6 +29,7 @@ mod positions;
 pub mod ring;
 pub mod shapes;
 mod signs;
+mod vectors;
 pub mod volume;
 
 pub use model::{Model, Prepared};

@@ -3,10 +3,11 @@
 use super::filter::{Filter, Rounded};
 use super::floats::{BATCH, Batch, Floats};
 use super::ladder::Ladder;
-use super::polynomials::{Metric, Predicate};
-use super::ring::{Ring, SquareRoot, Vectors, cleared_integers, cleared_quadratics};
+use super::polynomials::{Metric, Predicate, Shape};
+use super::ring::{Ring, SquareRoot, cleared_integers, cleared_quadratics};
 use super::shapes::Shapes;
 use super::signs::Signs;
+use super::vectors::Vectors;
 use crate::tiling::{Corner, Tiling};
 use acutile_exact::geometry::{Quadratic, linear};
 use acutile_exact::number::Number;
@@ -31,7 +32,7 @@ pub struct Model<'a, const D: usize> {
     pub tiling: &'a Tiling<D>,
     floats: Floats<'a, D>,
     pub(super) ring: Ring<'a, D>,
-    pub(super) shapes: OnceLock<Shapes>,
+    shapes: OnceLock<Shapes>,
 }
 
 /// A predicate with its filter and its exact twin, for one model.
@@ -252,6 +253,33 @@ impl<P: Predicate<D>, const D: usize> Prepared<'_, P, D> {
                 self.exact_signs(corners, apex.as_ref().unwrap_or(&corners[0]))
             };
             visit(simplex, &signs.unwrap_or_else(exact));
+        }
+    }
+}
+
+impl<const D: usize> Model<'_, D> {
+    /// The shapes of all simplices, found in one pass when they are asked for first.
+    pub fn shapes(&self) -> &Shapes {
+        self.shapes.get_or_init(|| self.find_shapes())
+    }
+
+    fn find_shapes(&self) -> Shapes {
+        let shape = self.prepare(Shape);
+        let parts = self.by_chunks(|simplices: Range<usize>| {
+            let mut part = Shapes::default();
+            shape.for_each(simplices, |simplex, signs| {
+                let (orientation, angles) = signs.split_first();
+                if !(orientation.all_positive() && angles.all_negative()) {
+                    part.add(simplex as u32, orientation.all_positive(), angles);
+                }
+            });
+            part
+        });
+        let list = |of: fn(&Shapes) -> &Vec<u32>| parts.iter().flat_map(of).copied().collect();
+        Shapes {
+            not_positive: list(|part| &part.not_positive),
+            not_acute: list(|part| &part.not_acute),
+            obtuse: list(|part| &part.obtuse),
         }
     }
 }

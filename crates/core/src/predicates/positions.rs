@@ -1,6 +1,7 @@
 //! A tiling from simplices that are given by the positions of their corners, oriented by exact signs.
 
 use super::{Model, Orientation};
+use crate::tiling::dimension::same;
 use crate::tiling::{Corner, Frame, Tiling, floor};
 use acutile_exact::number::Number;
 use std::collections::BTreeMap;
@@ -40,15 +41,33 @@ impl<const D: usize> Tiling<D> {
     /// Exchanges the last two corners of every negatively oriented simplex; returns
     /// their indices.
     pub fn orient(&mut self) -> Vec<usize> {
-        let negative = Model::new(self)
-            .prepare(Orientation)
-            .failing(|signs| signs.none_negative());
+        let negative = match D {
+            2 => negative_in_plane(same(self)),
+            _ => negative_in_space(same(self)),
+        };
         for index in &negative {
             let end = (index + 1) * (D + 1);
             self.corners.swap(end - 2, end - 1);
         }
         negative
     }
+}
+
+#[inline(never)]
+fn negative_in_plane(tiling: &Tiling<2>) -> Vec<usize> {
+    negative(tiling)
+}
+
+#[inline(never)]
+fn negative_in_space(tiling: &Tiling<3>) -> Vec<usize> {
+    negative(tiling)
+}
+
+/// The negatively oriented simplices.
+fn negative<const D: usize>(tiling: &Tiling<D>) -> Vec<usize> {
+    Model::new(tiling)
+        .prepare(Orientation)
+        .failing(|signs| signs.none_negative())
 }
 
 /// A position as a vertex of the cell and a lattice vector.

@@ -7,9 +7,10 @@
 //! Doubles keep their own exponents and are cleared simplex by simplex.
 
 use super::binary::{common_exponent, dyadic};
+use super::vectors::{Vectors, vectors};
 use crate::tiling::coordinates::Form;
 use crate::tiling::{Corner, Tiling};
-use acutile_exact::geometry::{Quadratic, Scalar};
+use acutile_exact::geometry::Quadratic;
 use acutile_exact::number::{Field, Number};
 use malachite::base::num::arithmetic::traits::{CheckedSqrt, DivExact, Gcd, Lcm};
 use malachite::base::num::basic::traits::{One, Zero};
@@ -41,15 +42,6 @@ pub enum Ring<'a, const D: usize> {
         vertices: Vec<[Number; D]>,
         unit: Number,
     },
-}
-
-/// The edges of a simplex, and the vector to a further point, from its first corner.
-#[derive(Clone, Debug)]
-pub struct Vectors<B, const D: usize> {
-    pub edges: [[B; D]; D],
-    pub point: [B; D],
-    /// All of them are to be multiplied by 2^exponent.
-    pub exponent: i32,
 }
 
 /// √d in a quadratic field: with a the generator, a² = q a + p and d = q² + 4 p,
@@ -223,31 +215,6 @@ impl<'a, const D: usize> Ring<'a, D> {
             Ring::Doubles { .. } => Number::from(Rational::ONE),
             Ring::Numbers { unit, .. } => unit.clone(),
         }
-    }
-}
-
-/// The vectors from the first corner, given the coordinates of the vertices.
-#[inline(always)]
-pub(super) fn vectors<B: Scalar, const D: usize>(
-    corners: &[Corner<D>],
-    apex: &Corner<D>,
-    at: impl Fn(usize, usize) -> B,
-    unit: B,
-) -> Vectors<B, D> {
-    let from = corners[0];
-    let vector = |to: &Corner<D>| -> [B; D] {
-        std::array::from_fn(|k| {
-            let difference = at(to.vertex as usize, k).minus(&at(from.vertex as usize, k));
-            match to.shift[k] - from.shift[k] {
-                0 => difference,
-                shift => difference.plus(&unit.times(&unit.integer(i64::from(shift)))),
-            }
-        })
-    };
-    Vectors {
-        edges: std::array::from_fn(|k| vector(&corners[k + 1])),
-        point: vector(apex),
-        exponent: 0,
     }
 }
 

@@ -1,10 +1,6 @@
-//! What is asked of every simplex first, found in one pass: orientation, and angles
-//! against right angles. Called by the checker.
+//! The simplices that are not as hoped for: orientation, and angles against right angles.
 
-use super::model::Model;
-use super::polynomials::Shape;
 use super::signs::Signs;
-use std::ops::Range;
 
 /// The simplices, in order, that are not as hoped for.
 #[derive(Clone, Debug, Default)]
@@ -17,36 +13,10 @@ pub struct Shapes {
     pub obtuse: Vec<u32>,
 }
 
-impl<const D: usize> Model<'_, D> {
-    /// The shapes of all simplices; computed when it is asked for first.
-    pub fn shapes(&self) -> &Shapes {
-        self.shapes.get_or_init(|| Shapes::of(self))
-    }
-}
-
 impl Shapes {
-    fn of<const D: usize>(model: &Model<D>) -> Self {
-        let shape = model.prepare(Shape);
-        let parts = model.by_chunks(|simplices: Range<usize>| {
-            let mut part = Shapes::default();
-            shape.for_each(simplices, |simplex, signs| {
-                let (orientation, angles) = signs.split_first();
-                if !(orientation.all_positive() && angles.all_negative()) {
-                    part.add(simplex as u32, orientation.all_positive(), angles);
-                }
-            });
-            part
-        });
-        let list = |of: fn(&Shapes) -> &Vec<u32>| parts.iter().flat_map(of).copied().collect();
-        Shapes {
-            not_positive: list(|part| &part.not_positive),
-            not_acute: list(|part| &part.not_acute),
-            obtuse: list(|part| &part.obtuse),
-        }
-    }
-
+    /// Adds a simplex by what fails.
     #[cold]
-    fn add(&mut self, simplex: u32, is_positive: bool, angles: Signs) {
+    pub(super) fn add(&mut self, simplex: u32, is_positive: bool, angles: Signs) {
         if !is_positive {
             self.not_positive.push(simplex);
         }

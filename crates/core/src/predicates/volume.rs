@@ -3,7 +3,8 @@
 use super::ladder::{Base, Ladder, determinant};
 use super::model::{Model, Prepared};
 use super::polynomials::Orientation;
-use super::ring::{Ring, Vectors};
+use super::ring::Ring;
+use super::vectors::Vectors;
 use acutile_exact::geometry::{I512, Scalar};
 use acutile_exact::number::Number;
 use malachite::{Integer, Rational};

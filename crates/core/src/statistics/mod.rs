@@ -15,6 +15,7 @@ pub use extreme::Extreme;
 use crate::predicates::ring::{Ring, cleared_integers, common_denominator};
 use crate::quality::{DihedralAngle, Exact, measures};
 use crate::tiling::Tiling;
+use crate::tiling::dimension::same;
 use acutile_exact::geometry::{NormalProducts, Scalar, Sign, Simplex, linear};
 use acutile_exact::number::Number;
 use cosine::{Bins, Cosine};
@@ -64,6 +65,23 @@ pub struct Statistics {
 
 /// The figures of `tiling`, with angles counted in bins of so many degrees, a divisor of 180.
 pub fn statistics<const D: usize>(tiling: &Tiling<D>, degrees_per_bin: u32) -> Statistics {
+    match D {
+        2 => of_plane(same(tiling), degrees_per_bin),
+        _ => of_space(same(tiling), degrees_per_bin),
+    }
+}
+
+#[inline(never)]
+fn of_plane(tiling: &Tiling<2>, degrees_per_bin: u32) -> Statistics {
+    of_tiling(tiling, degrees_per_bin)
+}
+
+#[inline(never)]
+fn of_space(tiling: &Tiling<3>, degrees_per_bin: u32) -> Statistics {
+    of_tiling(tiling, degrees_per_bin)
+}
+
+fn of_tiling<const D: usize>(tiling: &Tiling<D>, degrees_per_bin: u32) -> Statistics {
     let ring = Ring::new(tiling);
     let gram = &tiling.frame.gram;
     match cleared_integers(gram).filter(|_| tiling.frame.field.degree() == 1) {

@@ -14,6 +14,7 @@
 //! orientation of its normal form. Two simplices that share the facet lie on
 //! opposite sides of it exactly when these signs differ.
 
+use super::dimension::{same, same_value};
 use super::{Corner, Tiling, difference};
 use rayon::prelude::*;
 use std::ops::Range;
@@ -110,6 +111,23 @@ impl<const D: usize> Matching<D> {
 /// # Panics
 /// If there are 2^32 facets or more: 64 GiB of corners.
 pub fn match_facets<const D: usize>(tiling: &Tiling<D>) -> Matching<D> {
+    match D {
+        2 => same_value(match_plane(same(tiling))),
+        _ => same_value(match_space(same(tiling))),
+    }
+}
+
+#[inline(never)]
+fn match_plane(tiling: &Tiling<2>) -> Matching<2> {
+    matching(tiling)
+}
+
+#[inline(never)]
+fn match_space(tiling: &Tiling<3>) -> Matching<3> {
+    matching(tiling)
+}
+
+fn matching<const D: usize>(tiling: &Tiling<D>) -> Matching<D> {
     assert!(tiling.corners.len() < NONE as usize, "too many facets");
     let buckets = Buckets::of(tiling);
     let mates: Vec<AtomicU32> = (0..tiling.corners.len())

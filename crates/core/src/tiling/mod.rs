@@ -4,6 +4,7 @@
 //! the Delaunay room make tilings, everything downstream reads them.
 
 pub mod coordinates;
+pub(crate) mod dimension;
 mod facets;
 mod floor;
 mod frame;

@@ -8,7 +8,7 @@
 
 use super::curve;
 use crate::tiling::coordinates::Form;
-use crate::tiling::{Matching, Tiling, floor};
+use crate::tiling::{Corner, Matching, Tiling, floor};
 use acutile_exact::number::Number;
 use rayon::prelude::*;
 
@@ -95,11 +95,11 @@ fn numbering<const D: usize>(tiling: &Tiling<D>, rows: &[u32]) -> (Vec<u32>, Vec
     let mut vertices = Vec::with_capacity(numbers.len());
     for heavy in [false, true] {
         for row in rows {
-            for corner in tiling.simplex(*row as usize) {
-                let number = &mut numbers[corner.vertex as usize];
-                if *number == NONE && is_heavy(corner.vertex) == heavy {
+            for vertex in in_order(tiling.simplex(*row as usize)) {
+                let number = &mut numbers[vertex as usize];
+                if *number == NONE && is_heavy(vertex) == heavy {
                     *number = vertices.len() as u32;
-                    vertices.push(corner.vertex);
+                    vertices.push(vertex);
                 }
             }
         }
@@ -114,6 +114,18 @@ fn numbering<const D: usize>(tiling: &Tiling<D>, rows: &[u32]) -> (Vec<u32>, Vec
         }
     }
     (vertices, numbers)
+}
+
+/// The vertices of a simplex, the least first. A row lists its last two corners in the order that
+/// makes it positive. The numbers must not depend on that order: otherwise the tiling of a
+/// certificate would get another certificate.
+fn in_order<const D: usize>(corners: &[Corner<D>]) -> impl Iterator<Item = u32> {
+    let mut vertices = [u32::MAX; 4];
+    for (vertex, corner) in vertices.iter_mut().zip(corners) {
+        *vertex = corner.vertex;
+    }
+    vertices.sort_unstable();
+    vertices.into_iter().take(D + 1)
 }
 
 /// The given order is good if at most this times n^((D-1)/D) facets are open.
@@ -159,6 +171,10 @@ fn most_open<const D: usize>(matching: &Matching<D>, rows: &[u32]) -> u32 {
     most
 }
 
+/// Added to coordinates before they are rounded down. Centroids often have round coordinates, where
+/// rounding errors would decide. Then the tiling of a certificate could get another certificate.
+const GENERIC: f64 = 0.000_317_81;
+
 /// The simplices sorted by the places of their centroids on a space-filling curve. In the
 /// directions of the lattice the places in the cell count.
 fn along_curve<const D: usize>(tiling: &Tiling<D>) -> Vec<u32> {
@@ -170,7 +186,7 @@ fn along_curve<const D: usize>(tiling: &Tiling<D>) -> Vec<u32> {
             let sum = corners.iter().fold(0.0, |sum, corner| {
                 sum + points[corner.vertex as usize][k] + f64::from(corner.shift[k])
             });
-            let mean = sum / (D as f64 + 1.0);
+            let mean = sum / (D as f64 + 1.0) + GENERIC;
             if k < rank { mean - mean.floor() } else { mean }
         })
     };
@@ -185,6 +201,9 @@ fn along_curve<const D: usize>(tiling: &Tiling<D>) -> Vec<u32> {
     keys.into_iter().map(|(_, simplex)| simplex).collect()
 }
 
+/// The same for the grid, whose cells have the length 1.
+const ABOVE: f64 = 0.37;
+
 /// The cells of a grid in which points lie; its cells are about cubes.
 fn places<const D: usize>(tiling: &Tiling<D>, points: &[[f64; D]]) -> Vec<[u32; D]> {
     let lengths: [f64; D] =
@@ -197,7 +216,9 @@ fn places<const D: usize>(tiling: &Tiling<D>, points: &[[f64; D]]) -> Vec<[u32; 
     let last = (1u32 << curve::BITS) - 1;
     let place = |x: &[f64; D]| -> [u32; D] {
         // A conversion of a double saturates.
-        std::array::from_fn(|k| (((x[k] - low[k]) * lengths[k] * cells) as u32).min(last))
+        std::array::from_fn(|k| {
+            (((x[k] - low[k]) * lengths[k] * cells + ABOVE) as u32).min(last)
+        })
     };
     points.iter().map(place).collect()
 }

@@ -229,10 +229,11 @@ impl<const D: usize> Rows<'_, D> {
         let rank = self.tiling.frame.rank();
         facets.into_iter().try_for_each(|(mut corners, is_odd)| {
             if is_odd {
+                // In the plane another corner comes first.
                 corners.swap(D - 2, D - 1);
+                corners = seen_from_first(corners);
             }
-            // In the plane this has exchanged the first one.
-            format::write::row(out, &seen_from_first(corners).map(in_format), rank, None)
+            format::write::row(out, &corners.map(in_format), rank, None)
         })
     }
 

@@ -9,7 +9,7 @@ mod known;
 mod study;
 
 pub use known::isomorphic_entries;
-pub use study::{AnyStudy, Study};
+pub use study::{AnyStudy, NotStudied, Study};
 
 use acutile_catalog as catalog;
 use rayon::prelude::*;

@@ -6,12 +6,13 @@ use acutile_core::classify::{
     NotTcp, Ridges, Star, Symbol, check_tcp, combinatorial_symbol, metric_symbol, stars,
 };
 use acutile_core::delaunay::{Ties, triangulate};
-use acutile_core::proved::prove;
+use acutile_core::proved::{NotProved, prove};
 use acutile_core::quality::{Measures, Ranges, Shape, measures_of_shapes, shapes, squared_edges};
 use acutile_core::statement::{Statement, ranges};
 use acutile_core::tiling::{AnyTiling, Matching, PointSet, Tiling, match_facets};
 use acutile_exact::number::Number;
 use std::collections::BTreeMap;
+use std::fmt;
 
 /// A tiling that is proved; the kernel has confirmed its certificate.
 #[derive(Debug)]
@@ -36,14 +37,17 @@ impl<const D: usize> Study<D> {
     ///
     /// # Errors
     /// The first defect, in words.
-    pub fn of(tiling: Tiling<D>) -> Result<Self, String> {
-        let proved = prove(&tiling, &Options::default(), &|_| {})
-            .map_err(|reason| reason.in_words(&tiling))?;
+    pub fn of(tiling: Tiling<D>) -> Result<Self, NotStudied> {
+        let proved = prove(&tiling, &Options::default(), &|_| {}).map_err(|reason| NotStudied {
+            message: reason.in_words(&tiling),
+            is_refuted: matches!(reason, NotProved::Refuted(_)),
+        })?;
         let shapes = shapes(&tiling);
         let measures = measures_of_shapes(&tiling, &shapes);
         let matching = match_facets(&tiling);
         Ok(Study {
-            ranges: ranges(proved.statements()).ok_or("the certificate has no exact bounds")?,
+            ranges: ranges(proved.statements())
+                .ok_or_else(|| NotStudied::open("the certificate has no exact bounds"))?,
             ridges: Ridges::of(&tiling, &matching),
             certificate: proved.sha256(),
             statements: proved.statements().to_vec(),
@@ -63,8 +67,8 @@ impl<const D: usize> Study<D> {
     ///
     /// # Errors
     /// Why there is none.
-    pub fn of_points(points: &PointSet<D>) -> Result<Self, String> {
-        let tiling = triangulate(points, Ties::Refuse).map_err(|error| error.to_string())?;
+    pub fn of_points(points: &PointSet<D>) -> Result<Self, NotStudied> {
+        let tiling = triangulate(points, Ties::Refuse).map_err(NotStudied::open)?;
         Study::of(tiling)
     }
 
@@ -98,6 +102,37 @@ impl Study<3> {
             *counts.entry(star).or_insert(0) += 1;
         }
         counts
+    }
+}
+
+/// Why there is no study.
+#[derive(Clone, Debug)]
+pub struct NotStudied {
+    /// The first defect, or what else is in the way.
+    pub message: String,
+    /// Whether something is wrong with the tiling. Otherwise nothing is decided.
+    pub is_refuted: bool,
+}
+
+impl NotStudied {
+    /// Nothing is known to be wrong with the tiling.
+    fn open(message: impl fmt::Display) -> Self {
+        NotStudied {
+            message: message.to_string(),
+            is_refuted: false,
+        }
+    }
+}
+
+impl fmt::Display for NotStudied {
+    fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
+        f.write_str(&self.message)
+    }
+}
+
+impl From<NotStudied> for String {
+    fn from(error: NotStudied) -> String {
+        error.message
     }
 }
 
@@ -141,7 +176,7 @@ impl AnyStudy {
     ///
     /// # Errors
     /// The first defect, in words.
-    pub fn of(tiling: AnyTiling) -> Result<AnyStudy, String> {
+    pub fn of(tiling: AnyTiling) -> Result<AnyStudy, NotStudied> {
         Ok(match tiling {
             AnyTiling::Plane(tiling) => AnyStudy::Plane(Study::of(tiling)?),
             AnyTiling::Space(tiling) => AnyStudy::Space(Study::of(tiling)?),

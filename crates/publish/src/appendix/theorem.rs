@@ -260,7 +260,7 @@ fn angle_text<const D: usize>(analysis: &Analysis<D>, angle: &DihedralAngle) -> 
         ""
     };
     if width(&root) > WIDE {
-        let bounds = angle.enclosure(&Rational::from_signeds(1, 1_000_000));
+        let bounds = angle.enclosure(&Rational::from_signeds(1, 1_000_000_000));
         return format!("$\\theta^\\circ$ with $\\theta\\in{}$", interval(&bounds));
     }
     format!("$\\arccos({sign}{root})$")
@@ -270,7 +270,7 @@ fn angle_text<const D: usize>(analysis: &Analysis<D>, angle: &DihedralAngle) -> 
 fn ratio_text<const D: usize>(analysis: &Analysis<D>, ratio: &RadiusEdge) -> String {
     let root = analysis.numerals.root(&ratio.square);
     if width(&root) > WIDE {
-        let bounds = ratio.enclosure(&Rational::from_signeds(1, 1_000_000));
+        let bounds = ratio.enclosure(&Rational::from_signeds(1, 1_000_000_000));
         return format!("some $\\sigma\\in{}$", interval(&bounds));
     }
     format!("${root}$")

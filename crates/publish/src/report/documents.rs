@@ -4,7 +4,7 @@ use super::html::escape;
 use super::markdown::{Document, to_html};
 
 /// The documents that the site has.
-pub const DOCUMENTS: [Document; 14] = [
+pub const DOCUMENTS: [Document; 15] = [
     document(
         "README.md",
         "docs/readme.html",
@@ -28,6 +28,12 @@ pub const DOCUMENTS: [Document; 14] = [
         "docs/trust.html",
         "What is trusted",
         include_str!("../../../../docs/trust.md"),
+    ),
+    document(
+        "docs/glossary.md",
+        "docs/glossary.html",
+        "Glossary",
+        include_str!("../../../../docs/glossary.md"),
     ),
     document(
         "docs/performance.md",

@@ -8,7 +8,7 @@ use super::picture::picture;
 use super::proved::Proved;
 use super::summary;
 use acutile_catalog::{self as catalog, Entry};
-use acutile_core::proved::own_limits;
+use acutile_core::limits::own_limits;
 use acutile_core::tiling::AnyTiling;
 use acutile_paper::paper::{self, Row, Verdict};
 use acutile_paper::survey::Survey;
@@ -84,8 +84,14 @@ fn shown(entry: &Entry) -> Result<Shown, String> {
     let name = entry.name;
     let tiling = entry.build().map_err(|error| format!("{name}: {error}"))?;
     let description = format!("{} ({})", entry.description, entry.source);
-    let proved = Proved::of_tiling(name.to_owned(), description, &tiling, &own_limits(), &|_| {})
-        .map_err(|error| format!("{name}: {error}"))?;
+    let proved = Proved::of_tiling(
+        name.to_owned(),
+        description,
+        &tiling,
+        &own_limits(),
+        &|_| {},
+    )
+    .map_err(|error| format!("{name}: {error}"))?;
     let label = format!("One cell of {}", escape(name));
     Ok(Shown {
         certificate: proved.json().to_owned(),

@@ -50,8 +50,8 @@ fn summary(proved: &Proved) -> String {
         _ => format!("{n} {many}"),
     };
     let mut words = vec![
-        count(verified.simplices() as usize, one, many),
-        count(verified.vertices() as usize, "vertex", "vertices"),
+        count(verified.simplices as usize, one, many),
+        count(verified.vertices as usize, "vertex", "vertices"),
     ];
     for statement in proved.statements() {
         words.extend(match statement {

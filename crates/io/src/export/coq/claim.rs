@@ -1,10 +1,10 @@
 //! The theorem itself: the claim in the words of Statement.v, and the proof by the checker.
 
-use super::NotATheorem;
-use super::format::Certificate;
+use super::error::NotATheorem;
 use super::numbers::real;
 use super::root::RootOf;
 use super::statements::{Named, named};
+use acutile_core::format::Certificate;
 use malachite::Integer;
 use malachite::base::num::basic::traits::One;
 use std::fmt::Write;

@@ -1,9 +1,9 @@
 //! The witness of a certificate about space as a term of type `cert`.
 
-use super::format::{Certificate, Corner, Field, Number, Polytope};
+use super::error::{NotATheorem, require};
 use super::numbers::{element, factor, ring, times, zero};
 use super::pairing::{Mate, mates, rows};
-use super::{NotATheorem, require};
+use acutile_core::format::{Certificate, Corner, Field, Number, Polytope};
 use malachite::Integer;
 use std::fmt::Write;
 

@@ -11,61 +11,26 @@
 //! | `statements` | the statements of the claim, for the checker and for people |
 //! | `data`, `plane` | the witness as a term, in space and in the plane |
 //! | `pairing` | rows of corners, and the mates of their facets |
+//! | `error` | why a certificate has no such file |
 //! | `numbers`, `root` | numbers as terms; the root of the field, isolated |
 //!
 //! Regions are left out: the development does not treat them.
 
 mod claim;
 mod data;
+mod error;
 mod numbers;
 mod pairing;
 mod plane;
 mod root;
 mod statements;
 
-use acutile_core::format;
+pub use error::NotATheorem;
 
+use acutile_core::format;
 use claim::Theorem;
 use format::{Certificate, Domain, Field};
 use root::RootOf;
-use std::fmt;
-
-/// Why a certificate has no such file.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub enum NotATheorem {
-    /// The development treats the dimensions 2 and 3.
-    Dimension(usize),
-    /// The soundness of regions is proved on paper only.
-    Region,
-    /// Data that break a rule of the format, which it names.
-    Malformed(&'static str),
-}
-
-impl fmt::Display for NotATheorem {
-    fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
-        match self {
-            NotATheorem::Dimension(d) => {
-                write!(
-                    f,
-                    "the Coq development is about the dimensions 2 and 3, not {d}"
-                )
-            }
-            NotATheorem::Region => f.write_str("the Coq development does not treat regions"),
-            NotATheorem::Malformed(rule) => write!(f, "not a certificate: {rule}"),
-        }
-    }
-}
-
-impl std::error::Error for NotATheorem {}
-
-/// `Ok` if the condition holds, else the rule that is broken.
-fn require(condition: bool, rule: &'static str) -> Result<(), NotATheorem> {
-    if condition {
-        Ok(())
-    } else {
-        Err(NotATheorem::Malformed(rule))
-    }
-}
 
 /// The file for `certificate`, whether or not its claim is true.
 ///

@@ -1,7 +1,7 @@
 //! Numbers of a certificate as terms of Coq: integers for the checker, fractions for people.
 
-use super::format::{Field, Number};
-use super::{NotATheorem, require};
+use super::error::{NotATheorem, require};
+use acutile_core::format::{Field, Number};
 use malachite::base::num::arithmetic::traits::{DivExact, DivisibleBy, Gcd};
 use malachite::base::num::basic::traits::{One, Zero};
 use malachite::{Integer, Natural};

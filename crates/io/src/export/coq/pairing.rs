@@ -3,8 +3,8 @@
 //! A facet is named by its sorted corners, moved so that the first one has the shift zero.
 //! Translates have one name. The second facet with a name closes the first one.
 
-use super::format::{Corner, Witness};
-use super::{NotATheorem, require};
+use super::error::{NotATheorem, require};
+use acutile_core::format::{Corner, Witness};
 use std::collections::HashMap;
 
 /// The facet `facet` of the simplex `simplex`, moved by `shift`.

@@ -4,10 +4,10 @@
 //! this order is positive.
 
 use super::data::{faces, gram, polytope};
-use super::format::{Certificate, Corner, Field, Number};
+use super::error::{NotATheorem, require};
 use super::numbers::{element, ring};
 use super::pairing::{Mate, mates, rows};
-use super::{NotATheorem, require};
+use acutile_core::format::{Certificate, Corner, Field, Number};
 
 /// The definitions of the vertices, the triangles and the certificate `c`.
 pub(super) fn data(certificate: &Certificate) -> Result<String, NotATheorem> {

@@ -1,8 +1,8 @@
 //! The root of an algebraic field, isolated by bisection: enclosures for the checker.
 
-use super::format::AlgebraicField;
+use super::error::{NotATheorem, require};
 use super::numbers::{fraction, integer, polynomial, sign};
-use super::{NotATheorem, require};
+use acutile_core::format::AlgebraicField;
 use malachite::Integer;
 use malachite::base::num::basic::traits::{One, Zero};
 

@@ -1,8 +1,8 @@
 //! The statements of a claim: terms for the checker, terms over the real numbers, propositions.
 
-use super::format::{Claim, Cosine, Fraction, Relation, Statement};
+use super::error::{NotATheorem, require};
 use super::numbers::{element, integer, real};
-use super::{NotATheorem, require};
+use acutile_core::format::{Claim, Cosine, Fraction, Relation, Statement};
 
 /// One statement in its three forms.
 pub(super) struct Named {

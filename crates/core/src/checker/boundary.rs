@@ -1,0 +1,94 @@
+//! A boundary facet in its place, and its coordinates as scalars.
+
+use crate::tiling::{Corner, Facet, Tiling, difference, floor};
+use acutile_exact::geometry::Scalar;
+use acutile_exact::geometry::triangle::{Point, Quotient};
+use acutile_exact::number::Number;
+
+/// How numbers become scalars, and back.
+pub(super) struct Scale<S> {
+    /// Coordinates are so many times too large.
+    pub unit: Number,
+    pub from_number: fn(Number) -> S,
+    pub to_number: fn(&S) -> Number,
+}
+
+impl<S: Scalar> Scale<S> {
+    /// The position of a corner; in the plane the third coordinate is zero.
+    pub(super) fn point<const D: usize>(&self, tiling: &Tiling<D>, corner: &Corner<D>) -> Point<S> {
+        let position = tiling.position(corner);
+        std::array::from_fn(|k| match position.get(k) {
+            Some(x) => (self.from_number)(x * &self.unit),
+            None => (self.from_number)(Number::zero()),
+        })
+    }
+
+    /// The point in the coordinates of the tiling.
+    pub(super) fn position(&self, point: &Quotient<S>, dimension: usize) -> Vec<Number> {
+        let denominator = (self.to_number)(&point.denominator) * &self.unit;
+        let coordinate = |x: &S| {
+            let numerator = (self.to_number)(x);
+            numerator.divide(&denominator).unwrap_or_else(Number::zero)
+        };
+        point.numerators[..dimension]
+            .iter()
+            .map(coordinate)
+            .collect()
+    }
+}
+
+/// A facet in the boundary, by its corners in an order whose normal points out. It is moved to
+/// where its least coordinate in each direction of the lattice is in the first cell.
+pub(super) struct BoundaryFacet<const D: usize> {
+    pub facet: Facet,
+    pub corners: [Corner<D>; D],
+    /// Steps of the lattice that the facet reaches to, in each direction.
+    pub reach: [i32; D],
+}
+
+impl<const D: usize> BoundaryFacet<D> {
+    pub(super) fn new(tiling: &Tiling<D>, facet: Facet) -> Self {
+        let simplex = tiling.simplex(facet.simplex as usize);
+        let opposite = usize::from(facet.opposite);
+        let mut corners: [Corner<D>; D] =
+            std::array::from_fn(|k| simplex[k + usize::from(k >= opposite)]);
+        if opposite % 2 == 1 {
+            corners.swap(D - 2, D - 1);
+        }
+        let cells: Vec<[i32; D]> = corners.iter().map(|corner| cell(tiling, corner)).collect();
+        let entries = |k: usize| cells.iter().map(move |cell| cell[k]);
+        let least: [i32; D] = std::array::from_fn(|k| entries(k).min().unwrap_or(0));
+        BoundaryFacet {
+            facet,
+            corners: corners.map(|c| c.moved(difference([0; D], least))),
+            reach: std::array::from_fn(|k| entries(k).max().unwrap_or(0) - least[k] + 1),
+        }
+    }
+
+    /// The ridges of the facet up to translation.
+    pub(super) fn ridges(&self) -> impl Iterator<Item = Vec<Corner<D>>> {
+        (0..D).map(|left_out| {
+            let rest = (0..D).filter(|k| *k != left_out);
+            let mut ridge: Vec<Corner<D>> = rest.map(|k| self.corners[k]).collect();
+            ridge.sort_unstable();
+            let origin = ridge.first().map_or([0; D], |first| first.shift);
+            for corner in &mut ridge {
+                corner.shift = difference(corner.shift, origin);
+            }
+            ridge
+        })
+    }
+}
+
+/// The cell of the lattice in which a corner lies; zero in the directions without lattice.
+pub(super) fn cell<const D: usize>(tiling: &Tiling<D>, corner: &Corner<D>) -> [i32; D] {
+    let rank = tiling.frame.rank();
+    if rank == 0 {
+        return [0; D];
+    }
+    let vertex = tiling.vertices.vertex(corner.vertex as usize);
+    std::array::from_fn(|k| match k < rank {
+        true => floor(&vertex[k]) + corner.shift[k],
+        false => 0,
+    })
+}
