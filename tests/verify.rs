@@ -242,7 +242,11 @@ fn limits_are_options() {
     let field = "valid/plane-square-triangle.json";
     for (option, file, enough) in [
         ("--max-simplices=0", VALID, Some(6)),
-        ("--max-bits=64", "valid/region-integers-at-limits.json", None),
+        (
+            "--max-bits=64",
+            "valid/region-integers-at-limits.json",
+            None,
+        ),
         ("--max-bytes=0", VALID, None),
         ("--max-work=0", VALID, None),
         ("--max-degree=0", field, Some(2)),
