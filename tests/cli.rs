@@ -47,7 +47,7 @@ fn certify_writes_what_the_verifier_confirms() {
     assert_eq!(line.lines().count(), 1);
     let refused = acutile_verify([place.path().join("a15.json")]);
     assert_eq!(code(&refused), 2);
-    assert!(stdout(&refused).contains("`acutile verify FILE` reads it"));
+    assert!(stdout(&refused).contains("`acutile verify F.json` reads JSON"));
 }
 
 #[test]

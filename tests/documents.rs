@@ -137,3 +137,36 @@ fn the_readme_is_short_and_its_files_exist() {
         }
     }
 }
+
+/// A crate whose manifest switches a harness off has nothing that the harness would run.
+#[test]
+fn no_test_is_switched_off() {
+    let crates = fs::read_dir(Path::new(env!("CARGO_MANIFEST_DIR")).join("crates"));
+    let names = crates.expect("crates").map(|entry| {
+        let name = entry.expect("an entry").file_name();
+        format!("crates/{}", name.to_string_lossy())
+    });
+    let mut count = 0;
+    for folder in names.chain([".".to_owned()]) {
+        let manifest = read(&format!("{folder}/Cargo.toml"));
+        let code = sources(&format!("{folder}/src"));
+        let library = manifest.split("[lib]").nth(1).expect("a section [lib]");
+        let library = library.split("\n[").next().unwrap_or_default();
+        if library.contains("\ntest = false") {
+            assert!(!code.contains("#[test]"), "{folder} has unit tests");
+            count += 1;
+        }
+        if library.contains("\ndoctest = false") {
+            let is_example = |line: &str| {
+                let line = line.trim_start();
+                line == "/// ```" || line == "//! ```"
+            };
+            assert!(!code.lines().any(is_example), "{folder} has doctests");
+            count += 1;
+        }
+    }
+    assert!(
+        count > 4,
+        "only {count} harnesses are switched off: was [lib] renamed?"
+    );
+}

@@ -85,7 +85,7 @@ fn every_file_gets_the_verdict_of_its_name() {
             files.into_iter().partition(|file| limit(file).is_some());
         let mut answers = answers(&plain, None);
         for file in &limited {
-            answers.extend(self::answers(&[file.clone()], limit(file)));
+            answers.extend(self::answers(std::slice::from_ref(file), limit(file)));
         }
         for (file, answer) in plain.iter().chain(&limited).zip(answers) {
             let is_right = match expected(file) {
@@ -242,7 +242,11 @@ fn limits_are_options() {
     let field = "valid/plane-square-triangle.json";
     for (option, file, enough) in [
         ("--max-simplices=0", VALID, Some(6)),
-        ("--max-bits=64", "valid/region-integers-at-limits.json", None),
+        (
+            "--max-bits=64",
+            "valid/region-integers-at-limits.json",
+            None,
+        ),
         ("--max-bytes=0", VALID, None),
         ("--max-work=0", VALID, None),
         ("--max-degree=0", field, Some(2)),

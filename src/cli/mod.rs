@@ -38,6 +38,7 @@ mod refutation;
 mod report;
 mod show;
 mod table;
+mod target;
 mod transcribe;
 mod verify;
 mod words;

@@ -77,14 +77,14 @@ impl Region {
             .collect()
     }
 
-    /// Positive triangles of which any two, up to the lattice, meet in what their common corners
-    /// span.
+    /// Positive triangles of which any two different ones, up to the lattice, meet in the hull of
+    /// at most two common corners.
     fn is_embedded(&self) -> bool {
         let places = |t: &[Corner<2>; 3]| t.each_ref().map(|corner| self.position(corner));
         let meet_well = |s: &[Corner<2>; 3], t: &[Corner<2>; 3]| {
             let shared = s.iter().filter(|corner| t.contains(corner));
             let common: Vec<Point> = shared.map(|corner| self.position(corner)).collect();
-            !meet_elsewhere(&places(s), &places(t), &common)
+            common.len() < 3 && !meet_elsewhere(&places(s), &places(t), &common)
         };
         let is_right = |(index, s): (usize, &[Corner<2>; 3])| {
             self.triangles.iter().enumerate().all(|(other, t)| {

@@ -47,7 +47,7 @@ fn quadratic_subfields_of_a_field_of_degree_four() {
     let (field, all) = in_one_field(&["sqrt(2)", "sqrt(3)", "sqrt(6)/5 + 7/3", "1/2 - sqrt(8)"]);
     assert_eq!(field.degree(), 4);
     for (index, square) in [(0, 2), (1, 3), (2, 6), (3, 2)] {
-        let subfield = Subfield::of(&field, [&all[index]].into_iter());
+        let subfield = Subfield::of(&field, [&all[index]]);
         assert_eq!(polynomial(&subfield.field), [-square, 0, 1], "{index}");
         let coefficients = subfield
             .coefficients(&all[index])
@@ -56,7 +56,7 @@ fn quadratic_subfields_of_a_field_of_degree_four() {
         assert!((value - all[index].approximate()).abs() < 1e-12, "{index}");
     }
     assert_eq!(Subfield::of(&field, all[..2].iter()).field, field);
-    let subfield = Subfield::of(&field, [&all[0]].into_iter());
+    let subfield = Subfield::of(&field, [&all[0]]);
     assert!(!subfield.contains(&all[1]) && !subfield.contains(&all[2]));
     assert!(subfield.contains(&all[3]));
 }
@@ -72,7 +72,7 @@ fn cubic_subfield() {
     let field = reader.field();
     assert_eq!(field.degree(), 6);
     let [c, root] = ["c/3", "sqrt(2)"].map(|text| reader.value(text).unwrap());
-    let cubic = Subfield::of(&field, [&c].into_iter());
+    let cubic = Subfield::of(&field, [&c]);
     assert_eq!(cubic.field.degree(), 3);
     let coefficients = cubic.coefficients(&(&c * &c)).expect("it is in the field");
     let value = cubic.field.element(coefficients);
@@ -80,6 +80,6 @@ fn cubic_subfield() {
     let cube = &(&value * &value) * &value;
     assert_eq!(cube, Number::from(Rational::from_signeds(4, 729)));
     assert_eq!(cubic.coefficients(&root), None);
-    let quadratic = Subfield::of(&field, [&root].into_iter());
+    let quadratic = Subfield::of(&field, [&root]);
     assert_eq!(polynomial(&quadratic.field), [-2, 0, 1]);
 }

@@ -1,6 +1,16 @@
 //! The kernel on the certificates of `tests/certificates`, on changed ones, and its program.
 //! The expected verdicts come from the independent generator that wrote these files.
 
+// The lints of the kernel are not for its tests.
+#![allow(
+    clippy::as_conversions,
+    clippy::expect_used,
+    clippy::float_arithmetic,
+    clippy::indexing_slicing,
+    clippy::panic,
+    clippy::unwrap_used
+)]
+
 mod common;
 
 use acutile_kernel::{Code, Kind, Limits, Refusal, Verified, verify};

@@ -284,7 +284,10 @@ impl<'j> Reader<'j> {
                     self.version = version(&self.cbor[value..]);
                 }
                 if depth == 0 && name == "kind" {
-                    self.kind = cbor::Items::new(&self.cbor[value..]).text().ok().map(str::to_owned);
+                    self.kind = cbor::Items::new(&self.cbor[value..])
+                        .text()
+                        .ok()
+                        .map(str::to_owned);
                 }
                 names.push(name);
                 if self.take(b'}') {

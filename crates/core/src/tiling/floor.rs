@@ -8,7 +8,7 @@ use malachite::Rational;
 pub fn floor(x: &Number) -> i32 {
     let integer = |n: i32| Number::from(Rational::from(n));
     let guess = x.approximate().floor();
-    if !(guess.abs() < f64::from(1 << 30)) {
+    if guess.is_nan() || guess.abs() >= f64::from(1 << 30) {
         return 0;
     }
     let mut floor = guess as i32;

@@ -216,9 +216,7 @@ fn places<const D: usize>(tiling: &Tiling<D>, points: &[[f64; D]]) -> Vec<[u32; 
     let last = (1u32 << curve::BITS) - 1;
     let place = |x: &[f64; D]| -> [u32; D] {
         // A conversion of a double saturates.
-        std::array::from_fn(|k| {
-            (((x[k] - low[k]) * lengths[k] * cells + ABOVE) as u32).min(last)
-        })
+        std::array::from_fn(|k| (((x[k] - low[k]) * lengths[k] * cells + ABOVE) as u32).min(last))
     };
     points.iter().map(place).collect()
 }

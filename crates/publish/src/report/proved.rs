@@ -27,7 +27,7 @@ pub struct Proved {
 /// Why there is nothing to show as proved.
 #[derive(Debug)]
 pub struct NotProved {
-    pub reason: proved::NotProved,
+    pub reason: Box<proved::NotProved>,
     /// The same in words, with the first defect of a tiling.
     pub message: String,
 }
@@ -42,7 +42,7 @@ impl From<proved::NotProved> for NotProved {
     fn from(reason: proved::NotProved) -> Self {
         NotProved {
             message: reason.to_string(),
-            reason,
+            reason: Box::new(reason),
         }
     }
 }
@@ -80,7 +80,7 @@ impl Proved {
         let proved = with_dimension!(tiling, AnyTiling, t => {
             prove(t, &options, progress).map_err(|reason| NotProved {
                 message: reason.in_words(t),
-                reason,
+                reason: Box::new(reason),
             })
         })?;
         let (tiling, _) = transcribe::of_certificate(proved.certificate())
