@@ -118,7 +118,8 @@ fn standard_input_and_gzip() {
     assert_eq!(stdout(&piped), stdout(&plain));
 }
 
-/// 300 MB of blanks fit into 300 kB of gzip: declined, not read on.
+/// 300 MB of blanks fit into 1.4 MB of gzip, a ratio of 200: declined beyond 1 MiB and the ratio 100.
+/// A plain file of 300 MB, a sparse one, is declined by its length.
 #[test]
 fn gzip_that_is_too_long_or_none() {
     let place = tempfile::tempdir().expect("a directory");
@@ -131,8 +132,20 @@ fn gzip_that_is_too_long_or_none() {
     std::fs::write(&bomb, encoder.finish().expect("compressed")).expect("written");
     let declined = acutile(["certify", bomb.to_str().expect("UTF-8")]);
     assert_eq!(code(&declined), 3);
+    let length = std::fs::metadata(&bomb).expect("a file").len();
+    let expected = format!("expected at most {}", (1 << 20) + 100 * length);
     assert!(
-        stderr(&declined).ends_with("if this is intended, decompress the file first\n"),
+        stderr(&declined).contains(&expected),
+        "{}",
+        stderr(&declined)
+    );
+    let plain = place.path().join("plain.cif");
+    let file = std::fs::File::create(&plain).expect("a file");
+    file.set_len(300 << 20).expect("sparse");
+    let declined = acutile(["certify", plain.to_str().expect("UTF-8")]);
+    assert_eq!(code(&declined), 3);
+    assert!(
+        stderr(&declined).ends_with("plain.cif: is longer than the limit of 268435456 bytes\n"),
         "{}",
         stderr(&declined)
     );
