@@ -13,7 +13,7 @@ pub struct Limits {
     pub simplices: u64,
     /// Bits of one integer.
     pub bits: u64,
-    /// Degree of the field; more than [`MAX_DEGREE`] means no more.
+    /// Degree of the field; more than 8 means 8.
     pub degree: usize,
     /// Units of work for the certificate, and again for each MiB of it. A unit is about one
     /// nanosecond: a product of two 64-bit words, or half a step along a list.

@@ -7,7 +7,7 @@
 //! | [`write`](mod@write) | the data in CBOR, in one pass |
 //! | [`read`] | CBOR into the data |
 //! | [`json`] | JSON into CBOR, with the check that it is canonical |
-//! | [`print`] | CBOR into JSON; the claim file |
+//! | [`mod@print`] | CBOR into JSON; the claim file |
 //! | [`recognise`] | one function that tells the encodings apart |
 //!
 //! CBOR is the certificate: its digest is the certificate's digest. JSON is the same data for
@@ -100,7 +100,7 @@ pub struct AlgebraicField {
     pub denominator: Integer,
 }
 
-/// An element of Z[a]: the coefficients of 1, a, …, a^(n-1), as many as the field's degree.
+/// An element of `Z[a]`: the coefficients of 1, a, …, a^(n-1), as many as the field's degree.
 #[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub struct Number(pub Vec<Integer>);
 

@@ -1,6 +1,6 @@
 //! Statements about a tiling, with exact bounds in the tiling's field.
 //!
-//! The prover makes them, certificates carry them ([`crate::transcribe`]), and [`words`] writes
+//! The prover makes them, certificates carry them ([`crate::transcribe`]), and `words` writes
 //! them for people. [`Requirement`] is what a user asks for; the prover answers with a statement
 //! that implies it.
 

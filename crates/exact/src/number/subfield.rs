@@ -1,9 +1,9 @@
 //! The smallest field that some numbers of a field generate.
 //!
-//! K = Q[x]/(p) is a vector space over Q. The numbers and 1 span a subspace; it is closed under
+//! K = `Q[x]`/(p) is a vector space over Q. The numbers and 1 span a subspace; it is closed under
 //! products by adding products until the dimension stays. A subspace of dimension m < n with the
 //! powers 1, t, …, t^(m-1) of one element as a basis is Q(t). Where p is reducible the same holds
-//! in the ring Q[x]/(p), so that the field may be larger than necessary, never too small.
+//! in the ring `Q[x]`/(p), so that the field may be larger than necessary, never too small.
 
 use super::element::Number;
 use super::error::FieldError;
