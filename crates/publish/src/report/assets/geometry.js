@@ -6,7 +6,7 @@ function prepare(data) {
   const certificate = JSON.parse(data.certificate);
   const D = data.dimension, r = data.rank;
   const cartesian = (x) => [0, 1, 2].map((i) => x.reduce((sum, c, k) => sum + c * (data.basis[k][i] ?? 0), 0));
-  const cells = data.cells.map((row, index) => {
+  const cells = data.cells.map((cell, index) => {
     const row = certificate.witness.simplices[index].slice(0, D + 1);
     const corners = row.map((corner) => (Array.isArray(corner) ? corner : [corner, ...Array(r).fill(0)]));
     const points = corners.map(([v, ...shift]) => data.points[v].map((x, k) => x + (shift[k] ?? 0)));
@@ -14,8 +14,8 @@ function prepare(data) {
       k < r ? -Math.floor(points.reduce((sum, p) => sum + p[k], 0) / (D + 1) + 1e-9) : 0);
     const pairs = D * (D + 1) / 2;
     return {
-      index, corners, moved, class: row[0], volume: row[1],
-      edges: row.slice(2, 2 + pairs), angles: row.slice(2 + pairs),
+      index, corners, moved, class: cell[0], volume: cell[1],
+      edges: cell.slice(2, 2 + pairs), angles: cell.slice(2 + pairs),
       points: points.map((p) => cartesian(p.map((x, k) => x + moved[k]))),
     };
   });
