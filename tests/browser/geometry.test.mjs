@@ -42,10 +42,10 @@ test("the cube, cut", () => {
   }
 });
 
-// Wherever the plane is, what is on its two sides makes up the cell, whose volume is √det G = 4 (32 + 16 √3).
+// Wherever the plane is, its two sides make up the cell. The Gram matrix of σ is diagonal, 2 + √3, 2 + √3, 1, so the cell's volume is 2 + √3.
 test("sigma, cut from both sides", () => {
   const sigma = tiling("sigma"), { low, high } = page.bounds(sigma, 1);
-  const volume = Math.sqrt(16) * (32 + 16 * Math.sqrt(3));
+  const volume = 2 + Math.sqrt(3);
   near(sum(page.triangles(sigma, 1, null, none), ({ volume }) => volume), volume, "whole");
   for (const t of [0.1, 0.37, 0.62, 0.95]) {
     for (const k of [0, 1, 2]) {
@@ -62,7 +62,7 @@ test("the square, cut", () => {
 });
 
 test("meshes have the volume of the cells, positively oriented, and every vertex once", () => {
-  for (const [name, n, volume] of [["sigma", 1, 4 * (32 + 16 * Math.sqrt(3))], ["a15", 2, 8 * 64], ["slab", 2, 4 * 14.2 * Math.sqrt(36 * 36 - 18 * 18)]]) {
+  for (const [name, n, volume] of [["sigma", 1, 2 + Math.sqrt(3)], ["a15", 2, 8], ["slab", 2, 4 * 14.2 * Math.sqrt(36 * 36 - 18 * 18)]]) {
     const { vertices, simplices } = page.meshOf(tiling(name), n);
     const volumes = simplices.map((s) => {
       const [u, v, w] = [1, 2, 3].map((k) => vertices[s[k]].map((x, i) => x - vertices[s[0]][i]));

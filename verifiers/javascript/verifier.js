@@ -552,7 +552,7 @@ function signOf({ ring }, value, of, scale = 1n) {
 
 /** An element over a positive integer, as an expression in a. */
 function shown(value, scale = 1n) {
-  const terms = value.flatMap((c, k) => (c === 0n ? [] : [ratio(c, scale) + ["", " a"][k] ?? ` a^${k}`]));
+  const terms = value.flatMap((c, k) => (c === 0n ? [] : [ratio(c, scale) + (["", " a"][k] ?? ` a^${k}`)]));
   return terms.join(" + ").replaceAll("+ -", "- ") || "0";
 }
 
