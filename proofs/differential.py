@@ -44,7 +44,9 @@ def cbor_of(path):
         data = encodings.cbor(encodings.read_json(path.read_bytes()))
     except encodings.Refusal:
         return None
-    return data if has_names(json.loads(path.read_bytes())) else None
+    document = json.loads(path.read_bytes())
+    records = [document] + [document.get(name) for name in ("claim", "witness")] if isinstance(document, dict) else [None]
+    return data if all(isinstance(record, dict) for record in records) and has_names(document) else None
 
 
 NAMES = [["format", "version", "kind", "claim", "witness"], ["dimension", "field", "gram", "domain", "statements"],
