@@ -140,8 +140,8 @@ fn gzip_that_is_too_long_or_none() {
         stderr(&declined)
     );
     let plain = place.path().join("plain.cif");
-    let file = std::fs::File::create(&plain).expect("a file");
-    file.set_len(300 << 20).expect("sparse");
+    let sparse = std::fs::File::create(&plain).expect("a file");
+    sparse.set_len(300 << 20).expect("sparse");
     let declined = acutile(["certify", plain.to_str().expect("UTF-8")]);
     assert_eq!(code(&declined), 3);
     assert!(
