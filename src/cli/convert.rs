@@ -43,7 +43,7 @@ pub struct ConvertArguments {
     /// vtu-base64, vtu-raw, vtu (compressed), medit, meshb, tetgen
     #[arg(long, value_name = "FORMAT", value_parser = Format::parse)]
     pub to: Option<Format>,
-    /// Repeat the cell so many times in each direction of the lattice
+    /// Repeat the cell N times in each direction of the lattice
     #[arg(long, value_name = "N,N,N", value_delimiter = ',', value_parser = clap::value_parser!(u16).range(1..))]
     pub supercell: Vec<u16>,
     /// All whole tetrahedra of the tiling in the ball of this radius around the origin, as a

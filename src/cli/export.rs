@@ -31,7 +31,7 @@ pub struct ExportArguments {
     /// Write the certificate's claim as a theorem for Coq (see proofs/README.md)
     #[arg(long, conflicts_with_all = ["supercell", "param"])]
     pub coq: bool,
-    /// Repeat the cell so many times in each direction of the lattice
+    /// Repeat the cell N times in each direction of the lattice
     #[arg(long, value_name = "N,N,N", value_delimiter = ',', value_parser = clap::value_parser!(u16).range(1..))]
     pub supercell: Vec<u16>,
 }

@@ -7,7 +7,7 @@ use acutile_exact::number::Number;
 
 /// How numbers become scalars, and back.
 pub(super) struct Scale<S> {
-    /// Coordinates are so many times too large.
+    /// All coordinates are multiplied by this number.
     pub unit: Number,
     pub from_number: fn(Number) -> S,
     pub to_number: fn(&S) -> Number,

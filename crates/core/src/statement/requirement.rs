@@ -8,7 +8,7 @@ use std::str::FromStr;
 /// A statement that must hold, in the words of the command line.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum Requirement {
-    /// `tiling`: holds for whatever is proved.
+    /// `tiling`: every proved tiling has this property.
     Tiling,
     /// `acute`
     Acute,

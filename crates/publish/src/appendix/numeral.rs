@@ -26,6 +26,11 @@ pub enum Numerals {
     Powers,
 }
 
+/// The rational square root of a rational number; a negative number has none.
+fn rational_square_root(x: &Rational) -> Option<Rational> {
+    if *x < 0 { None } else { x.checked_sqrt() }
+}
+
 impl Numerals {
     /// The notation for a field.
     pub fn of(field: &Field) -> Numerals {
@@ -161,9 +166,9 @@ impl Numerals {
         let coefficients = self.coefficients(x);
         let (p, q) = (&coefficients[0], &coefficients[1]);
         let d = Rational::from(radicand);
-        let n = (p * p - &d * q * q).checked_sqrt()?;
+        let n = rational_square_root(&(p * p - &d * q * q))?;
         let halves = [(p + &n), (p - &n)].map(|sum| sum / Rational::from(2));
-        let u = halves.iter().find_map(|half| half.checked_sqrt())?;
+        let u = halves.iter().find_map(rational_square_root)?;
         if u == 0 {
             return None;
         }
@@ -277,6 +282,8 @@ mod tests {
             ("12", "2\\sqrt{3}"),
             ("(3-sqrt(5))/2", "(-1+\\sqrt{5})/2"),
             ("(3-sqrt(5))/6", "\\sqrt{(3-\\sqrt{5})/6}"),
+            // The norm is -1, so no number of the field has this square.
+            ("1+sqrt(2)", "\\sqrt{1+\\sqrt{2}}"),
         ];
         for (text, expected) in cases {
             let (numerals, numbers) = read(&[text]);
