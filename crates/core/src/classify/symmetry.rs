@@ -19,7 +19,7 @@
 //! group: neither matters here, but the cosets then form no group.
 
 use super::symbol::{coarsest, edge_index, images, orders};
-use crate::tiling::{Matching, Tiling};
+use crate::tiling::{Facet, Matching, SimplexId, Tiling};
 use acutile_exact::geometry::linear;
 use acutile_exact::number::Number;
 use malachite::Rational;
@@ -58,7 +58,7 @@ impl<const D: usize> Symmetry<D> {
         let lengths = interned(edges);
         let labels: Vec<Vec<usize>> = (0..tiling.len())
             .flat_map(|simplex| orders.iter().map(move |order| (simplex, order)))
-            .map(|(simplex, order)| label(tiling, matching, &lengths[simplex], simplex, order))
+            .map(|(simplex, order)| label(matching, &lengths[simplex], simplex, order))
             .collect();
         let colours = coarsest(&labels, &images);
         let chambers = Chambers {
@@ -199,14 +199,13 @@ fn interned(edges: &[Vec<Number>]) -> Vec<Vec<usize>> {
 
 /// What is told of a chamber: whether its last facet is in the boundary, and its lengths.
 fn label<const D: usize>(
-    tiling: &Tiling<D>,
     matching: &Matching<D>,
     lengths: &[usize],
     simplex: usize,
     order: &[usize],
 ) -> Vec<usize> {
-    debug_assert!(simplex < tiling.len());
-    let is_boundary = matching.neighbour(simplex, order[D]).is_none();
+    let facet = Facet::new(SimplexId::at(simplex), order[D]);
+    let is_boundary = matching.neighbour(facet).is_none();
     let pairs = (0..=D).flat_map(|i| (i + 1..=D).map(move |j| (order[i], order[j])));
     std::iter::once(usize::from(is_boundary))
         .chain(pairs.map(|(i, j)| lengths[edge_index::<D>(i.min(j), i.max(j))]))
@@ -245,7 +244,7 @@ impl<const D: usize> Chambers<'_, D> {
         for (simplex, corners) in self.tiling.simplices().enumerate() {
             for (k, corner) in corners.iter().enumerate() {
                 let colour = self.least(simplex, |order| order[0] == k);
-                let least = &mut least[corner.vertex as usize];
+                let least = &mut least[corner.vertex.index()];
                 *least = colour.min(*least);
             }
         }
@@ -253,13 +252,14 @@ impl<const D: usize> Chambers<'_, D> {
     }
 
     fn facets(&self) -> Vec<usize> {
-        let half = |simplex: usize, i: usize| self.least(simplex, |order| order[D] == i);
-        renumbered((0..self.tiling.corners.len()).map(|facet| {
-            let here = half(facet / (D + 1), facet % (D + 1));
-            let behind = self.matching.neighbour(facet / (D + 1), facet % (D + 1));
-            behind.map_or(here, |there| {
-                here.min(half(there.simplex as usize, usize::from(there.opposite)))
-            })
+        let half = |facet: Facet| {
+            let opposite = usize::from(facet.opposite);
+            self.least(facet.simplex.index(), |order| order[D] == opposite)
+        };
+        renumbered(self.tiling.facets().map(|facet| {
+            let here = half(facet);
+            let behind = self.matching.neighbour(facet);
+            behind.map_or(here, |there| here.min(half(there)))
         }))
     }
 
@@ -281,8 +281,10 @@ impl<const D: usize> Chambers<'_, D> {
     /// goes to Σ (g_i · x) f_i / d.
     fn isometry(&self, chamber: usize) -> Isometry<D> {
         let order = &self.orders[chamber % self.orders.len()];
-        let from = self.tiling.shape(0);
-        let target = self.tiling.simplex(chamber / self.orders.len());
+        let from = self.tiling.shape(SimplexId::new(0));
+        let target = self
+            .tiling
+            .simplex(SimplexId::at(chamber / self.orders.len()));
         let images: Vec<[Number; D]> = order
             .iter()
             .map(|&k| self.tiling.position(&target[k]))
@@ -299,7 +301,9 @@ impl<const D: usize> Chambers<'_, D> {
                 sum * &inverse
             })
         });
-        let origin = self.tiling.position(&self.tiling.simplex(0)[0]);
+        let origin = self
+            .tiling
+            .position(&self.tiling.simplex(SimplexId::new(0))[0]);
         Isometry {
             translation: linear::subtract(&images[0], &linear::apply(&linear, &origin)),
             linear,

@@ -93,7 +93,7 @@ impl<const D: usize> Places<D> {
 
     /// The vector from `origin` to `p`.
     pub fn difference(&self, origin: &Corner<D>, p: &Corner<D>) -> [f64; D] {
-        let [a, b] = [origin, p].map(|corner| &self.places[corner.vertex as usize]);
+        let [a, b] = [origin, p].map(|corner| &self.places[corner.vertex.index()]);
         let mut y: [f64; D] = std::array::from_fn(|k| b[k] - a[k]);
         if p.shift != origin.shift {
             let step = std::array::from_fn(|k| f64::from(p.shift[k] - origin.shift[k]));
@@ -104,7 +104,7 @@ impl<const D: usize> Places<D> {
     }
 
     fn fractional_difference(&self, origin: &Corner<D>, p: &Corner<D>) -> [f64; D] {
-        let [a, b] = [origin, p].map(|corner| &self.fractions[corner.vertex as usize]);
+        let [a, b] = [origin, p].map(|corner| &self.fractions[corner.vertex.index()]);
         std::array::from_fn(|k| (b[k] - a[k]) + f64::from(p.shift[k] - origin.shift[k]))
     }
 

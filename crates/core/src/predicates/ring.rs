@@ -9,7 +9,7 @@
 use super::binary::{common_exponent, dyadic};
 use super::vectors::{Vectors, vectors};
 use crate::tiling::coordinates::Form;
-use crate::tiling::{Corner, Tiling};
+use crate::tiling::{Corner, Tiling, VertexId};
 use acutile_exact::geometry::Quadratic;
 use acutile_exact::number::{Field, Number};
 use malachite::base::num::arithmetic::traits::{CheckedSqrt, DivExact, Gcd, Lcm};
@@ -199,7 +199,9 @@ impl<'a, const D: usize> Ring<'a, D> {
                 vectors(corners, apex, at, unit.clone())
             }
             _ => {
-                let at = |vertex: usize, k: usize| tiling.vertices.vertex(vertex)[k].clone();
+                let at = |vertex: usize, k: usize| {
+                    tiling.vertices.vertex(VertexId::at(vertex))[k].clone()
+                };
                 vectors(corners, apex, at, Number::from(Rational::ONE))
             }
         }

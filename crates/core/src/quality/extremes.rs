@@ -8,6 +8,7 @@
 use super::measure::{DihedralAngle, RadiusEdge};
 use super::ranges::{Measures, Range, Ranges, measures};
 use crate::predicates::{AnglesAgainst, Model, Predicate, RadiusAgainst, Signs};
+use crate::tiling::SimplexId;
 use acutile_exact::geometry::{Simplex, linear};
 use acutile_exact::number::Number;
 use rayon::prelude::*;
@@ -89,7 +90,7 @@ const SLACK: f64 = 1e-9;
 const CANDIDATES: usize = 1 << 10;
 
 /// Simplices that seem to have an extreme value; those with equal edges once.
-fn candidates<const D: usize>(model: &Model<D>) -> Vec<usize> {
+fn candidates<const D: usize>(model: &Model<D>) -> Vec<SimplexId> {
     let metric = FloatMetric::of(model);
     let extremes = model.fold(Extremes::NONE, |extremes, edges| {
         extremes.with(metric.values(edges))
@@ -98,7 +99,7 @@ fn candidates<const D: usize>(model: &Model<D>) -> Vec<usize> {
     let found = model.by_chunks(|simplices| {
         let mut seen = HashSet::new();
         let mut found = Vec::new();
-        for simplex in simplices {
+        for simplex in simplices.map(SimplexId::at) {
             let edges = model.float_edges(simplex);
             if extremes.has(&metric.values(edges)) {
                 let bits: Vec<u64> = edges.as_flattened().iter().map(|x| x.to_bits()).collect();
@@ -110,14 +111,14 @@ fn candidates<const D: usize>(model: &Model<D>) -> Vec<usize> {
         found
     });
     let mut seen = HashSet::new();
-    let mut candidates: Vec<usize> = found
+    let mut candidates: Vec<SimplexId> = found
         .into_iter()
         .flatten()
         .filter_map(|(simplex, bits)| seen.insert(bits).then_some(simplex))
         .take(CANDIDATES)
         .collect();
     if candidates.is_empty() {
-        candidates.push(0);
+        candidates.push(SimplexId::new(0));
     }
     candidates
 }

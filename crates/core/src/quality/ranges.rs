@@ -3,7 +3,7 @@
 
 use super::measure::{DihedralAngle, RadiusEdge};
 use super::shape::Shape;
-use crate::tiling::Tiling;
+use crate::tiling::{SimplexId, Tiling};
 use acutile_exact::geometry::linear;
 
 /// The measures of one simplex, hence of its congruence class.
@@ -33,7 +33,7 @@ pub struct Ranges {
 }
 
 /// The measures of the simplex with this index, which must not be flat.
-pub fn measures<const D: usize>(tiling: &Tiling<D>, simplex: usize) -> Measures {
+pub fn measures<const D: usize>(tiling: &Tiling<D>, simplex: SimplexId) -> Measures {
     let simplex = tiling.shape(simplex);
     let products = simplex.normal_products(&linear::cofactors(&tiling.frame.gram));
     let mut angles: Vec<DihedralAngle> = (0..=D)

@@ -3,7 +3,7 @@
 use super::lattice::Basis;
 use super::numbering::Numbering;
 use super::{Mesh, Periodic};
-use acutile_core::tiling::{Corner, Tiling};
+use acutile_core::tiling::{Corner, Tiling, VertexId};
 use acutile_exact::number::Number;
 use malachite::Rational;
 use malachite::base::num::arithmetic::traits::CheckedSqrt;
@@ -62,7 +62,7 @@ pub fn flatten(tiling: &Tiling<3>, basis: Option<&Basis>) -> Flat {
 
 /// A link for each lattice vector between a node and the first node of the same vertex.
 fn links(corners: &[Corner<3>], lattice: &[[f64; 3]]) -> Vec<Periodic> {
-    let mut originals: HashMap<u32, (u32, Corner<3>)> = HashMap::new();
+    let mut originals: HashMap<VertexId, (u32, Corner<3>)> = HashMap::new();
     for (index, corner) in (0u32..).zip(corners) {
         let size = |c: &Corner<3>| (c.shift.map(i32::abs).iter().sum::<i32>(), c.shift);
         let first = originals.entry(corner.vertex).or_insert((index, *corner));

@@ -6,7 +6,7 @@ use acutile_core::quality::{
     DihedralAngle, Exact, Measures, Shape, measures_of_shapes, rational_root, root, shapes,
     squared_edges,
 };
-use acutile_core::tiling::{Tiling, match_facets};
+use acutile_core::tiling::{SimplexId, Tiling, match_facets};
 use acutile_exact::geometry::linear;
 use acutile_exact::number::Number;
 use malachite::Rational;
@@ -78,7 +78,7 @@ impl Facts {
             let place = if ridge.is_boundary { "boundary, " } else { "" };
             let text = format!("{place}{} triangles", ridge.valence());
             // The ridges of the plane are its vertices.
-            types[ridge.corners[0].vertex as usize] = text;
+            types[ridge.corners[0].vertex.index()] = text;
         }
         Facts::with_types(tiling, types)
     }
@@ -96,7 +96,7 @@ impl Facts {
             types,
         };
         let cogram = linear::cofactors(&tiling.frame.gram);
-        for simplex in 0..tiling.len() {
+        for simplex in tiling.indices() {
             facts.add(tiling, &cogram, simplex);
         }
         facts
@@ -106,7 +106,7 @@ impl Facts {
         &mut self,
         tiling: &Tiling<D>,
         cogram: &[[Number; D]; D],
-        simplex: usize,
+        simplex: SimplexId,
     ) {
         let shape = tiling.shape(simplex);
         let products = shape.normal_products(cogram);
@@ -114,7 +114,7 @@ impl Facts {
         let volume = &shape.determinant * &Number::from(factorial);
         let edges = squared_edges(tiling, simplex).into_iter();
         let cell = Cell {
-            class: self.class_of[simplex],
+            class: self.class_of[simplex.index()],
             volume: self.numbers.number(volume),
             edges: edges.map(|square| self.numbers.number(square)).collect(),
             angles: products
@@ -137,7 +137,7 @@ fn class_of(shapes: &[Shape], simplices: usize) -> Vec<usize> {
         shape
             .members
             .iter()
-            .for_each(|&member| class[member] = index);
+            .for_each(|&member| class[member.index()] = index);
     }
     class
 }

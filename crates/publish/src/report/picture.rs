@@ -10,7 +10,7 @@
 
 use super::colour::{colour, hex};
 use super::data::basis;
-use acutile_core::tiling::{Corner, Tiling, supercell};
+use acutile_core::tiling::{Corner, Facet, SimplexId, Tiling, supercell};
 use std::collections::{BTreeMap, BTreeSet};
 use std::fmt::Write;
 
@@ -44,17 +44,18 @@ pub fn picture<const D: usize>(tiling: &Tiling<D>, classes: &[usize], label: &st
 fn cell_picture<const D: usize>(tiling: &Tiling<D>, classes: &[usize], label: &str) -> String {
     let basis = basis(tiling);
     let mut faces = Vec::new();
-    let moves: Vec<[i32; D]> = (0..tiling.len())
+    let moves: Vec<[i32; D]> = tiling
+        .indices()
         .map(|s| move_into_cell(tiling, s))
         .collect();
     let inner = inner_facets(tiling, &moves);
-    for (simplex, &class) in classes.iter().enumerate() {
-        let corners = placed(tiling, &basis, simplex, moves[simplex]);
+    for (simplex, &class) in tiling.indices().zip(classes) {
+        let corners = placed(tiling, &basis, simplex, moves[simplex.index()]);
         let colour = colour(class);
         match D {
             2 => faces.push(flat_face(&corners, colour)),
             _ => faces.extend(solid_faces(&corners, colour, |k| {
-                inner.contains(&(simplex, k))
+                inner.contains(&Facet::new(simplex, k))
             })),
         }
     }
@@ -63,7 +64,7 @@ fn cell_picture<const D: usize>(tiling: &Tiling<D>, classes: &[usize], label: &s
 }
 
 /// The lattice vector that moves the centroid of a simplex into the cell.
-fn move_into_cell<const D: usize>(tiling: &Tiling<D>, simplex: usize) -> [i32; D] {
+fn move_into_cell<const D: usize>(tiling: &Tiling<D>, simplex: SimplexId) -> [i32; D] {
     let corners: Vec<[f64; D]> = tiling
         .simplex(simplex)
         .iter()
@@ -80,20 +81,21 @@ fn move_into_cell<const D: usize>(tiling: &Tiling<D>, simplex: usize) -> [i32; D
     })
 }
 
-/// The facets that two simplices of the picture share, as simplex and opposite corner: nobody
+/// The facets that two simplices of the picture share: nobody
 /// sees them.
-fn inner_facets<const D: usize>(
-    tiling: &Tiling<D>,
-    moves: &[[i32; D]],
-) -> BTreeSet<(usize, usize)> {
-    let mut owners: BTreeMap<Vec<Corner<D>>, Vec<(usize, usize)>> = BTreeMap::new();
-    for (simplex, corners) in tiling.simplices().enumerate() {
+fn inner_facets<const D: usize>(tiling: &Tiling<D>, moves: &[[i32; D]]) -> BTreeSet<Facet> {
+    let mut owners: BTreeMap<Vec<Corner<D>>, Vec<Facet>> = BTreeMap::new();
+    for (simplex, corners) in tiling.indices().zip(tiling.simplices()) {
         for opposite in 0..=D {
             let others = (0..=D).filter(|&k| k != opposite);
-            let mut facet: Vec<Corner<D>> =
-                others.map(|k| corners[k].moved(moves[simplex])).collect();
+            let mut facet: Vec<Corner<D>> = others
+                .map(|k| corners[k].moved(moves[simplex.index()]))
+                .collect();
             facet.sort_unstable();
-            owners.entry(facet).or_default().push((simplex, opposite));
+            owners
+                .entry(facet)
+                .or_default()
+                .push(Facet::new(simplex, opposite));
         }
     }
     owners
@@ -107,7 +109,7 @@ fn inner_facets<const D: usize>(
 fn placed<const D: usize>(
     tiling: &Tiling<D>,
     basis: &[Vec<f64>],
-    simplex: usize,
+    simplex: SimplexId,
     move_by: [i32; D],
 ) -> Vec<[f64; 3]> {
     let cartesian = |corner: &Corner<D>| {
