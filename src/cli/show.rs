@@ -95,6 +95,9 @@ fn angles<const D: usize>(tiling: &Tiling<D>, simplex: SimplexId) -> Vec<String>
     let products = tiling.shape(simplex).normal_products(&cogram);
     products
         .pairs()
-        .map(|(i, j, _)| decimal_range(&dihedral_degrees(&products, (i, j), &display_width())))
+        .map(|(i, j, _)| {
+            dihedral_degrees(&products, (i, j), &display_width())
+                .map_or_else(|| "none".to_owned(), |degrees| decimal_range(&degrees))
+        })
         .collect()
 }

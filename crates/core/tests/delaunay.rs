@@ -71,7 +71,7 @@ fn check<const D: usize>(tiling: &Tiling<D>) {
     let matching = match_facets(tiling);
     assert!(matching.mismatches.is_empty());
     let mut volume = q(0, 1);
-    for (s, simplex) in tiling.simplices().enumerate() {
+    for (s, simplex) in tiling.indices().zip(tiling.simplices()) {
         let corners: Vec<_> = simplex.iter().map(|c| tiling.position(c)).collect();
         let shape = Simplex::new(&corners);
         assert_eq!(shape.determinant.sign(), Sign::Greater);

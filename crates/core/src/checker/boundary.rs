@@ -23,12 +23,12 @@ impl<S: Scalar> Scale<S> {
         })
     }
 
-    /// The point in the coordinates of the tiling.
-    pub(super) fn position(&self, point: &Quotient<S>, dimension: usize) -> Vec<Number> {
+    /// The point in the coordinates of the tiling; `None` for a denominator that is zero.
+    pub(super) fn position(&self, point: &Quotient<S>, dimension: usize) -> Option<Vec<Number>> {
         let denominator = (self.to_number)(&point.denominator) * &self.unit;
         let coordinate = |x: &S| {
             let numerator = (self.to_number)(x);
-            numerator.divide(&denominator).unwrap_or_else(Number::zero)
+            numerator.divide(&denominator)
         };
         point.numerators[..dimension]
             .iter()

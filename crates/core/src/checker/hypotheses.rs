@@ -91,18 +91,17 @@ pub fn check_volume<const D: usize>(model: &Model<D>, findings: &mut Findings) {
     if model.tiling.frame.domain.is_region() {
         return;
     }
-    let factorial = |n: usize| Number::from(Rational::from((1..=n as u64).product::<u64>()));
-    let sum = quotient(&model.sum_of_determinants(), &factorial(D));
+    // 1 / n!
+    let share = |n: usize| {
+        let factorial = (1..=n as u64).product::<u64>();
+        Number::from(Rational::from_unsigneds(1, factorial))
+    };
+    let sum = model.sum_of_determinants() * share(D);
     let expected = match model.tiling.frame.domain.polytope() {
         None => Number::from(Rational::from(1)),
-        Some(polytope) => quotient(&polytope.scaled_volume(), &factorial(polytope.dimension())),
+        Some(polytope) => polytope.scaled_volume() * share(polytope.dimension()),
     };
     if sum != expected {
         findings.add(Defect::VolumeSum { sum, expected });
     }
-}
-
-/// x / y for a y that is a product of positive integers.
-fn quotient(x: &Number, y: &Number) -> Number {
-    x.divide(y).unwrap_or_else(Number::zero)
 }

@@ -5,7 +5,7 @@
 
 use super::boundary::{BoundaryFacet, Scale};
 use crate::tiling::{Corner, SimplexId, Tiling, VertexId};
-use acutile_exact::geometry::triangle::{Point, cross};
+use acutile_exact::geometry::triangle::Point;
 use acutile_exact::geometry::{Scalar, linear};
 use acutile_exact::number::Number;
 use rayon::prelude::*;
@@ -139,7 +139,7 @@ impl<'t, S: Scalar, const D: usize> Outside<'t, S, D> {
 fn conormal<S: Scalar>(points: &[&Point<S>]) -> Point<S> {
     let along = linear::subtract(points[1], points[0]);
     match points.get(2) {
-        Some(third) => cross(&along, &linear::subtract(third, points[0])),
+        Some(third) => linear::cross(&along, &linear::subtract(third, points[0])),
         None => {
             let zero = along[2].clone();
             [along[1].clone(), zero.minus(&along[0]), zero]

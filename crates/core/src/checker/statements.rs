@@ -12,6 +12,9 @@ use malachite::Rational;
 use malachite::base::num::arithmetic::traits::PowerOf2;
 use std::cmp::Ordering;
 
+/// Statements are decided after the hypotheses.
+const NOT_FLAT: &str = "every simplex is positively oriented";
+
 /// Every dihedral angle is acute: <g_i, g_j> < 0 for all facets i ≠ j.
 pub fn check_acute<const D: usize>(model: &Model<D>, findings: &mut Findings) {
     let angles = model.prepare(Angles);
@@ -102,7 +105,8 @@ fn compare<const D: usize>(
 ) -> Ordering {
     let cogram = linear::cofactors(&tiling.frame.gram);
     let products = tiling.shape(simplex).normal_products(&cogram);
-    compare_with_degrees(&DihedralAngle::between(&products, i, j), bound)
+    let angle = DihedralAngle::between(&products, i, j).expect(NOT_FLAT);
+    compare_with_degrees(&angle, bound)
 }
 
 /// The simplices whose circumradius is not less than `bound` times the shortest edge: not
@@ -117,7 +121,10 @@ pub fn list_not_below_ratio<const D: usize>(
     for simplex in radii.failing(|signs| signs.all_positive()) {
         findings.add_with("ratio-not-below", || Defect::RatioNotBelow {
             simplex,
-            squared_ratio: quality::measures(model.tiling, simplex).radius_edge.square,
+            squared_ratio: quality::measures(model.tiling, simplex)
+                .expect(NOT_FLAT)
+                .radius_edge
+                .square,
             bound: bound.clone(),
         });
     }
@@ -160,7 +167,8 @@ fn angle<const D: usize>(tiling: &Tiling<D>, simplex: SimplexId, facets: (usize,
         simplex,
         facets,
         product: products.get(facets.0, facets.1).clone(),
-        degrees: quality::dihedral_degrees(&products, facets, &quality::display_width()),
+        degrees: quality::dihedral_degrees(&products, facets, &quality::display_width())
+            .expect(NOT_FLAT),
     }
 }
 

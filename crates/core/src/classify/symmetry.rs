@@ -23,7 +23,7 @@ use crate::tiling::{Facet, Matching, SimplexId, Tiling};
 use acutile_exact::geometry::linear;
 use acutile_exact::number::Number;
 use malachite::Rational;
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 
 /// x ↦ M x + t in basis coordinates.
 #[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord)]
@@ -54,7 +54,7 @@ impl<const D: usize> Symmetry<D> {
     pub fn of(tiling: &Tiling<D>, matching: &Matching<D>, edges: &[Vec<Number>]) -> Self {
         let orders = orders::<D>();
         // A facet without a mate is glued to itself, and no inner facet is.
-        let images = images(tiling, matching, &orders).unwrap_or_default();
+        let images = images(tiling, matching, &orders).expect("mates have the same corners");
         let lengths = interned(edges);
         let labels: Vec<Vec<usize>> = (0..tiling.len())
             .flat_map(|simplex| orders.iter().map(move |order| (simplex, order)))
@@ -183,14 +183,9 @@ fn floor(x: &Number) -> i64 {
 
 /// The squared edges, each length by its rank among the different ones.
 fn interned(edges: &[Vec<Number>]) -> Vec<Vec<usize>> {
-    let mut ranks: BTreeMap<&Number, usize> = BTreeMap::new();
-    for edge in edges.iter().flatten() {
-        ranks.insert(edge, 0);
-    }
-    for (rank, value) in ranks.values_mut().enumerate() {
-        *value = rank;
-    }
-    let rank_of = |edge: &Number| ranks.get(edge).copied().unwrap_or(0);
+    let lengths: BTreeSet<&Number> = edges.iter().flatten().collect();
+    let ranks: BTreeMap<&Number, usize> = lengths.into_iter().zip(0..).collect();
+    let rank_of = |edge: &Number| ranks[edge];
     edges
         .iter()
         .map(|edges| edges.iter().map(rank_of).collect())
@@ -236,7 +231,7 @@ impl<const D: usize> Chambers<'_, D> {
         let of_simplex = &self.colours[simplex * self.orders.len()..];
         let asked = self.orders.iter().zip(of_simplex);
         let colours = asked.filter(|(order, _)| is_asked(order)).map(|(_, c)| *c);
-        colours.min().unwrap_or(0)
+        colours.min().expect("some order is asked for")
     }
 
     fn vertices(&self) -> Vec<usize> {
@@ -289,7 +284,10 @@ impl<const D: usize> Chambers<'_, D> {
             .iter()
             .map(|&k| self.tiling.position(&target[k]))
             .collect();
-        let inverse = from.determinant.inverse().unwrap_or_else(Number::zero);
+        let inverse = from
+            .determinant
+            .inverse()
+            .expect("no simplex of a proved tiling is flat");
         let edges: Vec<[Number; D]> = images[1..]
             .iter()
             .map(|image| linear::subtract(image, &images[0]))

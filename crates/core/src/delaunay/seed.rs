@@ -2,10 +2,10 @@
 
 use super::DelaunayError;
 use super::model::WITNESSES;
-use super::places::dot;
 use super::predicates::Predicates;
 use crate::tiling::{Corner, VertexId};
 use acutile_exact::geometry::Sign;
+use acutile_exact::geometry::linear::dot;
 
 /// A simplex as a facet and its opposite corner.
 type Proposal<const D: usize> = ([Corner<D>; D], Corner<D>);

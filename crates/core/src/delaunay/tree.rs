@@ -4,8 +4,9 @@
 //! The answer may hold points a little outside of the ball, never lacks one inside.
 
 use super::DelaunayError;
-use super::places::{Places, dot};
+use super::places::Places;
 use crate::tiling::Corner;
+use acutile_exact::geometry::linear::dot;
 
 /// No query looks at more translated cells.
 const SHIFTS_LIMIT: f64 = 1e6;

@@ -336,7 +336,7 @@ fn number_metric<const D: usize>(
     constants: &[Number],
 ) -> Metric<Number, D> {
     // Cleared, so that the numbers are short and a rational matrix is one of integers.
-    let unit = super::ring::common_denominator(gram.iter().flatten());
+    let unit = Number::common_denominator(gram.iter().flatten());
     let unit = Number::from(Rational::from(unit));
     let gram = gram.each_ref().map(|row| row.each_ref().map(|x| x * &unit));
     Metric {

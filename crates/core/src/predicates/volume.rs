@@ -127,6 +127,6 @@ impl Total {
         }
         let unit = ring.unit();
         let cell = (1..dimension).fold(unit.clone(), |cell, _| cell * &unit);
-        value.divide(&cell).unwrap_or_else(Number::zero)
+        value.divide(&cell).expect("a denominator is positive")
     }
 }

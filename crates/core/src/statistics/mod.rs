@@ -12,7 +12,7 @@ mod extreme;
 pub use chart::{csv, svg, text};
 pub use extreme::Extreme;
 
-use crate::predicates::ring::{Ring, cleared_integers, common_denominator};
+use crate::predicates::ring::{Ring, cleared_integers};
 use crate::quality::{DihedralAngle, Exact, measures};
 use crate::tiling::dimension::same;
 use crate::tiling::{SimplexId, Tiling};
@@ -110,7 +110,9 @@ fn integer_edges<const D: usize>(
         return vectors.edges.map(|edge| edge.map(Integer::from));
     }
     let edges = ring.numbers(tiling, corners, &corners[0]).edges;
-    let unit = Number::from(Rational::from(common_denominator(edges.iter().flatten())));
+    let unit = Number::from(Rational::from(Number::common_denominator(
+        edges.iter().flatten(),
+    )));
     let integer = |x: &Number| {
         let scaled = x * &unit;
         scaled
@@ -312,7 +314,7 @@ impl<'t, S: Scalar + Ord, const D: usize> Gathering<'t, S, D> {
             (angle.enclosure(&width()), angle.closed_form())
         };
         let ratio = |simplex: &SimplexId| {
-            let ratio = measures(self.tiling, *simplex).radius_edge;
+            let ratio = measures(self.tiling, *simplex).expect(INCLUDED).radius_edge;
             (ratio.enclosure(&width()), ratio.closed_form())
         };
         Statistics {
@@ -361,9 +363,11 @@ impl<S: Scalar> extreme::Compare for Ratio<S> {
     }
 }
 
+const INCLUDED: &str = "flat simplices are left out";
+
 /// The angle in the tiling's own numbers.
 fn exact_angle<const D: usize>(tiling: &Tiling<D>, place: &Place) -> DihedralAngle {
     let cogram = linear::cofactors(&tiling.frame.gram);
     let products = tiling.shape(place.simplex).normal_products(&cogram);
-    DihedralAngle::between(&products, place.facets.0, place.facets.1)
+    DihedralAngle::between(&products, place.facets.0, place.facets.1).expect(INCLUDED)
 }

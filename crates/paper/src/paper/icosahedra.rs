@@ -67,7 +67,7 @@ fn cone() -> Finding {
     let unit: [[Number; 3]; 3] =
         std::array::from_fn(|i| std::array::from_fn(|j| number(i64::from(i == j))));
     let products = Simplex::new(&face).normal_products(&unit);
-    let angle = |i, j| DihedralAngle::between(&products, i, j);
+    let angle = |i, j| DihedralAngle::between(&products, i, j).expect("the cone is not flat");
     let at_centre: Vec<_> = [(1, 2), (1, 3), (2, 3)]
         .map(|(i, j)| angle(i, j).closed_form())
         .into();
@@ -177,8 +177,10 @@ fn faces(survey: &Survey) -> Finding {
     let mut shared = 0;
     for &cone in members {
         let products = study.tiling.shape(cone).normal_products(&metric);
-        let is_72 =
-            |i, j| DihedralAngle::between(&products, i, j).rational() == Some(Rational::from(72));
+        let is_72 = |i, j| {
+            DihedralAngle::between(&products, i, j).and_then(|angle| angle.rational())
+                == Some(Rational::from(72))
+        };
         let centre = (0..4)
             .find(|&k| (0..4).all(|other| other == k || !is_72(k, other)))
             .ok_or("a tetrahedron of an icosahedron has other angles")?;

@@ -204,7 +204,11 @@ impl Signs {
         let signs: Vec<[String; 2]> = pairs.iter().map(|&p| self.sign(analysis, p)).collect();
         let cosines: Vec<[String; 3]> = pairs
             .iter()
-            .map(|&(i, j)| cosine_cells(analysis, (i, j), &DihedralAngle::between(&products, i, j)))
+            .map(|&(i, j)| {
+                let angle = DihedralAngle::between(&products, i, j);
+                let angle = angle.expect("no simplex of a proved tiling is flat");
+                cosine_cells(analysis, (i, j), &angle)
+            })
             .collect();
         let mark = format!("angles {} {class}", analysis.subject.slug());
         let place = if D == 2 { "at" } else { "edge" };

@@ -83,7 +83,8 @@ fn place<const D: usize>(
     classes.find_map(|(class, shape)| {
         let products = analysis.products(shape.members[0]);
         let mut pairs = (0..=D).flat_map(|i| (i + 1..=D).map(move |j| (i, j)));
-        let pair = pairs.find(|(i, j)| DihedralAngle::between(&products, *i, *j) == *angle)?;
+        let pair = pairs
+            .find(|(i, j)| DihedralAngle::between(&products, *i, *j).as_ref() == Some(angle))?;
         Some((class, pair))
     })
 }

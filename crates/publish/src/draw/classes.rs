@@ -162,7 +162,9 @@ fn caption(class: usize, shape: &Shape, simplices: usize) -> String {
 fn angle<const D: usize>(tiling: &Tiling<D>, simplex: SimplexId, i: usize, j: usize) -> String {
     let shape = tiling.shape(simplex);
     let products = shape.normal_products(&linear::cofactors(&tiling.frame.gram));
-    let angle = DihedralAngle::between(&products, i, j);
+    let Some(angle) = DihedralAngle::between(&products, i, j) else {
+        return "flat".to_owned();
+    };
     if let Some(degrees) = angle.rational() {
         return format!("{degrees}°");
     }

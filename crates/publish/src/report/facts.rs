@@ -63,6 +63,8 @@ pub struct Facts {
     pub types: Vec<String>,
 }
 
+const NOT_FLAT: &str = "no simplex of a proved tiling is flat";
+
 impl Facts {
     /// Of a tiling of space.
     pub fn of_space(tiling: &Tiling<3>) -> Facts {
@@ -86,7 +88,7 @@ impl Facts {
     fn with_types<const D: usize>(tiling: &Tiling<D>, types: Vec<String>) -> Facts {
         let shapes = shapes(tiling);
         let class_of = class_of(&shapes, tiling.len());
-        let measures = measures_of_shapes(tiling, &shapes);
+        let measures = measures_of_shapes(tiling, &shapes).expect(NOT_FLAT);
         let mut facts = Facts {
             numbers: Table::new(),
             angles: Table::new(),
@@ -119,7 +121,10 @@ impl Facts {
             edges: edges.map(|square| self.numbers.number(square)).collect(),
             angles: products
                 .pairs()
-                .map(|(i, j, _)| self.angles.number(DihedralAngle::between(&products, i, j)))
+                .map(|(i, j, _)| {
+                    let angle = DihedralAngle::between(&products, i, j);
+                    self.angles.number(angle.expect(NOT_FLAT))
+                })
                 .collect(),
         };
         self.cells.push(cell);

@@ -11,6 +11,7 @@
 use super::colour::{colour, hex};
 use super::data::basis;
 use acutile_core::tiling::{Corner, Facet, SimplexId, Tiling, supercell};
+use acutile_exact::geometry::linear;
 use std::collections::{BTreeMap, BTreeSet};
 use std::fmt::Write;
 
@@ -141,22 +142,25 @@ fn solid_faces(
     colour: [f64; 3],
     is_hidden: impl Fn(usize) -> bool,
 ) -> Vec<Face> {
-    let depth = dot(circumcentre(corners), VIEW[0]);
+    let depth = linear::dot(&circumcentre(corners), &VIEW[0]);
     let mut faces = Vec::new();
     for opposite in (0..4).filter(|&k| !is_hidden(k)) {
         let face: Vec<[f64; 3]> = (0..4)
             .filter(|&k| k != opposite)
             .map(|k| corners[k])
             .collect();
-        let normal = cross(minus(face[1], face[0]), minus(face[2], face[0]));
-        let outward = dot(normal, minus(face[0], corners[opposite])).signum();
-        let facing = outward * dot(normal, VIEW[0]) / dot(normal, normal).sqrt();
+        let side = |k: usize| linear::subtract(&face[k], &face[0]);
+        let normal = linear::cross(&side(1), &side(2));
+        let outward = linear::subtract(&face[0], &corners[opposite]);
+        let outward = linear::dot(&normal, &outward).signum();
+        let facing =
+            outward * linear::dot(&normal, &VIEW[0]) / linear::dot(&normal, &normal).sqrt();
         if facing > 1e-9 {
             faces.push(Face {
                 depth,
                 points: face
                     .iter()
-                    .map(|&p| [dot(p, VIEW[1]), -dot(p, VIEW[2])])
+                    .map(|p| [linear::dot(p, &VIEW[1]), -linear::dot(p, &VIEW[2])])
                     .collect(),
                 colour: colour.map(|c| c * (0.55 + 0.45 * facing)),
             });
@@ -167,15 +171,14 @@ fn solid_faces(
 
 /// e_i · x = |e_i|²/2 for the edges from corner 0, solved by their cross products.
 fn circumcentre(corners: &[[f64; 3]]) -> [f64; 3] {
-    let edges = [1, 2, 3].map(|k| minus(corners[k], corners[0]));
-    let duals = [
-        cross(edges[1], edges[2]),
-        cross(edges[2], edges[0]),
-        cross(edges[0], edges[1]),
-    ];
-    let determinant = dot(edges[0], duals[0]);
+    let edges = [1, 2, 3].map(|k| linear::subtract(&corners[k], &corners[0]));
+    let duals = linear::cofactors(&edges);
+    let determinant = linear::dot(&edges[0], &duals[0]);
     std::array::from_fn(|k| {
-        let sum: f64 = (0..3).map(|i| dot(edges[i], edges[i]) * duals[i][k]).sum();
+        let terms = edges.iter().zip(&duals);
+        let sum: f64 = terms
+            .map(|(edge, dual)| linear::dot(edge, edge) * dual[k])
+            .sum();
         corners[0][k] + sum / (2.0 * determinant)
     })
 }
@@ -206,20 +209,4 @@ fn draw(faces: &[Face], label: &str) -> String {
         );
     }
     svg + "</svg>"
-}
-
-fn minus(a: [f64; 3], b: [f64; 3]) -> [f64; 3] {
-    std::array::from_fn(|k| a[k] - b[k])
-}
-
-fn dot(a: [f64; 3], b: [f64; 3]) -> f64 {
-    a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
-}
-
-fn cross(a: [f64; 3], b: [f64; 3]) -> [f64; 3] {
-    [
-        a[1] * b[2] - a[2] * b[1],
-        a[2] * b[0] - a[0] * b[2],
-        a[0] * b[1] - a[1] * b[0],
-    ]
 }
