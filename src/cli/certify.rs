@@ -50,9 +50,14 @@ pub struct CertifyArguments {
     /// The encoding; without it CBOR for a file whose name ends in .cbor, and else JSON
     #[arg(long, value_enum, conflicts_with = "no_certificate")]
     pub format: Option<Encoding>,
-    /// A statement that must hold: tiling, acute, nonobtuse, delaunay, weakly-delaunay, tcp,
-    /// dihedral<DEGREES, dihedral>DEGREES, radius-edge<RATIO
-    #[arg(long = "require", value_name = "STATEMENT")]
+    /// Statements that must hold: tiling, acute, nonobtuse, delaunay, weakly-delaunay, tcp,
+    /// dihedral-below=DEGREES, dihedral-above=DEGREES, radius-edge-below=RATIO; in quotes also
+    /// 'dihedral<DEGREES', 'dihedral>DEGREES', 'radius-edge<RATIO'
+    #[arg(
+        long = "require",
+        value_name = "STATEMENT,STATEMENT",
+        value_delimiter = ','
+    )]
     pub required: Vec<Requirement>,
     /// Give negatively oriented simplices positive orientation
     #[arg(long)]

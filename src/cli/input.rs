@@ -52,7 +52,12 @@ pub fn tiling(
     }
     let path = Path::new(input);
     if input != "-" && !path.exists() && !input.contains(['/', '.']) {
-        let message = format!("{input}: neither a name of the catalogue (acutile list) nor a file");
+        let advice = match catalog::suggestion(input) {
+            Some(name) => format!("; did you mean {name}?"),
+            None => String::new(),
+        };
+        let message =
+            format!("{input}: neither a name of the catalogue (acutile list) nor a file{advice}");
         return Err(message.into());
     }
     if parameter.is_some() {

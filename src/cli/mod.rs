@@ -72,7 +72,7 @@ pub fn main() -> ExitCode {
         Command::Appendix(appendix) => appendix::run(&appendix, &mut output),
         Command::Bundle(bundle) => bundle::run(&bundle, &mut output),
         Command::Completions(completions) => meta::completions(&completions, &mut output),
-        Command::Man => meta::man(&mut output),
+        Command::Man(man) => meta::man(&man, &mut output),
     };
     ExitCode::from(outcome.and(output.finish()).code())
 }
