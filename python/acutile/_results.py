@@ -232,7 +232,7 @@ class Quality:
     """Enclosures of dihedral angles in degrees, arrays of shape (m, D (D + 1) / 2).
 
     Column k belongs to the pair k of facets (0,1), (0,2), ..., (D-1,D); a facet has the number of
-    the corner opposite to it.
+    the corner opposite to it. Angles of a flat simplex are NaN.
     """
 
     lower: np.ndarray

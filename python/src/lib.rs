@@ -150,7 +150,9 @@ fn doubles<const D: usize>(vertices: &Coordinates<D>) -> Vec<Vec<f64>> {
 
 /// The vertices of the corners, and their shifts one after the other.
 fn rows_of_simplex<const D: usize>(corners: &[Corner<D>]) -> (Vec<i64>, Vec<i64>) {
-    let vertices = corners.iter().map(|corner| i64::from(corner.vertex));
+    let vertices = corners
+        .iter()
+        .map(|corner| i64::from(corner.vertex.number()));
     let shifts = corners
         .iter()
         .flat_map(|corner| corner.shift.map(i64::from));

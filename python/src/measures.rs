@@ -1,7 +1,7 @@
 //! Dihedral angles of all simplices as enclosures in doubles.
 
 use acutile_core::quality::{DihedralAngle, Exact, display_width};
-use acutile_core::tiling::{AnyTiling, Tiling};
+use acutile_core::tiling::{AnyTiling, SimplexId, Tiling};
 use acutile_core::with_dimension;
 use acutile_exact::geometry::linear;
 use malachite::Rational;
@@ -20,15 +20,22 @@ pub fn angles(tiling: &AnyTiling) -> Enclosures {
 
 fn of_tiling<const D: usize>(tiling: &Tiling<D>) -> Enclosures {
     let gram = linear::cofactors(&tiling.frame.gram);
-    let simplices = (0..tiling.len()).into_par_iter();
+    let simplices = (0..tiling.len()).into_par_iter().map(SimplexId::at);
     let rows = simplices.map(|simplex| {
         let products = tiling.shape(simplex).normal_products(&gram);
         let pairs = (0..=D).flat_map(|i| (i + 1..=D).map(move |j| (i, j)));
-        let ends =
-            pairs.map(|(i, j)| DihedralAngle::between(&products, i, j).enclosure(&display_width()));
-        ends.map(|(low, high)| (below(&low), above(&high))).unzip()
+        let ends = pairs.map(|(i, j)| DihedralAngle::between(&products, i, j));
+        ends.map(in_degrees).unzip()
     });
     rows.unzip()
+}
+
+/// The ends for an angle; a flat simplex has none, which arrays write as NaN.
+fn in_degrees(angle: Option<DihedralAngle>) -> (f64, f64) {
+    match angle.map(|angle| angle.enclosure(&display_width())) {
+        Some((low, high)) => (below(&low), above(&high)),
+        None => (f64::NAN, f64::NAN),
+    }
 }
 
 fn below(value: &Rational) -> f64 {
