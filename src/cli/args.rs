@@ -10,6 +10,7 @@ use super::draw::DrawArguments;
 use super::export::ExportArguments;
 use super::gallery::GalleryArguments;
 use super::list::ListArguments;
+use super::lower_bound::LowerBoundArguments;
 use super::new::NewArguments;
 use super::paper::PaperArguments;
 use super::quality::QualityArguments;
@@ -79,6 +80,11 @@ pub enum Command {
     /// was not.
     #[command(after_long_help = examples!("\n  acutile paper"))]
     Paper(PaperArguments),
+    /// Lower bounds for the largest dihedral angle of any tiling: the finite part of the proof
+    ///
+    /// Decides every numerical inequality, box and combinatorial lemma of docs/lower-bound.md in
+    /// exact arithmetic. The exit code is 1 when one fails, and 3 when one is undecided.
+    LowerBound(LowerBoundArguments),
     /// How good the simplices are: dihedral angles, radius-edge and aspect ratios
     #[command(after_long_help = examples!("\n  acutile quality part.vtu\n  acutile quality part.vtu --format svg -o angles.svg"))]
     Quality(QualityArguments),

@@ -23,6 +23,7 @@ mod input;
 mod interrupt;
 mod limits;
 mod list;
+mod lower_bound;
 mod mesh;
 mod meta;
 mod named;
@@ -64,6 +65,7 @@ pub fn main() -> ExitCode {
         Command::Convert(convert) => convert::run(&convert, &mut output),
         Command::Table(table) => table::run(&table, &mut output),
         Command::Paper(paper) => paper::run(&paper, &mut output),
+        Command::LowerBound(bound) => lower_bound::run(&bound, &mut output),
         Command::Quality(quality) => quality::run(&quality, &mut output),
         Command::Gallery(gallery) => gallery::run(&gallery, &mut output),
         Command::Report(report) => report::run(&report, &mut output),
