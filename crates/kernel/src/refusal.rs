@@ -192,21 +192,6 @@ impl Stop {
             Some(refusal) => *refusal,
         })))
     }
-
-    /// Divides the determinant, or the power of a point, by the units of the coordinates.
-    pub(crate) fn over(mut self, denominator: &BigInt, dimension: usize) -> Stop {
-        if let Some(Refusal { code, value: Value::Quotient(_, divisor), .. }) = self.0.as_deref_mut() {
-            let power = match code {
-                Code::Orientation => dimension,
-                Code::NotDelaunay | Code::NotWeaklyDelaunay => 2,
-                _ => 0,
-            };
-            for _ in 0..power {
-                divisor.iter_mut().for_each(|c| *c *= denominator);
-            }
-        }
-        self
-    }
 }
 
 /// Whether a test leaves the check on this line out.
