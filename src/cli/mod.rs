@@ -39,6 +39,7 @@ mod report;
 mod show;
 mod table;
 mod target;
+mod theorem;
 mod transcribe;
 mod verify;
 mod words;
