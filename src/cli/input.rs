@@ -5,6 +5,7 @@ use super::mesh::{self, MeshArguments};
 use super::named::{InputError, Named};
 use super::output::Output;
 use super::points::{self, PointArguments};
+use super::theorem;
 use super::transcribe;
 use acutile_catalog as catalog;
 use acutile_core::format;
@@ -38,6 +39,13 @@ pub fn tiling(
     options: &FileArguments,
     output: &mut Output,
 ) -> Result<Named, InputError> {
+    if let Some(theorem) = catalog::theorem(input) {
+        let message = format!(
+            "{input}: a theorem and no tiling; certify, show and verify take it, and {}NAME is one of its tilings",
+            theorem.family
+        );
+        return Err(message.into());
+    }
     if let Some(entry) = catalog::find(input) {
         check_for_cif(input, &options.points)?;
         check_for_mesh(input, &options.mesh)?;
@@ -94,6 +102,12 @@ pub fn of_content(
 /// The tiling of a certificate, which is not judged here.
 fn of_certificate(input: &str, bytes: &[u8]) -> Result<Named, InputError> {
     let cbor = transcribe::cbor(input, bytes)?;
+    if theorem::is_theorem(&cbor) {
+        let message = format!(
+            "{input}: a certificate of a theorem and no tiling; show, verify and convert take it"
+        );
+        return Err(message.into());
+    }
     let (tiling, _) = acutile_core::transcribe::of_certificate(&cbor)
         .map_err(|error| format!("{input}: {error}"))?;
     Ok(Named {

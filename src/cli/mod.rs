@@ -40,6 +40,7 @@ mod report;
 mod show;
 mod table;
 mod target;
+mod theorem;
 mod transcribe;
 mod verify;
 mod words;

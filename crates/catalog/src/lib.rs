@@ -13,6 +13,7 @@
 //! | `congruent` | Sommerville, Goldberg, cubes |
 //! | `solid` | single tetrahedra, and two that are not Delaunay |
 //! | `planar` | the square, and tilings by triangles |
+//! | [`patches`] | theorems about all tilings over squares and triangles, and all kagome words |
 //! | `recipe` | what they share |
 //! | `entry`, `entries` | one construction, and the table of all |
 //! | [`limits`] | words and entries beyond them are refused |
@@ -27,6 +28,7 @@ mod error;
 mod icosahedral;
 mod kagome;
 pub mod limits;
+pub mod patches;
 mod planar;
 pub mod plane_file;
 pub mod plane_tiling;
@@ -40,7 +42,9 @@ mod z_c15;
 
 pub use entry::{Entry, Parameter};
 pub use error::CatalogError;
+pub use kagome::blocks as kagome_blocks;
 
+use acutile_core::patches::System;
 use acutile_core::tiling::AnyTiling;
 use entries::ENTRIES;
 use entry::Recipe;
@@ -49,6 +53,37 @@ use plane_tiling::{PlaneTiling, built_in};
 /// All constructions.
 pub fn entries() -> &'static [Entry] {
     ENTRIES
+}
+
+/// A theorem about all members of a family: a system of patches.
+#[derive(Debug)]
+pub struct Theorem {
+    pub name: &'static str,
+    pub description: &'static str,
+    /// The name of the family, before the word.
+    pub family: &'static str,
+    pub system: fn() -> Result<System, CatalogError>,
+}
+
+/// All theorems.
+pub static THEOREMS: &[Theorem] = &[
+    Theorem {
+        name: "square-triangle-all",
+        description: "all TCP structures over tilings by squares and triangles, periodic or not",
+        family: "square-triangle:",
+        system: patches::square_triangle_all,
+    },
+    Theorem {
+        name: "kagome-all",
+        description: "all stacks of kagome layers, periodic or not",
+        family: "kagome:",
+        system: patches::kagome_all,
+    },
+];
+
+/// The theorem with this name.
+pub fn theorem(name: &str) -> Option<&'static Theorem> {
+    THEOREMS.iter().find(|theorem| theorem.name == name)
 }
 
 /// The names of all constructions that need no further word.
