@@ -1229,13 +1229,18 @@ def check(data):
         if not refusal.points:
             raise
         found = refusal
-    # A condition is not proved in some leaves of a family. It is refuted if it is false in one of these points.
+    # A condition is not proved in some leaves of a family. It is refuted if it is false in one of these points; else
+    # perhaps another condition is.
+    others = [Refusal("declined", "sign-undecided", f"not decided in all leaves: {found.code}, {found}")]
     for point in islice(found.points, POINTS):
         try:
             checked(data, point)
         except Refusal as refusal:
-            raise Refusal(refusal.kind, refusal.code, f"for {point}: {refusal}") from found
-    raise Refusal("declined", "sign-undecided", f"not decided in all leaves: {found.code}, {found}")
+            there = Refusal(refusal.kind, refusal.code, f"for {point}: {refusal}")
+            if refusal.code == found.code:
+                raise there from found
+            others.append(there)
+    raise others[-1]
 
 
 def checked(data, point=None):
