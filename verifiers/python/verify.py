@@ -1122,10 +1122,9 @@ class Shape:
         return self.delta + between
 
     def power(self, c, point):
-        """det M times the power of a point in the circumsphere."""
+        """The power of a point in the circumsphere, times det(edges): |x|² less the affine function that agrees with it at the corners."""
         x = minus(point, self.origin)
-        products = [c.product(edge, x) for edge in self.edges]
-        return self.det * c.product(x, x) - dot(self.delta, [dot(row, products) for row in self.cofactors])
+        return det([edge + [square] for edge, square in zip([*self.edges, x], [*self.delta, c.product(x, x)])])
 
 
 class Angle:

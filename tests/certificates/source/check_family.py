@@ -11,13 +11,16 @@ from .claim import field_of
 from .family import samples
 from .field import Undecided, common_denominator, content, times
 from .shape import Refusal, a_text, array, domain_shape, ensure, integer, numbers_of, read, record
+from .shape import shape as tiling_shape
 
 
 def codes_of(data):
     """The codes of the refusals in all points; None for a point where everything is true."""
     try:
         family = read(data, "family", shape)
-        return {code_at(family, point) for point in samples(family["claim"]["parameters"], field_of(family["claim"]))}
+        points = list(samples(family["claim"]["parameters"], field_of(family["claim"])))
+        tiling_shape(tiling_at(family, points[0]))
+        return {code_at(family, point) for point in points}
     except Refusal as refusal:
         return {str(refusal)}
     except Undecided:

@@ -41,7 +41,7 @@ METRIC = {
 ORIENTED = {
     "orientation--family-flat-at-the-closed-end": cut_square((X, HALF), x=closed(0, HALF)).certificate(),
     "orientation--family-flat-in-a-corner-of-the-box": cut_square((X_, Y_), x=closed(0, HALF), y=closed(HALF, F(3, 4))).certificate(),
-    "orientation--family-flat-in-the-middle": cut_square(((2 * X - 1) ** 2, HALF), x=closed(F(1, 4), F(3, 4))).certificate(
+    "orientation--family-flat-in-the-middle": cut_square(((2 * X - 1) ** 2, HALF), halved(0), x=closed(F(1, 4), F(3, 4))).certificate(
         at=[F(0)]),
     "vertex-outside--family-beyond-the-low-end": cut_square((X, HALF), x=opened(-1, HALF)).certificate(at=[F(3, 4)]),
     "vertex-outside--family-beyond-in-the-middle": cut_square((HALF, (2 * X - 1) ** 2 - F(1, 100)), x=closed(F(1, 8), F(7, 8))).certificate(
@@ -131,7 +131,7 @@ def wrong_bounds():
 BOUNDS = {
     **dict(wrong_bounds()),
     # The largest angle is 60 degrees at t = 1/2, more before and after it.
-    "not-attained--family-in-the-middle-only": plane({"t": closed(0, 1)}, [[2, 1], [1, 2 + (2 * X - 1) ** 2]]).certificate(
+    "not-attained--family-in-the-middle-only": plane({"t": closed(0, 1)}, [[2, 1], [1, 2 + (2 * X - 1) ** 2]], halved(0)).certificate(
         largest("minimum", *SIXTY)),
     "angle-bound--family-sign-of-the-cosine-changes": with_cosine(X, x=closed(-HALF, HALF)).certificate(largest("at most", *NINETY)),
     "angle-bound--family-obtuse-to-the-end": with_cosine(X, x=closed(-HALF, 0)).certificate(largest("less than", -1, F(1, 4))),
