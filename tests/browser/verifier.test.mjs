@@ -503,7 +503,7 @@ function dataFor({ reads }, { text, bytes }) {
   try {
     const tree = JSON.parse(text);
     const { claim, witness } = tree;
-    const records = [tree, claim, witness, claim.field, claim.field.root, claim.domain[1]];
+    const records = [tree, claim, witness, claim.field, claim.field.root, claim.domain[1], ...(claim.parameters ?? [])];
     const isPlain = write(tree) === text && namesAreRight(tree) && !records.some(Array.isArray);
     const data = isPlain ? toCbor(tree) : undefined;
     return data && Uint8Array.from(data);
@@ -515,7 +515,10 @@ function dataFor({ reads }, { text, bytes }) {
 const RECORDS = [
   ["format", "version", "kind", "claim", "witness"],
   ["dimension", "field", "gram", "domain", "statements"],
+  ["dimension", "field", "parameters", "gram", "domain", "statements"],
+  ["name", "low", "high"],
   ["denominator", "vertices", "boundary", "simplices"],
+  ["denominator", "vertices", "boundary", "tree", "simplices"],
   ["polynomial", "root"],
   ["low", "high", "denominator"],
   ["denominator", "vertices", "faces"],

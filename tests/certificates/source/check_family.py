@@ -86,6 +86,7 @@ def shape(family):
            simplices=array(lambda _: None))
     d, parameters = claim["dimension"], claim["parameters"]
     ensure(d in (2, 3), "dimension")
+    ensure(claim["field"] == "Q" or len(claim["field"]["polynomial"]) <= 9, "degree")
     f = field_of(claim)
     number = numbers_of(f)
     ensure(0 < len(parameters) <= 64, "parameters")

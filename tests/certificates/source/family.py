@@ -119,7 +119,7 @@ FRACTIONS = {
 
 def samples(parameters, field):
     """Points of the box, which a certificate describes: with its closed ends, and near the open ones."""
-    fractions = FRACTIONS[len(parameters)]
+    fractions = FRACTIONS.get(len(parameters), [F(1, 2)])
     sides = []
     for parameter in parameters:
         (low_kind, (low, p)), (high_kind, (high, q)) = parameter["low"], parameter["high"]
