@@ -1,6 +1,6 @@
 """python3 tests/bundle/certificates.py ACUTILE_VERIFY [MUTATIONS [all]]: tests of verifiers/python/verify.py.
 
-Functions against hand calculations; the certificates of tests/certificates, whose names state the code; and
+Functions against hand calculations; signs on boxes (signs.py); the certificates of tests/certificates, whose names state the code; and
 acutile-verify on certificates in CBOR that are changed at random. With `all` also certificates/.
 """
 
@@ -19,6 +19,9 @@ sys.dont_write_bytecode = True
 spec = importlib.util.spec_from_file_location("verify", ROOT / "verifiers/python/verify.py")
 verify = importlib.util.module_from_spec(spec)
 spec.loader.exec_module(verify)
+
+sys.path.insert(0, str(Path(__file__).parent))
+from signs import check_signs_on_boxes  # noqa: E402
 
 # It has no other limits than those of its docstring.
 WITHOUT_LIMIT = {"too-many-bytes", "too-many-simplices", "work"}
@@ -225,6 +228,7 @@ def check_mutations(program, count, seed):
 def main(program, count="400", *rest):
     for check in (check_integers, check_signs, check_meeting, check_shapes, check_names, check_known):
         check()
+    check_signs_on_boxes(verify, 150)
     check_mutations(program, int(count), 1)
     for path in files("certificates") if "all" in rest else []:
         assert said(path) == ("verified", None), path
