@@ -2,6 +2,7 @@
 
 use super::limits::{ENTRY_LIMIT, WORD_LIMIT};
 use acutile_core::delaunay::DelaunayError;
+use acutile_core::patches::derive::DeriveError;
 use acutile_exact::number::{FieldError, ReadError};
 use std::fmt;
 
@@ -64,6 +65,14 @@ pub enum CatalogError {
     Field(FieldError),
     /// The points have no Delaunay triangulation.
     Delaunay(DelaunayError),
+    /// A tile has no patch.
+    Patch(DeriveError),
+}
+
+impl From<DeriveError> for CatalogError {
+    fn from(error: DeriveError) -> Self {
+        CatalogError::Patch(error)
+    }
 }
 
 impl From<DelaunayError> for CatalogError {
@@ -131,6 +140,7 @@ impl fmt::Display for CatalogError {
             Self::Degenerate => write!(f, "the lattice vectors are dependent"),
             Self::Field(error) => error.fmt(f),
             Self::Delaunay(error) => error.fmt(f),
+            Self::Patch(error) => error.fmt(f),
         }
     }
 }

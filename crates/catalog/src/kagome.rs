@@ -84,7 +84,7 @@ fn in_lattice(
 }
 
 /// The place of a registry.
-fn axis(registry: i64) -> [Number; 2] {
+pub(super) fn axis(registry: i64) -> [Number; 2] {
     [fraction(registry, 3), fraction(2 * registry, 3)]
 }
 
@@ -107,7 +107,7 @@ fn laves_block(r: i64, step: i64, height: &Number) -> Vec<(i64, Number)> {
 }
 
 /// 4 sqrt(2/3) = 4 sqrt(6)/3
-fn laves_height() -> Result<Number, CatalogError> {
+pub(super) fn laves_height() -> Result<Number, CatalogError> {
     let polynomial = [-6, 0, 1].map(Integer::from);
     let (_, root) = Field::adjoin_root(&polynomial, Rational::from(2), Rational::from(3))?;
     Ok(&root * &fraction(4, 3))

@@ -13,6 +13,7 @@
 //! | `congruent` | Sommerville, Goldberg, cubes |
 //! | `solid` | single tetrahedra, and two that are not Delaunay |
 //! | `planar` | the square, and tilings by triangles |
+//! | [`patches`] | theorems about all tilings over squares and triangles, and all kagome words |
 //! | `recipe` | what they share |
 //! | `entry`, `entries` | one construction, and the table of all |
 //! | [`limits`] | words and entries beyond them are refused |
@@ -27,6 +28,7 @@ mod error;
 mod icosahedral;
 mod kagome;
 pub mod limits;
+pub mod patches;
 mod planar;
 pub mod plane_file;
 pub mod plane_tiling;

@@ -75,7 +75,7 @@ fn run() -> Result<ExitCode, String> {
         if options.print_claim {
             write(&mut io::stderr(), &line)?;
             let claim = found.as_ref().map(|found| found.claim.print());
-            write(&mut io::stdout(), &claim.unwrap_or_default())?;
+            write(&mut io::stdout(), claim.unwrap_or_default())?;
         } else {
             write(&mut io::stdout(), &line)?;
         }
@@ -163,7 +163,7 @@ fn check(file: &OsString, options: &Options) -> Result<Verified, Failure> {
         words: text::refusal(&refusal, length),
     })?;
     match &options.claim {
-        Some(claim) if *claim != found.claim.print().into_bytes() => Err(Failure {
+        Some(claim) if claim != found.claim.print().as_bytes() => Err(Failure {
             verdict: "rejected",
             code: "other-claim",
             words: "the certificate proves another claim".into(),

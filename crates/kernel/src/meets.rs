@@ -16,7 +16,7 @@
 
 use crate::limits::Work;
 use crate::refusal::{Checked, Stop};
-use crate::ring::{Ring, Vector, each};
+use crate::ring::{Ring, Sign, Vector, each};
 use std::cmp::Ordering;
 
 pub(crate) struct Meets<'r, R: Ring, S> {
@@ -28,7 +28,7 @@ pub(crate) struct Meets<'r, R: Ring, S> {
     pub(crate) axis: R::Element,
 }
 
-impl<R: Ring, S: Fn(&R::Element) -> Checked<Ordering>> Meets<'_, R, S> {
+impl<R: Ring, S: Fn(&R::Element) -> Sign> Meets<'_, R, S> {
     /// Whether f and g meet in the hull of their first `common` corners, which are the same.
     pub(crate) fn only_in_common(&self, common: usize, [f, g]: &[[Vector<R>; 3]; 2]) -> Checked<bool> {
         let ([f0, f1, f2], [g0, g1, g2]) = (f, g);
@@ -81,7 +81,7 @@ impl<R: Ring, S: Fn(&R::Element) -> Checked<Ordering>> Meets<'_, R, S> {
                 let mut first = None;
                 for ray in rays {
                     self.work.add(3 * self.ring.price());
-                    let Ok(sign) = (self.sign)(&self.ring.inner(&w, ray)?) else {
+                    let Ok(sign) = (self.sign)(&self.ring.inner(&w, ray)?).decided() else {
                         // Another functional may be decided.
                         answer = Err(Stop::LARGER);
                         continue 'functionals;

@@ -21,12 +21,12 @@ use crate::int::Int;
 use crate::limits::Work;
 use crate::meets::Meets;
 use crate::refusal::{Checked, Place, Stop};
-use crate::ring::{Element, Exact, Ring, Rings, Vector, each};
+use crate::ring::{Element, Exact, Ring, Sign, Vector, each};
 use crate::row::{Corner, Row, Shape};
 use crate::vertices::Vertices;
+use num_bigint::BigInt;
 use std::cmp::Ordering;
 use std::mem::replace;
-use std::rc::Rc;
 
 /// A boundary facet. With an inner point before them, the corners have a positive orientation.
 type Corners = [Corner; 3];
@@ -35,9 +35,11 @@ type Corners = [Corner; 3];
 /// (`Some(Some(facet))`) or more. The k-th ridge is the one without the k-th corner.
 type Across = [Option<Option<usize>>; 3];
 
+/// Small integers, where they serve, and large ones.
+pub(crate) type Sizes<const N: usize> = (Option<Exact<i64, N>>, Exact<BigInt, N>);
+
 pub(crate) struct Region<const N: usize> {
-    rings: Rc<Rings<N>>,
-    work: Rc<Work>,
+    rings: Sizes<N>,
     grid: Grid,
     is_plane: bool,
     facets: Vec<Corners>,
@@ -48,10 +50,9 @@ pub(crate) struct Region<const N: usize> {
 /// The answer by small integers, or else by large ones.
 macro_rules! answer {
     ($rings:expr, $place:expr, |$ring:ident| $answer:expr) => {{
-        let small = $rings.small.as_ref().ok_or(Stop::LARGER).and_then(|$ring| $answer);
-        small
-            .or_else(|_| Some(&$rings.large).map_or(Err(Stop::LARGER), |$ring| $answer))
-            .map_err(|stop| stop.at($place))
+        let small = $rings.0.as_ref().ok_or(Stop::LARGER).and_then(|$ring| $answer);
+        let again = || Some(&$rings.1).map_or(Err(Stop::LARGER), |$ring| $answer);
+        small.or_else(|_| again()).map_err(|stop| stop.at($place))
     }};
 }
 
@@ -61,10 +62,9 @@ impl<const N: usize> Region<N> {
         mut facets: Vec<Corners>,
         shape: Shape,
         vertices: &Vertices,
-        rings: &Rc<Rings<N>>,
-        work: &Rc<Work>,
+        rings: Sizes<N>,
     ) -> Checked<Region<N>> {
-        let grid = Grid::new::<N>(shape, vertices, &rings.intervals.root)?;
+        let grid = Grid::new::<N>(shape, vertices, &rings.1.root)?;
         let is_plane = shape.dimension == 2;
         let mut boxes = Vec::new();
         for (number, facet) in facets.iter_mut().enumerate() {
@@ -73,8 +73,7 @@ impl<const N: usize> Region<N> {
             boxes.push((grid.bounds(&*facet)?, number));
         }
         let bases = Tree::new(&mut boxes)?;
-        let (rings, work) = (rings.clone(), work.clone());
-        let mut region = Region { rings, work, grid, is_plane, facets, bases };
+        let mut region = Region { rings, grid, is_plane, facets, bases };
         let across = region.check_meets(vertices)?;
         boxes.clear();
         for first in first_of_classes(&across)? {
@@ -84,6 +83,10 @@ impl<const N: usize> Region<N> {
         Ok(region)
     }
 
+    fn work(&self) -> &Work {
+        self.rings.1.work()
+    }
+
     fn facet(&self, number: usize) -> Checked<&Corners> {
         self.facets.get(number).ok_or(Stop::LARGER)
     }
@@ -91,7 +94,7 @@ impl<const N: usize> Region<N> {
     /// X for each pair of facets whose boxes meet.
     fn check_meets(&self, vertices: &Vertices) -> Checked<Vec<Across>> {
         let mut across = vec![[None; 3]; self.facets.len()];
-        self.grid.each_near(&self.bases, &self.bases, &self.work, &mut |by, first, second| {
+        self.grid.each_near(&self.bases, &self.bases, self.work(), &mut |by, first, second| {
             // One of two opposite translations suffices.
             if (by, second) <= ([0; 3], first) {
                 return Ok(());
@@ -100,8 +103,8 @@ impl<const N: usize> Region<N> {
             let g = self.facet(second)?.map(|corner| moved(corner, by));
             let number = |facet: usize| u64::try_from(facet).unwrap_or(u64::MAX);
             let place = Place::BoundaryPair(number(first.min(second)), number(first.max(second)));
-            self.work.add(100);
-            self.work.check(place)?;
+            self.work().add(100);
+            self.work().check(place)?;
             // The common corners first, in one order.
             let common = f.iter().filter(|corner| g.contains(corner)).count();
             let (mut f_sorted, mut g_sorted) = (f, g);
@@ -152,10 +155,10 @@ impl<const N: usize> Region<N> {
             *x = T::from(x.top(most - 19)?);
         }
         let sign = |x: &Element<T, N>| {
-            if is_rounded && length(x) < 47 { Err(Stop::LARGER) } else { ring.sign(x) }
+            if is_rounded && length(x) < 47 { Sign::UNDECIDED } else { ring.sign(x) }
         };
         let axis = ring.integer(if is_rounded { 1 << 20 } else { 1 })?;
-        Meets { ring, work: &self.work, sign, axis }.only_in_common(common, &points)
+        Meets { ring, work: self.work(), sign, axis }.only_in_common(common, &points)
     }
 
     /// W for a row: no translate of its tile contains the point just outside of a base.
@@ -164,10 +167,10 @@ impl<const N: usize> Region<N> {
         let tile = [a, b, c, if self.is_plane { APEX } else { d }];
         let leaf = Tree::new(&mut [(self.grid.bounds(&tile)?, 0)])?;
         let place = Place::Simplex(simplex);
-        self.grid.each_near(&self.bases, &leaf, &self.work, &mut |by, base, _| {
+        self.grid.each_near(&self.bases, &leaf, self.work(), &mut |by, base, _| {
             let tile = tile.map(|corner| moved(corner, by));
             let facet = self.facet(base)?;
-            self.work.add(300);
+            self.work().add(300);
             let is_covered = answer!(self.rings, place, |ring| { self.contains(ring, vertices, &tile, facet) })?;
             ensure!(!is_covered, Covering, place, base);
             Ok(())
@@ -195,7 +198,7 @@ impl<const N: usize> Region<N> {
         let normal = |[o, p, q]: [&Corner; 3]| ring.cross(&edge(o, p)?, &edge(o, q)?);
         // The sign of w · (1, ε, ε²): that of the first entry of w that is not zero.
         let forwards = |[x, y, z]: &Vector<Exact<T, N>>| -> Checked<Ordering> {
-            Ok(ring.sign(x)?.then(ring.sign(y)?).then(ring.sign(z)?))
+            Ok(ring.sign(x).decided()?.then(ring.sign(y).decided()?).then(ring.sign(z).decided()?))
         };
         let is_backwards = forwards(&normal(facet.each_ref())?)? == Ordering::Less;
         let facets = if self.is_plane {
@@ -211,7 +214,7 @@ impl<const N: usize> Region<N> {
             }
             let turned = forwards(&w)?;
             let turned = if is_backwards { turned.reverse() } else { turned };
-            if ring.sign(&side)?.then(turned) != Ordering::Less {
+            if ring.sign(&side).decided()?.then(turned) != Ordering::Less {
                 return Ok(false);
             }
         }

@@ -21,7 +21,7 @@ pub(crate) struct Table<K, V> {
     work: Rc<Work>,
 }
 
-fn index(number: u32) -> usize {
+pub(crate) fn index(number: u32) -> usize {
     usize::try_from(number).unwrap_or(usize::MAX)
 }
 
