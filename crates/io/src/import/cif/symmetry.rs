@@ -5,7 +5,7 @@
 //! refused: the list must be a group, its point group must have the order that the number of
 //! the space group asks for, and its centring must be that of the symbol.
 
-use super::block::Block;
+use super::block::{Block, Column};
 use super::operation::{NotAGroup, OPERATION_LIMIT, Operation, Rotation, check_group};
 use super::token::{Value, at_line, short};
 use crate::import::ImportError;
@@ -46,23 +46,19 @@ pub struct Listed {
 pub fn operations(block: &Block, snap: Option<u32>) -> Result<Vec<Listed>, ImportError> {
     let number = space_group_number(block)?;
     let symbol = block.value(&SYMBOLS)?;
-    let Some(column) = block.column(&OPERATIONS) else {
+    let mut lists = Vec::new();
+    for tag in OPERATIONS {
+        if let Some(column) = block.exact(tag) {
+            let list = list(column, snap)?;
+            if !list.is_empty() {
+                lists.push(list);
+            }
+        }
+    }
+    check_same(&lists)?;
+    let Some(list) = lists.into_iter().next() else {
         return without_list(block, number, symbol);
     };
-    if column.len() > OPERATION_LIMIT {
-        let problem = format!(
-            "{} symmetry operations, the limit is {OPERATION_LIMIT}",
-            column.len()
-        );
-        return Err(ImportError::limit(
-            format!("line {}", column.value(0).line),
-            problem,
-        ));
-    }
-    let list: Vec<Listed> = column
-        .values()
-        .map(|value| read(value, snap))
-        .collect::<Result<_, _>>()?;
     check_list(&list)?;
     if let Some(number) = number {
         check_point_group(&list, number)?;
@@ -71,6 +67,65 @@ pub fn operations(block: &Block, snap: Option<u32>) -> Result<Vec<Listed>, Impor
         check_centring(&list, symbol)?;
     }
     Ok(list)
+}
+
+/// Whether a block has a list of operations.
+pub fn has_operations(block: &Block) -> bool {
+    block.column(&OPERATIONS).is_some()
+}
+
+/// The operations of a column. A value may have several, one on each line; the identity may
+/// be repeated.
+fn list(column: Column, snap: Option<u32>) -> Result<Vec<Listed>, ImportError> {
+    let mut list: Vec<Listed> = Vec::new();
+    let mut has_identity = false;
+    for value in column.values().filter(|value| !value.is_missing()) {
+        let mut line = value.line;
+        for text in value.text.split(['\n', '\r', ';']) {
+            let part = Value { text: text.trim(), line, ..value };
+            line += 1;
+            if part.text.is_empty() {
+                continue;
+            }
+            let listed = read(part, snap)?;
+            let is_repeated = has_identity && listed.operation.is_identity();
+            has_identity |= listed.operation.is_identity();
+            if !is_repeated {
+                list.push(listed);
+            }
+        }
+        if list.len() > OPERATION_LIMIT {
+            let problem = format!(
+                "{} symmetry operations, the limit is {OPERATION_LIMIT}",
+                column.len().max(list.len())
+            );
+            return Err(ImportError::limit(format!("line {}", value.line), problem));
+        }
+    }
+    Ok(list)
+}
+
+/// Lists under different tags must have the same operations.
+fn check_same(lists: &[Vec<Listed>]) -> Result<(), ImportError> {
+    let Some((first, others)) = lists.split_first() else {
+        return Ok(());
+    };
+    for other in others {
+        for (list, against) in [(first, other), (other, first)] {
+            let missing = list.iter().find(|listed| {
+                !against.iter().any(|same| same.operation.is_same(&listed.operation))
+            });
+            if let Some(listed) = missing {
+                let problem = format!(
+                    "the block has two lists of symmetry operations that differ: {} is not in the list at line {}; remove the wrong list",
+                    short(&listed.text),
+                    against[0].line
+                );
+                return Err(at_line(listed.line, problem));
+            }
+        }
+    }
+    Ok(())
 }
 
 fn read(value: Value, snap: Option<u32>) -> Result<Listed, ImportError> {
@@ -133,7 +188,9 @@ fn space_group_number(block: &Block) -> Result<Option<(u16, u32)>, ImportError> 
     let Some(value) = block.value(&NUMBERS)? else {
         return Ok(None);
     };
-    match value.text.parse() {
+    match value.text.trim().parse() {
+        // Programs write 0 for "not known".
+        Ok(0) => Ok(None),
         Ok(number @ 1..=230) => Ok(Some((number, value.line))),
         _ => Err(at_line(
             value.line,
