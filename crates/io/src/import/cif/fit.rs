@@ -41,6 +41,14 @@ pub fn fit(cell: &mut Cell, operations: &[Listed]) -> Result<Vec<String>, Import
     Ok(notes)
 }
 
+/// Whether operations fit the cell within its digits.
+pub fn fits(cell: &Cell, operations: &[Listed]) -> bool {
+    let errors = errors(cell);
+    different(operations)
+        .iter()
+        .all(|listed| check_within_digits(&cell.gram, &errors, listed).is_ok())
+}
+
 /// The first operation with each rotation.
 fn different(operations: &[Listed]) -> Vec<&Listed> {
     let mut list: Vec<&Listed> = Vec::new();

@@ -8,6 +8,7 @@
 //! | `decimal` | numbers exactly as written, and snapping |
 //! | `cell` | lengths and angles, as a Gram matrix over Q |
 //! | `operation`, `symmetry` | operations; the list of a file, checked to be its group |
+//! | `groups` | the names of the space group, compared with the list or in its place |
 //! | `fit` | the cell, made invariant under the operations |
 //! | `options` | the options |
 //! | `select`, `disorder` | which sites are taken, and whether they are atoms |
@@ -24,6 +25,7 @@ mod cell;
 mod decimal;
 mod disorder;
 mod fit;
+mod groups;
 mod notes;
 mod operation;
 mod options;
@@ -79,7 +81,7 @@ pub fn read_cif(text: &str, options: &CifOptions) -> Result<Structure, ImportErr
     let block = choose(&blocks, options.block.as_deref())?;
     check_magnetic(block)?;
     let mut cell = cell::cell(block)?;
-    let operations = symmetry::operations(block, options.snap)?;
+    let (operations, named) = symmetry::operations(block, options.snap, &cell)?;
     let fitted = fit::fit(&mut cell, &operations)?;
     let mut sites = sites::sites(block, options)?;
     check_snapped(&sites.sites, &operations, options)?;
@@ -94,6 +96,7 @@ pub fn read_cif(text: &str, options: &CifOptions) -> Result<Structure, ImportErr
             blocks.len()
         ));
     }
+    notes.extend(named);
     notes.extend(notes::replacements(&operations));
     notes.extend(sites.notes.iter().cloned());
     notes.extend(notes::uncertainties(cell.uncertain + sites.uncertain));
