@@ -76,6 +76,7 @@ pub fn tiling(
         tiling: AnyTiling::Space(converted.tiling),
         origin: Some(converted.origin),
         notes,
+        labels: Vec::new(),
     })
 }
 

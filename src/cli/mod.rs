@@ -15,6 +15,7 @@ mod certify;
 mod classify;
 mod convert;
 mod delaunay;
+mod document;
 mod draw;
 mod encoding;
 mod export;

@@ -17,8 +17,10 @@ pub struct Named {
     pub tiling: AnyTiling,
     /// The numbers of a mesh file.
     pub origin: Option<Origin>,
-    /// What was told of a mesh file: what was moved, turned, or not looked at.
+    /// What was told of a mesh file or a crystal structure: what was moved, turned, or not looked at.
     pub notes: Vec<String>,
+    /// For each vertex the label of its site; empty if there are none.
+    pub labels: Vec<String>,
 }
 
 /// Why there is no input, in words that name it, and what that makes of the command.
