@@ -16,6 +16,7 @@ use acutile_io::import::{
 };
 use acutile_io::mesh::{Family, load};
 use clap::Args;
+use std::collections::BTreeSet;
 use std::path::Path;
 
 /// How a file becomes a tiling.
@@ -47,6 +48,7 @@ pub fn tiling(
             description: entry.description.to_owned(),
             tiling,
             origin: None,
+            sides: BTreeSet::new(),
             notes: Vec::new(),
         });
     }
@@ -96,6 +98,7 @@ fn of_certificate(input: &str, bytes: &[u8]) -> Result<Named, InputError> {
         description: "the tiling of a certificate".to_owned(),
         tiling,
         origin: None,
+        sides: BTreeSet::new(),
         notes: Vec::new(),
     })
 }
@@ -138,6 +141,7 @@ fn of_text(
         description,
         tiling,
         origin: None,
+        sides: BTreeSet::new(),
         notes: Vec::new(),
     })
 }

@@ -52,8 +52,8 @@ fn load_pair(path: &Path) -> Result<Mesh, MeshError> {
     };
     let read = |path: &Path| bytes(path, BYTE_LIMIT).map_err(|error| named(path, error));
     let (nodes_bytes, elements_bytes) = (read(&nodes)?, read(&elements)?);
-    let (mesh, index) = tetgen::read_nodes(&nodes_bytes).map_err(|error| named(&nodes, error))?;
-    tetgen::read_elements(&elements_bytes, mesh, &index).map_err(|error| named(&elements, error))
+    let (draft, index) = tetgen::read_nodes(&nodes_bytes).map_err(|error| named(&nodes, error))?;
+    tetgen::read_elements(&elements_bytes, draft, &index).map_err(|error| named(&elements, error))
 }
 
 fn bytes(path: &Path, limit: u64) -> Result<Vec<u8>, MeshError> {
