@@ -140,6 +140,9 @@ fn target(arguments: &ConvertArguments) -> Result<Target, String> {
             "{name}: expected a name that ends in .node or .ele for TetGen"
         )),
         (Some(format), _) => Ok(Target::Mesh(format)),
+        (None, Some(family)) if !family.is_written() => Err(format!(
+            "{name}: this format is read and not written; --to gives another one"
+        )),
         (None, Some(family)) => Ok(Target::Mesh(family.format())),
         (None, None) if is_native => Ok(Target::Native),
         (None, None) => Err(format!(

@@ -14,7 +14,7 @@ use acutile_io::import::{
     BYTE_LIMIT, Content, ImportError, NativeFile, read_bytes, read_native, read_text,
     uncompressed_name, without_comments,
 };
-use acutile_io::mesh::{Family, load};
+use acutile_io::mesh::{Family, load, unknown};
 use clap::Args;
 use std::collections::BTreeSet;
 use std::path::Path;
@@ -178,6 +178,10 @@ fn document(
         return cif(path, text, points, output).map_err(named);
     }
     check_for_cif(&path.display().to_string(), points)?;
+    if !text.trim_start().is_empty() && !without_comments(text).trim_start().starts_with('{') {
+        let message = unknown::message(path, text.as_bytes());
+        return Err(format!("{}: {message}", path.display()).into());
+    }
     read_native(text).map_err(named)
 }
 
@@ -250,9 +254,12 @@ pub enum TextOrMesh {
 /// A message that names the file.
 pub fn text_or_mesh(path: &Path, options: &MeshArguments) -> Result<TextOrMesh, InputError> {
     let of_mesh = |error| InputError::of_mesh(&path.display().to_string(), &error);
-    let family = options.mesh_format.map(|format| format.family());
-    if let Some(family) = family.or_else(|| Family::of_path(path)) {
+    if let Some(family) = options.mesh_format {
         let loaded = load::load(path, family);
+        return loaded.map(TextOrMesh::Mesh).map_err(of_mesh);
+    }
+    if let Some(family) = Family::of_path(path) {
+        let loaded = load::load_by_name(path, family);
         return loaded.map(TextOrMesh::Mesh).map_err(of_mesh);
     }
     let of_file = |error| InputError::of_file(path, &error);
@@ -263,6 +270,10 @@ pub fn text_or_mesh(path: &Path, options: &MeshArguments) -> Result<TextOrMesh, 
     }
     if format::recognise(&bytes).is_some() {
         return Ok(TextOrMesh::Certificate(bytes));
+    }
+    if unknown::name(path, &bytes).is_some() {
+        let message = unknown::message(path, &bytes);
+        return Err(format!("{}: {message}", path.display()).into());
     }
     let text = String::from_utf8(bytes).map_err(|error| ImportError::NotText {
         offset: error.utf8_error().valid_up_to(),

@@ -2,7 +2,7 @@
 
 use super::named::{InputError, Named};
 use super::output::{Output, write_file};
-use acutile_io::mesh::Format;
+use acutile_io::mesh::Family;
 use acutile_io::mesh::load::Loaded;
 use acutile_io::mesh::{Converted, Lattice, Mesh, Move, periodic_tiling, region_tiling};
 use clap::Args;
@@ -31,9 +31,9 @@ pub struct MeshArguments {
     #[arg(long, value_name = "FILE", requires = "identify")]
     pub moves: Option<PathBuf>,
     /// The format of a mesh file that has no extension of its own: msh4, vtk, vtu, medit,
-    /// meshb, tetgen
-    #[arg(long = "from", value_name = "FORMAT", value_parser = Format::parse)]
-    pub mesh_format: Option<Format>,
+    /// meshb, tetgen, abaqus, nastran, mfem
+    #[arg(long = "from", value_name = "FORMAT", value_parser = Family::parse)]
+    pub mesh_format: Option<Family>,
 }
 
 /// A distance in doubles.

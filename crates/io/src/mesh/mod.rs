@@ -1,16 +1,19 @@
 //! Tetrahedral meshes of other programs: read, written, turned into tilings and back.
 //!
-//! | file | holds |
+//! | file | contents |
 //! |---|---|
 //! | `mod.rs` | [`Mesh`]: what all formats have in common |
-//! | [`mod@format`] | [`Format`]: names, extensions, how a file is recognised |
+//! | [`mod@format`], [`unknown`] | [`Format`]: names, extensions, first bytes; formats that are not read |
 //! | [`mod@load`] | a file, or standard input, read into a mesh |
-//! | `msh`, `msh2`, `msh4`, `msh_write` | Gmsh MSH 2 and 4.1 |
-//! | `vtk`, `vtu`, `vtu_data`, `vtu_parts`, `vtu_write` | VTK legacy and XML files |
-//! | `medit`, `tetgen` | MEDIT `.mesh` and `.meshb`, TetGen `.node` and `.ele` |
-//! | [`source`], [`numbering`], `element`, [`error`] | what the readers share |
+//! | `draft` | a mesh while it is read |
+//! | `msh`, `msh1`, `msh2`, `msh40`, `msh4`, `msh_sections` | Gmsh MSH 1, 2, 4.0 and 4.1 |
+//! | `msh_write`, `msh_groups` | MSH as it is written, with positive numbers |
+//! | `vtk`, `vtk_cells`, `vtk_data`, `vtu`, `vtu_data`, `vtu_parts`, `vtu_write` | VTK legacy and XML files |
+//! | `medit`, `tetgen`, `abaqus`, `nastran`, `mfem` | MEDIT, TetGen and Triangle, Abaqus, Nastran, MFEM |
+//! | [`surface`] | STL and OBJ surfaces |
+//! | [`source`], `lines`, [`numbering`], `element`, [`error`] | what the readers share |
 //! | [`sink`], [`writer`] | what the writers share; which writer a format has |
-//! | [`lattice`] | the lattice of a periodic mesh |
+//! | [`lattice`], `sides` | the lattice of a periodic mesh, and the facets on its sides |
 //! | [`convert`], `identify`, `snap` | a mesh as a tiling |
 //! | [`origin`] | a tiling's indices in the numbers of the file |
 //! | [`mod@flatten`], `patch` | a tiling as a mesh |
@@ -18,6 +21,7 @@
 //! A reader checks form; whether the mesh tiles anything is the checker's business.
 //! Every coordinate is a finite double and means the dyadic rational that it is.
 
+mod abaqus;
 pub mod convert;
 mod draft;
 mod element;
@@ -26,8 +30,10 @@ pub mod flatten;
 pub mod format;
 mod identify;
 pub mod lattice;
+mod lines;
 pub mod load;
 mod medit;
+mod mfem;
 mod msh;
 mod msh1;
 mod msh2;
@@ -36,6 +42,7 @@ mod msh40;
 mod msh_groups;
 mod msh_sections;
 mod msh_write;
+mod nastran;
 pub mod numbering;
 pub mod origin;
 mod patch;
@@ -43,7 +50,9 @@ pub mod sink;
 mod sides;
 mod snap;
 pub mod source;
+pub mod surface;
 mod tetgen;
+pub mod unknown;
 mod vtk;
 mod vtk_cells;
 mod vtk_data;

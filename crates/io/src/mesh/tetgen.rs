@@ -9,104 +9,13 @@
 use super::Mesh;
 use super::draft::{Draft, Element};
 use super::error::{MeshError, Place};
+use super::lines::{Line, Lines, words};
 use super::numbering::Index;
-use super::source::{shown, without_mark};
-
-/// The lines of a file that have items, without comments.
-struct Lines<'a> {
-    lines: Box<dyn Iterator<Item = (u64, Vec<&'a [u8]>)> + 'a>,
-    length: usize,
-    last: u64,
-}
-
-impl<'a> Lines<'a> {
-    fn new(bytes: &'a [u8]) -> Self {
-        let bytes = without_mark(bytes);
-        let is_separator = |byte: &u8| byte.is_ascii_whitespace() || *byte == b',';
-        let words = move |(number, line): (u64, &'a [u8])| {
-            let line = line.split(|&byte| byte == b'#').next().unwrap_or_default();
-            let words = line.split(is_separator).filter(|word| !word.is_empty());
-            (number, words.collect::<Vec<_>>())
-        };
-        let lines = (1..).zip(bytes.split(|&byte| byte == b'\n'));
-        let lines = lines.map(words).filter(|(_, words)| !words.is_empty());
-        Lines {
-            lines: Box::new(lines),
-            length: bytes.len(),
-            last: 0,
-        }
-    }
-
-    fn next(&mut self, what: &str) -> Result<Line<'a>, MeshError> {
-        match self.lines.next() {
-            Some((number, words)) => {
-                self.last = number;
-                Ok(Line { number, words })
-            }
-            None => {
-                let place = Place::Line(self.last + 1);
-                Err(MeshError::at(
-                    place,
-                    format!("the file ends, expected {what}"),
-                ))
-            }
-        }
-    }
-
-    /// Nothing but comments and empty lines is left.
-    fn expect_end(&mut self, what: &str) -> Result<(), MeshError> {
-        match self.lines.next() {
-            None => Ok(()),
-            Some((number, words)) => {
-                let found = shown(words[0]);
-                let problem = format!("found {found}, expected the end after the last of the {what}");
-                Err(MeshError::at(Place::Line(number), problem))
-            }
-        }
-    }
-}
-
-/// A line with its words.
-struct Line<'a> {
-    number: u64,
-    words: Vec<&'a [u8]>,
-}
-
-impl Line<'_> {
-    fn error(&self, problem: impl std::fmt::Display) -> MeshError {
-        MeshError::at(Place::Line(self.number), problem)
-    }
-
-    fn parsed<T: std::str::FromStr>(&self, column: usize, what: &str) -> Result<T, MeshError> {
-        let Some(word) = self.words.get(column) else {
-            let found = self.words.len();
-            return Err(self.error(format!("the line has {found} columns, expected {what}")));
-        };
-        let value = std::str::from_utf8(word).ok().and_then(|w| w.parse().ok());
-        value.ok_or_else(|| self.error(format!("found {}, expected {what}", shown(word))))
-    }
-
-    /// An entry of a head, 0 where the line is shorter.
-    fn entry(&self, column: usize, what: &str) -> Result<usize, MeshError> {
-        match self.words.len() > column {
-            true => self.parsed(column, what),
-            false => Ok(0),
-        }
-    }
-
-    fn coordinate(&self, column: usize) -> Result<f64, MeshError> {
-        let value: f64 = self.parsed(column, "a coordinate, a number")?;
-        match value.is_finite() {
-            true => Ok(value),
-            false => Err(self.error(format!("found {value}, expected a finite coordinate"))),
-        }
-    }
-}
 
 /// The nodes: a head `count dimension attributes markers`, then `number x y z …` for each. Gives a
 /// mesh without cells, and finds its points by number.
 pub fn read_nodes(bytes: &[u8]) -> Result<(Draft, Index), MeshError> {
-    let mut lines = Lines::new(bytes);
+    let mut lines = Lines::new(words(bytes, b'#'), bytes.len());
     let head = lines.next("the number of nodes")?;
     let count: usize = head.parsed(0, "the number of nodes")?;
     let dimension = match head.entry(1, "the dimension")? {
@@ -143,7 +52,7 @@ pub fn read_elements(
     mut draft: Draft,
     index: &Index,
 ) -> Result<Mesh, MeshError> {
-    let mut lines = Lines::new(bytes);
+    let mut lines = Lines::new(words(bytes, b'#'), bytes.len());
     let head = lines.next("the number of elements")?;
     let count: usize = head.parsed(0, "the number of elements")?;
     let corners = match head.entry(1, "the nodes of an element")? {
