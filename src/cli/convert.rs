@@ -204,7 +204,8 @@ fn write_tiling<const D: usize>(
             bytes: tiling_text(&tiling, &arguments.input).into_bytes(),
         }]),
         Target::Mesh(format) => {
-            let flat = flatten(&tiling, basis.as_ref());
+            let flat =
+                flatten(&tiling, basis.as_ref()).map_err(|error| format!("{name}: {error}"))?;
             tell_flat(&flat, arguments, notes)?;
             Ok(write_mesh(&flat.mesh, format, notes))
         }

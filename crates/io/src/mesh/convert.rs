@@ -7,7 +7,9 @@ use super::lattice::{Basis, Lattice};
 use super::sides::{Sides, sides};
 use super::snap::{Move, snap};
 use super::{Mesh, Origin};
-use acutile_core::tiling::{AnyTiling, Coordinates, Corner, Domain, Facet, Frame, Tiling};
+use acutile_core::tiling::{
+    AnyTiling, Coordinates, Corner, Domain, Facet, Frame, Tiling, VertexId,
+};
 use acutile_exact::number::{Field, Number};
 use malachite::{Integer, Rational};
 use std::collections::BTreeSet;
@@ -153,7 +155,7 @@ fn tiling<const D: usize>(
     let corners = mesh.cells().flatten().map(|&point| {
         let (vertex, shift) = found.places[point as usize];
         Corner {
-            vertex,
+            vertex: VertexId::new(vertex),
             shift: std::array::from_fn(|k| shift[k]),
         }
     });

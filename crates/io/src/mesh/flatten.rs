@@ -2,8 +2,8 @@
 
 use super::lattice::Basis;
 use super::numbering::Numbering;
-use super::{Mesh, Periodic};
-use acutile_core::tiling::{Corner, Tiling};
+use super::{Mesh, MeshError, Periodic};
+use acutile_core::tiling::{Corner, Tiling, VertexId};
 use acutile_exact::number::Number;
 use malachite::Rational;
 use malachite::base::num::arithmetic::traits::CheckedSqrt;
@@ -24,8 +24,14 @@ pub struct Flat {
 
 /// The mesh of a tiling. Without a basis the first basis vector points along the x axis and the
 /// second lies in the plane of x and y.
-pub fn flatten<const D: usize>(tiling: &Tiling<D>, basis: Option<&Basis>) -> Flat {
-    let mut cartesian = Cartesian::new(tiling, basis);
+///
+/// # Errors
+/// Where the Gram matrix is no metric.
+pub fn flatten<const D: usize>(
+    tiling: &Tiling<D>,
+    basis: Option<&Basis>,
+) -> Result<Flat, MeshError> {
+    let mut cartesian = Cartesian::new(tiling, basis)?;
     let mut indices: HashMap<Corner<D>, u32> = HashMap::new();
     let mut corners: Vec<Corner<D>> = Vec::new();
     let mut points = Vec::with_capacity(tiling.corners.len());
@@ -55,17 +61,17 @@ pub fn flatten<const D: usize>(tiling: &Tiling<D>, basis: Option<&Basis>) -> Fla
         .map(|k| cartesian.point(&unit(k)))
         .collect();
     mesh.periodic = links(&corners, &lattice);
-    Flat {
+    Ok(Flat {
         mesh,
         rounded,
         largest_move,
         lattice,
-    }
+    })
 }
 
 /// A link for each lattice vector between a node and the first node of the same vertex.
 fn links<const D: usize>(corners: &[Corner<D>], lattice: &[[f64; 3]]) -> Vec<Periodic> {
-    let mut originals: HashMap<u32, (u32, Corner<D>)> = HashMap::new();
+    let mut originals: HashMap<VertexId, (u32, Corner<D>)> = HashMap::new();
     for (index, corner) in (0u32..).zip(corners) {
         let size = |c: &Corner<D>| (c.shift.map(i32::abs).iter().sum::<i32>(), c.shift);
         let first = originals.entry(corner.vertex).or_insert((index, *corner));
@@ -118,7 +124,10 @@ struct Cartesian {
 }
 
 impl Cartesian {
-    fn new<const D: usize>(tiling: &Tiling<D>, basis: Option<&Basis>) -> Self {
+    fn new<const D: usize>(
+        tiling: &Tiling<D>,
+        basis: Option<&Basis>,
+    ) -> Result<Self, MeshError> {
         // In the plane the third basis vector is the normal of length 1.
         let entry = |i: usize, j: usize| match tiling.frame.gram.get(i).and_then(|row| row.get(j)) {
             Some(entry) => entry.clone(),
@@ -127,14 +136,19 @@ impl Cartesian {
         let gram = std::array::from_fn(|i| std::array::from_fn(|j| entry(i, j)));
         let (rows, squares) = match basis {
             Some(basis) => (basis.vectors.clone(), [const { None }; 3]),
-            None => factored(&gram),
+            None => factored(&gram).ok_or_else(|| {
+                MeshError::of_file(
+                    "the Gram matrix is not positive definite, so nothing is a mesh of this tiling; \
+                     certify says more",
+                )
+            })?,
         };
-        Cartesian {
+        Ok(Cartesian {
             rows,
             squares,
             rounded: 0,
             largest_move: 0.0,
-        }
+        })
     }
 
     fn point<const D: usize>(&mut self, fractions: &[Number; D]) -> [f64; 3] {
@@ -184,8 +198,9 @@ impl Cartesian {
     }
 }
 
-/// L with its columns multiplied by √D_j where that is rational, and the other D_j.
-fn factored(gram: &[[Number; 3]; 3]) -> ([[Number; 3]; 3], [Option<Number>; 3]) {
+/// L with its columns multiplied by √D_j where that is rational, and the other D_j; `None` if the
+/// matrix is not positive definite.
+fn factored(gram: &[[Number; 3]; 3]) -> Option<([[Number; 3]; 3], [Option<Number>; 3])> {
     let mut lower: [[Number; 3]; 3] =
         std::array::from_fn(|_| std::array::from_fn(|_| Number::zero()));
     let mut squares: [Number; 3] = std::array::from_fn(|_| Number::zero());
@@ -196,10 +211,12 @@ fn factored(gram: &[[Number; 3]; 3]) -> ([[Number; 3]; 3], [Option<Number>; 3]) 
             })
         };
         squares[j] = known(j, &lower, &squares);
+        if squares[j].sign().is_le() {
+            return None;
+        }
         for i in j..3 {
             let entry = known(i, &lower, &squares);
-            // Positive for a metric; otherwise nothing is a mesh of this.
-            lower[i][j] = entry.divide(&squares[j]).unwrap_or_else(Number::zero);
+            lower[i][j] = entry.divide(&squares[j])?;
         }
     }
     let mut irrational = [const { None }; 3];
@@ -215,5 +232,5 @@ fn factored(gram: &[[Number; 3]; 3]) -> ([[Number; 3]; 3], [Option<Number>; 3]) 
             None => irrational[j] = Some(squares[j].clone()),
         }
     }
-    (lower, irrational)
+    Some((lower, irrational))
 }

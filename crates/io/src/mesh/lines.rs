@@ -11,18 +11,8 @@ pub fn numbered(bytes: &[u8]) -> impl Iterator<Item = (u64, &[u8])> {
 
 /// The lines that have words, separated by white space and commas, before a comment.
 pub fn words(bytes: &[u8], comment: u8) -> impl Iterator<Item = Line<'_>> {
-    let is_separator = |byte: &u8| byte.is_ascii_whitespace() || *byte == b',';
-    let line = move |(number, line): (u64, &'_ [u8])| {
-        let end = line.iter().position(|&byte| byte == comment);
-        let line = &line[..end.unwrap_or(line.len())];
-        let words = line.split(is_separator).filter(|word| !word.is_empty());
-        Line {
-            number,
-            words: words.collect(),
-        }
-    };
     numbered(bytes)
-        .map(line)
+        .map(move |(number, line)| Line::of(number, line, comment))
         .filter(|line| !line.words.is_empty())
 }
 
@@ -81,7 +71,18 @@ pub struct Line<'a> {
     pub words: Vec<&'a [u8]>,
 }
 
-impl Line<'_> {
+impl<'a> Line<'a> {
+    fn of(number: u64, line: &'a [u8], comment: u8) -> Self {
+        let is_separator = |byte: &u8| byte.is_ascii_whitespace() || *byte == b',';
+        let end = line.iter().position(|&byte| byte == comment);
+        let line = &line[..end.unwrap_or(line.len())];
+        let words = line.split(is_separator).filter(|word| !word.is_empty());
+        Line {
+            number,
+            words: words.collect(),
+        }
+    }
+
     /// An error in this line.
     pub fn error(&self, problem: impl std::fmt::Display) -> MeshError {
         MeshError::at(Place::Line(self.number), problem)

@@ -3,6 +3,7 @@
 use super::Mesh;
 use super::lattice::Basis;
 use super::numbering::Numbering;
+use acutile_core::tiling::SimplexId;
 use acutile_exact::number::Number;
 use std::collections::BTreeMap;
 
@@ -64,16 +65,17 @@ impl Origin {
     }
 
     /// The element that became the simplex with this index.
-    pub fn tetrahedron(&self, simplex: usize) -> Element {
+    pub fn tetrahedron(&self, simplex: SimplexId) -> Element {
         Element {
-            tag: self.elements.get(simplex),
-            line: self.lines.as_ref().map(|lines| lines.get(simplex)),
+            tag: self.elements.get(simplex.index()),
+            line: self.lines.as_ref().map(|lines| lines.get(simplex.index())),
         }
     }
 
     /// The label of a cell, if it has one.
-    pub fn label(&self, simplex: usize) -> Option<i64> {
-        self.labels.get(simplex).copied().filter(|&label| label != 0)
+    pub fn label(&self, simplex: SimplexId) -> Option<i64> {
+        let label = self.labels.get(simplex.index()).copied();
+        label.filter(|&label| label != 0)
     }
 
     /// A label as the file names it: `tag 7 "steel"`.
@@ -90,8 +92,8 @@ impl Origin {
     }
 
     /// The number of the node at a corner (0 to 3) of a simplex.
-    pub fn corner(&self, simplex: usize, corner: usize) -> u64 {
-        let point = self.corners[simplex * self.width + corner];
+    pub fn corner(&self, simplex: SimplexId, corner: usize) -> u64 {
+        let point = self.corners[simplex.index() * self.width + corner];
         self.nodes.get(point as usize)
     }
 
@@ -102,9 +104,9 @@ impl Origin {
     }
 
     /// The last two corners of these simplices have been exchanged.
-    pub fn reoriented(&mut self, simplices: &[usize]) {
+    pub fn reoriented(&mut self, simplices: &[SimplexId]) {
         for &simplex in simplices {
-            let last = simplex * self.width + self.width - 1;
+            let last = simplex.index() * self.width + self.width - 1;
             self.corners.swap(last - 1, last);
         }
     }

@@ -1,6 +1,6 @@
 //! All whole simplices of a tiling in a ball around the origin.
 
-use acutile_core::tiling::{Corner, Domain, Frame, Tiling};
+use acutile_core::tiling::{Corner, Domain, Frame, Tiling, VertexId};
 use acutile_exact::geometry::linear;
 use acutile_exact::number::Number;
 use malachite::Rational;
@@ -40,7 +40,7 @@ pub fn patch<const D: usize>(
     for simplex in tiling.simplices() {
         let ranges = ranges(tiling, simplex[0], reach);
         for step in steps(ranges) {
-            let moved: Option<Vec<u32>> = simplex
+            let moved: Option<Vec<VertexId>> = simplex
                 .iter()
                 .map(|corner| patch.vertex(corner.moved(step)))
                 .collect();
@@ -68,7 +68,7 @@ fn ranges<const D: usize>(
     corner: Corner<D>,
     reach: [f64; D],
 ) -> [(f64, f64); D] {
-    let vertex = tiling.vertices.vertex(corner.vertex as usize);
+    let vertex = tiling.vertices.vertex(corner.vertex);
     std::array::from_fn(|k| {
         let at = vertex[k].approximate() + f64::from(corner.shift[k]);
         let reach = reach[k] * (1.0 + 1e-9) + 1e-6;
@@ -98,13 +98,13 @@ fn steps<const D: usize>(ranges: [(f64, f64); D]) -> impl Iterator<Item = [i32; 
 struct Patch<'a, const D: usize> {
     tiling: &'a Tiling<D>,
     square: Number,
-    indices: HashMap<Corner<D>, Option<u32>>,
+    indices: HashMap<Corner<D>, Option<VertexId>>,
     vertices: Vec<[Number; D]>,
 }
 
 impl<const D: usize> Patch<'_, D> {
     /// The vertex at a corner, if it lies in the ball.
-    fn vertex(&mut self, corner: Corner<D>) -> Option<u32> {
+    fn vertex(&mut self, corner: Corner<D>) -> Option<VertexId> {
         if let Some(known) = self.indices.get(&corner) {
             return *known;
         }
@@ -112,7 +112,7 @@ impl<const D: usize> Patch<'_, D> {
         let square = linear::square(&self.tiling.frame.gram, &position);
         let vertex = (square <= self.square).then(|| {
             self.vertices.push(position);
-            self.vertices.len() as u32 - 1
+            VertexId::at(self.vertices.len() - 1)
         });
         self.indices.insert(corner, vertex);
         vertex
@@ -125,13 +125,13 @@ fn used_only<const D: usize>(
     points: &[[Number; D]],
     mut corners: Vec<Corner<D>>,
 ) -> Tiling<D> {
-    let mut renumbered: HashMap<u32, u32> = HashMap::new();
+    let mut renumbered: HashMap<VertexId, VertexId> = HashMap::new();
     let mut vertices: Vec<[Number; D]> = Vec::new();
     for corner in &mut corners {
         let old = corner.vertex;
         corner.vertex = *renumbered.entry(old).or_insert_with(|| {
-            vertices.push(points[old as usize].clone());
-            vertices.len() as u32 - 1
+            vertices.push(points[old.index()].clone());
+            VertexId::at(vertices.len() - 1)
         });
     }
     Tiling {

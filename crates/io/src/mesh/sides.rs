@@ -8,7 +8,7 @@
 //!
 //! Doubles find facets that nearly match. They can only forbid a proof.
 
-use acutile_core::tiling::{Corner, Domain, Facet, Matching, Tiling, match_facets};
+use acutile_core::tiling::{Corner, Domain, Facet, Matching, Tiling, VertexId, match_facets};
 use std::collections::{BTreeSet, HashMap};
 
 /// What a mesh tiles.
@@ -55,7 +55,7 @@ fn free_facets<const D: usize>(matching: &Matching<D>) -> Vec<Facet> {
 }
 
 fn corners<const D: usize>(tiling: &Tiling<D>, facet: Facet) -> impl Iterator<Item = &Corner<D>> {
-    let corners = tiling.simplex(facet.simplex as usize).iter().enumerate();
+    let corners = tiling.simplex(facet.simplex).iter().enumerate();
     corners
         .filter(move |(k, _)| *k != usize::from(facet.opposite))
         .map(|(_, corner)| corner)
@@ -68,7 +68,7 @@ fn slab<const D: usize>(tiling: &Tiling<D>, free: &[Facet]) -> Option<Domain> {
     let (low, high) = (heights.iter().min()?, heights.iter().max()?);
     let is_side = |facet: &Facet| {
         let all_at = |height: &acutile_exact::number::Number| {
-            corners(tiling, *facet).all(|corner| heights[corner.vertex as usize] == *height)
+            corners(tiling, *facet).all(|corner| heights[corner.vertex.index()] == *height)
         };
         all_at(low) || all_at(high)
     };
@@ -78,7 +78,7 @@ fn slab<const D: usize>(tiling: &Tiling<D>, free: &[Facet]) -> Option<Domain> {
 
 /// The free facets all of whose corners a lattice vector moves onto nodes.
 fn exact_sides<const D: usize>(tiling: &Tiling<D>, free: &[Facet]) -> BTreeSet<Facet> {
-    let mut shifts: HashMap<u32, BTreeSet<[i32; D]>> = HashMap::new();
+    let mut shifts: HashMap<VertexId, BTreeSet<[i32; D]>> = HashMap::new();
     for corner in &tiling.corners {
         shifts.entry(corner.vertex).or_default().insert(corner.shift);
     }
@@ -114,7 +114,7 @@ fn nearly<const D: usize>(tiling: &Tiling<D>) -> Option<f64> {
         .collect();
     let at = |corner: &Corner<D>| -> [f64; D] {
         std::array::from_fn(|k| {
-            vertices[corner.vertex as usize][k] + f64::from(corner.shift[k])
+            vertices[corner.vertex.index()][k] + f64::from(corner.shift[k])
         })
     };
     let mut shortest = f64::INFINITY;
@@ -139,7 +139,7 @@ fn nearly<const D: usize>(tiling: &Tiling<D>) -> Option<f64> {
 fn matched_across<const D: usize>(tiling: &Tiling<D>, free: &[Facet]) -> Vec<Facet> {
     let matching = match_facets(tiling);
     let is_matched = |facet: &Facet| {
-        let mate = matching.mate(tiling, facet.simplex as usize, usize::from(facet.opposite));
+        let mate = matching.mate(tiling, *facet);
         mate.is_some_and(|mate| mate.shift != [0; D])
     };
     free.iter().copied().filter(is_matched).collect()
