@@ -170,6 +170,7 @@ fn prove(
     }
     let options = Options {
         required: arguments.required.clone(),
+        sides: std::mem::take(&mut named.sides),
         defect_limit: defect_limit(arguments),
         limits: arguments.limits.limits(),
     };

@@ -6,8 +6,9 @@ use super::points::PointArguments;
 use acutile_core::tiling::AnyPointSet;
 use acutile_io::import::crystal::{self, Structure, text_of};
 use acutile_io::import::{
-    BYTE_LIMIT, Content, ImportError, read_bytes, read_native, uncompressed_name,
+    BYTE_LIMIT, Content, ImportError, read_bytes, read_native, uncompressed_name, without_comments,
 };
+use acutile_io::mesh::unknown;
 use std::path::Path;
 
 /// A file that was read.
@@ -42,6 +43,10 @@ pub fn read(
         return Ok(of_structure(structure));
     }
     check_for_crystal(&path.display().to_string(), points)?;
+    if !text.trim_start().is_empty() && !without_comments(text).trim_start().starts_with('{') {
+        let message = unknown::message(path, text.as_bytes());
+        return Err(format!("{}: {message}", path.display()).into());
+    }
     let file = read_native(text).map_err(named)?;
     let words: Vec<String> = [file.name, file.description].into_iter().flatten().collect();
     Ok(Document {

@@ -15,8 +15,9 @@ use acutile_io::import::crystal::text_of;
 use acutile_io::import::{
     BYTE_LIMIT, Content, read_bytes, read_text, uncompressed_name, without_comments,
 };
-use acutile_io::mesh::{Family, load};
+use acutile_io::mesh::{Family, load, unknown};
 use clap::Args;
+use std::collections::BTreeSet;
 use std::path::Path;
 
 /// How a file becomes a tiling.
@@ -55,6 +56,7 @@ pub fn tiling(
             description: entry.description.to_owned(),
             tiling,
             origin: None,
+            sides: BTreeSet::new(),
             notes: Vec::new(),
             labels: Vec::new(),
         });
@@ -116,6 +118,7 @@ fn of_certificate(input: &str, bytes: &[u8]) -> Result<Named, InputError> {
         description: "the tiling of a certificate".to_owned(),
         tiling,
         origin: None,
+        sides: BTreeSet::new(),
         notes: Vec::new(),
         labels: Vec::new(),
     })
@@ -157,6 +160,7 @@ fn of_text(
         description: file.description,
         tiling,
         origin: None,
+        sides: BTreeSet::new(),
         notes: file.notes,
         labels: file.labels,
     })
@@ -194,9 +198,12 @@ pub enum TextOrMesh {
 /// A message that names the file.
 pub fn text_or_mesh(path: &Path, options: &MeshArguments) -> Result<TextOrMesh, InputError> {
     let of_mesh = |error| InputError::of_mesh(&path.display().to_string(), &error);
-    let family = options.mesh_format.map(|format| format.family());
-    if let Some(family) = family.or_else(|| Family::of_path(path)) {
+    if let Some(family) = options.mesh_format {
         let loaded = load::load(path, family);
+        return loaded.map(TextOrMesh::Mesh).map_err(of_mesh);
+    }
+    if let Some(family) = Family::of_path(path) {
+        let loaded = load::load_by_name(path, family);
         return loaded.map(TextOrMesh::Mesh).map_err(of_mesh);
     }
     let of_file = |error| InputError::of_file(path, &error);
@@ -207,6 +214,10 @@ pub fn text_or_mesh(path: &Path, options: &MeshArguments) -> Result<TextOrMesh, 
     }
     if format::recognise(&bytes).is_some() {
         return Ok(TextOrMesh::Certificate(bytes));
+    }
+    if unknown::name(path, &bytes).is_some() {
+        let message = unknown::message(path, &bytes);
+        return Err(format!("{}: {message}", path.display()).into());
     }
     text_of(&uncompressed_name(path), bytes)
         .map(TextOrMesh::Text)
