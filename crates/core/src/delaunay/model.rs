@@ -9,9 +9,7 @@ use super::lattice::{Orthogonal, Reduced, reduce};
 use super::places::Places;
 use super::tree::{Ball, Tree, tree_order};
 use crate::tiling::{Corner, Frame, PointSet, SHIFT_LIMIT, Tiling, VertexId};
-use acutile_exact::geometry::Sign;
 use acutile_exact::number::Number;
-use malachite::base::num::arithmetic::traits::Floor;
 use malachite::{Integer, Rational};
 use rayon::prelude::*;
 
