@@ -6,6 +6,8 @@ simplices tile the domain face to face, and every other statement of the claim. 
 docs/format.md. Numbers are integers, and integer polynomials in a root that is enclosed by fractions; no
 floating-point number is used. The digest that it prints is that of the certificate's CBOR.
 
+A certificate of the kind patches is about all tilings that its patches build (docs/format.md).
+
 Every domain is checked, regions too: there it compares all pairs of boundary facets, and every boundary facet
 with every simplex. So a region with many boundary facets takes long.
 
@@ -1209,6 +1211,8 @@ def check_local(s, pairs, least, code):
 
 def check_valences(s, parts, whole, joins):
     """TCP. Edges inside of tiles, in walls and over the vertices of tiles have 5 or 6 cells, and no triangle has two sixes."""
+    for valence in (len(polygon) for patch in s.patches for _, polygon, _ in patch.pyramids):
+        true(valence in (5, 6), "edge-valence", f"the axis of a join has the valence {valence}")
     counts = {patch: Counts(patch) for patch in s.patches}
     walls = {}
     for side in s.sides:
@@ -1241,7 +1245,6 @@ def check_valences(s, parts, whole, joins):
             true(found < 2, "triangle-valence", "a triangle can have two edges of valence 6")
     for left, right, join in joins:
         valence = len(join.polygon)
-        true(valence in (5, 6), "edge-valence", f"the axis of a join has the valence {valence}")
         mine, theirs = ({there: six[side.patch, edge_name((polygon.apex, corner))] for there, corner in zip(polygon.there, polygon.corners)}
                         for side, polygon in ((left, join.one), (right, join.other)))
         is_allowed = all(mine[corner] + theirs[corner] + (valence == 6) < 2 for corner in mine)
@@ -1303,7 +1306,8 @@ def check_patches(data):
     if s.claims("TCP"):
         check_valences(s, *corners, joins)
     true(attained, "not-attained", "the cells of no tile attain a bound")
-    s.cells = sum(len(patch.rows) for patch in s.patches)
+    s.vertices = [vertex for patch in s.patches for vertex in patch.part.vertices]
+    s.simplices = [row for patch in s.patches for row in patch.rows]
     return s
 
 
@@ -1344,6 +1348,8 @@ def verdict(path):
         return f"unreadable: {error.strerror}", 2
     said = "; ".join(in_words(statement) for statement in c.statements)
     sizes = f"dimension {c.dimension}, domain {c.domain}, {len(c.vertices)} vertices, {len(c.simplices)} simplices"
+    if isinstance(c, System):
+        sizes = f"over all mosaics of {len(c.patches)} tiles, {len(c.vertices)} vertices, {len(c.simplices)} simplices"
     return f"verified: {said} ({sizes}, sha256 {hashlib.sha256(cbor(tree)).hexdigest()})", 0
 
 
