@@ -25,6 +25,18 @@ use malachite::{Integer, Rational};
 /// A point: the registry or place in the plane, in the basis with 120 degrees, and the height.
 type Point = ([Number; 2], Number);
 
+/// The number of blocks of a word.
+///
+/// # Errors
+/// Where it is none.
+pub fn blocks(word: &str) -> Result<usize, CatalogError> {
+    let is_word = !word.is_empty() && word.chars().all(|letter| "z+-".contains(letter));
+    match is_word {
+        true => Ok(word.len()),
+        false => Err(CatalogError::Word(word.to_owned())),
+    }
+}
+
 /// The structure of a word.
 pub fn kagome(word: &str) -> Result<Tiling<3>, CatalogError> {
     Ok(triangulate(&points(word)?, Ties::Refuse)?)

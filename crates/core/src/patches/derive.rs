@@ -8,7 +8,7 @@
 //! the apex over it.
 
 use super::{Patch, Pyramid};
-use crate::tiling::{Corner, Plane, Polytope, Tiling, difference, floor};
+use crate::tiling::{Corner, Plane, Polytope, Tiling, VertexId, difference, floor};
 use acutile_exact::geometry::{Scalar, Sign, Simplex};
 use acutile_exact::number::Number;
 use std::collections::BTreeSet;
@@ -118,7 +118,7 @@ struct Finder {
 /// The tetrahedra of a join, seen from the apex in the tile.
 struct Axis {
     side: usize,
-    apex: u32,
+    apex: VertexId,
     beyond: [Number; 3],
     edges: BTreeSet<[Corner<3>; 2]>,
 }
@@ -220,13 +220,13 @@ impl Finder {
             self.vertices.len() - 1
         });
         Corner {
-            vertex: vertex as u32,
+            vertex: VertexId::at(vertex),
             shift,
         }
     }
 
     fn position(&self, corner: &Corner<3>) -> [Number; 3] {
-        let vertex = &self.vertices[corner.vertex as usize];
+        let vertex = &self.vertices[corner.vertex.index()];
         std::array::from_fn(|k| &vertex[k] + &vertex[k].integer(i64::from(corner.shift[k])))
     }
 

@@ -32,6 +32,11 @@ impl Theorem {
         &self.verified
     }
 
+    /// What the kernel confirmed, alone.
+    pub fn into_verified(self) -> Verified {
+        self.verified
+    }
+
     /// The statements of the claim.
     pub fn statements(&self) -> &[Statement] {
         &self.statements
@@ -161,7 +166,7 @@ fn numerators<'n, R: AsRef<[Number]> + 'n>(
 
 fn corner(corner: Corner<3>) -> crate::format::Corner {
     crate::format::Corner {
-        vertex: corner.vertex,
+        vertex: corner.vertex.number(),
         shift: corner.shift,
     }
 }

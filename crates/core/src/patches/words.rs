@@ -1,7 +1,7 @@
 //! The claim of a system of patches in words.
 
 use crate::format::patches::Claim;
-use crate::statement::{Statement, in_words as statement_in_words};
+use crate::statement::{Relation, Statement, in_words as statement_in_words};
 use crate::transcribe::{Numbers, ReadError};
 
 /// The claim in one line.
@@ -36,9 +36,23 @@ pub fn in_words(claim: &Claim) -> Result<String, ReadError> {
         if statement != Statement::FaceToFaceTiling {
             words += "; ";
             words += &statement_in_words(&statement, 3);
+            if is_attained(&statement) {
+                words += " wherever a certain tile occurs";
+            }
         }
     }
     Ok(words)
+}
+
+/// Whether the statement says that a bound is attained: by a cell over some tile.
+fn is_attained(statement: &Statement) -> bool {
+    use Relation::{Maximum, Minimum};
+    matches!(
+        statement,
+        Statement::LargestAngle(Maximum | Minimum, _)
+            | Statement::SmallestAngle(Maximum | Minimum, _)
+            | Statement::RadiusEdge(Maximum | Minimum, _)
+    )
 }
 
 fn counted(count: usize, name: &str) -> String {
