@@ -38,6 +38,7 @@ mod quality;
 mod refutation;
 mod report;
 mod show;
+mod sites;
 mod table;
 mod target;
 mod transcribe;

@@ -4,7 +4,7 @@ use super::input::{self, FileArguments};
 use super::outcome::Outcome;
 use super::output::Output;
 use acutile_core::quality::{decimal_range, dihedral_degrees, display_width, shapes};
-use acutile_core::tiling::{Frame, Tiling};
+use acutile_core::tiling::{Frame, SimplexId, Tiling};
 use acutile_core::with_dimension;
 use acutile_exact::geometry::linear;
 use acutile_exact::number::Number;
@@ -21,7 +21,13 @@ pub struct ShowArguments {
     /// goldberg-1, -2 and -3, epsilon of two-corners
     #[arg(long, value_name = "VALUE", allow_hyphen_values = true)]
     pub param: Option<String>,
+    /// List all shapes, and not only the first 20
+    #[arg(long)]
+    pub all: bool,
 }
+
+/// Shapes that are printed without --all.
+const SHAPES: usize = 20;
 
 /// Prints counts, lattice, field and shapes.
 pub fn run(arguments: &ShowArguments, output: &mut Output) -> Outcome {
@@ -33,7 +39,7 @@ pub fn run(arguments: &ShowArguments, output: &mut Output) -> Outcome {
     ) {
         Ok(named) => {
             output.line(format!("{}: {}", named.name, named.description));
-            with_dimension!(&named.tiling, AnyTiling, t => show(t, output));
+            with_dimension!(&named.tiling, AnyTiling, t => show(t, arguments.all, output));
             Outcome::Done
         }
         Err(error) => {
@@ -43,7 +49,7 @@ pub fn run(arguments: &ShowArguments, output: &mut Output) -> Outcome {
     }
 }
 
-fn show<const D: usize>(tiling: &Tiling<D>, output: &mut Output) {
+fn show<const D: usize>(tiling: &Tiling<D>, all: bool, output: &mut Output) {
     output.line(format!(
         "dimension {D}, lattice of rank {}; {} vertices and {} simplices in a cell",
         tiling.frame.rank(),
@@ -51,7 +57,9 @@ fn show<const D: usize>(tiling: &Tiling<D>, output: &mut Output) {
         tiling.len()
     ));
     show_frame(&tiling.frame, output);
-    for shape in shapes(tiling) {
+    let shapes = shapes(tiling);
+    let shown = if all { shapes.len() } else { SHAPES };
+    for shape in shapes.iter().take(shown) {
         let edges: Vec<String> = shape.squared_edges.iter().map(Number::to_string).collect();
         output.line(format!(
             "{} simplices with squared edges {}",
@@ -62,6 +70,10 @@ fn show<const D: usize>(tiling: &Tiling<D>, output: &mut Output) {
             "  dihedral angles {}",
             angles(tiling, shape.members[0]).join(", ")
         ));
+    }
+    if shapes.len() > shown {
+        let (more, total) = (shapes.len() - shown, shapes.len());
+        output.line(format!("and {more} more of {total} shapes; --all lists them"));
     }
 }
 
@@ -90,11 +102,14 @@ fn show_frame<const D: usize>(frame: &Frame<D>, output: &mut Output) {
 }
 
 /// The dihedral angles of a simplex in degrees, in the order of its pairs of facets.
-fn angles<const D: usize>(tiling: &Tiling<D>, simplex: usize) -> Vec<String> {
+fn angles<const D: usize>(tiling: &Tiling<D>, simplex: SimplexId) -> Vec<String> {
     let cogram = linear::cofactors(&tiling.frame.gram);
     let products = tiling.shape(simplex).normal_products(&cogram);
     products
         .pairs()
-        .map(|(i, j, _)| decimal_range(&dihedral_degrees(&products, (i, j), &display_width())))
+        .map(|(i, j, _)| {
+            dihedral_degrees(&products, (i, j), &display_width())
+                .map_or_else(|| "none".to_owned(), |degrees| decimal_range(&degrees))
+        })
         .collect()
 }

@@ -7,7 +7,7 @@ use acutile_core::checker::{
 };
 use acutile_core::quality::{DihedralAngle, Exact, rounded_down, rounded_up};
 use acutile_core::statement::Statement;
-use acutile_core::tiling::{Corner, Frame, Tiling, match_facets};
+use acutile_core::tiling::{Corner, Frame, Tiling, VertexId, match_facets};
 use acutile_exact::number::Field;
 use malachite::Rational;
 
@@ -121,7 +121,7 @@ fn acute_slab(survey: &Survey) -> Row {
 /// basis of the sides, which are the same for all triangles.
 fn copies_of_a_triangle() -> Finding {
     let corner = |x, y| Corner {
-        vertex: 0,
+        vertex: VertexId::new(0),
         shift: [x, y],
     };
     let tiling = Tiling {
@@ -166,12 +166,12 @@ fn regular_around_an_edge() -> Finding {
 fn angles_of_bcc(survey: &Survey) -> Finding {
     let study = survey.space("sommerville-2")?;
     let angles: Vec<String> = study
-        .measures
+        .measures()
         .iter()
         .flat_map(|measures| &measures.angles)
         .filter_map(Exact::closed_form)
         .collect();
-    let holds = study.measures.len() == 1 && angles == ["60", "60", "60", "60", "90", "90"];
+    let holds = study.measures().len() == 1 && angles == ["60", "60", "60", "60", "90", "90"];
     Ok((
         holds,
         format!("the angles in degrees: {}", angles.join(", ")),
