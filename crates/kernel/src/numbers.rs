@@ -162,7 +162,13 @@ impl<const N: usize> Single<N> {
         Ok(())
     }
 
-    fn judge<T: Int>(&self, model: Option<&Model<Exact<T, N>>>, row: &Row, steps: &[Step; 4], simplex: u64) -> Checked<Found<Exact<T, N>>> {
+    fn judge<T: Int>(
+        &self,
+        model: Option<&Model<Exact<T, N>>>,
+        row: &Row,
+        steps: &[Step; 4],
+        simplex: u64,
+    ) -> Checked<Found<Exact<T, N>>> {
         let model = model.ok_or(Stop::LARGER)?;
         let simplex = model.simplex(row, steps, simplex, |corner| self.vertices.point(corner))?;
         model.rules.check(&simplex, &self.vertices.denominator)
@@ -173,7 +179,8 @@ impl<const N: usize> Single<N> {
     fn judge_by_intervals(&self, row: &Row, steps: &[Step; 4], simplex: u64) -> Checked<Found<Exact<BigInt, N>>> {
         let rules = self.intervals.as_ref().ok_or(Stop::LARGER)?;
         let medium = self.medium.as_ref().ok_or(Stop::LARGER)?;
-        let Simplex { number, edges, mates } = medium.simplex(row, steps, simplex, |corner| self.vertices.point(corner))?;
+        let Simplex { number, edges, mates } =
+            medium.simplex(row, steps, simplex, |corner| self.vertices.point(corner))?;
         let vector = |x: &[Element<i128, N>; 3]| each(x, |x| rules.ring.of(&x.0));
         let intervals = Simplex {
             number,
@@ -187,7 +194,12 @@ impl<const N: usize> Single<N> {
         let ring = &medium.rules.ring;
         let normal = ring.cross(&edges[1], &edges[2])?;
         let determinant = ring.inner(&edges[0], &normal).map(|x| x.large());
-        let again = || self.large.rules.ring.inner(&edges[0].each_ref().map(Element::large), &normal.each_ref().map(Element::large));
+        let again = || {
+            self.large
+                .rules
+                .ring
+                .inner(&edges[0].each_ref().map(Element::large), &normal.each_ref().map(Element::large))
+        };
         Ok((or_larger(determinant, again)?, attained))
     }
 
