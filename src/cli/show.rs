@@ -3,12 +3,17 @@
 use super::input::{self, FileArguments};
 use super::outcome::Outcome;
 use super::output::Output;
+use super::theorem;
+use acutile_catalog as catalog;
+use acutile_core::format;
 use acutile_core::quality::{decimal_range, dihedral_degrees, display_width, shapes};
-use acutile_core::tiling::{Frame, Tiling};
+use acutile_core::tiling::{Frame, SimplexId, Tiling};
 use acutile_core::with_dimension;
 use acutile_exact::geometry::linear;
 use acutile_exact::number::Number;
+use acutile_io::import::{BYTE_LIMIT, read_bytes};
 use clap::Args;
+use std::path::Path;
 
 #[derive(Debug, Args)]
 pub struct ShowArguments {
@@ -25,6 +30,15 @@ pub struct ShowArguments {
 
 /// Prints counts, lattice, field and shapes.
 pub fn run(arguments: &ShowArguments, output: &mut Output) -> Outcome {
+    if let Some(shown) = show_theorem(&arguments.input, output) {
+        return match shown {
+            Ok(()) => Outcome::Done,
+            Err(message) => {
+                output.complain(format!("acutile: {message}"));
+                Outcome::Failed
+            }
+        };
+    }
     match input::tiling(
         &arguments.input,
         arguments.param.as_deref(),
@@ -41,6 +55,21 @@ pub fn run(arguments: &ShowArguments, output: &mut Output) -> Outcome {
             error.outcome
         }
     }
+}
+
+/// A theorem of the catalogue, or a certificate of one.
+fn show_theorem(input: &str, output: &mut Output) -> Option<Result<(), String>> {
+    if let Some(entry) = catalog::theorem(input) {
+        return Some(theorem::show_entry(entry, output));
+    }
+    let path = Path::new(input);
+    if !path.is_file() {
+        return None;
+    }
+    let bytes = read_bytes(path, BYTE_LIMIT).ok()?;
+    format::recognise(&bytes)?;
+    let cbor = format::to_cbor(&bytes).ok()?;
+    theorem::is_theorem(&cbor).then(|| theorem::show_certificate(input, &cbor, output))
 }
 
 fn show<const D: usize>(tiling: &Tiling<D>, output: &mut Output) {
@@ -90,11 +119,14 @@ fn show_frame<const D: usize>(frame: &Frame<D>, output: &mut Output) {
 }
 
 /// The dihedral angles of a simplex in degrees, in the order of its pairs of facets.
-fn angles<const D: usize>(tiling: &Tiling<D>, simplex: usize) -> Vec<String> {
+fn angles<const D: usize>(tiling: &Tiling<D>, simplex: SimplexId) -> Vec<String> {
     let cogram = linear::cofactors(&tiling.frame.gram);
     let products = tiling.shape(simplex).normal_products(&cogram);
     products
         .pairs()
-        .map(|(i, j, _)| decimal_range(&dihedral_degrees(&products, (i, j), &display_width())))
+        .map(|(i, j, _)| {
+            dihedral_degrees(&products, (i, j), &display_width())
+                .map_or_else(|| "none".to_owned(), |degrees| decimal_range(&degrees))
+        })
         .collect()
 }

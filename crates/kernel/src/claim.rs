@@ -23,10 +23,10 @@ pub struct Claim {
     pub(crate) domain: Domain,
     /// The first one is [`Property::FaceToFace`].
     pub(crate) statements: Vec<Statement>,
-    file: String,
+    pub(crate) file: String,
 }
 
-#[derive(Debug)]
+#[derive(Clone, Debug)]
 pub(crate) enum Field {
     Rational,
     /// The field of the only root between low/denominator and high/denominator.
@@ -49,7 +49,7 @@ pub(crate) enum Domain {
     Region(usize),
 }
 
-#[derive(Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq)]
 pub(crate) struct Polytope {
     /// k
     pub(crate) dimension: usize,
@@ -134,22 +134,33 @@ impl Claim {
         let dimension = some!(dimension, Dimension, t.place(), found);
         let field = Field::read(&mut t, limits)?;
         let degree = field.degree();
-        t.array(Some(dimension))?;
-        let mut gram = Vec::new();
-        for length in (1..=dimension).rev() {
-            gram.extend(t.list(Some(length), |t| read_number(t, degree))?);
-        }
-        check_lowest(t.place(), gram.iter().flatten())?;
+        let gram = read_gram(&mut t, dimension, degree)?;
         let domain = Domain::read(&mut t, dimension, degree)?;
-        let statements = t.list(None, |t| Statement::read(t, degree))?;
-        // The statements are in the order of the grammar, each at most once; the tiling is first.
-        let order = |of: &Statement| (of.property, of.bound.as_ref().map(|bound| bound.relation));
-        let is_ordered = statements.is_sorted_by(|first, second| order(first) < order(second));
-        let first = statements.first().map(|statement| statement.property);
-        let is_first = first == Some(Property::FaceToFace);
-        ensure!(is_ordered && is_first, Statements, t.place());
+        let statements = read_statements(&mut t, degree)?;
         Ok(Claim { dimension, field, gram, domain, statements, file: t.json + "\n" })
     }
+}
+
+/// The upper triangle by rows.
+pub(crate) fn read_gram(t: &mut Transcript, dimension: usize, degree: usize) -> Checked<Vec<Number>> {
+    t.array(Some(dimension))?;
+    let mut gram = Vec::new();
+    for length in (1..=dimension).rev() {
+        gram.extend(t.list(Some(length), |t| read_number(t, degree))?);
+    }
+    check_lowest(t.place(), gram.iter().flatten())?;
+    Ok(gram)
+}
+
+pub(crate) fn read_statements(t: &mut Transcript, degree: usize) -> Checked<Vec<Statement>> {
+    let statements = t.list(None, |t| Statement::read(t, degree))?;
+    // The statements are in the order of the grammar, each at most once; the tiling is first.
+    let order = |of: &Statement| (of.property, of.bound.as_ref().map(|bound| bound.relation));
+    let is_ordered = statements.is_sorted_by(|first, second| order(first) < order(second));
+    let first = statements.first().map(|statement| statement.property);
+    let is_first = first == Some(Property::FaceToFace);
+    ensure!(is_ordered && is_first, Statements, t.place());
+    Ok(statements)
 }
 
 impl Field {
@@ -160,7 +171,7 @@ impl Field {
         }
     }
 
-    fn read(t: &mut Transcript, limits: &Limits) -> Checked<Field> {
+    pub(crate) fn read(t: &mut Transcript, limits: &Limits) -> Checked<Field> {
         if !t.is_array()? {
             ensure!(t.text()? == "Q", Cbor, t.place());
             return Ok(Field::Rational);
@@ -285,7 +296,7 @@ impl Property {
 }
 
 /// An integer for the field Q, and else the list of the coefficients.
-fn read_number(t: &mut Transcript, degree: usize) -> Checked<Number> {
+pub(crate) fn read_number(t: &mut Transcript, degree: usize) -> Checked<Number> {
     if degree == 1 {
         return Ok(vec![t.big()?]);
     }

@@ -72,6 +72,7 @@ texts! {
         BoundRange "bound-range", StatementDomain "statement-domain",
         BoundaryDomain "boundary-domain", NoSimplices "no-simplices", VertexRange "vertex-range",
         ShiftRange "shift-range", CornerOrder "corner-order", Sixes "sixes",
+        Rank "rank", TileCount "tile-count", SideCount "side-count", PyramidForm "pyramid",
         BoundaryRepeated "boundary-repeated", UnusedVertex "unused-vertex",
         // Rejected.
         RootSigns "root-signs", GramNotPositive "gram-not-positive",
@@ -83,8 +84,11 @@ texts! {
         NotNonobtuse "not-nonobtuse", AngleBound "angle-bound", RatioBound "ratio-bound",
         NotDelaunay "not-delaunay", NotWeaklyDelaunay "not-weakly-delaunay",
         OpenFacet "open-facet", BoundaryOpen "boundary-open", VolumeSum "volume-sum",
-        NotAttained "not-attained",
+        GramBlocks "gram-blocks", TileOrder "tile-order", PyramidSide "pyramid-side",
+        WallPattern "wall-pattern", WallReversal "wall-reversal", SideClasses "side-classes",
+        MissingJoin "missing-join", NotAttained "not-attained",
         // Declined.
+        CornerAngle "corner-angle",
         TooManyBytes "too-many-bytes", Version "version", UnknownKind "kind", Degree "degree",
         TooManyDigits "too-many-digits", TooManySimplices "too-many-simplices",
         SignUndecided "sign-undecided", Work "work",
@@ -126,6 +130,9 @@ pub enum Place {
     Edge(u64, usize, usize),
     /// The angle of a simplex between two facets, by the corners of the row that they do not have.
     Angle(u64, usize, usize),
+    /// A tile of a system of patches, and one of its sides.
+    Tile(usize),
+    Side(usize, u32),
     Witness,
 }
 

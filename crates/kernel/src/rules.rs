@@ -312,8 +312,13 @@ impl<R: Ring> Rules<R> {
         each(&self.adjugate, |row| self.ring.inner(row, n))
     }
 
+    /// The minor of G without its first row and column.
+    pub(crate) fn base_determinant(&self) -> R::Element {
+        self.adjugate[0][0].clone()
+    }
+
     /// G x
-    fn image(&self, x: &Vector<R>) -> Checked<Vector<R>> {
+    pub(crate) fn image(&self, x: &Vector<R>) -> Checked<Vector<R>> {
         each(&self.gram, |row| self.ring.inner(row, x))
     }
 }

@@ -15,7 +15,7 @@ use crate::table::index;
 use std::ops::Deref;
 use std::rc::Rc;
 
-/// A certificate that fulfils every condition of the format. Only this module makes one.
+/// A certificate that fulfils every condition of the format. Only [`crate::verify`] makes one.
 #[derive(Debug)]
 pub struct Verified(Facts);
 
@@ -34,6 +34,13 @@ pub struct Facts {
     pub sha256: [u8; 32],
 }
 
+impl Verified {
+    /// Of a certificate whose last check has been made.
+    pub(crate) fn of(facts: Facts) -> Verified {
+        Verified(facts)
+    }
+}
+
 impl Deref for Verified {
     type Target = Facts;
 
@@ -43,12 +50,7 @@ impl Deref for Verified {
 }
 
 /// Reads the rest of a certificate whose claim has been read.
-pub(crate) fn verify<const N: usize>(
-    mut cbor: Cbor,
-    claim: Claim,
-    limits: &Limits,
-    work: &Rc<Work>,
-) -> Checked<Verified> {
+pub(crate) fn verify<const N: usize>(mut cbor: Cbor, claim: Claim, limits: &Limits, work: &Rc<Work>) -> Checked<Facts> {
     let numbers = Single::<N>::new(&claim, work)?;
     check_statements(&claim)?;
     let mut pass = Pass::new(&claim, numbers, work);
@@ -66,7 +68,7 @@ pub(crate) fn verify<const N: usize>(
     }
     let (bytes, sha256) = cbor.finish()?;
     pass.check_end()?;
-    Ok(Verified(Facts {
+    Ok(Facts {
         vertices: pass.shape.vertices,
         simplices,
         boundary_facets: pass.front.boundary,
@@ -75,19 +77,19 @@ pub(crate) fn verify<const N: usize>(
         bytes,
         sha256,
         claim,
-    }))
+    })
 }
 
 /// The check of one tiling, or of one part of a larger structure: its rows come one by one.
 pub(crate) struct Pass<'c, M> {
     claim: &'c Claim,
     pub(crate) shape: Shape,
-    numbers: M,
+    pub(crate) numbers: M,
     work: Rc<Work>,
     /// Whether a row has the vertex.
     used: Vec<bool>,
     /// The faces of the domain in which each vertex lies, up to the last one in a face.
-    faces: Vec<Vec<u32>>,
+    pub(crate) faces: Vec<Vec<u32>>,
     front: Front,
     edges: Option<Edges>,
     /// The set of the statements of which some simplex attains the bound.
@@ -192,7 +194,7 @@ impl<'c, M: Numbers> Pass<'c, M> {
 }
 
 /// Statements about angles need no domain. The others are defined for some domains only.
-fn check_statements(claim: &Claim) -> Checked {
+pub(crate) fn check_statements(claim: &Claim) -> Checked {
     let is_region = matches!(claim.domain, Domain::Region(_));
     for (index, statement) in claim.statements.iter().enumerate() {
         let is_defined = match statement.property {

@@ -1,7 +1,7 @@
 //! Convex polytopes of dimension 1, 2 and 3: the cross-sections of slabs, prisms and
 //! solids. Whether the data describe one is checked by [`crate::checker`].
 
-use acutile_exact::geometry::{Scalar, Sign};
+use acutile_exact::geometry::{Scalar, Sign, linear};
 use acutile_exact::number::Number;
 
 /// A polytope by its vertices and its facets, as in a certificate.
@@ -18,7 +18,7 @@ pub struct Polytope {
 /// side of the polytope.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Plane {
-    normal: Vec<Number>,
+    normal: [Number; 3],
     offset: Number,
 }
 
@@ -54,7 +54,7 @@ impl Polytope {
             .map(|&v| self.vertices[v].as_slice())
             .collect();
         let normal = normal(&points, self.dimension())?;
-        let offset = dot(&normal, points[0]);
+        let offset = linear::dot(&normal, &in_space(points[0]));
         let plane = Plane { normal, offset };
         let side = self
             .vertices
@@ -79,13 +79,19 @@ impl Polytope {
     }
 
     fn scaled_cone(&self, face: &[usize]) -> Number {
-        let apex = &self.vertices[0];
-        let edge = |vertex: usize| difference(&self.vertices[vertex], apex);
+        let apex = in_space(&self.vertices[0]);
+        let edge = |vertex: usize| linear::subtract(&in_space(&self.vertices[vertex]), &apex);
         match self.dimension() {
-            1 => edge(face[0])[0].clone(),
-            2 => determinant(&[edge(face[0]), edge(face[1])]),
+            1 => {
+                let [length, _, _] = edge(face[0]);
+                length
+            }
+            2 => {
+                let [_, _, area] = linear::cross(&edge(face[0]), &edge(face[1]));
+                area
+            }
             _ => (1..face.len().saturating_sub(1)).fold(Number::zero(), |sum, k| {
-                &sum + &determinant(&[edge(face[0]), edge(face[k]), edge(face[k + 1])])
+                sum + linear::determinant(&[edge(face[0]), edge(face[k]), edge(face[k + 1])])
             }),
         }
     }
@@ -94,60 +100,36 @@ impl Polytope {
 impl Plane {
     /// Positive inside, zero on the plane, negative outside.
     pub fn value(&self, point: &[Number]) -> Number {
-        &dot(&self.normal, point) - &self.offset
+        &linear::dot(&self.normal, &in_space(point)) - &self.offset
     }
 
     fn turned(self) -> Self {
-        let zero = Number::zero();
         Plane {
-            normal: self.normal.iter().map(|x| &zero - x).collect(),
-            offset: &zero - &self.offset,
+            normal: self.normal.map(|x| -x),
+            offset: -self.offset,
         }
     }
 }
 
 /// A vector orthogonal to the differences of the first k points.
-fn normal(points: &[&[Number]], dimension: usize) -> Option<Vec<Number>> {
+fn normal(points: &[&[Number]], dimension: usize) -> Option<[Number; 3]> {
     if points.len() < dimension {
         return None;
     }
+    let first = in_space(points[0]);
+    let edge = |k: usize| linear::subtract(&in_space(points[k]), &first);
+    let unit = |axis: usize| -> [Number; 3] {
+        std::array::from_fn(|k| first[0].integer(i64::from(k == axis)))
+    };
     let normal = match dimension {
-        1 => vec![points[0][0].integer(1)],
-        2 => {
-            let edge = difference(points[1], points[0]);
-            vec![&Number::zero() - &edge[1], edge[0].clone()]
-        }
-        _ => cross(
-            &difference(points[1], points[0]),
-            &difference(points[2], points[0]),
-        ),
+        1 => unit(0),
+        2 => linear::cross(&unit(2), &edge(1)),
+        _ => linear::cross(&edge(1), &edge(2)),
     };
     normal.iter().any(|x| !x.is_zero()).then_some(normal)
 }
 
-fn cross(a: &[Number], b: &[Number]) -> Vec<Number> {
-    (0..3)
-        .map(|k| {
-            let (i, j) = ((k + 1) % 3, (k + 2) % 3);
-            &(&a[i] * &b[j]) - &(&a[j] * &b[i])
-        })
-        .collect()
-}
-
-fn determinant(rows: &[Vec<Number>]) -> Number {
-    match rows {
-        [a, b] => &(&a[0] * &b[1]) - &(&a[1] * &b[0]),
-        [a, b, c] => dot(a, &cross(b, c)),
-        _ => Number::zero(),
-    }
-}
-
-fn dot(a: &[Number], b: &[Number]) -> Number {
-    a.iter()
-        .zip(b)
-        .fold(Number::zero(), |sum, (x, y)| &sum + &(x * y))
-}
-
-fn difference(a: &[Number], b: &[Number]) -> Vec<Number> {
-    a.iter().zip(b).map(|(x, y)| x - y).collect()
+/// A point with up to three coordinates as one of space; the others are zero.
+fn in_space(point: &[Number]) -> [Number; 3] {
+    std::array::from_fn(|k| point.get(k).cloned().unwrap_or_else(Number::zero))
 }

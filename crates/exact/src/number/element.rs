@@ -289,6 +289,27 @@ impl Scalar for Number {
     }
 }
 
+impl Scalar for Rational {
+    fn integer(&self, value: i64) -> Rational {
+        Rational::from(value)
+    }
+    fn plus(&self, other: &Rational) -> Rational {
+        self + other
+    }
+    fn minus(&self, other: &Rational) -> Rational {
+        self - other
+    }
+    fn times(&self, other: &Rational) -> Rational {
+        self * other
+    }
+    fn sign(&self) -> Sign {
+        malachite::base::num::arithmetic::traits::Sign::sign(self)
+    }
+    fn approximate(&self) -> f64 {
+        f64::rounding_from(self, RoundingMode::Nearest).0
+    }
+}
+
 impl Scalar for Integer {
     fn integer(&self, value: i64) -> Integer {
         Integer::from(value)

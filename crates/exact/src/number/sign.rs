@@ -7,11 +7,12 @@
 use super::element::{Number, Value};
 use super::enclosure as fixed;
 use super::field::Field;
+use super::over_common_denominator;
 use super::polynomial as poly;
 use super::root::Level;
 use crate::geometry::Sign;
 use malachite::base::num::arithmetic::traits::{Ceiling, Floor, Sign as _};
-use malachite::base::num::basic::traits::Zero;
+use malachite::base::num::basic::traits::{One, Zero};
 use malachite::base::num::conversion::traits::RoundingFrom;
 use malachite::base::num::logic::traits::SignificantBits;
 use malachite::base::rounding_modes::RoundingMode::Nearest;
@@ -61,7 +62,7 @@ impl Number {
         assert!(*width > 0, "an enclosure has a positive width");
         // Rounding out to multiples of 2^-grid <= width/4 adds width/2.
         let grid = (2 - width.floor_log_base_2_abs()).max(0).unsigned_abs();
-        let (numerators, denominator) = poly::common_denominator(f);
+        let (numerators, denominator) = over_common_denominator(f);
         let mut level = 0;
         loop {
             let (low, high) = field.level(level).bounds(&numerators);
@@ -72,6 +73,21 @@ impl Number {
                 return (Rational::from(low) >> grid, Rational::from(high) >> grid);
             }
             level += 1;
+        }
+    }
+
+    /// The largest integer that is not more than the number.
+    pub fn floor(&self) -> Integer {
+        if let Some(rational) = self.to_rational() {
+            return rational.floor();
+        }
+        // The width is below 1, so there are two candidates at most.
+        let (low, _) = self.enclosure(&Rational::from_unsigneds(1u8, 4u8));
+        let candidate = low.floor();
+        let next = &candidate + Integer::ONE;
+        match (self - &Number::from(Rational::from(&next))).sign() {
+            Sign::Less => candidate,
+            _ => next,
         }
     }
 
@@ -127,7 +143,7 @@ fn separate(
     f: &[Rational],
     enough: impl Fn(&Integer, &Integer) -> bool,
 ) -> Option<Bounds> {
-    let (numerators, denominator) = poly::common_denominator(f);
+    let (numerators, denominator) = over_common_denominator(f);
     let mut level = 0;
     loop {
         let (low, high) = field.level(level).bounds(&numerators);

@@ -8,6 +8,15 @@ use std::fmt::Write;
 
 /// The text of a tiling file.
 pub fn tiling_text<const D: usize>(tiling: &Tiling<D>, name: &str) -> String {
+    labelled_tiling_text(tiling, name, &[])
+}
+
+/// The text of a tiling file with a label for each vertex, if there are labels.
+pub fn labelled_tiling_text<const D: usize>(
+    tiling: &Tiling<D>,
+    name: &str,
+    labels: &[String],
+) -> String {
     let vertices = rows(tiling.vertices.iter());
     let simplices = tiling
         .simplices()
@@ -15,6 +24,10 @@ pub fn tiling_text<const D: usize>(tiling: &Tiling<D>, name: &str) -> String {
     let mut text = head("acutile-tiling", &tiling.frame, name);
     list(&mut text, "vertices", vertices);
     text.push_str(",\n");
+    if !labels.is_empty() {
+        list(&mut text, "labels", labels.iter().map(|label| json!(label)));
+        text.push_str(",\n");
+    }
     list(&mut text, "simplices", simplices);
     text.push_str("\n}\n");
     text
@@ -111,9 +124,9 @@ fn number(number: &Number) -> String {
 
 fn simplex<const D: usize>(corners: &[Corner<D>], rank: usize) -> Value {
     let corner = |corner: &Corner<D>| match corner.shift.iter().all(|&s| s == 0) {
-        true => json!(corner.vertex),
+        true => json!(corner.vertex.number()),
         false => {
-            let row = std::iter::once(i64::from(corner.vertex))
+            let row = std::iter::once(i64::from(corner.vertex.number()))
                 .chain(corner.shift[..rank].iter().map(|&s| i64::from(s)));
             Value::Array(row.map(|n| json!(n)).collect())
         }

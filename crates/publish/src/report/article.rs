@@ -179,7 +179,7 @@ fn polynomial(coefficients: impl Iterator<Item = Rational>) -> String {
 /// The rows of the table of congruence classes.
 fn classes(facts: &Facts) -> String {
     let row = |(number, (shape, measures)): (usize, &(Shape, Measures))| {
-        let cell = &facts.cells[shape.members[0]];
+        let cell = &facts.cells[shape.members[0].index()];
         let edges = shape.squared_edges.iter().map(Number::to_string);
         let largest = measures.angles.last().map(|angle| {
             format!(
@@ -192,7 +192,7 @@ fn classes(facts: &Facts) -> String {
             "<tr><th scope=\"row\">{}{}</th><td>{}</td><td>{}</td>\
              <td>{}</td><td>{}</td><td>{}</td><td>{}</td></tr>",
             swatch(number),
-            number + 1,
+            number,
             shape.members.len(),
             escape(&edges.collect::<Vec<_>>().join(", ")),
             escape(&facts.numbers.values[cell.volume].to_string()),
