@@ -65,10 +65,12 @@ impl<const N: usize> Side<N> {
         Ok(self.at(&ring.plus(&self.low, &self.high)?, &(&self.unit * 2)))
     }
 
-    /// The ends that belong to the box, as intervals without length.
-    pub(crate) fn closed_ends(&self) -> Vec<Side<N>> {
+    /// The ends that belong to the box, or else the middle, as intervals without length.
+    pub(crate) fn points(&self, ring: &Large<N>) -> Checked<Vec<Side<N>>> {
         let ends = [(self.is_low_closed, &self.low), (self.is_high_closed, &self.high)];
-        ends.into_iter().filter(|(is_closed, _)| *is_closed).map(|(_, end)| self.at(end, &self.unit)).collect()
+        let closed = ends.into_iter().filter(|(is_closed, _)| *is_closed);
+        let points: Vec<_> = closed.map(|(_, end)| self.at(end, &self.unit)).collect();
+        if points.is_empty() { Ok(vec![self.middle(ring)?]) } else { Ok(points) }
     }
 }
 
