@@ -20,21 +20,15 @@ use std::collections::BTreeMap;
 pub fn statements<const D: usize>(analysis: &Analysis<D>) -> String {
     let statements = analysis.subject.statements();
     let is_strict = statements.contains(&Statement::Delaunay);
-    let paragraphs = statements
-        .iter()
-        .map(|statement| match statement {
-            Statement::LargestAngle(Relation::Maximum, angle) => {
-                extreme_angle(analysis, angle, true)
-            }
-            Statement::SmallestAngle(Relation::Minimum, angle) => {
-                extreme_angle(analysis, angle, false)
-            }
-            Statement::RadiusEdge(Relation::Maximum, ratio) => radius_edge(analysis, ratio),
-            Statement::Delaunay => delaunay(analysis, true),
-            Statement::WeaklyDelaunay if !is_strict => delaunay(analysis, false),
-            Statement::Tcp => close_packed(analysis),
-            _ => String::new(),
-        });
+    let paragraphs = statements.iter().map(|statement| match statement {
+        Statement::LargestAngle(Relation::Maximum, angle) => extreme_angle(analysis, angle, true),
+        Statement::SmallestAngle(Relation::Minimum, angle) => extreme_angle(analysis, angle, false),
+        Statement::RadiusEdge(Relation::Maximum, ratio) => radius_edge(analysis, ratio),
+        Statement::Delaunay => delaunay(analysis, true),
+        Statement::WeaklyDelaunay if !is_strict => delaunay(analysis, false),
+        Statement::Tcp => close_packed(analysis),
+        _ => String::new(),
+    });
     paragraphs.collect()
 }
 
