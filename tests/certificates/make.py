@@ -15,10 +15,12 @@ from source.declined import DECLINED
 from source.declined_families import DECLINED_FAMILIES, FALSE_BUT_DECLINED
 from source.false import FALSE
 from source.false_families import FALSE_FAMILIES
+from source.false_patches import DECLINED_PATCHES, FALSE_PATCHES, MALFORMED_PATCHES
 from source.malformed import MALFORMED
 from source.malformed_families import MALFORMED_FAMILIES
 from source.valid import VALID
 from source.valid_families import VALID_FAMILIES
+from source.valid_patches import VALID_PATCHES
 
 HERE = os.path.dirname(os.path.abspath(__file__))
 
@@ -59,11 +61,12 @@ def check_families(folder, files):
 
 FOLDERS = {"valid": VALID, "malformed": MALFORMED, "false": FALSE, "declined": DECLINED}
 FAMILIES = {"valid": VALID_FAMILIES, "malformed": MALFORMED_FAMILIES, "false": FALSE_FAMILIES, "declined": DECLINED_FAMILIES}
+PATCHES = {"valid": VALID_PATCHES, "malformed": MALFORMED_PATCHES, "false": FALSE_PATCHES, "declined": DECLINED_PATCHES}
 
 if __name__ == "__main__":
     for folder, files in FOLDERS.items():
         if "--check" not in sys.argv:
-            write(folder, {**files, **FAMILIES[folder]})
+            write(folder, {**files, **FAMILIES[folder], **PATCHES[folder]})
         elif folder in sys.argv or len(sys.argv) == 2:
             check(folder, files)
             check_families(folder, FAMILIES[folder])
