@@ -127,6 +127,16 @@ fn rational(row: &[Number; 3]) -> Option<[Rational; 3]> {
     Some([x?, y?, z?])
 }
 
+/// `1 octahedron`, `2 octahedra`, `3 square pyramids`
+fn counted(kind: &str, count: u64) -> String {
+    let plural = match kind {
+        kind if count == 1 => kind.to_owned(),
+        kind if kind.contains("hedron") => kind.replacen("hedron", "hedra", 1),
+        kind => format!("{kind}s"),
+    };
+    format!("{count} {plural}")
+}
+
 /// Prints the cells, the sites and the group of a report.
 pub fn in_words(name: &str, report: &Value, output: &mut Output) {
     let points = report["points"].as_u64().unwrap_or(1);
@@ -136,7 +146,7 @@ pub fn in_words(name: &str, report: &Value, output: &mut Output) {
         .flatten()
         .map(|(kind, count)| (kind, count.as_u64().unwrap_or(0)))
         .collect();
-    let counts: Vec<String> = cells.iter().map(|(kind, count)| format!("{count} {kind}")).collect();
+    let counts: Vec<String> = cells.iter().map(|(kind, count)| counted(kind, *count)).collect();
     let share = match points > 1 && cells.iter().all(|(_, count)| count % points == 0) {
         true => {
             let each: Vec<String> = cells.iter().map(|(_, count)| (count / points).to_string()).collect();
@@ -145,7 +155,8 @@ pub fn in_words(name: &str, report: &Value, output: &mut Output) {
         false => String::new(),
     };
     output.line(format!(
-        "{name}: {points} points in a cell; Delaunay cells: {}{share}",
+        "{name}: {} in a cell; Delaunay cells: {}{share}",
+        counted("point", points),
         counts.join(", ")
     ));
     let group = &report["space_group"];

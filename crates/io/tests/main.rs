@@ -1,6 +1,7 @@
 //! Tests of the public interface of `acutile-io`, one binary for all.
 
 mod cif;
+mod crystals;
 mod coq_export;
 mod mesh_mutations;
 mod meshes;

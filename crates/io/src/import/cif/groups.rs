@@ -56,7 +56,10 @@ impl<'t> Names<'t> {
         if let Some(value) = self.hall {
             match hall::group(value.text) {
                 Ok(named) if named == group => {}
-                Ok(named) => return Err(disagreement("Hall symbol", value, &[named.len()], list)),
+                Ok(named) => {
+                    let found = found_words(&group, cell);
+                    return Err(disagreement("Hall symbol", value, &[named.len()], list, &found));
+                }
                 Err(problem) => notes.push(format!(
                     "the Hall symbol {} is not compared with the operations: it {problem}",
                     short(value.text)
@@ -76,9 +79,14 @@ impl<'t> Names<'t> {
     ///
     /// # Errors
     /// No name, an unknown one, names that contradict each other, or several possible settings.
-    pub fn tabulated(&self, cell: &Cell) -> Result<(Vec<Listed>, Vec<String>), ImportError> {
+    pub fn tabulated(
+        &self,
+        cell: &Cell,
+        block: &Block,
+    ) -> Result<(Vec<Listed>, Vec<String>), ImportError> {
         let Some((line, words)) = self.words() else {
-            return Err(ImportError::entry("symmetry", NO_NAME));
+            let place = format!("data_{}", block.name);
+            return Err(ImportError::entry(place, NO_NAME));
         };
         let mut candidates = self.settings()?;
         if let Some(value) = self.hall
@@ -174,14 +182,27 @@ fn is_same_group(setting: &Setting, group: &[Motion]) -> bool {
     setting.group().is_ok_and(|own| own == group)
 }
 
-fn disagreement(what: &str, value: Value, counts: &[usize], list: &[Listed]) -> ImportError {
+/// The type of a group, for a message.
+fn found_words(group: &[Motion], cell: &Cell) -> String {
+    identify(group, &cell.gram).map_or_else(String::new, |found| {
+        format!(", those of number {}, {}", found.setting.number, found.setting.short)
+    })
+}
+
+fn disagreement(
+    what: &str,
+    value: Value,
+    counts: &[usize],
+    list: &[Listed],
+    found: &str,
+) -> ImportError {
     let mut counts = counts.to_vec();
     counts.sort_unstable();
     counts.dedup();
     let counts: Vec<String> = counts.iter().map(usize::to_string).collect();
     let problem = format!(
         "the {what} {} does not agree with the listed operations: it stands for {} operations, and {} are listed at line \
-         {}; complete the list, or remove the symbol or the list, whichever is wrong",
+         {}{found}; complete the list, or remove the symbol or the list, whichever is wrong",
         short(value.text),
         counts.join(" or "),
         list.len(),
@@ -215,7 +236,8 @@ fn check_symbol(
         .filter_map(|setting| setting.group().ok())
         .map(|group| group.len())
         .collect();
-    Err(disagreement("symbol", value, &counts, list))
+    let words = found_words(group, cell);
+    Err(disagreement("symbol", value, &counts, list, &words))
 }
 
 /// Whether a group is that of a setting with another origin. If its translations are odd, its type

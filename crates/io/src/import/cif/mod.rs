@@ -84,6 +84,7 @@ pub fn read_cif(text: &str, options: &CifOptions) -> Result<Structure, ImportErr
     let (operations, named) = symmetry::operations(block, options.snap, &cell)?;
     let fitted = fit::fit(&mut cell, &operations)?;
     let mut sites = sites::sites(block, options)?;
+    orbits::check_count(sites.sites.len(), operations.len())?;
     check_snapped(&sites.sites, &operations, options)?;
     let moved = special::settle(&mut sites.sites, &operations, options.special)?;
     let (atoms, merged) = orbits::atoms(&sites.sites, &operations, options.ignore_occupancy)?;

@@ -53,7 +53,7 @@ pub fn operations(
     }
     check_same(&lists)?;
     let Some(list) = lists.into_iter().next() else {
-        return names.tabulated(cell);
+        return names.tabulated(cell, block);
     };
     check_list(&list)?;
     let notes = names.check(&list, cell)?;
