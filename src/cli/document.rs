@@ -52,7 +52,10 @@ pub fn read(
     }
     check_for_crystal(&path.display().to_string(), points)?;
     let file = read_native(text).map_err(named)?;
-    let words: Vec<String> = [file.name, file.description].into_iter().flatten().collect();
+    let words: Vec<String> = [file.name, file.description]
+        .into_iter()
+        .flatten()
+        .collect();
     Ok(Document {
         description: words.join(": "),
         content: file.content,

@@ -166,10 +166,11 @@ fn rounded_thirds_give_more_atoms_and_a_warning() {
         special: Special::AsWritten,
         ..CifOptions::default()
     };
-    let written = |text: &str| {
-        read_cif(text, &as_written).unwrap_or_else(|error| panic!("{error}"))
-    };
-    assert!(error(&text("z")).contains("site Zr1 (0.3333, 0.6667, 0.5) is near a special position"));
+    let written =
+        |text: &str| read_cif(text, &as_written).unwrap_or_else(|error| panic!("{error}"));
+    assert!(
+        error(&text("z")).contains("site Zr1 (0.3333, 0.6667, 0.5) is near a special position")
+    );
     let cif = written(&text("z"));
     assert_eq!(cif.points.points.len(), 11);
     let warnings: Vec<&String> = cif

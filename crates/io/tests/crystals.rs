@@ -19,7 +19,10 @@ fn symbol(symbol: &str) -> String {
 }
 
 fn operations(list: &[&str]) -> String {
-    format!("loop_\n_space_group_symop_operation_xyz\n'{}'", list.join("'\n'"))
+    format!(
+        "loop_\n_space_group_symop_operation_xyz\n'{}'",
+        list.join("'\n'")
+    )
 }
 
 fn hcp(site: &str) -> String {
@@ -67,17 +70,28 @@ fn sites_near_special_positions() {
     ] {
         let text = hcp(site);
         let refused = error(&text);
-        assert!(refused.contains("as written it stands for 6 atoms, on the special position for 2"), "{refused}");
+        assert!(
+            refused.contains("as written it stands for 6 atoms, on the special position for 2"),
+            "{refused}"
+        );
         assert!(refused.contains("--special moves"), "{refused}");
         assert_eq!(atoms(&text, &with(Special::Move)), 2, "{site}");
-        assert_eq!(atoms(&text, &with(Special::AsWritten)), as_written, "{site}");
+        assert_eq!(
+            atoms(&text, &with(Special::AsWritten)),
+            as_written,
+            "{site}"
+        );
     }
     let moved = read_cif(&hcp("Mg1 0.3333 0.6667 0.25"), &with(Special::Move)).expect("hcp");
-    let note = "site Mg1: (3333/10000, 6667/10000, 1/4) moved to (1/3, 2/3, 1/4), which 12 operations fix";
+    let note =
+        "site Mg1: (3333/10000, 6667/10000, 1/4) moved to (1/3, 2/3, 1/4), which 12 operations fix";
     assert!(moved.notes.iter().any(|n| n == note), "{:?}", moved.notes);
     // A site that is exact, and one that is far from any special position, stay.
     assert_eq!(atoms(&hcp("Mg1 1/3 2/3 0.25"), &CifOptions::default()), 2);
-    assert_eq!(atoms(&hcp("Mg1 0.34 0.64 0.31"), &CifOptions::default()), 24);
+    assert_eq!(
+        atoms(&hcp("Mg1 0.34 0.64 0.31"), &CifOptions::default()),
+        24
+    );
     // z = 0.01 is as far from the mirror plane as its digits tell.
     let mirror = cif(&symbol("P m m m"), ["3", "4", "5"], "90", "A 0.1 0.2 0.01");
     assert_eq!(atoms(&mirror, &CifOptions::default()), 8);
@@ -99,7 +113,11 @@ fn c14_and_a_cell_written_in_full() {
     let structure = read_cif(&full, &with(Special::Move)).expect("hcp");
     assert_eq!(count(&structure), 2);
     let note = "site Mg2 is an image of site Mg1, and adds no atom";
-    assert!(structure.notes.iter().any(|n| n == note), "{:?}", structure.notes);
+    assert!(
+        structure.notes.iter().any(|n| n == note),
+        "{:?}",
+        structure.notes
+    );
     // Atoms of different elements at one place are disorder.
     let mixed = full.replace("Mg2", "Zn2");
     assert!(error_with(&mixed, &with(Special::Move)).contains("disorder"));
@@ -122,7 +140,11 @@ fn multiplicities_are_compared() {
     assert!(!structure.notes.iter().any(|note| note.contains("warning")));
     let wrong = read_cif(&text("18"), &with(Special::Move)).expect("hR6");
     let warning = "warning: site S1 gives 9 atoms, the file says 18";
-    assert!(wrong.notes.iter().any(|note| note == warning), "{:?}", wrong.notes);
+    assert!(
+        wrong.notes.iter().any(|note| note == warning),
+        "{:?}",
+        wrong.notes
+    );
 }
 
 #[test]
@@ -131,7 +153,12 @@ fn snapping_changes_a_site_or_not() {
         snap: Some(n),
         ..CifOptions::default()
     };
-    let p1 = cif(&symbol("P 1"), ["5.2", "5.2", "8.5"], "120", "A1 0.3333 0.6667 0.6\nB1 0.3 0.7 0.34\nC1 0 0 0");
+    let p1 = cif(
+        &symbol("P 1"),
+        ["5.2", "5.2", "8.5"],
+        "120",
+        "A1 0.3333 0.6667 0.6\nB1 0.3 0.7 0.34\nC1 0 0 0",
+    );
     for n in [3, 12] {
         let structure = read_cif(&p1, &snap(n)).expect("three atoms");
         let plain = read_cif(&p1, &CifOptions::default()).expect("three atoms");
@@ -159,30 +186,56 @@ fn symbols_without_operations() {
     ] {
         assert_eq!(atoms(&a15(&symmetry), &default), 8, "{symmetry}");
     }
-    let diamond = |symmetry: &str, x: &str| {
-        cif(symmetry, ["3.567"; 3], "90", &format!("C1 {x} {x} {x}"))
-    };
+    let diamond =
+        |symmetry: &str, x: &str| cif(symmetry, ["3.567"; 3], "90", &format!("C1 {x} {x} {x}"));
     assert_eq!(atoms(&diamond(&symbol("F d -3 m :1"), "0"), &default), 8);
-    assert_eq!(atoms(&diamond(&symbol("F d -3 m :2"), "0.125"), &default), 8);
+    assert_eq!(
+        atoms(&diamond(&symbol("F d -3 m :2"), "0.125"), &default),
+        8
+    );
     assert_eq!(atoms(&diamond(&symbol("F d -3 m S"), "0"), &default), 8);
     let ambiguous = error(&diamond(&symbol("F d -3 m"), "0"));
-    for choice in ["F d -3 m :1 (Hall symbol F 4d 2 3 -1d)", "F d -3 m :2 (Hall symbol -F 4vw 2vw 3)"] {
+    for choice in [
+        "F d -3 m :1 (Hall symbol F 4d 2 3 -1d)",
+        "F d -3 m :2 (Hall symbol -F 4vw 2vw 3)",
+    ] {
         assert!(ambiguous.contains(choice), "{ambiguous}");
     }
-    assert!(error(&diamond("_space_group_IT_number 227", "0")).contains("2 settings that fit the cell"));
+    assert!(
+        error(&diamond("_space_group_IT_number 227", "0")).contains("2 settings that fit the cell")
+    );
     // The cell tells hexagonal from rhombohedral axes, and the unique axis.
-    let corundum = cif(&symbol("R -3 c"), ["4.76", "4.76", "12.99"], "120", "Al1 0 0 0.3522\nO1 0.3064 0 0.25");
+    let corundum = cif(
+        &symbol("R -3 c"),
+        ["4.76", "4.76", "12.99"],
+        "120",
+        "Al1 0 0 0.3522\nO1 0.3064 0 0.25",
+    );
     assert_eq!(atoms(&corundum, &default), 30);
     let monoclinic = cif(&symbol("P 21/c"), ["5", "6", "7"], "90", "A 0.1 0.2 0.3")
         .replace("_cell_angle_gamma 90", "_cell_angle_beta 105");
     let structure = read_cif(&monoclinic, &default).expect("P 21/c");
     assert_eq!(count(&structure), 4);
-    assert!(structure.notes.iter().any(|note| note.contains("P 1 21/c 1")));
+    assert!(
+        structure
+            .notes
+            .iter()
+            .any(|note| note.contains("P 1 21/c 1"))
+    );
     for (symmetry, words) in [
         (symbol("P m -3 q"), "in no table of settings"),
         (symbol("P 6/m m m"), "no setting that fits the cell"),
-        (format!("{}\n_space_group_IT_number 225", symbol("P m -3 n")), "contradicts"),
-        (format!("{}\n_space_group_name_Hall 'P 4n 2 3 -1n'", symbol("P m -3 m")), "contradicts"),
+        (
+            format!("{}\n_space_group_IT_number 225", symbol("P m -3 n")),
+            "contradicts",
+        ),
+        (
+            format!(
+                "{}\n_space_group_name_Hall 'P 4n 2 3 -1n'",
+                symbol("P m -3 m")
+            ),
+            "contradicts",
+        ),
     ] {
         let found = error(&a15(&symmetry));
         assert!(found.contains(words), "{found}");
@@ -193,10 +246,22 @@ fn symbols_without_operations() {
 fn symbols_that_contradict_the_operations() {
     let identity = operations(&["x,y,z"]);
     for (symmetry, words) in [
-        (symbol("P m -3 n"), "it stands for 48 operations, and 1 are listed"),
-        (symbol("F 4/m -3 2/m"), "it stands for 192 operations, and 1 are listed"),
-        ("_space_group_name_Hall '-P 4n 2 3'".to_owned(), "the Hall symbol"),
-        ("_space_group_IT_number 223".to_owned(), "those of number 1, P 1"),
+        (
+            symbol("P m -3 n"),
+            "it stands for 48 operations, and 1 are listed",
+        ),
+        (
+            symbol("F 4/m -3 2/m"),
+            "it stands for 192 operations, and 1 are listed",
+        ),
+        (
+            "_space_group_name_Hall '-P 4n 2 3'".to_owned(),
+            "the Hall symbol",
+        ),
+        (
+            "_space_group_IT_number 223".to_owned(),
+            "those of number 1, P 1",
+        ),
     ] {
         let found = error(&a15(&format!("{symmetry}\n{identity}")));
         assert!(found.contains(words), "{found}");
@@ -205,7 +270,12 @@ fn symbols_that_contradict_the_operations() {
     let list = ["x,y,z", "x+1/2,-y+1/2,-z", "x+1/2,-y+1/2,z", "x,y,-z"];
     let text = |name: &str, list: &[&str]| {
         let symmetry = format!("{}\n{}", symbol(name), operations(list));
-        cif(&symmetry, ["5.12", "8.78", "9.44"], "90", "Fe1 0.1 0.2 0.15\nFe2 0.3 0.6 0")
+        cif(
+            &symmetry,
+            ["5.12", "8.78", "9.44"],
+            "90",
+            "Fe1 0.1 0.2 0.15\nFe2 0.3 0.6 0",
+        )
     };
     let found = error(&text("P 21 n m", &list));
     assert!(found.contains("those of number 26, P m c 21"), "{found}");
@@ -214,10 +284,24 @@ fn symbols_that_contradict_the_operations() {
     let shifted = ["x,y,z", "-x+1/2,-y,-z"];
     assert_eq!(atoms(&text("P -1", &shifted), &CifOptions::default()), 4);
     // Origin choices are named.
-    let second = ["x,y,z", "-x,-y,-z", "-x+1/2,-y+1/2,z", "x+1/2,-y,-z+1/2", "-x,y+1/2,-z+1/2",
-        "x+1/2,y+1/2,-z", "-x+1/2,y,z+1/2", "x,-y+1/2,z+1/2"];
+    let second = [
+        "x,y,z",
+        "-x,-y,-z",
+        "-x+1/2,-y+1/2,z",
+        "x+1/2,-y,-z+1/2",
+        "-x,y+1/2,-z+1/2",
+        "x+1/2,y+1/2,-z",
+        "-x+1/2,y,z+1/2",
+        "x,-y+1/2,z+1/2",
+    ];
     assert!(error(&text("P n n n :1", &second)).contains("does not agree"));
-    assert_eq!(atoms(&text("P n n n", &operations_of_pnnn(&second)), &CifOptions::default()), 16);
+    assert_eq!(
+        atoms(
+            &text("P n n n", &operations_of_pnnn(&second)),
+            &CifOptions::default()
+        ),
+        16
+    );
 }
 
 /// The list of `P n n n :2`: -x+1/2,-y+1/2,z and so on, from gemmi.
@@ -257,7 +341,11 @@ fn spellings_of_files() {
     ] {
         assert_eq!(atoms(&text, &default), expected, "{text}");
     }
-    let bytes = [b"data_t\n_publ_author_name 'Universit\xe4t'\n".as_slice(), &plain.as_bytes()[7..]].concat();
+    let bytes = [
+        b"data_t\n_publ_author_name 'Universit\xe4t'\n".as_slice(),
+        &plain.as_bytes()[7..],
+    ]
+    .concat();
     let latin = text_of(Path::new("a.cif"), bytes.clone()).expect("a CIF");
     assert_eq!(atoms(&latin, &default), 8);
     assert!(text_of(Path::new("a.json"), b"{ \xe4 }".to_vec()).is_err());
@@ -286,15 +374,32 @@ fn lengths_agree_within_their_digits() {
         let fourfold = operations(&["x,y,z", "-y,x,z", "-x,-y,z", "y,-x,z"]);
         cif(&fourfold, lengths, "90", "M1 0 0 0")
     };
-    let structure = read_cif(&listed(["24.177(3)", "24.1765", "9"]), &CifOptions::default()).expect("one cell");
+    let structure = read_cif(
+        &listed(["24.177(3)", "24.1765", "9"]),
+        &CifOptions::default(),
+    )
+    .expect("one cell");
     let note = "a = 24.177 is taken to be b = 24.1765, with which it agrees within its digits";
-    assert!(structure.notes.iter().any(|n| n == note), "{:?}", structure.notes);
+    assert!(
+        structure.notes.iter().any(|n| n == note),
+        "{:?}",
+        structure.notes
+    );
     assert!(!structure.notes.iter().any(|note| note.contains("rounding")));
     let length: Rational = Rational::from_signeds(241_765, 10_000);
     for k in 0..2 {
-        assert_eq!(structure.points.frame.gram[k][k].to_rational(), Some(&(&length * &length)));
+        assert_eq!(
+            structure.points.frame.gram[k][k].to_rational(),
+            Some(&(&length * &length))
+        );
     }
-    assert_eq!(atoms(&cubic(["24.177", "24.1765", "24.1765"]), &CifOptions::default()), 1);
+    assert_eq!(
+        atoms(
+            &cubic(["24.177", "24.1765", "24.1765"]),
+            &CifOptions::default()
+        ),
+        1
+    );
     assert!(error(&listed(["5.000", "5.004", "9"])).contains("does not fit the cell"));
     assert!(error(&listed(["5.000", "5.001", "9"])).contains("does not fit the cell"));
     let hexagonal = operations(&["x,y,z", "-y,x-y,z", "-x+y,-x,z"]);
@@ -308,13 +413,21 @@ fn distances_disorder_and_choices() {
     let near = p1("Fe1 0.33333 0.16667 0.25\nFe2 0.33392 0.16667 0.25\nO1 0.1 0.1 0.6");
     let structure = read_cif(&near, &CifOptions::default()).expect("three atoms");
     let last = structure.notes.last().expect("a note");
-    assert!(last.starts_with("warning: the shortest distance is 0.0059, between Fe1"), "{last}");
+    assert!(
+        last.starts_with("warning: the shortest distance is 0.0059, between Fe1"),
+        "{last}"
+    );
     let far = read_cif(&p1("Fe1 0 0 0\nO1 0.5 0 0"), &CifOptions::default()).expect("two atoms");
     let last = far.notes.last().expect("a note");
-    assert!(last.starts_with("the shortest distance is 5.0000, between Fe1"), "{last}");
+    assert!(
+        last.starts_with("the shortest distance is 5.0000, between Fe1"),
+        "{last}"
+    );
 
     let only = |only: &[&str], except: &[&str]| {
-        let list = |values: &[&str]| names(&values.iter().map(|&v| v.to_owned()).collect::<Vec<_>>()).expect("names");
+        let list = |values: &[&str]| {
+            names(&values.iter().map(|&v| v.to_owned()).collect::<Vec<_>>()).expect("names")
+        };
         CifOptions {
             only: list(only),
             except: list(except),
@@ -330,8 +443,13 @@ fn distances_disorder_and_choices() {
     assert!(error_with(&sites, &only(&["Zn"], &[])).contains("there is no site Zn"));
     assert!(error_with(&sites, &only(&["Fe"], &["Fe"])).contains("no site is left"));
 
-    let with_column = |tag: &str, rows: &str| p1(rows).replace("fract_z\n", &format!("fract_z\n_atom_site_{tag}\n"));
-    let groups = with_column("disorder_group", "C1 0.1 0.1 0.1 .\nO1A 0.3 0.31 0.3 1\nO1B 0.31 0.35 0.3 2");
+    let with_column = |tag: &str, rows: &str| {
+        p1(rows).replace("fract_z\n", &format!("fract_z\n_atom_site_{tag}\n"))
+    };
+    let groups = with_column(
+        "disorder_group",
+        "C1 0.1 0.1 0.1 .\nO1A 0.3 0.31 0.3 1\nO1B 0.31 0.35 0.3 2",
+    );
     assert!(error(&groups).contains("site O1B is in disorder group 2, and site O1A in group 1"));
     assert_eq!(atoms(&groups, &only(&[], &["O1B"])), 2);
     let mixture = with_column("type_symbol", "M1 0.1 0.1 0.1 Fe0.5Ni0.5");
@@ -379,12 +497,19 @@ fn other_formats() {
     let default = CifOptions::default();
     let plain = read_cif(&a15(&symbol("P m -3 n")), &default).expect("A15");
     let points = |structure: &Structure| {
-        let mut points: Vec<String> = structure.points.points.iter().map(|p| format!("{p:?}")).collect();
+        let mut points: Vec<String> = structure
+            .points
+            .points
+            .iter()
+            .map(|p| format!("{p:?}"))
+            .collect();
         points.sort();
         points
     };
     let scaled = POSCAR.replacen("1.0", "2", 1).replace("4.72", "2.36");
-    let volume = POSCAR.replacen("1.0", "-0.841232384", 1).replace("4.72", "2");
+    let volume = POSCAR
+        .replacen("1.0", "-0.841232384", 1)
+        .replace("4.72", "2");
     let cartesian = POSCAR
         .replace("Direct", "Selective dynamics\nCartesian")
         .replace("0.25", "1.18 ")
@@ -406,25 +531,76 @@ fn other_formats() {
         let found = open(name, &text).unwrap_or_else(|error| panic!("{name}: {error}\n{text}"));
         assert_eq!(points(&found), points(&plain), "{name}");
         assert_eq!(found.points.frame.gram, plain.points.frame.gram, "{name}");
-        let silicon = found.elements.iter().filter(|element| **element == Some("Si")).count();
+        let silicon = found
+            .elements
+            .iter()
+            .filter(|element| **element == Some("Si"))
+            .count();
         assert_eq!(silicon, 2, "{name}");
     }
     // A volume of 0.841232384 = 0.944³ for the cell of edge 2: the scale is 0.472.
     let shrunk = open("POSCAR", &volume).expect("a rational scale");
     let edge = Rational::from_signeds(944, 1000);
-    assert_eq!(shrunk.points.frame.gram[0][0].to_rational(), Some(&(&edge * &edge)));
+    assert_eq!(
+        shrunk.points.frame.gram[0][0].to_rational(),
+        Some(&(&edge * &edge))
+    );
     for (name, text, words) in [
-        ("POSCAR", POSCAR.replacen("1.0", "-100", 1), "line 2: found \"-100\", a volume"),
-        ("POSCAR", POSCAR.replace("Direct", "Odd"), "line 8: found \"Odd\""),
-        ("POSCAR", POSCAR.replace("2 6", "2 7"), "expected the position of an atom"),
-        ("POSCAR", POSCAR.replace("0 4.72 0", "9.44 0 0"), "the volume of the cell is 0"),
-        ("POSCAR", POSCAR.replace("0.25 0 0.5", "0.5 0.5 0.5"), "is at the place of the atom at line 10"),
-        ("a.xyz", XYZ.replace("T T T", "T T F"), "periodic in all directions"),
-        ("a.xyz", XYZ.replace("Lattice", "Cell"), "a file without a cell is no crystal"),
-        ("a.xyz", XYZ.replacen('8', "9", 1), "9 atoms are announced, and 9 lines follow"),
-        ("a.xyz", format!("{XYZ}{XYZ}"), "choose one with --block 1 to --block 2"),
-        ("a.json", pymatgen().replacen("\"occu\": 1", "\"occu\": 0.5", 1), "sites[0]: has the occupancy 1/2"),
-        ("a.json", pymatgen().replace("[true, true, true]", "[true, true, false]"), "periodic in all directions"),
+        (
+            "POSCAR",
+            POSCAR.replacen("1.0", "-100", 1),
+            "line 2: found \"-100\", a volume",
+        ),
+        (
+            "POSCAR",
+            POSCAR.replace("Direct", "Odd"),
+            "line 8: found \"Odd\"",
+        ),
+        (
+            "POSCAR",
+            POSCAR.replace("2 6", "2 7"),
+            "expected the position of an atom",
+        ),
+        (
+            "POSCAR",
+            POSCAR.replace("0 4.72 0", "9.44 0 0"),
+            "the volume of the cell is 0",
+        ),
+        (
+            "POSCAR",
+            POSCAR.replace("0.25 0 0.5", "0.5 0.5 0.5"),
+            "is at the place of the atom at line 10",
+        ),
+        (
+            "a.xyz",
+            XYZ.replace("T T T", "T T F"),
+            "periodic in all directions",
+        ),
+        (
+            "a.xyz",
+            XYZ.replace("Lattice", "Cell"),
+            "a file without a cell is no crystal",
+        ),
+        (
+            "a.xyz",
+            XYZ.replacen('8', "9", 1),
+            "9 atoms are announced, and 9 lines follow",
+        ),
+        (
+            "a.xyz",
+            format!("{XYZ}{XYZ}"),
+            "choose one with --block 1 to --block 2",
+        ),
+        (
+            "a.json",
+            pymatgen().replacen("\"occu\": 1", "\"occu\": 0.5", 1),
+            "sites[0]: has the occupancy 1/2",
+        ),
+        (
+            "a.json",
+            pymatgen().replace("[true, true, true]", "[true, true, false]"),
+            "periodic in all directions",
+        ),
     ] {
         match open(name, &text) {
             Ok(_) => panic!("{name}: {words}"),

@@ -1,8 +1,8 @@
 //! Tests of the public interface of `acutile-io`, one binary for all.
 
 mod cif;
-mod crystals;
 mod coq_export;
+mod crystals;
 mod mesh_mutations;
 mod meshes;
 mod tiling_files;

@@ -40,7 +40,8 @@ pub fn shortest(gram: &Gram, points: &[Vector]) -> Option<Shortest> {
     let mut best: Option<Shortest> = None;
     let mut best_double = bound * bound;
     grid.pairs(&places, |pair, shift| {
-        let step = std::array::from_fn(|k| places[pair.1][k] + f64::from(shift[k]) - places[pair.0][k]);
+        let step =
+            std::array::from_fn(|k| places[pair.1][k] + f64::from(shift[k]) - places[pair.0][k]);
         let squared = norm(&metric, &step);
         if squared > best_double * (1.0 + CLOSE) {
             return;
@@ -81,7 +82,10 @@ impl Grid {
         let reach = reach.map(|reach| reach as i32);
         let mut members: HashMap<[i32; 3], Vec<usize>> = HashMap::new();
         for (index, place) in places.iter().enumerate() {
-            members.entry(box_of(place, &boxes)).or_default().push(index);
+            members
+                .entry(box_of(place, &boxes))
+                .or_default()
+                .push(index);
         }
         Some(Grid {
             boxes,
