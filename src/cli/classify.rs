@@ -113,7 +113,10 @@ fn of_points(
 ) -> Result<Value, InputError> {
     let (cells, cut) = sites.report(name)?;
     let mut report = if cut == 0 {
-        of_tiling(name, AnyTiling::Space(points::tiling(name, sites.set, arguments)?))?
+        of_tiling(
+            name,
+            AnyTiling::Space(points::tiling(name, sites.set, arguments)?),
+        )?
     } else {
         let simplices = match arguments.triangulate {
             true => Some(points::tiling(name, sites.set, arguments)?.len()),

@@ -102,7 +102,9 @@ fn show<const D: usize>(tiling: &Tiling<D>, all: bool, output: &mut Output) {
     }
     if shapes.len() > shown {
         let (more, total) = (shapes.len() - shown, shapes.len());
-        output.line(format!("and {more} more of {total} shapes; --all lists them"));
+        output.line(format!(
+            "and {more} more of {total} shapes; --all lists them"
+        ));
     }
 }
 

@@ -44,17 +44,22 @@ impl Sites<'_> {
         report.insert("points".into(), json!(self.set.points.len()));
         report.insert("sites".into(), self.sites(&around, group.as_ref()));
         report.insert("volume".into(), json!(self.volume()));
-        report.insert("space_group".into(), json!(group.map(|(_, identified)| json!({
-            "number": identified.setting.number,
-            "symbol": identified.setting.short,
-        }))));
+        report.insert(
+            "space_group".into(),
+            json!(group.map(|(_, identified)| json!({
+                "number": identified.setting.number,
+                "symbol": identified.setting.short,
+            }))),
+        );
         Ok((report, polytopes))
     }
 
     /// The volume of a cell of the lattice.
     fn volume(&self) -> f64 {
         let gram = &self.set.frame.gram;
-        acutile_exact::geometry::linear::determinant(gram).approximate().sqrt()
+        acutile_exact::geometry::linear::determinant(gram)
+            .approximate()
+            .sqrt()
     }
 
     /// One entry for the points with the same label and the same surroundings.
@@ -65,7 +70,10 @@ impl Sites<'_> {
             // Labels keep the order of the file.
             let label = self.labels.get(point).map_or("", String::as_str);
             let order = *first.entry(label).or_insert(point);
-            classes.entry((order, surroundings)).or_default().push(point);
+            classes
+                .entry((order, surroundings))
+                .or_default()
+                .push(point);
         }
         let entries = classes.into_iter().map(|((_, surroundings), points)| {
             let wyckoff = group.and_then(|group| self.wyckoff(group, points[0]));
@@ -83,7 +91,11 @@ impl Sites<'_> {
         entries.collect()
     }
 
-    fn wyckoff(&self, (symmetry, identified): &(Symmetry, Identified), point: usize) -> Option<String> {
+    fn wyckoff(
+        &self,
+        (symmetry, identified): &(Symmetry, Identified),
+        point: usize,
+    ) -> Option<String> {
         let position = rational(&self.set.points[point])?;
         let changed = std::array::from_fn(|i| {
             let terms = symmetry.change[i].iter().zip(&position);
@@ -100,8 +112,12 @@ impl Sites<'_> {
         let [Some(a), Some(b), Some(c)] = gram else {
             return None;
         };
-        let points: Vec<[Rational; 3]> =
-            self.set.points.iter().map(rational).collect::<Option<_>>()?;
+        let points: Vec<[Rational; 3]> = self
+            .set
+            .points
+            .iter()
+            .map(rational)
+            .collect::<Option<_>>()?;
         let symmetry = symmetry(&[a, b, c], &points, &self.kinds())?;
         let identified = identify(&symmetry.group, &symmetry.gram)?;
         Some((symmetry, identified))
@@ -127,6 +143,16 @@ fn rational(row: &[Number; 3]) -> Option<[Rational; 3]> {
     Some([x?, y?, z?])
 }
 
+/// `1 octahedron`, `2 octahedra`, `3 square pyramids`
+fn counted(kind: &str, count: u64) -> String {
+    let plural = match kind {
+        kind if count == 1 => kind.to_owned(),
+        kind if kind.contains("hedron") => kind.replacen("hedron", "hedra", 1),
+        kind => format!("{kind}s"),
+    };
+    format!("{count} {plural}")
+}
+
 /// Prints the cells, the sites and the group of a report.
 pub fn in_words(name: &str, report: &Value, output: &mut Output) {
     let points = report["points"].as_u64().unwrap_or(1);
@@ -136,26 +162,37 @@ pub fn in_words(name: &str, report: &Value, output: &mut Output) {
         .flatten()
         .map(|(kind, count)| (kind, count.as_u64().unwrap_or(0)))
         .collect();
-    let counts: Vec<String> = cells.iter().map(|(kind, count)| format!("{count} {kind}")).collect();
+    let counts: Vec<String> = cells
+        .iter()
+        .map(|(kind, count)| counted(kind, *count))
+        .collect();
     let share = match points > 1 && cells.iter().all(|(_, count)| count % points == 0) {
         true => {
-            let each: Vec<String> = cells.iter().map(|(_, count)| (count / points).to_string()).collect();
+            let each: Vec<String> = cells
+                .iter()
+                .map(|(_, count)| (count / points).to_string())
+                .collect();
             format!("; {} for each point", each.join(" and "))
         }
         false => String::new(),
     };
     output.line(format!(
-        "{name}: {points} points in a cell; Delaunay cells: {}{share}",
+        "{name}: {} in a cell; Delaunay cells: {}{share}",
+        counted("point", points),
         counts.join(", ")
     ));
     let group = &report["space_group"];
     if let (Some(number), Some(symbol)) = (group["number"].as_u64(), group["symbol"].as_str()) {
-        output.line(format!("space group of the points: {symbol} (number {number})"));
+        output.line(format!(
+            "space group of the points: {symbol} (number {number})"
+        ));
     }
     let sites = report["sites"].as_array().map_or(&[][..], Vec::as_slice);
     for site in sites.iter().take(PRINTED) {
         let label = site["label"].as_str().unwrap_or("points");
-        let wyckoff = site["wyckoff"].as_str().map_or_else(String::new, |w| format!(", {w}"));
+        let wyckoff = site["wyckoff"]
+            .as_str()
+            .map_or_else(String::new, |w| format!(", {w}"));
         output.line(format!(
             "site {label} ({} in a cell{wyckoff}): {}",
             site["atoms"],
@@ -163,6 +200,9 @@ pub fn in_words(name: &str, report: &Value, output: &mut Output) {
         ));
     }
     if sites.len() > PRINTED {
-        output.line(format!("and {} more sites, which --json lists", sites.len() - PRINTED));
+        output.line(format!(
+            "and {} more sites, which --json lists",
+            sites.len() - PRINTED
+        ));
     }
 }

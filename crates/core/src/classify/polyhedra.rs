@@ -3,7 +3,7 @@
 use crate::delaunay::Cell;
 use std::collections::BTreeMap;
 
-/// How many cells have each name, in the plural.
+/// How many cells have each name.
 pub fn polyhedra(cells: &[Cell<3>]) -> BTreeMap<String, usize> {
     let mut counts = BTreeMap::new();
     for cell in cells {
@@ -12,7 +12,7 @@ pub fn polyhedra(cells: &[Cell<3>]) -> BTreeMap<String, usize> {
     counts
 }
 
-/// The name of a cell in the plural. Names mean the type of the polyhedron, not its lengths: a cuboid is a
+/// The name of a cell. Names mean the type of the polyhedron, not its lengths: a cuboid is a
 /// cube here.
 fn name(cell: &Cell<3>) -> String {
     let corners = cell.corners.len();
@@ -24,13 +24,13 @@ fn name(cell: &Cell<3>) -> String {
     let has_only = |sizes: &[usize]| cell.facets.iter().all(|facet| sizes.contains(&facet.len()));
     let degree = |corner: usize| cell.facets.iter().filter(|f| f.contains(&corner)).count();
     let known = match (corners, count(3), count(4)) {
-        (4, 4, 0) => Some("tetrahedra"),
-        (5, 4, 1) => Some("square pyramids"),
-        (5, 6, 0) => Some("triangular bipyramids"),
-        (6, 8, 0) if (0..6).all(|corner| degree(corner) == 4) => Some("octahedra"),
-        (6, 2, 3) => Some("triangular prisms"),
-        (8, 0, 6) => Some("cubes"),
-        (8, 8, 2) if (0..8).all(|corner| degree(corner) == 4) => Some("square antiprisms"),
+        (4, 4, 0) => Some("tetrahedron"),
+        (5, 4, 1) => Some("square pyramid"),
+        (5, 6, 0) => Some("triangular bipyramid"),
+        (6, 8, 0) if (0..6).all(|corner| degree(corner) == 4) => Some("octahedron"),
+        (6, 2, 3) => Some("triangular prism"),
+        (8, 0, 6) => Some("cube"),
+        (8, 8, 2) if (0..8).all(|corner| degree(corner) == 4) => Some("square antiprism"),
         _ => None,
     };
     if let Some(name) = known.filter(|_| has_only(&[3, 4])) {
@@ -44,5 +44,5 @@ fn name(cell: &Cell<3>) -> String {
             size => format!("{count} {size}-gons"),
         })
         .collect();
-    format!("polyhedra with {corners} corners and {}", faces.join(", "))
+    format!("polyhedron with {corners} corners and {}", faces.join(", "))
 }

@@ -115,7 +115,10 @@ fn range_in_words(angle: &DihedralAngle) -> String {
 }
 
 fn has_right_angle(study: &Study<3>) -> bool {
-    let mut angles = study.measures().iter().flat_map(|measures| &measures.angles);
+    let mut angles = study
+        .measures()
+        .iter()
+        .flat_map(|measures| &measures.angles);
     angles.any(|angle| angle.against_right() == Sign::Equal)
 }
 

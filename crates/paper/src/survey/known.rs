@@ -43,5 +43,7 @@ pub fn isomorphic_in_catalog(study: &Study<3>) -> Vec<&'static str> {
         let own = symbol.get_or_insert_with(|| study.symbol());
         own.is_some() && combinatorial_symbol(&tiling, &matching, &ridges) == *own
     };
-    catalog::names().filter(|name| is_isomorphic(name)).collect()
+    catalog::names()
+        .filter(|name| is_isomorphic(name))
+        .collect()
 }

@@ -63,8 +63,9 @@ impl<const D: usize> Study<D> {
     /// # Panics
     /// Never: a proved tiling has no flat simplex, which alone has no measures.
     pub fn measures(&self) -> &[Measures] {
-        self.measures
-            .get_or_init(|| measures_of_shapes(&self.tiling, &self.shapes).expect("no simplex is flat"))
+        self.measures.get_or_init(|| {
+            measures_of_shapes(&self.tiling, &self.shapes).expect("no simplex is flat")
+        })
     }
 
     /// Whether the certificate makes this statement.
