@@ -24,6 +24,15 @@ pub struct Document {
     pub notes: Vec<String>,
 }
 
+/// The points of a file.
+pub struct PointDocument {
+    pub description: String,
+    pub set: AnyPointSet,
+    pub labels: Vec<String>,
+    pub elements: Vec<Option<&'static str>>,
+    pub notes: Vec<String>,
+}
+
 /// Reads a crystal structure or one of the program's own files, and prints the notes on it.
 ///
 /// # Errors

@@ -130,7 +130,7 @@ pub fn tiling<const D: usize>(
 
 /// A set that has several triangulations, or none within the limits, is declined;
 /// one that is not a point set of the frame is bad input.
-fn outcome_of(error: &DelaunayError) -> Outcome {
+pub fn outcome_of(error: &DelaunayError) -> Outcome {
     match error {
         DelaunayError::Empty
         | DelaunayError::NotSymmetric
