@@ -51,9 +51,14 @@ pub struct CertifyArguments {
     /// The encoding; without it CBOR for a file whose name ends in .cbor, and else JSON
     #[arg(long, value_enum, conflicts_with = "no_certificate")]
     pub format: Option<Encoding>,
-    /// A statement that must hold: tiling, acute, nonobtuse, delaunay, weakly-delaunay, tcp,
-    /// dihedral<DEGREES, dihedral>DEGREES, radius-edge<RATIO
-    #[arg(long = "require", value_name = "STATEMENT")]
+    /// Statements that must hold: tiling, acute, nonobtuse, delaunay, weakly-delaunay, tcp,
+    /// dihedral-below=DEGREES, dihedral-above=DEGREES, radius-edge-below=RATIO; in quotes also
+    /// 'dihedral<DEGREES', 'dihedral>DEGREES', 'radius-edge<RATIO'
+    #[arg(
+        long = "require",
+        value_name = "STATEMENT,STATEMENT",
+        value_delimiter = ','
+    )]
     pub required: Vec<Requirement>,
     /// For square-triangle:NAME, square-triangle:FILE and kagome:WORD: check only that the input
     /// belongs to the family, and cite the theorem about all its members
@@ -165,6 +170,7 @@ fn prove(
     }
     let options = Options {
         required: arguments.required.clone(),
+        sides: std::mem::take(&mut named.sides),
         defect_limit: defect_limit(arguments),
         limits: arguments.limits.limits(),
     };

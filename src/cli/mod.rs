@@ -15,6 +15,7 @@ mod certify;
 mod classify;
 mod convert;
 mod delaunay;
+mod document;
 mod draw;
 mod encoding;
 mod export;
@@ -23,6 +24,7 @@ mod input;
 mod interrupt;
 mod limits;
 mod list;
+mod lower_bound;
 mod mesh;
 mod meta;
 mod named;
@@ -65,6 +67,7 @@ pub fn main() -> ExitCode {
         Command::Convert(convert) => convert::run(&convert, &mut output),
         Command::Table(table) => table::run(&table, &mut output),
         Command::Paper(paper) => paper::run(&paper, &mut output),
+        Command::LowerBound(bound) => lower_bound::run(&bound, &mut output),
         Command::Quality(quality) => quality::run(&quality, &mut output),
         Command::Gallery(gallery) => gallery::run(&gallery, &mut output),
         Command::Report(report) => report::run(&report, &mut output),
@@ -73,7 +76,7 @@ pub fn main() -> ExitCode {
         Command::Appendix(appendix) => appendix::run(&appendix, &mut output),
         Command::Bundle(bundle) => bundle::run(&bundle, &mut output),
         Command::Completions(completions) => meta::completions(&completions, &mut output),
-        Command::Man => meta::man(&mut output),
+        Command::Man(man) => meta::man(&man, &mut output),
     };
     ExitCode::from(outcome.and(output.finish()).code())
 }

@@ -90,7 +90,13 @@ impl From<FieldError> for CatalogError {
 impl fmt::Display for CatalogError {
     fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
         match self {
-            Self::UnknownName(name) => write!(f, "there is no construction `{name}`"),
+            Self::UnknownName(name) => {
+                write!(f, "there is no construction `{name}`")?;
+                match crate::suggestion(name) {
+                    Some(other) => write!(f, "; did you mean {other}?"),
+                    None => Ok(()),
+                }
+            }
             Self::NoParameter(name) => write!(f, "`{name}` takes no parameter"),
             Self::NotPositive(text) => {
                 write!(f, "the parameter is {text}, expected a positive number")

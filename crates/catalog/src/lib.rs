@@ -94,12 +94,28 @@ pub fn names() -> impl Iterator<Item = &'static str> {
         .map(|entry| entry.name)
 }
 
-/// The construction with this name, for `kagome:WORD` the family.
+/// The construction with this name, for `kagome:WORD` the family. Upper and lower case are the
+/// same, but in words.
 pub fn find(name: &str) -> Option<&'static Entry> {
     ENTRIES.iter().find(|entry| match entry.recipe {
-        Recipe::Word(_) | Recipe::Plane(_) => name.starts_with(entry.name),
-        _ => name == entry.name,
+        Recipe::Word(_) | Recipe::Plane(_) => name
+            .get(..entry.name.len())
+            .is_some_and(|head| head.eq_ignore_ascii_case(entry.name)),
+        _ => name.eq_ignore_ascii_case(entry.name),
     })
+}
+
+/// The name of the catalogue that is most like a wrong one, if any is much like it.
+pub fn suggestion(wrong: &str) -> Option<&'static str> {
+    /// One less the share of letters that must be changed, put in, left out or exchanged.
+    const MUCH: f64 = 0.6;
+    let wrong = wrong.to_ascii_lowercase();
+    let similarity =
+        |name: &'static str| (strsim::normalized_damerau_levenshtein(&wrong, name), name);
+    let names = ENTRIES.iter().map(|entry| similarity(entry.name));
+    let best = names.max_by(|a, b| a.0.total_cmp(&b.0));
+    best.filter(|(similarity, _)| *similarity >= MUCH)
+        .map(|(_, name)| name)
 }
 
 /// The construction with this name, `kagome:z+` included, with default parameters.

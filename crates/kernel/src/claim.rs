@@ -181,9 +181,10 @@ impl Field {
         let degree = length.saturating_sub(1);
         ensure!(degree >= 2, Polynomial, t.place(), degree);
         let within = |most| usize::try_from(degree).is_ok_and(|degree| degree <= most);
-        let suffices = Some(degree).filter(|_| within(MAX_DEGREE));
         let is_within = within(limits.degree.min(MAX_DEGREE));
-        ensure!(is_within, Degree, t.place(), Value::Limit("degree", suffices));
+        // No option raises the second limit.
+        let value = if within(MAX_DEGREE) { Value::Limit("degree", Some(degree)) } else { degree.into() };
+        ensure!(is_within, Degree, t.place(), value);
         let polynomial = (0..length).map(|_| t.big()).collect::<Checked<Vec<_>>>()?;
         let is_monic = polynomial.last() == Some(&BigInt::from(1));
         ensure!(is_monic, Polynomial, t.place());

@@ -17,11 +17,12 @@
 //! Left out: that each boundary facet is a facet of one simplex, on the side that it says.
 
 use crate::boxes::{APEX, Grid, Tree};
+use crate::filter::Intervals;
 use crate::int::Int;
 use crate::limits::Work;
-use crate::meets::Meets;
+use crate::meets::only_in_common;
 use crate::refusal::{Checked, Place, Stop};
-use crate::ring::{Element, Exact, Ring, Sign, Vector, each};
+use crate::ring::{Element, Exact, Ring, Vector, each};
 use crate::row::{Corner, Row, Shape};
 use crate::vertices::Vertices;
 use num_bigint::BigInt;
@@ -40,20 +41,12 @@ pub(crate) type Sizes<const N: usize> = (Option<Exact<i64, N>>, Exact<BigInt, N>
 
 pub(crate) struct Region<const N: usize> {
     rings: Sizes<N>,
+    intervals: Intervals,
     grid: Grid,
     is_plane: bool,
     facets: Vec<Corners>,
     /// The first facet of each class.
     bases: Tree,
-}
-
-/// The answer by small integers, or else by large ones.
-macro_rules! answer {
-    ($rings:expr, $place:expr, |$ring:ident| $answer:expr) => {{
-        let small = $rings.0.as_ref().ok_or(Stop::LARGER).and_then(|$ring| $answer);
-        let again = || Some(&$rings.1).map_or(Err(Stop::LARGER), |$ring| $answer);
-        small.or_else(|_| again()).map_err(|stop| stop.at($place))
-    }};
 }
 
 impl<const N: usize> Region<N> {
@@ -73,7 +66,8 @@ impl<const N: usize> Region<N> {
             boxes.push((grid.bounds(&*facet)?, number));
         }
         let bases = Tree::new(&mut boxes)?;
-        let mut region = Region { rings, grid, is_plane, facets, bases };
+        let intervals = Intervals { root: rings.1.root.clone(), work: rings.1.work.clone() };
+        let mut region = Region { rings, intervals, grid, is_plane, facets, bases };
         let across = region.check_meets(vertices)?;
         boxes.clear();
         for first in first_of_classes(&across)? {
@@ -110,8 +104,8 @@ impl<const N: usize> Region<N> {
             let (mut f_sorted, mut g_sorted) = (f, g);
             f_sorted.sort_by_key(|corner| !g.contains(corner));
             g_sorted.sort_by_key(|corner| f_sorted.iter().position(|c| c == corner).unwrap_or(3));
-            let is_right =
-                answer!(self.rings, place, |ring| { self.meet(ring, vertices, common, [&f_sorted, &g_sorted]) })?;
+            let is_right = self.meet(vertices, common, [&f_sorted, &g_sorted]);
+            let is_right = is_right.map_err(|stop| stop.at(place))?;
             ensure!(is_right, BoundaryMeets, place);
             for (own, f, g, other) in [(first, &f, &g, second), (second, &g, &f, first)] {
                 for (ridge, corner) in across.get_mut(own).into_iter().flatten().zip(f) {
@@ -125,17 +119,32 @@ impl<const N: usize> Region<N> {
         Ok(across)
     }
 
-    /// Whether two facets meet in the hull of their first common corners.
-    fn meet<T: Int>(
+    /// Whether two facets meet in the hull of their first common corners: by small integers, by
+    /// intervals, or else by large integers.
+    fn meet(&self, vertices: &Vertices, common: usize, facets: [&Corners; 2]) -> Checked<bool> {
+        let small = || {
+            let ring = self.rings.0.as_ref().ok_or(Stop::LARGER)?;
+            let points = self.points(ring, vertices, facets)?;
+            only_in_common(ring, common, &points).or_else(|_| {
+                let interval = |x: &Element<i64, N>| self.intervals.of(&x.0);
+                let points = each(&points, |facet| each(facet, |point| each(point, interval)))?;
+                only_in_common(&self.intervals, common, &points)
+            })
+        };
+        let ring = &self.rings.1;
+        small().or_else(|_| only_in_common(ring, common, &self.points(ring, vertices, facets)?))
+    }
+
+    /// The corners, seen from one of them. In the plane they get the height 1, and the apex is 0.
+    fn points<T: Int>(
         &self,
         ring: &Exact<T, N>,
         vertices: &Vertices,
-        common: usize,
         facets: [&Corners; 2],
-    ) -> Checked<bool> {
+    ) -> Checked<[[Vector<Exact<T, N>>; 3]; 2]> {
         let base = facets.into_iter().flatten().find(|corner| **corner != APEX);
         let base = vertices.point(*base.ok_or(Stop::LARGER)?)?;
-        let mut points = each(&facets, |facet| {
+        each(&facets, |facet| {
             each(facet, |corner| {
                 if *corner == APEX {
                     return Ok(Default::default());
@@ -143,22 +152,7 @@ impl<const N: usize> Region<N> {
                 let [x, y, z] = ring.difference(&base, &vertices.point(*corner)?)?;
                 Ok([x, y, if self.is_plane { ring.integer(1)? } else { z }])
             })
-        })?;
-        let length = |x: &Element<T, N>| x.0.iter().map(T::length).max().unwrap_or(0);
-        let all = points.as_flattened_mut().as_flattened_mut();
-        let most = all.iter().map(length).max().unwrap_or(0);
-        // Small integers are rounded to 19 bits. Then the vectors of `meets` have entries of at most
-        // m = 2^20 with errors below 2. So determinants have errors of at most
-        // 6 ((m + 2)³ - m³) < 2^46, and a sign is certain from 47 bits on.
-        let is_rounded = N == 1 && T::PRICE == 1 && !self.is_plane && most > 19;
-        for x in all.iter_mut().flat_map(|x| &mut x.0).filter(|_| is_rounded) {
-            *x = T::from(x.top(most - 19)?);
-        }
-        let sign = |x: &Element<T, N>| {
-            if is_rounded && length(x) < 47 { Sign::UNDECIDED } else { ring.sign(x) }
-        };
-        let axis = ring.integer(if is_rounded { 1 << 20 } else { 1 })?;
-        Meets { ring, work: self.work(), sign, axis }.only_in_common(common, &points)
+        })
     }
 
     /// W for a row: no translate of its tile contains the point just outside of a base.
@@ -171,7 +165,11 @@ impl<const N: usize> Region<N> {
             let tile = tile.map(|corner| moved(corner, by));
             let facet = self.facet(base)?;
             self.work().add(300);
-            let is_covered = answer!(self.rings, place, |ring| { self.contains(ring, vertices, &tile, facet) })?;
+            let small = self.rings.0.as_ref().ok_or(Stop::LARGER);
+            let is_covered = small
+                .and_then(|ring| self.contains(ring, vertices, &tile, facet))
+                .or_else(|_| self.contains(&self.rings.1, vertices, &tile, facet))
+                .map_err(|stop| stop.at(place))?;
             ensure!(!is_covered, Covering, place, base);
             Ok(())
         })

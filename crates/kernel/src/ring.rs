@@ -143,7 +143,7 @@ pub struct Exact<T, const N: usize> {
     tail: [T; N],
     rough: [(i64, i64); N],
     pub(crate) root: Rc<Root>,
-    work: Rc<Work>,
+    pub(crate) work: Rc<Work>,
 }
 
 impl<T: Int, const N: usize> Exact<T, N> {

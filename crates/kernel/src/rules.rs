@@ -238,7 +238,7 @@ impl<R: Ring> Rules<R> {
         let (mut place, mut extreme) = (0, &quotients[0]);
         for (k, quotient) in quotients.iter().enumerate().take(self.pairs()) {
             let order = ring.compare(&ring.times(&quotient.0, &extreme.1)?, &ring.times(&extreme.0, &quotient.1)?)?;
-            if order.decided()? == beyond {
+            if order == Sign::exactly(beyond) {
                 (place, extreme) = (k, quotient);
             }
         }
