@@ -144,7 +144,10 @@ fn over_plane(system: &System, plane: &PlaneTiling) -> BTreeSet<Vec<Lifted>> {
                 let quarters = cyclotomic(h)[0] / 3 + 4 * i64::from(corner.shift[0]);
                 // White sides are half a period higher.
                 let lift = 2 * (k as i64 % 2);
-                (sum(scaled(*vertex, 12), times(flat, POWERS[k])), quarters + lift)
+                (
+                    sum(scaled(*vertex, 12), times(flat, POWERS[k])),
+                    quarters + lift,
+                )
             };
             tiles.push((tile, Box::new(place)));
         }
@@ -191,13 +194,36 @@ fn strips(word: &str) -> PlaneTiling {
 #[test]
 fn the_patches_are_delaunay_triangulations_over_squares_and_triangles() {
     let system = square_triangle_all().unwrap();
-    let names = ["3", "4", "33344", "32434", "3464", "inflated-3", "inflated-4"];
+    let names = [
+        "3",
+        "4",
+        "33344",
+        "32434",
+        "3464",
+        "inflated-3",
+        "inflated-4",
+    ];
     let words = [
-        "SST", "STT", "SSST", "SSTT", "STTT", "SSSST", "SSSTT", "SSTST", "SSTTT", "STSTT",
-        "STTTT", "SSSTST", "SSTSTT", "STTSTTT", "SSTTSTSTT",
+        "SST",
+        "STT",
+        "SSST",
+        "SSTT",
+        "STTT",
+        "SSSST",
+        "SSSTT",
+        "SSTST",
+        "SSTTT",
+        "STSTT",
+        "STTTT",
+        "SSSTST",
+        "SSTSTT",
+        "STTSTTT",
+        "SSTTSTSTT",
     ];
     let planes = names.iter().map(|name| (*name, built_in(name).unwrap()));
-    let planes: Vec<_> = planes.chain(words.iter().map(|word| (*word, strips(word)))).collect();
+    let planes: Vec<_> = planes
+        .chain(words.iter().map(|word| (*word, strips(word))))
+        .collect();
     assert!(planes.len() >= 20);
     for (name, plane) in planes {
         let delaunay = delaunay_over_plane(&plane);
@@ -231,7 +257,9 @@ fn fractional(point: [Number; 3]) -> Fractional {
 #[test]
 fn the_patches_are_delaunay_triangulations_of_kagome_words() {
     let system = kagome_all().unwrap();
-    for word in ["z", "+", "-", "+-", "z+", "z-", "++--", "z+z-", "zz+", "z++", "+-z", "z+-z--"] {
+    for word in [
+        "z", "+", "-", "+-", "z+", "z-", "++--", "z+z-", "zz+", "z++", "+-z", "z+-z--",
+    ] {
         let AnyTiling::Space(tiling) = build(&format!("kagome:{word}")).unwrap() else {
             panic!("{word}")
         };
