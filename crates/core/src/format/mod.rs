@@ -7,6 +7,7 @@
 //! | [`write`](mod@write) | the data in CBOR, in one pass |
 //! | [`read`] | CBOR into the data |
 //! | [`json`] | JSON into CBOR, with the check that it is canonical |
+//! | `json_error` | why JSON is no certificate |
 //! | [`mod@print`] | CBOR into JSON; the claim file |
 //! | [`recognise`] | one function that tells the encodings apart |
 //!
@@ -18,6 +19,7 @@
 
 pub mod cbor;
 pub mod json;
+mod json_error;
 pub mod print;
 pub mod read;
 mod recognise;

@@ -3,7 +3,7 @@
 //! A tag with one value is a loop with one row, so that there is one way to look things
 //! up. Tags do not depend on case, and `.` and `_` are one (`_atom_site.label` of the newer
 //! dictionaries is `_atom_site_label` of the older). Tags of other categories than [`READ`]
-//! are passed over. Called by [`super::read_cif`].
+//! are passed over.
 
 use super::token::{Token, Tokens, Value, at_line, short};
 use crate::import::ImportError;

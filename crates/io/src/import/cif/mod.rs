@@ -13,7 +13,7 @@
 //! | `orbits` | the atoms of a cell |
 //!
 //! Coordinates become rationals and stay what is written; whatever is not taken literally is
-//! said in a note. Called by the command line.
+//! said in a note.
 
 mod block;
 mod cell;

@@ -3,7 +3,7 @@
 //!
 //! An operation is x -> R x + t in fractional coordinates, R integral with determinant
 //! 1 or -1 and t modulo the lattice. A list is closed when with any two operations it has
-//! their product; a finite closed list is a group. Called by [`super::symmetry`].
+//! their product; a finite closed list is a group.
 
 use super::decimal::{Decimal, Snapped};
 use acutile_exact::geometry::linear;

@@ -3,7 +3,7 @@
 //! The syntax is that of S. R. Hall, J. D. Westbrook, Specification of the
 //! Crystallographic Information File, International Tables G (2005), chapter 2.2. A
 //! value is a word, a text in quotes (a quote ends it only before white space), or
-//! the lines between two lines that begin with `;`. Called by [`super::block`].
+//! the lines between two lines that begin with `;`.
 
 use crate::import::ImportError;
 
