@@ -15,7 +15,7 @@
 //!
 //! Input is a tiling that passed the checker's hypotheses; nothing here is proved
 //! about one that did not. Lengths play no part, but for the symbols that carry
-//! them. Called by `survey` and the command line.
+//! them.
 
 pub mod frank_kasper;
 mod neighbours;

@@ -3,7 +3,7 @@
 //! [`triangulate`] turns a point set with a lattice, however skewed and with as few as one
 //! point, into a tiling by simplices; [`cells`] gives the Delaunay cells themselves,
 //! which are polytopes where more than D + 1 points lie on an empty sphere. Dimensions
-//! 2 and 3. Called by the catalogue and the command line.
+//! 2 and 3.
 //!
 //! | file | does |
 //! |---|---|

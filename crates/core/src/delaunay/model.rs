@@ -2,7 +2,7 @@
 //! exact coordinates, doubles with error bounds, and the search tree.
 //!
 //! Here lives the translation between the caller's indices and basis and the ones
-//! that the rest of this room works in.
+//! of the search.
 
 use super::DelaunayError;
 use super::lattice::{Orthogonal, Reduced, reduce};
@@ -16,7 +16,7 @@ use malachite::{Integer, Rational};
 /// How many witness points stand behind the points of the set, see [`Model::witness`].
 pub const WITNESSES: usize = 4;
 
-/// A point set in reduced coordinates. Corners of this room number its points in
+/// A point set in reduced coordinates. Its corners number the points in
 /// tree order and take shifts in the reduced basis.
 #[derive(Clone, Debug)]
 pub struct Model<const D: usize> {
