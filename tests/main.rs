@@ -11,6 +11,7 @@ mod documents;
 mod draw;
 mod interrupt;
 mod js_verifier;
+mod mesh_cases;
 mod meshes;
 mod paper;
 mod report;

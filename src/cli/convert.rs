@@ -9,7 +9,7 @@ use super::progress::Progress;
 use super::proved::overwritten;
 use super::{mesh, transcribe};
 use acutile_catalog as catalog;
-use acutile_core::tiling::{Tiling, supercell, AnyTiling};
+use acutile_core::tiling::{AnyTiling, Tiling, supercell};
 use acutile_core::with_dimension;
 use acutile_exact::number::Number;
 use acutile_io::export::tiling_text;
@@ -204,8 +204,8 @@ fn write_tiling<const D: usize>(
             bytes: tiling_text(&tiling, &arguments.input).into_bytes(),
         }]),
         Target::Mesh(format) => {
-            let flat =
-                flatten(&tiling, basis.as_ref()).map_err(|error| format!("{name}: {error}"))?;
+            let flat = flatten(&tiling, basis.as_ref())
+                .map_err(|error| format!("{}: {error}", arguments.input))?;
             tell_flat(&flat, arguments, notes)?;
             Ok(write_mesh(&flat.mesh, format, notes))
         }

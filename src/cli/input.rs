@@ -16,7 +16,6 @@ use acutile_io::import::{
 };
 use acutile_io::mesh::{Family, load, unknown};
 use clap::Args;
-use std::collections::BTreeSet;
 use std::path::Path;
 
 /// How a file becomes a tiling.
@@ -43,14 +42,7 @@ pub fn tiling(
         check_for_cif(input, &options.points)?;
         check_for_mesh(input, &options.mesh)?;
         let tiling = construction(input, parameter)?;
-        return Ok(Named {
-            name: input.to_owned(),
-            description: entry.description.to_owned(),
-            tiling,
-            origin: None,
-            sides: BTreeSet::new(),
-            notes: Vec::new(),
-        });
+        return Ok(Named::of(input, entry.description.to_owned(), tiling));
     }
     let path = Path::new(input);
     if input != "-" && !path.exists() && !input.contains(['/', '.']) {
@@ -93,14 +85,8 @@ fn of_certificate(input: &str, bytes: &[u8]) -> Result<Named, InputError> {
     let cbor = transcribe::cbor(input, bytes)?;
     let (tiling, _) = acutile_core::transcribe::of_certificate(&cbor)
         .map_err(|error| format!("{input}: {error}"))?;
-    Ok(Named {
-        name: input.to_owned(),
-        description: "the tiling of a certificate".to_owned(),
-        tiling,
-        origin: None,
-        sides: BTreeSet::new(),
-        notes: Vec::new(),
-    })
+    let description = "the tiling of a certificate".to_owned();
+    Ok(Named::of(input, description, tiling))
 }
 
 /// A construction of the catalogue; `square-triangle:FILE` reads its file.
@@ -136,14 +122,7 @@ fn of_text(
         Content::Tiling(tiling) => tiling,
         Content::Points(set) => points::of_points(input, &set, points, output)?,
     };
-    Ok(Named {
-        name: input.to_owned(),
-        description,
-        tiling,
-        origin: None,
-        sides: BTreeSet::new(),
-        notes: Vec::new(),
-    })
+    Ok(Named::of(input, description, tiling))
 }
 
 /// The points of a point-set file.

@@ -8,12 +8,14 @@
 //! | 3 | declined: a limit, an undecided sign, an unknown version |
 //! | 130 | interrupted |
 
+mod answer;
 mod appendix;
 mod args;
 mod bundle;
 mod certify;
 mod classify;
 mod convert;
+mod defects;
 mod delaunay;
 mod draw;
 mod encoding;
@@ -35,7 +37,9 @@ mod progress;
 mod proved;
 mod quality;
 mod refutation;
+mod region;
 mod report;
+mod second;
 mod show;
 mod table;
 mod target;

@@ -26,11 +26,18 @@ pub enum Requirement {
     WeaklyDelaunay,
     /// `tcp`
     Tcp,
+    /// `connected`: one piece. The prover decides it; no certificate states it.
+    Connected,
+    /// `no-cavities`, as [`Requirement::Connected`].
+    NoCavities,
+    /// `manifold-boundary`, as [`Requirement::Connected`].
+    ManifoldBoundary,
 }
 
 /// The words that are known.
 const EXPECTED: &str = "expected acute, nonobtuse, delaunay, weakly-delaunay, tcp, tiling, \
-                        dihedral<DEGREES, dihedral>DEGREES or radius-edge<RATIO";
+                        dihedral<DEGREES, dihedral>DEGREES, radius-edge<RATIO, connected, \
+                        no-cavities or manifold-boundary";
 
 impl FromStr for Requirement {
     type Err = String;
@@ -43,6 +50,9 @@ impl FromStr for Requirement {
             "delaunay" => return Ok(Requirement::Delaunay),
             "weakly-delaunay" => return Ok(Requirement::WeaklyDelaunay),
             "tcp" => return Ok(Requirement::Tcp),
+            "connected" => return Ok(Requirement::Connected),
+            "no-cavities" => return Ok(Requirement::NoCavities),
+            "manifold-boundary" => return Ok(Requirement::ManifoldBoundary),
             _ => {}
         }
         if let Some(text) = text.strip_prefix("dihedral<") {
@@ -84,6 +94,9 @@ impl fmt::Display for Requirement {
             Requirement::Delaunay => write!(f, "delaunay"),
             Requirement::WeaklyDelaunay => write!(f, "weakly-delaunay"),
             Requirement::Tcp => write!(f, "tcp"),
+            Requirement::Connected => write!(f, "connected"),
+            Requirement::NoCavities => write!(f, "no-cavities"),
+            Requirement::ManifoldBoundary => write!(f, "manifold-boundary"),
         }
     }
 }
