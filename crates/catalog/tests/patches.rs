@@ -164,12 +164,18 @@ fn scaled_plane(plane: &PlaneTiling) -> PlaneTiling {
 
 fn delaunay_over_plane(plane: &PlaneTiling) -> BTreeSet<Vec<Lifted>> {
     let points = plane.points().unwrap();
+    let set = plane.point_set().unwrap();
     let tiling = plane.structure().unwrap();
     let period = OverPlane(scaled_plane(plane));
     let [a, b] = period.0.lattice;
     let place = |corner: &Corner<3>| {
-        let (place, height) = points[corner.vertex.index()];
-        let [s, t, u] = corner.shift.map(i64::from);
+        let vertex = corner.vertex.index();
+        let (place, height) = points[vertex];
+        // A vertex of the triangulation may be another translate of its point.
+        let [s, t, u] = std::array::from_fn(|k| {
+            let moved = &tiling.vertices.vertex(vertex)[k] - &set.points[vertex][k];
+            i64::from(floor(&moved) + corner.shift[k])
+        });
         (sum(place, sum(scaled(a, s), scaled(b, t))), height + 4 * u)
     };
     let cells = tiling.simplices();
