@@ -12,6 +12,7 @@ mod draw;
 mod help;
 mod interrupt;
 mod js_verifier;
+mod lower_bound;
 mod meshes;
 mod paper;
 mod report;

@@ -204,8 +204,8 @@ fn write_tiling<const D: usize>(
             bytes: tiling_text(&tiling, &arguments.input).into_bytes(),
         }]),
         Target::Mesh(format) => {
-            let flat =
-                flatten(&tiling, basis.as_ref()).map_err(|error| format!("{name}: {error}"))?;
+            let flat = flatten(&tiling, basis.as_ref())
+                .map_err(|error| format!("{}: {error}", arguments.input))?;
             tell_flat(&flat, arguments, notes)?;
             Ok(write_mesh(&flat.mesh, format, notes))
         }

@@ -1,7 +1,7 @@
 //! A name of the catalogue or a file, turned into a tiling; a point set becomes its
 //! Delaunay triangulation.
 
-use super::document;
+use super::document::{self, PointDocument};
 use super::mesh::{self, MeshArguments};
 use super::named::{InputError, Named};
 use super::output::Output;
@@ -40,6 +40,28 @@ pub fn tiling(
     options: &FileArguments,
     output: &mut Output,
 ) -> Result<Named, InputError> {
+    match open(input, parameter, options, output)? {
+        Loaded::Tiling(named) => Ok(named),
+        Loaded::Points(points) => of_points(input, points, &options.points, output),
+    }
+}
+
+/// A tiling, or the points of a file that are not triangulated yet.
+pub enum Loaded {
+    Tiling(Named),
+    Points(PointDocument),
+}
+
+/// As [`tiling`], but points stay points.
+///
+/// # Errors
+/// A message that names the input.
+pub fn open(
+    input: &str,
+    parameter: Option<&str>,
+    options: &FileArguments,
+    output: &mut Output,
+) -> Result<Loaded, InputError> {
     if let Some(theorem) = catalog::theorem(input) {
         let message = format!(
             "{input}: a theorem and no tiling; certify, show and verify take it, and {}NAME is one of its tilings",
@@ -51,7 +73,7 @@ pub fn tiling(
         document::check_for_crystal(input, &options.points)?;
         check_for_mesh(input, &options.mesh)?;
         let tiling = construction(input, parameter)?;
-        return Ok(Named {
+        return Ok(Loaded::Tiling(Named {
             name: input.to_owned(),
             description: entry.description.to_owned(),
             tiling,
@@ -59,7 +81,7 @@ pub fn tiling(
             sides: BTreeSet::new(),
             notes: Vec::new(),
             labels: Vec::new(),
-        });
+        }));
     }
     let path = Path::new(input);
     if input != "-" && !path.exists() && !input.contains(['/', '.']) {
@@ -75,7 +97,7 @@ pub fn tiling(
         return Err(format!("{input}: a file takes no parameter (--param)").into());
     }
     let content = text_or_mesh(path, &options.mesh)?;
-    of_content(input, content, options, output)
+    load_content(input, content, options, output)
 }
 
 /// The tiling of a file's content.
@@ -88,8 +110,22 @@ pub fn of_content(
     options: &FileArguments,
     output: &mut Output,
 ) -> Result<Named, InputError> {
+    match load_content(input, content, options, output)? {
+        Loaded::Tiling(named) => Ok(named),
+        Loaded::Points(points) => of_points(input, points, &options.points, output),
+    }
+}
+
+fn load_content(
+    input: &str,
+    content: TextOrMesh,
+    options: &FileArguments,
+    output: &mut Output,
+) -> Result<Loaded, InputError> {
     match content {
-        TextOrMesh::Mesh(loaded) => mesh::tiling(input, loaded, &options.mesh, output),
+        TextOrMesh::Mesh(loaded) => {
+            mesh::tiling(input, loaded, &options.mesh, output).map(Loaded::Tiling)
+        }
         TextOrMesh::Text(text) => {
             check_for_mesh(input, &options.mesh)?;
             of_text(input, &text, &options.points, output)
@@ -97,7 +133,7 @@ pub fn of_content(
         TextOrMesh::Certificate(bytes) => {
             document::check_for_crystal(input, &options.points)?;
             check_for_mesh(input, &options.mesh)?;
-            of_certificate(input, &bytes)
+            of_certificate(input, &bytes).map(Loaded::Tiling)
         }
     }
 }
@@ -140,29 +176,50 @@ fn construction(name: &str, parameter: Option<&str>) -> Result<AnyTiling, String
     tiling.map_err(|error| format!("{name}: {error}"))
 }
 
-/// The tiling of a file's text; a point set becomes its Delaunay triangulation.
-///
-/// # Errors
-/// A message that names the input.
+/// The tiling or the points of a file's text.
 fn of_text(
     input: &str,
     text: &str,
     points: &PointArguments,
     output: &mut Output,
-) -> Result<Named, InputError> {
+) -> Result<Loaded, InputError> {
     let file = document::read(Path::new(input), text, points, output)?;
-    let tiling = match file.content {
-        Content::Tiling(tiling) => tiling,
-        Content::Points(set) => points::of_points(input, &set, points, output)?,
-    };
+    Ok(match file.content {
+        Content::Points(set) => Loaded::Points(PointDocument {
+            description: file.description,
+            set,
+            labels: file.labels,
+            elements: file.elements,
+            notes: file.notes,
+        }),
+        Content::Tiling(tiling) => Loaded::Tiling(Named {
+            name: input.to_owned(),
+            description: file.description,
+            tiling,
+            origin: None,
+            sides: BTreeSet::new(),
+            notes: file.notes,
+            labels: file.labels,
+        }),
+    })
+}
+
+/// The Delaunay triangulation of the points of a file.
+fn of_points(
+    input: &str,
+    points: PointDocument,
+    arguments: &PointArguments,
+    output: &mut Output,
+) -> Result<Named, InputError> {
+    let tiling = points::of_points(input, &points.set, arguments, output)?;
     Ok(Named {
         name: input.to_owned(),
-        description: file.description,
+        description: points.description,
         tiling,
         origin: None,
         sides: BTreeSet::new(),
-        notes: file.notes,
-        labels: file.labels,
+        notes: points.notes,
+        labels: points.labels,
     })
 }
 

@@ -39,6 +39,7 @@ mod quality;
 mod refutation;
 mod report;
 mod show;
+mod sites;
 mod table;
 mod target;
 mod theorem;

@@ -26,7 +26,13 @@ pub struct ShowArguments {
     /// goldberg-1, -2 and -3, epsilon of two-corners
     #[arg(long, value_name = "VALUE", allow_hyphen_values = true)]
     pub param: Option<String>,
+    /// List all shapes, and not only the first 20
+    #[arg(long)]
+    pub all: bool,
 }
+
+/// Shapes that are printed without --all.
+const SHAPES: usize = 20;
 
 /// Prints counts, lattice, field and shapes.
 pub fn run(arguments: &ShowArguments, output: &mut Output) -> Outcome {
@@ -47,7 +53,7 @@ pub fn run(arguments: &ShowArguments, output: &mut Output) -> Outcome {
     ) {
         Ok(named) => {
             output.line(format!("{}: {}", named.name, named.description));
-            with_dimension!(&named.tiling, AnyTiling, t => show(t, output));
+            with_dimension!(&named.tiling, AnyTiling, t => show(t, arguments.all, output));
             Outcome::Done
         }
         Err(error) => {
@@ -72,7 +78,7 @@ fn show_theorem(input: &str, output: &mut Output) -> Option<Result<(), String>> 
     theorem::is_theorem(&cbor).then(|| theorem::show_certificate(input, &cbor, output))
 }
 
-fn show<const D: usize>(tiling: &Tiling<D>, output: &mut Output) {
+fn show<const D: usize>(tiling: &Tiling<D>, all: bool, output: &mut Output) {
     output.line(format!(
         "dimension {D}, lattice of rank {}; {} vertices and {} simplices in a cell",
         tiling.frame.rank(),
@@ -80,7 +86,9 @@ fn show<const D: usize>(tiling: &Tiling<D>, output: &mut Output) {
         tiling.len()
     ));
     show_frame(&tiling.frame, output);
-    for shape in shapes(tiling) {
+    let shapes = shapes(tiling);
+    let shown = if all { shapes.len() } else { SHAPES };
+    for shape in shapes.iter().take(shown) {
         let edges: Vec<String> = shape.squared_edges.iter().map(Number::to_string).collect();
         output.line(format!(
             "{} simplices with squared edges {}",
@@ -90,6 +98,12 @@ fn show<const D: usize>(tiling: &Tiling<D>, output: &mut Output) {
         output.line(format!(
             "  dihedral angles {}",
             angles(tiling, shape.members[0]).join(", ")
+        ));
+    }
+    if shapes.len() > shown {
+        let (more, total) = (shapes.len() - shown, shapes.len());
+        output.line(format!(
+            "and {more} more of {total} shapes; --all lists them"
         ));
     }
 }

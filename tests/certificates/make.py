@@ -15,11 +15,13 @@ from source.declined import DECLINED
 from source.declined_families import DECLINED_FAMILIES, FALSE_BUT_DECLINED
 from source.false import FALSE
 from source.false_families import FALSE_FAMILIES
+from source.false_patches import DECLINED_PATCHES, FALSE_PATCHES, MALFORMED_PATCHES
 from source.malformed import MALFORMED
 from source.malformed_families import MALFORMED_FAMILIES
-from source.patches import PATCHES_DECLINED, PATCHES_FALSE, PATCHES_MALFORMED, PATCHES_VALID
+from source.patch_systems import PATCHES_DECLINED, PATCHES_FALSE, PATCHES_MALFORMED, PATCHES_VALID
 from source.valid import VALID
 from source.valid_families import VALID_FAMILIES
+from source.valid_patches import VALID_PATCHES
 
 HERE = os.path.dirname(os.path.abspath(__file__))
 
@@ -63,11 +65,12 @@ FOLDERS = {
     "valid": {**VALID, **PATCHES_VALID}, "malformed": {**MALFORMED, **PATCHES_MALFORMED},
     "false": {**FALSE, **PATCHES_FALSE}, "declined": {**DECLINED, **PATCHES_DECLINED}}
 FAMILIES = {"valid": VALID_FAMILIES, "malformed": MALFORMED_FAMILIES, "false": FALSE_FAMILIES, "declined": DECLINED_FAMILIES}
+PATCHES = {"valid": VALID_PATCHES, "malformed": MALFORMED_PATCHES, "false": FALSE_PATCHES, "declined": DECLINED_PATCHES}
 
 if __name__ == "__main__":
     for folder, files in FOLDERS.items():
         if "--check" not in sys.argv:
-            write(folder, {**files, **FAMILIES[folder]})
+            write(folder, {**files, **FAMILIES[folder], **PATCHES[folder]})
         elif folder in sys.argv or len(sys.argv) == 2:
             check(folder, files)
             check_families(folder, FAMILIES[folder])

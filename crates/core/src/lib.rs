@@ -6,6 +6,7 @@ pub mod classify;
 pub mod delaunay;
 pub mod format;
 pub mod limits;
+mod parallel;
 pub mod patches;
 pub mod predicates;
 pub mod proved;

@@ -2,6 +2,7 @@
 
 mod cif;
 mod coq_export;
+mod crystals;
 mod mesh_mutations;
 mod meshes;
 mod tiling_files;

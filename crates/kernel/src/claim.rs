@@ -13,13 +13,19 @@ use num_integer::Integer;
 /// A number of the field: its coefficients of 1, a, …, a^(n-1).
 pub(crate) type Number = Vec<BigInt>;
 
+/// The terms of a polynomial in the parameters, each with its exponents. Without parameters it is
+/// one number.
+pub(crate) type Polynomial = Vec<(Number, Vec<u32>)>;
+
 #[derive(Debug)]
 pub struct Claim {
     /// 2 or 3.
     pub(crate) dimension: usize,
     pub(crate) field: Field,
+    /// Those of a family; a tiling has none.
+    pub(crate) parameters: Vec<Parameter>,
     /// The upper triangle of the Gram matrix, row by row; primitive.
-    pub(crate) gram: Vec<Number>,
+    pub(crate) gram: Vec<Polynomial>,
     pub(crate) domain: Domain,
     /// The first one is [`Property::FaceToFace`].
     pub(crate) statements: Vec<Statement>,
@@ -55,7 +61,7 @@ pub(crate) struct Polytope {
     pub(crate) dimension: usize,
     pub(crate) denominator: BigInt,
     /// k coordinates each, times the denominator.
-    pub(crate) vertices: Vec<Vec<Number>>,
+    pub(crate) vertices: Vec<Vec<Polynomial>>,
     /// The vertices of each facet of P.
     pub(crate) faces: Vec<Vec<usize>>,
 }
@@ -76,6 +82,27 @@ pub(crate) struct Bound {
     pub(crate) numerator: Number,
     pub(crate) denominator: BigInt,
 }
+
+/// A parameter of a family, and its interval.
+#[derive(Debug)]
+pub(crate) struct Parameter {
+    pub(crate) name: String,
+    pub(crate) low: End,
+    pub(crate) high: End,
+}
+
+/// An end of an interval: numerator / denominator.
+#[derive(Debug)]
+pub(crate) struct End {
+    /// The end belongs to the interval.
+    pub(crate) is_closed: bool,
+    pub(crate) numerator: Number,
+    pub(crate) denominator: BigInt,
+}
+
+const MAX_PARAMETERS: usize = 64;
+const MAX_EXPONENT: u32 = 15;
+const LONGEST_NAME: usize = 16;
 
 texts! {
     /// In the order of the grammar.
@@ -126,29 +153,69 @@ impl Claim {
         }
     }
 
-    pub(crate) fn read(cbor: &mut Cbor, limits: &Limits) -> Checked<Claim> {
-        let mut t = Transcript::new(cbor, "tiling");
-        t.record(&["dimension", "field", "gram", "domain", "statements"])?;
+    /// The claim of a tiling or of a family.
+    pub(crate) fn read(cbor: &mut Cbor, limits: &Limits, is_family: bool) -> Checked<Claim> {
+        let mut t = Transcript::new(cbor, if is_family { "family" } else { "tiling" });
+        t.record(if is_family {
+            &["dimension", "field", "parameters", "gram", "domain", "statements"]
+        } else {
+            &["dimension", "field", "gram", "domain", "statements"]
+        })?;
         let found = t.big()?;
         let dimension = usize::try_from(&found).ok().filter(|d| matches!(d, 2 | 3));
         let dimension = some!(dimension, Dimension, t.place(), found);
         let field = Field::read(&mut t, limits)?;
         let degree = field.degree();
-        let gram = read_gram(&mut t, dimension, degree)?;
-        let domain = Domain::read(&mut t, dimension, degree)?;
+        let parameters = if is_family { read_parameters(&mut t, degree)? } else { Vec::new() };
+        let gram = read_gram(&mut t, dimension, degree, parameters.len())?;
+        let domain = Domain::read(&mut t, dimension, degree, parameters.len())?;
         let statements = read_statements(&mut t, degree)?;
-        Ok(Claim { dimension, field, gram, domain, statements, file: t.json + "\n" })
+        Ok(Claim { dimension, field, parameters, gram, domain, statements, file: t.json + "\n" })
+    }
+}
+
+fn read_parameters(t: &mut Transcript, degree: usize) -> Checked<Vec<Parameter>> {
+    let parameters = t.list(None, |t| {
+        t.record(&["name", "low", "high"])?;
+        let name = t.text()?;
+        let is_usual = |c: char| c.is_ascii_lowercase() || c.is_ascii_digit() || c == '_';
+        let is_name = name.starts_with(|c: char| c.is_ascii_lowercase()) && name.chars().all(is_usual);
+        ensure!(is_name && name.len() <= LONGEST_NAME, ParameterName, t.place());
+        Ok(Parameter { name, low: End::read(t, degree)?, high: End::read(t, degree)? })
+    })?;
+    let count = parameters.len();
+    ensure!((1..=MAX_PARAMETERS).contains(&count), Parameters, t.place(), count);
+    let mut names: Vec<&str> = parameters.iter().map(|parameter| parameter.name.as_str()).collect();
+    names.sort_unstable();
+    ensure!(is_strict(&names), ParameterName, t.place());
+    Ok(parameters)
+}
+
+impl End {
+    fn read(t: &mut Transcript, degree: usize) -> Checked<End> {
+        t.array(Some(2))?;
+        let kind = t.text()?;
+        ensure!(kind == "closed" || kind == "open", Cbor, t.place());
+        let (numerator, denominator) = read_fraction(t, degree)?;
+        ensure!(denominator > BigInt::ZERO, Denominator, t.place(), denominator);
+        check_lowest(t.place(), numerator.iter().chain([&denominator]))?;
+        Ok(End { is_closed: kind == "closed", numerator, denominator })
     }
 }
 
 /// The upper triangle by rows.
-pub(crate) fn read_gram(t: &mut Transcript, dimension: usize, degree: usize) -> Checked<Vec<Number>> {
+pub(crate) fn read_gram(
+    t: &mut Transcript,
+    dimension: usize,
+    degree: usize,
+    parameters: usize,
+) -> Checked<Vec<Polynomial>> {
     t.array(Some(dimension))?;
     let mut gram = Vec::new();
     for length in (1..=dimension).rev() {
-        gram.extend(t.list(Some(length), |t| read_number(t, degree))?);
+        gram.extend(t.list(Some(length), |t| read_polynomial(t, degree, parameters))?);
     }
-    check_lowest(t.place(), gram.iter().flatten())?;
+    check_lowest(t.place(), integers(&gram))?;
     Ok(gram)
 }
 
@@ -196,7 +263,7 @@ impl Field {
 }
 
 impl Domain {
-    fn read(t: &mut Transcript, dimension: usize, degree: usize) -> Checked<Domain> {
+    fn read(t: &mut Transcript, dimension: usize, degree: usize, parameters: usize) -> Checked<Domain> {
         if !t.is_array()? {
             ensure!(t.text()? == "space", Cbor, t.place());
             return Ok(Domain::Space);
@@ -204,6 +271,7 @@ impl Domain {
         t.array(Some(2))?;
         let name = t.text()?;
         let domain = if name == "region" {
+            ensure!(parameters == 0, FamilyDomain, t.place());
             let found = t.big()?;
             let rank = usize::try_from(&found).ok().filter(|&rank| rank <= dimension);
             Domain::Region(some!(rank, RegionRank, t.place(), found))
@@ -213,19 +281,19 @@ impl Domain {
             let names = [("slab", 1), ("prism", 2), ("solid", dimension)];
             let k = names.into_iter().find(|(known, _)| *known == name).map(|(_, k)| k);
             let k = some!(k, Cbor, t.place());
-            Domain::Polytope(Polytope::read(t, k, degree)?)
+            Domain::Polytope(Polytope::read(t, k, degree, parameters)?)
         };
         Ok(domain)
     }
 }
 
 impl Polytope {
-    fn read(t: &mut Transcript, k: usize, degree: usize) -> Checked<Polytope> {
+    fn read(t: &mut Transcript, k: usize, degree: usize, parameters: usize) -> Checked<Polytope> {
         t.record(&["denominator", "vertices", "faces"])?;
         let denominator = t.big()?;
         ensure!(denominator > BigInt::ZERO, Denominator, t.place(), denominator);
-        let vertices = t.list(None, |t| t.list(Some(k), |t| read_number(t, degree)))?;
-        check_lowest(t.place(), vertices.iter().flatten().flatten().chain([&denominator]))?;
+        let vertices = t.list(None, |t| t.list(Some(k), |t| read_polynomial(t, degree, parameters)))?;
+        check_lowest(t.place(), vertices.iter().flat_map(|vertex| integers(vertex)).chain([&denominator]))?;
         let faces = t.list(None, |t| read_face(t, k, vertices.len()))?;
         // A polytope of dimension k has more than k facets.
         ensure!(faces.len() > k, FaceCount, t.place(), faces.len());
@@ -279,9 +347,7 @@ impl Statement {
         let found = if is_ratio { 1.into() } else { t.big()? };
         let sign = i64::try_from(&found).ok().filter(|sign| (-1..=1).contains(sign));
         let sign = some!(sign, BoundRange, t.place(), found);
-        t.array(Some(2))?;
-        let numerator = read_number(t, degree)?;
-        let denominator = t.big()?;
+        let (numerator, denominator) = read_fraction(t, degree)?;
         ensure!(denominator > BigInt::ZERO, BoundRange, t.place(), denominator);
         check_lowest(t.place(), numerator.iter().chain([&denominator]))?;
         let bound = Some(Bound { relation, sign, numerator, denominator });
@@ -301,6 +367,38 @@ pub(crate) fn read_number(t: &mut Transcript, degree: usize) -> Checked<Number> 
         return Ok(vec![t.big()?]);
     }
     t.list(Some(degree), Transcript::big)
+}
+
+fn read_fraction(t: &mut Transcript, degree: usize) -> Checked<(Number, BigInt)> {
+    t.array(Some(2))?;
+    Ok((read_number(t, degree)?, t.big()?))
+}
+
+/// A number; with parameters the list of the terms, in the order of their exponents.
+pub(crate) fn read_polynomial(t: &mut Transcript, degree: usize, parameters: usize) -> Checked<Polynomial> {
+    if parameters == 0 {
+        return Ok(vec![(read_number(t, degree)?, Vec::new())]);
+    }
+    let terms = t.list(None, |t| {
+        t.array(Some(1 + parameters))?;
+        let number = read_number(t, degree)?;
+        let is_zero = number.iter().all(|c| *c == BigInt::ZERO);
+        ensure!(!is_zero, Terms, t.place());
+        let mut exponents = Vec::new();
+        for _ in 0..parameters {
+            let found = t.big()?;
+            let exponent = u32::try_from(&found).ok().filter(|&exponent| exponent <= MAX_EXPONENT);
+            exponents.push(some!(exponent, Exponent, t.place(), found));
+        }
+        Ok((number, exponents))
+    })?;
+    ensure!(terms.is_sorted_by(|first, second| first.1 < second.1), Terms, t.place());
+    Ok(terms)
+}
+
+/// All coefficients of some polynomials.
+pub(crate) fn integers(polynomials: &[Polynomial]) -> impl Iterator<Item = &BigInt> {
+    polynomials.iter().flatten().flat_map(|(number, _)| number)
 }
 
 /// The greatest common divisor is 1.

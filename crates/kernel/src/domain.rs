@@ -7,9 +7,9 @@
 
 use crate::claim::Polytope;
 use crate::refusal::{Checked, Place, Stop};
-use crate::ring::{Ring, Vector};
+use crate::ring::{Ring, Sign, Vector};
 use num_bigint::BigInt;
-use std::cmp::Ordering::{Equal, Greater, Less};
+use std::cmp::Ordering::{Equal, Less};
 use std::collections::BTreeMap;
 
 /// P in the numbers of one ring. The normals and offsets have x on the inner side of a face where
@@ -33,7 +33,7 @@ impl<R: Ring> Facets<R> {
         for vertex in &polytope.vertices {
             let mut point = Vector::<R>::default();
             for (slot, number) in point.iter_mut().skip(missing).zip(vertex) {
-                *slot = ring.element(number)?;
+                *slot = ring.polynomial(number)?;
             }
             points.push(point);
         }
@@ -71,7 +71,7 @@ impl<R: Ring> Facets<R> {
             // Rule I: the vertex is in the domain.
             let is_inside = sign.is(|sign| sign != Less)?;
             ensure!(is_inside, VertexOutside, Place::Vertex(vertex), ring.value(&height));
-            if sign.is(|sign| sign == Equal)? {
+            if sign == Sign::exactly(Equal) {
                 faces.push(face);
             }
         }
@@ -124,13 +124,15 @@ impl<R: Ring> Facets<R> {
         ensure!(side != Equal, FaceNotFacet, place);
         ring.work().check(place)?;
         // P2, for k = 3: the vertices of a face stand in the order of a convex polygon. For all
-        // consecutive p, q and every other t, the turn det(q - p, t - p, n) is positive. In the
-        // plane of f, (q - p) × (t - p) = λ n, and λ is positive where p, q, t turn like w_0, w_1,
-        // w_2.
+        // consecutive p, q and every other t, and a vertex o that is not in f, det(q - p, t - p,
+        // o - p) is positive where the inner side is. In the plane of f, (q - p) × (t - p) = λ n,
+        // so this says that λ is positive: p, q, t turn like w_0, w_1, w_2.
+        let outside = (0..self.points.len()).find(|vertex| corners.binary_search(vertex).is_err());
         for (p, q) in sides(face).filter(|_| face.len() > 2) {
+            let apex = self.vector(p, outside.ok_or(Stop::LARGER)?)?;
             for &t in face.iter().filter(|&&t| t != p && t != q) {
-                let turn = ring.inner(&ring.cross(&self.vector(p, q)?, &self.vector(p, t)?)?, normal)?;
-                let is_convex = ring.sign(&turn).is(|sign| sign == Greater)?;
+                let turn = ring.inner(&ring.cross(&self.vector(p, q)?, &self.vector(p, t)?)?, &apex)?;
+                let is_convex = ring.sign(&turn).is(|sign| sign == side)?;
                 ensure!(is_convex, FaceNotConvex, place, ring.value(&turn));
             }
             ring.work().check(place)?;

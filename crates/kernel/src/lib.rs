@@ -13,6 +13,7 @@ mod cbor;
 mod claim;
 mod domain;
 mod edges;
+mod family;
 mod filter;
 mod front;
 mod int;
@@ -20,6 +21,7 @@ mod limits;
 mod meets;
 mod numbers;
 mod patches;
+mod polynomial;
 mod region;
 mod ring;
 mod root;
@@ -68,10 +70,14 @@ fn read(mut cbor: Cbor, limits: &Limits, work: &Rc<Work>) -> Checked<Verified> {
         };
         return facts.map(Verified::of);
     }
-    ensure!(kind == "tiling", UnknownKind, cbor.place());
-    let claim = Claim::read(&mut cbor, limits)?;
+    let is_family = kind == "family";
+    ensure!(is_family || kind == "tiling", UnknownKind, cbor.place());
+    let claim = Claim::read(&mut cbor, limits, is_family)?;
     // The number is the capacity for coefficients. The compiler knows the degrees 1 and 2.
     let facts = match claim.field.degree() {
+        1 if is_family => family::verify::<1>(cbor, claim, limits, work),
+        2 if is_family => family::verify::<2>(cbor, claim, limits, work),
+        _ if is_family => family::verify::<8>(cbor, claim, limits, work),
         1 => tiling::verify::<1>(cbor, claim, limits, work),
         2 => tiling::verify::<2>(cbor, claim, limits, work),
         _ => tiling::verify::<8>(cbor, claim, limits, work),

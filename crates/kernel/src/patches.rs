@@ -8,7 +8,7 @@
 
 use crate::cbor::Cbor;
 use crate::claim::{
-    Claim, Domain, Field, Polytope, Property, Relation, Statement, check_lowest, read_gram, read_number,
+    Claim, Domain, Field, Polytope, Property, Relation, Statement, check_lowest, integers, read_gram, read_polynomial,
     read_statements,
 };
 use crate::limits::{Limits, Work};
@@ -52,7 +52,7 @@ impl Head {
         t.record(&["field", "gram", "rank", "tiles", "statements"])?;
         let field = Field::read(&mut t, limits)?;
         let degree = field.degree();
-        let gram = read_gram(&mut t, 3, degree)?;
+        let gram = read_gram(&mut t, 3, degree, 0)?;
         let found = t.big()?;
         let rank = usize::try_from(&found).ok().filter(|rank| matches!(rank, 1 | 2));
         let rank = some!(rank, Rank, t.place(), found);
@@ -60,7 +60,15 @@ impl Head {
         let tiles = t.list(None, |t| Tile::read(t, rank, degree, numbers.next().unwrap_or_default()))?;
         ensure!(!tiles.is_empty(), TileCount, t.place());
         let statements = read_statements(&mut t, degree)?;
-        let claim = Claim { dimension: 3, field, gram, domain: Domain::Space, statements, file: t.json + "\n" };
+        let claim = Claim {
+            dimension: 3,
+            field,
+            parameters: Vec::new(),
+            gram,
+            domain: Domain::Space,
+            statements,
+            file: t.json + "\n",
+        };
         Ok(Head { claim, rank, tiles })
     }
 }
@@ -71,8 +79,8 @@ impl Tile {
         let denominator = t.big()?;
         ensure!(denominator > BigInt::ZERO, Denominator, t.place(), denominator);
         let dimension = 3 - rank;
-        let vertices = t.list(None, |t| t.list(Some(dimension), |t| read_number(t, degree)))?;
-        check_lowest(t.place(), vertices.iter().flatten().flatten().chain([&denominator]))?;
+        let vertices = t.list(None, |t| t.list(Some(dimension), |t| read_polynomial(t, degree, 0)))?;
+        check_lowest(t.place(), vertices.iter().flat_map(|vertex| integers(vertex)).chain([&denominator]))?;
         let count = vertices.len();
         ensure!(if rank == 1 { count > 2 } else { count == 2 }, SideCount, t.place(), count);
         let classes = t.list(Some(count), Transcript::big)?;
@@ -117,6 +125,7 @@ impl Patch {
         let claim = Claim {
             dimension: 3,
             field: field.clone(),
+            parameters: Vec::new(),
             gram: gram.clone(),
             domain: Domain::Polytope(tile.polytope.clone()),
             statements: vec![Statement { property: Property::FaceToFace, bound: None }],
@@ -243,7 +252,9 @@ pub(crate) fn verify<const N: usize>(mut cbor: Cbor, head: Head, limits: &Limits
     check_statements(&head.claim)?;
     // b_i · b_j = 0 for i <= r < j: two entries of the upper triangle by rows.
     let mixed = if head.rank == 1 { [1, 2] } else { [2, 4] };
-    let is_zero = |k: usize| head.claim.gram.get(k).is_some_and(|x| x.iter().all(|c| *c == BigInt::ZERO));
+    let is_zero = |k: usize| {
+        head.claim.gram.get(k).is_some_and(|x| integers(std::slice::from_ref(x)).all(|c| *c == BigInt::ZERO))
+    };
     ensure!(mixed.into_iter().all(is_zero), GramBlocks, Place::Field);
     let count = cbor.array()?;
     let is_complete = usize::try_from(count).is_ok_and(|count| count == head.tiles.len());

@@ -72,6 +72,9 @@ texts! {
         BoundRange "bound-range", StatementDomain "statement-domain",
         BoundaryDomain "boundary-domain", NoSimplices "no-simplices", VertexRange "vertex-range",
         ShiftRange "shift-range", CornerOrder "corner-order", Sixes "sixes",
+        FamilyDomain "family-domain", Parameters "parameters",
+        ParameterName "parameter-name", BoxExchanged "box-exchanged", BoxEmpty "box-empty",
+        UnusedParameter "unused-parameter", Exponent "exponent", Terms "terms", Tree "tree",
         Rank "rank", TileCount "tile-count", SideCount "side-count", PyramidForm "pyramid",
         BoundaryRepeated "boundary-repeated", UnusedVertex "unused-vertex",
         // Rejected.
@@ -91,7 +94,7 @@ texts! {
         CornerAngle "corner-angle",
         TooManyBytes "too-many-bytes", Version "version", UnknownKind "kind", Degree "degree",
         TooManyDigits "too-many-digits", TooManySimplices "too-many-simplices",
-        SignUndecided "sign-undecided", Work "work",
+        TreeSize "tree-size", SignUndecided "sign-undecided", Work "work",
     }
 }
 
@@ -120,6 +123,8 @@ pub enum Place {
     Face(usize),
     Statement(usize),
     Vertex(u32),
+    /// A parameter of a family.
+    Parameter(usize),
     /// One facet, or two, in the list `boundary`.
     Boundary(u64),
     BoundaryPair(u64, u64),
@@ -163,6 +168,9 @@ pub struct Refusal {
     pub code: Code,
     pub place: Place,
     pub value: Value,
+    /// Of a family: a point of the box at which the condition does not hold, by the names and the
+    /// values of the parameters.
+    pub point: Vec<(String, Value)>,
 }
 
 /// The reason for which a computation stops: a refusal, or nothing if a result does not fit the
@@ -179,7 +187,11 @@ impl Stop {
     #[cold]
     #[inline(never)]
     pub(crate) fn refuse(code: Code, place: Place, value: Value) -> Stop {
-        Stop(Some(Box::new(Refusal { code, place, value })))
+        Stop::of(Refusal { code, place, value, point: Vec::new() })
+    }
+
+    pub(crate) fn of(refusal: Refusal) -> Stop {
+        Stop(Some(Box::new(refusal)))
     }
 
     pub(crate) fn is_larger(&self) -> bool {
@@ -188,7 +200,8 @@ impl Stop {
 
     /// The refusal; no integers are larger.
     pub(crate) fn refusal(self) -> Refusal {
-        let undecided = || Refusal { code: Code::SignUndecided, place: Place::Witness, value: Value::Nothing };
+        let (code, place) = (Code::SignUndecided, Place::Witness);
+        let undecided = || Refusal { code, place, value: Value::Nothing, point: Vec::new() };
         self.0.map_or_else(undecided, |refusal| *refusal)
     }
 

@@ -1,9 +1,10 @@
 //! The rings in which the checks compute, and Z[a] with integers of one size.
 //!
 //! Every check of a simplex is written once, over a [`Ring`]. The rings are Z[a] for three sizes
-//! of integers, and the real intervals of [`crate::filter`]. A ring of polynomials in parameters
-//! would be another one, with signs that hold for all parameters or are undecided.
+//! of integers, the real intervals of [`crate::filter`], and polynomials in the parameters of a
+//! family ([`crate::polynomial`]). A sign of an interval or of a polynomial can be undecided.
 
+use crate::claim::Polynomial;
 use crate::int::Int;
 use crate::limits::Work;
 use crate::refusal::{Checked, Stop, Value};
@@ -48,6 +49,10 @@ pub trait Ring: Clone {
 
     /// The number with these coefficients of 1, a, a², …
     fn element(&self, coefficients: &[BigInt]) -> Checked<Self::Element>;
+    /// The number, or the polynomial in a ring of these.
+    fn polynomial(&self, terms: &Polynomial) -> Checked<Self::Element> {
+        terms.first().map_or(Ok(Self::Element::default()), |(number, _)| self.element(number))
+    }
     /// The coefficients, where the ring is exact; else nothing.
     fn coefficients(&self, x: &Self::Element) -> Vec<BigInt>;
     fn plus(&self, x: &Self::Element, y: &Self::Element) -> Checked<Self::Element>;

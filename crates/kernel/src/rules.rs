@@ -48,8 +48,8 @@ pub(crate) struct Simplex<R: Ring> {
     pub(crate) mates: [Option<Vector<R>>; 4],
 }
 
-/// x and y for x / y.
-type Quotient<R> = (<R as Ring>::Element, <R as Ring>::Element);
+/// x and y for x / y, and whether x has an undecided sign, which is not in it.
+type Quotient<R> = (<R as Ring>::Element, <R as Ring>::Element, bool);
 
 /// c, x and y for the cosine c / sqrt(x y).
 type Cosine<R> = (<R as Ring>::Element, <R as Ring>::Element, <R as Ring>::Element);
@@ -159,14 +159,11 @@ impl<R: Ring> Rules<R> {
             // c² / (x y), with the sign of the cosine.
             let signed = || {
                 let square = ring.times(c, c)?;
-                let square = match (sign.least, sign.most) {
-                    (Less, Greater) => return Err(Stop::LARGER),
-                    (Less, _) => ring.negated(&square)?,
-                    _ => square,
-                };
-                Ok((square, ring.times(x, y)?))
+                let is_negative = sign.least == Less && sign.most != Greater;
+                let square = if is_negative { ring.negated(&square)? } else { square };
+                Ok((square, ring.times(x, y)?, sign == Sign::UNDECIDED))
             };
-            let value = || signed().map(|(square, y)| ring.quotient(&square, &y));
+            let value = || signed().map(|(square, y, _)| ring.quotient(&square, &y));
             // `acute`: the cosine is positive. `nonobtuse`: it is not negative.
             let is_acute = !self.acute || sign.is(|sign| sign == Greater)?;
             ensure!(is_acute, NotAcute, place(facets), value()?);
@@ -209,12 +206,11 @@ impl<R: Ring> Rules<R> {
         quotients: &[Quotient<R>; 6],
         place: impl Fn(usize) -> Option<Place>,
     ) -> Checked<u32> {
-        let ring = &self.ring;
         let mut attained = 0;
         for bound in bounds {
             let mut found = None;
-            for (x, y) in quotients.iter().take(self.pairs()) {
-                let sign = ring.compare(&ring.times(x, &bound.q)?, &ring.times(y, &bound.p)?)?;
+            for quotient in quotients.iter().take(self.pairs()) {
+                let sign = self.compare(quotient, bound)?;
                 found = Some(found.map_or(sign, |first| bound.extreme(first, sign)));
             }
             let sign = found.ok_or(Stop::LARGER)?;
@@ -230,6 +226,18 @@ impl<R: Ring> Rules<R> {
             attained |= u32::from(sign == Sign::exactly(Equal)) << bound.statement;
         }
         Ok(attained)
+    }
+
+    /// The sign of x/y - p/q. If the sign of the cosine is undecided, it is one of ±x/y.
+    fn compare(&self, (x, y, is_undecided): &Quotient<R>, bound: &Extreme<R>) -> Checked<Sign> {
+        let ring = &self.ring;
+        let (x, p) = (ring.times(x, &bound.q)?, ring.times(y, &bound.p)?);
+        let sign = ring.compare(&x, &p)?;
+        if !is_undecided {
+            return Ok(sign);
+        }
+        let other = ring.compare(&ring.negated(&x)?, &p)?;
+        Ok(Sign { least: sign.least.min(other.least), most: sign.most.max(other.most) })
     }
 
     /// The place and the value of the extreme quotient, for a refusal.
@@ -282,7 +290,7 @@ impl<R: Ring> Rules<R> {
             // R² = z G z = w adj(G) w / (4 det E² det G), since 2 G z = w / det E.
             let radius = ring.inner(&w, &self.dual(&w)?)?;
             let unit = ring.times(&ring.times(determinant, determinant)?, &self.four_det_gram)?;
-            let quotients = each(&squares, |square| Ok((radius.clone(), ring.times(&unit, square)?)))?;
+            let quotients = each(&squares, |square| Ok((radius.clone(), ring.times(&unit, square)?, false)))?;
             attained = self.check_extremes(&self.ratios, &quotients, |_| Some(Place::Simplex(simplex.number)))?;
         }
         // `Delaunay`: a mate's corner outside of the common facet is outside of the circumsphere;
@@ -346,7 +354,7 @@ impl Relation {
 
 /// G from its upper triangle.
 fn gram<R: Ring>(ring: &R, claim: &Claim) -> Checked<[Vector<R>; 3]> {
-    let entries = claim.gram.iter().map(|number| ring.element(number));
+    let entries = claim.gram.iter().map(|entry| ring.polynomial(entry));
     let entries = entries.collect::<Checked<Vec<_>>>()?;
     let (one, zero) = (ring.integer(1)?, R::Element::default());
     let matrix = match entries.as_slice() {

@@ -125,7 +125,7 @@ impl<const N: usize> Pass<'_, Single<N>> {
     }
 }
 
-impl<'c, M: Numbers> Pass<'c, M> {
+impl<'c, M> Pass<'c, M> {
     pub(crate) fn new(claim: &'c Claim, numbers: M, work: &Rc<Work>) -> Self {
         let has_sixes = claim.has(Property::Tcp);
         let (dimension, rank) = (claim.dimension, claim.rank());
@@ -142,6 +142,14 @@ impl<'c, M: Numbers> Pass<'c, M> {
         }
     }
 
+    /// The numbers of facets in the boundary, and of the peaks of open facets and edges.
+    pub(crate) fn counts(&self) -> (u64, usize, usize) {
+        let edges = self.edges.as_ref().map_or(0, Edges::peak);
+        (self.front.boundary, self.front.peak(), edges)
+    }
+}
+
+impl<M: Numbers> Pass<'_, M> {
     /// Checks I for the next vertex.
     pub(crate) fn add_vertex(&mut self) -> Checked {
         let place = Place::Vertex(self.shape.vertices);

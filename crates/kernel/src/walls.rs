@@ -284,7 +284,7 @@ impl<const N: usize> System<N> {
         let corner = patch.tile.vertices.get(corner).ok_or(Stop::LARGER)?;
         let mut point = Point::<N>::default();
         for (slot, x) in point.iter_mut().skip(self.rank).zip(corner) {
-            *slot = self.ring.times(&self.ring.element(x)?, &factor)?;
+            *slot = self.ring.times(&self.ring.polynomial(x)?, &factor)?;
         }
         Ok(point)
     }

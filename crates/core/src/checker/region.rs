@@ -10,6 +10,7 @@
 use super::boundary::{BoundaryFacet, Scale, cell};
 use super::defect::{BOUNDARY_MEETS, Defect, Findings};
 use super::outside::Outside;
+use crate::parallel;
 use crate::tiling::{Corner, Matching, Tiling, difference};
 use acutile_exact::geometry::Scalar;
 use acutile_exact::geometry::boxes::{self, Box3};
@@ -106,7 +107,7 @@ impl<'t, S: Scalar, const D: usize> Region<'t, S, D> {
             self.scale.point(self.tiling, &moved)
         };
         let vertices = 0..self.tiling.vertices.len();
-        let points: Vec<Point<S>> = vertices.into_par_iter().map(normal).collect();
+        let points: Vec<Point<S>> = parallel::map(vertices.len(), normal);
         let order = |v: &usize, w: &usize| compare(&points[*v], &points[*w]);
         let mut sorted: Vec<usize> = (0..points.len()).collect();
         sorted.par_sort_by(order);
@@ -131,11 +132,12 @@ impl<'t, S: Scalar, const D: usize> Region<'t, S, D> {
         let Some(pairs) = boxes::overlapping_pairs(&copies.extents, limit) else {
             return findings.add(Defect::BoundaryWork { limit });
         };
-        let mut pairs: Vec<(usize, usize)> = pairs
-            .into_par_iter()
-            .filter(|(f, g)| copies.is_base(*f) || copies.is_base(*g))
-            .filter(|(f, g)| copies.meeting(*f, *g).is_some())
-            .collect();
+        let meets = parallel::map(pairs.len(), |k| {
+            let (f, g) = pairs[k];
+            (copies.is_base(f) || copies.is_base(g)) && copies.meeting(f, g).is_some()
+        });
+        let kept = pairs.into_iter().zip(meets).filter(|(_, meets)| *meets);
+        let mut pairs: Vec<(usize, usize)> = kept.map(|(pair, _)| pair).collect();
         pairs.sort_unstable();
         for (f, g) in pairs {
             let facet = |copy: usize| self.boundary[copies.list[copy].facet].facet;

@@ -3,7 +3,7 @@
 //! [`triangulate`] turns a point set with a lattice, however skewed and with as few as one
 //! point, into a tiling by simplices; [`cells`] gives the Delaunay cells themselves,
 //! which are polytopes where more than D + 1 points lie on an empty sphere. Dimensions
-//! 2 and 3. Called by the catalogue and the command line.
+//! 2 and 3.
 //!
 //! | file | does |
 //! |---|---|
@@ -37,15 +37,15 @@ mod wrap;
 pub use error::{COSPHERICAL_LIMIT, CosphericalSet, DelaunayError};
 pub use predicates::circumcenter;
 
+use crate::parallel;
 use crate::predicates::Model as Coordinates;
 use crate::tiling::dimension::{same, same_value};
-use crate::tiling::{Corner, PointSet, Tiling, difference};
+use crate::tiling::{Corner, PointSet, SimplexId, Tiling, difference};
 use acutile_exact::geometry::Sign;
 use front::sort_is_odd;
 use model::Model;
 use polytope::Polytope;
 use predicates::Predicates;
-use rayon::prelude::*;
 use wrap::Cells;
 
 /// What to do with cells that are not simplices.
@@ -106,12 +106,11 @@ fn triangulate_set<const D: usize>(
             &found.polytopes,
         )?));
     }
-    let simplices = found
-        .shell
-        .corners
-        .par_chunks_exact(D + 1)
-        .map(|simplex| Simplex::new(&model, simplex))
-        .collect::<Result<Vec<_>, _>>()?;
+    let shell = &found.shell;
+    let simplices = parallel::map(shell.len(), |simplex| {
+        Simplex::new(&model, shell.simplex(SimplexId::at(simplex)))
+    });
+    let simplices = simplices.into_iter().collect::<Result<Vec<_>, _>>()?;
     drop(found);
     let simplices = sorted(simplices, model.names.len());
     let corners = simplices.iter().flat_map(Simplex::ordered).collect();

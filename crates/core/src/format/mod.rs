@@ -8,6 +8,7 @@
 //! | [`read`] | CBOR into the data |
 //! | [`patches`] | the same for certificates of the kind `patches` |
 //! | [`json`] | JSON into CBOR, with the check that it is canonical |
+//! | `json_error` | why JSON is no certificate |
 //! | [`mod@print`] | CBOR into JSON; the claim file |
 //! | [`recognise`] | one function that tells the encodings apart |
 //!
@@ -19,6 +20,7 @@
 
 pub mod cbor;
 pub mod json;
+mod json_error;
 pub mod patches;
 pub mod print;
 pub mod read;

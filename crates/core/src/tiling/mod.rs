@@ -1,7 +1,7 @@
 //! The object that is proved: a lattice, vertices, and one simplex per orbit.
 //!
 //! Nothing here is checked; [`crate::checker`] does that. Catalogue, importers and
-//! the Delaunay room make tilings, everything downstream reads them.
+//! the triangulation of point sets make tilings, and everything downstream reads them.
 
 pub mod coordinates;
 pub(crate) mod dimension;
