@@ -7,7 +7,8 @@ The files are certificates in JSON. VERIFY is acutile-verify, which gets each of
 extracted checker, COMMAND any further one that reads JSON and prints lines as acutile-verify does (its words are
 separated by spaces). A file is a disagreement when one program accepts it and another refuses it: rejected,
 malformed. "declined" agrees with everything, for the limits differ; what one accepts and another declines is
-listed, and the share of it is bounded: at most one file in a hundred, without regions, which COQ_CHECK declines.
+listed, and the share of it is bounded: at most one file in a hundred, without regions, families and patches,
+which COQ_CHECK declines. Systems of patches are not mutated here; tests/browser/mutate.mjs does that.
 A file that has no CBOR is not shown to VERIFY. Files whose name sets a limit are checked under the default limits.
 Exit code 1 if there is a disagreement, if nothing was accepted or refused, or if too much was declined by one
 program alone.
@@ -45,12 +46,18 @@ def cbor_of(path):
     except encodings.Refusal:
         return None
     document = json.loads(path.read_bytes())
-    records = [document] + [document.get(name) for name in ("claim", "witness")] if isinstance(document, dict) else [None]
+    records = [None]
+    if isinstance(document, dict):
+        witness = document.get("witness")
+        records = [document, document.get("claim"), *(witness if document.get("kind") == "patches" and isinstance(witness, list) else [witness])]
     return data if all(isinstance(record, dict) for record in records) and has_names(document) else None
 
 
 NAMES = [["format", "version", "kind", "claim", "witness"], ["dimension", "field", "gram", "domain", "statements"],
+         ["dimension", "field", "parameters", "gram", "domain", "statements"], ["name", "low", "high"],
          ["denominator", "vertices", "boundary", "simplices"], ["denominator", "vertices", "faces"],
+         ["denominator", "vertices", "boundary", "tree", "simplices"], ["field", "gram", "rank", "tiles", "statements"],
+         ["denominator", "vertices", "classes"], ["denominator", "offsets", "vertices", "pyramids", "simplices"],
          ["polynomial", "root"], ["low", "high", "denominator"]]
 
 
@@ -81,6 +88,8 @@ def entry(old, rng):
         return new if abs(new) < 2 ** 53 else str(new)
     if old.lstrip("-").isdigit():
         return str(int(old) + rng.choice([-1, 1]))
+    if old in ("closed", "open"):
+        return "open" if old == "closed" else "closed"
     if old.endswith("angle"):
         return rng.choice(["largest dihedral angle", "smallest dihedral angle"])
     return rng.choice(["acute", "nonobtuse", "Delaunay", "weakly Delaunay", "TCP", "space", "Q", "at most", "maximum", "minimum", "less than"])
@@ -130,6 +139,8 @@ def mutate(certificate, rng):
         rows = rng.choice([simplices, simplices, boundary or simplices])
         i = rng.randrange(len(rows))
         rows.insert(rng.randrange(len(rows) + 1), rows[i]) if kind < 0.95 else rows.pop(i)
+    if "tree" in witness and rng.random() < 0.2:
+        witness["tree"] = rng.choice([[], [0, [], []], [0, witness["tree"], []], [0, [], [0, [], []]]])
     # most changes of corners break their order; put it right, so that the later checks are tested
     if rng.random() < 0.8:
         witness["simplices"] = [tidy(row, *shape) for row in simplices]
@@ -164,7 +175,7 @@ class Comparison:
             if {"accepted", "refused"} <= set(row) or not set(row) <= {NONE, *WORDS.values()}:
                 self.bad.append(path)
                 print("DISAGREE", path, *row, flush=True)
-            elif {"accepted", "declined"} <= set(row) and not is_region(path):
+            elif {"accepted", "declined"} <= set(row) and not is_beyond_coq(path):
                 self.alone.append(path)
                 print("declined by one alone:", path, *row, flush=True)
         return list(zip(*columns))
@@ -181,8 +192,14 @@ class Comparison:
         return [dict(zip(encoded, found)).get(path, NONE) for path in paths]
 
 
-def is_region(path):
-    return '"domain":[\n"region"' in path.read_text(errors="replace")
+def is_beyond_coq(path):
+    """Regions, families and systems of patches."""
+    text = path.read_text(errors="replace")
+    return '"domain":[\n"region"' in text or '"kind":"family"' in text or is_system(path)
+
+
+def is_system(path):
+    return '"kind":"patches"' in path.read_text(errors="replace")
 
 
 def is_accepted(row):
@@ -195,7 +212,7 @@ def main():
     comparison = Comparison([[verify], [coq], *also])
     batches = [files[start:start + 100] for start in range(0, len(files), 100)]
     good = [f for batch in batches for f, row in zip(batch, comparison.compare(batch, 900)) if is_accepted(row)]
-    small = [f for f in good if f.stat().st_size < 12000]
+    small = [f for f in good if f.stat().st_size < 12000 and not is_system(f)]
     rng = random.Random(seed)
     with tempfile.TemporaryDirectory() as folder:
         for start in range(0, mutations if small else 0, 250):

@@ -1,20 +1,21 @@
 //! A name of the catalogue or a file, turned into a tiling; a point set becomes its
 //! Delaunay triangulation.
 
+use super::document::{self, PointDocument};
 use super::mesh::{self, MeshArguments};
 use super::named::{InputError, Named};
 use super::output::Output;
 use super::points::{self, PointArguments};
+use super::theorem;
 use super::transcribe;
 use acutile_catalog as catalog;
 use acutile_core::format;
-use acutile_core::tiling::{AnyPointSet, AnyTiling};
-use acutile_io::import::cif::{CifOptions, is_cif, read_cif};
+use acutile_core::tiling::AnyTiling;
+use acutile_io::import::crystal::text_of;
 use acutile_io::import::{
-    BYTE_LIMIT, Content, ImportError, NativeFile, read_bytes, read_native, read_text,
-    uncompressed_name, without_comments,
+    BYTE_LIMIT, Content, read_bytes, read_text, uncompressed_name, without_comments,
 };
-use acutile_io::mesh::{Family, load};
+use acutile_io::mesh::{Family, load, unknown};
 use clap::Args;
 use std::path::Path;
 
@@ -38,28 +39,60 @@ pub fn tiling(
     options: &FileArguments,
     output: &mut Output,
 ) -> Result<Named, InputError> {
+    match open(input, parameter, options, output)? {
+        Loaded::Tiling(named) => Ok(named),
+        Loaded::Points(points) => of_points(input, points, &options.points, output),
+    }
+}
+
+/// A tiling, or the points of a file that are not triangulated yet.
+pub enum Loaded {
+    Tiling(Named),
+    Points(PointDocument),
+}
+
+/// As [`tiling`], but points stay points.
+///
+/// # Errors
+/// A message that names the input.
+pub fn open(
+    input: &str,
+    parameter: Option<&str>,
+    options: &FileArguments,
+    output: &mut Output,
+) -> Result<Loaded, InputError> {
+    if let Some(theorem) = catalog::theorem(input) {
+        let message = format!(
+            "{input}: a theorem and no tiling; certify, show and verify take it, and {}NAME is one of its tilings",
+            theorem.family
+        );
+        return Err(message.into());
+    }
     if let Some(entry) = catalog::find(input) {
-        check_for_cif(input, &options.points)?;
+        document::check_for_crystal(input, &options.points)?;
         check_for_mesh(input, &options.mesh)?;
         let tiling = construction(input, parameter)?;
-        return Ok(Named {
-            name: input.to_owned(),
-            description: entry.description.to_owned(),
+        return Ok(Loaded::Tiling(Named::of(
+            input,
+            entry.description.to_owned(),
             tiling,
-            origin: None,
-            notes: Vec::new(),
-        });
+        )));
     }
     let path = Path::new(input);
     if input != "-" && !path.exists() && !input.contains(['/', '.']) {
-        let message = format!("{input}: neither a name of the catalogue (acutile list) nor a file");
+        let advice = match catalog::suggestion(input) {
+            Some(name) => format!("; did you mean {name}?"),
+            None => String::new(),
+        };
+        let message =
+            format!("{input}: neither a name of the catalogue (acutile list) nor a file{advice}");
         return Err(message.into());
     }
     if parameter.is_some() {
         return Err(format!("{input}: a file takes no parameter (--param)").into());
     }
     let content = text_or_mesh(path, &options.mesh)?;
-    of_content(input, content, options, output)
+    load_content(input, content, options, output)
 }
 
 /// The tiling of a file's content.
@@ -72,16 +105,30 @@ pub fn of_content(
     options: &FileArguments,
     output: &mut Output,
 ) -> Result<Named, InputError> {
+    match load_content(input, content, options, output)? {
+        Loaded::Tiling(named) => Ok(named),
+        Loaded::Points(points) => of_points(input, points, &options.points, output),
+    }
+}
+
+fn load_content(
+    input: &str,
+    content: TextOrMesh,
+    options: &FileArguments,
+    output: &mut Output,
+) -> Result<Loaded, InputError> {
     match content {
-        TextOrMesh::Mesh(loaded) => mesh::tiling(input, loaded, &options.mesh, output),
+        TextOrMesh::Mesh(loaded) => {
+            mesh::tiling(input, loaded, &options.mesh, output).map(Loaded::Tiling)
+        }
         TextOrMesh::Text(text) => {
             check_for_mesh(input, &options.mesh)?;
             of_text(input, &text, &options.points, output)
         }
         TextOrMesh::Certificate(bytes) => {
-            check_for_cif(input, &options.points)?;
+            document::check_for_crystal(input, &options.points)?;
             check_for_mesh(input, &options.mesh)?;
-            of_certificate(input, &bytes)
+            of_certificate(input, &bytes).map(Loaded::Tiling)
         }
     }
 }
@@ -89,15 +136,16 @@ pub fn of_content(
 /// The tiling of a certificate, which is not judged here.
 fn of_certificate(input: &str, bytes: &[u8]) -> Result<Named, InputError> {
     let cbor = transcribe::cbor(input, bytes)?;
+    if theorem::is_theorem(&cbor) {
+        let message = format!(
+            "{input}: a certificate of a theorem and no tiling; show, verify and convert take it"
+        );
+        return Err(message.into());
+    }
     let (tiling, _) = acutile_core::transcribe::of_certificate(&cbor)
         .map_err(|error| format!("{input}: {error}"))?;
-    Ok(Named {
-        name: input.to_owned(),
-        description: "the tiling of a certificate".to_owned(),
-        tiling,
-        origin: None,
-        notes: Vec::new(),
-    })
+    let description = "the tiling of a certificate".to_owned();
+    Ok(Named::of(input, description, tiling))
 }
 
 /// A construction of the catalogue; `square-triangle:FILE` reads its file.
@@ -116,87 +164,42 @@ fn construction(name: &str, parameter: Option<&str>) -> Result<AnyTiling, String
     tiling.map_err(|error| format!("{name}: {error}"))
 }
 
-/// The tiling of a file's text; a point set becomes its Delaunay triangulation.
-///
-/// # Errors
-/// A message that names the input.
+/// The tiling or the points of a file's text.
 fn of_text(
     input: &str,
     text: &str,
     points: &PointArguments,
     output: &mut Output,
-) -> Result<Named, InputError> {
-    let file = document(Path::new(input), text, points, output)?;
-    let words = [file.name, file.description].into_iter().flatten();
-    let description = words.collect::<Vec<_>>().join(": ");
-    let tiling = match file.content {
-        Content::Tiling(tiling) => tiling,
-        Content::Points(set) => points::of_points(input, &set, points, output)?,
-    };
-    Ok(Named {
-        name: input.to_owned(),
-        description,
-        tiling,
-        origin: None,
-        notes: Vec::new(),
+) -> Result<Loaded, InputError> {
+    let file = document::read(Path::new(input), text, points, output)?;
+    Ok(match file.content {
+        Content::Points(set) => Loaded::Points(PointDocument {
+            description: file.description,
+            set,
+            labels: file.labels,
+            elements: file.elements,
+            notes: file.notes,
+        }),
+        Content::Tiling(tiling) => Loaded::Tiling(Named {
+            notes: file.notes,
+            labels: file.labels,
+            ..Named::of(input, file.description, tiling)
+        }),
     })
 }
 
-/// The points of a point-set file.
-///
-/// # Errors
-/// A message that names the file.
-pub fn points(
-    path: &Path,
+/// The Delaunay triangulation of the points of a file.
+fn of_points(
+    input: &str,
+    points: PointDocument,
     arguments: &PointArguments,
     output: &mut Output,
-) -> Result<AnyPointSet, InputError> {
-    let text = read_text(path).map_err(|error| InputError::of_file(path, &error))?;
-    match document(path, &text, arguments, output)?.content {
-        Content::Points(points) => Ok(points),
-        Content::Tiling(_) => Err(format!(
-            "{}: is a tiling file, expected a point-set file",
-            path.display()
-        )
-        .into()),
-    }
-}
-
-/// A CIF or one of the program's own files.
-fn document(
-    path: &Path,
-    text: &str,
-    points: &PointArguments,
-    output: &mut Output,
-) -> Result<NativeFile, InputError> {
-    let named = |error: ImportError| InputError::of_file(path, &error);
-    if is_cif(&uncompressed_name(path), text) {
-        return cif(path, text, points, output).map_err(named);
-    }
-    check_for_cif(&path.display().to_string(), points)?;
-    read_native(text).map_err(named)
-}
-
-fn cif(
-    path: &Path,
-    text: &str,
-    points: &PointArguments,
-    output: &mut Output,
-) -> Result<NativeFile, ImportError> {
-    let options = CifOptions {
-        block: points.block.clone(),
-        snap: points.snap,
-        only: points.only.clone(),
-        ignore_occupancy: points.ignore_occupancy,
-    };
-    let cif = read_cif(text, &options)?;
-    for note in cif.notes {
-        output.complain(format!("{}: {note}", path.display()));
-    }
-    Ok(NativeFile {
-        name: Some(cif.name),
-        description: None,
-        content: Content::Points(AnyPointSet::Space(cif.points)),
+) -> Result<Named, InputError> {
+    let tiling = points::of_points(input, &points.set, arguments, output)?;
+    Ok(Named {
+        notes: points.notes,
+        labels: points.labels,
+        ..Named::of(input, points.description, tiling)
     })
 }
 
@@ -212,20 +215,6 @@ fn check_for_mesh(input: &str, mesh: &MeshArguments) -> Result<(), String> {
         Some((option, _)) => Err(format!(
             "{input}: {option} is for a mesh file, which this is not"
         )),
-    }
-}
-
-/// The options for a CIF mean nothing for `input`, which is none.
-fn check_for_cif(input: &str, points: &PointArguments) -> Result<(), String> {
-    let given = [
-        ("--block", points.block.is_some()),
-        ("--snap", points.snap.is_some()),
-        ("--only", !points.only.is_empty()),
-        ("--ignore-occupancy", points.ignore_occupancy),
-    ];
-    match given.iter().find(|(_, given)| *given) {
-        None => Ok(()),
-        Some((option, _)) => Err(format!("{input}: {option} is for a CIF, which this is not")),
     }
 }
 
@@ -246,9 +235,12 @@ pub enum TextOrMesh {
 /// A message that names the file.
 pub fn text_or_mesh(path: &Path, options: &MeshArguments) -> Result<TextOrMesh, InputError> {
     let of_mesh = |error| InputError::of_mesh(&path.display().to_string(), &error);
-    let family = options.mesh_format.map(|format| format.family());
-    if let Some(family) = family.or_else(|| Family::of_path(path)) {
+    if let Some(family) = options.mesh_format {
         let loaded = load::load(path, family);
+        return loaded.map(TextOrMesh::Mesh).map_err(of_mesh);
+    }
+    if let Some(family) = Family::of_path(path) {
+        let loaded = load::load_by_name(path, family);
         return loaded.map(TextOrMesh::Mesh).map_err(of_mesh);
     }
     let of_file = |error| InputError::of_file(path, &error);
@@ -260,8 +252,11 @@ pub fn text_or_mesh(path: &Path, options: &MeshArguments) -> Result<TextOrMesh, 
     if format::recognise(&bytes).is_some() {
         return Ok(TextOrMesh::Certificate(bytes));
     }
-    let text = String::from_utf8(bytes).map_err(|error| ImportError::NotText {
-        offset: error.utf8_error().valid_up_to(),
-    });
-    text.map(TextOrMesh::Text).map_err(of_file)
+    if unknown::name(path, &bytes).is_some() {
+        let message = unknown::message(path, &bytes);
+        return Err(format!("{}: {message}", path.display()).into());
+    }
+    text_of(&uncompressed_name(path), bytes)
+        .map(TextOrMesh::Text)
+        .map_err(of_file)
 }

@@ -8,13 +8,16 @@
 //! | 3 | declined: a limit, an undecided sign, an unknown version |
 //! | 130 | interrupted |
 
+mod answer;
 mod appendix;
 mod args;
 mod bundle;
 mod certify;
 mod classify;
 mod convert;
+mod defects;
 mod delaunay;
+mod document;
 mod draw;
 mod encoding;
 mod export;
@@ -23,6 +26,7 @@ mod input;
 mod interrupt;
 mod limits;
 mod list;
+mod lower_bound;
 mod mesh;
 mod meta;
 mod named;
@@ -35,10 +39,14 @@ mod progress;
 mod proved;
 mod quality;
 mod refutation;
+mod region;
 mod report;
+mod second;
 mod show;
+mod sites;
 mod table;
 mod target;
+mod theorem;
 mod transcribe;
 mod verify;
 mod words;
@@ -64,6 +72,7 @@ pub fn main() -> ExitCode {
         Command::Convert(convert) => convert::run(&convert, &mut output),
         Command::Table(table) => table::run(&table, &mut output),
         Command::Paper(paper) => paper::run(&paper, &mut output),
+        Command::LowerBound(bound) => lower_bound::run(&bound, &mut output),
         Command::Quality(quality) => quality::run(&quality, &mut output),
         Command::Gallery(gallery) => gallery::run(&gallery, &mut output),
         Command::Report(report) => report::run(&report, &mut output),
@@ -72,7 +81,7 @@ pub fn main() -> ExitCode {
         Command::Appendix(appendix) => appendix::run(&appendix, &mut output),
         Command::Bundle(bundle) => bundle::run(&bundle, &mut output),
         Command::Completions(completions) => meta::completions(&completions, &mut output),
-        Command::Man => meta::man(&mut output),
+        Command::Man(man) => meta::man(&man, &mut output),
     };
     ExitCode::from(outcome.and(output.finish()).code())
 }

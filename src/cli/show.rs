@@ -3,12 +3,17 @@
 use super::input::{self, FileArguments};
 use super::outcome::Outcome;
 use super::output::Output;
+use super::theorem;
+use acutile_catalog as catalog;
+use acutile_core::format;
 use acutile_core::quality::{decimal_range, dihedral_degrees, display_width, shapes};
 use acutile_core::tiling::{Frame, SimplexId, Tiling};
 use acutile_core::with_dimension;
 use acutile_exact::geometry::linear;
 use acutile_exact::number::Number;
+use acutile_io::import::{BYTE_LIMIT, read_bytes};
 use clap::Args;
+use std::path::Path;
 
 #[derive(Debug, Args)]
 pub struct ShowArguments {
@@ -21,10 +26,25 @@ pub struct ShowArguments {
     /// goldberg-1, -2 and -3, epsilon of two-corners
     #[arg(long, value_name = "VALUE", allow_hyphen_values = true)]
     pub param: Option<String>,
+    /// List all shapes, and not only the first 20
+    #[arg(long)]
+    pub all: bool,
 }
+
+/// Shapes that are printed without --all.
+const SHAPES: usize = 20;
 
 /// Prints counts, lattice, field and shapes.
 pub fn run(arguments: &ShowArguments, output: &mut Output) -> Outcome {
+    if let Some(shown) = show_theorem(&arguments.input, output) {
+        return match shown {
+            Ok(()) => Outcome::Done,
+            Err(message) => {
+                output.complain(format!("acutile: {message}"));
+                Outcome::Failed
+            }
+        };
+    }
     match input::tiling(
         &arguments.input,
         arguments.param.as_deref(),
@@ -33,7 +53,7 @@ pub fn run(arguments: &ShowArguments, output: &mut Output) -> Outcome {
     ) {
         Ok(named) => {
             output.line(format!("{}: {}", named.name, named.description));
-            with_dimension!(&named.tiling, AnyTiling, t => show(t, output));
+            with_dimension!(&named.tiling, AnyTiling, t => show(t, arguments.all, output));
             Outcome::Done
         }
         Err(error) => {
@@ -43,7 +63,22 @@ pub fn run(arguments: &ShowArguments, output: &mut Output) -> Outcome {
     }
 }
 
-fn show<const D: usize>(tiling: &Tiling<D>, output: &mut Output) {
+/// A theorem of the catalogue, or a certificate of one.
+fn show_theorem(input: &str, output: &mut Output) -> Option<Result<(), String>> {
+    if let Some(entry) = catalog::theorem(input) {
+        return Some(theorem::show_entry(entry, output));
+    }
+    let path = Path::new(input);
+    if !path.is_file() {
+        return None;
+    }
+    let bytes = read_bytes(path, BYTE_LIMIT).ok()?;
+    format::recognise(&bytes)?;
+    let cbor = format::to_cbor(&bytes).ok()?;
+    theorem::is_theorem(&cbor).then(|| theorem::show_certificate(input, &cbor, output))
+}
+
+fn show<const D: usize>(tiling: &Tiling<D>, all: bool, output: &mut Output) {
     output.line(format!(
         "dimension {D}, lattice of rank {}; {} vertices and {} simplices in a cell",
         tiling.frame.rank(),
@@ -51,7 +86,9 @@ fn show<const D: usize>(tiling: &Tiling<D>, output: &mut Output) {
         tiling.len()
     ));
     show_frame(&tiling.frame, output);
-    for shape in shapes(tiling) {
+    let shapes = shapes(tiling);
+    let shown = if all { shapes.len() } else { SHAPES };
+    for shape in shapes.iter().take(shown) {
         let edges: Vec<String> = shape.squared_edges.iter().map(Number::to_string).collect();
         output.line(format!(
             "{} simplices with squared edges {}",
@@ -61,6 +98,12 @@ fn show<const D: usize>(tiling: &Tiling<D>, output: &mut Output) {
         output.line(format!(
             "  dihedral angles {}",
             angles(tiling, shape.members[0]).join(", ")
+        ));
+    }
+    if shapes.len() > shown {
+        let (more, total) = (shapes.len() - shown, shapes.len());
+        output.line(format!(
+            "and {more} more of {total} shapes; --all lists them"
         ));
     }
 }

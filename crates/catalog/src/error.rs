@@ -2,6 +2,7 @@
 
 use super::limits::{ENTRY_LIMIT, WORD_LIMIT};
 use acutile_core::delaunay::DelaunayError;
+use acutile_core::patches::derive::DeriveError;
 use acutile_exact::number::{FieldError, ReadError};
 use std::fmt;
 
@@ -64,6 +65,14 @@ pub enum CatalogError {
     Field(FieldError),
     /// The points have no Delaunay triangulation.
     Delaunay(DelaunayError),
+    /// A tile has no patch.
+    Patch(DeriveError),
+}
+
+impl From<DeriveError> for CatalogError {
+    fn from(error: DeriveError) -> Self {
+        CatalogError::Patch(error)
+    }
 }
 
 impl From<DelaunayError> for CatalogError {
@@ -81,7 +90,13 @@ impl From<FieldError> for CatalogError {
 impl fmt::Display for CatalogError {
     fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
         match self {
-            Self::UnknownName(name) => write!(f, "there is no construction `{name}`"),
+            Self::UnknownName(name) => {
+                write!(f, "there is no construction `{name}`")?;
+                match crate::suggestion(name) {
+                    Some(other) => write!(f, "; did you mean {other}?"),
+                    None => Ok(()),
+                }
+            }
             Self::NoParameter(name) => write!(f, "`{name}` takes no parameter"),
             Self::NotPositive(text) => {
                 write!(f, "the parameter is {text}, expected a positive number")
@@ -131,6 +146,7 @@ impl fmt::Display for CatalogError {
             Self::Degenerate => write!(f, "the lattice vectors are dependent"),
             Self::Field(error) => error.fmt(f),
             Self::Delaunay(error) => error.fmt(f),
+            Self::Patch(error) => error.fmt(f),
         }
     }
 }

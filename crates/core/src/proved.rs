@@ -258,6 +258,12 @@ pub fn claim_of(verified: &Verified) -> Option<format::Claim> {
 /// The claim that the kernel confirmed, in words, one line. A claim beyond the prover's limits is
 /// given as its JSON.
 pub fn in_words(verified: &Verified) -> String {
+    let file = format::json::claim_to_cbor(verified.claim.print().as_bytes());
+    if let Ok(theorem) = file.map(|file| format::patches::claim_of_file(&file))
+        && let Ok(Ok(words)) = theorem.map(|claim| crate::patches::in_words(&claim))
+    {
+        return words;
+    }
     let (simplices, boundary) = (verified.simplices, verified.boundary_facets);
     let words = claim_of(verified).and_then(|claim| {
         transcribe::claim_in_words(&claim, simplices as usize, boundary as usize).ok()

@@ -6,15 +6,19 @@ use num_integer::Integer;
 
 /// The place, the value, and the option that accepts more.
 pub fn refusal(refusal: &Refusal, length: Option<u64>) -> String {
-    let place = place(refusal.place);
+    let at = refusal.point.iter().map(|(name, value)| match value {
+        Value::Quotient(p, q) => format!("{name} = {}", quotient(p, q)),
+        _ => name.clone(),
+    });
+    let point = at.collect::<Vec<_>>().join(", ");
+    let place = place(refusal.place) + if point.is_empty() { "" } else { " at " } + &point;
     match &refusal.value {
         Value::Nothing => place,
         Value::Integer(value) => format!("{place}: found {value}"),
         Value::Quotient(p, q) => format!("{place}: found {}", quotient(p, q)),
         Value::Limit(name, suffices) => {
-            let suffices = if *name == "bytes" { length } else { *suffices };
-            let value = suffices.map_or("N".into(), |value| value.to_string());
-            format!("{place}: use --max-{name} {value}")
+            let suffices = suffices.or(length).unwrap_or(u64::MAX);
+            format!("{place}: use --max-{name} {suffices}")
         }
     }
 }

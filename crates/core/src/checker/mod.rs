@@ -4,12 +4,16 @@
 //! Nothing here is trusted. [`crate::proved`] writes what comes out as a certificate and asks the
 //! kernel.
 
+mod apart;
 mod boundary;
+mod contact;
 mod data;
 mod defect;
 mod domain;
+mod duplicates;
 mod hypotheses;
 mod names;
+mod offenders;
 mod outside;
 mod region;
 mod render;
@@ -18,10 +22,11 @@ mod statements;
 
 pub use crate::predicates::Model;
 pub use data::defect_data;
-pub use defect::{Angle, Defect, Findings};
+pub use defect::{Angle, ContactKind, Defect, Findings};
 pub use domain::{check_domain, check_facets, check_inside};
 pub use hypotheses::{check_corners, check_metric, check_orientation, check_volume};
 pub use names::Names;
+pub use offenders::offenders;
 pub use region::check_region;
 pub use render::describe;
 pub use statements::{check_acute, check_delaunay, check_nonobtuse, check_tcp};
@@ -32,16 +37,19 @@ use crate::limits::own_limits;
 use crate::quality::{Ranges, exact_ranges};
 use crate::statement::{Requirement, Statement};
 use crate::tiling::dimension::{same, same_value};
-use crate::tiling::{Matching, Plane, Tiling, match_facets};
+use crate::tiling::{Facet, Matching, Plane, Tiling, match_facets};
 use crate::transcribe::Parts;
 use acutile_kernel::Limits;
 use std::cmp::Ordering;
+use std::collections::BTreeSet;
 
 /// What to prove beyond the tiling itself.
 #[derive(Clone, Debug)]
 pub struct Options {
     /// Statements that must hold; where one fails the tiling is refuted.
     pub required: Vec<Requirement>,
+    /// Facets of a region that must have a mate: those on the sides of a periodic mesh.
+    pub sides: BTreeSet<Facet>,
     /// How many defects of each kind a refutation keeps; all are counted.
     pub defect_limit: usize,
     /// Limits of the kernel, which checks the certificate.
@@ -52,6 +60,7 @@ impl Default for Options {
     fn default() -> Self {
         Options {
             required: Vec::new(),
+            sides: BTreeSet::new(),
             defect_limit: 20,
             limits: own_limits(),
         }
@@ -147,7 +156,11 @@ fn examine_model<const D: usize>(
     progress("facets");
     let matching = match_facets(model.tiling);
     let faces = check_inside(model.tiling, planes, &mut findings);
-    check_facets(model.tiling, &matching, &faces, &mut findings);
+    let surplus = duplicates::check_duplicates(model.tiling, &mut findings);
+    domain::check_facets_beside(model.tiling, &matching, &faces, &surplus, &mut findings);
+    for &facet in &options.sides {
+        findings.add(Defect::UnmatchedFacet { facet });
+    }
     progress("volume");
     check_volume(model, &mut findings);
     if model.tiling.frame.domain.is_region() {

@@ -11,7 +11,6 @@ use super::tree::{Ball, Tree, tree_order};
 use crate::parallel;
 use crate::tiling::{Corner, Frame, PointSet, SHIFT_LIMIT, Tiling, VertexId};
 use acutile_exact::number::Number;
-
 use malachite::{Integer, Rational};
 
 /// How many witness points stand behind the points of the set, see [`Model::witness`].

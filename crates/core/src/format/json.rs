@@ -45,8 +45,14 @@ fn transcribed(json: &[u8], members: Members) -> Result<Vec<u8>, JsonError> {
     if reader.version.is_some_and(|v| v != super::VERSION) {
         return Err(declined(JsonCode::Version, "expected version 2"));
     }
-    if reader.kind.is_some_and(|kind| kind != super::KIND) {
-        return Err(declined(JsonCode::Kind, "expected the kind \"tiling\""));
+    if reader
+        .kind
+        .is_some_and(|kind| !super::KINDS.contains(&kind.as_str()))
+    {
+        return Err(declined(
+            JsonCode::Kind,
+            "expected the kind \"tiling\" or \"patches\"",
+        ));
     }
     read?;
     check_canonical(json, &reader.cbor, members)?;

@@ -6,6 +6,7 @@
 //! | [`cbor`] | items of CBOR: heads, integers, texts, arrays |
 //! | [`write`](mod@write) | the data in CBOR, in one pass |
 //! | [`read`] | CBOR into the data |
+//! | [`patches`] | the same for certificates of the kind `patches` |
 //! | [`json`] | JSON into CBOR, with the check that it is canonical |
 //! | `json_error` | why JSON is no certificate |
 //! | [`mod@print`] | CBOR into JSON; the claim file |
@@ -20,12 +21,13 @@
 pub mod cbor;
 pub mod json;
 mod json_error;
+pub mod patches;
 pub mod print;
 pub mod read;
 mod recognise;
 pub mod write;
 
-pub use recognise::{Encoding, recognise, to_cbor, version};
+pub use recognise::{Encoding, kind, recognise, to_cbor, version};
 
 use malachite::Integer;
 
@@ -37,6 +39,8 @@ pub const CLAIM_FORMAT: &str = "acutile-claim";
 pub const VERSION: u64 = 2;
 /// The third member: the claim is about one tiling.
 pub const KIND: &str = "tiling";
+/// All kinds.
+pub const KINDS: [&str; 2] = [KIND, patches::KIND];
 
 /// A claim and the witness for it.
 #[derive(Clone, Debug, PartialEq, Eq)]

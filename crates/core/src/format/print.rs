@@ -18,6 +18,8 @@ pub enum Shape {
     Plain,
     /// It is, if it is an array.
     Record(Members),
+    /// Its elements are such records.
+    Each(Members),
     /// A domain: a text, or its name and a polytope or a rank.
     Domain,
 }
@@ -61,8 +63,42 @@ pub const CLAIM_FILE: Members = &[
     ("kind", Shape::Plain),
     ("claim", Shape::Record(CLAIM)),
 ];
+const TILE: Members = &[
+    ("denominator", Shape::Plain),
+    ("vertices", Shape::Plain),
+    ("classes", Shape::Plain),
+];
+const PATCHES_CLAIM: Members = &[
+    ("field", Shape::Record(FIELD)),
+    ("gram", Shape::Plain),
+    ("rank", Shape::Plain),
+    ("tiles", Shape::Each(TILE)),
+    ("statements", Shape::Plain),
+];
+const PATCH: Members = &[
+    ("denominator", Shape::Plain),
+    ("offsets", Shape::Plain),
+    ("vertices", Shape::Plain),
+    ("pyramids", Shape::Plain),
+    ("simplices", Shape::Plain),
+];
+/// The members of a certificate of the kind `patches`.
+const PATCHES: Members = &[
+    ("format", Shape::Plain),
+    ("version", Shape::Plain),
+    ("kind", Shape::Plain),
+    ("claim", Shape::Record(PATCHES_CLAIM)),
+    ("witness", Shape::Each(PATCH)),
+];
+/// The members of its claim file.
+const PATCHES_CLAIM_FILE: Members = &[
+    ("format", Shape::Plain),
+    ("version", Shape::Plain),
+    ("kind", Shape::Plain),
+    ("claim", Shape::Record(PATCHES_CLAIM)),
+];
 /// All records.
-pub const RECORDS: [Members; 7] = [
+pub const RECORDS: [Members; 12] = [
     CERTIFICATE,
     CLAIM_FILE,
     CLAIM,
@@ -70,7 +106,21 @@ pub const RECORDS: [Members; 7] = [
     ROOT,
     POLYTOPE,
     WITNESS,
+    PATCHES,
+    PATCHES_CLAIM_FILE,
+    PATCHES_CLAIM,
+    TILE,
+    PATCH,
 ];
+
+/// The members of a certificate of this kind, or of a claim file.
+fn of_kind(members: Members, kind: Option<&str>) -> Members {
+    match (kind, members.len()) {
+        (Some(super::patches::KIND), 5) => PATCHES,
+        (Some(super::patches::KIND), _) => PATCHES_CLAIM_FILE,
+        _ => members,
+    }
+}
 
 /// Containers that begin at a depth below this have their elements on lines of their own.
 const DEPTH_OF_LINES: usize = 3;
@@ -143,6 +193,7 @@ pub fn print(cbor: &[u8], members: Members, out: &mut impl Write) -> Result<(), 
         items: Items::new(cbor),
         out,
     };
+    let members = of_kind(members, super::kind(cbor));
     printer.item(Shape::Record(members), 0)?;
     printer.items.end()?;
     Ok(printer.out.write_all(b"\n")?)
@@ -197,6 +248,7 @@ impl<W: Write> Printer<'_, '_, W> {
                     members[index].1
                 }
                 (None, Shape::Domain) if index == 1 => Shape::Record(POLYTOPE),
+                (None, Shape::Each(members)) => Shape::Record(members),
                 _ => Shape::Plain,
             };
             self.item(inner, depth + 1)?;

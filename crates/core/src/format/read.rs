@@ -40,7 +40,7 @@ pub fn certificate(bytes: &[u8]) -> Result<Certificate, CborError> {
 /// The claim of a certificate, up to the denominator of the witness.
 pub fn head(items: &mut Items) -> Result<Claim, CborError> {
     items.array_of(5)?;
-    begin(items, FORMAT)?;
+    begin(items, FORMAT, KIND)?;
     let claim = claim(items)?;
     items.array_of(4)?;
     Ok(claim)
@@ -50,13 +50,13 @@ pub fn head(items: &mut Items) -> Result<Claim, CborError> {
 pub fn claim_file(bytes: &[u8]) -> Result<Claim, CborError> {
     let mut items = Items::new(bytes);
     items.array_of(4)?;
-    begin(&mut items, CLAIM_FORMAT)?;
+    begin(&mut items, CLAIM_FORMAT, KIND)?;
     let claim = claim(&mut items)?;
     items.end()?;
     Ok(claim)
 }
 
-fn begin(items: &mut Items, format: &str) -> Result<(), CborError> {
+pub(super) fn begin(items: &mut Items, format: &str, kind: &str) -> Result<(), CborError> {
     expect(items, "the format is another", |items| {
         Ok(items.text()? == format)
     })?;
@@ -64,12 +64,12 @@ fn begin(items: &mut Items, format: &str) -> Result<(), CborError> {
         Ok(items.small()? == VERSION as i64)
     })?;
     expect(items, "the kind is not known", |items| {
-        Ok(items.text()? == KIND)
+        Ok(items.text()? == kind)
     })
 }
 
 /// Reads something that must be as `read` says; an error is at its beginning.
-fn expect(
+pub(super) fn expect(
     items: &mut Items,
     problem: &'static str,
     read: impl FnOnce(&mut Items) -> Result<bool, CborError>,
@@ -82,7 +82,7 @@ fn expect(
     }
 }
 
-fn list<T>(
+pub(super) fn list<T>(
     items: &mut Items,
     mut read: impl FnMut(&mut Items) -> Result<T, CborError>,
 ) -> Result<Vec<T>, CborError> {
@@ -123,7 +123,7 @@ fn claim(items: &mut Items) -> Result<Claim, CborError> {
     })
 }
 
-fn field(items: &mut Items) -> Result<Field, CborError> {
+pub(super) fn field(items: &mut Items) -> Result<Field, CborError> {
     let offset = items.offset();
     let wrong = |problem| CborError { offset, problem };
     match items.next_item()? {
@@ -204,7 +204,7 @@ fn index(items: &mut Items) -> Result<u32, CborError> {
     })
 }
 
-fn statement(items: &mut Items, degree: usize) -> Result<Statement, CborError> {
+pub(super) fn statement(items: &mut Items, degree: usize) -> Result<Statement, CborError> {
     let offset = items.offset();
     let unknown = CborError {
         offset,

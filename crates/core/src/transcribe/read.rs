@@ -98,14 +98,14 @@ pub fn claim_in_words(
 }
 
 /// Numbers of a certificate's field.
-struct Numbers {
+pub(crate) struct Numbers {
     field: Field,
     /// The powers of the root that the certificate calls a.
     powers: Vec<Number>,
 }
 
 impl Numbers {
-    fn of(field: &format::Field) -> Result<Self, ReadError> {
+    pub(crate) fn of(field: &format::Field) -> Result<Self, ReadError> {
         let one = Number::from(Rational::from(1));
         let format::Field::Algebraic(algebraic) = field else {
             return Ok(Numbers {
@@ -151,7 +151,7 @@ impl Numbers {
         })
     }
 
-    fn statement(&self, statement: &format::Statement) -> Result<Statement, ReadError> {
+    pub(crate) fn statement(&self, statement: &format::Statement) -> Result<Statement, ReadError> {
         Ok(match statement {
             format::Statement::FaceToFaceTiling => Statement::FaceToFaceTiling,
             format::Statement::Acute => Statement::Acute,

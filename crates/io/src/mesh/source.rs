@@ -2,6 +2,8 @@
 //! and knows the line or the byte where it stands.
 
 use super::error::{MeshError, Place};
+use super::words::integer;
+pub use super::words::{decimal_double, shown, without_mark};
 
 /// How numbers are written.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -29,8 +31,9 @@ pub struct Source<'a> {
 type Read<T> = Result<T, MeshError>;
 
 impl<'a> Source<'a> {
-    /// At the first byte, numbers in text.
+    /// At the first byte after a byte order mark, numbers in text.
     pub fn new(bytes: &'a [u8]) -> Self {
+        let bytes = without_mark(bytes);
         Source {
             bytes,
             at: 0,
@@ -147,18 +150,43 @@ impl<'a> Source<'a> {
         line.trim_ascii()
     }
 
-    /// The cursor after the next line that begins with `mark`; the bytes before it are
-    /// passed over. `None` where there is no such line.
-    pub fn skip_past_line(&mut self, mark: &str) -> Option<()> {
+    /// The cursor after the next occurrence of `mark` at the end of a word. `None` where there is
+    /// none.
+    pub fn skip_past(&mut self, mark: &str) -> Option<()> {
         let mark = mark.as_bytes();
         loop {
-            if self.remaining() == 0 {
-                return None;
-            }
-            if self.rest_of_line().starts_with(mark) {
+            let rest = &self.bytes[self.at..];
+            let length = rest.windows(mark.len()).position(|window| window == mark)?;
+            let end = length + mark.len();
+            self.line += rest[..end].iter().filter(|&&byte| byte == b'\n').count() as u64;
+            self.at += end;
+            if self.at_word_end() {
                 return Some(());
             }
         }
+    }
+
+    fn at_word_end(&self) -> bool {
+        self.bytes.get(self.at).is_none_or(u8::is_ascii_whitespace)
+    }
+
+    /// Passes over the next word if it is this one, and tells whether it is.
+    pub fn skip_word(&mut self, word: &str) -> bool {
+        let mut ahead = self.clone();
+        let is_next = ahead.try_word() == Some(word.as_bytes());
+        if is_next {
+            *self = ahead;
+        }
+        is_next
+    }
+
+    /// Three coordinates.
+    pub fn point(&mut self) -> Read<[f64; 3]> {
+        Ok([
+            self.double("the coordinate x")?,
+            self.double("the coordinate y")?,
+            self.double("the coordinate z")?,
+        ])
     }
 
     /// The next `length` bytes.
@@ -225,12 +253,10 @@ impl<'a> Source<'a> {
         }
     }
 
-    /// The double nearest to a decimal text.
+    /// The double nearest to a decimal text. Fortran's `1.5D-3` is 1.5e-3.
     fn decimal_double(&mut self, what: &str) -> Read<f64> {
         let word = self.word(what)?;
-        let text = std::str::from_utf8(word).ok();
-        let value = text.filter(|_| begins_as_number(word));
-        match value.and_then(|text| text.parse::<f64>().ok()) {
+        match decimal_double(word) {
             Some(value) if value.is_finite() => Ok(value),
             Some(_) => Err(self.unexpected(word, &format!("{what} in the range of doubles"))),
             None => Err(self.unexpected(word, &format!("{what}, a number"))),
@@ -284,43 +310,6 @@ impl<'a> Source<'a> {
             _ => width * numbers,
         }
     }
-}
-
-/// Whether a digit or a point comes first, after a sign or not: then Rust reads the word as
-/// we do, for `inf` and `nan` are all that it reads otherwise.
-fn begins_as_number(word: &[u8]) -> bool {
-    let unsigned = match word {
-        [b'-' | b'+', rest @ ..] => rest,
-        rest => rest,
-    };
-    matches!(unsigned, [b'0'..=b'9' | b'.', ..])
-}
-
-/// A decimal integer with an optional sign.
-fn integer(word: &[u8]) -> Option<i64> {
-    let (negative, digits) = match word {
-        [b'-', digits @ ..] => (true, digits),
-        [b'+', digits @ ..] => (false, digits),
-        digits => (false, digits),
-    };
-    if digits.is_empty() || digits.len() > 18 {
-        return None;
-    }
-    let mut value = 0i64;
-    for digit in digits {
-        if !digit.is_ascii_digit() {
-            return None;
-        }
-        value = value * 10 + i64::from(digit - b'0');
-    }
-    Some(if negative { -value } else { value })
-}
-
-/// A word in quotes, not longer than a line.
-pub fn shown(word: &[u8]) -> String {
-    let text = String::from_utf8_lossy(&word[..word.len().min(40)]);
-    let dots = if word.len() > 40 { "..." } else { "" };
-    format!("\"{}{dots}\"", text.escape_debug())
 }
 
 #[cfg(test)]
