@@ -8,7 +8,8 @@ use acutile_core::format;
 use acutile_core::tiling::{AnyPointSet, AnyTiling, Facet, Tiling};
 use acutile_core::transcribe;
 use acutile_core::with_dimension;
-use acutile_io::import::cif::{CifOptions, is_cif, read_cif};
+use acutile_io::import::cif::CifOptions;
+use acutile_io::import::crystal::{self, text_of};
 use acutile_io::import::{BYTE_LIMIT, Content, read_bytes, read_native, uncompressed_name};
 use acutile_io::mesh::{
     Family, Lattice, Mesh, Numbering, Origin, load, periodic_tiling, region_tiling,
@@ -105,6 +106,13 @@ pub fn mesh(points: ArrayView2<f64>, cells: ArrayView2<u32>) -> PyResult<Mesh> {
 
 /// A bounded mesh, or with a lattice a periodic one.
 pub fn of_mesh(mesh: Mesh, lattice: Option<&str>, tolerance: Option<f64>) -> PyResult<Input> {
+    if !mesh.curved.is_empty() {
+        return Err(failed(format!(
+            "{} tetrahedra of second order are curved; the command `acutile certify` says whether \
+             each is valid",
+            mesh.curved.len()
+        )));
+    }
     let lattice = match lattice {
         Some(text) => Some(Lattice::parse(text).map_err(|e| failed(format!("lattice: {e}")))?),
         None if mesh.periodic.is_empty() => None,
@@ -194,12 +202,13 @@ pub fn open(source: &str, options: &Options) -> PyResult<Input> {
         let read = transcribe::of_certificate(&cbor).map_err(|error| of_source(&error))?;
         return Ok(Input::of(read.0));
     }
-    let text = String::from_utf8(bytes)
-        .map_err(|_| of_source(&"neither text nor a mesh file that acutile reads"))?;
-    if is_cif(&uncompressed_name(path), &text) {
-        let cif = read_cif(&text, &CifOptions::default()).map_err(|error| of_source(&error))?;
-        let mut input = of_points(&AnyPointSet::Space(cif.points), options.triangulate)?;
-        input.notes.splice(0..0, cif.notes);
+    let name = uncompressed_name(path);
+    let text = text_of(&name, bytes).map_err(|error| of_source(&error))?;
+    if let Some(kind) = crystal::kind(&name, &text) {
+        let structure = crystal::read(kind, &text, &CifOptions::default());
+        let structure = structure.map_err(|error| of_source(&error))?;
+        let mut input = of_points(&AnyPointSet::Space(structure.points), options.triangulate)?;
+        input.notes.splice(0..0, structure.notes);
         return Ok(input);
     }
     of_text(&text, options.triangulate).map_err(|error| of_source(&error))

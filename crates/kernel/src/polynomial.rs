@@ -15,6 +15,8 @@ use std::rc::Rc;
 
 type Large<const N: usize> = Exact<BigInt, N>;
 type Number<const N: usize> = Element<BigInt, N>;
+/// Signs of Bernstein coefficients, each with its number on each axis.
+type Signs = Vec<(Vec<u32>, Ordering)>;
 
 /// The terms by their exponents. The empty list of exponents stands for zeros.
 #[derive(Clone, Default)]
@@ -122,7 +124,7 @@ impl<const N: usize> Polynomials<N> {
 
     /// The signs of the Bernstein coefficients, times positive factors, with their numbers on each
     /// axis, and the degrees. Nothing if there are too many, or if a sign is undecided.
-    fn signs(&self, x: &Terms<N>) -> Option<(Vec<u32>, Vec<(Vec<u32>, Ordering)>)> {
+    fn signs(&self, x: &Terms<N>) -> Option<(Vec<u32>, Signs)> {
         let axes = x.0.keys().map(Vec::len).max().unwrap_or(0);
         let exponent = |exponents: &Vec<u32>, axis: usize| exponents.get(axis).copied().unwrap_or(0);
         let degree = |axis| x.0.keys().map(|exponents| exponent(exponents, axis)).max().unwrap_or(0);
