@@ -37,11 +37,11 @@ pub(crate) fn is_left_out(file: &'static str, line: u32) -> bool {
     LEFT_OUT.get() == Some((file, line))
 }
 
-/// The code, or `verified`, or `panic`.
+/// The code, the place and the value, or `verified`, or `panic`.
 fn answer(cbor: &[u8], limits: &Limits) -> String {
     let found = catch_unwind(|| match crate::verify(&mut &cbor[..], limits) {
         Ok(_) => "verified".to_owned(),
-        Err(refusal) => format!("{:?}", (refusal.code, refusal.place)),
+        Err(refusal) => format!("{:?}", (refusal.code, refusal.place, refusal.value)),
     });
     found.unwrap_or_else(|_| "panic".into())
 }
