@@ -254,8 +254,9 @@ impl<const N: usize> Side<N> {
     ) -> Checked<Point<N>> {
         let ring = &system.ring;
         let there = right.coordinates(system, corner, true)?;
-        let shift =
-            each(&shift.shift, |s| ring.times(&ring.integer(i64::from(*s))?, &ring.element(&[system.scale.clone()])?))?;
+        let shift = each(&shift.shift, |s| {
+            ring.times(&ring.integer(i64::from(*s))?, &ring.element(std::slice::from_ref(&system.scale))?)
+        })?;
         let plus = |a: &Point<N>, b: &Point<N>| system.sum(a, b);
         let home = plus(&plus(&self.offset, &shift)?, &self.start)?;
         if system.rank == 2 {
@@ -298,7 +299,7 @@ impl<const N: usize> System<N> {
 
     /// A lattice vector in common coordinates.
     pub(crate) fn shift(&self, corner: &Corner) -> Checked<Point<N>> {
-        let factor = self.ring.times(&self.ring.element(&[self.scale.clone()])?, self.unit()?)?;
+        let factor = self.ring.times(&self.ring.element(std::slice::from_ref(&self.scale))?, self.unit()?)?;
         each(&corner.shift, |s| self.ring.times(&self.ring.integer(i64::from(*s))?, &factor))
     }
 
