@@ -164,12 +164,18 @@ fn scaled_plane(plane: &PlaneTiling) -> PlaneTiling {
 
 fn delaunay_over_plane(plane: &PlaneTiling) -> BTreeSet<Vec<Lifted>> {
     let points = plane.points().unwrap();
+    let set = plane.point_set().unwrap();
     let tiling = plane.structure().unwrap();
     let period = OverPlane(scaled_plane(plane));
     let [a, b] = period.0.lattice;
     let place = |corner: &Corner<3>| {
-        let (place, height) = points[corner.vertex.index()];
-        let [s, t, u] = corner.shift.map(i64::from);
+        let vertex = corner.vertex.index();
+        let (place, height) = points[vertex];
+        // A vertex of the triangulation may be another translate of its point.
+        let [s, t, u] = std::array::from_fn(|k| {
+            let moved = &tiling.vertices.vertex(corner.vertex)[k] - &set.points[vertex][k];
+            i64::from(floor(&moved) + corner.shift[k])
+        });
         (sum(place, sum(scaled(a, s), scaled(b, t))), height + 4 * u)
     };
     let cells = tiling.simplices();
@@ -281,7 +287,7 @@ fn stacked(system: &System, word: &str) -> BTreeSet<Vec<Fractional>> {
         .chars()
         .map(|letter| &system.tiles["z+-".find(letter).unwrap()])
         .collect();
-    let (mut registry, mut height) = (0, Number::zero());
+    let (mut registry, mut height) = (0_i64, Number::zero());
     let mut starts = Vec::new();
     for (block, letter) in blocks.iter().zip(word.chars()) {
         starts.push((registry, height.clone()));
@@ -310,4 +316,25 @@ fn stacked(system: &System, word: &str) -> BTreeSet<Vec<Fractional>> {
         tiles.push((tile, Box::new(place)));
     }
     assembled(&OverLattice, &tiles)
+}
+
+#[test]
+fn tilings_can_be_inflated_again() {
+    // The area grows by (2 + √3)² each time: 7 + 4 √3 for triangles of √3/4 and squares of 1.
+    // From T triangles and Q squares come 7 T + 16 Q triangles and 3 T + 7 Q squares.
+    let counts = |name: &str| {
+        let stars = built_in(name).unwrap().stars().unwrap();
+        let corners = stars.iter().flatten();
+        let squares = corners.clone().filter(|corner| corner.is_square()).count() / 4;
+        let triangles = corners.filter(|corner| !corner.is_square()).count() / 3;
+        (triangles, squares)
+    };
+    let mut name = "3".to_owned();
+    let (mut triangles, mut squares) = counts(&name);
+    for _ in 0..3 {
+        name = format!("inflated-{name}");
+        (triangles, squares) = (7 * triangles + 16 * squares, 3 * triangles + 7 * squares);
+        assert_eq!(counts(&name), (triangles, squares), "{name}");
+    }
+    assert!(built_in("inflated-inflated-inflated-inflated-inflated-3").is_err());
 }
