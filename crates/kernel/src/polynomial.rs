@@ -15,8 +15,6 @@ use std::rc::Rc;
 
 type Large<const N: usize> = Exact<BigInt, N>;
 type Number<const N: usize> = Element<BigInt, N>;
-/// Signs of Bernstein coefficients, each with its number on each axis.
-type Signs = Vec<(Vec<u32>, Ordering)>;
 
 /// The terms by their exponents. The empty list of exponents stands for zeros.
 #[derive(Clone, Default)]
@@ -88,6 +86,9 @@ pub(crate) struct Polynomials<const N: usize> {
     pub(crate) scale: BigInt,
 }
 
+/// The degrees, and the sign of each coefficient with its number on each axis.
+type Signs = (Vec<u32>, Vec<(Vec<u32>, Ordering)>);
+
 /// The greatest number of terms, and of Bernstein coefficients.
 const MOST: usize = 1 << 18;
 
@@ -122,9 +123,8 @@ impl<const N: usize> Polynomials<N> {
         self.work().check(Place::Witness)
     }
 
-    /// The signs of the Bernstein coefficients, times positive factors, with their numbers on each
-    /// axis, and the degrees. Nothing if there are too many, or if a sign is undecided.
-    fn signs(&self, x: &Terms<N>) -> Option<(Vec<u32>, Signs)> {
+    /// The signs of the Bernstein coefficients. Nothing if there are too many, or if one is undecided.
+    fn signs(&self, x: &Terms<N>) -> Option<Signs> {
         let axes = x.0.keys().map(Vec::len).max().unwrap_or(0);
         let exponent = |exponents: &Vec<u32>, axis: usize| exponents.get(axis).copied().unwrap_or(0);
         let degree = |axis| x.0.keys().map(|exponents| exponent(exponents, axis)).max().unwrap_or(0);
