@@ -173,7 +173,7 @@ fn delaunay_over_plane(plane: &PlaneTiling) -> BTreeSet<Vec<Lifted>> {
         let (place, height) = points[vertex];
         // A vertex of the triangulation may be another translate of its point.
         let [s, t, u] = std::array::from_fn(|k| {
-            let moved = &tiling.vertices.vertex(vertex)[k] - &set.points[vertex][k];
+            let moved = &tiling.vertices.vertex(corner.vertex)[k] - &set.points[vertex][k];
             i64::from(floor(&moved) + corner.shift[k])
         });
         (sum(place, sum(scaled(a, s), scaled(b, t))), height + 4 * u)
