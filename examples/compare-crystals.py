@@ -8,8 +8,8 @@ program. The number of atoms, the volume of the cell and the shortest distance m
 all files that differ or are refused is printed, and counts at the end. The exit code is 1 if a file
 that both programs read differs.
 
-gemmi knows nothing of special positions but a distance: images of a site nearer than 0.01 Å are one
-atom there. Needs `pip install gemmi`, and pymatgen for POSCAR, extended XYZ and JSON.
+gemmi knows nothing of special positions but a distance: images of one element nearer than 0.003 Å are
+one atom there. Needs `pip install gemmi`, and pymatgen for POSCAR, extended XYZ and JSON.
 """
 import argparse
 import concurrent.futures
@@ -19,7 +19,11 @@ import re
 import subprocess
 import sys
 
-SAME_ATOM = 0.01
+# In ångströms.
+SAME_ATOM = 0.003
+SAME_LENGTH = 3e-4
+# acutile takes lengths that agree within their digits as one length.
+SAME_VOLUME = 1e-4
 SUFFIXES = {".cif", ".mcif", ".vasp", ".poscar", ".xyz", ".extxyz", ".json"}
 
 
@@ -32,16 +36,19 @@ def of_gemmi(path):
     group = structure.spacegroup
     operations = structure.symops or (group.operations() if group else ["x,y,z"])
     operations = [gemmi.Op(o) if isinstance(o, str) else o for o in operations]
-    cell = structure.cell
-    atoms = []
+    # The cell of the structure would count images under its space group as one place.
+    cell = gemmi.UnitCell(*structure.cell.parameters)
+    elements = {}
     for site in structure.sites:
+        own = elements.setdefault(site.element.name, [])
         for operation in operations:
             image = operation.apply_to_xyz(site.fract.tolist())
             place = gemmi.Fractional(*image).wrap_to_unit()
             near = (cell.find_nearest_image(cell.orthogonalize(place), cell.orthogonalize(other)).dist()
-                    for other in atoms)
+                    for other in own)
             if all(distance > SAME_ATOM for distance in near):
-                atoms.append(place)
+                own.append(place)
+    atoms = [atom for own in elements.values() for atom in own]
     return len(atoms), cell.volume, shortest(cell, atoms)
 
 
@@ -116,9 +123,9 @@ def compare(program, path, options):
         both = isinstance(own, str) and isinstance(other, str)
         kind = "both refuse" if both else "acutile refuses" if isinstance(own, str) else "only acutile reads"
         return path, kind, f"{own} | {other}"
-    is_same = own[0] == other[0] and abs(own[1] / other[1] - 1) < 1e-6
+    is_same = own[0] == other[0] and abs(own[1] / other[1] - 1) < SAME_VOLUME
     if own[2] is not None:
-        is_same = is_same and abs(own[2] - other[2]) < max(2e-4, SAME_ATOM / 100)
+        is_same = is_same and abs(own[2] - other[2]) < SAME_LENGTH
     return path, "same" if is_same else "different", f"{own} | {other}"
 
 

@@ -13,6 +13,7 @@ mod help;
 mod interrupt;
 mod js_verifier;
 mod lower_bound;
+mod mesh_cases;
 mod meshes;
 mod paper;
 mod report;

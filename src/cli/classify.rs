@@ -4,7 +4,7 @@ use super::input::{self, FileArguments, Loaded};
 use super::named::InputError;
 use super::outcome::Outcome;
 use super::output::Output;
-use super::points::{self, PointArguments};
+use super::points;
 use super::sites::{self, Sites};
 use acutile_core::tiling::{AnyPointSet, AnyTiling, Domain, PointSet};
 use acutile_paper::survey::{AnyStudy, NotStudied, Study, isomorphic_in_catalog};
@@ -51,18 +51,18 @@ fn report(loaded: Loaded, arguments: &ClassifyArguments) -> Result<Value, InputE
                     labels: &points.labels,
                     elements: &points.elements,
                 };
-                of_points(name, &sites, &points.notes, &arguments.file.points)
+                of_points(arguments, &sites, &points.notes)
             }
             AnyPointSet::Plane(set) => {
                 let tiling = points::tiling(name, set, &arguments.file.points)?;
-                of_tiling(name, AnyTiling::Plane(tiling))
+                of_tiling(arguments, AnyTiling::Plane(tiling))
             }
         },
         Loaded::Tiling(named) => {
             let set = (!named.labels.is_empty())
                 .then(|| vertices(&named.tiling))
                 .flatten();
-            let mut report = of_tiling(name, named.tiling)?;
+            let mut report = of_tiling(arguments, named.tiling)?;
             if let Some(set) = set {
                 let sites = Sites {
                     set: &set,
@@ -92,10 +92,11 @@ fn vertices(tiling: &AnyTiling) -> Option<PointSet<3>> {
     }
 }
 
-fn of_tiling(name: &str, tiling: AnyTiling) -> Result<Value, InputError> {
+fn of_tiling(arguments: &ClassifyArguments, tiling: AnyTiling) -> Result<Value, InputError> {
+    let (name, is_json) = (&arguments.input, arguments.json);
     match AnyStudy::of(tiling) {
-        Ok(AnyStudy::Plane(study)) => Ok(of_plane(&study)),
-        Ok(AnyStudy::Space(study)) => Ok(of_space(&study)),
+        Ok(AnyStudy::Plane(study)) => Ok(of_plane(&study, is_json)),
+        Ok(AnyStudy::Space(study)) => Ok(of_space(&study, is_json)),
         Err(error) => Err(InputError {
             message: format!("{name}: {error}"),
             outcome: of_study(&error),
@@ -106,20 +107,20 @@ fn of_tiling(name: &str, tiling: AnyTiling) -> Result<Value, InputError> {
 /// Points are described by their Delaunay cells as they are. Only if all are tetrahedra there is a
 /// triangulation to classify: a cut would be arbitrary.
 fn of_points(
-    name: &str,
+    arguments: &ClassifyArguments,
     sites: &Sites,
     notes: &[String],
-    arguments: &PointArguments,
 ) -> Result<Value, InputError> {
+    let (name, options) = (&arguments.input, &arguments.file.points);
     let (cells, cut) = sites.report(name)?;
     let mut report = if cut == 0 {
         of_tiling(
-            name,
-            AnyTiling::Space(points::tiling(name, sites.set, arguments)?),
+            arguments,
+            AnyTiling::Space(points::tiling(name, sites.set, options)?),
         )?
     } else {
-        let simplices = match arguments.triangulate {
-            true => Some(points::tiling(name, sites.set, arguments)?.len()),
+        let simplices = match options.triangulate {
+            true => Some(points::tiling(name, sites.set, options)?.len()),
             false => None,
         };
         let mut report = json!({
@@ -163,7 +164,12 @@ fn with_name(name: &str, mut report: Value) -> Value {
 }
 
 /// What holds in both dimensions; ridges are edges in space and vertices in the plane.
-fn common<const D: usize>(study: &Study<D>) -> Value {
+fn common<const D: usize>(study: &Study<D>, is_json: bool) -> Value {
+    // They are not printed in words, and take as long as all else together.
+    let chambers = is_json
+        .then(|| study.symbol())
+        .flatten()
+        .map(|symbol| symbol.len());
     let valences = study.ridges.valence_counts();
     json!({
         "dimension": D,
@@ -173,17 +179,17 @@ fn common<const D: usize>(study: &Study<D>) -> Value {
         "valences": valences.iter().map(|(v, n)| (v.to_string(), json!(n)))
             .collect::<serde_json::Map<_, _>>(),
         "average_valence": study.ridges.average_valence().map(|v| v.to_string()),
-        "chambers": study.symbol().map(|symbol| symbol.len()),
+        "chambers": chambers,
         "certificate": study.certificate,
     })
 }
 
-fn of_plane(study: &Study<2>) -> Value {
-    common(study)
+fn of_plane(study: &Study<2>, is_json: bool) -> Value {
+    common(study, is_json)
 }
 
-fn of_space(study: &Study<3>) -> Value {
-    let mut report = common(study);
+fn of_space(study: &Study<3>, is_json: bool) -> Value {
+    let mut report = common(study, is_json);
     let stars = study.star_counts();
     report["edges"] = json!(study.ridges.list.len());
     report["vertex_types"] = stars
@@ -215,6 +221,12 @@ fn in_words(name: &str, report: &Value, output: &mut Output) {
         output.line(format!("TCP: no, {}", words(&report["why_not_tcp"])));
         output.line("isomorphic to: not compared, since a triangulation would be an arbitrary cut");
         return;
+    }
+    if !report["cells_that_are_no_simplices"].is_null() {
+        output.line(format!(
+            "the tiling cuts {} Delaunay cells; what follows depends on the cut",
+            report["cells_that_are_no_simplices"]
+        ));
     }
     output.line(format!(
         "{name}: {} vertices, {} simplices of {} shapes in a cell",

@@ -9,7 +9,7 @@ use super::progress::Progress;
 use super::proved::overwritten;
 use super::{mesh, transcribe};
 use acutile_catalog as catalog;
-use acutile_core::tiling::{Tiling, supercell, AnyTiling};
+use acutile_core::tiling::{AnyTiling, Tiling, supercell};
 use acutile_core::with_dimension;
 use acutile_exact::number::Number;
 use acutile_io::export::tiling_text;

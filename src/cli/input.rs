@@ -17,7 +17,6 @@ use acutile_io::import::{
 };
 use acutile_io::mesh::{Family, load, unknown};
 use clap::Args;
-use std::collections::BTreeSet;
 use std::path::Path;
 
 /// How a file becomes a tiling.
@@ -73,15 +72,11 @@ pub fn open(
         document::check_for_crystal(input, &options.points)?;
         check_for_mesh(input, &options.mesh)?;
         let tiling = construction(input, parameter)?;
-        return Ok(Loaded::Tiling(Named {
-            name: input.to_owned(),
-            description: entry.description.to_owned(),
+        return Ok(Loaded::Tiling(Named::of(
+            input,
+            entry.description.to_owned(),
             tiling,
-            origin: None,
-            sides: BTreeSet::new(),
-            notes: Vec::new(),
-            labels: Vec::new(),
-        }));
+        )));
     }
     let path = Path::new(input);
     if input != "-" && !path.exists() && !input.contains(['/', '.']) {
@@ -149,15 +144,8 @@ fn of_certificate(input: &str, bytes: &[u8]) -> Result<Named, InputError> {
     }
     let (tiling, _) = acutile_core::transcribe::of_certificate(&cbor)
         .map_err(|error| format!("{input}: {error}"))?;
-    Ok(Named {
-        name: input.to_owned(),
-        description: "the tiling of a certificate".to_owned(),
-        tiling,
-        origin: None,
-        sides: BTreeSet::new(),
-        notes: Vec::new(),
-        labels: Vec::new(),
-    })
+    let description = "the tiling of a certificate".to_owned();
+    Ok(Named::of(input, description, tiling))
 }
 
 /// A construction of the catalogue; `square-triangle:FILE` reads its file.
@@ -193,13 +181,9 @@ fn of_text(
             notes: file.notes,
         }),
         Content::Tiling(tiling) => Loaded::Tiling(Named {
-            name: input.to_owned(),
-            description: file.description,
-            tiling,
-            origin: None,
-            sides: BTreeSet::new(),
             notes: file.notes,
             labels: file.labels,
+            ..Named::of(input, file.description, tiling)
         }),
     })
 }
@@ -213,13 +197,9 @@ fn of_points(
 ) -> Result<Named, InputError> {
     let tiling = points::of_points(input, &points.set, arguments, output)?;
     Ok(Named {
-        name: input.to_owned(),
-        description: points.description,
-        tiling,
-        origin: None,
-        sides: BTreeSet::new(),
         notes: points.notes,
         labels: points.labels,
+        ..Named::of(input, points.description, tiling)
     })
 }
 

@@ -38,6 +38,15 @@ pub fn proved(
             other => input::of_content(input, other, options, output)?,
         },
     };
+    if !named.sides.is_empty() {
+        return Err(InputError {
+            message: format!(
+                "{input}: {} facets on the sides of the periodic mesh have no mate; certify lists them",
+                named.sides.len()
+            ),
+            outcome: Outcome::Refuted,
+        });
+    }
     let name = match catalog::find(input) {
         Some(_) => named.name,
         None => stem(input),

@@ -1,8 +1,10 @@
 //! Tilings by simplices, and everything that is decided about them.
 
 pub mod advice;
+pub mod anatomy;
 pub mod checker;
 pub mod classify;
+pub mod curved;
 pub mod delaunay;
 pub mod format;
 pub mod limits;

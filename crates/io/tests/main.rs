@@ -2,6 +2,7 @@
 
 mod cif;
 mod coq_export;
+mod crystal_mutations;
 mod crystals;
 mod mesh_mutations;
 mod meshes;

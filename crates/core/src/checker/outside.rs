@@ -3,6 +3,7 @@
 //! Doubles with a margin leave out simplices, and lattice translates of them, whose box is away
 //! from the facet's centroid. The others are decided exactly.
 
+use super::apart::conormal;
 use super::boundary::{BoundaryFacet, Scale};
 use crate::parallel;
 use crate::tiling::{Corner, SimplexId, Tiling, VertexId};
@@ -138,19 +139,6 @@ impl<'t, S: Scalar, const D: usize> Outside<'t, S, D> {
             let signs = signs.into_iter().chain(gradient.iter().map(S::sign));
             inner.is_ne() && signs.into_iter().find(|sign| sign.is_ne()) == Some(inner)
         })
-    }
-}
-
-/// A covector that is constant on the hull of two points of the plane z = 0, or of three points
-/// of space.
-fn conormal<S: Scalar>(points: &[&Point<S>]) -> Point<S> {
-    let along = linear::subtract(points[1], points[0]);
-    match points.get(2) {
-        Some(third) => linear::cross(&along, &linear::subtract(third, points[0])),
-        None => {
-            let zero = along[2].clone();
-            [along[1].clone(), zero.minus(&along[0]), zero]
-        }
     }
 }
 

@@ -18,20 +18,23 @@
 //! | `polytope` | facets and pulling of cells that are not simplices |
 //! | `certify` | an independent exact check of the result |
 //!
+//! `model`, `predicates` and `search` are public for the tests, which would compile this crate a
+//! second time if they were inside of it.
+//!
 //! Doubles only propose: which points lie on or in a sphere is decided by proved signs.
 
 mod certify;
 mod error;
 mod front;
 mod lattice;
-mod model;
+#[doc(hidden)]
+pub mod model;
 mod places;
 mod polytope;
-mod predicates;
+#[doc(hidden)]
+pub mod predicates;
 mod seed;
 mod tree;
-#[cfg(test)]
-mod twins;
 mod wrap;
 
 pub use error::{COSPHERICAL_LIMIT, CosphericalSet, DelaunayError};
@@ -145,12 +148,13 @@ pub fn cells<const D: usize>(set: &PointSet<D>) -> Result<Vec<Cell<D>>, Delaunay
 }
 
 /// What the search found, in model coordinates.
-struct Found<const D: usize> {
+#[doc(hidden)]
+pub struct Found<const D: usize> {
     /// The simplices: first the cells that are simplices, then the parts of the others.
-    shell: Tiling<D>,
+    pub shell: Tiling<D>,
     /// How many cells are simplices.
-    simple: usize,
-    polytopes: Vec<Polytope<D>>,
+    pub simple: usize,
+    pub polytopes: Vec<Polytope<D>>,
 }
 
 /// With doubles as filters and for clear proposals, and if the check should fail, exactly
@@ -168,7 +172,8 @@ fn find<const D: usize>(model: &Model<D>) -> Result<Found<D>, DelaunayError> {
 }
 
 /// Wraps, pulls and certifies.
-fn search<const D: usize>(predicates: &Predicates<D>) -> Result<Found<D>, DelaunayError> {
+#[doc(hidden)]
+pub fn search<const D: usize>(predicates: &Predicates<D>) -> Result<Found<D>, DelaunayError> {
     let Cells {
         simplices: mut corners,
         polytopes,

@@ -9,6 +9,7 @@ mod facets;
 mod floor;
 mod frame;
 mod index;
+mod merged;
 mod polytope;
 mod supercell;
 
@@ -17,6 +18,7 @@ pub use facets::{Facet, Matching, Mate, Mismatch, match_facets};
 pub use floor::floor;
 pub use frame::{Domain, Frame};
 pub use index::{FacetId, SimplexId, VertexId};
+pub use merged::merged;
 pub use polytope::{Plane, Polytope};
 pub use supercell::supercell;
 

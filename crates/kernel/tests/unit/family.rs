@@ -99,9 +99,9 @@ fn signs_at_points() {
                 // (low (6 - n) + high n) / 6 for ends over 2 and 6, times 36.
                 let point = |n, [low, high]: [Given; 2]| i128::from(low.0 * 3 * (6 - n) + high.0 * n);
                 let (x, y) = (point(j, ends[0]), point(k, ends[1]));
-                let value = terms.iter().map(|(c, [e, f])| {
-                    i128::from(*c) * x.pow(*e) * y.pow(*f) * 36i128.pow(3 - e) * 36i128.pow(3 - f)
-                });
+                let value = terms
+                    .iter()
+                    .map(|(c, [e, f])| i128::from(*c) * x.pow(*e) * y.pow(*f) * 36i128.pow(3 - e) * 36i128.pow(3 - f));
                 let sign = value.sum::<i128>().cmp(&0);
                 assert!(found.least <= sign && sign <= found.most, "{found:?} {sign:?} {ends:?} {terms:?}");
             }

@@ -15,7 +15,6 @@ use acutile_crystal::hall;
 use acutile_crystal::identify::{differ_by_origin, identify};
 use acutile_crystal::motion::{Motion, fractional};
 use acutile_crystal::setting::{Setting, of_number, of_symbol};
-use malachite::Rational;
 
 const SYMBOLS: [&str; 4] = [
     "_space_group_name_h-m_alt",
@@ -389,7 +388,7 @@ fn text(motion: &Motion) -> String {
                 _ => text.push_str(&format!("-{axis}")),
             }
         }
-        if motion.translation[k] != Rational::from(0) {
+        if motion.translation[k] != 0 {
             text.push_str(&format!("+{}", motion.translation[k]));
         }
         text

@@ -70,16 +70,11 @@ pub fn chosen(
 }
 
 fn sites_of(sites: &[(String, Option<&'static str>)], name: &str) -> Vec<usize> {
-    let matching = |test: &dyn Fn(&(String, Option<&'static str>)) -> bool| {
-        let sites = sites.iter().enumerate();
-        sites
-            .filter(|(_, site)| test(site))
-            .map(|(index, _)| index)
-            .collect::<Vec<usize>>()
-    };
-    let labelled = matching(&|(label, _)| label == name);
+    let with_label = |site: &usize| sites[*site].0 == name;
+    let labelled: Vec<usize> = (0..sites.len()).filter(with_label).collect();
     if labelled.is_empty() {
-        matching(&|(_, element)| *element == Some(name))
+        let of_element = |site: &usize| sites[*site].1 == Some(name);
+        (0..sites.len()).filter(of_element).collect()
     } else {
         labelled
     }

@@ -71,17 +71,15 @@ fn list(column: Column, snap: Option<u32>) -> Result<Vec<Listed>, ImportError> {
     let mut list: Vec<Listed> = Vec::new();
     let mut has_identity = false;
     for value in column.values().filter(|value| !value.is_missing()) {
-        let mut line = value.line;
-        for text in value.text.split(['\n', '\r', ';']) {
-            let part = Value {
+        let rows = (value.line..).zip(value.text.split('\n'));
+        let parts = rows.flat_map(|(line, row)| {
+            row.split(['\r', ';']).map(move |text| Value {
                 text: text.trim(),
                 line,
                 ..value
-            };
-            line += 1;
-            if part.text.is_empty() {
-                continue;
-            }
+            })
+        });
+        for part in parts.filter(|part| !part.text.is_empty()) {
             let listed = read(part, snap)?;
             let is_repeated = has_identity && listed.operation.is_identity();
             has_identity |= listed.operation.is_identity();

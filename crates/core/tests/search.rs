@@ -1,9 +1,10 @@
-//! Tests: the filtered predicates and search against the exact ones.
+//! The filtered predicates and search of Delaunay triangulations against the exact ones.
 
-use super::model::Model;
-use super::predicates::Predicates;
-use super::{Coordinates, Found, search};
-use crate::tiling::{Corner, Frame, PointSet, VertexId};
+use acutile_core::delaunay::model::Model;
+use acutile_core::delaunay::predicates::Predicates;
+use acutile_core::delaunay::{Found, search};
+use acutile_core::predicates::Model as Coordinates;
+use acutile_core::tiling::{Corner, Frame, PointSet, VertexId};
 use acutile_exact::geometry::{Simplex, linear};
 use acutile_exact::number::{Field, Number};
 use malachite::Rational;
