@@ -5,7 +5,7 @@ use super::model::{Model, Prepared};
 use super::polynomials::Orientation;
 use super::ring::Ring;
 use super::vectors::Vectors;
-use acutile_exact::geometry::{I512, Scalar};
+use acutile_exact::geometry::{I512, RingElement};
 use acutile_exact::number::Number;
 use malachite::{Integer, Rational};
 use std::collections::BTreeMap;

@@ -1,7 +1,7 @@
 //! Convex polytopes of dimension 1, 2 and 3: the cross-sections of slabs, prisms and
 //! solids. Whether the data describe one is checked by [`crate::checker`].
 
-use acutile_exact::geometry::{Scalar, Sign};
+use acutile_exact::geometry::{RingElement, Sign};
 use acutile_exact::number::Number;
 
 /// A polytope by its vertices and its facets, as in a certificate.
