@@ -1,14 +1,14 @@
 //! Convex polytopes of dimension 1, 2 and 3: the cross-sections of slabs, prisms and
 //! solids. Whether the data describe one is checked by [`crate::checker`].
 
-use acutile_exact::geometry::{RingElement, Sign};
+use acutile_exact::geometry::{RingElement, Sign, linear};
 use acutile_exact::number::Number;
 
 /// A polytope by its vertices and its facets, as in a certificate.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Polytope {
+pub struct Polytope<S = Number> {
     /// k coordinates each, k = 1, 2 or 3.
-    pub vertices: Vec<Vec<Number>>,
+    pub vertices: Vec<Vec<S>>,
     /// The facets by the indices of their vertices: one for k = 1, the two ends of a
     /// side for k = 2, the corners in cyclic order for k = 3.
     pub faces: Vec<Vec<usize>>,
@@ -17,14 +17,14 @@ pub struct Polytope {
 /// The affine function n · x - c that vanishes on a face and is positive on the
 /// side of the polytope.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Plane {
-    normal: Vec<Number>,
-    offset: Number,
+pub struct Plane<S = Number> {
+    normal: Vec<S>,
+    offset: S,
 }
 
-impl Polytope {
+impl<S> Polytope<S> {
     /// The interval from `lower` to `upper`.
-    pub fn interval(lower: Number, upper: Number) -> Self {
+    pub fn interval(lower: S, upper: S) -> Self {
         Polytope {
             vertices: vec![vec![lower], vec![upper]],
             faces: vec![vec![0], vec![1]],
@@ -32,7 +32,7 @@ impl Polytope {
     }
 
     /// The polygon with these corners in cyclic order.
-    pub fn polygon(vertices: Vec<Vec<Number>>) -> Self {
+    pub fn polygon(vertices: Vec<Vec<S>>) -> Self {
         let n = vertices.len();
         Polytope {
             vertices,
@@ -45,17 +45,57 @@ impl Polytope {
         self.vertices.first().map_or(0, Vec::len)
     }
 
-    /// The plane of a face through its first k vertices, turned so that the polytope's
-    /// first vertex off the plane is on the positive side; `None` where these k
-    /// vertices, or all vertices, lie in no plane or in one.
-    pub fn plane(&self, face: usize) -> Option<Plane> {
-        let points: Vec<&[Number]> = self.faces[face]
+    /// The polytope with other numbers as coordinates.
+    pub fn map<T>(&self, map: impl Fn(&S) -> T) -> Polytope<T> {
+        let rows = self.vertices.iter();
+        Polytope {
+            vertices: rows.map(|row| row.iter().map(&map).collect()).collect(),
+            faces: self.faces.clone(),
+        }
+    }
+}
+
+impl<S: RingElement> Polytope<S> {
+    /// The plane of a face through its first k vertices, turned to one side or the other; `None`
+    /// if it has fewer.
+    pub fn unturned_plane(&self, face: usize) -> Option<Plane<S>> {
+        let points: Vec<&[S]> = self.faces[face]
             .iter()
             .map(|&v| self.vertices[v].as_slice())
             .collect();
         let normal = normal(&points, self.dimension())?;
         let offset = dot(&normal, points[0]);
-        let plane = Plane { normal, offset };
+        Some(Plane { normal, offset })
+    }
+
+    /// k! times the volume of the cone over a face from the first vertex, with either sign. The
+    /// face is a fan of simplices from its first vertex.
+    pub fn scaled_cone(&self, face: usize) -> S {
+        let face = &self.faces[face];
+        let apex = &self.vertices[0];
+        let edge = |vertex: usize| difference(&self.vertices[vertex], apex);
+        match self.dimension() {
+            1 => edge(face[0])[0].clone(),
+            2 => determinant([edge(face[0]), edge(face[1])]),
+            _ => {
+                let fan = (1..face.len().saturating_sub(1))
+                    .map(|k| determinant([edge(face[0]), edge(face[k]), edge(face[k + 1])]));
+                let zero = apex[0].integer(0);
+                fan.fold(zero, |sum, volume| sum.plus(&volume))
+            }
+        }
+    }
+}
+
+impl Polytope {
+    /// The plane of a face, turned so that the polytope's first vertex off the plane is on the
+    /// positive side; `None` where the face's first k vertices, or all vertices, lie in no plane or
+    /// in one.
+    pub fn plane(&self, face: usize) -> Option<Plane> {
+        let plane = self.unturned_plane(face)?;
+        if plane.normal.iter().all(Number::is_zero) {
+            return None;
+        }
         let side = self
             .vertices
             .iter()
@@ -68,86 +108,71 @@ impl Polytope {
         })
     }
 
-    /// k! times the volume, if this is a convex polytope: the cones over its faces from
-    /// its first vertex, each face a fan of simplices from its first vertex.
+    /// k! times the volume, if this is a convex polytope: the cones over its faces from its first
+    /// vertex.
     pub fn scaled_volume(&self) -> Number {
-        let mut sum = Number::zero();
-        for face in &self.faces {
-            sum = &sum + &self.scaled_cone(face).abs();
-        }
-        sum
-    }
-
-    fn scaled_cone(&self, face: &[usize]) -> Number {
-        let apex = &self.vertices[0];
-        let edge = |vertex: usize| difference(&self.vertices[vertex], apex);
-        match self.dimension() {
-            1 => edge(face[0])[0].clone(),
-            2 => determinant(&[edge(face[0]), edge(face[1])]),
-            _ => (1..face.len().saturating_sub(1)).fold(Number::zero(), |sum, k| {
-                &sum + &determinant(&[edge(face[0]), edge(face[k]), edge(face[k + 1])])
-            }),
-        }
+        let cones = (0..self.faces.len()).map(|face| self.scaled_cone(face).abs());
+        cones.fold(Number::zero(), |sum, cone| &sum + &cone)
     }
 }
 
-impl Plane {
+impl<S: RingElement> Plane<S> {
     /// Positive inside, zero on the plane, negative outside.
-    pub fn value(&self, point: &[Number]) -> Number {
-        &dot(&self.normal, point) - &self.offset
+    pub fn value(&self, point: &[S]) -> S {
+        dot(&self.normal, point).minus(&self.offset)
     }
 
-    fn turned(self) -> Self {
-        let zero = Number::zero();
+    /// The same plane with the other side inside.
+    pub fn turned(self) -> Self {
+        let zero = self.offset.integer(0);
         Plane {
-            normal: self.normal.iter().map(|x| &zero - x).collect(),
-            offset: &zero - &self.offset,
+            normal: self.normal.iter().map(|x| zero.minus(x)).collect(),
+            offset: zero.minus(&self.offset),
         }
     }
 }
 
 /// A vector orthogonal to the differences of the first k points.
-fn normal(points: &[&[Number]], dimension: usize) -> Option<Vec<Number>> {
+fn normal<S: RingElement>(points: &[&[S]], dimension: usize) -> Option<Vec<S>> {
     if points.len() < dimension {
         return None;
     }
-    let normal = match dimension {
+    Some(match dimension {
         1 => vec![points[0][0].integer(1)],
         2 => {
             let edge = difference(points[1], points[0]);
-            vec![&Number::zero() - &edge[1], edge[0].clone()]
+            vec![edge[1].integer(0).minus(&edge[1]), edge[0].clone()]
         }
         _ => cross(
             &difference(points[1], points[0]),
             &difference(points[2], points[0]),
         ),
-    };
-    normal.iter().any(|x| !x.is_zero()).then_some(normal)
+    })
 }
 
-fn cross(a: &[Number], b: &[Number]) -> Vec<Number> {
+fn cross<S: RingElement>(a: &[S], b: &[S]) -> Vec<S> {
     (0..3)
         .map(|k| {
             let (i, j) = ((k + 1) % 3, (k + 2) % 3);
-            &(&a[i] * &b[j]) - &(&a[j] * &b[i])
+            a[i].times(&b[j]).minus(&a[j].times(&b[i]))
         })
         .collect()
 }
 
-fn determinant(rows: &[Vec<Number>]) -> Number {
-    match rows {
-        [a, b] => &(&a[0] * &b[1]) - &(&a[1] * &b[0]),
-        [a, b, c] => dot(a, &cross(b, c)),
-        _ => Number::zero(),
+/// The determinant of N vectors with N coordinates.
+fn determinant<S: RingElement, const N: usize>(rows: [Vec<S>; N]) -> S {
+    let rows = rows.each_ref();
+    linear::determinant(&rows.map(|row| std::array::from_fn::<S, N, _>(|k| row[k].clone())))
+}
+
+fn dot<S: RingElement>(a: &[S], b: &[S]) -> S {
+    let mut sum = a[0].times(&b[0]);
+    for (x, y) in a.iter().zip(b).skip(1) {
+        sum = sum.plus(&x.times(y));
     }
+    sum
 }
 
-fn dot(a: &[Number], b: &[Number]) -> Number {
-    a.iter()
-        .zip(b)
-        .fold(Number::zero(), |sum, (x, y)| &sum + &(x * y))
-}
-
-fn difference(a: &[Number], b: &[Number]) -> Vec<Number> {
-    a.iter().zip(b).map(|(x, y)| x - y).collect()
+fn difference<S: RingElement>(a: &[S], b: &[S]) -> Vec<S> {
+    a.iter().zip(b).map(|(x, y)| x.minus(y)).collect()
 }
