@@ -4,6 +4,7 @@ pub mod advice;
 pub mod checker;
 pub mod classify;
 pub mod delaunay;
+pub mod family;
 pub mod format;
 pub mod limits;
 pub mod predicates;

@@ -1,0 +1,1 @@
+//! A tiling becomes a family in which some coordinates vary.
