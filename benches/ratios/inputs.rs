@@ -6,7 +6,7 @@ use crate::reading;
 use acutile_core::checker::Model;
 use acutile_core::delaunay::{Ties, triangulate};
 use acutile_core::predicates::{Angles, Orientation};
-use acutile_core::tiling::{Frame, PointSet, Tiling, match_facets, supercell};
+use acutile_core::tiling::{Frame, PointSet, SimplexId, Tiling, match_facets, supercell};
 use acutile_exact::number::Number;
 use std::fmt::Write;
 use std::fs;
@@ -69,8 +69,9 @@ fn answer(name: &str, value: usize) {
 fn acute(tiling: &Tiling<3>) -> usize {
     let model = Model::new(tiling);
     let (orientation, angles) = (model.prepare(Orientation), model.prepare(Angles));
-    let is_acute = |s: usize| orientation.signs(s).all_positive() && angles.signs(s).all_negative();
-    (0..tiling.len()).filter(|s| is_acute(*s)).count()
+    let is_acute =
+        |s: SimplexId| orientation.signs(s).all_positive() && angles.signs(s).all_negative();
+    tiling.indices().filter(|s| is_acute(*s)).count()
 }
 
 /// Three coordinates of four corners of each tetrahedron. The Gram matrix must be a multiple of
@@ -84,7 +85,7 @@ fn corner_doubles(tiling: &Tiling<3>) -> Vec<u8> {
         .collect();
     let mut bytes = Vec::new();
     for corner in &tiling.corners {
-        for (x, shift) in vertices[corner.vertex as usize].iter().zip(corner.shift) {
+        for (x, shift) in vertices[corner.vertex.index()].iter().zip(corner.shift) {
             bytes.extend_from_slice(&(x + f64::from(shift)).to_le_bytes());
         }
     }
@@ -140,7 +141,7 @@ fn corner_vertices(tiling: &Tiling<3>) -> Vec<u8> {
     let vertices = tiling
         .corners
         .iter()
-        .map(|corner| corner.vertex.to_le_bytes());
+        .map(|corner| corner.vertex.number().to_le_bytes());
     vertices.flatten().collect()
 }
 

@@ -28,7 +28,7 @@ fn count_acute(tiling: &Tiling<3>, vertices: &[[f64; 3]], cogram: &[[f64; 3]; 3]
     for corners in tiling.simplices() {
         let mut points = [[0.0; 3]; 4];
         for (point, corner) in points.iter_mut().zip(corners) {
-            let vertex = &vertices[corner.vertex as usize];
+            let vertex = &vertices[corner.vertex.index()];
             for k in 0..3 {
                 point[k] = vertex[k] + f64::from(corner.shift[k]);
             }

@@ -60,7 +60,9 @@ pub fn write_files(folder: &Path, n: u16) -> std::io::Result<Vec<(&'static str, 
 
 /// A bounded mesh: without links, for other programs differ in what they read of these.
 pub fn mesh(n: u16) -> Mesh {
-    let mut mesh = flatten(&doubles(&a15(n), 1e-4, None), None).mesh;
+    let mut mesh = flatten(&doubles(&a15(n), 1e-4, None), None)
+        .expect("a metric")
+        .mesh;
     mesh.periodic.clear();
     mesh
 }

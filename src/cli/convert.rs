@@ -189,7 +189,8 @@ fn convert(
             bytes: tiling_text(&tiling, name).into_bytes(),
         }]),
         Target::Mesh(format) => {
-            let flat = flatten(&tiling, basis.as_ref());
+            let flat =
+                flatten(&tiling, basis.as_ref()).map_err(|error| format!("{name}: {error}"))?;
             tell_flat(&flat, arguments, notes)?;
             Ok(write_mesh(&flat.mesh, format, notes))
         }

@@ -6,6 +6,7 @@ use super::outcome::Outcome;
 use super::output::{Output, write_text};
 use super::progress::Progress;
 use acutile_core::statistics::{self, Statistics};
+use acutile_core::tiling::SimplexId;
 use acutile_core::with_dimension;
 use clap::{Args, ValueEnum};
 use std::path::PathBuf;
@@ -67,7 +68,7 @@ pub fn run(arguments: &QualityArguments, output: &mut Output) -> Outcome {
 }
 
 fn rendered(statistics: &Statistics, format: QualityFormat, named: &Named) -> String {
-    let simplex = |simplex: usize| match &named.origin {
+    let simplex = |simplex: SimplexId| match &named.origin {
         Some(origin) => format!("element {}", origin.tetrahedron(simplex).tag),
         None => format!("simplex {simplex}"),
     };

@@ -6,7 +6,7 @@ use super::output::Output;
 use acutile_core::advice::{Advice, Adviser};
 use acutile_core::checker::{Defect, Findings, Names, defect_data, describe};
 use acutile_core::quality::short_point;
-use acutile_core::tiling::{AnyTiling, Corner, Tiling};
+use acutile_core::tiling::{AnyTiling, Corner, SimplexId, Tiling};
 use acutile_core::with_dimension;
 use acutile_exact::number::Number;
 use acutile_io::mesh::Origin;
@@ -112,7 +112,7 @@ impl Refuted {
     ) -> Vec<String> {
         const FEW: usize = 4;
         let simplices = defect.simplices().into_iter().take(FEW);
-        let place = |simplex: usize| {
+        let place = |simplex: SimplexId| {
             let corners = tiling.simplex(simplex).iter().enumerate();
             let corners = corners.map(|(k, corner)| {
                 let position = self.point(&tiling.position(corner));
@@ -176,7 +176,7 @@ fn in_words<const D: usize>(
     point: &dyn Fn(&[Number; D]) -> String,
 ) -> String {
     let corner = |corner: &Corner<D>| {
-        let name = names.vertex(corner.vertex as usize);
+        let name = names.vertex(corner.vertex.index());
         match corner.shift == [0; D] {
             true => name,
             false => {

@@ -4,7 +4,7 @@ use super::input::{self, FileArguments};
 use super::outcome::Outcome;
 use super::output::Output;
 use acutile_core::quality::{decimal_range, dihedral_degrees, display_width, shapes};
-use acutile_core::tiling::{Frame, Tiling};
+use acutile_core::tiling::{Frame, SimplexId, Tiling};
 use acutile_core::with_dimension;
 use acutile_exact::geometry::linear;
 use acutile_exact::number::Number;
@@ -90,11 +90,14 @@ fn show_frame<const D: usize>(frame: &Frame<D>, output: &mut Output) {
 }
 
 /// The dihedral angles of a simplex in degrees, in the order of its pairs of facets.
-fn angles<const D: usize>(tiling: &Tiling<D>, simplex: usize) -> Vec<String> {
+fn angles<const D: usize>(tiling: &Tiling<D>, simplex: SimplexId) -> Vec<String> {
     let cogram = linear::cofactors(&tiling.frame.gram);
     let products = tiling.shape(simplex).normal_products(&cogram);
     products
         .pairs()
-        .map(|(i, j, _)| decimal_range(&dihedral_degrees(&products, (i, j), &display_width())))
+        .map(|(i, j, _)| {
+            dihedral_degrees(&products, (i, j), &display_width())
+                .map_or_else(|| "none".to_owned(), |degrees| decimal_range(&degrees))
+        })
         .collect()
 }

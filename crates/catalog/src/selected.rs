@@ -3,7 +3,7 @@
 use super::CatalogError;
 use super::recipe::rational_points;
 use acutile_core::delaunay::{Ties, circumcenter, triangulate};
-use acutile_core::tiling::{PointSet, Tiling, match_facets};
+use acutile_core::tiling::{Facet, PointSet, SimplexId, Tiling, match_facets};
 use acutile_exact::number::Number;
 
 /// A15: the bcc lattice, its Delaunay tetrahedra coloured alternately black and white, and the
@@ -26,15 +26,15 @@ pub fn a15_bcc() -> Result<Tiling<3>, CatalogError> {
 fn two_colouring(tiling: &Tiling<3>) -> Result<Vec<bool>, CatalogError> {
     let matching = match_facets(tiling);
     let mut colours: Vec<Option<bool>> = vec![None; tiling.len()];
-    let mut stack = vec![(0, true)];
+    let mut stack = vec![(SimplexId::new(0), true)];
     while let Some((simplex, colour)) = stack.pop() {
-        match colours[simplex] {
+        match colours[simplex.index()] {
             Some(known) if known == colour => continue,
             Some(_) => return Err(CatalogError::NotTwoColourable),
-            None => colours[simplex] = Some(colour),
+            None => colours[simplex.index()] = Some(colour),
         }
-        let facets = (0..4).filter_map(|k| matching.neighbour(simplex, k));
-        stack.extend(facets.map(|facet| (facet.simplex as usize, !colour)));
+        let facets = (0..4).filter_map(|k| matching.neighbour(Facet::new(simplex, k)));
+        stack.extend(facets.map(|facet| (facet.simplex, !colour)));
     }
     colours
         .into_iter()

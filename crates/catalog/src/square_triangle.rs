@@ -16,6 +16,7 @@ use super::plane_tiling::{Cyclotomic, POWERS, PlaneTiling, scaled, sum};
 use super::recipe::{common_field, quotient};
 use acutile_core::delaunay::{Ties, triangulate};
 use acutile_core::tiling::{Frame, PointSet, Tiling};
+use acutile_exact::geometry::linear;
 use acutile_exact::number::{Field, Number};
 use malachite::{Integer, Rational};
 
@@ -84,11 +85,12 @@ pub fn lifted(
     let root = square_root_of_3()?;
     let [a, b] = plane.lattice.map(|x| cartesian(x, &root));
     let number = |x: Rational| Number::from(x);
-    let area = &cross(&a, &b) * &number(Rational::from(scale));
+    let cross = |rows: [&[Number; 2]; 2]| linear::determinant(&rows.map(Clone::clone));
+    let area = &cross([&a, &b]) * &number(Rational::from(scale));
     let fractional = |&(place, height): &(Cyclotomic, i64)| {
         let x = cartesian(place, &root);
-        let s = quotient(&cross(&x, &b), &area)?;
-        let t = quotient(&cross(&a, &x), &area)?;
+        let s = quotient(&cross([&x, &b]), &area)?;
+        let t = quotient(&cross([&a, &x]), &area)?;
         Ok([s, t, number(Rational::from_signeds(height, 4))])
     };
     let points: Vec<[Number; 3]> = points
@@ -125,8 +127,4 @@ fn cartesian(x: Cyclotomic, root: &Number) -> [Number; 2] {
     let real = &a + &(&half * &(&(&b * root) + &c));
     let imaginary = &d + &(&half * &(&b + &(&c * root)));
     [real, imaginary]
-}
-
-fn cross(x: &[Number; 2], y: &[Number; 2]) -> Number {
-    &(&x[0] * &y[1]) - &(&x[1] * &y[0])
 }

@@ -3,7 +3,7 @@
 use acutile_catalog::build;
 use acutile_core::advice::{Advice, Adviser, common_point, motion};
 use acutile_core::checker::{Defect, Options, examine};
-use acutile_core::tiling::{AnyTiling, Corner, Frame, Tiling};
+use acutile_core::tiling::{AnyTiling, Corner, Facet, Frame, SimplexId, Tiling, VertexId};
 use acutile_exact::geometry::{Sign, Simplex, linear};
 use acutile_exact::number::{Number, parse_rational};
 use malachite::Rational;
@@ -64,7 +64,11 @@ fn a_removed_tetrahedron_is_named() {
 fn two_neighbours_removed_are_a_hole_of_six_facets() {
     let mut tiling = a15();
     let matching = acutile_core::tiling::match_facets(&tiling);
-    let neighbour = matching.neighbour(0, 0).unwrap().simplex as usize;
+    let neighbour = matching
+        .neighbour(Facet::new(SimplexId::new(0), 0))
+        .unwrap()
+        .simplex
+        .index();
     tiling.corners.drain(4 * neighbour..4 * neighbour + 4);
     tiling.corners.drain(0..4);
     let holes: Vec<(usize, bool)> = advice(&tiling)
@@ -90,7 +94,7 @@ fn a_split_vertex_is_found_with_its_distance() {
         let mut vertices = tiling.vertices.to_numbers();
         vertices.push(position);
         tiling.vertices = vertices.into();
-        tiling.corners[0].vertex = new;
+        tiling.corners[0].vertex = VertexId::new(new);
         let squares: Vec<Number> = advice(&tiling)
             .into_iter()
             .filter_map(|advice| match advice {
@@ -116,7 +120,7 @@ fn a_double_cover_has_a_point_in_two_tetrahedra() {
     });
     tiling.vertices = vertices.iter().cloned().chain(shifted).collect();
     let second = corners.iter().map(|c| Corner {
-        vertex: c.vertex + vertices.len() as u32,
+        vertex: VertexId::at(c.vertex.index() + vertices.len()),
         ..*c
     });
     tiling.corners.extend(second);
@@ -135,7 +139,7 @@ fn a_double_cover_has_a_point_in_two_tetrahedra() {
 }
 
 /// By four determinants, each with one corner replaced by the point.
-fn is_inside(tiling: &Tiling<3>, index: usize, shift: [i32; 3], point: &[Number; 3]) -> bool {
+fn is_inside(tiling: &Tiling<3>, index: SimplexId, shift: [i32; 3], point: &[Number; 3]) -> bool {
     let corners = tiling.simplex(index).iter();
     let corners: Vec<[Number; 3]> = corners.map(|c| tiling.position(&c.moved(shift))).collect();
     (0..4).all(|k| {
@@ -193,13 +197,13 @@ fn a_low_apex_must_rise() {
         ["-1", "1", "-1"],
         ["-1", "-1", "1"],
     ]);
-    let motion = motion(&tiling, 0).expect("the base is acute");
+    let motion = motion(&tiling, SimplexId::new(0)).expect("the base is acute");
     assert!(motion.distance <= Rational::from_signeds(5774, 10000));
     let mut moved = tiling.clone();
     let mut vertices = moved.vertices.to_numbers();
-    vertices[motion.corner.vertex as usize] = motion.target.clone();
+    vertices[motion.corner.vertex.index()] = motion.target.clone();
     moved.vertices = vertices.into();
-    let shape = moved.shape(0);
+    let shape = moved.shape(SimplexId::new(0));
     assert_eq!(shape.determinant.sign(), Sign::Greater);
     let products = shape.normal_products(&linear::cofactors(&moved.frame.gram));
     assert!(
@@ -219,11 +223,16 @@ fn no_corner_of_the_path_simplex_can_mend_it() {
         ["1", "1", "1"],
     ]);
     let angle = acutile_core::checker::Angle {
-        simplex: 0,
+        simplex: SimplexId::new(0),
         facets: (0, 1),
         product: number("0"),
         degrees: (Rational::from(90), Rational::from(90)),
     };
     let advice = Adviser::new(&tiling).advice(&Defect::RightAngle { angle });
-    assert_eq!(advice, [Advice::NoMotion { simplex: 0 }]);
+    assert_eq!(
+        advice,
+        [Advice::NoMotion {
+            simplex: SimplexId::new(0)
+        }]
+    );
 }

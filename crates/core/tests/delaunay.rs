@@ -4,7 +4,7 @@ use acutile_core::checker::Options;
 use acutile_core::delaunay::{Cell, DelaunayError, Ties, cells, triangulate};
 use acutile_core::proved::prove;
 use acutile_core::statement::{Requirement, Statement};
-use acutile_core::tiling::{Corner, Frame, PointSet, Tiling, match_facets};
+use acutile_core::tiling::{Corner, Facet, Frame, PointSet, Tiling, VertexId, match_facets};
 use acutile_exact::geometry::{Sign, Simplex};
 use acutile_exact::number::{Field, Number};
 use malachite::{Integer, Rational};
@@ -71,14 +71,14 @@ fn check<const D: usize>(tiling: &Tiling<D>) {
     let matching = match_facets(tiling);
     assert!(matching.mismatches.is_empty());
     let mut volume = q(0, 1);
-    for (s, simplex) in tiling.simplices().enumerate() {
+    for (s, simplex) in tiling.indices().zip(tiling.simplices()) {
         let corners: Vec<_> = simplex.iter().map(|c| tiling.position(c)).collect();
         let shape = Simplex::new(&corners);
         assert_eq!(shape.determinant.sign(), Sign::Greater);
         volume = &volume + &shape.determinant;
         for i in 0..=D {
-            let mate = matching.mate(tiling, s, i).unwrap();
-            let other = tiling.simplex(mate.facet.simplex as usize);
+            let mate = matching.mate(tiling, Facet::new(s, i)).unwrap();
+            let other = tiling.simplex(mate.facet.simplex);
             let beyond = other[usize::from(mate.facet.opposite)].moved(mate.shift);
             let position = tiling.position(&beyond);
             let offset = std::array::from_fn(|k| &position[k] - &corners[0][k]);
@@ -250,8 +250,13 @@ fn icosahedron_over_a_field_of_degree_two() {
         frame: Frame::space(field, gram),
         points,
     };
-    let around =
-        |cell: &&Cell<3>| cell.is_simplex() && cell.corners.iter().any(|corner| corner.vertex == 0);
+    let around = |cell: &&Cell<3>| {
+        cell.is_simplex()
+            && cell
+                .corners
+                .iter()
+                .any(|corner| corner.vertex == VertexId::new(0))
+    };
     assert_eq!(cells(&set).unwrap().iter().filter(around).count(), 20);
     check(&triangulate(&set, Ties::Pull).unwrap());
 }
@@ -366,7 +371,14 @@ fn brute_force(
                 });
                 let square = square(gram, x);
                 if 0 < square && square <= reach {
-                    near.push((square, x, Corner { vertex: w, shift }));
+                    near.push((
+                        square,
+                        x,
+                        Corner {
+                            vertex: VertexId::new(w),
+                            shift,
+                        },
+                    ));
                 }
             }
         }
@@ -433,9 +445,9 @@ fn disguised(
         })
         .collect();
     let back = |corner: &Corner<3>| {
-        let index = order[corner.vertex as usize];
+        let index = order[corner.vertex.index()];
         let x: Vector = std::array::from_fn(|k| {
-            shown[corner.vertex as usize][k].rem_euclid(denominator)
+            shown[corner.vertex.index()][k].rem_euclid(denominator)
                 + denominator * i64::from(corner.shift[k])
         });
         let position = times(x, u);
@@ -445,7 +457,7 @@ fn disguised(
             (moved / denominator) as i32
         });
         Corner {
-            vertex: index as u32,
+            vertex: VertexId::at(index),
             shift,
         }
     };

@@ -4,7 +4,7 @@
 use crate::meeting::{Point, meet_elsewhere};
 use acutile_core::checker::{Options, examine};
 use acutile_core::statement::Statement;
-use acutile_core::tiling::{Coordinates, Corner, Domain, Frame, Tiling, match_facets};
+use acutile_core::tiling::{Coordinates, Corner, Domain, Frame, Tiling, VertexId, match_facets};
 use acutile_core::transcribe::{Parts, to_certificate};
 use acutile_kernel::{Limits, verify};
 use proptest::prelude::*;
@@ -54,14 +54,14 @@ impl Region {
             self.points.len() - 1
         });
         Corner {
-            vertex: index as u32,
+            vertex: VertexId::new(index as u32),
             shift: shift.map(|s| s as i32),
         }
     }
 
     fn position(&self, corner: &Corner<2>) -> Point {
         let at =
-            |k: usize| self.points[corner.vertex as usize][k] + CELL * i64::from(corner.shift[k]);
+            |k: usize| self.points[corner.vertex.index()][k] + CELL * i64::from(corner.shift[k]);
         [at(0), at(1), 0]
     }
 

@@ -3,7 +3,9 @@
 //! exponents, coordinates at the limits of every width.
 
 use crate::soup::{Random, compare_all, rational, skewed, soup};
-use acutile_core::tiling::{Coordinates, Corner, Frame, Tiling, match_facets, supercell};
+use acutile_core::tiling::{
+    Coordinates, Corner, Facet, Frame, Tiling, VertexId, match_facets, supercell,
+};
 use acutile_exact::geometry::{Bound, Sign, Simplex, linear};
 use acutile_exact::number::{Number, Reader};
 use malachite::Rational;
@@ -255,7 +257,7 @@ fn matching_against_a_map() {
     for vertices in [1, 2, 3, 5, 9] {
         for _ in 0..60 {
             let corner = |random: &mut Random| Corner {
-                vertex: random.below(vertices) as u32,
+                vertex: VertexId::new(random.below(vertices) as u32),
                 shift: [0; 3].map(|_| random.below(2) as i32),
             };
             let corners = (0..4 * 40).map(|_| corner(&mut random)).collect();
@@ -271,9 +273,9 @@ fn matching_against_a_map() {
 }
 
 fn check_matching(tiling: &Tiling<3>) {
-    type Use = (u32, u8, bool, [i32; 3]);
+    type Use = (Facet, bool, [i32; 3]);
     let mut groups: BTreeMap<Vec<Corner<3>>, Vec<Use>> = BTreeMap::new();
-    for (s, simplex) in tiling.simplices().enumerate() {
+    for (s, simplex) in tiling.indices().zip(tiling.simplices()) {
         for i in 0..4 {
             let rest: Vec<Corner<3>> = (0..4).filter(|&k| k != i).map(|k| simplex[k]).collect();
             let mut form = rest.clone();
@@ -283,7 +285,7 @@ fn check_matching(tiling: &Tiling<3>) {
             let odd = pairs.iter().filter(|(a, b)| rest[*b] < rest[*a]).count() % 2 == 1;
             let origin = form[0].shift;
             let form = form.iter().map(|c| c.moved(origin.map(|x| -x))).collect();
-            let entry = (s as u32, i as u8, odd ^ (i % 2 == 1), origin);
+            let entry = (Facet::new(s, i), odd ^ (i % 2 == 1), origin);
             groups.entry(form).or_default().push(entry);
         }
     }
@@ -291,39 +293,25 @@ fn check_matching(tiling: &Tiling<3>) {
     let mut mismatches = Vec::new();
     for group in groups.values() {
         match group[..] {
-            [a, b] if a.2 != b.2 => {
+            [a, b] if a.1 != b.1 => {
                 for (a, b) in [(a, b), (b, a)] {
-                    let mate = matching
-                        .mate(tiling, a.0 as usize, usize::from(a.1))
-                        .expect("a mate");
-                    assert_eq!((mate.facet.simplex, mate.facet.opposite), (b.0, b.1));
-                    assert_eq!(mate.shift, [0, 1, 2].map(|k| a.3[k] - b.3[k]));
+                    let mate = matching.mate(tiling, a.0).expect("a mate");
+                    assert_eq!(mate.facet, b.0);
+                    assert_eq!(mate.shift, [0, 1, 2].map(|k| a.2[k] - b.2[k]));
                 }
             }
             _ => {
-                for (s, i, ..) in group {
-                    assert_eq!(matching.mate(tiling, *s as usize, usize::from(*i)), None);
+                for (facet, ..) in group {
+                    assert_eq!(matching.mate(tiling, *facet), None);
                 }
-                mismatches.push(
-                    group
-                        .iter()
-                        .map(|(s, i, side, _)| (*s, *i, *side))
-                        .collect::<Vec<_>>(),
-                );
+                let uses = group.iter().map(|(facet, side, _)| (*facet, *side));
+                mismatches.push(uses.collect::<Vec<_>>());
             }
         }
     }
     mismatches.sort();
-    let found: Vec<Vec<(u32, u8, bool)>> = matching
-        .mismatches
-        .iter()
-        .map(|m| {
-            m.uses
-                .iter()
-                .map(|(f, side)| (f.simplex, f.opposite, *side))
-                .collect()
-        })
-        .collect();
+    let found = matching.mismatches.iter().map(|m| m.uses.clone());
+    let found: Vec<Vec<(Facet, bool)>> = found.collect();
     assert_eq!(found, mismatches);
 }
 

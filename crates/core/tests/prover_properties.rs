@@ -6,7 +6,7 @@ use acutile_catalog as catalog;
 use acutile_core::checker::{Options, examine};
 use acutile_core::proved::prove;
 use acutile_core::statement::Statement;
-use acutile_core::tiling::{AnyTiling, Corner, Tiling, supercell};
+use acutile_core::tiling::{AnyTiling, Corner, Tiling, VertexId, supercell};
 use acutile_core::with_dimension;
 use acutile_exact::geometry::linear;
 use acutile_exact::number::Number;
@@ -95,10 +95,10 @@ fn relabel(tiling: &mut Tiling<3>, keys: &[u64]) {
     }
     tiling.vertices = order
         .iter()
-        .map(|&old| tiling.vertices.vertex(old))
+        .map(|&old| tiling.vertices.vertex(VertexId::at(old)))
         .collect();
     for corner in &mut tiling.corners {
-        corner.vertex = index[corner.vertex as usize];
+        corner.vertex = VertexId::new(index[corner.vertex.index()]);
     }
 }
 
@@ -120,7 +120,7 @@ fn move_vertices(tiling: &mut Tiling<3>, shifts: &[[i32; 3]]) {
     };
     tiling.vertices = tiling.vertices.iter().zip(shifts).map(moved).collect();
     for (index, corner) in tiling.corners.iter_mut().enumerate() {
-        let back = shifts[corner.vertex as usize].map(|step| -step);
+        let back = shifts[corner.vertex.index()].map(|step| -step);
         *corner = corner.moved(back).moved(shifts[index / 4 % shifts.len()]);
     }
 }

@@ -203,15 +203,11 @@ fn neighbours_from_both_sides() {
             tiling.frame.gram[2][2] = &tiling.frame.gram[2][2] * &rational(stretch);
             let matching = match_facets(&tiling);
             let mut signs = Vec::new();
-            for simplex in 0..tiling.len() {
-                for opposite in 0..4 {
-                    let mate = matching
-                        .mate(&tiling, simplex, opposite)
-                        .expect("it is a tiling");
-                    let corners = tiling.simplex(mate.facet.simplex as usize);
-                    let apex = corners[usize::from(mate.facet.opposite)].moved(mate.shift);
-                    signs.push(twin(&InSphere, &tiling, simplex, &apex).get(0));
-                }
+            for facet in tiling.facets() {
+                let mate = matching.mate(&tiling, facet).expect("it is a tiling");
+                let corners = tiling.simplex(mate.facet.simplex);
+                let apex = corners[usize::from(mate.facet.opposite)].moved(mate.shift);
+                signs.push(twin(&InSphere, &tiling, facet.simplex, &apex).get(0));
             }
             let count = |sign: Sign| signs.iter().filter(|s| **s == sign).count();
             for weak in [false, true] {

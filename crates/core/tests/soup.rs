@@ -5,7 +5,7 @@ use acutile_core::predicates::{
     Angles, AnglesAgainst, InSphere, Metric, Model, Orientation, Predicate, RadiusAgainst, Shape,
     Signs,
 };
-use acutile_core::tiling::{Coordinates, Corner, Frame, Tiling};
+use acutile_core::tiling::{Coordinates, Corner, Frame, SimplexId, Tiling, VertexId};
 use acutile_exact::geometry::linear;
 use acutile_exact::number::Number;
 use malachite::Rational;
@@ -49,7 +49,7 @@ pub fn soup(
 ) -> Tiling<3> {
     let n = vertices.len() as u64;
     let corner = |vertex: u64, random: &mut Random| Corner {
-        vertex: vertex as u32,
+        vertex: VertexId::new(vertex as u32),
         shift: [0; 3].map(|_| random.below(2 * shift as u64 + 1) as i32 - shift),
     };
     let mut corners = Vec::new();
@@ -69,7 +69,7 @@ pub fn soup(
 pub fn twin<P: Predicate<3>>(
     predicate: &P,
     tiling: &Tiling<3>,
-    simplex: usize,
+    simplex: SimplexId,
     apex: &Corner<3>,
 ) -> Signs {
     let corners = tiling.simplex(simplex);
@@ -90,16 +90,19 @@ pub fn compare<P: Predicate<3> + Clone>(predicate: P, tiling: &Tiling<3>) -> usi
     let model = Model::new(tiling);
     let prepared = model.prepare(predicate.clone());
     let mut zeros = 0;
-    let apex_of = |simplex: usize| tiling.simplex((simplex + 1) % tiling.len())[2];
+    let apex_of =
+        |simplex: SimplexId| tiling.simplex(SimplexId::at((simplex.index() + 1) % tiling.len()))[2];
     let mut together = Vec::new();
-    let items = (0..tiling.len()).map(|simplex| ((simplex, simplex), apex_of(simplex)));
+    let items = tiling
+        .indices()
+        .map(|simplex| ((simplex, simplex), apex_of(simplex)));
     prepared.for_each_with(items, |_, signs| together.push(*signs));
-    for simplex in 0..tiling.len() {
+    for simplex in tiling.indices() {
         let apex = apex_of(simplex);
         let expected = twin(&predicate, tiling, simplex, &apex);
         let corners = tiling.simplex(simplex);
         assert_eq!(prepared.signs_with(simplex, &apex), expected, "{corners:?}");
-        assert_eq!(together[simplex], expected, "{corners:?}");
+        assert_eq!(together[simplex.index()], expected, "{corners:?}");
         assert_eq!(
             prepared.exact_signs(corners, &apex),
             expected,
@@ -123,7 +126,9 @@ pub fn compare_all(tiling: &Tiling<3>) -> usize {
     let bound = Rational::from_signeds(866, 1000);
     zeros += compare(RadiusAgainst::new(&Number::from(&bound * &bound)), tiling);
     check_shapes(tiling);
-    let sum = (0..tiling.len()).fold(Number::zero(), |sum, s| sum + tiling.shape(s).determinant);
+    let sum = tiling
+        .indices()
+        .fold(Number::zero(), |sum, s| sum + tiling.shape(s).determinant);
     assert_eq!(Model::new(tiling).sum_of_determinants(), sum);
     zeros
 }
@@ -139,8 +144,8 @@ pub fn skewed() -> Frame<3> {
 /// The lists of one pass against the twins of both predicates.
 fn check_shapes(tiling: &Tiling<3>) {
     let model = Model::new(tiling);
-    let failing = |is_right: &dyn Fn(Signs, Signs) -> bool| -> Vec<u32> {
-        let all = (0..tiling.len()).filter(|&simplex| {
+    let failing = |is_right: &dyn Fn(Signs, Signs) -> bool| -> Vec<SimplexId> {
+        let all = tiling.indices().filter(|&simplex| {
             let apex = &tiling.simplex(simplex)[0];
             let twins = (
                 twin(&Orientation, tiling, simplex, apex),
@@ -148,7 +153,7 @@ fn check_shapes(tiling: &Tiling<3>) {
             );
             !is_right(twins.0, twins.1)
         });
-        all.map(|simplex| simplex as u32).collect()
+        all.collect()
     };
     let shapes = model.shapes();
     assert_eq!(

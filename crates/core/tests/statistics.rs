@@ -3,7 +3,7 @@
 use acutile_catalog::build;
 use acutile_core::quality::rounded_nearest;
 use acutile_core::statistics::{Statistics, csv, statistics};
-use acutile_core::tiling::{Corner, Frame, Tiling};
+use acutile_core::tiling::{Corner, Frame, SimplexId, Tiling};
 use acutile_core::with_dimension;
 use acutile_exact::number::{Number, parse_rational};
 
@@ -116,5 +116,8 @@ fn slivers_and_flat_ones() {
         ["0", "1", "0"],
         ["1", "1", "0"],
     ]);
-    assert_eq!((flat.left_out, flat.kinds), (vec![0], [0, 0, 0]));
+    assert_eq!(
+        (flat.left_out, flat.kinds),
+        (vec![SimplexId::new(0)], [0, 0, 0])
+    );
 }

@@ -10,9 +10,7 @@ use acutile_core::tiling::{AnyTiling, Tiling, match_facets};
 use acutile_exact::geometry::linear;
 
 fn symmetry<const D: usize>(tiling: &Tiling<D>) -> Symmetry<D> {
-    let edges: Vec<_> = (0..tiling.len())
-        .map(|s| squared_edges(tiling, s))
-        .collect();
+    let edges: Vec<_> = tiling.indices().map(|s| squared_edges(tiling, s)).collect();
     Symmetry::of(tiling, &match_facets(tiling), &edges)
 }
 
@@ -82,7 +80,8 @@ fn check_elements<const D: usize>(tiling: &Tiling<D>) {
 fn check_permutes<const D: usize>(tiling: &Tiling<D>, element: &Isometry<D>) {
     let rank = tiling.frame.rank();
     let forms = |moved: bool| {
-        let mut forms: Vec<_> = (0..tiling.len())
+        let mut forms: Vec<_> = tiling
+            .indices()
             .map(|simplex| {
                 let mut points: Vec<_> = tiling
                     .simplex(simplex)

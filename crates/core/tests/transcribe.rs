@@ -112,7 +112,8 @@ fn check_order(data: &format::Certificate, name: &str) {
 /// The same simplices up to congruence, numbers of a field compared by their doubles.
 fn lengths<const D: usize>(tiling: &Tiling<D>) -> Vec<Vec<i64>> {
     let scale = tiling.frame.gram[0][0].approximate();
-    let mut all: Vec<Vec<i64>> = (0..tiling.len())
+    let mut all: Vec<Vec<i64>> = tiling
+        .indices()
         .map(|simplex| {
             let edges = squared_edges(tiling, simplex);
             let rounded = |x: &Number| (x.approximate() / scale * 1e9).round() as i64;

@@ -7,7 +7,7 @@ use acutile_core::format;
 use acutile_core::proved::prove;
 use acutile_core::quality::{DihedralAngle, RadiusEdge};
 use acutile_core::statement::{Relation, Requirement, Statement};
-use acutile_core::tiling::AnyTiling;
+use acutile_core::tiling::{AnyTiling, SimplexId, VertexId};
 use acutile_core::with_dimension;
 use acutile_exact::number::{Number, parse_rational};
 use acutile_io::import::{Content, read_bytes, read_native, read_text};
@@ -195,7 +195,7 @@ fn negative_orientation_is_reported_with_its_remedy_and_mended() {
          determinant is -1, expected a positive number; the order [0, 0+(0, 1, 0), 0+(0, 1, 1), \
          0+(1, 1, 1)] mends it (--reorient does)"
     );
-    assert_eq!(read.orient(), [1]);
+    assert_eq!(read.orient(), [SimplexId::new(1)]);
     assert!(examine(&read, &Options::default(), &|_| ()).is_ok());
 }
 
@@ -256,7 +256,10 @@ fn cartesian_and_fractional_coordinates_give_the_same_tiling() {
         panic!("dimension 2")
     };
     assert_eq!(
-        plane.vertices.vertex(0).map(|x| x.to_string()),
+        plane
+            .vertices
+            .vertex(VertexId::new(0))
+            .map(|x| x.to_string()),
         ["0", "1/2"]
     );
     let statements = judge(&cartesian, &[]).expect("a tiling");
@@ -469,7 +472,10 @@ fn generators() {
     let Content::Tiling(AnyTiling::Space(tiling)) = file.content else {
         panic!("a tiling of space");
     };
-    assert_eq!(tiling.vertices.vertex(0)[0].to_string(), "1/2 t");
+    assert_eq!(
+        tiling.vertices.vertex(VertexId::new(0))[0].to_string(),
+        "1/2 t"
+    );
     let twice = format!("{golden},\"t\":{{\"polynomial\":[-2,0,1],\"root\":[1,2]}}");
     let message = error(&text(&twice));
     assert!(

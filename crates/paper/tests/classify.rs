@@ -4,7 +4,9 @@
 use acutile_catalog as catalog;
 use acutile_core::classify::{NotTcp, Ridges, Star, check_tcp, frank_kasper, six_valent};
 use acutile_core::quality::{Exact, rounded_down, squared_edges};
-use acutile_core::tiling::{AnyPointSet, AnyTiling, Corner, Tiling, match_facets, supercell};
+use acutile_core::tiling::{
+    AnyPointSet, AnyTiling, Corner, SimplexId, Tiling, VertexId, match_facets, supercell,
+};
 use acutile_exact::number::Number;
 use acutile_io::import::{Content, read_native};
 use acutile_paper::survey::Study;
@@ -99,16 +101,16 @@ fn relabelled(tiling: &Tiling<3>) -> Tiling<3> {
     };
     let mut other = tiling.clone();
     let vertices = (0..n).rev().map(|old| {
-        let vertex = tiling.vertices.vertex(old as usize);
+        let vertex = tiling.vertices.vertex(VertexId::new(old));
         std::array::from_fn(|k| &vertex[k] - &Number::from(Rational::from(moved(old)[k])))
     });
     other.vertices = vertices.collect();
     let corner = |c: &Corner<3>| {
         Corner {
-            vertex: n - 1 - c.vertex,
+            vertex: VertexId::new(n - 1 - c.vertex.number()),
             shift: c.shift,
         }
-        .moved(moved(c.vertex))
+        .moved(moved(c.vertex.number()))
     };
     other.corners = tiling
         .corners
@@ -250,7 +252,7 @@ impl Chambers {
             order.swap(k, k + 1);
             return (simplex, order);
         }
-        let corners = self.tiling.simplex(simplex);
+        let corners = self.tiling.simplex(SimplexId::at(simplex));
         let (form, origin) = facet(corners, order[3]);
         let uses = &self.facets[&form];
         assert_eq!(uses.len(), 2);
@@ -259,7 +261,7 @@ impl Chambers {
             .find(|(s, o, _)| (*s, *o) != (simplex, order[3]))
             .expect("a mate");
         let back: [i32; 3] = std::array::from_fn(|i| origin[i] - other.2[i]);
-        let there = self.tiling.simplex(other.0);
+        let there = self.tiling.simplex(SimplexId::at(other.0));
         let mut image = [other.1; 4];
         for place in 0..3 {
             let corner = corners[order[place]];
@@ -293,7 +295,12 @@ fn facet(corners: &[Corner<3>], opposite: usize) -> (Form, [i32; 3]) {
     let least = points.iter().min().expect("three corners").shift;
     let form = points
         .iter()
-        .map(|c| (c.vertex, std::array::from_fn(|i| c.shift[i] - least[i])))
+        .map(|c| {
+            (
+                c.vertex.number(),
+                std::array::from_fn(|i| c.shift[i] - least[i]),
+            )
+        })
         .collect();
     (form, least)
 }
@@ -367,7 +374,9 @@ fn symbols_agree_with_propagated_flags() {
 fn chambers_of_a15() {
     let study = study("a15");
     assert_eq!(study.symbol().expect("no boundary").len(), 24 * 46 / 48);
-    let edges: BTreeSet<_> = (0..study.tiling.len())
+    let edges: BTreeSet<_> = study
+        .tiling
+        .indices()
         .flat_map(|simplex| squared_edges(&study.tiling, simplex))
         .collect();
     // In units of the cell: 1/2, √6/4 and √5/4.

@@ -17,7 +17,7 @@ pub use overlap::{Overlap, common_point};
 
 use crate::checker::Defect;
 use crate::quality::rounded_up;
-use crate::tiling::{Corner, Facet, Tiling, match_facets};
+use crate::tiling::{Corner, Facet, SimplexId, Tiling, match_facets};
 use acutile_exact::number::Number;
 use malachite::Rational;
 use place::Places;
@@ -38,7 +38,7 @@ pub enum Advice<const D: usize> {
     /// Moving one corner makes the simplex acute.
     Motion(Motion<D>),
     /// No motion of a single corner makes the simplex acute.
-    NoMotion { simplex: usize },
+    NoMotion { simplex: SimplexId },
 }
 
 /// Gives advice about the defects of one tiling; what several pieces need is computed once.
@@ -67,11 +67,9 @@ impl<'t, const D: usize> Adviser<'t, D> {
             Defect::SameSide { facets: (a, b) } => self.about_pair(*a, *b),
             Defect::OverusedFacet { facets } => self.about_overused(facets),
             Defect::BoundaryMeets { facets: (a, b), .. } => {
-                self.about_overlap(a.simplex as usize, &[b.simplex as usize])
+                self.about_overlap(a.simplex, &[b.simplex])
             }
-            Defect::Covered { facet, simplices } => {
-                self.about_overlap(facet.simplex as usize, simplices)
-            }
+            Defect::Covered { facet, simplices } => self.about_overlap(facet.simplex, simplices),
             Defect::VolumeSum { sum, expected } => self.about_volume(sum, expected),
             Defect::RightAngle { angle } | Defect::ObtuseAngle { angle } => {
                 self.about_angle(angle.simplex).into_iter().collect()
@@ -87,7 +85,7 @@ impl<'t, const D: usize> Adviser<'t, D> {
         let near = (!is_filled)
             .then(|| nearest::nearest(self.tiling, self.places(), facet, self.free()))
             .flatten();
-        let overlap = overlap::partner(self.tiling, self.places(), facet.simplex as usize);
+        let overlap = overlap::partner(self.tiling, self.places(), facet.simplex);
         let advice = [
             near.map(Advice::Near),
             hole.map(Advice::Hole),
@@ -110,8 +108,8 @@ impl<'t, const D: usize> Adviser<'t, D> {
     }
 
     /// The first of `others` that overlaps with a simplex, in the same place.
-    fn about_overlap(&self, simplex: usize, others: &[usize]) -> Vec<Advice<D>> {
-        let overlap = |other: &usize| overlap::overlap(self.tiling, (simplex, *other), [0; D]);
+    fn about_overlap(&self, simplex: SimplexId, others: &[SimplexId]) -> Vec<Advice<D>> {
+        let overlap = |other: &SimplexId| overlap::overlap(self.tiling, (simplex, *other), [0; D]);
         let found = others
             .iter()
             .filter(|other| **other != simplex)
@@ -124,14 +122,14 @@ impl<'t, const D: usize> Adviser<'t, D> {
             return Vec::new();
         };
         let overlap = (sum > expected)
-            .then(|| overlap::partner(self.tiling, self.places(), 0))
+            .then(|| overlap::partner(self.tiling, self.places(), SimplexId::new(0)))
             .flatten();
         std::iter::once(Advice::Covered { ratio })
             .chain(overlap.map(Advice::Overlap))
             .collect()
     }
 
-    fn about_angle(&self, simplex: usize) -> Option<Advice<D>> {
+    fn about_angle(&self, simplex: SimplexId) -> Option<Advice<D>> {
         if !motion::is_possible(self.tiling, simplex) {
             return Some(Advice::NoMotion { simplex });
         }
@@ -164,7 +162,7 @@ impl<const D: usize> Advice<D> {
     pub fn in_words(
         &self,
         corner: &dyn Fn(&Corner<D>) -> String,
-        simplex: &dyn Fn(usize) -> String,
+        simplex: &dyn Fn(SimplexId) -> String,
         point: &dyn Fn(&[Number; D]) -> String,
     ) -> String {
         let corners = |list: &[Corner<D>]| list.iter().map(corner).collect::<Vec<_>>().join(", ");
@@ -172,12 +170,12 @@ impl<const D: usize> Advice<D> {
             Advice::Near(near) if near.squared_distance == Number::zero() => format!(
                 "the free facet [{}] of {} is at the same place: its vertices are doubled",
                 corners(&near.corners),
-                simplex(near.facet.simplex as usize),
+                simplex(near.facet.simplex),
             ),
             Advice::Near(near) => format!(
                 "the nearest free facet is [{}] of {}; it misses by a distance whose square is {}, about {}",
                 corners(&near.corners),
-                simplex(near.facet.simplex as usize),
+                simplex(near.facet.simplex),
                 near.squared_distance,
                 root(&near.squared_distance),
             ),

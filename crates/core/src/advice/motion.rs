@@ -6,7 +6,7 @@
 //! cannot do it. If the facet is acute, a corner high above its middle can: then the lateral angles come near
 //! to those of the facet, and the others near to right angles from below.
 
-use crate::tiling::{Corner, Tiling};
+use crate::tiling::{Corner, SimplexId, Tiling};
 use acutile_exact::geometry::{Scalar, Sign, Simplex, linear};
 use acutile_exact::number::Number;
 use malachite::Rational;
@@ -16,7 +16,7 @@ use malachite::base::num::arithmetic::traits::{Floor, Pow};
 #[derive(Clone, Debug, PartialEq)]
 pub struct Motion<const D: usize> {
     /// The simplex.
-    pub simplex: usize,
+    pub simplex: SimplexId,
     /// The corner that moves.
     pub corner: Corner<D>,
     /// Where it goes, in basis coordinates; confirmed exactly.
@@ -26,7 +26,7 @@ pub struct Motion<const D: usize> {
 }
 
 /// Whether a motion of one corner can make the simplex acute: it has an acute facet.
-pub fn is_possible<const D: usize>(tiling: &Tiling<D>, simplex: usize) -> bool {
+pub fn is_possible<const D: usize>(tiling: &Tiling<D>, simplex: SimplexId) -> bool {
     let corners = tiling.simplex(simplex).iter();
     let points: Vec<[Number; D]> = corners.map(|c| tiling.position(c)).collect();
     (0..=D).any(|k| is_facet_acute(tiling, &points, k))
@@ -34,14 +34,14 @@ pub fn is_possible<const D: usize>(tiling: &Tiling<D>, simplex: usize) -> bool {
 
 /// The smallest motion that was found among all corners. The search is in doubles, so a smaller
 /// one may exist; that this one does it is exact.
-pub fn motion<const D: usize>(tiling: &Tiling<D>, simplex: usize) -> Option<Motion<D>> {
+pub fn motion<const D: usize>(tiling: &Tiling<D>, simplex: SimplexId) -> Option<Motion<D>> {
     let motions = (0..=D).filter_map(|k| motion_of(tiling, simplex, k));
     motions.min_by(|a, b| a.distance.cmp(&b.distance))
 }
 
 fn motion_of<const D: usize>(
     tiling: &Tiling<D>,
-    simplex: usize,
+    simplex: SimplexId,
     moving: usize,
 ) -> Option<Motion<D>> {
     let corners = tiling.simplex(simplex);

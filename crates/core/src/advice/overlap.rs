@@ -1,7 +1,7 @@
 //! Two simplices that overlap, and a point inside of both.
 
 use super::place::{Extent, Places};
-use crate::tiling::{Corner, Facet, Tiling, difference};
+use crate::tiling::{Corner, Facet, SimplexId, Tiling, difference};
 use acutile_exact::geometry::{Sign, Simplex, linear};
 use acutile_exact::number::Number;
 use malachite::Rational;
@@ -10,7 +10,7 @@ use malachite::Rational;
 #[derive(Clone, Debug, PartialEq)]
 pub struct Overlap<const D: usize> {
     /// Their indices; the second is moved by `shift`.
-    pub simplices: (usize, usize),
+    pub simplices: (SimplexId, SimplexId),
     /// The lattice vector that moves the second.
     pub shift: [i32; D],
     /// A point in the interior of both, in basis coordinates.
@@ -24,10 +24,10 @@ const TRANSLATES_LIMIT: f64 = 1e4;
 pub fn partner<const D: usize>(
     tiling: &Tiling<D>,
     places: &Places<D>,
-    index: usize,
+    index: SimplexId,
 ) -> Option<Overlap<D>> {
     let extent = places.extent(tiling.simplex(index));
-    (0..tiling.len()).find_map(|other| {
+    tiling.indices().find_map(|other| {
         let there = places.extent(tiling.simplex(other));
         let shifts = shifts(&extent, &there, places.rank).into_iter();
         shifts
@@ -43,23 +43,23 @@ pub fn behind_common_facet<const D: usize>(
     b: Facet,
 ) -> Option<Overlap<D>> {
     let first = |facet: Facet| -> Option<Corner<D>> {
-        let corners = tiling.simplex(facet.simplex as usize).iter().enumerate();
+        let corners = tiling.simplex(facet.simplex).iter().enumerate();
         corners
             .filter(|(k, _)| *k != usize::from(facet.opposite))
             .map(|(_, corner)| *corner)
             .min()
     };
     let shift = difference(first(a)?.shift, first(b)?.shift);
-    overlap(tiling, (a.simplex as usize, b.simplex as usize), shift)
+    overlap(tiling, (a.simplex, b.simplex), shift)
 }
 
 /// Two simplices, the second moved by `shift`, if they overlap.
 pub fn overlap<const D: usize>(
     tiling: &Tiling<D>,
-    simplices: (usize, usize),
+    simplices: (SimplexId, SimplexId),
     shift: [i32; D],
 ) -> Option<Overlap<D>> {
-    let corners = |index: usize, shift: [i32; D]| -> Vec<[Number; D]> {
+    let corners = |index: SimplexId, shift: [i32; D]| -> Vec<[Number; D]> {
         let corners = tiling.simplex(index).iter();
         corners.map(|c| tiling.position(&c.moved(shift))).collect()
     };

@@ -36,7 +36,7 @@ impl<const D: usize> Places<D> {
     }
 
     pub fn position(&self, corner: &Corner<D>) -> [f64; D] {
-        let vertex = &self.vertices[corner.vertex as usize];
+        let vertex = &self.vertices[corner.vertex.index()];
         std::array::from_fn(|k| vertex[k] + f64::from(corner.shift[k]))
     }
 
@@ -72,7 +72,7 @@ impl<const D: usize> Places<D> {
 
 /// The corners of a facet, in the order of the simplex.
 pub fn facet_corners<const D: usize>(tiling: &Tiling<D>, facet: Facet) -> Vec<Corner<D>> {
-    let corners = tiling.simplex(facet.simplex as usize).iter().enumerate();
+    let corners = tiling.simplex(facet.simplex).iter().enumerate();
     corners
         .filter(|(k, _)| *k != usize::from(facet.opposite))
         .map(|(_, corner)| *corner)

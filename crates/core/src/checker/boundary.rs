@@ -23,12 +23,12 @@ impl<S: Scalar> Scale<S> {
         })
     }
 
-    /// The point in the coordinates of the tiling.
-    pub(super) fn position(&self, point: &Quotient<S>, dimension: usize) -> Vec<Number> {
+    /// The point in the coordinates of the tiling; `None` for a denominator that is zero.
+    pub(super) fn position(&self, point: &Quotient<S>, dimension: usize) -> Option<Vec<Number>> {
         let denominator = (self.to_number)(&point.denominator) * &self.unit;
         let coordinate = |x: &S| {
             let numerator = (self.to_number)(x);
-            numerator.divide(&denominator).unwrap_or_else(Number::zero)
+            numerator.divide(&denominator)
         };
         point.numerators[..dimension]
             .iter()
@@ -48,7 +48,7 @@ pub(super) struct BoundaryFacet<const D: usize> {
 
 impl<const D: usize> BoundaryFacet<D> {
     pub(super) fn new(tiling: &Tiling<D>, facet: Facet) -> Self {
-        let simplex = tiling.simplex(facet.simplex as usize);
+        let simplex = tiling.simplex(facet.simplex);
         let opposite = usize::from(facet.opposite);
         let mut corners: [Corner<D>; D] =
             std::array::from_fn(|k| simplex[k + usize::from(k >= opposite)]);
@@ -86,7 +86,7 @@ pub(super) fn cell<const D: usize>(tiling: &Tiling<D>, corner: &Corner<D>) -> [i
     if rank == 0 {
         return [0; D];
     }
-    let vertex = tiling.vertices.vertex(corner.vertex as usize);
+    let vertex = tiling.vertices.vertex(corner.vertex);
     std::array::from_fn(|k| match k < rank {
         true => floor(&vertex[k]) + corner.shift[k],
         false => 0,

@@ -4,7 +4,7 @@
 use super::defect::{Angle, Defect};
 use super::names::Names;
 use super::render::describe;
-use crate::tiling::{Corner, Facet, Tiling};
+use crate::tiling::{Corner, Facet, SimplexId, Tiling};
 use acutile_exact::number::Number;
 use malachite::Rational;
 use serde_json::{Map, Value, json};
@@ -32,12 +32,12 @@ pub fn defect_data<const D: usize>(tiling: &Tiling<D>, names: &Names, defect: &D
 }
 
 /// A simplex with its names and the coordinates of its corners.
-fn place<const D: usize>(tiling: &Tiling<D>, names: &Names, simplex: usize) -> Value {
+fn place<const D: usize>(tiling: &Tiling<D>, names: &Names, simplex: SimplexId) -> Value {
     let corners: Vec<String> = (0..=D).map(|k| names.corner(simplex, k)).collect();
     let position = |corner: &Corner<D>| tiling.position(corner).each_ref().map(text).to_vec();
     let positions = tiling.simplex(simplex).iter().map(position);
     json!({
-        "simplex": simplex,
+        "simplex": simplex.number(),
         "name": names.simplex(simplex),
         "corner_names": corners,
         "coordinates": positions.collect::<Vec<_>>(),
@@ -55,16 +55,16 @@ fn members<const D: usize>(tiling: &Tiling<D>, defect: &Defect) -> Value {
             simplex,
             corners: (i, j),
         } => {
-            json!({ "simplex": simplex, "equal_corners": [i, j], "corners": corners(tiling, *simplex) })
+            json!({ "simplex": simplex.number(), "equal_corners": [i, j], "corners": corners(tiling, *simplex) })
         }
         Defect::Flat { simplex } => {
-            json!({ "simplex": simplex, "corners": corners(tiling, *simplex), "determinant": "0" })
+            json!({ "simplex": simplex.number(), "corners": corners(tiling, *simplex), "determinant": "0" })
         }
         Defect::NegativeOrientation {
             simplex,
             determinant,
         } => json!({
-            "simplex": simplex,
+            "simplex": simplex.number(),
             "corners": corners(tiling, *simplex),
             "determinant": text(determinant),
         }),
@@ -107,7 +107,7 @@ fn members<const D: usize>(tiling: &Tiling<D>, defect: &Defect) -> Value {
             simplices,
         } => json!({
             "facets": [facet(boundary)],
-            "simplices": simplices,
+            "simplices": simplices.iter().map(|s| s.number()).collect::<Vec<_>>(),
             "outside": simplices.len(),
         }),
         Defect::BoundaryWork { limit } => json!({ "limit": limit }),
@@ -124,7 +124,7 @@ fn members<const D: usize>(tiling: &Tiling<D>, defect: &Defect) -> Value {
             squared_ratio,
             bound,
         } => json!({
-            "simplex": simplex,
+            "simplex": simplex.number(),
             "corners": corners(tiling, *simplex),
             "squared_ratio": text(squared_ratio),
             "bound": bound.to_string(),
@@ -134,14 +134,14 @@ fn members<const D: usize>(tiling: &Tiling<D>, defect: &Defect) -> Value {
             facet: behind,
             neighbour,
         } => {
-            json!({ "facets": [facet(behind)], "neighbour": neighbour, "power": "0" })
+            json!({ "facets": [facet(behind)], "neighbour": neighbour.number(), "power": "0" })
         }
         Defect::InsideCircumsphere {
             facet: behind,
             neighbour,
             power,
         } => {
-            json!({ "facets": [facet(behind)], "neighbour": neighbour, "power": text(power) })
+            json!({ "facets": [facet(behind)], "neighbour": neighbour.number(), "power": text(power) })
         }
     }
 }
@@ -155,7 +155,7 @@ fn text(number: &Number) -> String {
 fn angle_data<const D: usize>(tiling: &Tiling<D>, angle: &Angle) -> Value {
     let bound = |degrees: &Rational| degrees.to_string();
     json!({
-        "simplex": angle.simplex,
+        "simplex": angle.simplex.number(),
         "corners": corners(tiling, angle.simplex),
         "between": [angle.facets.0, angle.facets.1],
         "product": text(&angle.product),
@@ -164,19 +164,19 @@ fn angle_data<const D: usize>(tiling: &Tiling<D>, angle: &Angle) -> Value {
 }
 
 fn facet_data<const D: usize>(tiling: &Tiling<D>, facet: &Facet) -> Value {
-    let simplex = facet.simplex as usize;
+    let simplex = facet.simplex;
     json!({
-        "simplex": simplex,
+        "simplex": simplex.number(),
         "opposite": facet.opposite,
         "corners": corners(tiling, simplex),
     })
 }
 
-fn corners<const D: usize>(tiling: &Tiling<D>, simplex: usize) -> Value {
+fn corners<const D: usize>(tiling: &Tiling<D>, simplex: SimplexId) -> Value {
     let rank = tiling.frame.rank();
     let row = |corner: &Corner<D>| -> Vec<i64> {
         let shift = corner.shift[..rank].iter().map(|&s| i64::from(s));
-        std::iter::once(i64::from(corner.vertex))
+        std::iter::once(i64::from(corner.vertex.number()))
             .chain(shift)
             .collect()
     };

@@ -2,7 +2,7 @@
 //! [`super::render`] puts them into words.
 
 use crate::classify::NotTcp;
-use crate::tiling::Facet;
+use crate::tiling::{Facet, SimplexId};
 use acutile_exact::number::Number;
 use malachite::Rational;
 use std::collections::BTreeMap;
@@ -17,13 +17,16 @@ pub enum Defect {
     NoSimplices,
     /// Two corners of a simplex are the same vertex with the same shift.
     RepeatedCorner {
-        simplex: usize,
+        simplex: SimplexId,
         corners: (usize, usize),
     },
     /// D! times the volume is zero.
-    Flat { simplex: usize },
+    Flat { simplex: SimplexId },
     /// D! times the volume is negative; exchanging the last two corners mends it.
-    NegativeOrientation { simplex: usize, determinant: Number },
+    NegativeOrientation {
+        simplex: SimplexId,
+        determinant: Number,
+    },
     /// No other simplex has this facet.
     UnmatchedFacet { facet: Facet },
     /// Two simplices lie on the same side of a facet.
@@ -63,7 +66,10 @@ pub enum Defect {
     },
     /// The points directly outside of a facet in the boundary of a region, at its centroid, lie
     /// in these simplices.
-    Covered { facet: Facet, simplices: Vec<usize> },
+    Covered {
+        facet: Facet,
+        simplices: Vec<SimplexId>,
+    },
     /// A region without boundary: it is all of space.
     NoBoundary,
     /// The boundary has more facets close to each other than are looked at: nothing is known to be
@@ -82,7 +88,7 @@ pub enum Defect {
     /// The squared circumradius of a simplex over the square of its shortest edge is
     /// `squared_ratio`, not less than the square of the bound.
     RatioNotBelow {
-        simplex: usize,
+        simplex: SimplexId,
         squared_ratio: Number,
         bound: Rational,
     },
@@ -90,12 +96,12 @@ pub enum Defect {
     NotTcp { reason: NotTcp },
     /// The corner of the neighbour behind a facet lies on the circumsphere; the
     /// power is zero.
-    OnCircumsphere { facet: Facet, neighbour: usize },
+    OnCircumsphere { facet: Facet, neighbour: SimplexId },
     /// The corner of the neighbour behind a facet lies inside of the circumsphere;
     /// `power` is its power times D! times the volume.
     InsideCircumsphere {
         facet: Facet,
-        neighbour: usize,
+        neighbour: SimplexId,
         power: Number,
     },
 }
@@ -104,7 +110,7 @@ pub enum Defect {
 #[derive(Clone, Debug, PartialEq)]
 pub struct Angle {
     /// The simplex.
-    pub simplex: usize,
+    pub simplex: SimplexId,
     /// The two facets, each named by the corner opposite to it.
     pub facets: (usize, usize),
     /// The inner product of the inward facet normals g_i and g_j (the gradients of
@@ -116,8 +122,8 @@ pub struct Angle {
 
 impl Defect {
     /// The simplices that it is about, in order.
-    pub fn simplices(&self) -> Vec<usize> {
-        let of = |facet: &Facet| facet.simplex as usize;
+    pub fn simplices(&self) -> Vec<SimplexId> {
+        let of = |facet: &Facet| facet.simplex;
         let mut simplices = match self {
             Defect::RepeatedCorner { simplex, .. }
             | Defect::Flat { simplex }

@@ -169,10 +169,10 @@ fn face_of<const D: usize>(
     facet: Facet,
     faces_of_vertices: &[Vec<usize>],
 ) -> Option<usize> {
-    let corners = tiling.simplex(facet.simplex as usize).iter().enumerate();
+    let corners = tiling.simplex(facet.simplex).iter().enumerate();
     let mut faces = corners
         .filter(|(i, _)| *i != usize::from(facet.opposite))
-        .map(|(_, corner)| &faces_of_vertices[corner.vertex as usize]);
+        .map(|(_, corner)| &faces_of_vertices[corner.vertex.index()]);
     let first = faces.next()?;
     let others: Vec<&Vec<usize>> = faces.collect();
     first

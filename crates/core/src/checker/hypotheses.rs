@@ -5,7 +5,7 @@
 
 use super::defect::{Defect, Findings};
 use crate::predicates::{Model, Orientation};
-use crate::tiling::{Frame, Tiling};
+use crate::tiling::{Frame, SimplexId, Tiling};
 use acutile_exact::geometry::{RingElement, Sign, linear};
 use acutile_exact::number::Number;
 use malachite::Rational;
@@ -40,9 +40,9 @@ pub fn check_corners<const D: usize>(tiling: &Tiling<D>, findings: &mut Findings
         findings.add(Defect::NoSimplices);
     }
     let mut used = vec![false; tiling.vertices.len()];
-    for (simplex, corners) in tiling.simplices().enumerate() {
+    for (simplex, corners) in tiling.indices().zip(tiling.simplices()) {
         for (i, corner) in corners.iter().enumerate() {
-            used[corner.vertex as usize] = true;
+            used[corner.vertex.index()] = true;
             if let Some(j) = corners[..i].iter().position(|other| other == corner) {
                 findings.add(Defect::RepeatedCorner {
                     simplex,
@@ -61,7 +61,7 @@ pub fn check_corners<const D: usize>(tiling: &Tiling<D>, findings: &mut Findings
 /// reported already.
 pub fn check_orientation<const D: usize>(model: &Model<D>, findings: &mut Findings) {
     let orientation = model.prepare(Orientation);
-    for simplex in model.shapes().not_positive.iter().map(|s| *s as usize) {
+    for &simplex in &model.shapes().not_positive {
         if has_repeated_corner(model.tiling.simplex(simplex)) {
             continue;
         }
@@ -80,7 +80,7 @@ fn has_repeated_corner<T: PartialEq>(corners: &[T]) -> bool {
 }
 
 /// D! times the signed volume of a simplex, in units of the cell.
-pub fn determinant<const D: usize>(tiling: &Tiling<D>, simplex: usize) -> Number {
+pub fn determinant<const D: usize>(tiling: &Tiling<D>, simplex: SimplexId) -> Number {
     tiling.shape(simplex).determinant
 }
 
@@ -91,18 +91,17 @@ pub fn check_volume<const D: usize>(model: &Model<D>, findings: &mut Findings) {
     if model.tiling.frame.domain.is_region() {
         return;
     }
-    let factorial = |n: usize| Number::from(Rational::from((1..=n as u64).product::<u64>()));
-    let sum = quotient(&model.sum_of_determinants(), &factorial(D));
+    // 1 / n!
+    let share = |n: usize| {
+        let factorial = (1..=n as u64).product::<u64>();
+        Number::from(Rational::from_unsigneds(1, factorial))
+    };
+    let sum = model.sum_of_determinants() * share(D);
     let expected = match model.tiling.frame.domain.polytope() {
         None => Number::from(Rational::from(1)),
-        Some(polytope) => quotient(&polytope.scaled_volume(), &factorial(polytope.dimension())),
+        Some(polytope) => polytope.scaled_volume() * share(polytope.dimension()),
     };
     if sum != expected {
         findings.add(Defect::VolumeSum { sum, expected });
     }
-}
-
-/// x / y for a y that is a product of positive integers.
-fn quotient(x: &Number, y: &Number) -> Number {
-    x.divide(y).unwrap_or_else(Number::zero)
 }

@@ -1,12 +1,12 @@
 //! What simplices, corners and vertices are called in messages: by their indices, or by the
 //! numbers of the file that a mesh was read from.
 
-use crate::tiling::Tiling;
+use crate::tiling::{SimplexId, Tiling};
 
 /// The names of one tiling's parts.
 pub struct Names<'a> {
-    simplex: Box<dyn Fn(usize) -> String + 'a>,
-    corner: Box<dyn Fn(usize, usize) -> String + 'a>,
+    simplex: Box<dyn Fn(SimplexId) -> String + 'a>,
+    corner: Box<dyn Fn(SimplexId, usize) -> String + 'a>,
     vertex: Box<dyn Fn(usize) -> String + 'a>,
 }
 
@@ -23,8 +23,8 @@ impl<'a> Names<'a> {
     /// A simplex by its index, a corner by the index of its simplex and its place in it, a
     /// vertex by its index.
     pub fn new(
-        simplex: impl Fn(usize) -> String + 'a,
-        corner: impl Fn(usize, usize) -> String + 'a,
+        simplex: impl Fn(SimplexId) -> String + 'a,
+        corner: impl Fn(SimplexId, usize) -> String + 'a,
         vertex: impl Fn(usize) -> String + 'a,
     ) -> Self {
         Names {
@@ -35,12 +35,12 @@ impl<'a> Names<'a> {
     }
 
     /// The name of a simplex.
-    pub fn simplex(&self, simplex: usize) -> String {
+    pub fn simplex(&self, simplex: SimplexId) -> String {
         (self.simplex)(simplex)
     }
 
     /// The name of a corner of a simplex.
-    pub fn corner(&self, simplex: usize, corner: usize) -> String {
+    pub fn corner(&self, simplex: SimplexId, corner: usize) -> String {
         (self.corner)(simplex, corner)
     }
 

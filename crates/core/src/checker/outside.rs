@@ -4,8 +4,8 @@
 //! from the facet's centroid. The others are decided exactly.
 
 use super::boundary::{BoundaryFacet, Scale};
-use crate::tiling::{Corner, Tiling};
-use acutile_exact::geometry::triangle::{Point, cross};
+use crate::tiling::{Corner, SimplexId, Tiling, VertexId};
+use acutile_exact::geometry::triangle::Point;
 use acutile_exact::geometry::{Scalar, linear};
 use acutile_exact::number::Number;
 use rayon::prelude::*;
@@ -25,6 +25,7 @@ impl<'t, S: Scalar, const D: usize> Outside<'t, S, D> {
     pub(super) fn new(tiling: &'t Tiling<D>, scale: &'t Scale<S>) -> Self {
         let vertices = (0..tiling.vertices.len()).into_par_iter();
         let double = |vertex: usize| {
+            let vertex = VertexId::at(vertex);
             tiling
                 .vertices
                 .vertex(vertex)
@@ -38,7 +39,7 @@ impl<'t, S: Scalar, const D: usize> Outside<'t, S, D> {
     }
 
     /// The simplices, in order, a translate of which contains the points.
-    pub(super) fn simplices(&self, facet: &BoundaryFacet<D>) -> Vec<usize> {
+    pub(super) fn simplices(&self, facet: &BoundaryFacet<D>) -> Vec<SimplexId> {
         let points = facet
             .corners
             .each_ref()
@@ -47,7 +48,7 @@ impl<'t, S: Scalar, const D: usize> Outside<'t, S, D> {
         let corners = facet.corners.each_ref().map(|corner| self.position(corner));
         let centroid: [f64; D] =
             std::array::from_fn(|k| corners.iter().map(|corner| corner[k]).sum::<f64>() / D as f64);
-        let simplices = (0..self.tiling.len()).into_par_iter();
+        let simplices = (0..self.tiling.len()).into_par_iter().map(SimplexId::at);
         let found = simplices.filter(|&simplex| {
             let near = self.near(simplex, &centroid);
             near.into_iter()
@@ -57,18 +58,18 @@ impl<'t, S: Scalar, const D: usize> Outside<'t, S, D> {
     }
 
     fn position(&self, corner: &Corner<D>) -> [f64; D] {
-        let vertex = &self.floats[corner.vertex as usize];
+        let vertex = &self.floats[corner.vertex.index()];
         std::array::from_fn(|k| vertex[k] + f64::from(corner.shift[k]))
     }
 
     /// The lattice vectors by which the simplex's box may come to hold the point.
-    fn near(&self, simplex: usize, point: &[f64; D]) -> Vec<[i32; D]> {
+    fn near(&self, simplex: SimplexId, point: &[f64; D]) -> Vec<[i32; D]> {
         let rank = self.tiling.frame.rank();
         let mut ranges = [(0, 0); D];
         for k in 0..D {
             let (mut low, mut high, mut size) = (f64::INFINITY, f64::NEG_INFINITY, 1.0f64);
             for corner in self.tiling.simplex(simplex) {
-                let vertex = self.floats[corner.vertex as usize][k];
+                let vertex = self.floats[corner.vertex.index()][k];
                 let x = vertex + f64::from(corner.shift[k]);
                 (low, high) = (low.min(x), high.max(x));
                 size = size.max(vertex.abs()).max(x.abs());
@@ -107,7 +108,7 @@ impl<'t, S: Scalar, const D: usize> Outside<'t, S, D> {
     /// the covector itself: it is positive at itself.
     fn contains(
         &self,
-        simplex: usize,
+        simplex: SimplexId,
         by: [i32; D],
         facet: &[Point<S>; D],
         normal: &Point<S>,
@@ -138,7 +139,7 @@ impl<'t, S: Scalar, const D: usize> Outside<'t, S, D> {
 fn conormal<S: Scalar>(points: &[&Point<S>]) -> Point<S> {
     let along = linear::subtract(points[1], points[0]);
     match points.get(2) {
-        Some(third) => cross(&along, &linear::subtract(third, points[0])),
+        Some(third) => linear::cross(&along, &linear::subtract(third, points[0])),
         None => {
             let zero = along[2].clone();
             [along[1].clone(), zero.minus(&along[0]), zero]

@@ -10,7 +10,6 @@
 use super::boundary::{BoundaryFacet, Scale, cell};
 use super::defect::{BOUNDARY_MEETS, Defect, Findings};
 use super::outside::Outside;
-use crate::predicates::ring::common_denominator;
 use crate::tiling::{Corner, Matching, Tiling, difference};
 use acutile_exact::geometry::Scalar;
 use acutile_exact::geometry::boxes::{self, Box3};
@@ -30,7 +29,7 @@ pub fn check_region<const D: usize>(
     findings: &mut Findings,
 ) {
     // Cleared of their denominators, rational coordinates are integers.
-    let unit = Number::from(Rational::from(common_denominator(
+    let unit = Number::from(Rational::from(Number::common_denominator(
         tiling.vertices.iter().flatten().collect::<Vec<_>>().iter(),
     )));
     if tiling.frame.field.degree() == 1 {
@@ -144,7 +143,8 @@ impl<'t, S: Scalar, const D: usize> Region<'t, S, D> {
                 facets: (facet(f), facet(g)),
                 point: copies
                     .meeting(f, g)
-                    .map_or_else(Vec::new, |point| self.scale.position(&point, D)),
+                    .and_then(|point| self.scale.position(&point, D))
+                    .expect("the pair was kept because it meets in a point"),
             });
         }
     }

@@ -4,14 +4,14 @@
 use super::defect::{Angle, Defect};
 use super::names::Names;
 use crate::quality::{decimal_range, short_decimal};
-use crate::tiling::Facet;
+use crate::tiling::{Facet, SimplexId};
 use acutile_exact::number::Number;
 
 /// One defect of a tiling of dimension D as a sentence, with things called by their `names`.
 pub fn describe<const D: usize>(names: &Names, defect: &Defect) -> String {
     let words = Words::<D> { names };
     let name = |facet: &Facet| words.facet(facet);
-    let of = |simplex: &usize| names.simplex(*simplex);
+    let of = |simplex: &SimplexId| names.simplex(*simplex);
     match defect {
         Defect::MetricNotPositive { order, minor } => format!(
             "the Gram matrix is not positive definite: its leading {order} x {order} minor is {}, \
@@ -204,30 +204,30 @@ struct Words<'t, const D: usize> {
 
 impl<const D: usize> Words<'_, D> {
     /// The first few simplices.
-    fn some(&self, simplices: &[usize]) -> String {
+    fn some(&self, simplices: &[SimplexId]) -> String {
         const FEW: usize = 8;
         let first = simplices.iter().take(FEW).map(|s| self.names.simplex(*s));
         let rest = (simplices.len() > FEW).then(|| "…".to_owned());
         first.chain(rest).collect::<Vec<_>>().join(", ")
     }
 
-    fn corners(&self, simplex: usize) -> String {
+    fn corners(&self, simplex: SimplexId) -> String {
         self.list(simplex, 0..=D)
     }
 
-    fn list(&self, simplex: usize, indices: impl IntoIterator<Item = usize>) -> String {
+    fn list(&self, simplex: SimplexId, indices: impl IntoIterator<Item = usize>) -> String {
         let indices = indices.into_iter();
         let texts: Vec<String> = indices.map(|k| self.names.corner(simplex, k)).collect();
         format!("[{}]", texts.join(", "))
     }
 
-    fn mended(&self, simplex: usize) -> String {
+    fn mended(&self, simplex: SimplexId) -> String {
         self.list(simplex, (0..D - 1).chain([D, D - 1]))
     }
 
     fn facet(&self, facet: &Facet) -> String {
         let opposite = usize::from(facet.opposite);
-        let simplex = facet.simplex as usize;
+        let simplex = facet.simplex;
         let corners = self.list(simplex, (0..=D).filter(|&k| k != opposite));
         format!(
             "facet {opposite} of {} {corners}",

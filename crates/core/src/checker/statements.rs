@@ -5,17 +5,20 @@ use super::defect::{Angle, Defect, Findings};
 use crate::classify::{self, NotTcp, Ridges};
 use crate::predicates::{Angles, AnglesAgainst, InSphere, Model, Prepared, RadiusAgainst};
 use crate::quality::{self, DihedralAngle, compare_with_degrees};
-use crate::tiling::{Facet, Matching, Tiling};
+use crate::tiling::{Facet, Matching, SimplexId, Tiling};
 use acutile_exact::geometry::{Sign, linear};
 use acutile_exact::number::{Number, enclosure};
 use malachite::Rational;
 use malachite::base::num::arithmetic::traits::PowerOf2;
 use std::cmp::Ordering;
 
+/// Statements are decided after the hypotheses.
+const NOT_FLAT: &str = "every simplex is positively oriented";
+
 /// Every dihedral angle is acute: <g_i, g_j> < 0 for all facets i ≠ j.
 pub fn check_acute<const D: usize>(model: &Model<D>, findings: &mut Findings) {
     let angles = model.prepare(Angles);
-    for simplex in model.shapes().not_acute.iter().map(|s| *s as usize) {
+    for &simplex in &model.shapes().not_acute {
         let signs = angles.signs(simplex);
         for (index, pair) in pairs(D).enumerate() {
             let evidence = || angle(model.tiling, simplex, pair);
@@ -35,7 +38,7 @@ pub fn check_acute<const D: usize>(model: &Model<D>, findings: &mut Findings) {
 /// No dihedral angle is obtuse: <g_i, g_j> <= 0 for all facets i ≠ j.
 pub fn check_nonobtuse<const D: usize>(model: &Model<D>, findings: &mut Findings) {
     let angles = model.prepare(Angles);
-    for simplex in model.shapes().obtuse.iter().map(|s| *s as usize) {
+    for &simplex in &model.shapes().obtuse {
         let signs = angles.signs(simplex);
         for (_, pair) in (0..).zip(pairs(D)).filter(|(k, _)| signs.get(*k).is_gt()) {
             findings.add_with("obtuse-angle", || Defect::ObtuseAngle {
@@ -96,13 +99,14 @@ fn against(cosine: &Rational) -> AnglesAgainst {
 /// A dihedral angle compared with a bound in degrees.
 fn compare<const D: usize>(
     tiling: &Tiling<D>,
-    simplex: usize,
+    simplex: SimplexId,
     (i, j): (usize, usize),
     bound: &Rational,
 ) -> Ordering {
     let cogram = linear::cofactors(&tiling.frame.gram);
     let products = tiling.shape(simplex).normal_products(&cogram);
-    compare_with_degrees(&DihedralAngle::between(&products, i, j), bound)
+    let angle = DihedralAngle::between(&products, i, j).expect(NOT_FLAT);
+    compare_with_degrees(&angle, bound)
 }
 
 /// The simplices whose circumradius is not less than `bound` times the shortest edge: not
@@ -117,7 +121,10 @@ pub fn list_not_below_ratio<const D: usize>(
     for simplex in radii.failing(|signs| signs.all_positive()) {
         findings.add_with("ratio-not-below", || Defect::RatioNotBelow {
             simplex,
-            squared_ratio: quality::measures(model.tiling, simplex).radius_edge.square,
+            squared_ratio: quality::measures(model.tiling, simplex)
+                .expect(NOT_FLAT)
+                .radius_edge
+                .square,
             bound: bound.clone(),
         });
     }
@@ -153,14 +160,15 @@ fn pairs(dimension: usize) -> impl Iterator<Item = (usize, usize)> {
 }
 
 /// The exact evidence about one angle, in the units of the tiling's own numbers.
-fn angle<const D: usize>(tiling: &Tiling<D>, simplex: usize, facets: (usize, usize)) -> Angle {
+fn angle<const D: usize>(tiling: &Tiling<D>, simplex: SimplexId, facets: (usize, usize)) -> Angle {
     let cogram = linear::cofactors(&tiling.frame.gram);
     let products = tiling.shape(simplex).normal_products(&cogram);
     Angle {
         simplex,
         facets,
         product: products.get(facets.0, facets.1).clone(),
-        degrees: quality::dihedral_degrees(&products, facets, &quality::display_width()),
+        degrees: quality::dihedral_degrees(&products, facets, &quality::display_width())
+            .expect(NOT_FLAT),
     }
 }
 
@@ -176,14 +184,14 @@ pub fn check_delaunay<const D: usize>(
     let tiling = model.tiling;
     let spheres = model.prepare(InSphere);
     for simplex in suspects(matching, &spheres, weak) {
-        for opposite in 0..=D {
-            let Some(apex) = matching.apex(tiling, simplex, opposite) else {
+        for facet in (0..=D).map(|k| Facet::new(simplex, k)) {
+            let Some(apex) = matching.apex(tiling, facet) else {
                 continue;
             };
             match spheres.signs_with(simplex, &apex).get(0) {
                 Sign::Greater => {}
                 Sign::Equal if weak => {}
-                sign => add_sphere(tiling, matching, (simplex, opposite), sign, findings),
+                sign => add_sphere(tiling, matching, facet, sign, findings),
             }
         }
     }
@@ -194,14 +202,14 @@ fn suspects<const D: usize>(
     matching: &Matching<D>,
     spheres: &Prepared<InSphere, D>,
     weak: bool,
-) -> Vec<usize> {
+) -> Vec<SimplexId> {
     let is_right = |_, _, sign| sign == Sign::Greater || weak && sign == Sign::Equal;
     let mut suspects = spheres.failing_pairs(matching, is_right);
     for k in 0..suspects.len() {
-        let behind = |opposite| matching.neighbour(suspects[k], opposite);
-        let neighbours: Vec<usize> = (0..=D)
+        let behind = |opposite| matching.neighbour(Facet::new(suspects[k], opposite));
+        let neighbours: Vec<SimplexId> = (0..=D)
             .filter_map(behind)
-            .map(|mate| mate.simplex as usize)
+            .map(|mate| mate.simplex)
             .collect();
         suspects.extend(neighbours);
     }
@@ -213,23 +221,19 @@ fn suspects<const D: usize>(
 fn add_sphere<const D: usize>(
     tiling: &Tiling<D>,
     matching: &Matching<D>,
-    (simplex, opposite): (usize, usize),
+    facet: Facet,
     sign: Sign,
     findings: &mut Findings,
 ) {
-    let Some(mate) = matching.neighbour(simplex, opposite) else {
+    let Some(mate) = matching.neighbour(facet) else {
         return;
     };
-    let neighbour = mate.simplex as usize;
-    let facet = Facet {
-        simplex: simplex as u32,
-        opposite: opposite as u8,
-    };
+    let (simplex, neighbour) = (facet.simplex, mate.simplex);
     if sign == Sign::Equal {
         return findings.add(Defect::OnCircumsphere { facet, neighbour });
     }
     findings.add_with("inside-circumsphere", || {
-        let apex = matching.apex(tiling, simplex, opposite);
+        let apex = matching.apex(tiling, facet);
         let origin = &tiling.simplex(simplex)[0];
         let position = tiling.position(&apex.unwrap_or(*origin));
         let offset = linear::subtract(&position, &tiling.position(origin));

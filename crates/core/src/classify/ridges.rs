@@ -2,12 +2,12 @@
 //! of a tiling of space and the vertices of a tiling of the plane, with the number
 //! of simplices around each.
 
-use crate::tiling::{Corner, Matching, Tiling, difference};
+use crate::tiling::{Corner, Facet, Matching, SimplexId, Tiling, difference};
 use malachite::Rational;
 use std::collections::BTreeMap;
 
 /// A simplex and the two of its facets between which it fills a wedge.
-pub type Wedge = (usize, (usize, usize));
+pub type Wedge = (SimplexId, (usize, usize));
 
 /// An orbit of ridges.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -42,7 +42,7 @@ impl<const D: usize> Ridges<D> {
     /// The ridges of a tiling with this matching of its facets.
     pub fn of(tiling: &Tiling<D>, matching: &Matching<D>) -> Self {
         let mut groups: BTreeMap<Vec<Corner<D>>, Vec<Wedge>> = BTreeMap::new();
-        for (simplex, corners) in tiling.simplices().enumerate() {
+        for (simplex, corners) in tiling.indices().zip(tiling.simplices()) {
             for (i, j) in pairs(D + 1) {
                 let form = normal_form(corners, i, j);
                 groups.entry(form).or_default().push((simplex, (i, j)));
@@ -52,13 +52,13 @@ impl<const D: usize> Ridges<D> {
         let mut list = Vec::with_capacity(groups.len());
         for (corners, around) in groups {
             for &(simplex, (i, j)) in &around {
-                index[(simplex * (D + 1) + i) * (D + 1) + j] = list.len();
-                index[(simplex * (D + 1) + j) * (D + 1) + i] = list.len();
+                index[(simplex.index() * (D + 1) + i) * (D + 1) + j] = list.len();
+                index[(simplex.index() * (D + 1) + j) * (D + 1) + i] = list.len();
             }
             let is_boundary = around.iter().any(|&(simplex, (i, j))| {
                 [i, j]
                     .iter()
-                    .any(|&k| matching.neighbour(simplex, k).is_none())
+                    .any(|&k| matching.neighbour(Facet::new(simplex, k)).is_none())
             });
             list.push(Ridge {
                 corners,
@@ -70,8 +70,8 @@ impl<const D: usize> Ridges<D> {
     }
 
     /// The ridge in which two facets of a simplex meet.
-    pub fn between(&self, simplex: usize, i: usize, j: usize) -> &Ridge<D> {
-        &self.list[self.index[(simplex * (D + 1) + i) * (D + 1) + j]]
+    pub fn between(&self, simplex: SimplexId, i: usize, j: usize) -> &Ridge<D> {
+        &self.list[self.index[(simplex.index() * (D + 1) + i) * (D + 1) + j]]
     }
 
     /// The ridges that are not in the boundary.

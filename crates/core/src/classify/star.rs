@@ -33,7 +33,7 @@ pub fn stars(tiling: &Tiling<3>) -> Vec<Star> {
     let mut links: Vec<Vec<[Corner<3>; 3]>> = vec![Vec::new(); tiling.vertices.len()];
     for corners in tiling.simplices() {
         for (apex, corner) in corners.iter().enumerate() {
-            links[corner.vertex as usize].push(link_triangle(corners, apex));
+            links[corner.vertex.index()].push(link_triangle(corners, apex));
         }
     }
     links.iter().map(|link| star(link)).collect()

@@ -22,7 +22,7 @@
 //! and the numbering by colour is canonical: isomorphic means equal.
 
 use super::ridges::Ridges;
-use crate::tiling::{Domain, Matching, Tiling};
+use crate::tiling::{Domain, Facet, Matching, SimplexId, Tiling};
 use acutile_exact::number::Number;
 use std::collections::BTreeSet;
 
@@ -66,14 +66,14 @@ pub fn metric_symbol<const D: usize>(
     tiling: &Tiling<D>,
     matching: &Matching<D>,
     ridges: &Ridges<D>,
-    edges: impl Fn(usize) -> Vec<Number>,
+    edges: impl Fn(SimplexId) -> Vec<Number>,
 ) -> Option<Symbol<(usize, Vec<Number>), D>> {
-    let edges: Vec<Vec<Number>> = (0..tiling.len()).map(edges).collect();
+    let edges: Vec<Vec<Number>> = tiling.indices().map(edges).collect();
     let shortest = edges.iter().flatten().min()?.inverse()?;
     symbol(tiling, matching, |simplex, order| {
         let lengths = (0..=D)
             .flat_map(|i| (i + 1..=D).map(move |j| (order[i], order[j])))
-            .map(|(i, j)| &edges[simplex][edge_index::<D>(i.min(j), i.max(j))] * &shortest)
+            .map(|(i, j)| &edges[simplex.index()][edge_index::<D>(i.min(j), i.max(j))] * &shortest)
             .collect();
         let valence = ridges.between(simplex, order[D - 1], order[D]).valence();
         (valence, lengths)
@@ -88,13 +88,14 @@ pub(super) fn edge_index<const D: usize>(i: usize, j: usize) -> usize {
 fn symbol<L: Ord + Clone, const D: usize>(
     tiling: &Tiling<D>,
     matching: &Matching<D>,
-    label: impl Fn(usize, &[usize]) -> L,
+    label: impl Fn(SimplexId, &[usize]) -> L,
 ) -> Option<Symbol<L, D>> {
     if tiling.frame.domain != Domain::Space || !matching.mismatches.is_empty() {
         return None;
     }
     let orders = orders::<D>();
-    let labels: Vec<L> = (0..tiling.len())
+    let labels: Vec<L> = tiling
+        .indices()
         .flat_map(|simplex| orders.iter().map(move |order| (simplex, order)))
         .map(|(simplex, order)| label(simplex, order))
         .collect();
@@ -126,21 +127,21 @@ pub(super) fn images<const D: usize>(
 ) -> Option<Vec<Vec<u32>>> {
     let number = |order: &[usize]| orders.binary_search_by(|other| other[..].cmp(order)).ok();
     let mut images = Vec::with_capacity(tiling.len() * orders.len());
-    for simplex in 0..tiling.len() {
-        let gluings: Vec<Option<(usize, Vec<usize>)>> = (0..=D)
-            .map(|opposite| gluing(tiling, matching, simplex, opposite))
+    for simplex in tiling.indices() {
+        let gluings: Vec<Option<(SimplexId, Vec<usize>)>> = (0..=D)
+            .map(|opposite| gluing(tiling, matching, Facet::new(simplex, opposite)))
             .collect();
         for order in orders {
             let mut row = Vec::with_capacity(D + 1);
             for k in 0..D {
                 let mut exchanged = order.clone();
                 exchanged.swap(k, k + 1);
-                row.push((simplex * orders.len() + number(&exchanged)?) as u32);
+                row.push((simplex.index() * orders.len() + number(&exchanged)?) as u32);
             }
             row.push(match &gluings[order[D]] {
                 Some((neighbour, map)) => {
                     let carried: Vec<usize> = order.iter().map(|&k| map[k]).collect();
-                    (neighbour * orders.len() + number(&carried)?) as u32
+                    (neighbour.index() * orders.len() + number(&carried)?) as u32
                 }
                 None => images.len() as u32,
             });
@@ -155,20 +156,20 @@ pub(super) fn images<const D: usize>(
 fn gluing<const D: usize>(
     tiling: &Tiling<D>,
     matching: &Matching<D>,
-    simplex: usize,
-    opposite: usize,
-) -> Option<(usize, Vec<usize>)> {
-    let mate = matching.mate(tiling, simplex, opposite)?;
-    let neighbour = mate.facet.simplex as usize;
+    facet: Facet,
+) -> Option<(SimplexId, Vec<usize>)> {
+    let mate = matching.mate(tiling, facet)?;
+    let neighbour = mate.facet.simplex;
     let there = tiling.simplex(neighbour);
-    let place = |(k, corner): (usize, &crate::tiling::Corner<D>)| match k == opposite {
-        true => Some(usize::from(mate.facet.opposite)),
-        false => there
-            .iter()
-            .position(|other| other.moved(mate.shift) == *corner),
-    };
+    let place =
+        |(k, corner): (usize, &crate::tiling::Corner<D>)| match k == usize::from(facet.opposite) {
+            true => Some(usize::from(mate.facet.opposite)),
+            false => there
+                .iter()
+                .position(|other| other.moved(mate.shift) == *corner),
+        };
     let map = tiling
-        .simplex(simplex)
+        .simplex(facet.simplex)
         .iter()
         .enumerate()
         .map(place)

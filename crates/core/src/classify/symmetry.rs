@@ -19,11 +19,11 @@
 //! group: neither matters here, but the cosets then form no group.
 
 use super::symbol::{coarsest, edge_index, images, orders};
-use crate::tiling::{Matching, Tiling};
+use crate::tiling::{Facet, Matching, SimplexId, Tiling};
 use acutile_exact::geometry::linear;
 use acutile_exact::number::Number;
 use malachite::Rational;
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 
 /// x ↦ M x + t in basis coordinates.
 #[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord)]
@@ -54,11 +54,11 @@ impl<const D: usize> Symmetry<D> {
     pub fn of(tiling: &Tiling<D>, matching: &Matching<D>, edges: &[Vec<Number>]) -> Self {
         let orders = orders::<D>();
         // A facet without a mate is glued to itself, and no inner facet is.
-        let images = images(tiling, matching, &orders).unwrap_or_default();
+        let images = images(tiling, matching, &orders).expect("mates have the same corners");
         let lengths = interned(edges);
         let labels: Vec<Vec<usize>> = (0..tiling.len())
             .flat_map(|simplex| orders.iter().map(move |order| (simplex, order)))
-            .map(|(simplex, order)| label(tiling, matching, &lengths[simplex], simplex, order))
+            .map(|(simplex, order)| label(matching, &lengths[simplex], simplex, order))
             .collect();
         let colours = coarsest(&labels, &images);
         let chambers = Chambers {
@@ -183,14 +183,9 @@ fn floor(x: &Number) -> i64 {
 
 /// The squared edges, each length by its rank among the different ones.
 fn interned(edges: &[Vec<Number>]) -> Vec<Vec<usize>> {
-    let mut ranks: BTreeMap<&Number, usize> = BTreeMap::new();
-    for edge in edges.iter().flatten() {
-        ranks.insert(edge, 0);
-    }
-    for (rank, value) in ranks.values_mut().enumerate() {
-        *value = rank;
-    }
-    let rank_of = |edge: &Number| ranks.get(edge).copied().unwrap_or(0);
+    let lengths: BTreeSet<&Number> = edges.iter().flatten().collect();
+    let ranks: BTreeMap<&Number, usize> = lengths.into_iter().zip(0..).collect();
+    let rank_of = |edge: &Number| ranks[edge];
     edges
         .iter()
         .map(|edges| edges.iter().map(rank_of).collect())
@@ -199,14 +194,13 @@ fn interned(edges: &[Vec<Number>]) -> Vec<Vec<usize>> {
 
 /// What is told of a chamber: whether its last facet is in the boundary, and its lengths.
 fn label<const D: usize>(
-    tiling: &Tiling<D>,
     matching: &Matching<D>,
     lengths: &[usize],
     simplex: usize,
     order: &[usize],
 ) -> Vec<usize> {
-    debug_assert!(simplex < tiling.len());
-    let is_boundary = matching.neighbour(simplex, order[D]).is_none();
+    let facet = Facet::new(SimplexId::at(simplex), order[D]);
+    let is_boundary = matching.neighbour(facet).is_none();
     let pairs = (0..=D).flat_map(|i| (i + 1..=D).map(move |j| (order[i], order[j])));
     std::iter::once(usize::from(is_boundary))
         .chain(pairs.map(|(i, j)| lengths[edge_index::<D>(i.min(j), i.max(j))]))
@@ -237,7 +231,7 @@ impl<const D: usize> Chambers<'_, D> {
         let of_simplex = &self.colours[simplex * self.orders.len()..];
         let asked = self.orders.iter().zip(of_simplex);
         let colours = asked.filter(|(order, _)| is_asked(order)).map(|(_, c)| *c);
-        colours.min().unwrap_or(0)
+        colours.min().expect("some order is asked for")
     }
 
     fn vertices(&self) -> Vec<usize> {
@@ -245,7 +239,7 @@ impl<const D: usize> Chambers<'_, D> {
         for (simplex, corners) in self.tiling.simplices().enumerate() {
             for (k, corner) in corners.iter().enumerate() {
                 let colour = self.least(simplex, |order| order[0] == k);
-                let least = &mut least[corner.vertex as usize];
+                let least = &mut least[corner.vertex.index()];
                 *least = colour.min(*least);
             }
         }
@@ -253,13 +247,14 @@ impl<const D: usize> Chambers<'_, D> {
     }
 
     fn facets(&self) -> Vec<usize> {
-        let half = |simplex: usize, i: usize| self.least(simplex, |order| order[D] == i);
-        renumbered((0..self.tiling.corners.len()).map(|facet| {
-            let here = half(facet / (D + 1), facet % (D + 1));
-            let behind = self.matching.neighbour(facet / (D + 1), facet % (D + 1));
-            behind.map_or(here, |there| {
-                here.min(half(there.simplex as usize, usize::from(there.opposite)))
-            })
+        let half = |facet: Facet| {
+            let opposite = usize::from(facet.opposite);
+            self.least(facet.simplex.index(), |order| order[D] == opposite)
+        };
+        renumbered(self.tiling.facets().map(|facet| {
+            let here = half(facet);
+            let behind = self.matching.neighbour(facet);
+            behind.map_or(here, |there| here.min(half(there)))
         }))
     }
 
@@ -281,13 +276,18 @@ impl<const D: usize> Chambers<'_, D> {
     /// goes to Σ (g_i · x) f_i / d.
     fn isometry(&self, chamber: usize) -> Isometry<D> {
         let order = &self.orders[chamber % self.orders.len()];
-        let from = self.tiling.shape(0);
-        let target = self.tiling.simplex(chamber / self.orders.len());
+        let from = self.tiling.shape(SimplexId::new(0));
+        let target = self
+            .tiling
+            .simplex(SimplexId::at(chamber / self.orders.len()));
         let images: Vec<[Number; D]> = order
             .iter()
             .map(|&k| self.tiling.position(&target[k]))
             .collect();
-        let inverse = from.determinant.inverse().unwrap_or_else(Number::zero);
+        let inverse = from
+            .determinant
+            .inverse()
+            .expect("no simplex of a proved tiling is flat");
         let edges: Vec<[Number; D]> = images[1..]
             .iter()
             .map(|image| linear::subtract(image, &images[0]))
@@ -299,7 +299,9 @@ impl<const D: usize> Chambers<'_, D> {
                 sum * &inverse
             })
         });
-        let origin = self.tiling.position(&self.tiling.simplex(0)[0]);
+        let origin = self
+            .tiling
+            .position(&self.tiling.simplex(SimplexId::new(0))[0]);
         Isometry {
             translation: linear::subtract(&images[0], &linear::apply(&linear, &origin)),
             linear,

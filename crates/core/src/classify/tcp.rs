@@ -2,7 +2,7 @@
 //! 6-valent edges (Sullivan 1999, section 4.1 of the paper).
 
 use super::ridges::{Ridge, Ridges};
-use crate::tiling::{Corner, Matching, Tiling};
+use crate::tiling::{Corner, Facet, Matching, SimplexId, Tiling};
 use rayon::prelude::*;
 use std::fmt;
 
@@ -37,7 +37,7 @@ pub fn check_tcp<const D: usize>(tiling: &Tiling<D>, ridges: &Ridges<D>) -> Resu
             valence: edge.valence(),
         });
     }
-    for (simplex, corners) in tiling.simplices().enumerate() {
+    for (simplex, corners) in tiling.indices().zip(tiling.simplices()) {
         for opposite in 0..4 {
             if six_valent_edges(ridges, simplex, opposite) >= 2 {
                 let mut facet = corners.to_vec();
@@ -59,7 +59,7 @@ pub fn six_valent<const D: usize>(tiling: &Tiling<D>, matching: &Matching<D>) ->
     if D != 3 {
         return None;
     }
-    let simplices = (0..tiling.len()).into_par_iter();
+    let simplices = (0..tiling.len()).into_par_iter().map(SimplexId::at);
     simplices
         .map(|simplex| sixes_of(tiling, matching, simplex))
         .collect()
@@ -73,7 +73,7 @@ const AT_EDGES: [(usize, usize); 6] = [(2, 3), (1, 3), (1, 2), (0, 3), (0, 2), (
 fn sixes_of<const D: usize>(
     tiling: &Tiling<D>,
     matching: &Matching<D>,
-    simplex: usize,
+    simplex: SimplexId,
 ) -> Option<u8> {
     let (mut bits, mut in_facet) = (0, [0; 4]);
     for (edge, (i, j)) in AT_EDGES.into_iter().enumerate() {
@@ -95,13 +95,13 @@ fn sixes_of<const D: usize>(
 fn valence<const D: usize>(
     tiling: &Tiling<D>,
     matching: &Matching<D>,
-    simplex: usize,
+    simplex: SimplexId,
     (entered, left): (usize, usize),
 ) -> Option<usize> {
     let (mut here, mut entry, mut exit) = (simplex, entered, left);
     for count in 1..=6 {
-        let mate = matching.mate(tiling, here, exit)?;
-        let (old, next) = (tiling.simplex(here), mate.facet.simplex as usize);
+        let mate = matching.mate(tiling, Facet::new(here, exit))?;
+        let (old, next) = (tiling.simplex(here), mate.facet.simplex);
         let new = tiling.simplex(next);
         // The corner opposite to the facet of entry is off the edge, but in the facet
         // that is crossed; the next exit is opposite to it.
@@ -118,7 +118,11 @@ fn valence<const D: usize>(
 }
 
 /// The edges of the facet opposite to a corner lie in the three other facets, too.
-fn six_valent_edges<const D: usize>(ridges: &Ridges<D>, simplex: usize, opposite: usize) -> usize {
+fn six_valent_edges<const D: usize>(
+    ridges: &Ridges<D>,
+    simplex: SimplexId,
+    opposite: usize,
+) -> usize {
     (0..4)
         .filter(|&other| other != opposite)
         .map(|other| ridges.between(simplex, opposite, other))

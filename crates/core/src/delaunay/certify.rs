@@ -15,7 +15,7 @@
 //! every point p, which by (1) is a corner: p is not inside the circumsphere.
 
 use crate::predicates::{InSphere, Model, Orientation};
-use crate::tiling::{Tiling, match_facets};
+use crate::tiling::{SimplexId, Tiling, match_facets};
 use acutile_exact::geometry::Sign;
 use acutile_exact::number::Number;
 use malachite::Rational;
@@ -34,7 +34,7 @@ pub fn is_delaunay<const D: usize>(shell: &Tiling<D>, cells: &[u32], points: usi
 fn uses_all_points<const D: usize>(shell: &Tiling<D>, points: usize) -> bool {
     let mut used = vec![false; points];
     for corner in &shell.corners {
-        match used.get_mut(corner.vertex as usize) {
+        match used.get_mut(corner.vertex.index()) {
             Some(used) => *used = true,
             None => return false,
         }
@@ -60,12 +60,12 @@ fn is_one_cell<const D: usize>(model: &Model<D>) -> bool {
 fn is_locally_delaunay<const D: usize>(model: &Model<D>, cells: &[u32]) -> bool {
     let shell = model.tiling;
     let matching = match_facets(shell);
-    let has_mate = |here, opposite| matching.neighbour(here, opposite).is_some();
-    let all_have_mates =
-        (0..shell.len()).all(|here| (0..=D).all(|opposite| has_mate(here, opposite)));
-    let is_right = |here: usize, there: usize, sign| match sign {
+    let all_have_mates = shell
+        .facets()
+        .all(|facet| matching.neighbour(facet).is_some());
+    let is_right = |here: SimplexId, there: SimplexId, sign| match sign {
         Sign::Greater => true,
-        Sign::Equal => cells[here] == cells[there],
+        Sign::Equal => cells[here.index()] == cells[there.index()],
         Sign::Less => false,
     };
     let spheres = model.prepare(InSphere);

@@ -54,7 +54,7 @@ impl CosphericalSet {
         CosphericalSet {
             corners: corners
                 .iter()
-                .map(|c| (c.vertex, c.shift.to_vec()))
+                .map(|c| (c.vertex.number(), c.shift.to_vec()))
                 .collect(),
             center: center.to_vec(),
             squared_radius,

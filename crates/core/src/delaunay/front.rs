@@ -46,7 +46,7 @@ impl<const D: usize> View<D> {
     }
 
     fn least(&self) -> usize {
-        self.corners[0].vertex as usize
+        self.corners[0].vertex.index()
     }
 }
 

@@ -225,7 +225,7 @@ fn cospherical_set<const D: usize>(
     // From relative to facet[0] to relative to the least corner.
     let [from, to] = [&facet[0], moved].map(|corner| model.position(corner));
     let center = std::array::from_fn(|k| &center[k] + &(&from[k] - &to[k]));
-    let least = &model.vertices[corners[0].vertex as usize];
+    let least = &model.vertices[corners[0].vertex.index()];
     let center = model.lattice.vector(&center);
     let center = std::array::from_fn(|k| &center[k] + &least[k]);
     Ok(CosphericalSet::new(&corners, center, squared_radius))
@@ -323,7 +323,7 @@ impl<const D: usize> Simplex<D> {
 
 /// Sorts simplices: counted by the least vertex, then each lot by itself.
 fn sorted<const D: usize>(simplices: Vec<Simplex<D>>, vertices: usize) -> Vec<Simplex<D>> {
-    let least = |simplex: &Simplex<D>| simplex.facet[0].vertex as usize;
+    let least = |simplex: &Simplex<D>| simplex.facet[0].vertex.index();
     let mut ends = vec![0u32; vertices + 1];
     simplices.iter().for_each(|s| ends[least(s) + 1] += 1);
     (0..vertices).for_each(|v| ends[v + 1] += ends[v]);

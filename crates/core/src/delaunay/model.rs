@@ -8,7 +8,7 @@ use super::DelaunayError;
 use super::lattice::{Orthogonal, Reduced, reduce};
 use super::places::Places;
 use super::tree::{Ball, Tree, tree_order};
-use crate::tiling::{Corner, Frame, PointSet, SHIFT_LIMIT, Tiling};
+use crate::tiling::{Corner, Frame, PointSet, SHIFT_LIMIT, Tiling, VertexId};
 use acutile_exact::geometry::Sign;
 use acutile_exact::number::Number;
 use malachite::base::num::arithmetic::traits::Floor;
@@ -91,7 +91,7 @@ impl<const D: usize> Model<D> {
     /// The point of the corner is x - offset + shift for x the reduced coordinates
     /// of the vertex, so the vertex was moved by shift - offset.
     pub fn original(&self, corner: &Corner<D>) -> Result<Corner<D>, DelaunayError> {
-        let offset = &self.offsets[corner.vertex as usize];
+        let offset = &self.offsets[corner.vertex.index()];
         let shift = std::array::from_fn(|k| i64::from(corner.shift[k]) - offset[k]);
         let moved = self.lattice.original(shift);
         if moved
@@ -101,14 +101,14 @@ impl<const D: usize> Model<D> {
             return Err(DelaunayError::TooSkewed);
         }
         Ok(Corner {
-            vertex: self.names[corner.vertex as usize],
+            vertex: self.names[corner.vertex.index()].into(),
             shift: moved.map(|entry| entry as i32),
         })
     }
 
     /// The exact position of a corner in the reduced basis.
     pub fn position(&self, corner: &Corner<D>) -> [Number; D] {
-        let point = self.points.vertices.vertex(corner.vertex as usize);
+        let point = self.points.vertices.vertex(corner.vertex);
         std::array::from_fn(|k| &point[k] + &Number::from(Rational::from(corner.shift[k])))
     }
 }
@@ -172,7 +172,7 @@ fn check_distinct<const D: usize>(model: &Model<D>) -> Result<(), DelaunayError>
         radius: model.places.resolution(),
     };
     let mut near = Vec::new();
-    for vertex in 0..model.names.len() as u32 {
+    for vertex in (0..model.names.len() as u32).map(VertexId::new) {
         let corner = Corner::of(vertex);
         model
             .tree
@@ -181,7 +181,7 @@ fn check_distinct<const D: usize>(model: &Model<D>) -> Result<(), DelaunayError>
             .iter()
             .find(|p| p.vertex != vertex && model.position(p) == model.position(&corner));
         if let Some(twin) = twin {
-            let [a, b] = [vertex, twin.vertex].map(|v| model.names[v as usize] as usize);
+            let [a, b] = [vertex, twin.vertex].map(|v| model.names[v.index()] as usize);
             return Err(DelaunayError::Coincident(a.min(b), a.max(b)));
         }
     }

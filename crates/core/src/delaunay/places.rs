@@ -9,6 +9,7 @@
 //! R_ij = |c*_i| mu_ji / |c*_0| is upper triangular.
 
 use crate::tiling::Corner;
+use acutile_exact::geometry::linear::{cofactors, dot};
 use acutile_exact::number::Number;
 
 use super::DelaunayError;
@@ -93,7 +94,7 @@ impl<const D: usize> Places<D> {
 
     /// The vector from `origin` to `p`.
     pub fn difference(&self, origin: &Corner<D>, p: &Corner<D>) -> [f64; D] {
-        let [a, b] = [origin, p].map(|corner| &self.places[corner.vertex as usize]);
+        let [a, b] = [origin, p].map(|corner| &self.places[corner.vertex.index()]);
         let mut y: [f64; D] = std::array::from_fn(|k| b[k] - a[k]);
         if p.shift != origin.shift {
             let step = std::array::from_fn(|k| f64::from(p.shift[k] - origin.shift[k]));
@@ -104,7 +105,7 @@ impl<const D: usize> Places<D> {
     }
 
     fn fractional_difference(&self, origin: &Corner<D>, p: &Corner<D>) -> [f64; D] {
-        let [a, b] = [origin, p].map(|corner| &self.fractions[corner.vertex as usize]);
+        let [a, b] = [origin, p].map(|corner| &self.fractions[corner.vertex.index()]);
         std::array::from_fn(|k| (b[k] - a[k]) + f64::from(p.shift[k] - origin.shift[k]))
     }
 
@@ -205,34 +206,8 @@ impl<const D: usize> Shape<D> {
     }
 }
 
-/// The inner product.
-pub fn dot<const D: usize>(x: &[f64; D], y: &[f64; D]) -> f64 {
-    x.iter().zip(y).map(|(a, b)| a * b).sum()
-}
-
 fn largest<const D: usize>(vectors: &[[f64; D]]) -> f64 {
     vectors.iter().flatten().fold(0.0, |m, x| m.max(x.abs()))
-}
-
-/// The cofactors of a matrix with two or three rows.
-fn cofactors<const D: usize>(m: &[[f64; D]; D]) -> [[f64; D]; D] {
-    if D == 2 {
-        return std::array::from_fn(|i| {
-            std::array::from_fn(|j| {
-                if i == j {
-                    m[1 - i][1 - j]
-                } else {
-                    -m[1 - i][1 - j]
-                }
-            })
-        });
-    }
-    std::array::from_fn(|i| {
-        std::array::from_fn(|j| {
-            let (a, b, c, d) = ((i + 1) % D, (i + 2) % D, (j + 1) % D, (j + 2) % D);
-            m[a][c] * m[b][d] - m[a][d] * m[b][c]
-        })
-    })
 }
 
 /// R_ij = |c*_i| mu_ji / |c*_0|, from exact ratios.

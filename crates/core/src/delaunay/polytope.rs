@@ -168,7 +168,7 @@ fn sort_for_pulling<const D: usize>(
         keyed.push((model.original(corner)?, *corner));
     }
     keyed.sort_by(|(a, _), (b, _)| {
-        let [x, y] = [a, b].map(|corner| &model.vertices[corner.vertex as usize]);
+        let [x, y] = [a, b].map(|corner| &model.vertices[corner.vertex.index()]);
         (0..D)
             .map(|k| a.shift[k].cmp(&b.shift[k]).then_with(|| x[k].cmp(&y[k])))
             .find(|order| order.is_ne())

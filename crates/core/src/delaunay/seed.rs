@@ -2,10 +2,10 @@
 
 use super::DelaunayError;
 use super::model::WITNESSES;
-use super::places::dot;
 use super::predicates::Predicates;
-use crate::tiling::Corner;
+use crate::tiling::{Corner, VertexId};
 use acutile_exact::geometry::Sign;
+use acutile_exact::geometry::linear::dot;
 
 /// A simplex as a facet and its opposite corner.
 type Proposal<const D: usize> = ([Corner<D>; D], Corner<D>);
@@ -75,7 +75,7 @@ impl<const D: usize> Search<'_, D> {
     /// point of the set that is lattice-moved to be near.
     fn first_simplex(&self, witness: &Corner<D>) -> Option<Proposal<D>> {
         let places = &self.predicates.model.places;
-        let [g, p] = [witness.vertex, 0].map(|v| &places.fractions[v as usize]);
+        let [g, p] = [witness.vertex.index(), 0].map(|v| &places.fractions[v]);
         let offset: [f64; D] = std::array::from_fn(|k| g[k] - p[k]);
         let mut axes: [usize; D] = std::array::from_fn(|k| k);
         axes.sort_by(|&a, &b| {
@@ -83,7 +83,7 @@ impl<const D: usize> Search<'_, D> {
             rest(b).total_cmp(&rest(a))
         });
         let mut corner = Corner {
-            vertex: 0,
+            vertex: VertexId::new(0),
             shift: offset.map(|x| x.floor() as i32),
         };
         let mut facet = [corner; D];

@@ -4,8 +4,9 @@
 //! The answer may hold points a little outside of the ball, never lacks one inside.
 
 use super::DelaunayError;
-use super::places::{Places, dot};
+use super::places::Places;
 use crate::tiling::Corner;
+use acutile_exact::geometry::linear::dot;
 
 /// No query looks at more translated cells.
 const SHIFTS_LIMIT: f64 = 1e6;
@@ -174,7 +175,7 @@ impl<const D: usize> Tree<D> {
         if count.is_nan() || count > SHIFTS_LIMIT || first.iter().any(is_far) {
             return Err(DelaunayError::TooElongated);
         }
-        let base = &places.places[origin.vertex as usize];
+        let base = &places.places[origin.vertex.index()];
         let center: [f64; D] = std::array::from_fn(|k| base[k] + ball.center[k]);
         let mut shift = first.map(|x| x as i32);
         loop {
@@ -222,7 +223,7 @@ impl<const D: usize> Query<'_, D> {
             let x: [f64; D] = std::array::from_fn(|k| place[k] - self.center[k]);
             if dot(&x, &x) <= self.square {
                 self.found.push(Corner {
-                    vertex,
+                    vertex: vertex.into(),
                     shift: self.shift,
                 });
             }
@@ -234,7 +235,7 @@ impl<const D: usize> Query<'_, D> {
 /// has shift zero.
 fn window<const D: usize>(places: &Places<D>, origin: &Corner<D>, ball: &Ball<D>) -> Extent<D> {
     let center = places.to_fractional(&ball.center);
-    let base = &places.fractions[origin.vertex as usize];
+    let base = &places.fractions[origin.vertex.index()];
     let size = dot(&ball.center, &ball.center).sqrt() + ball.radius;
     let half: [f64; D] =
         std::array::from_fn(|k| places.dual[k] * (ball.radius + 1e-9 * size) + 1e-9);

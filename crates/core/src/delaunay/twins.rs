@@ -3,7 +3,7 @@
 use super::model::Model;
 use super::predicates::Predicates;
 use super::{Coordinates, Found, search};
-use crate::tiling::{Corner, Frame, PointSet};
+use crate::tiling::{Corner, Frame, PointSet, VertexId};
 use acutile_exact::geometry::{Simplex, linear};
 use acutile_exact::number::{Field, Number};
 use malachite::Rational;
@@ -24,7 +24,7 @@ impl Random {
     /// A point of the model, moved by less than `reach` cells.
     fn corner(&mut self, model: &Model<3>, reach: i64) -> Corner<3> {
         Corner {
-            vertex: self.below(model.names.len() as i64) as u32,
+            vertex: VertexId::new(self.below(model.names.len() as i64) as u32),
             shift: std::array::from_fn(|_| (self.below(2 * reach) - reach) as i32),
         }
     }

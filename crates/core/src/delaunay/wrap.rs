@@ -16,13 +16,14 @@
 use super::DelaunayError;
 use super::front::{Front, View};
 use super::model::Model;
-use super::places::{Circle, dot};
+use super::places::Circle;
 use super::polytope::Polytope;
 use super::predicates::Predicates;
 use super::seed;
 use super::tree::Ball;
 use crate::tiling::Corner;
 use acutile_exact::geometry::Sign;
+use acutile_exact::geometry::linear::dot;
 
 /// All Delaunay cells, one of each orbit, in the model's coordinates.
 #[derive(Clone, Debug, Default)]

@@ -6,8 +6,8 @@
 use super::cleared::{Cleared, Convert};
 use super::conditions::{Alternatives, Atom, Conditions, both};
 use crate::format::Relation;
-use crate::predicates::ring::common_denominator;
 use crate::quality::DihedralAngle;
+use crate::tiling::SimplexId;
 use acutile_exact::geometry::{RingElement, Sign};
 use acutile_exact::number::Number;
 use acutile_exact::polynomial::{Coefficient, Polynomial};
@@ -31,7 +31,9 @@ pub struct Bound<C> {
 impl<C: Coefficient> Bound<C> {
     pub fn of(angle: &DihedralAngle, convert: Convert<C>) -> Self {
         let square = angle.signed_square.abs();
-        let unit = Number::from(Rational::from(common_denominator([&square].into_iter())));
+        let unit = Number::from(Rational::from(Number::common_denominator(
+            [&square].into_iter(),
+        )));
         Bound {
             sign: angle.signed_square.sign(),
             n: Polynomial::constant(convert(&square * &unit)),
@@ -107,7 +109,7 @@ impl<C: Coefficient> Cosine<C> {
 pub fn of_simplices<C: Coefficient, const D: usize>(
     cleared: &Cleared<C, D>,
 ) -> Vec<Vec<Cosine<C>>> {
-    let angles = |simplex: usize| {
+    let angles = |simplex: SimplexId| {
         let products = cleared.simplex(simplex).normal_products(&cleared.cogram);
         let cosine = |(i, j, product): (usize, usize, &Polynomial<C>)| Cosine {
             p: product.negated(),
@@ -115,7 +117,7 @@ pub fn of_simplices<C: Coefficient, const D: usize>(
         };
         products.pairs().map(cosine).collect()
     };
-    (0..cleared.family.len()).map(angles).collect()
+    cleared.family.simplices().map(angles).collect()
 }
 
 /// Acute, or nonobtuse.
@@ -124,7 +126,7 @@ pub fn add_acute<C: Coefficient, const D: usize>(
     is_strict: bool,
     conditions: &mut Conditions<C>,
 ) {
-    for simplex in 0..cleared.family.len() {
+    for simplex in cleared.family.simplices() {
         let products = cleared.simplex(simplex).normal_products(&cleared.cogram);
         products.for_pairs(|_, _, product| {
             conditions.add(Atom::strict_if(is_strict, product.negated()));

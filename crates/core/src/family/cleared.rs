@@ -4,8 +4,7 @@
 //! no sign changes, and over the rationals all coefficients are integers.
 
 use super::Family;
-use crate::predicates::ring::common_denominator;
-use crate::tiling::{Corner, Polytope};
+use crate::tiling::{Corner, Polytope, SimplexId};
 use acutile_exact::geometry::{RingElement, Simplex, linear};
 use acutile_exact::number::Number;
 use acutile_exact::polynomial::{Coefficient, Polynomial};
@@ -63,7 +62,7 @@ impl<'f, C: Coefficient, const D: usize> Cleared<'f, C, D> {
 
     /// The coordinates of a corner.
     pub fn position(&self, corner: &Corner<D>) -> [Polynomial<C>; D] {
-        let vertex = &self.vertices[corner.vertex as usize];
+        let vertex = &self.vertices[corner.vertex.index()];
         std::array::from_fn(|k| match corner.shift[k] {
             0 => vertex[k].clone(),
             shift => vertex[k].plus(&self.unit.times(&self.unit.integer(i64::from(shift)))),
@@ -71,11 +70,12 @@ impl<'f, C: Coefficient, const D: usize> Cleared<'f, C, D> {
     }
 
     /// The corners of a simplex.
-    pub fn corners(&self, simplex: usize) -> &'f [Corner<D>] {
-        &self.family.corners[simplex * (D + 1)..(simplex + 1) * (D + 1)]
+    pub fn corners(&self, simplex: SimplexId) -> &'f [Corner<D>] {
+        let first = simplex.index() * (D + 1);
+        &self.family.corners[first..=first + D]
     }
 
-    pub fn simplex(&self, simplex: usize) -> Simplex<Polynomial<C>, D> {
+    pub fn simplex(&self, simplex: SimplexId) -> Simplex<Polynomial<C>, D> {
         let corners = self.corners(simplex).iter();
         let corners: Vec<[Polynomial<C>; D]> = corners.map(|c| self.position(c)).collect();
         Simplex::new(&corners)
@@ -85,5 +85,5 @@ impl<'f, C: Coefficient, const D: usize> Cleared<'f, C, D> {
 /// The least positive integer that clears the coefficients.
 fn unit_of<'p>(polynomials: impl Iterator<Item = &'p Polynomial>) -> Number {
     let coefficients = polynomials.flat_map(|p| p.terms().iter().map(|(_, c)| c));
-    Number::from(Rational::from(common_denominator(coefficients)))
+    Number::from(Rational::from(Number::common_denominator(coefficients)))
 }

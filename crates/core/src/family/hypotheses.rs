@@ -33,7 +33,7 @@ pub fn add<C: Coefficient, const D: usize>(
     add_metric(cleared, conditions);
     let one = cleared.unit.integer(1);
     let mut sum = one.integer(0);
-    for simplex in 0..cleared.family.len() {
+    for simplex in cleared.family.simplices() {
         let determinant = cleared.simplex(simplex).determinant;
         sum = sum.plus(&determinant);
         conditions.add(Atom::positive(determinant));
@@ -195,10 +195,10 @@ fn lies_in_face<C: Coefficient, const D: usize>(
     facet: Facet,
     faces: &[Vec<usize>],
 ) -> bool {
-    let corners = cleared.corners(facet.simplex as usize).iter().enumerate();
+    let corners = cleared.corners(facet.simplex).iter().enumerate();
     let mut lists = corners
         .filter(|(k, _)| *k != usize::from(facet.opposite))
-        .map(|(_, corner)| &faces[corner.vertex as usize]);
+        .map(|(_, corner)| &faces[corner.vertex.index()]);
     let Some(first) = lists.next() else {
         return false;
     };
@@ -215,16 +215,14 @@ pub fn add_delaunay<C: Coefficient, const D: usize>(
     is_strict: bool,
     conditions: &mut Conditions<C>,
 ) {
-    for simplex in 0..cleared.family.len() {
+    for simplex in cleared.family.simplices() {
         let mut shape = None;
-        for opposite in 0..=D {
-            let Some(mate) = member.matching.neighbour(simplex, opposite) else {
+        for facet in (0..=D).map(|opposite| Facet::new(simplex, opposite)) {
+            let Some(mate) = member.matching.neighbour(facet) else {
                 continue;
             };
-            let is_first =
-                (simplex, opposite) < (mate.simplex as usize, usize::from(mate.opposite));
-            let apex = member.matching.apex(member.tiling, simplex, opposite);
-            if let Some(apex) = apex.filter(|_| is_first) {
+            let apex = member.matching.apex(member.tiling, facet);
+            if let Some(apex) = apex.filter(|_| facet < mate) {
                 let shape = shape.get_or_insert_with(|| cleared.simplex(simplex));
                 let origin = cleared.position(&cleared.corners(simplex)[0]);
                 let offset = linear::subtract(&cleared.position(&apex), &origin);

@@ -27,7 +27,7 @@ pub mod tree;
 pub use examine::{FamilyProof, NotProvable, examine};
 pub use tree::Tree;
 
-use crate::tiling::{Corner, Frame, Tiling};
+use crate::tiling::{Corner, Frame, SimplexId, Tiling};
 use acutile_exact::number::Number;
 use acutile_exact::polynomial::text::EXPONENT_LIMIT;
 use acutile_exact::polynomial::{Cuboid, MOST_PARAMETERS, Polynomial, Side};
@@ -160,6 +160,11 @@ impl<const D: usize> Family<D> {
     /// The number of simplices in a cell.
     pub fn len(&self) -> usize {
         self.corners.len() / (D + 1)
+    }
+
+    /// The indices of the simplices.
+    pub fn simplices(&self) -> impl ExactSizeIterator<Item = SimplexId> + use<D> {
+        (0..self.len() as u32).map(SimplexId::new)
     }
 
     /// Whether there is no simplex at all.

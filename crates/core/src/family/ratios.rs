@@ -3,8 +3,8 @@
 use super::cleared::{Cleared, Convert};
 use super::conditions::{Alternatives, Atom, Conditions};
 use crate::format::Relation;
-use crate::predicates::ring::common_denominator;
 use crate::quality::RadiusEdge;
+use crate::tiling::SimplexId;
 use acutile_exact::geometry::RingElement;
 use acutile_exact::number::Number;
 use acutile_exact::polynomial::{Coefficient, Polynomial};
@@ -24,7 +24,7 @@ pub fn add_bound<C: Coefficient, const D: usize>(
     );
     let is_strict = matches!(relation, Relation::LessThan | Relation::MoreThan);
     let mut attained: Alternatives<C> = Vec::new();
-    for simplex in 0..cleared.family.len() {
+    for simplex in cleared.family.simplices() {
         // b |e|² - R² for all edges e.
         let slacks = slacks(cleared, simplex, bound, convert);
         let beyond = |slack: &Polynomial<C>| match is_upper {
@@ -56,11 +56,11 @@ pub fn add_bound<C: Coefficient, const D: usize>(
 /// n |e|² den - d num for all edges, where R² = num/den.
 fn slacks<C: Coefficient, const D: usize>(
     cleared: &Cleared<C, D>,
-    simplex: usize,
+    simplex: SimplexId,
     bound: &RadiusEdge,
     convert: Convert<C>,
 ) -> Vec<Polynomial<C>> {
-    let unit = common_denominator([&bound.square].into_iter());
+    let unit = Number::common_denominator([&bound.square].into_iter());
     let unit = Number::from(Rational::from(unit));
     let n = Polynomial::constant(convert(&bound.square * &unit));
     let d = Polynomial::constant(convert(unit));

@@ -14,7 +14,7 @@ pub fn dyadic<const D: usize>(
 ) -> Option<Vectors<i128, D>> {
     let all = || corners.iter().chain([apex]);
     let has_shift = all().any(|corner| corner.shift != [0; D]);
-    let doubles = || all().flat_map(|corner| &points[corner.vertex as usize]);
+    let doubles = || all().flat_map(|corner| &points[corner.vertex.index()]);
     let least = exponent
         .filter(|e| !has_shift || (-94..=0).contains(e))
         .or_else(|| common_exponent(doubles(), has_shift))?;

@@ -84,7 +84,7 @@ impl<'a, const D: usize> Floats<'a, D> {
     /// The vector from one corner to another, up to delta in each entry.
     #[inline(always)]
     pub fn difference(&self, from: &Corner<D>, to: &Corner<D>) -> [f64; D] {
-        let [a, b] = [from, to].map(|corner| &self.points[corner.vertex as usize]);
+        let [a, b] = [from, to].map(|corner| &self.points[corner.vertex.index()]);
         let mut difference = [0.0; D];
         for k in 0..D {
             let steps = f64::from(to.shift[k] - from.shift[k]);

@@ -8,7 +8,7 @@ use super::ring::{Ring, SquareRoot, cleared_integers, cleared_quadratics};
 use super::shapes::Shapes;
 use super::signs::Signs;
 use super::vectors::Vectors;
-use crate::tiling::{Corner, Tiling};
+use crate::tiling::{Corner, SimplexId, Tiling};
 use acutile_exact::geometry::{Quadratic, linear};
 use acutile_exact::number::Number;
 use malachite::base::num::arithmetic::traits::PowerOf2;
@@ -97,7 +97,7 @@ impl<'a, const D: usize> Model<'a, D> {
     }
 
     /// The edges of a simplex in doubles.
-    pub fn float_edges(&self, simplex: usize) -> [[f64; D]; D] {
+    pub fn float_edges(&self, simplex: SimplexId) -> [[f64; D]; D] {
         self.floats.edges(self.tiling.simplex(simplex))
     }
 
@@ -111,7 +111,10 @@ impl<'a, const D: usize> Model<'a, D> {
         let simplices = (0..self.tiling.len()).into_par_iter().with_min_len(CHUNK);
         simplices.fold(
             move || start,
-            move |value, simplex| with(value, self.floats.edges(self.tiling.simplex(simplex))),
+            move |value, simplex| {
+                let corners = self.tiling.simplex(SimplexId::at(simplex));
+                with(value, self.floats.edges(corners))
+            },
         )
     }
 }
@@ -119,7 +122,7 @@ impl<'a, const D: usize> Model<'a, D> {
 impl<P: Predicate<D>, const D: usize> Prepared<'_, P, D> {
     /// The exact signs for a simplex.
     #[inline]
-    pub fn signs(&self, simplex: usize) -> Signs {
+    pub fn signs(&self, simplex: SimplexId) -> Signs {
         let corners = self.model.tiling.simplex(simplex);
         let edges = self.model.floats.edges(corners);
         let filtered = self.filter.signs(&self.predicate, edges, &[0.0; D]);
@@ -128,7 +131,7 @@ impl<P: Predicate<D>, const D: usize> Prepared<'_, P, D> {
 
     /// The exact signs for a simplex and a further corner.
     #[inline]
-    pub fn signs_with(&self, simplex: usize, apex: &Corner<D>) -> Signs {
+    pub fn signs_with(&self, simplex: SimplexId, apex: &Corner<D>) -> Signs {
         let corners = self.model.tiling.simplex(simplex);
         let floats = &self.model.floats;
         let point = floats.difference(&corners[0], apex);
@@ -181,7 +184,7 @@ impl<P: Predicate<D>, const D: usize> Prepared<'_, P, D> {
     }
 
     /// The simplices, in order, whose signs are not as wanted.
-    pub fn failing(&self, is_right: impl Fn(&Signs) -> bool + Sync) -> Vec<usize> {
+    pub fn failing(&self, is_right: impl Fn(&Signs) -> bool + Sync) -> Vec<SimplexId> {
         let failing = self.model.by_chunks(|simplices| {
             let mut failing = Vec::new();
             self.for_each(simplices, |simplex, signs| {
@@ -196,7 +199,7 @@ impl<P: Predicate<D>, const D: usize> Prepared<'_, P, D> {
 
     /// Calls `visit` with each of these simplices, in order, and its exact signs.
     #[inline]
-    pub fn for_each(&self, simplices: Range<usize>, mut visit: impl FnMut(usize, &Signs)) {
+    pub fn for_each(&self, simplices: Range<usize>, mut visit: impl FnMut(SimplexId, &Signs)) {
         let mut batch = Batch::default();
         for first in simplices.clone().step_by(BATCH) {
             let size = BATCH.min(simplices.end - first);
@@ -204,7 +207,7 @@ impl<P: Predicate<D>, const D: usize> Prepared<'_, P, D> {
             for (place, corners) in (0..BATCH).zip(corners.chunks_exact(D + 1)) {
                 batch.put(place, &self.model.floats, corners, None);
             }
-            let items = (first..first + size).map(|simplex| (simplex, None));
+            let items = (first..first + size).map(|simplex| (SimplexId::at(simplex), None));
             self.decide(&batch, items, &mut visit);
         }
     }
@@ -213,8 +216,8 @@ impl<P: Predicate<D>, const D: usize> Prepared<'_, P, D> {
     #[inline]
     pub fn for_each_with(
         &self,
-        mut pairs: impl Iterator<Item = ((usize, usize), Corner<D>)>,
-        mut visit: impl FnMut((usize, usize), &Signs),
+        mut pairs: impl Iterator<Item = ((SimplexId, SimplexId), Corner<D>)>,
+        mut visit: impl FnMut((SimplexId, SimplexId), &Signs),
     ) {
         let mut batch = Batch::default();
         let mut filled = Vec::with_capacity(BATCH);
@@ -243,8 +246,8 @@ impl<P: Predicate<D>, const D: usize> Prepared<'_, P, D> {
     fn decide(
         &self,
         batch: &Batch<D>,
-        items: impl Iterator<Item = (usize, Option<Corner<D>>)>,
-        visit: &mut impl FnMut(usize, &Signs),
+        items: impl Iterator<Item = (SimplexId, Option<Corner<D>>)>,
+        visit: &mut impl FnMut(SimplexId, &Signs),
     ) {
         let signs = self.filter.signs_of_all(&self.predicate, batch);
         for ((simplex, apex), signs) in items.zip(signs) {
@@ -270,12 +273,13 @@ impl<const D: usize> Model<'_, D> {
             shape.for_each(simplices, |simplex, signs| {
                 let (orientation, angles) = signs.split_first();
                 if !(orientation.all_positive() && angles.all_negative()) {
-                    part.add(simplex as u32, orientation.all_positive(), angles);
+                    part.add(simplex, orientation.all_positive(), angles);
                 }
             });
             part
         });
-        let list = |of: fn(&Shapes) -> &Vec<u32>| parts.iter().flat_map(of).copied().collect();
+        let list =
+            |of: fn(&Shapes) -> &Vec<SimplexId>| parts.iter().flat_map(of).copied().collect();
         Shapes {
             not_positive: list(|part| &part.not_positive),
             not_acute: list(|part| &part.not_acute),
@@ -332,7 +336,7 @@ fn number_metric<const D: usize>(
     constants: &[Number],
 ) -> Metric<Number, D> {
     // Cleared, so that the numbers are short and a rational matrix is one of integers.
-    let unit = super::ring::common_denominator(gram.iter().flatten());
+    let unit = Number::common_denominator(gram.iter().flatten());
     let unit = Number::from(Rational::from(unit));
     let gram = gram.each_ref().map(|row| row.each_ref().map(|x| x * &unit));
     Metric {

@@ -2,7 +2,7 @@
 
 use super::model::Prepared;
 use super::polynomials::InSphere;
-use crate::tiling::Matching;
+use crate::tiling::{Facet, Matching, SimplexId};
 use acutile_exact::geometry::Sign;
 
 impl<const D: usize> Prepared<'_, InSphere, D> {
@@ -18,17 +18,16 @@ impl<const D: usize> Prepared<'_, InSphere, D> {
     pub fn failing_pairs(
         &self,
         matching: &Matching<D>,
-        is_right: impl Fn(usize, usize, Sign) -> bool + Sync,
-    ) -> Vec<usize> {
+        is_right: impl Fn(SimplexId, SimplexId, Sign) -> bool + Sync,
+    ) -> Vec<SimplexId> {
         let tiling = self.model.tiling;
         let failing = self.model.by_chunks(|simplices| {
-            let facets = simplices.flat_map(|simplex| (0..=D).map(move |k| (simplex, k)));
-            let pairs = facets.filter_map(|(simplex, opposite)| {
-                let mate = matching.neighbour(simplex, opposite)?;
-                let neighbour = mate.simplex as usize;
-                let is_first = (simplex, opposite) < (neighbour, usize::from(mate.opposite));
-                let apex = is_first.then(|| matching.apex(tiling, simplex, opposite))??;
-                Some(((simplex, neighbour), apex))
+            let simplices = simplices.map(SimplexId::at);
+            let facets = simplices.flat_map(|s| (0..=D).map(move |k| Facet::new(s, k)));
+            let pairs = facets.filter_map(|facet| {
+                let mate = matching.neighbour(facet)?;
+                let apex = (facet < mate).then(|| matching.apex(tiling, facet))??;
+                Some(((facet.simplex, mate.simplex), apex))
             });
             let mut failing = Vec::new();
             self.for_each_with(pairs, |(simplex, neighbour), signs| {

@@ -5,7 +5,6 @@
 //! which says how wrong the doubles can be and how wide the integers must be, and
 //! over integers, quadratic numbers and numbers of a field for the exact values.
 
-use super::ring::common_denominator;
 use acutile_exact::geometry::{Scalar, Simplex};
 use acutile_exact::number::Number;
 use malachite::Rational;
@@ -150,7 +149,9 @@ struct Quotient {
 
 impl Quotient {
     fn of(number: &Number) -> Self {
-        let denominator = Number::from(Rational::from(common_denominator([number].into_iter())));
+        let denominator = Number::from(Rational::from(Number::common_denominator(
+            [number].into_iter(),
+        )));
         Quotient {
             numerator: number * &denominator,
             denominator,

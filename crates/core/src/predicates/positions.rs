@@ -2,7 +2,7 @@
 
 use super::{Model, Orientation};
 use crate::tiling::dimension::same;
-use crate::tiling::{Corner, Frame, Tiling, floor};
+use crate::tiling::{Corner, Frame, SimplexId, Tiling, floor};
 use acutile_exact::number::Number;
 use std::collections::BTreeMap;
 
@@ -25,7 +25,7 @@ impl<const D: usize> Tiling<D> {
                 vertices.push(vertex);
             }
             corners.push(Corner {
-                vertex: index,
+                vertex: index.into(),
                 shift,
             });
         }
@@ -40,13 +40,13 @@ impl<const D: usize> Tiling<D> {
 
     /// Exchanges the last two corners of every negatively oriented simplex; returns
     /// their indices.
-    pub fn orient(&mut self) -> Vec<usize> {
+    pub fn orient(&mut self) -> Vec<SimplexId> {
         let negative = match D {
             2 => negative_in_plane(same(self)),
             _ => negative_in_space(same(self)),
         };
         for index in &negative {
-            let end = (index + 1) * (D + 1);
+            let end = (index.index() + 1) * (D + 1);
             self.corners.swap(end - 2, end - 1);
         }
         negative
@@ -54,17 +54,17 @@ impl<const D: usize> Tiling<D> {
 }
 
 #[inline(never)]
-fn negative_in_plane(tiling: &Tiling<2>) -> Vec<usize> {
+fn negative_in_plane(tiling: &Tiling<2>) -> Vec<SimplexId> {
     negative(tiling)
 }
 
 #[inline(never)]
-fn negative_in_space(tiling: &Tiling<3>) -> Vec<usize> {
+fn negative_in_space(tiling: &Tiling<3>) -> Vec<SimplexId> {
     negative(tiling)
 }
 
 /// The negatively oriented simplices.
-fn negative<const D: usize>(tiling: &Tiling<D>) -> Vec<usize> {
+fn negative<const D: usize>(tiling: &Tiling<D>) -> Vec<SimplexId> {
     Model::new(tiling)
         .prepare(Orientation)
         .failing(|signs| signs.none_negative())

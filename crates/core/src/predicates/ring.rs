@@ -9,10 +9,10 @@
 use super::binary::{common_exponent, dyadic};
 use super::vectors::{Vectors, vectors};
 use crate::tiling::coordinates::Form;
-use crate::tiling::{Corner, Tiling};
+use crate::tiling::{Corner, Tiling, VertexId};
 use acutile_exact::geometry::Quadratic;
 use acutile_exact::number::{Field, Number};
-use malachite::base::num::arithmetic::traits::{CheckedSqrt, DivExact, Gcd, Lcm};
+use malachite::base::num::arithmetic::traits::{CheckedSqrt, DivExact, Gcd};
 use malachite::base::num::basic::traits::{One, Zero};
 use malachite::{Integer, Natural, Rational};
 
@@ -133,7 +133,7 @@ impl<'a, const D: usize> Ring<'a, D> {
             }
         }
         let vertices = tiling.vertices.to_numbers();
-        let unit = common_denominator(vertices.iter().flatten());
+        let unit = Number::common_denominator(vertices.iter().flatten());
         let narrow = match is_metric_rational {
             true => long(&vertices, &unit),
             false => None,
@@ -199,7 +199,9 @@ impl<'a, const D: usize> Ring<'a, D> {
                 vectors(corners, apex, at, unit.clone())
             }
             _ => {
-                let at = |vertex: usize, k: usize| tiling.vertices.vertex(vertex)[k].clone();
+                let at = |vertex: usize, k: usize| {
+                    tiling.vertices.vertex(VertexId::at(vertex))[k].clone()
+                };
                 vectors(corners, apex, at, Number::from(Rational::ONE))
             }
         }
@@ -279,7 +281,7 @@ fn collected<T: Copy + Default, const D: usize>(
 /// A matrix times the positive number that makes its entries integers without a common
 /// divisor; `None` if it is not rational.
 pub fn cleared_integers<const D: usize>(matrix: &[[Number; D]; D]) -> Option<[[Integer; D]; D]> {
-    let unit = Rational::from(common_denominator(matrix.iter().flatten()));
+    let unit = Rational::from(Number::common_denominator(matrix.iter().flatten()));
     let clear = |x: &Number| Integer::try_from(x.to_rational()? * &unit).ok();
     let integers = square(matrix, clear)?;
     let divisor = integers.iter().flatten().fold(Natural::ZERO, |divisor, x| {
@@ -294,7 +296,7 @@ pub fn cleared_quadratics<const D: usize>(
     matrix: &[[Number; D]; D],
     root: &SquareRoot,
 ) -> Option<[[Quadratic<Integer>; D]; D]> {
-    let unit = common_denominator(matrix.iter().flatten());
+    let unit = Number::common_denominator(matrix.iter().flatten());
     square(matrix, |number| root.element(number, &unit))
 }
 
@@ -307,16 +309,4 @@ fn square<T, const D: usize>(
         <[T; D]>::try_from(row).ok()
     });
     <[[T; D]; D]>::try_from(rows.collect::<Option<Vec<_>>>()?).ok()
-}
-
-/// The least common multiple of all coefficients' denominators.
-pub fn common_denominator<'n>(numbers: impl Iterator<Item = &'n Number>) -> Integer {
-    let mut lcm = Natural::ONE;
-    for coefficient in numbers.flat_map(|number| number.coefficients()) {
-        let denominator = coefficient.denominator_ref();
-        if *denominator != Natural::ONE {
-            lcm = lcm.lcm(denominator);
-        }
-    }
-    Integer::from(lcm)
 }

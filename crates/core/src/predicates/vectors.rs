@@ -37,7 +37,7 @@ pub(super) fn vectors<B: Scalar, const D: usize>(
     let from = corners[0];
     let vector = |to: &Corner<D>| -> [B; D] {
         std::array::from_fn(|k| {
-            let difference = at(to.vertex as usize, k).minus(&at(from.vertex as usize, k));
+            let difference = at(to.vertex.index(), k).minus(&at(from.vertex.index(), k));
             match to.shift[k] - from.shift[k] {
                 0 => difference,
                 shift => difference.plus(&unit.times(&unit.integer(i64::from(shift)))),

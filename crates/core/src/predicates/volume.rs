@@ -5,6 +5,7 @@ use super::model::{Model, Prepared};
 use super::polynomials::Orientation;
 use super::ring::Ring;
 use super::vectors::Vectors;
+use crate::tiling::SimplexId;
 use acutile_exact::geometry::{I512, RingElement};
 use acutile_exact::number::Number;
 use malachite::{Integer, Rational};
@@ -16,7 +17,9 @@ impl<const D: usize> Model<'_, D> {
         let orientation = self.prepare(Orientation);
         let totals = self.by_chunks(|simplices| {
             let mut total = Total::default();
-            simplices.for_each(|simplex| orientation.add_determinant(simplex, &mut total));
+            for simplex in simplices.map(SimplexId::at) {
+                orientation.add_determinant(simplex, &mut total);
+            }
             total
         });
         let total = totals.into_iter().fold(Total::default(), Total::plus);
@@ -26,7 +29,7 @@ impl<const D: usize> Model<'_, D> {
 
 impl<const D: usize> Prepared<'_, Orientation, D> {
     #[inline]
-    fn add_determinant(&self, simplex: usize, total: &mut Total) {
+    fn add_determinant(&self, simplex: SimplexId, total: &mut Total) {
         let Prepared { model, exact, .. } = self;
         let corners = model.tiling.simplex(simplex);
         let apex = &corners[0];
@@ -124,6 +127,6 @@ impl Total {
         }
         let unit = ring.unit();
         let cell = (1..dimension).fold(unit.clone(), |cell, _| cell * &unit);
-        value.divide(&cell).unwrap_or_else(Number::zero)
+        value.divide(&cell).expect("a denominator is positive")
     }
 }

@@ -11,11 +11,11 @@ pub fn display_width() -> Rational {
 }
 
 /// The dihedral angle between two facets, enclosed in an interval of at most the
-/// given width, in degrees.
+/// given width, in degrees; `None` if a facet is degenerate.
 pub fn dihedral_degrees<const D: usize>(
     products: &NormalProducts<Number, D>,
     (i, j): (usize, usize),
     width: &Rational,
-) -> (Rational, Rational) {
-    DihedralAngle::between(products, i, j).enclosure(width)
+) -> Option<(Rational, Rational)> {
+    Some(DihedralAngle::between(products, i, j)?.enclosure(width))
 }

@@ -8,6 +8,7 @@
 use super::measure::{DihedralAngle, RadiusEdge};
 use super::ranges::{Measures, Range, Ranges, measures};
 use crate::predicates::{AnglesAgainst, Model, Predicate, RadiusAgainst, Signs};
+use crate::tiling::SimplexId;
 use acutile_exact::geometry::{Simplex, linear};
 use acutile_exact::number::Number;
 use rayon::prelude::*;
@@ -22,39 +23,41 @@ pub fn exact_ranges<const D: usize>(model: &Model<D>) -> Option<Ranges> {
     let measured = candidates
         .into_par_iter()
         .map(|s| measures(model.tiling, s));
-    let measured: Vec<Measures> = measured.collect();
+    let measured = measured.collect::<Option<Vec<Measures>>>()?;
     let mut ranges = super::ranges::ranges(&measured)?;
-    confirm_angles(model, &mut ranges);
-    confirm_ratios(model, &mut ranges.radius_edge);
+    confirm_angles(model, &mut ranges)?;
+    confirm_ratios(model, &mut ranges.radius_edge)?;
     Some(ranges)
 }
 
 /// Replaces each value that a simplex is beyond.
-fn confirm_angles<const D: usize>(model: &Model<D>, ranges: &mut Ranges) {
+fn confirm_angles<const D: usize>(model: &Model<D>, ranges: &mut Ranges) -> Option<()> {
     let against = |angle: &DihedralAngle| AnglesAgainst::new(&angle.signed_square);
     let largest = |m: Measures| m.angles.last().cloned();
     let smallest = |m: Measures| m.angles.first().cloned();
     // The signs are those of cos t - c for all angles t of a simplex, and the cosine falls.
     let range = &mut ranges.largest_dihedral;
-    let beyond = beyond(model, against(&range.max), Signs::none_negative, largest);
+    let beyond = beyond(model, against(&range.max), Signs::none_negative, largest)?;
     range.max = best(&range.max, beyond, Ord::max);
-    let beyond = self::beyond(model, against(&range.min), is_not_all_positive, largest);
+    let beyond = self::beyond(model, against(&range.min), is_not_all_positive, largest)?;
     range.min = best(&range.min, beyond, Ord::min);
     let range = &mut ranges.smallest_dihedral;
-    let beyond = self::beyond(model, against(&range.max), is_not_all_negative, smallest);
+    let beyond = self::beyond(model, against(&range.max), is_not_all_negative, smallest)?;
     range.max = best(&range.max, beyond, Ord::max);
-    let beyond = self::beyond(model, against(&range.min), Signs::none_positive, smallest);
+    let beyond = self::beyond(model, against(&range.min), Signs::none_positive, smallest)?;
     range.min = best(&range.min, beyond, Ord::min);
+    Some(())
 }
 
-fn confirm_ratios<const D: usize>(model: &Model<D>, range: &mut Range<RadiusEdge>) {
+fn confirm_ratios<const D: usize>(model: &Model<D>, range: &mut Range<RadiusEdge>) -> Option<()> {
     let against = |ratio: &RadiusEdge| RadiusAgainst::new(&ratio.square);
     let ratio = |m: Measures| Some(m.radius_edge);
     // The signs are those of b |e|² - R² for all edges e.
-    let beyond = beyond(model, against(&range.max), Signs::none_negative, ratio);
+    let beyond = beyond(model, against(&range.max), Signs::none_negative, ratio)?;
     range.max = best(&range.max, beyond, Ord::max);
-    let beyond = self::beyond(model, against(&range.min), is_not_all_positive, ratio);
+    let beyond = self::beyond(model, against(&range.min), is_not_all_positive, ratio)?;
     range.min = best(&range.min, beyond, Ord::min);
+    Some(())
 }
 
 fn is_not_all_positive(signs: &Signs) -> bool {
@@ -71,11 +74,11 @@ fn beyond<P: Predicate<D>, T: Send, const D: usize>(
     predicate: P,
     is_right: impl Fn(&Signs) -> bool + Sync,
     value: impl Fn(Measures) -> Option<T> + Sync,
-) -> Vec<T> {
+) -> Option<Vec<T>> {
     let failing = model.prepare(predicate).failing(is_right);
     let values = failing.into_par_iter();
     values
-        .filter_map(|simplex| value(measures(model.tiling, simplex)))
+        .map(|simplex| value(measures(model.tiling, simplex)?))
         .collect()
 }
 
@@ -89,7 +92,7 @@ const SLACK: f64 = 1e-9;
 const CANDIDATES: usize = 1 << 10;
 
 /// Simplices that seem to have an extreme value; those with equal edges once.
-fn candidates<const D: usize>(model: &Model<D>) -> Vec<usize> {
+fn candidates<const D: usize>(model: &Model<D>) -> Vec<SimplexId> {
     let metric = FloatMetric::of(model);
     let extremes = model.fold(Extremes::NONE, |extremes, edges| {
         extremes.with(metric.values(edges))
@@ -98,7 +101,7 @@ fn candidates<const D: usize>(model: &Model<D>) -> Vec<usize> {
     let found = model.by_chunks(|simplices| {
         let mut seen = HashSet::new();
         let mut found = Vec::new();
-        for simplex in simplices {
+        for simplex in simplices.map(SimplexId::at) {
             let edges = model.float_edges(simplex);
             if extremes.has(&metric.values(edges)) {
                 let bits: Vec<u64> = edges.as_flattened().iter().map(|x| x.to_bits()).collect();
@@ -110,14 +113,14 @@ fn candidates<const D: usize>(model: &Model<D>) -> Vec<usize> {
         found
     });
     let mut seen = HashSet::new();
-    let mut candidates: Vec<usize> = found
+    let mut candidates: Vec<SimplexId> = found
         .into_iter()
         .flatten()
         .filter_map(|(simplex, bits)| seen.insert(bits).then_some(simplex))
         .take(CANDIDATES)
         .collect();
     if candidates.is_empty() {
-        candidates.push(0);
+        candidates.push(SimplexId::new(0));
     }
     candidates
 }

@@ -26,12 +26,15 @@ pub struct RadiusEdge {
 }
 
 impl RadiusEdge {
-    /// Of a simplex that is not flat, in a basis with this Gram matrix.
+    /// Of a simplex in a basis with this Gram matrix; `None` if it is flat.
     ///
     /// The circumcentre is corner 0 plus x with e_i · x = |e_i|²/2 for all edges
     /// e_i from there. With M the Gram matrix of the edges and l_i = |e_i|² this
     /// gives R² = l^T M^-1 l / 4.
-    pub fn of<const D: usize>(simplex: &Simplex<Number, D>, gram: &[[Number; D]; D]) -> Self {
+    pub fn of<const D: usize>(
+        simplex: &Simplex<Number, D>,
+        gram: &[[Number; D]; D],
+    ) -> Option<Self> {
         let products: [[Number; D]; D] = std::array::from_fn(|i| {
             let image = linear::apply(gram, &simplex.edges[i]);
             std::array::from_fn(|j| linear::dot(&image, &simplex.edges[j]))
@@ -50,11 +53,9 @@ impl RadiusEdge {
             .iter()
             .cloned()
             .chain(others.map(|(i, j)| between(i, j)))
-            .min()
-            .unwrap_or_else(Number::zero);
-        RadiusEdge {
-            square: quotient(&numerator, &(denominator * shortest)),
-        }
+            .min()?;
+        let square = numerator.divide(&(denominator * shortest))?;
+        Some(RadiusEdge { square })
     }
 }
 
@@ -85,18 +86,17 @@ pub struct DihedralAngle {
 
 impl DihedralAngle {
     /// Between two facets: cos t = -p / √q with p = <g_i, g_j> and
-    /// q = <g_i, g_i> <g_j, g_j>.
+    /// q = <g_i, g_i> <g_j, g_j>; `None` if a facet is degenerate.
     pub fn between<const D: usize>(
         products: &NormalProducts<Number, D>,
         i: usize,
         j: usize,
-    ) -> Self {
+    ) -> Option<Self> {
         let p = products.get(i, j);
-        let square = quotient(&(p * p), &(products.get(i, i) * products.get(j, j)));
+        let square = (p * p).divide(&(products.get(i, i) * products.get(j, j)))?;
         let is_obtuse = p.sign() == Sign::Greater;
-        DihedralAngle {
-            signed_square: if is_obtuse { -square } else { square },
-        }
+        let signed_square = if is_obtuse { -square } else { square };
+        Some(DihedralAngle { signed_square })
     }
 
     /// The angle whose cosine has this square with this sign.
@@ -156,8 +156,3 @@ impl Exact for DihedralAngle {
 /// No cosine is enclosed more tightly; only an angle within about 1e-30 degrees of
 /// 0 or 180 comes here.
 const FINEST_COSINE: f64 = 1e-60;
-
-/// x / y; 0 for y = 0, which only a flat simplex gives.
-fn quotient(x: &Number, y: &Number) -> Number {
-    x.divide(y).unwrap_or_else(Number::zero)
-}

@@ -3,7 +3,7 @@
 
 use super::measure::{DihedralAngle, RadiusEdge};
 use super::shape::Shape;
-use crate::tiling::Tiling;
+use crate::tiling::{SimplexId, Tiling};
 use acutile_exact::geometry::linear;
 
 /// The measures of one simplex, hence of its congruence class.
@@ -32,23 +32,26 @@ pub struct Ranges {
     pub largest_dihedral: Range<DihedralAngle>,
 }
 
-/// The measures of the simplex with this index, which must not be flat.
-pub fn measures<const D: usize>(tiling: &Tiling<D>, simplex: usize) -> Measures {
+/// The measures of the simplex with this index; `None` if it is flat.
+pub fn measures<const D: usize>(tiling: &Tiling<D>, simplex: SimplexId) -> Option<Measures> {
     let simplex = tiling.shape(simplex);
     let products = simplex.normal_products(&linear::cofactors(&tiling.frame.gram));
     let mut angles: Vec<DihedralAngle> = (0..=D)
         .flat_map(|i| (i + 1..=D).map(move |j| (i, j)))
         .map(|(i, j)| DihedralAngle::between(&products, i, j))
-        .collect();
+        .collect::<Option<_>>()?;
     angles.sort_unstable();
-    Measures {
-        radius_edge: RadiusEdge::of(&simplex, &tiling.frame.gram),
+    Some(Measures {
+        radius_edge: RadiusEdge::of(&simplex, &tiling.frame.gram)?,
         angles,
-    }
+    })
 }
 
-/// The measures of each congruence class.
-pub fn measures_of_shapes<const D: usize>(tiling: &Tiling<D>, shapes: &[Shape]) -> Vec<Measures> {
+/// The measures of each congruence class; `None` if one is flat.
+pub fn measures_of_shapes<const D: usize>(
+    tiling: &Tiling<D>,
+    shapes: &[Shape],
+) -> Option<Vec<Measures>> {
     shapes
         .iter()
         .map(|shape| measures(tiling, shape.members[0]))

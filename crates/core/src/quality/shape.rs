@@ -4,7 +4,7 @@
 //! all squared edge lengths agree. The normal form is the smallest list of squared
 //! edge lengths over all numberings, compared exactly.
 
-use crate::tiling::Tiling;
+use crate::tiling::{SimplexId, Tiling};
 use acutile_exact::geometry::linear;
 use acutile_exact::number::Number;
 use std::collections::BTreeMap;
@@ -15,15 +15,15 @@ pub struct Shape {
     /// Squared lengths of the edges 01, 02, …, 0D, 12, … of its normal form.
     pub squared_edges: Vec<Number>,
     /// The simplices of this class, by index.
-    pub members: Vec<usize>,
+    pub members: Vec<SimplexId>,
 }
 
 /// The congruence classes of the simplices, in the order of their first members.
 pub fn shapes<const D: usize>(tiling: &Tiling<D>) -> Vec<Shape> {
     let numberings = permutations(D + 1);
-    let mut classes: BTreeMap<Vec<Number>, Vec<usize>> = BTreeMap::new();
+    let mut classes: BTreeMap<Vec<Number>, Vec<SimplexId>> = BTreeMap::new();
     let mut normal_forms: BTreeMap<Vec<Number>, Vec<Number>> = BTreeMap::new();
-    for simplex in 0..tiling.len() {
+    for simplex in tiling.indices() {
         let edges = squared_edges(tiling, simplex);
         let form = normal_forms
             .entry(edges)
@@ -42,7 +42,7 @@ pub fn shapes<const D: usize>(tiling: &Tiling<D>) -> Vec<Shape> {
 }
 
 /// Squared lengths of the edges 01, 02, …, 12, … of a simplex.
-pub fn squared_edges<const D: usize>(tiling: &Tiling<D>, simplex: usize) -> Vec<Number> {
+pub fn squared_edges<const D: usize>(tiling: &Tiling<D>, simplex: SimplexId) -> Vec<Number> {
     let corners: Vec<[Number; D]> = tiling
         .simplex(simplex)
         .iter()

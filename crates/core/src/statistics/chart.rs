@@ -2,6 +2,7 @@
 
 use super::{Extreme, Place, Statistics};
 use crate::quality::{rounded_down, rounded_up};
+use crate::tiling::SimplexId;
 use std::fmt::{Display, Write};
 
 /// What the figures are.
@@ -12,7 +13,7 @@ const DEFINITIONS: &str = "radius-edge ratio: circumradius over shortest edge (E
 const BAR: usize = 50;
 
 /// Figures, extremes and a histogram with bars. `simplex` names a simplex.
-pub fn text(statistics: &Statistics, simplex: &dyn Fn(usize) -> String) -> String {
+pub fn text(statistics: &Statistics, simplex: &dyn Fn(SimplexId) -> String) -> String {
     let [acute, nonobtuse, obtuse] = statistics.kinds;
     let mut lines = vec![
         format!(
@@ -34,7 +35,7 @@ pub fn text(statistics: &Statistics, simplex: &dyn Fn(usize) -> String) -> Strin
         ));
     }
     let angle = |place: &Place| simplex(place.simplex);
-    let ratio = |index: &usize| simplex(*index);
+    let ratio = |index: &SimplexId| simplex(*index);
     lines.extend(extreme(
         "smallest dihedral angle",
         "degrees",

@@ -12,10 +12,10 @@ mod extreme;
 pub use chart::{csv, svg, text};
 pub use extreme::Extreme;
 
-use crate::predicates::ring::{Ring, cleared_integers, common_denominator};
+use crate::predicates::ring::{Ring, cleared_integers};
 use crate::quality::{DihedralAngle, Exact, measures};
-use crate::tiling::Tiling;
 use crate::tiling::dimension::same;
+use crate::tiling::{SimplexId, Tiling};
 use acutile_exact::geometry::{NormalProducts, Scalar, Sign, Simplex, linear};
 use acutile_exact::number::Number;
 use cosine::{Bins, Cosine};
@@ -29,7 +29,7 @@ use std::rc::Rc;
 /// opposite to it.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Place {
-    pub simplex: usize,
+    pub simplex: SimplexId,
     pub facets: (usize, usize),
 }
 
@@ -39,7 +39,7 @@ pub struct Statistics {
     /// Simplices, with those left out.
     pub simplices: usize,
     /// Flat or negatively oriented simplices; they are left out of everything else.
-    pub left_out: Vec<usize>,
+    pub left_out: Vec<SimplexId>,
     /// Simplices whose angles are all acute; with right angles but none obtuse; with obtuse ones.
     pub kinds: [usize; 3],
     /// Dihedral angles that are acute, right, obtuse.
@@ -54,13 +54,13 @@ pub struct Statistics {
     pub largest: Option<Extreme<Place>>,
     /// The smallest radius-edge ratio, circumradius over shortest edge (Eppstein, Sullivan, Üngör,
     /// Table 1).
-    pub lowest_ratio: Option<Extreme<usize>>,
+    pub lowest_ratio: Option<Extreme<SimplexId>>,
     /// The largest radius-edge ratio.
-    pub highest_ratio: Option<Extreme<usize>>,
+    pub highest_ratio: Option<Extreme<SimplexId>>,
     /// Least and greatest aspect ratio in doubles, with a simplex that has it: longest edge over
     /// √(2D(D+1)) times the inradius, 1 for the regular simplex (Knupp et al., The Verdict
     /// Library Reference Manual, SAND2007-1751).
-    pub aspects: Option<[(f64, usize); 2]>,
+    pub aspects: Option<[(f64, SimplexId); 2]>,
 }
 
 /// The figures of `tiling`, with angles counted in bins of so many degrees, a divisor of 180.
@@ -86,11 +86,11 @@ fn of_tiling<const D: usize>(tiling: &Tiling<D>, degrees_per_bin: u32) -> Statis
     let gram = &tiling.frame.gram;
     match cleared_integers(gram).filter(|_| tiling.frame.field.degree() == 1) {
         Some(gram) => {
-            let edges = |simplex: usize| integer_edges(tiling, &ring, simplex);
+            let edges = |simplex: SimplexId| integer_edges(tiling, &ring, simplex);
             Gathering::over(tiling, gram, edges, degrees_per_bin)
         }
         None => {
-            let edges = |simplex: usize| {
+            let edges = |simplex: SimplexId| {
                 let corners = tiling.simplex(simplex);
                 ring.numbers(tiling, corners, &corners[0]).edges
             };
@@ -103,14 +103,16 @@ fn of_tiling<const D: usize>(tiling: &Tiling<D>, degrees_per_bin: u32) -> Statis
 fn integer_edges<const D: usize>(
     tiling: &Tiling<D>,
     ring: &Ring<D>,
-    simplex: usize,
+    simplex: SimplexId,
 ) -> [[Integer; D]; D] {
     let corners = tiling.simplex(simplex);
     if let Some(vectors) = ring.integers(corners, &corners[0]) {
         return vectors.edges.map(|edge| edge.map(Integer::from));
     }
     let edges = ring.numbers(tiling, corners, &corners[0]).edges;
-    let unit = Number::from(Rational::from(common_denominator(edges.iter().flatten())));
+    let unit = Number::from(Rational::from(Number::common_denominator(
+        edges.iter().flatten(),
+    )));
     let integer = |x: &Number| {
         let scaled = x * &unit;
         scaled
@@ -129,8 +131,8 @@ struct Gathering<'t, S, const D: usize> {
     known: BTreeMap<[[S; D]; D], Option<Rc<Figures<S, D>>>>,
     smallest: extreme::Tracker<Cosine<S>, Place>,
     largest: extreme::Tracker<Cosine<S>, Place>,
-    lowest: extreme::Tracker<Ratio<S>, usize>,
-    highest: extreme::Tracker<Ratio<S>, usize>,
+    lowest: extreme::Tracker<Ratio<S>, SimplexId>,
+    highest: extreme::Tracker<Ratio<S>, SimplexId>,
 }
 
 /// The Gram matrix, and its adjugate, which measures covectors.
@@ -164,11 +166,11 @@ impl<'t, S: Scalar + Ord, const D: usize> Gathering<'t, S, D> {
     fn over(
         tiling: &'t Tiling<D>,
         gram: [[S; D]; D],
-        edges: impl Fn(usize) -> [[S; D]; D],
+        edges: impl Fn(SimplexId) -> [[S; D]; D],
         degrees_per_bin: u32,
     ) -> Statistics {
         let mut gathering = Gathering::new(tiling, gram, degrees_per_bin);
-        for index in 0..tiling.len() {
+        for index in tiling.indices() {
             match gathering.figures(index, edges(index)) {
                 Some(figures) => gathering.include(index, &figures),
                 None => gathering.statistics.left_out.push(index),
@@ -207,7 +209,7 @@ impl<'t, S: Scalar + Ord, const D: usize> Gathering<'t, S, D> {
     }
 
     /// The figures of a simplex, none if it is not positively oriented.
-    fn figures(&mut self, index: usize, edges: [[S; D]; D]) -> Option<Rc<Figures<S, D>>> {
+    fn figures(&mut self, index: SimplexId, edges: [[S; D]; D]) -> Option<Rc<Figures<S, D>>> {
         if let Some(known) = self.known.get(&edges) {
             return known.clone();
         }
@@ -219,7 +221,7 @@ impl<'t, S: Scalar + Ord, const D: usize> Gathering<'t, S, D> {
         figures
     }
 
-    fn computed(&self, index: usize, simplex: Simplex<S, D>) -> Option<Figures<S, D>> {
+    fn computed(&self, index: SimplexId, simplex: Simplex<S, D>) -> Option<Figures<S, D>> {
         if simplex.determinant.sign() != Sign::Greater {
             return None;
         }
@@ -275,7 +277,7 @@ impl<'t, S: Scalar + Ord, const D: usize> Gathering<'t, S, D> {
         f64::sqrt(longest) / ((2 * D * (D + 1)) as f64).sqrt() / inradius
     }
 
-    fn include(&mut self, index: usize, figures: &Figures<S, D>) {
+    fn include(&mut self, index: SimplexId, figures: &Figures<S, D>) {
         let mut worst = Sign::Less;
         for angle in &figures.angles {
             worst = worst.max(angle.sign);
@@ -295,7 +297,7 @@ impl<'t, S: Scalar + Ord, const D: usize> Gathering<'t, S, D> {
         self.include_aspect(figures.aspect, index);
     }
 
-    fn include_aspect(&mut self, aspect: f64, index: usize) {
+    fn include_aspect(&mut self, aspect: f64, index: SimplexId) {
         let [low, high] = self.statistics.aspects.unwrap_or([(aspect, index); 2]);
         let low = if aspect < low.0 { (aspect, index) } else { low };
         let high = if aspect > high.0 {
@@ -311,8 +313,8 @@ impl<'t, S: Scalar + Ord, const D: usize> Gathering<'t, S, D> {
             let angle = exact_angle(self.tiling, place);
             (angle.enclosure(&width()), angle.closed_form())
         };
-        let ratio = |simplex: &usize| {
-            let ratio = measures(self.tiling, *simplex).radius_edge;
+        let ratio = |simplex: &SimplexId| {
+            let ratio = measures(self.tiling, *simplex).expect(INCLUDED).radius_edge;
             (ratio.enclosure(&width()), ratio.closed_form())
         };
         Statistics {
@@ -361,9 +363,11 @@ impl<S: Scalar> extreme::Compare for Ratio<S> {
     }
 }
 
+const INCLUDED: &str = "flat simplices are left out";
+
 /// The angle in the tiling's own numbers.
 fn exact_angle<const D: usize>(tiling: &Tiling<D>, place: &Place) -> DihedralAngle {
     let cogram = linear::cofactors(&tiling.frame.gram);
     let products = tiling.shape(place.simplex).normal_products(&cogram);
-    DihedralAngle::between(&products, place.facets.0, place.facets.1)
+    DihedralAngle::between(&products, place.facets.0, place.facets.1).expect(INCLUDED)
 }

@@ -6,6 +6,7 @@
 //! neither is kept as numbers. All forms are exact, and equal ones are made equal:
 //! the narrowest form that holds the values is taken.
 
+use super::VertexId;
 use acutile_exact::number::Number;
 use malachite::base::num::arithmetic::traits::Lcm;
 use malachite::base::num::basic::traits::One;
@@ -75,7 +76,8 @@ impl<const D: usize> Coordinates<D> {
     }
 
     /// The point with this index.
-    pub fn vertex(&self, index: usize) -> [Number; D] {
+    pub fn vertex(&self, index: VertexId) -> [Number; D] {
+        let index = index.index();
         match &self.0 {
             Form::Integers {
                 numerators,
@@ -88,7 +90,7 @@ impl<const D: usize> Coordinates<D> {
 
     /// All points in order.
     pub fn iter(&self) -> impl ExactSizeIterator<Item = [Number; D]> + Clone + '_ {
-        (0..self.len()).map(|index| self.vertex(index))
+        (0..self.len()).map(|index| self.vertex(VertexId::at(index)))
     }
 
     /// The points as numbers, to be changed and converted back.

@@ -15,7 +15,7 @@
 //! opposite sides of it exactly when these signs differ.
 
 use super::dimension::{same, same_value};
-use super::{Corner, Tiling, difference};
+use super::{Corner, FacetId, SimplexId, Tiling, VertexId, difference};
 use rayon::prelude::*;
 use std::ops::Range;
 use std::sync::atomic::{AtomicU32, Ordering};
@@ -24,7 +24,7 @@ use std::sync::atomic::{AtomicU32, Ordering};
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub struct Facet {
     /// Index of the simplex.
-    pub simplex: u32,
+    pub simplex: SimplexId,
     /// Index of the corner that is not in the facet, 0 to D.
     pub opposite: u8,
 }
@@ -50,34 +50,46 @@ pub struct Mismatch {
 pub struct Matching<const D: usize> {
     /// For the facet numbered n the number of its mate, or [`NONE`]. The lattice
     /// vector follows from the corners, see [`Matching::mate`].
-    mates: Vec<u32>,
+    mates: Vec<FacetId>,
     /// One entry for each group of facets that does not match.
     pub mismatches: Vec<Mismatch>,
 }
 
 /// In the place of a mate: there is none.
-const NONE: u32 = u32::MAX;
+const NONE: FacetId = FacetId::new(u32::MAX);
+
+/// Not less than any vertex.
+const LAST: VertexId = VertexId::new(u32::MAX);
 
 impl Facet {
-    /// The facet with the number s (D + 1) + i for simplex s and corner i.
-    fn numbered<const D: usize>(number: u32) -> Self {
+    /// The facet of a simplex opposite to one of its corners, 0 to D.
+    pub fn new(simplex: SimplexId, opposite: usize) -> Self {
+        Facet {
+            simplex,
+            opposite: opposite as u8,
+        }
+    }
+
+    /// The facet with a number.
+    pub fn numbered<const D: usize>(number: FacetId) -> Self {
         let facets = D as u32 + 1;
         Facet {
-            simplex: number / facets,
-            opposite: (number % facets) as u8,
+            simplex: SimplexId::new(number.number() / facets),
+            opposite: (number.number() % facets) as u8,
         }
+    }
+
+    /// The number of the facet in a tiling of D-space.
+    pub fn id<const D: usize>(self) -> FacetId {
+        FacetId::new(self.simplex.number() * (D as u32 + 1) + u32::from(self.opposite))
     }
 }
 
 impl<const D: usize> Matching<D> {
     /// What lies behind a facet of the tiling that was matched; `None` for a facet
     /// that has no single mate on its other side.
-    pub fn mate(&self, tiling: &Tiling<D>, simplex: usize, opposite: usize) -> Option<Mate<D>> {
-        let other = self.neighbour(simplex, opposite)?;
-        let facet = Facet {
-            simplex: simplex as u32,
-            opposite: opposite as u8,
-        };
+    pub fn mate(&self, tiling: &Tiling<D>, facet: Facet) -> Option<Mate<D>> {
+        let other = self.neighbour(facet)?;
         let shift = difference(origin(tiling, facet), origin(tiling, other));
         Some(Mate {
             facet: other,
@@ -86,15 +98,15 @@ impl<const D: usize> Matching<D> {
     }
 
     /// The corner of the mate's simplex opposite to the mate, moved there.
-    pub fn apex(&self, tiling: &Tiling<D>, simplex: usize, opposite: usize) -> Option<Corner<D>> {
-        let mate = self.mate(tiling, simplex, opposite)?;
-        let neighbour = tiling.simplex(mate.facet.simplex as usize);
+    pub fn apex(&self, tiling: &Tiling<D>, facet: Facet) -> Option<Corner<D>> {
+        let mate = self.mate(tiling, facet)?;
+        let neighbour = tiling.simplex(mate.facet.simplex);
         Some(neighbour[usize::from(mate.facet.opposite)].moved(mate.shift))
     }
 
     /// The facet behind a facet, up to a lattice vector.
-    pub fn neighbour(&self, simplex: usize, opposite: usize) -> Option<Facet> {
-        match self.mates[simplex * (D + 1) + opposite] {
+    pub fn neighbour(&self, facet: Facet) -> Option<Facet> {
+        match self.mates[facet.id::<D>().index()] {
             NONE => None,
             mate => Some(Facet::numbered::<D>(mate)),
         }
@@ -128,11 +140,11 @@ fn match_space(tiling: &Tiling<3>) -> Matching<3> {
 }
 
 fn matching<const D: usize>(tiling: &Tiling<D>) -> Matching<D> {
-    assert!(tiling.corners.len() < NONE as usize, "too many facets");
+    assert!(tiling.corners.len() < NONE.index(), "too many facets");
     let buckets = Buckets::of(tiling);
     let mates: Vec<AtomicU32> = (0..tiling.corners.len())
         .into_par_iter()
-        .map(|_| AtomicU32::new(NONE))
+        .map(|_| AtomicU32::new(NONE.number()))
         .collect();
     let chunks = buckets.chunks();
     let mut mismatches: Vec<Mismatch> = chunks
@@ -141,7 +153,10 @@ fn matching<const D: usize>(tiling: &Tiling<D>) -> Matching<D> {
         .collect();
     mismatches.sort_by_key(|mismatch| mismatch.uses[0]);
     Matching {
-        mates: mates.into_iter().map(AtomicU32::into_inner).collect(),
+        mates: mates
+            .into_iter()
+            .map(|mate| FacetId::new(mate.into_inner()))
+            .collect(),
         mismatches,
     }
 }
@@ -150,7 +165,7 @@ fn matching<const D: usize>(tiling: &Tiling<D>) -> Matching<D> {
 struct Buckets {
     /// Bucket v is the range from `starts[v]` to `starts[v + 1]` of `facets`.
     starts: Vec<u32>,
-    facets: Vec<u32>,
+    facets: Vec<FacetId>,
 }
 
 /// Work is cut into pieces of about so many facets.
@@ -160,18 +175,18 @@ impl Buckets {
     /// Counting sort. Each of a few parts holds the buckets of a range of vertices
     /// and is filled by one reader of all corners, in order.
     fn of<const D: usize>(tiling: &Tiling<D>) -> Self {
-        let vertices = tiling.corners.iter().map(|c| c.vertex as usize + 1).max();
+        let vertices = tiling.corners.iter().map(|c| c.vertex.index() + 1).max();
         let mut starts = vec![0u32; vertices.unwrap_or(0) + 1];
         for corners in tiling.simplices() {
             for vertex in least_vertices(corners) {
-                starts[vertex as usize + 1] += 1;
+                starts[vertex.index() + 1] += 1;
             }
         }
         for vertex in 1..starts.len() {
             starts[vertex] += starts[vertex - 1];
         }
         let mut buckets = Buckets {
-            facets: vec![0; tiling.corners.len()],
+            facets: vec![FacetId::new(0); tiling.corners.len()],
             starts,
         };
         buckets.fill(tiling);
@@ -196,11 +211,11 @@ impl Buckets {
         parts.into_par_iter().for_each(|(vertices, part)| {
             let first = starts[vertices.start];
             let mut next: Vec<u32> = starts[vertices.clone()].iter().map(|s| s - first).collect();
-            for (simplex, corners) in (0u32..).zip(tiling.simplices()) {
-                for (opposite, vertex) in (0u32..).zip(least_vertices(corners)) {
-                    if vertices.contains(&(vertex as usize)) {
-                        let place = &mut next[vertex as usize - vertices.start];
-                        part[*place as usize] = simplex * (D as u32 + 1) + opposite;
+            for (simplex, corners) in tiling.indices().zip(tiling.simplices()) {
+                for (opposite, vertex) in least_vertices(corners).enumerate() {
+                    if vertices.contains(&vertex.index()) {
+                        let place = &mut next[vertex.index() - vertices.start];
+                        part[*place as usize] = Facet::new(simplex, opposite).id::<D>();
                         *place += 1;
                     }
                 }
@@ -208,7 +223,7 @@ impl Buckets {
         });
     }
 
-    fn bucket(&self, vertex: usize) -> &[u32] {
+    fn bucket(&self, vertex: usize) -> &[FacetId] {
         &self.facets[self.starts[vertex] as usize..self.starts[vertex + 1] as usize]
     }
 
@@ -231,8 +246,8 @@ fn ranges(starts: &[u32], size: usize) -> Vec<Range<usize>> {
 
 /// For each corner of a simplex the least vertex of the other corners: the least of
 /// all, and the second least where the least is left out.
-fn least_vertices<const D: usize>(corners: &[Corner<D>]) -> impl Iterator<Item = u32> {
-    let (mut least, mut second) = ((u32::MAX, 0), u32::MAX);
+fn least_vertices<const D: usize>(corners: &[Corner<D>]) -> impl Iterator<Item = VertexId> {
+    let (mut least, mut second) = ((LAST, 0), LAST);
     for (index, corner) in corners.iter().enumerate() {
         if corner.vertex < least.0 {
             second = least.0;
@@ -255,10 +270,10 @@ fn match_buckets<const D: usize>(
     mates: &[AtomicU32],
 ) -> Vec<Mismatch> {
     let mut mismatches = Vec::new();
-    let mut keys: Vec<(u64, u32)> = Vec::new();
+    let mut keys: Vec<(u64, FacetId)> = Vec::new();
     let pair = |a: &Entry<D>, b: &Entry<D>| {
-        mates[a.number as usize].store(b.number, Ordering::Relaxed);
-        mates[b.number as usize].store(a.number, Ordering::Relaxed);
+        mates[a.number.index()].store(b.number.number(), Ordering::Relaxed);
+        mates[b.number.index()].store(a.number.number(), Ordering::Relaxed);
     };
     for vertex in vertices {
         let bucket = buckets.bucket(vertex).iter();
@@ -266,7 +281,7 @@ fn match_buckets<const D: usize>(
         keys.extend(bucket.map(|&n| (next_vertices(tiling, n), n)));
         keys.sort_unstable();
         for alike in keys.chunk_by(|a, b| a.0 == b.0) {
-            let entry = |&(_, number): &(u64, u32)| Entry::new(tiling, number);
+            let entry = |&(_, number): &(u64, FacetId)| Entry::new(tiling, number);
             if let [a, b] = alike
                 && let [a, b] = [entry(a), entry(b)]
                 && a.is_mate(&b)
@@ -289,17 +304,17 @@ fn match_buckets<const D: usize>(
 
 /// The second and the third least vertex of a facet in one word, without a branch. It is the
 /// same for facets that are translates of each other.
-fn next_vertices<const D: usize>(tiling: &Tiling<D>, number: u32) -> u64 {
+fn next_vertices<const D: usize>(tiling: &Tiling<D>, number: FacetId) -> u64 {
     let Facet { simplex, opposite } = Facet::numbered::<D>(number);
-    let mut least = [u32::MAX; 3];
-    for (index, corner) in tiling.simplex(simplex as usize).iter().enumerate() {
+    let mut least = [LAST; 3];
+    for (index, corner) in tiling.simplex(simplex).iter().enumerate() {
         let is_opposite = index == usize::from(opposite);
-        let mut vertex = if is_opposite { u32::MAX } else { corner.vertex };
+        let mut vertex = if is_opposite { LAST } else { corner.vertex };
         for place in &mut least {
             (*place, vertex) = ((*place).min(vertex), (*place).max(vertex));
         }
     }
-    u64::from(least[1]) << 32 | u64::from(least[2])
+    u64::from(least[1].number()) << 32 | u64::from(least[2].number())
 }
 
 impl Mismatch {
@@ -316,7 +331,7 @@ impl Mismatch {
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 struct Entry<const D: usize> {
     form: [Corner<D>; D],
-    number: u32,
+    number: FacetId,
     side: bool,
 }
 
@@ -326,7 +341,7 @@ impl<const D: usize> Entry<D> {
         self.form == other.form && self.side != other.side
     }
 
-    fn new(tiling: &Tiling<D>, number: u32) -> Self {
+    fn new(tiling: &Tiling<D>, number: FacetId) -> Self {
         let facet = Facet::numbered::<D>(number);
         let mut form = corners_of(tiling, facet);
         let odd = sort_parity(&mut form);
@@ -343,7 +358,7 @@ impl<const D: usize> Entry<D> {
 }
 
 fn corners_of<const D: usize>(tiling: &Tiling<D>, facet: Facet) -> [Corner<D>; D] {
-    let corners = tiling.simplex(facet.simplex as usize);
+    let corners = tiling.simplex(facet.simplex);
     let opposite = usize::from(facet.opposite);
     std::array::from_fn(|k| corners[k + usize::from(k >= opposite)])
 }

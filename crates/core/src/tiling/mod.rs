@@ -8,6 +8,7 @@ pub(crate) mod dimension;
 mod facets;
 mod floor;
 mod frame;
+mod index;
 mod polytope;
 mod supercell;
 
@@ -15,6 +16,7 @@ pub use coordinates::Coordinates;
 pub use facets::{Facet, Matching, Mate, Mismatch, match_facets};
 pub use floor::floor;
 pub use frame::{Domain, Frame};
+pub use index::{FacetId, SimplexId, VertexId};
 pub use polytope::{Plane, Polytope};
 pub use supercell::supercell;
 
@@ -27,7 +29,7 @@ use std::fmt;
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub struct Corner<const D: usize> {
     /// Index into [`Tiling::vertices`].
-    pub vertex: u32,
+    pub vertex: VertexId,
     /// The lattice vector, |entries| at most [`SHIFT_LIMIT`].
     pub shift: [i32; D],
 }
@@ -38,9 +40,9 @@ pub const SHIFT_LIMIT: i32 = 1 << 24;
 
 impl<const D: usize> Corner<D> {
     /// The vertex itself, not moved.
-    pub fn of(vertex: u32) -> Self {
+    pub fn of(vertex: impl Into<VertexId>) -> Self {
         Corner {
-            vertex,
+            vertex: vertex.into(),
             shift: [0; D],
         }
     }
@@ -102,8 +104,20 @@ impl<const D: usize> Tiling<D> {
     }
 
     /// The D + 1 corners of a simplex.
-    pub fn simplex(&self, index: usize) -> &[Corner<D>] {
+    pub fn simplex(&self, index: SimplexId) -> &[Corner<D>] {
+        let index = index.index();
         &self.corners[index * (D + 1)..(index + 1) * (D + 1)]
+    }
+
+    /// The indices of the simplices, in order.
+    pub fn indices(&self) -> impl ExactSizeIterator<Item = SimplexId> + Clone + use<D> {
+        (0..self.len() as u32).map(SimplexId::new)
+    }
+
+    /// The facets of all simplices, in order of their numbers.
+    pub fn facets(&self) -> impl Iterator<Item = Facet> + Clone + use<D> {
+        self.indices()
+            .flat_map(|simplex| (0..=D).map(move |opposite| Facet::new(simplex, opposite)))
     }
 
     /// All simplices in order.
@@ -112,7 +126,7 @@ impl<const D: usize> Tiling<D> {
     }
 
     /// A simplex in exact basis coordinates.
-    pub fn shape(&self, index: usize) -> Simplex<Number, D> {
+    pub fn shape(&self, index: SimplexId) -> Simplex<Number, D> {
         let corners: Vec<[Number; D]> = self
             .simplex(index)
             .iter()
@@ -123,7 +137,7 @@ impl<const D: usize> Tiling<D> {
 
     /// The coordinates of a corner in the basis.
     pub fn position(&self, corner: &Corner<D>) -> [Number; D] {
-        let vertex = self.vertices.vertex(corner.vertex as usize);
+        let vertex = self.vertices.vertex(corner.vertex);
         std::array::from_fn(|k| &vertex[k] + &self.frame.field.integer(i64::from(corner.shift[k])))
     }
 }

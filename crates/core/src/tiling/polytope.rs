@@ -18,7 +18,7 @@ pub struct Polytope<S = Number> {
 /// side of the polytope.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Plane<S = Number> {
-    normal: Vec<S>,
+    normal: [S; 3],
     offset: S,
 }
 
@@ -64,7 +64,7 @@ impl<S: RingElement> Polytope<S> {
             .map(|&v| self.vertices[v].as_slice())
             .collect();
         let normal = normal(&points, self.dimension())?;
-        let offset = dot(&normal, points[0]);
+        let offset = linear::dot(&normal, &in_space(points[0]));
         Some(Plane { normal, offset })
     }
 
@@ -72,14 +72,21 @@ impl<S: RingElement> Polytope<S> {
     /// face is a fan of simplices from its first vertex.
     pub fn scaled_cone(&self, face: usize) -> S {
         let face = &self.faces[face];
-        let apex = &self.vertices[0];
-        let edge = |vertex: usize| difference(&self.vertices[vertex], apex);
+        let apex = in_space(&self.vertices[0]);
+        let edge = |vertex: usize| linear::subtract(&in_space(&self.vertices[vertex]), &apex);
         match self.dimension() {
-            1 => edge(face[0])[0].clone(),
-            2 => determinant([edge(face[0]), edge(face[1])]),
+            1 => {
+                let [length, _, _] = edge(face[0]);
+                length
+            }
+            2 => {
+                let [_, _, area] = linear::cross(&edge(face[0]), &edge(face[1]));
+                area
+            }
             _ => {
-                let fan = (1..face.len().saturating_sub(1))
-                    .map(|k| determinant([edge(face[0]), edge(face[k]), edge(face[k + 1])]));
+                let fan = (1..face.len().saturating_sub(1)).map(|k| {
+                    linear::determinant(&[edge(face[0]), edge(face[k]), edge(face[k + 1])])
+                });
                 let zero = apex[0].integer(0);
                 fan.fold(zero, |sum, volume| sum.plus(&volume))
             }
@@ -119,60 +126,39 @@ impl Polytope {
 impl<S: RingElement> Plane<S> {
     /// Positive inside, zero on the plane, negative outside.
     pub fn value(&self, point: &[S]) -> S {
-        dot(&self.normal, point).minus(&self.offset)
+        linear::dot(&self.normal, &in_space(point)).minus(&self.offset)
     }
 
     /// The same plane with the other side inside.
     pub fn turned(self) -> Self {
         let zero = self.offset.integer(0);
         Plane {
-            normal: self.normal.iter().map(|x| zero.minus(x)).collect(),
+            normal: self.normal.map(|x| zero.minus(&x)),
             offset: zero.minus(&self.offset),
         }
     }
 }
 
 /// A vector orthogonal to the differences of the first k points.
-fn normal<S: RingElement>(points: &[&[S]], dimension: usize) -> Option<Vec<S>> {
+fn normal<S: RingElement>(points: &[&[S]], dimension: usize) -> Option<[S; 3]> {
     if points.len() < dimension {
         return None;
     }
+    let first = in_space(points[0]);
+    let edge = |k: usize| linear::subtract(&in_space(points[k]), &first);
+    let unit =
+        |axis: usize| -> [S; 3] { std::array::from_fn(|k| first[0].integer(i64::from(k == axis))) };
     Some(match dimension {
-        1 => vec![points[0][0].integer(1)],
-        2 => {
-            let edge = difference(points[1], points[0]);
-            vec![edge[1].integer(0).minus(&edge[1]), edge[0].clone()]
-        }
-        _ => cross(
-            &difference(points[1], points[0]),
-            &difference(points[2], points[0]),
-        ),
+        1 => unit(0),
+        2 => linear::cross(&unit(2), &edge(1)),
+        _ => linear::cross(&edge(1), &edge(2)),
     })
 }
 
-fn cross<S: RingElement>(a: &[S], b: &[S]) -> Vec<S> {
-    (0..3)
-        .map(|k| {
-            let (i, j) = ((k + 1) % 3, (k + 2) % 3);
-            a[i].times(&b[j]).minus(&a[j].times(&b[i]))
-        })
-        .collect()
-}
-
-/// The determinant of N vectors with N coordinates.
-fn determinant<S: RingElement, const N: usize>(rows: [Vec<S>; N]) -> S {
-    let rows = rows.each_ref();
-    linear::determinant(&rows.map(|row| std::array::from_fn::<S, N, _>(|k| row[k].clone())))
-}
-
-fn dot<S: RingElement>(a: &[S], b: &[S]) -> S {
-    let mut sum = a[0].times(&b[0]);
-    for (x, y) in a.iter().zip(b).skip(1) {
-        sum = sum.plus(&x.times(y));
-    }
-    sum
-}
-
-fn difference<S: RingElement>(a: &[S], b: &[S]) -> Vec<S> {
-    a.iter().zip(b).map(|(x, y)| x.minus(y)).collect()
+/// A point with up to three coordinates as one of space; the others are zero.
+fn in_space<S: RingElement>(point: &[S]) -> [S; 3] {
+    std::array::from_fn(|k| match point.get(k) {
+        Some(x) => x.clone(),
+        None => point[0].integer(0),
+    })
 }

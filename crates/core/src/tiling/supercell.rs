@@ -2,6 +2,7 @@
 
 use super::coordinates::Form;
 use super::{Coordinates, Corner, Tiling};
+use crate::tiling::VertexId;
 use acutile_exact::number::Number;
 use malachite::Rational;
 use num_integer::Integer as _;
@@ -114,7 +115,7 @@ fn coarsened<const D: usize>(corner: Corner<D>, sizes: [u16; D], vertices: usize
         stride *= sizes[k] as usize;
     }
     Corner {
-        vertex: corner.vertex + (copy * vertices) as u32,
+        vertex: VertexId::at(corner.vertex.index() + copy * vertices),
         shift,
     }
 }

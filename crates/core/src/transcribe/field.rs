@@ -1,13 +1,12 @@
 //! The field of a certificate: the smallest one that contains its numbers.
 
 use crate::format::{self, Cosine, Fraction};
-use crate::predicates::ring::common_denominator;
 use crate::quality::{DihedralAngle, RadiusEdge};
 use crate::statement::Statement;
 use crate::tiling::coordinates::Form;
 use crate::tiling::{Frame, Tiling};
 use acutile_exact::geometry::Sign;
-use acutile_exact::number::{Number, Subfield};
+use acutile_exact::number::{Number, Subfield, common_denominator};
 use malachite::base::num::arithmetic::traits::{DivExact, Gcd};
 use malachite::base::num::basic::traits::{One, Zero};
 use malachite::{Integer, Natural, Rational};
@@ -24,10 +23,13 @@ impl<const D: usize> Written<D> {
     /// without it.
     pub fn of(tiling: &Tiling<D>) -> Self {
         let Frame { field, gram, .. } = &tiling.frame;
-        let ratios = gram.each_ref().map(|row| {
-            row.each_ref()
-                .map(|x| x.divide(&gram[0][0]).unwrap_or_else(Number::zero))
-        });
+        // A matrix that begins with zero is no metric, and stays as it is.
+        let ratios = match gram[0][0].inverse() {
+            Some(scale) => gram
+                .each_ref()
+                .map(|row| row.each_ref().map(|x| x * &scale)),
+            None => gram.clone(),
+        };
         let vertices: &[[Number; D]] = match tiling.vertices.form() {
             Form::Numbers(points) => points,
             _ => &[],
@@ -51,7 +53,7 @@ impl<const D: usize> Written<D> {
             return format::Field::Rationals;
         }
         let (low, high) = field.root();
-        let denominator = common_denominator_of([&low, &high].into_iter());
+        let denominator = Integer::from(common_denominator([&low, &high].into_iter()));
         let scaled = |x: Rational| integer(&(x * Rational::from(&denominator)));
         format::Field::Algebraic(format::AlgebraicField {
             polynomial: field.polynomial().to_vec(),
@@ -94,10 +96,10 @@ impl<const D: usize> Written<D> {
     /// The least positive integer that clears these numbers.
     pub fn denominator<'n>(&self, numbers: impl Iterator<Item = &'n Number>) -> Integer {
         if self.is_same() {
-            return common_denominator(numbers);
+            return Number::common_denominator(numbers);
         }
         let coefficients: Vec<Rational> = numbers.flat_map(|x| self.coefficients(x)).collect();
-        common_denominator_of(coefficients.iter())
+        Integer::from(common_denominator(coefficients.iter()))
     }
 
     /// Whether numbers keep their coefficients.
@@ -153,12 +155,6 @@ impl<const D: usize> Written<D> {
             Statement::Tcp => format::Statement::Tcp,
         }
     }
-}
-
-/// The least common multiple of denominators.
-pub fn common_denominator_of<'r>(numbers: impl Iterator<Item = &'r Rational>) -> Integer {
-    let numbers: Vec<Number> = numbers.map(|x| Number::from(x.clone())).collect();
-    common_denominator(numbers.iter())
 }
 
 /// The value of a rational number that is an integer.

@@ -8,7 +8,7 @@
 
 use super::curve;
 use crate::tiling::coordinates::Form;
-use crate::tiling::{Corner, Matching, Tiling, floor};
+use crate::tiling::{Corner, Facet, Matching, SimplexId, Tiling, VertexId, floor};
 use acutile_exact::number::Number;
 use rayon::prelude::*;
 
@@ -16,9 +16,9 @@ use rayon::prelude::*;
 #[derive(Clone, Debug)]
 pub struct Order<const D: usize> {
     /// The simplices, in the order of the rows.
-    pub rows: Vec<u32>,
+    pub rows: Vec<SimplexId>,
     /// The vertices, in the order of their numbers.
-    pub vertices: Vec<u32>,
+    pub vertices: Vec<VertexId>,
     /// For each vertex of the tiling its number.
     pub numbers: Vec<u32>,
     /// For each vertex of the tiling the cell of the lattice in which it lies, unless all are in
@@ -44,8 +44,8 @@ impl<const D: usize> Order<D> {
 
     /// The cell of the lattice in which a vertex of the tiling lies.
     #[inline]
-    pub fn cell(&self, vertex: u32) -> [i32; D] {
-        match self.cells.get(vertex as usize) {
+    pub fn cell(&self, vertex: VertexId) -> [i32; D] {
+        match self.cells.get(vertex.index()) {
             Some(cell) => *cell,
             None => [0; D],
         }
@@ -70,7 +70,7 @@ fn cells<const D: usize>(tiling: &Tiling<D>) -> Vec<[i32; D]> {
         }
         _ => {
             let cell = |vertex: usize| -> [i32; D] {
-                let x = tiling.vertices.vertex(vertex);
+                let x = tiling.vertices.vertex(VertexId::at(vertex));
                 std::array::from_fn(|k| if k < rank { floor(&x[k]) } else { 0 })
             };
             let vertices = (0..tiling.vertices.len()).into_par_iter();
@@ -84,19 +84,19 @@ fn cells<const D: usize>(tiling: &Tiling<D>) -> Vec<[i32; D]> {
 }
 
 /// Numbers along the rows. A vertex that no simplex has comes last.
-fn numbering<const D: usize>(tiling: &Tiling<D>, rows: &[u32]) -> (Vec<u32>, Vec<u32>) {
+fn numbering<const D: usize>(tiling: &Tiling<D>, rows: &[SimplexId]) -> (Vec<VertexId>, Vec<u32>) {
     const NONE: u32 = u32::MAX;
     let mut uses = vec![0u32; tiling.vertices.len()];
     for corner in &tiling.corners {
-        uses[corner.vertex as usize] += 1;
+        uses[corner.vertex.index()] += 1;
     }
-    let is_heavy = |vertex: u32| uses[vertex as usize] > HEAVY;
+    let is_heavy = |vertex: VertexId| uses[vertex.index()] > HEAVY;
     let mut numbers = vec![NONE; tiling.vertices.len()];
     let mut vertices = Vec::with_capacity(numbers.len());
     for heavy in [false, true] {
         for row in rows {
-            for vertex in in_order(tiling.simplex(*row as usize)) {
-                let number = &mut numbers[vertex as usize];
+            for vertex in in_order(tiling.simplex(*row)) {
+                let number = &mut numbers[vertex.index()];
                 if *number == NONE && is_heavy(vertex) == heavy {
                     *number = vertices.len() as u32;
                     vertices.push(vertex);
@@ -110,7 +110,7 @@ fn numbering<const D: usize>(tiling: &Tiling<D>, rows: &[u32]) -> (Vec<u32>, Vec
     for vertex in 0..numbers.len() {
         if numbers[vertex] == NONE {
             numbers[vertex] = vertices.len() as u32;
-            vertices.push(vertex as u32);
+            vertices.push(VertexId::at(vertex));
         }
     }
     (vertices, numbers)
@@ -119,8 +119,8 @@ fn numbering<const D: usize>(tiling: &Tiling<D>, rows: &[u32]) -> (Vec<u32>, Vec
 /// The vertices of a simplex, the least first. A row lists its last two corners in the order that
 /// makes it positive. The numbers must not depend on that order: otherwise the tiling of a
 /// certificate would get another certificate.
-fn in_order<const D: usize>(corners: &[Corner<D>]) -> impl Iterator<Item = u32> {
-    let mut vertices = [u32::MAX; 4];
+fn in_order<const D: usize>(corners: &[Corner<D>]) -> impl Iterator<Item = VertexId> {
+    let mut vertices = [VertexId::new(u32::MAX); 4];
     for (vertex, corner) in vertices.iter_mut().zip(corners) {
         *vertex = corner.vertex;
     }
@@ -131,8 +131,8 @@ fn in_order<const D: usize>(corners: &[Corner<D>]) -> impl Iterator<Item = u32> 
 /// The given order is good if at most this times n^((D-1)/D) facets are open.
 const GOOD: u128 = 4;
 
-fn rows<const D: usize>(tiling: &Tiling<D>, matching: &Matching<D>) -> Vec<u32> {
-    let given: Vec<u32> = (0..tiling.len() as u32).collect();
+fn rows<const D: usize>(tiling: &Tiling<D>, matching: &Matching<D>) -> Vec<SimplexId> {
+    let given: Vec<SimplexId> = tiling.indices().collect();
     let open = most_open(matching, &given);
     let n = given.len() as u128;
     let exponent = D as u32;
@@ -147,18 +147,18 @@ fn rows<const D: usize>(tiling: &Tiling<D>, matching: &Matching<D>) -> Vec<u32> 
 }
 
 /// The largest number of facets that are open after a row.
-fn most_open<const D: usize>(matching: &Matching<D>, rows: &[u32]) -> u32 {
+fn most_open<const D: usize>(matching: &Matching<D>, rows: &[SimplexId]) -> u32 {
     let mut places = vec![0u32; rows.len()];
     for (place, row) in rows.iter().enumerate() {
-        places[*row as usize] = place as u32;
+        places[row.index()] = place as u32;
     }
     let (mut open, mut most) = (0u32, 0);
     for (place, row) in rows.iter().enumerate() {
         for opposite in 0..=D {
-            let Some(mate) = matching.neighbour(*row as usize, opposite) else {
+            let Some(mate) = matching.neighbour(Facet::new(*row, opposite)) else {
                 continue;
             };
-            let other = places[mate.simplex as usize] as usize;
+            let other = places[mate.simplex.index()] as usize;
             // A neighbour of itself opens and closes in the same row.
             if other > place {
                 open += 1;
@@ -177,14 +177,14 @@ const GENERIC: f64 = 0.000_317_81;
 
 /// The simplices sorted by the places of their centroids on a space-filling curve. In the
 /// directions of the lattice the places in the cell count.
-fn along_curve<const D: usize>(tiling: &Tiling<D>) -> Vec<u32> {
+fn along_curve<const D: usize>(tiling: &Tiling<D>) -> Vec<SimplexId> {
     let points = doubles(tiling);
     let rank = tiling.frame.rank();
     let centroid = |simplex: usize| -> [f64; D] {
-        let corners = tiling.simplex(simplex);
+        let corners = tiling.simplex(SimplexId::at(simplex));
         std::array::from_fn(|k| {
             let sum = corners.iter().fold(0.0, |sum, corner| {
-                sum + points[corner.vertex as usize][k] + f64::from(corner.shift[k])
+                sum + points[corner.vertex.index()][k] + f64::from(corner.shift[k])
             });
             let mean = sum / (D as f64 + 1.0) + GENERIC;
             if k < rank { mean - mean.floor() } else { mean }
@@ -192,10 +192,10 @@ fn along_curve<const D: usize>(tiling: &Tiling<D>) -> Vec<u32> {
     };
     let simplices = (0..tiling.len()).into_par_iter();
     let centroids: Vec<[f64; D]> = simplices.map(centroid).collect();
-    let mut keys: Vec<(u64, u32)> = places(tiling, &centroids)
+    let mut keys: Vec<(u64, SimplexId)> = places(tiling, &centroids)
         .into_iter()
         .map(curve::index)
-        .zip(0..)
+        .zip(tiling.indices())
         .collect();
     keys.par_sort_unstable();
     keys.into_iter().map(|(_, simplex)| simplex).collect()

@@ -251,7 +251,7 @@ fn in_tiling<const D: usize>(corner: format::Corner, vertices: usize) -> Option<
         .iter()
         .all(|s| s.unsigned_abs() <= SHIFT_LIMIT as u32);
     (is_near && (corner.vertex as usize) < vertices).then(|| Corner {
-        vertex: corner.vertex,
+        vertex: corner.vertex.into(),
         shift: std::array::from_fn(|k| corner.shift[k]),
     })
 }

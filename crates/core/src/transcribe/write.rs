@@ -128,7 +128,7 @@ impl<const D: usize> Rows<'_, D> {
         cbor::array(out, numerators.len())?;
         for vertex in &self.order.vertices {
             let cell = self.order.cell(*vertex);
-            let row = &numerators[*vertex as usize];
+            let row = &numerators[vertex.index()];
             self.row(out, written, |out, k| {
                 // Reduced to the first cell, a numerator is less than the denominator.
                 let moved = i128::from(row[k]) - i128::from(cell[k]) * i128::from(denominator);
@@ -156,7 +156,7 @@ impl<const D: usize> Rows<'_, D> {
         cbor::array(out, points.len())?;
         for vertex in &self.order.vertices {
             let cell = self.order.cell(*vertex);
-            let row = &points[*vertex as usize];
+            let row = &points[vertex.index()];
             self.row(out, written, |out, k| {
                 let (mantissa, exponent) = decompose(row[k]);
                 let shift = u64::try_from(exponent - least).unwrap_or(0);
@@ -178,7 +178,7 @@ impl<const D: usize> Rows<'_, D> {
         cbor::array(out, points.len())?;
         for vertex in &self.order.vertices {
             let cell = self.order.cell(*vertex);
-            let row = &points[*vertex as usize];
+            let row = &points[vertex.index()];
             let moved = std::array::from_fn::<_, D, _>(|k| {
                 let number = &row[k] - Number::from(Rational::from(cell[k]));
                 written.numerator(&number, &unit)
@@ -212,7 +212,7 @@ impl<const D: usize> Rows<'_, D> {
     #[inline]
     fn corner(&self, corner: &Corner<D>) -> Corner<D> {
         Corner {
-            vertex: self.order.numbers[corner.vertex as usize],
+            vertex: self.order.numbers[corner.vertex.index()].into(),
             shift: corner.moved(self.order.cell(corner.vertex)).shift,
         }
     }
@@ -240,7 +240,7 @@ impl<const D: usize> Rows<'_, D> {
     /// The sorted corners of a facet, seen from the first, and whether the last two must be
     /// exchanged so that the opposite corner and they are positively oriented.
     fn facet(&self, facet: Facet) -> ([Corner<D>; D], bool) {
-        let simplex = self.tiling.simplex(facet.simplex as usize);
+        let simplex = self.tiling.simplex(facet.simplex);
         let opposite = usize::from(facet.opposite);
         let mut corners: [Corner<D>; D] =
             std::array::from_fn(|k| self.corner(&simplex[k + usize::from(k >= opposite)]));
@@ -253,8 +253,8 @@ impl<const D: usize> Rows<'_, D> {
         cbor::array(out, self.tiling.len())?;
         let rank = self.tiling.frame.rank();
         for simplex in &self.order.rows {
-            let corners = self.tiling.simplex(*simplex as usize);
-            let hint = sixes.map(|sixes| sixes[*simplex as usize]);
+            let corners = self.tiling.simplex(*simplex);
+            let hint = sixes.map(|sixes| sixes[simplex.index()]);
             match corners {
                 [a, b, c] => self.simplex([a, b, c], hint, rank, out)?,
                 [a, b, c, d] => self.simplex([a, b, c, d], hint, rank, out)?,
@@ -326,7 +326,7 @@ fn in_format<const D: usize>(corner: Corner<D>) -> format::Corner {
     let mut shift = [0; 3];
     shift[..D].copy_from_slice(&corner.shift);
     format::Corner {
-        vertex: corner.vertex,
+        vertex: corner.vertex.number(),
         shift,
     }
 }

@@ -106,6 +106,15 @@ pub fn dot<S: RingElement, const D: usize>(x: &[S; D], y: &[S; D]) -> S {
     sum
 }
 
+/// x × y
+#[inline(always)]
+pub fn cross<S: RingElement>(x: &[S; 3], y: &[S; 3]) -> [S; 3] {
+    std::array::from_fn(|k| {
+        let (i, j) = ((k + 1) % 3, (k + 2) % 3);
+        determinant2(&x[i], &x[j], &y[i], &y[j])
+    })
+}
+
 /// The sum of x_k.
 #[inline(always)]
 pub fn sum<S: RingElement, const D: usize>(x: &[S; D]) -> S {

@@ -30,7 +30,7 @@ impl<'p, S: Scalar> Triangle<'p, S> {
     /// The triangle with these corners; `None` if they are on a line.
     pub fn new(corners: [&'p Point<S>; 3]) -> Option<Self> {
         let [a, b, c] = corners;
-        let normal = cross(&linear::subtract(b, a), &linear::subtract(c, a));
+        let normal = linear::cross(&linear::subtract(b, a), &linear::subtract(c, a));
         normal.iter().any(|x| x.sign().is_ne()).then(|| Triangle {
             corners,
             offset: linear::dot(&normal, a),
@@ -63,7 +63,7 @@ impl<'p, S: Scalar> Triangle<'p, S> {
     fn is_pierced(&self, p: &Point<S>, q: &Point<S>) -> bool {
         let along = linear::subtract(q, p);
         let [a, b, c] = self.corners.map(|corner| linear::subtract(corner, p));
-        let turn = |x, y| linear::dot(&along, &cross(x, y)).sign();
+        let turn = |x, y| linear::dot(&along, &linear::cross(x, y)).sign();
         let signs = [turn(&a, &b), turn(&b, &c), turn(&c, &a)];
         !(signs.contains(&Sign::Less) && signs.contains(&Sign::Greater))
     }
@@ -181,12 +181,4 @@ fn turn<S: Scalar>(a: &Point<S>, b: &Point<S>, c: &Point<S>, axis: usize) -> S {
     let along = [b[i].minus(&a[i]), b[j].minus(&a[j])];
     let across = [c[i].minus(&a[i]), c[j].minus(&a[j])];
     linear::determinant(&[along, across])
-}
-
-/// x × y
-pub fn cross<S: Scalar>(x: &Point<S>, y: &Point<S>) -> Point<S> {
-    std::array::from_fn(|k| {
-        let (i, j) = ((k + 1) % 3, (k + 2) % 3);
-        x[i].times(&y[j]).minus(&x[j].times(&y[i]))
-    })
 }

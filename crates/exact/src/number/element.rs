@@ -292,6 +292,30 @@ impl Scalar for Number {
     }
 }
 
+impl RingElement for Rational {
+    fn integer(&self, value: i64) -> Rational {
+        Rational::from(value)
+    }
+    fn plus(&self, other: &Rational) -> Rational {
+        self + other
+    }
+    fn minus(&self, other: &Rational) -> Rational {
+        self - other
+    }
+    fn times(&self, other: &Rational) -> Rational {
+        self * other
+    }
+}
+
+impl Scalar for Rational {
+    fn sign(&self) -> Sign {
+        malachite::base::num::arithmetic::traits::Sign::sign(self)
+    }
+    fn approximate(&self) -> f64 {
+        f64::rounding_from(self, RoundingMode::Nearest).0
+    }
+}
+
 impl RingElement for Integer {
     fn integer(&self, value: i64) -> Integer {
         Integer::from(value)

@@ -10,6 +10,7 @@ use super::element::Number;
 use super::error::FieldError;
 use super::field::Field;
 use super::limits::{DEGREE_LIMIT, MINOR_BITS_LIMIT};
+use super::over_common_denominator;
 use super::polynomial as poly;
 use malachite::base::num::arithmetic::traits::{DivExact, DivisibleBy, Gcd, Pow};
 use malachite::base::num::basic::traits::{One, Zero};
@@ -79,7 +80,7 @@ fn without_zeros_of(field: &Field, d: &Number) -> Result<Field, FieldError> {
 /// (e, f) with d = e f², f > 0 rational, and the coefficients of e integers
 /// without a common square factor, as far as small primes tell.
 fn square_class(d: &Number) -> (Number, Rational) {
-    let (numerators, denominator) = poly::common_denominator(d.coefficients());
+    let (numerators, denominator) = over_common_denominator(d.coefficients());
     let content = numerators
         .iter()
         .fold(Natural::ZERO, |g, n| g.gcd(n.unsigned_abs_ref()));

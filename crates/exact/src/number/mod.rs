@@ -5,6 +5,7 @@
 //! | [`field`] | [`Field`]: Q and Q(a) |
 //! | [`isolation`] | how a root becomes a field's |
 //! | [`limits`] | numbers beyond them are declined |
+//! | `denominator` | common denominators |
 //! | `adjoin` | the numbers of a field, fields from roots |
 //! | `element` | [`Number`]: arithmetic, comparison, display |
 //! | `sign` | exact signs, enclosures, nearest doubles |
@@ -23,6 +24,7 @@
 //! verifier uses nothing of it.
 
 mod adjoin;
+mod denominator;
 mod element;
 pub mod enclosure;
 pub mod error;
@@ -40,6 +42,7 @@ mod small;
 pub mod subfield;
 pub mod text;
 
+pub use denominator::{common_denominator, over_common_denominator};
 pub use element::Number;
 pub use enclosure::Interval;
 pub use error::{FieldError, ReadError, ReadErrorKind};

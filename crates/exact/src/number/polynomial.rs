@@ -6,8 +6,9 @@
 //! Sturm's theorem. Called by [`super::field`], [`super::element`] and
 //! [`super::extension`].
 
+use super::over_common_denominator;
 use crate::geometry::Sign;
-use malachite::base::num::arithmetic::traits::{DivExact, Gcd, Lcm, Reciprocal, Sign as _};
+use malachite::base::num::arithmetic::traits::{DivExact, Gcd, Reciprocal, Sign as _};
 use malachite::base::num::basic::traits::{One, Zero};
 use malachite::{Integer, Natural, Rational};
 use std::cmp::Ordering;
@@ -29,7 +30,7 @@ pub(super) fn from_integers(p: &[Integer]) -> Vec<Rational> {
 /// The product of `p` with the positive rational that makes the coefficients
 /// integers without a common divisor.
 pub(super) fn primitive(p: &[Rational]) -> Vec<Integer> {
-    let (mut numerators, _) = common_denominator(p);
+    let (mut numerators, _) = over_common_denominator(p);
     let content = numerators
         .iter()
         .fold(Natural::ZERO, |g, c| g.gcd(c.unsigned_abs_ref()));
@@ -40,22 +41,6 @@ pub(super) fn primitive(p: &[Rational]) -> Vec<Integer> {
             .for_each(|c| *c = (&*c).div_exact(&content));
     }
     numerators
-}
-
-/// Integers n_i and a common denominator d > 0 with p_i = n_i / d.
-pub(super) fn common_denominator(p: &[Rational]) -> (Vec<Integer>, Natural) {
-    let d = p.iter().fold(Natural::ONE, |d, c| {
-        if *c.denominator_ref() == 1 {
-            d
-        } else {
-            d.lcm(c.denominator_ref())
-        }
-    });
-    let numerator = |c: &Rational| {
-        let n = c.numerator_ref() * (&d).div_exact(c.denominator_ref());
-        Integer::from_sign_and_abs(*c >= 0, n)
-    };
-    (p.iter().map(numerator).collect(), d)
 }
 
 /// The sign of p(x): with x = n/d and m = deg p it is the sign of the integer

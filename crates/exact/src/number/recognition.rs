@@ -9,6 +9,7 @@ use super::element::Number;
 use super::field::Field;
 use super::lattice;
 use super::limits::LATTICE_LIMIT;
+use super::over_common_denominator;
 use super::polynomial as poly;
 use malachite::base::num::arithmetic::traits::{CheckedSqrt, DivisibleBy, Floor, Mod, PowerOf2};
 use malachite::base::num::basic::traits::{One, Zero};
@@ -110,7 +111,7 @@ fn rational_root(x: &Rational) -> Option<Number> {
 /// of d in K, which is integral over it; and modulo the maximal ideal a becomes
 /// r, so that d(r) would be a square.
 fn has_nonresidue(field: &Field, d: &Number, range: std::ops::Range<u64>) -> bool {
-    let (numerators, denominator) = poly::common_denominator(d.coefficients());
+    let (numerators, denominator) = over_common_denominator(d.coefficients());
     // d times the square of its denominator.
     let numerators: Vec<Integer> = numerators
         .iter()

@@ -7,6 +7,7 @@
 use super::element::{Number, Value};
 use super::enclosure as fixed;
 use super::field::Field;
+use super::over_common_denominator;
 use super::polynomial as poly;
 use super::root::Level;
 use crate::geometry::Sign;
@@ -61,7 +62,7 @@ impl Number {
         assert!(*width > 0, "an enclosure has a positive width");
         // Rounding out to multiples of 2^-grid <= width/4 adds width/2.
         let grid = (2 - width.floor_log_base_2_abs()).max(0).unsigned_abs();
-        let (numerators, denominator) = poly::common_denominator(f);
+        let (numerators, denominator) = over_common_denominator(f);
         let mut level = 0;
         loop {
             let (low, high) = field.level(level).bounds(&numerators);
@@ -127,7 +128,7 @@ fn separate(
     f: &[Rational],
     enough: impl Fn(&Integer, &Integer) -> bool,
 ) -> Option<Bounds> {
-    let (numerators, denominator) = poly::common_denominator(f);
+    let (numerators, denominator) = over_common_denominator(f);
     let mut level = 0;
     loop {
         let (low, high) = field.level(level).bounds(&numerators);

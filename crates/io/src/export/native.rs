@@ -111,9 +111,9 @@ fn number(number: &Number) -> String {
 
 fn simplex<const D: usize>(corners: &[Corner<D>], rank: usize) -> Value {
     let corner = |corner: &Corner<D>| match corner.shift.iter().all(|&s| s == 0) {
-        true => json!(corner.vertex),
+        true => json!(corner.vertex.number()),
         false => {
-            let row = std::iter::once(i64::from(corner.vertex))
+            let row = std::iter::once(i64::from(corner.vertex.number()))
                 .chain(corner.shift[..rank].iter().map(|&s| i64::from(s)));
             Value::Array(row.map(|n| json!(n)).collect())
         }

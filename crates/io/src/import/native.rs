@@ -6,7 +6,7 @@ use super::frame::{Change, read_frame};
 use super::numbers::Numbers;
 use super::text::without_comments;
 use acutile_core::tiling::{
-    AnyPointSet, AnyTiling, Corner, Domain, Frame, PointSet, SHIFT_LIMIT, Tiling,
+    AnyPointSet, AnyTiling, Corner, Domain, Frame, PointSet, SHIFT_LIMIT, Tiling, VertexId,
 };
 use acutile_exact::number::Number;
 
@@ -231,5 +231,6 @@ fn corner<const D: usize>(
                 format!("the shift {step} is out of range, expected at most {SHIFT_LIMIT} in size")
             })?;
     }
+    let vertex = VertexId::new(vertex);
     Ok(Corner { vertex, shift })
 }

@@ -5,7 +5,7 @@ use super::identify::{Identified, identify};
 use super::lattice::{Basis, Lattice};
 use super::snap::{Move, snap};
 use super::{Mesh, Origin};
-use acutile_core::tiling::{Coordinates, Corner, Domain, Frame, Polytope, Tiling};
+use acutile_core::tiling::{Coordinates, Corner, Domain, Frame, Polytope, Tiling, VertexId};
 use acutile_exact::number::{Field, Number};
 use malachite::{Integer, Rational};
 
@@ -71,6 +71,7 @@ fn converted(
     };
     let corners = mesh.tetrahedra.iter().flatten().map(|&point| {
         let (vertex, shift) = found.places[point as usize];
+        let vertex = VertexId::new(vertex);
         Corner { vertex, shift }
     });
     let corners = corners.collect();

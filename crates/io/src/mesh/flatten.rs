@@ -2,8 +2,8 @@
 
 use super::lattice::Basis;
 use super::numbering::Numbering;
-use super::{Mesh, Periodic};
-use acutile_core::tiling::{Corner, Tiling};
+use super::{Mesh, MeshError, Periodic};
+use acutile_core::tiling::{Corner, Tiling, VertexId};
 use acutile_exact::number::Number;
 use malachite::Rational;
 use malachite::base::num::arithmetic::traits::CheckedSqrt;
@@ -24,8 +24,11 @@ pub struct Flat {
 
 /// The mesh of a tiling. Without a basis the first basis vector points along the x axis and the
 /// second lies in the plane of x and y.
-pub fn flatten(tiling: &Tiling<3>, basis: Option<&Basis>) -> Flat {
-    let mut cartesian = Cartesian::new(tiling, basis);
+///
+/// # Errors
+/// Where the Gram matrix is no metric.
+pub fn flatten(tiling: &Tiling<3>, basis: Option<&Basis>) -> Result<Flat, MeshError> {
+    let mut cartesian = Cartesian::new(tiling, basis)?;
     let mut indices: HashMap<Corner<3>, u32> = HashMap::new();
     let mut corners: Vec<Corner<3>> = Vec::new();
     let mut mesh = Mesh::default();
@@ -52,17 +55,17 @@ pub fn flatten(tiling: &Tiling<3>, basis: Option<&Basis>) -> Flat {
         .map(|k| cartesian.point(&unit(k)))
         .collect();
     mesh.periodic = links(&corners, &lattice);
-    Flat {
+    Ok(Flat {
         mesh,
         rounded,
         largest_move,
         lattice,
-    }
+    })
 }
 
 /// A link for each lattice vector between a node and the first node of the same vertex.
 fn links(corners: &[Corner<3>], lattice: &[[f64; 3]]) -> Vec<Periodic> {
-    let mut originals: HashMap<u32, (u32, Corner<3>)> = HashMap::new();
+    let mut originals: HashMap<VertexId, (u32, Corner<3>)> = HashMap::new();
     for (index, corner) in (0u32..).zip(corners) {
         let size = |c: &Corner<3>| (c.shift.map(i32::abs).iter().sum::<i32>(), c.shift);
         let first = originals.entry(corner.vertex).or_insert((index, *corner));
@@ -115,17 +118,22 @@ struct Cartesian {
 }
 
 impl Cartesian {
-    fn new(tiling: &Tiling<3>, basis: Option<&Basis>) -> Self {
+    fn new(tiling: &Tiling<3>, basis: Option<&Basis>) -> Result<Self, MeshError> {
         let (rows, squares) = match basis {
             Some(basis) => (basis.vectors.clone(), [const { None }; 3]),
-            None => factored(&tiling.frame.gram),
+            None => factored(&tiling.frame.gram).ok_or_else(|| {
+                MeshError::of_file(
+                    "the Gram matrix is not positive definite, so nothing is a mesh of this tiling; \
+                     certify says more",
+                )
+            })?,
         };
-        Cartesian {
+        Ok(Cartesian {
             rows,
             squares,
             rounded: 0,
             largest_move: 0.0,
-        }
+        })
     }
 
     fn point(&mut self, fractions: &[Number; 3]) -> [f64; 3] {
@@ -175,8 +183,9 @@ impl Cartesian {
     }
 }
 
-/// L with its columns multiplied by √D_j where that is rational, and the other D_j.
-fn factored(gram: &[[Number; 3]; 3]) -> ([[Number; 3]; 3], [Option<Number>; 3]) {
+/// L with its columns multiplied by √D_j where that is rational, and the other D_j; `None` if the
+/// matrix is not positive definite.
+fn factored(gram: &[[Number; 3]; 3]) -> Option<([[Number; 3]; 3], [Option<Number>; 3])> {
     let mut lower: [[Number; 3]; 3] =
         std::array::from_fn(|_| std::array::from_fn(|_| Number::zero()));
     let mut squares: [Number; 3] = std::array::from_fn(|_| Number::zero());
@@ -187,10 +196,12 @@ fn factored(gram: &[[Number; 3]; 3]) -> ([[Number; 3]; 3], [Option<Number>; 3]) 
             })
         };
         squares[j] = known(j, &lower, &squares);
+        if squares[j].sign().is_le() {
+            return None;
+        }
         for i in j..3 {
             let entry = known(i, &lower, &squares);
-            // Positive for a metric; otherwise nothing is a mesh of this.
-            lower[i][j] = entry.divide(&squares[j]).unwrap_or_else(Number::zero);
+            lower[i][j] = entry.divide(&squares[j])?;
         }
     }
     let mut irrational = [const { None }; 3];
@@ -206,5 +217,5 @@ fn factored(gram: &[[Number; 3]; 3]) -> ([[Number; 3]; 3], [Option<Number>; 3]) 
             None => irrational[j] = Some(squares[j].clone()),
         }
     }
-    (lower, irrational)
+    Some((lower, irrational))
 }

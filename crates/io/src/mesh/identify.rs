@@ -9,10 +9,11 @@
 use super::error::MeshError;
 use acutile_core::tiling::SHIFT_LIMIT;
 use acutile_core::tiling::coordinates::decompose;
-use malachite::base::num::arithmetic::traits::{DivMod, Floor, Lcm};
-use malachite::base::num::basic::traits::One;
+use acutile_exact::geometry::{Scalar, linear};
+use acutile_exact::number::common_denominator;
+use malachite::base::num::arithmetic::traits::{DivMod, Floor};
 use malachite::base::num::logic::traits::SignificantBits;
-use malachite::{Integer, Natural, Rational};
+use malachite::{Integer, Rational};
 use std::collections::HashMap;
 use std::hash::Hash;
 
@@ -41,8 +42,7 @@ pub fn identify(
     rank: usize,
     merge: bool,
 ) -> Result<Identified, MeshError> {
-    let denominators = inverse.iter().flatten().map(|x| x.denominator_ref());
-    let d = denominators.fold(Natural::ONE, |lcm, x| lcm.lcm(x));
+    let d = common_denominator(inverse.iter().flatten());
     let scale = Rational::from(&d);
     let matrix = inverse.each_ref().map(|row| {
         // An integer, for d is a multiple of the denominator.
@@ -129,7 +129,7 @@ impl Job<'_> {
                 W::shifted(m, (q - self.exponent).unsigned_abs())
             });
             let mut shift = [0; 3];
-            let mut numerators = matrix.each_ref().map(|row| W::dot(&scaled, row));
+            let mut numerators = matrix.each_ref().map(|row| linear::dot(&scaled, row));
             for k in 0..self.rank {
                 let (floor, rest) = numerators[k].divide(&unit);
                 shift[k] = floor
@@ -160,12 +160,11 @@ fn too_far(point: &[f64; 3]) -> MeshError {
 }
 
 /// Integers that are wide enough.
-trait Whole: Clone + Eq + Hash {
+trait Whole: Scalar + Eq + Hash {
     fn from_integer(value: &Integer) -> Self;
     fn into_integer(self) -> Integer;
     /// m 2^bits
     fn shifted(m: i64, bits: u32) -> Self;
-    fn dot(x: &[Self; 3], y: &[Self; 3]) -> Self;
     /// The floor of a quotient, if it is small, and what remains.
     fn divide(&self, unit: &Self) -> (Option<i32>, Self);
 }
@@ -187,10 +186,6 @@ impl Whole for i128 {
         }
     }
 
-    fn dot(x: &[Self; 3], y: &[Self; 3]) -> Self {
-        x[0] * y[0] + x[1] * y[1] + x[2] * y[2]
-    }
-
     fn divide(&self, unit: &Self) -> (Option<i32>, Self) {
         let floor = self.div_euclid(*unit);
         (i32::try_from(floor).ok(), self.rem_euclid(*unit))
@@ -208,10 +203,6 @@ impl Whole for Integer {
 
     fn shifted(m: i64, bits: u32) -> Self {
         Integer::from(m) << bits
-    }
-
-    fn dot(x: &[Self; 3], y: &[Self; 3]) -> Self {
-        &x[0] * &y[0] + &x[1] * &y[1] + &x[2] * &y[2]
     }
 
     fn divide(&self, unit: &Self) -> (Option<i32>, Self) {

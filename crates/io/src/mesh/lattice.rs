@@ -120,7 +120,7 @@ impl Lattice {
         let mut vectors = self.vectors.clone();
         let rank = vectors.len();
         if rank == 2 {
-            vectors.push(primitive(cross(&vectors[0], &vectors[1])));
+            vectors.push(primitive(linear::cross(&vectors[0], &vectors[1])));
         }
         let number = |x: &Rational| Number::from(x.clone());
         let mut rows: [[Number; 3]; 3] = std::array::from_fn(|i| vectors[i].each_ref().map(number));
@@ -217,24 +217,10 @@ fn vector(text: &str) -> Result<[Rational; 3], String> {
 fn are_independent(vectors: &[[Rational; 3]]) -> bool {
     match vectors {
         [a] => a.iter().any(|x| *x != 0),
-        [a, b] => cross(a, b).iter().any(|x| *x != 0),
-        [a, b, c] => {
-            cross(a, b)
-                .iter()
-                .zip(c)
-                .map(|(x, y)| x * y)
-                .sum::<Rational>()
-                != 0
-        }
+        [a, b] => linear::cross(a, b).iter().any(|x| *x != 0),
+        [a, b, c] => linear::dot(&linear::cross(a, b), c) != 0,
         _ => false,
     }
-}
-
-fn cross(a: &[Rational; 3], b: &[Rational; 3]) -> [Rational; 3] {
-    std::array::from_fn(|k| {
-        let (i, j) = ((k + 1) % 3, (k + 2) % 3);
-        &a[i] * &b[j] - &a[j] * &b[i]
-    })
 }
 
 /// The vector divided by its entry of largest size: (0, 0, 1) for the normal of a

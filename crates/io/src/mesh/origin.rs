@@ -3,6 +3,7 @@
 use super::Mesh;
 use super::lattice::Basis;
 use super::numbering::Numbering;
+use acutile_core::tiling::SimplexId;
 use acutile_exact::number::Number;
 
 /// The file's numbers of tetrahedra, corners and vertices of a tiling.
@@ -51,16 +52,17 @@ impl Origin {
     }
 
     /// The element that became the simplex with this index.
-    pub fn tetrahedron(&self, simplex: usize) -> Element {
+    pub fn tetrahedron(&self, simplex: SimplexId) -> Element {
         Element {
-            tag: self.elements.get(simplex),
-            line: self.lines.as_ref().map(|lines| lines.get(simplex)),
+            tag: self.elements.get(simplex.index()),
+            line: self.lines.as_ref().map(|lines| lines.get(simplex.index())),
         }
     }
 
     /// The number of the node at a corner (0 to 3) of a simplex.
-    pub fn corner(&self, simplex: usize, corner: usize) -> u64 {
-        self.nodes.get(self.corners[simplex][corner] as usize)
+    pub fn corner(&self, simplex: SimplexId, corner: usize) -> u64 {
+        self.nodes
+            .get(self.corners[simplex.index()][corner] as usize)
     }
 
     /// The number of a node that became this vertex, the first of those that differ by
@@ -70,9 +72,9 @@ impl Origin {
     }
 
     /// The last two corners of these simplices have been exchanged.
-    pub fn reoriented(&mut self, simplices: &[usize]) {
+    pub fn reoriented(&mut self, simplices: &[SimplexId]) {
         for &simplex in simplices {
-            self.corners[simplex].swap(2, 3);
+            self.corners[simplex.index()].swap(2, 3);
         }
     }
 }

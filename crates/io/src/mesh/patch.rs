@@ -1,6 +1,6 @@
 //! All whole tetrahedra of a tiling in a ball around the origin.
 
-use acutile_core::tiling::{Corner, Domain, Frame, Tiling};
+use acutile_core::tiling::{Corner, Domain, Frame, Tiling, VertexId};
 use acutile_exact::geometry::linear;
 use acutile_exact::number::Number;
 use malachite::Rational;
@@ -37,7 +37,7 @@ pub fn patch(tiling: &Tiling<3>, radius: &Rational) -> Result<Tiling<3>, String>
     for simplex in tiling.simplices() {
         let ranges = ranges(tiling, simplex[0], reach);
         for step in steps(ranges) {
-            let moved: Option<Vec<u32>> = simplex
+            let moved: Option<Vec<VertexId>> = simplex
                 .iter()
                 .map(|corner| patch.vertex(corner.moved(step)))
                 .collect();
@@ -61,7 +61,7 @@ fn reach(tiling: &Tiling<3>, radius: &Rational) -> [f64; 3] {
 
 /// The lattice vectors that may move a corner into the ball, with a margin for rounding.
 fn ranges(tiling: &Tiling<3>, corner: Corner<3>, reach: [f64; 3]) -> [(f64, f64); 3] {
-    let vertex = tiling.vertices.vertex(corner.vertex as usize);
+    let vertex = tiling.vertices.vertex(corner.vertex);
     std::array::from_fn(|k| {
         let at = vertex[k].approximate() + f64::from(corner.shift[k]);
         let reach = reach[k] * (1.0 + 1e-9) + 1e-6;
@@ -81,13 +81,13 @@ fn steps(ranges: [(f64, f64); 3]) -> impl Iterator<Item = [i32; 3]> {
 struct Patch<'a> {
     tiling: &'a Tiling<3>,
     square: Number,
-    indices: HashMap<Corner<3>, Option<u32>>,
+    indices: HashMap<Corner<3>, Option<VertexId>>,
     vertices: Vec<[Number; 3]>,
 }
 
 impl Patch<'_> {
     /// The vertex at a corner, if it lies in the ball.
-    fn vertex(&mut self, corner: Corner<3>) -> Option<u32> {
+    fn vertex(&mut self, corner: Corner<3>) -> Option<VertexId> {
         if let Some(known) = self.indices.get(&corner) {
             return *known;
         }
@@ -95,7 +95,7 @@ impl Patch<'_> {
         let square = linear::square(&self.tiling.frame.gram, &position);
         let vertex = (square <= self.square).then(|| {
             self.vertices.push(position);
-            self.vertices.len() as u32 - 1
+            VertexId::at(self.vertices.len() - 1)
         });
         self.indices.insert(corner, vertex);
         vertex
@@ -104,13 +104,13 @@ impl Patch<'_> {
 
 /// Without the vertices that are no corners.
 fn used_only(frame: Frame<3>, points: &[[Number; 3]], mut corners: Vec<Corner<3>>) -> Tiling<3> {
-    let mut renumbered: HashMap<u32, u32> = HashMap::new();
+    let mut renumbered: HashMap<VertexId, VertexId> = HashMap::new();
     let mut vertices: Vec<[Number; 3]> = Vec::new();
     for corner in &mut corners {
         let old = corner.vertex;
         corner.vertex = *renumbered.entry(old).or_insert_with(|| {
-            vertices.push(points[old as usize].clone());
-            vertices.len() as u32 - 1
+            vertices.push(points[old.index()].clone());
+            VertexId::at(vertices.len() - 1)
         });
     }
     Tiling {

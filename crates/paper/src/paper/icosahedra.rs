@@ -3,6 +3,7 @@
 use super::row::{Finding, Row, mixed_number};
 use crate::survey::{Study, Survey, isomorphic_entries};
 use acutile_core::quality::{DihedralAngle, Exact};
+use acutile_core::tiling::{Facet, SimplexId};
 use acutile_exact::geometry::Simplex;
 use acutile_exact::number::{Number, numbers};
 use malachite::Rational;
@@ -66,7 +67,7 @@ fn cone() -> Finding {
     let unit: [[Number; 3]; 3] =
         std::array::from_fn(|i| std::array::from_fn(|j| number(i64::from(i == j))));
     let products = Simplex::new(&face).normal_products(&unit);
-    let angle = |i, j| DihedralAngle::between(&products, i, j);
+    let angle = |i, j| DihedralAngle::between(&products, i, j).expect("the cone is not flat");
     let at_centre: Vec<_> = [(1, 2), (1, 3), (2, 3)]
         .map(|(i, j)| angle(i, j).closed_form())
         .into();
@@ -171,18 +172,20 @@ fn four_types(survey: &Survey) -> Finding {
 fn faces(survey: &Survey) -> Finding {
     let study = survey.space("icosahedral")?;
     let members = &study.shapes[class_of_cones(study)?].members;
-    let cones: BTreeSet<usize> = members.iter().copied().collect();
+    let cones: BTreeSet<SimplexId> = members.iter().copied().collect();
     let metric = acutile_exact::geometry::linear::cofactors(&study.tiling.frame.gram);
     let mut shared = 0;
     for &cone in members {
         let products = study.tiling.shape(cone).normal_products(&metric);
-        let is_72 =
-            |i, j| DihedralAngle::between(&products, i, j).rational() == Some(Rational::from(72));
+        let is_72 = |i, j| {
+            DihedralAngle::between(&products, i, j).and_then(|angle| angle.rational())
+                == Some(Rational::from(72))
+        };
         let centre = (0..4)
             .find(|&k| (0..4).all(|other| other == k || !is_72(k, other)))
             .ok_or("a tetrahedron of an icosahedron has other angles")?;
-        let mate = study.matching.neighbour(cone, centre);
-        shared += usize::from(mate.is_some_and(|m| cones.contains(&(m.simplex as usize))));
+        let mate = study.matching.neighbour(Facet::new(cone, centre));
+        shared += usize::from(mate.is_some_and(|m| cones.contains(&m.simplex)));
     }
     let proved = format!(
         "{shared} of {} faces are shared by two icosahedra",

@@ -5,6 +5,8 @@
 //! d_n + 1 roots at every point of the smaller grid, so that its coefficients vanish there,
 //! and are zero by induction. The degrees are bounds that one reads off the formula.
 
+use acutile_exact::geometry::linear;
+
 /// A vector with integer coordinates. The grids are so small that nothing overflows.
 pub type Vector = [i128; 3];
 
@@ -30,16 +32,13 @@ pub fn vector(point: &[i128], index: usize) -> Vector {
 }
 
 pub fn dot(x: Vector, y: Vector) -> i128 {
-    x[0] * y[0] + x[1] * y[1] + x[2] * y[2]
+    linear::dot(&x, &y)
 }
 
 pub fn cross(x: Vector, y: Vector) -> Vector {
-    std::array::from_fn(|k| {
-        let (i, j) = ((k + 1) % 3, (k + 2) % 3);
-        x[i] * y[j] - x[j] * y[i]
-    })
+    linear::cross(&x, &y)
 }
 
 pub fn minus(x: Vector, y: Vector) -> Vector {
-    std::array::from_fn(|k| x[k] - y[k])
+    linear::subtract(&x, &y)
 }

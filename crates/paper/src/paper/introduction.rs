@@ -7,7 +7,7 @@ use acutile_core::checker::{
 };
 use acutile_core::quality::{DihedralAngle, Exact, rounded_down, rounded_up};
 use acutile_core::statement::Statement;
-use acutile_core::tiling::{Corner, Frame, Tiling, match_facets};
+use acutile_core::tiling::{Corner, Frame, Tiling, VertexId, match_facets};
 use acutile_exact::number::Field;
 use malachite::Rational;
 
@@ -121,7 +121,7 @@ fn acute_slab(survey: &Survey) -> Row {
 /// basis of the sides, which are the same for all triangles.
 fn copies_of_a_triangle() -> Finding {
     let corner = |x, y| Corner {
-        vertex: 0,
+        vertex: VertexId::new(0),
         shift: [x, y],
     };
     let tiling = Tiling {

@@ -7,7 +7,7 @@ use acutile_catalog as catalog;
 use acutile_core::checker::Options;
 use acutile_core::proved::prove;
 use acutile_core::quality::congruence_form;
-use acutile_core::tiling::{AnyTiling, Tiling};
+use acutile_core::tiling::{AnyTiling, SimplexId, Tiling};
 use acutile_exact::geometry::linear;
 use acutile_exact::number::Number;
 use malachite::Rational;
@@ -77,7 +77,7 @@ impl Tetrahedron {
     }
 
     fn first(tiling: &Tiling<3>) -> Self {
-        let corners = tiling.simplex(0);
+        let corners = tiling.simplex(SimplexId::new(0));
         Tetrahedron {
             gram: tiling.frame.gram.clone(),
             corners: std::array::from_fn(|k| tiling.position(&corners[k])),

@@ -66,7 +66,7 @@ fn diagonal() -> (bool, String) {
     let products = half.normal_products(&[[1, 0], [0, 1]].map(|row| row.map(number)));
     let degrees: Vec<String> = [(0, 1), (0, 2), (1, 2)]
         .into_iter()
-        .filter_map(|(i, j)| DihedralAngle::between(&products, i, j).closed_form())
+        .filter_map(|(i, j)| DihedralAngle::between(&products, i, j)?.closed_form())
         .collect();
     (
         degrees == ["45", "45", "90"],

@@ -43,7 +43,8 @@ impl<const D: usize> Study<D> {
             is_refuted: matches!(reason, NotProved::Refuted(_)),
         })?;
         let shapes = shapes(&tiling);
-        let measures = measures_of_shapes(&tiling, &shapes);
+        let measures = measures_of_shapes(&tiling, &shapes)
+            .ok_or_else(|| NotStudied::open("a simplex is flat"))?;
         let matching = match_facets(&tiling);
         Ok(Study {
             ranges: ranges(proved.statements())

@@ -14,6 +14,7 @@ use super::tex::{counted, simplices, table_fits, tabular, width};
 use super::theorem::{fits, matrix};
 use acutile_core::classify::Symmetry;
 use acutile_core::quality::{DihedralAngle, Exact};
+use acutile_core::tiling::SimplexId;
 use acutile_exact::geometry::linear;
 use acutile_exact::number::Number;
 use malachite::Rational;
@@ -55,7 +56,7 @@ fn how_to_check<const D: usize>() -> String {
 fn block<const D: usize>(analysis: &Analysis<D>, class: usize) -> String {
     let shape = &analysis.shapes[class];
     let first = shape.members[0];
-    let edges = &analysis.edges[first];
+    let edges = &analysis.edges[first.index()];
     let (count, orbits) = (
         shape.members.len(),
         orbits_in(&analysis.symmetry, &shape.members),
@@ -78,8 +79,11 @@ fn block<const D: usize>(analysis: &Analysis<D>, class: usize) -> String {
     )
 }
 
-fn orbits_in<const D: usize>(symmetry: &Symmetry<D>, members: &[usize]) -> usize {
-    let mut orbits: Vec<usize> = members.iter().map(|&m| symmetry.simplices[m]).collect();
+fn orbits_in<const D: usize>(symmetry: &Symmetry<D>, members: &[SimplexId]) -> usize {
+    let mut orbits: Vec<usize> = members
+        .iter()
+        .map(|&m| symmetry.simplices[m.index()])
+        .collect();
     orbits.sort_unstable();
     orbits.dedup();
     orbits.len()
@@ -189,13 +193,22 @@ impl Signs {
 
     /// One row for each angle: its sign, and why; its cosine, and the angle. Where that is too
     /// wide the reasons stand in a table of their own.
-    fn table<const D: usize>(&self, analysis: &Analysis<D>, class: usize, first: usize) -> String {
+    fn table<const D: usize>(
+        &self,
+        analysis: &Analysis<D>,
+        class: usize,
+        first: SimplexId,
+    ) -> String {
         let products = analysis.products(first);
         let pairs = pairs::<D>();
         let signs: Vec<[String; 2]> = pairs.iter().map(|&p| self.sign(analysis, p)).collect();
         let cosines: Vec<[String; 3]> = pairs
             .iter()
-            .map(|&(i, j)| cosine_cells(analysis, (i, j), &DihedralAngle::between(&products, i, j)))
+            .map(|&(i, j)| {
+                let angle = DihedralAngle::between(&products, i, j);
+                let angle = angle.expect("no simplex of a proved tiling is flat");
+                cosine_cells(analysis, (i, j), &angle)
+            })
             .collect();
         let mark = format!("angles {} {class}", analysis.subject.slug());
         let place = if D == 2 { "at" } else { "edge" };

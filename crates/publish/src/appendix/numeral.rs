@@ -6,8 +6,8 @@
 
 use super::rational::interval;
 use super::surd::{compared, rational_root, square_part};
-use acutile_exact::number::{Field, Number};
-use malachite::base::num::arithmetic::traits::{CheckedSqrt, Gcd, Lcm};
+use acutile_exact::number::{Field, Number, over_common_denominator};
+use malachite::base::num::arithmetic::traits::{CheckedSqrt, Gcd};
 use malachite::base::num::basic::traits::{One, Zero};
 use malachite::{Integer, Natural, Rational};
 
@@ -217,22 +217,6 @@ impl Numerals {
             false => Rational::from_naturals(denominator, common),
         }
     }
-}
-
-/// Integers n_i and n > 0 with c_i = n_i / n in lowest terms.
-fn over_common_denominator(coefficients: &[Rational]) -> (Vec<Integer>, Natural) {
-    let denominator = coefficients
-        .iter()
-        .fold(Natural::ONE, |n, c| n.lcm(c.denominator_ref()));
-    let scale = Rational::from(&denominator);
-    let numerators = coefficients
-        .iter()
-        .map(|c| {
-            let scaled = c * &scale;
-            Integer::from_sign_and_abs(scaled >= 0, scaled.into_numerator())
-        })
-        .collect();
-    (numerators, denominator)
 }
 
 #[cfg(test)]

@@ -13,7 +13,7 @@ use malachite::Rational;
 
 /// A row; nothing where there is no simplex.
 pub fn row<const D: usize>(analysis: &Analysis<D>) -> Option<String> {
-    let ranges = ranges(&measures_of_shapes(analysis.tiling, &analysis.shapes))?;
+    let ranges = ranges(&measures_of_shapes(analysis.tiling, &analysis.shapes)?)?;
     let name = &analysis.subject.name;
     let title = match label(name) {
         Some(label) => escape(label),

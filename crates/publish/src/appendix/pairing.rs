@@ -3,7 +3,7 @@
 use super::LONG;
 use super::subject::Analysis;
 use super::tex::{self, Table, simplices};
-use acutile_core::tiling::Facet;
+use acutile_core::tiling::{Facet, SimplexId};
 
 /// The paragraph and table of the pairing, for one simplex of each orbit.
 pub fn pairing<const D: usize>(analysis: &Analysis<D>) -> String {
@@ -73,7 +73,9 @@ fn faces<const D: usize>(analysis: &Analysis<D>) -> String {
 
 /// The pairing of all facets, for the supplement.
 pub fn all_facets<const D: usize>(analysis: &Analysis<D>) -> String {
-    let rows = (0..analysis.tiling.len())
+    let rows = analysis
+        .tiling
+        .indices()
         .map(|simplex| row(analysis, simplex))
         .collect();
     table(
@@ -104,24 +106,18 @@ fn table<const D: usize>(
     .tex()
 }
 
-fn row<const D: usize>(analysis: &Analysis<D>, simplex: usize) -> String {
+fn row<const D: usize>(analysis: &Analysis<D>, simplex: SimplexId) -> String {
     let mates: Vec<String> = (0..=D)
-        .map(|i| format!("${}$", behind(analysis, simplex, i)))
+        .map(|i| format!("${}$", behind(analysis, Facet::new(simplex, i))))
         .collect();
     format!("$T_{{{simplex}}}$ & {}", mates.join(" & "))
 }
 
 /// What is behind a facet, in math mode.
-pub fn behind<const D: usize>(analysis: &Analysis<D>, simplex: usize, opposite: usize) -> String {
-    match analysis.matching.mate(analysis.tiling, simplex, opposite) {
+pub fn behind<const D: usize>(analysis: &Analysis<D>, facet: Facet) -> String {
+    match analysis.matching.mate(analysis.tiling, facet) {
         Some(mate) => tex::mate(&mate, analysis.rank()),
-        None => match boundary_face(
-            analysis,
-            Facet {
-                simplex: simplex as u32,
-                opposite: opposite as u8,
-            },
-        ) {
+        None => match boundary_face(analysis, facet) {
             Some(face) => format!("\\partial_{{{face}}}"),
             None => "\\partial".to_owned(),
         },
@@ -133,7 +129,7 @@ fn boundary_face<const D: usize>(analysis: &Analysis<D>, facet: Facet) -> Option
     let tiling = analysis.tiling;
     let polytope = tiling.frame.domain.polytope()?;
     let points: Vec<_> = tiling
-        .simplex(facet.simplex as usize)
+        .simplex(facet.simplex)
         .iter()
         .enumerate()
         .filter(|(k, _)| *k != usize::from(facet.opposite))

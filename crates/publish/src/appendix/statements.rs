@@ -9,6 +9,7 @@ use super::subject::{Analysis, first_and_count};
 use super::tex::{Table, list, width};
 use acutile_core::quality::{DihedralAngle, Exact, RadiusEdge};
 use acutile_core::statement::{Relation, Statement};
+use acutile_core::tiling::{Facet, FacetId};
 use acutile_exact::geometry::linear;
 use acutile_exact::number::Number;
 use malachite::Rational;
@@ -82,7 +83,8 @@ fn place<const D: usize>(
     classes.find_map(|(class, shape)| {
         let products = analysis.products(shape.members[0]);
         let mut pairs = (0..=D).flat_map(|i| (i + 1..=D).map(move |j| (i, j)));
-        let pair = pairs.find(|(i, j)| DihedralAngle::between(&products, *i, *j) == *angle)?;
+        let pair = pairs
+            .find(|(i, j)| DihedralAngle::between(&products, *i, *j).as_ref() == Some(angle))?;
         Some((class, pair))
     })
 }
@@ -108,15 +110,10 @@ fn radius_edge<const D: usize>(analysis: &Analysis<D>, largest: &RadiusEdge) -> 
 /// The power of the corner behind each facet, one facet of each orbit.
 fn delaunay<const D: usize>(analysis: &Analysis<D>, is_strict: bool) -> String {
     let facets = &analysis.symmetry.facets;
-    let all: Vec<(usize, usize)> = first_and_count(facets);
-    let inner: Vec<(usize, usize)> = all
+    let inner: Vec<(Facet, usize)> = first_and_count(facets)
         .into_iter()
-        .filter(|(facet, _)| {
-            analysis
-                .matching
-                .neighbour(facet / (D + 1), facet % (D + 1))
-                .is_some()
-        })
+        .map(|(first, count)| (Facet::numbered::<D>(FacetId::at(first)), count))
+        .filter(|(facet, _)| analysis.matching.neighbour(*facet).is_some())
         .collect();
     if inner.is_empty() {
         return "\\acutileparagraph{Delaunay.} All facets are in the boundary, so nothing is to be checked in \
@@ -162,11 +159,11 @@ fn delaunay<const D: usize>(analysis: &Analysis<D>, is_strict: bool) -> String {
 
 fn power_row<const D: usize>(
     analysis: &Analysis<D>,
-    facet: usize,
+    facet: Facet,
     halves: usize,
 ) -> Option<String> {
-    let (simplex, opposite) = (facet / (D + 1), facet % (D + 1));
-    let power = power(analysis, simplex, opposite)?;
+    let Facet { simplex, opposite } = facet;
+    let power = power(analysis, facet)?;
     let why = analysis.numerals.why(&power);
     let value = analysis.numerals.inline(&power);
     let value = match (why.is_empty(), width(&value) + width(&why) > 46) {
@@ -177,7 +174,7 @@ fn power_row<const D: usize>(
     Some(format!(
         "${simplex}_{{{opposite}}}$ & {} & ${}$ & ${value}$",
         halves / 2,
-        behind(analysis, simplex, opposite),
+        behind(analysis, facet),
     ))
 }
 
@@ -185,14 +182,11 @@ fn power_row<const D: usize>(
 const WIDE: usize = 30;
 
 /// The power of the corner behind a facet; `None` at the boundary.
-fn power<const D: usize>(
-    analysis: &Analysis<D>,
-    simplex: usize,
-    opposite: usize,
-) -> Option<Number> {
+fn power<const D: usize>(analysis: &Analysis<D>, facet: Facet) -> Option<Number> {
     let tiling = analysis.tiling;
-    let mate = analysis.matching.mate(tiling, simplex, opposite)?;
-    let behind = tiling.simplex(mate.facet.simplex as usize)[usize::from(mate.facet.opposite)];
+    let simplex = facet.simplex;
+    let mate = analysis.matching.mate(tiling, facet)?;
+    let behind = tiling.simplex(mate.facet.simplex)[usize::from(mate.facet.opposite)];
     let origin = tiling.position(&tiling.simplex(simplex)[0]);
     let offset = linear::subtract(&tiling.position(&behind.moved(mate.shift)), &origin);
     let shape = tiling.shape(simplex);

@@ -7,7 +7,7 @@ use crate::report::Proved;
 use acutile_core::classify::{Ridges, Symmetry};
 use acutile_core::quality::{Shape, shapes, squared_edges};
 use acutile_core::statement::Statement;
-use acutile_core::tiling::{AnyTiling, Matching, Tiling, match_facets};
+use acutile_core::tiling::{AnyTiling, Matching, SimplexId, Tiling, match_facets};
 use acutile_exact::geometry::{NormalProducts, linear};
 use acutile_exact::number::Number;
 
@@ -93,7 +93,8 @@ pub(super) struct Analysis<'s, const D: usize> {
 impl<'s, const D: usize> Analysis<'s, D> {
     pub fn of(subject: &'s Subject, tiling: &'s Tiling<D>) -> Self {
         let matching = match_facets(tiling);
-        let edges: Vec<Vec<Number>> = (0..tiling.len())
+        let edges: Vec<Vec<Number>> = tiling
+            .indices()
             .map(|simplex| squared_edges(tiling, simplex))
             .collect();
         Analysis {
@@ -119,7 +120,7 @@ impl<'s, const D: usize> Analysis<'s, D> {
     }
 
     /// The inner products of the gradients of a simplex.
-    pub fn products(&self, simplex: usize) -> NormalProducts<Number, D> {
+    pub fn products(&self, simplex: SimplexId) -> NormalProducts<Number, D> {
         self.tiling.shape(simplex).normal_products(&self.cogram)
     }
 
@@ -128,15 +129,18 @@ impl<'s, const D: usize> Analysis<'s, D> {
         let mut classes = vec![0; self.tiling.len()];
         for (class, shape) in self.shapes.iter().enumerate() {
             for &member in &shape.members {
-                classes[member] = class;
+                classes[member.index()] = class;
             }
         }
         classes
     }
 
     /// The first simplex of each orbit, and how many there are.
-    pub fn orbits(&self) -> Vec<(usize, usize)> {
-        first_and_count(&self.symmetry.simplices)
+    pub fn orbits(&self) -> Vec<(SimplexId, usize)> {
+        let orbits = first_and_count(&self.symmetry.simplices).into_iter();
+        orbits
+            .map(|(first, count)| (SimplexId::at(first), count))
+            .collect()
     }
 }
 

@@ -186,6 +186,7 @@ pub fn width(formula: &str) -> usize {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use acutile_core::tiling::VertexId;
 
     #[test]
     fn text_is_escaped() {
@@ -206,7 +207,10 @@ mod tests {
 
     #[test]
     fn corners_carry_their_shift() {
-        let at = |shift| Corner { vertex: 5, shift };
+        let at = |shift| Corner {
+            vertex: VertexId::new(5),
+            shift,
+        };
         assert_eq!(corner(&at([0, 0, 0]), 3), "5");
         assert_eq!(corner(&at([1, -1, 0]), 3), "5^{1\\bar10}");
         assert_eq!(corner(&at([-1, 0, 0]), 2), "5^{\\bar10}");

@@ -4,7 +4,7 @@ use super::LONG;
 use super::subject::{Analysis, first_and_count};
 use super::tex::{Table, corner, counted, list, simplices};
 use acutile_core::classify::{Isometry, Star, stars};
-use acutile_core::tiling::AnyTiling;
+use acutile_core::tiling::{AnyTiling, SimplexId, VertexId};
 use acutile_exact::number::Number;
 
 /// The table of vertices: all of them, or where they are many the first of each orbit.
@@ -43,7 +43,7 @@ fn table<const D: usize>(analysis: &Analysis<D>, mark: &str, chosen: Vec<usize>)
         let coordinates: String = analysis
             .tiling
             .vertices
-            .vertex(vertex)
+            .vertex(VertexId::at(vertex))
             .iter()
             .map(|x| format!(" & ${}$", analysis.numerals.cell(x)))
             .collect();
@@ -204,19 +204,19 @@ fn term(before: &str, coefficient: &str, variable: &str) -> String {
 /// One row for each orbit, by classes.
 fn orbit_table<const D: usize>(analysis: &Analysis<D>) -> String {
     let classes = analysis.class_of();
-    let mut orbits: Vec<(usize, usize, usize)> = analysis
+    let mut orbits: Vec<(usize, SimplexId, usize)> = analysis
         .orbits()
         .into_iter()
         .enumerate()
         .map(|(orbit, (first, count))| (orbit, first, count))
         .collect();
-    orbits.sort_by_key(|&(orbit, first, _)| (classes[first], orbit));
+    orbits.sort_by_key(|&(orbit, first, _)| (classes[first.index()], orbit));
     let all = orbits.len();
     orbits.truncate(LONG);
-    let row = |&(orbit, first, count): &(usize, usize, usize)| {
+    let row = |&(orbit, first, count): &(usize, SimplexId, usize)| {
         format!(
             "{} & {orbit} & {count} & ${}$ & $T_{{{first}}}$ & {}",
-            classes[first],
+            classes[first.index()],
             determinant(analysis, first),
             corners(analysis, first)
         )
@@ -256,12 +256,12 @@ fn notation<const D: usize>(analysis: &Analysis<D>) -> &'static str {
     }
 }
 
-pub fn determinant<const D: usize>(analysis: &Analysis<D>, simplex: usize) -> String {
+pub fn determinant<const D: usize>(analysis: &Analysis<D>, simplex: SimplexId) -> String {
     let determinant: Number = analysis.tiling.shape(simplex).determinant;
     analysis.numerals.cell(&determinant)
 }
 
-pub fn corners<const D: usize>(analysis: &Analysis<D>, simplex: usize) -> String {
+pub fn corners<const D: usize>(analysis: &Analysis<D>, simplex: SimplexId) -> String {
     let corners: Vec<String> = analysis
         .tiling
         .simplex(simplex)
@@ -288,12 +288,14 @@ pub fn all_simplices<const D: usize>(analysis: &Analysis<D>) -> String {
             "& class & orbit & $\\det$ & \\multicolumn{{{}}}{{c}}{{corners}}",
             D + 1
         ),
-        rows: (0..analysis.tiling.len())
+        rows: analysis
+            .tiling
+            .indices()
             .map(|simplex| {
                 format!(
                     "$T_{{{simplex}}}$ & {} & {} & ${}$ & {}",
-                    classes[simplex],
-                    orbits[simplex],
+                    classes[simplex.index()],
+                    orbits[simplex.index()],
                     determinant(analysis, simplex),
                     corners(analysis, simplex)
                 )

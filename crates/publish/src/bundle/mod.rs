@@ -207,7 +207,7 @@ fn entry(proved: &Proved, files: &mut Vec<File>) -> Entry {
 
 /// Adds the meshes; how many coordinates were rounded, and by how much at most.
 fn meshes(tiling: &Tiling<3>, slug: &str, files: &mut Vec<File>) -> (usize, f64) {
-    let flat = flatten(tiling, None);
+    let flat = flatten(tiling, None).expect("a proved tiling has a metric");
     for (extension, format) in MESHES {
         // These formats are one file each.
         files.extend(write(&flat.mesh, format).into_iter().map(|mesh| File {

@@ -12,7 +12,7 @@ use super::scene::{Body, Scene};
 use super::view::View;
 use super::{DrawError, Options, patch, plane};
 use acutile_core::quality::{DihedralAngle, Exact, Shape, rounded_nearest, shapes};
-use acutile_core::tiling::Tiling;
+use acutile_core::tiling::{SimplexId, Tiling};
 use acutile_exact::geometry::linear;
 use malachite::Rational;
 
@@ -82,7 +82,7 @@ pub fn triangles(name: &str, tiling: &Tiling<2>, options: &Options) -> Result<Dr
 /// The angle at a corner is that between the two sides not opposite to it; its label is outside.
 fn triangle(
     tiling: &Tiling<2>,
-    simplex: usize,
+    simplex: SimplexId,
     places: [Place; 3],
     class: usize,
     room: f64,
@@ -159,10 +159,12 @@ fn caption(class: usize, shape: &Shape, simplices: usize) -> String {
 }
 
 /// The angle between two facets: `60°` where it is rational, else two decimals.
-fn angle<const D: usize>(tiling: &Tiling<D>, simplex: usize, i: usize, j: usize) -> String {
+fn angle<const D: usize>(tiling: &Tiling<D>, simplex: SimplexId, i: usize, j: usize) -> String {
     let shape = tiling.shape(simplex);
     let products = shape.normal_products(&linear::cofactors(&tiling.frame.gram));
-    let angle = DihedralAngle::between(&products, i, j);
+    let Some(angle) = DihedralAngle::between(&products, i, j) else {
+        return "flat".to_owned();
+    };
     if let Some(degrees) = angle.rational() {
         return format!("{degrees}°");
     }

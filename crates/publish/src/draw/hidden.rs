@@ -20,7 +20,7 @@ pub struct Part {
 
 /// The segment from a to b in parts, visible ones and hidden ones by turns.
 pub fn parts(a: &Point, b: &Point, faces: &[Face], eye: &Point) -> Vec<Part> {
-    let own = extent(&[a.clone(), b.clone()], eye);
+    let own = extent(&[a.clone(), b.clone()], eye).expect("the line of sight is not zero");
     let mut shadows: Vec<[Number; 2]> = faces
         .iter()
         .filter(|face| !face.is_beside(&own))

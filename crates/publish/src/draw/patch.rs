@@ -5,7 +5,7 @@ use super::drawing::{Colour, class_colour};
 use super::polygon::Point;
 use super::scene::Body;
 use acutile_core::quality::{Shape, shapes};
-use acutile_core::tiling::{Corner, Tiling};
+use acutile_core::tiling::{Corner, SimplexId, Tiling};
 use acutile_exact::number::Number;
 use malachite::Rational;
 
@@ -25,7 +25,10 @@ pub fn check_count<const D: usize>(tiling: &Tiling<D>) -> Result<(), DrawError> 
 pub fn classes(shapes: &[Shape], simplices: usize) -> Vec<usize> {
     let mut classes = vec![0; simplices];
     for (class, shape) in shapes.iter().enumerate() {
-        shape.members.iter().for_each(|&i| classes[i] = class);
+        shape
+            .members
+            .iter()
+            .for_each(|&i| classes[i.index()] = class);
     }
     classes
 }
@@ -41,14 +44,16 @@ pub fn legend(classes: usize) -> Vec<(Colour, String)> {
 pub fn cell(tiling: &Tiling<3>) -> (Vec<Body>, usize) {
     let shapes = shapes(tiling);
     let classes = classes(&shapes, tiling.len());
-    let bodies = (0..tiling.len())
-        .map(|i| body(tiling, &centred(tiling, i), classes[i]))
+    let bodies = tiling
+        .indices()
+        .zip(classes)
+        .map(|(i, class)| body(tiling, &centred(tiling, i), class))
         .collect();
     (bodies, shapes.len())
 }
 
 /// The corners moved together, by the lattice vector that brings their centre into 0 <= x < 1.
-pub fn centred<const D: usize>(tiling: &Tiling<D>, simplex: usize) -> Vec<Corner<D>> {
+pub fn centred<const D: usize>(tiling: &Tiling<D>, simplex: SimplexId) -> Vec<Corner<D>> {
     let corners = tiling.simplex(simplex);
     let positions: Vec<[Number; D]> = corners.iter().map(|c| tiling.position(c)).collect();
     let mut by = [0; D];

@@ -22,12 +22,12 @@ pub fn plane(name: &str, tiling: &Tiling<2>, options: &Options) -> Result<Drawin
     let classes = patch::classes(&shapes, tiling.len());
     let reach = |k: usize| if k < tiling.frame.rank() { AROUND } else { 0 };
     let mut scene = Scene::new(&view);
-    for simplex in 0..tiling.len() {
+    for simplex in tiling.indices() {
         let corners = patch::centred(tiling, simplex);
         for i in -reach(0)..=reach(0) {
             for j in -reach(1)..=reach(1) {
                 let places = [0, 1, 2].map(|k| place(tiling, &corners[k].moved([i, j])));
-                scene.add_triangle(places, class_colour(classes[simplex]));
+                scene.add_triangle(places, class_colour(classes[simplex.index()]));
             }
         }
     }

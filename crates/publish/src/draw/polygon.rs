@@ -19,7 +19,7 @@ pub struct Plane {
 impl Plane {
     /// Through a point, along two vectors; `None` if they are parallel.
     pub fn spanned(point: &Point, u: &Point, v: &Point) -> Option<Plane> {
-        let normal = cross(u, v);
+        let normal = linear::cross(u, v);
         let offset = linear::dot(&normal, point);
         let is_plane = normal.iter().any(|x| !x.is_zero());
         is_plane.then_some(Plane { normal, offset })
@@ -42,13 +42,6 @@ impl Plane {
             offset: -&self.offset,
         }
     }
-}
-
-fn cross(u: &Point, v: &Point) -> Point {
-    std::array::from_fn(|k| {
-        let (i, j) = ((k + 1) % 3, (k + 2) % 3);
-        &(&u[i] * &v[j]) - &(&u[j] * &v[i])
-    })
 }
 
 /// A polygon that the line of sight crosses, seen from the eye.
@@ -82,7 +75,7 @@ impl Face {
                 Some(if is_inward { side } else { side.turned() })
             })
             .collect::<Option<Vec<Plane>>>()?;
-        let extent = extent(&corners, eye);
+        let extent = extent(&corners, eye)?;
         Some(Face {
             corners: corners.to_vec(),
             plane,
@@ -118,19 +111,21 @@ impl Face {
 }
 
 /// The least and the greatest value of x_i v_k - x_k v_i for the two i other than one k
-/// with v_k ≠ 0: both functions are constant along the line of sight v.
-pub fn extent(points: &[Point], eye: &Point) -> [[Number; 2]; 2] {
-    let k = (0..3).find(|&k| !eye[k].is_zero()).unwrap_or(2);
-    [1, 2].map(|step| {
+/// with v_k ≠ 0: both functions are constant along the line of sight v. `None`
+/// without points, or if v is zero.
+pub fn extent(points: &[Point], eye: &Point) -> Option<[[Number; 2]; 2]> {
+    let k = (0..3).find(|&k| !eye[k].is_zero())?;
+    let range = |step: usize| {
         let i = (k + step) % 3;
         let values = points
             .iter()
             .map(|x| &(&x[i] * &eye[k]) - &(&x[k] * &eye[i]));
         let values: Vec<Number> = values.collect();
-        let least = values.iter().min().cloned().unwrap_or_else(Number::zero);
-        let greatest = values.into_iter().max().unwrap_or_else(Number::zero);
-        [least, greatest]
-    })
+        let least = values.iter().min().cloned()?;
+        let greatest = values.into_iter().max()?;
+        Some([least, greatest])
+    };
+    Some([range(1)?, range(2)?])
 }
 
 /// The parts of a polygon on the two sides of a plane, where they have an area; neither

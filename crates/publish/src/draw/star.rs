@@ -7,7 +7,7 @@ use super::scene::{Body, Dot, Scene};
 use super::view::View;
 use super::{DrawError, Options, patch};
 use acutile_core::quality::shapes;
-use acutile_core::tiling::{Corner, Tiling};
+use acutile_core::tiling::{Corner, Tiling, VertexId};
 use std::collections::BTreeSet;
 
 /// The figure.
@@ -19,12 +19,9 @@ pub fn star(name: &str, tiling: &Tiling<3>, options: &Options) -> Result<Drawing
     patch::check_count(tiling)?;
     let view = View::new(&tiling.frame.gram, options.direction)?;
     let shapes = shapes(tiling);
-    let bodies = bodies(
-        tiling,
-        vertex as u32,
-        &patch::classes(&shapes, tiling.len()),
-    );
-    let centre = tiling.position(&Corner::of(vertex as u32));
+    let id = VertexId::at(vertex);
+    let bodies = bodies(tiling, id, &patch::classes(&shapes, tiling.len()));
+    let centre = tiling.position(&Corner::of(id));
     let mut scene = Scene::new(&view);
     scene.add_solid(&bodies, Some(Stroke::HiddenEdge));
     for at in neighbours(&bodies, &centre) {
@@ -56,7 +53,7 @@ pub fn star(name: &str, tiling: &Tiling<3>, options: &Options) -> Result<Drawing
 }
 
 /// Every simplex once for each corner at the vertex, moved so that this corner is not shifted.
-fn bodies(tiling: &Tiling<3>, vertex: u32, classes: &[usize]) -> Vec<Body> {
+fn bodies(tiling: &Tiling<3>, vertex: VertexId, classes: &[usize]) -> Vec<Body> {
     let mut bodies = Vec::new();
     for (simplex, &class) in tiling.simplices().zip(classes) {
         for corner in simplex.iter().filter(|corner| corner.vertex == vertex) {

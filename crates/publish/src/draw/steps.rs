@@ -6,7 +6,7 @@ use super::polygon::Point;
 use super::scene::{Body, Dot, Line, Scene};
 use super::view::View;
 use super::{DrawError, Options};
-use acutile_core::tiling::{Corner, Tiling};
+use acutile_core::tiling::{Corner, SimplexId, Tiling};
 use acutile_exact::geometry::linear;
 use acutile_exact::number::Number;
 use malachite::Rational;
@@ -60,7 +60,7 @@ fn panel(tiling: &Tiling<3>, view: &View, step: usize) -> Result<Panel, DrawErro
     let mut bodies = Vec::new();
     for simplex in 0..until {
         let colour = if simplex < old { OLD } else { FRESH };
-        let places = patch(tiling, simplex).into_iter();
+        let places = patch(tiling, SimplexId::at(simplex)).into_iter();
         bodies.extend(places.map(|corners| Body { corners, colour }));
     }
     let mut scene = Scene::new(view);
@@ -91,7 +91,7 @@ fn panel(tiling: &Tiling<3>, view: &View, step: usize) -> Result<Panel, DrawErro
 
 /// The edges of the grid in the base plane: those of the tetrahedra of step 2.
 fn base(tiling: &Tiling<3>) -> BTreeSet<[Point; 2]> {
-    let bodies = (0..NEW[1]).flat_map(|simplex| patch(tiling, simplex));
+    let bodies = (0..NEW[1]).flat_map(|simplex| patch(tiling, SimplexId::at(simplex)));
     let mut edges = BTreeSet::new();
     for corners in bodies {
         let mut low: Vec<Point> = corners.into_iter().filter(|p| p[2].is_zero()).collect();
@@ -105,7 +105,7 @@ fn base(tiling: &Tiling<3>) -> BTreeSet<[Point; 2]> {
 
 /// The translates of a tetrahedron whose centre is near the vertical line through a vertex of the
 /// grid.
-fn patch(tiling: &Tiling<3>, simplex: usize) -> Vec<[Point; 4]> {
+fn patch(tiling: &Tiling<3>, simplex: SimplexId) -> Vec<[Point; 4]> {
     let limit = Number::from(Rational::from(REACH * REACH));
     let shifts = (-4..=4).flat_map(|i| (-4..=4).map(move |j| [i, j, 0]));
     let place = |shift: [i32; 3]| -> [Point; 4] {
@@ -131,7 +131,7 @@ fn layer(height: &Number) -> Colour {
 mod tests {
     use super::{NEW, layer};
     use acutile_catalog::build;
-    use acutile_core::tiling::AnyTiling;
+    use acutile_core::tiling::{AnyTiling, SimplexId};
     use acutile_exact::number::Number;
     use malachite::Rational;
 
@@ -154,7 +154,7 @@ mod tests {
         let mut simplex = 0;
         for (new, heights) in NEW[1..].iter().zip(HEIGHTS) {
             for _ in 0..*new {
-                let corners = slab.simplex(simplex).iter();
+                let corners = slab.simplex(SimplexId::at(simplex)).iter();
                 let mut found: Vec<Number> = corners.map(|c| slab.position(c)[2].clone()).collect();
                 found.sort();
                 let tenths = |h: i64| Number::from(Rational::from_signeds(h, 10));

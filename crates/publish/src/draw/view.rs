@@ -5,6 +5,7 @@
 
 use super::DrawError;
 use super::polygon::Point;
+use acutile_exact::geometry::linear;
 use acutile_exact::number::Number;
 use malachite::Rational;
 
@@ -44,9 +45,15 @@ impl View {
         } else {
             [0.0, 1.0, 0.0]
         };
-        let right = unit(cross(vertical, toward));
-        let up = cross(toward, right);
-        let basis = vectors.map(|b| [dot(b, right), dot(b, up), dot(b, toward)]);
+        let right = unit(linear::cross(&vertical, &toward));
+        let up = linear::cross(&toward, &right);
+        let basis = vectors.map(|b| {
+            [
+                linear::dot(&b, &right),
+                linear::dot(&b, &up),
+                linear::dot(&b, &toward),
+            ]
+        });
         match basis.iter().flatten().all(|x| x.is_finite()) {
             true => Ok(View { eye, basis }),
             false => Err(DrawError::TooLarge),
@@ -64,9 +71,9 @@ impl View {
     pub fn light(&self, corners: &[Point]) -> f64 {
         let [a, b, c] = [0, 1, 2].map(|k| self.on_screen(&corners[k]));
         let edge = |p: [f64; 3]| std::array::from_fn(|k| p[k] - a[k]);
-        let normal = unit(cross(edge(b), edge(c)));
+        let normal = unit(linear::cross(&edge(b), &edge(c)));
         let toward = if normal[2] < 0.0 { -1.0 } else { 1.0 };
-        (toward * dot(normal, [-0.48, 0.6, 0.64])).max(0.0)
+        (toward * linear::dot(&normal, &[-0.48, 0.6, 0.64])).max(0.0)
     }
 
     fn on_screen(&self, point: &Point) -> [f64; 3] {
@@ -79,7 +86,7 @@ fn cholesky(gram: &[[Number; 3]; 3]) -> Option<[[f64; 3]; 3]> {
     let mut rows = [[0.0f64; 3]; 3];
     for i in 0..3 {
         for j in 0..=i {
-            let rest = gram[i][j].approximate() - dot(rows[i], rows[j]);
+            let rest = gram[i][j].approximate() - linear::dot(&rows[i], &rows[j]);
             rows[i][j] = match i == j {
                 true if rest > 0.0 && rest.is_finite() => rest.sqrt(),
                 true => return None,
@@ -104,18 +111,7 @@ fn combination(vectors: &[[f64; 3]; 3], c: [f64; 3]) -> [f64; 3] {
     std::array::from_fn(|k| (0..3).map(|i| c[i] * vectors[i][k]).sum())
 }
 
-fn dot(a: [f64; 3], b: [f64; 3]) -> f64 {
-    a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
-}
-
-fn cross(a: [f64; 3], b: [f64; 3]) -> [f64; 3] {
-    std::array::from_fn(|k| {
-        let (i, j) = ((k + 1) % 3, (k + 2) % 3);
-        a[i] * b[j] - a[j] * b[i]
-    })
-}
-
 fn unit(a: [f64; 3]) -> [f64; 3] {
-    let length = dot(a, a).sqrt();
+    let length = linear::dot(&a, &a).sqrt();
     a.map(|x| x / length)
 }

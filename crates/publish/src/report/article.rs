@@ -179,7 +179,7 @@ fn polynomial(coefficients: impl Iterator<Item = Rational>) -> String {
 /// The rows of the table of congruence classes.
 fn classes(facts: &Facts) -> String {
     let row = |(number, (shape, measures)): (usize, &(Shape, Measures))| {
-        let cell = &facts.cells[shape.members[0]];
+        let cell = &facts.cells[shape.members[0].index()];
         let edges = shape.squared_edges.iter().map(Number::to_string);
         let largest = measures.angles.last().map(|angle| {
             format!(

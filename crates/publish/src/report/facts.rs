@@ -6,7 +6,7 @@ use acutile_core::quality::{
     DihedralAngle, Exact, Measures, Shape, measures_of_shapes, rational_root, root, shapes,
     squared_edges,
 };
-use acutile_core::tiling::{Tiling, match_facets};
+use acutile_core::tiling::{SimplexId, Tiling, match_facets};
 use acutile_exact::geometry::linear;
 use acutile_exact::number::Number;
 use malachite::Rational;
@@ -63,6 +63,8 @@ pub struct Facts {
     pub types: Vec<String>,
 }
 
+const NOT_FLAT: &str = "no simplex of a proved tiling is flat";
+
 impl Facts {
     /// Of a tiling of space.
     pub fn of_space(tiling: &Tiling<3>) -> Facts {
@@ -78,7 +80,7 @@ impl Facts {
             let place = if ridge.is_boundary { "boundary, " } else { "" };
             let text = format!("{place}{} triangles", ridge.valence());
             // The ridges of the plane are its vertices.
-            types[ridge.corners[0].vertex as usize] = text;
+            types[ridge.corners[0].vertex.index()] = text;
         }
         Facts::with_types(tiling, types)
     }
@@ -86,7 +88,7 @@ impl Facts {
     fn with_types<const D: usize>(tiling: &Tiling<D>, types: Vec<String>) -> Facts {
         let shapes = shapes(tiling);
         let class_of = class_of(&shapes, tiling.len());
-        let measures = measures_of_shapes(tiling, &shapes);
+        let measures = measures_of_shapes(tiling, &shapes).expect(NOT_FLAT);
         let mut facts = Facts {
             numbers: Table::new(),
             angles: Table::new(),
@@ -96,7 +98,7 @@ impl Facts {
             types,
         };
         let cogram = linear::cofactors(&tiling.frame.gram);
-        for simplex in 0..tiling.len() {
+        for simplex in tiling.indices() {
             facts.add(tiling, &cogram, simplex);
         }
         facts
@@ -106,7 +108,7 @@ impl Facts {
         &mut self,
         tiling: &Tiling<D>,
         cogram: &[[Number; D]; D],
-        simplex: usize,
+        simplex: SimplexId,
     ) {
         let shape = tiling.shape(simplex);
         let products = shape.normal_products(cogram);
@@ -114,12 +116,15 @@ impl Facts {
         let volume = &shape.determinant * &Number::from(factorial);
         let edges = squared_edges(tiling, simplex).into_iter();
         let cell = Cell {
-            class: self.class_of[simplex],
+            class: self.class_of[simplex.index()],
             volume: self.numbers.number(volume),
             edges: edges.map(|square| self.numbers.number(square)).collect(),
             angles: products
                 .pairs()
-                .map(|(i, j, _)| self.angles.number(DihedralAngle::between(&products, i, j)))
+                .map(|(i, j, _)| {
+                    let angle = DihedralAngle::between(&products, i, j);
+                    self.angles.number(angle.expect(NOT_FLAT))
+                })
                 .collect(),
         };
         self.cells.push(cell);
@@ -137,7 +142,7 @@ fn class_of(shapes: &[Shape], simplices: usize) -> Vec<usize> {
         shape
             .members
             .iter()
-            .for_each(|&member| class[member] = index);
+            .for_each(|&member| class[member.index()] = index);
     }
     class
 }

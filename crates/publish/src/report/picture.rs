@@ -10,7 +10,8 @@
 
 use super::colour::{colour, hex};
 use super::data::basis;
-use acutile_core::tiling::{Corner, Tiling, supercell};
+use acutile_core::tiling::{Corner, Facet, SimplexId, Tiling, supercell};
+use acutile_exact::geometry::linear;
 use std::collections::{BTreeMap, BTreeSet};
 use std::fmt::Write;
 
@@ -44,17 +45,18 @@ pub fn picture<const D: usize>(tiling: &Tiling<D>, classes: &[usize], label: &st
 fn cell_picture<const D: usize>(tiling: &Tiling<D>, classes: &[usize], label: &str) -> String {
     let basis = basis(tiling);
     let mut faces = Vec::new();
-    let moves: Vec<[i32; D]> = (0..tiling.len())
+    let moves: Vec<[i32; D]> = tiling
+        .indices()
         .map(|s| move_into_cell(tiling, s))
         .collect();
     let inner = inner_facets(tiling, &moves);
-    for (simplex, &class) in classes.iter().enumerate() {
-        let corners = placed(tiling, &basis, simplex, moves[simplex]);
+    for (simplex, &class) in tiling.indices().zip(classes) {
+        let corners = placed(tiling, &basis, simplex, moves[simplex.index()]);
         let colour = colour(class);
         match D {
             2 => faces.push(flat_face(&corners, colour)),
             _ => faces.extend(solid_faces(&corners, colour, |k| {
-                inner.contains(&(simplex, k))
+                inner.contains(&Facet::new(simplex, k))
             })),
         }
     }
@@ -63,7 +65,7 @@ fn cell_picture<const D: usize>(tiling: &Tiling<D>, classes: &[usize], label: &s
 }
 
 /// The lattice vector that moves the centroid of a simplex into the cell.
-fn move_into_cell<const D: usize>(tiling: &Tiling<D>, simplex: usize) -> [i32; D] {
+fn move_into_cell<const D: usize>(tiling: &Tiling<D>, simplex: SimplexId) -> [i32; D] {
     let corners: Vec<[f64; D]> = tiling
         .simplex(simplex)
         .iter()
@@ -80,20 +82,21 @@ fn move_into_cell<const D: usize>(tiling: &Tiling<D>, simplex: usize) -> [i32; D
     })
 }
 
-/// The facets that two simplices of the picture share, as simplex and opposite corner: nobody
+/// The facets that two simplices of the picture share: nobody
 /// sees them.
-fn inner_facets<const D: usize>(
-    tiling: &Tiling<D>,
-    moves: &[[i32; D]],
-) -> BTreeSet<(usize, usize)> {
-    let mut owners: BTreeMap<Vec<Corner<D>>, Vec<(usize, usize)>> = BTreeMap::new();
-    for (simplex, corners) in tiling.simplices().enumerate() {
+fn inner_facets<const D: usize>(tiling: &Tiling<D>, moves: &[[i32; D]]) -> BTreeSet<Facet> {
+    let mut owners: BTreeMap<Vec<Corner<D>>, Vec<Facet>> = BTreeMap::new();
+    for (simplex, corners) in tiling.indices().zip(tiling.simplices()) {
         for opposite in 0..=D {
             let others = (0..=D).filter(|&k| k != opposite);
-            let mut facet: Vec<Corner<D>> =
-                others.map(|k| corners[k].moved(moves[simplex])).collect();
+            let mut facet: Vec<Corner<D>> = others
+                .map(|k| corners[k].moved(moves[simplex.index()]))
+                .collect();
             facet.sort_unstable();
-            owners.entry(facet).or_default().push((simplex, opposite));
+            owners
+                .entry(facet)
+                .or_default()
+                .push(Facet::new(simplex, opposite));
         }
     }
     owners
@@ -107,7 +110,7 @@ fn inner_facets<const D: usize>(
 fn placed<const D: usize>(
     tiling: &Tiling<D>,
     basis: &[Vec<f64>],
-    simplex: usize,
+    simplex: SimplexId,
     move_by: [i32; D],
 ) -> Vec<[f64; 3]> {
     let cartesian = |corner: &Corner<D>| {
@@ -139,22 +142,25 @@ fn solid_faces(
     colour: [f64; 3],
     is_hidden: impl Fn(usize) -> bool,
 ) -> Vec<Face> {
-    let depth = dot(circumcentre(corners), VIEW[0]);
+    let depth = linear::dot(&circumcentre(corners), &VIEW[0]);
     let mut faces = Vec::new();
     for opposite in (0..4).filter(|&k| !is_hidden(k)) {
         let face: Vec<[f64; 3]> = (0..4)
             .filter(|&k| k != opposite)
             .map(|k| corners[k])
             .collect();
-        let normal = cross(minus(face[1], face[0]), minus(face[2], face[0]));
-        let outward = dot(normal, minus(face[0], corners[opposite])).signum();
-        let facing = outward * dot(normal, VIEW[0]) / dot(normal, normal).sqrt();
+        let side = |k: usize| linear::subtract(&face[k], &face[0]);
+        let normal = linear::cross(&side(1), &side(2));
+        let outward = linear::subtract(&face[0], &corners[opposite]);
+        let outward = linear::dot(&normal, &outward).signum();
+        let facing =
+            outward * linear::dot(&normal, &VIEW[0]) / linear::dot(&normal, &normal).sqrt();
         if facing > 1e-9 {
             faces.push(Face {
                 depth,
                 points: face
                     .iter()
-                    .map(|&p| [dot(p, VIEW[1]), -dot(p, VIEW[2])])
+                    .map(|p| [linear::dot(p, &VIEW[1]), -linear::dot(p, &VIEW[2])])
                     .collect(),
                 colour: colour.map(|c| c * (0.55 + 0.45 * facing)),
             });
@@ -165,15 +171,14 @@ fn solid_faces(
 
 /// e_i · x = |e_i|²/2 for the edges from corner 0, solved by their cross products.
 fn circumcentre(corners: &[[f64; 3]]) -> [f64; 3] {
-    let edges = [1, 2, 3].map(|k| minus(corners[k], corners[0]));
-    let duals = [
-        cross(edges[1], edges[2]),
-        cross(edges[2], edges[0]),
-        cross(edges[0], edges[1]),
-    ];
-    let determinant = dot(edges[0], duals[0]);
+    let edges = [1, 2, 3].map(|k| linear::subtract(&corners[k], &corners[0]));
+    let duals = linear::cofactors(&edges);
+    let determinant = linear::dot(&edges[0], &duals[0]);
     std::array::from_fn(|k| {
-        let sum: f64 = (0..3).map(|i| dot(edges[i], edges[i]) * duals[i][k]).sum();
+        let terms = edges.iter().zip(&duals);
+        let sum: f64 = terms
+            .map(|(edge, dual)| linear::dot(edge, edge) * dual[k])
+            .sum();
         corners[0][k] + sum / (2.0 * determinant)
     })
 }
@@ -204,20 +209,4 @@ fn draw(faces: &[Face], label: &str) -> String {
         );
     }
     svg + "</svg>"
-}
-
-fn minus(a: [f64; 3], b: [f64; 3]) -> [f64; 3] {
-    std::array::from_fn(|k| a[k] - b[k])
-}
-
-fn dot(a: [f64; 3], b: [f64; 3]) -> f64 {
-    a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
-}
-
-fn cross(a: [f64; 3], b: [f64; 3]) -> [f64; 3] {
-    [
-        a[1] * b[2] - a[2] * b[1],
-        a[2] * b[0] - a[0] * b[2],
-        a[0] * b[1] - a[1] * b[0],
-    ]
 }

@@ -6,6 +6,7 @@
 //! their product; a finite closed list is a group. Called by [`super::symmetry`].
 
 use super::decimal::{Decimal, Snapped};
+use acutile_exact::geometry::linear;
 use malachite::base::num::arithmetic::traits::{Floor, Lcm};
 use malachite::{Natural, Rational};
 use std::collections::HashSet;
@@ -56,7 +57,7 @@ impl Operation {
         for (row, part) in [a, b, c].into_iter().enumerate() {
             operation.read_row(row, part, snap)?;
         }
-        let determinant = determinant(&operation.rotation);
+        let determinant = linear::determinant(&operation.rotation.map(|row| row.map(i128::from)));
         match determinant.abs() {
             1 => Ok(operation),
             _ => Err(format!("has determinant {determinant}, expected 1 or -1")),
@@ -128,11 +129,6 @@ impl Operation {
             sum
         })
     }
-}
-
-fn determinant(r: &Rotation) -> i64 {
-    let minor = |i: usize, j: usize| r[1][i] * r[2][j] - r[1][j] * r[2][i];
-    r[0][0] * minor(1, 2) - r[0][1] * minor(0, 2) + r[0][2] * minor(0, 1)
 }
 
 /// x - ⌊x⌋
@@ -220,24 +216,13 @@ pub fn metric_change(
     let column = |j: usize| std::array::from_fn(|i| Rational::from(rotation[i][j]));
     for i in 0..3 {
         for j in i..3 {
-            let found = inner(gram, &column(i), &column(j));
+            let found = linear::dot(&column(i), &linear::apply(gram, &column(j)));
             if found != gram[i][j] {
                 return Some((i, j, found));
             }
         }
     }
     None
-}
-
-/// x · y in the metric.
-fn inner(gram: &[[Rational; 3]; 3], x: &[Rational; 3], y: &[Rational; 3]) -> Rational {
-    let mut sum = Rational::from(0);
-    for i in 0..3 {
-        for j in 0..3 {
-            sum += &x[i] * &gram[i][j] * &y[j];
-        }
-    }
-    sum
 }
 
 #[cfg(test)]
