@@ -1,7 +1,8 @@
 //! `acutile certify`: proves tilings and writes their certificates.
 
 use super::encoding::Encoding;
-use super::input::{self, FileArguments};
+use super::family;
+use super::input::{self, FileArguments, Input};
 use super::limits::LimitArguments;
 use super::outcome::Outcome;
 use super::output::{Output, Staged, write_file};
@@ -75,6 +76,7 @@ pub struct CertifyArguments {
 pub fn run(arguments: &CertifyArguments, output: &mut Output) -> Outcome {
     let mut inputs: Vec<String> = Vec::new();
     let all = catalog::names()
+        .chain(catalog::family_names())
         .filter(|_| arguments.all)
         .map(str::to_owned);
     for input in arguments.inputs.iter().cloned().chain(all) {
@@ -100,7 +102,7 @@ pub fn run(arguments: &CertifyArguments, output: &mut Output) -> Outcome {
 }
 
 /// What became of one input.
-enum Answer {
+pub(super) enum Answer {
     Proved {
         verified: Verified,
         certificate: Written,
@@ -115,7 +117,7 @@ enum Answer {
 }
 
 /// What the prover alone says.
-struct Examined {
+pub(super) struct Examined {
     vertices: usize,
     simplices: usize,
     words: String,
@@ -131,9 +133,11 @@ fn prove(
     notes: &mut Vec<String>,
     output: &mut Output,
 ) -> Answer {
-    let mut named = match input::tiling(input, arguments.param.as_deref(), &arguments.file, output)
-    {
-        Ok(named) => named,
+    let mut named = match input::any(input, arguments.param.as_deref(), &arguments.file, output) {
+        Ok(Input::Tiling(named)) => named,
+        Ok(Input::Family(named)) => {
+            return family::prove(&named.family, input, target, arguments, notes);
+        }
         Err(error) if error.outcome == Outcome::Declined => {
             return Answer::Declined(error.message);
         }
@@ -179,6 +183,7 @@ fn prove(
     Answer::Refuted(Box::new(Refuted {
         tiling: named.tiling,
         origin: named.origin,
+        point: None,
         notes: notes.clone(),
         findings,
     }))
@@ -189,7 +194,7 @@ fn in_words<const D: usize>(tiling: &Tiling<D>, defect: &Defect) -> String {
 }
 
 /// Twenty defects of each kind for people, all for machines, if not said otherwise.
-fn defect_limit(arguments: &CertifyArguments) -> usize {
+pub(super) fn defect_limit(arguments: &CertifyArguments) -> usize {
     const FOR_PEOPLE: usize = 20;
     arguments.max_defects.unwrap_or(match arguments.json {
         true => usize::MAX,
@@ -262,7 +267,7 @@ fn answer(confirmed: Confirmed, certificate: Written) -> Answer {
 }
 
 /// As asked for, or else as the name of the file says.
-fn encoding(target: &Target, arguments: &CertifyArguments) -> Encoding {
+pub(super) fn encoding(target: &Target, arguments: &CertifyArguments) -> Encoding {
     let by_name = match target {
         Target::File(path) => Encoding::of_path(path),
         _ => None,
@@ -271,7 +276,7 @@ fn encoding(target: &Target, arguments: &CertifyArguments) -> Encoding {
 }
 
 /// A certificate that nobody can read as yet.
-enum Written {
+pub(super) enum Written {
     Bytes(Vec<u8>),
     File(Staged),
 }

@@ -2,7 +2,7 @@
 //! Delaunay triangulation.
 
 use super::mesh::{self, MeshArguments};
-use super::named::{InputError, Named};
+use super::named::{InputError, Named, NamedFamily};
 use super::output::Output;
 use super::points::{self, PointArguments};
 use super::transcribe;
@@ -27,6 +27,31 @@ pub struct FileArguments {
     pub mesh: MeshArguments,
 }
 
+/// What an input is.
+pub enum Input {
+    /// A single tiling.
+    Tiling(Named),
+    /// A tiling for each point of a box.
+    Family(NamedFamily),
+}
+
+impl Input {
+    /// The tiling, for commands that take nothing else.
+    ///
+    /// # Errors
+    /// A message that names the input.
+    pub fn tiling(self) -> Result<Named, InputError> {
+        match self {
+            Input::Tiling(named) => Ok(named),
+            Input::Family(NamedFamily { name, .. }) => Err(format!(
+                "{name}: a tiling for each point of a box of parameters, expected a single tiling; \
+                 `acutile certify` and `acutile show` take it"
+            )
+            .into()),
+        }
+    }
+}
+
 /// The tiling of a catalogue name, for a parameter if one is given, or of a file. What is to
 /// be said of a file is said.
 ///
@@ -38,17 +63,37 @@ pub fn tiling(
     options: &FileArguments,
     output: &mut Output,
 ) -> Result<Named, InputError> {
+    any(input, parameter, options, output)?.tiling()
+}
+
+/// The same, or a family.
+///
+/// # Errors
+/// A message that names the input.
+pub fn any(
+    input: &str,
+    parameter: Option<&str>,
+    options: &FileArguments,
+    output: &mut Output,
+) -> Result<Input, InputError> {
     if let Some(entry) = catalog::find(input) {
         check_for_cif(input, &options.points)?;
         check_for_mesh(input, &options.mesh)?;
+        if let Some(family) = entry.build_family() {
+            return Ok(Input::Family(NamedFamily {
+                name: input.to_owned(),
+                description: entry.description.to_owned(),
+                family: family.map_err(|error| format!("{input}: {error}"))?,
+            }));
+        }
         let tiling = construction(input, parameter)?;
-        return Ok(Named {
+        return Ok(Input::Tiling(Named {
             name: input.to_owned(),
             description: entry.description.to_owned(),
             tiling,
             origin: None,
             notes: Vec::new(),
-        });
+        }));
     }
     let path = Path::new(input);
     if input != "-" && !path.exists() && !input.contains(['/', '.']) {
@@ -62,7 +107,7 @@ pub fn tiling(
     of_content(input, content, options, output)
 }
 
-/// The tiling of a file's content.
+/// The tiling or family of a file's content.
 ///
 /// # Errors
 /// A message that names the input.
@@ -71,9 +116,11 @@ pub fn of_content(
     content: TextOrMesh,
     options: &FileArguments,
     output: &mut Output,
-) -> Result<Named, InputError> {
+) -> Result<Input, InputError> {
     match content {
-        TextOrMesh::Mesh(loaded) => mesh::tiling(input, loaded, &options.mesh, output),
+        TextOrMesh::Mesh(loaded) => {
+            mesh::tiling(input, loaded, &options.mesh, output).map(Input::Tiling)
+        }
         TextOrMesh::Text(text) => {
             check_for_mesh(input, &options.mesh)?;
             of_text(input, &text, &options.points, output)
@@ -86,18 +133,28 @@ pub fn of_content(
     }
 }
 
-/// The tiling of a certificate, which is not judged here.
-fn of_certificate(input: &str, bytes: &[u8]) -> Result<Named, InputError> {
+/// The tiling or family of a certificate, which is not judged here.
+fn of_certificate(input: &str, bytes: &[u8]) -> Result<Input, InputError> {
     let cbor = transcribe::cbor(input, bytes)?;
+    let name = input.to_owned();
+    if format::kind(&cbor) == Some(format::FAMILY) {
+        let read = acutile_core::transcribe::family::of_certificate(&cbor);
+        let (family, ..) = read.map_err(|error| format!("{input}: {error}"))?;
+        return Ok(Input::Family(NamedFamily {
+            name,
+            description: "the family of a certificate".to_owned(),
+            family,
+        }));
+    }
     let (tiling, _) = acutile_core::transcribe::of_certificate(&cbor)
         .map_err(|error| format!("{input}: {error}"))?;
-    Ok(Named {
-        name: input.to_owned(),
+    Ok(Input::Tiling(Named {
+        name,
         description: "the tiling of a certificate".to_owned(),
         tiling,
         origin: None,
         notes: Vec::new(),
-    })
+    }))
 }
 
 /// A construction of the catalogue; `square-triangle:FILE` reads its file.
@@ -116,7 +173,7 @@ fn construction(name: &str, parameter: Option<&str>) -> Result<AnyTiling, String
     tiling.map_err(|error| format!("{name}: {error}"))
 }
 
-/// The tiling of a file's text; a point set becomes its Delaunay triangulation.
+/// The tiling or family of a file's text; a point set becomes its Delaunay triangulation.
 ///
 /// # Errors
 /// A message that names the input.
@@ -125,21 +182,28 @@ fn of_text(
     text: &str,
     points: &PointArguments,
     output: &mut Output,
-) -> Result<Named, InputError> {
+) -> Result<Input, InputError> {
     let file = document(Path::new(input), text, points, output)?;
     let words = [file.name, file.description].into_iter().flatten();
     let description = words.collect::<Vec<_>>().join(": ");
     let tiling = match file.content {
         Content::Tiling(tiling) => tiling,
         Content::Points(set) => points::of_points(input, &set, points, output)?,
+        Content::Family(family) => {
+            return Ok(Input::Family(NamedFamily {
+                name: input.to_owned(),
+                description,
+                family,
+            }));
+        }
     };
-    Ok(Named {
+    Ok(Input::Tiling(Named {
         name: input.to_owned(),
         description,
         tiling,
         origin: None,
         notes: Vec::new(),
-    })
+    }))
 }
 
 /// The points of a point-set file.
@@ -154,7 +218,7 @@ pub fn points(
     let text = read_text(path).map_err(|error| InputError::of_file(path, &error))?;
     match document(path, &text, arguments, output)?.content {
         Content::Points(points) => Ok(points),
-        Content::Tiling(_) => Err(format!(
+        Content::Tiling(_) | Content::Family(_) => Err(format!(
             "{}: is a tiling file, expected a point-set file",
             path.display()
         )

@@ -18,6 +18,7 @@ mod delaunay;
 mod draw;
 mod encoding;
 mod export;
+mod family;
 mod gallery;
 mod input;
 mod interrupt;

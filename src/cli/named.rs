@@ -1,6 +1,7 @@
 //! A tiling with its name, or why there is none.
 
 use super::outcome::Outcome;
+use acutile_core::family::AnyFamily;
 use acutile_core::tiling::AnyTiling;
 use acutile_io::import::ImportError;
 use acutile_io::mesh::{MeshError, Origin};
@@ -19,6 +20,16 @@ pub struct Named {
     pub origin: Option<Origin>,
     /// What was told of a mesh file: what was moved, turned, or not looked at.
     pub notes: Vec<String>,
+}
+
+/// A family with its name.
+pub struct NamedFamily {
+    /// A name of the catalogue, or a path.
+    pub name: String,
+    /// What it is, in a line.
+    pub description: String,
+    /// The family.
+    pub family: AnyFamily,
 }
 
 /// Why there is no input, in words that name it, and what that makes of the command.

@@ -15,6 +15,8 @@ use serde_json::{Value, json};
 /// A refuted tiling.
 pub struct Refuted {
     pub tiling: AnyTiling,
+    /// The point of the box, for a member of a family.
+    pub point: Option<String>,
     /// The numbers of the file, for a mesh.
     pub origin: Option<Origin>,
     /// What was done to the input before.
@@ -49,7 +51,9 @@ impl Refuted {
         input: &str,
         line: &mut dyn FnMut(String),
     ) {
-        line(format!("{input}: refuted: {}", self.counts()));
+        let place = self.point.as_ref().map(|point| format!(" at {point}"));
+        let place = place.unwrap_or_default();
+        line(format!("{input}: refuted{place}: {}", self.counts()));
         let adviser = Adviser::new(tiling);
         for (code, count) in self.findings.counts() {
             let kept = self.findings.kept().iter();
@@ -80,12 +84,15 @@ impl Refuted {
         line: &mut dyn FnMut(String),
     ) {
         let counts = self.findings.counts();
-        let head = json!({
+        let mut head = json!({
             "input": input,
             "verdict": "refuted",
             "counts": counts,
             "notes": self.notes,
         });
+        if let Some(point) = &self.point {
+            head["point"] = json!(point);
+        }
         line(head.to_string());
         let adviser = Adviser::new(tiling);
         let mut seen = std::collections::BTreeMap::new();

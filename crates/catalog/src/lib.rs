@@ -51,12 +51,18 @@ pub fn entries() -> &'static [Entry] {
     ENTRIES
 }
 
-/// The names of all constructions that need no further word.
+/// The names of all single tilings that need no further word.
 pub fn names() -> impl Iterator<Item = &'static str> {
     ENTRIES
         .iter()
-        .filter(|entry| !entry.is_family())
+        .filter(|entry| !entry.is_family() && !entry.has_box())
         .map(|entry| entry.name)
+}
+
+/// The names of all constructions for boxes of parameters.
+pub fn family_names() -> impl Iterator<Item = &'static str> {
+    let families = ENTRIES.iter().filter(|entry| entry.has_box());
+    families.map(|entry| entry.name)
 }
 
 /// The construction with this name, for `kagome:WORD` the family.

@@ -16,7 +16,7 @@ use serde_json::{Value, json};
 fn tiling(document: &Value) -> AnyTiling {
     match read_native(&document.to_string()).map(|file| file.content) {
         Ok(Content::Tiling(tiling)) => tiling,
-        Ok(Content::Points(_)) => panic!("a point set"),
+        Ok(_) => panic!("no tiling"),
         Err(error) => panic!("{error}"),
     }
 }

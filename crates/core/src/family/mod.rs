@@ -9,6 +9,7 @@
 //! | `hypotheses`, `angles`, `ratios` | the conditions of the hypotheses and of each statement |
 //! | [`tree`] | bisection of the box until the signs are known |
 //! | [`examine`](mod@examine) | proved with a tree, refuted with a point, or declined |
+//! | `prove` | the certificate, and the kernel's word |
 //! | [`maximal`] | the largest interval or box around a point |
 //! | [`free`] | a tiling becomes a family in which some coordinates vary |
 //!
@@ -21,10 +22,12 @@ pub mod examine;
 pub mod free;
 pub mod hypotheses;
 pub mod maximal;
+mod prove;
 pub mod ratios;
 pub mod tree;
 
 pub use examine::{FamilyProof, NotProvable, examine};
+pub use prove::{FamilyNotProved, ProvedFamily, confirm, prove};
 pub use tree::Tree;
 
 use crate::tiling::{Corner, Frame, SimplexId, Tiling};
@@ -65,6 +68,17 @@ pub enum AnyFamily {
     Plane(Family<2>),
     /// D = 3
     Space(Family<3>),
+}
+
+/// Runs the same code for either dimension: `with_family!(any, family => code)`.
+#[macro_export]
+macro_rules! with_family {
+    ($any:expr, $name:ident => $code:expr) => {
+        match $any {
+            $crate::family::AnyFamily::Plane($name) => $code,
+            $crate::family::AnyFamily::Space($name) => $code,
+        }
+    };
 }
 
 /// Why parameters and polynomials are no family.

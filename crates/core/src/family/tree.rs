@@ -4,17 +4,9 @@
 //! averages of those of the box, and a coefficient of a face with a positive value is positive.
 
 use super::conditions::Conditions;
+pub use crate::format::family::Tree;
 use acutile_exact::number::Number;
 use acutile_exact::polynomial::{Coefficient, Cuboid};
-
-/// How a box is cut.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub enum Tree {
-    /// It is not.
-    Leaf,
-    /// In the middle of this side.
-    Halves(usize, Box<[Tree; 2]>),
-}
 
 /// A tree with more leaves is given up.
 pub const LEAF_LIMIT: usize = 4096;

@@ -5,7 +5,7 @@
 //! has one JSON text. It decides nothing else: the kernel judges the CBOR.
 
 use super::cbor;
-use super::print::{self, CERTIFICATE, CLAIM_FILE, DEEPEST, Members, PrintError, RECORDS};
+use super::print::{self, DEEPEST, Members, PrintError, RECORDS};
 use malachite::Integer;
 use std::collections::BTreeSet;
 use std::fmt;
@@ -66,7 +66,7 @@ impl std::error::Error for JsonError {}
 /// # Errors
 /// [`JsonError`] if the text is not the canonical JSON of some CBOR.
 pub fn to_cbor(json: &[u8]) -> Result<Vec<u8>, JsonError> {
-    transcribed(json, CERTIFICATE)
+    transcribed(json, false)
 }
 
 /// The CBOR of a claim file in JSON.
@@ -74,10 +74,10 @@ pub fn to_cbor(json: &[u8]) -> Result<Vec<u8>, JsonError> {
 /// # Errors
 /// As [`to_cbor`].
 pub fn claim_to_cbor(json: &[u8]) -> Result<Vec<u8>, JsonError> {
-    transcribed(json, CLAIM_FILE)
+    transcribed(json, true)
 }
 
-fn transcribed(json: &[u8], members: Members) -> Result<Vec<u8>, JsonError> {
+fn transcribed(json: &[u8], is_claim_file: bool) -> Result<Vec<u8>, JsonError> {
     let mut reader = Reader {
         json,
         offset: 0,
@@ -94,9 +94,11 @@ fn transcribed(json: &[u8], members: Members) -> Result<Vec<u8>, JsonError> {
     if reader.version.is_some_and(|v| v != super::VERSION) {
         return Err(declined(JsonCode::Version, "expected version 2"));
     }
-    if reader.kind.is_some_and(|kind| kind != super::KIND) {
-        return Err(declined(JsonCode::Kind, "expected the kind \"tiling\""));
-    }
+    let kind = reader.kind.as_deref().unwrap_or(super::KIND);
+    let Some(members) = print::members_of(kind, is_claim_file) else {
+        let problem = "expected the kind \"tiling\" or \"family\"";
+        return Err(declined(JsonCode::Kind, problem));
+    };
     read?;
     check_canonical(json, &reader.cbor, members)?;
     Ok(reader.cbor)

@@ -42,6 +42,15 @@ pub fn version(cbor: &[u8]) -> Option<Integer> {
     is_format.then(|| items.integer().ok()).flatten()
 }
 
+/// The kind of a certificate or claim file in CBOR, if it begins as one does.
+pub fn kind(cbor: &[u8]) -> Option<&str> {
+    let mut items = Items::new(cbor);
+    items.array().ok()?;
+    items.text().ok()?;
+    items.small().ok()?;
+    items.text().ok()
+}
+
 /// Bytes that are searched for the format of JSON.
 const BEGIN: usize = 1024;
 

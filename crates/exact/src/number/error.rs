@@ -149,7 +149,6 @@ impl ReadError {
             | ReadErrorKind::TooManyDigits(_)
             | ReadErrorKind::ExponentBeyondLimit(_)
             | ReadErrorKind::RootUndecided(_)
-            | ReadErrorKind::DegreeTooHigh(_)
             | ReadErrorKind::ValueTooLarge => true,
             ReadErrorKind::Field(error) => error.is_limit(),
             _ => false,

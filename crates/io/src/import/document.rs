@@ -6,6 +6,7 @@ use serde::{Deserialize, Deserializer};
 use serde_json::value::RawValue;
 use std::collections::BTreeMap;
 use std::fmt;
+use std::marker::PhantomData;
 
 /// What every file of ours begins with.
 #[derive(Deserialize)]
@@ -31,6 +32,9 @@ pub struct Document<'a> {
     pub dimension: usize,
     #[serde(borrow, default, deserialize_with = "generators")]
     pub generators: BTreeMap<String, Generator<'a>>,
+    /// Parameters of a family, in the order of the file.
+    #[serde(borrow, default)]
+    pub parameters: Parameters<'a>,
     #[serde(borrow, default)]
     pub lattice: Option<Lattice<'a>>,
     #[serde(default)]
@@ -85,6 +89,67 @@ impl<'de> Visitor<'de> for GeneratorsVisitor {
             generators.insert(name, map.next_value()?);
         }
         Ok(generators)
+    }
+}
+
+/// The parameters of a family with their intervals. A repeated name is an error.
+#[derive(Default)]
+pub struct Parameters<'a>(pub Vec<(String, ParameterEntry<'a>)>);
+
+/// The interval of a parameter: `[low, high]` is closed.
+#[derive(Deserialize)]
+#[serde(untagged)]
+pub enum ParameterEntry<'a> {
+    Closed(#[serde(borrow)] [Text<'a>; 2]),
+    Interval(#[serde(borrow)] IntervalEntry<'a>),
+}
+
+/// An interval, and which of its ends are left out.
+#[derive(Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct IntervalEntry<'a> {
+    #[serde(borrow)]
+    pub low: Text<'a>,
+    #[serde(borrow)]
+    pub high: Text<'a>,
+    #[serde(default)]
+    pub open: Vec<EndName>,
+}
+
+/// An end of an interval.
+#[derive(Clone, Copy, PartialEq, Eq, Deserialize)]
+#[serde(rename_all = "lowercase")]
+pub enum EndName {
+    Low,
+    High,
+}
+
+impl<'de: 'a, 'a> Deserialize<'de> for Parameters<'a> {
+    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+        deserializer.deserialize_map(ParametersVisitor(PhantomData))
+    }
+}
+
+struct ParametersVisitor<'a>(PhantomData<&'a ()>);
+
+impl<'de: 'a, 'a> Visitor<'de> for ParametersVisitor<'a> {
+    type Value = Parameters<'a>;
+
+    fn expecting(&self, f: &mut fmt::Formatter) -> fmt::Result {
+        f.write_str("an object of parameters by name")
+    }
+
+    fn visit_map<A: MapAccess<'de>>(self, mut map: A) -> Result<Self::Value, A::Error> {
+        let mut parameters: Vec<(String, ParameterEntry)> = Vec::new();
+        while let Some(name) = map.next_key::<String>()? {
+            if parameters.iter().any(|(other, _)| *other == name) {
+                let problem =
+                    format!("the parameter {name:?} is defined twice; keep one definition");
+                return Err(serde::de::Error::custom(problem));
+            }
+            parameters.push((name, map.next_value()?));
+        }
+        Ok(Parameters(parameters))
     }
 }
 
