@@ -42,3 +42,11 @@ fn the_command_writes_whole_files_or_says_why_not() {
     assert_eq!(code, Some(2));
     assert!(error.contains("--format tikz"), "{error}");
 }
+
+/// The picture in README.md is drawn by this program.
+#[test]
+fn the_picture_of_the_documents() {
+    let file = concat!(env!("CARGO_MANIFEST_DIR"), "/docs/images/a15.svg");
+    let drawn = acutile(&["draw", "a15"]);
+    assert_eq!(drawn.1, std::fs::read_to_string(file).expect(file));
+}

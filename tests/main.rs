@@ -15,4 +15,5 @@ mod meshes;
 mod paper;
 mod report;
 mod starting_files;
+mod tutorials;
 mod verify;

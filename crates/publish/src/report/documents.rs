@@ -4,12 +4,36 @@ use super::html::escape;
 use super::markdown::{Document, to_html};
 
 /// The documents that the site has.
-pub const DOCUMENTS: [Document; 15] = [
+pub const DOCUMENTS: [Document; 22] = [
     document(
         "README.md",
         "docs/readme.html",
         "Read me",
         include_str!("../../../../README.md"),
+    ),
+    document(
+        "docs/tutorials/theorem.md",
+        "docs/tutorial-theorem.html",
+        "Tutorial: a theorem",
+        include_str!("../../../../docs/tutorials/theorem.md"),
+    ),
+    document(
+        "docs/tutorials/mesh.md",
+        "docs/tutorial-mesh.html",
+        "Tutorial: a mesh",
+        include_str!("../../../../docs/tutorials/mesh.md"),
+    ),
+    document(
+        "docs/tutorials/paper.md",
+        "docs/tutorial-paper.html",
+        "Tutorial: a paper",
+        include_str!("../../../../docs/tutorials/paper.md"),
+    ),
+    document(
+        "python/README.md",
+        "docs/python.html",
+        "The Python package",
+        include_str!("../../../../python/README.md"),
     ),
     document(
         "docs/format.md",
@@ -95,6 +119,24 @@ pub const DOCUMENTS: [Document; 15] = [
         "Architecture",
         include_str!("../../../../ARCHITECTURE.md"),
     ),
+    document(
+        "docs/versions.md",
+        "docs/versions.html",
+        "Versions",
+        include_str!("../../../../docs/versions.md"),
+    ),
+    document(
+        "CONTRIBUTING.md",
+        "docs/contributing.html",
+        "Contributing",
+        include_str!("../../../../CONTRIBUTING.md"),
+    ),
+    document(
+        "SECURITY.md",
+        "docs/security.html",
+        "Security",
+        include_str!("../../../../SECURITY.md"),
+    ),
 ];
 
 const fn document(
@@ -112,10 +154,14 @@ const fn document(
 }
 
 /// Files of the repository that the site has as they are.
-pub const FILES: [(&str, &str); 2] = [
+pub const FILES: [(&str, &str); 3] = [
     (
         "docs/certificate.schema.json",
         include_str!("../../../../docs/certificate.schema.json"),
+    ),
+    (
+        "docs/images/a15.svg",
+        include_str!("../../../../docs/images/a15.svg"),
     ),
     ("LICENSE", include_str!("../../../../LICENSE")),
 ];

@@ -1,4 +1,5 @@
-//! The project's documents as HTML: headings get names, links lead inside the site or are left out.
+//! The project's documents as HTML: headings get names, links and images lead inside the site or are
+//! left out.
 
 use super::html::escape;
 use pulldown_cmark::{Alignment, CowStr, Event, Options, Parser, Tag, TagEnd, html};
@@ -24,7 +25,7 @@ pub fn to_html(document: &Document, target: impl Fn(&str) -> Option<String>) -> 
     name_headings(&mut events);
     let mut open = Vec::new();
     events.retain_mut(|event| match event {
-        Event::Start(Tag::Link { dest_url, .. }) => {
+        Event::Start(Tag::Link { dest_url, .. } | Tag::Image { dest_url, .. }) => {
             let link = resolve(document.path, dest_url, &target);
             open.push(link.is_some());
             if let Some(link) = &link {
@@ -32,7 +33,7 @@ pub fn to_html(document: &Document, target: impl Fn(&str) -> Option<String>) -> 
             }
             link.is_some()
         }
-        Event::End(TagEnd::Link) => open.pop().unwrap_or(false),
+        Event::End(TagEnd::Link | TagEnd::Image) => open.pop().unwrap_or(false),
         // Our own documents have no markup in them; what looks like it is text.
         Event::Html(text) | Event::InlineHtml(text) => {
             *event = Event::Html(CowStr::from(escape(text)));

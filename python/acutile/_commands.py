@@ -1,0 +1,171 @@
+"""The functions of the package."""
+
+from __future__ import annotations
+
+import json
+import os
+from collections.abc import Callable, Iterable
+from typing import Any
+
+from . import _inputs, _native
+from ._results import (
+    Classification,
+    Quality,
+    Result,
+    Triangulation,
+    Verified,
+)
+
+Progress = Callable[[str], object]
+
+
+def certify(
+    source: Any,
+    cells: Any = None,
+    *,
+    lattice: Any = None,
+    domain: Any = None,
+    require: Iterable[str] = (),
+    certificate: bool = True,
+    max_defects: int = 10_000,
+    progress: Progress | None = None,
+    **options: Any,
+) -> Result:
+    """Proves that something is a face-to-face tiling, with the required statements.
+
+    Parameters
+    ----------
+    source
+        Points of shape (n, D) with D = 2 or 3, if `cells` are given: float64 (taken exactly),
+        integers, Fractions, or strings such as ``"sqrt(5)/2"``. Otherwise a name of the catalogue,
+        a file name, a meshio ``Mesh``, a pyvista ``UnstructuredGrid``, an ASE ``Atoms`` or a
+        pymatgen ``Structure``; of the last two the Delaunay triangulation is certified.
+    cells
+        Indices of points, counted from 0, of shape (m, D + 1).
+    lattice
+        Lattice vectors as rows, in the unit of the points. Nodes that differ by a lattice vector
+        are one vertex. Without it the mesh is bounded.
+    domain
+        The domain of a tiling file, such as ``{"solid": {"vertices": …}}``. Without it a bounded
+        mesh is the region that it covers.
+    require
+        Statements that must hold, such as ``"acute"``, ``"dihedral<80"``, ``"delaunay"``.
+    certificate
+        Whether to write a certificate and let the kernel check it. Without it the prover alone
+        decides, which is faster.
+    max_defects
+        How many defects of each kind are returned. All are counted.
+    progress
+        Called with the name of each step. ``tqdm.tqdm.write`` fits.
+    **options
+        ``parameter`` for a construction of the catalogue, ``tolerance`` to merge near nodes,
+        ``triangulate`` to cut Delaunay cells with cospherical vertices.
+
+    Returns
+    -------
+    Result
+        With the verdict ``"proved"``, ``"refuted"`` or ``"declined"``.
+
+    Raises
+    ------
+    Failed
+        The input cannot be read. The message is that of the command line.
+    KeyboardInterrupt
+        After Ctrl-C, at once. The interrupted proof ends in the background.
+
+    Examples
+    --------
+    >>> import acutile
+    >>> corner = [[0, 0, 0], [1, 0, 0], [0, 1, 0], [0, 0, 1]]
+    >>> acutile.certify(corner, [[0, 1, 2, 3]]).verdict
+    'proved'
+    >>> acutile.certify(corner, [[0, 1, 2, 3]], require=["acute"]).counts
+    {'right-angle': 3}
+    """
+    if isinstance(require, str):
+        require = [require]
+    if lattice is not None:
+        options["lattice"] = lattice
+    if domain is not None:
+        options["domain"] = domain
+    tiling = _inputs.tiling(source, cells, **options)
+    answer, cbor = tiling.certify(list(require), certificate, max_defects, progress)
+    return Result(tiling, json.loads(answer), cbor)
+
+
+def verify(certificate: bytes | str | os.PathLike, claim: str | None = None) -> Verified:
+    """Checks a certificate with the kernel, from its bytes alone.
+
+    Parameters
+    ----------
+    certificate
+        The bytes in CBOR or canonical JSON, or a file name.
+    claim
+        The text of a claim file. The certificate must prove exactly this claim.
+
+    Raises
+    ------
+    Failed
+        The certificate is rejected, malformed, declined, or proves another claim.
+    """
+    if not isinstance(certificate, (bytes, bytearray)):
+        with open(certificate, "rb") as file:
+            certificate = file.read()
+    expected = None if claim is None else claim.encode()
+    return Verified(**json.loads(_native.verify(bytes(certificate), expected)))
+
+
+def delaunay(points: Any, lattice: Any, *, triangulate: bool = False) -> Triangulation:
+    """The periodic Delaunay triangulation of points, decided exactly.
+
+    Parameters
+    ----------
+    points
+        Cartesian coordinates of shape (n, D), numbers as for :func:`certify`.
+    lattice
+        D lattice vectors as rows.
+    triangulate
+        Cut cells with cospherical vertices, the same way in every translate. Without it such a
+        set raises ``Failed``.
+    """
+    return Triangulation(
+        _inputs.of_points(points, lattice=lattice, triangulate=triangulate)
+    )
+
+
+def quality(source: Any, cells: Any = None, **options: Any) -> Quality:
+    """Dihedral angles of all simplices, in degrees, as enclosures.
+
+    The input is that of :func:`certify`. Each exact angle lies between its two ends.
+    """
+    tiling = _inputs.tiling(source, cells, **options)
+    return Quality(*tiling.angles())
+
+
+def classify(source: Any, cells: Any = None, **options: Any) -> Classification:
+    """What a tiling is combinatorially. The input is that of :func:`certify`."""
+    tiling = _inputs.tiling(source, cells, **options)
+    return Classification(**json.loads(tiling.classify()))
+
+
+def table(names: Iterable[str], *, format: str = "text") -> str:
+    """The columns of the paper's Table 1 for constructions of the catalogue.
+
+    `format` is ``text``, ``markdown``, ``latex``, ``csv`` or ``json``.
+    """
+    return _native.table_of(list(names), format)
+
+
+def report(*results: Result, names: Iterable[str] | None = None) -> str:
+    """A page in HTML about proved results. It loads nothing and checks itself in the browser."""
+    labels = list(names) if names is not None else [f"result {k}" for k in range(len(results))]
+    if len(labels) != len(results):
+        raise ValueError(f"found {len(labels)} names for {len(results)} results")
+    return _native.report(
+        [(label, result.require_certificate()) for label, result in zip(labels, results)]
+    )
+
+
+def names() -> dict[str, str]:
+    """The constructions of the catalogue, with their descriptions."""
+    return dict(_native.names())
