@@ -96,24 +96,63 @@ impl<'de> Visitor<'de> for GeneratorsVisitor {
 #[derive(Default)]
 pub struct Parameters<'a>(pub Vec<(String, ParameterEntry<'a>)>);
 
-/// The interval of a parameter: `[low, high]` is closed.
-#[derive(Deserialize)]
-#[serde(untagged)]
-pub enum ParameterEntry<'a> {
-    Closed(#[serde(borrow)] [Text<'a>; 2]),
-    Interval(#[serde(borrow)] IntervalEntry<'a>),
+/// The interval of a parameter: `[low, high]` is closed, or a record says which ends are left out.
+pub struct ParameterEntry<'a> {
+    pub low: Text<'a>,
+    pub high: Text<'a>,
+    pub open: Vec<EndName>,
 }
 
-/// An interval, and which of its ends are left out.
-#[derive(Deserialize)]
-#[serde(deny_unknown_fields)]
-pub struct IntervalEntry<'a> {
-    #[serde(borrow)]
-    pub low: Text<'a>,
-    #[serde(borrow)]
-    pub high: Text<'a>,
-    #[serde(default)]
-    pub open: Vec<EndName>,
+impl<'de: 'a, 'a> Deserialize<'de> for ParameterEntry<'a> {
+    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+        deserializer.deserialize_any(ParameterVisitor(PhantomData))
+    }
+}
+
+struct ParameterVisitor<'a>(PhantomData<&'a ()>);
+
+impl<'de: 'a, 'a> Visitor<'de> for ParameterVisitor<'a> {
+    type Value = ParameterEntry<'a>;
+
+    fn expecting(&self, f: &mut fmt::Formatter) -> fmt::Result {
+        f.write_str("two ends like [\"0\", \"1/2\"], or low, high and open")
+    }
+
+    fn visit_seq<A: SeqAccess<'de>>(self, mut array: A) -> Result<Self::Value, A::Error> {
+        let mut ends: Vec<Text> = Vec::new();
+        while let Some(end) = array.next_element()? {
+            ends.push(end);
+        }
+        let [low, high] = ends[..] else {
+            return Err(serde::de::Error::invalid_length(ends.len(), &self));
+        };
+        Ok(ParameterEntry {
+            low,
+            high,
+            open: Vec::new(),
+        })
+    }
+
+    fn visit_map<A: MapAccess<'de>>(self, mut map: A) -> Result<Self::Value, A::Error> {
+        use serde::de::Error;
+        let (mut low, mut high, mut open) = (None, None, None);
+        while let Some(member) = map.next_key::<String>()? {
+            let is_repeated = match member.as_str() {
+                "low" => low.replace(map.next_value()?).is_some(),
+                "high" => high.replace(map.next_value()?).is_some(),
+                "open" => open.replace(map.next_value()?).is_some(),
+                _ => return Err(Error::unknown_field(&member, &["low", "high", "open"])),
+            };
+            if is_repeated {
+                return Err(Error::custom(format!("the member {member:?} is repeated")));
+            }
+        }
+        Ok(ParameterEntry {
+            low: low.ok_or_else(|| Error::missing_field("low"))?,
+            high: high.ok_or_else(|| Error::missing_field("high"))?,
+            open: open.unwrap_or_default(),
+        })
+    }
 }
 
 /// An end of an interval.

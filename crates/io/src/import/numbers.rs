@@ -126,7 +126,7 @@ impl Numbers {
                 let problem = "a generator has the same name; rename one of them";
                 return Err(ImportError::entry(format!("parameters.{name}"), problem));
             }
-            for (end, text) in ["low", "high"].iter().zip(ends(entry)) {
+            for (end, text) in ["low", "high"].iter().zip([entry.low, entry.high]) {
                 let at = || format!("parameters.{name}.{end}");
                 let text =
                     number_text(text).map_err(|problem| ImportError::entry(at(), problem))?;
@@ -154,15 +154,11 @@ impl Numbers {
                 Ok(End { value, is_open })
             };
         let parameter = |(name, entry): &(String, ParameterEntry)| {
-            let [low, high] = ends(entry);
-            let is_open = |end: EndName| match entry {
-                ParameterEntry::Closed(_) => false,
-                ParameterEntry::Interval(interval) => interval.open.contains(&end),
-            };
+            let is_open = |end: EndName| entry.open.contains(&end);
             Ok(Parameter {
                 side: Side {
-                    low: end(name, EndName::Low, low, is_open(EndName::Low))?,
-                    high: end(name, EndName::High, high, is_open(EndName::High))?,
+                    low: end(name, EndName::Low, entry.low, is_open(EndName::Low))?,
+                    high: end(name, EndName::High, entry.high, is_open(EndName::High))?,
                 },
                 name: name.clone(),
             })
@@ -197,14 +193,6 @@ impl Numbers {
             S::read(self, &text).map_err(|error| ImportError::Number { place: at(), error })
         };
         row.iter().enumerate().map(value).collect()
-    }
-}
-
-/// The lower and the upper end.
-fn ends<'a>(entry: &ParameterEntry<'a>) -> [Text<'a>; 2] {
-    match entry {
-        ParameterEntry::Closed(ends) => *ends,
-        ParameterEntry::Interval(interval) => [interval.low, interval.high],
     }
 }
 
