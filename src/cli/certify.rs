@@ -1,7 +1,7 @@
 //! `acutile certify`: proves tilings and writes their certificates.
 
 use super::encoding::Encoding;
-use super::family;
+use super::family::{self, FamilyArguments};
 use super::input::{self, FileArguments, Input};
 use super::limits::LimitArguments;
 use super::outcome::Outcome;
@@ -68,6 +68,8 @@ pub struct CertifyArguments {
     /// One JSON object a line: one for each input, and for a refuted one then one for each defect
     #[arg(long)]
     pub json: bool,
+    #[command(flatten)]
+    pub family: FamilyArguments,
     #[command(flatten)]
     pub limits: LimitArguments,
 }
@@ -155,11 +157,12 @@ fn prove(
             notes.push(note);
         }
     }
-    let options = Options {
-        required: arguments.required.clone(),
-        defect_limit: defect_limit(arguments),
-        limits: arguments.limits.limits(),
-    };
+    match arguments.family.freed(&named.tiling) {
+        Ok(None) => {}
+        Ok(Some(family)) => return family::prove(&family, input, target, arguments, notes),
+        Err(message) => return Answer::Failed(format!("{input}: {message}")),
+    }
+    let options = options(arguments);
     let proved = with_dimension!(&named.tiling, AnyTiling, t => match arguments.no_certificate {
         true => examine_tiling(t, input, &options),
         false => prove_tiling(t, input, &options, target, encoding(target, arguments)),
@@ -189,12 +192,20 @@ fn prove(
     }))
 }
 
+pub(super) fn options(arguments: &CertifyArguments) -> Options {
+    Options {
+        required: arguments.required.clone(),
+        defect_limit: defect_limit(arguments),
+        limits: arguments.limits.limits(),
+    }
+}
+
 fn in_words<const D: usize>(tiling: &Tiling<D>, defect: &Defect) -> String {
     checker::describe::<D>(&Names::of(tiling), defect)
 }
 
 /// Twenty defects of each kind for people, all for machines, if not said otherwise.
-pub(super) fn defect_limit(arguments: &CertifyArguments) -> usize {
+fn defect_limit(arguments: &CertifyArguments) -> usize {
     const FOR_PEOPLE: usize = 20;
     arguments.max_defects.unwrap_or(match arguments.json {
         true => usize::MAX,

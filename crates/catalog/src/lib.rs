@@ -13,6 +13,7 @@
 //! | `congruent` | Sommerville, Goldberg, cubes |
 //! | `solid` | single tetrahedra, and two that are not Delaunay |
 //! | `planar` | the square, and tilings by triangles |
+//! | `families` | constructions for all values of their parameters in a box |
 //! | `recipe` | what they share |
 //! | `entry`, `entries` | one construction, and the table of all |
 //! | [`limits`] | words and entries beyond them are refused |
@@ -24,6 +25,7 @@ mod congruent;
 mod entries;
 mod entry;
 mod error;
+mod families;
 mod icosahedral;
 mod kagome;
 pub mod limits;

@@ -100,6 +100,10 @@ pub enum FamilyError {
     Degree(String, usize),
     /// The union of the simplices has no polynomials.
     Region,
+    /// A point has so many coordinates, and there are so many parameters.
+    Point(usize, usize),
+    /// There is no vertex with this number.
+    Vertex(usize),
 }
 
 impl fmt::Display for FamilyError {
@@ -131,6 +135,12 @@ impl fmt::Display for FamilyError {
                 f,
                 "polynomial of too high degree: {degree} in {name:?}, expected at most {EXPONENT_LIMIT}"
             ),
+            FamilyError::Point(found, expected) => {
+                write!(f, "the point has {found} coordinates, expected {expected}")
+            }
+            FamilyError::Vertex(vertex) => {
+                write!(f, "vertex {vertex} does not exist; vertices count from 0")
+            }
             FamilyError::Region => write!(
                 f,
                 "a region with parameters; expected \"space\", a slab, a prism or a solid"
