@@ -7,7 +7,8 @@ The files are certificates in JSON. VERIFY is acutile-verify, which gets each of
 extracted checker, COMMAND any further one that reads JSON and prints lines as acutile-verify does (its words are
 separated by spaces). A file is a disagreement when one program accepts it and another refuses it: rejected,
 malformed. "declined" agrees with everything, for the limits differ; what one accepts and another declines is
-listed, and the share of it is bounded: at most one file in a hundred, without regions, which COQ_CHECK declines.
+listed, and the share of it is bounded: at most one file in a hundred, without regions and families, which COQ_CHECK
+declines.
 A file that has no CBOR is not shown to VERIFY. Files whose name sets a limit are checked under the default limits.
 Exit code 1 if there is a disagreement, if nothing was accepted or refused, or if too much was declined by one
 program alone.
@@ -50,7 +51,9 @@ def cbor_of(path):
 
 
 NAMES = [["format", "version", "kind", "claim", "witness"], ["dimension", "field", "gram", "domain", "statements"],
+         ["dimension", "field", "parameters", "gram", "domain", "statements"], ["name", "low", "high"],
          ["denominator", "vertices", "boundary", "simplices"], ["denominator", "vertices", "faces"],
+         ["denominator", "vertices", "boundary", "tree", "simplices"],
          ["polynomial", "root"], ["low", "high", "denominator"]]
 
 
@@ -81,6 +84,8 @@ def entry(old, rng):
         return new if abs(new) < 2 ** 53 else str(new)
     if old.lstrip("-").isdigit():
         return str(int(old) + rng.choice([-1, 1]))
+    if old in ("closed", "open"):
+        return "open" if old == "closed" else "closed"
     if old.endswith("angle"):
         return rng.choice(["largest dihedral angle", "smallest dihedral angle"])
     return rng.choice(["acute", "nonobtuse", "Delaunay", "weakly Delaunay", "TCP", "space", "Q", "at most", "maximum", "minimum", "less than"])
@@ -130,6 +135,8 @@ def mutate(certificate, rng):
         rows = rng.choice([simplices, simplices, boundary or simplices])
         i = rng.randrange(len(rows))
         rows.insert(rng.randrange(len(rows) + 1), rows[i]) if kind < 0.95 else rows.pop(i)
+    if "tree" in witness and rng.random() < 0.2:
+        witness["tree"] = rng.choice([[], [0, [], []], [0, witness["tree"], []], [0, [], [0, [], []]]])
     # most changes of corners break their order; put it right, so that the later checks are tested
     if rng.random() < 0.8:
         witness["simplices"] = [tidy(row, *shape) for row in simplices]
@@ -164,7 +171,7 @@ class Comparison:
             if {"accepted", "refused"} <= set(row) or not set(row) <= {NONE, *WORDS.values()}:
                 self.bad.append(path)
                 print("DISAGREE", path, *row, flush=True)
-            elif {"accepted", "declined"} <= set(row) and not is_region(path):
+            elif {"accepted", "declined"} <= set(row) and not is_beyond_coq(path):
                 self.alone.append(path)
                 print("declined by one alone:", path, *row, flush=True)
         return list(zip(*columns))
@@ -181,8 +188,10 @@ class Comparison:
         return [dict(zip(encoded, found)).get(path, NONE) for path in paths]
 
 
-def is_region(path):
-    return '"domain":[\n"region"' in path.read_text(errors="replace")
+def is_beyond_coq(path):
+    """Regions and families."""
+    text = path.read_text(errors="replace")
+    return '"domain":[\n"region"' in text or '"kind":"family"' in text
 
 
 def is_accepted(row):

@@ -9,6 +9,7 @@ mod cli;
 mod common;
 mod documents;
 mod draw;
+mod help;
 mod interrupt;
 mod js_verifier;
 mod meshes;

@@ -9,6 +9,7 @@ use super::output::{Output, Staged, write_file};
 use super::progress::Progress;
 use super::refutation::Refuted;
 use super::target::{Target, targets};
+use super::theorem;
 use super::verify::{claim_json, summary};
 use acutile_catalog as catalog;
 use acutile_core::checker::{self, Defect, Names, Options};
@@ -51,10 +52,19 @@ pub struct CertifyArguments {
     /// The encoding; without it CBOR for a file whose name ends in .cbor, and else JSON
     #[arg(long, value_enum, conflicts_with = "no_certificate")]
     pub format: Option<Encoding>,
-    /// A statement that must hold: tiling, acute, nonobtuse, delaunay, weakly-delaunay, tcp,
-    /// dihedral<DEGREES, dihedral>DEGREES, radius-edge<RATIO
-    #[arg(long = "require", value_name = "STATEMENT")]
+    /// Statements that must hold: tiling, acute, nonobtuse, delaunay, weakly-delaunay, tcp,
+    /// dihedral-below=DEGREES, dihedral-above=DEGREES, radius-edge-below=RATIO; in quotes also
+    /// 'dihedral<DEGREES', 'dihedral>DEGREES', 'radius-edge<RATIO'
+    #[arg(
+        long = "require",
+        value_name = "STATEMENT,STATEMENT",
+        value_delimiter = ','
+    )]
     pub required: Vec<Requirement>,
+    /// For square-triangle:NAME, square-triangle:FILE and kagome:WORD: check only that the input
+    /// belongs to the family, and cite the theorem about all its members
+    #[arg(long, conflicts_with_all = ["param", "no_certificate"])]
+    pub cite: bool,
     /// Give negatively oriented simplices positive orientation
     #[arg(long)]
     pub reorient: bool,
@@ -77,8 +87,10 @@ pub struct CertifyArguments {
 /// Certifies every input; the outcome is the worst of all.
 pub fn run(arguments: &CertifyArguments, output: &mut Output) -> Outcome {
     let mut inputs: Vec<String> = Vec::new();
+    let theorems = catalog::THEOREMS.iter().map(|theorem| theorem.name);
     let all = catalog::names()
         .chain(catalog::family_names())
+        .chain(theorems)
         .filter(|_| arguments.all)
         .map(str::to_owned);
     for input in arguments.inputs.iter().cloned().chain(all) {
@@ -135,6 +147,11 @@ fn prove(
     notes: &mut Vec<String>,
     output: &mut Output,
 ) -> Answer {
+    match theorem::of_input(input, arguments) {
+        Some(Ok(proof)) => return theorem_answer(proof, target, arguments, notes),
+        Some(Err(message)) => return Answer::Failed(message),
+        None => {}
+    }
     let mut named = match input::any(input, arguments.param.as_deref(), &arguments.file, output) {
         Ok(Input::Tiling(named)) => named,
         Ok(Input::Family(named)) => {
@@ -162,7 +179,10 @@ fn prove(
         Ok(Some(family)) => return family::prove(&family, input, target, arguments, notes),
         Err(message) => return Answer::Failed(format!("{input}: {message}")),
     }
-    let options = options(arguments);
+    let options = Options {
+        sides: std::mem::take(&mut named.sides),
+        ..options(arguments)
+    };
     let proved = with_dimension!(&named.tiling, AnyTiling, t => match arguments.no_certificate {
         true => examine_tiling(t, input, &options),
         false => prove_tiling(t, input, &options, target, encoding(target, arguments)),
@@ -197,6 +217,34 @@ pub(super) fn options(arguments: &CertifyArguments) -> Options {
         required: arguments.required.clone(),
         defect_limit: defect_limit(arguments),
         limits: arguments.limits.limits(),
+        ..Options::default()
+    }
+}
+
+/// A theorem, with its own certificate; a member gets a note that says so.
+fn theorem_answer(
+    proof: theorem::Proof,
+    target: &Target,
+    arguments: &CertifyArguments,
+    notes: &mut Vec<String>,
+) -> Answer {
+    if let Some(member) = &proof.cited {
+        notes.push(format!(
+            "proved by citing the theorem {}, whose certificate this is: the input has {member}",
+            proof.entry.name
+        ));
+    }
+    let cbor = proof.theorem.certificate().to_vec();
+    let bytes = match encoding(target, arguments) {
+        Encoding::Cbor => Ok(cbor),
+        Encoding::Json => print::to_json(&cbor),
+    };
+    match bytes {
+        Ok(bytes) => Answer::Proved {
+            verified: proof.theorem.into_verified(),
+            certificate: Written::Bytes(bytes),
+        },
+        Err(error) => unwritten(target, &io::Error::other(error)),
     }
 }
 
@@ -352,7 +400,11 @@ impl Answer {
         let (mut words, mut data) = match self {
             Answer::Refuted(refuted) => return refuted.tell(input, as_json, to_error, output),
             Answer::Proved { verified, .. } | Answer::Confirmed(verified) => {
-                proved(verified, input, target)
+                let (words, data) = proved(verified, input, target);
+                match arguments.cite {
+                    true => (format!("{words}; {}", notes.join("; ")), data),
+                    false => (words, data),
+                }
             }
             Answer::Examined(examined) => examined.report(input),
             Answer::Failed(message) => (

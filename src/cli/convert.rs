@@ -10,13 +10,14 @@ use super::proved::overwritten;
 use super::{mesh, transcribe};
 use acutile_catalog as catalog;
 use acutile_core::tiling::{AnyTiling, Tiling, supercell};
+use acutile_core::with_dimension;
 use acutile_exact::number::Number;
 use acutile_io::export::tiling_text;
 use acutile_io::import::is_gzip;
 use acutile_io::mesh::lattice::Basis;
 use acutile_io::mesh::load::{Loaded, tetgen_paths};
 use acutile_io::mesh::sink::Shortest;
-use acutile_io::mesh::writer::losses;
+use acutile_io::mesh::writer::{changes, losses};
 use acutile_io::mesh::{Family, File, Flat, Format, Mesh, flatten, patch, write};
 use clap::Args;
 use flate2::Compression;
@@ -139,6 +140,9 @@ fn target(arguments: &ConvertArguments) -> Result<Target, String> {
             "{name}: expected a name that ends in .node or .ele for TetGen"
         )),
         (Some(format), _) => Ok(Target::Mesh(format)),
+        (None, Some(family)) if !family.is_written() => Err(format!(
+            "{name}: this format is read and not written; --to gives another one"
+        )),
         (None, Some(family)) => Ok(Target::Mesh(family.format())),
         (None, None) if is_native => Ok(Target::Native),
         (None, None) => Err(format!(
@@ -159,7 +163,7 @@ fn convert(
     let stays_mesh = arguments.supercell.is_empty()
         && arguments.patch.is_none()
         && arguments.file.mesh.identify.is_none();
-    let (mut tiling, mut basis) = match load(arguments, output)? {
+    let (tiling, basis) = match load(arguments, output)? {
         Source::Mesh(loaded) => match target {
             Target::Mesh(format) if stays_mesh => {
                 progress.step("writing");
@@ -174,23 +178,34 @@ fn convert(
         },
         Source::Tiling(tiling) => (tiling, None),
     };
+    progress.step("writing");
+    with_dimension!(tiling, AnyTiling, t => write_tiling(t, basis, arguments, target, notes))
+}
+
+/// A tiling, or a part of it, as a file. With a basis it stays where it was.
+fn write_tiling<const D: usize>(
+    mut tiling: Tiling<D>,
+    mut basis: Option<Basis>,
+    arguments: &ConvertArguments,
+    target: Target,
+    notes: &mut Vec<String>,
+) -> Result<Vec<File>, InputError> {
     if !arguments.supercell.is_empty() {
         let sizes = supercell_sizes(&tiling, &arguments.supercell)?;
         tiling = supercell(&tiling, sizes);
-        basis = basis.map(|basis| enlarged(basis, sizes));
+        basis = basis.map(|basis| enlarged(basis, &sizes));
     }
     if let Some(radius) = &arguments.patch {
         tiling = patch(&tiling, radius)?;
     }
-    progress.step("writing");
     match target {
         Target::Native => Ok(vec![File {
             extension: None,
-            bytes: tiling_text(&tiling, name).into_bytes(),
+            bytes: tiling_text(&tiling, &arguments.input).into_bytes(),
         }]),
         Target::Mesh(format) => {
-            let flat =
-                flatten(&tiling, basis.as_ref()).map_err(|error| format!("{name}: {error}"))?;
+            let flat = flatten(&tiling, basis.as_ref())
+                .map_err(|error| format!("{}: {error}", arguments.input))?;
             tell_flat(&flat, arguments, notes)?;
             Ok(write_mesh(&flat.mesh, format, notes))
         }
@@ -200,7 +215,7 @@ fn convert(
 /// What is converted.
 enum Source {
     Mesh(Loaded),
-    Tiling(Tiling<3>),
+    Tiling(AnyTiling),
 }
 
 /// The mesh of a mesh file, or the tiling of space of a name or a tiling file.
@@ -217,15 +232,12 @@ fn load(arguments: &ConvertArguments, output: &mut Output) -> Result<Source, Inp
         },
         false => input::tiling(name, arguments.param.as_deref(), &arguments.file, output)?,
     };
-    match named.tiling {
-        AnyTiling::Space(tiling) => Ok(Source::Tiling(tiling)),
-        AnyTiling::Plane(_) => Err(format!("{name}: a tiling of dimension 2, expected 3").into()),
-    }
+    Ok(Source::Tiling(named.tiling))
 }
 
-fn enlarged(mut basis: Basis, sizes: [u16; 3]) -> Basis {
+fn enlarged(mut basis: Basis, sizes: &[u16]) -> Basis {
     for (vector, size) in basis.vectors.iter_mut().zip(sizes) {
-        let factor = Number::from(malachite::Rational::from(size));
+        let factor = Number::from(Rational::from(*size));
         vector.iter_mut().for_each(|x| *x = &*x * &factor);
     }
     basis
@@ -234,8 +246,11 @@ fn enlarged(mut basis: Basis, sizes: [u16; 3]) -> Basis {
 /// What a tiling does not hold of a mesh; the elements of other types are told anyway.
 fn lost_by_tiling(mesh: &Mesh, notes: &mut Vec<String>) {
     let mut lost = mesh.unread.clone();
-    if !mesh.labels.is_empty() {
-        lost.push("the labels of tetrahedra".to_owned());
+    if !mesh.materials().is_empty() {
+        lost.push("the labels of cells and their names".to_owned());
+    }
+    if mesh.dimension() == 2 && mesh.points.iter().any(|point| point[2] != 0.0) {
+        lost.push("the height of the plane, now 0".to_owned());
     }
     lost.push("the numbers of nodes and elements".to_owned());
     notes.push(format!("lost: {}", lost.join("; ")));
@@ -246,6 +261,7 @@ fn write_mesh(mesh: &Mesh, format: Format, notes: &mut Vec<String>) -> Vec<File>
     if !lost.is_empty() {
         notes.push(format!("lost: {}", lost.join("; ")));
     }
+    notes.extend(changes(mesh, format));
     write(mesh, format)
 }
 

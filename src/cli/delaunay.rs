@@ -1,20 +1,20 @@
 //! `acutile delaunay`: a point set in, the tiling file of its Delaunay
 //! triangulation out.
 
-use super::input;
+use super::document;
 use super::named::InputError;
 use super::outcome::Outcome;
 use super::output::{Output, write_text};
 use super::points::{self, PointArguments};
 use acutile_core::with_dimension;
-use acutile_io::export::tiling_text;
-use acutile_io::import::uncompressed_name;
+use acutile_io::export::labelled_tiling_text;
+use acutile_io::import::{Content, uncompressed_name};
 use clap::Args;
 use std::path::PathBuf;
 
 #[derive(Debug, Args)]
 pub struct DelaunayArguments {
-    /// A point-set file or a CIF (`-` for standard input)
+    /// A point-set file or a crystal structure (CIF, POSCAR, extended XYZ, pymatgen JSON; `-` for standard input)
     #[arg(value_name = "FILE")]
     pub file: PathBuf,
     #[command(flatten)]
@@ -36,12 +36,16 @@ pub fn run(arguments: &DelaunayArguments, output: &mut Output) -> Outcome {
 }
 
 fn text(arguments: &DelaunayArguments, output: &mut Output) -> Result<String, InputError> {
-    let points = input::points(&arguments.file, &arguments.points, output)?;
+    let document = document::open(&arguments.file, &arguments.points, output)?;
     let name = arguments.file.display().to_string();
+    let Content::Points(points) = document.content else {
+        return Err(format!("{name}: is a tiling file, expected a point-set file").into());
+    };
     let file = uncompressed_name(&arguments.file);
     let stem = file.file_stem().map(|stem| stem.to_string_lossy());
     let stem = stem.as_deref().unwrap_or("delaunay");
     with_dimension!(&points, AnyPointSet, p => {
-        points::tiling(&name, p, &arguments.points).map(|tiling| tiling_text(&tiling, stem))
+        points::tiling(&name, p, &arguments.points)
+            .map(|tiling| labelled_tiling_text(&tiling, stem, &document.labels))
     })
 }

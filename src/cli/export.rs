@@ -2,14 +2,14 @@
 //! as a theorem for Coq.
 
 use super::input::{self, FileArguments};
-use super::named::InputError;
+use super::named::{InputError, Named};
 use super::outcome::Outcome;
 use super::output::{Output, write_text};
 use super::transcribe;
 use acutile_core::format;
 use acutile_core::tiling::{Tiling, supercell};
 use acutile_core::with_dimension;
-use acutile_io::export::{coq_theorem, tiling_text};
+use acutile_io::export::{coq_theorem, labelled_tiling_text};
 use acutile_io::import::{BYTE_LIMIT, read_bytes};
 use clap::Args;
 use std::path::{Path, PathBuf};
@@ -67,21 +67,24 @@ fn tiling_file(arguments: &ExportArguments, output: &mut Output) -> Result<Strin
         &arguments.file,
         output,
     )
-    .and_then(
-        |named| with_dimension!(&named.tiling, AnyTiling, t => text(t, &named.name, arguments)),
-    )
+    .and_then(|named| with_dimension!(&named.tiling, AnyTiling, t => text(t, &named, arguments)))
 }
 
 fn text<const D: usize>(
     tiling: &Tiling<D>,
-    name: &str,
+    named: &Named,
     arguments: &ExportArguments,
 ) -> Result<String, InputError> {
+    let (name, labels) = (&named.name, &named.labels);
     if arguments.supercell.is_empty() {
-        return Ok(tiling_text(tiling, name));
+        return Ok(labelled_tiling_text(tiling, name, labels));
     }
     let sizes = supercell_sizes(tiling, &arguments.supercell)?;
-    Ok(tiling_text(&supercell(tiling, sizes), name))
+    let supercell = supercell(tiling, sizes);
+    let copies = supercell.vertices.len() / tiling.vertices.len().max(1);
+    // The vertices of each copy have the order of the cell.
+    let labels: Vec<String> = (0..copies).flat_map(|_| labels.clone()).collect();
+    Ok(labelled_tiling_text(&supercell, name, &labels))
 }
 
 /// No supercell is larger: about 2 GiB.

@@ -1,21 +1,23 @@
 //! A name of the catalogue or a file, turned into a tiling; a point set becomes its
 //! Delaunay triangulation.
 
+use super::document;
 use super::mesh::{self, MeshArguments};
 use super::named::{InputError, Named, NamedFamily};
 use super::output::Output;
 use super::points::{self, PointArguments};
+use super::theorem;
 use super::transcribe;
 use acutile_catalog as catalog;
 use acutile_core::format;
-use acutile_core::tiling::{AnyPointSet, AnyTiling};
-use acutile_io::import::cif::{CifOptions, is_cif, read_cif};
+use acutile_core::tiling::AnyTiling;
+use acutile_io::import::crystal::text_of;
 use acutile_io::import::{
-    BYTE_LIMIT, Content, ImportError, NativeFile, read_bytes, read_native, read_text,
-    uncompressed_name, without_comments,
+    BYTE_LIMIT, Content, read_bytes, read_text, uncompressed_name, without_comments,
 };
-use acutile_io::mesh::{Family, load};
+use acutile_io::mesh::{Family, load, unknown};
 use clap::Args;
+use std::collections::BTreeSet;
 use std::path::Path;
 
 /// How a file becomes a tiling.
@@ -76,8 +78,15 @@ pub fn any(
     options: &FileArguments,
     output: &mut Output,
 ) -> Result<Input, InputError> {
+    if let Some(theorem) = catalog::theorem(input) {
+        let message = format!(
+            "{input}: a theorem and no tiling; certify, show and verify take it, and {}NAME is one of its tilings",
+            theorem.family
+        );
+        return Err(message.into());
+    }
     if let Some(entry) = catalog::find(input) {
-        check_for_cif(input, &options.points)?;
+        document::check_for_crystal(input, &options.points)?;
         check_for_mesh(input, &options.mesh)?;
         if let Some(family) = entry.build_family() {
             return Ok(Input::Family(NamedFamily {
@@ -92,12 +101,19 @@ pub fn any(
             description: entry.description.to_owned(),
             tiling,
             origin: None,
+            sides: BTreeSet::new(),
             notes: Vec::new(),
+            labels: Vec::new(),
         }));
     }
     let path = Path::new(input);
     if input != "-" && !path.exists() && !input.contains(['/', '.']) {
-        let message = format!("{input}: neither a name of the catalogue (acutile list) nor a file");
+        let advice = match catalog::suggestion(input) {
+            Some(name) => format!("; did you mean {name}?"),
+            None => String::new(),
+        };
+        let message =
+            format!("{input}: neither a name of the catalogue (acutile list) nor a file{advice}");
         return Err(message.into());
     }
     if parameter.is_some() {
@@ -126,7 +142,7 @@ pub fn of_content(
             of_text(input, &text, &options.points, output)
         }
         TextOrMesh::Certificate(bytes) => {
-            check_for_cif(input, &options.points)?;
+            document::check_for_crystal(input, &options.points)?;
             check_for_mesh(input, &options.mesh)?;
             of_certificate(input, &bytes)
         }
@@ -136,6 +152,12 @@ pub fn of_content(
 /// The tiling or family of a certificate, which is not judged here.
 fn of_certificate(input: &str, bytes: &[u8]) -> Result<Input, InputError> {
     let cbor = transcribe::cbor(input, bytes)?;
+    if theorem::is_theorem(&cbor) {
+        let message = format!(
+            "{input}: a certificate of a theorem and no tiling; show, verify and convert take it"
+        );
+        return Err(message.into());
+    }
     let name = input.to_owned();
     if format::kind(&cbor) == Some(format::FAMILY) {
         let read = acutile_core::transcribe::family::of_certificate(&cbor);
@@ -153,7 +175,9 @@ fn of_certificate(input: &str, bytes: &[u8]) -> Result<Input, InputError> {
         description: "the tiling of a certificate".to_owned(),
         tiling,
         origin: None,
+        sides: BTreeSet::new(),
         notes: Vec::new(),
+        labels: Vec::new(),
     }))
 }
 
@@ -183,85 +207,27 @@ fn of_text(
     points: &PointArguments,
     output: &mut Output,
 ) -> Result<Input, InputError> {
-    let file = document(Path::new(input), text, points, output)?;
-    let words = [file.name, file.description].into_iter().flatten();
-    let description = words.collect::<Vec<_>>().join(": ");
+    let file = document::read(Path::new(input), text, points, output)?;
     let tiling = match file.content {
         Content::Tiling(tiling) => tiling,
         Content::Points(set) => points::of_points(input, &set, points, output)?,
         Content::Family(family) => {
             return Ok(Input::Family(NamedFamily {
                 name: input.to_owned(),
-                description,
+                description: file.description,
                 family,
             }));
         }
     };
     Ok(Input::Tiling(Named {
         name: input.to_owned(),
-        description,
+        description: file.description,
         tiling,
         origin: None,
-        notes: Vec::new(),
+        sides: BTreeSet::new(),
+        notes: file.notes,
+        labels: file.labels,
     }))
-}
-
-/// The points of a point-set file.
-///
-/// # Errors
-/// A message that names the file.
-pub fn points(
-    path: &Path,
-    arguments: &PointArguments,
-    output: &mut Output,
-) -> Result<AnyPointSet, InputError> {
-    let text = read_text(path).map_err(|error| InputError::of_file(path, &error))?;
-    match document(path, &text, arguments, output)?.content {
-        Content::Points(points) => Ok(points),
-        Content::Tiling(_) | Content::Family(_) => Err(format!(
-            "{}: is a tiling file, expected a point-set file",
-            path.display()
-        )
-        .into()),
-    }
-}
-
-/// A CIF or one of the program's own files.
-fn document(
-    path: &Path,
-    text: &str,
-    points: &PointArguments,
-    output: &mut Output,
-) -> Result<NativeFile, InputError> {
-    let named = |error: ImportError| InputError::of_file(path, &error);
-    if is_cif(&uncompressed_name(path), text) {
-        return cif(path, text, points, output).map_err(named);
-    }
-    check_for_cif(&path.display().to_string(), points)?;
-    read_native(text).map_err(named)
-}
-
-fn cif(
-    path: &Path,
-    text: &str,
-    points: &PointArguments,
-    output: &mut Output,
-) -> Result<NativeFile, ImportError> {
-    let options = CifOptions {
-        block: points.block.clone(),
-        snap: points.snap,
-        only: points.only.clone(),
-        ignore_occupancy: points.ignore_occupancy,
-    };
-    let cif = read_cif(text, &options)?;
-    for note in cif.notes {
-        output.complain(format!("{}: {note}", path.display()));
-    }
-    Ok(NativeFile {
-        name: Some(cif.name),
-        description: None,
-        content: Content::Points(AnyPointSet::Space(cif.points)),
-    })
 }
 
 /// The options for a mesh mean nothing for `input`, which is none.
@@ -276,20 +242,6 @@ fn check_for_mesh(input: &str, mesh: &MeshArguments) -> Result<(), String> {
         Some((option, _)) => Err(format!(
             "{input}: {option} is for a mesh file, which this is not"
         )),
-    }
-}
-
-/// The options for a CIF mean nothing for `input`, which is none.
-fn check_for_cif(input: &str, points: &PointArguments) -> Result<(), String> {
-    let given = [
-        ("--block", points.block.is_some()),
-        ("--snap", points.snap.is_some()),
-        ("--only", !points.only.is_empty()),
-        ("--ignore-occupancy", points.ignore_occupancy),
-    ];
-    match given.iter().find(|(_, given)| *given) {
-        None => Ok(()),
-        Some((option, _)) => Err(format!("{input}: {option} is for a CIF, which this is not")),
     }
 }
 
@@ -310,9 +262,12 @@ pub enum TextOrMesh {
 /// A message that names the file.
 pub fn text_or_mesh(path: &Path, options: &MeshArguments) -> Result<TextOrMesh, InputError> {
     let of_mesh = |error| InputError::of_mesh(&path.display().to_string(), &error);
-    let family = options.mesh_format.map(|format| format.family());
-    if let Some(family) = family.or_else(|| Family::of_path(path)) {
+    if let Some(family) = options.mesh_format {
         let loaded = load::load(path, family);
+        return loaded.map(TextOrMesh::Mesh).map_err(of_mesh);
+    }
+    if let Some(family) = Family::of_path(path) {
+        let loaded = load::load_by_name(path, family);
         return loaded.map(TextOrMesh::Mesh).map_err(of_mesh);
     }
     let of_file = |error| InputError::of_file(path, &error);
@@ -324,8 +279,11 @@ pub fn text_or_mesh(path: &Path, options: &MeshArguments) -> Result<TextOrMesh, 
     if format::recognise(&bytes).is_some() {
         return Ok(TextOrMesh::Certificate(bytes));
     }
-    let text = String::from_utf8(bytes).map_err(|error| ImportError::NotText {
-        offset: error.utf8_error().valid_up_to(),
-    });
-    text.map(TextOrMesh::Text).map_err(of_file)
+    if unknown::name(path, &bytes).is_some() {
+        let message = unknown::message(path, &bytes);
+        return Err(format!("{}: {message}", path.display()).into());
+    }
+    text_of(&uncompressed_name(path), bytes)
+        .map(TextOrMesh::Text)
+        .map_err(of_file)
 }

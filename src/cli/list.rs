@@ -42,5 +42,17 @@ pub fn run(arguments: &ListArguments, output: &mut Output) -> Outcome {
             output.line(format!("{name:width$}  {}", entry.description));
         }
     }
+    for theorem in catalog::THEOREMS {
+        if arguments.json {
+            output.line(json!({
+                "name": theorem.name,
+                "description": theorem.description,
+                "theorem": true,
+                "family": theorem.family,
+            }));
+        } else {
+            output.line(format!("{:width$}  {}", theorem.name, theorem.description));
+        }
+    }
     Outcome::Done
 }

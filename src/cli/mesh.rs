@@ -2,8 +2,7 @@
 
 use super::named::{InputError, Named};
 use super::output::{Output, write_file};
-use acutile_core::tiling::AnyTiling;
-use acutile_io::mesh::Format;
+use acutile_io::mesh::Family;
 use acutile_io::mesh::load::Loaded;
 use acutile_io::mesh::{Converted, Lattice, Mesh, Move, periodic_tiling, region_tiling};
 use clap::Args;
@@ -15,9 +14,9 @@ use std::path::PathBuf;
 #[derive(Clone, Debug, Default, Args)]
 #[command(next_help_heading = "Mesh files")]
 pub struct MeshArguments {
-    /// The mesh is a cell of a periodic tiling with these lattice vectors, three for space or two
-    /// for a slab: integers, fractions and decimals, exact as written
-    #[arg(long, value_name = "A1,A2,A3;B1,B2,B3;C1,C2,C3", value_parser = Lattice::parse,
+    /// The mesh is a cell of a periodic tiling or region with these lattice vectors, one to three
+    /// (of a mesh of triangles one or two): integers, fractions and decimals, exact as written
+    #[arg(long, value_name = "A1,A2,A3[;B1,B2,B3[;C1,C2,C3]]", value_parser = Lattice::parse,
         allow_hyphen_values = true)]
     pub lattice: Option<Lattice>,
     /// The mesh is bounded, even if the file has periodic links
@@ -32,9 +31,9 @@ pub struct MeshArguments {
     #[arg(long, value_name = "FILE", requires = "identify")]
     pub moves: Option<PathBuf>,
     /// The format of a mesh file that has no extension of its own: msh4, vtk, vtu, medit,
-    /// meshb, tetgen
-    #[arg(long = "from", value_name = "FORMAT", value_parser = Format::parse)]
-    pub mesh_format: Option<Format>,
+    /// meshb, tetgen, abaqus, nastran, mfem
+    #[arg(long = "from", value_name = "FORMAT", value_parser = Family::parse)]
+    pub mesh_format: Option<Family>,
 }
 
 /// A distance in doubles.
@@ -58,9 +57,10 @@ pub fn tiling(
     output: &mut Output,
 ) -> Result<Named, InputError> {
     let description = format!(
-        "a mesh of {} nodes and {} tetrahedra",
+        "a mesh of {} nodes and {} {}",
         loaded.mesh.points.len(),
-        loaded.mesh.tetrahedra.len()
+        loaded.mesh.cell_count(),
+        loaded.mesh.cell_name()
     );
     let (converted, notes) = converted(input, loaded.mesh, options)?;
     for note in &notes {
@@ -73,9 +73,11 @@ pub fn tiling(
     Ok(Named {
         name: input.to_owned(),
         description,
-        tiling: AnyTiling::Space(converted.tiling),
+        tiling: converted.tiling,
         origin: Some(converted.origin),
+        sides: converted.sides,
         notes,
+        labels: Vec::new(),
     })
 }
 
@@ -148,7 +150,7 @@ fn conversion_notes(converted: &Converted, options: &MeshArguments) -> Vec<Strin
     let mut notes = Vec::new();
     if converted.unused > 0 {
         notes.push(format!(
-            "{} nodes belong to no tetrahedron, and are left out",
+            "{} nodes belong to no cell, and are left out",
             converted.unused
         ));
     }

@@ -15,6 +15,7 @@ mod certify;
 mod classify;
 mod convert;
 mod delaunay;
+mod document;
 mod draw;
 mod encoding;
 mod export;
@@ -24,6 +25,7 @@ mod input;
 mod interrupt;
 mod limits;
 mod list;
+mod lower_bound;
 mod mesh;
 mod meta;
 mod named;
@@ -40,6 +42,7 @@ mod report;
 mod show;
 mod table;
 mod target;
+mod theorem;
 mod transcribe;
 mod verify;
 mod words;
@@ -65,6 +68,7 @@ pub fn main() -> ExitCode {
         Command::Convert(convert) => convert::run(&convert, &mut output),
         Command::Table(table) => table::run(&table, &mut output),
         Command::Paper(paper) => paper::run(&paper, &mut output),
+        Command::LowerBound(bound) => lower_bound::run(&bound, &mut output),
         Command::Quality(quality) => quality::run(&quality, &mut output),
         Command::Gallery(gallery) => gallery::run(&gallery, &mut output),
         Command::Report(report) => report::run(&report, &mut output),
@@ -73,7 +77,7 @@ pub fn main() -> ExitCode {
         Command::Appendix(appendix) => appendix::run(&appendix, &mut output),
         Command::Bundle(bundle) => bundle::run(&bundle, &mut output),
         Command::Completions(completions) => meta::completions(&completions, &mut output),
-        Command::Man => meta::man(&mut output),
+        Command::Man(man) => meta::man(&man, &mut output),
     };
     ExitCode::from(outcome.and(output.finish()).code())
 }

@@ -2,9 +2,10 @@
 
 use super::outcome::Outcome;
 use acutile_core::family::AnyFamily;
-use acutile_core::tiling::AnyTiling;
+use acutile_core::tiling::{AnyTiling, Facet};
 use acutile_io::import::ImportError;
 use acutile_io::mesh::{MeshError, Origin};
+use std::collections::BTreeSet;
 use std::path::Path;
 
 /// Where a tiling comes from, with its name for messages and for the file name of
@@ -18,8 +19,12 @@ pub struct Named {
     pub tiling: AnyTiling,
     /// The numbers of a mesh file.
     pub origin: Option<Origin>,
-    /// What was told of a mesh file: what was moved, turned, or not looked at.
+    /// Facets on the sides of a periodic mesh that have no mate.
+    pub sides: BTreeSet<Facet>,
+    /// What was told of a mesh file or a crystal structure: what was moved, turned, or not looked at.
     pub notes: Vec<String>,
+    /// For each vertex the label of its site; empty if there are none.
+    pub labels: Vec<String>,
 }
 
 /// A family with its name.

@@ -7,6 +7,7 @@ use super::progress::Progress;
 use acutile_core::delaunay::{DelaunayError, Ties, triangulate};
 use acutile_core::tiling::{AnyPointSet, AnyTiling, PointSet, Tiling};
 use acutile_core::with_dimension;
+use acutile_io::import::cif::{CifOptions, Special, names};
 use clap::Args;
 
 /// How a point set is read and triangulated.
@@ -16,25 +17,79 @@ pub struct PointArguments {
     /// in every lattice translate, instead of refusing
     #[arg(long)]
     pub triangulate: bool,
-    /// The data block of a CIF that has several
-    #[arg(long, value_name = "NAME", help_heading = "CIF")]
+    /// The data block of a CIF, or the number of the frame of an XYZ file, that has several
+    #[arg(long, value_name = "NAME", help_heading = "Crystal structures")]
     pub block: Option<String>,
     /// Replace each decimal of a CIF by the multiple of 1/DENOMINATOR that agrees with all of its
     /// digits, if there is one; every replacement is printed
-    #[arg(long, value_name = "DENOMINATOR", help_heading = "CIF",
+    #[arg(long, value_name = "DENOMINATOR", help_heading = "Crystal structures",
           value_parser = clap::value_parser!(u32).range(1..=1_000_000))]
     pub snap: Option<u32>,
-    /// The sites of a CIF that are taken
+    /// Move sites of a CIF that lie on a special position within their digits exactly onto it
+    #[arg(long, help_heading = "Crystal structures")]
+    pub special: bool,
+    /// Keep such sites as they are written
+    #[arg(long, help_heading = "Crystal structures", conflicts_with = "special")]
+    pub as_written: bool,
+    /// The sites that are taken, by label or element (repeat the option, or separate by commas and
+    /// put labels with a comma in double quotes)
     #[arg(
         long,
-        value_name = "LABEL,LABEL",
-        help_heading = "CIF",
-        value_delimiter = ','
+        value_name = "LABEL,ELEMENT",
+        help_heading = "Crystal structures"
     )]
     pub only: Vec<String>,
-    /// Take sites of a CIF as atoms whatever their occupancy, and those at one place as one
-    #[arg(long, help_heading = "CIF")]
+    /// The sites that are left out, by label or element
+    #[arg(
+        long,
+        value_name = "LABEL,ELEMENT",
+        help_heading = "Crystal structures"
+    )]
+    pub except: Vec<String>,
+    /// Take sites as atoms whatever their occupancy, and those at one place as one
+    #[arg(long, help_heading = "Crystal structures")]
     pub ignore_occupancy: bool,
+}
+
+impl PointArguments {
+    /// The options of the readers of crystal structures.
+    ///
+    /// # Errors
+    /// A quote without an end in --only or --except.
+    pub fn crystal_options(&self) -> Result<CifOptions, String> {
+        let special = if self.special {
+            Special::Move
+        } else if self.as_written {
+            Special::AsWritten
+        } else {
+            Special::Refuse
+        };
+        Ok(CifOptions {
+            block: self.block.clone(),
+            snap: self.snap,
+            only: names(&self.only).map_err(|problem| format!("--only: {problem}"))?,
+            except: names(&self.except).map_err(|problem| format!("--except: {problem}"))?,
+            ignore_occupancy: self.ignore_occupancy,
+            special,
+        })
+    }
+
+    /// The options that are given and mean something for crystal structures only.
+    pub fn given_for_crystals(&self) -> Option<&'static str> {
+        let given = [
+            ("--block", self.block.is_some()),
+            ("--snap", self.snap.is_some()),
+            ("--special", self.special),
+            ("--as-written", self.as_written),
+            ("--only", !self.only.is_empty()),
+            ("--except", !self.except.is_empty()),
+            ("--ignore-occupancy", self.ignore_occupancy),
+        ];
+        given
+            .into_iter()
+            .find(|(_, given)| *given)
+            .map(|(option, _)| option)
+    }
 }
 
 /// The triangulation of the point set of an input that may be a tiling as well, and a

@@ -3,7 +3,10 @@
 use super::input::{self, FileArguments, Input};
 use super::outcome::Outcome;
 use super::output::Output;
+use super::theorem;
+use acutile_catalog as catalog;
 use acutile_core::family::{Family, point_in_words};
+use acutile_core::format;
 use acutile_core::predicates::Model;
 use acutile_core::quality::{
     DihedralAngle, Exact, decimal_range, dihedral_degrees, display_width, exact_ranges, shapes,
@@ -13,7 +16,9 @@ use acutile_core::{with_dimension, with_family};
 use acutile_exact::geometry::linear;
 use acutile_exact::number::{Field, Number};
 use acutile_exact::polynomial::Polynomial;
+use acutile_io::import::{BYTE_LIMIT, read_bytes};
 use clap::Args;
+use std::path::Path;
 
 #[derive(Debug, Args)]
 pub struct ShowArguments {
@@ -30,6 +35,15 @@ pub struct ShowArguments {
 
 /// Prints counts, lattice, field and shapes.
 pub fn run(arguments: &ShowArguments, output: &mut Output) -> Outcome {
+    if let Some(shown) = show_theorem(&arguments.input, output) {
+        return match shown {
+            Ok(()) => Outcome::Done,
+            Err(message) => {
+                output.complain(format!("acutile: {message}"));
+                Outcome::Failed
+            }
+        };
+    }
     match input::any(
         &arguments.input,
         arguments.param.as_deref(),
@@ -51,6 +65,21 @@ pub fn run(arguments: &ShowArguments, output: &mut Output) -> Outcome {
             error.outcome
         }
     }
+}
+
+/// A theorem of the catalogue, or a certificate of one.
+fn show_theorem(input: &str, output: &mut Output) -> Option<Result<(), String>> {
+    if let Some(entry) = catalog::theorem(input) {
+        return Some(theorem::show_entry(entry, output));
+    }
+    let path = Path::new(input);
+    if !path.is_file() {
+        return None;
+    }
+    let bytes = read_bytes(path, BYTE_LIMIT).ok()?;
+    format::recognise(&bytes)?;
+    let cbor = format::to_cbor(&bytes).ok()?;
+    theorem::is_theorem(&cbor).then(|| theorem::show_certificate(input, &cbor, output))
 }
 
 fn show<const D: usize>(tiling: &Tiling<D>, output: &mut Output) {

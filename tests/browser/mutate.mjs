@@ -61,15 +61,42 @@ export function toCbor(value) {
   return items.includes(undefined) ? undefined : [...head(4, BigInt(items.length)), ...items.flat()];
 }
 
-// ---- Numbers: arrays of coefficients as BigInt ----
+// ---- Numbers: arrays of coefficients as BigInt; in families values are lists of terms [number, exponent…] ----
 
 const gcd = (a, b) => (b === 0n ? (a < 0n ? -a : a) : gcd(b, a % b));
 const wide = (x) => (Array.isArray(x) ? x.map(BigInt) : [BigInt(x)]);
 const short = (c) => (c > -(2n ** 53n) && c < 2n ** 53n ? Number(c) : `${c}`);
 const narrow = (x, like) => (Array.isArray(like) ? x.map(short) : short(x[0]));
 const mapped = (number, change) => narrow(wide(number).map(change), number);
-const times = (number, factor) => mapped(number, (c) => c * factor);
-const plus = (number, other) => mapped(number, (c, k) => c + (other[k] ?? 0n));
+/** A number over Q(a) is an array of integers, a value of a family one of arrays. The empty value is zero. */
+const isValue = (x) => Array.isArray(x) && (x.length === 0 || Array.isArray(x[0]));
+const isZero = (number) => wide(number).every((c) => c === 0n);
+const eachNumber = (x, change) => (isValue(x) ? x.map(([c, ...powers]) => [change(c), ...powers]).filter(([c]) => !isZero(c)) : change(x));
+const times = (x, factor) => eachNumber(x, (number) => mapped(number, (c) => c * factor));
+const divided = (x, divisor) => eachNumber(x, (number) => mapped(number, (c) => c / divisor));
+const plusNumber = (number, other) => mapped(number, (c, k) => c + (other[k] ?? 0n));
+
+/** Adds a number, to a value at its constant term; `like` is a number of the field, `count` that of parameters. */
+function plus(x, other, like, count) {
+  if (!isValue(x)) return plusNumber(x, other);
+  return withTerm(x, [narrow(wide(like).map((_, k) => other[k] ?? 0n), like), ...Array(count).fill(0)]);
+}
+
+/** Adds a term to a value, in order. */
+function withTerm(value, [c, ...powers]) {
+  const at = value.findIndex(([, ...other]) => byEntries(other, powers) === 0);
+  const terms = at < 0 ? [...value, [c, ...powers]] : value.with(at, [plusNumber(value[at][0], wide(c)), ...powers]);
+  return terms.filter(([c]) => !isZero(c)).sort(([, ...p], [, ...q]) => byEntries(p, q));
+}
+
+/** All coefficients of nested arrays of numbers or values. The exponents of terms are none. */
+function integersOf(table, isFamily) {
+  if (!isFamily) return table.flat(3).map(BigInt);
+  return table.flat(1).flatMap((value) => value.flatMap(([c]) => wide(c)));
+}
+
+const likeOf = ({ field }) => (field === "Q" ? 0 : Array(field.polynomial.length - 1).fill(0));
+const countOf = ({ parameters }) => parameters?.length ?? 0;
 
 /** All coordinates and their denominator, times an integer. */
 function refine(table, factor) {
@@ -78,16 +105,16 @@ function refine(table, factor) {
 }
 
 /** Lowest terms. */
-function reduce(table) {
-  const common = [table.denominator, ...table.vertices.flat(2)].map(BigInt).reduce(gcd);
+function reduce(table, claim) {
+  const common = [BigInt(table.denominator), ...integersOf(table.vertices, Boolean(claim.parameters))].reduce(gcd);
   if (common < 2n) return;
   table.denominator = mapped(table.denominator, (c) => c / common);
-  table.vertices = table.vertices.map((point) => point.map((x) => mapped(x, (c) => c / common)));
+  table.vertices = table.vertices.map((point) => point.map((x) => divided(x, common)));
 }
 
 function reduceGram({ claim }) {
-  const common = claim.gram.flat(2).map(BigInt).reduce(gcd);
-  if (common > 1n) claim.gram = claim.gram.map((row) => row.map((x) => mapped(x, (c) => c / common)));
+  const common = integersOf(claim.gram, Boolean(claim.parameters)).reduce(gcd);
+  if (common > 1n) claim.gram = claim.gram.map((row) => row.map((x) => divided(x, common)));
 }
 
 // ---- Corners, rows, facets ----
@@ -172,7 +199,7 @@ function moveVertex(chance, certificate) {
   const rank = rankOf(claim);
   const v = chance.index(witness.vertices);
   const by = Array.from({ length: rank }, () => chance.below(5) - 2);
-  witness.vertices[v] = witness.vertices[v].map((x, k) => plus(x, [BigInt(by[k] ?? 0) * BigInt(witness.denominator)]));
+  witness.vertices[v] = witness.vertices[v].map((x, k) => plus(x, [BigInt(by[k] ?? 0) * BigInt(witness.denominator)], likeOf(claim), countOf(claim)));
   rename(certificate, ([u, ...shift]) => (u === v ? moved([u, ...shift], by, -1) : [u, ...shift]));
 }
 
@@ -190,9 +217,9 @@ function nudge(chance, { witness, claim }) {
   refine(witness, factor);
   const point = chance.of(witness.vertices);
   const k = chance.index(point);
-  point[k] = plus(point[k], [BigInt(chance.of([-2, -1, 1, 3])), ...(chance.below(3) === 0 ? [1n] : [])]);
+  point[k] = plus(point[k], [BigInt(chance.of([-2, -1, 1, 3])), ...(chance.below(3) === 0 ? [1n] : [])], likeOf(claim), countOf(claim));
   if (chance.below(2) === 0 && claim.domain[0] === "solid") refine(claim.domain[1], factor);
-  reduce(witness);
+  reduce(witness, claim);
 }
 
 /** Another metric. */
@@ -202,7 +229,7 @@ function stretch(chance, certificate) {
   claim.gram = claim.gram.map((row) => row.map((x) => times(x, factor)));
   const row = chance.of(claim.gram);
   const k = chance.below(3) === 0 ? chance.index(row) : 0;
-  row[k] = plus(row[k], [BigInt(chance.of([-3, -1, 1, 2]))]);
+  row[k] = plus(row[k], [BigInt(chance.of([-3, -1, 1, 2]))], likeOf(claim), countOf(claim));
   reduceGram(certificate);
 }
 
@@ -303,15 +330,15 @@ function removeRow(chance, certificate) {
 
 /** A second piece, the same one moved and scaled: beside, inside of or across the first. */
 function secondPiece(chance, certificate) {
-  const { witness } = certificate;
+  const { claim, witness } = certificate;
   refine(witness, 840n);
   const [p, q] = chance.of([[1n, 1n], [1n, 1n], [1n, 2n], [1n, 10n], [1n, 40n], [3n, 1n]]);
   const by = witness.vertices[0].map(() => (BigInt(witness.denominator) / 840n) * BigInt(chance.of([0, 0, 840, -840, 420, 1680, 120, 168, 240, 84000])));
   const n = witness.vertices.length;
-  witness.vertices.push(...witness.vertices.map((point) => point.map((x, k) => plus(mapped(x, (c) => (c * p) / q), [by[k]]))));
+  witness.vertices.push(...witness.vertices.map((point) => point.map((x, k) => plus(divided(times(x, p), q), [by[k]]))));
   const renamed = (corner) => (Array.isArray(corner) ? [corner[0] + n, ...corner.slice(1)] : corner + n);
   for (const table of [witness.simplices, witness.boundary]) table.push(...table.map((corners) => corners.map(renamed)));
-  reduce(witness);
+  reduce(witness, claim);
 }
 
 /** Two vertices become one. */
@@ -334,11 +361,12 @@ function changeRank(chance, certificate) {
   witness.simplices = witness.simplices.map((row) => row.slice(0, claim.dimension + 1));
   if (chance.below(2) === 0) refine(witness, BigInt(chance.of([2, 3, 5])));
   if (chance.below(2) === 0) witness.denominator = short(BigInt(witness.denominator) * BigInt(chance.of([2, 3, 7])));
-  reduce(witness);
+  reduce(witness, claim);
   findBoundary(certificate);
 }
 
 function changeDomain(chance, { claim }) {
+  const moved = (x) => plus(x, [1n], likeOf(claim), countOf(claim));
   const [kind, polytope] = claim.domain;
   if (kind === "region" || claim.domain === "space") return void (claim.domain = chance.of(["space", ["region", 0], ["region", claim.dimension], ["region", 9], ["region", -1], "slab"]));
   const { faces, vertices } = polytope;
@@ -353,9 +381,9 @@ function changeDomain(chance, { claim }) {
     () => ([face[0], face[face.length - 1]] = [face.at(-1), face[0]]),
     () => (face[0] = chance.below(9)),
     () => vertices.push([...point]),
-    () => (point[0] = plus(point[0], [1n])),
+    () => (point[0] = moved(point[0])),
     () => refine(polytope, 2n),
-    () => (refine(polytope, 3n), (point[0] = plus(point[0], [1n])), reduce(polytope)),
+    () => (refine(polytope, 3n), (point[0] = moved(point[0])), reduce(polytope, claim)),
     () => (polytope.denominator = chance.of([0, -1, 2, 3])),
   ])();
 }
@@ -375,7 +403,81 @@ function changeAnything(chance, certificate) {
   else delete holder[key];
 }
 
+// ---- Families ----
+
+/** Other ends of a parameter, or another name. */
+function changeParameter(chance, { claim }) {
+  const parameter = chance.of(claim.parameters);
+  const side = chance.of(["low", "high"]);
+  const end = parameter[side];
+  chance.of([
+    () => (end[0] = end[0] === "open" ? "closed" : "open"),
+    () => (end[0] = end[0] === "open" ? "closed" : "open"),
+    () => (end[1] = fractionNear(chance, end[1], claim)),
+    () => (end[1] = fractionNear(chance, end[1], claim)),
+    () => ([parameter.low, parameter.high] = [parameter.high, parameter.low]),
+    () => (parameter[side] = structuredClone(parameter[side === "low" ? "high" : "low"])),
+    () => (parameter.name = chance.of(["a", "x1", "X", "", "a".repeat(17), claim.parameters[0].name])),
+    () => claim.parameters.push({ ...structuredClone(parameter), name: "new" }),
+  ])();
+}
+
+/** Another tree of halvings. */
+function changeTree(chance, { claim, witness }) {
+  const axis = chance.below(claim.parameters.length);
+  const holders = [[witness, "tree"]];
+  const visit = (node) => node.slice(1).forEach((half, i) => (holders.push([node, i + 1]), visit(half)));
+  visit(witness.tree);
+  const [holder, key] = chance.of(holders);
+  holder[key] = chance.of([() => [axis, holder[key], structuredClone(holder[key])], () => [axis, [], []], () => [], () => [axis, [axis, [], []], holder[key]], () => [chance.below(4), [], []]])();
+}
+
+/** Another term of a value. */
+function changeTerm(chance, certificate) {
+  const { claim, witness } = certificate;
+  const row = chance.of([...claim.gram, ...claim.gram, ...witness.vertices, ...(Array.isArray(claim.domain) ? claim.domain[1].vertices : [])]);
+  const k = chance.index(row);
+  const value = row[k];
+  const powers = Array.from({ length: claim.parameters.length }, () => chance.of([0, 0, 1, 1, 2, 3]));
+  const unit = narrow(wide(likeOf(claim)).map((_, i) => (i === 0 ? BigInt(chance.of([-1, 1, 2])) : 0n)), likeOf(claim));
+  chance.of([
+    () => (row[k] = withTerm(value, [unit, ...powers])),
+    () => (row[k] = withTerm(value, [unit, ...powers])),
+    () => value.splice(chance.index(value), 1),
+    () => (chance.of(value)[1] += chance.of([-1, 1, 14])),
+    () => value.reverse(),
+    () => value.push(structuredClone(chance.of(value))),
+    () => (chance.of(value)[0] = likeOf(claim)),
+  ])();
+  if (chance.below(8) > 0) {
+    reduceGram(certificate);
+    reduce(witness, claim);
+  }
+}
+
+/** A tiling as a family, whose Gram matrix has a factor 1 + t, or 1 + t² - t: all angles are the same. */
+export function asFamily(chance, { claim, witness, ...rest }) {
+  if (claim.parameters || claim.domain[0] === "region") return;
+  const value = (x) => (isZero(x) ? [] : [[x, 0]]);
+  const powers = chance.of([[[1, 1]], [[-1, 1], [1, 2]]]);
+  const stretched = (x) => (isZero(x) ? [] : [[x, 0], ...powers.map(([sign, e]) => [times(x, BigInt(sign)), e])]);
+  const like = likeOf({ ...claim });
+  const end = (n) => chance.of([["closed", [plusNumber(like, [BigInt(n)]), 1]], ["open", [plusNumber(like, [BigInt(n)]), 1]]]);
+  const tree = chance.of([[], [0, [], []], [0, [0, [], []], []], [0, [], [0, [], [0, [], []]]]]);
+  const values = (rows) => rows.map((row) => row.map(value));
+  const domain = Array.isArray(claim.domain) ? [claim.domain[0], { ...claim.domain[1], vertices: values(claim.domain[1].vertices) }] : claim.domain;
+  return {
+    ...{ ...rest, kind: "family" },
+    claim: {
+      ...{ dimension: claim.dimension, field: claim.field, parameters: [{ name: "t", low: end(0), high: end(1) }] },
+      ...{ gram: claim.gram.map((row) => row.map(stretched)), domain, statements: claim.statements },
+    },
+    witness: { denominator: witness.denominator, vertices: values(witness.vertices), boundary: [], tree, simplices: witness.simplices },
+  };
+}
+
 const KEEP = [relabel, moveVertex, exchangeRows];
+const FAMILY = [changeParameter, changeTree, changeTerm, changeTerm, changeTerm];
 const BREAK = [nudge, nudge, stretch, changeBound, changeBound, changeStatements, changeField, changeRow, changeRow, changeAnything, identify];
 const REGION = [removeRow, secondPiece, secondPiece, identify, changeBoundary, changeRank];
 
@@ -400,14 +502,16 @@ function cut(chance, text, length, replacement) {
 /** One certificate, changed once or a few times, as text. */
 export function mutate(chance, text) {
   if (chance.below(16) === 0) return chance.of(TEXT)(chance, text);
-  const certificate = JSON.parse(text);
+  let certificate = JSON.parse(text);
   for (let i = 0; i === 0 || (i < 4 && chance.below(3) === 0); i++) attempt(() => chance.of(tableFor(chance, certificate))(chance, certificate));
+  if (chance.below(4) === 0) attempt(() => (certificate = asFamily(chance, certificate) ?? certificate));
   return write(certificate);
 }
 
 function tableFor(chance, { claim }) {
   const kind = chance.below(12);
   if (kind === 0) return KEEP;
+  if (kind < 6 && claim.parameters) return FAMILY;
   if (kind < 6 && claim.domain[0] === "region") return REGION;
   if (kind < 6 && Array.isArray(claim.domain)) return [changeDomain];
   if (kind === 6) return [changeRank, changeDomain, changeBoundary];

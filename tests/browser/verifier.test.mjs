@@ -261,6 +261,106 @@ test("signs and bounds of a + b √2", async () => {
   assert.deepEqual([ring.bounds([0n, 1n], 1000n), ring.bounds([0n, -1n], 1n), ring.bounds([5n, 0n], 3n)], [[1414n, 1415n], [-2n, -1n], [15n, 15n]]);
 });
 
+// ---- Signs of polynomials on boxes ----
+
+/** Coefficients from the constant term up. */
+const timesPolynomial = (p, q) => Array.from({ length: p.length + q.length - 1 }, (_, k) => p.reduce((sum, c, i) => sum + c * (q[k - i] ?? 0n), 0n));
+
+/** A product of factors, most of whose roots are known, in twelfths of the box from 0 to 1; and its values in 24ths, times positive numbers. */
+function polynomialWithRoots(chance) {
+  const roots = Array.from({ length: 1 + chance.below(3) }, () => ({ at: chance.of([0, 0, 12, 12, 6, 3, 4, -5, 13]), order: 1 + chance.below(3) }));
+  let p = [chance.of([1n, 1n, -1n, 7n])];
+  for (const { at, order } of roots) for (let i = 0; i < order; i++) p = timesPolynomial(p, [-BigInt(at), 12n]);
+  if (chance.below(3) === 0) p = timesPolynomial(p, [chance.of([37n, 1n]), -12n, chance.of([1n, 10n]) * 2n]);
+  const value = (twelfths) => p.reduce((sum, c, k) => sum + c * BigInt(twelfths) ** BigInt(k) * 24n ** BigInt(p.length - 1 - k), 0n);
+  return { p, value };
+}
+
+test("signs of polynomials with known roots", async () => {
+  const { Box, Polynomial, PolynomialRing, Ring, Work } = await inside("Box", "Polynomial", "PolynomialRing", "Ring", "Work");
+  const ring = new PolynomialRing(new Ring(), ["t"]);
+  const chance = new Chance(11);
+  const seen = [0, 0, 0];
+  for (let round = 0; round < 3000; round++) {
+    const closed = [chance.below(2) === 0, chance.below(2) === 0];
+    const tiling = { ring, work: new Work(Infinity) };
+    const box = new Box(tiling, [{ low: [0n], high: [1n], unit: 1n, closed }]);
+    const { p, value } = polynomialWithRoots(chance);
+    const polynomial = new Polynomial(ring, new Map(p.map((c, k) => [BigInt(k), [c]]).filter(([, [c]]) => c !== 0n)));
+    // There is such a point between any two of the known roots.
+    const inside = Array.from({ length: 23 }, (_, i) => value(i + 1));
+    const ends = [0, 24].filter((_, end) => closed[end]).map(value);
+    const all = [...inside, ...ends];
+    const [isPositive, isNotNegative] = [box.positive(polynomial, () => ""), box.atLeastZero(polynomial, () => "")];
+    if (isPositive) assert.ok(all.every((x) => x > 0n), JSON.stringify([String(p), closed]));
+    if (isNotNegative) assert.ok(all.every((x) => x >= 0n), JSON.stringify([String(p), closed]));
+    assert.ok(!isPositive || isNotNegative);
+    assert.equal(box.zero(polynomial, () => ""), false);
+    seen[isPositive ? 0 : isNotNegative ? 1 : 2]++;
+  }
+  assert.ok(Math.min(...seen) > 100, String(seen));
+});
+
+// (x - y)² + c on the unit square, and x² y: by hand. On the diagonal the middle coefficient is c - 1/2 and the corners are c, c + 1.
+const SQUARE = [
+  ["x + y", [[1n, 0, 1], [1n, 1, 0]], [[false, true], [true, true]], true, true],
+  ["x + y with the corner", [[1n, 0, 1], [1n, 1, 0]], [[true, true], [true, true]], false, true],
+  ["x y without its sides", [[1n, 1, 1]], [[false, true], [false, true]], true, true],
+  ["x y with a side", [[1n, 1, 1]], [[true, true], [false, true]], false, true],
+  ["x y with an open corner", [[1n, 1, 1]], [[false, false], [false, false]], true, true],
+  ["2 (x - y)² + 1", [[1n, 0, 0], [2n, 0, 2], [-4n, 1, 1], [2n, 2, 0]], [[true, true], [true, true]], true, true],
+  ["4 (x - y)² + 1", [[1n, 0, 0], [4n, 0, 2], [-8n, 1, 1], [4n, 2, 0]], [[true, true], [true, true]], false, false],
+  ["(1 - x) (1 - y) open at 1", [[1n, 0, 0], [-1n, 0, 1], [-1n, 1, 0], [1n, 1, 1]], [[true, false], [true, false]], true, true],
+  ["(1 - x) (1 - y) half open", [[1n, 0, 0], [-1n, 0, 1], [-1n, 1, 0], [1n, 1, 1]], [[true, false], [true, true]], false, true],
+  ["-x", [[-1n, 1, 0]], [[false, true], [true, true]], false, false],
+];
+
+test("signs of polynomials on the unit square by hand", async () => {
+  const { Box, Polynomial, PolynomialRing, Ring, Work, keyOf } = await inside("Box", "Polynomial", "PolynomialRing", "Ring", "Work", "keyOf");
+  const ring = new PolynomialRing(new Ring(), ["x", "y"]);
+  for (const [name, terms, closed, isPositive, isNotNegative] of SQUARE) {
+    const box = new Box({ ring, work: new Work(Infinity) }, closed.map((ends) => ({ low: [0n], high: [1n], unit: 1n, closed: ends })));
+    const polynomial = new Polynomial(ring, new Map(terms.map(([c, ...powers]) => [keyOf(powers), [c]])));
+    assert.deepEqual([name, box.positive(polynomial, () => ""), box.atLeastZero(polynomial, () => "")], [name, isPositive, isNotNegative]);
+  }
+});
+
+/** A family of rectangles with this square of a side: it is verified exactly if the polynomial is shown to be positive. */
+function rectangles(terms, parameters, tree) {
+  const constant = (c) => (c === 0 ? [] : [[c, ...parameters.map(() => 0)]]);
+  return write({
+    ...{ format: "acutile-certificate", version: 2, kind: "family" },
+    claim: { dimension: 2, field: "Q", parameters, gram: [[terms, constant(0)], [constant(1)]], domain: "space", statements: ["face-to-face tiling"] },
+    witness: { denominator: 1, vertices: [[[], []]], boundary: [], tree, simplices: [[0, [0, 1, 0], [0, 0, 1]], [0, [0, 1, -1], [0, 1, 0]]] },
+  });
+}
+
+test("the verifiers decide the same signs of random polynomials", () => {
+  const chance = new Chance(SEED);
+  const files = Array.from({ length: Math.min(MUTATIONS, 400) }, (_, i) => {
+    const count = 1 + chance.below(2);
+    const parameters = Array.from({ length: count }, (_, k) => {
+      const low = chance.below(5) - 3;
+      const end = (x) => [chance.of(["closed", "open"]), [x, 1]];
+      return { name: `x${k}`, low: end(low), high: end(low + 1 + chance.below(3)) };
+    });
+    const terms = new Map(parameters.map((_, k) => [parameters.map((_, l) => Number(k === l)).join(), chance.of([-2, -1, 1, 2, 3])]));
+    for (let j = chance.below(5); j >= 0; j--) terms.set(parameters.map(() => chance.below(4)).join(), chance.of([-3, -1, 1, 1, 2, 4]));
+    terms.set(parameters.map(() => 0).join(), chance.of([1, 1, 2, 3, 5, 9, 20]));
+    const rows = [...terms].map(([powers, c]) => [c, ...powers.split(",").map(Number)]);
+    rows.sort(([, ...p], [, ...q]) => p[0] - q[0] || (p[1] ?? 0) - (q[1] ?? 0));
+    const tree = chance.of([[], [], [0, [], []], [count - 1, [0, [], []], [0, [], [0, [], []]]]]);
+    return { name: `polynomial ${i}`, text: rectangles(rows, parameters, tree) };
+  });
+  const counts = new Map();
+  for (const { text } of files) {
+    const { verdict } = verify(text);
+    counts.set(verdict, (counts.get(verdict) ?? 0) + 1);
+  }
+  assert.ok(["verified", "rejected", "declined"].every((verdict) => counts.get(verdict) > files.length / 50), JSON.stringify([...counts]));
+  for (const other of OTHERS) compareTexts(other, files, true);
+});
+
 /** A module's tiling of nothing, over Q, with the unit metric. */
 async function unitSpace(dimension, ...names) {
   const module = await inside("Ring", "Work", ...names);
@@ -503,7 +603,7 @@ function dataFor({ reads }, { text, bytes }) {
   try {
     const tree = JSON.parse(text);
     const { claim, witness } = tree;
-    const records = [tree, claim, witness, claim.field, claim.field.root, claim.domain[1]];
+    const records = [tree, claim, witness, claim.field, claim.field.root, claim.domain[1], ...(claim.parameters ?? [])];
     const isPlain = write(tree) === text && namesAreRight(tree) && !records.some(Array.isArray);
     const data = isPlain ? toCbor(tree) : undefined;
     return data && Uint8Array.from(data);
@@ -515,7 +615,10 @@ function dataFor({ reads }, { text, bytes }) {
 const RECORDS = [
   ["format", "version", "kind", "claim", "witness"],
   ["dimension", "field", "gram", "domain", "statements"],
+  ["dimension", "field", "parameters", "gram", "domain", "statements"],
+  ["name", "low", "high"],
   ["denominator", "vertices", "boundary", "simplices"],
+  ["denominator", "vertices", "boundary", "tree", "simplices"],
   ["polynomial", "root"],
   ["low", "high", "denominator"],
   ["denominator", "vertices", "faces"],

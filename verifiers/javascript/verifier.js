@@ -2,7 +2,8 @@
 //
 // It is a second opinion on the kernel in Rust. Both follow docs/format.md and docs/soundness.md; neither is a translation of the other.
 // Here a facet is named by the text of its corners, valences are counted at the end, angles and Delaunay come from the normals of the
-// facets, radii from the formulas of Heron and Crelle, and boundary facets are compared by cutting edges with triangles.
+// facets, radii from the formulas of Heron and Crelle, and boundary facets are compared by cutting edges with triangles. In a family the
+// numbers are polynomials; each condition is shown in each leaf, by Bernstein coefficients from blossoms, or else tried in points.
 //
 // The module has no imports and uses only the language, TextDecoder and TextEncoder. Only BigInt decides about numbers. A Number is an
 // index, a count, an entry of a shift, or an integer of the certificate below 2^53. The report page embeds this file, so no end of a
@@ -10,17 +11,18 @@
 
 /**
  * Inclusive upper bounds. A certificate beyond one is declined, never accepted. `bytes` counts those of the JSON, `bits` those of an integer.
- * `work` counts sides of points with respect to faces, and comparisons of two boxes in a region.
+ * `work` counts sides of points with respect to faces, comparisons of two boxes in a region, and Bernstein coefficients of a family.
  */
 const DEFAULT_LIMITS = Object.freeze({ bytes: 67108864, simplices: 1000000, bits: 4096, degree: 8, work: 200000000 });
 
 /** The verdict of every code, in the order of docs/format.md. */
 const CODES = new Map(
   `declined encoding, too-many-bytes; malformed json, canonical, format; declined version, kind; malformed dimension, polynomial;
-  declined degree, too-many-digits; malformed root-order; rejected root-signs; malformed root-derivative; rejected gram-not-positive;
-  malformed prism-dimension, region-rank, denominator, face-count, face-length, face-vertices, face-repeated, unused-domain-vertex;
+  declined degree, too-many-digits; malformed root-order; rejected root-signs; malformed root-derivative, parameters, parameter-name,
+  box-exchanged, box-empty, tree; declined tree-size; malformed exponent, terms; rejected gram-not-positive;
+  malformed family-domain, prism-dimension, region-rank, denominator, face-count, face-length, face-vertices, face-repeated, unused-domain-vertex;
   rejected face-not-facet, face-not-convex, faces-not-closed; malformed statements, bound-range, statement-domain;
-  rejected denominator-domain, vertex-outside; malformed boundary-domain, no-simplices; declined too-many-simplices;
+  rejected denominator-domain, vertex-outside; malformed unused-parameter, boundary-domain, no-simplices; declined too-many-simplices;
   malformed vertex-range, shift-range, corner-order, sixes, boundary-repeated; rejected boundary-meets, facet-side, triangle-valence,
   edge-valence, orientation, covering, not-acute, not-nonobtuse, angle-bound, ratio-bound, not-delaunay, not-weakly-delaunay,
   open-facet, boundary-open; malformed unused-vertex; rejected volume-sum, not-attained; declined sign-undecided, work`
@@ -66,8 +68,14 @@ function verify(text, limits = {}) {
 function checked(tree, limits) {
   const reader = new Reader(limits);
   const [, , kind, claim, witness] = reader.record(tree, ["format", "version", "kind", "claim", "witness"], "the certificate");
-  if (reader.text(kind, "kind") !== "tiling") refuse("kind", `the kind ${quoted(kind)} is unknown; this program knows "tiling"`);
-  const tiling = readClaim(reader, claim);
+  const isFamily = reader.text(kind, "kind") === "family";
+  if (!isFamily && kind !== "tiling") refuse("kind", `the kind ${quoted(kind)} is unknown; this program knows "tiling" and "family"`);
+  const claimNames = ["dimension", "field", ...(isFamily ? ["parameters"] : []), "gram", "domain", "statements"];
+  const witnessNames = ["denominator", "vertices", "boundary", ...(isFamily ? ["tree"] : []), "simplices"];
+  // `record` demands these names in this order.
+  reader.record(claim, claimNames, "the claim");
+  reader.record(witness, witnessNames, "the witness");
+  const tiling = readClaim(reader, claim, witness.tree);
   checkWitness(reader, tiling, witness);
   return tiling;
 }
@@ -216,7 +224,7 @@ function writeHead(major, argument, push) {
 
 const FORMAT = "acutile-certificate";
 const VERSION = 2;
-const DEPTH = 10; // The grammar's values are at most 8 deep.
+const DEPTH = 80; // A tree of halvings is at most 64 deep, other values are at most 10.
 
 const isDecimal = (value) => typeof value === "string" && /^-?[1-9][0-9]*$/.test(value);
 
@@ -322,6 +330,7 @@ class Reader {
   constructor(limits) {
     this.limits = limits;
     this.degree = 1; // of the field, once it is known
+    this.family = null; // `{ring, used}`, once the parameters are known
   }
 
   fail(place, wanted) {
@@ -385,8 +394,30 @@ class Reader {
     return this.degree === 1 ? [this.big(value, place)] : this.bigs(value, place, this.degree);
   }
 
-  numbers(values, place, length) {
-    return this.array(values, place, length).map((value, i) => this.number(value, `${place}[${i}]`));
+  /** A number; in a family a polynomial. */
+  value(value, place) {
+    return this.family ? this.polynomial(value, place) : this.number(value, place);
+  }
+
+  values(values, place, length) {
+    return this.array(values, place, length).map((value, i) => this.value(value, `${place}[${i}]`));
+  }
+
+  /** Terms by their exponents, in ascending order, none of them zero. */
+  polynomial(trees, place) {
+    const { ring, used } = this.family;
+    const rows = this.array(trees, place).map((tree) => {
+      const [coefficient, ...exponents] = this.array(tree, place, 1 + ring.names.length);
+      const c = this.number(coefficient, place);
+      const powers = exponents.map((exponent) => this.integer(exponent, place));
+      const wrong = powers.find((exponent) => !isIndex(exponent, EXPONENTS));
+      if (wrong !== undefined) refuse("exponent", `${place}: a polynomial of too high degree; the exponent ${wrong} is not from 0 to ${EXPONENTS - 1}`);
+      if (isZero(c)) refuse("terms", `${place}: a coefficient is zero`);
+      powers.forEach((exponent, k) => exponent > 0 && used.add(k));
+      return [powers, c];
+    });
+    if (rows.some(([powers], i) => i > 0 && byEntries(rows[i - 1][0], powers) >= 0)) refuse("terms", `${place}: the terms are not in order`);
+    return new Polynomial(ring, new Map(rows.map(([powers, c]) => [keyOf(powers), c])));
   }
 
   /** A corner as [vertex, shift…]. */
@@ -404,6 +435,7 @@ class Reader {
 }
 
 const FAR = 2 ** 29;
+const EXPONENTS = 16;
 const isIndex = (value, count) => typeof value === "number" && value >= 0 && value < count;
 const size = (x) => (x < 0n ? -x : x);
 const sign = (x) => (x > 0n ? 1 : x < 0n ? -1 : 0);
@@ -423,15 +455,26 @@ function checkPrimitive(integers, place) {
   refuse("canonical", `${place}: all integers are divisible by ${common}`);
 }
 
+/** All coefficients of values in nested arrays. */
+function* integersOf(values) {
+  for (const x of values) {
+    if (typeof x === "bigint") yield x;
+    else yield* integersOf(x instanceof Polynomial ? x.terms.values() : x);
+  }
+}
+
 // ---- The ring Z[a] ----------------------------------------------------------------------------------------------------------
 //
 // Elements are the coefficients of 1, a, …, a^(n-1); over Q n is 1. Equal coefficients mean equal values; an enclosure of a that
 // excludes zero shows a sign. Where neither holds the verifier declines.
 
-const plus = (x, y) => x.map((c, k) => c + y[k]);
-const minus = (x, y) => x.map((c, k) => c - y[k]);
-const negated = (x) => x.map((c) => -c);
-const scaled = (x, factor) => x.map((c) => c * factor);
+// A value is an element, or in a family a polynomial with such coefficients.
+
+const plus = (x, y) => (Array.isArray(x) ? x.map((c, k) => c + y[k]) : x.ring.sum([x, y]));
+const minus = (x, y) => (Array.isArray(x) ? x.map((c, k) => c - y[k]) : x.ring.sum([x, negated(y)]));
+const negated = (x) => scaled(x, -1n);
+const scaled = (x, factor) => (Array.isArray(x) ? x.map((c) => c * factor) : x.map((c) => scaled(c, factor)));
+const isZero = (x) => x.every((c) => c === 0n);
 
 class Ring {
   /** @param {?bigint[]} polynomial monic, of degree 2 or more; null over Q */
@@ -543,6 +586,242 @@ function rungsFrom(p, low, high, unit) {
   return rungs;
 }
 
+// ---- Families: polynomials over a box ------------------------------------------------------------------------------------------------
+
+class Polynomial {
+  /** @param {Map<bigint, bigint[]>} terms coefficients, none of them zero, by the keys of their exponents */
+  constructor(ring, terms) {
+    Object.assign(this, { ring, terms });
+  }
+
+  /** For a change of coefficients that keeps zero apart. */
+  map(change) {
+    return new Polynomial(this.ring, new Map([...this.terms].map(([key, c]) => [key, change(c)]).filter(([, c]) => !isZero(c))));
+  }
+}
+
+/** Keys of products are sums of keys: no exponent of a product reaches 2^16. */
+const keyOf = (exponents) => exponents.reduceRight((key, exponent) => (key << 16n) + BigInt(exponent), 0n);
+const exponentsOf = (key, count) => Array.from({ length: count }, (_, k) => Number((key >> BigInt(16 * k)) & 65535n));
+
+class PolynomialRing {
+  constructor(numbers, names) {
+    Object.assign(this, { numbers, names, zero: new Polynomial(this, new Map()) });
+  }
+
+  integer(c) {
+    return this.lifted(this.numbers.integer(c));
+  }
+
+  lifted(x) {
+    return Array.isArray(x) ? new Polynomial(this, new Map(isZero(x) ? [] : [[0n, x]])) : x;
+  }
+
+  sum(values) {
+    const total = new Map();
+    for (const { terms } of values) for (const [key, c] of terms) total.set(key, total.has(key) ? plus(total.get(key), c) : c);
+    return new Polynomial(this, total).map((c) => c);
+  }
+
+  times(x, y) {
+    return this.dot([x], [y]);
+  }
+
+  dot(xs, ys) {
+    const total = new Map();
+    xs.forEach((x, m) => {
+      for (const [key, c] of this.lifted(x).terms) {
+        for (const [other, d] of this.lifted(ys[m]).terms) {
+          const product = this.numbers.times(c, d);
+          total.set(key + other, total.has(key + other) ? plus(total.get(key + other), product) : product);
+        }
+      }
+    });
+    return new Polynomial(this, total).map((c) => c);
+  }
+}
+
+/**
+ * Where a condition is to hold. A tiling has one place, without parameters; a family has the leaves of its tree. Each answers whether it is
+ * shown that a value is positive, at least zero, or zero. If it is not, the place's `points` decide, where a condition is true or false.
+ */
+class Numbers {
+  constructor(tiling) {
+    this.tiling = tiling;
+    this.points = [this];
+    this.words = "";
+  }
+
+  positive(value, of, scale) {
+    return signOf(this.tiling, value, of, scale) > 0;
+  }
+
+  atLeastZero(value, of, scale) {
+    return signOf(this.tiling, value, of, scale) >= 0;
+  }
+
+  zero(value, of, scale) {
+    return signOf(this.tiling, value, of, scale) === 0;
+  }
+
+  shown(value, scale) {
+    return shown(value, scale);
+  }
+}
+
+/** A product of intervals, some of them points: a leaf, or a point of one. */
+class Box {
+  /** @param sides for each parameter `{low, high, unit, closed}`: elements over a positive integer, and which of the ends belong to the box */
+  constructor(tiling, sides) {
+    Object.assign(this, { tiling, sides, matrices: new Map() });
+  }
+
+  /** By the Bernstein coefficients: the smallest faces of the closed box that meet the box itself have a positive one, and none is negative. */
+  positive(value, of) {
+    const { shape, signs } = this.signs(value, of);
+    if (signs.some((found) => found < 0)) return false;
+    const steps = shape.map((_, k) => shape.slice(k + 1).reduce((x, y) => x * y, 1));
+    const hasEnd = (k) => shape[k] > 1 && this.sides[k].closed.includes(true);
+    const axes = [...shape.keys()].sort((k, l) => Number(hasEnd(l)) - Number(hasEnd(k))); // those with a chosen end first
+    const isShown = (i, at) => {
+      if (i === axes.length) return signs[at] > 0;
+      const k = axes[i];
+      const next = (index) => isShown(i + 1, at + index * steps[k]);
+      if (hasEnd(k)) return [0, shape[k] - 1].every((index, end) => !this.sides[k].closed[end] || next(index));
+      return Array.from({ length: shape[k] }, (_, index) => index).some(next);
+    };
+    return isShown(0, 0);
+  }
+
+  atLeastZero(value, of) {
+    return this.signs(value, of).signs.every((found) => found >= 0);
+  }
+
+  zero(value, of) {
+    return this.signs(value, of).signs.every((found) => found === 0);
+  }
+
+  /** The signs of the Bernstein coefficients, the last axis fastest. */
+  signs(value, of) {
+    const { shape, entries } = this.bernstein(value);
+    return { shape, signs: entries.map((x) => signOf({ ring: this.tiling.ring.numbers }, x, () => `Bernstein coefficient of the ${of()}`)) };
+  }
+
+  bernstein({ terms }) {
+    const { work } = this.tiling;
+    const rows = [...terms].map(([key, c]) => [exponentsOf(key, this.sides.length), c]);
+    const sizes = this.sides.map((_, k) => 1 + Math.max(0, ...rows.map(([exponents]) => exponents[k])));
+    const count = sizes.reduce((x, y) => x * y, 1);
+    work.spend(count);
+    let entries = new Array(count).fill(this.tiling.ring.numbers.zero);
+    for (const [exponents, c] of rows) entries[exponents.reduce((at, exponent, k) => at * sizes[k] + exponent, 0)] = c;
+    const shape = [...sizes];
+    this.sides.forEach((side, k) => {
+      if (sizes[k] === 1) return;
+      entries = this.changed(entries, shape, k, this.matrix(k, sizes[k] - 1));
+      shape[k] = side.isPoint ? 1 : sizes[k];
+    });
+    return { shape, entries };
+  }
+
+  /** The tensor with its lines along axis k multiplied by a matrix. */
+  changed(entries, shape, k, matrix) {
+    const step = shape.slice(k + 1).reduce((x, y) => x * y, 1);
+    const size = shape[k];
+    const lines = entries.length / size;
+    const result = new Array(lines * matrix.length);
+    for (let n = 0; n < lines; n++) {
+      const [outer, inner] = [Math.floor(n / step), n % step];
+      const line = Array.from({ length: size }, (_, i) => entries[(outer * size + i) * step + inner]);
+      matrix.forEach((row, i) => (result[(outer * matrix.length + i) * step + inner] = this.tiling.ring.numbers.dot(row, line)));
+    }
+    return result;
+  }
+
+  /**
+   * Bernstein coefficient k of x^i in degree n is its blossom at n - k times the low end and k times the high end: the mean of the products of
+   * i of these. Here for ends over `unit`, times n! unit^n. A point has only one coefficient.
+   */
+  matrix(axis, n) {
+    const name = `${axis} ${n}`;
+    if (!this.matrices.has(name)) {
+      const { low, high, unit, isPoint } = this.sides[axis];
+      const { numbers } = this.tiling.ring;
+      const powers = [low, high].map((end) => {
+        const list = [numbers.integer(1n)];
+        while (list.length <= n) list.push(numbers.times(list.at(-1), end));
+        return list;
+      });
+      const entry = (k, i) => {
+        const products = Array.from({ length: i + 1 }, (_, j) => scaled(numbers.times(powers[1][j], powers[0][i - j]), binomial(k, j) * binomial(n - k, i - j)));
+        return scaled(numbers.sum(products), factorial(BigInt(i)) * factorial(BigInt(n - i)) * unit ** BigInt(n - i));
+      };
+      const indices = Array.from({ length: n + 1 }, (_, i) => i);
+      this.matrices.set(name, (isPoint ? [0] : indices).map((k) => indices.map((i) => entry(k, i))));
+    }
+    return this.matrices.get(name);
+  }
+
+  /** The middle, and the corners that belong to the box, with the middle of an interval where neither end does. */
+  get points() {
+    return pointsOf(this);
+  }
+
+  get words() {
+    return this.sides.map((side, k) => sideInWords(side, this.tiling.ring.names[k])).join(", ");
+  }
+
+  /** In a point a number; else nothing that is short. */
+  shown(value, scale = 1n) {
+    if (!this.sides.every(({ isPoint }) => isPoint)) return "a polynomial";
+    const { numbers } = this.tiling.ring;
+    const degrees = this.sides.map((_, k) => Math.max(0, ...[...value.terms.keys()].map((key) => exponentsOf(key, this.sides.length)[k])));
+    const factor = degrees.reduce((x, n, k) => x * (n === 0 ? 1n : factorial(BigInt(n)) * this.sides[k].unit ** BigInt(n)), 1n);
+    return shown(this.bernstein(value).entries[0] ?? numbers.zero, scale * factor);
+  }
+}
+
+function* pointsOf({ tiling, sides }) {
+  const middles = sides.map(({ low, high, unit }) => pointSide(plus(low, high), 2n * unit));
+  yield new Box(tiling, middles);
+  const choices = sides.map(({ low, high, unit, closed }, k) => {
+    const ends = [low, high].filter((_, end) => closed[end]).map((end) => pointSide(end, unit));
+    return ends.length > 0 ? ends : [middles[k]];
+  });
+  const corner = new Array(sides.length);
+  function* corners(k) {
+    if (k === sides.length) return yield new Box(tiling, [...corner]);
+    for (corner[k] of choices[k]) yield* corners(k + 1);
+  }
+  yield* corners(0);
+}
+
+const pointSide = (value, unit) => ({ low: value, high: value, unit, closed: [true, true], isPoint: true });
+
+const binomial = (n, k) => (k < 0 || k > n ? 0n : factorial(BigInt(n)) / factorial(BigInt(k)) / factorial(BigInt(n - k)));
+
+function sideInWords({ low, high, unit, closed, isPoint }, name) {
+  if (isPoint) return `${name} = ${shown(low, unit)}`;
+  return `${name} in ${closed[0] ? "[" : "("}${shown(low, unit)}, ${shown(high, unit)}${closed[1] ? "]" : ")"}`;
+}
+
+/** Refuses unless a condition on a place holds in all places. `say` gives the words for a point where it does not. */
+function demand({ places }, condition, code, say) {
+  for (const place of places) {
+    if (condition(place)) continue;
+    let tried = 0;
+    for (const point of place.points) {
+      if (!condition(point)) refuse(code, (point.words && `for ${point.words}: `) + say(point));
+      if (++tried === POINTS) break;
+    }
+    refuse("sign-undecided", `for ${place.words} it is not decided whether ${code} holds: ${say(place)}`);
+  }
+}
+
+const POINTS = 1000;
+
+const holdsEverywhere = ({ places }, condition) => places.every(condition);
+
 /** The sign of `value`; `of` names it, and the number meant is `value` over the positive integer `scale`. */
 function signOf({ ring }, value, of, scale = 1n) {
   const found = ring.sign(value);
@@ -550,10 +829,20 @@ function signOf({ ring }, value, of, scale = 1n) {
   return refuse("sign-undecided", `the sign of the ${of()}, ${shown(value, scale)}, is not decided by 512 bisections`);
 }
 
-/** An element over a positive integer, as an expression in a. */
+/** An element over a positive integer, as an expression in a; a polynomial in its parameters, too. */
 function shown(value, scale = 1n) {
+  if (value instanceof Polynomial) return shownPolynomial(value, scale);
   const terms = value.flatMap((c, k) => (c === 0n ? [] : [ratio(c, scale) + (["", " a"][k] ?? ` a^${k}`)]));
   return terms.join(" + ").replaceAll("+ -", "- ") || "0";
+}
+
+function shownPolynomial({ ring, terms }, scale) {
+  const words = [...terms].map(([key, c]) => {
+    const powers = exponentsOf(key, ring.names.length).map((exponent, k) => ["", ` ${ring.names[k]}`][exponent] ?? ` ${ring.names[k]}^${exponent}`);
+    const coefficient = shown(c, scale);
+    return (/ [+-] /.test(coefficient) ? `(${coefficient})` : coefficient) + powers.join("");
+  });
+  return words.join(" + ").replaceAll("+ -", "- ") || "0";
 }
 
 function ratio(p, q) {
@@ -580,18 +869,76 @@ const RELATIONS = ["less than", "at most", "maximum", "more than", "at least", "
 const [TILING, , , LARGEST, SMALLEST, RATIO, DELAUNAY, WEAKLY, LOCALLY, LOCALLY_WEAKLY, TCP] = STATEMENTS.keys();
 const CODIMENSIONS = new Map([["slab", 1], ["prism", 2], ["solid", undefined]]);
 
-/** The tiling so far: everything that the claim says, checked. */
-function readClaim(reader, tree) {
-  const names = ["dimension", "field", "gram", "domain", "statements"];
-  const [dimensionTree, fieldTree, gramTree, domainTree, statementTrees] = reader.record(tree, names, "the claim");
-  const dimension = reader.integer(dimensionTree, "dimension");
+/** The tiling so far: everything that the claim says, checked. Of a family, `halvings` is the tree of its witness. */
+function readClaim(reader, claim, halvings) {
+  const dimension = reader.integer(claim.dimension, "dimension");
   if (dimension !== 2 && dimension !== 3) refuse("dimension", `dimension ${dimension}; it must be 2 or 3`);
-  const field = readField(reader, fieldTree);
-  const tiling = { dimension, ...field, work: new Work(reader.limits.work) };
-  tiling.gram = readGram(reader, tiling, gramTree);
-  Object.assign(tiling, readDomain(reader, tiling, domainTree));
-  tiling.statements = readStatements(reader, tiling, statementTrees);
-  return { ...tiling, determinantOfGram: determinant(tiling.ring, tiling.gram), dualGram: adjugate(tiling.ring, tiling.gram) };
+  const { ring, root } = readField(reader, claim.field);
+  const tiling = { dimension, ring, numbers: ring, root, work: new Work(reader.limits.work), sides: null };
+  if (claim.parameters) readParameters(reader, tiling, claim.parameters, halvings);
+  else tiling.places = [new Numbers(tiling)];
+  tiling.gram = readGram(reader, tiling, claim.gram);
+  Object.assign(tiling, readDomain(reader, tiling, claim.domain));
+  tiling.statements = readStatements(reader, tiling, claim.statements);
+  return Object.assign(tiling, { determinantOfGram: determinant(tiling.ring, tiling.gram), dualGram: adjugate(tiling.ring, tiling.gram) });
+}
+
+/** Makes the tiling one of polynomials, whose places are the leaves of the tree. */
+function readParameters(reader, tiling, trees, halvings) {
+  const count = reader.array(trees, "parameters").length;
+  if (count < 1 || count > PARAMETERS) refuse("parameters", `${count} parameters; there must be from 1 to ${PARAMETERS}`);
+  const parameters = trees.map((tree, k) => readParameter(reader, tiling, tree, `parameter ${k}`));
+  const names = parameters.map(({ name }) => name);
+  if (new Set(names).size < count) refuse("parameter-name", "two parameters have the same name");
+  const leaves = [];
+  readTree(reader, halvings, parameters, 0, leaves);
+  tiling.ring = new PolynomialRing(tiling.numbers, names);
+  tiling.sides = parameters;
+  tiling.places = leaves.map((sides) => new Box(tiling, sides));
+  reader.family = { ring: tiling.ring, used: new Set() };
+}
+
+const PARAMETERS = 64;
+const HALVINGS = 64;
+const LEAVES = 4096;
+
+/** A side of the box, with its name. */
+function readParameter(reader, tiling, tree, place) {
+  const [nameTree, ...endTrees] = reader.record(tree, ["name", "low", "high"], place);
+  const name = reader.text(nameTree, `the name of ${place}`);
+  if (!/^[a-z][a-z0-9_]{0,15}$/.test(name)) refuse("parameter-name", `${place}: the name ${quoted(name)} is not like a_1`);
+  const ends = endTrees.map((end) => {
+    const [kind, fraction] = reader.array(end, place, 2);
+    if (kind !== "closed" && kind !== "open") reader.fail(place, '"closed" or "open"');
+    const [p, q] = reader.array(fraction, place, 2);
+    const [numerator, denominator] = [reader.number(p, place), reader.positive(q, place, "denominator")];
+    checkPrimitive([...numerator, denominator], place);
+    return { isClosed: kind === "closed", numerator, denominator };
+  });
+  const [low, high] = ends.map(({ numerator }, i) => scaled(numerator, ends[1 - i].denominator));
+  const width = signOf({ ring: tiling.numbers }, minus(high, low), () => `width of ${place}`);
+  if (width < 0) refuse("box-exchanged", `${place}: the ends of ${name} are exchanged`);
+  if (width === 0) refuse("box-empty", `${place}: the ends of ${name} are equal`);
+  return { name, low, high, unit: ends[0].denominator * ends[1].denominator, closed: ends.map(({ isClosed }) => isClosed) };
+}
+
+/** Adds the boxes of all leaves. An end in the middle belongs to both halves. */
+function readTree(reader, tree, sides, depth, leaves) {
+  if (reader.array(tree, "tree").length === 0) {
+    if (leaves.push(sides) > LEAVES) refuse("tree-size", `the tree has more than ${LEAVES} leaves`);
+    return;
+  }
+  if (depth === HALVINGS) refuse("tree-size", `the tree has a path of more than ${HALVINGS} halvings`);
+  const [axisTree, ...halves] = reader.array(tree, "tree", 3);
+  const axis = reader.integer(axisTree, "an axis of the tree");
+  if (!isIndex(axis, sides.length)) refuse("tree", `the tree halves along the parameter ${axis}, which does not exist`);
+  const { low, high, unit, closed } = sides[axis];
+  const [from, middle, to] = [scaled(low, 2n), plus(low, high), scaled(high, 2n)];
+  const ends = [[from, middle, [closed[0], true]], [middle, to, [true, closed[1]]]];
+  halves.forEach((half, i) => {
+    const [low, high, closed] = ends[i];
+    readTree(reader, half, sides.with(axis, { low, high, unit: 2n * unit, closed }), depth + 1, leaves);
+  });
 }
 
 /** Counts steps whose number is not bounded by the size of the certificate. */
@@ -602,7 +949,7 @@ class Work {
 
   spend(cost) {
     this.spent += cost;
-    if (this.spent > this.limit) refuse("work", `the domain needs more than ${this.limit} comparisons`);
+    if (this.spent > this.limit) refuse("work", `it needs more than ${this.limit} comparisons or Bernstein coefficients`);
   }
 }
 
@@ -625,13 +972,13 @@ function readField(reader, tree) {
 /** The whole matrix, from its upper triangle; positive definite, that is, its leading principal minors are positive. */
 function readGram(reader, tiling, tree) {
   const { dimension, ring } = tiling;
-  const rows = reader.array(tree, "gram", dimension).map((row, i) => reader.numbers(row, `gram[${i}]`, dimension - i));
-  checkPrimitive(rows.flat(2), "gram");
+  const rows = reader.array(tree, "gram", dimension).map((row, i) => reader.values(row, `gram[${i}]`, dimension - i));
+  checkPrimitive(integersOf(rows), "gram");
   const gram = rows.map((row, i) => rows.map((_, j) => (i <= j ? row[j - i] : rows[j][i - j])));
   for (let order = 1; order <= dimension; order++) {
     const minor = determinant(ring, gram.slice(0, order).map((row) => row.slice(0, order)));
-    if (signOf(tiling, minor, () => `leading principal minor ${order} of the Gram matrix`) > 0) continue;
-    refuse("gram-not-positive", `the leading principal minor ${order} of the Gram matrix is ${shown(minor)}, not positive`);
+    const name = `leading principal minor ${order} of the Gram matrix`;
+    demand(tiling, (at) => at.positive(minor, () => name), "gram-not-positive", (at) => `the ${name} is ${at.shown(minor)}, not positive`);
   }
   return gram;
 }
@@ -641,6 +988,7 @@ function readDomain(reader, tiling, tree) {
   const { dimension } = tiling;
   if (tree === "space") return { kind: "space", rank: dimension, polytope: null };
   const [kind, value] = reader.array(tree, "domain", 2);
+  if (kind === "region" && tiling.sides) refuse("family-domain", "a family has a domain with a boundary that it states, not a region");
   if (kind === "region") {
     const rank = reader.integer(value, "the region's rank");
     const fits = rank >= 0 && rank <= dimension;
@@ -653,8 +1001,8 @@ function readDomain(reader, tiling, tree) {
   return { kind, rank: dimension - k, polytope: readPolytope(reader, tiling, value, k) };
 }
 
-function readStatements(reader, { dimension, kind, ring }, trees) {
-  const statements = reader.array(trees, "statements").map((tree, i) => readStatement(reader, { ring }, tree, `statement ${i}`));
+function readStatements(reader, { dimension, kind, numbers }, trees) {
+  const statements = reader.array(trees, "statements").map((tree, i) => readStatement(reader, { ring: numbers }, tree, `statement ${i}`));
   if (statements[0]?.kind !== TILING) refuse("statements", `the first statement is not "${STATEMENTS[TILING]}"`);
   const rankOf = (statement) => statement.kind * RELATIONS.length + (statement.relation ?? 0);
   const late = statements.findIndex((statement, i) => i > 0 && rankOf(statement) <= rankOf(statements[i - 1]));
@@ -743,14 +1091,14 @@ const sidesOf = (list) => list.map((p, i) => [p, list[(i + 1) % list.length]]);
 //
 // h_f(x) = det(w_1 - w_0, …, w_(k-1) - w_0, x - w_0) = n · x - n · w_0 for a face f with the vertices w_0, w_1, …
 
-function readPolytope(reader, { ring, work }, tree, k) {
+function readPolytope(reader, { ring, work, places }, tree, k) {
   const [denominatorTree, vertexTrees, faceTrees] = reader.record(tree, ["denominator", "vertices", "faces"], "the polytope");
   const denominator = reader.positive(denominatorTree, "the polytope's denominator", "denominator");
-  const vertices = reader.array(vertexTrees, "the polytope's vertices").map((row, w) => reader.numbers(row, `polytope vertex ${w}`, k));
-  checkPrimitive([denominator, ...vertices.flat(2)], "the polytope");
+  const vertices = reader.array(vertexTrees, "the polytope's vertices").map((row, w) => reader.values(row, `polytope vertex ${w}`, k));
+  checkPrimitive(integersOf([denominator, vertices]), "the polytope");
   const faces = reader.array(faceTrees, "faces").map((face, f) => reader.array(face, `face ${f}`).map((w) => reader.integer(w, `face ${f}`)));
   checkIncidences(vertices, faces, k);
-  const polytope = { ring, work, k, denominator, vertices, faces };
+  const polytope = { ring, work, places, k, denominator, vertices, faces };
   polytope.planes = planesOf(polytope);
   polytope.planes.forEach((plane) => checkFacet(polytope, plane));
   if (k === 3) polytope.planes.forEach((plane) => checkPolygon(polytope, plane));
@@ -783,36 +1131,34 @@ function planesOf({ ring, vertices, faces, k }) {
 /** h_f of a point. */
 const height = ({ ring, k }, plane, point) => minus(ring.dot(plane.covector, point.slice(-k)), plane.level);
 
-function sideOfPoint(polytope, plane, point) {
-  polytope.work.spend(1);
-  return signOf(polytope, height(polytope, plane, point), () => `side of a point with respect to face ${plane.f}`);
-}
+const sideOf = (plane) => () => `side of a point with respect to face ${plane.f}`;
 
-/** s_f: the sign of h_f at the first vertex that is not one of f; zero where there is none. */
-function innerSide(polytope, plane) {
-  const other = polytope.vertices.findIndex((_, w) => !plane.members.has(w));
-  return other < 0 ? 0 : sideOfPoint(polytope, plane, polytope.vertices[other]);
-}
-
-/** h_f is zero at the vertices of f and has one strict sign at the others, of which there is one. */
+/** h_f is zero at the vertices of f, and at the others, of which there is one, it has one strict sign s_f: that at the first one, in a point. */
 function checkFacet(polytope, plane) {
-  plane.inner = innerSide(polytope, plane);
-  polytope.vertices.forEach((point, w) => {
-    const expected = plane.members.has(w) ? 0 : plane.inner;
-    if (plane.inner !== 0 && sideOfPoint(polytope, plane, point) === expected) return;
-    refuse("face-not-facet", `face ${plane.f} is no facet: domain vertex ${w} has the determinant ${shown(height(polytope, plane, point))}`);
+  const heights = polytope.vertices.map((point) => height(polytope, plane, point));
+  const other = heights.findIndex((_, w) => !plane.members.has(w));
+  if (other < 0) refuse("face-not-facet", `face ${plane.f} is no facet: it has all vertices of the domain`);
+  const [somewhere] = polytope.places[0].points;
+  plane.inner = somewhere.positive(heights[other], sideOf(plane)) ? 1 : -1;
+  heights.forEach((value, w) => {
+    polytope.work.spend(1);
+    const inward = scaled(value, BigInt(plane.inner));
+    const isRight = (at) => (plane.members.has(w) ? at.zero(value, sideOf(plane)) : at.positive(inward, sideOf(plane)));
+    demand(polytope, isRight, "face-not-facet", (at) => `face ${plane.f} is no facet: domain vertex ${w} has the determinant ${at.shown(value)}`);
   });
 }
 
-/** For sides p q and every other vertex t, the cross product of q - p and t - p is a positive multiple of the normal. */
-function checkPolygon(polytope, { f, face, covector }) {
+/** For sides p q, every other vertex t, and a vertex o that is not in the face, det(q - p, t - p, o - p) has the sign of h_f at o. */
+function checkPolygon(polytope, { f, face, members, inner }) {
   const { ring, vertices, work } = polytope;
+  const beyond = vertices.find((_, w) => !members.has(w));
   for (const [p, q] of sidesOf(face)) {
     for (const t of face.filter((t) => t !== p && t !== q)) {
       work.spend(1);
-      const across = normal(ring, [q, t].map((w) => vectorBetween(vertices[p], vertices[w])));
-      if (signOf(polytope, ring.dot(across, covector), () => `turn at vertex ${q} of face ${f}`) > 0) continue;
-      refuse("face-not-convex", `face ${f}: vertex ${t} is not on the inner side of the line through ${p} and ${q}`);
+      const rows = [vertices[q], vertices[t], beyond].map((point) => vectorBetween(vertices[p], point));
+      const turn = scaled(determinant(ring, rows), BigInt(inner));
+      const say = () => `face ${f}: vertex ${t} is not on the inner side of the line through ${p} and ${q}`;
+      demand(polytope, (at) => at.positive(turn, () => `turn at vertex ${q} of face ${f}`), "face-not-convex", say);
     }
   }
 }
@@ -839,10 +1185,12 @@ function rescaled(polytope, denominator) {
 /** The faces that contain a vertex of the tiling, which is on the inner side of all others: s_f h_f >= 0. */
 function facesAt(polytope, point, v) {
   return polytope.planes.filter((plane) => {
-    const side = sideOfPoint(polytope, plane, point);
-    const isOutside = side === -plane.inner;
-    if (isOutside) refuse("vertex-outside", `vertex ${v} is beyond face ${plane.f}: the determinant is ${shown(height(polytope, plane, point))}`);
-    return side === 0;
+    polytope.work.spend(1);
+    const value = height(polytope, plane, point);
+    const inward = scaled(value, BigInt(plane.inner));
+    const say = (at) => `vertex ${v} is beyond face ${plane.f}: the determinant is ${at.shown(value)}`;
+    demand(polytope, (at) => at.atLeastZero(inward, sideOf(plane)), "vertex-outside", say);
+    return holdsEverywhere(polytope, (at) => at.zero(value, sideOf(plane)));
   });
 }
 
@@ -861,20 +1209,20 @@ function volumeOf({ ring, vertices, k, planes }) {
 
 // ---- The witness -----------------------------------------------------------------------------------------------------------------
 
-function checkWitness(reader, tiling, tree) {
-  const names = ["denominator", "vertices", "boundary", "simplices"];
-  const [denominatorTree, vertexTrees, boundaryTrees, rowTrees] = reader.record(tree, names, "the witness");
-  tiling.denominator = reader.positive(denominatorTree, "the witness's denominator", "denominator");
+function checkWitness(reader, tiling, witness) {
+  tiling.denominator = reader.positive(witness.denominator, "the witness's denominator", "denominator");
   if (tiling.polytope) tiling.polytope = rescaled(tiling.polytope, tiling.denominator);
-  readVertices(reader, tiling, vertexTrees);
+  readVertices(reader, tiling, witness.vertices);
+  const unused = reader.family ? tiling.ring.names.find((_, k) => !reader.family.used.has(k)) : undefined;
+  if (unused !== undefined) refuse("unused-parameter", `the parameter ${unused} occurs nowhere`);
   tiling.open = new Map(); // the facets that wait for their mates, by name
-  tiling.boundary = readBoundary(reader, tiling, boundaryTrees);
+  tiling.boundary = readBoundary(reader, tiling, witness.boundary);
   checkBoundaryApart(tiling);
-  const rows = reader.array(rowTrees, "simplices");
+  const rows = reader.array(witness.simplices, "simplices");
   if (rows.length === 0) refuse("no-simplices", "there are no simplices");
   const isMany = rows.length > reader.limits.simplices;
   if (isMany) refuse("too-many-simplices", `${rows.length} simplices, more than the limit of ${reader.limits.simplices}`);
-  Object.assign(tiling, { rows: [], edges: new Map(), total: tiling.ring.zero, attained: new Set() });
+  Object.assign(tiling, { rows: [], edges: new Map(), total: tiling.ring.zero, attained: new Map() });
   rows.forEach((row, s) => checkRow(reader, tiling, row, s));
   checkCovering(tiling);
   checkEnd(tiling);
@@ -885,21 +1233,16 @@ function readVertices(reader, tiling, trees) {
   const rows = reader.array(trees, "vertices");
   tiling.faces = [];
   tiling.vertices = rows.map((row, v) => {
-    const point = reader.numbers(row, `vertex ${v}`, dimension);
+    const point = reader.values(row, `vertex ${v}`, dimension);
     if (polytope) tiling.faces.push(new Set(facesAt(polytope, point, v)));
     return point;
   });
-  checkPrimitive(coefficientsOf(denominator, tiling.vertices), "vertices");
-}
-
-function* coefficientsOf(denominator, vertices) {
-  yield denominator;
-  for (const point of vertices) for (const x of point) yield* x;
+  checkPrimitive(integersOf([denominator, tiling.vertices]), "vertices");
 }
 
 /** A corner's point, in units of 1 / denominator. */
-function pointOf({ vertices, denominator }, [v, ...shift]) {
-  return vertices[v].map((x, k) => (shift[k] ? x.map((c, i) => (i === 0 ? c + BigInt(shift[k]) * denominator : c)) : x));
+function pointOf({ ring, vertices, denominator }, [v, ...shift]) {
+  return vertices[v].map((x, k) => (shift[k] ? plus(x, ring.integer(BigInt(shift[k]) * denominator)) : x));
 }
 
 const moved = ([v, ...shift], by, factor = 1) => [v, ...shift.map((entry, k) => entry + factor * by[k])];
@@ -936,8 +1279,9 @@ function checkRow(reader, tiling, tree, s) {
   const mates = closeFacets(tiling, corners, s);
   if (tiling.statements.at(-1).kind === TCP) countEdges(reader, tiling, corners, tree.at(-1), s);
   const simplex = new Simplex(tiling, corners, s);
-  const found = signOf(tiling, simplex.determinant, () => `determinant of simplex ${s}`, tiling.denominator ** BigInt(tiling.dimension));
-  if (found <= 0) refuse("orientation", `simplex ${s} has the determinant ${shown(simplex.determinant)}, not a positive one`);
+  const unit = tiling.denominator ** BigInt(tiling.dimension);
+  const isPositive = (at) => at.positive(simplex.determinant, () => `determinant of simplex ${s}`, unit);
+  demand(tiling, isPositive, "orientation", (at) => `simplex ${s} has the determinant ${at.shown(simplex.determinant)}, not a positive one`);
   tiling.statements.forEach((statement, i) => judge(tiling, simplex, mates, statement, i));
   tiling.total = plus(tiling.total, simplex.determinant);
   tiling.rows.push(corners);
@@ -1001,10 +1345,15 @@ function checkEnd(tiling) {
   if (unused >= 0) refuse("unused-vertex", `vertex ${unused} is no corner of any simplex`);
   checkVolume(tiling);
   checkValences(tiling);
-  tiling.statements.forEach((statement, i) => {
-    const isMissed = EXACT.includes(statement.relation) && !tiling.attained.has(i);
-    if (isMissed) refuse("not-attained", `statement ${i}: no simplex attains the bound`);
-  });
+  tiling.statements.forEach((statement, i) => checkAttained(tiling, statement, i));
+}
+
+/** Some simplex attains a bound that is said to be exact, in each place. */
+function checkAttained(tiling, statement, i) {
+  if (!EXACT.includes(statement.relation)) return;
+  const found = tiling.attained.get(i);
+  const attains = (at) => tiling.rows.some((corners, s) => isAttained(at, comparisons(tiling, new Simplex(tiling, corners, s), statement), statement));
+  demand(tiling, (at) => found.has(at) || attains(at), "not-attained", () => `statement ${i}: no simplex attains the bound`);
 }
 
 /** Σ det E = D! vol P, in units of the basis's parallelepiped; D! for space. Nothing states the volume of a region. */
@@ -1015,8 +1364,9 @@ function checkVolume(tiling) {
   const volume = polytope ? volumeOf(polytope) : ring.integer(1n);
   const expected = scaled(volume, (factorial(d) / factorial(k)) * denominator ** (d - k));
   const cell = factorial(d) * denominator ** d;
-  if (signOf(tiling, minus(tiling.total, expected), () => "sum of the volumes, minus that of the domain", cell) === 0) return;
-  refuse("volume-sum", `the volumes of the simplices sum to ${shown(tiling.total, cell)} times the cell, those of the domain to ${shown(expected, cell)}`);
+  const rest = minus(tiling.total, expected);
+  const say = (at) => `the volumes of the simplices sum to ${at.shown(tiling.total, cell)} times the cell, those of the domain to ${at.shown(expected, cell)}`;
+  demand(tiling, (at) => at.zero(rest, () => "sum of the volumes, minus that of the domain", cell), "volume-sum", say);
 }
 
 // ---- TCP -----------------------------------------------------------------------------------------------------------------------
@@ -1121,68 +1471,90 @@ function crelle(ring, [l01, l02, l12, l03, l13, l23]) {
   return minus(scaled(ring.times(x, y), 4n), ring.times(rest, rest));
 }
 
-/** Whether a quantity that compares so with the bound fulfils the relation. */
-const HOLDS = [(c) => c < 0, (c) => c <= 0, (c) => c <= 0, (c) => c > 0, (c) => c >= 0, (c) => c >= 0];
 const EXACT = ["maximum", "minimum"].map((name) => RELATIONS.indexOf(name));
+const STRICT = ["less than", "more than"].map((name) => RELATIONS.indexOf(name));
 
 /** Checks a statement about a single simplex, if it is one. */
 function judge(tiling, simplex, mates, statement, index) {
   const { kind } = statement;
   if (isBound(kind)) return judgeBound(tiling, simplex, statement, index);
   const name = STATEMENTS[kind];
-  if (name === "acute") judgeAngles(tiling, simplex, (found) => found < 0, "not-acute");
-  if (name === "nonobtuse") judgeAngles(tiling, simplex, (found) => found <= 0, "not-nonobtuse");
-  if (kind === DELAUNAY || kind === LOCALLY) judgePowers(tiling, simplex, mates, (found) => found > 0, "not-delaunay");
-  if (kind === WEAKLY || kind === LOCALLY_WEAKLY) judgePowers(tiling, simplex, mates, (found) => found >= 0, "not-weakly-delaunay");
+  if (name === "acute") judgeAngles(tiling, simplex, "positive", "not-acute");
+  if (name === "nonobtuse") judgeAngles(tiling, simplex, "atLeastZero", "not-nonobtuse");
+  if (kind === DELAUNAY || kind === LOCALLY) judgePowers(tiling, simplex, mates, "positive", "not-delaunay");
+  if (kind === WEAKLY || kind === LOCALLY_WEAKLY) judgePowers(tiling, simplex, mates, "atLeastZero", "not-weakly-delaunay");
 }
 
-/** cos θ = -g_i · g_j / (|g_i| |g_j|) has the sign of -n_i · adj(G) n_j. */
-function judgeAngles(tiling, simplex, isAllowed, code) {
+/** cos θ = -g_i · g_j / (|g_i| |g_j|) has the sign of -n_i · adj(G) n_j. `test` is a method of places. */
+function judgeAngles(tiling, simplex, test, code) {
   for (const [i, j] of pairs(tiling.dimension)) {
-    const value = simplex.product(i, j);
-    if (isAllowed(signOf(tiling, value, () => `product of normals ${i} and ${j} of simplex ${simplex.s}`))) continue;
-    refuse(code, `the normals of facets ${i} and ${j} of simplex ${simplex.s} have the product ${shown(value)}`);
+    const cosine = negated(simplex.product(i, j));
+    const of = () => `product of normals ${i} and ${j} of simplex ${simplex.s}, negated`;
+    demand(tiling, (at) => at[test](cosine, of), code, (at) => `the ${of()}, is ${at.shown(cosine)}`);
   }
 }
 
-function judgePowers(tiling, simplex, mates, isAllowed, code) {
+function judgePowers(tiling, simplex, mates, test, code) {
   for (const { i, apex } of mates) {
     const value = simplex.power(pointOf(tiling, apex));
-    if (isAllowed(signOf(tiling, value, () => `power of the corner beyond ${facetName(simplex.s, i)}`))) continue;
-    refuse(code, `the corner beyond ${facetName(simplex.s, i)} has the power ${shown(value)} with respect to the circumsphere`);
+    const of = () => `power of the corner beyond ${facetName(simplex.s, i)}`;
+    demand(tiling, (at) => at[test](value, of), code, (at) => `the ${of()} with respect to the circumsphere is ${at.shown(value)}`);
   }
 }
 
 function judgeBound(tiling, simplex, statement, index) {
   const { kind, relation } = statement;
-  const isRatio = kind === RATIO;
-  const compare = isRatio ? compareRatio : compareAngle;
-  const found = pairs(tiling.dimension).map(([i, j], e) => compare(tiling, simplex, statement, i, j, e));
-  const extreme = kind === SMALLEST ? Math.min(...found) : Math.max(...found);
-  if (extreme === 0) tiling.attained.add(index);
-  if (HOLDS[relation](extreme)) return;
-  const [i, j] = pairs(tiling.dimension)[found.indexOf(extreme)];
-  const where = isRatio ? `corners ${i} and ${j}` : `facets ${i} and ${j}`;
-  refuse(isRatio ? "ratio-bound" : "angle-bound", `simplex ${simplex.s} does not fulfil statement ${index}, by its ${where}`);
+  const found = comparisons(tiling, simplex, statement);
+  const test = STRICT.includes(relation) ? "positive" : "atLeastZero";
+  const isUpper = relation < RELATIONS.indexOf("more than");
+  const where = kind === RATIO ? "edges" : "angles";
+  const say = () => `simplex ${simplex.s} does not fulfil statement ${index}, by its ${where}`;
+  demand(tiling, (at) => (isUpper ? isBelow : isAbove)(at, found, kind, test), kind === RATIO ? "ratio-bound" : "angle-bound", say);
+  if (!EXACT.includes(relation)) return;
+  const attained = tiling.attained.get(index) ?? new Set();
+  tiling.attained.set(index, attained);
+  if (attained.size === tiling.places.length) return;
+  for (const place of tiling.places) if (!attained.has(place) && isAttained(place, found, statement)) attained.add(place);
 }
 
-/** The sign of θ - arccos(c): with cos θ = x / √y and c = ±√(p/q), different signs decide, else x² q - p y does. */
-function compareAngle(tiling, simplex, { sign: s, fraction: [p, q] }, i, j) {
-  const { ring } = tiling;
+/** The largest quantity is less than a bound if all are, the smallest one if some is. */
+const isBelow = (at, found, kind, test) => (kind === SMALLEST ? found.some((x) => x.below(at, test)) : found.every((x) => x.below(at, test)));
+const isAbove = (at, found, kind, test) => (kind === SMALLEST ? found.every((x) => x.above(at, test)) : found.some((x) => x.above(at, test)));
+const isAttained = (at, found, { kind }) => isBelow(at, found, kind, "atLeastZero") && isAbove(at, found, kind, "atLeastZero");
+
+/** Each angle, or the ratio for each edge, beside the bound. */
+function comparisons(tiling, simplex, statement) {
+  const compare = statement.kind === RATIO ? ratioBeside : angleBeside;
+  return pairs(tiling.dimension).map(([i, j], e) => compare(tiling, simplex, statement, i, j, e));
+}
+
+/** θ and arccos(c), with cos θ = x / √y and c = s √(p/q): θ is less where the cosine is more, by its sign or by its square. */
+function angleBeside({ ring }, simplex, { sign: s, fraction: [p, q] }, i, j) {
   const of = () => `cosine of facets ${i} and ${j} of simplex ${simplex.s}, compared`;
   const x = negated(simplex.product(i, j));
-  const left = signOf(tiling, x, of);
-  if (left !== s || s === 0) return Math.sign(s - left);
-  const y = ring.times(simplex.product(i, i), simplex.product(j, j));
-  return -s * signOf(tiling, minus(scaled(ring.times(x, x), q), ring.times(p, y)), of);
+  let excess = null;
+  const squares = () => {
+    const y = ring.times(simplex.product(i, i), simplex.product(j, j));
+    return (excess ??= minus(scaled(ring.times(x, x), q), ring.times(p, y)));
+  };
+  /** Whether ±cos θ > ±c, or >= */
+  const isMore = (at, test, way) => {
+    const cosine = way > 0 ? x : negated(x);
+    if (s === 0) return at[test](cosine, of);
+    const isNotNegative = at.atLeastZero(cosine, of);
+    if (s * way > 0) return isNotNegative && at[test](squares(), of);
+    return isNotNegative || at[test](negated(squares()), of);
+  };
+  return { below: (at, test) => isMore(at, test, 1), above: (at, test) => isMore(at, test, -1) };
 }
 
-/** The sign of R² / l² - p/q for one edge; the shortest edge has the greatest quotient. */
-function compareRatio(tiling, simplex, { fraction: [p, q] }, i, j, e) {
-  const { ring } = tiling;
+/** R² / l² and p/q for one edge; the shortest edge has the greatest quotient. */
+function ratioBeside({ ring }, simplex, { fraction: [p, q] }, i, j, e) {
+  const of = () => `radius less edge ${i} ${j} of simplex ${simplex.s}`;
   const [radius, factor] = simplex.radius();
   const bound = scaled(ring.times(ring.times(p, simplex.gramDeterminant()), simplex.lengths()[e]), factor);
-  return signOf(tiling, minus(scaled(radius, q), bound), () => `radius less edge ${i} ${j} of simplex ${simplex.s}`);
+  const excess = minus(scaled(radius, q), bound);
+  return { below: (at, test) => at[test](negated(excess), of), above: (at, test) => at[test](excess, of) };
 }
 
 // ---- The boundary of a region --------------------------------------------------------------------------------------------------------
@@ -1378,7 +1750,8 @@ function sentences(tiling) {
   const count = `${rows.length} ${rows.length === 1 ? simplices : plural}`;
   const metric = `in a basis with inner products proportional to ${bracketed(gram.map((row) => bracketed(row.map((x) => shown(x)))))}`;
   const field = root ? `, where a is the root of ${shown(root.polynomial)} between ${ratio(root.low, root.unit)} and ${ratio(root.high, root.unit)}` : "";
-  const first = `${domainInWords(tiling)} is tiled ${how} by ${count}${latticeInWords(tiling)}, ${metric}${field}`;
+  const every = tiling.sides ? `for every ${tiling.sides.map((side) => sideInWords(side, side.name)).join(", ")}: ` : "";
+  const first = `${every}${domainInWords(tiling)} is tiled ${how} by ${count}${latticeInWords(tiling)}, ${metric}${field}`;
   return [first, ...tiling.statements.slice(1).map(statementInWords)];
 }
 

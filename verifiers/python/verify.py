@@ -6,11 +6,14 @@ simplices tile the domain face to face, and every other statement of the claim. 
 docs/format.md. Numbers are integers, and integer polynomials in a root that is enclosed by fractions; no
 floating-point number is used. The digest that it prints is that of the certificate's CBOR.
 
+A family is a tiling whose numbers are polynomials in parameters. There each condition is proved in every leaf of a
+tree of boxes, from the signs of Bernstein coefficients.
+
 Every domain is checked, regions too: there it compares all pairs of boundary facets, and every boundary facet
 with every simplex. So a region with many boundary facets takes long.
 
-It leaves out limits on bytes, simplices and time. An integer has at most 4096 bits, a field degree 8, and a
-simplex of a region reaches over less than 1000 cells.
+It leaves out limits on bytes, simplices and time. An integer has at most 4096 bits, a field degree 8, a simplex of
+a region reaches over less than 1000 cells, and a polynomial has at most a million Bernstein coefficients.
 
 Python 3.8 or newer, its standard library alone. Exit code: 0 if every file is verified; else 1 if one is
 rejected (something stated is false); else 2 if one is malformed or unreadable; else 3 (declined).
@@ -22,17 +25,21 @@ import re
 import sys
 from collections import Counter
 from fractions import Fraction
-from itertools import combinations, product
-from math import ceil, factorial, floor, gcd
+from functools import reduce
+from itertools import combinations, islice, product
+from math import ceil, comb, factorial, floor, gcd, prod
 
 EXIT_CODES = {"declined": 3, "malformed": 2, "rejected": 1}
-BITS, DEGREE, FAR, TRANSLATES = 4096, 8, 2 ** 29, 1000
+BITS, DEGREE, FAR, TRANSLATES, DEPTH, TURN = 4096, 8, 2 ** 29, 1000, 80, 60
+PARAMETERS, EXPONENT, LEAVES, HALVINGS, COEFFICIENTS, POINTS = 64, 15, 4096, 64, 10 ** 6, 1000
 
 
 class Refusal(Exception):
-    def __init__(self, kind, code, message):
+    """`points` are those of a family's box that may refute a condition, which is not proved."""
+
+    def __init__(self, kind, code, message, points=None):
         super().__init__(message)
-        self.kind, self.code = kind, code
+        self.kind, self.code, self.points = kind, code, points
 
 
 def require(condition, kind, code, message):
@@ -76,7 +83,7 @@ def read_cbor(content):
         return major, argument
 
     def item(depth):
-        formed(depth < 12, "cbor", "arrays are nested too deeply")
+        formed(depth < DEPTH, "cbor", "arrays are nested too deeply")
         major, argument = head()
         if major < 2:
             return argument if major == 0 else -1 - argument
@@ -157,7 +164,7 @@ def printed(tree, depth):
         formed(abs(tree) < 2 ** 53, "canonical", "an integer of more than 53 bits is written as a number")
         yield str(tree)
     else:
-        formed(isinstance(tree, (list, dict)) and depth < 12, "json", "a value that the grammar has not")
+        formed(isinstance(tree, (list, dict)) and depth < DEPTH, "json", "a value that the grammar has not")
         line = "\n" if depth < 3 and tree else ""
         opening, closing = "[]" if isinstance(tree, list) else "{}"
         yield opening
@@ -316,6 +323,8 @@ class Element:
     def __mul__(self, other):
         if isinstance(other, int):
             return Element(self.field, [x * other for x in self.coefficients])
+        if isinstance(other, Polynomial):
+            return other * self
         n = self.field.degree
         result = [0] * (2 * n - 1)
         for i, x in enumerate(self.coefficients):
@@ -361,6 +370,215 @@ def bounds(x, scale):
     return Fraction(low, common * scale), Fraction(high, common * scale)
 
 
+# Families: a value is a polynomial in parameters, which range over a box. A condition is proved where the signs of
+# Bernstein coefficients show it. A set of leaves is an integer, by its bits; a tiling is one leaf with plain numbers.
+
+
+class Polynomial:
+    """Coefficients, none of them zero, by exponents."""
+
+    def __init__(self, box, terms):
+        self.box, self.terms = box, {powers: c for powers, c in terms.items() if not has_zeros(c)}
+
+    def lifted(self, other):
+        return other.terms if isinstance(other, Polynomial) else {(0,) * len(self.box.sides): other}
+
+    def __add__(self, other):
+        terms = dict(self.terms)
+        for powers, c in self.lifted(other).items():
+            terms[powers] = terms.get(powers, 0) + c
+        return Polynomial(self.box, terms)
+
+    def __mul__(self, other):
+        terms = {}
+        for (p, c), (q, d) in product(self.terms.items(), self.lifted(other).items()):
+            powers = tuple(map(int.__add__, p, q))
+            terms[powers] = terms.get(powers, 0) + c * d
+        return Polynomial(self.box, terms)
+
+    def __neg__(self):
+        return self * -1
+
+    def __sub__(self, other):
+        return self + other * -1
+
+    def __rsub__(self, other):
+        return -self + other
+
+    __radd__ = __add__
+    __rmul__ = __mul__
+
+
+def has_zeros(number):
+    return not any(number.coefficients if isinstance(number, Element) else [number])
+
+
+class Bernstein:
+    """The tensor of Bernstein coefficients, times a positive number, on a box; flat, the last axis varies fastest."""
+
+    def __init__(self, shape, entries):
+        self.shape, self.entries = shape, entries
+
+    @classmethod
+    def of(cls, polynomial):
+        sides = polynomial.box.sides
+        shape = [1 + max((powers[k] for powers in polynomial.terms), default=0) for k in range(len(sides))]
+        require(prod(shape) <= COEFFICIENTS, "declined", "work", "a polynomial has too many Bernstein coefficients")
+        entries = [polynomial.terms.get(powers, 0) for powers in product(*map(range, shape))]
+        table = cls(shape, entries)
+        for k, side in enumerate(sides):
+            table = table.changed(k, lambda line, side=side: bernstein(side.substituted(line)))
+        return table
+
+    def changed(self, axis, change):
+        step, size = prod(self.shape[axis + 1:]), self.shape[axis]
+        entries = list(self.entries)
+        for start in range(len(entries)):
+            if start // step % size == 0:
+                line = slice(start, start + step * size, step)
+                entries[line] = change(entries[line])
+        return Bernstein(self.shape, entries)
+
+    def halves(self, axis):
+        """Those of both halves of the box."""
+        if self.shape[axis] == 1:
+            return self, self
+        return [self.changed(axis, lambda line, half=half: de_casteljau(line)[half]) for half in (0, 1)]
+
+    def is_positive(self, closed):
+        """
+        All are at least zero; and on every face of the box that its closed ends leave, some is positive. `closed` says
+        of each axis which of its two ends belong to the box. No smaller face is in the box, so each point of the box
+        is inside of a face with a positive coefficient, or of one that contains such a face.
+        """
+        signs = [sign(x) for x in self.entries]
+        faces = [[range(n)] if n == 1 or not any(ends) else [[k] for k, end in zip((0, n - 1), ends) if end]
+                 for n, ends in zip(self.shape, closed)]
+        steps = [prod(self.shape[k + 1:]) for k in range(len(self.shape))]
+        return min(signs) >= 0 and all(any(signs[dot(at, steps)] for at in product(*face)) for face in product(*faces))
+
+    def is_nonnegative(self, closed):
+        return all(sign(x) >= 0 for x in self.entries)
+
+
+def bernstein(line):
+    """From the coefficients of 1, t, …, t^n to those of the Bernstein basis on [0, 1], times n!."""
+    n = len(line) - 1
+    return [sum((line[i] * (comb(k, i) * factorial(i) * factorial(n - i)) for i in range(k + 1)), 0) for k in range(n + 1)]
+
+
+def de_casteljau(line):
+    """Both halves, times 2^n."""
+    left, right, n = [], [], len(line) - 1
+    for k in range(n + 1):
+        left.append(line[0] * 2 ** (n - k))
+        right.insert(0, line[-1] * 2 ** (n - k))
+        line = [x + y for x, y in zip(line, line[1:])]
+    return left, right
+
+
+class Interval:
+    """An interval of a parameter from low / scale to (low + width) / scale, and which of its ends belong to it."""
+
+    def __init__(self, low, width, scale, closed):
+        self.low, self.width, self.scale, self.closed = low, width, scale, closed
+
+    def __str__(self):
+        low, high = (shown_number(end, self.scale) for end in (self.low, self.low + self.width))
+        return f"{'(['[self.closed[0]]}{low}, {high}{')]'[self.closed[1]]}"
+
+    def halves(self):
+        low, width, scale = self.low * 2, self.width, self.scale * 2
+        return Interval(low, width, scale, (self.closed[0], True)), Interval(low + width, width, scale, (True, self.closed[1]))
+
+    def points(self):
+        """The closed ends, or the middle where there is none."""
+        ends = [self.low, self.low + self.width]
+        found = [Interval(end, 0, self.scale, (True, True)) for end, is_closed in zip(ends, self.closed) if is_closed]
+        return found or [self.middle()]
+
+    def middle(self):
+        return Interval(self.low * 2 + self.width, 0, self.scale * 2, (True, True))
+
+    def substituted(self, line):
+        """For the coefficients of x^0, …, x^n those of t^0, …, t^n for x = (low + width t) / scale, times scale^n."""
+        result, power = [], 1
+        for c in reversed(line):
+            result = [x * self.low + y * self.width for x, y in zip(result + [0], [0] + result)] if result else [0]
+            result[0] = result[0] + c * power
+            power *= self.scale
+        return result
+
+
+class Box:
+    """The parameters' intervals, with a tree of halvings; or, for a test, one point of it."""
+
+    def __init__(self, names, sides, tree):
+        self.names, self.sides, self.tree = names, sides, tree
+        self.all = (1 << len(list(self.leaves()))) - 1
+        self.used = set()
+
+    def leaves(self):
+        """The sides of every leaf."""
+        open_nodes = [(self.tree, self.sides)]
+        while open_nodes:
+            node, sides = open_nodes.pop()
+            if not node:
+                yield sides
+                continue
+            _, axis, *halves = node
+            for half, side in reversed(list(zip(halves, sides[axis].halves()))):
+                open_nodes.append((half, [*sides[:axis], side, *sides[axis + 1:]]))
+
+    def where(self, polynomial, test):
+        """The leaves in which a test of the Bernstein coefficients is passed."""
+        found, count = 0, 0
+        open_nodes = [(self.tree, Bernstein.of(polynomial), [side.closed for side in self.sides])]
+        while open_nodes:
+            node, table, closed = open_nodes.pop()
+            if not node:
+                found |= test(table, closed) << count
+                count += 1
+                continue
+            signs = {sign(x) for x in table.entries}
+            if signs == {1} or 1 not in signs:  # The halves have means of these, so they have the same sign, or are zero as all.
+                is_passed = test(table, [(True, True)] * len(closed))
+                found |= ((1 << leaves_of(node)) - 1) * is_passed << count
+                count += leaves_of(node)
+                continue
+            _, axis, *halves = node
+            ends = (closed[axis][0], True), (True, closed[axis][1])
+            for half, part, end in reversed(list(zip(halves, table.halves(axis), ends))):
+                open_nodes.append((half, part, [*closed[:axis], end, *closed[axis + 1:]]))
+        return found
+
+    def points(self, leaves):
+        """Points of some leaves: the middle, and the corners of the box where they belong to it."""
+        for n, sides in enumerate(self.leaves()):
+            if leaves >> n & 1:
+                yield Box(self.names, [side.middle() for side in sides], [])
+                yield from (Box(self.names, list(corner), []) for corner in product(*(side.points() for side in sides)))
+
+    def __str__(self):
+        return ", ".join(f"{name} = {shown_number(side.low, side.scale)}" for name, side in zip(self.names, self.sides))
+
+    def in_words(self):
+        return ", ".join(f"{name} in {side}" for name, side in zip(self.names, self.sides))
+
+
+def positive_in(x):
+    """The leaves in which a value is shown to be positive."""
+    return x.box.where(x, Bernstein.is_positive) if isinstance(x, Polynomial) else int(sign(x) > 0)
+
+
+def nonnegative_in(x):
+    return x.box.where(x, Bernstein.is_nonnegative) if isinstance(x, Polynomial) else int(sign(x) >= 0)
+
+
+def zero_in(x):
+    return nonnegative_in(x) & nonnegative_in(-x)
+
+
 # Vectors and matrices.
 
 
@@ -397,42 +615,122 @@ BOUNDS = ["largest dihedral angle", "smallest dihedral angle", "squared radius-e
 LATER = ["Delaunay", "weakly Delaunay", "locally Delaunay", "locally weakly Delaunay", "TCP"]
 STATEMENTS = PLAIN + BOUNDS + LATER
 RELATIONS = ["less than", "at most", "maximum", "more than", "at least", "minimum"]
-DELAUNAY = {"Delaunay": (1, "not-delaunay"), "locally Delaunay": (1, "not-delaunay"),
-            "weakly Delaunay": (0, "not-weakly-delaunay"), "locally weakly Delaunay": (0, "not-weakly-delaunay")}
+DELAUNAY = {"Delaunay": (positive_in, "not-delaunay"), "locally Delaunay": (positive_in, "not-delaunay"),
+            "weakly Delaunay": (nonnegative_in, "not-weakly-delaunay"),
+            "locally weakly Delaunay": (nonnegative_in, "not-weakly-delaunay")}
 
 
 class Certificate:
-    """The claim, with the checks that need nothing else; then the witness."""
+    """
+    The claim, with the checks that need nothing else; then the witness. Of a family either in all leaves of its tree, or
+    in one point of its box.
+    """
 
-    def __init__(self, data):
+    def __init__(self, data, point=None):
         _, _, kind, claim, witness = record(data, "format", "version", "kind", "claim", "witness")
         formed(isinstance(kind, str), "json", "no kind")
-        require(kind == "tiling", "declined", "kind", "a kind that is unknown here")
-        self.dimension, field, gram, domain, statements = record(
-            claim, "dimension", "field", "gram", "domain", "statements")
+        require(kind in ("tiling", "family"), "declined", "kind", "a kind that is unknown here")
+        is_family = kind == "family"
+        self.dimension, field, *parameters, gram, domain, statements = record(
+            claim, "dimension", "field", *["parameters"] * is_family, "gram", "domain", "statements")
+        denominator, vertices, boundary, *tree, simplices = record(
+            witness, "denominator", "vertices", "boundary", *["tree"] * is_family, "simplices")
         formed(integer(self.dimension) in (2, 3), "dimension", "expected 2 or 3")
         self.field = None if field == "Q" else Field(field)
+        self.box = self.read_box(*parameters, *tree) if is_family else None
+        self.box = point or self.box
         self.read_gram(gram)
         self.read_domain(domain)
         self.read_statements(statements)
-        self.read_witness(witness)
+        self.read_witness(denominator, vertices, boundary, simplices)
+
+    # Parameters.
+
+    def read_box(self, parameters, tree):
+        formed(0 < len(array(parameters)) <= PARAMETERS, "parameters", "none, or too many")
+        names, sides = zip(*map(self.read_parameter, parameters))
+        formed(len(set(names)) == len(names), "parameter-name", "two parameters have one name")
+        return Box(names, list(sides), self.read_tree(tree, len(names)))
+
+    def read_parameter(self, data):
+        name, *ends = record(data, "name", "low", "high")
+        formed(isinstance(name, str), "json", "a name is no text")
+        formed(re.fullmatch("[a-z][a-z0-9_]{0,15}", name, re.ASCII), "parameter-name", "a name is not like a_1")
+        (is_low_closed, low, p), (is_high_closed, high, q) = map(self.read_end, ends)
+        width = high * p - low * q
+        formed(sign(width) != 0, "box-empty", f"the ends of {name} are equal")
+        formed(sign(width) > 0, "box-exchanged", f"the low end of {name} is above the high end")
+        return name, Interval(low * q, width, p * q, (is_low_closed, is_high_closed))
+
+    def read_end(self, data):
+        kind, fraction = array(data, 2)
+        formed(kind in ("closed", "open"), "json", "an end is neither closed nor open")
+        p, q = array(fraction, 2)
+        p, q = self.number(p), positive(q)
+        check_primitive([q, *coefficients([[p]])])
+        return kind == "closed", p, q
+
+    def read_tree(self, data, count):
+        """Every node gets the number of its leaves."""
+        def node(item, depth):
+            if not array(item):
+                return []
+            require(depth < HALVINGS, "declined", "tree-size", f"more than {HALVINGS} halvings")
+            axis, *halves = array(item, 3)
+            formed(0 <= integer(axis) < count, "tree", "an axis is no parameter")
+            halves = [node(half, depth + 1) for half in halves]
+            return [sum(map(leaves_of, halves)), axis, *halves]
+        root = node(data, 0)
+        require(leaves_of(root) <= LEAVES, "declined", "tree-size", f"more than {LEAVES} leaves")
+        return root
 
     def number(self, data):
         if self.field is None:
             return integer(data)
         return Element(self.field, integers(data, self.field.degree))
 
-    def numbers(self, data, length):
-        return [self.number(x) for x in array(data, length)]
+    def value(self, data):
+        """A number; in a family a polynomial."""
+        if self.box is None:
+            return self.number(data)
+        count, terms = len(self.box.sides), {}
+        for term in array(data):
+            c, *powers = array(term, 1 + count)
+            powers = tuple(integers(powers))
+            formed(all(0 <= e <= EXPONENT for e in powers), "exponent", "a polynomial of too high degree")
+            self.box.used.update(k for k, e in enumerate(powers) if e)
+            terms[powers] = self.number(c)
+            formed(not has_zeros(terms[powers]), "terms", "a coefficient is zero")
+        formed(list(terms) == sorted(terms) and len(terms) == len(data), "terms", "not in order")
+        return Polynomial(self.box, terms)
+
+    def values(self, data, length):
+        return [self.value(x) for x in array(data, length)]
+
+    def proved(self, leaves, code, message):
+        """Refuses what is not proved in every leaf."""
+        if not self.is_proved(leaves):
+            raise Refusal("rejected", code, message, self.box and self.box.points(self.box.all & ~leaves))
+
+    @property
+    def all_leaves(self):
+        return self.box.all if self.box else 1
+
+    def is_proved(self, leaves):
+        return leaves == self.all_leaves
+
+    def sizes(self):
+        return f"dimension {self.dimension}, domain {self.domain}, {len(self.vertices)} vertices, {len(self.simplices)} simplices"
 
     def read_gram(self, data):
         """The matrix by its upper triangle; positive definite (hypothesis M)."""
         d = self.dimension
-        upper = [self.numbers(row, d - i) for i, row in enumerate(array(data, d))]
+        upper = [self.values(row, d - i) for i, row in enumerate(array(data, d))]
         check_primitive(coefficients(upper))
         self.gram = [[upper[min(i, j)][abs(i - j)] for j in range(d)] for i in range(d)]
         for n in range(1, d + 1):
-            true(sign(det([row[:n] for row in self.gram[:n]])) > 0, "gram-not-positive", f"leading minor {n}")
+            minor = det([row[:n] for row in self.gram[:n]])
+            self.proved(positive_in(minor), "gram-not-positive", f"leading minor {n}")
 
     def read_domain(self, data):
         d = self.dimension
@@ -440,6 +738,7 @@ class Certificate:
         if data == "space":
             return
         self.domain, value = array(data, 2)
+        formed(self.domain != "region" or not self.box, "family-domain", "a family of regions")
         if self.domain == "region":
             self.rank = integer(value)
             formed(0 <= self.rank <= d, "region-rank", f"the rank {self.rank}")
@@ -449,7 +748,7 @@ class Certificate:
         self.rank = d - {"slab": 1, "prism": 2, "solid": d}[self.domain]
         denominator, vertices, faces = record(value, "denominator", "vertices", "faces")
         self.polytope_scale = positive(denominator)
-        self.polytope = [self.numbers(row, self.codimension) for row in array(vertices)]
+        self.polytope = [self.values(row, self.codimension) for row in array(vertices)]
         check_primitive([self.polytope_scale, *coefficients(self.polytope)])
         self.faces = [integers(face) for face in array(faces)]
         self.sides = check_polytope(self)
@@ -490,16 +789,16 @@ class Certificate:
 
     # The witness.
 
-    def read_witness(self, data):
+    def read_witness(self, denominator, vertices, boundary, simplices):
         d = self.dimension
-        denominator, vertices, boundary, simplices = record(data, "denominator", "vertices", "boundary", "simplices")
         self.scale = positive(denominator)
         if self.polytope:
             true(self.scale % self.polytope_scale == 0, "denominator-domain", "the polytope's does not divide it")
             factor = self.scale // self.polytope_scale
             self.polytope = [[x * factor for x in vertex] for vertex in self.polytope]
-        self.vertices = [self.numbers(row, d) for row in array(vertices)]
+        self.vertices = [self.values(row, d) for row in array(vertices)]
         check_primitive([self.scale, *coefficients(self.vertices)])
+        formed(not self.box or len(self.box.used) == len(self.box.sides), "unused-parameter", "a parameter does not occur")
         self.on_faces = [check_inside(self, v) for v in range(len(self.vertices))]
         formed(bool(array(boundary)) == (self.domain == "region"), "boundary-domain", "of a region, and of no other domain")
         self.boundary = [self.read_facet(facet) for facet in array(boundary)]
@@ -552,8 +851,14 @@ class Certificate:
         return det([minus(x, w[0]) for x in w[1:self.codimension]] + [minus(point, w[0])])
 
 
+def leaves_of(node):
+    return node[0] if node else 1
+
+
 def coefficients(rows):
-    return (c for row in rows for x in row for c in (x.coefficients if isinstance(x, Element) else [x]))
+    """All integers in rows of values."""
+    numbers = (c for row in rows for x in row for c in (x.terms.values() if isinstance(x, Polynomial) else [x]))
+    return (c for x in numbers for c in (x.coefficients if isinstance(x, Element) else [x]))
 
 
 def moved(corner, shift, factor=1):
@@ -594,27 +899,36 @@ def check_polytope(c):
 
 
 def face_sign(c, face):
-    signs = [sign(c.height(face, w)) for w in c.polytope]
-    others = {s for n, s in enumerate(signs) if n not in face}
-    is_facet = all(signs[n] == 0 for n in face) and others in ({1}, {-1})
-    true(is_facet, "face-not-facet", f"face {face}")
-    return others.pop()
+    """It is the same in all leaves: h_f is continuous, and not zero at the other vertices."""
+    heights = [c.height(face, w) for w in c.polytope]
+    for n in face:
+        c.proved(zero_in(heights[n]), "face-not-facet", f"face {face}")
+    others = [heights[n] for n in range(len(heights)) if n not in face]
+    true(others, "face-not-facet", f"face {face} has all vertices")
+    return common_sign(c, others, "face-not-facet", f"face {face}")
+
+
+def common_sign(c, values, code, message):
+    """The one strict sign of all these."""
+    side = 1 if c.is_proved(positive_in(values[0])) else -1
+    for x in values:
+        c.proved(positive_in(x * side), code, message)
+    return side
 
 
 def check_polygon(c, face):
     outside = next(w for n, w in enumerate(c.polytope) if n not in face)
-    turns = set()
-    for p, q in zip(face, face[1:] + face[:1]):
-        for t in set(face) - {p, q}:
-            turns.add(sign(det([minus(x, c.polytope[p]) for x in (c.polytope[q], c.polytope[t], outside)])))
-    true(turns in ({1}, {-1}), "face-not-convex", f"face {face}")
+    turns = [det([minus(x, c.polytope[p]) for x in (c.polytope[q], c.polytope[t], outside)])
+             for p, q in zip(face, face[1:] + face[:1]) for t in face if t not in (p, q)]
+    common_sign(c, turns, "face-not-convex", f"face {face}")
 
 
 def check_inside(c, v):
-    """The faces that have a vertex of the tiling; it is on the inner side of the others."""
-    heights = [s * sign(c.height(face, c.vertices[v][c.rank:])) for face, s in zip(c.faces, c.sides)] if c.faces else []
-    true(all(h >= 0 for h in heights), "vertex-outside", f"vertex {v}")
-    return {f for f, h in enumerate(heights) if h == 0}
+    """The faces that have a vertex of the tiling, everywhere; it is on the inner side of the others, or in their plane."""
+    heights = [c.height(face, c.vertices[v][c.rank:]) * s for face, s in zip(c.faces, c.sides)] if c.faces else []
+    for h in heights:
+        c.proved(nonnegative_in(h), "vertex-outside", f"vertex {v}")
+    return {f for f, h in enumerate(heights) if c.is_proved(zero_in(h))}
 
 
 # The tiling: hypotheses O, F, B, V and, of regions, X and W.
@@ -622,7 +936,7 @@ def check_inside(c, v):
 
 def check_orientation(c, determinants):
     for s, determinant in enumerate(determinants):
-        true(sign(determinant) > 0, "orientation", f"simplex {s}")
+        c.proved(positive_in(determinant), "orientation", f"simplex {s}")
 
 
 class Facet:
@@ -671,13 +985,13 @@ def check_volume(c, determinants):
     """The sum of the determinants is D! vol P, with Lemma 0's k! vol P."""
     k = c.codimension
     volume = 0 if k else 1
-    for face in c.faces:
+    for face, side in zip(c.faces, c.sides if c.faces else []):
         w = [minus(c.polytope[n], c.polytope[face[0]]) for n in face]
         apex = minus(c.polytope[0], c.polytope[face[0]])
         pieces = sum((det(w[i:i + k - 1] + [apex]) for i in range(1, len(face) - k + 2)), 0)
-        volume = volume + pieces * sign(pieces)
+        volume = volume + pieces * side
     expected = volume * (factorial(c.dimension) // factorial(k) * c.scale ** c.rank)
-    true(sign(sum(determinants, 0) - expected) == 0, "volume-sum", "the volumes do not sum to the domain's")
+    c.proved(zero_in(sum(determinants, 0) - expected), "volume-sum", "the volumes do not sum to the domain's")
 
 
 def check_apart(c):
@@ -811,57 +1125,91 @@ class Shape:
         return self.delta + between
 
     def power(self, c, point):
-        """det M times the power of a point in the circumsphere."""
+        """The power of a point in the circumsphere, times det(edges): |x|² less the affine function that agrees with it at the corners."""
         x = minus(point, self.origin)
-        products = [c.product(edge, x) for edge in self.edges]
-        return self.det * c.product(x, x) - dot(self.delta, [dot(row, products) for row in self.cofactors])
+        return det([edge + [square] for edge, square in zip([*self.edges, x], [*self.delta, c.product(x, x)])])
 
 
-def compared_angle(g, i, j, side, bound):
-    """The sign of the angle of facets i and j less that with the cosine side · √bound."""
-    cosine, (p, q) = -g[i][j], bound
-    s = sign(cosine)
-    if s != side or s == 0:
-        return (side > s) - (side < s)
-    return -s * sign(cosine * cosine * q - g[i][i] * g[j][j] * p)
+class Angle:
+    """The angle of facets i and j beside that with the cosine side · √(p/q): the leaves in which it is less or more."""
+
+    def __init__(self, g, i, j, side, bound):
+        p, q = bound
+        self.cosine, self.side = -g[i][j], side
+        self.excess = self.cosine * self.cosine * q - g[i][i] * g[j][j] * p  # cos² less p/q, times a positive number
+
+    def less(self, positive_in):
+        """Less; or at most, by the other function. The cosine is larger, its sign or else its square shows it."""
+        if self.side == 0:
+            return positive_in(self.cosine)
+        if self.side > 0:
+            return nonnegative_in(self.cosine) & positive_in(self.excess)
+        return nonnegative_in(self.cosine) | positive_in(-self.excess)
+
+    def more(self, positive_in):
+        if self.side == 0:
+            return positive_in(-self.cosine)
+        if self.side < 0:
+            return nonnegative_in(-self.cosine) & positive_in(self.excess)
+        return nonnegative_in(-self.cosine) | positive_in(-self.excess)
 
 
-def compared_ratio(shape, bound):
-    """The sign of R² / l² less the bound, for the shortest edge; 4 det M R² = δ · C δ."""
-    p, q = bound
-    radius = dot(shape.delta, [dot(row, shape.delta) for row in shape.cofactors])
-    return max(sign(radius * q - shape.det * edge * p * 4) for edge in shape.squared_edges())
+class Ratio:
+    """R² / l² for one edge beside the bound p/q; 4 det M R² = δ · C δ. The shortest edge has the largest ratio."""
+
+    def __init__(self, shape, edge, bound):
+        p, q = bound
+        radius = dot(shape.delta, [dot(row, shape.delta) for row in shape.cofactors])
+        self.excess = radius * q - shape.det * edge * p * 4
+
+    def less(self, positive_in):
+        return positive_in(-self.excess)
+
+    def more(self, positive_in):
+        return positive_in(self.excess)
 
 
-def check_bound(shapes, statement):
+def check_bound(c, shapes, statement):
+    """Returns the leaves in which a bound is attained, all of them for one that need not be."""
     name, relation, side, bound = statement
     code = "ratio-bound" if name == BOUNDS[2] else "angle-bound"
-    attained = False
+    test = positive_in if relation in ("less than", "more than") else nonnegative_in
+    is_upper = relation in RELATIONS[:3]
+    attained = 0 if relation in ("maximum", "minimum") else c.all_leaves
     for s, shape in enumerate(shapes):
         if name == BOUNDS[2]:
-            found = compared_ratio(shape, bound)
+            quantities = [Ratio(shape, edge, bound) for edge in shape.squared_edges()]
         else:
             g = shape.gradients()
-            angles = [compared_angle(g, i, j, side, bound) for i, j in combinations(range(len(g)), 2)]
-            found = max(angles) if name == BOUNDS[0] else min(angles)
-        is_strict = relation in ("less than", "more than")
-        upward = found if relation in RELATIONS[:3] else -found
-        true(upward < 0 or (upward == 0 and not is_strict), code, f"simplex {s}: {name}")
-        attained = attained or found == 0
-    return attained or relation not in ("maximum", "minimum")
+            quantities = [Angle(g, i, j, side, bound) for i, j in combinations(range(len(g)), 2)]
+        # The largest one is less if all are, and more if one is.
+        less, more = [(some, every), (every, some)][name != BOUNDS[1]]
+        found = less(x.less(test) for x in quantities) if is_upper else more(x.more(test) for x in quantities)
+        c.proved(found, code, f"simplex {s}: {name}")
+        if not c.is_proved(attained):
+            attained |= less(x.less(test) for x in quantities) & more(x.more(test) for x in quantities)
+    return attained
 
 
-def check_acute(shapes, least, code):
+def every(sets):
+    return reduce(int.__and__, sets)
+
+
+def some(sets):
+    return reduce(int.__or__, sets)
+
+
+def check_acute(c, shapes, test, code):
     for s, g in enumerate(shape.gradients() for shape in shapes):
         for i, j in combinations(range(len(g)), 2):
-            true(-sign(g[i][j]) >= least, code, f"facets {i} and {j} of simplex {s}")
+            c.proved(test(-g[i][j]), code, f"facets {i} and {j} of simplex {s}")
 
 
-def check_delaunay(c, shapes, mates, least, code):
+def check_delaunay(c, shapes, mates, test, code):
     for one, other in mates:
         beyond = moved(moved(other.apex, other.base, -1), one.base)
-        found = sign(shapes[one.simplex].power(c, c.position(beyond)))
-        true(found >= least, code, f"simplices {one.simplex} and {other.simplex}")
+        power = shapes[one.simplex].power(c, c.position(beyond))
+        c.proved(test(power), code, f"simplices {one.simplex} and {other.simplex}")
 
 
 def check_tcp(c):
@@ -875,34 +1223,476 @@ def check_tcp(c):
         true(stated == [valences[edge] for edge in edges[s]], "edge-valence", f"simplex {s}")
 
 
-def check(data):
-    """Refuses, or returns the certificate, which then proves what it claims."""
-    c = Certificate(data)
-    check_apart(c)
+def check_tiling(data):
+    """Also a family: a condition that is not proved in some leaves is refuted if it is false in one of some points."""
+    try:
+        return check_places(data)
+    except Refusal as refusal:
+        if not refusal.points:
+            raise
+        found = refusal
+    others = [Refusal("declined", "sign-undecided", f"not decided in all leaves: {found.code}, {found}")]
+    for point in islice(found.points, POINTS):
+        try:
+            check_places(data, point)
+        except Refusal as refusal:
+            there = Refusal(refusal.kind, refusal.code, f"for {point}: {refusal}")
+            if refusal.code == found.code:
+                raise there from found
+            others.append(there)
+    raise others[-1]
+
+
+def check_places(data, point=None):
+    """In all leaves, or in one point."""
+    c = Certificate(data, point)
+    if c.domain == "region":
+        check_apart(c)
     mates, groups, listed = matched(c)
     shapes = [Shape(c, row) for row in c.simplices]
     determinants = [det(shape.edges) for shape in shapes]
     check_orientation(c, determinants)
-    check_covering(c)
-    attained = True
+    if c.domain == "region":
+        check_covering(c)
+    attained = []
     for statement in c.statements:
         name = statement[0]
         if name == "acute":
-            check_acute(shapes, 1, "not-acute")
+            check_acute(c, shapes, positive_in, "not-acute")
         elif name == "nonobtuse":
-            check_acute(shapes, 0, "not-nonobtuse")
+            check_acute(c, shapes, nonnegative_in, "not-nonobtuse")
         elif name in BOUNDS:
-            attained = check_bound(shapes, statement) and attained
+            attained.append(check_bound(c, shapes, statement))
         elif name in DELAUNAY:
             check_delaunay(c, shapes, mates, *DELAUNAY[name])
     check_end(c, groups, listed, determinants)
     if c.claims("TCP"):
         check_tcp(c)
-    true(attained, "not-attained", "no simplex attains a bound")
+    for leaves in attained:
+        c.proved(leaves, "not-attained", "no simplex attains a bound")
     return c
 
 
+# Systems of patches.
+
+
+class System(Certificate):
+    """A certificate of the kind patches. What is a corner elsewhere is here a point of a tile, times unit."""
+
+    def __init__(self, data):
+        _, _, _, claim, witness = record(data, "format", "version", "kind", "claim", "witness")
+        field, gram, self.rank, tiles, statements = record(claim, "field", "gram", "rank", "tiles", "statements")
+        formed(integer(self.rank) in (1, 2), "rank", f"the rank {self.rank}")
+        self.dimension, self.domain, self.box = 3, "space", None
+        self.field = None if field == "Q" else Field(field)
+        self.read_gram(gram)
+        mixed = [self.gram[i][j] for i in range(self.rank) for j in range(self.rank, 3)]
+        true(all(sign(x) == 0 for x in mixed), "gram-blocks", "the base is not orthogonal to the lattice")
+        formed(array(tiles), "tile-count", "there is no tile")
+        self.read_statements(statements)
+        formed(len(array(witness)) == len(tiles), "tile-count", "expected a patch for each tile")
+        self.patches = [Patch(self, (field, gram), tile, patch) for tile, patch in zip(tiles, witness)]
+        self.scale = 1
+        for patch in self.patches:
+            self.scale *= patch.scale // gcd(self.scale, patch.scale)
+        self.sides = [Side(self, patch, number) for patch in self.patches for number in range(len(patch.classes))]
+        self.unit = 1
+        self.walls = {}
+        for side in self.sides:
+            if side.label not in self.walls:
+                self.walls[side.label] = side
+                self.unit = self.unit * side.square
+        for side in self.sides:
+            side.check_wall(self.walls[side.label])
+
+    def sizes(self):
+        return f"{len(self.patches)} patches, {sum(len(patch.rows) for patch in self.patches)} simplices"
+
+    def position(self, point):
+        return point
+
+    def point(self, patch, corner):
+        """In the coordinates of the tile, times unit."""
+        factor = self.unit * (self.scale // patch.scale)
+        return [x * factor for x in patch.part.position(corner)]
+
+    def meetings(self):
+        """The pairs of sides that can meet, in both orders."""
+        for left, right in product(self.sides, repeat=2):
+            if left.label == right.label and (self.rank == 1 or left.number != right.number):
+                yield left, right
+
+    def others(self, wall):
+        """unit, divided by the square of this side's length."""
+        result = 1
+        for other in self.walls.values():
+            result = result if other is wall else result * other.square
+        return result
+
+
+class Patch:
+    """A tile and its piece. With the fans of the pyramids it is a prism or a slab, which is checked here."""
+
+    def __init__(self, system, metric, tile, data):
+        denominator, vertices, classes = record(tile, "denominator", "vertices", "classes")
+        self.rank, count = system.rank, len(array(vertices))
+        self.classes = integers(classes, count)
+        formed(count > 2 if self.rank == 1 else count == 2, "side-count", f"{count} vertices")
+        faces = [[s, (s + 1) % count] if self.rank == 1 else [s] for s in range(count)]
+        domain = ["prism" if self.rank == 1 else "slab", dict(denominator=denominator, vertices=vertices, faces=faces)]
+        denominator, offsets, vertices, pyramids, simplices = record(
+            data, "denominator", "offsets", "vertices", "pyramids", "simplices")
+        formed(array(simplices), "no-simplices", "there is no simplex")
+        pyramids = [self.read_pyramid(pyramid) for pyramid in array(pyramids)]
+        fans = [fan for apex, polygon in pyramids for fan in fans_of(apex, polygon)]
+        claim = dict(dimension=3, field=metric[0], gram=metric[1], domain=domain, statements=["face-to-face tiling"])
+        witness = dict(denominator=denominator, vertices=vertices, boundary=[], simplices=simplices + fans)
+        self.part = check_tiling(dict(format="", version=2, kind="tiling", claim=claim, witness=witness))
+        self.scale, self.corners = self.part.scale, self.part.polytope
+        self.offsets = [self.part.values(offset, self.rank) for offset in array(offsets, count)]
+        self.rows = self.part.simplices[:len(simplices)]
+        self.pyramids = [(apex, polygon, self.side_of(apex, polygon)) for apex, polygon in pyramids]
+        first, second, third = (self.corners * 2)[:3]
+        turn = det([minus(second, first), minus(third, first)]) if self.rank == 1 else second[0] - first[0]
+        true(sign(turn) > 0, "tile-order", "the vertices are not counterclockwise, or not in increasing order")
+
+    def read_pyramid(self, data):
+        apex, polygon = array(data, 2)
+        apex, *polygon = [self.read_corner(corner) for corner in [apex, *array(polygon)]]
+        is_polygon = len(polygon) > 2 and len(set(polygon)) == len(polygon) and not any(polygon[0][1:])
+        formed(is_polygon and apex not in polygon, "pyramid", "no polygon that begins with the shift zero, and an apex")
+        return apex, polygon
+
+    def read_corner(self, data):
+        v, *shift = integers(data, 1 + self.rank) if isinstance(data, list) else [integer(data)]
+        formed(any(shift) or not isinstance(data, list), "canonical", "a shift of zero is written")
+        return (v, *(shift or [0] * self.rank))
+
+    def side_of(self, apex, polygon):
+        sides = self.faces(*polygon)
+        true(not self.faces(apex) and len(sides) == 1, "pyramid-side", "an apex is in a side, or a polygon is in none")
+        return sides.pop()
+
+    def faces(self, *corners):
+        """The sides that contain all these corners."""
+        return set.intersection(*(self.part.on_faces[corner[0]] for corner in corners))
+
+
+def fans_of(apex, polygon):
+    """The rows of the tetrahedra from the first corner of the polygon, positive in this order."""
+    for corners in ([polygon[0], one, other, apex] for one, other in zip(polygon[1:], polygon[2:])):
+        a, b, c, d = facet_name(corners)[0]
+        ordered = [a, b, c, d] if parity(corners) > 0 else [a, b, d, c]
+        yield [list(corner) if any(corner[1:]) else corner[0] for corner in ordered]
+
+
+class Side:
+    """A side of a tile. Its wall coordinates are those of the lattice, and X along the side and Y inwards, or a height."""
+
+    def __init__(self, system, patch, number):
+        self.system, self.patch, self.number, self.label = system, patch, number, patch.classes[number]
+        self.factor = system.scale // patch.scale
+        self.offset = [x * self.factor for x in patch.offsets[number]]
+        self.start, self.square = [x * self.factor for x in patch.corners[number]], 1
+        if patch.rank == 1:
+            end = [x * self.factor for x in patch.corners[(number + 1) % len(patch.corners)]]
+            self.along = minus(end, self.start)
+            first, second = [dot(row[1:], self.along) for row in system.gram[1:]]
+            self.across = [-second, first]
+            self.square = dot(self.along, [first, second])
+
+    def coordinates(self, corner, is_turned):
+        r, point = self.patch.rank, [x * self.factor for x in self.patch.part.position(corner)]
+        base = minus(point[r:], self.start)
+        if r == 1:
+            base = [det([base, self.across]), det([self.along, base])]
+            base = [self.square - base[0], -base[1]] if is_turned else base
+        return minus(point[:r], self.offset) + base
+
+    def check_wall(self, wall):
+        """The pattern is that of the class, as seen from the left and from the right."""
+        r = self.patch.rank
+        self.left_corners = self.right_corners = self.wall_corners(wall, False)
+        self.left = self.right = self.pattern(self.left_corners)
+        pattern = self.left if self is wall else wall.left
+        is_same = set(self.left) == set(pattern) and is_equal(self.square, wall.square)
+        true(is_same, "wall-pattern", f"side {self.number} does not look like the first one of class {self.label}")
+        if r == 1:
+            self.right_corners = self.wall_corners(wall, True)
+            self.right = self.pattern(self.right_corners)
+            true(set(self.right) == set(pattern), "wall-reversal", f"side {self.number} looks different from its other end")
+
+    def wall_corners(self, wall, is_turned):
+        """For each vertex in this side the corner of the wall that is there."""
+        zero = [0] * self.patch.rank
+        return {v: wall.corner_at(self.coordinates((v, *zero), is_turned))
+                for v, faces in enumerate(self.patch.part.on_faces) if self.number in faces}
+
+    def roles(self):
+        """Whether this side can be the left or the right one where two meet, and its corners then."""
+        if self.patch.rank == 1:
+            return [(True, self.left_corners), (False, self.right_corners)]
+        return [(self.number == 1, self.left_corners)]
+
+    def pattern(self, corners):
+        """The polygons in the side, by the names that they have in the wall of the class."""
+        polygons = [Polygon(corners, polygon, apex, n) for n, (apex, polygon, s) in enumerate(self.patch.pyramids) if s == self.number]
+        for row in self.patch.rows:
+            for apex in row:
+                facet = [corner for corner in row if corner != apex]
+                if self.number in self.patch.faces(*facet):
+                    polygons.append(Polygon(corners, facet, apex, None))
+        return {polygon.name: polygon for polygon in polygons}
+
+    def corner_at(self, coordinates):
+        """The corner of this side with these coordinates; none has the number -1."""
+        r = self.patch.rank
+        for v, faces in enumerate(self.patch.part.on_faces):
+            if self.number in faces:
+                difference = minus(coordinates, self.coordinates((v, *[0] * r), False))
+                shift = [whole_quotient(x, self.system.scale) for x in difference[:r]]
+                if None not in shift and all(is_equal(x, 0) for x in difference[r:-1]):
+                    return (v, *shift)
+        return (-1, *[0] * r)
+
+    def point(self, corner):
+        return self.system.point(self.patch, corner)
+
+    def point_of(self, right, corner, shift):
+        """The point of a corner of a tile that meets this one here, moved by a lattice vector."""
+        r, unit = self.patch.rank, self.system.unit
+        there = right.coordinates(corner, True)
+        lattice = [(x + y + z * self.system.scale) * unit for x, y, z in zip(there, self.offset, shift)]
+        if r == 2:
+            return lattice + [there[2] + self.start[0]]
+        factor = self.system.others(self.system.walls[self.label])
+        moves = [x * there[1] + y * there[2] for x, y in zip(self.along, self.across)]
+        return lattice + [x * unit + y * factor for x, y in zip(self.start, moves)]
+
+
+class Polygon:
+    """A polygon in a side, and the apex over it: of a pyramid, or of a tetrahedron over a triangle."""
+
+    def __init__(self, seen, corners, apex, pyramid):
+        self.corners, self.apex, self.pyramid = corners, apex, pyramid
+        there = [moved(seen[corner[0]], corner[1:]) for corner in corners]
+        self.base = min(there)[1:]
+        self.there = [moved(corner, self.base, -1) for corner in there]
+        self.name = (frozenset(frozenset(edge) for edge in cycle(self.there)), pyramid is not None)
+
+
+def cycle(items):
+    return list(zip(items, items[1:] + items[:1]))
+
+
+def is_equal(x, y):
+    return not any(coefficients([[x - y]]))
+
+
+def whole_quotient(x, scale):
+    """x / scale where this is an integer."""
+    first, *others = x.coefficients if isinstance(x, Element) else [x]
+    return None if any(others) or first % scale else first // scale
+
+
+def check_corners(s):
+    """The angles of the tiles are parts of a turn, and the offsets follow them. Returns for each tile its angles, and the whole."""
+    turns = [[angle(s, patch, i) for i in range(len(patch.corners))] for patch in s.patches]
+    whole = 1
+    for _, count in sum(turns, []):
+        whole = whole * count // gcd(whole, count)
+    require(whole <= TURN, "declined", "corner-angle", f"angles are parts of more than {TURN}")
+    parts = [[a * (whole // count) for a, count in row] for row in turns]
+    steps = []
+    for patch, row in zip(s.patches, parts):
+        for i, a in enumerate(row):
+            step = whole_quotient((patch.offsets[i - 1][0] - patch.offsets[i][0]) * whole, patch.scale)
+            true(step is not None, "side-classes", f"at corner {i} the offsets differ by no part of {whole}")
+            steps.append((step, a))
+    is_consistent = any(all((step - a * n) % whole == 0 for step, a in steps) for n in range(whole))
+    true(is_consistent, "side-classes", "around a vertex of the tiles the offsets do not close")
+    return parts, whole
+
+
+def angle(s, patch, i):
+    """The angle at corner i as a part of a turn: a numerator and the least denominator."""
+    corner, one, other = (patch.corners[j % len(patch.corners)] for j in (i, i + 1, i - 1))
+    g = [row[1:] for row in s.gram[1:]]
+    u, v = minus(one, corner), minus(other, corner)
+    x = (dot(u, [dot(row, v) for row in g]), det([u, v]))
+    power, turns = x, 0
+    for n in range(1, TURN + 1):
+        if sign(power[1]) == 0 and sign(power[0]) > 0:
+            return turns, n
+        following = (power[0] * x[0] - det(g) * power[1] * x[1], power[0] * x[1] + power[1] * x[0])
+        turns += sign(power[1]) < 0 <= sign(following[1])
+        power = following
+    raise Refusal("declined", "corner-angle", f"corner {i} has no angle that is a part of at most {TURN} of a turn")
+
+
+class Join:
+    """Two pyramids over one polygon, and the tetrahedra around the axis between their apexes."""
+
+    def __init__(self, s, left, right, one, other):
+        self.one, self.other = one, other
+        self.beyond = left.point_of(right, other.apex, minus(one.base, other.base))
+        self.polygon, self.apex = [left.point(corner) for corner in one.corners], left.point(one.apex)
+        self.shapes = [Shape(s, [self.beyond, x, y, self.apex]) for x, y in cycle(self.polygon)]
+        for shape in self.shapes:
+            true(sign(det(shape.edges)) > 0, "missing-join", "the axis between two apexes does not cross their polygon")
+
+
+def inner_pairs(s, patch, joins):
+    """The facets inside of a tile that are in no fan: their corners, and what can be opposite to them on each side."""
+    groups = {}
+    for row in patch.rows:
+        for apex in row:
+            facet = [corner for corner in row if corner != apex]
+            if not patch.faces(*facet):
+                add_points(s, groups, facet, [s.point(patch, apex)])
+    for n, (apex, polygon, _) in enumerate(patch.pyramids):
+        beyond = distinct(join.beyond for left, _, join in joins if left.patch is patch and join.one.pyramid == n)
+        for one, other in cycle(polygon):
+            add_points(s, groups, [one, other, apex], beyond)
+    for name, (points, others) in groups.items():
+        yield [s.point(patch, corner) for corner in name], points, others
+
+
+def add_points(s, groups, facet, points):
+    """Adds the points on one side of a facet, seen from its first corner."""
+    name, base = facet_name(facet)
+    moves = [x * s.scale for x in base] + [0] * (3 - s.rank)
+    groups.setdefault(name, []).append([[x - s.unit * y for x, y in zip(point, moves)] for point in points])
+
+
+def distinct(points):
+    found = {tuple(coefficients([point])): point for point in points}
+    return list(found.values())
+
+
+def axial_pairs(join):
+    """The facets with the axis of a join."""
+    for before, corner, after in zip(join.polygon[-1:] + join.polygon, join.polygon, join.polygon[1:] + join.polygon):
+        yield [corner, join.apex, join.beyond], [before], [after]
+
+
+def check_local(s, pairs, test, code):
+    for facet, points, others in pairs:
+        for shape in (Shape(s, [point, *facet]) for point in points):
+            side = sign(det(shape.edges))
+            s.proved(every(test(shape.power(s, other) * side) for other in others), code, "two cells with a common facet")
+
+
+def check_valences(s, parts, whole, joins):
+    """TCP. Edges inside of tiles, in walls and over the vertices of tiles have 5 or 6 cells, and no triangle has two sixes."""
+    counts = {patch: Counts(patch) for patch in s.patches}
+    walls = {}
+    for side in s.sides:
+        for edge in counts[side.patch].edges_in(side.number):
+            for is_left, seen in side.roles():
+                walls.setdefault((side.label, wall_edge(seen, edge)), (set(), set()))[is_left].add(counts[side.patch].rows[edge])
+    six = {}
+    for patch in s.patches:
+        c = counts[patch]
+        for edge in c.edges:
+            faces = patch.faces(*edge)
+            if not faces:
+                found = {c.rows[edge] + c.lateral[edge]}
+            elif len(faces) == 1:
+                side = next(x for x in s.sides if x.patch is patch and x.number in faces)
+                left, right = walls[side.label, wall_edge(side.roles()[0][1], edge)]
+                found = {x + y + c.flat[edge] for x in left for y in right}
+            else:
+                vertex = next(i for i in faces if (i - 1) % len(patch.corners) in faces)
+                is_share = (2 * c.rows[edge] + c.flat[edge]) * whole == 12 * parts[s.patches.index(patch)][vertex]
+                true(is_share, "edge-valence", "the cells at an edge over a vertex of a tile are not its share of six")
+                found = {6}
+            true(found <= {5, 6}, "edge-valence", f"an edge can have the valence {max(found - {5, 6}, default=0)}")
+            six[patch, edge] = 6 in found
+    for patch in s.patches:
+        triangles = [triangle for row in patch.rows for triangle in combinations(row, 3)]
+        triangles += [(apex, *edge) for apex, polygon, _ in patch.pyramids for edge in cycle(polygon)]
+        for triangle in triangles:
+            found = sum(six[patch, edge_name(edge)] for edge in combinations(triangle, 2))
+            true(found < 2, "triangle-valence", "a triangle can have two edges of valence 6")
+    for left, right, join in joins:
+        valence = len(join.polygon)
+        true(valence in (5, 6), "edge-valence", f"the axis of a join has the valence {valence}")
+        mine, theirs = ({there: six[side.patch, edge_name((polygon.apex, corner))] for there, corner in zip(polygon.there, polygon.corners)}
+                        for side, polygon in ((left, join.one), (right, join.other)))
+        is_allowed = all(mine[corner] + theirs[corner] + (valence == 6) < 2 for corner in mine)
+        true(is_allowed, "triangle-valence", "a triangle at an axis can have two edges of valence 6")
+
+
+def edge_name(edge):
+    return facet_name(edge)[0]
+
+
+def wall_edge(seen, edge):
+    return edge_name([moved(seen[corner[0]], corner[1:]) for corner in edge])
+
+
+class Counts:
+    """For each edge of a piece and its pyramids: its rows, the cells of joins inside, and the polygons with it in sides."""
+
+    def __init__(self, patch):
+        self.patch = patch
+        self.rows = Counter(edge_name(edge) for row in patch.rows for edge in combinations(row, 2))
+        self.lateral, self.flat = Counter(), Counter()
+        for apex, polygon, _ in patch.pyramids:
+            self.flat.update(edge_name(edge) for edge in cycle(polygon))
+            self.lateral.update(edge_name((apex, corner)) for corner in polygon * 2)
+        self.edges = {*self.rows, *self.lateral, *self.flat}
+
+    def edges_in(self, side):
+        return [edge for edge in self.edges if self.patch.faces(*edge) == {side}]
+
+
+def check_patches(data):
+    """Refuses, or returns the system, which then proves what it claims."""
+    s = System(data)
+    corners = check_corners(s) if s.rank == 1 else ([], 1)
+    joins, pairs = [], []
+    for left, right in s.meetings():
+        for name, one in left.left.items():
+            other = right.right[name]
+            if one.pyramid is not None:
+                joins.append((left, right, Join(s, left, right, one, other)))
+            else:
+                beyond = left.point_of(right, other.apex, minus(one.base, other.base))
+                pairs.append(([left.point(corner) for corner in one.corners], [left.point(one.apex)], [beyond]))
+    pieces = [[Shape(s, [s.point(patch, corner) for corner in row]) for row in patch.rows] for patch in s.patches]
+    shapes = [shape for _, _, join in joins for shape in join.shapes]
+    attained = s.all_leaves
+    for statement in s.statements:
+        name = statement[0]
+        if name in ("acute", "nonobtuse"):
+            for cells in [*pieces, shapes]:
+                check_acute(s, cells, positive_in if name == "acute" else nonnegative_in, f"not-{name}")
+        elif name in BOUNDS:
+            check_bound(s, shapes, statement)
+            attained &= some(check_bound(s, piece, statement) for piece in pieces)
+        elif name in DELAUNAY:
+            inner = [pair for patch in s.patches for pair in inner_pairs(s, patch, joins)]
+            axial = [pair for _, _, join in joins for pair in axial_pairs(join)]
+            check_local(s, inner + axial + pairs, *DELAUNAY[name])
+    if s.claims("TCP"):
+        check_valences(s, *corners, joins)
+    s.proved(attained, "not-attained", "the cells of no tile attain a bound")
+    return s
+
+
+def check(data):
+    """Refuses, or returns what then proves what it claims."""
+    kind = data["kind"] if isinstance(data, dict) and "kind" in data else data[2] if isinstance(data, Record) else None
+    return check_patches(data) if kind == "patches" else check_tiling(data)
+
+
 # Files.
+
+
+def shown_number(p, q):
+    return f"{p.coefficients}/{q}" if isinstance(p, Element) else str(Fraction(p, q))
 
 
 def is_cbor(content):
@@ -931,17 +1721,15 @@ def verdict(path):
         return f"{refusal.kind} [{code}] {refusal}", EXIT_CODES[refusal.kind]
     except OSError as error:
         return f"unreadable: {error.strerror}", 2
-    said = "; ".join(in_words(statement) for statement in c.statements)
-    sizes = f"dimension {c.dimension}, domain {c.domain}, {len(c.vertices)} vertices, {len(c.simplices)} simplices"
-    return f"verified: {said} ({sizes}, sha256 {hashlib.sha256(cbor(tree)).hexdigest()})", 0
+    said = "; ".join(in_words(statement) for statement in c.statements) + (f"; for {c.box.in_words()}" if c.box else "")
+    return f"verified: {said} ({c.sizes()}, sha256 {hashlib.sha256(cbor(tree)).hexdigest()})", 0
 
 
 def in_words(statement):
     name, relation, side, bound = statement
     if bound is None:
         return name
-    p, q = bound
-    number = f"{p.coefficients if isinstance(p, Element) else p}/{q}"
+    number = shown_number(*bound)
     return f"{name} {relation} " + (number if name == BOUNDS[2] else f"arccos({side} √({number}))")
 
 

@@ -2,6 +2,7 @@
 
 use super::limits::{ENTRY_LIMIT, WORD_LIMIT};
 use acutile_core::delaunay::DelaunayError;
+use acutile_core::patches::derive::DeriveError;
 use acutile_exact::number::{FieldError, ReadError};
 use std::fmt;
 
@@ -66,6 +67,14 @@ pub enum CatalogError {
     Field(FieldError),
     /// The points have no Delaunay triangulation.
     Delaunay(DelaunayError),
+    /// A tile has no patch.
+    Patch(DeriveError),
+}
+
+impl From<DeriveError> for CatalogError {
+    fn from(error: DeriveError) -> Self {
+        CatalogError::Patch(error)
+    }
 }
 
 impl From<DelaunayError> for CatalogError {
@@ -83,7 +92,13 @@ impl From<FieldError> for CatalogError {
 impl fmt::Display for CatalogError {
     fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
         match self {
-            Self::UnknownName(name) => write!(f, "there is no construction `{name}`"),
+            Self::UnknownName(name) => {
+                write!(f, "there is no construction `{name}`")?;
+                match crate::suggestion(name) {
+                    Some(other) => write!(f, "; did you mean {other}?"),
+                    None => Ok(()),
+                }
+            }
             Self::Family(name) => write!(
                 f,
                 "`{name}` is a tiling for each point of a box of parameters, expected a single \
@@ -138,6 +153,7 @@ impl fmt::Display for CatalogError {
             Self::Degenerate => write!(f, "the lattice vectors are dependent"),
             Self::Field(error) => error.fmt(f),
             Self::Delaunay(error) => error.fmt(f),
+            Self::Patch(error) => error.fmt(f),
         }
     }
 }

@@ -174,12 +174,18 @@ pub fn two_corners() -> Built {
     Ok(AnyFamily::Space(family))
 }
 
-/// The slab with the heights z1, z2, z3 of its layers.
+/// The slab with the heights z1, z2, z3 of its layers, in a box around the paper's 4, 4.6 and 7.1.
+///
+/// Necessary for acute angles are z1 > 3, 4 (z3 - z2)² < 27,
+/// 2 z3² + 2 z2 z3 - z2² - 6 z1 z3 + 3 z1² > 9 and 4 (z3 - z1) (z3 - z2) > 9. The box nearly touches
+/// each of these: at (., 4.55, 7.14), (4.5, 4.55, 6.6) and (4.5, 5.5, 6.6).
 pub fn slab_heights() -> Built {
     let [z1, z2, z3] = [0, 1, 2].map(Polynomial::parameter);
-    let side =
-        |name: &str, [low, high]: [i64; 2]| closed(name, fraction(low, 100), fraction(high, 100));
-    let sides = SLAB_BOX.map(|(name, ends)| side(name, ends));
+    let sides = [
+        parameter("z1", [fraction(3, 1), fraction(9, 2)], [true, false]),
+        closed("z2", fraction(91, 20), fraction(11, 2)),
+        closed("z3", fraction(33, 5), fraction(357, 50)),
+    ];
     let family = over(
         &slab::slab(),
         sides.to_vec(),
@@ -195,10 +201,6 @@ pub fn slab_heights() -> Built {
     );
     Ok(AnyFamily::Space(family))
 }
-
-/// Hundredths. The heights of the paper are 4, 4.6 and 7.1.
-const SLAB_BOX: [(&str, [i64; 2]); 3] =
-    [("z1", [390, 410]), ("z2", [450, 470]), ("z3", [700, 720])];
 
 /// The slab with the paper's heights over a grid with the squared side w. The paper's is 36.
 pub fn slab_stretch() -> Built {

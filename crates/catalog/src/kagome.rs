@@ -25,6 +25,18 @@ use malachite::{Integer, Rational};
 /// A point: the registry or place in the plane, in the basis with 120 degrees, and the height.
 type Point = ([Number; 2], Number);
 
+/// The number of blocks of a word.
+///
+/// # Errors
+/// Where it is none.
+pub fn blocks(word: &str) -> Result<usize, CatalogError> {
+    let is_word = !word.is_empty() && word.chars().all(|letter| "z+-".contains(letter));
+    match is_word {
+        true => Ok(word.len()),
+        false => Err(CatalogError::Word(word.to_owned())),
+    }
+}
+
 /// The structure of a word.
 pub fn kagome(word: &str) -> Result<Tiling<3>, CatalogError> {
     Ok(triangulate(&points(word)?, Ties::Refuse)?)
@@ -84,7 +96,7 @@ fn in_lattice(
 }
 
 /// The place of a registry.
-fn axis(registry: i64) -> [Number; 2] {
+pub(super) fn axis(registry: i64) -> [Number; 2] {
     [fraction(registry, 3), fraction(2 * registry, 3)]
 }
 
@@ -107,7 +119,7 @@ fn laves_block(r: i64, step: i64, height: &Number) -> Vec<(i64, Number)> {
 }
 
 /// 4 sqrt(2/3) = 4 sqrt(6)/3
-fn laves_height() -> Result<Number, CatalogError> {
+pub(super) fn laves_height() -> Result<Number, CatalogError> {
     let polynomial = [-6, 0, 1].map(Integer::from);
     let (_, root) = Field::adjoin_root(&polynomial, Rational::from(2), Rational::from(3))?;
     Ok(&root * &fraction(4, 3))

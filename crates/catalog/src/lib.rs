@@ -14,6 +14,7 @@
 //! | `solid` | single tetrahedra, and two that are not Delaunay |
 //! | `planar` | the square, and tilings by triangles |
 //! | `families` | constructions for all values of their parameters in a box |
+//! | [`patches`] | theorems about all tilings over squares and triangles, and all kagome words |
 //! | `recipe` | what they share |
 //! | `entry`, `entries` | one construction, and the table of all |
 //! | [`limits`] | words and entries beyond them are refused |
@@ -29,6 +30,7 @@ mod families;
 mod icosahedral;
 mod kagome;
 pub mod limits;
+pub mod patches;
 mod planar;
 pub mod plane_file;
 pub mod plane_tiling;
@@ -42,7 +44,9 @@ mod z_c15;
 
 pub use entry::{Entry, Parameter};
 pub use error::CatalogError;
+pub use kagome::blocks as kagome_blocks;
 
+use acutile_core::patches::System;
 use acutile_core::tiling::AnyTiling;
 use entries::ENTRIES;
 use entry::Recipe;
@@ -51,6 +55,37 @@ use plane_tiling::{PlaneTiling, built_in};
 /// All constructions.
 pub fn entries() -> &'static [Entry] {
     ENTRIES
+}
+
+/// A theorem about all members of a family: a system of patches.
+#[derive(Debug)]
+pub struct Theorem {
+    pub name: &'static str,
+    pub description: &'static str,
+    /// The name of the family, before the word.
+    pub family: &'static str,
+    pub system: fn() -> Result<System, CatalogError>,
+}
+
+/// All theorems.
+pub static THEOREMS: &[Theorem] = &[
+    Theorem {
+        name: "square-triangle-all",
+        description: "all TCP structures over tilings by squares and triangles, periodic or not",
+        family: "square-triangle:",
+        system: patches::square_triangle_all,
+    },
+    Theorem {
+        name: "kagome-all",
+        description: "all stacks of kagome layers, periodic or not",
+        family: "kagome:",
+        system: patches::kagome_all,
+    },
+];
+
+/// The theorem with this name.
+pub fn theorem(name: &str) -> Option<&'static Theorem> {
+    THEOREMS.iter().find(|theorem| theorem.name == name)
 }
 
 /// The names of all single tilings that need no further word.
@@ -67,12 +102,28 @@ pub fn family_names() -> impl Iterator<Item = &'static str> {
     families.map(|entry| entry.name)
 }
 
-/// The construction with this name, for `kagome:WORD` the family.
+/// The construction with this name, for `kagome:WORD` the family. Upper and lower case are the
+/// same, but in words.
 pub fn find(name: &str) -> Option<&'static Entry> {
     ENTRIES.iter().find(|entry| match entry.recipe {
-        Recipe::Word(_) | Recipe::Plane(_) => name.starts_with(entry.name),
-        _ => name == entry.name,
+        Recipe::Word(_) | Recipe::Plane(_) => name
+            .get(..entry.name.len())
+            .is_some_and(|head| head.eq_ignore_ascii_case(entry.name)),
+        _ => name.eq_ignore_ascii_case(entry.name),
     })
+}
+
+/// The name of the catalogue that is most like a wrong one, if any is much like it.
+pub fn suggestion(wrong: &str) -> Option<&'static str> {
+    /// One less the share of letters that must be changed, put in, left out or exchanged.
+    const MUCH: f64 = 0.6;
+    let wrong = wrong.to_ascii_lowercase();
+    let similarity =
+        |name: &'static str| (strsim::normalized_damerau_levenshtein(&wrong, name), name);
+    let names = ENTRIES.iter().map(|entry| similarity(entry.name));
+    let best = names.max_by(|a, b| a.0.total_cmp(&b.0));
+    best.filter(|(similarity, _)| *similarity >= MUCH)
+        .map(|(_, name)| name)
 }
 
 /// The construction with this name, `kagome:z+` included, with default parameters.

@@ -7,7 +7,7 @@
 //! edges have twelve directions.
 
 use super::CatalogError;
-use super::limits::ENTRY_LIMIT;
+use super::limits::{DEPTH_LIMIT, ENTRY_LIMIT};
 use std::collections::{BTreeSet, HashMap};
 
 /// a + b z + c z² + d z³
@@ -45,12 +45,20 @@ impl TileCorner {
     }
 }
 
-/// The tilings that are built in, by name: five, and these inflated once.
+/// The tilings that are built in, by name: five, and these inflated up to [`DEPTH_LIMIT`] times.
 pub fn named(name: &str) -> Option<PlaneTiling> {
-    match name.strip_prefix("inflated-") {
-        Some(name) => simple(name).map(|plane| plane.inflated()),
-        None => simple(name),
+    let (depth, name) = depth(name);
+    let plane = simple(name).filter(|_| depth <= DEPTH_LIMIT)?;
+    Some((0..depth).fold(plane, |plane, _| plane.inflated()))
+}
+
+/// How often a name says `inflated-`, and the rest of it.
+fn depth(mut name: &str) -> (usize, &str) {
+    let mut depth = 0;
+    while let Some(rest) = name.strip_prefix("inflated-") {
+        (depth, name) = (depth + 1, rest);
     }
+    (depth, name)
 }
 
 /// The plane tiling that is built in under this name.
@@ -61,7 +69,7 @@ pub fn built_in(name: &str) -> Result<PlaneTiling, CatalogError> {
     named(name).ok_or_else(|| {
         CatalogError::File(format!(
             "found {name:?} after the colon, expected a plane-tiling file or a built-in tiling: 3, \
-             4, 33344, 32434, 3464, inflated-NAME of these"
+             4, 33344, 32434, 3464, or one of these after inflated- up to {DEPTH_LIMIT} times"
         ))
     })
 }

@@ -114,14 +114,14 @@ pub fn lifted(
     })
 }
 
-fn square_root_of_3() -> Result<Number, CatalogError> {
+pub(super) fn square_root_of_3() -> Result<Number, CatalogError> {
     let polynomial = [-3, 0, 1].map(Integer::from);
     let (_, root) = Field::adjoin_root(&polynomial, Rational::from(1), Rational::from(2))?;
     Ok(root)
 }
 
 /// z = (sqrt 3 + i)/2, z² = (1 + i sqrt 3)/2, z³ = i.
-fn cartesian(x: Cyclotomic, root: &Number) -> [Number; 2] {
+pub(super) fn cartesian(x: Cyclotomic, root: &Number) -> [Number; 2] {
     let [a, b, c, d] = x.map(|entry| Number::from(Rational::from(entry)));
     let half = Number::from(Rational::from_signeds(1, 2));
     let real = &a + &(&half * &(&(&b * root) + &c));

@@ -7,6 +7,7 @@ pub mod delaunay;
 pub mod family;
 pub mod format;
 pub mod limits;
+pub mod patches;
 pub mod predicates;
 pub mod proved;
 pub mod quality;

@@ -265,6 +265,12 @@ pub fn family_claim_of(verified: &Verified) -> Option<format::family::FamilyClai
 /// The claim that the kernel confirmed, in words, one line. A claim beyond the prover's limits is
 /// given as its JSON.
 pub fn in_words(verified: &Verified) -> String {
+    let file = format::json::claim_to_cbor(verified.claim.print().as_bytes());
+    if let Ok(theorem) = file.map(|file| format::patches::claim_of_file(&file))
+        && let Ok(Ok(words)) = theorem.map(|claim| crate::patches::in_words(&claim))
+    {
+        return words;
+    }
     let (simplices, boundary) = (verified.simplices, verified.boundary_facets);
     let family = || {
         let claim = family_claim_of(verified)?;

@@ -55,6 +55,9 @@ fn place(place: Place) -> String {
         Place::Angle(simplex, i, j) => {
             format!("simplex {simplex}, the angle between its facets {i} and {j}")
         }
+        Place::Parameter(parameter) => format!("parameter {parameter}"),
+        Place::Tile(tile) => format!("tile {tile}"),
+        Place::Side(tile, side) => format!("tile {tile}, side {side}"),
         Place::Witness => "the witness".to_owned(),
     }
 }
@@ -98,7 +101,7 @@ fn rule(code: Code) -> &'static str {
         Code::BoundaryMeets => "expected boundary facets that meet in common faces only",
         Code::FacetSide => "expected simplices on different sides of the facet",
         Code::TriangleValence => "expected no triangle with two edges of valence 6",
-        Code::EdgeValence => "expected the valence that the hint says, 5 or 6",
+        Code::EdgeValence => "expected the valence 5 or 6, as the hint says",
         Code::Orientation => "expected a positive determinant",
         Code::Covering => "expected no simplex directly outside of a boundary facet",
         Code::NotAcute => "expected an acute angle",
@@ -114,7 +117,39 @@ fn rule(code: Code) -> &'static str {
         Code::Unreadable => "the bytes cannot be read",
         Code::TooManyBytes => "the certificate is too long",
         Code::Version => "expected version 2",
-        Code::UnknownKind => "expected the kind \"tiling\"",
+        Code::UnknownKind => "expected the kind \"tiling\", \"family\" or \"patches\"",
+        Code::FamilyDomain => {
+            "a region has no parameters; expected space, a slab, a prism or a solid"
+        }
+        Code::Parameters => "expected one parameter or more, within the limit",
+        Code::ParameterName => {
+            "expected a new name of a lower-case letter and at most 15 letters, digits or underscores"
+        }
+        Code::BoxExchanged => "box ends exchanged: expected low < high",
+        Code::BoxEmpty => "empty box: expected low < high",
+        Code::UnusedParameter => "unused parameter: expected it in some polynomial",
+        Code::Exponent => "polynomial of too high degree: expected exponents from 0 to 15",
+        Code::Terms => "expected different exponents in ascending order, and no coefficient zero",
+        Code::Tree => "expected the number of a parameter in the tree",
+        Code::TreeSize => "the tree has too many leaves or levels",
+        Code::Rank => "expected the rank 1 or 2",
+        Code::TileCount => "expected tiles, and a patch for each",
+        Code::SideCount => "expected three corners or more of a polygon, two of a segment",
+        Code::PyramidForm => {
+            "expected an apex and a polygon of three different corners or more, the first without shift"
+        }
+        Code::GramBlocks => "expected a base orthogonal to the lattice",
+        Code::TileOrder => "expected corners in counterclockwise or increasing order",
+        Code::PyramidSide => "expected a polygon in one side and an apex in none, pyramid",
+        Code::WallPattern => "expected the wall pattern of the first side of its class",
+        Code::WallReversal => "expected a wall pattern that looks the same from the other tile",
+        Code::SideClasses => {
+            "expected classes and offsets that are consistent around every vertex of the tiles"
+        }
+        Code::MissingJoin => {
+            "expected a join: the axis between two apexes must cross their polygon, a determinant"
+        }
+        Code::CornerAngle => "expected angles that are multiples of a turn over 60 or less",
         Code::Degree => "the degree of the field is beyond the limit",
         Code::TooManyDigits => "an integer is beyond the limit",
         Code::TooManySimplices => "there are more simplices than the limit",

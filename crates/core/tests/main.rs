@@ -2,6 +2,7 @@
 
 mod advice;
 mod delaunay;
+mod families;
 mod format;
 mod plane_regions;
 mod predicates;

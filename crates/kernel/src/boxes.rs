@@ -5,7 +5,7 @@
 
 use crate::int::Int;
 use crate::limits::Work;
-use crate::refusal::{Checked, Place, Stop, Value};
+use crate::refusal::{Checked, Place, Stop};
 use crate::ring::{each, zip};
 use crate::root::{BITS, Root, enclosure};
 use crate::row::{Corner, Shape};
@@ -161,10 +161,10 @@ impl Grid {
     }
 }
 
-/// Declines larger translations, so that no sum of ends is too large.
+/// Declines larger translations under all limits, so that no sum of ends is too large.
 fn to_entry(entry: i64) -> Checked<i32> {
     let small = i32::try_from(entry).ok().filter(|entry| entry.unsigned_abs() < 1 << 18);
-    Ok(some!(small, Work, Place::Witness, Value::Limit("work", None)))
+    Ok(some!(small, Work, Place::Witness, entry))
 }
 
 fn enclosures<const N: usize>(vertices: &Vertices, root: &Root, vertex: u32) -> Checked<[(i128, i128, u64); 3]> {

@@ -186,18 +186,10 @@ impl<'r> Cbor<'r> {
     }
 
     /// A record or an array of known length.
-    pub fn array_of(&mut self, length: usize) -> Checked {
+    pub fn array_of(&mut self, length: usize) -> Checked<u64> {
         let found = self.array()?;
         ensure!(found == wide(length), Cbor, self.place(), found);
-        Ok(())
-    }
-
-    /// An array, of which each item is read by a function; of a given length, or of any.
-    pub fn list<V>(&mut self, length: Option<usize>, mut read: impl FnMut(&mut Self) -> Checked<V>) -> Checked<Vec<V>> {
-        let found = self.array()?;
-        let is_length = length.is_none_or(|length| wide(length) == found);
-        ensure!(is_length, Cbor, self.place(), found);
-        (0..found).map(|_| read(self)).collect()
+        Ok(found)
     }
 
     /// No byte is left. Returns the number of bytes and their digest.

@@ -5,27 +5,35 @@
 
 use crate::cbor::Cbor;
 use crate::limits::{Limits, MAX_DEGREE};
-use crate::refusal::{Checked, Value};
+use crate::refusal::{Checked, Place, Value};
+use crate::transcript::Transcript;
 use num_bigint::BigInt;
 use num_integer::Integer;
 
 /// A number of the field: its coefficients of 1, a, …, a^(n-1).
-pub type Number = Vec<BigInt>;
+pub(crate) type Number = Vec<BigInt>;
 
-#[derive(Clone, Debug, PartialEq, Eq)]
+/// The terms of a polynomial in the parameters, each with its exponents. Without parameters it is
+/// one number.
+pub(crate) type Polynomial = Vec<(Number, Vec<u32>)>;
+
+#[derive(Debug)]
 pub struct Claim {
     /// 2 or 3.
-    pub dimension: usize,
-    pub field: Field,
+    pub(crate) dimension: usize,
+    pub(crate) field: Field,
+    /// Those of a family; a tiling has none.
+    pub(crate) parameters: Vec<Parameter>,
     /// The upper triangle of the Gram matrix, row by row; primitive.
-    pub gram: Vec<Number>,
-    pub domain: Domain,
+    pub(crate) gram: Vec<Polynomial>,
+    pub(crate) domain: Domain,
     /// The first one is [`Property::FaceToFace`].
-    pub statements: Vec<Statement>,
+    pub(crate) statements: Vec<Statement>,
+    pub(crate) file: String,
 }
 
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub enum Field {
+#[derive(Clone, Debug)]
+pub(crate) enum Field {
     Rational,
     /// The field of the only root between low/denominator and high/denominator.
     Algebraic {
@@ -37,8 +45,8 @@ pub enum Field {
     },
 }
 
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub enum Domain {
+#[derive(Debug, PartialEq)]
+pub(crate) enum Domain {
     Space,
     /// A polytope P in the last k coordinates, times the span of the lattice: a slab for k = 1,
     /// a solid for k = D, else a prism.
@@ -47,31 +55,54 @@ pub enum Domain {
     Region(usize),
 }
 
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub struct Polytope {
-    pub denominator: BigInt,
+#[derive(Clone, Debug, PartialEq)]
+pub(crate) struct Polytope {
+    /// k
+    pub(crate) dimension: usize,
+    pub(crate) denominator: BigInt,
     /// k coordinates each, times the denominator.
-    pub vertices: Vec<Vec<Number>>,
+    pub(crate) vertices: Vec<Vec<Polynomial>>,
     /// The vertices of each facet of P.
-    pub faces: Vec<Vec<usize>>,
+    pub(crate) faces: Vec<Vec<usize>>,
 }
 
 /// A property of all simplices; with a bound for the quantities.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub struct Statement {
-    pub property: Property,
-    pub bound: Option<Bound>,
+#[derive(Debug)]
+pub(crate) struct Statement {
+    pub(crate) property: Property,
+    pub(crate) bound: Option<Bound>,
 }
 
 /// The square root of the fraction, with the sign, is the cosine of a bound for angles. For squared
 /// ratios the sign is 1, and the fraction is the bound.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub struct Bound {
-    pub relation: Relation,
-    pub sign: i64,
-    pub numerator: Number,
-    pub denominator: BigInt,
+#[derive(Debug)]
+pub(crate) struct Bound {
+    pub(crate) relation: Relation,
+    pub(crate) sign: i64,
+    pub(crate) numerator: Number,
+    pub(crate) denominator: BigInt,
 }
+
+/// A parameter of a family, and its interval.
+#[derive(Debug)]
+pub(crate) struct Parameter {
+    pub(crate) name: String,
+    pub(crate) low: End,
+    pub(crate) high: End,
+}
+
+/// An end of an interval: numerator / denominator.
+#[derive(Debug)]
+pub(crate) struct End {
+    /// The end belongs to the interval.
+    pub(crate) is_closed: bool,
+    pub(crate) numerator: Number,
+    pub(crate) denominator: BigInt,
+}
+
+const MAX_PARAMETERS: usize = 64;
+const MAX_EXPONENT: u32 = 15;
+const LONGEST_NAME: usize = 16;
 
 texts! {
     /// In the order of the grammar.
@@ -103,146 +134,177 @@ texts! {
     }
 }
 
-impl Property {
-    pub fn is_angle(self) -> bool {
-        matches!(self, Property::LargestAngle | Property::SmallestAngle)
-    }
-}
-
 impl Claim {
-    pub fn has(&self, property: Property) -> bool {
+    /// The claim file, in canonical JSON.
+    pub fn print(&self) -> &str {
+        &self.file
+    }
+
+    pub(crate) fn has(&self, property: Property) -> bool {
         self.statements.iter().any(|statement| statement.property == property)
     }
 
     /// The rank r of the lattice: translations by integral combinations of b_1, …, b_r.
-    pub fn rank(&self) -> usize {
+    pub(crate) fn rank(&self) -> usize {
         match &self.domain {
             Domain::Space => self.dimension,
-            Domain::Polytope(polytope) => self.dimension.saturating_sub(polytope.dimension()),
+            Domain::Polytope(polytope) => self.dimension.saturating_sub(polytope.dimension),
             Domain::Region(rank) => *rank,
         }
     }
 
-    pub(crate) fn read(cbor: &mut Cbor, limits: &Limits) -> Checked<Claim> {
-        cbor.array_of(5)?;
-        let found = cbor.small()?;
-        let dimension = usize::try_from(found).ok().filter(|d| matches!(d, 2 | 3));
-        let dimension = some!(dimension, Dimension, cbor.place(), found);
-        let field = Field::read(cbor, limits)?;
+    /// The claim of a tiling or of a family.
+    pub(crate) fn read(cbor: &mut Cbor, limits: &Limits, is_family: bool) -> Checked<Claim> {
+        let mut t = Transcript::new(cbor, if is_family { "family" } else { "tiling" });
+        t.record(if is_family {
+            &["dimension", "field", "parameters", "gram", "domain", "statements"]
+        } else {
+            &["dimension", "field", "gram", "domain", "statements"]
+        })?;
+        let found = t.big()?;
+        let dimension = usize::try_from(&found).ok().filter(|d| matches!(d, 2 | 3));
+        let dimension = some!(dimension, Dimension, t.place(), found);
+        let field = Field::read(&mut t, limits)?;
         let degree = field.degree();
-        cbor.array_of(dimension)?;
-        let mut gram = Vec::new();
-        for length in (1..=dimension).rev() {
-            gram.extend(cbor.list(Some(length), |cbor| read_number(cbor, degree))?);
-        }
-        check_lowest(cbor, gram.iter().flatten())?;
-        let domain = Domain::read(cbor, dimension, degree)?;
-        let statements = cbor.list(None, |cbor| Statement::read(cbor, degree))?;
-        // The statements are in the order of the grammar, each at most once; the tiling is first.
-        let order = |of: &Statement| (of.property, of.bound.as_ref().map(|bound| bound.relation));
-        let is_ordered = statements.is_sorted_by(|first, second| order(first) < order(second));
-        let first = statements.first().map(|statement| statement.property);
-        let is_first = first == Some(Property::FaceToFace);
-        ensure!(is_ordered && is_first, Statements, cbor.place());
-        Ok(Claim { dimension, field, gram, domain, statements })
+        let parameters = if is_family { read_parameters(&mut t, degree)? } else { Vec::new() };
+        let gram = read_gram(&mut t, dimension, degree, parameters.len())?;
+        let domain = Domain::read(&mut t, dimension, degree, parameters.len())?;
+        let statements = read_statements(&mut t, degree)?;
+        Ok(Claim { dimension, field, parameters, gram, domain, statements, file: t.json + "\n" })
     }
 }
 
+fn read_parameters(t: &mut Transcript, degree: usize) -> Checked<Vec<Parameter>> {
+    let parameters = t.list(None, |t| {
+        t.record(&["name", "low", "high"])?;
+        let name = t.text()?;
+        let is_usual = |c: char| c.is_ascii_lowercase() || c.is_ascii_digit() || c == '_';
+        let is_name = name.starts_with(|c: char| c.is_ascii_lowercase()) && name.chars().all(is_usual);
+        ensure!(is_name && name.len() <= LONGEST_NAME, ParameterName, t.place());
+        Ok(Parameter { name, low: End::read(t, degree)?, high: End::read(t, degree)? })
+    })?;
+    let count = parameters.len();
+    ensure!((1..=MAX_PARAMETERS).contains(&count), Parameters, t.place(), count);
+    let mut names: Vec<&str> = parameters.iter().map(|parameter| parameter.name.as_str()).collect();
+    names.sort_unstable();
+    ensure!(is_strict(&names), ParameterName, t.place());
+    Ok(parameters)
+}
+
+impl End {
+    fn read(t: &mut Transcript, degree: usize) -> Checked<End> {
+        t.array(Some(2))?;
+        let kind = t.text()?;
+        ensure!(kind == "closed" || kind == "open", Cbor, t.place());
+        let (numerator, denominator) = read_fraction(t, degree)?;
+        ensure!(denominator > BigInt::ZERO, Denominator, t.place(), denominator);
+        check_lowest(t.place(), numerator.iter().chain([&denominator]))?;
+        Ok(End { is_closed: kind == "closed", numerator, denominator })
+    }
+}
+
+/// The upper triangle by rows.
+pub(crate) fn read_gram(
+    t: &mut Transcript,
+    dimension: usize,
+    degree: usize,
+    parameters: usize,
+) -> Checked<Vec<Polynomial>> {
+    t.array(Some(dimension))?;
+    let mut gram = Vec::new();
+    for length in (1..=dimension).rev() {
+        gram.extend(t.list(Some(length), |t| read_polynomial(t, degree, parameters))?);
+    }
+    check_lowest(t.place(), integers(&gram))?;
+    Ok(gram)
+}
+
+pub(crate) fn read_statements(t: &mut Transcript, degree: usize) -> Checked<Vec<Statement>> {
+    let statements = t.list(None, |t| Statement::read(t, degree))?;
+    // The statements are in the order of the grammar, each at most once; the tiling is first.
+    let order = |of: &Statement| (of.property, of.bound.as_ref().map(|bound| bound.relation));
+    let is_ordered = statements.is_sorted_by(|first, second| order(first) < order(second));
+    let first = statements.first().map(|statement| statement.property);
+    let is_first = first == Some(Property::FaceToFace);
+    ensure!(is_ordered && is_first, Statements, t.place());
+    Ok(statements)
+}
+
 impl Field {
-    pub fn degree(&self) -> usize {
+    pub(crate) fn degree(&self) -> usize {
         match self {
             Field::Rational => 1,
             Field::Algebraic { polynomial, .. } => polynomial.len().saturating_sub(1),
         }
     }
 
-    fn read(cbor: &mut Cbor, limits: &Limits) -> Checked<Field> {
-        if !cbor.is_array()? {
-            ensure!(cbor.text()? == "Q", Cbor, cbor.place());
+    pub(crate) fn read(t: &mut Transcript, limits: &Limits) -> Checked<Field> {
+        if !t.is_array()? {
+            ensure!(t.text()? == "Q", Cbor, t.place());
             return Ok(Field::Rational);
         }
-        cbor.array_of(2)?;
-        let length = cbor.array()?;
+        t.record(&["polynomial", "root"])?;
+        let length = t.array(None)?;
         let degree = length.saturating_sub(1);
-        ensure!(degree >= 2, Polynomial, cbor.place(), degree);
+        ensure!(degree >= 2, Polynomial, t.place(), degree);
         let within = |most| usize::try_from(degree).is_ok_and(|degree| degree <= most);
-        let suffices = Some(degree).filter(|_| within(MAX_DEGREE));
         let is_within = within(limits.degree.min(MAX_DEGREE));
-        ensure!(is_within, Degree, cbor.place(), Value::Limit("degree", suffices));
-        let mut polynomial = Vec::new();
-        for _ in 0..length {
-            polynomial.push(cbor.big()?);
-        }
+        // No option raises the second limit.
+        let value = if within(MAX_DEGREE) { Value::Limit("degree", Some(degree)) } else { degree.into() };
+        ensure!(is_within, Degree, t.place(), value);
+        let polynomial = (0..length).map(|_| t.big()).collect::<Checked<Vec<_>>>()?;
         let is_monic = polynomial.last() == Some(&BigInt::from(1));
-        ensure!(is_monic, Polynomial, cbor.place());
-        cbor.array_of(3)?;
-        let [low, high, denominator] = [cbor.big()?, cbor.big()?, cbor.big()?];
-        check_lowest(cbor, [&low, &high, &denominator])?;
+        ensure!(is_monic, Polynomial, t.place());
+        t.record(&["low", "high", "denominator"])?;
+        let [low, high, denominator] = [t.big()?, t.big()?, t.big()?];
+        check_lowest(t.place(), [&low, &high, &denominator])?;
         Ok(Field::Algebraic { polynomial, low, high, denominator })
     }
 }
 
 impl Domain {
-    fn read(cbor: &mut Cbor, dimension: usize, degree: usize) -> Checked<Domain> {
-        if !cbor.is_array()? {
-            ensure!(cbor.text()? == "space", Cbor, cbor.place());
+    fn read(t: &mut Transcript, dimension: usize, degree: usize, parameters: usize) -> Checked<Domain> {
+        if !t.is_array()? {
+            ensure!(t.text()? == "space", Cbor, t.place());
             return Ok(Domain::Space);
         }
-        cbor.array_of(2)?;
-        let name = cbor.text()?;
-        let k = match name.as_str() {
-            "region" => {
-                let found = cbor.small()?;
-                let rank = usize::try_from(found).ok().filter(|&rank| rank <= dimension);
-                return Ok(Domain::Region(some!(rank, RegionRank, cbor.place(), found)));
-            }
-            "slab" => Some(1),
-            "prism" => Some(2),
-            "solid" => Some(dimension),
-            _ => None,
+        t.array(Some(2))?;
+        let name = t.text()?;
+        let domain = if name == "region" {
+            ensure!(parameters == 0, FamilyDomain, t.place());
+            let found = t.big()?;
+            let rank = usize::try_from(&found).ok().filter(|&rank| rank <= dimension);
+            Domain::Region(some!(rank, RegionRank, t.place(), found))
+        } else {
+            let is_prism = name == "prism";
+            ensure!(!is_prism || dimension == 3, PrismDimension, t.place());
+            let names = [("slab", 1), ("prism", 2), ("solid", dimension)];
+            let k = names.into_iter().find(|(known, _)| *known == name).map(|(_, k)| k);
+            let k = some!(k, Cbor, t.place());
+            Domain::Polytope(Polytope::read(t, k, degree, parameters)?)
         };
-        let is_prism = name == "prism";
-        ensure!(!is_prism || dimension == 3, PrismDimension, cbor.place());
-        let k = some!(k, Cbor, cbor.place());
-        Polytope::read(cbor, k, degree).map(Domain::Polytope)
-    }
-
-    /// The name in the grammar.
-    pub fn name(&self, dimension: usize) -> &'static str {
-        match self {
-            Domain::Space => "space",
-            Domain::Region(_) => "region",
-            Domain::Polytope(polytope) if polytope.dimension() == dimension => "solid",
-            Domain::Polytope(polytope) if polytope.dimension() == 1 => "slab",
-            Domain::Polytope(_) => "prism",
-        }
+        Ok(domain)
     }
 }
 
 impl Polytope {
-    /// k
-    pub fn dimension(&self) -> usize {
-        self.vertices.first().map_or(0, Vec::len)
-    }
-
-    fn read(cbor: &mut Cbor, k: usize, degree: usize) -> Checked<Polytope> {
-        cbor.array_of(3)?;
-        let denominator = cbor.big()?;
-        ensure!(denominator > BigInt::ZERO, Denominator, cbor.place(), denominator);
-        let read_vertex = |cbor: &mut Cbor| cbor.list(Some(k), |cbor| read_number(cbor, degree));
-        let vertices = cbor.list(None, read_vertex)?;
-        check_lowest(cbor, vertices.iter().flatten().flatten().chain([&denominator]))?;
-        let faces = cbor.list(None, |cbor| read_face(cbor, k, vertices.len()))?;
+    fn read(t: &mut Transcript, k: usize, degree: usize, parameters: usize) -> Checked<Polytope> {
+        t.record(&["denominator", "vertices", "faces"])?;
+        let denominator = t.big()?;
+        ensure!(denominator > BigInt::ZERO, Denominator, t.place(), denominator);
+        let vertices = t.list(None, |t| t.list(Some(k), |t| read_polynomial(t, degree, parameters)))?;
+        check_lowest(t.place(), vertices.iter().flat_map(|vertex| integers(vertex)).chain([&denominator]))?;
+        let faces = t.list(None, |t| read_face(t, k, vertices.len()))?;
         // A polytope of dimension k has more than k facets.
-        ensure!(faces.len() > k, FaceCount, cbor.place(), faces.len());
+        ensure!(faces.len() > k, FaceCount, t.place(), faces.len());
         let mut sorted: Vec<_> = faces.iter().map(|face| sorted(face)).collect();
         sorted.sort_unstable();
-        ensure!(is_strict(&sorted), FaceRepeated, cbor.place());
+        ensure!(is_strict(&sorted), FaceRepeated, t.place());
         let mut used = sorted.concat();
         used.sort_unstable();
         used.dedup();
-        ensure!(used.len() == vertices.len(), UnusedDomainVertex, cbor.place());
-        Ok(Polytope { denominator, vertices, faces })
+        ensure!(used.len() == vertices.len(), UnusedDomainVertex, t.place());
+        Ok(Polytope { dimension: k, denominator, vertices, faces })
     }
 }
 
@@ -257,55 +319,91 @@ fn is_strict<T: PartialOrd>(sorted: &[T]) -> bool {
 }
 
 /// One vertex for k = 1, the two ends of a side for k = 2, a polygon for k = 3.
-fn read_face(cbor: &mut Cbor, k: usize, vertices: usize) -> Checked<Vec<usize>> {
-    let face = cbor.list(None, |cbor| {
-        let index = cbor.small()?;
-        let vertex = usize::try_from(index).ok().filter(|&vertex| vertex < vertices);
-        Ok(some!(vertex, FaceVertices, cbor.place(), index))
+fn read_face(t: &mut Transcript, k: usize, vertices: usize) -> Checked<Vec<usize>> {
+    let face = t.list(None, |t| {
+        let index = t.big()?;
+        let vertex = usize::try_from(&index).ok().filter(|&vertex| vertex < vertices);
+        Ok(some!(vertex, FaceVertices, t.place(), index))
     })?;
     let is_length = face.len() == k || (k == 3 && face.len() > 3);
-    ensure!(is_length, FaceLength, cbor.place(), face.len());
-    ensure!(is_strict(&sorted(&face)), FaceVertices, cbor.place());
+    ensure!(is_length, FaceLength, t.place(), face.len());
+    ensure!(is_strict(&sorted(&face)), FaceVertices, t.place());
     Ok(face)
 }
 
 impl Statement {
     /// A property, or [property, relation, sign, fraction]; ratios have no sign.
-    fn read(cbor: &mut Cbor, degree: usize) -> Checked<Statement> {
-        let length = if cbor.is_array()? { cbor.array()? } else { 0 };
-        let property = Property::find(&cbor.text()?);
-        let property = some!(property, Statements, cbor.place());
+    fn read(t: &mut Transcript, degree: usize) -> Checked<Statement> {
+        let length = if t.is_array()? { t.array(None)? } else { 0 };
+        let property = some!(Property::find(&t.text()?), Statements, t.place());
         let is_ratio = property == Property::SquaredRatio;
         let has_bound = is_ratio || property.is_angle();
-        ensure!(has_bound == (length > 0), Statements, cbor.place());
+        ensure!(has_bound == (length > 0), Statements, t.place());
         if !has_bound {
             return Ok(Statement { property, bound: None });
         }
-        ensure!(length == if is_ratio { 3 } else { 4 }, Cbor, cbor.place(), length);
-        let relation = some!(Relation::find(&cbor.text()?), Statements, cbor.place());
-        let sign = if is_ratio { 1 } else { cbor.small()? };
-        ensure!((-1..=1).contains(&sign), BoundRange, cbor.place(), sign);
-        cbor.array_of(2)?;
-        let numerator = read_number(cbor, degree)?;
-        let denominator = cbor.big()?;
-        ensure!(denominator > BigInt::ZERO, BoundRange, cbor.place(), denominator);
-        check_lowest(cbor, numerator.iter().chain([&denominator]))?;
+        ensure!(length == if is_ratio { 3 } else { 4 }, Cbor, t.place(), length);
+        let relation = some!(Relation::find(&t.text()?), Statements, t.place());
+        let found = if is_ratio { 1.into() } else { t.big()? };
+        let sign = i64::try_from(&found).ok().filter(|sign| (-1..=1).contains(sign));
+        let sign = some!(sign, BoundRange, t.place(), found);
+        let (numerator, denominator) = read_fraction(t, degree)?;
+        ensure!(denominator > BigInt::ZERO, BoundRange, t.place(), denominator);
+        check_lowest(t.place(), numerator.iter().chain([&denominator]))?;
         let bound = Some(Bound { relation, sign, numerator, denominator });
         Ok(Statement { property, bound })
     }
 }
 
-/// An integer for the field Q, and else the list of the coefficients.
-fn read_number(cbor: &mut Cbor, degree: usize) -> Checked<Number> {
-    if degree == 1 {
-        return Ok(vec![cbor.big()?]);
+impl Property {
+    pub(crate) fn is_angle(self) -> bool {
+        matches!(self, Property::LargestAngle | Property::SmallestAngle)
     }
-    cbor.list(Some(degree), Cbor::big)
+}
+
+/// An integer for the field Q, and else the list of the coefficients.
+pub(crate) fn read_number(t: &mut Transcript, degree: usize) -> Checked<Number> {
+    if degree == 1 {
+        return Ok(vec![t.big()?]);
+    }
+    t.list(Some(degree), Transcript::big)
+}
+
+fn read_fraction(t: &mut Transcript, degree: usize) -> Checked<(Number, BigInt)> {
+    t.array(Some(2))?;
+    Ok((read_number(t, degree)?, t.big()?))
+}
+
+/// A number; with parameters the list of the terms, in the order of their exponents.
+pub(crate) fn read_polynomial(t: &mut Transcript, degree: usize, parameters: usize) -> Checked<Polynomial> {
+    if parameters == 0 {
+        return Ok(vec![(read_number(t, degree)?, Vec::new())]);
+    }
+    let terms = t.list(None, |t| {
+        t.array(Some(1 + parameters))?;
+        let number = read_number(t, degree)?;
+        let is_zero = number.iter().all(|c| *c == BigInt::ZERO);
+        ensure!(!is_zero, Terms, t.place());
+        let mut exponents = Vec::new();
+        for _ in 0..parameters {
+            let found = t.big()?;
+            let exponent = u32::try_from(&found).ok().filter(|&exponent| exponent <= MAX_EXPONENT);
+            exponents.push(some!(exponent, Exponent, t.place(), found));
+        }
+        Ok((number, exponents))
+    })?;
+    ensure!(terms.is_sorted_by(|first, second| first.1 < second.1), Terms, t.place());
+    Ok(terms)
+}
+
+/// All coefficients of some polynomials.
+pub(crate) fn integers(polynomials: &[Polynomial]) -> impl Iterator<Item = &BigInt> {
+    polynomials.iter().flatten().flat_map(|(number, _)| number)
 }
 
 /// The greatest common divisor is 1.
-fn check_lowest<'a>(cbor: &Cbor, integers: impl IntoIterator<Item = &'a BigInt>) -> Checked {
+pub(crate) fn check_lowest<'a>(place: Place, integers: impl IntoIterator<Item = &'a BigInt>) -> Checked {
     let divisor = integers.into_iter().fold(BigInt::ZERO, |divisor, x| divisor.gcd(x));
-    ensure!(divisor == BigInt::from(1), Canonical, cbor.place(), divisor);
+    ensure!(divisor == BigInt::from(1), Canonical, place, divisor);
     Ok(())
 }

@@ -1,4 +1,4 @@
-//! The polytope P of a domain, and the faces of P in which the vertices of the tiling lie.
+//! The polytope P of a domain: its facets, its volume, and the facets in which a point lies.
 //!
 //! P is the convex hull of its vertices, in the last k coordinates. For a face f with the vertices
 //! w_0, w_1, … let h_f(x) = det(w_1 - w_0, …, w_(k-1) - w_0, x - w_0) in these coordinates.
@@ -6,172 +6,103 @@
 //! and basis vectors of the other coordinates in place of the missing ones.
 
 use crate::claim::Polytope;
-use crate::int::Int;
 use crate::refusal::{Checked, Place, Stop};
-use crate::ring::{Element, Exact, Ring, Rings, Vector, each};
-use crate::row::Corner;
-use crate::vertices::Vertices;
+use crate::ring::{Ring, Sign, Vector};
 use num_bigint::BigInt;
-use std::cmp::Ordering::{Equal, Greater, Less};
+use std::cmp::Ordering::{Equal, Less};
 use std::collections::BTreeMap;
 
-type Large<const N: usize> = Exact<BigInt, N>;
-
-/// The faces of P: x is on the inner side of one where n · x >= offset.
-struct Planes<T, const N: usize> {
-    ring: Exact<T, N>,
-    /// n and the offset, times the denominator of the vertices of the tiling.
-    planes: Vec<([Element<T, N>; 3], Element<T, N>)>,
+/// P in the numbers of one ring. The normals and offsets have x on the inner side of a face where
+/// n · x >= offset.
+pub(crate) struct Facets<R: Ring> {
+    ring: R,
+    /// The vertices, in the last k of three or two coordinates.
+    points: Vec<Vector<R>>,
+    /// Basis vectors of coordinates that P does not have.
+    spare: [Vector<R>; 2],
+    planes: Vec<(Vector<R>, R::Element)>,
+    /// k! vol P
+    pub(crate) volume: R::Element,
 }
 
-/// A domain with faces.
-pub(crate) struct Faces<const N: usize> {
-    small: Option<Planes<i64, N>>,
-    large: Planes<BigInt, N>,
-    /// k! vol P, times the k-th power of the denominator of the vertices.
-    pub(crate) volume: Element<BigInt, N>,
-    /// The faces in which each vertex lies.
-    of_vertex: Vec<Vec<u32>>,
-}
-
-impl<const N: usize> Faces<N> {
+impl<R: Ring> Facets<R> {
     /// Checks P1 to P3: the listed faces are the facets of P.
-    pub(crate) fn new(polytope: &Polytope, dimension: usize, ring: &Large<N>) -> Checked<Self> {
-        let frame = Frame::new(polytope, dimension, ring)?;
-        let (mut planes, mut volume) = (Vec::new(), Element::default());
+    pub(crate) fn new(polytope: &Polytope, dimension: usize, ring: &R) -> Checked<Self> {
+        let missing = dimension.saturating_sub(polytope.dimension);
+        let mut points = Vec::new();
+        for vertex in &polytope.vertices {
+            let mut point = Vector::<R>::default();
+            for (slot, number) in point.iter_mut().skip(missing).zip(vertex) {
+                *slot = ring.polynomial(number)?;
+            }
+            points.push(point);
+        }
+        let (one, zero) = (ring.integer(1)?, R::Element::default);
+        let first = [one.clone(), zero(), zero()];
+        let spare = if dimension == 3 { [first, [zero(), one, zero()]] } else { [[zero(), zero(), one], first] };
+        let mut facets = Facets { ring: ring.clone(), points, spare, planes: Vec::new(), volume: zero() };
         for (f, face) in polytope.faces.iter().enumerate() {
-            let (plane, pyramid) = frame.check_face(f, face)?;
-            planes.push(plane);
-            volume = ring.plus(&volume, &pyramid)?;
+            facets.add(f, face)?;
         }
         check_closed(polytope)?;
-        let large = Planes { ring: ring.clone(), planes };
-        Ok(Faces { small: None, large, volume, of_vertex: Vec::new() })
+        Ok(facets)
     }
 
-    /// The vertices of the tiling have this denominator.
-    pub(crate) fn set_denominator(&mut self, polytope: &Polytope, denominator: &BigInt, rings: &Rings<N>) -> Checked {
-        // In a tiling every vertex of P is a corner, so its coordinates have this denominator.
-        let factor = denominator / &polytope.denominator;
-        let divides = &factor * &polytope.denominator == *denominator;
-        ensure!(divides, DenominatorDomain, Place::Witness, polytope.denominator.clone());
-        for c in &mut self.volume.0 {
-            *c *= (0..polytope.dimension()).map(|_| &factor).product::<BigInt>();
+    /// The vertices of the tiling have a denominator, which is this multiple of that of P.
+    pub(crate) fn scale(&mut self, polytope: &Polytope, factor: &BigInt) -> Checked {
+        let factor = self.ring.element(std::slice::from_ref(factor))?;
+        for _ in 0..polytope.dimension {
+            self.volume = self.ring.times(&self.volume, &factor)?;
         }
-        for (_, offset) in &mut self.large.planes {
-            offset.0.iter_mut().for_each(|c| *c *= &factor);
+        for (_, offset) in &mut self.planes {
+            *offset = self.ring.times(offset, &factor)?;
         }
-        self.small = rings.small.as_ref().and_then(|ring| self.large.with_ring(ring).ok());
         Ok(())
     }
 
-    /// Checks I for a vertex, and notes the faces in which it lies.
-    pub(crate) fn check_vertex(&mut self, vertices: &Vertices, vertex: u32) -> Checked {
-        let corner = Corner { vertex, shift: [0; 3] };
-        let small = self.small.as_ref().ok_or(Stop::LARGER);
-        let faces = match small.and_then(|planes| planes.faces(vertices, corner)) {
-            Err(stop) if stop.is_larger() => self.large.faces(vertices, corner),
-            found => found,
-        };
-        self.of_vertex.push(faces.map_err(|stop| stop.at(Place::Vertex(vertex)))?);
-        Ok(())
-    }
-
-    /// Whether vertices lie in one face.
-    pub(crate) fn share(&self, vertices: [u32; 3]) -> bool {
-        let [a, b, c] = vertices.map(|vertex| {
-            let vertex = usize::try_from(vertex).unwrap_or(usize::MAX);
-            self.of_vertex.get(vertex).map_or(&[][..], Vec::as_slice)
-        });
-        self.large.ring.work().add(u64::try_from(a.len()).unwrap_or(u64::MAX) * 20);
-        let has = |faces: &[u32], face| faces.binary_search(face).is_ok();
-        a.iter().any(|face| has(b, face) && has(c, face))
-    }
-}
-
-impl<T: Int, const N: usize> Planes<T, N> {
-    fn with_ring<S: Int>(&self, ring: &Exact<S, N>) -> Checked<Planes<S, N>> {
-        let number = |x: &Element<T, N>| ring.element(&self.ring.coefficients(x));
-        let planes = self.planes.iter();
-        let planes = planes.map(|(normal, offset)| Ok((each(normal, number)?, number(offset)?)));
-        Ok(Planes { ring: ring.clone(), planes: planes.collect::<Checked<_>>()? })
-    }
-
-    /// The faces in which a vertex lies.
-    fn faces(&self, vertices: &Vertices, corner: Corner) -> Checked<Vec<u32>> {
+    /// Checks I for a vertex. Returns the faces in which it lies.
+    pub(crate) fn of_vertex(&self, point: &Vector<R>, vertex: u32) -> Checked<Vec<u32>> {
         let ring = &self.ring;
-        let point = vertices.point(corner)?;
         let mut faces = Vec::new();
         for ((normal, offset), face) in self.planes.iter().zip(0..) {
             ring.work().add(3 * ring.price());
-            let height = ring.minus(&ring.inner(normal, &point)?, offset)?;
-            let sign = ring.sign(&height)?;
+            let height = ring.minus(&ring.inner(normal, point)?, offset)?;
+            let sign = ring.sign(&height);
             // Rule I: the vertex is in the domain.
-            let place = Place::Vertex(corner.vertex);
-            ensure!(sign != Less, VertexOutside, place, ring.value(&height));
-            if sign == Equal {
+            let is_inside = sign.is(|sign| sign != Less)?;
+            ensure!(is_inside, VertexOutside, Place::Vertex(vertex), ring.value(&height));
+            if sign == Sign::exactly(Equal) {
                 faces.push(face);
             }
         }
         Ok(faces)
     }
-}
 
-/// The vertices of P in the last k of three or two coordinates.
-struct Frame<'p, const N: usize> {
-    ring: &'p Large<N>,
-    points: Vec<Vector<Large<N>>>,
-    /// Basis vectors of coordinates that P does not have.
-    spare: [Vector<Large<N>>; 2],
-}
-
-type Plane<const N: usize> = (Vector<Large<N>>, Element<BigInt, N>);
-
-impl<'p, const N: usize> Frame<'p, N> {
-    fn new(polytope: &Polytope, dimension: usize, ring: &'p Large<N>) -> Checked<Self> {
-        let missing = dimension.saturating_sub(polytope.dimension());
-        let mut points = Vec::new();
-        for vertex in &polytope.vertices {
-            let mut point: Vector<Large<N>> = Default::default();
-            for (slot, number) in point.iter_mut().skip(missing).zip(vertex) {
-                *slot = ring.element(number)?;
-            }
-            points.push(point);
-        }
-        let (one, zero) = (ring.integer(1)?, Element::default());
-        let first = [one.clone(), zero.clone(), zero.clone()];
-        let spare =
-            if dimension == 3 { [first, [zero.clone(), one, zero]] } else { [[zero.clone(), zero, one], first] };
-        Ok(Frame { ring, points, spare })
-    }
-
-    fn vector(&self, from: usize, to: usize) -> Checked<Vector<Large<N>>> {
+    fn vector(&self, from: usize, to: usize) -> Checked<Vector<R>> {
         let point = |index| self.points.get(index).ok_or(Stop::LARGER);
         self.ring.difference(point(from)?, point(to)?)
     }
 
     /// The cross products for the triangles of a face from its first vertex; for k < 3 the one.
-    fn normals(&self, face: &[usize]) -> Checked<Vec<Vector<Large<N>>>> {
+    fn normals(&self, face: &[usize]) -> Checked<Vec<Vector<R>>> {
         let [first, second] = &self.spare;
         match face {
             [_] => Ok(vec![self.ring.cross(first, second)?]),
             [p, q] => Ok(vec![self.ring.cross(first, &self.vector(*p, *q)?)?]),
             [origin, others @ ..] => {
                 let pairs = others.iter().zip(others.iter().skip(1));
-                let normals = pairs.map(|(&p, &q)| {
-                    let (p, q) = (self.vector(*origin, p)?, self.vector(*origin, q)?);
-                    self.ring.cross(&p, &q)
-                });
-                normals.collect()
+                let normal = |(&p, &q)| self.ring.cross(&self.vector(*origin, p)?, &self.vector(*origin, q)?);
+                pairs.map(normal).collect()
             }
             [] => Err(Stop::LARGER),
         }
     }
 
-    /// Checks that a face is a facet of P. Returns its plane, with the inner side positive, and
-    /// k! times the volume of the pyramid over it whose apex is vertex 0 of P.
-    fn check_face(&self, f: usize, face: &[usize]) -> Checked<(Plane<N>, Element<BigInt, N>)> {
-        let ring = self.ring;
+    /// Checks that a face is a facet of P. Adds its plane, and to the volume k! times that of the
+    /// pyramid over it whose apex is vertex 0 of P.
+    fn add(&mut self, f: usize, face: &[usize]) -> Checked {
+        let ring = &self.ring;
+        let place = Place::Face(f);
         let mut normals = self.normals(face)?;
         let normal = normals.first().ok_or(Stop::LARGER)?;
         let origin = face.first().copied().ok_or(Stop::LARGER)?;
@@ -182,44 +113,41 @@ impl<'p, const N: usize> Frame<'p, N> {
         corners.sort_unstable();
         for vertex in 0..self.points.len() {
             let height = ring.inner(normal, &self.vector(origin, vertex)?)?;
-            let sign = ring.sign(&height)?;
+            let sign = ring.sign(&height).decided()?;
             let is_corner = corners.binary_search(&vertex).is_ok();
             if !is_corner && side == Equal {
                 side = sign;
             }
             let is_right = if is_corner { sign == Equal } else { sign != Equal && sign == side };
-            ensure!(is_right, FaceNotFacet, Place::Face(f), ring.value(&height));
+            ensure!(is_right, FaceNotFacet, place, ring.value(&height));
         }
-        ensure!(side != Equal, FaceNotFacet, Place::Face(f));
-        ring.work().check(Place::Face(f))?;
-        self.check_polygon(f, face, normal)?;
-        if side == Less {
-            for normal in &mut normals {
+        ensure!(side != Equal, FaceNotFacet, place);
+        ring.work().check(place)?;
+        // P2, for k = 3: the vertices of a face stand in the order of a convex polygon. For all
+        // consecutive p, q and every other t, and a vertex o that is not in f, det(q - p, t - p,
+        // o - p) is positive where the inner side is. In the plane of f, (q - p) × (t - p) = λ n,
+        // so this says that λ is positive: p, q, t turn like w_0, w_1, w_2.
+        let outside = (0..self.points.len()).find(|vertex| corners.binary_search(vertex).is_err());
+        for (p, q) in sides(face).filter(|_| face.len() > 2) {
+            let apex = self.vector(p, outside.ok_or(Stop::LARGER)?)?;
+            for &t in face.iter().filter(|&&t| t != p && t != q) {
+                let turn = ring.inner(&ring.cross(&self.vector(p, q)?, &self.vector(p, t)?)?, &apex)?;
+                let is_convex = ring.sign(&turn).is(|sign| sign == side)?;
+                ensure!(is_convex, FaceNotConvex, place, ring.value(&turn));
+            }
+            ring.work().check(place)?;
+        }
+        let (apex, mut volume) = (self.vector(origin, 0)?, self.volume.clone());
+        for normal in &mut normals {
+            if side == Less {
                 *normal = ring.difference(normal, &Default::default())?;
             }
-        }
-        let (apex, mut pyramid) = (self.vector(origin, 0)?, Element::default());
-        for normal in &normals {
-            pyramid = ring.plus(&pyramid, &ring.inner(normal, &apex)?)?;
+            volume = ring.plus(&volume, &ring.inner(normal, &apex)?)?;
         }
         let normal = normals.swap_remove(0);
         let offset = ring.inner(&normal, self.points.get(origin).ok_or(Stop::LARGER)?)?;
-        Ok(((normal, offset), pyramid))
-    }
-
-    /// P2, for k = 3: the vertices of a face stand in the order of a convex polygon. For all
-    /// consecutive p, q and every other t, the turn det(q - p, t - p, n) is positive. In the plane
-    /// of f, (q - p) × (t - p) = λ n, and λ is positive where p, q, t turn like w_0, w_1, w_2.
-    fn check_polygon(&self, f: usize, face: &[usize], normal: &Vector<Large<N>>) -> Checked {
-        for (p, q) in sides(face).filter(|_| face.len() > 2) {
-            for &t in face.iter().filter(|&&t| t != p && t != q) {
-                let (q, t) = (self.vector(p, q)?, self.vector(p, t)?);
-                let turn = self.ring.inner(&self.ring.cross(&q, &t)?, normal)?;
-                let is_convex = self.ring.sign(&turn)? == Greater;
-                ensure!(is_convex, FaceNotConvex, Place::Face(f), self.ring.value(&turn));
-            }
-            self.ring.work().check(Place::Face(f))?;
-        }
+        self.planes.push((normal, offset));
+        self.volume = volume;
         Ok(())
     }
 }

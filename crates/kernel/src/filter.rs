@@ -4,11 +4,11 @@
 //! intervals save work and decide nothing that is not true.
 
 use crate::int::Int;
+use crate::limits::Work;
 use crate::refusal::{Checked, Stop};
-use crate::ring::Ring;
+use crate::ring::{Ring, Sign};
 use crate::root::{BITS, Root, enclosure};
 use num_bigint::BigInt;
-use std::cmp::Ordering;
 use std::rc::Rc;
 
 /// The numbers between (middle - radius) 2^exponent and (middle + radius) 2^exponent.
@@ -66,6 +66,7 @@ impl Interval {
 #[derive(Clone)]
 pub struct Intervals {
     pub(crate) root: Rc<Root>,
+    pub(crate) work: Rc<Work>,
 }
 
 impl Intervals {
@@ -91,7 +92,6 @@ impl Intervals {
 
 impl Ring for Intervals {
     type Element = Interval;
-    type Next = Intervals;
 
     fn element(&self, coefficients: &[BigInt]) -> Checked<Interval> {
         self.of(coefficients)
@@ -99,10 +99,6 @@ impl Ring for Intervals {
 
     fn coefficients(&self, _: &Interval) -> Vec<BigInt> {
         Vec::new()
-    }
-
-    fn next(x: &Interval) -> Interval {
-        *x
     }
 
     fn plus(&self, x: &Interval, y: &Interval) -> Checked<Interval> {
@@ -121,21 +117,13 @@ impl Ring for Intervals {
         Ok(Interval::sum(products))
     }
 
-    fn sign(&self, x: &Interval) -> Checked<Ordering> {
+    fn sign(&self, x: &Interval) -> Sign {
         let is_decided = x.middle.unsigned_abs() > x.radius || (x.middle, x.radius) == (0, 0);
-        if is_decided { Ok(x.middle.cmp(&0)) } else { Err(Stop::LARGER) }
+        if is_decided { Sign::exactly(x.middle.cmp(&0)) } else { Sign::UNDECIDED }
     }
 
-    /// x + min(0, y - x). Where the sign is undecided, the minimum is between -m and 0 for the
-    /// largest absolute value m of the difference.
-    fn lesser(&self, x: &Interval, y: &Interval) -> Checked<Interval> {
-        let difference = self.minus(y, x)?;
-        let half = (difference.middle.unsigned_abs() + difference.radius + 1) >> 1;
-        match self.sign(&difference) {
-            Ok(Ordering::Less) => Ok(*y),
-            Ok(_) => Ok(*x),
-            Err(_) => self.plus(x, &Interval { middle: -half.cast_signed(), radius: half, ..difference }),
-        }
+    fn work(&self) -> &Work {
+        &self.work
     }
 
     fn price(&self) -> u64 {

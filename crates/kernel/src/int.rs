@@ -7,8 +7,6 @@ use num_traits::{CheckedAdd, CheckedMul, CheckedSub};
 use std::cmp::Ordering;
 
 pub trait Int: Clone + Default + Ord + From<i64> + Into<BigInt> + CheckedAdd + CheckedSub + CheckedMul {
-    /// The next larger integers.
-    type Next: Int + From<Self>;
     /// The price of a product in units of work; zero where it depends on the factors.
     const PRICE: u64;
 
@@ -42,9 +40,8 @@ pub trait Int: Clone + Default + Ord + From<i64> + Into<BigInt> + CheckedAdd + C
 }
 
 macro_rules! machine {
-    ($int:ty, $next:ty, $bits:literal, $price:literal) => {
+    ($int:ty, $bits:literal, $price:literal) => {
         impl Int for $int {
-            type Next = $next;
             const PRICE: u64 = $price;
 
             fn of(value: &BigInt) -> Checked<Self> {
@@ -62,11 +59,10 @@ macro_rules! machine {
     };
 }
 
-machine!(i64, i128, 64, 1);
-machine!(i128, BigInt, 128, 4);
+machine!(i64, 64, 1);
+machine!(i128, 128, 4);
 
 impl Int for BigInt {
-    type Next = BigInt;
     const PRICE: u64 = 0;
 
     fn of(value: &BigInt) -> Checked<Self> {

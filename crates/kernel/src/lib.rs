@@ -13,13 +13,15 @@ mod cbor;
 mod claim;
 mod domain;
 mod edges;
+mod family;
 mod filter;
 mod front;
 mod int;
-mod judge;
 mod limits;
 mod meets;
-mod print;
+mod numbers;
+mod patches;
+mod polynomial;
 mod region;
 mod ring;
 mod root;
@@ -27,15 +29,19 @@ mod row;
 mod rules;
 mod table;
 mod tiling;
+mod transcript;
+mod valences;
 mod vertices;
+mod walls;
 
-pub use claim::{Bound, Claim, Domain, Field, Number, Polytope, Property, Relation, Statement};
+pub use claim::Claim;
 pub use limits::Limits;
 pub use refusal::{Code, Kind, Place, Refusal, Value};
 pub use tiling::{Facts, Verified};
 
 use cbor::Cbor;
 use limits::Work;
+use patches::Head;
 use refusal::{Checked, Stop};
 use std::io::Read;
 use std::rc::Rc;
@@ -54,14 +60,29 @@ fn read(mut cbor: Cbor, limits: &Limits, work: &Rc<Work>) -> Checked<Verified> {
     ensure!(cbor.text()? == "acutile-certificate", Format, cbor.place());
     let version = cbor.small()?;
     ensure!(version == 2, Version, cbor.place(), version);
-    ensure!(cbor.text()? == "tiling", UnknownKind, cbor.place());
-    let claim = Claim::read(&mut cbor, limits)?;
+    let kind = cbor.text()?;
+    if kind == "patches" {
+        let head = Head::read(&mut cbor, limits)?;
+        let facts = match head.claim.field.degree() {
+            1 => patches::verify::<1>(cbor, head, limits, work),
+            2 => patches::verify::<2>(cbor, head, limits, work),
+            _ => patches::verify::<8>(cbor, head, limits, work),
+        };
+        return facts.map(Verified::of);
+    }
+    let is_family = kind == "family";
+    ensure!(is_family || kind == "tiling", UnknownKind, cbor.place());
+    let claim = Claim::read(&mut cbor, limits, is_family)?;
     // The number is the capacity for coefficients. The compiler knows the degrees 1 and 2.
-    match claim.field.degree() {
+    let facts = match claim.field.degree() {
+        1 if is_family => family::verify::<1>(cbor, claim, limits, work),
+        2 if is_family => family::verify::<2>(cbor, claim, limits, work),
+        _ if is_family => family::verify::<8>(cbor, claim, limits, work),
         1 => tiling::verify::<1>(cbor, claim, limits, work),
         2 => tiling::verify::<2>(cbor, claim, limits, work),
         _ => tiling::verify::<8>(cbor, claim, limits, work),
-    }
+    };
+    facts.map(Verified::of)
 }
 
 #[cfg(test)]

@@ -10,34 +10,7 @@ use std::fs::{self, File};
 use std::io::{self, Read, Write};
 use std::process::ExitCode;
 
-const HELP: &str = "\
-Checks certificates of tilings in exact arithmetic, from their bytes alone.
-
-Usage: acutile-verify [OPTIONS] FILE...
-
-  FILE               a certificate in CBOR; - is standard input
-
-  --claim FILE       succeed only if each certificate proves the claim in FILE
-  --print-claim      print the claims that are proved; verdicts go to standard error
-  --json             one JSON object for each file
-  --max-bytes N      bytes of a certificate                         [4294967296]
-  --max-simplices N  simplices of a certificate                     [268435456]
-  --max-bits N       bits of an integer                             [4096]
-  --max-degree N     degree of the field, at most 8                 [8]
-  --max-work N       units of work, about nanoseconds, for a
-                     certificate and again for each MiB of it       [3000000000]
-  -h, --help         print this and stop
-  -V, --version      print the version and stop
-
-Each file gets one line, FILE: VERDICT..., where FILE is a JSON string if it holds
-more than ASCII letters, digits and ._/-+=@%~, with one of the verdicts
-  verified     everything that the certificate claims is proved
-  rejected     something that it states is false
-  malformed    it is no certificate, or not in canonical form, or cannot be read
-  declined     neither: a limit, an undecided sign, an unknown version
-Exit code: 0 if every file is verified; else 1 if one is rejected; else 2 if one is
-malformed, or if the command line is wrong; else 3.
-";
+const HELP: &str = include_str!("help.txt");
 
 struct Options {
     files: Vec<OsString>,
@@ -75,7 +48,7 @@ fn run() -> Result<ExitCode, String> {
         if options.print_claim {
             write(&mut io::stderr(), &line)?;
             let claim = found.as_ref().map(|found| found.claim.print());
-            write(&mut io::stdout(), &claim.unwrap_or_default())?;
+            write(&mut io::stdout(), claim.unwrap_or_default())?;
         } else {
             write(&mut io::stdout(), &line)?;
         }
@@ -163,7 +136,7 @@ fn check(file: &OsString, options: &Options) -> Result<Verified, Failure> {
         words: text::refusal(&refusal, length),
     })?;
     match &options.claim {
-        Some(claim) if *claim != found.claim.print().into_bytes() => Err(Failure {
+        Some(claim) if claim != found.claim.print().as_bytes() => Err(Failure {
             verdict: "rejected",
             code: "other-claim",
             words: "the certificate proves another claim".into(),

@@ -14,85 +14,78 @@
 //! **The plane.** A segment ab is replaced by the triangle with the corners 0, (a, 1), (b, 1).
 //! These triangles meet in the hull of their common corners exactly if the segments do.
 
-use crate::limits::Work;
 use crate::refusal::{Checked, Stop};
 use crate::ring::{Ring, Vector, each};
 use std::cmp::Ordering;
 
-pub(crate) struct Meets<'r, R: Ring, S> {
-    pub(crate) ring: &'r R,
-    pub(crate) work: &'r Work,
-    /// The sign of a determinant. The coordinates can be rounded.
-    pub(crate) sign: S,
-    /// The length of vectors along the axes.
-    pub(crate) axis: R::Element,
+/// Whether f and g meet in the hull of their first `common` corners, which are the same.
+pub(crate) fn only_in_common<R: Ring>(ring: &R, common: usize, [f, g]: &[[Vector<R>; 3]; 2]) -> Checked<bool> {
+    let ([f0, f1, f2], [g0, g1, g2]) = (f, g);
+    let to = |x: &_, y: &_| ring.difference(x, y);
+    let (zero, one) = (R::Element::default, ring.integer(1)?);
+    let x = &[one.clone(), zero(), zero()];
+    let y = &[zero(), one.clone(), zero()];
+    let z = &[zero(), zero(), one];
+    match common {
+        // 0 is beyond some side of P = g - f. If P is a solid, the normal of the side is that of f
+        // or g, or orthogonal to an edge of each. Otherwise f and g are parallel. Then their normal
+        // separates them, or they lie in a plane and the side is parallel to an edge: w vanishes on
+        // this edge and on an axis that is not in the plane.
+        0 => {
+            let rays = each(f, |x| each(g, |y| to(x, y)))?;
+            let pairs = [(f0, f1), (f0, f2), (g0, g1), (g0, g2), (f1, f2), (g1, g2)];
+            let edges = each(&pairs, |(x, y)| to(x, y))?;
+            is_some_positive(ring, rays.as_flattened(), &edges, &[x, y, z])
+        }
+        // The cone of the four rays has an apex. If it is a solid with three sides, w is the same
+        // on its three edges. If it has four, w is the product of its diagonals: the sum of the
+        // normals of its sides. If it lies in a plane, w is the same on its two edges and vanishes
+        // on an axis that is not in the plane.
+        1 => {
+            let rays = [to(f1, f0)?, to(f2, f0)?, to(g0, g1)?, to(g0, g2)?];
+            let [a, b, c, d] = &rays;
+            let pairs = [(a, b), (c, d), (a, c), (a, d), (b, c), (b, d)];
+            let edges = each(&pairs, |(x, y)| to(x, y))?;
+            is_some_positive(ring, &rays, &edges, &[x, y, z])
+        }
+        // Half-planes with the edge e through p and q. If det(e, p, q) ≠ 0, w = e × (p + q) serves:
+        // w · -p = w · q. Otherwise w vanishes on e and on an axis.
+        2 => {
+            let rays = [to(f2, f0)?, to(g0, g2)?];
+            let [opposite, q] = &rays;
+            is_some_positive(ring, &rays, &[to(f0, f1)?], &[&to(opposite, q)?, x, y, z])
+        }
+        _ => Ok(false),
+    }
 }
 
-impl<R: Ring, S: Fn(&R::Element) -> Checked<Ordering>> Meets<'_, R, S> {
-    /// Whether f and g meet in the hull of their first `common` corners, which are the same.
-    pub(crate) fn only_in_common(&self, common: usize, [f, g]: &[[Vector<R>; 3]; 2]) -> Checked<bool> {
-        let ([f0, f1, f2], [g0, g1, g2]) = (f, g);
-        let to = |x: &_, y: &_| self.ring.difference(x, y);
-        let (zero, axis) = (R::Element::default, || self.axis.clone());
-        let x = &[axis(), zero(), zero()];
-        let y = &[zero(), axis(), zero()];
-        let z = &[zero(), zero(), axis()];
-        match common {
-            // 0 is beyond some side of P = g - f. If P is a solid, the normal of the side is that
-            // of f or g, or orthogonal to an edge of each. Otherwise f and g are parallel. Then
-            // their normal separates them, or they lie in a plane and the side is parallel to an
-            // edge: w vanishes on this edge and on an axis that is not in the plane.
-            0 => {
-                let rays = each(f, |x| each(g, |y| to(x, y)))?;
-                let pairs = [(f0, f1), (f0, f2), (g0, g1), (g0, g2), (f1, f2), (g1, g2)];
-                let edges = each(&pairs, |(x, y)| to(x, y))?;
-                self.is_some_positive(rays.as_flattened(), &edges, &[x, y, z])
-            }
-            // The cone of the four rays has an apex. If it is a solid with three sides, w is the
-            // same on its three edges. If it has four, w is the product of its diagonals: the sum
-            // of the normals of its sides. If it lies in a plane, w is the same on its two edges
-            // and vanishes on an axis that is not in the plane.
-            1 => {
-                let rays = [to(f1, f0)?, to(f2, f0)?, to(g0, g1)?, to(g0, g2)?];
-                let [a, b, c, d] = &rays;
-                let pairs = [(a, b), (c, d), (a, c), (a, d), (b, c), (b, d)];
-                let edges = each(&pairs, |(x, y)| to(x, y))?;
-                self.is_some_positive(&rays, &edges, &[x, y, z])
-            }
-            // Half-planes with the edge e through p and q. If det(e, p, q) ≠ 0, w = e × (p + q)
-            // serves: w · -p = w · q. Otherwise w vanishes on e and on an axis.
-            2 => {
-                let rays = [to(f2, f0)?, to(g0, g2)?];
-                let [opposite, q] = &rays;
-                self.is_some_positive(&rays, &[to(f0, f1)?], &[&to(opposite, q)?, x, y, z])
-            }
-            _ => Ok(false),
-        }
-    }
-
-    /// Whether the product of an edge and another vector, or of two edges, or its negative, is
-    /// positive on all rays.
-    fn is_some_positive(&self, rays: &[Vector<R>], edges: &[Vector<R>], others: &[&Vector<R>]) -> Checked<bool> {
-        let mut answer = Ok(false);
-        for (k, x) in edges.iter().enumerate() {
-            'functionals: for y in others.iter().copied().chain(edges.iter().take(k)) {
-                self.work.add(6 * self.ring.price());
-                let w = self.ring.cross(x, y)?;
-                let mut first = None;
-                for ray in rays {
-                    self.work.add(3 * self.ring.price());
-                    let Ok(sign) = (self.sign)(&self.ring.inner(&w, ray)?) else {
-                        // Another functional may be decided.
-                        answer = Err(Stop::LARGER);
-                        continue 'functionals;
-                    };
-                    if sign == Ordering::Equal || *first.get_or_insert(sign) != sign {
-                        continue 'functionals;
-                    }
+/// Whether the product of an edge and another vector, or of two edges, or its negative, is positive
+/// on all rays.
+fn is_some_positive<R: Ring>(
+    ring: &R,
+    rays: &[Vector<R>],
+    edges: &[Vector<R>],
+    others: &[&Vector<R>],
+) -> Checked<bool> {
+    let mut answer = Ok(false);
+    for (k, x) in edges.iter().enumerate() {
+        'functionals: for y in others.iter().copied().chain(edges.iter().take(k)) {
+            ring.work().add(6 * ring.price());
+            let w = ring.cross(x, y)?;
+            let mut first = None;
+            for ray in rays {
+                ring.work().add(3 * ring.price());
+                let Ok(sign) = ring.sign(&ring.inner(&w, ray)?).decided() else {
+                    // Another functional may be decided.
+                    answer = Err(Stop::LARGER);
+                    continue 'functionals;
+                };
+                if sign == Ordering::Equal || *first.get_or_insert(sign) != sign {
+                    continue 'functionals;
                 }
-                return Ok(true);
             }
+            return Ok(true);
         }
-        answer
     }
+    answer
 }

@@ -72,6 +72,10 @@ texts! {
         BoundRange "bound-range", StatementDomain "statement-domain",
         BoundaryDomain "boundary-domain", NoSimplices "no-simplices", VertexRange "vertex-range",
         ShiftRange "shift-range", CornerOrder "corner-order", Sixes "sixes",
+        FamilyDomain "family-domain", Parameters "parameters",
+        ParameterName "parameter-name", BoxExchanged "box-exchanged", BoxEmpty "box-empty",
+        UnusedParameter "unused-parameter", Exponent "exponent", Terms "terms", Tree "tree",
+        Rank "rank", TileCount "tile-count", SideCount "side-count", PyramidForm "pyramid",
         BoundaryRepeated "boundary-repeated", UnusedVertex "unused-vertex",
         // Rejected.
         RootSigns "root-signs", GramNotPositive "gram-not-positive",
@@ -83,11 +87,14 @@ texts! {
         NotNonobtuse "not-nonobtuse", AngleBound "angle-bound", RatioBound "ratio-bound",
         NotDelaunay "not-delaunay", NotWeaklyDelaunay "not-weakly-delaunay",
         OpenFacet "open-facet", BoundaryOpen "boundary-open", VolumeSum "volume-sum",
-        NotAttained "not-attained",
+        GramBlocks "gram-blocks", TileOrder "tile-order", PyramidSide "pyramid-side",
+        WallPattern "wall-pattern", WallReversal "wall-reversal", SideClasses "side-classes",
+        MissingJoin "missing-join", NotAttained "not-attained",
         // Declined.
+        CornerAngle "corner-angle",
         TooManyBytes "too-many-bytes", Version "version", UnknownKind "kind", Degree "degree",
         TooManyDigits "too-many-digits", TooManySimplices "too-many-simplices",
-        SignUndecided "sign-undecided", Work "work",
+        TreeSize "tree-size", SignUndecided "sign-undecided", Work "work",
     }
 }
 
@@ -116,6 +123,8 @@ pub enum Place {
     Face(usize),
     Statement(usize),
     Vertex(u32),
+    /// A parameter of a family.
+    Parameter(usize),
     /// One facet, or two, in the list `boundary`.
     Boundary(u64),
     BoundaryPair(u64, u64),
@@ -126,6 +135,9 @@ pub enum Place {
     Edge(u64, usize, usize),
     /// The angle of a simplex between two facets, by the corners of the row that they do not have.
     Angle(u64, usize, usize),
+    /// A tile of a system of patches, and one of its sides.
+    Tile(usize),
+    Side(usize, u32),
     Witness,
 }
 
@@ -156,6 +168,9 @@ pub struct Refusal {
     pub code: Code,
     pub place: Place,
     pub value: Value,
+    /// Of a family: a point of the box at which the condition does not hold, by the names and the
+    /// values of the parameters.
+    pub point: Vec<(String, Value)>,
 }
 
 /// The reason for which a computation stops: a refusal, or nothing if a result does not fit the
@@ -172,7 +187,11 @@ impl Stop {
     #[cold]
     #[inline(never)]
     pub(crate) fn refuse(code: Code, place: Place, value: Value) -> Stop {
-        Stop(Some(Box::new(Refusal { code, place, value })))
+        Stop::of(Refusal { code, place, value, point: Vec::new() })
+    }
+
+    pub(crate) fn of(refusal: Refusal) -> Stop {
+        Stop(Some(Box::new(refusal)))
     }
 
     pub(crate) fn is_larger(&self) -> bool {
@@ -181,7 +200,8 @@ impl Stop {
 
     /// The refusal; no integers are larger.
     pub(crate) fn refusal(self) -> Refusal {
-        let undecided = || Refusal { code: Code::SignUndecided, place: Place::Witness, value: Value::Nothing };
+        let (code, place) = (Code::SignUndecided, Place::Witness);
+        let undecided = || Refusal { code, place, value: Value::Nothing, point: Vec::new() };
         self.0.map_or_else(undecided, |refusal| *refusal)
     }
 
@@ -191,21 +211,6 @@ impl Stop {
             None => Refusal { place, ..Stop::LARGER.refusal() },
             Some(refusal) => *refusal,
         })))
-    }
-
-    /// Divides the determinant, or the power of a point, by the units of the coordinates.
-    pub(crate) fn over(mut self, denominator: &BigInt, dimension: usize) -> Stop {
-        if let Some(Refusal { code, value: Value::Quotient(_, divisor), .. }) = self.0.as_deref_mut() {
-            let power = match code {
-                Code::Orientation => dimension,
-                Code::NotDelaunay | Code::NotWeaklyDelaunay => 2,
-                _ => 0,
-            };
-            for _ in 0..power {
-                divisor.iter_mut().for_each(|c| *c *= denominator);
-            }
-        }
-        self
     }
 }
 

@@ -17,16 +17,17 @@
 //! Left out: that each boundary facet is a facet of one simplex, on the side that it says.
 
 use crate::boxes::{APEX, Grid, Tree};
+use crate::filter::Intervals;
 use crate::int::Int;
 use crate::limits::Work;
-use crate::meets::Meets;
+use crate::meets::only_in_common;
 use crate::refusal::{Checked, Place, Stop};
-use crate::ring::{Element, Exact, Ring, Rings, Vector, each};
+use crate::ring::{Element, Exact, Ring, Vector, each};
 use crate::row::{Corner, Row, Shape};
 use crate::vertices::Vertices;
+use num_bigint::BigInt;
 use std::cmp::Ordering;
 use std::mem::replace;
-use std::rc::Rc;
 
 /// A boundary facet. With an inner point before them, the corners have a positive orientation.
 type Corners = [Corner; 3];
@@ -35,24 +36,17 @@ type Corners = [Corner; 3];
 /// (`Some(Some(facet))`) or more. The k-th ridge is the one without the k-th corner.
 type Across = [Option<Option<usize>>; 3];
 
+/// Small integers, where they serve, and large ones.
+pub(crate) type Sizes<const N: usize> = (Option<Exact<i64, N>>, Exact<BigInt, N>);
+
 pub(crate) struct Region<const N: usize> {
-    rings: Rc<Rings<N>>,
-    work: Rc<Work>,
+    rings: Sizes<N>,
+    intervals: Intervals,
     grid: Grid,
     is_plane: bool,
     facets: Vec<Corners>,
     /// The first facet of each class.
     bases: Tree,
-}
-
-/// The answer by small integers, or else by large ones.
-macro_rules! answer {
-    ($rings:expr, $place:expr, |$ring:ident| $answer:expr) => {{
-        let small = $rings.small.as_ref().ok_or(Stop::LARGER).and_then(|$ring| $answer);
-        small
-            .or_else(|_| Some(&$rings.large).map_or(Err(Stop::LARGER), |$ring| $answer))
-            .map_err(|stop| stop.at($place))
-    }};
 }
 
 impl<const N: usize> Region<N> {
@@ -61,10 +55,9 @@ impl<const N: usize> Region<N> {
         mut facets: Vec<Corners>,
         shape: Shape,
         vertices: &Vertices,
-        rings: &Rc<Rings<N>>,
-        work: &Rc<Work>,
+        rings: Sizes<N>,
     ) -> Checked<Region<N>> {
-        let grid = Grid::new::<N>(shape, vertices, &rings.intervals.root)?;
+        let grid = Grid::new::<N>(shape, vertices, &rings.1.root)?;
         let is_plane = shape.dimension == 2;
         let mut boxes = Vec::new();
         for (number, facet) in facets.iter_mut().enumerate() {
@@ -73,8 +66,8 @@ impl<const N: usize> Region<N> {
             boxes.push((grid.bounds(&*facet)?, number));
         }
         let bases = Tree::new(&mut boxes)?;
-        let (rings, work) = (rings.clone(), work.clone());
-        let mut region = Region { rings, work, grid, is_plane, facets, bases };
+        let intervals = Intervals { root: rings.1.root.clone(), work: rings.1.work.clone() };
+        let mut region = Region { rings, intervals, grid, is_plane, facets, bases };
         let across = region.check_meets(vertices)?;
         boxes.clear();
         for first in first_of_classes(&across)? {
@@ -84,6 +77,10 @@ impl<const N: usize> Region<N> {
         Ok(region)
     }
 
+    fn work(&self) -> &Work {
+        self.rings.1.work()
+    }
+
     fn facet(&self, number: usize) -> Checked<&Corners> {
         self.facets.get(number).ok_or(Stop::LARGER)
     }
@@ -91,7 +88,7 @@ impl<const N: usize> Region<N> {
     /// X for each pair of facets whose boxes meet.
     fn check_meets(&self, vertices: &Vertices) -> Checked<Vec<Across>> {
         let mut across = vec![[None; 3]; self.facets.len()];
-        self.grid.each_near(&self.bases, &self.bases, &self.work, &mut |by, first, second| {
+        self.grid.each_near(&self.bases, &self.bases, self.work(), &mut |by, first, second| {
             // One of two opposite translations suffices.
             if (by, second) <= ([0; 3], first) {
                 return Ok(());
@@ -100,15 +97,15 @@ impl<const N: usize> Region<N> {
             let g = self.facet(second)?.map(|corner| moved(corner, by));
             let number = |facet: usize| u64::try_from(facet).unwrap_or(u64::MAX);
             let place = Place::BoundaryPair(number(first.min(second)), number(first.max(second)));
-            self.work.add(100);
-            self.work.check(place)?;
+            self.work().add(100);
+            self.work().check(place)?;
             // The common corners first, in one order.
             let common = f.iter().filter(|corner| g.contains(corner)).count();
             let (mut f_sorted, mut g_sorted) = (f, g);
             f_sorted.sort_by_key(|corner| !g.contains(corner));
             g_sorted.sort_by_key(|corner| f_sorted.iter().position(|c| c == corner).unwrap_or(3));
-            let is_right =
-                answer!(self.rings, place, |ring| { self.meet(ring, vertices, common, [&f_sorted, &g_sorted]) })?;
+            let is_right = self.meet(vertices, common, [&f_sorted, &g_sorted]);
+            let is_right = is_right.map_err(|stop| stop.at(place))?;
             ensure!(is_right, BoundaryMeets, place);
             for (own, f, g, other) in [(first, &f, &g, second), (second, &g, &f, first)] {
                 for (ridge, corner) in across.get_mut(own).into_iter().flatten().zip(f) {
@@ -122,17 +119,32 @@ impl<const N: usize> Region<N> {
         Ok(across)
     }
 
-    /// Whether two facets meet in the hull of their first common corners.
-    fn meet<T: Int>(
+    /// Whether two facets meet in the hull of their first common corners: by small integers, by
+    /// intervals, or else by large integers.
+    fn meet(&self, vertices: &Vertices, common: usize, facets: [&Corners; 2]) -> Checked<bool> {
+        let small = || {
+            let ring = self.rings.0.as_ref().ok_or(Stop::LARGER)?;
+            let points = self.points(ring, vertices, facets)?;
+            only_in_common(ring, common, &points).or_else(|_| {
+                let interval = |x: &Element<i64, N>| self.intervals.of(&x.0);
+                let points = each(&points, |facet| each(facet, |point| each(point, interval)))?;
+                only_in_common(&self.intervals, common, &points)
+            })
+        };
+        let ring = &self.rings.1;
+        small().or_else(|_| only_in_common(ring, common, &self.points(ring, vertices, facets)?))
+    }
+
+    /// The corners, seen from one of them. In the plane they get the height 1, and the apex is 0.
+    fn points<T: Int>(
         &self,
         ring: &Exact<T, N>,
         vertices: &Vertices,
-        common: usize,
         facets: [&Corners; 2],
-    ) -> Checked<bool> {
+    ) -> Checked<[[Vector<Exact<T, N>>; 3]; 2]> {
         let base = facets.into_iter().flatten().find(|corner| **corner != APEX);
         let base = vertices.point(*base.ok_or(Stop::LARGER)?)?;
-        let mut points = each(&facets, |facet| {
+        each(&facets, |facet| {
             each(facet, |corner| {
                 if *corner == APEX {
                     return Ok(Default::default());
@@ -140,22 +152,7 @@ impl<const N: usize> Region<N> {
                 let [x, y, z] = ring.difference(&base, &vertices.point(*corner)?)?;
                 Ok([x, y, if self.is_plane { ring.integer(1)? } else { z }])
             })
-        })?;
-        let length = |x: &Element<T, N>| x.0.iter().map(T::length).max().unwrap_or(0);
-        let all = points.as_flattened_mut().as_flattened_mut();
-        let most = all.iter().map(length).max().unwrap_or(0);
-        // Small integers are rounded to 19 bits. Then the vectors of `meets` have entries of at most
-        // m = 2^20 with errors below 2. So determinants have errors of at most
-        // 6 ((m + 2)³ - m³) < 2^46, and a sign is certain from 47 bits on.
-        let is_rounded = N == 1 && T::PRICE == 1 && !self.is_plane && most > 19;
-        for x in all.iter_mut().flat_map(|x| &mut x.0).filter(|_| is_rounded) {
-            *x = T::from(x.top(most - 19)?);
-        }
-        let sign = |x: &Element<T, N>| {
-            if is_rounded && length(x) < 47 { Err(Stop::LARGER) } else { ring.sign(x) }
-        };
-        let axis = ring.integer(if is_rounded { 1 << 20 } else { 1 })?;
-        Meets { ring, work: &self.work, sign, axis }.only_in_common(common, &points)
+        })
     }
 
     /// W for a row: no translate of its tile contains the point just outside of a base.
@@ -164,11 +161,15 @@ impl<const N: usize> Region<N> {
         let tile = [a, b, c, if self.is_plane { APEX } else { d }];
         let leaf = Tree::new(&mut [(self.grid.bounds(&tile)?, 0)])?;
         let place = Place::Simplex(simplex);
-        self.grid.each_near(&self.bases, &leaf, &self.work, &mut |by, base, _| {
+        self.grid.each_near(&self.bases, &leaf, self.work(), &mut |by, base, _| {
             let tile = tile.map(|corner| moved(corner, by));
             let facet = self.facet(base)?;
-            self.work.add(300);
-            let is_covered = answer!(self.rings, place, |ring| { self.contains(ring, vertices, &tile, facet) })?;
+            self.work().add(300);
+            let small = self.rings.0.as_ref().ok_or(Stop::LARGER);
+            let is_covered = small
+                .and_then(|ring| self.contains(ring, vertices, &tile, facet))
+                .or_else(|_| self.contains(&self.rings.1, vertices, &tile, facet))
+                .map_err(|stop| stop.at(place))?;
             ensure!(!is_covered, Covering, place, base);
             Ok(())
         })
@@ -195,7 +196,7 @@ impl<const N: usize> Region<N> {
         let normal = |[o, p, q]: [&Corner; 3]| ring.cross(&edge(o, p)?, &edge(o, q)?);
         // The sign of w · (1, ε, ε²): that of the first entry of w that is not zero.
         let forwards = |[x, y, z]: &Vector<Exact<T, N>>| -> Checked<Ordering> {
-            Ok(ring.sign(x)?.then(ring.sign(y)?).then(ring.sign(z)?))
+            Ok(ring.sign(x).decided()?.then(ring.sign(y).decided()?).then(ring.sign(z).decided()?))
         };
         let is_backwards = forwards(&normal(facet.each_ref())?)? == Ordering::Less;
         let facets = if self.is_plane {
@@ -211,7 +212,7 @@ impl<const N: usize> Region<N> {
             }
             let turned = forwards(&w)?;
             let turned = if is_backwards { turned.reverse() } else { turned };
-            if ring.sign(&side)?.then(turned) != Ordering::Less {
+            if ring.sign(&side).decided()?.then(turned) != Ordering::Less {
                 return Ok(false);
             }
         }

@@ -1,40 +1,66 @@
 //! The rings in which the checks compute, and Z[a] with integers of one size.
 //!
 //! Every check of a simplex is written once, over a [`Ring`]. The rings are Z[a] for three sizes
-//! of integers, and the real intervals of [`crate::filter`]. A ring of polynomials in parameters
-//! would be another one, with signs that hold for all parameters or are undecided.
+//! of integers, the real intervals of [`crate::filter`], and polynomials in the parameters of a
+//! family ([`crate::polynomial`]). A sign of an interval or of a polynomial can be undecided.
 
-use crate::filter::Intervals;
+use crate::claim::Polynomial;
 use crate::int::Int;
 use crate::limits::Work;
 use crate::refusal::{Checked, Stop, Value};
-use crate::root::{Root, enclosure, sign_between};
+use crate::root::{Root, enclosure};
 use num_bigint::BigInt;
 use std::array::from_fn;
-use std::cmp::Ordering;
+use std::cmp::Ordering::{self, Equal, Greater, Less};
 use std::rc::Rc;
 
 /// Three coordinates; in the plane the third one is zero.
 pub type Vector<R> = [<R as Ring>::Element; 3];
 
-pub trait Ring: Sized {
+/// The sign of a number lies between these two, inclusive.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Sign {
+    pub(crate) least: Ordering,
+    pub(crate) most: Ordering,
+}
+
+impl Sign {
+    pub(crate) const UNDECIDED: Sign = Sign { least: Less, most: Greater };
+
+    pub(crate) fn exactly(sign: Ordering) -> Sign {
+        Sign { least: sign, most: sign }
+    }
+
+    /// Whether a condition holds; [`Stop::LARGER`] if that depends on which sign it is.
+    pub(crate) fn is(self, condition: impl Fn(Ordering) -> bool) -> Checked<bool> {
+        let answer = condition(self.least);
+        let is_possible = |sign| self.least <= sign && sign <= self.most;
+        let is_decided = |sign| !is_possible(sign) || condition(sign) == answer;
+        if [Equal, Greater].into_iter().all(is_decided) { Ok(answer) } else { Err(Stop::LARGER) }
+    }
+
+    pub(crate) fn decided(self) -> Checked<Ordering> {
+        if self.least == self.most { Ok(self.least) } else { Err(Stop::LARGER) }
+    }
+}
+
+pub trait Ring: Clone {
     type Element: Clone + Default;
-    /// A ring in which more results fit.
-    type Next: Ring;
 
     /// The number with these coefficients of 1, a, a², …
     fn element(&self, coefficients: &[BigInt]) -> Checked<Self::Element>;
+    /// The number, or the polynomial in a ring of these.
+    fn polynomial(&self, terms: &Polynomial) -> Checked<Self::Element> {
+        terms.first().map_or(Ok(Self::Element::default()), |(number, _)| self.element(number))
+    }
     /// The coefficients, where the ring is exact; else nothing.
     fn coefficients(&self, x: &Self::Element) -> Vec<BigInt>;
-    fn next(x: &Self::Element) -> <Self::Next as Ring>::Element;
     fn plus(&self, x: &Self::Element, y: &Self::Element) -> Checked<Self::Element>;
     fn minus(&self, x: &Self::Element, y: &Self::Element) -> Checked<Self::Element>;
     /// Σ x_i y_i, for at most three terms.
     fn dot<const K: usize>(&self, x: [&Self::Element; K], y: [&Self::Element; K]) -> Checked<Self::Element>;
-    /// The sign; [`Stop::LARGER`] where it is undecided.
-    fn sign(&self, x: &Self::Element) -> Checked<Ordering>;
-    /// The lesser of two numbers.
-    fn lesser(&self, x: &Self::Element, y: &Self::Element) -> Checked<Self::Element>;
+    fn sign(&self, x: &Self::Element) -> Sign;
+    fn work(&self) -> &Work;
     /// Units of work for one product; zero where the ring counts them itself.
     fn price(&self) -> u64;
 
@@ -57,14 +83,18 @@ pub trait Ring: Sized {
         Ok([minor(x1, y2, x2, y1)?, minor(x2, y0, x0, y2)?, minor(x0, y1, x1, y0)?])
     }
 
+    fn negated(&self, x: &Self::Element) -> Checked<Self::Element> {
+        self.minus(&Self::Element::default(), x)
+    }
+
     /// y - x
     fn difference(&self, x: &Vector<Self>, y: &Vector<Self>) -> Checked<Vector<Self>> {
         zip(y, x, |y, x| self.minus(y, x))
     }
 
     /// The sign of x - y.
-    fn compare(&self, x: &Self::Element, y: &Self::Element) -> Checked<Ordering> {
-        self.sign(&self.minus(x, y)?)
+    fn compare(&self, x: &Self::Element, y: &Self::Element) -> Checked<Sign> {
+        Ok(self.sign(&self.minus(x, y)?))
     }
 
     /// x / y for a refusal.
@@ -105,47 +135,29 @@ impl<T: Default, const N: usize> Default for Element<T, N> {
     }
 }
 
+impl<T: Int, const N: usize> Element<T, N> {
+    pub(crate) fn large(&self) -> Element<BigInt, N> {
+        Element(self.0.each_ref().map(T::big))
+    }
+}
+
 /// Z[a] for a root a of a monic polynomial of degree at most N; Z for degree 1.
 #[derive(Clone)]
 pub struct Exact<T, const N: usize> {
     /// a^degree = Σ tail_k a^k
     tail: [T; N],
     rough: [(i64, i64); N],
-    root: Rc<Root>,
-    work: Rc<Work>,
-}
-
-/// The rings of one field.
-pub struct Rings<const N: usize> {
-    pub(crate) small: Option<Exact<i64, N>>,
-    pub(crate) medium: Option<Exact<i128, N>>,
-    pub(crate) large: Exact<BigInt, N>,
-    pub(crate) intervals: Intervals,
-}
-
-impl<const N: usize> Rings<N> {
-    pub(crate) fn new(root: &Rc<Root>, work: &Rc<Work>) -> Checked<Rings<N>> {
-        Ok(Rings {
-            small: Exact::new(root, work).ok(),
-            medium: Exact::new(root, work).ok(),
-            large: Exact::new(root, work)?,
-            intervals: Intervals { root: root.clone() },
-        })
-    }
+    pub(crate) root: Rc<Root>,
+    pub(crate) work: Rc<Work>,
 }
 
 impl<T: Int, const N: usize> Exact<T, N> {
-    fn new(root: &Rc<Root>, work: &Rc<Work>) -> Checked<Self> {
+    pub(crate) fn new(root: &Rc<Root>, work: &Rc<Work>) -> Checked<Self> {
         let mut rough = [(0, 0); N];
         for (slot, power) in rough.iter_mut().zip(&root.rough) {
             *slot = *power;
         }
-        let tail = element(&root.tail)?.0;
-        Ok(Exact { tail, rough, root: root.clone(), work: work.clone() })
-    }
-
-    pub(crate) fn work(&self) -> &Work {
-        &self.work
+        Ok(Exact { tail: coefficients(&root.tail)?, rough, root: root.clone(), work: work.clone() })
     }
 
     /// The compiler knows the degrees 1 and 2.
@@ -174,44 +186,39 @@ impl<T: Int, const N: usize> Exact<T, N> {
     /// The sign by the fine enclosures; only for the largest integers.
     #[cold]
     #[inline(never)]
-    fn fine_sign(&self, x: &Element<T, N>) -> Checked<Ordering> {
+    fn fine_sign(&self, x: &Element<T, N>) -> Sign {
+        if T::PRICE != 0 {
+            return Sign::UNDECIDED;
+        }
         let (mut low, mut high) = (BigInt::ZERO, BigInt::ZERO);
         for (c, (least, most)) in x.0.iter().zip(&self.root.fine) {
-            if T::PRICE != 0 {
-                return Err(Stop::LARGER);
-            }
             let c = c.big();
             self.work.add(100 + (1 + c.length() / 64) * (1 + most.length() / 64));
             let (x, y) = (&c * least, &c * most);
             low += (&x).min(&y);
             high += (&x).max(&y);
         }
-        sign_between(low > BigInt::ZERO, high < BigInt::ZERO)
+        Sign { least: low.cmp(&BigInt::ZERO), most: high.cmp(&BigInt::ZERO) }
     }
 }
 
-fn element<T: Int, const N: usize>(coefficients: &[BigInt]) -> Checked<Element<T, N>> {
-    let mut element = Element::default();
-    for (slot, c) in element.0.iter_mut().zip(coefficients) {
+fn coefficients<T: Int, const N: usize>(coefficients: &[BigInt]) -> Checked<[T; N]> {
+    let mut array = from_fn(|_| T::default());
+    for (slot, c) in array.iter_mut().zip(coefficients) {
         *slot = T::of(c)?;
     }
-    Ok(element)
+    Ok(array)
 }
 
 impl<T: Int, const N: usize> Ring for Exact<T, N> {
     type Element = Element<T, N>;
-    type Next = Exact<T::Next, N>;
 
-    fn element(&self, coefficients: &[BigInt]) -> Checked<Element<T, N>> {
-        element(coefficients)
+    fn element(&self, number: &[BigInt]) -> Checked<Element<T, N>> {
+        coefficients(number).map(Element)
     }
 
     fn coefficients(&self, x: &Element<T, N>) -> Vec<BigInt> {
         x.0.iter().take(self.degree()).map(T::big).collect()
-    }
-
-    fn next(x: &Element<T, N>) -> Element<T::Next, N> {
-        Element(x.0.clone().map(T::Next::from))
     }
 
     fn plus(&self, x: &Element<T, N>, y: &Element<T, N>) -> Checked<Element<T, N>> {
@@ -244,20 +251,22 @@ impl<T: Int, const N: usize> Ring for Exact<T, N> {
     }
 
     /// Zero if all coefficients are. Else an enclosure must show the sign.
-    fn sign(&self, x: &Element<T, N>) -> Checked<Ordering> {
+    fn sign(&self, x: &Element<T, N>) -> Sign {
         if let [c] = &x.0[..] {
-            return Ok(c.sign());
+            return Sign::exactly(c.sign());
         }
         if x.0.iter().all(|c| *c == T::default()) {
-            return Ok(Ordering::Equal);
+            return Sign::exactly(Equal);
         }
-        let (low, high, _) = enclosure(&x.0, &self.rough)?;
-        sign_between(low > 0, high < 0).or_else(|_| self.fine_sign(x))
+        match enclosure(&x.0, &self.rough) {
+            Ok((low, ..)) if low > 0 => Sign::exactly(Greater),
+            Ok((_, high, _)) if high < 0 => Sign::exactly(Less),
+            _ => self.fine_sign(x),
+        }
     }
 
-    fn lesser(&self, x: &Element<T, N>, y: &Element<T, N>) -> Checked<Element<T, N>> {
-        let is_first = self.compare(x, y)? != Ordering::Greater;
-        Ok(if is_first { x.clone() } else { y.clone() })
+    fn work(&self) -> &Work {
+        &self.work
     }
 
     fn price(&self) -> u64 {

@@ -124,12 +124,3 @@ pub(crate) fn enclosure<T: Int>(coefficients: &[T], rough: &[(i64, i64)]) -> Che
     }
     Ok((low, high, dropped))
 }
-
-/// The sign of a number, from whether its lower bound is positive and its upper one negative.
-pub(crate) fn sign_between(is_positive: bool, is_negative: bool) -> Checked<Ordering> {
-    match (is_positive, is_negative) {
-        (true, _) => Ok(Ordering::Greater),
-        (_, true) => Ok(Ordering::Less),
-        _ => Err(Stop::LARGER),
-    }
-}

@@ -54,6 +54,23 @@ pub struct Row {
     pub sixes: u8,
 }
 
+impl Row {
+    /// The row of a tetrahedron whose corners are positively oriented in this order.
+    pub(crate) fn positive(corners: [Corner; 4]) -> Checked<Row> {
+        let mut sorted = corners;
+        sorted.sort_unstable();
+        let [base, ..] = sorted;
+        let exceeds =
+            |corner: &Corner| corner.seen_from(base).shift.iter().any(|s| u64::from(s.unsigned_abs()) >= MOST_SHIFT);
+        ensure!(!sorted.iter().any(exceeds), ShiftRange, Place::Witness);
+        let pairs = corners.iter().enumerate().flat_map(|(k, x)| corners.iter().skip(k).map(move |y| (x, y)));
+        let is_odd = pairs.filter(|(x, y)| x > y).count() % 2 == 1;
+        let [a, b, c, d] = sorted.map(|corner| corner.seen_from(base));
+        let corners = if is_odd { [a, b, d, c] } else { [a, b, c, d] };
+        Ok(Row { corners, sorted: [a, b, c, d], is_odd, sixes: 0 })
+    }
+}
+
 impl Shape {
     pub(crate) fn read_row(&self, cbor: &mut Cbor, simplex: u64) -> Checked<Row> {
         let place = Place::Simplex(simplex);
@@ -95,7 +112,7 @@ impl Shape {
         Ok(corners)
     }
 
-    fn read_corner(&self, cbor: &mut Cbor, place: Place) -> Checked<Corner> {
+    pub(crate) fn read_corner(&self, cbor: &mut Cbor, place: Place) -> Checked<Corner> {
         let is_array = cbor.is_array()?;
         if is_array {
             cbor.array_of(self.rank + 1)?;

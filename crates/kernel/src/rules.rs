@@ -1,4 +1,4 @@
-//! The numbers of one simplex, and how they compare with the bounds of a claim.
+//! The statements about single simplices, in the numbers of one ring.
 //!
 //! e_1, e_2, e_3 are the edges from the first corner, times the common denominator. n_1, n_2, n_3
 //! are their cross products: n_i · e_j is det E for i = j and else 0. So n_i / det E is the
@@ -8,74 +8,61 @@
 //!
 //! In the plane G gets a third row (0, 0, 1), e_3 is (0, 0, 1), and n_3 is left out.
 
-use crate::claim::{self, Claim, Property, Relation};
-use crate::refusal::{Checked, Place, Stop};
-use crate::ring::{Ring, Vector, each};
+use crate::claim::{Bound, Claim, Property, Relation};
+use crate::refusal::{Checked, Place, Stop, Value};
+use crate::ring::{Ring, Sign, Vector, each};
+use num_bigint::BigInt;
 use std::cmp::Ordering::{self, Equal, Greater, Less};
 
-/// The claim about single simplices, in numbers of one ring.
+/// The claim about single simplices.
 pub(crate) struct Rules<R: Ring> {
     pub(crate) ring: R,
     pub(crate) is_plane: bool,
     gram: [Vector<R>; 3],
     adjugate: [Vector<R>; 3],
     four_det_gram: R::Element,
-    pub(crate) acute: bool,
-    pub(crate) nonobtuse: bool,
-    pub(crate) angles: Vec<Bound<R::Element>>,
-    pub(crate) ratios: Vec<Bound<R::Element>>,
-    pub(crate) delaunay: bool,
-    pub(crate) weakly_delaunay: bool,
+    acute: bool,
+    nonobtuse: bool,
+    angles: Vec<Extreme<R>>,
+    ratios: Vec<Extreme<R>>,
+    delaunay: bool,
+    weakly_delaunay: bool,
 }
 
-/// A bound p/q: a squared cosine with a sign, or a squared ratio.
-pub(crate) struct Bound<E> {
-    pub(crate) statement: usize,
-    /// The bound is for the smallest angle.
-    pub(crate) is_smallest: bool,
-    pub(crate) relation: Relation,
-    sign: Ordering,
-    p: E,
-    q: E,
+/// A bound p/q for the least or the greatest of some quotients of a simplex. The quotients are the
+/// squared cosines, with the signs of the cosines, and R²/l² for all edge lengths l. So the largest
+/// angle is a least quotient.
+struct Extreme<R: Ring> {
+    statement: usize,
+    is_angle: bool,
+    is_least: bool,
+    relation: Relation,
+    p: R::Element,
+    q: R::Element,
 }
 
-/// The angle between the facets i and j: its cosine is c / sqrt(x y).
-pub(crate) struct Angle<R: Ring> {
-    pub(crate) facets: (usize, usize),
-    /// The sign of c.
-    pub(crate) sign: Ordering,
-    pub(crate) c: R::Element,
-    pub(crate) x: R::Element,
-    pub(crate) y: R::Element,
-    /// c² and x y, if they fit; where there are bounds.
-    pub(crate) squares: Checked<[R::Element; 2]>,
+/// A simplex and the corners of its mates, seen from its first corner.
+pub(crate) struct Simplex<R: Ring> {
+    pub(crate) number: u64,
+    pub(crate) edges: [Vector<R>; 3],
+    pub(crate) mates: [Option<Vector<R>>; 4],
 }
 
-/// The circumcentre z, seen from the first corner, has 2 ⟨z, x⟩ = w · x / det E for all x.
-pub(crate) struct Sphere<R: Ring> {
-    /// w
-    pub(crate) centre: Vector<R>,
-    pub(crate) determinant: R::Element,
-    /// The square of the shortest edge, where a ratio is claimed.
-    pub(crate) shortest: R::Element,
-}
+/// x and y for x / y, and whether x has an undecided sign, which is not in it.
+type Quotient<R> = (<R as Ring>::Element, <R as Ring>::Element, bool);
 
-impl Relation {
-    pub(crate) fn allows(self, ordering: Ordering) -> bool {
-        match self {
-            Relation::LessThan => ordering == Less,
-            Relation::AtMost | Relation::Maximum => ordering != Greater,
-            Relation::MoreThan => ordering == Greater,
-            Relation::AtLeast | Relation::Minimum => ordering != Less,
-        }
-    }
-}
+/// c, x and y for the cosine c / sqrt(x y).
+type Cosine<R> = (<R as Ring>::Element, <R as Ring>::Element, <R as Ring>::Element);
+
+/// The facets of the angles, by the corners that they do not have. The first three are those of the
+/// plane.
+const FACETS: [(usize, usize); 6] = [(0, 1), (0, 2), (1, 2), (0, 3), (1, 3), (2, 3)];
+
+/// The determinant of a simplex, and the set of the statements of which it attains the bound.
+pub(crate) type Found<R> = (<R as Ring>::Element, u32);
 
 impl<R: Ring> Rules<R> {
-    pub(crate) fn new(ring: &R, claim: &Claim) -> Checked<Self>
-    where
-        R: Clone,
-    {
+    pub(crate) fn new(ring: &R, claim: &Claim) -> Checked<Self> {
         let gram = gram(ring, claim)?;
         let [r, s, t] = &gram;
         let adjugate = [ring.cross(s, t)?, ring.cross(t, r)?, ring.cross(r, s)?];
@@ -83,11 +70,10 @@ impl<R: Ring> Rules<R> {
         // Rule M: G is positive definite (Sylvester). In the plane the third minor is the second.
         let minors = [&gram[0][0], &adjugate[2][2], &determinant];
         for (minor, rows) in minors.into_iter().zip(1..) {
-            let is_positive = ring.sign(minor)? == Greater;
+            let is_positive = ring.sign(minor).is(|sign| sign == Greater)?;
             ensure!(is_positive, GramNotPositive, Place::Minor(rows), ring.value(minor));
         }
-        let (delaunay, local) = (Property::Delaunay, Property::LocallyDelaunay);
-        let (weakly, locally) = (Property::WeaklyDelaunay, Property::LocallyWeaklyDelaunay);
+        let has = |property, local| claim.has(property) || claim.has(local);
         let mut rules = Rules {
             ring: ring.clone(),
             is_plane: claim.dimension == 2,
@@ -98,8 +84,8 @@ impl<R: Ring> Rules<R> {
             nonobtuse: claim.has(Property::Nonobtuse),
             angles: Vec::new(),
             ratios: Vec::new(),
-            delaunay: claim.has(delaunay) || claim.has(local),
-            weakly_delaunay: claim.has(weakly) || claim.has(locally),
+            delaunay: has(Property::Delaunay, Property::LocallyDelaunay),
+            weakly_delaunay: has(Property::WeaklyDelaunay, Property::LocallyWeaklyDelaunay),
         };
         for (index, statement) in claim.statements.iter().enumerate() {
             if let Some(bound) = &statement.bound {
@@ -109,19 +95,19 @@ impl<R: Ring> Rules<R> {
         Ok(rules)
     }
 
-    fn add_bound(&mut self, statement: usize, of: Property, bound: &claim::Bound) -> Checked {
+    fn add_bound(&mut self, statement: usize, of: Property, bound: &Bound) -> Checked {
         let ring = &self.ring;
         let p = ring.element(&bound.numerator)?;
         let q = ring.element(std::slice::from_ref(&bound.denominator))?;
         // A squared ratio is positive. A squared cosine is at most 1, and zero with the sign zero.
         let expected = if bound.sign == 0 { Equal } else { Greater };
-        let is_cosine = !of.is_angle() || ring.compare(&p, &q)? != Greater;
-        let is_range = is_cosine && ring.sign(&p)? == expected;
+        let is_cosine = !of.is_angle() || ring.compare(&p, &q)?.is(|sign| sign != Greater)?;
+        let is_range = is_cosine && ring.sign(&p).decided()? == expected;
         ensure!(is_range, BoundRange, Place::Statement(statement), ring.quotient(&p, &q));
+        let p = if bound.sign < 0 { ring.negated(&p)? } else { p };
+        let is_least = of == Property::LargestAngle;
         let list = if of.is_angle() { &mut self.angles } else { &mut self.ratios };
-        let is_smallest = of == Property::SmallestAngle;
-        let (relation, sign) = (bound.relation, bound.sign.cmp(&0));
-        list.push(Bound { statement, is_smallest, relation, sign, p, q });
+        list.push(Extreme { statement, is_angle: of.is_angle(), is_least, relation: bound.relation, p, q });
         Ok(())
     }
 
@@ -130,36 +116,72 @@ impl<R: Ring> Rules<R> {
         300 * self.ring.price()
     }
 
+    /// Pairs of facets, or of corners.
+    fn pairs(&self) -> usize {
+        if self.is_plane { 3 } else { 6 }
+    }
+
     /// Whether the corners of mates matter.
     pub(crate) fn needs_mates(&self) -> bool {
         self.delaunay || self.weakly_delaunay
     }
 
-    /// n_1 = e_2 × e_3
-    pub(crate) fn first_normal(&self, [_, e2, e3]: &[Vector<R>; 3]) -> Checked<Vector<R>> {
-        if self.is_plane {
-            let [x, y, zero] = e2;
-            return Ok([y.clone(), self.ring.minus(zero, x)?, zero.clone()]);
+    /// Checks everything that is claimed of one simplex. The coordinates have the denominator.
+    pub(crate) fn check(&self, simplex: &Simplex<R>, denominator: &BigInt) -> Checked<Found<R>> {
+        let (ring, place) = (&self.ring, Place::Simplex(simplex.number));
+        let [e1, e2, e3] = &simplex.edges;
+        let mut normals = [ring.cross(e2, e3)?, ring.cross(e3, e1)?, Default::default()];
+        if !self.is_plane {
+            normals[2] = ring.cross(e1, e2)?;
         }
-        self.ring.cross(e2, e3)
+        let determinant = ring.inner(e1, &normals[0])?;
+        // Rule O: det E > 0.
+        let is_positive = ring.sign(&determinant).is(|sign| sign == Greater)?;
+        let unit = || denominator.pow(if self.is_plane { 2 } else { 3 });
+        ensure!(is_positive, Orientation, place, Value::Quotient(ring.coefficients(&determinant), vec![unit()]));
+        let mut attained = 0;
+        if self.acute || self.nonobtuse || !self.angles.is_empty() {
+            attained |= self.check_angles(&normals, simplex.number)?;
+        }
+        if !self.ratios.is_empty() || self.needs_mates() {
+            attained |= self.check_sphere(simplex, &normals, &determinant, denominator)?;
+        }
+        Ok((determinant, attained))
     }
 
-    pub(crate) fn normals(&self, edges: &[Vector<R>; 3]) -> Checked<[Vector<R>; 3]> {
-        let [e1, e2, e3] = edges;
-        let first = self.first_normal(edges)?;
-        if self.is_plane {
-            let [x, y, zero] = e1;
-            let second = [self.ring.minus(zero, y)?, x.clone(), zero.clone()];
-            return Ok([first, second, Default::default()]);
+    fn check_angles(&self, normals: &[Vector<R>; 3], simplex: u64) -> Checked<u32> {
+        let ring = &self.ring;
+        let place = |(i, j)| Place::Angle(simplex, i, j);
+        let mut quotients = <[Quotient<R>; 6]>::default();
+        let cosines = self.cosines(normals)?;
+        for (((c, x, y), facets), quotient) in cosines.iter().zip(FACETS).zip(&mut quotients).take(self.pairs()) {
+            let sign = ring.sign(c);
+            // c² / (x y), with the sign of the cosine.
+            let signed = || {
+                let square = ring.times(c, c)?;
+                let is_negative = sign.least == Less && sign.most != Greater;
+                let square = if is_negative { ring.negated(&square)? } else { square };
+                Ok((square, ring.times(x, y)?, sign == Sign::UNDECIDED))
+            };
+            let value = || signed().map(|(square, y, _)| ring.quotient(&square, &y));
+            // `acute`: the cosine is positive. `nonobtuse`: it is not negative.
+            let is_acute = !self.acute || sign.is(|sign| sign == Greater)?;
+            ensure!(is_acute, NotAcute, place(facets), value()?);
+            let is_nonobtuse = !self.nonobtuse || sign.is(|sign| sign != Less)?;
+            ensure!(is_nonobtuse, NotNonobtuse, place(facets), value()?);
+            if !self.angles.is_empty() {
+                *quotient = signed()?;
+            }
         }
-        Ok([first, self.ring.cross(e3, e1)?, self.ring.cross(e1, e2)?])
+        self.check_extremes(&self.angles, &quotients, |k| FACETS.get(k).copied().map(place))
     }
 
     /// With g_ij = ⟨n_i, n_j⟩ the dihedral angle of the facets i and j has the cosine
     /// -g_ij / sqrt(g_ii g_jj). The rows of (g_ij) sum to zero.
-    pub(crate) fn angles(&self, [n1, n2, n3]: &[Vector<R>; 3]) -> Checked<[Angle<R>; 6]> {
+    fn cosines(&self, normals: &[Vector<R>; 3]) -> Checked<[Cosine<R>; 6]> {
         let ring = &self.ring;
-        let [d1, d2, d3] = [self.dual(n1)?, self.dual(n2)?, self.dual(n3)?];
+        let [n1, n2, n3] = normals;
+        let [d1, d2, d3] = each(normals, |n| self.dual(n))?;
         let (g11, g12, g13) = (ring.inner(n1, &d1)?, ring.inner(n1, &d2)?, ring.inner(n1, &d3)?);
         let (g22, g23, g33) = (ring.inner(n2, &d2)?, ring.inner(n2, &d3)?, ring.inner(n3, &d3)?);
         // -g_01, -g_02, -g_03 and g_00.
@@ -167,48 +189,130 @@ impl<R: Ring> Rules<R> {
         let c02 = ring.plus(&ring.plus(&g12, &g22)?, &g23)?;
         let c03 = ring.plus(&ring.plus(&g13, &g23)?, &g33)?;
         let g00 = ring.plus(&ring.plus(&c01, &c02)?, &c03)?;
-        let negated = |g| ring.minus(&R::Element::default(), g);
-        // The first three are those of the plane.
         Ok([
-            self.angle((0, 1), c01, &g00, &g11)?,
-            self.angle((0, 2), c02, &g00, &g22)?,
-            self.angle((1, 2), negated(&g12)?, &g11, &g22)?,
-            self.angle((0, 3), c03, &g00, &g33)?,
-            self.angle((1, 3), negated(&g13)?, &g11, &g33)?,
-            self.angle((2, 3), negated(&g23)?, &g22, &g33)?,
+            (c01, g00.clone(), g11.clone()),
+            (c02, g00.clone(), g22.clone()),
+            (ring.negated(&g12)?, g11.clone(), g22.clone()),
+            (c03, g00, g33.clone()),
+            (ring.negated(&g13)?, g11, g33.clone()),
+            (ring.negated(&g23)?, g22, g33),
         ])
     }
 
-    /// How an angle compares with a bound. Different signs of the cosines decide; else the squares
-    /// do, the other way round where both are negative. The cosine decreases.
-    pub(crate) fn compare_angle(&self, angle: &Angle<R>, bound: usize) -> Checked<Ordering> {
-        let bound = self.angles.get(bound).ok_or(Stop::LARGER)?;
-        if angle.sign != bound.sign || angle.sign == Equal {
-            return Ok(bound.sign.cmp(&angle.sign));
-        }
-        let [square, lengths] = angle.squares.as_ref().map_err(Stop::clone)?;
-        let (left, right) = self.scaled(square, lengths, bound)?;
-        let ordering = self.ring.compare(&left, &right)?;
-        Ok(if angle.sign == Less { ordering } else { ordering.reverse() })
-    }
-
-    /// An angle with the cosine c / sqrt(x y).
-    pub(crate) fn angle(
+    /// Compares bounds with extremes of quotients. Returns the set of the statements attained.
+    fn check_extremes(
         &self,
-        facets: (usize, usize),
-        c: R::Element,
-        x: &R::Element,
-        y: &R::Element,
-    ) -> Checked<Angle<R>> {
-        let ring = &self.ring;
-        let squares = || Ok([ring.times(&c, &c)?, ring.times(x, y)?]);
-        let (sign, squares) = (ring.sign(&c)?, squares());
-        Ok(Angle { facets, sign, c, x: x.clone(), y: y.clone(), squares })
+        bounds: &[Extreme<R>],
+        quotients: &[Quotient<R>; 6],
+        place: impl Fn(usize) -> Option<Place>,
+    ) -> Checked<u32> {
+        let mut attained = 0;
+        for bound in bounds {
+            let mut found = None;
+            for quotient in quotients.iter().take(self.pairs()) {
+                let sign = self.compare(quotient, bound)?;
+                found = Some(found.map_or(sign, |first| bound.extreme(first, sign)));
+            }
+            let sign = found.ok_or(Stop::LARGER)?;
+            // Angles rise where cosines fall.
+            let order = |sign: Ordering| if bound.is_angle { sign.reverse() } else { sign };
+            let is_allowed = sign.is(|sign| bound.relation.allows(order(sign)))?;
+            if !is_allowed {
+                let (k, value) = self.extreme_quotient(bound, quotients)?;
+                let place = place(k).ok_or(Stop::LARGER)?;
+                ensure!(!bound.is_angle, AngleBound, place, value);
+                ensure!(bound.is_angle, RatioBound, place, value);
+            }
+            attained |= u32::from(sign == Sign::exactly(Equal)) << bound.statement;
+        }
+        Ok(attained)
     }
 
-    /// x q and y p: they compare as x/y does with the bound p/q.
-    fn scaled(&self, x: &R::Element, y: &R::Element, bound: &Bound<R::Element>) -> Checked<(R::Element, R::Element)> {
-        Ok((self.ring.times(x, &bound.q)?, self.ring.times(y, &bound.p)?))
+    /// The sign of x/y - p/q. If the sign of the cosine is undecided, it is one of ±x/y.
+    fn compare(&self, (x, y, is_undecided): &Quotient<R>, bound: &Extreme<R>) -> Checked<Sign> {
+        let ring = &self.ring;
+        let (x, p) = (ring.times(x, &bound.q)?, ring.times(y, &bound.p)?);
+        let sign = ring.compare(&x, &p)?;
+        if !is_undecided {
+            return Ok(sign);
+        }
+        let other = ring.compare(&ring.negated(&x)?, &p)?;
+        Ok(Sign { least: sign.least.min(other.least), most: sign.most.max(other.most) })
+    }
+
+    /// The place and the value of the extreme quotient, for a refusal.
+    fn extreme_quotient(&self, bound: &Extreme<R>, quotients: &[Quotient<R>; 6]) -> Checked<(usize, Value)> {
+        let (ring, beyond) = (&self.ring, if bound.is_least { Less } else { Greater });
+        let (mut place, mut extreme) = (0, &quotients[0]);
+        for (k, quotient) in quotients.iter().enumerate().take(self.pairs()) {
+            let order = ring.compare(&ring.times(&quotient.0, &extreme.1)?, &ring.times(&extreme.0, &quotient.1)?)?;
+            if order == Sign::exactly(beyond) {
+                (place, extreme) = (k, quotient);
+            }
+        }
+        Ok((place, ring.quotient(&extreme.0, &extreme.1)))
+    }
+
+    /// Checks what concerns the circumsphere.
+    ///
+    /// The circumcentre z, seen from the first corner, has 2 ⟨z, e_i⟩ = |e_i|² = s_i. So
+    /// 2 ⟨z, x⟩ = w · x / det E for all x, where w = Σ s_i n_i.
+    fn check_sphere(
+        &self,
+        simplex: &Simplex<R>,
+        [n1, n2, n3]: &[Vector<R>; 3],
+        determinant: &R::Element,
+        denominator: &BigInt,
+    ) -> Checked<u32> {
+        let ring = &self.ring;
+        let [e1, e2, e3] = &simplex.edges;
+        let [d1, d2, d3] = each(&simplex.edges, |edge| self.image(edge))?;
+        let [s1, s2, s3] = [ring.inner(e1, &d1)?, ring.inner(e2, &d2)?, ring.inner(e3, &d3)?];
+        let mut w = Vector::<R>::default();
+        for (((entry, n1), n2), n3) in w.iter_mut().zip(n1).zip(n2).zip(n3) {
+            *entry = ring.dot([&s1, &s2, &s3], [n1, n2, n3])?;
+        }
+        let mut attained = 0;
+        if !self.ratios.is_empty() {
+            // |y - x|² = |x|² + |y|² - 2 ⟨x, y⟩. The first three are those of the plane.
+            let between = |x, y, e, d| {
+                let inner = ring.inner(e, d)?;
+                ring.minus(&ring.minus(&ring.plus(x, y)?, &inner)?, &inner)
+            };
+            let squares = [
+                between(&s1, &s2, e1, &d2)?,
+                s1.clone(),
+                s2.clone(),
+                between(&s1, &s3, e1, &d3)?,
+                between(&s2, &s3, e2, &d3)?,
+                s3,
+            ];
+            // R² = z G z = w adj(G) w / (4 det E² det G), since 2 G z = w / det E.
+            let radius = ring.inner(&w, &self.dual(&w)?)?;
+            let unit = ring.times(&ring.times(determinant, determinant)?, &self.four_det_gram)?;
+            let quotients = each(&squares, |square| Ok((radius.clone(), ring.times(&unit, square)?, false)))?;
+            attained = self.check_extremes(&self.ratios, &quotients, |_| Some(Place::Simplex(simplex.number)))?;
+        }
+        // `Delaunay`: a mate's corner outside of the common facet is outside of the circumsphere;
+        // `weakly Delaunay`: it is not inside. The difference of the powers of two spheres through
+        // the common facet is an affine function that is zero on the facet. The two other corners
+        // are on different sides of it. So the condition says the same from both sides.
+        for (mate, facet) in simplex.mates.iter().zip(0..) {
+            let Some(x) = mate else { continue };
+            // The power of x, times det E: det E |x|² - w · x.
+            let square = ring.times(determinant, &ring.inner(x, &self.image(x)?)?)?;
+            let power = ring.minus(&square, &ring.inner(&w, x)?)?;
+            let (sign, place) = (ring.sign(&power), Place::Facet(simplex.number, facet));
+            let is_outside = !self.delaunay || sign.is(|sign| sign == Greater)?;
+            let is_not_inside = !self.weakly_delaunay || sign.is(|sign| sign != Less)?;
+            let value = || {
+                let divisor = ring.times(determinant, &ring.element(&[denominator.pow(2)])?)?;
+                Ok(ring.quotient(&power, &divisor))
+            };
+            ensure!(is_outside, NotDelaunay, place, value()?);
+            ensure!(is_not_inside, NotWeaklyDelaunay, place, value()?);
+        }
+        Ok(attained)
     }
 
     /// adj(G) n
@@ -216,71 +320,41 @@ impl<R: Ring> Rules<R> {
         each(&self.adjugate, |row| self.ring.inner(row, n))
     }
 
+    /// The minor of G without its first row and column.
+    pub(crate) fn base_determinant(&self) -> R::Element {
+        self.adjugate[0][0].clone()
+    }
+
     /// G x
-    fn image(&self, x: &Vector<R>) -> Checked<Vector<R>> {
+    pub(crate) fn image(&self, x: &Vector<R>) -> Checked<Vector<R>> {
         each(&self.gram, |row| self.ring.inner(row, x))
     }
+}
 
-    /// The circumcentre has 2 ⟨z, e_i⟩ = |e_i|², so w = Σ |e_i|² n_i.
-    pub(crate) fn sphere(
-        &self,
-        [e1, e2, e3]: &[Vector<R>; 3],
-        [n1, n2, n3]: &[Vector<R>; 3],
-        determinant: &R::Element,
-    ) -> Checked<Sphere<R>> {
-        let ring = &self.ring;
-        let [d1, d2, d3] = [self.image(e1)?, self.image(e2)?, self.image(e3)?];
-        let [s1, s2, s3] = [ring.inner(e1, &d1)?, ring.inner(e2, &d2)?, ring.inner(e3, &d3)?];
-        // In the plane n_3 is zero.
-        let mut centre: Vector<R> = Default::default();
-        for (((centre, n1), n2), n3) in centre.iter_mut().zip(n1).zip(n2).zip(n3) {
-            *centre = ring.dot([&s1, &s2, &s3], [n1, n2, n3])?;
+impl<R: Ring> Extreme<R> {
+    fn extreme(&self, a: Sign, b: Sign) -> Sign {
+        if self.is_least {
+            Sign { least: a.least.min(b.least), most: a.most.min(b.most) }
+        } else {
+            Sign { least: a.least.max(b.least), most: a.most.max(b.most) }
         }
-        let mut shortest = s1.clone();
-        if !self.ratios.is_empty() {
-            // |y - x|² = |x|² + |y|² - 2 ⟨x, y⟩
-            let between = |x, y, e, d| {
-                let inner = ring.inner(e, d)?;
-                ring.minus(&ring.minus(&ring.plus(x, y)?, &inner)?, &inner)
-            };
-            shortest = ring.lesser(&shortest, &between(&s1, &s2, e1, &d2)?)?;
-            shortest = ring.lesser(&shortest, &s2)?;
-            if !self.is_plane {
-                shortest = ring.lesser(&shortest, &between(&s1, &s3, e1, &d3)?)?;
-                shortest = ring.lesser(&shortest, &between(&s2, &s3, e2, &d3)?)?;
-                shortest = ring.lesser(&shortest, &s3)?;
-            }
+    }
+}
+
+impl Relation {
+    fn allows(self, ordering: Ordering) -> bool {
+        match self {
+            Relation::LessThan => ordering == Less,
+            Relation::AtMost | Relation::Maximum => ordering != Greater,
+            Relation::MoreThan => ordering == Greater,
+            Relation::AtLeast | Relation::Minimum => ordering != Less,
         }
-        Ok(Sphere { centre, determinant: determinant.clone(), shortest })
-    }
-
-    /// R² / l², for the shortest edge l. As 2 G z = w / det E,
-    /// R² = z G z = w adj(G) w / (4 det E² det G).
-    pub(crate) fn ratio(&self, sphere: &Sphere<R>) -> Checked<[R::Element; 2]> {
-        let ring = &self.ring;
-        let radius = ring.inner(&sphere.centre, &self.dual(&sphere.centre)?)?;
-        let square = ring.times(&sphere.determinant, &sphere.determinant)?;
-        let length = ring.times(&self.four_det_gram, &sphere.shortest)?;
-        Ok([radius, ring.times(&square, &length)?])
-    }
-
-    pub(crate) fn compare_ratio(&self, sphere: &Sphere<R>, bound: usize) -> Checked<Ordering> {
-        let bound = self.ratios.get(bound).ok_or(Stop::LARGER)?;
-        let [radius, length] = self.ratio(sphere)?;
-        let (left, right) = self.scaled(&radius, &length, bound)?;
-        self.ring.compare(&left, &right)
-    }
-
-    /// The power of x, times det E: det E |x|² - w · x.
-    pub(crate) fn power(&self, sphere: &Sphere<R>, x: &Vector<R>) -> Checked<R::Element> {
-        let left = self.ring.times(&sphere.determinant, &self.ring.inner(x, &self.image(x)?)?)?;
-        self.ring.minus(&left, &self.ring.inner(&sphere.centre, x)?)
     }
 }
 
 /// G from its upper triangle.
 fn gram<R: Ring>(ring: &R, claim: &Claim) -> Checked<[Vector<R>; 3]> {
-    let entries = claim.gram.iter().map(|number| ring.element(number));
+    let entries = claim.gram.iter().map(|entry| ring.polynomial(entry));
     let entries = entries.collect::<Checked<Vec<_>>>()?;
     let (one, zero) = (ring.integer(1)?, R::Element::default());
     let matrix = match entries.as_slice() {

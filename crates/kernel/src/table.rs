@@ -21,7 +21,7 @@ pub(crate) struct Table<K, V> {
     work: Rc<Work>,
 }
 
-fn index(number: u32) -> usize {
+pub(crate) fn index(number: u32) -> usize {
     usize::try_from(number).unwrap_or(usize::MAX)
 }
 
@@ -62,7 +62,7 @@ impl<K: PartialEq, V> Table<K, V> {
         let before = list.len();
         let position = list.iter().position(|(found, _)| found == name);
         let steps = position.unwrap_or(before);
-        self.work.add(2 + u64::try_from(steps).unwrap_or(u64::MAX));
+        self.work.add(2 + 3 * u64::try_from(steps).unwrap_or(u64::from(u32::MAX)));
         let found = change(list, position);
         self.count = self.count + list.len() - before;
         self.peak = self.peak.max(self.count);

@@ -12,9 +12,8 @@ pub fn refusal(refusal: &Refusal, length: Option<u64>) -> String {
         Value::Integer(value) => format!("{place}: found {value}"),
         Value::Quotient(p, q) => format!("{place}: found {}", quotient(p, q)),
         Value::Limit(name, suffices) => {
-            let suffices = if *name == "bytes" { length } else { *suffices };
-            let value = suffices.map_or("N".into(), |value| value.to_string());
-            format!("{place}: use --max-{name} {value}")
+            let suffices = suffices.or(length).unwrap_or(u64::MAX);
+            format!("{place}: use --max-{name} {suffices}")
         }
     }
 }

@@ -5,25 +5,17 @@
 
 use crate::cbor::Cbor;
 use crate::claim::{Claim, Domain, Property, Relation};
-use crate::domain::Faces;
 use crate::edges::Edges;
-use crate::filter::Intervals;
-use crate::front::{Front, Step};
-use crate::int::Int;
-use crate::judge::Judge;
+use crate::front::Front;
 use crate::limits::{Limits, Work};
+use crate::numbers::{Numbers, Single};
 use crate::refusal::{Checked, Place, Stop, Value};
-use crate::region::Region;
-use crate::ring::{Element, Exact, Ring, Rings, each};
-use crate::root::Root;
 use crate::row::{Row, Shape};
-use crate::rules::Rules;
-use crate::vertices::Vertices;
-use num_bigint::BigInt;
+use crate::table::index;
 use std::ops::Deref;
 use std::rc::Rc;
 
-/// A certificate that fulfils every condition of the format. Only this module makes one.
+/// A certificate that fulfils every condition of the format. Only [`crate::verify`] makes one.
 #[derive(Debug)]
 pub struct Verified(Facts);
 
@@ -42,6 +34,13 @@ pub struct Facts {
     pub sha256: [u8; 32],
 }
 
+impl Verified {
+    /// Of a certificate whose last check has been made.
+    pub(crate) fn of(facts: Facts) -> Verified {
+        Verified(facts)
+    }
+}
+
 impl Deref for Verified {
     type Target = Facts;
 
@@ -51,112 +50,60 @@ impl Deref for Verified {
 }
 
 /// Reads the rest of a certificate whose claim has been read.
-pub(crate) fn verify<const N: usize>(
-    mut cbor: Cbor,
-    claim: Claim,
-    limits: &Limits,
-    work: &Rc<Work>,
-) -> Checked<Verified> {
-    let mut tiling = Tiling::<N>::new(claim, work)?;
-    tiling.read_vertices(&mut cbor)?;
-    tiling.read_boundary(&mut cbor)?;
+pub(crate) fn verify<const N: usize>(mut cbor: Cbor, claim: Claim, limits: &Limits, work: &Rc<Work>) -> Checked<Facts> {
+    let numbers = Single::<N>::new(&claim, work)?;
+    check_statements(&claim)?;
+    let mut pass = Pass::new(&claim, numbers, work);
+    cbor.array_of(4)?;
+    pass.read_vertices(&mut cbor)?;
+    pass.read_boundary(&mut cbor)?;
     let simplices = cbor.array()?;
     // An empty list proves nothing.
     ensure!(simplices > 0, NoSimplices, Place::Witness);
     let exceeds = Value::Limit("simplices", Some(simplices));
     ensure!(simplices <= limits.simplices, TooManySimplices, Place::Witness, exceeds);
     for simplex in 0..simplices {
-        let row = tiling.shape.read_row(&mut cbor, simplex)?;
-        tiling.check_row(&row, simplex)?;
+        let row = pass.shape.read_row(&mut cbor, simplex)?;
+        pass.check_row(&row, simplex)?;
     }
     let (bytes, sha256) = cbor.finish()?;
-    tiling.check_end()?;
-    Ok(Verified(Facts {
-        vertices: tiling.vertices.count,
+    pass.check_end()?;
+    Ok(Facts {
+        vertices: pass.shape.vertices,
         simplices,
-        boundary_facets: tiling.front.boundary,
-        peak_facets: tiling.front.peak(),
-        peak_edges: tiling.edges.map_or(0, |edges| edges.peak()),
+        boundary_facets: pass.front.boundary,
+        peak_facets: pass.front.peak(),
+        peak_edges: pass.edges.map_or(0, |edges| edges.peak()),
         bytes,
         sha256,
-        claim: tiling.claim,
-    }))
+        claim,
+    })
 }
 
 /// The check of one tiling, or of one part of a larger structure: its rows come one by one.
-pub(crate) struct Tiling<const N: usize> {
-    claim: Claim,
-    shape: Shape,
-    rings: Rc<Rings<N>>,
+pub(crate) struct Pass<'c, M> {
+    claim: &'c Claim,
+    pub(crate) shape: Shape,
+    pub(crate) numbers: M,
     work: Rc<Work>,
-    faces: Option<Faces<N>>,
-    region: Option<Region<N>>,
-    vertices: Vertices,
+    /// Whether a row has the vertex.
     used: Vec<bool>,
+    /// The faces of the domain in which each vertex lies, up to the last one in a face.
+    pub(crate) faces: Vec<Vec<u32>>,
     front: Front,
     edges: Option<Edges>,
-    small: Option<Rules<Exact<i64, N>>>,
-    medium: Option<Rules<Exact<i128, N>>>,
-    large: Rules<Exact<BigInt, N>>,
-    intervals: Option<Rules<Intervals>>,
-    /// The sum of the determinants.
-    volume: Element<BigInt, N>,
     /// The set of the statements of which some simplex attains the bound.
     attained: u32,
 }
 
-impl<const N: usize> Tiling<N> {
-    /// Checks what the claim states of its own numbers.
-    pub(crate) fn new(claim: Claim, work: &Rc<Work>) -> Checked<Tiling<N>> {
-        let root = Rc::new(Root::new(&claim.field, work)?);
-        let rings = Rc::new(Rings::<N>::new(&root, work)?);
-        let large = Rules::new(&rings.large, &claim).map_err(|stop| stop.at(Place::Field))?;
-        let faces = match &claim.domain {
-            Domain::Polytope(polytope) => {
-                let faces = Faces::new(polytope, claim.dimension, &rings.large);
-                Some(faces.map_err(|stop| stop.at(Place::Domain))?)
-            }
-            _ => None,
-        };
-        check_statements(&claim)?;
-        let has_sixes = claim.has(Property::Tcp);
-        let (dimension, rank) = (claim.dimension, claim.rank());
-        Ok(Tiling {
-            shape: Shape { dimension, rank, vertices: 0, has_sixes },
-            faces,
-            region: None,
-            vertices: Vertices::new(dimension, claim.field.degree()),
-            used: Vec::new(),
-            front: Front::new(dimension, work),
-            edges: has_sixes.then(|| Edges::new(work)),
-            small: rings.small.as_ref().and_then(|ring| Rules::new(ring, &claim).ok()),
-            medium: rings.medium.as_ref().and_then(|ring| Rules::new(ring, &claim).ok()),
-            large,
-            intervals: Rules::new(&rings.intervals, &claim).ok(),
-            rings,
-            volume: Element::default(),
-            attained: 0,
-            work: work.clone(),
-            claim,
-        })
-    }
-
+impl<const N: usize> Pass<'_, Single<N>> {
     fn read_vertices(&mut self, cbor: &mut Cbor) -> Checked {
-        cbor.array_of(4)?;
-        self.vertices.read_denominator(cbor)?;
-        if let (Some(faces), Domain::Polytope(polytope)) = (&mut self.faces, &self.claim.domain) {
-            faces.set_denominator(polytope, &self.vertices.denominator, &self.rings)?;
+        self.numbers.read_denominator(self.claim, cbor)?;
+        for _ in 0..cbor.array()? {
+            self.numbers.vertices.read(cbor)?;
+            self.add_vertex()?;
         }
-        let (faces, work) = (&mut self.faces, &self.work);
-        self.vertices.read(cbor, |vertices, vertex| {
-            if let Some(faces) = faces {
-                faces.check_vertex(vertices, vertex)?;
-            }
-            work.check(Place::Vertex(vertex))
-        })?;
-        self.shape.vertices = self.vertices.count;
-        self.used = vec![false; index(self.vertices.count)];
-        Ok(())
+        self.numbers.vertices.check_lowest(cbor.place())
     }
 
     fn read_boundary(&mut self, cbor: &mut Cbor) -> Checked {
@@ -172,109 +119,77 @@ impl<const N: usize> Tiling<N> {
             facets.push(facet);
         }
         if is_region {
-            let (vertices, rings) = (&self.vertices, &self.rings);
-            self.region = Some(Region::new(facets, self.shape, vertices, rings, &self.work)?);
+            self.numbers.add_boundary(facets, self.shape)?;
         }
         Ok(())
+    }
+}
+
+impl<'c, M> Pass<'c, M> {
+    pub(crate) fn new(claim: &'c Claim, numbers: M, work: &Rc<Work>) -> Self {
+        let has_sixes = claim.has(Property::Tcp);
+        let (dimension, rank) = (claim.dimension, claim.rank());
+        Pass {
+            claim,
+            shape: Shape { dimension, rank, vertices: 0, has_sixes },
+            numbers,
+            work: work.clone(),
+            used: Vec::new(),
+            faces: Vec::new(),
+            front: Front::new(dimension, work),
+            edges: has_sixes.then(|| Edges::new(work)),
+            attained: 0,
+        }
+    }
+
+    /// The numbers of facets in the boundary, and of the peaks of open facets and edges.
+    pub(crate) fn counts(&self) -> (u64, usize, usize) {
+        let edges = self.edges.as_ref().map_or(0, Edges::peak);
+        (self.front.boundary, self.front.peak(), edges)
+    }
+}
+
+impl<M: Numbers> Pass<'_, M> {
+    /// Checks I for the next vertex.
+    pub(crate) fn add_vertex(&mut self) -> Checked {
+        let place = Place::Vertex(self.shape.vertices);
+        let faces = self.numbers.faces(self.shape.vertices).map_err(|stop| stop.at(place))?;
+        if !faces.is_empty() {
+            self.faces.resize(self.used.len(), Vec::new());
+            self.faces.push(faces);
+        }
+        self.used.push(false);
+        self.shape.vertices += 1;
+        self.work.check(place)
     }
 
     pub(crate) fn check_row(&mut self, row: &Row, simplex: u64) -> Checked {
         for corner in row.corners.iter().take(self.shape.dimension + 1) {
             *self.used.get_mut(index(corner.vertex)).ok_or(Stop::LARGER)? = true;
         }
-        let steps = match &self.faces {
-            None => self.front.step(row, |_| false, simplex)?,
-            Some(faces) => self.front.step(row, |facet| faces.share(facet), simplex)?,
+        // Whether vertices lie in one face.
+        let share = |corners: [u32; 3]| {
+            let [a, b, c] = corners.map(|vertex| self.faces.get(index(vertex)).map_or(&[][..], Vec::as_slice));
+            self.work.add(u64::try_from(a.len()).unwrap_or(u64::MAX) * 20);
+            let has = |faces: &[u32], face| faces.binary_search(face).is_ok();
+            a.iter().any(|face| has(b, face) && has(c, face))
         };
+        let steps = self.front.step(row, share, simplex)?;
         if let Some(edges) = &mut self.edges {
             edges.step(row, &steps, simplex)?;
         }
-        match self.judge(self.small.as_ref(), self.medium.as_ref(), row, &steps, simplex) {
-            Ok(found) => self.add(found),
-            Err(stop) if stop.is_larger() => self.judge_larger(row, &steps, simplex)?,
-            Err(stop) => return Err(stop),
-        }
-        if let Some(region) = &self.region {
-            region.check_row(row, &self.vertices, simplex)?;
-        }
+        self.attained |= self.numbers.check(row, &steps, simplex)?;
         self.work.check(Place::Simplex(simplex))
     }
 
-    /// The judgement where products do not fit 64 bits: by intervals, and then by larger integers.
-    #[cold]
-    #[inline(never)]
-    fn judge_larger(&mut self, row: &Row, steps: &[Step; 4], simplex: u64) -> Checked {
-        if self.judge_by_intervals(row, steps, simplex).is_ok() {
-            return Ok(());
-        }
-        match self.judge(self.medium.as_ref(), Some(&self.large), row, steps, simplex) {
-            Err(stop) if stop.is_larger() => {}
-            found => return found.map(|found| self.add(found)),
-        }
-        let found = self.judge(Some(&self.large), None, row, steps, simplex);
-        self.add(found.map_err(|stop| stop.at(Place::Simplex(simplex)))?);
-        Ok(())
-    }
-
-    fn judge<T: Int>(
-        &self,
-        rules: Option<&Rules<Exact<T, N>>>,
-        next: Option<&Rules<Exact<T::Next, N>>>,
-        row: &Row,
-        steps: &[Step; 4],
-        simplex: u64,
-    ) -> Checked<(Element<T, N>, u32)> {
-        let rules = rules.ok_or(Stop::LARGER)?;
-        self.work.add(rules.price());
-        let seen = Seen::new(rules, &self.vertices, row, steps)?;
-        let found = Judge { rules, next }.check(&seen.edges, &seen.mates, simplex);
-        found.map_err(|stop| stop.over(&self.vertices.denominator, self.shape.dimension))
-    }
-
-    /// The judgement by intervals. Only the volume needs the determinant itself. Exact integers
-    /// repeat a refusal, for its value.
-    fn judge_by_intervals(&mut self, row: &Row, steps: &[Step; 4], simplex: u64) -> Checked {
-        let rules = self.intervals.as_ref().ok_or(Stop::LARGER)?;
-        let medium = self.medium.as_ref().ok_or(Stop::LARGER)?;
-        self.work.add(rules.price());
-        let seen = Seen::new(medium, &self.vertices, row, steps)?;
-        let vector = |x: &[Element<i128, N>; 3]| each(x, |x| rules.ring.of(&x.0));
-        let edges = each(&seen.edges, vector)?;
-        let mates = each(&seen.mates, |mate| mate.as_ref().map(vector).transpose())?;
-        let (_, attained) = Judge { rules, next: None }.check(&edges, &mates, simplex)?;
-        if self.region.is_none() {
-            let normal = medium.first_normal(&seen.edges)?;
-            match medium.ring.inner(&seen.edges[0], &normal) {
-                Ok(determinant) => self.add((determinant, attained)),
-                Err(_) => {
-                    let next = |x: &[Element<i128, N>; 3]| x.each_ref().map(Exact::<i128, N>::next);
-                    let determinant = self.rings.large.inner(&next(&seen.edges[0]), &next(&normal))?;
-                    self.add((determinant, attained));
-                }
-            }
-        }
-        self.attained |= attained;
-        Ok(())
-    }
-
-    /// Adds a judged simplex to the statements about all of them.
-    fn add<T: Int>(&mut self, (determinant, attained): (Element<T, N>, u32)) {
-        for (sum, c) in self.volume.0.iter_mut().zip(&determinant.0) {
-            *sum += c.big();
-        }
-        self.attained |= attained;
-    }
-
     /// The rules that concern all rows together.
-    fn check_end(&self) -> Checked {
+    pub(crate) fn check_end(&self) -> Checked {
         self.front.check_end()?;
         // Every vertex is used.
         if let Some((_, vertex)) = self.used.iter().zip(0..).find(|(used, _)| !**used) {
             ensure!(false, UnusedVertex, Place::Vertex(vertex));
         }
-        if self.region.is_none() {
-            self.check_volume()?;
-        }
+        self.numbers.check_volume(self.shape)?;
         // Each maximum and each minimum is attained.
         for (statement, index) in self.claim.statements.iter().zip(0..) {
             let relation = statement.bound.as_ref().map(|bound| bound.relation);
@@ -284,51 +199,10 @@ impl<const N: usize> Tiling<N> {
         }
         Ok(())
     }
-
-    /// Rule V: the determinants sum to D! times the volume of one cell of the lattice in the
-    /// domain, all times the D-th power of the denominator. With k! vol P in place of the domain's
-    /// volume the factor is D! / k!.
-    fn check_volume(&self) -> Checked {
-        let ring = &self.rings.large;
-        let mut expected = match &self.faces {
-            Some(faces) => faces.volume.clone(),
-            None => ring.integer(1)?,
-        };
-        for factor in (1..=self.shape.dimension).rev().take(self.shape.rank) {
-            for c in &mut expected.0 {
-                *c *= &self.vertices.denominator * factor;
-            }
-        }
-        let is_equal = self.volume == expected;
-        let found = || ring.quotient(&self.volume, &expected);
-        ensure!(is_equal, VolumeSum, Place::Witness, found());
-        Ok(())
-    }
-}
-
-/// A simplex and the corners of its mates, seen from its first corner.
-struct Seen<T, const N: usize> {
-    edges: [[Element<T, N>; 3]; 3],
-    mates: [Option<[Element<T, N>; 3]>; 4],
-}
-
-impl<T: Int, const N: usize> Seen<T, N> {
-    fn new(rules: &Rules<Exact<T, N>>, vertices: &Vertices, row: &Row, steps: &[Step; 4]) -> Checked<Self> {
-        let [a, b, c, d] = row.corners;
-        let origin = vertices.point(a)?;
-        let vector = |corner| rules.ring.difference(&origin, &vertices.point(corner)?);
-        // In the plane the last one is without meaning.
-        let edges = [vector(b)?, vector(c)?, vector(d)?];
-        let mates = each(steps, |step| match step {
-            Step::Closed(corner) if rules.needs_mates() => vector(*corner).map(Some),
-            _ => Ok(None),
-        })?;
-        Ok(Seen { edges, mates })
-    }
 }
 
 /// Statements about angles need no domain. The others are defined for some domains only.
-fn check_statements(claim: &Claim) -> Checked {
+pub(crate) fn check_statements(claim: &Claim) -> Checked {
     let is_region = matches!(claim.domain, Domain::Region(_));
     for (index, statement) in claim.statements.iter().enumerate() {
         let is_defined = match statement.property {
@@ -340,8 +214,4 @@ fn check_statements(claim: &Claim) -> Checked {
         ensure!(is_defined, StatementDomain, Place::Statement(index));
     }
     Ok(())
-}
-
-fn index(number: u32) -> usize {
-    usize::try_from(number).unwrap_or(usize::MAX)
 }

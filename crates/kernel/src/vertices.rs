@@ -2,7 +2,7 @@
 
 use crate::cbor::{Cbor, Integer};
 use crate::int::Int;
-use crate::refusal::{Checked, Stop};
+use crate::refusal::{Checked, Place, Stop};
 use crate::ring::Element;
 use crate::row::Corner;
 use num_bigint::BigInt;
@@ -15,6 +15,8 @@ const LARGE: i64 = i64::MIN;
 pub struct Vertices {
     /// The common denominator; zero until it is read.
     pub(crate) denominator: BigInt,
+    /// The greatest common divisor of the denominator and all coefficients so far.
+    divisor: BigInt,
     dimension: usize,
     degree: usize,
     /// `dimension * degree` coefficients for each vertex.
@@ -25,39 +27,49 @@ pub struct Vertices {
 
 impl Vertices {
     pub(crate) fn new(dimension: usize, degree: usize) -> Vertices {
-        Vertices { denominator: BigInt::ZERO, dimension, degree, small: Vec::new(), large: BTreeMap::new(), count: 0 }
+        Vertices {
+            denominator: BigInt::ZERO,
+            divisor: BigInt::ZERO,
+            dimension,
+            degree,
+            small: Vec::new(),
+            large: BTreeMap::new(),
+            count: 0,
+        }
     }
 
     pub(crate) fn read_denominator(&mut self, cbor: &mut Cbor) -> Checked {
         self.denominator = cbor.big()?;
+        self.divisor = self.denominator.clone();
         let is_positive = self.denominator > BigInt::ZERO;
         ensure!(is_positive, Denominator, cbor.place(), self.denominator.clone());
         Ok(())
     }
 
-    /// Reads all vertices. `check` sees each one after it is read.
-    pub(crate) fn read(&mut self, cbor: &mut Cbor, mut check: impl FnMut(&Vertices, u32) -> Checked) -> Checked {
-        // The denominator and all coefficients have no common divisor.
-        let (mut divisor, one) = (self.denominator.clone(), BigInt::from(1));
-        for _ in 0..cbor.array()? {
-            cbor.array_of(self.dimension)?;
-            for _ in 0..self.dimension {
-                if self.degree > 1 {
-                    cbor.array_of(self.degree)?;
-                }
-                for _ in 0..self.degree {
-                    let coefficient = cbor.integer()?;
-                    if divisor != one {
-                        divisor = divisor.gcd(&coefficient.clone().map_or_else(|large| large, BigInt::from));
-                    }
-                    self.push(coefficient);
-                }
+    /// Reads one vertex.
+    pub(crate) fn read(&mut self, cbor: &mut Cbor) -> Checked {
+        cbor.array_of(self.dimension)?;
+        for _ in 0..self.dimension {
+            if self.degree > 1 {
+                cbor.array_of(self.degree)?;
             }
-            ensure!(self.count < u32::MAX, VertexRange, cbor.place());
-            check(self, self.count)?;
-            self.count += 1;
+            for _ in 0..self.degree {
+                let coefficient = cbor.integer()?;
+                if self.divisor != BigInt::from(1) {
+                    let coefficient = coefficient.clone().map_or_else(|large| large, BigInt::from);
+                    self.divisor = self.divisor.gcd(&coefficient);
+                }
+                self.push(coefficient);
+            }
         }
-        ensure!(divisor == one, Canonical, cbor.place());
+        ensure!(self.count < u32::MAX, VertexRange, cbor.place());
+        self.count += 1;
+        Ok(())
+    }
+
+    /// The denominator and all coefficients have no common divisor.
+    pub(crate) fn check_lowest(&self, place: Place) -> Checked {
+        ensure!(self.divisor == BigInt::from(1), Canonical, place);
         Ok(())
     }
 

@@ -56,7 +56,7 @@ DECLINED = {
     "version--negative": version(-2),
     "version--large": version(2 ** 32 + 2),
     "version--3-and-another-shape": edited(version(3), (("claim",), OTHER), (("witness",), [])),
-    "kind--family": edit(E, ("kind",), "family"),
+    "kind--families": edit(E, ("kind",), "families"),
     "kind--empty": edit(E, ("kind",), ""),
     "kind--patches-and-another-shape": edited(E, (("kind",), "patches"), (("claim",), OTHER), (("witness",), [])),
     "degree--9": field([-3, *[0] * 8, 1], 1, 2),

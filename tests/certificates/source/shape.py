@@ -30,14 +30,18 @@ def decimal(literal):
     return int(value)
 
 
-def read(data):
+def read(data, kind="tiling", check_shape=None):
     try:
         value = json.loads(data.decode("ascii"), parse_float=decimal, parse_constant=no_such,
                            object_pairs_hook=lambda pairs: dict(pairs))
     except (ValueError, RecursionError):
         raise Refusal("json") from None
     value = numbers(value)
-    shape(value)
+    record(value, format=a_text, version=integer, kind=a_text, claim=lambda _: None, witness=lambda _: None)
+    ensure(value["format"] == "acutile-certificate", "format")
+    ensure(value["version"] == 2, "version")
+    ensure(value["kind"] == kind, "kind")
+    (check_shape or shape)(value)
     ensure((text(value) + "\n").encode() == data, "canonical")
     return value
 
@@ -78,10 +82,6 @@ def a_text(value):
 
 
 def shape(value):
-    record(value, format=a_text, version=integer, kind=a_text, claim=lambda _: None, witness=lambda _: None)
-    ensure(value["format"] == "acutile-certificate", "format")
-    ensure(value["version"] == 2, "version")
-    ensure(value["kind"] == "tiling", "kind")
     claim = value["claim"]
     ensure(isinstance(claim, dict) and "dimension" in claim and "field" in claim and "domain" in claim, "json")
     integer(claim["dimension"])
@@ -138,6 +138,11 @@ def shape(value):
             integer(r[-1])
     record(value["witness"], denominator=integer, vertices=array(array(number, d)), boundary=array(array(corner, d)),
            simplices=array(row))
+
+
+def numbers_of(field):
+    """The check of a number of this field."""
+    return integer if field.degree == 1 else array(integer, field.degree)
 
 
 def domain_shape(domain, d, number):

@@ -32,16 +32,19 @@ use crate::limits::own_limits;
 use crate::quality::{Ranges, exact_ranges};
 use crate::statement::{Requirement, Statement};
 use crate::tiling::dimension::{same, same_value};
-use crate::tiling::{Matching, Plane, Tiling, match_facets};
+use crate::tiling::{Facet, Matching, Plane, Tiling, match_facets};
 use crate::transcribe::Parts;
 use acutile_kernel::Limits;
 use std::cmp::Ordering;
+use std::collections::BTreeSet;
 
 /// What to prove beyond the tiling itself.
 #[derive(Clone, Debug)]
 pub struct Options {
     /// Statements that must hold; where one fails the tiling is refuted.
     pub required: Vec<Requirement>,
+    /// Facets of a region that must have a mate: those on the sides of a periodic mesh.
+    pub sides: BTreeSet<Facet>,
     /// How many defects of each kind a refutation keeps; all are counted.
     pub defect_limit: usize,
     /// Limits of the kernel, which checks the certificate.
@@ -52,6 +55,7 @@ impl Default for Options {
     fn default() -> Self {
         Options {
             required: Vec::new(),
+            sides: BTreeSet::new(),
             defect_limit: 20,
             limits: own_limits(),
         }
@@ -148,6 +152,9 @@ fn examine_model<const D: usize>(
     let matching = match_facets(model.tiling);
     let faces = check_inside(model.tiling, planes, &mut findings);
     check_facets(model.tiling, &matching, &faces, &mut findings);
+    for &facet in &options.sides {
+        findings.add(Defect::UnmatchedFacet { facet });
+    }
     progress("volume");
     check_volume(model, &mut findings);
     if model.tiling.frame.domain.is_region() {

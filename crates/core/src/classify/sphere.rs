@@ -28,6 +28,11 @@ impl Code {
         self.0.is_empty()
     }
 
+    /// The neighbours of each vertex in cyclic order.
+    pub fn neighbours(&self) -> &[Vec<usize>] {
+        &self.0
+    }
+
     /// The valence of each vertex.
     pub fn valences(&self) -> impl Iterator<Item = usize> {
         self.0.iter().map(Vec::len)

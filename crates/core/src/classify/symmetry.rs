@@ -156,8 +156,7 @@ impl<const D: usize> Isometry<D> {
     /// The isometry with the translation moved into 0 <= t < 1 by lattice vectors.
     fn reduced(mut self, rank: usize) -> Self {
         for entry in &mut self.translation[..rank] {
-            let floor = floor(entry);
-            *entry = &*entry - &Number::from(Rational::from(floor));
+            *entry = &*entry - &Number::from(Rational::from(entry.floor()));
         }
         self
     }
@@ -165,20 +164,6 @@ impl<const D: usize> Isometry<D> {
 
 fn identity<const D: usize>() -> [[Number; D]; D] {
     std::array::from_fn(|i| std::array::from_fn(|j| Number::from(Rational::from(u8::from(i == j)))))
-}
-
-/// The largest integer that is not more than x; a double proposes, exact comparisons
-/// decide.
-fn floor(x: &Number) -> i64 {
-    let integer = |n: i64| Number::from(Rational::from(n));
-    let mut floor = x.approximate().floor() as i64;
-    while *x < integer(floor) {
-        floor -= 1;
-    }
-    while *x >= integer(floor + 1) {
-        floor += 1;
-    }
-    floor
 }
 
 /// The squared edges, each length by its rank among the different ones.

@@ -9,9 +9,7 @@ use super::lattice::{Orthogonal, Reduced, reduce};
 use super::places::Places;
 use super::tree::{Ball, Tree, tree_order};
 use crate::tiling::{Corner, Frame, PointSet, SHIFT_LIMIT, Tiling, VertexId};
-use acutile_exact::geometry::Sign;
 use acutile_exact::number::Number;
-use malachite::base::num::arithmetic::traits::Floor;
 use malachite::{Integer, Rational};
 use rayon::prelude::*;
 
@@ -130,24 +128,9 @@ fn approximate<const D: usize>(x: &[Number; D]) -> [f64; D] {
     std::array::from_fn(|k| x[k].approximate())
 }
 
-/// The largest integer that is not above x.
-pub fn floor(x: &Number) -> Integer {
-    if let Some(rational) = x.to_rational() {
-        return rational.floor();
-    }
-    // The width is below 1, so there are two candidates at most.
-    let (low, _) = x.enclosure(&Rational::from_unsigneds(1u8, 4u8));
-    let candidate = low.floor();
-    let next = &candidate + Integer::from(1);
-    match (x - &Number::from(Rational::from(&next))).sign() {
-        Sign::Less => candidate,
-        _ => next,
-    }
-}
-
 /// Fractional and integer parts of the coordinates.
 fn split<const D: usize>(x: &[Number; D]) -> ([Number; D], [Integer; D]) {
-    let whole: [Integer; D] = std::array::from_fn(|k| floor(&x[k]));
+    let whole: [Integer; D] = std::array::from_fn(|k| x[k].floor());
     let rest = std::array::from_fn(|k| &x[k] - &Number::from(Rational::from(&whole[k])));
     (rest, whole)
 }

@@ -96,7 +96,7 @@ fn transcribed(json: &[u8], is_claim_file: bool) -> Result<Vec<u8>, JsonError> {
     }
     let kind = reader.kind.as_deref().unwrap_or(super::KIND);
     let Some(members) = print::members_of(kind, is_claim_file) else {
-        let problem = "expected the kind \"tiling\" or \"family\"";
+        let problem = "expected the kind \"tiling\", \"family\" or \"patches\"";
         return Err(declined(JsonCode::Kind, problem));
     };
     read?;

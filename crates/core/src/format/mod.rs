@@ -7,6 +7,7 @@
 //! | [`cbor`] | items of CBOR: heads, integers, texts, arrays |
 //! | [`write`](mod@write) | the data in CBOR, in one pass |
 //! | [`read`] | CBOR into the data |
+//! | [`patches`] | the same for certificates of the kind `patches` |
 //! | [`json`] | JSON into CBOR, with the check that it is canonical |
 //! | [`mod@print`] | CBOR into JSON; the claim file |
 //! | [`recognise`] | one function that tells the encodings apart |
@@ -20,6 +21,7 @@
 pub mod cbor;
 pub mod family;
 pub mod json;
+pub mod patches;
 pub mod print;
 pub mod read;
 mod recognise;
@@ -39,6 +41,8 @@ pub const VERSION: u64 = 2;
 pub const KIND: &str = "tiling";
 /// The third member: the claim is about all members of a family.
 pub const FAMILY: &str = "family";
+/// All kinds.
+pub const KINDS: [&str; 3] = [KIND, FAMILY, patches::KIND];
 
 /// A claim and the witness for it.
 #[derive(Clone, Debug, PartialEq, Eq)]

@@ -19,8 +19,8 @@ pub enum Shape {
     Plain,
     /// It is, if it is an array.
     Record(Members),
-    /// An array of records.
-    List(Members),
+    /// Its elements are such records.
+    Each(Members),
     /// A domain: a text, or its name and a polytope or a rank.
     Domain,
 }
@@ -57,7 +57,7 @@ const PARAMETER: Members = &[
 const FAMILY_CLAIM: Members = &[
     ("dimension", Shape::Plain),
     ("field", Shape::Record(FIELD)),
-    ("parameters", Shape::List(PARAMETER)),
+    ("parameters", Shape::Each(PARAMETER)),
     ("gram", Shape::Plain),
     ("domain", Shape::Domain),
     ("statements", Shape::Plain),
@@ -97,8 +97,42 @@ const FAMILY_CLAIM_FILE: Members = &[
     ("kind", Shape::Plain),
     ("claim", Shape::Record(FAMILY_CLAIM)),
 ];
+const TILE: Members = &[
+    ("denominator", Shape::Plain),
+    ("vertices", Shape::Plain),
+    ("classes", Shape::Plain),
+];
+const PATCHES_CLAIM: Members = &[
+    ("field", Shape::Record(FIELD)),
+    ("gram", Shape::Plain),
+    ("rank", Shape::Plain),
+    ("tiles", Shape::Each(TILE)),
+    ("statements", Shape::Plain),
+];
+const PATCH: Members = &[
+    ("denominator", Shape::Plain),
+    ("offsets", Shape::Plain),
+    ("vertices", Shape::Plain),
+    ("pyramids", Shape::Plain),
+    ("simplices", Shape::Plain),
+];
+/// The members of a certificate of the kind `patches`.
+const PATCHES: Members = &[
+    ("format", Shape::Plain),
+    ("version", Shape::Plain),
+    ("kind", Shape::Plain),
+    ("claim", Shape::Record(PATCHES_CLAIM)),
+    ("witness", Shape::Each(PATCH)),
+];
+/// The members of its claim file.
+const PATCHES_CLAIM_FILE: Members = &[
+    ("format", Shape::Plain),
+    ("version", Shape::Plain),
+    ("kind", Shape::Plain),
+    ("claim", Shape::Record(PATCHES_CLAIM)),
+];
 /// All records. The outermost ones of all kinds have the same names.
-pub const RECORDS: [Members; 10] = [
+pub const RECORDS: [Members; 15] = [
     CERTIFICATE,
     CLAIM_FILE,
     CLAIM,
@@ -109,6 +143,11 @@ pub const RECORDS: [Members; 10] = [
     ROOT,
     POLYTOPE,
     WITNESS,
+    PATCHES,
+    PATCHES_CLAIM_FILE,
+    PATCHES_CLAIM,
+    TILE,
+    PATCH,
 ];
 
 /// Containers that begin at a depth below this have their elements on lines of their own.
@@ -123,6 +162,8 @@ pub fn members_of(kind: &str, is_claim_file: bool) -> Option<Members> {
         (KIND, true) => Some(CLAIM_FILE),
         (FAMILY, false) => Some(FAMILY_CERTIFICATE),
         (FAMILY, true) => Some(FAMILY_CLAIM_FILE),
+        (super::patches::KIND, false) => Some(PATCHES),
+        (super::patches::KIND, true) => Some(PATCHES_CLAIM_FILE),
         _ => None,
     }
 }
@@ -253,8 +294,8 @@ impl<W: Write> Printer<'_, '_, W> {
                     write!(self.out, "\"{}\":", members[index].0)?;
                     members[index].1
                 }
-                (None, Shape::List(members)) => Shape::Record(members),
                 (None, Shape::Domain) if index == 1 => Shape::Record(POLYTOPE),
+                (None, Shape::Each(members)) => Shape::Record(members),
                 _ => Shape::Plain,
             };
             self.item(inner, depth + 1)?;

@@ -69,7 +69,7 @@ pub(super) fn begin(items: &mut Items, format: &str, kind: &str) -> Result<(), C
 }
 
 /// Reads something that must be as `read` says; an error is at its beginning.
-fn expect(
+pub(super) fn expect(
     items: &mut Items,
     problem: &'static str,
     read: impl FnOnce(&mut Items) -> Result<bool, CborError>,
@@ -234,7 +234,7 @@ fn index(items: &mut Items) -> Result<u32, CborError> {
     })
 }
 
-fn statement(items: &mut Items, degree: usize) -> Result<Statement, CborError> {
+pub(super) fn statement(items: &mut Items, degree: usize) -> Result<Statement, CborError> {
     let offset = items.offset();
     let unknown = CborError {
         offset,

@@ -42,12 +42,12 @@ pub fn version(cbor: &[u8]) -> Option<Integer> {
     is_format.then(|| items.integer().ok()).flatten()
 }
 
-/// The kind of a certificate or claim file in CBOR, if it begins as one does.
+/// The kind of a certificate or claim file in CBOR: its third item, if that is a text.
 pub fn kind(cbor: &[u8]) -> Option<&str> {
     let mut items = Items::new(cbor);
     items.array().ok()?;
     items.text().ok()?;
-    items.small().ok()?;
+    items.integer().ok()?;
     items.text().ok()
 }
 

@@ -103,21 +103,25 @@ pub fn row(
     sixes: Option<u8>,
 ) -> io::Result<()> {
     array(out, corners.len() + usize::from(sixes.is_some()))?;
-    for Corner { vertex, shift } in corners {
-        if *shift == [0; 3] {
-            small(out, i64::from(*vertex))?;
-            continue;
-        }
-        array(out, 1 + rank)?;
-        small(out, i64::from(*vertex))?;
-        for step in &shift[..rank] {
-            small(out, i64::from(*step))?;
-        }
-    }
+    corners.iter().try_for_each(|c| corner(out, c, rank))?;
     match sixes {
         Some(sixes) => small(out, i64::from(sixes)),
         None => Ok(()),
     }
+}
+
+/// Writes a corner.
+#[inline]
+pub fn corner(out: &mut impl Write, corner: &Corner, rank: usize) -> io::Result<()> {
+    let Corner { vertex, shift } = corner;
+    if *shift == [0; 3] {
+        return small(out, i64::from(*vertex));
+    }
+    array(out, 1 + rank)?;
+    small(out, i64::from(*vertex))?;
+    shift[..rank]
+        .iter()
+        .try_for_each(|step| small(out, i64::from(*step)))
 }
 
 /// Writes a claim.
@@ -202,7 +206,7 @@ fn domain(out: &mut impl Write, domain: &Domain<impl Entry>) -> io::Result<()> {
     Ok(())
 }
 
-fn statement(out: &mut impl Write, statement: &Statement) -> io::Result<()> {
+pub(super) fn statement(out: &mut impl Write, statement: &Statement) -> io::Result<()> {
     match statement {
         Statement::LargestAngle(relation, cosine) | Statement::SmallestAngle(relation, cosine) => {
             array(out, 4)?;

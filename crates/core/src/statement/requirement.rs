@@ -14,11 +14,11 @@ pub enum Requirement {
     Acute,
     /// `nonobtuse`
     Nonobtuse,
-    /// `dihedral<DEGREES`
+    /// `dihedral<DEGREES` or `dihedral-below=DEGREES`
     DihedralBelow(Rational),
-    /// `dihedral>DEGREES`
+    /// `dihedral>DEGREES` or `dihedral-above=DEGREES`
     DihedralAbove(Rational),
-    /// `radius-edge<RATIO`
+    /// `radius-edge<RATIO` or `radius-edge-below=RATIO`
     RadiusEdgeBelow(Rational),
     /// `delaunay`; of a region, locally.
     Delaunay,
@@ -28,9 +28,37 @@ pub enum Requirement {
     Tcp,
 }
 
-/// The words that are known.
+/// The words that are known. Shells treat `<` and `>` as redirections, so each bound has a form
+/// without them.
 const EXPECTED: &str = "expected acute, nonobtuse, delaunay, weakly-delaunay, tcp, tiling, \
-                        dihedral<DEGREES, dihedral>DEGREES or radius-edge<RATIO";
+                        dihedral-below=DEGREES, dihedral-above=DEGREES or radius-edge-below=RATIO";
+
+/// The ways to begin a bound, and what its number means.
+const BOUNDS: [(&str, Bound); 6] = [
+    ("dihedral<", Bound::DihedralBelow),
+    ("dihedral-below=", Bound::DihedralBelow),
+    ("dihedral>", Bound::DihedralAbove),
+    ("dihedral-above=", Bound::DihedralAbove),
+    ("radius-edge<", Bound::RadiusEdgeBelow),
+    ("radius-edge-below=", Bound::RadiusEdgeBelow),
+];
+
+#[derive(Clone, Copy)]
+enum Bound {
+    DihedralBelow,
+    DihedralAbove,
+    RadiusEdgeBelow,
+}
+
+impl Bound {
+    fn requirement(self, text: &str) -> Result<Requirement, String> {
+        match self {
+            Bound::DihedralBelow => bound(text, Some(180)).map(Requirement::DihedralBelow),
+            Bound::DihedralAbove => bound(text, Some(180)).map(Requirement::DihedralAbove),
+            Bound::RadiusEdgeBelow => bound(text, None).map(Requirement::RadiusEdgeBelow),
+        }
+    }
+}
 
 impl FromStr for Requirement {
     type Err = String;
@@ -45,16 +73,11 @@ impl FromStr for Requirement {
             "tcp" => return Ok(Requirement::Tcp),
             _ => {}
         }
-        if let Some(text) = text.strip_prefix("dihedral<") {
-            return bound(text, Some(180)).map(Requirement::DihedralBelow);
-        }
-        if let Some(text) = text.strip_prefix("dihedral>") {
-            return bound(text, Some(180)).map(Requirement::DihedralAbove);
-        }
-        match text.strip_prefix("radius-edge<") {
-            Some(text) => bound(text, None).map(Requirement::RadiusEdgeBelow),
-            None => Err(EXPECTED.to_owned()),
-        }
+        let bound = BOUNDS.iter().find_map(|(prefix, bound)| {
+            let number = text.strip_prefix(prefix)?;
+            Some(bound.requirement(number))
+        });
+        bound.unwrap_or_else(|| Err(EXPECTED.to_owned()))
     }
 }
 

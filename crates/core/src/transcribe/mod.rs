@@ -20,5 +20,7 @@ pub mod order;
 pub mod read;
 pub mod write;
 
+pub use field::Written;
+pub(crate) use read::Numbers;
 pub use read::{ReadError, claim_in_words, of_certificate};
 pub use write::{Parts, claim, to_certificate, write};

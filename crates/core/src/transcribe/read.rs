@@ -98,7 +98,7 @@ pub fn claim_in_words(
 }
 
 /// Numbers of a certificate's field.
-pub(super) struct Numbers {
+pub(crate) struct Numbers {
     pub field: Field,
     /// The powers of the root that the certificate calls a.
     powers: Vec<Number>,

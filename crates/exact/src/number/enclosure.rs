@@ -59,12 +59,12 @@ impl Interval {
 }
 
 /// The largest multiple of 2^-bits that is at most √x, for x >= 0.
-pub(super) fn sqrt_below(x: &Rational, bits: u64) -> Rational {
+pub fn sqrt_below(x: &Rational, bits: u64) -> Rational {
     Rational::from((x << (2 * bits)).floor().floor_sqrt()) >> bits
 }
 
 /// The smallest multiple of 2^-bits that is at least √x, for x >= 0.
-pub(super) fn sqrt_above(x: &Rational, bits: u64) -> Rational {
+pub fn sqrt_above(x: &Rational, bits: u64) -> Rational {
     Rational::from((x << (2 * bits)).ceiling().ceiling_sqrt()) >> bits
 }
 

@@ -12,7 +12,7 @@ use super::polynomial as poly;
 use super::root::Level;
 use crate::geometry::Sign;
 use malachite::base::num::arithmetic::traits::{Ceiling, Floor, Sign as _};
-use malachite::base::num::basic::traits::Zero;
+use malachite::base::num::basic::traits::{One, Zero};
 use malachite::base::num::conversion::traits::RoundingFrom;
 use malachite::base::num::logic::traits::SignificantBits;
 use malachite::base::rounding_modes::RoundingMode::Nearest;
@@ -73,6 +73,21 @@ impl Number {
                 return (Rational::from(low) >> grid, Rational::from(high) >> grid);
             }
             level += 1;
+        }
+    }
+
+    /// The largest integer that is not more than the number.
+    pub fn floor(&self) -> Integer {
+        if let Some(rational) = self.to_rational() {
+            return rational.floor();
+        }
+        // The width is below 1, so there are two candidates at most.
+        let (low, _) = self.enclosure(&Rational::from_unsigneds(1u8, 4u8));
+        let candidate = low.floor();
+        let next = &candidate + Integer::ONE;
+        match (self - &Number::from(Rational::from(&next))).sign() {
+            Sign::Less => candidate,
+            _ => next,
         }
     }
 

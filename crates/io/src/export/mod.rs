@@ -4,4 +4,4 @@ mod coq;
 mod native;
 
 pub use coq::{NotATheorem, coq_theorem};
-pub use native::{points_text, tiling_text};
+pub use native::{labelled_tiling_text, points_text, tiling_text};

@@ -8,6 +8,15 @@ use std::fmt::Write;
 
 /// The text of a tiling file.
 pub fn tiling_text<const D: usize>(tiling: &Tiling<D>, name: &str) -> String {
+    labelled_tiling_text(tiling, name, &[])
+}
+
+/// The text of a tiling file with a label for each vertex, if there are labels.
+pub fn labelled_tiling_text<const D: usize>(
+    tiling: &Tiling<D>,
+    name: &str,
+    labels: &[String],
+) -> String {
     let vertices = rows(tiling.vertices.iter());
     let simplices = tiling
         .simplices()
@@ -15,6 +24,10 @@ pub fn tiling_text<const D: usize>(tiling: &Tiling<D>, name: &str) -> String {
     let mut text = head("acutile-tiling", &tiling.frame, name);
     list(&mut text, "vertices", vertices);
     text.push_str(",\n");
+    if !labels.is_empty() {
+        list(&mut text, "labels", labels.iter().map(|label| json!(label)));
+        text.push_str(",\n");
+    }
     list(&mut text, "simplices", simplices);
     text.push_str("\n}\n");
     text

@@ -43,6 +43,9 @@ pub struct Document<'a> {
     pub domain: Domain<'a>,
     #[serde(borrow, default)]
     pub vertices: Option<Vec<Vec<Text<'a>>>>,
+    /// Names of the vertices or points; never part of what is proved.
+    #[serde(default)]
+    pub labels: Option<Vec<String>>,
     #[serde(default)]
     pub simplices: Option<Vec<Vec<CornerEntry>>>,
     #[serde(borrow, default)]

@@ -4,6 +4,7 @@
 //! the tiling is one is the checker's business. Every error names the place.
 
 pub mod cif;
+pub mod crystal;
 mod document;
 mod domain;
 mod error;

@@ -17,6 +17,8 @@ pub struct NativeFile {
     pub name: Option<String>,
     /// What its author says of it.
     pub description: Option<String>,
+    /// For each vertex or point the label of its site; empty if the file has none.
+    pub labels: Vec<String>,
     /// What it holds.
     pub content: Content,
 }
@@ -78,11 +80,27 @@ pub fn read_native(text: &str) -> Result<NativeFile, ImportError> {
             format!("found {other}, expected 2 or 3"),
         )),
     }?;
+    let labels = labels(&document)?;
     Ok(NativeFile {
+        labels,
         name: document.name,
         description: document.description,
         content,
     })
+}
+
+/// One label for each vertex or point, or none.
+fn labels(document: &Document) -> Result<Vec<String>, ImportError> {
+    let Some(labels) = &document.labels else {
+        return Ok(Vec::new());
+    };
+    let rows = document.vertices.as_ref().or(document.points.as_ref());
+    let expected = rows.map_or(0, Vec::len);
+    if labels.len() != expected {
+        let problem = format!("has {} entries, expected {expected}", labels.len());
+        return Err(ImportError::entry("labels", problem));
+    }
+    Ok(labels.clone())
 }
 
 /// Where in the document the shape is wrong, if JSON it is: read once more, slowly.

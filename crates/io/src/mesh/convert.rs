@@ -1,34 +1,40 @@
-//! A mesh as a tiling: periodic, or bounded.
+//! A mesh as a tiling: periodic, or bounded; of tetrahedra in space, or of triangles in a plane
+//! z = constant.
 
 use super::error::MeshError;
 use super::identify::{Identified, identify};
 use super::lattice::{Basis, Lattice};
+use super::sides::{Sides, sides};
 use super::snap::{Move, snap};
 use super::{Mesh, Origin};
-use acutile_core::tiling::{Coordinates, Corner, Domain, Frame, Polytope, Tiling, VertexId};
+use acutile_core::tiling::{
+    AnyTiling, Coordinates, Corner, Domain, Facet, Frame, Tiling, VertexId,
+};
 use acutile_exact::number::{Field, Number};
 use malachite::{Integer, Rational};
+use std::collections::BTreeSet;
 
 /// A tiling made of a mesh.
 pub struct Converted {
-    /// One simplex for each tetrahedron, in the order of the mesh.
-    pub tiling: Tiling<3>,
+    /// One simplex for each cell, in the order of the mesh.
+    pub tiling: AnyTiling,
     /// The numbers of the file.
     pub origin: Origin,
     /// The basis of the tiling's coordinates.
     pub basis: Basis,
+    /// Facets without a mate on the sides of a periodic mesh: they should have one.
+    pub sides: BTreeSet<Facet>,
     /// Nodes that were moved to exact images.
     pub moves: Vec<Move>,
-    /// Nodes that belong to no tetrahedron, and were left out.
+    /// Nodes that belong to no cell, and were left out.
     pub unused: usize,
     /// Nodes that have exactly the coordinates of another node and are still vertices
     /// of their own.
     pub coincident: usize,
 }
 
-/// The tiling of space, or of a slab between the lowest and the highest node, that the mesh
-/// is to be a cell of. Nodes that differ by a lattice vector become one vertex; with a
-/// tolerance also those that nearly do.
+/// The periodic tiling, or the periodic region, that the mesh is to be a cell of. Nodes that differ
+/// by a lattice vector become one vertex; with a tolerance also those that nearly do.
 ///
 /// # Errors
 /// Where a node is too far from the origin, or the tolerance too large.
@@ -37,7 +43,8 @@ pub fn periodic_tiling(
     lattice: &Lattice,
     tolerance: Option<f64>,
 ) -> Result<Converted, MeshError> {
-    converted(mesh, lattice.basis(), true, tolerance)
+    let basis = lattice.basis(mesh.dimension())?;
+    converted(mesh, basis, true, tolerance)
 }
 
 /// The bounded region that the mesh covers. Nodes stay what they are; with a tolerance
@@ -56,6 +63,9 @@ fn converted(
     tolerance: Option<f64>,
 ) -> Result<Converted, MeshError> {
     let used = mesh.used_points();
+    if mesh.dimension() == 2 {
+        check_plane(&mesh, &used)?;
+    }
     let inverse = basis.inverse()?;
     let mut found = identify(&mesh.points, &used, &inverse, basis.rank, merge)?;
     let mut moves = Vec::new();
@@ -69,15 +79,24 @@ fn converted(
             found.numerators.len() - merged.numerators.len()
         }
     };
-    let corners = mesh.tetrahedra.iter().flatten().map(|&point| {
-        let (vertex, shift) = found.places[point as usize];
-        let vertex = VertexId::new(vertex);
-        Corner { vertex, shift }
-    });
-    let corners = corners.collect();
-    let tiling = tiling(&basis, &found, &mesh.points, corners);
+    let snapped = |tolerance: f64| {
+        let mut found = identify(&mesh.points, &used, &inverse, basis.rank, true)?;
+        apply_snap(&mut found, &mesh, &basis, &inverse, tolerance)?;
+        Ok(found)
+    };
+    let (tiling, sides) = match mesh.dimension() {
+        2 => {
+            let (tiling, sides) = with_domain::<2>(&mesh, &basis, &found, &snapped);
+            (AnyTiling::Plane(tiling), sides)
+        }
+        _ => {
+            let (tiling, sides) = with_domain::<3>(&mesh, &basis, &found, &snapped);
+            (AnyTiling::Space(tiling), sides)
+        }
+    };
     Ok(Converted {
         tiling,
+        sides,
         unused: used.iter().filter(|used| !**used).count(),
         coincident,
         moves,
@@ -86,39 +105,97 @@ fn converted(
     })
 }
 
-fn tiling(
+/// A mesh of triangles has to lie in a plane z = constant.
+fn check_plane(mesh: &Mesh, used: &[bool]) -> Result<(), MeshError> {
+    let mut heights = (0..mesh.points.len()).filter(|&point| used[point]);
+    let Some(first) = heights.next() else {
+        return Ok(());
+    };
+    let height = mesh.points[first][2];
+    match heights.find(|&point| mesh.points[point][2] != height) {
+        None => Ok(()),
+        Some(point) => Err(MeshError::of_file(format!(
+            "has no tetrahedra, but {} triangles that lie in no plane z = constant: the nodes {} \
+             and {} have z = {height} and {}; a surface is compared with a mesh by --fills",
+            mesh.triangles.len(),
+            mesh.nodes.get(first),
+            mesh.nodes.get(point),
+            mesh.points[point][2]
+        ))),
+    }
+}
+
+/// The tiling with its domain, and the facets on the sides that have no mate.
+fn with_domain<const D: usize>(
+    mesh: &Mesh,
     basis: &Basis,
     found: &Identified,
-    points: &[[f64; 3]],
-    corners: Vec<Corner<3>>,
-) -> Tiling<3> {
+    snapped: &dyn Fn(f64) -> Result<Identified, MeshError>,
+) -> (Tiling<D>, BTreeSet<Facet>) {
+    let mut tiling = tiling(basis, found, mesh, Domain::Region(basis.rank));
+    if basis.rank == 0 {
+        return (tiling, BTreeSet::new());
+    }
+    let moved = |tolerance: f64| {
+        let found = snapped(tolerance).ok()?;
+        Some(self::tiling(
+            basis,
+            &found,
+            mesh,
+            Domain::Region(basis.rank),
+        ))
+    };
+    let Sides { domain, facets } = sides(&tiling, &moved);
+    tiling.frame.domain = domain;
+    (tiling, facets)
+}
+
+fn tiling<const D: usize>(
+    basis: &Basis,
+    found: &Identified,
+    mesh: &Mesh,
+    domain: Domain,
+) -> Tiling<D> {
+    let gram = basis.gram();
+    let corners = mesh.cells().flatten().map(|&point| {
+        let (vertex, shift) = found.places[point as usize];
+        Corner {
+            vertex: VertexId::new(vertex),
+            shift: std::array::from_fn(|k| shift[k]),
+        }
+    });
     Tiling {
+        corners: corners.collect(),
         frame: Frame {
             field: Field::rationals(),
-            gram: basis.gram(),
-            domain: domain(basis.rank, found),
+            gram: std::array::from_fn(|i| std::array::from_fn(|j| gram[i][j].clone())),
+            domain,
         },
-        vertices: coordinates(basis, found, points),
-        corners,
+        vertices: coordinates(basis, found, &mesh.points),
     }
 }
 
 /// The only place where coordinates become those of a tiling: vertex v has the basis
-/// coordinates N_v / Q. Without a lattice the basis is Cartesian and these are the doubles.
-fn coordinates(basis: &Basis, found: &Identified, points: &[[f64; 3]]) -> Coordinates<3> {
+/// coordinates N_v / Q. Without a lattice the basis is Cartesian and these are the doubles. In the
+/// plane the third coordinate is left out.
+fn coordinates<const D: usize>(
+    basis: &Basis,
+    found: &Identified,
+    points: &[[f64; 3]],
+) -> Coordinates<D> {
     let doubles = || {
-        found
-            .representatives
-            .iter()
-            .map(|&point| points[point as usize])
+        let points = found.representatives.iter().map(|&p| &points[p as usize]);
+        points.map(|point| std::array::from_fn(|k| point[k]))
     };
     let number = |x: &Integer| Number::from(Rational::from_integers_ref(x, &found.denominator));
-    let integer = |x: &Integer| i64::try_from(x).ok();
-    let row = |row: &[Integer; 3]| match row.each_ref().map(integer) {
-        [Some(x), Some(y), Some(z)] => Some([x, y, z]),
-        _ => None,
+    let row = |row: &[Integer; 3]| -> Option<[i64; D]> {
+        let mut numbers = [0; D];
+        for (number, x) in numbers.iter_mut().zip(row) {
+            *number = i64::try_from(x).ok()?;
+        }
+        Some(numbers)
     };
-    let coordinates = match (basis.rank, integer(&found.denominator)) {
+    let coordinates = match (basis.rank, i64::try_from(&found.denominator).ok()) {
         (0, _) => Coordinates::from_doubles(doubles().collect()),
         (_, Some(denominator)) => {
             let numerators = found.numerators.iter().map(row).collect::<Option<Vec<_>>>();
@@ -126,24 +203,12 @@ fn coordinates(basis: &Basis, found: &Identified, points: &[[f64; 3]]) -> Coordi
         }
         _ => None,
     };
-    let as_numbers = || {
-        found
-            .numerators
-            .iter()
-            .map(|row| row.each_ref().map(number))
+    let as_numbers = || -> Coordinates<D> {
+        let rows = found.numerators.iter();
+        rows.map(|row| std::array::from_fn(|k| number(&row[k])))
+            .collect()
     };
-    coordinates.unwrap_or_else(|| as_numbers().collect())
-}
-
-/// What is tiled: for two lattice vectors the slab between the lowest and the highest vertex.
-fn domain(rank: usize, found: &Identified) -> Domain {
-    let heights = || found.numerators.iter().map(|row| &row[2]);
-    let number = |x: &Integer| Number::from(Rational::from_integers_ref(x, &found.denominator));
-    match (rank, heights().min(), heights().max()) {
-        (2, Some(low), Some(high)) => Domain::Slab(Polytope::interval(number(low), number(high))),
-        (0, ..) => Domain::Region(0),
-        _ => Domain::Space,
-    }
+    coordinates.unwrap_or_else(as_numbers)
 }
 
 /// Moves vertices, and leaves those out that have become others.

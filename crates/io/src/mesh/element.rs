@@ -5,6 +5,22 @@
 pub const GMSH_TETRAHEDRON: i64 = 4;
 /// The tetrahedron with four nodes in VTK's numbering.
 pub const VTK_TETRAHEDRON: i64 = 10;
+/// The triangle with three nodes, in Gmsh's numbering and in VTK's.
+pub const GMSH_TRIANGLE: i64 = 2;
+pub const VTK_TRIANGLE: i64 = 5;
+/// Triangles, tetrahedra, and tetrahedra of second order, in Gmsh's numbering.
+pub const GMSH_CELLS: [i64; 3] = [GMSH_TRIANGLE, GMSH_TETRAHEDRON, 11];
+/// The same in VTK's.
+pub const VTK_CELLS: [i64; 3] = [VTK_TRIANGLE, VTK_TETRAHEDRON, 24];
+
+/// The nodes of a cell in VTK's order. Gmsh has the last two middle nodes of a tetrahedron of second
+/// order in the other order.
+pub fn gmsh_order(nodes: &mut [i64]) -> &[i64] {
+    if nodes.len() == 10 {
+        nodes.swap(8, 9);
+    }
+    nodes
+}
 
 /// Name and number of nodes of a Gmsh element type (Gmsh reference manual, section
 /// "MSH file format").
@@ -41,9 +57,30 @@ pub fn gmsh_element(kind: i64) -> Option<(&'static str, usize)> {
         29 => ("third-order tetrahedra", 20),
         30 => ("fourth-order tetrahedra", 35),
         31 => ("fifth-order tetrahedra", 56),
+        32 => ("incomplete fourth-order tetrahedra", 22),
+        33 => ("incomplete fifth-order tetrahedra", 28),
         36 => ("third-order quadrangles", 16),
+        37 => ("fourth-order quadrangles", 25),
+        38 => ("fifth-order quadrangles", 36),
+        39 => ("incomplete third-order quadrangles", 12),
+        40 => ("incomplete fourth-order quadrangles", 16),
+        41 => ("incomplete fifth-order quadrangles", 20),
+        42 => ("sixth-order triangles", 28),
+        43 => ("seventh-order triangles", 36),
+        62 => ("sixth-order lines", 7),
+        63 => ("seventh-order lines", 8),
+        71 => ("sixth-order tetrahedra", 84),
+        72 => ("seventh-order tetrahedra", 120),
+        84 => ("zeroth-order lines", 1),
+        85 => ("zeroth-order triangles", 1),
+        86 => ("zeroth-order quadrangles", 1),
+        90 => ("third-order prisms", 40),
+        91 => ("fourth-order prisms", 75),
         92 => ("third-order hexahedra", 64),
         93 => ("fourth-order hexahedra", 125),
+        94 => ("fifth-order hexahedra", 216),
+        118 => ("third-order pyramids", 30),
+        119 => ("fourth-order pyramids", 55),
         _ => return None,
     })
 }

@@ -27,28 +27,34 @@ pub struct Flat {
 ///
 /// # Errors
 /// Where the Gram matrix is no metric.
-pub fn flatten(tiling: &Tiling<3>, basis: Option<&Basis>) -> Result<Flat, MeshError> {
+pub fn flatten<const D: usize>(
+    tiling: &Tiling<D>,
+    basis: Option<&Basis>,
+) -> Result<Flat, MeshError> {
     let mut cartesian = Cartesian::new(tiling, basis)?;
-    let mut indices: HashMap<Corner<3>, u32> = HashMap::new();
-    let mut corners: Vec<Corner<3>> = Vec::new();
-    let mut mesh = Mesh::default();
-    let (simplices, _) = tiling.corners.as_chunks::<4>();
-    for simplex in simplices {
-        mesh.tetrahedra.push(simplex.map(|corner| {
-            *indices.entry(corner).or_insert_with(|| {
-                corners.push(corner);
-                corners.len() as u32 - 1
-            })
+    let mut indices: HashMap<Corner<D>, u32> = HashMap::new();
+    let mut corners: Vec<Corner<D>> = Vec::new();
+    let mut points = Vec::with_capacity(tiling.corners.len());
+    for corner in &tiling.corners {
+        points.push(*indices.entry(*corner).or_insert_with(|| {
+            corners.push(*corner);
+            corners.len() as u32 - 1
         }));
+    }
+    let mut mesh = Mesh::default();
+    if D == 2 {
+        mesh.triangles = points.as_chunks::<3>().0.to_vec();
+    } else {
+        mesh.tetrahedra = points.as_chunks::<4>().0.to_vec();
     }
     mesh.points = corners
         .iter()
         .map(|c| cartesian.point(&tiling.position(c)))
         .collect();
     mesh.nodes = Numbering::consecutive(1, mesh.points.len());
-    mesh.elements = Numbering::consecutive(1, mesh.tetrahedra.len());
+    mesh.elements = Numbering::consecutive(1, mesh.cell_count());
     let (rounded, largest_move) = (cartesian.rounded, cartesian.largest_move);
-    let unit = |k: usize| -> [Number; 3] {
+    let unit = |k: usize| -> [Number; D] {
         std::array::from_fn(|j| tiling.frame.field.integer(i64::from(j == k)))
     };
     let lattice: Vec<[f64; 3]> = (0..tiling.frame.rank())
@@ -64,27 +70,27 @@ pub fn flatten(tiling: &Tiling<3>, basis: Option<&Basis>) -> Result<Flat, MeshEr
 }
 
 /// A link for each lattice vector between a node and the first node of the same vertex.
-fn links(corners: &[Corner<3>], lattice: &[[f64; 3]]) -> Vec<Periodic> {
-    let mut originals: HashMap<VertexId, (u32, Corner<3>)> = HashMap::new();
+fn links<const D: usize>(corners: &[Corner<D>], lattice: &[[f64; 3]]) -> Vec<Periodic> {
+    let mut originals: HashMap<VertexId, (u32, Corner<D>)> = HashMap::new();
     for (index, corner) in (0u32..).zip(corners) {
-        let size = |c: &Corner<3>| (c.shift.map(i32::abs).iter().sum::<i32>(), c.shift);
+        let size = |c: &Corner<D>| (c.shift.map(i32::abs).iter().sum::<i32>(), c.shift);
         let first = originals.entry(corner.vertex).or_insert((index, *corner));
         if size(corner) < size(&first.1) {
             *first = (index, *corner);
         }
     }
-    let mut links: BTreeMap<[i32; 3], Vec<(u32, u32)>> = BTreeMap::new();
+    let mut links: BTreeMap<[i32; D], Vec<(u32, u32)>> = BTreeMap::new();
     for (index, corner) in (0u32..).zip(corners) {
         let (original, first) = originals[&corner.vertex];
         let step = acutile_core::tiling::difference(corner.shift, first.shift);
-        if step != [0; 3] {
+        if step != [0; D] {
             links.entry(step).or_default().push((index, original));
         }
     }
     let links = (1..)
         .zip(links)
         .map(|(number, (step, nodes)): (i64, (_, _))| Periodic {
-            dimension: 2,
+            dimension: D as i64 - 1,
             entities: (2 * number, 2 * number - 1),
             affine: Some(translation(step, lattice)),
             nodes,
@@ -92,7 +98,7 @@ fn links(corners: &[Corner<3>], lattice: &[[f64; 3]]) -> Vec<Periodic> {
     links.collect()
 }
 
-fn translation(step: [i32; 3], lattice: &[[f64; 3]]) -> [f64; 16] {
+fn translation<const D: usize>(step: [i32; D], lattice: &[[f64; 3]]) -> [f64; 16] {
     let mut matrix = [0.0; 16];
     for i in 0..4 {
         matrix[5 * i] = 1.0;
@@ -118,10 +124,16 @@ struct Cartesian {
 }
 
 impl Cartesian {
-    fn new(tiling: &Tiling<3>, basis: Option<&Basis>) -> Result<Self, MeshError> {
+    fn new<const D: usize>(tiling: &Tiling<D>, basis: Option<&Basis>) -> Result<Self, MeshError> {
+        // In the plane the third basis vector is the normal of length 1.
+        let entry = |i: usize, j: usize| match tiling.frame.gram.get(i).and_then(|row| row.get(j)) {
+            Some(entry) => entry.clone(),
+            None => tiling.frame.field.integer(i64::from(i == j)),
+        };
+        let gram = std::array::from_fn(|i| std::array::from_fn(|j| entry(i, j)));
         let (rows, squares) = match basis {
             Some(basis) => (basis.vectors.clone(), [const { None }; 3]),
-            None => factored(&tiling.frame.gram).ok_or_else(|| {
+            None => factored(&gram).ok_or_else(|| {
                 MeshError::of_file(
                     "the Gram matrix is not positive definite, so nothing is a mesh of this tiling; \
                      certify says more",
@@ -136,9 +148,9 @@ impl Cartesian {
         })
     }
 
-    fn point(&mut self, fractions: &[Number; 3]) -> [f64; 3] {
+    fn point<const D: usize>(&mut self, fractions: &[Number; D]) -> [f64; 3] {
         std::array::from_fn(|j| {
-            let sum = (0..3).fold(Number::zero(), |sum, i| {
+            let sum = (0..D).fold(Number::zero(), |sum, i| {
                 &sum + &(&fractions[i] * &self.rows[i][j])
             });
             match &self.squares[j] {
@@ -183,9 +195,12 @@ impl Cartesian {
     }
 }
 
+/// The rows and the squares of [`Cartesian`].
+type Factors = ([[Number; 3]; 3], [Option<Number>; 3]);
+
 /// L with its columns multiplied by √D_j where that is rational, and the other D_j; `None` if the
 /// matrix is not positive definite.
-fn factored(gram: &[[Number; 3]; 3]) -> Option<([[Number; 3]; 3], [Option<Number>; 3])> {
+fn factored(gram: &[[Number; 3]; 3]) -> Option<Factors> {
     let mut lower: [[Number; 3]; 3] =
         std::array::from_fn(|_| std::array::from_fn(|_| Number::zero()));
     let mut squares: [Number; 3] = std::array::from_fn(|_| Number::zero());

@@ -6,7 +6,7 @@ use std::path::Path;
 /// Formats that one reader reads.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Family {
-    /// Gmsh MSH 2 and 4.1.
+    /// Gmsh MSH 1, 2, 4.0 and 4.1.
     Msh,
     /// VTK legacy.
     Vtk,
@@ -18,6 +18,12 @@ pub enum Family {
     Meditb,
     /// TetGen, two files.
     TetGen,
+    /// Abaqus input, read only.
+    Abaqus,
+    /// Nastran bulk data, read only.
+    Nastran,
+    /// MFEM, read only.
+    Mfem,
 }
 
 /// How a mesh is written.
@@ -106,19 +112,33 @@ impl Family {
             "mesh" => Family::Medit,
             "meshb" => Family::Meditb,
             "node" | "ele" => Family::TetGen,
+            "inp" => Family::Abaqus,
+            "bdf" | "nas" | "fem" => Family::Nastran,
             _ => return None,
         })
     }
 
-    /// By the first bytes.
+    /// By the first bytes, after a byte order mark.
     pub fn of_content(bytes: &[u8]) -> Option<Family> {
-        let start = bytes.trim_ascii_start();
-        let begins = |mark: &str| start.starts_with(mark.as_bytes());
+        let start = super::source::without_mark(bytes).trim_ascii_start();
+        let begins = |mark: &str| {
+            let head = start.get(..mark.len());
+            head.is_some_and(|head| head.eq_ignore_ascii_case(mark.as_bytes()))
+        };
+        // Sections may stand before the one that names the format.
+        let has_section = |mark: &[u8]| {
+            let head = &start[..start.len().min(1 << 16)];
+            begins("$") && head.windows(mark.len()).any(|window| window == mark)
+        };
         match bytes {
-            _ if begins("$MeshFormat") => Some(Family::Msh),
+            _ if begins("$NOD") || has_section(b"$MeshFormat") => Some(Family::Msh),
             _ if begins("# vtk DataFile") => Some(Family::Vtk),
-            _ if begins("<?xml") || begins("<VTKFile") => Some(Family::Vtu),
+            _ if begins("<VTKFile") => Some(Family::Vtu),
+            _ if begins("<?xml") && has_tag(start, b"<VTKFile") => Some(Family::Vtu),
             _ if begins("MeshVersionFormatted") => Some(Family::Medit),
+            _ if begins("MFEM ") => Some(Family::Mfem),
+            _ if begins("*HEADING") || begins("*NODE") => Some(Family::Abaqus),
+            _ if begins("BEGIN BULK") => Some(Family::Nastran),
             [1, 0, 0, 0, 1..=4, 0, 0, 0, ..] | [0, 0, 0, 1, 0, 0, 0, 1..=4, ..] => {
                 Some(Family::Meditb)
             }
@@ -135,6 +155,24 @@ impl Family {
             Family::Medit => Format::Medit,
             Family::Meditb => Format::Meditb,
             Family::TetGen => Format::TetGen,
+            Family::Abaqus | Family::Nastran | Family::Mfem => Format::Msh4,
+        }
+    }
+
+    /// Whether meshes of this family are written.
+    pub fn is_written(self) -> bool {
+        !matches!(self, Family::Abaqus | Family::Nastran | Family::Mfem)
+    }
+
+    /// The family with this name on the command line, of a format that is read only.
+    pub fn parse(name: &str) -> Result<Family, String> {
+        match name {
+            "abaqus" => Ok(Family::Abaqus),
+            "nastran" => Ok(Family::Nastran),
+            "mfem" => Ok(Family::Mfem),
+            _ => Format::parse(name)
+                .map(Format::family)
+                .map_err(|problem| format!("{problem}, abaqus, nastran, mfem")),
         }
     }
 
@@ -150,9 +188,18 @@ impl Family {
             Family::Vtu => super::vtu::read(bytes),
             Family::Medit => super::medit::read_text(bytes),
             Family::Meditb => super::medit::read_binary(bytes),
+            Family::Abaqus => super::abaqus::read(bytes),
+            Family::Nastran => super::nastran::read(bytes),
+            Family::Mfem => super::mfem::read(bytes),
             Family::TetGen => Err(MeshError::of_file(
                 "TetGen has two files, NAME.node and NAME.ele, expected the name of one of them",
             )),
         }
     }
+}
+
+/// Whether a tag stands near the beginning of XML.
+fn has_tag(xml: &[u8], tag: &[u8]) -> bool {
+    let head = &xml[..xml.len().min(1 << 16)];
+    head.windows(tag.len()).any(|window| window == tag)
 }

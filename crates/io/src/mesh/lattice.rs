@@ -7,7 +7,7 @@ use acutile_exact::number::{Number, parse_rational};
 use malachite::Rational;
 use malachite::base::num::basic::traits::{One, Zero};
 
-/// Two or three linearly independent vectors in Cartesian coordinates, exact.
+/// One to three linearly independent vectors in Cartesian coordinates, exact.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Lattice {
     vectors: Vec<[Rational; 3]>,
@@ -23,19 +23,17 @@ pub struct Basis {
 }
 
 impl Lattice {
-    /// `a1,a2,a3;b1,b2,b3;c1,c2,c3`, three vectors for space and two for a slab; integers,
-    /// fractions and decimals, exact as they are written.
+    /// `a1,a2,a3;b1,b2,b3;c1,c2,c3`, or fewer vectors; a vector of the plane may lack its third
+    /// entry. Integers, fractions and decimals are exact as they are written.
     ///
     /// # Errors
     /// A message without the name of the option.
     pub fn parse(text: &str) -> Result<Lattice, String> {
         let vectors: Result<Vec<[Rational; 3]>, String> = text.split(';').map(vector).collect();
         let vectors = vectors?;
-        if !(2..=3).contains(&vectors.len()) {
+        if !(1..=3).contains(&vectors.len()) {
             let found = vectors.len();
-            return Err(format!(
-                "found {found} vectors, expected 3, or 2 for a slab"
-            ));
+            return Err(format!("found {found} vectors, expected 1 to 3"));
         }
         if !are_independent(&vectors) {
             return Err("the vectors are linearly dependent, expected independent ones".to_owned());
@@ -44,11 +42,11 @@ impl Lattice {
     }
 
     /// The lattice of a mesh's periodic links: the translations of the links between
-    /// surfaces (of all links where there is none). The shortest independent ones generate it;
-    /// each other one has to be an integer combination of them.
+    /// surfaces (of curves, in a plane mesh). The shortest independent ones generate it; each other
+    /// one has to be an integer combination of them.
     ///
     /// # Errors
-    /// Where a link is no translation, or the translations generate no lattice of rank 2 or 3.
+    /// Where a link is no translation, or there is no translation.
     pub fn of_links(mesh: &Mesh) -> Result<Lattice, MeshError> {
         let mut translations = Vec::new();
         let top = mesh.periodic.iter().map(|link| link.dimension).max();
@@ -75,12 +73,11 @@ impl Lattice {
                 vectors.pop();
             }
         }
-        if vectors.len() < 2 {
-            return Err(MeshError::of_file(format!(
-                "$Periodic gives {} independent translations, expected 3, or 2 for a slab; \
-                 --lattice gives others, --bounded reads the mesh without them",
-                vectors.len()
-            )));
+        if vectors.is_empty() {
+            return Err(MeshError::of_file(
+                "$Periodic gives no translation, expected one or more; --lattice gives others, \
+                 --bounded reads the mesh without them",
+            ));
         }
         let lattice = Lattice { vectors };
         match translations.iter().find(|t| !lattice.contains(t)) {
@@ -99,7 +96,8 @@ impl Lattice {
     }
 
     fn contains(&self, translation: &[Rational; 3]) -> bool {
-        let Ok(inverse) = self.basis().inverse() else {
+        let inverse = self.basis(3).and_then(|basis| basis.inverse());
+        let Ok(inverse) = inverse else {
             return false;
         };
         let rank = self.rank();
@@ -114,23 +112,45 @@ impl Lattice {
         })
     }
 
-    /// A right-handed basis: of three left-handed vectors the first two are exchanged, which
-    /// leaves the lattice as it is; to two vectors their normal is added.
-    pub fn basis(&self) -> Basis {
+    /// A right-handed basis whose first vectors generate the lattice: of a left-handed one the first
+    /// two are exchanged, or the last is turned. Vectors beyond the lattice are orthogonal to it;
+    /// for a mesh in the plane the last is (0, 0, 1).
+    ///
+    /// # Errors
+    /// Where the lattice of a plane mesh is not in the plane.
+    pub fn basis(&self, dimension: usize) -> Result<Basis, MeshError> {
         let mut vectors = self.vectors.clone();
         let rank = vectors.len();
-        if rank == 2 {
+        if dimension == 2 && (rank > 2 || vectors.iter().any(|vector| vector[2] != 0)) {
+            return Err(MeshError::of_file(format!(
+                "the lattice {self} is not in the plane of the triangles, expected one or two \
+                 vectors with 0 as their third entry"
+            )));
+        }
+        if rank == 1 {
+            let axis = match dimension {
+                2 => [Rational::ZERO, Rational::ZERO, Rational::ONE],
+                _ => axis_across(&vectors[0]),
+            };
+            vectors.push(primitive(linear::cross(&axis, &vectors[0])));
+        }
+        if vectors.len() == 2 {
             vectors.push(primitive(linear::cross(&vectors[0], &vectors[1])));
         }
         let number = |x: &Rational| Number::from(x.clone());
         let mut rows: [[Number; 3]; 3] = std::array::from_fn(|i| vectors[i].each_ref().map(number));
+        if dimension == 2 && rows[2][2].sign().is_lt() {
+            // Turning a vector of a lattice leaves the lattice as it is.
+            rows[1] = rows[1].each_ref().map(|x| -x.clone());
+            rows[2] = rows[2].each_ref().map(|x| -x.clone());
+        }
         if linear::determinant(&rows).sign().is_lt() {
             rows.swap(0, 1);
         }
-        Basis {
+        Ok(Basis {
             vectors: rows,
             rank,
-        }
+        })
     }
 
     /// Those numbers that are no doubles: no node of a mesh can be an exact image by them.
@@ -202,12 +222,16 @@ impl Basis {
 
 fn vector(text: &str) -> Result<[Rational; 3], String> {
     let entries: Vec<&str> = text.split(',').map(str::trim).collect();
-    let [a, b, c] = entries[..] else {
-        return Err(format!(
-            "the vector \"{}\" has {} entries, expected 3 with commas between",
-            text.trim(),
-            entries.len()
-        ));
+    let [a, b, c] = match entries[..] {
+        [a, b] => [a, b, "0"],
+        [a, b, c] => [a, b, c],
+        _ => {
+            return Err(format!(
+                "the vector \"{}\" has {} entries, expected 3 with commas between",
+                text.trim(),
+                entries.len()
+            ));
+        }
     };
     let number = |text| parse_rational(text).map_err(|error| format!("\"{text}\": {error}"));
     Ok([number(a)?, number(b)?, number(c)?])
@@ -233,6 +257,14 @@ fn primitive(vector: [Rational; 3]) -> [Rational; 3] {
         .max()
         .unwrap_or(Rational::ONE);
     vector.map(|x| x / &largest)
+}
+
+/// A unit vector along the least entry, hence not parallel.
+fn axis_across(vector: &[Rational; 3]) -> [Rational; 3] {
+    use malachite::base::num::arithmetic::traits::Abs;
+    let sizes = vector.each_ref().map(|x| x.abs());
+    let least = (0..3).min_by_key(|&k| &sizes[k]).unwrap_or(0);
+    std::array::from_fn(|k| Rational::from(u8::from(k == least)))
 }
 
 /// The translation of a link, from its affine map or else from its first pair of nodes.
@@ -271,10 +303,13 @@ mod tests {
     #[test]
     fn says_what_is_wrong_with_vectors() {
         for (text, expected) in [
-            ("1,0,0", "found 1 vectors, expected 3, or 2 for a slab"),
             (
-                "1,0;0,1",
-                "the vector \"1,0\" has 2 entries, expected 3 with commas between",
+                "1,0,0;0,1,0;0,0,1;1,1,1",
+                "found 4 vectors, expected 1 to 3",
+            ),
+            (
+                "1;0,1",
+                "the vector \"1\" has 1 entries, expected 3 with commas between",
             ),
             (
                 "1,0,0;2,0,0",
@@ -287,9 +322,29 @@ mod tests {
     }
 
     #[test]
+    fn a_plane_lattice_gets_a_basis_with_the_normal_last() {
+        for text in ["1,0;0,1", "0,1;1,0", "2,1", "-1,0,0", "1,1;-1,1"] {
+            let lattice = Lattice::parse(text).expect("a lattice");
+            let basis = lattice.basis(2).expect("a basis");
+            let last: Vec<String> = basis.vectors[2].iter().map(|x| x.to_string()).collect();
+            assert_eq!(last, ["0", "0", "1"], "{text}");
+            assert!(linear::determinant(&basis.vectors).sign().is_gt());
+        }
+        let space = Lattice::parse("1,0,0;0,1,1").expect("a lattice");
+        assert!(space.basis(2).is_err());
+    }
+
+    #[test]
     fn a_left_handed_lattice_gets_a_right_handed_basis() {
-        for text in ["1,0,0;0,0,1;0,1,0", "0,1,0;1,0,0", "1,0,0;0,1,0"] {
-            let basis = Lattice::parse(text).expect("a lattice").basis();
+        for text in [
+            "1,0,0;0,0,1;0,1,0",
+            "0,1,0;1,0,0",
+            "1,0,0;0,1,0",
+            "0,0,-3",
+            "1,2,3",
+        ] {
+            let lattice = Lattice::parse(text).expect("a lattice");
+            let basis = lattice.basis(3).expect("a basis");
             assert!(linear::determinant(&basis.vectors).sign().is_gt());
         }
     }

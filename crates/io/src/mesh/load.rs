@@ -1,6 +1,6 @@
 //! Meshes from files, with the limits of their bytes; and the two files of TetGen.
 
-use super::{Family, Mesh, MeshError, tetgen};
+use super::{Family, Mesh, MeshError, tetgen, unknown};
 use crate::import::read_bytes;
 use std::path::{Path, PathBuf};
 
@@ -22,11 +22,35 @@ pub struct Loaded {
 /// # Errors
 /// The message names the second file of TetGen, where it is about that.
 pub fn load(path: &Path, family: Family) -> Result<Loaded, MeshError> {
-    let mesh = match family {
-        Family::TetGen => load_pair(path)?,
-        _ => family.read(&bytes(path, BYTE_LIMIT)?)?,
-    };
+    if family == Family::TetGen {
+        let mesh = load_pair(path)?;
+        return Ok(Loaded { mesh, family });
+    }
+    let mesh = family.read(&bytes(path)?)?;
     Ok(Loaded { mesh, family })
+}
+
+/// Reads a mesh whose family the extension tells, or the first bytes where they know better: `.mesh`
+/// is an extension of MEDIT and of MFEM.
+///
+/// # Errors
+/// As for [`load`].
+pub fn load_by_name(path: &Path, family: Family) -> Result<Loaded, MeshError> {
+    if family == Family::TetGen {
+        return load(path, family);
+    }
+    let bytes = bytes(path)?;
+    if let Some(family) = Family::of_content(&bytes) {
+        let mesh = family.read(&bytes)?;
+        return Ok(Loaded { mesh, family });
+    }
+    match (family, unknown::name(Path::new(""), &bytes)) {
+        (_, Some(_)) => Err(MeshError::of_file(unknown::message(path, &bytes))),
+        _ => Ok(Loaded {
+            mesh: family.read(&bytes)?,
+            family,
+        }),
+    }
 }
 
 /// The `.node` and `.ele` file to the name of either, `.gz` kept.
@@ -50,18 +74,19 @@ fn load_pair(path: &Path) -> Result<Mesh, MeshError> {
         place: super::Place::File,
         ..error
     };
-    let read = |path: &Path| bytes(path, BYTE_LIMIT).map_err(|error| named(path, error));
+    let read = |path: &Path| bytes(path).map_err(|error| named(path, error));
     let (nodes_bytes, elements_bytes) = (read(&nodes)?, read(&elements)?);
-    let (mesh, index) = tetgen::read_nodes(&nodes_bytes).map_err(|error| named(&nodes, error))?;
-    tetgen::read_elements(&elements_bytes, mesh, &index).map_err(|error| named(&elements, error))
+    let (draft, index) = tetgen::read_nodes(&nodes_bytes).map_err(|error| named(&nodes, error))?;
+    tetgen::read_elements(&elements_bytes, draft, &index).map_err(|error| named(&elements, error))
 }
 
-fn bytes(path: &Path, limit: u64) -> Result<Vec<u8>, MeshError> {
+/// The bytes of a file, unpacked where its name ends in `.gz`.
+pub fn bytes(path: &Path) -> Result<Vec<u8>, MeshError> {
     let is_packed = path.extension().is_some_and(|extension| extension == "gz");
     let limit = if is_packed {
-        limit.min(UNPACKED_LIMIT)
+        UNPACKED_LIMIT
     } else {
-        limit
+        BYTE_LIMIT
     };
     read_bytes(path, limit).map_err(|error| match error.is_limit() {
         true => MeshError::limit(error.to_string()),

@@ -2,6 +2,7 @@
 //! interactive mesh visualization software", INRIA RT-0253; L. Maréchal, libMeshb).
 
 use super::Mesh;
+use super::draft::{Draft, Element};
 use super::error::{MeshError, Place};
 use super::source::{Encoding, Source};
 
@@ -16,14 +17,18 @@ pub fn read_text(bytes: &[u8]) -> Result<Mesh, MeshError> {
     while let Some(word) = source.try_word() {
         match word {
             b"End" => break,
-            b"Dimension" => check_dimension(&mut source)?,
+            b"Dimension" => medit.dimension = dimension(&mut source)?,
             b"Vertices" => {
                 let count = source.int("the number of vertices")?;
                 medit.vertices(&mut source, count, Source::double)?;
             }
             b"Tetrahedra" => {
                 let count = source.int("the number of tetrahedra")?;
-                medit.tetrahedra(&mut source, count)?;
+                medit.cells::<4>(&mut source, count)?;
+            }
+            b"Triangles" => {
+                let count = source.int("the number of triangles")?;
+                medit.cells::<3>(&mut source, count)?;
             }
             [b'A'..=b'Z' | b'a'..=b'z', ..] => {
                 let name = String::from_utf8_lossy(word).into_owned();
@@ -84,7 +89,7 @@ pub fn read_binary(bytes: &[u8]) -> Result<Mesh, MeshError> {
             _ => source.int("the position of the next keyword")?,
         };
         match keyword {
-            3 => check_dimension(&mut source)?,
+            3 => medit.dimension = dimension(&mut source)?,
             4 => {
                 let count = medit.integer(&mut source, "the number of vertices")?;
                 let number = if version == 1 {
@@ -96,7 +101,11 @@ pub fn read_binary(bytes: &[u8]) -> Result<Mesh, MeshError> {
             }
             8 => {
                 let count = medit.integer(&mut source, "the number of tetrahedra")?;
-                medit.tetrahedra(&mut source, count)?;
+                medit.cells::<4>(&mut source, count)?;
+            }
+            6 => {
+                let count = medit.integer(&mut source, "the number of triangles")?;
+                medit.cells::<3>(&mut source, count)?;
             }
             _ => {
                 let count = medit.integer(&mut source, "the number of items")?;
@@ -130,7 +139,6 @@ fn go_to(source: &mut Source, next: i64) -> Result<(), MeshError> {
 fn keyword_name(keyword: i64) -> String {
     match keyword {
         5 => "Edges".to_owned(),
-        6 => "Triangles".to_owned(),
         7 => "Quadrilaterals".to_owned(),
         9 => "Prisms".to_owned(),
         10 => "Hexahedra".to_owned(),
@@ -147,22 +155,35 @@ fn check_version(source: &Source, version: i64) -> Result<(), MeshError> {
     }
 }
 
-fn check_dimension(source: &mut Source) -> Result<(), MeshError> {
+fn dimension(source: &mut Source) -> Result<i64, MeshError> {
     match source.int("the dimension")? {
-        3 => Ok(()),
-        other => Err(source.error(format!("found dimension {other}, expected 3"))),
+        found @ 2..=3 => Ok(found),
+        other => Err(source.error(format!("found dimension {other}, expected 2 or 3"))),
     }
 }
 
 /// What has been read.
-#[derive(Default)]
 struct Medit {
-    mesh: Mesh,
-    /// Tetrahedra may stand before the vertices: their places are kept for messages.
-    nodes: Vec<([i64; 4], Place)>,
+    draft: Draft,
+    /// Cells may stand before the vertices: nodes, reference, number and place.
+    cells: Vec<(Vec<i64>, i64, i64, Place)>,
     has_vertices: bool,
+    /// 2 where vertices have no third coordinate.
+    dimension: i64,
     /// Whether integers have 64 bits.
     is_wide: bool,
+}
+
+impl Default for Medit {
+    fn default() -> Self {
+        Medit {
+            draft: Draft::default(),
+            cells: Vec::new(),
+            has_vertices: false,
+            dimension: 3,
+            is_wide: false,
+        }
+    }
 }
 
 impl Medit {
@@ -184,35 +205,38 @@ impl Medit {
             return Err(source.error("found Vertices a second time"));
         }
         let count = source.count(count, source.least_bytes(4, 4), "vertices")?;
-        self.mesh.points.reserve(count);
+        self.draft.mesh.points.reserve(count);
         let mut referenced = false;
         for tag in 1..=count as i64 {
             let point = [
                 number(source, "the coordinate x")?,
                 number(source, "the coordinate y")?,
-                number(source, "the coordinate z")?,
+                match self.dimension {
+                    2 => 0.0,
+                    _ => number(source, "the coordinate z")?,
+                },
             ];
             referenced |= self.integer(source, "a reference")? != 0;
-            self.mesh.add_node(tag, point, source.place())?;
+            self.draft.add_node(tag, point, source.place())?;
         }
         if referenced {
-            self.mesh.unread.push("references of vertices".to_owned());
+            self.draft.pass("references of vertices");
         }
         Ok(())
     }
 
-    /// `node node node node reference` for each tetrahedron.
-    fn tetrahedra(&mut self, source: &mut Source, count: i64) -> Result<(), MeshError> {
-        let count = source.count(count, source.least_bytes(5, 4), "tetrahedra")?;
-        self.nodes.reserve(count);
-        for _ in 0..count {
-            let mut nodes = [0; 4];
-            for node in &mut nodes {
-                *node = self.integer(source, "a node number")?;
+    /// `node … reference` for each tetrahedron or triangle.
+    fn cells<const N: usize>(&mut self, source: &mut Source, count: i64) -> Result<(), MeshError> {
+        let count = source.count(count, source.least_bytes(N + 1, 4), "cells")?;
+        self.cells.reserve(count);
+        for tag in 1..=count as i64 {
+            let mut nodes = Vec::with_capacity(N);
+            for _ in 0..N {
+                nodes.push(self.integer(source, "a node number")?);
             }
-            self.nodes.push((nodes, source.place()));
+            let place = source.place();
             let reference = self.integer(source, "a reference")?;
-            self.mesh.labels.push(reference);
+            self.cells.push((nodes, reference, tag, place));
         }
         Ok(())
     }
@@ -221,26 +245,28 @@ impl Medit {
     fn pass(&mut self, keyword: &str, count: usize) {
         let name = match keyword {
             "Edges" => "lines",
-            "Triangles" => "triangles",
             "Quadrilaterals" => "quadrangles",
             "Prisms" => "prisms",
             "Hexahedra" | "Hexaedra" => "hexahedra",
             "Pyramids" => "pyramids",
             "TetrahedraP2" => "second-order tetrahedra",
-            _ => return self.mesh.unread.push(format!("{count} {keyword}")),
+            _ => return self.draft.pass(format!("{count} {keyword}")),
         };
-        self.mesh.count_other(name, count);
+        self.draft.count_other(name, count);
     }
 
     fn finish(mut self) -> Result<Mesh, MeshError> {
-        let index = self.mesh.node_index()?;
-        self.mesh.tetrahedra.reserve(self.nodes.len());
-        for (tag, (nodes, place)) in (1..).zip(self.nodes) {
-            self.mesh.add_tetrahedron(&index, tag, nodes, place)?;
+        let index = self.draft.node_index()?;
+        for (nodes, label, tag, place) in &self.cells {
+            let element = Element {
+                tag: *tag,
+                label: *label,
+                entity: 0,
+                nodes,
+                place: *place,
+            };
+            self.draft.add(&index, &element)?;
         }
-        if self.mesh.labels.iter().all(|&label| label == 0) {
-            self.mesh.labels.clear();
-        }
-        self.mesh.checked()
+        self.draft.finish()
     }
 }

@@ -1,16 +1,19 @@
 //! Tetrahedral meshes of other programs: read, written, turned into tilings and back.
 //!
-//! | file | holds |
+//! | file | contents |
 //! |---|---|
 //! | `mod.rs` | [`Mesh`]: what all formats have in common |
-//! | [`mod@format`] | [`Format`]: names, extensions, how a file is recognised |
+//! | [`mod@format`], [`unknown`] | [`Format`]: names, extensions, first bytes; formats that are not read |
 //! | [`mod@load`] | a file, or standard input, read into a mesh |
-//! | `msh`, `msh2`, `msh4`, `msh_write` | Gmsh MSH 2 and 4.1 |
-//! | `vtk`, `vtu`, `vtu_data`, `vtu_parts`, `vtu_write` | VTK legacy and XML files |
-//! | `medit`, `tetgen` | MEDIT `.mesh` and `.meshb`, TetGen `.node` and `.ele` |
-//! | [`source`], [`numbering`], `element`, [`error`] | what the readers share |
+//! | `draft` | a mesh while it is read |
+//! | `msh`, `msh1`, `msh2`, `msh40`, `msh4`, `msh_sections` | Gmsh MSH 1, 2, 4.0 and 4.1 |
+//! | `msh_write`, `msh_groups` | MSH as it is written, with positive numbers |
+//! | `vtk`, `vtk_cells`, `vtk_data`, `vtu`, `vtu_data`, `vtu_parts`, `vtu_write` | VTK legacy and XML files |
+//! | `medit`, `tetgen`, `abaqus`, `nastran`, `mfem` | MEDIT, TetGen and Triangle, Abaqus, Nastran, MFEM |
+//! | [`surface`] | STL and OBJ surfaces |
+//! | [`source`], `lines`, [`numbering`], `element`, [`error`] | what the readers share |
 //! | [`sink`], [`writer`] | what the writers share; which writer a format has |
-//! | [`lattice`] | the lattice of a periodic mesh |
+//! | [`lattice`], `sides` | the lattice of a periodic mesh, and the facets on its sides |
 //! | [`convert`], `identify`, `snap` | a mesh as a tiling |
 //! | [`origin`] | a tiling's indices in the numbers of the file |
 //! | [`mod@flatten`], `patch` | a tiling as a mesh |
@@ -18,27 +21,41 @@
 //! A reader checks form; whether the mesh tiles anything is the checker's business.
 //! Every coordinate is a finite double and means the dyadic rational that it is.
 
+mod abaqus;
 pub mod convert;
+mod draft;
 mod element;
 pub mod error;
 pub mod flatten;
 pub mod format;
 mod identify;
 pub mod lattice;
+mod lines;
 pub mod load;
 mod medit;
+mod mfem;
 mod msh;
+mod msh1;
 mod msh2;
 mod msh4;
+mod msh40;
+mod msh_groups;
+mod msh_sections;
 mod msh_write;
+mod nastran;
 pub mod numbering;
 pub mod origin;
 mod patch;
+mod sides;
 pub mod sink;
 mod snap;
 pub mod source;
+pub mod surface;
 mod tetgen;
+pub mod unknown;
 mod vtk;
+mod vtk_cells;
+mod vtk_data;
 mod vtu;
 mod vtu_data;
 mod vtu_parts;
@@ -57,11 +74,10 @@ pub use patch::patch;
 pub use snap::Move;
 pub use writer::{File, write};
 
-use element::is_curved_tetrahedron;
-use numbering::Index;
 use std::collections::BTreeMap;
 
-/// Points and tetrahedra with the numbers that a file gives them.
+/// Points and cells with the numbers that a file gives them. The cells are tetrahedra, or
+/// triangles where a file has no tetrahedra.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Mesh {
     /// Cartesian coordinates, finite.
@@ -71,12 +87,21 @@ pub struct Mesh {
     /// Four points each, by their indices in `points`; where the determinant of
     /// the differences to the first is positive, the orientation is.
     pub tetrahedra: Vec<[u32; 4]>,
-    /// The number of each tetrahedron.
+    /// Three points each, in a mesh without tetrahedra.
+    pub triangles: Vec<[u32; 3]>,
+    /// The nodes on the edges 01, 12, 02, 03, 13 and 23 of each tetrahedron of second order that
+    /// is not straight, by the index of the tetrahedron.
+    pub curved: BTreeMap<usize, [u32; 6]>,
+    /// The number of each cell.
     pub elements: Numbering,
-    /// The line of each tetrahedron, for text.
+    /// The line of each cell, for text.
     pub lines: Option<Numbering>,
-    /// A label of each tetrahedron (region, material, reference), or nothing.
+    /// A label of each cell (physical group, material, reference), or nothing; 0 is none.
     pub labels: Vec<i64>,
+    /// The geometric entity of each cell in a Gmsh file, or nothing.
+    pub entities: Vec<i64>,
+    /// The names of labels of cells.
+    pub names: BTreeMap<i64, String>,
     /// How many elements of other types there are, by name.
     pub others: BTreeMap<String, usize>,
     /// Parts of the file that were passed over: sections, arrays, further labels.
@@ -101,95 +126,43 @@ pub struct Periodic {
 }
 
 impl Mesh {
-    /// Appends a point.
-    fn add_node(&mut self, tag: i64, point: [f64; 3], place: Place) -> Result<(), MeshError> {
-        let tag = u64::try_from(tag)
-            .map_err(|_| MeshError::at(place, format!("the node number {tag} is negative")))?;
-        self.nodes.push(tag);
-        self.points.push(point);
-        Ok(())
-    }
-
-    /// Finds points by number.
-    fn node_index(&self) -> Result<Index, MeshError> {
-        if self.points.len() > MOST {
-            return Err(MeshError::limit(format!(
-                "has {} nodes, the limit is {MOST}",
-                self.points.len()
-            )));
-        }
-        self.nodes.index().map_err(|repeated| {
-            let (first, second) = repeated.positions;
-            MeshError::of_file(format!(
-                "the node number {} is there twice: node {} and node {} of the file",
-                repeated.tag,
-                first + 1,
-                second + 1
-            ))
-        })
-    }
-
-    /// Appends a tetrahedron by the numbers of its nodes.
-    fn add_tetrahedron(
-        &mut self,
-        index: &Index,
-        tag: i64,
-        nodes: [i64; 4],
-        place: Place,
-    ) -> Result<(), MeshError> {
-        let mut corners = [0; 4];
-        for (corner, node) in corners.iter_mut().zip(nodes) {
-            *corner = index.find(node).ok_or_else(|| {
-                let problem =
-                    format!("the tetrahedron {tag} has the node {node}, which is not there");
-                MeshError::at(place, problem)
-            })?;
-        }
-        self.tetrahedra.push(corners);
-        self.elements.push(u64::try_from(tag).unwrap_or(0));
-        if let Place::Line(line) = place {
-            self.lines.get_or_insert_default().push(line);
-        }
-        Ok(())
-    }
-
-    /// Counts an element of another type.
-    fn count_other(&mut self, name: &str, count: usize) {
-        if count > 0 {
-            *self.others.entry(name.to_owned()).or_default() += count;
+    /// 3 for tetrahedra, 2 for triangles.
+    pub fn dimension(&self) -> usize {
+        if self.tetrahedra.is_empty() && !self.triangles.is_empty() {
+            2
+        } else {
+            3
         }
     }
 
-    /// Exchanges the last two corners of all tetrahedra.
-    fn turn(&mut self) {
-        for corners in &mut self.tetrahedra {
-            corners.swap(2, 3);
-        }
-        self.turned = self.tetrahedra.len();
+    /// The number of cells.
+    pub fn cell_count(&self) -> usize {
+        self.tetrahedra.len().max(self.triangles.len())
     }
 
-    /// The mesh, if it has tetrahedra and none with curved facets.
-    fn checked(self) -> Result<Mesh, MeshError> {
-        if let Some((name, count)) = self.others.iter().find(|(n, _)| is_curved_tetrahedron(n)) {
-            return Err(MeshError::of_file(format!(
-                "has {count} {name}, expected tetrahedra with four nodes: facets of the former \
-                 need not be plane"
-            )));
+    /// The corners of each cell.
+    pub fn cells(&self) -> impl Iterator<Item = &[u32]> {
+        let triangles = self.triangles.iter().map(|corners| &corners[..]);
+        let tetrahedra = self.tetrahedra.iter().map(|corners| &corners[..]);
+        tetrahedra.chain(triangles)
+    }
+
+    /// What the cells are called.
+    pub fn cell_name(&self) -> &'static str {
+        if self.dimension() == 2 {
+            "triangles"
+        } else {
+            "tetrahedra"
         }
-        if self.tetrahedra.is_empty() {
-            let others = match self.others.is_empty() {
-                true => String::new(),
-                false => format!(", but {}", self.other_counts()),
-            };
-            return Err(MeshError::of_file(format!("has no tetrahedra{others}")));
+    }
+
+    /// The label of each cell, or its geometric entity where there are no labels.
+    pub fn materials(&self) -> &[i64] {
+        if self.labels.is_empty() {
+            &self.entities
+        } else {
+            &self.labels
         }
-        if self.tetrahedra.len() > MOST {
-            return Err(MeshError::limit(format!(
-                "has {} tetrahedra, the limit is {MOST}",
-                self.tetrahedra.len()
-            )));
-        }
-        Ok(self)
     }
 
     /// `12 triangles, 4 points`: the elements of other types.
@@ -198,16 +171,12 @@ impl Mesh {
         counts.collect::<Vec<_>>().join(", ")
     }
 
-    /// Which points are corners of tetrahedra.
+    /// Which points are corners of cells.
     pub fn used_points(&self) -> Vec<bool> {
         let mut used = vec![false; self.points.len()];
-        for &corner in self.tetrahedra.iter().flatten() {
+        for &corner in self.cells().flatten() {
             used[corner as usize] = true;
         }
         used
     }
 }
-
-/// No mesh has more points or more tetrahedra: indices have 32 bits, and four corners
-/// of a tetrahedron are counted, too.
-const MOST: usize = 1 << 29;

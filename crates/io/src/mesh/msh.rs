@@ -1,75 +1,156 @@
-//! Gmsh's MSH format: header and sections. The versions differ in `msh2` and `msh4`.
-//! (Gmsh reference manual, "MSH file format", and "Legacy formats" for version 2.)
+//! Gmsh's MSH format: header and sections. The versions differ in `msh1`, `msh2`, `msh40` and
+//! `msh4`. (Gmsh reference manual, "MSH file format" and "Legacy formats".)
 
+use super::draft::Draft;
 use super::error::{MeshError, Place};
+use super::msh_sections::{self, Entities};
 use super::numbering::Index;
 use super::source::{Encoding, Source, shown};
-use super::{Mesh, msh2, msh4};
+use super::{Mesh, msh1, msh2, msh4, msh40};
 
-/// Reads a file of version 2.0 to 2.2 or 4.1, text or binary.
+/// Reads a file of version 1, 2, 4.0 or 4.1, text or binary.
 pub fn read(bytes: &[u8]) -> Result<Mesh, MeshError> {
     let mut source = Source::new(bytes);
-    let version = header(&mut source)?;
-    let mut mesh = Mesh::default();
-    let mut index = None;
-    let mut has_elements = false;
+    let mut reading = Reading::default();
     while let Some(name) = section(&mut source)? {
-        match name.as_str() {
-            "Nodes" if index.is_some() => return Err(second(&source, "Nodes")),
-            "Nodes" => {
-                match version {
-                    Version::Two => msh2::nodes(&mut source, &mut mesh)?,
-                    Version::Four => msh4::nodes(&mut source, &mut mesh)?,
-                }
-                index = Some(mesh.node_index()?);
-            }
-            "Elements" if has_elements => return Err(second(&source, "Elements")),
-            "Elements" => {
-                let index = after_nodes(&index, &source, "Elements")?;
-                match version {
-                    Version::Two => msh2::elements(&mut source, index, &mut mesh)?,
-                    Version::Four => msh4::elements(&mut source, index, &mut mesh)?,
-                }
-                has_elements = true;
-            }
-            "Periodic" => {
-                let index = after_nodes(&index, &source, "Periodic")?;
-                match version {
-                    Version::Two => msh2::periodic(&mut source, index, &mut mesh)?,
-                    Version::Four => msh4::periodic(&mut source, index, &mut mesh)?,
-                }
-            }
-            _ => {
-                skip(&mut source, &name)?;
-                mesh.unread.push(format!("section ${name}"));
-                continue;
-            }
-        }
-        end(&mut source, &name)?;
+        reading.section(&mut source, &name)?;
     }
-    match (index, has_elements) {
-        (None, _) => Err(MeshError::of_file("has no section $Nodes")),
-        (_, false) => Err(MeshError::of_file("has no section $Elements")),
-        _ => mesh.checked(),
-    }
+    reading.finish()
 }
 
+/// The versions that differ in their sections.
+#[derive(Clone, Copy, PartialEq, Eq)]
 enum Version {
     Two,
-    Four,
+    FourZero,
+    FourOne,
 }
 
-/// `$MeshFormat`, version, 0 for text or 1 for binary, and the bytes of a number; then,
-/// for binary, the integer 1, which shows the order of bytes.
+#[derive(Default)]
+struct Reading {
+    version: Option<Version>,
+    draft: Draft,
+    entities: Entities,
+    index: Option<Index>,
+    has_elements: bool,
+}
+
+impl Reading {
+    fn section(&mut self, source: &mut Source, name: &str) -> Result<(), MeshError> {
+        match name {
+            "MeshFormat" if self.version.is_some() => {
+                return Err(second(source, "MeshFormat"));
+            }
+            "MeshFormat" => self.version = Some(header(source)?),
+            "NOD" | "ParametricNodes" | "Nodes" => self.nodes(source, name)?,
+            "ELM" | "Elements" => self.elements(source, name)?,
+            "Periodic" => {
+                let version = self.known_version(source, name)?;
+                let index = after_nodes(&self.index, source, name)?;
+                match version {
+                    Version::Two => msh2::periodic(source, index, &mut self.draft)?,
+                    Version::FourZero => msh40::periodic(source, index, &mut self.draft)?,
+                    Version::FourOne => msh4::periodic(source, index, &mut self.draft)?,
+                }
+            }
+            "PhysicalNames" => msh_sections::physical_names(source, &mut self.draft)?,
+            "Entities" => match self.known_version(source, name)? {
+                Version::FourZero => self.entities = Entities::read(source, true)?,
+                Version::FourOne => self.entities = Entities::read(source, false)?,
+                Version::Two => return self.pass(source, name),
+            },
+            "NodeData" | "ElementData" | "ElementNodeData" if is_binary(source) => {
+                msh_sections::skip_data(source, name)?;
+                self.draft.pass(format!("section ${name}"));
+            }
+            _ => return self.pass(source, name),
+        }
+        let end = match name {
+            "NOD" | "ELM" => format!("$END{name}"),
+            _ => format!("$End{name}"),
+        };
+        source.expect(&end)
+    }
+
+    fn nodes(&mut self, source: &mut Source, name: &str) -> Result<(), MeshError> {
+        if self.index.is_some() {
+            return Err(second(source, name));
+        }
+        let draft = &mut self.draft;
+        if name == "NOD" {
+            msh1::nodes(source, draft)?;
+        } else {
+            let is_parametric = name == "ParametricNodes";
+            match self.version.ok_or_else(|| no_version(source, name))? {
+                Version::Two => msh2::nodes(source, draft, is_parametric)?,
+                Version::FourZero => msh40::nodes(source, draft)?,
+                Version::FourOne => msh4::nodes(source, draft)?,
+            }
+        }
+        self.index = Some(self.draft.node_index()?);
+        Ok(())
+    }
+
+    fn elements(&mut self, source: &mut Source, name: &str) -> Result<(), MeshError> {
+        if std::mem::replace(&mut self.has_elements, true) {
+            return Err(second(source, name));
+        }
+        let index = after_nodes(&self.index, source, name)?;
+        let (draft, entities) = (&mut self.draft, &self.entities);
+        if name == "ELM" {
+            return msh1::elements(source, index, draft);
+        }
+        match self.version.ok_or_else(|| no_version(source, name))? {
+            Version::Two => msh2::elements(source, index, draft),
+            Version::FourZero => msh40::elements(source, index, entities, draft),
+            Version::FourOne => msh4::elements(source, index, entities, draft),
+        }
+    }
+
+    fn known_version(&self, source: &Source, name: &str) -> Result<Version, MeshError> {
+        self.version.ok_or_else(|| no_version(source, name))
+    }
+
+    /// Passes over a section. Text and binary are searched for its end.
+    fn pass(&mut self, source: &mut Source, name: &str) -> Result<(), MeshError> {
+        let place = source.place();
+        source.skip_past(&format!("$End{name}")).ok_or_else(|| {
+            let problem = format!("the section ${name} has no end, expected $End{name}");
+            MeshError::at(place, problem)
+        })?;
+        self.draft.pass(format!("section ${name}"));
+        Ok(())
+    }
+
+    fn finish(self) -> Result<Mesh, MeshError> {
+        match (self.index, self.has_elements) {
+            (None, _) => Err(MeshError::of_file("has no section $Nodes")),
+            (_, false) => Err(MeshError::of_file("has no section $Elements")),
+            _ => self.draft.finish(),
+        }
+    }
+}
+
+fn is_binary(source: &Source) -> bool {
+    source.encoding != Encoding::Text
+}
+
+/// The version, 0 for text or 1 for binary, and the bytes of a number; then, for binary, the
+/// integer 1, which shows the order of bytes.
 fn header(source: &mut Source) -> Result<Version, MeshError> {
-    source.expect("$MeshFormat")?;
     let word = source.word("a version like 2.2 or 4.1")?;
-    let version = match word {
-        b"2" | b"2.0" | b"2.1" | b"2.2" => Version::Two,
-        b"4.1" => Version::Four,
+    let number = std::str::from_utf8(word)
+        .ok()
+        .and_then(|word| word.parse::<f64>().ok());
+    // Versions are decimals, and 2.200000 is 2.2.
+    let version = match number {
+        Some(number) if (2.0..3.0).contains(&number) => Version::Two,
+        Some(4.0) => Version::FourZero,
+        Some(4.1) => Version::FourOne,
         _ => {
             let problem = format!(
-                "found MSH version {}, expected 2.0 to 2.2, or 4.1 (Gmsh converts others)",
+                "found MSH version {}, expected 1, 2.0 to 2.2, 4.0 or 4.1 (Gmsh and meshio \
+                 convert others)",
                 shown(word)
             );
             return Err(source.error(problem));
@@ -77,7 +158,7 @@ fn header(source: &mut Source) -> Result<Version, MeshError> {
     };
     let kind = source.int("0 for text or 1 for binary")?;
     let size = source.int("the bytes of a number")?;
-    if !(0..=1).contains(&kind) || size != 8 {
+    if !(0..=1).contains(&kind) || (kind == 1 && size != 8) {
         let problem =
             format!("found file type {kind} and data size {size}, expected type 0 or 1 and size 8");
         return Err(source.error(problem));
@@ -95,11 +176,10 @@ fn header(source: &mut Source) -> Result<Version, MeshError> {
             }
         };
     }
-    source.expect("$EndMeshFormat")?;
     Ok(version)
 }
 
-/// The name of the next section; the cursor goes behind its line.
+/// The name of the next section; the cursor goes to the line after it.
 fn section(source: &mut Source) -> Result<Option<String>, MeshError> {
     let Some(word) = source.try_word() else {
         return Ok(None);
@@ -113,22 +193,14 @@ fn section(source: &mut Source) -> Result<Option<String>, MeshError> {
     }
 }
 
-fn end(source: &mut Source, name: &str) -> Result<(), MeshError> {
-    source.expect(&format!("$End{name}"))
-}
-
-fn skip(source: &mut Source, name: &str) -> Result<(), MeshError> {
-    let place = source.place();
-    source
-        .skip_past_line(&format!("$End{name}"))
-        .ok_or_else(|| {
-            let problem = format!("the section ${name} has no end, expected $End{name}");
-            MeshError::at(place, problem)
-        })
-}
-
 fn second(source: &Source, name: &str) -> MeshError {
     source.error(format!("found a second section ${name}, expected one"))
+}
+
+fn no_version(source: &Source, name: &str) -> MeshError {
+    source.error(format!(
+        "${name} comes before $MeshFormat, expected it after: the version is not known"
+    ))
 }
 
 fn after_nodes<'i>(

@@ -1,10 +1,11 @@
 //! The sections of MSH 2: nodes, elements, periodic links.
 
-use super::element::{GMSH_TETRAHEDRON, gmsh_element};
+use super::Periodic;
+use super::draft::{Draft, Element};
+use super::element::{GMSH_CELLS, gmsh_element, gmsh_order};
 use super::error::MeshError;
 use super::numbering::{Index, periodic_node};
 use super::source::{Encoding, Source, shown};
-use super::{Mesh, Periodic};
 
 /// The number of items stands in text even in a binary file.
 fn count(source: &mut Source, least: usize, what: &str) -> Result<usize, MeshError> {
@@ -16,32 +17,48 @@ fn count(source: &mut Source, least: usize, what: &str) -> Result<usize, MeshErr
     Ok(count)
 }
 
-/// `tag x y z` for each node.
-pub fn nodes(source: &mut Source, mesh: &mut Mesh) -> Result<(), MeshError> {
+/// `tag x y z` for each node; of parametric nodes then the dimension and the number of their entity,
+/// and a parameter on a curve or two on a surface.
+pub fn nodes(source: &mut Source, draft: &mut Draft, is_parametric: bool) -> Result<(), MeshError> {
     let least = match source.encoding {
         Encoding::Text => 8,
         _ => 28,
     };
     let count = count(source, least, "nodes")?;
-    mesh.points.reserve(count);
+    draft.mesh.points.reserve(count);
     for _ in 0..count {
         let tag = source.int("a node number")?;
-        let point = [
-            source.double("the coordinate x")?,
-            source.double("the coordinate y")?,
-            source.double("the coordinate z")?,
-        ];
-        mesh.add_node(tag, point, source.place())?;
+        let point = source.point()?;
+        let place = source.place();
+        if is_parametric {
+            let dimension = source.int("the dimension of an entity")?;
+            source.int("an entity")?;
+            let parameters = match dimension {
+                1 => 1,
+                2 => 2,
+                0 | 3 => 0,
+                _ => {
+                    return Err(
+                        source.error(format!("found dimension {dimension}, expected 0 to 3"))
+                    );
+                }
+            };
+            for _ in 0..parameters {
+                source.double("a parameter")?;
+            }
+        }
+        draft.add_node(tag, point, place)?;
     }
     Ok(())
 }
 
 /// In text `tag type k label_1 … label_k node …` for each element; in binary blocks of a
 /// type, a number of elements and k, and then `tag label_1 … label_k node …` for each.
-pub fn elements(source: &mut Source, index: &Index, mesh: &mut Mesh) -> Result<(), MeshError> {
+pub fn elements(source: &mut Source, index: &Index, draft: &mut Draft) -> Result<(), MeshError> {
     let is_text = source.encoding == Encoding::Text;
     let total = count(source, 8, "elements")?;
-    let mut labels = Labels::default();
+    let mut has_further = false;
+    let mut nodes = Vec::new();
     let mut done = 0;
     while done < total {
         let (tag, block) = match is_text {
@@ -57,11 +74,13 @@ pub fn elements(source: &mut Source, index: &Index, mesh: &mut Mesh) -> Result<(
                 Some(tag) => tag,
                 None => source.int("an element number")?,
             };
-            element(source, tag, &block, index, mesh, &mut labels)?;
+            has_further |= element(source, tag, &block, index, draft, &mut nodes)?;
         }
         done += block.elements;
     }
-    labels.store(mesh);
+    if has_further {
+        draft.pass("partition tags of elements");
+    }
     Ok(())
 }
 
@@ -113,70 +132,45 @@ impl Block {
     }
 }
 
+/// The first two tags are the physical group and the elementary entity; tells whether a cell has
+/// more. `nodes` is memory for the nodes.
 fn element(
     source: &mut Source,
     tag: i64,
     block: &Block,
     index: &Index,
-    mesh: &mut Mesh,
-    labels: &mut Labels,
-) -> Result<(), MeshError> {
+    draft: &mut Draft,
+    nodes: &mut Vec<i64>,
+) -> Result<bool, MeshError> {
     let mut first = [0; 2];
     for k in 0..block.labels {
         let label = source.int("a tag")?;
-        match first.get_mut(k) {
-            Some(slot) => *slot = label,
-            None => labels.further = true,
+        if let Some(slot) = first.get_mut(k) {
+            *slot = label;
         }
     }
-    if block.kind != GMSH_TETRAHEDRON {
-        for _ in 0..block.nodes {
-            source.int("a node number")?;
-        }
-        mesh.count_other(block.name, 1);
-        return Ok(());
+    nodes.clear();
+    for _ in 0..block.nodes {
+        nodes.push(source.int("a node number")?);
     }
-    labels.physical.push(first[0]);
-    labels.elementary.push(first[1]);
-    let mut nodes = [0; 4];
-    for node in &mut nodes {
-        *node = source.int("a node number")?;
+    if !GMSH_CELLS.contains(&block.kind) {
+        draft.count_other(block.name, 1);
+        return Ok(false);
     }
-    mesh.add_tetrahedron(index, tag, nodes, source.place())
-}
-
-/// The first two tags of each tetrahedron: the physical group and the elementary entity.
-#[derive(Default)]
-struct Labels {
-    physical: Vec<i64>,
-    elementary: Vec<i64>,
-    further: bool,
-}
-
-impl Labels {
-    /// A mesh has one label: the physical group where there are such.
-    fn store(self, mesh: &mut Mesh) {
-        let has_groups = self.physical.iter().any(|&label| label != 0);
-        let (kept, other) = match has_groups {
-            true => (self.physical, self.elementary),
-            false => (self.elementary, self.physical),
-        };
-        if has_groups && kept != other {
-            let note = "elementary tags of elements (the physical ones are kept)";
-            mesh.unread.push(note.to_owned());
-        }
-        if self.further {
-            mesh.unread.push("partition tags of elements".to_owned());
-        }
-        if kept.iter().any(|&label| label != 0) {
-            mesh.labels = kept;
-        }
-    }
+    let element = Element {
+        tag,
+        label: first[0],
+        entity: first[1],
+        nodes: gmsh_order(nodes),
+        place: source.place(),
+    };
+    draft.add(index, &element)?;
+    Ok(block.labels > 2)
 }
 
 /// `dimension image original`, an optional line `Affine` with 16 numbers, and pairs of
 /// nodes; in text even in a binary file.
-pub fn periodic(source: &mut Source, index: &Index, mesh: &mut Mesh) -> Result<(), MeshError> {
+pub fn periodic(source: &mut Source, index: &Index, draft: &mut Draft) -> Result<(), MeshError> {
     let encoding = std::mem::replace(&mut source.encoding, Encoding::Text);
     let links = source.int("the number of periodic links")?;
     let links = source.count(links, 8, "periodic links")?;
@@ -212,7 +206,7 @@ pub fn periodic(source: &mut Source, index: &Index, mesh: &mut Mesh) -> Result<(
                 periodic_node(index, original, source.place())?,
             ));
         }
-        mesh.periodic.push(Periodic {
+        draft.add_link(Periodic {
             dimension,
             entities: (image, original),
             affine,

@@ -1,11 +1,13 @@
 //! The sections of MSH 4.1: nodes, elements, periodic links. In text and in binary the
 //! same numbers in the same order.
 
-use super::element::{GMSH_TETRAHEDRON, gmsh_element};
+use super::Periodic;
+use super::draft::{Draft, Element};
+use super::element::{GMSH_CELLS, gmsh_element, gmsh_order};
 use super::error::MeshError;
+use super::msh_sections::Entities;
 use super::numbering::{Index, periodic_node};
 use super::source::Source;
-use super::{Mesh, Periodic};
 
 /// Blocks, items, and the smallest and the largest number of an item.
 struct Totals {
@@ -25,40 +27,41 @@ fn totals(source: &mut Source, what: &str) -> Result<Totals, MeshError> {
     })
 }
 
-fn check_total(
+/// The items of all blocks are as many as the section's head says.
+pub fn check_total(
     source: &Source,
     found: usize,
-    totals: &Totals,
+    expected: usize,
     what: &str,
 ) -> Result<(), MeshError> {
-    match found == totals.items {
+    match found == expected {
         true => Ok(()),
         false => Err(source.error(format!(
-            "the blocks hold {found} {what}, expected {} as the section's head says",
-            totals.items
+            "the blocks hold {found} {what}, expected {expected} as the section's head says"
+        ))),
+    }
+}
+
+/// How many parameters follow the coordinates of a node.
+pub fn parameters(source: &Source, dimension: i64, parametric: i64) -> Result<i64, MeshError> {
+    match (parametric, dimension) {
+        (0, _) => Ok(0),
+        (1, 0..=3) => Ok(dimension),
+        _ => Err(source.error(format!(
+            "found dimension {dimension} and parametric {parametric}, expected 0 to 3 and 0 or 1"
         ))),
     }
 }
 
 /// For each block `dimension entity parametric count`, the numbers of the nodes, then
 /// their coordinates, with parameters behind them where the block is parametric.
-pub fn nodes(source: &mut Source, mesh: &mut Mesh) -> Result<(), MeshError> {
+pub fn nodes(source: &mut Source, draft: &mut Draft) -> Result<(), MeshError> {
     let totals = totals(source, "nodes")?;
     for _ in 0..totals.blocks {
         let dimension = source.int("a dimension")?;
         source.int("an entity")?;
         let parametric = source.int("0, or 1 for parameters")?;
-        let parameters = match (parametric, dimension) {
-            (0, _) => 0,
-            (1, 0..=3) => dimension,
-            _ => {
-                let problem = format!(
-                    "found dimension {dimension} and parametric {parametric}, expected 0 to 3 \
-                     and 0 or 1"
-                );
-                return Err(source.error(problem));
-            }
-        };
+        let parameters = parameters(source, dimension, parametric)?;
         let count = source.long("the number of nodes in a block")?;
         let count = source.count(count, source.least_bytes(4, 8), "nodes in a block")?;
         let mut tags = Vec::with_capacity(count);
@@ -66,69 +69,70 @@ pub fn nodes(source: &mut Source, mesh: &mut Mesh) -> Result<(), MeshError> {
             tags.push(source.long("a node number")?);
         }
         for tag in tags {
-            let point = [
-                source.double("the coordinate x")?,
-                source.double("the coordinate y")?,
-                source.double("the coordinate z")?,
-            ];
+            let point = source.point()?;
             for _ in 0..parameters {
                 source.double("a parameter")?;
             }
-            mesh.add_node(tag, point, source.place())?;
+            draft.add_node(tag, point, source.place())?;
         }
     }
-    check_total(source, mesh.points.len(), &totals, "nodes")
+    check_total(source, draft.mesh.points.len(), totals.items, "nodes")
 }
 
 /// For each block `dimension entity type count`, then `tag node …` for each element.
-pub fn elements(source: &mut Source, index: &Index, mesh: &mut Mesh) -> Result<(), MeshError> {
+pub fn elements(
+    source: &mut Source,
+    index: &Index,
+    entities: &Entities,
+    draft: &mut Draft,
+) -> Result<(), MeshError> {
     let totals = totals(source, "elements")?;
-    let mut done = 0;
+    let (mut done, mut further) = (0, 0);
     for _ in 0..totals.blocks {
-        source.int("a dimension")?;
+        let dimension = source.int("a dimension")?;
         let entity = source.int("an entity")?;
         let kind = source.int("an element type")?;
         let count = source.long("the number of elements in a block")?;
-        let (name, nodes) = gmsh_element(kind).ok_or_else(|| {
+        let (name, width) = gmsh_element(kind).ok_or_else(|| {
             source.error(format!("found the element type {kind}, which is unknown"))
         })?;
-        let least = source.least_bytes(1 + nodes, 8);
+        let least = source.least_bytes(1 + width, 8);
         let count = source.count(count, least, "elements in a block")?;
         done += count;
-        if kind == GMSH_TETRAHEDRON {
-            tetrahedra(source, count, index, mesh)?;
-            mesh.labels.resize(mesh.tetrahedra.len(), entity);
+        if !GMSH_CELLS.contains(&kind) {
+            for _ in 0..count * (1 + width) {
+                source.long("a number of an element or a node")?;
+            }
+            draft.count_other(name, count);
             continue;
         }
-        for _ in 0..count * (1 + nodes) {
-            source.long("a number of an element or a node")?;
+        let (label, others) = entities.group(dimension, entity);
+        further += others * count;
+        let mut nodes = vec![0; width];
+        for _ in 0..count {
+            let tag = source.long("an element number")?;
+            for node in &mut nodes {
+                *node = source.long("a node number")?;
+            }
+            let element = Element {
+                tag,
+                label,
+                entity,
+                nodes: gmsh_order(&mut nodes),
+                place: source.place(),
+            };
+            draft.add(index, &element)?;
         }
-        mesh.count_other(name, count);
     }
-    check_total(source, done, &totals, "elements")
-}
-
-fn tetrahedra(
-    source: &mut Source,
-    count: usize,
-    index: &Index,
-    mesh: &mut Mesh,
-) -> Result<(), MeshError> {
-    mesh.tetrahedra.reserve(count);
-    for _ in 0..count {
-        let tag = source.long("an element number")?;
-        let mut nodes = [0; 4];
-        for node in &mut nodes {
-            *node = source.long("a node number")?;
-        }
-        mesh.add_tetrahedron(index, tag, nodes, source.place())?;
+    if further > 0 {
+        draft.pass(format!("{further} further physical groups of elements"));
     }
-    Ok(())
+    check_total(source, done, totals.items, "elements")
 }
 
 /// For each link `dimension image original`, the number of entries of the affine map
 /// (0 or 16) and the entries, then the number of pairs and the pairs.
-pub fn periodic(source: &mut Source, index: &Index, mesh: &mut Mesh) -> Result<(), MeshError> {
+pub fn periodic(source: &mut Source, index: &Index, draft: &mut Draft) -> Result<(), MeshError> {
     let links = source.long("the number of periodic links")?;
     let links = source.count(links, source.least_bytes(5, 5), "periodic links")?;
     for _ in 0..links {
@@ -146,7 +150,7 @@ pub fn periodic(source: &mut Source, index: &Index, mesh: &mut Mesh) -> Result<(
                 periodic_node(index, original, source.place())?,
             ));
         }
-        mesh.periodic.push(Periodic {
+        draft.add_link(Periodic {
             dimension,
             entities,
             affine,

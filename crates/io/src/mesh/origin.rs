@@ -5,6 +5,7 @@ use super::lattice::Basis;
 use super::numbering::Numbering;
 use acutile_core::tiling::SimplexId;
 use acutile_exact::number::Number;
+use std::collections::BTreeMap;
 
 /// The file's numbers of tetrahedra, corners and vertices of a tiling.
 #[derive(Clone, Debug, Default)]
@@ -12,8 +13,14 @@ pub struct Origin {
     nodes: Numbering,
     elements: Numbering,
     lines: Option<Numbering>,
-    /// The point of each corner.
-    corners: Vec<[u32; 4]>,
+    /// The point of each corner, one cell after the other.
+    corners: Vec<u32>,
+    /// The corners of a cell.
+    width: usize,
+    /// The label of each cell, or nothing.
+    labels: Vec<i64>,
+    /// The names of labels.
+    names: BTreeMap<i64, String>,
     /// A point of each vertex.
     representatives: Vec<u32>,
     /// The basis of the tiling's coordinates, in those of the file.
@@ -32,11 +39,17 @@ pub struct Element {
 impl Origin {
     /// The numbers of a mesh, with a point for each vertex of the tiling.
     pub fn new(mesh: Mesh, representatives: Vec<u32>, basis: &Basis) -> Self {
+        let corners = mesh.cells().flatten().copied().collect();
+        let width = mesh.dimension() + 1;
+        let labels = mesh.materials().to_vec();
         Origin {
             nodes: mesh.nodes,
             elements: mesh.elements,
             lines: mesh.lines,
-            corners: mesh.tetrahedra,
+            corners,
+            width,
+            labels,
+            names: mesh.names,
             representatives,
             basis: basis.vectors.to_vec(),
         }
@@ -59,10 +72,29 @@ impl Origin {
         }
     }
 
+    /// The label of a cell, if it has one.
+    pub fn label(&self, simplex: SimplexId) -> Option<i64> {
+        let label = self.labels.get(simplex.index()).copied();
+        label.filter(|&label| label != 0)
+    }
+
+    /// A label as the file names it: `tag 7 "steel"`.
+    pub fn label_name(&self, label: i64) -> String {
+        match self.names.get(&label) {
+            Some(name) => format!("tag {label} \"{name}\""),
+            None => format!("tag {label}"),
+        }
+    }
+
+    /// Whether the cells have labels.
+    pub fn has_labels(&self) -> bool {
+        !self.labels.is_empty()
+    }
+
     /// The number of the node at a corner (0 to 3) of a simplex.
     pub fn corner(&self, simplex: SimplexId, corner: usize) -> u64 {
-        self.nodes
-            .get(self.corners[simplex.index()][corner] as usize)
+        let point = self.corners[simplex.index() * self.width + corner];
+        self.nodes.get(point as usize)
     }
 
     /// The number of a node that became this vertex, the first of those that differ by
@@ -74,7 +106,8 @@ impl Origin {
     /// The last two corners of these simplices have been exchanged.
     pub fn reoriented(&mut self, simplices: &[SimplexId]) {
         for &simplex in simplices {
-            self.corners[simplex.index()].swap(2, 3);
+            let last = simplex.index() * self.width + self.width - 1;
+            self.corners.swap(last - 1, last);
         }
     }
 }

@@ -1,4 +1,4 @@
-//! All whole tetrahedra of a tiling in a ball around the origin.
+//! All whole simplices of a tiling in a ball around the origin.
 
 use acutile_core::tiling::{Corner, Domain, Frame, Tiling, VertexId};
 use acutile_exact::geometry::linear;
@@ -9,12 +9,12 @@ use std::collections::HashMap;
 /// No patch looks at more translates of tetrahedra.
 const MOST: f64 = 5e6;
 
-/// The tetrahedra of a tiling, translates included, whose corners are at most `radius` away
+/// The simplices of a tiling, translates included, whose corners are at most `radius` away
 /// from the origin, decided exactly; a bounded mesh in the same basis.
 ///
 /// # Errors
 /// Where there is none, or the ball holds too many.
-pub fn patch(tiling: &Tiling<3>, radius: &Rational) -> Result<Tiling<3>, String> {
+pub fn patch<const D: usize>(tiling: &Tiling<D>, radius: &Rational) -> Result<Tiling<D>, String> {
     let reach = reach(tiling, radius);
     let mut patch = Patch {
         tiling,
@@ -31,7 +31,7 @@ pub fn patch(tiling: &Tiling<3>, radius: &Rational) -> Result<Tiling<3>, String>
     }
     if work.is_nan() || work > MOST {
         return Err(format!(
-            "the ball of radius {radius} holds too many tetrahedra, more than {MOST}"
+            "the ball of radius {radius} holds too many simplices, more than {MOST}"
         ));
     }
     for simplex in tiling.simplices() {
@@ -45,14 +45,14 @@ pub fn patch(tiling: &Tiling<3>, radius: &Rational) -> Result<Tiling<3>, String>
         }
     }
     if corners.is_empty() {
-        return Err(format!("no tetrahedron lies within {radius} of the origin"));
+        return Err(format!("no simplex lies within {radius} of the origin"));
     }
     let frame = tiling.frame.clone().with_domain(Domain::Region(0));
     Ok(used_only(frame, &patch.vertices, corners))
 }
 
 /// R √(G^-1)_kk, about: no basis coordinate of a point in the ball is larger.
-fn reach(tiling: &Tiling<3>, radius: &Rational) -> [f64; 3] {
+fn reach<const D: usize>(tiling: &Tiling<D>, radius: &Rational) -> [f64; D] {
     let determinant = linear::determinant(&tiling.frame.gram).approximate();
     let cofactors = linear::cofactors(&tiling.frame.gram);
     let radius = Number::from(radius.clone()).approximate();
@@ -60,7 +60,11 @@ fn reach(tiling: &Tiling<3>, radius: &Rational) -> [f64; 3] {
 }
 
 /// The lattice vectors that may move a corner into the ball, with a margin for rounding.
-fn ranges(tiling: &Tiling<3>, corner: Corner<3>, reach: [f64; 3]) -> [(f64, f64); 3] {
+fn ranges<const D: usize>(
+    tiling: &Tiling<D>,
+    corner: Corner<D>,
+    reach: [f64; D],
+) -> [(f64, f64); D] {
     let vertex = tiling.vertices.vertex(corner.vertex);
     std::array::from_fn(|k| {
         let at = vertex[k].approximate() + f64::from(corner.shift[k]);
@@ -72,22 +76,32 @@ fn ranges(tiling: &Tiling<3>, corner: Corner<3>, reach: [f64; 3]) -> [(f64, f64)
     })
 }
 
-fn steps(ranges: [(f64, f64); 3]) -> impl Iterator<Item = [i32; 3]> {
-    let range = move |k: usize| ranges[k].0 as i32..=ranges[k].1 as i32;
-    let plane = move |c| range(1).flat_map(move |b| range(0).map(move |a| [a, b, c]));
-    range(2).flat_map(plane)
+fn steps<const D: usize>(ranges: [(f64, f64); D]) -> impl Iterator<Item = [i32; D]> {
+    let mut steps = vec![[0; D]];
+    for k in 0..D {
+        let range = ranges[k].0 as i32..=ranges[k].1 as i32;
+        let longer = |step: [i32; D]| {
+            range.clone().map(move |entry| {
+                let mut longer = step;
+                longer[k] = entry;
+                longer
+            })
+        };
+        steps = steps.into_iter().flat_map(longer).collect();
+    }
+    steps.into_iter()
 }
 
-struct Patch<'a> {
-    tiling: &'a Tiling<3>,
+struct Patch<'a, const D: usize> {
+    tiling: &'a Tiling<D>,
     square: Number,
-    indices: HashMap<Corner<3>, Option<VertexId>>,
-    vertices: Vec<[Number; 3]>,
+    indices: HashMap<Corner<D>, Option<VertexId>>,
+    vertices: Vec<[Number; D]>,
 }
 
-impl Patch<'_> {
+impl<const D: usize> Patch<'_, D> {
     /// The vertex at a corner, if it lies in the ball.
-    fn vertex(&mut self, corner: Corner<3>) -> Option<VertexId> {
+    fn vertex(&mut self, corner: Corner<D>) -> Option<VertexId> {
         if let Some(known) = self.indices.get(&corner) {
             return *known;
         }
@@ -103,9 +117,13 @@ impl Patch<'_> {
 }
 
 /// Without the vertices that are no corners.
-fn used_only(frame: Frame<3>, points: &[[Number; 3]], mut corners: Vec<Corner<3>>) -> Tiling<3> {
+fn used_only<const D: usize>(
+    frame: Frame<D>,
+    points: &[[Number; D]],
+    mut corners: Vec<Corner<D>>,
+) -> Tiling<D> {
     let mut renumbered: HashMap<VertexId, VertexId> = HashMap::new();
-    let mut vertices: Vec<[Number; 3]> = Vec::new();
+    let mut vertices: Vec<[Number; D]> = Vec::new();
     for corner in &mut corners {
         let old = corner.vertex;
         corner.vertex = *renumbered.entry(old).or_insert_with(|| {

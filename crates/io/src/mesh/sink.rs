@@ -3,13 +3,23 @@
 use super::Mesh;
 use super::source::Encoding;
 
-/// The labels, if there are any and all have 32 bits.
+/// The label of each cell, or its entity; if there are any and all have 32 bits.
 pub fn labels(mesh: &Mesh) -> Option<&[i64]> {
-    let fit = mesh
-        .labels
-        .iter()
-        .all(|&label| i32::try_from(label).is_ok());
-    (fit && !mesh.labels.is_empty()).then_some(&mesh.labels)
+    let labels = mesh.materials();
+    let fit = labels.iter().all(|&label| i32::try_from(label).is_ok());
+    (fit && !labels.is_empty()).then_some(labels)
+}
+
+/// Arrays of one integer for each cell, as meshio names them.
+pub fn cell_arrays(mesh: &Mesh) -> Vec<(&'static str, &[i64])> {
+    let arrays = [
+        ("gmsh:physical", &mesh.labels[..]),
+        ("gmsh:geometrical", &mesh.entities[..]),
+    ];
+    let is_written = |(_, values): &(&str, &[i64])| {
+        !values.is_empty() && values.iter().all(|&value| i32::try_from(value).is_ok())
+    };
+    arrays.into_iter().filter(is_written).collect()
 }
 
 /// Writes numbers in text or in binary.
@@ -114,8 +124,8 @@ impl std::fmt::Display for Shortest {
     }
 }
 
-/// The label of each tetrahedron, or `default` for all of them.
+/// The label of each cell, or `default` for all of them.
 pub fn labels_or(mesh: &Mesh, default: i64) -> impl Iterator<Item = i64> {
     let labels = labels(mesh);
-    (0..mesh.tetrahedra.len()).map(move |index| labels.map_or(default, |labels| labels[index]))
+    (0..mesh.cell_count()).map(move |index| labels.map_or(default, |labels| labels[index]))
 }

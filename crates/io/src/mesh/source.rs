@@ -29,8 +29,9 @@ pub struct Source<'a> {
 type Read<T> = Result<T, MeshError>;
 
 impl<'a> Source<'a> {
-    /// At the first byte, numbers in text.
+    /// At the first byte after a byte order mark, numbers in text.
     pub fn new(bytes: &'a [u8]) -> Self {
+        let bytes = without_mark(bytes);
         Source {
             bytes,
             at: 0,
@@ -147,18 +148,43 @@ impl<'a> Source<'a> {
         line.trim_ascii()
     }
 
-    /// The cursor after the next line that begins with `mark`; the bytes before it are
-    /// passed over. `None` where there is no such line.
-    pub fn skip_past_line(&mut self, mark: &str) -> Option<()> {
+    /// The cursor after the next occurrence of `mark` at the end of a word. `None` where there is
+    /// none.
+    pub fn skip_past(&mut self, mark: &str) -> Option<()> {
         let mark = mark.as_bytes();
         loop {
-            if self.remaining() == 0 {
-                return None;
-            }
-            if self.rest_of_line().starts_with(mark) {
+            let rest = &self.bytes[self.at..];
+            let length = rest.windows(mark.len()).position(|window| window == mark)?;
+            let end = length + mark.len();
+            self.line += rest[..end].iter().filter(|&&byte| byte == b'\n').count() as u64;
+            self.at += end;
+            if self.at_word_end() {
                 return Some(());
             }
         }
+    }
+
+    fn at_word_end(&self) -> bool {
+        self.bytes.get(self.at).is_none_or(u8::is_ascii_whitespace)
+    }
+
+    /// Passes over the next word if it is this one, and tells whether it is.
+    pub fn skip_word(&mut self, word: &str) -> bool {
+        let mut ahead = self.clone();
+        let is_next = ahead.try_word() == Some(word.as_bytes());
+        if is_next {
+            *self = ahead;
+        }
+        is_next
+    }
+
+    /// Three coordinates.
+    pub fn point(&mut self) -> Read<[f64; 3]> {
+        Ok([
+            self.double("the coordinate x")?,
+            self.double("the coordinate y")?,
+            self.double("the coordinate z")?,
+        ])
     }
 
     /// The next `length` bytes.
@@ -225,12 +251,10 @@ impl<'a> Source<'a> {
         }
     }
 
-    /// The double nearest to a decimal text.
+    /// The double nearest to a decimal text. Fortran's `1.5D-3` is 1.5e-3.
     fn decimal_double(&mut self, what: &str) -> Read<f64> {
         let word = self.word(what)?;
-        let text = std::str::from_utf8(word).ok();
-        let value = text.filter(|_| begins_as_number(word));
-        match value.and_then(|text| text.parse::<f64>().ok()) {
+        match decimal_double(word) {
             Some(value) if value.is_finite() => Ok(value),
             Some(_) => Err(self.unexpected(word, &format!("{what} in the range of doubles"))),
             None => Err(self.unexpected(word, &format!("{what}, a number"))),
@@ -283,6 +307,23 @@ impl<'a> Source<'a> {
             Encoding::Text => 2 * numbers,
             _ => width * numbers,
         }
+    }
+}
+
+/// The bytes after a byte order mark of UTF-8.
+pub fn without_mark(bytes: &[u8]) -> &[u8] {
+    bytes.strip_prefix(b"\xef\xbb\xbf").unwrap_or(bytes)
+}
+
+/// The double nearest to a decimal text, infinite beyond the range.
+pub fn decimal_double(word: &[u8]) -> Option<f64> {
+    let text = std::str::from_utf8(word).ok()?;
+    if !begins_as_number(word) {
+        return None;
+    }
+    match text.parse() {
+        Ok(value) => Some(value),
+        Err(_) => text.replace(['d', 'D'], "e").parse().ok(),
     }
 }
 

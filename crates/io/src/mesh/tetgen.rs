@@ -1,109 +1,124 @@
-//! TetGen's `.node` and `.ele` files (TetGen manual, section "File formats").
+//! TetGen's `.node` and `.ele` files (TetGen manual, section "File formats"), and those of Triangle,
+//! which have two coordinates and three corners.
 //!
-//! Programs that write them do not agree on the order of a tetrahedron's corners. A mesh whose
-//! volumes all come out negative is turned.
+//! One line is one item. Commas separate like spaces; missing numbers at the end of a head are 0;
+//! columns beyond those that the head announces are ignored. Programs that write these files do not
+//! agree on the order of a tetrahedron's corners. A mesh whose volumes all come out negative is
+//! turned.
 
 use super::Mesh;
-use super::error::MeshError;
+use super::draft::{Draft, Element};
+use super::error::{MeshError, Place};
+use super::lines::{Line, Lines, words};
 use super::numbering::Index;
-use super::source::Source;
 
-/// The nodes: a head `count 3 attributes markers`, then `number x y z …` for each. Gives a
-/// mesh without tetrahedra, and finds its points by number.
-pub fn read_nodes(bytes: &[u8]) -> Result<(Mesh, Index), MeshError> {
-    let mut source = Source::with_comments(bytes, b'#');
-    let count = source.int("the number of nodes")?;
-    let dimension = source.int("the dimension")?;
-    if dimension != 3 {
-        return Err(source.error(format!("found dimension {dimension}, expected 3")));
-    }
-    let attributes = source.int("the number of attributes")?;
-    let markers = source.int("the number of boundary markers")?;
-    let further = further(&source, attributes, markers)?;
-    let count = source.count(count, 2 * (4 + further), "nodes")?;
-    let mut mesh = Mesh::default();
-    mesh.points.reserve(count);
+/// The nodes: a head `count dimension attributes markers`, then `number x y z …` for each. Gives a
+/// mesh without cells, and finds its points by number.
+pub fn read_nodes(bytes: &[u8]) -> Result<(Draft, Index), MeshError> {
+    let mut lines = Lines::new(words(bytes, b'#'), bytes.len());
+    let head = lines.next("the number of nodes")?;
+    let count: usize = head.parsed(0, "the number of nodes")?;
+    let dimension = match head.entry(1, "the dimension")? {
+        found @ (2 | 3) => found,
+        0 => 3,
+        found => return Err(head.error(format!("found dimension {found}, expected 2 or 3"))),
+    };
+    let attributes = head.entry(2, "the number of attributes")?;
+    let markers = head.entry(3, "the number of boundary markers")?;
+    check_count(&head, count, lines.length, "nodes")?;
+    let mut draft = Draft::default();
     for _ in 0..count {
-        let tag = source.int("a node number")?;
-        let point = [
-            source.double("the coordinate x")?,
-            source.double("the coordinate y")?,
-            source.double("the coordinate z")?,
-        ];
-        for _ in 0..further {
-            source.word("an attribute or a marker")?;
+        let line = lines.next("a node")?;
+        let mut point = [0.0; 3];
+        for (k, x) in point[..dimension].iter_mut().enumerate() {
+            *x = line.coordinate(1 + k)?;
         }
-        mesh.add_node(tag, point, source.place())?;
+        let tag = line.parsed(0, "a node number, an integer")?;
+        draft.add_node(tag, point, Place::Line(line.number))?;
     }
-    expect_end(&mut source, "nodes")?;
-    if further > 0 {
-        let note = format!("{attributes} attributes and {markers} markers of each node");
-        mesh.unread.push(note);
+    lines.expect_end("nodes")?;
+    if attributes + markers > 0 {
+        draft.pass(format!(
+            "{attributes} attributes and {markers} markers of each node"
+        ));
     }
-    let index = mesh.node_index()?;
-    Ok((mesh, index))
+    let index = draft.node_index()?;
+    Ok((draft, index))
 }
 
-/// The elements: a head `count 4 attributes`, then `number node node node node …` for each.
-pub fn read_elements(bytes: &[u8], mut mesh: Mesh, index: &Index) -> Result<Mesh, MeshError> {
-    let mut source = Source::with_comments(bytes, b'#');
-    let count = source.int("the number of tetrahedra")?;
-    let corners = source.int("4, the nodes of a tetrahedron")?;
-    if corners != 4 {
-        return Err(source.error(format!(
-            "found {corners} nodes in a tetrahedron, expected 4 (TetGen's option -o2 gives 10)"
-        )));
-    }
-    let attributes = source.int("the number of attributes")?;
-    let attributes = further(&source, attributes, 0)?;
-    let count = source.count(count, 2 * (5 + attributes), "tetrahedra")?;
-    mesh.tetrahedra.reserve(count);
+/// The elements: a head `count corners attributes`, then `number node … attribute …` for each.
+pub fn read_elements(bytes: &[u8], mut draft: Draft, index: &Index) -> Result<Mesh, MeshError> {
+    let mut lines = Lines::new(words(bytes, b'#'), bytes.len());
+    let head = lines.next("the number of elements")?;
+    let count: usize = head.parsed(0, "the number of elements")?;
+    let corners = match head.entry(1, "the nodes of an element")? {
+        0 => 4,
+        found @ (3 | 4) => found,
+        found => {
+            let problem = format!(
+                "found {found} nodes in an element, expected 4, or 3 for triangles (the option \
+                 -o2 gives 10 or 6)"
+            );
+            return Err(MeshError {
+                is_limit: true,
+                ..head.error(problem)
+            });
+        }
+    };
+    let attributes = head.entry(2, "the number of attributes")?;
+    check_count(&head, count, lines.length, "elements")?;
+    let mut fractional = false;
     for _ in 0..count {
-        let tag = source.int("an element number")?;
+        let line = lines.next("an element")?;
         let mut nodes = [0; 4];
-        for node in &mut nodes {
-            *node = source.int("a node number")?;
+        for (k, node) in nodes[..corners].iter_mut().enumerate() {
+            *node = line.parsed(1 + k, "a node number, an integer")?;
         }
-        let place = source.place();
-        for k in 0..attributes {
-            let attribute = source.double("an attribute")?;
-            if k == 0 && attribute == attribute.trunc() && attribute.abs() < 1e15 {
-                mesh.labels.push(attribute as i64);
-            }
-        }
-        mesh.add_tetrahedron(index, tag, nodes, place)?;
+        let label = match attributes {
+            0 => 0.0,
+            _ => line.coordinate(1 + corners)?,
+        };
+        let is_integer = label == label.trunc() && label.abs() < 1e15;
+        fractional |= !is_integer;
+        let element = Element {
+            tag: line.parsed(0, "an element number, an integer")?,
+            label: if is_integer { label as i64 } else { 0 },
+            entity: 0,
+            nodes: &nodes[..corners],
+            place: Place::Line(line.number),
+        };
+        draft.add(index, &element)?;
     }
-    expect_end(&mut source, "tetrahedra")?;
-    let labelled = mesh.labels.len() == count;
-    if !labelled {
+    lines.expect_end("elements")?;
+    if attributes > 1 || fractional {
+        draft.pass("attributes of elements");
+    }
+    let mut mesh = draft.finish()?;
+    if fractional {
         mesh.labels.clear();
     }
-    if attributes > usize::from(labelled) {
-        mesh.unread.push("attributes of tetrahedra".to_owned());
-    }
-    let mut mesh = mesh.checked()?;
-    if are_all_negative(&mesh) {
-        mesh.turn();
+    if mesh.dimension() == 3 && are_all_negative(&mesh) {
+        turn(&mut mesh);
     }
     Ok(mesh)
 }
 
-fn further(source: &Source, attributes: i64, markers: i64) -> Result<usize, MeshError> {
-    match (usize::try_from(attributes), usize::try_from(markers)) {
-        (Ok(a), Ok(b)) if a <= source.remaining() && b <= source.remaining() => Ok(a + b),
-        _ => Err(source.error(format!(
-            "found {attributes} attributes and {markers} markers, expected few"
+/// Each item takes a line of at least two bytes.
+fn check_count(head: &Line, count: usize, length: usize, what: &str) -> Result<(), MeshError> {
+    match count <= length / 2 {
+        true => Ok(()),
+        false => Err(head.error(format!(
+            "found {count} as the number of {what}, but the file has only {length} bytes"
         ))),
     }
 }
 
-fn expect_end(source: &mut Source, what: &str) -> Result<(), MeshError> {
-    match source.try_word() {
-        None => Ok(()),
-        Some(word) => {
-            Err(source.unexpected(word, &format!("the end after the last of the {what}")))
-        }
+/// Exchanges the last two corners of all tetrahedra.
+fn turn(mesh: &mut Mesh) {
+    for corners in &mut mesh.tetrahedra {
+        corners.swap(2, 3);
     }
+    mesh.turned = mesh.tetrahedra.len();
 }
 
 /// Whether no tetrahedron comes out positive; in doubles, for the checker decides what the

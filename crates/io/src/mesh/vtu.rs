@@ -3,11 +3,12 @@
 //! after an underscore, raw or in base64.
 
 use super::Mesh;
+use super::draft::Draft;
 use super::error::{MeshError, Place};
 use super::numbering::Numbering;
 use super::source::{Encoding, Source, shown};
-use super::vtk::Cells;
-use super::vtu_data::{Kind, Layout, doubles, integers, unpack};
+use super::vtk_cells::Cells;
+use super::vtu_data::{Compressor, Kind, Layout, doubles, integers, unpack};
 use super::vtu_parts::{Appended, Lines, length_before, split};
 use quick_xml::Reader;
 use quick_xml::events::{BytesStart, Event};
@@ -21,7 +22,7 @@ pub fn read(bytes: &[u8]) -> Result<Mesh, MeshError> {
     let mut reading = Reading {
         layout: None,
         appended,
-        mesh: Mesh::default(),
+        draft: Draft::default(),
     };
     let mut reader = Reader::from_str(xml);
     let mut path: Vec<String> = Vec::new();
@@ -73,7 +74,7 @@ pub fn read(bytes: &[u8]) -> Result<Mesh, MeshError> {
     if piece.is_some() {
         return Err(MeshError::of_file("the file ends inside of a Piece"));
     }
-    reading.mesh.checked()
+    reading.draft.finish()
 }
 
 /// A VTU file has its elements at most five deep.
@@ -90,12 +91,14 @@ struct Piece {
     cells: usize,
     coordinates: Option<Vec<f64>>,
     lists: BTreeMap<&'static str, Vec<i64>>,
+    /// Arrays of one integer for each cell.
+    arrays: Vec<(String, Vec<i64>)>,
 }
 
 struct Reading<'a> {
     layout: Option<Layout>,
     appended: Option<Appended<'a>>,
-    mesh: Mesh,
+    draft: Draft,
 }
 
 impl<'a> Reading<'a> {
@@ -136,13 +139,22 @@ impl<'a> Reading<'a> {
     ) -> Result<(), MeshError> {
         let array_name = attributes.get("Name").map_or("", String::as_str);
         let parent = path.last().map_or("", String::as_str);
+        let kind = attributes.get("type").and_then(|kind| Kind::parse(kind));
+        if let (Some(piece), "CellData", Some(kind @ Kind::Integer { .. })) =
+            (piece.as_mut(), parent, kind)
+            && is_single(attributes)
+        {
+            let count = Some(piece.cells);
+            let values = self.with_source(attributes, content, place, |source| {
+                integers(source, kind, count)
+            })?;
+            piece.arrays.push((array_name.to_owned(), values));
+            return Ok(());
+        }
         let (Some(piece), "Points" | "Cells") = (piece.as_mut(), parent) else {
-            self.mesh
-                .unread
-                .push(format!("array {array_name} of {parent}"));
+            self.draft.pass(format!("array {array_name} of {parent}"));
             return Ok(());
         };
-        let kind = attributes.get("type").and_then(|kind| Kind::parse(kind));
         let kind = kind.ok_or_else(|| {
             MeshError::at(place, format!("the array {array_name} has no known type"))
         })?;
@@ -164,9 +176,7 @@ impl<'a> Reading<'a> {
             (_, "offsets") => "offsets",
             (_, "types") => "types",
             _ => {
-                self.mesh
-                    .unread
-                    .push(format!("array {array_name} of {parent}"));
+                self.draft.pass(format!("array {array_name} of {parent}"));
                 return Ok(());
             }
         };
@@ -247,11 +257,12 @@ impl<'a> Reading<'a> {
             None if piece.points == 0 => Vec::new(),
             None => return Err(missing("points")),
         };
-        let first = self.mesh.points.len() as i64;
+        let first = self.draft.mesh.points.len() as i64;
         let (points, _) = coordinates.as_chunks::<3>();
         for (point, tag) in points.iter().zip(first..) {
-            self.mesh.add_node(tag, *point, Place::File)?;
+            self.draft.add_node(tag, *point, Place::File)?;
         }
+        let arrays = std::mem::take(&mut piece.arrays);
         let mut list = |name| match piece.lists.remove(name) {
             Some(list) => Ok(list),
             None if piece.cells == 0 => Ok(Vec::new()),
@@ -262,6 +273,7 @@ impl<'a> Reading<'a> {
             ends: list("offsets")?,
             types: list("types")?,
             lines: Numbering::default(),
+            arrays,
         };
         let count = coordinates.len() / 3;
         let outside = |&&point: &&i64| point < 0 || point >= count as i64;
@@ -270,9 +282,15 @@ impl<'a> Reading<'a> {
                 "connectivity has the point {point}, but the Piece has {count} points"
             )));
         }
-        let index = self.mesh.node_index()?;
-        cells.store(&mut self.mesh, &index, first)
+        let index = self.draft.node_index()?;
+        cells.store(&mut self.draft, &index, first)
     }
+}
+
+/// Whether an array has one component.
+fn is_single(attributes: &BTreeMap<String, String>) -> bool {
+    let components = attributes.get("NumberOfComponents").map(String::as_str);
+    matches!(components, None | Some("" | "0" | "1"))
 }
 
 fn read_binary<T>(
@@ -334,15 +352,18 @@ fn layout(attributes: &BTreeMap<String, String>, place: Place) -> Result<Layout,
         "UInt64" => 8,
         other => return Err(wrong("header_type", other, "UInt32 or UInt64")),
     };
-    let zlib = match get("compressor", "").as_str() {
-        "" => false,
-        "vtkZLibDataCompressor" => true,
-        other => return Err(wrong("compressor", other, "vtkZLibDataCompressor or none")),
+    let compressor = match get("compressor", "").as_str() {
+        "" => None,
+        name => Some(Compressor::parse(name).ok_or_else(|| {
+            let expected = "vtkZLibDataCompressor, vtkLZ4DataCompressor, vtkLZMADataCompressor \
+                            or none";
+            wrong("compressor", name, expected)
+        })?),
     };
     Ok(Layout {
         encoding,
         head,
-        zlib,
+        compressor,
     })
 }
 

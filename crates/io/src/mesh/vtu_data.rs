@@ -1,4 +1,4 @@
-//! The arrays of a VTU file: in text, in base64, raw, compressed with zlib.
+//! The arrays of a VTU file: in text, in base64, raw, compressed with zlib, LZ4 or LZMA.
 //!
 //! In binary an array is its number of bytes and the bytes. Compressed, it is a number of
 //! blocks, the size of a block and of the last one (0 if it is as long as the others) before
@@ -59,8 +59,56 @@ pub struct Layout {
     pub encoding: Encoding,
     /// The bytes of a number in an array's head: 4 or 8.
     pub head: usize,
-    /// Whether arrays are compressed with zlib.
-    pub zlib: bool,
+    /// How arrays are compressed.
+    pub compressor: Option<Compressor>,
+}
+
+/// How blocks of an array are compressed.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Compressor {
+    /// A zlib stream.
+    Zlib,
+    /// A bare LZ4 block.
+    Lz4,
+    /// LZMA in an xz stream.
+    Lzma,
+}
+
+impl Compressor {
+    /// As VTK names it.
+    pub fn parse(name: &str) -> Option<Compressor> {
+        match name {
+            "vtkZLibDataCompressor" => Some(Compressor::Zlib),
+            "vtkLZ4DataCompressor" => Some(Compressor::Lz4),
+            "vtkLZMADataCompressor" => Some(Compressor::Lzma),
+            _ => None,
+        }
+    }
+
+    /// Appends a block that has at most `size` bytes before compression.
+    fn unpack(self, block: &[u8], size: usize, unpacked: &mut Vec<u8>) -> Result<(), String> {
+        let limit = size as u64;
+        match self {
+            Compressor::Zlib => ZlibDecoder::new(block)
+                .take(limit)
+                .read_to_end(unpacked)
+                .map(drop)
+                .map_err(|error| error.to_string()),
+            Compressor::Lzma => lzma_rust2::XzReader::new(block, false)
+                .take(limit)
+                .read_to_end(unpacked)
+                .map(drop)
+                .map_err(|error| error.to_string()),
+            Compressor::Lz4 => {
+                // LZ4 makes no byte into more than 255, so a false size costs no memory.
+                let size = size.min(block.len().saturating_mul(255).saturating_add(64));
+                let bytes =
+                    lz4_flex::block::decompress(block, size).map_err(|error| error.to_string())?;
+                unpacked.extend(bytes);
+                Ok(())
+            }
+        }
+    }
 }
 
 /// No array may be longer after decompression: 512 MiB.
@@ -71,9 +119,7 @@ pub fn doubles(source: &mut Source, kind: Kind, count: usize) -> Result<Vec<f64>
     let number = match kind {
         Kind::Single => Source::single,
         Kind::Double => Source::double,
-        Kind::Integer { .. } => {
-            return Err(source.error("coordinates are integers, expected Float32 or Float64"));
-        }
+        Kind::Integer { .. } => return whole_doubles(source, kind, count),
     };
     let count = source.count(
         count as i64,
@@ -86,6 +132,18 @@ pub fn doubles(source: &mut Source, kind: Kind, count: usize) -> Result<Vec<f64>
     }
     expect_end(source, count)?;
     Ok(list)
+}
+
+/// Integers as doubles, where that is exact.
+fn whole_doubles(source: &mut Source, kind: Kind, count: usize) -> Result<Vec<f64>, MeshError> {
+    let list = integers(source, kind, Some(count))?;
+    let double = |value: i64| match value.unsigned_abs() <= 1 << 53 {
+        true => Ok(value as f64),
+        false => Err(source.error(format!(
+            "found the coordinate {value}, expected an integer that is a double"
+        ))),
+    };
+    list.into_iter().map(double).collect()
 }
 
 /// The numbers of an array, as integers; `count` of them, or as many as there are.
@@ -133,7 +191,7 @@ fn expect_end(source: &mut Source, count: usize) -> Result<(), MeshError> {
 }
 
 /// The value of up to eight bytes; `None` for one that needs the 64th bit.
-fn integer(digits: &[u8], encoding: Encoding, signed: bool) -> Option<i64> {
+pub fn integer(digits: &[u8], encoding: Encoding, signed: bool) -> Option<i64> {
     let mut bytes = [0; 8];
     bytes[..digits.len()].copy_from_slice(digits);
     if encoding == Encoding::Big {
@@ -160,9 +218,9 @@ pub fn unpack(
         layout,
         place,
     };
-    match layout.zlib {
-        true => packed.compressed(),
-        false => packed.plain(),
+    match layout.compressor {
+        Some(compressor) => packed.compressed(compressor),
+        None => packed.plain(),
     }
 }
 
@@ -230,7 +288,7 @@ impl Packed<'_> {
         self.segment(length)
     }
 
-    fn compressed(&mut self) -> Result<Vec<u8>, MeshError> {
+    fn compressed(&mut self, compressor: Compressor) -> Result<Vec<u8>, MeshError> {
         let all = self.data;
         let first = self.segment(self.layout.head)?;
         let blocks = self.head(&first)?[0];
@@ -244,19 +302,30 @@ impl Packed<'_> {
         let packed = self.segment(total)?;
         let mut unpacked = Vec::new();
         let mut rest = packed.as_slice();
-        for &size in &head[3..] {
+        let last = blocks.wrapping_sub(1);
+        for (index, &size) in head[3..].iter().enumerate() {
             let (block, after) = rest.split_at(size);
             rest = after;
-            let room = UNPACKED_LIMIT + 1 - unpacked.len() as u64;
-            ZlibDecoder::new(block)
-                .take(room)
-                .read_to_end(&mut unpacked)
+            let expected = if index == last && head[2] > 0 {
+                head[2]
+            } else {
+                head[1]
+            };
+            if expected.saturating_add(unpacked.len()) as u64 > UNPACKED_LIMIT {
+                return Err(MeshError::limit(format!(
+                    "an array has more than {UNPACKED_LIMIT} bytes after decompression"
+                )));
+            }
+            let before = unpacked.len();
+            compressor
+                .unpack(block, expected, &mut unpacked)
                 .map_err(|error| {
                     self.error(format!("a compressed block cannot be read: {error}"))
                 })?;
-            if unpacked.len() as u64 > UNPACKED_LIMIT {
-                return Err(MeshError::limit(format!(
-                    "an array has more than {UNPACKED_LIMIT} bytes after decompression"
+            let found = unpacked.len() - before;
+            if found != expected {
+                return Err(self.error(format!(
+                    "a compressed block has {found} bytes, expected {expected}"
                 )));
             }
         }

@@ -1,6 +1,6 @@
 //! Writes VTU files.
 
-use super::sink::Sink;
+use super::sink::{Sink, cell_arrays};
 use super::source::Encoding;
 use super::{Format, Mesh};
 use base64::Engine;
@@ -28,7 +28,7 @@ pub fn vtu(mesh: &Mesh, format: Format) -> Vec<u8> {
          byte_order=\"LittleEndian\" header_type=\"UInt64\"{compressor}>\n<UnstructuredGrid>\n\
          <Piece NumberOfPoints=\"{}\" NumberOfCells=\"{}\">\n<Points>\n",
         mesh.points.len(),
-        mesh.tetrahedra.len()
+        mesh.cell_count()
     ));
     let encoding = match format {
         Format::VtuText => Encoding::Text,
@@ -42,7 +42,7 @@ pub fn vtu(mesh: &Mesh, format: Format) -> Vec<u8> {
     file.array("Float64\" NumberOfComponents=\"3", "Points", &points.bytes);
     file.xml.push_str("</Points>\n<Cells>\n");
     let mut connectivity = Sink::new(encoding);
-    for corners in &mesh.tetrahedra {
+    for corners in mesh.cells() {
         corners
             .iter()
             .for_each(|&corner| connectivity.long(i64::from(corner)));
@@ -50,18 +50,31 @@ pub fn vtu(mesh: &Mesh, format: Format) -> Vec<u8> {
     }
     file.array("Int64", "connectivity", &connectivity.bytes);
     let mut offsets = Sink::new(encoding);
-    for cell in 1..=mesh.tetrahedra.len() as i64 {
-        offsets.long(4 * cell);
+    let width = mesh.dimension() as i64 + 1;
+    for cell in 1..=mesh.cell_count() as i64 {
+        offsets.long(width * cell);
     }
     offsets.end();
     file.array("Int64", "offsets", &offsets.bytes);
-    let mut types = vec![10u8; mesh.tetrahedra.len()];
+    let kind = if width == 3 { 5u8 } else { 10 };
+    let mut types = vec![kind; mesh.cell_count()];
     if encoding == Encoding::Text {
-        types = "10 ".repeat(mesh.tetrahedra.len()).into_bytes();
+        types = format!("{kind} ").repeat(mesh.cell_count()).into_bytes();
     }
     file.array("UInt8", "types", &types);
-    file.xml
-        .push_str("</Cells>\n</Piece>\n</UnstructuredGrid>\n");
+    file.xml.push_str("</Cells>\n");
+    let arrays = cell_arrays(mesh);
+    if !arrays.is_empty() {
+        file.xml.push_str("<CellData>\n");
+        for (name, values) in arrays {
+            let mut sink = Sink::new(encoding);
+            values.iter().for_each(|&value| sink.int(value));
+            sink.end();
+            file.array("Int32", name, &sink.bytes);
+        }
+        file.xml.push_str("</CellData>\n");
+    }
+    file.xml.push_str("</Piece>\n</UnstructuredGrid>\n");
     file.finish()
 }
 

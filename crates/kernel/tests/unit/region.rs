@@ -7,7 +7,7 @@ use crate::claim::Field;
 use crate::limits::{Limits, Work};
 use crate::refusal::Code;
 use crate::region::Region;
-use crate::ring::Rings;
+use crate::ring::Exact;
 use crate::root::Root;
 use crate::row::{Corner, Row, Shape};
 use crate::vertices::Vertices;
@@ -79,16 +79,19 @@ fn verdict<const N: usize>(case: &Case, facets: &[[Corner; 3]], scale: Scale, li
     }
     let work = Rc::new(Work::new(limits.work));
     let root = Rc::new(Root::new(&field, &work).unwrap());
-    let rings: Rc<Rings<N>> = Rc::new(Rings::new(&root, &work).unwrap());
+    let rings: (_, Exact<BigInt, N>) = (Exact::new(&root, &work).ok(), Exact::new(&root, &work).unwrap());
     let mut input = &bytes[..];
     let mut cbor = Cbor::new(&mut input, limits, &work);
     let mut vertices = Vertices::new(case.dimension, factor.len());
     vertices.read_denominator(&mut cbor).unwrap();
-    vertices.read(&mut cbor, |_, _| Ok(())).unwrap();
+    for _ in 0..cbor.array().unwrap() {
+        vertices.read(&mut cbor).unwrap();
+    }
+    vertices.check_lowest(cbor.place()).unwrap();
     let (dimension, rank) = (case.dimension, case.rank);
     let shape = Shape { dimension, rank, vertices: vertices.count, has_sixes: false };
-    let check = || {
-        let region = Region::new(facets.to_vec(), shape, &vertices, &rings, &work)?;
+    let check = move || {
+        let region = Region::new(facets.to_vec(), shape, &vertices, rings)?;
         for (simplex, &corners) in (0..).zip(&case.rows) {
             let row = Row { corners, sorted: corners, is_odd: false, sixes: 0 };
             region.check_row(&row, &vertices, simplex)?;

@@ -15,6 +15,7 @@
 //! | `icosahedra` | 4.2 |
 //! | `slab` | 4.3 |
 //! | `evaluation` | 5 and Table 1 |
+//! | `question` | 5, open problem 2 |
 //!
 //! `row` says what a row is and how a printed figure is judged; `identity` and `infinitesimal`
 //! prove polynomial identities; `random` makes tetrahedra. No verdict is stored: each is
@@ -27,6 +28,7 @@ mod icosahedra;
 mod identity;
 mod infinitesimal;
 mod introduction;
+mod question;
 mod random;
 mod row;
 mod slab;
@@ -56,6 +58,7 @@ pub fn rows(survey: &Survey) -> Vec<Row> {
         icosahedra::rows(survey),
         slab::rows(survey),
         evaluation::rows(survey),
+        question::rows(survey),
     ]
     .concat()
 }

@@ -19,6 +19,8 @@ pub enum Verdict {
     Misprint,
     /// It does not hold.
     Refuted,
+    /// An open problem; the row has proved bounds.
+    Open,
     /// Nothing was proved; the row says why. Only where a construction is missing.
     Undecided,
 }
@@ -42,6 +44,7 @@ impl Verdict {
             Verdict::Rounded(_) => "rounded",
             Verdict::Misprint => "misprint",
             Verdict::Refuted => "refuted",
+            Verdict::Open => "open",
             Verdict::Undecided => "undecided",
         }
     }

@@ -151,11 +151,7 @@ fn room(layout: &Layout) -> f64 {
 }
 
 fn caption(class: usize, shape: &Shape, simplices: usize) -> String {
-    format!(
-        "class {}: {} of {simplices}",
-        class + 1,
-        shape.members.len()
-    )
+    format!("class {}: {} of {simplices}", class, shape.members.len())
 }
 
 /// The angle between two facets: `60°` where it is rational, else two decimals.

@@ -35,7 +35,7 @@ pub fn classes(shapes: &[Shape], simplices: usize) -> Vec<usize> {
 
 /// The colours of the classes and their names.
 pub fn legend(classes: usize) -> Vec<(Colour, String)> {
-    let entry = |class: usize| (class_colour(class), format!("class {}", class + 1));
+    let entry = |class: usize| (class_colour(class), format!("class {class}"));
     (0..classes).map(entry).collect()
 }
 

@@ -192,7 +192,7 @@ fn classes(facts: &Facts) -> String {
             "<tr><th scope=\"row\">{}{}</th><td>{}</td><td>{}</td>\
              <td>{}</td><td>{}</td><td>{}</td><td>{}</td></tr>",
             swatch(number),
-            number + 1,
+            number,
             shape.members.len(),
             escape(&edges.collect::<Vec<_>>().join(", ")),
             escape(&facts.numbers.values[cell.volume].to_string()),

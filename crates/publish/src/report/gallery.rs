@@ -223,7 +223,7 @@ fn paper_row(row: &Row) -> String {
     let mark = match row.verdict {
         Verdict::Confirmed | Verdict::Rounded(_) => "holds",
         Verdict::Misprint | Verdict::Refuted => "differs",
-        Verdict::Undecided => "open",
+        Verdict::Open | Verdict::Undecided => "open",
     };
     format!(
         "<tr id=\"{}\"><td>{}</td><td>{}</td><td>{}</td><td>{}</td><td class=\"{mark}\">{}</td><td>{}</td></tr>",

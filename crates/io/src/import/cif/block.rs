@@ -3,7 +3,7 @@
 //! A tag with one value is a loop with one row, so that there is one way to look things
 //! up. Tags do not depend on case, and `.` and `_` are one (`_atom_site.label` of the newer
 //! dictionaries is `_atom_site_label` of the older). Tags of other categories than [`READ`]
-//! are passed over. Called by [`super::read_cif`].
+//! are passed over.
 
 use super::token::{Token, Tokens, Value, at_line, short};
 use crate::import::ImportError;
@@ -11,6 +11,9 @@ use std::collections::HashMap;
 
 /// How the tags begin that anything is read from.
 const READ: [&str; 4] = ["_cell_", "_atom_site_", "_symmetry_", "_space_group_"];
+
+/// The number of the group of all tags that stand in no loop: they describe one thing.
+const PAIRS: usize = usize::MAX;
 
 /// A data block.
 pub struct Block<'t> {
@@ -23,6 +26,7 @@ pub struct Block<'t> {
 
 /// Rows of values, one after the other.
 struct Loop<'t> {
+    is_pair: bool,
     width: usize,
     values: Vec<Value<'t>>,
 }
@@ -32,7 +36,7 @@ struct Loop<'t> {
 pub struct Column<'b, 't> {
     table: &'b Loop<'t>,
     index: usize,
-    /// Columns of one loop have the same number here.
+    /// Columns of one loop have the same number here, and so do all tags without a loop.
     pub group: usize,
 }
 
@@ -54,15 +58,33 @@ impl<'t> Column<'_, 't> {
 }
 
 impl<'t> Block<'t> {
-    /// The values of the first of these tags, in the spelling of [`normal`], that is there.
+    /// The values of the first of these tags, in the spelling of [`normal`], that has a value
+    /// which is known; of the first that is there if none has.
     pub fn column(&self, tags: &[&str]) -> Option<Column<'_, 't>> {
-        let &(group, index) = tags.iter().find_map(|&tag| self.places.get(tag))?;
-        let table = &self.loops[group];
+        let mut there = tags.iter().filter_map(|&tag| self.exact(tag));
+        let first = there.next()?;
+        let is_known = |column: &Column<'_, 't>| column.values().any(|value| !value.is_missing());
+        if is_known(&first) {
+            return Some(first);
+        }
+        Some(there.find(is_known).unwrap_or(first))
+    }
+
+    /// The values of this tag.
+    pub fn exact(&self, tag: &str) -> Option<Column<'_, 't>> {
+        let &(place, index) = self.places.get(tag)?;
+        let table = &self.loops[place];
+        let group = if table.is_pair { PAIRS } else { place };
         Some(Column {
             table,
             index,
             group,
         })
+    }
+
+    /// Whether a tag of the block begins like this.
+    pub fn has_tag(&self, start: &str) -> bool {
+        self.places.keys().any(|tag| tag.starts_with(start))
     }
 
     /// The only value of the first of these tags that is there and says something.
@@ -71,7 +93,7 @@ impl<'t> Block<'t> {
     /// The tag stands in a loop with several rows.
     pub fn value(&self, tags: &[&str]) -> Result<Option<Value<'t>>, ImportError> {
         for &tag in tags {
-            let Some(column) = self.column(&[tag]) else {
+            let Some(column) = self.exact(tag) else {
                 continue;
             };
             let value = column.value(0);
@@ -88,7 +110,12 @@ impl<'t> Block<'t> {
         Ok(None)
     }
 
-    fn add(&mut self, tags: &[(&str, u32)], values: Vec<Value<'t>>) -> Result<(), ImportError> {
+    fn add(
+        &mut self,
+        tags: &[(&str, u32)],
+        values: Vec<Value<'t>>,
+        is_pair: bool,
+    ) -> Result<(), ImportError> {
         let group = self.loops.len();
         for (column, &(tag, line)) in tags.iter().enumerate() {
             let name = normal(tag);
@@ -101,6 +128,7 @@ impl<'t> Block<'t> {
             }
         }
         self.loops.push(Loop {
+            is_pair,
             width: tags.len(),
             values,
         });
@@ -116,7 +144,7 @@ fn normal(tag: &str) -> String {
 /// The data blocks of a text.
 ///
 /// # Errors
-/// What is not CIF 1.1, with its line.
+/// What is no CIF, with its line.
 pub fn blocks(text: &str) -> Result<Vec<Block<'_>>, ImportError> {
     let mut tokens = Tokens::of(text);
     let mut blocks: Vec<Block> = Vec::new();
@@ -161,7 +189,7 @@ fn read_pair<'t>(
     block: &mut Block<'t>,
 ) -> Result<Next<'t>, ImportError> {
     match tokens.next()? {
-        Some((Token::Value(value), _)) => block.add(&[tag], vec![value])?,
+        Some((Token::Value(value), _)) => block.add(&[tag], vec![value], true)?,
         _ => return Err(at_line(tag.1, format!("{} has no value", short(tag.0)))),
     }
     tokens.next()
@@ -194,7 +222,7 @@ fn read_loop<'t>(
         );
         return Err(at_line(line, problem));
     }
-    block.add(&tags, values)?;
+    block.add(&tags, values, false)?;
     Ok(next)
 }
 

@@ -29,8 +29,8 @@ pub enum Snapped {
     Kept,
     /// The only multiple that agrees with all of its digits.
     To(Rational),
-    /// Several agree: too few digits.
-    Ambiguous,
+    /// Several agree, or one does and the number has too few digits to say so.
+    Short,
 }
 
 impl Decimal {
@@ -54,7 +54,11 @@ impl Decimal {
         Ok(number)
     }
 
-    /// The multiples k/n that agree with all digits: |value - k/n| is less than a unit.
+    /// The multiple k/n that the number is written for.
+    ///
+    /// It is rounded to two digits or more, and differs by at most half a unit of the last one;
+    /// or it is cut off after three digits or more, and differs by less than a unit. A multiple
+    /// within a unit of a shorter number is a coincidence: 0.6 is not 2/3.
     pub fn snap(&self, denominator: u32) -> Snapped {
         let n = Rational::from(denominator);
         let low = Rational::from((&self.value * &n).floor()) / &n;
@@ -62,13 +66,23 @@ impl Decimal {
             return Snapped::Kept;
         }
         let high = &low + Rational::from(1) / &n;
-        let agrees = |x: &Rational| (x - &self.value).abs() < self.unit;
-        match (agrees(&low), agrees(&high)) {
-            (true, true) => Snapped::Ambiguous,
-            (true, false) => Snapped::To(low),
-            (false, true) => Snapped::To(high),
+        let near = |x: &Rational| (x - &self.value).abs() < self.unit;
+        let agrees = |x: &Rational| {
+            let twice = (x - &self.value).abs() * Rational::from(2);
+            let is_rounded = twice <= self.unit && self.unit <= Rational::from_signeds(1, 100);
+            is_rounded || self.is_long() && near(x)
+        };
+        match (near(&low), near(&high)) {
+            (true, false) if agrees(&low) => Snapped::To(low),
+            (false, true) if agrees(&high) => Snapped::To(high),
             (false, false) => Snapped::Kept,
+            _ => Snapped::Short,
         }
+    }
+
+    /// Whether it has three decimals or more.
+    pub fn is_long(&self) -> bool {
+        self.unit <= Rational::from_signeds(1, 1000)
     }
 }
 
@@ -226,7 +240,13 @@ mod tests {
         assert_eq!(snap("0.3330", 3), Snapped::Kept);
         assert_eq!(snap("0.25", 12), Snapped::Kept);
         assert_eq!(snap("1/7", 3), Snapped::Kept);
-        assert_eq!(snap("0.3", 3), Snapped::To(q(1, 3)));
-        assert_eq!(snap("0.3", 24), Snapped::Ambiguous);
+        assert_eq!(snap("0.33", 3), Snapped::To(q(1, 3)));
+        assert_eq!(snap("0.66", 3), Snapped::Short);
+        assert_eq!(snap("0.666", 3), Snapped::To(q(2, 3)));
+        assert_eq!(snap("0.3", 3), Snapped::Short);
+        assert_eq!(snap("0.6", 3), Snapped::Short);
+        assert_eq!(snap("0.6", 12), Snapped::Short);
+        assert_eq!(snap("0.063", 3), Snapped::Kept);
+        assert_eq!(snap("0.3", 24), Snapped::Short);
     }
 }

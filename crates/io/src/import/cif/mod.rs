@@ -1,5 +1,5 @@
-//! Crystallographic information files (CIF 1.1): a point set from a cell, a list of
-//! symmetry operations and sites. What is read, and what not, is in docs/cif.md.
+//! Crystallographic information files (CIF 1.1 and 2.0): a point set from a cell, a list of
+//! symmetry operations and sites. docs/cif.md says what is read.
 //!
 //! | file | does |
 //! |---|---|
@@ -8,59 +8,56 @@
 //! | `decimal` | numbers exactly as written, and snapping |
 //! | `cell` | lengths and angles, as a Gram matrix over Q |
 //! | `operation`, `symmetry` | operations; the list of a file, checked to be its group |
+//! | `groups` | the names of the space group, compared with the list or in its place |
+//! | `fit` | the cell, made invariant under the operations |
 //! | `options` | the options |
+//! | `select`, `disorder` | which sites are taken, and whether they are atoms |
 //! | `sites` | the sites of the asymmetric unit |
+//! | `special` | sites near special positions |
 //! | `orbits` | the atoms of a cell |
+//! | `notes` | counts and warnings |
 //!
-//! Coordinates become rationals and stay what is written; whatever is not taken literally is
-//! said in a note. Called by the command line.
+//! Coordinates become rationals and stay as they are written; a note says whatever is not taken
+//! literally.
 
 mod block;
 mod cell;
 mod decimal;
+mod disorder;
+mod fit;
+mod groups;
+mod notes;
 mod operation;
 mod options;
 mod orbits;
+mod select;
 mod sites;
+mod special;
 mod symmetry;
 mod token;
 
-pub use options::CifOptions;
+pub use decimal::Decimal;
+pub use options::{CifOptions, Special};
+pub use select::{chosen, names};
 
 use super::ImportError;
-use acutile_core::tiling::{Frame, PointSet};
-use acutile_exact::number::{Field, Number};
+use super::crystal::{Structure, point_set};
 use block::Block;
-use decimal::about;
-use malachite::Rational;
-use orbits::{Atom, PAIR_LIMIT};
-use sites::{Site, Sites};
+use sites::Site;
 use std::path::Path;
 use symmetry::Listed;
-use token::{short, strip_prefix};
+use token::{at_line, short, strip_prefix};
 
 /// Bytes of a CIF: it is taken apart as a whole.
 const CIF_LIMIT: usize = 1 << 25;
-/// How many sites the count names.
-const NAMED_SITES: usize = 20;
-/// How many pairs of near atoms a warning names.
-const NAMED_PAIRS: usize = 3;
-
-/// The point set of a CIF.
-pub struct CifPoints {
-    /// The name of its data block.
-    pub name: String,
-    pub points: PointSet<3>,
-    /// What a reader has to know: replacements, rounding, warnings, counts. Each is a line.
-    pub notes: Vec<String>,
-}
 
 /// Whether a file is a CIF: by its name, or because it begins with `data_` after comments.
 pub fn is_cif(path: &Path, text: &str) -> bool {
-    if path
-        .extension()
-        .is_some_and(|extension| extension.eq_ignore_ascii_case("cif"))
-    {
+    if path.extension().is_some_and(|extension| {
+        ["cif", "mcif"]
+            .iter()
+            .any(|&own| extension.eq_ignore_ascii_case(own))
+    }) {
         return true;
     }
     let text = text.trim_start_matches('\u{feff}');
@@ -74,8 +71,8 @@ pub fn is_cif(path: &Path, text: &str) -> bool {
 ///
 /// # Errors
 /// [`ImportError`] with the line: no CIF, something missing, a list of operations that is no
-/// group or does not fit the cell, disorder.
-pub fn read_cif(text: &str, options: &CifOptions) -> Result<CifPoints, ImportError> {
+/// group or does not fit the cell, a site near a special position, disorder.
+pub fn read_cif(text: &str, options: &CifOptions) -> Result<Structure, ImportError> {
     if text.len() > CIF_LIMIT {
         return Err(ImportError::TooLong {
             limit: CIF_LIMIT as u64,
@@ -83,13 +80,15 @@ pub fn read_cif(text: &str, options: &CifOptions) -> Result<CifPoints, ImportErr
     }
     let blocks = block::blocks(text.trim_start_matches('\u{feff}'))?;
     let block = choose(&blocks, options.block.as_deref())?;
-    let operations = symmetry::operations(block, options.snap)?;
-    let cell = cell::cell(block)?;
-    let bent = cell::check_isometries(&cell, &operations)?;
-    let sites = sites::sites(block, options)?;
-    let atoms = orbits::atoms(&sites.sites, &operations, options.ignore_occupancy)?;
+    check_magnetic(block)?;
+    let mut cell = cell::cell(block)?;
+    let (operations, named) = symmetry::operations(block, options.snap, &cell)?;
+    let fitted = fit::fit(&mut cell, &operations)?;
+    let mut sites = sites::sites(block, options)?;
+    check_snapped(&sites.sites, &operations, options)?;
+    let moved = special::settle(&mut sites.sites, &operations, options.special)?;
+    let (atoms, merged) = orbits::atoms(&sites.sites, &operations, options.ignore_occupancy)?;
 
-    let each = atoms_of_sites(sites.sites.len(), &atoms);
     let mut notes = Vec::new();
     if blocks.len() > 1 {
         notes.push(format!(
@@ -98,33 +97,67 @@ pub fn read_cif(text: &str, options: &CifOptions) -> Result<CifPoints, ImportErr
             blocks.len()
         ));
     }
-    notes.extend(replacements(&operations));
+    notes.extend(named);
+    notes.extend(notes::replacements(&operations));
     notes.extend(sites.notes.iter().cloned());
-    notes.extend(uncertainties(cell.uncertain + sites.uncertain));
-    notes.extend(
-        cell.rounded.iter().map(|words| {
-            format!("{words} (15 decimals; what is proved is proved of that lattice)")
-        }),
-    );
-    notes.extend(bent.map(|words| format!("warning: {words}")));
-    notes.extend(wrong_multiplicities(&sites.sites, &each));
-    notes.extend(near_atoms(&sites.sites, &atoms));
-    notes.push(counts(&sites, operations.len(), &each));
-    Ok(CifPoints {
+    notes.extend(notes::uncertainties(cell.uncertain + sites.uncertain));
+    notes.extend(cell.notes);
+    notes.extend(fitted);
+    notes.extend(moved);
+    notes.extend(merged);
+    notes.extend(notes::of_atoms(&sites, &operations, &atoms));
+    let of_site = |atom: &orbits::Atom| &sites.sites[atom.site];
+    let mut structure = Structure {
         name: block.name.to_owned(),
-        points: point_set(cell.gram, &atoms),
+        points: point_set(cell.gram.clone(), atoms.iter().map(|atom| &atom.position)),
+        labels: atoms
+            .iter()
+            .map(|atom| of_site(atom).label.clone())
+            .collect(),
+        elements: atoms.iter().map(|atom| of_site(atom).element).collect(),
         notes,
-    })
+    };
+    structure.note_distance();
+    Ok(structure)
 }
 
-fn point_set(gram: [[Rational; 3]; 3], atoms: &[Atom]) -> PointSet<3> {
-    let points = atoms
-        .iter()
-        .map(|atom| atom.position.clone().map(Number::from));
-    PointSet {
-        frame: Frame::space(Field::rationals(), gram.map(|row| row.map(Number::from))),
-        points: points.collect(),
+/// Snapping must not take a site off its special position.
+fn check_snapped(
+    sites: &[Site],
+    operations: &[Listed],
+    options: &CifOptions,
+) -> Result<(), ImportError> {
+    let Some(denominator) = options.snap else {
+        return Ok(());
+    };
+    for site in sites {
+        let [before, after] =
+            [&site.written, &site.position].map(|x| special::images(x, operations));
+        if after > before {
+            let problem = format!(
+                "--snap {denominator} takes site {} from {before} to {after} images: another coordinate follows from \
+                 the one that is replaced; --special moves sites onto special positions",
+                site.label
+            );
+            return Err(at_line(site.line, problem));
+        }
     }
+    Ok(())
+}
+
+/// Magnetic operations are no operations of this reader.
+fn check_magnetic(block: &Block) -> Result<(), ImportError> {
+    let is_magnetic = ["_space_group_magn", "_space_group_symop_magn"]
+        .iter()
+        .any(|start| block.has_tag(start));
+    if is_magnetic && !symmetry::has_operations(block) {
+        return Err(ImportError::entry(
+            format!("data_{}", block.name),
+            "is a magnetic CIF (magCIF), whose operations with time reversal are not read; give the operations of the \
+             crystal structure in _space_group_symop_operation_xyz",
+        ));
+    }
+    Ok(())
 }
 
 /// The block of this name, or the only one with sites.
@@ -160,6 +193,11 @@ fn choose<'b, 't>(
                 format!("there is no data block {name}; there are {}", names(&all)),
             ))
         }
+        ([], None) if blocks.iter().any(sites::has_cartesian_sites) => Err(ImportError::entry(
+            format!("data_{}", blocks[0].name),
+            "the sites have Cartesian coordinates (_atom_site_Cartn_x) only, expected fractional ones: \
+             _atom_site_fract_x, _y and _z",
+        )),
         ([], None) => Err(ImportError::entry(
             format!("data_{}", blocks[0].name),
             "no sites, expected a loop_ with _atom_site_fract_x, _y and _z",
@@ -177,89 +215,4 @@ fn choose<'b, 't>(
             ),
         )),
     }
-}
-
-fn replacements(operations: &[Listed]) -> impl Iterator<Item = String> {
-    operations.iter().flat_map(|listed| {
-        let replaced = listed.operation.replaced.iter();
-        replaced.map(|(text, value)| format!("{:?}: {text} replaced by {value}", listed.text))
-    })
-}
-
-fn uncertainties(count: usize) -> Option<String> {
-    (count > 0).then(|| {
-        format!(
-            "numbers with a standard uncertainty, like 0.1234(5): {count}; it is left out, and the number before it \
-             is exact"
-        )
-    })
-}
-
-/// The number of atoms of each site.
-fn atoms_of_sites(sites: usize, atoms: &[Atom]) -> Vec<usize> {
-    let mut counts = vec![0; sites];
-    atoms.iter().for_each(|atom| counts[atom.site] += 1);
-    counts
-}
-
-/// A wrong atom count shows where a file counts its atoms itself.
-fn wrong_multiplicities(sites: &[Site], counts: &[usize]) -> Vec<String> {
-    let says = |(index, site): (usize, &Site)| {
-        let (expected, found) = (site.multiplicity?, counts[index]);
-        (expected != found).then(|| {
-            format!(
-                "warning: site {} gives {found} atoms, the file says {expected}",
-                site.label
-            )
-        })
-    };
-    sites.iter().enumerate().filter_map(says).collect()
-}
-
-/// Rounded fractions off their special positions show as atoms that almost coincide.
-fn near_atoms(sites: &[Site], atoms: &[Atom]) -> Vec<String> {
-    let pairs = orbits::near_pairs(atoms);
-    let place = |atom: &Atom| {
-        let numbers = atom.position.each_ref().map(|x| about(x, 6));
-        format!("{} ({})", sites[atom.site].label, numbers.join(", "))
-    };
-    let named = pairs.iter().take(NAMED_PAIRS).map(|&(i, j)| {
-        let (a, b) = (place(&atoms[i]), place(&atoms[j]));
-        format!("warning: the atoms {a} and {b} differ by no more than the written digits tell")
-    });
-    let mut notes: Vec<String> = named.collect();
-    if !pairs.is_empty() {
-        let more = if pairs.len() < PAIR_LIMIT {
-            ""
-        } else {
-            "or more "
-        };
-        notes.push(format!(
-            "warning: {} {more}such pairs, which stay different atoms: --snap 12, or another denominator, makes \
-             rounded fractions exact; a coordinate that follows from another, like y = 2x, has to be exact in the file",
-            pairs.len()
-        ));
-    }
-    notes
-}
-
-fn counts(sites: &Sites, operations: usize, atoms: &[usize]) -> String {
-    let chosen = sites.sites.len();
-    let of = match chosen == sites.listed {
-        true => String::new(),
-        false => format!(" of {}", sites.listed),
-    };
-    let each = sites.sites.iter().zip(atoms).take(NAMED_SITES);
-    let mut each: Vec<String> = each
-        .map(|(site, n)| format!("{} {n}", site.label))
-        .collect();
-    if chosen > NAMED_SITES {
-        each.push("…".to_owned());
-    }
-    format!(
-        "{chosen}{of} sites, {operations} operations, {} images, {} atoms in a cell: {}",
-        chosen * operations,
-        atoms.iter().sum::<usize>(),
-        each.join(", "),
-    )
 }

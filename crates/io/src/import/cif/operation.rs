@@ -3,7 +3,7 @@
 //!
 //! An operation is x -> R x + t in fractional coordinates, R integral with determinant
 //! 1 or -1 and t modulo the lattice. A list is closed when with any two operations it has
-//! their product; a finite closed list is a group. Called by [`super::symmetry`].
+//! their product; a finite closed list is a group.
 
 use super::decimal::{Decimal, Snapped};
 use acutile_exact::geometry::linear;
@@ -114,6 +114,24 @@ impl Operation {
         let twenty_fourth = &number.value * Rational::from(24);
         self.is_rounded |= number.unit != 0 && *twenty_fourth.denominator_ref() != 1u32;
         Ok(number.value)
+    }
+
+    /// Whether it is the identity up to a lattice vector.
+    pub fn is_identity(&self) -> bool {
+        self.rotation == [[1, 0, 0], [0, 1, 0], [0, 0, 1]]
+            && self
+                .translation
+                .iter()
+                .all(|t| *t.denominator_ref() == 1u32)
+    }
+
+    /// Whether it is the other operation up to a lattice vector.
+    pub fn is_same(&self, other: &Operation) -> bool {
+        let translations = self.translation.iter().zip(&other.translation);
+        self.rotation == other.rotation
+            && translations
+                .into_iter()
+                .all(|(t, u)| *(t - u).denominator_ref() == 1u32)
     }
 
     /// The image of a point.

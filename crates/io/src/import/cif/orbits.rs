@@ -29,15 +29,17 @@ pub struct Atom {
     error: [f64; 3],
 }
 
-/// The atoms, those of the first site first, in the order of the operations.
+/// The atoms, those of the first site first, in the order of the operations; and notes on sites
+/// that are images of others.
 ///
 /// # Errors
-/// Two sites have an atom at the same place, unless `merge_sites`; too many images.
+/// Two sites have an atom at the same place, unless they have the same element or `merge_sites`
+/// is set; too many images.
 pub fn atoms(
     sites: &[Site],
     operations: &[Listed],
     merge_sites: bool,
-) -> Result<Vec<Atom>, ImportError> {
+) -> Result<(Vec<Atom>, Vec<String>), ImportError> {
     if sites.len().saturating_mul(operations.len()) > IMAGE_LIMIT {
         let problem = format!(
             "{} sites under {} operations, the limit is {IMAGE_LIMIT} images",
@@ -48,6 +50,7 @@ pub fn atoms(
     }
     let mut atoms: Vec<Atom> = Vec::new();
     let mut places: HashMap<[Rational; 3], usize> = HashMap::new();
+    let mut repeated = Vec::new();
     for (index, site) in sites.iter().enumerate() {
         for listed in operations {
             let position = listed.operation.apply(&site.position).map(fractional);
@@ -61,12 +64,24 @@ pub fn atoms(
                 });
                 continue;
             };
-            if other != index && !merge_sites {
-                return Err(same_place(site, &sites[other]));
+            if other != index {
+                repeated.push((index, other));
             }
         }
     }
-    Ok(atoms)
+    repeated.dedup();
+    let notes = repeated.into_iter().map(|(index, other)| {
+        let [site, other] = [&sites[index], &sites[other]];
+        let is_same_element = site.element.is_some() && site.element == other.element;
+        if !is_same_element && !merge_sites {
+            return Err(same_place(site, other));
+        }
+        Ok(format!(
+            "site {} is an image of site {}, and adds no atom",
+            site.label, other.label
+        ))
+    });
+    Ok((atoms, notes.collect::<Result<_, _>>()?))
 }
 
 fn same_place(site: &Site, other: &Site) -> ImportError {

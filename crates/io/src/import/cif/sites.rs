@@ -2,9 +2,12 @@
 
 use super::block::{Block, Column};
 use super::decimal::{Decimal, Snapped};
+use super::disorder;
 use super::options::CifOptions;
-use super::token::{Value, at_line, short};
+use super::select;
+use super::token::{Value, at_line};
 use crate::import::ImportError;
+use crate::import::crystal::element::{self, Kind};
 use malachite::Rational;
 
 const FRACTIONS: [&str; 3] = [
@@ -21,15 +24,18 @@ const MULTIPLICITIES: [&str; 2] = [
     "_atom_site_site_symmetry_multiplicity",
     "_atom_site_symmetry_multiplicity",
 ];
-const ADVICE: &str = "disorder cannot be a point set; choose sites with --only, or take each as an atom with --ignore-occupancy";
 
 /// A site of the asymmetric unit.
 pub struct Site {
     pub label: String,
+    /// Of its type symbol, or of its label.
+    pub element: Option<&'static str>,
     pub line: u32,
     pub position: [Rational; 3],
     /// One unit of the last written digit of each coordinate, zero where that is exact.
     pub units: [Rational; 3],
+    /// The position before it was snapped.
+    pub written: [Rational; 3],
     /// How many atoms the file says that it stands for.
     pub multiplicity: Option<usize>,
 }
@@ -48,7 +54,12 @@ pub struct Sites {
 
 /// Whether a block has sites.
 pub fn has_sites(block: &Block) -> bool {
-    block.column(&FRACTIONS[..1]).is_some()
+    block.exact(FRACTIONS[0]).is_some()
+}
+
+/// Whether a block has sites in Cartesian coordinates.
+pub fn has_cartesian_sites(block: &Block) -> bool {
+    block.exact("_atom_site_cartn_x").is_some()
 }
 
 /// The sites of a block that the options choose.
@@ -66,102 +77,93 @@ pub fn sites(block: &Block, options: &CifOptions) -> Result<Sites, ImportError> 
     let [x, y, z] = coordinates[..] else {
         return Ok(Sites::default());
     };
-    let table = Table {
-        coordinates: [x, y, z],
-        label: beside(x, block.column(&LABELS)),
-        occupancy: beside(x, block.column(&["_atom_site_occupancy"])),
-        flag: beside(x, block.column(&["_atom_site_calc_flag"])),
-        multiplicity: beside(x, block.column(&MULTIPLICITIES)),
-    };
     if y.group != x.group || z.group != x.group {
         return Err(at_line(
             x.value(0).line,
             "the coordinates of the sites stand in different loops",
         ));
     }
+    let beside = |tags: &[&str]| block.column(tags).filter(|column| column.group == x.group);
+    let table = Table {
+        coordinates: [x, y, z],
+        label: beside(&LABELS),
+        symbol: beside(&["_atom_site_type_symbol"]),
+        occupancy: beside(&["_atom_site_occupancy"]),
+        flag: beside(&["_atom_site_calc_flag"]),
+        multiplicity: beside(&MULTIPLICITIES),
+        assembly: beside(&["_atom_site_disorder_assembly"]),
+        group: beside(&["_atom_site_disorder_group"]),
+    };
     table.read(options)
 }
 
-/// A column of the same loop.
-fn beside<'b, 't>(x: Column<'b, 't>, column: Option<Column<'b, 't>>) -> Option<Column<'b, 't>> {
-    column.filter(|column| column.group == x.group)
-}
-
-struct Table<'b, 't> {
+/// The columns that are read of the loop of sites.
+pub struct Table<'b, 't> {
     coordinates: [Column<'b, 't>; 3],
     label: Option<Column<'b, 't>>,
-    occupancy: Option<Column<'b, 't>>,
-    flag: Option<Column<'b, 't>>,
+    pub symbol: Option<Column<'b, 't>>,
+    pub occupancy: Option<Column<'b, 't>>,
+    pub flag: Option<Column<'b, 't>>,
     multiplicity: Option<Column<'b, 't>>,
+    pub assembly: Option<Column<'b, 't>>,
+    pub group: Option<Column<'b, 't>>,
+}
+
+/// The value of a column in a row, if it is known.
+pub fn known<'t>(column: Option<Column<'_, 't>>, row: usize) -> Option<Value<'t>> {
+    column
+        .map(|column| column.value(row))
+        .filter(|value| !value.is_missing())
 }
 
 impl Table<'_, '_> {
     fn read(&self, options: &CifOptions) -> Result<Sites, ImportError> {
         let rows = self.coordinates[0].len();
-        let labels: Vec<String> = (0..rows).map(|row| self.label(row)).collect();
-        for wanted in &options.only {
-            if !labels.contains(wanted) {
-                let problem = format!(
-                    "there is no site {wanted}; the sites are {}",
-                    listed(&labels)
-                );
-                return Err(ImportError::entry("--only", problem));
-            }
-        }
+        let names: Vec<(String, Option<&'static str>)> = (0..rows)
+            .map(|row| {
+                let label = self.label(row);
+                let element = self.element(row, &label);
+                (label, element)
+            })
+            .collect();
+        let chosen = select::chosen(&names, options)?;
+        let labels: Vec<&str> = names.iter().map(|(label, _)| label.as_str()).collect();
         let mut sites = Sites {
             listed: rows,
             ..Sites::default()
         };
-        for (row, label) in labels.into_iter().enumerate() {
-            if options.only.is_empty() || options.only.contains(&label) {
-                self.check_ordered(row, &label, options)?;
-                let site = self.site(row, label, options, &mut sites)?;
+        let taken = disorder::check(self, &chosen, &labels, options, &mut sites.notes)?;
+        for (row, (label, element)) in names.into_iter().enumerate() {
+            if taken[row] {
+                let site = self.site(row, label, element, options, &mut sites)?;
                 sites.sites.push(site);
             }
+        }
+        if sites.sites.is_empty() {
+            return Err(ImportError::entry(
+                "sites",
+                "no site is left that is an atom",
+            ));
         }
         Ok(sites)
     }
 
-    fn label(&self, row: usize) -> String {
-        let given = self
-            .label
-            .map(|column| column.value(row))
-            .filter(|value| !value.is_missing());
-        given.map_or_else(|| format!("site{}", row + 1), |value| value.text.to_owned())
+    /// The line of a row.
+    pub fn line(&self, row: usize) -> u32 {
+        self.coordinates[0].value(row).line
     }
 
-    fn check_ordered(
-        &self,
-        row: usize,
-        label: &str,
-        options: &CifOptions,
-    ) -> Result<(), ImportError> {
-        let wrong = |value: &Value, problem: String| {
-            Err(at_line(value.line, format!("site {label} {problem}")))
-        };
-        let flag = self.flag.map(|column| column.value(row));
-        if let Some(value) = flag.filter(|value| value.text.eq_ignore_ascii_case("dum")) {
-            let problem =
-                "is a dummy (_atom_site_calc_flag dum), no atom: leave it out with --only";
-            return wrong(&value, problem.to_owned());
-        }
-        let Some(value) = self
-            .occupancy
-            .map(|column| column.value(row))
-            .filter(|value| !value.is_missing())
-        else {
-            return Ok(());
-        };
-        match Decimal::parse(value.text) {
-            Err(problem) => wrong(
-                &value,
-                format!("has an occupancy that cannot be read: {problem}"),
-            ),
-            Ok(number) if number.value != 1 && !options.ignore_occupancy => wrong(
-                &value,
-                format!("has the occupancy {}: {ADVICE}", value.text),
-            ),
-            Ok(_) => Ok(()),
+    fn label(&self, row: usize) -> String {
+        known(self.label, row)
+            .map_or_else(|| format!("site{}", row + 1), |value| value.text.to_owned())
+    }
+
+    /// The element of the type symbol; without a type symbol, that of the label.
+    fn element(&self, row: usize, label: &str) -> Option<&'static str> {
+        match known(self.symbol, row).map(|value| element::kind(value.text)) {
+            Some(Kind::Element(element)) => Some(element),
+            Some(_) => None,
+            None => element::of_label(label),
         }
     }
 
@@ -169,31 +171,39 @@ impl Table<'_, '_> {
         &self,
         row: usize,
         label: String,
+        element: Option<&'static str>,
         options: &CifOptions,
         sites: &mut Sites,
     ) -> Result<Site, ImportError> {
         let mut numbers = Vec::new();
+        let mut texts = Vec::new();
         for (column, axis) in self.coordinates.iter().zip(["x", "y", "z"]) {
             let value = column.value(row);
             let number = coordinate(&value, axis, &label)?;
             sites.uncertain += usize::from(number.uncertain);
-            numbers.push(snapped(
-                number,
-                &value,
-                axis,
-                &label,
-                options.snap,
-                &mut sites.notes,
-            ));
+            numbers.push(number);
+            texts.push(value.text);
         }
-        let multiplicity = self
-            .multiplicity
-            .and_then(|column| column.value(row).text.parse().ok());
+        let multiplicity = known(self.multiplicity, row).and_then(|value| value.text.parse().ok());
+        let snapped = options
+            .snap
+            .and_then(|n| snapped(&numbers, &texts, &label, n, &mut sites.notes));
+        let written = std::array::from_fn(|k| numbers[k].value.clone());
+        let units = std::array::from_fn(|k| match &snapped {
+            Some(fractions) if fractions[k] != numbers[k].value => Rational::from(0),
+            _ => numbers[k].unit.clone(),
+        });
+        let line = self.line(row);
+        if texts.iter().any(|text| text.contains('\u{fffd}')) || label.contains('\u{fffd}') {
+            return Err(at_line(line, "has bytes that are not UTF-8 text"));
+        }
         Ok(Site {
             label,
-            line: self.coordinates[0].value(row).line,
-            position: std::array::from_fn(|k| numbers[k].0.clone()),
-            units: std::array::from_fn(|k| numbers[k].1.clone()),
+            element,
+            line,
+            position: snapped.unwrap_or_else(|| <[Rational; 3]>::clone(&written)),
+            units,
+            written,
             multiplicity,
         })
     }
@@ -203,49 +213,40 @@ fn coordinate(value: &Value, axis: &str, label: &str) -> Result<Decimal, ImportE
     let wrong = |problem: String| at_line(value.line, format!("{axis} of site {label}: {problem}"));
     if value.is_missing() {
         return Err(wrong(format!(
-            "is not known ({}); leave the site out with --only",
+            "is not known ({}); leave the site out with --except",
             value.text
         )));
     }
     Decimal::parse(value.text).map_err(wrong)
 }
 
-/// The value and the unit that are used; a replaced number is exact.
+/// The coordinates with all decimals replaced that stand for multiples of 1/n. If one
+/// of them might, but has too few digits, none is replaced: coordinates of a site belong together.
 fn snapped(
-    number: Decimal,
-    value: &Value,
-    axis: &str,
+    numbers: &[Decimal],
+    texts: &[&str],
     label: &str,
-    snap: Option<u32>,
+    n: u32,
     notes: &mut Vec<String>,
-) -> (Rational, Rational) {
-    match snap.map_or(Snapped::Kept, |n| number.snap(n)) {
-        Snapped::To(fraction) => {
-            notes.push(format!(
-                "{label}: {axis} = {} replaced by {fraction}",
-                value.text
-            ));
-            (fraction, Rational::from(0))
-        }
-        Snapped::Ambiguous => {
-            let n = snap.unwrap_or_default();
-            notes.push(format!(
-                "{label}: {axis} = {} kept, it agrees with more than one multiple of 1/{n}",
-                value.text
-            ));
-            (number.value, number.unit)
-        }
-        Snapped::Kept => (number.value, number.unit),
+) -> Option<[Rational; 3]> {
+    let results: Vec<Snapped> = numbers.iter().map(|number| number.snap(n)).collect();
+    let axes = ["x", "y", "z"];
+    if let Some(k) = results.iter().position(|result| *result == Snapped::Short) {
+        notes.push(format!(
+            "{label}: the site is kept as it is written, since {} = {} has too few digits for one multiple of 1/{n}",
+            axes[k], texts[k]
+        ));
+        return None;
     }
-}
-
-/// The first labels, for a message.
-fn listed(labels: &[String]) -> String {
-    let shown: Vec<String> = labels.iter().take(20).map(|label| short(label)).collect();
-    let more = if labels.len() > shown.len() {
-        ", …"
-    } else {
-        ""
-    };
-    format!("{}{more}", shown.join(", "))
+    let mut position: [Rational; 3] = std::array::from_fn(|k| numbers[k].value.clone());
+    for (k, result) in results.into_iter().enumerate() {
+        if let Snapped::To(fraction) = result {
+            notes.push(format!(
+                "{label}: {} = {} replaced by {fraction}",
+                axes[k], texts[k]
+            ));
+            position[k] = fraction;
+        }
+    }
+    Some(position)
 }

@@ -2,14 +2,15 @@
 //! against what else the file says of its space group.
 //!
 //! A list that is cut short gives a wrong atom count without any other sign, so it is
-//! refused: the list must be a group, its point group must have the order that the number of
-//! the space group asks for, and its centring must be that of the symbol.
+//! refused: the list must be a group, and that of every name of the space group (see
+//! [`super::groups`]).
 
-use super::block::Block;
-use super::operation::{NotAGroup, OPERATION_LIMIT, Operation, Rotation, check_group};
+use super::block::{Block, Column};
+use super::cell::Cell;
+use super::groups::Names;
+use super::operation::{NotAGroup, OPERATION_LIMIT, Operation, check_group};
 use super::token::{Value, at_line, short};
 use crate::import::ImportError;
-use std::collections::HashSet;
 
 const OPERATIONS: [&str; 4] = [
     "_space_group_symop_operation_xyz",
@@ -22,14 +23,6 @@ const NUMBERS: [&str; 3] = [
     "_symmetry_int_tables_number",
     "_symmetry_space_group_it_number",
 ];
-const SYMBOLS: [&str; 4] = [
-    "_space_group_name_h-m_alt",
-    "_symmetry_space_group_name_h-m",
-    "_space_group_name_h-m_full",
-    "_space_group_name_h-m_ref",
-];
-const HALL: [&str; 2] = ["_space_group_name_hall", "_symmetry_space_group_name_hall"];
-const IDENTITY: [[i64; 3]; 3] = [[1, 0, 0], [0, 1, 0], [0, 0, 1]];
 
 /// An operation and the line where it stands.
 pub struct Listed {
@@ -43,34 +36,93 @@ pub struct Listed {
 ///
 /// # Errors
 /// They are missing, no group, or not those of the space group that the block names.
-pub fn operations(block: &Block, snap: Option<u32>) -> Result<Vec<Listed>, ImportError> {
-    let number = space_group_number(block)?;
-    let symbol = block.value(&SYMBOLS)?;
-    let Some(column) = block.column(&OPERATIONS) else {
-        return without_list(block, number, symbol);
+pub fn operations(
+    block: &Block,
+    snap: Option<u32>,
+    cell: &Cell,
+) -> Result<(Vec<Listed>, Vec<String>), ImportError> {
+    let names = Names::of(block, space_group_number(block)?)?;
+    let mut lists = Vec::new();
+    for tag in OPERATIONS {
+        if let Some(column) = block.exact(tag) {
+            let list = list(column, snap)?;
+            if !list.is_empty() {
+                lists.push(list);
+            }
+        }
+    }
+    check_same(&lists)?;
+    let Some(list) = lists.into_iter().next() else {
+        return names.tabulated(cell);
     };
-    if column.len() > OPERATION_LIMIT {
-        let problem = format!(
-            "{} symmetry operations, the limit is {OPERATION_LIMIT}",
-            column.len()
-        );
-        return Err(ImportError::limit(
-            format!("line {}", column.value(0).line),
-            problem,
-        ));
-    }
-    let list: Vec<Listed> = column
-        .values()
-        .map(|value| read(value, snap))
-        .collect::<Result<_, _>>()?;
     check_list(&list)?;
-    if let Some(number) = number {
-        check_point_group(&list, number)?;
-    }
-    if let Some(symbol) = symbol {
-        check_centring(&list, symbol)?;
+    let notes = names.check(&list, cell)?;
+    Ok((list, notes))
+}
+
+/// Whether a block has a list of operations.
+pub fn has_operations(block: &Block) -> bool {
+    block.column(&OPERATIONS).is_some()
+}
+
+/// The operations of a column. A value may have several, one on each line; the identity may
+/// be repeated.
+fn list(column: Column, snap: Option<u32>) -> Result<Vec<Listed>, ImportError> {
+    let mut list: Vec<Listed> = Vec::new();
+    let mut has_identity = false;
+    for value in column.values().filter(|value| !value.is_missing()) {
+        let mut line = value.line;
+        for text in value.text.split(['\n', '\r', ';']) {
+            let part = Value {
+                text: text.trim(),
+                line,
+                ..value
+            };
+            line += 1;
+            if part.text.is_empty() {
+                continue;
+            }
+            let listed = read(part, snap)?;
+            let is_repeated = has_identity && listed.operation.is_identity();
+            has_identity |= listed.operation.is_identity();
+            if !is_repeated {
+                list.push(listed);
+            }
+        }
+        if list.len() > OPERATION_LIMIT {
+            let problem = format!(
+                "{} symmetry operations, the limit is {OPERATION_LIMIT}",
+                column.len().max(list.len())
+            );
+            return Err(ImportError::limit(format!("line {}", value.line), problem));
+        }
     }
     Ok(list)
+}
+
+/// Lists under different tags must have the same operations.
+fn check_same(lists: &[Vec<Listed>]) -> Result<(), ImportError> {
+    let Some((first, others)) = lists.split_first() else {
+        return Ok(());
+    };
+    for other in others {
+        for (list, against) in [(first, other), (other, first)] {
+            let missing = list.iter().find(|listed| {
+                !against
+                    .iter()
+                    .any(|same| same.operation.is_same(&listed.operation))
+            });
+            if let Some(listed) = missing {
+                let problem = format!(
+                    "the block has two lists of symmetry operations that differ: {} is not in the list at line {}; remove the wrong list",
+                    short(&listed.text),
+                    against[0].line
+                );
+                return Err(at_line(listed.line, problem));
+            }
+        }
+    }
+    Ok(())
 }
 
 fn read(value: Value, snap: Option<u32>) -> Result<Listed, ImportError> {
@@ -87,53 +139,13 @@ fn read(value: Value, snap: Option<u32>) -> Result<Listed, ImportError> {
     })
 }
 
-/// Without a list the group must be P1.
-fn without_list(
-    block: &Block,
-    number: Option<(u16, u32)>,
-    symbol: Option<Value>,
-) -> Result<Vec<Listed>, ImportError> {
-    let is_p1 = |text: &str| {
-        let letters: String = text.split_ascii_whitespace().collect();
-        letters.eq_ignore_ascii_case("p1")
-    };
-    let symbol = symbol.or(block.value(&HALL)?);
-    let named = symbol.map(|value| (short(value.text), value.line));
-    let group = named.or(number.map(|(number, line)| (format!("number {number}"), line)));
-    let is_trivial = match (number, symbol) {
-        (Some((number, _)), symbol) => number == 1 && symbol.is_none_or(|value| is_p1(value.text)),
-        (None, symbol) => symbol.is_some_and(|value| is_p1(value.text)),
-    };
-    if is_trivial {
-        let operation = Operation::parse("x,y,z", None)
-            .map_err(|problem| ImportError::entry("x,y,z", problem))?;
-        let line = group.map_or(1, |(_, line)| line);
-        return Ok(vec![Listed {
-            operation,
-            line,
-            text: "x,y,z".to_owned(),
-        }]);
-    }
-    let add = "add a loop_ with _space_group_symop_operation_xyz and all operations ('x,y,z' alone for P1)";
-    Err(match group {
-        Some((group, line)) => at_line(
-            line,
-            format!(
-                "the space group is {group}, and its symmetry operations are not listed: {add}"
-            ),
-        ),
-        None => ImportError::entry(
-            format!("data_{}", block.name),
-            format!("no symmetry operations: {add}"),
-        ),
-    })
-}
-
 fn space_group_number(block: &Block) -> Result<Option<(u16, u32)>, ImportError> {
     let Some(value) = block.value(&NUMBERS)? else {
         return Ok(None);
     };
-    match value.text.parse() {
+    match value.text.trim().parse() {
+        // Programs write 0 for "not known".
+        Ok(0) => Ok(None),
         Ok(number @ 1..=230) => Ok(Some((number, value.line))),
         _ => Err(at_line(
             value.line,
@@ -180,98 +192,5 @@ fn check_list(list: &[Listed]) -> Result<(), ImportError> {
             );
             Err(at_line(list[0].line, problem))
         }
-    }
-}
-
-/// The order of the point group of a space group, by its number (International Tables A).
-fn point_group_order(number: u16) -> usize {
-    const LAST: [(u16, usize); 32] = [
-        (1, 1),
-        (2, 2),
-        (5, 2),
-        (9, 2),
-        (15, 4),
-        (24, 4),
-        (46, 4),
-        (74, 8),
-        (80, 4),
-        (82, 4),
-        (88, 8),
-        (98, 8),
-        (110, 8),
-        (122, 8),
-        (142, 16),
-        (146, 3),
-        (148, 6),
-        (155, 6),
-        (161, 6),
-        (167, 12),
-        (173, 6),
-        (174, 6),
-        (176, 12),
-        (182, 12),
-        (186, 12),
-        (190, 12),
-        (194, 24),
-        (199, 12),
-        (206, 24),
-        (214, 24),
-        (220, 24),
-        (230, 48),
-    ];
-    LAST.iter()
-        .find(|(last, _)| number <= *last)
-        .map_or(48, |&(_, order)| order)
-}
-
-fn check_point_group(list: &[Listed], (number, line): (u16, u32)) -> Result<(), ImportError> {
-    let rotations: HashSet<&Rotation> = list.iter().map(|l| &l.operation.rotation).collect();
-    let (found, expected) = (rotations.len(), point_group_order(number));
-    match found == expected {
-        true => Ok(()),
-        false => Err(at_line(
-            line,
-            format!(
-                "space group {number} has a point group of order {expected}, but the listed operations have {found} different \
-             rotations: complete the list, or remove the number if the list is right"
-            ),
-        )),
-    }
-}
-
-/// The lattice points in a cell, by the first letter of the Hermann-Mauguin symbol.
-fn check_centring(list: &[Listed], symbol: Value) -> Result<(), ImportError> {
-    let letter = symbol
-        .text
-        .chars()
-        .next()
-        .unwrap_or(' ')
-        .to_ascii_uppercase();
-    let expected: &[usize] = match letter {
-        'P' => &[1],
-        'A' | 'B' | 'C' | 'I' => &[2],
-        'F' => &[4],
-        'R' => &[1, 3],
-        _ => return Ok(()),
-    };
-    let found = list
-        .iter()
-        .filter(|l| l.operation.rotation == IDENTITY)
-        .count();
-    match expected.contains(&found) {
-        true => Ok(()),
-        false => Err(at_line(
-            symbol.line,
-            format!(
-                "{} has {} lattice points in a cell, but the listed operations have {found} translations: complete the list, or \
-             remove the symbol if the list is right",
-                short(symbol.text),
-                expected
-                    .iter()
-                    .map(usize::to_string)
-                    .collect::<Vec<_>>()
-                    .join(" or "),
-            ),
-        )),
     }
 }

@@ -3,7 +3,10 @@
 //! The syntax is that of S. R. Hall, J. D. Westbrook, Specification of the
 //! Crystallographic Information File, International Tables G (2005), chapter 2.2. A
 //! value is a word, a text in quotes (a quote ends it only before white space), or
-//! the lines between two lines that begin with `;`. Called by [`super::block`].
+//! the lines between two lines that begin with `;`. A value that begins with a bracket is reserved
+//! there, but programs write it, so it is read. A file that begins with `#\#CIF_2.0` has the lists,
+//! tables and triple quotes of CIF 2.0 (H. J. Bernstein et al., J. Appl. Cryst. 49 (2016) 277), and
+//! its quotes end at the next quote.
 
 use crate::import::ImportError;
 
@@ -49,6 +52,8 @@ pub struct Tokens<'t> {
     at: usize,
     /// Its line.
     line: u32,
+    /// CIF 2.0
+    is_second: bool,
 }
 
 impl<'t> Tokens<'t> {
@@ -58,6 +63,7 @@ impl<'t> Tokens<'t> {
             text,
             at: 0,
             line: 1,
+            is_second: text.starts_with("#\\#CIF_2.0"),
         }
     }
 
@@ -71,7 +77,9 @@ impl<'t> Tokens<'t> {
         let token = match self.byte(0) {
             None => return Ok(None),
             Some(b';') if self.is_line_start() => self.text_field()?,
+            Some(quote @ (b'\'' | b'"')) if self.is_triple(quote) => self.triple_quoted(quote)?,
             Some(quote @ (b'\'' | b'"')) => self.quoted(quote)?,
+            Some(b'[' | b'{') if self.is_second => self.collection()?,
             Some(_) => self.word()?,
         };
         Ok(Some((token, line)))
@@ -137,7 +145,11 @@ impl<'t> Tokens<'t> {
         self.at = start;
         loop {
             match self.byte(0) {
-                Some(byte) if byte == quote && self.byte(1).is_none_or(is_blank) => break,
+                Some(byte)
+                    if byte == quote && (self.is_second || self.byte(1).is_none_or(is_blank)) =>
+                {
+                    break;
+                }
                 Some(byte) if !is_line_end(byte) => self.at += 1,
                 _ => {
                     let problem = format!(
@@ -151,6 +163,52 @@ impl<'t> Tokens<'t> {
         let text = &self.text[start..self.at];
         self.at += 1;
         Ok(quoted_value(text, self.line))
+    }
+
+    fn is_triple(&self, quote: u8) -> bool {
+        self.is_second && [1, 2].iter().all(|&k| self.byte(k) == Some(quote))
+    }
+
+    /// From three quotes to the next three.
+    fn triple_quoted(&mut self, quote: u8) -> Result<Token<'t>, ImportError> {
+        let (start, line) = (self.at + 3, self.line);
+        self.at = start;
+        while self.byte(0).is_some() && !(self.byte(0) == Some(quote) && self.is_triple(quote)) {
+            self.step();
+        }
+        if self.byte(0).is_none() {
+            return Err(at_line(line, "the text in three quotes has no end"));
+        }
+        let text = &self.text[start..self.at];
+        self.at += 3;
+        Ok(quoted_value(text, line))
+    }
+
+    /// A list or table as one value: to the bracket that closes it. Quoted texts in it may have
+    /// brackets.
+    fn collection(&mut self) -> Result<Token<'t>, ImportError> {
+        let (start, line) = (self.at, self.line);
+        let mut depth = 0u32;
+        loop {
+            match self.byte(0) {
+                None => return Err(at_line(line, "the list or table has no end")),
+                Some(b'[' | b'{') => depth += 1,
+                Some(b']' | b'}') => depth -= 1,
+                Some(quote @ (b'\'' | b'"')) => {
+                    match self.is_triple(quote) {
+                        true => self.triple_quoted(quote)?,
+                        false => self.quoted(quote)?,
+                    };
+                    continue;
+                }
+                Some(_) => {}
+            }
+            self.step();
+            if depth == 0 {
+                break;
+            }
+        }
+        Ok(quoted_value(&self.text[start..self.at], line))
     }
 
     fn word(&mut self) -> Result<Token<'t>, ImportError> {
@@ -173,7 +231,7 @@ impl<'t> Tokens<'t> {
             || ["global_", "stop_"]
                 .iter()
                 .any(|word| text.eq_ignore_ascii_case(word))
-            || text.starts_with(['$', '[', ']']);
+            || text.starts_with('$');
         match reserved {
             true => Err(at_line(
                 line,
@@ -297,8 +355,8 @@ mod tests {
                 "line 1: found \"STOP_\", which has no place in a CIF of data",
             ),
             (
-                "[1]",
-                "line 1: found \"[1]\", which has no place in a CIF of data",
+                "$frame",
+                "line 1: found \"$frame\", which has no place in a CIF of data",
             ),
         ] {
             assert_eq!(words(text).expect_err(text), message);

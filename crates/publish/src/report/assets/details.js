@@ -74,7 +74,7 @@ function details(tiling, cell, shift) {
   const where = moved.some((x) => x) ? ` The chosen one is its translate by (${moved.slice(0, tiling.r).join(", ")}).` : "";
   return [
     element("h3", {}, `${word} ${cell.index}`),
-    element("p", {}, `Congruence class ${cell.class + 1}. ${D === 2 ? "Area" : "Volume"}: `, element("b", {}, volume),
+    element("p", {}, `Congruence class ${cell.class}. ${D === 2 ? "Area" : "Volume"}: `, element("b", {}, volume),
       ` of the basis' ${D === 2 ? "parallelogram" : "parallelepiped"}, about ${(approximate * cellVolume).toPrecision(8)}.${where}`),
     element("div", { class: "pair" },
       table("Corners", ["corner", "vertex", "type", "coordinates in the basis"], corners), edges),

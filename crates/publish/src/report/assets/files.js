@@ -32,7 +32,7 @@ function meshOf(tiling, n) {
 // VTK legacy file, ASCII, an unstructured grid; cell data: the congruence class.
 function vtkText(tiling, n) {
   const { vertices, simplices } = meshOf(tiling, n), corners = tiling.D + 1;
-  const classes = simplices.map((_, i) => tiling.cells[i % tiling.cells.length].class + 1);
+  const classes = simplices.map((_, i) => tiling.cells[i % tiling.cells.length].class);
   // The title is one line of at most 256 characters.
   const title = fileStem(tiling.data.name).slice(0, 100);
   return [

@@ -22,7 +22,7 @@ const COLOURINGS = {
   class: (tiling) => ({
     palette: tiling.data.palette.slice(0, 63).map(rgb),
     of: (cell) => Array(4).fill(cell.class % 63),
-    legend: tiling.data.palette.map((hex, k) => [hex, `class ${k + 1}`]),
+    legend: tiling.data.palette.map((hex, k) => [hex, `class ${k}`]),
   }),
   angle: (tiling) => {
     const low = Math.min(...tiling.largest), high = Math.max(...tiling.largest);
@@ -175,7 +175,7 @@ class View {
     }
     const cell = this.tiling.cells[owner % count];
     this.panel.querySelector(".spoken").textContent = owner < 0 ? "" :
-      `${panel.querySelector("h3").textContent}, class ${cell.class + 1}, largest angle ${this.tiling.largest[cell.index].toFixed(2)} degrees`;
+      `${panel.querySelector("h3").textContent}, class ${cell.class}, largest angle ${this.tiling.largest[cell.index].toFixed(2)} degrees`;
     this.redraw();
   }
 

@@ -1,0 +1,3 @@
+//! Tests of the public interface of `acutile-bounds`, one binary for all.
+
+mod proof;

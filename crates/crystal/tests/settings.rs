@@ -1,0 +1,166 @@
+//! Hall symbols and Hermann-Mauguin symbols against gemmi's tables (tests/make.py).
+
+use acutile_crystal::motion::{Motion, fractional};
+use acutile_crystal::{hall, setting};
+use malachite::Rational;
+use std::collections::HashSet;
+
+/// A line of gemmi's tables.
+struct Row {
+    number: u16,
+    symbol: String,
+    hall: String,
+    count: usize,
+    hash: u64,
+}
+
+fn rows() -> Vec<Row> {
+    let lines = include_str!("settings.tsv").lines();
+    lines
+        .map(|line| {
+            let fields: Vec<&str> = line.split('\t').collect();
+            Row {
+                number: fields[0].parse().expect("a number"),
+                symbol: fields[1].to_owned(),
+                hall: fields[2].to_owned(),
+                count: fields[3].parse().expect("a count"),
+                hash: fields[4].parse().expect("a hash"),
+            }
+        })
+        .collect()
+}
+
+/// The sum of a code of each operation, as make.py computes it.
+fn hash(group: &[Motion]) -> u64 {
+    let modulus = 1u128 << 63;
+    let code = |motion: &Motion| {
+        let translations = motion.translation.iter().map(|t| {
+            let scaled = fractional(t.clone()) * Rational::from(24);
+            i128::try_from(&malachite::Integer::try_from(scaled).expect("24ths")).expect("small")
+        });
+        let entries = motion
+            .rotation
+            .iter()
+            .flatten()
+            .map(|&entry| i128::from(entry));
+        entries.chain(translations).fold(0u128, |value, entry| {
+            let next = value as i128 * 1_000_003 + entry + 7;
+            next.rem_euclid(modulus as i128) as u128
+        })
+    };
+    (group.iter().map(code).sum::<u128>() % modulus) as u64
+}
+
+#[test]
+fn hall_symbols_give_the_groups_of_gemmi() {
+    let rows = rows();
+    assert_eq!(rows.len(), 564);
+    let mut compared = 0;
+    for row in rows {
+        let group = match hall::group(&row.hall) {
+            Ok(group) => group,
+            // Changes of basis are no settings of the 530.
+            Err(_) if row.hall.contains(',') => continue,
+            Err(error) => panic!("{}: {error}", row.hall),
+        };
+        assert_eq!(
+            (group.len(), hash(&group)),
+            (row.count, row.hash),
+            "{}",
+            row.hall
+        );
+        compared += 1;
+    }
+    assert!(compared >= 530, "{compared}");
+}
+
+/// Every symbol of gemmi's first 530 lines stands for a setting with gemmi's operations.
+#[test]
+fn symbols_stand_for_the_groups_of_gemmi() {
+    let mut known = HashSet::new();
+    for row in rows().iter().take(530) {
+        let found = setting::of_symbol(&row.symbol);
+        let hashes: Vec<u64> = found
+            .settings
+            .iter()
+            .map(|setting| hash(&setting.group().expect("a group")))
+            .collect();
+        assert!(
+            hashes.contains(&row.hash),
+            "{}: {:?}",
+            row.symbol,
+            found.settings
+        );
+        assert!(
+            found.settings.iter().all(|s| s.number == row.number),
+            "{}",
+            row.symbol
+        );
+        known.insert(row.hash);
+    }
+    assert_eq!(setting::settings().len(), 530);
+    let all: HashSet<u64> = setting::settings()
+        .iter()
+        .map(|setting| hash(&setting.group().expect("a group")))
+        .collect();
+    assert_eq!(all, known);
+}
+
+#[test]
+fn spellings_of_symbols() {
+    let numbers = |symbol: &str| {
+        let found = setting::of_symbol(symbol).settings;
+        found
+            .iter()
+            .map(|s| (s.number, s.choice))
+            .collect::<Vec<_>>()
+    };
+    for (symbol, expected) in [
+        ("P m -3 n", vec![(223, "")]),
+        ("Pm-3n", vec![(223, "")]),
+        ("Pm3n", vec![(223, "")]),
+        ("P m 3 n", vec![(223, "")]),
+        ("F 4/m -3 2/m", vec![(225, "")]),
+        ("F d -3 m", vec![(227, "1"), (227, "2")]),
+        ("Fd3m:2", vec![(227, "2")]),
+        ("F d -3 m Z", vec![(227, "2")]),
+        ("F d -3 m S", vec![(227, "1")]),
+        ("F d -3 m (origin choice 2)", vec![(227, "2")]),
+        ("R -3 c", vec![(167, "H"), (167, "R")]),
+        ("R -3 c :H", vec![(167, "H")]),
+        ("R -3 c R", vec![(167, "R")]),
+        ("C m c a", vec![(64, "")]),
+        ("A b a 2", vec![(41, "")]),
+        ("P 1 21/c 1", vec![(14, "b1")]),
+        ("P 21/c", vec![(14, "b1"), (14, "a3")]),
+        ("P2(1)/n", vec![(14, "b2"), (14, "c2"), (14, "a2")]),
+        ("P n m a", vec![(62, "")]),
+        ("P b n m", vec![(62, "cab")]),
+        ("P 63/m m c", vec![(194, "")]),
+        ("X 1", vec![]),
+        ("", vec![]),
+    ] {
+        assert_eq!(numbers(symbol), expected, "{symbol}");
+    }
+}
+
+#[test]
+fn texts_that_are_no_hall_symbols() {
+    for text in [
+        "",
+        "Q 2",
+        "P 5",
+        "P 2q",
+        "P 4'",
+        "P 2 (0 0",
+        "P 2 (x,z,y)",
+        "P 2 (1 2)",
+        &"P 2 ".repeat(30),
+    ] {
+        assert!(hall::group(text).is_err(), "{text}");
+    }
+    // ITB table A1.4.2.7: the origin of P 2ac (0 0 -1) does not matter along its axis.
+    assert_eq!(hall::group("P 2c (0 0 -1)"), hall::group("P 2c"));
+    assert_eq!(hall::group("-P 2 (0 0 3)").map(|group| group.len()), Ok(4));
+    assert_eq!(hall::group("-P 2 (x,y,z+1/4)"), hall::group("-P 2 (0 0 3)"));
+}

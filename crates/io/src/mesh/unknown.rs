@@ -1,0 +1,112 @@
+//! Names of formats that are not read, by extension or first bytes, and the formats that are.
+
+use std::path::Path;
+
+/// The formats that are read, for messages.
+pub const READ: &str = "acutile reads tiling, point-set and certificate files of its own, CIF, Gmsh \
+                        .msh, VTK .vtk and .vtu, MEDIT .mesh and .meshb, TetGen and Triangle .node \
+                        and .ele, Abaqus .inp, Nastran .bdf and .nas, MFEM .mesh; meshio converts \
+                        many others (meshio convert IN OUT.vtu)";
+
+/// Extensions of formats that are not read.
+const EXTENSIONS: [(&str, &str); 40] = [
+    ("xdmf", "XDMF"),
+    ("xmf", "XDMF"),
+    ("h5", "HDF5"),
+    ("hdf5", "HDF5"),
+    ("med", "Salome MED"),
+    ("cgns", "CGNS"),
+    ("e", "Exodus II"),
+    ("ex2", "Exodus II"),
+    ("exo", "Exodus II"),
+    ("unv", "I-DEAS universal"),
+    ("f3grid", "FLAC3D"),
+    ("ply", "PLY"),
+    ("off", "OFF"),
+    ("su2", "SU2"),
+    ("ugrid", "AFLR3 UGRID"),
+    ("vol", "Netgen"),
+    ("avs", "AVS-UCD"),
+    ("pvtu", "parallel VTU (read its pieces)"),
+    ("pvd", "ParaView collection (read its pieces)"),
+    ("vtp", "VTK polygonal data"),
+    ("vts", "VTK structured grid"),
+    ("vtr", "VTK rectilinear grid"),
+    ("vti", "VTK image"),
+    ("vtm", "VTK multiblock (read its pieces)"),
+    ("stp", "STEP"),
+    ("step", "STEP"),
+    ("igs", "IGES"),
+    ("iges", "IGES"),
+    ("brep", "Open CASCADE BRep"),
+    ("geo", "Gmsh geometry (gmsh -3 makes a mesh of it)"),
+    ("pos", "Gmsh post-processing view"),
+    ("cas", "Fluent case"),
+    ("k", "LS-DYNA keyword"),
+    ("key", "LS-DYNA keyword"),
+    ("cdb", "Ansys CDB"),
+    ("neu", "neutral (Netgen or Gambit)"),
+    ("tec", "Tecplot"),
+    ("poly", "TetGen input (tetgen makes a mesh of it)"),
+    ("smesh", "TetGen input (tetgen makes a mesh of it)"),
+    ("mphtxt", "COMSOL"),
+];
+
+/// First bytes of formats that are not read.
+const STARTS: [(&[u8], &str); 22] = [
+    (
+        b"\x89HDF\r\n\x1a\n",
+        "HDF5 (XDMF, MED, CGNS or Exodus data)",
+    ),
+    (b"CDF\x01", "netCDF (perhaps Exodus II)"),
+    (b"CDF\x02", "netCDF (perhaps Exodus II)"),
+    (b"<Xdmf", "XDMF"),
+    (b"<dolfin", "DOLFIN XML"),
+    (b"ply\n", "PLY"),
+    (b"ply\r\n", "PLY"),
+    (b"OFF", "OFF"),
+    (b"NDIME=", "SU2"),
+    (b"mesh3d", "Netgen"),
+    (b"ISO-10303-21", "STEP"),
+    (b"View \"", "Gmsh post-processing view"),
+    (b"*KEYWORD", "LS-DYNA keyword"),
+    (b"(0 \"", "Fluent mesh"),
+    (b"/COM,ANSYS", "Ansys CDB"),
+    (
+        b"solid ",
+        "STL surface (certify --fills compares it with a mesh)",
+    ),
+    (b"PK\x03\x04", "ZIP archive"),
+    (b"\x1f\x8b", "gzip (the name has to end in .gz)"),
+    (b"BZh", "bzip2 archive"),
+    (b"\xfd7zXZ", "xz archive"),
+    (b"%PDF", "PDF"),
+    (b"\x89PNG", "PNG image"),
+];
+
+/// The name of a format that is not read, if the file seems to be of one.
+pub fn name(path: &Path, bytes: &[u8]) -> Option<&'static str> {
+    let start = super::source::without_mark(bytes).trim_ascii_start();
+    let by_bytes = STARTS.iter().find(|(mark, _)| start.starts_with(mark));
+    if let Some((_, name)) = by_bytes {
+        return Some(name);
+    }
+    let file = path.file_name()?.to_str()?.to_ascii_lowercase();
+    let file = file.strip_suffix(".gz").unwrap_or(&file);
+    let extension = file.rsplit_once('.')?.1;
+    match extension {
+        "stl" | "obj" => Some("a surface (certify --fills compares it with a mesh)"),
+        _ => EXTENSIONS
+            .iter()
+            .find(|(known, _)| *known == extension)
+            .map(|(_, name)| *name),
+    }
+}
+
+/// What to say of a file that is not read.
+pub fn message(path: &Path, bytes: &[u8]) -> String {
+    match name(path, bytes) {
+        Some(name) => format!("the format is not read: {name}; {READ}"),
+        None => format!("the format is not known; {READ}"),
+    }
+}

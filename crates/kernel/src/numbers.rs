@@ -1,0 +1,255 @@
+//! The checks of a tiling that need coordinates, by the smallest integers that suffice.
+//!
+//! Each question goes to integers of 64 bits, and on if a result does not fit or a sign is not
+//! visible: to intervals, to integers of 128 bits, and to integers of any size.
+
+use crate::cbor::Cbor;
+use crate::claim::{Claim, Domain};
+use crate::domain::Facets;
+use crate::filter::Intervals;
+use crate::front::Step;
+use crate::int::Int;
+use crate::limits::Work;
+use crate::refusal::{Checked, Place, Stop};
+use crate::region::Region;
+use crate::ring::{Element, Exact, Ring, Sign, Vector, each};
+use crate::root::Root;
+use crate::row::{Corner, Row, Shape};
+use crate::rules::{Found, Rules, Simplex};
+use crate::vertices::Vertices;
+use num_bigint::BigInt;
+use std::cmp::Ordering::Equal;
+use std::rc::Rc;
+
+/// The claim in the numbers of one ring.
+pub(crate) struct Model<R: Ring> {
+    pub(crate) rules: Rules<R>,
+    facets: Option<Facets<R>>,
+}
+
+impl<R: Ring> Model<R> {
+    /// Checks what the claim states of its own numbers.
+    pub(crate) fn new(ring: &R, claim: &Claim) -> Checked<Self> {
+        let rules = Rules::new(ring, claim).map_err(|stop| stop.at(Place::Field))?;
+        let facets = match &claim.domain {
+            Domain::Polytope(polytope) => Some(Facets::new(polytope, claim.dimension, ring)),
+            _ => None,
+        };
+        Ok(Model { rules, facets: facets.transpose().map_err(|stop| stop.at(Place::Domain))? })
+    }
+
+    /// The vertices of the tiling have this denominator.
+    pub(crate) fn set_denominator(&mut self, claim: &Claim, denominator: &BigInt) -> Checked {
+        if let (Some(facets), Domain::Polytope(polytope)) = (&mut self.facets, &claim.domain) {
+            // In a tiling every vertex of P is a corner, so its coordinates have this denominator.
+            let factor = denominator / &polytope.denominator;
+            let divides = &factor * &polytope.denominator == *denominator;
+            ensure!(divides, DenominatorDomain, Place::Witness, polytope.denominator.clone());
+            facets.scale(polytope, &factor)?;
+        }
+        Ok(())
+    }
+
+    /// The faces of the domain in which a vertex lies.
+    pub(crate) fn faces(&self, point: &Vector<R>, vertex: u32) -> Checked<Vec<u32>> {
+        self.facets.as_ref().map_or(Ok(Vec::new()), |facets| facets.of_vertex(point, vertex))
+    }
+
+    /// A row's simplex. In the plane the last edge is (0, 0, 1).
+    pub(crate) fn simplex(
+        &self,
+        row: &Row,
+        steps: &[Step; 4],
+        number: u64,
+        point: impl Fn(Corner) -> Checked<Vector<R>>,
+    ) -> Checked<Simplex<R>> {
+        let ring = &self.rules.ring;
+        ring.work().add(self.rules.price());
+        let [a, b, c, d] = row.corners;
+        let origin = point(a)?;
+        let vector = |corner| ring.difference(&origin, &point(corner)?);
+        let third = if self.rules.is_plane {
+            [R::Element::default(), R::Element::default(), ring.integer(1)?]
+        } else {
+            vector(d)?
+        };
+        let mates = each(steps, |step| match step {
+            Step::Closed(corner) if self.rules.needs_mates() => vector(*corner).map(Some),
+            _ => Ok(None),
+        })?;
+        Ok(Simplex { number, edges: [vector(b)?, vector(c)?, third], mates })
+    }
+
+    /// Rule V: the determinants sum to D! times the volume of one cell of the lattice in the
+    /// domain, all times the D-th power of the denominator. With k! vol P in place of the domain's
+    /// volume the factor is D! / k!.
+    pub(crate) fn check_volume(&self, sum: &R::Element, shape: Shape, denominator: &BigInt) -> Checked {
+        let ring = &self.rules.ring;
+        let mut expected = match &self.facets {
+            Some(facets) => facets.volume.clone(),
+            None => ring.integer(1)?,
+        };
+        for factor in (1..=shape.dimension).rev().take(shape.rank) {
+            expected = ring.times(&expected, &ring.element(&[denominator * factor])?)?;
+        }
+        let is_equal = ring.sign(&ring.minus(sum, &expected)?) == Sign::exactly(Equal);
+        ensure!(is_equal, VolumeSum, Place::Witness, ring.quotient(sum, &expected));
+        Ok(())
+    }
+}
+
+/// The numbers of a tiling, or of one part of a family of tilings.
+pub(crate) trait Numbers {
+    /// Checks I for a vertex. Returns the faces of the domain in which it lies.
+    fn faces(&self, vertex: u32) -> Checked<Vec<u32>>;
+    /// Checks the statements about a simplex, and counts its volume. Returns the set of the
+    /// statements of which it attains the bound.
+    fn check(&mut self, row: &Row, steps: &[Step; 4], simplex: u64) -> Checked<u32>;
+    fn check_volume(&self, shape: Shape) -> Checked;
+}
+
+/// The numbers of one tiling.
+pub(crate) struct Single<const N: usize> {
+    pub(crate) vertices: Vertices,
+    small: Option<Model<Exact<i64, N>>>,
+    medium: Option<Model<Exact<i128, N>>>,
+    large: Model<Exact<BigInt, N>>,
+    intervals: Option<Rules<Intervals>>,
+    region: Option<Region<N>>,
+    /// The sum of the determinants.
+    volume: Element<BigInt, N>,
+}
+
+fn or_larger<V>(found: Checked<V>, again: impl FnOnce() -> Checked<V>) -> Checked<V> {
+    match found {
+        Err(stop) if stop.is_larger() => again(),
+        found => found,
+    }
+}
+
+impl<const N: usize> Single<N> {
+    /// Checks what the claim states of its own numbers.
+    pub(crate) fn new(claim: &Claim, work: &Rc<Work>) -> Checked<Self> {
+        let root = Rc::new(Root::new(&claim.field, work)?);
+        let large = Model::new(&Exact::new(&root, work)?, claim)?;
+        let intervals = Intervals { root: root.clone(), work: work.clone() };
+        Ok(Single {
+            vertices: Vertices::new(claim.dimension, claim.field.degree()),
+            small: Exact::new(&root, work).and_then(|ring| Model::new(&ring, claim)).ok(),
+            medium: Exact::new(&root, work).and_then(|ring| Model::new(&ring, claim)).ok(),
+            large,
+            intervals: Rules::new(&intervals, claim).ok(),
+            region: None,
+            volume: Element::default(),
+        })
+    }
+
+    pub(crate) fn read_denominator(&mut self, claim: &Claim, cbor: &mut Cbor) -> Checked {
+        self.vertices.read_denominator(cbor)?;
+        let denominator = &self.vertices.denominator;
+        self.large.set_denominator(claim, denominator)?;
+        // Where a product does not fit, these integers serve for nothing.
+        self.small.take_if(|model| model.set_denominator(claim, denominator).is_err());
+        self.medium.take_if(|model| model.set_denominator(claim, denominator).is_err());
+        Ok(())
+    }
+
+    /// Checks X for the facets of the list `boundary`.
+    pub(crate) fn add_boundary(&mut self, facets: Vec<[Corner; 3]>, shape: Shape) -> Checked {
+        let small = self.small.as_ref().map(|model| model.rules.ring.clone());
+        let rings = (small, self.large.rules.ring.clone());
+        self.region = Some(Region::new(facets, shape, &self.vertices, rings)?);
+        Ok(())
+    }
+
+    fn judge<T: Int>(
+        &self,
+        model: Option<&Model<Exact<T, N>>>,
+        row: &Row,
+        steps: &[Step; 4],
+        simplex: u64,
+    ) -> Checked<Found<Exact<T, N>>> {
+        let model = model.ok_or(Stop::LARGER)?;
+        let simplex = model.simplex(row, steps, simplex, |corner| self.vertices.point(corner))?;
+        model.rules.check(&simplex, &self.vertices.denominator)
+    }
+
+    /// The judgement by intervals. Only the volume needs the determinant itself. Exact integers
+    /// repeat a refusal, for its value.
+    fn judge_by_intervals(&self, row: &Row, steps: &[Step; 4], simplex: u64) -> Checked<Found<Exact<BigInt, N>>> {
+        let rules = self.intervals.as_ref().ok_or(Stop::LARGER)?;
+        let medium = self.medium.as_ref().ok_or(Stop::LARGER)?;
+        let Simplex { number, edges, mates } =
+            medium.simplex(row, steps, simplex, |corner| self.vertices.point(corner))?;
+        let vector = |x: &[Element<i128, N>; 3]| each(x, |x| rules.ring.of(&x.0));
+        let intervals = Simplex {
+            number,
+            edges: each(&edges, vector)?,
+            mates: each(&mates, |mate| mate.as_ref().map(vector).transpose())?,
+        };
+        let (_, attained) = rules.check(&intervals, &self.vertices.denominator)?;
+        if self.region.is_some() {
+            return Ok((Element::default(), attained));
+        }
+        let ring = &medium.rules.ring;
+        let normal = ring.cross(&edges[1], &edges[2])?;
+        let determinant = ring.inner(&edges[0], &normal).map(|x| x.large());
+        let again = || {
+            self.large
+                .rules
+                .ring
+                .inner(&edges[0].each_ref().map(Element::large), &normal.each_ref().map(Element::large))
+        };
+        Ok((or_larger(determinant, again)?, attained))
+    }
+
+    /// The judgement where products do not fit 64 bits.
+    #[cold]
+    #[inline(never)]
+    fn judge_larger(&self, row: &Row, steps: &[Step; 4], simplex: u64) -> Checked<Found<Exact<BigInt, N>>> {
+        if let Ok(found) = self.judge_by_intervals(row, steps, simplex) {
+            return Ok(found);
+        }
+        let medium = self.judge(self.medium.as_ref(), row, steps, simplex);
+        or_larger(medium.map(|(x, attained)| (x.large(), attained)), || {
+            self.judge(Some(&self.large), row, steps, simplex)
+        })
+    }
+
+    fn add<T: Int>(&mut self, (determinant, attained): (Element<T, N>, u32)) -> u32 {
+        for (sum, c) in self.volume.0.iter_mut().zip(&determinant.0) {
+            *sum += c.big();
+        }
+        attained
+    }
+}
+
+impl<const N: usize> Numbers for Single<N> {
+    fn faces(&self, vertex: u32) -> Checked<Vec<u32>> {
+        let corner = Corner { vertex, shift: [0; 3] };
+        let small = self.small.as_ref().ok_or(Stop::LARGER);
+        let faces = small.and_then(|small| small.faces(&self.vertices.point(corner)?, vertex));
+        or_larger(faces, || self.large.faces(&self.vertices.point(corner)?, vertex))
+    }
+
+    fn check(&mut self, row: &Row, steps: &[Step; 4], simplex: u64) -> Checked<u32> {
+        let attained = match self.judge(self.small.as_ref(), row, steps, simplex) {
+            Err(stop) if stop.is_larger() => {
+                let found = self.judge_larger(row, steps, simplex);
+                self.add(found.map_err(|stop| stop.at(Place::Simplex(simplex)))?)
+            }
+            found => self.add(found?),
+        };
+        if let Some(region) = &self.region {
+            region.check_row(row, &self.vertices, simplex)?;
+        }
+        Ok(attained)
+    }
+
+    fn check_volume(&self, shape: Shape) -> Checked {
+        if self.region.is_some() {
+            return Ok(());
+        }
+        self.large.check_volume(&self.volume, shape, &self.vertices.denominator)
+    }
+}

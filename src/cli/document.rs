@@ -1,0 +1,98 @@
+//! Text files of tilings, point sets and crystal structures.
+
+use super::named::InputError;
+use super::output::Output;
+use super::points::PointArguments;
+use acutile_core::tiling::AnyPointSet;
+use acutile_io::import::crystal::{self, Structure, text_of};
+use acutile_io::import::{
+    BYTE_LIMIT, Content, ImportError, read_bytes, read_native, uncompressed_name, without_comments,
+};
+use acutile_io::mesh::unknown;
+use std::path::Path;
+
+/// A file that was read.
+pub struct Document {
+    /// Its author's words for it.
+    pub description: String,
+    pub content: Content,
+    /// For each point or vertex the label of its site; empty if there are none.
+    pub labels: Vec<String>,
+    /// For each point its element, as far as that is known; empty if the file is no crystal.
+    pub elements: Vec<Option<&'static str>>,
+    /// Notes on a crystal structure.
+    pub notes: Vec<String>,
+}
+
+/// Reads a crystal structure or one of the program's own files, and prints the notes on it.
+///
+/// # Errors
+/// A message that names the file.
+pub fn read(
+    path: &Path,
+    text: &str,
+    points: &PointArguments,
+    output: &mut Output,
+) -> Result<Document, InputError> {
+    let named = |error: ImportError| InputError::of_file(path, &error);
+    if let Some(kind) = crystal::kind(&uncompressed_name(path), text) {
+        let structure = crystal::read(kind, text, &points.crystal_options()?).map_err(named)?;
+        for note in &structure.notes {
+            output.complain(format!("{}: {note}", path.display()));
+        }
+        return Ok(of_structure(structure));
+    }
+    check_for_crystal(&path.display().to_string(), points)?;
+    if !text.trim_start().is_empty() && !without_comments(text).trim_start().starts_with('{') {
+        let message = unknown::message(path, text.as_bytes());
+        return Err(format!("{}: {message}", path.display()).into());
+    }
+    let file = read_native(text).map_err(named)?;
+    let words: Vec<String> = [file.name, file.description]
+        .into_iter()
+        .flatten()
+        .collect();
+    Ok(Document {
+        description: words.join(": "),
+        content: file.content,
+        labels: file.labels,
+        elements: Vec::new(),
+        notes: Vec::new(),
+    })
+}
+
+/// Reads a file, and prints the notes on it.
+///
+/// # Errors
+/// A message that names the file.
+pub fn open(
+    path: &Path,
+    points: &PointArguments,
+    output: &mut Output,
+) -> Result<Document, InputError> {
+    let named = |error: ImportError| InputError::of_file(path, &error);
+    let bytes = read_bytes(path, BYTE_LIMIT).map_err(named)?;
+    let text = text_of(&uncompressed_name(path), bytes).map_err(named)?;
+    read(path, &text, points, output)
+}
+
+fn of_structure(structure: Structure) -> Document {
+    Document {
+        description: structure.name,
+        content: Content::Points(AnyPointSet::Space(structure.points)),
+        labels: structure.labels,
+        elements: structure.elements,
+        notes: structure.notes,
+    }
+}
+
+/// The options for a crystal structure mean nothing for `input`, which is none.
+///
+/// # Errors
+/// One of them is given.
+pub fn check_for_crystal(input: &str, points: &PointArguments) -> Result<(), String> {
+    match points.given_for_crystals() {
+        None => Ok(()),
+        Some(option) => Err(format!("{input}: {option} is for a CIF, which this is not")),
+    }
+}
