@@ -13,6 +13,7 @@ use super::theorem;
 use super::verify::{claim_json, summary};
 use acutile_catalog as catalog;
 use acutile_core::checker::{self, Defect, Names, Options};
+use acutile_core::family::AnyFamily;
 use acutile_core::format::{self, print};
 use acutile_core::proved::{Confirmed, NotProved, hexadecimal, prove_to};
 use acutile_core::statement::{Requirement, in_words as statement_in_words};
@@ -155,7 +156,7 @@ fn prove(
     let mut named = match input::any(input, arguments.param.as_deref(), &arguments.file, output) {
         Ok(Input::Tiling(named)) => named,
         Ok(Input::Family(named)) => {
-            return family::prove(&named.family, input, target, arguments, notes);
+            return prove_family(&named.family, input, target, arguments, notes, output);
         }
         Err(error) if error.outcome == Outcome::Declined => {
             return Answer::Declined(error.message);
@@ -176,7 +177,9 @@ fn prove(
     }
     match arguments.family.freed(&named.tiling) {
         Ok(None) => {}
-        Ok(Some(family)) => return family::prove(&family, input, target, arguments, notes),
+        Ok(Some(family)) => {
+            return prove_family(&family, input, target, arguments, notes, output);
+        }
         Err(message) => return Answer::Failed(format!("{input}: {message}")),
     }
     let options = Options {
@@ -210,6 +213,23 @@ fn prove(
         notes: notes.clone(),
         findings,
     }))
+}
+
+/// Proves or refutes a family, and tells what else is found.
+fn prove_family(
+    any: &AnyFamily,
+    input: &str,
+    target: &Target,
+    arguments: &CertifyArguments,
+    notes: &mut Vec<String>,
+    output: &mut Output,
+) -> Answer {
+    let first = notes.len();
+    let answer = family::prove(any, input, target, arguments, notes);
+    for note in &notes[first..] {
+        output.complain(format!("{input}: {note}"));
+    }
+    answer
 }
 
 pub(super) fn options(arguments: &CertifyArguments) -> Options {
