@@ -123,6 +123,7 @@ fn judge(text: &str, is_cif: bool) -> Option<usize> {
     };
     let tiling = match content {
         Content::Tiling(tiling) => tiling,
+        Content::Family(_) => return None,
         Content::Points(AnyPointSet::Plane(points)) => AnyTiling::Plane(delaunay(&points)?),
         Content::Points(AnyPointSet::Space(points)) => AnyTiling::Space(delaunay(&points)?),
     };

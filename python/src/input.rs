@@ -150,6 +150,9 @@ pub fn of_text(text: &str, must_cut: bool) -> PyResult<Input> {
     match read_native(text).map_err(failed)?.content {
         Content::Tiling(tiling) => Ok(Input::of(tiling)),
         Content::Points(points) => of_points(&points, must_cut),
+        Content::Family(_) => Err(failed(
+            "a file with parameters is a family, expected a single tiling; the command line takes it",
+        )),
     }
 }
 

@@ -3,7 +3,8 @@
 use super::answer::{Answer, Beside, Examined, Written, unwritten};
 use super::defects;
 use super::encoding::Encoding;
-use super::input::{self, FileArguments};
+use super::family::{self, FamilyArguments};
+use super::input::{self, FileArguments, Input};
 use super::limits::LimitArguments;
 use super::outcome::Outcome;
 use super::output::{Output, Staged, write_file};
@@ -14,6 +15,7 @@ use super::target::{Target, targets};
 use super::theorem;
 use acutile_catalog as catalog;
 use acutile_core::checker::{self, Defect, Names, Options};
+use acutile_core::family::AnyFamily;
 use acutile_core::format::{self, print};
 use acutile_core::proved::{Confirmed, NotProved, prove_to};
 use acutile_core::statement::{Requirement, in_words as statement_in_words};
@@ -97,6 +99,8 @@ pub struct CertifyArguments {
     #[arg(long)]
     pub json: bool,
     #[command(flatten)]
+    pub family: FamilyArguments,
+    #[command(flatten)]
     pub limits: LimitArguments,
 }
 
@@ -105,6 +109,7 @@ pub fn run(arguments: &CertifyArguments, output: &mut Output) -> Outcome {
     let mut inputs: Vec<String> = Vec::new();
     let theorems = catalog::THEOREMS.iter().map(|theorem| theorem.name);
     let all = catalog::names()
+        .chain(catalog::family_names())
         .chain(theorems)
         .filter(|_| arguments.all)
         .map(str::to_owned);
@@ -155,9 +160,11 @@ fn prove(
         Some(Err(message)) => return Answer::Failed(message),
         None => {}
     }
-    let mut named = match input::tiling(input, arguments.param.as_deref(), &arguments.file, output)
-    {
-        Ok(named) => named,
+    let mut named = match input::any(input, arguments.param.as_deref(), &arguments.file, output) {
+        Ok(Input::Tiling(named)) => named,
+        Ok(Input::Family(named)) => {
+            return prove_family(&named.family, input, target, arguments, notes, output);
+        }
         Err(error) if error.outcome == Outcome::Declined => {
             return Answer::Declined(error.message);
         }
@@ -179,11 +186,16 @@ fn prove(
     if !named.curved.is_empty() {
         return second::curved(input, &named, !arguments.required.is_empty());
     }
+    match arguments.family.freed(&named.tiling) {
+        Ok(None) => {}
+        Ok(Some(family)) => {
+            return prove_family(&family, input, target, arguments, notes, output);
+        }
+        Err(message) => return Answer::Failed(format!("{input}: {message}")),
+    }
     let options = Options {
-        required: arguments.required.clone(),
         sides: std::mem::take(&mut named.sides),
-        defect_limit: defect_limit(arguments),
-        limits: arguments.limits.limits(),
+        ..options(arguments)
     };
     let proved = with_dimension!(&named.tiling, AnyTiling, t => match arguments.no_certificate {
         true => examine_tiling(t, input, &options),
@@ -216,6 +228,7 @@ fn prove(
     let refuted = Refuted {
         tiling: named.tiling,
         origin: named.origin,
+        point: None,
         notes: notes.clone(),
         findings,
         second,
@@ -228,6 +241,32 @@ fn prove(
         return Answer::Failed(format!("{}: cannot be written: {error}", path.display()));
     }
     Answer::Refuted(Box::new(refuted))
+}
+
+/// Proves or refutes a family, and tells what else is found.
+fn prove_family(
+    any: &AnyFamily,
+    input: &str,
+    target: &Target,
+    arguments: &CertifyArguments,
+    notes: &mut Vec<String>,
+    output: &mut Output,
+) -> Answer {
+    let first = notes.len();
+    let answer = family::prove(any, input, target, arguments, notes);
+    for note in &notes[first..] {
+        output.complain(format!("{input}: {note}"));
+    }
+    answer
+}
+
+pub(super) fn options(arguments: &CertifyArguments) -> Options {
+    Options {
+        required: arguments.required.clone(),
+        defect_limit: defect_limit(arguments),
+        limits: arguments.limits.limits(),
+        ..Options::default()
+    }
 }
 
 /// A theorem, with its own certificate; a member gets a note that says so.
@@ -337,7 +376,7 @@ fn answer(confirmed: Confirmed, certificate: Written) -> Answer {
 }
 
 /// As asked for, or else as the name of the file says.
-fn encoding(target: &Target, arguments: &CertifyArguments) -> Encoding {
+pub(super) fn encoding(target: &Target, arguments: &CertifyArguments) -> Encoding {
     let by_name = match target {
         Target::File(path) => Encoding::of_path(path),
         _ => None,

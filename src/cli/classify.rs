@@ -58,7 +58,8 @@ fn report(loaded: Loaded, arguments: &ClassifyArguments) -> Result<Value, InputE
                 of_tiling(arguments, AnyTiling::Plane(tiling))
             }
         },
-        Loaded::Tiling(named) => {
+        Loaded::Ready(input) => {
+            let named = input.tiling()?;
             let set = (!named.labels.is_empty())
                 .then(|| vertices(&named.tiling))
                 .flatten();

@@ -3,12 +3,13 @@
 
 use super::document::{self, PointDocument};
 use super::mesh::{self, MeshArguments};
-use super::named::{InputError, Named};
+use super::named::{InputError, Named, NamedFamily};
 use super::output::Output;
 use super::points::{self, PointArguments};
 use super::theorem;
 use super::transcribe;
 use acutile_catalog as catalog;
+use acutile_core::family::AnyFamily;
 use acutile_core::format;
 use acutile_core::tiling::AnyTiling;
 use acutile_io::import::crystal::text_of;
@@ -28,8 +29,33 @@ pub struct FileArguments {
     pub mesh: MeshArguments,
 }
 
-/// The tiling of a catalogue name, for a parameter if one is given, or of a file. What is to
-/// be said of a file is said.
+/// What an input is.
+pub enum Input {
+    /// A single tiling.
+    Tiling(Named),
+    /// A tiling for each point of a box.
+    Family(NamedFamily),
+}
+
+impl Input {
+    /// The tiling, for commands that take nothing else.
+    ///
+    /// # Errors
+    /// A message that names the input.
+    pub fn tiling(self) -> Result<Named, InputError> {
+        match self {
+            Input::Tiling(named) => Ok(named),
+            Input::Family(NamedFamily { name, .. }) => Err(format!(
+                "{name}: a tiling for each point of a box of parameters, expected a single tiling; \
+                 `acutile certify` and `acutile show` take it"
+            )
+            .into()),
+        }
+    }
+}
+
+/// The tiling of a catalogue name, for a parameter if one is given, or of a file. Prints the notes
+/// on a file.
 ///
 /// # Errors
 /// A message that names the input.
@@ -39,19 +65,45 @@ pub fn tiling(
     options: &FileArguments,
     output: &mut Output,
 ) -> Result<Named, InputError> {
-    match open(input, parameter, options, output)? {
-        Loaded::Tiling(named) => Ok(named),
-        Loaded::Points(points) => of_points(input, points, &options.points, output),
-    }
+    any(input, parameter, options, output)?.tiling()
 }
 
-/// A tiling, or the points of a file that are not triangulated yet.
+/// The same, or a family.
+///
+/// # Errors
+/// A message that names the input.
+pub fn any(
+    input: &str,
+    parameter: Option<&str>,
+    options: &FileArguments,
+    output: &mut Output,
+) -> Result<Input, InputError> {
+    open(input, parameter, options, output)?.triangulated(input, options, output)
+}
+
+/// An input, where points are not triangulated yet.
 pub enum Loaded {
-    Tiling(Named),
+    Ready(Input),
     Points(PointDocument),
 }
 
-/// As [`tiling`], but points stay points.
+impl Loaded {
+    fn triangulated(
+        self,
+        input: &str,
+        options: &FileArguments,
+        output: &mut Output,
+    ) -> Result<Input, InputError> {
+        match self {
+            Loaded::Ready(ready) => Ok(ready),
+            Loaded::Points(points) => {
+                of_points(input, points, &options.points, output).map(Input::Tiling)
+            }
+        }
+    }
+}
+
+/// As [`any`], but points stay points.
 ///
 /// # Errors
 /// A message that names the input.
@@ -71,12 +123,12 @@ pub fn open(
     if let Some(entry) = catalog::find(input) {
         document::check_for_crystal(input, &options.points)?;
         check_for_mesh(input, &options.mesh)?;
+        if let Some(family) = entry.build_family() {
+            let family = family.map_err(|error| format!("{input}: {error}"))?;
+            return Ok(ready_family(input, entry.description.to_owned(), family));
+        }
         let tiling = construction(input, parameter)?;
-        return Ok(Loaded::Tiling(Named::of(
-            input,
-            entry.description.to_owned(),
-            tiling,
-        )));
+        return Ok(ready(Named::of(input, entry.description.to_owned(), tiling)));
     }
     let path = Path::new(input);
     if input != "-" && !path.exists() && !input.contains(['/', '.']) {
@@ -95,7 +147,19 @@ pub fn open(
     load_content(input, content, options, output)
 }
 
-/// The tiling of a file's content.
+fn ready(named: Named) -> Loaded {
+    Loaded::Ready(Input::Tiling(named))
+}
+
+fn ready_family(name: &str, description: String, family: AnyFamily) -> Loaded {
+    Loaded::Ready(Input::Family(NamedFamily {
+        name: name.to_owned(),
+        description,
+        family,
+    }))
+}
+
+/// The tiling or family of a file's content.
 ///
 /// # Errors
 /// A message that names the input.
@@ -104,11 +168,8 @@ pub fn of_content(
     content: TextOrMesh,
     options: &FileArguments,
     output: &mut Output,
-) -> Result<Named, InputError> {
-    match load_content(input, content, options, output)? {
-        Loaded::Tiling(named) => Ok(named),
-        Loaded::Points(points) => of_points(input, points, &options.points, output),
-    }
+) -> Result<Input, InputError> {
+    load_content(input, content, options, output)?.triangulated(input, options, output)
 }
 
 fn load_content(
@@ -119,7 +180,7 @@ fn load_content(
 ) -> Result<Loaded, InputError> {
     match content {
         TextOrMesh::Mesh(loaded) => {
-            mesh::tiling(input, loaded, &options.mesh, output).map(Loaded::Tiling)
+            mesh::tiling(input, loaded, &options.mesh, output).map(ready)
         }
         TextOrMesh::Text(text) => {
             check_for_mesh(input, &options.mesh)?;
@@ -128,13 +189,13 @@ fn load_content(
         TextOrMesh::Certificate(bytes) => {
             document::check_for_crystal(input, &options.points)?;
             check_for_mesh(input, &options.mesh)?;
-            of_certificate(input, &bytes).map(Loaded::Tiling)
+            of_certificate(input, &bytes)
         }
     }
 }
 
-/// The tiling of a certificate, which is not judged here.
-fn of_certificate(input: &str, bytes: &[u8]) -> Result<Named, InputError> {
+/// The tiling or family of a certificate, which is not judged here.
+fn of_certificate(input: &str, bytes: &[u8]) -> Result<Loaded, InputError> {
     let cbor = transcribe::cbor(input, bytes)?;
     if theorem::is_theorem(&cbor) {
         let message = format!(
@@ -142,10 +203,16 @@ fn of_certificate(input: &str, bytes: &[u8]) -> Result<Named, InputError> {
         );
         return Err(message.into());
     }
+    if format::kind(&cbor) == Some(format::FAMILY) {
+        let read = acutile_core::transcribe::family::of_certificate(&cbor);
+        let (family, ..) = read.map_err(|error| format!("{input}: {error}"))?;
+        let description = "the family of a certificate".to_owned();
+        return Ok(ready_family(input, description, family));
+    }
     let (tiling, _) = acutile_core::transcribe::of_certificate(&cbor)
         .map_err(|error| format!("{input}: {error}"))?;
     let description = "the tiling of a certificate".to_owned();
-    Ok(Named::of(input, description, tiling))
+    Ok(ready(Named::of(input, description, tiling)))
 }
 
 /// A construction of the catalogue; `square-triangle:FILE` reads its file.
@@ -164,7 +231,7 @@ fn construction(name: &str, parameter: Option<&str>) -> Result<AnyTiling, String
     tiling.map_err(|error| format!("{name}: {error}"))
 }
 
-/// The tiling or the points of a file's text.
+/// The tiling, the family or the points of a file's text.
 fn of_text(
     input: &str,
     text: &str,
@@ -180,11 +247,12 @@ fn of_text(
             elements: file.elements,
             notes: file.notes,
         }),
-        Content::Tiling(tiling) => Loaded::Tiling(Named {
+        Content::Tiling(tiling) => ready(Named {
             notes: file.notes,
             labels: file.labels,
             ..Named::of(input, file.description, tiling)
         }),
+        Content::Family(family) => ready_family(input, file.description, family),
     })
 }
 

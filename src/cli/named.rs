@@ -2,6 +2,7 @@
 
 use super::outcome::Outcome;
 use acutile_core::curved::Nodes;
+use acutile_core::family::AnyFamily;
 use acutile_core::tiling::{AnyTiling, Facet, SimplexId};
 use acutile_io::import::ImportError;
 use acutile_io::mesh::{MeshError, Origin};
@@ -46,6 +47,16 @@ impl Named {
             labels: Vec::new(),
         }
     }
+}
+
+/// A family with its name.
+pub struct NamedFamily {
+    /// A name of the catalogue, or a path.
+    pub name: String,
+    /// What it is, in a line.
+    pub description: String,
+    /// The family.
+    pub family: AnyFamily,
 }
 
 /// Why there is no input, in words that name it, and what that makes of the command.

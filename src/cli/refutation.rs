@@ -17,6 +17,8 @@ use serde_json::{Value, json};
 /// A refuted tiling.
 pub struct Refuted {
     pub tiling: AnyTiling,
+    /// The point of the box, for a member of a family.
+    pub point: Option<String>,
     /// The numbers of the file, for a mesh.
     pub origin: Option<Origin>,
     /// What was done to the input before.
@@ -41,6 +43,7 @@ impl Refuted {
     pub fn of(named: &Named, findings: Findings) -> Self {
         Refuted {
             tiling: named.tiling.clone(),
+            point: None,
             origin: named.origin.clone(),
             notes: named.notes.clone(),
             findings,
@@ -76,7 +79,9 @@ impl Refuted {
         if let Some(sentence) = &self.second.instead {
             return line(format!("{input}: refuted: {sentence}"));
         }
-        line(format!("{input}: refuted: {}", counts(&self.findings)));
+        let place = self.point.as_ref().map(|point| format!(" at {point}"));
+        let place = place.unwrap_or_default();
+        line(format!("{input}: refuted{place}: {}", counts(&self.findings)));
         for sentence in &self.second.sentences {
             line(format!("  > {sentence}"));
         }
@@ -121,7 +126,7 @@ impl Refuted {
         line: &mut dyn FnMut(String),
     ) {
         let counts = self.findings.counts();
-        let head = json!({
+        let mut head = json!({
             "input": input,
             "verdict": "refuted",
             "counts": counts,
@@ -129,6 +134,9 @@ impl Refuted {
             "consequences": self.findings.consequences(),
             "after_repair": self.second.instead.iter().chain(&self.second.sentences).collect::<Vec<_>>(),
         });
+        if let Some(point) = &self.point {
+            head["point"] = json!(point);
+        }
         line(head.to_string());
         let adviser = Adviser::new(tiling);
         let mut seen = std::collections::BTreeMap::new();

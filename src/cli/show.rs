@@ -1,16 +1,21 @@
 //! `acutile show`: what a tiling is, before anything about it is proved.
 
-use super::input::{self, FileArguments};
+use super::input::{self, FileArguments, Input};
 use super::outcome::Outcome;
 use super::output::Output;
 use super::theorem;
 use acutile_catalog as catalog;
+use acutile_core::family::{Family, point_in_words};
 use acutile_core::format;
-use acutile_core::quality::{decimal_range, dihedral_degrees, display_width, shapes};
+use acutile_core::predicates::Model;
+use acutile_core::quality::{
+    DihedralAngle, Exact, decimal_range, dihedral_degrees, display_width, exact_ranges, shapes,
+};
 use acutile_core::tiling::{Frame, SimplexId, Tiling};
-use acutile_core::with_dimension;
+use acutile_core::{with_dimension, with_family};
 use acutile_exact::geometry::linear;
-use acutile_exact::number::Number;
+use acutile_exact::number::{Field, Number};
+use acutile_exact::polynomial::Polynomial;
 use acutile_io::import::{BYTE_LIMIT, read_bytes};
 use clap::Args;
 use std::path::Path;
@@ -45,13 +50,18 @@ pub fn run(arguments: &ShowArguments, output: &mut Output) -> Outcome {
             }
         };
     }
-    match input::tiling(
+    match input::any(
         &arguments.input,
         arguments.param.as_deref(),
         &arguments.file,
         output,
     ) {
-        Ok(named) => {
+        Ok(Input::Family(named)) => {
+            output.line(format!("{}: {}", named.name, named.description));
+            with_family!(&named.family, f => show_family(f, output));
+            Outcome::Done
+        }
+        Ok(Input::Tiling(named)) => {
             output.line(format!("{}: {}", named.name, named.description));
             with_dimension!(&named.tiling, AnyTiling, t => show(t, arguments.all, output));
             Outcome::Done
@@ -108,23 +118,86 @@ fn show<const D: usize>(tiling: &Tiling<D>, all: bool, output: &mut Output) {
     }
 }
 
-fn show_frame<const D: usize>(frame: &Frame<D>, output: &mut Output) {
-    if frame.field.degree() == 1 {
-        output.line("field: the rational numbers");
-    } else {
-        let polynomial: Vec<String> = frame
-            .field
-            .polynomial()
-            .iter()
-            .map(ToString::to_string)
-            .collect();
-        let (lower, upper) = frame.field.root();
+/// Parameters, box, polynomials, and the angles of some members.
+fn show_family<const D: usize>(family: &Family<D>, output: &mut Output) {
+    let names = family.names();
+    output.line(format!(
+        "dimension {D}, lattice of rank {}; {} vertices and {} simplices in a cell",
+        family.frame.rank(),
+        family.vertices.len(),
+        family.len()
+    ));
+    for parameter in &family.parameters {
         output.line(format!(
-            "field: Q(a), a the root between {lower} and {upper} of the polynomial with \
-             coefficients {} (constant first)",
-            polynomial.join(", ")
+            "parameter {} in {}",
+            parameter.name, parameter.side
         ));
     }
+    show_field(&family.frame.field, output);
+    output.line("Gram matrix of the basis:");
+    let row = |row: &[Polynomial]| {
+        let entries: Vec<String> = row.iter().map(|p| p.shown(&names)).collect();
+        format!("  {}", entries.join(", "))
+    };
+    family
+        .frame
+        .gram
+        .iter()
+        .for_each(|entries| output.line(row(entries)));
+    if let Some(polytope) = family.frame.domain.polytope() {
+        output.line("vertices of the domain, in the last coordinates:");
+        polytope
+            .vertices
+            .iter()
+            .for_each(|vertex| output.line(row(vertex)));
+    }
+    output.line("vertices:");
+    family
+        .vertices
+        .iter()
+        .for_each(|vertex| output.line(row(vertex)));
+    let cuboid = family.cuboid();
+    let corners = if names.len() <= MOST_SHOWN {
+        cuboid.corners()
+    } else {
+        Vec::new()
+    };
+    for point in std::iter::once(cuboid.center()).chain(corners) {
+        let member = family.at(&point);
+        let place = point_in_words(&names, &point);
+        match exact_ranges(&Model::new(&member)) {
+            Some(ranges) => output.line(format!(
+                "dihedral angles at {place}: {} to {}",
+                degrees(&ranges.smallest_dihedral.min),
+                degrees(&ranges.largest_dihedral.max)
+            )),
+            None => output.line(format!("no simplices at {place}")),
+        }
+    }
+}
+
+/// Boxes with more sides have too many corners to show.
+const MOST_SHOWN: usize = 4;
+
+fn degrees(angle: &DihedralAngle) -> String {
+    decimal_range(&angle.enclosure(&display_width()))
+}
+
+fn show_field(field: &Field, output: &mut Output) {
+    if field.degree() == 1 {
+        return output.line("field: the rational numbers");
+    }
+    let polynomial: Vec<String> = field.polynomial().iter().map(ToString::to_string).collect();
+    let (lower, upper) = field.root();
+    output.line(format!(
+        "field: Q(a), a the root between {lower} and {upper} of the polynomial with \
+         coefficients {} (constant first)",
+        polynomial.join(", ")
+    ));
+}
+
+fn show_frame<const D: usize>(frame: &Frame<D>, output: &mut Output) {
+    show_field(&frame.field, output);
     output.line("Gram matrix of the basis:");
     for row in &frame.gram {
         let entries: Vec<String> = row.iter().map(Number::to_string).collect();

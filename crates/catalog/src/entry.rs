@@ -2,6 +2,7 @@
 
 use super::CatalogError;
 use super::plane_tiling::{PlaneTiling, built_in};
+use acutile_core::family::AnyFamily;
 use acutile_core::tiling::{AnyTiling, Tiling};
 use acutile_exact::geometry::Sign;
 use acutile_exact::number::{Number, numbers};
@@ -38,6 +39,7 @@ pub(super) enum Recipe {
     Number(fn(&Number) -> Tiling<3>),
     Word(fn(&str) -> Result<AnyTiling, CatalogError>),
     Plane(fn(&PlaneTiling) -> Result<AnyTiling, CatalogError>),
+    Parameters(fn() -> Result<AnyFamily, CatalogError>),
 }
 
 impl Entry {
@@ -49,6 +51,7 @@ impl Entry {
             (Recipe::Word(recipe), _) => recipe(""),
             (Recipe::Plane(recipe), _) => recipe(&built_in("")?),
             (Recipe::Number(_), Some(parameter)) => self.build_with_text(parameter.default),
+            (Recipe::Parameters(_), _) => Err(CatalogError::Family(self.name.to_owned())),
             (Recipe::Number(_), None) => Err(CatalogError::NoParameter(self.name.to_owned())),
         }
     }
@@ -69,6 +72,19 @@ impl Entry {
             Recipe::Number(recipe) => Ok(AnyTiling::Space(recipe(parameter))),
             _ => Err(CatalogError::NoParameter(self.name.to_owned())),
         }
+    }
+
+    /// The construction for all values of its parameters in a box; `None` for a single tiling.
+    pub fn build_family(&self) -> Option<Result<AnyFamily, CatalogError>> {
+        match self.recipe {
+            Recipe::Parameters(recipe) => Some(recipe()),
+            _ => None,
+        }
+    }
+
+    /// Whether it is a tiling for each point of a box of parameters.
+    pub fn has_box(&self) -> bool {
+        matches!(self.recipe, Recipe::Parameters(_))
     }
 
     /// Whether the name is a prefix that a word completes.

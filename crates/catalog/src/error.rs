@@ -11,6 +11,8 @@ use std::fmt;
 pub enum CatalogError {
     /// There is no construction with this name.
     UnknownName(String),
+    /// This construction is a tiling for each point of a box.
+    Family(String),
     /// This construction takes no parameter.
     NoParameter(String),
     /// The parameter must be positive, and this text is not.
@@ -97,6 +99,11 @@ impl fmt::Display for CatalogError {
                     None => Ok(()),
                 }
             }
+            Self::Family(name) => write!(
+                f,
+                "`{name}` is a tiling for each point of a box of parameters, expected a single \
+                 tiling; `acutile certify {name}` and `acutile show {name}` take it"
+            ),
             Self::NoParameter(name) => write!(f, "`{name}` takes no parameter"),
             Self::NotPositive(text) => {
                 write!(f, "the parameter is {text}, expected a positive number")

@@ -13,6 +13,7 @@
 //! | `congruent` | Sommerville, Goldberg, cubes |
 //! | `solid` | single tetrahedra, and two that are not Delaunay |
 //! | `planar` | the square, and tilings by triangles |
+//! | `families` | constructions for all values of their parameters in a box |
 //! | [`patches`] | theorems about all tilings over squares and triangles, and all kagome words |
 //! | `recipe` | what they share |
 //! | `entry`, `entries` | one construction, and the table of all |
@@ -25,6 +26,7 @@ mod congruent;
 mod entries;
 mod entry;
 mod error;
+mod families;
 mod icosahedral;
 mod kagome;
 pub mod limits;
@@ -86,12 +88,18 @@ pub fn theorem(name: &str) -> Option<&'static Theorem> {
     THEOREMS.iter().find(|theorem| theorem.name == name)
 }
 
-/// The names of all constructions that need no further word.
+/// The names of all single tilings that need no further word.
 pub fn names() -> impl Iterator<Item = &'static str> {
     ENTRIES
         .iter()
-        .filter(|entry| !entry.is_family())
+        .filter(|entry| !entry.is_family() && !entry.has_box())
         .map(|entry| entry.name)
+}
+
+/// The names of all constructions for boxes of parameters.
+pub fn family_names() -> impl Iterator<Item = &'static str> {
+    let families = ENTRIES.iter().filter(|entry| entry.has_box());
+    families.map(|entry| entry.name)
 }
 
 /// The construction with this name, for `kagome:WORD` the family. Upper and lower case are the

@@ -6,7 +6,9 @@
 
 use super::recipe::fraction;
 use acutile_core::tiling::{Domain, Frame, Polytope, Tiling};
+use acutile_exact::geometry::RingElement;
 use acutile_exact::number::{Field, Number};
+use acutile_exact::polynomial::Polynomial;
 
 /// A place in the plane.
 type Place = [i64; 2];
@@ -46,6 +48,23 @@ pub fn slab() -> Tiling<3> {
 pub fn slab_stack() -> Tiling<3> {
     let period = fraction(HEIGHT * HEIGHT, 100);
     tiling(period, HEIGHT, Domain::Space)
+}
+
+/// A height of the slab as a polynomial in the heights z1, z2, z3 of its layers; `None` if it is
+/// the height of no vertex.
+pub fn height(value: &Number, [z1, z2, z3]: [&Polynomial; 3]) -> Option<Polynomial> {
+    let top = z3.plus(z3);
+    let heights = [
+        (BASE, z3.integer(0)),
+        (APEX, z1.clone()),
+        (BUMP, z2.clone()),
+        (MIDDLE, z3.clone()),
+        (UPPER_BUMP, top.minus(z2)),
+        (HEIGHT - APEX, top.minus(z1)),
+        (HEIGHT, top),
+    ];
+    let known = |(n, _): &(i64, Polynomial)| *value == fraction(*n, 10);
+    heights.into_iter().find(known).map(|(_, height)| height)
 }
 
 /// The slab with heights in units of `unit` tenths; `square` is that unit squared.

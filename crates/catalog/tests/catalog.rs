@@ -8,7 +8,7 @@ use acutile_core::classify::metric_symbol;
 use acutile_core::quality::{Exact, shapes, squared_edges};
 use acutile_core::statement::Statement;
 use acutile_core::tiling::{AnyTiling, Domain, Tiling, match_facets};
-use acutile_exact::geometry::{Scalar, Sign, Simplex, linear};
+use acutile_exact::geometry::{RingElement, Sign, Simplex, linear};
 use acutile_exact::number::{Number, parse_rational};
 use acutile_paper::survey::Study;
 use acutile_paper::table::Figure;

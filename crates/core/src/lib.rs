@@ -6,6 +6,7 @@ pub mod checker;
 pub mod classify;
 pub mod curved;
 pub mod delaunay;
+pub mod family;
 pub mod format;
 pub mod limits;
 mod parallel;

@@ -249,10 +249,17 @@ impl Confirmed {
     }
 }
 
-/// The claim that the kernel confirmed, as data: read from the text that the kernel prints.
+/// The claim that the kernel confirmed, as data: read from the text that the kernel prints. `None`
+/// for a family.
 pub fn claim_of(verified: &Verified) -> Option<format::Claim> {
     let cbor = format::json::claim_to_cbor(verified.claim.print().as_bytes()).ok()?;
     format::read::claim_file(&cbor).ok()
+}
+
+/// The claim about a family that the kernel confirmed, as data.
+pub fn family_claim_of(verified: &Verified) -> Option<format::family::FamilyClaim> {
+    let cbor = format::json::claim_to_cbor(verified.claim.print().as_bytes()).ok()?;
+    format::family::read_claim_file(&cbor).ok()
 }
 
 /// The claim that the kernel confirmed, in words, one line. A claim beyond the prover's limits is
@@ -265,9 +272,16 @@ pub fn in_words(verified: &Verified) -> String {
         return words;
     }
     let (simplices, boundary) = (verified.simplices, verified.boundary_facets);
-    let words = claim_of(verified).and_then(|claim| {
-        transcribe::claim_in_words(&claim, simplices as usize, boundary as usize).ok()
-    });
+    let family = || {
+        let claim = family_claim_of(verified)?;
+        transcribe::family::claim_in_words(&claim, simplices as usize).ok()
+    };
+    let words = match claim_of(verified) {
+        Some(claim) => {
+            transcribe::claim_in_words(&claim, simplices as usize, boundary as usize).ok()
+        }
+        None => family(),
+    };
     words.unwrap_or_else(|| verified.claim.print().replace('\n', ""))
 }
 

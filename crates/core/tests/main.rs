@@ -3,6 +3,7 @@
 mod advice;
 mod curve;
 mod delaunay;
+mod families;
 mod format;
 mod plane_regions;
 mod predicates;

@@ -7,7 +7,7 @@ use acutile_core::checker::{Findings, Model, check_delaunay};
 use acutile_core::predicates::InSphere;
 use acutile_core::tiling::{AnyTiling, Coordinates, Frame, Tiling, match_facets, supercell};
 use acutile_exact::geometry::wide::Wide;
-use acutile_exact::geometry::{I128, I256, I512, Quadratic, Scalar, Sign};
+use acutile_exact::geometry::{I128, I256, I512, Quadratic, RingElement, Scalar, Sign};
 use acutile_exact::number::{Number, Reader};
 use malachite::base::num::arithmetic::traits::ModPowerOf2;
 use malachite::base::num::basic::traits::One;

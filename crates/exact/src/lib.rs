@@ -1,4 +1,5 @@
-//! Exact numbers, and geometry over any ring.
+//! Exact numbers, polynomials in parameters, and geometry over any ring.
 
 pub mod geometry;
 pub mod number;
+pub mod polynomial;

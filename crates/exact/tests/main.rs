@@ -2,6 +2,7 @@
 
 mod enclosure;
 mod field;
+mod polynomial;
 mod reader;
 mod subfield;
 mod text;

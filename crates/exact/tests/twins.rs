@@ -2,7 +2,7 @@
 //! num-rational, Q(√5) and Q(√2, √3) against formulas for pairs, a reducible
 //! field against an irreducible one, signs against long enclosures.
 
-use acutile_exact::geometry::Scalar;
+use acutile_exact::geometry::{RingElement, Scalar};
 use acutile_exact::number::{Field, Number, Reader};
 use malachite::base::num::arithmetic::traits::Pow;
 use malachite::{Integer, Rational};

@@ -16,7 +16,7 @@ use serde_json::{Value, json};
 fn tiling(document: &Value) -> AnyTiling {
     match read_native(&document.to_string()).map(|file| file.content) {
         Ok(Content::Tiling(tiling)) => tiling,
-        Ok(Content::Points(_)) => panic!("a point set"),
+        Ok(_) => panic!("no tiling"),
         Err(error) => panic!("{error}"),
     }
 }
@@ -522,4 +522,57 @@ fn a_sparse_file() {
         let bytes = read_bytes(&path, limit);
         assert!(bytes.expect_err("40 GiB").is_limit());
     }
+}
+
+/// A strip of triangles whose height is a parameter, with changes to the document.
+fn parameter_error(change: impl Fn(&mut Value)) -> String {
+    let mut document = json!({
+        "format": "acutile-tiling", "version": 1, "dimension": 2,
+        "parameters": {"h": ["1/2", "2"]},
+        "lattice": {"gram": [[1, "1/2"], ["1/2", "h"]]},
+        "vertices": [[0, 0]],
+        "simplices": [[0, [0, 1, 0], [0, 0, 1]], [[0, 1, 0], [0, 1, 1], [0, 0, 1]]]
+    });
+    change(&mut document);
+    match read_native(&document.to_string()).map(|file| file.content) {
+        Ok(Content::Family(_)) => "a family".to_owned(),
+        Ok(_) => "something else".to_owned(),
+        Err(error) => error.to_string(),
+    }
+}
+
+#[test]
+fn parameters() {
+    assert_eq!(parameter_error(|_| ()), "a family");
+    let set =
+        |entry: Value| move |document: &mut Value| document["parameters"]["h"] = entry.clone();
+    let interval = json!({"low": "1/2", "high": "sqrt(2)", "open": ["low", "high"]});
+    assert_eq!(parameter_error(set(interval)), "a family");
+    assert_eq!(
+        parameter_error(set(json!([2, 1]))),
+        "parameters: box ends exchanged: the lower end of \"h\" is above the upper end; exchange them"
+    );
+    assert_eq!(
+        parameter_error(set(json!([1, 1]))),
+        "parameters: empty box: the ends of \"h\" are equal; replace the parameter by its value"
+    );
+    assert_eq!(
+        parameter_error(|document| document["parameters"]["k"] = json!([0, 1])),
+        "parameters: unused parameter: \"k\" occurs in no Gram entry and no coordinate; remove it"
+    );
+    assert_eq!(
+        parameter_error(|document| document["vertices"] = json!([["h^16", 0]])),
+        "vertices[0][0]: column 2: polynomial of too high degree: 16 in one parameter, expected at most 15"
+    );
+    assert!(parameter_error(set(json!([1]))).contains("parameters.h"));
+    assert!(parameter_error(set(json!({"low": 1}))).contains("missing field `high`"));
+    assert!(
+        parameter_error(set(json!(["h", 2])))
+            .starts_with("parameters.h.low: column 1: no generator")
+    );
+    let bad_name = |document: &mut Value| {
+        document["parameters"] = json!({"H": [1, 2]});
+        document["lattice"]["gram"][1][1] = json!("H");
+    };
+    assert!(parameter_error(bad_name).contains("\"H\" cannot name a parameter"));
 }

@@ -6,7 +6,7 @@
 use super::defect::{Defect, Findings};
 use crate::predicates::{Model, Orientation};
 use crate::tiling::{Frame, SimplexId, Tiling};
-use acutile_exact::geometry::{Scalar, Sign, linear};
+use acutile_exact::geometry::{RingElement, Sign, linear};
 use acutile_exact::number::Number;
 use malachite::Rational;
 

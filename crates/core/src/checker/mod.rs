@@ -75,7 +75,7 @@ pub type Progress<'a> = &'a dyn Fn(&str);
 pub struct Proof<const D: usize> {
     /// The tiling, what is required, and the strongest of the others, in the order of a claim.
     pub statements: Vec<Statement>,
-    matching: Matching<D>,
+    pub(crate) matching: Matching<D>,
     sixes: Option<Vec<u8>>,
 }
 
@@ -246,7 +246,7 @@ fn delaunay<const D: usize>(model: &Model<D>, matching: &Matching<D>) -> Option<
 }
 
 /// Sorted, without what a stronger statement of the same kind implies.
-fn without_implied(mut statements: Vec<Statement>) -> Vec<Statement> {
+pub(crate) fn without_implied(mut statements: Vec<Statement>) -> Vec<Statement> {
     statements.sort();
     statements.dedup();
     let all = statements.clone();

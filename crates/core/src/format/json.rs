@@ -6,7 +6,7 @@
 
 use super::cbor;
 pub use super::json_error::{JsonCode, JsonError};
-use super::print::{self, CERTIFICATE, CLAIM_FILE, DEEPEST, Members, PrintError, RECORDS};
+use super::print::{self, DEEPEST, Members, PrintError, RECORDS};
 use malachite::Integer;
 use std::collections::BTreeSet;
 use std::io::{self, Write};
@@ -17,7 +17,7 @@ use std::str::FromStr;
 /// # Errors
 /// [`JsonError`] if the text is not the canonical JSON of some CBOR.
 pub fn to_cbor(json: &[u8]) -> Result<Vec<u8>, JsonError> {
-    transcribed(json, CERTIFICATE)
+    transcribed(json, false)
 }
 
 /// The CBOR of a claim file in JSON.
@@ -25,10 +25,10 @@ pub fn to_cbor(json: &[u8]) -> Result<Vec<u8>, JsonError> {
 /// # Errors
 /// As [`to_cbor`].
 pub fn claim_to_cbor(json: &[u8]) -> Result<Vec<u8>, JsonError> {
-    transcribed(json, CLAIM_FILE)
+    transcribed(json, true)
 }
 
-fn transcribed(json: &[u8], members: Members) -> Result<Vec<u8>, JsonError> {
+fn transcribed(json: &[u8], is_claim_file: bool) -> Result<Vec<u8>, JsonError> {
     let mut reader = Reader {
         json,
         offset: 0,
@@ -45,15 +45,11 @@ fn transcribed(json: &[u8], members: Members) -> Result<Vec<u8>, JsonError> {
     if reader.version.is_some_and(|v| v != super::VERSION) {
         return Err(declined(JsonCode::Version, "expected version 2"));
     }
-    if reader
-        .kind
-        .is_some_and(|kind| !super::KINDS.contains(&kind.as_str()))
-    {
-        return Err(declined(
-            JsonCode::Kind,
-            "expected the kind \"tiling\" or \"patches\"",
-        ));
-    }
+    let kind = reader.kind.as_deref().unwrap_or(super::KIND);
+    let Some(members) = print::members_of(kind, is_claim_file) else {
+        let problem = "expected the kind \"tiling\", \"family\" or \"patches\"";
+        return Err(declined(JsonCode::Kind, problem));
+    };
     read?;
     check_canonical(json, &reader.cbor, members)?;
     Ok(reader.cbor)

@@ -3,6 +3,7 @@
 //! | file | contains |
 //! |---|---|
 //! | this one | [`Certificate`], [`Claim`], [`Witness`] and their parts |
+//! | [`family`] | polynomials, parameters and trees in their place |
 //! | [`cbor`] | items of CBOR: heads, integers, texts, arrays |
 //! | [`write`](mod@write) | the data in CBOR, in one pass |
 //! | [`read`] | CBOR into the data |
@@ -19,6 +20,7 @@
 //! It leaves out the tiling: `transcribe` makes a certificate from one, and back.
 
 pub mod cbor;
+pub mod family;
 pub mod json;
 mod json_error;
 pub mod patches;
@@ -39,8 +41,10 @@ pub const CLAIM_FORMAT: &str = "acutile-claim";
 pub const VERSION: u64 = 2;
 /// The third member: the claim is about one tiling.
 pub const KIND: &str = "tiling";
+/// The third member: the claim is about all members of a family.
+pub const FAMILY: &str = "family";
 /// All kinds.
-pub const KINDS: [&str; 2] = [KIND, patches::KIND];
+pub const KINDS: [&str; 3] = [KIND, FAMILY, patches::KIND];
 
 /// A claim and the witness for it.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -53,21 +57,21 @@ pub struct Certificate {
 
 /// There is a tiling of `domain`, periodic under the lattice, for which all `statements` hold.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub struct Claim {
+pub struct Claim<V = Number> {
     /// D: 2 or 3.
     pub dimension: usize,
     /// The field of all numbers.
     pub field: Field,
     /// The upper triangle, by rows, of a matrix that is proportional to the inner products of
     /// the basis vectors b_1 … b_D. Its coefficients have no common divisor.
-    pub gram: Vec<Vec<Number>>,
+    pub gram: Vec<Vec<V>>,
     /// The set that is tiled. It determines the rank of the lattice.
-    pub domain: Domain,
+    pub domain: Domain<V>,
     /// In the order of [`Statement`]; the first is the tiling itself.
     pub statements: Vec<Statement>,
 }
 
-impl Claim {
+impl<V> Claim<V> {
     /// The rank r of the lattice, which b_1 … b_r span.
     pub fn rank(&self) -> usize {
         self.domain.rank(self.dimension)
@@ -121,20 +125,20 @@ pub struct Fraction {
 /// The set that is tiled: all of D-space; or a convex polytope P of dimension k in the last k
 /// coordinates times the span of the first r = D - k basis vectors; or the union of the simplices.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub enum Domain {
+pub enum Domain<V = Number> {
     /// k = 0, r = D
     Space,
     /// k = 1, r = D - 1
-    Slab(Polytope),
+    Slab(Polytope<V>),
     /// k = 2, r = 1, only for D = 3
-    Prism(Polytope),
+    Prism(Polytope<V>),
     /// k = D, r = 0
-    Solid(Polytope),
+    Solid(Polytope<V>),
     /// The union of the simplices and their translates by a lattice of this rank.
     Region(usize),
 }
 
-impl Domain {
+impl<V> Domain<V> {
     /// The rank of the lattice in dimension `dimension`.
     pub fn rank(&self, dimension: usize) -> usize {
         match self {
@@ -147,7 +151,7 @@ impl Domain {
     }
 
     /// The polytope, if the domain has one.
-    pub fn polytope(&self) -> Option<&Polytope> {
+    pub fn polytope(&self) -> Option<&Polytope<V>> {
         match self {
             Domain::Space | Domain::Region(_) => None,
             Domain::Slab(polytope) | Domain::Prism(polytope) | Domain::Solid(polytope) => {
@@ -159,11 +163,11 @@ impl Domain {
 
 /// A convex polytope of dimension k = 1, 2 or 3.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub struct Polytope {
+pub struct Polytope<V = Number> {
     /// Positive; coordinates are numerators over it.
     pub denominator: Integer,
     /// k numerators each.
-    pub vertices: Vec<Vec<Number>>,
+    pub vertices: Vec<Vec<V>>,
     /// The facets by the indices of their vertices: one index for k = 1, the ends of a side for
     /// k = 2, the corners of a face in cyclic order for k = 3.
     pub faces: Vec<Vec<u32>>,

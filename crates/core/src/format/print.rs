@@ -6,6 +6,7 @@
 //! items are a certificate is decided by others.
 
 use super::cbor::{CborError, Item, Items};
+use super::{FAMILY, KIND, kind};
 use std::io::{self, Write};
 
 /// The members of a record, in order, with the shapes of their values.
@@ -48,6 +49,26 @@ const WITNESS: Members = &[
     ("boundary", Shape::Plain),
     ("simplices", Shape::Plain),
 ];
+const PARAMETER: Members = &[
+    ("name", Shape::Plain),
+    ("low", Shape::Plain),
+    ("high", Shape::Plain),
+];
+const FAMILY_CLAIM: Members = &[
+    ("dimension", Shape::Plain),
+    ("field", Shape::Record(FIELD)),
+    ("parameters", Shape::Each(PARAMETER)),
+    ("gram", Shape::Plain),
+    ("domain", Shape::Domain),
+    ("statements", Shape::Plain),
+];
+const FAMILY_WITNESS: Members = &[
+    ("denominator", Shape::Plain),
+    ("vertices", Shape::Plain),
+    ("boundary", Shape::Plain),
+    ("tree", Shape::Plain),
+    ("simplices", Shape::Plain),
+];
 /// The members of a certificate.
 pub const CERTIFICATE: Members = &[
     ("format", Shape::Plain),
@@ -62,6 +83,19 @@ pub const CLAIM_FILE: Members = &[
     ("version", Shape::Plain),
     ("kind", Shape::Plain),
     ("claim", Shape::Record(CLAIM)),
+];
+const FAMILY_CERTIFICATE: Members = &[
+    ("format", Shape::Plain),
+    ("version", Shape::Plain),
+    ("kind", Shape::Plain),
+    ("claim", Shape::Record(FAMILY_CLAIM)),
+    ("witness", Shape::Record(FAMILY_WITNESS)),
+];
+const FAMILY_CLAIM_FILE: Members = &[
+    ("format", Shape::Plain),
+    ("version", Shape::Plain),
+    ("kind", Shape::Plain),
+    ("claim", Shape::Record(FAMILY_CLAIM)),
 ];
 const TILE: Members = &[
     ("denominator", Shape::Plain),
@@ -97,11 +131,14 @@ const PATCHES_CLAIM_FILE: Members = &[
     ("kind", Shape::Plain),
     ("claim", Shape::Record(PATCHES_CLAIM)),
 ];
-/// All records.
-pub const RECORDS: [Members; 12] = [
+/// All records. The outermost ones of all kinds have the same names.
+pub const RECORDS: [Members; 15] = [
     CERTIFICATE,
     CLAIM_FILE,
     CLAIM,
+    FAMILY_CLAIM,
+    FAMILY_WITNESS,
+    PARAMETER,
     FIELD,
     ROOT,
     POLYTOPE,
@@ -113,19 +150,23 @@ pub const RECORDS: [Members; 12] = [
     PATCH,
 ];
 
-/// The members of a certificate of this kind, or of a claim file.
-fn of_kind(members: Members, kind: Option<&str>) -> Members {
-    match (kind, members.len()) {
-        (Some(super::patches::KIND), 5) => PATCHES,
-        (Some(super::patches::KIND), _) => PATCHES_CLAIM_FILE,
-        _ => members,
-    }
-}
-
 /// Containers that begin at a depth below this have their elements on lines of their own.
 const DEPTH_OF_LINES: usize = 3;
-/// No certificate nests deeper.
-pub(super) const DEEPEST: usize = 16;
+/// No certificate nests deeper; the deepest are the trees of families.
+pub(super) const DEEPEST: usize = 80;
+
+/// The members of a certificate of some kind, or of a claim file; `None` for an unknown kind.
+pub fn members_of(kind: &str, is_claim_file: bool) -> Option<Members> {
+    match (kind, is_claim_file) {
+        (KIND, false) => Some(CERTIFICATE),
+        (KIND, true) => Some(CLAIM_FILE),
+        (FAMILY, false) => Some(FAMILY_CERTIFICATE),
+        (FAMILY, true) => Some(FAMILY_CLAIM_FILE),
+        (super::patches::KIND, false) => Some(PATCHES),
+        (super::patches::KIND, true) => Some(PATCHES_CLAIM_FILE),
+        _ => None,
+    }
+}
 
 /// Why there is no JSON.
 #[derive(Debug)]
@@ -164,7 +205,7 @@ impl std::error::Error for PrintError {}
 /// # Errors
 /// If the bytes are not CBOR of a certificate's outer shape.
 pub fn to_json(cbor: &[u8]) -> Result<Vec<u8>, CborError> {
-    collected(cbor, CERTIFICATE)
+    collected(cbor, false)
 }
 
 /// The JSON of a claim file in CBOR.
@@ -172,10 +213,17 @@ pub fn to_json(cbor: &[u8]) -> Result<Vec<u8>, CborError> {
 /// # Errors
 /// If the bytes are not CBOR of a claim file's outer shape.
 pub fn claim_to_json(cbor: &[u8]) -> Result<Vec<u8>, CborError> {
-    collected(cbor, CLAIM_FILE)
+    collected(cbor, true)
 }
 
-fn collected(cbor: &[u8], members: Members) -> Result<Vec<u8>, CborError> {
+/// Bytes of another kind are printed as a tiling, and fail where they are none.
+fn collected(cbor: &[u8], is_claim_file: bool) -> Result<Vec<u8>, CborError> {
+    let known = kind(cbor).and_then(|kind| members_of(kind, is_claim_file));
+    let members = known.unwrap_or(if is_claim_file {
+        CLAIM_FILE
+    } else {
+        CERTIFICATE
+    });
     let mut bytes = Vec::new();
     match print(cbor, members, &mut bytes) {
         Err(PrintError::Cbor(error)) => Err(error),
@@ -193,7 +241,6 @@ pub fn print(cbor: &[u8], members: Members, out: &mut impl Write) -> Result<(), 
         items: Items::new(cbor),
         out,
     };
-    let members = of_kind(members, super::kind(cbor));
     printer.item(Shape::Record(members), 0)?;
     printer.items.end()?;
     Ok(printer.out.write_all(b"\n")?)

@@ -21,9 +21,9 @@ pub fn certificate(bytes: &[u8]) -> Result<Certificate, CborError> {
     let degree = claim.field.degree();
     let denominator = items.integer()?;
     let vertices = list(&mut items, |items| numbers(items, claim.dimension, degree))?;
-    let (boundary, _) = rows(&mut items, &claim, claim.dimension, false)?;
+    let (boundary, _) = rows(&mut items, claim.rank(), claim.dimension, false)?;
     let has_sixes = claim.statements.contains(&Statement::Tcp);
-    let (simplices, sixes) = rows(&mut items, &claim, claim.dimension + 1, has_sixes)?;
+    let (simplices, sixes) = rows(&mut items, claim.rank(), claim.dimension + 1, has_sixes)?;
     items.end()?;
     Ok(Certificate {
         claim,
@@ -63,7 +63,7 @@ pub(super) fn begin(items: &mut Items, format: &str, kind: &str) -> Result<(), C
     expect(items, "the version is not 2", |items| {
         Ok(items.small()? == VERSION as i64)
     })?;
-    expect(items, "the kind is not known", |items| {
+    expect(items, "the kind is another", |items| {
         Ok(items.text()? == kind)
     })
 }
@@ -97,27 +97,40 @@ pub(super) fn list<T>(
 
 fn claim(items: &mut Items) -> Result<Claim, CborError> {
     items.array_of(5)?;
+    let (dimension, field) = (dimension(items)?, field(items)?);
+    let degree = field.degree();
+    end_of_claim(items, dimension, field, |items| number(items, degree))
+}
+
+pub(super) fn dimension(items: &mut Items) -> Result<usize, CborError> {
     let offset = items.offset();
-    let dimension = match items.small()? {
-        2 => 2,
-        3 => 3,
-        _ => {
-            return Err(CborError {
-                offset,
-                problem: "expected the dimension 2 or 3",
-            });
-        }
-    };
-    let field = field(items)?;
+    match items.small()? {
+        2 => Ok(2),
+        3 => Ok(3),
+        _ => Err(CborError {
+            offset,
+            problem: "expected the dimension 2 or 3",
+        }),
+    }
+}
+
+/// The Gram matrix, the domain and the statements; `read` reads what stands in the place of a
+/// number.
+pub(super) fn end_of_claim<V>(
+    items: &mut Items,
+    dimension: usize,
+    field: Field,
+    mut read: impl FnMut(&mut Items) -> Result<V, CborError>,
+) -> Result<Claim<V>, CborError> {
     let degree = field.degree();
     items.array_of(dimension)?;
     let gram = (0..dimension)
-        .map(|row| numbers(items, dimension - row, degree))
+        .map(|row| values(items, dimension - row, &mut read))
         .collect::<Result<_, _>>()?;
     Ok(Claim {
         dimension,
         gram,
-        domain: domain(items, dimension, degree)?,
+        domain: domain(items, dimension, &mut read)?,
         statements: list(items, |items| statement(items, degree))?,
         field,
     })
@@ -146,11 +159,20 @@ pub(super) fn field(items: &mut Items) -> Result<Field, CborError> {
 
 /// A row of `length` numbers.
 pub fn numbers(items: &mut Items, length: usize, degree: usize) -> Result<Vec<Number>, CborError> {
-    items.array_of(length)?;
-    (0..length).map(|_| number(items, degree)).collect()
+    values(items, length, &mut |items| number(items, degree))
 }
 
-fn number(items: &mut Items, degree: usize) -> Result<Number, CborError> {
+/// A row of this length.
+pub(super) fn values<V>(
+    items: &mut Items,
+    length: usize,
+    read: &mut impl FnMut(&mut Items) -> Result<V, CborError>,
+) -> Result<Vec<V>, CborError> {
+    items.array_of(length)?;
+    (0..length).map(|_| read(items)).collect()
+}
+
+pub(super) fn number(items: &mut Items, degree: usize) -> Result<Number, CborError> {
     if degree == 1 {
         return Ok(Number(vec![items.integer()?]));
     }
@@ -159,7 +181,7 @@ fn number(items: &mut Items, degree: usize) -> Result<Number, CborError> {
     Ok(Number(coefficients?))
 }
 
-fn fraction(items: &mut Items, degree: usize) -> Result<Fraction, CborError> {
+pub(super) fn fraction(items: &mut Items, degree: usize) -> Result<Fraction, CborError> {
     items.array_of(2)?;
     Ok(Fraction {
         numerator: number(items, degree)?,
@@ -167,7 +189,11 @@ fn fraction(items: &mut Items, degree: usize) -> Result<Fraction, CborError> {
     })
 }
 
-fn domain(items: &mut Items, dimension: usize, degree: usize) -> Result<Domain, CborError> {
+fn domain<V>(
+    items: &mut Items,
+    dimension: usize,
+    read: &mut impl FnMut(&mut Items) -> Result<V, CborError>,
+) -> Result<Domain<V>, CborError> {
     let offset = items.offset();
     let wrong = |problem| CborError { offset, problem };
     match items.next_item()? {
@@ -176,9 +202,9 @@ fn domain(items: &mut Items, dimension: usize, degree: usize) -> Result<Domain, 
         _ => return Err(wrong("expected a domain")),
     }
     match items.text()? {
-        "slab" => Ok(Domain::Slab(polytope(items, 1, degree)?)),
-        "prism" if dimension == 3 => Ok(Domain::Prism(polytope(items, 2, degree)?)),
-        "solid" => Ok(Domain::Solid(polytope(items, dimension, degree)?)),
+        "slab" => Ok(Domain::Slab(polytope(items, 1, read)?)),
+        "prism" if dimension == 3 => Ok(Domain::Prism(polytope(items, 2, read)?)),
+        "solid" => Ok(Domain::Solid(polytope(items, dimension, read)?)),
         "region" => match usize::try_from(items.small()?) {
             Ok(rank) if rank <= dimension => Ok(Domain::Region(rank)),
             _ => Err(wrong("the rank is not between 0 and the dimension")),
@@ -187,11 +213,15 @@ fn domain(items: &mut Items, dimension: usize, degree: usize) -> Result<Domain, 
     }
 }
 
-fn polytope(items: &mut Items, k: usize, degree: usize) -> Result<Polytope, CborError> {
+fn polytope<V>(
+    items: &mut Items,
+    k: usize,
+    read: &mut impl FnMut(&mut Items) -> Result<V, CborError>,
+) -> Result<Polytope<V>, CborError> {
     items.array_of(3)?;
     Ok(Polytope {
         denominator: items.integer()?,
-        vertices: list(items, |items| numbers(items, k, degree))?,
+        vertices: list(items, |items| values(items, k, read))?,
         faces: list(items, |items| list(items, index))?,
     })
 }
@@ -279,9 +309,9 @@ fn cosine(items: &mut Items, degree: usize) -> Result<Cosine, CborError> {
 }
 
 /// The rows of a table: corners, and hints if there are any.
-fn rows(
+pub(super) fn rows(
     items: &mut Items,
-    claim: &Claim,
+    rank: usize,
     corners: usize,
     has_sixes: bool,
 ) -> Result<(Vec<Corner>, Vec<u8>), CborError> {
@@ -290,7 +320,7 @@ fn rows(
     for _ in 0..length {
         items.array_of(corners + usize::from(has_sixes))?;
         for _ in 0..corners {
-            table.push(corner(items, claim.rank())?);
+            table.push(corner(items, rank)?);
         }
         if has_sixes {
             let offset = items.offset();

@@ -24,7 +24,7 @@ pub fn claim_file(claim: &Claim) -> Vec<u8> {
     let mut bytes = Vec::new();
     // A Vec takes every byte.
     let _ = array(&mut bytes, 4)
-        .and_then(|()| begin(&mut bytes, CLAIM_FORMAT))
+        .and_then(|()| begin(&mut bytes, CLAIM_FORMAT, KIND))
         .and_then(|()| claim_to(&mut bytes, claim));
     bytes
 }
@@ -62,21 +62,36 @@ pub fn certificate_to(out: &mut impl Write, certificate: &Certificate) -> io::Re
 /// facets and simplices follow.
 pub fn head(out: &mut impl Write, claim: &Claim) -> io::Result<()> {
     array(out, 5)?;
-    begin(out, FORMAT)?;
+    begin(out, FORMAT, KIND)?;
     claim_to(out, claim)?;
     array(out, 4)
 }
 
-fn begin(out: &mut impl Write, format: &str) -> io::Result<()> {
+pub(super) fn begin(out: &mut impl Write, format: &str, kind: &str) -> io::Result<()> {
     text(out, format)?;
     small(out, VERSION as i64)?;
-    text(out, KIND)
+    text(out, kind)
+}
+
+/// What stands in the place of a number.
+pub trait Entry {
+    /// Writes it.
+    ///
+    /// # Errors
+    /// Where `out` cannot be written.
+    fn write(&self, out: &mut impl Write) -> io::Result<()>;
+}
+
+impl Entry for Number {
+    fn write(&self, out: &mut impl Write) -> io::Result<()> {
+        number(out, self)
+    }
 }
 
 /// Writes a row of numbers: the coordinates of a vertex.
-pub fn numbers(out: &mut impl Write, row: &[Number]) -> io::Result<()> {
+pub fn numbers(out: &mut impl Write, row: &[impl Entry]) -> io::Result<()> {
     array(out, row.len())?;
-    row.iter().try_for_each(|x| number(out, x))
+    row.iter().try_for_each(|x| x.write(out))
 }
 
 /// Writes a facet, or a simplex with its hint.
@@ -114,6 +129,11 @@ pub fn claim_to(out: &mut impl Write, claim: &Claim) -> io::Result<()> {
     array(out, 5)?;
     small(out, claim.dimension as i64)?;
     field(out, &claim.field)?;
+    end_of_claim(out, claim)
+}
+
+/// The Gram matrix, the domain and the statements.
+pub(super) fn end_of_claim(out: &mut impl Write, claim: &Claim<impl Entry>) -> io::Result<()> {
     array(out, claim.gram.len())?;
     for row in &claim.gram {
         numbers(out, row)?;
@@ -146,14 +166,14 @@ fn integers(out: &mut impl Write, list: &[Integer]) -> io::Result<()> {
     list.iter().try_for_each(|n| integer(out, n))
 }
 
-fn number(out: &mut impl Write, Number(coefficients): &Number) -> io::Result<()> {
+pub(super) fn number(out: &mut impl Write, Number(coefficients): &Number) -> io::Result<()> {
     match coefficients.as_slice() {
         [rational] => integer(out, rational),
         list => integers(out, list),
     }
 }
 
-fn domain(out: &mut impl Write, domain: &Domain) -> io::Result<()> {
+fn domain(out: &mut impl Write, domain: &Domain<impl Entry>) -> io::Result<()> {
     let (name, polytope) = match domain {
         Domain::Space => return text(out, "space"),
         Domain::Region(rank) => {
@@ -206,7 +226,7 @@ pub(super) fn statement(out: &mut impl Write, statement: &Statement) -> io::Resu
     }
 }
 
-fn fraction(out: &mut impl Write, fraction: &Fraction) -> io::Result<()> {
+pub(super) fn fraction(out: &mut impl Write, fraction: &Fraction) -> io::Result<()> {
     array(out, 2)?;
     number(out, &fraction.numerator)?;
     integer(out, &fraction.denominator)

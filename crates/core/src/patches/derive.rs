@@ -9,7 +9,7 @@
 
 use super::{Patch, Pyramid};
 use crate::tiling::{Corner, Plane, Polytope, Tiling, VertexId, difference, floor};
-use acutile_exact::geometry::{Scalar, Sign, Simplex};
+use acutile_exact::geometry::{RingElement, Sign, Simplex};
 use acutile_exact::number::Number;
 use std::collections::BTreeSet;
 use std::fmt;

@@ -89,14 +89,14 @@ pub fn certificate(system: &System, statements: &[Statement]) -> format::Certifi
     let statements = statements.iter();
     format::Certificate {
         claim: format::Claim {
-            field: written.field(),
+            field: written.numerals.field(),
             gram: written.gram(),
             rank: system.rank,
             tiles: tiles
                 .clone()
                 .map(|tile| written_tile(tile, &written))
                 .collect(),
-            statements: statements.map(|s| written.statement(s)).collect(),
+            statements: statements.map(|s| written.numerals.statement(s)).collect(),
         },
         witness: tiles
             .map(|tile| written_patch(&tile.patch, &written))
@@ -126,7 +126,7 @@ fn all_numbers(system: &System) -> Tiling<3> {
 }
 
 fn written_tile(tile: &Tile, written: &Written<3>) -> format::Tile {
-    let denominator = written.denominator(tile.corners.iter().flatten());
+    let denominator = written.numerals.denominator(tile.corners.iter().flatten());
     format::Tile {
         vertices: numerators(&tile.corners, &denominator, written),
         classes: tile.classes.clone(),
@@ -135,7 +135,9 @@ fn written_tile(tile: &Tile, written: &Written<3>) -> format::Tile {
 }
 
 fn written_patch(patch: &Patch, written: &Written<3>) -> format::Patch {
-    let denominator = written.denominator(patch.vertices.iter().flatten());
+    let denominator = written
+        .numerals
+        .denominator(patch.vertices.iter().flatten());
     let corners = |corners: &[Corner<3>]| corners.iter().copied().map(corner).collect();
     format::Patch {
         offsets: numerators(&patch.offsets, &denominator, written),
@@ -158,7 +160,7 @@ fn numerators<'n, R: AsRef<[Number]> + 'n>(
     denominator: &Integer,
     written: &Written<3>,
 ) -> Vec<Vec<crate::format::Number>> {
-    let numerator = |x: &Number| written.numerator(x, denominator);
+    let numerator = |x: &Number| written.numerals.numerator(x, denominator);
     let rows = rows.into_iter();
     rows.map(|row| row.as_ref().iter().map(numerator).collect())
         .collect()

@@ -12,7 +12,7 @@ use super::filter::map_metric;
 use super::polynomials::{Metric, Predicate};
 use super::signs::Signs;
 use acutile_exact::geometry::{
-    Bound, I128, I256, I512, Quadratic, Scalar, Simplex, linear, wide::Wide,
+    Bound, I128, I256, I512, Quadratic, RingElement, Scalar, Simplex, linear, wide::Wide,
 };
 use acutile_exact::number::Number;
 use malachite::Integer;

@@ -6,7 +6,7 @@ use super::polynomials::Orientation;
 use super::ring::Ring;
 use super::vectors::Vectors;
 use crate::tiling::SimplexId;
-use acutile_exact::geometry::{I512, Scalar};
+use acutile_exact::geometry::{I512, RingElement};
 use acutile_exact::number::Number;
 use malachite::{Integer, Rational};
 use std::collections::BTreeMap;

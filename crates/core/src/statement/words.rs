@@ -3,7 +3,6 @@
 use super::{Relation, Statement};
 use crate::quality::{DihedralAngle, Exact, RadiusEdge, rounded_down};
 use crate::tiling::{Domain, Frame};
-use acutile_exact::number::Number;
 use malachite::{Integer, Rational};
 use std::fmt::Display;
 
@@ -55,8 +54,8 @@ pub fn in_words(statement: &Statement, dimension: usize) -> String {
 }
 
 /// A proved claim in one line: `boundary` is the number of facets in the boundary.
-pub fn summary<const D: usize>(
-    frame: &Frame<D>,
+pub fn summary<S: Display, const D: usize>(
+    frame: &Frame<D, S>,
     simplices: usize,
     boundary: usize,
     statements: &[Statement],
@@ -223,7 +222,7 @@ fn exact_decimal(value: &Rational) -> String {
 }
 
 /// The set that is tiled; x_1, …, x_D are coordinates in the basis.
-fn domain<const D: usize>(frame: &Frame<D>) -> String {
+fn domain<S: Display, const D: usize>(frame: &Frame<D, S>) -> String {
     let (name, polytope) = match (&frame.domain, D) {
         (Domain::Space, 2) => return "the plane".to_owned(),
         (Domain::Space, _) => return "three-space".to_owned(),
@@ -245,7 +244,7 @@ fn domain<const D: usize>(frame: &Frame<D>) -> String {
     )
 }
 
-fn lattice<const D: usize>(frame: &Frame<D>) -> String {
+fn lattice<S: Display, const D: usize>(frame: &Frame<D, S>) -> String {
     let how = match (&frame.domain, frame.rank()) {
         (_, 0) => ", in the basis with",
         (_, rank) if rank == D => " and their translates under the lattice whose basis has",
@@ -258,7 +257,7 @@ fn lattice<const D: usize>(frame: &Frame<D>) -> String {
     format!("{how} the Gram matrix [{}]", join(rows))
 }
 
-fn field<const D: usize>(frame: &Frame<D>) -> String {
+fn field<S, const D: usize>(frame: &Frame<D, S>) -> String {
     if frame.field.is_rationals() {
         return String::new();
     }
@@ -293,7 +292,7 @@ fn polynomial(coefficients: &[Integer], a: &str) -> String {
     text
 }
 
-fn row(numbers: &[Number]) -> String {
+fn row(numbers: &[impl Display]) -> String {
     format!("[{}]", join(numbers.iter()))
 }
 

@@ -1,14 +1,14 @@
 //! Convex polytopes of dimension 1, 2 and 3: the cross-sections of slabs, prisms and
 //! solids. Whether the data describe one is checked by [`crate::checker`].
 
-use acutile_exact::geometry::{Scalar, Sign, linear};
+use acutile_exact::geometry::{RingElement, Sign, linear};
 use acutile_exact::number::Number;
 
 /// A polytope by its vertices and its facets, as in a certificate.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Polytope {
+pub struct Polytope<S = Number> {
     /// k coordinates each, k = 1, 2 or 3.
-    pub vertices: Vec<Vec<Number>>,
+    pub vertices: Vec<Vec<S>>,
     /// The facets by the indices of their vertices: one for k = 1, the two ends of a
     /// side for k = 2, the corners in cyclic order for k = 3.
     pub faces: Vec<Vec<usize>>,
@@ -17,14 +17,14 @@ pub struct Polytope {
 /// The affine function n · x - c that vanishes on a face and is positive on the
 /// side of the polytope.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Plane {
-    normal: [Number; 3],
-    offset: Number,
+pub struct Plane<S = Number> {
+    normal: [S; 3],
+    offset: S,
 }
 
-impl Polytope {
+impl<S> Polytope<S> {
     /// The interval from `lower` to `upper`.
-    pub fn interval(lower: Number, upper: Number) -> Self {
+    pub fn interval(lower: S, upper: S) -> Self {
         Polytope {
             vertices: vec![vec![lower], vec![upper]],
             faces: vec![vec![0], vec![1]],
@@ -32,7 +32,7 @@ impl Polytope {
     }
 
     /// The polygon with these corners in cyclic order.
-    pub fn polygon(vertices: Vec<Vec<Number>>) -> Self {
+    pub fn polygon(vertices: Vec<Vec<S>>) -> Self {
         let n = vertices.len();
         Polytope {
             vertices,
@@ -45,17 +45,64 @@ impl Polytope {
         self.vertices.first().map_or(0, Vec::len)
     }
 
-    /// The plane of a face through its first k vertices, turned so that the polytope's
-    /// first vertex off the plane is on the positive side; `None` where these k
-    /// vertices, or all vertices, lie in no plane or in one.
-    pub fn plane(&self, face: usize) -> Option<Plane> {
-        let points: Vec<&[Number]> = self.faces[face]
+    /// The polytope with other numbers as coordinates.
+    pub fn map<T>(&self, map: impl Fn(&S) -> T) -> Polytope<T> {
+        let rows = self.vertices.iter();
+        Polytope {
+            vertices: rows.map(|row| row.iter().map(&map).collect()).collect(),
+            faces: self.faces.clone(),
+        }
+    }
+}
+
+impl<S: RingElement> Polytope<S> {
+    /// The plane of a face through its first k vertices, turned to one side or the other; `None`
+    /// if it has fewer.
+    pub fn unturned_plane(&self, face: usize) -> Option<Plane<S>> {
+        let points: Vec<&[S]> = self.faces[face]
             .iter()
             .map(|&v| self.vertices[v].as_slice())
             .collect();
         let normal = normal(&points, self.dimension())?;
         let offset = linear::dot(&normal, &in_space(points[0]));
-        let plane = Plane { normal, offset };
+        Some(Plane { normal, offset })
+    }
+
+    /// k! times the volume of the cone over a face from the first vertex, with either sign. The
+    /// face is a fan of simplices from its first vertex.
+    pub fn scaled_cone(&self, face: usize) -> S {
+        let face = &self.faces[face];
+        let apex = in_space(&self.vertices[0]);
+        let edge = |vertex: usize| linear::subtract(&in_space(&self.vertices[vertex]), &apex);
+        match self.dimension() {
+            1 => {
+                let [length, _, _] = edge(face[0]);
+                length
+            }
+            2 => {
+                let [_, _, area] = linear::cross(&edge(face[0]), &edge(face[1]));
+                area
+            }
+            _ => {
+                let fan = (1..face.len().saturating_sub(1)).map(|k| {
+                    linear::determinant(&[edge(face[0]), edge(face[k]), edge(face[k + 1])])
+                });
+                let zero = apex[0].integer(0);
+                fan.fold(zero, |sum, volume| sum.plus(&volume))
+            }
+        }
+    }
+}
+
+impl Polytope {
+    /// The plane of a face, turned so that the polytope's first vertex off the plane is on the
+    /// positive side; `None` where the face's first k vertices, or all vertices, lie in no plane or
+    /// in one.
+    pub fn plane(&self, face: usize) -> Option<Plane> {
+        let plane = self.unturned_plane(face)?;
+        if plane.normal.iter().all(Number::is_zero) {
+            return None;
+        }
         let side = self
             .vertices
             .iter()
@@ -68,68 +115,50 @@ impl Polytope {
         })
     }
 
-    /// k! times the volume, if this is a convex polytope: the cones over its faces from
-    /// its first vertex, each face a fan of simplices from its first vertex.
+    /// k! times the volume, if this is a convex polytope: the cones over its faces from its first
+    /// vertex.
     pub fn scaled_volume(&self) -> Number {
-        let mut sum = Number::zero();
-        for face in &self.faces {
-            sum = &sum + &self.scaled_cone(face).abs();
-        }
-        sum
-    }
-
-    fn scaled_cone(&self, face: &[usize]) -> Number {
-        let apex = in_space(&self.vertices[0]);
-        let edge = |vertex: usize| linear::subtract(&in_space(&self.vertices[vertex]), &apex);
-        match self.dimension() {
-            1 => {
-                let [length, _, _] = edge(face[0]);
-                length
-            }
-            2 => {
-                let [_, _, area] = linear::cross(&edge(face[0]), &edge(face[1]));
-                area
-            }
-            _ => (1..face.len().saturating_sub(1)).fold(Number::zero(), |sum, k| {
-                sum + linear::determinant(&[edge(face[0]), edge(face[k]), edge(face[k + 1])])
-            }),
-        }
+        let cones = (0..self.faces.len()).map(|face| self.scaled_cone(face).abs());
+        cones.fold(Number::zero(), |sum, cone| &sum + &cone)
     }
 }
 
-impl Plane {
+impl<S: RingElement> Plane<S> {
     /// Positive inside, zero on the plane, negative outside.
-    pub fn value(&self, point: &[Number]) -> Number {
-        &linear::dot(&self.normal, &in_space(point)) - &self.offset
+    pub fn value(&self, point: &[S]) -> S {
+        linear::dot(&self.normal, &in_space(point)).minus(&self.offset)
     }
 
-    fn turned(self) -> Self {
+    /// The same plane with the other side inside.
+    pub fn turned(self) -> Self {
+        let zero = self.offset.integer(0);
         Plane {
-            normal: self.normal.map(|x| -x),
-            offset: -self.offset,
+            normal: self.normal.map(|x| zero.minus(&x)),
+            offset: zero.minus(&self.offset),
         }
     }
 }
 
 /// A vector orthogonal to the differences of the first k points.
-fn normal(points: &[&[Number]], dimension: usize) -> Option<[Number; 3]> {
+fn normal<S: RingElement>(points: &[&[S]], dimension: usize) -> Option<[S; 3]> {
     if points.len() < dimension {
         return None;
     }
     let first = in_space(points[0]);
     let edge = |k: usize| linear::subtract(&in_space(points[k]), &first);
-    let unit = |axis: usize| -> [Number; 3] {
-        std::array::from_fn(|k| first[0].integer(i64::from(k == axis)))
-    };
-    let normal = match dimension {
+    let unit =
+        |axis: usize| -> [S; 3] { std::array::from_fn(|k| first[0].integer(i64::from(k == axis))) };
+    Some(match dimension {
         1 => unit(0),
         2 => linear::cross(&unit(2), &edge(1)),
         _ => linear::cross(&edge(1), &edge(2)),
-    };
-    normal.iter().any(|x| !x.is_zero()).then_some(normal)
+    })
 }
 
 /// A point with up to three coordinates as one of space; the others are zero.
-fn in_space(point: &[Number]) -> [Number; 3] {
-    std::array::from_fn(|k| point.get(k).cloned().unwrap_or_else(Number::zero))
+fn in_space<S: RingElement>(point: &[S]) -> [S; 3] {
+    std::array::from_fn(|k| match point.get(k) {
+        Some(x) => x.clone(),
+        None => point[0].integer(0),
+    })
 }

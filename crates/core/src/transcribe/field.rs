@@ -6,7 +6,7 @@ use crate::statement::Statement;
 use crate::tiling::coordinates::Form;
 use crate::tiling::{Frame, Tiling};
 use acutile_exact::geometry::Sign;
-use acutile_exact::number::{Number, Subfield, common_denominator};
+use acutile_exact::number::{Field, Number, Subfield, common_denominator};
 use malachite::base::num::arithmetic::traits::{DivExact, Gcd};
 use malachite::base::num::basic::traits::{One, Zero};
 use malachite::{Integer, Natural, Rational};
@@ -14,8 +14,14 @@ use malachite::{Integer, Natural, Rational};
 /// The Gram matrix and the field in which a tiling is written.
 #[derive(Clone, Debug)]
 pub struct Written<const D: usize> {
-    subfield: Subfield,
+    pub numerals: Numerals,
     gram: [[Number; D]; D],
+}
+
+/// Numbers of a field by their coefficients in a smaller one.
+#[derive(Clone, Debug)]
+pub struct Numerals {
+    subfield: Subfield,
 }
 
 impl<const D: usize> Written<D> {
@@ -43,7 +49,28 @@ impl<const D: usize> Written<D> {
             true => gram.clone(),
             false => ratios,
         };
-        Written { subfield, gram }
+        let numerals = Numerals { subfield };
+        Written { numerals, gram }
+    }
+
+    /// The upper triangle of the primitive Gram matrix.
+    pub fn gram(&self) -> Vec<Vec<format::Number>> {
+        let unit = self.numerals.denominator(self.gram.iter().flatten());
+        let entry = |x: &Number| self.numerals.numerator(x, &unit);
+        let rows = self.gram.iter().enumerate();
+        let rows = rows.map(|(k, row)| row[k..].iter().map(entry).collect());
+        let mut rows: Vec<Vec<format::Number>> = rows.collect();
+        make_primitive(rows.iter_mut().flatten());
+        rows
+    }
+}
+
+impl Numerals {
+    /// In the smallest field that contains these numbers of `field`.
+    pub fn of<'n>(field: &Field, numbers: impl IntoIterator<Item = &'n Number>) -> Self {
+        Numerals {
+            subfield: Subfield::of(field, numbers),
+        }
     }
 
     /// The field of the certificate.
@@ -66,25 +93,6 @@ impl<const D: usize> Written<D> {
     /// The degree of the field.
     pub fn degree(&self) -> usize {
         self.subfield.field.degree()
-    }
-
-    /// The upper triangle of the primitive Gram matrix.
-    pub fn gram(&self) -> Vec<Vec<format::Number>> {
-        let unit = self.denominator(self.gram.iter().flatten());
-        let entry = |x: &Number| self.numerator(x, &unit);
-        let rows = self.gram.iter().enumerate();
-        let rows: Vec<Vec<format::Number>> = rows
-            .map(|(k, row)| row[k..].iter().map(entry).collect())
-            .collect();
-        let all = rows.iter().flatten().flat_map(|number| &number.0);
-        let content = all.fold(Natural::ZERO, |gcd, n| gcd.gcd(n.unsigned_abs_ref()));
-        let content = Integer::from(content.max(Natural::ONE));
-        let primitive = |number: &format::Number| {
-            format::Number(number.0.iter().map(|n| n.div_exact(&content)).collect())
-        };
-        rows.iter()
-            .map(|row| row.iter().map(primitive).collect())
-            .collect()
     }
 
     /// The coefficients of a number of the tiling in the certificate's field.
@@ -114,7 +122,8 @@ impl<const D: usize> Written<D> {
         format::Number(coefficients.map(|c| integer(&(c * &unit))).collect())
     }
 
-    fn fraction(&self, number: &Number) -> Fraction {
+    /// A number in lowest terms.
+    pub fn fraction(&self, number: &Number) -> Fraction {
         let denominator = self.denominator([number].into_iter());
         Fraction {
             numerator: self.numerator(number, &denominator),
@@ -154,6 +163,20 @@ impl<const D: usize> Written<D> {
             Statement::LocallyWeaklyDelaunay => format::Statement::LocallyWeaklyDelaunay,
             Statement::Tcp => format::Statement::Tcp,
         }
+    }
+}
+
+/// Divides numbers by the greatest common divisor of all their coefficients.
+pub fn make_primitive<'n>(numbers: impl Iterator<Item = &'n mut format::Number>) {
+    let numbers: Vec<&mut format::Number> = numbers.collect();
+    let all = numbers.iter().flat_map(|number| &number.0);
+    let content = all.fold(Natural::ZERO, |gcd, n| gcd.gcd(n.unsigned_abs_ref()));
+    let content = Integer::from(content.max(Natural::ONE));
+    for number in numbers {
+        number
+            .0
+            .iter_mut()
+            .for_each(|n| *n = (&*n).div_exact(&content));
     }
 }
 

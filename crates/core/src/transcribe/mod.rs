@@ -7,12 +7,14 @@
 //! | [`curve`] | a space-filling curve |
 //! | [`write`](mod@write) | tiling → certificate, row by row |
 //! | [`read`] | certificate → tiling |
+//! | [`family`] | family ⇄ certificate |
 //!
 //! The certificate of a tiling is determined by the tiling and its statements. Its Gram matrix is
 //! primitive, its vertices lie in the first cell, and its rows stand in an order for which few
 //! facets are open at a time. Nothing here is checked: the kernel does that.
 
 pub mod curve;
+pub mod family;
 pub mod field;
 pub mod order;
 pub mod read;

@@ -99,13 +99,13 @@ pub fn claim_in_words(
 
 /// Numbers of a certificate's field.
 pub(crate) struct Numbers {
-    field: Field,
+    pub field: Field,
     /// The powers of the root that the certificate calls a.
     powers: Vec<Number>,
 }
 
 impl Numbers {
-    pub(crate) fn of(field: &format::Field) -> Result<Self, ReadError> {
+    pub fn of(field: &format::Field) -> Result<Self, ReadError> {
         let one = Number::from(Rational::from(1));
         let format::Field::Algebraic(algebraic) = field else {
             return Ok(Numbers {
@@ -129,7 +129,7 @@ impl Numbers {
     }
 
     /// The number over a denominator that is not zero.
-    fn number(&self, number: &format::Number, denominator: &Integer) -> Number {
+    pub fn number(&self, number: &format::Number, denominator: &Integer) -> Number {
         let coefficients = number.0.iter().zip(&self.powers);
         let terms = coefficients
             .filter(|(c, _)| **c != 0)
@@ -137,7 +137,8 @@ impl Numbers {
         terms.fold(Number::zero(), |sum, term| sum + term)
     }
 
-    fn fraction(&self, fraction: &Fraction) -> Result<Number, ReadError> {
+    /// The number that a fraction is.
+    pub fn fraction(&self, fraction: &Fraction) -> Result<Number, ReadError> {
         if fraction.denominator == 0 {
             return Err(ReadError::Denominator);
         }
@@ -151,7 +152,8 @@ impl Numbers {
         })
     }
 
-    pub(crate) fn statement(&self, statement: &format::Statement) -> Result<Statement, ReadError> {
+    /// A statement in the prover's numbers.
+    pub fn statement(&self, statement: &format::Statement) -> Result<Statement, ReadError> {
         Ok(match statement {
             format::Statement::FaceToFaceTiling => Statement::FaceToFaceTiling,
             format::Statement::Acute => Statement::Acute,
@@ -174,13 +176,18 @@ impl Numbers {
         })
     }
 
-    fn domain(&self, domain: &format::Domain) -> Result<Domain, ReadError> {
-        let polytope = |polytope: &format::Polytope| {
+    /// A domain; `value` makes a coordinate of what stands there and the denominator.
+    pub fn domain<V, S>(
+        &self,
+        domain: &format::Domain<V>,
+        value: impl Fn(&V, &Integer) -> S,
+    ) -> Result<Domain<S>, ReadError> {
+        let polytope = |polytope: &format::Polytope<V>| {
             if polytope.denominator == 0 {
                 return Err(ReadError::Denominator);
             }
-            let row = |row: &Vec<format::Number>| {
-                let numbers = row.iter().map(|x| self.number(x, &polytope.denominator));
+            let row = |row: &Vec<V>| {
+                let numbers = row.iter().map(|x| value(x, &polytope.denominator));
                 numbers.collect()
             };
             let face = |face: &Vec<u32>| face.iter().map(|v| *v as usize).collect();
@@ -207,7 +214,7 @@ impl Numbers {
         Ok(Frame {
             field: self.field.clone(),
             gram: std::array::from_fn(|i| std::array::from_fn(|j| entry(i, j))),
-            domain: self.domain(&claim.domain)?,
+            domain: self.domain(&claim.domain, |x, unit| self.number(x, unit))?,
         })
     }
 }
@@ -245,7 +252,10 @@ fn tiling<const D: usize>(
     })
 }
 
-fn in_tiling<const D: usize>(corner: format::Corner, vertices: usize) -> Option<Corner<D>> {
+pub(super) fn in_tiling<const D: usize>(
+    corner: format::Corner,
+    vertices: usize,
+) -> Option<Corner<D>> {
     let is_near = corner
         .shift
         .iter()

@@ -1,6 +1,6 @@
 //! The certificate of a tiling, row by row.
 
-use super::field::Written;
+use super::field::{Numerals, Written};
 use super::order::Order;
 use crate::format::{self, Claim, cbor};
 use crate::statement::Statement;
@@ -46,7 +46,7 @@ pub fn write<const D: usize>(parts: Parts<D>, out: &mut impl Write) -> io::Resul
         tiling,
         order: &order,
     };
-    rows.vertices(&written, out)?;
+    rows.vertices(&written.numerals, out)?;
     rows.boundary(matching, out)?;
     rows.simplices(parts.sixes, out)
 }
@@ -60,15 +60,15 @@ fn claim_of<const D: usize>(parts: Parts<D>, written: &Written<D>) -> Claim {
     let statements = parts.statements.iter();
     Claim {
         dimension: D,
-        field: written.field(),
+        field: written.numerals.field(),
         gram: written.gram(),
-        domain: domain(&parts.tiling.frame.domain, written),
-        statements: statements.map(|s| written.statement(s)).collect(),
+        domain: domain(&parts.tiling.frame.domain, &written.numerals),
+        statements: statements.map(|s| written.numerals.statement(s)).collect(),
     }
 }
 
-fn domain<const D: usize>(domain: &Domain, written: &Written<D>) -> format::Domain {
-    let polytope = |polytope: &Polytope| {
+fn domain(domain: &Domain, written: &Numerals) -> format::Domain {
+    in_format(domain, |polytope: &Polytope| {
         let denominator = written.denominator(polytope.vertices.iter().flatten());
         let row = |row: &Vec<Number>| {
             let numerators = row.iter().map(|x| written.numerator(x, &denominator));
@@ -80,7 +80,14 @@ fn domain<const D: usize>(domain: &Domain, written: &Written<D>) -> format::Doma
             faces: polytope.faces.iter().map(face).collect(),
             denominator,
         }
-    };
+    })
+}
+
+/// A domain with its polytope as a certificate has it.
+pub(super) fn in_format<S, V>(
+    domain: &Domain<S>,
+    polytope: impl Fn(&Polytope<S>) -> format::Polytope<V>,
+) -> format::Domain<V> {
     match domain {
         Domain::Space => format::Domain::Space,
         Domain::Slab(slab) => format::Domain::Slab(polytope(slab)),
@@ -91,14 +98,14 @@ fn domain<const D: usize>(domain: &Domain, written: &Written<D>) -> format::Doma
 }
 
 /// The tables of a witness.
-struct Rows<'t, const D: usize> {
-    tiling: &'t Tiling<D>,
-    order: &'t Order<D>,
+pub(super) struct Rows<'t, const D: usize> {
+    pub tiling: &'t Tiling<D>,
+    pub order: &'t Order<D>,
 }
 
 impl<const D: usize> Rows<'_, D> {
     /// The denominator and the vertices.
-    fn vertices(&self, written: &Written<D>, out: &mut impl Write) -> io::Result<()> {
+    fn vertices(&self, written: &Numerals, out: &mut impl Write) -> io::Result<()> {
         match self.tiling.vertices.form() {
             Form::Integers {
                 numerators,
@@ -114,7 +121,7 @@ impl<const D: usize> Rows<'_, D> {
         &self,
         numerators: &[[i64; D]],
         denominator: i64,
-        written: &Written<D>,
+        written: &Numerals,
         out: &mut impl Write,
     ) -> io::Result<()> {
         let mut entries = numerators.iter().flatten();
@@ -146,7 +153,7 @@ impl<const D: usize> Rows<'_, D> {
     fn doubles(
         &self,
         points: &[[f64; D]],
-        written: &Written<D>,
+        written: &Numerals,
         out: &mut impl Write,
     ) -> io::Result<()> {
         let exponents = points.iter().flatten().map(|x| decompose(*x).1);
@@ -170,7 +177,7 @@ impl<const D: usize> Rows<'_, D> {
     fn numbers(
         &self,
         points: &[[Number; D]],
-        written: &Written<D>,
+        written: &Numerals,
         out: &mut impl Write,
     ) -> io::Result<()> {
         let unit = written.denominator(points.iter().flatten());
@@ -192,7 +199,7 @@ impl<const D: usize> Rows<'_, D> {
     fn row<W: Write>(
         &self,
         out: &mut W,
-        written: &Written<D>,
+        written: &Numerals,
         integer: impl Fn(&mut W, usize) -> io::Result<()>,
     ) -> io::Result<()> {
         cbor::array(out, D)?;
@@ -233,7 +240,7 @@ impl<const D: usize> Rows<'_, D> {
                 corners.swap(D - 2, D - 1);
                 corners = seen_from_first(corners);
             }
-            format::write::row(out, &corners.map(in_format), rank, None)
+            format::write::row(out, &corners.map(corner_in_format), rank, None)
         })
     }
 
@@ -249,7 +256,8 @@ impl<const D: usize> Rows<'_, D> {
         (seen_from_first(corners), is_odd)
     }
 
-    fn simplices(&self, sixes: Option<&[u8]>, out: &mut impl Write) -> io::Result<()> {
+    /// The simplices with their hints.
+    pub fn simplices(&self, sixes: Option<&[u8]>, out: &mut impl Write) -> io::Result<()> {
         cbor::array(out, self.tiling.len())?;
         let rank = self.tiling.frame.rank();
         for simplex in &self.order.rows {
@@ -281,7 +289,7 @@ impl<const D: usize> Rows<'_, D> {
         if is_odd {
             corners.swap(N - 2, N - 1);
         }
-        format::write::row(out, &corners.map(in_format), rank, sixes)
+        format::write::row(out, &corners.map(corner_in_format), rank, sixes)
     }
 }
 
@@ -322,7 +330,7 @@ fn seen_from_first<const N: usize, const D: usize>(corners: [Corner<D>; N]) -> [
     })
 }
 
-fn in_format<const D: usize>(corner: Corner<D>) -> format::Corner {
+fn corner_in_format<const D: usize>(corner: Corner<D>) -> format::Corner {
     let mut shift = [0; 3];
     shift[..D].copy_from_slice(&corner.shift);
     format::Corner {

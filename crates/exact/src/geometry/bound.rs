@@ -14,7 +14,7 @@
 //! raised by 2^-50 of itself, more than the few roundings in one line take away.
 //! Underflow is not covered here; see `checker`'s filter, which stays away from it.
 
-use super::{Scalar, Sign};
+use super::{RingElement, Scalar, Sign};
 use std::cmp::Ordering;
 
 /// Bounds of a value, of its error in doubles, and of the whole computation.
@@ -65,7 +65,7 @@ fn raised(x: f64) -> f64 {
     x * (1.0 + 8.0 * ROUNDOFF)
 }
 
-impl Scalar for Bound {
+impl RingElement for Bound {
     fn integer(&self, value: i64) -> Self {
         let size = raised(value.unsigned_abs() as f64);
         Bound::given(
@@ -96,7 +96,9 @@ impl Scalar for Bound {
             ..product
         }
     }
+}
 
+impl Scalar for Bound {
     fn sign(&self) -> Sign {
         Ordering::Greater
     }

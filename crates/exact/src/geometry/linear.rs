@@ -1,11 +1,11 @@
 //! Determinants, cofactors and quadratic forms of small matrices over any
-//! [`Scalar`]; nothing is divided.
+//! ring; nothing is divided.
 
-use super::Scalar;
+use super::RingElement;
 
 /// The determinant of a D x D matrix, by expansion along the first row.
 #[inline]
-pub fn determinant<S: Scalar, const D: usize>(matrix: &[[S; D]; D]) -> S {
+pub fn determinant<S: RingElement, const D: usize>(matrix: &[[S; D]; D]) -> S {
     if D == 3 {
         let row: [S; D] = std::array::from_fn(|j| cofactor(matrix, 0, j));
         return dot(&matrix[0], &row);
@@ -18,7 +18,7 @@ pub fn determinant<S: Scalar, const D: usize>(matrix: &[[S; D]; D]) -> S {
 /// A matrix to be filled. Loops over it are unrolled where closures that make the
 /// entries would be called.
 #[inline(always)]
-pub fn zeros<S: Scalar, const N: usize, const D: usize>(like: &S) -> [[S; D]; N] {
+pub fn zeros<S: RingElement, const N: usize, const D: usize>(like: &S) -> [[S; D]; N] {
     let zero = like.integer(0);
     std::array::from_fn(|_| std::array::from_fn(|_| zero.clone()))
 }
@@ -26,7 +26,7 @@ pub fn zeros<S: Scalar, const N: usize, const D: usize>(like: &S) -> [[S; D]; N]
 /// The matrix of cofactors C, C_ij = (-1)^(i+j) times the minor without row i and
 /// column j. Its transpose is the adjugate: M C^T = det M.
 #[inline(always)]
-pub fn cofactors<S: Scalar, const D: usize>(matrix: &[[S; D]; D]) -> [[S; D]; D] {
+pub fn cofactors<S: RingElement, const D: usize>(matrix: &[[S; D]; D]) -> [[S; D]; D] {
     let mut cofactors = zeros(&matrix[0][0]);
     for i in 0..D {
         for j in 0..D {
@@ -37,7 +37,7 @@ pub fn cofactors<S: Scalar, const D: usize>(matrix: &[[S; D]; D]) -> [[S; D]; D]
 }
 
 #[inline(always)]
-fn cofactor<S: Scalar, const D: usize>(matrix: &[[S; D]; D], i: usize, j: usize) -> S {
+fn cofactor<S: RingElement, const D: usize>(matrix: &[[S; D]; D], i: usize, j: usize) -> S {
     // Cyclic order of the other rows and columns makes the sign come out right in
     // dimension 3 without a negation.
     if D == 3 {
@@ -69,12 +69,12 @@ fn cofactor<S: Scalar, const D: usize>(matrix: &[[S; D]; D], i: usize, j: usize)
 
 /// a d - b c
 #[inline(always)]
-fn determinant2<S: Scalar>(a: &S, b: &S, c: &S, d: &S) -> S {
+fn determinant2<S: RingElement>(a: &S, b: &S, c: &S, d: &S) -> S {
     a.times(d).minus(&b.times(c))
 }
 
 /// The determinant of the rows restricted to some columns, as many as rows.
-fn minor<S: Scalar>(rows: &[&[S]], columns: &[usize]) -> S {
+fn minor<S: RingElement>(rows: &[&[S]], columns: &[usize]) -> S {
     match columns {
         [j] => rows[0][*j].clone(),
         [j, k] => determinant2(&rows[0][*j], &rows[0][*k], &rows[1][*j], &rows[1][*k]),
@@ -82,7 +82,7 @@ fn minor<S: Scalar>(rows: &[&[S]], columns: &[usize]) -> S {
     }
 }
 
-fn expand<S: Scalar>(rows: &[&[S]], columns: &[usize]) -> S {
+fn expand<S: RingElement>(rows: &[&[S]], columns: &[usize]) -> S {
     let mut sum = rows[0][columns[0]].integer(0);
     for (position, &column) in columns.iter().enumerate() {
         let others: Vec<usize> = columns.iter().copied().filter(|&c| c != column).collect();
@@ -98,7 +98,7 @@ fn expand<S: Scalar>(rows: &[&[S]], columns: &[usize]) -> S {
 
 /// The sum of x_k y_k.
 #[inline(always)]
-pub fn dot<S: Scalar, const D: usize>(x: &[S; D], y: &[S; D]) -> S {
+pub fn dot<S: RingElement, const D: usize>(x: &[S; D], y: &[S; D]) -> S {
     let mut sum = x[0].times(&y[0]);
     for k in 1..D {
         sum = sum.plus(&x[k].times(&y[k]));
@@ -108,7 +108,7 @@ pub fn dot<S: Scalar, const D: usize>(x: &[S; D], y: &[S; D]) -> S {
 
 /// x × y
 #[inline(always)]
-pub fn cross<S: Scalar>(x: &[S; 3], y: &[S; 3]) -> [S; 3] {
+pub fn cross<S: RingElement>(x: &[S; 3], y: &[S; 3]) -> [S; 3] {
     std::array::from_fn(|k| {
         let (i, j) = ((k + 1) % 3, (k + 2) % 3);
         determinant2(&x[i], &x[j], &y[i], &y[j])
@@ -117,7 +117,7 @@ pub fn cross<S: Scalar>(x: &[S; 3], y: &[S; 3]) -> [S; 3] {
 
 /// The sum of x_k.
 #[inline(always)]
-pub fn sum<S: Scalar, const D: usize>(x: &[S; D]) -> S {
+pub fn sum<S: RingElement, const D: usize>(x: &[S; D]) -> S {
     let mut sum = x[0].clone();
     for k in 1..D {
         sum = sum.plus(&x[k]);
@@ -127,7 +127,7 @@ pub fn sum<S: Scalar, const D: usize>(x: &[S; D]) -> S {
 
 /// M x
 #[inline(always)]
-pub fn apply<S: Scalar, const D: usize>(matrix: &[[S; D]; D], x: &[S; D]) -> [S; D] {
+pub fn apply<S: RingElement, const D: usize>(matrix: &[[S; D]; D], x: &[S; D]) -> [S; D] {
     let [mut image] = zeros(&x[0]);
     for i in 0..D {
         image[i] = dot(&matrix[i], x);
@@ -137,13 +137,13 @@ pub fn apply<S: Scalar, const D: usize>(matrix: &[[S; D]; D], x: &[S; D]) -> [S;
 
 /// x^T M x: the squared length of a vector, for a Gram matrix M.
 #[inline(always)]
-pub fn square<S: Scalar, const D: usize>(gram: &[[S; D]; D], x: &[S; D]) -> S {
+pub fn square<S: RingElement, const D: usize>(gram: &[[S; D]; D], x: &[S; D]) -> S {
     dot(x, &apply(gram, x))
 }
 
 /// x - y
 #[inline(always)]
-pub fn subtract<S: Scalar, const D: usize>(x: &[S; D], y: &[S; D]) -> [S; D] {
+pub fn subtract<S: RingElement, const D: usize>(x: &[S; D], y: &[S; D]) -> [S; D] {
     let [mut difference] = zeros(&x[0]);
     for k in 0..D {
         difference[k] = x[k].minus(&y[k]);

@@ -12,6 +12,6 @@ pub mod wide;
 
 pub use bound::Bound;
 pub use quadratic::Quadratic;
-pub use scalar::{Scalar, Sign};
+pub use scalar::{RingElement, Scalar, Sign};
 pub use simplex::{NormalProducts, Simplex};
 pub use wide::{I128, I256, I512};

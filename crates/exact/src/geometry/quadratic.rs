@@ -1,7 +1,7 @@
 //! The ring Z[√d] over a ring of integers of some width, for a positive integer d
 //! that is no square: exact signs by squares, without enclosures.
 
-use super::{Scalar, Sign};
+use super::{RingElement, Scalar, Sign};
 use std::cmp::Ordering;
 
 /// x + y √d, where all elements of a computation have the same d.
@@ -36,7 +36,7 @@ impl<T: Scalar> Quadratic<T> {
     }
 }
 
-impl<T: Scalar> Scalar for Quadratic<T> {
+impl<T: Scalar> RingElement for Quadratic<T> {
     fn integer(&self, value: i64) -> Self {
         self.with(self.x.integer(value), self.x.integer(0))
     }
@@ -60,7 +60,9 @@ impl<T: Scalar> Scalar for Quadratic<T> {
             self.x.times(&other.y).plus(&self.y.times(&other.x)),
         )
     }
+}
 
+impl<T: Scalar> Scalar for Quadratic<T> {
     /// If x and y have no opposite signs, theirs is the sign. Otherwise x + y √d has the
     /// sign of x if x² > d y², and of y if less; they are equal only for x = y = 0.
     fn sign(&self) -> Sign {

@@ -6,10 +6,9 @@ use std::cmp::Ordering;
 /// for positive.
 pub type Sign = Ordering;
 
-/// An element of an ordered commutative ring. Predicates are polynomials, so
-/// nothing is ever divided. The operations take references because big numbers
-/// are not `Copy`.
-pub trait Scalar: Clone + std::fmt::Debug + Send + Sync {
+/// An element of a commutative ring. Nothing is ever divided. The operations take
+/// references because big numbers are not `Copy`.
+pub trait RingElement: Clone + std::fmt::Debug + Send + Sync {
     /// The ring's image of an integer, in the ring of `self`.
     fn integer(&self, value: i64) -> Self;
     /// `self + other`
@@ -18,6 +17,10 @@ pub trait Scalar: Clone + std::fmt::Debug + Send + Sync {
     fn minus(&self, other: &Self) -> Self;
     /// `self * other`
     fn times(&self, other: &Self) -> Self;
+}
+
+/// An element of an ordered ring, in which every sign is known.
+pub trait Scalar: RingElement {
     /// The exact sign.
     fn sign(&self) -> Sign;
     /// |x|
@@ -38,7 +41,7 @@ pub trait Scalar: Clone + std::fmt::Debug + Send + Sync {
 }
 
 /// Doubles, for candidates and pictures only: no sign of a double decides a proof.
-impl Scalar for f64 {
+impl RingElement for f64 {
     #[inline]
     fn integer(&self, value: i64) -> Self {
         value as f64
@@ -58,7 +61,9 @@ impl Scalar for f64 {
     fn times(&self, other: &Self) -> Self {
         self * other
     }
+}
 
+impl Scalar for f64 {
     #[inline]
     fn sign(&self) -> Sign {
         self.partial_cmp(&0.0).unwrap_or(Ordering::Equal)

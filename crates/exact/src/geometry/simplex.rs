@@ -14,7 +14,7 @@
 //!     cos t = -<g_i, g_j> / (|g_i| |g_j|),
 //! so it is acute exactly when <g_i, g_j> < 0 and right exactly when that is zero.
 
-use super::{Scalar, linear};
+use super::{RingElement, linear};
 
 /// The edges and scaled barycentric gradients of a simplex with D + 1 corners.
 #[derive(Clone, Debug)]
@@ -27,7 +27,7 @@ pub struct Simplex<S, const D: usize> {
     pub determinant: S,
 }
 
-impl<S: Scalar, const D: usize> Simplex<S, D> {
+impl<S: RingElement, const D: usize> Simplex<S, D> {
     /// The simplex with these D + 1 corners, in basis coordinates.
     ///
     /// # Panics
@@ -150,7 +150,7 @@ pub struct NormalProducts<S, const D: usize> {
     inner: [[S; D]; D],
 }
 
-impl<S: Scalar, const D: usize> NormalProducts<S, D> {
+impl<S: RingElement, const D: usize> NormalProducts<S, D> {
     /// <g_i, g_j>: negative, zero or positive as the dihedral angle between the
     /// facets i and j is acute, right or obtuse.
     #[inline(always)]

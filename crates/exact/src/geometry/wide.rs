@@ -6,7 +6,7 @@
 //! and no factor of a product more than half of them (see [`super::bound`]); then nothing is
 //! lost and the results are those of the integers. Debug builds look at each factor.
 
-use super::{Scalar, Sign};
+use super::{RingElement, Scalar, Sign};
 use malachite::Integer;
 use std::cmp::Ordering;
 
@@ -92,7 +92,7 @@ impl<const N: usize> From<&Wide<N>> for Integer {
     }
 }
 
-impl<const N: usize> Scalar for Wide<N> {
+impl<const N: usize> RingElement for Wide<N> {
     fn integer(&self, value: i64) -> Self {
         Wide::from(i128::from(value))
     }
@@ -144,7 +144,9 @@ impl<const N: usize> Scalar for Wide<N> {
         }
         Wide(product)
     }
+}
 
+impl<const N: usize> Scalar for Wide<N> {
     fn sign(&self) -> Sign {
         match (self.is_negative(), *self == Wide::ZERO) {
             (true, _) => Ordering::Less,
@@ -170,7 +172,7 @@ impl<const N: usize> Scalar for Wide<N> {
     }
 }
 
-impl Scalar for I128 {
+impl RingElement for I128 {
     fn integer(&self, value: i64) -> Self {
         I128(i128::from(value))
     }
@@ -191,7 +193,9 @@ impl Scalar for I128 {
         debug_assert!(half(self.0) == self.0 && half(other.0) == other.0);
         I128(half(self.0) * half(other.0))
     }
+}
 
+impl Scalar for I128 {
     #[inline]
     fn sign(&self) -> Sign {
         self.0.cmp(&0)
@@ -209,7 +213,7 @@ impl Scalar for I128 {
 }
 
 /// Machine integers, for edges and other values that are known to fit.
-impl Scalar for i128 {
+impl RingElement for i128 {
     fn integer(&self, value: i64) -> Self {
         i128::from(value)
     }
@@ -228,7 +232,9 @@ impl Scalar for i128 {
     fn times(&self, other: &Self) -> Self {
         self * other
     }
+}
 
+impl Scalar for i128 {
     fn sign(&self) -> Sign {
         self.cmp(&0)
     }

@@ -6,7 +6,7 @@
 
 use super::field::{Field, SYMBOL};
 use super::polynomial as poly;
-use crate::geometry::{Scalar, Sign};
+use crate::geometry::{RingElement, Scalar, Sign};
 use malachite::base::num::arithmetic::traits::Reciprocal;
 use malachite::base::num::basic::traits::{One, Zero};
 use malachite::base::num::conversion::traits::RoundingFrom;
@@ -268,7 +268,7 @@ impl Ord for Number {
     }
 }
 
-impl Scalar for Number {
+impl RingElement for Number {
     fn integer(&self, value: i64) -> Number {
         Number(Simple(Rational::from(value)))
     }
@@ -281,6 +281,9 @@ impl Scalar for Number {
     fn times(&self, other: &Number) -> Number {
         multiply(self, other)
     }
+}
+
+impl Scalar for Number {
     fn sign(&self) -> Sign {
         Number::sign(self)
     }
@@ -289,7 +292,7 @@ impl Scalar for Number {
     }
 }
 
-impl Scalar for Rational {
+impl RingElement for Rational {
     fn integer(&self, value: i64) -> Rational {
         Rational::from(value)
     }
@@ -302,6 +305,9 @@ impl Scalar for Rational {
     fn times(&self, other: &Rational) -> Rational {
         self * other
     }
+}
+
+impl Scalar for Rational {
     fn sign(&self) -> Sign {
         malachite::base::num::arithmetic::traits::Sign::sign(self)
     }
@@ -310,7 +316,7 @@ impl Scalar for Rational {
     }
 }
 
-impl Scalar for Integer {
+impl RingElement for Integer {
     fn integer(&self, value: i64) -> Integer {
         Integer::from(value)
     }
@@ -323,6 +329,9 @@ impl Scalar for Integer {
     fn times(&self, other: &Integer) -> Integer {
         self * other
     }
+}
+
+impl Scalar for Integer {
     fn sign(&self) -> Sign {
         malachite::base::num::arithmetic::traits::Sign::sign(self)
     }

@@ -4,6 +4,7 @@ use super::limits::{
     BITS_LIMIT, DEGREE_LIMIT, DEPTH_LIMIT, DIGITS_LIMIT, ISOLATION_LIMIT, MINOR_BITS_LIMIT,
     POLYNOMIAL_BITS_LIMIT, TEXT_LIMIT,
 };
+use crate::polynomial::text::EXPONENT_LIMIT;
 use malachite::Rational;
 use std::fmt;
 
@@ -131,6 +132,10 @@ pub enum ReadErrorKind {
     RootUndecided(String),
     /// A value has more bits than [`BITS_LIMIT`].
     ValueTooLarge,
+    /// This parameter stands in a divisor, under a root or in a negative power.
+    NotAPolynomial(String),
+    /// The polynomial has this degree in a parameter.
+    DegreeTooHigh(usize),
     /// There is no such field.
     Field(Box<FieldError>),
 }
@@ -180,6 +185,15 @@ impl fmt::Display for ReadError {
             ValueTooLarge => {
                 write!(f, "a value has more bits than the limit of {}", BITS_LIMIT)
             }
+            NotAPolynomial(name) => write!(
+                f,
+                "expected a polynomial in the parameters; '{name}' stands in a divisor, under a \
+                 root or in a negative power"
+            ),
+            DegreeTooHigh(degree) => write!(
+                f,
+                "polynomial of too high degree: {degree} in one parameter, expected at most {EXPONENT_LIMIT}"
+            ),
             Field(error) => write!(f, "{error}"),
         }
     }

@@ -128,10 +128,14 @@ impl Reader {
 
     /// Parses `text` and extends the field until its value lies in it.
     pub fn learn(&mut self, text: &str) -> Result<(), ReadError> {
-        let expression = text::parse(text)?;
+        self.learn_expression(&text::parse(text)?)
+    }
+
+    /// Extends the field until the value of `expression` lies in it.
+    pub fn learn_expression(&mut self, expression: &Expression) -> Result<(), ReadError> {
         loop {
             let known = |d: &Number| Ok(self.roots.get(d.coefficients()).cloned());
-            let (d, column) = match evaluate(&expression, &self.names, &known) {
+            let (d, column) = match evaluate(expression, &self.names, &known) {
                 Ok(_) => return Ok(()),
                 Err(Stop::Error(error)) => return Err(error),
                 Err(Stop::Root(d, column)) => (d, column),
@@ -162,12 +166,17 @@ impl Reader {
     /// The number that `text` is. A square root that does not lie in the field,
     /// for want of learning, is an error.
     pub fn value(&self, text: &str) -> Result<Number, ReadError> {
+        self.value_of(&text::parse(text)?)
+    }
+
+    /// The number that an expression is, as [`Reader::value`].
+    pub fn value_of(&self, expression: &Expression) -> Result<Number, ReadError> {
         let find = |d: &Number| match self.roots.get(d.coefficients()) {
             Some(root) => Ok(Some(root.clone())),
             None => recognition::square_root(&self.field, d, &self.steps)
                 .map_err(|Undecided| ReadErrorKind::RootUndecided(shown(d))),
         };
-        evaluate(&text::parse(text)?, &self.names, &find).map_err(|stop| match stop {
+        evaluate(expression, &self.names, &find).map_err(|stop| match stop {
             Stop::Error(error) => error,
             Stop::Root(d, column) => ReadError {
                 column,

@@ -6,6 +6,7 @@ use serde::{Deserialize, Deserializer};
 use serde_json::value::RawValue;
 use std::collections::BTreeMap;
 use std::fmt;
+use std::marker::PhantomData;
 
 /// What every file of ours begins with.
 #[derive(Deserialize)]
@@ -31,6 +32,9 @@ pub struct Document<'a> {
     pub dimension: usize,
     #[serde(borrow, default, deserialize_with = "generators")]
     pub generators: BTreeMap<String, Generator<'a>>,
+    /// Parameters of a family, in the order of the file.
+    #[serde(borrow, default)]
+    pub parameters: Parameters<'a>,
     #[serde(borrow, default)]
     pub lattice: Option<Lattice<'a>>,
     #[serde(default)]
@@ -88,6 +92,106 @@ impl<'de> Visitor<'de> for GeneratorsVisitor {
             generators.insert(name, map.next_value()?);
         }
         Ok(generators)
+    }
+}
+
+/// The parameters of a family with their intervals. A repeated name is an error.
+#[derive(Default)]
+pub struct Parameters<'a>(pub Vec<(String, ParameterEntry<'a>)>);
+
+/// The interval of a parameter: `[low, high]` is closed, or a record says which ends are left out.
+pub struct ParameterEntry<'a> {
+    pub low: Text<'a>,
+    pub high: Text<'a>,
+    pub open: Vec<EndName>,
+}
+
+impl<'de: 'a, 'a> Deserialize<'de> for ParameterEntry<'a> {
+    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+        deserializer.deserialize_any(ParameterVisitor(PhantomData))
+    }
+}
+
+struct ParameterVisitor<'a>(PhantomData<&'a ()>);
+
+impl<'de: 'a, 'a> Visitor<'de> for ParameterVisitor<'a> {
+    type Value = ParameterEntry<'a>;
+
+    fn expecting(&self, f: &mut fmt::Formatter) -> fmt::Result {
+        f.write_str("two ends like [\"0\", \"1/2\"], or low, high and open")
+    }
+
+    fn visit_seq<A: SeqAccess<'de>>(self, mut array: A) -> Result<Self::Value, A::Error> {
+        let mut ends: Vec<Text> = Vec::new();
+        while let Some(end) = array.next_element()? {
+            ends.push(end);
+        }
+        let [low, high] = ends[..] else {
+            return Err(serde::de::Error::invalid_length(ends.len(), &self));
+        };
+        Ok(ParameterEntry {
+            low,
+            high,
+            open: Vec::new(),
+        })
+    }
+
+    fn visit_map<A: MapAccess<'de>>(self, mut map: A) -> Result<Self::Value, A::Error> {
+        use serde::de::Error;
+        let (mut low, mut high, mut open) = (None, None, None);
+        while let Some(member) = map.next_key::<String>()? {
+            let is_repeated = match member.as_str() {
+                "low" => low.replace(map.next_value()?).is_some(),
+                "high" => high.replace(map.next_value()?).is_some(),
+                "open" => open.replace(map.next_value()?).is_some(),
+                _ => return Err(Error::unknown_field(&member, &["low", "high", "open"])),
+            };
+            if is_repeated {
+                return Err(Error::custom(format!("the member {member:?} is repeated")));
+            }
+        }
+        Ok(ParameterEntry {
+            low: low.ok_or_else(|| Error::missing_field("low"))?,
+            high: high.ok_or_else(|| Error::missing_field("high"))?,
+            open: open.unwrap_or_default(),
+        })
+    }
+}
+
+/// An end of an interval.
+#[derive(Clone, Copy, PartialEq, Eq, Deserialize)]
+#[serde(rename_all = "lowercase")]
+pub enum EndName {
+    Low,
+    High,
+}
+
+impl<'de: 'a, 'a> Deserialize<'de> for Parameters<'a> {
+    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+        deserializer.deserialize_map(ParametersVisitor(PhantomData))
+    }
+}
+
+struct ParametersVisitor<'a>(PhantomData<&'a ()>);
+
+impl<'de: 'a, 'a> Visitor<'de> for ParametersVisitor<'a> {
+    type Value = Parameters<'a>;
+
+    fn expecting(&self, f: &mut fmt::Formatter) -> fmt::Result {
+        f.write_str("an object of parameters by name")
+    }
+
+    fn visit_map<A: MapAccess<'de>>(self, mut map: A) -> Result<Self::Value, A::Error> {
+        let mut parameters: Vec<(String, ParameterEntry)> = Vec::new();
+        while let Some(name) = map.next_key::<String>()? {
+            if parameters.iter().any(|(other, _)| *other == name) {
+                let problem =
+                    format!("the parameter {name:?} is defined twice; keep one definition");
+                return Err(serde::de::Error::custom(problem));
+            }
+            parameters.push((name, map.next_value()?));
+        }
+        Ok(Parameters(parameters))
     }
 }
 

@@ -2,19 +2,18 @@
 
 use super::ImportError;
 use super::document::{self, Document, PolytopeEntry};
-use super::numbers::Numbers;
+use super::numbers::{Entry, Numbers};
 use acutile_core::tiling::{Domain, Polytope};
-use acutile_exact::number::Number;
 
 /// The domain of a document of dimension D, in the coordinates of the file.
-pub fn read_domain<const D: usize>(
+pub fn read_domain<S: Entry, const D: usize>(
     document: &Document,
     numbers: &Numbers,
-) -> Result<Domain, ImportError> {
+) -> Result<Domain<S>, ImportError> {
     match &document.domain {
         document::Domain::Space => Ok(Domain::Space),
         document::Domain::Slab(heights) => {
-            let heights = numbers.row::<2>(heights, || "domain.slab".to_owned())?;
+            let heights = numbers.row::<S, 2>(heights, || "domain.slab".to_owned())?;
             let [lower, upper] = heights;
             Ok(Domain::Slab(Polytope::interval(lower, upper)))
         }
@@ -37,13 +36,13 @@ pub fn read_domain<const D: usize>(
 }
 
 /// A polygon by its corners, or a polyhedron by its vertices and faces.
-fn polytope(
+fn polytope<S: Entry>(
     entry: &PolytopeEntry,
     dimension: usize,
     place: &str,
     numbers: &Numbers,
-) -> Result<Polytope, ImportError> {
-    let vertices: Result<Vec<Vec<Number>>, ImportError> = (0..)
+) -> Result<Polytope<S>, ImportError> {
+    let vertices: Result<Vec<Vec<S>>, ImportError> = (0..)
         .zip(&entry.vertices)
         .map(|(i, row)| numbers.list(row, dimension, || format!("{place}.vertices[{i}]")))
         .collect();

@@ -4,17 +4,17 @@
 use super::ImportError;
 use super::document::{Coordinates, Document, Lattice};
 use super::domain::read_domain;
-use super::numbers::Numbers;
+use super::numbers::{Entry, Numbers};
 use acutile_core::tiling::{Domain, Frame, Polytope};
 use acutile_exact::geometry::linear;
 use acutile_exact::number::Number;
 
 /// The frame of a document, and how its points are turned into basis coordinates.
-pub fn read_frame<const D: usize>(
+pub fn read_frame<S: Entry, const D: usize>(
     document: &Document,
     numbers: &Numbers,
-) -> Result<(Frame<D>, Change<D>), ImportError> {
-    let domain = read_domain::<D>(document, numbers)?;
+) -> Result<(Frame<D, S>, Change<D, S>), ImportError> {
+    let domain = read_domain::<S, D>(document, numbers)?;
     let Some(lattice) = &document.lattice else {
         return identity(numbers, domain);
     };
@@ -25,11 +25,14 @@ pub fn read_frame<const D: usize>(
     }
     let mut matrix = Vec::with_capacity(D);
     for (i, row) in rows.iter().enumerate() {
-        matrix.push(numbers.row::<D>(row, || format!("lattice[{i}]"))?);
+        matrix.push(numbers.row::<S, D>(row, || format!("lattice[{i}]"))?);
     }
-    let matrix: [[Number; D]; D] = std::array::from_fn(|i| matrix[i].clone());
+    let matrix: [[S; D]; D] = std::array::from_fn(|i| matrix[i].clone());
     let (gram, change) = match lattice {
-        Lattice::Gram(_) => (checked_gram(matrix)?, Change::none(document.coordinates)?),
+        Lattice::Gram(_) => (
+            checked_gram(matrix, numbers)?,
+            Change::none(document.coordinates)?,
+        ),
         Lattice::Vectors(_) => (
             gram_of(&matrix),
             Change::from_vectors(&matrix, document.coordinates)?,
@@ -48,10 +51,10 @@ pub fn read_frame<const D: usize>(
 }
 
 /// Without a lattice a solid or a region lives in Cartesian coordinates.
-fn identity<const D: usize>(
+fn identity<S: Entry, const D: usize>(
     numbers: &Numbers,
-    domain: Domain,
-) -> Result<(Frame<D>, Change<D>), ImportError> {
+    domain: Domain<S>,
+) -> Result<(Frame<D, S>, Change<D, S>), ImportError> {
     match &domain {
         Domain::Solid(_) | Domain::Region(0) => {}
         _ => {
@@ -60,7 +63,11 @@ fn identity<const D: usize>(
         }
     }
     let field = numbers.field();
-    let gram = Frame::<D>::cubic().gram;
+    let one = S::read(numbers, "1").map_err(|error| ImportError::Number {
+        place: "lattice".to_owned(),
+        error,
+    })?;
+    let gram = std::array::from_fn(|i| std::array::from_fn(|j| one.integer(i64::from(i == j))));
     Ok((
         Frame {
             field,
@@ -71,13 +78,17 @@ fn identity<const D: usize>(
     ))
 }
 
-fn checked_gram<const D: usize>(gram: [[Number; D]; D]) -> Result<[[Number; D]; D], ImportError> {
+fn checked_gram<S: Entry, const D: usize>(
+    gram: [[S; D]; D],
+    numbers: &Numbers,
+) -> Result<[[S; D]; D], ImportError> {
     for i in 0..D {
         for j in 0..i {
             if gram[i][j] != gram[j][i] {
                 let problem = format!(
                     "the Gram matrix is not symmetric: entry [{i}][{j}] is {}, entry [{j}][{i}] is {}",
-                    gram[i][j], gram[j][i]
+                    gram[i][j].shown(numbers),
+                    gram[j][i].shown(numbers)
                 );
                 return Err(ImportError::entry(format!("lattice[{i}][{j}]"), problem));
             }
@@ -86,17 +97,17 @@ fn checked_gram<const D: usize>(gram: [[Number; D]; D]) -> Result<[[Number; D]; 
     Ok(gram)
 }
 
-fn gram_of<const D: usize>(vectors: &[[Number; D]; D]) -> [[Number; D]; D] {
+fn gram_of<S: Entry, const D: usize>(vectors: &[[S; D]; D]) -> [[S; D]; D] {
     std::array::from_fn(|i| std::array::from_fn(|j| linear::dot(&vectors[i], &vectors[j])))
 }
 
 /// The linear map from a file's coordinates to basis coordinates.
-pub struct Change<const D: usize> {
+pub struct Change<const D: usize, S = Number> {
     /// Row k gives basis coordinate k as a combination of Cartesian ones.
-    inverse: Option<[[Number; D]; D]>,
+    inverse: Option<[[S; D]; D]>,
 }
 
-impl<const D: usize> Change<D> {
+impl<S: Entry, const D: usize> Change<D, S> {
     fn none(coordinates: Coordinates) -> Result<Self, ImportError> {
         match coordinates {
             Coordinates::Fractional => Ok(Change { inverse: None }),
@@ -109,18 +120,23 @@ impl<const D: usize> Change<D> {
 
     /// With basis vectors as rows of B, x = f B, so f_k = Σ_j x_j C_kj / det B for
     /// the cofactors C of B.
-    fn from_vectors(
-        vectors: &[[Number; D]; D],
-        coordinates: Coordinates,
-    ) -> Result<Self, ImportError> {
+    fn from_vectors(vectors: &[[S; D]; D], coordinates: Coordinates) -> Result<Self, ImportError> {
         if coordinates == Coordinates::Fractional {
             return Ok(Change { inverse: None });
         }
-        let Some(scale) = linear::determinant(vectors).inverse() else {
-            let problem = "the lattice vectors are linearly dependent: their determinant is 0";
+        let determinant = linear::determinant(vectors);
+        let Some(scale) = determinant.inverse() else {
+            let problem = match determinant.is_zero() {
+                true => "the lattice vectors are linearly dependent: their determinant is 0",
+                false => {
+                    "the determinant of the lattice vectors depends on parameters; give \
+                     fractional coordinates"
+                }
+            };
             return Err(ImportError::entry("lattice", problem));
         };
-        let inverse = linear::cofactors(vectors).map(|row| row.map(|cofactor| &cofactor * &scale));
+        let cofactors = linear::cofactors(vectors);
+        let inverse = cofactors.map(|row| row.map(|cofactor| cofactor.times(&scale)));
         Ok(Change {
             inverse: Some(inverse),
         })
@@ -128,10 +144,10 @@ impl<const D: usize> Change<D> {
 
     /// The vertices of a solid are points of the file; the heights of a slab and the
     /// corners of a prism are basis coordinates.
-    fn apply_to(&self, domain: Domain) -> Domain {
+    fn apply_to(&self, domain: Domain<S>) -> Domain<S> {
         match domain {
             Domain::Solid(polytope) => {
-                let change = |vertex: &Vec<Number>| {
+                let change = |vertex: &Vec<S>| {
                     self.apply(std::array::from_fn(|k| vertex[k].clone()))
                         .to_vec()
                 };
@@ -146,7 +162,7 @@ impl<const D: usize> Change<D> {
     }
 
     /// Basis coordinates of a point of the file.
-    pub fn apply(&self, point: [Number; D]) -> [Number; D] {
+    pub fn apply(&self, point: [S; D]) -> [S; D] {
         match &self.inverse {
             None => point,
             Some(inverse) => linear::apply(inverse, &point),

@@ -3,8 +3,9 @@
 use super::ImportError;
 use super::document::{CornerEntry, Document, Header, Text};
 use super::frame::{Change, read_frame};
-use super::numbers::Numbers;
+use super::numbers::{Entry, Numbers};
 use super::text::without_comments;
+use acutile_core::family::{AnyFamily, Family};
 use acutile_core::tiling::{
     AnyPointSet, AnyTiling, Corner, Domain, Frame, PointSet, SHIFT_LIMIT, Tiling, VertexId,
 };
@@ -26,6 +27,8 @@ pub struct NativeFile {
 pub enum Content {
     /// A tiling file.
     Tiling(AnyTiling),
+    /// A tiling file with parameters.
+    Family(AnyFamily),
     /// A point-set file.
     Points(AnyPointSet),
 }
@@ -64,15 +67,13 @@ pub fn read_native(text: &str) -> Result<NativeFile, ImportError> {
             &header,
             &document,
             &numbers,
-            AnyTiling::Plane,
-            AnyPointSet::Plane,
+            (AnyTiling::Plane, AnyFamily::Plane, AnyPointSet::Plane),
         ),
         3 => content(
             &header,
             &document,
             &numbers,
-            AnyTiling::Space,
-            AnyPointSet::Space,
+            (AnyTiling::Space, AnyFamily::Space, AnyPointSet::Space),
         ),
         other => Err(ImportError::entry(
             "dimension",
@@ -114,20 +115,52 @@ fn with_place(text: &str, error: serde_json::Error) -> ImportError {
     }
 }
 
+/// The variants of one dimension.
+type Variants<const D: usize> = (
+    fn(Tiling<D>) -> AnyTiling,
+    fn(Family<D>) -> AnyFamily,
+    fn(PointSet<D>) -> AnyPointSet,
+);
+
 fn content<const D: usize>(
     header: &Header,
     document: &Document,
     numbers: &Numbers,
-    any_tiling: fn(Tiling<D>) -> AnyTiling,
-    any_points: fn(PointSet<D>) -> AnyPointSet,
+    (any_tiling, any_family, any_points): Variants<D>,
 ) -> Result<Content, ImportError> {
-    match header.format == TILING {
-        true => tiling(document, numbers)
-            .map(any_tiling)
-            .map(Content::Tiling),
-        false => points(document, numbers)
+    match (header.format == TILING, document.parameters.0.is_empty()) {
+        (true, true) => {
+            let (frame, vertices, corners) = parts(document, numbers)?;
+            let vertices: Vec<[Number; D]> = vertices;
+            Ok(Content::Tiling(any_tiling(Tiling {
+                frame,
+                vertices: vertices.into(),
+                corners,
+            })))
+        }
+        (true, false) => family(document, numbers)
+            .map(any_family)
+            .map(Content::Family),
+        (false, _) => points(document, numbers)
             .map(any_points)
             .map(Content::Points),
+    }
+}
+
+fn family<const D: usize>(
+    document: &Document,
+    numbers: &Numbers,
+) -> Result<Family<D>, ImportError> {
+    let (frame, vertices, corners) = parts(document, numbers)?;
+    let family = Family {
+        parameters: numbers.parameters(document)?,
+        frame,
+        vertices,
+        corners,
+    };
+    match family.check() {
+        Ok(()) => Ok(family),
+        Err(error) => Err(ImportError::entry("parameters", error)),
     }
 }
 
@@ -135,7 +168,8 @@ fn points<const D: usize>(
     document: &Document,
     numbers: &Numbers,
 ) -> Result<PointSet<D>, ImportError> {
-    let (frame, change) = read_frame::<D>(document, numbers)?;
+    let (frame, change) = read_frame::<Number, D>(document, numbers)?;
+    forbid("parameters", !document.parameters.0.is_empty(), POINTS)?;
     forbid("vertices", document.vertices.is_some(), POINTS)?;
     forbid("simplices", document.simplices.is_some(), POINTS)?;
     if frame.domain != Domain::Space {
@@ -150,21 +184,20 @@ fn points<const D: usize>(
     })
 }
 
-fn tiling<const D: usize>(
+/// Frame, vertices and corners.
+type PartsOf<S, const D: usize> = (Frame<D, S>, Vec<[S; D]>, Vec<Corner<D>>);
+
+fn parts<S: Entry, const D: usize>(
     document: &Document,
     numbers: &Numbers,
-) -> Result<Tiling<D>, ImportError> {
+) -> Result<PartsOf<S, D>, ImportError> {
     let (frame, change) = read_frame(document, numbers)?;
     forbid("points", document.points.is_some(), TILING)?;
     let rows = require("vertices", document.vertices.as_ref(), TILING)?;
     let simplices = require("simplices", document.simplices.as_ref(), TILING)?;
     let vertices = positions("vertices", rows, numbers, &change)?;
     let corners = corners(simplices, vertices.len(), &frame)?;
-    Ok(Tiling {
-        frame,
-        vertices: vertices.into(),
-        corners,
-    })
+    Ok((frame, vertices, corners))
 }
 
 fn require<'d, T>(
@@ -185,22 +218,22 @@ fn forbid(member: &str, present: bool, format: &str) -> Result<(), ImportError> 
     }
 }
 
-fn positions<const D: usize>(
+fn positions<S: Entry, const D: usize>(
     place: &str,
     rows: &[Vec<Text>],
     numbers: &Numbers,
-    change: &Change<D>,
-) -> Result<Vec<[Number; D]>, ImportError> {
+    change: &Change<D, S>,
+) -> Result<Vec<[S; D]>, ImportError> {
     (0..)
         .zip(rows)
         .map(|(i, row)| Ok(change.apply(numbers.row(row, || format!("{place}[{i}]"))?)))
         .collect()
 }
 
-fn corners<const D: usize>(
+fn corners<S, const D: usize>(
     simplices: &[Vec<CornerEntry>],
     vertices: usize,
-    frame: &Frame<D>,
+    frame: &Frame<D, S>,
 ) -> Result<Vec<Corner<D>>, ImportError> {
     let mut corners = Vec::with_capacity(simplices.len() * (D + 1));
     for (s, entries) in simplices.iter().enumerate() {

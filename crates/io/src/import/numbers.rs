@@ -1,14 +1,67 @@
-//! The numbers of a document: all of them are read into one field.
+//! The numbers of a document, or its polynomials in parameters: all are read into one field.
 
 use super::ImportError;
-use super::document::{Document, Domain, Generator, Lattice, Text};
-use acutile_exact::number::{Field, Number, Reader};
+use super::document::{Document, Domain, EndName, Generator, Lattice, ParameterEntry, Text};
+use acutile_core::family::Parameter;
+use acutile_exact::geometry::RingElement;
+use acutile_exact::number::{Field, Number, ReadError, Reader};
+use acutile_exact::polynomial::{self, End, Polynomial, Side};
 use malachite::{Integer, Rational};
 use std::str::FromStr;
 
 /// Reads the numbers of one document into one field.
 pub struct Numbers {
     reader: Reader,
+    /// The names of the parameters.
+    names: Vec<String>,
+}
+
+/// What entries of a document are: numbers, or polynomials in its parameters.
+pub trait Entry: RingElement + PartialEq {
+    /// The value of a text that was learnt.
+    fn read(numbers: &Numbers, text: &str) -> Result<Self, ReadError>;
+    /// 1/x, if it is an entry of the same kind.
+    fn inverse(&self) -> Option<Self>;
+    /// Whether it is 0.
+    fn is_zero(&self) -> bool;
+    /// In the words of a message.
+    fn shown(&self, numbers: &Numbers) -> String;
+}
+
+impl Entry for Number {
+    fn read(numbers: &Numbers, text: &str) -> Result<Self, ReadError> {
+        numbers.reader.value(text)
+    }
+
+    fn inverse(&self) -> Option<Self> {
+        Number::inverse(self)
+    }
+
+    fn is_zero(&self) -> bool {
+        Number::is_zero(self)
+    }
+
+    fn shown(&self, _: &Numbers) -> String {
+        self.to_string()
+    }
+}
+
+impl Entry for Polynomial {
+    fn read(numbers: &Numbers, text: &str) -> Result<Self, ReadError> {
+        polynomial::text::read(&numbers.reader, text, &numbers.names)
+    }
+
+    fn inverse(&self) -> Option<Self> {
+        Some(Polynomial::constant(self.to_constant()?.inverse()?))
+    }
+
+    fn is_zero(&self) -> bool {
+        Polynomial::is_zero(self)
+    }
+
+    fn shown(&self, numbers: &Numbers) -> String {
+        Polynomial::shown(self, &numbers.names)
+    }
 }
 
 impl Numbers {
@@ -18,7 +71,12 @@ impl Numbers {
         for (name, generator) in &document.generators {
             add_generator(&mut reader, name, generator)?;
         }
-        let mut numbers = Numbers { reader };
+        let names = document.parameters.0.iter().map(|(name, _)| name.clone());
+        let mut numbers = Numbers {
+            reader,
+            names: names.collect(),
+        };
+        numbers.learn_parameters(document)?;
         if let Some(Lattice::Gram(matrix) | Lattice::Vectors(matrix)) = &document.lattice {
             numbers.learn("lattice", matrix)?;
         }
@@ -54,6 +112,24 @@ impl Numbers {
                 let at = || format!("{place}[{i}][{j}]");
                 let text =
                     number_text(*text).map_err(|problem| ImportError::entry(at(), problem))?;
+                polynomial::text::learn(&mut self.reader, &text, &self.names)
+                    .map_err(|error| ImportError::Number { place: at(), error })?;
+            }
+        }
+        Ok(())
+    }
+
+    /// The ends of the parameters' intervals, which are numbers.
+    fn learn_parameters(&mut self, document: &Document) -> Result<(), ImportError> {
+        for (name, entry) in &document.parameters.0 {
+            if document.generators.contains_key(name) {
+                let problem = "a generator has the same name; rename one of them";
+                return Err(ImportError::entry(format!("parameters.{name}"), problem));
+            }
+            for (end, text) in ["low", "high"].iter().zip([entry.low, entry.high]) {
+                let at = || format!("parameters.{name}.{end}");
+                let text =
+                    number_text(text).map_err(|problem| ImportError::entry(at(), problem))?;
                 self.reader
                     .learn(&text)
                     .map_err(|error| ImportError::Number { place: at(), error })?;
@@ -62,23 +138,51 @@ impl Numbers {
         Ok(())
     }
 
-    /// D numbers, in the final field.
-    pub fn row<const D: usize>(
+    /// The parameters with their intervals.
+    pub fn parameters(&self, document: &Document) -> Result<Vec<Parameter>, ImportError> {
+        let end =
+            |name: &str, end: EndName, text: Text, is_open: bool| -> Result<End, ImportError> {
+                let word = match end {
+                    EndName::Low => "low",
+                    EndName::High => "high",
+                };
+                let at = || format!("parameters.{name}.{word}");
+                let text =
+                    number_text(text).map_err(|problem| ImportError::entry(at(), problem))?;
+                let value = self.reader.value(&text);
+                let value = value.map_err(|error| ImportError::Number { place: at(), error })?;
+                Ok(End { value, is_open })
+            };
+        let parameter = |(name, entry): &(String, ParameterEntry)| {
+            let is_open = |end: EndName| entry.open.contains(&end);
+            Ok(Parameter {
+                side: Side {
+                    low: end(name, EndName::Low, entry.low, is_open(EndName::Low))?,
+                    high: end(name, EndName::High, entry.high, is_open(EndName::High))?,
+                },
+                name: name.clone(),
+            })
+        };
+        document.parameters.0.iter().map(parameter).collect()
+    }
+
+    /// D entries, in the final field.
+    pub fn row<S: Entry, const D: usize>(
         &self,
         row: &[Text],
         place: impl Fn() -> String,
-    ) -> Result<[Number; D], ImportError> {
-        let numbers = self.list(row, D, place)?;
+    ) -> Result<[S; D], ImportError> {
+        let numbers: Vec<S> = self.list(row, D, place)?;
         Ok(std::array::from_fn(|k| numbers[k].clone()))
     }
 
     /// A row of this length.
-    pub fn list(
+    pub fn list<S: Entry>(
         &self,
         row: &[Text],
         length: usize,
         place: impl Fn() -> String,
-    ) -> Result<Vec<Number>, ImportError> {
+    ) -> Result<Vec<S>, ImportError> {
         if row.len() != length {
             let problem = format!("has {} entries, expected {length}", row.len());
             return Err(ImportError::entry(place(), problem));
@@ -86,9 +190,7 @@ impl Numbers {
         let value = |(j, text): (usize, &Text)| {
             let at = || format!("{}[{j}]", place());
             let text = number_text(*text).map_err(|problem| ImportError::entry(at(), problem))?;
-            self.reader
-                .value(&text)
-                .map_err(|error| ImportError::Number { place: at(), error })
+            S::read(self, &text).map_err(|error| ImportError::Number { place: at(), error })
         };
         row.iter().enumerate().map(value).collect()
     }

@@ -5,7 +5,7 @@ use super::infinitesimal::Polynomial;
 use super::row::{Finding, Row};
 use crate::survey::Survey;
 use acutile_core::statement::Statement;
-use acutile_exact::geometry::{NormalProducts, Scalar, Simplex, linear};
+use acutile_exact::geometry::{NormalProducts, RingElement, Scalar, Simplex, linear};
 use acutile_exact::number::numbers;
 
 /// The rows of section 3.2.

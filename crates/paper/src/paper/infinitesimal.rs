@@ -4,7 +4,7 @@
 //! The order is that of small positive ε: a polynomial has the sign of its lowest
 //! coefficient that is not zero.
 
-use acutile_exact::geometry::{Scalar, Sign};
+use acutile_exact::geometry::{RingElement, Scalar, Sign};
 use malachite::Rational;
 use malachite::base::num::basic::traits::Zero;
 
@@ -51,7 +51,7 @@ impl Polynomial {
     }
 }
 
-impl Scalar for Polynomial {
+impl RingElement for Polynomial {
     fn integer(&self, value: i64) -> Self {
         Polynomial::new(&[value], 1)
     }
@@ -73,7 +73,9 @@ impl Scalar for Polynomial {
         }
         Polynomial(product)
     }
+}
 
+impl Scalar for Polynomial {
     fn sign(&self) -> Sign {
         let lowest = self.0.iter().find(|c| **c != 0);
         lowest.map_or(Sign::Equal, |c| c.partial_cmp(&0).unwrap_or(Sign::Equal))

@@ -8,7 +8,7 @@ use crate::table::{Figure, width};
 use acutile_core::classify::Wedge;
 use acutile_core::quality::{Exact, display_width, rounded_down, rounded_up};
 use acutile_core::tiling::Domain;
-use acutile_exact::geometry::{Scalar, Simplex, linear};
+use acutile_exact::geometry::{RingElement, Simplex, linear};
 use acutile_exact::number::Number;
 use malachite::Rational;
 

@@ -1,0 +1,268 @@
+//! Families: proved on a box, refuted at a point, and the exact intervals of the literature and of
+//! hand calculations.
+
+use acutile_catalog as catalog;
+use acutile_core::checker::Options;
+use acutile_core::family::maximal::{Maximal, maximal};
+use acutile_core::family::{AnyFamily, Family, NotProvable, ProvedFamily, examine, free, prove};
+use acutile_core::format::{self, print};
+use acutile_core::statement::Statement;
+use acutile_core::tiling::AnyTiling;
+use acutile_core::transcribe;
+use acutile_exact::number::{Number, numbers};
+use acutile_exact::polynomial::line::{Extent, Place};
+use acutile_exact::polynomial::{End, Side};
+use acutile_kernel::Limits;
+use malachite::Rational;
+
+fn family(name: &str) -> AnyFamily {
+    let entry = catalog::find(name).expect("a name of the catalogue");
+    entry
+        .build_family()
+        .expect("a family")
+        .expect("it is built")
+}
+
+fn space(name: &str) -> Family<3> {
+    match family(name) {
+        AnyFamily::Space(family) => family,
+        AnyFamily::Plane(_) => panic!("{name} is a family of tilings of space"),
+    }
+}
+
+fn options(required: &[&str]) -> Options {
+    Options {
+        required: required
+            .iter()
+            .map(|text| text.parse().expect("a requirement"))
+            .collect(),
+        ..Options::default()
+    }
+}
+
+fn number(text: &str) -> Number {
+    numbers(&[text]).expect("a number")[0].clone()
+}
+
+fn shown(extent: &Extent) -> String {
+    match extent {
+        Extent::Unbounded => "none".to_owned(),
+        Extent::At { place, is_open } => {
+            let bracket = if *is_open { "open" } else { "closed" };
+            match place {
+                Place::Number(value) => format!("{bracket} {value}"),
+                Place::Root { .. } => {
+                    let polynomial = place.polynomial().expect("a root");
+                    format!("{bracket} root of {}", polynomial.shown(&["t".to_owned()]))
+                }
+            }
+        }
+    }
+}
+
+fn interval(name: &str, required: &str, point: &str) -> [String; 2] {
+    let fraction = Rational::from_signeds(1, 16);
+    let found = maximal(
+        &space(name),
+        &[number(point)],
+        &options(&[required]),
+        &fraction,
+    );
+    match found {
+        Ok((Maximal::Interval(low, high), _)) => [shown(&low), shown(&high)],
+        other => panic!("{name}: {other:?}"),
+    }
+}
+
+#[test]
+fn exact_intervals() {
+    // No angle of Goldberg's first family is obtuse exactly for e² >= 2a², s = e²/(a² + e²) >= 2/3.
+    assert_eq!(
+        interval("goldberg-1-all", "nonobtuse", "3/4"),
+        ["closed 2/3", "open 1"]
+    );
+    assert_eq!(
+        interval("goldberg-1-all", "tiling", "1/2"),
+        ["open 0", "open 1"]
+    );
+    assert_eq!(interval("z-all", "acute", "1"), ["open 1/2", "open 3"]);
+    assert_eq!(interval("a15-all", "acute", "1"), ["open 2/5", "open 16/5"]);
+    assert_eq!(
+        interval("slab-stretch-all", "acute", "36"),
+        ["open 100/3", "open 64"]
+    );
+    // The sphere through abcd passes e exactly for 9 ε² + 6 ε = 1.
+    let root = number("(sqrt(2)-1)/3");
+    assert_eq!(
+        interval("two-corners-all", "acute", "1/10"),
+        ["open 0", "none"]
+    );
+    let [low, high] = interval("two-corners-all", "weakly-delaunay", "1/2");
+    assert_eq!(
+        [low, high],
+        [
+            "closed root of 9*t^2 + 6*t - 1".to_owned(),
+            "none".to_owned()
+        ]
+    );
+    assert!((&root * &root * number("9") + &root * number("6") - number("1")).is_zero());
+}
+
+/// The statements of a family that the kernel confirms, and its certificate again from JSON.
+fn proved<const D: usize>(family: &Family<D>, required: &[&str]) -> Vec<Statement> {
+    let options = options(required);
+    let proved = prove(family, &options, &|_| {}).expect("a proof that the kernel confirms");
+    let json = print::to_json(proved.certificate()).expect("canonical CBOR");
+    assert_eq!(
+        format::json::to_cbor(&json).expect("canonical JSON"),
+        proved.certificate()
+    );
+    let (again, read) = ProvedFamily::of_certificate(&json, &Limits::DEFAULT).expect("it is read");
+    assert_eq!(again.statements(), proved.statements());
+    // The family of a certificate has the same certificate.
+    let certificate = match read {
+        AnyFamily::Plane(f) => prove(&f, &options, &|_| {})
+            .expect("a proof")
+            .certificate()
+            .to_vec(),
+        AnyFamily::Space(f) => prove(&f, &options, &|_| {})
+            .expect("a proof")
+            .certificate()
+            .to_vec(),
+    };
+    assert!(certificate == proved.certificate(), "another certificate");
+    assert!(certificate.len() < 200_000);
+    proved.statements().to_vec()
+}
+
+#[test]
+fn the_catalogue_is_proved() {
+    let required: [(&str, &[&str]); 10] = [
+        ("goldberg-1-all", &[]),
+        ("goldberg-1-nonobtuse", &["nonobtuse"]),
+        ("goldberg-2-all", &[]),
+        ("triangle-tiling-all", &["acute", "delaunay"]),
+        ("two-corners-all", &["acute"]),
+        ("slab-all", &["acute"]),
+        ("slab-stretch-all", &["acute"]),
+        ("z-all", &["acute", "tcp"]),
+        ("a15-all", &["acute", "tcp"]),
+        ("c14-all", &["acute", "tcp", "delaunay"]),
+    ];
+    assert_eq!(catalog::family_names().count(), required.len());
+    for (name, required) in required {
+        let statements = match family(name) {
+            AnyFamily::Plane(family) => proved(&family, required),
+            AnyFamily::Space(family) => proved(&family, required),
+        };
+        let has = |statement| statements.contains(&statement);
+        assert_eq!(has(Statement::Acute), required.contains(&"acute"), "{name}");
+        assert_eq!(has(Statement::Tcp), required.contains(&"tcp"), "{name}");
+        assert!(
+            !has(Statement::Delaunay) || name != "two-corners-all",
+            "{name}"
+        );
+    }
+}
+
+/// The ideal Laves phase and the icosahedra in layers, whose numbers are in Q(√5).
+#[test]
+fn c14_contains_both_structures() {
+    let family = space("c14-all");
+    let ideal = ["8/3", "1/16", "5/6"].map(number);
+    assert!(family.cuboid().contains(&ideal));
+    let Ok(AnyTiling::Space(expected)) = catalog::build("icosahedral") else {
+        panic!("a tiling of space");
+    };
+    // The golden ratio.
+    let phi = expected.frame.field.generator();
+    assert_eq!(&phi * &phi, &phi + &number("1"));
+    let quotient = |x: &Number, y: Number| x.divide(&y).expect("not zero");
+    let square = &phi * &phi;
+    let third = quotient(&number("1/3"), phi.clone());
+    let icosahedra = [
+        &square * &number("4/3"),
+        quotient(&number("1/4"), &square * &phi),
+        &number("1") - &third,
+    ];
+    assert!(family.cuboid().contains(&icosahedra));
+    // Turned by 180 degrees around the axis, every point of the member is one of the structure, up to
+    // a lattice vector.
+    let member = family.at(&icosahedra);
+    let is_same = |p: &[Number; 3], q: &[Number; 3]| {
+        (0..3).all(|k| {
+            let difference = &p[k] - &q[k];
+            difference
+                .to_rational()
+                .is_some_and(|x| *x.denominator_ref() == 1)
+        })
+    };
+    assert_eq!(member.vertices.len(), expected.vertices.len());
+    for [x, y, z] in member.vertices.iter() {
+        let point = [-x, -y, z];
+        assert!(
+            expected
+                .vertices
+                .iter()
+                .any(|other| is_same(&point, &other)),
+            "{point:?}"
+        );
+    }
+}
+
+#[test]
+fn a_refutation_names_a_point() {
+    let mut family = space("z-all");
+    family.parameters[0].side = Side {
+        low: End::closed(number("1")),
+        high: End::closed(number("3")),
+    };
+    let error = examine(&family, &options(&["acute"]), &|_| {}).expect_err("a right angle at 3");
+    let NotProvable::Refuted { point, findings } = error else {
+        panic!("{error:?}");
+    };
+    assert_eq!(point, [number("3")]);
+    assert!(findings.counts().contains_key("right-angle"));
+    // Without the end the same is proved.
+    family.parameters[0].side.high.is_open = true;
+    assert!(examine(&family, &options(&["acute"]), &|_| {}).is_ok());
+    // Bounds in degrees: at t = 1 the largest angle of Z is about 78.46, arccos(1/5) at t = 1.
+    family.parameters[0].side.high = End::closed(number("5/4"));
+    assert!(examine(&family, &options(&["dihedral<89"]), &|_| {}).is_ok());
+    let error = examine(&family, &options(&["dihedral<75"]), &|_| {}).expect_err("too small");
+    assert!(matches!(error, NotProvable::Refuted { .. }), "{error:?}");
+}
+
+#[test]
+fn free_vertices_and_metric() {
+    let Ok(AnyTiling::Space(a15)) = catalog::build("a15") else {
+        panic!("a tiling of space");
+    };
+    let near = Rational::from_signeds(1, 1000);
+    let vertex = free::family(&a15, &[free::Free::Vertex(0)], &near).expect("a family");
+    assert_eq!(vertex.names(), ["x0", "y0", "z0"]);
+    assert!(examine(&vertex, &options(&["acute"]), &|_| {}).is_ok());
+    let far = Rational::from_signeds(1, 4);
+    let vertex = free::family(&a15, &[free::Free::Vertex(0)], &far).expect("a family");
+    let error = examine(&vertex, &options(&["acute"]), &|_| {}).expect_err("too far");
+    assert!(matches!(error, NotProvable::Refuted { .. }), "{error:?}");
+    assert!(free::family(&a15, &[free::Free::Vertex(1000)], &near).is_err());
+    let gram = free::family(&a15, &[free::Free::Gram], &near).expect("a family");
+    assert_eq!(gram.names(), ["g12", "g13", "g22", "g23", "g33"]);
+}
+
+#[test]
+fn a_claim_in_words() {
+    let family = space("z-all");
+    let proof = examine(&family, &options(&[]), &|_| {}).expect("a proof");
+    let certificate = transcribe::family::to_certificate(&family, &proof);
+    let claim = format::family::certificate(&certificate)
+        .expect("a certificate")
+        .claim;
+    let words = transcribe::family::claim_in_words(&claim, family.len()).expect("words");
+    assert!(
+        words.starts_with("for all t in (1/2, 3): three-space is tiled face to face by "),
+        "{words}"
+    );
+    assert!(words.contains("all dihedral angles are acute"), "{words}");
+}

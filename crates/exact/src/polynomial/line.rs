@@ -1,0 +1,266 @@
+//! Polynomials in one parameter: where their signs change, exactly.
+//!
+//! Squarefree factors without common roots are found by Euclid's algorithm, and their roots are
+//! counted by Sturm's theorem. So a root is a root of one factor, and the sign of every polynomial
+//! is known at each root and between neighbouring ones.
+
+use super::Polynomial;
+use super::dense::{self, Dense, Factor};
+use crate::geometry::{RingElement, Sign};
+use crate::number::Number;
+use malachite::Rational;
+use malachite::base::num::arithmetic::traits::PowerOf2;
+use malachite::rational::rational::arithmetic::traits::SimplestRationalInInterval;
+use std::cmp::Ordering;
+
+/// Polynomials in one parameter.
+#[derive(Clone, Debug)]
+pub struct Line {
+    polynomials: Vec<Dense>,
+    factors: Vec<Factor>,
+    /// For each polynomial the factors that divide it.
+    divisors: Vec<Vec<usize>>,
+}
+
+/// An end of a maximal interval.
+#[derive(Clone, Debug)]
+pub enum Extent {
+    /// There is none.
+    Unbounded,
+    /// It is here, and may be left out.
+    At { place: Place, is_open: bool },
+}
+
+/// A real number.
+#[derive(Clone, Debug)]
+pub enum Place {
+    /// A number of the field.
+    Number(Number),
+    /// The only root of a squarefree polynomial, constant term first, between two numbers.
+    Root {
+        polynomial: Vec<Number>,
+        low: Number,
+        high: Number,
+    },
+}
+
+/// A root in an interval (low, high] that contains no other root of any factor.
+struct Isolated {
+    factor: usize,
+    low: Number,
+    high: Number,
+}
+
+impl Line {
+    /// The first parameter is the only one that may occur.
+    pub fn new<'p>(polynomials: impl IntoIterator<Item = &'p Polynomial<Number>>) -> Self {
+        Line::of_dense(polynomials.into_iter().map(dense::of).collect())
+    }
+
+    fn of_dense(polynomials: Vec<Dense>) -> Self {
+        let factors = dense::coprime(&polynomials);
+        let divisors = polynomials.iter().map(|p| {
+            let divides = |f: &usize| !p.is_empty() && dense::remainder(p, &factors[*f]).is_empty();
+            (0..factors.len()).filter(divides).collect()
+        });
+        Line {
+            divisors: divisors.collect(),
+            factors: factors.iter().map(|f| Factor::new(f.clone())).collect(),
+            polynomials,
+        }
+    }
+
+    /// The largest interval around a point in which a condition on the signs of all polynomials
+    /// holds; `None` if it does not hold at the point.
+    pub fn maximal(
+        &self,
+        point: &Number,
+        holds: impl Fn(&[Sign]) -> bool,
+    ) -> Option<(Extent, Extent)> {
+        let at_point: Vec<Sign> = self
+            .polynomials
+            .iter()
+            .map(|p| dense::value(p, point).sign())
+            .collect();
+        if !holds(&at_point) {
+            return None;
+        }
+        let mirrored = self.polynomials.iter().map(|p| dense::mirrored(p));
+        let mirrored = Line::of_dense(mirrored.collect());
+        let low = mirrored.upwards(&-point, &holds);
+        Some((low.mirrored(), self.upwards(point, &holds)))
+    }
+
+    /// From a point at which the condition holds to where it ends.
+    fn upwards(&self, point: &Number, holds: &impl Fn(&[Sign]) -> bool) -> Extent {
+        let after = self.free_end(point);
+        if !holds(&self.signs(&after)) {
+            return Extent::At {
+                place: Place::Number(point.clone()),
+                is_open: false,
+            };
+        }
+        let mut from = point.clone();
+        while let Some(root) = self.next_root(&from) {
+            let end = |is_open| Extent::At {
+                place: self.place(&root),
+                is_open,
+            };
+            let is_at_end = self.factors[root.factor].sign_at(&root.high) == Ordering::Equal;
+            let after = match is_at_end {
+                true => self.free_end(&root.high),
+                false => root.high.clone(),
+            };
+            let mut signs = self.signs(&after);
+            let beyond = holds(&signs);
+            // Only the polynomials with this factor vanish; the others keep their signs.
+            for (sign, divisors) in signs.iter_mut().zip(&self.divisors) {
+                if divisors.contains(&root.factor) {
+                    *sign = Sign::Equal;
+                }
+            }
+            if !holds(&signs) {
+                return end(true);
+            }
+            if !beyond {
+                return end(false);
+            }
+            from = root.high;
+        }
+        Extent::Unbounded
+    }
+
+    fn signs(&self, point: &Number) -> Vec<Sign> {
+        self.polynomials
+            .iter()
+            .map(|p| dense::value(p, point).sign())
+            .collect()
+    }
+
+    /// The number of roots of all factors in (low, high].
+    fn count(&self, low: &Number, high: &Number) -> usize {
+        self.factors.iter().map(|f| f.count(low, high)).sum()
+    }
+
+    /// A point above such that there is no root after `point` up to it.
+    fn free_end(&self, point: &Number) -> Number {
+        let mut step = Rational::from(1);
+        loop {
+            let end = point + Number::from(step.clone());
+            if self.count(point, &end) == 0 {
+                return end;
+            }
+            step >>= 1u32;
+        }
+    }
+
+    /// The least root that is larger than a point.
+    fn next_root(&self, point: &Number) -> Option<Isolated> {
+        let bounds = self.factors.iter().map(Factor::bound);
+        let mut high = bounds.max().filter(|bound| bound > point)?;
+        let mut low = point.clone();
+        if self.count(&low, &high) == 0 {
+            return None;
+        }
+        while self.count(&low, &high) > 1 {
+            let middle = middle(&low, &high);
+            match self.count(&low, &middle) {
+                0 => low = middle,
+                _ => high = middle,
+            }
+        }
+        let factor = self
+            .factors
+            .iter()
+            .position(|f| f.count(&low, &high) == 1)?;
+        Some(Isolated { factor, low, high })
+    }
+
+    fn place(&self, root: &Isolated) -> Place {
+        let factor = &self.factors[root.factor];
+        if let [c, b] = factor.polynomial() {
+            let root = (-c).divide(b);
+            return Place::Number(root.unwrap_or_else(Number::zero));
+        }
+        let (mut low, mut high) = (root.low.clone(), root.high.clone());
+        let enough = Number::from(Rational::power_of_2(-PRECISION));
+        while &high - &low > enough || factor.sign_at(&low) == Ordering::Equal {
+            let middle = middle(&low, &high);
+            match factor.count(&low, &middle) {
+                0 => low = middle,
+                _ => high = middle,
+            }
+        }
+        if let Some(exact) = simplest(&low, &high).filter(|x| factor.sign_at(x).is_eq()) {
+            return Place::Number(exact);
+        }
+        Place::Root {
+            polynomial: factor.polynomial().to_vec(),
+            low,
+            high,
+        }
+    }
+}
+
+/// Bits of an enclosure of a root. A rational root whose denominator has half as many is found.
+const PRECISION: i64 = 64;
+
+fn middle(low: &Number, high: &Number) -> Number {
+    (low + high) * Number::from(Rational::from_signeds(1, 2))
+}
+
+/// The rational number with the least denominator from `low` to `high`.
+fn simplest(low: &Number, high: &Number) -> Option<Number> {
+    let (low, high) = (low.to_rational()?, high.to_rational()?);
+    Some(Number::from(
+        Rational::simplest_rational_in_closed_interval(low, high),
+    ))
+}
+
+impl Extent {
+    /// The extent of the interval that is mirrored at 0.
+    fn mirrored(self) -> Self {
+        match self {
+            Extent::Unbounded => Extent::Unbounded,
+            Extent::At { place, is_open } => Extent::At {
+                place: match place {
+                    Place::Number(x) => Place::Number(-x),
+                    Place::Root {
+                        polynomial,
+                        low,
+                        high,
+                    } => Place::Root {
+                        polynomial: dense::mirrored(&polynomial),
+                        low: -high,
+                        high: -low,
+                    },
+                },
+                is_open,
+            },
+        }
+    }
+}
+
+impl Place {
+    /// Numbers that enclose it; equal if it is a number of the field.
+    pub fn enclosure(&self) -> (&Number, &Number) {
+        match self {
+            Place::Number(x) => (x, x),
+            Place::Root { low, high, .. } => (low, high),
+        }
+    }
+
+    /// The polynomial of a root in the first parameter, with a positive leading coefficient.
+    pub fn polynomial(&self) -> Option<Polynomial<Number>> {
+        let Place::Root { polynomial, .. } = self else {
+            return None;
+        };
+        let x = Polynomial::parameter(0);
+        let sum = polynomial.iter().rev().fold(Polynomial::zero(), |sum, c| {
+            sum.times(&x).plus(&Polynomial::constant(c.clone()))
+        });
+        let is_negative = polynomial.last().is_some_and(|c| c.sign().is_lt());
+        let sum = if is_negative { sum.negated() } else { sum };
+        Some(sum.reduced())
+    }
+}
