@@ -128,7 +128,11 @@ pub fn open(
             return Ok(ready_family(input, entry.description.to_owned(), family));
         }
         let tiling = construction(input, parameter)?;
-        return Ok(ready(Named::of(input, entry.description.to_owned(), tiling)));
+        return Ok(ready(Named::of(
+            input,
+            entry.description.to_owned(),
+            tiling,
+        )));
     }
     let path = Path::new(input);
     if input != "-" && !path.exists() && !input.contains(['/', '.']) {
@@ -179,9 +183,7 @@ fn load_content(
     output: &mut Output,
 ) -> Result<Loaded, InputError> {
     match content {
-        TextOrMesh::Mesh(loaded) => {
-            mesh::tiling(input, loaded, &options.mesh, output).map(ready)
-        }
+        TextOrMesh::Mesh(loaded) => mesh::tiling(input, loaded, &options.mesh, output).map(ready),
         TextOrMesh::Text(text) => {
             check_for_mesh(input, &options.mesh)?;
             of_text(input, &text, &options.points, output)

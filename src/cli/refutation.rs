@@ -81,7 +81,10 @@ impl Refuted {
         }
         let place = self.point.as_ref().map(|point| format!(" at {point}"));
         let place = place.unwrap_or_default();
-        line(format!("{input}: refuted{place}: {}", counts(&self.findings)));
+        line(format!(
+            "{input}: refuted{place}: {}",
+            counts(&self.findings)
+        ));
         for sentence in &self.second.sentences {
             line(format!("  > {sentence}"));
         }
