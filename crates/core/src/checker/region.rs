@@ -48,6 +48,10 @@ pub fn check_region<const D: usize>(
 /// more. Meshes of solids have a few dozens for each facet.
 const PAIRS: usize = 4_000_000;
 const PAIRS_PER_FACET: usize = 30;
+/// So many facets are moved by lattice vectors, beside a few for each facet.
+const COPIES: usize = 200_000;
+/// So many translates of simplices are looked for in a cell of the lattice.
+const TRANSLATES: usize = 20_000_000;
 /// So many boxes of simplices are compared with boxes of facets.
 const COMPARISONS: usize = 2_000_000_000;
 
@@ -83,6 +87,9 @@ impl<'t, S: Scalar, const D: usize> Region<'t, S, D> {
         if is_closed && !self.tiling.is_empty() {
             findings.add(Defect::NoBoundary);
         }
+        if self.translates() > TRANSLATES as f64 {
+            return findings.add(Defect::BoundaryWork { limit: TRANSLATES });
+        }
         let is_without = |codes: &[&str]| {
             let mut codes = codes.iter();
             codes.all(|code| !findings.counts().contains_key(code))
@@ -103,6 +110,27 @@ impl<'t, S: Scalar, const D: usize> Region<'t, S, D> {
             .then(|| contact::explain(self, &Found { meeting, covered }, &plain))
             .flatten();
         findings.append(explained.unwrap_or(plain));
+    }
+
+    /// How many translates of simplices come near a cell of the lattice, about.
+    fn translates(&self) -> f64 {
+        let rank = self.tiling.frame.rank();
+        if rank == 0 {
+            return 0.0;
+        }
+        let of_simplex = |corners: &[Corner<D>]| -> f64 {
+            let cells: Vec<[i32; D]> = corners.iter().map(|c| cell(self.tiling, c)).collect();
+            let width = |k: usize| {
+                let entries = || cells.iter().map(|cell| f64::from(cell[k]));
+                let (low, high) = (
+                    entries().fold(f64::MAX, f64::min),
+                    entries().fold(f64::MIN, f64::max),
+                );
+                high - low + 2.0
+            };
+            (0..rank).map(width).product()
+        };
+        self.tiling.simplices().map(of_simplex).sum()
     }
 
     /// The ranks of each vertex's coordinates among all.
@@ -147,7 +175,7 @@ impl<'t, S: Scalar, const D: usize> Region<'t, S, D> {
     /// Any two facets in the boundary meet in what their common corners span. Gives the pairs that do
     /// not.
     fn check_boundary(&self, findings: &mut Findings) -> Vec<(usize, usize)> {
-        let limit = PAIRS + PAIRS_PER_FACET * self.boundary.len();
+        let limit = COPIES + PAIRS_PER_FACET * self.boundary.len();
         let Some(copies) = Copies::of(self, limit) else {
             findings.add(Defect::BoundaryWork { limit });
             return Vec::new();
