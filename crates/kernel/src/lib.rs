@@ -52,10 +52,11 @@ use std::rc::Rc;
 /// The first condition that does not hold, in the order in which the file is read.
 pub fn verify(input: &mut dyn Read, limits: &Limits) -> Result<Verified, Refusal> {
     let work = Rc::new(Work::new(limits.work));
-    read(Cbor::new(input, limits, &work), limits, &work).map_err(Stop::refusal)
+    let facts = read(Cbor::new(input, limits, &work), limits, &work);
+    facts.map(Verified::of).map_err(Stop::refusal)
 }
 
-fn read(mut cbor: Cbor, limits: &Limits, work: &Rc<Work>) -> Checked<Verified> {
+fn read(mut cbor: Cbor, limits: &Limits, work: &Rc<Work>) -> Checked<Facts> {
     cbor.array_of(5)?;
     ensure!(cbor.text()? == "acutile-certificate", Format, cbor.place());
     let version = cbor.small()?;
@@ -63,26 +64,24 @@ fn read(mut cbor: Cbor, limits: &Limits, work: &Rc<Work>) -> Checked<Verified> {
     let kind = cbor.text()?;
     if kind == "patches" {
         let head = Head::read(&mut cbor, limits)?;
-        let facts = match head.claim.field.degree() {
+        return match head.claim.field.degree() {
             1 => patches::verify::<1>(cbor, head, limits, work),
             2 => patches::verify::<2>(cbor, head, limits, work),
             _ => patches::verify::<8>(cbor, head, limits, work),
         };
-        return facts.map(Verified::of);
     }
     let is_family = kind == "family";
     ensure!(is_family || kind == "tiling", UnknownKind, cbor.place());
     let claim = Claim::read(&mut cbor, limits, is_family)?;
     // The number is the capacity for coefficients. The compiler knows the degrees 1 and 2.
-    let facts = match claim.field.degree() {
+    match claim.field.degree() {
         1 if is_family => family::verify::<1>(cbor, claim, limits, work),
         2 if is_family => family::verify::<2>(cbor, claim, limits, work),
         _ if is_family => family::verify::<8>(cbor, claim, limits, work),
         1 => tiling::verify::<1>(cbor, claim, limits, work),
         2 => tiling::verify::<2>(cbor, claim, limits, work),
         _ => tiling::verify::<8>(cbor, claim, limits, work),
-    };
-    facts.map(Verified::of)
+    }
 }
 
 #[cfg(test)]

@@ -4,7 +4,7 @@ use super::html::escape;
 use super::markdown::{Document, to_html};
 
 /// The documents that the site has.
-pub const DOCUMENTS: [Document; 22] = [
+pub const DOCUMENTS: [Document; 23] = [
     document(
         "README.md",
         "docs/readme.html",
@@ -118,6 +118,12 @@ pub const DOCUMENTS: [Document; 22] = [
         "docs/architecture.html",
         "Architecture",
         include_str!("../../../../ARCHITECTURE.md"),
+    ),
+    document(
+        "docs/choices.md",
+        "docs/choices.html",
+        "Choices and dependencies",
+        include_str!("../../../../docs/choices.md"),
     ),
     document(
         "docs/versions.md",
