@@ -103,3 +103,20 @@ fn requirements_without_signs_that_shells_take() {
         stderr(&run)
     );
 }
+
+/// The options that most people need stand first, and not below a heading for something else.
+#[test]
+fn common_options_stand_first() {
+    for (command, options) in [
+        ("certify", ["--output", "--require", "--json"]),
+        ("quality", ["--output", "--bin", "--format"]),
+        ("report", ["--output", "--help", "--help"]),
+    ] {
+        let help = stdout(&acutile([command, "--help"]));
+        let first = help.split("\nOptions:").nth(1).expect("options");
+        let heading = first.find("\nMesh files:").expect("a group for meshes");
+        for option in options {
+            assert!(first[..heading].contains(option), "{command} {option}");
+        }
+    }
+}

@@ -5,22 +5,21 @@ use clap::Args;
 
 /// Limits of the kernel, beyond which a certificate is declined.
 #[derive(Clone, Debug, Args)]
-#[command(next_help_heading = "Limits of the kernel")]
 pub struct LimitArguments {
     /// Bytes of a certificate
-    #[arg(long, value_name = "N", default_value_t = Limits::DEFAULT.bytes)]
+    #[arg(help_heading = "Limits of the kernel", long, value_name = "N", default_value_t = Limits::DEFAULT.bytes)]
     pub max_bytes: u64,
     /// Simplices of a certificate
-    #[arg(long, value_name = "N", default_value_t = Limits::DEFAULT.simplices)]
+    #[arg(help_heading = "Limits of the kernel", long, value_name = "N", default_value_t = Limits::DEFAULT.simplices)]
     pub max_simplices: u64,
     /// Bits of an integer
-    #[arg(long, value_name = "N", default_value_t = Limits::DEFAULT.bits)]
+    #[arg(help_heading = "Limits of the kernel", long, value_name = "N", default_value_t = Limits::DEFAULT.bits)]
     pub max_bits: u64,
     /// Degree of the field
-    #[arg(long, value_name = "N", default_value_t = Limits::DEFAULT.degree)]
+    #[arg(help_heading = "Limits of the kernel", long, value_name = "N", default_value_t = Limits::DEFAULT.degree)]
     pub max_degree: usize,
     /// Units of work, about nanoseconds, for a certificate and again for each MiB of it
-    #[arg(long, value_name = "N", default_value_t = Limits::DEFAULT.work)]
+    #[arg(help_heading = "Limits of the kernel", long, value_name = "N", default_value_t = Limits::DEFAULT.work)]
     pub max_work: u64,
 }
 

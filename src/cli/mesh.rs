@@ -12,27 +12,31 @@ use std::path::PathBuf;
 /// How a mesh file becomes a tiling. Coordinates in text mean the nearest double, and every
 /// double is taken as the exact number that it is.
 #[derive(Clone, Debug, Default, Args)]
-#[command(next_help_heading = "Mesh files")]
 pub struct MeshArguments {
     /// The mesh is a cell of a periodic tiling or region with these lattice vectors, one to three
     /// (of a mesh of triangles one or two): integers, fractions and decimals, exact as written
-    #[arg(long, value_name = "A1,A2,A3[;B1,B2,B3[;C1,C2,C3]]", value_parser = Lattice::parse,
+    #[arg(help_heading = "Mesh files", long, value_name = "A1,A2,A3[;B1,B2,B3[;C1,C2,C3]]", value_parser = Lattice::parse,
         allow_hyphen_values = true)]
     pub lattice: Option<Lattice>,
     /// The mesh is bounded, even if the file has periodic links
-    #[arg(long, conflicts_with = "lattice")]
+    #[arg(help_heading = "Mesh files", long, conflicts_with = "lattice")]
     pub bounded: bool,
     /// Move nodes that are within this distance of a lattice translate of another node exactly
     /// onto it (of another node, if the mesh is bounded); what is proved is proved about the
     /// moved mesh
-    #[arg(long, value_name = "TOLERANCE", value_parser = tolerance)]
+    #[arg(help_heading = "Mesh files", long, value_name = "TOLERANCE", value_parser = tolerance)]
     pub identify: Option<f64>,
     /// Write every move of --identify to this file, as CSV
-    #[arg(long, value_name = "FILE", requires = "identify")]
+    #[arg(
+        help_heading = "Mesh files",
+        long,
+        value_name = "FILE",
+        requires = "identify"
+    )]
     pub moves: Option<PathBuf>,
     /// The format of a mesh file that has no extension of its own: msh4, vtk, vtu, medit,
     /// meshb, tetgen, abaqus, nastran, mfem
-    #[arg(long = "from", value_name = "FORMAT", value_parser = Family::parse)]
+    #[arg(help_heading = "Mesh files", long = "from", value_name = "FORMAT", value_parser = Family::parse)]
     pub mesh_format: Option<Family>,
 }
 

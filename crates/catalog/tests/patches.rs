@@ -72,14 +72,17 @@ trait Period {
     }
 }
 
+/// A tile, and the place of each corner of its patch over the plane.
+type Placed<'t, P> = (&'t Tile, Box<dyn Fn(&Corner<3>) -> P + 't>);
+
+/// A polygon, and an apex over it.
+type Cone<P> = (Vec<P>, P);
+
 /// The cells over some tiles; `place` gives the points of a corner of a tile.
-fn assembled<P: Period>(
-    period: &P,
-    tiles: &[(&Tile, Box<dyn Fn(&Corner<3>) -> P::Point + '_>)],
-) -> BTreeSet<Vec<P::Point>> {
+fn assembled<P: Period>(period: &P, tiles: &[Placed<'_, P::Point>]) -> BTreeSet<Vec<P::Point>> {
     let mut cells = BTreeSet::new();
     let mut add = |points: &[P::Point]| assert!(cells.insert(period.name(points).0));
-    let mut apexes: BTreeMap<Vec<P::Point>, (Vec<P::Point>, P::Point)> = BTreeMap::new();
+    let mut apexes: BTreeMap<Vec<P::Point>, Cone<P::Point>> = BTreeMap::new();
     for (tile, place) in tiles {
         for row in &tile.patch.simplices {
             add(&row.each_ref().map(place));
@@ -129,7 +132,7 @@ fn cyclotomic(x: &Number) -> Cyclotomic {
 
 fn over_plane(system: &System, plane: &PlaneTiling) -> BTreeSet<Vec<Lifted>> {
     let stars = plane.stars().unwrap();
-    let mut tiles: Vec<(&Tile, Box<dyn Fn(&Corner<3>) -> Lifted + '_>)> = Vec::new();
+    let mut tiles: Vec<Placed<'_, Lifted>> = Vec::new();
     for (vertex, star) in plane.vertices.iter().zip(&stars) {
         for corner in star {
             let (k, is_square) = (corner.direction, corner.is_square());
@@ -299,7 +302,7 @@ fn stacked(system: &System, word: &str) -> BTreeSet<Vec<Fractional>> {
         height = &height + &block.corners[1][0];
     }
     let lean = registry.rem_euclid(3);
-    let mut tiles: Vec<(&Tile, Box<dyn Fn(&Corner<3>) -> Fractional + '_>)> = Vec::new();
+    let mut tiles: Vec<Placed<'_, Fractional>> = Vec::new();
     for (tile, (registry, start)) in blocks.into_iter().zip(starts) {
         let height = &height;
         let place = move |corner: &Corner<3>| {
