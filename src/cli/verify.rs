@@ -220,7 +220,7 @@ impl Verdict {
 
 /// The claim as the kernel prints it.
 pub fn claim_json(verified: &Verified) -> Value {
-    let file: Value = serde_json::from_str(&verified.claim.print()).unwrap_or_default();
+    let file: Value = serde_json::from_str(verified.claim.print()).unwrap_or_default();
     file["claim"].clone()
 }
 
