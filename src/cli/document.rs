@@ -48,10 +48,7 @@ pub fn read(
         return Err(format!("{}: {message}", path.display()).into());
     }
     let file = read_native(text).map_err(named)?;
-    let words: Vec<String> = [file.name, file.description]
-        .into_iter()
-        .flatten()
-        .collect();
+    let words: Vec<String> = [file.name, file.description].into_iter().flatten().collect();
     Ok(Document {
         description: words.join(": "),
         content: file.content,

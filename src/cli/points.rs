@@ -33,18 +33,10 @@ pub struct PointArguments {
     pub as_written: bool,
     /// The sites that are taken, by label or element (repeat the option, or separate by commas and
     /// put labels with a comma in double quotes)
-    #[arg(
-        long,
-        value_name = "LABEL,ELEMENT",
-        help_heading = "Crystal structures"
-    )]
+    #[arg(long, value_name = "LABEL,ELEMENT", help_heading = "Crystal structures")]
     pub only: Vec<String>,
     /// The sites that are left out, by label or element
-    #[arg(
-        long,
-        value_name = "LABEL,ELEMENT",
-        help_heading = "Crystal structures"
-    )]
+    #[arg(long, value_name = "LABEL,ELEMENT", help_heading = "Crystal structures")]
     pub except: Vec<String>,
     /// Take sites as atoms whatever their occupancy, and those at one place as one
     #[arg(long, help_heading = "Crystal structures")]

@@ -165,7 +165,9 @@ impl<'a> Source<'a> {
     }
 
     fn at_word_end(&self) -> bool {
-        self.bytes.get(self.at).is_none_or(u8::is_ascii_whitespace)
+        self.bytes
+            .get(self.at)
+            .is_none_or(u8::is_ascii_whitespace)
     }
 
     /// Passes over the next word if it is this one, and tells whether it is.

@@ -96,9 +96,9 @@ fn text_stl(bytes: &[u8]) -> Result<Surface, MeshError> {
             b"vertex" => corners.push(point(&line)?),
             b"endloop" => {
                 let found = corners.len();
-                let triangle = std::mem::take(&mut corners)
-                    .try_into()
-                    .map_err(|_| line.error(format!("a facet has {found} corners, expected 3")))?;
+                let triangle = std::mem::take(&mut corners).try_into().map_err(|_| {
+                    line.error(format!("a facet has {found} corners, expected 3"))
+                })?;
                 triangles.push(triangle);
             }
             b"solid" | b"endsolid" | b"facet" | b"endfacet" | b"outer" => {}
@@ -162,9 +162,7 @@ pub fn read_obj(bytes: &[u8]) -> Result<Surface, MeshError> {
 /// `7`, `7/1`, `7//3` or `-1`.
 fn obj_corner(line: &Line, word: &[u8], points: &[[f64; 3]]) -> Result<[f64; 3], MeshError> {
     let number = word.split(|&byte| byte == b'/').next().unwrap_or_default();
-    let number: Option<i64> = std::str::from_utf8(number)
-        .ok()
-        .and_then(|n| n.parse().ok());
+    let number: Option<i64> = std::str::from_utf8(number).ok().and_then(|n| n.parse().ok());
     let index = number.and_then(|number| match number {
         1.. => usize::try_from(number - 1).ok(),
         _ => points.len().checked_sub(usize::try_from(-number).ok()?),

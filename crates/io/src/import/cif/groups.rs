@@ -11,10 +11,10 @@ use super::operation::Operation;
 use super::symmetry::Listed;
 use super::token::{Value, at_line, short};
 use crate::import::ImportError;
-use acutile_crystal::hall;
 use acutile_crystal::identify::{differ_by_origin, identify};
 use acutile_crystal::motion::{Motion, fractional};
 use acutile_crystal::setting::{Setting, of_number, of_symbol};
+use acutile_crystal::hall;
 use malachite::Rational;
 
 const SYMBOLS: [&str; 4] = [
@@ -86,9 +86,7 @@ impl<'t> Names<'t> {
         {
             let named = candidates.as_ref();
             let is_known = |settings: &Vec<&Setting>| {
-                settings
-                    .iter()
-                    .any(|setting| is_same_group(setting, &group))
+                settings.iter().any(|setting| is_same_group(setting, &group))
             };
             if named.is_some_and(|settings| !is_known(settings)) {
                 let problem = format!(
@@ -97,10 +95,7 @@ impl<'t> Names<'t> {
                 );
                 return Err(at_line(value.line, problem));
             }
-            let note = format!(
-                "the operations are those of the Hall symbol {}",
-                short(value.text)
-            );
+            let note = format!("the operations are those of the Hall symbol {}", short(value.text));
             return Ok((listed(group, line), vec![note]));
         }
         let Some(settings) = candidates.take() else {
@@ -125,9 +120,7 @@ impl<'t> Names<'t> {
     fn words(&self) -> Option<(u32, String)> {
         let value = self.symbols.first().or(self.hall.as_ref());
         let named = value.map(|value| (value.line, short(value.text)));
-        named.or(self
-            .number
-            .map(|(number, line)| (line, format!("number {number}"))))
+        named.or(self.number.map(|(number, line)| (line, format!("number {number}"))))
     }
 
     /// The settings that all known symbols and the number allow; `None` if nothing is known.
@@ -142,8 +135,7 @@ impl<'t> Names<'t> {
             let both = match settings {
                 None => found,
                 Some(before) => {
-                    let is_in =
-                        |setting: &&Setting| before.iter().any(|b| b.index == setting.index);
+                    let is_in = |setting: &&Setting| before.iter().any(|b| b.index == setting.index);
                     found.into_iter().filter(|setting| is_in(setting)).collect()
                 }
             };
@@ -156,16 +148,12 @@ impl<'t> Names<'t> {
             }
             settings = Some(both);
         }
-        let is_number_alone = self
-            .symbols
-            .iter()
-            .all(|value| of_symbol(value.text).settings.is_empty());
+        let is_number_alone = self.symbols.iter().all(|value| of_symbol(value.text).settings.is_empty());
         Ok(settings.filter(|_| !is_number_alone || self.symbols.is_empty()))
     }
 }
 
-pub const ADVICE: &str =
-    "add a loop_ with _space_group_symop_operation_xyz and all operations ('x,y,z' alone for P1)";
+pub const ADVICE: &str = "add a loop_ with _space_group_symop_operation_xyz and all operations ('x,y,z' alone for P1)";
 const NO_NAME: &str = "no symmetry operations and no space group: add a loop_ with _space_group_symop_operation_xyz and all operations ('x,y,z' alone for P1)";
 
 /// The sorted motions of a list.
@@ -242,9 +230,7 @@ fn is_moved(setting: &Setting, group: &[Motion], cell: &Cell) -> bool {
     }
     match differ_by_origin(group, &own) {
         // A threefold axis may stand at ninths.
-        Some(false) if (143..=194).contains(&setting.number) => {
-            has_number(setting.number, group, cell)
-        }
+        Some(false) if (143..=194).contains(&setting.number) => has_number(setting.number, group, cell),
         Some(answer) => answer,
         None => has_number(setting.number, group, cell),
     }
@@ -301,9 +287,7 @@ fn the_only_one(
         }
     }
     // A short monoclinic symbol means the unique axis b, if the cell allows it.
-    let is_monoclinic = fitting
-        .iter()
-        .all(|(setting, _)| (3..=15).contains(&setting.number));
+    let is_monoclinic = fitting.iter().all(|(setting, _)| (3..=15).contains(&setting.number));
     let is_b = |setting: &Setting| setting.choice.starts_with('b');
     if is_monoclinic && fitting.iter().filter(|(setting, _)| is_b(setting)).count() == 1 {
         fitting.retain(|(setting, _)| is_b(setting));
@@ -317,9 +301,7 @@ fn the_only_one(
         (Some(only), 1) => Ok(only),
         (None, _) => Err(at_line(
             line,
-            format!(
-                "the space group {words} has no setting that fits the cell, and its symmetry operations are not listed: {ADVICE}"
-            ),
+            format!("the space group {words} has no setting that fits the cell, and its symmetry operations are not listed: {ADVICE}"),
         )),
         (Some(_), _) => Err(at_line(
             line,

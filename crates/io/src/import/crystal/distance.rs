@@ -40,8 +40,7 @@ pub fn shortest(gram: &Gram, points: &[Vector]) -> Option<Shortest> {
     let mut best: Option<Shortest> = None;
     let mut best_double = bound * bound;
     grid.pairs(&places, |pair, shift| {
-        let step =
-            std::array::from_fn(|k| places[pair.1][k] + f64::from(shift[k]) - places[pair.0][k]);
+        let step = std::array::from_fn(|k| places[pair.1][k] + f64::from(shift[k]) - places[pair.0][k]);
         let squared = norm(&metric, &step);
         if squared > best_double * (1.0 + CLOSE) {
             return;
@@ -71,17 +70,13 @@ impl Grid {
         // The k-th coordinate changes at most by √(G^-1)_kk for each unit of length.
         let widths = inverse_diagonal(metric).map(|x| x.sqrt() * bound);
         let boxes = widths.map(|width| (1.0 / width).floor().clamp(1.0, BOXES) as i32);
-        let reach: [i32; 3] =
-            std::array::from_fn(|k| (widths[k] * f64::from(boxes[k])).ceil() as i32);
+        let reach: [i32; 3] = std::array::from_fn(|k| (widths[k] * f64::from(boxes[k])).ceil() as i32);
         if reach.iter().any(|&reach| !(0..=STEPS).contains(&reach)) {
             return None;
         }
         let mut members: HashMap<[i32; 3], Vec<usize>> = HashMap::new();
         for (index, place) in places.iter().enumerate() {
-            members
-                .entry(box_of(place, &boxes))
-                .or_default()
-                .push(index);
+            members.entry(box_of(place, &boxes)).or_default().push(index);
         }
         Some(Grid {
             boxes,
