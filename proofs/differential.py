@@ -7,8 +7,8 @@ The files are certificates in JSON. VERIFY is acutile-verify, which gets each of
 extracted checker, COMMAND any further one that reads JSON and prints lines as acutile-verify does (its words are
 separated by spaces). A file is a disagreement when one program accepts it and another refuses it: rejected,
 malformed. "declined" agrees with everything, for the limits differ; what one accepts and another declines is
-listed, and the share of it is bounded: at most one file in a hundred, without regions and families, which COQ_CHECK
-declines.
+listed, and the share of it is bounded: at most one file in a hundred, without regions, families and patches,
+which COQ_CHECK declines. Systems of patches are not mutated here; tests/browser/mutate.mjs does that.
 A file that has no CBOR is not shown to VERIFY. Files whose name sets a limit are checked under the default limits.
 Exit code 1 if there is a disagreement, if nothing was accepted or refused, or if too much was declined by one
 program alone.
@@ -46,14 +46,18 @@ def cbor_of(path):
     except encodings.Refusal:
         return None
     document = json.loads(path.read_bytes())
-    records = [document] + [document.get(name) for name in ("claim", "witness")] if isinstance(document, dict) else [None]
+    records = [None]
+    if isinstance(document, dict):
+        witness = document.get("witness")
+        records = [document, document.get("claim"), *(witness if document.get("kind") == "patches" and isinstance(witness, list) else [witness])]
     return data if all(isinstance(record, dict) for record in records) and has_names(document) else None
 
 
 NAMES = [["format", "version", "kind", "claim", "witness"], ["dimension", "field", "gram", "domain", "statements"],
          ["dimension", "field", "parameters", "gram", "domain", "statements"], ["name", "low", "high"],
          ["denominator", "vertices", "boundary", "simplices"], ["denominator", "vertices", "faces"],
-         ["denominator", "vertices", "boundary", "tree", "simplices"],
+         ["denominator", "vertices", "boundary", "tree", "simplices"], ["field", "gram", "rank", "tiles", "statements"],
+         ["denominator", "vertices", "classes"], ["denominator", "offsets", "vertices", "pyramids", "simplices"],
          ["polynomial", "root"], ["low", "high", "denominator"]]
 
 
@@ -189,9 +193,13 @@ class Comparison:
 
 
 def is_beyond_coq(path):
-    """Regions and families."""
+    """Regions, families and systems of patches."""
     text = path.read_text(errors="replace")
-    return '"domain":[\n"region"' in text or '"kind":"family"' in text
+    return '"domain":[\n"region"' in text or '"kind":"family"' in text or is_system(path)
+
+
+def is_system(path):
+    return '"kind":"patches"' in path.read_text(errors="replace")
 
 
 def is_accepted(row):
@@ -204,7 +212,7 @@ def main():
     comparison = Comparison([[verify], [coq], *also])
     batches = [files[start:start + 100] for start in range(0, len(files), 100)]
     good = [f for batch in batches for f, row in zip(batch, comparison.compare(batch, 900)) if is_accepted(row)]
-    small = [f for f in good if f.stat().st_size < 12000]
+    small = [f for f in good if f.stat().st_size < 12000 and not is_system(f)]
     rng = random.Random(seed)
     with tempfile.TemporaryDirectory() as folder:
         for start in range(0, mutations if small else 0, 250):

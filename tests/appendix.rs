@@ -154,3 +154,34 @@ fn siunitx_is_used_where_it_is_asked_for() {
     assert_eq!(code(&write(&["cube-6"], place.path(), &["--siunitx"])), 0);
     assert!(text(place.path().join("main.tex")).contains("\\usepackage{siunitx}"));
 }
+
+/// A certificate of the tests that is valid.
+fn valid(name: &str) -> String {
+    format!(
+        "{}/tests/certificates/valid/{name}.json",
+        env!("CARGO_MANIFEST_DIR")
+    )
+}
+
+#[test]
+fn delaunay_and_weakly_delaunay_are_one_paragraph() {
+    let place = tempfile::tempdir().expect("a temporary directory");
+    assert_eq!(code(&write(&[&valid("space-bcc")], place.path(), &[])), 0);
+    let section = text(place.path().join("tiling-space-bcc.tex"));
+    assert_eq!(
+        section
+            .matches("\\label{acutile:space-bcc:delaunay}")
+            .count(),
+        1
+    );
+}
+
+/// The vertex is some 2^80 cells away from the origin.
+#[test]
+fn coordinates_beyond_64_bits_come_to_an_end() {
+    let place = tempfile::tempdir().expect("a temporary directory");
+    let name = "space-cube-with-coordinates-beyond-64-bits";
+    assert_eq!(code(&write(&[&valid(name)], place.path(), &[])), 0);
+    let section = text(place.path().join(format!("tiling-{name}.tex")));
+    assert!(section.contains("Class 0."), "{section}");
+}

@@ -32,12 +32,19 @@ fn commands_take_a_cif() {
 
     let z = path("z");
     let z = z.to_str().expect("UTF-8");
-    let declined = acutile(["certify", z]);
+    let refused = acutile(["certify", z]);
+    assert_eq!(code(&refused), 2);
+    assert!(stderr(&refused).contains("--special moves such sites"));
+    let declined = acutile(["certify", z, "--as-written"]);
     assert_eq!(code(&declined), 3);
     assert!(
         stderr(&declined).contains("warning: 6 such pairs"),
         "{}",
         stderr(&declined)
+    );
+    assert_eq!(
+        code(&acutile(["certify", z, "--special", "--require", "tcp"])),
+        0
     );
     assert_eq!(
         code(&acutile(["certify", z, "--snap", "3", "--require", "tcp"])),
@@ -47,6 +54,7 @@ fn commands_take_a_cif() {
         code(&acutile([
             "certify",
             z,
+            "--as-written",
             "--triangulate",
             "--require",
             "acute"
@@ -185,8 +193,7 @@ fn the_documented_example() {
         run(&[
             "certify",
             "z.cif",
-            "--snap",
-            "3",
+            "--special",
             "--require",
             "acute",
             "--require",
@@ -194,7 +201,7 @@ fn the_documented_example() {
             "-o",
             target,
         ]),
-        run(&["classify", "z.cif", "--snap", "3"]),
+        run(&["classify", "z.cif", "--special"]),
     ];
     let printed = printed.concat().replace(target, "z.json");
     let words = |text: &str| text.split_whitespace().collect::<Vec<_>>().join(" ");
@@ -213,4 +220,152 @@ fn the_documented_example() {
         }
     }
     assert!(count > 3);
+}
+
+/// Delaunay cells and Voronoi neighbours of simple lattices and packings, by hand: the cube; the prism over a
+/// triangle; two tetrahedra and an octahedron for each atom of a close packing; bcc has tetrahedra only.
+#[test]
+fn cells_that_are_not_cut() {
+    let place = tempfile::tempdir().expect("a directory");
+    let classify = |symbol: &str, [a, c]: [&str; 2], gamma: &str, site: &str| {
+        let text = format!(
+            "data_x\n_cell_length_a {a}\n_cell_length_b {a}\n_cell_length_c {c}\n_cell_angle_gamma {gamma}\n\
+             _space_group_name_H-M_alt '{symbol}'\nloop_\n_atom_site_label\n_atom_site_fract_x\n_atom_site_fract_y\n\
+             _atom_site_fract_z\nFe1 {site}\n"
+        );
+        let file = file(place.path(), "x.cif", &text);
+        let output = acutile([
+            "classify",
+            file.to_str().expect("UTF-8"),
+            "--special",
+            "--json",
+        ]);
+        assert_eq!(code(&output), 0, "{}", stderr(&output));
+        serde_json::from_str::<serde_json::Value>(&stdout(&output)).expect("JSON")
+    };
+    let hcp = ["1", "1.6329931619"];
+    for (symbol, lengths, gamma, site, cells, neighbours, index, group) in [
+        (
+            "P m -3 m",
+            ["1", "1"],
+            "90",
+            "0 0 0",
+            [("cube", 1), ("", 0)],
+            6,
+            [0, 6, 0, 0],
+            221,
+        ),
+        (
+            "P 6/m m m",
+            ["1", "1.1"],
+            "120",
+            "0 0 0",
+            [("triangular prism", 2), ("", 0)],
+            8,
+            [0, 6, 0, 2],
+            191,
+        ),
+        (
+            "F m -3 m",
+            ["1", "1"],
+            "90",
+            "0 0 0",
+            [("octahedron", 4), ("tetrahedron", 8)],
+            12,
+            [0, 12, 0, 0],
+            225,
+        ),
+        (
+            "P 63/m m c",
+            hcp,
+            "120",
+            "0.3333 0.6667 0.25",
+            [("octahedron", 2), ("tetrahedron", 4)],
+            12,
+            [0, 12, 0, 0],
+            194,
+        ),
+        (
+            "I m -3 m",
+            ["1", "1"],
+            "90",
+            "0 0 0",
+            [("tetrahedron", 12), ("", 0)],
+            14,
+            [0, 6, 0, 8],
+            229,
+        ),
+    ] {
+        let report = classify(symbol, lengths, gamma, site);
+        let expected: serde_json::Map<_, _> = cells
+            .into_iter()
+            .filter(|(_, count)| *count > 0)
+            .map(|(name, count)| (name.to_owned(), serde_json::json!(count)))
+            .collect();
+        assert_eq!(
+            report["cells"],
+            serde_json::Value::Object(expected),
+            "{symbol}"
+        );
+        assert_eq!(report["sites"][0]["neighbours"], neighbours, "{symbol}");
+        assert_eq!(
+            report["sites"][0]["voronoi_index"],
+            serde_json::json!(index),
+            "{symbol}"
+        );
+        assert_eq!(report["space_group"]["number"], group, "{symbol}");
+        let is_compared = symbol == "I m -3 m";
+        assert_eq!(report["isomorphic_to"].is_array(), is_compared, "{symbol}");
+        assert!(
+            report["notes"]
+                .as_array()
+                .is_some_and(|notes| notes.len() >= 2),
+            "{symbol}"
+        );
+    }
+}
+
+/// Labels go into tiling files and are read there; a cut is not compared with the catalogue.
+#[test]
+fn labels_and_cuts() {
+    let place = tempfile::tempdir().expect("a directory");
+    let tiling = place.path().join("fcc.json");
+    let target = tiling.to_str().expect("UTF-8");
+    let fcc = path("fcc");
+    let fcc = fcc.to_str().expect("UTF-8");
+    assert_eq!(
+        code(&acutile(["delaunay", fcc, "--triangulate", "-o", target])),
+        0
+    );
+    let text = std::fs::read_to_string(&tiling).expect("a tiling file");
+    assert_eq!(text.matches("\"Cu1\"").count(), 4, "{text}");
+    let classified = stdout(&acutile(["classify", target]));
+    assert!(classified.contains("site Cu1 (4 in a cell"), "{classified}");
+    assert!(
+        classified.contains("12 neighbours, Voronoi index (0,12,0,0)"),
+        "{classified}"
+    );
+    assert!(
+        classified.contains("isomorphic to: not compared"),
+        "{classified}"
+    );
+    let cut = stdout(&acutile(["classify", fcc, "--triangulate"]));
+    assert!(
+        cut.contains("the 4 cells that are not tetrahedra were cut"),
+        "{cut}"
+    );
+    let mu = path("mu");
+    let mu = stdout(&acutile([
+        "classify",
+        mu.to_str().expect("UTF-8"),
+        "--special",
+    ]));
+    assert!(
+        mu.contains("39 points in a cell") && mu.contains("isomorphic to: mu"),
+        "{mu}"
+    );
+    assert!(
+        mu.contains("space group of the points: R -3 m (number 166)"),
+        "{mu}"
+    );
 }

@@ -91,13 +91,15 @@ fn every_rejection_is_a_hypothesis() {
     }
 }
 
-/// The table of docs/format.md has the codes of the kernel, each with its kind, and no other.
+/// The tables of docs/format.md have the codes of the kernel, each with its kind, and no other.
 #[test]
 fn the_refusal_codes_are_those_of_the_document() {
     let format = read("docs/format.md");
-    let table = format.split("| code | kind | condition |").nth(1);
-    let rows = table.expect("a table").trim_start().lines().skip(1);
-    let rows = rows.take_while(|line| line.starts_with('|'));
+    let tables = format.split("| code | kind | condition |").skip(1);
+    let rows = tables.flat_map(|table| {
+        let rows = table.trim_start().lines().skip(1);
+        rows.take_while(|line| line.starts_with('|'))
+    });
     let documented: BTreeSet<(String, String)> = rows
         .map(|row| {
             let cells: Vec<&str> = row.split('|').map(str::trim).collect();

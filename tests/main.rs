@@ -12,6 +12,8 @@ mod draw;
 mod help;
 mod interrupt;
 mod js_verifier;
+mod lower_bound;
+mod mesh_cases;
 mod meshes;
 mod paper;
 mod report;

@@ -136,6 +136,7 @@ fn every_statement_has_a_verdict() {
     assert_eq!(verdict("table1/c15/smallest_dihedral/min"), "confirmed");
     assert_eq!(verdict("four-stars"), "confirmed");
     assert_eq!(verdict("facet-angle-against-dihedral"), "refuted");
+    assert_eq!(verdict("smallest-largest-angle"), "open");
 }
 
 #[test]
@@ -195,4 +196,14 @@ fn the_rows_that_differ_from_print() {
         ]
     );
     assert!(with("undecided").is_empty());
+    assert_eq!(with("open"), ["smallest-largest-angle"]);
+    let question = rows
+        .iter()
+        .find(|row| row["verdict"] == "open")
+        .expect("a row");
+    let proved = question["proved"].as_str().expect("a text");
+    // arccos(√(2/27)) = 74.2068…, by hand.
+    for part in ["arccos(√(2/27)) = 74.2068", "above 73.31°", "above 73.44°"] {
+        assert!(proved.contains(part), "{proved}");
+    }
 }

@@ -137,7 +137,7 @@ fn delaunay<const D: usize>(points: &PointSet<D>) -> Option<Tiling<D>> {
 /// What the prover proves the kernel confirms.
 fn statements<const D: usize>(tiling: &Tiling<D>) -> Option<usize> {
     match prove(tiling, &Options::default(), &|_| ()) {
-        Ok(proved) => Some(proved.verified().claim.statements.len()),
+        Ok(proved) => Some(proved.statements().len()),
         Err(NotProved::Refuted(_) | NotProved::Declined(_)) => None,
         Err(error) => panic!("the kernel does not confirm: {error}"),
     }

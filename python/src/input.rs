@@ -5,7 +5,7 @@ use acutile_catalog as catalog;
 use acutile_core::checker::Names;
 use acutile_core::delaunay::{Ties, triangulate};
 use acutile_core::format;
-use acutile_core::tiling::{AnyPointSet, AnyTiling, Tiling};
+use acutile_core::tiling::{AnyPointSet, AnyTiling, Facet, Tiling};
 use acutile_core::transcribe;
 use acutile_core::with_dimension;
 use acutile_io::import::cif::{CifOptions, is_cif, read_cif};
@@ -15,6 +15,7 @@ use acutile_io::mesh::{
 };
 use numpy::ndarray::ArrayView2;
 use pyo3::PyResult;
+use std::collections::BTreeSet;
 use std::fmt::Display;
 use std::path::Path;
 
@@ -23,6 +24,8 @@ pub struct Input {
     pub tiling: AnyTiling,
     /// The numbers of a mesh; nothing for other inputs.
     pub origin: Option<Origin>,
+    /// Facets on the sides of a periodic mesh that have no mate.
+    pub sides: BTreeSet<Facet>,
     pub notes: Vec<String>,
 }
 
@@ -31,6 +34,7 @@ impl Input {
         Input {
             tiling,
             origin: None,
+            sides: BTreeSet::new(),
             notes: Vec::new(),
         }
     }
@@ -124,8 +128,9 @@ pub fn of_mesh(mesh: Mesh, lattice: Option<&str>, tolerance: Option<f64>) -> PyR
     ];
     let notes = counts.iter().filter(|(count, _)| *count > 0);
     Ok(Input {
-        tiling: AnyTiling::Space(converted.tiling),
+        tiling: converted.tiling,
         origin: Some(converted.origin),
+        sides: converted.sides,
         notes: notes
             .map(|(count, words)| format!("{count} {words}"))
             .collect(),

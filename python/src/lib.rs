@@ -115,7 +115,8 @@ impl Tiling {
         max_defects: usize,
         progress: Option<Py<PyAny>>,
     ) -> PyResult<(String, Option<Bound<'py, PyBytes>>)> {
-        let options = answer::options(&require, max_defects)?;
+        let mut options = answer::options(&require, max_defects)?;
+        options.sides.clone_from(&self.0.sides);
         let input = Arc::clone(&self.0);
         let (json, cbor) = work(py, progress, move |step| {
             answer::certify(&input, &options, certificate, step)

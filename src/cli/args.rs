@@ -84,6 +84,9 @@ pub enum Command {
     ///
     /// Decides every numerical inequality, box and combinatorial lemma of docs/lower-bound.md in
     /// exact arithmetic. The exit code is 1 when one fails, and 3 when one is undecided.
+    #[command(after_long_help = examples!(
+        "\n  acutile lower-bound\n  acutile lower-bound --json > lower-bound.json"
+    ))]
     LowerBound(LowerBoundArguments),
     /// How good the simplices are: dihedral angles, radius-edge and aspect ratios
     #[command(after_long_help = examples!("\n  acutile quality part.vtu\n  acutile quality part.vtu --format svg -o angles.svg"))]

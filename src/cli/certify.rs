@@ -1,28 +1,29 @@
 //! `acutile certify`: proves tilings and writes their certificates.
 
+use super::answer::{Answer, Beside, Examined, Written, unwritten};
+use super::defects;
 use super::encoding::Encoding;
 use super::family::{self, FamilyArguments};
-use super::input::{self, FileArguments, Input};
+use super::input::{self, FileArguments, Loaded};
 use super::limits::LimitArguments;
 use super::outcome::Outcome;
 use super::output::{Output, Staged, write_file};
 use super::progress::Progress;
-use super::refutation::Refuted;
+use super::refutation::{Refuted, SHOWN};
+use super::second::{self, SecondLook};
 use super::target::{Target, targets};
 use super::theorem;
-use super::verify::{claim_json, summary};
 use acutile_catalog as catalog;
 use acutile_core::checker::{self, Defect, Names, Options};
 use acutile_core::family::AnyFamily;
 use acutile_core::format::{self, print};
-use acutile_core::proved::{Confirmed, NotProved, hexadecimal, prove_to};
+use acutile_core::proved::{Confirmed, NotProved, prove_to};
 use acutile_core::statement::{Requirement, in_words as statement_in_words};
 use acutile_core::tiling::Tiling;
 use acutile_core::transcribe;
 use acutile_core::with_dimension;
-use acutile_kernel::Verified;
 use clap::Args;
-use serde_json::{Value, json};
+use serde_json::Value;
 use std::io::{self, Cursor};
 use std::path::PathBuf;
 
@@ -55,7 +56,8 @@ pub struct CertifyArguments {
     pub format: Option<Encoding>,
     /// Statements that must hold: tiling, acute, nonobtuse, delaunay, weakly-delaunay, tcp,
     /// dihedral-below=DEGREES, dihedral-above=DEGREES, radius-edge-below=RATIO; in quotes also
-    /// 'dihedral<DEGREES', 'dihedral>DEGREES', 'radius-edge<RATIO'
+    /// 'dihedral<DEGREES', 'dihedral>DEGREES', 'radius-edge<RATIO'; and, by the prover alone,
+    /// connected, no-cavities, manifold-boundary
     #[arg(
         long = "require",
         value_name = "STATEMENT,STATEMENT",
@@ -76,6 +78,23 @@ pub struct CertifyArguments {
     /// How many defects of each kind to tell; all are counted. Without it 20, and with --json all
     #[arg(long, value_name = "N")]
     pub max_defects: Option<usize>,
+    /// Write exact numbers in full; without it only about, where they are long. JSON has them anyway
+    #[arg(long)]
+    pub exact: bool,
+    /// Elements of other types than the mesh's, which are not looked at, make the answer "declined"
+    #[arg(long)]
+    pub strict: bool,
+    /// Facets may lie against each other (cohesive zones, contact): prove that interiors are disjoint,
+    /// and count the pairs
+    #[arg(long)]
+    pub allow_contact: bool,
+    /// Compare the boundary of a bounded mesh with the triangles of a surface: STL, OBJ, or a mesh file
+    /// of triangles
+    #[arg(long, value_name = "SURFACE")]
+    pub fills: Option<PathBuf>,
+    /// Write the cells of the defects to this VTU file, for ParaView
+    #[arg(long, value_name = "FILE.vtu")]
+    pub defects: Option<PathBuf>,
     /// One JSON object a line: one for each input, and for a refuted one then one for each defect
     #[arg(long)]
     pub json: bool,
@@ -109,43 +128,31 @@ pub fn run(arguments: &CertifyArguments, output: &mut Output) -> Outcome {
     let mut worst = Outcome::Done;
     for (input, target) in inputs.iter().zip(targets) {
         let mut notes = Vec::new();
-        let answer = prove(input, &target, arguments, &mut notes, output).write(&target, output);
-        answer.report(input, &target, arguments, &notes, output);
-        worst = worst.and(answer.outcome());
+        let mut beside = Beside::default();
+        let answer = prove(input, &target, arguments, &mut notes, &mut beside, output);
+        let answer = answer.write(&target, output);
+        answer.report(input, &target, arguments, &notes, &beside, output);
+        worst = worst.and(strictly(answer.outcome(), arguments, &beside));
     }
     worst
 }
 
-/// What became of one input.
-pub(super) enum Answer {
-    Proved {
-        verified: Verified,
-        certificate: Written,
-    },
-    /// The same, with the certificate in its place.
-    Confirmed(Verified),
-    /// By the prover, without a certificate.
-    Examined(Box<Examined>),
-    Refuted(Box<Refuted>),
-    Failed(String),
-    Declined(String),
+/// With --strict nothing is done where elements that fill space were not looked at.
+fn strictly(outcome: Outcome, arguments: &CertifyArguments, beside: &Beside) -> Outcome {
+    let is_partial = beside.others.as_ref().is_some_and(|(_, fills)| *fills);
+    match outcome {
+        Outcome::Done if arguments.strict && is_partial => Outcome::Declined,
+        outcome => outcome,
+    }
 }
 
-/// What the prover alone says.
-pub(super) struct Examined {
-    vertices: usize,
-    simplices: usize,
-    words: String,
-    /// The statements as the claim of a certificate has them.
-    statements: Value,
-}
-
-/// Proves or refutes; `notes` gets what was done to the input before.
+/// Proves or refutes; `notes` gets what was done to the input before, `beside` what is said more.
 fn prove(
     input: &str,
     target: &Target,
     arguments: &CertifyArguments,
     notes: &mut Vec<String>,
+    beside: &mut Beside,
     output: &mut Output,
 ) -> Answer {
     match theorem::of_input(input, arguments) {
@@ -153,11 +160,16 @@ fn prove(
         Some(Err(message)) => return Answer::Failed(message),
         None => {}
     }
-    let mut named = match input::any(input, arguments.param.as_deref(), &arguments.file, output) {
-        Ok(Input::Tiling(named)) => named,
-        Ok(Input::Family(named)) => {
+    let loaded = input::open(input, arguments.param.as_deref(), &arguments.file, output);
+    let named = match loaded {
+        Ok(Loaded::Family(named)) => {
             return prove_family(&named.family, input, target, arguments, notes, output);
         }
+        Ok(loaded) => loaded.tiling(input, &arguments.file, output),
+        Err(error) => Err(error),
+    };
+    let mut named = match named {
+        Ok(named) => named,
         Err(error) if error.outcome == Outcome::Declined => {
             return Answer::Declined(error.message);
         }
@@ -182,6 +194,10 @@ fn prove(
         }
         Err(message) => return Answer::Failed(format!("{input}: {message}")),
     }
+    beside.others = second::others(&named);
+    if !named.curved.is_empty() {
+        return second::curved(input, &named, !arguments.required.is_empty());
+    }
     let options = Options {
         sides: std::mem::take(&mut named.sides),
         ..options(arguments)
@@ -191,7 +207,7 @@ fn prove(
         false => prove_tiling(t, input, &options, target, encoding(target, arguments)),
     });
     let findings = match proved {
-        Ok(answer) => return answer,
+        Ok(answer) => return second::after_proof(answer, &named, arguments, beside),
         Err(NotProved::Refuted(findings)) => findings,
         Err(NotProved::Declined(findings)) => {
             let message = findings.kept().first().map_or(
@@ -206,13 +222,30 @@ fn prove(
             return Answer::Declined(format!("{input}: {reason}"));
         }
     };
-    Answer::Refuted(Box::new(Refuted {
+    if arguments.allow_contact
+        && let Some(answer) = second::contact(&findings, &named, &options, target)
+    {
+        return answer;
+    }
+    let second: SecondLook = with_dimension!(&named.tiling, AnyTiling, t => {
+        second::look(t, &findings, &options)
+    });
+    let refuted = Refuted {
         tiling: named.tiling,
         origin: named.origin,
         point: None,
         notes: notes.clone(),
         findings,
-    }))
+        second,
+        is_exact: arguments.exact,
+        shown: arguments.max_defects.unwrap_or(SHOWN),
+    };
+    if let Some(path) = &arguments.defects
+        && let Err(error) = write_file(path, defects::vtu(&refuted).as_bytes())
+    {
+        return Answer::Failed(format!("{}: cannot be written: {error}", path.display()));
+    }
+    Answer::Refuted(Box::new(refuted))
 }
 
 /// Proves or refutes a family, and tells what else is found.
@@ -272,13 +305,15 @@ fn in_words<const D: usize>(tiling: &Tiling<D>, defect: &Defect) -> String {
     checker::describe::<D>(&Names::of(tiling), defect)
 }
 
-/// Twenty defects of each kind for people, all for machines, if not said otherwise.
+/// Twenty defects of each kind for people, all for machines and files, if not said otherwise.
 fn defect_limit(arguments: &CertifyArguments) -> usize {
-    const FOR_PEOPLE: usize = 20;
-    arguments.max_defects.unwrap_or(match arguments.json {
-        true => usize::MAX,
-        false => FOR_PEOPLE,
-    })
+    if arguments.defects.is_some() {
+        usize::MAX
+    } else if arguments.json {
+        arguments.max_defects.unwrap_or(usize::MAX)
+    } else {
+        arguments.max_defects.unwrap_or(SHOWN)
+    }
 }
 
 /// The prover's word alone.
@@ -352,147 +387,4 @@ pub(super) fn encoding(target: &Target, arguments: &CertifyArguments) -> Encodin
         _ => None,
     };
     arguments.format.or(by_name).unwrap_or(Encoding::Json)
-}
-
-/// A certificate that nobody can read as yet.
-pub(super) enum Written {
-    Bytes(Vec<u8>),
-    File(Staged),
-}
-
-impl Written {
-    /// Puts it where it is to be.
-    fn put(self, target: &Target, output: &mut Output) -> io::Result<()> {
-        match (self, target) {
-            (Written::Bytes(bytes), Target::StandardOutput) => output.bytes(&bytes),
-            (Written::Bytes(bytes), Target::File(path)) => write_file(path, &bytes)?,
-            (Written::File(staged), _) => staged.persist()?,
-            (Written::Bytes(_), Target::Nowhere) => {}
-        }
-        Ok(())
-    }
-}
-
-fn unwritten(target: &Target, error: &io::Error) -> Answer {
-    let place = match target {
-        Target::File(path) => path.display().to_string(),
-        _ => "the certificate".to_owned(),
-    };
-    Answer::Failed(format!("{place}: cannot be written: {error}"))
-}
-
-impl Answer {
-    /// Puts a certificate where it is to be; where that fails, so does the input.
-    fn write(self, target: &Target, output: &mut Output) -> Answer {
-        let Answer::Proved {
-            verified,
-            certificate,
-        } = self
-        else {
-            return self;
-        };
-        match certificate.put(target, output) {
-            Ok(()) => Answer::Confirmed(verified),
-            Err(error) => unwritten(target, &error),
-        }
-    }
-
-    fn outcome(&self) -> Outcome {
-        match self {
-            Answer::Proved { .. } | Answer::Confirmed(_) | Answer::Examined(..) => Outcome::Done,
-            Answer::Refuted(_) => Outcome::Refuted,
-            Answer::Failed(_) => Outcome::Failed,
-            Answer::Declined(_) => Outcome::Declined,
-        }
-    }
-
-    /// Tells the answer, on standard error where standard output has the certificate.
-    fn report(
-        &self,
-        input: &str,
-        target: &Target,
-        arguments: &CertifyArguments,
-        notes: &[String],
-        output: &mut Output,
-    ) {
-        let as_json = arguments.json;
-        let to_error = matches!(target, Target::StandardOutput);
-        let (mut words, mut data) = match self {
-            Answer::Refuted(refuted) => return refuted.tell(input, as_json, to_error, output),
-            Answer::Proved { verified, .. } | Answer::Confirmed(verified) => {
-                let (words, data) = proved(verified, input, target);
-                match arguments.cite {
-                    true => (format!("{words}; {}", notes.join("; ")), data),
-                    false => (words, data),
-                }
-            }
-            Answer::Examined(examined) => examined.report(input),
-            Answer::Failed(message) => (
-                format!("acutile: {message}"),
-                json!({ "input": input, "verdict": "failed", "message": message }),
-            ),
-            Answer::Declined(message) => (
-                format!("acutile: declined: {message}"),
-                json!({ "input": input, "verdict": "declined", "message": message }),
-            ),
-        };
-        let is_failure = matches!(self, Answer::Failed(_) | Answer::Declined(_));
-        data["notes"] = json!(notes);
-        if arguments.file.mesh.identify.is_some() && !is_failure {
-            words.push_str("; this is about the mesh with its nodes moved by --identify");
-        }
-        match as_json {
-            true if to_error => output.complain(data),
-            true => output.line(data),
-            false if to_error || is_failure => output.complain(words),
-            false => output.line(words),
-        }
-    }
-}
-
-/// A proof in words and as data.
-fn proved(verified: &Verified, input: &str, target: &Target) -> (String, Value) {
-    let path = match target {
-        Target::File(path) => Some(path.to_string_lossy()),
-        _ => None,
-    };
-    let words = format!("{input}: proved: {}", summary(verified));
-    let data = json!({
-        "input": input,
-        "verdict": "proved",
-        "statements": claim_json(verified)["statements"],
-        "vertices": verified.vertices,
-        "simplices": verified.simplices,
-        "sha256": hexadecimal(&verified.sha256),
-        "certificate": path,
-    });
-    match path {
-        Some(path) => (format!("{words}; {path}"), data),
-        None => (words, data),
-    }
-}
-
-impl Examined {
-    /// A proof without a certificate, which says so.
-    fn report(&self, input: &str) -> (String, Value) {
-        let Examined {
-            vertices,
-            simplices,
-            words,
-            statements,
-        } = self;
-        let words = format!(
-            "{input}: proved by the prover alone, no certificate: {words} ({vertices} vertices, {simplices} simplices)"
-        );
-        let data = json!({
-            "input": input,
-            "verdict": "proved",
-            "statements": statements,
-            "vertices": vertices,
-            "simplices": simplices,
-            "certificate": null,
-            "kernel": false,
-        });
-        (words, data)
-    }
 }

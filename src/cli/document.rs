@@ -24,6 +24,15 @@ pub struct Document {
     pub notes: Vec<String>,
 }
 
+/// The points of a file.
+pub struct PointDocument {
+    pub description: String,
+    pub set: AnyPointSet,
+    pub labels: Vec<String>,
+    pub elements: Vec<Option<&'static str>>,
+    pub notes: Vec<String>,
+}
+
 /// Reads a crystal structure or one of the program's own files, and prints the notes on it.
 ///
 /// # Errors
@@ -48,7 +57,10 @@ pub fn read(
         return Err(format!("{}: {message}", path.display()).into());
     }
     let file = read_native(text).map_err(named)?;
-    let words: Vec<String> = [file.name, file.description].into_iter().flatten().collect();
+    let words: Vec<String> = [file.name, file.description]
+        .into_iter()
+        .flatten()
+        .collect();
     Ok(Document {
         description: words.join(": "),
         content: file.content,

@@ -67,9 +67,7 @@ fn tiling_file(arguments: &ExportArguments, output: &mut Output) -> Result<Strin
         &arguments.file,
         output,
     )
-    .and_then(
-        |named| with_dimension!(&named.tiling, AnyTiling, t => text(t, &named, arguments)),
-    )
+    .and_then(|named| with_dimension!(&named.tiling, AnyTiling, t => text(t, &named, arguments)))
 }
 
 fn text<const D: usize>(

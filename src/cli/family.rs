@@ -1,9 +1,11 @@
 //! `acutile certify` for families: a tiling for each point of a box of parameters.
 
-use super::certify::{Answer, CertifyArguments, Written, encoding, options};
+use super::answer::{Answer, Written};
+use super::certify::{CertifyArguments, encoding, options};
 use super::encoding::Encoding;
 use super::progress::Progress;
-use super::refutation::Refuted;
+use super::refutation::{Refuted, SHOWN};
+use super::second::SecondLook;
 use super::target::Target;
 use acutile_core::checker::Options;
 use acutile_core::family::free::{self, Free};
@@ -91,7 +93,13 @@ pub fn prove(
             }
             Err(Grown::Failed(message)) => return Answer::Failed(format!("{input}: {message}")),
             Err(Grown::Prover(error)) => {
-                return refused(family, input, FamilyNotProved::Prover(error), notes);
+                return refused(
+                    family,
+                    input,
+                    FamilyNotProved::Prover(error),
+                    notes,
+                    arguments,
+                );
             }
         },
     };
@@ -99,7 +107,7 @@ pub fn prove(
     let proved = with_family!(family, f => family::prove(f, &options, &step));
     match proved {
         Ok(proved) => answer(proved, target, arguments, notes),
-        Err(error) => refused(family, input, error, notes),
+        Err(error) => refused(family, input, error, notes, arguments),
     }
 }
 
@@ -186,7 +194,13 @@ fn answer(
     }
 }
 
-fn refused(family: &AnyFamily, input: &str, error: FamilyNotProved, notes: &[String]) -> Answer {
+fn refused(
+    family: &AnyFamily,
+    input: &str,
+    error: FamilyNotProved,
+    notes: &[String],
+    arguments: &CertifyArguments,
+) -> Answer {
     let names = with_family!(family, f => f.names());
     match error {
         FamilyNotProved::Prover(NotProvable::Malformed(error)) => {
@@ -202,6 +216,9 @@ fn refused(family: &AnyFamily, input: &str, error: FamilyNotProved, notes: &[Str
                 origin: None,
                 notes: notes.to_vec(),
                 findings,
+                second: SecondLook::default(),
+                is_exact: arguments.exact,
+                shown: arguments.max_defects.unwrap_or(SHOWN),
             }))
         }
         FamilyNotProved::Unconfirmed(refusal) => Answer::Declined(format!(

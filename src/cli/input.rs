@@ -1,7 +1,7 @@
 //! A name of the catalogue or a file, turned into a tiling; a point set becomes its
 //! Delaunay triangulation.
 
-use super::document;
+use super::document::{self, PointDocument};
 use super::mesh::{self, MeshArguments};
 use super::named::{InputError, Named, NamedFamily};
 use super::output::Output;
@@ -17,7 +17,6 @@ use acutile_io::import::{
 };
 use acutile_io::mesh::{Family, load, unknown};
 use clap::Args;
-use std::collections::BTreeSet;
 use std::path::Path;
 
 /// How a file becomes a tiling.
@@ -27,31 +26,6 @@ pub struct FileArguments {
     pub points: PointArguments,
     #[command(flatten)]
     pub mesh: MeshArguments,
-}
-
-/// What an input is.
-pub enum Input {
-    /// A single tiling.
-    Tiling(Named),
-    /// A tiling for each point of a box.
-    Family(NamedFamily),
-}
-
-impl Input {
-    /// The tiling, for commands that take nothing else.
-    ///
-    /// # Errors
-    /// A message that names the input.
-    pub fn tiling(self) -> Result<Named, InputError> {
-        match self {
-            Input::Tiling(named) => Ok(named),
-            Input::Family(NamedFamily { name, .. }) => Err(format!(
-                "{name}: a tiling for each point of a box of parameters, expected a single tiling; \
-                 `acutile certify` and `acutile show` take it"
-            )
-            .into()),
-        }
-    }
 }
 
 /// The tiling of a catalogue name, for a parameter if one is given, or of a file. What is to
@@ -65,19 +39,45 @@ pub fn tiling(
     options: &FileArguments,
     output: &mut Output,
 ) -> Result<Named, InputError> {
-    any(input, parameter, options, output)?.tiling()
+    open(input, parameter, options, output)?.tiling(input, options, output)
 }
 
-/// The same, or a family.
+/// A tiling, the points of a file that are not triangulated yet, or a tiling for each point of a box.
+pub enum Loaded {
+    Tiling(Named),
+    Points(PointDocument),
+    Family(NamedFamily),
+}
+
+impl Loaded {
+    /// The tiling, for commands that take nothing else.
+    ///
+    /// # Errors
+    /// A message that names the input.
+    pub fn tiling(
+        self,
+        input: &str,
+        options: &FileArguments,
+        output: &mut Output,
+    ) -> Result<Named, InputError> {
+        match self {
+            Loaded::Tiling(named) => Ok(named),
+            Loaded::Points(points) => of_points(input, points, &options.points, output),
+            Loaded::Family(named) => Err(named.is_no_tiling()),
+        }
+    }
+}
+
+/// As [`tiling`], but points stay points.
 ///
 /// # Errors
 /// A message that names the input.
-pub fn any(
+pub fn open(
     input: &str,
     parameter: Option<&str>,
     options: &FileArguments,
     output: &mut Output,
-) -> Result<Input, InputError> {
+) -> Result<Loaded, InputError> {
     if let Some(theorem) = catalog::theorem(input) {
         let message = format!(
             "{input}: a theorem and no tiling; certify, show and verify take it, and {}NAME is one of its tilings",
@@ -89,22 +89,18 @@ pub fn any(
         document::check_for_crystal(input, &options.points)?;
         check_for_mesh(input, &options.mesh)?;
         if let Some(family) = entry.build_family() {
-            return Ok(Input::Family(NamedFamily {
+            return Ok(Loaded::Family(NamedFamily {
                 name: input.to_owned(),
                 description: entry.description.to_owned(),
                 family: family.map_err(|error| format!("{input}: {error}"))?,
             }));
         }
         let tiling = construction(input, parameter)?;
-        return Ok(Input::Tiling(Named {
-            name: input.to_owned(),
-            description: entry.description.to_owned(),
+        return Ok(Loaded::Tiling(Named::of(
+            input,
+            entry.description.to_owned(),
             tiling,
-            origin: None,
-            sides: BTreeSet::new(),
-            notes: Vec::new(),
-            labels: Vec::new(),
-        }));
+        )));
     }
     let path = Path::new(input);
     if input != "-" && !path.exists() && !input.contains(['/', '.']) {
@@ -120,7 +116,7 @@ pub fn any(
         return Err(format!("{input}: a file takes no parameter (--param)").into());
     }
     let content = text_or_mesh(path, &options.mesh)?;
-    of_content(input, content, options, output)
+    load_content(input, content, options, output)
 }
 
 /// The tiling or family of a file's content.
@@ -132,10 +128,19 @@ pub fn of_content(
     content: TextOrMesh,
     options: &FileArguments,
     output: &mut Output,
-) -> Result<Input, InputError> {
+) -> Result<Named, InputError> {
+    load_content(input, content, options, output)?.tiling(input, options, output)
+}
+
+fn load_content(
+    input: &str,
+    content: TextOrMesh,
+    options: &FileArguments,
+    output: &mut Output,
+) -> Result<Loaded, InputError> {
     match content {
         TextOrMesh::Mesh(loaded) => {
-            mesh::tiling(input, loaded, &options.mesh, output).map(Input::Tiling)
+            mesh::tiling(input, loaded, &options.mesh, output).map(Loaded::Tiling)
         }
         TextOrMesh::Text(text) => {
             check_for_mesh(input, &options.mesh)?;
@@ -150,7 +155,7 @@ pub fn of_content(
 }
 
 /// The tiling or family of a certificate, which is not judged here.
-fn of_certificate(input: &str, bytes: &[u8]) -> Result<Input, InputError> {
+fn of_certificate(input: &str, bytes: &[u8]) -> Result<Loaded, InputError> {
     let cbor = transcribe::cbor(input, bytes)?;
     if theorem::is_theorem(&cbor) {
         let message = format!(
@@ -162,7 +167,7 @@ fn of_certificate(input: &str, bytes: &[u8]) -> Result<Input, InputError> {
     if format::kind(&cbor) == Some(format::FAMILY) {
         let read = acutile_core::transcribe::family::of_certificate(&cbor);
         let (family, ..) = read.map_err(|error| format!("{input}: {error}"))?;
-        return Ok(Input::Family(NamedFamily {
+        return Ok(Loaded::Family(NamedFamily {
             name,
             description: "the family of a certificate".to_owned(),
             family,
@@ -170,15 +175,8 @@ fn of_certificate(input: &str, bytes: &[u8]) -> Result<Input, InputError> {
     }
     let (tiling, _) = acutile_core::transcribe::of_certificate(&cbor)
         .map_err(|error| format!("{input}: {error}"))?;
-    Ok(Input::Tiling(Named {
-        name,
-        description: "the tiling of a certificate".to_owned(),
-        tiling,
-        origin: None,
-        sides: BTreeSet::new(),
-        notes: Vec::new(),
-        labels: Vec::new(),
-    }))
+    let description = "the tiling of a certificate".to_owned();
+    Ok(Loaded::Tiling(Named::of(input, description, tiling)))
 }
 
 /// A construction of the catalogue; `square-triangle:FILE` reads its file.
@@ -197,37 +195,48 @@ fn construction(name: &str, parameter: Option<&str>) -> Result<AnyTiling, String
     tiling.map_err(|error| format!("{name}: {error}"))
 }
 
-/// The tiling or family of a file's text; a point set becomes its Delaunay triangulation.
-///
-/// # Errors
-/// A message that names the input.
+/// The tiling or the points of a file's text.
 fn of_text(
     input: &str,
     text: &str,
     points: &PointArguments,
     output: &mut Output,
-) -> Result<Input, InputError> {
+) -> Result<Loaded, InputError> {
     let file = document::read(Path::new(input), text, points, output)?;
-    let tiling = match file.content {
-        Content::Tiling(tiling) => tiling,
-        Content::Points(set) => points::of_points(input, &set, points, output)?,
-        Content::Family(family) => {
-            return Ok(Input::Family(NamedFamily {
-                name: input.to_owned(),
-                description: file.description,
-                family,
-            }));
-        }
-    };
-    Ok(Input::Tiling(Named {
-        name: input.to_owned(),
-        description: file.description,
-        tiling,
-        origin: None,
-        sides: BTreeSet::new(),
-        notes: file.notes,
-        labels: file.labels,
-    }))
+    Ok(match file.content {
+        Content::Points(set) => Loaded::Points(PointDocument {
+            description: file.description,
+            set,
+            labels: file.labels,
+            elements: file.elements,
+            notes: file.notes,
+        }),
+        Content::Family(family) => Loaded::Family(NamedFamily {
+            name: input.to_owned(),
+            description: file.description,
+            family,
+        }),
+        Content::Tiling(tiling) => Loaded::Tiling(Named {
+            notes: file.notes,
+            labels: file.labels,
+            ..Named::of(input, file.description, tiling)
+        }),
+    })
+}
+
+/// The Delaunay triangulation of the points of a file.
+fn of_points(
+    input: &str,
+    points: PointDocument,
+    arguments: &PointArguments,
+    output: &mut Output,
+) -> Result<Named, InputError> {
+    let tiling = points::of_points(input, &points.set, arguments, output)?;
+    Ok(Named {
+        notes: points.notes,
+        labels: points.labels,
+        ..Named::of(input, points.description, tiling)
+    })
 }
 
 /// The options for a mesh mean nothing for `input`, which is none.

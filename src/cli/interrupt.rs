@@ -3,7 +3,6 @@
 //!
 //! `tempfile` removes a file when it is dropped, and a signal drops nothing. The list is locked while a
 //! file is made or gets its name, and stays locked once the program ends: no file escapes it.
-//! Called by `output`, and by `main` at the start.
 
 use std::collections::BTreeSet;
 use std::fs::{self, File};

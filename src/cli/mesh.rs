@@ -62,6 +62,8 @@ pub fn tiling(
         loaded.mesh.cell_count(),
         loaded.mesh.cell_name()
     );
+    let others = loaded.mesh.others.clone();
+    let curved = loaded.mesh.curved_elements();
     let (converted, notes) = converted(input, loaded.mesh, options)?;
     for note in &notes {
         output.complain(format!("{input}: {note}"));
@@ -76,6 +78,8 @@ pub fn tiling(
         tiling: converted.tiling,
         origin: Some(converted.origin),
         sides: converted.sides,
+        others,
+        curved,
         notes,
         labels: Vec::new(),
     })
@@ -135,6 +139,13 @@ fn mesh_notes(mesh: &Mesh) -> Vec<String> {
     let mut notes = Vec::new();
     if !mesh.others.is_empty() {
         notes.push(format!("not looked at: {}", mesh.other_counts()));
+    }
+    if !mesh.curved.is_empty() {
+        notes.push(format!(
+            "{} tetrahedra of second order are curved; all but certify takes the straight ones with \
+             the same corners",
+            mesh.curved.len()
+        ));
     }
     if mesh.turned > 0 {
         notes.push(format!(

@@ -8,12 +8,14 @@
 //! | 3 | declined: a limit, an undecided sign, an unknown version |
 //! | 130 | interrupted |
 
+mod answer;
 mod appendix;
 mod args;
 mod bundle;
 mod certify;
 mod classify;
 mod convert;
+mod defects;
 mod delaunay;
 mod document;
 mod draw;
@@ -38,8 +40,11 @@ mod progress;
 mod proved;
 mod quality;
 mod refutation;
+mod region;
 mod report;
+mod second;
 mod show;
+mod sites;
 mod table;
 mod target;
 mod theorem;

@@ -1,11 +1,12 @@
 //! A tiling with its name, or why there is none.
 
 use super::outcome::Outcome;
+use acutile_core::curved::Nodes;
 use acutile_core::family::AnyFamily;
-use acutile_core::tiling::{AnyTiling, Facet};
+use acutile_core::tiling::{AnyTiling, Facet, SimplexId};
 use acutile_io::import::ImportError;
 use acutile_io::mesh::{MeshError, Origin};
-use std::collections::BTreeSet;
+use std::collections::{BTreeMap, BTreeSet};
 use std::path::Path;
 
 /// Where a tiling comes from, with its name for messages and for the file name of
@@ -21,7 +22,11 @@ pub struct Named {
     pub origin: Option<Origin>,
     /// Facets on the sides of a periodic mesh that have no mate.
     pub sides: BTreeSet<Facet>,
-    /// What was told of a mesh file or a crystal structure: what was moved, turned, or not looked at.
+    /// Elements of other types in a mesh file, by name.
+    pub others: BTreeMap<String, usize>,
+    /// The curved tetrahedra of a mesh.
+    pub curved: Vec<(SimplexId, Nodes)>,
+    /// Notes on a mesh file or a crystal structure: nodes moved, tetrahedra turned, parts not read.
     pub notes: Vec<String>,
     /// For each vertex the label of its site; empty if there are none.
     pub labels: Vec<String>,
@@ -35,6 +40,34 @@ pub struct NamedFamily {
     pub description: String,
     /// The family.
     pub family: AnyFamily,
+}
+
+impl NamedFamily {
+    /// For commands that take single tilings.
+    pub fn is_no_tiling(&self) -> InputError {
+        let name = &self.name;
+        InputError::from(format!(
+            "{name}: a tiling for each point of a box of parameters, expected a single tiling; \
+             `acutile certify` and `acutile show` take it"
+        ))
+    }
+}
+
+impl Named {
+    /// A tiling that comes from no mesh.
+    pub fn of(name: &str, description: String, tiling: AnyTiling) -> Self {
+        Named {
+            name: name.to_owned(),
+            description,
+            tiling,
+            origin: None,
+            sides: BTreeSet::new(),
+            others: BTreeMap::new(),
+            curved: Vec::new(),
+            notes: Vec::new(),
+            labels: Vec::new(),
+        }
+    }
 }
 
 /// Why there is no input, in words that name it, and what that makes of the command.

@@ -33,10 +33,18 @@ pub struct PointArguments {
     pub as_written: bool,
     /// The sites that are taken, by label or element (repeat the option, or separate by commas and
     /// put labels with a comma in double quotes)
-    #[arg(long, value_name = "LABEL,ELEMENT", help_heading = "Crystal structures")]
+    #[arg(
+        long,
+        value_name = "LABEL,ELEMENT",
+        help_heading = "Crystal structures"
+    )]
     pub only: Vec<String>,
     /// The sites that are left out, by label or element
-    #[arg(long, value_name = "LABEL,ELEMENT", help_heading = "Crystal structures")]
+    #[arg(
+        long,
+        value_name = "LABEL,ELEMENT",
+        help_heading = "Crystal structures"
+    )]
     pub except: Vec<String>,
     /// Take sites as atoms whatever their occupancy, and those at one place as one
     #[arg(long, help_heading = "Crystal structures")]
@@ -130,7 +138,7 @@ pub fn tiling<const D: usize>(
 
 /// A set that has several triangulations, or none within the limits, is declined;
 /// one that is not a point set of the frame is bad input.
-fn outcome_of(error: &DelaunayError) -> Outcome {
+pub fn outcome_of(error: &DelaunayError) -> Outcome {
     match error {
         DelaunayError::Empty
         | DelaunayError::NotSymmetric

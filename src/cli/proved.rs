@@ -35,9 +35,18 @@ pub fn proved(
                 return Proved::of_certificate(stem(input), String::new(), &bytes, limits)
                     .map_err(refused);
             }
-            other => input::of_content(input, other, options, output)?.tiling()?,
+            other => input::of_content(input, other, options, output)?,
         },
     };
+    if !named.sides.is_empty() {
+        return Err(InputError {
+            message: format!(
+                "{input}: {} facets on the sides of the periodic mesh have no mate; certify lists them",
+                named.sides.len()
+            ),
+            outcome: Outcome::Refuted,
+        });
+    }
     let name = match catalog::find(input) {
         Some(_) => named.name,
         None => stem(input),

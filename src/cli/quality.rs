@@ -5,10 +5,16 @@ use super::named::Named;
 use super::outcome::Outcome;
 use super::output::{Output, write_text};
 use super::progress::Progress;
+use acutile_core::checker::{self, Names};
+use acutile_core::statement::Requirement;
 use acutile_core::statistics::{self, Statistics};
-use acutile_core::tiling::SimplexId;
+use acutile_core::tiling::{SimplexId, Tiling};
 use acutile_core::with_dimension;
+use acutile_io::mesh::Origin;
 use clap::{Args, ValueEnum};
+use malachite::Rational;
+use serde_json::json;
+use std::collections::BTreeMap;
 use std::path::PathBuf;
 
 #[derive(Debug, Args)]
@@ -27,6 +33,21 @@ pub struct QualityArguments {
     /// How to write it: text has everything, the others the histogram
     #[arg(long, value_enum, default_value = "text")]
     pub format: QualityFormat,
+    /// List the simplices with a dihedral angle of at most so many degrees
+    #[arg(long, value_name = "DEGREES", value_parser = degrees)]
+    pub below: Option<Rational>,
+    /// List the simplices with a dihedral angle of at least so many degrees
+    #[arg(long, value_name = "DEGREES", value_parser = degrees)]
+    pub above: Option<Rational>,
+    /// List the simplices with a radius-edge ratio of at least this
+    #[arg(long, value_name = "RATIO", value_parser = ratio)]
+    pub ratio_above: Option<Rational>,
+    /// How many offenders of each kind to list; all are counted
+    #[arg(long, value_name = "N", default_value_t = 20)]
+    pub max_offenders: usize,
+    /// One JSON object with all figures
+    #[arg(long, conflicts_with = "format")]
+    pub json: bool,
     /// Write here and not to standard output
     #[arg(short, long, value_name = "FILE")]
     pub output: Option<PathBuf>,
@@ -47,6 +68,66 @@ fn divisor_of_180(text: &str) -> Result<u32, String> {
     }
 }
 
+fn degrees(text: &str) -> Result<Rational, String> {
+    match format!("dihedral<{text}").parse()? {
+        Requirement::DihedralBelow(bound) => Ok(bound),
+        _ => Err("expected degrees".to_owned()),
+    }
+}
+
+fn ratio(text: &str) -> Result<Rational, String> {
+    match format!("radius-edge<{text}").parse()? {
+        Requirement::RadiusEdgeBelow(bound) => Ok(bound),
+        _ => Err("expected a ratio".to_owned()),
+    }
+}
+
+impl QualityArguments {
+    /// The thresholds as requirements that offenders do not fulfil.
+    fn thresholds(&self) -> Vec<Requirement> {
+        let below = self.below.clone().map(Requirement::DihedralAbove);
+        let above = self.above.clone().map(Requirement::DihedralBelow);
+        let ratio = self.ratio_above.clone().map(Requirement::RadiusEdgeBelow);
+        [below, above, ratio].into_iter().flatten().collect()
+    }
+}
+
+/// Offenders in words, after a line with their number.
+struct Offenders {
+    counts: BTreeMap<&'static str, usize>,
+    lines: Vec<String>,
+}
+
+fn offenders<const D: usize>(
+    tiling: &Tiling<D>,
+    statistics: &Statistics,
+    arguments: &QualityArguments,
+    origin: Option<&Origin>,
+) -> Offenders {
+    let (findings, kept) = checker::offenders(
+        tiling,
+        &statistics.left_out,
+        &arguments.thresholds(),
+        arguments.max_offenders,
+    );
+    let names = Names::new(
+        |simplex| match origin {
+            Some(origin) => format!("element {}", origin.tetrahedron(kept[simplex.index()]).tag),
+            None => format!("simplex {}", kept[simplex.index()]),
+        },
+        |simplex, corner| match origin {
+            Some(origin) => origin.corner(kept[simplex.index()], corner).to_string(),
+            None => tiling.simplex(kept[simplex.index()])[corner].to_string(),
+        },
+        |vertex| format!("vertex {vertex}"),
+    );
+    let kept = findings.kept().iter();
+    Offenders {
+        lines: kept.map(|d| checker::describe::<D>(&names, d)).collect(),
+        counts: findings.counts().clone(),
+    }
+}
+
 /// Prints or writes the figures.
 pub fn run(arguments: &QualityArguments, output: &mut Output) -> Outcome {
     let input = &arguments.input;
@@ -62,18 +143,41 @@ pub fn run(arguments: &QualityArguments, output: &mut Output) -> Outcome {
     progress.step("quality");
     let statistics =
         with_dimension!(&named.tiling, AnyTiling, t => statistics::statistics(t, arguments.bin));
+    let offenders = with_dimension!(&named.tiling, AnyTiling, t => {
+        offenders(t, &statistics, arguments, named.origin.as_ref())
+    });
     drop(progress);
-    let text = rendered(&statistics, arguments.format, &named);
+    let text = rendered(&statistics, &offenders, arguments, &named);
     write_text(arguments.output.as_deref(), &text, output)
 }
 
-fn rendered(statistics: &Statistics, format: QualityFormat, named: &Named) -> String {
+fn rendered(
+    statistics: &Statistics,
+    offenders: &Offenders,
+    arguments: &QualityArguments,
+    named: &Named,
+) -> String {
     let simplex = |simplex: SimplexId| match &named.origin {
         Some(origin) => format!("element {}", origin.tetrahedron(simplex).tag),
         None => format!("simplex {simplex}"),
     };
-    match format {
-        QualityFormat::Text => statistics::text(statistics, &simplex),
+    if arguments.json {
+        let mut data = statistics::data(statistics, &simplex);
+        data["input"] = json!(named.name);
+        data["offenders"] = json!({ "counts": offenders.counts, "first": offenders.lines });
+        return format!("{data}\n");
+    }
+    match arguments.format {
+        QualityFormat::Text => {
+            let mut text = statistics::text(statistics, &simplex);
+            for (code, count) in &offenders.counts {
+                text.push_str(&format!("{code}: {count}\n"));
+            }
+            for line in &offenders.lines {
+                text.push_str(&format!("  {line}\n"));
+            }
+            text
+        }
         QualityFormat::Csv => statistics::csv(statistics),
         QualityFormat::Svg => statistics::svg(statistics, &named.name),
     }

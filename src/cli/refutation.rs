@@ -2,7 +2,9 @@
 //! count, the first of each with names, coordinates and advice; or all of them, one JSON object
 //! a line.
 
+use super::named::Named;
 use super::output::Output;
+use super::second::{SecondLook, counts};
 use acutile_core::advice::{Advice, Adviser};
 use acutile_core::checker::{Defect, Findings, Names, defect_data, describe};
 use acutile_core::quality::short_point;
@@ -22,12 +24,35 @@ pub struct Refuted {
     /// What was done to the input before.
     pub notes: Vec<String>,
     pub findings: Findings,
+    /// What becomes of it after a repair.
+    pub second: SecondLook,
+    /// Whether long numbers are written in full.
+    pub is_exact: bool,
+    /// How many defects of each kind are told to people.
+    pub shown: usize,
 }
+
+/// So many defects of each kind are told to people, if not said otherwise.
+pub const SHOWN: usize = 20;
 
 /// Advice takes time, so it is given for so many defects of each kind.
 const ADVISED: usize = 20;
 
 impl Refuted {
+    /// Defects of a tiling that was read.
+    pub fn of(named: &Named, findings: Findings) -> Self {
+        Refuted {
+            point: None,
+            tiling: named.tiling.clone(),
+            origin: named.origin.clone(),
+            notes: named.notes.clone(),
+            findings,
+            second: SecondLook::default(),
+            is_exact: false,
+            shown: SHOWN,
+        }
+    }
+
     /// Tells about the refutation of `input`: lines for people, or JSON objects; on standard error
     /// where standard output has something else.
     pub fn tell(&self, input: &str, as_json: bool, to_error: bool, output: &mut Output) {
@@ -36,7 +61,7 @@ impl Refuted {
             false => output.line(text),
         };
         with_dimension!(&self.tiling, AnyTiling, t => {
-            let names = names(t, self.origin.as_ref());
+            let names = names(t, self.origin.as_ref(), self.is_exact);
             match as_json {
                 true => self.in_json(t, &names, input, &mut line),
                 false => self.in_words(t, &names, input, &mut line),
@@ -53,11 +78,31 @@ impl Refuted {
     ) {
         let place = self.point.as_ref().map(|point| format!(" at {point}"));
         let place = place.unwrap_or_default();
-        line(format!("{input}: refuted{place}: {}", self.counts()));
+        if let Some(sentence) = &self.second.instead {
+            return line(format!("{input}: refuted{place}: {sentence}"));
+        }
+        line(format!(
+            "{input}: refuted{place}: {}",
+            counts(&self.findings)
+        ));
+        for sentence in &self.second.sentences {
+            line(format!("  > {sentence}"));
+        }
+        let consequences = self.findings.consequences().iter();
+        let consequences: Vec<String> = consequences
+            .map(|(code, n)| format!("{n} {code}"))
+            .collect();
+        if !consequences.is_empty() {
+            line(format!(
+                "  consequences of these: {}",
+                consequences.join(", ")
+            ));
+        }
         let adviser = Adviser::new(tiling);
         for (code, count) in self.findings.counts() {
             let kept = self.findings.kept().iter();
-            let kept: Vec<&Defect> = kept.filter(|defect| defect.code() == *code).collect();
+            let kept = kept.filter(|defect| defect.code() == *code);
+            let kept: Vec<&Defect> = kept.take(self.shown).collect();
             match kept.len() {
                 0 => continue,
                 n if n < *count => line(format!("  {code}: {count}, the first {n}:")),
@@ -89,6 +134,8 @@ impl Refuted {
             "verdict": "refuted",
             "counts": counts,
             "notes": self.notes,
+            "consequences": self.findings.consequences(),
+            "after_repair": self.second.instead.iter().chain(&self.second.sentences).collect::<Vec<_>>(),
         });
         if let Some(point) = &self.point {
             head["point"] = json!(point);
@@ -142,20 +189,16 @@ impl Refuted {
     fn told<const D: usize>(&self, advice: &Advice<D>, names: &Names) -> String {
         in_words(advice, names, &|point| self.point(point))
     }
-
-    fn counts(&self) -> String {
-        let pairs = self.findings.counts().iter();
-        pairs
-            .map(|(code, count)| format!("{count} {code}"))
-            .collect::<Vec<_>>()
-            .join(", ")
-    }
 }
 
 /// Indices, or the numbers of the file that a mesh was read from.
-fn names<'a, const D: usize>(tiling: &'a Tiling<D>, origin: Option<&'a Origin>) -> Names<'a> {
+pub fn names<'a, const D: usize>(
+    tiling: &'a Tiling<D>,
+    origin: Option<&'a Origin>,
+    is_exact: bool,
+) -> Names<'a> {
     let Some(origin) = origin else {
-        return Names::of(tiling);
+        return Names::of(tiling).exact(is_exact);
     };
     Names::new(
         |simplex| {
@@ -168,6 +211,8 @@ fn names<'a, const D: usize>(tiling: &'a Tiling<D>, origin: Option<&'a Origin>) 
         |simplex, corner| origin.corner(simplex, corner).to_string(),
         |vertex| format!("node {}", origin.vertex(vertex)),
     )
+    .with_labels(|simplex| Some(origin.label_name(origin.label(simplex)?)))
+    .exact(is_exact)
 }
 
 fn advice<const D: usize>(adviser: &Adviser<D>, defect: &Defect, index: usize) -> Vec<Advice<D>> {

@@ -1,6 +1,7 @@
 //! `acutile show`: what a tiling is, before anything about it is proved.
 
-use super::input::{self, FileArguments, Input};
+use super::input::{self, FileArguments, Loaded};
+use super::named::InputError;
 use super::outcome::Outcome;
 use super::output::Output;
 use super::theorem;
@@ -31,7 +32,13 @@ pub struct ShowArguments {
     /// goldberg-1, -2 and -3, epsilon of two-corners
     #[arg(long, value_name = "VALUE", allow_hyphen_values = true)]
     pub param: Option<String>,
+    /// List all shapes, and not only the first 20
+    #[arg(long)]
+    pub all: bool,
 }
+
+/// Shapes that are printed without --all.
+const SHAPES: usize = 20;
 
 /// Prints counts, lattice, field and shapes.
 pub fn run(arguments: &ShowArguments, output: &mut Output) -> Outcome {
@@ -44,27 +51,32 @@ pub fn run(arguments: &ShowArguments, output: &mut Output) -> Outcome {
             }
         };
     }
-    match input::any(
+    match input::open(
         &arguments.input,
         arguments.param.as_deref(),
         &arguments.file,
         output,
     ) {
-        Ok(Input::Family(named)) => {
+        Ok(Loaded::Family(named)) => {
             output.line(format!("{}: {}", named.name, named.description));
             with_family!(&named.family, f => show_family(f, output));
             Outcome::Done
         }
-        Ok(Input::Tiling(named)) => {
-            output.line(format!("{}: {}", named.name, named.description));
-            with_dimension!(&named.tiling, AnyTiling, t => show(t, output));
-            Outcome::Done
-        }
-        Err(error) => {
-            output.complain(format!("acutile: {}", error.message));
-            error.outcome
-        }
+        Ok(loaded) => match loaded.tiling(&arguments.input, &arguments.file, output) {
+            Ok(named) => {
+                output.line(format!("{}: {}", named.name, named.description));
+                with_dimension!(&named.tiling, AnyTiling, t => show(t, arguments.all, output));
+                Outcome::Done
+            }
+            Err(error) => failed(&error, output),
+        },
+        Err(error) => failed(&error, output),
     }
+}
+
+fn failed(error: &InputError, output: &mut Output) -> Outcome {
+    output.complain(format!("acutile: {}", error.message));
+    error.outcome
 }
 
 /// A theorem of the catalogue, or a certificate of one.
@@ -82,7 +94,7 @@ fn show_theorem(input: &str, output: &mut Output) -> Option<Result<(), String>> 
     theorem::is_theorem(&cbor).then(|| theorem::show_certificate(input, &cbor, output))
 }
 
-fn show<const D: usize>(tiling: &Tiling<D>, output: &mut Output) {
+fn show<const D: usize>(tiling: &Tiling<D>, all: bool, output: &mut Output) {
     output.line(format!(
         "dimension {D}, lattice of rank {}; {} vertices and {} simplices in a cell",
         tiling.frame.rank(),
@@ -90,7 +102,9 @@ fn show<const D: usize>(tiling: &Tiling<D>, output: &mut Output) {
         tiling.len()
     ));
     show_frame(&tiling.frame, output);
-    for shape in shapes(tiling) {
+    let shapes = shapes(tiling);
+    let shown = if all { shapes.len() } else { SHAPES };
+    for shape in shapes.iter().take(shown) {
         let edges: Vec<String> = shape.squared_edges.iter().map(Number::to_string).collect();
         output.line(format!(
             "{} simplices with squared edges {}",
@@ -100,6 +114,12 @@ fn show<const D: usize>(tiling: &Tiling<D>, output: &mut Output) {
         output.line(format!(
             "  dihedral angles {}",
             angles(tiling, shape.members[0]).join(", ")
+        ));
+    }
+    if shapes.len() > shown {
+        let (more, total) = (shapes.len() - shown, shapes.len());
+        output.line(format!(
+            "and {more} more of {total} shapes; --all lists them"
         ));
     }
 }

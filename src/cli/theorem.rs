@@ -108,7 +108,11 @@ fn meets(required: &Requirement, statements: &[Statement]) -> bool {
             matches!(statement, Statement::LargestAngle(Relation::Maximum, angle)
                 if compare_with_degrees(angle, degrees).is_lt())
         }),
-        Requirement::DihedralAbove(_) | Requirement::RadiusEdgeBelow(_) => false,
+        Requirement::DihedralAbove(_)
+        | Requirement::RadiusEdgeBelow(_)
+        | Requirement::Connected
+        | Requirement::NoCavities
+        | Requirement::ManifoldBoundary => false,
     }
 }
 

@@ -476,7 +476,38 @@ export function asFamily(chance, { claim, witness, ...rest }) {
   };
 }
 
+// ---- Systems of patches ----
+
+function changePatch(chance, { claim, witness }) {
+  const patch = chance.of(witness);
+  const tile = chance.of(claim.tiles);
+  const [pyramid, row] = [chance.of(patch.pyramids), chance.of(patch.simplices)];
+  const moved = (number) => plusNumber(number, [BigInt(chance.of([-1, 1, 2]))]);
+  const point = chance.of([...patch.vertices, ...tile.vertices]);
+  const offset = chance.of(patch.offsets);
+  const k = chance.index(point);
+  chance.of([
+    () => (tile.classes[chance.index(tile.classes)] += chance.of([-1, 1])),
+    () => (offset[0] = moved(offset[0])),
+    () => (offset[0] = plusNumber(offset[0], [BigInt(patch.denominator)])),
+    () => (point[k] = moved(point[k])),
+    () => patch.simplices.splice(patch.simplices.indexOf(row), 1),
+    () => patch.pyramids.splice(patch.pyramids.indexOf(pyramid), 1),
+    () => pyramid[1].reverse(),
+    () => pyramid[1].push(pyramid[1].shift()),
+    () => pyramid[1].pop(),
+    () => (pyramid[0] = chance.of(pyramid[1])),
+    () => tile.vertices.push(tile.vertices.shift()),
+    () => claim.tiles.push(structuredClone(tile)) && witness.push(structuredClone(patch)),
+    () => claim.tiles.reverse() && witness.reverse(),
+    () => (claim.gram = claim.gram.map((entries) => entries.map((x) => times(x, BigInt(chance.of([1, 2])))))),
+    () => (claim.rank = 3 - claim.rank),
+    () => claim.statements.push("TCP"),
+  ])();
+}
+
 const KEEP = [relabel, moveVertex, exchangeRows];
+const PATCHES = [changePatch, changePatch, changePatch, changePatch, changeBound, changeAnything];
 const FAMILY = [changeParameter, changeTree, changeTerm, changeTerm, changeTerm];
 const BREAK = [nudge, nudge, stretch, changeBound, changeBound, changeStatements, changeField, changeRow, changeRow, changeAnything, identify];
 const REGION = [removeRow, secondPiece, secondPiece, identify, changeBoundary, changeRank];
@@ -510,6 +541,7 @@ export function mutate(chance, text) {
 
 function tableFor(chance, { claim }) {
   const kind = chance.below(12);
+  if (claim.tiles) return PATCHES;
   if (kind === 0) return KEEP;
   if (kind < 6 && claim.parameters) return FAMILY;
   if (kind < 6 && claim.domain[0] === "region") return REGION;

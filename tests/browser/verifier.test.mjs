@@ -46,9 +46,10 @@ for (const folder of ["tests/certificates/valid", "certificates"]) {
       const certificate = JSON.parse(textOf(bytes));
       assert.equal(answer.sha256, digestOf(Uint8Array.from(toCbor(certificate))), name);
       const { claim, witness } = certificate;
+      const count = (name) => [witness].flat().reduce((sum, part) => sum + part[name].length, 0);
       assert.deepEqual(
         [answer.claim.length, answer.vertices, answer.simplices],
-        [claim.statements.length, witness.vertices.length, witness.simplices.length],
+        [claim.statements.length, count("vertices"), count("simplices")],
       );
     }
   });
@@ -603,7 +604,8 @@ function dataFor({ reads }, { text, bytes }) {
   try {
     const tree = JSON.parse(text);
     const { claim, witness } = tree;
-    const records = [tree, claim, witness, claim.field, claim.field.root, claim.domain[1], ...(claim.parameters ?? [])];
+    const parts = claim.tiles ? [...claim.tiles, ...witness] : [witness, claim.domain[1], ...(claim.parameters ?? [])];
+    const records = [tree, claim, claim.field, claim.field.root, ...parts];
     const isPlain = write(tree) === text && namesAreRight(tree) && !records.some(Array.isArray);
     const data = isPlain ? toCbor(tree) : undefined;
     return data && Uint8Array.from(data);
@@ -617,6 +619,9 @@ const RECORDS = [
   ["dimension", "field", "gram", "domain", "statements"],
   ["dimension", "field", "parameters", "gram", "domain", "statements"],
   ["name", "low", "high"],
+  ["field", "gram", "rank", "tiles", "statements"],
+  ["denominator", "vertices", "classes"],
+  ["denominator", "offsets", "vertices", "pyramids", "simplices"],
   ["denominator", "vertices", "boundary", "simplices"],
   ["denominator", "vertices", "boundary", "tree", "simplices"],
   ["polynomial", "root"],

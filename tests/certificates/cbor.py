@@ -17,7 +17,8 @@ from source.encode import Raw, to_cbor
 HERE = os.path.dirname(os.path.abspath(__file__))
 VALID = ["plane-equilateral-acute", "plane-cubic-field", "plane-square-triangle", "plane-every-relation", "space-a15-tcp", "slab-bcc",
          "prism-cube-6", "solid-octahedron", "region-cavity", "region-rank-3-void", "region-integers-at-limits",
-         "region-integers-at-limits-below", "plane-field-of-degree-8"]
+         "region-integers-at-limits-below", "plane-field-of-degree-8", "family-plane-acute-triangles", "family-plane-rows-over-sqrt-3",
+         "family-plane-lopsided-tree", "patches-prisms-of-bcc-with-offsets", "patches-slabs-of-two-heights"]
 
 
 def arrays(value):

@@ -25,7 +25,9 @@ const CODES = new Map(
   rejected denominator-domain, vertex-outside; malformed unused-parameter, boundary-domain, no-simplices; declined too-many-simplices;
   malformed vertex-range, shift-range, corner-order, sixes, boundary-repeated; rejected boundary-meets, facet-side, triangle-valence,
   edge-valence, orientation, covering, not-acute, not-nonobtuse, angle-bound, ratio-bound, not-delaunay, not-weakly-delaunay,
-  open-facet, boundary-open; malformed unused-vertex; rejected volume-sum, not-attained; declined sign-undecided, work`
+  open-facet, boundary-open; malformed unused-vertex; rejected volume-sum, not-attained; declined sign-undecided, work;
+  malformed rank; rejected gram-blocks; malformed tile-count, side-count; rejected tile-order; malformed pyramid; rejected pyramid-side,
+  wall-pattern, wall-reversal; declined corner-angle; rejected side-classes, missing-join`
     .split(";")
     .flatMap((part) => {
       const [verdict, ...codes] = part.trim().split(/,?\s+/);
@@ -69,7 +71,8 @@ function checked(tree, limits) {
   const reader = new Reader(limits);
   const [, , kind, claim, witness] = reader.record(tree, ["format", "version", "kind", "claim", "witness"], "the certificate");
   const isFamily = reader.text(kind, "kind") === "family";
-  if (!isFamily && kind !== "tiling") refuse("kind", `the kind ${quoted(kind)} is unknown; this program knows "tiling" and "family"`);
+  if (kind === "patches") return checkedSystem(reader, claim, witness);
+  if (!isFamily && kind !== "tiling") refuse("kind", `the kind ${quoted(kind)} is unknown; this program knows "tiling", "family" and "patches"`);
   const claimNames = ["dimension", "field", ...(isFamily ? ["parameters"] : []), "gram", "domain", "statements"];
   const witnessNames = ["denominator", "vertices", "boundary", ...(isFamily ? ["tree"] : []), "simplices"];
   // `record` demands these names in this order.
@@ -85,7 +88,7 @@ function verified(tiling, tree) {
     verdict: "verified",
     code: null,
     message: null,
-    claim: sentences(tiling),
+    claim: tiling.patches ? sentencesOfSystem(tiling) : sentences(tiling),
     vertices: tiling.vertices.length,
     simplices: tiling.rows.length,
     sha256: digestOfCbor(tree),
@@ -1278,7 +1281,7 @@ function checkRow(reader, tiling, tree, s) {
   const corners = readRow(reader, tiling, tree, s);
   const mates = closeFacets(tiling, corners, s);
   if (tiling.statements.at(-1).kind === TCP) countEdges(reader, tiling, corners, tree.at(-1), s);
-  const simplex = new Simplex(tiling, corners, s);
+  const simplex = simplexOf(tiling, corners, s);
   const unit = tiling.denominator ** BigInt(tiling.dimension);
   const isPositive = (at) => at.positive(simplex.determinant, () => `determinant of simplex ${s}`, unit);
   demand(tiling, isPositive, "orientation", (at) => `simplex ${s} has the determinant ${at.shown(simplex.determinant)}, not a positive one`);
@@ -1352,7 +1355,7 @@ function checkEnd(tiling) {
 function checkAttained(tiling, statement, i) {
   if (!EXACT.includes(statement.relation)) return;
   const found = tiling.attained.get(i);
-  const attains = (at) => tiling.rows.some((corners, s) => isAttained(at, comparisons(tiling, new Simplex(tiling, corners, s), statement), statement));
+  const attains = (at) => tiling.rows.some((corners, s) => isAttained(at, comparisons(tiling, simplexOf(tiling, corners, s), statement), statement));
   demand(tiling, (at) => found.has(at) || attains(at), "not-attained", () => `statement ${i}: no simplex attains the bound`);
 }
 
@@ -1403,9 +1406,8 @@ function checkValences({ edges }) {
  * points in their order, (-1)^(D-i) det(y_1 - y_0, …, y_(D-1) - y_0, x - y_0) is that coordinate times det E.
  */
 class Simplex {
-  constructor(tiling, corners, s) {
+  constructor(tiling, points, s) {
     const { ring, dimension } = tiling;
-    const points = corners.map((corner) => pointOf(tiling, corner));
     const normals = points.map((_, i) => {
       const [origin, ...others] = points.filter((_, j) => j !== i);
       const covector = normal(ring, others.map((point) => vectorBetween(origin, point)));
@@ -1455,6 +1457,8 @@ class Simplex {
     return negated(this.tiling.ring.dot(weights, squares));
   }
 }
+
+const simplexOf = (tiling, corners, s) => new Simplex(tiling, corners.map((corner) => pointOf(tiling, corner)), s);
 
 const square = ({ ring, gram }, x) => pairing(ring, x, gram, x);
 
@@ -1714,7 +1718,7 @@ function checkCovering(tiling) {
   const boxes = rows.map((corners) => boxOf(tiling, corners.map((corner) => pointOf(tiling, corner))));
   eachOverlap(tiling, centres, boxes, (f, s, shift) => {
     tiling.work.spend(10);
-    const simplex = new Simplex(tiling, movedFar(rows[s], shift), s);
+    const simplex = simplexOf(tiling, movedFar(rows[s], shift), s);
     const isOutside = simplex.normals.some((covector, i) => {
       const origin = simplex.points[i === 0 ? 1 : 0];
       const offset = boundary[f].points.reduce((sum, point) => sum.map((x, k) => plus(x, minus(point[k], origin[k]))), origin.map(() => tiling.ring.zero));
@@ -1737,6 +1741,483 @@ function firstSign(tiling, values) {
     if (found !== 0) return found;
   }
   return 0;
+}
+
+// ---- Systems of patches (docs/format.md, docs/soundness.md, section 10) -----------------------------------------------------------------
+//
+// A point that is computed across a wall is divided by the square of the wall's length. It is `{x, weight}`: the coordinates times a positive
+// number, in units of 1 / unit for the common denominator `unit` of all patches.
+
+function checkedSystem(reader, claim, witness) {
+  const [field, gram, rankTree, tiles, statements] = reader.record(claim, ["field", "gram", "rank", "tiles", "statements"], "the claim");
+  const rank = reader.integer(rankTree, "the rank");
+  if (rank !== 1 && rank !== 2) refuse("rank", `the rank ${rank} is not 1 or 2`);
+  const { ring, root } = readField(reader, field);
+  const system = { dimension: 3, kind: "space", rank, ring, numbers: ring, root, work: new Work(reader.limits.work), attained: new Map() };
+  system.places = [new Numbers(system)];
+  system.gram = readGram(reader, system, gram);
+  checkBlocks(system);
+  Object.assign(system, { determinantOfGram: determinant(ring, system.gram), dualGram: adjugate(ring, system.gram) });
+  if (reader.array(tiles, "tiles").length === 0) refuse("tile-count", "there is no tile");
+  system.statements = readStatements(reader, system, statements);
+  if (reader.array(witness, "the witness").length !== tiles.length) refuse("tile-count", `${witness.length} patches for ${tiles.length} tiles`);
+  system.patches = tiles.map((tile, i) => readPatch(reader, system, { field, gram }, tile, witness[i], i));
+  system.unit = system.patches.reduce((common, { tiling }) => (common / gcd(common, tiling.denominator)) * tiling.denominator, 1n);
+  system.rows = system.patches.flatMap(({ rows }) => rows);
+  system.vertices = system.patches.flatMap(({ tiling }) => tiling.vertices);
+  system.sides = system.patches.flatMap((patch) => patch.classes.map((label, number) => sideOfTile(system, patch, number, label)));
+  checkWalls(system);
+  const corners = rank === 1 ? checkTurns(system) : null;
+  system.joins = joinsOf(system);
+  judgeCells(system);
+  judgeLocally(system);
+  if (system.statements.at(-1).kind === TCP) checkSystemValences(system, corners);
+  system.statements.forEach(({ relation }, i) => {
+    if (EXACT.includes(relation) && system.attained.get(i).size === 0) refuse("not-attained", `statement ${i}: no cell of a piece attains the bound`);
+  });
+  return system;
+}
+
+/** The lattice and the base are orthogonal. */
+function checkBlocks(system) {
+  const { gram, rank } = system;
+  for (let i = 0; i < rank; i++) {
+    for (let j = rank; j < 3; j++) {
+      const say = (at) => `the product of the basis vectors ${i + 1} and ${j + 1} is ${at.shown(gram[i][j])}, not 0`;
+      demand(system, (at) => at.zero(gram[i][j], () => "product of basis vectors"), "gram-blocks", say);
+    }
+  }
+}
+
+/** A tile and its patch; the prism or slab with the piece and the fans is checked as a tiling. */
+function readPatch(reader, system, metric, tileTree, tree, i) {
+  const { rank } = system;
+  const [denominator, vertices, classTrees] = reader.record(tileTree, ["denominator", "vertices", "classes"], `tile ${i}`);
+  const count = reader.array(vertices, `tile ${i}`).length;
+  const classes = reader.array(classTrees, `tile ${i}`, count).map((label) => reader.big(label, `tile ${i}`));
+  const isCounted = rank === 1 ? count >= 3 : count === 2;
+  if (!isCounted) refuse("side-count", `tile ${i} has ${count} vertices`);
+  const names = ["denominator", "offsets", "vertices", "pyramids", "simplices"];
+  const [unit, offsetTrees, vertexTrees, pyramidTrees, rowTrees] = reader.record(tree, names, `patch ${i}`);
+  if (reader.array(rowTrees, `patch ${i}`).length === 0) refuse("no-simplices", `patch ${i} has no simplex`);
+  const pyramids = reader.array(pyramidTrees, `patch ${i}`).map((pyramid, p) => readPyramid(reader, rank, pyramid, `pyramid ${p} of patch ${i}`));
+  const faces = classes.map((_, side) => (rank === 1 ? [side, (side + 1) % count] : [side]));
+  const domain = [rank === 1 ? "prism" : "slab", { denominator, vertices, faces }];
+  const own = new Reader(reader.limits);
+  const tiling = readClaim(own, { dimension: 3, ...metric, domain, statements: [STATEMENTS[TILING]] });
+  checkWitness(own, tiling, { denominator: unit, vertices: vertexTrees, boundary: [], simplices: [...rowTrees, ...pyramids.flatMap(fanTrees)] });
+  const offsets = reader.array(offsetTrees, `patch ${i}`, count).map((offset) => reader.values(offset, `an offset of patch ${i}`, rank));
+  const patch = { i, tiling, classes, offsets, pyramids, corners: tiling.polytope.vertices, rows: tiling.rows.slice(0, rowTrees.length) };
+  pyramids.forEach((pyramid, p) => (pyramid.side = sideOfPyramid(patch, pyramid, p)));
+  checkTileOrder(system, patch);
+  return patch;
+}
+
+function readPyramid(reader, rank, tree, place) {
+  const [apexTree, polygonTree] = reader.array(tree, place, 2);
+  const anyVertex = { rank, vertices: { length: Infinity } }; // The rows of the fans show whether it exists.
+  const [apex, ...polygon] = [apexTree, ...reader.array(polygonTree, place)].map((corner) => reader.corner(corner, place, anyVertex));
+  const isPolygon = polygon.length >= 3 && isUnshifted(polygon[0]) && new Set([apex, ...polygon].map(String)).size === polygon.length + 1;
+  if (!isPolygon) refuse("pyramid", `${place} is not an apex and a polygon that begins with the shift zero`);
+  return { apex, polygon };
+}
+
+/** The rows of the tetrahedra over a triangulation of the polygon, as if (h_0, h_i, h_(i+1), apex) were positive. */
+function fanTrees({ apex, polygon }) {
+  return polygon.slice(2).map((corner, i) => {
+    const order = [polygon[0], polygon[i + 1], corner, apex];
+    const inversions = pairs(3).filter(([j, k]) => byEntries(order[j], order[k]) > 0).length;
+    const row = [...order].sort(byEntries);
+    if (inversions % 2 === 1) row.push(...row.splice(2).reverse());
+    const base = row[0].slice(1);
+    return row.map((x) => moved(x, base, -1)).map((x) => (isUnshifted(x) ? x[0] : x));
+  });
+}
+
+/** The numbers of the sides that contain all these corners. */
+function sidesWith({ tiling }, corners) {
+  const [first, ...others] = corners.map(([v]) => [...tiling.faces[v]].map(({ f }) => f));
+  return first.filter((f) => others.every((faces) => faces.includes(f)));
+}
+
+function sideOfPyramid(patch, { apex, polygon }, p) {
+  const sides = sidesWith(patch, polygon);
+  const isOver = sidesWith(patch, [apex]).length === 0 && sides.length === 1;
+  if (!isOver) refuse("pyramid-side", `the polygon of pyramid ${p} of patch ${patch.i} is not in one side, or its apex is in a side`);
+  return sides[0];
+}
+
+function checkTileOrder(system, { corners, i }) {
+  const { ring } = system;
+  const turn = system.rank === 2 ? minus(corners[1][0], corners[0][0]) : determinant(ring, [1, 2].map((w) => vectorBetween(corners[0], corners[w])));
+  const say = () => `the vertices of tile ${i} are not ${system.rank === 1 ? "counterclockwise" : "in increasing order"}`;
+  demand(system, (at) => at.positive(turn, () => "turn of a tile"), "tile-order", say);
+}
+
+// Walls.
+
+/** A side in the common unit: its beginning w, its vector u, the vector v with ⟨u, v⟩ = 0 and det(u, v) = ⟨u, u⟩, and this length. */
+function sideOfTile(system, patch, number, label) {
+  const { ring, gram, rank, unit } = system;
+  const factor = unit / patch.tiling.denominator;
+  const corner = (w) => patch.corners[w % patch.corners.length].map((x) => scaled(x, factor));
+  const side = { system, patch, number, label: String(label), factor, start: corner(number), length: ring.integer(1n) };
+  side.offset = patch.offsets[number].map((x) => scaled(x, factor));
+  if (rank === 1) {
+    side.along = vectorBetween(side.start, corner(number + 1));
+    const dual = [gram[1], gram[2]].map((row) => ring.dot(row.slice(1), side.along));
+    side.across = [negated(dual[1]), dual[0]];
+    side.length = ring.dot(dual, side.along);
+    side.dual = dual;
+  }
+  return side;
+}
+
+/** The wall coordinates of a corner, [f…, X, Y] or [f…, Y]; those that the tile beyond the wall gives it, if the side is turned. */
+function wallCoordinates({ system, patch, factor, offset, start, along, dual, length }, corner, isTurned) {
+  const { ring, rank } = system;
+  const point = pointOf(patch.tiling, corner).map((x) => scaled(x, factor));
+  const fibre = point.slice(0, rank).map((x, k) => minus(x, offset[k]));
+  const base = vectorBetween(start, point.slice(rank));
+  if (rank === 2) return [...fibre, base[0]];
+  const [x, y] = [ring.dot(dual, base), determinant(ring, [along, base])];
+  return [...fibre, ...(isTurned ? [minus(length, x), negated(y)] : [x, y])];
+}
+
+/**
+ * A list of corners in a side, in cyclic order: its text is the same for translates under the lattice, in each sense, and from each beginning.
+ * `base` is the translation, and `places` the corners' own texts. Entries of the lattice change the constant coefficients of f alone.
+ */
+function outlineOf(side, corners, isTurned) {
+  const { rank, unit } = side.system;
+  const points = corners.map((corner) => wallCoordinates(side, corner, isTurned));
+  const cells = points.map((point) => point.slice(0, rank).map((x) => floor(x[0], unit)));
+  const base = cells.reduce((least, cell) => (isBefore(cell, least) ? cell : least));
+  const places = points.map((point) =>
+    point.slice(0, 2).map((x, k) => (k < rank ? x.map((c, i) => (i === 0 ? c - base[k] * unit : c)) : x)).join(" ; "),
+  );
+  const beginnings = places.flatMap((_, i) => {
+    const turned = [...places.slice(i), ...places.slice(0, i)];
+    return [turned, [turned[0], ...turned.slice(1).reverse()]].map((list) => list.join(" | "));
+  });
+  return { text: beginnings.sort()[0], base, places };
+}
+
+function isBefore(x, y) {
+  const k = x.findIndex((entry, i) => entry !== y[i]);
+  return k >= 0 && x[k] < y[k];
+}
+
+/** All polygons in a side, by their texts: triangles of the piece with their tetrahedra, and polygons of pyramids. */
+function patternOf(side, isTurned) {
+  const { patch, number } = side;
+  const pattern = new Map();
+  const add = (corners, kind, more) => {
+    const outline = outlineOf(side, corners, isTurned);
+    pattern.set(`${kind} ${outline.text}`, { corners, ...outline, ...more });
+  };
+  patch.pyramids.forEach((pyramid) => pyramid.side === number && add(pyramid.polygon, "pyramid", { apex: pyramid.apex, pyramid }));
+  for (const row of patch.rows) {
+    for (const apex of row) {
+      const facet = row.filter((corner) => corner !== apex);
+      if (sidesWith(patch, facet).includes(number)) add(facet, "triangle", { apex, row });
+    }
+  }
+  return pattern;
+}
+
+const sameTexts = (one, other) => one.size === other.size && [...one.keys()].every((text) => other.has(text));
+
+/** All sides of a class look like its first one, and turned sides too. */
+function checkWalls(system) {
+  const first = new Map();
+  for (const side of system.sides) {
+    side.seen = patternOf(side, false);
+    side.beyond = system.rank === 1 ? patternOf(side, true) : side.seen;
+    system.work.spend(side.seen.size);
+    if (!first.has(side.label)) first.set(side.label, side);
+    const wall = first.get(side.label);
+    const name = `side ${side.number} of tile ${side.patch.i}`;
+    const isSame = sameTexts(side.seen, wall.seen) && side.length.every((c, k) => c === wall.length[k]);
+    if (!isSame) refuse("wall-pattern", `the pattern of ${name} is not that of class ${side.label}`);
+    if (!sameTexts(side.beyond, wall.seen)) refuse("wall-reversal", `turned round, the pattern of ${name} is not that of class ${side.label}`);
+  }
+}
+
+// Corners of tiles.
+
+const WHOLE = 60;
+
+/** The angles of all tiles, as multiples of 1 / whole of a turn; the offsets follow them. */
+function checkTurns(system) {
+  const turns = system.patches.map((patch) => patch.corners.map((_, i) => turnAt(system, patch, i)));
+  const whole = turns.flat().reduce((common, [, n]) => (common / Number(gcd(BigInt(common), BigInt(n)))) * n, 1);
+  if (whole > WHOLE) refuse("corner-angle", `the angles of the tiles are multiples of 1/${whole} of a turn, not of 1/${WHOLE} or more`);
+  const angles = turns.map((row) => row.map(([a, n]) => (a * whole) / n));
+  const steps = system.patches.flatMap(({ offsets, tiling, i }) =>
+    offsets.map((offset, k) => {
+      const [constant, ...others] = scaled(minus(offsets.at(k - 1)[0], offset[0]), BigInt(whole));
+      const isWhole = isZero(others) && constant % tiling.denominator === 0n;
+      if (!isWhole) refuse("side-classes", `at corner ${k} of tile ${i} the offsets do not differ by a multiple of 1/${whole}`);
+      return [constant / tiling.denominator, BigInt(angles[i][k])];
+    }),
+  );
+  const candidates = Array.from({ length: whole }, (_, n) => BigInt(n));
+  const isConsistent = candidates.some((n) => steps.every(([step, a]) => (step - a * n) % BigInt(whole) === 0n));
+  if (!isConsistent) refuse("side-classes", "the offsets do not close around the vertices of a mosaic");
+  return { angles, whole };
+}
+
+/** [a, n]: the angle at a corner of a tile is a / n of a turn, in lowest terms. */
+function turnAt(system, { corners, i }, k) {
+  const { ring, gram } = system;
+  const [to, from] = [k + 1, k - 1 + corners.length].map((w) => vectorBetween(corners[k], corners[w % corners.length]));
+  const metric = [gram[1], gram[2]].map((row) => row.slice(1));
+  const area = determinant(ring, metric);
+  // ⟨to, from⟩ and det(to, from), times √area, are a complex number with this argument.
+  const z = [pairing(ring, to, metric, from), determinant(ring, [to, from])];
+  const signAt = (x) => signOf(system, x, () => `angle at corner ${k} of tile ${i}`);
+  let [power, turns] = [z, 0];
+  for (let n = 1; n <= WHOLE; n++) {
+    if (signAt(power[1]) === 0 && signAt(power[0]) > 0) return [turns, n];
+    const product = [minus(ring.times(power[0], z[0]), ring.times(area, ring.times(power[1], z[1]))), ring.dot(power, [z[1], z[0]])];
+    if (signAt(power[1]) < 0 && signAt(product[1]) >= 0) turns++;
+    power = product;
+  }
+  return refuse("corner-angle", `the angle at corner ${k} of tile ${i} is no multiple of 1/${WHOLE} of a turn or of a greater part`);
+}
+
+// Cells: those of the pieces, and those around the axes of joins.
+
+/** A corner of a patch as a point. */
+function tilePoint({ ring, unit }, { tiling }, corner) {
+  const factor = unit / tiling.denominator;
+  return { x: pointOf(tiling, corner).map((x) => scaled(x, factor)), weight: ring.integer(1n) };
+}
+
+/** A corner of the tile that meets this side with `other`, in the coordinates of this side's tile; `shift` moves it in the lattice. */
+function pointBeyond(side, other, corner, shift) {
+  const { ring, rank, unit } = side.system;
+  const there = wallCoordinates(other, corner, rank === 1);
+  const fibre = there.slice(0, rank).map((f, k) => plus(plus(f, side.offset[k]), ring.integer(shift[k] * unit)));
+  if (rank === 2) return { x: [...fibre, plus(there[2], side.start[0])], weight: ring.integer(1n) };
+  // ⟨u, u⟩ b = X u + Y v
+  const base = side.start.map((w, k) => plus(ring.times(w, side.length), ring.dot([there[1], there[2]], [side.along[k], side.across[k]])));
+  return { x: [...fibre.map((f) => ring.times(f, side.length)), ...base], weight: side.length };
+}
+
+/** The coordinates of some points, all times one positive number. */
+function commonCoordinates({ ring }, points) {
+  const weights = new Map(points.map(({ weight }) => [String(weight), weight]));
+  return points.map(({ x, weight }) => {
+    const factors = [...weights].filter(([text]) => text !== String(weight)).map(([, other]) => other);
+    return factors.reduce((vector, factor) => vector.map((entry) => ring.times(entry, factor)), x);
+  });
+}
+
+const canMeet = (side, other) => side.label === other.label && (side.system.rank === 1 || side.number !== other.number);
+
+/** Calls `visit` for each polygon of two sides that can meet, in both orders, and the vector that moves the other tile. */
+function eachMeeting({ sides, work }, visit) {
+  for (const side of sides) {
+    for (const other of sides.filter((other) => canMeet(side, other))) {
+      work.spend(side.seen.size);
+      for (const [text, mine] of side.seen) {
+        const theirs = other.beyond.get(text);
+        visit(side, other, mine, theirs, mine.base.map((entry, k) => entry - theirs.base[k]));
+      }
+    }
+  }
+}
+
+function joinsOf(system) {
+  const joins = [];
+  eachMeeting(system, (side, other, mine, theirs, shift) => {
+    if (!mine.pyramid) return;
+    const l = tilePoint(system, side.patch, mine.apex);
+    const m = pointBeyond(side, other, theirs.apex, shift);
+    const polygon = mine.corners.map((corner) => tilePoint(system, side.patch, corner));
+    const cells = sidesOf(polygon).map(([h, next]) => [m, h, next, l]);
+    const join = { side, other, mine, theirs, polygon, l, m, cells };
+    join.simplices = cells.map((cell) => new Simplex(system, commonCoordinates(system, cell), joins.length));
+    for (const { determinant } of join.simplices) {
+      const say = () => `the axis between the apexes over side ${side.number} of tile ${side.patch.i} and side ${other.number} of tile ${other.patch.i} does not cross their polygon`;
+      demand(system, (at) => at.positive(determinant, () => "determinant of a cell of a join"), "missing-join", say);
+    }
+    joins.push(join);
+  });
+  return joins;
+}
+
+/** Statements about single cells. Only a cell of a piece shows that a bound is attained. */
+function judgeCells(system) {
+  const pieces = system.patches.flatMap((patch) => patch.rows.map((row) => row.map((corner) => tilePoint(system, patch, corner).x)));
+  pieces.forEach((points, s) => {
+    const simplex = new Simplex(system, points, s);
+    system.statements.forEach((statement, i) => judge(system, simplex, [], statement, i));
+  });
+  const apart = { ...system, attained: new Map() };
+  for (const { simplices } of system.joins) {
+    for (const simplex of simplices) system.statements.forEach((statement, i) => judge(apart, simplex, [], statement, i));
+  }
+}
+
+/** Delaunay: at each facet that two cells can have in common. */
+function judgeLocally(system) {
+  for (const { kind } of system.statements) {
+    if (kind !== DELAUNAY && kind !== WEAKLY) continue;
+    const [test, code] = kind === DELAUNAY ? ["positive", "not-delaunay"] : ["atLeastZero", "not-weakly-delaunay"];
+    const judgePair = (cell, point, name) => {
+      const [w, ...corners] = commonCoordinates(system, [point, ...cell]);
+      const power = new Simplex(system, corners, 0).power(w);
+      const say = () => `the corner beyond a facet of a cell ${name} is not outside of the circumsphere`;
+      demand(system, (at) => at[test](power, () => `power of a corner beyond a cell ${name}`), code, say);
+    };
+    eachNeighbour(system, judgePair);
+  }
+}
+
+/** Calls `visit` for a cell, the opposite corner of one with a common facet, and words for the place. */
+function eachNeighbour(system, visit) {
+  for (const { polygon, cells } of system.joins) cells.forEach((cell, i) => visit(cell, polygon[(i + 2) % polygon.length], "of a join"));
+  eachMeeting(system, (side, other, mine, theirs, shift) => {
+    if (mine.pyramid) return;
+    const cell = mine.row.map((corner) => tilePoint(system, side.patch, corner));
+    visit(cell, pointBeyond(side, other, theirs.apex, shift), `at side ${side.number} of tile ${side.patch.i}`);
+  });
+  for (const patch of system.patches) {
+    for (const [one, other] of innerFacets(system, patch)) {
+      const shift = one.base.map((entry, k) => BigInt(entry - other.base[k]));
+      for (const { cell } of one.cells) for (const { point } of other.cells) visit(cell, movedPoint(system, point, shift), `in patch ${patch.i}`);
+    }
+  }
+}
+
+function movedPoint({ ring, unit }, { x, weight }, shift) {
+  return { x: x.map((entry, k) => (k < shift.length ? plus(entry, scaled(weight, shift[k] * unit)) : entry)), weight };
+}
+
+/** Facets inside of a tile, with the cells that can be on each side, and their opposite corners. Facets inside of pyramids are none. */
+function innerFacets(system, patch) {
+  const groups = new Map();
+  const add = (facet, cells) => {
+    const [name, base] = nameOf([...facet].sort(byEntries));
+    groups.set(name, [...(groups.get(name) ?? []), { base, cells }]);
+  };
+  const point = (corner) => tilePoint(system, patch, corner);
+  for (const row of patch.rows) {
+    for (const apex of row) {
+      const facet = row.filter((corner) => corner !== apex);
+      if (sidesWith(patch, facet).length === 0) add(facet, [{ cell: row.map(point), point: point(apex) }]);
+    }
+  }
+  for (const pyramid of patch.pyramids) {
+    const joins = system.joins.filter(({ mine }) => mine.pyramid === pyramid);
+    sidesOf(pyramid.polygon).forEach(([h, next], i) => add([h, next, pyramid.apex], joins.map(({ cells, m }) => ({ cell: cells[i], point: m }))));
+  }
+  return groups.values();
+}
+
+// TCP.
+
+/** For each edge of a patch: its cells in the piece, the pyramids that have it at their apex, and those that have it in their polygon. */
+function edgesOfPatch(patch) {
+  const edges = new Map();
+  const count = (corners, member) => {
+    const [name] = nameOf([...corners].sort(byEntries));
+    const edge = edges.get(name) ?? { corners, rows: 0, spokes: 0, rims: 0 };
+    edge[member]++;
+    edges.set(name, edge);
+  };
+  for (const row of patch.rows) for (const [i, j] of pairs(3)) count([row[i], row[j]], "rows");
+  for (const { apex, polygon } of patch.pyramids) {
+    polygon.forEach((corner) => count([apex, corner], "spokes"));
+    sidesOf(polygon).forEach((edge) => count(edge, "rims"));
+  }
+  return edges;
+}
+
+function checkSystemValences(system, corners) {
+  for (const patch of system.patches) patch.edges = edgesOfPatch(patch);
+  const walls = valencesInWalls(system);
+  for (const patch of system.patches) {
+    for (const edge of patch.edges.values()) {
+      const found = valencesOf(system, patch, edge, walls, corners);
+      const wrong = found.find((valence) => valence !== 5 && valence !== 6);
+      if (wrong !== undefined) refuse("edge-valence", `an edge of patch ${patch.i} can be in ${wrong} tetrahedra, not in 5 or 6`);
+      edge.isSix = found.includes(6);
+    }
+  }
+  checkTriangles(system);
+}
+
+/** For each edge of each wall the numbers of cells that the pieces of the first and of the second side can have there. */
+function valencesInWalls({ sides, rank }) {
+  const walls = new Map();
+  const add = (name, member, rows) => {
+    const wall = walls.get(name) ?? { first: new Set(), second: new Set() };
+    wall[member].add(rows);
+    walls.set(name, wall);
+  };
+  for (const side of sides) {
+    for (const { corners, rows } of side.patch.edges.values()) {
+      if (sidesWith(side.patch, corners).join() !== String(side.number)) continue;
+      if (rank === 1 || side.number === 1) add(nameInWall(side, corners, false), "first", rows);
+      if (rank === 1 || side.number === 0) add(nameInWall(side, corners, true), "second", rows);
+    }
+  }
+  return walls;
+}
+
+const nameInWall = (side, corners, isTurned) => `${side.label} / ${outlineOf(side, corners, isTurned).text}`;
+
+/** All valences that an edge can have. */
+function valencesOf(system, patch, { corners, rows, spokes, rims }, walls, turns) {
+  const [first, second] = sidesWith(patch, corners);
+  if (first === undefined) return [rows + 2 * spokes];
+  if (second !== undefined) return [cornerValence(patch, first, second, 2 * rows + rims, turns)];
+  const side = system.sides.find((side) => side.patch === patch && side.number === first);
+  const wall = walls.get(nameInWall(side, corners, false));
+  return [...wall.first].flatMap((x) => [...wall.second].map((y) => x + y + rims));
+}
+
+/** Over a corner of a tile with the angle a / whole of a turn, half of the cells are 12 a / whole. Then all tiles together have six. */
+function cornerValence({ corners, i }, first, second, halves, { angles, whole }) {
+  const k = [first, second].find((side) => [first, second].includes((side - 1 + corners.length) % corners.length));
+  const isShare = halves * whole === 12 * angles[i][k];
+  if (!isShare) refuse("edge-valence", `over corner ${k} of tile ${i} there are ${halves} / 2 tetrahedra, not its share of 6`);
+  return 6;
+}
+
+/** No triangle has two edges that can be in 6 tetrahedra. */
+function checkTriangles(system) {
+  const isSix = (patch, corners) => patch.edges.get(nameOf([...corners].sort(byEntries))[0]).isSix;
+  for (const patch of system.patches) {
+    const triangles = patch.rows.flatMap((row) => row.map((apex) => row.filter((corner) => corner !== apex)));
+    for (const { apex, polygon } of patch.pyramids) triangles.push(...sidesOf(polygon).map((edge) => [apex, ...edge]));
+    for (const [p, q, r] of triangles) {
+      const sixes = [[p, q], [p, r], [q, r]].filter((edge) => isSix(patch, edge)).length;
+      if (sixes > 1) refuse("triangle-valence", `a triangle of patch ${patch.i} can have two edges that are in 6`);
+    }
+  }
+  for (const { side, other, mine, theirs } of system.joins) {
+    const valence = mine.corners.length;
+    if (valence !== 5 && valence !== 6) refuse("edge-valence", `the axis of a join is in ${valence} tetrahedra, not in 5 or 6`);
+    mine.corners.forEach((corner, i) => {
+      const beyond = theirs.corners[theirs.places.indexOf(mine.places[i])];
+      const spokes = [isSix(side.patch, [mine.apex, corner]), isSix(other.patch, [theirs.apex, beyond]), valence === 6];
+      if (spokes.filter(Boolean).length > 1) refuse("triangle-valence", "a triangle at the axis of a join can have two edges that are in 6");
+    });
+  }
+}
+
+function sentencesOfSystem({ rank, patches, rows, gram, root, statements }) {
+  const base = ["", "edge-to-edge tiling of the plane by polygons", "tiling of the line by segments"][rank];
+  const metric = `in a basis with inner products proportional to ${bracketed(gram.map((row) => bracketed(row.map((x) => shown(x)))))}`;
+  const field = root ? `, where a is the root of ${shown(root.polynomial)} between ${ratio(root.low, root.unit)} and ${ratio(root.high, root.unit)}` : "";
+  const tiles = patches.map(({ tiling }) => bracketed(tiling.polytope.vertices.map((point) => bracketed(point.map((x) => shown(x, tiling.denominator))))));
+  const first = `over every ${base} with the vertices ${tiles.join(" or ")} whose sides have the stated classes, ${patches.length} patches with ${rows.length} tetrahedra and the joins between them tile three-space face to face, ${metric}${field}`;
+  return [first, ...statements.slice(1).map(statementInWords)];
 }
 
 // ---- Words for the claim -------------------------------------------------------------------------------------------------------------

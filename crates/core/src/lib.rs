@@ -1,12 +1,15 @@
 //! Tilings by simplices, and everything that is decided about them.
 
 pub mod advice;
+pub mod anatomy;
 pub mod checker;
 pub mod classify;
+pub mod curved;
 pub mod delaunay;
 pub mod family;
 pub mod format;
 pub mod limits;
+mod parallel;
 pub mod patches;
 pub mod predicates;
 pub mod proved;

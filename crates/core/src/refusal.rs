@@ -17,25 +17,37 @@ pub fn in_words(refusal: &Refusal) -> String {
 
 /// The place, the rule, and the value, without the code.
 pub fn message(refusal: &Refusal) -> String {
-    let place = place(refusal.place);
+    let place = match point(&refusal.point) {
+        Some(point) => format!("{} at {point}", place(refusal.place)),
+        None => place(refusal.place),
+    };
     let rule = rule(refusal.code);
     match &refusal.value {
         Value::Nothing => format!("{place}: {rule}"),
         Value::Integer(value) => format!("{place}: {rule}, found {value}"),
-        Value::Quotient(p, q) => {
-            let [p, q] = [p, q].map(|row| {
-                let texts = row.iter().map(|n| n.to_string());
-                texts.map(|text| integer(&text)).collect::<Vec<Integer>>()
-            });
-            format!("{place}: {rule}, found {}", quotient(&p, &q))
-        }
+        Value::Quotient(p, q) => format!(
+            "{place}: {rule}, found {}",
+            quotient(&integers(p), &integers(q))
+        ),
         Value::Limit(limit, enough) => format!("{place}: {}", exceeded(limit, *enough)),
     }
 }
 
+/// `c2 = (8)/(3), x = 0`: the point of a family's box at which a condition does not hold.
+fn point(point: &[(String, Value)]) -> Option<String> {
+    let coordinates = point.iter().map(|(name, value)| match value {
+        Value::Quotient(p, q) => format!("{name} = {}", quotient(&integers(p), &integers(q))),
+        _ => name.clone(),
+    });
+    let coordinates: Vec<String> = coordinates.collect();
+    (!coordinates.is_empty()).then(|| coordinates.join(", "))
+}
+
 /// The digits of the kernel's integers are those of ours.
-fn integer(digits: &str) -> Integer {
-    Integer::from_str(digits).unwrap_or_default()
+fn integers(row: &[impl ToString]) -> Vec<Integer> {
+    row.iter()
+        .map(|n| Integer::from_str(&n.to_string()).unwrap_or_default())
+        .collect()
 }
 
 fn place(place: Place) -> String {
@@ -47,6 +59,7 @@ fn place(place: Place) -> String {
         Place::Face(face) => format!("face {face} of the domain"),
         Place::Statement(statement) => format!("statement {statement}"),
         Place::Vertex(vertex) => format!("vertex {vertex}"),
+        Place::Parameter(parameter) => format!("parameter {parameter}"),
         Place::Boundary(facet) => format!("boundary facet {facet}"),
         Place::BoundaryPair(first, second) => format!("boundary facets {first} and {second}"),
         Place::Simplex(simplex) => format!("simplex {simplex}"),
@@ -55,7 +68,6 @@ fn place(place: Place) -> String {
         Place::Angle(simplex, i, j) => {
             format!("simplex {simplex}, the angle between its facets {i} and {j}")
         }
-        Place::Parameter(parameter) => format!("parameter {parameter}"),
         Place::Tile(tile) => format!("tile {tile}"),
         Place::Side(tile, side) => format!("tile {tile}, side {side}"),
         Place::Witness => "the witness".to_owned(),
@@ -118,20 +130,18 @@ fn rule(code: Code) -> &'static str {
         Code::TooManyBytes => "the certificate is too long",
         Code::Version => "expected version 2",
         Code::UnknownKind => "expected the kind \"tiling\", \"family\" or \"patches\"",
-        Code::FamilyDomain => {
-            "a region has no parameters; expected space, a slab, a prism or a solid"
-        }
-        Code::Parameters => "expected one parameter or more, within the limit",
+        Code::FamilyDomain => "expected another domain than a region for a family",
+        Code::Parameters => "expected 1 to 64 parameters",
         Code::ParameterName => {
-            "expected a new name of a lower-case letter and at most 15 letters, digits or underscores"
+            "expected different names of at most 16 characters: a small letter, then small letters, digits and _"
         }
         Code::BoxExchanged => "box ends exchanged: expected low < high",
         Code::BoxEmpty => "empty box: expected low < high",
-        Code::UnusedParameter => "unused parameter: expected it in some polynomial",
+        Code::UnusedParameter => "unused parameter: expected every parameter in some polynomial",
         Code::Exponent => "polynomial of too high degree: expected exponents from 0 to 15",
-        Code::Terms => "expected different exponents in ascending order, and no coefficient zero",
-        Code::Tree => "expected the number of a parameter in the tree",
-        Code::TreeSize => "the tree has too many leaves or levels",
+        Code::Terms => "expected terms that are not zero, in the order of their exponents",
+        Code::Tree => "expected the number of a parameter as the axis",
+        Code::TreeSize => "expected at most 4,096 leaves and 64 halvings of one leaf",
         Code::Rank => "expected the rank 1 or 2",
         Code::TileCount => "expected tiles, and a patch for each",
         Code::SideCount => "expected three corners or more of a polygon, two of a segment",

@@ -1,6 +1,7 @@
 //! Tests of the public interface of `acutile-core`, one binary for all.
 
 mod advice;
+mod curve;
 mod delaunay;
 mod families;
 mod format;
@@ -11,6 +12,7 @@ mod quality;
 mod region;
 mod requirements;
 mod rungs;
+mod search;
 mod soup;
 mod statistics;
 mod symmetry;

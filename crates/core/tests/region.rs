@@ -4,7 +4,7 @@
 //! part of an embedded triangulation is one.
 
 use crate::meeting::{Point, meet_elsewhere};
-use acutile_core::checker::{Findings, Options, Proof, examine};
+use acutile_core::checker::{Defect, Findings, Options, Proof, examine};
 use acutile_core::proved::prove;
 use acutile_core::statement::Statement;
 use acutile_core::tiling::{self, AnyTiling, Corner, Frame, Tiling, match_facets};
@@ -393,8 +393,8 @@ fn defects_of_a_region() {
     assert!(mesh.volume(6) > 0);
     let findings = mesh.proved().unwrap_err();
     let codes: Vec<&str> = findings.counts().keys().copied().collect();
-    // The facet that stands for the tetrahedron's boundary is the first one, outside of the cube.
-    assert_eq!(codes, ["boundary-meets"]);
+    // The corner (1, 1, 2) of the last tetrahedron is inside of the cube.
+    assert_eq!(codes, ["overlap"]);
     let lines: Vec<String> = findings
         .kept()
         .iter()
@@ -405,13 +405,20 @@ fn defects_of_a_region() {
             )
         })
         .collect();
-    // The edge from (1, 1, 2) to (1, 1, 9) leaves the cube in (1, 1, 4).
     assert!(
-        lines
-            .iter()
-            .any(|line| line.contains("meet in the point (1, 1, 4)")),
+        lines.iter().all(|line| line.contains("simplex 6 overlap")),
         "{lines:?}"
     );
+    for defect in findings.kept() {
+        let Defect::Overlap { point, .. } = defect else {
+            panic!("{defect:?}");
+        };
+        // In the cube the tetrahedron has coordinates above 1, 1 and 2.
+        let number = |n: i64| acutile_exact::number::Number::from(malachite::Rational::from(n));
+        for (x, low) in point.iter().zip([1, 1, 2]) {
+            assert!(number(low) < *x && *x < number(4), "{defect:?}");
+        }
+    }
 }
 
 /// Meshes of TetGen and Gmsh (tests/regions/make.py), with the counts that these tell.

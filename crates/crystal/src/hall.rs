@@ -30,7 +30,10 @@ pub fn group(symbol: &str) -> Result<Vec<Motion>, String> {
     }
     if let Some(change) = change {
         let shift = change_of_origin(change)?;
-        motions = motions.into_iter().map(|motion| moved(motion, &shift)).collect();
+        motions = motions
+            .into_iter()
+            .map(|motion| moved(motion, &shift))
+            .collect();
     }
     closure(&motions).ok_or_else(|| "generates no space group".to_owned())
 }
@@ -60,7 +63,11 @@ fn lattice_motions(word: &str) -> Result<Vec<Motion>, String> {
         "T" => &[[4, 8, 4], [8, 4, 8]],
         "H" => &[[8, 4, 0], [4, 8, 0]],
         "F" => &[[0, 6, 6], [6, 0, 6], [6, 6, 0]],
-        _ => return Err(format!("has the lattice {word:?}, expected P, A, B, C, I, R, H, S, T or F")),
+        _ => {
+            return Err(format!(
+                "has the lattice {word:?}, expected P, A, B, C, I, R, H, S, T or F"
+            ));
+        }
     };
     let mut motions: Vec<Motion> = points
         .iter()
@@ -110,7 +117,11 @@ struct Generator {
 impl Generator {
     /// A generator at this position, from 0, after one of some order and axis.
     fn parse(word: &str, position: usize, before: Option<(u8, Axis)>) -> Result<Self, String> {
-        let wrong = || format!("has the generator {word:?}, which is no rotation with an axis and translations");
+        let wrong = || {
+            format!(
+                "has the generator {word:?}, which is no rotation with an axis and translations"
+            )
+        };
         let rest = word.strip_prefix('-').unwrap_or(word);
         let mut letters = rest.chars();
         let order = match letters.next() {
@@ -151,10 +162,18 @@ impl Generator {
     }
 
     fn motion(&self) -> Result<Motion, String> {
-        let rotation = rotation(self.order, self.axis, self.reference)
-            .ok_or_else(|| format!("has a rotation of order {} about an axis that it cannot have", self.order))?;
+        let rotation = rotation(self.order, self.axis, self.reference).ok_or_else(|| {
+            format!(
+                "has a rotation of order {} about an axis that it cannot have",
+                self.order
+            )
+        })?;
         Ok(Motion {
-            rotation: if self.is_improper { negative(rotation) } else { rotation },
+            rotation: if self.is_improper {
+                negative(rotation)
+            } else {
+                rotation
+            },
             translation: twelfths(self.shift),
         })
     }
@@ -223,7 +242,8 @@ fn rotation(order: u8, axis: Axis, reference: Axis) -> Option<Rotation> {
 /// Three numbers in twelfths, or `x+1/4,y,z`. Only the origin may move: another basis is not the
 /// basis of the file.
 fn change_of_origin(text: &str) -> Result<Vector, String> {
-    let wrong = || format!("has ({text}), expected a shift of the origin like (0 0 -1), in twelfths");
+    let wrong =
+        || format!("has ({text}), expected a shift of the origin like (0 0 -1), in twelfths");
     let words: Vec<&str> = text.split_ascii_whitespace().collect();
     if let [x, y, z] = words[..]
         && !text.contains(',')

@@ -49,13 +49,28 @@ pub fn identify(group: &[Motion], gram: &Matrix) -> Option<Identified> {
     let to_primitive = inverse(&columns)?;
     let operations = primitive_operations(group, &columns, &to_primitive)?;
     let lattice = Lattice::new(cartesian(&gram_of(&rows, gram))?);
-    let found =
-        SpaceGroup::from_lattice(&lattice, &operations, moyo::data::Setting::Standard, EPSILON).ok()?;
+    let found = SpaceGroup::from_lattice(
+        &lattice,
+        &operations,
+        moyo::data::Setting::Standard,
+        EPSILON,
+    )
+    .ok()?;
     let setting = settings().get(usize::try_from(found.hall_number - 1).ok()?)?;
     let entry = hall_symbol_entry(found.hall_number)?;
-    let to_conventional = inverse(&rational(entry.centering.linear().map(i64::from).transpose().into()))?;
-    let proposed = rational(found.transformation.linear_as_array().map(|row| row.map(i64::from)));
-    let linear = product(&product(&to_conventional, &inverse(&proposed)?), &to_primitive);
+    let to_conventional = inverse(&rational(
+        entry.centering.linear().map(i64::from).transpose().into(),
+    ))?;
+    let proposed = rational(
+        found
+            .transformation
+            .linear_as_array()
+            .map(|row| row.map(i64::from)),
+    );
+    let linear = product(
+        &product(&to_conventional, &inverse(&proposed)?),
+        &to_primitive,
+    );
     let near = origin_near(&columns, found.transformation.origin_shift_as_array());
     let standard = setting.group().ok()?;
     let origin = exact_origin(group, &linear, &near, &standard)?;
@@ -104,7 +119,11 @@ fn approximate(x: &Rational) -> f64 {
 
 /// The proposed origin in the coordinates of the cell.
 fn origin_near(columns: &Matrix, origin: [f64; 3]) -> [f64; 3] {
-    std::array::from_fn(|i| (0..3).map(|j| approximate(&columns[i][j]) * origin[j]).sum())
+    std::array::from_fn(|i| {
+        (0..3)
+            .map(|j| approximate(&columns[i][j]) * origin[j])
+            .sum()
+    })
 }
 
 /// The origin p with L t + L (R - 1) p = w modulo the lattice for every motion and the motion of
@@ -118,7 +137,10 @@ fn exact_origin(
     let back = inverse(linear)?;
     let mut equations = Vec::new();
     for motion in group {
-        let rotation = integral(&product(&product(linear, &rational(motion.rotation)), &back))?;
+        let rotation = integral(&product(
+            &product(linear, &rational(motion.rotation)),
+            &back,
+        ))?;
         let shift = times(linear, &motion.translation);
         let mut difference = rational(motion.rotation);
         (0..3).for_each(|k| difference[k][k] -= Rational::from(1));
@@ -189,7 +211,10 @@ fn is_right(identified: &Identified, group: &[Motion]) -> bool {
         let all: std::collections::BTreeSet<_> = group.iter().map(|m| m.rotation).collect();
         all.len()
     };
-    of_cell && of_standard && group.iter().all(is_standard) && rotations(group) == rotations(standard)
+    of_cell
+        && of_standard
+        && group.iter().all(is_standard)
+        && rotations(group) == rotations(standard)
 }
 
 /// Whether two groups are the same but for a shift of the origin by multiples of 1/24; `None` if

@@ -17,7 +17,11 @@ pub fn basis(translations: &[Vector]) -> Option<Matrix> {
     let mut rows: Vec<[Integer; 3]> = Vec::new();
     for k in 0..3 {
         rows.push(std::array::from_fn(|j| {
-            if j == k { Integer::from(&denominator) } else { Integer::from(0) }
+            if j == k {
+                Integer::from(&denominator)
+            } else {
+                Integer::from(0)
+            }
         }));
     }
     for translation in translations {

@@ -53,7 +53,11 @@ impl Setting {
 
     /// The symbol with the choice, as a CIF writes it.
     pub fn name(&self) -> String {
-        let symbol = if self.is_monoclinic() { &self.full } else { &self.short };
+        let symbol = if self.is_monoclinic() {
+            &self.full
+        } else {
+            &self.short
+        };
         match self.choice {
             choice @ ("1" | "2" | "H" | "R") => format!("{symbol} :{choice}"),
             _ => symbol.clone(),
@@ -198,7 +202,10 @@ fn add(keys: &mut HashMap<String, Vec<usize>>, spellings: impl Fn(&Setting) -> V
 
 /// `P 1 21/c 1` is usually written `P 21/c`.
 fn without_ones(full: &str) -> String {
-    full.split(' ').filter(|word| *word != "1").collect::<String>().to_ascii_lowercase()
+    full.split(' ')
+        .filter(|word| *word != "1")
+        .collect::<String>()
+        .to_ascii_lowercase()
 }
 
 /// Spellings from before 1992: the name of one glide for `e`, and `3` for `-3`.

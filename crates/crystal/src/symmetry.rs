@@ -66,7 +66,9 @@ impl PointSet {
         let reduced = points.iter().map(|point| point.clone().map(fractional));
         let kinds: HashMap<Vector, usize> = reduced.zip(kinds.iter().copied()).collect();
         let mut counts: HashMap<usize, usize> = HashMap::new();
-        kinds.values().for_each(|kind| *counts.entry(*kind).or_insert(0) += 1);
+        kinds
+            .values()
+            .for_each(|kind| *counts.entry(*kind).or_insert(0) += 1);
         let rarest = counts.iter().map(|(kind, count)| (count, kind)).min();
         let rarest = rarest.map(|(_, kind)| *kind);
         let mut rare: Vec<Vector> = kinds
@@ -99,9 +101,9 @@ impl PointSet {
     }
 
     fn is_kept_by(&self, motion: &Motion) -> bool {
-        self.kinds.iter().all(|(point, kind)| {
-            self.kinds.get(&motion.apply(point).map(fractional)) == Some(kind)
-        })
+        self.kinds
+            .iter()
+            .all(|(point, kind)| self.kinds.get(&motion.apply(point).map(fractional)) == Some(kind))
     }
 }
 
@@ -114,7 +116,9 @@ fn rotations(gram: &Matrix) -> Vec<Rotation> {
             for z in range.clone() {
                 let vector = [x, y, z];
                 let norm = inner(gram, &vector, &vector);
-                (0..3).filter(|&k| norm == gram[k][k]).for_each(|k| images[k].push(vector));
+                (0..3)
+                    .filter(|&k| norm == gram[k][k])
+                    .for_each(|k| images[k].push(vector));
             }
         }
     }

@@ -72,7 +72,10 @@ fn groups_that_differ_by_their_origin() {
     let (first, second) = (group("F d -3 m :1"), group("F d -3 m :2"));
     assert_ne!(first, second);
     assert_eq!(differ_by_origin(&first, &second), Some(true));
-    assert_eq!(differ_by_origin(&group("P n m a"), &group("P b n m")), Some(false));
+    assert_eq!(
+        differ_by_origin(&group("P n m a"), &group("P b n m")),
+        Some(false)
+    );
     let odd = shifted(&first, &[q(1, 10), q(0, 1), q(0, 1)]);
     assert_eq!(differ_by_origin(&odd, &first), None);
 }
@@ -102,7 +105,9 @@ fn the_group_of_a15() {
     assert_eq!(identified.setting.number, 223);
     let letter = |point: &Vector| {
         let changed = std::array::from_fn(|i| {
-            (0..3).fold(Rational::from(0), |sum, k| sum + &found.change[i][k] * &point[k])
+            (0..3).fold(Rational::from(0), |sum, k| {
+                sum + &found.change[i][k] * &point[k]
+            })
         });
         let wyckoff = wyckoff(&identified, &changed).expect("a letter");
         (wyckoff.multiplicity, wyckoff.letter)

@@ -38,7 +38,11 @@ fn hash(group: &[Motion]) -> u64 {
             let scaled = fractional(t.clone()) * Rational::from(24);
             i128::try_from(&malachite::Integer::try_from(scaled).expect("24ths")).expect("small")
         });
-        let entries = motion.rotation.iter().flatten().map(|&entry| i128::from(entry));
+        let entries = motion
+            .rotation
+            .iter()
+            .flatten()
+            .map(|&entry| i128::from(entry));
         entries.chain(translations).fold(0u128, |value, entry| {
             let next = value as i128 * 1_000_003 + entry + 7;
             next.rem_euclid(modulus as i128) as u128
@@ -59,7 +63,12 @@ fn hall_symbols_give_the_groups_of_gemmi() {
             Err(_) if row.hall.contains(',') => continue,
             Err(error) => panic!("{}: {error}", row.hall),
         };
-        assert_eq!((group.len(), hash(&group)), (row.count, row.hash), "{}", row.hall);
+        assert_eq!(
+            (group.len(), hash(&group)),
+            (row.count, row.hash),
+            "{}",
+            row.hall
+        );
         compared += 1;
     }
     assert!(compared >= 530, "{compared}");
@@ -76,8 +85,17 @@ fn symbols_stand_for_the_groups_of_gemmi() {
             .iter()
             .map(|setting| hash(&setting.group().expect("a group")))
             .collect();
-        assert!(hashes.contains(&row.hash), "{}: {:?}", row.symbol, found.settings);
-        assert!(found.settings.iter().all(|s| s.number == row.number), "{}", row.symbol);
+        assert!(
+            hashes.contains(&row.hash),
+            "{}: {:?}",
+            row.symbol,
+            found.settings
+        );
+        assert!(
+            found.settings.iter().all(|s| s.number == row.number),
+            "{}",
+            row.symbol
+        );
         known.insert(row.hash);
     }
     assert_eq!(setting::settings().len(), 530);
@@ -92,7 +110,10 @@ fn symbols_stand_for_the_groups_of_gemmi() {
 fn spellings_of_symbols() {
     let numbers = |symbol: &str| {
         let found = setting::of_symbol(symbol).settings;
-        found.iter().map(|s| (s.number, s.choice)).collect::<Vec<_>>()
+        found
+            .iter()
+            .map(|s| (s.number, s.choice))
+            .collect::<Vec<_>>()
     };
     for (symbol, expected) in [
         ("P m -3 n", vec![(223, "")]),
@@ -125,7 +146,17 @@ fn spellings_of_symbols() {
 
 #[test]
 fn texts_that_are_no_hall_symbols() {
-    for text in ["", "Q 2", "P 5", "P 2q", "P 4'", "P 2 (0 0", "P 2 (x,z,y)", "P 2 (1 2)", &"P 2 ".repeat(30)] {
+    for text in [
+        "",
+        "Q 2",
+        "P 5",
+        "P 2q",
+        "P 4'",
+        "P 2 (0 0",
+        "P 2 (x,z,y)",
+        "P 2 (1 2)",
+        &"P 2 ".repeat(30),
+    ] {
         assert!(hall::group(text).is_err(), "{text}");
     }
     // ITB table A1.4.2.7: the origin of P 2ac (0 0 -1) does not matter along its axis.

@@ -203,3 +203,23 @@ fn display() {
     assert!(zero.is_rational() && zero.inverse().is_none() && a.divide(&zero).is_none());
     assert_eq!(Field::rationals().degree(), 1);
 }
+
+#[test]
+fn floors() {
+    let (_, s) = root(&[-5, 0, 1], 0, 3).unwrap();
+    let far = Integer::from(2).pow(70u64);
+    let number = |n: &Integer| Number::from(Rational::from(n));
+    // 2 < √5 < 3, and √5 √5 = 5 as an element of the field.
+    let cases = [
+        (s.clone(), Integer::from(2)),
+        (-&s, Integer::from(-3)),
+        (&s + &number(&far), &far + Integer::from(2)),
+        (&number(&-&far) - &s, -&far - Integer::from(3)),
+        (&s * &s, Integer::from(5)),
+        (Number::from(q(7, 2)), Integer::from(3)),
+        (Number::from(q(-7, 2)), Integer::from(-4)),
+    ];
+    for (x, floor) in cases {
+        assert_eq!(x.floor(), floor, "{x}");
+    }
+}

@@ -5,7 +5,8 @@
 use acutile_core::classify::Star;
 use acutile_core::delaunay::{DelaunayError, Ties, triangulate};
 use acutile_core::statement::Statement;
-use acutile_io::import::cif::{CifOptions, CifPoints, read_cif};
+use acutile_io::import::cif::{CifOptions, Special, read_cif};
+use acutile_io::import::crystal::Structure;
 use acutile_paper::survey::Study;
 use malachite::Rational;
 use std::path::{Path, PathBuf};
@@ -18,7 +19,7 @@ fn text(name: &str) -> String {
     std::fs::read_to_string(path(name)).expect("a file of tests/cif")
 }
 
-fn snapped(text: &str, snap: u32) -> CifPoints {
+fn snapped(text: &str, snap: u32) -> Structure {
     let options = CifOptions {
         snap: Some(snap),
         ..CifOptions::default()
@@ -26,7 +27,7 @@ fn snapped(text: &str, snap: u32) -> CifPoints {
     read_cif(text, &options).unwrap_or_else(|error| panic!("{error}"))
 }
 
-fn read(text: &str) -> CifPoints {
+fn read(text: &str) -> Structure {
     read_cif(text, &CifOptions::default()).unwrap_or_else(|error| panic!("{error}"))
 }
 
@@ -127,7 +128,7 @@ fn angles_with_irrational_cosines_are_rounded_and_told() {
         Some(&Rational::from(0))
     );
     assert_eq!(
-        cif.notes,
+        cif.notes[..3],
         [
             "numbers with a standard uncertainty, like 0.1234(5): 1; it is left out, and the number before it is exact",
             "beta: the cosine is taken to be -0.130526192220052 (15 decimals; what is proved is proved of that lattice)",
@@ -161,28 +162,37 @@ fn triclinic() {
 /// arithmetic says so, and warns.
 #[test]
 fn rounded_thirds_give_more_atoms_and_a_warning() {
-    let cif = read(&text("z"));
+    let as_written = CifOptions {
+        special: Special::AsWritten,
+        ..CifOptions::default()
+    };
+    let written =
+        |text: &str| read_cif(text, &as_written).unwrap_or_else(|error| panic!("{error}"));
+    assert!(
+        error(&text("z")).contains("site Zr1 (0.3333, 0.6667, 0.5) is near a special position")
+    );
+    let cif = written(&text("z"));
     assert_eq!(cif.points.points.len(), 11);
     let warnings: Vec<&String> = cif
         .notes
         .iter()
         .filter(|note| note.contains("warning"))
         .collect();
-    // Of the two thirds each has three images, all near each other: 2 * 3 pairs.
-    assert_eq!(warnings.len(), 4);
+    // Of the two thirds each has three images, all near each other: 2 * 3 pairs. The last warning is the distance.
+    assert_eq!(warnings.len(), 5);
     assert_eq!(
         warnings[0],
         "warning: the atoms Zr1 (0.3333, 0.6667, 0.5) and Zr1 (0.3333, 0.6666, 0.5) differ by no more than the written digits tell"
     );
     assert!(
-        warnings[3].starts_with("warning: 6 such pairs, which stay different atoms: --snap 12"),
+        warnings[3].starts_with("warning: 6 such pairs, which stay different atoms; --special"),
         "{}",
         warnings[3]
     );
     let snapped = snapped(&text("z"), 3);
     assert_eq!(snapped.points.points.len(), 7);
     assert_eq!(
-        snapped.notes,
+        snapped.notes[..3],
         [
             "Zr1: x = 0.3333 replaced by 1/3",
             "Zr1: y = 0.6667 replaced by 2/3",
@@ -197,7 +207,7 @@ fn rounded_thirds_give_more_atoms_and_a_warning() {
         .replace("Al1 ", "Al1 3 ")
         .replace("Zr1 ", "Zr1 2 ")
         .replace("Zr2 ", "Zr2 2 ");
-    let notes = read(&says_two).notes;
+    let notes = written(&says_two).notes;
     assert!(
         notes.contains(&"warning: site Zr1 gives 6 atoms, the file says 2".to_owned()),
         "{notes:?}"
@@ -208,7 +218,7 @@ fn rounded_thirds_give_more_atoms_and_a_warning() {
 /// about [001] asks for exactly -1/3: it takes a1 to a2 and a3 to -(a1 + a2 + a3), so a1 · a3 = c to -1 - 2c. With
 /// 100 degrees c = -0.17364817767.
 #[test]
-fn an_operation_that_fits_but_for_rounding_is_told() {
+fn an_operation_that_fits_within_the_digits_makes_the_cell_exact() {
     let cif = |angle: &str| {
         format!(
             "data_bcc\n_cell_length_a 1\n_cell_length_b 1\n_cell_length_c 1\n_cell_angle_alpha {angle}\n_cell_angle_beta {angle}\n\
@@ -216,9 +226,15 @@ fn an_operation_that_fits_but_for_rounding_is_told() {
              _atom_site_fract_y\n_atom_site_fract_z\n0 0 0\n"
         )
     };
-    let notes = read(&cif("109.4712206")).notes;
-    let warning = "warning: line 11: the symmetry operation \"y-z,x-z,-z\" does not fit the cell: it takes a·c = -0.3333333328 to -0.3333333345, by rounding";
-    assert!(notes.contains(&warning.to_owned()), "{notes:?}");
+    let bcc = read(&cif("109.4712206"));
+    let note = "lengths and angles fit the operations within their digits only: the metric is replaced by its mean under the operations";
+    assert!(bcc.notes.contains(&note.to_owned()), "{:?}", bcc.notes);
+    // The mean of a·b, which the rotation keeps, and of a·c and b·c, which it mixes, keeps a·b + a·c + b·c = -1.
+    let entry = |i: usize, j: usize| {
+        let entry = bcc.points.frame.gram[i][j].to_rational().cloned();
+        entry.expect("a rational")
+    };
+    assert_eq!(entry(0, 2) + entry(1, 2) + entry(0, 1), -entry(0, 0));
     assert_eq!(
         error(&cif("100")),
         "line 11: the symmetry operation \"y-z,x-z,-z\" does not fit the cell: it takes a·c = -0.1736481777 to -0.6527036447"
@@ -307,21 +323,21 @@ fn messages() {
             "data_a: there is no cell with these angles: its volume would not be positive",
         ),
         (
-            p1("'P 1'", "'P -1'"),
-            "line 8: the space group is \"P -1\", and its symmetry operations are not listed: add a loop_ with \
-             _space_group_symop_operation_xyz and all operations ('x,y,z' alone for P1)",
+            p1("'P 1'", "'P q'"),
+            "line 8: the space group is \"P q\", which is in no table of settings, and its symmetry operations are not listed: \
+             add a loop_ with _space_group_symop_operation_xyz and all operations ('x,y,z' alone for P1)",
         ),
         (
             p1(
                 "_symmetry_space_group_name_H-M 'P 1'\n",
                 "_space_group_IT_number 223\n",
             ),
-            "line 8: the space group is number 223, and its symmetry operations are not listed: add a loop_ with \
-             _space_group_symop_operation_xyz and all operations ('x,y,z' alone for P1)",
+            "line 8: the space group number 223 has no setting that fits the cell, and its symmetry operations are not listed: \
+             add a loop_ with _space_group_symop_operation_xyz and all operations ('x,y,z' alone for P1)",
         ),
         (
             p1("_symmetry_space_group_name_H-M 'P 1'\n", ""),
-            "data_a: no symmetry operations: add a loop_ with _space_group_symop_operation_xyz and all operations ('x,y,z' alone for P1)",
+            "data_a: no symmetry operations and no space group: add a loop_ with _space_group_symop_operation_xyz and all operations ('x,y,z' alone for P1)",
         ),
         (
             p1(
@@ -344,12 +360,12 @@ fn messages() {
         ),
         (
             p1("B 0.5", "B ?"),
-            "line 16: x of site B: is not known (?); leave the site out with --only",
+            "line 16: x of site B: is not known (?); leave the site out with --except",
         ),
         (
             p1("0 1\n", "0 0.75\n"),
-            "line 15: site A has the occupancy 0.75: disorder cannot be a point set; choose sites with --only, or take each as an atom \
-             with --ignore-occupancy",
+            "line 15: site A has the occupancy 0.75: disorder cannot be a point set; choose sites with --only or --except, or take \
+             each as an atom with --ignore-occupancy",
         ),
         (
             p1("B 0.5 0.3 0.1", "B 1.0 0 -2"),
@@ -370,13 +386,13 @@ fn messages() {
         ),
         (
             edit(&a15, "IT_number 223", "IT_number 136"),
-            "line 4: space group 136 has a point group of order 16, but the listed operations have 48 different rotations: complete \
-             the list, or remove the number if the list is right",
+            "line 4: space group 136 does not agree with the 48 listed operations at line 13, which are those of number 223, \
+             P m -3 n: complete the list, or remove the number if the list is right",
         ),
         (
-            edit(&a15, "'P m -3 n'", "'I m -3 n'"),
-            "line 3: \"I m -3 n\" has 2 lattice points in a cell, but the listed operations have 1 translations: complete the list, \
-             or remove the symbol if the list is right",
+            edit(&a15, "'P m -3 n'", "'I m -3 m'"),
+            "line 3: the symbol \"I m -3 m\" does not agree with the listed operations: it stands for 96 operations, and 48 are \
+             listed at line 13, those of number 223, P m -3 n; complete the list, or remove the symbol or the list, whichever is wrong",
         ),
     ] {
         assert_eq!(found, expected);
@@ -440,7 +456,7 @@ fn options_choose_and_say_what_there_is() {
         .replace("A 0 0 0 1", "A 0 0 0 dum");
     assert_eq!(
         error(&dummy),
-        "line 15: site A is a dummy (_atom_site_calc_flag dum), no atom: leave it out with --only"
+        "line 15: site A is a dummy (_atom_site_calc_flag dum), no atom: leave it out with --except"
     );
 }
 

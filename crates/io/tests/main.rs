@@ -2,6 +2,8 @@
 
 mod cif;
 mod coq_export;
+mod crystal_mutations;
+mod crystals;
 mod mesh_mutations;
 mod meshes;
 mod tiling_files;

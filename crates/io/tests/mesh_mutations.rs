@@ -2,6 +2,8 @@
 //! proved only where it is the undamaged mesh.
 
 use acutile_core::checker::{Options, examine};
+use acutile_core::tiling::AnyTiling;
+use acutile_io::mesh::surface::{self, Surface};
 use acutile_io::mesh::{
     Family, Format, Lattice, Mesh, MeshError, Numbering, load, periodic_tiling, write,
 };
@@ -181,7 +183,14 @@ fn damaged_files_are_refused_or_refuted() {
                 Ok(mesh) if geometry(&mesh) == original => unchanged += 1,
                 Ok(mesh) => {
                     if let Ok(converted) = periodic_tiling(mesh, &lattice, None) {
-                        let proof = examine(&converted.tiling, &Options::default(), &|_| ());
+                        let options = Options {
+                            sides: converted.sides,
+                            ..Options::default()
+                        };
+                        let AnyTiling::Space(tiling) = &converted.tiling else {
+                            continue;
+                        };
+                        let proof = examine(tiling, &options, &|_| ());
                         assert!(proof.is_err(), "{name}, seed {seed}: proved");
                     }
                     refuted += 1;
@@ -226,6 +235,61 @@ fn damaged_files_of_other_programs_never_panic() {
     assert!(count >= 2500, "{count} files");
 }
 
+/// Files of the formats that are read and not written: 1,000 damages of each.
+#[test]
+fn damaged_files_of_formats_that_are_only_read_never_panic() {
+    let cases = Path::new(concat!(env!("CARGO_MANIFEST_DIR"), "/../..")).join("tests/meshes/cases");
+    for (name, family) in [
+        ("cube.inp", Family::Abaqus),
+        ("cube.bdf", Family::Nastran),
+        ("cube.mesh", Family::Mfem),
+        ("version1.msh", Family::Msh),
+        ("cube40.msh", Family::Msh),
+        ("cube40_binary.msh", Family::Msh),
+        ("binary_elementdata_no_newline.msh", Family::Msh),
+        ("lz4.vtu", Family::Vtu),
+        ("cube_lzma.vtu", Family::Vtu),
+        ("curved10.vtu", Family::Vtu),
+    ] {
+        let bytes = std::fs::read(cases.join(name)).expect("the file");
+        assert!(family.read(&bytes).is_ok(), "{name}");
+        let (mut refused, begin) = (0, Instant::now());
+        for seed in 0..1000 {
+            match family.read(&damaged(&bytes, &mut Random(seed))) {
+                Ok(mesh) => assert!(mesh.cell_count() > 0, "{name}, seed {seed}"),
+                Err(error) => {
+                    assert!(!error.to_string().is_empty());
+                    refused += 1;
+                }
+            }
+        }
+        assert!(refused > 100, "{name}: {refused}");
+        assert!(begin.elapsed() < Duration::from_secs(120), "{name}: slow");
+    }
+}
+
+#[test]
+fn damaged_surfaces_never_panic() {
+    let cases = Path::new(concat!(env!("CARGO_MANIFEST_DIR"), "/../..")).join("tests/meshes/cases");
+    for (name, read) in [
+        (
+            "cube.stl",
+            surface::read_stl as fn(&[u8]) -> Result<Surface, MeshError>,
+        ),
+        ("cube_binary.stl", surface::read_stl),
+        ("cube.obj", surface::read_obj),
+    ] {
+        let bytes = std::fs::read(cases.join(name)).expect("the file");
+        assert_eq!(
+            read(&bytes).expect("a surface").triangles.len(),
+            12,
+            "{name}"
+        );
+        let errors = (0..1000).filter(|&seed| read(&damaged(&bytes, &mut Random(seed))).is_err());
+        assert!(errors.count() > 100, "{name}");
+    }
+}
+
 #[test]
 fn any_bytes_at_all_never_panic() {
     let families = [
@@ -234,6 +298,9 @@ fn any_bytes_at_all_never_panic() {
         Family::Vtu,
         Family::Medit,
         Family::Meditb,
+        Family::Abaqus,
+        Family::Nastran,
+        Family::Mfem,
     ];
     for seed in 0..500 {
         let mut random = Random(seed);

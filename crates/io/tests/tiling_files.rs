@@ -115,7 +115,7 @@ fn one_simplex_doubled() {
     let mut document = kuhn();
     let simplex = document["simplices"][3].clone();
     document["simplices"].as_array_mut().unwrap().push(simplex);
-    assert_eq!(defects(&document), ["overused-facet 4", "volume-sum 1"]);
+    assert_eq!(defects(&document), ["duplicate 1", "volume-sum 1"]);
 }
 
 #[test]

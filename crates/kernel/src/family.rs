@@ -19,6 +19,7 @@ use crate::table::index;
 use crate::tiling::{Facts, Pass, check_statements};
 use crate::transcript::Transcript;
 use num_bigint::BigInt;
+use num_integer::Integer;
 use std::cmp::Ordering::{Equal, Greater};
 use std::rc::Rc;
 
@@ -156,39 +157,46 @@ impl<'c, const N: usize> Family<'c, N> {
     }
 
     /// A check did not succeed on a leaf. A condition that does not hold at the middle, or at a
-    /// corner that belongs to the box, is refused there. Otherwise nothing is decided.
+    /// corner that belongs to the box, is refused there. (In a coordinate without a closed end the
+    /// corner has the middle.) Otherwise nothing is decided.
     fn refusal(&self, leaf: &Box<N>, stop: Stop) -> Checked<Stop> {
         let refusal = stop.refusal();
         let is_open = refusal.code == Code::SignUndecided || refusal.code.kind() == Kind::Rejected;
         if is_open {
             let middle = leaf.iter().map(|side| side.middle(&self.ring)).collect::<Checked<_>>()?;
-            self.check_point(&middle)?;
-            self.check_corners(leaf, &mut Vec::new())?;
+            let is_about_all = refusal.code == Code::NotAttained;
+            self.check_point(&middle, is_about_all)?;
+            self.check_corners(leaf, &mut Vec::new(), is_about_all)?;
             return Ok(Stop::LARGER.at(refusal.place));
         }
         Ok(Stop::of(refusal))
     }
 
-    fn check_corners(&self, leaf: &Box<N>, corner: &mut Box<N>) -> Checked {
+    fn check_corners(&self, leaf: &Box<N>, corner: &mut Box<N>, is_about_all: bool) -> Checked {
         let Some(side) = leaf.get(corner.len()) else {
-            return self.check_point(corner);
+            return self.check_point(corner, is_about_all);
         };
-        for end in side.closed_ends() {
+        for end in side.points(&self.ring)? {
             corner.push(end);
-            self.check_corners(leaf, corner)?;
+            self.check_corners(leaf, corner, is_about_all)?;
             corner.pop();
         }
         Ok(())
     }
 
-    /// Refuses if a condition does not hold at a point.
-    fn check_point(&self, point: &Box<N>) -> Checked {
+    /// Refuses if a condition does not hold at a point. Whether bounds are attained counts only if
+    /// nothing else is open on the leaf.
+    fn check_point(&self, point: &Box<N>, is_about_all: bool) -> Checked {
         let Err(stop) = self.check(point) else { return Ok(()) };
         let mut refusal = stop.refusal();
-        if refusal.code == Code::SignUndecided {
+        if refusal.code == Code::SignUndecided || (refusal.code == Code::NotAttained && !is_about_all) {
             return Ok(());
         }
-        let value = |side: &Side<N>| Value::Quotient(self.ring.coefficients(&side.low), vec![side.unit.clone()]);
+        let value = |side: &Side<N>| {
+            let numerator = self.ring.coefficients(&side.low);
+            let divisor = numerator.iter().fold(side.unit.clone(), |divisor, c| divisor.gcd(c));
+            Value::Quotient(numerator.iter().map(|c| c / &divisor).collect(), vec![&side.unit / &divisor])
+        };
         let names = self.claim.parameters.iter().map(|parameter| parameter.name.clone());
         refusal.point = names.zip(point.iter().map(value)).collect();
         // These values are too large by a factor that depends on the box.

@@ -6,7 +6,7 @@
 
 use crate::claim::{End, Parameter, Polynomial};
 use crate::limits::Work;
-use crate::refusal::{Checked, Stop};
+use crate::refusal::{Checked, Place, Stop};
 use crate::ring::{Element, Exact, Ring, Sign};
 use num_bigint::BigInt;
 use std::cmp::Ordering::{self, Equal, Greater, Less};
@@ -65,10 +65,12 @@ impl<const N: usize> Side<N> {
         Ok(self.at(&ring.plus(&self.low, &self.high)?, &(&self.unit * 2)))
     }
 
-    /// The ends that belong to the box, as intervals without length.
-    pub(crate) fn closed_ends(&self) -> Vec<Side<N>> {
+    /// The ends that belong to the box, or else the middle, as intervals without length.
+    pub(crate) fn points(&self, ring: &Large<N>) -> Checked<Vec<Side<N>>> {
         let ends = [(self.is_low_closed, &self.low), (self.is_high_closed, &self.high)];
-        ends.into_iter().filter(|(is_closed, _)| *is_closed).map(|(_, end)| self.at(end, &self.unit)).collect()
+        let closed = ends.into_iter().filter(|(is_closed, _)| *is_closed);
+        let points: Vec<_> = closed.map(|(_, end)| self.at(end, &self.unit)).collect();
+        if points.is_empty() { Ok(vec![self.middle(ring)?]) } else { Ok(points) }
     }
 }
 
@@ -84,8 +86,11 @@ pub(crate) struct Polynomials<const N: usize> {
     pub(crate) scale: BigInt,
 }
 
-/// The greatest number of Bernstein coefficients.
-const MOST: usize = 1 << 20;
+/// The degrees, and the sign of each coefficient with its number on each axis.
+type Signs = (Vec<u32>, Vec<(Vec<u32>, Ordering)>);
+
+/// The greatest number of terms, and of Bernstein coefficients.
+const MOST: usize = 1 << 18;
 
 impl<const N: usize> Polynomials<N> {
     /// `degrees` are the greatest exponents of the parameters.
@@ -111,9 +116,15 @@ impl<const N: usize> Polynomials<N> {
         Ok(ring)
     }
 
-    /// The signs of the Bernstein coefficients, times positive factors, with their numbers on each
-    /// axis, and the degrees. Nothing if there are too many, or if a sign is undecided.
-    fn signs(&self, x: &Terms<N>) -> Option<(Vec<u32>, Vec<(Vec<u32>, Ordering)>)> {
+    /// The work for this many terms or coefficients.
+    fn charge(&self, count: usize) -> Checked {
+        let units = if count > MOST { u64::MAX } else { 400 * u64::try_from(count).unwrap_or(u64::MAX) };
+        self.work().add(units);
+        self.work().check(Place::Witness)
+    }
+
+    /// The signs of the Bernstein coefficients. Nothing if there are too many, or if one is undecided.
+    fn signs(&self, x: &Terms<N>) -> Option<Signs> {
         let axes = x.0.keys().map(Vec::len).max().unwrap_or(0);
         let exponent = |exponents: &Vec<u32>, axis: usize| exponents.get(axis).copied().unwrap_or(0);
         let degree = |axis| x.0.keys().map(|exponents| exponent(exponents, axis)).max().unwrap_or(0);
@@ -121,10 +132,7 @@ impl<const N: usize> Polynomials<N> {
         let mut indices = vec![Vec::new()];
         for &degree in &degrees {
             let count = indices.len().checked_mul(usize::try_from(degree).ok()? + 1)?;
-            if count > MOST {
-                self.work().add(u64::MAX);
-                return None;
-            }
+            self.charge(count).ok()?;
             indices = indices.iter().flat_map(|index| (0..=degree).map(|e| [&index[..], &[e]].concat())).collect();
         }
         let mut padded = BTreeMap::new();
@@ -220,7 +228,8 @@ impl<const N: usize> Ring for Polynomials<N> {
             let entry = sum.0.entry(exponents.clone()).or_default();
             *entry = self.numbers.plus(entry, c)?;
         }
-        self.work().add(50 * u64::try_from(sum.0.len()).unwrap_or(u64::MAX));
+        self.charge(sum.0.len())?;
+        sum.0.retain(|_, c| *c != Number::default());
         Ok(sum)
     }
 
@@ -232,13 +241,16 @@ impl<const N: usize> Ring for Polynomials<N> {
         let mut sum = Terms::default();
         for (x, y) in x.into_iter().zip(y) {
             for (first, c) in &x.0 {
+                self.charge(y.0.len())?;
+                if sum.0.len() > MOST {
+                    self.charge(sum.0.len())?;
+                }
                 for (second, d) in &y.0 {
                     let (mut long, short) =
                         if first.len() < second.len() { (second.clone(), first) } else { (first.clone(), second) };
                     long.iter_mut().zip(short).for_each(|(e, f)| *e += f);
                     let entry: &mut Number<N> = sum.0.entry(long).or_default();
                     *entry = self.numbers.plus(entry, &self.numbers.times(c, d)?)?;
-                    self.work().add(100);
                 }
             }
         }

@@ -6,7 +6,12 @@ use num_integer::Integer;
 
 /// The place, the value, and the option that accepts more.
 pub fn refusal(refusal: &Refusal, length: Option<u64>) -> String {
-    let place = place(refusal.place);
+    let at = refusal.point.iter().map(|(name, value)| match value {
+        Value::Quotient(p, q) => format!("{name} = {}", quotient(p, q)),
+        _ => name.clone(),
+    });
+    let point = at.collect::<Vec<_>>().join(", ");
+    let place = place(refusal.place) + if point.is_empty() { "" } else { " at " } + &point;
     match &refusal.value {
         Value::Nothing => place,
         Value::Integer(value) => format!("{place}: found {value}"),

@@ -55,6 +55,12 @@ fn counts(patch: &Patch) -> Counts {
 type Sixes = Vec<BTreeMap<Edge, bool>>;
 
 pub(crate) fn check<const N: usize>(system: &System<N>, joins: &[Join<N>], angles: &Angles) -> Checked {
+    for (patch, tile) in system.patches.iter().zip(0..) {
+        // The axis of a join is in as many cells as the polygon has corners.
+        for valence in patch.pyramids.iter().map(|pyramid| pyramid.polygon.len()) {
+            ensure!(matches!(valence, 5 | 6), EdgeValence, Place::Tile(tile), valence);
+        }
+    }
     let counts: Vec<Counts> = system.patches.iter().map(counts).collect();
     let mut walls = Walls::new();
     for side in &system.sides {
@@ -149,7 +155,6 @@ fn check_triangles<const N: usize>(system: &System<N>, joins: &[Join<N>], sixes:
         let mine = pyramid(&left.left.polygons, join.pyramids[0])?;
         let theirs = pyramid(&right.right.polygons, join.pyramids[1])?;
         let valence = mine.corners.len();
-        ensure!(matches!(valence, 5 | 6), EdgeValence, left.place(), valence);
         for (corner, there) in mine.corners.iter().zip(&mine.there) {
             let beyond = theirs.corners.iter().zip(&theirs.there).find(|(_, other)| *other == there);
             let (beyond, _) = beyond.ok_or(Stop::LARGER)?;

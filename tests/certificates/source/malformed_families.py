@@ -150,6 +150,8 @@ PARTS = {
     "family-domain--region": edit(ONE, DOMAIN, ["region", 2]),
     "family-domain--region-with-boundary": edited(ONE, (DOMAIN, ["region", 0]), (BOUNDARY, MESH.certificate()["witness"]["boundary"])),
     "boundary-domain--family": edit(ONE, BOUNDARY, [[0, [0, 1, 0]]]),
+    "denominator--family-witness-zero": edit(ONE, ("witness", "denominator"), 0),
+    "no-simplices--family": edit(ONE, ("witness", "simplices"), []),
 }
 
 # Three parameters, of which the second is in a term with the exponent zero only.

@@ -8,8 +8,8 @@
 //! Let L = f - ν (180/π) (m - Σ cos) with ν >= 0. Where L > 0, f > 0 or the triangle is not feasible.
 //! By the mean value theorem L is at least its value at the lower corner of a box, plus the sum of
 //! the widths times the negative parts of lower bounds of the partial derivatives. A box is decided
-//! when this is positive, or when the sum of cosines exceeds m at the upper corner. Else it is cut
-//! in half. Section 14 of docs/lower-bound.md has the formulas; `triangle` evaluates them.
+//! when this is positive, for the given ν or for ν = 0, or when the sum of cosines exceeds m at the
+//! upper corner. Else it is cut in half. Section 14 of docs/lower-bound.md has the formulas; `triangle` evaluates them.
 
 mod triangle;
 
@@ -57,7 +57,7 @@ struct Function {
 enum Decision {
     Infeasible,
     Positive,
-    /// f is not positive at the lower corner, which is feasible.
+    /// f is not positive at a feasible corner.
     Refuted,
     Open,
 }
@@ -185,6 +185,17 @@ impl Target {
         }
     }
 
+    /// f at a triangle with angles a0 + e_i, and m minus its sum of cosines, which is negative
+    /// where the triangle is not feasible.
+    ///
+    /// # Errors
+    /// An angle out of range.
+    pub fn at(&self, excess: &[Rational; 3]) -> Result<(Interval, Interval), String> {
+        let corner = Corner::at(excess, &self.constants, &mut Angles::default())?;
+        let value = self.function.value(&corner, &self.constants)?;
+        Ok((value, self.constants.most.minus(&corner.sum_of_cosines())))
+    }
+
     fn bisect(&self) -> Result<(Verdict, String), String> {
         let side = || [q(0, 1), self.constants.kappa.clone()];
         let mut waiting: Vec<Box3> = vec![[side(), side(), side()]];
@@ -196,7 +207,7 @@ impl Target {
                 Decision::Infeasible => infeasible += 1,
                 Decision::Positive => positive += 1,
                 Decision::Refuted => {
-                    let found = format!("it fails at e = {}", shown(&cell));
+                    let found = format!("it fails at a corner of the box at e = {}", shown(&cell));
                     return Ok((Verdict::Fails, found));
                 }
                 Decision::Open if seen >= LIMIT => {
@@ -217,33 +228,56 @@ impl Target {
 
     fn decide(&self, cell: &Box3, angles: &mut Angles) -> Result<Decision, String> {
         let constants = &self.constants;
-        let function = &self.function;
         let [low, high] = [0, 1].map(|end| cell.each_ref().map(|side| side[end].clone()));
         let high = Corner::at(&high, constants, angles)?;
         if high.sum_of_cosines().lo > constants.most.hi {
             return Ok(Decision::Infeasible);
         }
         let low = Corner::at(&low, constants, angles)?;
-        let value = function.value(&low, constants)?;
-        let spare = constants.most.minus(&low.sum_of_cosines());
-        if spare.lo >= 0 && value.hi <= 0 {
-            return Ok(Decision::Refuted);
-        }
-        let penalty = spare.by(&constants.radian).scaled(&function.multiplier);
-        let mut bound = value.minus(&penalty).lo;
         let slopes = slopes(&low, &high, constants)?;
-        for v in 0..3 {
-            let slope = function.slope(v, &slopes, &high);
-            let [from, to] = &cell[v];
-            if slope < 0 {
-                bound += slope * (to - from);
-            }
+        let slopes = [0, 1, 2].map(|v| self.function.slope(v, &slopes));
+        if self.lower_bound(cell, &low, &high, &slopes)? > 0 {
+            return Ok(Decision::Positive);
         }
-        Ok(if bound > 0 {
-            Decision::Positive
+        // The corner where f may be least.
+        let worst = [0, 1, 2].map(|v| cell[v][usize::from(slopes[v] < 0)].clone());
+        let worst = Corner::at(&worst, constants, angles)?;
+        Ok(if self.is_refuted(&worst)? || self.is_refuted(&high)? {
+            Decision::Refuted
         } else {
             Decision::Open
         })
+    }
+
+    /// The larger one of two lower bounds, of L and of f, on a box. Where f or L is positive, a
+    /// triangle is as claimed. `slopes` are lower bounds of the derivatives of f.
+    fn lower_bound(
+        &self,
+        cell: &Box3,
+        low: &Corner,
+        high: &Corner,
+        slopes: &[Rational; 3],
+    ) -> Result<Rational, String> {
+        let (constants, function) = (&self.constants, &self.function);
+        let value = function.value(low, constants)?;
+        let spare = constants.most.minus(&low.sum_of_cosines());
+        let spare = spare.by(&constants.radian);
+        let bound = |multiplier: &Rational| {
+            let start = value.minus(&spare.scaled(multiplier)).lo;
+            (0..3).fold(start, |bound, v| {
+                let slope = &slopes[v] - multiplier * &high.sin[v].hi;
+                let [from, to] = &cell[v];
+                bound + slope.min(q(0, 1)) * (to - from)
+            })
+        };
+        Ok(bound(&function.multiplier).max(bound(&q(0, 1))))
+    }
+
+    /// Whether a triangle is certainly feasible and f is certainly not positive there.
+    fn is_refuted(&self, corner: &Corner) -> Result<bool, String> {
+        let sum = corner.sum_of_cosines();
+        let is_feasible = sum.hi <= self.constants.most.lo;
+        Ok(is_feasible && self.function.value(corner, &self.constants)?.hi <= 0)
     }
 }
 
@@ -263,11 +297,10 @@ impl Function {
         Ok(value)
     }
 
-    /// A lower bound of the derivative of L by e_v on the box; `slopes[i][v]` is one of x_i by e_v.
-    fn slope(&self, v: usize, slopes: &[[Rational; 3]; 3], high: &Corner) -> Rational {
+    /// A lower bound of the derivative of f by e_v on the box; `slopes[i][v]` is one of x_i by e_v.
+    fn slope(&self, v: usize, slopes: &[[Rational; 3]; 3]) -> Rational {
         let of_x = (0..3).map(|i| &self.weights[i] * &slopes[i][v]);
-        let of_x = of_x.fold(self.rates[v].lo.clone(), |sum, slope| sum + slope);
-        of_x - &self.multiplier * &high.sin[v].hi
+        of_x.fold(self.rates[v].lo.clone(), |sum, slope| sum + slope)
     }
 }
 

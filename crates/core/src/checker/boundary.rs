@@ -4,6 +4,7 @@ use crate::tiling::{Corner, Facet, Tiling, difference, floor};
 use acutile_exact::geometry::Scalar;
 use acutile_exact::geometry::triangle::{Point, Quotient};
 use acutile_exact::number::Number;
+use std::cmp::Ordering;
 
 /// How numbers become scalars, and back.
 pub(super) struct Scale<S> {
@@ -91,4 +92,19 @@ pub(super) fn cell<const D: usize>(tiling: &Tiling<D>, corner: &Corner<D>) -> [i
         true => floor(&vertex[k]) + corner.shift[k],
         false => 0,
     })
+}
+
+/// The ranks of each point's coordinates among all; equal ones have equal ranks.
+pub(super) fn ranks<S: Scalar>(points: &[Point<S>]) -> Vec<[u32; 3]> {
+    let mut ranks = vec![[0; 3]; points.len()];
+    for axis in 0..3 {
+        let order = |&v: &usize, &w: &usize| points[v][axis].minus(&points[w][axis]).sign();
+        let mut sorted: Vec<usize> = (0..points.len()).collect();
+        sorted.sort_unstable_by(order);
+        for pair in sorted.windows(2) {
+            let step = u32::from(order(&pair[0], &pair[1]) == Ordering::Less);
+            ranks[pair[1]][axis] = ranks[pair[0]][axis] + step;
+        }
+    }
+    ranks
 }

@@ -1,10 +1,10 @@
 //! Defects as data, for machines: one JSON object each, with the same indices and
 //! exact values as the sentences of [`super::render`].
 
-use super::defect::{Angle, Defect};
+use super::defect::{Angle, ContactKind, Defect};
 use super::names::Names;
 use super::render::describe;
-use crate::tiling::{Corner, Facet, SimplexId, Tiling};
+use crate::tiling::{Corner, Facet, SimplexId, Tiling, VertexId};
 use acutile_exact::number::Number;
 use malachite::Rational;
 use serde_json::{Map, Value, json};
@@ -110,6 +110,43 @@ fn members<const D: usize>(tiling: &Tiling<D>, defect: &Defect) -> Value {
             "simplices": simplices.iter().map(|s| s.number()).collect::<Vec<_>>(),
             "outside": simplices.len(),
         }),
+        Defect::Overlap { simplices, point } => {
+            let point: Vec<String> = point.iter().map(text).collect();
+            json!({ "simplices": [simplices.0.number(), simplices.1.number()], "point": point })
+        }
+        Defect::NonConforming {
+            sides,
+            coincident,
+            kind,
+        } => {
+            let side = |facets: &Vec<Facet>| facets.iter().map(facet).collect::<Vec<_>>();
+            let (kind, hanging) = match kind {
+                ContactKind::EqualFacets => ("equal-facets", 0),
+                ContactKind::OtherDiagonals => ("other-diagonals", 0),
+                ContactKind::HangingNodes(hanging) => ("hanging-nodes", *hanging),
+                ContactKind::Touching => ("touching", 0),
+            };
+            json!({
+                "sides": sides.each_ref().map(side),
+                "coincident": coincident,
+                "kind": kind,
+                "hanging_nodes": hanging,
+            })
+        }
+        Defect::Duplicates { simplices } | Defect::NotConnected { firsts: simplices } => json!({
+            "simplices": simplices.iter().map(|s| s.number()).collect::<Vec<_>>(),
+        }),
+        Defect::NotBoundary { triangles } => json!({ "triangles": triangles }),
+        Defect::Cavity { facets } | Defect::NotOnSurface { facets } => {
+            json!({ "facets": facets.iter().map(facet).collect::<Vec<_>>() })
+        }
+        Defect::NotManifold { ridges, vertices } => {
+            let ridge = |r: &Vec<VertexId>| r.iter().map(|v| v.number()).collect::<Vec<_>>();
+            json!({
+                "ridges": ridges.iter().map(ridge).collect::<Vec<_>>(),
+                "vertices": vertices.iter().map(|v| v.number()).collect::<Vec<_>>(),
+            })
+        }
         Defect::BoundaryWork { limit } => json!({ "limit": limit }),
         Defect::NoBoundary => json!({}),
         Defect::UnusedVertex { vertex } => json!({ "vertex": vertex }),

@@ -2,7 +2,7 @@
 //! [`super::render`] puts them into words.
 
 use crate::classify::NotTcp;
-use crate::tiling::{Facet, SimplexId};
+use crate::tiling::{Facet, SimplexId, VertexId};
 use acutile_exact::number::Number;
 use malachite::Rational;
 use std::collections::BTreeMap;
@@ -70,6 +70,34 @@ pub enum Defect {
         facet: Facet,
         simplices: Vec<SimplexId>,
     },
+    /// Two simplices have this point inside, in basis coordinates.
+    Overlap {
+        simplices: (SimplexId, SimplexId),
+        point: Vec<Number>,
+    },
+    /// Boundary facets lie against each other, and no point is in two simplices there. Of the facets
+    /// on the two sides, `coincident` pairs are equal.
+    NonConforming {
+        sides: [Vec<Facet>; 2],
+        coincident: usize,
+        kind: ContactKind,
+    },
+    /// Simplices have the same corners.
+    Duplicates { simplices: Vec<SimplexId> },
+    /// The simplices fall into this many pieces, where one is required; the first simplex of each.
+    NotConnected { firsts: Vec<SimplexId> },
+    /// The boundary facets of a cavity, where none is allowed.
+    Cavity { facets: Vec<Facet> },
+    /// Edges with another number of boundary facets than two, and vertices with several rings of
+    /// them, where a manifold is required.
+    NotManifold {
+        ridges: Vec<Vec<VertexId>>,
+        vertices: Vec<VertexId>,
+    },
+    /// Boundary facets that are no triangles of a surface that should be filled.
+    NotOnSurface { facets: Vec<Facet> },
+    /// Triangles of a surface, by their indices, that are no boundary facets.
+    NotBoundary { triangles: Vec<usize> },
     /// A region without boundary: it is all of space.
     NoBoundary,
     /// The boundary has more facets close to each other than are looked at: nothing is known to be
@@ -106,6 +134,19 @@ pub enum Defect {
     },
 }
 
+/// How facets lie against each other.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum ContactKind {
+    /// Each facet is equal to one on the other side, with nodes of its own.
+    EqualFacets,
+    /// The points are equal, the facets are not.
+    OtherDiagonals,
+    /// So many points of one side are on no point of the other side.
+    HangingNodes(usize),
+    /// The facets touch in a point or along an edge.
+    Touching,
+}
+
 /// A dihedral angle between two facets, with the evidence.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Angle {
@@ -137,7 +178,15 @@ impl Defect {
             Defect::SameSide { facets: (a, b) } | Defect::BoundaryMeets { facets: (a, b), .. } => {
                 vec![of(a), of(b)]
             }
-            Defect::OverusedFacet { facets } => facets.iter().map(of).collect(),
+            Defect::OverusedFacet { facets }
+            | Defect::Cavity { facets }
+            | Defect::NotOnSurface { facets } => facets.iter().map(of).collect(),
+            Defect::Overlap {
+                simplices: (s, t), ..
+            } => vec![*s, *t],
+            Defect::NonConforming { sides, .. } => sides.iter().flatten().map(of).collect(),
+            Defect::Duplicates { simplices } => simplices.clone(),
+            Defect::NotConnected { firsts } => firsts.clone(),
             Defect::Covered { facet, simplices } => std::iter::once(of(facet))
                 .chain(simplices.iter().copied())
                 .collect(),
@@ -171,6 +220,14 @@ impl Defect {
             Defect::CoincidentVertices { .. } => "coincident-vertices",
             Defect::BoundaryMeets { .. } => BOUNDARY_MEETS,
             Defect::Covered { .. } => "covered-twice",
+            Defect::Overlap { .. } => "overlap",
+            Defect::NonConforming { .. } => "non-conforming",
+            Defect::Duplicates { .. } => "duplicate",
+            Defect::NotConnected { .. } => "not-connected",
+            Defect::Cavity { .. } => "cavity",
+            Defect::NotManifold { .. } => "not-manifold",
+            Defect::NotOnSurface { .. } => "not-on-surface",
+            Defect::NotBoundary { .. } => "not-boundary",
             Defect::NoBoundary => "no-boundary",
             Defect::BoundaryWork { .. } => BOUNDARY_WORK,
             Defect::UnusedVertex { .. } => "unused-vertex",
@@ -197,6 +254,7 @@ pub struct Findings {
     limit: usize,
     counts: BTreeMap<&'static str, usize>,
     kept: Vec<Defect>,
+    consequences: BTreeMap<&'static str, usize>,
 }
 
 impl Findings {
@@ -206,6 +264,7 @@ impl Findings {
             limit,
             counts: BTreeMap::new(),
             kept: Vec::new(),
+            consequences: BTreeMap::new(),
         }
     }
 
@@ -220,6 +279,26 @@ impl Findings {
             *self.counts.entry(code).or_insert(0) += count;
         }
         self.kept.extend(other.kept);
+        for (code, count) in other.consequences {
+            *self.consequences.entry(code).or_insert(0) += count;
+        }
+    }
+
+    /// Counts the defects of others as consequences of these.
+    pub fn add_consequences(&mut self, others: &Findings) {
+        for (&code, count) in &others.counts {
+            self.add_consequence(code, *count);
+        }
+    }
+
+    /// Counts some defects that follow from these.
+    pub fn add_consequence(&mut self, code: &'static str, count: usize) {
+        *self.consequences.entry(code).or_insert(0) += count;
+    }
+
+    /// How many defects of each kind follow from these, and are not among them.
+    pub fn consequences(&self) -> &BTreeMap<&'static str, usize> {
+        &self.consequences
     }
 
     /// Adds a defect.

@@ -8,10 +8,10 @@
 //! intersection of their half-spaces (docs/soundness.md, section on domains).
 
 use super::defect::{Defect, Findings};
-use crate::tiling::{Facet, Matching, Plane, Polytope, Tiling};
+use crate::tiling::{Facet, Matching, Plane, Polytope, SimplexId, Tiling};
 use acutile_exact::geometry::Sign;
 use acutile_exact::number::Number;
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 
 /// Hypothesis D. The faces are the facets of a convex polytope. Gives their planes,
 /// none for all of space.
@@ -148,8 +148,44 @@ pub fn check_facets<const D: usize>(
     faces_of_vertices: &[Vec<usize>],
     findings: &mut Findings,
 ) {
+    check_facets_beside(
+        tiling,
+        matching,
+        faces_of_vertices,
+        &BTreeSet::new(),
+        findings,
+    );
+}
+
+/// The same for a tiling with duplicate simplices. Facets that would be right without the surplus are
+/// consequences.
+pub(super) fn check_facets_beside<const D: usize>(
+    tiling: &Tiling<D>,
+    matching: &Matching<D>,
+    faces_of_vertices: &[Vec<usize>],
+    surplus: &BTreeSet<SimplexId>,
+    findings: &mut Findings,
+) {
     for mismatch in &matching.mismatches {
-        let facets: Vec<Facet> = mismatch.uses.iter().map(|(facet, _)| *facet).collect();
+        let is_first = |(facet, _): &&(Facet, bool)| !surplus.contains(&facet.simplex);
+        let uses: Vec<(Facet, bool)> = mismatch.uses.iter().filter(is_first).copied().collect();
+        let facets: Vec<Facet> = uses.iter().map(|(facet, _)| *facet).collect();
+        if facets.len() < mismatch.uses.len() {
+            // Without the duplicates the facet is matched, or boundary.
+            let is_right = match uses[..] {
+                [a, b] => a.1 != b.1,
+                _ => uses.len() < 2,
+            };
+            if is_right {
+                let code = if mismatch.uses.len() == 2 {
+                    "same-side"
+                } else {
+                    "overused-facet"
+                };
+                findings.add_consequence(code, 1);
+                continue;
+            }
+        }
         match facets[..] {
             [_] if tiling.frame.domain.is_region() => {}
             [facet] => {

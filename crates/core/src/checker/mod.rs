@@ -4,12 +4,16 @@
 //! Nothing here is trusted. [`crate::proved`] writes what comes out as a certificate and asks the
 //! kernel.
 
+mod apart;
 mod boundary;
+mod contact;
 mod data;
 mod defect;
 mod domain;
+mod duplicates;
 mod hypotheses;
 mod names;
+mod offenders;
 mod outside;
 mod region;
 mod render;
@@ -18,10 +22,11 @@ mod statements;
 
 pub use crate::predicates::Model;
 pub use data::defect_data;
-pub use defect::{Angle, Defect, Findings};
+pub use defect::{Angle, ContactKind, Defect, Findings};
 pub use domain::{check_domain, check_facets, check_inside};
 pub use hypotheses::{check_corners, check_metric, check_orientation, check_volume};
 pub use names::Names;
+pub use offenders::offenders;
 pub use region::check_region;
 pub use render::describe;
 pub use statements::{check_acute, check_delaunay, check_nonobtuse, check_tcp};
@@ -151,7 +156,8 @@ fn examine_model<const D: usize>(
     progress("facets");
     let matching = match_facets(model.tiling);
     let faces = check_inside(model.tiling, planes, &mut findings);
-    check_facets(model.tiling, &matching, &faces, &mut findings);
+    let surplus = duplicates::check_duplicates(model.tiling, &mut findings);
+    domain::check_facets_beside(model.tiling, &matching, &faces, &surplus, &mut findings);
     for &facet in &options.sides {
         findings.add(Defect::UnmatchedFacet { facet });
     }

@@ -8,6 +8,8 @@ pub struct Names<'a> {
     simplex: Box<dyn Fn(SimplexId) -> String + 'a>,
     corner: Box<dyn Fn(SimplexId, usize) -> String + 'a>,
     vertex: Box<dyn Fn(usize) -> String + 'a>,
+    label: Box<dyn Fn(SimplexId) -> Option<String> + 'a>,
+    is_exact: bool,
 }
 
 impl<'a> Names<'a> {
@@ -31,7 +33,32 @@ impl<'a> Names<'a> {
             simplex: Box::new(simplex),
             corner: Box::new(corner),
             vertex: Box::new(vertex),
+            label: Box::new(|_| None),
+            is_exact: false,
         }
+    }
+
+    /// The same, with names of labels of simplices.
+    pub fn with_labels(self, label: impl Fn(SimplexId) -> Option<String> + 'a) -> Self {
+        Names {
+            label: Box::new(label),
+            ..self
+        }
+    }
+
+    /// The same; long exact numbers are written in full, or only about.
+    pub fn exact(self, is_exact: bool) -> Self {
+        Names { is_exact, ..self }
+    }
+
+    /// Whether long exact numbers are written in full.
+    pub fn is_exact(&self) -> bool {
+        self.is_exact
+    }
+
+    /// The label of a simplex, if it has one.
+    pub fn label(&self, simplex: SimplexId) -> Option<String> {
+        (self.label)(simplex)
     }
 
     /// The name of a simplex.

@@ -3,12 +3,13 @@
 //! Doubles with a margin leave out simplices, and lattice translates of them, whose box is away
 //! from the facet's centroid. The others are decided exactly.
 
+use super::apart::conormal;
 use super::boundary::{BoundaryFacet, Scale};
+use crate::parallel;
 use crate::tiling::{Corner, SimplexId, Tiling, VertexId};
 use acutile_exact::geometry::triangle::Point;
 use acutile_exact::geometry::{Scalar, linear};
 use acutile_exact::number::Number;
-use rayon::prelude::*;
 
 /// A tiling made ready for the search.
 pub(super) struct Outside<'t, S, const D: usize> {
@@ -18,12 +19,14 @@ pub(super) struct Outside<'t, S, const D: usize> {
     floats: Vec<[f64; D]>,
 }
 
+/// Simplices that are looked at in one piece.
+const CHUNK: usize = 1 << 10;
+
 /// Larger than the relative error of a sum of two coordinates and a shift of 2^26 steps.
 const MARGIN: f64 = 1.0 / (1u64 << 40) as f64;
 
 impl<'t, S: Scalar, const D: usize> Outside<'t, S, D> {
     pub(super) fn new(tiling: &'t Tiling<D>, scale: &'t Scale<S>) -> Self {
-        let vertices = (0..tiling.vertices.len()).into_par_iter();
         let double = |vertex: usize| {
             let vertex = VertexId::at(vertex);
             tiling
@@ -34,7 +37,7 @@ impl<'t, S: Scalar, const D: usize> Outside<'t, S, D> {
         Outside {
             tiling,
             scale,
-            floats: vertices.map(double).collect(),
+            floats: parallel::map(tiling.vertices.len(), double),
         }
     }
 
@@ -48,13 +51,18 @@ impl<'t, S: Scalar, const D: usize> Outside<'t, S, D> {
         let corners = facet.corners.each_ref().map(|corner| self.position(corner));
         let centroid: [f64; D] =
             std::array::from_fn(|k| corners.iter().map(|corner| corner[k]).sum::<f64>() / D as f64);
-        let simplices = (0..self.tiling.len()).into_par_iter().map(SimplexId::at);
-        let found = simplices.filter(|&simplex| {
+        let contains = |simplex: SimplexId| {
             let near = self.near(simplex, &centroid);
             near.into_iter()
                 .any(|by| self.contains(simplex, by, &points, &normal))
+        };
+        let found = parallel::by_chunks(self.tiling.len(), CHUNK, |simplices| {
+            let simplices = simplices.map(SimplexId::at);
+            simplices
+                .filter(|simplex| contains(*simplex))
+                .collect::<Vec<_>>()
         });
-        found.collect()
+        found.concat()
     }
 
     fn position(&self, corner: &Corner<D>) -> [f64; D] {
@@ -131,19 +139,6 @@ impl<'t, S: Scalar, const D: usize> Outside<'t, S, D> {
             let signs = signs.into_iter().chain(gradient.iter().map(S::sign));
             inner.is_ne() && signs.into_iter().find(|sign| sign.is_ne()) == Some(inner)
         })
-    }
-}
-
-/// A covector that is constant on the hull of two points of the plane z = 0, or of three points
-/// of space.
-fn conormal<S: Scalar>(points: &[&Point<S>]) -> Point<S> {
-    let along = linear::subtract(points[1], points[0]);
-    match points.get(2) {
-        Some(third) => linear::cross(&along, &linear::subtract(third, points[0])),
-        None => {
-            let zero = along[2].clone();
-            [along[1].clone(), zero.minus(&along[0]), zero]
-        }
     }
 }
 

@@ -7,10 +7,13 @@
 //! A pair of boundary facets is compared once, up to translation: each facet in its own place
 //! with all facets that a lattice vector not before zero moves near to it.
 
-use super::boundary::{BoundaryFacet, Scale, cell};
-use super::defect::{BOUNDARY_MEETS, Defect, Findings};
+use super::boundary::{BoundaryFacet, Scale, cell, ranks};
+use super::contact::{self, Found};
+use super::defect::{BOUNDARY_MEETS, BOUNDARY_WORK, Defect, Findings};
 use super::outside::Outside;
-use crate::tiling::{Corner, Matching, Tiling, difference};
+use crate::anatomy::Union;
+use crate::parallel;
+use crate::tiling::{Corner, Matching, SimplexId, Tiling, difference};
 use acutile_exact::geometry::Scalar;
 use acutile_exact::geometry::boxes::{self, Box3};
 use acutile_exact::geometry::triangle::{self, Point, Quotient, Triangle};
@@ -43,15 +46,15 @@ pub fn check_region<const D: usize>(
 
 /// So many pairs of facets in the boundary are compared exactly: some, and for each facet some
 /// more. Meshes of solids have a few dozens for each facet.
-const PAIRS: usize = 500_000;
+const PAIRS: usize = 4_000_000;
 const PAIRS_PER_FACET: usize = 30;
 /// So many boxes of simplices are compared with boxes of facets.
 const COMPARISONS: usize = 2_000_000_000;
 
-struct Region<'t, S, const D: usize> {
-    tiling: &'t Tiling<D>,
-    scale: Scale<S>,
-    boundary: Vec<BoundaryFacet<D>>,
+pub(super) struct Region<'t, S, const D: usize> {
+    pub tiling: &'t Tiling<D>,
+    pub scale: Scale<S>,
+    pub boundary: Vec<BoundaryFacet<D>>,
 }
 
 impl<'t, S: Scalar, const D: usize> Region<'t, S, D> {
@@ -80,15 +83,35 @@ impl<'t, S: Scalar, const D: usize> Region<'t, S, D> {
         if is_closed && !self.tiling.is_empty() {
             findings.add(Defect::NoBoundary);
         }
-        self.check_vertices_differ(findings);
-        self.check_boundary(findings);
+        let is_without = |codes: &[&str]| {
+            let mut codes = codes.iter();
+            codes.all(|code| !findings.counts().contains_key(code))
+        };
         // A simplex that is not positively oriented has no sides.
-        let is_oriented = ["flat", "negative-orientation", "repeated-corner"]
-            .iter()
-            .all(|code| !findings.counts().contains_key(code));
-        if is_oriented {
-            self.check_covering(findings);
-        }
+        let is_oriented = is_without(&["flat", "negative-orientation", "repeated-corner"]);
+        let is_matched = is_without(&["same-side", "overused-facet", "unmatched-facet"]);
+        let mut plain = Findings::new(findings.limit());
+        self.check_vertices_differ(&mut plain);
+        let meeting = self.check_boundary(&mut plain);
+        let covered = match is_oriented {
+            true => self.check_covering(&mut plain),
+            false => Vec::new(),
+        };
+        let is_bounded = self.tiling.frame.rank() == 0;
+        let is_decided = !plain.is_empty() && !plain.counts().contains_key(BOUNDARY_WORK);
+        let explained = (is_oriented && is_matched && is_bounded && is_decided)
+            .then(|| contact::explain(self, &Found { meeting, covered }, &plain))
+            .flatten();
+        findings.append(explained.unwrap_or(plain));
+    }
+
+    /// The ranks of each vertex's coordinates among all.
+    pub fn vertex_ranks(&self) -> Vec<[u32; 3]> {
+        let vertices = (0..self.tiling.vertices.len() as u32).map(Corner::of);
+        let points: Vec<Point<S>> = vertices
+            .map(|corner| self.scale.point(self.tiling, &corner))
+            .collect();
+        ranks(&points)
     }
 
     /// Different vertices are different points, up to the lattice. This follows from the other
@@ -106,7 +129,7 @@ impl<'t, S: Scalar, const D: usize> Region<'t, S, D> {
             self.scale.point(self.tiling, &moved)
         };
         let vertices = 0..self.tiling.vertices.len();
-        let points: Vec<Point<S>> = vertices.into_par_iter().map(normal).collect();
+        let points: Vec<Point<S>> = parallel::map(vertices.len(), normal);
         let order = |v: &usize, w: &usize| compare(&points[*v], &points[*w]);
         let mut sorted: Vec<usize> = (0..points.len()).collect();
         sorted.par_sort_by(order);
@@ -121,23 +144,27 @@ impl<'t, S: Scalar, const D: usize> Region<'t, S, D> {
         }
     }
 
-    /// Any two facets in the boundary meet in what their common corners span.
-    fn check_boundary(&self, findings: &mut Findings) {
+    /// Any two facets in the boundary meet in what their common corners span. Gives the pairs that do
+    /// not.
+    fn check_boundary(&self, findings: &mut Findings) -> Vec<(usize, usize)> {
         let limit = PAIRS + PAIRS_PER_FACET * self.boundary.len();
         let Some(copies) = Copies::of(self, limit) else {
-            return findings.add(Defect::BoundaryWork { limit });
+            findings.add(Defect::BoundaryWork { limit });
+            return Vec::new();
         };
         let limit = PAIRS + PAIRS_PER_FACET * copies.list.len();
         let Some(pairs) = boxes::overlapping_pairs(&copies.extents, limit) else {
-            return findings.add(Defect::BoundaryWork { limit });
+            findings.add(Defect::BoundaryWork { limit });
+            return Vec::new();
         };
-        let mut pairs: Vec<(usize, usize)> = pairs
-            .into_par_iter()
-            .filter(|(f, g)| copies.is_base(*f) || copies.is_base(*g))
-            .filter(|(f, g)| copies.meeting(*f, *g).is_some())
-            .collect();
+        let meets = parallel::map(pairs.len(), |k| {
+            let (f, g) = pairs[k];
+            (copies.is_base(f) || copies.is_base(g)) && copies.meeting(f, g).is_some()
+        });
+        let kept = pairs.into_iter().zip(meets).filter(|(_, meets)| *meets);
+        let mut pairs: Vec<(usize, usize)> = kept.map(|(pair, _)| pair).collect();
         pairs.sort_unstable();
-        for (f, g) in pairs {
+        for &(f, g) in &pairs {
             let facet = |copy: usize| self.boundary[copies.list[copy].facet].facet;
             findings.add_with(BOUNDARY_MEETS, || Defect::BoundaryMeets {
                 facets: (facet(f), facet(g)),
@@ -147,41 +174,52 @@ impl<'t, S: Scalar, const D: usize> Region<'t, S, D> {
                     .expect("the pair was kept because it meets in a point"),
             });
         }
+        let facet = |copy: usize| copies.list[copy].facet;
+        pairs
+            .into_iter()
+            .map(|(f, g)| (facet(f), facet(g)))
+            .collect()
     }
 
-    /// No simplex is directly outside of the first facet of each class.
-    fn check_covering(&self, findings: &mut Findings) {
+    /// No simplex is directly outside of the first facet of each class. Gives the facets where one is.
+    fn check_covering(&self, findings: &mut Findings) -> Vec<(usize, Vec<SimplexId>)> {
+        let mut covered = Vec::new();
         let classes = self.first_of_classes();
         if classes.len().saturating_mul(self.tiling.len()) > COMPARISONS {
-            return findings.add(Defect::BoundaryWork { limit: COMPARISONS });
+            findings.add(Defect::BoundaryWork { limit: COMPARISONS });
+            return covered;
         }
         let outside = Outside::new(self.tiling, &self.scale);
-        for facet in classes {
+        for index in classes {
+            let facet = &self.boundary[index];
             let simplices = outside.simplices(facet);
             if !simplices.is_empty() {
                 findings.add(Defect::Covered {
                     facet: facet.facet,
-                    simplices,
+                    simplices: simplices.clone(),
                 });
+                covered.push((index, simplices));
             }
         }
+        covered
     }
 
-    fn first_of_classes(&self) -> Vec<&BoundaryFacet<D>> {
+    fn first_of_classes(&self) -> Vec<usize> {
         let mut at_ridge: BTreeMap<Vec<Corner<D>>, Vec<usize>> = BTreeMap::new();
         for (index, facet) in self.boundary.iter().enumerate() {
             for ridge in facet.ridges() {
                 at_ridge.entry(ridge).or_default().push(index);
             }
         }
-        let mut classes = Classes((0..self.boundary.len()).collect());
+        let mut classes = Union::new(self.boundary.len());
         for facets in at_ridge.values() {
             if let [f, g] = facets[..] {
                 classes.join(f, g);
             }
         }
-        let firsts = (0..self.boundary.len()).filter(|&f| classes.first(f) == f);
-        firsts.map(|f| &self.boundary[f]).collect()
+        (0..self.boundary.len())
+            .filter(|&f| classes.first(f) == f)
+            .collect()
     }
 }
 
@@ -351,38 +389,4 @@ fn vectors<const D: usize>(
             if k < rank { low[k] + step as i32 } else { 0 }
         })
     })
-}
-
-/// Disjoint sets; each is named by its least element, to which the entries lead, the shorter
-/// the oftener they are followed.
-struct Classes(Vec<usize>);
-
-impl Classes {
-    fn first(&mut self, mut item: usize) -> usize {
-        while self.0[item] != item {
-            self.0[item] = self.0[self.0[item]];
-            item = self.0[item];
-        }
-        item
-    }
-
-    fn join(&mut self, a: usize, b: usize) {
-        let (a, b) = (self.first(a), self.first(b));
-        self.0[a.max(b)] = a.min(b);
-    }
-}
-
-/// The ranks of each point's coordinates among all; equal ones have equal ranks.
-fn ranks<S: Scalar>(points: &[Point<S>]) -> Vec<[u32; 3]> {
-    let mut ranks = vec![[0; 3]; points.len()];
-    for axis in 0..3 {
-        let order = |&v: &usize, &w: &usize| points[v][axis].minus(&points[w][axis]).sign();
-        let mut sorted: Vec<usize> = (0..points.len()).collect();
-        sorted.sort_unstable_by(order);
-        for pair in sorted.windows(2) {
-            let step = u32::from(order(&pair[0], &pair[1]) == Ordering::Less);
-            ranks[pair[1]][axis] = ranks[pair[0]][axis] + step;
-        }
-    }
-    ranks
 }

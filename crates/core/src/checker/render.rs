@@ -1,10 +1,10 @@
 //! Defects in words: which simplex, facet or vertex, what was expected, and the
 //! exact value that was found, with a short decimal beside it.
 
-use super::defect::{Angle, Defect};
+use super::defect::{Angle, ContactKind, Defect};
 use super::names::Names;
 use crate::quality::{decimal_range, short_decimal};
-use crate::tiling::{Facet, SimplexId};
+use crate::tiling::{Facet, SimplexId, VertexId};
 use acutile_exact::number::Number;
 
 /// One defect of a tiling of dimension D as a sentence, with things called by their `names`.
@@ -16,7 +16,7 @@ pub fn describe<const D: usize>(names: &Names, defect: &Defect) -> String {
         Defect::MetricNotPositive { order, minor } => format!(
             "the Gram matrix is not positive definite: its leading {order} x {order} minor is {}, \
              expected a positive number",
-            exact(minor)
+            words.exact(minor)
         ),
         Defect::NoSimplices => "the tiling has no simplices".to_owned(),
         Defect::RepeatedCorner {
@@ -41,7 +41,7 @@ pub fn describe<const D: usize>(names: &Names, defect: &Defect) -> String {
              positive number; the order {} mends it (--reorient does)",
             of(simplex),
             words.corners(*simplex),
-            exact(determinant),
+            words.exact(determinant),
             words.mended(*simplex)
         ),
         Defect::UnmatchedFacet { facet } => {
@@ -64,8 +64,8 @@ pub fn describe<const D: usize>(names: &Names, defect: &Defect) -> String {
         ),
         Defect::VolumeSum { sum, expected } => format!(
             "the volumes of the simplices sum to {} cells, expected {}",
-            exact(sum),
-            exact(expected)
+            words.exact(sum),
+            words.exact(expected)
         ),
         Defect::FaceWithoutPlane { face } => format!(
             "face {face} of the domain: its first vertices lie in no single plane, or the whole \
@@ -78,7 +78,7 @@ pub fn describe<const D: usize>(names: &Names, defect: &Defect) -> String {
         } => format!(
             "face {face} of the domain: vertex {vertex} of the domain has the value {} on its \
              plane, expected zero for its own vertices and a positive number for all others",
-            exact(value)
+            words.exact(value)
         ),
         Defect::FaceNotConvex { face } => format!(
             "face {face} of the domain: its corners are not in the cyclic order of a convex polygon"
@@ -95,7 +95,7 @@ pub fn describe<const D: usize>(names: &Names, defect: &Defect) -> String {
             "{} lies outside of the domain, behind face {face}: its value there is {}, expected \
              zero or a positive number",
             names.vertex(*vertex),
-            exact(value)
+            words.exact(value)
         ),
         Defect::CoincidentVertices { vertices } => {
             let list: Vec<String> = vertices.iter().map(|v| names.vertex(*v)).collect();
@@ -112,13 +112,84 @@ pub fn describe<const D: usize>(names: &Names, defect: &Defect) -> String {
              corners and edges only",
             name(a),
             name(b),
-            point.iter().map(exact).collect::<Vec<_>>().join(", ")
+            point
+                .iter()
+                .map(|x| words.exact(x))
+                .collect::<Vec<_>>()
+                .join(", ")
         ),
         Defect::Covered { facet, simplices } => format!(
             "directly outside of {}, which is in the boundary, points are covered by {}, expected \
              nothing there",
             name(facet),
             words.some(simplices)
+        ),
+        Defect::Overlap {
+            simplices: (s, t),
+            point,
+        } => format!(
+            "{} and {} overlap: both have the point ({}) inside",
+            of(s),
+            of(t),
+            point
+                .iter()
+                .map(|x| words.exact(x))
+                .collect::<Vec<_>>()
+                .join(", ")
+        ),
+        Defect::NonConforming {
+            sides,
+            coincident,
+            kind,
+        } => words.contact(sides, *coincident, *kind),
+        Defect::Duplicates { simplices } => format!(
+            "{} have the same corners {}, expected each simplex once",
+            words.some(simplices),
+            words.corners(simplices[0])
+        ),
+        Defect::NotConnected { firsts } => format!(
+            "the simplices fall into {} pieces that have no common facet, expected one; they \
+             begin with {}",
+            firsts.len(),
+            words.some(firsts)
+        ),
+        Defect::Cavity { facets } => format!(
+            "{} facets bound a cavity, expected none; it is next to {}",
+            facets.len(),
+            words.some(&defect.simplices())
+        ),
+        Defect::NotManifold { ridges, vertices } => {
+            let ridge = |ridge: &Vec<VertexId>| {
+                let names = ridge.iter().map(|v| names.vertex(v.index()));
+                format!("[{}]", names.collect::<Vec<_>>().join(", "))
+            };
+            let first = |list: Vec<String>| {
+                let rest = if list.len() > 8 { ", …" } else { "" };
+                format!("{}{rest}", list[..list.len().min(8)].join(", "))
+            };
+            format!(
+                "the boundary is no manifold: {} edges are in another number of boundary facets \
+                 than 2 ({}), and at {} vertices the boundary facets form several rings ({})",
+                ridges.len(),
+                first(ridges.iter().map(ridge).collect()),
+                vertices.len(),
+                first(vertices.iter().map(|v| names.vertex(v.index())).collect())
+            )
+        }
+        Defect::NotOnSurface { facets } => format!(
+            "{} boundary facets are no triangles of the surface: {}",
+            facets.len(),
+            facets
+                .iter()
+                .take(8)
+                .map(name)
+                .collect::<Vec<_>>()
+                .join("; ")
+        ),
+        Defect::NotBoundary { triangles } => format!(
+            "{} triangles of the surface are no boundary facets: number {} (from 1) and so on",
+            triangles.len(),
+            triangles.first().map_or(0, |first| first + 1)
         ),
         Defect::BoundaryWork { limit } => format!(
             "the boundary has too many facets close to each other: more than the limit of {limit} pairs \
@@ -140,20 +211,20 @@ pub fn describe<const D: usize>(names: &Names, defect: &Defect) -> String {
             "{} is obtuse: {} degrees; the product of the normals is {}, expected {}",
             words.angle(angle),
             decimal_range(&angle.degrees),
-            exact(&angle.product),
+            words.exact(&angle.product),
             "a negative number (acute) or zero (right)"
         ),
         Defect::AngleNotBelow { angle, bound } => format!(
             "{} is {} degrees (the product of the normals is {}), expected less than {bound}",
             words.angle(angle),
             decimal_range(&angle.degrees),
-            exact(&angle.product)
+            words.exact(&angle.product)
         ),
         Defect::AngleNotAbove { angle, bound } => format!(
             "{} is {} degrees (the product of the normals is {}), expected more than {bound}",
             words.angle(angle),
             decimal_range(&angle.degrees),
-            exact(&angle.product)
+            words.exact(&angle.product)
         ),
         Defect::RatioNotBelow {
             simplex,
@@ -164,7 +235,7 @@ pub fn describe<const D: usize>(names: &Names, defect: &Defect) -> String {
              the square of {bound}",
             of(simplex),
             words.corners(*simplex),
-            exact(squared_ratio)
+            words.exact(squared_ratio)
         ),
         Defect::NotTcp { reason } => format!("not tetrahedrally close packed: {reason}"),
         Defect::OnCircumsphere { facet, neighbour } => format!(
@@ -182,18 +253,8 @@ pub fn describe<const D: usize>(names: &Names, defect: &Defect) -> String {
              power times the determinant is {}, expected a positive number",
             of(neighbour),
             name(facet),
-            exact(power)
+            words.exact(power)
         ),
-    }
-}
-
-/// The exact value, and a decimal where that is shorter to read.
-fn exact(number: &Number) -> String {
-    let text = number.to_string();
-    if text.parse::<i64>().is_ok() {
-        text
-    } else {
-        format!("{text} (about {})", short_decimal(number))
     }
 }
 
@@ -202,7 +263,59 @@ struct Words<'t, const D: usize> {
     names: &'t Names<'t>,
 }
 
+/// No longer number is written in full, unless that is wanted.
+const LONG: usize = 24;
+
 impl<const D: usize> Words<'_, D> {
+    /// The exact value, and a decimal where that is shorter to read.
+    fn exact(&self, number: &Number) -> String {
+        let text = number.to_string();
+        if text.parse::<i64>().is_ok() {
+            text
+        } else if text.len() > LONG && !self.names.is_exact() {
+            format!("about {}", short_decimal(number))
+        } else {
+            format!("{text} (about {})", short_decimal(number))
+        }
+    }
+
+    /// One side of an interface: how many facets of which simplices with which labels.
+    fn side(&self, facets: &[Facet]) -> String {
+        let simplices: Vec<SimplexId> = facets.iter().map(|facet| facet.simplex).collect();
+        let labels = simplices.iter().filter_map(|s| self.names.label(*s));
+        let labels: std::collections::BTreeSet<String> = labels.collect();
+        let labels = match labels.is_empty() {
+            true => String::new(),
+            false => format!(", {}", labels.into_iter().collect::<Vec<_>>().join(", ")),
+        };
+        let count = match facets.len() {
+            1 => "1 facet".to_owned(),
+            count => format!("{count} facets"),
+        };
+        format!("{count} ({}{labels})", self.some(&simplices))
+    }
+
+    fn contact(&self, sides: &[Vec<Facet>; 2], coincident: usize, kind: ContactKind) -> String {
+        let [a, b] = sides.each_ref().map(|side| self.side(side));
+        match kind {
+            ContactKind::EqualFacets => format!(
+                "{a} lie against {b}: the {coincident} facets are equal, but each side has nodes of \
+                 its own; --identify 0 joins them"
+            ),
+            ContactKind::OtherDiagonals => format!(
+                "{a} lie against {b}: the points are equal, but the facets are not (other \
+                 diagonals); {coincident} facets are equal"
+            ),
+            ContactKind::HangingNodes(hanging) => format!(
+                "{a} lie against {b}: {hanging} points of one side are no points of the other \
+                 (hanging nodes); {coincident} facets are equal"
+            ),
+            ContactKind::Touching => format!(
+                "{a} and {b} touch in a point or along an edge that is no common corner or edge"
+            ),
+        }
+    }
+
     /// The first few simplices.
     fn some(&self, simplices: &[SimplexId]) -> String {
         const FEW: usize = 8;

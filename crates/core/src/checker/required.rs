@@ -8,12 +8,13 @@ use super::statements::{
     check_acute, check_delaunay, check_nonobtuse, check_tcp, list_not_above, list_not_below,
     list_not_below_ratio,
 };
+use crate::anatomy::Anatomy;
 use crate::classify::NotTcp;
 use crate::format::Relation;
 use crate::predicates::Model;
 use crate::quality::{DihedralAngle, RadiusEdge, Ranges, cosine_above, cosine_below};
 use crate::statement::{Requirement, Statement};
-use crate::tiling::{Domain, Matching};
+use crate::tiling::{Corner, Domain, Matching};
 use acutile_exact::number::Number;
 use malachite::Rational;
 
@@ -73,6 +74,37 @@ impl<const D: usize> Required<'_, D> {
                 check_tcp(model.tiling, matching, findings);
                 Some(Statement::Tcp)
             }
+            Requirement::Connected | Requirement::NoCavities | Requirement::ManifoldBoundary => {
+                self.check_parts(requirement, findings);
+                None
+            }
+        }
+    }
+
+    /// The pieces, cavities and singular places of the boundary, which no certificate states.
+    fn check_parts(&self, requirement: &Requirement, findings: &mut Findings) {
+        let anatomy = Anatomy::of(self.model.tiling, self.matching);
+        match requirement {
+            Requirement::Connected if anatomy.pieces.len() > 1 => {
+                let firsts = anatomy.pieces.iter().map(|(first, _)| *first).collect();
+                findings.add(super::Defect::NotConnected { firsts });
+            }
+            Requirement::NoCavities => {
+                for cavity in anatomy.cavities() {
+                    let facets = cavity.facets.clone();
+                    findings.add(super::Defect::Cavity { facets });
+                }
+            }
+            Requirement::ManifoldBoundary if !anatomy.is_manifold() => {
+                let ridge = |(corners, _): &(Vec<Corner<D>>, usize)| {
+                    corners.iter().map(|corner| corner.vertex).collect()
+                };
+                findings.add(super::Defect::NotManifold {
+                    ridges: anatomy.ridges.iter().map(ridge).collect(),
+                    vertices: anatomy.vertices,
+                });
+            }
+            _ => {}
         }
     }
 

@@ -3,7 +3,7 @@
 
 use super::defect::{Angle, Defect, Findings};
 use crate::classify::{self, NotTcp, Ridges};
-use crate::predicates::{Angles, AnglesAgainst, InSphere, Model, Prepared, RadiusAgainst};
+use crate::predicates::{AnglesAgainst, InSphere, Model, Prepared, RadiusAgainst, Shape};
 use crate::quality::{self, DihedralAngle, compare_with_degrees};
 use crate::tiling::{Facet, Matching, SimplexId, Tiling};
 use acutile_exact::geometry::{Sign, linear};
@@ -17,9 +17,9 @@ const NOT_FLAT: &str = "every simplex is positively oriented";
 
 /// Every dihedral angle is acute: <g_i, g_j> < 0 for all facets i ≠ j.
 pub fn check_acute<const D: usize>(model: &Model<D>, findings: &mut Findings) {
-    let angles = model.prepare(Angles);
+    let shape = model.prepare(Shape);
     for &simplex in &model.shapes().not_acute {
-        let signs = angles.signs(simplex);
+        let (_, signs) = shape.signs(simplex).split_first();
         for (index, pair) in pairs(D).enumerate() {
             let evidence = || angle(model.tiling, simplex, pair);
             match signs.get(index) {
@@ -37,9 +37,9 @@ pub fn check_acute<const D: usize>(model: &Model<D>, findings: &mut Findings) {
 
 /// No dihedral angle is obtuse: <g_i, g_j> <= 0 for all facets i ≠ j.
 pub fn check_nonobtuse<const D: usize>(model: &Model<D>, findings: &mut Findings) {
-    let angles = model.prepare(Angles);
+    let shape = model.prepare(Shape);
     for &simplex in &model.shapes().obtuse {
-        let signs = angles.signs(simplex);
+        let (_, signs) = shape.signs(simplex).split_first();
         for (_, pair) in (0..).zip(pairs(D)).filter(|(k, _)| signs.get(*k).is_gt()) {
             findings.add_with("obtuse-angle", || Defect::ObtuseAngle {
                 angle: angle(model.tiling, simplex, pair),

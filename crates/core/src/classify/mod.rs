@@ -6,6 +6,8 @@
 //! | `ridges` | (D-2)-faces up to lattice translation and their valences |
 //! | `sphere` | triangulated spheres and their canonical codes |
 //! | `frank_kasper` | the vertex stars of TCP triangulations, found by exhaustion |
+//! | `neighbours` | Voronoi neighbours of points, from uncut Delaunay cells |
+//! | `polyhedra` | names of Delaunay cells |
 //! | `star` | the type of each vertex |
 //! | `tcp` | the definition of TCP, or what violates it |
 //! | `symbol` | Delaney-Dress symbols: isomorphism decided |
@@ -13,9 +15,11 @@
 //!
 //! Input is a tiling that passed the checker's hypotheses; nothing here is proved
 //! about one that did not. Lengths play no part, but for the symbols that carry
-//! them. Called by `survey` and the command line.
+//! them.
 
 pub mod frank_kasper;
+mod neighbours;
+mod polyhedra;
 mod ridges;
 mod sphere;
 mod star;
@@ -23,6 +27,8 @@ mod symbol;
 mod symmetry;
 mod tcp;
 
+pub use neighbours::{Surroundings, surroundings};
+pub use polyhedra::polyhedra;
 pub use ridges::{Ridge, Ridges, Wedge};
 pub use sphere::{Code, Triangle, code};
 pub use star::{Star, stars};

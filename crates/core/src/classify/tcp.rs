@@ -2,8 +2,8 @@
 //! 6-valent edges (Sullivan 1999, section 4.1 of the paper).
 
 use super::ridges::{Ridge, Ridges};
+use crate::parallel;
 use crate::tiling::{Corner, Facet, Matching, SimplexId, Tiling};
-use rayon::prelude::*;
 use std::fmt;
 
 /// The first thing in which a triangulation is not TCP.
@@ -59,11 +59,18 @@ pub fn six_valent<const D: usize>(tiling: &Tiling<D>, matching: &Matching<D>) ->
     if D != 3 {
         return None;
     }
-    let simplices = (0..tiling.len()).into_par_iter().map(SimplexId::at);
-    simplices
-        .map(|simplex| sixes_of(tiling, matching, simplex))
-        .collect()
+    // Chunks, so that the first failure ends most of the work.
+    let chunks = parallel::by_chunks(tiling.len(), CHUNK, |simplices| {
+        let simplices = simplices.map(SimplexId::at);
+        simplices
+            .map(|simplex| sixes_of(tiling, matching, simplex))
+            .collect::<Option<Vec<u8>>>()
+    });
+    Some(chunks.into_iter().collect::<Option<Vec<_>>>()?.concat())
 }
+
+/// Simplices that are looked at in one piece.
+const CHUNK: usize = 1 << 10;
 
 /// The facets that meet in each edge: those opposite to the other two corners.
 const AT_EDGES: [(usize, usize); 6] = [(2, 3), (1, 3), (1, 2), (0, 3), (0, 2), (0, 1)];

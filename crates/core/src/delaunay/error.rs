@@ -1,4 +1,4 @@
-//! Why a point set has no triangulation that this room can give.
+//! Why a point set has no triangulation here.
 
 use crate::tiling::Corner;
 use acutile_exact::number::Number;

@@ -3,7 +3,7 @@
 //! A facet is kept in a short list at the least of its corners, and the facet
 //! whose least corner comes first is served first. Points are numbered in tree order, so
 //! what is finished is about a union of boxes of the tree, only its surface is open,
-//! and what is needed next was used a short time ago. Called by `wrap`.
+//! and what is needed next was used a short time ago.
 
 use crate::tiling::{Corner, difference};
 use std::cmp::Reverse;

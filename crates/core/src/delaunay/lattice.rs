@@ -1,8 +1,7 @@
 //! A reduced basis of a lattice, exactly: the algorithm of Lenstra, Lenstra and
 //! Lovász (Math. Ann. 261, 1982) with a Gram matrix as only input.
 //!
-//! Called by the model of a point set. In a reduced basis the coordinates of a
-//! ball are not much longer than its radius, however skewed the given basis was.
+//! In a reduced basis the coordinates of a ball are not much longer than its radius, however skewed the given basis was.
 
 use super::DelaunayError;
 use acutile_exact::geometry::Sign;

@@ -3,7 +3,7 @@
 //! [`triangulate`] turns a point set with a lattice, however skewed and with as few as one
 //! point, into a tiling by simplices; [`cells`] gives the Delaunay cells themselves,
 //! which are polytopes where more than D + 1 points lie on an empty sphere. Dimensions
-//! 2 and 3. Called by the catalogue and the command line.
+//! 2 and 3.
 //!
 //! | file | does |
 //! |---|---|
@@ -18,34 +18,37 @@
 //! | `polytope` | facets and pulling of cells that are not simplices |
 //! | `certify` | an independent exact check of the result |
 //!
+//! `model`, `predicates` and `search` are public for the tests, which would compile this crate a
+//! second time if they were inside of it.
+//!
 //! Doubles only propose: which points lie on or in a sphere is decided by proved signs.
 
 mod certify;
 mod error;
 mod front;
 mod lattice;
-mod model;
+#[doc(hidden)]
+pub mod model;
 mod places;
 mod polytope;
-mod predicates;
+#[doc(hidden)]
+pub mod predicates;
 mod seed;
 mod tree;
-#[cfg(test)]
-mod twins;
 mod wrap;
 
 pub use error::{COSPHERICAL_LIMIT, CosphericalSet, DelaunayError};
 pub use predicates::circumcenter;
 
+use crate::parallel;
 use crate::predicates::Model as Coordinates;
 use crate::tiling::dimension::{same, same_value};
-use crate::tiling::{Corner, PointSet, Tiling, difference};
+use crate::tiling::{Corner, PointSet, SimplexId, Tiling, difference};
 use acutile_exact::geometry::Sign;
 use front::sort_is_odd;
 use model::Model;
 use polytope::Polytope;
 use predicates::Predicates;
-use rayon::prelude::*;
 use wrap::Cells;
 
 /// What to do with cells that are not simplices.
@@ -106,12 +109,11 @@ fn triangulate_set<const D: usize>(
             &found.polytopes,
         )?));
     }
-    let simplices = found
-        .shell
-        .corners
-        .par_chunks_exact(D + 1)
-        .map(|simplex| Simplex::new(&model, simplex))
-        .collect::<Result<Vec<_>, _>>()?;
+    let shell = &found.shell;
+    let simplices = parallel::map(shell.len(), |simplex| {
+        Simplex::new(&model, shell.simplex(SimplexId::at(simplex)))
+    });
+    let simplices = simplices.into_iter().collect::<Result<Vec<_>, _>>()?;
     drop(found);
     let simplices = sorted(simplices, model.names.len());
     let corners = simplices.iter().flat_map(Simplex::ordered).collect();
@@ -146,12 +148,13 @@ pub fn cells<const D: usize>(set: &PointSet<D>) -> Result<Vec<Cell<D>>, Delaunay
 }
 
 /// What the search found, in model coordinates.
-struct Found<const D: usize> {
+#[doc(hidden)]
+pub struct Found<const D: usize> {
     /// The simplices: first the cells that are simplices, then the parts of the others.
-    shell: Tiling<D>,
+    pub shell: Tiling<D>,
     /// How many cells are simplices.
-    simple: usize,
-    polytopes: Vec<Polytope<D>>,
+    pub simple: usize,
+    pub polytopes: Vec<Polytope<D>>,
 }
 
 /// With doubles as filters and for clear proposals, and if the check should fail, exactly
@@ -169,7 +172,8 @@ fn find<const D: usize>(model: &Model<D>) -> Result<Found<D>, DelaunayError> {
 }
 
 /// Wraps, pulls and certifies.
-fn search<const D: usize>(predicates: &Predicates<D>) -> Result<Found<D>, DelaunayError> {
+#[doc(hidden)]
+pub fn search<const D: usize>(predicates: &Predicates<D>) -> Result<Found<D>, DelaunayError> {
     let Cells {
         simplices: mut corners,
         polytopes,

@@ -2,21 +2,21 @@
 //! exact coordinates, doubles with error bounds, and the search tree.
 //!
 //! Here lives the translation between the caller's indices and basis and the ones
-//! that the rest of this room works in.
+//! of the search.
 
 use super::DelaunayError;
 use super::lattice::{Orthogonal, Reduced, reduce};
 use super::places::Places;
 use super::tree::{Ball, Tree, tree_order};
+use crate::parallel;
 use crate::tiling::{Corner, Frame, PointSet, SHIFT_LIMIT, Tiling, VertexId};
 use acutile_exact::number::Number;
 use malachite::{Integer, Rational};
-use rayon::prelude::*;
 
 /// How many witness points stand behind the points of the set, see [`Model::witness`].
 pub const WITNESSES: usize = 4;
 
-/// A point set in reduced coordinates. Corners of this room number its points in
+/// A point set in reduced coordinates. Its corners number the points in
 /// tree order and take shifts in the reduced basis.
 #[derive(Clone, Debug)]
 pub struct Model<const D: usize> {
@@ -41,24 +41,24 @@ impl<const D: usize> Model<D> {
         }
         let lattice = reduce(&set.frame.gram)?;
         let orthogonal = Orthogonal::of(&lattice.gram).ok_or(DelaunayError::NotPositiveDefinite)?;
-        let vertices: Vec<_> = set.points.par_iter().map(fractional_part).collect();
-        let placed = |vertex| {
-            let (point, offset) = split(&lattice.coordinates(vertex));
+        let vertices: Vec<_> = parallel::map(set.points.len(), |k| fractional_part(&set.points[k]));
+        let placed = |k: usize| {
+            let (point, offset) = split(&lattice.coordinates(&vertices[k]));
             Ok((point, small(offset)?))
         };
-        let (points, offsets): (Vec<_>, Vec<_>) = vertices
-            .par_iter()
-            .map(placed)
+        let placed = parallel::map(vertices.len(), placed).into_iter();
+        let (points, offsets): (Vec<_>, Vec<_>) = placed
             .collect::<Result<Vec<_>, DelaunayError>>()?
             .into_iter()
             .unzip();
         let lengths = std::array::from_fn(|k| orthogonal.norms[k].approximate().sqrt());
-        let fractions: Vec<_> = points.par_iter().map(approximate).collect();
+        let fractions: Vec<_> = parallel::map(points.len(), |k| approximate(&points[k]));
         let names = tree_order(&fractions, &lengths);
         let mut points: Vec<_> = names.iter().map(|&i| points[i as usize].clone()).collect();
         let offsets = names.iter().map(|&i| offsets[i as usize]).collect();
         points.extend((0..WITNESSES).map(witness));
-        let places = Places::new(points.par_iter().map(approximate).collect(), &orthogonal)?;
+        let approximate = |k: usize| approximate(&points[k]);
+        let places = Places::new(parallel::map(points.len(), approximate), &orthogonal)?;
         let tree = Tree::new(&places, names.len());
         let points = Tiling {
             frame: Frame::space(set.frame.field.clone(), lattice.gram.clone()),

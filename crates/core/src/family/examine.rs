@@ -276,7 +276,12 @@ impl<'f, C: Coefficient, const D: usize> Examination<'f, C, D> {
 /// cosine beyond it.
 pub(super) fn candidates(requirement: &Requirement) -> Vec<Statement> {
     match requirement {
-        Requirement::Tiling | Requirement::Tcp => Vec::new(),
+        // What is combinatorial is decided by one member.
+        Requirement::Tiling
+        | Requirement::Tcp
+        | Requirement::Connected
+        | Requirement::NoCavities
+        | Requirement::ManifoldBoundary => Vec::new(),
         Requirement::Acute => vec![Statement::Acute],
         Requirement::Nonobtuse => vec![Statement::Nonobtuse],
         Requirement::Delaunay => vec![Statement::Delaunay],

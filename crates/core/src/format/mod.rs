@@ -9,6 +9,7 @@
 //! | [`read`] | CBOR into the data |
 //! | [`patches`] | the same for certificates of the kind `patches` |
 //! | [`json`] | JSON into CBOR, with the check that it is canonical |
+//! | `json_error` | why JSON is no certificate |
 //! | [`mod@print`] | CBOR into JSON; the claim file |
 //! | [`recognise`] | one function that tells the encodings apart |
 //!
@@ -21,6 +22,7 @@
 pub mod cbor;
 pub mod family;
 pub mod json;
+mod json_error;
 pub mod patches;
 pub mod print;
 pub mod read;

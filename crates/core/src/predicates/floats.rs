@@ -7,11 +7,11 @@
 //! delta = 16 u (2 X + S h).
 //! Where coordinates and h are integers and 2 X + S h < 2^52, edges are exact and delta = 0.
 
+use crate::parallel;
 use crate::tiling::coordinates::Form;
 use crate::tiling::{Corner, Tiling};
 use acutile_exact::geometry::bound::ROUNDOFF;
 use acutile_exact::number::Number;
-use rayon::prelude::*;
 use std::borrow::Cow;
 
 /// The vertices of a tiling as doubles.
@@ -52,7 +52,7 @@ impl<'a, const D: usize> Floats<'a, D> {
             Form::Doubles(points) => (Cow::Borrowed(points), 1.0, false),
             Form::Numbers(points) => {
                 let approximate = |x: &[Number; D]| x.each_ref().map(Number::approximate);
-                let points = points.par_iter().map(approximate).collect();
+                let points = parallel::map(points.len(), |k| approximate(&points[k]));
                 (Cow::Owned(points), 1.0, false)
             }
         };

@@ -5,7 +5,8 @@
 //! 2^b, bounds everything that is computed on the way, and all factors of products.
 //! The rungs have 128, 256 and 512 bits, and half as many for factors. So for each rung
 //! there is a largest b for which nothing is lost; the lowest rung that is safe for
-//! a simplex is taken, and big integers where none is.
+//! a simplex is taken, and big integers where none is. In the plane, where tilings are small and
+//! the polynomials short, big integers follow 128 bits: each rung is code for every predicate.
 
 use super::filter::map_metric;
 use super::polynomials::{Metric, Predicate};
@@ -245,9 +246,13 @@ impl<B: Base, const D: usize> Ladder<B, D> {
         let bits = largest_bits(edges.iter().flatten().chain(point));
         if let Some(rung) = reached(&self.narrow, bits) {
             lifted(predicate, edges, point, &rung.metric)
-        } else if let Some(rung) = reached(&self.wide, bits) {
+        } else if D == 3
+            && let Some(rung) = reached(&self.wide, bits)
+        {
             lifted(predicate, edges, point, &rung.metric)
-        } else if let Some(rung) = reached(&self.long, bits) {
+        } else if D == 3
+            && let Some(rung) = reached(&self.long, bits)
+        {
             lifted(predicate, edges, point, &rung.metric)
         } else {
             lifted(predicate, edges, point, &self.big)
@@ -261,10 +266,12 @@ impl<B: Base, const D: usize> Ladder<B, D> {
         let bits = largest_bits(edges.iter().flatten());
         if reached(&self.narrow, bits).is_some() {
             Some(B::narrow_coefficients(determinant(edges)))
-        } else if reached(&self.wide, bits).is_some() {
+        } else if D == 3 && reached(&self.wide, bits).is_some() {
             Some(B::wide_coefficients(determinant(edges)))
+        } else if D == 3 && reached(&self.long, bits).is_some() {
+            Some(B::long_coefficients(determinant(edges)))
         } else {
-            reached(&self.long, bits).map(|_| B::long_coefficients(determinant(edges)))
+            None
         }
     }
 }

@@ -8,6 +8,7 @@ use super::ring::{Ring, SquareRoot, cleared_integers, cleared_quadratics};
 use super::shapes::Shapes;
 use super::signs::Signs;
 use super::vectors::Vectors;
+use crate::parallel;
 use crate::tiling::{Corner, SimplexId, Tiling};
 use acutile_exact::geometry::{Quadratic, linear};
 use acutile_exact::number::Number;
@@ -15,7 +16,6 @@ use malachite::base::num::arithmetic::traits::PowerOf2;
 use malachite::base::num::basic::traits::One;
 use malachite::base::num::logic::traits::SignificantBits;
 use malachite::{Integer, Rational};
-use rayon::prelude::*;
 use std::ops::Range;
 use std::sync::OnceLock;
 
@@ -88,12 +88,8 @@ impl<'a, const D: usize> Model<'a, D> {
     }
 
     /// What `work` makes of the simplices, a chunk of them at a time, on all cores.
-    pub fn by_chunks<T: Send>(&self, work: impl Fn(Range<usize>) -> T + Sync) -> Vec<T> {
-        let n = self.tiling.len();
-        let chunks = (0..n.div_ceil(CHUNK)).into_par_iter();
-        chunks
-            .map(|chunk| work(chunk * CHUNK..n.min((chunk + 1) * CHUNK)))
-            .collect()
+    pub fn by_chunks<T: Send + Sync>(&self, work: impl Fn(Range<usize>) -> T + Sync) -> Vec<T> {
+        parallel::by_chunks(self.tiling.len(), CHUNK, work)
     }
 
     /// The edges of a simplex in doubles.
@@ -101,21 +97,19 @@ impl<'a, const D: usize> Model<'a, D> {
         self.floats.edges(self.tiling.simplex(simplex))
     }
 
-    /// Folds the edges of all simplices, in doubles, on all cores; for what is decided
+    /// Folds the edges of the simplices of each chunk, in doubles, on all cores; for what is decided
     /// exactly afterwards.
     pub fn fold<T: Copy + Send + Sync>(
         &self,
         start: T,
-        with: impl Fn(T, [[f64; D]; D]) -> T + Sync + Send,
-    ) -> impl ParallelIterator<Item = T> {
-        let simplices = (0..self.tiling.len()).into_par_iter().with_min_len(CHUNK);
-        simplices.fold(
-            move || start,
-            move |value, simplex| {
-                let corners = self.tiling.simplex(SimplexId::at(simplex));
-                with(value, self.floats.edges(corners))
-            },
-        )
+        with: impl Fn(T, [[f64; D]; D]) -> T + Sync,
+    ) -> Vec<T> {
+        self.by_chunks(|simplices| {
+            let simplices = simplices.map(SimplexId::at);
+            simplices.fold(start, |value, simplex| {
+                with(value, self.float_edges(simplex))
+            })
+        })
     }
 }
 

@@ -7,11 +7,11 @@
 
 use super::measure::{DihedralAngle, RadiusEdge};
 use super::ranges::{Measures, Range, Ranges, measures};
+use crate::parallel;
 use crate::predicates::{AnglesAgainst, Model, Predicate, RadiusAgainst, Signs};
 use crate::tiling::SimplexId;
 use acutile_exact::geometry::{Simplex, linear};
 use acutile_exact::number::Number;
-use rayon::prelude::*;
 use std::collections::HashSet;
 
 /// The exact ranges of a tiling whose simplices are positively oriented; `None` if it has none.
@@ -20,10 +20,8 @@ pub fn exact_ranges<const D: usize>(model: &Model<D>) -> Option<Ranges> {
         return None;
     }
     let candidates = candidates(model);
-    let measured = candidates
-        .into_par_iter()
-        .map(|s| measures(model.tiling, s));
-    let measured = measured.collect::<Option<Vec<Measures>>>()?;
+    let measured = parallel::map_slow(&candidates, |s| measures(model.tiling, *s));
+    let measured = measured.into_iter().collect::<Option<Vec<Measures>>>()?;
     let mut ranges = super::ranges::ranges(&measured)?;
     confirm_angles(model, &mut ranges)?;
     confirm_ratios(model, &mut ranges.radius_edge)?;
@@ -69,17 +67,17 @@ fn is_not_all_negative(signs: &Signs) -> bool {
 }
 
 /// The values of the simplices for which the signs of a predicate are not as they should be.
-fn beyond<P: Predicate<D>, T: Send, const D: usize>(
+fn beyond<P: Predicate<D>, T: Send + Sync, const D: usize>(
     model: &Model<D>,
     predicate: P,
-    is_right: impl Fn(&Signs) -> bool + Sync,
-    value: impl Fn(Measures) -> Option<T> + Sync,
+    is_right: fn(&Signs) -> bool,
+    value: fn(Measures) -> Option<T>,
 ) -> Option<Vec<T>> {
     let failing = model.prepare(predicate).failing(is_right);
-    let values = failing.into_par_iter();
-    values
-        .map(|simplex| value(measures(model.tiling, simplex)?))
-        .collect()
+    let values = parallel::map(failing.len(), |k| {
+        value(measures(model.tiling, failing[k])?)
+    });
+    values.into_iter().collect()
 }
 
 fn best<T: Clone>(first: &T, others: Vec<T>, better: impl Fn(T, T) -> T) -> T {
@@ -97,7 +95,7 @@ fn candidates<const D: usize>(model: &Model<D>) -> Vec<SimplexId> {
     let extremes = model.fold(Extremes::NONE, |extremes, edges| {
         extremes.with(metric.values(edges))
     });
-    let extremes = extremes.reduce(|| Extremes::NONE, Extremes::union);
+    let extremes = extremes.into_iter().fold(Extremes::NONE, Extremes::union);
     let found = model.by_chunks(|simplices| {
         let mut seen = HashSet::new();
         let mut found = Vec::new();

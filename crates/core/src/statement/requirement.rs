@@ -26,12 +26,19 @@ pub enum Requirement {
     WeaklyDelaunay,
     /// `tcp`
     Tcp,
+    /// `connected`: one piece. The prover decides it; no certificate states it.
+    Connected,
+    /// `no-cavities`, as [`Requirement::Connected`].
+    NoCavities,
+    /// `manifold-boundary`, as [`Requirement::Connected`].
+    ManifoldBoundary,
 }
 
 /// The words that are known. Shells treat `<` and `>` as redirections, so each bound has a form
 /// without them.
 const EXPECTED: &str = "expected acute, nonobtuse, delaunay, weakly-delaunay, tcp, tiling, \
-                        dihedral-below=DEGREES, dihedral-above=DEGREES or radius-edge-below=RATIO";
+                        dihedral-below=DEGREES, dihedral-above=DEGREES, radius-edge-below=RATIO, \
+                        connected, no-cavities or manifold-boundary";
 
 /// The ways to begin a bound, and what its number means.
 const BOUNDS: [(&str, Bound); 6] = [
@@ -71,6 +78,9 @@ impl FromStr for Requirement {
             "delaunay" => return Ok(Requirement::Delaunay),
             "weakly-delaunay" => return Ok(Requirement::WeaklyDelaunay),
             "tcp" => return Ok(Requirement::Tcp),
+            "connected" => return Ok(Requirement::Connected),
+            "no-cavities" => return Ok(Requirement::NoCavities),
+            "manifold-boundary" => return Ok(Requirement::ManifoldBoundary),
             _ => {}
         }
         let bound = BOUNDS.iter().find_map(|(prefix, bound)| {
@@ -107,6 +117,9 @@ impl fmt::Display for Requirement {
             Requirement::Delaunay => write!(f, "delaunay"),
             Requirement::WeaklyDelaunay => write!(f, "weakly-delaunay"),
             Requirement::Tcp => write!(f, "tcp"),
+            Requirement::Connected => write!(f, "connected"),
+            Requirement::NoCavities => write!(f, "no-cavities"),
+            Requirement::ManifoldBoundary => write!(f, "manifold-boundary"),
         }
     }
 }

@@ -7,9 +7,11 @@
 
 mod chart;
 mod cosine;
+mod data;
 mod extreme;
 
 pub use chart::{csv, svg, text};
+pub use data::data;
 pub use extreme::Extreme;
 
 use crate::predicates::ring::{Ring, cleared_integers};

@@ -16,6 +16,7 @@
 
 use super::dimension::{same, same_value};
 use super::{Corner, FacetId, SimplexId, Tiling, VertexId, difference};
+use crate::parallel;
 use rayon::prelude::*;
 use std::ops::Range;
 use std::sync::atomic::{AtomicU32, Ordering};
@@ -142,15 +143,13 @@ fn match_space(tiling: &Tiling<3>) -> Matching<3> {
 fn matching<const D: usize>(tiling: &Tiling<D>) -> Matching<D> {
     assert!(tiling.corners.len() < NONE.index(), "too many facets");
     let buckets = Buckets::of(tiling);
-    let mates: Vec<AtomicU32> = (0..tiling.corners.len())
-        .into_par_iter()
-        .map(|_| AtomicU32::new(NONE.number()))
-        .collect();
-    let chunks = buckets.chunks();
-    let mut mismatches: Vec<Mismatch> = chunks
-        .into_par_iter()
-        .flat_map_iter(|vertices| match_buckets(tiling, &buckets, vertices, &mates))
-        .collect();
+    let unmatched = || AtomicU32::new(NONE.number());
+    let mut mates: Vec<AtomicU32> = Vec::new();
+    mates.resize_with(tiling.corners.len(), unmatched);
+    let mismatches = parallel::map_slow(&buckets.chunks(), |vertices| {
+        match_buckets(tiling, &buckets, vertices.clone(), &mates)
+    });
+    let mut mismatches = mismatches.concat();
     mismatches.sort_by_key(|mismatch| mismatch.uses[0]);
     Matching {
         mates: mates

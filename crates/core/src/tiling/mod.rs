@@ -1,7 +1,7 @@
 //! The object that is proved: a lattice, vertices, and one simplex per orbit.
 //!
 //! Nothing here is checked; [`crate::checker`] does that. Catalogue, importers and
-//! the Delaunay room make tilings, everything downstream reads them.
+//! the triangulation of point sets make tilings, and everything downstream reads them.
 
 pub mod coordinates;
 pub(crate) mod dimension;
@@ -9,6 +9,7 @@ mod facets;
 mod floor;
 mod frame;
 mod index;
+mod merged;
 mod polytope;
 mod supercell;
 
@@ -17,6 +18,7 @@ pub use facets::{Facet, Matching, Mate, Mismatch, match_facets};
 pub use floor::floor;
 pub use frame::{Domain, Frame};
 pub use index::{FacetId, SimplexId, VertexId};
+pub use merged::merged;
 pub use polytope::{Plane, Polytope};
 pub use supercell::supercell;
 

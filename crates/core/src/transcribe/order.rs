@@ -7,6 +7,7 @@
 //! gets a late number. Doubles propose an order, and every order is right.
 
 use super::curve;
+use crate::parallel;
 use crate::tiling::coordinates::Form;
 use crate::tiling::{Corner, Facet, Matching, SimplexId, Tiling, VertexId, floor};
 use acutile_exact::number::Number;
@@ -73,8 +74,7 @@ fn cells<const D: usize>(tiling: &Tiling<D>) -> Vec<[i32; D]> {
                 let x = tiling.vertices.vertex(VertexId::at(vertex));
                 std::array::from_fn(|k| if k < rank { floor(&x[k]) } else { 0 })
             };
-            let vertices = (0..tiling.vertices.len()).into_par_iter();
-            vertices.map(cell).collect()
+            parallel::map(tiling.vertices.len(), cell)
         }
     };
     match cells.iter().all(|cell| *cell == [0; D]) {
@@ -190,8 +190,7 @@ fn along_curve<const D: usize>(tiling: &Tiling<D>) -> Vec<SimplexId> {
             if k < rank { mean - mean.floor() } else { mean }
         })
     };
-    let simplices = (0..tiling.len()).into_par_iter();
-    let centroids: Vec<[f64; D]> = simplices.map(centroid).collect();
+    let centroids = parallel::map(tiling.len(), centroid);
     let mut keys: Vec<(u64, SimplexId)> = places(tiling, &centroids)
         .into_iter()
         .map(curve::index)
@@ -235,7 +234,7 @@ fn doubles<const D: usize>(tiling: &Tiling<D>) -> Vec<[f64; D]> {
         Form::Doubles(points) => points.clone(),
         Form::Numbers(points) => {
             let double = |x: &[Number; D]| x.each_ref().map(Number::approximate);
-            points.par_iter().map(double).collect()
+            parallel::map(points.len(), |k| double(&points[k]))
         }
     }
 }

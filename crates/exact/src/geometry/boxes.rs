@@ -1,7 +1,7 @@
 //! Which of many boxes overlap: a tree of bounding boxes.
 //!
 //! Edges of boxes are ranks, so that nothing is rounded. The answer is complete: every
-//! pair of closed boxes with a common point is found, once. Called by `checker`.
+//! pair of closed boxes with a common point is found, once.
 
 /// From the least to the greatest rank on each axis, both inclusive.
 pub type Box3 = [(u32, u32); 3];

@@ -1,5 +1,5 @@
 //! Exact predicates of simplices, written once for every dimension and every
-//! kind of number. Called by the Delaunay room, the checker and the quality room.
+//! kind of number.
 
 pub mod bound;
 pub mod boxes;

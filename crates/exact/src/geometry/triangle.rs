@@ -1,7 +1,7 @@
 //! Triangles and segments in space: whether they meet, and where.
 //!
 //! Exact over any [`Scalar`], all degenerate positions included. Points are those of an affine
-//! basis; no metric enters. Called by `checker` for the boundary of a region. The kernel
+//! basis; no metric enters. The kernel
 //! decides the same by separating planes, without a word of this.
 
 use super::{Scalar, Sign, linear};

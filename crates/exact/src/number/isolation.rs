@@ -1,6 +1,6 @@
 //! From a polynomial and an interval with one root to what a field needs: a
 //! monic polynomial, and a dyadic interval in which it is monotone around the
-//! root. Called by [`super::field`].
+//! root.
 
 use super::enclosure::Interval;
 use super::error::FieldError;

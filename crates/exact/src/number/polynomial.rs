@@ -3,8 +3,7 @@
 //! Coefficients stand in order of growing degree, the last one is not zero, and
 //! the zero polynomial is empty. This is what algebraic numbers need and no
 //! more: Euclid's algorithm, squarefree parts, and the count of real roots by
-//! Sturm's theorem. Called by [`super::field`], [`super::element`] and
-//! [`super::extension`].
+//! Sturm's theorem.
 
 use super::over_common_denominator;
 use crate::geometry::Sign;

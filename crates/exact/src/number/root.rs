@@ -1,8 +1,8 @@
 //! Enclosures of a root of a polynomial, and of its powers, by dyadic numbers.
 //!
 //! What is found for a number of bits is determined by the root alone (k is the
-//! floor of 2^bits times the root), whatever was found before. Called by
-//! [`super::field`], which keeps the enclosures, and by [`super::sign`].
+//! floor of 2^bits times the root), whatever was found before.
+//! A field keeps the enclosures.
 
 use crate::geometry::Sign;
 use malachite::base::num::arithmetic::traits::{DivRound, ShrRound, Sign as _};

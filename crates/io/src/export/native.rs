@@ -72,7 +72,8 @@ fn domain(domain: &Domain) -> Value {
         }
         Domain::Prism(polygon) => json!({ "prism": polytope(polygon) }),
         Domain::Solid(solid) => json!({ "solid": polytope(solid) }),
-        Domain::Region(_) => json!("region"),
+        Domain::Region(0) => json!("region"),
+        Domain::Region(rank) => json!({ "region": rank }),
     }
 }
 

@@ -215,21 +215,62 @@ pub enum Coordinates {
 }
 
 /// What is tiled.
-#[derive(Default, Deserialize)]
-#[serde(rename_all = "lowercase")]
+#[derive(Default)]
 pub enum Domain<'a> {
     #[default]
     Space,
     /// Lower and upper bound of the last coordinate.
-    #[serde(borrow)]
     Slab(Vec<Text<'a>>),
     /// The corners of a polygon, in the last two coordinates.
-    #[serde(borrow)]
     Prism(PolytopeEntry<'a>),
-    #[serde(borrow)]
     Solid(PolytopeEntry<'a>),
-    /// The union of the simplices.
-    Region,
+    /// The union of the simplices and their translates by a lattice of this rank.
+    Region(usize),
+}
+
+/// A word, or an object with one member; `"region"` is `{"region": 0}`.
+impl<'de: 'a, 'a> Deserialize<'de> for Domain<'a> {
+    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+        deserializer.deserialize_any(DomainVisitor)
+    }
+}
+
+struct DomainVisitor;
+
+const DOMAINS: &[&str] = &["space", "slab", "prism", "solid", "region"];
+
+impl<'de> Visitor<'de> for DomainVisitor {
+    type Value = Domain<'de>;
+
+    fn expecting(&self, f: &mut fmt::Formatter) -> fmt::Result {
+        f.write_str("\"space\", \"region\", or an object with slab, prism, solid or region")
+    }
+
+    fn visit_str<E: serde::de::Error>(self, word: &str) -> Result<Self::Value, E> {
+        match word {
+            "space" => Ok(Domain::Space),
+            "region" => Ok(Domain::Region(0)),
+            _ => Err(E::unknown_variant(word, DOMAINS)),
+        }
+    }
+
+    fn visit_map<A: MapAccess<'de>>(self, mut map: A) -> Result<Self::Value, A::Error> {
+        use serde::de::Error;
+        let Some(kind) = map.next_key::<String>()? else {
+            return Err(A::Error::invalid_length(0, &self));
+        };
+        let domain = match kind.as_str() {
+            "slab" => Domain::Slab(map.next_value()?),
+            "prism" => Domain::Prism(map.next_value()?),
+            "solid" => Domain::Solid(map.next_value()?),
+            "region" => Domain::Region(map.next_value()?),
+            _ => return Err(A::Error::unknown_variant(&kind, DOMAINS)),
+        };
+        match map.next_key::<String>()? {
+            None => Ok(domain),
+            Some(_) => Err(A::Error::invalid_length(2, &self)),
+        }
+    }
 }
 
 /// A polygon by its corners in cyclic order, or a polyhedron with faces.

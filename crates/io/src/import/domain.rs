@@ -24,11 +24,11 @@ pub fn read_domain<S: Entry, const D: usize>(
         document::Domain::Prism(entry) => {
             polytope(entry, 2, "domain.prism", numbers).map(Domain::Prism)
         }
-        document::Domain::Region if D != 3 => Err(ImportError::entry(
-            "domain",
-            "\"region\" found in dimension 2, expected 3",
+        document::Domain::Region(rank) if *rank > D => Err(ImportError::entry(
+            "domain.region",
+            format!("found the rank {rank}, expected 0 to {D}"),
         )),
-        document::Domain::Region => Ok(Domain::Region(0)),
+        document::Domain::Region(rank) => Ok(Domain::Region(*rank)),
         document::Domain::Solid(entry) => {
             polytope(entry, D, "domain.solid", numbers).map(Domain::Solid)
         }

@@ -56,9 +56,9 @@ fn identity<S: Entry, const D: usize>(
     domain: Domain<S>,
 ) -> Result<(Frame<D, S>, Change<D, S>), ImportError> {
     match &domain {
-        Domain::Solid(_) | Domain::Region(_) => {}
+        Domain::Solid(_) | Domain::Region(0) => {}
         _ => {
-            let problem = "is missing; only a solid and a region need none";
+            let problem = "is missing; only a solid and a region of rank 0 need none";
             return Err(ImportError::entry("lattice", problem));
         }
     }

@@ -81,7 +81,7 @@ impl Numbers {
             numbers.learn("lattice", matrix)?;
         }
         match &document.domain {
-            Domain::Space | Domain::Region => {}
+            Domain::Space | Domain::Region(_) => {}
             Domain::Slab(heights) => numbers.learn("domain.slab", std::slice::from_ref(heights))?,
             Domain::Prism(polytope) => {
                 numbers.learn("domain.prism.vertices", &polytope.vertices)?

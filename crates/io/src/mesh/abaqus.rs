@@ -14,7 +14,15 @@ use std::collections::BTreeMap;
 
 /// Keywords that make nodes or elements in a way that is not read.
 const DECLINED: [&str; 9] = [
-    "NGEN", "NFILL", "NCOPY", "NMAP", "ELGEN", "ELCOPY", "INCLUDE", "SYSTEM", "TRANSFORM",
+    "NGEN",
+    "NFILL",
+    "NCOPY",
+    "NMAP",
+    "ELGEN",
+    "ELCOPY",
+    "INCLUDE",
+    "SYSTEM",
+    "TRANSFORM",
 ];
 
 /// Reads the nodes and elements of a file.
@@ -199,7 +207,12 @@ impl Reading {
     fn expect_whole(&mut self, place: Place) -> Result<(), MeshError> {
         let begun = std::mem::take(&mut self.begun);
         match (&self.block, begun.as_slice()) {
-            (Block::Elements { cell: Some(nodes), .. }, [element, found @ ..]) => {
+            (
+                Block::Elements {
+                    cell: Some(nodes), ..
+                },
+                [element, found @ ..],
+            ) => {
                 let problem = format!(
                     "the element {element} has {} nodes, expected {nodes}",
                     found.len()
@@ -246,7 +259,8 @@ fn nodes_of_cell(kind: &str) -> Option<usize> {
         Some(10)
     } else {
         let triangles = [
-            "CPS3", "CPE3", "CPEG3", "CAX3", "C2D3", "AC2D3", "S3", "STRI3", "M3D3", "SFM3D3", "R3D3", "WARPF2D3",
+            "CPS3", "CPE3", "CPEG3", "CAX3", "C2D3", "AC2D3", "S3", "STRI3", "M3D3", "SFM3D3",
+            "R3D3", "WARPF2D3",
         ];
         triangles.iter().any(|prefix| begins(prefix)).then_some(3)
     }

@@ -138,7 +138,12 @@ fn with_domain<const D: usize>(
     }
     let moved = |tolerance: f64| {
         let found = snapped(tolerance).ok()?;
-        Some(self::tiling(basis, &found, mesh, Domain::Region(basis.rank)))
+        Some(self::tiling(
+            basis,
+            &found,
+            mesh,
+            Domain::Region(basis.rank),
+        ))
     };
     let Sides { domain, facets } = sides(&tiling, &moved);
     tiling.frame.domain = domain;

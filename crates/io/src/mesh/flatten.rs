@@ -124,10 +124,7 @@ struct Cartesian {
 }
 
 impl Cartesian {
-    fn new<const D: usize>(
-        tiling: &Tiling<D>,
-        basis: Option<&Basis>,
-    ) -> Result<Self, MeshError> {
+    fn new<const D: usize>(tiling: &Tiling<D>, basis: Option<&Basis>) -> Result<Self, MeshError> {
         // In the plane the third basis vector is the normal of length 1.
         let entry = |i: usize, j: usize| match tiling.frame.gram.get(i).and_then(|row| row.get(j)) {
             Some(entry) => entry.clone(),

@@ -303,7 +303,10 @@ mod tests {
     #[test]
     fn says_what_is_wrong_with_vectors() {
         for (text, expected) in [
-            ("1,0,0;0,1,0;0,0,1;1,1,1", "found 4 vectors, expected 1 to 3"),
+            (
+                "1,0,0;0,1,0;0,0,1;1,1,1",
+                "found 4 vectors, expected 1 to 3",
+            ),
             (
                 "1;0,1",
                 "the vector \"1\" has 1 entries, expected 3 with commas between",
@@ -333,7 +336,13 @@ mod tests {
 
     #[test]
     fn a_left_handed_lattice_gets_a_right_handed_basis() {
-        for text in ["1,0,0;0,0,1;0,1,0", "0,1,0;1,0,0", "1,0,0;0,1,0", "0,0,-3", "1,2,3"] {
+        for text in [
+            "1,0,0;0,0,1;0,1,0",
+            "0,1,0;1,0,0",
+            "1,0,0;0,1,0",
+            "0,0,-3",
+            "1,2,3",
+        ] {
             let lattice = Lattice::parse(text).expect("a lattice");
             let basis = lattice.basis(3).expect("a basis");
             assert!(linear::determinant(&basis.vectors).sign().is_gt());

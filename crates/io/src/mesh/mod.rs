@@ -11,7 +11,7 @@
 //! | `vtk`, `vtk_cells`, `vtk_data`, `vtu`, `vtu_data`, `vtu_parts`, `vtu_write` | VTK legacy and XML files |
 //! | `medit`, `tetgen`, `abaqus`, `nastran`, `mfem` | MEDIT, TetGen and Triangle, Abaqus, Nastran, MFEM |
 //! | [`surface`] | STL and OBJ surfaces |
-//! | [`source`], `lines`, [`numbering`], `element`, [`error`] | what the readers share |
+//! | [`source`], `words`, `lines`, [`numbering`], `element`, [`error`] | what the readers share |
 //! | [`sink`], [`writer`] | what the writers share; which writer a format has |
 //! | [`lattice`], `sides` | the lattice of a periodic mesh, and the facets on its sides |
 //! | [`convert`], `identify`, `snap` | a mesh as a tiling |
@@ -46,8 +46,8 @@ mod nastran;
 pub mod numbering;
 pub mod origin;
 mod patch;
-pub mod sink;
 mod sides;
+pub mod sink;
 mod snap;
 pub mod source;
 pub mod surface;
@@ -60,6 +60,7 @@ mod vtu;
 mod vtu_data;
 mod vtu_parts;
 mod vtu_write;
+mod words;
 pub mod writer;
 
 pub use convert::{Converted, periodic_tiling, region_tiling};
@@ -74,6 +75,8 @@ pub use patch::patch;
 pub use snap::Move;
 pub use writer::{File, write};
 
+use acutile_core::curved::Nodes;
+use acutile_core::tiling::SimplexId;
 use std::collections::BTreeMap;
 
 /// Points and cells with the numbers that a file gives them. The cells are tetrahedra, or
@@ -163,6 +166,17 @@ impl Mesh {
         } else {
             &self.labels
         }
+    }
+
+    /// The curved tetrahedra with their ten nodes.
+    pub fn curved_elements(&self) -> Vec<(SimplexId, Nodes)> {
+        let point = |index: u32| self.points[index as usize];
+        let element = |(&simplex, middles): (&usize, &[u32; 6])| {
+            let [a, b, c, d] = self.tetrahedra[simplex].map(point);
+            let [e, f, g, h, i, j] = middles.map(point);
+            (SimplexId::at(simplex), [a, b, c, d, e, f, g, h, i, j])
+        };
+        self.curved.iter().map(element).collect()
     }
 
     /// `12 triangles, 4 points`: the elements of other types.

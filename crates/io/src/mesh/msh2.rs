@@ -19,11 +19,7 @@ fn count(source: &mut Source, least: usize, what: &str) -> Result<usize, MeshErr
 
 /// `tag x y z` for each node; of parametric nodes then the dimension and the number of their entity,
 /// and a parameter on a curve or two on a surface.
-pub fn nodes(
-    source: &mut Source,
-    draft: &mut Draft,
-    is_parametric: bool,
-) -> Result<(), MeshError> {
+pub fn nodes(source: &mut Source, draft: &mut Draft, is_parametric: bool) -> Result<(), MeshError> {
     let least = match source.encoding {
         Encoding::Text => 8,
         _ => 28,

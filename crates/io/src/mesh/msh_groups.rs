@@ -85,11 +85,7 @@ fn labels(mesh: &Mesh, notes: &mut Vec<String>) -> BTreeMap<i64, i64> {
 }
 
 /// Entities and groups of cells. An entity keeps its number if no other group needs it.
-fn groups(
-    mesh: &Mesh,
-    labels: &BTreeMap<i64, i64>,
-    notes: &mut Vec<String>,
-) -> Vec<(i64, i64)> {
+fn groups(mesh: &Mesh, labels: &BTreeMap<i64, i64>, notes: &mut Vec<String>) -> Vec<(i64, i64)> {
     let pair = |cell: usize| {
         let entity = mesh.entities.get(cell).copied().unwrap_or(0);
         let label = mesh.labels.get(cell).map_or(0, |label| labels[label]);

@@ -106,10 +106,7 @@ fn periodic2(mesh: &Mesh, nodes: &Numbering, sink: &mut Sink) {
     sink.text("$EndPeriodic\n");
 }
 
-fn pairs<'m>(
-    nodes: &'m Numbering,
-    link: &'m Periodic,
-) -> impl Iterator<Item = (i64, i64)> + 'm {
+fn pairs<'m>(nodes: &'m Numbering, link: &'m Periodic) -> impl Iterator<Item = (i64, i64)> + 'm {
     let tag = |point: u32| nodes.get(point as usize) as i64;
     link.nodes
         .iter()
@@ -210,7 +207,11 @@ fn nodes4(mesh: &Mesh, numbers: &Numbers, sink: &mut Sink) {
     let entity = numbers.groups.first().map_or(1, |(entity, _)| *entity);
     sink.text("$Nodes\n");
     totals(sink, 1, &numbers.nodes);
-    block(sink, [mesh.dimension() as i64, entity, 0], mesh.points.len());
+    block(
+        sink,
+        [mesh.dimension() as i64, entity, 0],
+        mesh.points.len(),
+    );
     for tag in numbers.nodes.iter() {
         sink.long(tag as i64);
         sink.end();

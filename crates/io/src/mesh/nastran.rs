@@ -128,7 +128,11 @@ impl Card {
             false => Err(self.error(format!(
                 "the element {} has {found} nodes, some perhaps left out, expected {}",
                 numbers[0],
-                widths.iter().map(usize::to_string).collect::<Vec<_>>().join(" or ")
+                widths
+                    .iter()
+                    .map(usize::to_string)
+                    .collect::<Vec<_>>()
+                    .join(" or ")
             ))),
         }
     }

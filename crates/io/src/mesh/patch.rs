@@ -14,10 +14,7 @@ const MOST: f64 = 5e6;
 ///
 /// # Errors
 /// Where there is none, or the ball holds too many.
-pub fn patch<const D: usize>(
-    tiling: &Tiling<D>,
-    radius: &Rational,
-) -> Result<Tiling<D>, String> {
+pub fn patch<const D: usize>(tiling: &Tiling<D>, radius: &Rational) -> Result<Tiling<D>, String> {
     let reach = reach(tiling, radius);
     let mut patch = Patch {
         tiling,

@@ -80,7 +80,10 @@ fn slab<const D: usize>(tiling: &Tiling<D>, free: &[Facet]) -> Option<Domain> {
 fn exact_sides<const D: usize>(tiling: &Tiling<D>, free: &[Facet]) -> BTreeSet<Facet> {
     let mut shifts: HashMap<VertexId, BTreeSet<[i32; D]>> = HashMap::new();
     for corner in &tiling.corners {
-        shifts.entry(corner.vertex).or_default().insert(corner.shift);
+        shifts
+            .entry(corner.vertex)
+            .or_default()
+            .insert(corner.shift);
     }
     let has = |corner: Corner<D>| {
         shifts
@@ -113,9 +116,7 @@ fn nearly<const D: usize>(tiling: &Tiling<D>) -> Option<f64> {
         .map(|v| v.each_ref().map(|x| x.approximate()))
         .collect();
     let at = |corner: &Corner<D>| -> [f64; D] {
-        std::array::from_fn(|k| {
-            vertices[corner.vertex.index()][k] + f64::from(corner.shift[k])
-        })
+        std::array::from_fn(|k| vertices[corner.vertex.index()][k] + f64::from(corner.shift[k]))
     };
     let mut shortest = f64::INFINITY;
     for simplex in tiling.simplices() {

@@ -4,6 +4,8 @@ use super::error::{MeshError, Place};
 use super::lines::{Line, Lines, words};
 use super::source::{Encoding, Source, shown, without_mark};
 use super::{Family, load};
+use acutile_core::tiling::{Corner, Facet, Matching, Tiling};
+use std::collections::BTreeMap;
 use std::path::Path;
 
 /// Triangles in space by the coordinates of their corners.
@@ -13,6 +15,97 @@ pub struct Surface {
     pub triangles: Vec<[[f64; 3]; 3]>,
     /// Whether coordinates have single precision.
     pub is_single: bool,
+}
+
+/// The boundary of a mesh against a surface.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Comparison {
+    /// Boundary facets that are no triangles of the surface.
+    pub missing: Vec<Facet>,
+    /// Triangles of the surface, by their indices, that are no boundary facets.
+    pub surplus: Vec<usize>,
+    /// Triangles whose corners are in the opposite order.
+    pub reversed: usize,
+    /// Whether coordinates of the mesh were rounded to single precision.
+    pub is_rounded: bool,
+}
+
+/// Compares the boundary of a bounded mesh with a surface, triangle by triangle. Against a surface of
+/// single precision, the mesh's coordinates are rounded if they do not agree as they are.
+pub fn compare(tiling: &Tiling<3>, matching: &Matching<3>, surface: &Surface) -> Comparison {
+    let plain = compare_as(tiling, matching, surface, |x| x);
+    if !surface.is_single || (plain.missing.is_empty() && plain.surplus.is_empty()) {
+        return plain;
+    }
+    let rounded = compare_as(tiling, matching, surface, |x| f64::from(x as f32));
+    Comparison {
+        is_rounded: true,
+        ..rounded
+    }
+}
+
+fn compare_as(
+    tiling: &Tiling<3>,
+    matching: &Matching<3>,
+    surface: &Surface,
+    rounded: fn(f64) -> f64,
+) -> Comparison {
+    let point = |corner: &Corner<3>| {
+        // Coordinates of a bounded mesh are doubles.
+        tiling
+            .position(corner)
+            .each_ref()
+            .map(|x| rounded(x.approximate()))
+    };
+    let mut facets: BTreeMap<Form, Vec<(Facet, bool)>> = BTreeMap::new();
+    let single = matching.mismatches.iter().filter(|m| m.uses.len() == 1);
+    for mismatch in single {
+        let facet = mismatch.uses[0].0;
+        let opposite = usize::from(facet.opposite);
+        let corners = tiling.simplex(facet.simplex);
+        let mut triangle = [0, 1, 2].map(|k| point(&corners[k + usize::from(k >= opposite)]));
+        if opposite % 2 == 1 {
+            triangle.swap(1, 2);
+        }
+        let (form, is_even) = form(&triangle);
+        facets.entry(form).or_default().push((facet, is_even));
+    }
+    let mut comparison = Comparison {
+        missing: Vec::new(),
+        surplus: Vec::new(),
+        reversed: 0,
+        is_rounded: false,
+    };
+    for (index, triangle) in surface.triangles.iter().enumerate() {
+        let (form, is_even) = form(triangle);
+        match facets.get_mut(&form).and_then(Vec::pop) {
+            Some((_, facet_is_even)) => {
+                comparison.reversed += usize::from(is_even != facet_is_even);
+            }
+            None => comparison.surplus.push(index),
+        }
+    }
+    let missing = facets.into_values().flatten().map(|(facet, _)| facet);
+    comparison.missing = missing.collect();
+    comparison.missing.sort_unstable();
+    comparison
+}
+
+type Form = [[u64; 3]; 3];
+
+/// The corners in order, by the bits of their coordinates with one zero, and whether they were in an
+/// even permutation of it.
+fn form(triangle: &[[f64; 3]; 3]) -> (Form, bool) {
+    let mut corners = triangle.map(|corner| corner.map(|x| (x + 0.0).to_bits()));
+    let pairs = [(0, 1), (0, 2), (1, 2)];
+    let odd = pairs
+        .iter()
+        .filter(|(i, j)| corners[*i] > corners[*j])
+        .count()
+        % 2
+        == 1;
+    corners.sort_unstable();
+    (corners, !odd)
 }
 
 /// Reads an STL or OBJ file by its extension, or the triangles of a mesh file.
@@ -96,9 +189,9 @@ fn text_stl(bytes: &[u8]) -> Result<Surface, MeshError> {
             b"vertex" => corners.push(point(&line)?),
             b"endloop" => {
                 let found = corners.len();
-                let triangle = std::mem::take(&mut corners).try_into().map_err(|_| {
-                    line.error(format!("a facet has {found} corners, expected 3"))
-                })?;
+                let triangle = std::mem::take(&mut corners)
+                    .try_into()
+                    .map_err(|_| line.error(format!("a facet has {found} corners, expected 3")))?;
                 triangles.push(triangle);
             }
             b"solid" | b"endsolid" | b"facet" | b"endfacet" | b"outer" => {}
@@ -162,7 +255,9 @@ pub fn read_obj(bytes: &[u8]) -> Result<Surface, MeshError> {
 /// `7`, `7/1`, `7//3` or `-1`.
 fn obj_corner(line: &Line, word: &[u8], points: &[[f64; 3]]) -> Result<[f64; 3], MeshError> {
     let number = word.split(|&byte| byte == b'/').next().unwrap_or_default();
-    let number: Option<i64> = std::str::from_utf8(number).ok().and_then(|n| n.parse().ok());
+    let number: Option<i64> = std::str::from_utf8(number)
+        .ok()
+        .and_then(|n| n.parse().ok());
     let index = number.and_then(|number| match number {
         1.. => usize::try_from(number - 1).ok(),
         _ => points.len().checked_sub(usize::try_from(-number).ok()?),

@@ -47,11 +47,7 @@ pub fn read_nodes(bytes: &[u8]) -> Result<(Draft, Index), MeshError> {
 }
 
 /// The elements: a head `count corners attributes`, then `number node … attribute …` for each.
-pub fn read_elements(
-    bytes: &[u8],
-    mut draft: Draft,
-    index: &Index,
-) -> Result<Mesh, MeshError> {
+pub fn read_elements(bytes: &[u8], mut draft: Draft, index: &Index) -> Result<Mesh, MeshError> {
     let mut lines = Lines::new(words(bytes, b'#'), bytes.len());
     let head = lines.next("the number of elements")?;
     let count: usize = head.parsed(0, "the number of elements")?;

@@ -54,7 +54,10 @@ const EXTENSIONS: [(&str, &str); 40] = [
 
 /// First bytes of formats that are not read.
 const STARTS: [(&[u8], &str); 22] = [
-    (b"\x89HDF\r\n\x1a\n", "HDF5 (XDMF, MED, CGNS or Exodus data)"),
+    (
+        b"\x89HDF\r\n\x1a\n",
+        "HDF5 (XDMF, MED, CGNS or Exodus data)",
+    ),
     (b"CDF\x01", "netCDF (perhaps Exodus II)"),
     (b"CDF\x02", "netCDF (perhaps Exodus II)"),
     (b"<Xdmf", "XDMF"),
@@ -69,7 +72,10 @@ const STARTS: [(&[u8], &str); 22] = [
     (b"*KEYWORD", "LS-DYNA keyword"),
     (b"(0 \"", "Fluent mesh"),
     (b"/COM,ANSYS", "Ansys CDB"),
-    (b"solid ", "STL surface (certify --fills compares it with a mesh)"),
+    (
+        b"solid ",
+        "STL surface (certify --fills compares it with a mesh)",
+    ),
     (b"PK\x03\x04", "ZIP archive"),
     (b"\x1f\x8b", "gzip (the name has to end in .gz)"),
     (b"BZh", "bzip2 archive"),

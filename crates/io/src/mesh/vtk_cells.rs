@@ -40,12 +40,7 @@ const ENTITIES: [&str; 2] = ["gmsh:geometrical", "cellentityids"];
 
 impl Cells {
     /// Adds the cells to the mesh; point p of a cell is the point p + `first` of the mesh.
-    pub fn store(
-        mut self,
-        draft: &mut Draft,
-        index: &Index,
-        first: i64,
-    ) -> Result<(), MeshError> {
+    pub fn store(mut self, draft: &mut Draft, index: &Index, first: i64) -> Result<(), MeshError> {
         let (cells, types) = (self.ends.len(), self.types.len());
         if cells != types {
             return Err(MeshError::of_file(format!(

@@ -108,7 +108,10 @@ pub fn data(
     let mut head = Some(first.to_vec());
     let mut of_cells = false;
     let mut count = 0;
-    while let Some(word) = head.take().or_else(|| source.try_word().map(<[u8]>::to_vec)) {
+    while let Some(word) = head
+        .take()
+        .or_else(|| source.try_word().map(<[u8]>::to_vec))
+    {
         match word.to_ascii_uppercase().as_slice() {
             name @ (b"CELL_DATA" | b"POINT_DATA") => {
                 of_cells = name == b"CELL_DATA";

@@ -3,10 +3,10 @@
 //! after an underscore, raw or in base64.
 
 use super::Mesh;
+use super::draft::Draft;
 use super::error::{MeshError, Place};
 use super::numbering::Numbering;
 use super::source::{Encoding, Source, shown};
-use super::draft::Draft;
 use super::vtk_cells::Cells;
 use super::vtu_data::{Compressor, Kind, Layout, doubles, integers, unpack};
 use super::vtu_parts::{Appended, Lines, length_before, split};

@@ -102,8 +102,8 @@ impl Compressor {
             Compressor::Lz4 => {
                 // LZ4 makes no byte into more than 255, so a false size costs no memory.
                 let size = size.min(block.len().saturating_mul(255).saturating_add(64));
-                let bytes = lz4_flex::block::decompress(block, size)
-                    .map_err(|error| error.to_string())?;
+                let bytes =
+                    lz4_flex::block::decompress(block, size).map_err(|error| error.to_string())?;
                 unpacked.extend(bytes);
                 Ok(())
             }

@@ -1,5 +1,5 @@
 //! The parts of a VTU file before its XML is read: the XML, the appended data behind it, and
-//! the lines of bytes. Called by `vtu` alone.
+//! the lines of bytes.
 
 use super::error::{MeshError, Place};
 use std::io::BufRead;

@@ -74,7 +74,10 @@ pub fn losses(mesh: &Mesh, format: Format) -> Vec<String> {
     }
     losses.extend(lost_labels(mesh, family));
     if !mesh.names.is_empty() && family != Family::Msh {
-        let names = mesh.names.iter().map(|(label, name)| format!("{label} \"{name}\""));
+        let names = mesh
+            .names
+            .iter()
+            .map(|(label, name)| format!("{label} \"{name}\""));
         let names = names.collect::<Vec<_>>().join(", ");
         losses.push(format!("the names of labels: {names}"));
     }

@@ -37,7 +37,7 @@ impl Reader<'_> {
 
     fn value(&mut self, out: &mut Vec<u8>, depth: usize) -> Option<()> {
         match self.peek()? {
-            _ if depth > 20 => None,
+            _ if depth > 100 => None,
             open @ (b'{' | b'[') => {
                 self.next += 1;
                 let close = open + 2;

@@ -12,6 +12,7 @@
 
 #[path = "../common/mod.rs"]
 mod common;
+mod family;
 mod oracle;
 mod region;
 
@@ -36,11 +37,11 @@ pub(crate) fn is_left_out(file: &'static str, line: u32) -> bool {
     LEFT_OUT.get() == Some((file, line))
 }
 
-/// The code, or `verified`, or `panic`.
+/// The code, the place and the value, or `verified`, or `panic`.
 fn answer(cbor: &[u8], limits: &Limits) -> String {
     let found = catch_unwind(|| match crate::verify(&mut &cbor[..], limits) {
         Ok(_) => "verified".to_owned(),
-        Err(refusal) => format!("{:?}", (refusal.code, refusal.place)),
+        Err(refusal) => format!("{:?}", (refusal.code, refusal.place, refusal.value)),
     });
     found.unwrap_or_else(|_| "panic".into())
 }
@@ -59,7 +60,15 @@ fn limits(file: &common::File) -> Limits {
 
 /// Parts of the checks that need no file: a broken pipe (see tests/kernel.rs), more than 2^32
 /// vertices, a region of more than 2^18 periods.
-const WITHOUT_FILE: [&str; 3] = ["Unreadable", "self.count < u32::MAX", "some!(small, Work"];
+/// Of systems of patches no example is known that has the right valences and breaks the rule about
+/// triangles.
+const WITHOUT_FILE: [&str; 5] = [
+    "Unreadable",
+    "self.count < u32::MAX",
+    "some!(small, Work",
+    "TriangleValence, Place::Tile",
+    "TriangleValence, left.place()",
+];
 
 /// The lines of the source with a check.
 fn sites() -> BTreeMap<(String, u32), String> {
@@ -116,9 +125,9 @@ fn no_check_can_be_left_out() {
         seen.insert(site);
     }
     std::panic::set_hook(hook);
-    assert!(without_effect.is_empty(), "{without_effect:?}");
     let is_without_file = |text: &str| WITHOUT_FILE.iter().any(|part| text.contains(part));
     let unseen = sites.iter().filter(|(site, text)| !seen.contains(*site) && !is_without_file(text));
     let unseen: Vec<_> = unseen.collect();
-    assert!(unseen.is_empty(), "no file fails at {unseen:?}");
+    let is_right = without_effect.is_empty() && unseen.is_empty();
+    assert!(is_right, "without effect: {without_effect:?}; no file fails at {unseen:?}");
 }

@@ -132,7 +132,7 @@ fn differs_from_z(survey: &Survey) -> Finding {
 /// The class of the tetrahedra in the icosahedra: three angles of 72 degrees.
 fn class_of_cones(study: &Study<3>) -> Result<usize, String> {
     let is_cone = |class: &usize| {
-        let angles = study.measures[*class].angles.iter();
+        let angles = study.measures()[*class].angles.iter();
         angles
             .filter(|angle| angle.rational() == Some(Rational::from(72)))
             .count()

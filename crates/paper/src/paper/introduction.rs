@@ -166,12 +166,12 @@ fn regular_around_an_edge() -> Finding {
 fn angles_of_bcc(survey: &Survey) -> Finding {
     let study = survey.space("sommerville-2")?;
     let angles: Vec<String> = study
-        .measures
+        .measures()
         .iter()
         .flat_map(|measures| &measures.angles)
         .filter_map(Exact::closed_form)
         .collect();
-    let holds = study.measures.len() == 1 && angles == ["60", "60", "60", "60", "90", "90"];
+    let holds = study.measures().len() == 1 && angles == ["60", "60", "60", "60", "90", "90"];
     Ok((
         holds,
         format!("the angles in degrees: {}", angles.join(", ")),

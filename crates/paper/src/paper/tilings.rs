@@ -94,7 +94,7 @@ fn for_all(survey: &Survey, names: &[&str], property: impl Fn(&Study<3>) -> bool
 /// The dihedral angles of the first shape and the valences.
 fn profile(study: &Study<3>) -> String {
     let angles = study
-        .measures
+        .measures()
         .first()
         .map_or(&[][..], |measures| &measures.angles);
     let angles: Vec<String> = angles
@@ -115,7 +115,10 @@ fn range_in_words(angle: &DihedralAngle) -> String {
 }
 
 fn has_right_angle(study: &Study<3>) -> bool {
-    let mut angles = study.measures.iter().flat_map(|measures| &measures.angles);
+    let mut angles = study
+        .measures()
+        .iter()
+        .flat_map(|measures| &measures.angles);
     angles.any(|angle| angle.against_right() == Sign::Equal)
 }
 

@@ -8,7 +8,7 @@
 mod known;
 mod study;
 
-pub use known::isomorphic_entries;
+pub use known::{isomorphic_entries, isomorphic_in_catalog};
 pub use study::{AnyStudy, NotStudied, Study};
 
 use acutile_catalog as catalog;

@@ -13,6 +13,7 @@ use acutile_core::tiling::{AnyTiling, Matching, PointSet, Tiling, match_facets};
 use acutile_exact::number::Number;
 use std::collections::BTreeMap;
 use std::fmt;
+use std::sync::OnceLock;
 
 /// A tiling that is proved; the kernel has confirmed its certificate.
 #[derive(Debug)]
@@ -25,8 +26,8 @@ pub struct Study<const D: usize> {
     pub certificate: String,
     /// Congruence classes.
     pub shapes: Vec<Shape>,
-    /// The measures of each class.
-    pub measures: Vec<Measures>,
+    /// The measures of each class, once they are asked for.
+    measures: OnceLock<Vec<Measures>>,
     /// The exact ranges that the certificate claims.
     pub ranges: Ranges,
     pub ridges: Ridges<D>,
@@ -43,8 +44,6 @@ impl<const D: usize> Study<D> {
             is_refuted: matches!(reason, NotProved::Refuted(_)),
         })?;
         let shapes = shapes(&tiling);
-        let measures = measures_of_shapes(&tiling, &shapes)
-            .ok_or_else(|| NotStudied::open("a simplex is flat"))?;
         let matching = match_facets(&tiling);
         Ok(Study {
             ranges: ranges(proved.statements())
@@ -54,8 +53,18 @@ impl<const D: usize> Study<D> {
             statements: proved.statements().to_vec(),
             matching,
             shapes,
-            measures,
+            measures: OnceLock::new(),
             tiling,
+        })
+    }
+
+    /// The measures of each class. They take far longer than the classes.
+    ///
+    /// # Panics
+    /// Never: a proved tiling has no flat simplex, which alone has no measures.
+    pub fn measures(&self) -> &[Measures] {
+        self.measures.get_or_init(|| {
+            measures_of_shapes(&self.tiling, &self.shapes).expect("no simplex is flat")
         })
     }
 

@@ -2,8 +2,7 @@
 //! dihedral angle, each with its minimum and maximum over the tetrahedra.
 //!
 //! Every figure is an enclosure of the exact value; `render` writes them in several
-//! formats. Called by the command line; the paper's own figures are judged in
-//! [`crate::paper`].
+//! formats. The paper's own figures are judged in [`crate::paper`].
 
 mod render;
 

@@ -16,7 +16,7 @@
 //!
 //! Nothing here proves anything: the kernel has confirmed the certificate before
 //! ([`crate::report::Proved`]), and tests/appendix/check.py compares the printed numbers with
-//! the certificate. Called by the command line.
+//! the certificate.
 
 mod bibliography;
 mod classes;

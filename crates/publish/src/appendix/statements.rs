@@ -15,25 +15,20 @@ use acutile_exact::number::Number;
 use malachite::Rational;
 use std::collections::BTreeMap;
 
-/// A paragraph for each statement that has one.
+/// A paragraph for each statement that has one. The table of powers for Delaunay shows weakly
+/// Delaunay, too.
 pub fn statements<const D: usize>(analysis: &Analysis<D>) -> String {
-    let paragraphs = analysis
-        .subject
-        .statements()
-        .iter()
-        .map(|statement| match statement {
-            Statement::LargestAngle(Relation::Maximum, angle) => {
-                extreme_angle(analysis, angle, true)
-            }
-            Statement::SmallestAngle(Relation::Minimum, angle) => {
-                extreme_angle(analysis, angle, false)
-            }
-            Statement::RadiusEdge(Relation::Maximum, ratio) => radius_edge(analysis, ratio),
-            Statement::Delaunay => delaunay(analysis, true),
-            Statement::WeaklyDelaunay => delaunay(analysis, false),
-            Statement::Tcp => close_packed(analysis),
-            _ => String::new(),
-        });
+    let statements = analysis.subject.statements();
+    let is_strict = statements.contains(&Statement::Delaunay);
+    let paragraphs = statements.iter().map(|statement| match statement {
+        Statement::LargestAngle(Relation::Maximum, angle) => extreme_angle(analysis, angle, true),
+        Statement::SmallestAngle(Relation::Minimum, angle) => extreme_angle(analysis, angle, false),
+        Statement::RadiusEdge(Relation::Maximum, ratio) => radius_edge(analysis, ratio),
+        Statement::Delaunay => delaunay(analysis, true),
+        Statement::WeaklyDelaunay if !is_strict => delaunay(analysis, false),
+        Statement::Tcp => close_packed(analysis),
+        _ => String::new(),
+    });
     paragraphs.collect()
 }
 

@@ -1,5 +1,5 @@
 //! Square roots of integers: their simplest form, and comparisons with them that paper and
-//! pencil can follow. Called by `numeral`.
+//! pencil can follow.
 
 use super::rational::{DIGITS, decimal, rational};
 use acutile_core::quality::{rounded_down, rounded_up};

@@ -9,7 +9,7 @@
 //! | `zip` | the files as one |
 //! | `verify.py` | a third checker, in Python; it goes into the archive |
 //!
-//! Nothing here proves anything: what comes in is [`Proved`]. Called by the command line.
+//! Nothing here proves anything: what comes in is [`Proved`].
 
 mod pdf;
 mod readme;

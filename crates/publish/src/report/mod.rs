@@ -14,7 +14,7 @@
 //! | `documents`, `markdown` | the project's documents in it |
 //! | `assets` | template, style, program, and the verifier in JavaScript |
 //!
-//! Nothing here proves anything. Called by the command line.
+//! Nothing here proves anything.
 
 mod article;
 mod colour;

@@ -80,7 +80,11 @@ pub fn gram(lengths: [&Decimal; 3], cosines: &[Rational; 3]) -> Gram {
         std::array::from_fn(|j| {
             let product = &lengths[i].value * &lengths[j].value;
             // The angle between b_i and b_j is named after the third axis.
-            if i == j { product } else { product * &cosines[3 - i - j] }
+            if i == j {
+                product
+            } else {
+                product * &cosines[3 - i - j]
+            }
         })
     })
 }
@@ -139,4 +143,3 @@ fn check_positive(block: &Block, g: &[[Rational; 3]; 3]) -> Result<(), ImportErr
         "there is no cell with these angles: its volume would not be positive",
     ))
 }
-

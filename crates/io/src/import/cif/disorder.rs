@@ -98,7 +98,8 @@ fn check_symbol(
     let symbol = short(value.text);
     match element::kind(value.text) {
         Kind::Mixture if !options.ignore_occupancy => {
-            let problem = format!("has the type symbol {symbol}, several elements at one place: {ADVICE}");
+            let problem =
+                format!("has the type symbol {symbol}, several elements at one place: {ADVICE}");
             Err(wrong(&value, label, problem))
         }
         Kind::Mixture | Kind::Group => Ok(Some(format!(

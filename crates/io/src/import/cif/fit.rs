@@ -54,7 +54,10 @@ fn different(operations: &[Listed]) -> Vec<&Listed> {
     let mut list: Vec<&Listed> = Vec::new();
     for listed in operations {
         let rotation = &listed.operation.rotation;
-        if list.iter().all(|other| other.operation.rotation != *rotation) {
+        if list
+            .iter()
+            .all(|other| other.operation.rotation != *rotation)
+        {
             list.push(listed);
         }
     }
@@ -131,7 +134,9 @@ fn transformed(r: &Rotation, gram: &Gram) -> Gram {
 fn equalise(cell: &mut Cell, operations: &[&Listed]) -> Vec<String> {
     const NAMES: [&str; 3] = ["a", "b", "c"];
     let is_mixed = |i: usize, j: usize| {
-        operations.iter().any(|o| o.operation.rotation[j][i] != 0 || o.operation.rotation[i][j] != 0)
+        operations
+            .iter()
+            .any(|o| o.operation.rotation[j][i] != 0 || o.operation.rotation[i][j] != 0)
     };
     let mut notes = Vec::new();
     for (i, j) in [(0, 1), (0, 2), (1, 2), (0, 1)] {

@@ -11,10 +11,10 @@ use super::operation::Operation;
 use super::symmetry::Listed;
 use super::token::{Value, at_line, short};
 use crate::import::ImportError;
+use acutile_crystal::hall;
 use acutile_crystal::identify::{differ_by_origin, identify};
 use acutile_crystal::motion::{Motion, fractional};
 use acutile_crystal::setting::{Setting, of_number, of_symbol};
-use acutile_crystal::hall;
 use malachite::Rational;
 
 const SYMBOLS: [&str; 4] = [
@@ -56,7 +56,16 @@ impl<'t> Names<'t> {
         if let Some(value) = self.hall {
             match hall::group(value.text) {
                 Ok(named) if named == group => {}
-                Ok(named) => return Err(disagreement("Hall symbol", value, &[named.len()], list)),
+                Ok(named) => {
+                    let found = found_words(&group, cell);
+                    return Err(disagreement(
+                        "Hall symbol",
+                        value,
+                        &[named.len()],
+                        list,
+                        &found,
+                    ));
+                }
                 Err(problem) => notes.push(format!(
                     "the Hall symbol {} is not compared with the operations: it {problem}",
                     short(value.text)
@@ -76,9 +85,14 @@ impl<'t> Names<'t> {
     ///
     /// # Errors
     /// No name, an unknown one, names that contradict each other, or several possible settings.
-    pub fn tabulated(&self, cell: &Cell) -> Result<(Vec<Listed>, Vec<String>), ImportError> {
+    pub fn tabulated(
+        &self,
+        cell: &Cell,
+        block: &Block,
+    ) -> Result<(Vec<Listed>, Vec<String>), ImportError> {
         let Some((line, words)) = self.words() else {
-            return Err(ImportError::entry("symmetry", NO_NAME));
+            let place = format!("data_{}", block.name);
+            return Err(ImportError::entry(place, NO_NAME));
         };
         let mut candidates = self.settings()?;
         if let Some(value) = self.hall
@@ -86,7 +100,9 @@ impl<'t> Names<'t> {
         {
             let named = candidates.as_ref();
             let is_known = |settings: &Vec<&Setting>| {
-                settings.iter().any(|setting| is_same_group(setting, &group))
+                settings
+                    .iter()
+                    .any(|setting| is_same_group(setting, &group))
             };
             if named.is_some_and(|settings| !is_known(settings)) {
                 let problem = format!(
@@ -95,7 +111,10 @@ impl<'t> Names<'t> {
                 );
                 return Err(at_line(value.line, problem));
             }
-            let note = format!("the operations are those of the Hall symbol {}", short(value.text));
+            let note = format!(
+                "the operations are those of the Hall symbol {}",
+                short(value.text)
+            );
             return Ok((listed(group, line), vec![note]));
         }
         let Some(settings) = candidates.take() else {
@@ -120,7 +139,9 @@ impl<'t> Names<'t> {
     fn words(&self) -> Option<(u32, String)> {
         let value = self.symbols.first().or(self.hall.as_ref());
         let named = value.map(|value| (value.line, short(value.text)));
-        named.or(self.number.map(|(number, line)| (line, format!("number {number}"))))
+        named.or(self
+            .number
+            .map(|(number, line)| (line, format!("number {number}"))))
     }
 
     /// The settings that all known symbols and the number allow; `None` if nothing is known.
@@ -135,7 +156,8 @@ impl<'t> Names<'t> {
             let both = match settings {
                 None => found,
                 Some(before) => {
-                    let is_in = |setting: &&Setting| before.iter().any(|b| b.index == setting.index);
+                    let is_in =
+                        |setting: &&Setting| before.iter().any(|b| b.index == setting.index);
                     found.into_iter().filter(|setting| is_in(setting)).collect()
                 }
             };
@@ -148,12 +170,16 @@ impl<'t> Names<'t> {
             }
             settings = Some(both);
         }
-        let is_number_alone = self.symbols.iter().all(|value| of_symbol(value.text).settings.is_empty());
+        let is_number_alone = self
+            .symbols
+            .iter()
+            .all(|value| of_symbol(value.text).settings.is_empty());
         Ok(settings.filter(|_| !is_number_alone || self.symbols.is_empty()))
     }
 }
 
-pub const ADVICE: &str = "add a loop_ with _space_group_symop_operation_xyz and all operations ('x,y,z' alone for P1)";
+pub const ADVICE: &str =
+    "add a loop_ with _space_group_symop_operation_xyz and all operations ('x,y,z' alone for P1)";
 const NO_NAME: &str = "no symmetry operations and no space group: add a loop_ with _space_group_symop_operation_xyz and all operations ('x,y,z' alone for P1)";
 
 /// The sorted motions of a list.
@@ -174,14 +200,30 @@ fn is_same_group(setting: &Setting, group: &[Motion]) -> bool {
     setting.group().is_ok_and(|own| own == group)
 }
 
-fn disagreement(what: &str, value: Value, counts: &[usize], list: &[Listed]) -> ImportError {
+/// The type of a group, for a message.
+fn found_words(group: &[Motion], cell: &Cell) -> String {
+    identify(group, &cell.gram).map_or_else(String::new, |found| {
+        format!(
+            ", those of number {}, {}",
+            found.setting.number, found.setting.short
+        )
+    })
+}
+
+fn disagreement(
+    what: &str,
+    value: Value,
+    counts: &[usize],
+    list: &[Listed],
+    found: &str,
+) -> ImportError {
     let mut counts = counts.to_vec();
     counts.sort_unstable();
     counts.dedup();
     let counts: Vec<String> = counts.iter().map(usize::to_string).collect();
     let problem = format!(
         "the {what} {} does not agree with the listed operations: it stands for {} operations, and {} are listed at line \
-         {}; complete the list, or remove the symbol or the list, whichever is wrong",
+         {}{found}; complete the list, or remove the symbol or the list, whichever is wrong",
         short(value.text),
         counts.join(" or "),
         list.len(),
@@ -215,7 +257,8 @@ fn check_symbol(
         .filter_map(|setting| setting.group().ok())
         .map(|group| group.len())
         .collect();
-    Err(disagreement("symbol", value, &counts, list))
+    let words = found_words(group, cell);
+    Err(disagreement("symbol", value, &counts, list, &words))
 }
 
 /// Whether a group is that of a setting with another origin. If its translations are odd, its type
@@ -230,7 +273,9 @@ fn is_moved(setting: &Setting, group: &[Motion], cell: &Cell) -> bool {
     }
     match differ_by_origin(group, &own) {
         // A threefold axis may stand at ninths.
-        Some(false) if (143..=194).contains(&setting.number) => has_number(setting.number, group, cell),
+        Some(false) if (143..=194).contains(&setting.number) => {
+            has_number(setting.number, group, cell)
+        }
         Some(answer) => answer,
         None => has_number(setting.number, group, cell),
     }
@@ -287,7 +332,9 @@ fn the_only_one(
         }
     }
     // A short monoclinic symbol means the unique axis b, if the cell allows it.
-    let is_monoclinic = fitting.iter().all(|(setting, _)| (3..=15).contains(&setting.number));
+    let is_monoclinic = fitting
+        .iter()
+        .all(|(setting, _)| (3..=15).contains(&setting.number));
     let is_b = |setting: &Setting| setting.choice.starts_with('b');
     if is_monoclinic && fitting.iter().filter(|(setting, _)| is_b(setting)).count() == 1 {
         fitting.retain(|(setting, _)| is_b(setting));
@@ -301,7 +348,9 @@ fn the_only_one(
         (Some(only), 1) => Ok(only),
         (None, _) => Err(at_line(
             line,
-            format!("the space group {words} has no setting that fits the cell, and its symmetry operations are not listed: {ADVICE}"),
+            format!(
+                "the space group {words} has no setting that fits the cell, and its symmetry operations are not listed: {ADVICE}"
+            ),
         )),
         (Some(_), _) => Err(at_line(
             line,

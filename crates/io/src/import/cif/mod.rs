@@ -53,10 +53,11 @@ const CIF_LIMIT: usize = 1 << 25;
 
 /// Whether a file is a CIF: by its name, or because it begins with `data_` after comments.
 pub fn is_cif(path: &Path, text: &str) -> bool {
-    if path
-        .extension()
-        .is_some_and(|extension| ["cif", "mcif"].iter().any(|&own| extension.eq_ignore_ascii_case(own)))
-    {
+    if path.extension().is_some_and(|extension| {
+        ["cif", "mcif"]
+            .iter()
+            .any(|&own| extension.eq_ignore_ascii_case(own))
+    }) {
         return true;
     }
     let text = text.trim_start_matches('\u{feff}');
@@ -84,6 +85,7 @@ pub fn read_cif(text: &str, options: &CifOptions) -> Result<Structure, ImportErr
     let (operations, named) = symmetry::operations(block, options.snap, &cell)?;
     let fitted = fit::fit(&mut cell, &operations)?;
     let mut sites = sites::sites(block, options)?;
+    orbits::check_count(sites.sites.len(), operations.len())?;
     check_snapped(&sites.sites, &operations, options)?;
     let moved = special::settle(&mut sites.sites, &operations, options.special)?;
     let (atoms, merged) = orbits::atoms(&sites.sites, &operations, options.ignore_occupancy)?;
@@ -109,7 +111,10 @@ pub fn read_cif(text: &str, options: &CifOptions) -> Result<Structure, ImportErr
     let mut structure = Structure {
         name: block.name.to_owned(),
         points: point_set(cell.gram.clone(), atoms.iter().map(|atom| &atom.position)),
-        labels: atoms.iter().map(|atom| of_site(atom).label.clone()).collect(),
+        labels: atoms
+            .iter()
+            .map(|atom| of_site(atom).label.clone())
+            .collect(),
         elements: atoms.iter().map(|atom| of_site(atom).element).collect(),
         notes,
     };

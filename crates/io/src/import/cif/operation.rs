@@ -119,14 +119,19 @@ impl Operation {
     /// Whether it is the identity up to a lattice vector.
     pub fn is_identity(&self) -> bool {
         self.rotation == [[1, 0, 0], [0, 1, 0], [0, 0, 1]]
-            && self.translation.iter().all(|t| *t.denominator_ref() == 1u32)
+            && self
+                .translation
+                .iter()
+                .all(|t| *t.denominator_ref() == 1u32)
     }
 
     /// Whether it is the other operation up to a lattice vector.
     pub fn is_same(&self, other: &Operation) -> bool {
         let translations = self.translation.iter().zip(&other.translation);
         self.rotation == other.rotation
-            && translations.into_iter().all(|(t, u)| *(t - u).denominator_ref() == 1u32)
+            && translations
+                .into_iter()
+                .all(|(t, u)| *(t - u).denominator_ref() == 1u32)
     }
 
     /// The image of a point.

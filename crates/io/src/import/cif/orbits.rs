@@ -29,25 +29,30 @@ pub struct Atom {
     error: [f64; 3],
 }
 
+/// Whether there are too many images.
+///
+/// # Errors
+/// There are.
+pub fn check_count(sites: usize, operations: usize) -> Result<(), ImportError> {
+    if sites.saturating_mul(operations) <= IMAGE_LIMIT {
+        return Ok(());
+    }
+    let problem =
+        format!("{sites} sites under {operations} operations, the limit is {IMAGE_LIMIT} images");
+    Err(ImportError::limit("sites", problem))
+}
+
 /// The atoms, those of the first site first, in the order of the operations; and notes on sites
 /// that are images of others.
 ///
 /// # Errors
 /// Two sites have an atom at the same place, unless they have the same element or `merge_sites`
-/// is set; too many images.
+/// is set.
 pub fn atoms(
     sites: &[Site],
     operations: &[Listed],
     merge_sites: bool,
 ) -> Result<(Vec<Atom>, Vec<String>), ImportError> {
-    if sites.len().saturating_mul(operations.len()) > IMAGE_LIMIT {
-        let problem = format!(
-            "{} sites under {} operations, the limit is {IMAGE_LIMIT} images",
-            sites.len(),
-            operations.len()
-        );
-        return Err(ImportError::limit("sites", problem));
-    }
     let mut atoms: Vec<Atom> = Vec::new();
     let mut places: HashMap<[Rational; 3], usize> = HashMap::new();
     let mut repeated = Vec::new();

@@ -87,8 +87,16 @@ fn sites_of(sites: &[(String, Option<&'static str>)], name: &str) -> Vec<usize> 
 
 /// The first labels, for a message.
 fn listed(sites: &[(String, Option<&'static str>)]) -> String {
-    let shown: Vec<String> = sites.iter().take(20).map(|(label, _)| short(label)).collect();
-    let more = if sites.len() > shown.len() { ", …" } else { "" };
+    let shown: Vec<String> = sites
+        .iter()
+        .take(20)
+        .map(|(label, _)| short(label))
+        .collect();
+    let more = if sites.len() > shown.len() {
+        ", …"
+    } else {
+        ""
+    };
     format!("{}{more}", shown.join(", "))
 }
 
@@ -98,10 +106,12 @@ mod tests {
 
     #[test]
     fn names_with_commas_and_quotes() {
-        let read = |values: &[&str]| {
-            names(&values.iter().map(|&v| v.to_owned()).collect::<Vec<_>>())
-        };
-        assert_eq!(read(&["A,B", "C"]), Ok(vec!["A".into(), "B".into(), "C".into()]));
+        let read =
+            |values: &[&str]| names(&values.iter().map(|&v| v.to_owned()).collect::<Vec<_>>());
+        assert_eq!(
+            read(&["A,B", "C"]),
+            Ok(vec!["A".into(), "B".into(), "C".into()])
+        );
         assert_eq!(
             read(&["\"O(1,2)\", Si1"]),
             Ok(vec!["O(1,2)".into(), "Si1".into()])

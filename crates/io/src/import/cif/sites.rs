@@ -140,7 +140,10 @@ impl Table<'_, '_> {
             }
         }
         if sites.sites.is_empty() {
-            return Err(ImportError::entry("sites", "no site is left that is an atom"));
+            return Err(ImportError::entry(
+                "sites",
+                "no site is left that is an atom",
+            ));
         }
         Ok(sites)
     }
@@ -181,8 +184,7 @@ impl Table<'_, '_> {
             numbers.push(number);
             texts.push(value.text);
         }
-        let multiplicity =
-            known(self.multiplicity, row).and_then(|value| value.text.parse().ok());
+        let multiplicity = known(self.multiplicity, row).and_then(|value| value.text.parse().ok());
         let snapped = options
             .snap
             .and_then(|n| snapped(&numbers, &texts, &label, n, &mut sites.notes));

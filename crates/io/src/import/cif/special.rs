@@ -74,7 +74,10 @@ fn in_words(refused: &[(u32, String)]) -> String {
 
 /// The operations, the identity among them, that keep a site within its digits.
 fn keepers(site: &Site, operations: &[Listed]) -> Vec<Keeper> {
-    let is_long = site.units.iter().all(|unit| *unit <= Rational::from_signeds(1, 1000));
+    let is_long = site
+        .units
+        .iter()
+        .all(|unit| *unit <= Rational::from_signeds(1, 1000));
     let keeps = |(index, listed): (usize, &Listed)| {
         let moved = displacement(&listed.operation, &site.position);
         let is_kept = (0..3).all(|k| {
@@ -129,7 +132,10 @@ fn move_site(
         &site.position[k] + sum / &count
     });
     let is_fixed = |keeper: &Keeper| {
-        is_zero(&displacement(&operations[keeper.operation].operation, &mean))
+        is_zero(&displacement(
+            &operations[keeper.operation].operation,
+            &mean,
+        ))
     };
     let is_near = (0..3).all(|k| (&mean[k] - &site.position[k]).abs() <= site.units[k]);
     if !keepers.iter().all(is_fixed) || !is_near {
@@ -166,7 +172,10 @@ fn refusal(site: &Site, operations: &[Listed], keepers: &[Keeper]) -> (u32, Stri
             place(&keeper.moved)
         )
     });
-    let exact = keepers.iter().filter(|keeper| is_zero(&keeper.moved)).count();
+    let exact = keepers
+        .iter()
+        .filter(|keeper| is_zero(&keeper.moved))
+        .count();
     let words = format!(
         "site {} {} is near a special position: {step}as written it stands for {} atoms, on the special position for {}",
         site.label,

@@ -53,7 +53,7 @@ pub fn operations(
     }
     check_same(&lists)?;
     let Some(list) = lists.into_iter().next() else {
-        return names.tabulated(cell);
+        return names.tabulated(cell, block);
     };
     check_list(&list)?;
     let notes = names.check(&list, cell)?;
@@ -73,7 +73,11 @@ fn list(column: Column, snap: Option<u32>) -> Result<Vec<Listed>, ImportError> {
     for value in column.values().filter(|value| !value.is_missing()) {
         let mut line = value.line;
         for text in value.text.split(['\n', '\r', ';']) {
-            let part = Value { text: text.trim(), line, ..value };
+            let part = Value {
+                text: text.trim(),
+                line,
+                ..value
+            };
             line += 1;
             if part.text.is_empty() {
                 continue;
@@ -104,7 +108,9 @@ fn check_same(lists: &[Vec<Listed>]) -> Result<(), ImportError> {
     for other in others {
         for (list, against) in [(first, other), (other, first)] {
             let missing = list.iter().find(|listed| {
-                !against.iter().any(|same| same.operation.is_same(&listed.operation))
+                !against
+                    .iter()
+                    .any(|same| same.operation.is_same(&listed.operation))
             });
             if let Some(listed) = missing {
                 let problem = format!(

@@ -24,8 +24,8 @@ pub struct Shortest {
 const CLOSE: f64 = 1e-9;
 /// Boxes of the grid in one direction at most.
 const BOXES: f64 = 64.0;
-/// More translates of a box than this are never looked at: the cell is too skewed.
-const STEPS: i32 = 40;
+/// More boxes are never looked at: the cell is too skewed.
+const WORK: f64 = 1e8;
 
 /// The shortest distance in the point set, or `None` for a cell that is too skewed.
 pub fn shortest(gram: &Gram, points: &[Vector]) -> Option<Shortest> {
@@ -40,7 +40,8 @@ pub fn shortest(gram: &Gram, points: &[Vector]) -> Option<Shortest> {
     let mut best: Option<Shortest> = None;
     let mut best_double = bound * bound;
     grid.pairs(&places, |pair, shift| {
-        let step = std::array::from_fn(|k| places[pair.1][k] + f64::from(shift[k]) - places[pair.0][k]);
+        let step =
+            std::array::from_fn(|k| places[pair.1][k] + f64::from(shift[k]) - places[pair.0][k]);
         let squared = norm(&metric, &step);
         if squared > best_double * (1.0 + CLOSE) {
             return;
@@ -69,14 +70,22 @@ impl Grid {
     fn new(metric: &[[f64; 3]; 3], places: &[[f64; 3]], bound: f64) -> Option<Grid> {
         // The k-th coordinate changes at most by √(G^-1)_kk for each unit of length.
         let widths = inverse_diagonal(metric).map(|x| x.sqrt() * bound);
-        let boxes = widths.map(|width| (1.0 / width).floor().clamp(1.0, BOXES) as i32);
-        let reach: [i32; 3] = std::array::from_fn(|k| (widths[k] * f64::from(boxes[k])).ceil() as i32);
-        if reach.iter().any(|&reach| !(0..=STEPS).contains(&reach)) {
+        if !widths.iter().all(|width| width.is_finite() && *width > 0.0) {
             return None;
         }
+        let boxes = widths.map(|width| (1.0 / width).floor().clamp(1.0, BOXES) as i32);
+        let reach = std::array::from_fn(|k| (widths[k] * f64::from(boxes[k])).ceil());
+        let around = reach.iter().map(|reach: &f64| 2.0 * reach + 1.0);
+        if around.product::<f64>() * places.len() as f64 > WORK {
+            return None;
+        }
+        let reach = reach.map(|reach| reach as i32);
         let mut members: HashMap<[i32; 3], Vec<usize>> = HashMap::new();
         for (index, place) in places.iter().enumerate() {
-            members.entry(box_of(place, &boxes)).or_default().push(index);
+            members
+                .entry(box_of(place, &boxes))
+                .or_default()
+                .push(index);
         }
         Some(Grid {
             boxes,

@@ -42,9 +42,7 @@ pub fn element(symbol: &str) -> Option<&'static str> {
 /// is small.
 pub fn of_label(label: &str) -> Option<&'static str> {
     let head = |length| label.get(..length);
-    head(2)
-        .and_then(exact)
-        .or_else(|| head(1).and_then(exact))
+    head(2).and_then(exact).or_else(|| head(1).and_then(exact))
 }
 
 /// What a type symbol stands for: an element with a charge like `Fe3+`, or something else.

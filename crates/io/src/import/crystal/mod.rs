@@ -44,8 +44,11 @@ pub fn kind(path: &Path, text: &str) -> Option<Kind> {
         return Some(Kind::Cif);
     }
     let is_extension = |names: &[&str]| {
-        path.extension()
-            .is_some_and(|extension| names.iter().any(|name| extension.eq_ignore_ascii_case(name)))
+        path.extension().is_some_and(|extension| {
+            names
+                .iter()
+                .any(|name| extension.eq_ignore_ascii_case(name))
+        })
     };
     let name = path.file_name().map_or_else(String::new, |name| {
         name.to_string_lossy().to_ascii_uppercase()

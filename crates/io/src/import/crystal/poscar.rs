@@ -3,8 +3,8 @@
 //! The format is that of the VASP wiki, "POSCAR". A negative scale is the volume of the cell; it is
 //! read if the scale that follows is rational. Velocities are not read.
 
-use super::vectors::{self, Coordinates, Listed, Vector, determinant, number, species};
 use super::structure::Structure;
+use super::vectors::{self, Coordinates, Listed, Vector, determinant, number, species};
 use crate::import::ImportError;
 use crate::import::cif::CifOptions;
 use malachite::base::num::arithmetic::traits::{Abs, CheckedRoot};
@@ -87,12 +87,22 @@ pub fn read(text: &str, options: &CifOptions) -> Result<Structure, ImportError> 
             });
         }
     }
-    let rest = lines.lines.filter(|(_, line)| !line.trim().is_empty()).count();
+    let rest = lines
+        .lines
+        .filter(|(_, line)| !line.trim().is_empty())
+        .count();
     let notes = match rest {
         0 => Vec::new(),
         rest => vec![format!("{rest} lines after the positions are not read")],
     };
-    vectors::structure(comment.to_owned(), &scaled, coordinates, atoms, notes, options)
+    vectors::structure(
+        comment.to_owned(),
+        &scaled,
+        coordinates,
+        atoms,
+        notes,
+        options,
+    )
 }
 
 /// The first three numbers of a line.
@@ -114,7 +124,10 @@ fn stretched(vector: Vector, scales: &Vector) -> Vector {
 fn scales((line, text): (usize, &str), vectors: &[Vector; 3]) -> Result<Vector, ImportError> {
     let place = || format!("line {line}");
     let wrong = |problem: &str| {
-        Err(ImportError::entry(place(), format!("found {text:?}, {problem}")))
+        Err(ImportError::entry(
+            place(),
+            format!("found {text:?}, {problem}"),
+        ))
     };
     let words: Vec<&str> = text
         .split_ascii_whitespace()
@@ -128,7 +141,11 @@ fn scales((line, text): (usize, &str), vectors: &[Vector; 3]) -> Result<Vector, 
             }
             let volume = determinant(vectors).abs();
             // The lattice reports a volume of zero later.
-            let cube = if volume == 0 { volume } else { scale.abs() / volume };
+            let cube = if volume == 0 {
+                volume
+            } else {
+                scale.abs() / volume
+            };
             match cube.checked_root(3u64) {
                 Some(root) if root != 0 => Ok([root.clone(), root.clone(), root]),
                 _ => wrong(
@@ -154,7 +171,11 @@ fn species_and_counts(
     lines: &mut Lines,
 ) -> Result<(Vec<String>, Vec<usize>), ImportError> {
     let (mut line, mut text) = lines.next("species or counts")?;
-    let is_number = |text: &str| text.bytes().next().is_some_and(|byte| byte.is_ascii_digit());
+    let is_number = |text: &str| {
+        text.bytes()
+            .next()
+            .is_some_and(|byte| byte.is_ascii_digit())
+    };
     let mut names = None;
     if !is_number(text) {
         names = Some(words(text));
@@ -170,13 +191,15 @@ fn species_and_counts(
         .map(|word| word.parse::<usize>())
         .collect::<Result<_, _>>()
         .map_err(|_| wrong())?;
-    let total = counts.iter().fold(0usize, |sum, count| sum.saturating_add(*count));
+    let total = counts
+        .iter()
+        .fold(0usize, |sum, count| sum.saturating_add(*count));
     if counts.is_empty() || total == 0 {
         return Err(wrong());
     }
     let of_comment = words(comment);
-    let is_named = of_comment.len() == counts.len()
-        && of_comment.iter().all(|name| species(name).is_some());
+    let is_named =
+        of_comment.len() == counts.len() && of_comment.iter().all(|name| species(name).is_some());
     let names = match names {
         Some(names) => names,
         None if is_named => of_comment,
@@ -190,5 +213,7 @@ fn species_and_counts(
 }
 
 fn words(text: &str) -> Vec<String> {
-    text.split_ascii_whitespace().map(ToOwned::to_owned).collect()
+    text.split_ascii_whitespace()
+        .map(ToOwned::to_owned)
+        .collect()
 }

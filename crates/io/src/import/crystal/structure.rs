@@ -49,7 +49,12 @@ impl Structure {
     /// The shortest distance.
     pub fn shortest(&self) -> Option<Shortest> {
         let rational = |x: &Number| x.to_rational().cloned().unwrap_or_default();
-        let gram = self.points.frame.gram.each_ref().map(|row| row.each_ref().map(rational));
+        let gram = self
+            .points
+            .frame
+            .gram
+            .each_ref()
+            .map(|row| row.each_ref().map(rational));
         let points: Vec<[Rational; 3]> = self
             .points
             .points

@@ -73,9 +73,15 @@ pub fn structure(
         return Err(ImportError::limit("atoms", problem));
     }
     let inverse = inverse(vectors).ok_or_else(|| {
-        ImportError::entry("lattice", "the three vectors lie in a plane: the volume of the cell is 0")
+        ImportError::entry(
+            "lattice",
+            "the three vectors lie in a plane: the volume of the cell is 0",
+        )
     })?;
-    let names: Vec<_> = atoms.iter().map(|atom| (atom.label.clone(), atom.element)).collect();
+    let names: Vec<_> = atoms
+        .iter()
+        .map(|atom| (atom.label.clone(), atom.element))
+        .collect();
     let chosen = chosen(&names, options)?;
     let listed = atoms.len();
     let mut places: HashMap<Vector, String> = HashMap::new();
@@ -115,7 +121,9 @@ fn fractional(x: Rational) -> Rational {
 }
 
 fn dot(x: &Vector, y: &Vector) -> Rational {
-    x.iter().zip(y).fold(Rational::from(0), |sum, (x, y)| sum + x * y)
+    x.iter()
+        .zip(y)
+        .fold(Rational::from(0), |sum, (x, y)| sum + x * y)
 }
 
 /// x B for a row x.
@@ -142,5 +150,7 @@ fn inverse(m: &[Vector; 3]) -> Option<[Vector; 3]> {
         return None;
     }
     let columns: [Vector; 3] = std::array::from_fn(|k| cross(&m[(k + 1) % 3], &m[(k + 2) % 3]));
-    Some(std::array::from_fn(|i| std::array::from_fn(|j| &columns[j][i] / &determinant)))
+    Some(std::array::from_fn(|i| {
+        std::array::from_fn(|j| &columns[j][i] / &determinant)
+    }))
 }

@@ -58,10 +58,20 @@ pub fn read(text: &str, options: &CifOptions) -> Result<Structure, ImportError> 
     }
     let notes = match count {
         1 => Vec::new(),
-        count => vec![format!("frame {} of {count} is read", options.block.as_deref().unwrap_or("1"))],
+        count => vec![format!(
+            "frame {} of {count} is read",
+            options.block.as_deref().unwrap_or("1")
+        )],
     };
     let name = key("name").unwrap_or("xyz").to_owned();
-    vectors::structure(name, &vectors, Coordinates::Cartesian, atoms, notes, options)
+    vectors::structure(
+        name,
+        &vectors,
+        Coordinates::Cartesian,
+        atoms,
+        notes,
+        options,
+    )
 }
 
 /// The chosen frame, and how many there are.
@@ -69,7 +79,10 @@ fn frame<'t>(text: &'t str, chosen: Option<&str>) -> Result<(Frame<'t>, usize), 
     let lines: Vec<&str> = text.lines().collect();
     let mut frames = Vec::new();
     let mut at = 0;
-    while lines[at.min(lines.len())..].iter().any(|line| !line.trim().is_empty()) {
+    while lines[at.min(lines.len())..]
+        .iter()
+        .any(|line| !line.trim().is_empty())
+    {
         let place = format!("line {}", at + 1);
         let count: usize = lines[at].trim().parse().map_err(|_| {
             let problem = format!("found {:?}, expected the number of atoms", short(lines[at]));
@@ -87,7 +100,10 @@ fn frame<'t>(text: &'t str, chosen: Option<&str>) -> Result<(Frame<'t>, usize), 
         });
         at += 2 + count;
         if frames.len() > FRAME_LIMIT {
-            return Err(ImportError::limit("frames", format!("more than {FRAME_LIMIT}")));
+            return Err(ImportError::limit(
+                "frames",
+                format!("more than {FRAME_LIMIT}"),
+            ));
         }
     }
     let total = frames.len();
@@ -95,13 +111,15 @@ fn frame<'t>(text: &'t str, chosen: Option<&str>) -> Result<(Frame<'t>, usize), 
         (_, 0) => return Err(ImportError::Empty),
         (None, 1) => 0,
         (None, total) => {
-            let problem = format!("there are {total}, choose one with --block 1 to --block {total}");
+            let problem =
+                format!("there are {total}, choose one with --block 1 to --block {total}");
             return Err(ImportError::entry("frames", problem));
         }
         (Some(name), total) => match name.parse::<usize>() {
             Ok(number) if (1..=total).contains(&number) => number - 1,
             _ => {
-                let problem = format!("found {name:?}, expected the number of a frame, 1 to {total}");
+                let problem =
+                    format!("found {name:?}, expected the number of a frame, 1 to {total}");
                 return Err(ImportError::entry("--block", problem));
             }
         },
@@ -158,7 +176,9 @@ fn lattice_vectors(text: &str, place: &str) -> Result<[Vector; 3], ImportError> 
         let problem = format!("Lattice has {} numbers, expected 9", numbers.len());
         return Err(ImportError::entry(place, problem));
     }
-    Ok(std::array::from_fn(|i| std::array::from_fn(|j| numbers[3 * i + j].clone())))
+    Ok(std::array::from_fn(|i| {
+        std::array::from_fn(|j| numbers[3 * i + j].clone())
+    }))
 }
 
 fn check_periodic(text: &str, place: &str) -> Result<(), ImportError> {
@@ -191,9 +211,9 @@ impl Columns {
             let [name, kind, count] = part else {
                 return Err(format!("Properties {properties:?} do not come in threes"));
             };
-            let count: usize = count
-                .parse()
-                .map_err(|_| format!("Properties: found {count:?}, expected a number of columns"))?;
+            let count: usize = count.parse().map_err(|_| {
+                format!("Properties: found {count:?}, expected a number of columns")
+            })?;
             match (name.to_ascii_lowercase().as_str(), *kind, count) {
                 ("species" | "element" | "type", "S", 1) if species.is_none() => species = Some(at),
                 ("pos" | "positions", "R", 3) if position.is_none() => position = Some(at),

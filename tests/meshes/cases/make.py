@@ -1,0 +1,53 @@
+"""Writes the files of this folder that other programs make: meshio 5.3.5.
+
+    python3 -m venv venv && venv/bin/pip install meshio==5.3.5 lxml && venv/bin/python make.py
+
+The other files are public mesh files cut down to the fault that they show, or written by hand from the documentation
+of their format (`cube.mesh`). tests/mesh_cases.rs has the right answers.
+"""
+
+import meshio
+import numpy as np
+
+POINTS = np.array([[x, y, z] for z in (0, 1) for y in (0, 1) for x in (0, 1)], dtype=float)
+CELLS = np.array([[0, 1, 3, 7], [0, 1, 7, 5], [0, 2, 7, 3], [0, 2, 6, 7], [0, 4, 5, 7], [0, 4, 7, 6]])
+cube = meshio.Mesh(POINTS, [("tetra", CELLS)])
+cube.write("cube.inp")
+cube.write("cube.bdf")
+meshio.gmsh.write("cube40.msh", cube, fmt_version="4.0", binary=False)
+meshio.gmsh.write("cube40_binary.msh", cube, fmt_version="4.0", binary=True)
+cube.write("cube_lzma.vtu", compression="lzma", binary=True)
+
+# The boundary of the cube: facets of one tetrahedron, in an order whose normal points out.
+facets = {}
+for cell in CELLS:
+    for opposite in range(4):
+        facet = [cell[k] for k in range(4) if k != opposite]
+        if opposite % 2:
+            facet[1], facet[2] = facet[2], facet[1]
+        facets.setdefault(tuple(sorted(facet)), []).append(facet)
+boundary = np.array([uses[0] for uses in facets.values() if len(uses) == 1])
+surface = meshio.Mesh(POINTS, [("triangle", boundary)])
+surface.write("cube.stl", binary=False)
+surface.write("cube_binary.stl", binary=True)
+surface.write("cube.obj")
+
+SQUARE = np.array([[0, 0, 0], [1, 0, 0], [1, 1, 0], [0, 1, 0]], dtype=float)
+square = meshio.Mesh(SQUARE, [("triangle", np.array([[0, 1, 2], [0, 2, 3]]))])
+square.write("square.vtk", binary=False)
+
+CORNERS = np.array([[0, 0, 0], [1, 0, 0], [0, 1, 0], [0, 0, 1]], dtype=float)
+EDGES = [(0, 1), (1, 2), (0, 2), (0, 3), (1, 3), (2, 3)]
+
+
+def second_order(move):
+    """One tetrahedron of second order whose first middle node is moved."""
+    middles = np.array([(CORNERS[a] + CORNERS[b]) / 2 for a, b in EDGES])
+    middles[0] += move
+    return meshio.Mesh(np.vstack([CORNERS, middles]), [("tetra10", np.arange(10)[None, :])])
+
+
+second_order([0, 0, 0]).write("straight10.vtu", binary=False, compression=None)
+second_order([0, -0.1, -0.05]).write("curved10.vtu", binary=False, compression=None)
+meshio.gmsh.write("curved10.msh", second_order([0, -0.1, -0.05]), fmt_version="2.2", binary=False)
+second_order([0.4, 0, 0]).write("invalid10.vtu", binary=False, compression=None)
