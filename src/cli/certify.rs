@@ -4,7 +4,7 @@ use super::answer::{Answer, Beside, Examined, Written, unwritten};
 use super::defects;
 use super::encoding::Encoding;
 use super::family::{self, FamilyArguments};
-use super::input::{self, FileArguments, Input};
+use super::input::{self, FileArguments, Loaded};
 use super::limits::LimitArguments;
 use super::outcome::Outcome;
 use super::output::{Output, Staged, write_file};
@@ -160,11 +160,16 @@ fn prove(
         Some(Err(message)) => return Answer::Failed(message),
         None => {}
     }
-    let mut named = match input::any(input, arguments.param.as_deref(), &arguments.file, output) {
-        Ok(Input::Tiling(named)) => named,
-        Ok(Input::Family(named)) => {
+    let loaded = input::open(input, arguments.param.as_deref(), &arguments.file, output);
+    let named = match loaded {
+        Ok(Loaded::Family(named)) => {
             return prove_family(&named.family, input, target, arguments, notes, output);
         }
+        Ok(loaded) => loaded.tiling(input, &arguments.file, output),
+        Err(error) => Err(error),
+    };
+    let mut named = match named {
+        Ok(named) => named,
         Err(error) if error.outcome == Outcome::Declined => {
             return Answer::Declined(error.message);
         }
@@ -182,16 +187,16 @@ fn prove(
             notes.push(note);
         }
     }
-    beside.others = second::others(&named);
-    if !named.curved.is_empty() {
-        return second::curved(input, &named, !arguments.required.is_empty());
-    }
     match arguments.family.freed(&named.tiling) {
         Ok(None) => {}
         Ok(Some(family)) => {
             return prove_family(&family, input, target, arguments, notes, output);
         }
         Err(message) => return Answer::Failed(format!("{input}: {message}")),
+    }
+    beside.others = second::others(&named);
+    if !named.curved.is_empty() {
+        return second::curved(input, &named, !arguments.required.is_empty());
     }
     let options = Options {
         sides: std::mem::take(&mut named.sides),

@@ -58,8 +58,8 @@ fn report(loaded: Loaded, arguments: &ClassifyArguments) -> Result<Value, InputE
                 of_tiling(arguments, AnyTiling::Plane(tiling))
             }
         },
-        Loaded::Ready(input) => {
-            let named = input.tiling()?;
+        Loaded::Family(named) => Err(named.is_no_tiling()),
+        Loaded::Tiling(named) => {
             let set = (!named.labels.is_empty())
                 .then(|| vertices(&named.tiling))
                 .flatten();

@@ -228,7 +228,7 @@ fn load(arguments: &ConvertArguments, output: &mut Output) -> Result<Source, Inp
     let named = match is_file {
         true => match input::text_or_mesh(Path::new(name), &arguments.file.mesh)? {
             TextOrMesh::Mesh(loaded) => return Ok(Source::Mesh(loaded)),
-            other => input::of_content(name, other, &arguments.file, output)?.tiling()?,
+            other => input::of_content(name, other, &arguments.file, output)?,
         },
         false => input::tiling(name, arguments.param.as_deref(), &arguments.file, output)?,
     };

@@ -93,7 +93,13 @@ pub fn prove(
             }
             Err(Grown::Failed(message)) => return Answer::Failed(format!("{input}: {message}")),
             Err(Grown::Prover(error)) => {
-                return refused(family, input, FamilyNotProved::Prover(error), notes);
+                return refused(
+                    family,
+                    input,
+                    FamilyNotProved::Prover(error),
+                    notes,
+                    arguments,
+                );
             }
         },
     };
@@ -101,7 +107,7 @@ pub fn prove(
     let proved = with_family!(family, f => family::prove(f, &options, &step));
     match proved {
         Ok(proved) => answer(proved, target, arguments, notes),
-        Err(error) => refused(family, input, error, notes),
+        Err(error) => refused(family, input, error, notes, arguments),
     }
 }
 
@@ -188,7 +194,13 @@ fn answer(
     }
 }
 
-fn refused(family: &AnyFamily, input: &str, error: FamilyNotProved, notes: &[String]) -> Answer {
+fn refused(
+    family: &AnyFamily,
+    input: &str,
+    error: FamilyNotProved,
+    notes: &[String],
+    arguments: &CertifyArguments,
+) -> Answer {
     let names = with_family!(family, f => f.names());
     match error {
         FamilyNotProved::Prover(NotProvable::Malformed(error)) => {
@@ -205,8 +217,8 @@ fn refused(family: &AnyFamily, input: &str, error: FamilyNotProved, notes: &[Str
                 notes: notes.to_vec(),
                 findings,
                 second: SecondLook::default(),
-                is_exact: false,
-                shown: SHOWN,
+                is_exact: arguments.exact,
+                shown: arguments.max_defects.unwrap_or(SHOWN),
             }))
         }
         FamilyNotProved::Unconfirmed(refusal) => Answer::Declined(format!(

@@ -9,7 +9,6 @@ use super::points::{self, PointArguments};
 use super::theorem;
 use super::transcribe;
 use acutile_catalog as catalog;
-use acutile_core::family::AnyFamily;
 use acutile_core::format;
 use acutile_core::tiling::AnyTiling;
 use acutile_io::import::crystal::text_of;
@@ -29,33 +28,8 @@ pub struct FileArguments {
     pub mesh: MeshArguments,
 }
 
-/// What an input is.
-pub enum Input {
-    /// A single tiling.
-    Tiling(Named),
-    /// A tiling for each point of a box.
-    Family(NamedFamily),
-}
-
-impl Input {
-    /// The tiling, for commands that take nothing else.
-    ///
-    /// # Errors
-    /// A message that names the input.
-    pub fn tiling(self) -> Result<Named, InputError> {
-        match self {
-            Input::Tiling(named) => Ok(named),
-            Input::Family(NamedFamily { name, .. }) => Err(format!(
-                "{name}: a tiling for each point of a box of parameters, expected a single tiling; \
-                 `acutile certify` and `acutile show` take it"
-            )
-            .into()),
-        }
-    }
-}
-
-/// The tiling of a catalogue name, for a parameter if one is given, or of a file. Prints the notes
-/// on a file.
+/// The tiling of a catalogue name, for a parameter if one is given, or of a file. What is to
+/// be said of a file is said.
 ///
 /// # Errors
 /// A message that names the input.
@@ -65,45 +39,36 @@ pub fn tiling(
     options: &FileArguments,
     output: &mut Output,
 ) -> Result<Named, InputError> {
-    any(input, parameter, options, output)?.tiling()
+    open(input, parameter, options, output)?.tiling(input, options, output)
 }
 
-/// The same, or a family.
-///
-/// # Errors
-/// A message that names the input.
-pub fn any(
-    input: &str,
-    parameter: Option<&str>,
-    options: &FileArguments,
-    output: &mut Output,
-) -> Result<Input, InputError> {
-    open(input, parameter, options, output)?.triangulated(input, options, output)
-}
-
-/// An input, where points are not triangulated yet.
+/// A tiling, the points of a file that are not triangulated yet, or a tiling for each point of a box.
 pub enum Loaded {
-    Ready(Input),
+    Tiling(Named),
     Points(PointDocument),
+    Family(NamedFamily),
 }
 
 impl Loaded {
-    fn triangulated(
+    /// The tiling, for commands that take nothing else.
+    ///
+    /// # Errors
+    /// A message that names the input.
+    pub fn tiling(
         self,
         input: &str,
         options: &FileArguments,
         output: &mut Output,
-    ) -> Result<Input, InputError> {
+    ) -> Result<Named, InputError> {
         match self {
-            Loaded::Ready(ready) => Ok(ready),
-            Loaded::Points(points) => {
-                of_points(input, points, &options.points, output).map(Input::Tiling)
-            }
+            Loaded::Tiling(named) => Ok(named),
+            Loaded::Points(points) => of_points(input, points, &options.points, output),
+            Loaded::Family(named) => Err(named.is_no_tiling()),
         }
     }
 }
 
-/// As [`any`], but points stay points.
+/// As [`tiling`], but points stay points.
 ///
 /// # Errors
 /// A message that names the input.
@@ -124,11 +89,14 @@ pub fn open(
         document::check_for_crystal(input, &options.points)?;
         check_for_mesh(input, &options.mesh)?;
         if let Some(family) = entry.build_family() {
-            let family = family.map_err(|error| format!("{input}: {error}"))?;
-            return Ok(ready_family(input, entry.description.to_owned(), family));
+            return Ok(Loaded::Family(NamedFamily {
+                name: input.to_owned(),
+                description: entry.description.to_owned(),
+                family: family.map_err(|error| format!("{input}: {error}"))?,
+            }));
         }
         let tiling = construction(input, parameter)?;
-        return Ok(ready(Named::of(
+        return Ok(Loaded::Tiling(Named::of(
             input,
             entry.description.to_owned(),
             tiling,
@@ -151,18 +119,6 @@ pub fn open(
     load_content(input, content, options, output)
 }
 
-fn ready(named: Named) -> Loaded {
-    Loaded::Ready(Input::Tiling(named))
-}
-
-fn ready_family(name: &str, description: String, family: AnyFamily) -> Loaded {
-    Loaded::Ready(Input::Family(NamedFamily {
-        name: name.to_owned(),
-        description,
-        family,
-    }))
-}
-
 /// The tiling or family of a file's content.
 ///
 /// # Errors
@@ -172,8 +128,8 @@ pub fn of_content(
     content: TextOrMesh,
     options: &FileArguments,
     output: &mut Output,
-) -> Result<Input, InputError> {
-    load_content(input, content, options, output)?.triangulated(input, options, output)
+) -> Result<Named, InputError> {
+    load_content(input, content, options, output)?.tiling(input, options, output)
 }
 
 fn load_content(
@@ -183,7 +139,9 @@ fn load_content(
     output: &mut Output,
 ) -> Result<Loaded, InputError> {
     match content {
-        TextOrMesh::Mesh(loaded) => mesh::tiling(input, loaded, &options.mesh, output).map(ready),
+        TextOrMesh::Mesh(loaded) => {
+            mesh::tiling(input, loaded, &options.mesh, output).map(Loaded::Tiling)
+        }
         TextOrMesh::Text(text) => {
             check_for_mesh(input, &options.mesh)?;
             of_text(input, &text, &options.points, output)
@@ -205,16 +163,20 @@ fn of_certificate(input: &str, bytes: &[u8]) -> Result<Loaded, InputError> {
         );
         return Err(message.into());
     }
+    let name = input.to_owned();
     if format::kind(&cbor) == Some(format::FAMILY) {
         let read = acutile_core::transcribe::family::of_certificate(&cbor);
         let (family, ..) = read.map_err(|error| format!("{input}: {error}"))?;
-        let description = "the family of a certificate".to_owned();
-        return Ok(ready_family(input, description, family));
+        return Ok(Loaded::Family(NamedFamily {
+            name,
+            description: "the family of a certificate".to_owned(),
+            family,
+        }));
     }
     let (tiling, _) = acutile_core::transcribe::of_certificate(&cbor)
         .map_err(|error| format!("{input}: {error}"))?;
     let description = "the tiling of a certificate".to_owned();
-    Ok(ready(Named::of(input, description, tiling)))
+    Ok(Loaded::Tiling(Named::of(input, description, tiling)))
 }
 
 /// A construction of the catalogue; `square-triangle:FILE` reads its file.
@@ -233,7 +195,7 @@ fn construction(name: &str, parameter: Option<&str>) -> Result<AnyTiling, String
     tiling.map_err(|error| format!("{name}: {error}"))
 }
 
-/// The tiling, the family or the points of a file's text.
+/// The tiling or the points of a file's text.
 fn of_text(
     input: &str,
     text: &str,
@@ -249,12 +211,16 @@ fn of_text(
             elements: file.elements,
             notes: file.notes,
         }),
-        Content::Tiling(tiling) => ready(Named {
+        Content::Family(family) => Loaded::Family(NamedFamily {
+            name: input.to_owned(),
+            description: file.description,
+            family,
+        }),
+        Content::Tiling(tiling) => Loaded::Tiling(Named {
             notes: file.notes,
             labels: file.labels,
             ..Named::of(input, file.description, tiling)
         }),
-        Content::Family(family) => ready_family(input, file.description, family),
     })
 }
 

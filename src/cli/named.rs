@@ -32,6 +32,27 @@ pub struct Named {
     pub labels: Vec<String>,
 }
 
+/// A family with its name.
+pub struct NamedFamily {
+    /// A name of the catalogue, or a path.
+    pub name: String,
+    /// What it is, in a line.
+    pub description: String,
+    /// The family.
+    pub family: AnyFamily,
+}
+
+impl NamedFamily {
+    /// For commands that take single tilings.
+    pub fn is_no_tiling(&self) -> InputError {
+        let name = &self.name;
+        InputError::from(format!(
+            "{name}: a tiling for each point of a box of parameters, expected a single tiling; \
+             `acutile certify` and `acutile show` take it"
+        ))
+    }
+}
+
 impl Named {
     /// A tiling that comes from no mesh.
     pub fn of(name: &str, description: String, tiling: AnyTiling) -> Self {
@@ -47,16 +68,6 @@ impl Named {
             labels: Vec::new(),
         }
     }
-}
-
-/// A family with its name.
-pub struct NamedFamily {
-    /// A name of the catalogue, or a path.
-    pub name: String,
-    /// What it is, in a line.
-    pub description: String,
-    /// The family.
-    pub family: AnyFamily,
 }
 
 /// Why there is no input, in words that name it, and what that makes of the command.

@@ -35,7 +35,7 @@ pub fn proved(
                 return Proved::of_certificate(stem(input), String::new(), &bytes, limits)
                     .map_err(refused);
             }
-            other => input::of_content(input, other, options, output)?.tiling()?,
+            other => input::of_content(input, other, options, output)?,
         },
     };
     if !named.sides.is_empty() {

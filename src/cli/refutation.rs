@@ -42,8 +42,8 @@ impl Refuted {
     /// Defects of a tiling that was read.
     pub fn of(named: &Named, findings: Findings) -> Self {
         Refuted {
-            tiling: named.tiling.clone(),
             point: None,
+            tiling: named.tiling.clone(),
             origin: named.origin.clone(),
             notes: named.notes.clone(),
             findings,
@@ -76,11 +76,11 @@ impl Refuted {
         input: &str,
         line: &mut dyn FnMut(String),
     ) {
-        if let Some(sentence) = &self.second.instead {
-            return line(format!("{input}: refuted: {sentence}"));
-        }
         let place = self.point.as_ref().map(|point| format!(" at {point}"));
         let place = place.unwrap_or_default();
+        if let Some(sentence) = &self.second.instead {
+            return line(format!("{input}: refuted{place}: {sentence}"));
+        }
         line(format!(
             "{input}: refuted{place}: {}",
             counts(&self.findings)

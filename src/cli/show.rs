@@ -1,6 +1,7 @@
 //! `acutile show`: what a tiling is, before anything about it is proved.
 
-use super::input::{self, FileArguments, Input};
+use super::input::{self, FileArguments, Loaded};
+use super::named::InputError;
 use super::outcome::Outcome;
 use super::output::Output;
 use super::theorem;
@@ -50,27 +51,32 @@ pub fn run(arguments: &ShowArguments, output: &mut Output) -> Outcome {
             }
         };
     }
-    match input::any(
+    match input::open(
         &arguments.input,
         arguments.param.as_deref(),
         &arguments.file,
         output,
     ) {
-        Ok(Input::Family(named)) => {
+        Ok(Loaded::Family(named)) => {
             output.line(format!("{}: {}", named.name, named.description));
             with_family!(&named.family, f => show_family(f, output));
             Outcome::Done
         }
-        Ok(Input::Tiling(named)) => {
-            output.line(format!("{}: {}", named.name, named.description));
-            with_dimension!(&named.tiling, AnyTiling, t => show(t, arguments.all, output));
-            Outcome::Done
-        }
-        Err(error) => {
-            output.complain(format!("acutile: {}", error.message));
-            error.outcome
-        }
+        Ok(loaded) => match loaded.tiling(&arguments.input, &arguments.file, output) {
+            Ok(named) => {
+                output.line(format!("{}: {}", named.name, named.description));
+                with_dimension!(&named.tiling, AnyTiling, t => show(t, arguments.all, output));
+                Outcome::Done
+            }
+            Err(error) => failed(&error, output),
+        },
+        Err(error) => failed(&error, output),
     }
+}
+
+fn failed(error: &InputError, output: &mut Output) -> Outcome {
+    output.complain(format!("acutile: {}", error.message));
+    error.outcome
 }
 
 /// A theorem of the catalogue, or a certificate of one.

@@ -276,7 +276,7 @@ impl<'f, C: Coefficient, const D: usize> Examination<'f, C, D> {
 /// cosine beyond it.
 pub(super) fn candidates(requirement: &Requirement) -> Vec<Statement> {
     match requirement {
-        // These do not depend on coordinates, so the member decides them for all.
+        // What is combinatorial is decided by one member.
         Requirement::Tiling
         | Requirement::Tcp
         | Requirement::Connected
