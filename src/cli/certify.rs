@@ -187,16 +187,16 @@ fn prove(
             notes.push(note);
         }
     }
+    beside.others = second::others(&named);
+    if !named.curved.is_empty() {
+        return second::curved(input, &named, !arguments.required.is_empty());
+    }
     match arguments.family.freed(&named.tiling) {
         Ok(None) => {}
         Ok(Some(family)) => {
             return prove_family(&family, input, target, arguments, notes, output);
         }
         Err(message) => return Answer::Failed(format!("{input}: {message}")),
-    }
-    beside.others = second::others(&named);
-    if !named.curved.is_empty() {
-        return second::curved(input, &named, !arguments.required.is_empty());
     }
     let options = Options {
         sides: std::mem::take(&mut named.sides),

@@ -4,7 +4,7 @@ use super::html::escape;
 use super::markdown::{Document, to_html};
 
 /// The documents that the site has.
-pub const DOCUMENTS: [Document; 23] = [
+pub const DOCUMENTS: [Document; 24] = [
     document(
         "README.md",
         "docs/readme.html",
@@ -118,6 +118,12 @@ pub const DOCUMENTS: [Document; 23] = [
         "docs/architecture.html",
         "Architecture",
         include_str!("../../../../ARCHITECTURE.md"),
+    ),
+    document(
+        "docs/families.md",
+        "docs/families.html",
+        "Families of tilings",
+        include_str!("../../../../docs/families.md"),
     ),
     document(
         "docs/choices.md",
