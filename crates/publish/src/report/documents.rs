@@ -4,7 +4,7 @@ use super::html::escape;
 use super::markdown::{Document, to_html};
 
 /// The documents that the site has.
-pub const DOCUMENTS: [Document; 24] = [
+pub const DOCUMENTS: [Document; 25] = [
     document(
         "README.md",
         "docs/readme.html",
@@ -118,6 +118,12 @@ pub const DOCUMENTS: [Document; 24] = [
         "docs/architecture.html",
         "Architecture",
         include_str!("../../../../ARCHITECTURE.md"),
+    ),
+    document(
+        "docs/lower-bound.md",
+        "docs/lower-bound.html",
+        "Lower bounds for the largest dihedral angle",
+        include_str!("../../../../docs/lower-bound.md"),
     ),
     document(
         "docs/families.md",
