@@ -34,7 +34,7 @@ pub fn others(named: &Named) -> Option<(String, bool)> {
     let fills = |name: &String| {
         let is_lower = LOWER.iter().any(|kind| name.ends_with(kind)) || name.contains("boundary");
         let is_surface = SURFACES.iter().any(|kind| name.ends_with(kind)) || name == "pixels";
-        !is_lower && !(is_space && is_surface)
+        !(is_lower || is_space && is_surface)
     };
     let counts = named.others.iter().map(|(name, n)| format!("{n} {name}"));
     let counts = counts.collect::<Vec<_>>().join(", ");

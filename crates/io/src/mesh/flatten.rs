@@ -195,9 +195,11 @@ impl Cartesian {
     }
 }
 
+type Matrix = [[Number; 3]; 3];
+
 /// L with its columns multiplied by √D_j where that is rational, and the other D_j; `None` if the
 /// matrix is not positive definite.
-fn factored(gram: &[[Number; 3]; 3]) -> Option<([[Number; 3]; 3], [Option<Number>; 3])> {
+fn factored(gram: &Matrix) -> Option<(Matrix, [Option<Number>; 3])> {
     let mut lower: [[Number; 3]; 3] =
         std::array::from_fn(|_| std::array::from_fn(|_| Number::zero()));
     let mut squares: [Number; 3] = std::array::from_fn(|_| Number::zero());
