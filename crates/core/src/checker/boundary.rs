@@ -108,3 +108,29 @@ pub(super) fn ranks<S: Scalar>(points: &[Point<S>]) -> Vec<[u32; 3]> {
     }
     ranks
 }
+
+/// Points in lexicographic order.
+pub(super) fn compare<S: Scalar>(p: &Point<S>, q: &Point<S>) -> Ordering {
+    let entries = p.iter().zip(q).map(|(x, y)| x.minus(y).sign());
+    entries.fold(Ordering::Equal, Ordering::then)
+}
+
+/// All integer vectors from `low` to `high` in the first `rank` directions.
+pub(super) fn vectors<const D: usize>(
+    low: [i32; D],
+    high: [i32; D],
+    rank: usize,
+) -> impl Iterator<Item = [i32; D]> {
+    let length = move |k: usize| match k < rank {
+        true => (high[k] - low[k] + 1).max(0) as usize,
+        false => 1,
+    };
+    let count: usize = (0..D).map(length).product();
+    (0..count).map(move |mut index| {
+        std::array::from_fn(|k| {
+            let step = index % length(k);
+            index /= length(k);
+            if k < rank { low[k] + step as i32 } else { 0 }
+        })
+    })
+}

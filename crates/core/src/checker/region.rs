@@ -7,7 +7,7 @@
 //! A pair of boundary facets is compared once, up to translation: each facet in its own place
 //! with all facets that a lattice vector not before zero moves near to it.
 
-use super::boundary::{BoundaryFacet, Scale, cell, ranks};
+use super::boundary::{BoundaryFacet, Scale, cell, compare, ranks, vectors};
 use super::contact::{self, Found};
 use super::defect::{BOUNDARY_MEETS, BOUNDARY_WORK, Defect, Findings};
 use super::outside::Outside;
@@ -22,7 +22,6 @@ use malachite::base::num::arithmetic::traits::Floor;
 use malachite::base::num::basic::traits::Zero;
 use malachite::{Integer, Rational};
 use rayon::prelude::*;
-use std::cmp::Ordering;
 use std::collections::BTreeMap;
 
 /// Hypotheses X and W.
@@ -251,11 +250,6 @@ impl<'t, S: Scalar, const D: usize> Region<'t, S, D> {
     }
 }
 
-fn compare<S: Scalar>(p: &Point<S>, q: &Point<S>) -> Ordering {
-    let entries = p.iter().zip(q).map(|(x, y)| x.minus(y).sign());
-    entries.fold(Ordering::Equal, Ordering::then)
-}
-
 /// Boundary facets in their own place, and moved near to others.
 struct Copies<S, const D: usize> {
     /// The facets in their own place come first.
@@ -397,24 +391,4 @@ fn edges([a, b, c]: [usize; 3]) -> [[usize; 2]; 3] {
 fn rest<const N: usize>(f: &[usize; N], g: &[usize; N]) -> Vec<usize> {
     let own = f.iter().copied();
     own.filter(|point| !g.contains(point)).collect()
-}
-
-/// All integer vectors from `low` to `high` in the first `rank` directions.
-fn vectors<const D: usize>(
-    low: [i32; D],
-    high: [i32; D],
-    rank: usize,
-) -> impl Iterator<Item = [i32; D]> {
-    let length = move |k: usize| match k < rank {
-        true => (high[k] - low[k] + 1).max(0) as usize,
-        false => 1,
-    };
-    let count: usize = (0..D).map(length).product();
-    (0..count).map(move |mut index| {
-        std::array::from_fn(|k| {
-            let step = index % length(k);
-            index /= length(k);
-            if k < rank { low[k] + step as i32 } else { 0 }
-        })
-    })
 }
