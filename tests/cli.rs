@@ -409,6 +409,13 @@ fn every_name_of_the_catalogue_is_shown_and_exported_and_read_back() {
             name => name,
         };
         assert_eq!(code(&acutile(["show", name])), 0, "{name}");
+        if entry["box"] == true || entry["theorem"] == true {
+            assert_eq!(code(&acutile(["certify", name])), 0, "{name}");
+            let exported = acutile(["export", name]);
+            assert_eq!(code(&exported), 2, "{name}");
+            assert!(stderr(&exported).contains("certify"), "{name}");
+            continue;
+        }
         let path = place.path().join("exported.json");
         assert_eq!(
             code(&acutile(["export", name, "-o", text(&path)])),

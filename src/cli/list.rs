@@ -28,6 +28,7 @@ pub fn run(arguments: &ListArguments, output: &mut Output) -> Outcome {
                 "source": entry.source,
                 "domain": entry.domain,
                 "family": entry.is_family(),
+                "box": entry.has_box(),
                 "parameter": entry.parameter.map(|parameter| json!({
                     "name": parameter.name,
                     "default": parameter.default,

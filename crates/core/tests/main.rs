@@ -2,6 +2,7 @@
 
 mod advice;
 mod curve;
+mod curved;
 mod delaunay;
 mod families;
 mod format;
