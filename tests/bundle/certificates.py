@@ -121,19 +121,32 @@ def check_meeting():
             assert verify.meet_in_shared(Space(), other, one) == expected, (other, one)
 
 
+def compared(quantity):
+    """-1, 0 or 1: whether a quantity is less than its bound, equal or more."""
+    less, more = (getattr(quantity, way)(verify.positive_in) for way in ("less", "more"))
+    if not less and not more:
+        assert quantity.less(verify.nonnegative_in) and quantity.more(verify.nonnegative_in)
+    return bool(more) - bool(less)
+
+
+def ratio(shape, bound):
+    """R² over the square of the shortest edge, beside a bound."""
+    return max(compared(verify.Ratio(shape, edge, bound)) for edge in shape.squared_edges())
+
+
 def check_shapes():
     """The corner of a cube and the regular tetrahedron with edges √2."""
     corner = verify.Shape(Space(), [(0, 0, 0), (1, 0, 0), (0, 1, 0), (0, 0, 1)])
     # Its circumsphere has the centre (1/2, 1/2, 1/2) and R² = 3/4; det M = 1.
     assert [corner.power(Space(), list(w)) for w in [(1, 1, 1), (2, 0, 0), (0, 0, 0), (1, 0, -1)]] == [0, 2, 0, 2]
-    assert verify.compared_ratio(corner, (3, 4)) == 0 and verify.compared_ratio(corner, (2, 3)) == 1
+    assert ratio(corner, (3, 4)) == 0 and ratio(corner, (2, 3)) == 1
     regular = verify.Shape(Space(), [(0, 0, 0), (1, 1, 0), (1, 0, 1), (0, 1, 1)])
-    assert verify.compared_ratio(regular, (3, 8)) == 0 and verify.compared_ratio(regular, (1, 2)) == -1
+    assert ratio(regular, (3, 8)) == 0 and ratio(regular, (1, 2)) == -1
     g = regular.gradients()
     # Every dihedral angle is arccos 1/3.
     angles = {(1, (1, 9)): 0, (1, (1, 10)): -1, (1, (1, 8)): 1, (0, (0, 1)): -1, (-1, (1, 9)): -1}
     for (side, bound), expected in angles.items():
-        assert {verify.compared_angle(g, i, j, side, bound) for i, j in [(0, 1), (2, 3), (1, 3)]} == {expected}, (side, bound)
+        assert {compared(verify.Angle(g, i, j, side, bound)) for i, j in [(0, 1), (2, 3), (1, 3)]} == {expected}, (side, bound)
 
 
 def check_names():

@@ -106,7 +106,7 @@ def box(verify, intervals, tree):
     sides = []
     for low, high, closed in intervals:
         scale = low.denominator * high.denominator
-        sides.append(verify.Side(int(low * scale), int((high - low) * scale), scale, closed))
+        sides.append(verify.Interval(int(low * scale), int((high - low) * scale), scale, closed))
     return verify.Box([f"x{k}" for k in range(len(sides))], sides, tree)
 
 

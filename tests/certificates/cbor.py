@@ -196,7 +196,7 @@ OTHERS = {
     "version--3": put(3, VERSION),
     "version--negative": put(-2, VERSION),
     "version--3-and-another-shape": to_cbor([*GOOD[:1], 3, "tiling", ["cells"], [1]]),
-    "kind--family": put("family", KIND),
+    "kind--mosaic": put("mosaic", KIND),
     "vertex-range--beyond": put(1, ROWS, 0, 0),
     "vertex-range--least-integer": put(-2 ** 63, ROWS, 0, 0),
     "vertex-range--of-65-bits-negative": put(-2 ** 64, ROWS, 0, 0),
