@@ -376,8 +376,8 @@ const rank0 = (points) => ({ vertices: points.map((point) => point.map(element))
 // The corner of a cube: centre (1/2, 1/2, 1/2), R² = 3/4, det E = 1. Powers: (1,1,1) 0, (2,0,0) 2, (1,1,0) 0, (1,0,-1) 2, (0,0,0) 0.
 test("normals, radius and power of the corner of a cube", async () => {
   const { Simplex, tiling } = await unitSpace(3, "Simplex");
-  Object.assign(tiling, rank0([[0, 0, 0], [1, 0, 0], [0, 1, 0], [0, 0, 1]]));
-  const simplex = new Simplex(tiling, [[0], [1], [2], [3]], 0);
+  const points = [[0, 0, 0], [1, 0, 0], [0, 1, 0], [0, 0, 1]].map((point) => point.map(element));
+  const simplex = new Simplex(tiling, points, 0);
   assert.deepEqual(simplex.determinant, [1n]);
   assert.deepEqual(simplex.normals, [[-1, -1, -1], [1, 0, 0], [0, 1, 0], [0, 0, 1]].map((row) => row.map(element)));
   assert.deepEqual(simplex.radius(), [[12n], 16n]); // 16 det M R² = 12
