@@ -119,6 +119,7 @@ impl Patch {
         limits: &Limits,
         work: &Rc<Work>,
         simplices: &mut u64,
+        cells: &mut u64,
     ) -> Checked<Patch> {
         let Claim { field, gram, .. } = &head.claim;
         let degree = field.degree();
@@ -146,8 +147,8 @@ impl Patch {
         let pyramids = pyramids.collect::<Checked<Vec<_>>>()?;
         let count = cbor.array()?;
         ensure!(count > 0, NoSimplices, Place::Witness);
-        let exceeds = Value::Limit("simplices", Some(simplices.saturating_add(count)));
-        ensure!(simplices.saturating_add(count) <= limits.simplices, TooManySimplices, Place::Witness, exceeds);
+        *cells = cells.saturating_add(count);
+        ensure!(*cells <= limits.simplices, TooManySimplices, Place::Witness, Value::Limit("simplices", Some(*cells)));
         let (mut rows, first) = (Vec::new(), *simplices);
         for _ in 0..count {
             let row = shape.read_row(cbor, *simplices)?;
@@ -259,8 +260,9 @@ pub(crate) fn verify<const N: usize>(mut cbor: Cbor, head: Head, limits: &Limits
     let count = cbor.array()?;
     let is_complete = usize::try_from(count).is_ok_and(|count| count == head.tiles.len());
     ensure!(is_complete, TileCount, Place::Witness, count);
-    let mut simplices = 0;
-    let patches = head.tiles.iter().map(|tile| Patch::read::<N>(&mut cbor, &head, tile, limits, work, &mut simplices));
+    let (mut simplices, mut cells) = (0, 0);
+    let read = |tile| Patch::read::<N>(&mut cbor, &head, tile, limits, work, &mut simplices, &mut cells);
+    let patches = head.tiles.iter().map(read);
     let patches = patches.collect::<Checked<Vec<_>>>()?;
     let (bytes, sha256) = cbor.finish()?;
     let scale = patches.iter().fold(BigInt::from(1), |scale, patch| scale.lcm(&patch.vertices.denominator));
