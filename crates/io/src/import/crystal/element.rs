@@ -12,6 +12,39 @@ const ELEMENTS: [&str; 120] = [
     "Cn", "Nh", "Fl", "Mc", "Lv", "Ts", "Og",
 ];
 
+/// What a type symbol stands for.
+#[derive(Debug, PartialEq, Eq)]
+pub enum Kind {
+    /// One element, perhaps with a charge.
+    Element(&'static str),
+    /// A group of atoms at one place, like OH or NH4.
+    Group,
+    /// Several elements that share a place, like Fe0.5Ni0.5 or Al/Si.
+    Mixture,
+    /// Something else.
+    Unknown,
+}
+
+/// The element with exactly this symbol.
+fn exact(symbol: &str) -> Option<&'static str> {
+    ELEMENTS.iter().find(|&&known| known == symbol).copied()
+}
+
+/// The element with this symbol in any case.
+pub fn element(symbol: &str) -> Option<&'static str> {
+    ELEMENTS
+        .iter()
+        .find(|known| known.eq_ignore_ascii_case(symbol))
+        .copied()
+}
+
+/// The element at the beginning of a label like `Si1` or `O2A`: two letters if the second one
+/// is small.
+pub fn of_label(label: &str) -> Option<&'static str> {
+    let head = |length| label.get(..length);
+    head(2).and_then(exact).or_else(|| head(1).and_then(exact))
+}
+
 /// What a type symbol stands for: an element with a charge like `Fe3+`, or something else. In
 /// capitals `FE` is iron, while `NH4` is a group and not nihonium.
 pub fn kind(symbol: &str) -> Kind {
@@ -20,8 +53,6 @@ pub fn kind(symbol: &str) -> Kind {
     let formula = parts(symbol).map_or(Kind::Unknown, |parts| of_parts(&parts));
     let has_count = !charge.is_empty() && !charge.contains(['+', '-']);
     match element(letters) {
-        // A number with a point counts atoms; but `Fe3` is often written for an ion.
-        Some(_) if charge.contains('.') => formula,
         Some(_) if has_count && exact(letters).is_none() && formula == Kind::Group => formula,
         Some(known) => Kind::Element(known),
         None => formula,
