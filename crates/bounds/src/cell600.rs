@@ -1,6 +1,6 @@
 //! Lemma 1: the 600-cell, and the 601 deductions that make a labelling of its cells consistent.
 //!
-//! The 120 vertices are the unit icosians, times 2, with coordinates in Z[φ]. Two vertices are
+//! The 120 vertices are the unit icosians, times 2, with coordinates in Z\[φ\]. Two vertices are
 //! adjacent when their inner product is 2φ, and the cells are the sets of four adjacent vertices.
 //!
 //! Breadth-first search joins the cells by 599 facets. An edge has five facets; when four of them

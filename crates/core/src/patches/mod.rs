@@ -1,7 +1,7 @@
 //! Systems of patches: one theorem about all tilings that they build, periodic or not.
 //!
 //! docs/format.md defines tiles, pieces, pyramids and joins. A recipe makes a [`System`];
-//! [`derive`] takes the patch of a tile from a tiling of space; [`prove`] writes the certificate
+//! [`mod@derive`] takes the patch of a tile from a tiling of space; [`prove`] writes the certificate
 //! and asks the kernel. Nothing is decided here.
 
 pub mod derive;

@@ -6,7 +6,7 @@
 //! | `coefficient` | [`Coefficient`]: integers, or numbers of a field |
 //! | [`cuboid`] | [`Cuboid`]: a product of intervals with open or closed ends |
 //! | [`bernstein`] | signs that hold on a whole box |
-//! | [`line`] | polynomials in one parameter: critical points, signs at them and between them |
+//! | [`mod@line`] | polynomials in one parameter: critical points, signs at them and between them |
 //! | [`text`] | polynomials as people write them |
 //!
 //! A polynomial is a [`RingElement`], so the predicates of [`crate::geometry`] work on it. It is no
