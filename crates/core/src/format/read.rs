@@ -63,9 +63,11 @@ pub(super) fn begin(items: &mut Items, format: &str, kind: &str) -> Result<(), C
     expect(items, "the version is not 2", |items| {
         Ok(items.small()? == VERSION as i64)
     })?;
-    expect(items, "the kind is another", |items| {
-        Ok(items.text()? == kind)
-    })
+    expect(
+        items,
+        "the certificate is of another kind; verify, show and convert take every kind",
+        |items| Ok(items.text()? == kind),
+    )
 }
 
 /// Reads something that must be as `read` says; an error is at its beginning.
