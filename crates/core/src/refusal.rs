@@ -163,7 +163,9 @@ fn rule(code: Code) -> &'static str {
         Code::Degree => "the degree of the field is beyond the limit",
         Code::TooManyDigits => "an integer is beyond the limit",
         Code::TooManySimplices => "there are more simplices than the limit",
-        Code::SignUndecided => "a sign is not decided by the enclosures of the root",
+        Code::SignUndecided => {
+            "a sign is not decided, by the enclosures of the root or on the whole box of a leaf"
+        }
         Code::Work => "the work is beyond the limit",
     }
 }
