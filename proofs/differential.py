@@ -48,8 +48,11 @@ def cbor_of(path):
     document = json.loads(path.read_bytes())
     records = [None]
     if isinstance(document, dict):
-        witness = document.get("witness")
-        records = [document, document.get("claim"), *(witness if document.get("kind") == "patches" and isinstance(witness, list) else [witness])]
+        claim, witness = document.get("claim"), document.get("witness")
+        listed = [claim.get(name) for name in ("parameters", "tiles")] if isinstance(claim, dict) else []
+        listed += [witness] if document.get("kind") == "patches" else []
+        records = [document, claim] + ([] if isinstance(witness, list) else [witness])
+        records += [record for records in listed if isinstance(records, list) for record in records]
     return data if all(isinstance(record, dict) for record in records) and has_names(document) else None
 
 

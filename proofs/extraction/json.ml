@@ -40,7 +40,7 @@ let parse (s : string) : t =
     end in
   (* The bound on nesting bounds the stack. *)
   let rec value depth =
-    if depth > 16 then fail !i "nested too deeply";
+    if depth > 80 then fail !i "nested too deeply";
     space ();
     match peek () with
     | '{' -> incr i; Object (list '}' (fun () -> space (); let k = text () in expect ':'; (k, value (depth + 1))) [])
