@@ -50,8 +50,9 @@ def cbor_of(path):
     if isinstance(document, dict):
         claim, witness = document.get("claim"), document.get("witness")
         listed = [claim.get(name) for name in ("parameters", "tiles")] if isinstance(claim, dict) else []
-        listed += [witness] if document.get("kind") == "patches" else []
-        records = [document, claim] + ([] if isinstance(witness, list) else [witness])
+        is_list = document.get("kind") == "patches" and isinstance(witness, list)
+        listed += [witness] if is_list else []
+        records = [document, claim] + ([] if is_list else [witness])
         records += [record for records in listed if isinstance(records, list) for record in records]
     return data if all(isinstance(record, dict) for record in records) and has_names(document) else None
 
