@@ -323,8 +323,7 @@ impl<const N: usize> System<N> {
 /// The numerators of the angles of each tile as parts of a turn, and the denominator for all.
 pub(crate) type Angles = (Vec<Vec<u64>>, u64);
 
-/// No angle is a smaller part of a turn. The complex numbers of the angles lie in a field of degree
-/// at most 16, whose roots of unity are a group of order at most 60.
+/// The most equal parts of a turn of which all angles are multiples.
 const PARTS: u64 = 60;
 
 /// The angles are parts of a turn, and the offsets of the sides close around every vertex.
@@ -335,6 +334,7 @@ pub(crate) fn check_corners<const N: usize>(system: &System<N>) -> Checked<Angle
         turns.push(angles.collect::<Checked<Vec<_>>>()?);
     }
     let whole = turns.iter().flatten().fold(1, |whole: u64, (_, parts)| whole.lcm(parts));
+    ensure!(whole <= PARTS, CornerAngle, Place::Witness, whole);
     let mut steps = Vec::new();
     for tile in 0..system.patches.len() {
         let sides: Vec<&Side<N>> = system.sides.iter().filter(|side| side.patch == tile).collect();
