@@ -4,7 +4,8 @@ use super::Periodic;
 use super::draft::{Draft, Element};
 use super::element::{GMSH_CELLS, gmsh_element, gmsh_order};
 use super::error::MeshError;
-use super::numbering::{Index, periodic_node};
+use super::msh_sections::{affine_map, periodic_nodes};
+use super::numbering::Index;
 use super::source::{Encoding, Source, shown};
 
 /// The number of items stands in text even in a binary file.
@@ -182,11 +183,7 @@ pub fn periodic(source: &mut Source, index: &Index, draft: &mut Draft) -> Result
         let mut affine = None;
         let pairs = match word {
             b"Affine" => {
-                let mut matrix = [0.0; 16];
-                for entry in &mut matrix {
-                    *entry = source.double("an entry of the affine map")?;
-                }
-                affine = Some(matrix);
+                affine = Some(affine_map(source)?);
                 source.int("the number of nodes")?
             }
             _ => std::str::from_utf8(word)
@@ -197,15 +194,7 @@ pub fn periodic(source: &mut Source, index: &Index, draft: &mut Draft) -> Result
                 })?,
         };
         let pairs = source.count(pairs, 4, "pairs of nodes")?;
-        let mut nodes = Vec::with_capacity(pairs);
-        for _ in 0..pairs {
-            let image = source.int("a node number")?;
-            let original = source.int("a node number")?;
-            nodes.push((
-                periodic_node(index, image, source.place())?,
-                periodic_node(index, original, source.place())?,
-            ));
-        }
+        let nodes = periodic_nodes(source, index, pairs, Source::int)?;
         draft.add_link(Periodic {
             dimension,
             entities: (image, original),

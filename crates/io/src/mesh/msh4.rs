@@ -5,8 +5,8 @@ use super::Periodic;
 use super::draft::{Draft, Element};
 use super::element::{GMSH_CELLS, gmsh_element, gmsh_order};
 use super::error::MeshError;
-use super::msh_sections::Entities;
-use super::numbering::{Index, periodic_node};
+use super::msh_sections::{Entities, affine_map, periodic_nodes};
+use super::numbering::Index;
 use super::source::Source;
 
 /// Blocks, items, and the smallest and the largest number of an item.
@@ -141,15 +141,7 @@ pub fn periodic(source: &mut Source, index: &Index, draft: &mut Draft) -> Result
         let affine = affine(source)?;
         let pairs = source.long("the number of pairs of nodes")?;
         let pairs = source.count(pairs, source.least_bytes(2, 8), "pairs of nodes")?;
-        let mut nodes = Vec::with_capacity(pairs);
-        for _ in 0..pairs {
-            let image = source.long("a node number")?;
-            let original = source.long("a node number")?;
-            nodes.push((
-                periodic_node(index, image, source.place())?,
-                periodic_node(index, original, source.place())?,
-            ));
-        }
+        let nodes = periodic_nodes(source, index, pairs, Source::long)?;
         draft.add_link(Periodic {
             dimension,
             entities,
@@ -163,13 +155,7 @@ pub fn periodic(source: &mut Source, index: &Index, draft: &mut Draft) -> Result
 fn affine(source: &mut Source) -> Result<Option<[f64; 16]>, MeshError> {
     match source.long("the number of entries of the affine map")? {
         0 => Ok(None),
-        16 => {
-            let mut matrix = [0.0; 16];
-            for entry in &mut matrix {
-                *entry = source.double("an entry of the affine map")?;
-            }
-            Ok(Some(matrix))
-        }
+        16 => affine_map(source).map(Some),
         other => Err(source.error(format!(
             "found an affine map with {other} entries, expected 0 or 16"
         ))),

@@ -4,8 +4,8 @@
 use super::draft::{Draft, Element};
 use super::element::{GMSH_CELLS, gmsh_element, gmsh_order};
 use super::error::MeshError;
-use super::msh_sections::Entities;
-use super::numbering::{Index, periodic_node};
+use super::msh_sections::{Entities, affine_map, periodic_nodes};
+use super::numbering::Index;
 use super::source::{Encoding, Source};
 use super::{Periodic, msh4};
 
@@ -100,23 +100,11 @@ pub fn periodic(source: &mut Source, index: &Index, draft: &mut Draft) -> Result
             if source.encoding != Encoding::Text {
                 source.long("a negative number")?;
             }
-            let mut matrix = [0.0; 16];
-            for entry in &mut matrix {
-                *entry = source.double("an entry of the affine map")?;
-            }
-            affine = Some(matrix);
+            affine = Some(affine_map(source)?);
         }
         let pairs = source.long("the number of pairs of nodes")?;
         let pairs = source.count(pairs, source.least_bytes(2, 4), "pairs of nodes")?;
-        let mut nodes = Vec::with_capacity(pairs);
-        for _ in 0..pairs {
-            let image = source.int("a node number")?;
-            let original = source.int("a node number")?;
-            nodes.push((
-                periodic_node(index, image, source.place())?,
-                periodic_node(index, original, source.place())?,
-            ));
-        }
+        let nodes = periodic_nodes(source, index, pairs, Source::int)?;
         draft.add_link(Periodic {
             dimension,
             entities,

@@ -2,6 +2,7 @@
 
 use super::draft::Draft;
 use super::error::MeshError;
+use super::numbering::{Index, periodic_node};
 use super::source::{Encoding, Source, shown};
 use std::collections::BTreeMap;
 
@@ -123,4 +124,33 @@ pub fn skip_data(source: &mut Source, name: &str) -> Result<(), MeshError> {
         source.take(8 * components.saturating_mul(nodes), "data")?;
     }
     Ok(())
+}
+
+/// The 16 entries of the affine map of a periodic link.
+pub fn affine_map(source: &mut Source) -> Result<[f64; 16], MeshError> {
+    let mut matrix = [0.0; 16];
+    for entry in &mut matrix {
+        *entry = source.double("an entry of the affine map")?;
+    }
+    Ok(matrix)
+}
+
+/// The pairs of a periodic link: an image and its original, as indices of points. `read` reads a
+/// node number.
+pub fn periodic_nodes<'a>(
+    source: &mut Source<'a>,
+    index: &Index,
+    pairs: usize,
+    read: impl Fn(&mut Source<'a>, &str) -> Result<i64, MeshError>,
+) -> Result<Vec<(u32, u32)>, MeshError> {
+    let mut nodes = Vec::with_capacity(pairs);
+    for _ in 0..pairs {
+        let image = read(source, "a node number")?;
+        let original = read(source, "a node number")?;
+        nodes.push((
+            periodic_node(index, image, source.place())?,
+            periodic_node(index, original, source.place())?,
+        ));
+    }
+    Ok(nodes)
 }
