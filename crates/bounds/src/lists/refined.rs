@@ -14,19 +14,24 @@ const VALENCES: &[Claim] = &[
     ),
 ];
 
-/// Steps (A) and (B) at 73.29 degrees.
-pub const REFINED_VALENCES: Part = Part {
-    id: "valences-73.29",
-    method: Method::Enclosed,
-    definitions: &[
-        given("theta", "73.29"),
+/// The numbers of steps (A) and (B) at an angle.
+const fn valences(theta: &'static str) -> [Definition; 7] {
+    [
+        given("theta", theta),
         given("p", "1.0915"),
         given("z", "0.8875"),
         applied("c", Cos, "theta"),
         applied("phi", Arccos, "1 - 4*c^2/(1 - c)"),
         applied("half", Cos, "180 - 2*phi"),
         applied("diff", Cos, "180 - 3*phi"),
-    ],
+    ]
+}
+
+/// Steps (A) and (B) at 73.29 degrees.
+pub const REFINED_VALENCES: Part = Part {
+    id: "valences-73.29",
+    method: Method::Enclosed,
+    definitions: &valences("73.29"),
     claims: VALENCES,
 };
 
@@ -34,15 +39,7 @@ pub const REFINED_VALENCES: Part = Part {
 pub const WIDER_VALENCES: Part = Part {
     id: "valences-73.31",
     method: Method::Enclosed,
-    definitions: &[
-        given("theta", "73.31"),
-        given("p", "1.0915"),
-        given("z", "0.8875"),
-        applied("c", Cos, "theta"),
-        applied("phi", Arccos, "1 - 4*c^2/(1 - c)"),
-        applied("half", Cos, "180 - 2*phi"),
-        applied("diff", Cos, "180 - 3*phi"),
-    ],
+    definitions: &valences("73.31"),
     claims: VALENCES,
 };
 
