@@ -141,8 +141,8 @@ impl Answer {
         let mut lines = Vec::new();
         if !is_failure {
             if let Some((others, _)) = &beside.others {
-                words.push_str(&format!("; not looked at: {others}"));
-                data["not_looked_at"] = json!(others);
+                words.push_str(&format!("; not checked: {others}"));
+                data["not_checked"] = json!(others);
             }
             for added in &beside.added {
                 words.push_str(&format!("; {added}"));

@@ -81,7 +81,7 @@ pub struct CertifyArguments {
     /// Write exact numbers in full; without it only about, where they are long. JSON has them anyway
     #[arg(long)]
     pub exact: bool,
-    /// Elements of other types than the mesh's, which are not looked at, make the answer "declined"
+    /// Decline where the mesh has elements of types that are not checked
     #[arg(long)]
     pub strict: bool,
     /// Facets may lie against each other (cohesive zones, contact): prove that interiors are disjoint,
@@ -137,7 +137,7 @@ pub fn run(arguments: &CertifyArguments, output: &mut Output) -> Outcome {
     worst
 }
 
-/// With --strict nothing is done where elements that fill space were not looked at.
+/// With --strict a proof counts as declined if elements that fill space were not checked.
 fn strictly(outcome: Outcome, arguments: &CertifyArguments, beside: &Beside) -> Outcome {
     let is_partial = beside.others.as_ref().is_some_and(|(_, fills)| *fills);
     match outcome {

@@ -1,4 +1,4 @@
-//! Mesh files as tilings, and what has to be told about them on standard error.
+//! Mesh files as tilings, and notes about them on standard error.
 
 use super::named::{InputError, Named};
 use super::output::{Output, write_file};
@@ -104,7 +104,7 @@ pub fn lattice(
     }
 }
 
-/// The tiling with its numbers, and what is to be told.
+/// The tiling with the file's numbers, and notes for the user.
 ///
 /// # Errors
 /// A message that names the input.
@@ -142,7 +142,7 @@ pub fn converted(
 fn mesh_notes(mesh: &Mesh) -> Vec<String> {
     let mut notes = Vec::new();
     if !mesh.others.is_empty() {
-        notes.push(format!("not looked at: {}", mesh.other_counts()));
+        notes.push(format!("not checked: {}", mesh.other_counts()));
     }
     if !mesh.curved.is_empty() {
         notes.push(format!(

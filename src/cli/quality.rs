@@ -33,10 +33,10 @@ pub struct QualityArguments {
     /// How to write it: text has everything, the others the histogram
     #[arg(long, value_enum, default_value = "text")]
     pub format: QualityFormat,
-    /// List the simplices with a dihedral angle of at most so many degrees
+    /// List the simplices with a dihedral angle of at most this many degrees
     #[arg(long, value_name = "DEGREES", value_parser = degrees)]
     pub below: Option<Rational>,
-    /// List the simplices with a dihedral angle of at least so many degrees
+    /// List the simplices with a dihedral angle of at least this many degrees
     #[arg(long, value_name = "DEGREES", value_parser = degrees)]
     pub above: Option<Rational>,
     /// List the simplices with a radius-edge ratio of at least this

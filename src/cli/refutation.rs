@@ -1,4 +1,4 @@
-//! What is wrong with a tiling, told to people and to machines: each kind of defect with its
+//! What is wrong with a tiling, in words for people and as data for machines: each kind of defect with its
 //! count, the first of each with names, coordinates and advice; or all of them, one JSON object
 //! a line.
 
@@ -28,14 +28,14 @@ pub struct Refuted {
     pub second: SecondLook,
     /// Whether long numbers are written in full.
     pub is_exact: bool,
-    /// How many defects of each kind are told to people.
+    /// The number of defects of each kind that people see.
     pub shown: usize,
 }
 
-/// So many defects of each kind are told to people, if not said otherwise.
+/// The number of defects of each kind that people see without --max-defects.
 pub const SHOWN: usize = 20;
 
-/// Advice takes time, so it is given for so many defects of each kind.
+/// The number of defects of each kind that get advice, which takes time.
 const ADVISED: usize = 20;
 
 impl Refuted {

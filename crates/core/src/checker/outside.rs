@@ -19,7 +19,7 @@ pub(super) struct Outside<'t, S, const D: usize> {
     floats: Vec<[f64; D]>,
 }
 
-/// Simplices that are looked at in one piece.
+/// The number of simplices in the work of one thread at a time.
 const CHUNK: usize = 1 << 10;
 
 /// Larger than the relative error of a sum of two coordinates and a shift of 2^26 steps.

@@ -69,7 +69,7 @@ pub fn six_valent<const D: usize>(tiling: &Tiling<D>, matching: &Matching<D>) ->
     Some(chunks.into_iter().collect::<Option<Vec<_>>>()?.concat())
 }
 
-/// Simplices that are looked at in one piece.
+/// The number of simplices in the work of one thread at a time.
 const CHUNK: usize = 1 << 10;
 
 /// The facets that meet in each edge: those opposite to the other two corners.

@@ -100,7 +100,7 @@ pub enum FamilyError {
     Degree(String, usize),
     /// The union of the simplices has no polynomials.
     Region,
-    /// A point has so many coordinates, and there are so many parameters.
+    /// The numbers of coordinates of a point and of parameters, which differ.
     Point(usize, usize),
     /// There is no vertex with this number.
     Vertex(usize),

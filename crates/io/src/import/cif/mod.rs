@@ -17,8 +17,7 @@
 //! | `orbits` | the atoms of a cell |
 //! | `notes` | counts and warnings |
 //!
-//! Coordinates become rationals and stay as they are written; a note says whatever is not taken
-//! literally.
+//! Coordinates become the rationals that are written. A note names every change.
 
 mod block;
 mod cell;

@@ -24,7 +24,7 @@ pub struct Shortest {
 const CLOSE: f64 = 1e-9;
 /// Boxes of the grid in one direction at most.
 const BOXES: f64 = 64.0;
-/// More boxes are never looked at: the cell is too skewed.
+/// The most boxes of the grid that are visited. A cell that needs more is too skewed.
 const WORK: f64 = 1e8;
 
 /// The shortest distance in the point set, or `None` for a cell that is too skewed.
