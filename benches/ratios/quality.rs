@@ -52,7 +52,10 @@ fn delaunay(points: usize) -> Tiling<3> {
 fn tenths(grid: &Tiling<3>) -> Tiling<3> {
     let mut tenths = grid.clone();
     let points = grid.vertices.iter();
-    let points = points.map(|v| v.each_ref().map(|x| (x.approximate() * 26.0).round() * 0.1 / 2.6));
+    let points = points.map(|v| {
+        v.each_ref()
+            .map(|x| (x.approximate() * 26.0).round() * 0.1 / 2.6)
+    });
     tenths.vertices = Coordinates::from_doubles(points.collect()).expect("they are finite");
     tenths
 }

@@ -126,11 +126,7 @@ impl<P: Predicate<D>, const D: usize> Prepared<'_, P, D> {
     /// Calls `visit` with the values for a simplex in doubles, up to a positive factor; gives the
     /// largest error of each part. `None`, without a call, where no error is proved.
     #[inline(always)]
-    pub fn bounded(
-        &self,
-        simplex: SimplexId,
-        visit: impl FnMut(f64),
-    ) -> Option<[f64; MOST_PARTS]> {
+    pub fn bounded(&self, simplex: SimplexId, visit: impl FnMut(f64)) -> Option<[f64; MOST_PARTS]> {
         let edges = self.model.float_edges(simplex);
         self.filter.bounded(&self.predicate, edges, visit)
     }

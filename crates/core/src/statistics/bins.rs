@@ -65,7 +65,12 @@ impl<'m, 't, const D: usize> Bins<'m, 't, D> {
 
     /// The bins that an angle may be in, for products that are known up to `error`.
     #[inline(always)]
-    pub fn of_products(&self, product: f64, squares: [f64; 2], error: f64) -> RangeInclusive<usize> {
+    pub fn of_products(
+        &self,
+        product: f64,
+        squares: [f64; 2],
+        error: f64,
+    ) -> RangeInclusive<usize> {
         let [a, b] = squares.map(|square| error / square);
         // Written so that it is false for values that are no numbers.
         let is_known = squares[0] > 0.0 && squares[1] > 0.0 && a <= 0.0625 && b <= 0.0625;
@@ -76,8 +81,15 @@ impl<'m, 't, const D: usize> Bins<'m, 't, D> {
         let error = 2.0 * (a + b) + 4.0 * ROUNDED;
         let bin = |cosine: f64| self.cosines.partition_point(|end| *end >= cosine);
         let first = bin(cosine + error);
-        let is_inside = self.cosines.get(first).is_none_or(|end| cosine - error > *end);
-        let last = if is_inside { first } else { bin(cosine - error) };
+        let is_inside = self
+            .cosines
+            .get(first)
+            .is_none_or(|end| cosine - error > *end);
+        let last = if is_inside {
+            first
+        } else {
+            bin(cosine - error)
+        };
         first..=last
     }
 

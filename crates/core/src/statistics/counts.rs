@@ -79,7 +79,9 @@ impl<const D: usize> Counting<'_, '_, D> {
         for (index, (i, j)) in pairs::<D>().enumerate() {
             let product = products[index];
             let sign = sign(product, error, index, || &signs().1);
-            let bins = self.bins.of_products(product, [squares[i], squares[j]], error);
+            let bins = self
+                .bins
+                .of_products(product, [squares[i], squares[j]], error);
             let bin = match bins.start() == bins.end() {
                 true => *bins.start(),
                 false => self.bins.decide(simplex, (index, (i, j)), bins),
@@ -111,7 +113,8 @@ impl<const D: usize> Counting<'_, '_, D> {
         let products = shape.normal_products(&linear::cofactors(gram));
         let squares: Vec<f64> = (0..=D).map(|i| products.get(i, i).approximate()).collect();
         let double = |rows: &[[Number; D]; D]| {
-            rows.each_ref().map(|row| row.each_ref().map(Number::approximate))
+            rows.each_ref()
+                .map(|row| row.each_ref().map(Number::approximate))
         };
         aspect(
             double(&shape.edges),
