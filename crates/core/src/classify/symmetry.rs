@@ -95,14 +95,11 @@ impl<const D: usize> Symmetry<D> {
     /// Few elements that, with the lattice, generate the group; `None` where the lattice
     /// is not invariant under it.
     pub fn generators(&self, rank: usize) -> Option<Vec<&Isometry<D>>> {
-        let keeps_lattice = |e: &Isometry<D>| {
-            let columns = (0..D).flat_map(|i| (0..rank).map(move |j| (i, j)));
-            columns.into_iter().all(|(i, j)| {
-                let entry = e.linear[i][j].to_rational();
-                entry.is_some_and(|x| *x.denominator_ref() == 1u32 && (i < rank || *x == 0))
-            })
-        };
-        if !self.elements.iter().all(keeps_lattice) {
+        if !self
+            .elements
+            .iter()
+            .all(|element| element.keeps_lattice(rank))
+        {
             return None;
         }
         let mut generators = Vec::new();
@@ -139,6 +136,21 @@ impl<const D: usize> Isometry<D> {
             linear: identity(),
             translation: std::array::from_fn(|_| Number::zero()),
         }
+    }
+
+    /// The image of a point.
+    pub fn image(&self, point: &[Number; D]) -> [Number; D] {
+        let moved = linear::apply(&self.linear, point);
+        std::array::from_fn(|k| &moved[k] + &self.translation[k])
+    }
+
+    /// Whether the linear part maps the lattice of the first `rank` basis vectors to itself.
+    pub fn keeps_lattice(&self, rank: usize) -> bool {
+        let columns = (0..D).flat_map(|i| (0..rank).map(move |j| (i, j)));
+        columns.into_iter().all(|(i, j)| {
+            let entry = self.linear[i][j].to_rational();
+            entry.is_some_and(|x| *x.denominator_ref() == 1u32 && (i < rank || *x == 0))
+        })
     }
 
     /// x ↦ self(first(x))
