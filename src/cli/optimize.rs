@@ -10,13 +10,15 @@ use super::output::{Output, write_file};
 use super::progress::Progress;
 use super::proved as proof;
 use super::verify::{claim_json, summary};
+use acutile_core::advice::{Advice, Adviser};
 use acutile_core::format::print;
 use acutile_core::proved::NotProved;
 use acutile_core::quality::{decimal_range, display_width};
 use acutile_core::statement::Statement;
 use acutile_core::tiling::{AnyTiling, Tiling, match_facets};
 use acutile_optimize::{
-    Failure, Freedom, Goal, Group, Keep, Options, Reason, optimize, reasons, value,
+    Failure, Freedom, Goal, Group, Keep, LocalProof, NotLocal, Options, Reason, optimize,
+    prove_local, reasons, value,
 };
 use clap::{Args, ValueEnum};
 use serde_json::{Value, json};
@@ -58,6 +60,9 @@ pub struct OptimizeArguments {
     /// At most N linear programs from each place; for large meshes passes over all bad simplices
     #[arg(long, value_name = "N", default_value_t = 300)]
     pub steps: usize,
+    /// Prove that the result is a strict local optimum, by exact multipliers; the prover alone says it
+    #[arg(long)]
+    pub prove_local: bool,
     /// Write the certificate of the result to this file (`-` for standard output); acutile convert
     /// and export turn it into a mesh or a tiling file
     #[arg(short, long, value_name = "FILE")]
@@ -178,17 +183,21 @@ fn answer(arguments: &OptimizeArguments, output: &mut Output) -> Result<Outcome,
     };
     write(arguments, found.proved.certificate(), output)?;
     let is_acute = found.proved.statements().contains(&Statement::Acute);
+    let local = arguments.prove_local.then(|| prove_local(&found, &options));
+    // A local optimum has nothing better near it.
+    let is_reached = match (&local, goal) {
+        (Some(local), _) => local.is_ok(),
+        (None, Goal::Acute) => is_acute,
+        (None, _) => found.is_better,
+    };
     let result = Report {
         arguments,
         found: &found,
         reasons: why,
         is_acute,
+        local,
     };
     result.tell(output);
-    let is_reached = match goal {
-        Goal::Acute => is_acute,
-        _ => found.is_better,
-    };
     Ok(match is_reached {
         true => Outcome::Done,
         false => Outcome::Declined,
@@ -222,9 +231,27 @@ fn search(
     })
 }
 
-/// Why the start is no tiling.
+/// Why the start is no tiling: each vertex that misses a face of the domain, then the first defect.
 fn of_start(error: &NotProved, tiling: &Tiling<3>) -> String {
-    error.in_words(tiling)
+    let mut words = Vec::new();
+    if let NotProved::Refuted(findings) = error {
+        let adviser = Adviser::new(tiling);
+        let advice = findings
+            .kept()
+            .iter()
+            .flat_map(|defect| adviser.advice(defect));
+        for piece in advice {
+            let Advice::OffFace(off) = piece else {
+                continue;
+            };
+            let sentence = off.to_string();
+            if !words.contains(&sentence) {
+                words.push(sentence);
+            }
+        }
+    }
+    words.push(error.in_words(tiling));
+    words.join("; ")
 }
 
 /// The isometries with their places.
@@ -276,6 +303,7 @@ struct Report<'r> {
     found: &'r acutile_optimize::Outcome,
     reasons: Vec<Reason>,
     is_acute: bool,
+    local: Option<Result<LocalProof, NotLocal>>,
 }
 
 impl Report<'_> {
@@ -338,6 +366,10 @@ impl Report<'_> {
                 found.proved.sha256()
             ));
         }
+        lines.extend(self.local.as_ref().map(|local| match local {
+            Ok(proof) => format!("  {proof}"),
+            Err(reason) => format!("  not proved to be a local optimum: {reason}"),
+        }));
         if !self.is_acute {
             let count = self.reasons.len();
             lines.extend(self.reasons.first().map(|reason| {
@@ -389,9 +421,30 @@ impl Report<'_> {
                 "boundary": reason.is_boundary,
                 "why": reason.to_string(),
             })).collect::<Vec<_>>(),
+            "local_optimum": self.local.as_ref().map(local_data),
             "statements": claim_json(found.proved.verified())["statements"],
             "sha256": found.proved.sha256(),
             "certificate": output,
         })
+    }
+}
+
+/// Angles by their simplex and two of its facets, each with its multiplier.
+fn local_data(local: &Result<LocalProof, NotLocal>) -> Value {
+    match local {
+        Err(reason) => json!({ "proved": false, "message": reason.to_string() }),
+        Ok(proof) => json!({
+            "proved": true,
+            "parameters": proof.parameters,
+            "translations": proof.translations,
+            "rank": proof.rank,
+            "tight": proof.tight.iter().zip(&proof.multipliers).map(|((simplex, (i, j)), multiplier)| {
+                json!({
+                    "simplex": simplex.number(),
+                    "facets": [i, j],
+                    "multiplier": multiplier.to_string(),
+                })
+            }).collect::<Vec<_>>(),
+        }),
     }
 }

@@ -28,11 +28,13 @@ mod reason;
 mod rounding;
 mod search;
 mod space;
+mod tight;
 mod value;
 
 pub use goal::Goal;
 pub use group::{Element, Group, Keep, NoElement};
 pub use moves::{Freedom, Moves};
 pub use reason::{Reason, reasons};
-pub use search::{Failure, Options, Outcome, Watch, optimize};
+pub use search::{Failure, Options, Outcome, Watch, optimize, prove_local};
+pub use tight::{LocalProof, NotLocal};
 pub use value::{Extreme, value};

@@ -254,7 +254,7 @@ fn normals(tiling: &Tiling<3>, matching: &Matching<3>) -> Vec<Vec<[Number; 3]>> 
     let planes = check_domain(tiling, &mut Findings::new(0));
     let rank = tiling.frame.rank();
     for plane in planes {
-        let normal = plane_normal(&plane, rank);
+        let normal = covector(&plane, rank);
         for (vertex, point) in tiling.vertices.iter().enumerate() {
             if plane.value(tiling.frame.cross_section(&point)).is_zero() {
                 normals[vertex].push(normal.clone());
@@ -264,17 +264,11 @@ fn normals(tiling: &Tiling<3>, matching: &Matching<3>) -> Vec<Vec<[Number; 3]>> 
     normals
 }
 
-/// The covector of a plane's affine function.
-fn plane_normal(plane: &Plane, rank: usize) -> [Number; 3] {
-    let unit = |k: Option<usize>| -> Vec<Number> {
-        (rank..3)
-            .map(|l| Number::from(Rational::from(u8::from(Some(l) == k))))
-            .collect()
-    };
-    let origin = plane.value(&unit(None));
-    std::array::from_fn(|k| match k < rank {
-        true => Number::zero(),
-        false => plane.value(&unit(Some(k))) - origin.clone(),
+/// The covector of a plane, which is about the last coordinates.
+fn covector(plane: &Plane, rank: usize) -> [Number; 3] {
+    std::array::from_fn(|k| match k.checked_sub(rank) {
+        Some(k) => plane.normal()[k].clone(),
+        None => Number::zero(),
     })
 }
 

@@ -7,6 +7,7 @@ use crate::local;
 use crate::model::Model;
 use crate::moves::{Freedom, Moves};
 use crate::rounding::Grid;
+use crate::tight::{self, LocalProof, NotLocal};
 use crate::value::value;
 use acutile_core::checker;
 use acutile_core::proved::{NotProved, Proved, prove};
@@ -134,6 +135,21 @@ pub fn optimize(tiling: &Tiling<3>, options: &Options, watch: Watch) -> Result<O
     }
     outcome.is_interrupted = is_interrupted;
     Ok(outcome)
+}
+
+/// Proves that a result is a strict local optimum among the tilings that a search with these options
+/// reaches. The prover alone says it; no certificate states it.
+///
+/// # Errors
+/// What is missing for a proof.
+pub fn prove_local(outcome: &Outcome, options: &Options) -> Result<LocalProof, NotLocal> {
+    let tiling = &outcome.tiling;
+    let matching = match_facets(tiling);
+    // The search had the same group.
+    let group = group(tiling, &matching, &options.keep).map_err(|_| NotLocal::NoAngle)?;
+    let moves = Moves::of(tiling, &matching, &group, options.freedom);
+    let extreme = value(outcome.proved.statements(), options.goal).ok_or(NotLocal::NoAngle)?;
+    tight::prove_local(tiling, &moves, &group, &extreme)
 }
 
 fn proved(tiling: &Tiling<3>, options: &Options) -> Result<Proved, NotProved> {
