@@ -109,6 +109,7 @@ pub fn run(arguments: &CertifyArguments, output: &mut Output) -> Outcome {
     let mut inputs: Vec<String> = Vec::new();
     let theorems = catalog::THEOREMS.iter().map(|theorem| theorem.name);
     let all = catalog::names()
+        .chain(catalog::large_names())
         .chain(catalog::family_names())
         .chain(theorems)
         .filter(|_| arguments.all)

@@ -67,13 +67,13 @@ pub fn proved(
     Proved::of_tiling(name, named.description, &named.tiling, limits, &step).map_err(refused)
 }
 
-/// What an appendix can say of it, with the place that the catalogue names; nothing for a region.
-pub fn subject(input: &str, proved: &Proved) -> Option<Subject> {
-    let subject = Subject::of_proved(proved)?;
-    Some(match catalog::find(input) {
+/// What an appendix can say of it, with the place that the catalogue names.
+pub fn subject(input: &str, proved: &Proved) -> Subject {
+    let subject = Subject::of_proved(proved);
+    match catalog::find(input) {
         Some(entry) => subject.from_source(entry.source),
         None => subject,
-    })
+    }
 }
 
 /// The input that would be replaced by what is written to `target`.
