@@ -41,6 +41,7 @@ mod progress;
 mod proved;
 mod quality;
 mod refutation;
+mod refuted_page;
 mod region;
 mod report;
 mod second;
