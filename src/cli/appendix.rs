@@ -35,6 +35,9 @@ pub struct AppendixArguments {
     /// Print decimals with the package siunitx
     #[arg(long)]
     pub siunitx: bool,
+    /// Set the text in two columns, with the long tables after it in one
+    #[arg(long)]
+    pub two_column: bool,
     #[command(flatten)]
     pub limits: LimitArguments,
 }
@@ -71,6 +74,7 @@ fn write(arguments: &AppendixArguments) -> Result<usize, Failure> {
     check_different(&subjects)?;
     let options = Options {
         siunitx: arguments.siunitx,
+        two_column: arguments.two_column,
     };
     let files = appendix::appendix(&subjects, &options);
     write_into(&arguments.output, &files, arguments.force)

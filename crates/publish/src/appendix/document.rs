@@ -2,8 +2,10 @@
 //! supplement with the long tables, the bibliography, and the certificates.
 
 use super::bibliography::{FORMATTED, REFERENCES};
+use super::names;
 use super::overview;
 use super::subject::Subject;
+use super::tex::escape;
 use super::{File, Options, Parts};
 use sha2::{Digest, Sha256};
 
@@ -13,9 +15,9 @@ const SOUNDNESS: &str = include_str!("soundness.tex");
 /// All files, in the order of their names.
 pub fn files(subjects: &[Subject], parts: Vec<Parts>, options: &Options) -> Vec<File> {
     let mut files = vec![
-        text("main.tex", main(options)),
+        text("main.tex", main(subjects, options)),
         text("supplement.tex", supplement(subjects, options)),
-        text("appendix.tex", fragment(subjects)),
+        text("appendix.tex", fragment(subjects, options)),
         text("acutile-macros.tex", MACROS.to_owned()),
         text("soundness.tex", SOUNDNESS.to_owned()),
         text("refs.bib", versioned(REFERENCES)),
@@ -29,10 +31,14 @@ pub fn files(subjects: &[Subject], parts: Vec<Parts>, options: &Options) -> Vec<
         versioned(&cited_only(&cited, subjects.len() > 1)),
     ));
     for (subject, part) in subjects.iter().zip(parts) {
-        files.push(text(
-            &format!("tiling-{}.tex", subject.slug()),
-            part.section,
-        ));
+        let (section, wide) = match options.two_column {
+            true => without_long_tables(&part.section),
+            false => (part.section, String::new()),
+        };
+        files.push(text(&format!("tiling-{}.tex", subject.slug()), section));
+        if options.two_column {
+            files.push(text(&format!("wide-{}.tex", subject.slug()), wide));
+        }
         files.push(text(&format!("tables-{}.tex", subject.slug()), part.tables));
         files.push(File {
             path: subject.certificate_path(),
@@ -102,43 +108,85 @@ pub fn is_unchanged(bytes: &[u8]) -> bool {
         .is_some_and(|(first, body)| first == stamp(body))
 }
 
-fn preamble(options: &Options) -> String {
+fn preamble(options: &Options, title: &str, subjects: &[Subject]) -> String {
     let siunitx = match options.siunitx {
         true => {
             "\\usepackage{siunitx}\n\\newcommand{\\acutiledecimal}[1]{\\ensuremath{\\num{#1}}}\n"
         }
         false => "",
     };
-    format!(
-        "\\documentclass[11pt]{{article}}\n\\usepackage[utf8]{{inputenc}}\n\\usepackage{{amsmath,amssymb,amsthm}}\n\
-         \\usepackage{{booktabs,longtable}}\n\\usepackage[a4paper,margin=25mm]{{geometry}}\n{siunitx}\
-         \\usepackage[hidelinks]{{hyperref}}\n\\setlength{{\\LTcapwidth}}{{.85\\textwidth}}\n\\emergencystretch=4em\n"
-    )
-}
-
-fn main(options: &Options) -> String {
-    format!(
-        "{}\\title{{{}}}\n\\author{{}}\n\\date{{}}\n\\begin{{document}}\n\\maketitle\n\
-         \\input{{appendix}}\n\\bibliographystyle{{plain}}\n\\bibliography{{refs}}\n\\end{{document}}\n",
-        preamble(options),
-        "Tilings proved in exact arithmetic",
-    )
-}
-
-/// What another document inputs; it needs amsmath, amssymb, amsthm, booktabs and longtable.
-fn fragment(subjects: &[Subject]) -> String {
-    let sections: String = subjects
+    let (class, margin) = if options.two_column {
+        ("twocolumn,10pt", "18mm")
+    } else {
+        ("11pt", "25mm")
+    };
+    let names: Vec<String> = subjects
         .iter()
-        .map(|subject| format!("\\input{{tiling-{}}}\n", subject.slug()))
+        .map(|subject| escape(&names::plain(&subject.name)))
         .collect();
+    let (subjects, version) = (names.join("; "), env!("CARGO_PKG_VERSION"));
+    format!(
+        "\\documentclass[{class}]{{article}}\n\\usepackage[utf8]{{inputenc}}\n\\usepackage{{amsmath,amssymb,amsthm}}\n\
+         \\usepackage{{booktabs,longtable,graphicx}}\n\\usepackage[a4paper,margin={margin}]{{geometry}}\n{siunitx}\
+         \\usepackage[hidelinks]{{hyperref}}\n\\hypersetup{{pdftitle={{{title}}},pdfsubject={{{subjects}}},pdfcreator={{acutile {version}}}}}\n\\setlength{{\\LTcapwidth}}{{.85\\textwidth}}\n\\emergencystretch=4em\n"
+    )
+}
+
+fn main(subjects: &[Subject], options: &Options) -> String {
+    let title = "Tilings proved in exact arithmetic";
+    let contents = if subjects.len() > 1 {
+        "\\tableofcontents\n"
+    } else {
+        ""
+    };
+    format!(
+        "{}\\title{{{title}}}\n\\author{{}}\n\\date{{}}\n\\begin{{document}}\n\\maketitle\n{contents}\
+         \\input{{appendix}}\n\\bibliographystyle{{plain}}\n\\bibliography{{refs}}\n\\end{{document}}\n",
+        preamble(options, title, subjects),
+    )
+}
+
+/// What another document inputs.
+fn fragment(subjects: &[Subject], options: &Options) -> String {
+    let input = |kind: &str| -> String {
+        subjects
+            .iter()
+            .map(|subject| format!("\\input{{{kind}-{}}}\n", subject.slug()))
+            .collect()
+    };
     let overview = match subjects.len() {
         1 => "",
         _ => "\\acutilesection{Overview}\n\\input{overview}\n",
     };
+    let (first, last) = match options.two_column {
+        true => (
+            String::new(),
+            format!("\\acutilewide\n{overview}{}", input("wide")),
+        ),
+        false => (overview.to_owned(), String::new()),
+    };
     format!(
-        "% Needs amsmath, amssymb, amsthm, booktabs, longtable; see acutile-macros.tex for what can be set.\n\
-         \\input{{acutile-macros}}\n{overview}{sections}\\input{{soundness}}\n"
+        "% Needs amsmath, amssymb, amsthm, booktabs, longtable, graphicx; see acutile-macros.tex for what can be set.\n\
+         \\input{{acutile-macros}}\n{first}{}\\input{{soundness}}\n{last}",
+        input("tiling")
     )
+}
+
+/// A section without its long tables, and these.
+fn without_long_tables(section: &str) -> (String, String) {
+    const END: &str = "\\end{longtable}}\n";
+    let (mut text, mut tables) = (String::new(), String::new());
+    let mut rest = section;
+    while let Some(start) = rest.find("{\\acutiletables\n% acutile:table") {
+        let end = rest[start..]
+            .find(END)
+            .map_or(rest.len(), |end| start + end + END.len());
+        text.push_str(&rest[..start]);
+        tables.push_str(&rest[start..end]);
+        rest = &rest[end..];
+    }
+    text.push_str(rest);
+    (text, tables)
 }
 
 fn supplement(subjects: &[Subject], options: &Options) -> String {
@@ -146,9 +194,13 @@ fn supplement(subjects: &[Subject], options: &Options) -> String {
         .iter()
         .map(|subject| format!("\\input{{tables-{}}}\n", subject.slug()))
         .collect();
+    let title = "Supplement: all vertices, tiles and facets";
+    let one_column = Options {
+        two_column: false,
+        ..*options
+    };
     format!(
-        "{}\\title{{{}}}\n\\author{{}}\n\\date{{}}\n\\begin{{document}}\n\\maketitle\n\\input{{acutile-macros}}\n\\small\n{sections}\\end{{document}}\n",
-        preamble(options),
-        "Supplement: all vertices, tiles and facets",
+        "{}\\title{{{title}}}\n\\author{{}}\n\\date{{}}\n\\begin{{document}}\n\\maketitle\n\\input{{acutile-macros}}\n\\small\n{sections}\\end{{document}}\n",
+        preamble(&one_column, title, subjects),
     )
 }

@@ -53,6 +53,8 @@ use subject::Analysis;
 pub struct Options {
     /// Decimals through the package siunitx.
     pub siunitx: bool,
+    /// The text in two columns, the long tables after it in one.
+    pub two_column: bool,
 }
 
 /// A file of the appendix.

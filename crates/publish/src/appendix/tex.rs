@@ -175,7 +175,7 @@ const SHORT: usize = 16;
 /// A centred table in the text, without a caption.
 pub fn tabular(mark: &str, columns: &str, heading: &str, rows: &[String]) -> String {
     format!(
-        "\\nopagebreak\n% acutile:table {mark}\n\\begin{{center}}\\acutiletables\\begin{{tabular}}{{{columns}}}\n\\toprule\n{heading} \\\\\n\\midrule\n{} \\\\\n\\bottomrule\n\\end{{tabular}}\\end{{center}}\n",
+        "\\nopagebreak\n% acutile:table {mark}\n\\begin{{center}}\\acutilefit{{\\acutiletables\\begin{{tabular}}{{{columns}}}\n\\toprule\n{heading} \\\\\n\\midrule\n{} \\\\\n\\bottomrule\n\\end{{tabular}}}}\\end{{center}}\n",
         rows.join(" \\\\\n")
     )
 }

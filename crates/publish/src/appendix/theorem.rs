@@ -224,7 +224,7 @@ fn gram<const D: usize>(analysis: &Analysis<D>) -> String {
         .map(|row| row.iter().map(|x| numerals.number(x)).collect())
         .collect();
     format!(
-        "% acutile:gram\n\\[ \\bigl(\\langle b_i,b_j\\rangle\\bigr)={}. \\]",
+        "% acutile:gram\n\\[ \\acutilefit{{$\\bigl(\\langle b_i,b_j\\rangle\\bigr)={}.$}} \\]",
         matrix(&rows)
     )
 }

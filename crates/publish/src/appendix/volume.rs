@@ -82,7 +82,7 @@ fn display_sum<'t>(terms: impl Iterator<Item = &'t str>, total: &str) -> String 
         letters += wide;
     }
     format!(
-        "\\[\\begin{{aligned}}\n&{}={total},\n\\end{{aligned}}\\]\n",
+        "\\[ \\acutilefit{{$\\begin{{aligned}}\n&{}={total},\n\\end{{aligned}}$}} \\]\n",
         lines.join("\\\\\n&")
     )
 }
