@@ -109,7 +109,7 @@ class Printed:
         head = next(line for line in self.lines if line.startswith("& image"))
         generators = [int(g) for g in re.findall(r"\\gamma_\{(\d+)\}\\cdot", head)]
         must([row[0] for row in rows] == [f"$\\gamma_{{{m}}}$" for m in range(len(rows))], "the isometries are not numbered in order")
-        maps = [self.triplet(math(row[1])) for row in rows]
+        maps = [self.triplet(math(row[1].replace('$ $', '\\,'))) for row in rows]
         products = {g: [int(row[2 + n]) for row in rows] for n, g in enumerate(generators)}
         images = [[int(x) for x in row[-1].split()] for row in rows] if "$P$" in head else None
         theorem = self.text[:self.text.index("\\end{acutiletheorem}")]
@@ -186,6 +186,15 @@ def floor(x):
     return low
 
 
+def sorted_ends(values):
+    """The least and the greatest."""
+    values = list(values)
+    low = high = values[0]
+    for x in values[1:]:
+        low, high = (x if (x - low).sign() < 0 else low), (x if (x - high).sign() > 0 else high)
+    return low, high
+
+
 def same_matrix(a, b):
     return all(x == y for row, other in zip(a, b) for x, y in zip(row, other))
 
@@ -205,6 +214,8 @@ class Referee:
         self.whole()
         self.powers()
         self.shapes()
+        if "the region that is their union" in p.text:
+            self.region()
         return f"{len(p.vertices)} vertices, {len(p.maps)} isometries, {len(p.tiles)} representatives, {len(self.all)} tiles"
 
     def symmetry(self):
@@ -399,11 +410,96 @@ class Referee:
         text = " ".join(p.lines[start + 2:end]).replace("\\\\", " ").replace("&", " ").replace("\\quad{}", " ")
         left, right = text.rstrip(" ,").split("=")
         must(number(p.k, right) == expected, "(V): another sum is printed")
+        if "\\sum" in left:
+            return
         terms = [term.split("\\cdot", 1) for term in re.split(r"(?:^|\+)\s*(?=\d+\\cdot)", left.strip())[1:]]
-        must(len(terms) == len(p.order), "(V): not one term for each representative")
-        for tile, (count, factor) in zip(p.order, terms):
-            must(int(count) == p.counts[tile][1], f"(V): the number of T{tile}")
-            must(number(p.k, factor) == p.det([p.point(c) for c in p.tiles[tile]]), f"(V): the determinant of T{tile}")
+        expected = Counter()
+        for tile in p.order:
+            expected[key(p.det([p.point(c) for c in p.tiles[tile]]))] += p.counts[tile][1]
+        must({key(number(p.k, factor)): int(count) for count, factor in terms} == expected and len(terms) == len(expected),
+             "(V): the terms are others than in the table")
+
+    def region(self):
+        """The list of boundary facets, (X) for all pairs by ranges or by the printed function, and (W)."""
+        p, facets, classes = self.p, [], []
+        for n, row in enumerate(p.table("boundary-facets")):
+            must(row[0] == f"$f_{{{n}}}$", "the boundary facets are not numbered in order")
+            tile, i = int(re.search(r"\d+", row[1]).group(0)), int(row[2])
+            corners = [tuple(corner(math(x), p.rank)) for x in row[3:3 + p.d]]
+            must(corners == [tuple(c) for k, c in enumerate(p.tiles[tile]) if k != i] and (tile, i) not in self.apex, f"f{n} is no boundary facet")
+            facets.append((tile, i, corners))
+            classes.append(int(re.search(r"\d+", row[3 + p.d]).group(0)))
+        must(facets and len({(t, i) for t, i, _ in facets}) == len(p.tiles) * (p.d + 1) - len(self.apex), "boundary facets are missing")
+        ridges = defaultdict(list)
+        for n, (_, _, corners) in enumerate(facets):
+            for left in range(p.d):
+                ridges[self.name(corners[:left] + corners[left + 1:])].append(n)
+        joined = list(range(len(facets)))
+        for pair in (pair for pair in ridges.values() if len(pair) == 2):
+            low, high = sorted(joined[n] for n in pair)
+            joined = [low if x == high else x for x in joined]
+        must(joined == classes, "the classes of boundary facets")
+        self.check_pairs(facets)
+        self.check_outside(facets, sorted(set(classes)))
+
+    def near(self, first, second):
+        """The lattice vectors that move the second points so that the ranges of all coordinates meet."""
+        p, found = self.p, [[]]
+        for k in range(p.d):
+            a, b = sorted_ends(x[k] for x in first), sorted_ends(x[k] for x in second)
+            low, high = a[0] - b[1], a[1] - b[0]
+            if k < p.rank:
+                found = [f + [s] for f in found for s in range(-floor(-low), floor(high) + 1)]
+            elif low.sign() > 0 or high.sign() < 0:
+                return []
+        return found
+
+    def check_pairs(self, facets):
+        p, printed = self.p, {}
+        if "They are too many to be printed" in p.text:
+            return
+        for row in p.table("pairs"):
+            i = int(re.search(r"\d+", row[0]).group(0))
+            j, by = re.fullmatch(r"\$f_\{(\d+)\}(?:\^\{(.*)\})?\$", row[1]).groups()
+            w = [number(p.k, x) for x in math(row[2])[1:-1].split(",\\,")]
+            printed[i, int(j), tuple(shift(by, p.rank))] = (w, number(p.k, math(row[3])))
+        moved = lambda c, by: (c[0], *[a + b for a, b in zip(c[1:], by)])
+        for i, (_, _, first) in enumerate(facets):
+            for j in range(i, len(facets)):
+                second = facets[j][2]
+                for by in self.near([p.point(c) for c in first], [p.point(c) for c in second]):
+                    if i == j and (not any(by) or next(x for x in by if x) < 0):
+                        continue
+                    must((i, j, tuple(by)) in printed, f"(X): f{i} and f{j} moved by {by} are not in the table")
+                    w, c = printed[i, j, tuple(by)]
+                    value = lambda x: sum((a * b for a, b in zip(w, p.point(x))), p.zero) - c
+                    must(all(value(x).sign() <= 0 for x in first), f"(X): f{i} and f{j}: w > c on the first")
+                    for x in (moved(x, by) for x in second):
+                        must(value(x).sign() == (0 if x in first else 1), f"(X): f{i} and f{j}: w on the second")
+
+    def check_outside(self, facets, bases):
+        p, rows = self.p, {}
+        for row in p.table("outside"):
+            base = int(re.search(r"\d+", row[0]).group(0))
+            tile, by = re.fullmatch(r"\$T_\{(\d+)\}(?:\^\{(.*)\})?\$", row[1]).groups()
+            rows[base, int(tile), tuple(shift(by, p.rank))] = (int(row[2]), math(row[3]))
+        for base in bases:
+            own, _, corners = facets[base]
+            points = [p.point(c) for c in corners]
+            centre = [sum((q[k] for q in points), p.zero) / p.d for k in range(p.d)]
+            stated = re.search(rf"\$m=\(([^$]*)\)\$ of \$f_\{{{base}\}}\$", p.text).group(1)
+            must([number(p.k, x) for x in stated.split(",\\,")] == centre, f"(W): the centre of f{base}")
+            for tile in p.order:
+                tile_points = [p.point(c) for c in p.tiles[tile]]
+                for by in self.near([centre], tile_points):
+                    if tile == own and not any(by):
+                        continue
+                    must((base, tile, tuple(by)) in rows, f"(W): T{tile} moved by {by} is not in the table for f{base}")
+                    k, text = rows[base, tile, tuple(by)]
+                    m = [x - (by[n] if n < p.rank else 0) for n, x in enumerate(centre)]
+                    beta = p.det(tile_points[:k] + [m] + tile_points[k + 1:]) / p.det(tile_points)
+                    check_justified(p.k, text, beta, f"(W): f{base} and T{tile}")
+                    must(beta.sign() < 0, f"(W): T{tile} may contain the centre of f{base}")
 
     def powers(self):
         """Delaunay: the power of d by the circumcentre, for every facet or the other side of it."""

@@ -10,6 +10,7 @@ use super::{File, Options, Parts};
 use sha2::{Digest, Sha256};
 
 const MACROS: &str = include_str!("macros.tex");
+const REGIONS: &str = include_str!("regions.tex");
 const SOUNDNESS: &str = include_str!("soundness.tex");
 
 /// All files, in the order of their names.
@@ -19,7 +20,7 @@ pub fn files(subjects: &[Subject], parts: Vec<Parts>, options: &Options) -> Vec<
         text("supplement.tex", supplement(subjects, options)),
         text("appendix.tex", fragment(subjects, options)),
         text("acutile-macros.tex", MACROS.to_owned()),
-        text("soundness.tex", SOUNDNESS.to_owned()),
+        text("soundness.tex", soundness(subjects)),
         text("refs.bib", versioned(REFERENCES)),
     ];
     let rows = parts.iter().filter_map(|part| part.row.clone()).collect();
@@ -51,6 +52,14 @@ pub fn files(subjects: &[Subject], parts: Vec<Parts>, options: &Options) -> Vec<
     }
     files.sort_by(|a, b| a.path.cmp(&b.path));
     files
+}
+
+/// The theorems on which the sections rest.
+fn soundness(subjects: &[Subject]) -> String {
+    match subjects.iter().any(Subject::is_region) {
+        true => format!("{SOUNDNESS}\n{REGIONS}"),
+        false => SOUNDNESS.to_owned(),
+    }
 }
 
 fn versioned(text: &str) -> String {
@@ -172,12 +181,18 @@ fn fragment(subjects: &[Subject], options: &Options) -> String {
     )
 }
 
+/// Where the next long table begins.
+fn next_table(text: &str) -> Option<usize> {
+    let begin = text.find("\\begin{longtable}")?;
+    text[..begin].rfind("{\\acutiletables")
+}
+
 /// A section without its long tables, and these.
 fn without_long_tables(section: &str) -> (String, String) {
     const END: &str = "\\end{longtable}}\n";
     let (mut text, mut tables) = (String::new(), String::new());
     let mut rest = section;
-    while let Some(start) = rest.find("{\\acutiletables\n% acutile:table") {
+    while let Some(start) = next_table(rest) {
         let end = rest[start..]
             .find(END)
             .map_or(rest.len(), |end| start + end + END.len());

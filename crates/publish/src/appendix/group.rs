@@ -2,7 +2,7 @@
 //! elements up to the lattice, and the checks that make it a group.
 
 use super::subject::Analysis;
-use super::tex::{Table, list};
+use super::tex::{Table, list, width};
 use acutile_core::classify::Isometry;
 use acutile_core::tiling::Polytope;
 use acutile_exact::number::Number;
@@ -74,19 +74,29 @@ pub fn group<const D: usize>(analysis: &Analysis<D>) -> String {
     )
 }
 
+/// Letters of an image that is not broken.
+const WIDE: usize = 60;
+
 fn table<const D: usize>(analysis: &Analysis<D>) -> String {
     let orbits = &analysis.orbits;
     let polytope = analysis.tiling.frame.domain.polytope();
+    let triplets: Vec<String> = orbits
+        .elements
+        .iter()
+        .map(|element| triplet(analysis, element))
+        .collect();
+    let is_wide = triplets.iter().any(|text| width(text) > WIDE);
     let row = |(number, element): (usize, &Isometry<D>)| {
         let products = orbits.products[number].iter();
         let products: String = products.map(|p| format!(" & {p}")).collect();
         let corners = polytope.map_or(String::new(), |p| {
             format!(" & {}", corner_images(element, p))
         });
-        format!(
-            "$\\gamma_{{{number}}}$ & ${}${products}{corners}",
-            triplet(analysis, element)
-        )
+        let image = match is_wide {
+            true => triplets[number].replace(",\\,", ",$ $"),
+            false => triplets[number].clone(),
+        };
+        format!("$\\gamma_{{{number}}}$ & ${image}${products}{corners}")
     };
     let heads: String = orbits
         .generators
@@ -99,7 +109,11 @@ fn table<const D: usize>(analysis: &Analysis<D>) -> String {
     };
     Table {
         mark: format!("group {}", analysis.subject.slug()),
-        columns: &format!("rl{}{column}", "r".repeat(orbits.generators.len())),
+        columns: &format!(
+            "r{}{}{column}",
+            if is_wide { "p{.6\\linewidth}" } else { "l" },
+            "r".repeat(orbits.generators.len())
+        ),
         caption: format!(
             "The isometries as images of ${}$, and the numbers of their products with the generators.",
             point(D)

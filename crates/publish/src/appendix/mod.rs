@@ -9,6 +9,7 @@
 //! | `names` | what people call a construction |
 //! | `orbits` | representatives of the tiles under a group |
 //! | `vertices`, `group`, `tiles`, `facets`, `boundary`, `volume` | a paragraph and a table for each hypothesis |
+//! | `region`, `separation` | the boundary of a region: facets that meet, and what is outside |
 //! | `classes` | congruence classes: edges, angles, and why they are acute |
 //! | `statements` | bounds, Delaunay, TCP |
 //! | `recheck` | the certificate's digest and command |
@@ -31,6 +32,8 @@ mod orbits;
 mod overview;
 mod rational;
 mod recheck;
+mod region;
+mod separation;
 mod statements;
 mod subject;
 mod surd;
@@ -114,6 +117,7 @@ fn section<const D: usize>(analysis: &Analysis<D>) -> String {
         tiles::tiles(analysis),
         facets::facets(analysis),
         boundary::boundary(analysis),
+        region::region(analysis),
         volume::volume(analysis),
         format!(
             "\\acutileparagraph{{Angles.}} {}",

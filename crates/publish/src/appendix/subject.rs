@@ -8,6 +8,7 @@ use crate::report::Proved;
 use acutile_core::classify::{Ridges, Symmetry};
 use acutile_core::quality::{Shape, shapes, squared_edges};
 use acutile_core::statement::Statement;
+use acutile_core::with_dimension;
 use acutile_core::tiling::{AnyTiling, Matching, Mate, SimplexId, Tiling, match_facets};
 use acutile_exact::geometry::{NormalProducts, linear};
 use acutile_exact::number::Number;
@@ -66,6 +67,11 @@ impl Subject {
     /// Where its JSON stands.
     pub(super) fn json_path(&self) -> String {
         format!("anc/{}.json", self.slug())
+    }
+
+    /// Whether it is a region, which is what its tiles cover.
+    pub(super) fn is_region(&self) -> bool {
+        with_dimension!(&self.tiling, AnyTiling, tiling => tiling.frame.domain.is_region())
     }
 
     pub(super) fn statements(&self) -> &[Statement] {

@@ -158,14 +158,35 @@ impl Table<'_> {
         } else {
             "\\\\\n"
         };
+        let size = size(heading, rows);
         let rows = rows.join(&format!(" {end}"));
         format!(
-            "{{\\acutiletables\n% acutile:table {mark}\n\\begin{{longtable}}{{{columns}}}\n\
+            "{{\\acutiletables{size}\n% acutile:table {mark}\n\\begin{{longtable}}{{{columns}}}\n\
              \\caption{{{caption}}}\\label{{{label}}}\\\\\n\
              \\toprule\n{heading} \\\\\n\\midrule\n\\endfirsthead\n\
              \\toprule\n{heading} \\\\\n\\midrule\n\\endhead\n\
              \\bottomrule\n\\endlastfoot\n{rows} \\\\\n\\end{{longtable}}}}\n"
         )
+    }
+}
+
+/// Smaller letters where the cells are too wide for a line.
+fn size(heading: &str, rows: &[String]) -> &'static str {
+    let mut widest: Vec<usize> = Vec::new();
+    for row in rows.iter().map(String::as_str).chain([heading]) {
+        for (column, cell) in row.split('&').enumerate() {
+            if widest.len() <= column {
+                widest.push(0);
+            }
+            if !cell.contains("multicolumn") {
+                widest[column] = widest[column].max(width(cell));
+            }
+        }
+    }
+    match widest.iter().map(|w| w + 2).sum::<usize>() {
+        0..=LINE => "",
+        letters if letters <= LINE * 5 / 4 => "\\acutilesmaller",
+        _ => "\\acutilesmallest",
     }
 }
 
