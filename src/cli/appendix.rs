@@ -113,9 +113,8 @@ fn check_different(subjects: &[Subject]) -> Result<(), Failure> {
 /// A construction of the catalogue, or a tiling file, proved; or a certificate.
 fn subject(input: &str, arguments: &AppendixArguments) -> Result<Subject, Failure> {
     let limits = arguments.limits.limits();
-    let proved = proved::proved(input, &arguments.file, &limits, &mut Output::standard())
-        .map_err(|error| (error.message, error.outcome))?;
-    Ok(proved::subject(input, &proved))
+    proved::subject_of(input, &arguments.file, &limits, &mut Output::standard())
+        .map_err(|error| (error.message, error.outcome))
 }
 
 fn write_into(directory: &Path, files: &[File], force: bool) -> Result<(), String> {

@@ -2,14 +2,18 @@
 //! else is a tiling, which is proved first. Nothing gets past here that the kernel does not confirm.
 
 use super::certify::in_words;
-use super::input::{self, FileArguments, TextOrMesh};
+use super::input::{self, FileArguments, Loaded, TextOrMesh};
 use super::named::InputError;
 use super::outcome::Outcome;
 use super::output::Output;
 use super::progress::Progress;
 use acutile_catalog as catalog;
 use acutile_core::checker;
-use acutile_core::proved;
+use acutile_core::checker::Options;
+use acutile_core::family::{
+    self, AnyFamily, FamilyNotProved, NotProvable, ProvedFamily, point_in_words,
+};
+use acutile_core::{format, proved, refusal, with_family};
 use acutile_core::with_dimension;
 use acutile_kernel::{Kind, Limits};
 use acutile_publish::appendix::Subject;
@@ -65,6 +69,117 @@ pub fn proved(
     let progress = Progress::of(input);
     let step = |step: &str| progress.step(step);
     Proved::of_tiling(name, named.description, &named.tiling, limits, &step).map_err(refused)
+}
+
+/// What an appendix says of an input: a construction of the catalogue, a file that is proved first, or
+/// a certificate. Families and theorems about all members of a family are taken, too.
+///
+/// # Errors
+/// A message that names the input.
+pub fn subject_of(
+    input: &str,
+    options: &FileArguments,
+    limits: &Limits,
+    output: &mut Output,
+) -> Result<Subject, InputError> {
+    if let Some(found) = family_subject(input, options, limits, output)? {
+        return Ok(found);
+    }
+    let proved = proved(input, options, limits, output)?;
+    Ok(subject(input, &proved))
+}
+
+/// The subject of a family; `None` where the input is something else.
+fn family_subject(
+    input: &str,
+    options: &FileArguments,
+    limits: &Limits,
+    output: &mut Output,
+) -> Result<Option<Subject>, InputError> {
+    let bytes = certificate(input, options)?;
+    let has_kind = |bytes: &&Vec<u8>, kind: &str| {
+        format::to_cbor(bytes).is_ok_and(|cbor| format::kind(&cbor) == Some(kind))
+    };
+    let refused = |message: String, outcome: Outcome| InputError {
+        message: format!("{input}: {message}"),
+        outcome,
+    };
+    if let Some(bytes) = bytes.as_ref().filter(|bytes| has_kind(bytes, format::FAMILY)) {
+        let (proved, family) = ProvedFamily::of_certificate(bytes, limits)
+            .map_err(|error| refused(error.to_string(), outcome(&error)))?;
+        let subject = Subject::of_family(stem(input), String::new(), &proved, family);
+        return Ok(Some(subject));
+    }
+    let is_family = catalog::find(input).is_some_and(|entry| entry.build_family().is_some());
+    if bytes.is_some() || !(is_family || is_text(input)) {
+        return Ok(None);
+    }
+    let Loaded::Family(named) = input::open(input, None, options, output)? else {
+        return Ok(None);
+    };
+    let progress = Progress::of(input);
+    let step = |step: &str| progress.step(step);
+    let settings = Options {
+        limits: limits.clone(),
+        ..Options::default()
+    };
+    let proved = with_family!(&named.family, f => family::prove(f, &settings, &step))
+        .map_err(|error| of_family(input, &named.family, error))?;
+    let (_, read) = ProvedFamily::of_certificate(proved.certificate(), limits)
+        .map_err(|error| refused(error.to_string(), outcome(&error)))?;
+    let name = if is_family { named.name } else { stem(input) };
+    let subject = Subject::of_family(name, named.description, &proved, read);
+    Ok(Some(match catalog::find(input) {
+        Some(entry) => subject.from_source(entry.source),
+        None => subject,
+    }))
+}
+
+/// The bytes of a certificate; `None` if the input is no file, or another one.
+fn certificate(input: &str, options: &FileArguments) -> Result<Option<Vec<u8>>, InputError> {
+    if catalog::find(input).is_some() || !Path::new(input).is_file() {
+        return Ok(None);
+    }
+    Ok(match input::text_or_mesh(Path::new(input), &options.mesh)? {
+        TextOrMesh::Certificate(bytes) => Some(bytes),
+        _ => None,
+    })
+}
+
+/// Whether a file is a document of JSON, in which parameters can be.
+fn is_text(input: &str) -> bool {
+    Path::new(input).extension().is_some_and(|e| e == "json") && Path::new(input).is_file()
+}
+
+/// Why a family has no appendix.
+fn of_family(input: &str, family: &AnyFamily, error: FamilyNotProved) -> InputError {
+    let names = with_family!(family, f => f.names());
+    let (message, outcome) = match error {
+        FamilyNotProved::Prover(NotProvable::Malformed(error)) => {
+            (error.to_string(), Outcome::Failed)
+        }
+        FamilyNotProved::Prover(NotProvable::Declined(reason)) => {
+            (reason.to_string(), Outcome::Declined)
+        }
+        FamilyNotProved::Prover(NotProvable::Refuted { point, .. }) => (
+            format!(
+                "refuted at {}; certify lists the defects",
+                point_in_words(&names, &point)
+            ),
+            Outcome::Refuted,
+        ),
+        FamilyNotProved::Unconfirmed(refusal) => (
+            format!(
+                "the kernel does not confirm the certificate: {}",
+                refusal::in_words(&refusal)
+            ),
+            Outcome::Declined,
+        ),
+    };
+    InputError {
+        message: format!("{input}: {message}"),
+        outcome,
+    }
 }
 
 /// What an appendix can say of it, with the place that the catalogue names.

@@ -10,6 +10,7 @@ use super::{File, Options, Parts};
 use sha2::{Digest, Sha256};
 
 const MACROS: &str = include_str!("macros.tex");
+const FAMILIES: &str = include_str!("families.tex");
 const REGIONS: &str = include_str!("regions.tex");
 const SOUNDNESS: &str = include_str!("soundness.tex");
 
@@ -56,10 +57,14 @@ pub fn files(subjects: &[Subject], parts: Vec<Parts>, options: &Options) -> Vec<
 
 /// The theorems on which the sections rest.
 fn soundness(subjects: &[Subject]) -> String {
-    match subjects.iter().any(Subject::is_region) {
-        true => format!("{SOUNDNESS}\n{REGIONS}"),
-        false => SOUNDNESS.to_owned(),
+    let mut text = SOUNDNESS.to_owned();
+    if subjects.iter().any(Subject::is_region) {
+        text += REGIONS;
     }
+    if subjects.iter().any(Subject::is_family) {
+        text += FAMILIES;
+    }
+    text
 }
 
 fn versioned(text: &str) -> String {

@@ -1,6 +1,7 @@
 //! The group of isometries under which the tiles are given by representatives: generators,
 //! elements up to the lattice, and the checks that make it a group.
 
+use super::polynomial::product;
 use super::subject::Analysis;
 use super::tex::{Table, list, width};
 use acutile_core::classify::Isometry;
@@ -150,7 +151,7 @@ pub fn triplet<const D: usize>(analysis: &Analysis<D>, element: &Isometry<D>) ->
         for (j, variable) in variables(D).iter().enumerate() {
             let entry = &element.linear[i][j];
             if !entry.is_zero() {
-                text.push_str(&term(&text, &numerals.slashed_factor(entry), variable));
+                text.push_str(&product(&text, &numerals.slashed_factor(entry), variable));
             }
         }
         let t = &element.translation[i];
@@ -162,19 +163,4 @@ pub fn triplet<const D: usize>(analysis: &Analysis<D>, element: &Isometry<D>) ->
         text
     };
     format!("({})", (0..D).map(line).collect::<Vec<_>>().join(",\\,"))
-}
-
-/// A coefficient in front of a variable; `(-1)` and `1` are signs.
-fn term(before: &str, coefficient: &str, variable: &str) -> String {
-    let negative = coefficient
-        .strip_prefix("(-")
-        .and_then(|rest| rest.strip_suffix(')'))
-        .filter(|size| !size[1..].contains(['+', '-', '/']));
-    let plus = if before.is_empty() { "" } else { "+" };
-    match (coefficient, negative) {
-        ("1", _) => format!("{plus}{variable}"),
-        (_, Some("1")) => format!("-{variable}"),
-        (_, Some(size)) => format!("-{size}{variable}"),
-        _ => format!("{plus}{coefficient}{variable}"),
-    }
 }

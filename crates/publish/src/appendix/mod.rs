@@ -12,6 +12,7 @@
 //! | `region`, `separation` | the boundary of a region: facets that meet, and what is outside |
 //! | `classes` | congruence classes: edges, angles, and why they are acute |
 //! | `statements` | bounds, Delaunay, TCP |
+//! | `family`, `conditions`, `polynomial` | families: polynomials and their signs |
 //! | `recheck` | the certificate's digest and command |
 //! | `overview` | the table in the form of the paper's Table 1 |
 //! | `bibliography`, `document` | references; the files |
@@ -22,14 +23,17 @@
 
 mod bibliography;
 mod boundary;
+mod conditions;
 mod classes;
 mod document;
 mod facets;
+mod family;
 mod group;
 mod names;
 mod numeral;
 mod orbits;
 mod overview;
+mod polynomial;
 mod rational;
 mod recheck;
 mod region;
@@ -47,9 +51,11 @@ pub use document::is_unchanged;
 pub use subject::Subject;
 pub use tex::slug;
 
-use acutile_core::with_dimension;
+use acutile_core::classify::stars;
+use acutile_core::tiling::AnyTiling;
+use acutile_core::with_family;
 use rayon::prelude::*;
-use subject::Analysis;
+use subject::{Analysis, Content};
 
 /// How the document is written.
 #[derive(Clone, Copy, Debug, Default)]
@@ -82,14 +88,27 @@ pub fn appendix(subjects: &[Subject], options: &Options) -> Vec<File> {
 }
 
 fn parts_of(subject: &Subject) -> Parts {
-    with_dimension!(&subject.tiling, AnyTiling, tiling => {
-        let analysis = Analysis::of(subject, tiling);
-        Parts {
-            section: section(&analysis),
-            tables: tables(&analysis),
-            row: overview::row(&analysis),
+    match &subject.content {
+        Content::Tiling(AnyTiling::Plane(tiling)) => {
+            parts_of_tiling(&Analysis::of(subject, tiling, Vec::new()))
         }
-    })
+        Content::Tiling(AnyTiling::Space(tiling)) => {
+            parts_of_tiling(&Analysis::of(subject, tiling, stars(tiling)))
+        }
+        Content::Family(family, tree) => Parts {
+            section: with_family!(family, f => family::section(subject, f, tree)),
+            tables: String::new(),
+            row: None,
+        },
+    }
+}
+
+fn parts_of_tiling<const D: usize>(analysis: &Analysis<D>) -> Parts {
+    Parts {
+        section: section(analysis),
+        tables: tables(analysis),
+        row: overview::row(analysis),
+    }
 }
 
 /// The section on a subject.

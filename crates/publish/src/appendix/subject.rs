@@ -5,8 +5,10 @@ use super::numeral::Numerals;
 use super::orbits::Orbits;
 use super::tex::{moved, slug};
 use crate::report::Proved;
-use acutile_core::classify::{Ridges, Symmetry};
+use acutile_core::classify::{Ridges, Star, Symmetry};
 use acutile_core::quality::{Shape, shapes, squared_edges};
+use acutile_core::family::{AnyFamily, ProvedFamily, Tree};
+use acutile_core::format::print;
 use acutile_core::statement::Statement;
 use acutile_core::with_dimension;
 use acutile_core::tiling::{AnyTiling, Matching, Mate, SimplexId, Tiling, match_facets};
@@ -28,7 +30,15 @@ pub struct Subject {
     pub(super) json: String,
     pub(super) sha256: String,
     statements: Vec<Statement>,
-    pub(super) tiling: AnyTiling,
+    pub(super) content: Content,
+}
+
+/// What a certificate is about.
+#[derive(Debug)]
+pub(super) enum Content {
+    Tiling(AnyTiling),
+    /// With the tree of its leaves.
+    Family(AnyFamily, Tree),
 }
 
 impl Subject {
@@ -42,7 +52,28 @@ impl Subject {
             json: proved.json().to_owned(),
             sha256: proved.sha256(),
             statements: proved.statements().to_vec(),
-            tiling: proved.tiling().clone(),
+            content: Content::Tiling(proved.tiling().clone()),
+        }
+    }
+
+    /// A confirmed certificate of a family.
+    pub fn of_family(
+        name: String,
+        description: String,
+        proved: &ProvedFamily,
+        family: AnyFamily,
+    ) -> Subject {
+        // The kernel has read the bytes.
+        let json = print::to_json(proved.certificate()).unwrap_or_default();
+        Subject {
+            name,
+            description,
+            source: None,
+            cbor: proved.certificate().to_vec(),
+            json: String::from_utf8(json).unwrap_or_default(),
+            sha256: proved.sha256(),
+            statements: proved.statements().to_vec(),
+            content: Content::Family(family, proved.tree().clone()),
         }
     }
 
@@ -71,7 +102,24 @@ impl Subject {
 
     /// Whether it is a region, which is what its tiles cover.
     pub(super) fn is_region(&self) -> bool {
-        with_dimension!(&self.tiling, AnyTiling, tiling => tiling.frame.domain.is_region())
+        match &self.content {
+            Content::Tiling(tiling) => {
+                with_dimension!(tiling, AnyTiling, t => t.frame.domain.is_region())
+            }
+            Content::Family(..) => false,
+        }
+    }
+
+    pub(super) fn is_family(&self) -> bool {
+        matches!(self.content, Content::Family(..))
+    }
+
+    /// Whether it is about tetrahedra.
+    pub(super) fn is_in_space(&self) -> bool {
+        matches!(
+            self.content,
+            Content::Tiling(AnyTiling::Space(_)) | Content::Family(AnyFamily::Space(_), _)
+        )
     }
 
     pub(super) fn statements(&self) -> &[Statement] {
@@ -83,6 +131,8 @@ impl Subject {
 pub(super) struct Analysis<'s, const D: usize> {
     pub subject: &'s Subject,
     pub tiling: &'s Tiling<D>,
+    /// The type of each vertex's star in space.
+    pub stars: Vec<Star>,
     pub numerals: Numerals,
     pub matching: Matching<D>,
     pub ridges: Ridges<D>,
@@ -98,7 +148,7 @@ pub(super) struct Analysis<'s, const D: usize> {
 }
 
 impl<'s, const D: usize> Analysis<'s, D> {
-    pub fn of(subject: &'s Subject, tiling: &'s Tiling<D>) -> Self {
+    pub fn of(subject: &'s Subject, tiling: &'s Tiling<D>, stars: Vec<Star>) -> Self {
         let matching = match_facets(tiling);
         let edges: Vec<Vec<Number>> = tiling
             .indices()
@@ -116,6 +166,7 @@ impl<'s, const D: usize> Analysis<'s, D> {
         Analysis {
             subject,
             tiling,
+            stars,
             numerals: Numerals::of(&tiling.frame.field),
             ridges: Ridges::of(tiling, &matching),
             shapes,
