@@ -7,12 +7,14 @@ use super::named::InputError;
 use super::outcome::Outcome;
 use super::output::Output;
 use super::progress::Progress;
+use super::theorem::is_theorem;
 use acutile_catalog as catalog;
 use acutile_core::checker;
 use acutile_core::checker::Options;
 use acutile_core::family::{
     self, AnyFamily, FamilyNotProved, NotProvable, ProvedFamily, point_in_words,
 };
+use acutile_core::patches::{self, Theorem};
 use acutile_core::{format, proved, refusal, with_family};
 use acutile_core::with_dimension;
 use acutile_kernel::{Kind, Limits};
@@ -82,11 +84,51 @@ pub fn subject_of(
     limits: &Limits,
     output: &mut Output,
 ) -> Result<Subject, InputError> {
+    if let Some(found) = system_subject(input, options, limits)? {
+        return Ok(found);
+    }
     if let Some(found) = family_subject(input, options, limits, output)? {
         return Ok(found);
     }
     let proved = proved(input, options, limits, output)?;
     Ok(subject(input, &proved))
+}
+
+/// The subject of a system of patches; `None` where the input is something else.
+fn system_subject(
+    input: &str,
+    options: &FileArguments,
+    limits: &Limits,
+) -> Result<Option<Subject>, InputError> {
+    let failed = |message: String| InputError {
+        message: format!("{input}: {message}"),
+        outcome: Outcome::Failed,
+    };
+    let refused = |error: proved::NotProved| InputError {
+        message: format!("{input}: {error}"),
+        outcome: outcome(&error),
+    };
+    let (name, description, bytes) = match catalog::theorem(input) {
+        Some(entry) => {
+            let system = (entry.system)().map_err(|error| failed(error.to_string()))?;
+            let theorem = patches::prove(&system, limits).map_err(refused)?;
+            let bytes = theorem.certificate().to_vec();
+            (input.to_owned(), entry.description.to_owned(), bytes)
+        }
+        None => match certificate(input, options)? {
+            Some(bytes) => (stem(input), String::new(), bytes),
+            None => return Ok(None),
+        },
+    };
+    let cbor = match format::to_cbor(&bytes) {
+        Ok(cbor) if is_theorem(&cbor) => cbor,
+        _ => return Ok(None),
+    };
+    let read = format::patches::certificate(&cbor).map_err(|error| failed(error.to_string()))?;
+    let words = patches::in_words(&read.claim).map_err(|error| failed(error.to_string()))?;
+    let (theorem, system) = Theorem::of_certificate(&cbor, limits).map_err(refused)?;
+    let subject = Subject::of_system(name, description, &theorem, system, words);
+    Ok(Some(subject))
 }
 
 /// The subject of a family; `None` where the input is something else.

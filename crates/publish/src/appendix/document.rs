@@ -11,26 +11,28 @@ use sha2::{Digest, Sha256};
 
 const MACROS: &str = include_str!("macros.tex");
 const FAMILIES: &str = include_str!("families.tex");
+const PATCHES: &str = include_str!("patches.tex");
 const REGIONS: &str = include_str!("regions.tex");
 const SOUNDNESS: &str = include_str!("soundness.tex");
 
 /// All files, in the order of their names.
 pub fn files(subjects: &[Subject], parts: Vec<Parts>, options: &Options) -> Vec<File> {
+    let rows: Vec<String> = parts.iter().filter_map(|part| part.row.clone()).collect();
+    let has_overview = rows.len() > 1;
     let mut files = vec![
         text("main.tex", main(subjects, options)),
         text("supplement.tex", supplement(subjects, options)),
-        text("appendix.tex", fragment(subjects, options)),
+        text("appendix.tex", fragment(subjects, has_overview, options)),
         text("acutile-macros.tex", MACROS.to_owned()),
         text("soundness.tex", soundness(subjects)),
         text("refs.bib", versioned(REFERENCES)),
     ];
-    let rows = parts.iter().filter_map(|part| part.row.clone()).collect();
     files.push(text("overview.tex", overview::table(rows, subjects)));
     let sections = parts.iter().map(|part| part.section.as_str());
     let cited: Vec<&str> = sections.chain([SOUNDNESS]).collect();
     files.push(text(
         "main.bbl",
-        versioned(&cited_only(&cited, subjects.len() > 1)),
+        versioned(&cited_only(&cited, has_overview)),
     ));
     for (subject, part) in subjects.iter().zip(parts) {
         let (section, wide) = match options.two_column {
@@ -63,6 +65,9 @@ fn soundness(subjects: &[Subject]) -> String {
     }
     if subjects.iter().any(Subject::is_family) {
         text += FAMILIES;
+    }
+    if subjects.iter().any(Subject::is_system) {
+        text += PATCHES;
     }
     text
 }
@@ -141,7 +146,7 @@ fn preamble(options: &Options, title: &str, subjects: &[Subject]) -> String {
     let (subjects, version) = (names.join("; "), env!("CARGO_PKG_VERSION"));
     format!(
         "\\documentclass[{class}]{{article}}\n\\usepackage[utf8]{{inputenc}}\n\\usepackage{{amsmath,amssymb,amsthm}}\n\
-         \\usepackage{{booktabs,longtable,graphicx}}\n\\usepackage[a4paper,margin={margin}]{{geometry}}\n{siunitx}\
+         \\usepackage{{booktabs,longtable,graphicx,tikz}}\n\\usepackage[a4paper,margin={margin}]{{geometry}}\n{siunitx}\
          \\usepackage[hidelinks]{{hyperref}}\n\\hypersetup{{pdftitle={{{title}}},pdfsubject={{{subjects}}},pdfcreator={{acutile {version}}}}}\n\\setlength{{\\LTcapwidth}}{{.85\\textwidth}}\n\\emergencystretch=4em\n"
     )
 }
@@ -161,16 +166,16 @@ fn main(subjects: &[Subject], options: &Options) -> String {
 }
 
 /// What another document inputs.
-fn fragment(subjects: &[Subject], options: &Options) -> String {
+fn fragment(subjects: &[Subject], has_overview: bool, options: &Options) -> String {
     let input = |kind: &str| -> String {
         subjects
             .iter()
             .map(|subject| format!("\\input{{{kind}-{}}}\n", subject.slug()))
             .collect()
     };
-    let overview = match subjects.len() {
-        1 => "",
-        _ => "\\acutilesection{Overview}\n\\input{overview}\n",
+    let overview = match has_overview {
+        false => "",
+        true => "\\acutilesection{Overview}\n\\input{overview}\n",
     };
     let (first, last) = match options.two_column {
         true => (
@@ -180,7 +185,7 @@ fn fragment(subjects: &[Subject], options: &Options) -> String {
         false => (overview.to_owned(), String::new()),
     };
     format!(
-        "% Needs amsmath, amssymb, amsthm, booktabs, longtable, graphicx; see acutile-macros.tex for what can be set.\n\
+        "% Needs amsmath, amssymb, amsthm, booktabs, longtable, graphicx, for systems of patches tikz; see acutile-macros.tex for what can be set.\n\
          \\input{{acutile-macros}}\n{first}{}\\input{{soundness}}\n{last}",
         input("tiling")
     )

@@ -13,6 +13,7 @@
 //! | `classes` | congruence classes: edges, angles, and why they are acute |
 //! | `statements` | bounds, Delaunay, TCP |
 //! | `family`, `conditions`, `polynomial` | families: polynomials and their signs |
+//! | `patches` | systems of patches, with pictures of the pieces |
 //! | `recheck` | the certificate's digest and command |
 //! | `overview` | the table in the form of the paper's Table 1 |
 //! | `bibliography`, `document` | references; the files |
@@ -33,6 +34,7 @@ mod names;
 mod numeral;
 mod orbits;
 mod overview;
+mod patches;
 mod polynomial;
 mod rational;
 mod recheck;
@@ -97,6 +99,11 @@ fn parts_of(subject: &Subject) -> Parts {
         }
         Content::Family(family, tree) => Parts {
             section: with_family!(family, f => family::section(subject, f, tree)),
+            tables: String::new(),
+            row: None,
+        },
+        Content::Patches(system, words) => Parts {
+            section: patches::section(subject, system, words),
             tables: String::new(),
             row: None,
         },

@@ -9,6 +9,8 @@ use acutile_core::classify::{Ridges, Star, Symmetry};
 use acutile_core::quality::{Shape, shapes, squared_edges};
 use acutile_core::family::{AnyFamily, ProvedFamily, Tree};
 use acutile_core::format::print;
+use acutile_core::patches::{System, Theorem};
+use acutile_core::proved::hexadecimal;
 use acutile_core::statement::Statement;
 use acutile_core::with_dimension;
 use acutile_core::tiling::{AnyTiling, Matching, Mate, SimplexId, Tiling, match_facets};
@@ -39,6 +41,8 @@ pub(super) enum Content {
     Tiling(AnyTiling),
     /// With the tree of its leaves.
     Family(AnyFamily, Tree),
+    /// With the claim in words.
+    Patches(Box<System>, String),
 }
 
 impl Subject {
@@ -77,6 +81,27 @@ impl Subject {
         }
     }
 
+    /// A theorem about all tilings that a system of patches builds. `words` is its claim.
+    pub fn of_system(
+        name: String,
+        description: String,
+        theorem: &Theorem,
+        system: System,
+        words: String,
+    ) -> Subject {
+        let json = print::to_json(theorem.certificate()).unwrap_or_default();
+        Subject {
+            name,
+            description,
+            source: None,
+            cbor: theorem.certificate().to_vec(),
+            json: String::from_utf8(json).unwrap_or_default(),
+            sha256: hexadecimal(&theorem.verified().sha256),
+            statements: theorem.statements().to_vec(),
+            content: Content::Patches(Box::new(system), words),
+        }
+    }
+
     /// The same subject with a source.
     pub fn from_source(self, source: &'static str) -> Subject {
         Subject {
@@ -106,7 +131,7 @@ impl Subject {
             Content::Tiling(tiling) => {
                 with_dimension!(tiling, AnyTiling, t => t.frame.domain.is_region())
             }
-            Content::Family(..) => false,
+            Content::Family(..) | Content::Patches(..) => false,
         }
     }
 
@@ -114,11 +139,15 @@ impl Subject {
         matches!(self.content, Content::Family(..))
     }
 
+    pub(super) fn is_system(&self) -> bool {
+        matches!(self.content, Content::Patches(..))
+    }
+
     /// Whether it is about tetrahedra.
     pub(super) fn is_in_space(&self) -> bool {
         matches!(
             self.content,
-            Content::Tiling(AnyTiling::Space(_)) | Content::Family(AnyFamily::Space(_), _)
+            Content::Tiling(AnyTiling::Space(_)) | Content::Family(AnyFamily::Space(_), _) | Content::Patches(..)
         )
     }
 

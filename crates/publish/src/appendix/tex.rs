@@ -16,6 +16,10 @@ pub fn escape(text: &str) -> String {
             '#' | '$' | '%' | '&' | '_' | '{' | '}' => escaped.extend(['\\', c]),
             'σ' => escaped.push_str("$\\sigma$"),
             'μ' | 'µ' => escaped.push_str("$\\mu$"),
+            '²' => escaped.push_str("$^2$"),
+            '√' => escaped.push_str("$\\surd$"),
+            '≥' => escaped.push_str("$\\ge$"),
+            '≤' => escaped.push_str("$\\le$"),
             'ε' => escaped.push_str("$\\varepsilon$"),
             'À'..='Ö' | 'Ø'..='ö' | 'ø'..='ÿ' if !matches!(c, 'Ð' | 'Þ' | 'ð' | 'þ') => {
                 escaped.push(c);
