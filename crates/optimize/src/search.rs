@@ -69,7 +69,7 @@ pub type Watch<'a> = &'a mut dyn FnMut(f64) -> bool;
 /// Tilings with more simplices are searched without their symmetries.
 const SYMMETRIC: usize = 20_000;
 /// Searches with more parameters move one star after the other.
-const LARGE: usize = 1_000;
+const LARGE: usize = 400;
 /// A typical edge has so many steps of the grid.
 const FINE: f64 = 1e6;
 /// No denominator is much larger.

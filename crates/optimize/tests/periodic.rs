@@ -2,7 +2,9 @@
 
 use acutile_core::tiling::{AnyTiling, Tiling};
 use acutile_exact::number::Number;
-use acutile_optimize::{Extreme, Goal, Keep, NotLocal, Options, Outcome, optimize, prove_local, value};
+use acutile_optimize::{
+    Extreme, Goal, Keep, NotLocal, Options, Outcome, optimize, prove_local, value,
+};
 use malachite::Rational;
 
 pub fn catalogue(name: &str) -> Tiling<3> {
