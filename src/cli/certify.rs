@@ -177,6 +177,11 @@ fn prove(
         Err(error) => return Answer::Failed(error.message),
     };
     notes.append(&mut named.notes);
+    if let Some(note) = with_dimension!(&named.tiling, AnyTiling, t => second::note_on_boundary(t))
+    {
+        output.complain(format!("{input}: {note}"));
+        notes.push(note);
+    }
     if arguments.reorient {
         let mended = with_dimension!(&mut named.tiling, AnyTiling, t => t.orient());
         if let Some(origin) = &mut named.origin {
@@ -302,7 +307,7 @@ fn theorem_answer(
     }
 }
 
-fn in_words<const D: usize>(tiling: &Tiling<D>, defect: &Defect) -> String {
+pub(super) fn in_words<const D: usize>(tiling: &Tiling<D>, defect: &Defect) -> String {
     checker::describe::<D>(&Names::of(tiling), defect)
 }
 
@@ -327,7 +332,23 @@ fn examine_tiling<const D: usize>(
     let proof = checker::examine(tiling, options, &|step| progress.step(step))?;
     let claim = transcribe::claim(proof.parts(tiling));
     let statements = proof.statements.iter();
-    let words: Vec<String> = statements.map(|s| statement_in_words(s, D)).collect();
+    let boundary = tiling.frame.domain.is_region().then(|| {
+        let (kind, facets) = (
+            (tiling.frame.rank() > 0),
+            if D == 2 { "edges" } else { "triangles" },
+        );
+        let kind = if kind {
+            "a periodic region"
+        } else {
+            "a bounded region"
+        };
+        format!(
+            "{kind} with a boundary of {} {facets}",
+            proof.boundary_facets()
+        )
+    });
+    let words = statements.map(|s| statement_in_words(s, D));
+    let words: Vec<String> = boundary.into_iter().chain(words).collect();
     Ok(Answer::Examined(Box::new(Examined {
         vertices: tiling.vertices.len(),
         simplices: tiling.len(),

@@ -40,6 +40,7 @@ mod points;
 mod progress;
 mod proved;
 mod quality;
+mod records;
 mod refutation;
 mod region;
 mod report;
@@ -76,6 +77,7 @@ pub fn main() -> ExitCode {
         Command::Paper(paper) => paper::run(&paper, &mut output),
         Command::LowerBound(bound) => lower_bound::run(&bound, &mut output),
         Command::Optimize(optimize) => optimize::run(&optimize, &mut output),
+        Command::Records(records) => records::run(&records, &mut output),
         Command::Quality(quality) => quality::run(&quality, &mut output),
         Command::Gallery(gallery) => gallery::run(&gallery, &mut output),
         Command::Report(report) => report::run(&report, &mut output),
