@@ -4,7 +4,7 @@ use super::encoding::Encoding;
 use super::input::{self, FileArguments};
 use super::interrupt;
 use super::limits::LimitArguments;
-use super::named::InputError;
+use super::named::{InputError, Named};
 use super::outcome::Outcome;
 use super::output::{Output, write_file};
 use super::progress::Progress;
@@ -35,6 +35,9 @@ pub struct OptimizeArguments {
     pub param: Option<String>,
     #[command(flatten)]
     pub file: FileArguments,
+    /// Give negatively oriented simplices positive orientation first
+    #[arg(long)]
+    pub reorient: bool,
     /// What to improve
     #[arg(long, value_enum, default_value = "max-dihedral")]
     pub goal: GoalName,
@@ -155,9 +158,13 @@ fn verdict(outcome: Outcome) -> &'static str {
 fn answer(arguments: &OptimizeArguments, output: &mut Output) -> Result<Outcome, InputError> {
     let input = &arguments.input;
     let named = input::tiling(input, arguments.param.as_deref(), &arguments.file, output)?;
-    let AnyTiling::Space(tiling) = named.tiling else {
+    check_mesh(&named)?;
+    let AnyTiling::Space(mut tiling) = named.tiling else {
         return Err(format!("{input}: found a tiling of the plane, expected one of space").into());
     };
+    if arguments.reorient {
+        tiling.orient();
+    }
     let keep = match &arguments.symmetry {
         SymmetryName::List => return Ok(list(&tiling, output)),
         SymmetryName::Keep(keep) => keep.clone(),
@@ -202,6 +209,17 @@ fn answer(arguments: &OptimizeArguments, output: &mut Output) -> Result<Outcome,
         true => Outcome::Done,
         false => Outcome::Declined,
     })
+}
+
+/// Meshes whose proof would be about something else.
+fn check_mesh(named: &Named) -> Result<(), InputError> {
+    match named.curved.len() {
+        0 => proof::check_sides(&named.name, named),
+        curved => {
+            let name = &named.name;
+            Err(format!("{name}: found {curved} curved tetrahedra, expected straight ones").into())
+        }
+    }
 }
 
 /// The search, with a line for the current value; Ctrl-C ends it with the best so far.

@@ -3,7 +3,7 @@
 
 use super::certify::in_words;
 use super::input::{self, FileArguments, TextOrMesh};
-use super::named::InputError;
+use super::named::{InputError, Named};
 use super::outcome::Outcome;
 use super::output::Output;
 use super::progress::Progress;
@@ -41,8 +41,23 @@ pub fn proved(
             other => input::of_content(input, other, options, output)?,
         },
     };
-    if let Some(near) = named.sides.near {
-        let defect = checker::Defect::NearMates(near);
+    check_sides(input, &named)?;
+    let name = match catalog::find(input) {
+        Some(_) => named.name,
+        None => stem(input),
+    };
+    let progress = Progress::of(input);
+    let step = |step: &str| progress.step(step);
+    Proved::of_tiling(name, named.description, &named.tiling, limits, &step).map_err(refused)
+}
+
+/// A periodic mesh whose sides do not match is no tiling.
+///
+/// # Errors
+/// A message that names the input.
+pub fn check_sides(input: &str, named: &Named) -> Result<(), InputError> {
+    if let Some(near) = &named.sides.near {
+        let defect = checker::Defect::NearMates(near.clone());
         let words = with_dimension!(&named.tiling, AnyTiling, t => in_words(t, &defect));
         return Err(InputError {
             message: format!("{input}: {words}"),
@@ -58,13 +73,7 @@ pub fn proved(
             outcome: Outcome::Refuted,
         });
     }
-    let name = match catalog::find(input) {
-        Some(_) => named.name,
-        None => stem(input),
-    };
-    let progress = Progress::of(input);
-    let step = |step: &str| progress.step(step);
-    Proved::of_tiling(name, named.description, &named.tiling, limits, &step).map_err(refused)
+    Ok(())
 }
 
 /// What an appendix can say of it, with the place that the catalogue names.

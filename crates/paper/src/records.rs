@@ -313,18 +313,20 @@ fn in_latex(cell: &str) -> String {
         .replace('…', "\\dots")
 }
 
-/// A `table` element.
+/// A page with a table.
 pub fn html(records: &[Record]) -> String {
     let line = |tag: &str, cells: &[String]| {
         let cell = |cell: &String| format!("<{tag}>{}</{tag}>", in_html(cell));
         format!("<tr>{}</tr>\n", cells.iter().map(cell).collect::<String>())
     };
-    let mut text = String::from("<table>\n");
+    let mut text = String::from(
+        "<!doctype html>\n<html lang=\"en\">\n<meta charset=\"utf-8\">\n<title>Records</title>\n<table>\n",
+    );
     text.push_str(&line("th", &HEADINGS.map(str::to_owned)));
     for record in records {
         text.push_str(&line("td", &cells(record, str::to_owned)));
     }
-    text.push_str("</table>\n");
+    text.push_str("</table>\n</html>\n");
     text
 }
 
