@@ -17,6 +17,7 @@ use super::paper::PaperArguments;
 use super::quality::QualityArguments;
 use super::records::RecordsArguments;
 use super::report::ReportArguments;
+use super::search::SearchArguments;
 use super::show::ShowArguments;
 use super::table::TableArguments;
 use super::verify::VerifyArguments;
@@ -103,6 +104,11 @@ pub enum Command {
     /// decided in it.
     #[command(after_long_help = examples!("\n  acutile records\n  acutile records --format latex -o records.tex"))]
     Records(RecordsArguments),
+    /// Search for acute slabs over plane tilings, or for polyhedra in the 600-cell
+    ///
+    /// Says what was tried. The exit code is 3 when no acute slab is found.
+    #[command(after_long_help = examples!("\n  acutile search slab\n  acutile search balls"))]
+    Search(SearchArguments),
     /// How good the simplices are: dihedral angles, radius-edge and aspect ratios
     #[command(after_long_help = examples!("\n  acutile quality part.vtu\n  acutile quality part.vtu --format svg -o angles.svg"))]
     Quality(QualityArguments),

@@ -44,6 +44,7 @@ mod records;
 mod refutation;
 mod region;
 mod report;
+mod search;
 mod second;
 mod show;
 mod sites;
@@ -78,6 +79,7 @@ pub fn main() -> ExitCode {
         Command::LowerBound(bound) => lower_bound::run(&bound, &mut output),
         Command::Optimize(optimize) => optimize::run(&optimize, &mut output),
         Command::Records(records) => records::run(&records, &mut output),
+        Command::Search(search) => search::run(&search, &mut output),
         Command::Quality(quality) => quality::run(&quality, &mut output),
         Command::Gallery(gallery) => gallery::run(&gallery, &mut output),
         Command::Report(report) => report::run(&report, &mut output),

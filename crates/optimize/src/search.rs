@@ -74,6 +74,8 @@ const LARGE: usize = 400;
 const FINE: f64 = 1e6;
 /// No denominator is much larger.
 const LARGEST: u64 = 1 << 50;
+/// So many of the best ends are proved: rounding may change their order.
+const PROVED: usize = 3;
 /// Random starts are about so many edges away.
 const JITTER: f64 = 0.02;
 
@@ -193,10 +195,9 @@ fn candidates(
         };
         return vec![rounded.into_iter().enumerate().map(number).collect()];
     }
-    let everything = model.everything();
-    let enough = options.goal.enough();
     let mut random = Random(options.seed);
-    let mut ends = Vec::new();
+    let mut ends: Vec<Vec<Number>> = Vec::new();
+    let mut least = f64::INFINITY;
     for round in 0..=options.restarts {
         let mut parameters = start.clone();
         if round > 0 {
@@ -204,19 +205,35 @@ fn candidates(
                 *x += JITTER * scale * random.next();
             }
         }
-        let end = descend(
-            model,
-            &everything,
-            &mut parameters,
-            enough,
-            options.steps,
-            watch,
-        );
-        if end.is_some() {
-            ends.push(grid.numbers(&grid.improved(model, &parameters, watch)));
+        if let Some(value) = end(model, grid, &mut parameters, options, watch)
+            && value < least
+        {
+            least = value;
+            ends.push(grid.numbers(&grid.nearest(&parameters)));
+        }
+        if !watch(least) {
+            break;
         }
     }
+    // The last ones are the best ones.
+    ends.drain(..ends.len().saturating_sub(PROVED));
     ends
+}
+
+/// Searches from one place. The parameters become a point of the grid; its worst value.
+fn end(
+    model: &Model,
+    grid: &Grid,
+    parameters: &mut Vec<f64>,
+    options: &Options,
+    watch: Watch,
+) -> Option<f64> {
+    let everything = model.everything();
+    let enough = options.goal.enough();
+    descend(model, &everything, parameters, enough, options.steps, watch)?;
+    let numbers = grid.numbers(&grid.improved(model, parameters, watch));
+    *parameters = numbers.iter().map(Number::approximate).collect();
+    model.worst(&everything, parameters)
 }
 
 /// The denominators: a typical edge has [`FINE`] steps, and those of a mesh are powers of two.
@@ -249,10 +266,11 @@ fn is_better(proof: &Proved, other: &Proved, goal: Goal) -> bool {
 }
 
 /// Doubles between -1 and 1, by the generator splitmix64 (Steele, Lea, Flood 2014).
-struct Random(u64);
+pub struct Random(pub u64);
 
 impl Random {
-    fn next(&mut self) -> f64 {
+    /// The next number.
+    pub fn next(&mut self) -> f64 {
         self.0 = self.0.wrapping_add(0x9e37_79b9_7f4a_7c15);
         let mut z = self.0;
         z = (z ^ z >> 30).wrapping_mul(0xbf58_476d_1ce4_e5b9);
