@@ -31,7 +31,8 @@ impl Rest {
     }
 }
 
-/// One removed set of each class, with the number of sets in the class that contain vertex 0.
+/// One removed set of each class, with the number of sets in the class: connected sets with vertex 0 and at
+/// most `size` vertices, then one of each of their classes with all neighbours.
 pub fn rests(size: usize) -> BTreeMap<Rest, (Vec<usize>, usize)> {
     let cells = cell600::cells();
     let neighbours = neighbours(&cells);

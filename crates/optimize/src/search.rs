@@ -68,8 +68,9 @@ pub type Watch<'a> = &'a mut dyn FnMut(f64) -> bool;
 
 /// Tilings with more simplices are searched without their symmetries.
 const SYMMETRIC: usize = 20_000;
-/// Searches with more parameters move one star after the other.
-const LARGE: usize = 400;
+/// Searches with more parameters move one star after the other: of a region, whose lattice stays anyway, and
+/// of another domain.
+const LARGE: (usize, usize) = (400, 1_200);
 /// A typical edge has so many steps of the grid.
 const FINE: f64 = 1e6;
 /// No denominator is much larger.
@@ -108,6 +109,7 @@ pub fn optimize(tiling: &Tiling<3>, options: &Options, watch: Watch) -> Result<O
     let moves = Moves::of(tiling, &matching, &group, options.freedom);
     let model = Model::new(tiling, &moves, &group.representatives(tiling), options.goal);
     let grid = grid(tiling, &model, options.denominator);
+    let is_region = tiling.frame.domain.is_region();
     let mut is_interrupted = false;
     let mut shown = |value: f64| {
         let goes_on = watch(options.goal.shown(value));
@@ -124,7 +126,7 @@ pub fn optimize(tiling: &Tiling<3>, options: &Options, watch: Watch) -> Result<O
         symmetries: group.elements.len(),
         is_interrupted: false,
     };
-    for numbers in candidates(&model, &moves, &grid, options, &mut shown) {
+    for numbers in candidates(&model, &moves, &grid, is_region, options, &mut shown) {
         let found = moves.tiling(tiling, &numbers);
         // A candidate that is no tiling is not better.
         if let Ok(proof) = proved(&found, options)
@@ -175,6 +177,7 @@ fn candidates(
     model: &Model,
     moves: &Moves,
     grid: &Grid,
+    is_region: bool,
     options: &Options,
     watch: Watch,
 ) -> Vec<Vec<Number>> {
@@ -182,7 +185,11 @@ fn candidates(
     if moves.is_empty() {
         return Vec::new();
     }
-    if moves.len() > LARGE {
+    let large = match is_region {
+        true => LARGE.0,
+        false => LARGE.1,
+    };
+    if moves.len() > large {
         let parameters = local::improve(model, &start, options.steps, watch);
         let rounded = grid.numbers(&grid.nearest(&parameters));
         let is_moved = |k: usize| parameters[k] != start[k];

@@ -120,12 +120,10 @@ impl Candidate {
         let count = 2 + below(layers as i64 - 1) as usize;
         let mut height = 0;
         let mut list = vec![(below(3) as usize, 0)];
-        for _ in 0..count {
-            // Some layers share a height; others are up to two thirds of an edge apart.
-            if below(5) > 0 {
-                height += below(4 * PARTS + 1);
-            }
-            list.push((below(3) as usize, height));
+        for k in 0..count {
+            // Layers are up to two thirds of an edge apart, and neighbours differ in class.
+            height += below(4 * PARTS + 1);
+            list.push(((list[k].0 + 1 + below(2) as usize) % 3, height));
         }
         let in_middle = below(2) == 0;
         let middle = match in_middle {
