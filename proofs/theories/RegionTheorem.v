@@ -244,5 +244,166 @@ Proof.
   - apply latb_zero.
   - unfold Degree.paired; cbn [fst snd]. unfold Soundness.cM. rewrite H1, H3. congruence.
 Qed.
+
+(** ** 3. In Euclidean space *)
+Section Basis.
+Variables l1 l2 l3 : point.
+Hypothesis HG : has_gram (dgram A phi c) l1 l2 l3.
+Let b1 := scale (/ h) l1.
+Let b2 := scale (/ h) l2.
+Let b3 := scale (/ h) l3.
+Notation e := (E b1 b2 b3).
+Notation back := (Einv b1 b2 b3).
+Let P := Pk cT h l1 l2 l3.
+Lemma rdet : det l1 l2 l3 <> 0.
+Proof. apply (cdet A aadd asub amul aofZ alt phi phi_add phi_sub phi_mul phi_Z alt_ok c base l1 l2 l3 HG). Qed.
+Lemma D0 : det b1 b2 b3 <> 0.
+Proof. apply det_scl0; [apply hpos|apply rdet]. Qed.
+Lemma e_back X : e (back X) = X.
+Proof. apply E_Einv, D0. Qed.
+Lemma back_e x : back (e x) = x.
+Proof. apply Einv_E, D0. Qed.
+Lemma rtile cc : tile l1 l2 l3 P cc = Et b1 b2 b3 (piece cc).
+Proof. apply tile_piece, hpos. Qed.
+Lemma pvol cc : valid cc -> 0 < vol (piece cc).
+Proof. intros [H _]. unfold Degree.piece. rewrite vol_ttr. apply rvol; auto. Qed.
+Lemma rhull cc x : valid cc -> (hull (tile l1 l2 l3 P cc) (e x) <-> closed (piece cc) x).
+Proof. intros V. rewrite rtile, hull_Et by apply D0. apply hull_closed, pvol, V. Qed.
+
+(** Closeness, in both coordinates. *)
+Lemma near_affine_open d X (F : point -> point) : affine (fun y => px (F y)) -> affine (fun y => py (F y)) -> affine (fun y => pz (F y)) ->
+  open (fun y => near d X (F y)).
+Proof.
+  intros A1 A2 A3.
+  assert (K : forall g k, affine g -> open (fun y => Rabs (g y - k) < d)).
+  { intros g k [a [b [c' [d' H]]]]. apply opn_ext with (U := fun y => 0 < d - (g y - k) /\ 0 < d + (g y - k)).
+    - intros y. split; [intros [U V]; apply Rabs_def1; lra|]. intros U. apply Rabs_def2 in U. lra.
+    - apply opn_and; apply aff_pos_opn; [exists (-a), (-b), (-c'), (d - d' + k) | exists a, b, c', (d + d' - k)]; intros y; rewrite H; ring. }
+  unfold near. apply opn_and; [apply (K (fun y => px (F y))); auto|]. apply opn_and; [apply (K (fun y => py (F y))); auto|apply (K (fun y => pz (F y))); auto].
+Qed.
+Lemma close_transfer (S S0 : point -> Prop) x : (forall y, S (e y) <-> S0 y) ->
+  ((forall d, 0 < d -> exists Y, near d (e x) Y /\ S Y) <-> (forall d, 0 < d -> exists y, near d x y /\ S0 y)).
+Proof.
+  intros H. split; intros CL d Hd.
+  - assert (O : open (fun Y => near d x (back Y))).
+    { pose proof D0 as DD. set (dl := det b1 b2 b3) in *. apply near_affine_open.
+      - exists ((py b2 * pz b3 - pz b2 * py b3) / dl), ((pz b2 * px b3 - px b2 * pz b3) / dl), ((px b2 * py b3 - py b2 * px b3) / dl), 0.
+        intros X. unfold Einv; cbn [px]. fold dl. unfold det. field. auto.
+      - exists ((py b3 * pz b1 - pz b3 * py b1) / dl), ((pz b3 * px b1 - px b3 * pz b1) / dl), ((px b3 * py b1 - py b3 * px b1) / dl), 0.
+        intros X. unfold Einv; cbn [py]. fold dl. unfold det. field. auto.
+      - exists ((py b1 * pz b2 - pz b1 * py b2) / dl), ((pz b1 * px b2 - px b1 * pz b2) / dl), ((px b1 * py b2 - py b1 * px b2) / dl), 0.
+        intros X. unfold Einv; cbn [pz]. fold dl. unfold det. field. auto. }
+    destruct (O (e x)) as [d' [Hd' K]]; [rewrite back_e; apply near_refl; auto|]. destruct (CL d' Hd') as [Y [N1 SY]].
+    exists (back Y). split; [apply K; auto|]. apply H. rewrite e_back. exact SY.
+  - assert (O : open (fun y => near d (e x) (e y))).
+    { apply near_affine_open; unfold E, at_coordinates, add, scale; cbn [px py pz].
+      - exists (px b1), (px b2), (px b3), 0. intros y. ring.
+      - exists (py b1), (py b2), (py b3), 0. intros y. ring.
+      - exists (pz b1), (pz b2), (pz b3), 0. intros y. ring. }
+    destruct (O x) as [d' [Hd' K]]; [apply near_refl; auto|]. destruct (CL d' Hd') as [y [N1 Sy]].
+    exists (e y). split; [apply K; auto|]. apply H, Sy.
+Qed.
+
+(** Facets. *)
+Lemma in_facet_Et t i x : In i I4 -> (in_facet (Et b1 b2 b3 t) i (e x) <-> on (facet t i) x).
+Proof.
+  intros Hi. split.
+  - intros [a [b [c' [d [X1 [X2 [X3 [X4 [S [Q Z]]]]]]]]]]. rewrite E_comb4 in Q. apply E_inj in Q; [|apply D0]. rewrite Q. simpl in Hi.
+    destruct Hi as [<-|[<-|[<-|[<-|[]]]]]; cbv beta iota in Z; rewrite Z in *;
+    [exists b, d, c' | exists a, c', d | exists a, d, b | exists a, b, c']; repeat split; auto; try lra;
+    unfold combination3, combination; cbn [facet t1 t2 t3]; apply point_eq; unf; ring.
+  - intros [a [b [c' [X1 [X2 [X3 [S ->]]]]]]]. simpl in Hi.
+    destruct Hi as [<-|[<-|[<-|[<-|[]]]]]; cbn [facet];
+    [ exists 0, a, c', b | exists a, 0, b, c' | exists a, c', 0, b | exists a, b, c', 0 ]; repeat split; auto; try lra;
+    rewrite E_comb4; f_equal; unfold combination3, combination; cbn [t1 t2 t3]; apply point_eq; unf; ring.
+Qed.
+Lemma facet_corner_vertices t i v : In i I4 -> (In (e v) (facet_vertices (Et b1 b2 b3 t) i) <-> In v (corners (facet t i))).
+Proof.
+  intros Hi. assert (K : forall u, e u = e v <-> u = v) by (intros u; split; [apply E_inj, D0|congruence]).
+  simpl in Hi. destruct Hi as [<-|[<-|[<-|[<-|[]]]]]; cbn [facet_vertices Et va vb vc vd facet corners t1 t2 t3 In]; unfold corners; cbn [facet t1 t2 t3 In]; rewrite !K; tauto.
+Qed.
+Lemma common_facet_Et t i t' i' x : In i I4 -> In i' I4 -> on (facet t i) x ->
+  (forall v, carF (facet t i) x v -> carF (facet t' i') x v) -> common_facet_hull (Et b1 b2 b3 t) i (Et b1 b2 b3 t') i' (e x).
+Proof.
+  intros Hi Hi' [a [b [c' [X1 [X2 [X3 [S E0]]]]]]] H.
+  assert (K : forall v, carF (facet t i) x v -> In (e v) (facet_vertices (Et b1 b2 b3 t') i')).
+  { intros v Hv. apply facet_corner_vertices; auto. apply H in Hv as [? [? [? [_ [_ [_ [_ [_ V]]]]]]]]. unfold corners. simpl. intuition. }
+  assert (K1 : 0 < a -> In (e (t1 (facet t i))) (facet_vertices (Et b1 b2 b3 t') i')) by (intros Q; apply K; exists a, b, c'; repeat split; auto).
+  assert (K2 : 0 < b -> In (e (t2 (facet t i))) (facet_vertices (Et b1 b2 b3 t') i')) by (intros Q; apply K; exists a, b, c'; repeat split; auto).
+  assert (K3 : 0 < c' -> In (e (t3 (facet t i))) (facet_vertices (Et b1 b2 b3 t') i')) by (intros Q; apply K; exists a, b, c'; repeat split; auto).
+  rewrite E0. simpl in Hi. destruct Hi as [<-|[<-|[<-|[<-|[]]]]]; cbn [facet t1 t2 t3] in *;
+  [ exists 0, a, c', b | exists a, 0, b, c' | exists a, c', 0, b | exists a, b, c', 0 ];
+  (split; [lra|]; split; [lra|]; split; [lra|]; split; [lra|]; split; [lra|]; split;
+   [rewrite E_comb4; f_equal; unfold combination3, combination; cbn [t1 t2 t3]; apply point_eq; unf; ring|];
+   split; [reflexivity|]; cbn [Et va vb vc vd]; repeat split; auto; intros Q; exfalso; lra).
+Qed.
+Lemma listed_boundary f : is_boundary_facet r N (listed_facets A c) f <-> boundary f.
+Proof.
+  destruct f as [[k n] i]. unfold is_boundary_facet; cbn [fst snd]. unfold is_tile; cbn [fst snd]. unfold listed_facets. split.
+  - intros [[Hk Hn] H]. apply in_map_iff in H as [[k' [t i']] [E H]]. cbn [fst snd] in E. injection E as -> ->. apply facets_In in H as [H1 [H2 H3]].
+    split; [split; auto; apply latb_iff; auto|]. split; auto. unfold Degree.paired; cbn [fst snd]. unfold Soundness.cM. rewrite H1, H3. congruence.
+  - intros B. destruct (boundary_facet k n i B) as [t [E [It [F Ln]]]]. split; [split; [apply B|apply latb_iff; auto]|].
+    apply in_map_iff. exists (k, (t, i)). auto.
+Qed.
+
+Theorem region_sound : face_to_face_region l1 l2 l3 r N (dtet A aofZ phi c l1 l2 l3) (listed_facets A c).
+Proof.
+  rewrite (dtet_cP A aadd asub amul aofZ alt phi phi_add phi_Z c base).
+  change (face_to_face_region l1 l2 l3 r N P (listed_facets A c)).
+  assert (VT : forall cc, is_tile r N cc <-> valid cc) by (intros; apply valid_is_tile).
+  assert (RB : forall f X, in_boundary_facet l1 l2 l3 P f (e X) <-> (In (snd f) I4 -> on (face f) X) /\ (~ In (snd f) I4 -> in_boundary_facet l1 l2 l3 P f (e X))).
+  { intros f X. destruct (in_dec Nat.eq_dec (snd f) I4) as [I|I]; [|tauto]. unfold in_boundary_facet. rewrite rtile, in_facet_Et by auto. unfold Region.face. tauto. }
+  constructor.
+  - apply rdet.
+  - intros cc Hc. apply VT in Hc. rewrite rtile, vol_Et. pose proof (pvol cc Hc). pose proof D0. apply Rmult_integral_contrapositive_currified; lra.
+  - intros M. destruct (Einv_bound h l1 l2 l3 hpos rdet M) as [M' HM]. destruct (range N cT h (latb r) hpos rvol M') as [K HK].
+    exists (cells N (latb r) K). intros cc X Hc HX H. apply VT in Hc. rewrite <- (e_back X), rhull in H by auto. apply HK with (y := back X); auto.
+  - intros X cc cc' Hc Hc' H H'. apply VT in Hc, Hc'. rewrite <- (e_back X) in H, H'. rewrite rhull in H' by auto. rewrite rtile, open_hull_Et in H by apply D0.
+    apply open_hull_inter in H; [|apply pvol; auto].
+    apply (region_disjoint N cT h (latb r) cM hpos (latb_add r) rvol rmate rapart runcovered rbounded (back X)); auto.
+  - intros X cc cc' Hc Hc' H H'. apply VT in Hc, Hc'. rewrite <- (e_back X) in *. pose proof H as H0. rewrite rhull in H, H' by auto.
+    rewrite !rtile in *. apply common_Et. rewrite hull_Et in H0 by apply D0.
+    destruct H0 as [a [b [c0 [d [X1 [X2 [X3 [X4 [S Hx]]]]]]]]].
+    exists a, b, c0, d. repeat split; auto; intros Q;
+    apply carT_vert with (x := back X);
+    (apply (region_face_to_face N cT h (latb r) cM hpos (latb_add r) rvol rmate rapart runcovered rbounded (back X) _ cc cc'); auto; exists a, b, c0, d; repeat split; auto).
+  - destruct rbounded as [f Hf]. exists f. apply listed_boundary, Hf.
+  - intros k i H. assert (B : exists t, In (k, (t, i)) (region_facets_of A c)).
+    { unfold listed_facets in H. apply in_map_iff in H as [[k' [t i']] [E H]]. cbn [fst snd] in E. injection E as -> ->. eauto. }
+    destruct B as [t B]. apply facets_In in B as [B1 [B2 _]]. split; [apply nth_error_Some; congruence|]. apply I4_lt, B2.
+  - intros X. rewrite <- (e_back X). set (x := back X).
+    assert (RG : forall y, in_region l1 l2 l3 r N P (e y) <-> Region.region N cT h (latb r) y).
+    { intros y. split; intros [cc [Hc H]]; exists cc; split; try (apply VT; auto); [apply rhull; auto; apply VT; auto|]. apply rhull; auto. }
+    unfold topological_boundary. rewrite (close_transfer _ _ x RG).
+    assert (NRG : forall y, ~ in_region l1 l2 l3 r N P (e y) <-> ~ Region.region N cT h (latb r) y) by (intros y; rewrite RG; tauto).
+    rewrite (close_transfer (fun Y => ~ in_region l1 l2 l3 r N P Y) _ x NRG).
+    rewrite <- (region_boundary N cT h (latb r) cM hpos (latb_add r) rvol rmate rapart runcovered rbounded x).
+    split; intros [f [Bf Of]]; exists f.
+    + split; [apply listed_boundary; auto|]. apply RB. split; auto. destruct Bf as [_ [I _]]. tauto.
+    + apply listed_boundary in Bf. split; auto. apply RB in Of as [Of _]. apply Of, Bf.
+  - intros X f g Bf Bg Of Og. apply listed_boundary in Bf, Bg. rewrite <- (e_back X) in *. set (x := back X) in *.
+    apply RB in Of as [Of _]. apply RB in Og as [Og _]. specialize (Of (proj1 (proj2 Bf))). specialize (Og (proj1 (proj2 Bg))).
+    rewrite !rtile. apply common_facet_Et; [apply Bf|apply Bg|exact Of|]. intros v Hv.
+    apply (boundary_carrier N cT h (latb r) cM rapart f g x v); auto.
+Qed.
+
+(** Statements about single tetrahedra. *)
+Theorem region_statement_sound st : check_region_statement A aadd asub amul aofZ alt ale c st = true ->
+  holds l1 l2 l3 r N (dtet A aofZ phi c l1 l2 l3) (dstatement A phi st).
+Proof.
+  intros H. rewrite (dtet_cP A aadd asub amul aofZ alt phi phi_add phi_Z c base).
+  destruct st as [| |rel sg p q|rel sg p q|rel p q| | |]; cbn [check_region_statement Checker.check_statement dstatement holds] in *; cbv zeta in H; try discriminate.
+  - exact (each_angle A aadd asub amul aofZ alt phi phi_add phi_sub phi_mul phi_Z alt_ok c base l1 l2 l3 HG _ (fun x => x < PI / 2)
+      (acute_sound A aadd asub amul aofZ alt phi phi_add phi_sub phi_mul phi_Z alt_ok c base l1 l2 l3 HG) H).
+  - exact (each_angle A aadd asub amul aofZ alt phi phi_add phi_sub phi_mul phi_Z alt_ok c base l1 l2 l3 HG _ (fun x => x <= PI / 2)
+      (nonobtuse_sound A aadd asub amul aofZ alt ale phi phi_add phi_sub phi_mul phi_Z ale_ok c base l1 l2 l3 HG) H).
+  - apply andb_true_iff in H as [B H]. apply (largest_sound A aadd asub amul aofZ alt ale phi phi_add phi_sub phi_mul phi_Z alt_ok ale_ok c base l1 l2 l3 HG); auto.
+  - apply andb_true_iff in H as [B H]. apply (smallest_sound A aadd asub amul aofZ alt ale phi phi_add phi_sub phi_mul phi_Z alt_ok ale_ok c base l1 l2 l3 HG); auto.
+  - apply andb_true_iff in H as [B H]. apply andb_true_iff in B as [B _]. apply Z.ltb_lt, IZR_lt in B.
+    apply (radius_sound A aadd asub amul aofZ alt ale phi phi_add phi_sub phi_mul phi_Z alt_ok ale_ok c base l1 l2 l3 HG); auto.
+Qed.
+End Basis.
 End Sound.
+Theorem region_basis_exists c : check_region c = true -> exists l1 l2 l3, has_gram (dgram A phi c) l1 l2 l3.
+Proof. intros H. apply gram_exists. apply (cgram A aadd asub amul aofZ alt phi phi_add phi_sub phi_mul phi_Z alt_ok c (base c H)). Qed.
 End Ring.
