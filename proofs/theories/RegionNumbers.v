@@ -25,6 +25,31 @@ Proof.
       apply (region_statement_sound Z Z.add Z.sub Z.mul idZ Z.ltb Z.leb zpart IZR plus_IZR minus_IZR mult_IZR (fun _ => eq_refl) zltb_ok zleb_ok c H1 l1 l2 l3 HG). auto.
 Qed.
 
+(** ** Z[a], for the root a of a monic polynomial in an interval, as in Numbers.v *)
+Section NF.
+Variables (fl : list Z) (e0 : encl) (es : list encl) (claimed : encl).
+(** The integral part by the finest enclosure of a. *)
+Definition nfpart (den : Z) (x : list Z) : Z := let '(l, _, P) := lint (e_lo e0) (e_hi e0) (e_S e0) x in Z.div l (P * den).
+Definition nfcheck_region (c : cert (list Z)) (ss : list (cstatement (list Z))) : bool :=
+  check_region (list Z) ladd lsub (lmul fl) lofZ (lltb e0 es) (lleb e0 es) nfpart c &&
+  forallb (check_region_statement (list Z) ladd lsub (lmul fl) lofZ (lltb e0 es) (lleb e0 es) c) ss.
+Theorem nf_region_theorem c ss : isolated fl e0 es claimed = true -> nfcheck_region c ss = true ->
+  exists al, ev al (fl ++ [1%Z]) = 0%R /\ in_claimed claimed al /\
+  (forall x, ev x (fl ++ [1%Z]) = 0%R -> in_claimed claimed x -> x = al) /\
+  region_meaning (dgram (list Z) (ev al) c) (c_rank _ c) (length (c_tets _ c)) (dtet (list Z) lofZ (ev al) c) (listed_facets _ c) (map (dstatement (list Z) (ev al)) ss).
+Proof.
+  intros HI H. destruct (isolated_root fl e0 es claimed HI) as [al [A1 [A2 [A3 A4]]]]. exists al. split; auto. split; auto. split; auto.
+  unfold nfcheck_region in H. rewrite andb_true_iff, forallb_forall in H. destruct H as [H1 H2].
+  pose proof (ev_add al) as EA. pose proof (ev_sub al) as ES. pose proof (ev_mul fl al A1) as EM. pose proof (ev_ofZ al) as EZ.
+  pose proof (lltb_ok e0 es al A4) as LT. pose proof (lleb_ok e0 es al A4) as LE. split.
+  - apply (region_basis_exists (list Z) ladd lsub (lmul fl) lofZ (lltb e0 es) (lleb e0 es) nfpart (ev al) EA ES EM EZ LT c H1).
+  - intros l1 l2 l3 HG. split.
+    + apply (region_sound (list Z) ladd lsub (lmul fl) lofZ (lltb e0 es) (lleb e0 es) nfpart (ev al) EA ES EM EZ LT LE c H1 l1 l2 l3 HG).
+    + intros s Hs. apply in_map_iff in Hs as [st [<- Hs]].
+      apply (region_statement_sound (list Z) ladd lsub (lmul fl) lofZ (lltb e0 es) (lleb e0 es) nfpart (ev al) EA ES EM EZ LT LE c H1 l1 l2 l3 HG). auto.
+Qed.
+End NF.
+
 (** ** Examples: regions of rank 0 and 1 *)
 Section Examples.
 Let G := (KG Z 1 1 1 0 0 0)%Z.
