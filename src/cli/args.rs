@@ -12,6 +12,7 @@ use super::gallery::GalleryArguments;
 use super::list::ListArguments;
 use super::lower_bound::LowerBoundArguments;
 use super::new::NewArguments;
+use super::optimize::OptimizeArguments;
 use super::paper::PaperArguments;
 use super::quality::QualityArguments;
 use super::report::ReportArguments;
@@ -88,6 +89,13 @@ pub enum Command {
         "\n  acutile lower-bound\n  acutile lower-bound --json > lower-bound.json"
     ))]
     LowerBound(LowerBoundArguments),
+    /// Move vertices and lattice for better angles, and prove the result
+    ///
+    /// Doubles search; the result is rational and proved. The combinatorics, the symmetry and the boundary
+    /// stay. The exit code is 3 when nothing better is found, or, with --goal acute, when the result is not
+    /// acute; the best so far is written in any case. Ctrl-C ends the search with the best so far.
+    #[command(after_long_help = examples!("\n  acutile optimize c14 -o c14-best.cbor\n  acutile optimize part.msh --goal acute -o part.cbor\n  acutile optimize slab --denominator 100 --json"))]
+    Optimize(OptimizeArguments),
     /// How good the simplices are: dihedral angles, radius-edge and aspect ratios
     #[command(after_long_help = examples!("\n  acutile quality part.vtu\n  acutile quality part.vtu --format svg -o angles.svg"))]
     Quality(QualityArguments),

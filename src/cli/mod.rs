@@ -32,6 +32,7 @@ mod mesh;
 mod meta;
 mod named;
 mod new;
+mod optimize;
 mod outcome;
 mod output;
 mod paper;
@@ -40,6 +41,7 @@ mod progress;
 mod proved;
 mod quality;
 mod refutation;
+mod refuted_page;
 mod region;
 mod report;
 mod second;
@@ -74,6 +76,7 @@ pub fn main() -> ExitCode {
         Command::Table(table) => table::run(&table, &mut output),
         Command::Paper(paper) => paper::run(&paper, &mut output),
         Command::LowerBound(bound) => lower_bound::run(&bound, &mut output),
+        Command::Optimize(optimize) => optimize::run(&optimize, &mut output),
         Command::Quality(quality) => quality::run(&quality, &mut output),
         Command::Gallery(gallery) => gallery::run(&gallery, &mut output),
         Command::Report(report) => report::run(&report, &mut output),

@@ -16,10 +16,12 @@ pub struct Entry {
     pub description: &'static str,
     /// Where it is described.
     pub source: &'static str,
-    /// What is tiled: `space`, `slab`, `polyhedron`, `plane` or `polygon`.
+    /// What is tiled: `space`, `slab`, `prism`, `polyhedron`, `plane` or `polygon`.
     pub domain: &'static str,
     /// The number that it depends on, if it does.
     pub parameter: Option<Parameter>,
+    /// Whether it has thousands of simplices: lists of all constructions leave it out.
+    pub is_large: bool,
     pub(super) recipe: Recipe,
 }
 

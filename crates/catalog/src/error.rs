@@ -1,6 +1,6 @@
 //! Why a construction fails.
 
-use super::limits::{ENTRY_LIMIT, WORD_LIMIT};
+use super::limits::{CUBE_LIMIT, ENTRY_LIMIT, WORD_LIMIT};
 use acutile_core::delaunay::DelaunayError;
 use acutile_core::patches::derive::DeriveError;
 use acutile_exact::number::{FieldError, ReadError};
@@ -23,6 +23,10 @@ pub enum CatalogError {
     NotATriangle(String),
     /// Not a word of `z`, `+`, `-` with 1 to [`WORD_LIMIT`] letters.
     Word(String),
+    /// Not three positive integers whose product is at most [`CUBE_LIMIT`].
+    Sides(String),
+    /// A table has no row for the orbit of this vertex.
+    NoOrbit([i8; 4]),
     /// A file of a plane tiling cannot be read.
     File(String),
     /// Two neighbouring edges at this vertex enclose an angle, in degrees, that is neither of a
@@ -117,6 +121,12 @@ impl fmt::Display for CatalogError {
                 f,
                 "`{word}` is not a word of 1 to {WORD_LIMIT} letters `z`, `+`, `-`"
             ),
+            Self::Sides(word) => write!(
+                f,
+                "`{word}` are not the sides of a box: expected three positive integers with a \
+                 product of at most {CUBE_LIMIT}, like 2,1,1"
+            ),
+            Self::NoOrbit(place) => write!(f, "no row places the vertex {place:?}"),
             Self::File(message) => message.fmt(f),
             Self::NotSquareTriangle { vertex, angle } => write!(
                 f,

@@ -12,6 +12,7 @@
 //! | `selected` | lattices with selected circumcentres: A15 and C15 |
 //! | `congruent` | Sommerville, Goldberg, cubes |
 //! | `solid` | single tetrahedra, and two that are not Delaunay |
+//! | `cell600` | polyhedra cut into acute tetrahedra, with the 600-cell |
 //! | `planar` | the square, and tilings by triangles |
 //! | `families` | constructions for all values of their parameters in a box |
 //! | [`patches`] | theorems about all tilings over squares and triangles, and all kagome words |
@@ -22,6 +23,7 @@
 //! Names are a contract. Nothing here is proved; the checker does that.
 
 mod blank;
+mod cell600;
 mod congruent;
 mod entries;
 mod entry;
@@ -54,7 +56,7 @@ use plane_tiling::{PlaneTiling, built_in};
 
 /// All constructions.
 pub fn entries() -> &'static [Entry] {
-    ENTRIES
+    &ENTRIES
 }
 
 /// A theorem about all members of a family: a system of patches.
@@ -88,12 +90,24 @@ pub fn theorem(name: &str) -> Option<&'static Theorem> {
     THEOREMS.iter().find(|theorem| theorem.name == name)
 }
 
-/// The names of all single tilings that need no further word.
+/// The names of all single tilings that need no further word, without the large ones.
 pub fn names() -> impl Iterator<Item = &'static str> {
+    single()
+        .filter(|entry| !entry.is_large)
+        .map(|entry| entry.name)
+}
+
+/// The names of the large ones.
+pub fn large_names() -> impl Iterator<Item = &'static str> {
+    single()
+        .filter(|entry| entry.is_large)
+        .map(|entry| entry.name)
+}
+
+fn single() -> impl Iterator<Item = &'static Entry> {
     ENTRIES
         .iter()
         .filter(|entry| !entry.is_family() && !entry.has_box())
-        .map(|entry| entry.name)
 }
 
 /// The names of all constructions for boxes of parameters.

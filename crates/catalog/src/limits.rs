@@ -7,3 +7,5 @@ pub const ENTRY_LIMIT: i64 = 100_000;
 pub const WORD_LIMIT: usize = 64;
 /// A plane tiling is inflated no more often than this. Each time has 14 times as many vertices.
 pub const DEPTH_LIMIT: usize = 4;
+/// A box has no more cubes than this.
+pub const CUBE_LIMIT: i64 = 64;

@@ -3,6 +3,7 @@
 
 pub mod bound;
 pub mod boxes;
+pub mod cell600;
 pub mod linear;
 pub mod quadratic;
 pub mod scalar;

@@ -6,10 +6,14 @@
 //! | `subject` | a confirmed certificate, and what is computed of its tiling |
 //! | `rational`, `numeral`, `surd`, `tex` | exact numbers and small pieces of TeX |
 //! | `theorem` | the theorem in words; field, lattice, metric |
-//! | `vertices` | vertices, symmetry, orbits of tiles |
+//! | `names` | what people call a construction |
+//! | `orbits` | representatives of the tiles under a group |
+//! | `vertices`, `group`, `tiles`, `facets`, `boundary`, `volume` | a paragraph and a table for each hypothesis |
+//! | `region`, `separation` | the boundary of a region: facets that meet, and what is outside |
 //! | `classes` | congruence classes: edges, angles, and why they are acute |
-//! | `pairing`, `volume` | the pairing of facets; the sum of volumes |
 //! | `statements` | bounds, Delaunay, TCP |
+//! | `family`, `conditions`, `polynomial` | families: polynomials and their signs |
+//! | `patches` | systems of patches, with pictures of the pieces |
 //! | `recheck` | the certificate's digest and command |
 //! | `overview` | the table in the form of the paper's Table 1 |
 //! | `bibliography`, `document` | references; the files |
@@ -19,18 +23,29 @@
 //! the certificate.
 
 mod bibliography;
+mod boundary;
 mod classes;
+mod conditions;
 mod document;
+mod facets;
+mod family;
+mod group;
+mod names;
 mod numeral;
+mod orbits;
 mod overview;
-mod pairing;
+mod patches;
+mod polynomial;
 mod rational;
 mod recheck;
+mod region;
+mod separation;
 mod statements;
 mod subject;
 mod surd;
 mod tex;
 mod theorem;
+mod tiles;
 mod vertices;
 mod volume;
 
@@ -38,18 +53,19 @@ pub use document::is_unchanged;
 pub use subject::Subject;
 pub use tex::slug;
 
-use acutile_core::with_dimension;
+use acutile_core::classify::stars;
+use acutile_core::tiling::AnyTiling;
+use acutile_core::with_family;
 use rayon::prelude::*;
-use subject::Analysis;
-
-/// Tables with more rows go to the supplement.
-const LONG: usize = 40;
+use subject::{Analysis, Content};
 
 /// How the document is written.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct Options {
     /// Decimals through the package siunitx.
     pub siunitx: bool,
+    /// The text in two columns, the long tables after it in one.
+    pub two_column: bool,
 }
 
 /// A file of the appendix.
@@ -74,14 +90,32 @@ pub fn appendix(subjects: &[Subject], options: &Options) -> Vec<File> {
 }
 
 fn parts_of(subject: &Subject) -> Parts {
-    with_dimension!(&subject.tiling, AnyTiling, tiling => {
-        let analysis = Analysis::of(subject, tiling);
-        Parts {
-            section: section(&analysis),
-            tables: tables(&analysis),
-            row: overview::row(&analysis),
+    match &subject.content {
+        Content::Tiling(AnyTiling::Plane(tiling)) => {
+            parts_of_tiling(&Analysis::of(subject, tiling, Vec::new()))
         }
-    })
+        Content::Tiling(AnyTiling::Space(tiling)) => {
+            parts_of_tiling(&Analysis::of(subject, tiling, stars(tiling)))
+        }
+        Content::Family(family, tree) => Parts {
+            section: with_family!(family, f => family::section(subject, f, tree)),
+            tables: String::new(),
+            row: None,
+        },
+        Content::Patches(system, words) => Parts {
+            section: patches::section(subject, system, words),
+            tables: String::new(),
+            row: None,
+        },
+    }
+}
+
+fn parts_of_tiling<const D: usize>(analysis: &Analysis<D>) -> Parts {
+    Parts {
+        section: section(analysis),
+        tables: tables(analysis),
+        row: overview::row(analysis),
+    }
 }
 
 /// The section on a subject.
@@ -99,20 +133,18 @@ fn section<const D: usize>(analysis: &Analysis<D>) -> String {
         "\n\n".to_owned(),
         theorem::theorem(analysis),
         theorem::proof(analysis),
+        theorem::root(analysis),
         format!(
-            "\\acutileparagraph{{Metric.}} {}",
+            "\\acutileparagraph{{Metric (M).}} {}",
             theorem::metric(analysis)
         ),
-        format!(
-            "\\acutileparagraph{{Vertices.}} {}",
-            vertices::vertices(analysis)
-        ),
-        format!(
-            "\\acutileparagraph{{Symmetry.}} {}",
-            vertices::symmetry(analysis)
-        ),
+        vertices::vertices(analysis),
+        group::group(analysis),
+        tiles::tiles(analysis),
+        facets::facets(analysis),
+        boundary::boundary(analysis),
+        region::region(analysis),
         volume::volume(analysis),
-        pairing::pairing(analysis),
         format!(
             "\\acutileparagraph{{Angles.}} {}",
             classes::classes(analysis)
@@ -127,9 +159,9 @@ fn section<const D: usize>(analysis: &Analysis<D>) -> String {
 fn tables<const D: usize>(analysis: &Analysis<D>) -> String {
     [
         format!("\\section{{{}}}\n", theorem::heading(analysis.subject)),
-        vertices::all_vertices(analysis),
-        vertices::all_simplices(analysis),
-        pairing::all_facets(analysis),
+        vertices::table(analysis),
+        tiles::all_simplices(analysis),
+        facets::all_facets(analysis),
     ]
     .concat()
 }

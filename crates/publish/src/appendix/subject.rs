@@ -2,12 +2,18 @@
 //! computed of its tiling for the tables.
 
 use super::numeral::Numerals;
-use super::tex::slug;
+use super::orbits::Orbits;
+use super::tex::{moved, slug};
 use crate::report::Proved;
-use acutile_core::classify::{Ridges, Symmetry};
+use acutile_core::classify::{Ridges, Star, Symmetry};
+use acutile_core::family::{AnyFamily, ProvedFamily, Tree};
+use acutile_core::format::print;
+use acutile_core::patches::{System, Theorem};
+use acutile_core::proved::hexadecimal;
 use acutile_core::quality::{Shape, shapes, squared_edges};
 use acutile_core::statement::Statement;
-use acutile_core::tiling::{AnyTiling, Matching, SimplexId, Tiling, match_facets};
+use acutile_core::tiling::{AnyTiling, Matching, Mate, SimplexId, Tiling, match_facets};
+use acutile_core::with_dimension;
 use acutile_exact::geometry::{NormalProducts, linear};
 use acutile_exact::number::Number;
 
@@ -26,17 +32,23 @@ pub struct Subject {
     pub(super) json: String,
     pub(super) sha256: String,
     statements: Vec<Statement>,
-    pub(super) tiling: AnyTiling,
+    pub(super) content: Content,
+}
+
+/// What a certificate is about.
+#[derive(Debug)]
+pub(super) enum Content {
+    Tiling(AnyTiling),
+    /// With the tree of its leaves.
+    Family(AnyFamily, Tree),
+    /// With the claim in words.
+    Patches(Box<System>, String),
 }
 
 impl Subject {
-    /// A confirmed certificate; nothing for a region, whose proof is another theorem than that of
-    /// soundness.tex.
-    pub fn of_proved(proved: &Proved) -> Option<Subject> {
-        if proved.is_region() {
-            return None;
-        }
-        Some(Subject {
+    /// A confirmed certificate.
+    pub fn of_proved(proved: &Proved) -> Subject {
+        Subject {
             name: proved.name.clone(),
             description: proved.description.clone(),
             source: None,
@@ -44,8 +56,50 @@ impl Subject {
             json: proved.json().to_owned(),
             sha256: proved.sha256(),
             statements: proved.statements().to_vec(),
-            tiling: proved.tiling().clone(),
-        })
+            content: Content::Tiling(proved.tiling().clone()),
+        }
+    }
+
+    /// A confirmed certificate of a family.
+    pub fn of_family(
+        name: String,
+        description: String,
+        proved: &ProvedFamily,
+        family: AnyFamily,
+    ) -> Subject {
+        // The kernel has read the bytes.
+        let json = print::to_json(proved.certificate()).unwrap_or_default();
+        Subject {
+            name,
+            description,
+            source: None,
+            cbor: proved.certificate().to_vec(),
+            json: String::from_utf8(json).unwrap_or_default(),
+            sha256: proved.sha256(),
+            statements: proved.statements().to_vec(),
+            content: Content::Family(family, proved.tree().clone()),
+        }
+    }
+
+    /// A theorem about all tilings that a system of patches builds. `words` is its claim.
+    pub fn of_system(
+        name: String,
+        description: String,
+        theorem: &Theorem,
+        system: System,
+        words: String,
+    ) -> Subject {
+        let json = print::to_json(theorem.certificate()).unwrap_or_default();
+        Subject {
+            name,
+            description,
+            source: None,
+            cbor: theorem.certificate().to_vec(),
+            json: String::from_utf8(json).unwrap_or_default(),
+            sha256: hexadecimal(&theorem.verified().sha256),
+            statements: theorem.statements().to_vec(),
+            content: Content::Patches(Box::new(system), words),
+        }
     }
 
     /// The same subject with a source.
@@ -71,6 +125,34 @@ impl Subject {
         format!("anc/{}.json", self.slug())
     }
 
+    /// Whether it is a region, which is what its tiles cover.
+    pub(super) fn is_region(&self) -> bool {
+        match &self.content {
+            Content::Tiling(tiling) => {
+                with_dimension!(tiling, AnyTiling, t => t.frame.domain.is_region())
+            }
+            Content::Family(..) | Content::Patches(..) => false,
+        }
+    }
+
+    pub(super) fn is_family(&self) -> bool {
+        matches!(self.content, Content::Family(..))
+    }
+
+    pub(super) fn is_system(&self) -> bool {
+        matches!(self.content, Content::Patches(..))
+    }
+
+    /// Whether it is about tetrahedra.
+    pub(super) fn is_in_space(&self) -> bool {
+        matches!(
+            self.content,
+            Content::Tiling(AnyTiling::Space(_))
+                | Content::Family(AnyFamily::Space(_), _)
+                | Content::Patches(..)
+        )
+    }
+
     pub(super) fn statements(&self) -> &[Statement] {
         &self.statements
     }
@@ -80,30 +162,48 @@ impl Subject {
 pub(super) struct Analysis<'s, const D: usize> {
     pub subject: &'s Subject,
     pub tiling: &'s Tiling<D>,
+    /// The type of each vertex's star in space.
+    pub stars: Vec<Star>,
     pub numerals: Numerals,
     pub matching: Matching<D>,
     pub ridges: Ridges<D>,
     /// Squared edges 01, 02, …, 12, … of each simplex.
     pub edges: Vec<Vec<Number>>,
     pub shapes: Vec<Shape>,
-    pub symmetry: Symmetry<D>,
+    /// The class of each simplex.
+    pub classes: Vec<usize>,
+    pub orbits: Orbits<D>,
+    /// The places of the representatives in the order of all tables: by class, then by tile.
+    pub order: Vec<usize>,
     cogram: [[Number; D]; D],
 }
 
 impl<'s, const D: usize> Analysis<'s, D> {
-    pub fn of(subject: &'s Subject, tiling: &'s Tiling<D>) -> Self {
+    pub fn of(subject: &'s Subject, tiling: &'s Tiling<D>, stars: Vec<Star>) -> Self {
         let matching = match_facets(tiling);
         let edges: Vec<Vec<Number>> = tiling
             .indices()
             .map(|simplex| squared_edges(tiling, simplex))
             .collect();
+        let symmetry = Symmetry::of(tiling, &matching, &edges);
+        let shapes = shapes(tiling);
+        let classes = classes(&shapes, tiling.len());
+        let orbits = Orbits::of(tiling, &symmetry);
+        let mut order: Vec<usize> = (0..orbits.representatives.len()).collect();
+        order.sort_by_key(|&place| {
+            let tile = orbits.representatives[place].tile;
+            (classes[tile.index()], tile)
+        });
         Analysis {
             subject,
             tiling,
+            stars,
             numerals: Numerals::of(&tiling.frame.field),
             ridges: Ridges::of(tiling, &matching),
-            shapes: shapes(tiling),
-            symmetry: Symmetry::of(tiling, &matching, &edges),
+            shapes,
+            classes,
+            orbits,
+            order,
             cogram: linear::cofactors(&tiling.frame.gram),
             matching,
             edges,
@@ -124,35 +224,33 @@ impl<'s, const D: usize> Analysis<'s, D> {
         self.tiling.shape(simplex).normal_products(&self.cogram)
     }
 
-    /// The class of each simplex.
-    pub fn class_of(&self) -> Vec<usize> {
-        let mut classes = vec![0; self.tiling.len()];
-        for (class, shape) in self.shapes.iter().enumerate() {
-            for &member in &shape.members {
-                classes[member.index()] = class;
-            }
-        }
-        classes
+    /// `\gamma_{5}T_{3}^{1\bar10}`: an image of a representative, moved.
+    pub fn image(&self, element: usize, representative: usize, shift: &[i32; D]) -> String {
+        let tile = self.orbits.representatives[representative].tile;
+        let map = match element {
+            0 => String::new(),
+            _ => format!("\\gamma_{{{element}}}"),
+        };
+        format!("{map}T_{{{tile}}}{}", moved(&shift[..self.rank()]))
     }
 
-    /// The first simplex of each orbit, and how many there are.
-    pub fn orbits(&self) -> Vec<(SimplexId, usize)> {
-        let orbits = first_and_count(&self.symmetry.simplices).into_iter();
-        orbits
-            .map(|(first, count)| (SimplexId::at(first), count))
-            .collect()
+    /// The tile of a mate as an image of a representative, and the corner of that which is opposite
+    /// to the mate.
+    pub fn behind(&self, mate: &Mate<D>) -> (String, usize) {
+        let image = &self.orbits.images[mate.facet.simplex.index()];
+        let shift = std::array::from_fn(|k| image.shift[k] + mate.shift[k]);
+        let tile = self.image(image.element, image.representative, &shift);
+        (tile, image.corners[usize::from(mate.facet.opposite)])
     }
 }
 
-/// For each of the numbers 0, 1, … the place of its first occurrence, and how often
-/// it occurs.
-pub(super) fn first_and_count(numbers: &[usize]) -> Vec<(usize, usize)> {
-    let mut found: Vec<(usize, usize)> = Vec::new();
-    for (place, &number) in numbers.iter().enumerate() {
-        match found.get_mut(number) {
-            Some((_, count)) => *count += 1,
-            None => found.push((place, 1)),
+/// The class of each of `count` simplices.
+fn classes(shapes: &[Shape], count: usize) -> Vec<usize> {
+    let mut classes = vec![0; count];
+    for (class, shape) in shapes.iter().enumerate() {
+        for &member in &shape.members {
+            classes[member.index()] = class;
         }
     }
-    found
+    classes
 }

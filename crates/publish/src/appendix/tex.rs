@@ -16,6 +16,10 @@ pub fn escape(text: &str) -> String {
             '#' | '$' | '%' | '&' | '_' | '{' | '}' => escaped.extend(['\\', c]),
             'σ' => escaped.push_str("$\\sigma$"),
             'μ' | 'µ' => escaped.push_str("$\\mu$"),
+            '²' => escaped.push_str("$^2$"),
+            '√' => escaped.push_str("$\\surd$"),
+            '≥' => escaped.push_str("$\\ge$"),
+            '≤' => escaped.push_str("$\\le$"),
             'ε' => escaped.push_str("$\\varepsilon$"),
             'À'..='Ö' | 'Ø'..='ö' | 'ø'..='ÿ' if !matches!(c, 'Ð' | 'Þ' | 'ð' | 'þ') => {
                 escaped.push(c);
@@ -52,6 +56,20 @@ pub fn simplices(dimension: usize, count: usize) -> &'static str {
     }
 }
 
+/// What a face of dimension D - 1 is called.
+pub fn facet_word(dimension: usize) -> &'static str {
+    if dimension == 2 { "edge" } else { "facet" }
+}
+
+/// What passes through the corners of a simplex.
+pub fn sphere_word(dimension: usize) -> &'static str {
+    if dimension == 2 {
+        "circumcircle"
+    } else {
+        "circumsphere"
+    }
+}
+
 /// `1 orbit`, `3 orbits`.
 pub fn counted(count: usize, noun: &str) -> String {
     match (count, noun) {
@@ -64,7 +82,7 @@ pub fn counted(count: usize, noun: &str) -> String {
 
 /// A shift as crystallographers write directions, `1\bar10`; with commas where an entry
 /// has two digits; nothing for zero.
-fn shift(shift: &[i32]) -> String {
+pub fn moved(shift: &[i32]) -> String {
     if shift.iter().all(|&s| s == 0) {
         return String::new();
     }
@@ -81,7 +99,7 @@ fn shift(shift: &[i32]) -> String {
 
 /// `5^{1\bar10}`: vertex 5 moved by b_1 - b_2.
 pub fn corner<const D: usize>(corner: &Corner<D>, rank: usize) -> String {
-    format!("{}{}", corner.vertex, shift(&corner.shift[..rank]))
+    format!("{}{}", corner.vertex, moved(&corner.shift[..rank]))
 }
 
 /// `12_3^{1\bar10}`: the facet of tetrahedron 12 opposite its corner 3, moved.
@@ -90,7 +108,7 @@ pub fn mate<const D: usize>(mate: &Mate<D>, rank: usize) -> String {
         "{}_{{{}}}{}",
         mate.facet.simplex,
         mate.facet.opposite,
-        shift(&mate.shift[..rank])
+        moved(&mate.shift[..rank])
     )
 }
 
@@ -144,14 +162,35 @@ impl Table<'_> {
         } else {
             "\\\\\n"
         };
+        let size = size(heading, rows);
         let rows = rows.join(&format!(" {end}"));
         format!(
-            "{{\\acutiletables\n% acutile:table {mark}\n\\begin{{longtable}}{{{columns}}}\n\
+            "{{\\acutiletables{size}\n% acutile:table {mark}\n\\begin{{longtable}}{{{columns}}}\n\
              \\caption{{{caption}}}\\label{{{label}}}\\\\\n\
              \\toprule\n{heading} \\\\\n\\midrule\n\\endfirsthead\n\
              \\toprule\n{heading} \\\\\n\\midrule\n\\endhead\n\
              \\bottomrule\n\\endlastfoot\n{rows} \\\\\n\\end{{longtable}}}}\n"
         )
+    }
+}
+
+/// Smaller letters where the cells are too wide for a line.
+fn size(heading: &str, rows: &[String]) -> &'static str {
+    let mut widest: Vec<usize> = Vec::new();
+    for row in rows.iter().map(String::as_str).chain([heading]) {
+        for (column, cell) in row.split('&').enumerate() {
+            if widest.len() <= column {
+                widest.push(0);
+            }
+            if !cell.contains("multicolumn") {
+                widest[column] = widest[column].max(width(cell));
+            }
+        }
+    }
+    match widest.iter().map(|w| w + 2).sum::<usize>() {
+        0..=LINE => "",
+        letters if letters <= LINE * 5 / 4 => "\\acutilesmaller",
+        _ => "\\acutilesmallest",
     }
 }
 
@@ -161,7 +200,7 @@ const SHORT: usize = 16;
 /// A centred table in the text, without a caption.
 pub fn tabular(mark: &str, columns: &str, heading: &str, rows: &[String]) -> String {
     format!(
-        "\\nopagebreak\n% acutile:table {mark}\n\\begin{{center}}\\acutiletables\\begin{{tabular}}{{{columns}}}\n\\toprule\n{heading} \\\\\n\\midrule\n{} \\\\\n\\bottomrule\n\\end{{tabular}}\\end{{center}}\n",
+        "\\nopagebreak\n% acutile:table {mark}\n\\begin{{center}}\\acutilefit{{\\acutiletables\\begin{{tabular}}{{{columns}}}\n\\toprule\n{heading} \\\\\n\\midrule\n{} \\\\\n\\bottomrule\n\\end{{tabular}}}}\\end{{center}}\n",
         rows.join(" \\\\\n")
     )
 }

@@ -1,4 +1,4 @@
-//! The sum of the volumes, class by class: it is the volume of the domain.
+//! The sum of the volumes over the representatives: it is the volume of the domain.
 
 use super::subject::Analysis;
 use super::tex::width;
@@ -6,29 +6,38 @@ use acutile_core::tiling::Domain;
 use acutile_exact::number::Number;
 use malachite::Rational;
 
-/// The volume sum over classes.
+/// A sum with more terms is not written out.
+const LONGEST_SUM: usize = 60;
+
+/// The volume sum over the representatives; nothing for a region.
 pub fn volume<const D: usize>(analysis: &Analysis<D>) -> String {
+    if analysis.tiling.frame.domain.is_region() {
+        return String::new();
+    }
     let numerals = &analysis.numerals;
-    let terms: Vec<(String, Number)> = analysis
-        .shapes
-        .iter()
-        .map(|shape| {
-            let determinant = analysis.tiling.shape(shape.members[0]).determinant;
-            let count = shape.members.len();
-            let total = &determinant * &Number::from(Rational::from(count));
-            (
-                format!("{count}\\cdot {}", numerals.factor(&determinant)),
-                total,
-            )
-        })
-        .collect();
-    let sum = terms
-        .iter()
-        .fold(Number::zero(), |sum, (_, term)| &sum + term);
+    let mut counts: Vec<(Number, usize)> = Vec::new();
+    for &place in &analysis.order {
+        let representative = &analysis.orbits.representatives[place];
+        let determinant = analysis.tiling.shape(representative.tile).determinant;
+        match counts.iter_mut().find(|(other, _)| *other == determinant) {
+            Some((_, count)) => *count += representative.count,
+            None => counts.push((determinant, representative.count)),
+        }
+    }
+    let sum = counts.iter().fold(Number::zero(), |sum, (det, count)| {
+        sum + det * &Number::from(Rational::from(*count))
+    });
+    let terms: Vec<String> = match counts.len() > LONGEST_SUM {
+        true => vec!["\\sum_m\\frac h{s_m}\\det S_m".to_owned()],
+        false => counts
+            .iter()
+            .map(|(det, count)| format!("{count}\\cdot {}", numerals.factor(det)))
+            .collect(),
+    };
     let factorial: u32 = (1..=D as u32).product();
     let meaning = match &analysis.tiling.frame.domain {
         Domain::Space => format!("which is ${D}!$ times the volume of a cell, in cells"),
-        Domain::Region(_) => format!("which is ${D}!$ times the volume of the region, in cells"),
+        Domain::Region(_) => String::new(),
         Domain::Slab(polytope) | Domain::Prism(polytope) | Domain::Solid(polytope) => {
             let k: u32 = (1..=polytope.dimension() as u32).product();
             let volume = polytope.scaled_volume() * Number::from(Rational::from_unsigneds(1u32, k));
@@ -45,14 +54,17 @@ pub fn volume<const D: usize>(analysis: &Analysis<D>) -> String {
             }
         }
     };
+    let images = if analysis.orbits.elements.len() > 1 {
+        "images"
+    } else {
+        "tiles"
+    };
     format!(
-        "\\acutileparagraph{{Volume.}} All determinants, {factorial} times the volumes in cells, are positive. Their sum, class by class, is\n\
+        "\\acutileparagraph{{Volume (V).}} The sum of the determinants of Table~\\ref{{{}}}, with the number of {images} for each value, is\n\
          % acutile:volume {}\n{}{meaning}.\n\n",
+        analysis.label("orbits"),
         analysis.subject.slug(),
-        display_sum(
-            terms.iter().map(|(text, _)| text.as_str()),
-            &numerals.number(&sum)
-        ),
+        display_sum(terms.iter().map(String::as_str), &numerals.number(&sum)),
     )
 }
 
@@ -72,7 +84,7 @@ fn display_sum<'t>(terms: impl Iterator<Item = &'t str>, total: &str) -> String 
         letters += wide;
     }
     format!(
-        "\\[\\begin{{aligned}}\n&{}={total},\n\\end{{aligned}}\\]\n",
+        "\\[ \\acutilefit{{$\\begin{{aligned}}\n&{}={total},\n\\end{{aligned}}$}} \\]\n",
         lines.join("\\\\\n&")
     )
 }

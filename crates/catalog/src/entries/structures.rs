@@ -1,0 +1,156 @@
+//! TCP structures of space.
+
+use super::make::{SPACE, STRUCTURE, family, fixed, over_plane, space};
+use crate::entry::Entry;
+use crate::plane_tiling::{self, built_in};
+use crate::{icosahedral, kagome, selected, z_c15};
+
+pub const ENTRIES: &[Entry] = &[
+    fixed(
+        "z",
+        SPACE,
+        STRUCTURE,
+        "TCP structure Z over the triangle tiling",
+        || space(plane_tiling::triangles().structure()),
+    ),
+    fixed(
+        "a15",
+        SPACE,
+        STRUCTURE,
+        "TCP structure A15 over the square tiling",
+        || space(plane_tiling::squares().structure()),
+    ),
+    fixed(
+        "sigma",
+        SPACE,
+        STRUCTURE,
+        "TCP structure sigma over the tiling 3^2.4.3.4",
+        || space(plane_tiling::snub().structure()),
+    ),
+    fixed(
+        "h",
+        SPACE,
+        STRUCTURE,
+        "TCP structure H over the tiling 3^3.4^2",
+        || space(plane_tiling::rows().structure()),
+    ),
+    fixed(
+        "square-triangle-3464",
+        SPACE,
+        STRUCTURE,
+        "TCP structure over 3.4.6.4 with its hexagons cut into triangles",
+        || space(plane_tiling::rhombitrihexagonal().structure()),
+    ),
+    fixed(
+        "square-triangle-inflated-3",
+        SPACE,
+        STRUCTURE,
+        "TCP structure over the triangle tiling inflated once",
+        || space(plane_tiling::triangles().inflated().structure()),
+    ),
+    fixed(
+        "square-triangle-inflated-4",
+        SPACE,
+        STRUCTURE,
+        "TCP structure over the square tiling inflated once",
+        || space(plane_tiling::squares().inflated().structure()),
+    ),
+    fixed(
+        "square-triangle-inflated-32434",
+        SPACE,
+        STRUCTURE,
+        "TCP structure over the tiling 3^2.4.3.4 inflated once",
+        || space(plane_tiling::snub().inflated().structure()),
+    ),
+    over_plane(
+        "square-triangle:",
+        SPACE,
+        STRUCTURE,
+        "TCP structure over the square/triangle tiling of a name or file",
+        |plane| space(plane.structure()),
+    ),
+    over_plane(
+        "z-c15:",
+        SPACE,
+        STRUCTURE,
+        "mixture of Z and C15 over the square/triangle tiling of a name or file",
+        |plane| space(z_c15::z_c15(plane)),
+    ),
+    fixed(
+        "z-c15-3",
+        SPACE,
+        STRUCTURE,
+        "variant that mixes Z and C15, over the triangle tiling: C15",
+        || space(z_c15::z_c15(&built_in("3")?)),
+    ),
+    fixed(
+        "z-c15-4",
+        SPACE,
+        STRUCTURE,
+        "variant that mixes Z and C15, over the square tiling: Z",
+        || space(z_c15::z_c15(&built_in("4")?)),
+    ),
+    fixed(
+        "z-c15-33344",
+        SPACE,
+        STRUCTURE,
+        "variant that mixes Z and C15, over the tiling 3^3.4^2",
+        || space(z_c15::z_c15(&built_in("33344")?)),
+    ),
+    fixed(
+        "z-c15-32434",
+        SPACE,
+        STRUCTURE,
+        "variant that mixes Z and C15, over the tiling 3^2.4.3.4",
+        || space(z_c15::z_c15(&built_in("32434")?)),
+    ),
+    fixed(
+        "icosahedral",
+        SPACE,
+        "section 4.2",
+        "icosahedra with a vertical 3-fold axis in layers",
+        || space(icosahedral::icosahedral()),
+    ),
+    fixed(
+        "c15",
+        SPACE,
+        STRUCTURE,
+        "TCP structure C15: diamond with selected circumcentres",
+        || space(selected::c15()),
+    ),
+    fixed(
+        "a15-bcc",
+        SPACE,
+        STRUCTURE,
+        "bcc with the circumcentres of the black tetrahedra",
+        || space(selected::a15_bcc()),
+    ),
+    fixed(
+        "c14",
+        SPACE,
+        "Laves phase",
+        "TCP structure C14: kagome layers +-",
+        || space(kagome::kagome("+-")),
+    ),
+    fixed(
+        "c36",
+        SPACE,
+        "Laves phase",
+        "TCP structure C36: kagome layers ++--",
+        || space(kagome::kagome("++--")),
+    ),
+    fixed(
+        "mu",
+        SPACE,
+        "Frank and Kasper 1959",
+        "TCP structure mu: kagome layers z+",
+        || space(kagome::kagome("z+")),
+    ),
+    family(
+        "kagome:",
+        SPACE,
+        "Frank and Kasper 1959",
+        "kagome layers stacked by a word of z, +, -",
+        |word| space(kagome::kagome(word)),
+    ),
+];
