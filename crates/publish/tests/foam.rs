@@ -58,7 +58,7 @@ fn cells_of_a15_have_the_volumes_of_a_clipping_program() {
 }
 
 /// Kelvin's truncated octahedron with edge 1 has volume 8 √2 and area 6 + 12 √3: 0.753367. A program that
-/// clips half-spaces in doubles gives 0.76181273 for A15; relaxed, Weaire and Phelan's foam has 0.764.
+/// clips half-spaces in doubles gives 0.76181273 for A15.
 #[test]
 fn isoperimetric_quotients() {
     for (name, low, high) in [("bcc", 753_366, 753_367), ("a15", 761_812, 761_813)] {
