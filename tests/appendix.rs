@@ -175,7 +175,10 @@ fn regions_families_and_patches_have_sections() {
     assert!(section("kagome-all").contains("tikzpicture"));
     let soundness = text(place.path().join("soundness.tex"));
     for label in ["sound", "region", "family", "patches"] {
-        assert!(soundness.contains(&format!("\\label{{acutile:{label}}}")), "{label}");
+        assert!(
+            soundness.contains(&format!("\\label{{acutile:{label}}}")),
+            "{label}"
+        );
     }
 }
 

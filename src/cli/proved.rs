@@ -15,8 +15,8 @@ use acutile_core::family::{
     self, AnyFamily, FamilyNotProved, NotProvable, ProvedFamily, point_in_words,
 };
 use acutile_core::patches::{self, Theorem};
-use acutile_core::{format, proved, refusal, with_family};
 use acutile_core::with_dimension;
+use acutile_core::{format, proved, refusal, with_family};
 use acutile_kernel::{Kind, Limits};
 use acutile_publish::appendix::Subject;
 use acutile_publish::report::{NotProved, Proved};
@@ -146,7 +146,10 @@ fn family_subject(
         message: format!("{input}: {message}"),
         outcome,
     };
-    if let Some(bytes) = bytes.as_ref().filter(|bytes| has_kind(bytes, format::FAMILY)) {
+    if let Some(bytes) = bytes
+        .as_ref()
+        .filter(|bytes| has_kind(bytes, format::FAMILY))
+    {
         let (proved, family) = ProvedFamily::of_certificate(bytes, limits)
             .map_err(|error| refused(error.to_string(), outcome(&error)))?;
         let subject = Subject::of_family(stem(input), String::new(), &proved, family);
@@ -182,10 +185,12 @@ fn certificate(input: &str, options: &FileArguments) -> Result<Option<Vec<u8>>, 
     if catalog::find(input).is_some() || !Path::new(input).is_file() {
         return Ok(None);
     }
-    Ok(match input::text_or_mesh(Path::new(input), &options.mesh)? {
-        TextOrMesh::Certificate(bytes) => Some(bytes),
-        _ => None,
-    })
+    Ok(
+        match input::text_or_mesh(Path::new(input), &options.mesh)? {
+            TextOrMesh::Certificate(bytes) => Some(bytes),
+            _ => None,
+        },
+    )
 }
 
 /// Whether a file is a document of JSON, in which parameters can be.

@@ -24,7 +24,9 @@ impl Theorem {
         let numbers = Numbers::of(&read.claim.field).map_err(NotProved::Unreadable)?;
         let statements = read.claim.statements.iter().map(|s| numbers.statement(s));
         let theorem = Theorem {
-            statements: statements.collect::<Result<_, _>>().map_err(NotProved::Unreadable)?,
+            statements: statements
+                .collect::<Result<_, _>>()
+                .map_err(NotProved::Unreadable)?,
             certificate: cbor.into_owned(),
             verified,
         };

@@ -90,7 +90,10 @@ fn latex_forms(rows: &[Row]) -> String {
             .collect();
         if !forms.is_empty() {
             let label = row.label.replace('σ', "$\\sigma$");
-            text.push_str(&format!("\\par{{\\small\\sloppy {label}: {}.\\par}}\n", forms.join(", ")));
+            text.push_str(&format!(
+                "\\par{{\\small\\sloppy {label}: {}.\\par}}\n",
+                forms.join(", ")
+            ));
         }
     }
     text

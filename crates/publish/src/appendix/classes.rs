@@ -56,10 +56,7 @@ fn block<const D: usize>(analysis: &Analysis<D>, class: usize) -> String {
     let shape = &analysis.shapes[class];
     let first = shape.members[0];
     let edges = &analysis.edges[first.index()];
-    let (count, orbits) = (
-        shape.members.len(),
-        orbits_in(analysis, &shape.members),
-    );
+    let (count, orbits) = (shape.members.len(), orbits_in(analysis, &shape.members));
     let signs = Signs::of::<D>(analysis, edges);
     let factorial: i64 = (1..=D as i64).product();
     let volume = analysis.tiling.shape(first).determinant

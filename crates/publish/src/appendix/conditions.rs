@@ -28,7 +28,9 @@ pub fn conditions<const D: usize>(section: &Section<D>) -> Vec<Condition> {
     for k in 1..=D {
         let minor = match k {
             1 => gram[0][0].clone(),
-            2 => gram[0][0].times(&gram[1][1]).minus(&gram[0][1].times(&gram[1][0])),
+            2 => gram[0][0]
+                .times(&gram[1][1])
+                .minus(&gram[0][1].times(&gram[1][0])),
             _ => linear::determinant(gram),
         };
         found.add(section, minor, true, "", format!("minor ${k}$"));
@@ -111,7 +113,13 @@ fn add_tiles<const D: usize>(section: &Section<D>, found: &mut Found) {
     let matching = match_facets(&member);
     for tile in section.family.simplices() {
         let shape = simplex(section, tile);
-        found.add(section, shape.determinant.clone(), true, "$\\det$ ", format!("$T_{{{tile}}}$"));
+        found.add(
+            section,
+            shape.determinant.clone(),
+            true,
+            "$\\det$ ",
+            format!("$T_{{{tile}}}$"),
+        );
         if has_angles {
             let products = shape.normal_products(&cogram);
             for (i, j, product) in products.pairs() {
@@ -129,10 +137,9 @@ fn add_tiles<const D: usize>(section: &Section<D>, found: &mut Found) {
         }
         for i in 0..=D {
             let facet = Facet::new(tile, i);
-            let (Some(apex), Some(other)) = (
-                matching.apex(&member, facet),
-                matching.neighbour(facet),
-            ) else {
+            let (Some(apex), Some(other)) =
+                (matching.apex(&member, facet), matching.neighbour(facet))
+            else {
                 continue;
             };
             if (other.simplex, other.opposite) < (tile, facet.opposite) {
@@ -141,7 +148,13 @@ fn add_tiles<const D: usize>(section: &Section<D>, found: &mut Found) {
             let origin = position(section, &section.family.corners[tile.index() * (D + 1)]);
             let offset = linear::subtract(&position(section, &apex), &origin);
             let power = shape.power(&section.family.frame.gram, &offset);
-            found.add(section, power, is_strict, "power at ", format!("${i}$ of $T_{{{tile}}}$"));
+            found.add(
+                section,
+                power,
+                is_strict,
+                "power at ",
+                format!("${i}$ of $T_{{{tile}}}$"),
+            );
         }
     }
 }
@@ -168,7 +181,13 @@ fn add_boundary<const D: usize>(section: &Section<D>, found: &mut Found) {
         };
         for (v, vertex) in section.family.vertices.iter().enumerate() {
             let value = plane.value(frame.cross_section(vertex));
-            found.add(section, value, false, "", format!("vertex ${v}$, face ${face}$"));
+            found.add(
+                section,
+                value,
+                false,
+                "",
+                format!("vertex ${v}$, face ${face}$"),
+            );
         }
     }
 }
@@ -187,7 +206,9 @@ pub fn volume<const D: usize>(section: &Section<D>) -> String {
         .filter(|statement| {
             matches!(
                 statement,
-                Statement::LargestAngle(..) | Statement::SmallestAngle(..) | Statement::RadiusEdge(..)
+                Statement::LargestAngle(..)
+                    | Statement::SmallestAngle(..)
+                    | Statement::RadiusEdge(..)
             )
         })
         .map(|statement| match statement {

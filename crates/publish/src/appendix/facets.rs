@@ -16,7 +16,9 @@ pub fn facets<const D: usize>(analysis: &Analysis<D>) -> String {
         (1, 0) => "a tile $T$",
         (1, _) => "a tile $T$, moved by the lattice vector in the superscript,",
         (_, 0) => "an image $\\gamma T$ of a representative",
-        (_, _) => "an image $\\gamma T$ of a representative, moved by the lattice vector in the superscript,",
+        (_, _) => {
+            "an image $\\gamma T$ of a representative, moved by the lattice vector in the superscript,"
+        }
     };
     let domain = &analysis.tiling.frame.domain;
     let boundary = match (domain.polytope(), domain.is_region()) {
@@ -47,7 +49,8 @@ fn table<const D: usize>(analysis: &Analysis<D>) -> String {
         columns: "rrrrrl",
         caption: format!("The tile on the other side of each {}.", facet_word(D)),
         label: analysis.label("pairing"),
-        heading: "tile & $i$ & $d$ & other tile & $j$ & $\\det$ with $d$ for $c_i$ $(<0)$".to_owned(),
+        heading: "tile & $i$ & $d$ & other tile & $j$ & $\\det$ with $d$ for $c_i$ $(<0)$"
+            .to_owned(),
         rows: rows.collect(),
     }
     .tex()
@@ -63,7 +66,9 @@ fn row<const D: usize>(analysis: &Analysis<D>, facet: Facet) -> String {
             format!(
                 "{start} & ${}$ & ${tile}$ & {corner} & ${}$",
                 tex::corner(&apex, analysis.rank()),
-                analysis.numerals.justified(&exchanged(analysis, facet, &apex)),
+                analysis
+                    .numerals
+                    .justified(&exchanged(analysis, facet, &apex)),
             )
         }
     }
@@ -109,8 +114,14 @@ pub fn delaunay<const D: usize>(analysis: &Analysis<D>, is_strict: bool) -> Stri
         false => ("nonnegative", "$(\\ge0)$", "not inside of"),
     };
     let reason = match is_region {
-        true => format!("At each {facet} that two tiles share, the corner $d$ of Table~\\ref{{{}}} is {position} the {sphere}", analysis.label("pairing")),
-        false => format!("By Theorem~\\ref{{acutile:delaunay}} it suffices that for each {facet} the corner $d$ of Table~\\ref{{{}}} is {position} the {sphere}", analysis.label("pairing")),
+        true => format!(
+            "At each {facet} that two tiles share, the corner $d$ of Table~\\ref{{{}}} is {position} the {sphere}",
+            analysis.label("pairing")
+        ),
+        false => format!(
+            "By Theorem~\\ref{{acutile:delaunay}} it suffices that for each {facet} the corner $d$ of Table~\\ref{{{}}} is {position} the {sphere}",
+            analysis.label("pairing")
+        ),
     };
     format!(
         "\\acutileparagraph{{Delaunay.}} {reason}: that its power $\\pi(d)=|d-z|^2-\\rho^2$, for the centre $z$ and the radius $\\rho$, is {relation}. \
@@ -166,11 +177,7 @@ fn power_row<const D: usize>(
 }
 
 /// The power of a corner with respect to the circumsphere of a facet's simplex.
-fn power<const D: usize>(
-    analysis: &Analysis<D>,
-    facet: Facet,
-    apex: &Corner<D>,
-) -> Option<Number> {
+fn power<const D: usize>(analysis: &Analysis<D>, facet: Facet, apex: &Corner<D>) -> Option<Number> {
     let tiling = analysis.tiling;
     let origin = tiling.position(&tiling.simplex(facet.simplex)[0]);
     let offset = linear::subtract(&tiling.position(apex), &origin);

@@ -102,7 +102,11 @@ fn statement<const D: usize>(section: &Section<D>) -> String {
         label = section.label("theorem"),
         r#box = parameters(section),
         basis = list(&basis),
-        space = if D == 2 { "the Euclidean plane" } else { "Euclidean space" },
+        space = if D == 2 {
+            "the Euclidean plane"
+        } else {
+            "Euclidean space"
+        },
         gram = theorem::matrix(&gram),
         lattice = match lattice.is_empty() {
             true => String::new(),
@@ -110,9 +114,17 @@ fn statement<const D: usize>(section: &Section<D>) -> String {
         },
         kind = simplices(D, count),
         orbits = section.label("orbits"),
-        moved = if lattice.is_empty() { "" } else { " and their translates by $\\Lambda$" },
+        moved = if lattice.is_empty() {
+            ""
+        } else {
+            " and their translates by $\\Lambda$"
+        },
         domain = domain(section),
-        how = if D == 2 { "edge to edge" } else { "face to face" },
+        how = if D == 2 {
+            "edge to edge"
+        } else {
+            "face to face"
+        },
     )
 }
 
@@ -162,7 +174,10 @@ fn proof<const D: usize>(section: &Section<D>) -> String {
     let leaves = section.tree.leaves();
     let cut = match leaves {
         1 => "The box need not be cut.".to_owned(),
-        _ => format!("The box is cut into ${leaves}$ boxes by halving intervals, {}.", tree_words(section)),
+        _ => format!(
+            "The box is cut into ${leaves}$ boxes by halving intervals, {}.",
+            tree_words(section)
+        ),
     };
     format!(
         "\\acutileparagraph{{Proof.}} By Theorem~\\ref{{acutile:family}} it suffices to check the names of the {facet}s in Table~\\ref{{{pairing}}} and the signs of the polynomials in Table~\\ref{{{signs}}}. {cut}\n\n",
@@ -209,7 +224,13 @@ fn vertices<const D: usize>(section: &Section<D>) -> String {
         caption: "Vertices in coordinates of the basis.".to_owned(),
         label: section.label("vertices"),
         heading: format!("vertex{names}"),
-        rows: section.family.vertices.iter().enumerate().map(row).collect(),
+        rows: section
+            .family
+            .vertices
+            .iter()
+            .enumerate()
+            .map(row)
+            .collect(),
     }
     .tex()
 }
@@ -320,11 +341,7 @@ fn signs<const D: usize>(section: &Section<D>, conditions: &[Condition]) -> Stri
 }
 
 /// The coefficients on a leaf.
-fn bernstein<const D: usize>(
-    section: &Section<D>,
-    condition: &Condition,
-    leaf: &Cuboid,
-) -> String {
+fn bernstein<const D: usize>(section: &Section<D>, condition: &Condition, leaf: &Cuboid) -> String {
     let Some(numbers) = coefficients(&condition.polynomial, leaf) else {
         return "--".to_owned();
     };

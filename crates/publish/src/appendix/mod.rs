@@ -24,8 +24,8 @@
 
 mod bibliography;
 mod boundary;
-mod conditions;
 mod classes;
+mod conditions;
 mod document;
 mod facets;
 mod family;

@@ -52,10 +52,7 @@ fn cells<T: Exact>(range: &Range<T>, digits: u64) -> String {
 
 /// The table of all rows.
 pub fn table(rows: Vec<String>, subjects: &[Subject]) -> String {
-    let kind = match subjects
-        .iter()
-        .all(Subject::is_in_space)
-    {
+    let kind = match subjects.iter().all(Subject::is_in_space) {
         true => "tetrahedra",
         false => "simplices",
     };

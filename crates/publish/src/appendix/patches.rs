@@ -65,8 +65,14 @@ impl Page<'_> {
             .collect();
         let items = items.trim_end().trim_end_matches(';').to_owned();
         let (base, copies) = match self.system.rank {
-            1 => ("the plane spanned by $b_2$ and $b_3$", "edge-to-edge tiling of the plane by moved and turned copies of the polygons"),
-            _ => ("the line spanned by $b_3$", "division of the line into moved copies of the segments"),
+            1 => (
+                "the plane spanned by $b_2$ and $b_3$",
+                "edge-to-edge tiling of the plane by moved and turned copies of the polygons",
+            ),
+            _ => (
+                "the line spanned by $b_3$",
+                "division of the line into moved copies of the segments",
+            ),
         };
         format!(
             "\\begin{{acutiletheorem}}[{name}]\\label{{{label}}}\nLet $b_1$, $b_2$, and $b_3$ be a basis of Euclidean space with the inner products\n\
@@ -99,7 +105,10 @@ impl Page<'_> {
         let sides: Vec<String> = pairs
             .map(|(side, (class, offset))| {
                 let entries: Vec<String> = offset.iter().map(|x| self.numerals.inline(x)).collect();
-                format!("${side}$: class ${class}$, offset $({})$", entries.join(",\\,"))
+                format!(
+                    "${side}$: class ${class}$, offset $({})$",
+                    entries.join(",\\,")
+                )
             })
             .collect();
         format!(
@@ -156,11 +165,22 @@ impl Page<'_> {
 
     fn cells(&self, number: usize, tile: &Tile) -> String {
         let piece = self.system.piece(tile);
-        let rows = tile.patch.simplices.iter().enumerate().map(|(cell, corners)| {
-            let cells: String = corners.iter().map(|c| format!(" & ${}$", self.corner(c))).collect();
-            let det = piece.shape(SimplexId::at(cell)).determinant;
-            format!("$T_{{{cell}}}${cells} & ${}$", self.numerals.justified(&det))
-        });
+        let rows = tile
+            .patch
+            .simplices
+            .iter()
+            .enumerate()
+            .map(|(cell, corners)| {
+                let cells: String = corners
+                    .iter()
+                    .map(|c| format!(" & ${}$", self.corner(c)))
+                    .collect();
+                let det = piece.shape(SimplexId::at(cell)).determinant;
+                format!(
+                    "$T_{{{cell}}}${cells} & ${}$",
+                    self.numerals.justified(&det)
+                )
+            });
         Table {
             mark: format!("patch-cells {} {number}", self.subject.slug()),
             columns: "rrrrrl",
@@ -179,12 +199,18 @@ impl Page<'_> {
                 .iter()
                 .map(|c| format!("${}$", self.corner(c)))
                 .collect();
-            format!("{place} & ${}$ & {}", self.corner(&pyramid.apex), polygon.join(", "))
+            format!(
+                "{place} & ${}$ & {}",
+                self.corner(&pyramid.apex),
+                polygon.join(", ")
+            )
         };
         Table {
             mark: format!("patch-pyramids {} {number}", self.subject.slug()),
             columns: "rrl",
-            caption: format!("The pyramids over tile {number}: apex $a$ and polygon $h_0,h_1,\\dots$"),
+            caption: format!(
+                "The pyramids over tile {number}: apex $a$ and polygon $h_0,h_1,\\dots$"
+            ),
             label: self.label(&format!("pyramids-{number}")),
             heading: "& apex & polygon".to_owned(),
             rows: tile.patch.pyramids.iter().enumerate().map(row).collect(),

@@ -76,9 +76,10 @@ fn candidates<const D: usize>(
             }
         }
     }
-    directions.extend((0..D).map(|axis| {
-        std::array::from_fn(|k| Number::from(Rational::from(u8::from(k == axis))))
-    }));
+    directions
+        .extend((0..D).map(|axis| {
+            std::array::from_fn(|k| Number::from(Rational::from(u8::from(k == axis))))
+        }));
     let mut found = Vec::new();
     let mut add = |w: [Number; D]| {
         if w.iter().any(|x| x.sign() != Sign::Equal) {
@@ -88,7 +89,9 @@ fn candidates<const D: usize>(
     };
     for (i, x) in directions.iter().enumerate() {
         if D == 2 {
-            add(std::array::from_fn(|k| if k == 0 { -&x[1] } else { x[0].clone() }));
+            add(std::array::from_fn(|k| {
+                if k == 0 { -&x[1] } else { x[0].clone() }
+            }));
             continue;
         }
         for y in &directions[i + 1..] {

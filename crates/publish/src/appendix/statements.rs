@@ -150,7 +150,8 @@ fn valence_table<const D: usize>(analysis: &Analysis<D>) -> String {
     Table {
         mark: format!("valences {}", analysis.subject.slug()),
         columns: &format!("r{}", "r".repeat(pairs.len())),
-        caption: "The number of tetrahedra around each edge, by the numbers of its corners.".to_owned(),
+        caption: "The number of tetrahedra around each edge, by the numbers of its corners."
+            .to_owned(),
         label: analysis.label("valences"),
         heading: format!("tile{heads}"),
         rows: analysis.order.iter().map(row).collect(),

@@ -6,14 +6,14 @@ use super::orbits::Orbits;
 use super::tex::{moved, slug};
 use crate::report::Proved;
 use acutile_core::classify::{Ridges, Star, Symmetry};
-use acutile_core::quality::{Shape, shapes, squared_edges};
 use acutile_core::family::{AnyFamily, ProvedFamily, Tree};
 use acutile_core::format::print;
 use acutile_core::patches::{System, Theorem};
 use acutile_core::proved::hexadecimal;
+use acutile_core::quality::{Shape, shapes, squared_edges};
 use acutile_core::statement::Statement;
-use acutile_core::with_dimension;
 use acutile_core::tiling::{AnyTiling, Matching, Mate, SimplexId, Tiling, match_facets};
+use acutile_core::with_dimension;
 use acutile_exact::geometry::{NormalProducts, linear};
 use acutile_exact::number::Number;
 
@@ -147,7 +147,9 @@ impl Subject {
     pub(super) fn is_in_space(&self) -> bool {
         matches!(
             self.content,
-            Content::Tiling(AnyTiling::Space(_)) | Content::Family(AnyFamily::Space(_), _) | Content::Patches(..)
+            Content::Tiling(AnyTiling::Space(_))
+                | Content::Family(AnyFamily::Space(_), _)
+                | Content::Patches(..)
         )
     }
 

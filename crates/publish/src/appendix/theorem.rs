@@ -71,7 +71,11 @@ fn tiles<const D: usize>(analysis: &Analysis<D>) -> String {
 }
 
 fn images<const D: usize>(analysis: &Analysis<D>) -> &'static str {
-    match (analysis.orbits.elements.len(), analysis.orbits.representatives.len(), analysis.rank()) {
+    match (
+        analysis.orbits.elements.len(),
+        analysis.orbits.representatives.len(),
+        analysis.rank(),
+    ) {
         (1, _, 0) => "",
         (1, 1, _) => " and its translates by $\\Lambda$",
         (1, _, _) => " and their translates by $\\Lambda$",
@@ -107,7 +111,11 @@ fn setting<const D: usize>(analysis: &Analysis<D>) -> String {
          {gram}\n{lattice}{group}",
         field = field(analysis),
         basis = list(&basis),
-        space = if D == 2 { "the Euclidean plane" } else { "Euclidean space" },
+        space = if D == 2 {
+            "the Euclidean plane"
+        } else {
+            "Euclidean space"
+        },
         gram = gram(analysis),
         group = super::group::definition(analysis),
     )
@@ -394,7 +402,11 @@ pub fn metric<const D: usize>(analysis: &Analysis<D>) -> String {
 /// The heading of a section.
 pub fn heading(subject: &Subject) -> String {
     let plain = super::names::plain(&subject.name);
-    format!("\\texorpdfstring{{{}}}{{{}}}", human_name(subject), escape(&plain))
+    format!(
+        "\\texorpdfstring{{{}}}{{{}}}",
+        human_name(subject),
+        escape(&plain)
+    )
 }
 
 /// What people call it.
@@ -446,14 +458,18 @@ pub fn sizes<const D: usize>(analysis: &Analysis<D>) -> String {
 /// The proof in a sentence, with references to what is checked where.
 pub fn proof<const D: usize>(analysis: &Analysis<D>) -> String {
     let acute = match analysis.subject.statements().contains(&Statement::Acute) {
-        true => " That all angles are acute follows from Lemma~\\ref{acutile:angles} and the signs below.",
+        true => {
+            " That all angles are acute follows from Lemma~\\ref{acutile:angles} and the signs below."
+        }
         false => "",
     };
     let facet = if D == 2 { "edges" } else { "facets" };
     let has_group = analysis.orbits.elements.len() > 1;
     let group = if has_group { "(S) the symmetry, " } else { "" };
     let lemma = match has_group {
-        true => " By Lemma~\\ref{acutile:representatives} they need checking for the representatives only.",
+        true => {
+            " By Lemma~\\ref{acutile:representatives} they need checking for the representatives only."
+        }
         false => "",
     };
     let (theorem, rest) = match &analysis.tiling.frame.domain {

@@ -9,8 +9,14 @@ use acutile_core::tiling::VertexId;
 pub fn vertices<const D: usize>(analysis: &Analysis<D>) -> String {
     let (cell, occurs) = match (analysis.rank(), analysis.orbits.elements.len()) {
         (0, 1) => ("", "a tile with this corner"),
-        (_, 1) => (" up to $\\Lambda$", "a tile with this corner up to $\\Lambda$"),
-        (0, _) => ("", "a tile with this corner, or an isometry that maps a corner $c_i$ of a tile to it"),
+        (_, 1) => (
+            " up to $\\Lambda$",
+            "a tile with this corner up to $\\Lambda$",
+        ),
+        (0, _) => (
+            "",
+            "a tile with this corner, or an isometry that maps a corner $c_i$ of a tile to it",
+        ),
         _ => (
             " up to $\\Lambda$",
             "a tile with this corner, or an isometry that maps a corner $c_i$ of a tile to it, up to $\\Lambda$",

@@ -64,10 +64,7 @@ pub fn volume<const D: usize>(analysis: &Analysis<D>) -> String {
          % acutile:volume {}\n{}{meaning}.\n\n",
         analysis.label("orbits"),
         analysis.subject.slug(),
-        display_sum(
-            terms.iter().map(String::as_str),
-            &numerals.number(&sum)
-        ),
+        display_sum(terms.iter().map(String::as_str), &numerals.number(&sum)),
     )
 }
 
