@@ -56,8 +56,8 @@ pub fn proved(
 /// # Errors
 /// A message that names the input.
 pub fn check_sides(input: &str, named: &Named) -> Result<(), InputError> {
-    if let Some(near) = &named.sides.near {
-        let defect = checker::Defect::NearMates(near.clone());
+    if let Some(near) = named.sides.near {
+        let defect = checker::Defect::NearMates(near);
         let words = with_dimension!(&named.tiling, AnyTiling, t => in_words(t, &defect));
         return Err(InputError {
             message: format!("{input}: {words}"),
