@@ -43,6 +43,7 @@ mod proved;
 mod quality;
 mod records;
 mod refutation;
+mod refuted_page;
 mod region;
 mod report;
 mod search;

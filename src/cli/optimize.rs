@@ -1,20 +1,23 @@
 //! `acutile optimize`: better angles for a tiling, proved.
 
+use super::certify::in_words;
 use super::encoding::Encoding;
 use super::input::{self, FileArguments};
 use super::interrupt;
 use super::limits::LimitArguments;
-use super::named::{InputError, Named};
+use super::named::InputError;
 use super::optimized::Report;
 use super::outcome::Outcome;
 use super::output::{Output, Staged};
 use super::progress::Progress;
 use super::proved as proof;
 use acutile_core::advice::{Advice, Adviser};
+use acutile_core::checker::Defect;
 use acutile_core::format::print;
 use acutile_core::proved::NotProved;
 use acutile_core::statement::Statement;
 use acutile_core::tiling::{AnyTiling, Tiling, match_facets};
+use acutile_core::with_dimension;
 use acutile_optimize::{
     Failure, Freedom, Goal, Group, Keep, Options, optimize, prove_local, reasons,
 };
@@ -158,7 +161,12 @@ fn verdict(outcome: Outcome) -> &'static str {
 fn answer(arguments: &OptimizeArguments, output: &mut Output) -> Result<Outcome, InputError> {
     let input = &arguments.input;
     let named = input::tiling(input, arguments.param.as_deref(), &arguments.file, output)?;
-    check_mesh(&named)?;
+    if !named.curved.is_empty() {
+        let curved = named.curved.len();
+        return Err(
+            format!("{input}: found {curved} curved tetrahedra, expected straight ones").into(),
+        );
+    }
     let AnyTiling::Space(mut tiling) = named.tiling else {
         return Err(format!("{input}: found a tiling of the plane, expected one of space").into());
     };
@@ -182,6 +190,7 @@ fn answer(arguments: &OptimizeArguments, output: &mut Output) -> Result<Outcome,
         seed: arguments.seed,
         steps: arguments.steps,
         limits: arguments.limits.limits(),
+        sides: named.sides,
     };
     let place = Place::of(arguments)?;
     let found = search(input, &tiling, &options)?;
@@ -212,17 +221,6 @@ fn answer(arguments: &OptimizeArguments, output: &mut Output) -> Result<Outcome,
         true => Outcome::Done,
         false => Outcome::Declined,
     })
-}
-
-/// Meshes whose proof would be about something else.
-fn check_mesh(named: &Named) -> Result<(), InputError> {
-    match named.curved.len() {
-        0 => proof::check_sides(&named.name, named),
-        curved => {
-            let name = &named.name;
-            Err(format!("{name}: found {curved} curved tetrahedra, expected straight ones").into())
-        }
-    }
 }
 
 /// The search, with a line for the current value; Ctrl-C ends it with the best so far.

@@ -159,7 +159,7 @@ mod tests {
 
     /// Without a vertex: 20 of 600 tetrahedra have it, and its link is an icosahedron. Without a tetrahedron: 543,
     /// and twelve edges of valence two form a tetrahedron with subdivided edges. Without the star of a vertex: 470,
-    /// and no edge is forced to be sharp.
+    /// with the edges, corners and faces of a dodecahedron.
     #[test]
     fn known_balls() {
         let cells = cell600::cells();
@@ -178,7 +178,12 @@ mod tests {
         );
         let mut star: Vec<usize> = neighbours(&cells)[0].iter().copied().collect();
         star.push(0);
-        assert_eq!((left(&star).tetrahedra, left(&star).ridges), (470, (0, 0)));
+        let dodecahedron = left(&star);
+        assert_eq!(
+            (dodecahedron.tetrahedra, dodecahedron.ridges),
+            (470, (0, 30))
+        );
+        assert_eq!((dodecahedron.corners, dodecahedron.faces), (20, 12));
         // Two vertices that are no neighbours leave a boundary of two spheres.
         let far = (1..120).find(|v| !star.contains(v)).expect("a vertex");
         let second: Vec<usize> = neighbours(&cells)[far].iter().copied().collect();

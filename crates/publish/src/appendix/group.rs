@@ -1,8 +1,9 @@
 //! The group of isometries under which the tiles are given by representatives: generators,
 //! elements up to the lattice, and the checks that make it a group.
 
+use super::polynomial::product;
 use super::subject::Analysis;
-use super::tex::{Table, list};
+use super::tex::{Table, list, width};
 use acutile_core::classify::Isometry;
 use acutile_core::tiling::Polytope;
 use acutile_exact::number::Number;
@@ -78,19 +79,29 @@ pub fn group<const D: usize>(analysis: &Analysis<D>) -> String {
     )
 }
 
+/// Letters of an image that is not broken.
+const WIDE: usize = 60;
+
 fn table<const D: usize>(analysis: &Analysis<D>) -> String {
     let orbits = &analysis.orbits;
     let polytope = analysis.tiling.frame.domain.polytope();
+    let triplets: Vec<String> = orbits
+        .elements
+        .iter()
+        .map(|element| triplet(analysis, element))
+        .collect();
+    let is_wide = triplets.iter().any(|text| width(text) > WIDE);
     let row = |(number, element): (usize, &Isometry<D>)| {
         let products = orbits.products[number].iter();
         let products: String = products.map(|p| format!(" & {p}")).collect();
         let corners = polytope.map_or(String::new(), |p| {
             format!(" & {}", corner_images(element, p))
         });
-        format!(
-            "$\\gamma_{{{number}}}$ & ${}${products}{corners}",
-            triplet(analysis, element)
-        )
+        let image = match is_wide {
+            true => triplets[number].replace(",\\,", ",$ $"),
+            false => triplets[number].clone(),
+        };
+        format!("$\\gamma_{{{number}}}$ & ${image}${products}{corners}")
     };
     let heads: String = orbits
         .generators
@@ -103,7 +114,11 @@ fn table<const D: usize>(analysis: &Analysis<D>) -> String {
     };
     Table {
         mark: format!("group {}", analysis.subject.slug()),
-        columns: &format!("rl{}{column}", "r".repeat(orbits.generators.len())),
+        columns: &format!(
+            "r{}{}{column}",
+            if is_wide { "p{.6\\linewidth}" } else { "l" },
+            "r".repeat(orbits.generators.len())
+        ),
         caption: format!(
             "The isometries as images of ${}$, and the numbers of their products with the generators.",
             point(D)
@@ -140,7 +155,7 @@ pub fn triplet<const D: usize>(analysis: &Analysis<D>, element: &Isometry<D>) ->
         for (j, variable) in variables(D).iter().enumerate() {
             let entry = &element.linear[i][j];
             if !entry.is_zero() {
-                text.push_str(&term(&text, &numerals.slashed_factor(entry), variable));
+                text.push_str(&product(&text, &numerals.slashed_factor(entry), variable));
             }
         }
         let t = &element.translation[i];
@@ -152,19 +167,4 @@ pub fn triplet<const D: usize>(analysis: &Analysis<D>, element: &Isometry<D>) ->
         text
     };
     format!("({})", (0..D).map(line).collect::<Vec<_>>().join(",\\,"))
-}
-
-/// A coefficient in front of a variable; `(-1)` and `1` are signs.
-fn term(before: &str, coefficient: &str, variable: &str) -> String {
-    let negative = coefficient
-        .strip_prefix("(-")
-        .and_then(|rest| rest.strip_suffix(')'))
-        .filter(|size| !size[1..].contains(['+', '-', '/']));
-    let plus = if before.is_empty() { "" } else { "+" };
-    match (coefficient, negative) {
-        ("1", _) => format!("{plus}{variable}"),
-        (_, Some("1")) => format!("-{variable}"),
-        (_, Some(size)) => format!("-{size}{variable}"),
-        _ => format!("{plus}{coefficient}{variable}"),
-    }
 }

@@ -1,5 +1,6 @@
 //! What is proved, in words and exact numbers; field, lattice and metric.
 
+use super::numeral::Numerals;
 use super::rational::{interval, rational};
 use super::subject::{Analysis, Subject};
 use super::tex::{counted, escape, facet_word, list, simplices, sphere_word, width};
@@ -17,7 +18,7 @@ pub fn theorem<const D: usize>(analysis: &Analysis<D>) -> String {
     let mut statements: Vec<String> = subject
         .statements()
         .iter()
-        .filter_map(|statement| in_words(analysis, statement))
+        .filter_map(|statement| in_words::<D>(&analysis.numerals, statement))
         .collect();
     if let Some(last) = statements.last_mut() {
         last.truncate(last.len() - 1);
@@ -124,11 +125,11 @@ fn setting<const D: usize>(analysis: &Analysis<D>) -> String {
 fn field<const D: usize>(analysis: &Analysis<D>) -> String {
     let field = &analysis.tiling.frame.field;
     match &analysis.numerals {
-        super::numeral::Numerals::Rational => String::new(),
-        super::numeral::Numerals::Quadratic { radicand, .. } => {
+        Numerals::Rational => String::new(),
+        Numerals::Quadratic { radicand, .. } => {
             format!("All numbers lie in $\\mathbb{{Q}}(\\sqrt{{{radicand}}})$. ")
         }
-        super::numeral::Numerals::Powers => {
+        Numerals::Powers => {
             let (low, high) = field.root();
             format!(
                 "All numbers lie in $\\mathbb{{Q}}(\\alpha)$, where $\\alpha$ is the root of ${}$ between ${}$ and ${}$. ",
@@ -144,7 +145,7 @@ fn field<const D: usize>(analysis: &Analysis<D>) -> String {
 /// and the derivative over the interval by Horner's rule.
 pub fn root<const D: usize>(analysis: &Analysis<D>) -> String {
     let field = &analysis.tiling.frame.field;
-    if !matches!(analysis.numerals, super::numeral::Numerals::Powers) {
+    if !matches!(analysis.numerals, Numerals::Powers) {
         return String::new();
     }
     let (low, high) = field.root();
@@ -232,7 +233,7 @@ fn gram<const D: usize>(analysis: &Analysis<D>) -> String {
         .map(|row| row.iter().map(|x| numerals.number(x)).collect())
         .collect();
     format!(
-        "% acutile:gram\n\\[ \\bigl(\\langle b_i,b_j\\rangle\\bigr)={}. \\]",
+        "% acutile:gram\n\\[ \\acutilefit{{$\\bigl(\\langle b_i,b_j\\rangle\\bigr)={}.$}} \\]",
         matrix(&rows)
     )
 }
@@ -281,7 +282,7 @@ fn domain<const D: usize>(analysis: &Analysis<D>) -> String {
 }
 
 /// A statement beyond the tiling.
-fn in_words<const D: usize>(analysis: &Analysis<D>, statement: &Statement) -> Option<String> {
+pub fn in_words<const D: usize>(numerals: &Numerals, statement: &Statement) -> Option<String> {
     let (angle, angles) = match D {
         2 => ("angle", "angles"),
         _ => ("dihedral angle", "dihedral angles"),
@@ -292,7 +293,7 @@ fn in_words<const D: usize>(analysis: &Analysis<D>, statement: &Statement) -> Op
         Statement::Acute => format!("all {angles} are acute;"),
         Statement::Nonobtuse => format!("no {angle} is obtuse;"),
         Statement::LargestAngle(relation, bound) => {
-            let bound = angle_text(analysis, bound);
+            let bound = angle_text(numerals, bound);
             match relation {
                 Relation::Maximum => format!("the largest {angle} is {bound};"),
                 Relation::Minimum => {
@@ -302,7 +303,7 @@ fn in_words<const D: usize>(analysis: &Analysis<D>, statement: &Statement) -> Op
             }
         }
         Statement::SmallestAngle(relation, bound) => {
-            let bound = angle_text(analysis, bound);
+            let bound = angle_text(numerals, bound);
             match relation {
                 Relation::Minimum => format!("the smallest {angle} is {bound};"),
                 Relation::Maximum => {
@@ -312,7 +313,7 @@ fn in_words<const D: usize>(analysis: &Analysis<D>, statement: &Statement) -> Op
             }
         }
         Statement::RadiusEdge(relation, bound) => {
-            let bound = ratio_text(analysis, bound);
+            let bound = ratio_text(numerals, bound);
             let quotient = "quotient of circumradius and shortest edge of a tile";
             match relation {
                 Relation::Maximum => format!("the largest {quotient} is {bound};"),
@@ -343,11 +344,11 @@ fn in_words<const D: usize>(analysis: &Analysis<D>, statement: &Statement) -> Op
 const WIDE: usize = 30;
 
 /// `$\arccos 1/5$`, `$60^\circ$`, or an enclosure in degrees.
-fn angle_text<const D: usize>(analysis: &Analysis<D>, angle: &DihedralAngle) -> String {
+fn angle_text(numerals: &Numerals, angle: &DihedralAngle) -> String {
     if let Some(degrees) = angle.rational() {
         return format!("${}^\\circ$", rational(&degrees));
     }
-    let root = analysis.numerals.root(&angle.signed_square.abs());
+    let root = numerals.root(&angle.signed_square.abs());
     let sign = if angle.against_right().is_gt() {
         "-"
     } else {
@@ -361,8 +362,8 @@ fn angle_text<const D: usize>(analysis: &Analysis<D>, angle: &DihedralAngle) -> 
 }
 
 /// The ratio, or an enclosure.
-fn ratio_text<const D: usize>(analysis: &Analysis<D>, ratio: &RadiusEdge) -> String {
-    let root = analysis.numerals.root(&ratio.square);
+fn ratio_text(numerals: &Numerals, ratio: &RadiusEdge) -> String {
+    let root = numerals.root(&ratio.square);
     if width(&root) > WIDE {
         let bounds = ratio.enclosure(&Rational::from_signeds(1, 1_000_000_000));
         return format!("some $\\sigma\\in{}$", interval(&bounds));

@@ -4,6 +4,8 @@
 use super::subject::Analysis;
 use super::tex::{Table, corner, simplices};
 use acutile_core::tiling::SimplexId;
+use acutile_exact::geometry::Simplex;
+use acutile_exact::number::Number;
 
 /// The paragraph on determinants and numbers of images, with the table of representatives.
 pub fn tiles<const D: usize>(analysis: &Analysis<D>) -> String {
@@ -183,4 +185,26 @@ pub fn all_simplices<const D: usize>(analysis: &Analysis<D>) -> String {
         rows: analysis.tiling.indices().map(row).collect(),
     }
     .tex()
+}
+
+/// The barycentric coordinates of a point in a tile.
+pub fn barycentric<const D: usize>(
+    analysis: &Analysis<D>,
+    tile: SimplexId,
+    point: &[Number; D],
+) -> Vec<Number> {
+    let corners: Vec<[Number; D]> = analysis
+        .tiling
+        .simplex(tile)
+        .iter()
+        .map(|c| analysis.tiling.position(c))
+        .collect();
+    let whole = Simplex::new(&corners).determinant;
+    (0..=D)
+        .filter_map(|k| {
+            let mut exchanged = corners.clone();
+            exchanged[k] = point.clone();
+            Simplex::new(&exchanged).determinant.divide(&whole)
+        })
+        .collect()
 }
