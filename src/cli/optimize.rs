@@ -1,6 +1,5 @@
 //! `acutile optimize`: better angles for a tiling, proved.
 
-use super::certify::in_words;
 use super::encoding::Encoding;
 use super::input::{self, FileArguments};
 use super::interrupt;
@@ -12,12 +11,10 @@ use super::output::{Output, Staged};
 use super::progress::Progress;
 use super::proved as proof;
 use acutile_core::advice::{Advice, Adviser};
-use acutile_core::checker::Defect;
 use acutile_core::format::print;
 use acutile_core::proved::NotProved;
 use acutile_core::statement::Statement;
 use acutile_core::tiling::{AnyTiling, Tiling, match_facets};
-use acutile_core::with_dimension;
 use acutile_optimize::{
     Failure, Freedom, Goal, Group, Keep, Options, optimize, prove_local, reasons,
 };
