@@ -150,7 +150,7 @@ fn a_mesh_becomes_acute() {
     let directory = tempfile::tempdir().expect("a directory");
     let path = directory.path().join("a15.mesh");
     let name = path.to_str().expect("UTF-8");
-    let run = acutile(["convert", "a15", name, "--supercell", "3,3,3"]);
+    let run = acutile(["convert", "a15", name, "--supercell", "4,4,4"]);
     assert_eq!(code(&run), 0, "{}", stderr(&run));
     shake(&path);
     let before = acutile(["certify", name, "--require", "acute"]);
@@ -244,4 +244,22 @@ fn an_interrupt_keeps_the_best() {
     );
     assert!(stdout(&output).contains("interrupted; this is the best so far"));
     assert_eq!(code(&acutile_verify([&path])), 0);
+}
+
+/// All candidates are accounted for, and finding none is declined, not refuted.
+#[test]
+fn a_search_says_what_it_tried() {
+    let run = acutile(["search", "slab", "--tries", "20", "--json"]);
+    let data: Value = serde_json::from_str(&stdout(&run)).expect("JSON");
+    let count = |name: &str| data[name].as_u64().expect("a count");
+    let parts = ["cospherical", "no_slab", "never_acute", "optimized"];
+    assert_eq!(count("candidates"), 20);
+    assert_eq!(parts.map(count).iter().sum::<u64>(), 20);
+    let expected = if count("acute") > 0 { 0 } else { 3 };
+    assert_eq!(code(&run), expected);
+    let run = acutile(["search", "balls", "--size", "1"]);
+    assert_eq!(code(&run), 0);
+    // 20 of the 600 tetrahedra have a given vertex.
+    assert!(stdout(&run).contains("580 tetrahedra without 1 vertices"));
+    assert_eq!(code(&acutile(["search", "slab", "--over", "pentagons"])), 2);
 }

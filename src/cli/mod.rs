@@ -33,6 +33,7 @@ mod meta;
 mod named;
 mod new;
 mod optimize;
+mod optimized;
 mod outcome;
 mod output;
 mod paper;

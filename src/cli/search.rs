@@ -129,6 +129,7 @@ fn angle(tried: &Tried) -> Option<String> {
 fn slab_words(tried: &Tried, output: &mut Output) {
     let Tried {
         candidates,
+        cospherical,
         unusable,
         hopeless,
         optimized,
@@ -136,7 +137,8 @@ fn slab_words(tried: &Tried, output: &mut Output) {
         ..
     } = tried;
     output.line(format!(
-        "{candidates} candidates: {unusable} give no slab, {hopeless} can never be acute, {optimized} \
+        "{candidates} candidates: {cospherical} have cospherical points, {unusable} give no slab otherwise, \
+         {hopeless} can never be acute, {optimized} \
          optimized, {acute} of these acute"
     ));
     match (&tried.best, angle(tried)) {
@@ -152,6 +154,7 @@ fn slab_words(tried: &Tried, output: &mut Output) {
 fn slab_data(tried: &Tried) -> Value {
     json!({
         "candidates": tried.candidates,
+        "cospherical": tried.cospherical,
         "no_slab": tried.unusable,
         "never_acute": tried.hopeless,
         "optimized": tried.optimized,

@@ -157,35 +157,36 @@ fn parts(
 mod tests {
     use super::*;
 
-    /// Without one vertex: 600 - 20 tetrahedra around it, and its link, an icosahedron, is the boundary. Without a
-    /// tetrahedron: 543, and twelve edges of valence two form a tetrahedron with subdivided edges.
+    /// Without a vertex: 20 of 600 tetrahedra have it, and its link is an icosahedron. Without a tetrahedron: 543,
+    /// and twelve edges of valence two form a tetrahedron with subdivided edges. Without the star of a vertex: 470,
+    /// with the edges, corners and faces of a dodecahedron.
     #[test]
     fn known_balls() {
-        let rests = rests(4);
-        let one = rests
-            .keys()
-            .find(|rest| rest.removed == 1)
-            .expect("a vertex");
+        let cells = cell600::cells();
+        let left = |set: &[usize]| rest(&cells, set).expect("a sphere");
+        let one = left(&[0]);
         assert_eq!((one.tetrahedra, one.boundary_triangles), (580, 20));
-        let tetrahedron = Rest {
-            removed: 4,
-            tetrahedra: 543,
-            boundary_triangles: 40,
-            ridges: (0, 12),
-            dead_ends: 0,
-            corners: 4,
-            faces: 4,
-        };
-        let found = rests
-            .keys()
-            .find(|rest| rest.removed == 4 && rest.tetrahedra == 543);
-        let boundary_triangles = found.expect("a tetrahedron").boundary_triangles;
+        let tetrahedron = left(&cells[0]);
+        assert_eq!((tetrahedron.tetrahedra, tetrahedron.ridges), (543, (0, 12)));
         assert_eq!(
-            found,
-            Some(&Rest {
-                boundary_triangles,
-                ..tetrahedron
-            })
+            (
+                tetrahedron.corners,
+                tetrahedron.faces,
+                tetrahedron.dead_ends
+            ),
+            (4, 4, 0)
         );
+        let mut star: Vec<usize> = neighbours(&cells)[0].iter().copied().collect();
+        star.push(0);
+        let dodecahedron = left(&star);
+        assert_eq!(
+            (dodecahedron.tetrahedra, dodecahedron.ridges),
+            (470, (0, 30))
+        );
+        assert_eq!((dodecahedron.corners, dodecahedron.faces), (20, 12));
+        // Two vertices that are no neighbours leave a boundary of two spheres.
+        let far = (1..120).find(|v| !star.contains(v)).expect("a vertex");
+        let second: Vec<usize> = neighbours(&cells)[far].iter().copied().collect();
+        assert!(second.contains(&0) || rest(&cells, &[0, far]).is_none());
     }
 }

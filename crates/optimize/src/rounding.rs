@@ -26,7 +26,7 @@ const SAME: f64 = 1e-13;
 /// So many parameters take part in moves of pairs.
 const PAIRED: usize = 16;
 /// At most about so many simplices are evaluated for moves.
-const WORK: usize = 1 << 22;
+const WORK: usize = 1 << 20;
 
 impl Grid {
     /// The nearest points of the grid.

@@ -9,7 +9,7 @@ use crate::moves::{Freedom, Moves};
 use crate::rounding::Grid;
 use crate::tight::{self, LocalProof, NotLocal};
 use crate::value::value;
-use acutile_core::checker;
+use acutile_core::checker::{self, Sides};
 use acutile_core::proved::{NotProved, Proved, prove};
 use acutile_core::statement::Statement;
 use acutile_core::tiling::{Matching, Tiling, match_facets};
@@ -33,6 +33,8 @@ pub struct Options {
     pub steps: usize,
     /// Limits of the kernel.
     pub limits: Limits,
+    /// What is known of the sides of a periodic mesh; it is a tiling only if they match.
+    pub sides: Sides,
 }
 
 /// A tiling that is proved.
@@ -94,6 +96,7 @@ impl Default for Options {
             seed: 0,
             steps: 300,
             limits: checker::Options::default().limits,
+            sides: Sides::default(),
         }
     }
 }
@@ -159,6 +162,7 @@ pub fn prove_local(outcome: &Outcome, options: &Options) -> Result<LocalProof, N
 fn proved(tiling: &Tiling<3>, options: &Options) -> Result<Proved, NotProved> {
     let options = checker::Options {
         limits: options.limits.clone(),
+        sides: options.sides.clone(),
         ..checker::Options::default()
     };
     prove(tiling, &options, &|_| {})

@@ -10,7 +10,7 @@ use crate::goal::Goal;
 use crate::reason::reasons;
 use crate::search::{Options, Outcome, Watch, optimize};
 use crate::value::value;
-use acutile_core::delaunay::{Ties, triangulate};
+use acutile_core::delaunay::{DelaunayError, Ties, triangulate};
 use acutile_core::tiling::{Domain, Frame, PointSet, Polytope, Tiling, match_facets};
 use acutile_exact::number::{Field, Number};
 use malachite::Rational;
@@ -43,7 +43,10 @@ pub const PLANES: [Plane; 2] = [
 #[derive(Debug, Default)]
 pub struct Tried {
     pub candidates: usize,
-    /// Points on a common sphere, or tetrahedra across a boundary plane.
+    /// More than four points lie on an empty sphere, so that there is no single triangulation.
+    pub cospherical: usize,
+    /// Other candidates that give no slab: a tetrahedron lies across a boundary plane, or the result is not
+    /// proved.
     pub unusable: usize,
     /// An edge proves that these can never be acute.
     pub hopeless: usize,
@@ -66,9 +69,16 @@ pub fn slabs(plane: &Plane, count: usize, layers: usize, seed: u64, watch: Watch
         }
         tried.candidates += 1;
         let candidate = Candidate::random(layers, &mut random);
-        let Some(tiling) = candidate.tiling(plane) else {
-            tried.unusable += 1;
-            continue;
+        let tiling = match candidate.tiling(plane) {
+            Ok(tiling) => tiling,
+            Err(NoSlab::Cospherical) => {
+                tried.cospherical += 1;
+                continue;
+            }
+            Err(NoSlab::Other) => {
+                tried.unusable += 1;
+                continue;
+            }
         };
         if !reasons(&tiling, &match_facets(&tiling)).is_empty() {
             tried.hopeless += 1;
@@ -82,6 +92,12 @@ pub fn slabs(plane: &Plane, count: usize, layers: usize, seed: u64, watch: Watch
         tried.take(candidate.words(), outcome);
     }
     tried
+}
+
+/// Why a candidate gives no slab.
+enum NoSlab {
+    Cospherical,
+    Other,
 }
 
 impl Tried {
@@ -136,11 +152,11 @@ impl Candidate {
         }
     }
 
-    /// The tetrahedra between the boundary planes; `None` where the points do not give any.
-    fn tiling(&self, plane: &Plane) -> Option<Tiling<3>> {
+    /// The tetrahedra between the boundary planes.
+    fn tiling(&self, plane: &Plane) -> Result<Tiling<3>, NoSlab> {
         let top = 2 * self.middle;
         if self.middle == 0 {
-            return None;
+            return Err(NoSlab::Other);
         }
         let mut heights: Vec<(usize, i64)> = Vec::new();
         for &(class, height) in &self.layers {
@@ -170,12 +186,16 @@ impl Candidate {
             frame: Frame::space(Field::rationals(), gram.clone()),
             points: points.collect(),
         };
-        let space = triangulate(&set, Ties::Refuse).ok()?;
+        let space = triangulate(&set, Ties::Refuse).map_err(|error| match error {
+            DelaunayError::Cospherical(_) => NoSlab::Cospherical,
+            _ => NoSlab::Other,
+        })?;
         cut(
             &space,
             [[integer(a), integer(b)], [integer(c), integer(d)]],
             fraction(top, PARTS),
         )
+        .ok_or(NoSlab::Other)
     }
 
     fn words(&self) -> String {
