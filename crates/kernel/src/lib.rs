@@ -21,6 +21,7 @@ mod limits;
 mod meets;
 mod numbers;
 mod patches;
+mod planes;
 mod polynomial;
 mod region;
 mod ring;

@@ -59,7 +59,7 @@ impl Head {
         let mut numbers = 0..;
         let tiles = t.list(None, |t| Tile::read(t, rank, degree, numbers.next().unwrap_or_default()))?;
         ensure!(!tiles.is_empty(), TileCount, t.place());
-        let statements = read_statements(&mut t, degree)?;
+        let statements = read_statements(&mut t, degree, 3)?;
         let claim = Claim {
             dimension: 3,
             field,
@@ -129,7 +129,7 @@ impl Patch {
             parameters: Vec::new(),
             gram: gram.clone(),
             domain: Domain::Polytope(tile.polytope.clone()),
-            statements: vec![Statement { property: Property::FaceToFace, bound: None }],
+            statements: vec![Statement { property: Property::FaceToFace, bound: None, plane: None }],
             file: String::new(),
         };
         let mut pass = Pass::new(&claim, Single::<N>::new(&claim, work)?, work);
@@ -250,7 +250,7 @@ pub(crate) struct System<const N: usize> {
 pub(crate) fn verify<const N: usize>(mut cbor: Cbor, head: Head, limits: &Limits, work: &Rc<Work>) -> Checked<Facts> {
     let ring = Large::<N>::new(&Rc::new(Root::new(&head.claim.field, work)?), work)?;
     let rules = Rules::new(&ring, &head.claim).map_err(|stop| stop.at(Place::Field))?;
-    check_statements(&head.claim)?;
+    check_statements(&head.claim, false)?;
     // b_i · b_j = 0 for i <= r < j: two entries of the upper triangle by rows.
     let mixed = if head.rank == 1 { [1, 2] } else { [2, 4] };
     let is_zero = |k: usize| {

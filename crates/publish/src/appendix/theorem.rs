@@ -225,6 +225,9 @@ fn in_words<const D: usize>(analysis: &Analysis<D>, statement: &Statement) -> Op
                 _ => format!("each {quotient} is {} {bound};", relation.text()),
             }
         }
+        Statement::UncrossedPlane(plane) => {
+            format!("no tile crosses ${plane}$ or a translate of it by the lattice;")
+        }
         Statement::Delaunay => {
             "it is the Delaunay triangulation of its vertices: no vertex of the tiling but a tile's own corners is on its \
              circumsphere, and none is inside of it;"

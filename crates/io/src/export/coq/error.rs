@@ -9,6 +9,8 @@ pub enum NotATheorem {
     Dimension(usize),
     /// The soundness of regions is proved on paper only.
     Region,
+    /// So is that of planes.
+    Plane,
     /// Data that break a rule of the format, which it names.
     Malformed(&'static str),
 }
@@ -23,6 +25,9 @@ impl fmt::Display for NotATheorem {
                 )
             }
             NotATheorem::Region => f.write_str("the Coq development does not treat regions"),
+            NotATheorem::Plane => {
+                f.write_str("the Coq development does not treat the statement \"uncrossed plane\"")
+            }
             NotATheorem::Malformed(rule) => write!(f, "not a certificate: {rule}"),
         }
     }

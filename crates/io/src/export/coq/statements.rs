@@ -49,6 +49,7 @@ fn one(statement: &Statement, claim: &Claim) -> Result<Named, NotATheorem> {
             angle_bound(words, *relation, cosine, claim)
         }
         Statement::SquaredRatio(relation, fraction) => ratio_bound(*relation, fraction, claim),
+        Statement::UncrossedPlane(_) => Err(NotATheorem::Plane),
         Statement::Delaunay => plain("Delaunay", "delaunay"),
         Statement::WeaklyDelaunay => plain("WeaklyDelaunay", "weakly_delaunay"),
         Statement::Tcp if !is_plane => plain("TCP", "tcp"),
