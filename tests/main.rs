@@ -16,6 +16,7 @@ mod lower_bound;
 mod mesh_cases;
 mod meshes;
 mod paper;
+mod quality;
 mod report;
 mod starting_files;
 mod tutorials;

@@ -392,3 +392,190 @@ fn tiling_files_have_regions_of_every_rank() {
         assert_eq!(code, 0, "{name} {lattice}: {out}{err}");
     }
 }
+
+/// A cell of 2 x 2 x 2 cubes with six tetrahedra each, as MSH 2 text; `edit` may move nodes and change
+/// tetrahedra. With `links`, `$Periodic` has the three pairs of opposite sides.
+fn grid(edit: impl Fn(&mut Vec<[f64; 3]>, &mut Vec<[usize; 4]>), links: bool) -> String {
+    const ORDERS: [[usize; 3]; 6] = [
+        [0, 1, 2],
+        [1, 2, 0],
+        [2, 0, 1],
+        [0, 2, 1],
+        [2, 1, 0],
+        [1, 0, 2],
+    ];
+    let node = |place: [usize; 3]| 9 * place[0] + 3 * place[1] + place[2] + 1;
+    let places = (0..27).map(|k| [k / 9, k / 3 % 3, k % 3]);
+    let places: Vec<[usize; 3]> = places.collect();
+    let mut points: Vec<[f64; 3]> = places.iter().map(|p| p.map(|x| x as f64)).collect();
+    let mut cells: Vec<[usize; 4]> = Vec::new();
+    for cube in (0..8).map(|k| [k / 4, k / 2 % 2, k % 2]) {
+        for (index, order) in ORDERS.iter().enumerate() {
+            let mut at = cube;
+            let mut cell = vec![node(at)];
+            for axis in order {
+                at[*axis] += 1;
+                cell.push(node(at));
+            }
+            // The last three orders are odd.
+            if index >= 3 {
+                cell.swap(2, 3);
+            }
+            cells.push([cell[0], cell[1], cell[2], cell[3]]);
+        }
+    }
+    edit(&mut points, &mut cells);
+    let mut text = format!(
+        "$MeshFormat\n2.2 0 8\n$EndMeshFormat\n$Nodes\n{}\n",
+        points.len()
+    );
+    for (index, [x, y, z]) in points.iter().enumerate() {
+        text += &format!("{} {x} {y} {z}\n", index + 1);
+    }
+    text += &format!("$EndNodes\n$Elements\n{}\n", cells.len());
+    for (index, [a, b, c, d]) in cells.iter().enumerate() {
+        text += &format!("{} 4 2 1 1 {a} {b} {c} {d}\n", index + 1);
+    }
+    text += "$EndElements\n";
+    if links {
+        text += "$Periodic\n3\n";
+        for axis in 0..3 {
+            let matrix = |i: usize, j: usize| match (i == j, j == 3 && i == axis) {
+                (true, _) => "1",
+                (_, true) => "2",
+                _ => "0",
+            };
+            let affine: Vec<&str> = (0..16).map(|k| matrix(k / 4, k % 4)).collect();
+            text += &format!(
+                "2 {} {}\nAffine {}\n9\n",
+                2 * axis + 2,
+                2 * axis + 1,
+                affine.join(" ")
+            );
+            for place in places.iter().filter(|place| place[axis] == 2) {
+                let mut image = *place;
+                image[axis] = 0;
+                text += &format!("{} {}\n", node(*place), node(image));
+            }
+        }
+        text += "$EndPeriodic\n";
+    }
+    text
+}
+
+/// Node 23 is at (2, 1, 1), with six triangles in the side x = 2 around it, and node 5 at (0, 1, 1).
+#[test]
+fn a_gap_at_the_sides_is_refuted_only_with_a_witness() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let lattice = ["--lattice", "2,0,0;0,2,0;0,0,2"];
+    let run = |name: &str, text: &str, options: &[&str]| {
+        let path = file(folder.path(), name, text);
+        certify(&path.to_string_lossy(), options)
+    };
+    for (links, options) in [(false, &lattice[..]), (true, &[])] {
+        let (code, out, err) = run("a.msh", &grid(|_, _| (), links), options);
+        assert_eq!(code, 0, "{out}{err}");
+        assert!(!out.contains("boundary"), "{out}");
+    }
+    let moved = |x: f64, links: bool| grid(move |points, _| points[22][0] = x, links);
+    // The file says that node 23 is an image of node 5, and it is not.
+    let thin = 2.0 - 2f64.powi(-30);
+    let (code, out, _) = run("a.msh", &moved(thin, true), &[]);
+    assert_eq!(code, 1);
+    assert!(out.contains("refuted: 12 unmatched-facet\n"), "{out}");
+    // Without links nobody says so.
+    let text = moved(thin, false);
+    let (code, _, err) = run("a.msh", &text, &lattice);
+    assert_eq!(code, 3, "{err}");
+    assert!(err.contains("12 facets have no mate"), "{err}");
+    assert!(err.contains("9.313e-10"), "{err}");
+    let with = |tolerance: &'static str| [&lattice[..], &["--identify", tolerance]].concat();
+    let (code, out, _) = run("a.msh", &text, &with("0"));
+    assert_eq!(code, 0);
+    assert!(
+        out.contains("a periodic region with a boundary of 12 triangles"),
+        "{out}"
+    );
+    let (code, out, _) = run("a.msh", &text, &with("1e-6"));
+    assert_eq!(code, 0);
+    assert!(!out.contains("boundary"), "{out}");
+    // A wide gap is a void.
+    let (code, out, err) = run("a.msh", &moved(1.75, false), &lattice);
+    assert_eq!(code, 0, "{out}{err}");
+    assert!(
+        err.contains("closes the mesh but for 12 facets, which are boundary"),
+        "{err}"
+    );
+    assert!(
+        out.contains("a periodic region with a boundary of 12 triangles"),
+        "{out}"
+    );
+    // The last tetrahedron has a triangle in the side z = 2; that in the side z = 0 loses its mate.
+    let text = grid(|_, cells| cells.truncate(47), false);
+    let (code, out, _) = run("a.msh", &text, &lattice);
+    assert_eq!(code, 1);
+    assert!(out.contains("unmatched-facet"), "{out}");
+}
+
+/// One element of the cube has two corners exchanged. Two of its triangles are inside.
+#[test]
+fn facets_of_negative_elements_are_consequences() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let text = std::fs::read_to_string(case("good_cube.vtk")).expect("text");
+    let path = file(
+        folder.path(),
+        "a.vtk",
+        &text.replace("4 0 1 7 5", "4 0 1 5 7"),
+    );
+    let path = path.to_string_lossy();
+    let (code, out, _) = certify(&path, &[]);
+    assert_eq!(code, 1);
+    assert!(out.contains("refuted: 1 negative-orientation\n"), "{out}");
+    assert!(
+        out.contains("consequences of these: 2 same-side\n"),
+        "{out}"
+    );
+    let (code, out, _) = certify(&path, &["--lattice", "1,0,0;0,1,0;0,0,1"]);
+    assert_eq!(code, 1);
+    assert!(out.contains("refuted: 1 negative-orientation\n"), "{out}");
+    assert!(
+        out.contains("consequences of these: 4 same-side, 1 volume-sum\n"),
+        "{out}"
+    );
+    // A flat element that lies on the side z = 0, with both of its triangles there.
+    let text = text.replace("CELLS 6 30", "CELLS 7 35\n4 0 3 1 2");
+    let text = text.replace("CELL_TYPES 6", "CELL_TYPES 7\n10");
+    let path = file(folder.path(), "b.vtk", &text);
+    let (code, out, _) = certify(&path.to_string_lossy(), &[]);
+    assert_eq!(code, 1);
+    assert!(out.contains("refuted: 1 flat\n"), "{out}");
+}
+
+/// A cube in five tetrahedra has other diagonals on opposite sides, so its translates do not match.
+#[test]
+fn facets_that_lie_against_each_other_across_the_lattice_are_an_interface() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let text = "$MeshFormat\n2.2 0 8\n$EndMeshFormat\n$Nodes\n8\n1 0 0 0\n2 1 0 0\n3 0 1 0\n\
+                4 1 1 0\n5 0 0 1\n6 1 0 1\n7 0 1 1\n8 1 1 1\n$EndNodes\n$Elements\n5\n\
+                1 4 2 1 1 1 2 3 5\n2 4 2 1 1 4 3 2 8\n3 4 2 1 1 6 2 5 8\n4 4 2 1 1 7 5 3 8\n\
+                5 4 2 1 1 2 3 5 8\n$EndElements\n";
+    let path = file(folder.path(), "five.msh", text);
+    let path = path.to_string_lossy();
+    let (code, out, err) = certify(&path, &[]);
+    assert_eq!(code, 0, "{out}{err}");
+    let lattice = ["--lattice", "1,0,0;0,1,0;0,0,1"];
+    let (code, out, _) = certify(&path, &lattice);
+    assert_eq!(code, 1);
+    assert!(out.contains("non-conforming"), "{out}");
+    assert!(out.contains("other diagonals"), "{out}");
+    assert!(!out.contains("overlap"), "{out}");
+    let (code, out, _) = certify(&path, &[&lattice[..], &["--allow-contact"]].concat());
+    assert_eq!(code, 0, "{out}");
+    assert!(out.contains("interiors are disjoint"), "{out}");
+    // With a shorter lattice vector the cube overlaps itself.
+    let (code, out, _) = certify(&path, &["--lattice", "3/4,0,0", "--allow-contact"]);
+    assert_eq!(code, 1);
+    assert!(out.contains("overlap: both have the point"), "{out}");
+    assert!(out.contains("moved by ("), "{out}");
+    assert!(!out.contains("non-conforming"), "{out}");
+}

@@ -9,7 +9,7 @@
 //! | `child` | this program started again, for one piece of work alone |
 //! | `data` | the tilings that are measured |
 //! | `naive` | the pass in doubles that proves nothing |
-//! | `predicates`, `statements`, `matching`, `whole`, `delaunay`, `reading`, `verifier` | rows of the table |
+//! | `predicates`, `statements`, `quality`, `matching`, `whole`, `delaunay`, `reading`, `verifier` | rows of the table |
 //! | `parts` | the work of "whole" |
 //! | `growth` | time and memory over four sizes |
 //! | `instructions` | callgrind's counts of three fixed cases |
@@ -30,6 +30,7 @@ mod matching;
 mod naive;
 mod parts;
 mod predicates;
+mod quality;
 mod reading;
 mod row;
 mod statements;
@@ -40,9 +41,10 @@ use row::Table;
 
 type Part = (&'static str, fn(&Table));
 
-const PARTS: [Part; 9] = [
+const PARTS: [Part; 10] = [
     ("predicates", predicates::measure),
     ("statements", statements::measure),
+    ("quality", quality::measure),
     ("matching", matching::measure),
     ("whole", whole::measure),
     ("delaunay", delaunay::measure),

@@ -21,6 +21,12 @@ pub fn measure(table: &Table) {
         &doubles(&a15, 1e-4, None),
         Target::Most(1.8),
     );
+    exact_row(
+        table,
+        "doubles of 53 bits",
+        &doubles(&a15, 1e-4, None),
+        Target::None,
+    );
     filtered_row(table, "A15, integers", &a15, Target::Most(1.8));
     right_angles(table, "BCC", &supercell(&entry("bcc"), [8; 3]), easy);
     right_angles(

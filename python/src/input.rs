@@ -2,10 +2,10 @@
 
 use super::error::failed;
 use acutile_catalog as catalog;
-use acutile_core::checker::Names;
+use acutile_core::checker::{Names, Sides};
 use acutile_core::delaunay::{Ties, triangulate};
 use acutile_core::format;
-use acutile_core::tiling::{AnyPointSet, AnyTiling, Facet, Tiling};
+use acutile_core::tiling::{AnyPointSet, AnyTiling, Tiling};
 use acutile_core::transcribe;
 use acutile_core::with_dimension;
 use acutile_io::import::cif::CifOptions;
@@ -16,7 +16,6 @@ use acutile_io::mesh::{
 };
 use numpy::ndarray::ArrayView2;
 use pyo3::PyResult;
-use std::collections::BTreeSet;
 use std::fmt::Display;
 use std::path::Path;
 
@@ -26,7 +25,7 @@ pub struct Input {
     /// The numbers of a mesh; nothing for other inputs.
     pub origin: Option<Origin>,
     /// Facets on the sides of a periodic mesh that have no mate.
-    pub sides: BTreeSet<Facet>,
+    pub sides: Sides,
     pub notes: Vec<String>,
 }
 
@@ -35,7 +34,7 @@ impl Input {
         Input {
             tiling,
             origin: None,
-            sides: BTreeSet::new(),
+            sides: Sides::default(),
             notes: Vec::new(),
         }
     }

@@ -111,11 +111,7 @@ fn subject(input: &str, arguments: &AppendixArguments) -> Result<Subject, Failur
     let limits = arguments.limits.limits();
     let proved = proved::proved(input, &arguments.file, &limits, &mut Output::standard())
         .map_err(|error| (error.message, error.outcome))?;
-    proved::subject(input, &proved).ok_or_else(|| {
-        let message =
-            format!("{input}: is about a region; the appendix has no words for its theorem");
-        (message, Outcome::Declined)
-    })
+    Ok(proved::subject(input, &proved))
 }
 
 fn write_into(directory: &Path, files: &[File], force: bool) -> Result<(), String> {

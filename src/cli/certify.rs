@@ -56,7 +56,8 @@ pub struct CertifyArguments {
     pub format: Option<Encoding>,
     /// Statements that must hold: tiling, acute, nonobtuse, delaunay, weakly-delaunay, tcp,
     /// dihedral-below=DEGREES, dihedral-above=DEGREES, radius-edge-below=RATIO; in quotes also
-    /// 'dihedral<DEGREES', 'dihedral>DEGREES', 'radius-edge<RATIO'; and, by the prover alone,
+    /// 'dihedral<DEGREES', 'dihedral>DEGREES', 'radius-edge<RATIO'; plane:EQUATION in basis
+    /// coordinates, like plane:x2+x3=1/2, for a plane that no simplex crosses; and, by the prover alone,
     /// connected, no-cavities, manifold-boundary
     #[arg(
         long = "require",
@@ -177,6 +178,11 @@ fn prove(
         Err(error) => return Answer::Failed(error.message),
     };
     notes.append(&mut named.notes);
+    if let Some(note) = with_dimension!(&named.tiling, AnyTiling, t => second::note_on_boundary(t))
+    {
+        output.complain(format!("{input}: {note}"));
+        notes.push(note);
+    }
     if arguments.reorient {
         let mended = with_dimension!(&mut named.tiling, AnyTiling, t => t.orient());
         if let Some(origin) = &mut named.origin {
@@ -199,10 +205,14 @@ fn prove(
         }
         Err(message) => return Answer::Failed(format!("{input}: {message}")),
     }
-    let options = Options {
+    let mut options = Options {
         sides: std::mem::take(&mut named.sides),
         ..options(arguments)
     };
+    match planes(input) {
+        Ok(planes) => options.required.extend(planes),
+        Err(message) => return Answer::Failed(format!("{input}: {message}")),
+    }
     let proved = with_dimension!(&named.tiling, AnyTiling, t => match arguments.no_certificate {
         true => examine_tiling(t, input, &options),
         false => prove_tiling(t, input, &options, target, encoding(target, arguments)),
@@ -247,6 +257,12 @@ fn prove(
         return Answer::Failed(format!("{}: cannot be written: {error}", path.display()));
     }
     Answer::Refuted(Box::new(refuted))
+}
+
+/// The planes that the certificate of a construction states.
+fn planes(input: &str) -> Result<Vec<Requirement>, String> {
+    let planes = catalog::find(input).map_or(&[][..], |entry| entry.planes);
+    planes.iter().map(|plane| plane.parse()).collect()
 }
 
 /// Proves or refutes a family, and tells what else is found.
@@ -302,7 +318,7 @@ fn theorem_answer(
     }
 }
 
-fn in_words<const D: usize>(tiling: &Tiling<D>, defect: &Defect) -> String {
+pub(super) fn in_words<const D: usize>(tiling: &Tiling<D>, defect: &Defect) -> String {
     checker::describe::<D>(&Names::of(tiling), defect)
 }
 
@@ -327,7 +343,23 @@ fn examine_tiling<const D: usize>(
     let proof = checker::examine(tiling, options, &|step| progress.step(step))?;
     let claim = transcribe::claim(proof.parts(tiling));
     let statements = proof.statements.iter();
-    let words: Vec<String> = statements.map(|s| statement_in_words(s, D)).collect();
+    let boundary = tiling.frame.domain.is_region().then(|| {
+        let (kind, facets) = (
+            (tiling.frame.rank() > 0),
+            if D == 2 { "edges" } else { "triangles" },
+        );
+        let kind = if kind {
+            "a periodic region"
+        } else {
+            "a bounded region"
+        };
+        format!(
+            "{kind} with a boundary of {} {facets}",
+            proof.boundary_facets()
+        )
+    });
+    let words = statements.map(|s| statement_in_words(s, D));
+    let words: Vec<String> = boundary.into_iter().chain(words).collect();
     Ok(Answer::Examined(Box::new(Examined {
         vertices: tiling.vertices.len(),
         simplices: tiling.len(),

@@ -1,12 +1,13 @@
 //! A tiling with its name, or why there is none.
 
 use super::outcome::Outcome;
+use acutile_core::checker::Sides;
 use acutile_core::curved::Nodes;
 use acutile_core::family::AnyFamily;
-use acutile_core::tiling::{AnyTiling, Facet, SimplexId};
+use acutile_core::tiling::{AnyTiling, SimplexId};
 use acutile_io::import::ImportError;
 use acutile_io::mesh::{MeshError, Origin};
-use std::collections::{BTreeMap, BTreeSet};
+use std::collections::BTreeMap;
 use std::path::Path;
 
 /// Where a tiling comes from, with its name for messages and for the file name of
@@ -20,8 +21,8 @@ pub struct Named {
     pub tiling: AnyTiling,
     /// The numbers of a mesh file.
     pub origin: Option<Origin>,
-    /// Facets on the sides of a periodic mesh that have no mate.
-    pub sides: BTreeSet<Facet>,
+    /// What is known of the sides of a periodic mesh.
+    pub sides: Sides,
     /// Elements of other types in a mesh file, by name.
     pub others: BTreeMap<String, usize>,
     /// The curved tetrahedra of a mesh.
@@ -61,7 +62,7 @@ impl Named {
             description,
             tiling,
             origin: None,
-            sides: BTreeSet::new(),
+            sides: Sides::default(),
             others: BTreeMap::new(),
             curved: Vec::new(),
             notes: Vec::new(),

@@ -1,13 +1,16 @@
 //! Inputs of `acutile report`, `acutile appendix` and `acutile bundle`: certificates, or whatever
 //! else is a tiling, which is proved first. Nothing gets past here that the kernel does not confirm.
 
+use super::certify::in_words;
 use super::input::{self, FileArguments, TextOrMesh};
 use super::named::InputError;
 use super::outcome::Outcome;
 use super::output::Output;
 use super::progress::Progress;
 use acutile_catalog as catalog;
+use acutile_core::checker;
 use acutile_core::proved;
+use acutile_core::with_dimension;
 use acutile_kernel::{Kind, Limits};
 use acutile_publish::appendix::Subject;
 use acutile_publish::report::{NotProved, Proved};
@@ -38,11 +41,19 @@ pub fn proved(
             other => input::of_content(input, other, options, output)?,
         },
     };
-    if !named.sides.is_empty() {
+    if let Some(near) = named.sides.near {
+        let defect = checker::Defect::NearMates(near);
+        let words = with_dimension!(&named.tiling, AnyTiling, t => in_words(t, &defect));
+        return Err(InputError {
+            message: format!("{input}: {words}"),
+            outcome: Outcome::Declined,
+        });
+    }
+    if !named.sides.facets.is_empty() {
         return Err(InputError {
             message: format!(
                 "{input}: {} facets on the sides of the periodic mesh have no mate; certify lists them",
-                named.sides.len()
+                named.sides.facets.len()
             ),
             outcome: Outcome::Refuted,
         });
@@ -56,13 +67,13 @@ pub fn proved(
     Proved::of_tiling(name, named.description, &named.tiling, limits, &step).map_err(refused)
 }
 
-/// What an appendix can say of it, with the place that the catalogue names; nothing for a region.
-pub fn subject(input: &str, proved: &Proved) -> Option<Subject> {
-    let subject = Subject::of_proved(proved)?;
-    Some(match catalog::find(input) {
+/// What an appendix can say of it, with the place that the catalogue names.
+pub fn subject(input: &str, proved: &Proved) -> Subject {
+    let subject = Subject::of_proved(proved);
+    match catalog::find(input) {
         Some(entry) => subject.from_source(entry.source),
         None => subject,
-    })
+    }
 }
 
 /// The input that would be replaced by what is written to `target`.

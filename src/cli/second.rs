@@ -69,6 +69,21 @@ pub fn after_proof(
     answer
 }
 
+/// What a user who expected a closed cell has to know of a periodic region.
+pub fn note_on_boundary<const D: usize>(tiling: &Tiling<D>) -> Option<String> {
+    let Domain::Region(1..) = tiling.frame.domain else {
+        return None;
+    };
+    let mismatches = match_facets(tiling).mismatches;
+    let free = mismatches.iter().filter(|m| m.uses.len() == 1).count();
+    (free > 0).then(|| {
+        format!(
+            "the lattice closes the mesh but for {free} facets, which are boundary; facets on the \
+             sides of the cell that have no mate would be defects"
+        )
+    })
+}
+
 /// Whether the boundary is the surface of a file, triangle by triangle.
 fn fills(path: &std::path::Path, named: &Named) -> Result<String, Box<Answer>> {
     let name = path.display();

@@ -3,16 +3,35 @@
 //! The wall coordinates of a point are those of the fibre less the offset of the side, and then,
 //! for rank 1, X = ⟨u, b⟩ along the side and Y = det(u, b) inwards; for rank 2 the height.
 
-use crate::patches::{Patch, Point, System};
+use crate::limits::Work;
+use crate::patch::Patch;
 use crate::refusal::{Checked, Place, Stop};
-use crate::ring::{Element, Ring, each};
+use crate::ring::{Element, Exact, Ring, Vector, each};
 use crate::row::Corner;
+use crate::rules::Rules;
 use num_bigint::BigInt;
 use num_integer::Integer;
-use std::cmp::Ordering::{Equal, Greater, Less};
+use std::cmp::Ordering::Greater;
 use std::collections::{BTreeMap, BTreeSet};
 
+pub(crate) type Large<const N: usize> = Exact<BigInt, N>;
+pub(crate) type Point<const N: usize> = Vector<Large<N>>;
 type Number<const N: usize> = Element<BigInt, N>;
+
+/// The patches in common coordinates: times `scale`.
+pub(crate) struct Parts<const N: usize> {
+    pub(crate) ring: Large<N>,
+    pub(crate) rules: Rules<Large<N>>,
+    pub(crate) rank: usize,
+    pub(crate) scale: BigInt,
+    pub(crate) patches: Vec<Patch>,
+}
+
+/// The patches with their sides, where points are also multiplied by the unit of the sides.
+pub(crate) struct System<const N: usize> {
+    pub(crate) parts: Parts<N>,
+    pub(crate) sides: Vec<Side<N>>,
+}
 
 /// The edges as corners of the wall, seen from the least corner; and whether it is a pyramid's.
 type Name = (BTreeSet<Vec<Corner>>, bool);
@@ -41,7 +60,7 @@ pub(crate) struct Side<const N: usize> {
     pub(crate) label: BigInt,
     /// Its first corner, the offset, u, G u, v with ⟨v, b⟩ = 0 for all b along u, and ⟨u, u⟩.
     start: Point<N>,
-    offset: Point<N>,
+    pub(crate) offset: Point<N>,
     along: Point<N>,
     dual: Point<N>,
     across: Point<N>,
@@ -89,12 +108,12 @@ impl View {
 }
 
 /// The sides of all tiles, with their patterns compared.
-pub(crate) fn sides<const N: usize>(system: &System<N>) -> Checked<Vec<Side<N>>> {
+fn sides<const N: usize>(parts: &Parts<N>) -> Checked<Vec<Side<N>>> {
     let mut sides = Vec::new();
-    for (patch, number) in system.patches.iter().zip(0..) {
-        check_order(system, patch, number)?;
+    for (patch, number) in parts.patches.iter().zip(0..) {
+        check_order(parts, patch, number)?;
         for side in 0..patch.classes.len() {
-            sides.push(Side::new(system, patch, number, side)?);
+            sides.push(Side::new(parts, patch, number, side)?);
         }
     }
     let mut walls: BTreeMap<BigInt, usize> = BTreeMap::new();
@@ -104,7 +123,7 @@ pub(crate) fn sides<const N: usize>(system: &System<N>) -> Checked<Vec<Side<N>>>
     let squares = |label: Option<&BigInt>| {
         let others = walls.iter().filter(|(other, _)| label != Some(other));
         let mut squares = others.filter_map(|(_, number)| sides.get(*number)).map(|side| &side.square);
-        squares.try_fold(system.ring.integer(1)?, |product, square| system.ring.times(&product, square))
+        squares.try_fold(parts.ring.integer(1)?, |product, square| parts.ring.times(&product, square))
     };
     let unit = squares(None)?;
     let others = sides.iter().map(|side| squares(Some(&side.label))).collect::<Checked<Vec<_>>>()?;
@@ -112,7 +131,7 @@ pub(crate) fn sides<const N: usize>(system: &System<N>) -> Checked<Vec<Side<N>>>
     for (mut side, others) in sides.into_iter().zip(others) {
         (side.others, side.unit) = (others, unit.clone());
         let wall = walls.get(&side.label).and_then(|number| done.get(*number));
-        let (left, right) = side.views(system, wall)?;
+        let (left, right) = side.views(parts, wall)?;
         (side.left, side.right) = (left, right);
         done.push(side);
     }
@@ -120,35 +139,35 @@ pub(crate) fn sides<const N: usize>(system: &System<N>) -> Checked<Vec<Side<N>>>
 }
 
 /// The vertices of a tile are counterclockwise, or in increasing order.
-fn check_order<const N: usize>(system: &System<N>, patch: &Patch, tile: usize) -> Checked {
-    let ring = &system.ring;
-    let [a, b, c] = [0, 1, 2].map(|corner| system.base(patch, corner));
+fn check_order<const N: usize>(parts: &Parts<N>, patch: &Patch, tile: usize) -> Checked {
+    let ring = &parts.ring;
+    let [a, b, c] = [0, 1, 2].map(|corner| parts.base(patch, corner));
     let (a, b) = (a?, b?);
     let turn = match c {
-        Ok(c) if system.rank == 1 => ring.cross(&ring.difference(&a, &b)?, &ring.difference(&a, &c)?)?,
+        Ok(c) if parts.rank == 1 => ring.cross(&ring.difference(&a, &b)?, &ring.difference(&a, &c)?)?,
         _ => ring.difference(&a, &b)?,
     };
     let [first, _, last] = &turn;
-    let is_ordered = ring.sign(if system.rank == 1 { first } else { last }).is(|sign| sign == Greater)?;
+    let is_ordered = ring.sign(if parts.rank == 1 { first } else { last }).is(|sign| sign == Greater)?;
     ensure!(is_ordered, TileOrder, Place::Tile(tile));
     Ok(())
 }
 
 impl<const N: usize> Side<N> {
-    fn new(system: &System<N>, patch: &Patch, number: usize, side: usize) -> Checked<Self> {
-        let ring = &system.ring;
+    fn new(parts: &Parts<N>, patch: &Patch, number: usize, side: usize) -> Checked<Self> {
+        let ring = &parts.ring;
         let mut offset = Point::<N>::default();
         let offsets = patch.offsets.get(side).ok_or(Stop::LARGER)?;
         for (slot, x) in offset.iter_mut().zip(offsets) {
-            *slot = ring.times(&ring.element(x)?, &system.factor(patch)?)?;
+            *slot = ring.times(&ring.element(x)?, &parts.factor(patch)?)?;
         }
-        let start = system.base(patch, side)?;
-        let end = system.base(patch, (side + 1) % patch.classes.len())?;
-        let along = if system.rank == 1 { ring.difference(&start, &end)? } else { Default::default() };
-        let dual = system.rules.image(&along)?;
+        let start = parts.base(patch, side)?;
+        let end = parts.base(patch, (side + 1) % patch.classes.len())?;
+        let along = if parts.rank == 1 { ring.difference(&start, &end)? } else { Default::default() };
+        let dual = parts.rules.image(&along)?;
         let [_, first, second] = &dual;
         let across = [Default::default(), ring.negated(second)?, first.clone()];
-        let square = if system.rank == 1 { ring.inner(&along, &dual)? } else { ring.integer(1)? };
+        let square = if parts.rank == 1 { ring.inner(&along, &dual)? } else { ring.integer(1)? };
         let label = patch.classes.get(side).cloned().unwrap_or_default();
         let number_of_side = u32::try_from(side).map_err(|_| Stop::LARGER)?;
         let (others, unit) = (square.clone(), square.clone());
@@ -175,13 +194,13 @@ impl<const N: usize> Side<N> {
     }
 
     /// The wall coordinates, seen from the tile of this side or from the one beyond.
-    fn coordinates(&self, system: &System<N>, corner: Corner, is_turned: bool) -> Checked<Point<N>> {
-        let ring = &system.ring;
-        let patch = system.patches.get(self.patch).ok_or(Stop::LARGER)?;
-        let factor = system.factor(patch)?;
+    fn coordinates(&self, parts: &Parts<N>, corner: Corner, is_turned: bool) -> Checked<Point<N>> {
+        let ring = &parts.ring;
+        let patch = parts.patches.get(self.patch).ok_or(Stop::LARGER)?;
+        let factor = parts.factor(patch)?;
         let point = each(&patch.vertices.point(corner)?, |x| ring.times(x, &factor))?;
         let [f, y, z] = ring.difference(&self.offset, &ring.difference(&self.start, &point)?)?;
-        if system.rank == 2 {
+        if parts.rank == 2 {
             return Ok([f, y, z]);
         }
         let base = [Default::default(), y, z];
@@ -190,31 +209,31 @@ impl<const N: usize> Side<N> {
     }
 
     /// The vertices in this side with their wall coordinates.
-    fn points(&self, system: &System<N>, is_turned: bool) -> Checked<Vec<(Corner, Point<N>)>> {
-        let patch = system.patches.get(self.patch).ok_or(Stop::LARGER)?;
+    fn points(&self, parts: &Parts<N>, is_turned: bool) -> Checked<Vec<(Corner, Point<N>)>> {
+        let patch = parts.patches.get(self.patch).ok_or(Stop::LARGER)?;
         let corners = (0..patch.vertices.count).map(|vertex| Corner { vertex, shift: [0; 3] });
         let corners = corners.filter(|corner| patch.sides(&[*corner]).contains(&self.number));
-        corners.map(|corner| Ok((corner, self.coordinates(system, corner, is_turned)?))).collect()
+        corners.map(|corner| Ok((corner, self.coordinates(parts, corner, is_turned)?))).collect()
     }
 
     /// The pattern, which is that of the first side of the class, from here and from beyond.
-    fn views(&self, system: &System<N>, wall: Option<&Side<N>>) -> Checked<(View, View)> {
-        let points = wall.unwrap_or(self).points(system, false)?;
-        let left = self.view(system, &points, false)?;
+    fn views(&self, parts: &Parts<N>, wall: Option<&Side<N>>) -> Checked<(View, View)> {
+        let points = wall.unwrap_or(self).points(parts, false)?;
+        let left = self.view(parts, &points, false)?;
         let is_same =
             wall.is_none_or(|wall| left.polygons.keys().eq(wall.left.polygons.keys()) && self.square == wall.square);
         ensure!(is_same, WallPattern, self.place());
-        let right = self.view(system, &points, system.rank == 1)?;
+        let right = self.view(parts, &points, parts.rank == 1)?;
         ensure!(left.polygons.keys().eq(right.polygons.keys()), WallReversal, self.place());
         Ok((left, right))
     }
 
-    fn view(&self, system: &System<N>, wall: &[(Corner, Point<N>)], is_turned: bool) -> Checked<View> {
-        let patch = system.patches.get(self.patch).ok_or(Stop::LARGER)?;
+    fn view(&self, parts: &Parts<N>, wall: &[(Corner, Point<N>)], is_turned: bool) -> Checked<View> {
+        let patch = parts.patches.get(self.patch).ok_or(Stop::LARGER)?;
         let mut view = View::default();
-        for (corner, point) in self.points(system, is_turned)? {
-            view.corners.insert(corner.vertex, self.corner_at(system, wall, &point)?);
-            system.ring.work().check(self.place())?;
+        for (corner, point) in self.points(parts, is_turned)? {
+            view.corners.insert(corner.vertex, self.corner_at(parts, wall, &point)?);
+            parts.ring.work().check(self.place())?;
         }
         for (pyramid, number) in patch.pyramids.iter().zip(0..).filter(|(pyramid, _)| pyramid.side == self.number) {
             view.add(pyramid.polygon.clone(), pyramid.apex, Some(number));
@@ -227,12 +246,12 @@ impl<const N: usize> Side<N> {
 
     /// The corner of the wall at these coordinates: X is the same, and the others differ by a
     /// lattice vector.
-    fn corner_at(&self, system: &System<N>, wall: &[(Corner, Point<N>)], point: &Point<N>) -> Checked<Corner> {
+    fn corner_at(&self, parts: &Parts<N>, wall: &[(Corner, Point<N>)], point: &Point<N>) -> Checked<Corner> {
         for (corner, there) in wall {
-            let difference = system.ring.difference(there, point)?;
-            let shift = each(&difference, |x| Ok(system.whole(x, &system.scale)));
-            system.ring.work().add(50);
-            match (shift?, system.rank) {
+            let difference = parts.ring.difference(there, point)?;
+            let shift = each(&difference, |x| Ok(parts.whole(x, &parts.scale)));
+            parts.ring.work().add(50);
+            match (shift?, parts.rank) {
                 ([Some(f), ..], 1) if difference[1] == Element::default() => {
                     return Ok(Corner { shift: [f, 0, 0], ..*corner });
                 }
@@ -247,19 +266,19 @@ impl<const N: usize> Side<N> {
     /// by a lattice vector.
     pub(crate) fn point_of(
         &self,
-        system: &System<N>,
+        parts: &Parts<N>,
         right: &Side<N>,
         corner: Corner,
         shift: Corner,
     ) -> Checked<Point<N>> {
-        let ring = &system.ring;
-        let there = right.coordinates(system, corner, true)?;
+        let ring = &parts.ring;
+        let there = right.coordinates(parts, corner, true)?;
         let shift = each(&shift.shift, |s| {
-            ring.times(&ring.integer(i64::from(*s))?, &ring.element(std::slice::from_ref(&system.scale))?)
+            ring.times(&ring.integer(i64::from(*s))?, &ring.element(std::slice::from_ref(&parts.scale))?)
         })?;
-        let plus = |a: &Point<N>, b: &Point<N>| system.sum(a, b);
+        let plus = |a: &Point<N>, b: &Point<N>| parts.sum(a, b);
         let home = plus(&plus(&self.offset, &shift)?, &self.start)?;
-        if system.rank == 2 {
+        if parts.rank == 2 {
             return each(&plus(&home, &there)?, |x| ring.times(x, &self.unit));
         }
         // X u + Y v, which is ⟨u, u⟩ times the vector in the base.
@@ -273,14 +292,14 @@ impl<const N: usize> Side<N> {
     }
 }
 
-impl<const N: usize> System<N> {
+impl<const N: usize> Parts<N> {
     /// The multiple of a patch's coordinates that has the denominator `scale`.
     fn factor(&self, patch: &Patch) -> Checked<Number<N>> {
         self.ring.element(&[&self.scale / &patch.vertices.denominator])
     }
 
     /// A corner of the tile in the base, over `scale`.
-    fn base(&self, patch: &Patch, corner: usize) -> Checked<Point<N>> {
+    pub(crate) fn base(&self, patch: &Patch, corner: usize) -> Checked<Point<N>> {
         let factor = self.ring.element(&[&self.scale / &patch.tile.denominator])?;
         let corner = patch.tile.vertices.get(corner).ok_or(Stop::LARGER)?;
         let mut point = Point::<N>::default();
@@ -290,29 +309,12 @@ impl<const N: usize> System<N> {
         Ok(point)
     }
 
-    /// A corner of a patch in common coordinates.
-    pub(crate) fn point(&self, patch: usize, corner: Corner) -> Checked<Point<N>> {
-        let patch = self.patches.get(patch).ok_or(Stop::LARGER)?;
-        let factor = self.ring.times(&self.factor(patch)?, self.unit()?)?;
-        each(&patch.vertices.point(corner)?, |x| self.ring.times(x, &factor))
-    }
-
-    /// A lattice vector in common coordinates.
-    pub(crate) fn shift(&self, corner: &Corner) -> Checked<Point<N>> {
-        let factor = self.ring.times(&self.ring.element(std::slice::from_ref(&self.scale))?, self.unit()?)?;
-        each(&corner.shift, |s| self.ring.times(&self.ring.integer(i64::from(*s))?, &factor))
-    }
-
-    fn unit(&self) -> Checked<&Number<N>> {
-        self.sides.first().map(|side| &side.unit).ok_or(Stop::LARGER)
-    }
-
     pub(crate) fn sum(&self, a: &Point<N>, b: &Point<N>) -> Checked<Point<N>> {
         crate::ring::zip(a, b, |a, b| self.ring.plus(a, b))
     }
 
     /// x / divisor where that is an integer of the size of a shift.
-    fn whole(&self, x: &Number<N>, divisor: &BigInt) -> Option<i32> {
+    pub(crate) fn whole(&self, x: &Number<N>, divisor: &BigInt) -> Option<i32> {
         let (first, others) = x.0.split_first()?;
         let is_integer = others.iter().all(|c| *c == BigInt::ZERO) && first.is_multiple_of(divisor);
         let whole = i32::try_from(first / divisor).ok()?;
@@ -320,72 +322,36 @@ impl<const N: usize> System<N> {
     }
 }
 
-/// The numerators of the angles of each tile as parts of a turn, and the denominator for all.
-pub(crate) type Angles = (Vec<Vec<u64>>, u64);
-
-/// The most equal parts of a turn of which all angles are multiples.
-const PARTS: u64 = 60;
-
-/// The angles are parts of a turn, and the offsets of the sides close around every vertex.
-pub(crate) fn check_corners<const N: usize>(system: &System<N>) -> Checked<Angles> {
-    let mut turns = Vec::new();
-    for (patch, tile) in system.patches.iter().zip(0..) {
-        let angles = (0..patch.classes.len()).map(|corner| system.angle(patch, tile, corner));
-        turns.push(angles.collect::<Checked<Vec<_>>>()?);
-    }
-    let whole = turns.iter().flatten().fold(1, |whole: u64, (_, parts)| whole.lcm(parts));
-    ensure!(whole <= PARTS, CornerAngle, Place::Witness, whole);
-    let mut steps = Vec::new();
-    for tile in 0..system.patches.len() {
-        let sides: Vec<&Side<N>> = system.sides.iter().filter(|side| side.patch == tile).collect();
-        let before = sides.iter().cycle().skip(sides.len().saturating_sub(1));
-        for (side, before) in sides.iter().zip(before) {
-            let difference = system.ring.difference(&side.offset, &before.offset)?;
-            let [step, ..] = each(&difference, |x| system.ring.times(x, &system.ring.element(&[whole.into()])?))?;
-            let step = some!(system.whole(&step, &system.scale), SideClasses, side.place());
-            steps.push(i64::from(step));
-        }
-        system.ring.work().check(Place::Tile(tile))?;
-    }
-    let parts: Vec<Vec<u64>> =
-        turns.iter().map(|row| row.iter().map(|(a, parts)| a * (whole / parts)).collect()).collect();
-    let whole_turn = i64::try_from(whole).unwrap_or(i64::MAX);
-    let fits = |n: i64| {
-        let expected = parts.iter().flatten().map(|a| n * i64::try_from(*a).unwrap_or(0));
-        steps.iter().zip(expected).all(|(step, expected)| (step - expected).is_multiple_of(&whole_turn))
-    };
-    ensure!((0..whole_turn).any(fits), SideClasses, Place::Witness);
-    Ok((parts, whole))
-}
-
 impl<const N: usize> System<N> {
-    /// The angle at a corner as a part of a turn. The complex number z with the argument of the
-    /// angle is (c, s) for c + i √g s, and g is the determinant of the base. z^n is positive after
-    /// some turns; each one ends or passes at the positive real axis.
-    fn angle(&self, patch: &Patch, tile: usize, corner: usize) -> Checked<(u64, u64)> {
-        let ring = &self.ring;
-        let count = patch.classes.len();
-        let here = self.base(patch, corner)?;
-        let [u, v] =
-            [corner + 1, corner + count - 1].map(|other| ring.difference(&here, &self.base(patch, other % count)?));
-        let (u, v) = (u?, v?);
-        let [s, ..] = ring.cross(&u, &v)?;
-        let c = ring.inner(&u, &self.rules.image(&v)?)?;
-        let g = self.rules.base_determinant();
-        let (mut power, mut turns) = ((c.clone(), s.clone()), 0);
-        for n in 1..=PARTS {
-            let (x, y) = &power;
-            let [sign_x, sign_y] = [ring.sign(x).decided()?, ring.sign(y).decided()?];
-            if (sign_x, sign_y) == (Greater, Equal) {
-                return Ok((turns, n));
-            }
-            let square = ring.times(&ring.times(y, &s)?, &g)?;
-            let next =
-                (ring.minus(&ring.times(x, &c)?, &square)?, ring.plus(&ring.times(x, &s)?, &ring.times(y, &c)?)?);
-            turns += u64::from(sign_y == Less && ring.sign(&next.1).is(|sign| sign != Less)?);
-            power = next;
-        }
-        ensure!(false, CornerAngle, Place::Tile(tile), corner);
-        Err(Stop::LARGER)
+    /// Finds the sides of the patches, and compares their patterns.
+    pub(crate) fn new(parts: Parts<N>) -> Checked<Self> {
+        let sides = sides(&parts)?;
+        Ok(System { parts, sides })
+    }
+
+    /// A corner of a patch in common coordinates.
+    pub(crate) fn point(&self, patch: usize, corner: Corner) -> Checked<Point<N>> {
+        let patch = self.parts.patches.get(patch).ok_or(Stop::LARGER)?;
+        let factor = self.parts.ring.times(&self.parts.factor(patch)?, self.unit()?)?;
+        each(&patch.vertices.point(corner)?, |x| self.parts.ring.times(x, &factor))
+    }
+
+    /// A lattice vector in common coordinates.
+    pub(crate) fn shift(&self, corner: &Corner) -> Checked<Point<N>> {
+        let factor =
+            self.parts.ring.times(&self.parts.ring.element(std::slice::from_ref(&self.parts.scale))?, self.unit()?)?;
+        each(&corner.shift, |s| self.parts.ring.times(&self.parts.ring.integer(i64::from(*s))?, &factor))
+    }
+
+    fn unit(&self) -> Checked<&Number<N>> {
+        self.sides.first().map(|side| &side.unit).ok_or(Stop::LARGER)
+    }
+
+    pub(crate) fn work(&self) -> &Work {
+        self.parts.ring.work()
+    }
+
+    pub(crate) fn side(&self, number: usize) -> Checked<&Side<N>> {
+        self.sides.get(number).ok_or(Stop::LARGER)
     }
 }

@@ -13,7 +13,7 @@ mod place;
 pub use hole::Hole;
 pub use motion::{Motion, motion};
 pub use nearest::Near;
-pub use overlap::{Overlap, common_point};
+pub use overlap::{Overlap, common_point, overlap};
 
 use crate::checker::Defect;
 use crate::quality::rounded_up;
@@ -224,13 +224,14 @@ fn times(ratio: &Number) -> String {
     }
 }
 
-fn moved<const D: usize>(shift: &[i32; D]) -> String {
+/// ` moved by (1, 0, 0)`, or nothing.
+pub(crate) fn moved(shift: &[i32]) -> String {
     match shift.iter().all(|&s| s == 0) {
         true => String::new(),
-        false => format!(
-            " moved by ({})",
-            shift.map(|s| s.to_string()).as_slice().join(", ")
-        ),
+        false => {
+            let shift: Vec<String> = shift.iter().map(ToString::to_string).collect();
+            format!(" moved by ({})", shift.join(", "))
+        }
     }
 }
 

@@ -43,6 +43,8 @@ impl<S: Scalar> Scale<S> {
 pub(super) struct BoundaryFacet<const D: usize> {
     pub facet: Facet,
     pub corners: [Corner<D>; D],
+    /// The lattice vector by which it is moved from its simplex.
+    pub by: [i32; D],
     /// Steps of the lattice that the facet reaches to, in each direction.
     pub reach: [i32; D],
 }
@@ -59,9 +61,11 @@ impl<const D: usize> BoundaryFacet<D> {
         let cells: Vec<[i32; D]> = corners.iter().map(|corner| cell(tiling, corner)).collect();
         let entries = |k: usize| cells.iter().map(move |cell| cell[k]);
         let least: [i32; D] = std::array::from_fn(|k| entries(k).min().unwrap_or(0));
+        let by = difference([0; D], least);
         BoundaryFacet {
             facet,
-            corners: corners.map(|c| c.moved(difference([0; D], least))),
+            corners: corners.map(|corner| corner.moved(by)),
+            by,
             reach: std::array::from_fn(|k| entries(k).max().unwrap_or(0) - least[k] + 1),
         }
     }

@@ -1,68 +1,101 @@
-//! Why a bounded region fails: simplices overlap, or boundary facets only lie against each other.
+//! Why a region fails: simplices overlap, or boundary facets only lie against each other.
 //!
-//! Let N(x) be the number of simplices with x in their interior, for a bounded region whose facets
-//! match in pairs or are boundary. N changes only at boundary facets. If two simplices overlap, the
-//! set N >= 2 is bounded, so some boundary facet f of a simplex s lies in its boundary. At a generic
-//! point of f there, either another simplex has the point inside and overlaps s, or another boundary
-//! facet lies in the same plane on the same side, and its simplex overlaps s. In both cases a simplex
-//! that comes near f overlaps s. So interiors are disjoint if s and each such simplex are.
+//! Let N(x) be the number of simplices, and of their translates under the lattice, with x in their
+//! interior, for a region whose facets match in pairs or are boundary. N changes only at boundary facets.
+//! Let two simplices overlap. If N >= 2 almost everywhere, let f be any boundary facet; else some
+//! boundary facet f lies in the boundary of the set N >= 2. Let s be its simplex. At a generic
+//! point of f, on the side where N >= 2, either another simplex has the point inside and overlaps s, or
+//! another boundary facet lies in the same plane on the same side, and its simplex overlaps s. In
+//! both cases a simplex that comes near f overlaps s. So interiors are disjoint if s and each such
+//! simplex are, for all boundary facets; there is at least one.
 
 use super::apart::{are_against, are_apart};
-use super::boundary::BoundaryFacet;
+use super::boundary::{cell, compare, ranks, vectors};
 use super::defect::{ContactKind, Defect, Findings};
 use super::region::Region;
-use crate::advice::common_point;
+use crate::advice::overlap;
 use crate::anatomy::Union;
-use crate::tiling::{Corner, Facet, SimplexId};
+use crate::tiling::{Corner, Facet, SimplexId, difference};
 use acutile_exact::geometry::Scalar;
 use acutile_exact::geometry::boxes::{self, Box3};
 use acutile_exact::geometry::triangle::Point;
-use acutile_exact::number::Number;
 use rayon::prelude::*;
-use std::collections::{BTreeMap, BTreeSet};
+use std::collections::{BTreeMap, BTreeSet, HashMap};
 
 /// No more pairs of boxes are compared to decide whether interiors are disjoint.
 const PAIRS: usize = 8_000_000;
 
+/// No more translates of simplices are looked at for that.
+const TRANSLATES: usize = 4_000_000;
+
 /// What the checks of a region have found.
-pub(super) struct Found {
-    /// Pairs of boundary facets, by their indices, that meet where they should not.
-    pub meeting: Vec<(usize, usize)>,
-    /// Boundary facets, by their indices, with the simplices directly outside.
-    pub covered: Vec<(usize, Vec<SimplexId>)>,
+pub(super) struct Found<const D: usize> {
+    /// Pairs of boundary facets that meet where they should not.
+    pub meeting: Vec<Meeting<D>>,
+    /// Boundary facets, by their indices, with the simplices directly outside, moved by lattice vectors.
+    pub covered: Vec<(usize, Vec<(SimplexId, [i32; D])>)>,
 }
 
-/// The defects behind those of a bounded region. `None` where that is not decided.
+/// Two boundary facets, by their indices, the second moved by a lattice vector.
+#[derive(Clone, Copy)]
+pub(super) struct Meeting<const D: usize> {
+    pub facets: (usize, usize),
+    pub by: [i32; D],
+}
+
+/// The defects behind others, and the boundary facets of the interfaces among them.
+pub(super) struct Contacts {
+    pub findings: Findings,
+    pub facets: BTreeSet<Facet>,
+}
+
+/// Two simplices, the second moved by a lattice vector.
+type Pair<const D: usize> = (SimplexId, SimplexId, [i32; D]);
+
+/// The pair with its simplices in order, of a simplex with itself the vector not before zero.
+fn ordered<const D: usize>((s, t, by): Pair<D>) -> Pair<D> {
+    let back = difference([0; D], by);
+    match (s.cmp(&t), by < [0; D]) {
+        (std::cmp::Ordering::Greater, _) | (std::cmp::Ordering::Equal, true) => (t, s, back),
+        _ => (s, t, by),
+    }
+}
+
+/// The defects behind those of a region. `None` where that is not decided.
 pub(super) fn explain<S: Scalar, const D: usize>(
     region: &Region<S, D>,
-    found: &Found,
+    found: &Found<D>,
     plain: &Findings,
-) -> Option<Findings> {
+) -> Option<Contacts> {
     let contact = Contact { region };
     let overlaps = contact.overlaps(found);
-    let mut findings = Findings::new(plain.limit());
+    let mut contacts = Contacts {
+        findings: Findings::new(plain.limit()),
+        facets: BTreeSet::new(),
+    };
     if overlaps.is_empty() {
         let overlaps = contact.all_overlaps()?;
         if overlaps.is_empty() {
-            contact.report_interfaces(&found.meeting, &mut findings);
+            contact.report_interfaces(&found.meeting, &mut contacts);
         } else {
-            contact.report_overlaps(&overlaps, &mut findings);
+            contact.report_overlaps(&overlaps, &mut contacts.findings);
         }
     } else {
-        contact.report_overlaps(&overlaps, &mut findings);
-        let involved: BTreeSet<SimplexId> = overlaps.iter().flat_map(|&(s, t)| [s, t]).collect();
-        let is_left = |&&(f, g): &&(usize, usize)| {
+        contact.report_overlaps(&overlaps, &mut contacts.findings);
+        let involved: BTreeSet<SimplexId> = overlaps.iter().flat_map(|o| [o.0, o.1]).collect();
+        let is_left = |meeting: &&Meeting<D>| {
             let simplex = |f: usize| region.boundary[f].facet.simplex;
+            let (f, g) = meeting.facets;
             !involved.contains(&simplex(f)) && !involved.contains(&simplex(g))
         };
-        let left: Vec<(usize, usize)> = found.meeting.iter().filter(is_left).copied().collect();
-        contact.report_interfaces(&left, &mut findings);
+        let left: Vec<Meeting<D>> = found.meeting.iter().filter(is_left).copied().collect();
+        contact.report_interfaces(&left, &mut contacts);
     }
-    if findings.is_empty() {
+    if contacts.findings.is_empty() {
         return None;
     }
-    findings.add_consequences(plain);
-    Some(findings)
+    contacts.findings.add_consequences(plain);
+    Some(contacts)
 }
 
 struct Contact<'r, 't, S, const D: usize> {
@@ -70,101 +103,136 @@ struct Contact<'r, 't, S, const D: usize> {
 }
 
 impl<S: Scalar, const D: usize> Contact<'_, '_, S, D> {
-    fn point(&self, corner: &Corner<D>) -> Point<S> {
-        self.region.scale.point(self.region.tiling, corner)
+    fn points<'c>(
+        &self,
+        corners: impl IntoIterator<Item = &'c Corner<D>>,
+        by: [i32; D],
+    ) -> Vec<Point<S>> {
+        let Region { tiling, scale, .. } = self.region;
+        let corners = corners.into_iter();
+        corners
+            .map(|corner| scale.point(tiling, &corner.moved(by)))
+            .collect()
     }
 
-    fn simplex(&self, simplex: SimplexId) -> Vec<Point<S>> {
-        let corners = self.region.tiling.simplex(simplex).iter();
-        corners.map(|corner| self.point(corner)).collect()
+    fn simplex(&self, simplex: SimplexId, by: [i32; D]) -> Vec<Point<S>> {
+        self.points(self.region.tiling.simplex(simplex), by)
     }
 
-    fn facet(&self, facet: &BoundaryFacet<D>) -> Vec<Point<S>> {
-        facet.corners.iter().map(|c| self.point(c)).collect()
+    fn facet(&self, facet: usize, by: [i32; D]) -> Vec<Point<S>> {
+        self.points(&self.region.boundary[facet].corners, by)
     }
 
     /// The pairs of simplices at meeting facets, and at covered ones, that overlap.
-    fn overlaps(&self, found: &Found) -> Vec<(SimplexId, SimplexId)> {
-        let of = |facet: usize| self.region.boundary[facet].facet.simplex;
-        let at_meeting = found.meeting.iter().map(|&(f, g)| (of(f), of(g)));
-        let covered = found.covered.iter();
-        let at_covered =
-            covered.flat_map(|(f, simplices)| simplices.iter().map(move |&t| (of(*f), t)));
+    fn overlaps(&self, found: &Found<D>) -> Vec<Pair<D>> {
+        let boundary = &self.region.boundary;
+        let at_meeting = found.meeting.iter().map(|meeting| {
+            let (f, g) = (&boundary[meeting.facets.0], &boundary[meeting.facets.1]);
+            let by = difference(g.by, difference(f.by, meeting.by));
+            (f.facet.simplex, g.facet.simplex, by)
+        });
+        let at_covered = found.covered.iter().flat_map(|(facet, simplices)| {
+            let facet = &boundary[*facet];
+            let pair = |(t, by): &(SimplexId, [i32; D])| {
+                (facet.facet.simplex, *t, difference(*by, facet.by))
+            };
+            simplices.iter().map(pair)
+        });
         self.overlapping(at_meeting.chain(at_covered))
     }
 
-    fn overlapping(
-        &self,
-        pairs: impl Iterator<Item = (SimplexId, SimplexId)>,
-    ) -> Vec<(SimplexId, SimplexId)> {
-        let ordered = pairs.filter(|(s, t)| s != t);
-        let pairs: BTreeSet<_> = ordered.map(|(s, t)| (s.min(t), s.max(t))).collect();
+    fn overlapping(&self, pairs: impl Iterator<Item = Pair<D>>) -> Vec<Pair<D>> {
+        let different = pairs.filter(|(s, t, by)| s != t || *by != [0; D]);
+        let pairs: BTreeSet<Pair<D>> = different.map(ordered).collect();
         let pairs: Vec<_> = pairs.into_iter().collect();
         let overlap =
-            |&(s, t): &(SimplexId, SimplexId)| !are_apart(&self.simplex(s), &self.simplex(t));
+            |&(s, t, by): &Pair<D>| !are_apart(&self.simplex(s, [0; D]), &self.simplex(t, by));
         pairs.into_par_iter().filter(overlap).collect()
     }
 
     /// All pairs of a simplex with a boundary facet and a simplex near that facet that overlap;
     /// `None` if there are too many pairs.
-    fn all_overlaps(&self) -> Option<Vec<(SimplexId, SimplexId)>> {
-        let tiling = self.region.tiling;
-        let ranks = self.region.vertex_ranks();
-        let extent = |corners: &[Corner<D>]| -> Box3 {
-            boxes::hull(
-                corners
-                    .iter()
-                    .map(|c| ranks[c.vertex.index()].map(|r| (r, r))),
-            )
+    fn all_overlaps(&self) -> Option<Vec<Pair<D>>> {
+        let boundary = &self.region.boundary;
+        let translates = self.translates()?;
+        let mut places = Places::new(self.region);
+        let facets: Vec<Vec<usize>> = boundary
+            .iter()
+            .map(|f| places.of(&f.corners, [0; D]))
+            .collect();
+        let simplices: Vec<Vec<usize>> = translates
+            .iter()
+            .map(|(t, by)| places.of(self.region.tiling.simplex(*t), *by))
+            .collect();
+        let ranks = ranks(&places.points);
+        let extent = |corners: &Vec<usize>| -> Box3 {
+            boxes::hull(corners.iter().map(|&place| ranks[place].map(|r| (r, r))))
         };
-        let facets = self.region.boundary.iter().map(|f| extent(&f.corners));
-        let bases = self.region.boundary.len();
-        let all: Vec<Box3> = facets.chain(tiling.simplices().map(extent)).collect();
+        let all: Vec<Box3> = facets.iter().chain(&simplices).map(extent).collect();
         let pairs = boxes::overlapping_pairs(&all, PAIRS)?;
+        let bases = boundary.len();
         let near = pairs.into_iter().filter(|&(f, t)| f < bases && t >= bases);
-        let simplices = near.map(|(f, t)| {
-            let s = self.region.boundary[f].facet.simplex;
-            (s, SimplexId::at(t - bases))
+        let near = near.map(|(f, t)| {
+            let (facet, (t, by)) = (&boundary[f], translates[t - bases]);
+            (facet.facet.simplex, t, difference(by, facet.by))
         });
-        Some(self.overlapping(simplices))
+        Some(self.overlapping(near))
     }
 
-    fn report_overlaps(&self, pairs: &[(SimplexId, SimplexId)], findings: &mut Findings) {
-        let tiling = self.region.tiling;
-        let corners = |simplex: SimplexId| -> Vec<[Number; D]> {
-            let corners = tiling.simplex(simplex).iter();
-            corners.map(|corner| tiling.position(corner)).collect()
-        };
-        for &(s, t) in pairs {
+    /// The simplices moved near to boundary facets; `None` if there are too many.
+    fn translates(&self) -> Option<Vec<(SimplexId, [i32; D])>> {
+        let Region {
+            tiling, boundary, ..
+        } = self.region;
+        let rank = tiling.frame.rank();
+        let reach: [i32; D] =
+            std::array::from_fn(|k| boundary.iter().map(|f| f.reach[k]).max().unwrap_or(0));
+        let mut translates = Vec::new();
+        for (simplex, corners) in tiling.indices().zip(tiling.simplices()) {
+            let cells: Vec<[i32; D]> = corners.iter().map(|c| cell(tiling, c)).collect();
+            let entries = |k: usize| cells.iter().map(move |cell| cell[k]);
+            // In cells, the facets reach from 0 to `reach`.
+            let low = std::array::from_fn(|k| -entries(k).max().unwrap_or(0) - 1);
+            let high = std::array::from_fn(|k| reach[k] - entries(k).min().unwrap_or(0));
+            translates.extend(vectors(low, high, rank).map(|by| (simplex, by)));
+            if translates.len() > TRANSLATES {
+                return None;
+            }
+        }
+        Some(translates)
+    }
+
+    fn report_overlaps(&self, pairs: &[Pair<D>], findings: &mut Findings) {
+        for &(s, t, by) in pairs {
+            let found = || overlap(self.region.tiling, (s, t), by);
             findings.add_with("overlap", || Defect::Overlap {
                 simplices: (s, t),
-                point: common_point(&corners(s), &corners(t)).map_or(Vec::new(), Vec::from),
+                shift: by.to_vec(),
+                point: found().map_or(Vec::new(), |overlap| overlap.point.to_vec()),
             });
         }
     }
 
     /// One defect for each set of facets that lie against each other, and one for each other pair that
     /// touches away from them.
-    fn report_interfaces(&self, meeting: &[(usize, usize)], findings: &mut Findings) {
-        let against: Vec<(usize, usize)> = meeting
-            .par_iter()
-            .filter(|(f, g)| {
-                let boundary = &self.region.boundary;
-                are_against(&self.facet(&boundary[*f]), &self.facet(&boundary[*g]))
-            })
-            .copied()
-            .collect();
+    fn report_interfaces(&self, meeting: &[Meeting<D>], contacts: &mut Contacts) {
+        let is_against = |meeting: &&Meeting<D>| {
+            let (f, g) = meeting.facets;
+            are_against(&self.facet(f, [0; D]), &self.facet(g, meeting.by))
+        };
+        let against: Vec<Meeting<D>> = meeting.par_iter().filter(is_against).copied().collect();
         let mut interfaces = Interfaces::of(self.region, &against);
         let mut vertices: BTreeSet<Vec<String>> = BTreeSet::new();
         for pairs in interfaces.groups(&against) {
             let defect = self.interface(&pairs);
-            vertices.extend(pairs.iter().flat_map(|(f, g)| [*f, *g]).flat_map(|f| {
-                let corners = self.region.boundary[f].corners.iter();
-                corners.map(|corner| self.key(corner)).collect::<Vec<_>>()
-            }));
-            findings.add(defect);
+            for f in pairs.iter().flat_map(|pair| [pair.facets.0, pair.facets.1]) {
+                let facet = &self.region.boundary[f];
+                contacts.facets.insert(facet.facet);
+                vertices.extend(facet.corners.iter().map(|corner| self.key(corner)));
+            }
+            contacts.findings.add(defect);
         }
-        for &(f, g) in meeting {
+        for (f, g) in meeting.iter().map(|meeting| meeting.facets) {
             // Facets that touch at the rim of an interface are part of it.
             let is_near = |f: usize| {
                 let corners = self.region.boundary[f].corners.iter();
@@ -174,7 +242,8 @@ impl<S: Scalar, const D: usize> Contact<'_, '_, S, D> {
             };
             if !is_near(f) && !is_near(g) {
                 let facet = |f: usize| self.region.boundary[f].facet;
-                findings.add(Defect::NonConforming {
+                contacts.facets.extend([facet(f), facet(g)]);
+                contacts.findings.add(Defect::NonConforming {
                     sides: [vec![facet(f)], vec![facet(g)]],
                     coincident: 0,
                     kind: ContactKind::Touching,
@@ -183,33 +252,47 @@ impl<S: Scalar, const D: usize> Contact<'_, '_, S, D> {
         }
     }
 
-    /// A point as text, equal for equal points.
+    /// A point as text, equal for points that are equal up to the lattice.
     fn key(&self, corner: &Corner<D>) -> Vec<String> {
-        let position = self.region.tiling.position(corner);
+        let tiling = self.region.tiling;
+        let moved = corner.moved(difference([0; D], cell(tiling, corner)));
+        let position = tiling.position(&moved);
         position.iter().map(ToString::to_string).collect()
     }
 
+    /// Whether the facets of a pair are equal, with different vertices.
+    fn are_equal(&self, pair: &Meeting<D>) -> bool {
+        let sorted = |facet: usize, by: [i32; D]| {
+            let mut points = self.facet(facet, by);
+            points.sort_by(compare);
+            points
+        };
+        let (f, g) = (
+            sorted(pair.facets.0, [0; D]),
+            sorted(pair.facets.1, pair.by),
+        );
+        f.iter().zip(&g).all(|(p, q)| compare(p, q).is_eq())
+    }
+
     /// The defect of facets that lie against each other in pairs.
-    fn interface(&self, pairs: &[(usize, usize)]) -> Defect {
+    fn interface(&self, pairs: &[Meeting<D>]) -> Defect {
         let sides = two_sides(self.region, pairs);
-        let points = |facet: &usize| -> BTreeSet<Vec<String>> {
-            let corners = self.region.boundary[*facet].corners.iter();
+        let equal: Vec<&Meeting<D>> = pairs.iter().filter(|pair| self.are_equal(pair)).collect();
+        let in_equal: BTreeSet<usize> = equal
+            .iter()
+            .flat_map(|pair| [pair.facets.0, pair.facets.1])
+            .collect();
+        let points = |side: &Vec<usize>| -> BTreeSet<Vec<String>> {
+            let corners = side.iter().flat_map(|&f| &self.region.boundary[f].corners);
             corners.map(|corner| self.key(corner)).collect()
         };
-        let facets = |side: &Vec<usize>| side.iter().map(points).collect::<BTreeSet<_>>();
-        let [a, b] = [facets(&sides[0]), facets(&sides[1])];
-        let coincident = a.intersection(&b).count();
-        let all = |facets: &BTreeSet<BTreeSet<Vec<String>>>| {
-            facets.iter().flatten().cloned().collect::<BTreeSet<_>>()
-        };
-        let (points_a, points_b) = (all(&a), all(&b));
-        let kind = if a == b {
+        let [a, b] = sides.each_ref().map(points);
+        let kind = if sides.iter().flatten().all(|f| in_equal.contains(f)) {
             ContactKind::EqualFacets
-        } else if points_a == points_b {
+        } else if a == b {
             ContactKind::OtherDiagonals
         } else {
-            let hanging = points_a.symmetric_difference(&points_b).count();
-            ContactKind::HangingNodes(hanging)
+            ContactKind::HangingNodes(a.symmetric_difference(&b).count())
         };
         let named = |side: &Vec<usize>| -> Vec<Facet> {
             let mut facets: Vec<Facet> = side
@@ -221,9 +304,39 @@ impl<S: Scalar, const D: usize> Contact<'_, '_, S, D> {
         };
         Defect::NonConforming {
             sides: [named(&sides[0]), named(&sides[1])],
-            coincident,
+            coincident: equal.len(),
             kind,
         }
+    }
+}
+
+/// Points of corners, each once.
+struct Places<'r, 't, S, const D: usize> {
+    region: &'r Region<'t, S, D>,
+    indices: HashMap<Corner<D>, usize>,
+    points: Vec<Point<S>>,
+}
+
+impl<'r, 't, S: Scalar, const D: usize> Places<'r, 't, S, D> {
+    fn new(region: &'r Region<'t, S, D>) -> Self {
+        Places {
+            region,
+            indices: HashMap::new(),
+            points: Vec::new(),
+        }
+    }
+
+    /// The indices of the points of corners that are moved by a lattice vector.
+    fn of(&mut self, corners: &[Corner<D>], by: [i32; D]) -> Vec<usize> {
+        let Region { tiling, scale, .. } = self.region;
+        let mut place = |corner: &Corner<D>| {
+            let corner = corner.moved(by);
+            *self.indices.entry(corner).or_insert_with(|| {
+                self.points.push(scale.point(tiling, &corner));
+                self.points.len() - 1
+            })
+        };
+        corners.iter().map(&mut place).collect()
     }
 }
 
@@ -231,9 +344,10 @@ impl<S: Scalar, const D: usize> Contact<'_, '_, S, D> {
 struct Interfaces(Union);
 
 impl Interfaces {
-    fn of<S: Scalar, const D: usize>(region: &Region<S, D>, pairs: &[(usize, usize)]) -> Self {
+    fn of<S: Scalar, const D: usize>(region: &Region<S, D>, pairs: &[Meeting<D>]) -> Self {
         let mut union = Union::new(region.boundary.len());
-        let involved: BTreeSet<usize> = pairs.iter().flat_map(|&(f, g)| [f, g]).collect();
+        let facets = pairs.iter().map(|pair| pair.facets);
+        let involved: BTreeSet<usize> = facets.flat_map(|(f, g)| [f, g]).collect();
         let mut at_ridge: BTreeMap<Vec<Corner<D>>, usize> = BTreeMap::new();
         for &facet in &involved {
             for ridge in region.boundary[facet].ridges() {
@@ -243,16 +357,17 @@ impl Interfaces {
                 }
             }
         }
-        for &(f, g) in pairs {
-            union.join(f, g);
+        for pair in pairs {
+            union.join(pair.facets.0, pair.facets.1);
         }
         Interfaces(union)
     }
 
-    fn groups(&mut self, pairs: &[(usize, usize)]) -> Vec<Vec<(usize, usize)>> {
-        let mut groups: BTreeMap<usize, Vec<(usize, usize)>> = BTreeMap::new();
+    fn groups<const D: usize>(&mut self, pairs: &[Meeting<D>]) -> Vec<Vec<Meeting<D>>> {
+        let mut groups: BTreeMap<usize, Vec<Meeting<D>>> = BTreeMap::new();
         for &pair in pairs {
-            groups.entry(self.0.first(pair.0)).or_default().push(pair);
+            let group = groups.entry(self.0.first(pair.facets.0)).or_default();
+            group.push(pair);
         }
         groups.into_values().collect()
     }
@@ -262,10 +377,10 @@ impl Interfaces {
 /// ridge on the same one.
 fn two_sides<S: Scalar, const D: usize>(
     region: &Region<S, D>,
-    pairs: &[(usize, usize)],
+    pairs: &[Meeting<D>],
 ) -> [Vec<usize>; 2] {
     let mut opposite: BTreeMap<usize, Vec<usize>> = BTreeMap::new();
-    for &(f, g) in pairs {
+    for (f, g) in pairs.iter().map(|pair| pair.facets) {
         opposite.entry(f).or_default().push(g);
         opposite.entry(g).or_default().push(f);
     }

@@ -110,9 +110,14 @@ fn members<const D: usize>(tiling: &Tiling<D>, defect: &Defect) -> Value {
             "simplices": simplices.iter().map(|s| s.number()).collect::<Vec<_>>(),
             "outside": simplices.len(),
         }),
-        Defect::Overlap { simplices, point } => {
+        Defect::Overlap {
+            simplices,
+            shift,
+            point,
+        } => {
             let point: Vec<String> = point.iter().map(text).collect();
-            json!({ "simplices": [simplices.0.number(), simplices.1.number()], "point": point })
+            let simplices = [simplices.0.number(), simplices.1.number()];
+            json!({ "simplices": simplices, "second_moved_by": shift, "point": point })
         }
         Defect::NonConforming {
             sides,
@@ -147,6 +152,7 @@ fn members<const D: usize>(tiling: &Tiling<D>, defect: &Defect) -> Value {
                 "vertices": vertices.iter().map(|v| v.number()).collect::<Vec<_>>(),
             })
         }
+        Defect::NearMates(near) => json!({ "facets": near.facets, "distance": near.distance }),
         Defect::BoundaryWork { limit } => json!({ "limit": limit }),
         Defect::NoBoundary => json!({}),
         Defect::UnusedVertex { vertex } => json!({ "vertex": vertex }),

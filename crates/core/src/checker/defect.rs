@@ -1,6 +1,7 @@
 //! What can be wrong with a tiling: one variant per way, with the exact values.
 //! [`super::render`] puts them into words.
 
+use super::NearMates;
 use crate::classify::NotTcp;
 use crate::statement::Plane;
 use crate::tiling::{Facet, SimplexId, VertexId};
@@ -71,9 +72,11 @@ pub enum Defect {
         facet: Facet,
         simplices: Vec<SimplexId>,
     },
-    /// Two simplices have this point inside, in basis coordinates.
+    /// Two simplices, the second moved by a lattice vector, have this point inside, in basis
+    /// coordinates.
     Overlap {
         simplices: (SimplexId, SimplexId),
+        shift: Vec<i32>,
         point: Vec<Number>,
     },
     /// Boundary facets lie against each other, and no point is in two simplices there. Of the facets
@@ -104,6 +107,9 @@ pub enum Defect {
     /// The boundary has more facets close to each other than are looked at: nothing is known to be
     /// wrong, and nothing is proved.
     BoundaryWork { limit: usize },
+    /// Facets of a periodic mesh nearly have a mate: nothing is known to be wrong, and nothing is
+    /// proved.
+    NearMates(NearMates),
     /// A vertex is a corner of no simplex.
     UnusedVertex { vertex: usize },
     /// A dihedral angle is a right angle where all must be acute.
@@ -241,6 +247,7 @@ impl Defect {
             Defect::NotBoundary { .. } => "not-boundary",
             Defect::NoBoundary => "no-boundary",
             Defect::BoundaryWork { .. } => BOUNDARY_WORK,
+            Defect::NearMates(_) => NEAR_MATES,
             Defect::UnusedVertex { .. } => "unused-vertex",
             Defect::RightAngle { .. } => "right-angle",
             Defect::ObtuseAngle { .. } => "obtuse-angle",
@@ -260,6 +267,9 @@ impl Defect {
 pub(super) const BOUNDARY_MEETS: &str = "boundary-meets";
 /// The code of [`Defect::BoundaryWork`].
 pub(super) const BOUNDARY_WORK: &str = "boundary-work";
+
+/// The code of [`Defect::NearMates`].
+const NEAR_MATES: &str = "near-mates";
 
 /// Collects defects: all are counted, and of each kind the first few are kept.
 #[derive(Clone, Debug)]
@@ -332,9 +342,10 @@ impl Findings {
         }
     }
 
-    /// Whether nothing is known to be wrong, but a limit left something open.
+    /// Whether nothing is known to be wrong, but a limit or a question left something open.
     pub fn is_declined(&self) -> bool {
-        self.counts.keys().eq([&BOUNDARY_WORK])
+        let mut codes = self.counts.keys();
+        !self.is_empty() && codes.all(|code| [BOUNDARY_WORK, NEAR_MATES].contains(code))
     }
 
     /// Whether nothing is wrong.

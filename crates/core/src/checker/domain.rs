@@ -8,6 +8,7 @@
 //! intersection of their half-spaces (docs/soundness.md, section on domains).
 
 use super::defect::{Defect, Findings};
+use super::hypotheses::Unsided;
 use crate::tiling::{Facet, Matching, Plane, Polytope, SimplexId, Tiling};
 use acutile_exact::geometry::Sign;
 use acutile_exact::number::Number;
@@ -153,17 +154,19 @@ pub fn check_facets<const D: usize>(
         matching,
         faces_of_vertices,
         &BTreeSet::new(),
+        &Unsided::default(),
         findings,
     );
 }
 
-/// The same for a tiling with duplicate simplices. Facets that would be right without the surplus are
-/// consequences.
+/// The same for a tiling with duplicate simplices, and with flat or negative ones. Facets that would
+/// be right without the surplus, or after turning, are consequences.
 pub(super) fn check_facets_beside<const D: usize>(
     tiling: &Tiling<D>,
     matching: &Matching<D>,
     faces_of_vertices: &[Vec<usize>],
     surplus: &BTreeSet<SimplexId>,
+    unsided: &Unsided,
     findings: &mut Findings,
 ) {
     for mismatch in &matching.mismatches {
@@ -192,6 +195,9 @@ pub(super) fn check_facets_beside<const D: usize>(
                 if face_of(tiling, facet, faces_of_vertices).is_none() {
                     findings.add(Defect::UnmatchedFacet { facet });
                 }
+            }
+            [a, b] if unsided.explains(a.simplex, b.simplex) => {
+                findings.add_consequence("same-side", 1);
             }
             [a, b] => findings.add(Defect::SameSide { facets: (a, b) }),
             _ => findings.add(Defect::OverusedFacet { facets }),

@@ -9,6 +9,7 @@ use crate::tiling::{Frame, SimplexId, Tiling};
 use acutile_exact::geometry::{RingElement, Sign, linear};
 use acutile_exact::number::Number;
 use malachite::Rational;
+use std::collections::BTreeSet;
 
 /// Hypothesis M. The Gram matrix is positive definite: by Sylvester's criterion,
 /// all leading principal minors are positive.
@@ -58,20 +59,45 @@ pub fn check_corners<const D: usize>(tiling: &Tiling<D>, findings: &mut Findings
 
 /// Hypothesis O. Every simplex is positively oriented, hence not flat:
 /// det (c_1 - c_0, …, c_D - c_0) > 0. A simplex with a repeated corner has been
-/// reported already.
-pub fn check_orientation<const D: usize>(model: &Model<D>, findings: &mut Findings) {
+/// reported already. Gives the simplices that are flat or negative.
+pub fn check_orientation<const D: usize>(model: &Model<D>, findings: &mut Findings) -> Unsided {
     let orientation = model.prepare(Orientation);
+    let mut unsided = Unsided::default();
     for &simplex in &model.shapes().not_positive {
         if has_repeated_corner(model.tiling.simplex(simplex)) {
             continue;
         }
         match orientation.signs(simplex).get(0) {
-            Sign::Equal => findings.add(Defect::Flat { simplex }),
-            _ => findings.add_with("negative-orientation", || Defect::NegativeOrientation {
-                simplex,
-                determinant: determinant(model.tiling, simplex),
-            }),
+            Sign::Equal => {
+                unsided.flat.insert(simplex);
+                findings.add(Defect::Flat { simplex });
+            }
+            _ => {
+                unsided.negative.insert(simplex);
+                findings.add_with("negative-orientation", || Defect::NegativeOrientation {
+                    simplex,
+                    determinant: determinant(model.tiling, simplex),
+                });
+            }
         }
+    }
+    unsided
+}
+
+/// Simplices that lie on the wrong side of their facets, or on none. Other defects follow from
+/// that, and are their consequences.
+#[derive(Clone, Debug, Default)]
+pub struct Unsided {
+    pub flat: BTreeSet<SimplexId>,
+    pub negative: BTreeSet<SimplexId>,
+}
+
+impl Unsided {
+    /// Whether two simplices on the same side of a facet are on different ones after negative
+    /// simplices are turned, or one is flat and on no side.
+    pub(super) fn explains(&self, a: SimplexId, b: SimplexId) -> bool {
+        let [a_turned, b_turned] = [a, b].map(|s| self.negative.contains(&s));
+        a_turned != b_turned || self.flat.contains(&a) || self.flat.contains(&b)
     }
 }
 
@@ -88,6 +114,16 @@ pub fn determinant<const D: usize>(tiling: &Tiling<D>, simplex: SimplexId) -> Nu
 /// in the basis: Σ det (c_1 - c_0, …, c_D - c_0) = D! vol_k(P), where P is the polytope of
 /// the domain, a point for all of space. A region has no other volume than this sum.
 pub fn check_volume<const D: usize>(model: &Model<D>, findings: &mut Findings) {
+    check_volume_beside(model, &Unsided::default(), findings);
+}
+
+/// The same for a tiling with negative simplices. A sum that is right after they are turned is a
+/// consequence.
+pub(super) fn check_volume_beside<const D: usize>(
+    model: &Model<D>,
+    unsided: &Unsided,
+    findings: &mut Findings,
+) {
     if model.tiling.frame.domain.is_region() {
         return;
     }
@@ -101,7 +137,16 @@ pub fn check_volume<const D: usize>(model: &Model<D>, findings: &mut Findings) {
         None => Number::from(Rational::from(1)),
         Some(polytope) => polytope.scaled_volume() * share(polytope.dimension()),
     };
-    if sum != expected {
-        findings.add(Defect::VolumeSum { sum, expected });
+    if sum == expected {
+        return;
+    }
+    let negative = unsided.negative.iter();
+    let negative = negative.fold(Number::zero(), |sum, &simplex| {
+        &sum + &determinant(model.tiling, simplex)
+    });
+    let two = Number::from(Rational::from(2));
+    match &sum - &(negative * two * share(D)) == expected {
+        true => findings.add_consequence("volume-sum", 1),
+        false => findings.add(Defect::VolumeSum { sum, expected }),
     }
 }

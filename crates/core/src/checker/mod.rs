@@ -25,7 +25,7 @@ pub use crate::predicates::Model;
 pub use data::defect_data;
 pub use defect::{Angle, ContactKind, Defect, Findings};
 pub use domain::{check_domain, check_facets, check_inside};
-pub use hypotheses::{check_corners, check_metric, check_orientation, check_volume};
+pub use hypotheses::{Unsided, check_corners, check_metric, check_orientation, check_volume};
 pub use names::Names;
 pub use offenders::offenders;
 pub use region::check_region;
@@ -41,6 +41,7 @@ use crate::tiling::dimension::{same, same_value};
 use crate::tiling::{Facet, Matching, Plane, Tiling, match_facets};
 use crate::transcribe::Parts;
 use acutile_kernel::Limits;
+use hypotheses::check_volume_beside;
 use std::cmp::Ordering;
 use std::collections::BTreeSet;
 
@@ -49,8 +50,8 @@ use std::collections::BTreeSet;
 pub struct Options {
     /// Statements that must hold; where one fails the tiling is refuted.
     pub required: Vec<Requirement>,
-    /// Facets of a region that must have a mate: those on the sides of a periodic mesh.
-    pub sides: BTreeSet<Facet>,
+    /// What is known of the sides of a periodic mesh.
+    pub sides: Sides,
     /// How many defects of each kind a refutation keeps; all are counted.
     pub defect_limit: usize,
     /// Limits of the kernel, which checks the certificate.
@@ -61,11 +62,36 @@ impl Default for Options {
     fn default() -> Self {
         Options {
             required: Vec::new(),
-            sides: BTreeSet::new(),
+            sides: Sides::default(),
             defect_limit: 20,
             limits: own_limits(),
         }
     }
+}
+
+/// What is known of the sides of a periodic mesh.
+#[derive(Clone, Debug, Default)]
+pub struct Sides {
+    /// Facets without a mate that must have one.
+    pub facets: BTreeSet<Facet>,
+    /// Facets that nearly have a mate: whether they should is a question, so nothing is proved.
+    pub near: Option<NearMates>,
+}
+
+impl Sides {
+    /// Whether no facet on the sides lacks its mate, and none nearly has one.
+    pub fn are_closed(&self) -> bool {
+        self.facets.is_empty() && self.near.is_none()
+    }
+}
+
+/// Facets that would have a mate if nodes were moved a little.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct NearMates {
+    /// How many facets.
+    pub facets: usize,
+    /// How far nodes would be moved, about.
+    pub distance: f64,
 }
 
 /// Called with the name of each step of a long check when it begins.
@@ -153,22 +179,37 @@ fn examine_model<const D: usize>(
     progress: Progress,
 ) -> Result<Proof<D>, Findings> {
     progress("orientation");
-    check_orientation(model, &mut findings);
+    let unsided = check_orientation(model, &mut findings);
     progress("facets");
     let matching = match_facets(model.tiling);
     let faces = check_inside(model.tiling, planes, &mut findings);
     let surplus = duplicates::check_duplicates(model.tiling, &mut findings);
-    domain::check_facets_beside(model.tiling, &matching, &faces, &surplus, &mut findings);
-    for &facet in &options.sides {
-        findings.add(Defect::UnmatchedFacet { facet });
-    }
+    domain::check_facets_beside(
+        model.tiling,
+        &matching,
+        &faces,
+        &surplus,
+        &unsided,
+        &mut findings,
+    );
     progress("volume");
-    check_volume(model, &mut findings);
+    check_volume_beside(model, &unsided, &mut findings);
     if model.tiling.frame.domain.is_region() {
         progress("boundary");
-        check_region(model.tiling, &matching, &mut findings);
+        let explained =
+            region::check_region_beside(model.tiling, &matching, &unsided, &mut findings);
+        for &facet in &options.sides.facets {
+            match explained.contains(&facet) {
+                true => findings.add_consequence("unmatched-facet", 1),
+                false => findings.add(Defect::UnmatchedFacet { facet }),
+            }
+        }
     }
     stop_if_any(&findings)?;
+    if let Some(near) = options.sides.near {
+        findings.add(Defect::NearMates(near));
+        return Err(findings);
+    }
     progress("angles and ratios");
     let Some(ranges) = exact_ranges(model) else {
         // A tiling without simplices has been refused.

@@ -15,17 +15,11 @@ pub fn offenders<const D: usize>(
     requirements: &[Requirement],
     limit: usize,
 ) -> (Findings, Vec<SimplexId>) {
-    let kept: Vec<SimplexId> = tiling
-        .indices()
-        .filter(|simplex| left_out.binary_search(simplex).is_err())
-        .collect();
-    let corners = kept.iter().flat_map(|s| tiling.simplex(*s).iter().copied());
-    let part = Tiling {
-        frame: tiling.frame.clone(),
-        vertices: tiling.vertices.clone(),
-        corners: corners.collect(),
-    };
     let mut findings = Findings::new(limit);
+    if requirements.is_empty() {
+        return (findings, Vec::new());
+    }
+    let (part, kept) = tiling.without(left_out);
     if part.is_empty() {
         return (findings, kept);
     }

@@ -41,8 +41,8 @@ impl<'t, S: Scalar, const D: usize> Outside<'t, S, D> {
         }
     }
 
-    /// The simplices, in order, a translate of which contains the points.
-    pub(super) fn simplices(&self, facet: &BoundaryFacet<D>) -> Vec<SimplexId> {
+    /// The simplices, in order, a translate of which contains the points, and the lattice vector.
+    pub(super) fn simplices(&self, facet: &BoundaryFacet<D>) -> Vec<(SimplexId, [i32; D])> {
         let points = facet
             .corners
             .each_ref()
@@ -52,15 +52,13 @@ impl<'t, S: Scalar, const D: usize> Outside<'t, S, D> {
         let centroid: [f64; D] =
             std::array::from_fn(|k| corners.iter().map(|corner| corner[k]).sum::<f64>() / D as f64);
         let contains = |simplex: SimplexId| {
-            let near = self.near(simplex, &centroid);
-            near.into_iter()
-                .any(|by| self.contains(simplex, by, &points, &normal))
+            let mut near = self.near(simplex, &centroid).into_iter();
+            let by = near.find(|by| self.contains(simplex, *by, &points, &normal))?;
+            Some((simplex, by))
         };
         let found = parallel::by_chunks(self.tiling.len(), CHUNK, |simplices| {
             let simplices = simplices.map(SimplexId::at);
-            simplices
-                .filter(|simplex| contains(*simplex))
-                .collect::<Vec<_>>()
+            simplices.filter_map(contains).collect::<Vec<_>>()
         });
         found.concat()
     }

@@ -8,12 +8,13 @@
 //! with all facets that a lattice vector not before zero moves near to it.
 
 use super::boundary::{BoundaryFacet, Scale, cell, compare, ranks, vectors};
-use super::contact::{self, Found};
+use super::contact::{self, Contacts, Found, Meeting};
 use super::defect::{BOUNDARY_MEETS, BOUNDARY_WORK, Defect, Findings};
+use super::hypotheses::Unsided;
 use super::outside::Outside;
 use crate::anatomy::Union;
 use crate::parallel;
-use crate::tiling::{Corner, Matching, SimplexId, Tiling, difference};
+use crate::tiling::{Corner, Facet, Matching, SimplexId, Tiling, difference};
 use acutile_exact::geometry::Scalar;
 use acutile_exact::geometry::boxes::{self, Box3};
 use acutile_exact::geometry::triangle::{self, Point, Quotient, Triangle};
@@ -22,7 +23,7 @@ use malachite::base::num::arithmetic::traits::Floor;
 use malachite::base::num::basic::traits::Zero;
 use malachite::{Integer, Rational};
 use rayon::prelude::*;
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 
 /// Hypotheses X and W.
 pub fn check_region<const D: usize>(
@@ -30,6 +31,17 @@ pub fn check_region<const D: usize>(
     matching: &Matching<D>,
     findings: &mut Findings,
 ) {
+    check_region_beside(tiling, matching, &Unsided::default(), findings);
+}
+
+/// The same for a tiling with flat or negative simplices. Gives the boundary facets for which an
+/// interface is reported.
+pub(super) fn check_region_beside<const D: usize>(
+    tiling: &Tiling<D>,
+    matching: &Matching<D>,
+    unsided: &Unsided,
+    findings: &mut Findings,
+) -> BTreeSet<Facet> {
     // Cleared of their denominators, rational coordinates are integers.
     let unit = Number::from(Rational::from(Number::common_denominator(
         tiling.vertices.iter().flatten().collect::<Vec<_>>().iter(),
@@ -37,15 +49,15 @@ pub fn check_region<const D: usize>(
     if tiling.frame.field.degree() == 1 {
         let integer = |x: Number| x.to_rational().map_or(Integer::ZERO, |x| x.floor());
         let number = |x: &Integer| Number::from(Rational::from(x));
-        Region::new(tiling, matching, unit, integer, number).check(findings);
+        Region::new(tiling, matching, unit, integer, number).check(unsided, findings)
     } else {
-        Region::new(tiling, matching, unit, |x| x, Number::clone).check(findings);
+        Region::new(tiling, matching, unit, |x| x, Number::clone).check(unsided, findings)
     }
 }
 
 /// So many pairs of facets in the boundary are compared exactly: some, and for each facet some
 /// more. Meshes of solids have a few dozens for each facet.
-const PAIRS: usize = 500_000;
+const PAIRS: usize = 8_000_000;
 const PAIRS_PER_FACET: usize = 30;
 /// So many facets are moved by lattice vectors, beside a few for each facet.
 const COPIES: usize = 200_000;
@@ -81,13 +93,14 @@ impl<'t, S: Scalar, const D: usize> Region<'t, S, D> {
         }
     }
 
-    fn check(&self, findings: &mut Findings) {
+    fn check(&self, unsided: &Unsided, findings: &mut Findings) -> BTreeSet<Facet> {
         let is_closed = self.boundary.is_empty() && findings.is_empty();
         if is_closed && !self.tiling.is_empty() {
             findings.add(Defect::NoBoundary);
         }
         if self.translates() > TRANSLATES as f64 {
-            return findings.add(Defect::BoundaryWork { limit: TRANSLATES });
+            findings.add(Defect::BoundaryWork { limit: TRANSLATES });
+            return BTreeSet::new();
         }
         let is_without = |codes: &[&str]| {
             let mut codes = codes.iter();
@@ -98,17 +111,24 @@ impl<'t, S: Scalar, const D: usize> Region<'t, S, D> {
         let is_matched = is_without(&["same-side", "overused-facet", "unmatched-facet"]);
         let mut plain = Findings::new(findings.limit());
         self.check_vertices_differ(&mut plain);
-        let meeting = self.check_boundary(&mut plain);
+        let meeting = self.check_boundary(unsided, &mut plain);
         let covered = match is_oriented {
             true => self.check_covering(&mut plain),
             false => Vec::new(),
         };
-        let is_bounded = self.tiling.frame.rank() == 0;
         let is_decided = !plain.is_empty() && !plain.counts().contains_key(BOUNDARY_WORK);
-        let explained = (is_oriented && is_matched && is_bounded && is_decided)
+        let explained = (is_oriented && is_matched && is_decided)
             .then(|| contact::explain(self, &Found { meeting, covered }, &plain))
             .flatten();
-        findings.append(explained.unwrap_or(plain));
+        let Contacts {
+            findings: found,
+            facets,
+        } = explained.unwrap_or(Contacts {
+            findings: plain,
+            facets: BTreeSet::new(),
+        });
+        findings.append(found);
+        facets
     }
 
     /// How many translates of simplices come near a cell of the lattice, about.
@@ -130,15 +150,6 @@ impl<'t, S: Scalar, const D: usize> Region<'t, S, D> {
             (0..rank).map(width).product()
         };
         self.tiling.simplices().map(of_simplex).sum()
-    }
-
-    /// The ranks of each vertex's coordinates among all.
-    pub fn vertex_ranks(&self) -> Vec<[u32; 3]> {
-        let vertices = (0..self.tiling.vertices.len() as u32).map(Corner::of);
-        let points: Vec<Point<S>> = vertices
-            .map(|corner| self.scale.point(self.tiling, &corner))
-            .collect();
-        ranks(&points)
     }
 
     /// Different vertices are different points, up to the lattice. This follows from the other
@@ -173,7 +184,7 @@ impl<'t, S: Scalar, const D: usize> Region<'t, S, D> {
 
     /// Any two facets in the boundary meet in what their common corners span. Gives the pairs that do
     /// not.
-    fn check_boundary(&self, findings: &mut Findings) -> Vec<(usize, usize)> {
+    fn check_boundary(&self, unsided: &Unsided, findings: &mut Findings) -> Vec<Meeting<D>> {
         let limit = COPIES + PAIRS_PER_FACET * self.boundary.len();
         let Some(copies) = Copies::of(self, limit) else {
             findings.add(Defect::BoundaryWork { limit });
@@ -193,6 +204,11 @@ impl<'t, S: Scalar, const D: usize> Region<'t, S, D> {
         pairs.sort_unstable();
         for &(f, g) in &pairs {
             let facet = |copy: usize| self.boundary[copies.list[copy].facet].facet;
+            let is_flat = |copy: usize| unsided.flat.contains(&facet(copy).simplex);
+            if is_flat(f) || is_flat(g) {
+                findings.add_consequence(BOUNDARY_MEETS, 1);
+                continue;
+            }
             findings.add_with(BOUNDARY_MEETS, || Defect::BoundaryMeets {
                 facets: (facet(f), facet(g)),
                 point: copies
@@ -201,15 +217,19 @@ impl<'t, S: Scalar, const D: usize> Region<'t, S, D> {
                     .expect("the pair was kept because it meets in a point"),
             });
         }
-        let facet = |copy: usize| copies.list[copy].facet;
-        pairs
-            .into_iter()
-            .map(|(f, g)| (facet(f), facet(g)))
-            .collect()
+        let meeting = |(f, g): (usize, usize)| {
+            let (f, g) = if copies.is_base(f) { (f, g) } else { (g, f) };
+            let [f, g] = [f, g].map(|copy| &copies.list[copy]);
+            Meeting {
+                facets: (f.facet, g.facet),
+                by: g.by,
+            }
+        };
+        pairs.into_iter().map(meeting).collect()
     }
 
     /// No simplex is directly outside of the first facet of each class. Gives the facets where one is.
-    fn check_covering(&self, findings: &mut Findings) -> Vec<(usize, Vec<SimplexId>)> {
+    fn check_covering(&self, findings: &mut Findings) -> Vec<(usize, Vec<(SimplexId, [i32; D])>)> {
         let mut covered = Vec::new();
         let classes = self.first_of_classes();
         if classes.len().saturating_mul(self.tiling.len()) > COMPARISONS {
@@ -223,7 +243,7 @@ impl<'t, S: Scalar, const D: usize> Region<'t, S, D> {
             if !simplices.is_empty() {
                 findings.add(Defect::Covered {
                     facet: facet.facet,
-                    simplices: simplices.clone(),
+                    simplices: simplices.iter().map(|(simplex, _)| *simplex).collect(),
                 });
                 covered.push((index, simplices));
             }
@@ -263,6 +283,7 @@ struct Copies<S, const D: usize> {
 /// A facet that is moved by a lattice vector.
 struct Copy<const D: usize> {
     facet: usize,
+    by: [i32; D],
     /// Indices of its corners' points.
     points: [usize; D],
 }
@@ -280,6 +301,7 @@ impl<S: Scalar, const D: usize> Copies<S, D> {
             let corners = boundary[facet].corners.map(|corner| corner.moved(by));
             list.push(Copy {
                 facet,
+                by,
                 points: corners.map(|corner| {
                     let next = indices.len();
                     *indices.entry(corner).or_insert(next)

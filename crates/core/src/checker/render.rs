@@ -3,6 +3,7 @@
 
 use super::defect::{Angle, ContactKind, Defect};
 use super::names::Names;
+use crate::advice::moved;
 use crate::quality::{decimal_range, short_decimal};
 use crate::tiling::{Facet, SimplexId, VertexId};
 use acutile_exact::number::Number;
@@ -126,11 +127,13 @@ pub fn describe<const D: usize>(names: &Names, defect: &Defect) -> String {
         ),
         Defect::Overlap {
             simplices: (s, t),
+            shift,
             point,
         } => format!(
-            "{} and {} overlap: both have the point ({}) inside",
+            "{} and {}{} overlap: both have the point ({}) inside",
             of(s),
             of(t),
+            moved(shift),
             point
                 .iter()
                 .map(|x| words.exact(x))
@@ -190,6 +193,12 @@ pub fn describe<const D: usize>(names: &Names, defect: &Defect) -> String {
             "{} triangles of the surface are no boundary facets: number {} (from 1) and so on",
             triangles.len(),
             triangles.first().map_or(0, |first| first + 1)
+        ),
+        Defect::NearMates(near) => format!(
+            "{} facets have no mate under the lattice, but nearly: nodes would have to move by at most \
+             {:.3e}; --identify with a larger number moves them, --identify 0 takes the gaps as \
+             boundary",
+            near.facets, near.distance
         ),
         Defect::BoundaryWork { limit } => format!(
             "the boundary has too many facets close to each other: more than the limit of {limit} pairs \

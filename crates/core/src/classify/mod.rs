@@ -33,5 +33,5 @@ pub use ridges::{Ridge, Ridges, Wedge};
 pub use sphere::{Code, Triangle, code};
 pub use star::{Star, stars};
 pub use symbol::{Symbol, combinatorial_symbol, metric_symbol};
-pub use symmetry::{Isometry, Symmetry};
+pub use symmetry::{Isometry, Symmetry, generators};
 pub use tcp::{NotTcp, check_tcp, six_valent};

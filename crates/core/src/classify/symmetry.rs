@@ -92,29 +92,29 @@ impl<const D: usize> Symmetry<D> {
         self.elements.len() / self.translations().max(1)
     }
 
-    /// Few elements that, with the lattice, generate the group; `None` where the lattice
-    /// is not invariant under it.
-    pub fn generators(&self, rank: usize) -> Option<Vec<&Isometry<D>>> {
-        let keeps_lattice = |e: &Isometry<D>| {
-            let columns = (0..D).flat_map(|i| (0..rank).map(move |j| (i, j)));
-            columns.into_iter().all(|(i, j)| {
-                let entry = e.linear[i][j].to_rational();
-                entry.is_some_and(|x| *x.denominator_ref() == 1u32 && (i < rank || *x == 0))
-            })
-        };
-        if !self.elements.iter().all(keeps_lattice) {
-            return None;
-        }
-        let mut generators = Vec::new();
-        let mut group = Vec::from([Isometry::identity()]);
-        for element in &self.elements {
-            if group.binary_search(element).is_err() {
-                generators.push(element);
-                group = closure(&generators, rank);
-            }
-        }
-        Some(generators)
+    /// The elements that map a lattice of this rank to itself, the identity first. They form a group
+    /// up to the lattice.
+    pub fn keeping_lattice(&self, rank: usize) -> Vec<Isometry<D>> {
+        let one = Isometry::identity();
+        let kept = self.elements.iter().filter(|e| e.keeps_lattice(rank));
+        let others = kept.filter(|e| **e != one).cloned();
+        std::iter::once(one.clone()).chain(others).collect()
     }
+}
+
+/// The places of few elements of a group that, with the lattice, generate it.
+pub fn generators<const D: usize>(group: &[Isometry<D>], rank: usize) -> Vec<usize> {
+    let mut chosen: Vec<&Isometry<D>> = Vec::new();
+    let mut places = Vec::new();
+    let mut generated = vec![Isometry::identity()];
+    for (place, element) in group.iter().enumerate() {
+        if generated.binary_search(element).is_err() {
+            chosen.push(element);
+            places.push(place);
+            generated = closure(&chosen, rank);
+        }
+    }
+    places
 }
 
 /// All products of some isometries up to the lattice, sorted.
@@ -153,8 +153,24 @@ impl<const D: usize> Isometry<D> {
         }
     }
 
+    /// Whether the images of b_1, …, b_rank are in the lattice that these span. An isometry with this
+    /// property maps the lattice onto itself, since it keeps the volume of a cell.
+    pub fn keeps_lattice(&self, rank: usize) -> bool {
+        let entries = (0..D).flat_map(|i| (0..rank).map(move |j| (i, j)));
+        entries.into_iter().all(|(i, j)| {
+            let entry = self.linear[i][j].to_rational();
+            entry.is_some_and(|x| *x.denominator_ref() == 1u32 && (i < rank || *x == 0))
+        })
+    }
+
+    /// The image of a point.
+    pub fn image(&self, point: &[Number; D]) -> [Number; D] {
+        let turned = linear::apply(&self.linear, point);
+        std::array::from_fn(|i| &turned[i] + &self.translation[i])
+    }
+
     /// The isometry with the translation moved into 0 <= t < 1 by lattice vectors.
-    fn reduced(mut self, rank: usize) -> Self {
+    pub fn reduced(mut self, rank: usize) -> Self {
         for entry in &mut self.translation[..rank] {
             *entry = &*entry - &Number::from(Rational::from(entry.floor()));
         }

@@ -160,12 +160,7 @@ impl<const D: usize> Filter<D> {
     ) -> Judged {
         let m = largest(&edges, point);
         let is_exact = m <= self.exact;
-        let mut thresholds = [0.0; MOST_PARTS];
-        for part in 0..P::PARTS {
-            let Part { constant, slope } = self.parts[part];
-            let threshold = power(m, predicate.degree(part) - 1) * (constant * m + slope);
-            thresholds[part] = if is_exact { 0.0 } else { threshold };
-        }
+        let thresholds = self.thresholds(predicate, m);
         let mut signs = Signs::default();
         let simplex = Simplex::from_edges(edges);
         predicate.values(&simplex, point, &self.metric, |part, value| {
@@ -176,6 +171,44 @@ impl<const D: usize> Filter<D> {
             is_exact: u64::from(is_exact),
             is_in_range: u64::from((m >= self.low) & (m <= self.high)),
         }
+    }
+}
+
+impl<const D: usize> Filter<D> {
+    /// The largest error of the values of each part, for edges up to m.
+    #[inline(always)]
+    fn thresholds<P: Predicate<D>>(&self, predicate: &P, m: f64) -> [f64; MOST_PARTS] {
+        let mut thresholds = [0.0; MOST_PARTS];
+        for part in 0..P::PARTS {
+            let Part { constant, slope } = self.parts[part];
+            let threshold = power(m, predicate.degree(part) - 1) * (constant * m + slope);
+            thresholds[part] = if m <= self.exact { 0.0 } else { threshold };
+        }
+        thresholds
+    }
+
+    /// Calls `visit` with the values in doubles, in order; gives the largest error of each part.
+    /// `None`, without a call, out of the filter's range.
+    #[inline(always)]
+    pub fn bounded<P: Predicate<D>>(
+        &self,
+        predicate: &P,
+        edges: [[f64; D]; D],
+        mut visit: impl FnMut(f64),
+    ) -> Option<[f64; MOST_PARTS]> {
+        let point = [0.0; D];
+        let m = largest(&edges, &point);
+        if !(m <= self.exact || (self.low..=self.high).contains(&m)) {
+            return None;
+        }
+        let simplex = Simplex::from_edges(edges);
+        predicate.values(&simplex, &point, &self.metric, |_, value| visit(*value));
+        Some(self.thresholds(predicate, m))
+    }
+
+    /// The metric in doubles; each matrix has its own positive factor, see `rounded` of the model.
+    pub fn metric(&self) -> &Metric<f64, D> {
+        &self.metric
     }
 }
 

@@ -34,7 +34,7 @@ pub mod volume;
 
 pub use model::{Model, Prepared};
 pub use polynomials::{
-    Angles, AnglesAgainst, InSphere, Metric, Orientation, Predicate, RadiusAgainst, Shape,
+    Angles, AnglesAgainst, InSphere, Metric, Orientation, Predicate, Products, RadiusAgainst, Shape,
 };
 pub use shapes::Shapes;
 pub use signs::Signs;

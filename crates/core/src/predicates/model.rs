@@ -3,7 +3,7 @@
 use super::filter::{Filter, Rounded};
 use super::floats::{BATCH, Batch, Floats};
 use super::ladder::Ladder;
-use super::polynomials::{Metric, Predicate, Shape};
+use super::polynomials::{MOST_PARTS, Metric, Predicate, Shape};
 use super::ring::{Ring, SquareRoot, cleared_integers, cleared_quadratics};
 use super::shapes::Shapes;
 use super::signs::Signs;
@@ -121,6 +121,19 @@ impl<P: Predicate<D>, const D: usize> Prepared<'_, P, D> {
         let edges = self.model.floats.edges(corners);
         let filtered = self.filter.signs(&self.predicate, edges, &[0.0; D]);
         filtered.unwrap_or_else(|| self.exact_signs(corners, &corners[0]))
+    }
+
+    /// Calls `visit` with the values for a simplex in doubles, up to a positive factor; gives the
+    /// largest error of each part. `None`, without a call, where no error is proved.
+    #[inline(always)]
+    pub fn bounded(&self, simplex: SimplexId, visit: impl FnMut(f64)) -> Option<[f64; MOST_PARTS]> {
+        let edges = self.model.float_edges(simplex);
+        self.filter.bounded(&self.predicate, edges, visit)
+    }
+
+    /// The Gram matrix in doubles, with the factor that belongs to those of [`Prepared::bounded`].
+    pub fn float_gram(&self) -> &[[f64; D]; D] {
+        &self.filter.metric().gram
     }
 
     /// The exact signs for a simplex and a further corner.

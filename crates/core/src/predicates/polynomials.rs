@@ -121,6 +121,36 @@ impl<const D: usize> Predicate<D> for Shape {
     }
 }
 
+/// The value of [`Orientation`], and as a second part the products <g_i, g_j> of one simplex: first
+/// those with i = j, then those for the pairs i < j.
+#[derive(Clone, Copy, Debug)]
+pub struct Products;
+
+impl<const D: usize> Predicate<D> for Products {
+    const PARTS: usize = 2;
+
+    #[inline(always)]
+    fn degree(&self, part: usize) -> i32 {
+        Predicate::<D>::degree(&Shape, part)
+    }
+
+    #[inline(always)]
+    fn values<S: Scalar>(
+        &self,
+        simplex: &Simplex<S, D>,
+        _: &[S; D],
+        metric: &Metric<S, D>,
+        mut visit: impl FnMut(usize, &S),
+    ) {
+        visit(0, &simplex.determinant);
+        let products = simplex.normal_products(&metric.cogram);
+        for i in 0..=D {
+            visit(1, products.get(i, i));
+        }
+        products.for_pairs(|_, _, product| visit(1, product));
+    }
+}
+
 /// cos t - c for the dihedral angles t, up to a positive factor, with c |c| = n/d.
 ///
 /// cos t = -p/√q with p = <g_i, g_j> and q = <g_i, g_i> <g_j, g_j>. As x ↦ x |x|

@@ -1,12 +1,11 @@
-//! The smallest or largest of many exact values, and who has it.
+//! The simplices that have an extreme value: predicates with filters find them, exactly.
 
+use super::Place;
+use crate::predicates::{AnglesAgainst, Model, Predicate, RadiusAgainst, Signs};
+use crate::quality::{DihedralAngle, Exact, RadiusEdge};
+use crate::tiling::SimplexId;
 use acutile_exact::geometry::Sign;
 use malachite::Rational;
-
-/// An exact order.
-pub trait Compare {
-    fn compare(&self, other: &Self) -> Sign;
-}
 
 /// An extreme value with those who have it.
 #[derive(Clone, Debug)]
@@ -21,75 +20,89 @@ pub struct Extreme<P> {
     pub count: usize,
 }
 
-/// No more than so many holders are named.
+/// No more than this many holders are named.
 const NAMED: usize = 20;
 
-/// Doubles here come from exact values by a few roundings: relative errors of quotients and roots
-/// are under 1e-14, and the arc cosine makes at most 1e-5 degrees of that, near 0 and 180. Values
-/// farther apart than this part of their size are told apart by doubles.
-const MARGIN: f64 = 1e-4;
-
-/// Keeps the extreme value seen so far.
-pub struct Tracker<V, P> {
-    wanted: Sign,
-    best: Option<(f64, V)>,
-    holders: Vec<P>,
-    count: usize,
+/// The simplices among which extremes are looked for.
+pub(super) struct Members<'m, 't, const D: usize> {
+    pub model: &'m Model<'t, D>,
+    /// What the simplices of the model are called, if not by their own indices.
+    pub names: Option<&'m [SimplexId]>,
 }
 
-impl<V: Compare + Clone, P> Tracker<V, P> {
-    /// Keeps the smallest (`Less`) or the largest (`Greater`).
-    pub fn new(wanted: Sign) -> Self {
-        Tracker {
-            wanted,
-            best: None,
-            holders: Vec::new(),
-            count: 0,
-        }
-    }
-
-    /// One more value, with its double, which may be NaN.
-    pub fn include(&mut self, double: f64, value: &V, holder: P) {
-        let order = match &self.best {
-            None => self.wanted,
-            Some((best, exact)) => match clear_order(double, *best) {
-                Some(order) => order,
-                None => value.compare(exact),
-            },
-        };
-        if order == self.wanted {
-            self.best = Some((double, value.clone()));
-            self.holders.clear();
-            self.count = 0;
-        }
-        if order == self.wanted || order == Sign::Equal {
-            self.count += 1;
-            if self.holders.len() < NAMED {
-                self.holders.push(holder);
+impl<const D: usize> Members<'_, '_, D> {
+    /// All dihedral angles that are equal to an extreme one.
+    pub fn with_angle(&self, angle: &DihedralAngle) -> Extreme<Place> {
+        let predicate = AnglesAgainst::new(&angle.signed_square);
+        let holders = self.holders(predicate, |simplex, signs, add| {
+            for (index, facets) in pairs::<D>().enumerate() {
+                if signs.get(index) == Sign::Equal {
+                    add(Place { simplex, facets });
+                }
             }
-        }
+        });
+        extreme(angle, holders)
     }
 
-    /// The extreme, if there was any value; `describe` gives the bounds and the closed form for
-    /// one of its holders.
-    pub fn finish(
-        self,
-        describe: impl Fn(&P) -> ((Rational, Rational), Option<String>),
-    ) -> Option<Extreme<P>> {
-        let (bounds, closed_form) = describe(self.holders.first()?);
-        Some(Extreme {
-            bounds,
-            closed_form,
-            holders: self.holders,
-            count: self.count,
-        })
+    /// All simplices whose radius-edge ratio is equal to an extreme one.
+    pub fn with_ratio(&self, ratio: &RadiusEdge) -> Extreme<SimplexId> {
+        let predicate = RadiusAgainst::new(&ratio.square);
+        // The signs are those of b |e|² - R² for all edges e; the least belongs to the shortest.
+        let holders = self.holders(predicate, |simplex, signs, add| {
+            if signs.none_negative() && !signs.all_positive() {
+                add(simplex);
+            }
+        });
+        extreme(ratio, holders)
+    }
+
+    /// What `find` adds for simplices where a sign is zero: the first few, and their number.
+    fn holders<P: Send + Sync>(
+        &self,
+        predicate: impl Predicate<D>,
+        find: impl Fn(SimplexId, &Signs, &mut dyn FnMut(P)) + Sync,
+    ) -> (Vec<P>, usize) {
+        let prepared = self.model.prepare(predicate);
+        let chunks = self.model.by_chunks(|simplices| {
+            let (mut holders, mut count) = (Vec::new(), 0);
+            prepared.for_each(simplices, |simplex, signs| {
+                if signs.none_zero() {
+                    return;
+                }
+                find(self.name(simplex), signs, &mut |holder| {
+                    count += 1;
+                    if holders.len() < NAMED {
+                        holders.push(holder);
+                    }
+                });
+            });
+            (holders, count)
+        });
+        let count = chunks.iter().map(|(_, count)| count).sum();
+        let holders = chunks.into_iter().flat_map(|(holders, _)| holders);
+        (holders.take(NAMED).collect(), count)
+    }
+
+    fn name(&self, simplex: SimplexId) -> SimplexId {
+        match self.names {
+            Some(names) => names[simplex.index()],
+            None => simplex,
+        }
     }
 }
 
-/// The order of two doubles that are far enough apart.
-fn clear_order(a: f64, b: f64) -> Option<Sign> {
-    let is_clear = (a - b).abs() > MARGIN * (1.0 + a.abs().max(b.abs()));
-    is_clear
-        .then(|| a.total_cmp(&b))
-        .filter(|_| a.is_finite() && b.is_finite())
+fn extreme<P>(value: &impl Exact, (holders, count): (Vec<P>, usize)) -> Extreme<P> {
+    // The width of enclosures in reports.
+    let width = Rational::from_signeds(1, 10_000_000);
+    Extreme {
+        bounds: value.enclosure(&width),
+        closed_form: value.closed_form(),
+        holders,
+        count,
+    }
+}
+
+/// The pairs of facets of a simplex, in the order of the predicates' values.
+pub(super) fn pairs<const D: usize>() -> impl Iterator<Item = (usize, usize)> {
+    (0..=D).flat_map(|i| (i + 1..=D).map(move |j| (i, j)))
 }

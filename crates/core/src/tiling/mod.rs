@@ -127,6 +127,20 @@ impl<const D: usize> Tiling<D> {
         self.corners.chunks_exact(D + 1)
     }
 
+    /// The tiling without some simplices, and the indices that the others have in this one. The list
+    /// is in order.
+    pub fn without(&self, left_out: &[SimplexId]) -> (Tiling<D>, Vec<SimplexId>) {
+        let is_kept = |simplex: &SimplexId| left_out.binary_search(simplex).is_err();
+        let kept: Vec<SimplexId> = self.indices().filter(is_kept).collect();
+        let corners = kept.iter().flat_map(|s| self.simplex(*s).iter().copied());
+        let part = Tiling {
+            frame: self.frame.clone(),
+            vertices: self.vertices.clone(),
+            corners: corners.collect(),
+        };
+        (part, kept)
+    }
+
     /// A simplex in exact basis coordinates.
     pub fn shape(&self, index: SimplexId) -> Simplex<Number, D> {
         let corners: Vec<[Number; D]> = self

@@ -4,9 +4,10 @@
 use super::error::MeshError;
 use super::identify::{Identified, identify};
 use super::lattice::{Basis, Lattice};
-use super::sides::{Sides, sides};
+use super::sides::{Question, sides};
 use super::snap::{Move, snap};
 use super::{Mesh, Origin};
+use acutile_core::checker::Sides;
 use acutile_core::tiling::{
     AnyTiling, Coordinates, Corner, Domain, Facet, Frame, Tiling, VertexId,
 };
@@ -22,8 +23,8 @@ pub struct Converted {
     pub origin: Origin,
     /// The basis of the tiling's coordinates.
     pub basis: Basis,
-    /// Facets without a mate on the sides of a periodic mesh: they should have one.
-    pub sides: BTreeSet<Facet>,
+    /// The sides of a periodic mesh.
+    pub sides: Sides,
     /// Nodes that were moved to exact images.
     pub moves: Vec<Move>,
     /// Nodes that belong to no cell, and were left out.
@@ -79,10 +80,14 @@ fn converted(
             found.numerators.len() - merged.numerators.len()
         }
     };
-    let snapped = |tolerance: f64| {
-        let mut found = identify(&mesh.points, &used, &inverse, basis.rank, true)?;
-        apply_snap(&mut found, &mesh, &basis, &inverse, tolerance)?;
-        Ok(found)
+    let snapped = |distance: f64| {
+        // Whoever gives a tolerance says which gaps are meant.
+        if tolerance.is_some() {
+            return None;
+        }
+        let mut found = identify(&mesh.points, &used, &inverse, basis.rank, true).ok()?;
+        let moves = apply_snap(&mut found, &mesh, &basis, &inverse, distance).ok()?;
+        Some((found, moves))
     };
     let (tiling, sides) = match mesh.dimension() {
         2 => {
@@ -130,24 +135,49 @@ fn with_domain<const D: usize>(
     mesh: &Mesh,
     basis: &Basis,
     found: &Identified,
-    snapped: &dyn Fn(f64) -> Result<Identified, MeshError>,
-) -> (Tiling<D>, BTreeSet<Facet>) {
-    let mut tiling = tiling(basis, found, mesh, Domain::Region(basis.rank));
+    snapped: &dyn Fn(f64) -> Option<(Identified, Vec<Move>)>,
+) -> (Tiling<D>, Sides) {
+    let region = Domain::Region(basis.rank);
+    let mut tiling = tiling(basis, found, mesh, region.clone());
     if basis.rank == 0 {
-        return (tiling, BTreeSet::new());
+        return (tiling, Sides::default());
     }
-    let moved = |tolerance: f64| {
-        let found = snapped(tolerance).ok()?;
-        Some(self::tiling(
-            basis,
-            &found,
-            mesh,
-            Domain::Region(basis.rank),
-        ))
+    let linked = linked_points(mesh, basis);
+    let is_linked = |facet: Facet| {
+        let corners = mesh.cell(facet.simplex.index()).iter().enumerate();
+        let corners = corners.filter(|(k, _)| *k != usize::from(facet.opposite));
+        let points: Vec<u32> = corners.map(|(_, point)| *point).collect();
+        linked
+            .iter()
+            .any(|link| points.iter().all(|point| link.contains(point)))
     };
-    let Sides { domain, facets } = sides(&tiling, &moved);
+    let moved = |distance: f64| {
+        let (found, moves) = snapped(distance)?;
+        let tiling = self::tiling(basis, &found, mesh, region.clone());
+        Some((tiling, moves))
+    };
+    let (domain, sides) = sides(&Question {
+        tiling: &tiling,
+        is_linked: &is_linked,
+        moved: &moved,
+    });
     tiling.frame.domain = domain;
-    (tiling, facets)
+    (tiling, sides)
+}
+
+/// The points of each side of the periodic links between surfaces (curves, in the plane) whose
+/// translation is in the lattice.
+fn linked_points(mesh: &Mesh, basis: &Basis) -> Vec<BTreeSet<u32>> {
+    let top = mesh.dimension() as i64 - 1;
+    let links = mesh.periodic.iter().filter(|link| link.dimension == top);
+    links
+        .filter(|link| basis.has_link(link, mesh))
+        .flat_map(|link| {
+            let images = link.nodes.iter().map(|(image, _)| *image).collect();
+            let originals = link.nodes.iter().map(|(_, original)| *original).collect();
+            [images, originals]
+        })
+        .collect()
 }
 
 fn tiling<const D: usize>(

@@ -96,20 +96,8 @@ impl Lattice {
     }
 
     fn contains(&self, translation: &[Rational; 3]) -> bool {
-        let inverse = self.basis(3).and_then(|basis| basis.inverse());
-        let Ok(inverse) = inverse else {
-            return false;
-        };
-        let rank = self.rank();
-        inverse.iter().enumerate().all(|(k, row)| {
-            let coefficient: Rational = row.iter().zip(translation).map(|(a, x)| a * x).sum();
-            let is_integer = *coefficient.denominator_ref() == 1u32;
-            if k < rank {
-                is_integer
-            } else {
-                coefficient == 0
-            }
-        })
+        let basis = self.basis(3);
+        basis.is_ok_and(|basis| basis.generates(translation))
     }
 
     /// A right-handed basis whose first vectors generate the lattice: of a left-handed one the first
@@ -211,6 +199,25 @@ impl Basis {
             }
         }
         Ok(inverse)
+    }
+
+    /// Whether the translation of a periodic link is in the lattice.
+    pub(super) fn has_link(&self, link: &Periodic, mesh: &Mesh) -> bool {
+        matches!(translation(link, mesh), Ok(Some(step)) if self.generates(&step))
+    }
+
+    /// Whether a translation is an integer combination of the lattice's vectors.
+    fn generates(&self, translation: &[Rational; 3]) -> bool {
+        let Ok(inverse) = self.inverse() else {
+            return false;
+        };
+        inverse.iter().enumerate().all(|(k, row)| {
+            let coefficient: Rational = row.iter().zip(translation).map(|(a, x)| a * x).sum();
+            match k < self.rank {
+                true => *coefficient.denominator_ref() == 1u32,
+                false => coefficient == 0,
+            }
+        })
     }
 
     /// The inner products of the vectors.

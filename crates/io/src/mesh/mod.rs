@@ -150,6 +150,14 @@ impl Mesh {
         tetrahedra.chain(triangles)
     }
 
+    /// The corners of the cell with this index.
+    pub fn cell(&self, index: usize) -> &[u32] {
+        match self.dimension() {
+            2 => &self.triangles[index],
+            _ => &self.tetrahedra[index],
+        }
+    }
+
     /// What the cells are called.
     pub fn cell_name(&self) -> &'static str {
         if self.dimension() == 2 {

@@ -1,35 +1,36 @@
 //! What a periodic mesh tiles: all of space, a slab, or a region with a boundary; and the facets on
 //! its sides that have no mate.
 //!
-//! A facet without a mate is *on the sides* if a lattice vector other than zero moves each of its
-//! corners onto a node of the mesh. It should have a mate there. It is also on the sides if it
-//! nearly has a mate: if nodes were moved by a thousandth of the mesh's shortest edge, a facet that a
-//! lattice vector moves would match it. All other facets without a mate are boundary.
+//! A facet without a mate is *on the sides*, and should have a mate, in two cases. A lattice vector
+//! other than zero moves each of its corners exactly onto a node of the mesh. Or a periodic link of the
+//! file has all of its corners: the file says that they have images. All other facets without a mate
+//! are boundary.
 //!
-//! Doubles find facets that nearly match. They can only forbid a proof.
+//! A boundary facet *nearly has a mate* if it would have one after nodes were moved by a thousandth of the
+//! shortest edge. Then nobody knows whether the gap is meant, and the mesh is neither proved nor
+//! refuted. Doubles find such facets; no verdict on the mesh depends on them.
 
+use super::snap::Move;
+use acutile_core::checker::{NearMates, Sides};
 use acutile_core::tiling::{Corner, Domain, Facet, Matching, Tiling, VertexId, match_facets};
 use std::collections::{BTreeSet, HashMap};
 
-/// What a mesh tiles.
-pub struct Sides {
-    /// What is tiled.
-    pub domain: Domain,
-    /// The facets on the sides without a mate, for a region.
-    pub facets: BTreeSet<Facet>,
+/// What is asked about a mesh.
+pub struct Question<'a, const D: usize> {
+    /// The mesh as a tiling of a region.
+    pub tiling: &'a Tiling<D>,
+    /// Whether all corners of a facet belong to one periodic link of the file.
+    pub is_linked: &'a dyn Fn(Facet) -> bool,
+    /// The tiling after nodes have been moved onto images of others by at most a distance; none if
+    /// nearness is not asked for.
+    pub moved: &'a dyn Fn(f64) -> Option<(Tiling<D>, Vec<Move>)>,
 }
 
-/// The domain of a tiling that is a region as yet. `moved` gives the tiling after nodes have been
-/// moved onto images of others by at most a distance.
-pub fn sides<const D: usize>(
-    tiling: &Tiling<D>,
-    moved: &dyn Fn(f64) -> Option<Tiling<D>>,
-) -> Sides {
+/// The domain of a tiling that is a region as yet, and its sides.
+pub fn sides<const D: usize>(question: &Question<D>) -> (Domain, Sides) {
+    let tiling = question.tiling;
     let free = free_facets(&match_facets(tiling));
-    let domain = |domain| Sides {
-        domain,
-        facets: BTreeSet::new(),
-    };
+    let domain = |domain| (domain, Sides::default());
     let rank = tiling.frame.rank();
     if rank == D && free.is_empty() {
         return domain(Domain::Space);
@@ -40,13 +41,27 @@ pub fn sides<const D: usize>(
         return domain(slab);
     }
     let mut facets = exact_sides(tiling, &free);
-    if let Some(moved) = nearly(tiling).and_then(moved) {
-        facets.extend(matched_across(&moved, &free));
-    }
-    Sides {
-        domain: Domain::Region(rank),
+    let linked = free.iter().filter(|facet| (question.is_linked)(**facet));
+    facets.extend(linked.copied());
+    let boundary: Vec<Facet> = free
+        .iter()
+        .filter(|f| !facets.contains(f))
+        .copied()
+        .collect();
+    let near = near_mates(question, &boundary);
+    (Domain::Region(rank), Sides { facets, near })
+}
+
+/// How many boundary facets nearly have a mate.
+fn near_mates<const D: usize>(question: &Question<D>, boundary: &[Facet]) -> Option<NearMates> {
+    let tolerance = thousandth(question.tiling)?;
+    let (moved, moves) = (question.moved)(tolerance)?;
+    let facets = matched_across(&moved, boundary).len();
+    let distances = moves.iter().map(|m| m.distance);
+    (facets > 0).then(|| NearMates {
         facets,
-    }
+        distance: distances.fold(0.0, f64::max),
+    })
 }
 
 fn free_facets<const D: usize>(matching: &Matching<D>) -> Vec<Facet> {
@@ -104,7 +119,7 @@ fn exact_sides<const D: usize>(tiling: &Tiling<D>, free: &[Facet]) -> BTreeSet<F
 }
 
 /// A thousandth of the shortest edge, about; nothing for a mesh with edges of length zero.
-fn nearly<const D: usize>(tiling: &Tiling<D>) -> Option<f64> {
+fn thousandth<const D: usize>(tiling: &Tiling<D>) -> Option<f64> {
     let gram = tiling
         .frame
         .gram

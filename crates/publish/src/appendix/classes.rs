@@ -12,7 +12,6 @@ use super::rational::interval;
 use super::subject::Analysis;
 use super::tex::{counted, simplices, table_fits, tabular, width};
 use super::theorem::{fits, matrix};
-use acutile_core::classify::Symmetry;
 use acutile_core::quality::{DihedralAngle, Exact};
 use acutile_core::tiling::SimplexId;
 use acutile_exact::geometry::linear;
@@ -59,7 +58,7 @@ fn block<const D: usize>(analysis: &Analysis<D>, class: usize) -> String {
     let edges = &analysis.edges[first.index()];
     let (count, orbits) = (
         shape.members.len(),
-        orbits_in(&analysis.symmetry, &shape.members),
+        orbits_in(analysis, &shape.members),
     );
     let signs = Signs::of::<D>(analysis, edges);
     let factorial: i64 = (1..=D as i64).product();
@@ -79,10 +78,10 @@ fn block<const D: usize>(analysis: &Analysis<D>, class: usize) -> String {
     )
 }
 
-fn orbits_in<const D: usize>(symmetry: &Symmetry<D>, members: &[SimplexId]) -> usize {
+fn orbits_in<const D: usize>(analysis: &Analysis<D>, members: &[SimplexId]) -> usize {
     let mut orbits: Vec<usize> = members
         .iter()
-        .map(|&m| symmetry.simplices[m.index()])
+        .map(|m| analysis.orbits.images[m.index()].representative)
         .collect();
     orbits.sort_unstable();
     orbits.dedup();
@@ -90,7 +89,7 @@ fn orbits_in<const D: usize>(symmetry: &Symmetry<D>, members: &[SimplexId]) -> u
 }
 
 /// Pairs i < j in the order of edges.
-fn pairs<const D: usize>() -> Vec<(usize, usize)> {
+pub fn pairs<const D: usize>() -> Vec<(usize, usize)> {
     (0..=D)
         .flat_map(|i| (i + 1..=D).map(move |j| (i, j)))
         .collect()

@@ -6,9 +6,10 @@
 //! | `subject` | a confirmed certificate, and what is computed of its tiling |
 //! | `rational`, `numeral`, `surd`, `tex` | exact numbers and small pieces of TeX |
 //! | `theorem` | the theorem in words; field, lattice, metric |
-//! | `vertices` | vertices, symmetry, orbits of tiles |
+//! | `names` | what people call a construction |
+//! | `orbits` | representatives of the tiles under a group |
+//! | `vertices`, `group`, `tiles`, `facets`, `boundary`, `volume` | a paragraph and a table for each hypothesis |
 //! | `classes` | congruence classes: edges, angles, and why they are acute |
-//! | `pairing`, `volume` | the pairing of facets; the sum of volumes |
 //! | `statements` | bounds, Delaunay, TCP |
 //! | `recheck` | the certificate's digest and command |
 //! | `overview` | the table in the form of the paper's Table 1 |
@@ -19,11 +20,15 @@
 //! the certificate.
 
 mod bibliography;
+mod boundary;
 mod classes;
 mod document;
+mod facets;
+mod group;
+mod names;
 mod numeral;
+mod orbits;
 mod overview;
-mod pairing;
 mod rational;
 mod recheck;
 mod statements;
@@ -31,6 +36,7 @@ mod subject;
 mod surd;
 mod tex;
 mod theorem;
+mod tiles;
 mod vertices;
 mod volume;
 
@@ -41,9 +47,6 @@ pub use tex::slug;
 use acutile_core::with_dimension;
 use rayon::prelude::*;
 use subject::Analysis;
-
-/// Tables with more rows go to the supplement.
-const LONG: usize = 40;
 
 /// How the document is written.
 #[derive(Clone, Copy, Debug, Default)]
@@ -99,20 +102,17 @@ fn section<const D: usize>(analysis: &Analysis<D>) -> String {
         "\n\n".to_owned(),
         theorem::theorem(analysis),
         theorem::proof(analysis),
+        theorem::root(analysis),
         format!(
-            "\\acutileparagraph{{Metric.}} {}",
+            "\\acutileparagraph{{Metric (M).}} {}",
             theorem::metric(analysis)
         ),
-        format!(
-            "\\acutileparagraph{{Vertices.}} {}",
-            vertices::vertices(analysis)
-        ),
-        format!(
-            "\\acutileparagraph{{Symmetry.}} {}",
-            vertices::symmetry(analysis)
-        ),
+        vertices::vertices(analysis),
+        group::group(analysis),
+        tiles::tiles(analysis),
+        facets::facets(analysis),
+        boundary::boundary(analysis),
         volume::volume(analysis),
-        pairing::pairing(analysis),
         format!(
             "\\acutileparagraph{{Angles.}} {}",
             classes::classes(analysis)
@@ -127,9 +127,9 @@ fn section<const D: usize>(analysis: &Analysis<D>) -> String {
 fn tables<const D: usize>(analysis: &Analysis<D>) -> String {
     [
         format!("\\section{{{}}}\n", theorem::heading(analysis.subject)),
-        vertices::all_vertices(analysis),
-        vertices::all_simplices(analysis),
-        pairing::all_facets(analysis),
+        vertices::table(analysis),
+        tiles::all_simplices(analysis),
+        facets::all_facets(analysis),
     ]
     .concat()
 }

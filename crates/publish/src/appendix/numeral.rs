@@ -6,10 +6,14 @@
 
 use super::rational::interval;
 use super::surd::{compared, rational_root, square_part};
+use super::tex::width;
 use acutile_exact::number::{Field, Number, over_common_denominator};
 use malachite::base::num::arithmetic::traits::{CheckedSqrt, Gcd};
 use malachite::base::num::basic::traits::{One, Zero};
 use malachite::{Integer, Natural, Rational};
+
+/// Letters of a number with its reason in a table.
+const LONGEST: usize = 50;
 
 /// How the numbers of one field are written.
 #[derive(Clone, Debug)]
@@ -111,6 +115,28 @@ impl Numerals {
         match text.starts_with('-') || (terms > 1 && !text.starts_with("\\frac")) {
             true => format!("({text})"),
             false => text,
+        }
+    }
+
+    /// The number on one line, with parentheses where a factor needs them.
+    pub fn slashed_factor(&self, x: &Number) -> String {
+        let text = self.inline(x);
+        let terms = self.coefficients(x).iter().filter(|c| **c != 0).count();
+        match text.starts_with('-') || terms > 1 || text.contains('/') {
+            true => format!("({text})"),
+            false => text,
+        }
+    }
+
+    /// The number with the reason for its sign in parentheses, where that is not seen; a decimal
+    /// enclosure in the place of what is too long for a table.
+    pub fn justified(&self, x: &Number) -> String {
+        let (text, why) = (self.cell(x), self.why(x));
+        let wide = width(&text);
+        match (why.is_empty(), wide + width(&why) > LONGEST) {
+            (true, _) if wide <= LONGEST => text,
+            (false, false) => format!("{text}\\quad({why})"),
+            _ => format!("\\in {}", self.enclosed(x)),
         }
     }
 

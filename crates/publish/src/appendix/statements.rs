@@ -1,17 +1,13 @@
 //! What is claimed beyond tiling and acuteness: bounds of angles and ratios, Delaunay, TCP,
 //! each with the numbers that show it.
 
-use super::LONG;
-use super::classes::{cosine_bounds, edge_name};
-use super::pairing::behind;
+use super::classes::{cosine_bounds, edge_name, pairs};
+use super::facets::delaunay;
 use super::rational::interval;
-use super::subject::{Analysis, first_and_count};
+use super::subject::Analysis;
 use super::tex::{Table, list, width};
 use acutile_core::quality::{DihedralAngle, Exact, RadiusEdge};
 use acutile_core::statement::{Relation, Statement};
-use acutile_core::tiling::{Facet, FacetId};
-use acutile_exact::geometry::linear;
-use acutile_exact::number::Number;
 use malachite::Rational;
 use std::collections::BTreeMap;
 
@@ -19,13 +15,16 @@ use std::collections::BTreeMap;
 /// Delaunay, too.
 pub fn statements<const D: usize>(analysis: &Analysis<D>) -> String {
     let statements = analysis.subject.statements();
-    let is_strict = statements.contains(&Statement::Delaunay);
+    let is_strict = statements.contains(&Statement::Delaunay)
+        || statements.contains(&Statement::LocallyDelaunay);
     let paragraphs = statements.iter().map(|statement| match statement {
         Statement::LargestAngle(Relation::Maximum, angle) => extreme_angle(analysis, angle, true),
         Statement::SmallestAngle(Relation::Minimum, angle) => extreme_angle(analysis, angle, false),
         Statement::RadiusEdge(Relation::Maximum, ratio) => radius_edge(analysis, ratio),
-        Statement::Delaunay => delaunay(analysis, true),
-        Statement::WeaklyDelaunay if !is_strict => delaunay(analysis, false),
+        Statement::Delaunay | Statement::LocallyDelaunay => delaunay(analysis, true),
+        Statement::WeaklyDelaunay | Statement::LocallyWeaklyDelaunay if !is_strict => {
+            delaunay(analysis, false)
+        }
         Statement::Tcp => close_packed(analysis),
         _ => String::new(),
     });
@@ -102,93 +101,8 @@ fn radius_edge<const D: usize>(analysis: &Analysis<D>, largest: &RadiusEdge) -> 
     )
 }
 
-/// The power of the corner behind each facet, one facet of each orbit.
-fn delaunay<const D: usize>(analysis: &Analysis<D>, is_strict: bool) -> String {
-    let facets = &analysis.symmetry.facets;
-    let inner: Vec<(Facet, usize)> = first_and_count(facets)
-        .into_iter()
-        .map(|(first, count)| (Facet::numbered::<D>(FacetId::at(first)), count))
-        .filter(|(facet, _)| analysis.matching.neighbour(*facet).is_some())
-        .collect();
-    if inner.is_empty() {
-        return "\\acutileparagraph{Delaunay.} All facets are in the boundary, so nothing is to be checked in \
-                Theorem~\\ref{acutile:delaunay}.\n\n"
-            .to_owned();
-    }
-    let rows: Vec<String> = inner
-        .iter()
-        .take(LONG)
-        .filter_map(|&(facet, count)| power_row(analysis, facet, count))
-        .collect();
-    let omitted = match inner.len() > LONG {
-        true => format!(
-            " The first ${LONG}$ of ${}$ orbits; \\texttt{{acutile}} has checked all.",
-            inner.len()
-        ),
-        false => String::new(),
-    };
-    let (relation, lemma) = match is_strict {
-        true => ("positive", "outside of"),
-        false => ("nonnegative", "not inside of"),
-    };
-    format!(
-        "\\acutileparagraph{{Delaunay.}} By Theorem~\\ref{{acutile:delaunay}} it suffices that for each facet the corner $d$ of the tile behind it is {lemma} the circumsphere: \
-         that its power $\\pi(d)=|d-z|^2-\\rho^2$, for the circumcentre $z$ and the circumradius $\\rho$, is {relation}. With $x=d-c_0$ it is \
-         $|x|^2-\\sum_i\\lambda_i(x)\\,l_{{0i}}$, where $x=\\sum_i\\lambda_i(x)e_i$. Table~\\ref{{{}}} has one facet of each orbit, seen from \
-         one of its two sides. That suffices: with $S$ and $T$ on the two sides of a facet, $\\pi_S-\\pi_T$ is affine and vanishes on the hyperplane of the facet; \
-         the corners $d$ of $T$ and $c$ of $S$ off the facet lie on different sides of it, and $\\pi_T(d)=\\pi_S(c)=0$. So $\\pi_S(d)$ and $\\pi_T(c)$ have the same sign.\n\n{}",
-        analysis.label("delaunay"),
-        Table {
-            mark: format!("delaunay {}", analysis.subject.slug()),
-            columns: "rrrl",
-            caption: format!(
-                "One facet of each orbit, how many a cell has, what is behind it, and the power of the corner there.{omitted}"
-            ),
-            label: analysis.label("delaunay"),
-            heading: "facet & number & behind & power".to_owned(),
-            rows,
-        }
-        .tex()
-    )
-}
-
-fn power_row<const D: usize>(
-    analysis: &Analysis<D>,
-    facet: Facet,
-    halves: usize,
-) -> Option<String> {
-    let Facet { simplex, opposite } = facet;
-    let power = power(analysis, facet)?;
-    let why = analysis.numerals.why(&power);
-    let value = analysis.numerals.inline(&power);
-    let value = match (why.is_empty(), width(&value) + width(&why) > 46) {
-        (_, true) => format!("\\in{}", analysis.numerals.enclosed(&power)),
-        (true, _) => value,
-        (false, _) => format!("{value}\\quad({why})"),
-    };
-    Some(format!(
-        "${simplex}_{{{opposite}}}$ & {} & ${}$ & ${value}$",
-        halves / 2,
-        behind(analysis, facet),
-    ))
-}
-
 /// An exact number with more letters gives place to a decimal enclosure in a table.
 const WIDE: usize = 30;
-
-/// The power of the corner behind a facet; `None` at the boundary.
-fn power<const D: usize>(analysis: &Analysis<D>, facet: Facet) -> Option<Number> {
-    let tiling = analysis.tiling;
-    let simplex = facet.simplex;
-    let mate = analysis.matching.mate(tiling, facet)?;
-    let behind = tiling.simplex(mate.facet.simplex)[usize::from(mate.facet.opposite)];
-    let origin = tiling.position(&tiling.simplex(simplex)[0]);
-    let offset = linear::subtract(&tiling.position(&behind.moved(mate.shift)), &origin);
-    let shape = tiling.shape(simplex);
-    shape
-        .power(&tiling.frame.gram, &offset)
-        .divide(&shape.determinant)
-}
 
 /// Valences of edges, and stars of vertices.
 fn close_packed<const D: usize>(analysis: &Analysis<D>) -> String {
@@ -203,13 +117,44 @@ fn close_packed<const D: usize>(analysis: &Analysis<D>) -> String {
         .map(|(star, count)| format!("${count}$ of type {star}"))
         .collect();
     format!(
-        "\\acutileparagraph{{Tetrahedrally close packed.}} Up to $\\Lambda$ there are ${}$ edges. Of these {}, and no triangle has two edges \
-         that are in $6$ (checked for all, in the certificate). So the tiling is tetrahedrally close packed as defined by Sullivan~\\cite{{Sullivan1999}}, and it follows that each vertex has one of the four stars of Frank and Kasper~\\cite{{FrankKasper1958}}, with $12$, $14$, $15$ or $16$ neighbours \
-         and as many edges of valence six as exceed $12$; a cell has {}.\n\n",
-        analysis.ridges.list.len(),
-        list(&valences),
-        list(&stars)
+        "\\acutileparagraph{{Tetrahedrally close packed.}} Table~\\ref{{{label}}} has the number of tetrahedra around each edge of the representatives, counted by going \
+         from tile to tile in Table~\\ref{{{facets}}}. It is $5$ or $6$, and no two edges with $6$ have a corner in common, so no triangle has two. Up to $\\Lambda$ there are ${count}$ edges. Of these {valences}. \
+         So the tiling is tetrahedrally close packed as defined by Sullivan~\\cite{{Sullivan1999}}. It follows that each vertex has one of the four stars of Frank and Kasper~\\cite{{FrankKasper1958}}, with $12$, $14$, $15$ or $16$ neighbours \
+         and as many edges of valence six as exceed $12$. A cell has {stars}.\n\n{table}",
+        label = analysis.label("valences"),
+        facets = analysis.label("pairing"),
+        count = analysis.ridges.list.len(),
+        valences = list(&valences),
+        stars = list(&stars),
+        table = valence_table(analysis),
     )
+}
+
+/// The valences of the edges of the representatives.
+fn valence_table<const D: usize>(analysis: &Analysis<D>) -> String {
+    let pairs = pairs::<D>();
+    let row = |&place: &usize| {
+        let tile = analysis.orbits.representatives[place].tile;
+        let cells: String = pairs
+            .iter()
+            .map(|&(a, b)| {
+                let facets: Vec<usize> = (0..=D).filter(|k| *k != a && *k != b).collect();
+                let ridge = analysis.ridges.between(tile, facets[0], facets[1]);
+                format!(" & {}", ridge.valence())
+            })
+            .collect();
+        format!("$T_{{{tile}}}${cells}")
+    };
+    let heads: String = pairs.iter().map(|(i, j)| format!(" & ${i}{j}$")).collect();
+    Table {
+        mark: format!("valences {}", analysis.subject.slug()),
+        columns: &format!("r{}", "r".repeat(pairs.len())),
+        caption: "The number of tetrahedra around each edge, by the numbers of its corners.".to_owned(),
+        label: analysis.label("valences"),
+        heading: format!("tile{heads}"),
+        rows: analysis.order.iter().map(row).collect(),
+    }
+    .tex()
 }
 
 fn star_counts<const D: usize>(analysis: &Analysis<D>) -> BTreeMap<String, usize> {

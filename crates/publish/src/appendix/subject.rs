@@ -2,12 +2,13 @@
 //! computed of its tiling for the tables.
 
 use super::numeral::Numerals;
-use super::tex::slug;
+use super::orbits::Orbits;
+use super::tex::{moved, slug};
 use crate::report::Proved;
 use acutile_core::classify::{Ridges, Symmetry};
 use acutile_core::quality::{Shape, shapes, squared_edges};
 use acutile_core::statement::Statement;
-use acutile_core::tiling::{AnyTiling, Matching, SimplexId, Tiling, match_facets};
+use acutile_core::tiling::{AnyTiling, Matching, Mate, SimplexId, Tiling, match_facets};
 use acutile_exact::geometry::{NormalProducts, linear};
 use acutile_exact::number::Number;
 
@@ -30,13 +31,9 @@ pub struct Subject {
 }
 
 impl Subject {
-    /// A confirmed certificate; nothing for a region, whose proof is another theorem than that of
-    /// soundness.tex.
-    pub fn of_proved(proved: &Proved) -> Option<Subject> {
-        if proved.is_region() {
-            return None;
-        }
-        Some(Subject {
+    /// A confirmed certificate.
+    pub fn of_proved(proved: &Proved) -> Subject {
+        Subject {
             name: proved.name.clone(),
             description: proved.description.clone(),
             source: None,
@@ -45,7 +42,7 @@ impl Subject {
             sha256: proved.sha256(),
             statements: proved.statements().to_vec(),
             tiling: proved.tiling().clone(),
-        })
+        }
     }
 
     /// The same subject with a source.
@@ -86,7 +83,11 @@ pub(super) struct Analysis<'s, const D: usize> {
     /// Squared edges 01, 02, …, 12, … of each simplex.
     pub edges: Vec<Vec<Number>>,
     pub shapes: Vec<Shape>,
-    pub symmetry: Symmetry<D>,
+    /// The class of each simplex.
+    pub classes: Vec<usize>,
+    pub orbits: Orbits<D>,
+    /// The places of the representatives in the order of all tables: by class, then by tile.
+    pub order: Vec<usize>,
     cogram: [[Number; D]; D],
 }
 
@@ -97,13 +98,24 @@ impl<'s, const D: usize> Analysis<'s, D> {
             .indices()
             .map(|simplex| squared_edges(tiling, simplex))
             .collect();
+        let symmetry = Symmetry::of(tiling, &matching, &edges);
+        let shapes = shapes(tiling);
+        let classes = classes(&shapes, tiling.len());
+        let orbits = Orbits::of(tiling, &symmetry);
+        let mut order: Vec<usize> = (0..orbits.representatives.len()).collect();
+        order.sort_by_key(|&place| {
+            let tile = orbits.representatives[place].tile;
+            (classes[tile.index()], tile)
+        });
         Analysis {
             subject,
             tiling,
             numerals: Numerals::of(&tiling.frame.field),
             ridges: Ridges::of(tiling, &matching),
-            shapes: shapes(tiling),
-            symmetry: Symmetry::of(tiling, &matching, &edges),
+            shapes,
+            classes,
+            orbits,
+            order,
             cogram: linear::cofactors(&tiling.frame.gram),
             matching,
             edges,
@@ -124,35 +136,33 @@ impl<'s, const D: usize> Analysis<'s, D> {
         self.tiling.shape(simplex).normal_products(&self.cogram)
     }
 
-    /// The class of each simplex.
-    pub fn class_of(&self) -> Vec<usize> {
-        let mut classes = vec![0; self.tiling.len()];
-        for (class, shape) in self.shapes.iter().enumerate() {
-            for &member in &shape.members {
-                classes[member.index()] = class;
-            }
-        }
-        classes
+    /// `\gamma_{5}T_{3}^{1\bar10}`: an image of a representative, moved.
+    pub fn image(&self, element: usize, representative: usize, shift: &[i32; D]) -> String {
+        let tile = self.orbits.representatives[representative].tile;
+        let map = match element {
+            0 => String::new(),
+            _ => format!("\\gamma_{{{element}}}"),
+        };
+        format!("{map}T_{{{tile}}}{}", moved(&shift[..self.rank()]))
     }
 
-    /// The first simplex of each orbit, and how many there are.
-    pub fn orbits(&self) -> Vec<(SimplexId, usize)> {
-        let orbits = first_and_count(&self.symmetry.simplices).into_iter();
-        orbits
-            .map(|(first, count)| (SimplexId::at(first), count))
-            .collect()
+    /// The tile of a mate as an image of a representative, and the corner of that which is opposite
+    /// to the mate.
+    pub fn behind(&self, mate: &Mate<D>) -> (String, usize) {
+        let image = &self.orbits.images[mate.facet.simplex.index()];
+        let shift = std::array::from_fn(|k| image.shift[k] + mate.shift[k]);
+        let tile = self.image(image.element, image.representative, &shift);
+        (tile, image.corners[usize::from(mate.facet.opposite)])
     }
 }
 
-/// For each of the numbers 0, 1, … the place of its first occurrence, and how often
-/// it occurs.
-pub(super) fn first_and_count(numbers: &[usize]) -> Vec<(usize, usize)> {
-    let mut found: Vec<(usize, usize)> = Vec::new();
-    for (place, &number) in numbers.iter().enumerate() {
-        match found.get_mut(number) {
-            Some((_, count)) => *count += 1,
-            None => found.push((place, 1)),
+/// The class of each of `count` simplices.
+fn classes(shapes: &[Shape], count: usize) -> Vec<usize> {
+    let mut classes = vec![0; count];
+    for (class, shape) in shapes.iter().enumerate() {
+        for &member in &shape.members {
+            classes[member.index()] = class;
         }
     }
-    found
+    classes
 }

@@ -52,6 +52,20 @@ pub fn simplices(dimension: usize, count: usize) -> &'static str {
     }
 }
 
+/// What a face of dimension D - 1 is called.
+pub fn facet_word(dimension: usize) -> &'static str {
+    if dimension == 2 { "edge" } else { "facet" }
+}
+
+/// What passes through the corners of a simplex.
+pub fn sphere_word(dimension: usize) -> &'static str {
+    if dimension == 2 {
+        "circumcircle"
+    } else {
+        "circumsphere"
+    }
+}
+
 /// `1 orbit`, `3 orbits`.
 pub fn counted(count: usize, noun: &str) -> String {
     match (count, noun) {
@@ -64,7 +78,7 @@ pub fn counted(count: usize, noun: &str) -> String {
 
 /// A shift as crystallographers write directions, `1\bar10`; with commas where an entry
 /// has two digits; nothing for zero.
-fn shift(shift: &[i32]) -> String {
+pub fn moved(shift: &[i32]) -> String {
     if shift.iter().all(|&s| s == 0) {
         return String::new();
     }
@@ -81,7 +95,7 @@ fn shift(shift: &[i32]) -> String {
 
 /// `5^{1\bar10}`: vertex 5 moved by b_1 - b_2.
 pub fn corner<const D: usize>(corner: &Corner<D>, rank: usize) -> String {
-    format!("{}{}", corner.vertex, shift(&corner.shift[..rank]))
+    format!("{}{}", corner.vertex, moved(&corner.shift[..rank]))
 }
 
 /// `12_3^{1\bar10}`: the facet of tetrahedron 12 opposite its corner 3, moved.
@@ -90,7 +104,7 @@ pub fn mate<const D: usize>(mate: &Mate<D>, rank: usize) -> String {
         "{}_{{{}}}{}",
         mate.facet.simplex,
         mate.facet.opposite,
-        shift(&mate.shift[..rank])
+        moved(&mate.shift[..rank])
     )
 }
 

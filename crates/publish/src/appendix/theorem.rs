@@ -2,13 +2,13 @@
 
 use super::rational::{interval, rational};
 use super::subject::{Analysis, Subject};
-use super::tex::{counted, escape, list, simplices, width};
+use super::tex::{counted, escape, facet_word, list, simplices, sphere_word, width};
 use acutile_core::quality::{DihedralAngle, Exact, RadiusEdge};
 use acutile_core::statement::{Relation, Statement};
 use acutile_core::tiling::{Domain, Polytope};
 use acutile_exact::geometry::linear;
 use acutile_exact::number::Number;
-use malachite::Rational;
+use malachite::{Integer, Rational};
 
 /// The theorem, and the paragraph on field, lattice and metric.
 pub fn theorem<const D: usize>(analysis: &Analysis<D>) -> String {
@@ -34,30 +34,61 @@ pub fn theorem<const D: usize>(analysis: &Analysis<D>) -> String {
         ),
     };
     format!(
-        "\\begin{{acutiletheorem}}[{name}]\\label{{{label}}}\n{setting} Then the ${count}$ {kind} \
-         of Table~\\ref{{{orbits}}}{translates} {tile} {domain} {how}: they cover it, their interiors are disjoint, and \
-         any two of them meet in a common face or not at all.{further}\n\\end{{acutiletheorem}}\n\n",
-        name = escape(&subject.name),
+        "\\begin{{acutiletheorem}}[{name}]\\label{{{label}}}\n{setting} Then {tiles} of Table~\\ref{{{orbits}}}{images} {tile} {domain} {how}: they cover it, their interiors are disjoint, and \
+         any two of them meet in a common face of both or not at all.{count}{further}\n\\end{{acutiletheorem}}\n\n",
+        name = human_name(subject),
         label = analysis.label("theorem"),
         setting = setting(analysis),
-        kind = simplices(D, count),
+        tiles = tiles(analysis),
         tile = if (count, analysis.rank()) == (1, 0) {
             "tiles"
         } else {
             "tile"
         },
         orbits = analysis.label("orbits"),
-        translates = match analysis.rank() {
-            0 => "",
-            _ => " and their translates by $\\Lambda$",
-        },
+        images = images(analysis),
         domain = domain(analysis),
         how = if D == 2 {
             "edge to edge"
         } else {
             "face to face"
         },
+        count = number_of_tiles(analysis),
     )
+}
+
+/// `the $46$ tetrahedra`, `the images under $\Gamma$ of the $3$ tetrahedra`.
+fn tiles<const D: usize>(analysis: &Analysis<D>) -> String {
+    let count = analysis.orbits.representatives.len();
+    let kind = simplices(D, count);
+    match (analysis.orbits.elements.len(), count) {
+        (1, 1) => format!("the {kind}"),
+        (1, _) => format!("the ${count}$ {kind}"),
+        (_, 1) => format!("the images under $\\Gamma$ of the {kind}"),
+        _ => format!("the images under $\\Gamma$ of the ${count}$ {kind}"),
+    }
+}
+
+fn images<const D: usize>(analysis: &Analysis<D>) -> &'static str {
+    match (analysis.orbits.elements.len(), analysis.orbits.representatives.len(), analysis.rank()) {
+        (1, _, 0) => "",
+        (1, 1, _) => " and its translates by $\\Lambda$",
+        (1, _, _) => " and their translates by $\\Lambda$",
+        _ => "",
+    }
+}
+
+/// How many images there are, where the table has representatives only.
+fn number_of_tiles<const D: usize>(analysis: &Analysis<D>) -> String {
+    if analysis.orbits.elements.len() == 1 {
+        return String::new();
+    }
+    let count = analysis.tiling.len();
+    let kind = simplices(D, count);
+    match analysis.rank() {
+        0 => format!(" There are ${count}$ {kind}."),
+        _ => format!(" There are ${count}$ {kind} up to $\\Lambda$."),
+    }
 }
 
 fn setting<const D: usize>(analysis: &Analysis<D>) -> String {
@@ -71,11 +102,13 @@ fn setting<const D: usize>(analysis: &Analysis<D>) -> String {
         }
     };
     format!(
-        "{field}Let {basis} be a basis of Euclidean ${D}$-space with the inner products\n\
-         {gram}\n{lattice}",
+        "{field}Let {basis} be a basis of {space} with the inner products\n\
+         {gram}\n{lattice}{group}",
         field = field(analysis),
         basis = list(&basis),
+        space = if D == 2 { "the Euclidean plane" } else { "Euclidean space" },
         gram = gram(analysis),
+        group = super::group::definition(analysis),
     )
 }
 
@@ -89,13 +122,8 @@ fn field<const D: usize>(analysis: &Analysis<D>) -> String {
         }
         super::numeral::Numerals::Powers => {
             let (low, high) = field.root();
-            let bounds = field
-                .generator()
-                .enclosure(&Rational::from_signeds(1, 100_000_000));
             format!(
-                "All numbers lie in $\\mathbb{{Q}}(\\alpha)$, where $\\alpha\\in{}$ is the root of ${}$ between \
-                 ${}$ and ${}$. ",
-                interval(&bounds),
+                "All numbers lie in $\\mathbb{{Q}}(\\alpha)$, where $\\alpha$ is the root of ${}$ between ${}$ and ${}$. ",
                 polynomial(field.polynomial()),
                 rational(&low),
                 rational(&high),
@@ -104,7 +132,65 @@ fn field<const D: usize>(analysis: &Analysis<D>) -> String {
     }
 }
 
-fn polynomial(coefficients: &[malachite::Integer]) -> String {
+/// The paragraph that shows the root to exist and to be unique in its interval: signs at the ends,
+/// and the derivative over the interval by Horner's rule.
+pub fn root<const D: usize>(analysis: &Analysis<D>) -> String {
+    let field = &analysis.tiling.frame.field;
+    if !matches!(analysis.numerals, super::numeral::Numerals::Powers) {
+        return String::new();
+    }
+    let (low, high) = field.root();
+    let p = field.polynomial();
+    let value = |x: &Rational| {
+        let steps = p.iter().rev();
+        steps.fold(Rational::from(0), |sum, c| sum * x + Rational::from(c))
+    };
+    let derivative: Vec<Integer> = p
+        .iter()
+        .enumerate()
+        .skip(1)
+        .map(|(k, c)| c * Integer::from(k))
+        .collect();
+    let (least, greatest) = horner(&derivative, &low, &high);
+    let side = |x: &Rational| if *x > 0 { ">0" } else { "<0" };
+    let bounds = field
+        .generator()
+        .enclosure(&Rational::from_signeds(1, 100_000_000));
+    format!(
+        "\\acutileparagraph{{The number $\\alpha$.}} Let $p(x)={p}$. Then\n% acutile:root {slug}\n$p({low})={at_low}{low_side}$, $p({high})={at_high}{high_side}$, and $p'(x)\\in[{least},{greatest}]$ for ${low}\\le x\\le {high}$, \
+         by Horner's rule in interval arithmetic. The derivative has one sign, so $p$ has exactly one root between the ends. In the same way $\\alpha\\in{enclosed}$.\n\n",
+        slug = analysis.subject.slug(),
+        p = polynomial(p),
+        low = rational(&low),
+        high = rational(&high),
+        at_low = rational(&value(&low)),
+        low_side = side(&value(&low)),
+        at_high = rational(&value(&high)),
+        high_side = side(&value(&high)),
+        least = rational(&least),
+        greatest = rational(&greatest),
+        enclosed = interval(&bounds),
+    )
+}
+
+/// The values of a polynomial over an interval, enclosed by Horner's rule.
+fn horner(p: &[Integer], low: &Rational, high: &Rational) -> (Rational, Rational) {
+    let start = (Rational::from(0), Rational::from(0));
+    p.iter().rev().fold(start, |(least, greatest), c| {
+        let products = [
+            &least * low,
+            &least * high,
+            &greatest * low,
+            &greatest * high,
+        ];
+        let c = Rational::from(c);
+        let lowest = products.iter().min().unwrap_or(&least) + &c;
+        let highest = products.iter().max().unwrap_or(&greatest) + &c;
+        (lowest, highest)
+    })
+}
+
+fn polynomial(coefficients: &[Integer]) -> String {
     let mut text = String::new();
     for (power, c) in coefficients.iter().enumerate().rev() {
         if *c == 0 {
@@ -192,6 +278,7 @@ fn in_words<const D: usize>(analysis: &Analysis<D>, statement: &Statement) -> Op
         2 => ("angle", "angles"),
         _ => ("dihedral angle", "dihedral angles"),
     };
+    let (sphere, facet) = (sphere_word(D), facet_word(D));
     Some(match statement {
         Statement::FaceToFaceTiling => return None,
         Statement::Acute => format!("all {angles} are acute;"),
@@ -229,18 +316,17 @@ fn in_words<const D: usize>(analysis: &Analysis<D>, statement: &Statement) -> Op
             format!("no tile crosses ${plane}$ or a translate of it by the lattice;")
         }
         Statement::Delaunay => {
-            "it is the Delaunay triangulation of its vertices: no vertex of the tiling but a tile's own corners is on its \
-             circumsphere, and none is inside of it;"
-                .to_owned()
+            format!("it is the Delaunay triangulation of its vertices: no vertex of the tiling but a tile's own corners is on its \
+             {sphere}, and none is inside of it;")
         }
         Statement::WeaklyDelaunay => {
-            "it is a Delaunay triangulation of its vertices: inside of no circumsphere is a vertex;".to_owned()
+            format!("it is a Delaunay triangulation of its vertices: inside of no {sphere} is a vertex;")
         }
         Statement::LocallyDelaunay => {
-            "it is Delaunay at each facet that two tiles share;".to_owned()
+            format!("at each {facet} that two tiles share, the other corner of the one is outside of the {sphere} of the other;")
         }
         Statement::LocallyWeaklyDelaunay => {
-            "it is weakly Delaunay at each facet that two tiles share;".to_owned()
+            format!("at each {facet} that two tiles share, the other corner of the one is not inside of the {sphere} of the other;")
         }
         Statement::Tcp => "it is tetrahedrally close packed: every edge is in five or six tetrahedra, and no triangle has \
              two edges that are in six;"
@@ -309,7 +395,13 @@ pub fn metric<const D: usize>(analysis: &Analysis<D>) -> String {
 
 /// The heading of a section.
 pub fn heading(subject: &Subject) -> String {
-    format!("\\texttt{{{}}}", escape(&subject.name))
+    let plain = super::names::plain(&subject.name);
+    format!("\\texorpdfstring{{{}}}{{{}}}", human_name(subject), escape(&plain))
+}
+
+/// What people call it.
+pub fn human_name(subject: &Subject) -> String {
+    super::names::human(&subject.name)
 }
 
 /// The first sentence of a section.
@@ -356,16 +448,23 @@ pub fn sizes<const D: usize>(analysis: &Analysis<D>) -> String {
 /// The proof in a sentence, with references to what is checked where.
 pub fn proof<const D: usize>(analysis: &Analysis<D>) -> String {
     let acute = match analysis.subject.statements().contains(&Statement::Acute) {
-        true => "; that all angles are acute, from Lemma~\\ref{acutile:angles} and the signs below",
+        true => " That all angles are acute follows from Lemma~\\ref{acutile:angles} and the signs below.",
         false => "",
     };
-    let boundary = match analysis.tiling.frame.domain {
-        Domain::Space => "",
-        _ => ", (B) the coordinates of the vertices",
+    let facet = if D == 2 { "edges" } else { "facets" };
+    let has_group = analysis.orbits.elements.len() > 1;
+    let group = if has_group { "(S) the symmetry, " } else { "" };
+    let lemma = match has_group {
+        true => " By Lemma~\\ref{acutile:representatives} they need checking for the representatives only.",
+        false => "",
+    };
+    let (theorem, rest) = match &analysis.tiling.frame.domain {
+        Domain::Space => ("sound", "and (V) the sum of the volumes"),
+        Domain::Region(_) => ("region", "(X) the boundary, and (W) what is outside of it"),
+        _ => ("sound", "(B) the boundary, and (V) the sum of the volumes"),
     };
     format!(
-        "That this is a tiling follows from Theorem~\\ref{{acutile:sound}}; its hypotheses are (M) the metric, (O) the positive determinants in \
-         Table~\\ref{{{}}}, (F) the pairing of the facets{boundary} and (V) the sum of the volumes{acute}.\n\n",
-        analysis.label("orbits"),
+        "\\acutileparagraph{{Proof.}} That this is a tiling follows from Theorem~\\ref{{acutile:{theorem}}}. Its hypotheses are checked below: (M) the metric, {group}(O) the determinants, \
+         (F) the {facet}, {rest}.{lemma}{acute}\n\n",
     )
 }

@@ -1,4 +1,4 @@
-//! The sum of the volumes, class by class: it is the volume of the domain.
+//! The sum of the volumes over the representatives: it is the volume of the domain.
 
 use super::subject::Analysis;
 use super::tex::width;
@@ -6,15 +6,19 @@ use acutile_core::tiling::Domain;
 use acutile_exact::number::Number;
 use malachite::Rational;
 
-/// The volume sum over classes.
+/// The volume sum over the representatives; nothing for a region.
 pub fn volume<const D: usize>(analysis: &Analysis<D>) -> String {
+    if analysis.tiling.frame.domain.is_region() {
+        return String::new();
+    }
     let numerals = &analysis.numerals;
     let terms: Vec<(String, Number)> = analysis
-        .shapes
+        .order
         .iter()
-        .map(|shape| {
-            let determinant = analysis.tiling.shape(shape.members[0]).determinant;
-            let count = shape.members.len();
+        .map(|&place| {
+            let representative = &analysis.orbits.representatives[place];
+            let determinant = analysis.tiling.shape(representative.tile).determinant;
+            let count = representative.count;
             let total = &determinant * &Number::from(Rational::from(count));
             (
                 format!("{count}\\cdot {}", numerals.factor(&determinant)),
@@ -28,7 +32,7 @@ pub fn volume<const D: usize>(analysis: &Analysis<D>) -> String {
     let factorial: u32 = (1..=D as u32).product();
     let meaning = match &analysis.tiling.frame.domain {
         Domain::Space => format!("which is ${D}!$ times the volume of a cell, in cells"),
-        Domain::Region(_) => format!("which is ${D}!$ times the volume of the region, in cells"),
+        Domain::Region(_) => String::new(),
         Domain::Slab(polytope) | Domain::Prism(polytope) | Domain::Solid(polytope) => {
             let k: u32 = (1..=polytope.dimension() as u32).product();
             let volume = polytope.scaled_volume() * Number::from(Rational::from_unsigneds(1u32, k));
@@ -45,9 +49,15 @@ pub fn volume<const D: usize>(analysis: &Analysis<D>) -> String {
             }
         }
     };
+    let images = if analysis.orbits.elements.len() > 1 {
+        "images"
+    } else {
+        "copies ($1$)"
+    };
     format!(
-        "\\acutileparagraph{{Volume.}} All determinants, {factorial} times the volumes in cells, are positive. Their sum, class by class, is\n\
+        "\\acutileparagraph{{Volume (V).}} The sum of the determinants, each times its number of {images} in the order of Table~\\ref{{{}}}, is\n\
          % acutile:volume {}\n{}{meaning}.\n\n",
+        analysis.label("orbits"),
         analysis.subject.slug(),
         display_sum(
             terms.iter().map(|(text, _)| text.as_str()),

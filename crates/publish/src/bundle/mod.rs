@@ -63,7 +63,7 @@ const MESHES: [(&str, Format); 3] = [
 pub struct Piece {
     pub proved: Proved,
     /// Nothing for a region.
-    pub subject: Option<Subject>,
+    pub subject: Subject,
 }
 
 /// What goes into the archive.
@@ -94,9 +94,8 @@ struct Entry {
 /// # Errors
 /// Two tilings would have the same files.
 pub fn bundle(pieces: Vec<Piece>, options: &Options) -> Result<Bundle, String> {
-    let (proved, subjects): (Vec<Proved>, Vec<Option<Subject>>) =
+    let (proved, subjects): (Vec<Proved>, Vec<Subject>) =
         pieces.into_iter().map(|p| (p.proved, p.subject)).unzip();
-    let subjects: Vec<Subject> = subjects.into_iter().flatten().collect();
     let mut notes = Vec::new();
     let mut files = fixed();
     let entries = entries(&proved, &mut files, &mut notes)?;
