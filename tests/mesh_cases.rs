@@ -252,6 +252,14 @@ fn curved_tetrahedra_are_decided_one_by_one() {
     assert!(err.contains("Jacobian at node"), "{err}");
 }
 
+/// 620 tetrahedra around a common edge: any two of the 1240 boundary facets have a common corner.
+#[test]
+fn a_fan_is_decided() {
+    let (code, out, err) = certify("fan_620.msh", &[]);
+    assert_eq!(code, 0, "{out}{err}");
+    assert!(out.contains("a boundary of 1240 triangles"), "{out}");
+}
+
 #[test]
 fn triangles_in_the_plane_are_proved() {
     let (code, out, err) = certify("square.vtk", &[]);
@@ -578,4 +586,76 @@ fn facets_that_lie_against_each_other_across_the_lattice_are_an_interface() {
     assert!(out.contains("overlap: both have the point"), "{out}");
     assert!(out.contains("moved by ("), "{out}");
     assert!(!out.contains("non-conforming"), "{out}");
+}
+
+/// The nodes of the unit tetrahedron of second order; the middle of the edge from 0 to e_1 is moved by
+/// 1/8 in the direction of e_2. In VTK's order: corners, then the edges 01, 12, 02, 03, 13, 23.
+const CURVED: [[f64; 3]; 10] = [
+    [0.0, 0.0, 0.0],
+    [1.0, 0.0, 0.0],
+    [0.0, 1.0, 0.0],
+    [0.0, 0.0, 1.0],
+    [0.5, 0.125, 0.0],
+    [0.5, 0.5, 0.0],
+    [0.0, 0.5, 0.0],
+    [0.0, 0.0, 0.5],
+    [0.5, 0.0, 0.5],
+    [0.0, 0.5, 0.5],
+];
+
+/// Files of Gmsh 4.15.2 and TetGen 1.5.0 have straight elements; read in another order they would be
+/// curved. A curved element is valid in the right order alone.
+#[test]
+fn second_order_tetrahedra_of_medit_and_tetgen() {
+    for (name, simplices) in [("gmsh_order2.mesh", 24), ("tetgen_o2.node", 4)] {
+        let (code, out, err) = certify(name, &[]);
+        assert_eq!(code, 0, "{name}: {out}{err}");
+        assert!(
+            out.contains(&format!(", {simplices} simplices)")),
+            "{name}: {out}"
+        );
+    }
+    let folder = tempfile::tempdir().expect("a folder");
+    let valid = |path: &Path| {
+        let (code, out, err) = certify(&path.to_string_lossy(), &[]);
+        assert_eq!(code, 0, "{out}{err}");
+        assert!(out.contains("1 are of second order and curved"), "{out}");
+    };
+    let nodes = CURVED.map(|[x, y, z]| format!("{x} {y} {z}"));
+    let vertices: String = nodes.iter().map(|node| format!("{node} 0\n")).collect();
+    let text = format!(
+        "MeshVersionFormatted 2\nDimension 3\nVertices\n10\n{vertices}TetrahedraP2\n1\n\
+         1 2 3 4 5 6 7 8 9 10 7\nEnd\n"
+    );
+    valid(&file(folder.path(), "a.mesh", &text));
+    let other = text.replace("End", "TetrahedraP2Ordering\n10\nEnd");
+    let path = file(folder.path(), "b.mesh", &other);
+    let (code, _, err) = certify(&path.to_string_lossy(), &[]);
+    assert_eq!(code, 3);
+    assert!(err.contains("TetrahedraP2Ordering"), "{err}");
+    let rows: String = (1..)
+        .zip(&nodes)
+        .map(|(k, node)| format!("{k} {node}\n"))
+        .collect();
+    file(folder.path(), "c.node", &format!("10 3 0 0\n{rows}"));
+    // The edges 23, 03, 01, 12, 13, 02.
+    let path = file(folder.path(), "c.ele", "1 10 0\n1 1 2 3 4 10 8 5 6 9 7\n");
+    valid(&path);
+    // The opposite orientation: corners 3 and 4 exchanged, so the edges 23, 02, 01, 13, 12, 03.
+    let path = file(folder.path(), "c.ele", "1 10 0\n1 1 2 4 3 10 7 5 9 6 8\n");
+    valid(&path);
+    // MEDIT in binary, version 2: keyword, position of the next one, count, items.
+    let int = |x: i32| x.to_le_bytes().to_vec();
+    let mut bytes = [int(1), int(2), int(3), int(20), int(3)].concat();
+    bytes.extend([int(4), int(20 + 12 + 10 * 28), int(10)].concat());
+    for node in CURVED {
+        bytes.extend(node.iter().flat_map(|x| x.to_le_bytes()));
+        bytes.extend(int(0));
+    }
+    bytes.extend([int(30), int(20 + 12 + 280 + 12 + 44), int(1)].concat());
+    bytes.extend([1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 7].into_iter().flat_map(int));
+    bytes.extend([int(54), int(0)].concat());
+    let path = folder.path().join("d.meshb");
+    std::fs::write(&path, bytes).expect("written");
+    valid(&path);
 }

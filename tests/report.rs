@@ -278,3 +278,29 @@ fn several_tilings_and_what_is_missing() {
     let output = acutile(["report", "no-such-tiling"]);
     assert_eq!(code(&output), 2);
 }
+
+/// Three tetrahedra on one facet: two of them overlap, and the facet is used three times.
+#[test]
+fn a_refuted_mesh_has_a_page_with_its_defects() {
+    let mesh = "tests/meshes/cases/three_on_a_facet.msh";
+    let output = acutile(["report", mesh]);
+    assert_eq!(code(&output), 1);
+    assert!(stderr(&output).contains("refuted: "), "{}", stderr(&output));
+    let text = stdout(&output);
+    let data = data(&text);
+    let defects = data["tilings"][0]["defects"].as_array().expect("defects");
+    let overused: Vec<&Value> = defects
+        .iter()
+        .filter(|defect| defect["facets"].as_array().is_some_and(|f| f.len() == 3))
+        .collect();
+    assert_eq!(overused.len(), 1);
+    assert_eq!(overused[0]["simplices"], json!([0, 1, 2]));
+    assert!(text.contains("class=\"verdict bad\">Refuted: "));
+    assert!(!text.contains("Confirmed by the kernel"));
+    let path = std::env::temp_dir().join(format!("acutile-refuted-{}.html", std::process::id()));
+    let certify = acutile(["certify", mesh, "--report", path.to_str().expect("a path")]);
+    assert_eq!(code(&certify), 1);
+    let written = std::fs::read_to_string(&path).expect("the page");
+    std::fs::remove_file(&path).expect("remove");
+    assert_eq!(written, text);
+}

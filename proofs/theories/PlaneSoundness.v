@@ -230,6 +230,7 @@ Proof.
 Qed.
 Lemma chk3 : check_tiling A aadd asub amul aofZ alt ale c3 = true.
 Proof. apply chk_all2. Qed.
+Let base3 := tiling_based A aadd asub amul aofZ alt ale c3 chk3.
 Lemma lift_den : c_den A c3 = e_den A c.
 Proof. unfold c3, PlaneChecker.lift. destruct (e_gram A c) as [[? ?] ?]. reflexivity. Qed.
 Lemma lift_rank : c_rank A c3 = r.
@@ -241,7 +242,7 @@ Proof. unfold c3, PlaneChecker.lift. destruct (e_gram A c) as [[? ?] ?]. reflexi
 Lemma lift_polytope : c_polytope A c3 = polytope2 A aofZ c.
 Proof. unfold c3, PlaneChecker.lift. destruct (e_gram A c) as [[? ?] ?]. reflexivity. Qed.
 Lemma den_pos2 : 0 < IZR (e_den A c).
-Proof. rewrite <- lift_den. apply (h_pos A aadd asub amul aofZ alt ale c3 chk3). Qed.
+Proof. rewrite <- lift_den. apply (h_pos A aadd asub amul aofZ alt c3 base3). Qed.
 
 Lemma prisms_nth V all : forall ts k0 k t, nth_error ts k = Some t ->
   nth_error (prisms V all k0 ts) (3 * k) = Some (tetA V all (k0 + N.of_nat k) t) /\
@@ -407,7 +408,7 @@ Proof.
 Qed.
 
 (** *** The tiling *)
-Let S3 := tiling_sound A aadd asub amul aofZ alt ale phi phi_add phi_sub phi_mul phi_Z alt_ok ale_ok c3 chk3 L1 L2 L3 lift_gram.
+Let S3 := tiling_sound A aadd asub amul aofZ alt ale phi phi_add phi_sub phi_mul phi_Z alt_ok ale_ok c3 base3 chk3 L1 L2 L3 lift_gram.
 
 Lemma area_tile cc : is_tile2 cc -> area (tile2 cc) <> 0.
 Proof.
@@ -478,7 +479,7 @@ Notation place := (place A aadd aofZ c).
 Lemma place_corner q : ee (place q) = dcorner A aofZ phi c3 L1 L2 L3 q.
 Proof.
   unfold PlaneChecker.place. rewrite <- lift_verts, <- lift_den.
-  apply (rp_dcorner A aadd asub amul aofZ alt ale phi phi_add phi_Z c3 chk3).
+  apply (rp_dcorner A aadd asub amul aofZ alt phi phi_add phi_Z c3 base3).
 Qed.
 Lemma place_low q : (fst q < V2 A c)%N -> ee (place (low q)) = up 0 (dcorner2 c l1 l2 q).
 Proof. intros. rewrite place_corner. apply dcorner_low; auto. Qed.
@@ -537,7 +538,7 @@ Lemma item_angle2 cc sg p q o i : is_tile2 cc -> chk_bound A aofZ alt ale sg p q
   on_edge A (chk_angle sg p q o) i = true -> compares o (edge_angle2 i) (dangle A phi sg p q).
 Proof.
   intros Hc B Hi H. pose proof (three_orient cc i Hc Hi) as V. destruct i as [[[a b] c0] d].
-  apply (angle_sound A aadd asub amul aofZ alt ale phi phi_add phi_sub phi_mul phi_Z alt_ok ale_ok c3 chk3 L1 L2 L3 lift_gram o sg p q); auto.
+  apply (angle_sound A aadd asub amul aofZ alt ale phi phi_add phi_sub phi_mul phi_Z alt_ok ale_ok c3 base3 L1 L2 L3 lift_gram o sg p q); auto.
 Qed.
 Lemma largest_sound2 rel sg p q : chk_bound A aofZ alt ale sg p q = true ->
   related rel (fun t => test_largest (fun o => on_edge A (chk_angle sg p q o)) (three A aadd aofZ c t)) (e_tris A c) = true ->
@@ -561,7 +562,7 @@ Let s := / IZR (c_den A c3) * / IZR (c_den A c3).
 Notation kgdot := (kgdot A aadd amul (c_gram A c3)).
 Notation vsub := (vsub A asub).
 Lemma s_pos2 : 0 < s.
-Proof. apply (s_pos A aadd asub amul aofZ alt ale c3 chk3). Qed.
+Proof. apply (s_pos A aadd asub amul aofZ alt c3 base3). Qed.
 Lemma dot_ee a b d f : dot (sub (ee b) (ee a)) (sub (ee f) (ee d)) = s * phi (kgdot (vsub b a) (vsub f d)).
 Proof.
   unfold ee. rewrite <- !E_sub, <- !(phi3_sub A asub phi phi_sub).
@@ -658,13 +659,13 @@ Proof.
   { apply (centre_unique T); auto; try lra; [apply (CC (tb T))|apply (CC (tc T))]; simpl; auto. }
   split; auto. rewrite <- DC. lra.
 Qed.
-Let weak3 := statement_sound A aadd asub amul aofZ alt ale phi phi_add phi_sub phi_mul phi_Z alt_ok ale_ok c3 chk3 L1 L2 L3 lift_gram (CWeaklyDelaunay A).
+Let weak3 := statement_sound A aadd asub amul aofZ alt ale phi phi_add phi_sub phi_mul phi_Z alt_ok ale_ok c3 base3 chk3 L1 L2 L3 lift_gram (CWeaklyDelaunay A).
 Lemma weakly_sound2 : chk_delaunay A aadd asub amul aofZ ale c3 = true -> forall k n, is_tile2 (k, n) ->
   let T := tile2 (k, n) in circumscribed2 T (circumcentre2 T) (distance_squared2 (ta T) (circumcentre2 T)) /\
   forall v, is_vertex2 l1 l2 r N T2 v -> distance_squared2 (ta T) (circumcentre2 T) <= distance_squared2 v (circumcentre2 T).
 Proof.
   intros H k n Ht T. pose proof (area_tile _ Ht) as AR. fold T in AR. split; [apply circumscribed_centre2; auto|].
-  pose proof (weak3 H) as W. cbn [holds] in W. rewrite <- (dtet_cP A aadd asub amul aofZ alt ale phi phi_add phi_Z c3 chk3) in W.
+  pose proof (weak3 H) as W. cbn [holds] in W. rewrite <- (dtet_cP A aadd asub amul aofZ alt phi phi_add phi_Z c3 base3) in W.
   destruct (over_tile k n Ht) as [e [[A1 A2] _]]. destruct (W _ A2) as [C [q [HC HW]]]. rewrite A1 in HC.
   destruct (circle_A e T C q HC) as [H2 D].
   assert (DC : down C = circumcentre2 T).
@@ -699,8 +700,8 @@ Proof.
   destruct (get2 k (proj1 Ht)) as [t [Et _]].
   destruct (edges_nth _ _ _ _ _ _ k t HWL Et) as [W0 [W1 W3]]. cbv zeta in W0, W1, W3. rewrite N.add_0_l in W0, W1, W3.
   destruct (prisms_nth (V2 A c) (e_tris A c) (e_tris A c) 0 k t Et) as [N0 [N1 _]]. rewrite N.add_0_l in N0, N1. rewrite <- lift_tets in N0, N1.
-  pose proof (strict_sound A aadd asub amul aofZ alt ale phi phi_add phi_sub phi_mul phi_Z alt_ok ale_ok c3 chk3 L1 L2 L3 lift_gram) as SS.
-  rewrite <- (dtet_cP A aadd asub amul aofZ alt ale phi phi_add phi_Z c3 chk3) in SS. cbv zeta in SS.
+  pose proof (strict_sound A aadd asub amul aofZ alt ale phi phi_add phi_sub phi_mul phi_Z alt_ok ale_ok c3 base3 chk3 L1 L2 L3 lift_gram) as SS.
+  rewrite <- (dtet_cP A aadd asub amul aofZ alt phi phi_add phi_Z c3 base3) in SS. cbv zeta in SS.
   destruct (over_tile k n Ht) as [e [[A1 A2] [[B1 B2] _]]]. fold T in A1, B1.
   pose proof (vertex_up v Hv) as VU.
   pose proof (circumscribed_tile _ _ A2) as CA. pose proof (circumscribed_tile _ _ B2) as CB.
@@ -740,8 +741,8 @@ Qed.
 Theorem plane_statement_sound st : check_statement2 A aadd asub amul aofZ alt ale c st = true -> holds2 l1 l2 r N T2 (dstatement A phi st).
 Proof.
   intros H. destruct st as [| |rel sg p q|rel sg p q|rel p q| | |]; cbn [check_statement2 dstatement holds2] in *; cbv zeta in H; change (c_gram A (lift c)) with (c_gram A c3) in H.
-  - exact (each_angle2 _ (fun x => x < PI / 2) (acute_sound A aadd asub amul aofZ alt ale phi phi_add phi_sub phi_mul phi_Z alt_ok c3 chk3 L1 L2 L3 lift_gram) H).
-  - exact (each_angle2 _ (fun x => x <= PI / 2) (nonobtuse_sound A aadd asub amul aofZ alt ale phi phi_add phi_sub phi_mul phi_Z ale_ok c3 chk3 L1 L2 L3 lift_gram) H).
+  - exact (each_angle2 _ (fun x => x < PI / 2) (acute_sound A aadd asub amul aofZ alt phi phi_add phi_sub phi_mul phi_Z alt_ok c3 base3 L1 L2 L3 lift_gram) H).
+  - exact (each_angle2 _ (fun x => x <= PI / 2) (nonobtuse_sound A aadd asub amul aofZ alt ale phi phi_add phi_sub phi_mul phi_Z ale_ok c3 base3 L1 L2 L3 lift_gram) H).
   - apply andb_true_iff in H as [B H]. apply largest_sound2; auto.
   - apply andb_true_iff in H as [B H]. apply smallest_sound2; auto.
   - apply andb_true_iff in H as [B H]. apply andb_true_iff in B as [B _]. apply Z.ltb_lt, IZR_lt in B. apply radius_sound2; auto.
@@ -761,7 +762,7 @@ Theorem check2_sound c ss : check2 A aadd asub amul aofZ alt ale c ss = true ->
 Proof.
   intros H. unfold check2 in H. apply andb_true_iff in H as [H1 H2]. rewrite forallb_forall in H2. split.
   - pose proof (chk3 c H1) as H3.
-    pose proof (cgram A aadd asub amul aofZ alt ale phi phi_add phi_sub phi_mul phi_Z alt_ok _ H3) as [G1 [G2 _]].
+    pose proof (cgram A aadd asub amul aofZ alt phi phi_add phi_sub phi_mul phi_Z alt_ok _ (tiling_based A aadd asub amul aofZ alt ale _ H3)) as [G1 [G2 _]].
     unfold lift in G1, G2. unfold dgram2. destruct (e_gram A c) as [[x y] z]. cbn [c_gram k11 k22 k33 k12 k13 k23] in *.
     unfold phiG in G1, G2; cbn [g11 g22 g33 g12 g13 g23 k11 k22 k12 k33 k13 k23] in G1, G2.
     set (a := sqrt (phi x)). assert (Pa : 0 < a) by (apply sqrt_lt_R0; auto).

@@ -187,6 +187,9 @@ Definition cM (k i : nat) : option (nat * nat * Z3) :=
 Notation piece := (piece cT h).
 Notation valid := (valid N (latb r)).
 
+(** What regions, too, have of the checks. *)
+Definition based := (0 < den)%Z /\ (forall t, In t (c_tets c) -> chk_vol (kpos den vs t) = true) /\ chk_gram (c_gram c) = true.
+Hypothesis BASE : based.
 Hypothesis CHK : check_tiling c = true.
 
 Lemma chk_all :
@@ -209,7 +212,7 @@ Proof.
 Qed.
 
 Lemma h_pos : 0 < h.
-Proof. destruct chk_all as [H _]. unfold h. apply IZR_lt; auto. Qed.
+Proof. destruct BASE as [H _]. unfold h. apply IZR_lt; auto. Qed.
 
 Lemma get k : (k < N)%nat -> exists t, nth_error (c_tets c) k = Some t /\ In t (c_tets c).
 Proof.
@@ -223,7 +226,7 @@ Proof. intros E. unfold cT. rewrite E. auto. Qed.
 Lemma cvol k : (k < N)%nat -> 0 < vol (cT k).
 Proof.
   intros Hk. destruct (get k Hk) as [t [E I]]. rewrite (cT_eq k t E).
-  destruct chk_all as [_ [_ [H _]]]. specialize (H t I). unfold Checker.chk_vol in H. apply alt_ok in H.
+  destruct BASE as [_ [H _]]. specialize (H t I). unfold Checker.chk_vol in H. apply alt_ok in H.
   rewrite phi_zero, phi_D in H. exact H.
 Qed.
 Lemma pvol k n : (k < N)%nat -> 0 < vol (piece (k, n)).
@@ -535,7 +538,7 @@ Proof. apply cover_once. Qed.
 
 Lemma cgram : gpos (phiG (c_gram c)).
 Proof.
-  destruct chk_all as [_ [_ [_ [_ [_ [_ [H _]]]]]]]. unfold Checker.chk_gram in H. rewrite !andb_true_iff in H.
+  destruct BASE as [_ [_ H]]. unfold Checker.chk_gram in H. rewrite !andb_true_iff in H.
   destruct H as [[H1 H2] H3]. apply alt_ok in H1, H2, H3. rewrite phi_zero in *.
   rewrite phi_gdet in H3. rewrite phi_sub, !phi_mul in H2. unfold gpos, phiG at 1 2 3 4 5; cbn. auto.
 Qed.
@@ -1291,17 +1294,20 @@ End Basis.
 End Sound.
 
 (** ** The theorem *)
+Lemma tiling_based c : check_tiling c = true -> based c.
+Proof. intros H. destruct (chk_all c H) as [H1 [_ [H2 [_ [_ [_ [H3 _]]]]]]]. repeat split; auto. Qed.
 Theorem check_sound c ss : check c ss = true -> forall l1 l2 l3, has_gram (dgram c) l1 l2 l3 ->
   face_to_face_tiling l1 l2 l3 (c_rank c) (ddomain c l1 l2 l3) (length (c_tets c)) (dtet c l1 l2 l3) /\
   forall s, In s (map dstatement ss) -> holds l1 l2 l3 (c_rank c) (length (c_tets c)) (dtet c l1 l2 l3) s.
 Proof.
   intros H l1 l2 l3 HG. unfold Checker.check in H. apply andb_true_iff in H as [H1 H2]. rewrite forallb_forall in H2.
-  split; [apply tiling_sound; auto|]. intros s Hs. apply in_map_iff in Hs as [st [<- Hs]]. rewrite (dtet_cP c H1). apply statement_sound; auto.
+  pose proof (tiling_based c H1) as B.
+  split; [apply tiling_sound; auto|]. intros s Hs. apply in_map_iff in Hs as [st [<- Hs]]. rewrite (dtet_cP c B). apply statement_sound; auto.
 Qed.
 (** A basis with that Gram matrix exists. *)
 Theorem basis_exists c ss : check c ss = true -> exists l1 l2 l3, has_gram (dgram c) l1 l2 l3.
 Proof.
   intros H. unfold Checker.check in H. apply andb_true_iff in H as [H1 H2]. apply gram_exists.
-  apply (cgram c H1).
+  apply (cgram c (tiling_based c H1)).
 Qed.
 End Ring.

@@ -30,7 +30,8 @@ pub struct Input {
 }
 
 impl Input {
-    fn of(tiling: AnyTiling) -> Input {
+    /// A tiling that comes from no mesh.
+    pub fn of(tiling: AnyTiling) -> Input {
         Input {
             tiling,
             origin: None,

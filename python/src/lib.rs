@@ -7,6 +7,7 @@ mod answer;
 mod error;
 mod input;
 mod measures;
+mod optimize;
 mod work;
 
 use acutile_catalog as catalog;
@@ -122,6 +123,35 @@ impl Tiling {
             answer::certify(&input, &options, certificate, step)
         })??;
         Ok((json, cbor.map(|cbor| PyBytes::new(py, &cbor))))
+    }
+
+    /// Moves vertices and lattice for better angles: the best tiling, the answer as JSON, and the certificate.
+    #[pyo3(signature = (goal, symmetry, fixed_lattice=false, fixed_boundary=false, denominator=None, progress=None))]
+    fn optimize<'py>(
+        &self,
+        py: Python<'py>,
+        goal: &str,
+        symmetry: &str,
+        fixed_lattice: bool,
+        fixed_boundary: bool,
+        denominator: Option<u64>,
+        progress: Option<Py<PyAny>>,
+    ) -> PyResult<(Tiling, String, Bound<'py, PyBytes>)> {
+        let options = acutile_optimize::Options {
+            goal: optimize::goal(goal)?,
+            keep: optimize::symmetry(symmetry)?,
+            freedom: acutile_optimize::Freedom {
+                lattice: !fixed_lattice,
+                boundary: !fixed_boundary,
+            },
+            denominator: denominator.filter(|d| *d > 0),
+            ..acutile_optimize::Options::default()
+        };
+        let input = Arc::clone(&self.0);
+        let (best, json, cbor) = work(py, progress, move |step| {
+            optimize::best(&input, &options, step)
+        })??;
+        Ok((Tiling(Arc::new(best)), json, PyBytes::new(py, &cbor)))
     }
 
     /// The dihedral angles of each simplex, in degrees: lower and upper ends of enclosures.

@@ -35,6 +35,9 @@ pub struct AppendixArguments {
     /// Print decimals with the package siunitx
     #[arg(long)]
     pub siunitx: bool,
+    /// Set the text in two columns, with the long tables after it in one
+    #[arg(long)]
+    pub two_column: bool,
     #[command(flatten)]
     pub limits: LimitArguments,
 }
@@ -71,6 +74,7 @@ fn write(arguments: &AppendixArguments) -> Result<usize, Failure> {
     check_different(&subjects)?;
     let options = Options {
         siunitx: arguments.siunitx,
+        two_column: arguments.two_column,
     };
     let files = appendix::appendix(&subjects, &options);
     write_into(&arguments.output, &files, arguments.force)
@@ -109,9 +113,8 @@ fn check_different(subjects: &[Subject]) -> Result<(), Failure> {
 /// A construction of the catalogue, or a tiling file, proved; or a certificate.
 fn subject(input: &str, arguments: &AppendixArguments) -> Result<Subject, Failure> {
     let limits = arguments.limits.limits();
-    let proved = proved::proved(input, &arguments.file, &limits, &mut Output::standard())
-        .map_err(|error| (error.message, error.outcome))?;
-    Ok(proved::subject(input, &proved))
+    proved::subject_of(input, &arguments.file, &limits, &mut Output::standard())
+        .map_err(|error| (error.message, error.outcome))
 }
 
 fn write_into(directory: &Path, files: &[File], force: bool) -> Result<(), String> {

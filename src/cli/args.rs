@@ -12,9 +12,12 @@ use super::gallery::GalleryArguments;
 use super::list::ListArguments;
 use super::lower_bound::LowerBoundArguments;
 use super::new::NewArguments;
+use super::optimize::OptimizeArguments;
 use super::paper::PaperArguments;
 use super::quality::QualityArguments;
+use super::records::RecordsArguments;
 use super::report::ReportArguments;
+use super::search::SearchArguments;
 use super::show::ShowArguments;
 use super::table::TableArguments;
 use super::verify::VerifyArguments;
@@ -88,6 +91,24 @@ pub enum Command {
         "\n  acutile lower-bound\n  acutile lower-bound --json > lower-bound.json"
     ))]
     LowerBound(LowerBoundArguments),
+    /// Move vertices and lattice for better angles, and prove the result
+    ///
+    /// Doubles search; the result is rational and proved. The combinatorics, the symmetry and the boundary
+    /// stay. The exit code is 3 when nothing better is found, or, with --goal acute, when the result is not
+    /// acute; the best so far is written in any case. Ctrl-C ends the search with the best so far.
+    #[command(after_long_help = examples!("\n  acutile optimize c14 -o c14-best.cbor\n  acutile optimize part.msh --goal acute -o part.cbor\n  acutile optimize slab --denominator 100 --json"))]
+    Optimize(OptimizeArguments),
+    /// The best certified tilings of each kind of domain, the literature, and lower bounds
+    ///
+    /// Every value comes from a certificate that is proved in the run, every lower bound from checks that are
+    /// decided in it.
+    #[command(after_long_help = examples!("\n  acutile records\n  acutile records --format latex -o records.tex"))]
+    Records(RecordsArguments),
+    /// Search for acute slabs over plane tilings, or for polyhedra in the 600-cell
+    ///
+    /// Says what was tried. The exit code is 3 when no acute slab is found.
+    #[command(after_long_help = examples!("\n  acutile search slab\n  acutile search balls"))]
+    Search(SearchArguments),
     /// How good the simplices are: dihedral angles, radius-edge and aspect ratios
     #[command(after_long_help = examples!("\n  acutile quality part.vtu\n  acutile quality part.vtu --format svg -o angles.svg"))]
     Quality(QualityArguments),

@@ -6,10 +6,14 @@ use super::encoding::Encoding;
 use super::family::{self, FamilyArguments};
 use super::input::{self, FileArguments, Loaded};
 use super::limits::LimitArguments;
+use super::named::InputError;
 use super::outcome::Outcome;
 use super::output::{Output, Staged, write_file};
 use super::progress::Progress;
+use super::proved::{overwritten, refused, stem};
 use super::refutation::{Refuted, SHOWN};
+use super::refuted_page::LISTED;
+use super::report::{self, Article};
 use super::second::{self, SecondLook};
 use super::target::{Target, targets};
 use super::theorem;
@@ -22,6 +26,7 @@ use acutile_core::statement::{Requirement, in_words as statement_in_words};
 use acutile_core::tiling::Tiling;
 use acutile_core::transcribe;
 use acutile_core::with_dimension;
+use acutile_publish::report::Proved;
 use clap::Args;
 use serde_json::Value;
 use std::io::{self, Cursor};
@@ -74,7 +79,7 @@ pub struct CertifyArguments {
     pub reorient: bool,
     /// Prove and tell, but make no certificate and do not ask the kernel: for large meshes that
     /// are to be checked and not to be published
-    #[arg(long, conflicts_with = "output")]
+    #[arg(long, conflicts_with_all = ["output", "report"])]
     pub no_certificate: bool,
     /// How many defects of each kind to tell; all are counted. Without it 20, and with --json all
     #[arg(long, value_name = "N")]
@@ -96,6 +101,9 @@ pub struct CertifyArguments {
     /// Write the cells of the defects to this VTU file, for ParaView
     #[arg(long, value_name = "FILE.vtu")]
     pub defects: Option<PathBuf>,
+    /// Write a page to look at to this file: what is proved, and the defects of what is refuted, in red
+    #[arg(long, value_name = "FILE.html")]
+    pub report: Option<PathBuf>,
     /// One JSON object a line: one for each input, and for a refuted one then one for each defect
     #[arg(long)]
     pub json: bool,
@@ -127,16 +135,63 @@ pub fn run(arguments: &CertifyArguments, output: &mut Output) -> Outcome {
             return Outcome::Failed;
         }
     };
+    if let Some(input) = overwritten(&inputs, arguments.report.as_deref()) {
+        output.complain(format!(
+            "acutile: --report would overwrite the input {input}"
+        ));
+        return Outcome::Failed;
+    }
     let mut worst = Outcome::Done;
+    let mut articles = Vec::new();
     for (input, target) in inputs.iter().zip(targets) {
         let mut notes = Vec::new();
         let mut beside = Beside::default();
         let answer = prove(input, &target, arguments, &mut notes, &mut beside, output);
+        if arguments.report.is_some() {
+            match article(input, &answer, arguments) {
+                Ok(article) => articles.push(article),
+                Err(error) => {
+                    output.complain(format!("acutile: not on the page: {}", error.message));
+                    worst = worst.and(error.outcome);
+                }
+            }
+        }
         let answer = answer.write(&target, output);
         answer.report(input, &target, arguments, &notes, &beside, output);
         worst = worst.and(strictly(answer.outcome(), arguments, &beside));
     }
-    worst
+    match &arguments.report {
+        Some(path) if !articles.is_empty() => {
+            worst.and(report::write(&articles, Some(path.as_path()), output))
+        }
+        _ => worst,
+    }
+}
+
+/// What the page of --report has of an input.
+fn article(
+    input: &str,
+    answer: &Answer,
+    arguments: &CertifyArguments,
+) -> Result<Article, InputError> {
+    match answer {
+        Answer::Refuted(refuted) => Ok(Article::Refuted(Box::new(refuted.article(&stem(input))))),
+        Answer::Failed(message) | Answer::Declined(message) => {
+            let message = message.clone();
+            let outcome = answer.outcome();
+            Err(InputError { message, outcome })
+        }
+        Answer::Proved {
+            certificate: Written::Bytes(bytes),
+            ..
+        } => {
+            let limits = arguments.limits.limits();
+            Proved::of_certificate(stem(input), String::new(), bytes, &limits)
+                .map(|proved| Article::Proved(Box::new(proved)))
+                .map_err(|error| refused(input, &error))
+        }
+        _ => Err(format!("{input}: there is no page without a certificate").into()),
+    }
 }
 
 /// With --strict a proof counts as declined if elements that fill space were not checked.
@@ -215,7 +270,7 @@ fn prove(
     }
     let proved = with_dimension!(&named.tiling, AnyTiling, t => match arguments.no_certificate {
         true => examine_tiling(t, input, &options),
-        false => prove_tiling(t, input, &options, target, encoding(target, arguments)),
+        false => prove_tiling(t, input, &options, target, arguments),
     });
     let findings = match proved {
         Ok(answer) => return second::after_proof(answer, &named, arguments, beside),
@@ -326,6 +381,8 @@ pub(super) fn in_words<const D: usize>(tiling: &Tiling<D>, defect: &Defect) -> S
 fn defect_limit(arguments: &CertifyArguments) -> usize {
     if arguments.defects.is_some() {
         usize::MAX
+    } else if arguments.report.is_some() {
+        arguments.max_defects.unwrap_or(LISTED)
     } else if arguments.json {
         arguments.max_defects.unwrap_or(usize::MAX)
     } else {
@@ -381,12 +438,14 @@ fn prove_tiling<const D: usize>(
     name: &str,
     options: &Options,
     target: &Target,
-    encoding: Encoding,
+    arguments: &CertifyArguments,
 ) -> Result<Answer, NotProved> {
+    let encoding = encoding(target, arguments);
+    let has_page = arguments.report.is_some();
     let progress = Progress::of(name);
     let step = |step: &str| progress.step(step);
-    // CBOR that has a place goes there, and is never in memory.
-    if let (Encoding::Cbor, Target::File(path)) = (encoding, target)
+    // CBOR that has a place goes there, and is in memory only for a page.
+    if let (Encoding::Cbor, Target::File(path), false) = (encoding, target, has_page)
         && let Some(staged) = Staged::new(path).map_err(NotProved::Io)?
     {
         let confirmed = prove_to(tiling, options, &step, &mut staged.file())?;
@@ -396,7 +455,7 @@ fn prove_tiling<const D: usize>(
     let confirmed = prove_to(tiling, options, &step, &mut storage)?;
     let cbor = storage.into_inner();
     let bytes = match (encoding, target) {
-        (_, Target::Nowhere) => Vec::new(),
+        (_, Target::Nowhere) if !has_page => Vec::new(),
         (Encoding::Cbor, _) => cbor,
         (Encoding::Json, _) => {
             let json = print::to_json(&cbor);

@@ -134,7 +134,8 @@ fn kept(findings: &Findings) -> impl Iterator<Item = &Defect> {
     findings.kept().iter()
 }
 
-fn facets(defect: &Defect) -> Vec<Facet> {
+/// The facets that a defect names.
+pub(super) fn facets(defect: &Defect) -> Vec<Facet> {
     match defect {
         Defect::UnmatchedFacet { facet } | Defect::Covered { facet, .. } => vec![*facet],
         Defect::SameSide { facets: (a, b) } | Defect::BoundaryMeets { facets: (a, b), .. } => {

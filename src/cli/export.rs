@@ -28,7 +28,7 @@ pub struct ExportArguments {
     /// goldberg-1, -2 and -3, epsilon of two-corners
     #[arg(long, value_name = "VALUE", allow_hyphen_values = true)]
     pub param: Option<String>,
-    /// Write the certificate's claim as a theorem for Coq (see proofs/README.md)
+    /// Write the certificate's bytes and its claim as a theorem for Coq (see proofs/README.md)
     #[arg(long, conflicts_with_all = ["supercell", "param"])]
     pub coq: bool,
     /// Repeat the cell N times in each direction of the lattice
@@ -57,7 +57,7 @@ fn theorem(path: &str) -> Result<String, InputError> {
     let cbor = transcribe::cbor(path, &bytes)?;
     let certificate =
         format::read::certificate(&cbor).map_err(|error| format!("{path}: {error}"))?;
-    Ok(coq_theorem(&certificate).map_err(|reason| format!("{path}: {reason}"))?)
+    Ok(coq_theorem(&cbor, &certificate.claim).map_err(|reason| format!("{path}: {reason}"))?)
 }
 
 fn tiling_file(arguments: &ExportArguments, output: &mut Output) -> Result<String, InputError> {

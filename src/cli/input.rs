@@ -269,6 +269,14 @@ pub enum TextOrMesh {
 ///
 /// # Errors
 /// A message that names the file.
+/// The bytes after a byte order mark.
+fn without_mark(mut bytes: Vec<u8>) -> Vec<u8> {
+    if bytes.starts_with(b"\xef\xbb\xbf") {
+        bytes.drain(..3);
+    }
+    bytes
+}
+
 pub fn text_or_mesh(path: &Path, options: &MeshArguments) -> Result<TextOrMesh, InputError> {
     let of_mesh = |error| InputError::of_mesh(&path.display().to_string(), &error);
     if let Some(family) = options.mesh_format {
@@ -280,7 +288,7 @@ pub fn text_or_mesh(path: &Path, options: &MeshArguments) -> Result<TextOrMesh, 
         return loaded.map(TextOrMesh::Mesh).map_err(of_mesh);
     }
     let of_file = |error| InputError::of_file(path, &error);
-    let bytes = read_bytes(path, BYTE_LIMIT).map_err(of_file)?;
+    let bytes = without_mark(read_bytes(path, BYTE_LIMIT).map_err(of_file)?);
     if let Some(family) = Family::of_content(&bytes) {
         let mesh = family.read(&bytes).map_err(of_mesh)?;
         return Ok(TextOrMesh::Mesh(load::Loaded { mesh, family }));

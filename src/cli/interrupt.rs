@@ -9,6 +9,7 @@ use std::fs::{self, File};
 use std::io;
 use std::path::{Path, PathBuf};
 use std::process;
+use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::{Mutex, MutexGuard, PoisonError};
 use tempfile::NamedTempFile;
 
@@ -16,6 +17,17 @@ use tempfile::NamedTempFile;
 const INTERRUPTED: i32 = 130;
 
 static OPEN: Mutex<BTreeSet<PathBuf>> = Mutex::new(BTreeSet::new());
+
+/// Whether the first signal only asks the work to end.
+static IS_GENTLE: AtomicBool = AtomicBool::new(false);
+/// Whether it has asked.
+static IS_ASKED: AtomicBool = AtomicBool::new(false);
+
+/// From now on the first signal sets the value that is returned, and the second one ends the program.
+pub fn gently() -> &'static AtomicBool {
+    IS_GENTLE.store(true, Ordering::Relaxed);
+    &IS_ASKED
+}
 
 /// Whoever panicked with the lock left a list that is good still.
 fn open() -> MutexGuard<'static, BTreeSet<PathBuf>> {
@@ -26,6 +38,9 @@ fn open() -> MutexGuard<'static, BTreeSet<PathBuf>> {
 /// changed: the program is to live on.
 pub fn listen() {
     let _ = ctrlc::try_set_handler(|| {
+        if IS_GENTLE.load(Ordering::Relaxed) && !IS_ASKED.swap(true, Ordering::Relaxed) {
+            return;
+        }
         let open = open();
         for path in open.iter() {
             let _ = fs::remove_file(path);

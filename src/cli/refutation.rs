@@ -158,7 +158,7 @@ impl Refuted {
     }
 
     /// The corners of each simplex of a defect with their coordinates, the first few simplices.
-    fn places<const D: usize>(
+    pub(super) fn places<const D: usize>(
         &self,
         tiling: &Tiling<D>,
         names: &Names,
@@ -186,7 +186,7 @@ impl Refuted {
         }
     }
 
-    fn told<const D: usize>(&self, advice: &Advice<D>, names: &Names) -> String {
+    pub(super) fn told<const D: usize>(&self, advice: &Advice<D>, names: &Names) -> String {
         in_words(advice, names, &|point| self.point(point))
     }
 }
@@ -215,7 +215,12 @@ pub fn names<'a, const D: usize>(
     .exact(is_exact)
 }
 
-fn advice<const D: usize>(adviser: &Adviser<D>, defect: &Defect, index: usize) -> Vec<Advice<D>> {
+/// The first defects of a kind get advice.
+pub(super) fn advice<const D: usize>(
+    adviser: &Adviser<D>,
+    defect: &Defect,
+    index: usize,
+) -> Vec<Advice<D>> {
     match index < ADVISED {
         true => adviser.advice(defect),
         false => Vec::new(),

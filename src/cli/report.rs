@@ -1,13 +1,13 @@
-//! `acutile report`: a page to look at.
+//! `acutile report`: a page to look at, of proved and of refuted tilings.
 
 use super::input::FileArguments;
 use super::limits::LimitArguments;
 use super::outcome::Outcome;
 use super::output::{Output, write_text};
-use super::proved::{overwritten, proved};
-use acutile_publish::report::page;
+use super::proved::{overwritten, shown};
+use acutile_publish::report::{Proved, Refutation, Shown, mixed_page};
 use clap::Args;
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
 #[derive(Debug, Args)]
 pub struct ReportArguments {
@@ -23,22 +23,49 @@ pub struct ReportArguments {
     pub limits: LimitArguments,
 }
 
-/// Writes the page; nothing is written where an input is not proved.
+/// An article of a page.
+pub enum Article {
+    Proved(Box<Proved>),
+    Refuted(Box<Refutation>),
+}
+
+impl Article {
+    fn shown(&self) -> Shown<'_> {
+        match self {
+            Article::Proved(proved) => Shown::Proved(proved),
+            Article::Refuted(refutation) => Shown::Refuted(refutation),
+        }
+    }
+}
+
+/// Writes the page; nothing is written where an input is neither proved nor refuted.
 pub fn run(arguments: &ReportArguments, output: &mut Output) -> Outcome {
     if let Some(input) = overwritten(&arguments.inputs, arguments.output.as_deref()) {
         output.complain(format!("acutile: -o would overwrite the input {input}"));
         return Outcome::Failed;
     }
     let limits = arguments.limits.limits();
-    let mut tilings = Vec::new();
+    let mut articles = Vec::new();
+    let mut worst = Outcome::Done;
     for input in &arguments.inputs {
-        match proved(input, &arguments.file, &limits, output) {
-            Ok(tiling) => tilings.push(tiling),
+        match shown(input, &arguments.file, &limits, output) {
+            Ok(article) => articles.push(article),
             Err(error) => {
                 output.complain(format!("acutile: {}", error.message));
                 return error.outcome;
             }
         }
+        if let Some(Article::Refuted(refutation)) = articles.last() {
+            let verdict = refutation.verdict.trim_start_matches("Refuted: ");
+            output.complain(format!("acutile: {input}: refuted: {verdict}"));
+            worst = Outcome::Refuted;
+        }
     }
-    write_text(arguments.output.as_deref(), &page(&tilings, None), output)
+    worst.and(write(&articles, arguments.output.as_deref(), output))
+}
+
+/// Writes the page of these articles.
+pub fn write(articles: &[Article], path: Option<&Path>, output: &mut Output) -> Outcome {
+    let shown: Vec<Shown> = articles.iter().map(Article::shown).collect();
+    write_text(path, &mixed_page(&shown, None), output)
 }

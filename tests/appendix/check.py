@@ -97,7 +97,7 @@ def data_lines(text):
             places += [offset + i for i, c in enumerate(line) if c.isdigit()]
         elif inside is True or single:
             single -= bool(single)
-            if not line.startswith(("\\end{", "which", "\\[\\begin{aligned}")):
+            if not line.startswith(("\\end{", "which", "\\[ \\acutilefit{$\\begin{aligned}")):
                 places += [offset + i for i, c in enumerate(line) if c.isdigit()]
         offset += len(line) + 1
     return places

@@ -143,6 +143,8 @@ def shift(text, rank):
 
 
 def mate(text, rank):
+    if text == "\\partial":
+        return [-1]
     match = re.fullmatch(r"\\partial_\{(\d+)\}", text)
     if match:
         return [int(match.group(1))]

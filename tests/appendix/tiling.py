@@ -43,7 +43,7 @@ class Certificate:
         self.vertices = self.points(self.witness)
         domain = self.claim["domain"]
         self.kind, self.polytope = (domain, None) if isinstance(domain, str) else domain
-        self.rank = {"space": self.d, "slab": self.d - 1, "prism": 1, "solid": 0}[self.kind]
+        self.rank = self.polytope if self.kind == "region" else {"space": self.d, "slab": self.d - 1, "prism": 1, "solid": 0}[self.kind]
         rows = [row[:self.d + 1] for row in self.witness["simplices"]]
         self.simplices = [[self.full(corner) for corner in row] for row in rows]
         self.mates = self.pairing()
@@ -76,6 +76,10 @@ class Certificate:
         return mates
 
     def face(self, corners):
+        """Region: -1. Otherwise as follows."""
+        return -1 if self.kind == "region" else self.face_of_polytope(corners)
+
+    def face_of_polytope(self, corners):
         """The first face of the polytope in whose plane these corners are."""
         vertices, k = self.points(self.polytope), self.d - self.rank
         points = [self.position(list(corner))[self.rank:] for corner in corners]

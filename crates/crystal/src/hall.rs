@@ -4,6 +4,7 @@
 //! section 1.4, appendix A1.4.2. A symbol is a lattice letter, up to four generators, and a change of
 //! basis in parentheses. Where quotes cannot be used, `=` stands for `"`.
 
+use crate::change::Change;
 use crate::motion::{IDENTITY, Motion, Rotation, Vector, closure};
 use malachite::Rational;
 
@@ -29,11 +30,7 @@ pub fn group(symbol: &str) -> Result<Vec<Motion>, String> {
         motions.push(generator.motion()?);
     }
     if let Some(change) = change {
-        let shift = change_of_origin(change)?;
-        motions = motions
-            .into_iter()
-            .map(|motion| moved(motion, &shift))
-            .collect();
+        motions = Change::parse(change)?.apply(&motions)?;
     }
     closure(&motions).ok_or_else(|| "generates no space group".to_owned())
 }
@@ -237,44 +234,4 @@ fn rotation(order: u8, axis: Axis, reference: Axis) -> Option<Rotation> {
         }
     }
     Some(rotation)
-}
-
-/// Three numbers in twelfths, or `x+1/4,y,z`. Only the origin may move: another basis is not the
-/// basis of the file.
-fn change_of_origin(text: &str) -> Result<Vector, String> {
-    let wrong =
-        || format!("has ({text}), expected a shift of the origin like (0 0 -1), in twelfths");
-    let words: Vec<&str> = text.split_ascii_whitespace().collect();
-    if let [x, y, z] = words[..]
-        && !text.contains(',')
-    {
-        let number = |word: &str| word.parse::<i32>().map(i64::from).map_err(|_| wrong());
-        return Ok(twelfths([number(x)?, number(y)?, number(z)?]));
-    }
-    let parts: Vec<String> = text
-        .split(',')
-        .map(|part| part.split_ascii_whitespace().collect())
-        .collect();
-    let [x, y, z] = &parts[..] else {
-        return Err(wrong());
-    };
-    let mut shift = twelfths([0; 3]);
-    for (k, (part, axis)) in [(x, "x"), (y, "y"), (z, "z")].into_iter().enumerate() {
-        let rest = part.strip_prefix(axis).ok_or_else(wrong)?;
-        if !rest.is_empty() {
-            let rest = rest.strip_prefix('+').unwrap_or(rest);
-            shift[k] = rest.parse().map_err(|()| wrong())?;
-        }
-    }
-    Ok(shift)
-}
-
-/// V S V^-1 for V = x -> x + v: t becomes t + v - R v.
-fn moved(motion: Motion, shift: &Vector) -> Motion {
-    let turned = crate::motion::rotated(&motion.rotation, shift);
-    let translation = std::array::from_fn(|k| &motion.translation[k] + &shift[k] - &turned[k]);
-    Motion {
-        translation,
-        ..motion
-    }
 }

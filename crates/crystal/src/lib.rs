@@ -3,7 +3,8 @@
 //! | module | contents |
 //! |---|---|
 //! | `motion` | x -> R x + t with R integral and t rational; groups of them modulo the lattice |
-//! | `hall` | Hall symbols, parsed into groups |
+//! | `extra` | settings beyond the 530 |
+//! | `hall`, `change` | Hall symbols, parsed into groups; changes of basis after them |
 //! | `setting` | the 530 settings of the tables, found by Hermann-Mauguin symbol or number |
 //! | `lattice` | the lattice of all translations of a group, and the change to a basis of it |
 //! | `symmetry` | all motions that keep a point set with kinds of points |
@@ -15,6 +16,8 @@
 //! works in doubles. It only proposes: every transformation is made exact and checked exactly.
 //! The crate knows no file.
 
+mod change;
+mod extra;
 pub mod hall;
 pub mod identify;
 mod lattice;

@@ -1,9 +1,10 @@
-//! The 530 settings of the tables, by Hermann-Mauguin symbol or number.
+//! The 530 settings of the tables, and 34 more, by Hermann-Mauguin symbol or number.
 //!
-//! The list is moyo's, with the symbols of International Tables A. A symbol is looked up without
+//! The list of the 530 is moyo's, with the symbols of International Tables A. A symbol is looked up without
 //! blanks; the full symbol, the short one, the older ones without `e` and `-3`, and those of SHELX are
 //! known. `:1`, `:2`, `:H`, `:R` or the letters S, Z, H, R after it choose among settings.
 
+use crate::extra::EXTRA;
 use crate::hall;
 use crate::motion::Motion;
 use moyo::data::{HallSymbolEntry, hall_symbol_entry};
@@ -13,7 +14,7 @@ use std::sync::LazyLock;
 /// A setting of a space group.
 #[derive(Clone, Debug)]
 pub struct Setting {
-    /// 1 to 530.
+    /// 1 to 530 for the settings of the tables, more for others.
     pub index: i32,
     /// 1 to 230.
     pub number: u16,
@@ -36,6 +37,18 @@ impl Setting {
             full: plain(entry.hm_full),
             short: plain(entry.hm_short),
             choice: entry.setting,
+        }
+    }
+
+    /// A setting beyond the 530.
+    fn extra(index: i32, (number, symbol, hall): (u16, &str, &'static str)) -> Setting {
+        Setting {
+            index,
+            number,
+            hall,
+            full: symbol.to_owned(),
+            short: symbol.to_owned(),
+            choice: "",
         }
     }
 
@@ -65,20 +78,26 @@ impl Setting {
     }
 }
 
-/// All settings in order.
+/// The settings of the tables.
+const TABULATED: i32 = 530;
+
+/// All settings in order, those of the tables first.
 pub fn settings() -> &'static [Setting] {
     static SETTINGS: LazyLock<Vec<Setting>> = LazyLock::new(|| {
-        (1..=530)
+        let tabulated = (1..=TABULATED)
             .filter_map(hall_symbol_entry)
-            .map(Setting::of)
-            .collect()
+            .map(Setting::of);
+        let extra = (TABULATED + 1..).zip(EXTRA);
+        let extra = extra.map(|(index, row)| Setting::extra(index, row));
+        tabulated.chain(extra).collect()
     });
     &SETTINGS
 }
 
-/// The settings of a number.
+/// The settings of a number that the tables have.
 pub fn of_number(number: u16) -> Vec<&'static Setting> {
-    settings().iter().filter(|s| s.number == number).collect()
+    let tabulated = settings().iter().filter(|s| s.index <= TABULATED);
+    tabulated.filter(|s| s.number == number).collect()
 }
 
 /// A symbol that was looked up.

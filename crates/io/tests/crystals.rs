@@ -545,11 +545,17 @@ fn other_formats() {
         shrunk.points.frame.gram[0][0].to_rational(),
         Some(&(&edge * &edge))
     );
+    // A volume of 100 has the edge 100^(1/3), and 100^(2/3) = 21.5443469003188372...
+    let irrational = open("POSCAR", &POSCAR.replacen("1.0", "-100", 1)).expect("rounded");
+    let square = irrational.points.frame.gram[0][0].approximate();
+    assert!((square - 21.544_346_900_318_84).abs() < 1e-10, "{square}");
+    let notes = irrational.notes.join("\n");
+    assert!(notes.contains("irrational, and rounded to"), "{notes}");
     for (name, text, words) in [
         (
             "POSCAR",
-            POSCAR.replacen("1.0", "-100", 1),
-            "line 2: found \"-100\", a volume",
+            POSCAR.replacen("1.0", "0", 1),
+            "line 2: found \"0\", expected a scale or a volume that is not 0",
         ),
         (
             "POSCAR",

@@ -43,13 +43,16 @@ pub const ENTRIES: &[Entry] = &[
         "the infinite square prism: mirror images of the cube",
         || space(cube::square_prism()),
     ),
-    with_planes(large(
-        "cube-space",
-        SPACE,
-        CUBES,
-        "space with three families of mirror planes: cubes in 2,715 tetrahedra",
-        || space(cube::cube_space()),
-    ), &["plane:x1+x2=0", "plane:x1+x3=0", "plane:x2+x3=0"]),
+    with_planes(
+        large(
+            "cube-space",
+            SPACE,
+            CUBES,
+            "space with three families of mirror planes: cubes in 2,715 tetrahedra",
+            || space(cube::cube_space()),
+        ),
+        &["plane:x1+x2=0", "plane:x1+x3=0", "plane:x2+x3=0"],
+    ),
     family(
         "box:",
         SOLID,

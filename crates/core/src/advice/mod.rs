@@ -7,12 +7,14 @@
 mod hole;
 mod motion;
 mod nearest;
+mod off_face;
 mod overlap;
 mod place;
 
 pub use hole::Hole;
 pub use motion::{Motion, motion};
 pub use nearest::Near;
+pub use off_face::OffFace;
 pub use overlap::{Overlap, common_point, overlap};
 
 use crate::checker::Defect;
@@ -29,6 +31,8 @@ use std::collections::BTreeMap;
 pub enum Advice<const D: usize> {
     /// Another facet without a mate lies near.
     Near(Near<D>),
+    /// A vertex misses a face of the domain.
+    OffFace(OffFace),
     /// The facets around a hole.
     Hole(Hole<D>),
     /// Two simplices with a common inner point.
@@ -64,6 +68,10 @@ impl<'t, const D: usize> Adviser<'t, D> {
     pub fn advice(&self, defect: &Defect) -> Vec<Advice<D>> {
         match defect {
             Defect::UnmatchedFacet { facet } => self.about_unmatched(*facet),
+            Defect::VertexOutside { vertex, face, .. } => {
+                let off = off_face::of_vertex(self.tiling, *vertex, *face);
+                off.map(Advice::OffFace).into_iter().collect()
+            }
             Defect::SameSide { facets: (a, b) } => self.about_pair(*a, *b),
             Defect::OverusedFacet { facets } => self.about_overused(facets),
             Defect::BoundaryMeets { facets: (a, b), .. } => {
@@ -79,6 +87,10 @@ impl<'t, const D: usize> Adviser<'t, D> {
     }
 
     fn about_unmatched(&self, facet: Facet) -> Vec<Advice<D>> {
+        let off = off_face::of_facet(self.tiling, facet);
+        if !off.is_empty() {
+            return off.into_iter().map(Advice::OffFace).collect();
+        }
         let hole = self.holes().get(&facet).cloned();
         let is_filled = hole.as_ref().is_some_and(|hole| hole.missing.is_some());
         // Where one simplex is missing, no facet is off.
@@ -179,6 +191,7 @@ impl<const D: usize> Advice<D> {
                 near.squared_distance,
                 root(&near.squared_distance),
             ),
+            Advice::OffFace(off) => off.to_string(),
             Advice::Hole(hole) => match &hole.missing {
                 Some(missing) => format!(
                     "the hole behind it is one simplex: adding [{}] closes it",
@@ -236,7 +249,7 @@ pub(crate) fn moved(shift: &[i32]) -> String {
 }
 
 /// A decimal upper bound of a square root.
-fn root(square: &Number) -> String {
+pub(crate) fn root(square: &Number) -> String {
     let width = Rational::from_signeds(1, 10_000_000_000_000i64);
     rounded_up(&square.enclosure_of_root(&width).1, 9)
 }

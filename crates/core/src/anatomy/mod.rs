@@ -9,7 +9,7 @@
 mod surface;
 mod union;
 
-pub use surface::{Kind, Surface};
+pub use surface::{Kind, Surface, facet_corners};
 pub use union::Union;
 
 use crate::tiling::{Corner, Facet, Matching, SimplexId, Tiling, VertexId};

@@ -57,7 +57,7 @@ pub(super) fn check_region_beside<const D: usize>(
 
 /// So many pairs of facets in the boundary are compared exactly: some, and for each facet some
 /// more. Meshes of solids have a few dozens for each facet.
-const PAIRS: usize = 8_000_000;
+const PAIRS: usize = 4_000_000;
 const PAIRS_PER_FACET: usize = 30;
 /// So many facets are moved by lattice vectors, beside a few for each facet.
 const COPIES: usize = 200_000;

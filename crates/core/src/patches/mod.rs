@@ -6,6 +6,7 @@
 
 pub mod derive;
 mod prove;
+mod read;
 mod words;
 
 pub use prove::{Theorem, certificate, prove};

@@ -16,9 +16,9 @@ use malachite::Integer;
 /// A certificate of the kind `patches` that the kernel has confirmed.
 #[derive(Debug)]
 pub struct Theorem {
-    certificate: Vec<u8>,
-    verified: Verified,
-    statements: Vec<Statement>,
+    pub(super) certificate: Vec<u8>,
+    pub(super) verified: Verified,
+    pub(super) statements: Vec<Statement>,
 }
 
 impl Theorem {

@@ -123,6 +123,18 @@ impl Polytope {
     }
 }
 
+impl<S> Plane<S> {
+    /// The coefficients of the affine function, for up to three coordinates; the others are zero.
+    pub fn normal(&self) -> &[S; 3] {
+        &self.normal
+    }
+
+    /// The value that n · x has on the plane.
+    pub fn offset(&self) -> &S {
+        &self.offset
+    }
+}
+
 impl<S: RingElement> Plane<S> {
     /// Positive inside, zero on the plane, negative outside.
     pub fn value(&self, point: &[S]) -> S {

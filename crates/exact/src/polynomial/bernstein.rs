@@ -30,6 +30,12 @@ pub fn is_nonnegative<C: Coefficient>(p: &Polynomial<C>, cuboid: &Cuboid) -> Opt
     Some(Table::of(p, cuboid)?.none_negative())
 }
 
+/// The coefficients in the order of their indices, the last axis fastest, all times one positive
+/// number and without the binomial factors.
+pub fn coefficients<C: Coefficient>(p: &Polynomial<C>, cuboid: &Cuboid) -> Option<Vec<C>> {
+    Some(Table::of(p, cuboid)?.entries)
+}
+
 /// Coefficients by their indices on all axes, the last axis fastest.
 struct Table<C> {
     /// The degree on each axis.

@@ -35,8 +35,6 @@ pub enum ImportError {
     Limit { place: String, problem: String },
     /// A number that cannot be read.
     Number { place: String, error: ReadError },
-    /// A byte order mark before the text.
-    ByteOrderMark,
 }
 
 impl ImportError {
@@ -98,12 +96,6 @@ impl fmt::Display for ImportError {
                 write!(f, "{place}: {problem}")
             }
             ImportError::Number { place, error } => write!(f, "{place}: {error}"),
-            ImportError::ByteOrderMark => {
-                write!(
-                    f,
-                    "begins with a byte order mark, expected JSON without one"
-                )
-            }
         }
     }
 }

@@ -42,11 +42,9 @@ const POINTS: &str = "acutile-points";
 /// # Errors
 /// [`ImportError`], naming line and column for JSON and the entry otherwise.
 pub fn read_native(text: &str) -> Result<NativeFile, ImportError> {
+    let text = text.trim_start_matches('\u{feff}');
     if text.trim().is_empty() {
         return Err(ImportError::Empty);
-    }
-    if text.starts_with('\u{feff}') {
-        return Err(ImportError::ByteOrderMark);
     }
     let text = &*without_comments(text);
     let header: Header = serde_json::from_str(text).map_err(ImportError::Json)?;

@@ -26,6 +26,11 @@ pub fn read_text(bytes: &[u8]) -> Result<Mesh, MeshError> {
                 let count = source.int("the number of tetrahedra")?;
                 medit.cells::<4>(&mut source, count)?;
             }
+            b"TetrahedraP2" => {
+                let count = source.int("the number of tetrahedra")?;
+                medit.cells::<10>(&mut source, count)?;
+            }
+            b"TetrahedraP2Ordering" => return Err(other_order(&source)),
             b"Triangles" => {
                 let count = source.int("the number of triangles")?;
                 medit.cells::<3>(&mut source, count)?;
@@ -103,6 +108,11 @@ pub fn read_binary(bytes: &[u8]) -> Result<Mesh, MeshError> {
                 let count = medit.integer(&mut source, "the number of tetrahedra")?;
                 medit.cells::<4>(&mut source, count)?;
             }
+            30 => {
+                let count = medit.integer(&mut source, "the number of tetrahedra")?;
+                medit.cells::<10>(&mut source, count)?;
+            }
+            TETRAHEDRA_P2_ORDERING => return Err(other_order(&source)),
             6 => {
                 let count = medit.integer(&mut source, "the number of triangles")?;
                 medit.cells::<3>(&mut source, count)?;
@@ -136,13 +146,26 @@ fn go_to(source: &mut Source, next: i64) -> Result<(), MeshError> {
     }
 }
 
+/// The number of the keyword by which a file gives the nodes of second-order tetrahedra another order
+/// (libmeshb7.h).
+const TETRAHEDRA_P2_ORDERING: i64 = 133;
+
+fn other_order(source: &Source) -> MeshError {
+    MeshError {
+        is_limit: true,
+        ..source.error(
+            "found TetrahedraP2Ordering, expected second-order tetrahedra with the nodes in the \
+             usual order",
+        )
+    }
+}
+
 fn keyword_name(keyword: i64) -> String {
     match keyword {
         5 => "Edges".to_owned(),
         7 => "Quadrilaterals".to_owned(),
         9 => "Prisms".to_owned(),
         10 => "Hexahedra".to_owned(),
-        30 => "TetrahedraP2".to_owned(),
         49 => "Pyramids".to_owned(),
         _ => format!("keyword {keyword}"),
     }
@@ -225,7 +248,8 @@ impl Medit {
         Ok(())
     }
 
-    /// `node … reference` for each tetrahedron or triangle.
+    /// `node … reference` for each tetrahedron or triangle. Of second order, a tetrahedron has its
+    /// middle nodes in VTK's order, as Gmsh writes it.
     fn cells<const N: usize>(&mut self, source: &mut Source, count: i64) -> Result<(), MeshError> {
         let count = source.count(count, source.least_bytes(N + 1, 4), "cells")?;
         self.cells.reserve(count);
@@ -249,7 +273,6 @@ impl Medit {
             "Prisms" => "prisms",
             "Hexahedra" | "Hexaedra" => "hexahedra",
             "Pyramids" => "pyramids",
-            "TetrahedraP2" => "second-order tetrahedra",
             _ => return self.draft.pass(format!("{count} {keyword}")),
         };
         self.draft.count_other(name, count);

@@ -53,11 +53,11 @@ pub fn read_elements(bytes: &[u8], mut draft: Draft, index: &Index) -> Result<Me
     let count: usize = head.parsed(0, "the number of elements")?;
     let corners = match head.entry(1, "the nodes of an element")? {
         0 => 4,
-        found @ (3 | 4) => found,
+        found @ (3 | 4 | 10) => found,
         found => {
             let problem = format!(
-                "found {found} nodes in an element, expected 4, or 3 for triangles (the option \
-                 -o2 gives 10 or 6)"
+                "found {found} nodes in an element, expected 4, 10 for tetrahedra of second order, \
+                 or 3 for triangles"
             );
             return Err(MeshError {
                 is_limit: true,
@@ -70,9 +70,12 @@ pub fn read_elements(bytes: &[u8], mut draft: Draft, index: &Index) -> Result<Me
     let mut fractional = false;
     for _ in 0..count {
         let line = lines.next("an element")?;
-        let mut nodes = [0; 4];
+        let mut nodes = [0; 10];
         for (k, node) in nodes[..corners].iter_mut().enumerate() {
             *node = line.parsed(1 + k, "a node number, an integer")?;
+        }
+        if corners == 10 {
+            nodes = vtk_order(nodes);
         }
         let label = match attributes {
             0 => 0.0,
@@ -113,10 +116,20 @@ fn check_count(head: &Line, count: usize, length: usize, what: &str) -> Result<(
     }
 }
 
+/// TetGen 1.5 with -o2 has the middle nodes on the edges 23, 03, 01, 12, 13 and 02; VTK on 01, 12, 02,
+/// 03, 13 and 23.
+fn vtk_order([a, b, c, d, cd, ad, ab, bc, bd, ac]: [i64; 10]) -> [i64; 10] {
+    [a, b, c, d, ab, bc, ac, ad, bd, cd]
+}
+
 /// Exchanges the last two corners of all tetrahedra.
 fn turn(mesh: &mut Mesh) {
     for corners in &mut mesh.tetrahedra {
         corners.swap(2, 3);
+    }
+    for middles in mesh.curved.values_mut() {
+        let [ab, bc, ac, ad, bd, cd] = *middles;
+        *middles = [ab, bd, ad, ac, bc, cd];
     }
     mesh.turned = mesh.tetrahedra.len();
 }

@@ -81,8 +81,12 @@ pub fn boundary<const D: usize>(analysis: &Analysis<D>) -> String {
         .collect();
     let function = match polytope.dimension() {
         1 => "the distance in the last coordinate",
-        2 => "the determinant that is zero on the line of the face and positive at the other corners of $P$",
-        _ => "the determinant that is zero on the plane of the face and positive at the other corners of $P$",
+        2 => {
+            "the determinant that is zero on the line of the face and positive at the other corners of $P$"
+        }
+        _ => {
+            "the determinant that is zero on the plane of the face and positive at the other corners of $P$"
+        }
     };
     format!(
         "\\acutileparagraph{{Boundary (B).}} For each face let $\\ell$ be {function}. Its values at the vertices, all at least $0$, are\n% acutile:boundary {}\n{}.\n\n",

@@ -12,7 +12,7 @@ use super::rational::interval;
 use super::subject::Analysis;
 use super::tex::{counted, simplices, table_fits, tabular, width};
 use super::theorem::{fits, matrix};
-use acutile_core::quality::{DihedralAngle, Exact};
+use acutile_core::quality::{DihedralAngle, Exact, measures};
 use acutile_core::tiling::SimplexId;
 use acutile_exact::geometry::linear;
 use acutile_exact::number::Number;
@@ -56,25 +56,40 @@ fn block<const D: usize>(analysis: &Analysis<D>, class: usize) -> String {
     let shape = &analysis.shapes[class];
     let first = shape.members[0];
     let edges = &analysis.edges[first.index()];
-    let (count, orbits) = (
-        shape.members.len(),
-        orbits_in(analysis, &shape.members),
-    );
+    let (count, orbits) = (shape.members.len(), orbits_in(analysis, &shape.members));
     let signs = Signs::of::<D>(analysis, edges);
     let factorial: i64 = (1..=D as i64).product();
     let volume = analysis.tiling.shape(first).determinant
         * Number::from(Rational::from_signeds(1, factorial));
     format!(
-        "\\acutileparagraph{{Class {class}.}} ${count}$ {kind} in {orbits}, {each}of volume ${volume}$ cells; the first is $T_{{{first}}}$. Squared edges:\n\
-         % acutile:edges {slug} {class}\n{edges}.\n{signs}{table}\n",
+        "\\begin{{acutilekeep}}\n\\acutileparagraph{{Class {class}.}} ${count}$ {kind} in {orbits}, {each}of volume ${volume}$ cells; the first is $T_{{{first}}}$. Squared edges:\n\
+         % acutile:edges {slug} {class}\n{edges}.\n{radius}{signs}{table}\\end{{acutilekeep}}\n\n",
         kind = simplices(D, count),
         orbits = counted(orbits, "orbit"),
         each = if count == 1 { "" } else { "each " },
         volume = analysis.numerals.inline(&volume),
         slug = analysis.subject.slug(),
         edges = squared_edges::<D>(analysis, edges),
+        radius = radius(analysis, first, edges),
         signs = signs.matrices(analysis),
         table = signs.table(analysis, class, first),
+    )
+}
+
+/// The squared circumradius, the shortest squared edge and their quotient.
+fn radius<const D: usize>(analysis: &Analysis<D>, first: SimplexId, edges: &[Number]) -> String {
+    let (Some(ratio), Some(shortest)) = (
+        measures(analysis.tiling, first).map(|m| m.radius_edge.square),
+        edges.iter().min(),
+    ) else {
+        return String::new();
+    };
+    let numerals = &analysis.numerals;
+    format!(
+        "The shortest is $l={}$. The squared circumradius is $R^2={}$, and $R^2/l={}$.\n",
+        numerals.inline(shortest),
+        numerals.inline(&(&ratio * shortest)),
+        numerals.inline(&ratio),
     )
 }
 
@@ -93,6 +108,14 @@ pub fn pairs<const D: usize>() -> Vec<(usize, usize)> {
     (0..=D)
         .flat_map(|i| (i + 1..=D).map(move |j| (i, j)))
         .collect()
+}
+
+/// The facets i < j at each angle, in the order of the edges 01, 02, … or corners 0, 1, … where the
+/// angles are.
+fn facet_pairs<const D: usize>() -> Vec<(usize, usize)> {
+    let mut pairs = pairs::<D>();
+    pairs.reverse();
+    pairs
 }
 
 fn squared_edges<const D: usize>(analysis: &Analysis<D>, edges: &[Number]) -> String {
@@ -165,12 +188,12 @@ impl Signs {
             .collect();
         let (first, second) = match (fits(&both, LINE), fits(&normals, LINE)) {
             (true, _) => (
-                format!("\\[ Q={},\\qquad ", matrix(&inner)),
-                format!("N={}. \\]", matrix(&normals)),
+                format!("\\[ \\acutilefit{{$Q={},\\qquad ", matrix(&inner)),
+                format!("N={}.$}} \\]", matrix(&normals)),
             ),
             (false, true) => (
-                format!("\\[ Q={}, \\]\n", matrix(&inner)),
-                format!("\\[ N={}. \\]", matrix(&normals)),
+                format!("\\[ \\acutilefit{{$Q={},$}} \\]\n", matrix(&inner)),
+                format!("\\[ \\acutilefit{{$N={}.$}} \\]", matrix(&normals)),
             ),
             _ => (
                 entries("q", &inner, 1, true) + "; ",
@@ -199,7 +222,7 @@ impl Signs {
         first: SimplexId,
     ) -> String {
         let products = analysis.products(first);
-        let pairs = pairs::<D>();
+        let pairs = facet_pairs::<D>();
         let signs: Vec<[String; 2]> = pairs.iter().map(|&p| self.sign(analysis, p)).collect();
         let cosines: Vec<[String; 3]> = pairs
             .iter()

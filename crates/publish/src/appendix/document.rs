@@ -2,37 +2,47 @@
 //! supplement with the long tables, the bibliography, and the certificates.
 
 use super::bibliography::{FORMATTED, REFERENCES};
+use super::names;
 use super::overview;
 use super::subject::Subject;
+use super::tex::escape;
 use super::{File, Options, Parts};
 use sha2::{Digest, Sha256};
 
 const MACROS: &str = include_str!("macros.tex");
+const FAMILIES: &str = include_str!("families.tex");
+const PATCHES: &str = include_str!("patches.tex");
+const REGIONS: &str = include_str!("regions.tex");
 const SOUNDNESS: &str = include_str!("soundness.tex");
 
 /// All files, in the order of their names.
 pub fn files(subjects: &[Subject], parts: Vec<Parts>, options: &Options) -> Vec<File> {
+    let rows: Vec<String> = parts.iter().filter_map(|part| part.row.clone()).collect();
+    let has_overview = rows.len() > 1;
     let mut files = vec![
-        text("main.tex", main(options)),
+        text("main.tex", main(subjects, options)),
         text("supplement.tex", supplement(subjects, options)),
-        text("appendix.tex", fragment(subjects)),
+        text("appendix.tex", fragment(subjects, has_overview, options)),
         text("acutile-macros.tex", MACROS.to_owned()),
-        text("soundness.tex", SOUNDNESS.to_owned()),
+        text("soundness.tex", soundness(subjects)),
         text("refs.bib", versioned(REFERENCES)),
     ];
-    let rows = parts.iter().filter_map(|part| part.row.clone()).collect();
     files.push(text("overview.tex", overview::table(rows, subjects)));
     let sections = parts.iter().map(|part| part.section.as_str());
     let cited: Vec<&str> = sections.chain([SOUNDNESS]).collect();
     files.push(text(
         "main.bbl",
-        versioned(&cited_only(&cited, subjects.len() > 1)),
+        versioned(&cited_only(&cited, has_overview)),
     ));
     for (subject, part) in subjects.iter().zip(parts) {
-        files.push(text(
-            &format!("tiling-{}.tex", subject.slug()),
-            part.section,
-        ));
+        let (section, wide) = match options.two_column {
+            true => without_long_tables(&part.section),
+            false => (part.section, String::new()),
+        };
+        files.push(text(&format!("tiling-{}.tex", subject.slug()), section));
+        if options.two_column {
+            files.push(text(&format!("wide-{}.tex", subject.slug()), wide));
+        }
         files.push(text(&format!("tables-{}.tex", subject.slug()), part.tables));
         files.push(File {
             path: subject.certificate_path(),
@@ -45,6 +55,21 @@ pub fn files(subjects: &[Subject], parts: Vec<Parts>, options: &Options) -> Vec<
     }
     files.sort_by(|a, b| a.path.cmp(&b.path));
     files
+}
+
+/// The theorems on which the sections rest.
+fn soundness(subjects: &[Subject]) -> String {
+    let mut text = SOUNDNESS.to_owned();
+    if subjects.iter().any(Subject::is_region) {
+        text += REGIONS;
+    }
+    if subjects.iter().any(Subject::is_family) {
+        text += FAMILIES;
+    }
+    if subjects.iter().any(Subject::is_system) {
+        text += PATCHES;
+    }
+    text
 }
 
 fn versioned(text: &str) -> String {
@@ -102,43 +127,91 @@ pub fn is_unchanged(bytes: &[u8]) -> bool {
         .is_some_and(|(first, body)| first == stamp(body))
 }
 
-fn preamble(options: &Options) -> String {
+fn preamble(options: &Options, title: &str, subjects: &[Subject]) -> String {
     let siunitx = match options.siunitx {
         true => {
             "\\usepackage{siunitx}\n\\newcommand{\\acutiledecimal}[1]{\\ensuremath{\\num{#1}}}\n"
         }
         false => "",
     };
-    format!(
-        "\\documentclass[11pt]{{article}}\n\\usepackage[utf8]{{inputenc}}\n\\usepackage{{amsmath,amssymb,amsthm}}\n\
-         \\usepackage{{booktabs,longtable}}\n\\usepackage[a4paper,margin=25mm]{{geometry}}\n{siunitx}\
-         \\usepackage[hidelinks]{{hyperref}}\n\\setlength{{\\LTcapwidth}}{{.85\\textwidth}}\n\\emergencystretch=4em\n"
-    )
-}
-
-fn main(options: &Options) -> String {
-    format!(
-        "{}\\title{{{}}}\n\\author{{}}\n\\date{{}}\n\\begin{{document}}\n\\maketitle\n\
-         \\input{{appendix}}\n\\bibliographystyle{{plain}}\n\\bibliography{{refs}}\n\\end{{document}}\n",
-        preamble(options),
-        "Tilings proved in exact arithmetic",
-    )
-}
-
-/// What another document inputs; it needs amsmath, amssymb, amsthm, booktabs and longtable.
-fn fragment(subjects: &[Subject]) -> String {
-    let sections: String = subjects
+    let (class, margin) = if options.two_column {
+        ("twocolumn,10pt", "18mm")
+    } else {
+        ("11pt", "25mm")
+    };
+    let names: Vec<String> = subjects
         .iter()
-        .map(|subject| format!("\\input{{tiling-{}}}\n", subject.slug()))
+        .map(|subject| escape(&names::plain(&subject.name)))
         .collect();
-    let overview = match subjects.len() {
-        1 => "",
-        _ => "\\acutilesection{Overview}\n\\input{overview}\n",
+    let (subjects, version) = (names.join("; "), env!("CARGO_PKG_VERSION"));
+    format!(
+        "\\documentclass[{class}]{{article}}\n\\usepackage[utf8]{{inputenc}}\n\\usepackage{{amsmath,amssymb,amsthm}}\n\
+         \\usepackage{{booktabs,longtable,graphicx,tikz}}\n\\usepackage[a4paper,margin={margin}]{{geometry}}\n{siunitx}\
+         \\usepackage[hidelinks]{{hyperref}}\n\\hypersetup{{pdftitle={{{title}}},pdfsubject={{{subjects}}},pdfcreator={{acutile {version}}}}}\n\\setlength{{\\LTcapwidth}}{{.85\\textwidth}}\n\\emergencystretch=4em\n"
+    )
+}
+
+fn main(subjects: &[Subject], options: &Options) -> String {
+    let title = "Tilings proved in exact arithmetic";
+    let contents = if subjects.len() > 1 {
+        "\\tableofcontents\n"
+    } else {
+        ""
     };
     format!(
-        "% Needs amsmath, amssymb, amsthm, booktabs, longtable; see acutile-macros.tex for what can be set.\n\
-         \\input{{acutile-macros}}\n{overview}{sections}\\input{{soundness}}\n"
+        "{}\\title{{{title}}}\n\\author{{}}\n\\date{{}}\n\\begin{{document}}\n\\maketitle\n{contents}\
+         \\input{{appendix}}\n\\bibliographystyle{{plain}}\n\\bibliography{{refs}}\n\\end{{document}}\n",
+        preamble(options, title, subjects),
     )
+}
+
+/// What another document inputs.
+fn fragment(subjects: &[Subject], has_overview: bool, options: &Options) -> String {
+    let input = |kind: &str| -> String {
+        subjects
+            .iter()
+            .map(|subject| format!("\\input{{{kind}-{}}}\n", subject.slug()))
+            .collect()
+    };
+    let overview = match has_overview {
+        false => "",
+        true => "\\acutilesection{Overview}\n\\input{overview}\n",
+    };
+    let (first, last) = match options.two_column {
+        true => (
+            String::new(),
+            format!("\\acutilewide\n{overview}{}", input("wide")),
+        ),
+        false => (overview.to_owned(), String::new()),
+    };
+    format!(
+        "% Needs amsmath, amssymb, amsthm, booktabs, longtable, graphicx, for systems of patches tikz; see acutile-macros.tex for what can be set.\n\
+         \\input{{acutile-macros}}\n{first}{}\\input{{soundness}}\n{last}",
+        input("tiling")
+    )
+}
+
+/// Where the next long table begins.
+fn next_table(text: &str) -> Option<usize> {
+    let begin = text.find("\\begin{longtable}")?;
+    text[..begin].rfind("{\\acutiletables")
+}
+
+/// A section without its long tables, and these.
+fn without_long_tables(section: &str) -> (String, String) {
+    const END: &str = "\\end{longtable}}\n";
+    let (mut text, mut tables) = (String::new(), String::new());
+    let mut rest = section;
+    while let Some(start) = next_table(rest) {
+        let end = rest[start..]
+            .find(END)
+            .map_or(rest.len(), |end| start + end + END.len());
+        text.push_str(&rest[..start]);
+        tables.push_str(&rest[start..end]);
+        rest = &rest[end..];
+    }
+    text.push_str(rest);
+    (text, tables)
 }
 
 fn supplement(subjects: &[Subject], options: &Options) -> String {
@@ -146,9 +219,13 @@ fn supplement(subjects: &[Subject], options: &Options) -> String {
         .iter()
         .map(|subject| format!("\\input{{tables-{}}}\n", subject.slug()))
         .collect();
+    let title = "Supplement: all vertices, tiles and facets";
+    let one_column = Options {
+        two_column: false,
+        ..*options
+    };
     format!(
-        "{}\\title{{{}}}\n\\author{{}}\n\\date{{}}\n\\begin{{document}}\n\\maketitle\n\\input{{acutile-macros}}\n\\small\n{sections}\\end{{document}}\n",
-        preamble(options),
-        "Supplement: all vertices, tiles and facets",
+        "{}\\title{{{title}}}\n\\author{{}}\n\\date{{}}\n\\begin{{document}}\n\\maketitle\n\\input{{acutile-macros}}\n\\small\n{sections}\\end{{document}}\n",
+        preamble(&one_column, title, subjects),
     )
 }

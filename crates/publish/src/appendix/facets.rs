@@ -7,6 +7,7 @@ use super::tex::{self, Table, facet_word, sphere_word};
 use acutile_core::tiling::{Corner, Facet, Mate, SimplexId};
 use acutile_exact::geometry::{Simplex, linear};
 use acutile_exact::number::Number;
+use std::collections::BTreeSet;
 
 /// The paragraph and the table on facets.
 pub fn facets<const D: usize>(analysis: &Analysis<D>) -> String {
@@ -15,7 +16,9 @@ pub fn facets<const D: usize>(analysis: &Analysis<D>) -> String {
         (1, 0) => "a tile $T$",
         (1, _) => "a tile $T$, moved by the lattice vector in the superscript,",
         (_, 0) => "an image $\\gamma T$ of a representative",
-        (_, _) => "an image $\\gamma T$ of a representative, moved by the lattice vector in the superscript,",
+        (_, _) => {
+            "an image $\\gamma T$ of a representative, moved by the lattice vector in the superscript,"
+        }
     };
     let domain = &analysis.tiling.frame.domain;
     let boundary = match (domain.polytope(), domain.is_region()) {
@@ -46,7 +49,8 @@ fn table<const D: usize>(analysis: &Analysis<D>) -> String {
         columns: "rrrrrl",
         caption: format!("The tile on the other side of each {}.", facet_word(D)),
         label: analysis.label("pairing"),
-        heading: "tile & $i$ & $d$ & other tile & $j$ & $\\det$ with $d$ for $c_i$ $(<0)$".to_owned(),
+        heading: "tile & $i$ & $d$ & other tile & $j$ & $\\det$ with $d$ for $c_i$ $(<0)$"
+            .to_owned(),
         rows: rows.collect(),
     }
     .tex()
@@ -62,7 +66,9 @@ fn row<const D: usize>(analysis: &Analysis<D>, facet: Facet) -> String {
             format!(
                 "{start} & ${}$ & ${tile}$ & {corner} & ${}$",
                 tex::corner(&apex, analysis.rank()),
-                analysis.numerals.justified(&exchanged(analysis, facet, &apex)),
+                analysis
+                    .numerals
+                    .justified(&exchanged(analysis, facet, &apex)),
             )
         }
     }
@@ -108,13 +114,19 @@ pub fn delaunay<const D: usize>(analysis: &Analysis<D>, is_strict: bool) -> Stri
         false => ("nonnegative", "$(\\ge0)$", "not inside of"),
     };
     let reason = match is_region {
-        true => format!("At each {facet} that two tiles share, the corner $d$ of Table~\\ref{{{}}} is {position} the {sphere}", analysis.label("pairing")),
-        false => format!("By Theorem~\\ref{{acutile:delaunay}} it suffices that for each {facet} the corner $d$ of Table~\\ref{{{}}} is {position} the {sphere}", analysis.label("pairing")),
+        true => format!(
+            "At each {facet} that two tiles share, the corner $d$ of Table~\\ref{{{}}} is {position} the {sphere}",
+            analysis.label("pairing")
+        ),
+        false => format!(
+            "By Theorem~\\ref{{acutile:delaunay}} it suffices that for each {facet} the corner $d$ of Table~\\ref{{{}}} is {position} the {sphere}",
+            analysis.label("pairing")
+        ),
     };
     format!(
         "\\acutileparagraph{{Delaunay.}} {reason}: that its power $\\pi(d)=|d-z|^2-\\rho^2$, for the centre $z$ and the radius $\\rho$, is {relation}. \
          With $d-c_0=\\sum_k\\lambda_k(c_k-c_0)$ it is $|d-c_0|^2-\\sum_k\\lambda_k|c_k-c_0|^2$. \
-         A {facet} is listed for one of its two tiles, which suffices by Lemma~\\ref{{acutile:sides}}.\n\n{}",
+         A {facet} is left out if it is listed for the other tile, which suffices by Lemma~\\ref{{acutile:sides}}.\n\n{}",
         Table {
             mark: format!("delaunay {}", analysis.subject.slug()),
             columns: "rrrl",
@@ -127,46 +139,45 @@ pub fn delaunay<const D: usize>(analysis: &Analysis<D>, is_strict: bool) -> Stri
     )
 }
 
+/// A row for each facet, unless there is one for the same facet of the representative on its other
+/// side.
 fn power_rows<const D: usize>(analysis: &Analysis<D>) -> Vec<String> {
-    let ranks: Vec<usize> = {
-        let mut ranks = vec![0; analysis.order.len()];
-        for (rank, &place) in analysis.order.iter().enumerate() {
-            ranks[place] = rank;
-        }
-        ranks
-    };
-    let facets = analysis.order.iter().flat_map(|&place| {
+    let mut listed = BTreeSet::new();
+    let mut rows = Vec::new();
+    for &place in &analysis.order {
         let tile = analysis.orbits.representatives[place].tile;
-        (0..=D).map(move |i| (place, Facet::new(tile, i)))
-    });
-    let row = |(place, facet): (usize, Facet)| {
-        let mate = analysis.matching.mate(analysis.tiling, facet)?;
-        let image = &analysis.orbits.images[mate.facet.simplex.index()];
-        let other = (
-            ranks[image.representative],
-            image.corners[usize::from(mate.facet.opposite)],
-        );
-        if other < (ranks[place], usize::from(facet.opposite)) {
-            return None;
+        for facet in (0..=D).map(|i| Facet::new(tile, i)) {
+            let Some(mate) = analysis.matching.mate(analysis.tiling, facet) else {
+                continue;
+            };
+            let image = &analysis.orbits.images[mate.facet.simplex.index()];
+            let other = image.corners[usize::from(mate.facet.opposite)];
+            if !listed.contains(&(image.representative, other)) {
+                listed.insert((place, usize::from(facet.opposite)));
+                rows.extend(power_row(analysis, facet, &mate));
+            }
         }
-        let apex = apex(analysis, &mate);
-        Some(format!(
-            "$T_{{{}}}$ & {} & ${}$ & ${}$",
-            facet.simplex,
-            facet.opposite,
-            tex::corner(&apex, analysis.rank()),
-            analysis.numerals.justified(&power(analysis, facet, &apex)?),
-        ))
-    };
-    facets.filter_map(row).collect()
+    }
+    rows
+}
+
+fn power_row<const D: usize>(
+    analysis: &Analysis<D>,
+    facet: Facet,
+    mate: &Mate<D>,
+) -> Option<String> {
+    let apex = apex(analysis, mate);
+    Some(format!(
+        "$T_{{{}}}$ & {} & ${}$ & ${}$",
+        facet.simplex,
+        facet.opposite,
+        tex::corner(&apex, analysis.rank()),
+        analysis.numerals.justified(&power(analysis, facet, &apex)?),
+    ))
 }
 
 /// The power of a corner with respect to the circumsphere of a facet's simplex.
-fn power<const D: usize>(
-    analysis: &Analysis<D>,
-    facet: Facet,
-    apex: &Corner<D>,
-) -> Option<Number> {
+fn power<const D: usize>(analysis: &Analysis<D>, facet: Facet, apex: &Corner<D>) -> Option<Number> {
     let tiling = analysis.tiling;
     let origin = tiling.position(&tiling.simplex(facet.simplex)[0]);
     let offset = linear::subtract(&tiling.position(apex), &origin);

@@ -9,8 +9,11 @@
 //! | `names` | what people call a construction |
 //! | `orbits` | representatives of the tiles under a group |
 //! | `vertices`, `group`, `tiles`, `facets`, `boundary`, `volume` | a paragraph and a table for each hypothesis |
+//! | `region`, `separation` | the boundary of a region: facets that meet, and what is outside |
 //! | `classes` | congruence classes: edges, angles, and why they are acute |
 //! | `statements` | bounds, Delaunay, TCP |
+//! | `family`, `conditions`, `polynomial` | families: polynomials and their signs |
+//! | `patches` | systems of patches, with pictures of the pieces |
 //! | `recheck` | the certificate's digest and command |
 //! | `overview` | the table in the form of the paper's Table 1 |
 //! | `bibliography`, `document` | references; the files |
@@ -22,15 +25,21 @@
 mod bibliography;
 mod boundary;
 mod classes;
+mod conditions;
 mod document;
 mod facets;
+mod family;
 mod group;
 mod names;
 mod numeral;
 mod orbits;
 mod overview;
+mod patches;
+mod polynomial;
 mod rational;
 mod recheck;
+mod region;
+mod separation;
 mod statements;
 mod subject;
 mod surd;
@@ -44,15 +53,19 @@ pub use document::is_unchanged;
 pub use subject::Subject;
 pub use tex::slug;
 
-use acutile_core::with_dimension;
+use acutile_core::classify::stars;
+use acutile_core::tiling::AnyTiling;
+use acutile_core::with_family;
 use rayon::prelude::*;
-use subject::Analysis;
+use subject::{Analysis, Content};
 
 /// How the document is written.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct Options {
     /// Decimals through the package siunitx.
     pub siunitx: bool,
+    /// The text in two columns, the long tables after it in one.
+    pub two_column: bool,
 }
 
 /// A file of the appendix.
@@ -77,14 +90,32 @@ pub fn appendix(subjects: &[Subject], options: &Options) -> Vec<File> {
 }
 
 fn parts_of(subject: &Subject) -> Parts {
-    with_dimension!(&subject.tiling, AnyTiling, tiling => {
-        let analysis = Analysis::of(subject, tiling);
-        Parts {
-            section: section(&analysis),
-            tables: tables(&analysis),
-            row: overview::row(&analysis),
+    match &subject.content {
+        Content::Tiling(AnyTiling::Plane(tiling)) => {
+            parts_of_tiling(&Analysis::of(subject, tiling, Vec::new()))
         }
-    })
+        Content::Tiling(AnyTiling::Space(tiling)) => {
+            parts_of_tiling(&Analysis::of(subject, tiling, stars(tiling)))
+        }
+        Content::Family(family, tree) => Parts {
+            section: with_family!(family, f => family::section(subject, f, tree)),
+            tables: String::new(),
+            row: None,
+        },
+        Content::Patches(system, words) => Parts {
+            section: patches::section(subject, system, words),
+            tables: String::new(),
+            row: None,
+        },
+    }
+}
+
+fn parts_of_tiling<const D: usize>(analysis: &Analysis<D>) -> Parts {
+    Parts {
+        section: section(analysis),
+        tables: tables(analysis),
+        row: overview::row(analysis),
+    }
 }
 
 /// The section on a subject.
@@ -112,6 +143,7 @@ fn section<const D: usize>(analysis: &Analysis<D>) -> String {
         tiles::tiles(analysis),
         facets::facets(analysis),
         boundary::boundary(analysis),
+        region::region(analysis),
         volume::volume(analysis),
         format!(
             "\\acutileparagraph{{Angles.}} {}",

@@ -185,8 +185,7 @@ fn image<const D: usize>(
 /// A point with the lattice's coordinates in [0, 1), and by which lattice vector it was moved.
 fn reduced<const D: usize>(point: &[Number; D], rank: usize) -> ([Number; D], [i32; D]) {
     let cell: [i32; D] = std::array::from_fn(|k| if k < rank { floor(&point[k]) } else { 0 });
-    let moved =
-        std::array::from_fn(|k| &point[k] - &Number::from(Rational::from(cell[k])));
+    let moved = std::array::from_fn(|k| &point[k] - &Number::from(Rational::from(cell[k])));
     (moved, cell)
 }
 

@@ -7,7 +7,6 @@ use super::rational::decimal;
 use super::subject::{Analysis, Subject};
 use super::tex::{Table, escape};
 use acutile_core::quality::{Exact, Range, measures_of_shapes, ranges, rounded_down, rounded_up};
-use acutile_core::tiling::AnyTiling;
 use acutile_paper::table::label;
 use malachite::Rational;
 
@@ -53,10 +52,7 @@ fn cells<T: Exact>(range: &Range<T>, digits: u64) -> String {
 
 /// The table of all rows.
 pub fn table(rows: Vec<String>, subjects: &[Subject]) -> String {
-    let kind = match subjects
-        .iter()
-        .all(|s| matches!(s.tiling, AnyTiling::Space(_)))
-    {
+    let kind = match subjects.iter().all(Subject::is_in_space) {
         true => "tetrahedra",
         false => "simplices",
     };

@@ -6,6 +6,7 @@ use super::facets::delaunay;
 use super::rational::interval;
 use super::subject::Analysis;
 use super::tex::{Table, list, width};
+use super::vertices::star_name;
 use acutile_core::quality::{DihedralAngle, Exact, RadiusEdge};
 use acutile_core::statement::{Relation, Statement};
 use malachite::Rational;
@@ -149,7 +150,8 @@ fn valence_table<const D: usize>(analysis: &Analysis<D>) -> String {
     Table {
         mark: format!("valences {}", analysis.subject.slug()),
         columns: &format!("r{}", "r".repeat(pairs.len())),
-        caption: "The number of tetrahedra around each edge, by the numbers of its corners.".to_owned(),
+        caption: "The number of tetrahedra around each edge, by the numbers of its corners."
+            .to_owned(),
         label: analysis.label("valences"),
         heading: format!("tile{heads}"),
         rows: analysis.order.iter().map(row).collect(),
@@ -159,14 +161,8 @@ fn valence_table<const D: usize>(analysis: &Analysis<D>) -> String {
 
 fn star_counts<const D: usize>(analysis: &Analysis<D>) -> BTreeMap<String, usize> {
     let mut counts = BTreeMap::new();
-    if let acutile_core::tiling::AnyTiling::Space(tiling) = &analysis.subject.tiling {
-        for star in acutile_core::classify::stars(tiling) {
-            let name = match star {
-                acutile_core::classify::Star::FrankKasper(n) => format!("$Z_{{{n}}}$"),
-                other => other.to_string(),
-            };
-            *counts.entry(name).or_insert(0) += 1;
-        }
+    for star in &analysis.stars {
+        *counts.entry(star_name(star)).or_insert(0) += 1;
     }
     counts
 }

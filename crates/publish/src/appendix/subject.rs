@@ -5,10 +5,15 @@ use super::numeral::Numerals;
 use super::orbits::Orbits;
 use super::tex::{moved, slug};
 use crate::report::Proved;
-use acutile_core::classify::{Ridges, Symmetry};
+use acutile_core::classify::{Ridges, Star, Symmetry};
+use acutile_core::family::{AnyFamily, ProvedFamily, Tree};
+use acutile_core::format::print;
+use acutile_core::patches::{System, Theorem};
+use acutile_core::proved::hexadecimal;
 use acutile_core::quality::{Shape, shapes, squared_edges};
 use acutile_core::statement::Statement;
 use acutile_core::tiling::{AnyTiling, Matching, Mate, SimplexId, Tiling, match_facets};
+use acutile_core::with_dimension;
 use acutile_exact::geometry::{NormalProducts, linear};
 use acutile_exact::number::Number;
 
@@ -27,7 +32,17 @@ pub struct Subject {
     pub(super) json: String,
     pub(super) sha256: String,
     statements: Vec<Statement>,
-    pub(super) tiling: AnyTiling,
+    pub(super) content: Content,
+}
+
+/// What a certificate is about.
+#[derive(Debug)]
+pub(super) enum Content {
+    Tiling(AnyTiling),
+    /// With the tree of its leaves.
+    Family(AnyFamily, Tree),
+    /// With the claim in words.
+    Patches(Box<System>, String),
 }
 
 impl Subject {
@@ -41,7 +56,49 @@ impl Subject {
             json: proved.json().to_owned(),
             sha256: proved.sha256(),
             statements: proved.statements().to_vec(),
-            tiling: proved.tiling().clone(),
+            content: Content::Tiling(proved.tiling().clone()),
+        }
+    }
+
+    /// A confirmed certificate of a family.
+    pub fn of_family(
+        name: String,
+        description: String,
+        proved: &ProvedFamily,
+        family: AnyFamily,
+    ) -> Subject {
+        // The kernel has read the bytes.
+        let json = print::to_json(proved.certificate()).unwrap_or_default();
+        Subject {
+            name,
+            description,
+            source: None,
+            cbor: proved.certificate().to_vec(),
+            json: String::from_utf8(json).unwrap_or_default(),
+            sha256: proved.sha256(),
+            statements: proved.statements().to_vec(),
+            content: Content::Family(family, proved.tree().clone()),
+        }
+    }
+
+    /// A theorem about all tilings that a system of patches builds. `words` is its claim.
+    pub fn of_system(
+        name: String,
+        description: String,
+        theorem: &Theorem,
+        system: System,
+        words: String,
+    ) -> Subject {
+        let json = print::to_json(theorem.certificate()).unwrap_or_default();
+        Subject {
+            name,
+            description,
+            source: None,
+            cbor: theorem.certificate().to_vec(),
+            json: String::from_utf8(json).unwrap_or_default(),
+            sha256: hexadecimal(&theorem.verified().sha256),
+            statements: theorem.statements().to_vec(),
+            content: Content::Patches(Box::new(system), words),
         }
     }
 
@@ -68,6 +125,34 @@ impl Subject {
         format!("anc/{}.json", self.slug())
     }
 
+    /// Whether it is a region, which is what its tiles cover.
+    pub(super) fn is_region(&self) -> bool {
+        match &self.content {
+            Content::Tiling(tiling) => {
+                with_dimension!(tiling, AnyTiling, t => t.frame.domain.is_region())
+            }
+            Content::Family(..) | Content::Patches(..) => false,
+        }
+    }
+
+    pub(super) fn is_family(&self) -> bool {
+        matches!(self.content, Content::Family(..))
+    }
+
+    pub(super) fn is_system(&self) -> bool {
+        matches!(self.content, Content::Patches(..))
+    }
+
+    /// Whether it is about tetrahedra.
+    pub(super) fn is_in_space(&self) -> bool {
+        matches!(
+            self.content,
+            Content::Tiling(AnyTiling::Space(_))
+                | Content::Family(AnyFamily::Space(_), _)
+                | Content::Patches(..)
+        )
+    }
+
     pub(super) fn statements(&self) -> &[Statement] {
         &self.statements
     }
@@ -77,6 +162,8 @@ impl Subject {
 pub(super) struct Analysis<'s, const D: usize> {
     pub subject: &'s Subject,
     pub tiling: &'s Tiling<D>,
+    /// The type of each vertex's star in space.
+    pub stars: Vec<Star>,
     pub numerals: Numerals,
     pub matching: Matching<D>,
     pub ridges: Ridges<D>,
@@ -92,7 +179,7 @@ pub(super) struct Analysis<'s, const D: usize> {
 }
 
 impl<'s, const D: usize> Analysis<'s, D> {
-    pub fn of(subject: &'s Subject, tiling: &'s Tiling<D>) -> Self {
+    pub fn of(subject: &'s Subject, tiling: &'s Tiling<D>, stars: Vec<Star>) -> Self {
         let matching = match_facets(tiling);
         let edges: Vec<Vec<Number>> = tiling
             .indices()
@@ -110,6 +197,7 @@ impl<'s, const D: usize> Analysis<'s, D> {
         Analysis {
             subject,
             tiling,
+            stars,
             numerals: Numerals::of(&tiling.frame.field),
             ridges: Ridges::of(tiling, &matching),
             shapes,

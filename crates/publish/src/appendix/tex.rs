@@ -16,6 +16,10 @@ pub fn escape(text: &str) -> String {
             '#' | '$' | '%' | '&' | '_' | '{' | '}' => escaped.extend(['\\', c]),
             'σ' => escaped.push_str("$\\sigma$"),
             'μ' | 'µ' => escaped.push_str("$\\mu$"),
+            '²' => escaped.push_str("$^2$"),
+            '√' => escaped.push_str("$\\surd$"),
+            '≥' => escaped.push_str("$\\ge$"),
+            '≤' => escaped.push_str("$\\le$"),
             'ε' => escaped.push_str("$\\varepsilon$"),
             'À'..='Ö' | 'Ø'..='ö' | 'ø'..='ÿ' if !matches!(c, 'Ð' | 'Þ' | 'ð' | 'þ') => {
                 escaped.push(c);
@@ -158,14 +162,35 @@ impl Table<'_> {
         } else {
             "\\\\\n"
         };
+        let size = size(heading, rows);
         let rows = rows.join(&format!(" {end}"));
         format!(
-            "{{\\acutiletables\n% acutile:table {mark}\n\\begin{{longtable}}{{{columns}}}\n\
+            "{{\\acutiletables{size}\n% acutile:table {mark}\n\\begin{{longtable}}{{{columns}}}\n\
              \\caption{{{caption}}}\\label{{{label}}}\\\\\n\
              \\toprule\n{heading} \\\\\n\\midrule\n\\endfirsthead\n\
              \\toprule\n{heading} \\\\\n\\midrule\n\\endhead\n\
              \\bottomrule\n\\endlastfoot\n{rows} \\\\\n\\end{{longtable}}}}\n"
         )
+    }
+}
+
+/// Smaller letters where the cells are too wide for a line.
+fn size(heading: &str, rows: &[String]) -> &'static str {
+    let mut widest: Vec<usize> = Vec::new();
+    for row in rows.iter().map(String::as_str).chain([heading]) {
+        for (column, cell) in row.split('&').enumerate() {
+            if widest.len() <= column {
+                widest.push(0);
+            }
+            if !cell.contains("multicolumn") {
+                widest[column] = widest[column].max(width(cell));
+            }
+        }
+    }
+    match widest.iter().map(|w| w + 2).sum::<usize>() {
+        0..=LINE => "",
+        letters if letters <= LINE * 5 / 4 => "\\acutilesmaller",
+        _ => "\\acutilesmallest",
     }
 }
 
@@ -175,7 +200,7 @@ const SHORT: usize = 16;
 /// A centred table in the text, without a caption.
 pub fn tabular(mark: &str, columns: &str, heading: &str, rows: &[String]) -> String {
     format!(
-        "\\nopagebreak\n% acutile:table {mark}\n\\begin{{center}}\\acutiletables\\begin{{tabular}}{{{columns}}}\n\\toprule\n{heading} \\\\\n\\midrule\n{} \\\\\n\\bottomrule\n\\end{{tabular}}\\end{{center}}\n",
+        "\\nopagebreak\n% acutile:table {mark}\n\\begin{{center}}\\acutilefit{{\\acutiletables\\begin{{tabular}}{{{columns}}}\n\\toprule\n{heading} \\\\\n\\midrule\n{} \\\\\n\\bottomrule\n\\end{{tabular}}}}\\end{{center}}\n",
         rows.join(" \\\\\n")
     )
 }

@@ -1,5 +1,6 @@
 //! What is proved, in words and exact numbers; field, lattice and metric.
 
+use super::numeral::Numerals;
 use super::rational::{interval, rational};
 use super::subject::{Analysis, Subject};
 use super::tex::{counted, escape, facet_word, list, simplices, sphere_word, width};
@@ -17,7 +18,7 @@ pub fn theorem<const D: usize>(analysis: &Analysis<D>) -> String {
     let mut statements: Vec<String> = subject
         .statements()
         .iter()
-        .filter_map(|statement| in_words(analysis, statement))
+        .filter_map(|statement| in_words::<D>(&analysis.numerals, statement))
         .collect();
     if let Some(last) = statements.last_mut() {
         last.truncate(last.len() - 1);
@@ -70,7 +71,11 @@ fn tiles<const D: usize>(analysis: &Analysis<D>) -> String {
 }
 
 fn images<const D: usize>(analysis: &Analysis<D>) -> &'static str {
-    match (analysis.orbits.elements.len(), analysis.orbits.representatives.len(), analysis.rank()) {
+    match (
+        analysis.orbits.elements.len(),
+        analysis.orbits.representatives.len(),
+        analysis.rank(),
+    ) {
         (1, _, 0) => "",
         (1, 1, _) => " and its translates by $\\Lambda$",
         (1, _, _) => " and their translates by $\\Lambda$",
@@ -106,7 +111,11 @@ fn setting<const D: usize>(analysis: &Analysis<D>) -> String {
          {gram}\n{lattice}{group}",
         field = field(analysis),
         basis = list(&basis),
-        space = if D == 2 { "the Euclidean plane" } else { "Euclidean space" },
+        space = if D == 2 {
+            "the Euclidean plane"
+        } else {
+            "Euclidean space"
+        },
         gram = gram(analysis),
         group = super::group::definition(analysis),
     )
@@ -116,11 +125,11 @@ fn setting<const D: usize>(analysis: &Analysis<D>) -> String {
 fn field<const D: usize>(analysis: &Analysis<D>) -> String {
     let field = &analysis.tiling.frame.field;
     match &analysis.numerals {
-        super::numeral::Numerals::Rational => String::new(),
-        super::numeral::Numerals::Quadratic { radicand, .. } => {
+        Numerals::Rational => String::new(),
+        Numerals::Quadratic { radicand, .. } => {
             format!("All numbers lie in $\\mathbb{{Q}}(\\sqrt{{{radicand}}})$. ")
         }
-        super::numeral::Numerals::Powers => {
+        Numerals::Powers => {
             let (low, high) = field.root();
             format!(
                 "All numbers lie in $\\mathbb{{Q}}(\\alpha)$, where $\\alpha$ is the root of ${}$ between ${}$ and ${}$. ",
@@ -136,7 +145,7 @@ fn field<const D: usize>(analysis: &Analysis<D>) -> String {
 /// and the derivative over the interval by Horner's rule.
 pub fn root<const D: usize>(analysis: &Analysis<D>) -> String {
     let field = &analysis.tiling.frame.field;
-    if !matches!(analysis.numerals, super::numeral::Numerals::Powers) {
+    if !matches!(analysis.numerals, Numerals::Powers) {
         return String::new();
     }
     let (low, high) = field.root();
@@ -224,7 +233,7 @@ fn gram<const D: usize>(analysis: &Analysis<D>) -> String {
         .map(|row| row.iter().map(|x| numerals.number(x)).collect())
         .collect();
     format!(
-        "% acutile:gram\n\\[ \\bigl(\\langle b_i,b_j\\rangle\\bigr)={}. \\]",
+        "% acutile:gram\n\\[ \\acutilefit{{$\\bigl(\\langle b_i,b_j\\rangle\\bigr)={}.$}} \\]",
         matrix(&rows)
     )
 }
@@ -273,7 +282,7 @@ fn domain<const D: usize>(analysis: &Analysis<D>) -> String {
 }
 
 /// A statement beyond the tiling.
-fn in_words<const D: usize>(analysis: &Analysis<D>, statement: &Statement) -> Option<String> {
+pub fn in_words<const D: usize>(numerals: &Numerals, statement: &Statement) -> Option<String> {
     let (angle, angles) = match D {
         2 => ("angle", "angles"),
         _ => ("dihedral angle", "dihedral angles"),
@@ -284,7 +293,7 @@ fn in_words<const D: usize>(analysis: &Analysis<D>, statement: &Statement) -> Op
         Statement::Acute => format!("all {angles} are acute;"),
         Statement::Nonobtuse => format!("no {angle} is obtuse;"),
         Statement::LargestAngle(relation, bound) => {
-            let bound = angle_text(analysis, bound);
+            let bound = angle_text(numerals, bound);
             match relation {
                 Relation::Maximum => format!("the largest {angle} is {bound};"),
                 Relation::Minimum => {
@@ -294,7 +303,7 @@ fn in_words<const D: usize>(analysis: &Analysis<D>, statement: &Statement) -> Op
             }
         }
         Statement::SmallestAngle(relation, bound) => {
-            let bound = angle_text(analysis, bound);
+            let bound = angle_text(numerals, bound);
             match relation {
                 Relation::Minimum => format!("the smallest {angle} is {bound};"),
                 Relation::Maximum => {
@@ -304,7 +313,7 @@ fn in_words<const D: usize>(analysis: &Analysis<D>, statement: &Statement) -> Op
             }
         }
         Statement::RadiusEdge(relation, bound) => {
-            let bound = ratio_text(analysis, bound);
+            let bound = ratio_text(numerals, bound);
             let quotient = "quotient of circumradius and shortest edge of a tile";
             match relation {
                 Relation::Maximum => format!("the largest {quotient} is {bound};"),
@@ -338,11 +347,11 @@ fn in_words<const D: usize>(analysis: &Analysis<D>, statement: &Statement) -> Op
 const WIDE: usize = 30;
 
 /// `$\arccos 1/5$`, `$60^\circ$`, or an enclosure in degrees.
-fn angle_text<const D: usize>(analysis: &Analysis<D>, angle: &DihedralAngle) -> String {
+fn angle_text(numerals: &Numerals, angle: &DihedralAngle) -> String {
     if let Some(degrees) = angle.rational() {
         return format!("${}^\\circ$", rational(&degrees));
     }
-    let root = analysis.numerals.root(&angle.signed_square.abs());
+    let root = numerals.root(&angle.signed_square.abs());
     let sign = if angle.against_right().is_gt() {
         "-"
     } else {
@@ -356,8 +365,8 @@ fn angle_text<const D: usize>(analysis: &Analysis<D>, angle: &DihedralAngle) -> 
 }
 
 /// The ratio, or an enclosure.
-fn ratio_text<const D: usize>(analysis: &Analysis<D>, ratio: &RadiusEdge) -> String {
-    let root = analysis.numerals.root(&ratio.square);
+fn ratio_text(numerals: &Numerals, ratio: &RadiusEdge) -> String {
+    let root = numerals.root(&ratio.square);
     if width(&root) > WIDE {
         let bounds = ratio.enclosure(&Rational::from_signeds(1, 1_000_000_000));
         return format!("some $\\sigma\\in{}$", interval(&bounds));
@@ -396,7 +405,11 @@ pub fn metric<const D: usize>(analysis: &Analysis<D>) -> String {
 /// The heading of a section.
 pub fn heading(subject: &Subject) -> String {
     let plain = super::names::plain(&subject.name);
-    format!("\\texorpdfstring{{{}}}{{{}}}", human_name(subject), escape(&plain))
+    format!(
+        "\\texorpdfstring{{{}}}{{{}}}",
+        human_name(subject),
+        escape(&plain)
+    )
 }
 
 /// What people call it.
@@ -448,14 +461,18 @@ pub fn sizes<const D: usize>(analysis: &Analysis<D>) -> String {
 /// The proof in a sentence, with references to what is checked where.
 pub fn proof<const D: usize>(analysis: &Analysis<D>) -> String {
     let acute = match analysis.subject.statements().contains(&Statement::Acute) {
-        true => " That all angles are acute follows from Lemma~\\ref{acutile:angles} and the signs below.",
+        true => {
+            " That all angles are acute follows from Lemma~\\ref{acutile:angles} and the signs below."
+        }
         false => "",
     };
     let facet = if D == 2 { "edges" } else { "facets" };
     let has_group = analysis.orbits.elements.len() > 1;
     let group = if has_group { "(S) the symmetry, " } else { "" };
     let lemma = match has_group {
-        true => " By Lemma~\\ref{acutile:representatives} they need checking for the representatives only.",
+        true => {
+            " By Lemma~\\ref{acutile:representatives} they need checking for the representatives only."
+        }
         false => "",
     };
     let (theorem, rest) = match &analysis.tiling.frame.domain {

@@ -4,6 +4,8 @@
 use super::subject::Analysis;
 use super::tex::{Table, corner, simplices};
 use acutile_core::tiling::SimplexId;
+use acutile_exact::geometry::Simplex;
+use acutile_exact::number::Number;
 
 /// The paragraph on determinants and numbers of images, with the table of representatives.
 pub fn tiles<const D: usize>(analysis: &Analysis<D>) -> String {
@@ -14,9 +16,17 @@ pub fn tiles<const D: usize>(analysis: &Analysis<D>) -> String {
         true => format!(
             " The last columns have the number $s$ of the isometries of Table~\\ref{{{}}} that map the tile to itself{}, and the number ${}/s$ of its images{}.",
             analysis.label("group"),
-            if analysis.rank() == 0 { "" } else { " up to $\\Lambda$" },
+            if analysis.rank() == 0 {
+                ""
+            } else {
+                " up to $\\Lambda$"
+            },
             analysis.orbits.elements.len(),
-            if analysis.rank() == 0 { "" } else { " up to $\\Lambda$" },
+            if analysis.rank() == 0 {
+                ""
+            } else {
+                " up to $\\Lambda$"
+            },
         ),
     };
     format!(
@@ -25,7 +35,11 @@ pub fn tiles<const D: usize>(analysis: &Analysis<D>) -> String {
         label = analysis.label("orbits"),
         notation = notation(analysis),
         table = table(analysis),
-        stabilisers = if has_group { stabilisers(analysis) } else { String::new() },
+        stabilisers = if has_group {
+            stabilisers(analysis)
+        } else {
+            String::new()
+        },
     )
 }
 
@@ -49,7 +63,11 @@ fn table<const D: usize>(analysis: &Analysis<D>) -> String {
             determinant(analysis, tile),
         )
     };
-    let (columns, heads) = if has_group { ("rr", " & $s$ & images") } else { ("", "") };
+    let (columns, heads) = if has_group {
+        ("rr", " & $s$ & images")
+    } else {
+        ("", "")
+    };
     Table {
         mark: format!("orbits {}", analysis.subject.slug()),
         columns: &format!("rr{}l{columns}", "@{\\quad}r".repeat(D + 1)),
@@ -78,8 +96,16 @@ fn stabilisers<const D: usize>(analysis: &Analysis<D>) -> String {
         .map(|&place| &analysis.orbits.representatives[place])
         .filter(|representative| representative.stabiliser.len() > 1)
         .map(|representative| {
-            let numbers: Vec<String> = representative.stabiliser.iter().map(usize::to_string).collect();
-            format!("$T_{{{}}}$: ${}$", representative.tile, numbers.join("$, $"))
+            let numbers: Vec<String> = representative
+                .stabiliser
+                .iter()
+                .map(usize::to_string)
+                .collect();
+            format!(
+                "$T_{{{}}}$: ${}$",
+                representative.tile,
+                numbers.join("$, $")
+            )
         })
         .collect();
     if items.is_empty() {
@@ -87,7 +113,11 @@ fn stabilisers<const D: usize>(analysis: &Analysis<D>) -> String {
     }
     format!(
         "The numbers of the isometries that map a tile to itself{}, other tiles only by $\\gamma_0$:\n% acutile:stabilisers {}\n{}.\n\n",
-        if analysis.rank() == 0 { "" } else { " up to $\\Lambda$" },
+        if analysis.rank() == 0 {
+            ""
+        } else {
+            " up to $\\Lambda$"
+        },
         analysis.subject.slug(),
         items.join("; ")
     )
@@ -97,9 +127,15 @@ fn stabilisers<const D: usize>(analysis: &Analysis<D>) -> String {
 fn notation<const D: usize>(analysis: &Analysis<D>) -> &'static str {
     match (analysis.rank(), D) {
         (0, _) => "A corner is a vertex, by its number.",
-        (1, _) => "A corner is a vertex, by its number; $5^{\\bar1}$ is vertex $5$ moved by $-b_1$.",
-        (2, _) => "A corner is a vertex, by its number; $5^{1\\bar1}$ is vertex $5$ moved by $b_1-b_2$.",
-        _ => "A corner is a vertex, by its number; $5^{1\\bar10}$ is vertex $5$ moved by $b_1-b_2$.",
+        (1, _) => {
+            "A corner is a vertex, by its number; $5^{\\bar1}$ is vertex $5$ moved by $-b_1$."
+        }
+        (2, _) => {
+            "A corner is a vertex, by its number; $5^{1\\bar1}$ is vertex $5$ moved by $b_1-b_2$."
+        }
+        _ => {
+            "A corner is a vertex, by its number; $5^{1\\bar10}$ is vertex $5$ moved by $b_1-b_2$."
+        }
     }
 }
 
@@ -149,4 +185,26 @@ pub fn all_simplices<const D: usize>(analysis: &Analysis<D>) -> String {
         rows: analysis.tiling.indices().map(row).collect(),
     }
     .tex()
+}
+
+/// The barycentric coordinates of a point in a tile.
+pub fn barycentric<const D: usize>(
+    analysis: &Analysis<D>,
+    tile: SimplexId,
+    point: &[Number; D],
+) -> Vec<Number> {
+    let corners: Vec<[Number; D]> = analysis
+        .tiling
+        .simplex(tile)
+        .iter()
+        .map(|c| analysis.tiling.position(c))
+        .collect();
+    let whole = Simplex::new(&corners).determinant;
+    (0..=D)
+        .filter_map(|k| {
+            let mut exchanged = corners.clone();
+            exchanged[k] = point.clone();
+            Simplex::new(&exchanged).determinant.divide(&whole)
+        })
+        .collect()
 }

@@ -2,15 +2,21 @@
 
 use super::subject::Analysis;
 use super::tex::Table;
-use acutile_core::classify::{Star, stars};
-use acutile_core::tiling::{AnyTiling, VertexId};
+use acutile_core::classify::Star;
+use acutile_core::tiling::VertexId;
 
 /// The paragraph and the table of all vertices.
 pub fn vertices<const D: usize>(analysis: &Analysis<D>) -> String {
     let (cell, occurs) = match (analysis.rank(), analysis.orbits.elements.len()) {
         (0, 1) => ("", "a tile with this corner"),
-        (_, 1) => (" up to $\\Lambda$", "a tile with this corner up to $\\Lambda$"),
-        (0, _) => ("", "a tile with this corner, or an isometry that maps a corner $c_i$ of a tile to it"),
+        (_, 1) => (
+            " up to $\\Lambda$",
+            "a tile with this corner up to $\\Lambda$",
+        ),
+        (0, _) => (
+            "",
+            "a tile with this corner, or an isometry that maps a corner $c_i$ of a tile to it",
+        ),
         _ => (
             " up to $\\Lambda$",
             "a tile with this corner, or an isometry that maps a corner $c_i$ of a tile to it, up to $\\Lambda$",
@@ -26,7 +32,7 @@ pub fn vertices<const D: usize>(analysis: &Analysis<D>) -> String {
 
 /// The table of all vertices.
 pub fn table<const D: usize>(analysis: &Analysis<D>) -> String {
-    let stars = star_names(&analysis.subject.tiling);
+    let stars: Vec<String> = analysis.stars.iter().map(star_name).collect();
     let row = |vertex: usize| {
         let coordinates: String = analysis
             .tiling
@@ -70,15 +76,11 @@ fn origin<const D: usize>(analysis: &Analysis<D>, vertex: usize) -> String {
     }
 }
 
-/// The type of each vertex's star in space.
-fn star_names(tiling: &AnyTiling) -> Vec<String> {
-    let AnyTiling::Space(tiling) = tiling else {
-        return Vec::new();
-    };
-    let name = |star: Star| match star {
+/// What a star is called.
+pub fn star_name(star: &Star) -> String {
+    match star {
         Star::FrankKasper(n) => format!("$Z_{{{n}}}$"),
         Star::Other(n) => format!("${n}$ neighbours"),
         Star::Boundary(n) => format!("${n}$ neighbours, in the boundary"),
-    };
-    stars(tiling).into_iter().map(name).collect()
+    }
 }

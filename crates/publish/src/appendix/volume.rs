@@ -6,29 +6,34 @@ use acutile_core::tiling::Domain;
 use acutile_exact::number::Number;
 use malachite::Rational;
 
+/// A sum with more terms is not written out.
+const LONGEST_SUM: usize = 60;
+
 /// The volume sum over the representatives; nothing for a region.
 pub fn volume<const D: usize>(analysis: &Analysis<D>) -> String {
     if analysis.tiling.frame.domain.is_region() {
         return String::new();
     }
     let numerals = &analysis.numerals;
-    let terms: Vec<(String, Number)> = analysis
-        .order
-        .iter()
-        .map(|&place| {
-            let representative = &analysis.orbits.representatives[place];
-            let determinant = analysis.tiling.shape(representative.tile).determinant;
-            let count = representative.count;
-            let total = &determinant * &Number::from(Rational::from(count));
-            (
-                format!("{count}\\cdot {}", numerals.factor(&determinant)),
-                total,
-            )
-        })
-        .collect();
-    let sum = terms
-        .iter()
-        .fold(Number::zero(), |sum, (_, term)| &sum + term);
+    let mut counts: Vec<(Number, usize)> = Vec::new();
+    for &place in &analysis.order {
+        let representative = &analysis.orbits.representatives[place];
+        let determinant = analysis.tiling.shape(representative.tile).determinant;
+        match counts.iter_mut().find(|(other, _)| *other == determinant) {
+            Some((_, count)) => *count += representative.count,
+            None => counts.push((determinant, representative.count)),
+        }
+    }
+    let sum = counts.iter().fold(Number::zero(), |sum, (det, count)| {
+        sum + det * &Number::from(Rational::from(*count))
+    });
+    let terms: Vec<String> = match counts.len() > LONGEST_SUM {
+        true => vec!["\\sum_m\\frac h{s_m}\\det S_m".to_owned()],
+        false => counts
+            .iter()
+            .map(|(det, count)| format!("{count}\\cdot {}", numerals.factor(det)))
+            .collect(),
+    };
     let factorial: u32 = (1..=D as u32).product();
     let meaning = match &analysis.tiling.frame.domain {
         Domain::Space => format!("which is ${D}!$ times the volume of a cell, in cells"),
@@ -52,17 +57,14 @@ pub fn volume<const D: usize>(analysis: &Analysis<D>) -> String {
     let images = if analysis.orbits.elements.len() > 1 {
         "images"
     } else {
-        "copies ($1$)"
+        "tiles"
     };
     format!(
-        "\\acutileparagraph{{Volume (V).}} The sum of the determinants, each times its number of {images} in the order of Table~\\ref{{{}}}, is\n\
+        "\\acutileparagraph{{Volume (V).}} The sum of the determinants of Table~\\ref{{{}}}, with the number of {images} for each value, is\n\
          % acutile:volume {}\n{}{meaning}.\n\n",
         analysis.label("orbits"),
         analysis.subject.slug(),
-        display_sum(
-            terms.iter().map(|(text, _)| text.as_str()),
-            &numerals.number(&sum)
-        ),
+        display_sum(terms.iter().map(String::as_str), &numerals.number(&sum)),
     )
 }
 
@@ -82,7 +84,7 @@ fn display_sum<'t>(terms: impl Iterator<Item = &'t str>, total: &str) -> String 
         letters += wide;
     }
     format!(
-        "\\[\\begin{{aligned}}\n&{}={total},\n\\end{{aligned}}\\]\n",
+        "\\[ \\acutilefit{{$\\begin{{aligned}}\n&{}={total},\n\\end{{aligned}}$}} \\]\n",
         lines.join("\\\\\n&")
     )
 }

@@ -8,7 +8,7 @@ use super::picture::picture;
 use super::proved::Proved;
 use super::summary;
 use acutile_catalog::{self as catalog, Entry};
-use acutile_core::limits::own_limits;
+use acutile_core::checker::Options;
 use acutile_core::tiling::AnyTiling;
 use acutile_paper::paper::{self, Row, Verdict};
 use acutile_paper::survey::Survey;
@@ -88,7 +88,7 @@ fn shown(entry: &Entry) -> Result<Shown, String> {
         name.to_owned(),
         description,
         &tiling,
-        &own_limits(),
+        &Options::default(),
         &|_| {},
     )
     .map_err(|error| format!("{name}: {error}"))?;

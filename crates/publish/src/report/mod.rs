@@ -1,12 +1,13 @@
-//! What people look at: a page for tilings that the kernel has confirmed, and a site of the whole
-//! catalogue.
+//! What people look at: a page for tilings that the kernel has confirmed or that are refuted, and a
+//! site of the whole catalogue.
 //!
 //! | file | holds |
 //! |---|---|
-//! | `proved` | [`Proved`]: a certificate with the kernel's word, the only thing that is shown |
+//! | `proved` | [`Proved`]: a certificate with the kernel's word, the only thing that is shown as proved |
 //! | `facts` | the exact values of a tiling, each once |
 //! | `data` | these values for the page's program |
 //! | `article` | the same as text and tables, readable without a program |
+//! | `refutation` | a refuted tiling: its defects in words and in the picture |
 //! | `histogram`, `picture` | drawings in SVG |
 //! | `page` | the page: one file that loads nothing |
 //! | `html` | escaping, templates |
@@ -28,12 +29,14 @@ mod markdown;
 mod page;
 mod picture;
 mod proved;
+mod refutation;
 
 pub use documents::DOCUMENTS;
 pub use gallery::{Site, gallery};
 pub use markdown::Document;
-pub use page::page;
+pub use page::{Shown, mixed_page, page};
 pub use proved::{NotProved, Proved};
+pub use refutation::{Listed, Refutation};
 
 use acutile_core::statement::Statement;
 use acutile_core::tiling::AnyTiling;

@@ -62,7 +62,7 @@ impl Proved {
         Ok(Proved::new(name, description, proved, tiling))
     }
 
-    /// Proves a tiling within the kernel's limits, calling `progress` with each step.
+    /// Proves a tiling with these options, calling `progress` with each step.
     ///
     /// # Errors
     /// The first defect, or the kernel's refusal.
@@ -70,15 +70,11 @@ impl Proved {
         name: String,
         description: String,
         tiling: &AnyTiling,
-        limits: &Limits,
+        options: &Options,
         progress: &dyn Fn(&str),
     ) -> Result<Proved, NotProved> {
-        let options = Options {
-            limits: limits.clone(),
-            ..Options::default()
-        };
         let proved = with_dimension!(tiling, AnyTiling, t => {
-            prove(t, &options, progress).map_err(|reason| NotProved {
+            prove(t, options, progress).map_err(|reason| NotProved {
                 message: reason.in_words(t),
                 reason: Box::new(reason),
             })

@@ -1,13 +1,16 @@
 //! POSCAR and CONTCAR of VASP: a comment, a scale, three vectors, species, counts, positions.
 //!
-//! The format is that of the VASP wiki, "POSCAR". A negative scale is the volume of the cell; it is
-//! read if the scale that follows is rational. Velocities are not read.
+//! The format is that of the VASP wiki, "POSCAR". A negative scale is the volume of the cell. If the
+//! scale that follows from it is irrational, it is rounded to 12 digits: a structure with another
+//! scale is similar, and only lengths depend on it. Velocities are not read.
 
 use super::structure::Structure;
 use super::vectors::{self, Coordinates, Listed, Vector, determinant, number, species};
 use crate::import::ImportError;
 use crate::import::cif::CifOptions;
-use malachite::base::num::arithmetic::traits::{Abs, CheckedRoot};
+use acutile_exact::number::Number;
+use malachite::base::num::arithmetic::traits::{Abs, CheckedRoot, Floor, FloorRoot, Pow};
+use malachite::{Integer, Rational};
 
 /// The lines of a file, numbered from 1.
 struct Lines<'t> {
@@ -56,7 +59,7 @@ pub fn read(text: &str, options: &CifOptions) -> Result<Structure, ImportError> 
         return Err(ImportError::entry("lattice", "expected three vectors"));
     };
     let unscaled = [a.clone(), b.clone(), c.clone()];
-    let scales = scales(scale, &unscaled)?;
+    let Scales { scales, notes } = scales(scale, &unscaled)?;
     let scaled = unscaled.map(|vector| stretched(vector, &scales));
     let (names, counts) = species_and_counts(comment, &mut lines)?;
     let (mut line, mut mode) = lines.next("Direct or Cartesian")?;
@@ -91,10 +94,8 @@ pub fn read(text: &str, options: &CifOptions) -> Result<Structure, ImportError> 
         .lines
         .filter(|(_, line)| !line.trim().is_empty())
         .count();
-    let notes = match rest {
-        0 => Vec::new(),
-        rest => vec![format!("{rest} lines after the positions are not read")],
-    };
+    let unread = (rest > 0).then(|| format!("{rest} lines after the positions are not read"));
+    let notes = notes.into_iter().chain(unread).collect();
     vectors::structure(
         comment.to_owned(),
         &scaled,
@@ -120,8 +121,17 @@ fn stretched(vector: Vector, scales: &Vector) -> Vector {
     std::array::from_fn(|k| &vector[k] * &scales[k])
 }
 
-/// One factor for all directions, or one for each Cartesian direction.
-fn scales((line, text): (usize, &str), vectors: &[Vector; 3]) -> Result<Vector, ImportError> {
+/// One factor for all directions, or one for each Cartesian direction, and what is to be said of it.
+struct Scales {
+    scales: Vector,
+    notes: Vec<String>,
+}
+
+fn scales((line, text): (usize, &str), vectors: &[Vector; 3]) -> Result<Scales, ImportError> {
+    let exact = |scales: Vector| Scales {
+        scales,
+        notes: Vec::new(),
+    };
     let place = || format!("line {line}");
     let wrong = |problem: &str| {
         Err(ImportError::entry(
@@ -137,30 +147,45 @@ fn scales((line, text): (usize, &str), vectors: &[Vector; 3]) -> Result<Vector, 
         [one] => {
             let scale = number(one, place)?;
             if scale > 0 {
-                return Ok([scale.clone(), scale.clone(), scale]);
+                return Ok(exact([scale.clone(), scale.clone(), scale]));
             }
             let volume = determinant(vectors).abs();
             // The lattice reports a volume of zero later.
             let cube = if volume == 0 {
                 volume
             } else {
-                scale.abs() / volume
+                (&scale).abs() / volume
             };
-            match cube.checked_root(3u64) {
-                Some(root) if root != 0 => Ok([root.clone(), root.clone(), root]),
-                _ => wrong(
-                    "a volume whose scale is no rational number: write the scale instead of the volume",
-                ),
+            match (&cube).checked_root(3u64) {
+                Some(root) if root == 0 => wrong("expected a scale or a volume that is not 0"),
+                Some(root) => Ok(exact([root.clone(), root.clone(), root])),
+                None => Ok(rounded(&cube)),
             }
         }
         [x, y, z] => {
             let scales = [number(x, place)?, number(y, place)?, number(z, place)?];
             match scales.iter().all(|scale| *scale > 0) {
-                true => Ok(scales),
+                true => Ok(exact(scales)),
                 false => wrong("expected three positive scales"),
             }
         }
         _ => wrong("expected a scale, or three"),
+    }
+}
+
+/// The cube root to 12 digits behind the point.
+fn rounded(cube: &Rational) -> Scales {
+    let unit = Rational::from(10).pow(12u64);
+    // The floor of the root of n is that of the root of the floor of n.
+    let scaled = Integer::from((cube * (&unit).pow(3u64)).floor());
+    let scale = Rational::from(scaled.floor_root(3)) / unit;
+    let digits = Number::from(scale.clone()).approximate();
+    Scales {
+        notes: vec![format!(
+            "the scale that the volume needs is irrational, and rounded to {digits}; lengths alone \
+             depend on it, no angle and no ratio"
+        )],
+        scales: [scale.clone(), scale.clone(), scale],
     }
 }
 

@@ -3,24 +3,23 @@
 // The tiling `data` (see crates/publish/src/report/data.rs) ready for drawing: every simplex with Cartesian corners, moved so that its centroid lies
 // in the cell, and `moved`, the lattice vector by which it was moved.
 function prepare(data) {
-  const certificate = JSON.parse(data.certificate);
+  const certificate = data.certificate ? JSON.parse(data.certificate) : null;
   const D = data.dimension, r = data.rank;
   const cartesian = (x) => [0, 1, 2].map((i) => x.reduce((sum, c, k) => sum + c * (data.basis[k][i] ?? 0), 0));
-  const cells = data.cells.map((cell, index) => {
-    const row = certificate.witness.simplices[index].slice(0, D + 1);
-    const corners = row.map((corner) => (Array.isArray(corner) ? corner : [corner, ...Array(r).fill(0)]));
+  const cells = (data.cells ?? data.rows).map((cell, index) => {
+    const row = data.rows ? cell : certificate.witness.simplices[index].slice(0, D + 1);
+    const corners = row.map((corner) => (Array.isArray(corner) && corner.length > 1 ? corner : [[corner].flat()[0], ...Array(r).fill(0)]));
     const points = corners.map(([v, ...shift]) => data.points[v].map((x, k) => x + (shift[k] ?? 0)));
     const moved = Array.from({ length: D }, (_, k) =>
       k < r ? -Math.floor(points.reduce((sum, p) => sum + p[k], 0) / (D + 1) + 1e-9) : 0);
     const pairs = D * (D + 1) / 2;
-    return {
-      index, corners, moved, class: cell[0], volume: cell[1],
-      edges: cell.slice(2, 2 + pairs), angles: cell.slice(2 + pairs),
-      points: points.map((p) => cartesian(p.map((x, k) => x + moved[k]))),
-    };
+    const place = { index, corners, moved, points: points.map((p) => cartesian(p.map((x, k) => x + moved[k]))) };
+    return data.rows ? place : { ...place, class: cell[0], volume: cell[1], edges: cell.slice(2, 2 + pairs), angles: cell.slice(2 + pairs) };
   });
-  const largest = cells.map((cell) => Math.max(...cell.angles.map((a) => data.angles[a].approximate)));
-  return { data, certificate, cells, largest, cartesian, D, r };
+  const largest = data.rows ? null : cells.map((cell) => Math.max(...cell.angles.map((a) => data.angles[a].approximate)));
+  const tiling = { data, certificate, cells, largest, cartesian, D, r };
+  if (data.defects) linkDefects(tiling);
+  return tiling;
 }
 
 const add = (a, b, s = 1) => [a[0] + s * b[0], a[1] + s * b[1], a[2] + s * b[2]];
@@ -73,7 +72,7 @@ function section(corners, plane) {
 }
 
 // Numbers for each corner of a triangle to draw: position 3, normal 3, centroid of its simplex 3, barycentric coordinates 4, and bytes:
-// colour at the four corners of the simplex 4, which facet the triangle lies in (4 for a section), and the simplex in a separate array.
+// colour at the four corners of the simplex 4, which facet the triangle lies in (4 for a section), whether only its edges are drawn, and the simplex in a separate array.
 const FLOATS = 13;
 
 // A growing list of triangles.
@@ -92,7 +91,7 @@ class Triangles {
   }
 
   // Adds a convex polygon as a fan.
-  put(polygon, normal, centroid, ink, facet, owner) {
+  put(polygon, normal, centroid, ink, facet, owner, presence) {
     for (let i = 2; i < polygon.length; i++) {
       if (this.count === this.room) this.grow(2 * this.room);
       [0, i - 1, i].forEach((k, corner) => {
@@ -103,6 +102,7 @@ class Triangles {
         floats.set(b, at * FLOATS + 9);
         bytes.set(ink, at * 8);
         bytes[at * 8 + 4] = facet;
+        bytes[at * 8 + 5] = presence;
       });
       this.owners[this.count++] = owner;
     }
@@ -121,15 +121,18 @@ function triangles(tiling, n, plane, colours) {
     const offset = tiling.cartesian(shift);
     for (const cell of tiling.cells) {
       const corners = cell.points.map((p, i) => ({ p: add(p, offset), b: UNIT[i] }));
+      if (presence(tiling, cell) === NOT_DRAWN) continue;
       const outside = plane ? corners.filter(({ p }) => dot(plane.n, p) > plane.c).length : 0;
       if (outside === corners.length) continue;
-      const centroid = mean(corners.map(({ p }) => p)), ink = colours(cell), owner = copy * tiling.cells.length + cell.index;
+      const centroid = mean(corners.map(({ p }) => p)), owner = copy * tiling.cells.length + cell.index;
       for (const [polygon, normal, facet] of facets(corners, tiling.D, centroid)) {
-        list.put(outside ? clip(polygon, plane) : polygon, normal, centroid, ink, facet, owner);
+        const how = presence(tiling, cell, facet);
+        if (how !== NOT_DRAWN) list.put(outside ? clip(polygon, plane) : polygon, normal, centroid, colours(cell, facet), facet, owner, how);
       }
-      if (outside && tiling.D === 3) list.put(section(corners, plane), plane.n, centroid, ink, 4, owner);
+      if (outside && tiling.D === 3) list.put(section(corners, plane), plane.n, centroid, colours(cell, 4), 4, owner, presence(tiling, cell, 4));
     }
   });
+  if (tiling.data.defects && tiling.cells.length) putMarkers(tiling, list, 0.008 * bounds(tiling, n).radius);
   return list.done();
 }
 

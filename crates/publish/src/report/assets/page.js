@@ -5,43 +5,7 @@ const { tilings } = read("data");
 const root = document.documentElement;
 root.classList.add("js");
 
-const rgb = (hex) => [1, 3, 5].map((k) => parseInt(hex.slice(k, k + 2), 16) / 255);
-// Colours of vertex types: blue, orange, green, purple, yellow, vermilion, dark blue, grey.
-const TYPE_COLOURS = ["#56b4e9", "#e69f00", "#009e73", "#cc79a7", "#f0e442", "#d55e00", "#0072b2", "#bbbbbb"];
-// Viridis (S. van der Walt, N. Smith), at nine places; without its darkest part, on which edges would not show.
-const VIRIDIS = ["#440154", "#472d7b", "#3b528b", "#2c728e", "#21918c", "#28ae80", "#5ec962", "#addc30", "#fde725"].map(rgb);
 const MOST_SIMPLICES = 30000;
-
-function viridis(t) {
-  const x = 1 + Math.min(Math.max(t, 0), 1) * 7, k = Math.min(Math.floor(x), 7);
-  return VIRIDIS[k].map((c, i) => c + (x - k) * (VIRIDIS[k + 1][i] - c));
-}
-
-// The three ways to colour: a palette of at most 64 colours, the four indices for a simplex, a legend.
-const COLOURINGS = {
-  class: (tiling) => ({
-    palette: tiling.data.palette.slice(0, 63).map(rgb),
-    of: (cell) => Array(4).fill(cell.class % 63),
-    legend: tiling.data.palette.map((hex, k) => [hex, `class ${k}`]),
-  }),
-  angle: (tiling) => {
-    const low = Math.min(...tiling.largest), high = Math.max(...tiling.largest);
-    const place = (x) => (high - low < 1e-9 ? 0.5 : (x - low) / (high - low));
-    const steps = Array.from({ length: 64 }, (_, k) => viridis(k / 63));
-    const marks = high - low < 1e-9 ? [low] : [0, 0.25, 0.5, 0.75, 1].map((t) => low + t * (high - low));
-    const hex = (c) => "#" + c.map((x) => Math.round(255 * x).toString(16).padStart(2, "0")).join("");
-    return {
-      palette: steps,
-      of: (cell) => Array(4).fill(Math.round(63 * place(tiling.largest[cell.index]))),
-      legend: marks.map((x) => [hex(viridis(place(x))), `${x.toFixed(2)}°`]),
-    };
-  },
-  type: (tiling) => ({
-    palette: tiling.data.typeNames.map((_, k) => rgb(TYPE_COLOURS[k % 8])).slice(0, 64),
-    of: (cell) => [0, 1, 2, 3].map((i) => (cell.corners[i] ? tiling.data.types[cell.corners[i][0]] % 64 : 0)),
-    legend: tiling.data.typeNames.map((name, k) => [TYPE_COLOURS[k % 8], name]),
-  }),
-};
 
 // The view of one tiling in its article. There is one canvas; it moves with the view to the tiling that is shown.
 class View {
@@ -63,11 +27,20 @@ class View {
     this.panel.classList.toggle("plane", plane);
     this.canvas.setAttribute("aria-label", `View of ${tiling.data.name}. ${plane ? "Arrow keys move" : "Arrow keys turn"}, plus and minus zoom, 0 resets, n and p choose the next and previous ${plane ? "triangle" : "tetrahedron"}.`);
     this.panel.querySelector(".hint").textContent = `Drag to ${plane ? "move" : "turn"}, pinch or scroll to zoom, click a ${plane ? "triangle" : "tetrahedron"} for its exact data. Keys: arrows, + − 0, n p.`;
+    const refuted = Boolean(tiling.data.defects);
+    const show = (name, isShown) => { this.control[name].closest("label").hidden = !isShown; };
+    show("colour", !refuted);
+    show("others", refuted);
+    show("cells", !refuted && tiling.r > 0);
+    show("chosen", !refuted);
     for (const option of this.control.cells.options) {
       option.disabled = tiling.cells.length * option.value ** tiling.r > MOST_SIMPLICES || (tiling.r === 0 && option.value > 1);
     }
     for (const option of this.control.axis.options) option.hidden = option.disabled = plane && option.value === "2";
     this.control.cells.value = plane && tiling.cells.length < 12 && tiling.r > 0 ? "3" : "1";
+    this.control.others.value = "edges";
+    if (refuted) [tiling.defect, tiling.others] = [null, "edges"];
+    this.focus = null;
     this.control.chosen.max = tiling.cells.length - 1;
     this.control.chosen.value = "";
     for (const name of ["explode", "cut"]) this.control[name].value = this.control[name].defaultValue;
@@ -84,7 +57,8 @@ class View {
     this.turn = this.tiling.D === 2 ? [1, 0, 0, 0, 1, 0, 0, 0, 1] : [0, 1, 2].flatMap((k) => [right[k], up[k], toward[k]]);
     this.zoom = 1;
     this.pan = [0, 0];
-    this.redraw();
+    this.focus = null;
+    this.rebuild();
   }
 
   cells() {
@@ -107,9 +81,9 @@ class View {
   make() {
     this.stale = false;
     const { tiling } = this, n = this.cells(), all = (tiling.bounds ??= {})[n] ??= bounds(tiling, n);
-    this.centre = all.centre;
+    this.centre = this.focus?.centre ?? all.centre;
     this.scale = (tiling.D === 2 ? 0.97 : 0.94) / all.radius;
-    this.colouring = COLOURINGS[this.control.colour.value](tiling);
+    this.colouring = COLOURINGS[tiling.data.defects ? "defect" : this.control.colour.value](tiling);
     this.renderer.upload(triangles(tiling, n, this.plane(all), this.colouring.of));
     this.legend.replaceChildren(...this.colouring.legend.slice(0, 24).map(([hex, text]) => {
       const swatch = element("span", { class: "swatch" });
@@ -159,7 +133,7 @@ class View {
   }
 
   magnify(factor) {
-    this.zoom = Math.min(Math.max(this.zoom * factor, 0.3), 20);
+    this.zoom = Math.min(Math.max(this.zoom * factor, 0.3), this.tiling.data.defects ? 2000 : 20);
     this.redraw();
   }
 
@@ -168,15 +142,49 @@ class View {
     const panel = this.article.querySelector(".picked"), count = this.tiling.cells.length;
     this.chosen = owner;
     panel.hidden = owner < 0;
+    if (owner >= 0 && this.tiling.data.defects) return this.chooseInRefuted(panel, this.tiling.cells[owner % count]);
     if (owner >= 0) {
       const shift = translates(this.tiling, this.cells())[Math.floor(owner / count)] ?? [];
-      panel.replaceChildren(...details(this.tiling, this.tiling.cells[owner % count], shift));
+      panel.replaceChildren(this.closeButton(), ...details(this.tiling, this.tiling.cells[owner % count], shift));
       this.control.chosen.value = owner % count;
     }
     const cell = this.tiling.cells[owner % count];
     this.panel.querySelector(".spoken").textContent = owner < 0 ? "" :
       `${panel.querySelector("h3").textContent}, class ${cell.class}, largest angle ${this.tiling.largest[cell.index].toFixed(2)} degrees`;
     this.redraw();
+  }
+
+  closeButton() {
+    const button = element("button", { type: "button", class: "close", "aria-label": "Close" }, "×");
+    button.addEventListener("click", () => { this.choose(-1); this.canvas.focus({ preventScroll: true }); });
+    return button;
+  }
+
+  // A simplex of a refuted tiling; its first defect becomes the chosen one.
+  chooseInRefuted(panel, cell) {
+    panel.replaceChildren(this.closeButton(), ...defectDetails(this.tiling, cell, this.article));
+    this.panel.querySelector(".spoken").textContent = panel.textContent;
+    if (cell.defects.length && !cell.defects.includes(this.tiling.defect)) this.chooseDefect(cell.defects[0], false);
+    this.redraw();
+  }
+
+  // Shows one defect, or all of them for null. The camera goes to it unless the choice came from the picture.
+  chooseDefect(number, move = true) {
+    this.tiling.defect = number;
+    for (const button of this.article.querySelectorAll("[data-defect]")) {
+      const isChosen = button.dataset.defect === String(number);
+      button.toggleAttribute("aria-current", isChosen);
+      const list = button.closest(".list");
+      if (isChosen && !move) list.scrollTop += button.getBoundingClientRect().top - list.getBoundingClientRect().top;
+    }
+    if (move) {
+      const n = this.cells(), all = (this.tiling.bounds ??= {})[n] ??= bounds(this.tiling, n);
+      this.choose(-1);
+      this.reset();
+      this.focus = number === null ? null : ballOf(this.tiling, number);
+      if (this.focus) this.magnify(Math.max(1, 0.4 * all.radius / Math.max(this.focus.radius, 1e-9 * all.radius)));
+    }
+    this.rebuild();
   }
 
   listen() {
@@ -194,6 +202,10 @@ class View {
         this.rebuild();
       });
     }
+    this.control.others.addEventListener("input", () => {
+      this.tiling.others = this.control.others.value;
+      this.rebuild();
+    });
     this.control.explode.addEventListener("input", () => this.redraw());
     this.control.chosen.addEventListener("input", () => {
       const index = this.control.chosen.valueAsNumber;
@@ -343,6 +355,9 @@ function start() {
   window.addEventListener("hashchange", () => select(wanted()));
   articles.forEach((article, index) => article.addEventListener("click", (event) => {
     const action = event.target.closest("[data-action]")?.dataset.action;
+    const defect = event.target.closest("[data-defect]")?.dataset.defect;
+    if (defect) view?.chooseDefect(Number(defect));
+    if (action === "all") view?.chooseDefect(null);
     if (!action) return;
     const tiling = tilingOf(index), stem = fileStem(tiling.data.name), n = view?.cells() ?? 1;
     if (action === "verify") verifyAndTell(tiling, article);

@@ -6,12 +6,12 @@ layout(location=0) in vec3 position; layout(location=1) in vec3 normal; layout(l
 layout(location=3) in vec4 barycentric; layout(location=4) in vec4 ink; layout(location=5) in vec4 kind;
 layout(location=6) in float owner;
 uniform mat3 turn; uniform vec3 centre; uniform float explode, zoom, perspective, scale; uniform vec2 aspect, pan; uniform float selected;
-out vec4 weight; out vec3 light; flat out vec4 colours; flat out float facet; flat out float chosen;
+out vec4 weight; out vec3 light; flat out vec4 colours; flat out float facet; flat out float chosen; flat out float edgesOnly;
 void main() {
   vec3 p = turn * (position + explode * (middle - centre) - centre) * scale;
   vec3 n = turn * normal;
   light = vec3(n.z, n.y, n.x);
-  weight = barycentric; colours = ink; facet = kind.x; chosen = abs(owner - selected) < 0.5 ? 1.0 : 0.0;
+  weight = barycentric; colours = ink; facet = kind.x; edgesOnly = kind.y; chosen = abs(owner - selected) < 0.5 ? 1.0 : 0.0;
   float depth = 1.0 - perspective * p.z / (1.0 + explode);
   vec2 q = p.xy * zoom / (1.0 + 0.75 * explode) + pan * depth;
   gl_Position = vec4(q * aspect, -p.z * 0.2 / (1.0 + explode), depth);
@@ -19,7 +19,7 @@ void main() {
 
 const FRAGMENT_SHADER = `#version 300 es
 precision highp float;
-in vec4 weight; in vec3 light; flat in vec4 colours; flat in float facet; flat in float chosen;
+in vec4 weight; in vec3 light; flat in vec4 colours; flat in float facet; flat in float chosen; flat in float edgesOnly;
 uniform vec3 palette[64]; uniform vec3 edge; uniform float width; uniform float flatLight;
 out vec4 colour;
 void main() {
@@ -34,6 +34,7 @@ void main() {
   }
   float wide = width * (1.0 + 2.0 * chosen);
   float ink = 1.0 - smoothstep(wide - 0.6, wide + 0.6, distance);
+  if (edgesOnly > 0.5 && ink < 0.5) discard;
   vec3 lit = mix(base * shade, vec3(1.0), 0.35 * chosen);
   colour = vec4(mix(lit, mix(edge, vec3(0.85, 0.0, 0.3), chosen), ink), 1.0);
 }`;
@@ -146,7 +147,7 @@ class Renderer {
       const area = (p, q, r) => (q[0] - p[0]) * (r[1] - p[1]) - (q[1] - p[1]) * (r[0] - p[0]);
       const all = area(a, b, c), at = [x, y];
       const s = area(at, b, c) / all, t = area(a, at, c) / all;
-      if (!(s >= 0 && t >= 0 && s + t <= 1)) continue;
+      if (!(s >= 0 && t >= 0 && s + t <= 1) || this.mesh.bytes[24 * i + 5]) continue;
       const depth = s * a[2] + t * b[2] + (1 - s - t) * c[2];
       if (depth > nearest) [best, nearest] = [owners[i], depth];
     }

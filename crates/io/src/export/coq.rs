@@ -1,0 +1,188 @@
+//! A certificate as a file for Coq that ends in its claim, a theorem about real space or the real plane.
+//!
+//! The file contains the certificate's own bytes, and its claim as a term of `Denote.v`. Coq's kernel
+//! runs the checker of `Bytes.v`, which is proved sound. So nothing here is trusted: the theorem is
+//! about the bytes and the claim that the file shows, and a mistake makes `coqc` fail.
+//!
+//! Regions are left out: the development does not treat them.
+
+use acutile_core::format::{
+    Claim, Cosine, Domain, Field, Fraction, Number, Polytope, Relation, Statement,
+};
+use malachite::Integer;
+use std::fmt;
+
+/// Why a certificate has no file for Coq.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum NotATheorem {
+    /// The soundness of regions is proved on paper only.
+    Region,
+    /// So is that of uncrossed planes.
+    Plane,
+}
+
+impl fmt::Display for NotATheorem {
+    fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
+        match self {
+            NotATheorem::Region => f.write_str("the Coq development does not treat regions"),
+            NotATheorem::Plane => {
+                f.write_str("the Coq development does not treat the statement \"uncrossed plane\"")
+            }
+        }
+    }
+}
+
+impl std::error::Error for NotATheorem {}
+
+/// The SHA-256 of the files that define the words of the theorem, as `sha256sum` prints them.
+const STATEMENT_FILES: &str = include_str!("../../../../proofs/statements.sha256");
+
+/// Bytes on one line. Coq's parser needs stack in proportion to the longest list.
+const BYTES_PER_LINE: usize = 64;
+
+/// The file for the certificate with these bytes and this claim, whether or not it is true.
+///
+/// # Errors
+/// [`NotATheorem`] for regions and uncrossed planes.
+pub fn coq_theorem(certificate: &[u8], claim: &Claim) -> Result<String, NotATheorem> {
+    let lines = certificate.chunks(BYTES_PER_LINE);
+    let bytes: Vec<String> = lines
+        .map(|line| list(line, |b| format!("x{b:02x}")))
+        .collect();
+    Ok(format!(
+        "(* The claim of an acutile certificate, as a theorem about real space or the real plane.\n   \
+         [certificate] is the certificate: its CBOR, byte by byte. [claimed] is its claim.\n   \
+         Denote.v defines certificates and the meaning of claims, in the words of Statement.v and\n   \
+         PlaneStatement.v. The SHA-256 of these files:\n{}   The last line prints the axioms. *)\n\
+         From Coq Require Import List NArith ZArith.\nFrom Coq Require Import Init.Byte.\n\
+         From Acutile Require Import Statement Denote Bytes.\nImport ListNotations.\nLocal Open Scope Z_scope.\n\n\
+         Definition certificate : bytes := concat [\n{}].\n\n\
+         Definition claimed : claim := {}.\n\n\
+         Lemma checked : accepts certificate = Some claimed.\n\
+         Proof. vm_cast_no_check (eq_refl (Some claimed)). Qed.\n\n\
+         Theorem claim : exists c, certificate = print c /\\ claim_of c = claimed /\\ shows c /\\ meaning claimed.\n\
+         Proof. exact (accepted certificate claimed checked). Qed.\n\
+         Print Assumptions claim.\n",
+        indented(STATEMENT_FILES),
+        bytes.join(";\n"),
+        claim_term(claim)?,
+    ))
+}
+
+fn indented(lines: &str) -> String {
+    lines.lines().map(|line| format!("     {line}\n")).collect()
+}
+
+fn list<T>(items: &[T], term: impl Fn(&T) -> String) -> String {
+    let terms: Vec<String> = items.iter().map(term).collect();
+    format!("[{}]", terms.join(";"))
+}
+
+/// A term of type `claim`.
+fn claim_term(claim: &Claim) -> Result<String, NotATheorem> {
+    let statements: Result<Vec<String>, _> = claim.statements.iter().map(statement).collect();
+    Ok(format!(
+        "OfTiling (TilingClaim {}\n  {}\n  {}\n  {}\n  {})",
+        claim.dimension,
+        field(&claim.field),
+        points(&claim.gram),
+        domain(&claim.domain)?,
+        list(&statements?, String::clone),
+    ))
+}
+
+/// An integer, in parentheses if it is negative.
+fn integer(value: &Integer) -> String {
+    if *value < 0 {
+        format!("({value})")
+    } else {
+        value.to_string()
+    }
+}
+
+fn number(value: &Number) -> String {
+    list(&value.0, integer)
+}
+
+fn points(rows: &[Vec<Number>]) -> String {
+    list(rows, |row| list(row, number))
+}
+
+fn field(field: &Field) -> String {
+    match field {
+        Field::Rationals => "Rationals".to_owned(),
+        Field::Algebraic(root) => format!(
+            "(Root {} {} {} {})",
+            list(&root.polynomial, integer),
+            integer(&root.low),
+            integer(&root.high),
+            integer(&root.denominator)
+        ),
+    }
+}
+
+fn domain(domain: &Domain) -> Result<String, NotATheorem> {
+    Ok(match domain {
+        Domain::Space => "Space".to_owned(),
+        Domain::Slab(polytope) => format!("(Slab {})", polytope_term(polytope)),
+        Domain::Prism(polytope) => format!("(Prism {})", polytope_term(polytope)),
+        Domain::Solid(polytope) => format!("(Solid {})", polytope_term(polytope)),
+        Domain::Region(_) => return Err(NotATheorem::Region),
+    })
+}
+
+fn polytope_term(polytope: &Polytope) -> String {
+    let face = |face: &Vec<u32>| list(face, |i| format!("{i}%N"));
+    format!(
+        "(Polytope {} {} {})",
+        integer(&polytope.denominator),
+        points(&polytope.vertices),
+        list(&polytope.faces, face)
+    )
+}
+
+fn statement(statement: &Statement) -> Result<String, NotATheorem> {
+    Ok(match statement {
+        Statement::FaceToFaceTiling => "FaceToFaceTiling".to_owned(),
+        Statement::Acute => "IsAcute".to_owned(),
+        Statement::Nonobtuse => "IsNonobtuse".to_owned(),
+        Statement::LargestAngle(relation, cosine) => angle("LargestAngle", *relation, cosine),
+        Statement::SmallestAngle(relation, cosine) => angle("SmallestAngle", *relation, cosine),
+        Statement::SquaredRatio(relation, bound) => {
+            format!(
+                "SquaredRatio {} {}",
+                relation_term(*relation),
+                fraction(bound)
+            )
+        }
+        Statement::UncrossedPlane(_) => return Err(NotATheorem::Plane),
+        Statement::Delaunay => "IsDelaunay".to_owned(),
+        Statement::WeaklyDelaunay => "IsWeaklyDelaunay".to_owned(),
+        Statement::LocallyDelaunay => "IsLocallyDelaunay".to_owned(),
+        Statement::LocallyWeaklyDelaunay => "IsLocallyWeaklyDelaunay".to_owned(),
+        Statement::Tcp => "IsTCP".to_owned(),
+    })
+}
+
+fn angle(quantity: &str, relation: Relation, cosine: &Cosine) -> String {
+    let sign = integer(&Integer::from(cosine.sign));
+    let square = fraction(&cosine.square);
+    format!("{quantity} {} {sign} {square}", relation_term(relation))
+}
+
+/// Numerator and denominator.
+fn fraction(fraction: &Fraction) -> String {
+    let numerator = number(&fraction.numerator);
+    format!("{numerator} {}", integer(&fraction.denominator))
+}
+
+fn relation_term(relation: Relation) -> &'static str {
+    match relation {
+        Relation::LessThan => "LessThan",
+        Relation::AtMost => "AtMost",
+        Relation::Maximum => "Maximum",
+        Relation::MoreThan => "MoreThan",
+        Relation::AtLeast => "AtLeast",
+        Relation::Minimum => "Minimum",
+    }
+}

@@ -1,0 +1,266 @@
+(** * What a certificate is, and what its claim says
+
+    This file is read after Statement.v and PlaneStatement.v.  It contains definitions and
+    no proof.  It says what a certificate of format 2 is (docs/format.md), which bytes it
+    is, and what its claim means, in the words of those two files.  Bytes.v has the theorem:
+
+      [accepts s = Some k -> exists c, s = print c /\ claim_of c = k /\ meaning k]
+
+    The reader of the bytes s plays no part in it: whatever it makes of them is printed
+    again and compared with s.  A few more notations: [N] are the numbers 0, 1, 2, … in
+    binary; [l ++ m] is the list l followed by m, [map f l] the list of the values of f, [nth i l d]
+    is the i-th member of l, or d if there is none. *)
+From Coq Require Import Reals NArith ZArith List Permutation String.
+From Coq Require Import Init.Byte.
+From Coq Require Strings.Byte.
+From Acutile Require Import Statement PlaneStatement.
+Import ListNotations.
+
+(** ** Bytes: deterministic CBOR (RFC 8949, section 4.2.1)
+
+    The certificate is its CBOR, and the kernel reads nothing else. *)
+Definition bytes := list byte.
+Inductive item := Int (z : Z) | Text (s : string) | Array (l : list item).
+
+Section Encoding.
+Local Open Scope N_scope.
+Definition byte_of (n : N) : byte := match Strings.Byte.of_N n with Some b => b | None => x00 end.
+(** The k bytes of n, the most significant one first. *)
+Fixpoint big_endian (k : nat) (n : N) : bytes :=
+  match k with O => [] | S k => big_endian k (n / 256) ++ [byte_of (n mod 256)] end.
+(** A major type and its argument, in the shortest form. *)
+Definition head (major n : N) : bytes :=
+  let first x := byte_of (32 * major + x) in
+  if n <? 24 then [first n]
+  else if n <? 2 ^ 8 then first 24 :: big_endian 1 n
+  else if n <? 2 ^ 16 then first 25 :: big_endian 2 n
+  else if n <? 2 ^ 32 then first 26 :: big_endian 4 n
+  else first 27 :: big_endian 8 n.
+(** An integer that has no argument of 64 bits is a tagged byte string. *)
+Definition integer (major tag n : N) : bytes :=
+  if n <? 2 ^ 64 then head major n
+  else let k := (N.size n + 7) / 8 in head 6 tag ++ head 2 k ++ big_endian (N.to_nat k) n.
+Fixpoint encode (i : item) : bytes :=
+  match i with
+  | Int z => if Z.leb 0 z then integer 0 2 (Z.to_N z) else integer 1 3 (Z.to_N (-1 - z))
+  | Text s => let l := list_byte_of_string s in head 3 (N.of_nat (List.length l)) ++ l
+  | Array l => head 4 (N.of_nat (List.length l)) ++ flat_map encode l
+  end.
+End Encoding.
+
+(** ** The abstract syntax *)
+
+(** A number: its coefficients of 1, a, a^2, …; over the rational numbers just one. *)
+Definition number := list Z.
+Inductive field := Rationals | Root (polynomial : list Z) (low high denominator : Z).
+Record polytope := Polytope { p_denominator : Z; p_vertices : list (list number); p_faces : list (list N) }.
+Inductive region := Space | Slab (P : polytope) | Prism (P : polytope) | Solid (P : polytope) | Region (rank : nat).
+Inductive sentence :=
+  | FaceToFaceTiling | IsAcute | IsNonobtuse
+  | LargestAngle (rel : relation) (sign : Z) (p : number) (q : Z)
+  | SmallestAngle (rel : relation) (sign : Z) (p : number) (q : Z)
+  | SquaredRatio (rel : relation) (p : number) (q : Z)
+  | IsDelaunay | IsWeaklyDelaunay | IsLocallyDelaunay | IsLocallyWeaklyDelaunay | IsTCP.
+Record tiling_claim := TilingClaim {
+  dimension : nat; over : field; gram_rows : list (list number); region_of : region; sentences : list sentence }.
+(** A corner: a vertex, and the shift, empty if it is zero. A row: its corners; its sixes if TCP is stated. *)
+Definition corner := (N * list Z)%type.
+Definition row := (list corner * option Z)%type.
+Record tiling_witness := TilingWitness {
+  w_denominator : Z; w_vertices : list (list number); w_boundary : list (list corner); w_rows : list row }.
+(** Families and systems of patches, which have no theorem yet, will be further constructors of these. *)
+Inductive claim := OfTiling (k : tiling_claim).
+Inductive certificate := Tiling (k : tiling_claim) (w : tiling_witness).
+Definition claim_of (c : certificate) : claim := match c with Tiling k _ => OfTiling k end.
+
+(** ** Printing: the arrays of docs/format.md *)
+Local Open Scope string_scope.
+Definition number_item (f : field) (x : number) : item :=
+  match f, x with Rationals, [z] => Int z | _, _ => Array (map Int x) end.
+Definition index_item (n : N) : item := Int (Z.of_N n).
+Definition field_item (f : field) : item :=
+  match f with
+  | Rationals => Text "Q"
+  | Root p lo hi d => Array [Array (map Int p); Array [Int lo; Int hi; Int d]]
+  end.
+Definition points_item (f : field) (l : list (list number)) : item := Array (map (fun v => Array (map (number_item f) v)) l).
+Definition polytope_item (f : field) (P : polytope) : item :=
+  Array [Int (p_denominator P); points_item f (p_vertices P); Array (map (fun l => Array (map index_item l)) (p_faces P))].
+Definition region_item (f : field) (d : region) : item :=
+  match d with
+  | Space => Text "space"
+  | Slab P => Array [Text "slab"; polytope_item f P]
+  | Prism P => Array [Text "prism"; polytope_item f P]
+  | Solid P => Array [Text "solid"; polytope_item f P]
+  | Region r => Array [Text "region"; Int (Z.of_nat r)]
+  end.
+Definition relation_word (r : relation) : string :=
+  match r with
+  | LessThan => "less than" | AtMost => "at most" | Maximum => "maximum"
+  | MoreThan => "more than" | AtLeast => "at least" | Minimum => "minimum"
+  end.
+Definition sentence_item (f : field) (s : sentence) : item :=
+  let fraction p q := Array [number_item f p; Int q] in
+  match s with
+  | FaceToFaceTiling => Text "face-to-face tiling"
+  | IsAcute => Text "acute"
+  | IsNonobtuse => Text "nonobtuse"
+  | LargestAngle rel sg p q => Array [Text "largest dihedral angle"; Text (relation_word rel); Int sg; fraction p q]
+  | SmallestAngle rel sg p q => Array [Text "smallest dihedral angle"; Text (relation_word rel); Int sg; fraction p q]
+  | SquaredRatio rel p q => Array [Text "squared radius-edge ratio"; Text (relation_word rel); fraction p q]
+  | IsDelaunay => Text "Delaunay"
+  | IsWeaklyDelaunay => Text "weakly Delaunay"
+  | IsLocallyDelaunay => Text "locally Delaunay"
+  | IsLocallyWeaklyDelaunay => Text "locally weakly Delaunay"
+  | IsTCP => Text "TCP"
+  end.
+Definition claim_item (k : tiling_claim) : item :=
+  let f := over k in
+  Array [Int (Z.of_nat (dimension k)); field_item f; points_item f (gram_rows k); region_item f (region_of k);
+         Array (map (sentence_item f) (sentences k))].
+Definition corner_item (c : corner) : item :=
+  match snd c with [] => index_item (fst c) | s => Array (index_item (fst c) :: map Int s) end.
+Definition row_item (r : row) : item :=
+  Array (map corner_item (fst r) ++ match snd r with None => [] | Some sixes => [Int sixes] end).
+Definition witness_item (f : field) (w : tiling_witness) : item :=
+  Array [Int (w_denominator w); points_item f (w_vertices w);
+         Array (map (fun b => Array (map corner_item b)) (w_boundary w)); Array (map row_item (w_rows w))].
+Definition certificate_item (c : certificate) : item :=
+  match c with
+  | Tiling k w => Array [Text "acutile-certificate"; Int 2; Text "tiling"; claim_item k; witness_item (over k) w]
+  end.
+Definition print (c : certificate) : bytes := encode (certificate_item c).
+Local Close Scope string_scope.
+
+(** ** Meaning: numbers *)
+Local Open Scope R_scope.
+Section Value.
+Variable a : R.
+Fixpoint value (x : number) : R := match x with [] => 0 | c :: x => IZR c + a * value x end.
+End Value.
+(** a is the number that the field is about: the only root of the polynomial in the interval.
+    Over the rational numbers it plays no part. *)
+Definition the_root (f : field) (a : R) : Prop :=
+  match f with
+  | Rationals => True
+  | Root p lo hi d =>
+    let between x := IZR lo / IZR d <= x <= IZR hi / IZR d in
+    value a p = 0 /\ between a /\ forall x, value x p = 0 -> between x -> x = a
+  end.
+
+(** ** Meaning: the claim about a list of simplices
+
+    A simplex is the list of its corners, a corner the list of its D coordinates in the
+    basis l1, …, lD. *)
+Definition simplex := list (list R).
+Definition as_point (x : list R) : point := match x with [x; y; z] => Point x y z | _ => origin end.
+Definition as_point2 (x : list R) : point2 := match x with [x; y] => Point2 x y | _ => origin2 end.
+Definition as_tetrahedron (l1 l2 l3 : point) (t : simplex) : tetrahedron :=
+  match map (fun x => at_coordinates l1 l2 l3 (as_point x)) t with
+  | [p; q; r; s] => Tetrahedron p q r s
+  | _ => Tetrahedron origin origin origin origin
+  end.
+Definition as_triangle (l1 l2 : point2) (t : simplex) : triangle2 :=
+  match map (fun x => at_coordinates2 l1 l2 (as_point2 x)) t with
+  | [p; q; r] => Triangle2 p q r
+  | _ => Triangle2 origin2 origin2 origin2
+  end.
+
+Definition polytope_of (d : region) : option polytope :=
+  match d with Slab P | Prism P | Solid P => Some P | Space | Region _ => None end.
+Definition rank (k : tiling_claim) : nat :=
+  match region_of k with Space => dimension k | Slab _ => dimension k - 1 | Prism _ => 1 | Solid _ => 0 | Region r => r end.
+
+Section Claim.
+Variables (k : tiling_claim) (a : R).
+(** The upper triangle, by rows. *)
+Definition gram_of : gram :=
+  match gram_rows k with
+  | [[g11; g12; g13]; [g22; g23]; [g33]] =>
+    Gram (value a g11) (value a g22) (value a g33) (value a g12) (value a g13) (value a g23)
+  | _ => Gram 0 0 0 0 0 0
+  end.
+Definition gram2_of : gram2 :=
+  match gram_rows k with
+  | [[g11; g12]; [g22]] => Gram2 (value a g11) (value a g22) (value a g12)
+  | _ => Gram2 0 0 0
+  end.
+(** The vertices of the polytope, with zeros in front, in the directions of the lattice. *)
+Definition polytope_points : list (list R) :=
+  match polytope_of (region_of k) with
+  | Some P => map (fun v => repeat 0 (rank k) ++ map (fun x => value a x / IZR (p_denominator P)) v) (p_vertices P)
+  | None => []
+  end.
+(** The angle with the sign and the square p/q of its cosine. *)
+Definition angle_bound (sign : Z) (p : number) (q : Z) : R := acos (IZR sign * sqrt (value a p / IZR q)).
+
+(** The sentence holds for the simplices T 0, …, T (n - 1) and their lattice translates. The local
+    Delaunay conditions are about regions, for which this development has no theorem: nothing is
+    said of them, and no claim with them is accepted. *)
+Variables (n : nat) (T : nat -> simplex).
+Definition space_sentence (l1 l2 l3 : point) (s : sentence) : Prop :=
+  let r := rank k in let P := fun j => as_tetrahedron l1 l2 l3 (T j) in
+  match s with
+  | FaceToFaceTiling => face_to_face_tiling l1 l2 l3 r (domain l1 l2 l3 r (map as_point polytope_points)) n P
+  | IsAcute => acute l1 l2 l3 r n P
+  | IsNonobtuse => nonobtuse l1 l2 l3 r n P
+  | LargestAngle rel sg p q => largest_dihedral_angle l1 l2 l3 r n P rel (angle_bound sg p q)
+  | SmallestAngle rel sg p q => smallest_dihedral_angle l1 l2 l3 r n P rel (angle_bound sg p q)
+  | SquaredRatio rel p q => squared_radius_edge_ratio l1 l2 l3 r n P rel (value a p / IZR q)
+  | IsDelaunay => delaunay l1 l2 l3 r n P
+  | IsWeaklyDelaunay => weakly_delaunay l1 l2 l3 r n P
+  | IsLocallyDelaunay | IsLocallyWeaklyDelaunay => False
+  | IsTCP => tcp l1 l2 l3 r n P
+  end.
+Definition plane_sentence (l1 l2 : point2) (s : sentence) : Prop :=
+  let r := rank k in let P := fun j => as_triangle l1 l2 (T j) in
+  match s with
+  | FaceToFaceTiling => edge_to_edge_tiling l1 l2 r (domain2 l1 l2 r (map as_point2 polytope_points)) n P
+  | IsAcute => acute2 l1 l2 r n P
+  | IsNonobtuse => nonobtuse2 l1 l2 r n P
+  | LargestAngle rel sg p q => largest_angle2 l1 l2 r n P rel (angle_bound sg p q)
+  | SmallestAngle rel sg p q => smallest_angle2 l1 l2 r n P rel (angle_bound sg p q)
+  | SquaredRatio rel p q => squared_radius_edge_ratio2 l1 l2 r n P rel (value a p / IZR q)
+  | IsDelaunay => delaunay2 l1 l2 r n P
+  | IsWeaklyDelaunay => weakly_delaunay2 l1 l2 r n P
+  | IsLocallyDelaunay | IsLocallyWeaklyDelaunay | IsTCP => False
+  end.
+(** There are bases with the Gram matrix, and for all of them every sentence holds. Any two of them
+    differ by a congruence. *)
+Definition holds_of : Prop :=
+  In FaceToFaceTiling (sentences k) /\
+  match dimension k with
+  | 3%nat => (exists l1 l2 l3, has_gram gram_of l1 l2 l3) /\
+         forall l1 l2 l3, has_gram gram_of l1 l2 l3 -> forall s, In s (sentences k) -> space_sentence l1 l2 l3 s
+  | 2%nat => (exists l1 l2, has_gram2 gram2_of l1 l2) /\
+         forall l1 l2, has_gram2 gram2_of l1 l2 -> forall s, In s (sentences k) -> plane_sentence l1 l2 s
+  | _ => False
+  end.
+End Claim.
+
+(** ** Meaning: the claim alone, and the certificate
+
+    The claim says that such simplices exist. The certificate shows which ones. *)
+Definition meaning (k : claim) : Prop :=
+  match k with
+  | OfTiling k => match region_of k with Region _ => False | _ => exists a, the_root (over k) a /\ exists n T, holds_of k a n T end
+  end.
+
+(** The coordinates of a corner: those of its vertex, moved by the shift. *)
+Fixpoint moved (x : list R) (shift : list Z) : list R :=
+  match x, shift with
+  | x :: xs, s :: shift => (x + IZR s) :: moved xs shift
+  | _, _ => x
+  end.
+Definition coordinates (a : R) (w : tiling_witness) (c : corner) : list R :=
+  moved (map (fun x => value a x / IZR (w_denominator w)) (nth (N.to_nat (fst c)) (w_vertices w) [])) (snd c).
+(** T j has the corners of row j, in some order. *)
+Definition are_rows (a : R) (w : tiling_witness) (n : nat) (T : nat -> simplex) : Prop :=
+  n = List.length (w_rows w) /\
+  forall j r, nth_error (w_rows w) j = Some r -> Permutation (T j) (map (coordinates a w) (fst r)).
+(** What the certificate shows: its own simplices have the claimed properties. *)
+Definition shows (c : certificate) : Prop :=
+  match c with
+  | Tiling k w => match region_of k with Region _ => False | _ =>
+      exists a, the_root (over k) a /\ exists n T, are_rows a w n T /\ holds_of k a n T end
+  end.

@@ -1,0 +1,289 @@
+(** * The rules of the format, and the data of the checker
+
+    The first part has the rules of docs/format.md that no theorem needs, such as lowest
+    terms and the order of corners: they can refuse a certificate, and accept none.  The
+    second part turns a certificate into the data of Checker.v and PlaneChecker.v, and asks
+    for all that the theorem of Bytes.v needs. *)
+From Coq Require Import Reals NArith ZArith List Bool String FMapPositive.
+From Acutile Require Import Statement Tetrahedra Degree Domain Checker PlaneChecker Polytope Numbers Fast Denote Pairing.
+Import ListNotations.
+Local Open Scope nat_scope.
+Notation length := List.length.
+
+(** The corners of the checker have three entries in a shift. *)
+Definition shift3 (s : list Z) : Z3 :=
+  match s with [] => z30 | [x] => (x, 0, 0)%Z | [x; y] => (x, y, 0)%Z | x :: y :: z :: _ => (x, y, z) end.
+Definition corner3 (q : Denote.corner) : Checker.corner := (fst q, shift3 (snd q)).
+Definition row_corners (r : row) : list Checker.corner := map corner3 (fst r).
+Definition faces_of (k : tiling_claim) : list (list N) := match polytope_of (region_of k) with Some P => p_faces P | None => [] end.
+
+(** ** 1. Rules of the format *)
+Inductive refusal := Malformed (why : string) | Rejected (why : string) | Declined (why : string).
+Inductive verdict := Accepted (k : claim) | Refused (r : refusal).
+Notation "'need' c 'else' v ; e" := (if c then e else Some v) (at level 200, c at level 100, v at level 100, e at level 200).
+
+Definition degree (f : field) : nat := match f with Rationals => 1 | Root p _ _ _ => length p - 1 end.
+Definition bits (z : Z) : N := N.size (Z.abs_N z).
+Definition fold_numbers {X} (f : X -> Z -> X) (table : list (list number)) (m : X) : X :=
+  fold_left (fun m v => fold_left (fun m x => fold_left f x m) v m) table m.
+Definition common_divisor (m : Z) (table : list (list number)) : Z := fold_numbers Z.gcd table m.
+Definition proper_denominator (m : Z) (table : list (list number)) : bool := Z.ltb 0 m && Z.eqb (common_divisor m table) 1.
+Definition rows_of (n d : nat) (table : list (list number)) : bool :=
+  forallb (fun v => Nat.eqb (length v) d && forallb (fun x => Nat.eqb (length x) n) v) table.
+Fixpoint triangular (n d : nat) (rows : list (list number)) : bool :=
+  match d, rows with
+  | 0, [] => true
+  | S d', row :: rows => rows_of n d [row] && triangular n d' rows
+  | _, _ => false
+  end.
+
+Local Open Scope string_scope.
+Definition field_refusal (f : field) : option refusal :=
+  match f with
+  | Rationals => None
+  | Root p lo hi d =>
+    need (Nat.leb 2 (degree f) && Z.eqb (last p 0%Z) 1) else Malformed "the polynomial is not monic of degree at least two";
+    need Nat.leb (degree f) 8 else Declined "the degree";
+    need (Z.ltb 0 d && Z.ltb lo hi) else Malformed "the interval of the root";
+    need Z.eqb (Z.gcd d (Z.gcd lo hi)) 1 else Malformed "a common factor of the interval of the root";
+    need (N.leb (bits lo) 400 && N.leb (bits hi) 400 && N.leb (bits d) 400) else Declined "a root with long ends";
+    match polynomial_sign p d lo, polynomial_sign p d hi with
+    | Lt, Gt | Gt, Lt => None
+    | _, _ => Some (Rejected "the polynomial does not change its sign")
+    end
+  end.
+Definition region_refusal (k : tiling_claim) : option refusal :=
+  match region_of k with
+  | Space => None
+  | Region r => need Nat.leb r (dimension k) else Malformed "the rank of the region"; Some (Declined "a region: this checker has no theorem about it")
+  | Slab P | Prism P | Solid P =>
+    need (match region_of k with Prism _ => Nat.eqb (dimension k) 3 | _ => true end) else Malformed "a prism in the plane";
+    need rows_of (degree (over k)) (dimension k - rank k) (p_vertices P) else Malformed "the vertices of the polytope";
+    need proper_denominator (p_denominator P) (p_vertices P) else Malformed "the denominator of the polytope";
+    need forallb (forallb (fun i => N.ltb i (N.of_nat (length (p_vertices P))))) (p_faces P) else Malformed "a vertex of a face out of range";
+    None
+  end.
+(** Sentences stand in the order of the grammar; their places increase. *)
+Definition relation_place (rel : relation) : nat :=
+  match rel with LessThan => 0 | AtMost => 1 | Maximum => 2 | MoreThan => 3 | AtLeast => 4 | Minimum => 5 end.
+Definition sentence_place (s : sentence) : nat :=
+  match s with
+  | FaceToFaceTiling => 0 | IsAcute => 1 | IsNonobtuse => 2
+  | LargestAngle rel _ _ _ => 10 + relation_place rel
+  | SmallestAngle rel _ _ _ => 20 + relation_place rel
+  | SquaredRatio rel _ _ => 30 + relation_place rel
+  | IsDelaunay => 40 | IsWeaklyDelaunay => 41 | IsLocallyDelaunay => 42 | IsLocallyWeaklyDelaunay => 43 | IsTCP => 44
+  end.
+Fixpoint increasing (l : list nat) : bool :=
+  match l with a :: (b :: _) as r => Nat.ltb a b && increasing r | _ => true end.
+Definition is_tcp (s : sentence) : bool := match s with IsTCP => true | _ => false end.
+Definition is_local (s : sentence) : bool := match s with IsLocallyDelaunay | IsLocallyWeaklyDelaunay => true | _ => false end.
+Definition proper_bound (n : nat) (s : sentence) : bool :=
+  let fraction p q := Nat.eqb (length p) n && proper_denominator q [[p]] in
+  match s with
+  | LargestAngle _ sg p q | SmallestAngle _ sg p q =>
+    Z.leb (-1) sg && Z.leb sg 1 && fraction p q && Bool.eqb (Z.eqb sg 0) (forallb (Z.eqb 0) p)
+  | SquaredRatio _ p q => fraction p q
+  | _ => true
+  end.
+Definition claim_refusal (k : tiling_claim) : option refusal :=
+  let n := degree (over k) in
+  need (Nat.eqb (dimension k) 2 || Nat.eqb (dimension k) 3) else Malformed "the dimension";
+  match field_refusal (over k) with Some v => Some v | None =>
+  need (triangular n (dimension k) (gram_rows k) && Z.eqb (common_divisor 0 (gram_rows k)) 1) else Malformed "the Gram matrix";
+  match region_refusal k with Some v => Some v | None =>
+  need (match sentences k with FaceToFaceTiling :: _ => true | _ => false end && increasing (map sentence_place (sentences k)))
+    else Malformed "the order of the statements";
+  need forallb (proper_bound n) (sentences k) else Malformed "a bound";
+  need negb (existsb is_local (sentences k)) else Malformed "a local statement about a domain that is not a region";
+  need (negb (existsb is_tcp (sentences k)) || (Nat.eqb (dimension k) 3 && Nat.eqb (rank k) 3)) else Malformed "TCP is stated of space only";
+  None
+  end end.
+
+(** A row: the corners in order, the first with the shift zero; sixes exactly if TCP is stated. *)
+Definition proper_shift (r : nat) (s : list Z) : bool :=
+  match s with
+  | [] => true
+  | _ => Nat.eqb (length s) r && existsb (fun x => negb (Z.eqb x 0)) s && forallb (fun x => Z.ltb (Z.abs x) 536870912) s
+  end.
+Definition in_order (q : list Checker.corner) : bool :=
+  match q with
+  | [a; b; c] => before a b && before a c && negb (ceqb b c)
+  | [a; b; c; d] => before a b && before b c && before b d && negb (ceqb c d)
+  | _ => false
+  end.
+Definition row_refusal (k : tiling_claim) (count : N) (tcp : bool) (r : row) : option refusal :=
+  need Nat.eqb (length (fst r)) (dimension k + 1) else Malformed "the length of a row";
+  need forallb (fun q => N.ltb (fst q) count) (fst r) else Malformed "a vertex out of range";
+  need forallb (fun q => proper_shift (rank k) (snd q)) (fst r) else Malformed "a shift";
+  need match fst r with (_, []) :: _ => true | _ => false end else Malformed "the first corner has a shift";
+  need in_order (row_corners r) else Malformed "the order of the corners";
+  match snd r, tcp with
+  | None, false => None
+  | Some b, true => if Z.leb 0 b && Z.ltb b 64 then None else Some (Malformed "the bits of a row")
+  | _, _ => Some (Malformed "the length of a row")
+  end.
+Fixpoint first_refusal {X} (f : X -> option refusal) (l : list X) : option refusal :=
+  match l with [] => None | x :: l => match f x with None => first_refusal f l | v => v end end.
+
+(** About how many determinants the checks compute, at most, for t simplices and a polytope of dimension
+    k with w vertices.  For a tile a hundred: signs, angles, spheres.  For each of its corners half of
+    the pieces, and the planes of the faces (in_piece, chk_inside).  For two pieces of positive volume
+    the planes of all of them, four each (chk_apart).  Faces: each with all vertices, sides with sides. *)
+Definition determinants (k t w : nat) (faces : list (list N)) : N :=
+  let cap x := N.min x 100000 in
+  let sides := fold_left (fun n f => N.add n (N.of_nat (length f))) faces 0%N in
+  let n := N.of_nat (length faces) in
+  let pieces := match k with
+    | 0 => 6%N
+    | 1 => (6 * n)%N
+    | 2 => (3 * n)%N
+    | _ => fold_left (fun m f => if existsb (N.eqb 0) f then m else (m + N.of_nat (length f - 2))%N) faces 0%N
+    end in
+  let t := cap (N.of_nat t) in let w := cap (N.of_nat w) in let p := cap pieces in let n := cap n in let sides := cap sides in
+  (100 * t + 20 * t * (p + n) + 2 * p * p * p + n * w + sides * sides)%N.
+Definition too_much_work (k : tiling_claim) (w : tiling_witness) : bool :=
+  let vertices := match polytope_of (region_of k) with Some P => p_vertices P | None => [] end in
+  let most := fold_numbers (fun m x => N.max m (bits x)) in
+  let words := (1 + most vertices (most (w_vertices w) (most (gram_rows k) 0)) / 64)%N in
+  let n := N.of_nat (degree (over k)) in
+  N.ltb (100000000 / (n * n * words * words)) (determinants (dimension k - rank k) (length (w_rows w)) (length vertices) (faces_of k)).
+
+(** Every vertex is used. *)
+Definition used_vertices (rows : list row) : PositiveMap.t unit :=
+  fold_left (fun m r => fold_left (fun m q => PositiveMap.add (N.succ_pos (fst q)) tt m) (fst r) m) rows (PositiveMap.empty unit).
+Fixpoint all_used (m : PositiveMap.t unit) (v : N) (l : list (list number)) : bool :=
+  match l with [] => true | _ :: l => match entry m v with Some _ => all_used m (N.succ v) l | None => false end end.
+(** The bits of a row say which edges of its sorted corners have valence 6. *)
+Definition six_bits (m : tally) (r : row) : Z :=
+  match sort_corners (row_corners r) with
+  | [a; b; c; d] =>
+    let bit (p : Z) x y := if is_six (count_of m (edge_key x y)) then p else 0%Z in
+    (bit 1 a b + bit 2 a c + bit 4 a d + bit 8 b c + bit 16 b d + bit 32 c d)%Z
+  | _ => (-1)%Z
+  end.
+Definition sixes_agree (ts : list ctet) (rows : list row) : bool :=
+  let m := tallied ts in
+  forallb (fun r => match snd r with Some b => Z.eqb (six_bits m r) b | None => false end) rows.
+Definition witness_refusal (k : tiling_claim) (w : tiling_witness) : option refusal :=
+  let tcp := existsb is_tcp (sentences k) in
+  need rows_of (degree (over k)) (dimension k) (w_vertices w) else Malformed "the length of a vertex";
+  need proper_denominator (w_denominator w) (w_vertices w) else Malformed "the denominator";
+  need match w_boundary w with [] => true | _ => false end else Malformed "boundary facets of a domain that is not a region";
+  need match w_rows w with [] => false | _ => true end else Malformed "no simplices";
+  match first_refusal (row_refusal k (N.of_nat (length (w_vertices w))) tcp) (w_rows w) with Some v => Some v | None =>
+  need all_used (used_vertices (w_rows w)) 0 (w_vertices w) else Malformed "an unused vertex";
+  need negb (too_much_work k w) else Declined "the work";
+  None
+  end.
+
+(** ** 2. The data of the checker, over a ring *)
+Local Close Scope string_scope.
+Local Open Scope Z_scope.
+(** The polytope over the witness's denominator, with z zeros in front. *)
+Definition factor (w : tiling_witness) (P : polytope) : Z := w_denominator w / p_denominator P.
+Definition scaled (k : tiling_claim) (w : tiling_witness) (z : nat) : list (list number) :=
+  match polytope_of (region_of k) with
+  | Some P => map (fun v => repeat [0] z ++ map (map (Z.mul (factor w P))) v) (p_vertices P)
+  | None => []
+  end.
+Definition denominators_agree (k : tiling_claim) (w : tiling_witness) : bool :=
+  match polytope_of (region_of k) with Some P => Z.eqb (w_denominator w) (factor w P * p_denominator P) | None => true end.
+Definition is_region (k : tiling_claim) : bool := match region_of k with Region _ => true | _ => false end.
+Definition states_tiling (k : tiling_claim) : bool := existsb (fun s => match s with FaceToFaceTiling => true | _ => false end) (sentences k).
+
+(** The corners of a row are those of the simplex, in the plane in some order. *)
+Definition same_row (count : N) (r : row) (t : ctet) : bool :=
+  match fst r with
+  | [a; b; c; d] =>
+    forallb (fun q => N.ltb (fst q) count) (fst r) &&
+    ceqb (corner3 a) (q0 t) && ceqb (corner3 b) (q1 t) && ceqb (corner3 c) (q2 t) && ceqb (corner3 d) (q3 t)
+  | _ => false
+  end.
+Definition ceqb2 (q : Denote.corner) (p : corner2) : bool :=
+  N.eqb (fst q) (fst p) && Z.eqb (nth 0 (snd q) 0) (fst (snd p)) && Z.eqb (nth 1 (snd q) 0) (snd (snd p)).
+Definition same_triangle (count : N) (r : row) (t : ctri) : bool :=
+  match fst r with
+  | [a; b; c] =>
+    forallb (fun q => N.ltb (fst q) count) (fst r) && ceqb2 a (p0 t) &&
+    ((ceqb2 b (p1 t) && ceqb2 c (p2 t)) || (ceqb2 b (p2 t) && ceqb2 c (p1 t)))
+  | _ => false
+  end.
+
+Section Ring.
+Variables (A : Type) (aadd asub amul : A -> A -> A) (aofZ : Z -> A) (alt ale : A -> A -> bool).
+(** A number that is fit is an element of the ring. *)
+Variables (fit : number -> bool) (inn : number -> A).
+Notation zero := (Checker.zero A aofZ).
+Definition vec3 (v : list number) : v3 A := match v with [x; y; z] => V3 A (inn x) (inn y) (inn z) | _ => V3 A zero zero zero end.
+Definition vec2 (v : list number) : A * A := match v with [x; y] => (inn x, inn y) | _ => (zero, zero) end.
+Definition triple (v : list number) : bool := match v with [x; y; z] => fit x && fit y && fit z | _ => false end.
+Definition pair (v : list number) : bool := match v with [x; y] => fit x && fit y | _ => false end.
+Definition gram3 (k : tiling_claim) : kgram A :=
+  match gram_rows k with
+  | [[g11; g12; g13]; [g22; g23]; [g33]] => KG A (inn g11) (inn g22) (inn g33) (inn g12) (inn g13) (inn g23)
+  | _ => KG A zero zero zero zero zero zero
+  end.
+Definition gram2 (k : tiling_claim) : A * A * A :=
+  match gram_rows k with [[g11; g12]; [g22]] => (inn g11, inn g22, inn g12) | _ => (zero, zero, zero) end.
+Definition gram_shape (k : tiling_claim) : bool :=
+  match dimension k, gram_rows k with
+  | 3%nat, [[_; _; _]; [_; _]; [_]] | 2%nat, [[_; _]; [_]] => forallb (forallb fit) (gram_rows k)
+  | _, _ => false
+  end.
+Definition statement_of (s : sentence) : list (cstatement A) :=
+  match s with
+  | FaceToFaceTiling => []
+  | IsAcute => [CAcute A]
+  | IsNonobtuse => [CNonobtuse A]
+  | LargestAngle rel sg p q => [CLargestDihedralAngle A rel sg (inn p) q]
+  | SmallestAngle rel sg p q => [CSmallestDihedralAngle A rel sg (inn p) q]
+  | SquaredRatio rel p q => [CSquaredRadiusEdgeRatio A rel (inn p) q]
+  | IsDelaunay => [CDelaunay A]
+  | IsWeaklyDelaunay => [CWeaklyDelaunay A]
+  | IsLocallyDelaunay | IsLocallyWeaklyDelaunay => []
+  | IsTCP => [CTCP A]
+  end.
+Definition fit_sentence (s : sentence) : bool :=
+  match s with
+  | LargestAngle _ _ p _ | SmallestAngle _ _ p _ | SquaredRatio _ p _ => fit p
+  | IsLocallyDelaunay | IsLocallyWeaklyDelaunay => false
+  | _ => true
+  end.
+Definition statements_of (k : tiling_claim) := flat_map statement_of (sentences k).
+
+Definition shape3 (k : tiling_claim) (w : tiling_witness) (ts : list ctet) : bool :=
+  gram_shape k && forallb triple (w_vertices w) && forallb triple (scaled k w (rank k)) && Z.ltb 0 (w_denominator w) && denominators_agree k w &&
+  negb (is_region k) && states_tiling k && forallb fit_sentence (sentences k) &&
+  both (same_row (N.of_nat (length (w_vertices w)))) (w_rows w) ts.
+Definition data3 (k : tiling_claim) (w : tiling_witness) (ts : list ctet) : cert A :=
+  faces_cert A aadd asub amul aofZ ale (w_denominator w) (map vec3 (w_vertices w)) ts (gram3 k) (rank k)
+    (map vec3 (scaled k w (rank k))) (faces_of k).
+Definition proved3 (k : tiling_claim) (w : tiling_witness) (ts : list ctet) : bool :=
+  if shape3 k w ts then fast_check A aadd asub amul aofZ alt ale (data3 k w ts) (statements_of k) else false.
+
+Definition shape2 (k : tiling_claim) (w : tiling_witness) (ts : list ctri) : bool :=
+  gram_shape k && forallb pair (w_vertices w) && forallb pair (scaled k w (rank k)) && Z.ltb 0 (w_denominator w) && denominators_agree k w &&
+  negb (is_region k) && states_tiling k && forallb fit_sentence (sentences k) &&
+  both (same_triangle (N.of_nat (length (w_vertices w)))) (w_rows w) ts.
+Definition data2 (k : tiling_claim) (w : tiling_witness) (ts : list ctri) : cert2 A :=
+  Cert2 A (w_denominator w) (map vec2 (w_vertices w)) ts (gram2 k) (rank k) (map vec2 (scaled k w (rank k))) (faces_of k).
+Definition proved2 (k : tiling_claim) (w : tiling_witness) (ts : list ctri) : bool :=
+  if shape2 k w ts then check2 A aadd asub amul aofZ alt ale (data2 k w ts) (statements_of k) else false.
+
+(** The polytope is as the format demands. *)
+Definition proper_polytope (k : tiling_claim) (w : tiling_witness) : bool :=
+  match polytope_of (region_of k) with
+  | Some _ =>
+    let z := (3 - (dimension k - rank k))%nat in
+    as_the_format_says A aadd asub amul aofZ alt ale (w_denominator w) z (map vec3 (scaled k w z)) (faces_of k)
+  | None => true
+  end.
+Definition proved (k : tiling_claim) (w : tiling_witness) : bool :=
+  let rows := fast_map row_corners (w_rows w) in
+  match dimension k with
+  | 3%nat => proved3 k w (tetrahedra rows)
+  | 2%nat => proved2 k w (triangles rows)
+  | _ => false
+  end.
+End Ring.

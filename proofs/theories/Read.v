@@ -1,0 +1,176 @@
+(** * Reading a certificate
+
+    No theorem is about this file.  The bytes are read by a machine that takes them one by
+    one, so that neither a long nor a deep certificate needs a deep recursion.  The
+    certificate that comes out is printed and compared with the bytes (Bytes.v): a mistake
+    here can refuse a certificate, and accept none. *)
+From Coq Require Import NArith ZArith List String.
+From Coq Require Import Init.Byte.
+From Coq Require Strings.Byte.
+From Acutile Require Import Statement Denote.
+Import ListNotations.
+Local Open Scope N_scope.
+
+(** ** Bytes to items *)
+
+(** The next byte begins an item, belongs to an argument, a text or a long integer. [tag] is the
+    sign that a tag has announced, [more] counts the bytes that are missing. *)
+Inductive mode :=
+  | Start (tag : option bool)
+  | Argument (tag : option bool) (major : N) (more : nat) (n : N)
+  | Letters (more : N) (reversed : bytes)
+  | Digits (negative : bool) (more : N) (n : N).
+(** The open arrays: the number of items that are missing, and those read, in reverse. *)
+Definition stack := list (N * list item).
+Inductive state := Reading (m : mode) (st : stack) | Complete (i : item) | Broken | TooLong.
+
+Fixpoint push (i : item) (st : stack) : state :=
+  match st with
+  | [] => Complete i
+  | (n, l) :: st => if n =? 1 then push (Array (rev_append l [i])) st else Reading (Start None) ((n - 1, i :: l) :: st)
+  end.
+Definition longest_text := 64.
+Definition longest_integer := 416.   (* bytes: 1000 decimal digits *)
+Definition finish (tag : option bool) (major n : N) (st : stack) : state :=
+  match tag, major with
+  | None, 0 => push (Int (Z.of_N n)) st
+  | None, 1 => push (Int (-1 - Z.of_N n)) st
+  | None, 3 => if n =? 0 then push (Text EmptyString) st else if longest_text <? n then Broken else Reading (Letters n []) st
+  | None, 4 => if n =? 0 then push (Array []) st else Reading (Start None) ((n, []) :: st)
+  | None, 6 => match n with 2 => Reading (Start (Some false)) st | 3 => Reading (Start (Some true)) st | _ => Broken end
+  | Some negative, 2 => if n =? 0 then Broken else if longest_integer <? n then TooLong else Reading (Digits negative n 0) st
+  | _, _ => Broken
+  end.
+Definition step (s : state) (b : byte) : state :=
+  match s with
+  | Reading (Start tag) st =>
+    let n := Byte.to_N b in let major := N.shiftr n 5 in let low := N.land n 31 in
+    if low <? 24 then finish tag major low st else
+    match low with
+    | 24 => Reading (Argument tag major 1 0) st
+    | 25 => Reading (Argument tag major 2 0) st
+    | 26 => Reading (Argument tag major 4 0) st
+    | 27 => Reading (Argument tag major 8 0) st
+    | _ => Broken
+    end
+  | Reading (Argument tag major more n) st =>
+    let n := 256 * n + Byte.to_N b in
+    match more with S (S more) => Reading (Argument tag major (S more) n) st | _ => finish tag major n st end
+  | Reading (Letters more l) st =>
+    if more =? 1 then push (Text (string_of_list_byte (rev_append l [b]))) st else Reading (Letters (more - 1) (b :: l)) st
+  | Reading (Digits negative more n) st =>
+    let n := 256 * n + Byte.to_N b in
+    if more =? 1 then push (Int (if negative then -1 - Z.of_N n else Z.of_N n)%Z) st else Reading (Digits negative (more - 1) n) st
+  | Complete _ => Broken
+  | Broken => Broken
+  | TooLong => TooLong
+  end.
+Definition items (s : bytes) : state := fold_left step s (Reading (Start None) []).
+
+(** ** Items to certificates *)
+Fixpoint all_of {X Y} (f : X -> option Y) (l : list X) (reversed : list Y) : option (list Y) :=
+  match l with
+  | [] => Some (rev_append reversed [])
+  | x :: l => match f x with Some y => all_of f l (y :: reversed) | None => None end
+  end.
+Definition array {Y} (f : item -> option Y) (i : item) : option (list Y) :=
+  match i with Array l => all_of f l [] | _ => None end.
+Definition whole (i : item) : option Z := match i with Int z => Some z | _ => None end.
+Definition index (i : item) : option N := match i with Int z => if Z.leb 0 z then Some (Z.to_N z) else None | _ => None end.
+Definition bind {X Y} (o : option X) (f : X -> option Y) : option Y := match o with Some x => f x | None => None end.
+Notation "'let*' x := e 'in' f" := (bind e (fun x => f)) (at level 200, x name, e at level 100, f at level 200).
+
+Definition read_number (f : field) (i : item) : option number :=
+  match f, i with
+  | Rationals, Int z => Some [z]
+  | Root _ _ _ _, Array l => all_of whole l []
+  | _, _ => None
+  end.
+Definition read_points (f : field) : item -> option (list (list number)) := array (array (read_number f)).
+Local Open Scope string_scope.
+Definition read_field (i : item) : option field :=
+  match i with
+  | Text "Q" => Some Rationals
+  | Array [p; Array [Int lo; Int hi; Int d]] => let* p := array whole p in Some (Root p lo hi d)
+  | _ => None
+  end.
+Definition read_polytope (f : field) (i : item) : option polytope :=
+  match i with
+  | Array [Int d; vertices; faces] =>
+    let* vertices := read_points f vertices in let* faces := array (array index) faces in Some (Polytope d vertices faces)
+  | _ => None
+  end.
+Definition read_region (f : field) (i : item) : option region :=
+  match i with
+  | Text "space" => Some Space
+  | Array [Text "slab"; P] => let* P := read_polytope f P in Some (Slab P)
+  | Array [Text "prism"; P] => let* P := read_polytope f P in Some (Prism P)
+  | Array [Text "solid"; P] => let* P := read_polytope f P in Some (Solid P)
+  | Array [Text "region"; Int r] => if Z.leb 0 r && Z.leb r 3 then Some (Region (Z.to_nat r)) else None
+  | _ => None
+  end%bool.
+Definition read_relation (i : item) : option relation :=
+  match i with
+  | Text "less than" => Some LessThan
+  | Text "at most" => Some AtMost
+  | Text "maximum" => Some Maximum
+  | Text "more than" => Some MoreThan
+  | Text "at least" => Some AtLeast
+  | Text "minimum" => Some Minimum
+  | _ => None
+  end.
+Definition read_sentence (f : field) (i : item) : option sentence :=
+  match i with
+  | Text "face-to-face tiling" => Some FaceToFaceTiling
+  | Text "acute" => Some IsAcute
+  | Text "nonobtuse" => Some IsNonobtuse
+  | Array [Text "largest dihedral angle"; rel; Int sg; Array [p; Int q]] =>
+    let* rel := read_relation rel in let* p := read_number f p in Some (LargestAngle rel sg p q)
+  | Array [Text "smallest dihedral angle"; rel; Int sg; Array [p; Int q]] =>
+    let* rel := read_relation rel in let* p := read_number f p in Some (SmallestAngle rel sg p q)
+  | Array [Text "squared radius-edge ratio"; rel; Array [p; Int q]] =>
+    let* rel := read_relation rel in let* p := read_number f p in Some (SquaredRatio rel p q)
+  | Text "Delaunay" => Some IsDelaunay
+  | Text "weakly Delaunay" => Some IsWeaklyDelaunay
+  | Text "locally Delaunay" => Some IsLocallyDelaunay
+  | Text "locally weakly Delaunay" => Some IsLocallyWeaklyDelaunay
+  | Text "TCP" => Some IsTCP
+  | _ => None
+  end.
+Definition read_claim (i : item) : option tiling_claim :=
+  match i with
+  | Array [Int d; f; gram; region; ss] =>
+    let* f := read_field f in let* gram := read_points f gram in let* region := read_region f region in
+    let* ss := array (read_sentence f) ss in
+    if Z.eqb d 2 then Some (TilingClaim 2 f gram region ss)
+    else if Z.eqb d 3 then Some (TilingClaim 3 f gram region ss) else None
+  | _ => None
+  end.
+Definition read_corner (i : item) : option corner :=
+  match i with
+  | Int _ => let* v := index i in Some (v, [])
+  | Array (v :: s) => let* v := index v in let* s := all_of whole s [] in Some (v, s)
+  | _ => None
+  end.
+Definition read_row (d : nat) (i : item) : option row :=
+  match i with
+  | Array l =>
+    let* corners := all_of read_corner (firstn (d + 1) l) [] in
+    match skipn (d + 1) l with
+    | [] => Some (corners, None)
+    | [Int sixes] => Some (corners, Some sixes)
+    | _ => None
+    end
+  | _ => None
+  end.
+Definition read_witness (k : tiling_claim) (i : item) : option tiling_witness :=
+  match i with
+  | Array [Int d; vertices; boundary; rows] =>
+    let* vertices := read_points (over k) vertices in
+    let* boundary := array (array read_corner) boundary in
+    let* rows := array (read_row (dimension k)) rows in
+    Some (TilingWitness d vertices boundary rows)
+  | _ => None
+  end.
+Definition read_tiling (k w : item) : option certificate :=
+  let* k := read_claim k in let* w := read_witness k w in Some (Tiling k w).

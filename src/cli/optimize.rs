@@ -1,0 +1,493 @@
+//! `acutile optimize`: better angles for a tiling, proved.
+
+use super::certify::in_words;
+use super::encoding::Encoding;
+use super::input::{self, FileArguments};
+use super::interrupt;
+use super::limits::LimitArguments;
+use super::named::{InputError, Named};
+use super::outcome::Outcome;
+use super::output::{Output, write_file};
+use super::progress::Progress;
+use super::proved as proof;
+use super::verify::{claim_json, summary};
+use acutile_core::advice::{Advice, Adviser};
+use acutile_core::checker::Defect;
+use acutile_core::format::print;
+use acutile_core::proved::NotProved;
+use acutile_core::quality::{decimal_range, display_width};
+use acutile_core::statement::Statement;
+use acutile_core::tiling::{AnyTiling, Tiling, match_facets};
+use acutile_core::with_dimension;
+use acutile_optimize::{
+    Failure, Freedom, Goal, Group, Keep, LocalProof, NotLocal, Options, Reason, optimize,
+    prove_local, reasons, value,
+};
+use clap::{Args, ValueEnum};
+use serde_json::{Value, json};
+use std::path::{Path, PathBuf};
+use std::sync::atomic::Ordering;
+
+#[derive(Debug, Args)]
+pub struct OptimizeArguments {
+    /// A name of the catalogue, or a tiling, mesh, point set or certificate file
+    #[arg(value_name = "NAME|FILE")]
+    pub input: String,
+    /// The number that the construction depends on (see acutile show)
+    #[arg(long, value_name = "VALUE", allow_hyphen_values = true)]
+    pub param: Option<String>,
+    #[command(flatten)]
+    pub file: FileArguments,
+    /// Give negatively oriented simplices positive orientation first
+    #[arg(long)]
+    pub reorient: bool,
+    /// What to improve
+    #[arg(long, value_enum, default_value = "max-dihedral")]
+    pub goal: GoalName,
+    /// The symmetry that stays: full, rotations, none, the places of some elements like 3,7, which
+    /// generate a subgroup, or list, which prints the elements and their places
+    #[arg(long, value_name = "SUBGROUP", default_value = "full", value_parser = symmetry)]
+    pub symmetry: SymmetryName,
+    /// Keep the lattice as it is
+    #[arg(long)]
+    pub fixed_lattice: bool,
+    /// Keep the vertices in the boundary where they are; without it they move in its planes
+    #[arg(long)]
+    pub fixed_boundary: bool,
+    /// Coordinates become multiples of 1/N; without it about a millionth of an edge
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u64).range(1..=1 << 60))]
+    pub denominator: Option<u64>,
+    /// Also search from N random places near the start
+    #[arg(long, value_name = "N", default_value_t = 0)]
+    pub restarts: u32,
+    /// The seed of the random places
+    #[arg(long, value_name = "N", default_value_t = 0)]
+    pub seed: u64,
+    /// At most N linear programs from each place; for large meshes passes over all bad simplices
+    #[arg(long, value_name = "N", default_value_t = 300)]
+    pub steps: usize,
+    /// Prove that the result is a strict local optimum, by exact multipliers; the prover alone says it
+    #[arg(long)]
+    pub prove_local: bool,
+    /// Write the certificate of the result to this file (`-` for standard output); acutile convert
+    /// and export turn it into a mesh or a tiling file
+    #[arg(short, long, value_name = "FILE")]
+    pub output: Option<PathBuf>,
+    /// The encoding; without it CBOR for a file whose name ends in .cbor, and else JSON
+    #[arg(long, value_enum)]
+    pub format: Option<Encoding>,
+    /// One JSON object
+    #[arg(long)]
+    pub json: bool,
+    #[command(flatten)]
+    pub limits: LimitArguments,
+}
+
+/// Goals by name.
+#[derive(Clone, Copy, Debug, ValueEnum)]
+pub enum GoalName {
+    /// The largest dihedral angle, as small as possible
+    MaxDihedral,
+    /// The smallest dihedral angle, as large as possible
+    MinDihedral,
+    /// The largest radius-edge ratio, as small as possible
+    RadiusEdge,
+    /// Every dihedral angle less than 90 degrees; then the search ends
+    Acute,
+}
+
+impl GoalName {
+    fn goal(self) -> Goal {
+        match self {
+            GoalName::MaxDihedral => Goal::MaxDihedral,
+            GoalName::MinDihedral => Goal::MinDihedral,
+            GoalName::RadiusEdge => Goal::RadiusEdge,
+            GoalName::Acute => Goal::Acute,
+        }
+    }
+}
+
+/// What `--symmetry` asks for.
+#[derive(Clone, Debug)]
+pub enum SymmetryName {
+    List,
+    Keep(Keep),
+}
+
+fn symmetry(text: &str) -> Result<SymmetryName, String> {
+    let keep = match text {
+        "list" => return Ok(SymmetryName::List),
+        "full" => Keep::All,
+        "none" => Keep::Lattice,
+        "rotations" => Keep::Rotations,
+        places => {
+            let places: Result<Vec<usize>, _> = places.split(',').map(str::parse).collect();
+            Keep::Generated(places.map_err(|_| {
+                format!("found {text}, expected full, rotations, none, list, or places like 3,7")
+            })?)
+        }
+    };
+    Ok(SymmetryName::Keep(keep))
+}
+
+/// Searches, and writes the best result. Declined where nothing better was found, or where the goal is
+/// not reached.
+pub fn run(arguments: &OptimizeArguments, output: &mut Output) -> Outcome {
+    match answer(arguments, output) {
+        Ok(outcome) => outcome,
+        Err(error) => {
+            match arguments.json {
+                true => output.line(json!({
+                    "input": arguments.input,
+                    "verdict": verdict(error.outcome),
+                    "message": error.message,
+                })),
+                false => output.complain(format!("acutile: {}", error.message)),
+            }
+            error.outcome
+        }
+    }
+}
+
+fn verdict(outcome: Outcome) -> &'static str {
+    match outcome {
+        Outcome::Done => "proved",
+        Outcome::Refuted => "refuted",
+        Outcome::Failed => "failed",
+        Outcome::Declined => "declined",
+    }
+}
+
+fn answer(arguments: &OptimizeArguments, output: &mut Output) -> Result<Outcome, InputError> {
+    let input = &arguments.input;
+    let named = input::tiling(input, arguments.param.as_deref(), &arguments.file, output)?;
+    check_mesh(&named)?;
+    let AnyTiling::Space(mut tiling) = named.tiling else {
+        return Err(format!("{input}: found a tiling of the plane, expected one of space").into());
+    };
+    if arguments.reorient {
+        tiling.orient();
+    }
+    let keep = match &arguments.symmetry {
+        SymmetryName::List => return Ok(list(&tiling, output)),
+        SymmetryName::Keep(keep) => keep.clone(),
+    };
+    let goal = arguments.goal.goal();
+    let options = Options {
+        goal,
+        keep,
+        freedom: Freedom {
+            lattice: !arguments.fixed_lattice,
+            boundary: !arguments.fixed_boundary,
+        },
+        denominator: arguments.denominator,
+        restarts: arguments.restarts,
+        seed: arguments.seed,
+        steps: arguments.steps,
+        limits: arguments.limits.limits(),
+    };
+    let found = search(input, &tiling, &options)?;
+    let why = match goal {
+        Goal::Acute | Goal::MaxDihedral => reasons(&found.tiling, &match_facets(&found.tiling)),
+        _ => Vec::new(),
+    };
+    write(arguments, found.proved.certificate(), output)?;
+    let is_acute = found.proved.statements().contains(&Statement::Acute);
+    let local = arguments.prove_local.then(|| prove_local(&found, &options));
+    // A local optimum has nothing better near it.
+    let is_reached = match (&local, goal) {
+        (Some(local), _) => local.is_ok(),
+        (None, Goal::Acute) => is_acute,
+        (None, _) => found.is_better,
+    };
+    let result = Report {
+        arguments,
+        found: &found,
+        reasons: why,
+        is_acute,
+        local,
+    };
+    result.tell(output);
+    Ok(match is_reached {
+        true => Outcome::Done,
+        false => Outcome::Declined,
+    })
+}
+
+/// Meshes whose proof would be about something else.
+fn check_mesh(named: &Named) -> Result<(), InputError> {
+    match named.curved.len() {
+        0 => check_sides(named),
+        curved => {
+            let name = &named.name;
+            Err(format!("{name}: found {curved} curved tetrahedra, expected straight ones").into())
+        }
+    }
+}
+
+/// A periodic mesh whose sides do not match is no tiling.
+fn check_sides(named: &Named) -> Result<(), InputError> {
+    let (input, sides) = (&named.name, &named.sides);
+    if let Some(near) = &sides.near {
+        let defect = Defect::NearMates(near.clone());
+        let words = with_dimension!(&named.tiling, AnyTiling, t => in_words(t, &defect));
+        return Err(InputError {
+            message: format!("{input}: {words}"),
+            outcome: Outcome::Declined,
+        });
+    }
+    match sides.facets.len() {
+        0 => Ok(()),
+        count => Err(InputError {
+            message: format!(
+                "{input}: {count} facets on the sides of the periodic mesh have no mate; certify lists them"
+            ),
+            outcome: Outcome::Refuted,
+        }),
+    }
+}
+
+/// The search, with a line for the current value; Ctrl-C ends it with the best so far.
+fn search(
+    input: &str,
+    tiling: &Tiling<3>,
+    options: &Options,
+) -> Result<acutile_optimize::Outcome, InputError> {
+    let progress = Progress::of(input);
+    progress.step("the start is proved");
+    let stop = interrupt::gently();
+    let mut count = 0u64;
+    let found = optimize(tiling, options, &mut |value| {
+        count += 1;
+        progress.step(&format!("step {count}: {value:.6}"));
+        !stop.load(Ordering::Relaxed)
+    });
+    found.map_err(|failure| match failure {
+        Failure::Start(error) => InputError {
+            message: format!("{input}: the start is no tiling: {}", of_start(&error, tiling)),
+            outcome: proof::outcome(&error),
+        },
+        Failure::NoElement(error) => InputError::from(format!(
+            "{input}: --symmetry: found place {}, expected less than {}; --symmetry list shows them",
+            error.place, error.count
+        )),
+    })
+}
+
+/// Why the start is no tiling: each vertex that misses a face of the domain, then the first defect.
+fn of_start(error: &NotProved, tiling: &Tiling<3>) -> String {
+    let mut words = Vec::new();
+    if let NotProved::Refuted(findings) = error {
+        let adviser = Adviser::new(tiling);
+        let advice = findings
+            .kept()
+            .iter()
+            .flat_map(|defect| adviser.advice(defect));
+        for piece in advice {
+            let Advice::OffFace(off) = piece else {
+                continue;
+            };
+            let sentence = off.to_string();
+            if !words.contains(&sentence) {
+                words.push(sentence);
+            }
+        }
+    }
+    words.push(error.in_words(tiling));
+    words.join("; ")
+}
+
+/// The isometries with their places.
+fn list(tiling: &Tiling<3>, output: &mut Output) -> Outcome {
+    let group = Group::of(tiling, &match_facets(tiling));
+    for (place, element) in group.elements.iter().enumerate() {
+        let row = |i: usize| {
+            let isometry = &element.isometry;
+            let terms: Vec<String> = isometry.linear[i].iter().map(ToString::to_string).collect();
+            format!("({}) + {}", terms.join(", "), isometry.translation[i])
+        };
+        output.line(format!("{place}: {}; {}; {}", row(0), row(1), row(2)));
+    }
+    Outcome::Done
+}
+
+/// Writes the certificate, if it is asked for.
+fn write(
+    arguments: &OptimizeArguments,
+    cbor: &[u8],
+    output: &mut Output,
+) -> Result<(), InputError> {
+    let Some(path) = &arguments.output else {
+        return Ok(());
+    };
+    let encoding = arguments
+        .format
+        .or(Encoding::of_path(path))
+        .unwrap_or(Encoding::Json);
+    let json;
+    let bytes = match encoding {
+        Encoding::Cbor => cbor,
+        Encoding::Json => {
+            json = print::to_json(cbor).map_err(|error| format!("the certificate: {error}"))?;
+            &json
+        }
+    };
+    if path == Path::new("-") {
+        output.bytes(bytes);
+        return Ok(());
+    }
+    write_file(path, bytes)
+        .map_err(|error| format!("{}: cannot be written: {error}", path.display()).into())
+}
+
+/// What was found.
+struct Report<'r> {
+    arguments: &'r OptimizeArguments,
+    found: &'r acutile_optimize::Outcome,
+    reasons: Vec<Reason>,
+    is_acute: bool,
+    local: Option<Result<LocalProof, NotLocal>>,
+}
+
+impl Report<'_> {
+    fn tell(&self, output: &mut Output) {
+        let to_error = self.arguments.output.as_deref() == Some(Path::new("-"));
+        let mut lines = match self.arguments.json {
+            true => vec![self.data().to_string()],
+            false => self.words(),
+        };
+        for line in lines.drain(..) {
+            match to_error {
+                true => output.complain(line),
+                false => output.line(line),
+            }
+        }
+    }
+
+    /// The value of some statements, as an interval in decimals.
+    fn value(&self, statements: &[Statement]) -> String {
+        let value = value(statements, self.arguments.goal.goal());
+        value.map_or(String::new(), |value| {
+            decimal_range(&value.enclosure(&display_width()))
+        })
+    }
+
+    fn words(&self) -> Vec<String> {
+        let (input, found) = (&self.arguments.input, self.found);
+        let (before, after) = (
+            self.value(&found.before),
+            self.value(found.proved.statements()),
+        );
+        let quantity = match self.arguments.goal {
+            GoalName::MaxDihedral | GoalName::Acute => "largest dihedral angle",
+            GoalName::MinDihedral => "smallest dihedral angle",
+            GoalName::RadiusEdge => "largest radius-edge ratio",
+        };
+        let mut lines = vec![match found.is_better {
+            true => format!("{input}: {quantity} {before} before, {after} now"),
+            false => format!("{input}: no progress; {quantity} {before}"),
+        }];
+        lines.push(format!(
+            "  {} parameters, {} isometries kept; {}",
+            found.parameters,
+            found.symmetries,
+            self.grid()
+        ));
+        if found.is_interrupted {
+            lines.push("  interrupted; this is the best so far".to_owned());
+        }
+        lines.push(format!("  proved: {}", summary(found.proved.verified())));
+        if let Some(path) = self
+            .arguments
+            .output
+            .as_ref()
+            .filter(|p| *p != Path::new("-"))
+        {
+            lines.push(format!(
+                "  certificate: {}, SHA-256 {}",
+                path.display(),
+                found.proved.sha256()
+            ));
+        }
+        lines.extend(self.local.as_ref().map(|local| match local {
+            Ok(proof) => format!("  {proof}"),
+            Err(reason) => format!("  not proved to be a local optimum: {reason}"),
+        }));
+        if !self.is_acute {
+            let count = self.reasons.len();
+            lines.extend(self.reasons.first().map(|reason| {
+                format!("  this tiling can never be acute: {reason} ({count} such edges)")
+            }));
+        }
+        lines
+    }
+
+    fn grid(&self) -> String {
+        let of = |what: &str, denominator: Option<u64>| {
+            denominator.map(|d| format!("{what} multiples of 1/{d}"))
+        };
+        let (gram, points) = self.found.denominators;
+        let parts = [
+            of("moved coordinates are", points),
+            of("Gram matrix entries are", gram),
+        ];
+        let parts: Vec<String> = parts.into_iter().flatten().collect();
+        match parts.is_empty() {
+            true => "nothing can move".to_owned(),
+            false => parts.join(", "),
+        }
+    }
+
+    fn data(&self) -> Value {
+        let found = self.found;
+        let (gram, points) = found.denominators;
+        let output = self
+            .arguments
+            .output
+            .as_ref()
+            .map(|path| path.display().to_string());
+        json!({
+            "input": self.arguments.input,
+            "verdict": "proved",
+            "is_better": found.is_better,
+            "before": self.value(&found.before),
+            "after": self.value(found.proved.statements()),
+            "acute": self.is_acute,
+            "parameters": found.parameters,
+            "isometries": found.symmetries,
+            "denominator": points,
+            "gram_denominator": gram,
+            "interrupted": found.is_interrupted,
+            "never_acute": self.reasons.iter().map(|reason| json!({
+                "edge": reason.ends.map(|corner| corner.to_string()),
+                "valence": reason.valence,
+                "boundary": reason.is_boundary,
+                "why": reason.to_string(),
+            })).collect::<Vec<_>>(),
+            "local_optimum": self.local.as_ref().map(local_data),
+            "statements": claim_json(found.proved.verified())["statements"],
+            "sha256": found.proved.sha256(),
+            "certificate": output,
+        })
+    }
+}
+
+/// Angles by their simplex and two of its facets, each with its multiplier.
+fn local_data(local: &Result<LocalProof, NotLocal>) -> Value {
+    match local {
+        Err(reason) => json!({ "proved": false, "message": reason.to_string() }),
+        Ok(proof) => json!({
+            "proved": true,
+            "parameters": proof.parameters,
+            "translations": proof.translations,
+            "rank": proof.rank,
+            "tight": proof.tight.iter().zip(&proof.multipliers).map(|((simplex, (i, j)), multiplier)| {
+                json!({
+                    "simplex": simplex.number(),
+                    "facets": [i, j],
+                    "multiplier": multiplier.to_string(),
+                })
+            }).collect::<Vec<_>>(),
+        }),
+    }
+}

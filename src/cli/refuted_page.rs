@@ -1,0 +1,92 @@
+//! A refuted tiling as an article of a page: the words of `certify`, with the places of the defects.
+
+use super::defects::facets;
+use super::refutation::{Refuted, advice, names};
+use super::second::counts;
+use acutile_core::advice::Adviser;
+use acutile_core::checker::{Defect, Names, describe};
+use acutile_core::tiling::{SimplexId, Tiling};
+use acutile_core::with_dimension;
+use acutile_exact::number::Number;
+use acutile_publish::report::{Listed, Refutation};
+use std::collections::BTreeMap;
+
+/// The number of defects of each kind that a page lists.
+pub const LISTED: usize = 100;
+
+impl Refuted {
+    /// The article; `name` is its heading.
+    pub fn article(&self, name: &str) -> Refutation {
+        with_dimension!(&self.tiling, AnyTiling, t => self.article_of(t, name))
+    }
+
+    fn article_of<const D: usize>(&self, tiling: &Tiling<D>, name: &str) -> Refutation {
+        let names = names(tiling, self.origin.as_ref(), self.is_exact);
+        let adviser = Adviser::new(tiling);
+        let mut seen: BTreeMap<&str, usize> = BTreeMap::new();
+        let mut defects = Vec::new();
+        for defect in self.findings.kept() {
+            let index = seen.entry(defect.code()).or_insert(0);
+            if *index < LISTED {
+                let advice = advice(&adviser, defect, *index);
+                let advice = advice.iter().map(|a| self.told(a, &names)).collect();
+                defects.push(Listed {
+                    advice,
+                    ..self.listed(tiling, &names, defect)
+                });
+            }
+            *index += 1;
+        }
+        let ids = defects.iter().flat_map(|d| d.simplices.iter());
+        let second = self.second.instead.iter().chain(&self.second.sentences);
+        Refutation {
+            name: name.to_owned(),
+            verdict: self.verdict(),
+            notes: self.notes.iter().chain(second).cloned().collect(),
+            tiling: self.tiling.clone(),
+            counts: self.findings.counts().clone(),
+            names: ids.map(|&id| (id, names.simplex(id))).collect(),
+            defects,
+        }
+    }
+
+    fn verdict(&self) -> String {
+        let consequences = self.findings.consequences().iter();
+        let consequences: Vec<String> = consequences.map(|(c, n)| format!("{n} {c}")).collect();
+        let found = counts(&self.findings);
+        match consequences.is_empty() {
+            true => format!("Refuted: {found}."),
+            false => format!(
+                "Refuted: {found}. Consequences of these: {}.",
+                consequences.join(", ")
+            ),
+        }
+    }
+
+    /// Without advice.
+    fn listed<const D: usize>(&self, tiling: &Tiling<D>, names: &Names, defect: &Defect) -> Listed {
+        let facets = facets(defect);
+        let mut simplices: Vec<SimplexId> = defect.simplices();
+        simplices.extend(facets.iter().map(|facet| facet.simplex));
+        simplices.sort_unstable();
+        simplices.dedup();
+        Listed {
+            code: defect.code(),
+            words: describe::<D>(names, defect),
+            places: self.places(tiling, names, defect),
+            advice: Vec::new(),
+            simplices,
+            facets,
+            point: point(defect),
+        }
+    }
+}
+
+fn point(defect: &Defect) -> Option<Vec<f64>> {
+    match defect {
+        Defect::Overlap { point, .. } | Defect::BoundaryMeets { point, .. } => {
+            Some(point.iter().map(Number::approximate).collect())
+        }
+        _ => None,
+    }
+}
