@@ -146,7 +146,7 @@ impl Tiling {
                 boundary: !fixed_boundary,
             },
             denominator: denominator.filter(|d| *d > 0),
-            sides: self.0.sides.clone(),
+            sides: self.0.sides().clone(),
             ..acutile_optimize::Options::default()
         };
         let input = Arc::clone(&self.0);
