@@ -44,11 +44,6 @@ pub fn best(
     let AnyTiling::Space(tiling) = input.any() else {
         return Err(failed("found a tiling of the plane, expected one of space"));
     };
-    if !input.sides().are_closed() {
-        return Err(failed(
-            "the sides of the periodic mesh do not match; certify lists the facets",
-        ));
-    }
     let found = optimize(tiling, options, &mut |value| {
         step(&format!("{value:.6}"));
         true
