@@ -1,21 +1,24 @@
 //! `acutile optimize`: better angles for a tiling, proved.
 
+use super::certify::in_words;
 use super::encoding::Encoding;
 use super::input::{self, FileArguments};
 use super::interrupt;
 use super::limits::LimitArguments;
-use super::named::InputError;
+use super::named::{InputError, Named};
 use super::outcome::Outcome;
 use super::output::{Output, write_file};
 use super::progress::Progress;
 use super::proved as proof;
 use super::verify::{claim_json, summary};
 use acutile_core::advice::{Advice, Adviser};
+use acutile_core::checker::Defect;
 use acutile_core::format::print;
 use acutile_core::proved::NotProved;
 use acutile_core::quality::{decimal_range, display_width};
 use acutile_core::statement::Statement;
 use acutile_core::tiling::{AnyTiling, Tiling, match_facets};
+use acutile_core::with_dimension;
 use acutile_optimize::{
     Failure, Freedom, Goal, Group, Keep, LocalProof, NotLocal, Options, Reason, optimize,
     prove_local, reasons, value,
@@ -35,6 +38,9 @@ pub struct OptimizeArguments {
     pub param: Option<String>,
     #[command(flatten)]
     pub file: FileArguments,
+    /// Give negatively oriented simplices positive orientation first
+    #[arg(long)]
+    pub reorient: bool,
     /// What to improve
     #[arg(long, value_enum, default_value = "max-dihedral")]
     pub goal: GoalName,
@@ -155,9 +161,13 @@ fn verdict(outcome: Outcome) -> &'static str {
 fn answer(arguments: &OptimizeArguments, output: &mut Output) -> Result<Outcome, InputError> {
     let input = &arguments.input;
     let named = input::tiling(input, arguments.param.as_deref(), &arguments.file, output)?;
-    let AnyTiling::Space(tiling) = named.tiling else {
+    check_mesh(&named)?;
+    let AnyTiling::Space(mut tiling) = named.tiling else {
         return Err(format!("{input}: found a tiling of the plane, expected one of space").into());
     };
+    if arguments.reorient {
+        tiling.orient();
+    }
     let keep = match &arguments.symmetry {
         SymmetryName::List => return Ok(list(&tiling, output)),
         SymmetryName::Keep(keep) => keep.clone(),
@@ -202,6 +212,39 @@ fn answer(arguments: &OptimizeArguments, output: &mut Output) -> Result<Outcome,
         true => Outcome::Done,
         false => Outcome::Declined,
     })
+}
+
+/// Meshes whose proof would be about something else.
+fn check_mesh(named: &Named) -> Result<(), InputError> {
+    match named.curved.len() {
+        0 => check_sides(named),
+        curved => {
+            let name = &named.name;
+            Err(format!("{name}: found {curved} curved tetrahedra, expected straight ones").into())
+        }
+    }
+}
+
+/// A periodic mesh whose sides do not match is no tiling.
+fn check_sides(named: &Named) -> Result<(), InputError> {
+    let (input, sides) = (&named.name, &named.sides);
+    if let Some(near) = &sides.near {
+        let defect = Defect::NearMates(near.clone());
+        let words = with_dimension!(&named.tiling, AnyTiling, t => in_words(t, &defect));
+        return Err(InputError {
+            message: format!("{input}: {words}"),
+            outcome: Outcome::Declined,
+        });
+    }
+    match sides.facets.len() {
+        0 => Ok(()),
+        count => Err(InputError {
+            message: format!(
+                "{input}: {count} facets on the sides of the periodic mesh have no mate; certify lists them"
+            ),
+            outcome: Outcome::Refuted,
+        }),
+    }
 }
 
 /// The search, with a line for the current value; Ctrl-C ends it with the best so far.

@@ -1,1 +1,2 @@
+mod closed_forms;
 mod periodic;
