@@ -62,7 +62,6 @@ const MESHES: [(&str, Format); 3] = [
 /// A confirmed certificate, and what the appendix says of it.
 pub struct Piece {
     pub proved: Proved,
-    /// Nothing for a region.
     pub subject: Subject,
 }
 
@@ -123,11 +122,6 @@ fn entries(
         let is_same = |other: &Entry| other.slug.eq_ignore_ascii_case(slug);
         if entries.iter().any(is_same) {
             return Err(format!("two inputs would both be {slug}"));
-        }
-        if entry.is_region {
-            notes.push(format!(
-                "{slug}: is about a region: the appendix does not have it"
-            ));
         }
         entries.push(entry);
     }
