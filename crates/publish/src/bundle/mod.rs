@@ -83,7 +83,6 @@ struct Entry {
     /// The claim in the kernel's words.
     claim: String,
     sha256: String,
-    is_region: bool,
     /// How many coordinates of the meshes are rounded, and by how much; nothing in the plane.
     rounding: Option<(usize, f64)>,
 }
@@ -97,7 +96,7 @@ pub fn bundle(pieces: Vec<Piece>, options: &Options) -> Result<Bundle, String> {
         pieces.into_iter().map(|p| (p.proved, p.subject)).unzip();
     let mut notes = Vec::new();
     let mut files = fixed();
-    let entries = entries(&proved, &mut files, &mut notes)?;
+    let entries = entries(&proved, &mut files)?;
     files.push(file("report.html", page(&proved, None)));
     let has_pdf = add_appendix(&subjects, options, &mut files, &mut notes);
     let readme = readme::readme(&entries, !subjects.is_empty(), has_pdf);
@@ -109,11 +108,7 @@ pub fn bundle(pieces: Vec<Piece>, options: &Options) -> Result<Bundle, String> {
     Ok(Bundle { files, notes })
 }
 
-fn entries(
-    proved: &[Proved],
-    files: &mut Vec<File>,
-    notes: &mut Vec<String>,
-) -> Result<Vec<Entry>, String> {
+fn entries(proved: &[Proved], files: &mut Vec<File>) -> Result<Vec<Entry>, String> {
     let mut entries: Vec<Entry> = Vec::new();
     for proved in proved {
         let entry = entry(proved, files);
@@ -192,7 +187,6 @@ fn entry(proved: &Proved, files: &mut Vec<File>) -> Entry {
     Entry {
         claim: proved.in_words(),
         sha256: proved.sha256(),
-        is_region: proved.is_region(),
         slug,
         rounding,
     }
