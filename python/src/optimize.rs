@@ -1,8 +1,8 @@
 //! Better angles, proved.
 
 use super::error::failed;
-use super::input::Input;
 use super::words_and_digest;
+use acutile::Tiling as Input;
 use acutile_core::quality::{decimal_range, display_width};
 use acutile_core::statement::in_words;
 use acutile_core::tiling::AnyTiling;
@@ -41,7 +41,7 @@ pub fn best(
     options: &Options,
     step: &dyn Fn(&str),
 ) -> PyResult<(Input, String, Vec<u8>)> {
-    let AnyTiling::Space(tiling) = &input.tiling else {
+    let AnyTiling::Space(tiling) = input.any() else {
         return Err(failed("found a tiling of the plane, expected one of space"));
     };
     let found = optimize(tiling, options, &mut |value| {
@@ -55,7 +55,7 @@ pub fn best(
         )),
         Failure::NoElement(error) => failed(format!("there is no isometry {}", error.place)),
     })?;
-    let answer = answer(&found, options.goal, &input.notes);
+    let answer = answer(&found, options.goal, input.notes());
     let certificate = found.proved.certificate().to_vec();
     Ok((
         Input::of(AnyTiling::Space(found.tiling)),

@@ -134,7 +134,7 @@ pub enum Command {
     ///
     /// A tiling that is no certificate yet is proved first; nothing is written that the kernel does
     /// not confirm. The same input gives the same bytes.
-    #[command(after_long_help = examples!("\n  acutile bundle a15 slab -o artefact.zip"))]
+    #[command(after_long_help = examples!("\n  acutile bundle a15 slab -o artefact.zip\n  acutile bundle a15 --author 'Carberry, Josiah <0000-0002-1825-0097>' --licence CC-BY-4.0 -o a15.zip"))]
     Bundle(BundleArguments),
     /// Print a completion script for a shell
     #[command(after_long_help = examples!("\n  acutile completions bash > acutile.bash"))]

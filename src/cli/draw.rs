@@ -8,7 +8,7 @@ use acutile_core::tiling::AnyTiling;
 use acutile_exact::number::{Number, parse_rational};
 use acutile_publish::draw::svg::svg;
 use acutile_publish::draw::tikz::tikz;
-use acutile_publish::draw::{self, Figure, Options};
+use acutile_publish::draw::{self, DrawError, Figure, Options, foam};
 use clap::{Args, ValueEnum};
 use malachite::Rational;
 use std::path::PathBuf;
@@ -62,6 +62,10 @@ pub enum FigureName {
     Cell,
     /// The tetrahedra at a vertex
     Star,
+    /// The Voronoi cells of the vertices, one of each kind; with --format obj or stl all
+    Foam,
+    /// The neighbours of the vertices as a polyhedron, one of each kind
+    Coordination,
     /// The tetrahedra of a cell, moved apart
     Exploded,
     /// The slab in its eight steps
@@ -75,6 +79,10 @@ pub enum FigureName {
 pub enum DrawFormat {
     Svg,
     Tikz,
+    /// The cells of --figure foam as polygons
+    Obj,
+    /// The cells of --figure foam as triangles
+    Stl,
 }
 
 impl FigureName {
@@ -83,6 +91,8 @@ impl FigureName {
             FigureName::Classes => Figure::Classes,
             FigureName::Cell => Figure::Cell,
             FigureName::Star => Figure::Star,
+            FigureName::Foam => Figure::Foam,
+            FigureName::Coordination => Figure::Coordination,
             FigureName::Exploded => Figure::Exploded,
             FigureName::Steps => Figure::Steps,
             FigureName::Plane => Figure::Plane,
@@ -122,6 +132,9 @@ pub fn run(arguments: &DrawArguments, output: &mut Output) -> Outcome {
             return error.outcome;
         }
     };
+    if let DrawFormat::Obj | DrawFormat::Stl = arguments.format {
+        return solids(arguments, &named.name, &named.tiling, output);
+    }
     let progress = Progress::of(&named.name);
     progress.step("draw");
     let figure = figure(arguments.figure, &named.tiling);
@@ -129,20 +142,47 @@ pub fn run(arguments: &DrawArguments, output: &mut Output) -> Outcome {
     drop(progress);
     let drawing = match drawing {
         Ok(drawing) => drawing,
-        Err(error) => {
-            output.complain(format!("acutile: {input}: {error}"));
-            return if error.is_limit() {
-                Outcome::Declined
-            } else {
-                Outcome::Failed
-            };
-        }
+        Err(error) => return no_figure(input, &error, output),
     };
     let text = match arguments.format {
         DrawFormat::Svg => svg(&drawing),
-        DrawFormat::Tikz => tikz(&drawing, arguments.standalone),
+        _ => tikz(&drawing, arguments.standalone),
     };
     write(&text, arguments, output)
+}
+
+fn no_figure(input: &str, error: &DrawError, output: &mut Output) -> Outcome {
+    output.complain(format!("acutile: {input}: {error}"));
+    match error.is_limit() {
+        true => Outcome::Declined,
+        false => Outcome::Failed,
+    }
+}
+
+/// The cells of a foam as OBJ or STL.
+fn solids(
+    arguments: &DrawArguments,
+    name: &str,
+    tiling: &AnyTiling,
+    output: &mut Output,
+) -> Outcome {
+    let text = match (arguments.figure, tiling) {
+        (Some(FigureName::Foam), AnyTiling::Space(tiling)) => {
+            foam::foam(tiling).and_then(|cells| match arguments.format {
+                DrawFormat::Obj => foam::obj(name, tiling, &cells),
+                _ => foam::stl(tiling, &cells),
+            })
+        }
+        (Some(FigureName::Foam), AnyTiling::Plane(_)) => Err(DrawError::NotSolid),
+        _ => {
+            output.complain("acutile: --format obj and stl are for --figure foam");
+            return Outcome::Failed;
+        }
+    };
+    match text {
+        Ok(text) => write(&text, arguments, output),
+        Err(error) => no_figure(&arguments.input, &error, output),
+    }
 }
 
 fn figure(asked: Option<FigureName>, tiling: &AnyTiling) -> Figure {

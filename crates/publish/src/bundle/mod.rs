@@ -4,6 +4,7 @@
 //! | file | part |
 //! |---|---|
 //! | `mod.rs` | which files there are |
+//! | `metadata` | who deposits it: CITATION.cff, .zenodo.json |
 //! | `readme` | what the archive tells a referee |
 //! | `pdf` | the appendix by TeX |
 //! | `zip` | the files as one |
@@ -11,12 +12,14 @@
 //!
 //! Nothing here proves anything: what comes in is [`Proved`].
 
+pub mod metadata;
 mod pdf;
 mod readme;
 mod zip;
 
 pub use zip::archive;
 
+use self::metadata::Deposit;
 use crate::appendix::{self, File, Subject, slug};
 use crate::report::{Proved, page};
 use acutile_core::tiling::{AnyTiling, Tiling};
@@ -26,9 +29,8 @@ use acutile_io::mesh::{Format, flatten, write};
 use sha2::{Digest, Sha256};
 
 /// What the archive has beside what is made of the tilings.
-const FIXED: [(&str, &str); 8] = [
-    ("CITATION.cff", include_str!("../../../../CITATION.cff")),
-    ("LICENSE", include_str!("../../../../LICENSE")),
+const FIXED: [(&str, &str); 7] = [
+    ("verify/LICENSE", include_str!("../../../../LICENSE")),
     ("docs/format.md", include_str!("../../../../docs/format.md")),
     (
         "docs/soundness.md",
@@ -70,6 +72,8 @@ pub struct Piece {
 pub struct Options {
     /// The appendix as PDF, if there is a TeX.
     pub pdf: bool,
+    /// Who deposits the archive, and under which licence.
+    pub deposit: Deposit,
 }
 
 /// The files by their names, and what is to be told on standard error.
@@ -101,13 +105,29 @@ pub fn bundle(pieces: Vec<Piece>, options: &Options) -> Result<Bundle, String> {
     let entries = entries(&proved, &mut files, &mut notes)?;
     files.push(file("report.html", page(&proved, None)));
     let has_pdf = add_appendix(&subjects, options, &mut files, &mut notes);
-    let readme = readme::readme(&entries, !subjects.is_empty(), has_pdf);
+    let readme = readme::readme(&entries, !subjects.is_empty(), has_pdf, &options.deposit);
+    files.extend(citation(&entries, &options.deposit));
+    files.push(file("Makefile", readme::makefile()));
+    files.push(file("CLAIMS.md", readme::claims(&entries)));
     files.push(file("README.md", readme));
     files.sort_by(|a, b| a.path.cmp(&b.path));
     let sums = file("SHA256SUMS", sums(&files));
     files.push(sums);
     files.sort_by(|a, b| a.path.cmp(&b.path));
     Ok(Bundle { files, notes })
+}
+
+/// The author's citation and Zenodo record; without an author the citation of acutile.
+fn citation(entries: &[Entry], deposit: &Deposit) -> Vec<File> {
+    let slugs: Vec<&str> = entries.iter().map(|entry| entry.slug.as_str()).collect();
+    let own = include_str!("../../../../CITATION.cff").to_owned();
+    let citation = deposit.citation(&slugs).unwrap_or(own);
+    let zenodo = deposit.zenodo(&slugs);
+    let zenodo = zenodo.map(|text| file(".zenodo.json", text));
+    [file("CITATION.cff", citation)]
+        .into_iter()
+        .chain(zenodo)
+        .collect()
 }
 
 fn entries(
