@@ -64,7 +64,6 @@ const MESHES: [(&str, Format); 3] = [
 /// A confirmed certificate, and what the appendix says of it.
 pub struct Piece {
     pub proved: Proved,
-    /// Nothing for a region.
     pub subject: Subject,
 }
 
@@ -88,7 +87,6 @@ struct Entry {
     /// The claim in the kernel's words.
     claim: String,
     sha256: String,
-    is_region: bool,
     /// How many coordinates of the meshes are rounded, and by how much; nothing in the plane.
     rounding: Option<(usize, f64)>,
 }
@@ -102,7 +100,7 @@ pub fn bundle(pieces: Vec<Piece>, options: &Options) -> Result<Bundle, String> {
         pieces.into_iter().map(|p| (p.proved, p.subject)).unzip();
     let mut notes = Vec::new();
     let mut files = fixed();
-    let entries = entries(&proved, &mut files, &mut notes)?;
+    let entries = entries(&proved, &mut files)?;
     files.push(file("report.html", page(&proved, None)));
     let has_pdf = add_appendix(&subjects, options, &mut files, &mut notes);
     let readme = readme::readme(&entries, !subjects.is_empty(), has_pdf, &options.deposit);
@@ -130,11 +128,7 @@ fn citation(entries: &[Entry], deposit: &Deposit) -> Vec<File> {
         .collect()
 }
 
-fn entries(
-    proved: &[Proved],
-    files: &mut Vec<File>,
-    notes: &mut Vec<String>,
-) -> Result<Vec<Entry>, String> {
+fn entries(proved: &[Proved], files: &mut Vec<File>) -> Result<Vec<Entry>, String> {
     let mut entries: Vec<Entry> = Vec::new();
     for proved in proved {
         let entry = entry(proved, files);
@@ -143,11 +137,6 @@ fn entries(
         let is_same = |other: &Entry| other.slug.eq_ignore_ascii_case(slug);
         if entries.iter().any(is_same) {
             return Err(format!("two inputs would both be {slug}"));
-        }
-        if entry.is_region {
-            notes.push(format!(
-                "{slug}: is about a region: the appendix does not have it"
-            ));
         }
         entries.push(entry);
     }
@@ -218,7 +207,6 @@ fn entry(proved: &Proved, files: &mut Vec<File>) -> Entry {
     Entry {
         claim: proved.in_words(),
         sha256: proved.sha256(),
-        is_region: proved.is_region(),
         slug,
         rounding,
     }
