@@ -218,13 +218,23 @@ fn what_the_kernel_refuses_is_in_no_archive() {
 #[test]
 fn regions_come_with_an_appendix() {
     let region = "tests/certificates/valid/region-cavity.json";
-    let Some(directory) = unpacked(&[region, "--no-pdf"]) else {
+    let directory = tempfile::tempdir().expect("a directory");
+    let target = directory.path().join("artefact.zip");
+    let output = acutile([
+        "bundle".as_ref(),
+        region.as_ref(),
+        "-o".as_ref(),
+        target.as_os_str(),
+    ]);
+    assert_eq!(code(&output), 0, "{}", stderr(&output));
+    assert!(!stderr(&output).contains("about a region"));
+    let Some(directory) = unpacked(&[region]) else {
         return;
     };
-    let section = directory.path().join("appendix/tiling-region-cavity.tex");
-    let section = std::fs::read_to_string(section).expect("a section");
-    assert!(section.contains("Theorem~\\ref{acutile:region}"));
+    assert!(directory.path().join("appendix/main.tex").exists());
     assert!(directory.path().join("tilings/region-cavity.msh").exists());
+    let readme = std::fs::read_to_string(directory.path().join("README.md")).expect("a README");
+    assert!(readme.contains("appendix/"));
 }
 
 /// The meshes are those of the tiling: read again, they have its tetrahedra.

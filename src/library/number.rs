@@ -11,17 +11,21 @@ use std::str::FromStr;
 /// use acutile::Number;
 ///
 /// let golden: Number = "(1 + sqrt(5)) / 2".parse()?;
-/// assert_eq!(golden.to_string(), "1/2 + 1/2*sqrt(5)");
+/// assert!((golden.approximate() - 1.618).abs() < 0.001);
+/// assert_eq!(golden.to_string(), "(1 + sqrt(5)) / 2");
 /// assert!("1 / 0".parse::<Number>().is_err());
 /// # Ok::<(), acutile::Error>(())
 /// ```
 #[derive(Clone, Debug)]
-pub struct Number(number::Number);
+pub struct Number {
+    text: String,
+    value: number::Number,
+}
 
 impl Number {
     /// The nearest double, for display.
     pub fn approximate(&self) -> f64 {
-        self.0.approximate()
+        self.value.approximate()
     }
 }
 
@@ -30,15 +34,15 @@ impl FromStr for Number {
 
     fn from_str(text: &str) -> Result<Number, Error> {
         let mut values = numbers(&[text]).map_err(Error::new)?;
-        values
-            .pop()
-            .map(Number)
-            .ok_or_else(|| Error::new("no number"))
+        let value = values.pop().ok_or_else(|| Error::new("no number"))?;
+        let text = text.trim().to_owned();
+        Ok(Number { text, value })
     }
 }
 
+/// The expression that was read.
 impl fmt::Display for Number {
     fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
-        self.0.fmt(f)
+        f.write_str(&self.text)
     }
 }

@@ -75,7 +75,7 @@ pub enum Verdict {
 #[derive(Clone, Debug, PartialEq, Eq)]
 #[non_exhaustive]
 pub struct Finding {
-    /// The kind, a word that stays the same between versions, such as `not-acute`.
+    /// The kind, a word that stays the same between versions, such as `right-angle`.
     pub code: String,
     /// One sentence with the place, the expected and the exact found value.
     pub message: String,
@@ -102,7 +102,7 @@ impl std::error::Error for Finding {}
 /// else {
 ///     panic!("a right angle is not acute");
 /// };
-/// assert_eq!(findings[0].code, "not-acute");
+/// assert_eq!(findings[0].code, "right-angle");
 /// # Ok::<(), acutile::Error>(())
 /// ```
 ///
