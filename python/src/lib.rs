@@ -127,6 +127,8 @@ impl Tiling {
     }
 
     /// Moves vertices and lattice for better angles: the best tiling, the answer as JSON, and the certificate.
+    // The arguments are those that Python passes.
+    #[allow(clippy::too_many_arguments)]
     #[pyo3(signature = (goal, symmetry, fixed_lattice=false, fixed_boundary=false, denominator=None, progress=None))]
     fn optimize<'py>(
         &self,

@@ -150,7 +150,7 @@ pub fn stl(tiling: &Tiling<3>, cells: &[Cell]) -> Result<String, DrawError> {
 }
 
 /// The faces with their corners in the positive sense, seen from outside in a right-handed basis.
-fn outward<'c>(cell: &'c Cell) -> Vec<Vec<&'c acutile_core::foam::Point>> {
+fn outward(cell: &Cell) -> Vec<Vec<&acutile_core::foam::Point>> {
     let faces = cell.faces.iter().map(|face| {
         let mut corners: Vec<_> = face.corners.iter().collect();
         let side = |k: usize| linear::subtract(corners[k], corners[0]);
