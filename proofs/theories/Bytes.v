@@ -135,6 +135,16 @@ Definition judged (c : certificate) : verdict :=
     end end
   end.
 Local Open Scope string_scope.
+(** The statement about planes that no simplex crosses, which has no theorem here. *)
+Definition names_a_plane (i : item) : bool :=
+  match i with Array (Text name :: _) => String.eqb name "uncrossed plane" | _ => false end.
+Definition unreadable (k : item) : refusal :=
+  match k with
+  | Array [_; _; _; _; Array statements] =>
+    if existsb names_a_plane statements then Declined "the statement: this checker has no theorem about uncrossed planes"
+    else Malformed "not of the shape of a certificate"
+  | _ => Malformed "not of the shape of a certificate"
+  end.
 Definition judge (s : bytes) : verdict :=
   match items s with
   | Complete (Array (Text format :: Int version :: rest)) =>
@@ -144,7 +154,7 @@ Definition judge (s : bytes) : verdict :=
     | [Text kind; k; w] =>
       if negb (String.eqb kind "tiling") then Refused (Declined ("the kind: this checker has theorems about tilings only")) else
       match read_tiling k w with
-      | None => Refused (Malformed "not of the shape of a certificate")
+      | None => Refused (unreadable k)
       | Some c => if same_bytes s (fast_print c) then judged c else Refused (Malformed "not the canonical bytes")
       end
     | _ => Refused (Malformed "not an acutile certificate")

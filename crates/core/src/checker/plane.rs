@@ -6,7 +6,7 @@
 
 use super::defect::{Defect, Findings};
 use crate::statement::Plane;
-use crate::tiling::{Corner, Tiling, floor};
+use crate::tiling::{Corner, Tiling};
 use acutile_exact::geometry::Sign;
 use acutile_exact::number::Number;
 use malachite::Rational;
@@ -41,7 +41,7 @@ pub fn check_plane<const D: usize>(tiling: &Tiling<D>, plane: &Plane, findings: 
         // The first translate above the lowest corner; for one plane itself.
         let next = match step {
             0 => Rational::from(0),
-            _ => Rational::from(i64::from(floor(low)) + 1),
+            _ => Rational::from(low.floor()) + Rational::from(1),
         };
         let is_beyond = |x: &Number| (x - &Number::from(next.clone())).sign();
         if is_beyond(low) == Sign::Less && is_beyond(high) == Sign::Greater {
