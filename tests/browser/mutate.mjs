@@ -235,7 +235,7 @@ function stretch(chance, certificate) {
 
 const BOUNDS = ["largest dihedral angle", "smallest dihedral angle", "squared radius-edge ratio"];
 const RELATIONS = ["less than", "at most", "maximum", "more than", "at least", "minimum"];
-const ORDER = ["face-to-face tiling", "acute", "nonobtuse", ...BOUNDS, "Delaunay", "weakly Delaunay", "locally Delaunay", "locally weakly Delaunay", "TCP"];
+const ORDER = ["face-to-face tiling", "acute", "nonobtuse", ...BOUNDS, "uncrossed plane", "Delaunay", "weakly Delaunay", "locally Delaunay", "locally weakly Delaunay", "TCP"];
 
 function fractionNear(chance, fraction, claim) {
   const [p, q] = fraction ?? [claim.field === "Q" ? 1 : [1, ...Array(claim.field.polynomial.length - 2).fill(0)], chance.of([1, 2, 3, 4, 9, 25])];
@@ -247,7 +247,7 @@ function fractionNear(chance, fraction, claim) {
 }
 
 function changeBound(chance, { claim }) {
-  const bounds = claim.statements.filter(Array.isArray);
+  const bounds = claim.statements.filter((statement) => BOUNDS.includes(statement[0]));
   const old = bounds.length > 0 && chance.below(4) > 0 ? chance.of(bounds) : undefined;
   const name = old?.[0] ?? chance.of(BOUNDS);
   const relation = old && chance.below(2) === 0 ? old[1] : chance.of(RELATIONS);
@@ -259,12 +259,20 @@ function changeBound(chance, { claim }) {
   sortStatements(claim);
 }
 
+function changePlane(chance, { claim }) {
+  const old = claim.statements.filter(([name]) => name === "uncrossed plane");
+  if (old.length > 0 && chance.below(2) === 0) claim.statements.splice(claim.statements.indexOf(chance.of(old)), 1);
+  const normal = Array.from({ length: claim.dimension }, () => chance.of([-1, 0, 0, 1, 2]));
+  claim.statements.push(["uncrossed plane", normal, chance.of([[0, 1], [0, 1], [1, 2], [1, 1], [-1, 3]])]);
+  sortStatements(claim);
+}
+
 const rankOfStatement = (statement) => ORDER.indexOf([statement].flat()[0]) * 6 + (Array.isArray(statement) ? RELATIONS.indexOf(statement[1]) : 0);
 const sortStatements = ({ statements }) => statements.sort((x, y) => rankOfStatement(x) - rankOfStatement(y));
 
 function changeStatements(chance, { claim, witness }) {
   const isRegion = claim.domain[0] === "region";
-  const name = chance.of(chance.below(5) === 0 ? ORDER : ["acute", "nonobtuse", ...(isRegion ? ORDER.slice(8, 10) : ORDER.slice(6, 8))]);
+  const name = chance.of(chance.below(5) === 0 ? ORDER : ["acute", "nonobtuse", ...(isRegion ? ORDER.slice(9, 11) : ORDER.slice(7, 9))]);
   const at = claim.statements.indexOf(name);
   if (at >= 0) claim.statements.splice(at, 1);
   else claim.statements.push(name);
@@ -507,9 +515,9 @@ function changePatch(chance, { claim, witness }) {
 }
 
 const KEEP = [relabel, moveVertex, exchangeRows];
-const PATCHES = [changePatch, changePatch, changePatch, changePatch, changeBound, changeAnything];
+const PATCHES = [changePatch, changePatch, changePatch, changePatch, changeBound, changePlane, changeAnything];
 const FAMILY = [changeParameter, changeTree, changeTerm, changeTerm, changeTerm];
-const BREAK = [nudge, nudge, stretch, changeBound, changeBound, changeStatements, changeField, changeRow, changeRow, changeAnything, identify];
+const BREAK = [nudge, nudge, stretch, changeBound, changeBound, changePlane, changeStatements, changeField, changeRow, changeRow, changeAnything, identify];
 const REGION = [removeRow, secondPiece, secondPiece, identify, changeBoundary, changeRank];
 
 /** Text that no writer gives. */

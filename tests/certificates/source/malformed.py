@@ -326,6 +326,7 @@ CLAIMS = {
     "canonical--plane-with-divisor": statements(TILING, uncrossed((2, 2), 1)),
     "canonical--plane-negated": statements(TILING, uncrossed((0, -1), 0)),
     "canonical--plane-offset": statements(TILING, uncrossed((1, 0), 2, 2)),
+    "json--plane-with-a-fourth-part": statements(TILING, [*uncrossed((1, 0), 0), 0]),
     "json--plane-of-three-coordinates": statements(TILING, uncrossed((1, 0, 0), 0)),
     # The square (1 + sqrt 3) / 2 is 1.36; (1 - sqrt 3) / 2 is negative.
     "bound-range--above-1-over-sqrt-3": edit(K, STATEMENTS, [TILING, [ANGLE, "less than", -1, [[1, 1], 2]]]),
