@@ -1,8 +1,9 @@
 //! `acutile draw`: figures for print.
 
+use super::extension;
 use super::input::{self, FileArguments};
 use super::outcome::Outcome;
-use super::output::{Output, write_file};
+use super::output::{Output, write_text};
 use super::progress::Progress;
 use acutile_core::tiling::AnyTiling;
 use acutile_exact::number::{Number, parse_rational};
@@ -35,9 +36,9 @@ pub struct DrawArguments {
     /// The direction to the eye: x along the first lattice vector, z up
     #[arg(long, value_name = "X,Y,Z", default_value = "4,-9,5", value_parser = direction, allow_hyphen_values = true)]
     pub view: Direction,
-    /// How it is written
-    #[arg(long, value_enum, default_value = "svg")]
-    pub format: DrawFormat,
+    /// How it is written; svg where neither this nor the name of the file says it
+    #[arg(long, value_enum)]
+    pub format: Option<DrawFormat>,
     /// With --format tikz: a document of its own, not a fragment to \input
     #[arg(long)]
     pub standalone: bool,
@@ -110,7 +111,14 @@ fn part(text: &str) -> Result<Rational, String> {
 
 /// Writes the figure.
 pub fn run(arguments: &DrawArguments, output: &mut Output) -> Outcome {
-    if arguments.standalone && arguments.format != DrawFormat::Tikz {
+    let format = match format(arguments) {
+        Ok(format) => format,
+        Err(message) => {
+            output.complain(format!("acutile: {message}"));
+            return Outcome::Failed;
+        }
+    };
+    if arguments.standalone && format != DrawFormat::Tikz {
         output.complain("acutile: --standalone is for --format tikz");
         return Outcome::Failed;
     }
@@ -138,12 +146,33 @@ pub fn run(arguments: &DrawArguments, output: &mut Output) -> Outcome {
             };
         }
     };
-    let text = match arguments.format {
+    let text = match format {
         DrawFormat::Svg => svg(&drawing),
         DrawFormat::Tikz => tikz(&drawing, arguments.standalone),
     };
-    write(&text, arguments, output)
+    write_text(arguments.output.as_deref(), &text, output)
 }
+
+/// The format that is asked for, or that the name of the file says.
+///
+/// # Errors
+/// The two disagree, or the name says a format that is not written.
+fn format(arguments: &DrawArguments) -> Result<DrawFormat, String> {
+    let path = arguments.output.as_deref();
+    let is_tex = path
+        .and_then(|path| path.extension())
+        .is_some_and(|name| TIKZ.iter().any(|known| name.eq_ignore_ascii_case(known)));
+    match arguments.format {
+        Some(DrawFormat::Svg) => extension::check(path, "SVG", &["svg"])?,
+        Some(DrawFormat::Tikz) => extension::check(path, "TikZ", &TIKZ)?,
+        None if is_tex => return Ok(DrawFormat::Tikz),
+        None => extension::check(path, "SVG (or TikZ, for .tex)", &["svg"])?,
+    }
+    Ok(arguments.format.unwrap_or(DrawFormat::Svg))
+}
+
+/// The extensions of files with TikZ.
+const TIKZ: [&str; 4] = ["tex", "tikz", "pgf", "ltx"];
 
 fn figure(asked: Option<FigureName>, tiling: &AnyTiling) -> Figure {
     match (asked, tiling) {
@@ -159,20 +188,5 @@ fn options(arguments: &DrawArguments) -> Options {
         vertex: arguments.vertex,
         apart: arguments.apart.clone(),
         width: f64::from(arguments.width),
-    }
-}
-
-fn write(text: &str, arguments: &DrawArguments, output: &mut Output) -> Outcome {
-    let Some(path) = &arguments.output else {
-        output.bytes(text.as_bytes());
-        return Outcome::Done;
-    };
-    match write_file(path, text.as_bytes()) {
-        Ok(()) => Outcome::Done,
-        Err(error) => {
-            let path = path.display();
-            output.complain(format!("acutile: {path}: cannot be written: {error}"));
-            Outcome::Failed
-        }
     }
 }

@@ -111,7 +111,9 @@ fn inner<'t>(value: &'t str, step: &Step) -> Option<&'t str> {
 
 fn excerpt(text: &str, place: usize) -> Excerpt {
     let start = text[..place].rfind('\n').map_or(0, |end| end + 1);
-    let end = text[place..].find('\n').map_or(text.len(), |length| place + length);
+    let end = text[place..]
+        .find('\n')
+        .map_or(text.len(), |length| place + length);
     let line = text[..start].matches('\n').count() + 1;
     let shown = text[start..end].trim_end();
     let at = (place - start).min(shown.len());
