@@ -186,7 +186,7 @@ fn a_file_without_read_permission_is_named() {
     let path = file(place.path(), "secret.json", "{}");
     std::fs::set_permissions(&path, std::fs::Permissions::from_mode(0o000)).expect("permissions");
     let expected = match std::fs::File::open(&path) {
-        Ok(_) => "missing field",
+        Ok(_) => "the member \"format\" is missing",
         Err(_) => "cannot be read: Permission denied",
     };
     let output = acutile(["certify", text(&path)]);

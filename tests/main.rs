@@ -15,6 +15,7 @@ mod js_verifier;
 mod lower_bound;
 mod mesh_cases;
 mod meshes;
+mod messages;
 mod optimize;
 mod paper;
 mod quality;

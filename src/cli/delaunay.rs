@@ -2,15 +2,17 @@
 //! triangulation out.
 
 use super::document;
+use super::extension;
 use super::named::InputError;
 use super::outcome::Outcome;
 use super::output::{Output, write_text};
 use super::points::{self, PointArguments};
+use acutile_catalog as catalog;
 use acutile_core::with_dimension;
 use acutile_io::export::labelled_tiling_text;
 use acutile_io::import::{Content, uncompressed_name};
 use clap::Args;
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
 #[derive(Debug, Args)]
 pub struct DelaunayArguments {
@@ -36,6 +38,8 @@ pub fn run(arguments: &DelaunayArguments, output: &mut Output) -> Outcome {
 }
 
 fn text(arguments: &DelaunayArguments, output: &mut Output) -> Result<String, InputError> {
+    extension::check(arguments.output.as_deref(), "a tiling file", &["json"])?;
+    check_not_a_name(&arguments.file)?;
     let document = document::open(&arguments.file, &arguments.points, output)?;
     let name = arguments.file.display().to_string();
     let Content::Points(points) = document.content else {
@@ -48,4 +52,19 @@ fn text(arguments: &DelaunayArguments, output: &mut Output) -> Result<String, In
         points::tiling(&name, p, &arguments.points)
             .map(|tiling| labelled_tiling_text(&tiling, stem, &document.labels))
     })
+}
+
+/// A construction of the catalogue is triangulated already.
+fn check_not_a_name(path: &Path) -> Result<(), String> {
+    match path
+        .to_str()
+        .filter(|_| !path.exists())
+        .and_then(catalog::find)
+    {
+        None => Ok(()),
+        Some(_) => Err(format!(
+            "{0}: a tiling of the catalogue, expected a file of points; `acutile export {0}` writes its tiling file",
+            path.display()
+        )),
+    }
 }

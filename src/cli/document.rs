@@ -43,9 +43,9 @@ pub fn read(
     points: &PointArguments,
     output: &mut Output,
 ) -> Result<Document, InputError> {
-    let named = |error: ImportError| InputError::of_file(path, &error);
     if let Some(kind) = crystal::kind(&uncompressed_name(path), text) {
-        let structure = crystal::read(kind, text, &points.crystal_options()?).map_err(named)?;
+        let structure = crystal::read(kind, text, &points.crystal_options()?)
+            .map_err(|error| InputError::of_text(path, text, &error))?;
         for note in &structure.notes {
             output.complain(format!("{}: {note}", path.display()));
         }
@@ -56,7 +56,8 @@ pub fn read(
         let message = unknown::message(path, text.as_bytes());
         return Err(format!("{}: {message}", path.display()).into());
     }
-    let file = read_native(text).map_err(named)?;
+    let in_text = |error| InputError::of_text(path, text, &error);
+    let file = read_native(text).map_err(in_text)?;
     let words: Vec<String> = [file.name, file.description]
         .into_iter()
         .flatten()

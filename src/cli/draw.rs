@@ -1,8 +1,9 @@
 //! `acutile draw`: figures for print.
 
+use super::extension;
 use super::input::{self, FileArguments};
 use super::outcome::Outcome;
-use super::output::{Output, write_file};
+use super::output::{Output, write_text};
 use super::progress::Progress;
 use acutile_core::tiling::AnyTiling;
 use acutile_exact::number::{Number, parse_rational};
@@ -35,9 +36,9 @@ pub struct DrawArguments {
     /// The direction to the eye: x along the first lattice vector, z up
     #[arg(long, value_name = "X,Y,Z", default_value = "4,-9,5", value_parser = direction, allow_hyphen_values = true)]
     pub view: Direction,
-    /// How it is written
-    #[arg(long, value_enum, default_value = "svg")]
-    pub format: DrawFormat,
+    /// How it is written; svg where neither this nor the name of the file says it
+    #[arg(long, value_enum)]
+    pub format: Option<DrawFormat>,
     /// With --format tikz: a document of its own, not a fragment to \input
     #[arg(long)]
     pub standalone: bool,
@@ -120,7 +121,14 @@ fn part(text: &str) -> Result<Rational, String> {
 
 /// Writes the figure.
 pub fn run(arguments: &DrawArguments, output: &mut Output) -> Outcome {
-    if arguments.standalone && arguments.format != DrawFormat::Tikz {
+    let format = match format(arguments) {
+        Ok(format) => format,
+        Err(message) => {
+            output.complain(format!("acutile: {message}"));
+            return Outcome::Failed;
+        }
+    };
+    if arguments.standalone && format != DrawFormat::Tikz {
         output.complain("acutile: --standalone is for --format tikz");
         return Outcome::Failed;
     }
@@ -132,8 +140,8 @@ pub fn run(arguments: &DrawArguments, output: &mut Output) -> Outcome {
             return error.outcome;
         }
     };
-    if let DrawFormat::Obj | DrawFormat::Stl = arguments.format {
-        return solids(arguments, &named.name, &named.tiling, output);
+    if let DrawFormat::Obj | DrawFormat::Stl = format {
+        return solids(arguments, format, &named.name, &named.tiling, output);
     }
     let progress = Progress::of(&named.name);
     progress.step("draw");
@@ -144,11 +152,11 @@ pub fn run(arguments: &DrawArguments, output: &mut Output) -> Outcome {
         Ok(drawing) => drawing,
         Err(error) => return no_figure(input, &error, output),
     };
-    let text = match arguments.format {
+    let text = match format {
         DrawFormat::Svg => svg(&drawing),
         _ => tikz(&drawing, arguments.standalone),
     };
-    write(&text, arguments, output)
+    write_text(arguments.output.as_deref(), &text, output)
 }
 
 fn no_figure(input: &str, error: &DrawError, output: &mut Output) -> Outcome {
@@ -162,13 +170,14 @@ fn no_figure(input: &str, error: &DrawError, output: &mut Output) -> Outcome {
 /// The cells of a foam as OBJ or STL.
 fn solids(
     arguments: &DrawArguments,
+    format: DrawFormat,
     name: &str,
     tiling: &AnyTiling,
     output: &mut Output,
 ) -> Outcome {
     let text = match (arguments.figure, tiling) {
         (Some(FigureName::Foam), AnyTiling::Space(tiling)) => {
-            foam::foam(tiling).and_then(|cells| match arguments.format {
+            foam::foam(tiling).and_then(|cells| match format {
                 DrawFormat::Obj => foam::obj(name, tiling, &cells),
                 _ => foam::stl(tiling, &cells),
             })
@@ -180,10 +189,39 @@ fn solids(
         }
     };
     match text {
-        Ok(text) => write(&text, arguments, output),
+        Ok(text) => write_text(arguments.output.as_deref(), &text, output),
         Err(error) => no_figure(&arguments.input, &error, output),
     }
 }
+
+/// The format that is asked for, or that the name of the file says.
+///
+/// # Errors
+/// The two disagree, or the name says a format that is not written.
+fn format(arguments: &DrawArguments) -> Result<DrawFormat, String> {
+    let path = arguments.output.as_deref();
+    let extension = path.and_then(|path| path.extension());
+    let has = |(_, _, known): &&Known| {
+        extension.is_some_and(|name| known.iter().any(|known| name.eq_ignore_ascii_case(known)))
+    };
+    let asked = arguments.format;
+    let format = asked.or_else(|| FORMATS.iter().find(has).map(|(format, ..)| *format));
+    let format = format.unwrap_or(DrawFormat::Svg);
+    for (_, name, known) in FORMATS.iter().filter(|(known, ..)| *known == format) {
+        extension::check(path, name, known)?;
+    }
+    Ok(format)
+}
+
+/// A format, its name, and the extensions of its files.
+type Known = (DrawFormat, &'static str, &'static [&'static str]);
+
+const FORMATS: [Known; 4] = [
+    (DrawFormat::Svg, "SVG", &["svg"]),
+    (DrawFormat::Tikz, "TikZ", &["tex", "tikz", "pgf", "ltx"]),
+    (DrawFormat::Obj, "OBJ", &["obj"]),
+    (DrawFormat::Stl, "STL", &["stl"]),
+];
 
 fn figure(asked: Option<FigureName>, tiling: &AnyTiling) -> Figure {
     match (asked, tiling) {
@@ -199,20 +237,5 @@ fn options(arguments: &DrawArguments) -> Options {
         vertex: arguments.vertex,
         apart: arguments.apart.clone(),
         width: f64::from(arguments.width),
-    }
-}
-
-fn write(text: &str, arguments: &DrawArguments, output: &mut Output) -> Outcome {
-    let Some(path) = &arguments.output else {
-        output.bytes(text.as_bytes());
-        return Outcome::Done;
-    };
-    match write_file(path, text.as_bytes()) {
-        Ok(()) => Outcome::Done,
-        Err(error) => {
-            let path = path.display();
-            output.complain(format!("acutile: {path}: cannot be written: {error}"));
-            Outcome::Failed
-        }
     }
 }

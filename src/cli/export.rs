@@ -1,6 +1,7 @@
 //! `acutile export`: a tiling, or a supercell of it, as a tiling file; a certificate
 //! as a theorem for Coq.
 
+use super::extension;
 use super::input::{self, FileArguments};
 use super::named::{InputError, Named};
 use super::outcome::Outcome;
@@ -38,10 +39,18 @@ pub struct ExportArguments {
 
 /// Writes the file.
 pub fn run(arguments: &ExportArguments, output: &mut Output) -> Outcome {
-    let text = match arguments.coq {
-        true => theorem(&arguments.input),
-        false => tiling_file(arguments, output),
+    let path = arguments.output.as_deref();
+    let named = match arguments.coq {
+        true => extension::check(path, "a theorem for Coq", &["v"]),
+        false => extension::check(path, "a tiling file", &["json"])
+            .map_err(|message| format!("{message}; acutile convert writes meshes")),
     };
+    let text = named
+        .map_err(InputError::from)
+        .and_then(|()| match arguments.coq {
+            true => theorem(&arguments.input),
+            false => tiling_file(arguments, output),
+        });
     match text {
         Ok(text) => write_text(arguments.output.as_deref(), &text, output),
         Err(error) => {

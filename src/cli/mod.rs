@@ -21,6 +21,7 @@ mod document;
 mod draw;
 mod encoding;
 mod export;
+mod extension;
 mod family;
 mod gallery;
 mod input;

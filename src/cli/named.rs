@@ -95,6 +95,18 @@ impl InputError {
         }
     }
 
+    /// A text could not be read: line, column and the line with a caret, if it is at one place.
+    pub fn of_text(path: &Path, text: &str, error: &ImportError) -> Self {
+        let Some(excerpt) = error.excerpt(text) else {
+            return Self::of_file(path, error);
+        };
+        let (path, line, column) = (path.display(), excerpt.line, excerpt.column);
+        InputError {
+            message: format!("{path}:{line}:{column}: {error}\n{}", excerpt.lines),
+            outcome: outcome(error.is_limit()),
+        }
+    }
+
     /// One of the program's own files could not be read.
     pub fn of_file(path: &Path, error: &ImportError) -> Self {
         InputError {

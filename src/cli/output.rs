@@ -164,9 +164,9 @@ fn new_file(directory: &Path) -> io::Result<Guarded> {
     Guarded::new(|| builder.tempfile_in(directory))
 }
 
-/// Writes a file, or to standard output where there is none.
+/// Writes a file, or to standard output for `-` and where there is none.
 pub fn write_text(path: Option<&Path>, text: &str, output: &mut Output) -> Outcome {
-    let Some(path) = path else {
+    let Some(path) = path.filter(|path| *path != Path::new("-")) else {
         output.bytes(text.as_bytes());
         return Outcome::Done;
     };

@@ -1,5 +1,6 @@
 //! `acutile quality`: how good the simplices of a mesh are.
 
+use super::extension;
 use super::input::{self, FileArguments};
 use super::named::Named;
 use super::outcome::Outcome;
@@ -30,9 +31,10 @@ pub struct QualityArguments {
     /// Degrees of a bin of the histogram, a divisor of 180
     #[arg(long, value_name = "DEGREES", default_value_t = 5, value_parser = divisor_of_180)]
     pub bin: u32,
-    /// How to write it: text has everything, the others the histogram
-    #[arg(long, value_enum, default_value = "text")]
-    pub format: QualityFormat,
+    /// How to write it: text has everything, the others the histogram; text where neither this nor
+    /// the name of the file says it
+    #[arg(long, value_enum)]
+    pub format: Option<QualityFormat>,
     /// List the simplices with a dihedral angle of at most this many degrees
     #[arg(long, value_name = "DEGREES", value_parser = degrees)]
     pub below: Option<Rational>,
@@ -54,12 +56,23 @@ pub struct QualityArguments {
 }
 
 /// How the figures are written.
-#[derive(Clone, Copy, Debug, ValueEnum)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
 pub enum QualityFormat {
     Text,
     Csv,
     Svg,
+    /// That of --json
+    #[value(skip)]
+    Json,
 }
+
+/// Formats with the words for them and the extensions of their files.
+const FORMATS: [(QualityFormat, &str, &[&str]); 4] = [
+    (QualityFormat::Text, "text", &["txt", "log", "out"]),
+    (QualityFormat::Csv, "CSV", &["csv"]),
+    (QualityFormat::Svg, "SVG", &["svg"]),
+    (QualityFormat::Json, "JSON", &["json"]),
+];
 
 fn divisor_of_180(text: &str) -> Result<u32, String> {
     match text.parse() {
@@ -83,6 +96,31 @@ fn ratio(text: &str) -> Result<Rational, String> {
 }
 
 impl QualityArguments {
+    /// The format that is asked for, or that the name of the file says.
+    ///
+    /// # Errors
+    /// The two disagree, or the name says a format that is not written.
+    fn written(&self) -> Result<QualityFormat, String> {
+        let path = self.output.as_deref();
+        let asked = match self.json {
+            true => Some(QualityFormat::Json),
+            false => self.format,
+        };
+        if let Some(asked) = asked {
+            let rule = FORMATS.iter().find(|(format, ..)| *format == asked);
+            let (words, names) = rule.map_or(("text", &[][..]), |(_, words, names)| (words, names));
+            extension::check(path, words, names)?;
+            return Ok(asked);
+        }
+        for (format, _, names) in FORMATS {
+            if extension::check(path, "", names).is_ok() {
+                return Ok(format);
+            }
+        }
+        let names = FORMATS.map(|(_, _, names)| names[0]);
+        extension::check(path, "text, CSV, SVG or JSON", &names).map(|()| QualityFormat::Text)
+    }
+
     /// The thresholds as requirements that offenders do not fulfil.
     fn thresholds(&self) -> Vec<Requirement> {
         let below = self.below.clone().map(Requirement::DihedralAbove);
@@ -130,6 +168,13 @@ fn offenders<const D: usize>(
 
 /// Prints or writes the figures.
 pub fn run(arguments: &QualityArguments, output: &mut Output) -> Outcome {
+    let format = match arguments.written() {
+        Ok(format) => format,
+        Err(message) => {
+            output.complain(format!("acutile: {message}"));
+            return Outcome::Failed;
+        }
+    };
     let input = &arguments.input;
     let named = input::tiling(input, arguments.param.as_deref(), &arguments.file, output);
     let named = match named {
@@ -147,27 +192,28 @@ pub fn run(arguments: &QualityArguments, output: &mut Output) -> Outcome {
         offenders(t, &statistics, arguments, named.origin.as_ref())
     });
     drop(progress);
-    let text = rendered(&statistics, &offenders, arguments, &named);
+    let text = rendered(&statistics, &offenders, format, &named);
     write_text(arguments.output.as_deref(), &text, output)
 }
 
 fn rendered(
     statistics: &Statistics,
     offenders: &Offenders,
-    arguments: &QualityArguments,
+    format: QualityFormat,
     named: &Named,
 ) -> String {
     let simplex = |simplex: SimplexId| match &named.origin {
         Some(origin) => format!("element {}", origin.tetrahedron(simplex).tag),
         None => format!("simplex {simplex}"),
     };
-    if arguments.json {
+    let data = || {
         let mut data = statistics::data(statistics, &simplex);
         data["input"] = json!(named.name);
         data["offenders"] = json!({ "counts": offenders.counts, "first": offenders.lines });
-        return format!("{data}\n");
-    }
-    match arguments.format {
+        format!("{data}\n")
+    };
+    match format {
+        QualityFormat::Json => data(),
         QualityFormat::Text => {
             let mut text = statistics::text(statistics, &simplex);
             for (code, count) in &offenders.counts {

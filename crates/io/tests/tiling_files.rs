@@ -349,7 +349,7 @@ fn messages_name_the_place_and_what_was_expected() {
     );
     begins(
         with(&|d| d["simplices"][4][1] = json!(-1)),
-        "simplices[4][1]: invalid type: integer `-1`, expected a corner",
+        "simplices[4][1]: found the number -1, expected a corner",
     );
     assert_eq!(
         with(&|d| d["lattice"]["gram"] = json!([[1]])),
@@ -372,7 +372,7 @@ fn messages_name_the_place_and_what_was_expected() {
     );
     begins(
         with(&|d| d["color"] = json!("red")),
-        "color: unknown field `color`",
+        "color: the member \"color\" is not known here",
     );
     assert_eq!(
         with(&|d| d["version"] = json!(2)),
@@ -565,7 +565,7 @@ fn parameters() {
         "vertices[0][0]: column 2: polynomial of too high degree: 16 in one parameter, expected at most 15"
     );
     assert!(parameter_error(set(json!([1]))).contains("parameters.h"));
-    assert!(parameter_error(set(json!({"low": 1}))).contains("missing field `high`"));
+    assert!(parameter_error(set(json!({"low": 1}))).contains("the member \"high\" is missing"));
     assert!(
         parameter_error(set(json!(["h", 2])))
             .starts_with("parameters.h.low: column 1: no generator")

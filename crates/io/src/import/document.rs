@@ -24,6 +24,9 @@ pub struct Document<'a> {
     _format: String,
     #[serde(rename = "version")]
     _version: u64,
+    /// For editors; it has no meaning here.
+    #[serde(rename = "$schema", default)]
+    _schema: Option<String>,
     /// Free text; never part of what is proved.
     #[serde(default)]
     pub name: Option<String>,
@@ -250,6 +253,12 @@ impl<'de> Visitor<'de> for DomainVisitor {
         match word {
             "space" => Ok(Domain::Space),
             "region" => Ok(Domain::Region(0)),
+            "slab" => Err(E::custom(
+                "a slab has bounds, expected an object like {\"slab\": [\"0\", \"1\"]}",
+            )),
+            "prism" | "solid" => Err(E::custom(format!(
+                "a {word} has corners, expected an object {{{word:?}: {{\"vertices\": ...}}}}"
+            ))),
             _ => Err(E::unknown_variant(word, DOMAINS)),
         }
     }

@@ -1,5 +1,6 @@
 //! One variant for each way in which a file can fail to be read.
 
+use super::words;
 use acutile_exact::number::ReadError;
 use std::fmt;
 use std::io;
@@ -83,8 +84,10 @@ impl fmt::Display for ImportError {
                 write!(f, "byte {offset}: not UTF-8 text")
             }
             ImportError::Empty => write!(f, "is empty, expected a tiling or point-set file"),
-            ImportError::Json(error) => write!(f, "{error}"),
-            ImportError::Shape { place, error } => write!(f, "{place}: {error}"),
+            ImportError::Json(error) => write!(f, "{}", words::of_json(error)),
+            ImportError::Shape { place, error } => {
+                write!(f, "{place}: {}", words::of_json(error))
+            }
             ImportError::Format { found } => write!(
                 f,
                 "format is {found:?}, expected \"acutile-tiling\" or \"acutile-points\""

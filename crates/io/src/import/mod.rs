@@ -8,11 +8,14 @@ pub mod crystal;
 mod document;
 mod domain;
 mod error;
+mod excerpt;
 mod frame;
 mod native;
 mod numbers;
 mod text;
+mod words;
 
 pub use error::ImportError;
+pub use excerpt::Excerpt;
 pub use native::{Content, NativeFile, read_native};
 pub use text::{BYTE_LIMIT, is_gzip, read_bytes, read_text, uncompressed_name, without_comments};
