@@ -402,6 +402,7 @@ fn every_name_of_the_catalogue_is_shown_and_exported_and_read_back() {
     for line in stdout(&acutile(["list", "--json"])).lines() {
         let entry: Value = serde_json::from_str(line).expect("an object");
         let name = match entry["name"].as_str().expect("a name") {
+            "box:" => "box:1,1,1",
             "kagome:" => "kagome:z+-",
             "square-triangle:" => "square-triangle:3464",
             "z-c15:" => "z-c15:33344",
