@@ -3,13 +3,13 @@
 
 usage: differential.py [--mutations N] [--seed S] [--also COMMAND]... VERIFY COQ_CHECK FILE|FOLDER...
 
-The files are certificates in JSON. VERIFY is acutile-verify, which gets each of them in CBOR; COQ_CHECK is the
-extracted checker, COMMAND any further one that reads JSON and prints lines as acutile-verify does (its words are
+The files are certificates in JSON. VERIFY is acutile-verify and COQ_CHECK the extracted checker, which get each of
+them in CBOR; COMMAND is any further one that reads JSON and prints lines as acutile-verify does (its words are
 separated by spaces). A file is a disagreement when one program accepts it and another refuses it: rejected,
 malformed. "declined" agrees with everything, for the limits differ; what one accepts and another declines is
 listed, and the share of it is bounded: at most one file in a hundred, without regions, families and patches,
 which COQ_CHECK declines. Systems of patches are not mutated here; tests/browser/mutate.mjs does that.
-A file that has no CBOR is not shown to VERIFY. Files whose name sets a limit are checked under the default limits.
+A file that has no CBOR is not shown to these two. Files whose name sets a limit are checked under the default limits.
 Exit code 1 if there is a disagreement, if nothing was accepted or refused, or if too much was declined by one
 program alone.
 """
@@ -166,14 +166,14 @@ def options(words):
 
 
 class Comparison:
-    """The programs, of which the first reads CBOR."""
+    """The programs, of which the first two read CBOR."""
 
     def __init__(self, programs):
         self.programs, self.tally, self.bad, self.alone = programs, collections.Counter(), [], []
 
     def compare(self, paths, seconds):
         """The verdicts on each file; disagreements are kept."""
-        columns = [self.of_cbor(paths, seconds)] + [answers(program, paths, seconds) for program in self.programs[1:]]
+        columns = self.of_cbor(paths, seconds) + [answers(program, paths, seconds) for program in self.programs[2:]]
         for path, row in zip(paths, zip(*columns)):
             self.tally[row] += 1
             if {"accepted", "refused"} <= set(row) or not set(row) <= {NONE, *WORDS.values()}:
@@ -192,8 +192,8 @@ class Comparison:
                 if data is not None:
                     encoded[path] = pathlib.Path(folder) / f"{n}.cbor"
                     encoded[path].write_bytes(data)
-            found = answers(self.programs[0], list(encoded.values()), seconds) if encoded else []
-        return [dict(zip(encoded, found)).get(path, NONE) for path in paths]
+            found = [answers(program, list(encoded.values()), seconds) if encoded else [] for program in self.programs[:2]]
+        return [[dict(zip(encoded, column)).get(path, NONE) for path in paths] for column in found]
 
 
 def is_beyond_coq(path):

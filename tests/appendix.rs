@@ -53,9 +53,10 @@ fn a15_is_three_rows_and_its_certificate_is_the_one_of_the_catalogue() {
     );
     let section = text(place.path().join("tiling-a15.tex"));
     // 46 tetrahedra, three orbits under a point group of order 48, and 24/8 + 6/8 + 144/64 = 6.
-    assert!(section.contains("has the order $48$"));
-    assert!(section.contains("$3$ congruence classes and $3$ orbits of tetrahedra"));
-    assert!(section.contains(r"24\cdot \frac{1}{8}+6\cdot \frac{1}{8}+16\cdot \frac{9}{64}=6"));
+    assert!(section.contains("has $48$ isometries up to $\\Lambda$"));
+    assert!(section.contains("the images under $\\Gamma$ of the $3$ tetrahedra of"));
+    assert!(section.contains("There are $46$ tetrahedra up to $\\Lambda$."));
+    assert!(section.contains(r"30\cdot \frac{1}{8}+16\cdot \frac{9}{64}=6"));
     // The largest angle is arccos(1/5) (the paper's Table 1: 78.46 degrees).
     assert!(section.contains(r"$\cos\theta=1/5$"));
     let of_catalogue = Path::new(env!("CARGO_MANIFEST_DIR")).join("certificates/a15.json");
@@ -153,6 +154,42 @@ fn siunitx_is_used_where_it_is_asked_for() {
     assert!(!text(place.path().join("main.tex")).contains("siunitx"));
     assert_eq!(code(&write(&["cube-6"], place.path(), &["--siunitx"])), 0);
     assert!(text(place.path().join("main.tex")).contains("\\usepackage{siunitx}"));
+}
+
+/// Regions have the conditions on their boundary, families their polynomials, patches their pictures.
+#[test]
+fn regions_families_and_patches_have_sections() {
+    let place = tempfile::tempdir().expect("a temporary directory");
+    let region = valid("region-cube-6");
+    let inputs = [region.as_str(), "goldberg-1-all", "kagome-all"];
+    let done = write(&inputs, place.path(), &[]);
+    assert_eq!(code(&done), 0, "{}", stderr(&done));
+    let section = |name: &str| text(place.path().join(format!("tiling-{name}.tex")));
+    // The six tetrahedra of a cube have 12 triangles in the boundary, in one class.
+    let region = section("region-cube-6");
+    assert!(region.contains("$f_{11}$") && !region.contains("$f_{12}$"));
+    assert!(region.contains("Theorem~\\ref{acutile:region}"));
+    // det G of Goldberg's first family is a multiple of s^2 (1 - s), see docs/families.md.
+    let family = section("goldberg-1-all");
+    assert!(family.contains("$-s^{3}+s^{2}>0$"), "{family}");
+    assert!(section("kagome-all").contains("tikzpicture"));
+    let soundness = text(place.path().join("soundness.tex"));
+    for label in ["sound", "region", "family", "patches"] {
+        assert!(
+            soundness.contains(&format!("\\label{{acutile:{label}}}")),
+            "{label}"
+        );
+    }
+}
+
+/// In two columns the long tables stand after the text.
+#[test]
+fn long_tables_leave_the_text_in_two_columns() {
+    let place = tempfile::tempdir().expect("a temporary directory");
+    assert_eq!(code(&write(&["a15"], place.path(), &["--two-column"])), 0);
+    assert!(!text(place.path().join("tiling-a15.tex")).contains("longtable"));
+    assert!(text(place.path().join("wide-a15.tex")).contains("acutile:table pairing a15"));
+    assert!(text(place.path().join("appendix.tex")).contains("\\acutilewide\n\\input{wide-a15}"));
 }
 
 /// A certificate of the tests that is valid.

@@ -216,7 +216,7 @@ fn what_the_kernel_refuses_is_in_no_archive() {
 }
 
 #[test]
-fn regions_come_without_appendix() {
+fn regions_come_with_an_appendix() {
     let region = "tests/certificates/valid/region-cavity.json";
     let directory = tempfile::tempdir().expect("a directory");
     let target = directory.path().join("artefact.zip");
@@ -227,14 +227,14 @@ fn regions_come_without_appendix() {
         target.as_os_str(),
     ]);
     assert_eq!(code(&output), 0, "{}", stderr(&output));
-    assert!(stderr(&output).contains("about a region"));
+    assert!(!stderr(&output).contains("about a region"));
     let Some(directory) = unpacked(&[region]) else {
         return;
     };
-    assert!(!directory.path().join("appendix").exists());
+    assert!(directory.path().join("appendix/main.tex").exists());
     assert!(directory.path().join("tilings/region-cavity.msh").exists());
     let readme = std::fs::read_to_string(directory.path().join("README.md")).expect("a README");
-    assert!(!readme.contains("appendix/"));
+    assert!(readme.contains("appendix/"));
 }
 
 /// The meshes are those of the tiling: read again, they have its tetrahedra.
@@ -298,4 +298,58 @@ fn the_citation_is_of_this_version() {
     let text = std::fs::read_to_string("CITATION.cff").expect("CITATION.cff");
     let version = format!("\nversion: {}\n", env!("CARGO_PKG_VERSION"));
     assert!(text.starts_with("cff-version: 1.2.0\n") && text.contains(&version));
+}
+
+/// The author is cited, not the program; and the same input gives the same bytes.
+#[test]
+fn the_archive_is_in_the_name_of_its_author() {
+    let arguments = [
+        "bcc",
+        "--no-pdf",
+        "--title",
+        "A \"title\": with signs",
+        "--author",
+        "Carberry, Josiah <0000-0002-1825-0097>",
+        "--licence",
+        "CC-BY-4.0",
+        "--doi",
+        "10.5281/zenodo.1",
+        "--paper",
+        "https://doi.org/10.1000/182",
+    ];
+    let Some(directory) = unpacked(&arguments) else {
+        return;
+    };
+    let text = |name: &str| std::fs::read_to_string(directory.path().join(name)).expect(name);
+    let citation = text("CITATION.cff");
+    for line in [
+        "type: dataset",
+        "title: \"A \\\"title\\\": with signs\"",
+        "  - family-names: \"Carberry\"",
+        "    orcid: \"https://orcid.org/0000-0002-1825-0097\"",
+        "doi: \"10.5281/zenodo.1\"",
+    ] {
+        assert!(citation.lines().any(|other| other == line), "{line}");
+    }
+    let zenodo: serde_json::Value = serde_json::from_str(&text(".zenodo.json")).expect("JSON");
+    assert_eq!(zenodo["creators"][0]["name"], "Carberry, Josiah");
+    assert_eq!(zenodo["license"], "cc-by-4.0");
+    assert_eq!(
+        zenodo["related_identifiers"][0]["identifier"],
+        "10.1000/182"
+    );
+    assert!(text("README.md").starts_with("# A \"title\": with signs\n"));
+    assert!(text("CLAIMS.md").contains("## Not proved"));
+    let other = tempfile::tempdir().expect("a directory");
+    let (first, second) = (
+        bundle(directory.path(), &arguments),
+        bundle(other.path(), &arguments),
+    );
+    assert!(first == second);
+    if let Some(output) = run("make", directory.path(), &["check"]) {
+        assert!(output.status.success(), "{}", stderr(&output));
+        assert!(stdout(&output).contains("certificates/bcc.json: verified"));
+    }
+    let wrong = acutile(["bundle", "bcc", "-o", "-", "--author", "Josiah"]);
+    assert_eq!(code(&wrong), 2);
 }

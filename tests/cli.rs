@@ -582,6 +582,39 @@ fn a_fan_of_many_tetrahedra_is_declined() {
     assert!(stderr(&declined).contains("too many facets close to each other"));
 }
 
+/// 25 tetrahedra apart from each other, with edges from 1 to 25: 25 shapes.
+#[test]
+fn show_lists_all_shapes_if_it_is_asked() {
+    let (mut vertices, mut simplices) = (Vec::new(), Vec::new());
+    for k in 1..=25 {
+        let (first, x) = (vertices.len(), 100 * k);
+        for point in [[x, 0, 0], [x + k, 0, 0], [x, k, 0], [x, 0, k]] {
+            vertices.push(serde_json::json!(point));
+        }
+        simplices.push(serde_json::json!([first, first + 1, first + 2, first + 3]));
+    }
+    let place = tempfile::tempdir().expect("a directory");
+    let path = place.path().join("many.json");
+    let tiling = serde_json::json!({
+        "format": "acutile-tiling", "version": 1, "dimension": 3, "domain": "region",
+        "vertices": vertices, "simplices": simplices,
+    });
+    // A byte order mark before our own JSON is passed over.
+    std::fs::write(&path, format!("\u{feff}{tiling}")).expect("written");
+    let path = path.to_str().expect("UTF-8");
+    let few = stdout(&acutile(["show", path]));
+    assert!(
+        few.contains("and 5 more of 25 shapes; --all lists them"),
+        "{few}"
+    );
+    let all = stdout(&acutile(["show", path, "--all"]));
+    assert!(!all.contains("--all"), "{all}");
+    for (text, count) in [(few, 20), (all, 25)] {
+        let shapes = text.matches("1 simplices with squared edges ");
+        assert_eq!(shapes.count(), count, "{text}");
+    }
+}
+
 #[test]
 fn a_deeply_nested_vtu_file_is_refused() {
     let place = tempfile::tempdir().expect("a directory");

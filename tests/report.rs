@@ -160,7 +160,7 @@ fn what_the_kernel_refuses_has_no_page() {
 }
 
 #[test]
-fn a_false_tiling_is_refuted_and_has_no_page() {
+fn a_false_tiling_is_on_no_page_of_proofs() {
     let directory = tempfile::tempdir().expect("a directory");
     let mut tiling = kuhn();
     tiling["simplices"].as_array_mut().expect("simplices").pop();
@@ -168,7 +168,18 @@ fn a_false_tiling_is_refuted_and_has_no_page() {
     let output = acutile(["report", path.to_str().expect("UTF-8")]);
     assert_eq!(code(&output), 1, "{}", stderr(&output));
     assert!(stderr(&output).contains("refuted"));
-    assert_eq!(stdout(&output), "");
+    assert!(!stdout(&output).contains("What is proved"));
+    for command in ["appendix", "bundle"] {
+        let target = directory.path().join(command);
+        let output = acutile([
+            command.as_ref(),
+            path.as_os_str(),
+            "-o".as_ref(),
+            target.as_os_str(),
+        ]);
+        assert_eq!(code(&output), 1, "{}", stderr(&output));
+        assert!(!target.exists());
+    }
 }
 
 #[test]

@@ -27,6 +27,6 @@ let () =
   let print_claim, paths = match List.tl (Array.to_list Sys.argv) with
     | "--print-claim" :: paths -> true, paths
     | paths -> false, paths in
-  if paths = [] then (print_endline "usage: acutile-coq-check [--print-claim] CERTIFICATE... (in CBOR)"; exit 2);
+  if paths = [] || List.mem "--help" paths then (print_endline "usage: acutile-coq-check [--print-claim] CERTIFICATE... (in CBOR)"; exit 2);
   let codes = List.map (fun path -> let (code, line) = verdict print_claim path in print_string line; flush stdout; code) paths in
   exit (match List.find_opt (fun c -> List.mem c codes) [1; 2; 3] with Some c -> c | None -> 0)

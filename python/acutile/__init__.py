@@ -15,18 +15,20 @@ from ._commands import (
     classify,
     delaunay,
     names,
+    optimize,
     quality,
     report,
     table,
     verify,
 )
 from ._native import Failed, __version__
-from ._results import Classification, Defects, Quality, Result, Triangulation, Verified
+from ._results import Classification, Defects, Optimized, Quality, Result, Triangulation, Verified
 
 __all__ = [
     "Classification",
     "Defects",
     "Failed",
+    "Optimized",
     "Quality",
     "Result",
     "Triangulation",
@@ -36,6 +38,7 @@ __all__ = [
     "classify",
     "delaunay",
     "names",
+    "optimize",
     "quality",
     "report",
     "table",

@@ -10,6 +10,7 @@ from typing import Any
 from . import _inputs, _native
 from ._results import (
     Classification,
+    Optimized,
     Quality,
     Result,
     Triangulation,
@@ -91,6 +92,48 @@ def certify(
     tiling = _inputs.tiling(source, cells, **options)
     answer, cbor = tiling.certify(list(require), certificate, max_defects, progress)
     return Result(tiling, json.loads(answer), cbor)
+
+
+def optimize(
+    source: Any,
+    cells: Any = None,
+    *,
+    goal: str = "max-dihedral",
+    symmetry: str = "full",
+    fixed_lattice: bool = False,
+    fixed_boundary: bool = False,
+    denominator: int | None = None,
+    progress: Progress | None = None,
+    **options: Any,
+) -> Optimized:
+    """Moves the vertices of a tiling, and its lattice, for better angles, and proves the result.
+
+    Parameters
+    ----------
+    source, cells, **options
+        As for :func:`certify`, in space.
+    goal
+        ``"max-dihedral"``, ``"min-dihedral"``, ``"radius-edge"`` or ``"acute"``.
+    symmetry
+        The symmetry that stays: ``"full"``, ``"rotations"`` or ``"none"``.
+    fixed_lattice, fixed_boundary
+        Whether these stay; without it boundary vertices move in the planes of the boundary.
+    denominator
+        Moved coordinates become multiples of 1 over this.
+    progress
+        Called with the current value as a text.
+
+    Examples
+    --------
+    >>> import acutile
+    >>> acutile.optimize("c14").is_better
+    True
+    """
+    tiling = _inputs.tiling(source, cells, **options)
+    best, answer, cbor = tiling.optimize(
+        goal, symmetry, fixed_lattice, fixed_boundary, denominator, progress
+    )
+    return Optimized(best, json.loads(answer), cbor)
 
 
 def verify(certificate: bytes | str | os.PathLike, claim: str | None = None) -> Verified:

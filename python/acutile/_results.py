@@ -107,6 +107,24 @@ class Result:
         return f"<div><b>{html.escape(self.verdict)}</b><ul>{items}</ul>{picture}</div>"
 
 
+class Optimized(Result):
+    """A tiling with better angles, proved.
+
+    Attributes
+    ----------
+    is_better : bool
+        Whether the proved value is better than that of the start.
+    before, after : str
+        The value of the goal, in degrees or as a ratio: a decimal, or ``"low to high"``.
+    """
+
+    def __init__(self, tiling: Tiling, answer: dict[str, Any], certificate: bytes | None):
+        super().__init__(tiling, answer, certificate)
+        self.is_better: bool = answer["is_better"]
+        self.before: str = answer["before"]
+        self.after: str = answer["after"]
+
+
 @dataclass(frozen=True)
 class Defect:
     """Something that is wrong.

@@ -1,8 +1,8 @@
 //! Verdicts as JSON, in the shape that `acutile certify --json` has.
 
 use super::error::failed;
-use super::input::Input;
 use super::words_and_digest;
+use acutile::Tiling as Input;
 use acutile_core::checker::{self, Findings, Options, defect_data};
 use acutile_core::proved::{NotProved, prove};
 use acutile_core::statement::in_words;
@@ -34,7 +34,7 @@ pub fn certify(
     with_certificate: bool,
     step: &dyn Fn(&str),
 ) -> PyResult<(String, Option<Vec<u8>>)> {
-    let answer = with_dimension!(&input.tiling, AnyTiling, t => match with_certificate {
+    let answer = with_dimension!(input.any(), AnyTiling, t => match with_certificate {
         true => proved(t, options, step),
         false => examined(t, options, step),
     });
@@ -50,9 +50,9 @@ pub fn certify(
             )
         }
     };
-    data["notes"] = json!(input.notes);
-    data["vertices"] = json!(with_dimension!(&input.tiling, AnyTiling, t => t.vertices.len()));
-    data["simplices"] = json!(with_dimension!(&input.tiling, AnyTiling, t => t.len()));
+    data["notes"] = json!(input.notes());
+    data["vertices"] = json!(with_dimension!(input.any(), AnyTiling, t => t.vertices.len()));
+    data["simplices"] = json!(with_dimension!(input.any(), AnyTiling, t => t.len()));
     Ok((data.to_string(), certificate))
 }
 
@@ -93,7 +93,7 @@ fn examined<const D: usize>(
 }
 
 fn findings_data(input: &Input, verdict: &str, findings: &Findings) -> Value {
-    let defects: Vec<Value> = with_dimension!(&input.tiling, AnyTiling, t => {
+    let defects: Vec<Value> = with_dimension!(input.any(), AnyTiling, t => {
         let names = input.names(t);
         findings.kept().iter().map(|defect| defect_data(t, &names, defect)).collect()
     });
@@ -121,7 +121,7 @@ pub fn verified(verified: &Verified, claim: Option<&[u8]>) -> PyResult<String> {
 
 /// What the tiling is combinatorially.
 pub fn classify(input: &Input) -> PyResult<String> {
-    let study = AnyStudy::of(input.tiling.clone()).map_err(failed)?;
+    let study = AnyStudy::of(input.any().clone()).map_err(failed)?;
     let data = match &study {
         AnyStudy::Plane(study) => counts(study),
         AnyStudy::Space(study) => {
@@ -157,6 +157,6 @@ pub fn picture(input: &Input, name: &str) -> PyResult<String> {
         2 => draw::Figure::Plane,
         _ => draw::Figure::Cell,
     };
-    let drawing = draw::draw(name, &input.tiling, figure, &draw::Options::default());
+    let drawing = draw::draw(name, input.any(), figure, &draw::Options::default());
     Ok(draw::svg::svg(&drawing.map_err(failed)?))
 }

@@ -7,8 +7,10 @@ mod answer;
 mod error;
 mod input;
 mod measures;
+mod optimize;
 mod work;
 
+use acutile::Tiling as Input;
 use acutile_catalog as catalog;
 use acutile_core::format;
 use acutile_core::proved::{hexadecimal, in_words};
@@ -19,7 +21,6 @@ use acutile_paper::survey::Survey;
 use acutile_paper::table::{self, Row};
 use acutile_publish::report::{Proved, page};
 use error::{Failed, failed, refusal};
-use input::Input;
 use numpy::{PyArray2, PyReadonlyArray2, ToPyArray};
 use pyo3::prelude::*;
 use pyo3::types::PyBytes;
@@ -45,14 +46,19 @@ impl Tiling {
         tolerance: Option<f64>,
     ) -> PyResult<Tiling> {
         let mesh = input::mesh(points.as_array(), cells.as_array())?;
-        Ok(Tiling(Arc::new(input::of_mesh(mesh, lattice, tolerance)?)))
+        let options = input::options(None, lattice.map(str::to_owned), tolerance, false);
+        let tiling = Input::of_mesh(mesh, &options).map_err(failed)?;
+        Ok(Tiling(Arc::new(tiling)))
     }
 
     /// A tiling file or point-set file of the project, as text.
     #[staticmethod]
     #[pyo3(signature = (text, triangulate=false))]
     fn of_text(py: Python<'_>, text: String, triangulate: bool) -> PyResult<Tiling> {
-        let input = work(py, None, move |_| input::of_text(&text, triangulate))??;
+        let input = work(py, None, move |_| {
+            let options = input::options(None, None, None, triangulate);
+            Input::from_text(&text, &options).map_err(failed)
+        })??;
         Ok(Tiling(Arc::new(input)))
     }
 
@@ -67,13 +73,9 @@ impl Tiling {
         tolerance: Option<f64>,
         triangulate: bool,
     ) -> PyResult<Tiling> {
-        let options = input::Options {
-            parameter,
-            lattice,
-            tolerance,
-            triangulate,
-        };
-        let input = work(py, None, move |_| input::open(&source, &options))??;
+        let options = input::options(parameter, lattice, tolerance, triangulate);
+        let read = move |_: &dyn Fn(&str)| Input::read(&source, &options).map_err(failed);
+        let input = work(py, None, read)??;
         Ok(Tiling(Arc::new(input)))
     }
 
@@ -86,19 +88,19 @@ impl Tiling {
     /// What was done to the input before, or left out.
     #[getter]
     fn notes(&self) -> Vec<String> {
-        self.0.notes.clone()
+        self.0.notes().to_vec()
     }
 
     /// The vertices in basis coordinates, rounded to doubles.
     fn vertices<'py>(&self, py: Python<'py>) -> Table<'py, f64> {
         let rows: Vec<Vec<f64>> =
-            with_dimension!(&self.0.tiling, AnyTiling, t => doubles(&t.vertices));
+            with_dimension!(self.0.any(), AnyTiling, t => doubles(&t.vertices));
         array(py, &rows)
     }
 
     /// For each simplex the numbers of its vertices, and the lattice translations of these.
     fn corners<'py>(&self, py: Python<'py>) -> (Table<'py, i64>, Table<'py, i64>) {
-        let (vertices, shifts): (Vec<_>, Vec<_>) = with_dimension!(&self.0.tiling, AnyTiling, t => {
+        let (vertices, shifts): (Vec<_>, Vec<_>) = with_dimension!(self.0.any(), AnyTiling, t => {
             t.simplices().map(rows_of_simplex).unzip()
         });
         (array(py, &vertices), array(py, &shifts))
@@ -116,7 +118,7 @@ impl Tiling {
         progress: Option<Py<PyAny>>,
     ) -> PyResult<(String, Option<Bound<'py, PyBytes>>)> {
         let mut options = answer::options(&require, max_defects)?;
-        options.sides.clone_from(&self.0.sides);
+        options.sides.clone_from(self.0.sides());
         let input = Arc::clone(&self.0);
         let (json, cbor) = work(py, progress, move |step| {
             answer::certify(&input, &options, certificate, step)
@@ -124,10 +126,42 @@ impl Tiling {
         Ok((json, cbor.map(|cbor| PyBytes::new(py, &cbor))))
     }
 
+    /// Moves vertices and lattice for better angles: the best tiling, the answer as JSON, and the certificate.
+    // The arguments are those that Python passes.
+    #[allow(clippy::too_many_arguments)]
+    #[pyo3(signature = (goal, symmetry, fixed_lattice=false, fixed_boundary=false, denominator=None, progress=None))]
+    fn optimize<'py>(
+        &self,
+        py: Python<'py>,
+        goal: &str,
+        symmetry: &str,
+        fixed_lattice: bool,
+        fixed_boundary: bool,
+        denominator: Option<u64>,
+        progress: Option<Py<PyAny>>,
+    ) -> PyResult<(Tiling, String, Bound<'py, PyBytes>)> {
+        let options = acutile_optimize::Options {
+            goal: optimize::goal(goal)?,
+            keep: optimize::symmetry(symmetry)?,
+            freedom: acutile_optimize::Freedom {
+                lattice: !fixed_lattice,
+                boundary: !fixed_boundary,
+            },
+            denominator: denominator.filter(|d| *d > 0),
+            sides: self.0.sides().clone(),
+            ..acutile_optimize::Options::default()
+        };
+        let input = Arc::clone(&self.0);
+        let (best, json, cbor) = work(py, progress, move |step| {
+            optimize::best(&input, &options, step)
+        })??;
+        Ok((Tiling(Arc::new(best)), json, PyBytes::new(py, &cbor)))
+    }
+
     /// The dihedral angles of each simplex, in degrees: lower and upper ends of enclosures.
     fn angles<'py>(&self, py: Python<'py>) -> PyResult<(Table<'py, f64>, Table<'py, f64>)> {
         let input = Arc::clone(&self.0);
-        let (lower, upper) = work(py, None, move |_| measures::angles(&input.tiling))?;
+        let (lower, upper) = work(py, None, move |_| measures::angles(input.any()))?;
         Ok((array(py, &lower), array(py, &upper)))
     }
 

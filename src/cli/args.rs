@@ -15,7 +15,9 @@ use super::new::NewArguments;
 use super::optimize::OptimizeArguments;
 use super::paper::PaperArguments;
 use super::quality::QualityArguments;
+use super::records::RecordsArguments;
 use super::report::ReportArguments;
+use super::search::SearchArguments;
 use super::show::ShowArguments;
 use super::table::TableArguments;
 use super::verify::VerifyArguments;
@@ -96,6 +98,17 @@ pub enum Command {
     /// acute; the best so far is written in any case. Ctrl-C ends the search with the best so far.
     #[command(after_long_help = examples!("\n  acutile optimize c14 -o c14-best.cbor\n  acutile optimize part.msh --goal acute -o part.cbor\n  acutile optimize slab --denominator 100 --json"))]
     Optimize(OptimizeArguments),
+    /// The best certified tilings of each kind of domain, the literature, and lower bounds
+    ///
+    /// Every value comes from a certificate that is proved in the run, every lower bound from checks that are
+    /// decided in it.
+    #[command(after_long_help = examples!("\n  acutile records\n  acutile records --format latex -o records.tex"))]
+    Records(RecordsArguments),
+    /// Search for acute slabs over plane tilings, or for polyhedra in the 600-cell
+    ///
+    /// Says what was tried. The exit code is 3 when no acute slab is found.
+    #[command(after_long_help = examples!("\n  acutile search slab\n  acutile search balls"))]
+    Search(SearchArguments),
     /// How good the simplices are: dihedral angles, radius-edge and aspect ratios
     #[command(after_long_help = examples!("\n  acutile quality part.vtu\n  acutile quality part.vtu --format svg -o angles.svg"))]
     Quality(QualityArguments),
@@ -121,7 +134,7 @@ pub enum Command {
     ///
     /// A tiling that is no certificate yet is proved first; nothing is written that the kernel does
     /// not confirm. The same input gives the same bytes.
-    #[command(after_long_help = examples!("\n  acutile bundle a15 slab -o artefact.zip"))]
+    #[command(after_long_help = examples!("\n  acutile bundle a15 slab -o artefact.zip\n  acutile bundle a15 --author 'Carberry, Josiah <0000-0002-1825-0097>' --licence CC-BY-4.0 -o a15.zip"))]
     Bundle(BundleArguments),
     /// Print a completion script for a shell
     #[command(after_long_help = examples!("\n  acutile completions bash > acutile.bash"))]

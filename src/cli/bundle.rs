@@ -7,6 +7,7 @@ use super::outcome::Outcome;
 use super::output::{Output, write_file};
 use super::proved::{overwritten, proved, subject};
 use super::words::one_line;
+use acutile_publish::bundle::metadata::{Author, Deposit, Doi, licence};
 use acutile_publish::bundle::{Options, Piece, archive, bundle};
 use clap::Args;
 use std::path::{Path, PathBuf};
@@ -21,6 +22,21 @@ pub struct BundleArguments {
     /// Leave out the PDF, even if there is TeX
     #[arg(long)]
     pub no_pdf: bool,
+    /// The title of the data set; without it one made of the names of the tilings
+    #[arg(long, value_name = "TITLE", value_parser = clap::builder::NonEmptyStringValueParser::new())]
+    pub title: Option<String>,
+    /// An author of the data set, once for each; without one CITATION.cff names acutile alone
+    #[arg(long = "author", value_name = "FAMILY, GIVEN <ORCID>")]
+    pub authors: Vec<Author>,
+    /// The licence of the data, an SPDX identifier like CC-BY-4.0
+    #[arg(long, value_name = "SPDX", value_parser = licence)]
+    pub licence: Option<String>,
+    /// The DOI of the archive, where it is reserved
+    #[arg(long, value_name = "DOI")]
+    pub doi: Option<Doi>,
+    /// The DOI of the paper that the archive supplements
+    #[arg(long, value_name = "DOI")]
+    pub paper: Option<Doi>,
     /// Write the archive here (`-` for standard output)
     #[arg(short, long, value_name = "FILE.zip")]
     pub output: PathBuf,
@@ -53,6 +69,13 @@ fn write(arguments: &BundleArguments, output: &mut Output) -> Result<(), InputEr
     }
     let options = Options {
         pdf: !arguments.no_pdf,
+        deposit: Deposit {
+            title: arguments.title.clone(),
+            authors: arguments.authors.clone(),
+            licence: arguments.licence.clone(),
+            doi: arguments.doi.clone(),
+            paper: arguments.paper.clone(),
+        },
     };
     let bundle = bundle(pieces, &options)?;
     let bytes = archive(&bundle.files)?;

@@ -61,7 +61,8 @@ pub struct CertifyArguments {
     pub format: Option<Encoding>,
     /// Statements that must hold: tiling, acute, nonobtuse, delaunay, weakly-delaunay, tcp,
     /// dihedral-below=DEGREES, dihedral-above=DEGREES, radius-edge-below=RATIO; in quotes also
-    /// 'dihedral<DEGREES', 'dihedral>DEGREES', 'radius-edge<RATIO'; and, by the prover alone,
+    /// 'dihedral<DEGREES', 'dihedral>DEGREES', 'radius-edge<RATIO'; plane:EQUATION in basis
+    /// coordinates, like plane:x2+x3=1/2, for a plane that no simplex crosses; and, by the prover alone,
     /// connected, no-cavities, manifold-boundary
     #[arg(
         long = "require",
@@ -259,10 +260,14 @@ fn prove(
         }
         Err(message) => return Answer::Failed(format!("{input}: {message}")),
     }
-    let options = Options {
+    let mut options = Options {
         sides: std::mem::take(&mut named.sides),
         ..options(arguments)
     };
+    match planes(input) {
+        Ok(planes) => options.required.extend(planes),
+        Err(message) => return Answer::Failed(format!("{input}: {message}")),
+    }
     let proved = with_dimension!(&named.tiling, AnyTiling, t => match arguments.no_certificate {
         true => examine_tiling(t, input, &options),
         false => prove_tiling(t, input, &options, target, arguments),
@@ -307,6 +312,12 @@ fn prove(
         return Answer::Failed(format!("{}: cannot be written: {error}", path.display()));
     }
     Answer::Refuted(Box::new(refuted))
+}
+
+/// The planes that the certificate of a construction states.
+fn planes(input: &str) -> Result<Vec<Requirement>, String> {
+    let planes = catalog::find(input).map_or(&[][..], |entry| entry.planes);
+    planes.iter().map(|plane| plane.parse()).collect()
 }
 
 /// Proves or refutes a family, and tells what else is found.

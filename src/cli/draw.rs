@@ -1,6 +1,6 @@
 //! `acutile draw`: figures for print.
 
-use super::extension;
+use super::extension::{self, Format};
 use super::input::{self, FileArguments};
 use super::outcome::Outcome;
 use super::output::{Output, write_text};
@@ -9,7 +9,7 @@ use acutile_core::tiling::AnyTiling;
 use acutile_exact::number::{Number, parse_rational};
 use acutile_publish::draw::svg::svg;
 use acutile_publish::draw::tikz::tikz;
-use acutile_publish::draw::{self, Figure, Options};
+use acutile_publish::draw::{self, DrawError, Figure, Options, foam};
 use clap::{Args, ValueEnum};
 use malachite::Rational;
 use std::path::PathBuf;
@@ -63,6 +63,10 @@ pub enum FigureName {
     Cell,
     /// The tetrahedra at a vertex
     Star,
+    /// The Voronoi cells of the vertices, one of each kind; with --format obj or stl all
+    Foam,
+    /// The neighbours of the vertices as a polyhedron, one of each kind
+    Coordination,
     /// The tetrahedra of a cell, moved apart
     Exploded,
     /// The slab in its eight steps
@@ -76,6 +80,10 @@ pub enum FigureName {
 pub enum DrawFormat {
     Svg,
     Tikz,
+    /// The cells of --figure foam as polygons
+    Obj,
+    /// The cells of --figure foam as triangles
+    Stl,
 }
 
 impl FigureName {
@@ -84,6 +92,8 @@ impl FigureName {
             FigureName::Classes => Figure::Classes,
             FigureName::Cell => Figure::Cell,
             FigureName::Star => Figure::Star,
+            FigureName::Foam => Figure::Foam,
+            FigureName::Coordination => Figure::Coordination,
             FigureName::Exploded => Figure::Exploded,
             FigureName::Steps => Figure::Steps,
             FigureName::Plane => Figure::Plane,
@@ -111,7 +121,8 @@ fn part(text: &str) -> Result<Rational, String> {
 
 /// Writes the figure.
 pub fn run(arguments: &DrawArguments, output: &mut Output) -> Outcome {
-    let format = match format(arguments) {
+    let path = arguments.output.as_deref();
+    let format = match extension::format(path, arguments.format, &FORMATS) {
         Ok(format) => format,
         Err(message) => {
             output.complain(format!("acutile: {message}"));
@@ -130,6 +141,9 @@ pub fn run(arguments: &DrawArguments, output: &mut Output) -> Outcome {
             return error.outcome;
         }
     };
+    if let DrawFormat::Obj | DrawFormat::Stl = format {
+        return solids(arguments, format, &named.name, &named.tiling, output);
+    }
     let progress = Progress::of(&named.name);
     progress.step("draw");
     let figure = figure(arguments.figure, &named.tiling);
@@ -137,42 +151,56 @@ pub fn run(arguments: &DrawArguments, output: &mut Output) -> Outcome {
     drop(progress);
     let drawing = match drawing {
         Ok(drawing) => drawing,
-        Err(error) => {
-            output.complain(format!("acutile: {input}: {error}"));
-            return if error.is_limit() {
-                Outcome::Declined
-            } else {
-                Outcome::Failed
-            };
-        }
+        Err(error) => return no_figure(input, &error, output),
     };
     let text = match format {
         DrawFormat::Svg => svg(&drawing),
-        DrawFormat::Tikz => tikz(&drawing, arguments.standalone),
+        _ => tikz(&drawing, arguments.standalone),
     };
-    write_text(arguments.output.as_deref(), &text, output)
+    write_text(path, &text, output)
 }
 
-/// The format that is asked for, or that the name of the file says.
-///
-/// # Errors
-/// The two disagree, or the name says a format that is not written.
-fn format(arguments: &DrawArguments) -> Result<DrawFormat, String> {
-    let path = arguments.output.as_deref();
-    let is_tex = path
-        .and_then(|path| path.extension())
-        .is_some_and(|name| TIKZ.iter().any(|known| name.eq_ignore_ascii_case(known)));
-    match arguments.format {
-        Some(DrawFormat::Svg) => extension::check(path, "SVG", &["svg"])?,
-        Some(DrawFormat::Tikz) => extension::check(path, "TikZ", &TIKZ)?,
-        None if is_tex => return Ok(DrawFormat::Tikz),
-        None => extension::check(path, "SVG (or TikZ, for .tex)", &["svg"])?,
+const FORMATS: [Format<DrawFormat>; 4] = [
+    (DrawFormat::Svg, "SVG", &["svg"]),
+    (DrawFormat::Tikz, "TikZ", &["tex", "tikz", "pgf", "ltx"]),
+    (DrawFormat::Obj, "OBJ", &["obj"]),
+    (DrawFormat::Stl, "STL", &["stl"]),
+];
+
+fn no_figure(input: &str, error: &DrawError, output: &mut Output) -> Outcome {
+    output.complain(format!("acutile: {input}: {error}"));
+    match error.is_limit() {
+        true => Outcome::Declined,
+        false => Outcome::Failed,
     }
-    Ok(arguments.format.unwrap_or(DrawFormat::Svg))
 }
 
-/// The extensions of files with TikZ.
-const TIKZ: [&str; 4] = ["tex", "tikz", "pgf", "ltx"];
+/// The cells of a foam as OBJ or STL.
+fn solids(
+    arguments: &DrawArguments,
+    format: DrawFormat,
+    name: &str,
+    tiling: &AnyTiling,
+    output: &mut Output,
+) -> Outcome {
+    let text = match (arguments.figure, tiling) {
+        (Some(FigureName::Foam), AnyTiling::Space(tiling)) => {
+            foam::foam(tiling).and_then(|cells| match format {
+                DrawFormat::Obj => foam::obj(name, tiling, &cells),
+                _ => foam::stl(tiling, &cells),
+            })
+        }
+        (Some(FigureName::Foam), AnyTiling::Plane(_)) => Err(DrawError::NotSolid),
+        _ => {
+            output.complain("acutile: --format obj and stl are for --figure foam");
+            return Outcome::Failed;
+        }
+    };
+    match text {
+        Ok(text) => write_text(arguments.output.as_deref(), &text, output),
+        Err(error) => no_figure(&arguments.input, &error, output),
+    }
+}
 
 fn figure(asked: Option<FigureName>, tiling: &AnyTiling) -> Figure {
     match (asked, tiling) {

@@ -34,6 +34,7 @@ mod meta;
 mod named;
 mod new;
 mod optimize;
+mod optimized;
 mod outcome;
 mod output;
 mod paper;
@@ -41,10 +42,12 @@ mod points;
 mod progress;
 mod proved;
 mod quality;
+mod records;
 mod refutation;
 mod refuted_page;
 mod region;
 mod report;
+mod search;
 mod second;
 mod show;
 mod sites;
@@ -78,6 +81,8 @@ pub fn main() -> ExitCode {
         Command::Paper(paper) => paper::run(&paper, &mut output),
         Command::LowerBound(bound) => lower_bound::run(&bound, &mut output),
         Command::Optimize(optimize) => optimize::run(&optimize, &mut output),
+        Command::Records(records) => records::run(&records, &mut output),
+        Command::Search(search) => search::run(&search, &mut output),
         Command::Quality(quality) => quality::run(&quality, &mut output),
         Command::Gallery(gallery) => gallery::run(&gallery, &mut output),
         Command::Report(report) => report::run(&report, &mut output),

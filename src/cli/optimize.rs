@@ -5,23 +5,22 @@ use super::input::{self, FileArguments};
 use super::interrupt;
 use super::limits::LimitArguments;
 use super::named::InputError;
+use super::optimized::Report;
 use super::outcome::Outcome;
-use super::output::{Output, write_file};
+use super::output::{Output, Staged};
 use super::progress::Progress;
 use super::proved as proof;
-use super::verify::{claim_json, summary};
 use acutile_core::advice::{Advice, Adviser};
 use acutile_core::format::print;
 use acutile_core::proved::NotProved;
-use acutile_core::quality::{decimal_range, display_width};
 use acutile_core::statement::Statement;
 use acutile_core::tiling::{AnyTiling, Tiling, match_facets};
 use acutile_optimize::{
-    Failure, Freedom, Goal, Group, Keep, LocalProof, NotLocal, Options, Reason, optimize,
-    prove_local, reasons, value,
+    Failure, Freedom, Goal, Group, Keep, Options, optimize, prove_local, reasons,
 };
 use clap::{Args, ValueEnum};
-use serde_json::{Value, json};
+use serde_json::json;
+use std::io::Write;
 use std::path::{Path, PathBuf};
 use std::sync::atomic::Ordering;
 
@@ -35,6 +34,9 @@ pub struct OptimizeArguments {
     pub param: Option<String>,
     #[command(flatten)]
     pub file: FileArguments,
+    /// Give negatively oriented simplices positive orientation first
+    #[arg(long)]
+    pub reorient: bool,
     /// What to improve
     #[arg(long, value_enum, default_value = "max-dihedral")]
     pub goal: GoalName,
@@ -91,7 +93,8 @@ pub enum GoalName {
 }
 
 impl GoalName {
-    fn goal(self) -> Goal {
+    /// The goal with this name.
+    pub fn goal(self) -> Goal {
         match self {
             GoalName::MaxDihedral => Goal::MaxDihedral,
             GoalName::MinDihedral => Goal::MinDihedral,
@@ -155,9 +158,18 @@ fn verdict(outcome: Outcome) -> &'static str {
 fn answer(arguments: &OptimizeArguments, output: &mut Output) -> Result<Outcome, InputError> {
     let input = &arguments.input;
     let named = input::tiling(input, arguments.param.as_deref(), &arguments.file, output)?;
-    let AnyTiling::Space(tiling) = named.tiling else {
+    if !named.curved.is_empty() {
+        let curved = named.curved.len();
+        return Err(
+            format!("{input}: found {curved} curved tetrahedra, expected straight ones").into(),
+        );
+    }
+    let AnyTiling::Space(mut tiling) = named.tiling else {
         return Err(format!("{input}: found a tiling of the plane, expected one of space").into());
     };
+    if arguments.reorient {
+        tiling.orient();
+    }
     let keep = match &arguments.symmetry {
         SymmetryName::List => return Ok(list(&tiling, output)),
         SymmetryName::Keep(keep) => keep.clone(),
@@ -175,13 +187,17 @@ fn answer(arguments: &OptimizeArguments, output: &mut Output) -> Result<Outcome,
         seed: arguments.seed,
         steps: arguments.steps,
         limits: arguments.limits.limits(),
+        sides: named.sides,
     };
+    let place = Place::of(arguments)?;
     let found = search(input, &tiling, &options)?;
     let why = match goal {
         Goal::Acute | Goal::MaxDihedral => reasons(&found.tiling, &match_facets(&found.tiling)),
         _ => Vec::new(),
     };
-    write(arguments, found.proved.certificate(), output)?;
+    if let Some(place) = place {
+        place.write(found.proved.certificate(), output)?;
+    }
     let is_acute = found.proved.statements().contains(&Statement::Acute);
     let local = arguments.prove_local.then(|| prove_local(&found, &options));
     // A local optimum has nothing better near it.
@@ -268,183 +284,57 @@ fn list(tiling: &Tiling<3>, output: &mut Output) -> Outcome {
     Outcome::Done
 }
 
-/// Writes the certificate, if it is asked for.
-fn write(
-    arguments: &OptimizeArguments,
-    cbor: &[u8],
-    output: &mut Output,
-) -> Result<(), InputError> {
-    let Some(path) = &arguments.output else {
-        return Ok(());
-    };
-    let encoding = arguments
-        .format
-        .or(Encoding::of_path(path))
-        .unwrap_or(Encoding::Json);
-    let json;
-    let bytes = match encoding {
-        Encoding::Cbor => cbor,
-        Encoding::Json => {
-            json = print::to_json(cbor).map_err(|error| format!("the certificate: {error}"))?;
-            &json
-        }
-    };
-    if path == Path::new("-") {
-        output.bytes(bytes);
-        return Ok(());
-    }
-    write_file(path, bytes)
-        .map_err(|error| format!("{}: cannot be written: {error}", path.display()).into())
+/// The place of the certificate, found before the search, so that hours of work are not lost.
+struct Place<'a> {
+    path: &'a Path,
+    encoding: Encoding,
+    /// `None` for standard output, a device or a pipe.
+    staged: Option<Staged>,
 }
 
-/// What was found.
-struct Report<'r> {
-    arguments: &'r OptimizeArguments,
-    found: &'r acutile_optimize::Outcome,
-    reasons: Vec<Reason>,
-    is_acute: bool,
-    local: Option<Result<LocalProof, NotLocal>>,
-}
-
-impl Report<'_> {
-    fn tell(&self, output: &mut Output) {
-        let to_error = self.arguments.output.as_deref() == Some(Path::new("-"));
-        let mut lines = match self.arguments.json {
-            true => vec![self.data().to_string()],
-            false => self.words(),
+impl<'a> Place<'a> {
+    /// The place that is asked for.
+    fn of(arguments: &'a OptimizeArguments) -> Result<Option<Self>, InputError> {
+        let Some(path) = arguments.output.as_deref() else {
+            return Ok(None);
         };
-        for line in lines.drain(..) {
-            match to_error {
-                true => output.complain(line),
-                false => output.line(line),
+        let encoding = arguments.format.or(Encoding::of_path(path));
+        let staged = match path == Path::new("-") {
+            true => None,
+            false => Staged::new(path).map_err(|error| unwritten(path, &error))?,
+        };
+        Ok(Some(Place {
+            path,
+            encoding: encoding.unwrap_or(Encoding::Json),
+            staged,
+        }))
+    }
+
+    /// Writes a certificate there.
+    fn write(self, cbor: &[u8], output: &mut Output) -> Result<(), InputError> {
+        let json;
+        let bytes = match self.encoding {
+            Encoding::Cbor => cbor,
+            Encoding::Json => {
+                json = print::to_json(cbor).map_err(|error| format!("the certificate: {error}"))?;
+                &json
             }
-        }
-    }
-
-    /// The value of some statements, as an interval in decimals.
-    fn value(&self, statements: &[Statement]) -> String {
-        let value = value(statements, self.arguments.goal.goal());
-        value.map_or(String::new(), |value| {
-            decimal_range(&value.enclosure(&display_width()))
-        })
-    }
-
-    fn words(&self) -> Vec<String> {
-        let (input, found) = (&self.arguments.input, self.found);
-        let (before, after) = (
-            self.value(&found.before),
-            self.value(found.proved.statements()),
-        );
-        let quantity = match self.arguments.goal {
-            GoalName::MaxDihedral | GoalName::Acute => "largest dihedral angle",
-            GoalName::MinDihedral => "smallest dihedral angle",
-            GoalName::RadiusEdge => "largest radius-edge ratio",
         };
-        let mut lines = vec![match found.is_better {
-            true => format!("{input}: {quantity} {before} before, {after} now"),
-            false => format!("{input}: no progress; {quantity} {before}"),
-        }];
-        lines.push(format!(
-            "  {} parameters, {} isometries kept; {}",
-            found.parameters,
-            found.symmetries,
-            self.grid()
-        ));
-        if found.is_interrupted {
-            lines.push("  interrupted; this is the best so far".to_owned());
-        }
-        lines.push(format!("  proved: {}", summary(found.proved.verified())));
-        if let Some(path) = self
-            .arguments
-            .output
-            .as_ref()
-            .filter(|p| *p != Path::new("-"))
-        {
-            lines.push(format!(
-                "  certificate: {}, SHA-256 {}",
-                path.display(),
-                found.proved.sha256()
-            ));
-        }
-        lines.extend(self.local.as_ref().map(|local| match local {
-            Ok(proof) => format!("  {proof}"),
-            Err(reason) => format!("  not proved to be a local optimum: {reason}"),
-        }));
-        if !self.is_acute {
-            let count = self.reasons.len();
-            lines.extend(self.reasons.first().map(|reason| {
-                format!("  this tiling can never be acute: {reason} ({count} such edges)")
-            }));
-        }
-        lines
-    }
-
-    fn grid(&self) -> String {
-        let of = |what: &str, denominator: Option<u64>| {
-            denominator.map(|d| format!("{what} multiples of 1/{d}"))
+        let written = match self.staged {
+            Some(staged) => {
+                let written = staged.file().write_all(bytes);
+                written.and_then(|()| staged.persist())
+            }
+            None if self.path == Path::new("-") => {
+                output.bytes(bytes);
+                Ok(())
+            }
+            None => std::fs::write(self.path, bytes),
         };
-        let (gram, points) = self.found.denominators;
-        let parts = [
-            of("moved coordinates are", points),
-            of("Gram matrix entries are", gram),
-        ];
-        let parts: Vec<String> = parts.into_iter().flatten().collect();
-        match parts.is_empty() {
-            true => "nothing can move".to_owned(),
-            false => parts.join(", "),
-        }
-    }
-
-    fn data(&self) -> Value {
-        let found = self.found;
-        let (gram, points) = found.denominators;
-        let output = self
-            .arguments
-            .output
-            .as_ref()
-            .map(|path| path.display().to_string());
-        json!({
-            "input": self.arguments.input,
-            "verdict": "proved",
-            "is_better": found.is_better,
-            "before": self.value(&found.before),
-            "after": self.value(found.proved.statements()),
-            "acute": self.is_acute,
-            "parameters": found.parameters,
-            "isometries": found.symmetries,
-            "denominator": points,
-            "gram_denominator": gram,
-            "interrupted": found.is_interrupted,
-            "never_acute": self.reasons.iter().map(|reason| json!({
-                "edge": reason.ends.map(|corner| corner.to_string()),
-                "valence": reason.valence,
-                "boundary": reason.is_boundary,
-                "why": reason.to_string(),
-            })).collect::<Vec<_>>(),
-            "local_optimum": self.local.as_ref().map(local_data),
-            "statements": claim_json(found.proved.verified())["statements"],
-            "sha256": found.proved.sha256(),
-            "certificate": output,
-        })
+        written.map_err(|error| unwritten(self.path, &error))
     }
 }
 
-/// Angles by their simplex and two of its facets, each with its multiplier.
-fn local_data(local: &Result<LocalProof, NotLocal>) -> Value {
-    match local {
-        Err(reason) => json!({ "proved": false, "message": reason.to_string() }),
-        Ok(proof) => json!({
-            "proved": true,
-            "parameters": proof.parameters,
-            "translations": proof.translations,
-            "rank": proof.rank,
-            "tight": proof.tight.iter().zip(&proof.multipliers).map(|((simplex, (i, j)), multiplier)| {
-                json!({
-                    "simplex": simplex.number(),
-                    "facets": [i, j],
-                    "multiplier": multiplier.to_string(),
-                })
-            }).collect::<Vec<_>>(),
-        }),
-    }
+fn unwritten(path: &Path, error: &std::io::Error) -> InputError {
+    format!("{}: cannot be written: {error}", path.display()).into()
 }

@@ -11,6 +11,7 @@ use acutile_core::format;
 use acutile_core::predicates::Model;
 use acutile_core::quality::{
     DihedralAngle, Exact, decimal_range, dihedral_degrees, display_width, exact_ranges, shapes,
+    squared_edges,
 };
 use acutile_core::tiling::{Frame, SimplexId, Tiling};
 use acutile_core::{with_dimension, with_family};
@@ -105,16 +106,8 @@ fn show<const D: usize>(tiling: &Tiling<D>, all: bool, output: &mut Output) {
     let shapes = shapes(tiling);
     let shown = if all { shapes.len() } else { SHAPES };
     for shape in shapes.iter().take(shown) {
-        let edges: Vec<String> = shape.squared_edges.iter().map(Number::to_string).collect();
-        output.line(format!(
-            "{} simplices with squared edges {}",
-            shape.members.len(),
-            edges.join(", ")
-        ));
-        output.line(format!(
-            "  dihedral angles {}",
-            angles(tiling, shape.members[0]).join(", ")
-        ));
+        output.line(format!("{} simplices:", shape.members.len()));
+        output.line(format!("  {}", edges_and_angles(tiling, shape.members[0])));
     }
     if shapes.len() > shown {
         let (more, total) = (shapes.len() - shown, shapes.len());
@@ -211,15 +204,26 @@ fn show_frame<const D: usize>(frame: &Frame<D>, output: &mut Output) {
     }
 }
 
-/// The dihedral angles of a simplex in degrees, in the order of its pairs of facets.
-fn angles<const D: usize>(tiling: &Tiling<D>, simplex: SimplexId) -> Vec<String> {
+/// The squared edges of a simplex, in space each with the dihedral angle at it; in the plane the squared
+/// edges and the angles opposite to them.
+fn edges_and_angles<const D: usize>(tiling: &Tiling<D>, simplex: SimplexId) -> String {
     let cogram = linear::cofactors(&tiling.frame.gram);
     let products = tiling.shape(simplex).normal_products(&cogram);
-    products
-        .pairs()
-        .map(|(i, j, _)| {
-            dihedral_degrees(&products, (i, j), &display_width())
-                .map_or_else(|| "none".to_owned(), |degrees| decimal_range(&degrees))
+    let angle = |pair: (usize, usize)| {
+        dihedral_degrees(&products, pair, &display_width())
+            .map_or_else(|| "none".to_owned(), |degrees| decimal_range(&degrees))
+    };
+    let edges = squared_edges(tiling, simplex);
+    let corners = (0..=D).flat_map(|i| (i + 1..=D).map(move |j| (i, j)));
+    let texts: Vec<String> = corners
+        .zip(edges)
+        .map(|((i, j), edge)| {
+            let others: Vec<usize> = (0..=D).filter(|k| *k != i && *k != j).collect();
+            match others.as_slice() {
+                [k, l] => format!("squared edge {edge} with angle {}", angle((*k, *l))),
+                _ => format!("squared edge {edge} opposite to angle {}", angle((i, j))),
+            }
         })
-        .collect()
+        .collect();
+    texts.join(", ")
 }

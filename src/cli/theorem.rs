@@ -110,6 +110,7 @@ fn meets(required: &Requirement, statements: &[Statement]) -> bool {
         }),
         Requirement::DihedralAbove(_)
         | Requirement::RadiusEdgeBelow(_)
+        | Requirement::UncrossedPlane(_)
         | Requirement::Connected
         | Requirement::NoCavities
         | Requirement::ManifoldBoundary => false,

@@ -24,7 +24,7 @@ const CODES = new Map(
   rejected face-not-facet, face-not-convex, faces-not-closed; malformed statements, bound-range, statement-domain;
   rejected denominator-domain, vertex-outside; malformed unused-parameter, boundary-domain, no-simplices; declined too-many-simplices;
   malformed vertex-range, shift-range, corner-order, sixes, boundary-repeated; rejected boundary-meets, facet-side, triangle-valence,
-  edge-valence, orientation, covering, not-acute, not-nonobtuse, angle-bound, ratio-bound, not-delaunay, not-weakly-delaunay,
+  edge-valence, orientation, covering, not-acute, not-nonobtuse, plane-crossed, angle-bound, ratio-bound, not-delaunay, not-weakly-delaunay,
   open-facet, boundary-open; malformed unused-vertex; rejected volume-sum, not-attained; declined sign-undecided, work;
   malformed rank; rejected gram-blocks; malformed tile-count, side-count; rejected tile-order; malformed pyramid; rejected pyramid-side,
   wall-pattern, wall-reversal; declined corner-angle; rejected side-classes, missing-join`
@@ -862,6 +862,7 @@ const STATEMENTS = [
   "largest dihedral angle",
   "smallest dihedral angle",
   "squared radius-edge ratio",
+  "uncrossed plane",
   "Delaunay",
   "weakly Delaunay",
   "locally Delaunay",
@@ -869,7 +870,7 @@ const STATEMENTS = [
   "TCP",
 ];
 const RELATIONS = ["less than", "at most", "maximum", "more than", "at least", "minimum"];
-const [TILING, , , LARGEST, SMALLEST, RATIO, DELAUNAY, WEAKLY, LOCALLY, LOCALLY_WEAKLY, TCP] = STATEMENTS.keys();
+const [TILING, , , LARGEST, SMALLEST, RATIO, PLANE, DELAUNAY, WEAKLY, LOCALLY, LOCALLY_WEAKLY, TCP] = STATEMENTS.keys();
 const CODIMENSIONS = new Map([["slab", 1], ["prism", 2], ["solid", undefined]]);
 
 /** The tiling so far: everything that the claim says, checked. Of a family, `halvings` is the tree of its witness. */
@@ -1004,11 +1005,11 @@ function readDomain(reader, tiling, tree) {
   return { kind, rank: dimension - k, polytope: readPolytope(reader, tiling, value, k) };
 }
 
-function readStatements(reader, { dimension, kind, numbers }, trees) {
-  const statements = reader.array(trees, "statements").map((tree, i) => readStatement(reader, { ring: numbers }, tree, `statement ${i}`));
+function readStatements(reader, { dimension, kind, numbers, sides }, trees) {
+  const statements = reader.array(trees, "statements").map((tree, i) => readStatement(reader, { ring: numbers, dimension }, tree, `statement ${i}`));
   if (statements[0]?.kind !== TILING) refuse("statements", `the first statement is not "${STATEMENTS[TILING]}"`);
-  const rankOf = (statement) => statement.kind * RELATIONS.length + (statement.relation ?? 0);
-  const late = statements.findIndex((statement, i) => i > 0 && rankOf(statement) <= rankOf(statements[i - 1]));
+  const rankOf = ({ kind, relation, normal = [], offset = [] }) => [kind * RELATIONS.length + (relation ?? 0), ...normal, ...offset];
+  const late = statements.findIndex((statement, i) => i > 0 && byEntries(rankOf(statements[i - 1]), rankOf(statement)) >= 0);
   if (late > 0) refuse("statements", `statement ${late} is out of order or repeats the one before it`);
   for (const statement of statements) {
     const name = STATEMENTS[statement.kind];
@@ -1017,6 +1018,7 @@ function readStatements(reader, { dimension, kind, numbers }, trees) {
       [WEAKLY]: kind === "region",
       [LOCALLY]: kind !== "region",
       [LOCALLY_WEAKLY]: kind !== "region",
+      [PLANE]: sides !== null,
       [TCP]: kind !== "space" || dimension !== 3,
     }[statement.kind];
     if (isMisplaced) refuse("statement-domain", `"${name}" is not stated of this domain`);
@@ -1026,12 +1028,26 @@ function readStatements(reader, { dimension, kind, numbers }, trees) {
 
 const isBound = (kind) => kind === LARGEST || kind === SMALLEST || kind === RATIO;
 
+/** [normal, [offset, denominator]]: the plane normal · x = offset / denominator. Its integers have one form. */
+function readPlane(reader, { dimension }, tree, place) {
+  const [, normalTree, offsetTree] = reader.array(tree, place, 3);
+  const normal = reader.bigs(normalTree, `the normal of ${place}`, dimension);
+  checkPrimitive(normal, place);
+  if (normal.find((c) => c !== 0n) < 0n) refuse("canonical", `${place}: the first entry of the normal is negative`);
+  if (normal.some((c) => size(c) >= 1n << 29n)) refuse("bound-range", `${place}: an entry of the normal is too large`);
+  const [p, q] = reader.array(offsetTree, place, 2);
+  const offset = [reader.big(p, place), reader.positive(q, place, "bound-range")];
+  checkPrimitive(offset, place);
+  return { normal, offset };
+}
+
 /** `kind` and `relation` are indices of the lists above; a bound has a fraction [p, q], that of an angle also the sign of its cosine. */
 function readStatement(reader, tiling, tree, place) {
   const isAlone = typeof tree === "string";
   const kind = STATEMENTS.indexOf(isAlone ? tree : reader.array(tree, place)[0]);
-  if (kind < 0 || isAlone === isBound(kind)) refuse("statements", `${place} is unknown`);
+  if (kind < 0 || isAlone === (isBound(kind) || kind === PLANE)) refuse("statements", `${place} is unknown`);
   if (isAlone) return { kind };
+  if (kind === PLANE) return { kind, ...readPlane(reader, tiling, tree, place) };
   const [, relationTree, ...rest] = reader.array(tree, place, kind === RATIO ? 3 : 4);
   const relation = RELATIONS.indexOf(reader.text(relationTree, `the relation of ${place}`));
   if (relation < 0) refuse("statements", `${place} has an unknown relation`);
@@ -1286,6 +1302,7 @@ function checkRow(reader, tiling, tree, s) {
   const isPositive = (at) => at.positive(simplex.determinant, () => `determinant of simplex ${s}`, unit);
   demand(tiling, isPositive, "orientation", (at) => `simplex ${s} has the determinant ${at.shown(simplex.determinant)}, not a positive one`);
   tiling.statements.forEach((statement, i) => judge(tiling, simplex, mates, statement, i));
+  for (const statement of tiling.statements) if (statement.kind === PLANE) judgePlane(tiling, corners, statement, s);
   tiling.total = plus(tiling.total, simplex.determinant);
   tiling.rows.push(corners);
 }
@@ -1497,6 +1514,46 @@ function judgeAngles(tiling, simplex, test, code) {
     demand(tiling, (at) => at[test](cosine, of), code, (at) => `the ${of()}, is ${at.shown(cosine)}`);
   }
 }
+
+/**
+ * The translates of the plane by the lattice are those where h(x) = (q c · x - p) / (q g) is an integer. A simplex crosses none if
+ * its corners have their h between two successive integers. Without a lattice vector off the plane, g = 0, no two signs are opposite.
+ */
+function judgePlane(tiling, corners, { normal, offset: [p, q] }, s) {
+  const { ring, denominator, rank } = tiling;
+  const step = normal.slice(0, rank).reduce(gcd, 0n);
+  const signAt = (height, k) => signOf(tiling, minus(height, ring.integer(k)), () => `height of a corner of simplex ${s} over a plane`);
+  const heights = corners.map((corner) => {
+    const terms = pointOf(tiling, corner).map((x, k) => scaled(x, normal[k] * q));
+    return minus(ring.sum(terms), ring.integer(p * denominator));
+  });
+  const unit = q * denominator * step;
+  const ends = heights.map((height) => {
+    if (step === 0n) {
+      const side = BigInt(signAt(height, 0n));
+      return [side < 0n ? side : 0n, side > 0n ? side : 0n];
+    }
+    const floor = floorOf((k) => signAt(height, k * unit) < 0);
+    return [floor, signAt(height, floor * unit) === 0 ? floor : floor + 1n];
+  });
+  const least = ends.reduce((x, [low]) => (low < x ? low : x), ends[0][0]);
+  const most = ends.reduce((x, [, high]) => (high > x ? high : x), ends[0][1]);
+  if (most - least > 1n) refuse("plane-crossed", `simplex ${s} crosses the plane ${planeInWords(normal, [p, q])} or a translate of it`);
+}
+
+/** The largest integer that is not above a number, by halving. */
+function floorOf(isAbove) {
+  let [low, high] = [-1n, 1n];
+  while (isAbove(low)) low *= 2n;
+  while (!isAbove(high)) high *= 2n;
+  while (high - low > 1n) {
+    const middle = (low + high) >> 1n;
+    [low, high] = isAbove(middle) ? [low, middle] : [middle, high];
+  }
+  return low;
+}
+
+const planeInWords = (normal, [p, q]) => `(${normal.join(", ")}) · x = ${ratio(p, q)}`;
 
 function judgePowers(tiling, simplex, mates, test, code) {
   for (const { i, apex } of mates) {
@@ -2254,7 +2311,8 @@ function latticeInWords({ rank, dimension }) {
   return ` and their translates under the lattice of the first ${["vector", "two vectors"][rank - 1]} of the basis`;
 }
 
-function statementInWords({ kind, relation, sign: s, fraction }) {
+function statementInWords({ kind, relation, sign: s, fraction, normal, offset }) {
+  if (kind === PLANE) return `no simplex crosses ${planeInWords(normal, offset)} or a translate of it by the lattice`;
   if (!isBound(kind)) return PLAIN_WORDS[STATEMENTS[kind]];
   const number = shown(fraction[0], fraction[1]);
   const cosine = s === 0 ? "0" : `${s < 0 ? "-" : ""}√(${number})`;

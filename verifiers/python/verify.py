@@ -613,8 +613,9 @@ def parity(items):
 
 PLAIN = ["face-to-face tiling", "acute", "nonobtuse"]
 BOUNDS = ["largest dihedral angle", "smallest dihedral angle", "squared radius-edge ratio"]
+PLANE = "uncrossed plane"
 LATER = ["Delaunay", "weakly Delaunay", "locally Delaunay", "locally weakly Delaunay", "TCP"]
-STATEMENTS = PLAIN + BOUNDS + LATER
+STATEMENTS = PLAIN + BOUNDS + [PLANE] + LATER
 RELATIONS = ["less than", "at most", "maximum", "more than", "at least", "minimum"]
 DELAUNAY = {"Delaunay": (positive_in, "not-delaunay"), "locally Delaunay": (positive_in, "not-delaunay"),
             "weakly Delaunay": (nonnegative_in, "not-weakly-delaunay"),
@@ -760,15 +761,32 @@ class Certificate:
 
     def read_statements(self, data):
         self.statements = [self.read_statement(x) for x in array(data)]
-        order = [(STATEMENTS.index(name), RELATIONS.index(relation) if relation else 0)
-                 for name, relation, _, _ in self.statements]
+        order = [(STATEMENTS.index(name), RELATIONS.index(relation) if relation else 0, *(value if name == PLANE else ()))
+                 for name, relation, _, value in self.statements]
         is_ordered = order == sorted(set(order)) and order[:1] == [(0, 0)]
         formed(is_ordered, "statements", "not in order, or the tiling is not the first")
         names = {name for name, _, _, _ in self.statements}
         wrong = {"Delaunay", "weakly Delaunay"} if self.domain == "region" else {name for name in LATER if "locally" in name}
         if self.domain != "space" or self.dimension != 3:
             wrong.add("TCP")
+        if self.is_not_single:
+            wrong.add(PLANE)
         formed(not names & wrong, "statement-domain", "a statement is not for this domain")
+
+    @property
+    def is_not_single(self):
+        """Planes are stated of single tilings, not of families and systems of patches."""
+        return self.box is not None
+
+    def read_plane(self, data):
+        """[normal, [offset, denominator]]: no simplex crosses normal · x = offset / denominator or a translate of it."""
+        _, normal, value = array(data, 3)
+        normal, (p, q) = tuple(integers(normal, self.dimension)), integers(value, 2)
+        check_primitive(normal)
+        formed(next((c for c in normal if c), 0) > 0, "canonical", "the first entry of a normal is negative")
+        formed(all(abs(c) < 2 ** 29 for c in normal) and q > 0, "bound-range", "a plane")
+        check_primitive([p, q])
+        return PLANE, None, None, (normal, p, q)
 
     def read_statement(self, data):
         """Name, relation, sign and fraction; the last three are None for statements that are texts."""
@@ -776,6 +794,8 @@ class Certificate:
             formed(data in PLAIN + LATER, "statements", f"the unknown statement {data[:40]!r}")
             return data, None, None, None
         name = (array(data) or [None])[0]
+        if name == PLANE:
+            return self.read_plane(data)
         formed(name in BOUNDS, "statements", "an unknown statement")
         _, relation, *rest = array(data, 3 if name == BOUNDS[2] else 4)
         formed(isinstance(relation, str), "json", "a relation is no text")
@@ -1213,6 +1233,38 @@ def check_delaunay(c, shapes, mates, test, code):
         c.proved(test(power), code, f"simplices {one.simplex} and {other.simplex}")
 
 
+def check_plane(c, normal, p, q):
+    """In units of the step between translates by the lattice, the corners of a simplex are between successive integers."""
+    step = gcd(*normal[:c.rank])
+
+    def height(corner):
+        return sum((x * n for x, n in zip(c.position(corner), normal)), 0) * q - p * c.scale
+
+    for s, row in enumerate(c.simplices):
+        heights = [height(corner) for corner in row]
+        if step:
+            unit = q * c.scale * step
+            floors = [floor_of(x, unit) for x in heights]
+            ceilings = [k + (sign(x - k * unit) != 0) for x, k in zip(heights, floors)]
+            is_crossed = max(ceilings) - min(floors) > 1
+        else:
+            is_crossed = {-1, 1} <= {sign(x) for x in heights}
+        true(not is_crossed, "plane-crossed", f"simplex {s} crosses a translate of the plane {normal} = {p}/{q}")
+
+
+def floor_of(x, unit):
+    """The largest integer k for which k unit is at most x."""
+    low, high = -1, 1
+    while sign(x - low * unit) < 0:
+        low *= 2
+    while sign(x - high * unit) >= 0:
+        high *= 2
+    while high - low > 1:
+        middle = (low + high) // 2
+        low, high = (low, middle) if sign(x - middle * unit) < 0 else (middle, high)
+    return low
+
+
 def check_tcp(c):
     edges = [[facet_name(pair)[0] for pair in combinations(sorted(row), 2)] for row in c.simplices]
     valences = Counter(edge for row in edges for edge in row)
@@ -1264,6 +1316,8 @@ def check_places(data, point=None):
             check_acute(c, shapes, nonnegative_in, "not-nonobtuse")
         elif name in BOUNDS:
             attained.append(check_bound(c, shapes, statement))
+        elif name == PLANE:
+            check_plane(c, *statement[-1])
         elif name in DELAUNAY:
             check_delaunay(c, shapes, mates, *DELAUNAY[name])
     check_end(c, groups, listed, determinants)
@@ -1279,6 +1333,8 @@ def check_places(data, point=None):
 
 class System(Certificate):
     """A certificate of the kind patches. What is a corner elsewhere is here a point of a tile, times unit."""
+
+    is_not_single = True
 
     def __init__(self, data):
         _, _, _, claim, witness = record(data, "format", "version", "kind", "claim", "witness")
@@ -1732,6 +1788,9 @@ def in_words(statement):
     name, relation, side, bound = statement
     if bound is None:
         return name
+    if name == PLANE:
+        normal, p, q = bound
+        return f"no simplex crosses {normal} · x = {shown_number(p, q)} or a translate of it by the lattice"
     number = shown_number(*bound)
     return f"{name} {relation} " + (number if name == BOUNDS[2] else f"arccos({side} √({number}))")
 

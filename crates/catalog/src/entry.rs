@@ -22,6 +22,8 @@ pub struct Entry {
     pub parameter: Option<Parameter>,
     /// Whether it has thousands of simplices: lists of all constructions leave it out.
     pub is_large: bool,
+    /// Planes that no simplex crosses, as requirements like `plane:x1+x2=0`. Its certificate states them.
+    pub planes: &'static [&'static str],
     pub(super) recipe: Recipe,
 }
 

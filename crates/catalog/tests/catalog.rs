@@ -58,7 +58,7 @@ fn every_entry_tiles() {
     let mut names = BTreeSet::new();
     for entry in entries() {
         assert!(names.insert(entry.name), "{} twice", entry.name);
-        if entry.is_family() || entry.has_box() {
+        if entry.is_family() || entry.has_box() || entry.is_large {
             continue;
         }
         let tiling = entry
@@ -349,6 +349,48 @@ fn counts() {
             (points, tetrahedra),
             "{name}"
         );
+    }
+}
+
+/// 600 cells without those that have a vertex of a cell, 57 of them, or of the star of a vertex: 470 is
+/// 600 - 20 (the star) - 110 (cells at its boundary). The cube has 1 + 4 pieces, the octahedron 8.
+#[test]
+fn polyhedra_have_the_cells_that_remain_of_the_600_cell() {
+    let expected = [
+        ("dodecahedron-470", 470, 107),
+        ("tetrahedron-543", 543, 116),
+        ("cube-2715", 5 * 543, 544),
+        ("octahedron-4344", 8 * 543, 837),
+        ("square-prism", 2 * 2715, 1058),
+        ("cube-space", 2 * 2715, 1014),
+    ];
+    for (name, tetrahedra, points) in expected {
+        let tiling = tiling(name);
+        assert_eq!(
+            (tiling.len(), tiling.vertices.len()),
+            (tetrahedra, points),
+            "{name}"
+        );
+        assert_eq!(largest_angle(&tiling), Sign::Less, "{name}");
+    }
+    check("cube-space", &tiling("cube-space"));
+    assert_eq!(tiling("box:1,2,1").len(), 2 * 2715);
+}
+
+#[test]
+fn boxes_with_other_sides_are_refused() {
+    for sides in [
+        "",
+        "1,1",
+        "1,1,1,1",
+        "0,1,1",
+        "-1,-1,1",
+        "1/2,1,1",
+        "5,5,5",
+        "9223372036854775807,3,1",
+    ] {
+        let built = build(&format!("box:{sides}"));
+        assert!(matches!(built, Err(CatalogError::Sides(_))), "{sides}");
     }
 }
 

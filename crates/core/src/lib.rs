@@ -7,6 +7,7 @@ pub mod classify;
 pub mod curved;
 pub mod delaunay;
 pub mod family;
+pub mod foam;
 pub mod format;
 pub mod limits;
 mod parallel;

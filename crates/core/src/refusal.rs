@@ -114,6 +114,9 @@ fn rule(code: Code) -> &'static str {
         Code::FacetSide => "expected simplices on different sides of the facet",
         Code::TriangleValence => "expected no triangle with two edges of valence 6",
         Code::EdgeValence => "expected the valence 5 or 6, as the hint says",
+        Code::PlaneCrossed => {
+            "expected a simplex in one closed side of every translate of each plane"
+        }
         Code::Orientation => "expected a positive determinant",
         Code::Covering => "expected no simplex directly outside of a boundary facet",
         Code::NotAcute => "expected an acute angle",

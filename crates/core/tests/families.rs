@@ -249,6 +249,44 @@ fn free_vertices_and_metric() {
     assert!(free::family(&a15, &[free::Free::Vertex(1000)], &near).is_err());
     let gram = free::family(&a15, &[free::Free::Gram], &near).expect("a family");
     assert_eq!(gram.names(), ["g12", "g13", "g22", "g23", "g33"]);
+    assert!(examine(&gram, &options(&["acute"]), &|_| {}).is_ok());
+    // A15 with the Gram matrix diag(16, 16, 16 t) is acute for 2/5 < t < 16/5 only; 6 < 16 · 2/5.
+    let wide = free::family(&a15, &[free::Free::Gram], &Rational::from(10)).expect("a family");
+    let error = examine(&wide, &options(&["acute"]), &|_| {}).expect_err("too wide");
+    assert!(matches!(error, NotProvable::Refuted { .. }), "{error:?}");
+}
+
+/// The triangle tiling is acute exactly for x and y between 0 and 1. A box that is proved lies inside, and
+/// one that cannot be moved out by 1/16 of a side reaches that near to each end.
+#[test]
+fn largest_boxes_in_several_parameters() {
+    let AnyFamily::Plane(triangles) = family("triangle-tiling-all") else {
+        panic!("a family of the plane");
+    };
+    let fraction = Rational::from_signeds(1, 16);
+    for point in [["1/2", "1/3"], ["1/10", "9/10"]] {
+        let point = point.map(number);
+        let (found, cuboid) = maximal(&triangles, &point, &options(&["acute"]), &fraction)
+            .unwrap_or_else(|error| panic!("{error:?}"));
+        assert!(
+            matches!(found, Maximal::Box(ref grown) if *grown == fraction),
+            "{found:?}"
+        );
+        let grown = triangles.with_box(&cuboid);
+        assert!(examine(&grown, &options(&["acute"]), &|_| {}).is_ok());
+        assert_eq!(grown.parameters.len(), 2);
+        for (parameter, value) in grown.parameters.iter().zip(&point) {
+            let Side { low, high } = &parameter.side;
+            assert!(low.value <= *value && *value <= high.value, "{parameter:?}");
+            assert!(
+                low.value >= number("0") && high.value <= number("1"),
+                "{parameter:?}"
+            );
+            let step = (&high.value - &low.value) * Number::from(fraction.clone());
+            assert!(&low.value - &step <= number("0"), "{parameter:?}");
+            assert!(&high.value + &step >= number("1"), "{parameter:?}");
+        }
+    }
 }
 
 #[test]

@@ -71,6 +71,15 @@ pub(crate) struct Polytope {
 pub(crate) struct Statement {
     pub(crate) property: Property,
     pub(crate) bound: Option<Bound>,
+    pub(crate) plane: Option<Plane>,
+}
+
+/// The plane of the points x with normal · x = offset / denominator, in basis coordinates.
+#[derive(Debug, PartialEq, PartialOrd)]
+pub(crate) struct Plane {
+    pub(crate) normal: Vec<i64>,
+    pub(crate) offset: BigInt,
+    pub(crate) denominator: BigInt,
 }
 
 /// The square root of the fraction, with the sign, is the cosine of a bound for angles. For squared
@@ -113,6 +122,7 @@ texts! {
         LargestAngle "largest dihedral angle",
         SmallestAngle "smallest dihedral angle",
         SquaredRatio "squared radius-edge ratio",
+        UncrossedPlane "uncrossed plane",
         Delaunay "Delaunay",
         WeaklyDelaunay "weakly Delaunay",
         LocallyDelaunay "locally Delaunay",
@@ -169,7 +179,7 @@ impl Claim {
         let parameters = if is_family { read_parameters(&mut t, degree)? } else { Vec::new() };
         let gram = read_gram(&mut t, dimension, degree, parameters.len())?;
         let domain = Domain::read(&mut t, dimension, degree, parameters.len())?;
-        let statements = read_statements(&mut t, degree)?;
+        let statements = read_statements(&mut t, degree, dimension)?;
         Ok(Claim { dimension, field, parameters, gram, domain, statements, file: t.json + "\n" })
     }
 }
@@ -219,11 +229,12 @@ pub(crate) fn read_gram(
     Ok(gram)
 }
 
-pub(crate) fn read_statements(t: &mut Transcript, degree: usize) -> Checked<Vec<Statement>> {
-    let statements = t.list(None, |t| Statement::read(t, degree))?;
+pub(crate) fn read_statements(t: &mut Transcript, degree: usize, dimension: usize) -> Checked<Vec<Statement>> {
+    let statements = t.list(None, |t| Statement::read(t, degree, dimension))?;
     // The statements are in the order of the grammar, each at most once; the tiling is first.
     let order = |of: &Statement| (of.property, of.bound.as_ref().map(|bound| bound.relation));
-    let is_ordered = statements.is_sorted_by(|first, second| order(first) < order(second));
+    let is_ordered =
+        statements.is_sorted_by(|first, second| (order(first), &first.plane) < (order(second), &second.plane));
     let first = statements.first().map(|statement| statement.property);
     let is_first = first == Some(Property::FaceToFace);
     ensure!(is_ordered && is_first, Statements, t.place());
@@ -332,15 +343,21 @@ fn read_face(t: &mut Transcript, k: usize, vertices: usize) -> Checked<Vec<usize
 }
 
 impl Statement {
-    /// A property, or [property, relation, sign, fraction]; ratios have no sign.
-    fn read(t: &mut Transcript, degree: usize) -> Checked<Statement> {
+    /// A property; [property, relation, sign, fraction], where ratios have no sign; or that of a plane.
+    fn read(t: &mut Transcript, degree: usize, dimension: usize) -> Checked<Statement> {
         let length = if t.is_array()? { t.array(None)? } else { 0 };
         let property = some!(Property::find(&t.text()?), Statements, t.place());
         let is_ratio = property == Property::SquaredRatio;
+        let is_plane = property == Property::UncrossedPlane;
         let has_bound = is_ratio || property.is_angle();
-        ensure!(has_bound == (length > 0), Statements, t.place());
+        ensure!((has_bound || is_plane) == (length > 0), Statements, t.place());
+        if is_plane {
+            ensure!(length == 3, Cbor, t.place(), length);
+            let plane = Some(Plane::read(t, dimension)?);
+            return Ok(Statement { property, bound: None, plane });
+        }
         if !has_bound {
-            return Ok(Statement { property, bound: None });
+            return Ok(Statement { property, bound: None, plane: None });
         }
         ensure!(length == if is_ratio { 3 } else { 4 }, Cbor, t.place(), length);
         let relation = some!(Relation::find(&t.text()?), Statements, t.place());
@@ -351,7 +368,28 @@ impl Statement {
         ensure!(denominator > BigInt::ZERO, BoundRange, t.place(), denominator);
         check_lowest(t.place(), numerator.iter().chain([&denominator]))?;
         let bound = Some(Bound { relation, sign, numerator, denominator });
-        Ok(Statement { property, bound })
+        Ok(Statement { property, bound, plane: None })
+    }
+}
+
+/// The bound for the entries of normals; with those of shifts, sums of products fit 64 bits.
+const MOST_ENTRY: i64 = 1 << 29;
+
+impl Plane {
+    /// [normal, [offset, denominator]]
+    fn read(t: &mut Transcript, dimension: usize) -> Checked<Plane> {
+        let entries = t.list(Some(dimension), Transcript::big)?;
+        check_lowest(t.place(), &entries)?;
+        // Of a normal and its negative one is canonical.
+        let sign = entries.iter().map(|c| c.cmp(&BigInt::ZERO)).find(|sign| sign.is_ne());
+        ensure!(sign.is_some_and(|sign| sign.is_gt()), Canonical, t.place());
+        let entry = |c: &BigInt| i64::try_from(c).ok().filter(|c| c.abs() < MOST_ENTRY);
+        let normal = some!(entries.iter().map(entry).collect::<Option<Vec<_>>>(), BoundRange, t.place());
+        t.array(Some(2))?;
+        let [offset, denominator] = [t.big()?, t.big()?];
+        ensure!(denominator > BigInt::ZERO, BoundRange, t.place(), denominator);
+        check_lowest(t.place(), [&offset, &denominator])?;
+        Ok(Plane { normal, offset, denominator })
     }
 }
 

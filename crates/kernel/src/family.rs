@@ -52,7 +52,7 @@ pub(crate) fn verify<const N: usize>(mut cbor: Cbor, claim: Claim, limits: &Limi
         ensure!(order == Greater, BoxExchanged, Place::Parameter(k));
         sides.push(side);
     }
-    check_statements(&claim)?;
+    check_statements(&claim, false)?;
     cbor.array_of(5)?;
     let mut family = Family::read_vertices(&mut cbor, &claim, ring)?;
     let boundary = cbor.array()?;

@@ -24,6 +24,7 @@ mod meets;
 mod numbers;
 mod patch;
 mod patches;
+mod planes;
 mod polynomial;
 mod region;
 mod ring;

@@ -10,6 +10,7 @@ use crate::filter::Intervals;
 use crate::front::Step;
 use crate::int::Int;
 use crate::limits::Work;
+use crate::planes;
 use crate::refusal::{Checked, Place, Stop};
 use crate::region::Region;
 use crate::ring::{Element, Exact, Ring, Sign, Vector, each};
@@ -160,6 +161,12 @@ impl<const N: usize> Single<N> {
         let rings = (small, self.large.rules.ring.clone());
         self.region = Some(Region::new(facets, shape, &self.vertices, rings)?);
         Ok(())
+    }
+
+    /// Checks the planes that no simplex crosses.
+    pub(crate) fn check_planes(&self, claim: &Claim, row: &Row, simplex: u64) -> Checked {
+        let checked = planes::check_row(claim, &self.large.rules.ring, &self.vertices, row, simplex);
+        checked.map_err(|stop| stop.at(Place::Simplex(simplex)))
     }
 
     fn judge<T: Int>(

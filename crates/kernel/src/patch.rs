@@ -45,7 +45,7 @@ impl Head {
         let mut numbers = 0..;
         let tiles = t.list(None, |t| Tile::read(t, rank, degree, numbers.next().unwrap_or_default()))?;
         ensure!(!tiles.is_empty(), TileCount, t.place());
-        let statements = read_statements(&mut t, degree)?;
+        let statements = read_statements(&mut t, degree, 3)?;
         let claim = Claim {
             dimension: 3,
             field,
@@ -115,7 +115,7 @@ impl Patch {
             parameters: Vec::new(),
             gram: gram.clone(),
             domain: Domain::Polytope(tile.polytope.clone()),
-            statements: vec![Statement { property: Property::FaceToFace, bound: None }],
+            statements: vec![Statement { property: Property::FaceToFace, bound: None, plane: None }],
             file: String::new(),
         };
         let mut pass = Pass::new(&claim, Single::<N>::new(&claim, work)?, work);

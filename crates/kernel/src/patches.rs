@@ -25,7 +25,7 @@ use std::rc::Rc;
 pub(crate) fn verify<const N: usize>(mut cbor: Cbor, head: Head, limits: &Limits, work: &Rc<Work>) -> Checked<Facts> {
     let ring = Exact::<BigInt, N>::new(&Rc::new(Root::new(&head.claim.field, work)?), work)?;
     let rules = Rules::new(&ring, &head.claim).map_err(|stop| stop.at(Place::Field))?;
-    check_statements(&head.claim)?;
+    check_statements(&head.claim, false)?;
     // b_i · b_j = 0 for i <= r < j: two entries of the upper triangle by rows.
     let mixed = if head.rank == 1 { [1, 2] } else { [2, 4] };
     let is_zero = |k: usize| {

@@ -86,6 +86,7 @@ texts! {
         Orientation "orientation", Covering "covering", NotAcute "not-acute",
         NotNonobtuse "not-nonobtuse", AngleBound "angle-bound", RatioBound "ratio-bound",
         NotDelaunay "not-delaunay", NotWeaklyDelaunay "not-weakly-delaunay",
+        PlaneCrossed "plane-crossed",
         OpenFacet "open-facet", BoundaryOpen "boundary-open", VolumeSum "volume-sum",
         GramBlocks "gram-blocks", TileOrder "tile-order", PyramidSide "pyramid-side",
         WallPattern "wall-pattern", WallReversal "wall-reversal", SideClasses "side-classes",

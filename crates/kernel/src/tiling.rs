@@ -52,7 +52,7 @@ impl Deref for Verified {
 /// Reads the rest of a certificate whose claim has been read.
 pub(crate) fn verify<const N: usize>(mut cbor: Cbor, claim: Claim, limits: &Limits, work: &Rc<Work>) -> Checked<Facts> {
     let numbers = Single::<N>::new(&claim, work)?;
-    check_statements(&claim)?;
+    check_statements(&claim, true)?;
     let mut pass = Pass::new(&claim, numbers, work);
     cbor.array_of(4)?;
     pass.read_vertices(&mut cbor)?;
@@ -65,6 +65,7 @@ pub(crate) fn verify<const N: usize>(mut cbor: Cbor, claim: Claim, limits: &Limi
     for simplex in 0..simplices {
         let row = pass.shape.read_row(&mut cbor, simplex)?;
         pass.check_row(&row, simplex)?;
+        pass.numbers.check_planes(&claim, &row, simplex)?;
     }
     let (bytes, sha256) = cbor.finish()?;
     pass.check_end()?;
@@ -194,21 +195,24 @@ impl<M: Numbers> Pass<'_, M> {
         for (statement, index) in self.claim.statements.iter().zip(0..) {
             let relation = statement.bound.as_ref().map(|bound| bound.relation);
             let is_extreme = matches!(relation, Some(Relation::Maximum | Relation::Minimum));
-            let is_attained = self.attained >> index & 1 == 1;
-            ensure!(!is_extreme || is_attained, NotAttained, Place::Statement(index));
+            // Bounds are among the first statements, so their bits exist.
+            let is_attained = || self.attained >> index & 1 == 1;
+            ensure!(!is_extreme || is_attained(), NotAttained, Place::Statement(index));
         }
         Ok(())
     }
 }
 
-/// Statements about angles need no domain. The others are defined for some domains only.
-pub(crate) fn check_statements(claim: &Claim) -> Checked {
+/// Statements about angles need no domain. The others are defined for some domains only, and planes for
+/// single tilings.
+pub(crate) fn check_statements(claim: &Claim, is_single: bool) -> Checked {
     let is_region = matches!(claim.domain, Domain::Region(_));
     for (index, statement) in claim.statements.iter().enumerate() {
         let is_defined = match statement.property {
             Property::Delaunay | Property::WeaklyDelaunay => !is_region,
             Property::LocallyDelaunay | Property::LocallyWeaklyDelaunay => is_region,
             Property::Tcp => claim.dimension == 3 && claim.domain == Domain::Space,
+            Property::UncrossedPlane => is_single,
             _ => true,
         };
         ensure!(is_defined, StatementDomain, Place::Statement(index));

@@ -61,13 +61,10 @@ impl Group {
         let symmetry = Symmetry::of(tiling, matching, &edges);
         let places = Places::of(tiling);
         let rank = tiling.frame.rank();
-        let elements = symmetry.elements.into_iter();
-        let mut elements: Vec<Element> = elements
-            .filter(|isometry| isometry.keeps_lattice(rank))
+        let kept = symmetry.keeping_lattice(rank).into_iter();
+        let elements = kept
             .filter_map(|isometry| places.element(tiling, isometry))
             .collect();
-        let identity = Isometry::identity();
-        elements.sort_by_key(|element| element.isometry != identity);
         Group { elements }
     }
 

@@ -12,11 +12,14 @@
 //! | `search` | the steps in turn, and the proof of the result |
 //! | `value` | the proved value that a goal is about |
 //! | `reason` | edges that prove that a tiling cannot become acute |
+//! | [`balls`] | balls removed from the 600-cell |
+//! | [`slabs`] | a search for slabs over plane tilings |
 //! | `tight` | exact multipliers that prove local optimality |
 //!
 //! Doubles only propose. A result is rational, or lies in the field of the start, and
 //! [`acutile_core::proved::prove`] has confirmed it.
 
+pub mod balls;
 mod descent;
 mod goal;
 mod group;
@@ -27,6 +30,7 @@ mod program;
 mod reason;
 mod rounding;
 mod search;
+pub mod slabs;
 mod space;
 mod tight;
 mod value;

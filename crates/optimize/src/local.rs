@@ -2,7 +2,7 @@
 //!
 //! A pass takes the simplices that are among the worst, or that are not good enough, from the worst on.
 //! The corners of each move so that the worst value of all simplices at them falls. No other simplex
-//! changes, so the worst value of the mesh never rises.
+//! changes, so the worst value of the mesh never rises. The lattice stays.
 
 use crate::descent::{Watch, descend};
 use crate::model::{Model, Patch};
@@ -67,16 +67,23 @@ fn largest(values: &[f64; 6]) -> f64 {
 fn stars(model: &Model) -> Vec<Vec<usize>> {
     let mut stars = vec![Vec::new(); model.scales.len()];
     for simplex in 0..model.len() {
-        for parameter in model.parameters_of_simplex(simplex) {
+        for parameter in own_parameters(model, simplex) {
             stars[parameter].push(simplex);
         }
     }
     stars
 }
 
+/// The parameters of the corners of a simplex. The lattice stays, as all simplices depend on it.
+fn own_parameters(model: &Model, simplex: usize) -> Vec<usize> {
+    let mut own = model.parameters_of_simplex(simplex);
+    own.retain(|parameter| *parameter >= model.gram_parameters);
+    own
+}
+
 /// The parameters of a simplex, and all simplices that depend on them.
 fn around(model: &Model, stars: &[Vec<usize>], simplex: usize) -> Patch {
-    let free = model.parameters_of_simplex(simplex);
+    let free = own_parameters(model, simplex);
     let mut simplices: Vec<usize> = free
         .iter()
         .flat_map(|k| stars[*k].iter().copied())

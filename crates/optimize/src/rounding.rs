@@ -25,6 +25,8 @@ type Key = [f64; 6];
 const SAME: f64 = 1e-13;
 /// So many parameters take part in moves of pairs.
 const PAIRED: usize = 16;
+/// At most about so many simplices are evaluated for moves.
+const WORK: usize = 1 << 20;
 
 impl Grid {
     /// The nearest points of the grid.
@@ -73,9 +75,14 @@ impl Grid {
         let everything = model.everything();
         let mut point = self.nearest(parameters);
         let mut best = key(model, &everything, &self.doubles(&point));
+        let enough = model.goal.enough();
+        let mut budget = WORK / model.len().max(1);
         // Each move makes the key less, so no point comes again.
-        while watch(best.map_or(f64::INFINITY, |key| key[0])) {
-            let Some((better, key)) = self.move_of_one(model, &everything, &point, best) else {
+        while best.is_none_or(|key| key[0] > enough)
+            && watch(best.map_or(f64::INFINITY, |key| key[0]))
+        {
+            let found = self.better_neighbour(model, &point, best, &mut budget);
+            let Some((better, key)) = found else {
                 break;
             };
             (point, best) = (better, Some(key));
@@ -84,16 +91,18 @@ impl Grid {
     }
 
     /// The first better point: a move of one parameter, or of two.
-    fn move_of_one(
+    fn better_neighbour(
         &self,
         model: &Model,
-        everything: &Patch,
         point: &[Integer],
         best: Option<Key>,
+        budget: &mut usize,
     ) -> Option<(Vec<Integer>, Key)> {
+        let everything = &model.everything();
         let start = self.doubles(point);
         let chosen = worst_parameters(model, everything, &start);
-        let attempt = |changes: &[(usize, i64)]| {
+        let mut attempt = |changes: &[(usize, i64)]| {
+            *budget = budget.checked_sub(1)?;
             let mut doubles = start.clone();
             for (k, step) in changes {
                 doubles[*k] += *step as f64 / self.denominators[*k] as f64;

@@ -9,7 +9,7 @@ use crate::moves::{Freedom, Moves};
 use crate::rounding::Grid;
 use crate::tight::{self, LocalProof, NotLocal};
 use crate::value::value;
-use acutile_core::checker;
+use acutile_core::checker::{self, Sides};
 use acutile_core::proved::{NotProved, Proved, prove};
 use acutile_core::statement::Statement;
 use acutile_core::tiling::{Matching, Tiling, match_facets};
@@ -33,6 +33,8 @@ pub struct Options {
     pub steps: usize,
     /// Limits of the kernel.
     pub limits: Limits,
+    /// What is known of the sides of a periodic mesh; it is a tiling only if they match.
+    pub sides: Sides,
 }
 
 /// A tiling that is proved.
@@ -68,12 +70,15 @@ pub type Watch<'a> = &'a mut dyn FnMut(f64) -> bool;
 
 /// Tilings with more simplices are searched without their symmetries.
 const SYMMETRIC: usize = 20_000;
-/// Searches with more parameters move one star after the other.
-const LARGE: usize = 1_000;
+/// Searches with more parameters move one star after the other: of a region, whose lattice stays anyway, and
+/// of another domain.
+const LARGE: (usize, usize) = (400, 1_200);
 /// A typical edge has so many steps of the grid.
 const FINE: f64 = 1e6;
 /// No denominator is much larger.
 const LARGEST: u64 = 1 << 50;
+/// So many of the best ends are proved: rounding may change their order.
+const PROVED: usize = 3;
 /// Random starts are about so many edges away.
 const JITTER: f64 = 0.02;
 
@@ -91,6 +96,7 @@ impl Default for Options {
             seed: 0,
             steps: 300,
             limits: checker::Options::default().limits,
+            sides: Sides::default(),
         }
     }
 }
@@ -106,6 +112,7 @@ pub fn optimize(tiling: &Tiling<3>, options: &Options, watch: Watch) -> Result<O
     let moves = Moves::of(tiling, &matching, &group, options.freedom);
     let model = Model::new(tiling, &moves, &group.representatives(tiling), options.goal);
     let grid = grid(tiling, &model, options.denominator);
+    let is_region = tiling.frame.domain.is_region();
     let mut is_interrupted = false;
     let mut shown = |value: f64| {
         let goes_on = watch(options.goal.shown(value));
@@ -122,7 +129,7 @@ pub fn optimize(tiling: &Tiling<3>, options: &Options, watch: Watch) -> Result<O
         symmetries: group.elements.len(),
         is_interrupted: false,
     };
-    for numbers in candidates(&model, &moves, &grid, options, &mut shown) {
+    for numbers in candidates(&model, &moves, &grid, is_region, options, &mut shown) {
         let found = moves.tiling(tiling, &numbers);
         // A candidate that is no tiling is not better.
         if let Ok(proof) = proved(&found, options)
@@ -155,6 +162,7 @@ pub fn prove_local(outcome: &Outcome, options: &Options) -> Result<LocalProof, N
 fn proved(tiling: &Tiling<3>, options: &Options) -> Result<Proved, NotProved> {
     let options = checker::Options {
         limits: options.limits.clone(),
+        sides: options.sides.clone(),
         ..checker::Options::default()
     };
     prove(tiling, &options, &|_| {})
@@ -173,6 +181,7 @@ fn candidates(
     model: &Model,
     moves: &Moves,
     grid: &Grid,
+    is_region: bool,
     options: &Options,
     watch: Watch,
 ) -> Vec<Vec<Number>> {
@@ -180,7 +189,11 @@ fn candidates(
     if moves.is_empty() {
         return Vec::new();
     }
-    if moves.len() > LARGE {
+    let large = match is_region {
+        true => LARGE.0,
+        false => LARGE.1,
+    };
+    if moves.len() > large {
         let parameters = local::improve(model, &start, options.steps, watch);
         let rounded = grid.numbers(&grid.nearest(&parameters));
         let is_moved = |k: usize| parameters[k] != start[k];
@@ -193,10 +206,9 @@ fn candidates(
         };
         return vec![rounded.into_iter().enumerate().map(number).collect()];
     }
-    let everything = model.everything();
-    let enough = options.goal.enough();
     let mut random = Random(options.seed);
-    let mut ends = Vec::new();
+    let mut ends: Vec<Vec<Number>> = Vec::new();
+    let mut least = f64::INFINITY;
     for round in 0..=options.restarts {
         let mut parameters = start.clone();
         if round > 0 {
@@ -204,19 +216,35 @@ fn candidates(
                 *x += JITTER * scale * random.next();
             }
         }
-        let end = descend(
-            model,
-            &everything,
-            &mut parameters,
-            enough,
-            options.steps,
-            watch,
-        );
-        if end.is_some() {
-            ends.push(grid.numbers(&grid.improved(model, &parameters, watch)));
+        if let Some(value) = end(model, grid, &mut parameters, options, watch)
+            && value < least
+        {
+            least = value;
+            ends.push(grid.numbers(&grid.nearest(&parameters)));
+        }
+        if !watch(least) {
+            break;
         }
     }
+    // The last ones are the best ones.
+    ends.drain(..ends.len().saturating_sub(PROVED));
     ends
+}
+
+/// Searches from one place. The parameters become a point of the grid; its worst value.
+fn end(
+    model: &Model,
+    grid: &Grid,
+    parameters: &mut Vec<f64>,
+    options: &Options,
+    watch: Watch,
+) -> Option<f64> {
+    let everything = model.everything();
+    let enough = options.goal.enough();
+    descend(model, &everything, parameters, enough, options.steps, watch)?;
+    let numbers = grid.numbers(&grid.improved(model, parameters, watch));
+    *parameters = numbers.iter().map(Number::approximate).collect();
+    model.worst(&everything, parameters)
 }
 
 /// The denominators: a typical edge has [`FINE`] steps, and those of a mesh are powers of two.
@@ -249,10 +277,11 @@ fn is_better(proof: &Proved, other: &Proved, goal: Goal) -> bool {
 }
 
 /// Doubles between -1 and 1, by the generator splitmix64 (Steele, Lea, Flood 2014).
-struct Random(u64);
+pub struct Random(pub u64);
 
 impl Random {
-    fn next(&mut self) -> f64 {
+    /// The next number.
+    pub fn next(&mut self) -> f64 {
         self.0 = self.0.wrapping_add(0x9e37_79b9_7f4a_7c15);
         let mut z = self.0;
         z = (z ^ z >> 30).wrapping_mul(0xbf58_476d_1ce4_e5b9);

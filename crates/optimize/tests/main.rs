@@ -1,1 +1,3 @@
+mod closed_forms;
 mod periodic;
+mod regions;

@@ -8,6 +8,7 @@ from .field import Q, Field, common_denominator, content, determinant, figures, 
 
 TILING = "face-to-face tiling"
 LARGEST, SMALLEST, RATIO = "largest dihedral angle", "smallest dihedral angle", "squared radius-edge ratio"
+CROSSED = "uncrossed plane"
 RELATIONS = ["less than", "at most", "maximum", "more than", "at least", "minimum"]
 
 
@@ -223,3 +224,8 @@ def edit(base, path, value):
     else:
         at[last] = value
     return certificate
+
+
+def uncrossed(normal, p, q=1):
+    """No simplex crosses normal · x = p/q or a translate of it."""
+    return [CROSSED, list(normal), [p, q]]

@@ -7,7 +7,7 @@ with the names.
 import math
 from fractions import Fraction as F
 
-from .build import LARGEST, RATIO, edges, facets, from_first
+from .build import CROSSED, LARGEST, RATIO, edges, facets, from_first
 from .claim import Claim, lowest
 from .field import Undecided, determinant, figures, inner, products, signed, times
 from .meet import covered, meet_wrongly
@@ -125,8 +125,22 @@ def check_rows(claim, vertices, position, on_face, open_facets, listed, rows, hi
         signs = {-f.sign(normals[i][j]) for i in range(d + 1) for j in range(i)}
         ensure("acute" not in claim.statements or signs == {1}, "not-acute")
         ensure("nonobtuse" not in claim.statements or -1 not in signs, "not-nonobtuse")
+    for s in claim.statements:
+        if s[0] == CROSSED:
+            check_plane(f, position, rows, s, claim.rank)
     if local is not None:
         check_delaunay(claim, position, rows, listed)
+
+
+def check_plane(f, position, rows, statement, rank):
+    """No translate of the plane within a hundred steps has corners of a simplex on both sides."""
+    _, normal, (p, q) = statement
+    step = math.gcd(*normal[:rank])
+    for row in rows:
+        values = [f.add(*(times(x, n * q) for x, n in zip(position(c), normal))) for c in row]
+        for k in range(-100, 101) if step else [0]:
+            signs = {f.sign(f.subtract(x, f.element(p + q * step * k))) for x in values}
+            ensure(not {-1, 1} <= signs, "plane-crossed")
 
 
 def check_delaunay(claim, position, rows, listed):

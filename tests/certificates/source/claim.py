@@ -53,8 +53,8 @@ class Claim:
         self.check_statements(claim["domain"])
 
     def check_statements(self, domain):
-        places = [(ORDER.index(s), 0) if isinstance(s, str) else (ORDER.index(s[0]), RELATIONS.index(s[1]))
-                  for s in self.statements]
+        places = [(ORDER.index(s), 0) if isinstance(s, str) else (ORDER.index(s[0]), *s[1], *s[2]) if s[0] == CROSSED
+                  else (ORDER.index(s[0]), RELATIONS.index(s[1])) for s in self.statements]
         ensure(places and places[0] == (0, 0) and places == sorted(set(places)), "statements")
         for s in self.statements:
             if isinstance(s, str):
@@ -62,6 +62,10 @@ class Claim:
                 good = {"TCP": self.d == 3 and space, "Delaunay": self.region is None, "weakly Delaunay": self.region is None,
                         "locally Delaunay": self.region is not None, "locally weakly Delaunay": self.region is not None}
                 ensure(good.get(s, True), "statement-domain")
+                continue
+            if s[0] == CROSSED:
+                ensure(math.gcd(*s[1]) == 1 and [c for c in s[1] if c][0] > 0 and math.gcd(*s[2]) == 1, "canonical")
+                ensure(all(abs(c) < 1 << 29 for c in s[1]) and s[2][1] > 0, "bound-range")
                 continue
             numerator, denominator = s[-1]
             ensure(denominator > 0, "bound-range")

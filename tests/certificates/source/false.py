@@ -2,7 +2,7 @@
 from dataclasses import replace
 from fractions import Fraction as F
 
-from .build import Tiling, edges, edit, exchange_last, largest, ratio, smallest
+from .build import Tiling, edges, edit, exchange_last, largest, ratio, smallest, uncrossed
 from .false_regions import MESH, REGIONS, VOID
 from .regions import CORNER, beside, cells, lone, periodic, region, small
 from .tilings import (BCC, CUBE, CUBE_CORNERS, CUBE_FACES, HEXAGONAL, ROOT, SQRT3, SQUARE, SQUARE_GRAM, a15, a15_split, block,
@@ -209,6 +209,19 @@ STATEMENTS = {
     "not-weakly-delaunay--locally-sheared-of-rank-3": sheared(PERFORATED).certificate("locally weakly Delaunay"),
 }
 
+# --- planes -----------------------------------------------------------------------------------
+
+PLANES = {
+    "plane-crossed--half-way": E.certificate(uncrossed((1, 0), 1, 2)),
+    "plane-crossed--far-translate": E.certificate(uncrossed((1, 0), 41, 2)),
+    "plane-crossed--other-diagonal": E.certificate(uncrossed((1, -1), 0), uncrossed((1, 0), 0)),
+    "plane-crossed--cube": C6.certificate(uncrossed((1, 1, 0), 0)),
+    "plane-crossed--over-sqrt-3": K.certificate(uncrossed((2, 1), 1, 3)),
+    "plane-crossed--slab-across": SLAB.certificate(uncrossed((0, 0, 1), 1, 3)),
+    "plane-crossed--solid": SOLID.certificate(uncrossed((1, 1, -1), 0)),
+    "plane-crossed--region": MESH.certificate(uncrossed((1, 1, 0), 1, 2)),
+}
+
 # --- TCP ---------------------------------------------------------------------------------------
 
 A_TCP = A.certificate("TCP")
@@ -324,4 +337,4 @@ CLAIMS = {
     "root-signs--root-at-an-end": root([-4, 0, 1], 1, 2),
 }
 
-FALSE = {**REGIONS, **PAIRING, **GEOMETRY, **BOUNDS, **STATEMENTS, **TCP, **CLAIMS}
+FALSE = {**REGIONS, **PAIRING, **GEOMETRY, **BOUNDS, **STATEMENTS, **PLANES, **TCP, **CLAIMS}

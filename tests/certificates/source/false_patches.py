@@ -102,6 +102,7 @@ MALFORMED_PATCHES = {
     "json--patches-offset-of-one": edit(BCC, (*PATCH, "offsets", 0), [0]),
     "json--patches-pyramid-without-apex": edit(BCC, FIRST, [BCC["witness"][0]["pyramids"][0][1]]),
     "json--patches-row-with-sixes": edit(BCC, (*PATCH, "simplices", 0), [*BCC["witness"][0]["simplices"][0], 0]),
+    "statement-domain--patches-plane": edit(BCC, ("claim", "statements"), ["face-to-face tiling", ["uncrossed plane", [1, 0, 0], [0, 1]]]),
     "statement-domain--patches-locally": edit(BCC, ("claim", "statements"), ["face-to-face tiling", "locally Delaunay"]),
 }
 

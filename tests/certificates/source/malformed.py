@@ -2,7 +2,7 @@
 import json
 from fractions import Fraction as F
 
-from .build import TILING, edit, exchange_last, largest
+from .build import TILING, edit, exchange_last, largest, uncrossed
 from .encode import to_json
 from .false_regions import MESH, VOID
 from .regions import cells, periodic, region
@@ -315,6 +315,18 @@ CLAIMS = {
     "bound-range--ratio-zero": bound(RATIO_OF, "at most", [0, 1]),
     "bound-range--ratio-negative": bound(RATIO_OF, "more than", [-1, 3]),
     "bound-range--ratio-with-denominator-negative": bound(RATIO_OF, "at most", [-1, -3]),
+    "statements--plane-as-text": statements(TILING, "uncrossed plane"),
+    "statements--plane-twice": statements(TILING, uncrossed((1, 0), 0), uncrossed((1, 0), 0)),
+    "statements--planes-in-other-order": statements(TILING, uncrossed((1, 0), 0), uncrossed((0, 1), 0)),
+    "statements--plane-after-delaunay": statements(TILING, "Delaunay", uncrossed((1, 0), 0)),
+    "bound-range--plane-denominator-zero": statements(TILING, uncrossed((1, 0), 1, 0)),
+    "bound-range--plane-denominator-negative": statements(TILING, uncrossed((1, 0), -1, -2)),
+    "bound-range--plane-entry-of-30-bits": statements(TILING, uncrossed((1, 2 ** 29), 0)),
+    "canonical--plane-without-normal": statements(TILING, uncrossed((0, 0), 0)),
+    "canonical--plane-with-divisor": statements(TILING, uncrossed((2, 2), 1)),
+    "canonical--plane-negated": statements(TILING, uncrossed((0, -1), 0)),
+    "canonical--plane-offset": statements(TILING, uncrossed((1, 0), 2, 2)),
+    "json--plane-of-three-coordinates": statements(TILING, uncrossed((1, 0, 0), 0)),
     # The square (1 + sqrt 3) / 2 is 1.36; (1 - sqrt 3) / 2 is negative.
     "bound-range--above-1-over-sqrt-3": edit(K, STATEMENTS, [TILING, [ANGLE, "less than", -1, [[1, 1], 2]]]),
     "bound-range--negative-over-sqrt-3": edit(K, STATEMENTS, [TILING, [ANGLE, "less than", -1, [[1, -1], 2]]]),

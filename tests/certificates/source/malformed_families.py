@@ -1,7 +1,7 @@
 """Families that are no certificates, or not in the canonical form."""
 from fractions import Fraction as F
 
-from .build import edit
+from .build import TILING, edit, uncrossed
 from .encode import to_json
 from .family import closed, halved
 from .malformed import BARE, MESH
@@ -132,6 +132,7 @@ PARTS = {
     "denominator--family-end-negative": ends([0, 1], [-1, -1]),
     "unused-parameter--first": edit(TWO, GRAM, [[[[2, 0, 0]], [[1, 0, 0]]], [[[2, 0, 0], [2, 0, 1]]]]),
     "unused-parameter--only-one": value([2, 0]),
+    "statement-domain--family-plane": edit(ONE, ("claim", "statements"), [TILING, uncrossed((1, 0), 0)]),
     "exponent--16": value([2, 0], [1, 16]),
     "exponent--beyond-64-bits": value([2, 0], [1, 2 ** 64]),
     "exponent--negative": value([1, -1], [2, 0]),

@@ -3,10 +3,10 @@ import json
 import re
 from fractions import Fraction as F
 
-from .build import LARGEST, RATIO, RELATIONS, SMALLEST, TILING
+from .build import CROSSED, LARGEST, RATIO, RELATIONS, SMALLEST, TILING
 from .encode import text
 
-ORDER = [TILING, "acute", "nonobtuse", LARGEST, SMALLEST, RATIO, "Delaunay", "weakly Delaunay", "locally Delaunay",
+ORDER = [TILING, "acute", "nonobtuse", LARGEST, SMALLEST, RATIO, CROSSED, "Delaunay", "weakly Delaunay", "locally Delaunay",
          "locally weakly Delaunay", "TCP"]
 
 
@@ -110,6 +110,11 @@ def shape(value):
     def statement(s):
         if isinstance(s, list):
             ensure(s and isinstance(s[0], str), "json")
+            if s[0] == CROSSED:
+                array(lambda _: None, 3)(s)
+                array(integer, claim["dimension"])(s[1])
+                array(integer, 2)(s[2])
+                return
             ensure(s[0] in (LARGEST, SMALLEST, RATIO), "statements")
             ensure(len(s) == (3 if s[0] == RATIO else 4), "json")
             a_text(s[1])
@@ -119,7 +124,7 @@ def shape(value):
             bound_fraction(s[-1])
         else:
             a_text(s)
-            ensure(s in ORDER and s not in (LARGEST, SMALLEST, RATIO), "statements")
+            ensure(s in ORDER and s not in (LARGEST, SMALLEST, RATIO, CROSSED), "statements")
     record(claim, dimension=integer, field=lambda _: None, gram=gram, domain=lambda _: None, statements=array(statement))
     tcp = "TCP" in claim["statements"]
 

@@ -3,7 +3,7 @@ import itertools
 from dataclasses import replace
 from fractions import Fraction as F
 
-from .build import ALL_FIGURES, Tiling, largest, ratio, smallest
+from .build import ALL_FIGURES, Tiling, largest, ratio, smallest, uncrossed
 from .field import Field
 from .regions import CAVITY, CORNER, NINE, RING, THREE, beside, cells, lone, periodic, region, small
 from .tilings import (BCC, CUBE, CUBE_CORNERS, CUBE_FACES, HEXAGONAL, MINUS_TWO_COS_20, REDUCIBLE, REGULAR, ROOT, SQRT3,
@@ -67,6 +67,9 @@ PLANE = {
     "plane-equilateral": lattice(HEXAGONAL).certificate("acute", "nonobtuse", largest("maximum", *SIXTY), "Delaunay",
                                                         "weakly Delaunay"),
     "plane-equilateral-acute": lattice(HEXAGONAL).certificate("acute"),
+    # Lines along the edges, each with its translates; the negative offset is that of a translate.
+    "plane-uncrossed-lines": lattice(HEXAGONAL).certificate(
+        uncrossed((0, 1), 0), uncrossed((1, 0), -7), uncrossed((1, 1), 20), "Delaunay"),
     "plane-equilateral-exactly-60": lattice(HEXAGONAL).certificate(
         largest("maximum", *SIXTY), largest("minimum", *SIXTY), smallest("maximum", *SIXTY), smallest("minimum", *SIXTY),
         ratio("maximum", F(1, 3)), ratio("minimum", F(1, 3))),
@@ -144,6 +147,9 @@ DOMAINS = {
     "solid-square-2":
         block(2, 2).certificate("nonobtuse", smallest("minimum", *FORTY_FIVE), ratio("maximum", F(1, 2)), "weakly Delaunay"),
     "solid-hexagon": hexagon().certificate("acute", "Delaunay"),
+    # Kuhn's tetrahedra are where the coordinates have one order.
+    "solid-cube-6-uncrossed": block(3, 3).certificate(uncrossed((0, 1, -1), 0), uncrossed((1, -1, 0), 0), uncrossed((1, 1, 1), 5)),
+    "slab-cube-6-uncrossed": block(3, 1).certificate(uncrossed((0, 0, 1), 0), uncrossed((0, 1, -1), 3), uncrossed((0, 1, 0), -1)),
     "solid-cube-6": block(3, 3).certificate("nonobtuse", largest("at most", *NINETY), "weakly Delaunay"),
     "solid-cube-faces-turned-and-reversed":
         in_domain(block(3, 3), "solid", CUBE_CORNERS, TURNED_CUBE).certificate(),

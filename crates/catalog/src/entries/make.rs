@@ -31,6 +31,7 @@ pub const fn fixed(
         domain,
         parameter: None,
         is_large: false,
+        planes: &[],
         recipe: Recipe::Fixed(recipe),
     }
 }
@@ -49,6 +50,7 @@ pub const fn family(
         domain,
         parameter: None,
         is_large: false,
+        planes: &[],
         recipe: Recipe::Word(recipe),
     }
 }
@@ -67,6 +69,11 @@ pub const fn large(
     }
 }
 
+/// The construction, with planes that no simplex crosses.
+pub const fn with_planes(entry: Entry, planes: &'static [&'static str]) -> Entry {
+    Entry { planes, ..entry }
+}
+
 /// A family over plane tilings by squares and triangles.
 pub const fn over_plane(
     name: &'static str,
@@ -82,6 +89,7 @@ pub const fn over_plane(
         domain,
         parameter: None,
         is_large: false,
+        planes: &[],
         recipe: Recipe::Plane(recipe),
     }
 }
@@ -101,6 +109,7 @@ pub const fn number(
         domain,
         parameter: Some(parameter),
         is_large: false,
+        planes: &[],
         recipe: Recipe::Number(recipe),
     }
 }
@@ -120,6 +129,7 @@ pub const fn parameters(
         domain,
         parameter: None,
         is_large: false,
+        planes: &[],
         recipe: Recipe::Parameters(recipe),
     }
 }

@@ -1,6 +1,6 @@
 //! Polyhedra cut into acute tetrahedra, and what their mirror images fill.
 
-use super::make::{PRISM, SOLID, SPACE, family, fixed, large, space};
+use super::make::{PRISM, SOLID, SPACE, family, fixed, large, space, with_planes};
 use crate::cell600::{cube, dodecahedron};
 use crate::entry::Entry;
 
@@ -43,12 +43,15 @@ pub const ENTRIES: &[Entry] = &[
         "the infinite square prism: mirror images of the cube",
         || space(cube::square_prism()),
     ),
-    large(
-        "cube-space",
-        SPACE,
-        CUBES,
-        "space with three families of mirror planes: cubes in 2,715 tetrahedra",
-        || space(cube::cube_space()),
+    with_planes(
+        large(
+            "cube-space",
+            SPACE,
+            CUBES,
+            "space with three families of mirror planes: cubes in 2,715 tetrahedra",
+            || space(cube::cube_space()),
+        ),
+        &["plane:x1+x2=0", "plane:x1+x3=0", "plane:x2+x3=0"],
     ),
     family(
         "box:",

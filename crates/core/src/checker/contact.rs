@@ -33,8 +33,11 @@ pub(super) struct Found<const D: usize> {
     /// Pairs of boundary facets that meet where they should not.
     pub meeting: Vec<Meeting<D>>,
     /// Boundary facets, by their indices, with the simplices directly outside, moved by lattice vectors.
-    pub covered: Vec<(usize, Vec<(SimplexId, [i32; D])>)>,
+    pub covered: Vec<CoveredFacet<D>>,
 }
+
+/// A boundary facet, by its index, and the simplices directly outside.
+pub(super) type CoveredFacet<const D: usize> = (usize, Vec<(SimplexId, [i32; D])>);
 
 /// Two boundary facets, by their indices, the second moved by a lattice vector.
 #[derive(Clone, Copy)]

@@ -173,6 +173,21 @@ fn members<const D: usize>(tiling: &Tiling<D>, defect: &Defect) -> Value {
             "bound": bound.to_string(),
         }),
         Defect::NotTcp { reason } => json!({ "reason": reason.to_string() }),
+        Defect::PlaneBeyond { plane, dimension } => {
+            json!({ "plane": plane.to_string(), "dimension": dimension })
+        }
+        Defect::PlaneCrossed {
+            simplex,
+            plane,
+            offset,
+            sides,
+        } => json!({
+            "simplex": simplex.number(),
+            "corners": corners(tiling, *simplex),
+            "plane": plane.to_string(),
+            "offset": offset.to_string(),
+            "sides": [text(&sides.0), text(&sides.1)],
+        }),
         Defect::OnCircumsphere {
             facet: behind,
             neighbour,

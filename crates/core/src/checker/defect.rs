@@ -3,6 +3,7 @@
 
 use super::NearMates;
 use crate::classify::NotTcp;
+use crate::statement::Plane;
 use crate::tiling::{Facet, SimplexId, VertexId};
 use acutile_exact::number::Number;
 use malachite::Rational;
@@ -126,6 +127,16 @@ pub enum Defect {
         squared_ratio: Number,
         bound: Rational,
     },
+    /// A plane that must not be crossed names a coordinate that there is not.
+    PlaneBeyond { plane: Plane, dimension: usize },
+    /// A simplex has corners on both sides of a translate of a plane: `sides` are the values of
+    /// normal · x at two of them, and `offset` is that of the translate.
+    PlaneCrossed {
+        simplex: SimplexId,
+        plane: Plane,
+        offset: Rational,
+        sides: (Number, Number),
+    },
     /// The tiling is not tetrahedrally close packed.
     NotTcp { reason: NotTcp },
     /// The corner of the neighbour behind a facet lies on the circumsphere; the
@@ -243,6 +254,8 @@ impl Defect {
             Defect::AngleNotBelow { .. } => "angle-not-below",
             Defect::AngleNotAbove { .. } => "angle-not-above",
             Defect::RatioNotBelow { .. } => "ratio-not-below",
+            Defect::PlaneBeyond { .. } => "plane-beyond",
+            Defect::PlaneCrossed { .. } => "plane-crossed",
             Defect::NotTcp { .. } => "not-tcp",
             Defect::OnCircumsphere { .. } => "on-circumsphere",
             Defect::InsideCircumsphere { .. } => "inside-circumsphere",

@@ -15,6 +15,7 @@ mod hypotheses;
 mod names;
 mod offenders;
 mod outside;
+mod plane;
 mod region;
 mod render;
 mod required;

@@ -8,13 +8,13 @@
 //! with all facets that a lattice vector not before zero moves near to it.
 
 use super::boundary::{BoundaryFacet, Scale, cell, compare, ranks, vectors};
-use super::contact::{self, Contacts, Found, Meeting};
+use super::contact::{self, Contacts, CoveredFacet, Found, Meeting};
 use super::defect::{BOUNDARY_MEETS, BOUNDARY_WORK, Defect, Findings};
 use super::hypotheses::Unsided;
 use super::outside::Outside;
 use crate::anatomy::Union;
 use crate::parallel;
-use crate::tiling::{Corner, Facet, Matching, SimplexId, Tiling, difference};
+use crate::tiling::{Corner, Facet, Matching, Tiling, difference};
 use acutile_exact::geometry::Scalar;
 use acutile_exact::geometry::boxes::{self, Box3};
 use acutile_exact::geometry::triangle::{self, Point, Quotient, Triangle};
@@ -229,7 +229,7 @@ impl<'t, S: Scalar, const D: usize> Region<'t, S, D> {
     }
 
     /// No simplex is directly outside of the first facet of each class. Gives the facets where one is.
-    fn check_covering(&self, findings: &mut Findings) -> Vec<(usize, Vec<(SimplexId, [i32; D])>)> {
+    fn check_covering(&self, findings: &mut Findings) -> Vec<CoveredFacet<D>> {
         let mut covered = Vec::new();
         let classes = self.first_of_classes();
         if classes.len().saturating_mul(self.tiling.len()) > COMPARISONS {

@@ -246,6 +246,27 @@ pub fn describe<const D: usize>(names: &Names, defect: &Defect) -> String {
             words.corners(*simplex),
             words.exact(squared_ratio)
         ),
+        Defect::PlaneBeyond { plane, dimension } => format!(
+            "{plane} has a coordinate that dimension {dimension} does not have, expected x1 to \
+             x{dimension}"
+        ),
+        Defect::PlaneCrossed {
+            simplex,
+            plane,
+            offset,
+            sides,
+        } => format!(
+            "{} {} crosses {plane}{}: at two of its corners the left side is {} and {}, expected \
+             no corner on one side of {offset} and no other one on the other side",
+            of(simplex),
+            words.corners(*simplex),
+            match *offset == plane.value() {
+                true => String::new(),
+                false => format!(", moved by a lattice vector to the right side {offset}"),
+            },
+            words.exact(&sides.0),
+            words.exact(&sides.1)
+        ),
         Defect::NotTcp { reason } => format!("not tetrahedrally close packed: {reason}"),
         Defect::OnCircumsphere { facet, neighbour } => format!(
             "the corner of {} behind {} lies on the circumsphere: its power \

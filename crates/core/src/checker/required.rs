@@ -4,6 +4,7 @@
 //! implies the requirement, and no degrees occur in a certificate.
 
 use super::defect::Findings;
+use super::plane::check_plane;
 use super::statements::{
     check_acute, check_delaunay, check_nonobtuse, check_tcp, list_not_above, list_not_below,
     list_not_below_ratio,
@@ -13,7 +14,7 @@ use crate::classify::NotTcp;
 use crate::format::Relation;
 use crate::predicates::Model;
 use crate::quality::{DihedralAngle, RadiusEdge, Ranges, cosine_above, cosine_below};
-use crate::statement::{Requirement, Statement};
+use crate::statement::{Plane, Requirement, Statement};
 use crate::tiling::{Corner, Domain, Matching};
 use acutile_exact::number::Number;
 use malachite::Rational;
@@ -62,6 +63,7 @@ impl<const D: usize> Required<'_, D> {
                 check_delaunay(model, matching, weak, findings);
                 Some(delaunay(model.tiling.frame.domain.is_region(), weak))
             }
+            Requirement::UncrossedPlane(plane) => self.uncrossed(plane, findings),
             Requirement::Tcp if model.tiling.frame.domain != Domain::Space => {
                 let reason = match D {
                     3 => NotTcp::Boundary,
@@ -79,6 +81,21 @@ impl<const D: usize> Required<'_, D> {
                 None
             }
         }
+    }
+
+    fn uncrossed(&self, plane: &Plane, findings: &mut Findings) -> Option<Statement> {
+        if plane.normal.iter().skip(D).any(|c| *c != 0) {
+            let plane = plane.clone();
+            findings.add(super::Defect::PlaneBeyond {
+                plane,
+                dimension: D,
+            });
+            return None;
+        }
+        let mut plane = plane.clone();
+        plane.normal.truncate(D);
+        check_plane(self.model.tiling, &plane, findings);
+        Some(Statement::UncrossedPlane(plane))
     }
 
     /// The pieces, cavities and singular places of the boundary, which no certificate states.

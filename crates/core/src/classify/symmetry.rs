@@ -100,25 +100,6 @@ impl<const D: usize> Symmetry<D> {
         let others = kept.filter(|e| **e != one).cloned();
         std::iter::once(one.clone()).chain(others).collect()
     }
-
-    /// Few elements that, with the lattice, generate the group; `None` where the lattice
-    /// is not invariant under it.
-    pub fn generators(&self, rank: usize) -> Option<Vec<&Isometry<D>>> {
-        if !self
-            .elements
-            .iter()
-            .all(|element| element.keeps_lattice(rank))
-        {
-            return None;
-        }
-        let places = generators(&self.elements, rank);
-        Some(
-            places
-                .into_iter()
-                .map(|place| &self.elements[place])
-                .collect(),
-        )
-    }
 }
 
 /// The places of few elements of a group that, with the lattice, generate it.

@@ -215,6 +215,12 @@ impl<'f, C: Coefficient, const D: usize> Examination<'f, C, D> {
         tree: &Tree,
         options: &Options,
     ) -> Result<Option<(Statement, Tree, usize)>, NotProvable> {
+        if let Requirement::UncrossedPlane(plane) = requirement {
+            return Err(NotProvable::Declined(format!(
+                "plane:{plane} is stated of single tilings, not of a box of parameters; choose \
+                 values of the parameters"
+            )));
+        }
         let mut failure = None;
         for statement in candidates(requirement) {
             let Some(conditions) = self.conditions(&statement) else {
@@ -254,6 +260,7 @@ impl<'f, C: Coefficient, const D: usize> Examination<'f, C, D> {
             }
             Statement::FaceToFaceTiling
             | Statement::Tcp
+            | Statement::UncrossedPlane(_)
             | Statement::LocallyDelaunay
             | Statement::LocallyWeaklyDelaunay => return None,
         }
@@ -279,6 +286,7 @@ pub(super) fn candidates(requirement: &Requirement) -> Vec<Statement> {
         // What is combinatorial is decided by one member.
         Requirement::Tiling
         | Requirement::Tcp
+        | Requirement::UncrossedPlane(_)
         | Requirement::Connected
         | Requirement::NoCavities
         | Requirement::ManifoldBoundary => Vec::new(),

@@ -32,6 +32,7 @@ pub mod write;
 pub use recognise::{Encoding, kind, recognise, to_cbor, version};
 
 use malachite::Integer;
+use malachite::base::num::arithmetic::traits::Gcd;
 
 /// The first member of every certificate.
 pub const FORMAT: &str = "acutile-certificate";
@@ -192,6 +193,8 @@ pub enum Statement {
     SmallestAngle(Relation, Cosine),
     /// About the squared radius-edge ratio of each simplex.
     SquaredRatio(Relation, Fraction),
+    /// No simplex crosses the plane or a translate of it by the lattice.
+    UncrossedPlane(Plane),
     /// No vertex lies in the closed circumball of a simplex but its own corners.
     Delaunay,
     /// No vertex lies in the open circumball of a simplex.
@@ -204,6 +207,34 @@ pub enum Statement {
     /// D = 3, all of space: every edge is in 5 or 6 tetrahedra, and no triangle has two edges
     /// that are in 6.
     Tcp,
+}
+
+/// The points x with normal · x = offset / denominator, in basis coordinates.
+#[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub struct Plane {
+    /// D integers with the greatest common divisor 1; the first one that is not zero is positive.
+    pub normal: Vec<i32>,
+    pub offset: Integer,
+    /// Positive; without a common divisor with the offset.
+    pub denominator: Integer,
+}
+
+impl Plane {
+    /// Whether the entries of the normal are as a certificate has them.
+    pub fn is_canonical(&self) -> bool {
+        let divisor = self
+            .normal
+            .iter()
+            .fold(0, |gcd: u32, c| gcd.gcd(c.unsigned_abs()));
+        let is_short = self
+            .normal
+            .iter()
+            .all(|c| c.unsigned_abs() < Self::MOST_ENTRY);
+        is_short && divisor == 1 && self.normal.iter().find(|c| **c != 0) > Some(&0)
+    }
+
+    /// The entries of normals are smaller in size.
+    pub const MOST_ENTRY: u32 = 1 << 29;
 }
 
 /// How the quantity q of each simplex compares with the bound B. In the order of a claim.

@@ -6,7 +6,7 @@
 use super::cbor::{CborError, Item, Items};
 use super::{
     AlgebraicField, CLAIM_FORMAT, Certificate, Claim, Corner, Cosine, Domain, FORMAT, Field,
-    Fraction, KIND, Number, Polytope, Relation, Statement, VERSION, Witness,
+    Fraction, KIND, Number, Plane, Polytope, Relation, Statement, VERSION, Witness,
 };
 use malachite::Integer;
 
@@ -263,8 +263,25 @@ pub(super) fn statement(items: &mut Items, degree: usize) -> Result<Statement, C
             relation(items)?,
             fraction(items, degree)?,
         )),
+        ("uncrossed plane", 3) => Ok(Statement::UncrossedPlane(plane(items)?)),
         _ => Err(unknown),
     }
+}
+
+fn plane(items: &mut Items) -> Result<Plane, CborError> {
+    let offset = items.offset();
+    let normal = list(items, |items| {
+        i32::try_from(items.small()?).map_err(|_| CborError {
+            offset,
+            problem: "an entry of a normal is too large",
+        })
+    })?;
+    items.array_of(2)?;
+    Ok(Plane {
+        normal,
+        offset: items.integer()?,
+        denominator: items.integer()?,
+    })
 }
 
 /// The statements that are a text alone.

@@ -222,6 +222,16 @@ pub(super) fn statement(out: &mut impl Write, statement: &Statement) -> io::Resu
             text(out, Relation::text(*relation))?;
             fraction(out, ratio)
         }
+        Statement::UncrossedPlane(plane) => {
+            array(out, 3)?;
+            text(out, statement.name())?;
+            array(out, plane.normal.len())?;
+            let mut entries = plane.normal.iter();
+            entries.try_for_each(|c| small(out, i64::from(*c)))?;
+            array(out, 2)?;
+            integer(out, &plane.offset)?;
+            integer(out, &plane.denominator)
+        }
         _ => text(out, statement.name()),
     }
 }
@@ -242,6 +252,7 @@ impl Statement {
             Statement::LargestAngle(..) => "largest dihedral angle",
             Statement::SmallestAngle(..) => "smallest dihedral angle",
             Statement::SquaredRatio(..) => "squared radius-edge ratio",
+            Statement::UncrossedPlane(..) => "uncrossed plane",
             Statement::Delaunay => "Delaunay",
             Statement::WeaklyDelaunay => "weakly Delaunay",
             Statement::LocallyDelaunay => "locally Delaunay",

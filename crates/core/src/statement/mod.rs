@@ -10,7 +10,9 @@ mod words;
 pub use requirement::Requirement;
 pub use words::{in_words, summary};
 
-pub use crate::format::Relation;
+mod plane;
+
+pub use crate::format::{Plane, Relation};
 use crate::quality::{DihedralAngle, RadiusEdge, Range, Ranges};
 
 /// A statement. The order of the variants is the order in a claim.
@@ -31,6 +33,8 @@ pub enum Statement {
     SmallestAngle(Relation, DihedralAngle),
     /// About the radius-edge ratio of each simplex.
     RadiusEdge(Relation, RadiusEdge),
+    /// No simplex crosses the plane or a translate of it by the lattice.
+    UncrossedPlane(Plane),
     /// No vertex lies in the closed circumball of a simplex but its corners.
     Delaunay,
     /// No vertex lies in the open circumball of a simplex.

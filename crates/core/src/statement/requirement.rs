@@ -1,5 +1,6 @@
 //! What a user asks a tiling to be.
 
+use super::plane::{self, Plane};
 use acutile_exact::number::parse_rational;
 use malachite::Rational;
 use std::fmt;
@@ -24,6 +25,8 @@ pub enum Requirement {
     Delaunay,
     /// `weakly-delaunay`; of a region, locally.
     WeaklyDelaunay,
+    /// `plane:EQUATION`, like `plane:x2+x3=1/2`: no simplex crosses it.
+    UncrossedPlane(Plane),
     /// `tcp`
     Tcp,
     /// `connected`: one piece. The prover decides it; no certificate states it.
@@ -38,6 +41,7 @@ pub enum Requirement {
 /// without them.
 const EXPECTED: &str = "expected acute, nonobtuse, delaunay, weakly-delaunay, tcp, tiling, \
                         dihedral-below=DEGREES, dihedral-above=DEGREES, radius-edge-below=RATIO, \
+                        plane:EQUATION like plane:x2+x3=1/2, \
                         connected, no-cavities or manifold-boundary";
 
 /// The ways to begin a bound, and what its number means.
@@ -83,6 +87,9 @@ impl FromStr for Requirement {
             "manifold-boundary" => return Ok(Requirement::ManifoldBoundary),
             _ => {}
         }
+        if let Some(equation) = text.strip_prefix("plane:") {
+            return plane::parse(equation).map(Requirement::UncrossedPlane);
+        }
         let bound = BOUNDS.iter().find_map(|(prefix, bound)| {
             let number = text.strip_prefix(prefix)?;
             Some(bound.requirement(number))
@@ -116,6 +123,7 @@ impl fmt::Display for Requirement {
             Requirement::RadiusEdgeBelow(bound) => write!(f, "radius-edge<{bound}"),
             Requirement::Delaunay => write!(f, "delaunay"),
             Requirement::WeaklyDelaunay => write!(f, "weakly-delaunay"),
+            Requirement::UncrossedPlane(plane) => write!(f, "plane:{plane}"),
             Requirement::Tcp => write!(f, "tcp"),
             Requirement::Connected => write!(f, "connected"),
             Requirement::NoCavities => write!(f, "no-cavities"),

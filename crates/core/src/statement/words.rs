@@ -36,6 +36,10 @@ pub fn in_words(statement: &Statement, dimension: usize) -> String {
             names.simplex,
             bound(*relation, ratio)
         ),
+        Statement::UncrossedPlane(plane) => format!(
+            "no {} crosses {} {plane} or a translate of it by the lattice",
+            names.simplex, names.plane
+        ),
         Statement::Delaunay => "it is the Delaunay triangulation of its vertices".to_owned(),
         Statement::WeaklyDelaunay => "it is a Delaunay triangulation of its vertices".to_owned(),
         Statement::LocallyDelaunay => {
@@ -90,6 +94,7 @@ struct Names {
     how: &'static str,
     simplex: &'static str,
     simplices: &'static str,
+    plane: &'static str,
     facet: &'static str,
     facets: &'static str,
     angle: &'static str,
@@ -104,6 +109,7 @@ impl Names {
                 how: "edge to edge",
                 simplex: "triangle",
                 simplices: "triangles",
+                plane: "the line",
                 facet: "edge",
                 facets: "edges",
                 angle: "angle",
@@ -114,6 +120,7 @@ impl Names {
                 how: "face to face",
                 simplex: "tetrahedron",
                 simplices: "tetrahedra",
+                plane: "the plane",
                 facet: "triangle",
                 facets: "triangles",
                 angle: "dihedral angle",

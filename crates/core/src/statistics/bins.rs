@@ -111,7 +111,7 @@ impl<'m, 't, const D: usize> Bins<'m, 't, D> {
             };
             (bin, last) = (of(low), of(high));
         }
-        while bin < last && !self.is_below(&self.ends[bin], simplex, pair.0, &exact) {
+        while bin < last && !self.is_below(&self.ends[bin], simplex, pair.0, exact) {
             bin += 1;
         }
         bin

@@ -157,6 +157,7 @@ impl Numerals {
             Statement::RadiusEdge(relation, RadiusEdge { square }) => {
                 format::Statement::SquaredRatio(*relation, self.fraction(square))
             }
+            Statement::UncrossedPlane(plane) => format::Statement::UncrossedPlane(plane.clone()),
             Statement::Delaunay => format::Statement::Delaunay,
             Statement::WeaklyDelaunay => format::Statement::WeaklyDelaunay,
             Statement::LocallyDelaunay => format::Statement::LocallyDelaunay,

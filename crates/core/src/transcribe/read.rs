@@ -168,6 +168,7 @@ impl Numbers {
                 let square = self.fraction(square)?;
                 Statement::RadiusEdge(*relation, RadiusEdge { square })
             }
+            format::Statement::UncrossedPlane(plane) => Statement::UncrossedPlane(plane.clone()),
             format::Statement::Delaunay => Statement::Delaunay,
             format::Statement::WeaklyDelaunay => Statement::WeaklyDelaunay,
             format::Statement::LocallyDelaunay => Statement::LocallyDelaunay,

@@ -17,12 +17,17 @@ use std::fmt;
 pub enum NotATheorem {
     /// The soundness of regions is proved on paper only.
     Region,
+    /// So is that of uncrossed planes.
+    Plane,
 }
 
 impl fmt::Display for NotATheorem {
     fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
         match self {
             NotATheorem::Region => f.write_str("the Coq development does not treat regions"),
+            NotATheorem::Plane => {
+                f.write_str("the Coq development does not treat the statement \"uncrossed plane\"")
+            }
         }
     }
 }
@@ -38,7 +43,7 @@ const BYTES_PER_LINE: usize = 64;
 /// The file for the certificate with these bytes and this claim, whether or not it is true.
 ///
 /// # Errors
-/// [`NotATheorem`] for regions.
+/// [`NotATheorem`] for regions and uncrossed planes.
 pub fn coq_theorem(certificate: &[u8], claim: &Claim) -> Result<String, NotATheorem> {
     let lines = certificate.chunks(BYTES_PER_LINE);
     let bytes: Vec<String> = lines
@@ -75,13 +80,14 @@ fn list<T>(items: &[T], term: impl Fn(&T) -> String) -> String {
 
 /// A term of type `claim`.
 fn claim_term(claim: &Claim) -> Result<String, NotATheorem> {
+    let statements: Result<Vec<String>, _> = claim.statements.iter().map(statement).collect();
     Ok(format!(
         "OfTiling (TilingClaim {}\n  {}\n  {}\n  {}\n  {})",
         claim.dimension,
         field(&claim.field),
         points(&claim.gram),
         domain(&claim.domain)?,
-        list(&claim.statements, statement),
+        list(&statements?, String::clone),
     ))
 }
 
@@ -135,8 +141,8 @@ fn polytope_term(polytope: &Polytope) -> String {
     )
 }
 
-fn statement(statement: &Statement) -> String {
-    match statement {
+fn statement(statement: &Statement) -> Result<String, NotATheorem> {
+    Ok(match statement {
         Statement::FaceToFaceTiling => "FaceToFaceTiling".to_owned(),
         Statement::Acute => "IsAcute".to_owned(),
         Statement::Nonobtuse => "IsNonobtuse".to_owned(),
@@ -149,12 +155,13 @@ fn statement(statement: &Statement) -> String {
                 fraction(bound)
             )
         }
+        Statement::UncrossedPlane(_) => return Err(NotATheorem::Plane),
         Statement::Delaunay => "IsDelaunay".to_owned(),
         Statement::WeaklyDelaunay => "IsWeaklyDelaunay".to_owned(),
         Statement::LocallyDelaunay => "IsLocallyDelaunay".to_owned(),
         Statement::LocallyWeaklyDelaunay => "IsLocallyWeaklyDelaunay".to_owned(),
         Statement::Tcp => "IsTCP".to_owned(),
-    }
+    })
 }
 
 fn angle(quantity: &str, relation: Relation, cosine: &Cosine) -> String {

@@ -59,17 +59,43 @@ pub fn markdown(rows: &[Row]) -> String {
 /// A `tabular` environment like the paper's.
 pub fn latex(rows: &[Row]) -> String {
     let mut text = String::from(
-        "\\begin{tabular}{|l|r|r|r|r|r|r|r|}\n\\hline\n\
-         & & \\multicolumn{2}{c|}{radius-edge ratio} & \\multicolumn{2}{c|}{smallest dihedral angle} \
-         & \\multicolumn{2}{c|}{largest dihedral angle} \\\\\n\\hline\n\
-         Construction & Number & min & max & min & max & min & max \\\\\n\\hline\n",
+        "% Packages: booktabs\n{\\small\\setlength{\\tabcolsep}{3pt}\n\\begin{tabular}{lrrrrrrr}\n\\toprule\n\
+         & & \\multicolumn{2}{c}{radius/edge} & \\multicolumn{2}{c}{smallest angle} \
+         & \\multicolumn{2}{c}{largest angle} \\\\\n\\cmidrule(lr){3-4}\\cmidrule(lr){5-6}\\cmidrule(lr){7-8}\n\
+         construction & number & min & max & min & max & min & max \\\\\n\\midrule\n",
     );
     for row in rows {
-        let mut cells = cells_with_forms(row, |form| format!("${}$", latex_form(form)));
+        let mut cells = cells(row);
         cells[0] = row.label.replace('σ', "$\\sigma$");
         text.push_str(&format!("{} \\\\\n", cells.join(" & ")));
     }
-    text.push_str("\\hline\n\\end{tabular}\n");
+    text.push_str("\\bottomrule\n\\end{tabular}\\par}\n");
+    text.push_str(&latex_forms(rows));
+    text
+}
+
+/// The closed forms of the figures that are not exact, in a paragraph below the table.
+fn latex_forms(rows: &[Row]) -> String {
+    let measures = ["radius/edge", "smallest angle", "largest angle"];
+    let mut text = String::new();
+    for row in rows {
+        let figures = measures.iter().zip(&row.figures);
+        let forms: Vec<String> = figures
+            .flat_map(|(measure, (min, max))| [(measure, "min", min), (measure, "max", max)])
+            .filter(|(_, _, figure)| !figure.is_rational())
+            .filter_map(|(measure, end, figure)| {
+                let form = latex_form(figure.closed_form.as_ref()?);
+                Some(format!("{measure} {end} ${form}$"))
+            })
+            .collect();
+        if !forms.is_empty() {
+            let label = row.label.replace('σ', "$\\sigma$");
+            text.push_str(&format!(
+                "\\par{{\\small\\sloppy {label}: {}.\\par}}\n",
+                forms.join(", ")
+            ));
+        }
+    }
     text
 }
 

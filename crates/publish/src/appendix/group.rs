@@ -79,6 +79,8 @@ pub fn group<const D: usize>(analysis: &Analysis<D>) -> String {
     )
 }
 
+/// The images of more corners are broken into lines.
+const MANY: usize = 8;
 /// Letters of an image that is not broken.
 const WIDE: usize = 60;
 
@@ -110,13 +112,14 @@ fn table<const D: usize>(analysis: &Analysis<D>) -> String {
         .collect();
     let (column, head) = match polytope {
         None => ("", ""),
+        Some(polytope) if polytope.vertices.len() > MANY => ("p{.2\\linewidth}", " & $P$"),
         Some(_) => ("l", " & $P$"),
     };
     Table {
         mark: format!("group {}", analysis.subject.slug()),
         columns: &format!(
             "r{}{}{column}",
-            if is_wide { "p{.6\\linewidth}" } else { "l" },
+            if is_wide { "p{.5\\linewidth}" } else { "l" },
             "r".repeat(orbits.generators.len())
         ),
         caption: format!(

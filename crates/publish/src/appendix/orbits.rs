@@ -5,9 +5,9 @@
 //! vertices, so a reader can follow it with coordinates.
 
 use acutile_core::classify::{Isometry, Symmetry, generators};
-use acutile_core::tiling::{Corner, SimplexId, Tiling, VertexId, floor};
+use acutile_core::tiling::{Corner, SHIFT_LIMIT, SimplexId, Tiling, VertexId, floor};
 use acutile_exact::number::Number;
-use malachite::Rational;
+use malachite::{Integer, Rational};
 use std::collections::BTreeMap;
 
 /// A group up to the lattice, with representatives of the tiles.
@@ -55,13 +55,22 @@ pub struct Origin {
 }
 
 impl<const D: usize> Orbits<D> {
-    /// The orbits under all symmetries that keep the lattice; of a region under the lattice alone.
+    /// The orbits under all symmetries that keep the lattice. Under the lattice alone for a region, and
+    /// where vertices are too many cells apart.
     pub fn of(tiling: &Tiling<D>, symmetry: &Symmetry<D>) -> Self {
         let rank = tiling.frame.rank();
         let elements = if tiling.frame.domain.is_region() {
             vec![Isometry::identity()]
         } else {
             symmetry.keeping_lattice(rank)
+        };
+        let images = vertex_images(tiling, &elements);
+        let (elements, images) = match images {
+            Some(images) => (elements, images),
+            None => {
+                let vertices = (0..tiling.vertices.len() as u32).map(Corner::of);
+                (vec![Isometry::identity()], vec![vertices.collect()])
+            }
         };
         let generators = generators(&elements, rank);
         let product = |element: &Isometry<D>, generator: &usize| {
@@ -79,12 +88,11 @@ impl<const D: usize> Orbits<D> {
             vertices: vec![None; tiling.vertices.len()],
             elements,
         };
-        orbits.find(tiling);
+        orbits.find(tiling, &images);
         orbits
     }
 
-    fn find(&mut self, tiling: &Tiling<D>) {
-        let vertices = self.vertex_images(tiling);
+    fn find(&mut self, tiling: &Tiling<D>, vertices: &[Vec<Corner<D>>]) {
         let names: BTreeMap<Vec<Corner<D>>, SimplexId> = tiling
             .indices()
             .map(|tile| (name(tiling.simplex(tile)).0, tile))
@@ -138,34 +146,43 @@ impl<const D: usize> Orbits<D> {
         }
         self.images = images.into_iter().flatten().collect();
     }
+}
 
-    /// The images of all vertices under each element.
-    fn vertex_images(&self, tiling: &Tiling<D>) -> Vec<Vec<Corner<D>>> {
-        let rank = tiling.frame.rank();
-        let positions: Vec<[Number; D]> = (0..tiling.vertices.len())
-            .map(|v| tiling.vertices.vertex(VertexId::at(v)))
-            .collect();
-        let places: BTreeMap<[Number; D], (VertexId, [i32; D])> = positions
-            .iter()
-            .enumerate()
-            .map(|(v, position)| {
-                let (reduced, cell) = reduced(position, rank);
-                (reduced, (VertexId::at(v), cell))
-            })
-            .collect();
-        let image = |element: &Isometry<D>, position: &[Number; D]| {
-            let (point, cell) = reduced(&element.image(position), rank);
-            let (vertex, own) = places[&point];
-            Corner {
-                vertex,
-                shift: std::array::from_fn(|k| cell[k] - own[k]),
+/// The images of all vertices under each element; `None` if a lattice vector is too long.
+fn vertex_images<const D: usize>(
+    tiling: &Tiling<D>,
+    elements: &[Isometry<D>],
+) -> Option<Vec<Vec<Corner<D>>>> {
+    let rank = tiling.frame.rank();
+    let positions = tiling.vertices.to_numbers();
+    let places: BTreeMap<[Number; D], (VertexId, [Integer; D])> = positions
+        .iter()
+        .enumerate()
+        .map(|(v, position)| {
+            let (reduced, cell) = reduced(position, rank);
+            (reduced, (VertexId::at(v), cell))
+        })
+        .collect();
+    let image = |element: &Isometry<D>, position: &[Number; D]| {
+        let (point, cell) = reduced(&element.image(position), rank);
+        let (vertex, own) = places.get(&point)?;
+        let mut shift = [0; D];
+        for k in 0..D {
+            let by = i32::try_from(&(&cell[k] - &own[k])).ok()?;
+            if by.abs() > SHIFT_LIMIT {
+                return None;
             }
-        };
-        self.elements
-            .iter()
-            .map(|element| positions.iter().map(|p| image(element, p)).collect())
-            .collect()
-    }
+            shift[k] = by;
+        }
+        Some(Corner {
+            vertex: *vertex,
+            shift,
+        })
+    };
+    elements
+        .iter()
+        .map(|element| positions.iter().map(|p| image(element, p)).collect())
+        .collect()
 }
 
 /// The image of a corner: that of its vertex, moved by the image of its shift.
@@ -183,9 +200,12 @@ fn image<const D: usize>(
 }
 
 /// A point with the lattice's coordinates in [0, 1), and by which lattice vector it was moved.
-fn reduced<const D: usize>(point: &[Number; D], rank: usize) -> ([Number; D], [i32; D]) {
-    let cell: [i32; D] = std::array::from_fn(|k| if k < rank { floor(&point[k]) } else { 0 });
-    let moved = std::array::from_fn(|k| &point[k] - &Number::from(Rational::from(cell[k])));
+fn reduced<const D: usize>(point: &[Number; D], rank: usize) -> ([Number; D], [Integer; D]) {
+    let cell: [Integer; D] = std::array::from_fn(|k| match k < rank {
+        true => point[k].floor(),
+        false => Integer::from(0),
+    });
+    let moved = std::array::from_fn(|k| &point[k] - &Number::from(Rational::from(&cell[k])));
     (moved, cell)
 }
 

@@ -53,7 +53,16 @@ pub fn product(before: &str, coefficient: &str, variable: &str) -> String {
     match (coefficient, negative) {
         ("1", _) => format!("{plus}{variable}"),
         (_, Some("1")) => format!("-{variable}"),
-        (_, Some(size)) => format!("-{size}{variable}"),
-        _ => format!("{plus}{coefficient}{variable}"),
+        (_, Some(size)) => format!("-{size}{}{variable}", gap(size)),
+        _ => format!("{plus}{coefficient}{}{variable}", gap(coefficient)),
+    }
+}
+
+/// What ends the name of a command, as in `\alpha t`.
+fn gap(before: &str) -> &'static str {
+    if before.ends_with(|c: char| c.is_ascii_alphabetic()) {
+        " "
+    } else {
+        ""
     }
 }

@@ -5,12 +5,14 @@ use super::separation::separate;
 use super::subject::Analysis;
 use super::tex::{self, Table, facet_word, list};
 use super::tiles;
-use acutile_core::tiling::{Corner, Facet, floor};
+use acutile_core::tiling::{Corner, Facet, SHIFT_LIMIT};
 use acutile_exact::geometry::Sign;
 use acutile_exact::number::Number;
 use malachite::Rational;
 use std::collections::BTreeMap;
 
+/// More lattice vectors are not tried.
+const SHIFTS: usize = 10_000;
 /// More pairs are not printed.
 const PAIRS: usize = 3000;
 
@@ -117,7 +119,7 @@ fn listed<const D: usize>(
 fn near_pairs<const D: usize>(
     analysis: &Analysis<D>,
     facets: &[BoundaryFacet<D>],
-) -> Vec<(usize, usize, [i32; D])> {
+) -> Option<Vec<(usize, usize, [i32; D])>> {
     let points: Vec<Vec<[Number; D]>> = facets
         .iter()
         .map(|facet| {
@@ -132,7 +134,7 @@ fn near_pairs<const D: usize>(
     let mut pairs = Vec::new();
     for i in 0..facets.len() {
         for j in i..facets.len() {
-            for shift in near_shifts(&boxes[i], &boxes[j], analysis.rank()) {
+            for shift in near_shifts(&boxes[i], &boxes[j], analysis.rank())? {
                 let is_known = i == j && shift.iter().find(|s| **s != 0).is_none_or(|s| *s < 0);
                 if !is_known {
                     pairs.push((i, j, shift));
@@ -140,7 +142,7 @@ fn near_pairs<const D: usize>(
             }
         }
     }
-    pairs
+    Some(pairs)
 }
 
 /// The least and the greatest of each coordinate.
@@ -153,20 +155,28 @@ fn ranges<const D: usize>(points: &[[Number; D]]) -> Vec<(Number, Number)> {
         .collect()
 }
 
-/// The lattice vectors by which the second box can be moved so that it meets the first.
+/// The lattice vectors by which the second box can be moved so that it meets the first; `None` if they
+/// are too long.
 fn near_shifts<const D: usize>(
     first: &[(Number, Number)],
     second: &[(Number, Number)],
     rank: usize,
-) -> Vec<[i32; D]> {
+) -> Option<Vec<[i32; D]>> {
+    let bound = |x: &Number| {
+        let floor = i32::try_from(&x.floor()).ok()?;
+        (floor.abs() <= SHIFT_LIMIT).then_some(floor)
+    };
     let mut shifts = vec![[0; D]];
     for k in 0..D {
         let (low, high) = (&first[k].0 - &second[k].1, &first[k].1 - &second[k].0);
         let range = match k < rank {
-            true => -floor(&-&low)..=floor(&high),
+            true => -bound(&-&low)?..=bound(&high)?,
             false if low.sign() != Sign::Greater && high.sign() != Sign::Less => 0..=0,
-            false => return Vec::new(),
+            false => return Some(Vec::new()),
         };
+        if range.clone().take(SHIFTS).count() * shifts.len() >= SHIFTS {
+            return None;
+        }
         shifts = shifts
             .into_iter()
             .flat_map(|shift| {
@@ -178,18 +188,17 @@ fn near_shifts<const D: usize>(
             })
             .collect();
     }
-    shifts
+    Some(shifts)
 }
 
 fn meets<const D: usize>(analysis: &Analysis<D>, facets: &[BoundaryFacet<D>]) -> String {
     let word = facet_word(D);
-    let pairs = near_pairs(analysis, facets);
-    if pairs.len() > PAIRS {
+    let pairs = near_pairs(analysis, facets).filter(|pairs| pairs.len() <= PAIRS);
+    let Some(pairs) = pairs else {
         return format!(
-            "\\acutileparagraph{{Boundary (X).}} There are ${}$ pairs of {word}s in the boundary whose ranges of coordinates overlap. They are too many to be printed here: that each pair meets in its common corners only rests on the check of the certificate.\n\n",
-            pairs.len()
+            "\\acutileparagraph{{Boundary (X).}} The pairs of {word}s in the boundary whose ranges of coordinates overlap are too many or too far apart to be printed here. That each pair meets in its common corners only rests on the check of the certificate.\n\n",
         );
-    }
+    };
     let rows = pairs
         .iter()
         .filter_map(|pair| pair_row(analysis, facets, pair))
@@ -269,7 +278,12 @@ fn outside<const D: usize>(
         });
         let entries: Vec<String> = centre.iter().map(|x| analysis.numerals.inline(x)).collect();
         centres.push(format!("$m=({})$ of $f_{{{base}}}$", entries.join(",\\,")));
-        rows.extend(tiles_away(analysis, &facets[base], base, &centre));
+        match tiles_away(analysis, &facets[base], base, &centre) {
+            Some(found) => rows.extend(found),
+            None => {
+                return "\\acutileparagraph{Outside (W).} Vertices are too far apart for the tiles near a centre to be printed here. That no tile is directly outside rests on the check of the certificate.\n\n".to_owned();
+            }
+        }
     }
     let table = match rows.is_empty() {
         true => String::new(),
@@ -299,7 +313,7 @@ fn tiles_away<const D: usize>(
     base: &BoundaryFacet<D>,
     number: usize,
     centre: &[Number; D],
-) -> Vec<String> {
+) -> Option<Vec<String>> {
     let tiling = analysis.tiling;
     let point = ranges(std::slice::from_ref(centre));
     let mut rows = Vec::new();
@@ -310,7 +324,7 @@ fn tiles_away<const D: usize>(
             .iter()
             .map(|c| tiling.position(c))
             .collect();
-        for shift in near_shifts::<D>(&point, &ranges(&corners), analysis.rank()) {
+        for shift in near_shifts::<D>(&point, &ranges(&corners), analysis.rank())? {
             if tile == base.facet.simplex && shift == [0; D] {
                 continue;
             }
@@ -330,5 +344,5 @@ fn tiles_away<const D: usize>(
             }
         }
     }
-    rows
+    Some(rows)
 }

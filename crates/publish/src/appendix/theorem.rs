@@ -321,6 +321,9 @@ pub fn in_words<const D: usize>(numerals: &Numerals, statement: &Statement) -> O
                 _ => format!("each {quotient} is {} {bound};", relation.text()),
             }
         }
+        Statement::UncrossedPlane(plane) => {
+            format!("no tile crosses ${plane}$ or a translate of it by the lattice;")
+        }
         Statement::Delaunay => {
             format!("it is the Delaunay triangulation of its vertices: no vertex of the tiling but a tile's own corners is on its \
              {sphere}, and none is inside of it;")

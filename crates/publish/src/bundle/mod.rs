@@ -4,6 +4,7 @@
 //! | file | part |
 //! |---|---|
 //! | `mod.rs` | which files there are |
+//! | `metadata` | who deposits it: CITATION.cff, .zenodo.json |
 //! | `readme` | what the archive tells a referee |
 //! | `pdf` | the appendix by TeX |
 //! | `zip` | the files as one |
@@ -11,12 +12,14 @@
 //!
 //! Nothing here proves anything: what comes in is [`Proved`].
 
+pub mod metadata;
 mod pdf;
 mod readme;
 mod zip;
 
 pub use zip::archive;
 
+use self::metadata::Deposit;
 use crate::appendix::{self, File, Subject, slug};
 use crate::report::{Proved, page};
 use acutile_core::tiling::{AnyTiling, Tiling};
@@ -26,9 +29,8 @@ use acutile_io::mesh::{Format, flatten, write};
 use sha2::{Digest, Sha256};
 
 /// What the archive has beside what is made of the tilings.
-const FIXED: [(&str, &str); 8] = [
-    ("CITATION.cff", include_str!("../../../../CITATION.cff")),
-    ("LICENSE", include_str!("../../../../LICENSE")),
+const FIXED: [(&str, &str); 7] = [
+    ("verify/LICENSE", include_str!("../../../../LICENSE")),
     ("docs/format.md", include_str!("../../../../docs/format.md")),
     (
         "docs/soundness.md",
@@ -62,7 +64,6 @@ const MESHES: [(&str, Format); 3] = [
 /// A confirmed certificate, and what the appendix says of it.
 pub struct Piece {
     pub proved: Proved,
-    /// Nothing for a region.
     pub subject: Subject,
 }
 
@@ -70,6 +71,8 @@ pub struct Piece {
 pub struct Options {
     /// The appendix as PDF, if there is a TeX.
     pub pdf: bool,
+    /// Who deposits the archive, and under which licence.
+    pub deposit: Deposit,
 }
 
 /// The files by their names, and what is to be told on standard error.
@@ -84,7 +87,6 @@ struct Entry {
     /// The claim in the kernel's words.
     claim: String,
     sha256: String,
-    is_region: bool,
     /// How many coordinates of the meshes are rounded, and by how much; nothing in the plane.
     rounding: Option<(usize, f64)>,
 }
@@ -98,10 +100,13 @@ pub fn bundle(pieces: Vec<Piece>, options: &Options) -> Result<Bundle, String> {
         pieces.into_iter().map(|p| (p.proved, p.subject)).unzip();
     let mut notes = Vec::new();
     let mut files = fixed();
-    let entries = entries(&proved, &mut files, &mut notes)?;
+    let entries = entries(&proved, &mut files)?;
     files.push(file("report.html", page(&proved, None)));
     let has_pdf = add_appendix(&subjects, options, &mut files, &mut notes);
-    let readme = readme::readme(&entries, !subjects.is_empty(), has_pdf);
+    let readme = readme::readme(&entries, !subjects.is_empty(), has_pdf, &options.deposit);
+    files.extend(citation(&entries, &options.deposit));
+    files.push(file("Makefile", readme::makefile()));
+    files.push(file("CLAIMS.md", readme::claims(&entries)));
     files.push(file("README.md", readme));
     files.sort_by(|a, b| a.path.cmp(&b.path));
     let sums = file("SHA256SUMS", sums(&files));
@@ -110,11 +115,20 @@ pub fn bundle(pieces: Vec<Piece>, options: &Options) -> Result<Bundle, String> {
     Ok(Bundle { files, notes })
 }
 
-fn entries(
-    proved: &[Proved],
-    files: &mut Vec<File>,
-    notes: &mut Vec<String>,
-) -> Result<Vec<Entry>, String> {
+/// The author's citation and Zenodo record; without an author the citation of acutile.
+fn citation(entries: &[Entry], deposit: &Deposit) -> Vec<File> {
+    let slugs: Vec<&str> = entries.iter().map(|entry| entry.slug.as_str()).collect();
+    let own = include_str!("../../../../CITATION.cff").to_owned();
+    let citation = deposit.citation(&slugs).unwrap_or(own);
+    let zenodo = deposit.zenodo(&slugs);
+    let zenodo = zenodo.map(|text| file(".zenodo.json", text));
+    [file("CITATION.cff", citation)]
+        .into_iter()
+        .chain(zenodo)
+        .collect()
+}
+
+fn entries(proved: &[Proved], files: &mut Vec<File>) -> Result<Vec<Entry>, String> {
     let mut entries: Vec<Entry> = Vec::new();
     for proved in proved {
         let entry = entry(proved, files);
@@ -123,11 +137,6 @@ fn entries(
         let is_same = |other: &Entry| other.slug.eq_ignore_ascii_case(slug);
         if entries.iter().any(is_same) {
             return Err(format!("two inputs would both be {slug}"));
-        }
-        if entry.is_region {
-            notes.push(format!(
-                "{slug}: is about a region: the appendix does not have it"
-            ));
         }
         entries.push(entry);
     }
@@ -198,7 +207,6 @@ fn entry(proved: &Proved, files: &mut Vec<File>) -> Entry {
     Entry {
         claim: proved.in_words(),
         sha256: proved.sha256(),
-        is_region: proved.is_region(),
         slug,
         rounding,
     }

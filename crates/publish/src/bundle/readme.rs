@@ -2,23 +2,84 @@
 //! this program.
 
 use super::Entry;
+use super::metadata::Deposit;
 
 const VERSION: &str = env!("CARGO_PKG_VERSION");
 
 /// The text, in Markdown. Names in it are slugs, and claims are in the kernel's words.
-pub fn readme(entries: &[Entry], has_appendix: bool, has_pdf: bool) -> String {
+pub fn readme(entries: &[Entry], has_appendix: bool, has_pdf: bool, deposit: &Deposit) -> String {
+    let slugs: Vec<&str> = entries.iter().map(|entry| entry.slug.as_str()).collect();
     [
         format!(
-            "# Tilings proved in exact arithmetic\n\nWritten by acutile {VERSION} (`acutile bundle`). Each certificate below proves the \
-             claim beside it, and can be\nchecked without the program that found it.\n\n## What is proved\n\n"
+            "# {}\n\nWritten by acutile {VERSION} (`acutile bundle`). Each certificate below proves the \
+             claim beside it, and can be\nchecked without the program that found it.\n\n## What is proved\n\n",
+            deposit.title(&slugs)
         ),
         entries.iter().map(claim).collect(),
         check(),
         contents(entries, has_appendix, has_pdf),
         meshes(entries),
-        "## To cite\n\n`CITATION.cff`. The programs and documents are under the licence in `LICENSE`.\n".to_owned(),
+        citation(deposit),
     ]
     .concat()
+}
+
+fn citation(deposit: &Deposit) -> String {
+    let licence = match &deposit.licence {
+        Some(licence) => format!("The data are under the licence {licence}."),
+        None => "No licence is stated for the data.".to_owned(),
+    };
+    format!(
+        "## To cite\n\n`CITATION.cff`. {licence} The verifiers in `verify/` and the documents in `docs/` are under the licence in \
+         `verify/LICENSE`.\n"
+    )
+}
+
+/// `make check`: the checksums, then all certificates by two programs.
+pub fn makefile() -> String {
+    "# make check: nothing has changed since the deposit, and every certificate is verified.
+.PHONY: check checksums python node
+check: checksums python
+checksums:
+\tsha256sum --check --quiet SHA256SUMS || shasum -a 256 -c SHA256SUMS
+python:
+\tpython3 verify/verify.py certificates/*.json
+node:
+\tnode verify/verify-cli.mjs certificates/*.json
+"
+    .to_owned()
+}
+
+/// From each claim to its evidence, and the limits of all claims.
+pub fn claims(entries: &[Entry]) -> String {
+    let rows = entries.iter().flat_map(|entry| {
+        let slug = &entry.slug;
+        entry.claim.split("; ").map(move |sentence| {
+            format!(
+                "| {} | `certificates/{slug}.cbor` | `python3 verify/verify.py certificates/{slug}.json` |\n",
+                sentence.trim_end_matches('.').replace('|', "\\|")
+            )
+        })
+    });
+    format!(
+        "# Claims and evidence
+
+| claim | evidence | check |
+|---|---|---|
+{}
+The digests of the certificates are in `README.md` and in `SHA256SUMS`.
+`docs/soundness.md` proves that the checks imply the claims.
+
+## Not proved
+
+- Names, descriptions and sources of the tilings: the certificates do not contain them.
+- The values in `report.html` and the tables of the appendix beside the claims: the prover computed them exactly, and the verifiers
+  do not check them.
+- The meshes in `tilings/`: their coordinates are rounded.
+- That a tiling is new, or the best of its kind.
+",
+        rows.collect::<String>()
+    )
 }
 
 fn claim(entry: &Entry) -> String {
@@ -90,6 +151,8 @@ fn contents(entries: &[Entry], has_appendix: bool, has_pdf: bool) -> String {
 | `tilings/*.json` | the tilings for acutile, exact |
 {meshes}| `verify/` | the verifiers in Python and JavaScript |
 | `docs/` | the format of certificates, and why they prove what they claim |
+| `CLAIMS.md` | each claim with its evidence, and what is not proved |
+| `Makefile` | `make check` compares the checksums and verifies every certificate |
 | `SHA256SUMS` | the SHA-256 of every other file |
 
 "

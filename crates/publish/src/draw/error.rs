@@ -23,6 +23,8 @@ pub enum DrawError {
     TooManyPieces,
     /// A figure of tetrahedra of a tiling of the plane.
     NotSolid,
+    /// Cells of something that is not proved to be a weakly Delaunay triangulation of space.
+    NoFoam(String),
     /// Steps of something else than the slab.
     NoSteps,
     /// A plane tiling under something that has none.
@@ -71,6 +73,10 @@ impl fmt::Display for DrawError {
                     "a tiling of the plane has the figures classes and plane only"
                 )
             }
+            DrawError::NoFoam(reason) => write!(
+                f,
+                "a foam has the Voronoi cells of a Delaunay triangulation of space: {reason}"
+            ),
             DrawError::NoSteps => write!(f, "only the slab (acutile draw slab) is built in steps"),
             DrawError::NoPlane => write!(
                 f,

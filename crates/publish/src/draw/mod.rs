@@ -10,7 +10,7 @@
 //! | `scene` | bodies, lines and points, turned into marks |
 //! | [`drawing`] | marks in millimetres, panels, line weights, colours |
 //! | [`svg`], [`tikz`] | how marks are written |
-//! | `classes`, `cell`, `star`, `exploded`, `steps`, `plane`, `dots` | one kind of figure each |
+//! | `classes`, `cell`, `star`, `foam`, `coordination`, `exploded`, `steps`, `plane`, `dots` | one kind of figure each |
 //! | `patch` | simplices of a tiling as bodies |
 //!
 //! What hides what is decided exactly; only places on the paper are doubles. Nothing here
@@ -18,10 +18,12 @@
 
 mod cell;
 mod classes;
+mod coordination;
 mod dots;
 pub mod drawing;
 mod error;
 mod exploded;
+pub mod foam;
 pub mod hidden;
 pub mod order;
 mod patch;
@@ -49,6 +51,10 @@ pub enum Figure {
     Cell,
     /// The tetrahedra at a vertex.
     Star,
+    /// The Voronoi cells of the vertices, one of each kind.
+    Foam,
+    /// The neighbours of the vertices with their link, one of each kind.
+    Coordination,
     /// The tetrahedra of a cell, moved apart.
     Exploded,
     /// The slab in its eight steps.
@@ -103,6 +109,8 @@ pub fn draw(
         (AnyTiling::Space(t), Figure::Classes) => classes::tetrahedra(name, t, options),
         (AnyTiling::Space(t), Figure::Cell) => cell::cell(name, t, options),
         (AnyTiling::Space(t), Figure::Star) => star::star(name, t, options),
+        (AnyTiling::Space(t), Figure::Foam) => foam::figure(name, t, options),
+        (AnyTiling::Space(t), Figure::Coordination) => coordination::figure(name, t, options),
         (AnyTiling::Space(t), Figure::Exploded) => exploded::exploded(name, t, options),
         (AnyTiling::Space(t), Figure::Steps) => steps::steps(name, t, options),
         (AnyTiling::Space(_), Figure::Plane) => dots::dots(name, options),

@@ -60,16 +60,24 @@ pub struct Face {
 impl Face {
     /// The triangle, seen in the direction against `eye`; `None` if it is seen as a segment.
     pub fn triangle(corners: [Point; 3], eye: &Point) -> Option<Face> {
-        let [a, b, c] = &corners;
+        Face::polygon(corners.to_vec(), eye)
+    }
+
+    /// A strictly convex plane polygon, its corners in cyclic order; `None` if it is seen as a segment.
+    pub fn polygon(corners: Vec<Point>, eye: &Point) -> Option<Face> {
+        let [a, b, c, ..] = &corners[..] else {
+            return None;
+        };
         let plane = Plane::spanned(a, &linear::subtract(b, a), &linear::subtract(c, a))?;
         let plane = match plane.slope(eye).sign() {
             Sign::Greater => plane,
             Sign::Less => plane.turned(),
             Sign::Equal => return None,
         };
-        let sides = [(a, b, c), (b, c, a), (c, a, b)]
-            .into_iter()
-            .map(|(p, q, inside)| {
+        let count = corners.len();
+        let sides = (0..count)
+            .map(|k| {
+                let [p, q, inside] = [0, 1, 2].map(|step| &corners[(k + step) % count]);
                 let side = Plane::spanned(p, &linear::subtract(q, p), eye)?;
                 let is_inward = side.value(inside).sign().is_gt();
                 Some(if is_inward { side } else { side.turned() })
@@ -77,7 +85,7 @@ impl Face {
             .collect::<Option<Vec<Plane>>>()?;
         let extent = extent(&corners, eye)?;
         Some(Face {
-            corners: corners.to_vec(),
+            corners,
             plane,
             sides,
             extent,

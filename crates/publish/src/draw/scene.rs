@@ -99,6 +99,34 @@ impl<'v> Scene<'v> {
         }
     }
 
+    /// Adds a convex solid with this point inside: the faces that face the eye, and all edges.
+    pub fn add_polyhedron(&mut self, faces: &[&[Point]], inside: &Point, colour: Colour) {
+        let mut edges: BTreeSet<[&Point; 2]> = BTreeSet::new();
+        for corners in faces {
+            let next = corners.iter().cycle().skip(1);
+            edges.extend(corners.iter().zip(next).map(
+                |(p, q)| {
+                    if p < q { [p, q] } else { [q, p] }
+                },
+            ));
+            let Some(face) = Face::polygon(corners.to_vec(), &self.view.eye) else {
+                continue;
+            };
+            if face.plane.value(inside).sign().is_lt() {
+                self.colours
+                    .push(lit(colour, self.view.light(&face.corners)));
+                self.faces.push(face);
+            }
+        }
+        for [a, b] in edges {
+            self.add_line(Line {
+                ends: [a.clone(), b.clone()],
+                visible: Stroke::Edge,
+                hidden: Some(Stroke::HiddenEdge),
+            });
+        }
+    }
+
     /// Adds a triangle with its sides, seen from either side.
     pub fn add_triangle(&mut self, corners: [Point; 3], colour: Colour) {
         for (i, j) in [(0, 1), (0, 2), (1, 2)] {

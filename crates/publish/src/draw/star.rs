@@ -53,7 +53,7 @@ pub fn star(name: &str, tiling: &Tiling<3>, options: &Options) -> Result<Drawing
 }
 
 /// Every simplex once for each corner at the vertex, moved so that this corner is not shifted.
-fn bodies(tiling: &Tiling<3>, vertex: VertexId, classes: &[usize]) -> Vec<Body> {
+pub(super) fn bodies(tiling: &Tiling<3>, vertex: VertexId, classes: &[usize]) -> Vec<Body> {
     let mut bodies = Vec::new();
     for (simplex, &class) in tiling.simplices().zip(classes) {
         for corner in simplex.iter().filter(|corner| corner.vertex == vertex) {
@@ -65,7 +65,8 @@ fn bodies(tiling: &Tiling<3>, vertex: VertexId, classes: &[usize]) -> Vec<Body> 
     bodies
 }
 
-fn neighbours(bodies: &[Body], centre: &Point) -> BTreeSet<Point> {
+/// The corners other than the centre.
+pub(super) fn neighbours(bodies: &[Body], centre: &Point) -> BTreeSet<Point> {
     let corners = bodies.iter().flat_map(|body| &body.corners);
     corners.filter(|&p| p != centre).cloned().collect()
 }

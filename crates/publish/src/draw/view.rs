@@ -14,7 +14,9 @@ use malachite::Rational;
 pub struct View {
     /// The direction to the eye, in basis coordinates.
     pub eye: Point,
-    /// The basis vectors in Cartesian coordinates on the screen: to the right, up, to the eye.
+    /// The basis vectors in Cartesian coordinates.
+    vectors: [[f64; 3]; 3],
+    /// The same on the screen: to the right, up, to the eye.
     basis: [[f64; 3]; 3],
 }
 
@@ -55,7 +57,11 @@ impl View {
             ]
         });
         match basis.iter().flatten().all(|x| x.is_finite()) {
-            true => Ok(View { eye, basis }),
+            true => Ok(View {
+                eye,
+                vectors,
+                basis,
+            }),
             false => Err(DrawError::TooLarge),
         }
     }
@@ -64,6 +70,11 @@ impl View {
     pub fn place(&self, point: &Point) -> [f64; 2] {
         let [x, y, _] = self.on_screen(point);
         [x, y]
+    }
+
+    /// Cartesian coordinates: the first basis vector along x, the second in the plane of x and y.
+    pub fn cartesian(&self, point: &Point) -> [f64; 3] {
+        combination(&self.vectors, point.each_ref().map(Number::approximate))
     }
 
     /// How much light a triangle gets, 0 to 1; the light comes from the upper left, from

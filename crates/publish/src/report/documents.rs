@@ -4,7 +4,7 @@ use super::html::escape;
 use super::markdown::{Document, to_html};
 
 /// The documents that the site has.
-pub const DOCUMENTS: [Document; 25] = [
+pub const DOCUMENTS: [Document; 26] = [
     document(
         "README.md",
         "docs/readme.html",
@@ -52,6 +52,12 @@ pub const DOCUMENTS: [Document; 25] = [
         "docs/trust.html",
         "What is trusted",
         include_str!("../../../../docs/trust.md"),
+    ),
+    document(
+        "docs/optimize.md",
+        "docs/optimize.html",
+        "Better angles",
+        include_str!("../../../../docs/optimize.md"),
     ),
     document(
         "docs/glossary.md",

@@ -126,11 +126,6 @@ impl Proved {
         proved::in_words(self.verified())
     }
 
-    /// Whether the domain is a region.
-    pub fn is_region(&self) -> bool {
-        with_dimension!(&self.tiling, AnyTiling, t => t.frame.domain.is_region())
-    }
-
     /// The tiling that the certificate describes.
     pub fn tiling(&self) -> &AnyTiling {
         &self.tiling

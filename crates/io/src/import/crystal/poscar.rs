@@ -9,8 +9,8 @@ use super::vectors::{self, Coordinates, Listed, Vector, determinant, number, spe
 use crate::import::ImportError;
 use crate::import::cif::CifOptions;
 use acutile_exact::number::Number;
+use malachite::Rational;
 use malachite::base::num::arithmetic::traits::{Abs, CheckedRoot, Floor, FloorRoot, Pow};
-use malachite::{Integer, Rational};
 
 /// The lines of a file, numbered from 1.
 struct Lines<'t> {
@@ -177,7 +177,7 @@ fn scales((line, text): (usize, &str), vectors: &[Vector; 3]) -> Result<Scales, 
 fn rounded(cube: &Rational) -> Scales {
     let unit = Rational::from(10).pow(12u64);
     // The floor of the root of n is that of the root of the floor of n.
-    let scaled = Integer::from((cube * (&unit).pow(3u64)).floor());
+    let scaled = (cube * (&unit).pow(3u64)).floor();
     let scale = Rational::from(scaled.floor_root(3)) / unit;
     let digits = Number::from(scale.clone()).approximate();
     Scales {

@@ -74,6 +74,8 @@ function section(corners, plane) {
 // Numbers for each corner of a triangle to draw: position 3, normal 3, centroid of its simplex 3, barycentric coordinates 4, and bytes:
 // colour at the four corners of the simplex 4, which facet the triangle lies in (4 for a section), whether only its edges are drawn, and the simplex in a separate array.
 const FLOATS = 13;
+// A simplex is drawn whole (0), by its edges, or not at all.
+const EDGES_ONLY = 1, NOT_DRAWN = 2;
 
 // A growing list of triangles.
 class Triangles {
@@ -121,18 +123,18 @@ function triangles(tiling, n, plane, colours) {
     const offset = tiling.cartesian(shift);
     for (const cell of tiling.cells) {
       const corners = cell.points.map((p, i) => ({ p: add(p, offset), b: UNIT[i] }));
-      if (presence(tiling, cell) === NOT_DRAWN) continue;
+      if ((tiling.presence?.(cell) ?? 0) === NOT_DRAWN) continue;
       const outside = plane ? corners.filter(({ p }) => dot(plane.n, p) > plane.c).length : 0;
       if (outside === corners.length) continue;
       const centroid = mean(corners.map(({ p }) => p)), owner = copy * tiling.cells.length + cell.index;
       for (const [polygon, normal, facet] of facets(corners, tiling.D, centroid)) {
-        const how = presence(tiling, cell, facet);
+        const how = tiling.presence?.(cell, facet) ?? 0;
         if (how !== NOT_DRAWN) list.put(outside ? clip(polygon, plane) : polygon, normal, centroid, colours(cell, facet), facet, owner, how);
       }
-      if (outside && tiling.D === 3) list.put(section(corners, plane), plane.n, centroid, colours(cell, 4), 4, owner, presence(tiling, cell, 4));
+      if (outside && tiling.D === 3) list.put(section(corners, plane), plane.n, centroid, colours(cell, 4), 4, owner, tiling.presence?.(cell, 4) ?? 0);
     }
   });
-  if (tiling.data.defects && tiling.cells.length) putMarkers(tiling, list, 0.008 * bounds(tiling, n).radius);
+  tiling.mark?.(list);
   return list.done();
 }
 

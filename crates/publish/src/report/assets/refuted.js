@@ -2,7 +2,6 @@
 
 const DEFECT_COLOURS = ["#c6ced8", "#d62728", "#8b0000", "#f2b8b5", "#111111"];
 const [SOUND, DEFECT, FACET, PALE, POINT] = [0, 1, 2, 3, 4];
-const NOT_DRAWN = 2, EDGES_ONLY = 1;
 
 // Which defects each drawn simplex has, and which facets lie in defects.
 function linkDefects(tiling) {
@@ -17,6 +16,8 @@ function linkDefects(tiling) {
   });
   tiling.defect = null;
   tiling.others = "edges";
+  tiling.presence = (cell, facet) => presence(tiling, cell, facet);
+  tiling.mark = (list) => tiling.cells.length && putMarkers(tiling, list, 0.008 * bounds(tiling, 1).radius);
   const seen = new Map();
   const key = (cell, facet) => cell.corners.map(([v, ...s], i) => (i === facet ? null : [v, ...s.map((x, k) => x + cell.moved[k])].join()))
     .filter((text) => text !== null).sort().join(";");
@@ -28,7 +29,7 @@ const isIn = (tiling, defects) => defects.length > 0 && (tiling.defect === null 
 
 // How a simplex or one of its facets is drawn: whole, by its edges, or not at all.
 function presence(tiling, cell, facet) {
-  if (!tiling.data.defects || isIn(tiling, cell.defects)) return 0;
+  if (isIn(tiling, cell.defects)) return 0;
   if (tiling.others === "hidden" || (tiling.others === "edges" && facet !== undefined && facet < 4 && !cell.outer[facet])) return NOT_DRAWN;
   return tiling.others === "edges" ? EDGES_ONLY : 0;
 }
@@ -48,7 +49,7 @@ COLOURINGS.defect = (tiling) => ({
 
 // Small octahedra at the points that show defects.
 function putMarkers(tiling, list, size) {
-  tiling.data.defects?.forEach(({ point, simplices }, number) => {
+  tiling.data.defects.forEach(({ point, simplices }, number) => {
     if (!point || !isIn(tiling, [number])) return;
     const owner = Math.max(0, tiling.data.ids.indexOf(simplices[0]));
     const move = tiling.cells[owner].moved, p = tiling.cartesian(point.map((x, k) => x + move[k]));

@@ -1,0 +1,72 @@
+//! Coordination polyhedra: the link of one vertex of each kind as a solid, with the vertex in it.
+
+use super::drawing::{BLACK, Drawing, Layout, Panel, WHITE};
+use super::scene::{Dot, Scene};
+use super::star::{bodies, neighbours};
+use super::view::View;
+use super::{DrawError, Options, patch};
+use acutile_core::classify::stars;
+use acutile_core::quality::shapes;
+use acutile_core::tiling::{Corner, Tiling, VertexId};
+use std::collections::BTreeMap;
+
+/// One panel for each kind of vertex: the same star, with tetrahedra of the same congruence classes.
+pub fn figure(name: &str, tiling: &Tiling<3>, options: &Options) -> Result<Drawing, DrawError> {
+    patch::check_count(tiling)?;
+    let view = View::new(&tiling.frame.gram, options.direction)?;
+    let classes = patch::classes(&shapes(tiling), tiling.len());
+    let mut panels = Vec::new();
+    for (kind, ((star, _), members)) in kinds(tiling, &classes).into_iter().enumerate() {
+        let id = VertexId::at(members[0]);
+        let colour = vec![kind; tiling.len()];
+        let bodies = bodies(tiling, id, &colour);
+        let centre = tiling.position(&Corner::of(id));
+        let mut scene = Scene::new(&view);
+        scene.add_solid(&bodies, None);
+        let around = neighbours(&bodies, &centre);
+        let count = around.len();
+        for at in around {
+            scene.add_dot(Dot {
+                at,
+                radius: 0.6,
+                colour: WHITE,
+                shines_through: false,
+            });
+        }
+        scene.add_dot(Dot {
+            at: centre,
+            radius: 0.8,
+            colour: BLACK,
+            shines_through: true,
+        });
+        panels.push(Panel {
+            items: scene.items()?,
+            caption: format!("{star}: {count} neighbours, {} in the cell", members.len()),
+        });
+    }
+    let layout = Layout {
+        width: options.width,
+        columns: panels.len().clamp(1, 2),
+        margin: 3.0,
+        has_one_scale: true,
+        legend: Vec::new(),
+    };
+    Ok(layout.arrange(&format!("{name}: coordination polyhedra"), &panels))
+}
+
+/// The vertices by the names of their stars and the classes of the tetrahedra there.
+fn kinds(tiling: &Tiling<3>, classes: &[usize]) -> BTreeMap<(String, Vec<usize>), Vec<usize>> {
+    let mut around = vec![Vec::new(); tiling.vertices.len()];
+    for (simplex, &class) in tiling.simplices().zip(classes) {
+        for corner in simplex {
+            around[corner.vertex.index()].push(class);
+        }
+    }
+    let mut kinds: BTreeMap<_, Vec<usize>> = BTreeMap::new();
+    for (vertex, (star, mut classes)) in stars(tiling).iter().zip(around).enumerate() {
+        classes.sort_unstable();
+        let key = (star.to_string(), classes);
+        kinds.entry(key).or_default().push(vertex);
+    }
+    kinds
+}

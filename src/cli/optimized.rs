@@ -1,0 +1,165 @@
+//! What `acutile optimize` found, in words and as data.
+
+use super::optimize::{GoalName, OptimizeArguments};
+use super::output::Output;
+use super::verify::{claim_json, summary};
+use acutile_core::quality::{decimal_range, display_width};
+use acutile_core::statement::Statement;
+use acutile_optimize::{LocalProof, NotLocal, Reason, value};
+use serde_json::{Value, json};
+use std::path::Path;
+
+/// What was found.
+pub struct Report<'r> {
+    pub arguments: &'r OptimizeArguments,
+    pub found: &'r acutile_optimize::Outcome,
+    pub reasons: Vec<Reason>,
+    pub is_acute: bool,
+    pub local: Option<Result<LocalProof, NotLocal>>,
+}
+
+impl Report<'_> {
+    /// Tells it, on standard error where standard output has the certificate.
+    pub fn tell(&self, output: &mut Output) {
+        let to_error = self.arguments.output.as_deref() == Some(Path::new("-"));
+        let mut lines = match self.arguments.json {
+            true => vec![self.data().to_string()],
+            false => self.words(),
+        };
+        for line in lines.drain(..) {
+            match to_error {
+                true => output.complain(line),
+                false => output.line(line),
+            }
+        }
+    }
+
+    /// The value of some statements, as an interval in decimals.
+    fn value(&self, statements: &[Statement]) -> String {
+        let value = value(statements, self.arguments.goal.goal());
+        value.map_or(String::new(), |value| {
+            decimal_range(&value.enclosure(&display_width()))
+        })
+    }
+
+    fn words(&self) -> Vec<String> {
+        let (input, found) = (&self.arguments.input, self.found);
+        let (before, after) = (
+            self.value(&found.before),
+            self.value(found.proved.statements()),
+        );
+        let quantity = match self.arguments.goal {
+            GoalName::MaxDihedral | GoalName::Acute => "largest dihedral angle",
+            GoalName::MinDihedral => "smallest dihedral angle",
+            GoalName::RadiusEdge => "largest radius-edge ratio",
+        };
+        let mut lines = vec![match found.is_better {
+            true => format!("{input}: {quantity} {before} before, {after} now"),
+            false => format!("{input}: no progress; {quantity} {before}"),
+        }];
+        let grid = match found.is_better || found.parameters == 0 {
+            true => format!("; {}", self.grid()),
+            false => String::new(),
+        };
+        lines.push(format!(
+            "  {} parameters, {} isometries kept{grid}",
+            found.parameters, found.symmetries,
+        ));
+        if found.is_interrupted {
+            lines.push("  interrupted; this is the best so far".to_owned());
+        }
+        lines.push(format!("  proved: {}", summary(found.proved.verified())));
+        if let Some(path) = self
+            .arguments
+            .output
+            .as_ref()
+            .filter(|p| *p != Path::new("-"))
+        {
+            lines.push(format!(
+                "  certificate: {}, SHA-256 {}",
+                path.display(),
+                found.proved.sha256()
+            ));
+        }
+        lines.extend(self.local.as_ref().map(|local| match local {
+            Ok(proof) => format!("  {proof}"),
+            Err(reason) => format!("  not proved to be a local optimum: {reason}"),
+        }));
+        if !self.is_acute {
+            let count = self.reasons.len();
+            lines.extend(self.reasons.first().map(|reason| {
+                format!("  this tiling can never be acute: {reason} ({count} such edges)")
+            }));
+        }
+        lines
+    }
+
+    fn grid(&self) -> String {
+        let of = |what: &str, denominator: Option<u64>| {
+            denominator.map(|d| format!("{what} multiples of 1/{d}"))
+        };
+        let (gram, points) = self.found.denominators;
+        let parts = [
+            of("moved coordinates are", points),
+            of("Gram matrix entries are", gram),
+        ];
+        let parts: Vec<String> = parts.into_iter().flatten().collect();
+        match parts.is_empty() {
+            true => "nothing can move".to_owned(),
+            false => parts.join(", "),
+        }
+    }
+
+    fn data(&self) -> Value {
+        let found = self.found;
+        let (gram, points) = found.denominators;
+        let output = self
+            .arguments
+            .output
+            .as_ref()
+            .map(|path| path.display().to_string());
+        json!({
+            "input": self.arguments.input,
+            "verdict": "proved",
+            "is_better": found.is_better,
+            "before": self.value(&found.before),
+            "after": self.value(found.proved.statements()),
+            "acute": self.is_acute,
+            "parameters": found.parameters,
+            "isometries": found.symmetries,
+            "denominator": points,
+            "gram_denominator": gram,
+            "interrupted": found.is_interrupted,
+            "never_acute": self.reasons.iter().map(|reason| json!({
+                "edge": reason.ends.map(|corner| corner.to_string()),
+                "valence": reason.valence,
+                "boundary": reason.is_boundary,
+                "why": reason.to_string(),
+            })).collect::<Vec<_>>(),
+            "local_optimum": self.local.as_ref().map(local_data),
+            "statements": claim_json(found.proved.verified())["statements"],
+            "sha256": found.proved.sha256(),
+            "certificate": output,
+        })
+    }
+}
+
+/// Angles by their simplex and two of its facets, each with its multiplier.
+fn local_data(local: &Result<LocalProof, NotLocal>) -> Value {
+    match local {
+        Err(reason) => json!({ "proved": false, "message": reason.to_string() }),
+        Ok(proof) => json!({
+            "proved": true,
+            "parameters": proof.parameters,
+            "translations": proof.translations,
+            "rank": proof.rank,
+            "tight": proof.tight.iter().zip(&proof.multipliers).map(|((simplex, (i, j)), multiplier)| {
+                json!({
+                    "simplex": simplex.number(),
+                    "facets": [i, j],
+                    "multiplier": multiplier.to_string(),
+                })
+            }).collect::<Vec<_>>(),
+        }),
+    }
+}

@@ -1,0 +1,112 @@
+//! Certificates and the kernel's verdict on them.
+
+use super::Error;
+use acutile_core::format::{print, to_cbor};
+use acutile_core::{proved, refusal};
+use acutile_kernel as kernel;
+
+/// The bytes of a certificate, in deterministic CBOR. Nothing is said of what they prove:
+/// [`crate::verify`] asks the kernel.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Certificate(Vec<u8>);
+
+impl Certificate {
+    /// Reads a certificate in either encoding, CBOR or canonical JSON.
+    ///
+    /// # Errors
+    /// JSON that is not canonical.
+    pub fn from_bytes(bytes: &[u8]) -> Result<Certificate, Error> {
+        let cbor = to_cbor(bytes).map_err(Error::new)?;
+        Ok(Certificate(cbor.into_owned()))
+    }
+
+    pub(crate) fn of_cbor(cbor: Vec<u8>) -> Certificate {
+        Certificate(cbor)
+    }
+
+    /// The certificate in CBOR, the encoding that the kernel reads.
+    pub fn as_bytes(&self) -> &[u8] {
+        &self.0
+    }
+
+    /// The certificate in canonical JSON, the encoding for people.
+    ///
+    /// # Errors
+    /// Bytes that are no certificate.
+    pub fn to_json(&self) -> Result<String, Error> {
+        let json = print::to_json(&self.0).map_err(Error::new)?;
+        String::from_utf8(json).map_err(Error::new)
+    }
+}
+
+/// Limits of the kernel. Raise them for certificates beyond ten million simplices.
+#[derive(Clone, Debug)]
+pub struct Limits(pub(crate) kernel::Limits);
+
+impl Default for Limits {
+    fn default() -> Self {
+        Limits(kernel::Limits::DEFAULT)
+    }
+}
+
+impl Limits {
+    /// As they are, with at most `count` simplices.
+    pub fn simplices(mut self, count: u64) -> Limits {
+        self.0.simplices = count;
+        self
+    }
+
+    /// As they are, with at most `units` units of work (docs/format.md defines the unit).
+    pub fn work(mut self, units: u64) -> Limits {
+        self.0.work = units;
+        self
+    }
+}
+
+/// What the kernel has verified.
+#[derive(Clone, Debug, PartialEq, Eq)]
+#[non_exhaustive]
+pub struct Verified {
+    /// The claim, in canonical JSON. It alone defines what is proved.
+    pub claim: String,
+    /// The claim in words.
+    pub words: String,
+    /// The SHA-256 of the certificate's CBOR, in hexadecimal.
+    pub sha256: String,
+    /// The number of vertices, up to the lattice.
+    pub vertices: u64,
+    /// The number of simplices, up to the lattice.
+    pub simplices: u64,
+}
+
+/// Asks the kernel whether a certificate proves its claim.
+///
+/// ```
+/// use acutile::{Certificate, Limits, verify};
+///
+/// let file = std::fs::read("certificates/a15.json")?;
+/// let certificate = Certificate::from_bytes(&file)?;
+/// let verified = verify(&certificate, &Limits::default())?;
+/// assert_eq!(verified.simplices, 46);
+///
+/// // One changed byte, and it is no certificate.
+/// let mut bytes = certificate.as_bytes().to_vec();
+/// bytes[100] ^= 1;
+/// let changed = Certificate::from_bytes(&bytes).and_then(|c| verify(&c, &Limits::default()));
+/// assert!(changed.is_err());
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+///
+/// # Errors
+/// The first condition that does not hold, with its code, place and exact value; or a limit.
+pub fn verify(certificate: &Certificate, limits: &Limits) -> Result<Verified, Error> {
+    let verified = kernel::verify(&mut certificate.as_bytes(), &limits.0);
+    let verified = verified.map_err(|reason| Error::new(refusal::in_words(&reason)))?;
+    Ok(Verified {
+        claim: verified.claim.print().to_owned(),
+        words: proved::in_words(&verified),
+        sha256: proved::hexadecimal(&verified.sha256),
+        vertices: u64::from(verified.vertices),
+        simplices: verified.simplices,
+    })
+}

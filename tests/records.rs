@@ -1,0 +1,38 @@
+//! `acutile records`: certified values, the literature, lower bounds.
+
+use crate::common::{acutile, code, stderr, stdout};
+use serde_json::Value;
+
+/// The values of the cube and the dodecahedron are those of prototypes in another language: 86.7531 and
+/// 81.4031 are optima, and the catalogue's rational coordinates come near. Each digest is that of the certificate
+/// that `certify` writes.
+#[test]
+fn values_come_from_certificates() {
+    let run = acutile(["records", "--json"]);
+    assert_eq!(code(&run), 0, "{}", stderr(&run));
+    let table: Value = serde_json::from_str(&stdout(&run)).expect("JSON");
+    let row = |domain: &str| {
+        let rows = table["records"].as_array().expect("rows").iter();
+        let mut rows = rows.filter(|row| row["domain"] == domain);
+        rows.next().unwrap_or_else(|| panic!("{domain}")).clone()
+    };
+    let degrees = |domain: &str, end: usize| -> f64 {
+        let text = row(domain)["best"]["largest_dihedral"][end].clone();
+        text.as_str()
+            .expect("a decimal")
+            .parse()
+            .expect("a decimal")
+    };
+    assert!(degrees("cube", 1) <= 86.80 && degrees("cube", 0) >= 86.753);
+    assert!(degrees("regular dodecahedron", 1) <= 81.41);
+    assert!(degrees("space", 1) <= 74.206831 && degrees("space", 0) > 73.31);
+    let bound = row("space")["lower_bound"]["statement"].clone();
+    assert!(bound.as_str().expect("a sentence").contains("73.31°"));
+    let name = row("regular dodecahedron")["best"]["name"].clone();
+    let certified = acutile(["certify", name.as_str().expect("a name"), "--json"]);
+    let certified: Value = serde_json::from_str(&stdout(&certified)).expect("JSON");
+    assert_eq!(
+        certified["sha256"],
+        row("regular dodecahedron")["best"]["sha256"]
+    );
+}
