@@ -96,7 +96,7 @@ fn comments() {
         .expect("a line")
         + 1;
     assert!(
-        stderr(&wrong).contains(&format!("line {line} ")),
+        stderr(&wrong).contains(&format!("t.json:{line}:")),
         "{}",
         stderr(&wrong)
     );

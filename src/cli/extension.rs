@@ -2,6 +2,34 @@
 
 use std::path::Path;
 
+/// A format with the words for it and the extensions of its files.
+pub type Format<F> = (F, &'static str, &'static [&'static str]);
+
+/// The format that is asked for, or that the name of the file says; the first one where neither
+/// says anything.
+///
+/// # Errors
+/// The two disagree, or the name says a format that is not written.
+pub fn format<F: Copy + PartialEq>(
+    path: Option<&Path>,
+    asked: Option<F>,
+    formats: &[Format<F>],
+) -> Result<F, String> {
+    let is_candidate = |format: &&Format<F>| asked.is_none_or(|asked| format.0 == asked);
+    let candidates: Vec<&Format<F>> = formats.iter().filter(is_candidate).collect();
+    let fitting = |(_, words, names): &&&Format<F>| check(path, words, names).is_ok();
+    if let Some((format, ..)) = candidates.iter().find(fitting) {
+        return Ok(*format);
+    }
+    let words: Vec<&str> = candidates.iter().map(|(_, words, _)| *words).collect();
+    let names: Vec<&str> = candidates
+        .iter()
+        .flat_map(|format| format.2)
+        .copied()
+        .collect();
+    Err(refusal(path, &words.join(", "), &names))
+}
+
 /// Checks that a file's name agrees with what is written; a name without an extension promises
 /// nothing, and neither do standard output, devices and pipes.
 ///
@@ -21,11 +49,15 @@ pub fn check(path: Option<&Path>, written: &str, expected: &[&str]) -> Result<()
     {
         return Ok(());
     }
+    Err(refusal(Some(path), written, expected))
+}
+
+fn refusal(path: Option<&Path>, written: &str, expected: &[&str]) -> String {
+    let path = path.unwrap_or(Path::new("-"));
     let names: Vec<String> = expected.iter().map(|name| format!(".{name}")).collect();
-    Err(format!(
-        "{}: {written} is written, expected the extension {}, found .{}",
+    format!(
+        "{}: {written} is written, expected the extension {}",
         path.display(),
-        names.join(" or "),
-        extension.display()
-    ))
+        names.join(" or ")
+    )
 }

@@ -102,7 +102,11 @@ impl InputError {
         };
         let (path, line, column) = (path.display(), excerpt.line, excerpt.column);
         InputError {
-            message: format!("{path}:{line}:{column}: {error}\n{}", excerpt.lines),
+            message: format!(
+                "{path}:{line}:{column}: {}\n{}",
+                error.words(),
+                excerpt.lines
+            ),
             outcome: outcome(error.is_limit()),
         }
     }

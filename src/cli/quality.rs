@@ -1,6 +1,6 @@
 //! `acutile quality`: how good the simplices of a mesh are.
 
-use super::extension;
+use super::extension::{self, Format};
 use super::input::{self, FileArguments};
 use super::named::Named;
 use super::outcome::Outcome;
@@ -66,8 +66,7 @@ pub enum QualityFormat {
     Json,
 }
 
-/// Formats with the words for them and the extensions of their files.
-const FORMATS: [(QualityFormat, &str, &[&str]); 4] = [
+const FORMATS: [Format<QualityFormat>; 4] = [
     (QualityFormat::Text, "text", &["txt", "log", "out"]),
     (QualityFormat::Csv, "CSV", &["csv"]),
     (QualityFormat::Svg, "SVG", &["svg"]),
@@ -97,28 +96,12 @@ fn ratio(text: &str) -> Result<Rational, String> {
 
 impl QualityArguments {
     /// The format that is asked for, or that the name of the file says.
-    ///
-    /// # Errors
-    /// The two disagree, or the name says a format that is not written.
     fn written(&self) -> Result<QualityFormat, String> {
-        let path = self.output.as_deref();
         let asked = match self.json {
             true => Some(QualityFormat::Json),
             false => self.format,
         };
-        if let Some(asked) = asked {
-            let rule = FORMATS.iter().find(|(format, ..)| *format == asked);
-            let (words, names) = rule.map_or(("text", &[][..]), |(_, words, names)| (words, names));
-            extension::check(path, words, names)?;
-            return Ok(asked);
-        }
-        for (format, _, names) in FORMATS {
-            if extension::check(path, "", names).is_ok() {
-                return Ok(format);
-            }
-        }
-        let names = FORMATS.map(|(_, _, names)| names[0]);
-        extension::check(path, "text, CSV, SVG or JSON", &names).map(|()| QualityFormat::Text)
+        extension::format(self.output.as_deref(), asked, &FORMATS)
     }
 
     /// The thresholds as requirements that offenders do not fulfil.

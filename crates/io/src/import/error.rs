@@ -55,6 +55,15 @@ impl ImportError {
         }
     }
 
+    /// The message without line and column, for callers that show the place in another way.
+    pub fn words(&self) -> String {
+        match self {
+            ImportError::Json(error) => words::of_json(error),
+            ImportError::Shape { place, error } => format!("{place}: {}", words::of_json(error)),
+            _ => self.to_string(),
+        }
+    }
+
     /// Whether a stated limit, or a version of tomorrow, is the reason.
     pub fn is_limit(&self) -> bool {
         match self {
@@ -84,10 +93,13 @@ impl fmt::Display for ImportError {
                 write!(f, "byte {offset}: not UTF-8 text")
             }
             ImportError::Empty => write!(f, "is empty, expected a tiling or point-set file"),
-            ImportError::Json(error) => write!(f, "{}", words::of_json(error)),
-            ImportError::Shape { place, error } => {
-                write!(f, "{place}: {}", words::of_json(error))
-            }
+            ImportError::Json(error) | ImportError::Shape { error, .. } => write!(
+                f,
+                "{} (line {}, column {})",
+                self.words(),
+                error.line(),
+                error.column()
+            ),
             ImportError::Format { found } => write!(
                 f,
                 "format is {found:?}, expected \"acutile-tiling\" or \"acutile-points\""
