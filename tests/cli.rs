@@ -429,11 +429,12 @@ fn every_name_of_the_catalogue_is_shown_and_exported_and_read_back() {
             0,
             "{name}"
         );
-        assert_eq!(
-            code(&acutile(["certify", text(&path), "-o", text(&b)])),
-            0,
-            "{name}"
-        );
+        let mut again = vec!["certify", text(&path), "-o", text(&b)];
+        // A tiling file has no statements, and the catalogue names planes for this one.
+        if name == "cube-space" {
+            again.extend(["--require", "plane:x2+x3=0,plane:x1+x3=0,plane:x1+x2=0"]);
+        }
+        assert_eq!(code(&acutile(&again)), 0, "{name}");
         assert_eq!(
             std::fs::read(a).expect("a"),
             std::fs::read(b).expect("b"),
@@ -611,7 +612,7 @@ fn show_lists_all_shapes_if_it_is_asked() {
     let all = stdout(&acutile(["show", path, "--all"]));
     assert!(!all.contains("--all"), "{all}");
     for (text, count) in [(few, 20), (all, 25)] {
-        let shapes = text.matches("1 simplices with squared edges ");
+        let shapes = text.matches("1 simplices:\n  squared edge ");
         assert_eq!(shapes.count(), count, "{text}");
     }
 }

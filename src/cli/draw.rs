@@ -1,6 +1,6 @@
 //! `acutile draw`: figures for print.
 
-use super::extension;
+use super::extension::{self, Format};
 use super::input::{self, FileArguments};
 use super::outcome::Outcome;
 use super::output::{Output, write_text};
@@ -121,7 +121,8 @@ fn part(text: &str) -> Result<Rational, String> {
 
 /// Writes the figure.
 pub fn run(arguments: &DrawArguments, output: &mut Output) -> Outcome {
-    let format = match format(arguments) {
+    let path = arguments.output.as_deref();
+    let format = match extension::format(path, arguments.format, &FORMATS) {
         Ok(format) => format,
         Err(message) => {
             output.complain(format!("acutile: {message}"));
@@ -156,8 +157,15 @@ pub fn run(arguments: &DrawArguments, output: &mut Output) -> Outcome {
         DrawFormat::Svg => svg(&drawing),
         _ => tikz(&drawing, arguments.standalone),
     };
-    write_text(arguments.output.as_deref(), &text, output)
+    write_text(path, &text, output)
 }
+
+const FORMATS: [Format<DrawFormat>; 4] = [
+    (DrawFormat::Svg, "SVG", &["svg"]),
+    (DrawFormat::Tikz, "TikZ", &["tex", "tikz", "pgf", "ltx"]),
+    (DrawFormat::Obj, "OBJ", &["obj"]),
+    (DrawFormat::Stl, "STL", &["stl"]),
+];
 
 fn no_figure(input: &str, error: &DrawError, output: &mut Output) -> Outcome {
     output.complain(format!("acutile: {input}: {error}"));
@@ -193,35 +201,6 @@ fn solids(
         Err(error) => no_figure(&arguments.input, &error, output),
     }
 }
-
-/// The format that is asked for, or that the name of the file says.
-///
-/// # Errors
-/// The two disagree, or the name says a format that is not written.
-fn format(arguments: &DrawArguments) -> Result<DrawFormat, String> {
-    let path = arguments.output.as_deref();
-    let extension = path.and_then(|path| path.extension());
-    let has = |(_, _, known): &&Known| {
-        extension.is_some_and(|name| known.iter().any(|known| name.eq_ignore_ascii_case(known)))
-    };
-    let asked = arguments.format;
-    let format = asked.or_else(|| FORMATS.iter().find(has).map(|(format, ..)| *format));
-    let format = format.unwrap_or(DrawFormat::Svg);
-    for (_, name, known) in FORMATS.iter().filter(|(known, ..)| *known == format) {
-        extension::check(path, name, known)?;
-    }
-    Ok(format)
-}
-
-/// A format, its name, and the extensions of its files.
-type Known = (DrawFormat, &'static str, &'static [&'static str]);
-
-const FORMATS: [Known; 4] = [
-    (DrawFormat::Svg, "SVG", &["svg"]),
-    (DrawFormat::Tikz, "TikZ", &["tex", "tikz", "pgf", "ltx"]),
-    (DrawFormat::Obj, "OBJ", &["obj"]),
-    (DrawFormat::Stl, "STL", &["stl"]),
-];
 
 fn figure(asked: Option<FigureName>, tiling: &AnyTiling) -> Figure {
     match (asked, tiling) {
