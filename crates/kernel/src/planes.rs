@@ -30,7 +30,7 @@ pub(crate) fn check_row<const N: usize>(
         let mut ends: Option<(BigInt, BigInt)> = None;
         for corner in row.corners.iter().take(claim.dimension + 1) {
             let height = height(plane, ring, &vertices.point(*corner)?, &vertices.denominator)?;
-            let (low, high) = between(ring, &height, &unit, step > 0)?;
+            let (low, high) = between(ring, &height, &unit, step > 0, Place::Simplex(simplex))?;
             ends = Some(match ends {
                 Some((least, most)) => (least.min(low), most.max(high)),
                 None => (low, high),
@@ -63,8 +63,13 @@ fn between<const N: usize>(
     height: &<Integers<N> as Ring>::Element,
     unit: &BigInt,
     is_periodic: bool,
+    place: Place,
 ) -> Checked<(BigInt, BigInt)> {
-    let sign = |k: &BigInt| ring.compare(height, &ring.element(&[unit * k])?)?.decided();
+    let sign = |k: &BigInt| {
+        ring.work().add(k.bits());
+        ring.work().check(place)?;
+        ring.compare(height, &ring.element(&[unit * k])?)?.decided()
+    };
     let (mut low, mut high) = (BigInt::from(-1), BigInt::from(1));
     if !is_periodic {
         let zero = BigInt::ZERO;
