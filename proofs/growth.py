@@ -6,7 +6,7 @@ usage: growth.py ACUTILE ACUTILE_VERIFY COQ_CHECK [N...]
 Writes the N x N x N supercells, 46 N^3 tetrahedra each (N = 2 4 6 8 10 without numbers), and prints a table in Markdown:
 seconds of the processor, and the growth from one size to the next one, per doubling of the number of tetrahedra. The
 claim that COQ_CHECK prints must be the one that ACUTILE_VERIFY prints, byte for byte. Exit code 1 if a certificate is
-not proved, if a claim differs, or if the growth over all sizes is more than 2.3 per doubling.
+not proved or if a claim differs; no time decides.
 """
 import math, pathlib, resource, subprocess, sys, tempfile
 
@@ -50,9 +50,8 @@ def main():
         growth = f"{2 ** (math.log(s / before[1]) / math.log(t / before[0])):.2f}" if before else ""
         print(f"| {t:,} | {s:.2f} | {growth} |")
     (t, s), (last, end) = table[0], table[-1]
-    whole = 2 ** (math.log(end / s) / math.log(last / t)) if len(table) > 1 else 2
-    print(f"over all sizes {whole:.2f} per doubling")
-    sys.exit(whole > 2.3)
+    if len(table) > 1:
+        print(f"over all sizes {2 ** (math.log(end / s) / math.log(last / t)):.2f} per doubling")
 
 
 main()
