@@ -16,7 +16,8 @@ BEYOND_A_SCHEMA = (
     "pyramid--apex-in-the-polygon", "tile-count--one-", "unused-parameter--", "canonical--", "corner-order--", "face-repeated--side-reversed",
     "face-repeated--two-opposite-faces-doubled", "face-vertices--range", "polynomial--leading-zero", "polynomial--minus-one",
     "polynomial--not-monic", "root-derivative--", "root-order--", "statements--bound-before-acute",
-    "statements--local-before-global", "statements--order", "statements--quantities-in-other-order",
+    "statements--local-before-global", "statements--order", "statements--plane-after-delaunay", "statements--planes-in-other-order",
+    "json--plane-of-three-coordinates", "statement-domain--family-plane", "statement-domain--patches-plane", "statements--quantities-in-other-order",
     "statements--ratio-after-delaunay", "statements--relations-in-other-order", "statements--tcp-before-delaunay",
     "statements--two-of-one-relation", "unused-domain-vertex--", "unused-vertex--", "vertex-range--",
 )

@@ -63,7 +63,13 @@ impl Page<'_> {
             .filter_map(|statement| theorem::in_words::<3>(&self.numerals, statement))
             .map(|words| format!("\\item {words}\n"))
             .collect();
-        let items = items.trim_end().trim_end_matches(';').to_owned();
+        let items = match items.trim_end().strip_suffix(';') {
+            None => String::new(),
+            Some(items) => format!(
+                " Moreover (where an angle is attained, a tile that has it must occur):\n\
+                 \\begin{{itemize}}\\setlength{{\\itemsep}}{{0pt}}\\setlength{{\\parskip}}{{0pt}}\n{items}.\n\\end{{itemize}}"
+            ),
+        };
         let (base, copies) = match self.system.rank {
             1 => (
                 "the plane spanned by $b_2$ and $b_3$",
@@ -78,8 +84,7 @@ impl Page<'_> {
             "\\begin{{acutiletheorem}}[{name}]\\label{{{label}}}\nLet $b_1$, $b_2$, and $b_3$ be a basis of Euclidean space with the inner products\n\
              \\[ \\acutilefit{{$\\bigl(\\langle b_i,b_j\\rangle\\bigr)={gram}.$}} \\]\n\
              The base is {base}. Take any {copies} below in which sides of one class meet, periodic or not. Over each of its tiles place the piece and the pyramids of that tile, as Theorem~\\ref{{acutile:patches}} says, and for two pyramids over one polygon the tetrahedra of their join. \
-             The tetrahedra tile space face to face: they cover it, their interiors are disjoint, and any two of them meet in a common face of both or not at all. Moreover, with the largest angle attained wherever a tile that has it occurs:\n\
-             \\begin{{itemize}}\\setlength{{\\itemsep}}{{0pt}}\\setlength{{\\parskip}}{{0pt}}\n{items}.\n\\end{{itemize}}\n\\end{{acutiletheorem}}\n\n\
+             The tetrahedra tile space face to face: they cover it, their interiors are disjoint, and any two of them meet in a common face of both or not at all.{items}\n\\end{{acutiletheorem}}\n\n\
              In the words of the certificate: {words}.\n\n",
             name = theorem::human_name(self.subject),
             label = self.label("theorem"),
