@@ -31,7 +31,7 @@ pub struct Moves {
     pub start: Vec<Number>,
     /// The coordinates of each vertex.
     pub vertices: Vec<Affine<3>>,
-    /// The Gram matrix, by the entries of [`ENTRIES`].
+    /// The Gram matrix, by the entries of `ENTRIES`.
     pub gram: Affine<6>,
 }
 
