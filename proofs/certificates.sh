@@ -64,10 +64,10 @@ if [ "${1:-}" = --self-test ]; then
     echo "exec $acutile export --coq \"\$3\" -o \"\$5\"" | refused 'an honest exporter' 'the checker does not accept'
     echo "exec $acutile export --coq $true -o \"\$5\"" | refused 'another true theorem' 'about something else'
     cat <<END | refused 'the bytes of another certificate under this claim' 'the checker does not accept'
-$acutile export --coq $true -o "\$5.t"
-$acutile export --coq $false -o "\$5.f"
-sed -n '/^Definition claimed/,/^\$/p' "\$5.f" >"\$5.c"
-awk -v c="\$5.c" '/^Definition claimed/ { while ((getline l <c) > 0) print l; skip = 1 } !skip; skip && /^\$/ { skip = 0 }' "\$5.t" >"\$5"
+$acutile export --coq $true -o "\${5%.v}.t.v"
+$acutile export --coq $false -o "\${5%.v}.f.v"
+sed -n '/^Definition claimed/,/^\$/p' "\${5%.v}.f.v" >"\$5.c"
+awk -v c="\$5.c" '/^Definition claimed/ { while ((getline l <c) > 0) print l; skip = 1 } !skip; skip && /^\$/ { skip = 0 }' "\${5%.v}.t.v" >"\$5"
 END
     echo "$acutile export --coq $false -o \"\$5\"; sed -i 's/^Lemma checked/Axiom checked/; /^Proof. vm_cast/d' \"\$5\"" |
         refused 'an axiom' 'other axioms'

@@ -59,7 +59,12 @@ class Check:
         """Every bound of the claim is an item, in order, and no other item has a number."""
         head = text[:text.index("\\end{acutiletheorem}")]
         items = [item for item in head.split("\\item ")[1:] if "$" in item]
+        planes = [item for item in items if item.startswith("no tile crosses ")]
+        items = [item for item in items if item not in planes]
         bounds = [statement for statement in self.c.claim["statements"] if isinstance(statement, list)]
+        stated = [(normal, F(*map(int, offset))) for name, normal, offset in (b for b in bounds if b[0] == "uncrossed plane")]
+        self.equal([self.plane(item) for item in planes], stated, "the theorem's planes")
+        bounds = [statement for statement in bounds if statement[0] != "uncrossed plane"]
         self.equal(len(items), len(bounds), "the theorem's number of bounds")
         for item, (quantity, relation, *bound) in zip(items, bounds):
             words, value = re.fullmatch(r"(.*?) (?:some |)\$(.*)\$[;.]\s*", item.split("\n")[0]).groups()
@@ -67,6 +72,16 @@ class Check:
             sign, (numerator, denominator) = bound if len(bound) == 2 else (1, *bound)
             square = self.k.of(numerator) * F(sign, int(denominator))
             self.check_bound("ratio" in quantity, value, square, f"the theorem's {relation} of the {quantity}")
+
+    def plane(self, item):
+        """The normal and the offset of `no tile crosses $2x_1-x_3=1/2$ …`."""
+        terms, offset = re.match(r"no tile crosses \$(.*)=(.*?)\$", item).groups()
+        found = re.findall(r"([+-]?)(\d*)x_(\d)", terms)
+        self.equal("".join(sign + factor + "x_" + k for sign, factor, k in found), terms, "the theorem's plane")
+        normal = [0] * self.c.d
+        for sign, factor, k in found:
+            normal[int(k) - 1] = int(sign + (factor or "1"))
+        return normal, F(offset)
 
     def check_whole(self, text):
         """The referee's tiles, made from the printed representatives, are those of the certificate."""

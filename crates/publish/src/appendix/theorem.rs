@@ -322,6 +322,7 @@ pub fn in_words<const D: usize>(numerals: &Numerals, statement: &Statement) -> O
             }
         }
         Statement::UncrossedPlane(plane) => {
+            let plane = plane.to_string().replace('x', "x_");
             format!("no tile crosses ${plane}$ or a translate of it by the lattice;")
         }
         Statement::Delaunay => {
