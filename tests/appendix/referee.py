@@ -110,6 +110,8 @@ class Printed:
         generators = [int(g) for g in re.findall(r"\\gamma_\{(\d+)\}\\cdot", head)]
         must([row[0] for row in rows] == [f"$\\gamma_{{{m}}}$" for m in range(len(rows))], "the isometries are not numbered in order")
         maps = [self.triplet(math(row[1].replace('$ $', '\\,'))) for row in rows]
+        for m, (_, start) in enumerate(maps):
+            must(all(floor(x) == 0 for x in start[:self.rank]), f"isometry {m} has a translation outside of the cell")
         products = {g: [int(row[2 + n]) for row in rows] for n, g in enumerate(generators)}
         images = [[int(x) for x in row[-1].split()] for row in rows] if "$P$" in head else None
         theorem = self.text[:self.text.index("\\end{acutiletheorem}")]
