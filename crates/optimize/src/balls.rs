@@ -17,8 +17,9 @@ pub struct Rest {
     pub boundary_triangles: usize,
     /// Boundary edges of valence 1, and of valence 2.
     pub ridges: (usize, usize),
-    /// Ends of these edges at which so many of them meet: one, and three or more.
+    /// The number of vertices at which exactly one of these edges ends.
     pub dead_ends: usize,
+    /// The number of vertices at which three or more of these edges meet.
     pub corners: usize,
     /// The parts into which these edges cut the boundary.
     pub faces: usize,

@@ -13,7 +13,7 @@ const WINDOW: f64 = 0.1;
 const LEAST_GAIN: f64 = 1e-5;
 /// Linear programs for each star in a pass.
 const STEPS: usize = 8;
-/// At most so many passes.
+/// The greatest number of passes.
 const PASSES: usize = 60;
 /// So many passes without a gain end the search.
 const PATIENCE: usize = 3;

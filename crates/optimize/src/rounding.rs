@@ -25,7 +25,7 @@ type Key = [f64; 6];
 const SAME: f64 = 1e-13;
 /// So many parameters take part in moves of pairs.
 const PAIRED: usize = 16;
-/// At most about so many simplices are evaluated for moves.
+/// About the greatest number of simplices that are evaluated for moves.
 const WORK: usize = 1 << 20;
 
 impl Grid {

@@ -25,11 +25,11 @@ pub struct Options {
     pub freedom: Freedom,
     /// Coordinates become multiples of 1/denominator; without it the search chooses.
     pub denominator: Option<u64>,
-    /// A search also starts from so many random places near the start.
+    /// The number of random places near the start from which a search starts, too.
     pub restarts: u32,
     /// The seed of these places.
     pub seed: u64,
-    /// At most so many linear programs from each place.
+    /// The greatest number of linear programs from each place.
     pub steps: usize,
     /// Limits of the kernel.
     pub limits: Limits,
@@ -73,13 +73,13 @@ const SYMMETRIC: usize = 20_000;
 /// Searches with more parameters move one star after the other: of a region, whose lattice stays anyway, and
 /// of another domain.
 const LARGE: (usize, usize) = (400, 1_200);
-/// A typical edge has so many steps of the grid.
+/// The number of steps of the grid in a typical edge.
 const FINE: f64 = 1e6;
 /// No denominator is much larger.
 const LARGEST: u64 = 1 << 50;
 /// So many of the best ends are proved: rounding may change their order.
 const PROVED: usize = 3;
-/// Random starts are about so many edges away.
+/// The distance of random starts, in edges.
 const JITTER: f64 = 0.02;
 
 impl Default for Options {

@@ -216,7 +216,7 @@ fn proved(name: &'static str) -> Result<Best, String> {
     })
 }
 
-/// Digits behind the point of the angles.
+/// The number of decimals of angles.
 const DIGITS: u64 = 6;
 
 impl Best {

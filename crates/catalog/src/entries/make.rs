@@ -17,12 +17,13 @@ pub const SOLID: &str = "polyhedron";
 pub const PLANE: &str = "plane";
 pub const POLYGON: &str = "polygon";
 
-pub const fn fixed(
+/// An entry without a parameter and without planes.
+const fn entry(
     name: &'static str,
     domain: &'static str,
     source: &'static str,
     description: &'static str,
-    recipe: fn() -> Result<AnyTiling, CatalogError>,
+    recipe: Recipe,
 ) -> Entry {
     Entry {
         name,
@@ -32,8 +33,18 @@ pub const fn fixed(
         parameter: None,
         is_large: false,
         planes: &[],
-        recipe: Recipe::Fixed(recipe),
+        recipe,
     }
+}
+
+pub const fn fixed(
+    name: &'static str,
+    domain: &'static str,
+    source: &'static str,
+    description: &'static str,
+    recipe: fn() -> Result<AnyTiling, CatalogError>,
+) -> Entry {
+    entry(name, domain, source, description, Recipe::Fixed(recipe))
 }
 
 pub const fn family(
@@ -43,19 +54,10 @@ pub const fn family(
     description: &'static str,
     recipe: fn(&str) -> Result<AnyTiling, CatalogError>,
 ) -> Entry {
-    Entry {
-        name,
-        description,
-        source,
-        domain,
-        parameter: None,
-        is_large: false,
-        planes: &[],
-        recipe: Recipe::Word(recipe),
-    }
+    entry(name, domain, source, description, Recipe::Word(recipe))
 }
 
-/// A tiling of so many simplices that only what asks for it by name computes with it.
+/// A large tiling: commands about the whole catalogue leave it out, and take it by name.
 pub const fn large(
     name: &'static str,
     domain: &'static str,
@@ -82,16 +84,7 @@ pub const fn over_plane(
     description: &'static str,
     recipe: fn(&PlaneTiling) -> Result<AnyTiling, CatalogError>,
 ) -> Entry {
-    Entry {
-        name,
-        description,
-        source,
-        domain,
-        parameter: None,
-        is_large: false,
-        planes: &[],
-        recipe: Recipe::Plane(recipe),
-    }
+    entry(name, domain, source, description, Recipe::Plane(recipe))
 }
 
 pub const fn number(
@@ -103,14 +96,8 @@ pub const fn number(
     recipe: fn(&Number) -> Tiling<3>,
 ) -> Entry {
     Entry {
-        name,
-        description,
-        source,
-        domain,
         parameter: Some(parameter),
-        is_large: false,
-        planes: &[],
-        recipe: Recipe::Number(recipe),
+        ..entry(name, domain, source, description, Recipe::Number(recipe))
     }
 }
 
@@ -122,16 +109,13 @@ pub const fn parameters(
     description: &'static str,
     recipe: fn() -> Result<AnyFamily, CatalogError>,
 ) -> Entry {
-    Entry {
+    entry(
         name,
-        description,
-        source,
         domain,
-        parameter: None,
-        is_large: false,
-        planes: &[],
-        recipe: Recipe::Parameters(recipe),
-    }
+        source,
+        description,
+        Recipe::Parameters(recipe),
+    )
 }
 
 pub fn space(tiling: Result<Tiling<3>, CatalogError>) -> Result<AnyTiling, CatalogError> {

@@ -22,10 +22,10 @@ use acutile_exact::geometry::triangle::Point;
 use rayon::prelude::*;
 use std::collections::{BTreeMap, BTreeSet, HashMap};
 
-/// No more pairs of boxes are compared to decide whether interiors are disjoint.
+/// The most pairs of boxes that are compared to decide whether interiors are disjoint.
 const PAIRS: usize = 8_000_000;
 
-/// No more translates of simplices are looked at for that.
+/// The most translates of simplices that are compared for this decision.
 const TRANSLATES: usize = 4_000_000;
 
 /// What the checks of a region have found.

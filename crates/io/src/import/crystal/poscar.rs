@@ -173,7 +173,7 @@ fn scales((line, text): (usize, &str), vectors: &[Vector; 3]) -> Result<Scales, 
     }
 }
 
-/// The cube root to 12 digits behind the point.
+/// The cube root to 12 decimals.
 fn rounded(cube: &Rational) -> Scales {
     let unit = Rational::from(10).pow(12u64);
     // The floor of the root of n is that of the root of the floor of n.
