@@ -100,10 +100,9 @@ def of_pymatgen(path):
 def of_acutile(program, path, options):
     command = [program, "classify", "--json", "--special", *options, str(path)]
     done = subprocess.run(command, capture_output=True, text=True, timeout=600)
-    if done.returncode != 0:
-        first = [line for line in done.stderr.splitlines() if line.startswith("acutile:")]
-        raise ValueError(f"exit code {done.returncode}: {first[0] if first else done.stderr[:200]}")
     report = json.loads(done.stdout)
+    if done.returncode != 0:
+        raise ValueError(f"exit code {done.returncode}: {report['error'].splitlines()[0]}")
     lengths = [re.search(r"the shortest distance is ([0-9.]+)", note) for note in report["notes"]]
     length = next((float(match.group(1)) for match in lengths if match), None)
     return report["points"], report["volume"], length

@@ -80,12 +80,12 @@ def study(name, options, folder):
     count = len(points["points"])
     program = options.acutile
     classes, why = run([program, "classify", str(path), "--json"], options.seconds)
-    if classes is None or "message" in classes:
-        return [name, count, why or classes["message"][:90], "", "", ""]
+    if classes is None or "error" in classes:
+        return [name, count, why or classes["error"][:90], "", "", ""]
     tcp = "yes" if classes.get("tcp") else "no"
     found, why = run([program, "optimize", str(path), "--json"], options.seconds)
     if found is None or "before" not in found:
-        return [name, count, tcp, why or found["message"][:90], "", ""]
+        return [name, count, tcp, why or found["error"][:90], "", ""]
     is_acute = float(largest(found["before"])) < 90
     acute = "yes" if is_acute else "no"
     return [name, count, tcp, largest(found["before"]), acute, largest(found["after"])]

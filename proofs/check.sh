@@ -4,10 +4,13 @@
 #
 #   check.sh               check this folder
 #   check.sh --self-test   show that it fails on an injected Admitted, axiom, and the like
-#   check.sh --quick       without coqchk; --words, --axioms, --coqchk: that part alone
+#   check.sh --quick       without coqchk; --words, --axioms, --library, --coqchk: that part alone. These believe
+#                          compiled files that are newer than their sources; check.sh builds all anew
 set -eu
 cd "$(dirname "$0")"
-theorems="Numbers.z_theorem Numbers.nf_theorem Numbers.z_theorem2 Numbers.nf_theorem2 Bytes.accepted Bytes.bytes_theorem"
+theorems="Numbers.z_theorem Numbers.nf_theorem Numbers.z_theorem2 Numbers.nf_theorem2
+  RegionNumbers.z_region_theorem RegionNumbers.nf_region_theorem RegionNumbers.z_region_theorem2 RegionNumbers.nf_region_theorem2
+  Bytes.accepted Bytes.bytes_theorem"
 axioms="Coq.Logic.Classical_Prop.classic
 Coq.Logic.FunctionalExtensionality.functional_extensionality_dep
 Coq.Reals.ClassicalDedekindReals.sig_forall_dec
@@ -18,24 +21,32 @@ fail() { echo "check.sh: $1" >&2; exit 1; }
 # The files that define the words of the theorems are the pinned ones.
 check_words() {
     ./words.py theories/*.v >/dev/null || fail "a forbidden word or a hypothesis, above"
-    (cd theories && sha256sum --check --quiet ../statements.sha256) || fail "a statement file is not the one of statements.sha256: read it, then pin it"
+    pinned=$(sed 's/^[0-9a-f]*  //' statements.sha256 | tr '\n' ' ')
+    test "$pinned" = "Statement.v PlaneStatement.v RegionStatement.v PlaneRegionStatement.v Denote.v " || fail "statements.sha256 does not pin the five files"
+    (cd theories && sha256sum --check --strict --quiet ../statements.sha256) || fail "a statement file is not the one of statements.sha256: read it, then pin it"
+    # no options for Coq, no file that is not checked above, no commands for make
+    test "$(head -1 _CoqProject)" = "-Q theories Acutile" || fail "_CoqProject has other options"
+    test "$(tail -n +2 _CoqProject | LC_ALL=C sort)" = "$(printf '%s\n' theories/*.v | LC_ALL=C sort)" || fail "_CoqProject is not the list of theories/*.v"
+    test -z "$(find theories -mindepth 2 -name '*.v*')" || fail "a folder inside of theories"
+    for file in CoqMakefile.local CoqMakefile.local-late; do test ! -e $file || fail "there is a file $file"; done
 }
 
-# 2. Build from the sources that are there.
+# 2. Build from the sources that are there, and for a full check from nothing else.
+clean() { find theories -type f \( -name '*.vo' -o -name '*.vos' -o -name '*.vok' -o -name '*.glob' \) -delete && rm -f CoqMakefile CoqMakefile.conf .CoqMakefile.d; }
 build() { coq_makefile -f _CoqProject -o CoqMakefile && make -s -j2 -f CoqMakefile >build.tmp 2>&1 || { cat build.tmp >&2; fail "the build"; }; }
 
-# 3. The types of the final theorems, and their axioms, by Print Assumptions: axioms.txt, names and types,
-# for each of them, by its full name and by its short one.
+# 3. The types of the final theorems, and their axioms, by Print Assumptions: axioms.txt, names and types, for all of them
+# together, by their full names and by their short ones. For each alone it would take ten times as long.
 check_axioms() {
     dir=$(mktemp -d)
     {
-        echo "From Acutile Require Numbers Bytes Sanity. Set Printing All."
-        for t in $theorems; do echo "Print Assumptions Acutile.$t."; done
-        echo "Import Acutile.Numbers Acutile.Bytes Acutile.Sanity."
-        for t in $theorems; do echo "Print Assumptions ${t#*.}."; done
+        echo "From Acutile Require Numbers RegionNumbers Bytes Sanity. Set Printing All."
+        echo "Definition full := ($(printf 'Acutile.%s, ' $theorems)I). Print Assumptions full."
+        echo "Import Acutile.Numbers Acutile.RegionNumbers Acutile.Bytes Acutile.Sanity."
+        echo "Definition short := ($(for t in $theorems; do printf '%s, ' "${t#*.}"; done)I). Print Assumptions short."
     } >"$dir/Axioms.v"
     coqc -Q theories Acutile "$dir/Axioms.v" >"$dir/out" || fail "Print Assumptions"
-    for t in $theorems $theorems; do cat axioms.txt; done >"$dir/expected"
+    cat axioms.txt axioms.txt >"$dir/expected"
     diff "$dir/expected" "$dir/out" >&2 || fail "the axioms are not those of axioms.txt"
     # what the theorems say, written out
     cp types.v "$dir/Types.v"
@@ -56,6 +67,30 @@ check_again() {
     done
 }
 
+# 5. The installed library: the example of README.md is a theorem in an empty folder, with one byte
+# changed it is not, and library/Shapes.v has the other shapes of goals, with the axioms of axioms.txt.
+check_library() {
+    dir=$(mktemp -d)
+    make -s install DESTDIR="$dir" >"$dir/log" 2>&1 || { cat "$dir/log" >&2; fail "make install"; }
+    COQPATH=$dir$(coqc -where)/user-contrib
+    export COQPATH
+    mkdir "$dir/empty"
+    sed -n '/^```coq$/,/^```$/p' README.md | grep -v '^```' >"$dir/empty/Example.v"
+    sed 's/00"\.$/01"./' "$dir/empty/Example.v" >"$dir/empty/Changed.v"
+    cp library/Shapes.v "$dir/empty"
+    cd "$dir/empty"
+    test "$(grep -c . Example.v)" -eq 10 || fail "the example of README.md does not have ten lines"
+    coqc Example.v >log 2>&1 || { cat log >&2; fail "the example of README.md"; }
+    if cmp -s Example.v Changed.v; then fail "no byte was changed"; fi
+    if coqc Changed.v >log 2>&1; then fail "the example of README.md is proved with another byte"; fi
+    grep -qF 'the checker does not accept these bytes' log || { cat log >&2; fail "the other byte is not the reason"; }
+    coqc Shapes.v >log || fail "library/Shapes.v"
+    cd - >/dev/null
+    sed -n '/^Axioms:/,$p' "$dir/empty/log" | diff axioms.txt - >&2 || fail "the axioms of library/Shapes.v"
+    rm -r "$dir"
+    unset COQPATH
+}
+
 # Each injection is refused; with --axioms those that bring an axiom into a theorem,
 # by its axioms alone, whatever the words are.
 self_test() {
@@ -69,11 +104,34 @@ self_test() {
     refused --words '(* Section a. *)Variable injected : 0 = 1.'
     refused --words 'Section a. End a. Context (injected : 0 = 1).'
     refused --words 'Section a.'
+    refused --words 'Succeed Section a. Variable injected : 0 = 1. Fail End a.'
+    refused --words 'Declare Instance injected : 0 = 1.'
+    refused --words 'Program Definition injected : 0 = 1 := _. Admit Obligations.'
+    refused --words 'Load injected.'
+    refused --words 'Declare ML Module "injected".'
+    refused --words 'Extract Inlined Constant Bool.eqb => "(fun _ _ -> True)".'
     refused --words 'Definition a := 1.' Denote.v
-    refused --quick 'Theorem accepted (s : bytes) (k : claim) : accepts s = Some k -> meaning k. Proof. intros H. destruct (bytes_theorem s k H) as [c X]. apply X. Qed.' Bytes.v 's/^Theorem accepted/Theorem accepted_all/; s/(accepted s k H)/(accepted_all s k H)/'
+    # what is built, and which files are pinned
+    changed --words 'a pin less' "sed -i '/PlaneStatement/d' statements.sha256"
+    changed --words 'a pin that is no digest' "sed -i 's/^./g/' statements.sha256"
+    changed --words 'a file that is not built' "sed -i '/Sanity/d' _CoqProject"
+    changed --words 'an option for Coq' "echo '-arg -type-in-type' >>_CoqProject"
+    changed --words 'other options for Coq' "sed -i 's/^-Q/-R/' _CoqProject"
+    changed --words 'a folder inside' 'mkdir theories/a && echo "Axiom injected : 0 = 1." >theories/a/Reals.v'
+    changed --words 'a makefile beside' 'echo "post-all::" >CoqMakefile.local'
+    # a full check does not believe what was compiled before
+    changed '' 'an old compiled file' 'echo "Lemma injected : 0 = 1. Proof. reflexivity. Qed." >>theories/Sums.v && touch -d 2000-01-01 theories/Sums.v'
+    # a theorem that says less, and a notation that would make types.v say less too if it were imported there
+    refused --axioms 'Theorem accepted s k : accepts s = Some k -> exists c, s = print c /\ claim_of c = k /\ shows c /\ True.
+        Proof. intros H. destruct (accepted_all s k H) as [c [X [Y [Z _]]]]. exists c. auto. Qed.
+        Theorem bytes_theorem s k : accepts s = Some k -> exists c, s = print c /\ claim_of c = k /\ True.
+        Proof. intros H. destruct (bytes_theorem_all s k H) as [c [X [Y _]]]. exists c. auto. Qed.
+        Notation "A /\ B" := (ltac:(let b := constr:(B) in lazymatch b with meaning _ => exact (and A True) | _ => exact (and A B) end)) (only parsing).' \
+        Bytes.v 's/^Theorem bytes_theorem/&_all/; s/^Theorem accepted/&_all/; s/(accepted s k H)/(accepted_all s k H)/'
     for option in --quick --axioms; do
         refused $option 'Axiom injected : 0 = 1. Theorem z_theorem : 0 = 1. Proof injected.'
         refused $option 'Axiom injected : 0 = 1. Theorem accepted : 0 = 1. Proof injected.'
+        refused $option 'Axiom injected : 0 = 1. Theorem z_region_theorem : 0 = 1. Proof injected.'
         refused $option 'Local Parameter injected : 0 = 1. Theorem nf_theorem : 0 = 1. Proof injected.'
         refused $option 'Hypothesis injected : 0 = 1. Theorem z_theorem : 0 = 1. Proof injected.'
         refused $option 'Hypothesis était : 0 = 1. Theorem z_theorem : 0 = 1. Proof était.'
@@ -83,14 +141,23 @@ self_test() {
     # coqchk looks at what no theorem uses
     refused --coqchk 'Module Classical_Prop. Hypothesis classic : 0 = 1. End Classical_Prop.'
 }
-refused() { # OPTION TEXT [FILE [CHANGE]]: the text, appended to the file, after a change of it
-    dir=$(mktemp -d)
-    cp -rp theories _CoqProject check.sh words.py types.v statements.sha256 axioms.txt "$dir"
-    if [ -n "${4:-}" ]; then sed -i "$4" "$dir/theories/$3"; fi
-    printf '%s\n' "$2" >>"$dir/theories/${3:-Sanity.v}"
-    if "$dir/check.sh" "$1" >"$dir/log" 2>&1; then fail "accepted with $1: $2"; fi
-    echo "refused with $1: $2 [$(tail -1 "$dir/log")]"
+copied() { dir=$(mktemp -d) && cp -rp theories _CoqProject check.sh words.py types.v statements.sha256 axioms.txt "$dir"; }
+must_fail() { # OPTION WHAT: check.sh of the copy
+    if "$dir/check.sh" ${1:+"$1"} >"$dir/log" 2>&1; then fail "accepted with $1: $2"; fi
+    echo "refused with ${1:-everything}: $2 [$(tail -1 "$dir/log")]"
     rm -r "$dir"
+}
+refused() { # OPTION TEXT [FILE [CHANGE]]: the text, appended to the file, after a change of it
+    copied
+    # Certificate.v uses the theorem that is changed: without it the build succeeds, and types.v decides
+    if [ -n "${4:-}" ]; then sed -i "$4" "$dir/theories/$3"; sed -i /Certificate/d "$dir/_CoqProject"; fi
+    printf '%s\n' "$2" >>"$dir/theories/${3:-Sanity.v}"
+    must_fail "$1" "$2"
+}
+changed() { # OPTION WHAT COMMAND: after the command
+    copied
+    (cd "$dir" && eval "$3")
+    must_fail "$1" "$2"
 }
 
 case "${1:-}" in
@@ -99,6 +166,7 @@ case "${1:-}" in
 --words) check_words ;;
 --axioms) build && check_axioms ;;
 --coqchk) build && check_again ;;
-"") check_words && build && check_axioms && check_again && echo "complete: no open proof, and only these axioms:" && echo "$axioms" ;;
-*) fail "usage: check.sh [--self-test | --quick | --words | --axioms | --coqchk]" ;;
+--library) build && check_library ;;
+"") check_words && clean && build && check_axioms && check_library && check_again && echo "complete: no open proof, and only these axioms:" && echo "$axioms" ;;
+*) fail "usage: check.sh [--self-test | --quick | --words | --axioms | --library | --coqchk]" ;;
 esac

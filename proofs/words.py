@@ -4,12 +4,17 @@
 usage: words.py FILE.v...
 
 Comments and texts are left out; blanks and line breaks between words make no difference. Print Assumptions and coqchk
-find the same faults by other means (check.sh).
+find the same faults by other means (check.sh). Extraction has a folder of its own; files that `acutile export --coq`
+writes are checked as well (certificates.sh).
 """
 import re, sys
 
 FORBIDDEN = (r"Admitted|admit|give_up|Axioms?|Parameters?|Conjectures?|Module|Primitive|Load|Declare\s+ML|bypass_check|"
-             r"Checking|Definitional\s+UIP|Drop|Redirect")
+             r"Checking|Definitional\s+UIP|Drop|Redirect|"
+             # these add axioms, or fool the count of sections
+             r"Admit|Declare\s+Instance|Succeed|Fail|Reset|Back|BackTo|"
+             # these change the extracted program, write files, and run other programs or other parts of Coq
+             r"Extract|Extraction|Cd|Universes|Add\s+(?:Rec\s+)?(?:LoadPath|ML)|native_\w+")
 HYPOTHESIS = r"Variables?|Hypothes[ei]s|Context"
 
 

@@ -1,11 +1,11 @@
 //! `acutile bundle`: what is in an archive, that it depends on nothing but its input, and that a
 //! referee's three programs believe what is in it and nothing else.
 //!
-//! Python 3, Node and TeX need not be there, unless `REQUIRE_TOOLS` is set.
+//! A test that needs Python 3, Node 20, make or TeX is ignored, so that `cargo test` needs Rust
+//! alone; `cargo test -- --ignored` runs it.
 
 use crate::common::{acutile, acutile_verify, code, kuhn, stderr, stdout, verifier};
 use std::ffi::OsStr;
-use std::io::{self, Write};
 use std::path::Path;
 use std::process::{Command, Output};
 
@@ -20,22 +20,17 @@ fn bundle(directory: &Path, arguments: &[&str]) -> Vec<u8> {
     std::fs::read(target).expect("the archive")
 }
 
-/// Runs a program, if it is there.
-fn run(program: &str, directory: &Path, arguments: &[&str]) -> Option<Output> {
-    let output = Command::new(program)
+/// Runs a program that must be there.
+fn run(program: &str, directory: &Path, arguments: &[&str]) -> Output {
+    Command::new(program)
         .args(arguments)
         .current_dir(directory)
-        .output();
-    if output.is_err() {
-        assert!(std::env::var_os("REQUIRE_TOOLS").is_none(), "{program}");
-        // Not by eprintln, which is shown for failures only.
-        writeln!(io::stderr(), "SKIPPED: {program} is not installed").expect("standard error");
-    }
-    output.ok()
+        .output()
+        .unwrap_or_else(|error| panic!("{program} does not run: {error}"))
 }
 
-/// An archive taken apart by Python's zipfile, if there is Python.
-fn unpacked(arguments: &[&str]) -> Option<tempfile::TempDir> {
+/// An archive taken apart by Python's zipfile.
+fn unpacked(arguments: &[&str]) -> tempfile::TempDir {
     let directory = tempfile::tempdir().expect("a directory");
     bundle(directory.path(), arguments);
     let script = "
@@ -54,24 +49,32 @@ with zipfile.ZipFile('artefact.zip') as z:
     for digest, name in sums:
         assert hashlib.sha256(z.read(name)).hexdigest() == digest, name
 ";
-    let output = run("python3", directory.path(), &["-c", script])?;
+    let output = run("python3", directory.path(), &["-c", script]);
     assert!(output.status.success(), "{}", stderr(&output));
-    Some(directory)
+    directory
 }
 
 #[test]
+#[ignore = "needs python3 and node 20"]
 fn three_verifiers_confirm_what_is_in_it_and_refuse_what_was_changed() {
-    let Some(directory) = unpacked(&["a15", "square-14", "slab", "--no-pdf"]) else {
-        return;
-    };
+    let tilings = ["a15", "square-14", "slab"];
+    let theorems = ["goldberg-1-all", "square-triangle-all"];
+    let names = [&tilings[..], &theorems].concat();
+    let directory = unpacked(&[&names[..], &["--no-pdf"]].concat());
     let certificates = directory.path().join("certificates");
-    for name in ["a15", "square-14", "slab"] {
+    for name in names {
         let found = std::fs::read(certificates.join(format!("{name}.json"))).expect(name);
         let expected = std::fs::read(format!("certificates/{name}.json")).expect(name);
         assert_eq!(found, expected, "{name}");
         assert_eq!(verdicts(directory.path(), name), [Some(0); 4], "{name}");
         let shown = acutile(["convert", path(&certificates, name, "cbor").as_str(), "-"]);
         assert_eq!(shown.stdout, found, "{name}");
+    }
+    for (names, are_there) in [(tilings.as_slice(), true), (&theorems, false)] {
+        for name in names {
+            let tiling = directory.path().join(format!("tilings/{name}.json"));
+            assert_eq!(tiling.exists(), are_there, "{name}");
+        }
     }
     // A vertex of A15 moves; it is a certificate still, of something false.
     let text = std::fs::read_to_string(certificates.join("a15.json")).expect("a15");
@@ -91,6 +94,7 @@ fn path(folder: &Path, name: &str, encoding: &str) -> String {
 }
 
 #[test]
+#[ignore = "needs python3 and node 20"]
 fn of_cbor_python_reads_and_javascript_says_what_to_do() {
     let here = Path::new(env!("CARGO_MANIFEST_DIR"));
     let cbor = "tests/certificates/cbor/valid--slab-bcc.cbor";
@@ -103,24 +107,19 @@ fn of_cbor_python_reads_and_javascript_says_what_to_do() {
             ": declined [encoding] the certificate is in CBOR; `acutile convert F.cbor F.json`",
         ),
     ] {
-        let Some(output) = run(program, here, &[verifier, cbor]) else {
-            continue;
-        };
+        let output = run(program, here, &[verifier, cbor]);
         assert_eq!(code(&output), expected, "{program}");
         let line = stdout(&output);
         assert!(line.contains(words), "{line}");
     }
 }
 
-/// The exit codes of the three verifiers, of the one in Python for both encodings; that of a program that is
-/// not there is what it must be.
+/// The exit codes of the three verifiers, of the one in Python for both encodings.
 fn verdicts(directory: &Path, name: &str) -> [Option<i32>; 4] {
     let [json, cbor] = ["json", "cbor"].map(|encoding| format!("certificates/{name}.{encoding}"));
     let rust = acutile_verify([directory.join(&cbor)]).status.code();
-    let one = |program, verifier: &str, path: &str| match run(program, directory, &[verifier, path])
-    {
-        Some(output) => output.status.code(),
-        None => rust,
+    let one = |program, verifier: &str, path: &str| {
+        run(program, directory, &[verifier, path]).status.code()
     };
     [
         rust,
@@ -154,16 +153,19 @@ fn the_same_input_gives_the_same_bytes() {
 }
 
 #[test]
-fn the_appendix_is_there_as_pdf_or_it_is_said_why_not() {
+#[ignore = "needs pdflatex"]
+fn the_appendix_is_there_as_pdf() {
     let directory = tempfile::tempdir().expect("a directory");
-    let has_tex = run("pdflatex", directory.path(), &["--version"]).is_some();
     let with = bundle(directory.path(), &["bcc"]);
-    let without = bundle(directory.path(), &["bcc", "--no-pdf"]);
-    let has = |bytes: &[u8], name: &str| bytes.windows(name.len()).any(|w| w == name.as_bytes());
-    for name in ["appendix/main.pdf", "appendix/supplement.pdf"] {
-        assert_eq!(has(&with, name), has_tex, "{name}");
-        assert!(!has(&without, name), "{name}");
+    for name in PDFS {
+        assert!(has(&with, name), "{name}");
     }
+}
+
+#[test]
+fn without_tex_the_archive_has_no_pdf_and_says_why() {
+    let directory = tempfile::tempdir().expect("a directory");
+    let without = bundle(directory.path(), &["bcc", "--no-pdf"]);
     let output = Command::new(env!("CARGO_BIN_EXE_acutile"))
         .args(["bundle", "bcc", "-o", "-"])
         .env("PATH", directory.path())
@@ -171,7 +173,17 @@ fn the_appendix_is_there_as_pdf_or_it_is_said_why_not() {
         .expect("acutile runs");
     assert_eq!(code(&output), 0);
     assert!(stderr(&output).contains("pdflatex is not installed"));
-    assert!(!has(&output.stdout, "appendix/main.pdf"));
+    for name in PDFS {
+        assert!(!has(&without, name), "{name}");
+        assert!(!has(&output.stdout, name), "{name}");
+    }
+}
+
+const PDFS: [&str; 2] = ["appendix/main.pdf", "appendix/supplement.pdf"];
+
+/// Whether an archive has a file. The names in it are not compressed.
+fn has(archive: &[u8], name: &str) -> bool {
+    archive.windows(name.len()).any(|w| w == name.as_bytes())
 }
 
 #[test]
@@ -216,6 +228,7 @@ fn what_the_kernel_refuses_is_in_no_archive() {
 }
 
 #[test]
+#[ignore = "needs python3"]
 fn regions_come_with_an_appendix() {
     let region = "tests/certificates/valid/region-cavity.json";
     let directory = tempfile::tempdir().expect("a directory");
@@ -228,9 +241,7 @@ fn regions_come_with_an_appendix() {
     ]);
     assert_eq!(code(&output), 0, "{}", stderr(&output));
     assert!(!stderr(&output).contains("about a region"));
-    let Some(directory) = unpacked(&[region]) else {
-        return;
-    };
+    let directory = unpacked(&[region]);
     assert!(directory.path().join("appendix/main.tex").exists());
     assert!(directory.path().join("tilings/region-cavity.msh").exists());
     let readme = std::fs::read_to_string(directory.path().join("README.md")).expect("a README");
@@ -239,10 +250,9 @@ fn regions_come_with_an_appendix() {
 
 /// The meshes are those of the tiling: read again, they have its tetrahedra.
 #[test]
+#[ignore = "needs python3"]
 fn meshes_and_tilings_are_read_again() {
-    let Some(directory) = unpacked(&["a15", "--no-pdf"]) else {
-        return;
-    };
+    let directory = unpacked(&["a15", "--no-pdf"]);
     let tilings = directory.path().join("tilings");
     let proved = acutile([
         "certify".as_ref(),
@@ -278,17 +288,16 @@ fn meshes_and_tilings_are_read_again() {
 }
 
 #[test]
+#[ignore = "needs python3"]
 fn the_checker_in_python_agrees() {
     let program = verifier();
     let program = program.to_str().expect("a path in UTF-8");
     let script = "tests/bundle/certificates.py";
-    let Some(output) = run(
+    let output = run(
         "python3",
         Path::new(env!("CARGO_MANIFEST_DIR")),
         &[script, program],
-    ) else {
-        return;
-    };
+    );
     assert!(output.status.success(), "{}", stderr(&output));
     assert!(stdout(&output).contains("verify.py agrees"));
 }
@@ -302,6 +311,7 @@ fn the_citation_is_of_this_version() {
 
 /// The author is cited, not the program; and the same input gives the same bytes.
 #[test]
+#[ignore = "needs python3, node 20 and make"]
 fn the_archive_is_in_the_name_of_its_author() {
     let arguments = [
         "bcc",
@@ -317,9 +327,7 @@ fn the_archive_is_in_the_name_of_its_author() {
         "--paper",
         "https://doi.org/10.1000/182",
     ];
-    let Some(directory) = unpacked(&arguments) else {
-        return;
-    };
+    let directory = unpacked(&arguments);
     let text = |name: &str| std::fs::read_to_string(directory.path().join(name)).expect(name);
     let citation = text("CITATION.cff");
     for line in [
@@ -346,10 +354,137 @@ fn the_archive_is_in_the_name_of_its_author() {
         bundle(other.path(), &arguments),
     );
     assert!(first == second);
-    if let Some(output) = run("make", directory.path(), &["check"]) {
-        assert!(output.status.success(), "{}", stderr(&output));
-        assert!(stdout(&output).contains("certificates/bcc.json: verified"));
-    }
+    let checked = run("make", directory.path(), &["check"]);
+    assert!(checked.status.success(), "{}", stderr(&checked));
+    assert!(stdout(&checked).contains("certificates/bcc.json: verified"));
+    assert!(stdout(&checked).contains("as expected"));
+    // A certificate that was exchanged is found.
+    let other = directory.path().join("certificates/bcc.json");
+    std::fs::copy("certificates/a15.json", other).expect("a certificate");
+    let checked = run("make", directory.path(), &["python"]);
+    assert!(!checked.status.success(), "{}", stdout(&checked));
     let wrong = acutile(["bundle", "bcc", "-o", "-", "--author", "Josiah"]);
     assert_eq!(code(&wrong), 2);
+}
+
+/// With cargo, an empty CARGO_HOME and no network the archive's own sources make a verifier, which reads its certificates and
+/// refuses what was changed.
+#[test]
+#[ignore = "needs a minute: builds the kernel"]
+fn the_kernel_is_built_without_network() {
+    let directory = unpacked(&["bcc", "square-8", "--no-pdf"]);
+    let (home, sources) = (
+        directory.path().join("home"),
+        directory.path().join("verify/rust"),
+    );
+    let output = Command::new(env!("CARGO"))
+        .args(["build", "--offline", "--locked"])
+        .current_dir(&sources)
+        .env("CARGO_HOME", &home)
+        .env("CARGO_NET_OFFLINE", "true")
+        .env_remove("CARGO_TARGET_DIR")
+        // Flags of the environment would replace those of .cargo/config.toml.
+        .env_remove("RUSTFLAGS")
+        .output()
+        .expect("cargo");
+    assert!(output.status.success(), "{}", stderr(&output));
+    let verified = |file: &str| {
+        let output = Command::new(sources.join("target/debug/acutile-verify"))
+            .arg(directory.path().join(file))
+            .output()
+            .expect("the verifier");
+        output.status.code()
+    };
+    assert_eq!(verified("certificates/bcc.cbor"), Some(0));
+    assert_eq!(verified("certificates/square-8.cbor"), Some(0));
+    let path = directory.path().join("certificates/bcc.cbor");
+    let mut bytes = std::fs::read(&path).expect("a certificate");
+    bytes.pop();
+    std::fs::write(&path, bytes).expect("written");
+    assert_eq!(verified("certificates/bcc.cbor"), Some(2));
+}
+
+/// A claim as a theorem where there is one, and a note where there is none.
+#[test]
+fn theorems_for_coq_come_where_they_are_asked_for() {
+    let region = "tests/certificates/valid/region-not-delaunay.json";
+    let directory = tempfile::tempdir().expect("a directory");
+    let target = directory.path().join("artefact.zip");
+    let words = ["bundle", "bcc", region, "--coq", "--no-pdf", "-o"].map(OsStr::new);
+    let output = acutile(words.into_iter().chain([target.as_os_str()]));
+    assert_eq!(code(&output), 0, "{}", stderr(&output));
+    assert!(stderr(&output).contains("region-not-delaunay: no theorem for Coq"));
+    let directory = unpacked(&["bcc", "goldberg-1-all", "--coq", "--no-pdf"]);
+    for name in ["bcc", "goldberg-1-all"] {
+        let certificate = directory.path().join(format!("certificates/{name}.cbor"));
+        let words = ["export", "--coq"].map(OsStr::new);
+        let exported = acutile(words.into_iter().chain([certificate.as_os_str()]));
+        let theorem = directory.path().join(format!("coq/{name}.v"));
+        assert_eq!(std::fs::read(theorem).expect(name), exported.stdout);
+    }
+}
+
+/// The citation is BibTeX with the digest that the verifier prints, and a paragraph that says what was not proved.
+#[test]
+fn a_certificate_is_cited_with_its_digest_and_scope() {
+    let run = acutile(["cite", "certificates/a15.json"]);
+    assert_eq!(code(&run), 0, "{}", stderr(&run));
+    let text = stdout(&run);
+    let verified = stdout(&acutile(["verify", "certificates/a15.json"]));
+    let (_, digest) = verified.split_once("sha256 ").expect("a digest");
+    let digest = digest.trim_end().trim_end_matches(')');
+    assert_eq!(text.matches(digest).count(), 2, "{text}");
+    // Outside of entries there is no at sign, at which BibTeX would begin one.
+    assert_eq!(text.matches('@').count(), 2, "{text}");
+    for words in [
+        "@misc{a15-certificate,",
+        "acutile export --coq",
+        "Not proved: the name",
+    ] {
+        assert!(text.contains(words), "{words}");
+    }
+    // The catalogue names section 4.1 of the paper.
+    let named = stdout(&acutile(["cite", "sigma"]));
+    assert!(
+        named.contains("@article{EppsteinSullivanUngor2004,"),
+        "{named}"
+    );
+    let cite = |path| stdout(&acutile(["cite", path])).replace('\n', " ");
+    let family = cite("certificates/z-all.json");
+    assert!(family.contains("acutile export --coq"), "{family}");
+    let not_delaunay = cite("certificates/two-corners-all.json");
+    assert!(
+        not_delaunay.contains("Coq does not treat this kind of claim"),
+        "{not_delaunay}"
+    );
+    for (input, expected) in [
+        ("tests/certificates/false/not-acute--cube-6.json", 1),
+        ("no-such-file", 2),
+    ] {
+        let run = acutile(["cite", input]);
+        assert_eq!(
+            (code(&run), stdout(&run).as_str()),
+            (expected, ""),
+            "{input}"
+        );
+    }
+}
+
+/// `cffconvert` reads the file as the schema of CITATION.cff says.
+#[test]
+#[ignore = "needs cffconvert"]
+fn the_citation_file_is_valid() {
+    let author = [
+        "--author",
+        "Carberry, Josiah <0000-0002-1825-0097>",
+        "--licence",
+        "CC-BY-4.0",
+        "--doi",
+        "10.5281/zenodo.1",
+    ];
+    let directory = unpacked(&[&["bcc", "--no-pdf"][..], &author].concat());
+    for folder in [directory.path(), Path::new(env!("CARGO_MANIFEST_DIR"))] {
+        let checked = run("cffconvert", folder, &["--validate", "-i", "CITATION.cff"]);
+        assert!(checked.status.success(), "{}", stderr(&checked));
+    }
 }

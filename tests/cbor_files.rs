@@ -124,7 +124,11 @@ fn the_name_keeps_its_promise() {
             "q.cbor.gz",
             "not compressed",
         ),
-        (&["convert", "certificates/z.json"], "q.msh", "written as"),
+        (
+            &["convert", "certificates/z.json"],
+            "q.msh",
+            ".json or .cbor",
+        ),
     ];
     for (arguments, name, expected) in refused {
         let target = at(name);

@@ -369,3 +369,44 @@ fn labels_and_cuts() {
         "{mu}"
     );
 }
+
+/// C14 with uncertainties of the usual size is acute within them. With 0.063(20) and 0.83(8) it is not: the
+/// answer names an exact point.
+#[test]
+fn statements_within_uncertainties() {
+    let place = tempfile::tempdir().expect("a directory");
+    let c14 = |z: &str, x: &str| {
+        text("c14")
+            .replace("length_a 5.223", "length_a 5.223(1)")
+            .replace("length_b 5.223", "length_b 5.223(1)")
+            .replace("length_c 8.566", "length_c 8.566(3)")
+            .replace("0.33333 0.66667 0.06286", &format!("1/3 2/3 {z}"))
+            .replace("0.83048 0.66096", x)
+    };
+    let certify = |name: &str, text: &str| {
+        let cif = file(place.path(), name, text);
+        let cif = cif.to_str().expect("UTF-8");
+        acutile(["certify", cif, "--within-su", "--require", "acute"])
+    };
+    let proved = certify("c14.cif", &c14("0.06286(6)", "0.83048(4) 0.66096(8)"));
+    assert_eq!(code(&proved), 0, "{}", stderr(&proved));
+    assert!(
+        stdout(&proved).contains("for all c_over_a in [8563/5224, 8569/5222]"),
+        "{}",
+        stdout(&proved)
+    );
+    let refuted = certify("wide.cif", &c14("0.063(20)", "0.83(8) 0.66"));
+    assert_eq!(code(&refuted), 1, "{}", stdout(&refuted));
+    let said = stdout(&refuted) + &stderr(&refuted);
+    assert!(
+        said.contains("z_mg1 = ") && said.contains("obtuse"),
+        "{said}"
+    );
+    let other = acutile(["certify", "a15", "--within-su"]);
+    assert_eq!(code(&other), 2);
+    assert!(
+        stderr(&other).contains("--within-su is for a CIF"),
+        "{}",
+        stderr(&other)
+    );
+}

@@ -31,9 +31,8 @@ fn the_command_writes_whole_files_or_says_why_not() {
         ["--view", "1,2"],
         ["--view", "a,b,c"],
         ["--width", "5"],
-        ["--apart", "-1"],
         ["--vertex", "99999999999999999999999"],
-        ["--format", "pdf"],
+        ["--format", "eps"],
     ] {
         let (code, out, _) = acutile(&["draw", "a15", wrong[0], wrong[1]]);
         assert_eq!((code, out.as_str()), (Some(2), ""), "{wrong:?}");
@@ -41,6 +40,63 @@ fn the_command_writes_whole_files_or_says_why_not() {
     let (code, _, error) = acutile(&["draw", "a15", "--standalone"]);
     assert_eq!(code, Some(2));
     assert!(error.contains("--format tikz"), "{error}");
+}
+
+/// PDF and PNG have the size of the figure, the same bytes each time, and a name of another format is an error.
+#[test]
+fn pdf_and_png_have_the_size_of_the_figure() {
+    let folder = tempfile::tempdir().unwrap();
+    let written = |name: &str, more: &[&str]| {
+        let path = folder.path().join(name);
+        let file = path.to_str().unwrap();
+        let run = acutile(&[&["draw", "a15", "--figure", "classes", "-o", file], more].concat());
+        (run.0, run.2, std::fs::read(&path).ok())
+    };
+    let (code, error, pdf) = written("a.pdf", &[]);
+    assert_eq!((code, error.as_str()), (Some(0), ""));
+    let pdf = pdf.unwrap();
+    assert!(pdf.starts_with(b"%PDF-") && pdf.ends_with(b"%%EOF"));
+    // 84 mm are 238.11 points.
+    let text = String::from_utf8_lossy(&pdf);
+    assert!(text.contains("/MediaBox [0 0 238.11"), "{text}");
+    assert_eq!(written("b.PDF", &["--format", "pdf"]).2.unwrap(), pdf);
+    let png = written("a.png", &[]).2.unwrap();
+    assert!(png.starts_with(b"\x89PNG\r\n\x1a\n"));
+    // 84 mm with 300 dots per inch are 992.1 dots.
+    assert_eq!(png[16..20], 993u32.to_be_bytes());
+    assert_eq!(
+        written("b.png", &["--width", "42"]).2.unwrap()[16..20],
+        497u32.to_be_bytes()
+    );
+    let (code, error, file) = written("c.png", &["--format", "pdf"]);
+    assert_eq!((code, file), (Some(2), None));
+    assert!(
+        error.contains("PDF is written, expected the extension .pdf"),
+        "{error}"
+    );
+    let (code, error, file) = written("c.pdf", &["--standalone"]);
+    assert_eq!((code, file), (Some(2), None));
+    assert!(
+        error.contains("--standalone is for --format tikz"),
+        "{error}"
+    );
+}
+
+/// Other programs read the files: the words of a PDF are those of the SVG, its fonts are embedded, and the colours in the
+/// middles of dots and faces are those of the drawing.
+#[test]
+#[ignore = "needs poppler, and Python with Pillow"]
+fn other_programs_read_pdf_and_png() {
+    let run = Command::new(std::env::var("PYTHON").unwrap_or_else(|_| "python3".to_owned()))
+        .arg(concat!(env!("CARGO_MANIFEST_DIR"), "/tests/figures.py"))
+        .arg(env!("CARGO_BIN_EXE_acutile"))
+        .output()
+        .unwrap();
+    let said = String::from_utf8_lossy(&run.stdout) + String::from_utf8_lossy(&run.stderr);
+    assert!(
+        run.status.success() && said.contains("figures agree"),
+        "{said}"
+    );
 }
 
 /// The picture in README.md is drawn by this program.

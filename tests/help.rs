@@ -54,10 +54,14 @@ fn a_manual_page_for_each_command() {
             page.contains(&format!(".TH acutile-{command} 1")),
             "{command}"
         );
-        assert!(page.contains("Examples:"), "{command}");
+        assert!(page.contains(".SH EXAMPLES\n.nf\nacutile "), "{command}");
+        assert!(page.contains(".SH \"EXIT STATUS\"\n0 proved"), "{command}");
     }
     let program = fs::read_to_string(folder.path().join("acutile.1")).expect("a page");
     assert!(program.contains(".TH acutile 1"));
+    let missing = folder.path().join("man1");
+    assert_eq!(code(&acutile(["man", missing.to_str().expect("UTF-8")])), 0);
+    assert!(missing.join("acutile-certify.1").exists());
     let nowhere = folder.path().join("none").join("deeper");
     let run = acutile(["man", nowhere.to_str().expect("UTF-8")]);
     assert_eq!(code(&run), 2);
@@ -119,4 +123,41 @@ fn common_options_stand_first() {
             assert!(first[..heading].contains(option), "{command} {option}");
         }
     }
+}
+
+/// What bash completes, with the script that the program prints.
+#[cfg(unix)]
+#[test]
+fn bash_completes_names_of_the_catalogue_and_statements() {
+    let complete = |words: &[&str]| {
+        let line = words.join(" ");
+        let script = format!(
+            "source <(\"$0\" completions bash); COMP_WORDS=(acutile {line}); COMP_CWORD={}; \
+             _acutile acutile '{}' '{}'; printf '%s\\n' \"${{COMPREPLY[@]}}\"",
+            words.len(),
+            words.last().unwrap_or(&""),
+            words.iter().rev().nth(1).unwrap_or(&"acutile"),
+        );
+        let program = env!("CARGO_BIN_EXE_acutile");
+        let output = std::process::Command::new("bash")
+            .args(["-c", &script, program])
+            .output()
+            .expect("bash runs");
+        let text = stdout(&output);
+        text.lines().map(str::to_owned).collect::<Vec<String>>()
+    };
+    assert_eq!(complete(&["certify", "sommerville-2"]), ["sommerville-2"]);
+    assert!(complete(&["show", "square-tri"]).contains(&"square-triangle-all".to_owned()));
+    assert!(complete(&["draw", "c1"]).contains(&"c14".to_owned()));
+    assert_eq!(complete(&["certify", "a15", "--require", "acu"]), ["acute"]);
+    let bounds = complete(&["certify", "a15", "--require", "dihedral-"]);
+    assert_eq!(bounds, ["dihedral-below=", "dihedral-above="]);
+    assert_eq!(complete(&["certi"]), ["certify"]);
+    // Names that the catalogue does not have are left to the names of files.
+    assert_eq!(complete(&["certify", "qqq"]), [""]);
+    let help = stdout(&acutile(["certify", "--help"]));
+    assert!(
+        !help.contains("possible values: z, a15"),
+        "the list is not in the help"
+    );
 }

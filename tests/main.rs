@@ -1,5 +1,6 @@
 //! Tests of the programs and of several crates together, one binary for all.
 
+mod answers;
 mod appendix;
 mod bundle;
 mod cbor_files;
@@ -9,18 +10,26 @@ mod cli;
 mod common;
 mod documents;
 mod draw;
+mod family_pages;
 mod help;
 mod interrupt;
 mod js_verifier;
 mod lower_bound;
+mod mesh_answers;
 mod mesh_cases;
+mod mesh_curved;
+mod mesh_words;
 mod meshes;
 mod messages;
 mod optimize;
 mod paper;
+mod phases;
 mod quality;
 mod records;
 mod report;
 mod starting_files;
+mod systems;
+mod terminal;
 mod tutorials;
 mod verify;
+mod wrong_options;

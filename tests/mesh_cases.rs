@@ -9,7 +9,7 @@ fn case(name: &str) -> String {
 }
 
 /// The exit code, standard output and standard error of `certify --no-certificate`.
-fn certify(name: &str, options: &[&str]) -> (i32, String, String) {
+pub(super) fn certify(name: &str, options: &[&str]) -> (i32, String, String) {
     let input = if Path::new(name).exists() {
         name.to_owned()
     } else {
@@ -44,7 +44,12 @@ fn every_reader_reads_its_files() {
     ] {
         let (code, out, err) = certify(name, &[]);
         assert_eq!(code, 0, "{name}: {out}{err}");
-        let count = format!(", {simplices} simplices)");
+        let noun = if simplices == 1 {
+            "simplex"
+        } else {
+            "simplices"
+        };
+        let count = format!(", {simplices} {noun})");
         assert!(out.contains(&count), "{name}: {out}");
     }
 }
@@ -170,7 +175,7 @@ fn answers_are_proportionate() {
     assert_eq!(code, 1);
     assert!(out.contains("refuted: 48 duplicate\n"), "{out}");
     assert!(
-        out.contains("element 1 (line 36), element 49 (line 84)"),
+        out.contains("element 1 (line 36) with tag 1, element 49 (line 84) with tag 2 have"),
         "{out}"
     );
     assert!(out.contains("consequences of these"), "{out}");
@@ -233,7 +238,7 @@ fn a_mesh_fills_its_surface() {
     let path = file(folder.path(), "open.obj", &kept[..last].join("\n"));
     let (code, out, _) = certify("good_cube.vtk", &["--fills", &path.to_string_lossy()]);
     assert_eq!(code, 1);
-    assert!(out.contains("1 boundary facets are no triangles"), "{out}");
+    assert!(out.contains("1 boundary facet is no triangle"), "{out}");
 }
 
 /// The unit tetrahedron with one middle node moved.
@@ -250,6 +255,12 @@ fn curved_tetrahedra_are_decided_one_by_one() {
     let (code, _, err) = certify("invalid10.vtu", &[]);
     assert_eq!(code, 3, "{err}");
     assert!(err.contains("Jacobian at node"), "{err}");
+    let turned = std::fs::read_to_string(case("curved10.msh")).expect("the file");
+    let turned = turned.replace("1 2 3 4 5 6 7 8 10 9\n", "1 2 4 3 5 9 8 7 10 6\n");
+    let folder = tempfile::tempdir().expect("a folder");
+    let path = file(folder.path(), "turned.msh", &turned);
+    assert_eq!(certify(&path.to_string_lossy(), &[]).0, 3);
+    assert_eq!(certify(&path.to_string_lossy(), &["--reorient"]).0, 0);
 }
 
 /// 620 tetrahedra around a common edge: any two of the 1240 boundary facets have a common corner.
@@ -368,7 +379,7 @@ fn elements_of_other_types_are_mentioned_and_strict() {
     let path = file(folder.path(), "a.msh", text);
     let (code, out, _) = certify(&path.to_string_lossy(), &[]);
     assert_eq!(code, 0);
-    assert!(out.contains("not checked: 1 prisms, 1 triangles"), "{out}");
+    assert!(out.contains("not checked: 1 prism, 1 triangle"), "{out}");
     assert_eq!(certify(&path.to_string_lossy(), &["--strict"]).0, 3);
     assert_eq!(certify("good_cube.vtk", &["--strict"]).0, 0);
 }
@@ -403,7 +414,7 @@ fn tiling_files_have_regions_of_every_rank() {
 
 /// A cell of 2 x 2 x 2 cubes with six tetrahedra each, as MSH 2 text; `edit` may move nodes and change
 /// tetrahedra. With `links`, `$Periodic` has the three pairs of opposite sides.
-fn grid(edit: impl Fn(&mut Vec<[f64; 3]>, &mut Vec<[usize; 4]>), links: bool) -> String {
+pub(super) fn grid(edit: impl Fn(&mut Vec<[f64; 3]>, &mut Vec<[usize; 4]>), links: bool) -> String {
     const ORDERS: [[usize; 3]; 6] = [
         [0, 1, 2],
         [1, 2, 0],

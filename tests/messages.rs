@@ -143,8 +143,8 @@ fn a_name_that_promises_another_format_is_refused_and_nothing_is_written() {
     for (arguments, name, words) in [
         (
             &["draw", "bcc"][..],
-            "x.pdf",
-            "expected the extension .svg or .tex",
+            "x.eps",
+            "expected the extension .svg or .tex or",
         ),
         (
             &["draw", "bcc", "--format", "svg"],
@@ -203,4 +203,244 @@ fn delaunay_of_a_name_says_that_it_is_a_tiling() {
     let output = acutile(["delaunay", "a15"]);
     assert_eq!(code(&output), 2);
     assert!(stderr(&output).contains("a15: a tiling of the catalogue, expected a file of points"));
+}
+
+/// What the program says of these arguments, which must be wrong.
+pub fn refusal(arguments: &[&str]) -> String {
+    let output = acutile(arguments);
+    assert_eq!(code(&output), 2, "{arguments:?}: {}", stderr(&output));
+    stdout(&output) + &stderr(&output)
+}
+
+/// Files that are something else, by their first bytes or their names.
+#[test]
+fn files_that_are_something_else() {
+    let place = tempfile::tempdir().expect("a directory");
+    for (name, content, words) in [
+        (
+            "a",
+            &b"\x7fELF\x02\x01\x01\x00\xff"[..],
+            "ELF, a program for Linux",
+        ),
+        ("a.json", b"\x89PNG\r\n\x1a\n", "PNG image"),
+        (
+            "a.json",
+            b"",
+            "is empty, expected an input file; acutile new writes examples",
+        ),
+        (
+            "a.json",
+            b"[1, 2]",
+            "begins with '[', expected an object in braces",
+        ),
+        (
+            "a.json",
+            b"hello",
+            "begins with 'h', expected an object in braces",
+        ),
+        ("a.txt", b"hello", "the format is not known; acutile reads"),
+        (
+            "a.xyzzy",
+            b"\x01\xff\xfe",
+            "neither text nor a binary format",
+        ),
+        ("a.step", b"ISO-10303-21;", "STEP"),
+    ] {
+        let path = place.path().join(name);
+        std::fs::write(&path, content).expect("written");
+        let text = refusal(&["certify", path.to_str().expect("UTF-8")]);
+        assert!(text.contains(words), "{name}: {text}");
+        assert!(text.len() < 700 && !text.contains("\\x"), "{name}: {text}");
+    }
+    for (content, words) in [
+        (
+            &b""[..],
+            "malformed [cbor] is empty, expected a certificate",
+        ),
+        (
+            b"\x7fELF\x02",
+            "malformed [cbor] found ELF, a program for Linux, expected a certificate",
+        ),
+        (
+            b"hello",
+            "malformed [cbor] begins with 'h', expected a certificate",
+        ),
+    ] {
+        let path = place.path().join("c.json");
+        std::fs::write(&path, content).expect("written");
+        let text = refusal(&["verify", path.to_str().expect("UTF-8")]);
+        assert!(text.contains(words), "{text}");
+    }
+}
+
+#[test]
+fn files_that_cannot_be_read_or_written() {
+    let place = tempfile::tempdir().expect("a directory");
+    let folder = place.path().to_str().expect("UTF-8");
+    let nowhere = format!("{folder}/none/x.json");
+    for (arguments, words) in [
+        (
+            &["certify", folder][..],
+            "cannot be read: is a directory, expected a file",
+        ),
+        (
+            &["certify", &nowhere],
+            "cannot be read: there is no such file",
+        ),
+        (&["verify", &nowhere], "unreadable: there is no such file"),
+        (&["verify", "--claim", &nowhere, &nowhere], "--claim: "),
+        (
+            &["export", "bcc", "-o", &nowhere],
+            "cannot be written: there is no such directory",
+        ),
+        (
+            &["certify", "bcc", "-o", &nowhere],
+            "cannot be written: there is no such directory",
+        ),
+        (
+            &["draw", "bcc", "-o", folder],
+            "is a directory, expected a file",
+        ),
+        (
+            &["gallery", "-o", "-"],
+            "several files are written, expected a directory",
+        ),
+        (
+            &["appendix", "bcc", "-o", "-"],
+            "several files are written, expected a directory",
+        ),
+        (
+            &["certify", "square-triangle:none.json"],
+            "none.json: cannot be read: there is no such file",
+        ),
+    ] {
+        let text = refusal(arguments);
+        assert!(text.contains(words), "{arguments:?}: {text}");
+        assert!(!text.contains("os error"), "{arguments:?}: {text}");
+    }
+}
+
+/// Nothing that is printed is lost in silence: a full disk is an error, a reader that has enough is not.
+#[cfg(target_os = "linux")]
+#[test]
+fn full_disks_and_closed_pipes() {
+    use std::process::{Command, Stdio};
+    let program = env!("CARGO_BIN_EXE_acutile");
+    for arguments in [
+        &["list"][..],
+        &["export", "bcc"],
+        &["certify", "bcc", "--json"],
+    ] {
+        let full = std::fs::OpenOptions::new()
+            .write(true)
+            .open("/dev/full")
+            .expect("a device");
+        let mut command = Command::new(program);
+        let output = command
+            .args(arguments)
+            .stdout(full)
+            .output()
+            .expect("acutile runs");
+        assert_eq!(code(&output), 2, "{arguments:?}");
+        assert!(
+            stderr(&output).contains("standard output: "),
+            "{}",
+            stderr(&output)
+        );
+        assert!(!stderr(&output).contains("os error"), "{}", stderr(&output));
+    }
+    let mut child = Command::new(program)
+        .args(["export", "a15", "--supercell", "6,6,6"])
+        .stdout(Stdio::piped())
+        .stderr(Stdio::piped())
+        .spawn()
+        .expect("acutile runs");
+    drop(child.stdout.take());
+    let output = child.wait_with_output().expect("an end");
+    assert_eq!((code(&output), stderr(&output)), (0, String::new()));
+}
+
+/// The file that the user gave stands first.
+#[test]
+fn half_of_a_tetgen_mesh() {
+    let place = tempfile::tempdir().expect("a directory");
+    let path = place.path().join("foo.node");
+    std::fs::write(&path, "0 3 0 0\n").expect("written");
+    let text = refusal(&["certify", path.to_str().expect("UTF-8")]);
+    assert!(text.contains("foo.node: its partner "), "{text}");
+    assert!(
+        text.contains("foo.ele: cannot be read: there is no such file"),
+        "{text}"
+    );
+    let gone = place.path().join("bar.ele");
+    let text = refusal(&["certify", gone.to_str().expect("UTF-8")]);
+    assert_eq!(text.matches("bar.").count(), 2, "{text}");
+}
+
+/// Plane-tiling files have the same words and carets as tiling files, and may name their schema.
+#[test]
+fn plane_tiling_files() {
+    let place = tempfile::tempdir().expect("a directory");
+    let path = place.path().join("p.json");
+    let good = "{\"$schema\": \"plane-tiling.schema.json\", \"format\": \"acutile-plane-tiling\", \"version\": 1,\n\
+                \"lattice\": [[1,0,0,0],[0,0,0,1]],\n\"vertices\": [[0,0,0,0]]}";
+    let name = format!("square-triangle:{}", path.display());
+    std::fs::write(&path, good).expect("written");
+    assert_eq!(code(&acutile(["certify", &name])), 0);
+    for (from, to, words) in [
+        ("[0,0,0,1]", "[0,0,0,\"x\"]", "p.json:2:"),
+        (
+            "[0,0,0,1]",
+            "[0,0,0,\"x\"]",
+            "found the text \"x\", expected an integer",
+        ),
+        (",[0,0,0,1]]", "]", "lattice: found 1 entry, expected 2"),
+        (
+            "\"vertices\"",
+            "\"vertizes\"",
+            "the member \"vertizes\" is not known here",
+        ),
+        ("]]}", "]],}", "a comma before a closing bracket"),
+        (
+            "acutile-plane-tiling",
+            "acutile-tiling",
+            "expected \"acutile-plane-tiling\"; acutile takes this file by its name alone",
+        ),
+        ("[[0,0,0,0]]", "[]", "vertices: found none"),
+    ] {
+        let text = good.replace(from, to);
+        assert_ne!(text, good, "{from}");
+        std::fs::write(&path, text).expect("written");
+        for arguments in [&["certify", &name][..], &["certify", "--cite", &name]] {
+            let text = refusal(arguments);
+            assert!(text.contains(words), "{arguments:?} {to}: {text}");
+            assert!(!text.contains("at line"), "{text}");
+        }
+    }
+    std::fs::write(&path, good).expect("written");
+    let text = refusal(&["certify", path.to_str().expect("UTF-8")]);
+    assert!(text.contains("is taken as square-triangle:FILE"), "{text}");
+}
+
+/// Hostile JSON comes to an end, and shows little of itself.
+#[test]
+fn nested_and_huge_json() {
+    let place = tempfile::tempdir().expect("a directory");
+    let deep = format!(
+        "{START}\"vertices\": {}{}}}",
+        "[".repeat(100_000),
+        "]".repeat(100_000)
+    );
+    let text = complaint(place.path(), &deep);
+    assert!(text.contains("found [[[[") && text.len() < 700, "{text}");
+    let text = complaint(
+        place.path(),
+        "{\"format\": \"acutile-tiling\", \"version\": 1e400}",
+    );
+    assert!(text.contains("the number is too large"), "{text}");
+    let text = complaint(place.path(), &format!("{START}\n\"vertices\": ["));
+    assert!(
+        text.contains("2 | \"vertices\": ["),
+        "the last line is shown: {text}"
+    );
 }

@@ -34,10 +34,37 @@ fn a_record_with_its_certificate() {
     // The same search gives the same certificate.
     let again = acutile(["optimize", "c14", "--json"]);
     let again: Value = serde_json::from_str(&stdout(&again)).expect("JSON");
-    assert_eq!(data["sha256"], again["sha256"]);
+    assert_eq!(
+        data["certificate"]["sha256"],
+        again["certificate"]["sha256"]
+    );
+    assert_eq!(data["certificate"]["path"], path);
     // The bound is a requirement that the result fulfils.
     let certified = acutile(["certify", path, "--require", "dihedral-below=74.1478"]);
     assert_eq!(code(&certified), 0, "{}", stderr(&certified));
+}
+
+/// One seed gives the same bytes.
+#[test]
+fn a_seed_determines_the_certificate() {
+    let directory = tempfile::tempdir().expect("a directory");
+    let certificate = |name: &str| {
+        let path = directory.path().join(name);
+        let place = path.to_str().expect("UTF-8");
+        let run = acutile([
+            "optimize",
+            "z",
+            "--restarts",
+            "3",
+            "--seed",
+            "7",
+            "-o",
+            place,
+        ]);
+        assert_eq!(code(&run), 0, "{}", stderr(&run));
+        std::fs::read(path).expect("a certificate")
+    };
+    assert!(certificate("one.json") == certificate("two.json"));
 }
 
 /// C15 is a strict local optimum: nothing better, the start is written, and --prove-local proves it.
@@ -134,8 +161,12 @@ fn a_flat_or_inverted_start_is_refused() {
     });
     let path = file(directory.path(), "flat.json", &flat.to_string());
     let run = optimize(&path, &[]);
-    assert_ne!(code(&run), 0);
-    assert!(stderr(&run).contains("flat.json"), "{}", stderr(&run));
+    assert_eq!(code(&run), 1);
+    let said = stderr(&run);
+    assert!(
+        said.contains("flat.json") && said.contains("determinant is 0"),
+        "{said}"
+    );
     let run = acutile(["optimize", "equilateral"]);
     assert_eq!(code(&run), 2);
     assert!(stderr(&run).contains("expected one of space"));
@@ -257,9 +288,74 @@ fn a_search_says_what_it_tried() {
     assert_eq!(parts.map(count).iter().sum::<u64>(), 20);
     let expected = if count("acute") > 0 { 0 } else { 3 };
     assert_eq!(code(&run), expected);
-    let run = acutile(["search", "balls", "--size", "1"]);
-    assert_eq!(code(&run), 0);
-    // 20 of the 600 tetrahedra have a given vertex.
+    let run = acutile(["search", "balls", "--size", "1", "--faces", "4"]);
+    assert_eq!(code(&run), 3);
+    // 20 of the 600 tetrahedra have a given vertex, and 130 have a vertex of its closed star.
     assert!(stdout(&run).contains("580 tetrahedra without 1 vertices"));
+    assert!(stdout(&run).contains("470 tetrahedra without 13 vertices"));
+    let other = "0 optimized, 0 of these acute, 2 with another number of faces than was asked for, 0 not tried";
+    assert!(stdout(&run).contains(other), "{}", stdout(&run));
+    assert!(stdout(&run).contains("nothing was tried; the numbers of faces that occur are 1, 12"));
+    let run = acutile(["search", "balls", "--seconds", "0"]);
+    assert_eq!(code(&run), 3);
+    assert!(stdout(&run).contains("the search ended before it was complete"));
+    assert!(stdout(&run).contains("0 with another number of faces"));
     assert_eq!(code(&acutile(["search", "slab", "--over", "pentagons"])), 2);
+}
+
+/// Other tilings of the plane by squares and triangles: by name, and from a file.
+#[test]
+fn slabs_over_other_plane_tilings() {
+    let directory = tempfile::tempdir().expect("a directory");
+    let text = r#"{"format": "acutile-plane-tiling", "version": 1,
+        "lattice": [[1, 0, 0, 0], [0, 0, 0, 1]], "vertices": [[0, 0, 0, 0]]}"#;
+    let path = file(directory.path(), "squares.json", text);
+    for over in ["32434", "33344", path.to_str().expect("UTF-8")] {
+        let run = acutile(["search", "slab", "--over", over, "--tries", "3", "--json"]);
+        let data: Value = serde_json::from_str(&stdout(&run)).expect("JSON");
+        assert_eq!(
+            (&data["candidates"], &data["over"]),
+            (&json!(3), &json!(over))
+        );
+    }
+    let missing = directory.path().join("none.json");
+    let missing = missing.to_str().expect("UTF-8");
+    assert_eq!(code(&acutile(["search", "slab", "--over", missing])), 2);
+}
+
+/// Without a vertex no edges of the polyhedron remain, and without its star those of a dodecahedron. So there is no cube.
+#[test]
+fn a_polyhedron_to_aim_at() {
+    let run = acutile(["search", "balls", "--size", "1", "--shape", "cube"]);
+    assert_eq!(code(&run), 3, "{}", stderr(&run));
+    assert!(
+        stdout(&run).contains("0 optimized, 0 of these acute"),
+        "{}",
+        stdout(&run)
+    );
+    let directory = tempfile::tempdir().expect("a directory");
+    let cases = [
+        ("0 0 0\n1 0\n", "line 2: found 2 numbers"),
+        ("# a triangle\n0 0 0\n1 0 0\n0 1 0\n", "found 3 points"),
+        ("0 0 0\n1 0 0\n0 1 0\n1 1 0\n", "lie in one plane"),
+        (
+            "0 0 0\n2 0 0\n0 2 0\n0 0 2\n1 0 0\n",
+            "point 5 is no corner",
+        ),
+        ("0 0 0\n2 0 0\n0 2 0\n0 0 y\n", "y"),
+        ("", "found 0 points"),
+    ];
+    for (text, expected) in cases {
+        let path = file(directory.path(), "corners.txt", text);
+        let run = acutile(["search", "balls", "--shape", path.to_str().expect("UTF-8")]);
+        assert_eq!(code(&run), 2, "{text}");
+        assert!(stderr(&run).contains(expected), "{}", stderr(&run));
+    }
+    for word in ["blob", "prism:7", "prism:3,0", "prism:3,-", "prism:"] {
+        assert_eq!(
+            code(&acutile(["search", "balls", "--shape", word])),
+            2,
+            "{word}"
+        );
+    }
 }

@@ -129,3 +129,20 @@ fn flat_and_negative_elements_are_left_out() {
     let first = data["offenders"]["first"][0].as_str().expect("a line");
     assert!(first.contains("element 9"), "{first}");
 }
+
+#[test]
+fn a_metric_that_is_not_positive_is_refuted() {
+    let directory = tempfile::tempdir().expect("a directory");
+    let text = r#"{"format": "acutile-tiling", "version": 1, "dimension": 3,
+        "lattice": {"gram": [[1, 0, 0], [0, 1, 0], [0, 0, -1]]}, "domain": "space",
+        "vertices": [[0, 0, 0]],
+        "simplices": [[[0, 0, 0, 0], [0, 1, 0, 0], [0, 1, 1, 0], [0, 1, 1, 1]]]}"#;
+    let path = file(directory.path(), "metric.json", text);
+    let output = acutile(["quality".as_ref(), path.as_os_str()]);
+    assert_eq!(code(&output), 1);
+    assert!(
+        stderr(&output).contains("expected a positive number"),
+        "{}",
+        stderr(&output)
+    );
+}

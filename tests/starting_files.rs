@@ -51,7 +51,10 @@ fn every_kind_is_certified_as_it_is() {
             Some("40 tetrahedra"),
         ),
     ] {
-        let path = place.path().join(format!("{kind}.file"));
+        let path = place.path().join(match kind {
+            "cif" => "example.cif".to_owned(),
+            _ => format!("{kind}.json"),
+        });
         let path = path.to_str().expect("UTF-8");
         if !std::path::Path::new(path).exists() {
             assert_eq!(code(&acutile(["new", kind, "-o", path])), 0);
@@ -73,9 +76,18 @@ fn every_kind_is_certified_as_it_is() {
             // The corners of a cube are cospherical.
             None => assert_eq!(code(&output), 1, "{kind}"),
         }
+        // An example that nobody has edited can be made again; another file stays.
+        let written = std::fs::read(path).expect("written");
+        assert_eq!(code(&acutile(["new", kind, "-o", path])), 0);
+        let edited = [written.as_slice(), b"\n"].concat();
+        std::fs::write(path, &edited).expect("edited");
         let again = acutile(["new", kind, "-o", path]);
         assert_eq!(code(&again), 2);
-        assert!(stderr(&again).contains("is there already, and is not overwritten"));
+        let words = "is there and is not what acutile wrote; --force replaces it";
+        assert!(stderr(&again).contains(words), "{}", stderr(&again));
+        assert_eq!(std::fs::read(path).expect("a file"), edited);
+        assert_eq!(code(&acutile(["new", kind, "-o", path, "--force"])), 0);
+        assert_eq!(std::fs::read(path).expect("a file"), written);
     }
     assert_eq!(code(&acutile(["new", "no-such-kind"])), 2);
 }

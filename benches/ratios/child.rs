@@ -43,12 +43,12 @@ impl Work {
         }
     }
 
-    /// The same work done so many times.
+    /// The number of repetitions of the same work.
     pub fn times(self, times: u32) -> Self {
         Work { times, ..self }
     }
 
-    /// A command that does it when it is run behind `before`, like valgrind.
+    /// A command that does it; `before`, such as valgrind, precedes it.
     pub fn command(&self, before: &[&str]) -> Command {
         let program = std::env::current_exe().expect("this program has a path");
         let mut words = before.iter().map(|word| (*word).into());
@@ -73,7 +73,7 @@ impl Work {
     }
 }
 
-/// What a child found.
+/// The measurements of a child.
 pub struct Found {
     /// Tetrahedra.
     pub count: usize,
@@ -83,7 +83,7 @@ pub struct Found {
     pub elapsed: f64,
     /// The most memory that the process had.
     pub megabytes: f64,
-    /// What else is to be told.
+    /// Further figures, in words.
     pub remark: String,
 }
 

@@ -62,6 +62,17 @@ pub fn processor_time() -> Duration {
     Duration::from_nanos(nanoseconds.sum())
 }
 
+/// The time that ended children of this process have spent on a processor, in ticks of a hundredth of a second.
+pub fn processor_time_of_children() -> Duration {
+    let text = std::fs::read_to_string("/proc/self/stat").expect("Linux");
+    // The name, in parentheses, may contain blanks. After it come the state and 50 numbers; user and system time of
+    // children are the numbers 13 and 14.
+    let (_, rest) = text.rsplit_once(')').expect("a name");
+    let words = rest.split_whitespace().skip(13).take(2);
+    let ticks: u64 = words.filter_map(|word| word.parse::<u64>().ok()).sum();
+    Duration::from_millis(10 * ticks)
+}
+
 /// The most memory that this process has had, in MB, from the kernel.
 pub fn peak_megabytes() -> f64 {
     let status = std::fs::read_to_string("/proc/self/status").unwrap_or_default();

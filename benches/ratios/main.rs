@@ -1,4 +1,4 @@
-//! What exactness costs, as ratios to a naive double-precision pass over the same data in the
+//! The cost of exactness, as ratios to a naive double-precision pass over the same data in the
 //! same run: `cargo bench --bench ratios`.
 //!
 //! | file | holds |
@@ -9,7 +9,7 @@
 //! | `child` | this program started again, for one piece of work alone |
 //! | `data` | the tilings that are measured |
 //! | `naive` | the pass in doubles that proves nothing |
-//! | `predicates`, `statements`, `quality`, `matching`, `whole`, `delaunay`, `reading`, `verifier` | rows of the table |
+//! | `predicates`, `statements`, `quality`, `matching`, `whole`, `delaunay`, `classify`, `reading`, `verifier` | rows of the table |
 //! | `parts` | the work of "whole" |
 //! | `growth` | time and memory over four sizes |
 //! | `instructions` | callgrind's counts of three fixed cases |
@@ -17,9 +17,10 @@
 //!
 //! `cargo bench --bench ratios -- NAME …` runs the parts of these names. `--lines` prints lines for
 //! programs beside the table; `--inputs DIRECTORY` writes the files for the peers and
-//! measures nothing. Work of one thread is run on one thread; "whole" uses all cores.
+//! measures nothing. Work of one thread is run on one thread; "whole" and "classify" use all cores.
 
 mod child;
+mod classify;
 mod clock;
 mod data;
 mod delaunay;
@@ -41,13 +42,14 @@ use row::Table;
 
 type Part = (&'static str, fn(&Table));
 
-const PARTS: [Part; 10] = [
+const PARTS: [Part; 11] = [
     ("predicates", predicates::measure),
     ("statements", statements::measure),
     ("quality", quality::measure),
     ("matching", matching::measure),
     ("whole", whole::measure),
     ("delaunay", delaunay::measure),
+    ("classify", classify::measure),
     ("reading", reading::measure),
     ("verifier", verifier::measure),
     ("growth", growth::measure),

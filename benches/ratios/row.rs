@@ -1,4 +1,4 @@
-//! A line of the table: what was measured, what it should be, and whether it is.
+//! A line of the table: the measured value, its target, and whether it is reached.
 
 use std::time::Duration;
 
@@ -8,7 +8,7 @@ pub struct Table {
     pub for_programs: bool,
 }
 
-/// What the measured value should be.
+/// The target for the measured value.
 #[derive(Clone, Copy)]
 pub enum Target {
     /// At most this.
@@ -53,7 +53,7 @@ impl Table {
         }
     }
 
-    /// A row; `note` has what does not fit in columns.
+    /// A row; `note` has the text that fits no column.
     pub fn row(&self, work: &str, value: f64, unit: &str, target: Target, note: &str) {
         let (shown, aim, verdict) = (figure(value), target.text(), target.verdict(value));
         println!("  {work:46} {shown:>10} {unit:22} {aim:>12}  {verdict:7} {note}");

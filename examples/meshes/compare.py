@@ -10,6 +10,8 @@ a file differs.
 """
 
 import argparse
+import contextlib
+import io
 import pathlib
 import subprocess
 import sys
@@ -23,12 +25,18 @@ warnings.simplefilter("ignore")
 EXTENSIONS = {".msh", ".vtk", ".vtu", ".mesh", ".meshb", ".node", ".ele", ".inp", ".bdf", ".nas"}
 
 
+def read(path):
+    """The mesh of a file, without meshio's words about it."""
+    silent = io.StringIO()
+    with contextlib.redirect_stdout(silent), contextlib.redirect_stderr(silent):
+        return meshio.read(path)
+
+
 def figures(mesh):
     """Counts, volume and extremes of the tetrahedra, or of the triangles where there are none."""
-    corners = {"tetra": 4, "tetra10": 4}
-    cells = [c.data[:, : corners[c.type]] for c in mesh.cells if c.type in corners]
+    cells = [c.data[:, :4] for c in mesh.cells if c.type in ("tetra", "tetra10")]
     if not cells:
-        cells = [c.data for c in mesh.cells if c.type == "triangle"]
+        cells = [c.data[:, :3] for c in mesh.cells if c.type in ("triangle", "triangle6")]
     if not cells:
         return None
     cells = np.vstack(cells)
@@ -64,7 +72,7 @@ def differences(first, second):
 def compare(path, acutile, folder):
     """A word for the outcome, and what is to be said."""
     try:
-        original = figures(meshio.read(path))
+        original = figures(read(path))
     except BaseException as error:  # meshio raises SystemExit, too.
         original = None
         reason = f"meshio: {type(error).__name__}"
@@ -79,7 +87,7 @@ def compare(path, acutile, folder):
         return word, run.stderr.strip().splitlines()[-1:] or [f"exit code {run.returncode}"]
     if original is None:
         return "only acutile", [reason]
-    found = differences(original, figures(meshio.read(target)))
+    found = differences(original, figures(read(target)))
     return ("differs", found) if found else ("equal", [])
 
 

@@ -48,13 +48,16 @@ Definition region_json (f : field) (d : region) : json :=
   | Solid P => JArray [JItem (Text "solid"); polytope_json f P]
   | Space | Region _ => JItem (region_item f d)
   end.
-Definition claim_json (k : tiling_claim) : json :=
+Definition claim_json (k : tiling_claim) (parameters : list (string * json)) : json :=
   let f := over k in
-  JObject [("dimension", JItem (Int (Z.of_nat (dimension k)))); ("field", field_json f); ("gram", JItem (points_item f (gram_rows k)));
-    ("domain", region_json f (region_of k)); ("statements", JItem (Array (map (sentence_item f) (sentences k))))].
+  JObject (("dimension", JItem (Int (Z.of_nat (dimension k)))) :: ("field", field_json f) :: (parameters ++ [("gram", JItem (points_item f (gram_rows k)));
+    ("domain", region_json f (region_of k)); ("statements", JItem (Array (map (sentence_item f) (sentences k))))])%list).
+Definition parameter_json (f : field) (p : parameter) : json :=
+  JObject [("name", JItem (Text (p_name p))); ("low", JItem (limit_item f (p_low p))); ("high", JItem (limit_item f (p_high p)))].
+Definition kind_text (kind : string) (k : json) : string :=
+  json_text 1 (JObject [("format", JItem (Text "acutile-claim")); ("version", JItem (Int 2)); ("kind", JItem (Text kind)); ("claim", k)]) ++ line_feed.
 Definition claim_text (k : claim) : string :=
   match k with
-  | OfTiling k =>
-    json_text 1 (JObject [("format", JItem (Text "acutile-claim")); ("version", JItem (Int 2)); ("kind", JItem (Text "tiling"));
-      ("claim", claim_json k)]) ++ line_feed
+  | OfTiling k => kind_text "tiling" (claim_json k [])
+  | OfFamily ps k => kind_text "family" (claim_json k [("parameters", JArray (map (parameter_json (over k)) ps))])
   end.

@@ -1,19 +1,29 @@
 (** * What a certificate is, and what its claim says
 
-    This file is read after Statement.v and PlaneStatement.v.  It contains definitions and
-    no proof.  It says what a certificate of format 2 is (docs/format.md), which bytes it
-    is, and what its claim means, in the words of those two files.  Bytes.v has the theorem:
+    This file is read after Statement.v and PlaneStatement.v, and for regions also
+    RegionStatement.v and PlaneRegionStatement.v.  It contains definitions and no proof.
+    It says what a certificate of format 2 is (docs/format.md), which bytes it is, and what
+    its claim means, in the words of those files.  Bytes.v has the theorem:
 
-      [accepts s = Some k -> exists c, s = print c /\ claim_of c = k /\ meaning k]
+      [accepts s = Some k -> exists c, s = print c /\ claim_of c = k /\ shows c /\ meaning k]
 
     The reader of the bytes s plays no part in it: whatever it makes of them is printed
     again and compared with s.  A few more notations: [N] are the numbers 0, 1, 2, … in
     binary; [l ++ m] is the list l followed by m, [map f l] the list of the values of f, [nth i l d]
-    is the i-th member of l, or d if there is none. *)
+    is the i-th member of l, or d if there is none.
+
+    The theorem does not say that c and k are well formed.  The checker demands it
+    (Format.v), but the definitions below give every term a meaning.  A missing vertex, and
+    one with a wrong number of coordinates, is the origin.  x / 0 is some number, the square
+    root of a negative number is 0, and arccos x is 0 for x > 1 and π for x < -1.  A polytope
+    without vertices is an empty domain, which no simplices tile.  Rank 7 is like rank 3.
+    Over the rational numbers a number of two coefficients depends on an arbitrary a.
+    Two certificates may have the same bytes: the sixes of a row look like another corner.
+    Where a family's box is empty, its claim says nothing; the checker demands low < high. *)
 From Coq Require Import Reals NArith ZArith List Permutation String.
 From Coq Require Import Init.Byte.
 From Coq Require Strings.Byte.
-From Acutile Require Import Statement PlaneStatement.
+From Acutile Require Import Statement PlaneStatement RegionStatement PlaneRegionStatement.
 Import ListNotations.
 
 (** ** Bytes: deterministic CBOR (RFC 8949, section 4.2.1)
@@ -50,8 +60,9 @@ End Encoding.
 
 (** ** The abstract syntax *)
 
-(** A number: its coefficients of 1, a, a^2, …; over the rational numbers just one. *)
-Definition number := list Z.
+(** A number: its coefficients of 1, a, a^2, …; over the rational numbers just one.  In a family it
+    is a polynomial: terms of a coefficient and the exponents of the parameters, in their order. *)
+Inductive number := Plain (x : list Z) | Polynomial (l : list (list Z * list N)).
 Inductive field := Rationals | Root (polynomial : list Z) (low high denominator : Z).
 Record polytope := Polytope { p_denominator : Z; p_vertices : list (list number); p_faces : list (list N) }.
 Inductive region := Space | Slab (P : polytope) | Prism (P : polytope) | Solid (P : polytope) | Region (rank : nat).
@@ -68,16 +79,28 @@ Definition corner := (N * list Z)%type.
 Definition row := (list corner * option Z)%type.
 Record tiling_witness := TilingWitness {
   w_denominator : Z; w_vertices : list (list number); w_boundary : list (list corner); w_rows : list row }.
-(** Families and systems of patches, which have no theorem yet, will be further constructors of these. *)
-Inductive claim := OfTiling (k : tiling_claim).
-Inductive certificate := Tiling (k : tiling_claim) (w : tiling_witness).
-Definition claim_of (c : certificate) : claim := match c with Tiling k _ => OfTiling k end.
+(** A parameter of a family, and the ends of its interval: closed or open, numerator, denominator. *)
+Record limit := Limit { is_closed : bool; numerator : list Z; divisor : Z }.
+Record parameter := Range { p_name : string; p_low : limit; p_high : limit }.
+(** How a family's box was cut, for the proof: not, or halved along the parameter with this number. *)
+Inductive tree := Leaf | Halve (axis : N) (lower upper : tree).
+(** Systems of patches, which have no theorem yet, will be further constructors of these. *)
+Inductive claim := OfTiling (k : tiling_claim) | OfFamily (ps : list parameter) (k : tiling_claim).
+Inductive certificate :=
+  | Tiling (k : tiling_claim) (w : tiling_witness)
+  | Family (ps : list parameter) (k : tiling_claim) (t : tree) (w : tiling_witness).
+Definition claim_of (c : certificate) : claim := match c with Tiling k _ => OfTiling k | Family ps k _ _ => OfFamily ps k end.
 
 (** ** Printing: the arrays of docs/format.md *)
 Local Open Scope string_scope.
-Definition number_item (f : field) (x : number) : item :=
-  match f, x with Rationals, [z] => Int z | _, _ => Array (map Int x) end.
 Definition index_item (n : N) : item := Int (Z.of_N n).
+Definition coefficients_item (f : field) (x : list Z) : item :=
+  match f, x with Rationals, [z] => Int z | _, _ => Array (map Int x) end.
+Definition number_item (f : field) (x : number) : item :=
+  match x with
+  | Plain x => coefficients_item f x
+  | Polynomial l => Array (map (fun t => Array (coefficients_item f (fst t) :: map index_item (snd t))) l)
+  end.
 Definition field_item (f : field) : item :=
   match f with
   | Rationals => Text "Q"
@@ -114,20 +137,30 @@ Definition sentence_item (f : field) (s : sentence) : item :=
   | IsLocallyWeaklyDelaunay => Text "locally weakly Delaunay"
   | IsTCP => Text "TCP"
   end.
-Definition claim_item (k : tiling_claim) : item :=
+Definition claim_items (k : tiling_claim) (parameters : list item) : item :=
   let f := over k in
-  Array [Int (Z.of_nat (dimension k)); field_item f; points_item f (gram_rows k); region_item f (region_of k);
-         Array (map (sentence_item f) (sentences k))].
+  Array (Int (Z.of_nat (dimension k)) :: field_item f :: parameters ++ [points_item f (gram_rows k); region_item f (region_of k);
+         Array (map (sentence_item f) (sentences k))]).
+Definition claim_item (k : tiling_claim) : item := claim_items k [].
+Definition limit_item (f : field) (e : limit) : item :=
+  Array [Text (if is_closed e then "closed" else "open"); Array [coefficients_item f (numerator e); Int (divisor e)]].
+Definition parameter_item (f : field) (p : parameter) : item :=
+  Array [Text (p_name p); limit_item f (p_low p); limit_item f (p_high p)].
+Fixpoint tree_item (t : tree) : item :=
+  match t with Leaf => Array [] | Halve a l u => Array [index_item a; tree_item l; tree_item u] end.
 Definition corner_item (c : corner) : item :=
   match snd c with [] => index_item (fst c) | s => Array (index_item (fst c) :: map Int s) end.
 Definition row_item (r : row) : item :=
   Array (map corner_item (fst r) ++ match snd r with None => [] | Some sixes => [Int sixes] end).
-Definition witness_item (f : field) (w : tiling_witness) : item :=
-  Array [Int (w_denominator w); points_item f (w_vertices w);
-         Array (map (fun b => Array (map corner_item b)) (w_boundary w)); Array (map row_item (w_rows w))].
+Definition witness_items (f : field) (w : tiling_witness) (tree : list item) : item :=
+  Array (Int (w_denominator w) :: points_item f (w_vertices w) ::
+         Array (map (fun b => Array (map corner_item b)) (w_boundary w)) :: tree ++ [Array (map row_item (w_rows w))]).
+Definition witness_item (f : field) (w : tiling_witness) : item := witness_items f w [].
 Definition certificate_item (c : certificate) : item :=
   match c with
   | Tiling k w => Array [Text "acutile-certificate"; Int 2; Text "tiling"; claim_item k; witness_item (over k) w]
+  | Family ps k t w => Array [Text "acutile-certificate"; Int 2; Text "family";
+      claim_items k [Array (map (parameter_item (over k)) ps)]; witness_items (over k) w [tree_item t]]
   end.
 Definition print (c : certificate) : bytes := encode (certificate_item c).
 Local Close Scope string_scope.
@@ -136,8 +169,18 @@ Local Close Scope string_scope.
 Local Open Scope R_scope.
 Section Value.
 Variable a : R.
-Fixpoint value (x : number) : R := match x with [] => 0 | c :: x => IZR c + a * value x end.
+Fixpoint at_root (x : list Z) : R := match x with [] => 0 | c :: x => IZR c + a * at_root x end.
 End Value.
+(** Where numbers are evaluated: at a, and at the values of the parameters of a family.  A tiling
+    has no parameters. *)
+Definition valuation := (R * list R)%type.
+Fixpoint power_product (t : list R) (exponents : list N) : R :=
+  match t, exponents with x :: t, e :: es => x ^ N.to_nat e * power_product t es | _, _ => 1 end.
+Definition value (a : valuation) (x : number) : R :=
+  match x with
+  | Plain x => at_root (fst a) x
+  | Polynomial l => fold_right (fun c s => at_root (fst a) (fst c) * power_product (snd a) (snd c) + s) 0 l
+  end.
 (** a is the number that the field is about: the only root of the polynomial in the interval.
     Over the rational numbers it plays no part. *)
 Definition the_root (f : field) (a : R) : Prop :=
@@ -145,8 +188,14 @@ Definition the_root (f : field) (a : R) : Prop :=
   | Rationals => True
   | Root p lo hi d =>
     let between x := IZR lo / IZR d <= x <= IZR hi / IZR d in
-    value a p = 0 /\ between a /\ forall x, value x p = 0 -> between x -> x = a
+    at_root a p = 0 /\ between a /\ forall x, at_root x p = 0 -> between x -> x = a
   end.
+(** The box of a family: t has one value for each parameter, and each is in its interval. *)
+Definition limit_value (a : R) (e : limit) : R := at_root a (numerator e) / IZR (divisor e).
+Definition in_range (a : R) (p : parameter) (t : R) : Prop :=
+  (if is_closed (p_low p) then limit_value a (p_low p) <= t else limit_value a (p_low p) < t) /\
+  (if is_closed (p_high p) then t <= limit_value a (p_high p) else t < limit_value a (p_high p)).
+Definition in_box (a : R) (ps : list parameter) (t : list R) : Prop := Forall2 (in_range a) ps t.
 
 (** ** Meaning: the claim about a list of simplices
 
@@ -172,7 +221,7 @@ Definition rank (k : tiling_claim) : nat :=
   match region_of k with Space => dimension k | Slab _ => dimension k - 1 | Prism _ => 1 | Solid _ => 0 | Region r => r end.
 
 Section Claim.
-Variables (k : tiling_claim) (a : R).
+Variables (k : tiling_claim) (a : valuation).
 (** The upper triangle, by rows. *)
 Definition gram_of : gram :=
   match gram_rows k with
@@ -194,14 +243,18 @@ Definition polytope_points : list (list R) :=
 (** The angle with the sign and the square p/q of its cosine. *)
 Definition angle_bound (sign : Z) (p : number) (q : Z) : R := acos (IZR sign * sqrt (value a p / IZR q)).
 
-(** The sentence holds for the simplices T 0, …, T (n - 1) and their lattice translates. The local
-    Delaunay conditions are about regions, for which this development has no theorem: nothing is
-    said of them, and no claim with them is accepted. *)
-Variables (n : nat) (T : nat -> simplex).
+(** The sentence holds for the simplices T 0, …, T (n - 1) and their lattice translates. A region is
+    their union, and [listed] are its boundary facets: (j, i) is the facet of T j opposite to its
+    corner i, with i = 0, 1, … For other domains [listed] plays no part. *)
+Variables (n : nat) (T : nat -> simplex) (listed : list (nat * nat)).
 Definition space_sentence (l1 l2 l3 : point) (s : sentence) : Prop :=
   let r := rank k in let P := fun j => as_tetrahedron l1 l2 l3 (T j) in
   match s with
-  | FaceToFaceTiling => face_to_face_tiling l1 l2 l3 r (domain l1 l2 l3 r (map as_point polytope_points)) n P
+  | FaceToFaceTiling =>
+    match region_of k with
+    | Region _ => face_to_face_region l1 l2 l3 r n P listed
+    | _ => face_to_face_tiling l1 l2 l3 r (domain l1 l2 l3 r (map as_point polytope_points)) n P
+    end
   | IsAcute => acute l1 l2 l3 r n P
   | IsNonobtuse => nonobtuse l1 l2 l3 r n P
   | LargestAngle rel sg p q => largest_dihedral_angle l1 l2 l3 r n P rel (angle_bound sg p q)
@@ -209,13 +262,18 @@ Definition space_sentence (l1 l2 l3 : point) (s : sentence) : Prop :=
   | SquaredRatio rel p q => squared_radius_edge_ratio l1 l2 l3 r n P rel (value a p / IZR q)
   | IsDelaunay => delaunay l1 l2 l3 r n P
   | IsWeaklyDelaunay => weakly_delaunay l1 l2 l3 r n P
-  | IsLocallyDelaunay | IsLocallyWeaklyDelaunay => False
+  | IsLocallyDelaunay => locally_delaunay l1 l2 l3 r n P
+  | IsLocallyWeaklyDelaunay => locally_weakly_delaunay l1 l2 l3 r n P
   | IsTCP => tcp l1 l2 l3 r n P
   end.
 Definition plane_sentence (l1 l2 : point2) (s : sentence) : Prop :=
   let r := rank k in let P := fun j => as_triangle l1 l2 (T j) in
   match s with
-  | FaceToFaceTiling => edge_to_edge_tiling l1 l2 r (domain2 l1 l2 r (map as_point2 polytope_points)) n P
+  | FaceToFaceTiling =>
+    match region_of k with
+    | Region _ => edge_to_edge_region l1 l2 r n P listed
+    | _ => edge_to_edge_tiling l1 l2 r (domain2 l1 l2 r (map as_point2 polytope_points)) n P
+    end
   | IsAcute => acute2 l1 l2 r n P
   | IsNonobtuse => nonobtuse2 l1 l2 r n P
   | LargestAngle rel sg p q => largest_angle2 l1 l2 r n P rel (angle_bound sg p q)
@@ -223,7 +281,9 @@ Definition plane_sentence (l1 l2 : point2) (s : sentence) : Prop :=
   | SquaredRatio rel p q => squared_radius_edge_ratio2 l1 l2 r n P rel (value a p / IZR q)
   | IsDelaunay => delaunay2 l1 l2 r n P
   | IsWeaklyDelaunay => weakly_delaunay2 l1 l2 r n P
-  | IsLocallyDelaunay | IsLocallyWeaklyDelaunay | IsTCP => False
+  | IsLocallyDelaunay => locally_delaunay2 l1 l2 r n P
+  | IsLocallyWeaklyDelaunay => locally_weakly_delaunay2 l1 l2 r n P
+  | IsTCP => False
   end.
 (** There are bases with the Gram matrix, and for all of them every sentence holds. Any two of them
     differ by a congruence. *)
@@ -240,10 +300,14 @@ End Claim.
 
 (** ** Meaning: the claim alone, and the certificate
 
-    The claim says that such simplices exist. The certificate shows which ones. *)
+    The claim says that there are such simplices, and boundary facets of a region; that of a
+    family says it for every point of the box. The certificate shows which ones.  The claim about a region says very little by itself,
+    because any region of this rank is one: read [shows] for the region of the certificate. *)
 Definition meaning (k : claim) : Prop :=
   match k with
-  | OfTiling k => match region_of k with Region _ => False | _ => exists a, the_root (over k) a /\ exists n T, holds_of k a n T end
+  | OfTiling k => exists a, the_root (over k) a /\ exists n T listed, holds_of k (a, []) n T listed
+  | OfFamily ps k => exists a, the_root (over k) a /\
+      forall t, in_box a ps t -> exists n T listed, holds_of k (a, t) n T listed
   end.
 
 (** The coordinates of a corner: those of its vertex, moved by the shift. *)
@@ -252,15 +316,26 @@ Fixpoint moved (x : list R) (shift : list Z) : list R :=
   | x :: xs, s :: shift => (x + IZR s) :: moved xs shift
   | _, _ => x
   end.
-Definition coordinates (a : R) (w : tiling_witness) (c : corner) : list R :=
+Definition coordinates (a : valuation) (w : tiling_witness) (c : corner) : list R :=
   moved (map (fun x => value a x / IZR (w_denominator w)) (nth (N.to_nat (fst c)) (w_vertices w) [])) (snd c).
 (** T j has the corners of row j, in some order. *)
-Definition are_rows (a : R) (w : tiling_witness) (n : nat) (T : nat -> simplex) : Prop :=
+Definition are_rows (a : valuation) (w : tiling_witness) (n : nat) (T : nat -> simplex) : Prop :=
   n = List.length (w_rows w) /\
   forall j r, nth_error (w_rows w) j = Some r -> Permutation (T j) (map (coordinates a w) (fst r)).
-(** What the certificate shows: its own simplices have the claimed properties. *)
+(** The corners of a simplex but its i-th one. *)
+Fixpoint but (i : nat) (t : simplex) : simplex :=
+  match t, i with [], _ => [] | _ :: t, O => t | x :: t, S i => x :: but i t end.
+(** The m-th listed facet (j, i) has the corners of the m-th facet of the certificate's boundary, in
+    some order and all moved by one lattice vector, which has the coordinates s. *)
+Definition are_facets (a : valuation) (w : tiling_witness) (rank : nat) (T : nat -> simplex) (listed : list (nat * nat)) : Prop :=
+  List.length listed = List.length (w_boundary w) /\
+  forall m f, nth_error (w_boundary w) m = Some f -> exists j i s, nth_error listed m = Some (j, i) /\
+    List.length s = rank /\ Permutation (but i (T j)) (map (fun c => moved (coordinates a w c) s) f).
+(** What the certificate shows: its own simplices and facets have the claimed properties. *)
 Definition shows (c : certificate) : Prop :=
   match c with
-  | Tiling k w => match region_of k with Region _ => False | _ =>
-      exists a, the_root (over k) a /\ exists n T, are_rows a w n T /\ holds_of k a n T end
+  | Tiling k w => exists a, the_root (over k) a /\ exists n T listed,
+      are_rows (a, []) w n T /\ are_facets (a, []) w (rank k) T listed /\ holds_of k (a, []) n T listed
+  | Family ps k _ w => exists a, the_root (over k) a /\ forall t, in_box a ps t -> exists n T listed,
+      are_rows (a, t) w n T /\ are_facets (a, t) w (rank k) T listed /\ holds_of k (a, t) n T listed
   end.

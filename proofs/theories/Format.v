@@ -5,7 +5,7 @@
     second part turns a certificate into the data of Checker.v and PlaneChecker.v, and asks
     for all that the theorem of Bytes.v needs. *)
 From Coq Require Import Reals NArith ZArith List Bool String FMapPositive.
-From Acutile Require Import Statement Tetrahedra Degree Domain Checker PlaneChecker Polytope Numbers Fast Denote Pairing.
+From Acutile Require Import Statement Tetrahedra Degree Domain Checker PlaneChecker Polytope Numbers Fast Grid RegionChecker PlaneRegionChecker Denote Pairing.
 Import ListNotations.
 Local Open Scope nat_scope.
 Notation length := List.length.
@@ -22,18 +22,34 @@ Inductive refusal := Malformed (why : string) | Rejected (why : string) | Declin
 Inductive verdict := Accepted (k : claim) | Refused (r : refusal).
 Notation "'need' c 'else' v ; e" := (if c then e else Some v) (at level 200, c at level 100, v at level 100, e at level 200).
 
+(** The integers in a number. *)
+Definition integers (x : number) : list Z := match x with Plain x => x | Polynomial l => flat_map fst l end.
 Definition degree (f : field) : nat := match f with Rationals => 1 | Root p _ _ _ => length p - 1 end.
 Definition bits (z : Z) : N := N.size (Z.abs_N z).
 Definition fold_numbers {X} (f : X -> Z -> X) (table : list (list number)) (m : X) : X :=
-  fold_left (fun m v => fold_left (fun m x => fold_left f x m) v m) table m.
+  fold_left (fun m v => fold_left (fun m x => fold_left f (integers x) m) v m) table m.
 Definition common_divisor (m : Z) (table : list (list number)) : Z := fold_numbers Z.gcd table m.
 Definition proper_denominator (m : Z) (table : list (list number)) : bool := Z.ltb 0 m && Z.eqb (common_divisor m table) 1.
-Definition rows_of (n d : nat) (table : list (list number)) : bool :=
-  forallb (fun v => Nat.eqb (length v) d && forallb (fun x => Nat.eqb (length x) n) v) table.
-Fixpoint triangular (n d : nat) (rows : list (list number)) : bool :=
+(** With m parameters: without any a number has n coefficients; else it is a list of terms that are
+    not zero, with exponents from 0 to 15, in ascending order of these. *)
+Fixpoint ascends (e f : list N) : bool :=
+  match e, f with x :: e, y :: f => N.ltb x y || (N.eqb x y && ascends e f) | _, _ => false end.
+Fixpoint all_ascend (l : list (list N)) : bool := match l with e :: (f :: _) as r => ascends e f && all_ascend r | _ => true end.
+Definition proper_term (m n : nat) (t : list Z * list N) : bool :=
+  Nat.eqb (length (fst t)) n && existsb (fun z => negb (Z.eqb 0 z)) (fst t) &&
+  Nat.eqb (length (snd t)) m && forallb (fun e => N.leb e 15) (snd t).
+Definition proper_number (m n : nat) (x : number) : bool :=
+  match m, x with
+  | 0, Plain x => Nat.eqb (length x) n
+  | S _, Polynomial l => forallb (proper_term m n) l && all_ascend (map snd l)
+  | _, _ => false
+  end.
+Definition rows_of (m n d : nat) (table : list (list number)) : bool :=
+  forallb (fun v => Nat.eqb (length v) d && forallb (proper_number m n) v) table.
+Fixpoint triangular (m n d : nat) (rows : list (list number)) : bool :=
   match d, rows with
   | 0, [] => true
-  | S d', row :: rows => rows_of n d [row] && triangular n d' rows
+  | S d', row :: rows => rows_of m n d [row] && triangular m n d' rows
   | _, _ => false
   end.
 
@@ -52,13 +68,13 @@ Definition field_refusal (f : field) : option refusal :=
     | _, _ => Some (Rejected "the polynomial does not change its sign")
     end
   end.
-Definition region_refusal (k : tiling_claim) : option refusal :=
+Definition region_refusal (m : nat) (k : tiling_claim) : option refusal :=
   match region_of k with
   | Space => None
-  | Region r => need Nat.leb r (dimension k) else Malformed "the rank of the region"; Some (Declined "a region: this checker has no theorem about it")
+  | Region r => need Nat.leb r (dimension k) else Malformed "the rank of the region"; None
   | Slab P | Prism P | Solid P =>
     need (match region_of k with Prism _ => Nat.eqb (dimension k) 3 | _ => true end) else Malformed "a prism in the plane";
-    need rows_of (degree (over k)) (dimension k - rank k) (p_vertices P) else Malformed "the vertices of the polytope";
+    need rows_of m (degree (over k)) (dimension k - rank k) (p_vertices P) else Malformed "the vertices of the polytope";
     need proper_denominator (p_denominator P) (p_vertices P) else Malformed "the denominator of the polytope";
     need forallb (forallb (fun i => N.ltb i (N.of_nat (length (p_vertices P))))) (p_faces P) else Malformed "a vertex of a face out of range";
     None
@@ -77,26 +93,29 @@ Definition sentence_place (s : sentence) : nat :=
 Fixpoint increasing (l : list nat) : bool :=
   match l with a :: (b :: _) as r => Nat.ltb a b && increasing r | _ => true end.
 Definition is_tcp (s : sentence) : bool := match s with IsTCP => true | _ => false end.
+Definition is_global (s : sentence) : bool := match s with IsDelaunay | IsWeaklyDelaunay => true | _ => false end.
 Definition is_local (s : sentence) : bool := match s with IsLocallyDelaunay | IsLocallyWeaklyDelaunay => true | _ => false end.
 Definition proper_bound (n : nat) (s : sentence) : bool :=
-  let fraction p q := Nat.eqb (length p) n && proper_denominator q [[p]] in
+  let fraction p q := proper_number 0 n p && proper_denominator q [[p]] in
   match s with
   | LargestAngle _ sg p q | SmallestAngle _ sg p q =>
-    Z.leb (-1) sg && Z.leb sg 1 && fraction p q && Bool.eqb (Z.eqb sg 0) (forallb (Z.eqb 0) p)
+    Z.leb (-1) sg && Z.leb sg 1 && fraction p q && Bool.eqb (Z.eqb sg 0) (forallb (Z.eqb 0) (integers p))
   | SquaredRatio _ p q => fraction p q
   | _ => true
   end.
-Definition claim_refusal (k : tiling_claim) : option refusal :=
+Definition is_region (k : tiling_claim) : bool := match region_of k with Region _ => true | _ => false end.
+Definition claim_refusal (m : nat) (k : tiling_claim) : option refusal :=
   let n := degree (over k) in
   need (Nat.eqb (dimension k) 2 || Nat.eqb (dimension k) 3) else Malformed "the dimension";
   match field_refusal (over k) with Some v => Some v | None =>
-  need (triangular n (dimension k) (gram_rows k) && Z.eqb (common_divisor 0 (gram_rows k)) 1) else Malformed "the Gram matrix";
-  match region_refusal k with Some v => Some v | None =>
+  need (triangular m n (dimension k) (gram_rows k) && Z.eqb (common_divisor 0 (gram_rows k)) 1) else Malformed "the Gram matrix";
+  match region_refusal m k with Some v => Some v | None =>
   need (match sentences k with FaceToFaceTiling :: _ => true | _ => false end && increasing (map sentence_place (sentences k)))
     else Malformed "the order of the statements";
   need forallb (proper_bound n) (sentences k) else Malformed "a bound";
-  need negb (existsb is_local (sentences k)) else Malformed "a local statement about a domain that is not a region";
-  need (negb (existsb is_tcp (sentences k)) || (Nat.eqb (dimension k) 3 && Nat.eqb (rank k) 3)) else Malformed "TCP is stated of space only";
+  need (is_region k || negb (existsb is_local (sentences k))) else Malformed "a local statement about a domain that is not a region";
+  need (negb (is_region k) || negb (existsb is_global (sentences k))) else Malformed "Delaunay of a region";
+  need (negb (existsb is_tcp (sentences k)) || (Nat.eqb (dimension k) 3 && Nat.eqb (rank k) 3 && negb (is_region k))) else Malformed "TCP is stated of space only";
   None
   end end.
 
@@ -123,6 +142,18 @@ Definition row_refusal (k : tiling_claim) (count : N) (tcp : bool) (r : row) : o
   | Some b, true => if Z.leb 0 b && Z.ltb b 64 then None else Some (Malformed "the bits of a row")
   | _, _ => Some (Malformed "the length of a row")
   end.
+(** A boundary facet: its corners in order, the first one listed with the shift zero. *)
+Definition facet_refusal (k : tiling_claim) (count : N) (f : list corner) : option refusal :=
+  need Nat.eqb (length f) (dimension k) else Malformed "the length of a boundary facet";
+  need forallb (fun q => N.ltb (fst q) count) f else Malformed "a vertex out of range";
+  need forallb (fun q => proper_shift (rank k) (snd q)) f else Malformed "a shift";
+  need match f with (_, []) :: _ => true | _ => false end else Malformed "the first corner has a shift";
+  need match map corner3 f with
+    | [a; b; c] => before a b && before a c && negb (ceqb b c)
+    | [a; b] => negb (ceqb a b)
+    | _ => false
+    end else Malformed "the order of the corners";
+  None.
 Fixpoint first_refusal {X} (f : X -> option refusal) (l : list X) : option refusal :=
   match l with [] => None | x :: l => match f x with None => first_refusal f l | v => v end end.
 
@@ -165,31 +196,74 @@ Definition six_bits (m : tally) (r : row) : Z :=
 Definition sixes_agree (ts : list ctet) (rows : list row) : bool :=
   let m := tallied ts in
   forallb (fun r => match snd r with Some b => Z.eqb (six_bits m r) b | None => false end) rows.
-Definition witness_refusal (k : tiling_claim) (w : tiling_witness) : option refusal :=
+Definition witness_refusal (m : nat) (k : tiling_claim) (w : tiling_witness) : option refusal :=
   let tcp := existsb is_tcp (sentences k) in
-  need rows_of (degree (over k)) (dimension k) (w_vertices w) else Malformed "the length of a vertex";
+  need rows_of m (degree (over k)) (dimension k) (w_vertices w) else Malformed "the length of a vertex";
   need proper_denominator (w_denominator w) (w_vertices w) else Malformed "the denominator";
-  need match w_boundary w with [] => true | _ => false end else Malformed "boundary facets of a domain that is not a region";
+  need Bool.eqb (is_region k) match w_boundary w with [] => false | _ => true end else Malformed "boundary facets are listed for a region, and for no other domain";
   need match w_rows w with [] => false | _ => true end else Malformed "no simplices";
   match first_refusal (row_refusal k (N.of_nat (length (w_vertices w))) tcp) (w_rows w) with Some v => Some v | None =>
+  match first_refusal (facet_refusal k (N.of_nat (length (w_vertices w)))) (w_boundary w) with Some v => Some v | None =>
   need all_used (used_vertices (w_rows w)) 0 (w_vertices w) else Malformed "an unused vertex";
   need negb (too_much_work k w) else Declined "the work";
   None
+  end end.
+
+(** *** Families: names, ends, terms, the tree *)
+Definition between (lo hi : N) (c : Ascii.ascii) : bool := let n := Ascii.N_of_ascii c in N.leb lo n && N.leb n hi.
+Definition name_letter (c : Ascii.ascii) : bool := between 97 122 c || between 48 57 c || between 95 95 c.
+Definition proper_name (s : string) : bool :=
+  match s with
+  | String c r => between 97 122 c && forallb name_letter (list_ascii_of_string r) && Nat.leb (String.length s) 16
+  | EmptyString => false
   end.
+Fixpoint distinct_names (l : list string) : bool :=
+  match l with [] => true | s :: l => negb (existsb (String.eqb s) l) && distinct_names l end.
+Definition proper_limit (n : nat) (e : limit) : bool :=
+  Nat.eqb (length (numerator e)) n && proper_denominator (divisor e) [[Plain (numerator e)]].
+Definition values_of (k : tiling_claim) (w : tiling_witness) : list (list number) :=
+  gram_rows k ++ match polytope_of (region_of k) with Some P => p_vertices P | None => [] end ++ w_vertices w.
+(** The greatest exponent of the parameter with number i. *)
+Definition greatest (i : nat) (table : list (list number)) : N :=
+  fold_left (fun m x => match x with Polynomial l => fold_left (fun m t => N.max m (nth i (snd t) 0%N)) l m | Plain _ => m end) (List.concat table) 0%N.
+Fixpoint leaf_count (t : tree) : N := match t with Leaf => 1 | Halve _ l u => leaf_count l + leaf_count u end%N.
+Fixpoint depth (t : tree) : nat := match t with Leaf => 0 | Halve _ l u => S (Nat.max (depth l) (depth u)) end.
+Fixpoint proper_axes (m : N) (t : tree) : bool :=
+  match t with Leaf => true | Halve a l u => N.ltb a m && proper_axes m l && proper_axes m u end.
+Definition family_refusal (ps : list parameter) (k : tiling_claim) (t : tree) (w : tiling_witness) : option refusal :=
+  let m := length ps in let n := degree (over k) in let names := map p_name ps in
+  need (Nat.leb 1 m && Nat.leb m 64) else Malformed "the number of parameters";
+  need (forallb proper_name names && distinct_names names) else Malformed "the name of a parameter";
+  need (Nat.eqb n 1 || negb (existsb (String.eqb "a") names)) else Malformed "a parameter with the name of the generator";
+  need forallb (fun p => proper_limit n (p_low p) && proper_limit n (p_high p)) ps else Malformed "an end of an interval";
+  match claim_refusal m k with Some v => Some v | None =>
+  need negb (is_region k) else Malformed "a family of regions";
+  match witness_refusal m k w with Some v => Some v | None =>
+  need proper_axes (N.of_nat m) t else Malformed "the axis of a tree";
+  need (N.leb (leaf_count t) 4096 && Nat.leb (depth t) 64) else Declined "the tree";
+  let degrees := map (fun i => greatest i (values_of k w)) (seq 0 m) in
+  need forallb (N.ltb 0) degrees else Malformed "an unused parameter";
+  let size := fold_left (fun s d => N.min 1000000 (s * (3 * d + 1)))%N degrees 1%N in
+  (* terms of a determinant, squared, for each row and leaf *)
+  let n := N.of_nat n in
+  need N.leb (leaf_count t * size * size * n * n * (1 + N.of_nat (length (w_rows w)))) 10000000 else Declined "the work";
+  None
+  end end.
 
 (** ** 2. The data of the checker, over a ring *)
 Local Close Scope string_scope.
 Local Open Scope Z_scope.
+Definition scale_number (f : Z) (x : number) : number :=
+  match x with Plain x => Plain (map (Z.mul f) x) | Polynomial l => Polynomial (map (fun t => (map (Z.mul f) (fst t), snd t)) l) end.
 (** The polytope over the witness's denominator, with z zeros in front. *)
 Definition factor (w : tiling_witness) (P : polytope) : Z := w_denominator w / p_denominator P.
 Definition scaled (k : tiling_claim) (w : tiling_witness) (z : nat) : list (list number) :=
   match polytope_of (region_of k) with
-  | Some P => map (fun v => repeat [0] z ++ map (map (Z.mul (factor w P))) v) (p_vertices P)
+  | Some P => map (fun v => repeat (Plain [0]) z ++ map (scale_number (factor w P)) v) (p_vertices P)
   | None => []
   end.
 Definition denominators_agree (k : tiling_claim) (w : tiling_witness) : bool :=
   match polytope_of (region_of k) with Some P => Z.eqb (w_denominator w) (factor w P * p_denominator P) | None => true end.
-Definition is_region (k : tiling_claim) : bool := match region_of k with Region _ => true | _ => false end.
 Definition states_tiling (k : tiling_claim) : bool := existsb (fun s => match s with FaceToFaceTiling => true | _ => false end) (sentences k).
 
 (** The corners of a row are those of the simplex, in the plane in some order. *)
@@ -210,8 +284,45 @@ Definition same_triangle (count : N) (r : row) (t : ctri) : bool :=
   | _ => false
   end.
 
+(** The boundary facets of a region: facet i of tetrahedron j, moved by d, has the corners listed, in
+    the order of the other side, and no mate; and there are no other facets without a mate. *)
+Definition facet_is (r : nat) (tm : PositiveMap.t ctet) (f : list Denote.corner) (p : N * N * Z3) : bool :=
+  let '(j, i, d) := p in
+  match entry tm j, map corner3 f with
+  | Some t, [a; b; c] =>
+    N.ltb i 4 && latb r d && unmated t (N.to_nat i) && codd d (a, b, c) (cfc t (N.to_nat i))
+  | _, _ => false
+  end.
+Definition marked (l : list (N * N * Z3)) : PositiveMap.t unit :=
+  fold_left (fun m p => let '(j, i, _) := p in PositiveMap.add (place j i) tt m) l (PositiveMap.empty unit).
+Definition all_marked (m : PositiveMap.t unit) (fs : list (N * ctet * nat)) : bool :=
+  forallb (fun f => let '(k, _, i) := f in match PositiveMap.find (place k (N.of_nat i)) m with Some _ => true | None => false end) fs.
+Definition facets_agree (k : tiling_claim) (w : tiling_witness) (ts : list ctet) (places : list (N * N * Z3)) : bool :=
+  if is_region k then Nat.leb (rank k) 3 && both (facet_is (rank k) (tabulate ts)) (w_boundary w) places && all_marked (marked places) (RegionChecker.open_facets ts)
+  else match w_boundary w with [] => true | _ => false end.
+
+(** The same in the plane: from the first end to the second the region is on the left. *)
+Definition moved2 (d : Z3) (p : corner2) : corner2 := (fst p, (fst (snd p) + fst (fst d), snd (snd p) + snd (fst d))).
+Definition ends (t : ctri) (i : nat) : corner2 * corner2 :=
+  let '(a, b) := match i with O => (p1 t, p2 t) | S O => (p2 t, p0 t) | _ => (p0 t, p1 t) end in if even t then (a, b) else (b, a).
+Definition side_is (r : nat) (tm : PositiveMap.t ctri) (f : list Denote.corner) (p : N * N * Z3) : bool :=
+  let '(j, i, d) := p in
+  match entry tm j, f with
+  | Some t, [a; b] =>
+    N.ltb i 3 && latb r d && free t (N.to_nat i) &&
+    let '(x, y) := ends t (N.to_nat i) in ceqb2 a (moved2 d x) && ceqb2 b (moved2 d y)
+  | _, _ => false
+  end.
+Definition all_marked2 (m : PositiveMap.t unit) (fs : list (N * ctri * nat)) : bool :=
+  forallb (fun f => let '(k, _, i) := f in match PositiveMap.find (place k (N.of_nat i)) m with Some _ => true | None => false end) fs.
+Definition sides_agree (k : tiling_claim) (w : tiling_witness) (ts : list ctri) (places : list (N * N * Z3)) : bool :=
+  if is_region k then Nat.leb (rank k) 2 && forallb (forallb (fun q => N.ltb (fst q) (N.of_nat (length (w_vertices w))))) (w_boundary w) &&
+    both (side_is (rank k) (tabulate ts)) (w_boundary w) places && all_marked2 (marked places) (open_sides ts)
+  else match w_boundary w with [] => true | _ => false end.
+
 Section Ring.
 Variables (A : Type) (aadd asub amul : A -> A -> A) (aofZ : Z -> A) (alt ale : A -> A -> bool).
+Variable part : Z -> A -> Z.
 (** A number that is fit is an element of the ring. *)
 Variables (fit : number -> bool) (inn : number -> A).
 Notation zero := (Checker.zero A aofZ).
@@ -244,32 +355,52 @@ Definition statement_of (s : sentence) : list (cstatement A) :=
   | IsLocallyDelaunay | IsLocallyWeaklyDelaunay => []
   | IsTCP => [CTCP A]
   end.
-Definition fit_sentence (s : sentence) : bool :=
+Definition region_statement_of (s : sentence) : list (rstatement A) :=
+  match s with
+  | IsLocallyDelaunay => [CLocallyDelaunay A]
+  | IsLocallyWeaklyDelaunay => [CLocallyWeaklyDelaunay A]
+  | _ => map (Each A) (statement_of s)
+  end.
+Definition fit_sentence (regional : bool) (s : sentence) : bool :=
   match s with
   | LargestAngle _ _ p _ | SmallestAngle _ _ p _ | SquaredRatio _ p _ => fit p
-  | IsLocallyDelaunay | IsLocallyWeaklyDelaunay => false
+  | IsLocallyDelaunay | IsLocallyWeaklyDelaunay => regional
   | _ => true
   end.
 Definition statements_of (k : tiling_claim) := flat_map statement_of (sentences k).
+Definition region_statements_of (k : tiling_claim) := flat_map region_statement_of (sentences k).
 
-Definition shape3 (k : tiling_claim) (w : tiling_witness) (ts : list ctet) : bool :=
+Definition shape3 (k : tiling_claim) (w : tiling_witness) (ts : list ctet) (places : list (N * N * Z3)) : bool :=
   gram_shape k && forallb triple (w_vertices w) && forallb triple (scaled k w (rank k)) && Z.ltb 0 (w_denominator w) && denominators_agree k w &&
-  negb (is_region k) && states_tiling k && forallb fit_sentence (sentences k) &&
+  facets_agree k w ts places && states_tiling k && forallb (fit_sentence (is_region k)) (sentences k) &&
   both (same_row (N.of_nat (length (w_vertices w)))) (w_rows w) ts.
 Definition data3 (k : tiling_claim) (w : tiling_witness) (ts : list ctet) : cert A :=
   faces_cert A aadd asub amul aofZ ale (w_denominator w) (map vec3 (w_vertices w)) ts (gram3 k) (rank k)
     (map vec3 (scaled k w (rank k))) (faces_of k).
-Definition proved3 (k : tiling_claim) (w : tiling_witness) (ts : list ctet) : bool :=
-  if shape3 k w ts then fast_check A aadd asub amul aofZ alt ale (data3 k w ts) (statements_of k) else false.
+Definition proved3 (k : tiling_claim) (w : tiling_witness) (ts : list ctet) (places : list (N * N * Z3)) : bool :=
+  if shape3 k w ts places then
+    if is_region k then check_region_with A aadd asub amul aofZ alt ale part (data3 k w ts) (region_statements_of k)
+    else fast_check A aadd asub amul aofZ alt ale (data3 k w ts) (statements_of k)
+  else false.
 
-Definition shape2 (k : tiling_claim) (w : tiling_witness) (ts : list ctri) : bool :=
+Definition shape2 (k : tiling_claim) (w : tiling_witness) (ts : list ctri) (places : list (N * N * Z3)) : bool :=
   gram_shape k && forallb pair (w_vertices w) && forallb pair (scaled k w (rank k)) && Z.ltb 0 (w_denominator w) && denominators_agree k w &&
-  negb (is_region k) && states_tiling k && forallb fit_sentence (sentences k) &&
+  sides_agree k w ts places && states_tiling k && forallb (fit_sentence (is_region k)) (sentences k) &&
   both (same_triangle (N.of_nat (length (w_vertices w)))) (w_rows w) ts.
 Definition data2 (k : tiling_claim) (w : tiling_witness) (ts : list ctri) : cert2 A :=
   Cert2 A (w_denominator w) (map vec2 (w_vertices w)) ts (gram2 k) (rank k) (map vec2 (scaled k w (rank k))) (faces_of k).
-Definition proved2 (k : tiling_claim) (w : tiling_witness) (ts : list ctri) : bool :=
-  if shape2 k w ts then check2 A aadd asub amul aofZ alt ale (data2 k w ts) (statements_of k) else false.
+Definition proved2 (k : tiling_claim) (w : tiling_witness) (ts : list ctri) (places : list (N * N * Z3)) : bool :=
+  if shape2 k w ts places then
+    if is_region k then check_region2_with A aadd asub amul aofZ alt ale part (data2 k w ts) (region_statements_of k)
+    else check2 A aadd asub amul aofZ alt ale (data2 k w ts) (statements_of k)
+  else false.
+
+(** About how many cells the grid of a region has: a bound on the work. *)
+Definition grid_cells (k : tiling_claim) (w : tiling_witness) : Z :=
+  let place v := match dimension k with 3%nat => vec3 v | _ => let p := vec2 v in V3 A (fst p) (snd p) zero end in
+  let at_ := fast_pos A aadd aofZ (w_denominator w) (tabulate (fast_map place (w_vertices w))) in
+  let es := fast_map (fun r => extents A part (map at_ (row_corners r))) (w_rows w) in
+  all_cells (units_of (rank k) (w_denominator w) es) es.
 
 (** The polytope is as the format demands. *)
 Definition proper_polytope (k : tiling_claim) (w : tiling_witness) : bool :=
@@ -280,10 +411,10 @@ Definition proper_polytope (k : tiling_claim) (w : tiling_witness) : bool :=
   | None => true
   end.
 Definition proved (k : tiling_claim) (w : tiling_witness) : bool :=
-  let rows := fast_map row_corners (w_rows w) in
+  let rows := fast_map row_corners (w_rows w) in let boundary := fast_map (map corner3) (w_boundary w) in
   match dimension k with
-  | 3%nat => proved3 k w (tetrahedra rows)
-  | 2%nat => proved2 k w (triangles rows)
+  | 3%nat => let (ts, places) := tetrahedra boundary rows in proved3 k w ts places
+  | 2%nat => let (ts, places) := triangles boundary rows in proved2 k w ts places
   | _ => false
   end.
 End Ring.

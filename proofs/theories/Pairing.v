@@ -3,7 +3,8 @@
     No theorem is about this file: the checker checks every mate and every enclosure.  A
     facet is named by its sorted corners, moved so that the first one has the shift zero:
     translates have one name.  The second facet with a name closes the first, a third one
-    is open again (docs/format.md, "Mates"). *)
+    is open again (docs/format.md, "Mates").  The boundary facets of a region are open
+    before the first row: a simplex that closes one has it as a boundary facet. *)
 From Coq Require Import NArith ZArith List Bool FMapPositive.
 From Acutile Require Import Tetrahedra Degree Domain Checker PlaneChecker Numbers Fast.
 Import ListNotations.
@@ -51,27 +52,41 @@ Definition without (i : nat) (l : list corner) : list corner := firstn i l ++ sk
 Definition pair_row (s : N * (open_facets * mates_map)) (r : list corner) : N * (open_facets * mates_map) :=
   let (k, s) := s in
   (N.succ k, fold_left (fun s i => pair_facet k (N.of_nat i) (without i r) s) (seq 0 (length r)) s).
-Definition mates (rows : list (list corner)) : mates_map :=
-  snd (snd (fold_left pair_row rows (0%N, (PositiveMap.empty _, PositiveMap.empty _)))).
+(** Boundary facets are the facets 0 of simplices n, n + 1, …, where n is the number of rows. *)
+Definition pair_boundary (s : N * (open_facets * mates_map)) (f : list corner) : N * (open_facets * mates_map) :=
+  let (k, s) := s in (N.succ k, pair_facet k 0 f s).
+Definition mates (n : N) (boundary rows : list (list corner)) : mates_map :=
+  let s := snd (fold_left pair_boundary boundary (n, (PositiveMap.empty _, PositiveMap.empty _))) in
+  snd (snd (fold_left pair_row rows (0%N, s))).
+Definition number_of {X} (l : list X) : N := fold_left (fun n _ => N.succ n) l 0%N.
+(** The simplex, and not a boundary facet, across facet i of simplex k. *)
+Definition mate_in (n : N) (m : mates_map) (k i : N) : option (N * N * Z3) :=
+  match PositiveMap.find (place k i) m with Some (k', i', d) => if N.ltb k' n then Some (k', i', d) else None | None => None end.
 Fixpoint numbered {X Y} (f : N -> X -> Y) (k : N) (l : list X) (reversed : list Y) : list Y :=
   match l with [] => rev_append reversed [] | x :: l => numbered f (N.succ k) l (f k x :: reversed) end.
 
 (** ** The data of the checker *)
 Definition no_corner : corner := (0%N, z30).
-Definition tetrahedron (m : mates_map) (k : N) (r : list corner) : ctet :=
-  let q i := nth i r no_corner in let mate i := PositiveMap.find (place k i) m in
+Definition tetrahedron (n : N) (m : mates_map) (k : N) (r : list corner) : ctet :=
+  let q i := nth i r no_corner in let mate i := mate_in n m k i in
   CT (q 0%nat) (q 1%nat) (q 2%nat) (q 3%nat) (mate 0%N) (mate 1%N) (mate 2%N) (mate 3%N).
-Definition tetrahedra (rows : list (list corner)) : list ctet := numbered (tetrahedron (mates rows)) 0%N rows [].
+(** The facet of a simplex for each boundary facet, and the vector that moves it there. *)
+Definition boundary_places (n : N) (m : mates_map) (boundary : list (list corner)) : list (N * N * Z3) :=
+  numbered (fun k _ => match mate_in n m k 0 with Some p => p | None => (n, 0%N, z30) end) n boundary [].
+Definition tetrahedra (boundary rows : list (list corner)) : list ctet * list (N * N * Z3) :=
+  let n := number_of rows in let m := mates n boundary rows in
+  (numbered (tetrahedron n m) 0%N rows [], boundary_places n m boundary).
 (** In the plane the corners ascend; the triangle is even if they did so in its row. *)
 Definition flat (n : Z3) : Z * Z := fst n.
 Definition corner_in_plane (q : corner) : corner2 := (fst q, flat (snd q)).
-Definition triangle (m : mates_map) (k : N) (r : list corner) : ctri :=
+Definition triangle (n : N) (m : mates_map) (k : N) (r : list corner) : ctri :=
   let s := sort_corners r in
   let q i := corner_in_plane (nth i s no_corner) in
-  let mate i := match PositiveMap.find (place k i) m with Some (k', i', d) => Some (k', i', flat d) | None => None end in
+  let mate i := match mate_in n m k i with Some (k', i', d) => Some (k', i', flat d) | None => None end in
   CTri (q 0%nat) (q 1%nat) (q 2%nat) (mate 0%N) (mate 1%N) (mate 2%N) (same_corners r s).
-Definition triangles (rows : list (list corner)) : list ctri :=
-  numbered (triangle (mates (fast_map sort_corners rows))) 0%N rows [].
+Definition triangles (boundary rows : list (list corner)) : list ctri * list (N * N * Z3) :=
+  let n := number_of rows in let m := mates n boundary (fast_map sort_corners rows) in
+  (numbered (triangle n m) 0%N rows [], boundary_places n m boundary).
 
 (** ** The root, bisected: enclosures after 32, 64, 128 and 256 halvings *)
 Definition polynomial_sign (p : list Z) (S a : Z) : comparison := Z.compare (fst (hev S p a)) 0.

@@ -221,16 +221,11 @@ Notation lift := (lift A aadd asub amul aofZ ale).
 Let c3 := lift c.
 Let N := length (e_tris A c).
 Let r := e_rank A c.
-Hypothesis CHK : check_tiling2 A aadd asub amul aofZ alt ale c = true.
-
-Lemma chk_all2 : (r <= 2)%nat /\ (forall t, In t (e_tris A c) -> in_range A c t = true) /\ check_tiling A aadd asub amul aofZ alt ale c3 = true.
-Proof.
-  pose proof CHK as H. unfold check_tiling2 in H. rewrite !andb_true_iff in H. destruct H as [[H1 H2] H3].
-  rewrite forallb_forall in H2. split; [apply Nat.leb_le; auto|]. auto.
-Qed.
-Lemma chk3 : check_tiling A aadd asub amul aofZ alt ale c3 = true.
-Proof. apply chk_all2. Qed.
-Let base3 := tiling_based A aadd asub amul aofZ alt ale c3 chk3.
+(** What regions, too, have of the checks. *)
+Definition based2 := (r <= 2)%nat /\ (forall t, In t (e_tris A c) -> in_range A c t = true) /\ based A aadd asub amul aofZ alt c3.
+Hypothesis small : (r <= 2)%nat.
+Hypothesis range : forall t, In t (e_tris A c) -> in_range A c t = true.
+Hypothesis base3 : based A aadd asub amul aofZ alt c3.
 Lemma lift_den : c_den A c3 = e_den A c.
 Proof. unfold c3, PlaneChecker.lift. destruct (e_gram A c) as [[? ?] ?]. reflexivity. Qed.
 Lemma lift_rank : c_rank A c3 = r.
@@ -303,12 +298,14 @@ Lemma get2 k : (k < N)%nat -> exists t, nth_error (e_tris A c) k = Some t /\ In 
   (fst (p0 t) < V2 A c)%N /\ (fst (p1 t) < V2 A c)%N /\ (fst (p2 t) < V2 A c)%N.
 Proof.
   intros Hk. destruct (nth_error (e_tris A c) k) as [t|] eqn:E; [|apply nth_error_None in E; unfold N in Hk; lia].
-  exists t. pose proof (nth_error_In _ _ E) as I. destruct chk_all2 as [_ [R _]]. specialize (R t I). unfold in_range in R.
+  exists t. pose proof (nth_error_In _ _ E) as I. pose proof (range t I) as R. unfold in_range in R.
   rewrite !andb_true_iff, !N.ltb_lt in R. tauto.
 Qed.
-Lemma shape k : (k < N)%nat -> exists e, T3 (3 * k)%nat = overA e (T2 k) /\ T3 (3 * k + 1)%nat = overB e (T2 k) /\ T3 (3 * k + 2)%nat = overC e (T2 k).
+(** Whether the triangle is even. *)
+Definition even_at (k : nat) : bool := match nth_error (e_tris A c) k with Some t => even t | None => true end.
+Lemma shape k : (k < N)%nat -> let e := even_at k in T3 (3 * k)%nat = overA e (T2 k) /\ T3 (3 * k + 1)%nat = overB e (T2 k) /\ T3 (3 * k + 2)%nat = overC e (T2 k).
 Proof.
-  intros Hk. destruct (get2 k Hk) as [t [E [_ [B0 [B1 B2]]]]]. exists (even t).
+  intros Hk. destruct (get2 k Hk) as [t [E [_ [B0 [B1 B2]]]]]. unfold even_at. rewrite E. cbv zeta.
   destruct (prisms_nth (V2 A c) (e_tris A c) (e_tris A c) 0 k t E) as [E1 [E2 E3]].
   unfold dtet, dtriangle. rewrite lift_tets, E1, E2, E3, E. unfold tetA, tetB, tetC, turned, overA, overB, overC, turn.
   destruct (even t); unfold trev; cbn [q0 q1 q2 q3 va vb vc vd ta tb tc]; rewrite !dcorner_low, !dcorner_top by auto; auto.
@@ -319,26 +316,31 @@ Lemma lattice_up n : lattice_vector L1 L2 L3 (up3 n) = up 0 (lattice_vector2 l1 
 Proof. destruct n as [x y]. unfold lattice_vector, lattice_vector2, up3, at_coordinates, at_coordinates2, L1, L2, L3, up; cbn [fst snd]. apply point_eq; unf; unf2; ring. Qed.
 Lemma lattice3 n : in_lattice r n -> n = up3 (lat2 n) /\ in_lattice2 r (lat2 n).
 Proof.
-  destruct chk_all2 as [R _]. destruct n as [[x y] z]. unfold up3, lat2; cbn [fst snd].
+  pose proof small as R. destruct n as [[x y] z]. unfold up3, lat2; cbn [fst snd].
   destruct r as [|[|[|]]]; cbn; [intuition congruence|intuition congruence|intuition congruence|lia].
 Qed.
 Lemma lattice2 n : in_lattice2 r n -> in_lattice r (up3 n).
-Proof. destruct n as [x y]. destruct chk_all2 as [R _]. unfold up3. destruct r as [|[|[|]]]; cbn; [tauto|tauto|tauto|lia]. Qed.
+Proof. destruct n as [x y]. pose proof small as R. unfold up3. destruct r as [|[|[|]]]; cbn; [tauto|tauto|tauto|lia]. Qed.
 Lemma length3 : length (c_tets A c3) = (3 * N)%nat.
 Proof. rewrite lift_tets, prisms_length. reflexivity. Qed.
 Notation is_tile3 := (is_tile (c_rank A c3) (length (c_tets A c3))).
 
 (** The tetrahedra over the tile (k, n). *)
-Lemma over_tile k n : is_tile2 (k, n) -> exists e,
+Lemma over_tile_even k n : is_tile2 (k, n) -> let e := even_at k in
   (tile3 ((3 * k)%nat, up3 n) = overA e (tile2 (k, n)) /\ is_tile3 ((3 * k)%nat, up3 n)) /\
   (tile3 ((3 * k + 1)%nat, up3 n) = overB e (tile2 (k, n)) /\ is_tile3 ((3 * k + 1)%nat, up3 n)) /\
   (tile3 ((3 * k + 2)%nat, up3 n) = overC e (tile2 (k, n)) /\ is_tile3 ((3 * k + 2)%nat, up3 n)).
 Proof.
-  intros [Hk Hn]. cbn [fst snd] in *. destruct (shape k Hk) as [e [S1 [S2 S3]]]. exists e.
+  intros [Hk Hn]. cbn [fst snd] in *. destruct (shape k Hk) as [S1 [S2 S3]]. cbv zeta. set (e := even_at k) in *.
   destruct (over_translate (lattice_vector2 l1 l2 n) (T2 k) e) as [O1 [O2 O3]].
   unfold tile, PlaneStatement.tile2; cbn [fst snd]. rewrite lattice_up, S1, S2, S3, O1, O2, O3.
   unfold is_tile; cbn [fst snd]. rewrite length3, lift_rank. pose proof (lattice2 n Hn). repeat split; auto; lia.
 Qed.
+Lemma over_tile k n : is_tile2 (k, n) -> exists e,
+  (tile3 ((3 * k)%nat, up3 n) = overA e (tile2 (k, n)) /\ is_tile3 ((3 * k)%nat, up3 n)) /\
+  (tile3 ((3 * k + 1)%nat, up3 n) = overB e (tile2 (k, n)) /\ is_tile3 ((3 * k + 1)%nat, up3 n)) /\
+  (tile3 ((3 * k + 2)%nat, up3 n) = overC e (tile2 (k, n)) /\ is_tile3 ((3 * k + 2)%nat, up3 n)).
+Proof. intros H. exists (even_at k). apply over_tile_even, H. Qed.
 (** Every tetrahedron is over a tile. *)
 Lemma tile_below m n3 : is_tile3 (m, n3) -> exists k n, is_tile2 (k, n) /\ (k = m / 3)%nat /\ n = lat2 n3 /\
   forall Y, hull (tile3 (m, n3)) Y -> hull2 (tile2 (k, n)) (down Y).
@@ -407,14 +409,28 @@ Proof.
   - exact I.
 Qed.
 
-(** *** The tiling *)
-Let S3 := tiling_sound A aadd asub amul aofZ alt ale phi phi_add phi_sub phi_mul phi_Z alt_ok ale_ok c3 base3 chk3 L1 L2 L3 lift_gram.
-
+(** *** Tiles *)
+Lemma vol_tile3 cc : is_tile3 cc -> vol (tile3 cc) <> 0.
+Proof.
+  intros H. rewrite (dtet_cP A aadd asub amul aofZ alt phi phi_add phi_Z c3 base3), (tile_cP A aadd asub amul aofZ alt phi c3 base3), vol_Et.
+  apply Rmult_integral_contrapositive_currified.
+  - destruct cc as [k n]. pose proof (pvol A aadd asub amul aofZ alt phi phi_add phi_sub phi_mul phi_Z alt_ok c3 base3 k n (proj1 H)). lra.
+  - apply (cdetb A aadd asub amul aofZ alt phi phi_add phi_sub phi_mul phi_Z alt_ok c3 base3 L1 L2 L3 lift_gram).
+Qed.
 Lemma area_tile cc : is_tile2 cc -> area (tile2 cc) <> 0.
 Proof.
-  destruct cc as [k n]. intros H. destruct (over_tile k n H) as [e [[A1 A2] _]]. apply (vol_overA e). rewrite <- A1.
-  apply (tiling_nondegenerate _ _ _ _ _ _ _ S3). auto.
+  destruct cc as [k n]. intros H. destruct (over_tile k n H) as [e [[A1 A2] _]]. apply (vol_overA e). rewrite <- A1. apply vol_tile3, A2.
 Qed.
+Lemma basis_plane : det2 l1 l2 <> 0.
+Proof.
+  pose proof (cdet A aadd asub amul aofZ alt phi phi_add phi_sub phi_mul phi_Z alt_ok c3 base3 L1 L2 L3 lift_gram) as D.
+  intros Z. apply D. unfold L1, L2, L3, up. unfold det2 in Z. unfold det; cbn [px py pz]. lra.
+Qed.
+(** The tetrahedra are face to face, and so on: of tilings and of regions. *)
+Section FaceToFace.
+Hypothesis finite3 : forall M, exists F, forall c X, is_tile3 c -> near M origin X -> hull (tile3 c) X -> In c F.
+Hypothesis disjoint3 : forall X c c', is_tile3 c -> is_tile3 c' -> open_hull (tile3 c) X -> hull (tile3 c') X -> c = c'.
+Hypothesis faces3 : forall X c c', is_tile3 c -> is_tile3 c' -> hull (tile3 c) X -> hull (tile3 c') X -> common_hull (tile3 c) (tile3 c') X.
 (** Two tiles with a common point: where it has positive weight, a common corner. *)
 Lemma weights_common cc cc' X a b c0 : is_tile2 cc -> is_tile2 cc' -> hull2 (tile2 cc') X ->
   0 <= a -> 0 <= b -> 0 <= c0 -> a + b + c0 = 1 -> X = combination2 (tile2 cc) a b c0 ->
@@ -425,32 +441,26 @@ Proof.
   destruct (over_tile k n H) as [e [[A1 A2] _]]. destruct (over_tile k' n' H') as [e' [[A1' A2'] _]].
   assert (X1 : hull (tile3 ((3 * k)%nat, up3 n)) (up 0 X)) by (rewrite A1; apply bottom; exists a, b, c0; auto).
   assert (X2 : hull (tile3 ((3 * k')%nat, up3 n')) (up 0 X)) by (rewrite A1'; apply bottom; auto).
-  pose proof (tiling_face_to_face _ _ _ _ _ _ _ S3 _ _ _ A2 A2' X1 X2) as CH. rewrite A1, A1' in CH.
+  pose proof (faces3 _ _ _ A2 A2' X1 X2) as CH. rewrite A1, A1' in CH.
   apply common_turn in CH. destruct CH as [a' [b' [c' [d' [Pa [Pb [Pc [Pd [S' [E' [Qa [Qb [Qc _]]]]]]]]]]]]].
   apply (bottom_weights (tile2 (k, n))) in E' as [D0 E']; auto. rewrite D0 in S'.
   rewrite E in E'. apply weights_unique in E' as [-> [-> ->]]; auto; [|lra].
   cbn [va vb vc] in Qa, Qb, Qc. repeat split; intros P; apply (bottom_vertex e'); auto.
 Qed.
 
-Theorem plane_sound : edge_to_edge_tiling l1 l2 r (ddomain2 c l1 l2) N T2.
+Lemma finite_plane M : exists F, forall c X, is_tile2 c -> near2 M origin2 X -> hull2 (tile2 c) X -> In c F.
 Proof.
-  constructor.
-  - pose proof (tiling_basis _ _ _ _ _ _ _ S3) as D. intros Z. apply D. unfold L1, L2, L3, up. unfold det2 in Z. unfold det; cbn [px py pz]. lra.
-  - apply area_tile.
-  - intros M. destruct (tiling_locally_finite _ _ _ _ _ _ _ S3 M) as [F HF].
+  destruct (finite3 M) as [F HF].
     exists (map (fun c => ((fst c / 3)%nat, lat2 (snd c))) F). intros [k n] X H [N1 N2] HX.
     destruct (over_tile k n H) as [e [[A1 A2] _]]. apply in_map_iff. exists ((3 * k)%nat, up3 n). split.
     + cbn [fst snd]. rewrite Nat.mul_comm, Nat.div_mul by lia. destruct n; reflexivity.
     + apply (HF _ (up 0 X)); auto; [|rewrite A1; apply bottom; auto].
       unfold near, up, origin; cbn [px py pz]. cbn [x2 y2 origin2] in N1, N2. split; auto. split; auto.
       rewrite Rminus_0_r, Rabs_R0. pose proof (Rabs_pos (x2 X - 0)). lra.
-  - intros [k n] X H HX. destruct (over_tile k n H) as [e [[A1 A2] _]].
-    assert (D : ddomain A phi c3 L1 L2 L3 (up 0 X)).
-    { apply (tiling_inside _ _ _ _ _ _ _ S3 _ _ A2). rewrite A1. apply bottom; auto. }
-    apply domain_down in D. destruct X; exact D.
-  - intros X HX. destruct (tiling_cover _ _ _ _ _ _ _ S3 _ (domain_up X HX)) as [[m n3] [Hm HY]].
-    destruct (tile_below m n3 Hm) as [k [n [Ht [_ [_ D]]]]]. exists (k, n). split; auto. specialize (D _ HY). destruct X; exact D.
-  - intros X cc cc' H H' HO HX. pose proof (area_tile _ H) as AR.
+Qed.
+Lemma disjoint_plane X cc cc' : is_tile2 cc -> is_tile2 cc' -> open_hull2 (tile2 cc) X -> hull2 (tile2 cc') X -> cc = cc'.
+Proof.
+  intros H H' HO HX. pose proof (area_tile _ H) as AR.
     destruct HO as [a [b [c0 [Ha [Hb [Hc [S E]]]]]]].
     destruct (weights_common cc cc' X a b c0) as [Ia [Ib Ic]]; auto; try lra.
     specialize (Ia Ha). specialize (Ib Hb). specialize (Ic Hc). clear a b c0 Ha Hb Hc S E.
@@ -468,11 +478,16 @@ Proof.
       first [ exists (3/10), (3/10), (3/10), (1/10); repeat split; try lra; unfold combination, up; cbn [va vb vc vd]; apply point_eq; unf; field
             | exists (3/10), (4/10), (2/10), (1/10); repeat split; try lra; unfold combination, up; cbn [va vb vc vd]; apply point_eq; unf; field
             | exists (4/10), (3/10), (2/10), (1/10); repeat split; try lra; unfold combination, up; cbn [va vb vc vd]; apply point_eq; unf; field ]. }
-    pose proof (tiling_disjoint _ _ _ _ _ _ _ S3 _ _ _ A2 A2' Z1 Z2) as Q. injection Q as Q1 Q2 Q3.
+    pose proof (disjoint3 _ _ _ A2 A2' Z1 Z2) as Q. injection Q as Q1 Q2 Q3.
     destruct n as [x y], n' as [x' y']. cbn [fst snd] in *. f_equal; [lia|]. congruence.
-  - intros X cc cc' H H' [a [b [c0 [Ha [Hb [Hc [S E]]]]]]] HX.
+Qed.
+Lemma edges_plane X cc cc' : is_tile2 cc -> is_tile2 cc' -> hull2 (tile2 cc) X -> hull2 (tile2 cc') X -> common_hull2 (tile2 cc) (tile2 cc') X.
+Proof.
+  intros H H' [a [b [c0 [Ha [Hb [Hc [S E]]]]]]] HX.
     destruct (weights_common cc cc' X a b c0) as [Ia [Ib Ic]]; auto. exists a, b, c0. repeat split; auto.
 Qed.
+End FaceToFace.
+
 (** *** Angles *)
 Let ee (v : v3 A) : point := E (scale (/ IZR (c_den A c3)) L1) (scale (/ IZR (c_den A c3)) L2) (scale (/ IZR (c_den A c3)) L3) (phi3 A phi v).
 Notation place := (place A aadd aofZ c).
@@ -630,6 +645,26 @@ Proof.
     + rewrite <- (SQ kb kd b d) by auto. apply distance_pos2; auto.
 Qed.
 
+(** *** The tiling *)
+Section Tiling.
+Hypothesis chk3 : check_tiling A aadd asub amul aofZ alt ale c3 = true.
+Let S3 := tiling_sound A aadd asub amul aofZ alt ale phi phi_add phi_sub phi_mul phi_Z alt_ok ale_ok c3 base3 chk3 L1 L2 L3 lift_gram.
+Theorem plane_sound : edge_to_edge_tiling l1 l2 r (ddomain2 c l1 l2) N T2.
+Proof.
+  constructor.
+  - apply basis_plane.
+  - apply area_tile.
+  - apply finite_plane, (tiling_locally_finite _ _ _ _ _ _ _ S3).
+  - intros [k n] X H HX. destruct (over_tile k n H) as [e [[A1 A2] _]].
+    assert (D : ddomain A phi c3 L1 L2 L3 (up 0 X)).
+    { apply (tiling_inside _ _ _ _ _ _ _ S3 _ _ A2). rewrite A1. apply bottom; auto. }
+    apply domain_down in D. destruct X; exact D.
+  - intros X HX. destruct (tiling_cover _ _ _ _ _ _ _ S3 _ (domain_up X HX)) as [[m n3] [Hm HY]].
+    destruct (tile_below m n3 Hm) as [k [n [Ht [_ [_ D]]]]]. exists (k, n). split; auto. specialize (D _ HY). destruct X; exact D.
+  - apply disjoint_plane; [apply (tiling_disjoint _ _ _ _ _ _ _ S3)|apply (tiling_face_to_face _ _ _ _ _ _ _ S3)].
+  - apply edges_plane, (tiling_face_to_face _ _ _ _ _ _ _ S3).
+Qed.
+
 (** *** Delaunay *)
 Notation tile3' := (tile L1 L2 L3 T3).
 Lemma vertex_up v : is_vertex2 l1 l2 r N T2 v -> is_vertex L1 L2 L3 (c_rank A c3) (length (c_tets A c3)) T3 (up 0 v).
@@ -686,7 +721,7 @@ Proof.
 Qed.
 Lemma circumscribed_tile m n3 : is_tile3 (m, n3) ->
   circumscribed (tile3 (m, n3)) (circumcentre (tile3 (m, n3))) (distance_squared (va (tile3 (m, n3))) (circumcentre (tile3 (m, n3)))).
-Proof. intros H. apply circumscribed_centre. apply (tiling_nondegenerate _ _ _ _ _ _ _ S3). auto. Qed.
+Proof. intros H. apply circumscribed_centre, vol_tile3, H. Qed.
 
 Ltac weigh := unfold combination; cbn [overA overB turn trev va vb vc vd]; unfold up; apply point_eq; unf; unf2; ring.
 Lemma strict_sound2 : check_statement2 A aadd asub amul aofZ alt ale c (CDelaunay A) = true -> delaunay2 l1 l2 r N T2.
@@ -733,48 +768,66 @@ Proof.
     + apply (KB a (- d) (b + d) d); auto; [lra|]. rewrite B1, E. weigh.
     + apply (KB (- d) a (b + d) d); auto; [lra|]. rewrite B1, E. weigh.
   - destruct Hv as [cc' [Ht' Hv]]. pose proof (corner_weights _ _ Hv) as [a' [b' [d' [P1 [P2 [P3 [S' [E' OR]]]]]]]].
-    destruct (weights_common cc' (k, n) v a' b' d' Ht' Ht) as [Ia [Ib Ic]]; auto.
+    destruct (weights_common (tiling_face_to_face _ _ _ _ _ _ _ S3) cc' (k, n) v a' b' d' Ht' Ht) as [Ia [Ib Ic]]; auto.
     { exists a, b, d. repeat split; auto; lra. }
     fold T in Ia, Ib, Ic. destruct OR as [[-> ->]|[[-> ->]|[-> ->]]]; [apply Ia|apply Ib|apply Ic]; lra.
 Qed.
 
-Theorem plane_statement_sound st : check_statement2 A aadd asub amul aofZ alt ale c st = true -> holds2 l1 l2 r N T2 (dstatement A phi st).
+Lemma delaunay_sound2 st : check_statement2 A aadd asub amul aofZ alt ale c st = true ->
+  match st with CDelaunay _ | CWeaklyDelaunay _ => holds2 l1 l2 r N T2 (dstatement A phi st) | _ => True end.
 Proof.
-  intros H. destruct st as [| |rel sg p q|rel sg p q|rel p q| | |]; cbn [check_statement2 dstatement holds2] in *; cbv zeta in H; change (c_gram A (lift c)) with (c_gram A c3) in H.
+  intros H. destruct st; auto; cbn [dstatement holds2].
+  - apply strict_sound2; auto.
+  - intros [k n] Ht. destruct (weakly_sound2 H k n Ht) as [CC W]. eexists. eexists. split; [exact CC|exact W].
+Qed.
+End Tiling.
+
+(** Statements about single triangles. *)
+Lemma each_sound2 st : check_statement2 A aadd asub amul aofZ alt ale c st = true ->
+  match st with CDelaunay _ | CWeaklyDelaunay _ => True | _ => holds2 l1 l2 r N T2 (dstatement A phi st) end.
+Proof.
+  intros H. destruct st as [| |rel sg p q|rel sg p q|rel p q| | |]; auto; cbn [check_statement2 dstatement holds2] in *; cbv zeta in H; change (c_gram A (lift c)) with (c_gram A c3) in H.
   - exact (each_angle2 _ (fun x => x < PI / 2) (acute_sound A aadd asub amul aofZ alt phi phi_add phi_sub phi_mul phi_Z alt_ok c3 base3 L1 L2 L3 lift_gram) H).
   - exact (each_angle2 _ (fun x => x <= PI / 2) (nonobtuse_sound A aadd asub amul aofZ alt ale phi phi_add phi_sub phi_mul phi_Z ale_ok c3 base3 L1 L2 L3 lift_gram) H).
   - apply andb_true_iff in H as [B H]. apply largest_sound2; auto.
   - apply andb_true_iff in H as [B H]. apply smallest_sound2; auto.
   - apply andb_true_iff in H as [B H]. apply andb_true_iff in B as [B _]. apply Z.ltb_lt, IZR_lt in B. apply radius_sound2; auto.
-  - apply strict_sound2; auto.
-  - intros [k n] Ht. destruct (weakly_sound2 H k n Ht) as [CC W]. eexists. eexists. split; [exact CC|exact W].
   - discriminate.
 Qed.
 End Basis.
 End Sound.
 
 (** ** The theorem *)
+Lemma checked_based2 c : check_tiling2 A aadd asub amul aofZ alt ale c = true -> based2 c /\ check_tiling A aadd asub amul aofZ alt ale (PlaneChecker.lift A aadd asub amul aofZ ale c) = true.
+Proof.
+  intros H. unfold check_tiling2 in H. rewrite !andb_true_iff in H. destruct H as [[H1 H2] H3].
+  rewrite forallb_forall in H2. split; auto. split; [apply Nat.leb_le; auto|]. split; auto. apply tiling_based with (ale := ale); auto.
+Qed.
+Lemma gram2_exists c : based2 c -> exists l1 l2, has_gram2 (dgram2 c) l1 l2.
+Proof.
+  intros [_ [_ B]]. pose proof (cgram A aadd asub amul aofZ alt phi phi_add phi_sub phi_mul phi_Z alt_ok _ B) as [G1 [G2 _]].
+  unfold lift in G1, G2. unfold dgram2. destruct (e_gram A c) as [[x y] z]. cbn [c_gram k11 k22 k33 k12 k13 k23] in *.
+  unfold phiG in G1, G2; cbn [g11 g22 g33 g12 g13 g23 k11 k22 k12 k33 k13 k23] in G1, G2.
+  set (a := sqrt (phi x)). assert (Pa : 0 < a) by (apply sqrt_lt_R0; auto).
+  assert (Ea : a * a = phi x) by (apply sqrt_sqrt, Rlt_le; auto).
+  set (b := phi z / a). set (m := phi y - b * b).
+  assert (Eb : a * b = phi z) by (unfold b; field; lra).
+  assert (M : (a * a) * m = phi x * phi y - phi z * phi z).
+  { unfold m. replace (a * a * (phi y - b * b)) with (a * a * phi y - (a * b) * (a * b)) by ring. rewrite Eb, Ea. ring. }
+  assert (Pm : 0 < m).
+  { rewrite <- M in G2. assert (0 < a * a) by (apply Rmult_lt_0_compat; auto). nra. }
+  exists (Point2 a 0), (Point2 b (sqrt m)). unfold has_gram2, dot2; cbn [x2 y2 h11 h22 h12].
+  pose proof (sqrt_sqrt m ltac:(lra)) as Sm. unfold m in Sm at 3. repeat split; lra.
+Qed.
 Theorem check2_sound c ss : check2 A aadd asub amul aofZ alt ale c ss = true ->
   (exists l1 l2, has_gram2 (dgram2 c) l1 l2) /\
   forall l1 l2, has_gram2 (dgram2 c) l1 l2 ->
   edge_to_edge_tiling l1 l2 (e_rank A c) (ddomain2 c l1 l2) (length (e_tris A c)) (dtriangle c l1 l2) /\
   forall s, In s (map (dstatement A phi) ss) -> holds2 l1 l2 (e_rank A c) (length (e_tris A c)) (dtriangle c l1 l2) s.
 Proof.
-  intros H. unfold check2 in H. apply andb_true_iff in H as [H1 H2]. rewrite forallb_forall in H2. split.
-  - pose proof (chk3 c H1) as H3.
-    pose proof (cgram A aadd asub amul aofZ alt phi phi_add phi_sub phi_mul phi_Z alt_ok _ (tiling_based A aadd asub amul aofZ alt ale _ H3)) as [G1 [G2 _]].
-    unfold lift in G1, G2. unfold dgram2. destruct (e_gram A c) as [[x y] z]. cbn [c_gram k11 k22 k33 k12 k13 k23] in *.
-    unfold phiG in G1, G2; cbn [g11 g22 g33 g12 g13 g23 k11 k22 k12 k33 k13 k23] in G1, G2.
-    set (a := sqrt (phi x)). assert (Pa : 0 < a) by (apply sqrt_lt_R0; auto).
-    assert (Ea : a * a = phi x) by (apply sqrt_sqrt, Rlt_le; auto).
-    set (b := phi z / a). set (m := phi y - b * b).
-    assert (Eb : a * b = phi z) by (unfold b; field; lra).
-    assert (M : (a * a) * m = phi x * phi y - phi z * phi z).
-    { unfold m. replace (a * a * (phi y - b * b)) with (a * a * phi y - (a * b) * (a * b)) by ring. rewrite Eb, Ea. ring. }
-    assert (Pm : 0 < m).
-    { rewrite <- M in G2. assert (0 < a * a) by (apply Rmult_lt_0_compat; auto). nra. }
-    exists (Point2 a 0), (Point2 b (sqrt m)). unfold has_gram2, dot2; cbn [x2 y2 h11 h22 h12].
-    pose proof (sqrt_sqrt m ltac:(lra)) as Sm. unfold m in Sm at 3. repeat split; lra.
-  - intros l1 l2 HG. split; [apply plane_sound; auto|]. intros s Hs. apply in_map_iff in Hs as [st [<- Hs]]. apply plane_statement_sound; auto.
+  intros H. unfold check2 in H. apply andb_true_iff in H as [H1 H2]. rewrite forallb_forall in H2.
+  destruct (checked_based2 c H1) as [B H3]. split; [apply gram2_exists, B|]. destruct B as [B1 [B2 B3]].
+  intros l1 l2 HG. split; [apply plane_sound; auto|]. intros s Hs. apply in_map_iff in Hs as [st [<- Hs]]. specialize (H2 st Hs).
+  pose proof (each_sound2 c B1 B2 B3 l1 l2 HG st H2) as E. pose proof (delaunay_sound2 c B1 B2 B3 l1 l2 HG H3 st H2) as D. destruct st; auto.
 Qed.
 End Ring.

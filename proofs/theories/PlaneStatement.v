@@ -3,7 +3,7 @@
     The counterpart of Statement.v in dimension two, and written the same way:
     definitions, and not a single proof. *)
 
-Require Import Reals ZArith List.
+From Coq Require Import Reals ZArith List.
 From Acutile Require Import Statement.
 Open Scope R_scope.
 

@@ -80,13 +80,19 @@ Definition index (i : item) : option N := match i with Int z => if Z.leb 0 z the
 Definition bind {X Y} (o : option X) (f : X -> option Y) : option Y := match o with Some x => f x | None => None end.
 Notation "'let*' x := e 'in' f" := (bind e (fun x => f)) (at level 200, x name, e at level 100, f at level 200).
 
-Definition read_number (f : field) (i : item) : option number :=
+Definition read_coefficients (f : field) (i : item) : option (list Z) :=
   match f, i with
   | Rationals, Int z => Some [z]
   | Root _ _ _ _, Array l => all_of whole l []
   | _, _ => None
   end.
-Definition read_points (f : field) : item -> option (list (list number)) := array (array (read_number f)).
+Definition read_number (f : field) (i : item) : option number := let* x := read_coefficients f i in Some (Plain x).
+Definition read_term (f : field) (i : item) : option (list Z * list N) :=
+  match i with Array (c :: e) => let* c := read_coefficients f c in let* e := all_of index e [] in Some (c, e) | _ => None end.
+(** With parameters: a list of terms. *)
+Definition read_value (polynomials : bool) (f : field) (i : item) : option number :=
+  if polynomials then let* l := array (read_term f) i in Some (Polynomial l) else read_number f i.
+Definition read_points (b : bool) (f : field) : item -> option (list (list number)) := array (array (read_value b f)).
 Local Open Scope string_scope.
 Definition read_field (i : item) : option field :=
   match i with
@@ -94,18 +100,18 @@ Definition read_field (i : item) : option field :=
   | Array [p; Array [Int lo; Int hi; Int d]] => let* p := array whole p in Some (Root p lo hi d)
   | _ => None
   end.
-Definition read_polytope (f : field) (i : item) : option polytope :=
+Definition read_polytope (b : bool) (f : field) (i : item) : option polytope :=
   match i with
   | Array [Int d; vertices; faces] =>
-    let* vertices := read_points f vertices in let* faces := array (array index) faces in Some (Polytope d vertices faces)
+    let* vertices := read_points b f vertices in let* faces := array (array index) faces in Some (Polytope d vertices faces)
   | _ => None
   end.
-Definition read_region (f : field) (i : item) : option region :=
+Definition read_region (b : bool) (f : field) (i : item) : option region :=
   match i with
   | Text "space" => Some Space
-  | Array [Text "slab"; P] => let* P := read_polytope f P in Some (Slab P)
-  | Array [Text "prism"; P] => let* P := read_polytope f P in Some (Prism P)
-  | Array [Text "solid"; P] => let* P := read_polytope f P in Some (Solid P)
+  | Array [Text "slab"; P] => let* P := read_polytope b f P in Some (Slab P)
+  | Array [Text "prism"; P] => let* P := read_polytope b f P in Some (Prism P)
+  | Array [Text "solid"; P] => let* P := read_polytope b f P in Some (Solid P)
   | Array [Text "region"; Int r] => if Z.leb 0 r && Z.leb r 3 then Some (Region (Z.to_nat r)) else None
   | _ => None
   end%bool.
@@ -137,13 +143,39 @@ Definition read_sentence (f : field) (i : item) : option sentence :=
   | Text "TCP" => Some IsTCP
   | _ => None
   end.
+Definition read_members (b : bool) (d : Z) (f : field) (gram region ss : item) : option tiling_claim :=
+  let* gram := read_points b f gram in let* region := read_region b f region in
+  let* ss := array (read_sentence f) ss in
+  if Z.eqb d 2 then Some (TilingClaim 2 f gram region ss)
+  else if Z.eqb d 3 then Some (TilingClaim 3 f gram region ss) else None.
 Definition read_claim (i : item) : option tiling_claim :=
   match i with
-  | Array [Int d; f; gram; region; ss] =>
-    let* f := read_field f in let* gram := read_points f gram in let* region := read_region f region in
-    let* ss := array (read_sentence f) ss in
-    if Z.eqb d 2 then Some (TilingClaim 2 f gram region ss)
-    else if Z.eqb d 3 then Some (TilingClaim 3 f gram region ss) else None
+  | Array [Int d; f; gram; region; ss] => let* f := read_field f in read_members false d f gram region ss
+  | _ => None
+  end.
+Definition read_limit (f : field) (i : item) : option limit :=
+  match i with
+  | Array [Text kind; Array [x; Int d]] =>
+    let* x := read_coefficients f x in
+    if String.eqb kind "closed" then Some (Limit true x d) else if String.eqb kind "open" then Some (Limit false x d) else None
+  | _ => None
+  end.
+Definition read_parameter (f : field) (i : item) : option parameter :=
+  match i with
+  | Array [Text name; lo; hi] => let* lo := read_limit f lo in let* hi := read_limit f hi in Some (Range name lo hi)
+  | _ => None
+  end.
+Definition read_family_claim (i : item) : option (list parameter * tiling_claim) :=
+  match i with
+  | Array [Int d; f; ps; gram; region; ss] =>
+    let* f := read_field f in let* ps := array (read_parameter f) ps in
+    let* k := read_members true d f gram region ss in Some (ps, k)
+  | _ => None
+  end.
+Fixpoint read_tree (i : item) : option tree :=
+  match i with
+  | Array [] => Some Leaf
+  | Array [a; l; u] => let* a := index a in let* l := read_tree l in let* u := read_tree u in Some (Halve a l u)
   | _ => None
   end.
 Definition read_corner (i : item) : option corner :=
@@ -163,14 +195,21 @@ Definition read_row (d : nat) (i : item) : option row :=
     end
   | _ => None
   end.
-Definition read_witness (k : tiling_claim) (i : item) : option tiling_witness :=
-  match i with
-  | Array [Int d; vertices; boundary; rows] =>
-    let* vertices := read_points (over k) vertices in
-    let* boundary := array (array read_corner) boundary in
-    let* rows := array (read_row (dimension k)) rows in
-    Some (TilingWitness d vertices boundary rows)
+Definition read_parts (b : bool) (k : tiling_claim) (d : Z) (vertices boundary rows : item) : option tiling_witness :=
+  let* vertices := read_points b (over k) vertices in
+  let* boundary := array (array read_corner) boundary in
+  let* rows := array (read_row (dimension k)) rows in
+  Some (TilingWitness d vertices boundary rows).
+Definition read_tiling (k w : item) : option certificate :=
+  let* k := read_claim k in
+  match w with
+  | Array [Int d; vertices; boundary; rows] => let* w := read_parts false k d vertices boundary rows in Some (Tiling k w)
   | _ => None
   end.
-Definition read_tiling (k w : item) : option certificate :=
-  let* k := read_claim k in let* w := read_witness k w in Some (Tiling k w).
+Definition read_family (k w : item) : option certificate :=
+  let* k := read_family_claim k in
+  match w with
+  | Array [Int d; vertices; boundary; t; rows] =>
+    let* t := read_tree t in let* w := read_parts true (snd k) d vertices boundary rows in Some (Family (fst k) (snd k) t w)
+  | _ => None
+  end.

@@ -24,10 +24,11 @@
     6. [follow], [region_face_to_face]: two tiles at x have the same carrier of x, or each has
        that of a boundary facet at x; and these agree, by [apart].
     7. [region_boundary]: the topological boundary is the union of the boundary facets.
+    8. [neighbours]: tiles with the corners of a facet in common are mates there.
 
     A lattice of any rank serves: [lat] is any sublattice. *)
 Require Import Reals Lra Psatz ZArith List Lia Bool.
-From Acutile Require Import Statement Sums Crossing Tetrahedra Topology Degree Facets.
+From Acutile Require Import Statement Sums Crossing Tetrahedra Topology Degree Facets Euclid.
 Import ListNotations.
 Open Scope R_scope.
 
@@ -534,5 +535,51 @@ Proof.
     rewrite (count_inside one K p c Hc Ip), cnt_one in E.
     destruct (zsum_b2z_pos (fun c => insideb (piece c) q) (cells K)) as [d [Hd Id]]; [unfold one in E; lia|].
     apply interb_t, inter_closed in Id. exists d. split; auto. apply (cells_valid _ _ _ _ Hd).
+Qed.
+
+(** ** 8. Tiles with a common facet *)
+(** Triangles with the same corners: opposite, or with the same sides. *)
+Lemma same_corners F F' : t1 F <> t2 F -> t1 F <> t3 F -> t2 F <> t3 F -> (forall v, In v (corners F) -> In v (corners F')) ->
+  middle F = middle F' /\ (opposite F F' \/ forall x, side F x = side F' x).
+Proof.
+  intros N12 N13 N23 H. pose proof (H (t1 F)) as H1. pose proof (H (t2 F)) as H2. pose proof (H (t3 F)) as H3.
+  destruct F as [a b c], F' as [a' b' c']. unfold corners in *. cbn [t1 t2 t3] in *. unfold opposite. cbn [t1 t2 t3].
+  destruct H1 as [E1|[E1|[E1|[]]]], H2 as [E2|[E2|[E2|[]]]], H3 as [E3|[E3|[E3|[]]]]; simpl; auto; subst; try congruence;
+  (split; [unfold middle, combination3; cbn [t1 t2 t3]; apply point_eq; unf; ring|]); tauto || (right; intros x; unfold side; cbn [t1 t2 t3]; unf; ring).
+Qed.
+Lemma facet_distinct t i : 0 < vol t -> In i I4 -> let F := facet t i in t1 F <> t2 F /\ t1 F <> t3 F /\ t2 F <> t3 F.
+Proof.
+  intros V Hi F. pose proof (L_vx t i Hi) as L. fold F in L. unfold coord in L. fold F in L.
+  repeat split; intros E; unfold side in L; rewrite E in L; unf; lra.
+Qed.
+(** Two tetrahedra on the same side of a common facet have common inner points. *)
+Lemma overlap t i t' i' : 0 < vol t -> 0 < vol t' -> In i I4 -> In i' I4 -> middle (facet t i) = middle (facet t' i') ->
+  (forall x, coord t i x = coord t' i' x) -> exists x, inside t x /\ inside t' x.
+Proof.
+  intros V V' Hi Hi' M S. pose proof (middle_inner (facet t i)) as I. pose proof (middle_inner (facet t' i')) as I'. rewrite <- M in I'.
+  apply facet_inner in I as [Z P]; auto. apply facet_inner in I' as [_ P']; auto.
+  assert (O : open (fun y => (forall j, In j I4 -> j = i \/ 0 < coord t j y) /\ forall j, In j I4 -> j = i' \/ 0 < coord t' j y)).
+  { apply opn_and; apply opn_all; intros j _; (apply opn_or; [apply opn_const|apply aff_pos_opn, aff_o]). }
+  destruct (O (middle (facet t i))) as [e [He K]].
+  { split; intros j Hj; [destruct (Nat.eq_dec j i)|destruct (Nat.eq_dec j i')]; auto. }
+  destruct (near_side t i (middle (facet t i)) e 1 V Hi Z He) as [y [Ny Ky]]; [lra|]. destruct (K y Ny) as [A B].
+  exists y. split; intros j Hj; [destruct (A j Hj) as [->|]|destruct (B j Hj) as [->|]]; auto; [|rewrite <- S]; lra.
+Qed.
+Theorem neighbours c c' i i' : valid c -> valid c' -> In i I4 -> In i' I4 -> c <> c' ->
+  (forall v, In v (corners (face (c, i))) -> In v (corners (face (c', i')))) -> paired (c, i) /\ fst (across (c, i)) = c'.
+Proof.
+  intros V V' Hi Hi' Ne H. pose proof (piece_vol c V) as P. pose proof (piece_vol c' V') as P'.
+  destruct (facet_distinct (piece c) i P Hi) as [N12 [N13 N23]]. destruct (same_corners (facet (piece c) i) (facet (piece c') i') N12 N13 N23 H) as [M S].
+  destruct (paired_dec (c, i)) as [PA|U].
+  - split; auto. destruct (across_spec c i V Hi PA) as [S1 [S2 [_ [S4 _]]]]. set (m := across (c, i)) in *. destruct S as [S|S].
+    + destruct (overlap (piece c') i' (piece (fst m)) (snd m)) as [x [I I']]; auto; [apply piece_vol; auto| | |].
+      * rewrite <- M. pose proof S4 as Q.
+        destruct (same_corners _ (facet (piece (fst m)) (snd m)) N12 N13 N23) as [MM _]; [|exact MM].
+        intros v. unfold corners. unfold opposite in Q. simpl. intuition congruence.
+      * intros x. unfold coord. pose proof (oddm_o _ _ x S) as X. pose proof (oddm_o _ _ x S4) as Y. lra.
+      * symmetry. apply (region_disjoint x); auto. apply inter_closed; auto.
+    + exfalso. apply Ne. destruct (overlap (piece c) i (piece c') i') as [x [I I']]; auto. apply (region_disjoint x); auto. apply inter_closed; auto.
+  - exfalso. assert (B : boundary (c, i)) by (repeat split; auto; apply V). apply (uncovered (c, i) c' B V'); [cbn; congruence|].
+    change (closed (piece c') (middle (facet (piece c) i))). rewrite M. pose proof (inner_on _ _ (middle_inner (facet (piece c') i'))) as O. apply facet_on in O; auto. apply O.
 Qed.
 End Region.

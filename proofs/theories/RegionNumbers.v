@@ -1,28 +1,24 @@
 (** * The theorem on regions, over the integers and over Z[a]; examples by computation *)
 Require Import Reals NArith ZArith List Bool.
-From Acutile Require Import Statement Tetrahedra Degree Domain Checker Soundness RegionStatement RegionChecker RegionTheorem Numbers.
+From Acutile Require Import Statement Tetrahedra Degree Domain Checker Soundness PlaneStatement PlaneChecker PlaneSoundness RegionStatement PlaneRegionStatement RegionChecker RegionTheorem PlaneRegionChecker PlaneRegionTheorem Numbers.
 Import ListNotations.
-
-(** A claim about a region, in the words of Statement.v and RegionStatement.v. *)
-Definition region_meaning (G : gram) (r N : nat) (P : point -> point -> point -> nat -> tetrahedron) (listed : list (nat * nat)) (ss : list statement) : Prop :=
-  (exists l1 l2 l3, has_gram G l1 l2 l3) /\
-  forall l1 l2 l3, has_gram G l1 l2 l3 -> face_to_face_region l1 l2 l3 r N (P l1 l2 l3) listed /\
-    forall s, In s ss -> holds l1 l2 l3 r N (P l1 l2 l3) s.
 
 (** ** The integers *)
 Definition zpart (den x : Z) : Z := Z.div x den.
-Definition zcheck_region (c : cert Z) (ss : list (cstatement Z)) : bool :=
-  check_region Z Z.add Z.sub Z.mul idZ Z.ltb Z.leb zpart c &&
-  forallb (check_region_statement Z Z.add Z.sub Z.mul idZ Z.ltb Z.leb c) ss.
+Definition zcheck_region (c : cert Z) (ss : list (rstatement Z)) : bool :=
+  check_region_with Z Z.add Z.sub Z.mul idZ Z.ltb Z.leb zpart c ss.
 Theorem z_region_theorem c ss : zcheck_region c ss = true ->
-  region_meaning (dgram Z IZR c) (c_rank Z c) (length (c_tets Z c)) (dtet Z idZ IZR c) (listed_facets Z c) (map (dstatement Z IZR) ss).
+  region_meaning (dgram Z IZR c) (c_rank Z c) (length (c_tets Z c)) (dtet Z idZ IZR c) (listed_facets Z c) (map (rdstatement Z IZR) ss).
 Proof.
-  unfold zcheck_region. rewrite andb_true_iff, forallb_forall. intros [H1 H2]. split.
-  - apply (region_basis_exists Z Z.add Z.sub Z.mul idZ Z.ltb Z.leb zpart IZR plus_IZR minus_IZR mult_IZR (fun _ => eq_refl) zltb_ok c H1).
-  - intros l1 l2 l3 HG. split.
-    + apply (region_sound Z Z.add Z.sub Z.mul idZ Z.ltb Z.leb zpart IZR plus_IZR minus_IZR mult_IZR (fun _ => eq_refl) zltb_ok zleb_ok c H1 l1 l2 l3 HG).
-    + intros s Hs. apply in_map_iff in Hs as [st [<- Hs]].
-      apply (region_statement_sound Z Z.add Z.sub Z.mul idZ Z.ltb Z.leb zpart IZR plus_IZR minus_IZR mult_IZR (fun _ => eq_refl) zltb_ok zleb_ok c H1 l1 l2 l3 HG). auto.
+  apply (check_region_sound Z Z.add Z.sub Z.mul idZ Z.ltb Z.leb zpart IZR plus_IZR minus_IZR mult_IZR (fun _ => eq_refl) zltb_ok zleb_ok c ss).
+Qed.
+
+Definition zcheck_region2 (c : cert2 Z) (ss : list (rstatement Z)) : bool :=
+  check_region2_with Z Z.add Z.sub Z.mul idZ Z.ltb Z.leb zpart c ss.
+Theorem z_region_theorem2 c ss : zcheck_region2 c ss = true ->
+  region_meaning2 (dgram2 Z IZR c) (e_rank Z c) (length (e_tris Z c)) (dtriangle Z idZ IZR c) (listed_sides Z c) (map (rdstatement Z IZR) ss).
+Proof.
+  apply (check_region2_sound Z Z.add Z.sub Z.mul idZ Z.ltb Z.leb zpart IZR plus_IZR minus_IZR mult_IZR (fun _ => eq_refl) zltb_ok zleb_ok c ss).
 Qed.
 
 (** ** Z[a], for the root a of a monic polynomial in an interval, as in Numbers.v *)
@@ -30,23 +26,27 @@ Section NF.
 Variables (fl : list Z) (e0 : encl) (es : list encl) (claimed : encl).
 (** The integral part by the finest enclosure of a. *)
 Definition nfpart (den : Z) (x : list Z) : Z := let '(l, _, P) := lint (e_lo e0) (e_hi e0) (e_S e0) x in Z.div l (P * den).
-Definition nfcheck_region (c : cert (list Z)) (ss : list (cstatement (list Z))) : bool :=
-  check_region (list Z) ladd lsub (lmul fl) lofZ (lltb e0 es) (lleb e0 es) nfpart c &&
-  forallb (check_region_statement (list Z) ladd lsub (lmul fl) lofZ (lltb e0 es) (lleb e0 es) c) ss.
+Definition nfcheck_region (c : cert (list Z)) (ss : list (rstatement (list Z))) : bool :=
+  check_region_with (list Z) ladd lsub (lmul fl) lofZ (lltb e0 es) (lleb e0 es) nfpart c ss.
 Theorem nf_region_theorem c ss : isolated fl e0 es claimed = true -> nfcheck_region c ss = true ->
   exists al, ev al (fl ++ [1%Z]) = 0%R /\ in_claimed claimed al /\
   (forall x, ev x (fl ++ [1%Z]) = 0%R -> in_claimed claimed x -> x = al) /\
-  region_meaning (dgram (list Z) (ev al) c) (c_rank _ c) (length (c_tets _ c)) (dtet (list Z) lofZ (ev al) c) (listed_facets _ c) (map (dstatement (list Z) (ev al)) ss).
+  region_meaning (dgram (list Z) (ev al) c) (c_rank _ c) (length (c_tets _ c)) (dtet (list Z) lofZ (ev al) c) (listed_facets _ c) (map (rdstatement (list Z) (ev al)) ss).
 Proof.
   intros HI H. destruct (isolated_root fl e0 es claimed HI) as [al [A1 [A2 [A3 A4]]]]. exists al. split; auto. split; auto. split; auto.
-  unfold nfcheck_region in H. rewrite andb_true_iff, forallb_forall in H. destruct H as [H1 H2].
-  pose proof (ev_add al) as EA. pose proof (ev_sub al) as ES. pose proof (ev_mul fl al A1) as EM. pose proof (ev_ofZ al) as EZ.
-  pose proof (lltb_ok e0 es al A4) as LT. pose proof (lleb_ok e0 es al A4) as LE. split.
-  - apply (region_basis_exists (list Z) ladd lsub (lmul fl) lofZ (lltb e0 es) (lleb e0 es) nfpart (ev al) EA ES EM EZ LT c H1).
-  - intros l1 l2 l3 HG. split.
-    + apply (region_sound (list Z) ladd lsub (lmul fl) lofZ (lltb e0 es) (lleb e0 es) nfpart (ev al) EA ES EM EZ LT LE c H1 l1 l2 l3 HG).
-    + intros s Hs. apply in_map_iff in Hs as [st [<- Hs]].
-      apply (region_statement_sound (list Z) ladd lsub (lmul fl) lofZ (lltb e0 es) (lleb e0 es) nfpart (ev al) EA ES EM EZ LT LE c H1 l1 l2 l3 HG). auto.
+  apply (check_region_sound (list Z) ladd lsub (lmul fl) lofZ (lltb e0 es) (lleb e0 es) nfpart (ev al) (ev_add al) (ev_sub al) (ev_mul fl al A1) (ev_ofZ al)
+    (lltb_ok e0 es al A4) (lleb_ok e0 es al A4) c ss H).
+Qed.
+Definition nfcheck_region2 (c : cert2 (list Z)) (ss : list (rstatement (list Z))) : bool :=
+  check_region2_with (list Z) ladd lsub (lmul fl) lofZ (lltb e0 es) (lleb e0 es) nfpart c ss.
+Theorem nf_region_theorem2 c ss : isolated fl e0 es claimed = true -> nfcheck_region2 c ss = true ->
+  exists al, ev al (fl ++ [1%Z]) = 0%R /\ in_claimed claimed al /\
+  (forall x, ev x (fl ++ [1%Z]) = 0%R -> in_claimed claimed x -> x = al) /\
+  region_meaning2 (dgram2 (list Z) (ev al) c) (e_rank _ c) (length (e_tris _ c)) (dtriangle (list Z) lofZ (ev al) c) (listed_sides _ c) (map (rdstatement (list Z) (ev al)) ss).
+Proof.
+  intros HI H. destruct (isolated_root fl e0 es claimed HI) as [al [A1 [A2 [A3 A4]]]]. exists al. split; auto. split; auto. split; auto.
+  apply (check_region2_sound (list Z) ladd lsub (lmul fl) lofZ (lltb e0 es) (lleb e0 es) nfpart (ev al) (ev_add al) (ev_sub al) (ev_mul fl al A1) (ev_ofZ al)
+    (lltb_ok e0 es al A4) (lleb_ok e0 es al A4) c ss H).
 Qed.
 End NF.
 
@@ -55,6 +55,7 @@ Section Examples.
 Let G := (KG Z 1 1 1 0 0 0)%Z.
 Let V (l : list Z3) := map (fun p => let '(x, y, z) := p in V3 Z x y z) l.
 Let cube := V [(0,0,0); (1,0,0); (0,1,0); (1,1,0); (0,0,1); (1,0,1); (0,1,1); (1,1,1)]%Z.
+Fixpoint numbered {X} (k : nat) (l : list X) : list (nat * X) := match l with [] => [] | x :: l => (k, x) :: numbered (S k) l end.
 (** Mates by search among the translates by at most one along the first axis. *)
 Definition with_mates (ds : list Z3) (ts : list (list corner)) : list ctet :=
   let plain q := CT (nth 0 q (0%N, z30)) (nth 1 q (0%N, z30)) (nth 2 q (0%N, z30)) (nth 3 q (0%N, z30)) None None None None in
@@ -70,11 +71,11 @@ Definition kuhn := [[0;1;3;7]; [0;2;6;7]; [0;4;5;7]; [0;1;7;5]; [0;2;7;3]; [0;4;
 Definition zregion c := check_region Z Z.add Z.sub Z.mul idZ Z.ltb Z.leb zpart c.
 
 (** A cube of six tetrahedra. *)
-Example cube_of_six : zcheck_region (example 1 cube 0 [z30] (map at_zero kuhn)) [CNonobtuse Z] = true.
+Example cube_of_six : zcheck_region (example 1 cube 0 [z30] (map at_zero kuhn)) [Each Z (CNonobtuse Z)] = true.
 Proof. vm_compute. reflexivity. Qed.
 Example boundary_of_six : length (listed_facets Z (example 1 cube 0 [z30] (map at_zero kuhn))) = 12%nat.
 Proof. vm_compute. reflexivity. Qed.
-Example six_not_acute : zcheck_region (example 1 cube 0 [z30] (map at_zero kuhn)) [CAcute Z] = false.
+Example six_not_acute : zcheck_region (example 1 cube 0 [z30] (map at_zero kuhn)) [Each Z (CAcute Z)] = false.
 Proof. vm_compute. reflexivity. Qed.
 (** Without one of the six it is a region, too. *)
 Example five_of_six : zregion (example 1 cube 0 [z30] (map at_zero (tl kuhn))) = true.

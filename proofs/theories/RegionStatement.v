@@ -4,7 +4,7 @@
     with r from 0 to 3; see Statement.v, which this file continues.  Some facets of the
     tetrahedra are listed: (k, i) is the facet of P k opposite to its corner i, that is
     va, vb, vc, vd for i = 0, 1, 2, 3.  The claim does not say which region it is. *)
-Require Import Reals ZArith List.
+From Coq Require Import Reals ZArith List.
 From Acutile Require Import Statement.
 Open Scope R_scope.
 
@@ -57,4 +57,23 @@ Record face_to_face_region : Prop := {
   (* two boundary facets meet in the hull of their common vertices *)
   region_boundary_faces : forall X f g, is_boundary_facet f -> is_boundary_facet g -> in_boundary_facet f X -> in_boundary_facet g X ->
      common_facet_hull (tile (fst f)) (snd f) (tile (fst g)) (snd g) X }.
+
+(** "locally weakly Delaunay": if two tiles have a facet in common, that is three vertices,
+    then the circumscribed ball of the first has no vertex of the second in its interior.
+    "Locally Delaunay": and none on its boundary, but those that both have. *)
+Definition have_a_common_facet (c c' : nat * (Z * Z * Z)) := exists u v w, u <> v /\ u <> w /\ v <> w /\
+  has_vertices l1 l2 l3 r N P (u :: v :: w :: nil) c /\ has_vertices l1 l2 l3 r N P (u :: v :: w :: nil) c'.
+Definition locally_weakly_delaunay := forall c c', have_a_common_facet c c' -> exists C s, circumscribed (tile c) C s /\
+  forall v, In v (verts (tile c')) -> s <= distance_squared v C.
+Definition locally_delaunay := forall c c', have_a_common_facet c c' -> exists C s, circumscribed (tile c) C s /\
+  forall v, In v (verts (tile c')) -> s <= distance_squared v C /\ (distance_squared v C = s -> In v (verts (tile c))).
 End Regions.
+
+(** The statements about a region: those of Statement.v, and these two. *)
+Inductive region_statement := Stated (s : statement) | LocallyDelaunay | LocallyWeaklyDelaunay.
+Definition holds_in_region (l1 l2 l3 : point) (r N : nat) (P : nat -> tetrahedron) (s : region_statement) : Prop :=
+  match s with
+  | Stated s => holds l1 l2 l3 r N P s
+  | LocallyDelaunay => locally_delaunay l1 l2 l3 r N P
+  | LocallyWeaklyDelaunay => locally_weakly_delaunay l1 l2 l3 r N P
+  end.

@@ -3,7 +3,7 @@
     This file alone says what the words of a claim mean: tiling, face to face,
     dihedral angle, acute, Delaunay.  It contains definitions and not a single
     proof.  Nothing in it mentions certificates, checkers or computations; the
-    theorems that end in these definitions are in [Numbers.v].
+    theorems that end in these definitions are in [Numbers.v] and [Bytes.v].
 
     How to read it.  [R] is the set of the real numbers and [Z] that of the
     integers, [nat] the numbers 0, 1, 2, …, all from Coq's standard library; [IZR]
@@ -31,7 +31,7 @@
     basis: any two bases with it differ by a congruence, so the claim is about all of
     them; and that there is one keeps "for all" from being empty. *)
 
-Require Import Reals ZArith List.
+From Coq Require Import Reals ZArith List.
 Open Scope R_scope.
 
 (** ** Euclidean three-space *)

@@ -17,7 +17,19 @@ from ._results import (
     Verified,
 )
 
-Progress = Callable[[str], object]
+Progress = Callable[[str], object] | Any
+
+
+def _callback(progress: Progress | None) -> Callable[[str], object] | None:
+    """A function for the steps: a bar of tqdm counts and shows them."""
+    if not (hasattr(progress, "set_description_str") and hasattr(progress, "update")):
+        return progress
+
+    def step(text: str) -> None:
+        progress.set_description_str(text, refresh=False)
+        progress.update()
+
+    return step
 
 
 def certify(
@@ -57,7 +69,7 @@ def certify(
     max_defects
         How many defects of each kind are returned. All are counted.
     progress
-        Called with the name of each step. ``tqdm.tqdm.write`` fits.
+        A function that is called with the name of each step, or a bar of tqdm, which shows it.
     **options
         ``parameter`` for a construction of the catalogue, ``tolerance`` to merge near nodes,
         ``triangulate`` to cut Delaunay cells with cospherical vertices.
@@ -90,7 +102,7 @@ def certify(
     if domain is not None:
         options["domain"] = domain
     tiling = _inputs.tiling(source, cells, **options)
-    answer, cbor = tiling.certify(list(require), certificate, max_defects, progress)
+    answer, cbor = tiling.certify(list(require), certificate, max_defects, _callback(progress))
     return Result(tiling, json.loads(answer), cbor)
 
 
@@ -121,7 +133,7 @@ def optimize(
     denominator
         Moved coordinates become multiples of 1 over this.
     progress
-        Called with the current value as a text.
+        A function that is called with the current value as a text, or a bar of tqdm.
 
     Examples
     --------
@@ -131,7 +143,7 @@ def optimize(
     """
     tiling = _inputs.tiling(source, cells, **options)
     best, answer, cbor = tiling.optimize(
-        goal, symmetry, fixed_lattice, fixed_boundary, denominator, progress
+        goal, symmetry, fixed_lattice, fixed_boundary, denominator, _callback(progress)
     )
     return Optimized(best, json.loads(answer), cbor)
 
@@ -186,7 +198,7 @@ def quality(source: Any, cells: Any = None, **options: Any) -> Quality:
 
 
 def classify(source: Any, cells: Any = None, **options: Any) -> Classification:
-    """What a tiling is combinatorially. The input is that of :func:`certify`."""
+    """The combinatorial type of a tiling. The input is that of :func:`certify`."""
     tiling = _inputs.tiling(source, cells, **options)
     return Classification(**json.loads(tiling.classify()))
 

@@ -1,4 +1,4 @@
-"""What the functions of the package return."""
+"""The results of the functions of the package."""
 
 from __future__ import annotations
 
@@ -40,7 +40,7 @@ class Result:
     defects : Defects
         The defects that were kept, with exact values.
     notes : list of str
-        What was done to the input before, or left out.
+        Notes on changes to the input, and on parts that are left out.
     """
 
     def __init__(self, tiling: Tiling, answer: dict[str, Any], certificate: bytes | None):
@@ -78,8 +78,10 @@ class Result:
         return self.certificate
 
     def to_pyvista(self) -> Any:
-        """The cells in space as an ``UnstructuredGrid`` in basis coordinates.
+        """The cells in space as an ``UnstructuredGrid``, in Cartesian coordinates.
 
+        A bounded mesh keeps its coordinates, rounded to doubles. The first lattice vector of a
+        periodic tiling lies on the x-axis, and the second one in the plane of x and y.
         The cell array ``defect`` has the kind of the first defect of each cell, or nothing, and
         ``defects`` the number of defects. Periodic tilings show one simplex for each orbit.
         """
@@ -90,6 +92,7 @@ class Result:
         vertices, (corners, shifts) = self._tiling.vertices(), self._tiling.corners()
         points = vertices[corners] + shifts.reshape(*corners.shape, 3)
         places, inverse = np.unique(points.reshape(-1, 3), axis=0, return_inverse=True)
+        places = places @ _basis(self._tiling.gram())
         grid = pyvista.UnstructuredGrid({VTK_TETRA: inverse.reshape(corners.shape)}, places)
         kinds, counts = self.defects.by_simplex(len(corners))
         grid.cell_data["defect"] = kinds
@@ -152,6 +155,11 @@ class Defect:
     value: Fraction | None
     data: dict[str, Any] = field(repr=False)
 
+    @property
+    def approximate(self) -> float:
+        """The value as a double, NaN where it is not rational or there is none."""
+        return float("nan") if self.value is None else float(self.value)
+
     def __str__(self) -> str:
         return self.message
 
@@ -188,7 +196,7 @@ class Defects:
             ("approximate", float),
         ]
         rows = [
-            (d.kind, d.elements, d.nodes, d.value, _double(d.value)) for d in self._list
+            (d.kind, d.elements, d.nodes, d.value, d.approximate) for d in self._list
         ]
         array = np.empty(len(rows), dtype=kinds)
         for index, row in enumerate(rows):
@@ -226,8 +234,14 @@ def _fraction(value: Any) -> Fraction | None:
         return None
 
 
-def _double(value: Fraction | None) -> float:
-    return float("nan") if value is None else float(value)
+def _basis(gram: np.ndarray) -> np.ndarray:
+    """Basis vectors as rows: the identity as it is, else a lower triangle."""
+    if np.array_equal(gram, np.eye(len(gram))):
+        return gram
+    try:
+        return np.linalg.cholesky(gram)
+    except np.linalg.LinAlgError:
+        raise Failed("the Gram matrix is not positive definite: there is nothing to show") from None
 
 
 @dataclass(frozen=True)
@@ -269,7 +283,7 @@ class Quality:
 
 @dataclass(frozen=True)
 class Classification:
-    """What a tiling is combinatorially."""
+    """The combinatorial type of a tiling."""
 
     vertices: int
     simplices: int

@@ -6,10 +6,10 @@ use acutile::Tiling as Input;
 use acutile_core::checker::{self, Findings, Options, defect_data};
 use acutile_core::proved::{NotProved, prove};
 use acutile_core::statement::in_words;
-use acutile_core::tiling::{Domain, Tiling};
+use acutile_core::tiling::Tiling;
 use acutile_core::with_dimension;
 use acutile_kernel::Verified;
-use acutile_paper::survey::{AnyStudy, Study, Survey, isomorphic_entries};
+use acutile_paper::survey::{AnyStudy, Study, isomorphic_to};
 use acutile_publish::draw;
 use pyo3::PyResult;
 use serde_json::{Value, json};
@@ -34,10 +34,7 @@ pub fn certify(
     with_certificate: bool,
     step: &dyn Fn(&str),
 ) -> PyResult<(String, Option<Vec<u8>>)> {
-    let answer = with_dimension!(input.any(), AnyTiling, t => match with_certificate {
-        true => proved(t, options, step),
-        false => examined(t, options, step),
-    });
+    let answer = with_dimension!(input.any(), AnyTiling, t => if with_certificate { proved(t, options, step) } else { examined(t, options, step) });
     let (mut data, certificate) = match answer {
         Ok(answer) => answer,
         Err(NotProved::Refuted(findings)) => (findings_data(input, "refuted", &findings), None),
@@ -119,7 +116,7 @@ pub fn verified(verified: &Verified, claim: Option<&[u8]>) -> PyResult<String> {
     Ok(data.to_string())
 }
 
-/// What the tiling is combinatorially.
+/// The combinatorial type of the tiling.
 pub fn classify(input: &Input) -> PyResult<String> {
     let study = AnyStudy::of(input.any().clone()).map_err(failed)?;
     let data = match &study {
@@ -130,8 +127,8 @@ pub fn classify(input: &Input) -> PyResult<String> {
             let stars = stars.iter().map(|(star, n)| (star.to_string(), json!(n)));
             data["vertex_types"] = Value::Object(stars.collect());
             data["tcp"] = json!(study.check_tcp().is_ok());
-            if study.tiling.frame.domain == Domain::Space {
-                data["isomorphic_to"] = json!(isomorphic_entries(study, &Survey::of_catalog()));
+            if let Some(symbol) = study.symbol() {
+                data["isomorphic_to"] = json!(isomorphic_to(study, &symbol));
             }
             data
         }
@@ -145,7 +142,7 @@ fn counts<const D: usize>(study: &Study<D>) -> Value {
     json!({
         "vertices": study.tiling.vertices.len(),
         "simplices": study.tiling.len(),
-        "shapes": study.shapes.len(),
+        "shapes": study.shapes().len(),
         "valences": Value::Object(valences.collect()),
         "certificate": study.certificate,
     })

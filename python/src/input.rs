@@ -15,15 +15,24 @@ pub fn mesh(points: ArrayView2<f64>, cells: ArrayView2<u32>) -> PyResult<Mesh> {
             "found points with {width} coordinates and cells with {corners} corners, expected 3 and 4"
         )));
     }
-    let row = |row: ArrayView1<f64>| [row[0], row[1], row[2]];
-    let cell = |row: ArrayView1<u32>| [row[0], row[1], row[2], row[3]];
     Ok(Mesh {
-        points: points.rows().into_iter().map(row).collect(),
+        points: rows(points),
         nodes: Numbering::consecutive(0, nodes),
-        tetrahedra: cells.rows().into_iter().map(cell).collect(),
+        tetrahedra: rows(cells),
         elements: Numbering::consecutive(0, elements),
         ..Mesh::default()
     })
+}
+
+/// The rows of an array with N columns; a contiguous one is copied as a whole.
+fn rows<T: Copy, const N: usize>(array: ArrayView2<T>) -> Vec<[T; N]> {
+    match array.as_slice() {
+        Some(entries) => entries.as_chunks().0.to_vec(),
+        None => {
+            let row = |row: ArrayView1<T>| std::array::from_fn(|k| row[k]);
+            array.rows().into_iter().map(row).collect()
+        }
+    }
 }
 
 /// How a name or a file is read.

@@ -16,12 +16,13 @@ use acutile_core::format;
 use acutile_core::proved::{hexadecimal, in_words};
 use acutile_core::tiling::{Coordinates, Corner};
 use acutile_core::with_dimension;
+use acutile_exact::number::Number;
 use acutile_kernel::{Limits, Verified};
 use acutile_paper::survey::Survey;
 use acutile_paper::table::{self, Row};
 use acutile_publish::report::{Proved, page};
 use error::{Failed, failed, refusal};
-use numpy::{PyArray2, PyReadonlyArray2, ToPyArray};
+use numpy::{IntoPyArray, PyArray2, PyArrayMethods, PyReadonlyArray2};
 use pyo3::prelude::*;
 use pyo3::types::PyBytes;
 use std::sync::Arc;
@@ -40,15 +41,19 @@ impl Tiling {
     #[staticmethod]
     #[pyo3(signature = (points, cells, lattice=None, tolerance=None))]
     fn of_mesh(
+        py: Python<'_>,
         points: PyReadonlyArray2<f64>,
         cells: PyReadonlyArray2<u32>,
-        lattice: Option<&str>,
+        lattice: Option<String>,
         tolerance: Option<f64>,
     ) -> PyResult<Tiling> {
+        // One copy of the arrays, so that the conversion runs without the interpreter's lock.
         let mesh = input::mesh(points.as_array(), cells.as_array())?;
-        let options = input::options(None, lattice.map(str::to_owned), tolerance, false);
-        let tiling = Input::of_mesh(mesh, &options).map_err(failed)?;
-        Ok(Tiling(Arc::new(tiling)))
+        let options = input::options(None, lattice, tolerance, false);
+        let input = work(py, None, move |_| {
+            Input::of_mesh(mesh, &options).map_err(failed)
+        })??;
+        Ok(Tiling(Arc::new(input)))
     }
 
     /// A tiling file or point-set file of the project, as text.
@@ -85,25 +90,36 @@ impl Tiling {
         self.0.dimension()
     }
 
-    /// What was done to the input before, or left out.
+    /// Notes on changes to the input, and on parts that are left out.
     #[getter]
     fn notes(&self) -> Vec<String> {
         self.0.notes().to_vec()
     }
 
     /// The vertices in basis coordinates, rounded to doubles.
-    fn vertices<'py>(&self, py: Python<'py>) -> Table<'py, f64> {
-        let rows: Vec<Vec<f64>> =
-            with_dimension!(self.0.any(), AnyTiling, t => doubles(&t.vertices));
-        array(py, &rows)
+    fn vertices<'py>(&self, py: Python<'py>) -> PyResult<Table<'py, f64>> {
+        let entries = with_dimension!(self.0.any(), AnyTiling, t => doubles(&t.vertices));
+        array(py, entries, self.0.dimension())
+    }
+
+    /// The inner products of the basis vectors, rounded to doubles.
+    fn gram<'py>(&self, py: Python<'py>) -> PyResult<Table<'py, f64>> {
+        let entries = with_dimension!(self.0.any(), AnyTiling, t => {
+            t.frame.gram.iter().flatten().map(Number::approximate).collect()
+        });
+        array(py, entries, self.0.dimension())
     }
 
     /// For each simplex the numbers of its vertices, and the lattice translations of these.
-    fn corners<'py>(&self, py: Python<'py>) -> (Table<'py, i64>, Table<'py, i64>) {
-        let (vertices, shifts): (Vec<_>, Vec<_>) = with_dimension!(self.0.any(), AnyTiling, t => {
-            t.simplices().map(rows_of_simplex).unzip()
-        });
-        (array(py, &vertices), array(py, &shifts))
+    fn corners<'py>(&self, py: Python<'py>) -> PyResult<(Table<'py, i64>, Table<'py, i64>)> {
+        let (vertices, shifts) =
+            with_dimension!(self.0.any(), AnyTiling, t => indices_and_shifts(&t.corners));
+        let dimension = self.0.dimension();
+        let width = dimension + 1;
+        Ok((
+            array(py, vertices, width)?,
+            array(py, shifts, width * dimension)?,
+        ))
     }
 
     /// Proves the tiling with the required statements. The answer is JSON, with the certificate
@@ -161,8 +177,9 @@ impl Tiling {
     /// The dihedral angles of each simplex, in degrees: lower and upper ends of enclosures.
     fn angles<'py>(&self, py: Python<'py>) -> PyResult<(Table<'py, f64>, Table<'py, f64>)> {
         let input = Arc::clone(&self.0);
-        let (lower, upper) = work(py, None, move |_| measures::angles(input.any()))?;
-        Ok((array(py, &lower), array(py, &upper)))
+        let (lower, upper) = work(py, None, move |_| measures::angles(input.any()))??;
+        let width = measures::angles_of_simplex(self.0.dimension());
+        Ok((array(py, lower, width)?, array(py, upper, width)?))
     }
 
     /// The combinatorial class, as `acutile classify --json` prints it.
@@ -177,14 +194,13 @@ impl Tiling {
     }
 }
 
-fn doubles<const D: usize>(vertices: &Coordinates<D>) -> Vec<Vec<f64>> {
-    let row =
-        |row: [acutile_exact::number::Number; D]| row.iter().map(|x| x.approximate()).collect();
-    vertices.iter().map(row).collect()
+fn doubles<const D: usize>(vertices: &Coordinates<D>) -> Vec<f64> {
+    let rows = vertices.iter();
+    rows.flat_map(|row| row.map(|x| x.approximate())).collect()
 }
 
-/// The vertices of the corners, and their shifts one after the other.
-fn rows_of_simplex<const D: usize>(corners: &[Corner<D>]) -> (Vec<i64>, Vec<i64>) {
+/// The vertices of all corners, and their shifts one after the other.
+fn indices_and_shifts<const D: usize>(corners: &[Corner<D>]) -> (Vec<i64>, Vec<i64>) {
     let vertices = corners
         .iter()
         .map(|corner| i64::from(corner.vertex.number()));
@@ -194,14 +210,14 @@ fn rows_of_simplex<const D: usize>(corners: &[Corner<D>]) -> (Vec<i64>, Vec<i64>
     (vertices.collect(), shifts.collect())
 }
 
-fn array<'py, T: numpy::Element + Copy + Default>(
-    py: Python<'py>,
-    rows: &[Vec<T>],
-) -> Table<'py, T> {
-    let width = rows.first().map_or(0, Vec::len);
-    let shape = (rows.len(), width);
-    let flat = numpy::ndarray::Array2::from_shape_fn(shape, |(i, j)| rows[i][j]);
-    flat.to_pyarray(py)
+/// An array of rows with `width` entries. The entries are not copied.
+fn array<T: numpy::Element>(
+    py: Python<'_>,
+    entries: Vec<T>,
+    width: usize,
+) -> PyResult<Table<'_, T>> {
+    let rows = entries.len() / width;
+    entries.into_pyarray(py).reshape([rows, width])
 }
 
 /// Checks a certificate in either encoding; the answer is JSON.

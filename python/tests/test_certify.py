@@ -102,8 +102,33 @@ def test_the_steps_are_reported():
     assert "verification" in steps
 
 
+def test_the_steps_are_shown_by_tqdm():
+    import io
+
+    import tqdm
+
+    with tqdm.tqdm(file=io.StringIO()) as bar:
+        acutile.certify("a15", progress=bar)
+        assert bar.n >= 2 and bar.desc == "verification"
+
+
+def test_a_periodic_grid_is_cartesian():
+    # A body-centred cubic cell of side 2, by a basis that is not orthogonal.
+    lattice = [[1, 1, 1], [1, -1, -1], [-1, 1, -1]]
+    grid = acutile.certify(acutile.delaunay([[0, 0, 0]], lattice)).to_pyvista()
+    assert abs(grid.volume - 4) < 1e-12
+    lengths = np.linalg.norm(grid.points[:, None] - grid.points[None], axis=2)
+    assert abs(lengths[lengths > 0.1].min() - np.sqrt(3)) < 1e-12
+
+
+def test_the_value_of_a_defect_is_exact():
+    corner = [[0, 0, 0], [1, 0, 0], [0, 1, 0], [0, 0, -0.5]]
+    defect = acutile.certify(np.array(corner), [[0, 1, 2, 3]]).defects[0]
+    assert defect.value == Fraction(-1, 2) and defect.approximate == -0.5
+
+
 def test_a_meshio_mesh(tmp_path):
-    meshio = pytest.importorskip("meshio")
+    import meshio
     points, cells = cube_in_six()
     mesh = meshio.Mesh(points, [("tetra", cells)])
     result = acutile.certify(mesh)
@@ -114,7 +139,7 @@ def test_a_meshio_mesh(tmp_path):
 
 
 def test_a_pyvista_grid_there_and_back():
-    pyvista = pytest.importorskip("pyvista")
+    import pyvista
     points, cells = cube_in_six()
     grid = pyvista.UnstructuredGrid({10: cells}, points)
     result = acutile.certify(grid, require=["acute"])
@@ -127,8 +152,8 @@ def test_a_pyvista_grid_there_and_back():
 
 
 def test_a_crystal_of_ase_and_of_pymatgen():
-    ase = pytest.importorskip("ase")
-    core = pytest.importorskip("pymatgen.core")
+    import ase
+    from pymatgen import core
     # Body-centred cubic: each atom has 14 Voronoi neighbours, and the cell 12 tetrahedra.
     cell, places = 2 * np.eye(3), [[0, 0, 0], [1, 1, 1]]
     atoms = ase.Atoms("W2", positions=places, cell=cell, pbc=True)

@@ -8,7 +8,10 @@ import time
 
 import acutile
 
+# A shell starts programs in the background with Ctrl-C ignored, and Python leaves that so.
 LONG = """
+import signal
+signal.signal(signal.SIGINT, signal.default_int_handler)
 import acutile, numpy as np
 n = 70
 i, j, k = np.meshgrid(*[np.arange(n)] * 3, indexing="ij")

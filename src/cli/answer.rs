@@ -1,16 +1,20 @@
 //! What became of an input of `certify`, in words and as data.
 
 use super::certify::CertifyArguments;
+use super::named::InputError;
 use super::outcome::Outcome;
-use super::output::{Output, Staged, write_file};
+use super::output::{self, Output, Staged, write_file};
+use super::record::Record;
 use super::refutation::Refuted;
 use super::region::Description;
 use super::target::Target;
 use super::verify::{claim_json, summary};
 use acutile_core::proved::hexadecimal;
+use acutile_core::statement::counted;
 use acutile_kernel::Verified;
 use serde_json::{Value, json};
 use std::io;
+use std::path::Path;
 
 /// What became of one input.
 pub enum Answer {
@@ -70,10 +74,20 @@ impl Written {
 
 pub fn unwritten(target: &Target, error: &io::Error) -> Answer {
     let place = match target {
-        Target::File(path) => path.display().to_string(),
-        _ => "the certificate".to_owned(),
+        Target::File(path) => path.as_path(),
+        _ => Path::new("the certificate"),
     };
-    Answer::Failed(format!("{place}: cannot be written: {error}"))
+    Answer::Failed(output::unwritten(place, error).message)
+}
+
+/// Why an input cannot be certified.
+impl From<InputError> for Answer {
+    fn from(error: InputError) -> Answer {
+        match error.outcome {
+            Outcome::Declined => Answer::Declined(error.message),
+            _ => Answer::Failed(error.message),
+        }
+    }
 }
 
 impl Answer {
@@ -104,7 +118,7 @@ impl Answer {
         }
     }
 
-    /// Tells the answer, on standard error where standard output has the certificate.
+    /// Tells the answer.
     pub fn report(
         &self,
         input: &str,
@@ -114,87 +128,125 @@ impl Answer {
         beside: &Beside,
         output: &mut Output,
     ) {
-        let as_json = arguments.json;
-        let to_error = matches!(target, Target::StandardOutput);
-        let (mut words, mut data) = match self {
-            Answer::Refuted(refuted) => return refuted.tell(input, as_json, to_error, output),
+        let told = match self {
+            Answer::Refuted(refuted) => return refuted.tell(input, output),
+            Answer::Failed(message) => {
+                let error = InputError::from(message.clone());
+                return no_answer(input, &error, "acutile", notes, output);
+            }
+            Answer::Declined(message) => {
+                let error = InputError {
+                    message: message.clone(),
+                    outcome: Outcome::Declined,
+                };
+                return no_answer(input, &error, "acutile: declined", notes, output);
+            }
             Answer::Proved { verified, .. } | Answer::Confirmed(verified) => {
-                let (words, data) = proved(verified, input, target);
-                match arguments.cite {
-                    true => (format!("{words}; {}", notes.join("; ")), data),
-                    false => (words, data),
-                }
+                let mut told = proved(verified, input, target);
+                told.sentences
+                    .extend(notes.iter().filter(|_| arguments.cite).cloned());
+                told
             }
-            Answer::Examined(examined) => examined.report(input),
-            Answer::Said(words, data) => (format!("{input}: {words}"), data.clone()),
-            Answer::Failed(message) => (
-                format!("acutile: {message}"),
-                json!({ "input": input, "verdict": "failed", "message": message }),
-            ),
-            Answer::Declined(message) => (
-                format!("acutile: declined: {message}"),
-                json!({ "input": input, "verdict": "declined", "message": message }),
-            ),
+            Answer::Examined(examined) => examined.told(input),
+            Answer::Said(words, data) => Told {
+                sentences: vec![words.clone()],
+                record: Record::of(Some(input)).verdict("proved").with(data.clone()),
+            },
         };
-        let is_failure = matches!(self, Answer::Failed(_) | Answer::Declined(_));
-        data["notes"] = json!(notes);
-        let mut lines = Vec::new();
-        if !is_failure {
-            if let Some((others, _)) = &beside.others {
-                words.push_str(&format!("; not checked: {others}"));
-                data["not_checked"] = json!(others);
-            }
-            for added in &beside.added {
-                words.push_str(&format!("; {added}"));
-            }
-            if let Some(description) = &beside.description {
-                lines.clone_from(&description.lines);
-                data["region"] = description.data.clone();
-            }
-        }
-        if arguments.file.mesh.identify.is_some() && !is_failure {
-            words.push_str("; this is about the mesh with its nodes moved by --identify");
-        }
-        match as_json {
-            true if to_error => output.complain(data),
-            true => output.line(data),
-            false if to_error || is_failure => output.complain(words),
-            false => output.line(words),
-        }
-        for line in lines.iter().filter(|_| !as_json) {
-            match to_error {
-                true => output.complain(format!("  {line}")),
-                false => output.line(format!("  {line}")),
-            }
-        }
+        told.with(beside, arguments)
+            .print(input, notes, beside, output);
     }
 }
 
+/// Why there is no answer.
+fn no_answer(input: &str, error: &InputError, start: &str, notes: &[String], output: &mut Output) {
+    match output.is_json() {
+        true => output.answer(Record::failed(Some(input), error).notes(notes)),
+        false => output.complain(format!("{start}: {}", error.message)),
+    }
+}
+
+/// A proof in sentences and as data.
+struct Told {
+    sentences: Vec<String>,
+    record: Record,
+}
+
+impl Told {
+    /// The same with what is said beside it.
+    fn with(mut self, beside: &Beside, arguments: &CertifyArguments) -> Self {
+        if let Some((others, _)) = &beside.others {
+            self.sentences.push(format!("not checked: {others}"));
+            self.record = self.record.member("not_checked", json!(others));
+        }
+        self.sentences.extend(beside.added.iter().cloned());
+        if !beside.added.is_empty() {
+            self.record = self.record.member("added", json!(beside.added));
+        }
+        if let Some(description) = &beside.description {
+            self.record = self.record.member("region", description.data.clone());
+        }
+        if arguments.file.mesh.identify.is_some() {
+            let words = "this is about the mesh with its nodes moved by --identify";
+            self.sentences.push(words.to_owned());
+        }
+        self
+    }
+
+    fn print(self, input: &str, notes: &[String], beside: &Beside, output: &mut Output) {
+        if output.is_json() {
+            return output.answer(self.record.notes(notes));
+        }
+        let details = beside.description.iter().flat_map(|d| &d.lines);
+        let details: Vec<&String> = details.collect();
+        if output.look().is_none() {
+            output.say(format!("{input}: {}", self.sentences.join("; ")));
+            details
+                .iter()
+                .for_each(|line| output.say(format!("  {line}")));
+            return;
+        }
+        let sentences = self.sentences.join("; ");
+        let sentences = sentences.strip_prefix("proved: ").unwrap_or(&sentences);
+        let mut statements = statements(sentences);
+        statements.extend(details.into_iter().cloned());
+        output.tell(input, "proved", &statements, "");
+    }
+}
+
+/// The statements of a sentence that joins them with semicolons, the counts at its end apart.
+pub fn statements(words: &str) -> Vec<String> {
+    let parts = words
+        .split("; ")
+        .flat_map(|part| match part.split_once(". (") {
+            Some((statement, counts)) => vec![statement, counts.trim_end_matches(')')],
+            None => vec![part],
+        });
+    parts.map(str::to_owned).collect()
+}
+
 /// A proof in words and as data.
-fn proved(verified: &Verified, input: &str, target: &Target) -> (String, Value) {
+fn proved(verified: &Verified, input: &str, target: &Target) -> Told {
     let path = match target {
-        Target::File(path) => Some(path.to_string_lossy()),
+        Target::File(path) => Some(path.as_path()),
         _ => None,
     };
-    let words = format!("{input}: proved: {}", summary(verified));
-    let data = json!({
-        "input": input,
-        "verdict": "proved",
+    let record = Record::of(Some(input)).verdict("proved").with(json!({
         "statements": claim_json(verified)["statements"],
         "vertices": verified.vertices,
         "simplices": verified.simplices,
-        "sha256": hexadecimal(&verified.sha256),
-        "certificate": path,
-    });
-    match path {
-        Some(path) => (format!("{words}; {path}"), data),
-        None => (words, data),
+    }));
+    let mut sentences = vec![format!("proved: {}", summary(verified))];
+    sentences.extend(path.map(|path| path.display().to_string()));
+    Told {
+        sentences,
+        record: record.certificate(path, &hexadecimal(&verified.sha256)),
     }
 }
 
 impl Examined {
     /// A proof without a certificate, which says so.
-    fn report(&self, input: &str) -> (String, Value) {
+    fn told(&self, input: &str) -> Told {
         let Examined {
             vertices,
             simplices,
@@ -202,17 +254,19 @@ impl Examined {
             statements,
         } = self;
         let words = format!(
-            "{input}: proved by the prover alone, no certificate: {words} ({vertices} vertices, {simplices} simplices)"
+            "proved by the prover alone, no certificate: {words} ({}, {})",
+            counted(*vertices, "vertex", "vertices"),
+            counted(*simplices, "simplex", "simplices")
         );
-        let data = json!({
-            "input": input,
-            "verdict": "proved",
+        let record = Record::of(Some(input)).verdict("proved").with(json!({
             "statements": statements,
             "vertices": vertices,
             "simplices": simplices,
-            "certificate": null,
             "kernel": false,
-        });
-        (words, data)
+        }));
+        Told {
+            sentences: vec![words],
+            record,
+        }
     }
 }

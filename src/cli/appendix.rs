@@ -2,14 +2,18 @@
 //! appendix in a directory.
 //!
 //! A directory that is there is added to. A file in it is replaced only where it is what some
-//! `acutile appendix` wrote and nobody has changed since, or where `--force` is given; that is looked
-//! at for all files before the first is written.
+//! `acutile appendix` wrote and nobody has changed since, or with `--force`; all files are checked before
+//! the first is written.
 
 use super::input::FileArguments;
 use super::limits::LimitArguments;
+use super::name::InputName;
+use super::named::InputError;
 use super::outcome::Outcome;
-use super::output::{Output, write_files};
+use super::output::{Output, check_directory, unwritten, write_files};
+use super::overwriting::{check_not_an_input, check_replaceable};
 use super::proved;
+use super::record::Record;
 use acutile_catalog as catalog;
 use acutile_publish::appendix::{self, File, Options, Subject, is_unchanged};
 use clap::Args;
@@ -19,8 +23,12 @@ use std::path::{Path, PathBuf};
 #[derive(Debug, Args)]
 pub struct AppendixArguments {
     /// Certificates, names of the catalogue, tiling files, or point sets (CIF too)
-    #[arg(value_name = "CERT|NAME|FILE", required_unless_present = "all")]
-    pub inputs: Vec<String>,
+    #[arg(
+        value_name = "CERT|NAME|FILE",
+        required_unless_present = "all",
+        hide_possible_values = true
+    )]
+    pub inputs: Vec<InputName>,
     #[command(flatten)]
     pub file: FileArguments,
     /// The whole catalogue
@@ -42,48 +50,57 @@ pub struct AppendixArguments {
     pub limits: LimitArguments,
 }
 
-type Failure = (String, Outcome);
+/// The input that is not proved, if it is about one, and why.
+type Failure = (Option<InputName>, InputError);
 
 /// Writes the appendix; nothing is written unless everything asked for is proved.
 pub fn run(arguments: &AppendixArguments, output: &mut Output) -> Outcome {
-    match write(arguments) {
+    match write(arguments, output) {
         Ok(count) => {
             let place = arguments.output.display();
-            output.line(format!(
-                "{place}: {count} files; pdflatex main, three times"
-            ));
-            Outcome::Done
+            let words = format!("{place}: {count} files; pdflatex main, three times");
+            output.done_in_words(Record::of(None), words)
         }
-        Err((message, outcome)) => {
-            output.complain(format!("acutile: {message}"));
-            outcome
-        }
+        Err((input, error)) => output.fail(input.as_deref(), &error),
     }
 }
 
-fn write(arguments: &AppendixArguments) -> Result<usize, Failure> {
-    let mut inputs: Vec<&str> = Vec::new();
-    let given = arguments.inputs.iter().map(String::as_str);
-    let all: Vec<&str> = catalog::names().filter(|_| arguments.all).collect();
-    for input in given.chain(all) {
+fn write(arguments: &AppendixArguments, output: &mut Output) -> Result<usize, Failure> {
+    check_directory(&arguments.output).map_err(|message| (None, message.into()))?;
+    let mut inputs: Vec<InputName> = Vec::new();
+    let all = catalog::names().filter(|_| arguments.all);
+    let all = all.map(InputName::from);
+    for input in arguments.inputs.iter().cloned().chain(all) {
         if !inputs.contains(&input) {
             inputs.push(input);
         }
     }
-    let subjects = subjects(&inputs, arguments)?;
+    let (subjects, notes): (Vec<_>, Vec<_>) = subjects(&inputs, arguments)?.into_iter().unzip();
     check_different(&subjects)?;
     let options = Options {
         siunitx: arguments.siunitx,
         two_column: arguments.two_column,
     };
     let files = appendix::appendix(&subjects, &options);
-    write_into(&arguments.output, &files, arguments.force)
-        .map_err(|message| (message, Outcome::Failed))?;
+    write_into(&arguments.output, &files, &inputs, arguments.force)
+        .map_err(|message| (None, message.into()))?;
+    if output.is_json() {
+        for ((input, subject), notes) in inputs.iter().zip(&subjects).zip(&notes) {
+            let record = Record::of(Some(input)).verdict("proved").notes(notes);
+            output.answer(record.certificate(None, subject.sha256()));
+        }
+    }
+    for file in &files {
+        output.wrote(&arguments.output.join(&file.path), file.bytes.len());
+    }
     Ok(files.len())
 }
 
 /// The subjects of all inputs, several at a time; the first failure in their order.
-fn subjects(inputs: &[&str], arguments: &AppendixArguments) -> Result<Vec<Subject>, Failure> {
+fn subjects(
+    inputs: &[InputName],
+    arguments: &AppendixArguments,
+) -> Result<Vec<(Subject, Vec<String>)>, Failure> {
     let found: Vec<_> = inputs
         .par_iter()
         .map(|input| subject(input, arguments))
@@ -104,54 +121,41 @@ fn check_different(subjects: &[Subject]) -> Result<(), Failure> {
                 subject.name,
                 subject.certificate_path()
             );
-            return Err((message, Outcome::Failed));
+            return Err((None, message.into()));
         }
     }
     Ok(())
 }
 
-/// A construction of the catalogue, or a tiling file, proved; or a certificate.
-fn subject(input: &str, arguments: &AppendixArguments) -> Result<Subject, Failure> {
+/// A construction of the catalogue, or a tiling file, proved; or a certificate. With the notes on it. With the notes on it.
+fn subject(
+    input: &InputName,
+    arguments: &AppendixArguments,
+) -> Result<(Subject, Vec<String>), Failure> {
     let limits = arguments.limits.limits();
-    proved::subject_of(input, &arguments.file, &limits, &mut Output::standard())
-        .map_err(|error| (error.message, error.outcome))
+    let mut output = Output::standard();
+    proved::subject_of(input, &arguments.file, &limits, &mut output)
+        .map(|subject| (subject, output.take_notes()))
+        .map_err(|error| (Some(input.clone()), error))
 }
 
-fn write_into(directory: &Path, files: &[File], force: bool) -> Result<(), String> {
+fn write_into(
+    directory: &Path,
+    files: &[File],
+    inputs: &[InputName],
+    force: bool,
+) -> Result<(), String> {
     let targets: Vec<(PathBuf, &[u8])> = files
         .iter()
         .map(|file| (directory.join(&file.path), file.bytes.as_slice()))
         .collect();
     for (path, bytes) in &targets {
-        check_replaceable(path, bytes, force)?;
+        check_not_an_input(Some(path), "-o", inputs)?;
+        check_replaceable(path, |found| found == *bytes || is_unchanged(found), force)?;
     }
-    let unwritten = |path: &Path, error| format!("{}: cannot be written: {error}", path.display());
+    let unwritten = |path: &Path, error| unwritten(path, &error).message;
     for parent in targets.iter().filter_map(|(path, _)| path.parent()) {
         std::fs::create_dir_all(parent).map_err(|error| unwritten(parent, error))?;
     }
     write_files(&targets).map_err(|(path, error)| unwritten(&path, error))
-}
-
-/// A foreign file, or one that was edited, stays.
-fn check_replaceable(path: &Path, bytes: &[u8], force: bool) -> Result<(), String> {
-    let Ok(metadata) = path.symlink_metadata() else {
-        return Ok(());
-    };
-    if !metadata.is_file() {
-        return Err(format!(
-            "{}: is there and is no ordinary file",
-            path.display()
-        ));
-    }
-    if force {
-        return Ok(());
-    }
-    let found = std::fs::read(path).unwrap_or_default();
-    match found == bytes || is_unchanged(&found) {
-        true => Ok(()),
-        false => Err(format!(
-            "{}: is there and is not what acutile appendix wrote; --force replaces it",
-            path.display()
-        )),
-    }
 }

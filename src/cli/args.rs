@@ -3,6 +3,7 @@
 use super::appendix::AppendixArguments;
 use super::bundle::BundleArguments;
 use super::certify::CertifyArguments;
+use super::cite::CiteArguments;
 use super::classify::ClassifyArguments;
 use super::convert::ConvertArguments;
 use super::delaunay::DelaunayArguments;
@@ -46,6 +47,9 @@ macro_rules! examples {
 pub struct Arguments {
     #[command(subcommand)]
     pub command: Command,
+    /// Answer in JSON: one object a line, one for each input (docs/json.md)
+    #[arg(long, global = true)]
+    pub json: bool,
 }
 
 #[derive(Debug, Subcommand)]
@@ -53,7 +57,7 @@ pub enum Command {
     /// List the catalogue of constructions
     #[command(after_long_help = examples!("\n  acutile list"))]
     List(ListArguments),
-    /// Tell what a tiling is: counts, lattice, field, shapes
+    /// Show a tiling: counts, lattice, field, shapes
     #[command(after_long_help = examples!("\n  acutile show a15\n  acutile show mine.json"))]
     Show(ShowArguments),
     /// Write a commented starting example of a kind of file
@@ -68,8 +72,8 @@ pub enum Command {
     /// Compute the periodic Delaunay triangulation of a point set
     #[command(after_long_help = examples!("\n  acutile delaunay points.json -o tiling.json"))]
     Delaunay(DelaunayArguments),
-    /// Write a tiling, or a supercell of it, as a tiling file, or a certificate for Coq
-    #[command(after_long_help = examples!("\n  acutile export a15 --supercell 3,3,3 -o big.json"))]
+    /// Write a tiling, or a supercell of it, as a tiling file or for Sage, Mathematica, GAP or Lean; a certificate for Coq
+    #[command(after_long_help = examples!("\n  acutile export a15 --supercell 3,3,3 -o big.json\n  acutile export sigma -o sigma.sage\n  acutile export a15.cbor --coq -o a15.v"))]
     Export(ExportArguments),
     /// Turn a mesh or a tiling into a mesh file of another format, or a tiling file
     #[command(after_long_help = examples!("\n  acutile convert part.msh part.vtu\n  acutile convert a15 a15.vtu --supercell 3,3,3\n  acutile convert a15.json a15.cbor"))]
@@ -114,8 +118,8 @@ pub enum Command {
     Quality(QualityArguments),
     /// Write a page to look at: the tiling in three dimensions, its exact data, its certificate
     ///
-    /// One HTML file that loads nothing. A tiling that is no certificate yet is proved first;
-    /// nothing is written that the kernel does not confirm.
+    /// One HTML file that loads nothing. A tiling without a certificate is proved first.
+    /// A refuted tiling gets a page with its defects.
     #[command(after_long_help = examples!("\n  acutile report a15 slab -o report.html"))]
     Report(ReportArguments),
     /// Write a static site of the whole catalogue
@@ -125,6 +129,9 @@ pub enum Command {
     #[command(after_long_help = examples!("\n  acutile draw a15 -o a15.svg\n  acutile draw slab --figure steps --format tikz -o slab.tex"))]
     Draw(DrawArguments),
     /// Valences, vertex types, TCP or why not, and what the tiling is isomorphic to
+    ///
+    /// Of a point set or a crystal structure also its Delaunay cells, the Voronoi neighbours of each site,
+    /// and the space group.
     #[command(after_long_help = examples!("\n  acutile classify mine.json\n  acutile classify sigma.cif --snap 3 --json"))]
     Classify(ClassifyArguments),
     /// A LaTeX appendix about certificates: theorem, numbers, and how to check them
@@ -136,6 +143,11 @@ pub enum Command {
     /// not confirm. The same input gives the same bytes.
     #[command(after_long_help = examples!("\n  acutile bundle a15 slab -o artefact.zip\n  acutile bundle a15 --author 'Carberry, Josiah <0000-0002-1825-0097>' --licence CC-BY-4.0 -o a15.zip"))]
     Bundle(BundleArguments),
+    /// How to cite a certificate: BibTeX, and a paragraph on what was proved by what, and what was not
+    ///
+    /// A tiling that is no certificate yet is proved first. The text is a .bib file as it is.
+    #[command(after_long_help = examples!("\n  acutile cite a15\n  acutile cite mine.cbor -o mine.bib"))]
+    Cite(CiteArguments),
     /// Print a completion script for a shell
     #[command(after_long_help = examples!("\n  acutile completions bash > acutile.bash"))]
     Completions(CompletionsArguments),
@@ -156,4 +168,7 @@ pub struct ManArguments {
     /// Write acutile.1 and a page for each command, such as acutile-certify.1, into this folder
     #[arg(value_name = "DIR")]
     pub folder: Option<PathBuf>,
+    /// Replace files that are there, even if they are others'
+    #[arg(long)]
+    pub force: bool,
 }

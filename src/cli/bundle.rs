@@ -1,27 +1,38 @@
 //! `acutile bundle`: an archive to deposit.
 
+use super::extension;
 use super::input::FileArguments;
 use super::limits::LimitArguments;
+use super::name::InputName;
 use super::named::InputError;
 use super::outcome::Outcome;
-use super::output::{Output, write_file};
-use super::proved::{overwritten, proved, subject};
+use super::output::{Output, write_bytes};
+use super::overwriting::check_not_an_input;
+use super::proved::piece;
+use super::record::Record;
 use super::words::one_line;
 use acutile_publish::bundle::metadata::{Author, Deposit, Doi, licence};
 use acutile_publish::bundle::{Options, Piece, archive, bundle};
 use clap::Args;
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 
 #[derive(Debug, Args)]
 pub struct BundleArguments {
     /// Certificates, names of the catalogue, tiling or mesh files, or point sets (CIF too)
-    #[arg(value_name = "CERT|NAME|FILE", required = true)]
-    pub inputs: Vec<String>,
+    #[arg(
+        value_name = "CERT|NAME|FILE",
+        required = true,
+        hide_possible_values = true
+    )]
+    pub inputs: Vec<InputName>,
     #[command(flatten)]
     pub file: FileArguments,
     /// Leave out the PDF, even if there is TeX
     #[arg(long)]
     pub no_pdf: bool,
+    /// Add each claim as a theorem for Coq
+    #[arg(long)]
+    pub coq: bool,
     /// The title of the data set; without it one made of the names of the tilings
     #[arg(long, value_name = "TITLE", value_parser = clap::builder::NonEmptyStringValueParser::new())]
     pub title: Option<String>,
@@ -46,29 +57,31 @@ pub struct BundleArguments {
 
 /// Writes the archive; nothing is written where an input is not proved.
 pub fn run(arguments: &BundleArguments, output: &mut Output) -> Outcome {
+    output.document_goes_to(Some(&arguments.output));
     match write(arguments, output) {
-        Ok(()) => Outcome::Done,
-        Err(error) => {
-            output.complain(format!("acutile: {}", error.message));
-            error.outcome
-        }
+        Ok(()) => output.done(Record::of(None)),
+        Err((input, error)) => output.fail(input.map(|input| &**input), &error),
     }
 }
 
-fn write(arguments: &BundleArguments, output: &mut Output) -> Result<(), InputError> {
+/// The input that is not proved, if it is about one, and why.
+type Failure<'a> = (Option<&'a InputName>, InputError);
+
+fn write<'a>(arguments: &'a BundleArguments, output: &mut Output) -> Result<(), Failure<'a>> {
     let target = arguments.output.as_path();
-    if let Some(input) = overwritten(&arguments.inputs, Some(target)) {
-        return Err(format!("-o would overwrite the input {input}").into());
-    }
+    let failed = |error: InputError| (None, error);
+    check_not_an_input(Some(target), "-o", &arguments.inputs)
+        .and_then(|()| extension::check(Some(target), "an archive", &["zip"]))
+        .map_err(|message| failed(message.into()))?;
     let limits = arguments.limits.limits();
     let mut pieces = Vec::new();
     for input in &arguments.inputs {
-        let proved = proved(input, &arguments.file, &limits, output)?;
-        let subject = subject(input, &proved);
-        pieces.push(Piece { proved, subject });
+        let piece = piece(input, &arguments.file, &limits, output);
+        pieces.push(piece.map_err(|error| (Some(input), error))?);
     }
     let options = Options {
         pdf: !arguments.no_pdf,
+        coq: arguments.coq,
         deposit: Deposit {
             title: arguments.title.clone(),
             authors: arguments.authors.clone(),
@@ -77,15 +90,18 @@ fn write(arguments: &BundleArguments, output: &mut Output) -> Result<(), InputEr
             paper: arguments.paper.clone(),
         },
     };
-    let bundle = bundle(pieces, &options)?;
-    let bytes = archive(&bundle.files)?;
+    let digest = |piece: &Piece| piece.subject.sha256().to_owned();
+    let digests: Vec<String> = pieces.iter().map(digest).collect();
+    let bundle = bundle(pieces, &options).map_err(|message| failed(message.into()))?;
+    let bytes = archive(&bundle.files).map_err(|message| failed(message.into()))?;
     for note in bundle.notes {
-        output.complain(format!("acutile: {}", one_line(&note)));
+        output.note("acutile", &one_line(&note));
     }
-    if target == Path::new("-") {
-        output.bytes(&bytes);
-        return Ok(());
+    if output.is_json() {
+        for (input, sha256) in arguments.inputs.iter().zip(&digests) {
+            let record = Record::of(Some(input)).verdict("proved");
+            output.answer(record.certificate(None, sha256));
+        }
     }
-    write_file(target, &bytes)
-        .map_err(|error| format!("{}: cannot be written: {error}", target.display()).into())
+    write_bytes(Some(target), &bytes, output).map_err(failed)
 }

@@ -1,50 +1,53 @@
 //! `acutile certify`: proves tilings and writes their certificates.
 
-use super::answer::{Answer, Beside, Examined, Written, unwritten};
+use super::answer::{Answer, Beside, Written, unwritten};
 use super::defects;
 use super::encoding::Encoding;
-use super::family::{self, FamilyArguments};
+use super::extension;
+use super::family::{self, FamilyArguments, NO_UNCERTAINTIES, Subject, within_su};
 use super::input::{self, FileArguments, Loaded};
 use super::limits::LimitArguments;
+use super::look::Counts;
+use super::name::InputName;
 use super::named::InputError;
 use super::outcome::Outcome;
-use super::output::{Output, Staged, write_file};
-use super::progress::Progress;
-use super::proved::{overwritten, refused, stem};
-use super::refutation::{Refuted, SHOWN};
-use super::refuted_page::LISTED;
+use super::output::{Output, is_standard, write_bytes};
+use super::overwriting::check_not_an_input;
+use super::prove::{examine_tiling, in_words, prove_tiling, required};
+use super::proved::{self, title};
+use super::record::verdict;
+use super::refutation::Refuted;
 use super::report::{self, Article};
+use super::requirement::RequirementParser;
 use super::second::{self, SecondLook};
 use super::target::{Target, targets};
 use super::theorem;
 use acutile_catalog as catalog;
-use acutile_core::checker::{self, Defect, Names, Options};
+use acutile_core::checker::Options;
 use acutile_core::family::AnyFamily;
-use acutile_core::format::{self, print};
-use acutile_core::proved::{Confirmed, NotProved, prove_to};
-use acutile_core::statement::{Requirement, in_words as statement_in_words};
-use acutile_core::tiling::Tiling;
-use acutile_core::transcribe;
+use acutile_core::proved::NotProved;
+use acutile_core::statement::{Requirement, counted};
 use acutile_core::with_dimension;
-use acutile_publish::report::Proved;
 use clap::Args;
-use serde_json::Value;
-use std::io::{self, Cursor};
 use std::path::PathBuf;
 
 #[derive(Debug, Args)]
 pub struct CertifyArguments {
     /// Names of the catalogue, tiling files, mesh files, or point sets (CIF too), whose
     /// Delaunay triangulation is certified (`-` for standard input)
-    #[arg(value_name = "NAME|FILE", required_unless_present = "all")]
-    pub inputs: Vec<String>,
+    #[arg(
+        value_name = "NAME|FILE",
+        required_unless_present = "all",
+        hide_possible_values = true
+    )]
+    pub inputs: Vec<InputName>,
     #[command(flatten)]
     pub file: FileArguments,
     /// The whole catalogue
     #[arg(long)]
     pub all: bool,
-    /// The number that the construction depends on, like 3/7 or sqrt(2)/4: a/e of
-    /// goldberg-1, -2 and -3, epsilon of two-corners
+    /// The number of a construction that has one, like 3/7 or sqrt(2)/4: a/e for goldberg-1,
+    /// goldberg-2 and goldberg-3, epsilon for two-corners
     #[arg(
         long,
         value_name = "VALUE",
@@ -59,7 +62,7 @@ pub struct CertifyArguments {
     /// The encoding; without it CBOR for a file whose name ends in .cbor, and else JSON
     #[arg(long, value_enum, conflicts_with = "no_certificate")]
     pub format: Option<Encoding>,
-    /// Statements that must hold: tiling, acute, nonobtuse, delaunay, weakly-delaunay, tcp,
+    /// Statements that must hold: tiling, acute, nonobtuse, delaunay, weakly-delaunay, not-delaunay, tcp,
     /// dihedral-below=DEGREES, dihedral-above=DEGREES, radius-edge-below=RATIO; in quotes also
     /// 'dihedral<DEGREES', 'dihedral>DEGREES', 'radius-edge<RATIO'; plane:EQUATION in basis
     /// coordinates, like plane:x2+x3=1/2, for a plane that no simplex crosses; and, by the prover alone,
@@ -67,7 +70,9 @@ pub struct CertifyArguments {
     #[arg(
         long = "require",
         value_name = "STATEMENT,STATEMENT",
-        value_delimiter = ','
+        value_delimiter = ',',
+        value_parser = RequirementParser,
+        hide_possible_values = true
     )]
     pub required: Vec<Requirement>,
     /// For square-triangle:NAME, square-triangle:FILE and kagome:WORD: check only that the input
@@ -77,14 +82,14 @@ pub struct CertifyArguments {
     /// Give negatively oriented simplices positive orientation
     #[arg(long)]
     pub reorient: bool,
-    /// Prove and tell, but make no certificate and do not ask the kernel: for large meshes that
+    /// Prove, but make no certificate and do not ask the kernel: for large meshes that
     /// are to be checked and not to be published
     #[arg(long, conflicts_with_all = ["output", "report"])]
     pub no_certificate: bool,
-    /// How many defects of each kind to tell; all are counted. Without it 20, and with --json all
+    /// How many defects of each kind are printed; all are counted. Without it 20, and with --json all
     #[arg(long, value_name = "N")]
     pub max_defects: Option<usize>,
-    /// Write exact numbers in full; without it only about, where they are long. JSON has them anyway
+    /// Write exact numbers in full; without it long numbers are approximate. JSON has all in full
     #[arg(long)]
     pub exact: bool,
     /// Decline where the mesh has elements of types that are not checked
@@ -104,9 +109,9 @@ pub struct CertifyArguments {
     /// Write a page to look at to this file: what is proved, and the defects of what is refuted, in red
     #[arg(long, value_name = "FILE.html")]
     pub report: Option<PathBuf>,
-    /// One JSON object a line: one for each input, and for a refuted one then one for each defect
-    #[arg(long)]
-    pub json: bool,
+    /// Replace files in the directory of -o that are there, even if they are no certificates
+    #[arg(long, requires = "output")]
+    pub force: bool,
     #[command(flatten)]
     pub family: FamilyArguments,
     #[command(flatten)]
@@ -115,33 +120,32 @@ pub struct CertifyArguments {
 
 /// Certifies every input; the outcome is the worst of all.
 pub fn run(arguments: &CertifyArguments, output: &mut Output) -> Outcome {
-    let mut inputs: Vec<String> = Vec::new();
+    let mut inputs: Vec<InputName> = Vec::new();
     let theorems = catalog::THEOREMS.iter().map(|theorem| theorem.name);
     let all = catalog::names()
         .chain(catalog::large_names())
         .chain(catalog::family_names())
         .chain(theorems)
         .filter(|_| arguments.all)
-        .map(str::to_owned);
+        .map(InputName::from);
     for input in arguments.inputs.iter().cloned().chain(all) {
         if !inputs.contains(&input) {
             inputs.push(input);
         }
     }
-    let targets = match targets(&inputs, arguments) {
+    let targets = check(&inputs, arguments).and_then(|()| targets(&inputs, arguments));
+    let targets = match targets {
         Ok(targets) => targets,
-        Err(message) => {
-            output.complain(format!("acutile: {message}"));
-            return Outcome::Failed;
-        }
+        Err(message) => return output.fail_with(None, message),
     };
-    if let Some(input) = overwritten(&inputs, arguments.report.as_deref()) {
-        output.complain(format!(
-            "acutile: --report would overwrite the input {input}"
-        ));
-        return Outcome::Failed;
+    let moves = arguments.file.mesh.moves.as_ref();
+    let files = [arguments.report.as_ref(), arguments.defects.as_ref(), moves];
+    let is_used = files.into_iter().flatten().any(|path| is_standard(path));
+    if is_used || matches!(targets[..], [Target::StandardOutput]) {
+        output.document_goes_to(None);
     }
     let mut worst = Outcome::Done;
+    let mut counts = Counts::default();
     let mut articles = Vec::new();
     for (input, target) in inputs.iter().zip(targets) {
         let mut notes = Vec::new();
@@ -156,26 +160,59 @@ pub fn run(arguments: &CertifyArguments, output: &mut Output) -> Outcome {
                 }
             }
         }
+        if let (Answer::Proved { .. }, Some(raised)) = (&answer, arguments.limits.raised()) {
+            let note = format!(
+                "the certificate is confirmed with {raised}; acutile-verify may need the same options"
+            );
+            output.complain(format!("{input}: {note}"));
+            notes.push(note);
+        }
         let answer = answer.write(&target, output);
         answer.report(input, &target, arguments, &notes, &beside, output);
+        counts.add(verdict(answer.outcome()));
         worst = worst.and(strictly(answer.outcome(), arguments, &beside));
     }
-    match &arguments.report {
-        Some(path) if !articles.is_empty() => {
-            worst.and(report::write(&articles, Some(path.as_path()), output))
-        }
-        _ => worst,
+    counts.tell(output);
+    if let Some(path) = arguments.report.as_deref().filter(|_| !articles.is_empty()) {
+        worst = worst.and(report::write(&articles, Some(path), output));
+        output.tell_files();
     }
+    worst
+}
+
+/// The names of all files that are written promise what is written, and are no inputs.
+fn check(inputs: &[InputName], arguments: &CertifyArguments) -> Result<(), String> {
+    let moves = arguments.file.mesh.moves.as_deref();
+    for (path, option, words, extensions) in [
+        (
+            arguments.report.as_deref(),
+            "--report",
+            "a page",
+            extension::PAGE,
+        ),
+        (
+            arguments.defects.as_deref(),
+            "--defects",
+            "VTU",
+            &["vtu"][..],
+        ),
+        (moves, "--moves", "CSV", &["csv", "txt"][..]),
+    ] {
+        check_not_an_input(path, option, inputs)?;
+        extension::check(path, words, extensions)
+            .map_err(|problem| format!("{option} {problem}"))?;
+    }
+    Ok(())
 }
 
 /// What the page of --report has of an input.
 fn article(
-    input: &str,
+    input: &InputName,
     answer: &Answer,
     arguments: &CertifyArguments,
 ) -> Result<Article, InputError> {
     match answer {
-        Answer::Refuted(refuted) => Ok(Article::Refuted(Box::new(refuted.article(&stem(input))))),
+        Answer::Refuted(refuted) => Ok(Article::Refuted(Box::new(refuted.article(&title(input))))),
         Answer::Failed(message) | Answer::Declined(message) => {
             let message = message.clone();
             let outcome = answer.outcome();
@@ -184,12 +221,7 @@ fn article(
         Answer::Proved {
             certificate: Written::Bytes(bytes),
             ..
-        } => {
-            let limits = arguments.limits.limits();
-            Proved::of_certificate(stem(input), String::new(), bytes, &limits)
-                .map(|proved| Article::Proved(Box::new(proved)))
-                .map_err(|error| refused(input, &error))
-        }
+        } => proved::article(input, String::new(), bytes, &arguments.limits.limits()),
         _ => Err(format!("{input}: there is no page without a certificate").into()),
     }
 }
@@ -205,7 +237,7 @@ fn strictly(outcome: Outcome, arguments: &CertifyArguments, beside: &Beside) -> 
 
 /// Proves or refutes; `notes` gets what was done to the input before, `beside` what is said more.
 fn prove(
-    input: &str,
+    input: &InputName,
     target: &Target,
     arguments: &CertifyArguments,
     notes: &mut Vec<String>,
@@ -213,24 +245,38 @@ fn prove(
     output: &mut Output,
 ) -> Answer {
     match theorem::of_input(input, arguments) {
-        Some(Ok(proof)) => return theorem_answer(proof, target, arguments, notes),
-        Some(Err(message)) => return Answer::Failed(message),
+        Some(Ok(proof)) => {
+            return match arguments.family.check(Subject::Theorem) {
+                Ok(()) => theorem::answer(proof, target, arguments, notes),
+                Err(message) => Answer::Failed(format!("{input}: {message}")),
+            };
+        }
+        Some(Err(error)) => return error.into(),
         None => {}
     }
-    let loaded = input::open(input, arguments.param.as_deref(), &arguments.file, output);
+    let mut file = arguments.file.clone();
+    file.points.within_su = arguments.family.within_su;
+    let loaded = input::open(input, arguments.param.as_deref(), &file, output);
+    let varied = match &loaded {
+        Ok(Loaded::Points(points)) => points.variation.clone().map(|v| (points.set.clone(), v)),
+        _ => None,
+    };
     let named = match loaded {
+        Ok(Loaded::Family(_)) if arguments.family.within_su => {
+            return Answer::Failed(format!("{input}: {NO_UNCERTAINTIES}"));
+        }
         Ok(Loaded::Family(named)) => {
+            if let Err(message) = arguments.family.check(Subject::Family) {
+                return Answer::Failed(format!("{input}: {message}"));
+            }
             return prove_family(&named.family, input, target, arguments, notes, output);
         }
-        Ok(loaded) => loaded.tiling(input, &arguments.file, output),
+        Ok(loaded) => loaded.tiling(input, &file, output),
         Err(error) => Err(error),
     };
     let mut named = match named {
         Ok(named) => named,
-        Err(error) if error.outcome == Outcome::Declined => {
-            return Answer::Declined(error.message);
-        }
-        Err(error) => return Answer::Failed(error.message),
+        Err(error) => return error.into(),
     };
     notes.append(&mut named.notes);
     if let Some(note) = with_dimension!(&named.tiling, AnyTiling, t => second::note_on_boundary(t))
@@ -243,31 +289,46 @@ fn prove(
         if let Some(origin) = &mut named.origin {
             origin.reoriented(&mended);
         }
+        for (simplex, element) in &mut named.curved {
+            if mended.binary_search(simplex).is_ok() {
+                element.turn();
+            }
+        }
         if !mended.is_empty() {
-            let note = format!("{} simplices reoriented", mended.len());
+            let note = format!(
+                "{} reoriented",
+                counted(mended.len(), "simplex", "simplices")
+            );
             output.complain(format!("{input}: {note}"));
             notes.push(note);
         }
     }
     beside.others = second::others(&named);
     if !named.curved.is_empty() {
-        return second::curved(input, &named, !arguments.required.is_empty());
+        return second::curved(input, &named, arguments);
     }
-    match arguments.family.freed(&named.tiling) {
+    if let Err(message) = arguments.family.check(Subject::Tiling) {
+        return Answer::Failed(format!("{input}: {message}"));
+    }
+    let freed = match varied {
+        Some((points, variation)) => within_su(&named.tiling, &points, &variation).map(Some),
+        None if arguments.family.within_su => Err(NO_UNCERTAINTIES.to_owned()),
+        None => arguments.family.freed(&named.tiling),
+    };
+    match freed {
         Ok(None) => {}
         Ok(Some(family)) => {
             return prove_family(&family, input, target, arguments, notes, output);
         }
         Err(message) => return Answer::Failed(format!("{input}: {message}")),
     }
-    let mut options = Options {
-        sides: std::mem::take(&mut named.sides),
-        ..options(arguments)
-    };
-    match planes(input) {
-        Ok(planes) => options.required.extend(planes),
+    let options = match required(input, arguments, output.is_json()) {
+        Ok(options) => Options {
+            sides: std::mem::take(&mut named.sides),
+            ..options
+        },
         Err(message) => return Answer::Failed(format!("{input}: {message}")),
-    }
+    };
     let proved = with_dimension!(&named.tiling, AnyTiling, t => match arguments.no_certificate {
         true => examine_tiling(t, input, &options),
         false => prove_tiling(t, input, &options, target, arguments),
@@ -304,20 +365,14 @@ fn prove(
         findings,
         second,
         is_exact: arguments.exact,
-        shown: arguments.max_defects.unwrap_or(SHOWN),
+        shown: arguments.max_defects,
     };
     if let Some(path) = &arguments.defects
-        && let Err(error) = write_file(path, defects::vtu(&refuted).as_bytes())
+        && let Err(error) = write_bytes(Some(path), defects::vtu(&refuted).as_bytes(), output)
     {
-        return Answer::Failed(format!("{}: cannot be written: {error}", path.display()));
+        return Answer::Failed(error.message);
     }
     Answer::Refuted(Box::new(refuted))
-}
-
-/// The planes that the certificate of a construction states.
-fn planes(input: &str) -> Result<Vec<Requirement>, String> {
-    let planes = catalog::find(input).map_or(&[][..], |entry| entry.planes);
-    planes.iter().map(|plane| plane.parse()).collect()
 }
 
 /// Proves or refutes a family, and tells what else is found.
@@ -330,153 +385,13 @@ fn prove_family(
     output: &mut Output,
 ) -> Answer {
     let first = notes.len();
-    let answer = family::prove(any, input, target, arguments, notes);
+    let options = match required(input, arguments, output.is_json()) {
+        Ok(options) => options,
+        Err(message) => return Answer::Failed(format!("{input}: {message}")),
+    };
+    let answer = family::prove(any, input, target, (arguments, options), notes);
     for note in &notes[first..] {
         output.complain(format!("{input}: {note}"));
     }
     answer
-}
-
-pub(super) fn options(arguments: &CertifyArguments) -> Options {
-    Options {
-        required: arguments.required.clone(),
-        defect_limit: defect_limit(arguments),
-        limits: arguments.limits.limits(),
-        ..Options::default()
-    }
-}
-
-/// A theorem, with its own certificate; a member gets a note that says so.
-fn theorem_answer(
-    proof: theorem::Proof,
-    target: &Target,
-    arguments: &CertifyArguments,
-    notes: &mut Vec<String>,
-) -> Answer {
-    if let Some(member) = &proof.cited {
-        notes.push(format!(
-            "proved by citing the theorem {}, whose certificate this is: the input has {member}",
-            proof.entry.name
-        ));
-    }
-    let cbor = proof.theorem.certificate().to_vec();
-    let bytes = match encoding(target, arguments) {
-        Encoding::Cbor => Ok(cbor),
-        Encoding::Json => print::to_json(&cbor),
-    };
-    match bytes {
-        Ok(bytes) => Answer::Proved {
-            verified: proof.theorem.into_verified(),
-            certificate: Written::Bytes(bytes),
-        },
-        Err(error) => unwritten(target, &io::Error::other(error)),
-    }
-}
-
-pub(super) fn in_words<const D: usize>(tiling: &Tiling<D>, defect: &Defect) -> String {
-    checker::describe::<D>(&Names::of(tiling), defect)
-}
-
-/// Twenty defects of each kind for people, all for machines and files, if not said otherwise.
-fn defect_limit(arguments: &CertifyArguments) -> usize {
-    if arguments.defects.is_some() {
-        usize::MAX
-    } else if arguments.report.is_some() {
-        arguments.max_defects.unwrap_or(LISTED)
-    } else if arguments.json {
-        arguments.max_defects.unwrap_or(usize::MAX)
-    } else {
-        arguments.max_defects.unwrap_or(SHOWN)
-    }
-}
-
-/// The prover's word alone.
-fn examine_tiling<const D: usize>(
-    tiling: &Tiling<D>,
-    name: &str,
-    options: &Options,
-) -> Result<Answer, NotProved> {
-    let progress = Progress::of(name);
-    let proof = checker::examine(tiling, options, &|step| progress.step(step))?;
-    let claim = transcribe::claim(proof.parts(tiling));
-    let statements = proof.statements.iter();
-    let boundary = tiling.frame.domain.is_region().then(|| {
-        let (kind, facets) = (
-            (tiling.frame.rank() > 0),
-            if D == 2 { "edges" } else { "triangles" },
-        );
-        let kind = if kind {
-            "a periodic region"
-        } else {
-            "a bounded region"
-        };
-        format!(
-            "{kind} with a boundary of {} {facets}",
-            proof.boundary_facets()
-        )
-    });
-    let words = statements.map(|s| statement_in_words(s, D));
-    let words: Vec<String> = boundary.into_iter().chain(words).collect();
-    Ok(Answer::Examined(Box::new(Examined {
-        vertices: tiling.vertices.len(),
-        simplices: tiling.len(),
-        words: words.join("; "),
-        statements: statements_json(&claim),
-    })))
-}
-
-/// The statements of a claim as its JSON has them.
-fn statements_json(claim: &format::Claim) -> Value {
-    let json = print::claim_to_json(&format::write::claim_file(claim)).unwrap_or_default();
-    let file: Value = serde_json::from_slice(&json).unwrap_or_default();
-    file["claim"]["statements"].clone()
-}
-
-/// The kernel has the last word: what it does not confirm is not called proved.
-fn prove_tiling<const D: usize>(
-    tiling: &Tiling<D>,
-    name: &str,
-    options: &Options,
-    target: &Target,
-    arguments: &CertifyArguments,
-) -> Result<Answer, NotProved> {
-    let encoding = encoding(target, arguments);
-    let has_page = arguments.report.is_some();
-    let progress = Progress::of(name);
-    let step = |step: &str| progress.step(step);
-    // CBOR that has a place goes there, and is in memory only for a page.
-    if let (Encoding::Cbor, Target::File(path), false) = (encoding, target, has_page)
-        && let Some(staged) = Staged::new(path).map_err(NotProved::Io)?
-    {
-        let confirmed = prove_to(tiling, options, &step, &mut staged.file())?;
-        return Ok(answer(confirmed, Written::File(staged)));
-    }
-    let mut storage = Cursor::new(Vec::new());
-    let confirmed = prove_to(tiling, options, &step, &mut storage)?;
-    let cbor = storage.into_inner();
-    let bytes = match (encoding, target) {
-        (_, Target::Nowhere) if !has_page => Vec::new(),
-        (Encoding::Cbor, _) => cbor,
-        (Encoding::Json, _) => {
-            let json = print::to_json(&cbor);
-            json.map_err(|error| NotProved::Io(io::Error::other(error)))?
-        }
-    };
-    Ok(answer(confirmed, Written::Bytes(bytes)))
-}
-
-fn answer(confirmed: Confirmed, certificate: Written) -> Answer {
-    Answer::Proved {
-        verified: confirmed.into_verified(),
-        certificate,
-    }
-}
-
-/// As asked for, or else as the name of the file says.
-pub(super) fn encoding(target: &Target, arguments: &CertifyArguments) -> Encoding {
-    let by_name = match target {
-        Target::File(path) => Encoding::of_path(path),
-        _ => None,
-    };
-    arguments.format.or(by_name).unwrap_or(Encoding::Json)
 }

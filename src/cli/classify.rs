@@ -1,13 +1,17 @@
 //! `acutile classify`: what a tiling is combinatorially.
 
 use super::input::{self, FileArguments, Loaded};
+use super::name::InputName;
 use super::named::InputError;
 use super::outcome::Outcome;
 use super::output::Output;
 use super::points;
+use super::record::Record;
 use super::sites::{self, Sites};
+use acutile_core::classify::Symbol;
+use acutile_core::statement::counted;
 use acutile_core::tiling::{AnyPointSet, AnyTiling, Domain, PointSet};
-use acutile_paper::survey::{AnyStudy, NotStudied, Study, isomorphic_in_catalog};
+use acutile_paper::survey::{AnyStudy, NotStudied, Study, isomorphic_to};
 use clap::Args;
 use malachite::Rational;
 use serde_json::{Value, json};
@@ -15,13 +19,10 @@ use serde_json::{Value, json};
 #[derive(Debug, Args)]
 pub struct ClassifyArguments {
     /// A name of the catalogue, a tiling or mesh file, a point set or a crystal structure (`-` for standard input)
-    #[arg(value_name = "NAME|FILE")]
-    pub input: String,
+    #[arg(value_name = "NAME|FILE", hide_possible_values = true)]
+    pub input: InputName,
     #[command(flatten)]
     pub file: FileArguments,
-    /// One JSON object
-    #[arg(long)]
-    pub json: bool,
 }
 
 /// Prints what the tiling is; refuted where it is no tiling.
@@ -31,14 +32,24 @@ pub fn run(arguments: &ClassifyArguments, output: &mut Output) -> Outcome {
         Err(error) => Err(error),
     };
     match report {
-        Ok(report) if arguments.json => output.line(with_name(&arguments.input, report)),
+        Ok(report) if output.is_json() => output.answer(record(&arguments.input, report)),
         Ok(report) => in_words(&arguments.input, &report, output),
-        Err(error) => {
-            output.complain(format!("acutile: {}", error.message));
-            return error.outcome;
-        }
+        Err(error) => return output.fail(Some(&arguments.input), &error),
     }
     Outcome::Done
+}
+
+/// A classified tiling is proved; points whose cells are not cut are none.
+fn record(name: &str, mut report: Value) -> Record {
+    let certificate = report["certificate"].take();
+    if let Value::Object(members) = &mut report {
+        members.remove("certificate");
+    }
+    let record = Record::of(Some(name)).with(report);
+    match certificate.as_str() {
+        Some(sha256) => record.verdict("proved").certificate(None, sha256),
+        None => record,
+    }
 }
 
 fn report(loaded: Loaded, arguments: &ClassifyArguments) -> Result<Value, InputError> {
@@ -51,11 +62,11 @@ fn report(loaded: Loaded, arguments: &ClassifyArguments) -> Result<Value, InputE
                     labels: &points.labels,
                     elements: &points.elements,
                 };
-                of_points(arguments, &sites, &points.notes)
+                of_points(arguments, &sites)
             }
             AnyPointSet::Plane(set) => {
                 let tiling = points::tiling(name, set, &arguments.file.points)?;
-                of_tiling(arguments, AnyTiling::Plane(tiling))
+                of_tiling(name, AnyTiling::Plane(tiling))
             }
         },
         Loaded::Family(named) => Err(named.is_no_tiling()),
@@ -63,20 +74,20 @@ fn report(loaded: Loaded, arguments: &ClassifyArguments) -> Result<Value, InputE
             let set = (!named.labels.is_empty())
                 .then(|| vertices(&named.tiling))
                 .flatten();
-            let mut report = of_tiling(arguments, named.tiling)?;
+            let mut report = of_tiling(name, named.tiling)?;
             if let Some(set) = set {
                 let sites = Sites {
                     set: &set,
                     labels: &named.labels,
                     elements: &[],
                 };
-                let (cells, cut) = sites.report(name)?;
-                add(&mut report, cells);
+                let (cells, _) = sites.cells(name)?;
+                add(&mut report, sites.report(&cells));
+                let cut = sites::polytopes(&cells);
                 if cut > 0 {
                     not_compared(&mut report, cut);
                 }
             }
-            report["notes"] = json!(named.notes);
             Ok(report)
         }
     }
@@ -93,11 +104,10 @@ fn vertices(tiling: &AnyTiling) -> Option<PointSet<3>> {
     }
 }
 
-fn of_tiling(arguments: &ClassifyArguments, tiling: AnyTiling) -> Result<Value, InputError> {
-    let (name, is_json) = (&arguments.input, arguments.json);
+fn of_tiling(name: &str, tiling: AnyTiling) -> Result<Value, InputError> {
     match AnyStudy::of(tiling) {
-        Ok(AnyStudy::Plane(study)) => Ok(of_plane(&study, is_json)),
-        Ok(AnyStudy::Space(study)) => Ok(of_space(&study, is_json)),
+        Ok(AnyStudy::Plane(study)) => Ok(of_plane(&study)),
+        Ok(AnyStudy::Space(study)) => Ok(of_space(&study)),
         Err(error) => Err(InputError {
             message: format!("{name}: {error}"),
             outcome: of_study(&error),
@@ -107,33 +117,28 @@ fn of_tiling(arguments: &ClassifyArguments, tiling: AnyTiling) -> Result<Value, 
 
 /// Points are described by their Delaunay cells as they are. Only if all are tetrahedra there is a
 /// triangulation to classify: a cut would be arbitrary.
-fn of_points(
-    arguments: &ClassifyArguments,
-    sites: &Sites,
-    notes: &[String],
-) -> Result<Value, InputError> {
+fn of_points(arguments: &ClassifyArguments, sites: &Sites) -> Result<Value, InputError> {
     let (name, options) = (&arguments.input, &arguments.file.points);
-    let (cells, cut) = sites.report(name)?;
-    let mut report = if cut == 0 {
-        of_tiling(
-            arguments,
-            AnyTiling::Space(points::tiling(name, sites.set, options)?),
-        )?
-    } else {
-        let simplices = match options.triangulate {
-            true => Some(points::tiling(name, sites.set, options)?.len()),
-            false => None,
-        };
-        let mut report = json!({
-            "dimension": 3,
-            "vertices": sites.set.points.len(),
-            "simplices": simplices,
-        });
-        not_compared(&mut report, cut);
-        report
+    let (cells, tiling) = sites.cells(name)?;
+    if let Some(tiling) = tiling {
+        // Much of the proof is the work of one core.
+        let study = || of_tiling(name, AnyTiling::Space(tiling));
+        let (report, of_sites) = rayon::join(study, || sites.report(&cells));
+        let mut report = report?;
+        add(&mut report, of_sites);
+        return Ok(report);
+    }
+    let simplices = match options.triangulate {
+        true => Some(points::tiling(name, sites.set, options)?.len()),
+        false => None,
     };
-    add(&mut report, cells);
-    report["notes"] = json!(notes);
+    let mut report = json!({
+        "dimension": 3,
+        "vertices": sites.set.points.len(),
+        "simplices": simplices,
+    });
+    not_compared(&mut report, sites::polytopes(&cells));
+    add(&mut report, sites.report(&cells));
     Ok(report)
 }
 
@@ -147,7 +152,15 @@ fn add(report: &mut Value, more: serde_json::Map<String, Value>) {
 fn not_compared(report: &mut Value, cut: usize) {
     report["cells_that_are_no_simplices"] = json!(cut);
     report["tcp"] = json!(false);
-    report["why_not_tcp"] = json!(format!("{cut} Delaunay cells are not tetrahedra"));
+    report["why_not_tcp"] = json!(format!(
+        "{} not {}",
+        counted(cut, "Delaunay cell is", "Delaunay cells are"),
+        if cut == 1 {
+            "a tetrahedron"
+        } else {
+            "tetrahedra"
+        }
+    ));
     report["isomorphic_to"] = Value::Null;
 }
 
@@ -159,38 +172,28 @@ pub fn of_study(error: &NotStudied) -> Outcome {
     }
 }
 
-fn with_name(name: &str, mut report: Value) -> Value {
-    report["input"] = json!(name);
-    report
-}
-
 /// What holds in both dimensions; ridges are edges in space and vertices in the plane.
-fn common<const D: usize>(study: &Study<D>, is_json: bool) -> Value {
-    // They are not printed in words, and take as long as all else together.
-    let chambers = is_json
-        .then(|| study.symbol())
-        .flatten()
-        .map(|symbol| symbol.len());
+fn common<const D: usize>(study: &Study<D>) -> Value {
     let valences = study.ridges.valence_counts();
     json!({
         "dimension": D,
         "vertices": study.tiling.vertices.len(),
         "simplices": study.tiling.len(),
-        "shapes": study.shapes.len(),
         "valences": valences.iter().map(|(v, n)| (v.to_string(), json!(n)))
             .collect::<serde_json::Map<_, _>>(),
         "average_valence": study.ridges.average_valence().map(|v| v.to_string()),
-        "chambers": chambers,
         "certificate": study.certificate,
     })
 }
 
-fn of_plane(study: &Study<2>, is_json: bool) -> Value {
-    common(study, is_json)
+fn of_plane(study: &Study<2>) -> Value {
+    let mut report = common(study);
+    report["chambers"] = json!(study.symbol().map(|symbol| symbol.len()));
+    report
 }
 
-fn of_space(study: &Study<3>, is_json: bool) -> Value {
-    let mut report = common(study, is_json);
+fn of_space(study: &Study<3>) -> Value {
+    let mut report = common(study);
     let stars = study.star_counts();
     report["edges"] = json!(study.ridges.list.len());
     report["vertex_types"] = stars
@@ -201,10 +204,11 @@ fn of_space(study: &Study<3>, is_json: bool) -> Value {
     let tcp = study.check_tcp();
     report["tcp"] = json!(tcp.is_ok());
     report["why_not_tcp"] = json!(tcp.err().map(|reason| reason.to_string()));
-    report["isomorphic_to"] = match study.tiling.frame.domain == Domain::Space {
-        true => json!(isomorphic_in_catalog(study)),
-        false => Value::Null,
-    };
+    // A domain with boundary has no symbol.
+    let symbol = study.symbol();
+    report["chambers"] = json!(symbol.as_ref().map(Symbol::len));
+    report["symbol"] = json!(symbol.as_ref().map(Symbol::sha256));
+    report["isomorphic_to"] = json!(symbol.map(|symbol| isomorphic_to(study, &symbol)));
     report
 }
 
@@ -212,7 +216,7 @@ fn in_words(name: &str, report: &Value, output: &mut Output) {
     if !report["cells"].is_null() {
         sites::in_words(name, report, output);
     }
-    if report["shapes"].is_null() {
+    if report["valences"].is_null() {
         if let Some(simplices) = report["simplices"].as_u64() {
             output.line(format!(
                 "cut: the {} cells that are not tetrahedra were cut; the cell of the lattice has {simplices} tetrahedra then",
@@ -230,16 +234,17 @@ fn in_words(name: &str, report: &Value, output: &mut Output) {
         ));
     }
     output.line(format!(
-        "{name}: {} vertices, {} simplices of {} shapes in a cell",
-        report["vertices"], report["simplices"], report["shapes"]
+        "{name}: {}, {} in a cell",
+        count(&report["vertices"], "vertex", "vertices"),
+        count(&report["simplices"], "simplex", "simplices")
     ));
-    let ridges = if report["dimension"] == 2 {
-        "vertices"
+    let (ridge, ridges) = if report["dimension"] == 2 {
+        ("vertex", "vertices")
     } else {
-        "edges"
+        ("edge", "edges")
     };
-    let valences = pairs(&report["valences"], |valence, count| {
-        format!("{count} {ridges} of valence {valence}")
+    let valences = pairs(&report["valences"], |valence, number| {
+        format!("{} of valence {valence}", count(number, ridge, ridges))
     });
     output.line(format!("valences: {valences}"));
     if let Some(average) = report["average_valence"].as_str() {
@@ -249,7 +254,11 @@ fn in_words(name: &str, report: &Value, output: &mut Output) {
         return;
     }
     let types = pairs(&report["vertex_types"], |star, count| {
-        format!("{count} {star}")
+        match (star.strip_prefix("boundary, "), star.starts_with('Z')) {
+            (Some(neighbours), _) => format!("{count} on the boundary with {neighbours}"),
+            (None, true) => format!("{count} {star}"),
+            (None, false) => format!("{count} with {star}"),
+        }
     });
     output.line(format!("vertex types: {types}"));
     output.line(match report["why_not_tcp"].as_str() {
@@ -267,6 +276,11 @@ fn in_words(name: &str, report: &Value, output: &mut Output) {
             format!("isomorphic to: {}", names.join(", "))
         }
     });
+}
+
+/// A number of the report with its noun.
+fn count(number: &Value, one: &str, several: &str) -> String {
+    counted(number.as_u64().unwrap_or_default() as usize, one, several)
 }
 
 /// A string of the report without its quotes.

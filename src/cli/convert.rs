@@ -1,12 +1,14 @@
 //! `acutile convert`: meshes and tilings written in other formats; certificates are for [`transcribe`].
 
-use super::export::supercell_sizes;
+use super::export::{copies, supercell_sizes};
 use super::input::{self, FileArguments, TextOrMesh};
+use super::name::InputName;
 use super::named::InputError;
 use super::outcome::Outcome;
-use super::output::{Output, write_file};
+use super::output::{Output, unwritten, write_bytes};
+use super::overwriting::check_not_an_input;
 use super::progress::Progress;
-use super::proved::overwritten;
+use super::record::Record;
 use super::{mesh, transcribe};
 use acutile_catalog as catalog;
 use acutile_core::tiling::{AnyTiling, Tiling, supercell};
@@ -30,10 +32,10 @@ use std::path::{Path, PathBuf};
 pub struct ConvertArguments {
     /// A name of the catalogue, a tiling file or a mesh file (`-` for standard input), or a
     /// certificate
-    #[arg(value_name = "NAME|FILE")]
-    pub input: String,
-    /// The file to write, its format told by the extension: msh, vtk, vtu, mesh, meshb, node or
-    /// ele, json for a tiling file; with .gz behind it compressed (`-` for standard output). For a
+    #[arg(value_name = "NAME|FILE", hide_possible_values = true)]
+    pub input: InputName,
+    /// The file to write, in the format of its extension: msh, vtk, vtu, mesh, meshb, node or
+    /// ele, json for a tiling file; compressed if .gz follows (`-` for standard output). For a
     /// certificate json or cbor, its two encodings
     #[arg(value_name = "FILE")]
     pub output: PathBuf,
@@ -45,13 +47,13 @@ pub struct ConvertArguments {
     #[arg(long, value_name = "FORMAT", value_parser = Format::parse)]
     pub to: Option<Format>,
     /// Repeat the cell N times in each direction of the lattice
-    #[arg(long, value_name = "N,N,N", value_delimiter = ',', value_parser = clap::value_parser!(u16).range(1..))]
+    #[arg(long, value_name = "N,N,N", value_delimiter = ',', value_parser = copies)]
     pub supercell: Vec<u16>,
     /// All whole tetrahedra of the tiling in the ball of this radius around the origin, as a
     /// bounded mesh
     #[arg(long, value_name = "RADIUS", value_parser = radius)]
     pub patch: Option<Rational>,
-    /// Round coordinates that are no doubles, and tell how many and how far
+    /// Round coordinates that are no doubles, and print their number and the largest change
     #[arg(long)]
     pub round: bool,
     /// Bytes of a certificate; longer ones are declined
@@ -82,42 +84,40 @@ fn radius(text: &str) -> Result<Rational, String> {
 
 /// Reads, converts, writes.
 pub fn run(arguments: &ConvertArguments, output: &mut Output) -> Outcome {
-    let inputs = std::slice::from_ref(&arguments.input);
-    if let Some(input) = overwritten(inputs, Some(arguments.output.as_path())) {
-        output.complain(format!("acutile: would overwrite the input {input}"));
-        return Outcome::Failed;
-    }
     let (input, path) = (&arguments.input, arguments.output.as_path());
-    if transcribe::is_of_certificate(input, path) {
-        let written = transcribe::convert(
-            input,
-            path,
-            arguments.has_options(),
-            arguments.max_bytes,
-            output,
-        );
-        return ended(written, output);
+    output.document_goes_to(Some(path));
+    match write_output(arguments, output) {
+        Ok(()) => output.done(Record::of(Some(input))),
+        Err(error) => output.fail(Some(input), &error),
     }
-    let progress = Progress::of(&arguments.input);
-    let mut notes = Vec::new();
-    let files = target(arguments)
-        .map_err(InputError::from)
-        .and_then(|target| convert(arguments, target, &progress, &mut notes, output));
-    drop(progress);
-    for note in notes {
-        output.complain(format!("{}: {note}", arguments.input));
-    }
-    let written = files.and_then(|files| write_all(&arguments.output, files, output));
-    ended(written, output)
 }
 
-fn ended(written: Result<(), InputError>, output: &mut Output) -> Outcome {
-    match written {
-        Ok(()) => Outcome::Done,
-        Err(error) => {
-            output.complain(format!("acutile: {}", error.message));
-            error.outcome
-        }
+fn write_output(arguments: &ConvertArguments, output: &mut Output) -> Result<(), InputError> {
+    let (input, path) = (&arguments.input, arguments.output.as_path());
+    let inputs = std::slice::from_ref(input);
+    for path in outputs(path) {
+        check_not_an_input(Some(&path), "to", inputs)?;
+    }
+    if transcribe::is_of_certificate(input, path) {
+        let limit = arguments.max_bytes;
+        return transcribe::convert(input, path, arguments.has_options(), limit, output);
+    }
+    let target = target(arguments)?;
+    let progress = Progress::of(input);
+    let mut notes = Vec::new();
+    let files = convert(arguments, target, &progress, &mut notes, output);
+    drop(progress);
+    for note in notes {
+        output.note(input, &note);
+    }
+    write_all(path, files?, output)
+}
+
+/// The files that are written to this name.
+fn outputs(path: &Path) -> Vec<PathBuf> {
+    match tetgen_paths(path) {
+        Some((nodes, elements)) => vec![nodes, elements],
+        None => vec![path.to_path_buf()],
     }
 }
 
@@ -146,7 +146,8 @@ fn target(arguments: &ConvertArguments) -> Result<Target, String> {
         (None, Some(family)) => Ok(Target::Mesh(family.format())),
         (None, None) if is_native => Ok(Target::Native),
         (None, None) => Err(format!(
-            "{name}: has no extension of a known format, and --to gives none"
+            "{name}: found no extension of a format that is written, expected .msh, .vtk, .vtu, .mesh, .meshb, .node \
+             or .ele, .json for a tiling file, each with .gz or not, .cbor for a certificate; or --to FORMAT"
         )),
     }
 }
@@ -158,7 +159,7 @@ fn convert(
     notes: &mut Vec<String>,
     output: &mut Output,
 ) -> Result<Vec<File>, InputError> {
-    let name = arguments.input.as_str();
+    let name = &arguments.input;
     progress.step("reading");
     let stays_mesh = arguments.supercell.is_empty()
         && arguments.patch.is_none()
@@ -167,6 +168,9 @@ fn convert(
         Source::Mesh(loaded) => match target {
             Target::Mesh(format) if stays_mesh => {
                 progress.step("writing");
+                if arguments.file.mesh.lattice.is_some() {
+                    notes.push(UNUSED_LATTICE.to_owned());
+                }
                 return Ok(write_mesh(&loaded.mesh, format, notes));
             }
             _ => {
@@ -212,6 +216,10 @@ fn write_tiling<const D: usize>(
     }
 }
 
+/// From mesh to mesh, labels and numbers stay; a tiling, which has links, has neither.
+const UNUSED_LATTICE: &str = "--lattice is not used from a mesh file to a mesh file, which keeps its own \
+                              periodic links; --supercell 1,1,1 writes those of --lattice";
+
 /// What is converted.
 enum Source {
     Mesh(Loaded),
@@ -220,13 +228,14 @@ enum Source {
 
 /// The mesh of a mesh file, or the tiling of space of a name or a tiling file.
 fn load(arguments: &ConvertArguments, output: &mut Output) -> Result<Source, InputError> {
-    let name = arguments.input.as_str();
-    let is_file = catalog::find(name).is_none() && (name == "-" || Path::new(name).exists());
+    let name = &arguments.input;
+    let path = name.path();
+    let is_file = catalog::find(name).is_none() && (name.is_standard_input() || path.exists());
     if is_file && arguments.param.is_some() {
         return Err(format!("{name}: a file takes no parameter (--param)").into());
     }
     let named = match is_file {
-        true => match input::text_or_mesh(Path::new(name), &arguments.file.mesh)? {
+        true => match input::text_or_mesh(path, &arguments.file.mesh)? {
             TextOrMesh::Mesh(loaded) => return Ok(Source::Mesh(loaded)),
             other => input::of_content(name, other, &arguments.file, output)?,
         },
@@ -243,7 +252,7 @@ fn enlarged(mut basis: Basis, sizes: &[u16]) -> Basis {
     basis
 }
 
-/// What a tiling does not hold of a mesh; the elements of other types are told anyway.
+/// The parts of a mesh that a tiling does not have; elements of other types are named anyway.
 fn lost_by_tiling(mesh: &Mesh, notes: &mut Vec<String>) {
     let mut lost = mesh.unread.clone();
     if !mesh.materials().is_empty() {
@@ -265,7 +274,7 @@ fn write_mesh(mesh: &Mesh, format: Format, notes: &mut Vec<String>) -> Vec<File>
     write(mesh, format)
 }
 
-/// Rounding is told if it is wanted, and refused if not; the lattice is told as an option.
+/// Rounding is named if it is asked for, and refused otherwise; the lattice is given as an option.
 fn tell_flat(
     flat: &Flat,
     arguments: &ConvertArguments,
@@ -273,7 +282,8 @@ fn tell_flat(
 ) -> Result<(), InputError> {
     if flat.rounded > 0 {
         let rounded = format!(
-            "{} coordinates are no doubles; rounding moves them by at most {:.3e}",
+            "{} coordinates have no exact 64-bit floating-point number, which mesh files have; rounding moves them by \
+             at most {:.3e}",
             flat.rounded, flat.largest_move
         );
         match arguments.round {
@@ -308,18 +318,11 @@ fn write_all(path: &Path, files: Vec<File>, output: &mut Output) -> Result<(), I
             (Some(_), Some((_, elements))) => elements,
             _ => PathBuf::from(path),
         };
-        if path == Path::new("-") {
-            output.bytes(&file.bytes);
-            continue;
-        }
-        let bytes = if is_packed {
-            packed(&file.bytes)
-        } else {
-            Ok(file.bytes)
+        let bytes = match is_packed {
+            true => packed(&file.bytes).map_err(|error| unwritten(&path, &error))?,
+            false => file.bytes,
         };
-        bytes
-            .and_then(|bytes| write_file(&path, &bytes))
-            .map_err(|error| format!("{}: cannot be written: {error}", path.display()))?;
+        write_bytes(Some(&path), &bytes, output)?;
     }
     Ok(())
 }

@@ -3,22 +3,25 @@
 
 use super::document;
 use super::extension;
+use super::name::InputName;
 use super::named::InputError;
 use super::outcome::Outcome;
-use super::output::{Output, write_text};
+use super::output::{Output, write_bytes};
+use super::overwriting::check_not_an_input;
 use super::points::{self, PointArguments};
+use super::record::Record;
 use acutile_catalog as catalog;
 use acutile_core::with_dimension;
 use acutile_io::export::labelled_tiling_text;
 use acutile_io::import::{Content, uncompressed_name};
 use clap::Args;
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 
 #[derive(Debug, Args)]
 pub struct DelaunayArguments {
     /// A point-set file or a crystal structure (CIF, POSCAR, extended XYZ, pymatgen JSON; `-` for standard input)
-    #[arg(value_name = "FILE")]
-    pub file: PathBuf,
+    #[arg(value_name = "FILE", hide_possible_values = true)]
+    pub input: InputName,
     #[command(flatten)]
     pub points: PointArguments,
     /// Write the tiling file here and not to standard output
@@ -28,43 +31,39 @@ pub struct DelaunayArguments {
 
 /// Triangulates the points of a file.
 pub fn run(arguments: &DelaunayArguments, output: &mut Output) -> Outcome {
-    match text(arguments, output) {
-        Ok(text) => write_text(arguments.output.as_deref(), &text, output),
-        Err(error) => {
-            output.complain(format!("acutile: {}", error.message));
-            error.outcome
-        }
+    match write(arguments, output) {
+        Ok(()) => output.done(Record::of(Some(&arguments.input))),
+        Err(error) => output.fail(Some(&arguments.input), &error),
     }
 }
 
-fn text(arguments: &DelaunayArguments, output: &mut Output) -> Result<String, InputError> {
-    extension::check(arguments.output.as_deref(), "a tiling file", &["json"])?;
-    check_not_a_name(&arguments.file)?;
-    let document = document::open(&arguments.file, &arguments.points, output)?;
-    let name = arguments.file.display().to_string();
+fn write(arguments: &DelaunayArguments, output: &mut Output) -> Result<(), InputError> {
+    let path = arguments.output.as_deref();
+    output.document_goes_to(path);
+    extension::check(path, "a tiling file", &["json"])?;
+    let name = &arguments.input;
+    check_not_a_name(name)?;
+    check_not_an_input(path, "-o", std::slice::from_ref(name))?;
+    let document = document::open(name.path(), &arguments.points, output)?;
     let Content::Points(points) = document.content else {
         return Err(format!("{name}: is a tiling file, expected a point-set file").into());
     };
-    let file = uncompressed_name(&arguments.file);
+    let file = uncompressed_name(name.path());
     let stem = file.file_stem().map(|stem| stem.to_string_lossy());
     let stem = stem.as_deref().unwrap_or("delaunay");
-    with_dimension!(&points, AnyPointSet, p => {
-        points::tiling(&name, p, &arguments.points)
+    let text = with_dimension!(&points, AnyPointSet, p => {
+        points::tiling(name, p, &arguments.points)
             .map(|tiling| labelled_tiling_text(&tiling, stem, &document.labels))
-    })
+    })?;
+    write_bytes(path, text.as_bytes(), output)
 }
 
 /// A construction of the catalogue is triangulated already.
-fn check_not_a_name(path: &Path) -> Result<(), String> {
-    match path
-        .to_str()
-        .filter(|_| !path.exists())
-        .and_then(catalog::find)
-    {
-        None => Ok(()),
-        Some(_) => Err(format!(
-            "{0}: a tiling of the catalogue, expected a file of points; `acutile export {0}` writes its tiling file",
-            path.display()
-        )),
+fn check_not_a_name(name: &InputName) -> Result<(), String> {
+    if name.path().exists() || catalog::find(name).is_none() {
+        return Ok(());
     }
+    Err(format!(
+        "{name}: a tiling of the catalogue, expected a file of points; `acutile export {name}` writes its tiling file"
+    ))
 }

@@ -4,7 +4,7 @@ use super::named::InputError;
 use super::output::Output;
 use super::points::PointArguments;
 use acutile_core::tiling::AnyPointSet;
-use acutile_io::import::crystal::{self, Structure, text_of};
+use acutile_io::import::crystal::{self, Structure, Variation, text_of};
 use acutile_io::import::{
     BYTE_LIMIT, Content, ImportError, read_bytes, read_native, uncompressed_name, without_comments,
 };
@@ -22,6 +22,8 @@ pub struct Document {
     pub elements: Vec<Option<&'static str>>,
     /// Notes on a crystal structure.
     pub notes: Vec<String>,
+    /// The free numbers of a CIF, if they are asked for.
+    pub variation: Option<Variation>,
 }
 
 /// The points of a file.
@@ -31,6 +33,7 @@ pub struct PointDocument {
     pub labels: Vec<String>,
     pub elements: Vec<Option<&'static str>>,
     pub notes: Vec<String>,
+    pub variation: Option<Variation>,
 }
 
 /// Reads a crystal structure or one of the program's own files, and prints the notes on it.
@@ -47,7 +50,7 @@ pub fn read(
         let structure = crystal::read(kind, text, &points.crystal_options()?)
             .map_err(|error| InputError::of_text(path, text, &error))?;
         for note in &structure.notes {
-            output.complain(format!("{}: {note}", path.display()));
+            output.note(&path.to_string_lossy(), note);
         }
         return Ok(of_structure(structure));
     }
@@ -68,6 +71,7 @@ pub fn read(
         labels: file.labels,
         elements: Vec::new(),
         notes: Vec::new(),
+        variation: None,
     })
 }
 
@@ -82,6 +86,10 @@ pub fn open(
 ) -> Result<Document, InputError> {
     let named = |error: ImportError| InputError::of_file(path, &error);
     let bytes = read_bytes(path, BYTE_LIMIT).map_err(named)?;
+    if unknown::name(path, &bytes).is_some() {
+        let message = unknown::message(path, &bytes);
+        return Err(format!("{}: {message}", path.display()).into());
+    }
     let text = text_of(&uncompressed_name(path), bytes).map_err(named)?;
     read(path, &text, points, output)
 }
@@ -93,6 +101,7 @@ fn of_structure(structure: Structure) -> Document {
         labels: structure.labels,
         elements: structure.elements,
         notes: structure.notes,
+        variation: structure.variation,
     }
 }
 

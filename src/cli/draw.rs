@@ -1,15 +1,22 @@
 //! `acutile draw`: figures for print.
 
 use super::extension::{self, Format};
-use super::input::{self, FileArguments};
+use super::family::member_at;
+use super::input::{self, FileArguments, Loaded};
+use super::name::InputName;
+use super::named::{InputError, Named};
 use super::outcome::Outcome;
-use super::output::{Output, write_text};
+use super::output::{Output, write_bytes};
+use super::overwriting::check_not_an_input;
 use super::progress::Progress;
+use super::record::Record;
 use acutile_core::tiling::AnyTiling;
 use acutile_exact::number::{Number, parse_rational};
+use acutile_publish::draw::pdf::pdf;
+use acutile_publish::draw::png::png;
 use acutile_publish::draw::svg::svg;
 use acutile_publish::draw::tikz::tikz;
-use acutile_publish::draw::{self, DrawError, Figure, Options, foam};
+use acutile_publish::draw::{self, DrawError, Drawing, Figure, Options, foam};
 use clap::{Args, ValueEnum};
 use malachite::Rational;
 use std::path::PathBuf;
@@ -17,22 +24,23 @@ use std::path::PathBuf;
 #[derive(Debug, Args)]
 pub struct DrawArguments {
     /// A name of the catalogue, or a tiling or mesh file
-    #[arg(value_name = "NAME|FILE")]
-    pub input: String,
+    #[arg(value_name = "NAME|FILE", hide_possible_values = true)]
+    pub input: InputName,
     /// What is drawn; the cell where nothing is said, in the plane the tiling
     #[arg(long, value_enum)]
     pub figure: Option<FigureName>,
     /// The number that the construction depends on (see acutile show)
     #[arg(long, value_name = "VALUE", allow_hyphen_values = true)]
     pub param: Option<String>,
+    /// The point of a family's box, a value for each parameter with commas between them; the middle
+    /// without it
+    #[arg(long, value_name = "POINT", allow_hyphen_values = true)]
+    pub at: Option<String>,
     #[command(flatten)]
     pub file: FileArguments,
     /// The vertex of the star, counted from 0
     #[arg(long, value_name = "N", default_value_t = 0)]
     pub vertex: usize,
-    /// How far exploded tetrahedra move out, in parts of their distance from the middle
-    #[arg(long, value_name = "PART", default_value = "1", value_parser = part)]
-    pub apart: Rational,
     /// The direction to the eye: x along the first lattice vector, z up
     #[arg(long, value_name = "X,Y,Z", default_value = "4,-9,5", value_parser = direction, allow_hyphen_values = true)]
     pub view: Direction,
@@ -67,8 +75,6 @@ pub enum FigureName {
     Foam,
     /// The neighbours of the vertices as a polyhedron, one of each kind
     Coordination,
-    /// The tetrahedra of a cell, moved apart
-    Exploded,
     /// The slab in its eight steps
     Steps,
     /// A tiling of the plane, or the square/triangle tiling under a structure with its dots
@@ -80,6 +86,10 @@ pub enum FigureName {
 pub enum DrawFormat {
     Svg,
     Tikz,
+    /// With its font, so that it looks the same everywhere
+    Pdf,
+    /// 300 dots per inch, on white
+    Png,
     /// The cells of --figure foam as polygons
     Obj,
     /// The cells of --figure foam as triangles
@@ -94,7 +104,6 @@ impl FigureName {
             FigureName::Star => Figure::Star,
             FigureName::Foam => Figure::Foam,
             FigureName::Coordination => Figure::Coordination,
-            FigureName::Exploded => Figure::Exploded,
             FigureName::Steps => Figure::Steps,
             FigureName::Plane => Figure::Plane,
         }
@@ -112,66 +121,86 @@ fn direction(text: &str) -> Result<Direction, String> {
     Ok(Direction(entries.map(|x| Number::from(x).approximate())))
 }
 
-fn part(text: &str) -> Result<Rational, String> {
-    match parse_rational(text) {
-        Ok(part) if (Rational::from(0)..=Rational::from(100)).contains(&part) => Ok(part),
-        _ => Err("expected a number from 0 to 100".to_owned()),
-    }
-}
-
 /// Writes the figure.
 pub fn run(arguments: &DrawArguments, output: &mut Output) -> Outcome {
-    let path = arguments.output.as_deref();
-    let format = match extension::format(path, arguments.format, &FORMATS) {
-        Ok(format) => format,
-        Err(message) => {
-            output.complain(format!("acutile: {message}"));
-            return Outcome::Failed;
-        }
-    };
-    if arguments.standalone && format != DrawFormat::Tikz {
-        output.complain("acutile: --standalone is for --format tikz");
-        return Outcome::Failed;
+    output.document_goes_to(arguments.output.as_deref());
+    match write(arguments, output) {
+        Ok(()) => output.done(Record::of(Some(&arguments.input))),
+        Err(error) => output.fail(Some(&arguments.input), &error),
     }
-    let input = &arguments.input;
-    let named = match input::tiling(input, arguments.param.as_deref(), &arguments.file, output) {
-        Ok(named) => named,
-        Err(error) => {
-            output.complain(format!("acutile: {}", error.message));
-            return error.outcome;
-        }
-    };
-    if let DrawFormat::Obj | DrawFormat::Stl = format {
-        return solids(arguments, format, &named.name, &named.tiling, output);
-    }
-    let progress = Progress::of(&named.name);
-    progress.step("draw");
-    let figure = figure(arguments.figure, &named.tiling);
-    let drawing = draw::draw(&named.name, &named.tiling, figure, &options(arguments));
-    drop(progress);
-    let drawing = match drawing {
-        Ok(drawing) => drawing,
-        Err(error) => return no_figure(input, &error, output),
-    };
-    let text = match format {
-        DrawFormat::Svg => svg(&drawing),
-        _ => tikz(&drawing, arguments.standalone),
-    };
-    write_text(path, &text, output)
 }
 
-const FORMATS: [Format<DrawFormat>; 4] = [
+fn write(arguments: &DrawArguments, output: &mut Output) -> Result<(), InputError> {
+    let path = arguments.output.as_deref();
+    check_not_an_input(path, "-o", std::slice::from_ref(&arguments.input))?;
+    let format = extension::format(path, arguments.format, &FORMATS)?;
+    if arguments.standalone && format != DrawFormat::Tikz {
+        return Err("--standalone is for --format tikz".to_owned().into());
+    }
+    let input = &arguments.input;
+    let named = subject(arguments, output)?;
+    let (name, tiling) = (&named.name, &named.tiling);
+    let bytes = match format {
+        DrawFormat::Obj | DrawFormat::Stl => solids(arguments, format, name, tiling)?.into_bytes(),
+        _ => {
+            let progress = Progress::of(name);
+            progress.step("draw");
+            let figure = figure(arguments.figure, tiling);
+            let drawing = draw::draw(name, tiling, figure, &options(arguments))
+                .map_err(|error| no_figure(input, &error))?;
+            encoded(&drawing, format, arguments.standalone)
+                .map_err(|error| no_figure(input, &error))?
+        }
+    };
+    write_bytes(path, &bytes, output)
+}
+
+/// A drawing in a format for drawings.
+fn encoded(
+    drawing: &Drawing,
+    format: DrawFormat,
+    is_standalone: bool,
+) -> Result<Vec<u8>, DrawError> {
+    match format {
+        DrawFormat::Tikz => Ok(tikz(drawing, is_standalone).into_bytes()),
+        DrawFormat::Pdf => pdf(drawing),
+        DrawFormat::Png => png(drawing),
+        DrawFormat::Svg | DrawFormat::Obj | DrawFormat::Stl => Ok(svg(drawing).into_bytes()),
+    }
+}
+
+/// The tiling of the input; of a family the member at --at.
+fn subject(arguments: &DrawArguments, output: &mut Output) -> Result<Named, InputError> {
+    let (input, parameter) = (&arguments.input, arguments.param.as_deref());
+    let family = match input::open(input, parameter, &arguments.file, output)? {
+        Loaded::Family(family) => family,
+        _ if arguments.at.is_some() => {
+            return Err(format!("{input}: --at is for a family, which this is not").into());
+        }
+        loaded => return loaded.tiling(input, &arguments.file, output),
+    };
+    let (tiling, point) = member_at(&family.family, arguments.at.as_deref())
+        .map_err(|message| format!("{input}: {message}"))?;
+    output.note(input, &format!("the member at {point}"));
+    Ok(Named::of(&family.name, family.description, tiling))
+}
+
+const FORMATS: [Format<DrawFormat>; 6] = [
     (DrawFormat::Svg, "SVG", &["svg"]),
     (DrawFormat::Tikz, "TikZ", &["tex", "tikz", "pgf", "ltx"]),
+    (DrawFormat::Pdf, "PDF", &["pdf"]),
+    (DrawFormat::Png, "PNG", &["png"]),
     (DrawFormat::Obj, "OBJ", &["obj"]),
     (DrawFormat::Stl, "STL", &["stl"]),
 ];
 
-fn no_figure(input: &str, error: &DrawError, output: &mut Output) -> Outcome {
-    output.complain(format!("acutile: {input}: {error}"));
-    match error.is_limit() {
-        true => Outcome::Declined,
-        false => Outcome::Failed,
+fn no_figure(input: &str, error: &DrawError) -> InputError {
+    InputError {
+        message: format!("{input}: {error}"),
+        outcome: match error.is_limit() {
+            true => Outcome::Declined,
+            false => Outcome::Failed,
+        },
     }
 }
 
@@ -181,8 +210,7 @@ fn solids(
     format: DrawFormat,
     name: &str,
     tiling: &AnyTiling,
-    output: &mut Output,
-) -> Outcome {
+) -> Result<String, InputError> {
     let text = match (arguments.figure, tiling) {
         (Some(FigureName::Foam), AnyTiling::Space(tiling)) => {
             foam::foam(tiling).and_then(|cells| match format {
@@ -192,14 +220,11 @@ fn solids(
         }
         (Some(FigureName::Foam), AnyTiling::Plane(_)) => Err(DrawError::NotSolid),
         _ => {
-            output.complain("acutile: --format obj and stl are for --figure foam");
-            return Outcome::Failed;
+            let message = "--format obj and stl are for --figure foam";
+            return Err(message.to_owned().into());
         }
     };
-    match text {
-        Ok(text) => write_text(arguments.output.as_deref(), &text, output),
-        Err(error) => no_figure(&arguments.input, &error, output),
-    }
+    text.map_err(|error| no_figure(&arguments.input, &error))
 }
 
 fn figure(asked: Option<FigureName>, tiling: &AnyTiling) -> Figure {
@@ -214,7 +239,6 @@ fn options(arguments: &DrawArguments) -> Options {
     Options {
         direction: arguments.view.0,
         vertex: arguments.vertex,
-        apart: arguments.apart.clone(),
         width: f64::from(arguments.width),
     }
 }

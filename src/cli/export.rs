@@ -1,25 +1,27 @@
-//! `acutile export`: a tiling, or a supercell of it, as a tiling file; a certificate
-//! as a theorem for Coq.
+//! `acutile export`: a tiling, or a supercell of it, as a tiling file or as a program for a computer
+//! algebra system; a certificate as a theorem for Coq.
 
-use super::extension;
+use super::extension::{self, Format};
 use super::input::{self, FileArguments};
+use super::name::InputName;
 use super::named::{InputError, Named};
 use super::outcome::Outcome;
-use super::output::{Output, write_text};
+use super::output::{Output, write_bytes};
+use super::overwriting::check_not_an_input;
+use super::record::Record;
 use super::transcribe;
-use acutile_core::format;
 use acutile_core::tiling::{Tiling, supercell};
 use acutile_core::with_dimension;
-use acutile_io::export::{coq_theorem, labelled_tiling_text};
+use acutile_io::export::{System, algebra_text, coq_file, labelled_tiling_text};
 use acutile_io::import::{BYTE_LIMIT, read_bytes};
-use clap::Args;
-use std::path::{Path, PathBuf};
+use clap::{Args, ValueEnum};
+use std::path::PathBuf;
 
 #[derive(Debug, Args)]
 pub struct ExportArguments {
     /// A name of the catalogue, a tiling or mesh file, or a point set (CIF too); with --coq, a certificate
-    #[arg(value_name = "NAME|FILE")]
-    pub input: String,
+    #[arg(value_name = "NAME|FILE", hide_possible_values = true)]
+    pub input: InputName,
     #[command(flatten)]
     pub file: FileArguments,
     /// Write the file here and not to standard output
@@ -32,74 +34,134 @@ pub struct ExportArguments {
     /// Write the certificate's bytes and its claim as a theorem for Coq (see proofs/README.md)
     #[arg(long, conflicts_with_all = ["supercell", "param"])]
     pub coq: bool,
+    /// What is written; a tiling file where neither this nor the name of the file says it. The files for
+    /// sage, mathematica, gap and lean have exact numbers and assertions that are decided when they are loaded
+    #[arg(long, value_enum, conflicts_with = "coq")]
+    pub format: Option<ExportFormat>,
     /// Repeat the cell N times in each direction of the lattice
-    #[arg(long, value_name = "N,N,N", value_delimiter = ',', value_parser = clap::value_parser!(u16).range(1..))]
+    #[arg(long, value_name = "N,N,N", value_delimiter = ',', value_parser = copies)]
     pub supercell: Vec<u16>,
+}
+
+/// What a tiling is written as.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub enum ExportFormat {
+    /// A tiling file
+    Json,
+    /// Sage
+    Sage,
+    /// The Wolfram Language
+    Mathematica,
+    /// GAP
+    Gap,
+    /// Lean 4
+    Lean,
+}
+
+const FORMATS: [Format<ExportFormat>; 5] = [
+    (ExportFormat::Json, "a tiling file", &["json"]),
+    (ExportFormat::Sage, "a file for Sage", &["sage"]),
+    (
+        ExportFormat::Mathematica,
+        "a file for Mathematica",
+        &["wl", "m", "wls"],
+    ),
+    (ExportFormat::Gap, "a file for GAP", &["g", "gap"]),
+    (ExportFormat::Lean, "a file for Lean", &["lean"]),
+];
+
+impl ExportFormat {
+    fn system(self) -> Option<System> {
+        Some(match self {
+            ExportFormat::Json => return None,
+            ExportFormat::Sage => System::Sage,
+            ExportFormat::Mathematica => System::Mathematica,
+            ExportFormat::Gap => System::Gap,
+            ExportFormat::Lean => System::Lean,
+        })
+    }
 }
 
 /// Writes the file.
 pub fn run(arguments: &ExportArguments, output: &mut Output) -> Outcome {
-    let path = arguments.output.as_deref();
-    let named = match arguments.coq {
-        true => extension::check(path, "a theorem for Coq", &["v"]),
-        false => extension::check(path, "a tiling file", &["json"])
-            .map_err(|message| format!("{message}; acutile convert writes meshes")),
-    };
-    let text = named
-        .map_err(InputError::from)
-        .and_then(|()| match arguments.coq {
-            true => theorem(&arguments.input),
-            false => tiling_file(arguments, output),
-        });
-    match text {
-        Ok(text) => write_text(arguments.output.as_deref(), &text, output),
-        Err(error) => {
-            output.complain(format!("acutile: {}", error.message));
-            error.outcome
-        }
+    output.document_goes_to(arguments.output.as_deref());
+    match write(arguments, output) {
+        Ok(()) => output.done(Record::of(Some(&arguments.input))),
+        Err(error) => output.fail(Some(&arguments.input), &error),
     }
 }
 
-fn theorem(path: &str) -> Result<String, InputError> {
-    let bytes = read_bytes(Path::new(path), BYTE_LIMIT)
-        .map_err(|error| InputError::of_file(Path::new(path), &error))?;
-    let cbor = transcribe::cbor(path, &bytes)?;
-    let certificate =
-        format::read::certificate(&cbor).map_err(|error| format!("{path}: {error}"))?;
-    Ok(coq_theorem(&cbor, &certificate.claim).map_err(|reason| format!("{path}: {reason}"))?)
+fn write(arguments: &ExportArguments, output: &mut Output) -> Result<(), InputError> {
+    let path = arguments.output.as_deref();
+    check_not_an_input(path, "-o", std::slice::from_ref(&arguments.input))?;
+    let text = written(arguments, output)?;
+    write_bytes(path, text.as_bytes(), output)
 }
 
-fn tiling_file(arguments: &ExportArguments, output: &mut Output) -> Result<String, InputError> {
-    input::tiling(
-        &arguments.input,
-        arguments.param.as_deref(),
-        &arguments.file,
-        output,
-    )
-    .and_then(|named| with_dimension!(&named.tiling, AnyTiling, t => text(t, &named, arguments)))
+fn written(arguments: &ExportArguments, output: &mut Output) -> Result<String, InputError> {
+    let path = arguments.output.as_deref();
+    if arguments.coq {
+        extension::check(path, "a theorem for Coq", &["v"])?;
+        return theorem(&arguments.input);
+    }
+    let format = extension::format(path, arguments.format, &FORMATS)
+        .map_err(|message| format!("{message}; acutile convert writes meshes"))?;
+    let parameter = arguments.param.as_deref();
+    let named = input::tiling(&arguments.input, parameter, &arguments.file, output)?;
+    with_dimension!(&named.tiling, AnyTiling, t => text(t, &named, format, &arguments.supercell))
+}
+
+fn theorem(path: &InputName) -> Result<String, InputError> {
+    let bytes = read_bytes(path.path(), BYTE_LIMIT)
+        .map_err(|error| InputError::of_file(path.path(), &error))?;
+    let cbor = transcribe::cbor(path, &bytes)?;
+    Ok(coq_file(&cbor).map_err(|reason| format!("{path}: {reason}"))?)
 }
 
 fn text<const D: usize>(
     tiling: &Tiling<D>,
     named: &Named,
-    arguments: &ExportArguments,
+    format: ExportFormat,
+    sizes: &[u16],
 ) -> Result<String, InputError> {
-    let (name, labels) = (&named.name, &named.labels);
-    if arguments.supercell.is_empty() {
-        return Ok(labelled_tiling_text(tiling, name, labels));
+    let labels = &named.labels;
+    if sizes.is_empty() {
+        return Ok(in_format(tiling, &named.name, labels, format));
     }
-    let sizes = supercell_sizes(tiling, &arguments.supercell)?;
-    let supercell = supercell(tiling, sizes);
+    let supercell = supercell(tiling, supercell_sizes(tiling, sizes)?);
     let copies = supercell.vertices.len() / tiling.vertices.len().max(1);
     // The vertices of each copy have the order of the cell.
     let labels: Vec<String> = (0..copies).flat_map(|_| labels.clone()).collect();
-    Ok(labelled_tiling_text(&supercell, name, &labels))
+    Ok(in_format(&supercell, &named.name, &labels, format))
+}
+
+fn in_format<const D: usize>(
+    tiling: &Tiling<D>,
+    name: &str,
+    labels: &[String],
+    format: ExportFormat,
+) -> String {
+    match format.system() {
+        Some(system) => algebra_text(tiling, name, system),
+        None => labelled_tiling_text(tiling, name, labels),
+    }
+}
+
+/// A number of copies.
+pub fn copies(text: &str) -> Result<u16, String> {
+    match text.parse() {
+        Ok(copies) if copies > 0 => Ok(copies),
+        _ => Err(format!(
+            "found {text:?}, expected an integer from 1 to {}",
+            u16::MAX
+        )),
+    }
 }
 
 /// No supercell is larger: about 2 GiB.
 const SIMPLICES: usize = 20_000_000;
 
-/// As many numbers as the lattice has directions, with ones behind them.
+/// As many numbers as the lattice has directions, then ones.
 ///
 /// # Errors
 /// For another number of them, and where there would be too many copies.

@@ -1,9 +1,16 @@
 //! The extension of an output file promises a format; a contradiction is an error.
 
+use super::output::{Output, is_standard};
 use std::path::Path;
 
 /// A format with the words for it and the extensions of its files.
 pub type Format<F> = (F, &'static str, &'static [&'static str]);
+
+/// Extensions of pages.
+pub const PAGE: &[&str] = &["html", "htm"];
+
+/// Extensions of plain text.
+pub const TEXT: &[&str] = &["txt", "log", "out"];
 
 /// The format that is asked for, or that the name of the file says; the first one where neither
 /// says anything.
@@ -27,7 +34,25 @@ pub fn format<F: Copy + PartialEq>(
         .flat_map(|format| format.2)
         .copied()
         .collect();
-    Err(refusal(path, &words.join(", "), &names))
+    Err(refusal(path, &words.join(" or "), &names))
+}
+
+/// The format of --format, or `json` where --json is given.
+///
+/// # Errors
+/// Both are given.
+pub fn asked<F: Copy + PartialEq>(
+    format: Option<F>,
+    json: F,
+    output: &Output,
+) -> Result<Option<F>, String> {
+    match (format, output.is_json()) {
+        (Some(format), true) if format != json => {
+            Err("--json and --format: expected one of them".to_owned())
+        }
+        (_, true) => Ok(Some(json)),
+        (format, false) => Ok(format),
+    }
 }
 
 /// Checks that a file's name agrees with what is written; a name without an extension promises
@@ -36,8 +61,8 @@ pub fn format<F: Copy + PartialEq>(
 /// # Errors
 /// The extension is none of `expected`, or the name promises compression.
 pub fn check(path: Option<&Path>, written: &str, expected: &[&str]) -> Result<(), String> {
-    let Some(path) = path.filter(|path| !path.starts_with("/dev") && !path.starts_with("/proc"))
-    else {
+    let is_device = |path: &&Path| path.starts_with("/dev") || path.starts_with("/proc");
+    let Some(path) = path.filter(|path| !is_standard(path) && !is_device(path)) else {
         return Ok(());
     };
     let Some(extension) = path.extension() else {
@@ -54,10 +79,12 @@ pub fn check(path: Option<&Path>, written: &str, expected: &[&str]) -> Result<()
 
 fn refusal(path: Option<&Path>, written: &str, expected: &[&str]) -> String {
     let path = path.unwrap_or(Path::new("-"));
+    let found = path.extension().unwrap_or_default();
     let names: Vec<String> = expected.iter().map(|name| format!(".{name}")).collect();
     format!(
-        "{}: {written} is written, expected the extension {}",
+        "{}: found the extension .{}, but {written} is written, expected the extension {}",
         path.display(),
+        found.display(),
         names.join(" or ")
     )
 }

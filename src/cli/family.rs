@@ -1,49 +1,103 @@
 //! `acutile certify` for families: a tiling for each point of a box of parameters.
 
-use super::answer::{Answer, Written};
-use super::certify::{CertifyArguments, encoding, options};
-use super::encoding::Encoding;
+use super::answer::{Answer, Written, unwritten};
+use super::certify::CertifyArguments;
+use super::named::InputError;
+use super::outcome::Outcome;
 use super::progress::Progress;
-use super::refutation::{Refuted, SHOWN};
+use super::prove::encoding;
+use super::refutation::Refuted;
 use super::second::SecondLook;
 use super::target::Target;
 use acutile_core::checker::Options;
 use acutile_core::family::free::{self, Free};
 use acutile_core::family::maximal::{self, Maximal};
 use acutile_core::family::{
-    self, AnyFamily, FamilyNotProved, NotProvable, ProvedFamily, point_in_words,
+    self, AnyFamily, FamilyNotProved, NotProvable, Parameter, ProvedFamily, decimals,
+    point_in_words,
 };
-use acutile_core::format::print;
-use acutile_core::quality::rounded_down;
 use acutile_core::refusal;
-use acutile_core::tiling::AnyTiling;
+use acutile_core::tiling::{AnyPointSet, AnyTiling};
 use acutile_core::with_family;
 use acutile_exact::number::{Number, numbers, parse_rational};
 use acutile_exact::polynomial::line::{Extent, Place};
+use acutile_exact::polynomial::{End, Side};
+use acutile_io::import::crystal::{Interval, Variation};
 use clap::Args;
 use malachite::Rational;
+use std::borrow::Cow;
 
 /// Options for boxes of parameters.
 #[derive(Debug, Args)]
 pub struct FamilyArguments {
-    /// Prove the largest interval around this point, or with several parameters a box that cannot
-    /// grow on any side by more than --fraction of its length: a value for each parameter, with
-    /// commas between them. The statements are those of --require, or acute or nonobtuse
+    /// For a family, or with --free: prove the largest interval around this point, or with several
+    /// parameters a box no side of which can be moved out by --fraction of its length and be
+    /// proved. POINT has a value for each parameter, with commas between them, like 3,3/50,4/5.
+    /// The statements are those of --require; without it acute, or else nonobtuse, if that holds at
+    /// POINT
     #[arg(long, value_name = "POINT", allow_hyphen_values = true)]
     pub maximal: Option<String>,
     /// The fraction for --maximal with several parameters
-    #[arg(long, value_name = "FRACTION", default_value = "1/16")]
+    #[arg(
+        long,
+        value_name = "FRACTION",
+        default_value = "1/16",
+        requires = "maximal"
+    )]
     pub fraction: String,
-    /// Let the coordinates of these vertices vary, or the Gram matrix (gram), each by at most
-    /// --radius
+    /// Let the coordinates of these vertices vary, or the entries of the Gram matrix (gram), each by
+    /// at most --radius. A vertex is a number from 0, in the order of the file and of `export`
     #[arg(long, value_name = "VERTEX|gram", num_args = 1.., requires = "radius")]
     pub free: Vec<String>,
-    /// How far the numbers of --free may vary, in the units of the basis
+    /// Prove the statements of a CIF for all values of its numbers within their standard uncertainties,
+    /// like 0.0629(3), at once. Numbers without one are exact, and symmetry is kept
+    #[arg(long, conflicts_with_all = ["free", "maximal"])]
+    pub within_su: bool,
+    /// How far each number of --free may vary, up and down: a coordinate in units of its basis
+    /// vector, an entry of the Gram matrix in its own unit
     #[arg(long, value_name = "RADIUS", requires = "free")]
     pub radius: Option<String>,
 }
 
+/// The input to which options for boxes of parameters may not apply.
+#[derive(Clone, Copy, Debug)]
+pub enum Subject {
+    /// A theorem about all members of a construction.
+    Theorem,
+    /// A tiling with parameters.
+    Family,
+    /// A tiling without parameters.
+    Tiling,
+}
+
 impl FamilyArguments {
+    /// Refuses options that would be ignored.
+    ///
+    /// # Errors
+    /// The option, the cause and a way out.
+    pub fn check(&self, subject: Subject) -> Result<(), String> {
+        let maximal = ("--maximal", self.maximal.is_some());
+        let free = ("--free", !self.free.is_empty());
+        let within = ("--within-su", self.within_su);
+        let (options, reason) = match subject {
+            Subject::Theorem => (
+                vec![maximal, free, within],
+                "this is a theorem about all members, and has no parameters; leave the option out",
+            ),
+            Subject::Family => (
+                vec![free],
+                "this is a family already; add parameters to its file, or leave the option out",
+            ),
+            Subject::Tiling if !free.1 && !within.1 => (
+                vec![maximal],
+                "this tiling has no parameters; --free with --radius makes some",
+            ),
+            Subject::Tiling => return Ok(()),
+        };
+        let ignored = options.into_iter().find(|(_, is_given)| *is_given);
+        ignored.map_or(Ok(()), |(option, _)| Err(format!("{option}: {reason}")))
+    }
+
     /// The family of --free; `None` without that option.
     pub fn freed(&self, tiling: &AnyTiling) -> Result<Option<AnyFamily>, String> {
         let Some(radius) = &self.radius else {
@@ -65,11 +119,79 @@ impl FamilyArguments {
     }
 }
 
+/// The member of a family at a point, values with commas between them; without one in the middle of the box.
+/// The words name it.
+///
+/// # Errors
+/// No point of the box.
+pub fn member_at(family: &AnyFamily, point: Option<&str>) -> Result<(AnyTiling, String), String> {
+    let cuboid = with_family!(family, f => f.cuboid());
+    let names = with_family!(family, f => f.names());
+    let point = match point {
+        None => cuboid.center(),
+        Some(text) => {
+            let texts: Vec<&str> = text.split(',').collect();
+            let point = numbers(&texts).map_err(|error| format!("--at {text}: {error}"))?;
+            if point.len() != names.len() {
+                let expected = names.join(", ");
+                let found = point.len();
+                return Err(format!(
+                    "--at {text}: {found} values, expected one for each of {expected}"
+                ));
+            }
+            point
+        }
+    };
+    let words = point_in_words(&names, &point);
+    if !cuboid.contains(&point) {
+        let sides: Vec<String> = cuboid.sides.iter().map(ToString::to_string).collect();
+        return Err(format!(
+            "--at: {words} is not in the box {}",
+            sides.join(" × ")
+        ));
+    }
+    Ok((member(family, &point), words))
+}
+
+/// The refusal of --within-su for other inputs.
+pub const NO_UNCERTAINTIES: &str = "--within-su is for a CIF, whose numbers have standard uncertainties; --free takes other tilings";
+
+/// The family of --within-su: the Delaunay triangulation of a CIF whose numbers vary.
+///
+/// # Errors
+/// Why there is none, without the name of the input.
+pub fn within_su(
+    tiling: &AnyTiling,
+    points: &AnyPointSet,
+    variation: &Variation,
+) -> Result<AnyFamily, String> {
+    let (AnyTiling::Space(tiling), AnyPointSet::Space(points)) = (tiling, points) else {
+        return Err(NO_UNCERTAINTIES.to_owned());
+    };
+    let parameter = |interval: &Interval| Parameter {
+        name: interval.name.clone(),
+        side: Side {
+            low: End::closed(Number::from(interval.low.clone())),
+            high: End::closed(Number::from(interval.high.clone())),
+        },
+    };
+    let parameters = variation.intervals.iter().map(parameter).collect();
+    let (gram, moved) = (variation.gram.clone(), variation.points.clone());
+    let family = free::over_points(tiling, &points.points, parameters, gram, moved);
+    let family = family.ok_or("--within-su: a vertex is none of the points")?;
+    family
+        .check()
+        .map_err(|error| format!("--within-su: {error}"))?;
+    Ok(AnyFamily::Space(family))
+}
+
 fn positive(text: &str, option: &str) -> Result<Rational, String> {
     match parse_rational(text) {
         Ok(value) if value > 0 => Ok(value),
         Ok(value) => Err(format!("{option} {value}: expected a positive number")),
-        Err(error) => Err(format!("{option} {text}: {error}")),
+        Err(error) => Err(format!(
+            "{option} {text}: {error}; expected a positive number like 1/100"
+        )),
     }
 }
 
@@ -78,10 +200,9 @@ pub fn prove(
     family: &AnyFamily,
     input: &str,
     target: &Target,
-    arguments: &CertifyArguments,
+    (arguments, options): (&CertifyArguments, Options),
     notes: &mut Vec<String>,
 ) -> Answer {
-    let options = options(arguments);
     let progress = Progress::of(input);
     let step = |step: &str| progress.step(step);
     let largest = match &arguments.family.maximal {
@@ -93,7 +214,7 @@ pub fn prove(
             }
             Err(Grown::Failed(message)) => return Answer::Failed(format!("{input}: {message}")),
             Err(Grown::Prover(error)) => {
-                return refused(
+                return unproved(
                     family,
                     input,
                     FamilyNotProved::Prover(error),
@@ -107,7 +228,7 @@ pub fn prove(
     let proved = with_family!(family, f => family::prove(f, &options, &step));
     match proved {
         Ok(proved) => answer(proved, target, arguments, notes),
-        Err(error) => refused(family, input, error, notes, arguments),
+        Err(error) => unproved(family, input, error, notes, arguments),
     }
 }
 
@@ -125,8 +246,10 @@ fn grown(
     options: &Options,
 ) -> Result<(AnyFamily, String), Grown> {
     let texts: Vec<&str> = point.split(',').collect();
-    let point =
-        numbers(&texts).map_err(|error| Grown::Failed(format!("--maximal {point}: {error}")))?;
+    let point = numbers(&texts).map_err(|error| {
+        let expected = "expected a number for each parameter, with commas between them";
+        Grown::Failed(format!("--maximal {point}: {error}; {expected}"))
+    })?;
     let fraction = positive(&arguments.family.fraction, "--fraction").map_err(Grown::Failed)?;
     let found = with_family!(family, f => maximal::maximal(f, &point, options, &fraction));
     let (maximal, cuboid) = found.map_err(Grown::Prover)?;
@@ -154,8 +277,7 @@ fn interval_in_words(names: &[String], low: &Extent, high: &Extent) -> String {
         Extent::At { place, is_open } => match (place, place.polynomial()) {
             (Place::Number(value), _) => (value.to_string(), *is_open, String::new()),
             (Place::Root { low, .. }, polynomial) => {
-                let (below, _) = low.enclosure(&Rational::from_signeds(1, 1_000_000_000_000i64));
-                let text = format!("{}...", rounded_down(&below, 9));
+                let text = decimals(low);
                 let polynomial = polynomial.map_or(String::new(), |p| p.shown(names));
                 let root = format!("; {text} is a root of {polynomial}");
                 (text, *is_open, root)
@@ -180,13 +302,10 @@ fn answer(
     if leaves > 1 {
         notes.push(format!("the box is cut into {leaves} parts"));
     }
-    let bytes = match (encoding(target, arguments), target) {
-        (_, Target::Nowhere) => Vec::new(),
-        (Encoding::Cbor, _) => proved.certificate().to_vec(),
-        (Encoding::Json, _) => match print::to_json(proved.certificate()) {
-            Ok(json) => json,
-            Err(error) => return Answer::Failed(error.to_string()),
-        },
+    let bytes = encoding(target, arguments).encode(proved.certificate());
+    let bytes = match bytes.map(Cow::into_owned) {
+        Ok(bytes) => bytes,
+        Err(error) => return unwritten(target, &error),
     };
     Answer::Proved {
         verified: proved.into_verified(),
@@ -194,38 +313,62 @@ fn answer(
     }
 }
 
-fn refused(
+/// The answer about a family that is not proved.
+fn unproved(
     family: &AnyFamily,
     input: &str,
     error: FamilyNotProved,
     notes: &[String],
     arguments: &CertifyArguments,
 ) -> Answer {
-    let names = with_family!(family, f => f.names());
-    match error {
-        FamilyNotProved::Prover(NotProvable::Malformed(error)) => {
-            Answer::Failed(format!("{input}: {error}"))
-        }
-        FamilyNotProved::Prover(NotProvable::Declined(reason)) => {
-            Answer::Declined(format!("{input}: {reason}"))
-        }
+    match refuted(family, input, error) {
+        Ok(refuted) => Answer::Refuted(Box::new(Refuted {
+            notes: notes.to_vec(),
+            is_exact: arguments.exact,
+            shown: arguments.max_defects,
+            ..refuted
+        })),
+        Err(error) => error.into(),
+    }
+}
+
+/// The member by which a family is refuted.
+///
+/// # Errors
+/// Where it is not proved for another reason, a message that names the input.
+pub fn refuted(
+    family: &AnyFamily,
+    input: &str,
+    error: FamilyNotProved,
+) -> Result<Refuted, InputError> {
+    let (reason, outcome) = match error {
         FamilyNotProved::Prover(NotProvable::Refuted { point, findings }) => {
-            Answer::Refuted(Box::new(Refuted {
+            let names = with_family!(family, f => f.names());
+            return Ok(Refuted {
                 tiling: member(family, &point),
                 point: Some(point_in_words(&names, &point)),
                 origin: None,
-                notes: notes.to_vec(),
+                notes: Vec::new(),
                 findings,
                 second: SecondLook::default(),
-                is_exact: arguments.exact,
-                shown: arguments.max_defects.unwrap_or(SHOWN),
-            }))
+                is_exact: false,
+                shown: None,
+            });
         }
-        FamilyNotProved::Unconfirmed(refusal) => Answer::Declined(format!(
-            "{input}: the kernel does not confirm the certificate: {}",
-            refusal::in_words(&refusal)
-        )),
-    }
+        FamilyNotProved::Prover(NotProvable::Malformed(error)) => {
+            (error.to_string(), Outcome::Failed)
+        }
+        FamilyNotProved::Prover(NotProvable::Declined(reason)) => {
+            (reason.to_string(), Outcome::Declined)
+        }
+        FamilyNotProved::Unconfirmed(refusal) => {
+            let words = refusal::in_words(&refusal);
+            let message = format!("the kernel does not confirm the certificate: {words}");
+            (message, Outcome::Declined)
+        }
+    };
+    let message = format!("{input}: {reason}");
+    Err(InputError { message, outcome })
 }
 
 fn member(family: &AnyFamily, point: &[Number]) -> AnyTiling {

@@ -1,12 +1,13 @@
 //! `acutile gallery`: a static site of the whole catalogue.
 
+use super::named::InputError;
 use super::outcome::Outcome;
-use super::output::{Output, write_file};
+use super::output::{Output, check_directory, unwritten, write_file};
+use super::record::Record;
 use acutile_publish::report::{Site, gallery};
 use clap::Args;
 use std::io;
-use std::path::Path;
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
 #[derive(Debug, Args)]
 pub struct GalleryArguments {
@@ -18,32 +19,32 @@ pub struct GalleryArguments {
     pub force: bool,
 }
 
-/// Writes the site; nothing is written where a construction is not proved, nor into a directory
-/// that has other things than a site of this program, unless `--force` is given.
+/// Writes the site. Nothing is written if a construction is not proved. Nothing is written into a
+/// directory with other files than a site of this program, unless `--force` is given.
 pub fn run(arguments: &GalleryArguments, output: &mut Output) -> Outcome {
-    if let Err(message) = check_own(&arguments.output, arguments.force) {
-        output.complain(format!("acutile: {message}"));
-        return Outcome::Failed;
+    let checked = check_directory(&arguments.output);
+    if let Err(message) = checked.and_then(|()| check_own(&arguments.output, arguments.force)) {
+        return output.fail_with(None, message);
     }
     let site = match gallery() {
         Ok(site) => site,
         Err(message) => {
-            output.complain(format!("acutile: {message}"));
-            return Outcome::Refuted;
+            let outcome = Outcome::Refuted;
+            return output.fail(None, &InputError { message, outcome });
         }
     };
-    match write(&arguments.output, &site) {
-        Ok(()) => {
-            let bytes: usize = site.values().map(Vec::len).sum();
-            let directory = arguments.output.display();
-            output.line(format!("{directory}: {} files, {bytes} bytes", site.len()));
-            Outcome::Done
-        }
-        Err((path, error)) => {
-            output.complain(format!("acutile: {path}: cannot be written: {error}"));
-            Outcome::Failed
-        }
+    if let Err((path, error)) = write(&arguments.output, &site) {
+        return output.fail(None, &unwritten(&path, &error));
     }
+    for (path, bytes) in &site {
+        output.wrote(&arguments.output.join(path), bytes.len());
+    }
+    let bytes: usize = site.values().map(Vec::len).sum();
+    let directory = arguments.output.display();
+    output.done_in_words(
+        Record::of(None),
+        format!("{directory}: {} files, {bytes} bytes", site.len()),
+    )
 }
 
 /// The file by which a site is known.
@@ -52,9 +53,6 @@ const MARK: &str = ".acutile-gallery";
 /// The directory is not there, is empty, or has a site that this program wrote.
 fn check_own(directory: &Path, force: bool) -> Result<(), String> {
     let name = directory.display();
-    if directory.exists() && !directory.is_dir() {
-        return Err(format!("{name}: is not a directory"));
-    }
     let is_empty = std::fs::read_dir(directory).map_or(true, |mut files| files.next().is_none());
     match is_empty || directory.join(MARK).is_file() || force {
         true => Ok(()),
@@ -64,18 +62,18 @@ fn check_own(directory: &Path, force: bool) -> Result<(), String> {
     }
 }
 
-fn write(directory: &Path, site: &Site) -> Result<(), (String, io::Error)> {
+fn write(directory: &Path, site: &Site) -> Result<(), (PathBuf, io::Error)> {
     let mark = (MARK.to_owned(), b"Written by acutile gallery.\n".to_vec());
     for (path, bytes) in site.iter().chain([(&mark.0, &mark.1)]) {
         let file = directory.join(path);
         if file.is_symlink() {
             let error = io::Error::new(io::ErrorKind::AlreadyExists, "is a link");
-            return Err((file.display().to_string(), error));
+            return Err((file, error));
         }
         let folder = file.parent().unwrap_or(directory);
         std::fs::create_dir_all(folder)
             .and_then(|()| write_file(&file, bytes))
-            .map_err(|error| (file.display().to_string(), error))?;
+            .map_err(|error| (file, error))?;
     }
     Ok(())
 }

@@ -3,24 +3,25 @@
 
 use super::document::{self, PointDocument};
 use super::mesh::{self, MeshArguments};
+use super::name::InputName;
 use super::named::{InputError, Named, NamedFamily};
 use super::output::Output;
+use super::plane;
 use super::points::{self, PointArguments};
 use super::theorem;
 use super::transcribe;
 use acutile_catalog as catalog;
 use acutile_core::format;
+use acutile_core::statement::Requirement;
 use acutile_core::tiling::AnyTiling;
 use acutile_io::import::crystal::text_of;
-use acutile_io::import::{
-    BYTE_LIMIT, Content, read_bytes, read_text, uncompressed_name, without_comments,
-};
+use acutile_io::import::{BYTE_LIMIT, Content, read_bytes, uncompressed_name};
 use acutile_io::mesh::{Family, load, unknown};
 use clap::Args;
 use std::path::Path;
 
 /// How a file becomes a tiling.
-#[derive(Debug, Default, Args)]
+#[derive(Clone, Debug, Default, Args)]
 pub struct FileArguments {
     #[command(flatten)]
     pub points: PointArguments,
@@ -34,7 +35,7 @@ pub struct FileArguments {
 /// # Errors
 /// A message that names the input.
 pub fn tiling(
-    input: &str,
+    input: &InputName,
     parameter: Option<&str>,
     options: &FileArguments,
     output: &mut Output,
@@ -56,7 +57,7 @@ impl Loaded {
     /// A message that names the input.
     pub fn tiling(
         self,
-        input: &str,
+        input: &InputName,
         options: &FileArguments,
         output: &mut Output,
     ) -> Result<Named, InputError> {
@@ -73,11 +74,44 @@ impl Loaded {
 /// # Errors
 /// A message that names the input.
 pub fn open(
-    input: &str,
+    input: &InputName,
     parameter: Option<&str>,
     options: &FileArguments,
     output: &mut Output,
 ) -> Result<Loaded, InputError> {
+    read(input, parameter, options, output)?.loaded(input)
+}
+
+/// An input, of which a certificate is not opened yet.
+pub enum Read {
+    /// In either encoding.
+    Certificate(Vec<u8>),
+    Loaded(Loaded),
+}
+
+impl Read {
+    /// What it is about; a certificate is not judged here.
+    ///
+    /// # Errors
+    /// A message that names the input.
+    pub fn loaded(self, input: &InputName) -> Result<Loaded, InputError> {
+        match self {
+            Read::Certificate(bytes) => of_certificate(input, &bytes),
+            Read::Loaded(loaded) => Ok(loaded),
+        }
+    }
+}
+
+/// As [`open`], but a certificate stays one. A file is read once, so that it may be a pipe.
+///
+/// # Errors
+/// A message that names the input.
+pub fn read(
+    input: &InputName,
+    parameter: Option<&str>,
+    options: &FileArguments,
+    output: &mut Output,
+) -> Result<Read, InputError> {
     if let Some(theorem) = catalog::theorem(input) {
         let message = format!(
             "{input}: a theorem and no tiling; certify, show and verify take it, and {}NAME is one of its tilings",
@@ -89,23 +123,23 @@ pub fn open(
         document::check_for_crystal(input, &options.points)?;
         check_for_mesh(input, &options.mesh)?;
         if let Some(family) = entry.build_family() {
-            return Ok(Loaded::Family(NamedFamily {
-                name: input.to_owned(),
+            return Ok(Read::Loaded(Loaded::Family(NamedFamily {
+                name: input.to_string(),
                 description: entry.description.to_owned(),
                 family: family.map_err(|error| format!("{input}: {error}"))?,
-            }));
+            })));
         }
         let tiling = construction(input, parameter)?;
-        return Ok(Loaded::Tiling(Named::of(
-            input,
-            entry.description.to_owned(),
-            tiling,
-        )));
+        let named = Named::of(input, entry.description.to_owned(), tiling);
+        return Ok(Read::Loaded(Loaded::Tiling(named)));
     }
-    let path = Path::new(input);
-    if input != "-" && !path.exists() && !input.contains(['/', '.']) {
+    let path = input.path();
+    if !input.is_standard_input() && !path.exists() && !input.contains(['/', '.']) {
         let advice = match catalog::suggestion(input) {
             Some(name) => format!("; did you mean {name}?"),
+            None if input.parse::<Requirement>().is_ok() => {
+                format!("; a comma joins statements: --require STATEMENT,{input}")
+            }
             None => String::new(),
         };
         let message =
@@ -116,29 +150,30 @@ pub fn open(
         return Err(format!("{input}: a file takes no parameter (--param)").into());
     }
     let content = text_or_mesh(path, &options.mesh)?;
-    load_content(input, content, options, output)
+    read_content(input, content, options, output)
 }
 
-/// The tiling or family of a file's content.
+/// The tiling of a file's content.
 ///
 /// # Errors
 /// A message that names the input.
 pub fn of_content(
-    input: &str,
+    input: &InputName,
     content: TextOrMesh,
     options: &FileArguments,
     output: &mut Output,
 ) -> Result<Named, InputError> {
-    load_content(input, content, options, output)?.tiling(input, options, output)
+    let loaded = read_content(input, content, options, output)?.loaded(input)?;
+    loaded.tiling(input, options, output)
 }
 
-fn load_content(
-    input: &str,
+fn read_content(
+    input: &InputName,
     content: TextOrMesh,
     options: &FileArguments,
     output: &mut Output,
-) -> Result<Loaded, InputError> {
-    match content {
+) -> Result<Read, InputError> {
+    let loaded = match content {
         TextOrMesh::Mesh(loaded) => {
             mesh::tiling(input, loaded, &options.mesh, output).map(Loaded::Tiling)
         }
@@ -149,9 +184,10 @@ fn load_content(
         TextOrMesh::Certificate(bytes) => {
             document::check_for_crystal(input, &options.points)?;
             check_for_mesh(input, &options.mesh)?;
-            of_certificate(input, &bytes)
+            return Ok(Read::Certificate(bytes));
         }
-    }
+    };
+    loaded.map(Read::Loaded)
 }
 
 /// The tiling or family of a certificate, which is not judged here.
@@ -180,29 +216,24 @@ fn of_certificate(input: &str, bytes: &[u8]) -> Result<Loaded, InputError> {
 }
 
 /// A construction of the catalogue; `square-triangle:FILE` reads its file.
-fn construction(name: &str, parameter: Option<&str>) -> Result<AnyTiling, String> {
-    let file = catalog::plane_file(name).map(Path::new);
-    let file = file.filter(|file| file.exists() || file.to_string_lossy().contains(['/', '.']));
-    let tiling = match (parameter, file) {
+fn construction(name: &InputName, parameter: Option<&str>) -> Result<AnyTiling, InputError> {
+    let tiling = match (parameter, plane::of_file(name)) {
         (Some(parameter), _) => catalog::build_with(name, parameter),
-        (None, Some(file)) => {
-            let text = read_text(file).map_err(|error| format!("{name}: {error}"))?;
-            catalog::plane_file::parse(&without_comments(&text))
-                .and_then(|plane| catalog::build_over(name, &plane))
-        }
-        (None, None) => catalog::build(name),
+        (None, Ok(Some(plane))) => catalog::build_over(name, &plane),
+        (None, Ok(None)) => catalog::build(name),
+        (None, Err(error)) => return Err(error),
     };
-    tiling.map_err(|error| format!("{name}: {error}"))
+    tiling.map_err(|error| format!("{name}: {error}").into())
 }
 
 /// The tiling or the points of a file's text.
 fn of_text(
-    input: &str,
+    input: &InputName,
     text: &str,
     points: &PointArguments,
     output: &mut Output,
 ) -> Result<Loaded, InputError> {
-    let file = document::read(Path::new(input), text, points, output)?;
+    let file = document::read(input.path(), text, points, output)?;
     Ok(match file.content {
         Content::Points(set) => Loaded::Points(PointDocument {
             description: file.description,
@@ -210,9 +241,10 @@ fn of_text(
             labels: file.labels,
             elements: file.elements,
             notes: file.notes,
+            variation: file.variation,
         }),
         Content::Family(family) => Loaded::Family(NamedFamily {
-            name: input.to_owned(),
+            name: input.to_string(),
             description: file.description,
             family,
         }),
@@ -240,11 +272,15 @@ fn of_points(
 }
 
 /// The options for a mesh mean nothing for `input`, which is none.
-fn check_for_mesh(input: &str, mesh: &MeshArguments) -> Result<(), String> {
+///
+/// # Errors
+/// One of them is given.
+pub fn check_for_mesh(input: &str, mesh: &MeshArguments) -> Result<(), String> {
     let given = [
         ("--lattice", mesh.lattice.is_some()),
         ("--bounded", mesh.bounded),
         ("--identify", mesh.identify.is_some()),
+        ("--from", mesh.mesh_format.is_some()),
     ];
     match given.iter().find(|(_, given)| *given) {
         None => Ok(()),
@@ -264,11 +300,6 @@ pub enum TextOrMesh {
     Text(String),
 }
 
-/// The mesh of a file of a mesh format, known by `--from`, by its extension, or by its first
-/// bytes; the text of any other.
-///
-/// # Errors
-/// A message that names the file.
 /// The bytes after a byte order mark.
 fn without_mark(mut bytes: Vec<u8>) -> Vec<u8> {
     if bytes.starts_with(b"\xef\xbb\xbf") {
@@ -277,6 +308,11 @@ fn without_mark(mut bytes: Vec<u8>) -> Vec<u8> {
     bytes
 }
 
+/// The mesh of a file of a mesh format, known by `--from`, by its extension, or by its first
+/// bytes; the text of any other.
+///
+/// # Errors
+/// A message that names the file.
 pub fn text_or_mesh(path: &Path, options: &MeshArguments) -> Result<TextOrMesh, InputError> {
     let of_mesh = |error| InputError::of_mesh(&path.display().to_string(), &error);
     if let Some(family) = options.mesh_format {

@@ -24,6 +24,21 @@ pub struct LimitArguments {
 }
 
 impl LimitArguments {
+    /// The options that allow more than `acutile-verify` does without options, as a reader of the
+    /// certificate may have to give them; none if all are the usual ones.
+    pub fn raised(&self) -> Option<String> {
+        let usual = Limits::DEFAULT;
+        let limits = [
+            ("--max-bytes", self.max_bytes, usual.bytes),
+            ("--max-simplices", self.max_simplices, usual.simplices),
+            ("--max-bits", self.max_bits, usual.bits),
+            ("--max-work", self.max_work, usual.work),
+        ];
+        let raised = limits.iter().filter(|(_, given, usual)| given > usual);
+        let raised: Vec<String> = raised.map(|(name, n, _)| format!("{name} {n}")).collect();
+        (!raised.is_empty()).then(|| raised.join(" "))
+    }
+
     /// As the kernel takes them.
     pub fn limits(&self) -> Limits {
         Limits {

@@ -2,58 +2,61 @@
 
 use super::outcome::Outcome;
 use super::output::Output;
+use super::record::Record;
 use acutile_catalog as catalog;
+use acutile_catalog::Entry;
 use clap::Args;
 use serde_json::json;
 
 #[derive(Debug, Args)]
-pub struct ListArguments {
-    /// One JSON object for each construction
-    #[arg(long)]
-    pub json: bool,
-}
+pub struct ListArguments {}
 
-/// Prints a line for each construction.
-pub fn run(arguments: &ListArguments, output: &mut Output) -> Outcome {
-    let width = catalog::entries()
-        .iter()
-        .map(|entry| entry.name.len())
-        .max()
-        .unwrap_or(0);
+/// Prints a line for each construction and each theorem.
+pub fn run(_: &ListArguments, output: &mut Output) -> Outcome {
+    let lengths = catalog::entries().iter().map(|entry| entry.name.len());
+    let width = lengths.max().unwrap_or(0);
     for entry in catalog::entries() {
-        if arguments.json {
-            output.line(json!({
-                "name": entry.name,
-                "description": entry.description,
-                "source": entry.source,
-                "domain": entry.domain,
-                "family": entry.is_family(),
-                "box": entry.has_box(),
-                "parameter": entry.parameter.map(|parameter| json!({
-                    "name": parameter.name,
-                    "default": parameter.default,
-                })),
-            }));
-        } else {
-            let name = if entry.is_family() {
-                format!("{}WORD", entry.name)
-            } else {
-                entry.name.to_owned()
-            };
-            output.line(format!("{name:width$}  {}", entry.description));
+        match output.is_json() {
+            true => output.answer(data(entry)),
+            false => {
+                let name = format!("{}{}", entry.name, word(entry));
+                output.line(format!("{name:width$}  {}", entry.description));
+            }
         }
     }
     for theorem in catalog::THEOREMS {
-        if arguments.json {
-            output.line(json!({
+        match output.is_json() {
+            true => output.answer(Record::of(Some(theorem.name)).with(json!({
                 "name": theorem.name,
                 "description": theorem.description,
                 "theorem": true,
                 "family": theorem.family,
-            }));
-        } else {
-            output.line(format!("{:width$}  {}", theorem.name, theorem.description));
+            }))),
+            false => output.line(format!("{:width$}  {}", theorem.name, theorem.description)),
         }
     }
     Outcome::Done
+}
+
+/// The part of a name that the user chooses.
+fn word(entry: &Entry) -> &'static str {
+    match entry.is_family() {
+        true => "WORD",
+        false => "",
+    }
+}
+
+fn data(entry: &Entry) -> Record {
+    Record::of(Some(entry.name)).with(json!({
+        "name": entry.name,
+        "description": entry.description,
+        "source": entry.source,
+        "domain": entry.domain,
+        "family": entry.is_family(),
+        "box": entry.has_box(),
+        "parameter": entry.parameter.map(|parameter| json!({
+            "name": parameter.name,
+            "default": parameter.default,
+        })),
+    }))
 }

@@ -3,28 +3,25 @@
 use super::outcome::Outcome;
 use super::output::Output;
 use super::progress::Progress;
+use super::record::Record;
 use acutile_bounds::{Check, THEOREMS, Theorem, Verdict, checks, worst};
 use clap::Args;
 use serde_json::json;
 
 #[derive(Debug, Args)]
-pub struct LowerBoundArguments {
-    /// One JSON object with all checks and theorems
-    #[arg(long)]
-    pub json: bool,
-}
+pub struct LowerBoundArguments {}
 
 /// Prints each check with its verdict and its place in the proof, then each theorem. Refuted when
 /// a check fails; declined when one is undecided.
-pub fn run(arguments: &LowerBoundArguments, output: &mut Output) -> Outcome {
+pub fn run(_: &LowerBoundArguments, output: &mut Output) -> Outcome {
     let progress = Progress::of("lower-bound");
     let checks = checks(&|part| progress.step(part));
     drop(progress);
-    if arguments.json {
-        output.line(json!({
+    if output.is_json() {
+        output.answer(Record::of(None).with(json!({
             "checks": checks.iter().map(Check::to_json).collect::<Vec<_>>(),
             "theorems": THEOREMS.map(|theorem| theorem.to_json(&checks)),
-        }));
+        })));
     } else {
         checks.iter().for_each(|check| output.line(check));
         output.line("");

@@ -1,7 +1,8 @@
 //! Mesh files as tilings, and notes about them on standard error.
 
 use super::named::{InputError, Named};
-use super::output::{Output, write_file};
+use super::output::{Output, write_bytes};
+use acutile_core::statement::counted;
 use acutile_io::mesh::Family;
 use acutile_io::mesh::load::Loaded;
 use acutile_io::mesh::{Converted, Lattice, Mesh, Move, periodic_tiling, region_tiling};
@@ -13,8 +14,8 @@ use std::path::PathBuf;
 /// double is taken as the exact number that it is.
 #[derive(Clone, Debug, Default, Args)]
 pub struct MeshArguments {
-    /// The mesh is a cell of a periodic tiling or region with these lattice vectors, one to three
-    /// (of a mesh of triangles one or two): integers, fractions and decimals, exact as written
+    /// The mesh is a cell of a periodic tiling or region with these lattice vectors: one to three, or for
+    /// triangles one or two. Integers, fractions and decimals are exact as written
     #[arg(help_heading = "Mesh files", long, value_name = "A1,A2,A3[;B1,B2,B3[;C1,C2,C3]]", value_parser = Lattice::parse,
         allow_hyphen_values = true)]
     pub lattice: Option<Lattice>,
@@ -34,7 +35,7 @@ pub struct MeshArguments {
         requires = "identify"
     )]
     pub moves: Option<PathBuf>,
-    /// The format of a mesh file that has no extension of its own: msh4, vtk, vtu, medit,
+    /// The format of a mesh file whose name and first bytes do not say it: msh, vtk, vtu, medit,
     /// meshb, tetgen, abaqus, nastran, mfem
     #[arg(help_heading = "Mesh files", long = "from", value_name = "FORMAT", value_parser = Family::parse)]
     pub mesh_format: Option<Family>,
@@ -70,11 +71,10 @@ pub fn tiling(
     let curved = loaded.mesh.curved_elements();
     let (converted, notes) = converted(input, loaded.mesh, options)?;
     for note in &notes {
-        output.complain(format!("{input}: {note}"));
+        output.note(input, note);
     }
     if let Some(path) = &options.moves {
-        write_file(path, moves_text(&converted.moves).as_bytes())
-            .map_err(|error| format!("{}: cannot be written: {error}", path.display()))?;
+        write_bytes(Some(path), moves_text(&converted.moves).as_bytes(), output)?;
     }
     Ok(Named {
         name: input.to_owned(),
@@ -96,6 +96,10 @@ pub fn lattice(
     options: &MeshArguments,
 ) -> Result<Option<Lattice>, InputError> {
     match &options.lattice {
+        Some(lattice) if lattice.is_of_plane() && mesh.dimension() == 3 => Err(format!(
+            "--lattice has a vector with two entries, but {input} is a mesh of tetrahedra: expected three entries in each"
+        )
+        .into()),
         Some(lattice) => Ok(Some(lattice.clone())),
         None if options.bounded || mesh.periodic.is_empty() => Ok(None),
         None => Lattice::of_links(mesh)
@@ -146,9 +150,12 @@ fn mesh_notes(mesh: &Mesh) -> Vec<String> {
     }
     if !mesh.curved.is_empty() {
         notes.push(format!(
-            "{} tetrahedra of second order are curved; all but certify takes the straight ones with \
-             the same corners",
-            mesh.curved.len()
+            "{} curved; all but certify takes the straight ones with the same corners",
+            counted(
+                mesh.curved.len(),
+                "element of second order is",
+                "elements of second order are"
+            )
         ));
     }
     if mesh.turned > 0 {
@@ -165,15 +172,22 @@ fn conversion_notes(converted: &Converted, options: &MeshArguments) -> Vec<Strin
     let mut notes = Vec::new();
     if converted.unused > 0 {
         notes.push(format!(
-            "{} nodes belong to no cell, and are left out",
-            converted.unused
+            "{} left out",
+            counted(
+                converted.unused,
+                "node is no corner of a cell, and is",
+                "nodes are no corners of cells, and are"
+            )
         ));
     }
     if converted.coincident > 0 {
         notes.push(format!(
-            "{} nodes have the coordinates of another node and are vertices of their own; \
-             --identify 0 makes them one",
-            converted.coincident
+            "{}; --identify 0 makes them one",
+            counted(
+                converted.coincident,
+                "node has the coordinates of another node and is a vertex of its own",
+                "nodes have the coordinates of another node and are vertices of their own"
+            )
         ));
     }
     let moves = &converted.moves;
@@ -184,9 +198,12 @@ fn conversion_notes(converted: &Converted, options: &MeshArguments) -> Vec<Strin
             None => "--moves lists them".to_owned(),
         };
         notes.push(format!(
-            "{} nodes moved to exact images, by at most {largest:.3e} ({list}); what follows is \
-             about the moved mesh",
-            moves.len()
+            "{} by at most {largest:.3e} ({list}); what follows is about the moved mesh",
+            counted(
+                moves.len(),
+                "node moved to an exact image,",
+                "nodes moved to exact images,"
+            )
         ));
     }
     notes

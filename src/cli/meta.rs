@@ -1,9 +1,16 @@
 //! `acutile completions` and `acutile man`, generated from the arguments.
 
 use super::args::{Arguments, CompletionsArguments, ManArguments};
+use super::named::InputError;
 use super::outcome::Outcome;
-use super::output::{Output, write_file};
-use clap::{Command, CommandFactory};
+use super::output::{Output, check_directory, is_standard, write_bytes};
+use super::overwriting::check_replaceable;
+use super::record::Record;
+use clap::builder::Resettable;
+use clap::{Arg, Command, CommandFactory};
+use clap_complete::Shell;
+use clap_mangen::roff::{Roff, roman};
+use std::path::Path;
 
 /// Prints the completion script for a shell.
 pub fn completions(arguments: &CompletionsArguments, output: &mut Output) -> Outcome {
@@ -14,33 +21,94 @@ pub fn completions(arguments: &CompletionsArguments, output: &mut Output) -> Out
         "acutile",
         &mut script,
     );
-    output.bytes(&script);
-    Outcome::Done
+    if arguments.shell == Shell::Fish {
+        script.extend(values_for_fish(&Arguments::command()).into_bytes());
+    }
+    output.document_goes_to(None);
+    write(None, &script, output)
+}
+
+/// The values of arguments without an option, such as names of the catalogue: clap leaves them out of the
+/// script for fish.
+fn values_for_fish(program: &Command) -> String {
+    let line = |command: &Command| {
+        let values = command.get_positionals().flat_map(Arg::get_possible_values);
+        let names: Vec<String> = values.map(|value| value.get_name().to_owned()).collect();
+        let condition = format!("__fish_acutile_using_subcommand {}", command.get_name());
+        (!names.is_empty()).then(|| {
+            format!(
+                "complete -c acutile -n \"{condition}\" -a \"{}\"\n",
+                names.join(" ")
+            )
+        })
+    };
+    program.get_subcommands().filter_map(line).collect()
 }
 
 /// Writes a page for the program and one for each command into a folder, or prints the former.
 pub fn man(arguments: &ManArguments, output: &mut Output) -> Outcome {
     let mut program = Arguments::command();
     program.build();
-    let Some(folder) = &arguments.folder else {
-        output.bytes(&page(&program));
-        return Outcome::Done;
+    output.document_goes_to(arguments.folder.as_deref());
+    let Some(folder) = arguments
+        .folder
+        .as_deref()
+        .filter(|folder| !is_standard(folder))
+    else {
+        return write(None, &page(&program), output);
     };
+    if let Err(message) = check_directory(folder) {
+        return output.fail_with(None, message);
+    }
+    // A missing folder is made, one that lies in a missing folder is not: writing fails then.
+    let _ = std::fs::create_dir(folder);
     for command in std::iter::once(&program).chain(program.get_subcommands()) {
         let name = command.get_display_name().unwrap_or(command.get_name());
         let path = folder.join(format!("{name}.1"));
-        if let Err(error) = write_file(&path, &page(command)) {
-            let path = path.display();
-            output.complain(format!("acutile: {path}: cannot be written: {error}"));
-            return Outcome::Failed;
+        let written = check_replaceable(&path, is_own, arguments.force)
+            .map_err(InputError::from)
+            .and_then(|()| write_bytes(Some(&path), &page(command), output));
+        if let Err(error) = written {
+            return output.fail(None, &error);
         }
     }
-    Outcome::Done
+    output.done(Record::of(None))
 }
 
+/// Whether a page is one that this command wrote.
+fn is_own(page: &[u8]) -> bool {
+    page.split(|byte| *byte == b'\n')
+        .any(|line| line.starts_with(b".TH acutile"))
+}
+
+fn write(path: Option<&Path>, bytes: &[u8], output: &mut Output) -> Outcome {
+    match write_bytes(path, bytes, output) {
+        Ok(()) => output.done(Record::of(None)),
+        Err(error) => output.fail(None, &error),
+    }
+}
+
+/// A manual page. The end of the long help becomes the sections EXAMPLES and EXIT STATUS.
 fn page(command: &Command) -> Vec<u8> {
+    let help = command.get_after_long_help().or(command.get_after_help());
+    let help = help.map(ToString::to_string).unwrap_or_default();
+    let (examples, codes) = help.split_once("Exit codes: ").unwrap_or((&help, ""));
+    let plain = command.clone().after_help(Resettable::Reset);
+    let plain = plain.after_long_help(Resettable::Reset);
+    let mut end = Roff::default();
+    let examples = examples.trim().trim_start_matches("Examples:").lines();
+    let examples: Vec<&str> = examples.filter(|line| !line.is_empty()).collect();
+    if !examples.is_empty() {
+        end.control("SH", ["EXAMPLES"]).control("nf", []);
+        for line in examples {
+            end.text([roman(line.trim())]);
+        }
+        end.control("fi", []);
+    }
+    end.control("SH", ["EXIT STATUS"]).text([roman(codes)]);
     let mut page = Vec::new();
     // Writing into a vector cannot fail.
-    let _ = clap_mangen::Man::new(command.clone()).render(&mut page);
+    let _ = clap_mangen::Man::new(plain).render(&mut page);
+    let _ = end.to_writer(&mut page);
     page
 }

@@ -2,7 +2,7 @@
 
 use super::outcome::Outcome;
 use acutile_core::checker::Sides;
-use acutile_core::curved::Nodes;
+use acutile_core::curved::Element;
 use acutile_core::family::AnyFamily;
 use acutile_core::tiling::{AnyTiling, SimplexId};
 use acutile_io::import::ImportError;
@@ -25,8 +25,8 @@ pub struct Named {
     pub sides: Sides,
     /// Elements of other types in a mesh file, by name.
     pub others: BTreeMap<String, usize>,
-    /// The curved tetrahedra of a mesh.
-    pub curved: Vec<(SimplexId, Nodes)>,
+    /// The curved elements of a mesh.
+    pub curved: Vec<(SimplexId, Element)>,
     /// Notes on a mesh file or a crystal structure: nodes moved, tetrahedra turned, parts not read.
     pub notes: Vec<String>,
     /// For each vertex the label of its site; empty if there are none.

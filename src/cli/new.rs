@@ -2,8 +2,12 @@
 //!
 //! The files stand in `examples/` beside this one, and are accepted as they are.
 
+use super::extension;
+use super::named::InputError;
 use super::outcome::Outcome;
-use super::output::{Output, write_text};
+use super::output::{Output, write_bytes};
+use super::overwriting::check_replaceable;
+use super::record::Record;
 use clap::Args;
 use clap::ValueEnum;
 use std::path::PathBuf;
@@ -13,9 +17,12 @@ pub struct NewArguments {
     /// The kind of file
     #[arg(value_enum)]
     pub kind: Kind,
-    /// Write the file here and not to standard output; a file that is there is not overwritten
+    /// Write the file here and not to standard output
     #[arg(short, long, value_name = "FILE")]
     pub output: Option<PathBuf>,
+    /// Replace a file that is there, even if it was edited
+    #[arg(long)]
+    pub force: bool,
 }
 
 /// A kind of file.
@@ -63,17 +70,26 @@ impl Kind {
 
 /// Writes the example of a kind.
 pub fn run(arguments: &NewArguments, output: &mut Output) -> Outcome {
-    if let Some(path) = arguments.output.as_deref().filter(|path| path.is_file()) {
-        let message = format!(
-            "acutile: {}: is there already, and is not overwritten",
-            path.display()
-        );
-        output.complain(message);
-        return Outcome::Failed;
+    match write(arguments, output) {
+        Ok(()) => output.done(Record::of(None)),
+        Err(error) => output.fail(None, &error),
     }
-    write_text(
-        arguments.output.as_deref(),
-        arguments.kind.example(),
-        output,
-    )
+}
+
+fn write(arguments: &NewArguments, output: &mut Output) -> Result<(), InputError> {
+    let path = arguments.output.as_deref();
+    output.document_goes_to(path);
+    match arguments.kind {
+        Kind::Cif => extension::check(path, "a crystal structure", &["cif", "txt"]),
+        _ => extension::check(path, "an input file", &["json"]),
+    }?;
+    if let Some(path) = path.filter(|path| path.is_file()) {
+        let is_own = |found: &[u8]| {
+            Kind::value_variants()
+                .iter()
+                .any(|kind| kind.example().as_bytes() == found)
+        };
+        check_replaceable(path, is_own, arguments.force)?;
+    }
+    write_bytes(path, arguments.kind.example().as_bytes(), output)
 }

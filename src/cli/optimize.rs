@@ -4,14 +4,16 @@ use super::encoding::Encoding;
 use super::input::{self, FileArguments};
 use super::interrupt;
 use super::limits::LimitArguments;
+use super::name::InputName;
 use super::named::InputError;
 use super::optimized::Report;
 use super::outcome::Outcome;
-use super::output::{Output, Staged};
+use super::output::{Output, Staged, is_standard, unwritten, write_bytes};
+use super::overwriting::check_not_an_input;
 use super::progress::Progress;
 use super::proved as proof;
+use super::record::Record;
 use acutile_core::advice::{Advice, Adviser};
-use acutile_core::format::print;
 use acutile_core::proved::NotProved;
 use acutile_core::statement::Statement;
 use acutile_core::tiling::{AnyTiling, Tiling, match_facets};
@@ -27,8 +29,8 @@ use std::sync::atomic::Ordering;
 #[derive(Debug, Args)]
 pub struct OptimizeArguments {
     /// A name of the catalogue, or a tiling, mesh, point set or certificate file
-    #[arg(value_name = "NAME|FILE")]
-    pub input: String,
+    #[arg(value_name = "NAME|FILE", hide_possible_values = true)]
+    pub input: InputName,
     /// The number that the construction depends on (see acutile show)
     #[arg(long, value_name = "VALUE", allow_hyphen_values = true)]
     pub param: Option<String>,
@@ -40,8 +42,8 @@ pub struct OptimizeArguments {
     /// What to improve
     #[arg(long, value_enum, default_value = "max-dihedral")]
     pub goal: GoalName,
-    /// The symmetry that stays: full, rotations, none, the places of some elements like 3,7, which
-    /// generate a subgroup, or list, which prints the elements and their places
+    /// The symmetry that stays: full, rotations, none, or the subgroup that some elements generate, by their
+    /// places like 3,7. The word list prints the elements and their places
     #[arg(long, value_name = "SUBGROUP", default_value = "full", value_parser = symmetry)]
     pub symmetry: SymmetryName,
     /// Keep the lattice as it is
@@ -72,9 +74,6 @@ pub struct OptimizeArguments {
     /// The encoding; without it CBOR for a file whose name ends in .cbor, and else JSON
     #[arg(long, value_enum)]
     pub format: Option<Encoding>,
-    /// One JSON object
-    #[arg(long)]
-    pub json: bool,
     #[command(flatten)]
     pub limits: LimitArguments,
 }
@@ -130,28 +129,12 @@ fn symmetry(text: &str) -> Result<SymmetryName, String> {
 /// Searches, and writes the best result. Declined where nothing better was found, or where the goal is
 /// not reached.
 pub fn run(arguments: &OptimizeArguments, output: &mut Output) -> Outcome {
+    if arguments.output.is_some() {
+        output.document_goes_to(arguments.output.as_deref());
+    }
     match answer(arguments, output) {
         Ok(outcome) => outcome,
-        Err(error) => {
-            match arguments.json {
-                true => output.line(json!({
-                    "input": arguments.input,
-                    "verdict": verdict(error.outcome),
-                    "message": error.message,
-                })),
-                false => output.complain(format!("acutile: {}", error.message)),
-            }
-            error.outcome
-        }
-    }
-}
-
-fn verdict(outcome: Outcome) -> &'static str {
-    match outcome {
-        Outcome::Done => "proved",
-        Outcome::Refuted => "refuted",
-        Outcome::Failed => "failed",
-        Outcome::Declined => "declined",
+        Err(error) => output.fail(Some(&arguments.input), &error),
     }
 }
 
@@ -161,7 +144,7 @@ fn answer(arguments: &OptimizeArguments, output: &mut Output) -> Result<Outcome,
     if !named.curved.is_empty() {
         let curved = named.curved.len();
         return Err(
-            format!("{input}: found {curved} curved tetrahedra, expected straight ones").into(),
+            format!("{input}: found {curved} curved elements, expected straight ones").into(),
         );
     }
     let AnyTiling::Space(mut tiling) = named.tiling else {
@@ -171,7 +154,7 @@ fn answer(arguments: &OptimizeArguments, output: &mut Output) -> Result<Outcome,
         tiling.orient();
     }
     let keep = match &arguments.symmetry {
-        SymmetryName::List => return Ok(list(&tiling, output)),
+        SymmetryName::List => return Ok(list(input, &tiling, output)),
         SymmetryName::Keep(keep) => keep.clone(),
     };
     let goal = arguments.goal.goal();
@@ -271,15 +254,22 @@ fn of_start(error: &NotProved, tiling: &Tiling<3>) -> String {
 }
 
 /// The isometries with their places.
-fn list(tiling: &Tiling<3>, output: &mut Output) -> Outcome {
+fn list(input: &str, tiling: &Tiling<3>, output: &mut Output) -> Outcome {
     let group = Group::of(tiling, &match_facets(tiling));
-    for (place, element) in group.elements.iter().enumerate() {
-        let row = |i: usize| {
-            let isometry = &element.isometry;
-            let terms: Vec<String> = isometry.linear[i].iter().map(ToString::to_string).collect();
+    let rows = group.elements.iter().map(|element| {
+        let isometry = &element.isometry;
+        [0, 1, 2].map(|i| {
+            let terms = isometry.linear[i].each_ref().map(ToString::to_string);
             format!("({}) + {}", terms.join(", "), isometry.translation[i])
-        };
-        output.line(format!("{place}: {}; {}; {}", row(0), row(1), row(2)));
+        })
+    });
+    let rows: Vec<[String; 3]> = rows.collect();
+    if output.is_json() {
+        output.answer(Record::of(Some(input)).member("symmetries", json!(rows)));
+        return Outcome::Done;
+    }
+    for (place, row) in rows.iter().enumerate() {
+        output.line(format!("{place}: {}", row.join("; ")));
     }
     Outcome::Done
 }
@@ -298,43 +288,29 @@ impl<'a> Place<'a> {
         let Some(path) = arguments.output.as_deref() else {
             return Ok(None);
         };
-        let encoding = arguments.format.or(Encoding::of_path(path));
-        let staged = match path == Path::new("-") {
+        let encoding = Encoding::of(Some(path), arguments.format)?;
+        check_not_an_input(Some(path), "-o", std::slice::from_ref(&arguments.input))?;
+        let staged = match is_standard(path) {
             true => None,
             false => Staged::new(path).map_err(|error| unwritten(path, &error))?,
         };
         Ok(Some(Place {
             path,
-            encoding: encoding.unwrap_or(Encoding::Json),
+            encoding,
             staged,
         }))
     }
 
     /// Writes a certificate there.
     fn write(self, cbor: &[u8], output: &mut Output) -> Result<(), InputError> {
-        let json;
-        let bytes = match self.encoding {
-            Encoding::Cbor => cbor,
-            Encoding::Json => {
-                json = print::to_json(cbor).map_err(|error| format!("the certificate: {error}"))?;
-                &json
-            }
+        let bytes = self.encoding.encode(cbor);
+        let bytes = bytes.map_err(|error| format!("the certificate: {error}"))?;
+        let Some(staged) = self.staged else {
+            return write_bytes(Some(self.path), &bytes, output);
         };
-        let written = match self.staged {
-            Some(staged) => {
-                let written = staged.file().write_all(bytes);
-                written.and_then(|()| staged.persist())
-            }
-            None if self.path == Path::new("-") => {
-                output.bytes(bytes);
-                Ok(())
-            }
-            None => std::fs::write(self.path, bytes),
-        };
-        written.map_err(|error| unwritten(self.path, &error))
+        let written = staged.file().write_all(&bytes);
+        written
+            .and_then(|()| staged.persist())
+            .map_err(|error| unwritten(self.path, &error))
     }
-}
-
-fn unwritten(path: &Path, error: &std::io::Error) -> InputError {
-    format!("{}: cannot be written: {error}", path.display()).into()
 }

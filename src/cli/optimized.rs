@@ -2,9 +2,10 @@
 
 use super::optimize::{GoalName, OptimizeArguments};
 use super::output::Output;
+use super::record::Record;
 use super::verify::{claim_json, summary};
 use acutile_core::quality::{decimal_range, display_width};
-use acutile_core::statement::Statement;
+use acutile_core::statement::{Statement, counted};
 use acutile_optimize::{LocalProof, NotLocal, Reason, value};
 use serde_json::{Value, json};
 use std::path::Path;
@@ -19,19 +20,12 @@ pub struct Report<'r> {
 }
 
 impl Report<'_> {
-    /// Tells it, on standard error where standard output has the certificate.
+    /// Tells it.
     pub fn tell(&self, output: &mut Output) {
-        let to_error = self.arguments.output.as_deref() == Some(Path::new("-"));
-        let mut lines = match self.arguments.json {
-            true => vec![self.data().to_string()],
-            false => self.words(),
-        };
-        for line in lines.drain(..) {
-            match to_error {
-                true => output.complain(line),
-                false => output.line(line),
-            }
+        if output.is_json() {
+            return output.answer(self.record());
         }
+        self.words().iter().for_each(|line| output.say(line));
     }
 
     /// The value of some statements, as an interval in decimals.
@@ -62,8 +56,9 @@ impl Report<'_> {
             false => String::new(),
         };
         lines.push(format!(
-            "  {} parameters, {} isometries kept{grid}",
-            found.parameters, found.symmetries,
+            "  {}, {} kept{grid}",
+            counted(found.parameters, "parameter", "parameters"),
+            counted(found.symmetries, "isometry", "isometries"),
         ));
         if found.is_interrupted {
             lines.push("  interrupted; this is the best so far".to_owned());
@@ -110,17 +105,13 @@ impl Report<'_> {
         }
     }
 
-    fn data(&self) -> Value {
+    fn record(&self) -> Record {
         let found = self.found;
         let (gram, points) = found.denominators;
-        let output = self
-            .arguments
-            .output
-            .as_ref()
-            .map(|path| path.display().to_string());
-        json!({
-            "input": self.arguments.input,
-            "verdict": "proved",
+        let path = self.arguments.output.as_deref();
+        let record = Record::of(Some(&self.arguments.input)).verdict("proved");
+        let record = record.certificate(path, &found.proved.sha256());
+        record.with(json!({
             "is_better": found.is_better,
             "before": self.value(&found.before),
             "after": self.value(found.proved.statements()),
@@ -138,9 +129,7 @@ impl Report<'_> {
             })).collect::<Vec<_>>(),
             "local_optimum": self.local.as_ref().map(local_data),
             "statements": claim_json(found.proved.verified())["statements"],
-            "sha256": found.proved.sha256(),
-            "certificate": output,
-        })
+        }))
     }
 }
 

@@ -2,24 +2,22 @@
 
 use super::outcome::Outcome;
 use super::output::Output;
+use super::record::Record;
 use acutile_paper::paper::{self, Row, Verdict};
 use acutile_paper::survey::Survey;
 use clap::Args;
+use serde_json::Value;
 
 #[derive(Debug, Args)]
-pub struct PaperArguments {
-    /// An array with one JSON object for each statement
-    #[arg(long)]
-    pub json: bool,
-}
+pub struct PaperArguments {}
 
 /// Prints a row for each statement. Done when every statement was settled, whether it stands or
 /// not; declined when one was not.
-pub fn run(arguments: &PaperArguments, output: &mut Output) -> Outcome {
+pub fn run(_: &PaperArguments, output: &mut Output) -> Outcome {
     let rows = paper::rows(&Survey::of_catalog());
-    if arguments.json {
-        let rows: Vec<_> = rows.iter().map(Row::to_json).collect();
-        output.line(serde_json::Value::Array(rows));
+    if output.is_json() {
+        let rows: Vec<Value> = rows.iter().map(Row::to_json).collect();
+        output.answer(Record::of(None).member("rows", Value::Array(rows)));
     } else {
         rows.iter().for_each(|row| output.line(row));
         output.line(summary(&rows));

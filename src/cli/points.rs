@@ -5,13 +5,14 @@ use super::outcome::Outcome;
 use super::output::Output;
 use super::progress::Progress;
 use acutile_core::delaunay::{DelaunayError, Ties, triangulate};
+use acutile_core::statement::counted;
 use acutile_core::tiling::{AnyPointSet, AnyTiling, PointSet, Tiling};
 use acutile_core::with_dimension;
 use acutile_io::import::cif::{CifOptions, Special, names};
 use clap::Args;
 
 /// How a point set is read and triangulated.
-#[derive(Debug, Default, Args)]
+#[derive(Clone, Debug, Default, Args)]
 pub struct PointArguments {
     /// Cut Delaunay cells with cospherical vertices into simplices, the same way
     /// in every lattice translate, instead of refusing
@@ -49,6 +50,9 @@ pub struct PointArguments {
     /// Take sites as atoms whatever their occupancy, and those at one place as one
     #[arg(long, help_heading = "Crystal structures")]
     pub ignore_occupancy: bool,
+    /// Set by `certify --within-su`.
+    #[arg(skip)]
+    pub within_su: bool,
 }
 
 impl PointArguments {
@@ -71,6 +75,7 @@ impl PointArguments {
             except: names(&self.except).map_err(|problem| format!("--except: {problem}"))?,
             ignore_occupancy: self.ignore_occupancy,
             special,
+            within_su: self.within_su,
         })
     }
 
@@ -84,6 +89,7 @@ impl PointArguments {
             ("--only", !self.only.is_empty()),
             ("--except", !self.except.is_empty()),
             ("--ignore-occupancy", self.ignore_occupancy),
+            ("--within-su", self.within_su),
         ];
         given
             .into_iter()
@@ -104,9 +110,11 @@ pub fn of_points(
     output: &mut Output,
 ) -> Result<AnyTiling, InputError> {
     let count = with_dimension!(points, AnyPointSet, p => p.points.len());
-    output.complain(format!(
-        "{input}: a point set with {count} points in a cell; the tiling is its Delaunay triangulation"
-    ));
+    let note = format!(
+        "a point set with {} in a cell; the tiling is its Delaunay triangulation",
+        counted(count, "point", "points")
+    );
+    output.note(input, &note);
     match points {
         AnyPointSet::Plane(points) => tiling(input, points, arguments).map(AnyTiling::Plane),
         AnyPointSet::Space(points) => tiling(input, points, arguments).map(AnyTiling::Space),

@@ -1,133 +1,186 @@
-//! Inputs of `acutile report`, `acutile appendix` and `acutile bundle`: certificates, or whatever
-//! else is a tiling, which is proved first. Nothing gets past here that the kernel does not confirm.
+//! Inputs of `acutile report`, `acutile appendix`, `acutile bundle` and `acutile cite`. An input is read once. Whatever is no certificate
+//! is proved first, so that there is one. Nothing gets past here that the kernel does not confirm.
 
-use super::input::{self, FileArguments, Loaded, TextOrMesh};
-use super::named::{InputError, Named};
+use super::family;
+use super::input::{self, FileArguments, Loaded, Read};
+use super::name::InputName;
+use super::named::{InputError, Named, NamedFamily};
 use super::outcome::Outcome;
 use super::output::Output;
 use super::progress::Progress;
 use super::refutation::Refuted;
-use super::refuted_page::LISTED;
+use super::refuted_page::{self, LISTED};
 use super::report::Article;
 use super::second;
 use super::theorem::is_theorem;
 use acutile_catalog as catalog;
-use acutile_core::checker;
 use acutile_core::checker::Options;
-use acutile_core::family::{
-    self, AnyFamily, FamilyNotProved, NotProvable, ProvedFamily, point_in_words,
-};
-use acutile_core::patches::{self, Theorem};
+use acutile_core::family::{AnyFamily, ProvedFamily, prove as prove_family};
+use acutile_core::patches::{self, System, Theorem};
+use acutile_core::proved::in_words;
 use acutile_core::with_dimension;
-use acutile_core::{format, proved, refusal, with_family};
+use acutile_core::{format, proved, with_family};
 use acutile_kernel::{Kind, Limits};
 use acutile_publish::appendix::Subject;
-use acutile_publish::report::{NotProved, Proved};
-use std::path::Path;
+use acutile_publish::bundle::{Content, Piece};
+use acutile_publish::report::{self, NotProved, Proved, Refutation};
 
-/// A certificate that the kernel confirms: a file, or that of a tiling which is proved first.
-///
-/// # Errors
-/// A message that names the input.
-pub fn proved(
-    input: &str,
+/// An input before the kernel has confirmed it.
+enum Source {
+    /// A certificate of any kind, with a description of what it is about.
+    Certificate(String, Vec<u8>),
+    Tiling(Box<Named>),
+    /// A family with a member that is none.
+    Refuted(Box<Refuted>),
+}
+
+/// Reads an input. Families and systems of patches become their certificates.
+fn source(
+    input: &InputName,
     options: &FileArguments,
     limits: &Limits,
     output: &mut Output,
-) -> Result<Proved, InputError> {
-    let named = match opened(input, options, limits, output)? {
-        Opened::Proved(proved) => return Ok(*proved),
-        Opened::Named(named) => named,
-    };
-    prove(input, &named, limits).map_err(|error| refused(input, &error))
+) -> Result<Source, InputError> {
+    if let Some(entry) = catalog::theorem(input) {
+        let bytes = certificate_of_system(input, entry, limits)?;
+        return Ok(Source::Certificate(entry.description.to_owned(), bytes));
+    }
+    match input::read(input, None, options, output)? {
+        Read::Certificate(bytes) => Ok(Source::Certificate(String::new(), bytes)),
+        Read::Loaded(Loaded::Family(named)) => of_family(input, named, limits),
+        Read::Loaded(loaded) => {
+            let named = loaded.tiling(input, options, output)?;
+            Ok(Source::Tiling(Box::new(named)))
+        }
+    }
 }
 
-/// The same; a tiling that is refuted is an article with its defects.
+/// What the kernel has confirmed.
+enum Confirmed {
+    Tiling(Box<Proved>),
+    Family(Box<ProvedFamily>, Box<AnyFamily>),
+    System(Box<Theorem>, Box<System>),
+}
+
+impl Confirmed {
+    /// The certificate of a tiling, a family or a system of patches.
+    fn of(
+        input: &InputName,
+        description: &str,
+        bytes: &[u8],
+        limits: &Limits,
+    ) -> Result<Confirmed, NotProved> {
+        // A certificate that cannot be read is refused as that of a tiling.
+        let cbor = format::to_cbor(bytes).unwrap_or_default();
+        if is_theorem(&cbor) {
+            let (theorem, system) = Theorem::of_certificate(&cbor, limits)?;
+            return Ok(Confirmed::System(Box::new(theorem), Box::new(system)));
+        }
+        if format::kind(&cbor) == Some(format::FAMILY) {
+            let (proved, family) = ProvedFamily::of_certificate(bytes, limits)?;
+            return Ok(Confirmed::Family(Box::new(proved), Box::new(family)));
+        }
+        Proved::of_certificate(title(input), description.to_owned(), bytes, limits)
+            .map(|proved| Confirmed::Tiling(Box::new(proved)))
+    }
+
+    fn content(self, input: &InputName, description: String) -> Content {
+        let name = title(input);
+        let theorem = match self {
+            Confirmed::Tiling(proved) => return Content::Tiling(proved),
+            Confirmed::Family(proved, family) => {
+                report::Theorem::of_family(name, description, &proved, *family)
+            }
+            Confirmed::System(theorem, system) => {
+                report::Theorem::of_system(name, description, &theorem, *system)
+            }
+        };
+        let letters = catalog::theorem(input).map_or("", |entry| entry.letters);
+        Content::Theorem(Box::new(theorem.with_letters(letters)))
+    }
+
+    fn subject(&self, input: &InputName, description: String) -> Subject {
+        let name = title(input);
+        let subject = match self {
+            Confirmed::Tiling(proved) => Subject::of_proved(proved),
+            Confirmed::Family(proved, family) => {
+                Subject::of_family(name, description, proved, (**family).clone())
+            }
+            Confirmed::System(theorem, system) => {
+                let words = in_words(theorem.verified());
+                Subject::of_system(name, description, theorem, (**system).clone(), words)
+            }
+        };
+        with_source(input, subject)
+    }
+}
+
+/// What a page shows of an input; one that is refuted, or a certificate that is rejected, is an article, too.
 ///
 /// # Errors
 /// Where it is neither proved nor refuted, a message that names the input.
 pub fn shown(
-    input: &str,
+    input: &InputName,
     options: &FileArguments,
     limits: &Limits,
     output: &mut Output,
 ) -> Result<Article, InputError> {
-    let named = match opened(input, options, limits, output)? {
-        Opened::Proved(proved) => return Ok(Article::Proved(proved)),
-        Opened::Named(named) => named,
+    let named = match source(input, options, limits, output)? {
+        Source::Certificate(description, bytes) => {
+            return article(input, description, &bytes, limits);
+        }
+        Source::Refuted(refuted) => {
+            return Ok(Article::Refuted(Box::new(refuted.article(&title(input)))));
+        }
+        Source::Tiling(named) => named,
     };
-    match prove(input, &named, limits) {
-        Ok(proved) => Ok(Article::Proved(Box::new(proved))),
-        Err(error) => match *error.reason {
-            proved::NotProved::Refuted(findings) => {
-                let options = options_of(&named, limits);
-                let second = with_dimension!(&named.tiling, AnyTiling, t => {
-                    second::look(t, &findings, &options)
-                });
-                let refuted = Refuted {
-                    second,
-                    ..Refuted::of(&named, findings)
-                };
-                Ok(Article::Refuted(Box::new(refuted.article(&stem(input)))))
-            }
-            _ => Err(refused(input, &error)),
-        },
-    }
+    let error = match prove(input, &named, limits) {
+        Ok(proved) => return Ok(Article::Proved(Box::new(proved))),
+        Err(error) => error,
+    };
+    let proved::NotProved::Refuted(findings) = *error.reason else {
+        return Err(refused(input, &error));
+    };
+    let options = options_of(&named, limits);
+    let second = with_dimension!(&named.tiling, AnyTiling, t => {
+        second::look(t, &findings, &options)
+    });
+    let refuted = Refuted {
+        second,
+        ..Refuted::of(&named, findings)
+    };
+    Ok(Article::Refuted(Box::new(refuted.article(&title(input)))))
 }
 
-/// An input before it is proved.
-enum Opened {
-    Proved(Box<Proved>),
-    Named(Box<Named>),
-}
-
-/// Why nothing is shown as proved.
-pub fn refused(input: &str, error: &NotProved) -> InputError {
-    InputError {
-        message: format!("{input}: {error}"),
-        outcome: outcome(&error.reason),
-    }
-}
-
-fn opened(
-    input: &str,
-    options: &FileArguments,
+/// What a page shows of a certificate.
+///
+/// # Errors
+/// Where the kernel neither confirms nor rejects it, or it describes no tiling, a message that names the input.
+pub fn article(
+    input: &InputName,
+    description: String,
+    bytes: &[u8],
     limits: &Limits,
-    output: &mut Output,
-) -> Result<Opened, InputError> {
-    let is_file = catalog::find(input).is_none() && (input == "-" || Path::new(input).exists());
-    let named = match is_file {
-        false => input::tiling(input, None, options, output)?,
-        true => match input::text_or_mesh(Path::new(input), &options.mesh)? {
-            TextOrMesh::Certificate(bytes) => {
-                return Proved::of_certificate(stem(input), String::new(), &bytes, limits)
-                    .map(|proved| Opened::Proved(Box::new(proved)))
-                    .map_err(|error| refused(input, &error));
-            }
-            other => input::of_content(input, other, options, output)?,
+) -> Result<Article, InputError> {
+    match Confirmed::of(input, &description, bytes, limits) {
+        Ok(confirmed) => Ok(match confirmed.content(input, description) {
+            Content::Tiling(proved) => Article::Proved(proved),
+            Content::Theorem(theorem) => Article::Theorem(theorem),
+        }),
+        Err(error) => match rejected(input, bytes, &error) {
+            Some(refutation) => Ok(Article::Refuted(Box::new(refutation))),
+            None => Err(refused(input, &error)),
         },
-    };
-    Ok(Opened::Named(Box::new(named)))
+    }
 }
 
-fn prove(input: &str, named: &Named, limits: &Limits) -> Result<Proved, NotProved> {
-    let name = match catalog::find(input) {
-        Some(_) => named.name.clone(),
-        None => stem(input),
-    };
-    let options = options_of(named, limits);
-    let progress = Progress::of(input);
-    let step = |step: &str| progress.step(step);
-    let description = named.description.clone();
-    Proved::of_tiling(name, description, &named.tiling, &options, &step)
-}
-
-fn options_of(named: &Named, limits: &Limits) -> checker::Options {
-    checker::Options {
-        limits: limits.clone(),
-        sides: named.sides.clone(),
-        defect_limit: LISTED,
-        ..checker::Options::default()
+/// The article of a certificate that the kernel rejects, if it describes a tiling.
+fn rejected(input: &InputName, bytes: &[u8], error: &NotProved) -> Option<Refutation> {
+    match &*error.reason {
+        proved::NotProved::Unconfirmed(refusal) if refusal.code.kind() == Kind::Rejected => {
+            refuted_page::refused(title(input), bytes, refusal)
+        }
+        _ => None,
     }
 }
 
@@ -137,176 +190,135 @@ fn options_of(named: &Named, limits: &Limits) -> checker::Options {
 /// # Errors
 /// A message that names the input.
 pub fn subject_of(
-    input: &str,
+    input: &InputName,
     options: &FileArguments,
     limits: &Limits,
     output: &mut Output,
 ) -> Result<Subject, InputError> {
-    if let Some(found) = system_subject(input, options, limits)? {
-        return Ok(found);
-    }
-    if let Some(found) = family_subject(input, options, limits, output)? {
-        return Ok(found);
-    }
-    let proved = proved(input, options, limits, output)?;
-    Ok(subject(input, &proved))
+    let (description, confirmed) = confirmed(input, options, limits, output)?;
+    Ok(confirmed.subject(input, description))
 }
 
-/// The subject of a system of patches; `None` where the input is something else.
-fn system_subject(
-    input: &str,
-    options: &FileArguments,
-    limits: &Limits,
-) -> Result<Option<Subject>, InputError> {
-    let failed = |message: String| InputError {
-        message: format!("{input}: {message}"),
-        outcome: Outcome::Failed,
-    };
-    let refused = |error: proved::NotProved| InputError {
-        message: format!("{input}: {error}"),
-        outcome: outcome(&error),
-    };
-    let (name, description, bytes) = match catalog::theorem(input) {
-        Some(entry) => {
-            let system = (entry.system)().map_err(|error| failed(error.to_string()))?;
-            let theorem = patches::prove(&system, limits).map_err(refused)?;
-            let bytes = theorem.certificate().to_vec();
-            (input.to_owned(), entry.description.to_owned(), bytes)
-        }
-        None => match certificate(input, options)? {
-            Some(bytes) => (stem(input), String::new(), bytes),
-            None => return Ok(None),
-        },
-    };
-    let cbor = match format::to_cbor(&bytes) {
-        Ok(cbor) if is_theorem(&cbor) => cbor,
-        _ => return Ok(None),
-    };
-    let read = format::patches::certificate(&cbor).map_err(|error| failed(error.to_string()))?;
-    let words = patches::in_words(&read.claim).map_err(|error| failed(error.to_string()))?;
-    let (theorem, system) = Theorem::of_certificate(&cbor, limits).map_err(refused)?;
-    let subject = Subject::of_system(name, description, &theorem, system, words);
-    Ok(Some(subject))
-}
-
-/// The subject of a family; `None` where the input is something else.
-fn family_subject(
-    input: &str,
+/// The part of an archive about an input: what [`subject_of`] gives, and what the page shows.
+///
+/// # Errors
+/// A message that names the input.
+pub fn piece(
+    input: &InputName,
     options: &FileArguments,
     limits: &Limits,
     output: &mut Output,
-) -> Result<Option<Subject>, InputError> {
-    let bytes = certificate(input, options)?;
-    let has_kind = |bytes: &&Vec<u8>, kind: &str| {
-        format::to_cbor(bytes).is_ok_and(|cbor| format::kind(&cbor) == Some(kind))
-    };
-    let refused = |message: String, outcome: Outcome| InputError {
-        message: format!("{input}: {message}"),
-        outcome,
-    };
-    if let Some(bytes) = bytes
-        .as_ref()
-        .filter(|bytes| has_kind(bytes, format::FAMILY))
-    {
-        let (proved, family) = ProvedFamily::of_certificate(bytes, limits)
-            .map_err(|error| refused(error.to_string(), outcome(&error)))?;
-        let subject = Subject::of_family(stem(input), String::new(), &proved, family);
-        return Ok(Some(subject));
-    }
-    let is_family = catalog::find(input).is_some_and(|entry| entry.build_family().is_some());
-    if bytes.is_some() || !(is_family || is_text(input)) {
-        return Ok(None);
-    }
-    let Loaded::Family(named) = input::open(input, None, options, output)? else {
-        return Ok(None);
-    };
-    let progress = Progress::of(input);
-    let step = |step: &str| progress.step(step);
-    let settings = Options {
-        limits: limits.clone(),
-        ..Options::default()
-    };
-    let proved = with_family!(&named.family, f => family::prove(f, &settings, &step))
-        .map_err(|error| of_family(input, &named.family, error))?;
-    let (_, read) = ProvedFamily::of_certificate(proved.certificate(), limits)
-        .map_err(|error| refused(error.to_string(), outcome(&error)))?;
-    let name = if is_family { named.name } else { stem(input) };
-    let subject = Subject::of_family(name, named.description, &proved, read);
-    Ok(Some(match catalog::find(input) {
-        Some(entry) => subject.from_source(entry.source),
-        None => subject,
-    }))
+) -> Result<Piece, InputError> {
+    let (description, confirmed) = confirmed(input, options, limits, output)?;
+    Ok(Piece {
+        subject: confirmed.subject(input, description.clone()),
+        content: confirmed.content(input, description),
+    })
 }
 
-/// The bytes of a certificate; `None` if the input is no file, or another one.
-fn certificate(input: &str, options: &FileArguments) -> Result<Option<Vec<u8>>, InputError> {
-    if catalog::find(input).is_some() || !Path::new(input).is_file() {
-        return Ok(None);
-    }
-    Ok(
-        match input::text_or_mesh(Path::new(input), &options.mesh)? {
-            TextOrMesh::Certificate(bytes) => Some(bytes),
-            _ => None,
-        },
-    )
-}
-
-/// Whether a file is a document of JSON, in which parameters can be.
-fn is_text(input: &str) -> bool {
-    Path::new(input).extension().is_some_and(|e| e == "json") && Path::new(input).is_file()
-}
-
-/// Why a family has no appendix.
-fn of_family(input: &str, family: &AnyFamily, error: FamilyNotProved) -> InputError {
-    let names = with_family!(family, f => f.names());
-    let (message, outcome) = match error {
-        FamilyNotProved::Prover(NotProvable::Malformed(error)) => {
-            (error.to_string(), Outcome::Failed)
+/// What the kernel has confirmed of an input, and what this is.
+fn confirmed(
+    input: &InputName,
+    options: &FileArguments,
+    limits: &Limits,
+    output: &mut Output,
+) -> Result<(String, Confirmed), InputError> {
+    let (description, confirmed) = match source(input, options, limits, output)? {
+        Source::Certificate(description, bytes) => {
+            let confirmed = Confirmed::of(input, &description, &bytes, limits);
+            (description, confirmed)
         }
-        FamilyNotProved::Prover(NotProvable::Declined(reason)) => {
-            (reason.to_string(), Outcome::Declined)
+        Source::Refuted(refuted) => {
+            let point = refuted.point.unwrap_or_default();
+            let message = format!("{input}: refuted at {point}; certify lists the defects");
+            let outcome = Outcome::Refuted;
+            return Err(InputError { message, outcome });
         }
-        FamilyNotProved::Prover(NotProvable::Refuted { point, .. }) => (
-            format!(
-                "refuted at {}; certify lists the defects",
-                point_in_words(&names, &point)
-            ),
-            Outcome::Refuted,
-        ),
-        FamilyNotProved::Unconfirmed(refusal) => (
-            format!(
-                "the kernel does not confirm the certificate: {}",
-                refusal::in_words(&refusal)
-            ),
-            Outcome::Declined,
-        ),
+        Source::Tiling(named) => {
+            let proved = prove(input, &named, limits);
+            (
+                named.description,
+                proved.map(|proved| Confirmed::Tiling(Box::new(proved))),
+            )
+        }
     };
-    InputError {
-        message: format!("{input}: {message}"),
-        outcome,
-    }
+    let confirmed = confirmed.map_err(|error| refused(input, &error))?;
+    Ok((description, confirmed))
 }
 
-/// What an appendix can say of it, with the place that the catalogue names.
-pub fn subject(input: &str, proved: &Proved) -> Subject {
-    let subject = Subject::of_proved(proved);
+fn with_source(input: &str, subject: Subject) -> Subject {
     match catalog::find(input) {
         Some(entry) => subject.from_source(entry.source),
         None => subject,
     }
 }
 
-/// The input that would be replaced by what is written to `target`.
-pub fn overwritten<'i>(inputs: &'i [String], target: Option<&Path>) -> Option<&'i String> {
-    let target = target?.canonicalize().ok()?;
-    let is_target = |input: &&String| Path::new(input).canonicalize().is_ok_and(|p| p == target);
-    inputs.iter().find(is_target)
+/// Why nothing is shown as proved.
+fn refused(input: &str, error: &NotProved) -> InputError {
+    InputError {
+        message: format!("{input}: {error}"),
+        outcome: outcome(&error.reason),
+    }
 }
 
-/// The name of a file; readers of a page need not know in whose folder it was.
-pub fn stem(path: &str) -> String {
-    let stem = Path::new(path).file_stem().unwrap_or_default();
-    stem.to_string_lossy().into_owned()
+fn prove(input: &InputName, named: &Named, limits: &Limits) -> Result<Proved, NotProved> {
+    let options = options_of(named, limits);
+    let progress = Progress::of(input);
+    let step = |step: &str| progress.step(step);
+    let description = named.description.clone();
+    Proved::of_tiling(title(input), description, &named.tiling, &options, &step)
+}
+
+fn options_of(named: &Named, limits: &Limits) -> Options {
+    Options {
+        limits: limits.clone(),
+        sides: named.sides.clone(),
+        defect_limit: LISTED,
+        ..Options::default()
+    }
+}
+
+fn certificate_of_system(
+    input: &InputName,
+    entry: &catalog::Theorem,
+    limits: &Limits,
+) -> Result<Vec<u8>, InputError> {
+    let system = (entry.system)().map_err(|error| format!("{input}: {error}"))?;
+    let theorem = patches::prove(&system, limits).map_err(|error| refused(input, &error.into()))?;
+    Ok(theorem.certificate().to_vec())
+}
+
+fn of_family(input: &InputName, named: NamedFamily, limits: &Limits) -> Result<Source, InputError> {
+    let progress = Progress::of(input);
+    let step = |step: &str| progress.step(step);
+    let stated = catalog::find(input).map_or(Ok(Vec::new()), |entry| entry.requirements());
+    let settings = Options {
+        required: stated.map_err(|message| format!("{input}: {message}"))?,
+        limits: limits.clone(),
+        ..Options::default()
+    };
+    match with_family!(&named.family, f => prove_family(f, &settings, &step)) {
+        Ok(proved) => {
+            let bytes = proved.certificate().to_vec();
+            Ok(Source::Certificate(named.description, bytes))
+        }
+        Err(error) => family::refuted(&named.family, input, error)
+            .map(|refuted| Source::Refuted(Box::new(refuted))),
+    }
+}
+
+/// What an input is called: a name of the catalogue, or that of a file; readers of a page need not know in whose folder it was.
+pub fn title(input: &InputName) -> String {
+    let path = input.path();
+    match path.file_stem() {
+        _ if input.is_standard_input() => "standard input".to_owned(),
+        Some(stem) if !is_catalogued(input) => stem.to_string_lossy().into_owned(),
+        _ => input.to_string(),
+    }
+}
+
+fn is_catalogued(input: &InputName) -> bool {
+    catalog::find(input).is_some() || catalog::theorem(input).is_some()
 }
 
 /// How a command ends that needs a proof.

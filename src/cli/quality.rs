@@ -2,11 +2,15 @@
 
 use super::extension::{self, Format};
 use super::input::{self, FileArguments};
-use super::named::Named;
+use super::name::InputName;
+use super::named::{InputError, Named};
 use super::outcome::Outcome;
-use super::output::{Output, write_text};
+use super::output::{Output, write_bytes};
+use super::overwriting::check_not_an_input;
 use super::progress::Progress;
+use super::record::Record;
 use acutile_core::checker::{self, Names};
+use acutile_core::proved::NotProved;
 use acutile_core::statement::Requirement;
 use acutile_core::statistics::{self, Statistics};
 use acutile_core::tiling::{SimplexId, Tiling};
@@ -20,9 +24,9 @@ use std::path::PathBuf;
 
 #[derive(Debug, Args)]
 pub struct QualityArguments {
-    /// A name of the catalogue, or a tiling or mesh file
-    #[arg(value_name = "NAME|FILE")]
-    pub input: String,
+    /// A name of the catalogue, a tiling or mesh file, or a point set (CIF too)
+    #[arg(value_name = "NAME|FILE", hide_possible_values = true)]
+    pub input: InputName,
     /// The number that the construction depends on (see acutile show)
     #[arg(long, value_name = "VALUE", allow_hyphen_values = true)]
     pub param: Option<String>,
@@ -47,9 +51,6 @@ pub struct QualityArguments {
     /// How many offenders of each kind to list; all are counted
     #[arg(long, value_name = "N", default_value_t = 20)]
     pub max_offenders: usize,
-    /// One JSON object with all figures
-    #[arg(long, conflicts_with = "format")]
-    pub json: bool,
     /// Write here and not to standard output
     #[arg(short, long, value_name = "FILE")]
     pub output: Option<PathBuf>,
@@ -67,7 +68,7 @@ pub enum QualityFormat {
 }
 
 const FORMATS: [Format<QualityFormat>; 4] = [
-    (QualityFormat::Text, "text", &["txt", "log", "out"]),
+    (QualityFormat::Text, "text", extension::TEXT),
     (QualityFormat::Csv, "CSV", &["csv"]),
     (QualityFormat::Svg, "SVG", &["svg"]),
     (QualityFormat::Json, "JSON", &["json"]),
@@ -95,15 +96,6 @@ fn ratio(text: &str) -> Result<Rational, String> {
 }
 
 impl QualityArguments {
-    /// The format that is asked for, or that the name of the file says.
-    fn written(&self) -> Result<QualityFormat, String> {
-        let asked = match self.json {
-            true => Some(QualityFormat::Json),
-            false => self.format,
-        };
-        extension::format(self.output.as_deref(), asked, &FORMATS)
-    }
-
     /// The thresholds as requirements that offenders do not fulfil.
     fn thresholds(&self) -> Vec<Requirement> {
         let below = self.below.clone().map(Requirement::DihedralAbove);
@@ -151,32 +143,35 @@ fn offenders<const D: usize>(
 
 /// Prints or writes the figures.
 pub fn run(arguments: &QualityArguments, output: &mut Output) -> Outcome {
-    let format = match arguments.written() {
-        Ok(format) => format,
-        Err(message) => {
-            output.complain(format!("acutile: {message}"));
-            return Outcome::Failed;
-        }
-    };
+    match write(arguments, output) {
+        Ok(()) => Outcome::Done,
+        Err(error) => output.fail(Some(&arguments.input), &error),
+    }
+}
+
+fn write(arguments: &QualityArguments, output: &mut Output) -> Result<(), InputError> {
+    let path = arguments.output.as_deref();
+    let asked = extension::asked(arguments.format, QualityFormat::Json, output)?;
+    let format = extension::format(path, asked, &FORMATS)?;
     let input = &arguments.input;
-    let named = input::tiling(input, arguments.param.as_deref(), &arguments.file, output);
-    let named = match named {
-        Ok(named) => named,
-        Err(error) => {
-            output.complain(format!("acutile: {}", error.message));
-            return error.outcome;
-        }
-    };
+    check_not_an_input(path, "-o", std::slice::from_ref(input))?;
+    let named = input::tiling(input, arguments.param.as_deref(), &arguments.file, output)?;
     let progress = Progress::of(&named.name);
     progress.step("quality");
-    let statistics =
-        with_dimension!(&named.tiling, AnyTiling, t => statistics::statistics(t, arguments.bin));
+    let statistics = with_dimension!(&named.tiling, AnyTiling, t => {
+        statistics::statistics(t, arguments.bin)
+            .map_err(|findings| NotProved::Refuted(findings).in_words(t))
+    });
+    let statistics = statistics.map_err(|message| InputError {
+        message: format!("{}: {message}", named.name),
+        outcome: Outcome::Refuted,
+    })?;
     let offenders = with_dimension!(&named.tiling, AnyTiling, t => {
         offenders(t, &statistics, arguments, named.origin.as_ref())
     });
     drop(progress);
-    let text = rendered(&statistics, &offenders, format, &named);
-    write_text(arguments.output.as_deref(), &text, output)
+    let text = rendered(&statistics, &offenders, format, &named, output);
+    write_bytes(path, text.as_bytes(), output)
 }
 
 fn rendered(
@@ -184,19 +179,20 @@ fn rendered(
     offenders: &Offenders,
     format: QualityFormat,
     named: &Named,
+    output: &mut Output,
 ) -> String {
     let simplex = |simplex: SimplexId| match &named.origin {
         Some(origin) => format!("element {}", origin.tetrahedron(simplex).tag),
         None => format!("simplex {simplex}"),
     };
-    let data = || {
-        let mut data = statistics::data(statistics, &simplex);
-        data["input"] = json!(named.name);
-        data["offenders"] = json!({ "counts": offenders.counts, "first": offenders.lines });
-        format!("{data}\n")
-    };
     match format {
-        QualityFormat::Json => data(),
+        QualityFormat::Json => {
+            let data = statistics::data(statistics, &simplex);
+            let found = json!({ "counts": offenders.counts, "first": offenders.lines });
+            let record = Record::of(Some(&named.name)).with(data);
+            let record = output.record(record.member("offenders", found));
+            format!("{}\n", record.text())
+        }
         QualityFormat::Text => {
             let mut text = statistics::text(statistics, &simplex);
             for (code, count) in &offenders.counts {

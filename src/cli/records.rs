@@ -1,52 +1,73 @@
 //! `acutile records`: the best certified tilings, the literature, and lower bounds.
 
+use super::extension::{self, Format};
+use super::named::InputError;
 use super::outcome::Outcome;
-use super::output::{Output, write_text};
+use super::output::{Output, write_bytes};
 use super::progress::Progress;
+use super::record::Record;
 use acutile_paper::records::{self, records};
 use clap::{Args, ValueEnum};
 use std::path::PathBuf;
 
 #[derive(Debug, Args)]
 pub struct RecordsArguments {
-    /// How to write it
-    #[arg(long, value_enum, default_value = "text")]
-    pub format: RecordsFormat,
-    /// One JSON object
-    #[arg(long, conflicts_with = "format")]
-    pub json: bool,
+    /// How to write it; text where neither this nor the name of the file says it
+    #[arg(long, value_enum)]
+    pub format: Option<RecordsFormat>,
     /// Write here and not to standard output
     #[arg(short, long, value_name = "FILE")]
     pub output: Option<PathBuf>,
 }
 
 /// How the table is written.
-#[derive(Clone, Copy, Debug, ValueEnum)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
 pub enum RecordsFormat {
     Text,
     Markdown,
     Latex,
     Html,
+    /// That of --json
+    #[value(skip)]
+    Json,
 }
+
+const FORMATS: [Format<RecordsFormat>; 5] = [
+    (RecordsFormat::Text, "text", extension::TEXT),
+    (RecordsFormat::Markdown, "Markdown", &["md", "markdown"]),
+    (RecordsFormat::Latex, "LaTeX", &["tex"]),
+    (RecordsFormat::Html, "HTML", &["html", "htm"]),
+    (RecordsFormat::Json, "JSON", &["json"]),
+];
 
 /// Proves all candidates, and prints the table.
 pub fn run(arguments: &RecordsArguments, output: &mut Output) -> Outcome {
+    match write(arguments, output) {
+        Ok(()) => Outcome::Done,
+        Err(error) => output.fail(None, &error),
+    }
+}
+
+fn write(arguments: &RecordsArguments, output: &mut Output) -> Result<(), InputError> {
+    let path = arguments.output.as_deref();
+    let asked = extension::asked(arguments.format, RecordsFormat::Json, output)?;
+    let format = extension::format(path, asked, &FORMATS)?;
     let progress = Progress::of("records");
     let found = records(&|step| progress.step(step));
     drop(progress);
-    let found = match found {
-        Ok(found) => found,
-        Err(message) => {
-            output.complain(format!("acutile: {message}"));
-            return Outcome::Refuted;
+    let found = found.map_err(|message| InputError {
+        message,
+        outcome: Outcome::Refuted,
+    })?;
+    let text = match format {
+        RecordsFormat::Text => records::text(&found),
+        RecordsFormat::Markdown => records::markdown(&found),
+        RecordsFormat::Latex => records::latex(&found),
+        RecordsFormat::Html => records::html(&found),
+        RecordsFormat::Json => {
+            let record = output.record(Record::of(None).with(records::json(&found)));
+            format!("{}\n", record.text())
         }
     };
-    let text = match (arguments.json, arguments.format) {
-        (true, _) => format!("{}\n", records::json(&found)),
-        (_, RecordsFormat::Text) => records::text(&found),
-        (_, RecordsFormat::Markdown) => records::markdown(&found),
-        (_, RecordsFormat::Latex) => records::latex(&found),
-        (_, RecordsFormat::Html) => records::html(&found),
-    };
-    write_text(arguments.output.as_deref(), &text, output)
+    write_bytes(path, text.as_bytes(), output)
 }

@@ -1,9 +1,10 @@
-//! What is wrong with a tiling, in words for people and as data for machines: each kind of defect with its
-//! count, the first of each with names, coordinates and advice; or all of them, one JSON object
-//! a line.
+//! The defects of a tiling, in words for people and as data for machines. Each kind comes with its
+//! count, the first of each with names, coordinates and advice. As data all defects are given, one JSON
+//! object a line.
 
 use super::named::Named;
 use super::output::Output;
+use super::record::Record;
 use super::second::{SecondLook, counts};
 use acutile_core::advice::{Advice, Adviser};
 use acutile_core::checker::{Defect, Findings, Names, defect_data, describe};
@@ -28,12 +29,15 @@ pub struct Refuted {
     pub second: SecondLook,
     /// Whether long numbers are written in full.
     pub is_exact: bool,
-    /// The number of defects of each kind that people see.
-    pub shown: usize,
+    /// The number of defects of each kind that people see, if --max-defects says it.
+    pub shown: Option<usize>,
 }
 
 /// The number of defects of each kind that people see without --max-defects.
 pub const SHOWN: usize = 20;
+
+/// The same on a terminal.
+const FEW: usize = 5;
 
 /// The number of defects of each kind that get advice, which takes time.
 const ADVISED: usize = 20;
@@ -49,22 +53,17 @@ impl Refuted {
             findings,
             second: SecondLook::default(),
             is_exact: false,
-            shown: SHOWN,
+            shown: None,
         }
     }
 
-    /// Tells about the refutation of `input`: lines for people, or JSON objects; on standard error
-    /// where standard output has something else.
-    pub fn tell(&self, input: &str, as_json: bool, to_error: bool, output: &mut Output) {
-        let mut line = |text: String| match to_error {
-            true => output.complain(text),
-            false => output.line(text),
-        };
+    /// Tells about the refutation of `input`: lines for people, or a JSON object.
+    pub fn tell(&self, input: &str, output: &mut Output) {
         with_dimension!(&self.tiling, AnyTiling, t => {
             let names = names(t, self.origin.as_ref(), self.is_exact);
-            match as_json {
-                true => self.in_json(t, &names, input, &mut line),
-                false => self.in_words(t, &names, input, &mut line),
+            match output.is_json() {
+                true => self.in_json(t, &names, input, output),
+                false => self.in_words(t, &names, input, output),
             }
         });
     }
@@ -74,17 +73,25 @@ impl Refuted {
         tiling: &Tiling<D>,
         names: &Names,
         input: &str,
-        line: &mut dyn FnMut(String),
+        output: &mut Output,
     ) {
         let place = self.point.as_ref().map(|point| format!(" at {point}"));
         let place = place.unwrap_or_default();
-        if let Some(sentence) = &self.second.instead {
-            return line(format!("{input}: refuted{place}: {sentence}"));
+        let instead = self.second.instead.clone();
+        let sentence = instead.clone().unwrap_or_else(|| counts(&self.findings));
+        let subject = format!("{input}{place}");
+        let whole = format!("{input}: refuted{place}: {sentence}");
+        output.tell(&subject, "refuted", &[sentence], &whole);
+        if instead.is_some() {
+            return;
         }
-        line(format!(
-            "{input}: refuted{place}: {}",
-            counts(&self.findings)
-        ));
+        let shown = self.shown.unwrap_or_else(|| match output.look() {
+            Some(_) => FEW,
+            None => SHOWN,
+        });
+        let is_terminal = output.look().is_some();
+        let mut line = |text: String| output.say(text);
+        let mut left = 0;
         for sentence in &self.second.sentences {
             line(format!("  > {sentence}"));
         }
@@ -102,7 +109,8 @@ impl Refuted {
         for (code, count) in self.findings.counts() {
             let kept = self.findings.kept().iter();
             let kept = kept.filter(|defect| defect.code() == *code);
-            let kept: Vec<&Defect> = kept.take(self.shown).collect();
+            let kept: Vec<&Defect> = kept.take(shown).collect();
+            left += count - kept.len();
             match kept.len() {
                 0 => continue,
                 n if n < *count => line(format!("  {code}: {count}, the first {n}:")),
@@ -118,43 +126,50 @@ impl Refuted {
                 }
             }
         }
+        if is_terminal && left > 0 {
+            line(format!(
+                "  and {left} more; --max-defects N shows N of each kind, --json shows all"
+            ));
+        }
     }
 
-    /// First the verdict with the counts, then each defect.
+    /// The verdict with the counts, and all defects; each is printed before the next one is made, as
+    /// there may be millions.
     fn in_json<const D: usize>(
         &self,
         tiling: &Tiling<D>,
         names: &Names,
         input: &str,
-        line: &mut dyn FnMut(String),
+        output: &mut Output,
     ) {
         let counts = self.findings.counts();
         let mut head = json!({
-            "input": input,
-            "verdict": "refuted",
             "counts": counts,
-            "notes": self.notes,
             "consequences": self.findings.consequences(),
             "after_repair": self.second.instead.iter().chain(&self.second.sentences).collect::<Vec<_>>(),
         });
         if let Some(point) = &self.point {
             head["point"] = json!(point);
         }
-        line(head.to_string());
+        let record = Record::of(Some(input)).verdict("refuted");
+        let head = output.record(record.notes(&self.notes).with(head)).text();
+        let head = head.strip_suffix('}').unwrap_or(&head);
+        output.say_part(&format!("{head},\"defects\":["));
         let adviser = Adviser::new(tiling);
         let mut seen = std::collections::BTreeMap::new();
-        for defect in self.findings.kept() {
+        for (number, defect) in self.findings.kept().iter().enumerate() {
             let index = seen.entry(defect.code()).or_insert(0);
             let advice = advice(&adviser, defect, *index);
             *index += 1;
             let advice: Vec<String> = advice.iter().map(|a| self.told(a, names)).collect();
             let mut data = defect_data(tiling, names, defect);
             if let Value::Object(members) = &mut data {
-                members.insert("input".to_owned(), json!(input));
                 members.insert("advice".to_owned(), json!(advice));
             }
-            line(data.to_string());
+            let comma = if number == 0 { "" } else { "," };
+            output.say_part(&format!("{comma}{data}"));
         }
+        output.say_part("]}\n");
     }
 
     /// The corners of each simplex of a defect with their coordinates, the first few simplices.
@@ -181,8 +196,8 @@ impl Refuted {
     /// A point in the coordinates of the file where it is a mesh, else in the basis.
     fn point<const D: usize>(&self, point: &[Number; D]) -> String {
         match &self.origin {
-            Some(origin) => short_point(&origin.cartesian(point)),
-            None => short_point(point),
+            Some(origin) => short_point(&origin.cartesian(point), self.is_exact),
+            None => short_point(point, self.is_exact),
         }
     }
 
@@ -212,6 +227,7 @@ pub fn names<'a, const D: usize>(
         |vertex| format!("node {}", origin.vertex(vertex)),
     )
     .with_labels(|simplex| Some(origin.label_name(origin.label(simplex)?)))
+    .with_points(|point| origin.cartesian(point))
     .exact(is_exact)
 }
 
@@ -238,7 +254,10 @@ fn in_words<const D: usize>(
             true => name,
             false => {
                 let shift = corner.shift.map(|s| s.to_string());
-                format!("{name} moved by ({})", shift.as_slice().join(", "))
+                format!(
+                    "{name} moved by ({}) lattice vectors",
+                    shift.as_slice().join(", ")
+                )
             }
         }
     };

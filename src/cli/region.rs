@@ -3,6 +3,8 @@
 
 use acutile_core::anatomy::{Anatomy, pieces, volumes};
 use acutile_core::checker::Names;
+use acutile_core::quality::plain_decimal;
+use acutile_core::statement::counted;
 use acutile_core::tiling::{Matching, SimplexId, Tiling, match_facets};
 use acutile_io::mesh::Origin;
 use serde_json::{Value, json};
@@ -45,29 +47,39 @@ pub fn describe<const D: usize>(
     if let Some(origin) = origin.filter(|_| has_labels) {
         let tags = tags(tiling, &matching, origin);
         data["tags"] = tags.iter().map(tag_data).collect();
-        lines.extend(tags.iter().map(tag_words::<D>));
+        lines.extend(tags.iter().take(TAGS).map(tag_words::<D>));
+        if tags.len() > TAGS {
+            let more = counted(tags.len() - TAGS, "more tag", "more tags");
+            lines.push(format!("and {more}, which --json lists"));
+        }
     }
     Some(Description { lines, data })
 }
 
-fn simplices<const D: usize>() -> &'static str {
-    if D == 2 { "triangles" } else { "tetrahedra" }
+fn simplices<const D: usize>(count: usize) -> String {
+    match D {
+        2 => counted(count, "triangle", "triangles"),
+        _ => counted(count, "tetrahedron", "tetrahedra"),
+    }
 }
 
 fn in_words<const D: usize>(anatomy: &Anatomy<D>) -> String {
     let count = |n: usize, one: &str, many: &str| match n {
         0 => format!("no {one}"),
-        1 => format!("1 {one}"),
-        _ => format!("{n} {many}"),
+        n => counted(n, one, many),
     };
-    let manifold = if anatomy.is_manifold() {
-        "its boundary is a manifold".to_owned()
-    } else {
-        format!(
-            "its boundary is no manifold at {} and {}",
-            count(anatomy.ridges.len(), "edge", "edges"),
-            count(anatomy.vertices.len(), "vertex", "vertices"),
-        )
+    let ridges = anatomy.ridges.len();
+    let vertices = count(anatomy.vertices.len(), "vertex", "vertices");
+    let manifold = match (anatomy.is_manifold(), D) {
+        (true, _) => "its boundary is a manifold".to_owned(),
+        (false, 2) => format!(
+            "its boundary is no manifold at {}",
+            count(ridges, "vertex", "vertices")
+        ),
+        (false, _) => format!(
+            "its boundary is no manifold at {} and {vertices}",
+            count(ridges, "edge", "edges")
+        ),
     };
     format!(
         "{}, {}; {manifold}",
@@ -76,16 +88,20 @@ fn in_words<const D: usize>(anatomy: &Anatomy<D>) -> String {
     )
 }
 
-/// So many pieces, cavities and singular places are named.
+/// The number of pieces, cavities and singular places that are named.
 const FEW: usize = 8;
+
+/// The number of tags that are described. Some files give each cell a number of its own.
+const TAGS: usize = 50;
 
 fn details<const D: usize>(anatomy: &Anatomy<D>, names: &Names) -> Vec<String> {
     let mut lines = Vec::new();
+    let facets = if D == 2 { "edges" } else { "facets" };
     if anatomy.pieces.len() > 1 {
         for (first, count) in anatomy.pieces.iter().take(FEW) {
-            let kind = simplices::<D>();
             let name = names.simplex(*first);
-            lines.push(format!("piece of {count} {kind}, from {name}"));
+            let simplices = simplices::<D>(*count);
+            lines.push(format!("piece of {simplices}, from {name}"));
         }
     }
     for cavity in anatomy.cavities().take(FEW) {
@@ -94,15 +110,18 @@ fn details<const D: usize>(anatomy: &Anatomy<D>, names: &Names) -> Vec<String> {
             false => format!("{} simplices or more fill it", cavity.least_filling()),
         };
         let near = some(&cavity.simplices(), names);
-        let facets = cavity.facets.len();
+        let count = cavity.facets.len();
         lines.push(format!(
-            "cavity of {facets} facets: {filling}; it is next to {near}"
+            "cavity of {count} {facets}: {filling}; it is next to {near}"
         ));
     }
     for (ridge, count) in anatomy.ridges.iter().take(FEW) {
         let corners = ridge.iter().map(|c| names.vertex(c.vertex.index()));
         let corners = corners.collect::<Vec<_>>().join(", ");
-        lines.push(format!("edge [{corners}] is in {count} boundary facets"));
+        lines.push(match D {
+            2 => format!("{corners} is in {count} boundary edges"),
+            _ => format!("edge [{corners}] is in {count} boundary facets"),
+        });
     }
     for vertex in anatomy.vertices.iter().take(FEW) {
         let name = names.vertex(vertex.index());
@@ -169,18 +188,13 @@ fn tags<const D: usize>(tiling: &Tiling<D>, matching: &Matching<D>, origin: &Ori
 }
 
 fn tag_words<const D: usize>(tag: &Tag) -> String {
-    let (measure, pieces) = match (D, tag.pieces) {
-        (2, 1) => ("area", "1 piece".to_owned()),
-        (2, n) => ("area", format!("{n} pieces")),
-        (_, 1) => ("volume", "1 piece".to_owned()),
-        (_, n) => ("volume", format!("{n} pieces")),
-    };
+    let measure = if D == 2 { "area" } else { "volume" };
     format!(
-        "{}: {} {}, {measure} about {:.9}, {pieces}",
+        "{}: {}, {measure} about {}, {}",
         tag.name,
-        tag.simplices,
-        simplices::<D>(),
-        tag.volume
+        simplices::<D>(tag.simplices),
+        plain_decimal(tag.volume),
+        counted(tag.pieces, "piece", "pieces")
     )
 }
 

@@ -1,19 +1,28 @@
 //! `acutile report`: a page to look at, of proved and of refuted tilings.
 
+use super::extension;
 use super::input::FileArguments;
 use super::limits::LimitArguments;
+use super::name::InputName;
 use super::outcome::Outcome;
-use super::output::{Output, write_text};
-use super::proved::{overwritten, shown};
-use acutile_publish::report::{Proved, Refutation, Shown, mixed_page};
+use super::output::{Output, write_bytes};
+use super::overwriting::check_not_an_input;
+use super::proved::shown;
+use super::record::Record;
+use acutile_publish::report::{Proved, Refutation, Shown, Theorem, mixed_page};
 use clap::Args;
+use serde_json::json;
 use std::path::{Path, PathBuf};
 
 #[derive(Debug, Args)]
 pub struct ReportArguments {
-    /// Certificates, names of the catalogue, tiling or mesh files, or point sets (CIF too)
-    #[arg(value_name = "CERT|NAME|FILE", required = true)]
-    pub inputs: Vec<String>,
+    /// Certificates, names of the catalogue with families and theorems, tiling or mesh files, or point sets (CIF too)
+    #[arg(
+        value_name = "CERT|NAME|FILE",
+        required = true,
+        hide_possible_values = true
+    )]
+    pub inputs: Vec<InputName>,
     #[command(flatten)]
     pub file: FileArguments,
     /// Write the page here and not to standard output
@@ -26,6 +35,7 @@ pub struct ReportArguments {
 /// An article of a page.
 pub enum Article {
     Proved(Box<Proved>),
+    Theorem(Box<Theorem>),
     Refuted(Box<Refutation>),
 }
 
@@ -33,6 +43,7 @@ impl Article {
     fn shown(&self) -> Shown<'_> {
         match self {
             Article::Proved(proved) => Shown::Proved(proved),
+            Article::Theorem(theorem) => Shown::Theorem(theorem),
             Article::Refuted(refutation) => Shown::Refuted(refutation),
         }
     }
@@ -40,32 +51,66 @@ impl Article {
 
 /// Writes the page; nothing is written where an input is neither proved nor refuted.
 pub fn run(arguments: &ReportArguments, output: &mut Output) -> Outcome {
-    if let Some(input) = overwritten(&arguments.inputs, arguments.output.as_deref()) {
-        output.complain(format!("acutile: -o would overwrite the input {input}"));
-        return Outcome::Failed;
+    let path = arguments.output.as_deref();
+    output.document_goes_to(path);
+    let checked = check_not_an_input(path, "-o", &arguments.inputs)
+        .and_then(|()| extension::check(path, "a page", extension::PAGE));
+    if let Err(message) = checked {
+        return output.fail_with(None, message);
     }
     let limits = arguments.limits.limits();
     let mut articles = Vec::new();
     let mut worst = Outcome::Done;
     for input in &arguments.inputs {
-        match shown(input, &arguments.file, &limits, output) {
-            Ok(article) => articles.push(article),
-            Err(error) => {
-                output.complain(format!("acutile: {}", error.message));
-                return error.outcome;
-            }
+        let article = match shown(input, &arguments.file, &limits, output) {
+            Ok(article) => article,
+            Err(error) => return output.fail(Some(input), &error),
+        };
+        worst = worst.and(tell(input, &article, output));
+        articles.push(article);
+    }
+    worst.and(match write(&articles, path, output) {
+        Outcome::Done => output.done(Record::of(None)),
+        failed => failed,
+    })
+}
+
+/// The verdict on an input: an object with --json, else a line for a refuted one.
+fn tell(input: &InputName, article: &Article, output: &mut Output) -> Outcome {
+    let record = Record::of(Some(input));
+    match article {
+        Article::Proved(proved) => {
+            let sha256 = proved.sha256();
+            output.done(record.verdict("proved").certificate(None, &sha256))
         }
-        if let Some(Article::Refuted(refutation)) = articles.last() {
-            let verdict = refutation.verdict.trim_start_matches("Refuted: ");
-            output.complain(format!("acutile: {input}: refuted: {verdict}"));
-            worst = Outcome::Refuted;
+        Article::Theorem(theorem) => {
+            let record = record.verdict("proved");
+            output.done(record.certificate(None, theorem.sha256()))
+        }
+        Article::Refuted(refutation) => {
+            let words = refutation.verdict.trim_start_matches("Refuted: ");
+            // A certificate that the kernel rejects says nothing about the tiling.
+            let (word, verdict) = match refutation.refused.is_some() {
+                true => ("not proved", "rejected"),
+                false => ("refuted", "refuted"),
+            };
+            match output.is_json() {
+                true => {
+                    let record = record.verdict(verdict).member("message", json!(words));
+                    output.answer(record.member("counts", json!(refutation.counts)));
+                }
+                false => output.complain(format!("acutile: {input}: {word}: {words}")),
+            }
+            Outcome::Refuted
         }
     }
-    worst.and(write(&articles, arguments.output.as_deref(), output))
 }
 
 /// Writes the page of these articles.
 pub fn write(articles: &[Article], path: Option<&Path>, output: &mut Output) -> Outcome {
     let shown: Vec<Shown> = articles.iter().map(Article::shown).collect();
-    write_text(path, &mixed_page(&shown, None), output)
+    match write_bytes(path, mixed_page(&shown, None).as_bytes(), output) {
+        Ok(()) => Outcome::Done,
+        Err(error) => output.fail(None, &error),
+    }
 }

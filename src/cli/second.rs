@@ -1,5 +1,5 @@
-//! A second look at an answer: what a proof says beside, and what becomes of a refuted mesh if its
-//! elements are turned, its equal nodes merged, or contact is allowed.
+//! A second examination after an answer. A proof gets further facts. A refuted mesh is examined again
+//! with its elements turned, its equal nodes merged, or contact allowed.
 
 use super::answer::{Answer, Beside};
 use super::certify::CertifyArguments;
@@ -8,10 +8,15 @@ use super::refutation::{Refuted, names};
 use super::region;
 use super::target::Target;
 use acutile_core::checker::{self, Defect, Findings, Options};
-use acutile_core::curved::{Validity, validity};
+use acutile_core::curved::Validity;
+use acutile_core::quality::short_decimal;
+use acutile_core::statement::counted;
 use acutile_core::tiling::{AnyTiling, Domain, Tiling, match_facets, merged};
 use acutile_core::with_dimension;
+use acutile_exact::number::Number;
+use acutile_io::mesh::counted as elements;
 use acutile_io::mesh::surface::{Comparison, compare, load_surface};
+use malachite::Rational;
 use serde_json::json;
 
 /// What becomes of a refuted tiling after a repair.
@@ -36,7 +41,7 @@ pub fn others(named: &Named) -> Option<(String, bool)> {
         let is_surface = SURFACES.iter().any(|kind| name.ends_with(kind)) || name == "pixels";
         !(is_lower || is_space && is_surface)
     };
-    let counts = named.others.iter().map(|(name, n)| format!("{n} {name}"));
+    let counts = named.others.iter().map(|(name, n)| elements(*n, name));
     let counts = counts.collect::<Vec<_>>().join(", ");
     Some((counts, named.others.keys().any(fills)))
 }
@@ -78,8 +83,9 @@ pub fn note_on_boundary<const D: usize>(tiling: &Tiling<D>) -> Option<String> {
     let free = mismatches.iter().filter(|m| m.uses.len() == 1).count();
     (free > 0).then(|| {
         format!(
-            "the lattice closes the mesh but for {free} facets, which are boundary; facets on the \
-             sides of the cell that have no mate would be defects"
+            "the lattice closes the mesh but for {} boundary; facets on the sides of the cell that \
+             have no mate would be defects",
+            counted(free, "facet, which is", "facets, which are")
         )
     })
 }
@@ -114,7 +120,8 @@ fn fills(path: &std::path::Path, named: &Named) -> Result<String, Box<Answer>> {
         };
         let count = surface.triangles.len();
         return Ok(format!(
-            "it fills the surface {name}: its boundary is{rounded} the {count} triangles{turned}"
+            "it fills the surface {name}: its boundary is{rounded} the {}{turned}",
+            counted(count, "triangle", "triangles")
         ));
     }
     let findings = {
@@ -132,11 +139,21 @@ fn fills(path: &std::path::Path, named: &Named) -> Result<String, Box<Answer>> {
     )))))
 }
 
+/// No longer number is written in full without --exact.
+const LONG: usize = 24;
+
 /// The answer for a mesh with curved elements: each element alone.
-pub fn curved(input: &str, named: &Named, has_requirements: bool) -> Answer {
-    let AnyTiling::Space(tiling) = &named.tiling else {
-        return Answer::Failed(format!("{input}: curved elements in the plane"));
-    };
+pub fn curved(input: &str, named: &Named, arguments: &CertifyArguments) -> Answer {
+    with_dimension!(&named.tiling, AnyTiling, t => curved_elements(t, input, named, arguments))
+}
+
+fn curved_elements<const D: usize>(
+    tiling: &Tiling<D>,
+    input: &str,
+    named: &Named,
+    arguments: &CertifyArguments,
+) -> Answer {
+    let cells = if D == 2 { "triangles" } else { "tetrahedra" };
     let names = names(tiling, named.origin.as_ref(), false);
     let mut straight = tiling.clone();
     let turned = straight.orient();
@@ -146,24 +163,30 @@ pub fn curved(input: &str, named: &Named, has_requirements: bool) -> Answer {
             .binary_search_by_key(&simplex, |(s, _)| *s)
             .is_ok()
     };
+    let number = |x: &Rational| match x.to_string() {
+        text if text.len() <= LONG || arguments.exact => text,
+        _ => format!("about {}", short_decimal(&Number::from(x.clone()))),
+    };
     let mut undecided = Vec::new();
     for simplex in turned.into_iter().filter(|simplex| !is_curved(*simplex)) {
         let words = "is negatively oriented; --reorient turns it";
         undecided.push(format!("{} {words}", names.simplex(simplex)));
     }
-    for (simplex, nodes) in &named.curved {
+    for (simplex, element) in &named.curved {
         let name = names.simplex(*simplex);
-        match validity(nodes) {
+        match element.validity() {
             Validity::Valid => {}
             Validity::Invalid { corner, jacobian } => {
                 let node = names.corner(*simplex, corner);
                 undecided.push(format!(
-                    "{name} is not valid: its Jacobian at node {node} is {jacobian}, expected a \
-                     positive number"
+                    "{name} is not valid: its Jacobian at node {node} is {}, expected a positive \
+                     number",
+                    number(&jacobian)
                 ));
             }
             Validity::Undecided { coefficient } => undecided.push(format!(
-                "{name} may be valid or not: a Bernstein coefficient of its Jacobian is {coefficient}"
+                "{name} may be valid or not: a Bernstein coefficient of its Jacobian is {}",
+                number(&coefficient)
             )),
         }
     }
@@ -173,29 +196,31 @@ pub fn curved(input: &str, named: &Named, has_requirements: bool) -> Answer {
         let rest = if count > FEW { "; …" } else { "" };
         let list = undecided[..count.min(FEW)].join("; ");
         return Answer::Declined(format!(
-            "{input}: {count} of {} second-order tetrahedra and others are not proved valid: {list}{rest}",
-            named.curved.len()
+            "{input}: of {}, {count} not proved valid: {list}{rest}",
+            elements(tiling.len(), cells),
+            count = if count == 1 {
+                "1 is".to_owned()
+            } else {
+                format!("{count} are")
+            },
         ));
     }
-    if has_requirements {
+    if !arguments.required.is_empty() {
         return Answer::Declined(format!(
-            "{input}: has {} curved tetrahedra, about which no requirement is decided",
+            "{input}: has {} curved {cells}, about which no requirement is decided",
             named.curved.len()
         ));
     }
     let words = format!(
-        "proved by the prover alone, no certificate: each of the {} tetrahedra, of which {} are of \
+        "proved by the prover alone, no certificate: each of the {} {cells}, of which {} are of \
          second order and curved, has a positive Jacobian everywhere; whether they overlap is not decided",
         tiling.len(),
         named.curved.len()
     );
     let data = json!({
-        "input": input,
-        "verdict": "proved",
         "statements": ["positive-jacobian"],
         "simplices": tiling.len(),
         "curved": named.curved.len(),
-        "certificate": null,
         "kernel": false,
     });
     Answer::Said(words, data)
@@ -229,17 +254,16 @@ pub fn contact(
     });
     let interfaces = findings.counts()["non-conforming"];
     let words = format!(
-        "proved by the prover alone, no certificate: interiors are disjoint; {coincident} pairs of \
-         coincident facets at {interfaces} interfaces: {}",
+        "proved by the prover alone, no certificate: interiors are disjoint; {} of coincident facets \
+         at {}: {}",
+        counted(coincident, "pair", "pairs"),
+        counted(interfaces, "interface", "interfaces"),
         lines.join("; ")
     );
     let data = json!({
-        "input": input,
-        "verdict": "proved",
         "statements": ["disjoint-interiors"],
         "coincident_pairs": coincident,
         "interfaces": lines,
-        "certificate": null,
         "kernel": false,
     });
     Some(Answer::Said(words, data))
@@ -268,8 +292,11 @@ pub fn look<const D: usize>(
         let mut turned = tiling.clone();
         turned.orient();
         second.instead = Some(format!(
-            "all {} elements are negatively oriented; with --reorient, which turns them: {}",
-            tiling.len(),
+            "{} negatively oriented; with --reorient, which turns them: {}",
+            match tiling.len() {
+                1 => "the only element is".to_owned(),
+                n => format!("all {n} elements are"),
+            },
             verdict(&turned)
         ));
         return second;
@@ -278,8 +305,8 @@ pub fn look<const D: usize>(
         let (merged, fewer) = merged(tiling);
         if fewer > 0 {
             second.sentences.push(format!(
-                "{fewer} nodes have the coordinates of another node; with equal nodes merged \
-                 (--identify 0): {}",
+                "{} the coordinates of another node; with equal nodes merged (--identify 0): {}",
+                counted(fewer, "node has", "nodes have"),
                 verdict(&merged)
             ));
         }

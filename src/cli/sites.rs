@@ -4,8 +4,8 @@ use super::named::InputError;
 use super::output::Output;
 use super::points::outcome_of;
 use acutile_core::classify::{Surroundings, polyhedra, surroundings};
-use acutile_core::delaunay::cells;
-use acutile_core::tiling::PointSet;
+use acutile_core::delaunay::{Cell, cells_and_triangulation};
+use acutile_core::tiling::{PointSet, Tiling};
 use acutile_crystal::identify::{Identified, identify};
 use acutile_crystal::symmetry::{Symmetry, symmetry};
 use acutile_crystal::wyckoff::wyckoff;
@@ -27,20 +27,23 @@ pub struct Sites<'a> {
 }
 
 impl Sites<'_> {
-    /// Members of a report, and how many Delaunay cells are not tetrahedra.
+    /// The Delaunay cells, and the triangulation where all are tetrahedra.
     ///
     /// # Errors
     /// There is no Delaunay triangulation.
-    pub fn report(&self, name: &str) -> Result<(Map<String, Value>, usize), InputError> {
-        let cells = cells(self.set).map_err(|error| InputError {
+    pub fn cells(&self, name: &str) -> Result<(Vec<Cell<3>>, Option<Tiling<3>>), InputError> {
+        cells_and_triangulation(self.set).map_err(|error| InputError {
             message: format!("{name}: {error}"),
             outcome: outcome_of(&error),
-        })?;
-        let polytopes = cells.iter().filter(|cell| !cell.is_simplex()).count();
-        let around = surroundings(&cells, self.set.points.len());
+        })
+    }
+
+    /// Members of a report on points with these Delaunay cells.
+    pub fn report(&self, cells: &[Cell<3>]) -> Map<String, Value> {
+        let around = surroundings(cells, self.set.points.len());
         let group = self.group();
         let mut report = Map::new();
-        report.insert("cells".into(), json!(polyhedra(&cells)));
+        report.insert("cells".into(), json!(polyhedra(cells)));
         report.insert("points".into(), json!(self.set.points.len()));
         report.insert("sites".into(), self.sites(&around, group.as_ref()));
         report.insert("volume".into(), json!(self.volume()));
@@ -51,7 +54,7 @@ impl Sites<'_> {
                 "symbol": identified.setting.short,
             }))),
         );
-        Ok((report, polytopes))
+        report
     }
 
     /// The volume of a cell of the lattice.
@@ -151,6 +154,11 @@ fn counted(kind: &str, count: u64) -> String {
         kind => format!("{kind}s"),
     };
     format!("{count} {plural}")
+}
+
+/// The number of cells that are no tetrahedra.
+pub fn polytopes(cells: &[Cell<3>]) -> usize {
+    cells.iter().filter(|cell| !cell.is_simplex()).count()
 }
 
 /// Prints the cells, the sites and the group of a report.

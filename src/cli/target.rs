@@ -2,9 +2,14 @@
 
 use super::certify::CertifyArguments;
 use super::encoding::Encoding;
+use super::name::InputName;
+use super::output::{check_directory, is_standard};
+use super::overwriting::{check_not_an_input, check_replaceable};
 use acutile_catalog as catalog;
+use acutile_core::format::recognise;
 use acutile_io::import::{is_gzip, uncompressed_name};
 use std::collections::BTreeMap;
+use std::ffi::{OsStr, OsString};
 use std::path::{Path, PathBuf};
 
 /// Where a certificate goes.
@@ -15,12 +20,12 @@ pub enum Target {
 }
 
 /// One target for each input: several go into a directory, which is made.
-pub fn targets(inputs: &[String], arguments: &CertifyArguments) -> Result<Vec<Target>, String> {
+pub fn targets(inputs: &[InputName], arguments: &CertifyArguments) -> Result<Vec<Target>, String> {
     let Some(path) = arguments.output.as_deref() else {
         return Ok(inputs.iter().map(|_| Target::Nowhere).collect());
     };
     let several = inputs.len() > 1;
-    if path == Path::new("-") {
+    if is_standard(path) {
         return match several {
             true => Err("-o -: expected one input, standard output holds one certificate".into()),
             false => Ok(vec![Target::StandardOutput]),
@@ -28,11 +33,13 @@ pub fn targets(inputs: &[String], arguments: &CertifyArguments) -> Result<Vec<Ta
     }
     check_name(path, several)?;
     if several {
+        check_directory(path)?;
         std::fs::create_dir_all(path)
             .map_err(|error| format!("{}: cannot be made a directory: {error}", path.display()))?;
     }
     if !path.is_dir() {
-        check_not_an_input(path, inputs)?;
+        check_not_an_input(Some(path), "-o", inputs)?;
+        Encoding::of(Some(path), arguments.format)?;
         return Ok(vec![Target::File(path.to_path_buf())]);
     }
     let mut names = BTreeMap::new();
@@ -41,13 +48,16 @@ pub fn targets(inputs: &[String], arguments: &CertifyArguments) -> Result<Vec<Ta
         let name = file_name(input, encoding);
         if let Some(other) = names.insert(name.clone(), input) {
             return Err(format!(
-                "{other} and {input} would both be written to {name}"
+                "{other} and {input} would both be written to {}",
+                name.display()
             ));
         }
     }
-    let file = |input: &String| {
+    let file = |input: &InputName| {
         let file = path.join(file_name(input, encoding));
-        check_not_an_input(&file, inputs).map(|()| Target::File(file))
+        check_not_an_input(Some(&file), "-o", inputs)?;
+        check_replaceable(&file, |bytes| recognise(bytes).is_some(), arguments.force)?;
+        Ok(Target::File(file))
     };
     inputs.iter().map(file).collect()
 }
@@ -71,37 +81,19 @@ fn check_name(path: &Path, several: bool) -> Result<(), String> {
     }
 }
 
-/// A certificate must not replace the tiling that it certifies.
-fn check_not_an_input(target: &Path, inputs: &[String]) -> Result<(), String> {
-    let Ok(target_file) = target.canonicalize() else {
-        return Ok(());
-    };
-    let is_target = |input: &&String| {
-        catalog::find(input).is_none()
-            && Path::new(input)
-                .canonicalize()
-                .is_ok_and(|file| file == target_file)
-    };
-    match inputs.iter().find(is_target) {
-        Some(input) => Err(format!(
-            "{}: would overwrite the input {input}",
-            target.display()
-        )),
-        None => Ok(()),
-    }
-}
-
 /// `a15` and `dir/a15.json` both give `a15.json`.
-fn file_name(input: &str, encoding: Encoding) -> String {
+fn file_name(input: &InputName, encoding: Encoding) -> OsString {
     let stem = match catalog::find(input) {
-        Some(_) => Some(input.to_owned()),
-        None => uncompressed_name(Path::new(input))
+        Some(_) => Some(OsString::from(input.replace([':', '/'], "-"))),
+        None => uncompressed_name(input.path())
             .file_stem()
-            .map(|stem| stem.to_string_lossy().into_owned()),
+            .map(OsStr::to_owned),
     };
-    let stem = match stem.as_deref() {
-        None | Some("-") => "certificate".to_owned(),
-        Some(stem) => stem.replace([':', '/'], "-"),
+    let mut name = match stem {
+        Some(stem) if stem != "-" => stem,
+        _ => OsString::from("certificate"),
     };
-    format!("{stem}.{}", encoding.extension())
+    name.push(".");
+    name.push(encoding.extension());
+    name
 }

@@ -1,15 +1,23 @@
 //! Theorems about all members of a family: proved by a system of patches, and cited for a member.
 
+use super::answer::{Answer, Written, unwritten};
 use super::certify::CertifyArguments;
-use super::output::Output;
-use acutile_catalog::{self as catalog, CatalogError, Theorem as Entry, plane_file};
+use super::document::check_for_crystal;
+use super::input::check_for_mesh;
+use super::name::InputName;
+use super::named::InputError;
+use super::plane;
+use super::prove::encoding;
+use super::show::Shown;
+use super::target::Target;
+use acutile_catalog::{self as catalog, CatalogError, Theorem as Entry};
 use acutile_core::limits::own_limits;
 use acutile_core::patches::{Theorem, in_words, prove};
 use acutile_core::quality::compare_with_degrees;
 use acutile_core::statement::{Relation, Requirement, Statement};
 use acutile_core::{format, format::patches};
-use acutile_io::import::{read_text, without_comments};
-use std::path::Path;
+use serde_json::json;
+use std::borrow::Cow;
 
 /// A theorem for an input of `certify`.
 pub struct Proof {
@@ -24,10 +32,17 @@ pub struct Proof {
 ///
 /// # Errors
 /// A message that names the input.
-pub fn of_input(input: &str, arguments: &CertifyArguments) -> Option<Result<Proof, String>> {
-    let named = |message: String| format!("{input}: {message}");
+pub fn of_input(
+    input: &InputName,
+    arguments: &CertifyArguments,
+) -> Option<Result<Proof, InputError>> {
+    let named = |message: String| InputError::from(format!("{input}: {message}"));
     if let Some(entry) = catalog::theorem(input) {
-        return Some(proved(entry, None, arguments).map_err(named));
+        let options = check_for_crystal(input, &arguments.file.points)
+            .and_then(|()| check_for_mesh(input, &arguments.file.mesh))
+            .and_then(|()| check_no_parameter(input, arguments));
+        let proof = options.map_err(InputError::from);
+        return Some(proof.and_then(|()| proved(entry, None, arguments).map_err(named)));
     }
     if !arguments.cite {
         return None;
@@ -40,27 +55,33 @@ pub fn of_input(input: &str, arguments: &CertifyArguments) -> Option<Result<Proo
     };
     let word = &input[entry.family.len()..];
     let member = match entry.family {
-        "kagome:" => catalog::kagome_blocks(word).map(|n| format!("{n} blocks in a period")),
-        _ => tiles(word),
+        "kagome:" => catalog::kagome_blocks(word)
+            .map(|n| format!("{n} blocks in a period"))
+            .map_err(|error| named(error.to_string())),
+        _ => tiles(input, word),
     };
-    let proof = member
-        .map_err(|error| error.to_string())
-        .and_then(|member| proved(entry, Some(member), arguments));
-    Some(proof.map_err(named))
+    Some(member.and_then(|member| proved(entry, Some(member), arguments).map_err(named)))
+}
+
+fn check_no_parameter(input: &InputName, arguments: &CertifyArguments) -> Result<(), String> {
+    if arguments.param.is_some() {
+        Err(format!("{input}: a theorem takes no parameter (--param)"))
+    } else {
+        Ok(())
+    }
 }
 
 /// The tiles of a plane tiling, after it has been checked to be one.
-fn tiles(word: &str) -> Result<String, CatalogError> {
-    let path = Path::new(word);
+fn tiles(input: &InputName, word: &str) -> Result<String, InputError> {
+    let named = |error: CatalogError| InputError::from(format!("{input}: {error}"));
     let plane = match catalog::plane_tiling::named(word) {
         Some(plane) => plane,
-        None if path.exists() || word.contains(['/', '.']) => {
-            let text = read_text(path).map_err(|error| CatalogError::File(error.to_string()))?;
-            plane_file::parse(&without_comments(&text))?
-        }
-        None => catalog::plane_tiling::built_in(word)?,
+        None => match plane::of_file(input)? {
+            Some(plane) => plane,
+            None => catalog::plane_tiling::built_in(word).map_err(named)?,
+        },
     };
-    let stars = plane.stars()?;
+    let stars = plane.stars().map_err(named)?;
     let corners = stars.iter().flatten();
     let squares = corners.clone().filter(|corner| corner.is_square()).count() / 4;
     let triangles = corners.filter(|corner| !corner.is_square()).count() / 3;
@@ -111,45 +132,89 @@ fn meets(required: &Requirement, statements: &[Statement]) -> bool {
         Requirement::DihedralAbove(_)
         | Requirement::RadiusEdgeBelow(_)
         | Requirement::UncrossedPlane(_)
+        | Requirement::NotDelaunay
         | Requirement::Connected
         | Requirement::NoCavities
         | Requirement::ManifoldBoundary => false,
     }
 }
 
-/// Tells what a theorem of the catalogue is about: its tiles with their patches.
-pub fn show_entry(entry: &Entry, output: &mut Output) -> Result<(), String> {
-    let system = (entry.system)().map_err(|error| format!("{}: {error}", entry.name))?;
-    let theorem = prove(&system, &own_limits()).map_err(|error| error.to_string())?;
-    output.line(format!("{}: {}", entry.name, entry.description));
-    show_certificate(entry.name, theorem.certificate(), output)
+/// A theorem, with its own certificate; a member gets a note that says so.
+pub fn answer(
+    proof: Proof,
+    target: &Target,
+    arguments: &CertifyArguments,
+    notes: &mut Vec<String>,
+) -> Answer {
+    if let Some(member) = &proof.cited {
+        notes.push(format!(
+            "proved by citing the theorem {}, whose certificate this is: the input has {member}",
+            proof.entry.name
+        ));
+    }
+    let cbor = proof.theorem.certificate().to_vec();
+    let bytes = encoding(target, arguments).encode(&cbor);
+    match bytes.map(Cow::into_owned) {
+        Ok(bytes) => Answer::Proved {
+            verified: proof.theorem.into_verified(),
+            certificate: Written::Bytes(bytes),
+        },
+        Err(error) => unwritten(target, &error),
+    }
 }
 
-/// Tells what a certificate of the kind `patches` contains, without judging it.
+/// What a theorem of the catalogue is about: its tiles with their patches.
+///
+/// # Errors
+/// A message that names the theorem.
+pub fn show_entry(entry: &Entry) -> Result<Shown, String> {
+    let system = (entry.system)().map_err(|error| format!("{}: {error}", entry.name))?;
+    let theorem = prove(&system, &own_limits()).map_err(|error| error.to_string())?;
+    let mut shown = show_certificate(entry.name, theorem.certificate())?;
+    let title = format!("{}: {}", entry.name, entry.description);
+    // The kernel has confirmed it.
+    if let Some(claim) = shown.lines.first_mut() {
+        *claim = claim.replacen(UNJUDGED, "a theorem: ", 1);
+    }
+    shown.lines.insert(0, title);
+    Ok(shown)
+}
+
+/// The words before a claim that is not judged.
+const UNJUDGED: &str = "claim, not verified here: ";
+
+/// What a certificate of the kind `patches` contains, without judging it.
 ///
 /// # Errors
 /// If the bytes are none.
-pub fn show_certificate(name: &str, cbor: &[u8], output: &mut Output) -> Result<(), String> {
+pub fn show_certificate(name: &str, cbor: &[u8]) -> Result<Shown, String> {
     let named = |error: &dyn std::fmt::Display| format!("{name}: {error}");
     let certificate = patches::certificate(cbor).map_err(|error| named(&error))?;
     let words = in_words(&certificate.claim).map_err(|error| named(&error))?;
-    output.line(format!("a theorem: {words}"));
+    let mut lines = vec![format!("{UNJUDGED}{words}")];
+    let mut data = Vec::new();
     let tiles = certificate.claim.tiles.iter().zip(&certificate.witness);
     for (number, (tile, patch)) in tiles.enumerate() {
-        let polygons: Vec<String> = patch
-            .pyramids
-            .iter()
-            .map(|pyramid| pyramid.polygon.len().to_string())
-            .collect();
-        output.line(format!(
+        let polygons: Vec<usize> = patch.pyramids.iter().map(|p| p.polygon.len()).collect();
+        let corners: Vec<String> = polygons.iter().map(ToString::to_string).collect();
+        lines.push(format!(
             "tile {number}: {} sides; {} tetrahedra, {} vertices, pyramids over polygons with {} corners",
             tile.classes.len(),
             patch.simplices.len(),
             patch.vertices.len(),
-            polygons.join(", ")
+            corners.join(", ")
         ));
+        data.push(json!({
+            "sides": tile.classes.len(),
+            "simplices": patch.simplices.len(),
+            "vertices": patch.vertices.len(),
+            "polygons": polygons,
+        }));
     }
-    Ok(())
+    Ok(Shown {
+        lines,
+        data: json!({ "theorem": words, "tiles": data }),
+    })
 }
 
 /// Whether a certificate in CBOR is of the kind `patches`.

@@ -1,9 +1,10 @@
 //! `acutile convert` for certificates: the same certificate in its other encoding.
 
 use super::encoding::Encoding;
+use super::name::InputName;
 use super::named::InputError;
 use super::outcome::Outcome;
-use super::output::{Output, write_file};
+use super::output::{Output, is_standard, write_bytes};
 use acutile_catalog as catalog;
 use acutile_core::format::{self, VERSION, print, recognise};
 use acutile_core::refusal::exceeded;
@@ -14,27 +15,29 @@ use std::io::{self, BufRead, Read};
 use std::path::Path;
 
 /// Whether this is about a certificate: one that is there, or one that is to be.
-pub fn is_of_certificate(input: &str, path: &Path) -> bool {
+pub fn is_of_certificate(input: &InputName, path: &Path) -> bool {
     let name = uncompressed_name(path);
     Encoding::of_path(&name) == Some(Encoding::Cbor) || is_certificate(input)
 }
 
 /// Whether an input begins as a certificate does, in either encoding.
-fn is_certificate(input: &str) -> bool {
+fn is_certificate(input: &InputName) -> bool {
     let is_name = catalog::find(input).is_some();
     !is_name && beginning(input).is_ok_and(|bytes| recognise(&bytes).is_some())
 }
 
 /// The first bytes, which stay to be read; none of a pipe that has a name, from which they would
 /// be gone.
-fn beginning(input: &str) -> io::Result<Vec<u8>> {
+fn beginning(input: &InputName) -> io::Result<Vec<u8>> {
     const LENGTH: u64 = 100;
     let mut bytes = Vec::new();
-    if input == "-" {
+    if input.is_standard_input() {
         return Ok(io::stdin().lock().fill_buf()?.to_vec());
     }
-    if fs::metadata(input)?.is_file() {
-        File::open(input)?.take(LENGTH).read_to_end(&mut bytes)?;
+    if fs::metadata(input.path())?.is_file() {
+        File::open(input.path())?
+            .take(LENGTH)
+            .read_to_end(&mut bytes)?;
     }
     Ok(bytes)
 }
@@ -48,7 +51,7 @@ pub const BYTES: u64 = 1 << 30;
 /// # Errors
 /// A message that names the file.
 pub fn convert(
-    input: &str,
+    input: &InputName,
     path: &Path,
     has_options: bool,
     limit: u64,
@@ -71,26 +74,23 @@ pub fn convert(
         Some(Encoding::Cbor) => cbor.into_owned(),
         _ => json,
     };
-    if path == Path::new("-") {
-        output.bytes(&written);
-        return Ok(());
-    }
-    let message = |error| format!("{}: cannot be written: {error}", path.display());
-    Ok(write_file(path, &written).map_err(message)?)
+    write_bytes(Some(path), &written, output)
 }
 
 /// The bytes of a certificate, if there are no more than `limit`.
-fn read(input: &str, limit: u64) -> Result<Vec<u8>, InputError> {
-    let length = fs::metadata(input).ok().map(|metadata| metadata.len());
-    read_bytes(Path::new(input), limit).map_err(|error| match error {
+fn read(input: &InputName, limit: u64) -> Result<Vec<u8>, InputError> {
+    let length = fs::metadata(input.path())
+        .ok()
+        .map(|metadata| metadata.len());
+    read_bytes(input.path(), limit).map_err(|error| match error {
         ImportError::TooLong { .. } => InputError {
             message: format!(
                 "{input}: declined [too-many-bytes] {}",
-                exceeded("bytes", length.filter(|_| input != "-"))
+                exceeded("bytes", length.filter(|_| !input.is_standard_input()))
             ),
             outcome: Outcome::Declined,
         },
-        error => InputError::of_file(Path::new(input), &error),
+        error => InputError::of_file(input.path(), &error),
     })
 }
 
@@ -130,11 +130,11 @@ fn way(input: &str, path: &Path) -> String {
 }
 
 fn check_target(path: &Path) -> Result<(), String> {
-    if path == Path::new("-") || Encoding::of_path(path).is_some() {
+    if is_standard(path) || Encoding::of_path(path).is_some() {
         Ok(())
     } else {
         Err(format!(
-            "{}: a certificate is written as .json or .cbor, not compressed",
+            "{}: expected the extension .json or .cbor, for the input is a certificate; certificates are not compressed",
             path.display()
         ))
     }

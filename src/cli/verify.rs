@@ -1,31 +1,36 @@
 //! `acutile verify`: asks the kernel about certificates in either encoding.
 
+use super::answer::statements;
 use super::limits::LimitArguments;
+use super::look::Counts;
 use super::outcome::{Outcome, exit_outcome};
 use super::output::Output;
+use super::record::Record;
 use super::words::{name, one_line};
-use acutile_core::format::{self, Encoding, json::JsonError, recognise};
+use acutile_catalog as catalog;
+use acutile_core::format::json::{JsonError, line_of_item};
+use acutile_core::format::{self, CLAIM_FORMAT, Encoding, recognise};
 use acutile_core::proved::{hexadecimal, in_words};
 use acutile_core::refusal;
-use acutile_kernel::{Code, Kind, Limits, Refusal, Value as Wrong, Verified, verify};
+use acutile_core::statement::counted;
+use acutile_io::import::{BYTE_LIMIT, io_words, read_bytes};
+use acutile_io::mesh::unknown;
+use acutile_kernel::{Code, Kind, Limits, Place, Refusal, Value as Wrong, Verified, verify};
 use clap::Args;
 use serde_json::{Value, json};
 use std::ffi::OsString;
 use std::fs::File;
 use std::io::{self, BufReader, Read};
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
 #[derive(Debug, Args)]
 pub struct VerifyArguments {
     /// Certificates (`-` for standard input)
     #[arg(value_name = "FILE", required = true)]
     pub files: Vec<OsString>,
-    /// Succeed only if each certificate proves exactly the claim in this file
+    /// Succeed only if each certificate proves exactly the claim in this file (`-` for standard input)
     #[arg(long, value_name = "FILE")]
     pub claim: Option<PathBuf>,
-    /// One JSON object for each file
-    #[arg(long)]
-    pub json: bool,
     #[command(flatten)]
     pub limits: LimitArguments,
 }
@@ -36,35 +41,70 @@ enum Verdict {
     /// It proves another claim.
     OtherClaim(Box<Verified>),
     Refused(Box<Refusal>),
+    /// The same for JSON, with the line that the kernel refuses.
+    RefusedLine(Box<Refusal>, String),
     Malformed(JsonError),
+    /// Its first bytes are those of something else.
+    NoCertificate(String),
+    /// It is another file of the project.
+    OtherFormat(String),
     /// JSON of more bytes than the limit, and its length, if it is known.
     TooLong(Option<u64>),
     Unreadable(io::Error),
+    /// There is no such file, but a construction with its name.
+    NoFile(String),
 }
 
-/// Verifies every file, a line each. Gives 0 if all are verified, else the first that occurs of 1
-/// (one is rejected), 2 (one is malformed or unreadable), 3 (one is declined).
+/// Verifies every file, a line each. Gives 0 if all are verified. Else it gives 1 if one is rejected,
+/// else 2 if one is malformed or unreadable, else 3: one is declined.
 pub fn run(arguments: &VerifyArguments, output: &mut Output) -> Outcome {
-    let claim = match arguments.claim.as_ref().map(std::fs::read_to_string) {
-        None => None,
-        Some(Ok(text)) => Some(text),
-        Some(Err(error)) => {
-            output.complain(format!("acutile: --claim: cannot be read: {error}"));
-            return Outcome::Failed;
-        }
+    let claim = arguments.claim.as_deref().map(read_claim).transpose();
+    let claim = match claim {
+        Ok(claim) => claim,
+        Err(message) => return output.fail_with(None, message),
     };
     let limits = arguments.limits.limits();
     let mut code = 0;
+    let mut counts = Counts::default();
     for file in &arguments.files {
         let verdict = judge(file, claim.as_deref(), &limits);
-        let line = match arguments.json {
-            true => verdict.as_json(file).to_string(),
-            false => verdict.as_text(file),
-        };
-        output.line(line);
+        match output.is_json() {
+            true => output.answer(verdict.record(file)),
+            false => verdict.tell(file, output),
+        }
+        counts.add(verdict.word());
         code = first_of(code, verdict.exit_code());
     }
+    counts.tell(output);
     exit_outcome(code)
+}
+
+/// The claim file of --claim, or of standard input for `-`.
+fn read_claim(path: &Path) -> Result<String, String> {
+    let bytes = read_bytes(path, BYTE_LIMIT);
+    let text = bytes.map(|bytes| String::from_utf8_lossy(&bytes).into_owned());
+    let text = text.map_err(|error| format!("--claim: {}: {error}", path.display()))?;
+    match format_of(text.as_bytes()).as_deref() {
+        Some(CLAIM_FORMAT) => Ok(text),
+        found => Err(format!(
+            "--claim: {}: found {}, expected a claim file; `acutile-verify --print-claim F.cbor` prints one",
+            path.display(),
+            found.map_or("no claim".to_owned(), |found| format!(
+                "the format {found:?}"
+            ))
+        )),
+    }
+}
+
+/// The member `format` of JSON, which comes first.
+fn format_of(json: &[u8]) -> Option<String> {
+    let text = String::from_utf8_lossy(&json[..json.len().min(BEGIN as usize)]);
+    let after = text.trim_start().strip_prefix('{')?.trim_start();
+    let value = after.strip_prefix("\"format\"")?.trim_start();
+    let value = value.strip_prefix(':')?.trim_start().strip_prefix('"')?;
+    let (format, _) = value.split_once('"')?;
+    let is_plain = format.chars().all(|c| c.is_ascii_graphic());
+    is_plain.then(|| format.to_owned())
 }
 
 /// The first of 1, 2, 3 that is there, else 0.
@@ -87,10 +127,21 @@ fn check(file: &OsString, limits: &Limits) -> Result<Verified, Verdict> {
     if file == "-" {
         return check_reader(&mut io::stdin().lock(), None, limits);
     }
-    let mut opened = File::open(file).map_err(Verdict::Unreadable)?;
+    let mut opened = File::open(file).map_err(|error| unopened(file, error))?;
     let metadata = opened.metadata().map_err(Verdict::Unreadable)?;
     let length = Some(metadata.len()).filter(|_| metadata.is_file());
     check_reader(&mut opened, length, limits)
+}
+
+/// A name of the catalogue stands where a file belongs, or the file cannot be opened.
+fn unopened(file: &OsString, error: io::Error) -> Verdict {
+    let name = file.to_string_lossy();
+    if error.kind() != io::ErrorKind::NotFound || catalog::find(&name).is_none() {
+        return Verdict::Unreadable(error);
+    }
+    Verdict::NoFile(format!(
+        "found a name of the catalogue, expected a certificate; `acutile certify {name} -o {name}.cbor` writes one"
+    ))
 }
 
 /// CBOR is read in pieces; JSON is transcribed first.
@@ -102,6 +153,12 @@ fn check_reader(
     let mut begin = Vec::new();
     let taken = reader.take(BEGIN).read_to_end(&mut begin);
     taken.map_err(Verdict::Unreadable)?;
+    if let Some(found) = other_format(&begin) {
+        return Err(Verdict::OtherFormat(found));
+    }
+    if let Some(found) = something_else(&begin) {
+        return Err(Verdict::NoCertificate(found));
+    }
     let is_json = matches!(begin.first(), Some(b'{' | b' ' | b'\t' | b'\n' | b'\r'));
     if !is_json && recognise(&begin) != Some(Encoding::Json) {
         let mut rest = BufReader::new(io::Read::chain(&begin[..], reader));
@@ -119,18 +176,63 @@ fn check_reader(
         return Err(Verdict::TooLong(length));
     }
     let cbor = format::to_cbor(&bytes).map_err(Verdict::Malformed)?;
-    verify(&mut &cbor[..], limits).map_err(|refusal| Verdict::Refused(Box::new(refusal)))
+    verify(&mut &cbor[..], limits).map_err(|refusal| {
+        let line = match refusal.place {
+            Place::Byte(byte) => line_of_item(&bytes, &cbor, byte),
+            _ => None,
+        };
+        match line {
+            Some(line) => Verdict::RefusedLine(Box::new(refusal), line),
+            None => Verdict::Refused(Box::new(refusal)),
+        }
+    })
 }
 
-/// The kernel does not know how long a file is that it refuses to read to its end.
+/// Adds the length of the file, which the kernel does not know. A file that ends too early is named as
+/// such: the kernel names the byte that is missing.
 fn refused(mut refusal: Refusal, length: Option<u64>) -> Verdict {
+    if let (Code::Cbor, Place::Byte(byte), Some(length)) = (refusal.code, refusal.place, length)
+        && byte > length
+    {
+        return Verdict::NoCertificate(format!(
+            "the file ends after {length} bytes, expected the rest of a certificate"
+        ));
+    }
     if let Wrong::Limit("bytes", enough) = &mut refusal.value {
         *enough = enough.or(length);
     }
     Verdict::Refused(Box::new(refusal))
 }
 
-/// Bytes that tell the encodings apart.
+/// The format of another file of the project, and the use of such a file.
+fn other_format(begin: &[u8]) -> Option<String> {
+    let format = format_of(begin)?;
+    let hint = match format.as_str() {
+        "acutile-tiling" | "acutile-points" => "; `acutile certify` writes one",
+        CLAIM_FORMAT => "; --claim compares a claim with one",
+        "acutile-plane-tiling" | "acutile-answer" => "",
+        _ => return None,
+    };
+    Some(format!(
+        "found the format {format}, expected a certificate{hint}"
+    ))
+}
+
+/// What a file is that begins as no certificate does: neither with a brace nor with a map of CBOR.
+fn something_else(begin: &[u8]) -> Option<String> {
+    let expected = "expected a certificate";
+    if begin.is_empty() {
+        return Some(format!("is empty, {expected}"));
+    }
+    if let Some(name) = unknown::name(Path::new(""), begin) {
+        return Some(format!("found {name}, {expected}"));
+    }
+    let first = begin.trim_ascii_start().first()?;
+    let is_text = first.is_ascii_graphic() && *first != b'{';
+    is_text.then(|| format!("begins with {:?}, {expected}", char::from(*first)))
+}
+
+/// Bytes by which the encodings differ.
 const BEGIN: u64 = 1024;
 
 impl Verdict {
@@ -138,16 +240,28 @@ impl Verdict {
         match self {
             Verdict::Verified(_) => 0,
             Verdict::OtherClaim(_) => 1,
-            Verdict::Refused(refusal) => match refusal.code.kind() {
-                _ if refusal.code == Code::Unreadable => 2,
-                Kind::Rejected => 1,
-                Kind::Malformed => 2,
-                Kind::Declined => 3,
-            },
+            Verdict::Refused(refusal) | Verdict::RefusedLine(refusal, _) => {
+                match refusal.code.kind() {
+                    _ if refusal.code == Code::Unreadable => 2,
+                    Kind::Rejected => 1,
+                    Kind::Malformed => 2,
+                    Kind::Declined => 3,
+                }
+            }
             Verdict::Malformed(error) if error.code.is_declined() => 3,
-            Verdict::Malformed(_) | Verdict::Unreadable(_) => 2,
+            Verdict::Malformed(_) | Verdict::NoCertificate(_) | Verdict::OtherFormat(_) => 2,
+            Verdict::Unreadable(_) | Verdict::NoFile(_) => 2,
             Verdict::TooLong(_) => 3,
         }
+    }
+
+    /// On a terminal a statement a line, elsewhere one line for the file.
+    fn tell(&self, file: &OsString, output: &mut Output) {
+        let words = match self {
+            Verdict::Verified(verified) => statements(&summary(verified)),
+            _ => vec![self.message()],
+        };
+        output.tell(&name(file), self.word(), &words, &self.as_text(file));
     }
 
     fn as_text(&self, file: &OsString) -> String {
@@ -164,13 +278,16 @@ impl Verdict {
             Verdict::Verified(_) => "verified",
             Verdict::OtherClaim(_) => "rejected",
             Verdict::Refused(refusal) if refusal.code == Code::Unreadable => "unreadable",
-            Verdict::Refused(refusal) => refusal.code.kind().text(),
+            Verdict::Refused(refusal) | Verdict::RefusedLine(refusal, _) => {
+                refusal.code.kind().text()
+            }
             Verdict::Malformed(_) => match self.exit_code() {
                 3 => "declined",
                 _ => "malformed",
             },
+            Verdict::NoCertificate(_) | Verdict::OtherFormat(_) => "malformed",
             Verdict::TooLong(_) => "declined",
-            Verdict::Unreadable(_) => "unreadable",
+            Verdict::Unreadable(_) | Verdict::NoFile(_) => "unreadable",
         }
     }
 
@@ -178,10 +295,12 @@ impl Verdict {
         match self {
             Verdict::Verified(_) => "verified",
             Verdict::OtherClaim(_) => "other-claim",
-            Verdict::Refused(refusal) => refusal.code.text(),
+            Verdict::Refused(refusal) | Verdict::RefusedLine(refusal, _) => refusal.code.text(),
             Verdict::Malformed(error) => error.code.name(),
+            Verdict::NoCertificate(_) => "cbor",
+            Verdict::OtherFormat(_) => "format",
             Verdict::TooLong(_) => "too-many-bytes",
-            Verdict::Unreadable(_) => "unreadable",
+            Verdict::Unreadable(_) | Verdict::NoFile(_) => "unreadable",
         }
     }
 
@@ -192,29 +311,39 @@ impl Verdict {
                 format!("it proves another claim: {}", in_words(verified))
             }
             Verdict::Refused(refusal) => refusal::message(refusal),
+            Verdict::RefusedLine(refusal, line) => refusal::message_at(refusal, line.clone()),
             Verdict::Malformed(error) => error.to_string(),
+            Verdict::NoCertificate(found) | Verdict::OtherFormat(found) => found.clone(),
             Verdict::TooLong(length) => {
                 format!("the file is {}", refusal::exceeded("bytes", *length))
             }
-            Verdict::Unreadable(error) => error.to_string(),
+            Verdict::Unreadable(error) => io_words(error),
+            Verdict::NoFile(message) => message.clone(),
         }
     }
 
-    /// Members: file, verdict; claim, words, vertices, simplices, sha256 of a verified one; code,
-    /// message of any other.
-    fn as_json(&self, file: &OsString) -> Value {
-        let file = file.to_string_lossy();
-        match self {
-            Verdict::Verified(verified) => json!({
-                "file": file, "verdict": "verified", "claim": claim_json(verified),
-                "words": in_words(verified), "vertices": verified.vertices,
-                "simplices": verified.simplices, "sha256": hexadecimal(&verified.sha256),
-            }),
-            _ => json!({
-                "file": file, "verdict": self.word(), "code": self.code(),
-                "message": self.message(),
-            }),
-        }
+    /// A verified file with its claim; any other one with a code and the reason, which is an error unless
+    /// the file is rejected.
+    fn record(&self, file: &OsString) -> Record {
+        let record = Record::of(Some(&file.to_string_lossy())).verdict(self.word());
+        let record = match self {
+            Verdict::Verified(verified) | Verdict::OtherClaim(verified) => record
+                .certificate(Some(Path::new(file)), &hexadecimal(&verified.sha256))
+                .with(json!({
+                    "claim": claim_json(verified),
+                    "words": in_words(verified),
+                    "vertices": verified.vertices,
+                    "simplices": verified.simplices,
+                })),
+            _ => record,
+        };
+        let reason = match self.word() {
+            "verified" => return record,
+            "rejected" => "message",
+            _ => "error",
+        };
+        let record = record.member("code", json!(self.code()));
+        record.member(reason, json!(self.message()))
     }
 }
 
@@ -226,14 +355,11 @@ pub fn claim_json(verified: &Verified) -> Value {
 
 /// The claim in words with counts and digest, in a line.
 pub fn summary(verified: &Verified) -> String {
-    let vertices = match verified.vertices {
-        1 => "1 vertex".to_owned(),
-        n => format!("{n} vertices"),
-    };
     format!(
-        "{}. ({vertices}, {} simplices, sha256 {})",
+        "{}. ({}, {}, sha256 {})",
         in_words(verified),
-        verified.simplices,
+        counted(verified.vertices as usize, "vertex", "vertices"),
+        counted(verified.simplices as usize, "simplex", "simplices"),
         hexadecimal(&verified.sha256)
     )
 }

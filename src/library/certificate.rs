@@ -5,8 +5,19 @@ use acutile_core::format::{print, to_cbor};
 use acutile_core::{proved, refusal};
 use acutile_kernel as kernel;
 
-/// The bytes of a certificate, in deterministic CBOR. Nothing is said of what they prove:
+/// The bytes of a certificate, in deterministic CBOR. They need not prove anything:
 /// [`crate::verify`] asks the kernel.
+///
+/// ```
+/// use acutile::Certificate;
+///
+/// let file = std::fs::read("certificates/bcc.json")?;
+/// let certificate = Certificate::from_bytes(&file)?;
+/// // Both encodings contain the same.
+/// assert_eq!(certificate.to_json()?.as_bytes(), file);
+/// assert_eq!(Certificate::from_bytes(certificate.as_bytes())?, certificate);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Certificate(Vec<u8>);
 
@@ -39,7 +50,17 @@ impl Certificate {
     }
 }
 
-/// Limits of the kernel. Raise them for certificates beyond ten million simplices.
+/// Limits of the kernel: at most 2^28 simplices, and work in proportion to the length of the
+/// certificate. A certificate that exceeds a limit is declined, not refuted.
+///
+/// ```
+/// use acutile::{Certificate, Limits, verify};
+///
+/// let certificate = Certificate::from_bytes(&std::fs::read("certificates/a15.json")?)?;
+/// let refusal = verify(&certificate, &Limits::default().simplices(45)).unwrap_err();
+/// assert!(refusal.to_string().contains("46"), "{refusal}");
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
 #[derive(Clone, Debug)]
 pub struct Limits(pub(crate) kernel::Limits);
 
@@ -63,7 +84,17 @@ impl Limits {
     }
 }
 
-/// What the kernel has verified.
+/// A claim that the kernel has verified.
+///
+/// ```
+/// use acutile::{Certificate, Limits, verify};
+///
+/// let certificate = Certificate::from_bytes(&std::fs::read("certificates/a15.json")?)?;
+/// let verified = verify(&certificate, &Limits::default())?;
+/// assert_eq!((verified.vertices, verified.simplices), (8, 46));
+/// assert!(verified.words.contains("all dihedral angles are acute"));
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
 #[derive(Clone, Debug, PartialEq, Eq)]
 #[non_exhaustive]
 pub struct Verified {

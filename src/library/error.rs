@@ -3,6 +3,13 @@
 use std::fmt::{self, Display};
 
 /// A message for people, in the words of the command line.
+///
+/// ```
+/// use acutile::{Error, Tiling};
+///
+/// let error: Error = Tiling::named("a51").unwrap_err();
+/// assert!(error.to_string().starts_with("a51: "), "{error}");
+/// ```
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Error(String);
 

@@ -1,4 +1,4 @@
-//! What a user has, turned into a tiling: points and tetrahedra, a tiling file's text, a file, or a
+//! Makes a tiling of a user's data: points and tetrahedra, a tiling file's text, a file, or a
 //! name of the catalogue.
 
 use super::Error;
@@ -16,6 +16,16 @@ use acutile_io::mesh::{
 use std::path::Path;
 
 /// A tiling by triangles or tetrahedra, with the numbers of the mesh that it was made from.
+/// Nothing is proved of it before [`crate::certify`].
+///
+/// ```
+/// use acutile::{ReadOptions, Tiling};
+///
+/// let cube = Tiling::named("cube-6")?;
+/// assert_eq!((cube.dimension(), cube.simplices()), (3, 6));
+/// assert!(Tiling::from_text("{}", &ReadOptions::default()).is_err());
+/// # Ok::<(), acutile::Error>(())
+/// ```
 #[derive(Clone, Debug)]
 pub struct Tiling {
     tiling: AnyTiling,
@@ -88,7 +98,7 @@ impl Tiling {
     /// A name of the catalogue, or any file that `acutile certify` reads as one tiling.
     ///
     /// # Errors
-    /// The file or name, and what is wrong with it.
+    /// The file or name, and the problem with it.
     pub fn read(source: &str, options: &ReadOptions) -> Result<Tiling, Error> {
         if catalog::find(source).is_some() {
             return construction(source, options.parameter.as_deref());
@@ -118,8 +128,8 @@ impl Tiling {
         }
     }
 
-    /// A mesh of the region that its tetrahedra cover: points with three finite coordinates, which
-    /// are taken exactly, and the indices of the four corners of each tetrahedron.
+    /// A mesh of the region that its tetrahedra cover. Points have three finite coordinates, which are
+    /// taken exactly. A tetrahedron is the indices of its four corners.
     ///
     /// ```
     /// use acutile::{Options, Tiling, Verdict, certify};
@@ -162,7 +172,7 @@ impl Tiling {
         with_dimension!(&self.tiling, AnyTiling, t => t.len())
     }
 
-    /// What was done to the input before, or left out.
+    /// Notes on changes to the input, and on parts that are left out.
     pub fn notes(&self) -> &[String] {
         &self.notes
     }
@@ -221,7 +231,7 @@ impl Tiling {
         &self.tiling
     }
 
-    /// What is known of the sides of a periodic mesh.
+    /// Knowledge about the sides of a periodic mesh.
     pub fn sides(&self) -> &Sides {
         &self.sides
     }
@@ -234,7 +244,8 @@ impl Tiling {
                 |simplex| format!("element {}", origin.tetrahedron(simplex).tag),
                 |simplex, corner| origin.corner(simplex, corner).to_string(),
                 |vertex| format!("node {}", origin.vertex(vertex)),
-            ),
+            )
+            .with_points(|point| origin.cartesian(point)),
         }
     }
 }
@@ -298,13 +309,14 @@ fn of_points(points: &AnyPointSet, options: &ReadOptions) -> Result<Tiling, Erro
     })
 }
 
-/// The indices are those of points, the coordinates are finite, and no tetrahedron is curved.
+/// The indices are those of points, the coordinates are finite, and no cell is curved.
 fn check_mesh(mesh: &Mesh) -> Result<(), Error> {
     if !mesh.curved.is_empty() {
         return Err(Error::new(format!(
-            "{} tetrahedra of second order are curved; the command `acutile certify` says whether \
+            "{} {} of second order are curved; the command `acutile certify` says whether \
              each is valid",
-            mesh.curved.len()
+            mesh.curved.len(),
+            mesh.cell_name()
         )));
     }
     let mut coordinates = mesh.points.iter().enumerate();

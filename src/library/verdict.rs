@@ -37,7 +37,19 @@ impl fmt::Display for Statement {
     }
 }
 
-/// What must hold, and the limits within which it is proved.
+/// Statements that must hold, and the limits within which they are proved.
+///
+/// ```
+/// use acutile::{Limits, Options};
+///
+/// let options = Options::default()
+///     .require("acute".parse()?)
+///     .require("dihedral<78.47".parse()?)
+///     .limits(Limits::default().simplices(1_000));
+/// let a15 = acutile::Tiling::named("a15")?;
+/// assert!(matches!(acutile::certify(&a15, &options)?, acutile::Verdict::Proved(_)));
+/// # Ok::<(), acutile::Error>(())
+/// ```
 #[derive(Clone, Debug, Default)]
 pub struct Options {
     required: Vec<Statement>,
@@ -58,7 +70,21 @@ impl Options {
     }
 }
 
-/// The prover's answer.
+/// The prover's answer. "Declined" is not "refuted".
+///
+/// ```
+/// use acutile::{Options, Tiling, Verdict, certify};
+///
+/// # let a15 = Tiling::named("a15")?;
+/// let words = match certify(&a15, &Options::default())? {
+///     Verdict::Proved(certificate) => format!("proved in {} bytes", certificate.as_bytes().len()),
+///     Verdict::Refuted(findings) => format!("refuted: {}", findings[0]),
+///     Verdict::Declined(findings) => format!("not decided: {}", findings[0]),
+///     _ => "an answer of a later version".to_owned(),
+/// };
+/// assert!(words.starts_with("proved"));
+/// # Ok::<(), acutile::Error>(())
+/// ```
 #[derive(Clone, Debug)]
 #[non_exhaustive]
 pub enum Verdict {
@@ -72,6 +98,19 @@ pub enum Verdict {
 }
 
 /// One reason why a tiling is not proved.
+///
+/// ```
+/// use acutile::{Options, Tiling, Verdict, certify};
+///
+/// // Two tetrahedra on the same side of their common facet.
+/// let points = [[0., 0., 0.], [1., 0., 0.], [0., 1., 0.], [0., 0., 1.], [0., 0., 2.]];
+/// let mesh = Tiling::mesh(&points, &[[0, 1, 2, 3], [0, 1, 2, 4]])?;
+/// let Verdict::Refuted(findings) = certify(&mesh, &Options::default())? else {
+///     panic!("the tetrahedra overlap");
+/// };
+/// assert_eq!(findings[0].code, "same-side");
+/// # Ok::<(), acutile::Error>(())
+/// ```
 #[derive(Clone, Debug, PartialEq, Eq)]
 #[non_exhaustive]
 pub struct Finding {

@@ -13,7 +13,7 @@ from fractions import Fraction as F
 from pathlib import Path
 
 from exact import Wrong, must
-from formulas import corner, math, rows_of
+from formulas import corner, math, rows_of, source
 from tiling import determinant
 
 
@@ -140,7 +140,7 @@ def solve(matrix, right):
 def main():
     wrong = families = signs = 0
     for path in sorted(Path(sys.argv[1]).glob("tiling-*.tex")):
-        text = path.read_text()
+        text = source(path)
         if "acutile:table signs-of-polynomials" not in text or "\\sqrt" in text[:text.index("% acutile:table pairing")]:
             continue
         try:

@@ -83,6 +83,15 @@ class Reader:
         self.take(closing)
         return value
 
+    def power(self, value):
+        """The value, or its root where 1/2 is the exponent."""
+        if self.peek() != "^":
+            return value
+        self.take()
+        must(self.group().pure() == F(1, 2), "another exponent than 1/2")
+        must(value.pure().sign() >= 0, "the root of a negative number")
+        return Root(self.k.of("1"), value.pure())
+
     def factor(self):
         token = self.take()
         one = self.k.of("1")
@@ -90,7 +99,7 @@ class Reader:
             return Root(self.k.of(token), one)
         if token == "(":
             self.at -= 1
-            return self.group("(", ")")
+            return self.power(self.group("(", ")"))
         if token == "\\frac":
             over, under = self.group(), self.group()
             return Root(over.c / under.pure(), over.e)
@@ -109,6 +118,11 @@ class Reader:
             must(inside.sign() >= 0, "the root of a negative number")
             return Root(one, inside)
         raise Wrong(f"found {token}")
+
+
+def source(path):
+    """The text of a file without the places where a line may break in a number."""
+    return path.read_text().replace("\\acutilebreak ", "").replace("/\\allowbreak ", "/")
 
 
 def number(field, text):

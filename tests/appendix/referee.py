@@ -14,7 +14,7 @@ from fractions import Fraction as F
 from pathlib import Path
 
 from exact import Field, Wrong, must
-from formulas import corner, math, number, rows_of, shift
+from formulas import corner, math, number, rows_of, shift, source
 from reasons import check_justified
 from tiling import determinant
 
@@ -46,6 +46,21 @@ def coefficients(text):
 
 def key(x):
     return tuple(x.c)
+
+
+def terms(text):
+    """The terms of a sum with their signs: those outside of all parentheses, which may be nested."""
+    found, depth = [["+", ""]], 0
+    for letter in text.strip():
+        depth += (letter in "({") - (letter in ")}")
+        if depth == 0 and letter in "+-":
+            found.append([letter, ""])
+        else:
+            found[-1][1] += letter
+    must(depth == 0, f"parentheses that do not match: {text}")
+    found = found if found[0][1] else found[1:]
+    must(found and all(term for _, term in found), f"no sum: {text}")
+    return found
 
 
 class Printed:
@@ -82,24 +97,19 @@ class Printed:
         return [[number(self.k, math(x)) for x in row[1:1 + self.d]] for row in rows]
 
     def triplet(self, text):
-        """(-x_1+1/2, x_2, x_3) as a matrix and a vector: the values at zero and at the unit vectors."""
+        """(-x_1+1/2, x_2, x_3) as a matrix and a vector."""
         lines = text.strip()[1:-1].split(",\\,")
         must(len(lines) == self.d, f"no isometry: {text}")
-
-        def at(line, unit):
-            found = re.sub(r"x_(\d)", lambda m: "\\unit" if int(m.group(1)) == unit else "\\none", line)
-            total = self.zero
-            for sign, term in re.findall(r"([+-]?)((?:[^+\-()]|\([^()]*\))+)", found):
-                variable = "\\unit" in term or "\\none" in term
-                factor = term.replace("\\unit", "").replace("\\none", "")
-                value = number(self.k, factor) if factor.strip() else self.one
-                if variable and "\\none" in term:
-                    value = self.zero
-                total = total - value if sign == "-" else total + value
-            return total
-
-        start = [at(line, None) for line in lines]
-        matrix = [[at(line, j + 1) - start[i] for j in range(self.d)] for i, line in enumerate(lines)]
+        matrix, start = [], []
+        for line in lines:
+            row = [self.zero] * (self.d + 1)
+            for sign, term in terms(line):
+                factor, variable = re.fullmatch(r"(.*?)(?:x_(\d))?", term).groups()
+                value = number(self.k, factor) if factor else self.one
+                place = int(variable) - 1 if variable else self.d
+                row[place] = row[place] - value if sign == "-" else row[place] + value
+            matrix.append(row[:self.d])
+            start.append(row[self.d])
         return matrix, start
 
     def read_group(self):
@@ -204,6 +214,7 @@ def same_matrix(a, b):
 class Referee:
     def __init__(self, text):
         self.p = Printed(text)
+        self.moved = {}
 
     def run(self):
         p = self.p
@@ -265,9 +276,14 @@ class Referee:
 
     def image(self, m, tile, by=None):
         p = self.p
-        points = [p.apply(m, p.point(c)) for c in p.tiles[tile]]
-        corners = [tuple(p.named(point)) for point in points]
+        corners = [self.corner_image(m, tuple(c)) for c in p.tiles[tile]]
         return [(c[0], *[a + b for a, b in zip(c[1:], by or [0] * p.rank)]) for c in corners]
+
+    def corner_image(self, m, c):
+        """Neighbours share corners, so each image is found once."""
+        if (m, c) not in self.moved:
+            self.moved[m, c] = tuple(self.p.named(self.p.apply(m, self.p.point(c))))
+        return self.moved[m, c]
 
     def name(self, corners):
         ordered = sorted(corners)
@@ -408,8 +424,12 @@ class Referee:
         expected = self.domain_volume()
         must(total == expected, f"(V): the volumes sum up to {total.c}, not {expected.c}")
         start = next(n for n, line in enumerate(self.p.lines) if line.startswith("% acutile:volume"))
-        end = next(n for n in range(start, len(p.lines)) if p.lines[n].startswith("\\end{aligned}"))
-        text = " ".join(p.lines[start + 2:end]).replace("\\\\", " ").replace("&", " ").replace("\\quad{}", " ")
+        text, n = "", start + 1
+        while p.lines[n].startswith("\\[ "):
+            end = next(k for k in range(n, len(p.lines)) if p.lines[k].startswith("\\end{aligned}"))
+            text += " ".join(p.lines[n + 1:end]) + " "
+            n = end + 1
+        text = text.replace("\\\\", " ").replace("&", " ").replace("\\quad{}", " ")
         left, right = text.rstrip(" ,").split("=")
         must(number(p.k, right) == expected, "(V): another sum is printed")
         if "\\sum" in left:
@@ -561,7 +581,7 @@ def main():
     directory, wrong = Path(sys.argv[1]), 0
     for name in sys.argv[2:]:
         try:
-            print(f"{name}: {Referee((directory / f'tiling-{name}.tex').read_text()).run()}")
+            print(f"{name}: {Referee(source(directory / f'tiling-{name}.tex')).run()}")
         except Wrong as error:
             wrong += 1
             print(f"{name}: {error}")

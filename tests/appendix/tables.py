@@ -6,10 +6,11 @@ from fractions import Fraction as F
 from exact import SLACK, El, check_cosine_interval, check_degrees, must
 from reasons import check_reason
 from referee import Referee
-from formulas import Reader, corner, interval, mate, math, number, rows_of
+from formulas import Reader, corner, interval, mate, math, number, rows_of, shift, source
 from tiling import Certificate
 
 WHOLE_LIMIT = 300  # larger tilings are not made from their representatives: Python takes too long
+SITE_LIMIT = 20_000  # images of vertices, for the same reason
 
 
 class Check:
@@ -22,7 +23,7 @@ class Check:
         self.classes = None
 
     def texts(self, files=("tiling", "tables")):
-        return {kind: (self.directory / f"{kind}-{self.name}.tex").read_text() for kind in files}
+        return {kind: source(self.directory / f"{kind}-{self.name}.tex") for kind in files}
 
     def run(self, texts):
         self.seen = set()
@@ -142,7 +143,29 @@ class Check:
         for v, row in enumerate(rows):
             for i in range(self.c.d):
                 self.equal(number(self.k, math(row[1 + i])), self.c.vertices[v][i], f"vertex {v}, x_{i + 1}")
+            self.check_origin(row[-1], v)
         self.check_stars(rows)
+        if len(rows[0]) > self.c.d + 3:
+            self.check_sites([row[-2] for row in rows])
+
+    def check_sites(self, cells):
+        """Wyckoff letters, `6c`: images have the same one, and the multiplicities are those of the orbits in a cell, for one
+        quotient of the cells. The letters themselves are compared with the literature in the tests of the program."""
+        sites = [re.fullmatch(r"(\d+)([a-zA-Z])", cell) for cell in cells]
+        must(all(sites), f"no Wyckoff letter: {cells}")
+        referee = self.read_section()
+        maps = range(len(referee.p.maps))
+        if len(cells) * len(maps) > SITE_LIMIT:
+            return
+        start = [0] * self.c.rank
+        quotients, letters = set(), {}
+        for v, site in enumerate(sites):
+            orbit = {referee.corner_image(m, (v, *start))[0] for m in maps}
+            quotients.add(F(int(site[1]), len(orbit)))
+            self.equal({cells[w] for w in orbit}, {cells[v]}, f"vertex {v}, the sites of its images")
+            letters.setdefault(site[2], set()).add(site[1])
+        self.equal(len(quotients), 1, "the quotient of the cells")
+        must(all(len(found) == 1 for found in letters.values()), f"a letter with two multiplicities: {letters}")
 
     def check_stars(self, rows):
         """The neighbours of a vertex: different corners at the other ends of its edges."""
@@ -171,8 +194,35 @@ class Check:
         for s, row in enumerate(rows):
             self.equal(row[0], f"$T_{{{s}}}$", "a row's name")
             self.equal(int(row[1]), classes[s], f"T{s}, class")
+            self.check_image(math(row[2]), s)
             self.equal(number(self.k, math(row[3])), self.c.det(s), f"T{s}, determinant")
             self.equal([corner(math(x), self.c.rank) for x in row[4:]], self.c.simplices[s], f"T{s}, corners")
+
+    def check_image(self, text, s):
+        """A tile is the image of a representative, under an isometry as it is printed in the section."""
+        match = re.fullmatch(r"(?:\\gamma_\{(\d+)\})?T_\{(\d+)\}(?:\^\{(.*)\})?", text)
+        must(match, f"T{s}: no image: {text}")
+        found = self.image(match.group(1), match.group(2), shift(match.group(3), self.c.rank))
+        self.equal(sorted(map(list, found)), sorted(self.c.simplices[s]), f"T{s}, as an image")
+
+    def check_origin(self, text, v):
+        """A vertex is a corner of an image of a representative, up to the lattice."""
+        match = re.fullmatch(r"(?:\$\\gamma_\{(\d+)\}\$, )?\$c_(\d)\$ of \$T_\{(\d+)\}\$", text)
+        must(match, f"vertex {v}: no corner: {text}")
+        found = self.image(match.group(1), match.group(3))[int(match.group(2))]
+        self.equal(found[0], v, f"vertex {v}, as a corner")
+
+    def image(self, isometry, tile, by=None):
+        """The corners of an image. The referee reads isometries and representatives in the section."""
+        referee, tile, isometry = self.read_section(), int(tile), int(isometry or 0)
+        must(tile in referee.p.tiles, f"T{tile} is no representative")
+        must(isometry < len(referee.p.maps), f"γ{isometry} is not in the list of isometries")
+        return referee.image(isometry, tile, by)
+
+    def read_section(self):
+        if not hasattr(self, "referee"):
+            self.referee = Referee(self.texts(("tiling",))["tiling"])
+        return self.referee
 
     def mate_rows(self, lines, n):
         rows = rows_of(lines, n)

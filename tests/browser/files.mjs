@@ -20,33 +20,23 @@ export function certificatesIn(folder) {
     });
 }
 
-/** `acutile-verify`, from the environment or the newest that cargo has built; undefined where there is none. */
+/** `acutile-verify`, from the environment or the newest that cargo has built. */
 function rustVerifier() {
   const given = process.env.ACUTILE_VERIFY;
   if (given) return given;
   const built = ["release", "debug"].map((profile) => join(ROOT, "target", profile, "acutile-verify")).filter(existsSync);
+  if (built.length === 0) throw new Error("acutile-verify is not built: cargo build --package acutile-kernel, or name it in ACUTILE_VERIFY");
   return built.sort((p, q) => statSync(q).mtimeMs - statSync(p).mtimeMs)[0];
 }
 
-function pythonIsThere() {
-  try {
-    execFileSync("python3", ["--version"], { stdio: "ignore" });
-    return true;
-  } catch {
-    return false;
-  }
-}
-
-const rust = rustVerifier();
-
-const python = pythonIsThere() && ["python3", join(ROOT, "verifiers/python/verify.py")];
+const python = ["python3", join(ROOT, "verifiers/python/verify.py")];
 
 /** The other verifiers: the command, the encoding that it reads, and the size of files for which it is quick enough. */
 export const OTHERS = [
-  { name: "acutile-verify", command: rust && [rust], reads: "cbor", most: Infinity },
+  { name: "acutile-verify", command: [rustVerifier()], reads: "cbor", most: Infinity },
   { name: "verify.py", command: python, reads: "json", most: 10_000 },
   { name: "verify.py on CBOR", command: python, reads: "cbor", most: 10_000 },
-].filter(({ command }) => command);
+];
 
 /** The answers of a program about some files: the lines of all verifiers begin alike. */
 export function ask({ command: [program, ...options] }, files) {

@@ -235,7 +235,7 @@ function stretch(chance, certificate) {
 
 const BOUNDS = ["largest dihedral angle", "smallest dihedral angle", "squared radius-edge ratio"];
 const RELATIONS = ["less than", "at most", "maximum", "more than", "at least", "minimum"];
-const ORDER = ["face-to-face tiling", "acute", "nonobtuse", ...BOUNDS, "uncrossed plane", "Delaunay", "weakly Delaunay", "locally Delaunay", "locally weakly Delaunay", "TCP"];
+const ORDER = ["face-to-face tiling", "acute", "nonobtuse", ...BOUNDS, "uncrossed plane", "Delaunay", "weakly Delaunay", "locally Delaunay", "locally weakly Delaunay", "not Delaunay", "TCP"];
 
 function fractionNear(chance, fraction, claim) {
   const [p, q] = fraction ?? [claim.field === "Q" ? 1 : [1, ...Array(claim.field.polynomial.length - 2).fill(0)], chance.of([1, 2, 3, 4, 9, 25])];

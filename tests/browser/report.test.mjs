@@ -33,7 +33,7 @@ function write(name, ...inputs) {
   return path;
 }
 
-// Opens a page; at the end nothing was loaded and nothing complained.
+// Opens a page, and waits for the view where there is one; at the end nothing was loaded and nothing complained.
 async function visit(path, use, options = {}) {
   const { from = browser, script, ...context } = options;
   const session = await from.newContext({ viewport: { width: 1200, height: 900 }, acceptDownloads: true, ...context });
@@ -45,6 +45,7 @@ async function visit(path, use, options = {}) {
   page.on("request", (request) => requests.push(request.url()));
   const url = pathToFileURL(path).href;
   await page.goto(url);
+  await page.locator(".stage.live .legend li, html.still, html:not(.js)").first().waitFor({ state: "attached" });
   await use(page);
   const loaded = requests.filter((other) => other !== url && !/^(blob|data):/.test(other));
   assert.deepEqual(loaded, [], "nothing is loaded");
@@ -87,7 +88,7 @@ async function drag(page, dx, dy) {
 
 // The text of every cell of a table of the chosen simplex.
 const rows = (page, caption) => page.locator(`.picked table:has(caption:text-is("${caption}")) tbody tr`)
-  .evaluateAll((rows) => rows.map((row) => [...row.cells].map((cell) => cell.textContent)));
+  .evaluateAll((rows) => rows.map((row) => [...row.cells].map((cell) => cell.querySelector("math")?.getAttribute("alttext") ?? cell.textContent)));
 
 // Compares what is shown of simplex `index` with the certificate.
 async function compare(page, tiling, index) {
@@ -130,11 +131,15 @@ for (const [name, simplices] of Object.entries(SHOWN)) {
       await look("dragging");
       await set(page, "explode", "70");
       await look("exploding");
+      const axis = page.locator("[name=axis]");
+      await axis.waitFor({ state: "hidden" });
       await set(page, "cut", "55");
+      await axis.waitFor({ state: "visible" });
       await look("cutting");
       await set(page, "axis", "1");
       await look("another axis");
       await set(page, "cut", "100");
+      await axis.waitFor({ state: "hidden" });
       await set(page, "explode", "0");
       for (const colour of name === "a15" ? ["type"] : ["angle", "type"]) {
         await set(page, "colour", colour);
@@ -158,7 +163,7 @@ for (const [name, simplices] of Object.entries(SHOWN)) {
       assert.equal(indices.length, simplices);
       assert.ok(indices.every((line) => line.split(" ").slice(1).every((k) => Number(k) < points)));
 
-      await page.getByRole("button", { name: "Re-check in the browser" }).click();
+      await page.getByRole("button", { name: "Verify in this browser" }).click();
       const verdict = page.locator(".verdict.good, .verdict.bad");
       await verdict.waitFor();
       const words = await verdict.textContent();
@@ -173,7 +178,7 @@ test("a click chooses what is under it", async () => {
   await visit(write("click", "cube-corner"), async (page) => {
     const box = await page.locator("canvas").boundingBox();
     await page.mouse.click(box.x + 5, box.y + 5);
-    assert.ok(await page.locator(".picked").isHidden(), "the background is nothing");
+    await page.locator(".picked").waitFor({ state: "hidden" });
     await page.mouse.click(box.x + box.width / 2, box.y + box.height / 2);
     assert.equal(await page.locator(".picked h3").textContent(), "Tetrahedron 0");
     // The corner of a cube: three right angles at its edges, three of cosine √(1/3) at the others.
@@ -192,7 +197,7 @@ test("a changed certificate is not verified", async () => {
   assert.notEqual(data.tilings[0].certificate, certificate);
   writeFileSync(path, html.replace(element, (_, head, __, end) => head + JSON.stringify(data).replaceAll("<", "\\u003c") + end));
   await visit(path, async (page) => {
-    await page.getByRole("button", { name: "Re-check in the browser" }).click();
+    await page.getByRole("button", { name: "Verify in this browser" }).click();
     const verdict = page.locator(".verdict.good, .verdict.bad");
     await verdict.waitFor();
     assert.match(await verdict.textContent(), /^Not verified: rejected \[[a-z-]+\] /);
@@ -201,7 +206,7 @@ test("a changed certificate is not verified", async () => {
 
 test("without workers the check runs in the page itself", async () => {
   await visit(write("alone", "bcc"), async (page) => {
-    await page.getByRole("button", { name: "Re-check in the browser" }).click();
+    await page.getByRole("button", { name: "Verify in this browser" }).click();
     await page.locator(".verdict.good").waitFor();
   }, { script: "delete window.Worker" });
 });
@@ -219,8 +224,8 @@ test("keyboard", async () => {
     await page.keyboard.press("p");
     assert.equal(await page.locator(".picked h3").textContent(), "Tetrahedron 45");
     await page.keyboard.press("Escape");
-    assert.ok(await page.locator(".picked").isHidden());
-    await page.getByRole("button", { name: "Re-check in the browser" }).focus();
+    await page.locator(".picked").waitFor({ state: "hidden" });
+    await page.getByRole("button", { name: "Verify in this browser" }).focus();
     await page.keyboard.press("Enter");
     await page.locator(".verdict.good").waitFor();
   });
@@ -269,14 +274,15 @@ for (const width of [320, 390]) {
 
 test("print", async () => {
   await visit(write("print", "a15"), async (page) => {
+    await page.locator("canvas").waitFor();
     const pdf = await page.pdf({ format: "A4" });
     assert.equal(pdf.subarray(0, 5).toString(), "%PDF-");
     const pages = pdf.toString("latin1").match(/\/Type \/Page\b/g).length;
     assert.ok(pages >= 1 && pages <= 6, `${pages} pages`);
     if (process.env.SCREENSHOTS) writeFileSync(join(process.env.SCREENSHOTS, "print.pdf"), pdf);
     await page.emulateMedia({ media: "print" });
-    assert.ok(await page.locator(".controls").isHidden());
-    assert.ok(await page.locator("canvas").isVisible());
+    await page.locator(".controls").waitFor({ state: "hidden" });
+    await page.locator("canvas").waitFor({ state: "visible" });
   }, { colorScheme: "dark" });
 });
 
@@ -284,10 +290,10 @@ test("without JavaScript there are picture, text and tables", async () => {
   await visit(write("still", "a15", "slab"), async (page) => {
     assert.equal(await page.locator("article").count(), 2);
     for (const what of ["svg.picture >> nth=1", "svg.histogram >> nth=1", "text=All dihedral angles are acute. >> nth=1", "table >> nth=1"]) {
-      assert.ok(await page.locator(what).isVisible(), what);
+      await page.locator(what).waitFor({ state: "visible" });
     }
     assert.equal(await page.locator("button:visible").count(), 0);
-    assert.ok(await page.locator("text=Without JavaScript").isVisible());
+    await page.locator("text=Without JavaScript").waitFor({ state: "visible" });
     await screenshot(page, "still");
   }, { javaScriptEnabled: false });
 });
@@ -295,9 +301,9 @@ test("without JavaScript there are picture, text and tables", async () => {
 test("without WebGL there is a still picture, and the check runs", async () => {
   const plain = await chromium.launch({ executablePath: CHROMIUM, args: ["--no-sandbox", "--disable-3d-apis"] });
   await visit(write("flat", "a15"), async (page) => {
-    assert.ok(await page.locator("text=This browser cannot show the view that turns").isVisible());
-    assert.ok(await page.locator("svg.picture").isVisible());
-    await page.getByRole("button", { name: "Re-check in the browser" }).click();
+    await page.locator("text=This browser cannot show the view that turns").waitFor({ state: "visible" });
+    await page.locator("svg.picture").waitFor({ state: "visible" });
+    await page.getByRole("button", { name: "Verify in this browser" }).click();
     await page.locator(".verdict.good").waitFor();
   }, { from: plain });
   await plain.close();
@@ -305,6 +311,7 @@ test("without WebGL there is a still picture, and the check runs", async () => {
 
 test("several tilings on a page", async () => {
   await visit(write("several", "sigma", "equilateral", "two-corners"), async (page) => {
+    await page.waitForFunction(() => document.querySelectorAll("article:not([hidden])").length === 1);
     assert.equal(await page.locator("article:visible h2").textContent(), "sigma");
     const before = await picture(page);
     await page.getByRole("link", { name: "equilateral" }).click();

@@ -10,9 +10,11 @@ import sys
 
 from source.check import code_of
 from source.check_family import codes_of
+from source.contracted import CONTRACTED_FALSE, CONTRACTED_VALID
 from source.encode import to_json
 from source.declined import DECLINED
-from source.declined_families import DECLINED_FAMILIES, FALSE_BUT_DECLINED
+from source.declined_families import DECLINED_FAMILIES, FALSE_BUT_DECLINED as UNSEEN
+from source.factors import FACTORS_DECLINED, FACTORS_FALSE, FACTORS_MALFORMED, FACTORS_VALID
 from source.false import FALSE
 from source.false_families import FALSE_FAMILIES
 from source.false_patches import DECLINED_PATCHES, FALSE_PATCHES, MALFORMED_PATCHES
@@ -62,9 +64,12 @@ def check_families(folder, files):
 
 
 FOLDERS = {
-    "valid": {**VALID, **PATCHES_VALID}, "malformed": {**MALFORMED, **PATCHES_MALFORMED},
-    "false": {**FALSE, **PATCHES_FALSE}, "declined": {**DECLINED, **PATCHES_DECLINED}}
-FAMILIES = {"valid": VALID_FAMILIES, "malformed": MALFORMED_FAMILIES, "false": FALSE_FAMILIES, "declined": DECLINED_FAMILIES}
+    "valid": {**VALID, **PATCHES_VALID, **CONTRACTED_VALID}, "malformed": {**MALFORMED, **PATCHES_MALFORMED},
+    "false": {**FALSE, **PATCHES_FALSE, **CONTRACTED_FALSE}, "declined": {**DECLINED, **PATCHES_DECLINED}}
+FAMILIES = {
+    "valid": {**VALID_FAMILIES, **FACTORS_VALID}, "malformed": {**MALFORMED_FAMILIES, **FACTORS_MALFORMED},
+    "false": {**FALSE_FAMILIES, **FACTORS_FALSE}, "declined": {**DECLINED_FAMILIES, **FACTORS_DECLINED}}
+FALSE_BUT_DECLINED = {**UNSEEN, **FACTORS_DECLINED}
 PATCHES = {"valid": VALID_PATCHES, "malformed": MALFORMED_PATCHES, "false": FALSE_PATCHES, "declined": DECLINED_PATCHES}
 
 if __name__ == "__main__":

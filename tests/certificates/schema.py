@@ -12,11 +12,11 @@ from jsonschema import Draft202012Validator
 HERE = Path(__file__).parent
 # What a schema over parsed JSON cannot express: bytes, arithmetic, and references from one member to another.
 BEYOND_A_SCHEMA = (
-    "boundary-repeated--", "shift-range--patches-fan", "tile-count--patches-without-a-patch", "bound-range--", "box-empty--", "box-exchanged--", "parameter-name--twice", "terms--", "tree--axis-of-no-parameter",
+    "boundary-repeated--", "shift-range--patches-fan", "tile-count--patches-without-a-patch", "bound-range--", "box-empty--", "box-exchanged--", "parameter-name--twice", "parameter-name--that-of-the-generator", "terms--", "tree--axis-of-no-parameter",
     "pyramid--apex-in-the-polygon", "tile-count--one-", "unused-parameter--", "canonical--", "corner-order--", "face-repeated--side-reversed",
     "face-repeated--two-opposite-faces-doubled", "face-vertices--range", "polynomial--leading-zero", "polynomial--minus-one",
     "polynomial--not-monic", "root-derivative--", "root-order--", "statements--bound-before-acute",
-    "statements--local-before-global", "statements--order", "statements--plane-after-delaunay", "statements--planes-in-other-order",
+    "statements--local-before-global", "statements--not-delaunay-before-delaunay", "statements--order", "statements--plane-after-delaunay", "statements--planes-in-other-order",
     "json--plane-of-three-coordinates", "statement-domain--family-plane", "statement-domain--patches-plane", "statements--quantities-in-other-order",
     "statements--ratio-after-delaunay", "statements--relations-in-other-order", "statements--tcp-before-delaunay",
     "statements--two-of-one-relation", "unused-domain-vertex--", "unused-vertex--", "vertex-range--",

@@ -25,7 +25,7 @@ const CODES = new Map(
   rejected denominator-domain, vertex-outside; malformed unused-parameter, boundary-domain, no-simplices; declined too-many-simplices;
   malformed vertex-range, shift-range, corner-order, sixes, boundary-repeated; rejected boundary-meets, facet-side, triangle-valence,
   edge-valence, orientation, covering, not-acute, not-nonobtuse, plane-crossed, angle-bound, ratio-bound, not-delaunay, not-weakly-delaunay,
-  open-facet, boundary-open; malformed unused-vertex; rejected volume-sum, not-attained; declined sign-undecided, work;
+  open-facet, boundary-open; malformed unused-vertex; rejected volume-sum, not-attained, none-inside; declined sign-undecided, work;
   malformed rank; rejected gram-blocks; malformed tile-count, side-count; rejected tile-order; malformed pyramid; rejected pyramid-side,
   wall-pattern, wall-reversal; declined corner-angle; rejected side-classes, missing-join`
     .split(";")
@@ -867,10 +867,11 @@ const STATEMENTS = [
   "weakly Delaunay",
   "locally Delaunay",
   "locally weakly Delaunay",
+  "not Delaunay",
   "TCP",
 ];
 const RELATIONS = ["less than", "at most", "maximum", "more than", "at least", "minimum"];
-const [TILING, , , LARGEST, SMALLEST, RATIO, PLANE, DELAUNAY, WEAKLY, LOCALLY, LOCALLY_WEAKLY, TCP] = STATEMENTS.keys();
+const [TILING, , , LARGEST, SMALLEST, RATIO, PLANE, DELAUNAY, WEAKLY, LOCALLY, LOCALLY_WEAKLY, NOT_DELAUNAY, TCP] = STATEMENTS.keys();
 const CODIMENSIONS = new Map([["slab", 1], ["prism", 2], ["solid", undefined]]);
 
 /** The tiling so far: everything that the claim says, checked. Of a family, `halvings` is the tree of its witness. */
@@ -894,6 +895,7 @@ function readParameters(reader, tiling, trees, halvings) {
   const parameters = trees.map((tree, k) => readParameter(reader, tiling, tree, `parameter ${k}`));
   const names = parameters.map(({ name }) => name);
   if (new Set(names).size < count) refuse("parameter-name", "two parameters have the same name");
+  if (reader.degree > 1 && names.includes("a")) refuse("parameter-name", "a parameter is named a, like the root of the field");
   const leaves = [];
   readTree(reader, halvings, parameters, 0, leaves);
   tiling.ring = new PolynomialRing(tiling.numbers, names);
@@ -1019,6 +1021,7 @@ function readStatements(reader, { dimension, kind, numbers, sides }, trees) {
       [LOCALLY]: kind !== "region",
       [LOCALLY_WEAKLY]: kind !== "region",
       [PLANE]: sides !== null,
+      [NOT_DELAUNAY]: sides === undefined,
       [TCP]: kind !== "space" || dimension !== 3,
     }[statement.kind];
     if (isMisplaced) refuse("statement-domain", `"${name}" is not stated of this domain`);
@@ -1241,7 +1244,7 @@ function checkWitness(reader, tiling, witness) {
   if (rows.length === 0) refuse("no-simplices", "there are no simplices");
   const isMany = rows.length > reader.limits.simplices;
   if (isMany) refuse("too-many-simplices", `${rows.length} simplices, more than the limit of ${reader.limits.simplices}`);
-  Object.assign(tiling, { rows: [], edges: new Map(), total: tiling.ring.zero, attained: new Map() });
+  Object.assign(tiling, { rows: [], edges: new Map(), total: tiling.ring.zero, attained: new Map(), inside: { found: new Set(), depths: [] } });
   rows.forEach((row, s) => checkRow(reader, tiling, row, s));
   checkCovering(tiling);
   checkEnd(tiling);
@@ -1370,6 +1373,11 @@ function checkEnd(tiling) {
 
 /** Some simplex attains a bound that is said to be exact, in each place. */
 function checkAttained(tiling, statement, i) {
+  if (statement.kind === NOT_DELAUNAY) {
+    const { found, depths } = tiling.inside;
+    const isInside = (at) => found.has(at) || depths.some(([depth, of]) => at.positive(depth, of));
+    demand(tiling, isInside, "none-inside", () => "no vertex is found inside of a circumsphere");
+  }
   if (!EXACT.includes(statement.relation)) return;
   const found = tiling.attained.get(i);
   const attains = (at) => tiling.rows.some((corners, s) => isAttained(at, comparisons(tiling, simplexOf(tiling, corners, s), statement), statement));
@@ -1504,6 +1512,19 @@ function judge(tiling, simplex, mates, statement, index) {
   if (name === "nonobtuse") judgeAngles(tiling, simplex, "atLeastZero", "not-nonobtuse");
   if (kind === DELAUNAY || kind === LOCALLY) judgePowers(tiling, simplex, mates, "positive", "not-delaunay");
   if (kind === WEAKLY || kind === LOCALLY_WEAKLY) judgePowers(tiling, simplex, mates, "atLeastZero", "not-weakly-delaunay");
+  if (kind === NOT_DELAUNAY) seekInside(tiling, simplex, mates);
+}
+
+/** Not Delaunay: keeps the powers of mates' corners until one is negative in each place. */
+function seekInside(tiling, simplex, mates) {
+  const { inside } = tiling;
+  for (const { i, apex } of mates) {
+    if (inside.found.size === tiling.places.length) return;
+    const depth = negated(simplex.power(pointOf(tiling, apex)));
+    const of = () => `power of the corner beyond ${facetName(simplex.s, i)}, negated`;
+    for (const place of tiling.places) if (place.positive(depth, of)) inside.found.add(place);
+    inside.depths.push([depth, of]);
+  }
 }
 
 /** cos θ = -g_i · g_j / (|g_i| |g_j|) has the sign of -n_i · adj(G) n_j. `test` is a method of places. */
@@ -2334,6 +2355,7 @@ const PLAIN_WORDS = {
   "weakly Delaunay": "it is a Delaunay triangulation of its vertices",
   "locally Delaunay": "beyond every facet with a mate, the mate's other corner is outside of the circumsphere",
   "locally weakly Delaunay": "beyond every facet with a mate, the mate's other corner is not inside of the circumsphere",
+  "not Delaunay": "it is no Delaunay triangulation of its vertices: one of them is inside of the circumsphere of a simplex",
   TCP: "it is tetrahedrally close packed: every edge is in 5 or 6 tetrahedra, and no triangle has two edges that are in 6",
 };
 

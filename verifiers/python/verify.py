@@ -614,7 +614,8 @@ def parity(items):
 PLAIN = ["face-to-face tiling", "acute", "nonobtuse"]
 BOUNDS = ["largest dihedral angle", "smallest dihedral angle", "squared radius-edge ratio"]
 PLANE = "uncrossed plane"
-LATER = ["Delaunay", "weakly Delaunay", "locally Delaunay", "locally weakly Delaunay", "TCP"]
+NOT_DELAUNAY = "not Delaunay"
+LATER = ["Delaunay", "weakly Delaunay", "locally Delaunay", "locally weakly Delaunay", NOT_DELAUNAY, "TCP"]
 STATEMENTS = PLAIN + BOUNDS + [PLANE] + LATER
 RELATIONS = ["less than", "at most", "maximum", "more than", "at least", "minimum"]
 DELAUNAY = {"Delaunay": (positive_in, "not-delaunay"), "locally Delaunay": (positive_in, "not-delaunay"),
@@ -652,6 +653,7 @@ class Certificate:
         formed(0 < len(array(parameters)) <= PARAMETERS, "parameters", "none, or too many")
         names, sides = zip(*map(self.read_parameter, parameters))
         formed(len(set(names)) == len(names), "parameter-name", "two parameters have one name")
+        formed("a" not in names or not self.field, "parameter-name", "a parameter is named a, like the root of the field")
         return Box(names, list(sides), self.read_tree(tree, len(names)))
 
     def read_parameter(self, data):
@@ -771,7 +773,11 @@ class Certificate:
             wrong.add("TCP")
         if self.is_not_single:
             wrong.add(PLANE)
+        if self.is_of_patches:
+            wrong.add(NOT_DELAUNAY)
         formed(not names & wrong, "statement-domain", "a statement is not for this domain")
+
+    is_of_patches = False
 
     @property
     def is_not_single(self):
@@ -1227,10 +1233,20 @@ def check_acute(c, shapes, test, code):
 
 
 def check_delaunay(c, shapes, mates, test, code):
+    for one, other, power in powers(c, shapes, mates):
+        c.proved(test(power), code, f"simplices {one.simplex} and {other.simplex}")
+
+
+def powers(c, shapes, mates):
+    """For each facet with a mate the power of the mate's corner."""
     for one, other in mates:
         beyond = moved(moved(other.apex, other.base, -1), one.base)
-        power = shapes[one.simplex].power(c, c.position(beyond))
-        c.proved(test(power), code, f"simplices {one.simplex} and {other.simplex}")
+        yield one, other, shapes[one.simplex].power(c, c.position(beyond))
+
+
+def inside(c, shapes, mates):
+    """The leaves in which one corner is inside of a circumsphere in all points."""
+    return reduce(int.__or__, (positive_in(-power) for _, _, power in powers(c, shapes, mates)), 0)
 
 
 def check_plane(c, normal, p, q):
@@ -1320,11 +1336,15 @@ def check_places(data, point=None):
             check_plane(c, *statement[-1])
         elif name in DELAUNAY:
             check_delaunay(c, shapes, mates, *DELAUNAY[name])
+        elif name == NOT_DELAUNAY:
+            found = inside(c, shapes, mates)
     check_end(c, groups, listed, determinants)
     if c.claims("TCP"):
         check_tcp(c)
     for leaves in attained:
         c.proved(leaves, "not-attained", "no simplex attains a bound")
+    if c.claims(NOT_DELAUNAY):
+        c.proved(found, "none-inside", "no vertex is found inside of a circumsphere")
     return c
 
 
@@ -1334,7 +1354,7 @@ def check_places(data, point=None):
 class System(Certificate):
     """A certificate of the kind patches. What is a corner elsewhere is here a point of a tile, times unit."""
 
-    is_not_single = True
+    is_not_single = is_of_patches = True
 
     def __init__(self, data):
         _, _, _, claim, witness = record(data, "format", "version", "kind", "claim", "witness")

@@ -32,11 +32,16 @@ impl Function {
 
 /// Numbers, or sets that contain them.
 pub trait Arithmetic {
+    /// A number, or a set that contains it.
     type Value: Clone;
 
+    /// The value of a rational number.
     fn rational(&self, value: &Rational) -> Self::Value;
+    /// x + y
     fn sum(&self, x: &Self::Value, y: &Self::Value) -> Self::Value;
+    /// x - y
     fn difference(&self, x: &Self::Value, y: &Self::Value) -> Self::Value;
+    /// x y
     fn product(&self, x: &Self::Value, y: &Self::Value) -> Self::Value;
     /// 1/x; an error where x may be 0.
     fn inverse(&self, x: &Self::Value) -> Result<Self::Value, String>;

@@ -14,7 +14,9 @@ pub const PART: &str = "600-cell";
 
 /// A complex of tetrahedra by their sorted vertices.
 pub struct Cells {
+    /// The number of vertices.
     pub vertices: usize,
+    /// The four vertices of each tetrahedron, by their numbers.
     pub cells: Vec<[usize; 4]>,
 }
 

@@ -3,7 +3,7 @@
 use serde_json::{Value, json};
 use std::fmt;
 
-/// What became of a step.
+/// The result of a step.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Verdict {
     /// It holds.
@@ -45,6 +45,7 @@ pub struct Check {
     pub place: &'static str,
     /// The statement that was decided.
     pub statement: String,
+    /// Whether the statement holds.
     pub verdict: Verdict,
     /// How it was decided, and the values found.
     pub found: String,

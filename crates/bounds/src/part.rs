@@ -21,9 +21,11 @@ pub enum Method {
 /// A name for a number.
 #[derive(Clone, Copy, Debug)]
 pub struct Definition {
+    /// The name, which later texts use.
     pub name: &'static str,
     /// A function that is applied to the value of the text.
     pub function: Option<Function>,
+    /// An expression of numbers and earlier names.
     pub text: &'static str,
 }
 
@@ -43,8 +45,11 @@ pub struct Claim {
 pub struct Part {
     /// A stable name.
     pub id: &'static str,
+    /// The arithmetic in which the claims are decided.
     pub method: Method,
+    /// The names, each defined by earlier ones.
     pub definitions: &'static [Definition],
+    /// The claims, in the order in which they are decided.
     pub claims: &'static [Claim],
 }
 

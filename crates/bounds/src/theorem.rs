@@ -10,6 +10,7 @@ pub struct Theorem {
     pub id: &'static str,
     /// The place in docs/lower-bound.md.
     pub place: &'static str,
+    /// The statement in words.
     pub statement: &'static str,
     /// The parts whose checks the proof uses.
     pub parts: &'static [&'static str],

@@ -40,7 +40,7 @@ type Side = (usize, usize);
 const MULTIPLES: [[i64; 2]; 6] = [[1, 1], [2, 1], [1, 2], [2, 2], [3, 1], [1, 3]];
 /// Multiples of the cell over which colours close.
 const DOUBLED: [[i64; 2]; 4] = [[1, 1], [2, 1], [1, 2], [2, 2]];
-/// The largest distance along edges at which stars are looked at around one vertex.
+/// The largest distance along edges at which stars around one vertex are examined.
 const RADIUS_LIMIT: usize = 3;
 
 /// Blank edges and colours for a tiling.
@@ -148,9 +148,10 @@ fn blank_edges(plane: &PlaneTiling, stars: &[Vec<TileCorner>]) -> Option<BTreeSe
 /// The edge from a vertex in a direction; `residue` takes vertices that are the same to
 /// one of them.
 fn edge(place: Cyclotomic, k: usize, residue: impl Fn(Cyclotomic) -> Cyclotomic) -> Edge {
-    match k < 6 {
-        true => (residue(place), k),
-        false => (residue(sum(place, POWERS[k])), k - 6),
+    if k < 6 {
+        (residue(place), k)
+    } else {
+        (residue(sum(place, POWERS[k])), k - 6)
     }
 }
 

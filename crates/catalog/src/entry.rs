@@ -3,6 +3,7 @@
 use super::CatalogError;
 use super::plane_tiling::{PlaneTiling, built_in};
 use acutile_core::family::AnyFamily;
+use acutile_core::statement::Requirement;
 use acutile_core::tiling::{AnyTiling, Tiling};
 use acutile_exact::geometry::Sign;
 use acutile_exact::number::{Number, numbers};
@@ -16,14 +17,16 @@ pub struct Entry {
     pub description: &'static str,
     /// Where it is described.
     pub source: &'static str,
-    /// What is tiled: `space`, `slab`, `prism`, `polyhedron`, `plane` or `polygon`.
+    /// The domain: `space`, `slab`, `prism`, `polyhedron`, `plane` or `polygon`.
     pub domain: &'static str,
     /// The number that it depends on, if it does.
     pub parameter: Option<Parameter>,
     /// Whether it has thousands of simplices: lists of all constructions leave it out.
     pub is_large: bool,
-    /// Planes that no simplex crosses, as requirements like `plane:x1+x2=0`. Its certificate states them.
-    pub planes: &'static [&'static str],
+    /// Requirements like `plane:x1+x2=0`: what its certificate states beyond what the prover finds.
+    pub stated: &'static [&'static str],
+    /// The construction of which it has the combinatorial type, with other numbers.
+    pub variant_of: Option<&'static str>,
     pub(super) recipe: Recipe,
 }
 
@@ -84,6 +87,14 @@ impl Entry {
             Recipe::Parameters(recipe) => Some(recipe()),
             _ => None,
         }
+    }
+
+    /// The requirements of `stated`.
+    ///
+    /// # Errors
+    /// One is none, in words.
+    pub fn requirements(&self) -> Result<Vec<Requirement>, String> {
+        self.stated.iter().map(|text| text.parse()).collect()
     }
 
     /// Whether it is a tiling for each point of a box of parameters.

@@ -26,7 +26,7 @@ pub enum CatalogError {
     /// Not three positive integers whose product is at most [`CUBE_LIMIT`].
     Sides(String),
     /// A table has no row for the orbit of this vertex.
-    NoOrbit([i8; 4]),
+    NoOrbit(Vec<i8>),
     /// A file of a plane tiling cannot be read.
     File(String),
     /// Two neighbouring edges at this vertex enclose an angle, in degrees, that is neither of a
@@ -55,7 +55,7 @@ pub enum CatalogError {
         vertex: usize,
         /// The tiles at it by their numbers of sides, `3.3.3.3.3.3`.
         tiles: String,
-        /// Steps along edges from the vertex to the centres of the stars that are looked at.
+        /// Steps along edges from the vertex to the centres of the stars that are examined.
         radius: usize,
         /// The vertices in the middle of these stars.
         stars: usize,

@@ -7,8 +7,8 @@
 use super::recipe::{common_field, fraction};
 use super::{CatalogError, congruent, planar, plane_tiling, slab, solid};
 use acutile_core::delaunay::{Ties, triangulate};
-use acutile_core::family::{AnyFamily, Family, Parameter};
-use acutile_core::tiling::{Corner, Domain, Frame, PointSet, Tiling, floor};
+use acutile_core::family::{AnyFamily, Family, Parameter, free};
+use acutile_core::tiling::{Domain, Frame, PointSet, Tiling};
 use acutile_exact::geometry::RingElement;
 use acutile_exact::number::{Field, Number, numbers};
 use acutile_exact::polynomial::{End, Polynomial, Side};
@@ -294,27 +294,6 @@ pub fn c14() -> Built {
             .collect(),
     };
     let tiling = triangulate(&member, Ties::Refuse)?;
-    let corner = |corner: &Corner<3>| named(&member.points, &tiling.position(corner));
-    let corners: Option<Vec<Corner<3>>> = tiling.corners.iter().map(corner).collect();
-    Ok(AnyFamily::Space(Family {
-        parameters,
-        frame: Frame {
-            field: Field::rationals(),
-            gram,
-            domain: Domain::Space,
-        },
-        vertices: points.to_vec(),
-        corners: corners.ok_or(CatalogError::Degenerate)?,
-    }))
-}
-
-/// The corner at a position: one of the points, moved by a lattice vector of space.
-fn named(points: &[[Number; 3]], position: &[Number; 3]) -> Option<Corner<3>> {
-    let is_there = |point: &[Number; 3]| {
-        let shift: [i32; 3] = std::array::from_fn(|k| floor(&(&position[k] - &point[k])));
-        let is_equal = |k: usize| &position[k] - &point[k] == fraction(i64::from(shift[k]), 1);
-        (0..3).all(is_equal).then_some(shift)
-    };
-    let mut found = (0..).zip(points);
-    found.find_map(|(vertex, point)| Some(Corner::of(vertex).moved(is_there(point)?)))
+    let family = free::over_points(&tiling, &member.points, parameters, gram, points.to_vec());
+    family.map(AnyFamily::Space).ok_or(CatalogError::Degenerate)
 }

@@ -3,7 +3,7 @@
 //!
 //! A layer is a hexagonal lattice with a = 4 without every fourth point: the middles of
 //! the edges of a larger hexagonal net. Its hexagons are centred at one of three places
-//! (registry 0, 1, 2: multiples of (1/3, 2/3)). A word says what stands between one layer
+//! (registry 0, 1, 2: multiples of (1/3, 2/3)). A word names the layers between one layer
 //! and the next:
 //!
 //! - `z`, height 4, same registry: two points on the hexagon's axis at distance 1 from the
@@ -31,9 +31,10 @@ type Point = ([Number; 2], Number);
 /// Where it is none.
 pub fn blocks(word: &str) -> Result<usize, CatalogError> {
     let is_word = !word.is_empty() && word.chars().all(|letter| "z+-".contains(letter));
-    match is_word {
-        true => Ok(word.len()),
-        false => Err(CatalogError::Word(word.to_owned())),
+    if is_word {
+        Ok(word.len())
+    } else {
+        Err(CatalogError::Word(word.to_owned()))
     }
 }
 

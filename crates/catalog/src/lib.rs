@@ -7,6 +7,7 @@
 //! | `z_c15` | the variant that mixes Z and C15 |
 //! | `blank`, `search` | the blank edges that the variant needs |
 //! | `icosahedral` | layers of icosahedra |
+//! | `best` | C14, Z and the slab with the best angles known of their types |
 //! | `slab` | the slab, and the slab repeated |
 //! | `kagome` | Laves phases, Z and mixtures as stacked layers |
 //! | `selected` | lattices with selected circumcentres: A15 and C15 |
@@ -14,14 +15,16 @@
 //! | `solid` | single tetrahedra, and two that are not Delaunay |
 //! | `cell600` | polyhedra cut into acute tetrahedra, with the 600-cell |
 //! | `planar` | the square, and tilings by triangles |
+//! | [`places`] | the special places of a square/triangle tiling, for searches |
 //! | `families` | constructions for all values of their parameters in a box |
 //! | [`patches`] | theorems about all tilings over squares and triangles, and all kagome words |
-//! | `recipe` | what they share |
+//! | `recipe` | their common parts |
 //! | `entry`, `entries` | one construction, and the table of all |
 //! | [`limits`] | words and entries beyond them are refused |
 //!
 //! Names are a contract. Nothing here is proved; the checker does that.
 
+mod best;
 mod blank;
 mod cell600;
 mod congruent;
@@ -33,6 +36,7 @@ mod icosahedral;
 mod kagome;
 pub mod limits;
 pub mod patches;
+pub mod places;
 mod planar;
 pub mod plane_file;
 pub mod plane_tiling;
@@ -62,10 +66,15 @@ pub fn entries() -> &'static [Entry] {
 /// A theorem about all members of a family: a system of patches.
 #[derive(Debug)]
 pub struct Theorem {
+    /// The name of the construction.
     pub name: &'static str,
+    /// One line for the list of the catalogue.
     pub description: &'static str,
     /// The name of the family, before the word.
     pub family: &'static str,
+    /// The letters of the tiles in a word; none where the word is no list of tiles.
+    pub letters: &'static str,
+    /// Builds the system of patches.
     pub system: fn() -> Result<System, CatalogError>,
 }
 
@@ -75,12 +84,14 @@ pub static THEOREMS: &[Theorem] = &[
         name: "square-triangle-all",
         description: "all TCP structures over tilings by squares and triangles, periodic or not",
         family: "square-triangle:",
+        letters: "",
         system: patches::square_triangle_all,
     },
     Theorem {
         name: "kagome-all",
         description: "all stacks of kagome layers, periodic or not",
         family: "kagome:",
+        letters: "z+-",
         system: patches::kagome_all,
     },
 ];
@@ -95,6 +106,12 @@ pub fn names() -> impl Iterator<Item = &'static str> {
     single()
         .filter(|entry| !entry.is_large)
         .map(|entry| entry.name)
+}
+
+/// The names without variants, which have the combinatorial type of another.
+pub fn types() -> impl Iterator<Item = &'static str> {
+    let is_variant = |name: &&str| find(name).is_some_and(|entry| entry.variant_of.is_some());
+    names().filter(move |name| !is_variant(name))
 }
 
 /// The names of the large ones.

@@ -68,8 +68,13 @@ fn depth(mut name: &str) -> (usize, &str) {
 pub fn built_in(name: &str) -> Result<PlaneTiling, CatalogError> {
     named(name).ok_or_else(|| {
         CatalogError::File(format!(
-            "found {name:?} after the colon, expected a plane-tiling file or a built-in tiling: 3, \
-             4, 33344, 32434, 3464, or one of these after inflated- up to {DEPTH_LIMIT} times"
+            "found {} after the colon, expected a plane-tiling file or a built-in tiling: 3, \
+             4, 33344, 32434, 3464, or one of these after inflated- up to {DEPTH_LIMIT} times",
+            if name.is_empty() {
+                "nothing".to_owned()
+            } else {
+                format!("{name:?}")
+            }
         ))
     })
 }
@@ -198,7 +203,7 @@ impl PlaneTiling {
     /// edge. So the tiles cover the plane evenly, and once if their area is that of the cell.
     ///
     /// # Errors
-    /// What is wrong with the tiling.
+    /// The first defect of the plane tiling.
     pub fn stars(&self) -> Result<Vec<Vec<TileCorner>>, CatalogError> {
         self.check_entries()?;
         let stars: Vec<Vec<TileCorner>> = self
@@ -287,14 +292,17 @@ fn wheel(c: Cyclotomic) -> Vec<Cyclotomic> {
     points
 }
 
+/// x + y
 pub fn sum(x: Cyclotomic, y: Cyclotomic) -> Cyclotomic {
     std::array::from_fn(|k| x[k] + y[k])
 }
 
+/// x times an integer.
 pub fn scaled(x: Cyclotomic, factor: i64) -> Cyclotomic {
     x.map(|entry| entry * factor)
 }
 
+/// x y
 pub fn times(x: Cyclotomic, y: Cyclotomic) -> Cyclotomic {
     let mut product = [0; 4];
     for (i, a) in x.iter().enumerate() {

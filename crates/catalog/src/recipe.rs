@@ -1,4 +1,4 @@
-//! What recipes share: exact numbers, explicit lists of tetrahedra, and the field of a
+//! The common parts of recipes: exact numbers, explicit lists of tetrahedra, and the field of a
 //! few numbers.
 
 use super::CatalogError;

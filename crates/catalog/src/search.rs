@@ -109,9 +109,12 @@ impl Condition {
                     .all(|i| values[sides[i]].is_none_or(|blank| blank == (first == (i % 2 == 0))))
             }),
             Condition::Vertex(spokes) => [true, false].into_iter().any(|kind| {
-                let allowed = spokes.iter().map(|&(edge, flips)| match flips == kind {
-                    true => values[edge],
-                    false => values[edge].or(Some(false)),
+                let allowed = spokes.iter().map(|&(edge, flips)| {
+                    if flips == kind {
+                        values[edge]
+                    } else {
+                        values[edge].or(Some(false))
+                    }
                 });
                 is_count_possible(allowed.clone(), 2)
                     && spokes

@@ -24,6 +24,8 @@ const BUMP: i64 = 46;
 const MIDDLE: i64 = 71;
 /// In step 8: bumps equal to the holes, 2 (7.1 - 4.6) + 4.6.
 const UPPER_BUMP: i64 = 2 * (MIDDLE - BUMP) + BUMP;
+/// The mirror image of a layer.
+const UPPER_APEX: i64 = HEIGHT - APEX;
 
 /// A triangle of the grid: its corners and its centre.
 const TRIANGLES: [([Place; 3], Place); 2] = [
@@ -38,16 +40,47 @@ const EDGES: [([Place; 2], [Place; 2]); 3] = [
     ([[6, 0], [0, 6]], [[2, 2], [4, 4]]),
 ];
 
+/// The numbers of a slab.
+pub struct Layers {
+    /// The squared side of the grid.
+    pub square: Number,
+    /// The heights of the layers above the base plane: steps 2, 4 and 5.
+    pub apex: Number,
+    pub bump: Number,
+    pub middle: Number,
+}
+
 /// The slab: 56 tetrahedra in a cell.
 pub fn slab() -> Tiling<3> {
-    let bounds = Polytope::interval(fraction(BASE, 10), fraction(HEIGHT, 10));
-    tiling(fraction(1, 1), 10, Domain::Slab(bounds))
+    of_layers(&Layers {
+        square: fraction(36, 1),
+        apex: fraction(APEX, 10),
+        bump: fraction(BUMP, 10),
+        middle: fraction(MIDDLE, 10),
+    })
+}
+
+/// The slab with other numbers.
+pub fn of_layers(layers: &Layers) -> Tiling<3> {
+    let top = &layers.middle + &layers.middle;
+    let bounds = Polytope::interval(fraction(0, 1), top.clone());
+    let height = |tenths: i64| match tenths {
+        BASE => fraction(0, 1),
+        APEX => layers.apex.clone(),
+        BUMP => layers.bump.clone(),
+        MIDDLE => layers.middle.clone(),
+        UPPER_BUMP => &top - &layers.bump,
+        UPPER_APEX => &top - &layers.apex,
+        _ => top.clone(),
+    };
+    tiling(&layers.square, fraction(1, 1), height, Domain::Slab(bounds))
 }
 
 /// The slab repeated to fill space: its boundary planes carry the same grid.
 pub fn slab_stack() -> Tiling<3> {
     let period = fraction(HEIGHT * HEIGHT, 100);
-    tiling(period, HEIGHT, Domain::Space)
+    let height = |tenths: i64| fraction(tenths, HEIGHT);
+    tiling(&fraction(36, 1), period, height, Domain::Space)
 }
 
 /// A height of the slab as a polynomial in the heights z1, z2, z3 of its layers; `None` if it is
@@ -67,17 +100,22 @@ pub fn height(value: &Number, [z1, z2, z3]: [&Polynomial; 3]) -> Option<Polynomi
     heights.into_iter().find(known).map(|(_, height)| height)
 }
 
-/// The slab with heights in units of `unit` tenths; `square` is that unit squared.
-fn tiling(square: Number, unit: i64, domain: Domain) -> Tiling<3> {
+/// The slab with the height of each layer in units whose square is `unit`.
+fn tiling(
+    square: &Number,
+    unit: Number,
+    height: impl Fn(i64) -> Number,
+    domain: Domain,
+) -> Tiling<3> {
     let zero = Number::zero;
-    // Step 1: a grid of equilateral triangles of side length 6.
+    // Step 1: a grid of equilateral triangles.
+    let half = square * &fraction(1, 2);
     let gram = [
-        [fraction(36, 1), fraction(18, 1), zero()],
-        [fraction(18, 1), fraction(36, 1), zero()],
-        [zero(), zero(), square],
+        [square.clone(), half.clone(), zero()],
+        [half, square.clone(), zero()],
+        [zero(), zero(), unit],
     ];
-    let position =
-        |([x, y], height): Point| [fraction(x, 6), fraction(y, 6), fraction(height, unit)];
+    let position = |([x, y], tenths): Point| [fraction(x, 6), fraction(y, 6), height(tenths)];
     let frame = Frame::space(Field::rationals(), gram).with_domain(domain);
     let tetrahedra: Vec<Vec<_>> = tetrahedra()
         .into_iter()

@@ -1,4 +1,8 @@
 //! Tests of the public interface of `acutile-catalog`, one binary for all.
 
-mod catalog;
+mod angles;
+mod common;
+mod entries;
 mod patches;
+mod plane_tilings;
+mod structures;

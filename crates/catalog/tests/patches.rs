@@ -177,7 +177,7 @@ fn delaunay_over_plane(plane: &PlaneTiling) -> BTreeSet<Vec<Lifted>> {
         // A vertex of the triangulation may be another translate of its point.
         let [s, t, u] = std::array::from_fn(|k| {
             let moved = &tiling.vertices.vertex(corner.vertex)[k] - &set.points[vertex][k];
-            i64::from(floor(&moved) + corner.shift[k])
+            i64::from(floor(&moved).unwrap() + corner.shift[k])
         });
         (sum(place, sum(scaled(a, s), scaled(b, t))), height + 4 * u)
     };
@@ -255,7 +255,9 @@ impl Period for OverLattice {
 }
 
 fn fractional(point: [Number; 3]) -> Fractional {
-    let floors = point.each_ref().map(floor);
+    let floors = point
+        .each_ref()
+        .map(|x| floor(x).expect("a point near the origin"));
     let rests = std::array::from_fn(|k| {
         let whole = Number::from(Rational::from(floors[k]));
         (&point[k] - &whole).to_string()

@@ -21,12 +21,14 @@ pub type Point = [Number; 3];
 pub struct Cell {
     /// The vertex, not shifted.
     pub centre: Point,
+    /// One face for each Voronoi neighbour.
     pub faces: Vec<Face>,
 }
 
 /// The points that are as near to a neighbour as to the vertex, and to no other nearer.
 #[derive(Clone, Debug)]
 pub struct Face {
+    /// The vertex on the other side, with its shift.
     pub neighbour: Corner<3>,
     /// Different points in cyclic order, at least three.
     pub corners: Vec<Point>,

@@ -18,5 +18,6 @@ pub mod quality;
 pub mod refusal;
 pub mod statement;
 pub mod statistics;
+mod stream;
 pub mod tiling;
 pub mod transcribe;

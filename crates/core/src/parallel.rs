@@ -10,7 +10,7 @@ use std::sync::OnceLock;
 /// Few enough for all cores to have work, and enough to be worth a call.
 const CHUNK: usize = 256;
 
-/// What `work` makes of 0, …, n - 1, a range of at most `size` of them at a time; in order.
+/// The results of `work` for 0, …, n - 1, a range of at most `size` of them at a time; in order.
 pub fn by_chunks<T: Send + Sync>(
     n: usize,
     size: usize,

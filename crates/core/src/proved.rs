@@ -7,14 +7,17 @@
 use crate::checker::{self, Findings, Names, Options, Progress};
 use crate::format::{self, json::JsonError};
 use crate::statement::Statement;
+use crate::stream::stream;
 use crate::tiling::dimension::same;
 use crate::tiling::{AnyTiling, Tiling};
 use crate::transcribe::{self, ReadError};
 use acutile_kernel::{Limits, Refusal, Value, Verified, verify};
 use std::fmt;
-use std::io::{self, BufReader, BufWriter, Cursor, Read, Seek, Write};
+use std::io::{self, BufReader, BufWriter, IntoInnerError, Read, Seek, Write};
+use std::panic::resume_unwind;
+use std::thread;
 
-/// A certificate that the kernel has confirmed, and what it proves.
+/// A certificate that the kernel has confirmed, and its claim.
 #[derive(Debug)]
 pub struct Proved {
     certificate: Vec<u8>,
@@ -47,7 +50,7 @@ pub enum NotProved {
 }
 
 impl NotProved {
-    /// In words: the first defect of a tiling, or what else is in the way.
+    /// In words: the first defect of a tiling, or the other obstacle.
     pub fn in_words<const D: usize>(&self, tiling: &Tiling<D>) -> String {
         let first = |findings: &Findings| {
             let defect = findings.kept().first();
@@ -78,9 +81,10 @@ impl fmt::Display for NotProved {
             }
             NotProved::Io(error) => write!(f, "{error}"),
             NotProved::Json(error) => {
-                let verdict = match error.code.is_declined() {
-                    true => "declined",
-                    false => "malformed",
+                let verdict = if error.code.is_declined() {
+                    "declined"
+                } else {
+                    "malformed"
                 };
                 write!(f, "{verdict} [{}] {error}", error.code.name())
             }
@@ -93,9 +97,10 @@ impl std::error::Error for NotProved {}
 
 impl From<Findings> for NotProved {
     fn from(findings: Findings) -> Self {
-        match findings.is_declined() {
-            true => NotProved::Declined(findings),
-            false => NotProved::Refuted(findings),
+        if findings.is_declined() {
+            NotProved::Declined(findings)
+        } else {
+            NotProved::Refuted(findings)
         }
     }
 }
@@ -110,12 +115,53 @@ pub fn prove<const D: usize>(
     options: &Options,
     progress: Progress,
 ) -> Result<Proved, NotProved> {
-    let mut storage = Cursor::new(Vec::new());
-    let confirmed = prove_to(tiling, options, progress, &mut storage)?;
-    Ok(Proved {
-        certificate: storage.into_inner(),
-        verified: confirmed.verified,
-        statements: confirmed.statements,
+    match D {
+        2 => prove_in_plane(same(tiling), options, progress),
+        _ => prove_in_space(same(tiling), options, progress),
+    }
+}
+
+#[inline(never)]
+fn prove_in_plane(
+    tiling: &Tiling<2>,
+    options: &Options,
+    progress: Progress,
+) -> Result<Proved, NotProved> {
+    proved(tiling, options, progress)
+}
+
+#[inline(never)]
+fn prove_in_space(
+    tiling: &Tiling<3>,
+    options: &Options,
+    progress: Progress,
+) -> Result<Proved, NotProved> {
+    proved(tiling, options, progress)
+}
+
+/// The kernel reads the certificate in a thread of its own while it is written.
+fn proved<const D: usize>(
+    tiling: &Tiling<D>,
+    options: &Options,
+    progress: Progress,
+) -> Result<Proved, NotProved> {
+    let proof = checker::examine(tiling, options, progress)?;
+    progress("certificate");
+    let (writer, reader) = stream();
+    thread::scope(|scope| {
+        let kernel = scope.spawn(|| verify(&mut BufReader::new(reader), &options.limits));
+        let mut out = BufWriter::with_capacity(1 << 16, writer);
+        let written = transcribe::write(proof.parts(tiling), &mut out);
+        let writer = written.and_then(|()| out.into_inner().map_err(IntoInnerError::into_error));
+        progress("verification");
+        // After an error the writer is gone, so that the kernel ends too.
+        let certificate = writer.map_err(NotProved::Io)?.finish();
+        let verified = kernel.join().unwrap_or_else(|panic| resume_unwind(panic));
+        Ok(Proved {
+            certificate,
+            verified: verified.map_err(|refusal| NotProved::Unconfirmed(Box::new(refusal)))?,
+            statements: proof.statements,
+        })
     })
 }
 
@@ -186,7 +232,7 @@ impl Proved {
     /// Asks the kernel about a certificate in either encoding, and reads its tiling.
     ///
     /// # Errors
-    /// What the kernel refuses, or what cannot be read.
+    /// The kernel's refusal, or numbers that cannot be read.
     pub fn of_certificate(bytes: &[u8], limits: &Limits) -> Result<(Proved, AnyTiling), NotProved> {
         let cbor = format::to_cbor(bytes).map_err(NotProved::Json)?;
         let length = cbor.len() as u64;
@@ -211,7 +257,7 @@ impl Proved {
         &self.certificate
     }
 
-    /// What the kernel confirmed.
+    /// The kernel's verdict.
     pub fn verified(&self) -> &Verified {
         &self.verified
     }
@@ -228,12 +274,12 @@ impl Proved {
 }
 
 impl Confirmed {
-    /// What the kernel confirmed, alone.
+    /// The kernel's verdict alone.
     pub fn into_verified(self) -> Verified {
         self.verified
     }
 
-    /// What the kernel confirmed.
+    /// The kernel's verdict.
     pub fn verified(&self) -> &Verified {
         &self.verified
     }

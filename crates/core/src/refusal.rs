@@ -1,7 +1,7 @@
 //! The kernel's refusals in words. The kernel gives a code, a place and an exact value; nothing
 //! here decides. All numbers count from zero.
 
-use acutile_kernel::{Code, Place, Refusal, Value};
+use acutile_kernel::{Code, Limits, Place, Refusal, Value};
 use malachite::Integer;
 use std::str::FromStr;
 
@@ -17,9 +17,14 @@ pub fn in_words(refusal: &Refusal) -> String {
 
 /// The place, the rule, and the value, without the code.
 pub fn message(refusal: &Refusal) -> String {
+    message_at(refusal, place(refusal.place))
+}
+
+/// The same with other words for the place.
+pub fn message_at(refusal: &Refusal, place: String) -> String {
     let place = match point(&refusal.point) {
-        Some(point) => format!("{} at {point}", place(refusal.place)),
-        None => place(refusal.place),
+        Some(point) => format!("{place} at {point}"),
+        None => place,
     };
     let rule = rule(refusal.code);
     match &refusal.value {
@@ -33,7 +38,7 @@ pub fn message(refusal: &Refusal) -> String {
     }
 }
 
-/// `c2 = (8)/(3), x = 0`: the point of a family's box at which a condition does not hold.
+/// `c2 = 8/3, x = 0`: the point of a family's box at which a condition does not hold.
 fn point(point: &[(String, Value)]) -> Option<String> {
     let coordinates = point.iter().map(|(name, value)| match value {
         Value::Quotient(p, q) => format!("{name} = {}", quotient(&integers(p), &integers(q))),
@@ -128,6 +133,7 @@ fn rule(code: Code) -> &'static str {
         Code::OpenFacet => "expected a mate of every facet",
         Code::BoundaryOpen => "expected a simplex at every boundary facet",
         Code::VolumeSum => "expected volumes that sum to that of the domain",
+        Code::NoneInside => "expected a vertex inside of a circumsphere",
         Code::NotAttained => "expected a simplex that attains the bound",
         Code::Unreadable => "the bytes cannot be read",
         Code::TooManyBytes => "the certificate is too long",
@@ -183,6 +189,11 @@ pub fn exceeded(limit: &str, enough: Option<u64>) -> String {
         other => other,
     };
     match enough {
+        // How much work is left is not known before it is done.
+        _ if limit == "work" => format!(
+            "beyond the limit of {unit}; use a larger --max-work: without the option it is {}",
+            Limits::DEFAULT.work
+        ),
         Some(enough) => format!("beyond the limit of {unit}; --max-{limit} {enough} is enough"),
         None => format!("beyond the limit of {unit}; --max-{limit} raises it"),
     }
@@ -190,10 +201,14 @@ pub fn exceeded(limit: &str, enough: Option<u64>) -> String {
 
 /// p/q for numbers of the field in terms of a.
 fn quotient(p: &[Integer], q: &[Integer]) -> String {
-    let is_one = q.iter().enumerate().all(|(k, c)| *c == i32::from(k == 0));
-    match is_one {
-        true => sum(p),
-        false => format!("({})/({})", sum(p), sum(q)),
+    let is_rational = |row: &[Integer]| row.iter().skip(1).all(|c| *c == 0);
+    let is_one = is_rational(q) && q.first().is_some_and(|c| *c == 1);
+    if is_one {
+        sum(p)
+    } else if is_rational(p) && is_rational(q) {
+        format!("{}/{}", sum(p), sum(q))
+    } else {
+        format!("({})/({})", sum(p), sum(q))
     }
 }
 
@@ -206,8 +221,9 @@ fn sum(coefficients: &[Integer]) -> String {
             _ => format!("{c} a^{power}"),
         })
         .collect();
-    match terms.is_empty() {
-        true => "0".to_owned(),
-        false => terms.join(" + "),
+    if terms.is_empty() {
+        "0".to_owned()
+    } else {
+        terms.join(" + ")
     }
 }

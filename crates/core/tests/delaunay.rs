@@ -95,18 +95,20 @@ fn check<const D: usize>(tiling: &Tiling<D>) {
     assert_eq!(euler, 0);
 }
 
+/// The points of A15 in quarters of its cubic cell.
+const A15: [Vector; 8] = [
+    [0, 0, 0],
+    [2, 2, 2],
+    [1, 0, 2],
+    [3, 0, 2],
+    [2, 1, 0],
+    [2, 3, 0],
+    [0, 2, 1],
+    [0, 2, 3],
+];
+
 fn a15() -> PointSet<3> {
-    let points = [
-        [0, 0, 0],
-        [2, 2, 2],
-        [1, 0, 2],
-        [3, 0, 2],
-        [2, 1, 0],
-        [2, 3, 0],
-        [0, 2, 1],
-        [0, 2, 3],
-    ];
-    set(CUBIC, 4, &points)
+    set(CUBIC, 4, &A15)
 }
 
 /// 2 points with 12 neighbours and 6 with 14: 54 edges at 8 points, and by Euler's
@@ -612,19 +614,9 @@ fn clusters() {
 
 /// n³ copies of the cell of A15.
 fn a15_supercell(n: i64) -> PointSet<3> {
-    let cell = [
-        [0, 0, 0],
-        [2, 2, 2],
-        [1, 0, 2],
-        [3, 0, 2],
-        [2, 1, 0],
-        [2, 3, 0],
-        [0, 2, 1],
-        [0, 2, 3],
-    ];
     let copies = (0..n * n * n).map(|i| [i % n, i / n % n, i / n / n]);
     let points: Vec<Vector> = copies
-        .flat_map(|copy| cell.map(|p: Vector| std::array::from_fn(|k| p[k] + 4 * copy[k])))
+        .flat_map(|copy| A15.map(|p: Vector| std::array::from_fn(|k| p[k] + 4 * copy[k])))
         .collect();
     set(CUBIC, 4 * n, &points)
 }
@@ -639,26 +631,4 @@ fn supercells_have_as_many_times_more_tetrahedra() {
     let pulled = triangulate(&grid, Ties::Pull).unwrap();
     check(&pulled);
     assert_eq!(pulled.len(), 6 * 64);
-}
-
-/// `N=97336 cargo test --release --test delaunay timing -- --ignored --nocapture`
-#[test]
-#[ignore = "for measuring"]
-fn timing() {
-    let count = std::env::var("N").map_or(10_000, |n| n.parse().unwrap());
-    let grid: Vec<Vector> = (0..8000).map(|i| [i % 20, i / 20 % 20, i / 400]).collect();
-    for (name, set, ties) in [
-        ("random", random_set(count, 28), Ties::Refuse),
-        ("a15 supercell", a15_supercell(12), Ties::Refuse),
-        ("cubic grid", set(CUBIC, 20, &grid), Ties::Pull),
-    ] {
-        let start = std::time::Instant::now();
-        let tiling = triangulate(&set, ties).unwrap();
-        let time = start.elapsed();
-        println!(
-            "{name}, {} points: {} simplices in {time:?}",
-            set.points.len(),
-            tiling.len()
-        );
-    }
 }

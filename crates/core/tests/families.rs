@@ -3,15 +3,21 @@
 
 use acutile_catalog as catalog;
 use acutile_core::checker::Options;
+use acutile_core::family::conditions::{Atom, Conditions};
 use acutile_core::family::maximal::{Maximal, maximal};
-use acutile_core::family::{AnyFamily, Family, NotProvable, ProvedFamily, examine, free, prove};
+use acutile_core::family::tree::{Effort, Limit, NoTree, Tree, grow};
+use acutile_core::family::{
+    AnyFamily, Family, NotProvable, ProvedFamily, examine, free, point_in_words, prove,
+};
 use acutile_core::format::{self, print};
+use acutile_core::proved::prove as prove_tiling;
 use acutile_core::statement::Statement;
 use acutile_core::tiling::AnyTiling;
 use acutile_core::transcribe;
-use acutile_exact::number::{Number, numbers};
+use acutile_exact::geometry::RingElement;
+use acutile_exact::number::{Field, Number, numbers};
 use acutile_exact::polynomial::line::{Extent, Place};
-use acutile_exact::polynomial::{End, Side};
+use acutile_exact::polynomial::{Cuboid, End, Polynomial, Side};
 use acutile_kernel::Limits;
 use malachite::Rational;
 
@@ -142,7 +148,7 @@ fn the_catalogue_is_proved() {
         ("goldberg-1-nonobtuse", &["nonobtuse"]),
         ("goldberg-2-all", &[]),
         ("triangle-tiling-all", &["acute", "delaunay"]),
-        ("two-corners-all", &["acute"]),
+        ("two-corners-all", &["acute", "not-delaunay"]),
         ("slab-all", &["acute"]),
         ("slab-stretch-all", &["acute"]),
         ("z-all", &["acute", "tcp"]),
@@ -158,11 +164,38 @@ fn the_catalogue_is_proved() {
         let has = |statement| statements.contains(&statement);
         assert_eq!(has(Statement::Acute), required.contains(&"acute"), "{name}");
         assert_eq!(has(Statement::Tcp), required.contains(&"tcp"), "{name}");
-        assert!(
-            !has(Statement::Delaunay) || name != "two-corners-all",
+        assert_eq!(
+            has(Statement::NotDelaunay),
+            required.contains(&"not-delaunay"),
             "{name}"
         );
     }
+}
+
+/// By lemma 4 of the paper the two tetrahedra are weakly Delaunay from epsilon = (√2 - 1)/3 on. With a larger box
+/// the claim that they are not Delaunay is false, and so it is for acute triangles.
+#[test]
+fn not_delaunay_is_refuted() {
+    let mut wide = space("two-corners-all");
+    wide.parameters[0].side.high = End::closed(number("1/2"));
+    match examine(&wide, &options(&["not-delaunay"]), &|_| {}) {
+        Err(NotProvable::Refuted { point, .. }) => {
+            assert!(point[0] >= number("(sqrt(2)-1)/3") && point[0] <= number("1/2"));
+        }
+        other => panic!("{other:?}"),
+    }
+    let AnyFamily::Plane(triangles) = family("triangle-tiling-all") else {
+        panic!("a family of the plane");
+    };
+    let answer = examine(&triangles, &options(&["not-delaunay"]), &|_| {});
+    assert!(
+        matches!(answer, Err(NotProvable::Refuted { .. })),
+        "{answer:?}"
+    );
+    let AnyTiling::Space(a15) = catalog::build("a15").expect("a15") else {
+        panic!("a tiling of space");
+    };
+    assert!(prove_tiling(&a15, &options(&["not-delaunay"]), &|_| {}).is_err());
 }
 
 /// The ideal Laves phase and the icosahedra in layers, whose numbers are in Q(√5).
@@ -231,6 +264,140 @@ fn a_refutation_names_a_point() {
     assert!(examine(&family, &options(&["dihedral<89"]), &|_| {}).is_ok());
     let error = examine(&family, &options(&["dihedral<75"]), &|_| {}).expect_err("too small");
     assert!(matches!(error, NotProvable::Refuted { .. }), "{error:?}");
+}
+
+/// Rectangles with these squares of the sides, for t in [0, 1].
+fn rectangles(square: &Polynomial) -> Family<2> {
+    let AnyFamily::Plane(mut family) = family("triangle-tiling-all") else {
+        panic!("a family of tilings of the plane");
+    };
+    family.parameters.truncate(1);
+    family.parameters[0].side = Side {
+        low: End::closed(number("0")),
+        high: End::closed(number("1")),
+    };
+    let constant = |n: &str| Polynomial::constant(number(n));
+    family.frame.gram = [
+        [square.clone(), constant("0")],
+        [constant("0"), constant("1")],
+    ];
+    family
+}
+
+#[test]
+fn a_zero_inside_is_named_or_a_smaller_box_is_proved() {
+    let t = Polynomial::parameter(0);
+    let linear = t.times(&t.integer(3)).minus(&t.integer(1));
+    let third = rectangles(&linear.times(&linear));
+    let error = examine(&third, &options(&[]), &|_| {}).expect_err("no metric at 1/3");
+    let NotProvable::Refuted { point, .. } = error else {
+        panic!("{error:?}");
+    };
+    assert_eq!(point, [number("1/3")]);
+    // 1 - 2 t² is zero at an irrational point, and its square does not change its sign there.
+    let irrational = rectangles(&at_half_root().times(&at_half_root()));
+    let error = examine(&irrational, &options(&[]), &|_| {}).expect_err("no metric at √2/2");
+    let NotProvable::Refuted { point, findings } = error else {
+        panic!("{error:?}");
+    };
+    assert_eq!(&point[0] * &point[0], number("1/2"));
+    assert!(point[0].sign().is_gt());
+    assert_eq!(
+        findings.counts().keys().collect::<Vec<_>>(),
+        [&"metric-not-positive"]
+    );
+    assert_eq!(
+        point_in_words(&irrational.names(), &point),
+        "x = 0.707106781..., a root of 2*x^2 - 1"
+    );
+}
+
+/// 1 - 2 t²
+fn at_half_root() -> Polynomial {
+    let t = Polynomial::parameter(0);
+    t.integer(1).minus(&t.times(&t).times(&t.integer(2)))
+}
+
+/// The angle of which the cosine is (1 - 2 t²)²/4 is right at √2/2 alone. So acute is false, and nonobtuse is true; a
+/// zero inside cannot be proved to be none by Bernstein coefficients. 1 - 2 t² has the roots ±√2/2.
+#[test]
+fn an_irrational_zero_refutes_or_is_named() {
+    let square = at_half_root().times(&at_half_root());
+    let quarter = square.times(&Polynomial::constant(number("1/4")));
+    let one = Polynomial::constant(number("1"));
+    let mut family = rectangles(&one);
+    family.frame.gram[0][1] = quarter.clone();
+    family.frame.gram[1][0] = quarter;
+    let error = examine(&family, &options(&["acute"]), &|_| {}).expect_err("a right angle");
+    let NotProvable::Refuted { point, findings } = error else {
+        panic!("{error:?}");
+    };
+    assert_eq!(&point[0] * &point[0], number("1/2"));
+    assert!(findings.counts().contains_key("right-angle"));
+    let error = examine(&family, &options(&["nonobtuse"]), &|_| {}).expect_err("a limit");
+    let NotProvable::Declined(reason) = error else {
+        panic!("{error:?}");
+    };
+    assert!(
+        reason.starts_with("a sign vanishes at x = 0.707106781..., a root of 2*x^2 - 1, and"),
+        "{reason}"
+    );
+    assert!(reason.contains("proved is the smaller box"), "{reason}");
+    // A part of the box without the zero is proved, also next to it.
+    family.parameters[0].side.high = End::closed(number("7/10"));
+    assert!(examine(&family, &options(&["acute"]), &|_| {}).is_ok());
+}
+
+#[test]
+fn a_search_ends_at_each_limit() {
+    let t = Polynomial::parameter(0);
+    let shifted = |n: i64| t.plus(&t.integer(n));
+    let mut conditions = Conditions::default();
+    conditions.add(Atom::positive(shifted(1)));
+    conditions.add(Atom::positive(shifted(2)));
+    let whole = (Rational::from(0), Rational::from(1));
+    let cuboid = Cuboid::closed(&[whole]);
+    let effort = |leaves, cost| Effort {
+        leaves,
+        cost,
+        report: &|_, _| {},
+    };
+    let limit = |conditions: &Conditions, effort: &Effort| match grow(
+        conditions,
+        &cuboid,
+        &Tree::Leaf,
+        effort,
+    ) {
+        Ok(tree) => Ok(tree.leaves()),
+        Err(NoTree::Undecided(_, limit)) => Err(limit),
+        Err(NoTree::Violated(point)) => panic!("{point:?}"),
+    };
+    assert_eq!(limit(&conditions, &effort(1, 1000)), Ok(1));
+    // The first look costs more than 1, and there is no other one.
+    assert_eq!(limit(&conditions, &effort(1, 1)), Err(Limit::Cost));
+    // (1 - 2 t²)² + 1/1000 has a negative Bernstein coefficient on [0, 1], and needs some parts.
+    let quadratic = t.integer(1).minus(&t.times(&t).times(&t.integer(2)));
+    let least = Polynomial::constant(number("1/1000"));
+    let mut narrow = Conditions::default();
+    narrow.add(Atom::positive(quadratic.times(&quadratic).plus(&least)));
+    assert_eq!(limit(&narrow, &effort(1, 1000)), Err(Limit::Leaves));
+    assert!(limit(&narrow, &effort(100, 1_000_000)).is_ok_and(|leaves| leaves > 1));
+}
+
+#[test]
+fn a_parameter_is_not_named_like_the_generator() {
+    let mut family = space("c14-all");
+    family.parameters[0].name = "a".to_owned();
+    assert!(family.check().is_ok());
+    family.frame.field = Field::adjoin_root(
+        &[-3, 0, 1].map(malachite::Integer::from),
+        Rational::from(1),
+        Rational::from(2),
+    )
+    .expect("a field")
+    .0;
+    let error = family.check().expect_err("a is √3");
+    assert!(error.to_string().contains("choose another name"));
 }
 
 #[test]

@@ -7,6 +7,7 @@ mod delaunay;
 mod families;
 mod format;
 mod plane_regions;
+mod planes;
 mod predicates;
 mod prover_properties;
 mod quality;
@@ -17,6 +18,7 @@ mod search;
 mod soup;
 mod statistics;
 mod symmetry;
+mod tcp;
 mod transcribe;
 
 #[path = "../../../tests/common/kuhn.rs"]

@@ -5,9 +5,9 @@
 
 use crate::meeting::{Point, meet_elsewhere};
 use acutile_core::checker::{Defect, Findings, Options, Proof, examine};
-use acutile_core::proved::prove;
+use acutile_core::proved::{NotProved, prove};
 use acutile_core::statement::Statement;
-use acutile_core::tiling::{self, AnyTiling, Corner, Frame, Tiling, match_facets};
+use acutile_core::tiling::{self, AnyTiling, CELL_LIMIT, Corner, Frame, Tiling, match_facets};
 use acutile_core::transcribe::{Parts, to_certificate};
 use acutile_exact::geometry::triangle::{Triangle, folded};
 use acutile_io::import::{Content, read_native};
@@ -446,5 +446,68 @@ fn meshes_of_others() {
             verified.vertices, verified.simplices, verified.boundary_facets
         );
         assert!(text.contains(&counts), "{counts}");
+    }
+}
+
+/// A layer with one small tetrahedron in each cell, `by` cells away from the origin.
+fn layer(by: i64) -> Tiling<3> {
+    let [low, high] = [format!("{by}"), format!("\"{by} + 1/2\"")];
+    let text = format!(
+        r#"{{"format": "acutile-tiling", "version": 1, "dimension": 3,
+            "lattice": {{"vectors": [[1, 0, 0], [0, 1, 0], [0, 0, 1]]}}, "domain": {{"region": 1}},
+            "vertices": [[{low}, 0, 0], [{high}, 0, 0], [{low}, 1, 0], [{low}, 0, 1]],
+            "simplices": [[0, 1, 2, 3]]}}"#
+    );
+    let Content::Tiling(AnyTiling::Space(tiling)) = read_native(&text).unwrap().content else {
+        panic!("a tiling of space");
+    };
+    tiling
+}
+
+/// Beyond the limit of cells nothing is decided; it used to count as the cell at the origin.
+#[test]
+fn a_vertex_that_is_too_far_is_declined() {
+    for by in [0, i64::from(CELL_LIMIT) - 1, 1 - i64::from(CELL_LIMIT)] {
+        prove(&layer(by), &Options::default(), &|_| ()).unwrap();
+    }
+    for by in [1i64 << 29, 1 << 31, 1 << 40, -(1 << 31)] {
+        match prove(&layer(by + by.signum()), &Options::default(), &|_| ()) {
+            Err(NotProved::Declined(findings)) => {
+                let counts: Vec<&str> = findings.counts().keys().copied().collect();
+                assert_eq!(counts, ["vertex-far"]);
+            }
+            other => panic!("{by}: {other:?}"),
+        }
+    }
+}
+
+/// Two tetrahedra with coordinates of 61 bits. The second one points at the face x + y + z = L of the
+/// first one: its apex has the sum L + d, and its other corners have larger sums. So they are
+/// disjoint exactly for d > 0, which doubles cannot see.
+#[test]
+fn coordinates_of_61_bits() {
+    let (l, a) = (1i64 << 60, 1i64 << 58);
+    for d in [-1, 0, 1] {
+        let apex = [a, a, l - 2 * a + d];
+        let moved = |k: usize| {
+            let mut point = apex;
+            point[k] += 1000;
+            point
+        };
+        let mesh = Mesh {
+            points: vec![
+                [0, 0, 0],
+                [l, 0, 0],
+                [0, l, 0],
+                [0, 0, l],
+                apex,
+                moved(0),
+                moved(1),
+                moved(2),
+            ],
+            tetrahedra: vec![[0, 1, 2, 3], [4, 5, 6, 7]],
+        };
+        assert_eq!(mesh.proved().is_ok(), d > 0, "{d}");
+        assert_eq!(mesh.verified().is_ok(), d > 0, "{d}");
     }
 }

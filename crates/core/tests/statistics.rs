@@ -8,7 +8,7 @@ use acutile_core::with_dimension;
 use acutile_exact::number::{Number, parse_rational};
 
 fn of(name: &str, bin: u32) -> Statistics {
-    with_dimension!(&build(name).unwrap(), AnyTiling, t => statistics(t, bin))
+    with_dimension!(&build(name).unwrap(), AnyTiling, t => statistics(t, bin).unwrap())
 }
 
 fn bin(statistics: &Statistics, from: u32) -> usize {
@@ -70,7 +70,7 @@ fn one(corners: [[&str; 3]; 4]) -> Statistics {
         vertices: corners.map(|point| point.map(number)).to_vec().into(),
         corners: (0..4).map(Corner::of).collect(),
     };
-    statistics(&tiling, 5)
+    statistics(&tiling, 5).unwrap()
 }
 
 /// The corner of a cube: three right angles, and three of arctan √2 = 54.7356.
@@ -120,4 +120,29 @@ fn slivers_and_flat_ones() {
         (flat.left_out, flat.kinds),
         (vec![SimplexId::new(0)], [0, 0, 0])
     );
+}
+
+/// A metric that is not positive definite has no angles; it used to end in a panic.
+#[test]
+fn without_a_positive_metric_there_are_no_figures() {
+    let zero = || Number::zero();
+    for (entry, code) in [("0", 1), ("-1", 1), ("1", 0)] {
+        let mut tiling = with_one_corner();
+        tiling.frame.gram[2] = [zero(), zero(), Number::from(parse_rational(entry).unwrap())];
+        let counts = statistics(&tiling, 5).map_or_else(|e| e.counts().clone(), |_| [].into());
+        assert_eq!(
+            counts.get("metric-not-positive").copied().unwrap_or(0),
+            code
+        );
+    }
+}
+
+fn with_one_corner() -> Tiling<3> {
+    let number = |entry: u32| Number::from(parse_rational(&entry.to_string()).unwrap());
+    let corners = [[0, 0, 0], [1, 0, 0], [0, 1, 0], [0, 0, 1]];
+    Tiling {
+        frame: Frame::cubic(),
+        vertices: corners.map(|point| point.map(number)).to_vec().into(),
+        corners: (0..4).map(Corner::of).collect(),
+    }
 }

@@ -89,9 +89,10 @@ fn check_permutes<const D: usize>(tiling: &Tiling<D>, element: &Isometry<D>) {
                     .map(|corner| {
                         let x = tiling.position(corner);
                         let y = linear::apply(&element.linear, &x);
-                        match moved {
-                            true => std::array::from_fn(|k| &y[k] + &element.translation[k]),
-                            false => x,
+                        if moved {
+                            std::array::from_fn(|k| &y[k] + &element.translation[k])
+                        } else {
+                            x
                         }
                     })
                     .collect();

@@ -18,7 +18,7 @@ impl Change {
     /// The inside of the parentheses.
     ///
     /// # Errors
-    /// What is wrong with it.
+    /// The problem.
     pub fn parse(text: &str) -> Result<Change, String> {
         let wrong = || {
             format!(

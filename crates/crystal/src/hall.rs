@@ -14,7 +14,7 @@ const LENGTH_LIMIT: usize = 100;
 /// The group of a Hall symbol, sorted, modulo the lattice of the cell.
 ///
 /// # Errors
-/// What is wrong with the symbol.
+/// The problem with a symbol.
 pub fn group(symbol: &str) -> Result<Vec<Motion>, String> {
     if symbol.len() > LENGTH_LIMIT {
         return Err(format!("is longer than {LENGTH_LIMIT} bytes"));

@@ -1,6 +1,6 @@
 //! The type of a space group, with a transformation to its standard setting.
 //!
-//! moyo proposes the type, the basis and, in doubles, the origin. The doubles tell which translation of
+//! moyo proposes the type, the basis and, in doubles, the origin. The doubles decide which translation of
 //! the standard group belongs to each motion; the equations for the origin are then solved exactly,
 //! and the transformed group is compared with the standard one. Nothing else is believed.
 
@@ -38,10 +38,15 @@ impl Identified {
         let moved = std::array::from_fn(|k| &point[k] - &self.origin[k]);
         times(&self.linear, &moved)
     }
+
+    /// A vector in the standard setting.
+    pub fn standard_direction(&self, vector: &Vector) -> Vector {
+        times(&self.linear, vector)
+    }
 }
 
 /// The type of a group, closed modulo the lattice of a cell with this Gram matrix. `None` if moyo
-/// finds none, or what it finds is not exactly right.
+/// finds none, or its result is not exactly right.
 pub fn identify(group: &[Motion], gram: &Matrix) -> Option<Identified> {
     // Columns are the basis vectors of the primitive lattice.
     let rows = basis(&translations(group))?;

@@ -18,7 +18,9 @@ pub const GROUP_LIMIT: usize = 10_000;
 /// x -> R x + t
 #[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub struct Motion {
+    /// R, an integer matrix in the basis of the lattice.
     pub rotation: Rotation,
+    /// t, in the basis of the lattice.
     pub translation: Vector,
 }
 

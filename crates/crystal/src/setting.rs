@@ -18,6 +18,7 @@ pub struct Setting {
     pub index: i32,
     /// 1 to 230.
     pub number: u16,
+    /// The Hall symbol.
     pub hall: &'static str,
     /// The full symbol.
     pub full: String,
@@ -71,10 +72,25 @@ impl Setting {
         } else {
             &self.short
         };
-        match self.choice {
-            choice @ ("1" | "2" | "H" | "R") => format!("{symbol} :{choice}"),
-            _ => symbol.clone(),
+        match self.origin_or_axes() {
+            "" => symbol.clone(),
+            choice => format!("{symbol} :{choice}"),
         }
+    }
+
+    /// What a symbol has after a colon: `1` or `2` of an origin choice like `1cab`, whose axes the
+    /// symbol tells, `H` or `R`.
+    fn origin_or_axes(&self) -> &'static str {
+        match self.choice.as_bytes().first() {
+            Some(b'1' | b'2' | b'H' | b'R') => &self.choice[..1],
+            _ => "",
+        }
+    }
+
+    /// Whether it is meant by what stands after a colon.
+    fn is_meant(&self, choice: &str) -> bool {
+        let names = [self.choice, self.origin_or_axes()];
+        names.iter().any(|name| name.eq_ignore_ascii_case(choice))
     }
 }
 
@@ -136,7 +152,7 @@ pub fn of_symbol(symbol: &str) -> Found {
         let chosen: Vec<&Setting> = found
             .iter()
             .copied()
-            .filter(|s| s.choice.eq_ignore_ascii_case(&choice))
+            .filter(|s| s.is_meant(&choice))
             .collect();
         is_fixed = !chosen.is_empty();
         if is_fixed {
@@ -198,8 +214,8 @@ fn keys() -> &'static HashMap<String, Vec<usize>> {
         });
         let today = keys.clone();
         add(&mut keys, |setting| {
-            let mut spellings = older(&key(&setting.short));
-            spellings.extend(older(&key(&setting.full)));
+            let mut spellings = older(&key(&setting.short), setting.index);
+            spellings.extend(older(&key(&setting.full), setting.index));
             spellings.retain(|spelling| !today.contains_key(spelling));
             spellings
         });
@@ -227,11 +243,24 @@ fn without_ones(full: &str) -> String {
         .to_ascii_lowercase()
 }
 
+/// The glide that older spellings have for `e`, for the settings 316 to 333, those of the groups 67 and
+/// 68: `C m m a` and `C m m b` are both `C m m e` today. (They are the symbols of gemmi's table for the
+/// settings with the same operations.) In the other groups with `e` no two settings have one symbol.
+const GLIDES: [&str; 18] = [
+    "a", "b", "b", "c", "c", "a", "a", "a", "b", "b", "b", "b", "c", "c", "c", "c", "a", "a",
+];
+const FIRST_GLIDE: i32 = 316;
+
 /// Spellings from before 1992: the name of one glide for `e`, and `3` for `-3`.
-fn older(key: &str) -> Vec<String> {
+fn older(key: &str, index: i32) -> Vec<String> {
     let mut spellings = Vec::new();
     if key.contains('e') {
-        for glide in ["a", "b", "c"] {
+        let known = usize::try_from(index - FIRST_GLIDE).ok();
+        let glides = match known.and_then(|place| GLIDES.get(place)) {
+            Some(glide) => std::slice::from_ref(glide),
+            None => &["a", "b", "c"][..],
+        };
+        for glide in glides {
             spellings.push(key.replace('e', glide));
         }
     }

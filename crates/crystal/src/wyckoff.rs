@@ -4,7 +4,7 @@
 //! multiplicity is the number of its images and one of whose sets has one of the images, exactly.
 
 use crate::identify::Identified;
-use crate::motion::{Motion, Vector, fractional};
+use crate::motion::{Motion, Vector, fractional, rotated};
 use malachite::Rational;
 use moyo::data::{WyckoffPosition, iter_wyckoff_positions_from_hall_number};
 use std::collections::BTreeSet;
@@ -14,6 +14,7 @@ use std::collections::BTreeSet;
 pub struct Wyckoff {
     /// In the conventional cell.
     pub multiplicity: usize,
+    /// The letter of the International Tables.
     pub letter: char,
     /// The symbol of the site symmetry.
     pub site_symmetry: &'static str,
@@ -21,11 +22,27 @@ pub struct Wyckoff {
 
 /// The Wyckoff position of a point of the cell that the group was given in.
 pub fn wyckoff(identified: &Identified, point: &Vector) -> Option<Wyckoff> {
+    wyckoff_of_parts(identified, std::slice::from_ref(point))
+}
+
+/// The same for p_0 + p_1 θ_1 + p_2 θ_2 + …, given by p_0, p_1, …, where 1, θ_1, … are independent over the rationals.
+///
+/// The group moves p_0, and turns the others. The point is in a set of positions if p_0 is, and the others are parallel to it.
+pub fn wyckoff_of_parts(identified: &Identified, parts: &[Vector]) -> Option<Wyckoff> {
+    let (point, others) = parts.split_first()?;
     let point = identified.standard_point(point);
-    let images: BTreeSet<Vector> = identified
+    let others: Vec<Vector> = others
+        .iter()
+        .map(|part| identified.standard_direction(part))
+        .collect();
+    let images: BTreeSet<Vec<Vector>> = identified
         .standard
         .iter()
-        .map(|motion: &Motion| motion.apply(&point).map(fractional))
+        .map(|motion: &Motion| {
+            let turned = others.iter().map(|part| rotated(&motion.rotation, part));
+            let moved = motion.apply(&point).map(fractional);
+            std::iter::once(moved).chain(turned).collect()
+        })
         .collect();
     let mut positions = iter_wyckoff_positions_from_hall_number(identified.setting.index);
     positions
@@ -37,11 +54,16 @@ pub fn wyckoff(identified: &Identified, point: &Vector) -> Option<Wyckoff> {
         })
 }
 
-fn has_one_of(position: &WyckoffPosition, images: &BTreeSet<Vector>) -> bool {
+fn has_one_of(position: &WyckoffPosition, images: &BTreeSet<Vec<Vector>>) -> bool {
     let Some(family) = Family::parse(position.coordinates) else {
         return false;
     };
-    images.iter().any(|image| family.has(image))
+    images.iter().any(|parts| match parts.split_first() {
+        Some((point, others)) => {
+            others.iter().all(|part| family.has_direction(part)) && family.has(point)
+        }
+        None => false,
+    })
 }
 
 /// Points o + Σ c_j x_j with real x_j, modulo the lattice.
@@ -87,13 +109,16 @@ impl Family {
         })
     }
 
+    /// Whether a vector is parallel to the set.
+    fn has_direction(&self, vector: &Vector) -> bool {
+        self.normals.iter().all(|normal| dot(normal, vector) == 0)
+    }
+
     fn has(&self, point: &Vector) -> bool {
         let step: Vector = std::array::from_fn(|k| &point[k] - &self.origin[k]);
         let mut values = Vec::new();
         for normal in &self.normals {
-            let value = (0..3).fold(Rational::from(0), |sum, k| {
-                sum + Rational::from(normal[k]) * &step[k]
-            });
+            let value = dot(normal, &step);
             let Ok(value) = i64::try_from(&value) else {
                 return false;
             };
@@ -111,6 +136,13 @@ impl Family {
             })
         })
     }
+}
+
+fn dot(normal: &[i64; 3], vector: &Vector) -> Rational {
+    let terms = normal.iter().zip(vector);
+    terms.fold(Rational::from(0), |sum, (n, x)| {
+        sum + Rational::from(*n) * x
+    })
 }
 
 /// Independent vectors with entries of at most 2 in size that are normal to some columns.

@@ -104,7 +104,11 @@ fn texts_that_are_no_polynomials() {
         "column 2: polynomial of too high degree: 16 in one parameter, expected at most 15"
     );
     assert_eq!(error("t/(1-1)"), "column 2: division by zero");
-    assert_eq!(error("u"), "column 1: no generator is named 'u'");
+    assert_eq!(
+        error("u"),
+        "column 1: found 'u', expected a number like 3/7 or sqrt(2)/4, or a declared name; the parameter is t and \
+         there is no generator; to add a parameter, write \"parameters\": {\"u\": [0, 1]} with its ends"
+    );
 }
 
 #[test]
@@ -164,6 +168,31 @@ fn shown(extent: &Extent) -> String {
             }
         }
     }
+}
+
+/// (t - 1) (t² - 2) has the roots -√2, 1 and √2; multiplicities and common factors make no difference.
+#[test]
+fn roots_in_an_interval() {
+    let found = |source: &[&str], side: &str, most: usize| -> Vec<String> {
+        let polynomials: Vec<Polynomial> = source.iter().map(|p| polynomial(p, &["t"])).collect();
+        let roots = Line::new(&polynomials).roots(&cuboid(&[side]).sides[0], most);
+        let root = |place: Place| format!("{:.6}", place.enclosure().0.approximate());
+        roots.into_iter().map(root).collect()
+    };
+    let p = "(t-1)^2*(t^2-2)";
+    let [low, one, high] = ["-1.414214", "1.000000", "1.414214"];
+    assert_eq!(found(&[p], "[-2 2]", 8), [low, one, high]);
+    assert_eq!(found(&[p], "[-2 2]", 2), [low, one]);
+    assert_eq!(found(&["t-1", "(t^2-2)*(t-1)"], "[0 2]", 8), [one, high]);
+    // Ends that belong to the interval, and ends that do not.
+    assert_eq!(found(&[p], "[1 7/5]", 8), [one]);
+    assert_eq!(found(&[p], "[0 1]", 8), [one]);
+    assert!(found(&[p], "(1 7/5]", 8).is_empty());
+    assert!(found(&[p], "[0 1)", 8).is_empty());
+    assert!(found(&["1", "t^2+1"], "[-5 5]", 8).is_empty());
+    // A root in the field, and ends that are irrational.
+    assert_eq!(found(&["t^2-2"], "[1 sqrt(2)]", 8).len(), 1);
+    assert!(found(&["t^2-2"], "[1 sqrt(2))", 8).is_empty());
 }
 
 #[test]
@@ -242,6 +271,9 @@ proptest! {
         let is_positive = bernstein::is_positive(&p, &cuboid) == Some(true);
         let is_nonnegative = bernstein::is_nonnegative(&p, &cuboid) == Some(true);
         prop_assert!(is_nonnegative || !is_positive);
+        let corners = cuboid.corners();
+        let signs: Vec<Sign> = corners.iter().map(|corner| p.sign_at(corner)).collect();
+        prop_assert_eq!(bernstein::corner_signs(&p, &cuboid), Some(signs));
         for i in 0..=8 {
             for j in 0..=8 {
                 let at = |k: usize, n: i64| &low[k] + Rational::from_signeds(n, 8);

@@ -255,8 +255,14 @@ fn messages() {
             "1,5",
             "column 2: expected an operator or the end, found ','",
         ),
-        ("NaN", "column 1: no generator is named 'NaN'"),
-        ("-inf", "column 2: no generator is named 'inf'"),
+        (
+            "NaN",
+            "column 1: found 'NaN', expected a number like 3/7 or sqrt(2)/4",
+        ),
+        (
+            "-inf",
+            "column 2: found 'inf', expected a number like 3/7 or sqrt(2)/4",
+        ),
         (
             "1 2",
             "column 3: expected an operator or the end, found '2'",

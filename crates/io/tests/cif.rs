@@ -5,6 +5,7 @@
 use acutile_core::classify::Star;
 use acutile_core::delaunay::{DelaunayError, Ties, triangulate};
 use acutile_core::statement::Statement;
+use acutile_exact::number::Number;
 use acutile_io::import::cif::{CifOptions, Special, read_cif};
 use acutile_io::import::crystal::Structure;
 use acutile_paper::survey::Study;
@@ -89,7 +90,7 @@ fn bcc_is_nonobtuse() {
         (
             study.tiling.vertices.len(),
             study.tiling.len(),
-            study.shapes.len()
+            study.shapes().len()
         ),
         (2, 12, 1)
     );
@@ -182,7 +183,7 @@ fn rounded_thirds_give_more_atoms_and_a_warning() {
     assert_eq!(warnings.len(), 5);
     assert_eq!(
         warnings[0],
-        "warning: the atoms Zr1 (0.3333, 0.6667, 0.5) and Zr1 (0.3333, 0.6666, 0.5) differ by no more than the written digits tell"
+        "warning: the atoms Zr1 (0.3333, 0.6667, 0.5) and Zr1 (0.3333, 0.6666, 0.5) differ by no more than the precision of the written digits"
     );
     assert!(
         warnings[3].starts_with("warning: 6 such pairs, which stay different atoms; --special"),
@@ -515,9 +516,10 @@ fn planted_defects_are_refused() {
     };
     for &k in &operations {
         assert!(!error(&with(k, None)).is_empty());
-        let changed = match lines[k].contains("-x") {
-            true => lines[k].replace("-x", "+x"),
-            false => lines[k].replace('x', "-x").replace("+-", "-"),
+        let changed = if lines[k].contains("-x") {
+            lines[k].replace("-x", "+x")
+        } else {
+            lines[k].replace('x', "-x").replace("+-", "-")
         };
         assert!(error(&with(k, Some(changed))).contains("line"));
     }
@@ -555,4 +557,212 @@ fn limits_are_declined() {
     assert!(is_limit(&format!("{P1}{sites}")));
     assert!(is_limit(&format!("{P1}#{}", " ".repeat(1 << 25))));
     assert!(!is_limit(&P1.replace("B 0.5", "B ?")));
+}
+
+/// C14 with uncertainties, and sites whose thirds are exact.
+fn uncertain_c14(z: &str, x: &str, y: &str) -> String {
+    text("c14")
+        .replace("length_a 5.223", "length_a 5.223(1)")
+        .replace("length_b 5.223", "length_b 5.223(1)")
+        .replace("length_c 8.566", "length_c 8.566(3)")
+        .replace("0.33333 0.66667 0.06286", &format!("1/3 2/3 {z}"))
+        .replace("0.83048 0.66096 0.25", &format!("{x} {y} 0.25"))
+}
+
+fn within_su(text: &str) -> Result<Structure, String> {
+    let options = CifOptions {
+        within_su: true,
+        ..CifOptions::default()
+    };
+    read_cif(text, &options).map_err(|error| error.to_string())
+}
+
+fn ratio(numerator: i64, denominator: i64) -> Rational {
+    Rational::from_signeds(numerator, denominator)
+}
+
+/// By hand: c/a is between 8.563/5.224 and 8.569/5.222; z and x are free, and y = 2x follows.
+#[test]
+fn free_numbers_with_uncertainties() {
+    let text = uncertain_c14("0.06286(6)", "0.83048(4)", "0.66096");
+    let structure = within_su(&text).expect("three parameters");
+    let variation = structure.variation.expect("asked for");
+    let intervals: Vec<(&str, Rational, Rational)> = variation
+        .intervals
+        .iter()
+        .map(|interval| {
+            (
+                interval.name.as_str(),
+                interval.low.clone(),
+                interval.high.clone(),
+            )
+        })
+        .collect();
+    assert_eq!(
+        intervals,
+        [
+            ("c_over_a", ratio(8563, 5224), ratio(8569, 5222)),
+            ("z_mg1", ratio(6280, 100_000), ratio(6292, 100_000)),
+            ("x_zn2", ratio(83044, 100_000), ratio(83052, 100_000)),
+        ]
+    );
+    // At any values the points are those of a file with these values.
+    for (z, x, y) in [
+        ("0.06286", "0.83048", "0.66096"),
+        ("0.0629", "0.8305", "0.661"),
+    ] {
+        let other = read(&uncertain_c14(z, x, y));
+        let point = [ratio(8566, 5223), decimal(z), decimal(x)].map(Number::from);
+        let moved: Vec<[Number; 3]> = variation
+            .points
+            .iter()
+            .map(|position| position.each_ref().map(|p| p.value(&point)))
+            .collect();
+        assert_eq!(moved, other.points.points);
+        let square = Number::from(ratio(5223 * 5223, 1_000_000));
+        for (row, expected) in variation.gram.iter().zip(&other.points.frame.gram) {
+            for (entry, expected) in row.iter().zip(expected) {
+                assert_eq!(&(&entry.value(&point) * &square), expected);
+            }
+        }
+    }
+}
+
+fn decimal(text: &str) -> Rational {
+    acutile_exact::number::parse_rational(text).expect("a decimal")
+}
+
+#[test]
+fn uncertainties_that_are_no_box() {
+    let none = within_su(&text("sigma")).err().expect("no uncertainty");
+    assert!(
+        none.contains("no number with a standard uncertainty"),
+        "{none}"
+    );
+    // Snapped and special coordinates are exact: 0.25 is fixed by symmetry, though it has an uncertainty.
+    let fixed = uncertain_c14("0.06286", "0.83048", "0.66096").replace("0.25\n", "0.25(1)\n");
+    let variation = within_su(&fixed)
+        .expect("c/a")
+        .variation
+        .expect("asked for");
+    assert_eq!(variation.intervals.len(), 1);
+    let site = |k: usize| format!("A{k} 0.1{k}(1) 0.2{k}(1) 0.3{k}(1)\n");
+    let sites: String = (1..=6).map(site).collect();
+    let many = format!(
+        "data_many\n_cell_length_a 5\n_cell_length_b 6\n_cell_length_c 7\n_cell_angle_alpha 90\n_cell_angle_beta 90\n\
+         _cell_angle_gamma 90\n_symmetry_equiv_pos_as_xyz 'x,y,z'\nloop_\n_atom_site_label\n_atom_site_fract_x\n\
+         _atom_site_fract_y\n_atom_site_fract_z\n{sites}"
+    );
+    let refused = within_su(&many).err().expect("too many");
+    assert!(
+        refused.contains("18 numbers") && refused.contains("at most 16"),
+        "{refused}"
+    );
+    // Four sites are 12 coordinates; three lengths are two quotients, and an angle is one cosine.
+    let fewer: String = (1..=4).map(site).collect();
+    let angle = many
+        .replace(&sites, &fewer)
+        .replace("length_b 6", "length_b 6.00(1)")
+        .replace("length_c 7", "length_c 7.00(1)")
+        .replace("beta 90", "beta 90.0(5)");
+    let variation = within_su(&angle)
+        .expect("15 parameters")
+        .variation
+        .expect("asked for");
+    assert_eq!(variation.intervals.len(), 15);
+    let cosine = &variation.intervals[2];
+    assert_eq!(cosine.name, "cos_beta");
+    // cos 90.5° = -0.0087265…, cos 89.5° = 0.0087265…
+    assert!(cosine.low > ratio(-87_266, 10_000_000) && cosine.low < ratio(-87_265, 10_000_000));
+    assert!(cosine.high > ratio(87_265, 10_000_000) && cosine.high < ratio(87_266, 10_000_000));
+}
+
+/// A rotation exchanges two axes and reverses the third one: so cos β = -cos α. Another one reverses
+/// one axis: so two angles are right, whatever their uncertainties are.
+#[test]
+fn cosines_that_differ_in_sign_are_one_number() {
+    let text = |angles: [&str; 3], operation: &str| {
+        let [alpha, beta, gamma] = angles;
+        format!(
+            "data_signs\n_cell_length_a 5\n_cell_length_b 5\n_cell_length_c 7\n_cell_angle_alpha {alpha}\n\
+             _cell_angle_beta {beta}\n_cell_angle_gamma {gamma}\nloop_\n_symmetry_equiv_pos_as_xyz\n'x,y,z'\n\
+             '{operation}'\nloop_\n_atom_site_label\n_atom_site_fract_x\n_atom_site_fract_y\n\
+             _atom_site_fract_z\nA 0 0 0\n"
+        )
+    };
+    let gram = |text: &str| {
+        let variation = within_su(text).expect(text).variation.expect("asked for");
+        let names = variation.intervals.iter().map(|i| i.name.clone()).collect();
+        (names, variation.gram)
+    };
+    let (names, [[_, _, beta], [_, _, alpha], _]): (Vec<String>, _) =
+        gram(&text(["80.0(1)", "100.0(1)", "70.0(2)"], "y,x,-z"));
+    assert_eq!(names, ["cos_alpha", "cos_gamma"]);
+    // b_1 · b_3 = -b_2 · b_3 = -7/5 cos α, over the square of the first length.
+    let point = [ratio(1, 6), ratio(1, 3)].map(Number::from);
+    assert_eq!(alpha.value(&point), Number::from(ratio(7, 30)));
+    assert_eq!(beta.value(&point), Number::from(ratio(-7, 30)));
+    let (names, [[_, gamma, beta], [_, _, alpha], _]) =
+        gram(&text(["90.0(1)", "95.0(1)", "90.0(2)"], "-x,y,-z"));
+    assert_eq!(names, ["cos_beta"]);
+    let point = [Number::from(ratio(1, 6))];
+    assert_eq!(beta.value(&point), Number::from(ratio(7, 30)));
+    assert!(alpha.is_zero() && gamma.is_zero());
+}
+
+/// A box must contain all structures within the uncertainties, or be refused.
+#[test]
+fn uncertainties_at_the_ends_are_covered() {
+    let text = |cell: &str, x: &str, more: (&str, &str)| {
+        format!(
+            "data_ends\n{cell}_symmetry_equiv_pos_as_xyz 'x,y,z'\nloop_\n_atom_site_label\n_atom_site_fract_x\n\
+             _atom_site_fract_y\n_atom_site_fract_z\n{}A 0 0 0 {}\nB {x} 0.4 0.3 {}\n",
+            more.0, more.1, more.1
+        )
+    };
+    let cell = |a: &str, gamma: &str| {
+        format!(
+            "_cell_length_a {a}\n_cell_length_b 6\n_cell_length_c 7\n_cell_angle_alpha 90\n_cell_angle_beta 90\n\
+             _cell_angle_gamma {gamma}\n"
+        )
+    };
+    // 180 degrees are within 175 and 6, and their cosine is -1; no angle of a cell is beyond.
+    for (gamma, low, high) in [("175(6)", -1, 0), ("5(6)", 0, 1)] {
+        let variation = within_su(&text(&cell("5", gamma), "0.3", ("", "")));
+        let cosine = &variation
+            .expect(gamma)
+            .variation
+            .expect("asked for")
+            .intervals[0];
+        assert_eq!(cosine.name, "cos_gamma");
+        assert!(low == 0 || cosine.low == low, "{gamma}: {}", cosine.low);
+        assert!(high == 0 || cosine.high == high, "{gamma}: {}", cosine.high);
+    }
+    for a in ["5(5)", "5(6)"] {
+        let refused = within_su(&text(&cell(a, "90"), "0.3", ("", "")));
+        assert!(
+            refused
+                .err()
+                .expect(a)
+                .contains("not more than its uncertainty")
+        );
+    }
+    let apart = text(
+        &cell("5", "90"),
+        "0.3(1)",
+        ("_atom_site_fract_x_su\n", "0.01"),
+    );
+    let refused = within_su(&apart).err().expect("a tag of its own");
+    assert!(refused.contains("_atom_site_fract_x_su"), "{refused}");
+    // 1/3 is where --snap moves the atom; the number itself is free between 0.3324 and 0.3342.
+    let options = CifOptions {
+        within_su: true,
+        snap: Some(3),
+        ..CifOptions::default()
+    };
+    let snapped = text(&cell("5", "90"), "0.3333(9)", ("", "")).replace("0.4 0.3", "0.6667 0.3333");
+    let structure = read_cif(&snapped, &options).expect("one number");
+    let variation = structure.variation.expect("asked for");
+    let x = &variation.intervals[0];
+    assert_eq!((&x.low, &x.high), (&decimal("0.3324"), &decimal("0.3342")));
 }

@@ -1,18 +1,22 @@
 //! `acutile export --coq`: the bytes and the claim in the file, and certificates that have none.
 //! proofs/certificates.sh tests that Coq proves the theorems.
 
-use acutile_core::format::{self, Domain};
-use acutile_io::export::{NotATheorem, coq_theorem};
+use acutile_core::format;
+use acutile_io::export::{NotATheorem, coq_family_theorem, coq_theorem};
 use std::path::Path;
 
-/// The file of a valid certificate of the tests.
-fn theorem_of(name: &str) -> String {
+fn export(name: &str) -> Result<String, NotATheorem> {
     let folder =
         Path::new(concat!(env!("CARGO_MANIFEST_DIR"), "/../..")).join("tests/certificates/valid");
     let json = std::fs::read(folder.join(name)).unwrap();
     let cbor = format::to_cbor(&json).unwrap();
     let claim = format::read::certificate(&cbor).unwrap().claim;
-    coq_theorem(&cbor, &claim).unwrap()
+    coq_theorem(&cbor, &claim)
+}
+
+/// The file of a valid certificate of the tests.
+fn theorem_of(name: &str) -> String {
+    export(name).unwrap()
 }
 
 fn check_parts(name: &str, parts: &[&str]) {
@@ -46,8 +50,8 @@ fn the_file_has_the_bytes_of_the_certificate() {
         .collect();
     assert_eq!(written, bytes);
     assert!(text.contains(
-        "OfTiling (TilingClaim 2\n  Rationals\n  [[[2];[1]];[[2]]]\n  Space\n  \
-         [FaceToFaceTiling;IsAcute;LargestAngle Maximum 1 [1] 4])."
+        "OfTiling (TilingClaim 2\n  Rationals\n  [[Plain [2];Plain [1]];[Plain [2]]]\n  Space\n  \
+         [FaceToFaceTiling;IsAcute;LargestAngle Maximum 1 (Plain [1]) 4])."
     ));
     assert!(text.ends_with("Qed.\nPrint Assumptions claim.\n"));
 }
@@ -56,7 +60,13 @@ fn the_file_has_the_bytes_of_the_certificate() {
 #[test]
 fn the_file_names_the_statement_files() {
     let text = theorem_of("space-bcc.json");
-    for name in ["Statement.v", "PlaneStatement.v", "Denote.v"] {
+    for name in [
+        "Statement.v",
+        "PlaneStatement.v",
+        "RegionStatement.v",
+        "PlaneRegionStatement.v",
+        "Denote.v",
+    ] {
         let line = text
             .lines()
             .find(|l| l.ends_with(&format!("  {name}")))
@@ -70,7 +80,7 @@ fn a_solid_has_its_polytope() {
     check_parts(
         "solid-tetrahedron.json",
         &[
-            "(Solid (Polytope 1 [[[0];[0];[0]];[[1];[0];[0]];[[0];[1];[0]];[[0];[0];[1]]] [[",
+            "(Solid (Polytope 1 [[Plain [0];Plain [0];Plain [0]];[Plain [1];Plain [0];Plain [0]];",
             "%N;",
         ],
     );
@@ -83,26 +93,67 @@ fn every_relation_has_its_word() {
         "plane-every-relation.json",
         &[
             "(Root [(-3);0;1] 1 2 1)",
-            "[[[2;0];[1;0]];[[4;2]]]",
-            "LargestAngle LessThan (-1) [1;0] 4",
-            "LargestAngle AtMost 0 [0;0] 1",
-            "LargestAngle AtLeast 1 [1;0] 4",
-            "SmallestAngle LessThan 1 [2;(-1)] 4",
-            "SmallestAngle MoreThan 1 [3;0] 4",
-            "SquaredRatio Minimum [1;0] 3",
+            "[[Plain [2;0];Plain [1;0]];[Plain [4;2]]]",
+            "LargestAngle LessThan (-1) (Plain [1;0]) 4",
+            "LargestAngle AtMost 0 (Plain [0;0]) 1",
+            "LargestAngle AtLeast 1 (Plain [1;0]) 4",
+            "SmallestAngle LessThan 1 (Plain [2;(-1)]) 4",
+            "SmallestAngle MoreThan 1 (Plain [3;0]) 4",
+            "SquaredRatio Minimum (Plain [1;0]) 3",
         ],
     );
 }
 
 #[test]
-fn a_region_has_no_theorem() {
-    let json = std::fs::read(concat!(
-        env!("CARGO_MANIFEST_DIR"),
-        "/../../tests/certificates/valid/solid-tetrahedron.json"
-    ))
-    .unwrap();
-    let cbor = format::to_cbor(&json).unwrap();
-    let mut claim = format::read::certificate(&cbor).unwrap().claim;
-    claim.domain = Domain::Region(0);
-    assert_eq!(coq_theorem(&cbor, &claim), Err(NotATheorem::Region));
+fn a_region_has_its_rank_and_its_local_statements() {
+    check_parts(
+        "region-rank-2-two-slabs.json",
+        &["OfTiling (TilingClaim 3\n", "\n  (Region 2)\n"],
+    );
+    check_parts(
+        "region-locally-delaunay-cube.json",
+        &[
+            "\n  (Region 0)\n",
+            "[FaceToFaceTiling;IsLocallyWeaklyDelaunay]",
+        ],
+    );
+}
+
+/// The family of docs/format.md, checked by hand there: x between 0 and 1, both ends open.
+#[test]
+fn a_family_has_its_parameters_and_polynomials() {
+    let page = include_str!("../../../docs/format.md");
+    let start = page.find("### A family checked by hand").unwrap();
+    let json = page[start..].split("```json\n").nth(1).unwrap();
+    let json = json.split("```").next().unwrap();
+    let cbor = format::to_cbor(json.as_bytes()).unwrap();
+    let claim = format::family::certificate(&cbor).unwrap().claim;
+    let text = coq_family_theorem(&cbor, &claim).unwrap();
+    assert!(text.contains(
+        "OfFamily [Range \"x\"%string (Limit false [0] 1) (Limit false [1] 1)]\n  (TilingClaim 2\n  Rationals\n  \
+         [[Polynomial [([1],[0]%N)];Polynomial [([1],[1]%N)]];[Polynomial [([1],[0]%N)]]]\n  Space\n  \
+         [FaceToFaceTiling;IsAcute])."
+    ));
+}
+
+#[test]
+fn a_family_that_is_not_delaunay_has_no_theorem() {
+    let path = Path::new(concat!(env!("CARGO_MANIFEST_DIR"), "/../.."))
+        .join("tests/certificates/valid/family-plane-not-delaunay.json");
+    let cbor = format::to_cbor(&std::fs::read(path).unwrap())
+        .unwrap()
+        .into_owned();
+    let claim = format::family::certificate(&cbor).unwrap().claim;
+    assert_eq!(
+        coq_family_theorem(&cbor, &claim),
+        Err(NotATheorem::NotDelaunay)
+    );
+}
+
+#[test]
+fn two_statements_have_no_theorem() {
+    let plane = export("slab-cube-6-uncrossed.json");
+    assert_eq!(plane, Err(NotATheorem::Plane));
+    let vertex_inside = export("region-not-delaunay.json");
+    assert_eq!(vertex_inside, Err(NotATheorem::NotDelaunay));
 }

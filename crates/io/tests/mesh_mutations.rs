@@ -6,7 +6,8 @@ use acutile_core::checker::{Options, examine};
 use acutile_core::tiling::{AnyTiling, Domain};
 use acutile_io::mesh::surface::{self, Surface};
 use acutile_io::mesh::{
-    Family, Format, Lattice, Mesh, MeshError, Numbering, load, periodic_tiling, write,
+    Family, Format, Lattice, Mesh, MeshError, Numbering, load, periodic_tiling, region_tiling,
+    write,
 };
 use std::path::Path;
 use std::time::{Duration, Instant};
@@ -260,6 +261,10 @@ fn damaged_files_of_formats_that_are_only_read_never_panic() {
         ("lz4.vtu", Family::Vtu),
         ("cube_lzma.vtu", Family::Vtu),
         ("curved10.vtu", Family::Vtu),
+        ("gmsh_order2.mesh", Family::Medit),
+        ("gmsh_disk2.mesh", Family::Medit),
+        ("gmsh_disk2.msh", Family::Msh),
+        ("gmsh_disk2.bdf", Family::Nastran),
     ] {
         let bytes = std::fs::read(cases.join(name)).expect("the file");
         assert!(family.read(&bytes).is_ok(), "{name}");
@@ -276,6 +281,41 @@ fn damaged_files_of_formats_that_are_only_read_never_panic() {
         assert!(refused > 100, "{name}: {refused}");
         assert!(begin.elapsed() < Duration::from_secs(120), "{name}: slow");
     }
+}
+
+/// TetGen's second-order tetrahedra, with one of the two files damaged; and what is read becomes a tiling
+/// or is refused.
+#[test]
+fn damaged_second_order_files_of_tetgen_never_panic() {
+    let cases = Path::new(concat!(env!("CARGO_MANIFEST_DIR"), "/../..")).join("tests/meshes/cases");
+    let folder = tempfile::tempdir().expect("a folder");
+    let file = |extension: &str| {
+        std::fs::read(cases.join(format!("tetgen_o2.{extension}"))).expect("the file")
+    };
+    let files = [file("node"), file("ele")];
+    let read = |files: &[Vec<u8>]| read(Format::TetGen, files, folder.path());
+    assert!(!read(&files).expect("a mesh").tetrahedra.is_empty());
+    let (mut refused, begin) = (0, Instant::now());
+    for seed in 0..1000 {
+        let mut random = Random(seed);
+        let mut files = files.to_vec();
+        let chosen = random.below(2);
+        files[chosen] = damaged(&files[chosen], &mut random);
+        match read(&files) {
+            Ok(mesh) => {
+                assert!(mesh.cell_count() > 0, "seed {seed}");
+                if let Err(error) = region_tiling(mesh, None) {
+                    assert!(!error.to_string().is_empty());
+                }
+            }
+            Err(error) => {
+                assert!(!error.to_string().is_empty());
+                refused += 1;
+            }
+        }
+    }
+    assert!(refused > 100, "{refused}");
+    assert!(begin.elapsed() < Duration::from_secs(120), "slow");
 }
 
 #[test]

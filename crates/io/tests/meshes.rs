@@ -119,9 +119,10 @@ fn kept(mesh: &Mesh, format: Format) -> Mesh {
         Family::Msh => {
             // Each cell has an entity, and numbers are positive.
             if kept.entities.is_empty() {
-                kept.entities = match kept.labels.is_empty() {
-                    true => vec![1; elements],
-                    false => kept.labels.clone(),
+                kept.entities = if kept.labels.is_empty() {
+                    vec![1; elements]
+                } else {
+                    kept.labels.clone()
                 };
             }
             if mesh.nodes.get(0) == 0 {
@@ -213,7 +214,7 @@ fn messages_name_the_place_what_was_expected_and_what_was_found() {
         ),
         (
             format!("{head}$Nodes\n99999999999\n1 0 0 0\n$EndNodes\n"),
-            "line 5: found 99999999999 as the number of nodes, but the 19 bytes that are left have room for at most 2",
+            "line 5: found 99999999999 as the number of nodes, but the 19 bytes that are left contain at most 2",
         ),
         (
             format!("{head}$Nodes\n2\n1 0 0 0\n1 1 nan 0\n$EndNodes\n"),
@@ -229,14 +230,14 @@ fn messages_name_the_place_what_was_expected_and_what_was_found() {
         ),
         (
             format!("{head}{nodes}$Elements\n1\n9 3 2 1 1 1 2 3 4\n$EndElements\n"),
-            "has no tetrahedra and no triangles, but 1 quadrangles",
+            "has no tetrahedra and no triangles, but 1 quadrangle",
         ),
         (
             format!(
                 "{head}{nodes}$Elements\n1\n9 29 2 1 1 {}\n$EndElements\n",
                 "1 2 3 4 ".repeat(5)
             ),
-            "has 1 third-order tetrahedra, expected tetrahedra with four nodes, or with ten from a format whose order of nodes is documented: facets of the former need not be plane",
+            "has 1 third-order tetrahedron, expected tetrahedra with four nodes, or with ten from a format whose order of nodes is documented: facets of the former need not be plane",
         ),
         (
             format!("{head}{nodes}$Elements\n2\n9 4 2 1 1 1 2 3 4\n"),

@@ -437,10 +437,13 @@ fn bounds_hold_far_from_the_origin() {
 
 #[test]
 fn text_that_is_no_document() {
-    assert_eq!(error(""), "is empty, expected a tiling or point-set file");
+    assert_eq!(
+        error(""),
+        "is empty, expected an input file; acutile new writes examples"
+    );
     assert_eq!(
         error("  \n"),
-        "is empty, expected a tiling or point-set file"
+        "is empty, expected an input file; acutile new writes examples"
     );
     let whole = kuhn().to_string();
     for end in (1..whole.len()).step_by(7) {
@@ -567,12 +570,57 @@ fn parameters() {
     assert!(parameter_error(set(json!([1]))).contains("parameters.h"));
     assert!(parameter_error(set(json!({"low": 1}))).contains("the member \"high\" is missing"));
     assert!(
-        parameter_error(set(json!(["h", 2])))
-            .starts_with("parameters.h.low: column 1: no generator")
+        parameter_error(set(json!(["h", 2]))).starts_with("parameters.h.low: column 1: found 'h'")
     );
     let bad_name = |document: &mut Value| {
         document["parameters"] = json!({"H": [1, 2]});
         document["lattice"]["gram"][1][1] = json!("H");
     };
     assert!(parameter_error(bad_name).contains("\"H\" cannot name a parameter"));
+}
+
+/// A letter that is not declared may be meant as a parameter, in a family and in a tiling.
+#[test]
+fn unknown_letters() {
+    let advice = |u: &str| {
+        format!("to add a parameter, write \"parameters\": {{\"{u}\": [0, 1]}} with its ends")
+    };
+    let found = |u: &str| {
+        format!(
+            "column 1: found '{u}', expected a number like 3/7 or sqrt(2)/4, or a declared name"
+        )
+    };
+    let unknown = |document: &mut Value| document["vertices"] = json!([["u", "h"]]);
+    assert_eq!(
+        parameter_error(unknown),
+        format!(
+            "vertices[0][0]: {}; the parameter is h and there is no generator; {}",
+            found("u"),
+            advice("u")
+        )
+    );
+    let several = |document: &mut Value| {
+        document["parameters"]["s"] = json!([0, 1]);
+        document["generators"] = json!({"c": {"polynomial": [-2, 0, 1], "root": [1, 2]}});
+        document["vertices"] = json!([["s", "0"], ["t*c", 0]]);
+    };
+    assert_eq!(
+        parameter_error(several),
+        format!(
+            "vertices[1][0]: {}; the parameters are h and s and the generator is c; {}",
+            found("t"),
+            advice("t")
+        )
+    );
+    let none = |document: &mut Value| {
+        document["parameters"] = json!({});
+    };
+    assert_eq!(
+        parameter_error(none),
+        format!(
+            "lattice[1][1]: {}; there is no parameter and there is no generator; {}",
+            found("h"),
+            advice("h")
+        )
+    );
 }

@@ -17,6 +17,7 @@ pub(crate) type Number = Vec<BigInt>;
 /// one number.
 pub(crate) type Polynomial = Vec<(Number, Vec<u32>)>;
 
+/// The claim of a certificate.
 #[derive(Debug)]
 pub struct Claim {
     /// 2 or 3.
@@ -127,6 +128,7 @@ texts! {
         WeaklyDelaunay "weakly Delaunay",
         LocallyDelaunay "locally Delaunay",
         LocallyWeaklyDelaunay "locally weakly Delaunay",
+        NotDelaunay "not Delaunay",
         Tcp "TCP",
     }
 }
@@ -196,6 +198,7 @@ fn read_parameters(t: &mut Transcript, degree: usize) -> Checked<Vec<Parameter>>
     let count = parameters.len();
     ensure!((1..=MAX_PARAMETERS).contains(&count), Parameters, t.place(), count);
     let mut names: Vec<&str> = parameters.iter().map(|parameter| parameter.name.as_str()).collect();
+    names.extend((degree > 1).then_some("a")); // The generator, in all sentences.
     names.sort_unstable();
     ensure!(is_strict(&names), ParameterName, t.place());
     Ok(parameters)

@@ -164,7 +164,7 @@ impl<'c, const N: usize> Family<'c, N> {
         let is_open = refusal.code == Code::SignUndecided || refusal.code.kind() == Kind::Rejected;
         if is_open {
             let middle = leaf.iter().map(|side| side.middle(&self.ring)).collect::<Checked<_>>()?;
-            let is_about_all = refusal.code == Code::NotAttained;
+            let is_about_all = matches!(refusal.code, Code::NotAttained | Code::NoneInside);
             self.check_point(&middle, is_about_all)?;
             self.check_corners(leaf, &mut Vec::new(), is_about_all)?;
             return Ok(Stop::LARGER.at(refusal.place));
@@ -189,7 +189,8 @@ impl<'c, const N: usize> Family<'c, N> {
     fn check_point(&self, point: &Box<N>, is_about_all: bool) -> Checked {
         let Err(stop) = self.check(point) else { return Ok(()) };
         let mut refusal = stop.refusal();
-        if refusal.code == Code::SignUndecided || (refusal.code == Code::NotAttained && !is_about_all) {
+        let is_attainment = matches!(refusal.code, Code::NotAttained | Code::NoneInside);
+        if refusal.code == Code::SignUndecided || (is_attainment && !is_about_all) {
             return Ok(());
         }
         let value = |side: &Side<N>| {
@@ -240,7 +241,7 @@ impl<const N: usize> Numbers for Leaf<N> {
             }
             Ok(point)
         };
-        let found = self.model.simplex(row, steps, simplex, point);
+        let found = self.model.simplex(ring, row, steps, simplex, point);
         let found = found.and_then(|simplex| rules.check(&simplex, &self.denominator));
         let (determinant, attained) = found.map_err(|stop| stop.at(Place::Simplex(simplex)))?;
         self.volume = ring.plus(&self.volume, &determinant)?;

@@ -9,7 +9,9 @@ use std::cell::Cell;
 /// Upper bounds, each inclusive.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Limits {
+    /// Bytes of the certificate.
     pub bytes: u64,
+    /// Simplices.
     pub simplices: u64,
     /// Bits of one integer.
     pub bits: u64,
@@ -23,11 +25,12 @@ pub struct Limits {
 pub const MAX_DEGREE: usize = 8;
 
 impl Limits {
+    /// The limits of `acutile-verify`.
     pub const DEFAULT: Limits =
         Limits { bytes: 1 << 32, simplices: 1 << 28, bits: 4096, degree: MAX_DEGREE, work: 3_000_000_000 };
 }
 
-/// The work so far. Each part of the kernel counts what it does, and calls [`Work::check`] after
+/// The work so far. Each part of the kernel counts its work, and calls [`Work::check`] after
 /// each piece of work that other limits bound.
 pub(crate) struct Work {
     limit: u64,

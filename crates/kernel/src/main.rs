@@ -88,11 +88,11 @@ fn parse() -> Result<Result<Options, &'static str>, String> {
                 let claim = fs::read(file).map_err(|error| format!("{name}: {error}"))?;
                 options.claim = Some(claim);
             }
-            "--max-bytes" => limits.bytes = number(value()?)?,
-            "--max-simplices" => limits.simplices = number(value()?)?,
-            "--max-bits" => limits.bits = number(value()?)?,
-            "--max-degree" => limits.degree = number(value()?)?.try_into().unwrap_or(usize::MAX),
-            "--max-work" => limits.work = number(value()?)?,
+            "--max-bytes" => limits.bytes = number(&option, value()?, u64::MAX)?,
+            "--max-simplices" => limits.simplices = number(&option, value()?, u64::MAX)?,
+            "--max-bits" => limits.bits = number(&option, value()?, u64::MAX)?,
+            "--max-degree" => limits.degree = number(&option, value()?, 8)?.try_into().unwrap_or(8),
+            "--max-work" => limits.work = number(&option, value()?, u64::MAX)?,
             "-h" | "--help" => return Ok(Err(HELP)),
             "-V" | "--version" => {
                 return Ok(Err(concat!("acutile-verify ", env!("CARGO_PKG_VERSION"), "\n")));
@@ -106,10 +106,10 @@ fn parse() -> Result<Result<Options, &'static str>, String> {
     Ok(Ok(options))
 }
 
-fn number(word: OsString) -> Result<u64, String> {
+fn number(option: &str, word: OsString, most: u64) -> Result<u64, String> {
     let word = word.to_string_lossy();
-    let number = word.parse().ok().filter(|_| !word.starts_with('+'));
-    number.ok_or(format!("{} is no number; try --help", text::name(&word)))
+    let number = word.parse().ok().filter(|number| !word.starts_with('+') && *number <= most);
+    number.ok_or(format!("{option}: found {}, expected an integer from 0 to {most}", text::name(&word)))
 }
 
 fn check(file: &OsString, options: &Options) -> Result<Verified, Failure> {

@@ -15,7 +15,7 @@
 //! These triangles meet in the hull of their common corners exactly if the segments do.
 
 use crate::refusal::{Checked, Stop};
-use crate::ring::{Ring, Vector, each};
+use crate::ring::{Ring, Vector, each, zip};
 use std::cmp::Ordering;
 
 /// Whether f and g meet in the hull of their first `common` corners, which are the same.
@@ -34,8 +34,8 @@ pub(crate) fn only_in_common<R: Ring>(ring: &R, common: usize, [f, g]: &[[Vector
         0 => {
             let rays = each(f, |x| each(g, |y| to(x, y)))?;
             let pairs = [(f0, f1), (f0, f2), (g0, g1), (g0, g2), (f1, f2), (g1, g2)];
-            let edges = each(&pairs, |(x, y)| to(x, y))?;
-            is_some_positive(ring, rays.as_flattened(), &edges, &[x, y, z])
+            let (rays, edges) = (rays.as_flattened(), each(&pairs, |(x, y)| to(x, y))?);
+            Ok(is_sum_positive(ring, rays) || is_some_positive(ring, rays, &edges, &[x, y, z])?)
         }
         // The cone of the four rays has an apex. If it is a solid with three sides, w is the same
         // on its three edges. If it has four, w is the product of its diagonals: the sum of the
@@ -46,7 +46,7 @@ pub(crate) fn only_in_common<R: Ring>(ring: &R, common: usize, [f, g]: &[[Vector
             let [a, b, c, d] = &rays;
             let pairs = [(a, b), (c, d), (a, c), (a, d), (b, c), (b, d)];
             let edges = each(&pairs, |(x, y)| to(x, y))?;
-            is_some_positive(ring, &rays, &edges, &[x, y, z])
+            Ok(is_sum_positive(ring, &rays) || is_some_positive(ring, &rays, &edges, &[x, y, z])?)
         }
         // Half-planes with the edge e through p and q. If det(e, p, q) ≠ 0, w = e × (p + q) serves:
         // w · -p = w · q. Otherwise w vanishes on e and on an axis.
@@ -69,23 +69,35 @@ fn is_some_positive<R: Ring>(
 ) -> Checked<bool> {
     let mut answer = Ok(false);
     for (k, x) in edges.iter().enumerate() {
-        'functionals: for y in others.iter().copied().chain(edges.iter().take(k)) {
+        for y in others.iter().copied().chain(edges.iter().take(k)) {
             ring.work().add(6 * ring.price());
-            let w = ring.cross(x, y)?;
-            let mut first = None;
-            for ray in rays {
-                ring.work().add(3 * ring.price());
-                let Ok(sign) = ring.sign(&ring.inner(&w, ray)?).decided() else {
-                    // Another functional may be decided.
-                    answer = Err(Stop::LARGER);
-                    continue 'functionals;
-                };
-                if sign == Ordering::Equal || *first.get_or_insert(sign) != sign {
-                    continue 'functionals;
-                }
+            match is_positive(ring, rays, &ring.cross(x, y)?)? {
+                Some(true) => return Ok(true),
+                Some(false) => {}
+                // Another functional may be decided.
+                None => answer = Err(Stop::LARGER),
             }
-            return Ok(true);
         }
     }
     answer
+}
+
+/// Whether the sum of the rays is positive on all rays. It serves for most pairs, at little cost.
+fn is_sum_positive<R: Ring>(ring: &R, rays: &[Vector<R>]) -> bool {
+    let sum = |sum: Vector<R>, ray| zip(&sum, ray, |x, y| ring.plus(x, y));
+    let sum = rays.iter().try_fold(Default::default(), sum);
+    sum.and_then(|w| is_positive(ring, rays, &w)) == Ok(Some(true))
+}
+
+/// Whether w, or its negative, is positive on all rays. `None` if a sign is undecided.
+fn is_positive<R: Ring>(ring: &R, rays: &[Vector<R>], w: &Vector<R>) -> Checked<Option<bool>> {
+    let mut first = None;
+    for ray in rays {
+        ring.work().add(3 * ring.price());
+        let Ok(sign) = ring.sign(&ring.inner(w, ray)?).decided() else { return Ok(None) };
+        if sign == Ordering::Equal || *first.get_or_insert(sign) != sign {
+            return Ok(Some(false));
+        }
+    }
+    Ok(Some(true))
 }

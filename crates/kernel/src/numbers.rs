@@ -29,7 +29,7 @@ pub(crate) struct Model<R: Ring> {
 }
 
 impl<R: Ring> Model<R> {
-    /// Checks what the claim states of its own numbers.
+    /// Checks the numbers of the claim.
     pub(crate) fn new(ring: &R, claim: &Claim) -> Checked<Self> {
         let rules = Rules::new(ring, claim).map_err(|stop| stop.at(Place::Field))?;
         let facets = match &claim.domain {
@@ -56,21 +56,21 @@ impl<R: Ring> Model<R> {
         self.facets.as_ref().map_or(Ok(Vec::new()), |facets| facets.of_vertex(point, vertex))
     }
 
-    /// A row's simplex. In the plane the last edge is (0, 0, 1).
-    pub(crate) fn simplex(
+    /// A row's simplex, in the numbers of any ring. In the plane the last edge is (0, 0, 1).
+    pub(crate) fn simplex<S: Ring>(
         &self,
+        ring: &S,
         row: &Row,
         steps: &[Step; 4],
         number: u64,
-        point: impl Fn(Corner) -> Checked<Vector<R>>,
-    ) -> Checked<Simplex<R>> {
-        let ring = &self.rules.ring;
-        ring.work().add(self.rules.price());
+        point: impl Fn(Corner) -> Checked<Vector<S>>,
+    ) -> Checked<Simplex<S>> {
+        ring.work().add(300 * ring.price());
         let [a, b, c, d] = row.corners;
         let origin = point(a)?;
         let vector = |corner| ring.difference(&origin, &point(corner)?);
         let third = if self.rules.is_plane {
-            [R::Element::default(), R::Element::default(), ring.integer(1)?]
+            [S::Element::default(), S::Element::default(), ring.integer(1)?]
         } else {
             vector(d)?
         };
@@ -116,6 +116,8 @@ pub(crate) struct Single<const N: usize> {
     medium: Option<Model<Exact<i128, N>>>,
     large: Model<Exact<BigInt, N>>,
     intervals: Option<Rules<Intervals>>,
+    /// For the edges of which there are intervals. Numbers of the claim can be too long for `medium`.
+    edges: Option<Exact<i128, N>>,
     region: Option<Region<N>>,
     /// The sum of the determinants.
     volume: Element<BigInt, N>,
@@ -129,17 +131,19 @@ fn or_larger<V>(found: Checked<V>, again: impl FnOnce() -> Checked<V>) -> Checke
 }
 
 impl<const N: usize> Single<N> {
-    /// Checks what the claim states of its own numbers.
+    /// Checks the numbers of the claim.
     pub(crate) fn new(claim: &Claim, work: &Rc<Work>) -> Checked<Self> {
         let root = Rc::new(Root::new(&claim.field, work)?);
         let large = Model::new(&Exact::new(&root, work)?, claim)?;
+        let edges = Exact::new(&root, work);
         let intervals = Intervals { root: root.clone(), work: work.clone() };
         Ok(Single {
             vertices: Vertices::new(claim.dimension, claim.field.degree()),
             small: Exact::new(&root, work).and_then(|ring| Model::new(&ring, claim)).ok(),
-            medium: Exact::new(&root, work).and_then(|ring| Model::new(&ring, claim)).ok(),
+            medium: edges.as_ref().ok().and_then(|ring| Model::new(ring, claim).ok()),
             large,
             intervals: Rules::new(&intervals, claim).ok(),
+            edges: edges.ok(),
             region: None,
             volume: Element::default(),
         })
@@ -177,7 +181,7 @@ impl<const N: usize> Single<N> {
         simplex: u64,
     ) -> Checked<Found<Exact<T, N>>> {
         let model = model.ok_or(Stop::LARGER)?;
-        let simplex = model.simplex(row, steps, simplex, |corner| self.vertices.point(corner))?;
+        let simplex = model.simplex(&model.rules.ring, row, steps, simplex, |corner| self.vertices.point(corner))?;
         model.rules.check(&simplex, &self.vertices.denominator)
     }
 
@@ -185,9 +189,9 @@ impl<const N: usize> Single<N> {
     /// repeat a refusal, for its value.
     fn judge_by_intervals(&self, row: &Row, steps: &[Step; 4], simplex: u64) -> Checked<Found<Exact<BigInt, N>>> {
         let rules = self.intervals.as_ref().ok_or(Stop::LARGER)?;
-        let medium = self.medium.as_ref().ok_or(Stop::LARGER)?;
+        let ring = self.edges.as_ref().ok_or(Stop::LARGER)?;
         let Simplex { number, edges, mates } =
-            medium.simplex(row, steps, simplex, |corner| self.vertices.point(corner))?;
+            self.large.simplex(ring, row, steps, simplex, |corner| self.vertices.point(corner))?;
         let vector = |x: &[Element<i128, N>; 3]| each(x, |x| rules.ring.of(&x.0));
         let intervals = Simplex {
             number,
@@ -198,7 +202,6 @@ impl<const N: usize> Single<N> {
         if self.region.is_some() {
             return Ok((Element::default(), attained));
         }
-        let ring = &medium.rules.ring;
         let normal = ring.cross(&edges[1], &edges[2])?;
         let determinant = ring.inner(&edges[0], &normal).map(|x| x.large());
         let again = || {

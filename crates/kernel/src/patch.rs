@@ -19,7 +19,7 @@ use crate::vertices::Vertices;
 use num_bigint::BigInt;
 use std::rc::Rc;
 
-/// The claim. What the kind `tiling` has, too, is in a claim about all of space.
+/// The claim. Its members in common with the kind `tiling` are in a claim about all of space.
 pub(crate) struct Head {
     pub(crate) claim: Claim,
     pub(crate) rank: usize,

@@ -26,6 +26,9 @@ pub(crate) fn verify<const N: usize>(mut cbor: Cbor, head: Head, limits: &Limits
     let ring = Exact::<BigInt, N>::new(&Rc::new(Root::new(&head.claim.field, work)?), work)?;
     let rules = Rules::new(&ring, &head.claim).map_err(|stop| stop.at(Place::Field))?;
     check_statements(&head.claim, false)?;
+    // It would be about each mosaic, and the cells differ.
+    let inside = head.claim.statements.iter().position(|statement| statement.property == Property::NotDelaunay);
+    ensure!(inside.is_none(), StatementDomain, Place::Statement(inside.unwrap_or(0)));
     // b_i · b_j = 0 for i <= r < j: two entries of the upper triangle by rows.
     let mixed = if head.rank == 1 { [1, 2] } else { [2, 4] };
     let is_zero = |k: usize| {

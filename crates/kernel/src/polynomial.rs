@@ -272,6 +272,11 @@ impl<const N: usize> Ring for Polynomials<N> {
         }
     }
 
+    fn varies(&self) -> bool {
+        let coefficients = |end| self.numbers.coefficients(end);
+        self.sides.iter().any(|side| coefficients(&side.low) != coefficients(&side.high))
+    }
+
     fn work(&self) -> &Work {
         self.numbers.work()
     }

@@ -31,15 +31,18 @@ macro_rules! texts {
     ($(#[$doc:meta])* $name:ident { $first:ident $first_text:literal, $($value:ident $text:literal,)* }) => {
         $(#[$doc])*
         #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, PartialOrd, Ord, Hash)]
-        pub enum $name { #[default] $first, $($value,)* }
+        pub enum $name { #[doc = $first_text] #[default] $first, $(#[doc = $text] $value,)* }
 
         impl $name {
+            /// All values, in the order of their definition.
             pub const ALL: &[$name] = &[$name::$first, $($name::$value,)*];
 
+            /// The text of a value.
             pub fn text(self) -> &'static str {
                 match self { $name::$first => $first_text, $($name::$value => $text,)* }
             }
 
+            /// The value with a text.
             pub fn find(text: &str) -> Option<$name> {
                 $name::ALL.iter().copied().find(|value| value.text() == text)
             }
@@ -90,7 +93,7 @@ texts! {
         OpenFacet "open-facet", BoundaryOpen "boundary-open", VolumeSum "volume-sum",
         GramBlocks "gram-blocks", TileOrder "tile-order", PyramidSide "pyramid-side",
         WallPattern "wall-pattern", WallReversal "wall-reversal", SideClasses "side-classes",
-        MissingJoin "missing-join", NotAttained "not-attained",
+        MissingJoin "missing-join", NoneInside "none-inside", NotAttained "not-attained",
         // Declined.
         CornerAngle "corner-angle",
         TooManyBytes "too-many-bytes", Version "version", UnknownKind "kind", Degree "degree",
@@ -117,18 +120,25 @@ impl Code {
 pub enum Place {
     /// An offset in the file.
     Byte(u64),
+    /// The field or its root.
     Field,
     /// A leading principal minor of the Gram matrix, by its number of rows.
     Minor(usize),
+    /// The domain.
     Domain,
+    /// A face of the domain.
     Face(usize),
+    /// A statement of the claim.
     Statement(usize),
+    /// A vertex.
     Vertex(u32),
     /// A parameter of a family.
     Parameter(usize),
     /// One facet, or two, in the list `boundary`.
     Boundary(u64),
+    /// Two facets in the list `boundary`.
     BoundaryPair(u64, u64),
+    /// A simplex.
     Simplex(u64),
     /// A facet of a simplex, by the sorted corner that it does not have.
     Facet(u64, usize),
@@ -138,14 +148,18 @@ pub enum Place {
     Angle(u64, usize, usize),
     /// A tile of a system of patches, and one of its sides.
     Tile(usize),
+    /// A tile, and one of its sides.
     Side(usize, u32),
+    /// The witness.
     Witness,
 }
 
 /// The exact value that is wrong.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum Value {
+    /// No value.
     Nothing,
+    /// An integer.
     Integer(BigInt),
     /// A quotient of two numbers of the field, each by its coefficients of 1, a, a², …
     Quotient(Vec<BigInt>, Vec<BigInt>),
@@ -164,10 +178,14 @@ macro_rules! integers {
 }
 integers! { BigInt i64 u64 usize }
 
+/// Why a certificate is not verified.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Refusal {
+    /// The condition that does not hold.
     pub code: Code,
+    /// The part of the certificate.
     pub place: Place,
+    /// The exact value that is wrong.
     pub value: Value,
     /// Of a family: a point of the box at which the condition does not hold, by the names and the
     /// values of the parameters.

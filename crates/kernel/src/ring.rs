@@ -60,6 +60,10 @@ pub trait Ring: Clone {
     /// Σ x_i y_i, for at most three terms.
     fn dot<const K: usize>(&self, x: [&Self::Element; K], y: [&Self::Element; K]) -> Checked<Self::Element>;
     fn sign(&self, x: &Self::Element) -> Sign;
+    /// Whether an element may have several signs, at different points.
+    fn varies(&self) -> bool {
+        false
+    }
     fn work(&self) -> &Work;
     /// Units of work for one product; zero where the ring counts them itself.
     fn price(&self) -> u64;

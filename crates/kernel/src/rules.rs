@@ -27,6 +27,7 @@ pub(crate) struct Rules<R: Ring> {
     ratios: Vec<Extreme<R>>,
     delaunay: bool,
     weakly_delaunay: bool,
+    not_delaunay: bool,
 }
 
 /// A bound p/q for the least or the greatest of some quotients of a simplex. The quotients are the
@@ -58,6 +59,9 @@ type Cosine<R> = (<R as Ring>::Element, <R as Ring>::Element, <R as Ring>::Eleme
 /// plane.
 const FACETS: [(usize, usize); 6] = [(0, 1), (0, 2), (1, 2), (0, 3), (1, 3), (2, 3)];
 
+/// The bit of `not Delaunay` among those of the statements. Bounds have less than 22 bits.
+pub(crate) const INSIDE: u32 = 31;
+
 /// The determinant of a simplex, and the set of the statements of which it attains the bound.
 pub(crate) type Found<R> = (<R as Ring>::Element, u32);
 
@@ -86,6 +90,7 @@ impl<R: Ring> Rules<R> {
             ratios: Vec::new(),
             delaunay: has(Property::Delaunay, Property::LocallyDelaunay),
             weakly_delaunay: has(Property::WeaklyDelaunay, Property::LocallyWeaklyDelaunay),
+            not_delaunay: claim.has(Property::NotDelaunay),
         };
         for (index, statement) in claim.statements.iter().enumerate() {
             if let Some(bound) = &statement.bound {
@@ -111,11 +116,6 @@ impl<R: Ring> Rules<R> {
         Ok(())
     }
 
-    /// Units of work for one simplex, where the ring does not count each product.
-    pub(crate) fn price(&self) -> u64 {
-        300 * self.ring.price()
-    }
-
     /// Pairs of facets, or of corners.
     fn pairs(&self) -> usize {
         if self.is_plane { 3 } else { 6 }
@@ -123,7 +123,7 @@ impl<R: Ring> Rules<R> {
 
     /// Whether the corners of mates matter.
     pub(crate) fn needs_mates(&self) -> bool {
-        self.delaunay || self.weakly_delaunay
+        self.delaunay || self.weakly_delaunay || self.not_delaunay
     }
 
     /// Checks everything that is claimed of one simplex. The coordinates have the denominator.
@@ -253,7 +253,7 @@ impl<R: Ring> Rules<R> {
         Ok((place, ring.quotient(&extreme.0, &extreme.1)))
     }
 
-    /// Checks what concerns the circumsphere.
+    /// Checks the statements about the circumsphere.
     ///
     /// The circumcentre z, seen from the first corner, has 2 ⟨z, e_i⟩ = |e_i|² = s_i. So
     /// 2 ⟨z, x⟩ = w · x / det E for all x, where w = Σ s_i n_i.
@@ -311,6 +311,13 @@ impl<R: Ring> Rules<R> {
             };
             ensure!(is_outside, NotDelaunay, place, value()?);
             ensure!(is_not_inside, NotWeaklyDelaunay, place, value()?);
+            // `not Delaunay`: for some simplex a mate's corner is inside of the circumsphere.
+            // Where elements vary, a sign that is undecided counts as none: another facet may show it.
+            let is_inside =
+                || if ring.varies() { Ok(sign == Sign::exactly(Less)) } else { sign.is(|sign| sign == Less) };
+            if self.not_delaunay && is_inside()? {
+                attained |= 1 << INSIDE;
+            }
         }
         Ok(attained)
     }

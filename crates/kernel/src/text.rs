@@ -1,6 +1,6 @@
 //! Words for names, places and values. This module belongs to the program, not to the kernel.
 
-use acutile_kernel::{Place, Refusal, Value};
+use acutile_kernel::{Limits, Place, Refusal, Value};
 use num_bigint::BigInt;
 use num_integer::Integer;
 
@@ -16,6 +16,7 @@ pub fn refusal(refusal: &Refusal, length: Option<u64>) -> String {
         Value::Nothing => place,
         Value::Integer(value) => format!("{place}: found {value}"),
         Value::Quotient(p, q) => format!("{place}: found {}", quotient(p, q)),
+        Value::Limit("work", _) => format!("{place}: use a larger --max-work; without it, {}", Limits::DEFAULT.work),
         Value::Limit(name, suffices) => {
             let suffices = suffices.or(length).unwrap_or(u64::MAX);
             format!("{place}: use --max-{name} {suffices}")

@@ -11,6 +11,7 @@ use crate::limits::{Limits, Work};
 use crate::numbers::{Numbers, Single};
 use crate::refusal::{Checked, Place, Stop, Value};
 use crate::row::{Row, Shape};
+use crate::rules::INSIDE;
 use crate::table::index;
 use std::ops::Deref;
 use std::rc::Rc;
@@ -19,18 +20,24 @@ use std::rc::Rc;
 #[derive(Debug)]
 pub struct Verified(Facts);
 
-/// What is proved, and some counts.
+/// The claim that is proved, and some counts.
 #[derive(Debug)]
 pub struct Facts {
+    /// The claim that is proved.
     pub claim: Claim,
+    /// The number of vertices.
     pub vertices: u32,
+    /// The number of simplices.
     pub simplices: u64,
     /// Facets in the boundary of the domain.
     pub boundary_facets: u64,
-    /// The largest numbers of open facets and, with `TCP`, of open edges at one time.
+    /// The largest number of open facets at one time.
     pub peak_facets: usize,
+    /// With `TCP`, the largest number of open edges at one time.
     pub peak_edges: usize,
+    /// The length of the certificate.
     pub bytes: u64,
+    /// The SHA-256 of its bytes.
     pub sha256: [u8; 32],
 }
 
@@ -198,6 +205,8 @@ impl<M: Numbers> Pass<'_, M> {
             // Bounds are among the first statements, so their bits exist.
             let is_attained = || self.attained >> index & 1 == 1;
             ensure!(!is_extreme || is_attained(), NotAttained, Place::Statement(index));
+            let is_about_spheres = statement.property == Property::NotDelaunay;
+            ensure!(!is_about_spheres || self.attained >> INSIDE == 1, NoneInside, Place::Statement(index));
         }
         Ok(())
     }

@@ -128,6 +128,24 @@ fn limits_are_monotone_and_inclusive() {
     }
 }
 
+/// Exact values that do not fit 128 bits leave the rest of the work to small numbers.
+#[test]
+fn long_bounds_cost_little_work() {
+    let work = |name: &str| {
+        let files = files();
+        let file = files.iter().find(|file| file.folder == "valid" && file.name == name).unwrap();
+        let suffices = |work: u64| check(&file.cbor, &Limits { work, ..Limits::DEFAULT }).is_ok();
+        let (mut low, mut high) = (0, Limits::DEFAULT.work);
+        while high - low > 1000 {
+            let middle = low.midpoint(high);
+            if suffices(middle) { high = middle } else { low = middle }
+        }
+        high
+    };
+    let (short, long) = (work("region-coordinates-of-53-bits"), work("region-coordinates-of-53-bits-all-figures"));
+    assert!(long < 2 * short, "{long} and {short} units of work");
+}
+
 /// A slip in the kernel would panic, for overflow checks are on.
 #[test]
 fn changed_bytes_never_panic() {
@@ -226,9 +244,18 @@ fn the_program_has_one_line_for_each_file_and_the_worst_exit_code() {
     );
     assert!(out.lines().nth(2).unwrap().contains("malformed [unreadable]"), "{out}");
 
+    for (option, value, most) in [("--max-degree", "9", "8"), ("--max-bits", "x", "18446744073709551615")] {
+        let output = program(&[option, value, &good], b"");
+        assert_eq!(text(&output), (2, String::new()));
+        let words = format!("acutile-verify: {option}: found {value}, expected an integer from 0 to {most}\n");
+        assert_eq!(String::from_utf8(output.stderr).unwrap(), words);
+    }
+
     let (exit, out) = text(&program(&["--max-simplices", "1", &good], b""));
     assert_eq!(exit, 3);
     assert!(out.contains("declined [too-many-simplices]") && out.contains("--max-simplices 2"), "{out}");
+    let (exit, out) = text(&program(&["--max-work", "0", &good], b""));
+    assert!(exit == 3 && out.contains("use a larger --max-work; without it, 3000000000"), "{out}");
     let length = valid().len();
     let (exit, out) = text(&program(&["--max-bytes", "10", &good], b""));
     assert!(exit == 3 && out.contains(&format!("--max-bytes {length}")), "{out}");

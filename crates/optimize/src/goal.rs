@@ -1,10 +1,10 @@
-//! What a search improves, in doubles: values of one simplex and their gradients.
+//! The goals of a search, in doubles: values of one simplex and their gradients.
 //!
 //! Let E be the matrix of the edges from corner 0 and P = E G E^T their inner products. Each value is a
 //! function of P, and W is its gradient: dv = Σ W_kl dP_kl. Since dP = dE G E^T + E G dE^T + E dG E^T, the
 //! gradient with respect to edge k is twice row k of W E G, and that with respect to G is E^T W E.
 
-/// What is to be improved.
+/// The value to improve.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Goal {
     /// The largest dihedral angle, as small as possible.

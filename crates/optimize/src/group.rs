@@ -2,7 +2,7 @@
 
 use acutile_core::classify::{Isometry, Symmetry};
 use acutile_core::quality::squared_edges;
-use acutile_core::tiling::{Corner, Matching, SimplexId, Tiling, VertexId, floor};
+use acutile_core::tiling::{Corner, Matching, SimplexId, Tiling, VertexId, cell_of, floor};
 use acutile_exact::geometry::{Sign, linear};
 use acutile_exact::number::Number;
 use malachite::Rational;
@@ -18,10 +18,17 @@ pub struct Group {
 /// An isometry that maps the tiling to itself.
 #[derive(Clone, Debug)]
 pub struct Element {
+    /// The isometry, in the basis of the lattice.
     pub isometry: Isometry<3>,
     /// The corner to which each vertex goes.
     pub images: Vec<Corner<3>>,
+    /// How lattice vectors move. Entries are at most [`CELL_LIMIT`](acutile_core::tiling::CELL_LIMIT).
+    lattice: [[i64; 3]; 3],
 }
+
+/// A corner with a shift of 64 bits. Entries of `lattice` and of shifts have at most 30 bits, so that no sum of
+/// products overflows.
+type Place = (VertexId, [i64; 3]);
 
 /// The isometries that a search keeps.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -39,7 +46,9 @@ pub enum Keep {
 /// An element with this place does not exist.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct NoElement {
+    /// The place that was asked for.
     pub place: usize,
+    /// The number of elements.
     pub count: usize,
 }
 
@@ -51,6 +60,7 @@ impl Group {
             elements: vec![Element {
                 isometry: Isometry::identity(),
                 images: vertices.map(|v| Corner::of(VertexId::at(v))).collect(),
+                lattice: std::array::from_fn(|i| std::array::from_fn(|j| i64::from(i == j))),
             }],
         }
     }
@@ -108,23 +118,15 @@ impl Group {
     /// The places of all products of some elements, sorted. Two elements are equal if they map vertices
     /// alike up to one lattice vector: four of the vertices are in general position.
     fn generated(&self, places: &[usize]) -> Vec<usize> {
-        let normal = |images: &[Corner<3>]| -> Vec<Corner<3>> {
-            let back = images[0].shift.map(|s| -s);
-            images.iter().map(|corner| corner.moved(back)).collect()
-        };
-        let table: BTreeMap<Vec<Corner<3>>, usize> = self
-            .elements
-            .iter()
-            .map(|e| normal(&e.images))
-            .zip(0..)
-            .collect();
+        let own = |e: &Element| back(e.images.iter().map(place).collect());
+        let table: BTreeMap<Vec<Place>, usize> = self.elements.iter().map(own).zip(0..).collect();
         let mut found = vec![0];
         let mut next = 0;
         while next < found.len() {
             let first = &self.elements[found[next]];
             for &place in places {
                 let product = self.elements[place].after(first);
-                if let Some(&place) = table.get(&normal(&product))
+                if let Some(&place) = table.get(&back(product))
                     && !found.contains(&place)
                 {
                     found.push(place);
@@ -138,8 +140,8 @@ impl Group {
 
     /// One simplex of each orbit.
     pub fn representatives(&self, tiling: &Tiling<3>) -> Vec<SimplexId> {
-        let table: BTreeMap<Vec<Corner<3>>, usize> =
-            tiling.simplices().map(normal_form).zip(0..).collect();
+        let own = |corners: &[Corner<3>]| normal_form(corners.iter().map(place).collect());
+        let table: BTreeMap<Vec<Place>, usize> = tiling.simplices().map(own).zip(0..).collect();
         let mut seen = vec![false; tiling.len()];
         let mut chosen = Vec::new();
         for (simplex, corners) in tiling.indices().zip(tiling.simplices()) {
@@ -148,8 +150,8 @@ impl Group {
             }
             chosen.push(simplex);
             for element in &self.elements {
-                let image: Vec<_> = corners.iter().map(|c| element.image(c)).collect();
-                if let Some(&place) = table.get(&normal_form(&image)) {
+                let image = corners.iter().map(|c| element.image(c)).collect();
+                if let Some(&place) = table.get(&normal_form(image)) {
                     seen[place] = true;
                 }
             }
@@ -160,22 +162,19 @@ impl Group {
 
 impl Element {
     /// Where a corner goes.
-    pub fn image(&self, corner: &Corner<3>) -> Corner<3> {
-        self.images[corner.vertex.index()].moved(self.moved(corner.shift))
-    }
-
-    /// Where a lattice vector goes. The entries are integers.
-    fn moved(&self, shift: [i32; 3]) -> [i32; 3] {
-        std::array::from_fn(|i| {
-            (0..3)
-                .filter(|&j| shift[j] != 0)
-                .map(|j| floor(&self.isometry.linear[i][j]) * shift[j])
-                .sum()
-        })
+    fn image(&self, corner: &Corner<3>) -> Place {
+        let image = &self.images[corner.vertex.index()];
+        let shift = std::array::from_fn(|i| {
+            let terms = self.lattice[i].iter().zip(corner.shift);
+            terms.fold(i64::from(image.shift[i]), |sum, (entry, s)| {
+                sum + entry * i64::from(s)
+            })
+        });
+        (image.vertex, shift)
     }
 
     /// The images of the vertices under first `first`, then `self`.
-    fn after(&self, first: &Element) -> Vec<Corner<3>> {
+    fn after(&self, first: &Element) -> Vec<Place> {
         first
             .images
             .iter()
@@ -184,15 +183,25 @@ impl Element {
     }
 }
 
-/// The corners sorted, moved so that the first has shift zero.
-fn normal_form(corners: &[Corner<3>]) -> Vec<Corner<3>> {
-    let mut corners = corners.to_vec();
-    corners.sort_unstable();
-    let back = corners[0].shift.map(|s| -s);
-    corners
-        .into_iter()
-        .map(|corner| corner.moved(back))
-        .collect()
+fn place(corner: &Corner<3>) -> Place {
+    (corner.vertex, corner.shift.map(i64::from))
+}
+
+/// The places sorted, moved so that the first has shift zero.
+fn normal_form(mut places: Vec<Place>) -> Vec<Place> {
+    places.sort_unstable();
+    back(places)
+}
+
+/// The places moved so that the first has shift zero.
+fn back(mut places: Vec<Place>) -> Vec<Place> {
+    let first = places.first().map_or([0; 3], |(_, shift)| *shift);
+    for (_, shift) in &mut places {
+        for (s, first) in shift.iter_mut().zip(first) {
+            *s -= first;
+        }
+    }
+    places
 }
 
 /// The vertices by their coordinates up to the lattice.
@@ -216,22 +225,39 @@ impl Places {
         }
     }
 
-    /// The isometry with its action; `None` if it maps a vertex to no vertex.
+    /// The isometry with its action; `None` if it maps a vertex to no vertex, or a lattice vector beyond the limit
+    /// of cells.
     fn element(&self, tiling: &Tiling<3>, isometry: Isometry<3>) -> Option<Element> {
         let image = |point: [Number; 3]| {
             let (point, shift) = reduced(isometry.image(&point), self.rank);
             self.table.get(&point).map(|corner| corner.moved(shift))
         };
         let images = tiling.vertices.iter().map(image).collect::<Option<_>>()?;
-        Some(Element { isometry, images })
+        let lattice = self.lattice(&isometry)?;
+        Some(Element {
+            isometry,
+            images,
+            lattice,
+        })
+    }
+
+    /// The linear part in the lattice's directions, where its entries are integers, and zeros.
+    fn lattice(&self, isometry: &Isometry<3>) -> Option<[[i64; 3]; 3]> {
+        let mut lattice = [[0; 3]; 3];
+        for i in 0..self.rank {
+            for j in 0..self.rank {
+                lattice[i][j] = i64::from(floor(&isometry.linear[i][j])?);
+            }
+        }
+        Some(lattice)
     }
 }
 
-/// The point moved into 0 <= x < 1 in the lattice's directions, and the vector back.
+/// The point moved into 0 <= x < 1 in the lattice's directions, and the vector back. A point beyond
+/// the limit of cells stays, and is found only where it is.
 fn reduced(mut point: [Number; 3], rank: usize) -> ([Number; 3], [i32; 3]) {
-    let mut shift = [0; 3];
+    let shift = cell_of(&point, rank).unwrap_or([0; 3]);
     for k in 0..rank {
-        shift[k] = floor(&point[k]);
         point[k] = &point[k] - &Number::from(Rational::from(shift[k]));
     }
     (point, shift)

@@ -4,12 +4,12 @@
 //! | module | contents |
 //! |---|---|
 //! | `group` | the isometries that are kept, and how they act |
-//! | `moves`, `space` | the allowed motions as affine functions of parameters, exactly |
+//! | `moves` | the allowed motions as affine functions of parameters, exactly |
 //! | `goal`, `model` | values and gradients, in doubles |
 //! | `program`, `descent` | linear programs in a trust region |
 //! | `local` | large meshes: the stars of bad simplices, one after the other |
 //! | `rounding` | points of a grid with a stated denominator |
-//! | `search` | the steps in turn, and the proof of the result |
+//! | `search` | all steps, and the proof of the result |
 //! | `value` | the proved value that a goal is about |
 //! | `reason` | edges that prove that a tiling cannot become acute |
 //! | [`balls`] | balls removed from the 600-cell |
@@ -31,7 +31,6 @@ mod reason;
 mod rounding;
 mod search;
 pub mod slabs;
-mod space;
 mod tight;
 mod value;
 

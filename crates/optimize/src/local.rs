@@ -41,12 +41,13 @@ pub fn improve(model: &Model, start: &[f64], passes: usize, watch: Watch) -> Vec
             break;
         }
         last = top;
-        let bad = worst
-            .iter()
-            .take_while(|(value, _)| match enough.is_finite() {
-                true => *value > enough,
-                false => *value > top - WINDOW,
-            });
+        let bad = worst.iter().take_while(|(value, _)| {
+            if enough.is_finite() {
+                *value > enough
+            } else {
+                *value > top - WINDOW
+            }
+        });
         for (_, simplex) in bad {
             if !watch(top) {
                 return parameters;

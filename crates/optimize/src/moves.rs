@@ -9,11 +9,11 @@
 //! small denominator gives short coordinates.
 
 use crate::group::{Element, Group};
-use crate::space::{Space, null_space};
 use acutile_core::checker::{Findings, check_domain};
 use acutile_core::classify::Isometry;
 use acutile_core::tiling::{Domain, Facet, Frame, Matching, Plane, Tiling, VertexId};
 use acutile_exact::geometry::linear;
+use acutile_exact::geometry::space::{Space, null_space};
 use acutile_exact::number::Number;
 use malachite::Rational;
 
@@ -38,7 +38,7 @@ pub struct Moves {
 /// Rows and columns of the entries of a symmetric matrix.
 pub const ENTRIES: [(usize, usize); 6] = [(2, 2), (1, 2), (1, 1), (0, 2), (0, 1), (0, 0)];
 
-/// What may move.
+/// The parts that may move.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Freedom {
     /// Whether the Gram matrix may change.
@@ -64,9 +64,10 @@ impl Moves {
                 continue;
             }
             let is_fixed = !normals[vertex].is_empty() && !freedom.boundary;
-            let first = match is_fixed {
-                true => constant(tiling.vertices.vertex(VertexId::at(vertex))),
-                false => moves.orbit(tiling, vertex, group, &normals[vertex]),
+            let first = if is_fixed {
+                constant(tiling.vertices.vertex(VertexId::at(vertex)))
+            } else {
+                moves.orbit(tiling, vertex, group, &normals[vertex])
             };
             for element in &group.elements {
                 let image = element.images[vertex];
@@ -216,9 +217,10 @@ fn gram(frame: &Frame<3>, group: &Group, is_free: bool, start: &mut Vec<Number>)
 fn differences(linear: &[[Number; 3]; 3]) -> Vec<Vec<Number>> {
     let coefficient = |(i, j): (usize, usize), (k, l): (usize, usize)| {
         let term = |k: usize, l: usize| &linear[k][i] * &linear[l][j];
-        let image = match k == l {
-            true => term(k, l),
-            false => term(k, l) + term(l, k),
+        let image = if k == l {
+            term(k, l)
+        } else {
+            term(k, l) + term(l, k)
         };
         let same = Number::from(Rational::from(u8::from((i, j) == (k, l))));
         image - same

@@ -13,7 +13,9 @@ use std::fmt;
 /// An edge at which some dihedral angle is at least a right angle, wherever the vertices are.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Reason {
+    /// The ends of the edge.
     pub ends: [Corner<3>; 2],
+    /// The number of tetrahedra around it.
     pub valence: usize,
     /// Whether it lies inside a face of the boundary, which is kept.
     pub is_boundary: bool,
@@ -23,9 +25,10 @@ pub struct Reason {
 pub fn reasons(tiling: &Tiling<3>, matching: &Matching<3>) -> Vec<Reason> {
     let ridges = Ridges::of(tiling, matching);
     let reason = |ridge: &Ridge<3>| {
-        let is_bad = match ridge.is_boundary {
-            false => ridge.valence() <= 4,
-            true => ridge.valence() <= 2 && is_flat(tiling, matching, ridge),
+        let is_bad = if ridge.is_boundary {
+            ridge.valence() <= 2 && is_flat(tiling, matching, ridge)
+        } else {
+            ridge.valence() <= 4
         };
         is_bad.then(|| Reason {
             ends: [ridge.corners[0], ridge.corners[1]],
@@ -61,17 +64,18 @@ impl fmt::Display for Reason {
     fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
         let [a, b] = &self.ends;
         let valence = self.valence;
-        match self.is_boundary {
-            false => write!(
-                f,
-                "edge {a} to {b} lies in {valence} simplices only: their angles there add up to 360 \
-                 degrees, so one is at least 90"
-            ),
-            true => write!(
+        if self.is_boundary {
+            write!(
                 f,
                 "edge {a} to {b} lies in a flat part of the boundary and in {valence} simplices only: \
                  their angles there add up to 180 degrees, so one is at least 90"
-            ),
+            )
+        } else {
+            write!(
+                f,
+                "edge {a} to {b} lies in {valence} simplices only: their angles there add up to 360 \
+                 degrees, so one is at least 90"
+            )
         }
     }
 }

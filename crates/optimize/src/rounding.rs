@@ -21,7 +21,7 @@ pub struct Grid {
 /// Values that are compared, worst first.
 type Key = [f64; 6];
 
-/// Values closer than this are equal: the doubles cannot tell them apart.
+/// Values closer than this count as equal: doubles do not distinguish them.
 const SAME: f64 = 1e-13;
 /// So many parameters take part in moves of pairs.
 const PAIRED: usize = 16;
@@ -33,9 +33,10 @@ impl Grid {
     pub fn nearest(&self, parameters: &[f64]) -> Vec<Integer> {
         let integer = |(x, d): (&f64, &u64)| {
             let scaled = x * *d as f64;
-            match scaled.is_finite() {
-                true => Integer::rounding_from(scaled, RoundingMode::Nearest).0,
-                false => Integer::from(0),
+            if scaled.is_finite() {
+                Integer::rounding_from(scaled, RoundingMode::Nearest).0
+            } else {
+                Integer::from(0)
             }
         };
         parameters

@@ -16,12 +16,14 @@ use acutile_core::tiling::{Matching, Tiling, match_facets};
 use acutile_exact::number::Number;
 use acutile_kernel::Limits;
 
-/// What to search for, and how.
+/// The options of a search.
 #[derive(Clone, Debug)]
 pub struct Options {
+    /// The value that becomes better.
     pub goal: Goal,
     /// The isometries that the result has.
     pub keep: Keep,
+    /// The parts that may move.
     pub freedom: Freedom,
     /// Coordinates become multiples of 1/denominator; without it the search chooses.
     pub denominator: Option<u64>,
@@ -33,7 +35,7 @@ pub struct Options {
     pub steps: usize,
     /// Limits of the kernel.
     pub limits: Limits,
-    /// What is known of the sides of a periodic mesh; it is a tiling only if they match.
+    /// Knowledge about the sides of a periodic mesh; it is a tiling only if they match.
     pub sides: Sides,
 }
 
@@ -42,6 +44,7 @@ pub struct Options {
 pub struct Outcome {
     /// The best tiling: the start itself where nothing better was found.
     pub tiling: Tiling<3>,
+    /// The proof of the tiling.
     pub proved: Proved,
     /// The statements that the start has.
     pub before: Vec<Statement>,
@@ -50,9 +53,11 @@ pub struct Outcome {
     /// Entries of the Gram matrix that moved are multiples of 1 over the first, coordinates of the second;
     /// `None` where none can move.
     pub denominators: (Option<u64>, Option<u64>),
+    /// The dimension of the space of motions.
     pub parameters: usize,
     /// The number of isometries that were kept, up to the lattice.
     pub symmetries: usize,
+    /// Whether a signal ended the search.
     pub is_interrupted: bool,
 }
 
@@ -148,7 +153,7 @@ pub fn optimize(tiling: &Tiling<3>, options: &Options, watch: Watch) -> Result<O
 /// reaches. The prover alone says it; no certificate states it.
 ///
 /// # Errors
-/// What is missing for a proof.
+/// The missing part of a proof.
 pub fn prove_local(outcome: &Outcome, options: &Options) -> Result<LocalProof, NotLocal> {
     let tiling = &outcome.tiling;
     let matching = match_facets(tiling);
@@ -189,10 +194,7 @@ fn candidates(
     if moves.is_empty() {
         return Vec::new();
     }
-    let large = match is_region {
-        true => LARGE.0,
-        false => LARGE.1,
-    };
+    let large = if is_region { LARGE.0 } else { LARGE.1 };
     if moves.len() > large {
         let parameters = local::improve(model, &start, options.steps, watch);
         let rounded = grid.numbers(&grid.nearest(&parameters));
@@ -249,9 +251,10 @@ fn end(
 
 /// The denominators: a typical edge has [`FINE`] steps, and those of a mesh are powers of two.
 fn grid(tiling: &Tiling<3>, model: &Model, given: Option<u64>) -> Grid {
-    let base: u64 = match tiling.frame.domain.is_region() {
-        true => 2,
-        false => 10,
+    let base: u64 = if tiling.frame.domain.is_region() {
+        2
+    } else {
+        10
     };
     let fine = |scales: &[f64]| {
         let least = scales.iter().copied().fold(f64::INFINITY, f64::min);

@@ -1,7 +1,7 @@
-//! Slabs over plane tilings, searched: layers of points over the vertices, midpoints of edges and centres of
-//! tiles.
+//! Slabs over plane tilings, searched: layers of points over special places, such as the vertices, midpoints of edges
+//! and centres of tiles.
 //!
-//! A candidate has layers at random heights up to a middle plane, and their mirror images above it. The
+//! A candidate has layers of random classes at random heights up to a middle plane, and their mirror images above it. The
 //! Delaunay triangulation of these points and their mirror images in the boundary planes gives a tiling of
 //! space. If no tetrahedron crosses a boundary plane, those in the slab tile it. Candidates with an edge that
 //! proves that they can never be acute are left out; the others are optimized.
@@ -15,33 +15,23 @@ use acutile_core::tiling::{Domain, Frame, PointSet, Polytope, Tiling, match_face
 use acutile_exact::number::{Field, Number};
 use malachite::Rational;
 
-/// A plane tiling with its special points, in a basis of its lattice.
-#[derive(Clone, Copy, Debug)]
+/// A plane tiling with its special places, in a basis of its lattice.
+#[derive(Clone, Debug)]
 pub struct Plane {
-    pub name: &'static str,
+    /// The name of the plane tiling.
+    pub name: String,
+    /// The field of all numbers.
+    pub field: Field,
     /// The Gram matrix, for side length 6.
-    gram: [[i64; 2]; 2],
-    /// Places in twelfths of the basis: vertices, midpoints of edges, centres.
-    classes: [&'static [[i64; 2]]; 3],
+    pub gram: [[Number; 2]; 2],
+    /// Places of one kind, such as all vertices, with a short name.
+    pub classes: Vec<(String, Vec<[Number; 2]>)>,
 }
 
-/// The tilings that are tried.
-pub const PLANES: [Plane; 2] = [
-    Plane {
-        name: "triangles",
-        gram: [[36, 18], [18, 36]],
-        classes: [&[[0, 0]], &[[6, 0], [0, 6], [6, 6]], &[[4, 4], [8, 8]]],
-    },
-    Plane {
-        name: "squares",
-        gram: [[36, 0], [0, 36]],
-        classes: [&[[0, 0]], &[[6, 0], [0, 6]], &[[6, 6]]],
-    },
-];
-
-/// What a search did.
+/// The counts of a search.
 #[derive(Debug, Default)]
 pub struct Tried {
+    /// The number of candidates.
     pub candidates: usize,
     /// More than four points lie on an empty sphere, so that there is no single triangulation.
     pub cospherical: usize,
@@ -50,11 +40,13 @@ pub struct Tried {
     pub unusable: usize,
     /// An edge proves that these can never be acute.
     pub hopeless: usize,
+    /// The number of candidates that were optimized.
     pub optimized: usize,
     /// Optimized candidates that are acute.
     pub acute: usize,
     /// The best one, with its layers in words.
     pub best: Option<(String, Outcome)>,
+    /// Whether a signal ended the search.
     pub is_interrupted: bool,
 }
 
@@ -68,7 +60,7 @@ pub fn slabs(plane: &Plane, count: usize, layers: usize, seed: u64, watch: Watch
             break;
         }
         tried.candidates += 1;
-        let candidate = Candidate::random(layers, &mut random);
+        let candidate = Candidate::random(plane.classes.len(), layers, &mut random);
         let tiling = match candidate.tiling(plane) {
             Ok(tiling) => tiling,
             Err(NoSlab::Cospherical) => {
@@ -89,7 +81,7 @@ pub fn slabs(plane: &Plane, count: usize, layers: usize, seed: u64, watch: Watch
             tried.unusable += 1;
             continue;
         };
-        tried.take(candidate.words(), outcome);
+        tried.take(candidate.words(plane), outcome);
     }
     tried
 }
@@ -118,38 +110,70 @@ impl Tried {
     }
 }
 
-/// Layers from the boundary to the middle: a class of places and a height, in twelfths of an edge.
+/// Layers from the boundary to the middle: one or two classes of places, and a height.
 #[derive(Clone, Debug)]
 struct Candidate {
-    layers: Vec<(usize, i64)>,
+    layers: Vec<(Vec<usize>, i64)>,
     middle: i64,
 }
 
-/// Letters for the classes.
-const LETTERS: [char; 3] = ['V', 'E', 'C'];
 /// Heights are in parts of this many to the unit of length; an edge has length 6.
 const PARTS: i64 = 20;
 
 impl Candidate {
-    fn random(layers: usize, random: &mut crate::search::Random) -> Self {
+    /// A number of layers and their heights. `classes` is at least 1.
+    fn random(classes: usize, layers: usize, random: &mut crate::search::Random) -> Self {
         let mut below = |n: i64| ((random.next() + 1.0) / 2.0 * n as f64) as i64;
         let count = 2 + below(layers as i64 - 1) as usize;
-        let mut height = 0;
-        let mut list = vec![(below(3) as usize, 0)];
-        for k in 0..count {
-            // Layers are up to two thirds of an edge apart, and neighbours differ in class.
-            height += below(4 * PARTS + 1);
-            list.push(((list[k].0 + 1 + below(2) as usize) % 3, height));
+        let (mut height, mut last) = (0, None);
+        let mut list = Vec::new();
+        for k in 0..=count {
+            if k > 0 {
+                // Layers are up to two thirds of an edge apart.
+                height += below(4 * PARTS + 1);
+            }
+            let others = (classes as i64 - 1).max(1);
+            // Neighbours differ in their first class.
+            let first = match last {
+                Some(last) => (last + 1 + below(others) as usize) % classes,
+                None => below(classes as i64) as usize,
+            };
+            last = Some(first);
+            let mut layer = vec![first];
+            if classes > 3 && below(4) == 0 {
+                layer.push((first + 1 + below(others) as usize) % classes);
+                layer.sort_unstable();
+            }
+            list.push((layer, height));
         }
         let in_middle = below(2) == 0;
-        let middle = match in_middle {
-            true => height,
-            false => height + 1 + below(2 * PARTS),
+        let middle = if in_middle {
+            height
+        } else {
+            height + 1 + below(2 * PARTS)
         };
         Candidate {
             layers: list,
             middle,
         }
+    }
+
+    /// The classes at each height of a period: the layers and their images in the planes of the middle and the
+    /// boundary.
+    fn heights(&self) -> Vec<(usize, i64)> {
+        let top = 2 * self.middle;
+        let mut heights: Vec<(usize, i64)> = Vec::new();
+        for (layer, height) in &self.layers {
+            for z in [*height, top - height, -height, height - top] {
+                let z = z.rem_euclid(2 * top);
+                for class in layer {
+                    if !heights.contains(&(*class, z)) {
+                        heights.push((*class, z));
+                    }
+                }
+            }
+        }
+        heights
     }
 
     /// The tetrahedra between the boundary planes.
@@ -158,59 +182,43 @@ impl Candidate {
         if self.middle == 0 {
             return Err(NoSlab::Other);
         }
-        let mut heights: Vec<(usize, i64)> = Vec::new();
-        for &(class, height) in &self.layers {
-            for z in [height, top - height, -height, height - top] {
-                let z = z.rem_euclid(2 * top);
-                if !heights.contains(&(class, z)) {
-                    heights.push((class, z));
-                }
-            }
-        }
+        let heights = self.heights();
         let fraction = |n: i64, d: i64| Number::from(Rational::from_signeds(n, d));
-        let integer = |n: i64| fraction(n, 1);
-        let [[a, b], [c, d]] = plane.gram;
+        let [[a, b], [c, d]] = plane.gram.clone();
         let period = fraction(4 * top * top, PARTS * PARTS);
         let zero = Number::zero;
-        let gram = [
-            [integer(a), integer(b), zero()],
-            [integer(c), integer(d), zero()],
-            [zero(), zero(), period],
-        ];
+        let gram = [[a, b, zero()], [c, d, zero()], [zero(), zero(), period]];
         let points = heights.iter().flat_map(|&(class, z)| {
-            plane.classes[class]
-                .iter()
-                .map(move |[x, y]| [fraction(*x, 12), fraction(*y, 12), fraction(z, 2 * top)])
+            let places = plane.classes[class].1.iter();
+            places.map(move |[x, y]| [x.clone(), y.clone(), fraction(z, 2 * top)])
         });
         let set = PointSet {
-            frame: Frame::space(Field::rationals(), gram.clone()),
+            frame: Frame::space(plane.field.clone(), gram),
             points: points.collect(),
         };
         let space = triangulate(&set, Ties::Refuse).map_err(|error| match error {
             DelaunayError::Cospherical(_) => NoSlab::Cospherical,
             _ => NoSlab::Other,
         })?;
-        cut(
-            &space,
-            [[integer(a), integer(b)], [integer(c), integer(d)]],
-            fraction(top, PARTS),
-        )
-        .ok_or(NoSlab::Other)
+        cut(&space, plane, fraction(top, PARTS)).ok_or(NoSlab::Other)
     }
 
-    fn words(&self) -> String {
-        let layer = |(class, height): &(usize, i64)| format!("{}{height}", LETTERS[*class]);
-        let layers: Vec<String> = self.layers.iter().map(layer).collect();
+    fn words(&self, plane: &Plane) -> String {
+        let name = |class: &usize| plane.classes[*class].0.as_str();
+        let layers = self.layers.iter().map(|(layer, height)| {
+            let names: Vec<&str> = layer.iter().map(name).collect();
+            format!("{} at {height}", names.join("+"))
+        });
         format!(
-            "{} mirrored at {}, in {PARTS}ths of a sixth of a side",
-            layers.join(" "),
+            "{}; mirrored at {}, in {PARTS}ths of a sixth of a side",
+            layers.collect::<Vec<_>>().join(", "),
             self.middle
         )
     }
 }
 
 /// The tetrahedra whose heights are all at most half a period; `None` if one lies across a boundary.
-fn cut(space: &Tiling<3>, gram: [[Number; 2]; 2], height: Number) -> Option<Tiling<3>> {
+fn cut(space: &Tiling<3>, plane: &Plane, height: Number) -> Option<Tiling<3>> {
     let half = Number::from(Rational::from_signeds(1, 2));
     let one = Number::from(Rational::from(1));
     let zero = Number::zero();
@@ -240,9 +248,9 @@ fn cut(space: &Tiling<3>, gram: [[Number; 2]; 2], height: Number) -> Option<Tili
             .map(|[x, y, z]| [x, y, &z * &scale])
             .collect()
     };
-    let [[a, b], [c, d]] = gram;
+    let [[a, b], [c, d]] = plane.gram.clone();
     let frame = Frame {
-        field: Field::rationals(),
+        field: plane.field.clone(),
         gram: [
             [a, b, zero.clone()],
             [c, d, zero.clone()],

@@ -12,10 +12,10 @@
 use crate::group::Group;
 use crate::moves::{ENTRIES, Moves};
 use crate::program::{Row, best_step};
-use crate::space::{null_space, rank};
 use crate::value::Extreme;
 use acutile_core::quality::DihedralAngle;
 use acutile_core::tiling::{SimplexId, Tiling};
+use acutile_exact::geometry::space::{null_space, rank};
 use acutile_exact::geometry::{Sign, linear};
 use acutile_exact::number::Number;
 use malachite::Integer;
@@ -33,6 +33,7 @@ pub struct LocalProof {
     pub multipliers: Vec<Number>,
     /// The rank of the gradients.
     pub rank: usize,
+    /// The dimension of the space of motions.
     pub parameters: usize,
     /// The dimension of the motions that only translate.
     pub translations: usize,
@@ -44,20 +45,28 @@ pub enum NotLocal {
     /// The goal is a ratio.
     NoAngle,
     /// The gradients have too small a rank: there may be a motion that changes no tight angle.
-    Rank { rank: usize, needed: usize },
+    Rank {
+        /// The rank that was found.
+        rank: usize,
+        /// The rank that would suffice.
+        needed: usize,
+    },
     /// No positive multipliers were found.
-    NoMultipliers { tight: usize },
+    NoMultipliers {
+        /// The number of tight angles.
+        tight: usize,
+    },
 }
 
 type Matrix = [[Number; 3]; 3];
 
-/// Denominators of multipliers that are tried in turn.
+/// Denominators of multipliers, in the order of trial.
 const DENOMINATORS: [i64; 6] = [1, 2, 6, 60, 1_000, 1_000_000];
 
 /// Proves that no small motion improves the extreme angle of a tiling.
 ///
 /// # Errors
-/// What is missing for a proof.
+/// The missing part of a proof.
 pub fn prove_local(
     tiling: &Tiling<3>,
     moves: &Moves,

@@ -10,6 +10,7 @@ use acutile_core::proved::prove;
 use acutile_core::quality::{DihedralAngle, Exact, rounded_down, rounded_up};
 use acutile_core::statement::{Relation, Statement};
 use acutile_core::with_dimension;
+use acutile_exact::number::radical::with_radicals;
 use malachite::Rational;
 use serde_json::{Value, json};
 
@@ -24,7 +25,7 @@ struct Kind {
     bound: Option<&'static str>,
 }
 
-/// What was published.
+/// The published value.
 #[derive(Clone, Copy, Debug)]
 struct Literature {
     /// As the source says it.
@@ -36,7 +37,7 @@ const PAPER: &str = "Eppstein, Sullivan, Üngör 2004, Table 1";
 const FACE_TO_FACE: &str = "face-to-face-73.31";
 
 /// All kinds, in the order of the table.
-const KINDS: [Kind; 9] = [
+const KINDS: [Kind; 11] = [
     Kind {
         name: "space",
         candidates: &[
@@ -119,10 +120,28 @@ const KINDS: [Kind; 9] = [
         bound: None,
     },
     Kind {
+        name: "right prism over a regular triangle",
+        candidates: &["prism-533"],
+        literature: Literature {
+            value: "",
+            source: "",
+        },
+        bound: None,
+    },
+    Kind {
+        name: "right prism over a regular pentagon",
+        candidates: &["pentagonal-prism-515"],
+        literature: Literature {
+            value: "",
+            source: "",
+        },
+        bound: None,
+    },
+    Kind {
         name: "square",
         candidates: &["square-14", "square-10", "square-8"],
         literature: Literature {
-            value: "72, in 14 triangles",
+            value: "72, in 14 triangles, the least possible",
             source: "Eppstein, after Eppstein, Sullivan, Üngör 2004, section 2.1",
         },
         bound: None,
@@ -132,10 +151,13 @@ const KINDS: [Kind; 9] = [
 /// A row of the table.
 #[derive(Clone, Debug)]
 pub struct Record {
+    /// The kind of tilings that are compared.
     pub kind: &'static str,
     /// The best tiling that was proved; `None` if the catalogue has none.
     pub best: Option<Best>,
+    /// The best value in the literature, as printed.
     pub literature: &'static str,
+    /// The source of this value.
     pub source: &'static str,
     /// The lower bound and its place, where its checks hold.
     pub bound: Option<(&'static str, String)>,
@@ -144,7 +166,9 @@ pub struct Record {
 /// A proved tiling.
 #[derive(Clone, Debug)]
 pub struct Best {
+    /// The name in the catalogue.
     pub name: &'static str,
+    /// The number of simplices, up to the lattice.
     pub simplices: u64,
     /// The largest dihedral angle.
     pub angle: DihedralAngle,
@@ -243,9 +267,10 @@ const HEADINGS: [&str; 6] = [
 fn cells(record: &Record, code: impl Fn(&str) -> String) -> [String; 6] {
     let none = || "none".to_owned();
     let best = record.best.as_ref();
-    let literature = match record.source.is_empty() {
-        true => "none known to us".to_owned(),
-        false => format!("{}: {}", record.source, record.literature),
+    let literature = if record.source.is_empty() {
+        "none known to us".to_owned()
+    } else {
+        format!("{}: {}", record.source, record.literature)
     };
     [
         record.kind.to_owned(),
@@ -307,10 +332,12 @@ pub fn latex(records: &[Record]) -> String {
 }
 
 fn in_latex(cell: &str) -> String {
-    cell.replace('&', "\\&")
-        .replace('°', "$^\\circ$")
-        .replace('√', "$\\surd$")
-        .replace('…', "\\dots")
+    let plain = |text: &str| {
+        text.replace('&', "\\&")
+            .replace('°', "$^\\circ$")
+            .replace('…', "\\dots")
+    };
+    with_radicals(cell, plain, |tex| format!("${tex}$"))
 }
 
 /// A page with a table.

@@ -9,15 +9,12 @@ use acutile_core::tiling::{
 };
 use acutile_exact::number::Number;
 use acutile_io::import::{Content, read_native};
-use acutile_paper::survey::Study;
+use acutile_paper::survey::{Study, isomorphic_to};
 use malachite::Rational;
 use std::collections::{BTreeMap, BTreeSet, HashMap, VecDeque};
 
 fn tiling(name: &str) -> Tiling<3> {
-    match catalog::find(name)
-        .expect("a name of the catalogue")
-        .build()
-    {
+    match catalog::build(name) {
         Ok(AnyTiling::Space(tiling)) => tiling,
         other => panic!("{name}: {other:?}"),
     }
@@ -81,7 +78,7 @@ fn valences_of_the_kuhn_cube() {
         study.ridges.average_valence(),
         Some(Rational::from_signeds(36, 7))
     );
-    assert_eq!(study.star_counts(), BTreeMap::from([(Star::Other(14), 1)]));
+    assert_eq!(*study.star_counts(), BTreeMap::from([(Star::Other(14), 1)]));
     assert!(matches!(
         study.check_tcp(),
         Err(NotTcp::Edge { valence: 4, .. })
@@ -204,6 +201,59 @@ fn symbols_do_not_depend_on_the_description() {
             );
             assert_eq!(image.check_tcp().is_ok(), given.check_tcp().is_ok());
         }
+    }
+}
+
+/// A stack of kagome layers is recognized in any description of it, and its word up to the choice of
+/// the first block, turning it upside down, and mirror images.
+#[test]
+fn the_words_of_stacks_are_read() {
+    for (word, canonical) in [
+        ("+", "+"),
+        ("z", "z"),
+        ("-+-+", "+-"),
+        ("+--+", "++--"),
+        ("-z", "z+"),
+        ("zz-", "zz+"),
+        ("z-z+", "z+z-"),
+        ("-z+z", "z+z-"),
+        ("+++-+", "++++-"),
+        ("-+z+--", "z+---+"),
+    ] {
+        let given = study(&format!("kagome:{word}"));
+        let images = match canonical {
+            "z+" | "+-" => vec![
+                relabelled(&sheared(&given.tiling)),
+                supercell(&mirrored(&given.tiling), [2, 1, 1]),
+            ],
+            _ => vec![given.tiling.clone()],
+        };
+        for image in images {
+            let image = Study::of(image).expect("still a tiling");
+            let symbol = image.symbol().expect("without boundary");
+            let names = isomorphic_to(&image, &symbol);
+            let stacks: Vec<&String> = names.iter().filter(|n| n.starts_with("kagome:")).collect();
+            assert_eq!(stacks, [&format!("kagome:{canonical}")], "{word}");
+        }
+    }
+}
+
+/// The names that genice2 gives to some of its structures, for tilings that the catalogue makes from
+/// the literature: the digests come from that package's coordinates.
+#[test]
+fn space_fullerenes_have_their_names() {
+    for (name, expected) in [
+        ("a15", "space fullerene 33 (A15)"),
+        ("c14", "space fullerene 68 (C14)"),
+        ("c36", "space fullerene 4 (C36)"),
+        ("sigma", "space fullerene 38 (sigma)"),
+        ("mu", "space fullerene 16 (mu)"),
+        ("h", "space fullerene 37 (H)"),
+        ("z", "space fullerene 54 (Z)"),
+    ] {
+        let study = study(name);
+        let names = isomorphic_to(&study, &study.symbol().expect("without boundary"));
+        assert!(names.contains(&expected.to_owned()), "{name}: {names:?}");
     }
 }
 
@@ -439,7 +489,7 @@ fn touching_icosahedra_are_c14_and_not_z() {
         both("83.620")
     );
     let expected = [(Star::FrankKasper(12), 8), (Star::FrankKasper(16), 4)];
-    assert_eq!(study.star_counts(), BTreeMap::from(expected));
+    assert_eq!(*study.star_counts(), BTreeMap::from(expected));
     let chambers = Chambers::new(study.tiling.clone());
     for (name, expected) in [("c14", true), ("z", false), ("c15", false)] {
         assert_eq!(

@@ -4,7 +4,7 @@
 use crate::well_formed::well_formed;
 use acutile_catalog::build;
 use acutile_exact::number::Number;
-use acutile_publish::draw::drawing::{Item, class_colour, lit};
+use acutile_publish::draw::drawing::Item;
 use acutile_publish::draw::order::painted;
 use acutile_publish::draw::polygon::{Face, Point, on_segment};
 use acutile_publish::draw::svg::svg;
@@ -242,7 +242,7 @@ fn angles(drawing: &Drawing) -> Vec<(String, [f64; 2])> {
             at,
             text,
             has_halo: true,
-        } => Some((text.clone(), *at)),
+        } if text.ends_with('°') => Some((text.clone(), *at)),
         _ => None,
     };
     drawing.items.iter().filter_map(label).collect()
@@ -273,19 +273,50 @@ fn a15_has_the_angles_of_the_literature() {
     );
 }
 
-/// Sommerville II: right angles at two opposite edges, so that the point between their labels is
-/// the middle of all six.
+/// Sommerville II has right angles at two edges, and 60 degrees at the others.
 #[test]
-fn the_right_angles_of_bcc_are_at_opposite_edges() {
+fn bcc_has_two_right_angles() {
     let drawing = figure("bcc", Figure::Classes);
     let all = angles(&drawing);
     assert_eq!(sorted(&all), ["60°", "60°", "60°", "60°", "90°", "90°"]);
-    for k in 0..2 {
-        let middle = all.iter().map(|(_, at)| at[k]).sum::<f64>() / 6.0;
-        let right = all.iter().filter(|(text, _)| text == "90°");
-        let between = right.map(|(_, at)| at[k]).sum::<f64>() / 2.0;
-        assert!((middle - between).abs() < 1e-9);
+}
+
+/// The middle of no label is nearer to an edge than its letters are high, and each tetrahedron has the names of its corners.
+#[test]
+fn labels_are_off_the_edges() {
+    for (name, classes) in [
+        ("a15", 3),
+        ("bcc", 1),
+        ("c15", 3),
+        ("slab", 7),
+        ("icosahedral", 5),
+    ] {
+        let drawing = figure(name, Figure::Classes);
+        let lines = drawing.items.iter().filter_map(|item| match item {
+            Item::Line { ends, .. } => Some(*ends),
+            _ => None,
+        });
+        let lines: Vec<[[f64; 2]; 2]> = lines.collect();
+        let mut corners = 0;
+        for item in &drawing.items {
+            let Item::Label { at, text, .. } = item else {
+                continue;
+            };
+            corners += usize::from(["0", "1", "2", "3"].contains(&text.as_str()));
+            let near = lines.iter().map(|line| distance(*at, line));
+            let near = near.fold(f64::INFINITY, f64::min);
+            assert!(near > 0.9, "{name}: {text} is {near} mm from an edge");
+        }
+        assert_eq!(corners, 4 * classes, "{name}");
     }
+}
+
+/// Of a point from a segment.
+fn distance(p: [f64; 2], [a, b]: &[[f64; 2]; 2]) -> f64 {
+    let (along, from) = ([b[0] - a[0], b[1] - a[1]], [p[0] - a[0], p[1] - a[1]]);
+    let square = (along[0] * along[0] + along[1] * along[1]).max(1e-12);
+    let s = ((along[0] * from[0] + along[1] * from[1]) / square).clamp(0.0, 1.0);
+    (from[0] - s * along[0]).hypot(from[1] - s * along[1])
 }
 
 /// The angles of a triangle add up to 180 degrees; rounding changes each by at most 0.005.
@@ -356,8 +387,8 @@ fn the_square_tiling_has_its_dots() {
 
 /// Every figure that there is of some tilings.
 fn figures() -> Vec<Drawing> {
-    use Figure::{Cell, Classes, Exploded, Plane, Star, Steps};
-    let space = [Classes, Cell, Star, Exploded];
+    use Figure::{Cell, Classes, Plane, Star, Steps};
+    let space = [Classes, Cell, Star];
     let mut figures = Vec::new();
     for name in ["a15", "c15", "icosahedral", "cube-5", "bcc", "slab"] {
         figures.extend(space.map(|kind| figure(name, kind)));
@@ -415,11 +446,8 @@ fn names_are_escaped() {
 }
 
 #[test]
-fn tikz_compiles_where_tex_is_there() {
-    let found = Command::new("kpsewhich").arg("tikz.sty").output();
-    if !found.is_ok_and(|run| run.status.success()) {
-        return;
-    }
+#[ignore = "needs pdflatex with TikZ"]
+fn tikz_compiles() {
     let folder = tempfile::tempdir().unwrap();
     let mut nasty = figure("bcc", Figure::Cell);
     nasty.title = NASTY.to_owned();
@@ -503,24 +531,9 @@ fn views_along_axes_are_drawn() {
                 ..Options::default()
             };
             let tiling = build(name).unwrap();
-            for kind in [Figure::Cell, Figure::Star, Figure::Exploded] {
+            for kind in [Figure::Cell, Figure::Star] {
                 well_formed(&svg(&draw(name, &tiling, kind, &options).unwrap()));
             }
         }
     }
-}
-
-/// The greys (ITU-R BT.601) of the first eight classes, from no light to full light, are intervals
-/// that do not meet.
-#[test]
-fn eight_classes_differ_in_grey() {
-    let grey = |[r, g, b]: [u8; 3]| 299 * u32::from(r) + 587 * u32::from(g) + 114 * u32::from(b);
-    let mut ranges: Vec<[u32; 2]> = (0..8)
-        .map(|class| [0.0, 1.0].map(|light| grey(lit(class_colour(class), light))))
-        .collect();
-    ranges.sort_unstable();
-    assert!(
-        ranges.windows(2).all(|pair| pair[0][1] < pair[1][0]),
-        "{ranges:?}"
-    );
 }

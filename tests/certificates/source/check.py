@@ -86,6 +86,8 @@ def check(certificate):
         expected = times(claim.polytope.volume(), math.factorial(d) // math.factorial(k)) if k else f.element(math.factorial(d))
         ensure(f.sign(f.subtract(total, expected)) == 0, "volume-sum")
     check_attained(claim, position, rows)
+    if "not Delaunay" in claim.statements:
+        ensure(any(power < 0 for power in powers(claim, position, rows)), "none-inside")
 
 
 def vectors(f, position, row):
@@ -129,7 +131,7 @@ def check_rows(claim, vertices, position, on_face, open_facets, listed, rows, hi
         if s[0] == CROSSED:
             check_plane(f, position, rows, s, claim.rank)
     if local is not None:
-        check_delaunay(claim, position, rows, listed)
+        check_delaunay(claim, position, rows)
 
 
 def check_plane(f, position, rows, statement, rank):
@@ -143,10 +145,15 @@ def check_plane(f, position, rows, statement, rank):
             ensure(not {-1, 1} <= signs, "plane-crossed")
 
 
-def check_delaunay(claim, position, rows, listed):
-    """The mate's opposite corner and the circumsphere, for each facet that two rows have."""
-    f = claim.f
+def check_delaunay(claim, position, rows):
     strict = any(s in claim.statements for s in ("Delaunay", "locally Delaunay"))
+    for power in powers(claim, position, rows):
+        ensure(power >= 0, "not-delaunay" if strict else "not-weakly-delaunay")
+        ensure(power > 0 or not strict, "not-delaunay")
+
+
+def powers(claim, position, rows):
+    """The mate's opposite corner and the circumsphere, for each facet that two rows have."""
     first = {}
     for row in rows:
         corners = sorted(row)
@@ -156,9 +163,7 @@ def check_delaunay(claim, position, rows, listed):
             if name not in first:
                 first[name] = (name, opposite)
                 continue
-            power = outside(f, claim.gram, position, [*name, first[name][1]], opposite)
-            ensure(power >= 0, "not-delaunay" if strict else "not-weakly-delaunay")
-            ensure(power > 0 or not strict, "not-delaunay")
+            yield outside(claim.f, claim.gram, position, [*name, first[name][1]], opposite)
 
 
 def outside(f, gram, position, simplex, x):

@@ -2,7 +2,7 @@
 import math
 from fractions import Fraction as F
 
-from .build import RATIO, RELATIONS
+from .build import CROSSED, RATIO, RELATIONS
 from .field import Field, Q, determinant, times
 from .shape import ORDER, ensure
 

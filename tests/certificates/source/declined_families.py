@@ -35,6 +35,7 @@ TRUE = {
     "sign-undecided--family-gram": plane({"x": closed(0, 1)}, [[SIDE, 0], [0, 1]]).certificate(),
     "sign-undecided--family-delaunay": with_cosine(SIDE).certificate("Delaunay"),
     "sign-undecided--family-weakly-delaunay": with_cosine(SIDE).certificate("weakly Delaunay"),
+    "sign-undecided--family-not-delaunay": with_cosine(-SIDE).certificate("not Delaunay"),
     "sign-undecided--family-domain": strip((X - F(1, 2)) ** 2 + F(1, 100), *closed(0, 1)).certificate(),
     "sign-undecided--family-bound": with_cosine(SIDE).certificate(largest("less than", 0, 0)),
     # Up to x = 1/2 the angle with the cosine x is at least 60 degrees, then another one.

@@ -201,6 +201,12 @@ STATEMENTS = {
     "not-delaunay--locally-cospherical-in-the-plane": PLANE_MESH.certificate("locally Delaunay"),
     "not-delaunay--locally-cospherical-of-rank-1": ROD.certificate("locally Delaunay"),
     "not-delaunay--locally-cospherical-of-rank-3": PERFORATED.certificate("locally Delaunay"),
+    "none-inside--square-cospherical": SQUARES.certificate("not Delaunay"),
+    "none-inside--cube-cospherical": C6.certificate("not Delaunay"),
+    "none-inside--one-simplex-over-sqrt-3": K.certificate("not Delaunay"),
+    "none-inside--region": MESH.certificate("not Delaunay"),
+    "none-inside--with-weakly": C6.certificate("weakly Delaunay", "not Delaunay"),
+    "not-weakly-delaunay--with-not": LONG_DIAGONAL.certificate("weakly Delaunay", "not Delaunay"),
     "not-weakly-delaunay--wrong-diagonal": LONG_DIAGONAL.certificate("weakly Delaunay"),
     "not-weakly-delaunay--sheared-cube": sheared(C6).certificate("weakly Delaunay"),
     "not-weakly-delaunay--locally-wrong-diagonal":

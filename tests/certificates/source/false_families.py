@@ -97,6 +97,10 @@ STATEMENTS = {
     "not-nonobtuse--family-below-zero-in-the-middle": with_cosine((X - HALF) ** 2 - TINY).certificate("nonobtuse"),
     "not-delaunay--family-selling-closed": selling("closed").certificate("Delaunay"),
     "not-delaunay--family-right-in-the-middle": with_cosine((X - HALF) ** 2).certificate("Delaunay"),
+    "none-inside--family-right-at-the-end": with_cosine(X, x=closed(-HALF, 0)).certificate("not Delaunay"),
+    "none-inside--family-acute-at-the-end": with_cosine(X, halved(0), x=closed(-HALF, F(1, 4))).certificate("not Delaunay"),
+    "none-inside--family-acute": with_cosine(X, x=closed(F(1, 4), HALF)).certificate("not Delaunay"),
+    "none-inside--family-right-in-the-middle": with_cosine(-(X - HALF) ** 2).certificate("not Delaunay"),
     "not-weakly-delaunay--family-obtuse-at-the-end": with_cosine(X - F(1, 4), x=closed(0, HALF)).certificate(
         "weakly Delaunay"),
     "not-weakly-delaunay--family-obtuse-at-the-low-end": plane({"x": closed(0, HALF)}, [[1, X - F(1, 3)], [X - F(1, 3), 2]]).certificate("weakly Delaunay"),

@@ -3,6 +3,7 @@ from dataclasses import replace
 from fractions import Fraction as F
 
 from .build import edit
+from .field import Field
 from .patches import slab_of_cubes, slab_with_middles, system, with_middle
 from .valid_patches import HALF, KUHN, RIGHT, UNIT, rectangles_and_segments, square_tile
 from .wrong import edited
@@ -103,11 +104,27 @@ MALFORMED_PATCHES = {
     "json--patches-pyramid-without-apex": edit(BCC, FIRST, [BCC["witness"][0]["pyramids"][0][1]]),
     "json--patches-row-with-sixes": edit(BCC, (*PATCH, "simplices", 0), [*BCC["witness"][0]["simplices"][0], 0]),
     "statement-domain--patches-plane": edit(BCC, ("claim", "statements"), ["face-to-face tiling", ["uncrossed plane", [1, 0, 0], [0, 1]]]),
+    "statement-domain--patches-not-delaunay": edit(BCC, ("claim", "statements"), ["face-to-face tiling", "not Delaunay"]),
     "statement-domain--patches-locally": edit(BCC, ("claim", "statements"), ["face-to-face tiling", "locally Delaunay"]),
 }
 
-# The angles of this triangle have the tangents 4/3 and 3/4; they are no parts of a turn.
+# 20 cos 10°: (a³ - 3a)² = 3 for a = 2 cos 10°.
+TIMES_COS_10 = Field([-3000000, 0, 90000, 0, -600, 0, 1], 19, 20)
+# cos 40° = (a⁴ - 4 a² + 2) / 2 and sin 40° = cos 50° = (a⁵ - 5 a³ + 5 a) / 2.
+COS_40 = [1, 0, F(-2, 100), 0, F(1, 20000)]
+SIN_40 = [0, F(1, 4), 0, F(-5, 2000), 0, F(1, 200000)]
+
+
+def right_and_sharp():
+    """Triangles with the angles 45, 45, 90 and 40, 70, 70 degrees: eighths and parts of 36, so 72 parts of a turn."""
+    middle = (F(3, 5), F(1, 5))
+    return system([with_middle([[0, 0], [1, 0], [0, 1]], (F(1, 3), F(1, 3)), [0, 1, 2]),
+                   with_middle([[0, 0], [1, 0], [COS_40, SIN_40]], middle, [3, 4, 5])], UNIT, [], 1, TIMES_COS_10)
+
+
+# The angles of the first triangle have the tangents 4/3 and 3/4; they are no parts of a turn.
 DECLINED_PATCHES = {
+    "corner-angle--eighths-and-parts-of-36": right_and_sharp(),
     "corner-angle--3-4-5": system([with_middle([[0, 0], [3, 0], [0, 4]], [1, 1], [0, 1, 2])], UNIT, [], 1),
     "version--3-of-patches": edit(BCC, ("version",), 3),
 }

@@ -301,6 +301,7 @@ CLAIMS = {
     "statements--bound-before-acute": statements(TILING, AT_MOST_90, "acute"),
     "statements--ratio-after-delaunay": statements(TILING, "Delaunay", [RATIO_OF, "at most", [1, 1]]),
     "statements--tcp-before-delaunay": edit(A_TCP, STATEMENTS, [TILING, "TCP", "Delaunay"]),
+    "statements--not-delaunay-before-delaunay": edit(REGION, STATEMENTS, [TILING, "not Delaunay", "locally Delaunay"]),
     "statements--local-before-global": edit(REGION, STATEMENTS, [TILING, "locally weakly Delaunay", "locally Delaunay"]),
     "bound-range--sign-2": bound(ANGLE, "at most", 2, [1, 4]),
     "bound-range--sign-minus-2": bound(ANGLE, "at most", -2, [1, 4]),

@@ -45,6 +45,16 @@ def periodic(period, *corners, extra=()):
     return Tiling(gram, vertices, simplices, ("region", rank)).turned()
 
 
+def shaken(mesh):
+    """The vertices inside of three cubes in each direction, each moved by less than 1/16 to coordinates of 53 bits."""
+    def moved(x, seed):
+        return x + F(pow(2654435761 * (seed + 1), 3, 2**49), 2**53)
+    vertices, simplices = mesh
+    inside = [all(0 < x < 3 for x in point) for point in vertices]
+    return [tuple(moved(x, 3 * k + axis) for axis, x in enumerate(point)) if inside[k] else point
+            for k, point in enumerate(vertices)], simplices
+
+
 def beside(*meshes):
     """Several meshes in one, none of whose vertices are shared."""
     vertices, simplices = [], []

@@ -7,7 +7,7 @@ from .build import CROSSED, LARGEST, RATIO, RELATIONS, SMALLEST, TILING
 from .encode import text
 
 ORDER = [TILING, "acute", "nonobtuse", LARGEST, SMALLEST, RATIO, CROSSED, "Delaunay", "weakly Delaunay", "locally Delaunay",
-         "locally weakly Delaunay", "TCP"]
+         "locally weakly Delaunay", "not Delaunay", "TCP"]
 
 
 class Refusal(Exception):

@@ -5,7 +5,7 @@ from fractions import Fraction as F
 
 from .build import ALL_FIGURES, Tiling, largest, ratio, smallest, uncrossed
 from .field import Field
-from .regions import CAVITY, CORNER, NINE, RING, THREE, beside, cells, lone, periodic, region, small
+from .regions import CAVITY, CORNER, NINE, RING, THREE, beside, cells, lone, periodic, region, shaken, small
 from .tilings import (BCC, CUBE, CUBE_CORNERS, CUBE_FACES, HEXAGONAL, MINUS_TWO_COS_20, REDUCIBLE, REGULAR, ROOT, SQRT3,
                       SQUARE_GRAM, TWO, TWO_COS_80, a15, block, chambers, hexagon, kuhn, lattice, octahedron, root_power,
                       square_triangle, strip_of_height, tetrahedron, times_root, z, z_contracted)
@@ -66,6 +66,13 @@ EVERY_RELATION = [
 PLANE = {
     "plane-equilateral": lattice(HEXAGONAL).certificate("acute", "nonobtuse", largest("maximum", *SIXTY), "Delaunay",
                                                         "weakly Delaunay"),
+    # Obtuse triangles: the other diagonal of two of them is the shorter one; by little, so that 30 bits do not show it.
+    "plane-not-delaunay": lattice([[2, -1], [-1, 2]]).certificate("not Delaunay"),
+    "plane-not-delaunay-by-little": lattice([[2 * 10**13, -1], [-1, 2 * 10**13]]).certificate("not Delaunay"),
+    # The product of the two edges is about -10^-15, with coefficients of 49 bits: the small integers do not show its sign.
+    "plane-not-delaunay-over-sqrt-2": lattice(
+        [[2**48, [423859315570607, -299713796309065]], [[423859315570607, -299713796309065], 2**48]], root_power(2)).certificate("not Delaunay"),
+    "region-not-delaunay": region(*cells((0, 0)), gram=HEXAGONAL).certificate("not Delaunay"),
     "plane-equilateral-acute": lattice(HEXAGONAL).certificate("acute"),
     # Lines along the edges, each with its translates; the negative offset is that of a translate.
     "plane-uncrossed-lines": lattice(HEXAGONAL).certificate(
@@ -259,6 +266,9 @@ BIG = {
     "region-coordinates-of-300-bits": region(*beside(
         scaled(CORNER, 10**90), lone((-1, -1, -1), (-2, -1, -1), (-1, -2, -1), (-1, -1, -2)))).certificate(
             "nonobtuse", largest("maximum", *NINETY)),
+    # The exact values of the second one have about 300 bits, more than the coordinates.
+    "region-coordinates-of-53-bits": region(*shaken(cells(*THREE))).certificate(largest("less than", *HUNDRED_TWENTY)),
+    "region-coordinates-of-53-bits-all-figures": region(*shaken(cells(*THREE))).certificate(*ALL_FIGURES),
     "region-denominator-of-100-bits":
         region(*beside(CORNER, lone((1, 1, F(-1, 10**30)), (1, 2, -1), (2, 1, -1), (1, 1, -2)))).certificate(),
     "plane-gram-of-200-bits":

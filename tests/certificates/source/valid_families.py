@@ -149,6 +149,9 @@ PLANE = {
         "acute"),
     # The zero of (x - 1/2) (x - 1) is an end of the box, and of the half of a leaf.
     "family-plane-weakly-zero-in-a-leaf-end": with_cosine((X - F(1, 2)) ** 2, halved(0)).certificate("nonobtuse", "weakly Delaunay"),
+    # Obtuse triangles, two of which make a parallelogram: the other diagonal is the shorter one.
+    "family-plane-not-delaunay": with_cosine(X, halved(0), x=(("closed", F(-3, 4)), ("open", 0))).certificate("not Delaunay"),
+    "family-plane-not-delaunay-in-two-parameters": with_cosine(-X_ * Y_, x=opened(0, 1), y=opened(0, 1)).certificate("not Delaunay"),
     "family-plane-of-degree-15": by_degree(15).certificate("nonobtuse", *EXACT_RIGHT),
     "family-plane-more-leaves-than-needed":
         plane(UNIT, [[1 + X_, F(1, 2)], [F(1, 2), 1 + Y_]], halved(1, 1, 0)).certificate("acute"),

@@ -1,11 +1,12 @@
-"""Writes the files of this folder that other programs make: meshio 5.3.5.
+"""Writes the files of this folder that other programs make: meshio 5.3.5 and Gmsh 4.15.2.
 
-    python3 -m venv venv && venv/bin/pip install meshio==5.3.5 lxml && venv/bin/python make.py
+    python3 -m venv venv && venv/bin/pip install meshio==5.3.5 lxml gmsh==4.15.2 && venv/bin/python make.py
 
 The other files are public mesh files cut down to the fault that they show, or written by hand from the documentation
 of their format (`cube.mesh`). tests/mesh_cases.rs has the right answers.
 """
 
+import gmsh
 import meshio
 import numpy as np
 
@@ -51,3 +52,13 @@ second_order([0, 0, 0]).write("straight10.vtu", binary=False, compression=None)
 second_order([0, -0.1, -0.05]).write("curved10.vtu", binary=False, compression=None)
 meshio.gmsh.write("curved10.msh", second_order([0, -0.1, -0.05]), fmt_version="2.2", binary=False)
 second_order([0.4, 0, 0]).write("invalid10.vtu", binary=False, compression=None)
+
+# The unit disk in seven triangles of second order. Gmsh's own least value of the Jacobian is 0.78.
+gmsh.initialize()
+gmsh.model.occ.addDisk(0, 0, 0, 1, 1)
+gmsh.model.occ.synchronize()
+for name, value in (("MeshSizeMin", 0.9), ("MeshSizeMax", 0.9), ("ElementOrder", 2)):
+    gmsh.option.setNumber(f"Mesh.{name}", value)
+gmsh.model.mesh.generate(2)
+for extension in ("msh", "mesh", "vtk", "bdf", "inp"):
+    gmsh.write(f"gmsh_disk2.{extension}")

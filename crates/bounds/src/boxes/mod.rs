@@ -31,11 +31,13 @@ type Box3 = [[Rational; 2]; 3];
 pub struct Setting {
     /// Degrees.
     pub theta: Rational,
+    /// λ of docs/lower-bound.md: the payment per degree.
     pub lambda: Rational,
 }
 
 /// An inequality for all feasible triangles.
 pub struct Target {
+    /// A stable name.
     pub id: &'static str,
     statement: String,
     constants: Constants,
@@ -53,7 +55,7 @@ struct Function {
     multiplier: Rational,
 }
 
-/// What became of one box.
+/// The result for one box.
 enum Decision {
     Infeasible,
     Positive,

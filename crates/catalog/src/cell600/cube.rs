@@ -1,4 +1,4 @@
-//! The cube in 2,715 acute tetrahedra, and what mirror images of a piece fill.
+//! The cube in 2,715 acute tetrahedra, and the solids that mirror images of a piece fill.
 //!
 //! Alternate corners of a cube span a regular tetrahedron, and four corners of the cube remain.
 //! Each of the five parts is one piece of 543. Where the middle meets a corner of the cube,

@@ -8,6 +8,7 @@
 //! | `piece`, `tables` | without one tetrahedron: the regular tetrahedron and the corner of a cube, 543 |
 //! | `cube` | the cube in 2,715, its mirror images, the octahedron |
 //! | `dodecahedron` | without the star of a vertex: the regular dodecahedron, 470 |
+//! | `prism`, `prism_tables` | without a bipyramid: prisms over a triangle, 533, and a pentagon, 515 |
 //!
 //! That a cube has an acute triangulation was proved by Kopczyński, Pak and Przytycki
 //! (arXiv:0909.3706) and by VanderZee, Hirani, Zharnitsky and Guoy (arXiv:0905.3715), who have
@@ -16,6 +17,8 @@
 pub mod cube;
 pub mod dodecahedron;
 mod piece;
+pub mod prism;
+mod prism_tables;
 mod tables;
 
 use acutile_exact::geometry::cell600;

@@ -51,7 +51,7 @@ pub fn cells() -> Result<Vec<[Place; 4]>, CatalogError> {
 }
 
 /// The rank of an inner product of two vertices among the nine that occur.
-fn rank_of(product: Golden) -> Option<i8> {
+pub(super) fn rank_of(product: Golden) -> Option<i8> {
     const POSITIVE: [Golden; 5] = [[0, 0], [-2, 2], [2, 0], [0, 2], [4, 0]];
     let find = |product: Golden| (0..).zip(POSITIVE).find(|(_, known)| *known == product);
     match find(product) {
@@ -69,7 +69,9 @@ pub fn tetrahedra(
 ) -> Result<Vec<[Point; 4]>, CatalogError> {
     let weights = weights(table, symmetry);
     let point = |place: &Place| -> Result<Point, CatalogError> {
-        let weights = weights.get(place).ok_or(CatalogError::NoOrbit(*place))?;
+        let weights = weights
+            .get(place)
+            .ok_or(CatalogError::NoOrbit(place.to_vec()))?;
         let sum = |axis: usize| (0..4).map(|k| weights[k] * corners[k][axis]).sum();
         Ok([0, 1, 2].map(sum))
     };

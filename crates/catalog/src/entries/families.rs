@@ -1,6 +1,6 @@
 //! Constructions for all values of their parameters in a box.
 
-use super::make::{PLANE, SLAB, SOLID, SPACE, STRUCTURE, TILINGS, parameters};
+use super::make::{PLANE, SLAB, SOLID, SPACE, STRUCTURE, TILINGS, parameters, stating};
 use crate::entry::Entry;
 use crate::families;
 
@@ -33,12 +33,15 @@ pub const ENTRIES: &[Entry] = &[
         "copies of any acute triangle",
         families::triangle_tiling,
     ),
-    parameters(
-        "two-corners-all",
-        SOLID,
-        "section 3.2",
-        "two acute tetrahedra, for every epsilon for which they are not Delaunay",
-        families::two_corners,
+    stating(
+        parameters(
+            "two-corners-all",
+            SOLID,
+            "section 3.2",
+            "two acute tetrahedra, for every epsilon for which they are not Delaunay",
+            families::two_corners,
+        ),
+        &["not-delaunay"],
     ),
     parameters(
         "slab-all",

@@ -17,7 +17,7 @@ pub const SOLID: &str = "polyhedron";
 pub const PLANE: &str = "plane";
 pub const POLYGON: &str = "polygon";
 
-/// An entry without a parameter and without planes.
+/// An entry without a parameter and without statements of its own.
 const fn entry(
     name: &'static str,
     domain: &'static str,
@@ -32,7 +32,8 @@ const fn entry(
         domain,
         parameter: None,
         is_large: false,
-        planes: &[],
+        stated: &[],
+        variant_of: None,
         recipe,
     }
 }
@@ -71,9 +72,20 @@ pub const fn large(
     }
 }
 
-/// The construction, with planes that no simplex crosses.
-pub const fn with_planes(entry: Entry, planes: &'static [&'static str]) -> Entry {
-    Entry { planes, ..entry }
+/// The construction, with requirements that its certificate states.
+pub const fn stating(entry: Entry, stated: &'static [&'static str]) -> Entry {
+    Entry { stated, ..entry }
+}
+
+/// The source of numbers.
+pub const OPTIMIZED: &str = "acutile optimize";
+
+/// The construction `of` with the numbers that `acutile optimize` found.
+pub const fn optimized(of: &'static str, entry: Entry) -> Entry {
+    Entry {
+        variant_of: Some(of),
+        ..entry
+    }
 }
 
 /// A family over plane tilings by squares and triangles.

@@ -1,7 +1,7 @@
-//! Polyhedra cut into acute tetrahedra, and what their mirror images fill.
+//! Polyhedra cut into acute tetrahedra, and the solids that their mirror images fill.
 
-use super::make::{PRISM, SOLID, SPACE, family, fixed, large, space, with_planes};
-use crate::cell600::{cube, dodecahedron};
+use super::make::{PRISM, SOLID, SPACE, family, fixed, large, space, stating};
+use crate::cell600::{cube, dodecahedron, prism};
 use crate::entry::Entry;
 
 const CUBES: &str = "600-cell; existence arXiv:0909.3706, arXiv:0905.3715";
@@ -21,6 +21,20 @@ pub const ENTRIES: &[Entry] = &[
         CELL,
         "the regular tetrahedron in 543 acute tetrahedra",
         || space(cube::tetrahedron_543()),
+    ),
+    fixed(
+        "prism-533",
+        SOLID,
+        CELL,
+        "a right prism over a regular triangle in 533 acute tetrahedra",
+        || space(prism::prism_533()),
+    ),
+    fixed(
+        "pentagonal-prism-515",
+        SOLID,
+        CELL,
+        "a right prism over a regular pentagon in 515 acute tetrahedra",
+        || space(prism::pentagonal_prism_515()),
     ),
     large(
         "cube-2715",
@@ -43,7 +57,7 @@ pub const ENTRIES: &[Entry] = &[
         "the infinite square prism: mirror images of the cube",
         || space(cube::square_prism()),
     ),
-    with_planes(
+    stating(
         large(
             "cube-space",
             SPACE,

@@ -1,9 +1,9 @@
 //! TCP structures of space.
 
-use super::make::{SPACE, STRUCTURE, family, fixed, over_plane, space};
+use super::make::{OPTIMIZED, SPACE, STRUCTURE, family, fixed, optimized, over_plane, space};
 use crate::entry::Entry;
 use crate::plane_tiling::{self, built_in};
-use crate::{icosahedral, kagome, selected, z_c15};
+use crate::{best, icosahedral, kagome, selected, z_c15};
 
 pub const ENTRIES: &[Entry] = &[
     fixed(
@@ -145,6 +145,26 @@ pub const ENTRIES: &[Entry] = &[
         "Frank and Kasper 1959",
         "TCP structure mu: kagome layers z+",
         || space(kagome::kagome("z+")),
+    ),
+    optimized(
+        "c14",
+        fixed(
+            "c14-best",
+            SPACE,
+            OPTIMIZED,
+            "C14 with the largest dihedral angle below 74.1478 degrees",
+            || space(best::c14_best()),
+        ),
+    ),
+    optimized(
+        "z",
+        fixed(
+            "z-best",
+            SPACE,
+            OPTIMIZED,
+            "Z with the largest dihedral angle below 75.69 degrees",
+            || space(best::z_best()),
+        ),
     ),
     family(
         "kagome:",

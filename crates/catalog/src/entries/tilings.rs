@@ -1,10 +1,11 @@
 //! The other single tilings of the paper.
 
 use super::make::{
-    PLANE, POLYGON, SLAB, SOLID, SPACE, TILINGS, family, fixed, number, plane, space,
+    OPTIMIZED, PLANE, POLYGON, SLAB, SOLID, SPACE, TILINGS, family, fixed, number, optimized,
+    plane, space,
 };
 use crate::entry::{Entry, Parameter};
-use crate::{congruent, planar, slab, solid};
+use crate::{best, congruent, planar, slab, solid};
 
 pub const ENTRIES: &[Entry] = &[
     fixed(
@@ -13,6 +14,16 @@ pub const ENTRIES: &[Entry] = &[
         "section 4.3",
         "acute slab between two parallel planes, in eight steps",
         || space(Ok(slab::slab())),
+    ),
+    optimized(
+        "slab",
+        fixed(
+            "slab-best",
+            SLAB,
+            OPTIMIZED,
+            "the slab with the largest dihedral angle below 77.34 degrees",
+            || space(Ok(best::slab_best())),
+        ),
     ),
     fixed(
         "slab-stack",

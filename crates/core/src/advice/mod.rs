@@ -1,7 +1,7 @@
-//! What a person can do about a defect: how far the nearest facet is, which simplices
+//! Possible repairs of a defect: how far the nearest facet is, which simplices
 //! overlap and where, which simplex is missing, how little a vertex must move.
 //!
-//! Doubles search; every value that is told is computed or confirmed exactly. Nothing here takes part in
+//! Doubles search; every value in a message is computed or confirmed exactly. Nothing here takes part in
 //! a proof or in a refutation: [`crate::checker`] has decided before.
 
 mod hole;
@@ -37,15 +37,21 @@ pub enum Advice<const D: usize> {
     Hole(Hole<D>),
     /// Two simplices with a common inner point.
     Overlap(Overlap<D>),
-    /// The volumes are this many times what they should be.
-    Covered { ratio: Number },
+    /// The volumes sum to a multiple of the volume of the domain.
+    Covered {
+        /// The sum of the volumes over the volume of the domain.
+        ratio: Number,
+    },
     /// Moving one corner makes the simplex acute.
     Motion(Motion<D>),
     /// No motion of a single corner makes the simplex acute.
-    NoMotion { simplex: SimplexId },
+    NoMotion {
+        /// The simplex with the angle.
+        simplex: SimplexId,
+    },
 }
 
-/// Gives advice about the defects of one tiling; what several pieces need is computed once.
+/// Gives advice about the defects of one tiling. Data for several pieces of advice is computed once.
 pub struct Adviser<'t, const D: usize> {
     tiling: &'t Tiling<D>,
     places: OnceCell<Places<D>>,
@@ -64,7 +70,7 @@ impl<'t, const D: usize> Adviser<'t, D> {
         }
     }
 
-    /// What there is to say about a defect of this tiling.
+    /// The advice about a defect of this tiling.
     pub fn advice(&self, defect: &Defect) -> Vec<Advice<D>> {
         match defect {
             Defect::UnmatchedFacet { facet } => self.about_unmatched(*facet),
@@ -152,7 +158,7 @@ impl<'t, const D: usize> Adviser<'t, D> {
         self.places.get_or_init(|| Places::of(self.tiling))
     }
 
-    /// The facets that have no simplex behind them.
+    /// The facets that have no simplex on their other side.
     fn free(&self) -> &[Facet] {
         self.free.get_or_init(|| {
             let mismatches = match_facets(self.tiling).mismatches;
@@ -194,7 +200,7 @@ impl<const D: usize> Advice<D> {
             Advice::OffFace(off) => off.to_string(),
             Advice::Hole(hole) => match &hole.missing {
                 Some(missing) => format!(
-                    "the hole behind it is one simplex: adding [{}] closes it",
+                    "the hole on its other side is one simplex: adding [{}] closes it",
                     corners(missing)
                 ),
                 None => format!("{} free facets hang together around it", hole.facets.len()),
@@ -227,7 +233,7 @@ impl<const D: usize> Advice<D> {
     }
 }
 
-/// What a ratio of volumes means where it is a whole number.
+/// The meaning of a ratio of volumes that is a whole number.
 fn times(ratio: &Number) -> String {
     match ratio.to_rational() {
         Some(value) if *value > 1 && *value.denominator_ref() == 1u32 => {
@@ -237,14 +243,13 @@ fn times(ratio: &Number) -> String {
     }
 }
 
-/// ` moved by (1, 0, 0)`, or nothing.
+/// ` moved by (1, 0, 0) lattice vectors`, or nothing.
 pub(crate) fn moved(shift: &[i32]) -> String {
-    match shift.iter().all(|&s| s == 0) {
-        true => String::new(),
-        false => {
-            let shift: Vec<String> = shift.iter().map(ToString::to_string).collect();
-            format!(" moved by ({})", shift.join(", "))
-        }
+    if shift.iter().all(|&s| s == 0) {
+        String::new()
+    } else {
+        let shift: Vec<String> = shift.iter().map(ToString::to_string).collect();
+        format!(" moved by ({}) lattice vectors", shift.join(", "))
     }
 }
 

@@ -159,7 +159,7 @@ impl<const D: usize> Search<D> {
         }
     }
 
-    /// Steps that make the simplex acute as far as doubles can tell: first the shortest that was
+    /// Steps that make the simplex acute according to doubles: first the shortest that was
     /// found, on the boundary of what is acute, then others farther inside.
     fn candidates(&self) -> Vec<[f64; D]> {
         let Some(safe) = self.acute_step() else {
@@ -232,9 +232,10 @@ impl<const D: usize> Search<D> {
         let (mut low, mut high) = (0.0, 1.0);
         for _ in 0..40 {
             let middle = (low + high) / 2.0;
-            match self.makes_acute(&scaled(middle)) {
-                true => high = middle,
-                false => low = middle,
+            if self.makes_acute(&scaled(middle)) {
+                high = middle
+            } else {
+                low = middle
             }
         }
         scaled(high)
@@ -266,9 +267,10 @@ impl<const D: usize> Search<D> {
 
     /// A trial, pulled towards no motion as far as that goes.
     fn pulled(&self, trial: [f64; D]) -> [f64; D] {
-        match self.makes_acute(&trial) {
-            true => self.shortened(trial),
-            false => trial,
+        if self.makes_acute(&trial) {
+            self.shortened(trial)
+        } else {
+            trial
         }
     }
 }

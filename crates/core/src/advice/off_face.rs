@@ -12,6 +12,7 @@ use std::fmt;
 /// A vertex near a face.
 #[derive(Clone, Debug, PartialEq)]
 pub struct OffFace {
+    /// The vertex, by its index.
     pub vertex: VertexId,
     /// The face's plane as an equation, `x = 1`.
     pub plane: String,
@@ -99,9 +100,10 @@ fn equation(plane: &Plane, rank: usize) -> String {
         .filter(|(_, n)| !n.is_zero());
     let term = |(name, n): (&&str, &Number)| {
         let factor = n * &scale;
-        match factor == one {
-            true => (*name).to_owned(),
-            false => format!("({factor}) {name}"),
+        if factor == one {
+            (*name).to_owned()
+        } else {
+            format!("({factor}) {name}")
         }
     };
     let left: Vec<String> = terms.map(term).collect();

@@ -1,4 +1,4 @@
-//! What a tiling with a boundary looks like: pieces, boundary surfaces, cavities, and places where
+//! The shape of a tiling with a boundary: pieces, boundary surfaces, cavities, and places where
 //! the boundary is no manifold.
 //!
 //! Two simplices belong to one piece if a path through common facets leads from one to the other.

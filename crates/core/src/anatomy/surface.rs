@@ -5,7 +5,7 @@ use acutile_exact::geometry::{Sign, Simplex};
 use acutile_exact::number::Number;
 use std::collections::{BTreeMap, BTreeSet, HashMap};
 
-/// What a surface bounds.
+/// The kind of body that a surface bounds.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Kind {
     /// A piece, from outside.
@@ -23,7 +23,7 @@ pub struct Surface<const D: usize> {
     pub facets: Vec<Facet>,
     /// The different vertices.
     pub vertices: usize,
-    /// What it bounds.
+    /// The kind of body that it bounds.
     pub kind: Kind,
 }
 

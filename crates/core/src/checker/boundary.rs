@@ -1,27 +1,107 @@
 //! A boundary facet in its place, and its coordinates as scalars.
 
-use crate::tiling::{Corner, Facet, Tiling, difference, floor};
-use acutile_exact::geometry::Scalar;
+use crate::tiling::coordinates::Form;
+use crate::tiling::{Corner, Facet, Tiling, cell_of, difference};
 use acutile_exact::geometry::triangle::{Point, Quotient};
+use acutile_exact::geometry::{I512, Scalar};
 use acutile_exact::number::Number;
+use malachite::base::num::arithmetic::traits::Floor;
+use malachite::base::num::basic::traits::Zero;
+use malachite::{Integer, Rational};
+use std::array::from_fn;
 use std::cmp::Ordering;
 
-/// How numbers become scalars, and back.
-pub(super) struct Scale<S> {
+/// How coordinates become scalars, and back.
+pub(super) struct Scale<'t, S, const D: usize> {
     /// All coordinates are multiplied by this number.
-    pub unit: Number,
-    pub from_number: fn(Number) -> S,
-    pub to_number: fn(&S) -> Number,
+    unit: Number,
+    from: Coordinates<'t, S, D>,
+    to_number: fn(&S) -> Number,
 }
 
-impl<S: Scalar> Scale<S> {
-    /// The position of a corner; in the plane the third coordinate is zero.
-    pub(super) fn point<const D: usize>(&self, tiling: &Tiling<D>, corner: &Corner<D>) -> Point<S> {
-        let position = tiling.position(corner);
-        std::array::from_fn(|k| match position.get(k) {
-            Some(x) => (self.from_number)(x * &self.unit),
-            None => (self.from_number)(Number::zero()),
+enum Coordinates<'t, S, const D: usize> {
+    /// The numerators that the tiling stores, and one step of the lattice in the same unit.
+    Integers(&'t [[i64; D]], i64, fn(i128) -> S),
+    Numbers(fn(Number) -> S),
+}
+
+/// Where a lattice moves corners, integers of 512 bits serve for denominators below this.
+const MOVED: i64 = 1 << 50;
+
+impl<'t, const D: usize> Scale<'t, I512, D> {
+    /// For coordinates that are stored as integers. With a lattice, the denominator must be small.
+    ///
+    /// Then a coordinate is less than 2^82 in absolute value: it is stored with 64 bits, and moved
+    /// by at most 2^31 steps. Values have at most the degree 4 in coordinates, and factors the
+    /// degree 3. Sums add less than 9 bits: factors have less than 255 bits, and values less than 340.
+    pub(super) fn wide(tiling: &'t Tiling<D>) -> Option<Self> {
+        let Form::Integers {
+            numerators,
+            denominator,
+        } = tiling.vertices.form()
+        else {
+            return None;
+        };
+        let is_moved = || tiling.corners.iter().any(|corner| corner.shift != [0; D]);
+        if *denominator >= MOVED && (tiling.frame.rank() > 0 || is_moved()) {
+            return None;
+        }
+        Some(Scale {
+            unit: Number::from(Rational::from(*denominator)),
+            from: Coordinates::Integers(numerators, *denominator, I512::from),
+            to_number: |x| Number::from(Rational::from(Integer::from(x))),
         })
+    }
+}
+
+impl<const D: usize> Scale<'_, Integer, D> {
+    /// For rational coordinates.
+    pub(super) fn rational(tiling: &Tiling<D>) -> Self {
+        Scale {
+            unit: common_denominator(tiling),
+            from: Coordinates::Numbers(|x| x.to_rational().map_or(Integer::ZERO, |x| x.floor())),
+            to_number: |x| Number::from(Rational::from(x)),
+        }
+    }
+}
+
+impl<const D: usize> Scale<'_, Number, D> {
+    /// For coordinates in a field.
+    pub(super) fn field(tiling: &Tiling<D>) -> Self {
+        Scale {
+            unit: common_denominator(tiling),
+            from: Coordinates::Numbers(|x| x),
+            to_number: Number::clone,
+        }
+    }
+}
+
+/// Cleared of their denominators, rational coordinates are integers.
+fn common_denominator<const D: usize>(tiling: &Tiling<D>) -> Number {
+    let numbers: Vec<Number> = tiling.vertices.iter().flatten().collect();
+    Number::from(Rational::from(Number::common_denominator(numbers.iter())))
+}
+
+impl<S: Scalar, const D: usize> Scale<'_, S, D> {
+    /// The position of a corner; in the plane the third coordinate is zero.
+    pub(super) fn point(&self, tiling: &Tiling<D>, corner: &Corner<D>) -> Point<S> {
+        match &self.from {
+            Coordinates::Integers(numerators, step, scalar) => {
+                let vertex = &numerators[corner.vertex.index()];
+                from_fn(|k| {
+                    let moved =
+                        |x: &i64| i128::from(*x) + i128::from(corner.shift[k]) * i128::from(*step);
+                    scalar(vertex.get(k).map_or(0, moved))
+                })
+            }
+            Coordinates::Numbers(scalar) => {
+                let position = tiling.position(corner);
+                from_fn(|k| {
+                    let entry = position.get(k).map(|x| x * &self.unit);
+                    scalar(entry.unwrap_or_else(Number::zero))
+                })
+            }
+        }
     }
 
     /// The point in the coordinates of the tiling; `None` for a denominator that is zero.
@@ -85,16 +165,21 @@ impl<const D: usize> BoundaryFacet<D> {
     }
 }
 
-/// The cell of the lattice in which a corner lies; zero in the directions without lattice.
+/// The cell of the lattice in which a corner lies; zero in the directions without lattice. The
+/// check of regions has found each vertex within the limit of cells.
 pub(super) fn cell<const D: usize>(tiling: &Tiling<D>, corner: &Corner<D>) -> [i32; D] {
     let rank = tiling.frame.rank();
     if rank == 0 {
         return [0; D];
     }
     let vertex = tiling.vertices.vertex(corner.vertex);
-    std::array::from_fn(|k| match k < rank {
-        true => floor(&vertex[k]) + corner.shift[k],
-        false => 0,
+    let own = cell_of(&vertex, rank).unwrap_or([0; D]);
+    std::array::from_fn(|k| {
+        if k < rank {
+            own[k] + corner.shift[k]
+        } else {
+            0
+        }
     })
 }
 
@@ -125,9 +210,12 @@ pub(super) fn vectors<const D: usize>(
     high: [i32; D],
     rank: usize,
 ) -> impl Iterator<Item = [i32; D]> {
-    let length = move |k: usize| match k < rank {
-        true => (high[k] - low[k] + 1).max(0) as usize,
-        false => 1,
+    let length = move |k: usize| {
+        if k < rank {
+            (high[k] - low[k] + 1).max(0) as usize
+        } else {
+            1
+        }
     };
     let count: usize = (0..D).map(length).product();
     (0..count).map(move |mut index| {

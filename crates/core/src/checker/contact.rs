@@ -11,16 +11,17 @@
 
 use super::apart::{are_against, are_apart};
 use super::boundary::{cell, compare, ranks, vectors};
-use super::defect::{ContactKind, Defect, Findings};
+use super::defect::{ContactKind, Defect};
+use super::findings::Findings;
+use super::interfaces::{Interfaces, two_sides};
 use super::region::Region;
 use crate::advice::overlap;
-use crate::anatomy::Union;
 use crate::tiling::{Corner, Facet, SimplexId, difference};
 use acutile_exact::geometry::Scalar;
 use acutile_exact::geometry::boxes::{self, Box3};
 use acutile_exact::geometry::triangle::Point;
 use rayon::prelude::*;
-use std::collections::{BTreeMap, BTreeSet, HashMap};
+use std::collections::{BTreeSet, HashMap};
 
 /// The most pairs of boxes that are compared to decide whether interiors are disjoint.
 const PAIRS: usize = 8_000_000;
@@ -28,7 +29,7 @@ const PAIRS: usize = 8_000_000;
 /// The most translates of simplices that are compared for this decision.
 const TRANSLATES: usize = 4_000_000;
 
-/// What the checks of a region have found.
+/// The findings of the checks of a region.
 pub(super) struct Found<const D: usize> {
     /// Pairs of boundary facets that meet where they should not.
     pub meeting: Vec<Meeting<D>>,
@@ -46,7 +47,7 @@ pub(super) struct Meeting<const D: usize> {
     pub by: [i32; D],
 }
 
-/// The defects behind others, and the boundary facets of the interfaces among them.
+/// The causes of other defects, and the boundary facets of the interfaces among them.
 pub(super) struct Contacts {
     pub findings: Findings,
     pub facets: BTreeSet<Facet>,
@@ -64,7 +65,7 @@ fn ordered<const D: usize>((s, t, by): Pair<D>) -> Pair<D> {
     }
 }
 
-/// The defects behind those of a region. `None` where that is not decided.
+/// The causes of the defects of a region. `None` where they are not decided.
 pub(super) fn explain<S: Scalar, const D: usize>(
     region: &Region<S, D>,
     found: &Found<D>,
@@ -216,8 +217,8 @@ impl<S: Scalar, const D: usize> Contact<'_, '_, S, D> {
         }
     }
 
-    /// One defect for each set of facets that lie against each other, and one for each other pair that
-    /// touches away from them.
+    /// One defect for each set of facets that lie against each other, and one for each set of others
+    /// that touch away from them.
     fn report_interfaces(&self, meeting: &[Meeting<D>], contacts: &mut Contacts) {
         let is_against = |meeting: &&Meeting<D>| {
             let (f, g) = meeting.facets;
@@ -235,24 +236,33 @@ impl<S: Scalar, const D: usize> Contact<'_, '_, S, D> {
             }
             contacts.findings.add(defect);
         }
-        for (f, g) in meeting.iter().map(|meeting| meeting.facets) {
-            // Facets that touch at the rim of an interface are part of it.
-            let is_near = |f: usize| {
-                let corners = self.region.boundary[f].corners.iter();
-                corners
-                    .map(|corner| self.key(corner))
-                    .any(|key| vertices.contains(&key))
-            };
-            if !is_near(f) && !is_near(g) {
-                let facet = |f: usize| self.region.boundary[f].facet;
-                contacts.facets.extend([facet(f), facet(g)]);
-                contacts.findings.add(Defect::NonConforming {
-                    sides: [vec![facet(f)], vec![facet(g)]],
-                    coincident: 0,
-                    kind: ContactKind::Touching,
-                });
-            }
+        // Facets that touch at the rim of an interface are part of it.
+        let is_near = |f: usize| {
+            let mut corners = self.region.boundary[f].corners.iter();
+            corners.any(|corner| vertices.contains(&self.key(corner)))
+        };
+        let is_away = |meeting: &&Meeting<D>| {
+            let (f, g) = meeting.facets;
+            !is_near(f) && !is_near(g)
+        };
+        let touching: Vec<Meeting<D>> = meeting.iter().filter(is_away).copied().collect();
+        for pairs in Interfaces::of(self.region, &touching).groups(&touching) {
+            let sides = two_sides(self.region, &pairs).map(|side| self.facets(&side));
+            contacts.facets.extend(sides.iter().flatten());
+            contacts.findings.add(Defect::NonConforming {
+                sides,
+                coincident: 0,
+                kind: ContactKind::Touching,
+            });
         }
+    }
+
+    /// Boundary facets by their indices, sorted.
+    fn facets(&self, indices: &[usize]) -> Vec<Facet> {
+        let facets = indices.iter().map(|&f| self.region.boundary[f].facet);
+        let mut facets: Vec<Facet> = facets.collect();
+        facets.sort_unstable();
+        facets
     }
 
     /// A point as text, equal for points that are equal up to the lattice.
@@ -297,16 +307,8 @@ impl<S: Scalar, const D: usize> Contact<'_, '_, S, D> {
         } else {
             ContactKind::HangingNodes(a.symmetric_difference(&b).count())
         };
-        let named = |side: &Vec<usize>| -> Vec<Facet> {
-            let mut facets: Vec<Facet> = side
-                .iter()
-                .map(|&f| self.region.boundary[f].facet)
-                .collect();
-            facets.sort_unstable();
-            facets
-        };
         Defect::NonConforming {
-            sides: [named(&sides[0]), named(&sides[1])],
+            sides: sides.map(|side| self.facets(&side)),
             coincident: equal.len(),
             kind,
         }
@@ -341,83 +343,4 @@ impl<'r, 't, S: Scalar, const D: usize> Places<'r, 't, S, D> {
         };
         corners.iter().map(&mut place).collect()
     }
-}
-
-/// Sets of facets that lie against each other, through pairs and through common ridges.
-struct Interfaces(Union);
-
-impl Interfaces {
-    fn of<S: Scalar, const D: usize>(region: &Region<S, D>, pairs: &[Meeting<D>]) -> Self {
-        let mut union = Union::new(region.boundary.len());
-        let facets = pairs.iter().map(|pair| pair.facets);
-        let involved: BTreeSet<usize> = facets.flat_map(|(f, g)| [f, g]).collect();
-        let mut at_ridge: BTreeMap<Vec<Corner<D>>, usize> = BTreeMap::new();
-        for &facet in &involved {
-            for ridge in region.boundary[facet].ridges() {
-                match at_ridge.get(&ridge) {
-                    Some(&other) => union.join(facet, other),
-                    None => drop(at_ridge.insert(ridge, facet)),
-                }
-            }
-        }
-        for pair in pairs {
-            union.join(pair.facets.0, pair.facets.1);
-        }
-        Interfaces(union)
-    }
-
-    fn groups<const D: usize>(&mut self, pairs: &[Meeting<D>]) -> Vec<Vec<Meeting<D>>> {
-        let mut groups: BTreeMap<usize, Vec<Meeting<D>>> = BTreeMap::new();
-        for &pair in pairs {
-            let group = groups.entry(self.0.first(pair.facets.0)).or_default();
-            group.push(pair);
-        }
-        groups.into_values().collect()
-    }
-}
-
-/// The facets of an interface by side: facets of a pair are on different sides, and facets with a common
-/// ridge on the same one.
-fn two_sides<S: Scalar, const D: usize>(
-    region: &Region<S, D>,
-    pairs: &[Meeting<D>],
-) -> [Vec<usize>; 2] {
-    let mut opposite: BTreeMap<usize, Vec<usize>> = BTreeMap::new();
-    for (f, g) in pairs.iter().map(|pair| pair.facets) {
-        opposite.entry(f).or_default().push(g);
-        opposite.entry(g).or_default().push(f);
-    }
-    let mut at_ridge: BTreeMap<Vec<Corner<D>>, Vec<usize>> = BTreeMap::new();
-    for &facet in opposite.keys() {
-        for ridge in region.boundary[facet].ridges() {
-            at_ridge.entry(ridge).or_default().push(facet);
-        }
-    }
-    let mut side: BTreeMap<usize, usize> = BTreeMap::new();
-    for &start in opposite.keys() {
-        if side.contains_key(&start) {
-            continue;
-        }
-        side.insert(start, 0);
-        let mut waiting = vec![start];
-        while let Some(facet) = waiting.pop() {
-            let here = side[&facet];
-            let across = opposite[&facet].iter().map(|&other| (other, 1 - here));
-            let ridges = region.boundary[facet].ridges();
-            let beside = ridges.flat_map(|ridge| at_ridge[&ridge].clone());
-            for (other, there) in across.chain(beside.map(|other| (other, here))) {
-                if side
-                    .insert(other, side.get(&other).copied().unwrap_or(there))
-                    .is_none()
-                {
-                    waiting.push(other);
-                }
-            }
-        }
-    }
-    let of = |wanted: usize| {
-        let on_side = side.iter().filter(move |(_, side)| **side == wanted);
-        on_side.map(|(facet, _)| *facet).collect()
-    };
-    [of(0), of(1)]
 }

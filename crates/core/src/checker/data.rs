@@ -12,13 +12,18 @@ use serde_json::{Map, Value, json};
 /// `{"code": …, "message": …}` and the members of the defect: indices from zero,
 /// corners as `[vertex, s_1, …, s_r]`, numbers and bounds as texts.
 /// Every simplex that the defect is about is among the `places`, with its names and
-/// its exact coordinates in the basis.
+/// its exact coordinates in the basis, and for a mesh in the file.
 pub fn defect_data<const D: usize>(tiling: &Tiling<D>, names: &Names, defect: &Defect) -> Value {
     let mut data = Map::new();
     data.insert("code".to_owned(), json!(defect.code()));
     data.insert("message".to_owned(), json!(describe::<D>(names, defect)));
     if let Value::Object(members) = members(tiling, defect) {
         data.extend(members);
+    }
+    if let Defect::Overlap { point, .. } | Defect::BoundaryMeets { point, .. } = defect
+        && let Some(point) = in_file(names, point)
+    {
+        data.insert("point_in_file".to_owned(), json!(point));
     }
     let places: Vec<Value> = defect
         .simplices()
@@ -36,12 +41,24 @@ fn place<const D: usize>(tiling: &Tiling<D>, names: &Names, simplex: SimplexId) 
     let corners: Vec<String> = (0..=D).map(|k| names.corner(simplex, k)).collect();
     let position = |corner: &Corner<D>| tiling.position(corner).each_ref().map(text).to_vec();
     let positions = tiling.simplex(simplex).iter().map(position);
-    json!({
+    let mut data = json!({
         "simplex": simplex.number(),
         "name": names.simplex(simplex),
         "corner_names": corners,
         "coordinates": positions.collect::<Vec<_>>(),
-    })
+    });
+    let in_file = |corner: &Corner<D>| in_file(names, &tiling.position(corner));
+    let in_file: Option<Vec<_>> = tiling.simplex(simplex).iter().map(in_file).collect();
+    if let Some(in_file) = in_file {
+        data["coordinates_in_file"] = json!(in_file);
+    }
+    data
+}
+
+/// A point in the coordinates of the file, if they are others than those of the basis.
+fn in_file(names: &Names, point: &[Number]) -> Option<Vec<String>> {
+    let point = names.point(point)?;
+    Some(point.iter().map(text).collect())
 }
 
 fn members<const D: usize>(tiling: &Tiling<D>, defect: &Defect) -> Value {
@@ -153,8 +170,9 @@ fn members<const D: usize>(tiling: &Tiling<D>, defect: &Defect) -> Value {
             })
         }
         Defect::NearMates(near) => json!({ "facets": near.facets, "distance": near.distance }),
+        Defect::VertexFar { vertex } => json!({ "vertex": vertex }),
         Defect::BoundaryWork { limit } => json!({ "limit": limit }),
-        Defect::NoBoundary => json!({}),
+        Defect::NoBoundary | Defect::NoneInside => json!({}),
         Defect::UnusedVertex { vertex } => json!({ "vertex": vertex }),
         Defect::RightAngle { angle } | Defect::ObtuseAngle { angle } => angle_data(tiling, angle),
         Defect::AngleNotBelow { angle, bound } | Defect::AngleNotAbove { angle, bound } => {

@@ -7,7 +7,8 @@
 //! facets of P, for the facets of a polytope are connected through ridges; so P is the
 //! intersection of their half-spaces (docs/soundness.md, section on domains).
 
-use super::defect::{Defect, Findings};
+use super::defect::Defect;
+use super::findings::Findings;
 use super::hypotheses::Unsided;
 use crate::tiling::{Facet, Matching, Plane, Polytope, SimplexId, Tiling};
 use acutile_exact::geometry::Sign;
@@ -38,9 +39,10 @@ pub fn check_domain<const D: usize>(tiling: &Tiling<D>, findings: &mut Findings)
 fn check_supporting(polytope: &Polytope, face: usize, plane: &Plane, findings: &mut Findings) {
     for (vertex, point) in polytope.vertices.iter().enumerate() {
         let value = plane.value(point);
-        let expected = match polytope.faces[face].contains(&vertex) {
-            true => Sign::Equal,
-            false => Sign::Greater,
+        let expected = if polytope.faces[face].contains(&vertex) {
+            Sign::Equal
+        } else {
+            Sign::Greater
         };
         if value.sign() != expected {
             findings.add(Defect::FaceNotSupporting {
@@ -57,7 +59,7 @@ fn check_supporting(polytope: &Polytope, face: usize, plane: &Plane, findings: &
 
 /// Whether the corners of a face of a polyhedron are in the cyclic order of a convex
 /// polygon: seen from a fixed vertex o off its plane, every other corner t is on the
-/// same side of every side pq, as the sign of det(q - p, t - p, o - p) tells.
+/// same side of every side pq, which is the sign of det(q - p, t - p, o - p).
 fn is_convex_cycle(polytope: &Polytope, face: usize) -> bool {
     let corners = &polytope.faces[face];
     let Some(apex) = (0..polytope.vertices.len()).find(|v| !corners.contains(v)) else {

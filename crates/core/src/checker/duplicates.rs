@@ -1,6 +1,7 @@
 //! Simplices with the same corners, up to the lattice.
 
-use super::defect::{Defect, Findings};
+use super::defect::Defect;
+use super::findings::Findings;
 use crate::tiling::{Corner, SimplexId, Tiling, VertexId, difference};
 use std::collections::{BTreeMap, BTreeSet};
 

@@ -1,9 +1,10 @@
 //! One function for each hypothesis of the theorem in docs/soundness.md.
 //!
-//! Each takes the tiling with its denominators cleared, adds what is wrong to the
+//! Each takes the tiling with its denominators cleared, adds defects to the
 //! findings, and decides nothing else.
 
-use super::defect::{Defect, Findings};
+use super::defect::Defect;
+use super::findings::Findings;
 use crate::predicates::{Model, Orientation};
 use crate::tiling::{Frame, SimplexId, Tiling};
 use acutile_exact::geometry::{RingElement, Sign, linear};
@@ -26,9 +27,12 @@ pub fn check_metric<const D: usize>(frame: &Frame<D>, findings: &mut Findings) {
 /// and columns are replaced by those of the identity.
 fn leading_minor<const D: usize>(gram: &[[Number; D]; D], order: usize) -> Number {
     let block: [[Number; D]; D] = std::array::from_fn(|i| {
-        std::array::from_fn(|j| match i.max(j) < order {
-            true => gram[i][j].clone(),
-            false => gram[i][j].integer(i64::from(i == j)),
+        std::array::from_fn(|j| {
+            if i.max(j) < order {
+                gram[i][j].clone()
+            } else {
+                gram[i][j].integer(i64::from(i == j))
+            }
         })
     });
     linear::determinant(&block)
@@ -88,7 +92,9 @@ pub fn check_orientation<const D: usize>(model: &Model<D>, findings: &mut Findin
 /// that, and are their consequences.
 #[derive(Clone, Debug, Default)]
 pub struct Unsided {
+    /// The simplices of volume zero.
     pub flat: BTreeSet<SimplexId>,
+    /// The negatively oriented simplices.
     pub negative: BTreeSet<SimplexId>,
 }
 
@@ -145,8 +151,9 @@ pub(super) fn check_volume_beside<const D: usize>(
         &sum + &determinant(model.tiling, simplex)
     });
     let two = Number::from(Rational::from(2));
-    match &sum - &(negative * two * share(D)) == expected {
-        true => findings.add_consequence("volume-sum", 1),
-        false => findings.add(Defect::VolumeSum { sum, expected }),
+    if &sum - &(negative * two * share(D)) == expected {
+        findings.add_consequence("volume-sum", 1)
+    } else {
+        findings.add(Defect::VolumeSum { sum, expected })
     }
 }

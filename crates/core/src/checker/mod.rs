@@ -1,7 +1,7 @@
 //! Runs every hypothesis of the theorem in docs/soundness.md, then the statements that the caller
 //! requires, then finds the strongest further statements.
 //!
-//! Nothing here is trusted. [`crate::proved`] writes what comes out as a certificate and asks the
+//! Nothing here is trusted. [`crate::proved`] writes the result as a certificate and asks the
 //! kernel.
 
 mod apart;
@@ -11,7 +11,9 @@ mod data;
 mod defect;
 mod domain;
 mod duplicates;
+mod findings;
 mod hypotheses;
+mod interfaces;
 mod names;
 mod offenders;
 mod outside;
@@ -19,12 +21,15 @@ mod plane;
 mod region;
 mod render;
 mod required;
+mod shared;
 mod statements;
+mod words;
 
 pub use crate::predicates::Model;
 pub use data::defect_data;
-pub use defect::{Angle, ContactKind, Defect, Findings};
+pub use defect::{Angle, ContactKind, Defect};
 pub use domain::{check_domain, check_facets, check_inside};
+pub use findings::Findings;
 pub use hypotheses::{Unsided, check_corners, check_metric, check_orientation, check_volume};
 pub use names::Names;
 pub use offenders::offenders;
@@ -45,12 +50,12 @@ use hypotheses::check_volume_beside;
 use std::cmp::Ordering;
 use std::collections::BTreeSet;
 
-/// What to prove beyond the tiling itself.
+/// The statements to prove beyond the tiling itself.
 #[derive(Clone, Debug)]
 pub struct Options {
     /// Statements that must hold; where one fails the tiling is refuted.
     pub required: Vec<Requirement>,
-    /// What is known of the sides of a periodic mesh.
+    /// Knowledge about the sides of a periodic mesh.
     pub sides: Sides,
     /// How many defects of each kind a refutation keeps; all are counted.
     pub defect_limit: usize,
@@ -69,7 +74,7 @@ impl Default for Options {
     }
 }
 
-/// What is known of the sides of a periodic mesh.
+/// Knowledge about the sides of a periodic mesh.
 #[derive(Clone, Debug, Default)]
 pub struct Sides {
     /// Facets without a mate that must have one.
@@ -100,14 +105,15 @@ pub type Progress<'a> = &'a dyn Fn(&str);
 /// A proof in the prover's memory, without the certificate that lets others check it.
 #[derive(Clone, Debug)]
 pub struct Proof<const D: usize> {
-    /// The tiling, what is required, and the strongest of the others, in the order of a claim.
+    /// The statement about the tiling, the required statements, and the strongest of the others, in
+    /// the order of a claim.
     pub statements: Vec<Statement>,
     pub(crate) matching: Matching<D>,
     sixes: Option<Vec<u8>>,
 }
 
 impl<const D: usize> Proof<D> {
-    /// What the certificate of the tiling is made of.
+    /// The parts of the certificate of the tiling.
     pub fn parts<'t>(&'t self, tiling: &'t Tiling<D>) -> Parts<'t, D> {
         Parts {
             tiling,
@@ -199,9 +205,10 @@ fn examine_model<const D: usize>(
         let explained =
             region::check_region_beside(model.tiling, &matching, &unsided, &mut findings);
         for &facet in &options.sides.facets {
-            match explained.contains(&facet) {
-                true => findings.add_consequence("unmatched-facet", 1),
-                false => findings.add(Defect::UnmatchedFacet { facet }),
+            if explained.contains(&facet) {
+                findings.add_consequence("unmatched-facet", 1)
+            } else {
+                findings.add(Defect::UnmatchedFacet { facet })
             }
         }
     }
@@ -230,9 +237,10 @@ fn examine_model<const D: usize>(
     statements.extend(of_shapes(&ranges));
     statements.extend(delaunay(model, &matching));
     let is_space = model.tiling.frame.domain == crate::tiling::Domain::Space;
-    let sixes = match is_space {
-        true => classify::six_valent(model.tiling, &matching),
-        false => None,
+    let sixes = if is_space {
+        classify::six_valent(model.tiling, &matching)
+    } else {
+        None
     };
     statements.extend(sixes.as_ref().map(|_| Statement::Tcp));
     Ok(Proof {
@@ -274,20 +282,12 @@ fn of_shapes(ranges: &Ranges) -> Vec<Statement> {
 
 /// The stronger of the two Delaunay statements that holds.
 fn delaunay<const D: usize>(model: &Model<D>, matching: &Matching<D>) -> Option<Statement> {
-    let holds = |weak: bool| {
-        let mut findings = Findings::new(0);
-        check_delaunay(model, matching, weak, &mut findings);
-        findings.is_empty()
-    };
+    let is_strict = statements::is_strictly_delaunay(model, matching)?;
     let is_region = model.tiling.frame.domain.is_region();
-    if holds(false) {
-        Some(required::delaunay(is_region, false))
-    } else {
-        holds(true).then(|| required::delaunay(is_region, true))
-    }
+    Some(required::delaunay(is_region, !is_strict))
 }
 
-/// Sorted, without what a stronger statement of the same kind implies.
+/// Sorted, without statements that a stronger one of the same kind implies.
 pub(crate) fn without_implied(mut statements: Vec<Statement>) -> Vec<Statement> {
     statements.sort();
     statements.dedup();

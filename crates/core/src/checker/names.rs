@@ -1,7 +1,11 @@
-//! What simplices, corners and vertices are called in messages: by their indices, or by the
+//! The names of simplices, corners and vertices in messages: their indices, or the
 //! numbers of the file that a mesh was read from.
 
 use crate::tiling::{SimplexId, Tiling};
+use acutile_exact::number::Number;
+
+/// The coordinates of a point in the file, from those in the basis.
+type Place<'a> = Box<dyn Fn(&[Number]) -> Vec<Number> + 'a>;
 
 /// The names of one tiling's parts.
 pub struct Names<'a> {
@@ -9,6 +13,7 @@ pub struct Names<'a> {
     corner: Box<dyn Fn(SimplexId, usize) -> String + 'a>,
     vertex: Box<dyn Fn(usize) -> String + 'a>,
     label: Box<dyn Fn(SimplexId) -> Option<String> + 'a>,
+    point: Option<Place<'a>>,
     is_exact: bool,
 }
 
@@ -34,6 +39,7 @@ impl<'a> Names<'a> {
             corner: Box::new(corner),
             vertex: Box::new(vertex),
             label: Box::new(|_| None),
+            point: None,
             is_exact: false,
         }
     }
@@ -42,6 +48,14 @@ impl<'a> Names<'a> {
     pub fn with_labels(self, label: impl Fn(SimplexId) -> Option<String> + 'a) -> Self {
         Names {
             label: Box::new(label),
+            ..self
+        }
+    }
+
+    /// The same, with points in the coordinates of the file and not in those of the basis.
+    pub fn with_points(self, point: impl Fn(&[Number]) -> Vec<Number> + 'a) -> Self {
+        Names {
+            point: Some(Box::new(point)),
             ..self
         }
     }
@@ -59,6 +73,11 @@ impl<'a> Names<'a> {
     /// The label of a simplex, if it has one.
     pub fn label(&self, simplex: SimplexId) -> Option<String> {
         (self.label)(simplex)
+    }
+
+    /// A point in the coordinates of the file, if they are others than those of the basis.
+    pub fn point(&self, point: &[Number]) -> Option<Vec<Number>> {
+        self.point.as_ref().map(|in_file| in_file(point))
     }
 
     /// The name of a simplex.

@@ -1,6 +1,6 @@
 //! Simplices beyond a threshold of quality, in tilings that need not be valid.
 
-use super::defect::Findings;
+use super::findings::Findings;
 use super::statements::{list_not_above, list_not_below, list_not_below_ratio};
 use crate::predicates::Model;
 use crate::statement::Requirement;

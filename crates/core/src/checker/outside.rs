@@ -6,6 +6,7 @@
 use super::apart::conormal;
 use super::boundary::{BoundaryFacet, Scale};
 use crate::parallel;
+use crate::tiling::coordinates::Form;
 use crate::tiling::{Corner, SimplexId, Tiling, VertexId};
 use acutile_exact::geometry::triangle::Point;
 use acutile_exact::geometry::{Scalar, linear};
@@ -14,7 +15,7 @@ use acutile_exact::number::Number;
 /// A tiling made ready for the search.
 pub(super) struct Outside<'t, S, const D: usize> {
     tiling: &'t Tiling<D>,
-    scale: &'t Scale<S>,
+    scale: &'t Scale<'t, S, D>,
     /// The vertices, each coordinate up to a relative error of 2^-51.
     floats: Vec<[f64; D]>,
 }
@@ -26,18 +27,25 @@ const CHUNK: usize = 1 << 10;
 const MARGIN: f64 = 1.0 / (1u64 << 40) as f64;
 
 impl<'t, S: Scalar, const D: usize> Outside<'t, S, D> {
-    pub(super) fn new(tiling: &'t Tiling<D>, scale: &'t Scale<S>) -> Self {
-        let double = |vertex: usize| {
-            let vertex = VertexId::at(vertex);
-            tiling
-                .vertices
-                .vertex(vertex)
-                .map(|x| Number::approximate(&x))
+    pub(super) fn new(tiling: &'t Tiling<D>, scale: &'t Scale<'t, S, D>) -> Self {
+        let floats = match tiling.vertices.form() {
+            // Three roundings.
+            Form::Integers {
+                numerators,
+                denominator,
+            } => {
+                let double = |x: &i64| *x as f64 / *denominator as f64;
+                parallel::map(numerators.len(), |v| numerators[v].each_ref().map(double))
+            }
+            _ => parallel::map(tiling.vertices.len(), |v| {
+                let vertex = tiling.vertices.vertex(VertexId::at(v));
+                vertex.map(|x| Number::approximate(&x))
+            }),
         };
         Outside {
             tiling,
             scale,
-            floats: parallel::map(tiling.vertices.len(), double),
+            floats,
         }
     }
 

@@ -4,7 +4,8 @@
 //! are those with the offsets q + g k. The numbers (normal · x - q) / g of a simplex that crosses none are
 //! between two successive integers. For g = 0 there is one plane, and no sign changes.
 
-use super::defect::{Defect, Findings};
+use super::defect::Defect;
+use super::findings::Findings;
 use crate::statement::Plane;
 use crate::tiling::{Corner, Tiling};
 use acutile_exact::geometry::Sign;

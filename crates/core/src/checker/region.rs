@@ -9,20 +9,20 @@
 
 use super::boundary::{BoundaryFacet, Scale, cell, compare, ranks, vectors};
 use super::contact::{self, Contacts, CoveredFacet, Found, Meeting};
-use super::defect::{BOUNDARY_MEETS, BOUNDARY_WORK, Defect, Findings};
+use super::defect::{BOUNDARY_MEETS, BOUNDARY_WORK, Defect};
+use super::findings::Findings;
 use super::hypotheses::Unsided;
 use super::outside::Outside;
+use super::shared::Shared;
 use crate::anatomy::Union;
 use crate::parallel;
-use crate::tiling::{Corner, Facet, Matching, Tiling, difference};
+use crate::tiling::coordinates::Form;
+use crate::tiling::{Corner, Facet, Matching, SimplexId, Tiling, cell_of, difference};
 use acutile_exact::geometry::Scalar;
 use acutile_exact::geometry::boxes::{self, Box3};
 use acutile_exact::geometry::triangle::{self, Point, Quotient, Triangle};
-use acutile_exact::number::Number;
-use malachite::base::num::arithmetic::traits::Floor;
-use malachite::base::num::basic::traits::Zero;
-use malachite::{Integer, Rational};
 use rayon::prelude::*;
+use std::cmp::Ordering;
 use std::collections::{BTreeMap, BTreeSet};
 
 /// Hypotheses X and W.
@@ -42,54 +42,42 @@ pub(super) fn check_region_beside<const D: usize>(
     unsided: &Unsided,
     findings: &mut Findings,
 ) -> BTreeSet<Facet> {
-    // Cleared of their denominators, rational coordinates are integers.
-    let unit = Number::from(Rational::from(Number::common_denominator(
-        tiling.vertices.iter().flatten().collect::<Vec<_>>().iter(),
-    )));
-    if tiling.frame.field.degree() == 1 {
-        let integer = |x: Number| x.to_rational().map_or(Integer::ZERO, |x| x.floor());
-        let number = |x: &Integer| Number::from(Rational::from(x));
-        Region::new(tiling, matching, unit, integer, number).check(unsided, findings)
+    if let Some(scale) = Scale::wide(tiling) {
+        Region::new(tiling, matching, scale).check(unsided, findings)
+    } else if tiling.frame.field.degree() == 1 {
+        Region::new(tiling, matching, Scale::rational(tiling)).check(unsided, findings)
     } else {
-        Region::new(tiling, matching, unit, |x| x, Number::clone).check(unsided, findings)
+        Region::new(tiling, matching, Scale::field(tiling)).check(unsided, findings)
     }
 }
 
-/// So many pairs of facets in the boundary are compared exactly: some, and for each facet some
-/// more. Meshes of solids have a few dozens for each facet.
+/// The most pairs of boundary facets that are compared exactly: a number, and some more for each
+/// facet. Meshes of solids have a few dozens for each facet.
 const PAIRS: usize = 4_000_000;
 const PAIRS_PER_FACET: usize = 30;
-/// So many facets are moved by lattice vectors, beside a few for each facet.
+/// The most facets that are moved by lattice vectors, beside a few for each facet.
 const COPIES: usize = 200_000;
-/// So many translates of simplices are looked for in a cell of the lattice.
+/// The most translates of simplices that are searched in a cell of the lattice.
 const TRANSLATES: usize = 20_000_000;
-/// So many boxes of simplices are compared with boxes of facets.
+/// The most boxes of simplices that are compared with boxes of facets.
 const COMPARISONS: usize = 2_000_000_000;
 
 pub(super) struct Region<'t, S, const D: usize> {
     pub tiling: &'t Tiling<D>,
-    pub scale: Scale<S>,
+    pub scale: Scale<'t, S, D>,
     pub boundary: Vec<BoundaryFacet<D>>,
+    shared: Shared,
 }
 
 impl<'t, S: Scalar, const D: usize> Region<'t, S, D> {
-    fn new(
-        tiling: &'t Tiling<D>,
-        matching: &Matching<D>,
-        unit: Number,
-        from_number: fn(Number) -> S,
-        to_number: fn(&S) -> Number,
-    ) -> Self {
+    fn new(tiling: &'t Tiling<D>, matching: &Matching<D>, scale: Scale<'t, S, D>) -> Self {
         let used_once = matching.mismatches.iter().filter(|m| m.uses.len() == 1);
         let boundary = used_once.map(|m| BoundaryFacet::new(tiling, m.uses[0].0));
         Region {
             tiling,
-            scale: Scale {
-                unit,
-                from_number,
-                to_number,
-            },
+            scale,
             boundary: boundary.collect(),
+            shared: Shared::of(matching),
         }
     }
 
@@ -97,6 +85,10 @@ impl<'t, S: Scalar, const D: usize> Region<'t, S, D> {
         let is_closed = self.boundary.is_empty() && findings.is_empty();
         if is_closed && !self.tiling.is_empty() {
             findings.add(Defect::NoBoundary);
+        }
+        if let Some(vertex) = self.far_vertex() {
+            findings.add(Defect::VertexFar { vertex });
+            return BTreeSet::new();
         }
         if self.translates() > TRANSLATES as f64 {
             findings.add(Defect::BoundaryWork { limit: TRANSLATES });
@@ -112,9 +104,10 @@ impl<'t, S: Scalar, const D: usize> Region<'t, S, D> {
         let mut plain = Findings::new(findings.limit());
         self.check_vertices_differ(&mut plain);
         let meeting = self.check_boundary(unsided, &mut plain);
-        let covered = match is_oriented {
-            true => self.check_covering(&mut plain),
-            false => Vec::new(),
+        let covered = if is_oriented {
+            self.check_covering(&mut plain)
+        } else {
+            Vec::new()
         };
         let is_decided = !plain.is_empty() && !plain.counts().contains_key(BOUNDARY_WORK);
         let explained = (is_oriented && is_matched && is_decided)
@@ -129,6 +122,16 @@ impl<'t, S: Scalar, const D: usize> Region<'t, S, D> {
         });
         findings.append(found);
         facets
+    }
+
+    /// The first vertex beyond the limit of cells.
+    fn far_vertex(&self) -> Option<usize> {
+        let rank = self.tiling.frame.rank();
+        if rank == 0 {
+            return None;
+        }
+        let mut vertices = self.tiling.vertices.iter();
+        vertices.position(|vertex| cell_of(&vertex, rank).is_none())
     }
 
     /// How many translates of simplices come near a cell of the lattice, about.
@@ -153,36 +156,35 @@ impl<'t, S: Scalar, const D: usize> Region<'t, S, D> {
     }
 
     /// Different vertices are different points, up to the lattice. This follows from the other
-    /// hypotheses, and says more plainly what is wrong.
+    /// hypotheses, and names the defect more plainly.
     fn check_vertices_differ(&self, findings: &mut Findings) {
         let rank = self.tiling.frame.rank();
-        let normal = |vertex: usize| {
-            let corner = Corner::of(vertex as u32);
-            let cell = if rank == 0 {
-                [0; D]
-            } else {
-                cell(self.tiling, &corner)
-            };
-            let moved = corner.moved(difference([0; D], cell));
-            self.scale.point(self.tiling, &moved)
+        let coinciding = match self.tiling.vertices.form() {
+            Form::Integers { numerators, .. } if rank == 0 => {
+                equal(numerators.len(), |v, w| numerators[v].cmp(&numerators[w]))
+            }
+            _ => {
+                let points = parallel::map(self.tiling.vertices.len(), |v| self.normal_point(v));
+                equal(points.len(), |v, w| compare(&points[v], &points[w]))
+            }
         };
-        let vertices = 0..self.tiling.vertices.len();
-        let points: Vec<Point<S>> = parallel::map(vertices.len(), normal);
-        let order = |v: &usize, w: &usize| compare(&points[*v], &points[*w]);
-        let mut sorted: Vec<usize> = (0..points.len()).collect();
-        sorted.par_sort_by(order);
-        let runs = sorted.chunk_by(|v, w| order(v, w).is_eq());
-        let mut coinciding: Vec<Vec<usize>> = runs
-            .filter(|run| run.len() > 1)
-            .map(<[usize]>::to_vec)
-            .collect();
-        coinciding.sort();
         for vertices in coinciding {
             findings.add(Defect::CoincidentVertices { vertices });
         }
     }
 
-    /// Any two facets in the boundary meet in what their common corners span. Gives the pairs that do
+    /// A vertex in the first cell of the lattice.
+    fn normal_point(&self, vertex: usize) -> Point<S> {
+        let corner = Corner::of(vertex as u32);
+        let cell = match self.tiling.frame.rank() {
+            0 => [0; D],
+            _ => cell(self.tiling, &corner),
+        };
+        let moved = corner.moved(difference([0; D], cell));
+        self.scale.point(self.tiling, &moved)
+    }
+
+    /// Any two facets in the boundary meet in the span of their common corners. Gives the pairs that do
     /// not.
     fn check_boundary(&self, unsided: &Unsided, findings: &mut Findings) -> Vec<Meeting<D>> {
         let limit = COPIES + PAIRS_PER_FACET * self.boundary.len();
@@ -205,7 +207,8 @@ impl<'t, S: Scalar, const D: usize> Region<'t, S, D> {
         for &(f, g) in &pairs {
             let facet = |copy: usize| self.boundary[copies.list[copy].facet].facet;
             let is_flat = |copy: usize| unsided.flat.contains(&facet(copy).simplex);
-            if is_flat(f) || is_flat(g) {
+            let is_explained = self.shared.is_between(facet(f).simplex, facet(g).simplex);
+            if is_flat(f) || is_flat(g) || is_explained {
                 findings.add_consequence(BOUNDARY_MEETS, 1);
                 continue;
             }
@@ -240,13 +243,20 @@ impl<'t, S: Scalar, const D: usize> Region<'t, S, D> {
         for index in classes {
             let facet = &self.boundary[index];
             let simplices = outside.simplices(facet);
-            if !simplices.is_empty() {
+            if simplices.is_empty() {
+                continue;
+            }
+            let ids: Vec<SimplexId> = simplices.iter().map(|(simplex, _)| *simplex).collect();
+            let own = facet.facet.simplex;
+            if ids.iter().all(|other| self.shared.is_between(own, *other)) {
+                findings.add_consequence("covered-twice", 1);
+            } else {
                 findings.add(Defect::Covered {
                     facet: facet.facet,
-                    simplices: simplices.iter().map(|(simplex, _)| *simplex).collect(),
+                    simplices: ids,
                 });
-                covered.push((index, simplices));
             }
+            covered.push((index, simplices));
         }
         covered
     }
@@ -403,6 +413,17 @@ impl<S: Scalar, const D: usize> Copies<S, D> {
         near.into_iter()
             .find_map(|&[p, q]| triangle.meets_segment(&self.points[p], &self.points[q]))
     }
+}
+
+/// The sets of two or more of 0, …, n - 1 that are equal in this order.
+fn equal(n: usize, order: impl Fn(usize, usize) -> Ordering + Sync) -> Vec<Vec<usize>> {
+    let mut sorted: Vec<usize> = (0..n).collect();
+    sorted.par_sort_by(|v, w| order(*v, *w));
+    let runs = sorted.chunk_by(|v, w| order(*v, *w).is_eq());
+    let several = runs.filter(|run| run.len() > 1).map(<[usize]>::to_vec);
+    let mut several: Vec<Vec<usize>> = several.collect();
+    several.sort();
+    several
 }
 
 fn edges([a, b, c]: [usize; 3]) -> [[usize; 2]; 3] {

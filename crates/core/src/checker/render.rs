@@ -1,12 +1,13 @@
-//! Defects in words: which simplex, facet or vertex, what was expected, and the
+//! Defects in words: the simplex, facet or vertex, the expected value, and the
 //! exact value that was found, with a short decimal beside it.
 
-use super::defect::{Angle, ContactKind, Defect};
+use super::defect::Defect;
 use super::names::Names;
+use super::words::Words;
 use crate::advice::moved;
-use crate::quality::{decimal_range, short_decimal};
-use crate::tiling::{Facet, SimplexId, VertexId};
-use acutile_exact::number::Number;
+use crate::quality::decimal_range;
+use crate::statement::counted;
+use crate::tiling::{CELL_LIMIT, Facet, SimplexId, VertexId};
 
 /// One defect of a tiling of dimension D as a sentence, with things called by their `names`.
 pub fn describe<const D: usize>(names: &Names, defect: &Defect) -> String {
@@ -47,7 +48,7 @@ pub fn describe<const D: usize>(names: &Names, defect: &Defect) -> String {
         ),
         Defect::UnmatchedFacet { facet } => {
             format!(
-                "{} is used once, expected one more simplex behind it",
+                "{} is used once, expected one more simplex on its other side",
                 name(facet)
             )
         }
@@ -109,15 +110,11 @@ pub fn describe<const D: usize>(names: &Names, defect: &Defect) -> String {
             facets: (a, b),
             point,
         } => format!(
-            "{} and {} are in the boundary and meet in the point ({}), expected to meet in common \
+            "{} and {} are in the boundary and meet in the point {}, expected to meet in common \
              corners and edges only",
             name(a),
             name(b),
-            point
-                .iter()
-                .map(|x| words.exact(x))
-                .collect::<Vec<_>>()
-                .join(", ")
+            words.point(point)
         ),
         Defect::Covered { facet, simplices } => format!(
             "directly outside of {}, which is in the boundary, points are covered by {}, expected \
@@ -130,15 +127,11 @@ pub fn describe<const D: usize>(names: &Names, defect: &Defect) -> String {
             shift,
             point,
         } => format!(
-            "{} and {}{} overlap: both have the point ({}) inside",
+            "{} and {}{} overlap: both have the point {} inside",
             of(s),
             of(t),
             moved(shift),
-            point
-                .iter()
-                .map(|x| words.exact(x))
-                .collect::<Vec<_>>()
-                .join(", ")
+            words.point(point)
         ),
         Defect::NonConforming {
             sides,
@@ -147,7 +140,7 @@ pub fn describe<const D: usize>(names: &Names, defect: &Defect) -> String {
         } => words.contact(sides, *coincident, *kind),
         Defect::Duplicates { simplices } => format!(
             "{} have the same corners {}, expected each simplex once",
-            words.some(simplices),
+            words.some_with_labels(simplices),
             words.corners(simplices[0])
         ),
         Defect::NotConnected { firsts } => format!(
@@ -170,18 +163,34 @@ pub fn describe<const D: usize>(names: &Names, defect: &Defect) -> String {
                 let rest = if list.len() > 8 { ", …" } else { "" };
                 format!("{}{rest}", list[..list.len().min(8)].join(", "))
             };
-            format!(
-                "the boundary is no manifold: {} edges are in another number of boundary facets \
-                 than 2 ({}), and at {} vertices the boundary facets form several rings ({})",
-                ridges.len(),
-                first(ridges.iter().map(ridge).collect()),
-                vertices.len(),
-                first(vertices.iter().map(|v| names.vertex(v.index())).collect())
-            )
+            let (one, many, facets) = match D {
+                2 => ("vertex is", "vertices are", "edges"),
+                _ => ("edge is", "edges are", "facets"),
+            };
+            let mut places = Vec::new();
+            if !ridges.is_empty() {
+                places.push(format!(
+                    "{} in another number of boundary {facets} than 2 ({})",
+                    counted(ridges.len(), one, many),
+                    first(ridges.iter().map(ridge).collect())
+                ));
+            }
+            if !vertices.is_empty() {
+                places.push(format!(
+                    "at {} the boundary {facets} form several rings ({})",
+                    counted(vertices.len(), "vertex", "vertices"),
+                    first(vertices.iter().map(|v| names.vertex(v.index())).collect())
+                ));
+            }
+            format!("the boundary is no manifold: {}", places.join("; "))
         }
         Defect::NotOnSurface { facets } => format!(
-            "{} boundary facets are no triangles of the surface: {}",
-            facets.len(),
+            "{} of the surface: {}",
+            counted(
+                facets.len(),
+                "boundary facet is no triangle",
+                "boundary facets are no triangles"
+            ),
             facets
                 .iter()
                 .take(8)
@@ -190,15 +199,30 @@ pub fn describe<const D: usize>(names: &Names, defect: &Defect) -> String {
                 .join("; ")
         ),
         Defect::NotBoundary { triangles } => format!(
-            "{} triangles of the surface are no boundary facets: number {} (from 1) and so on",
-            triangles.len(),
-            triangles.first().map_or(0, |first| first + 1)
+            "{}: number {}{} (from 1)",
+            counted(
+                triangles.len(),
+                "triangle of the surface is no boundary facet",
+                "triangles of the surface are no boundary facets"
+            ),
+            triangles.first().map_or(0, |first| first + 1),
+            if triangles.len() > 1 {
+                " and so on"
+            } else {
+                ""
+            }
         ),
         Defect::NearMates(near) => format!(
-            "{} facets have no mate under the lattice, but nearly: nodes would have to move by at most \
+            "{} no mate under the lattice, but nearly: nodes would have to move by at most \
              {:.3e}; --identify with a larger number moves them, --identify 0 takes the gaps as \
              boundary",
-            near.facets, near.distance
+            counted(near.facets, "facet has", "facets have"),
+            near.distance
+        ),
+        Defect::VertexFar { vertex } => format!(
+            "{} is more than {CELL_LIMIT} lattice vectors away from the origin, which is not decided; \
+             move the tiling by a lattice vector",
+            names.vertex(*vertex)
         ),
         Defect::BoundaryWork { limit } => format!(
             "the boundary has too many facets close to each other: more than the limit of {limit} pairs \
@@ -260,13 +284,19 @@ pub fn describe<const D: usize>(names: &Names, defect: &Defect) -> String {
              no corner on one side of {offset} and no other one on the other side",
             of(simplex),
             words.corners(*simplex),
-            match *offset == plane.value() {
-                true => String::new(),
-                false => format!(", moved by a lattice vector to the right side {offset}"),
+            if *offset == plane.value() {
+                String::new()
+            } else {
+                format!(", moved by a lattice vector to the right side {offset}")
             },
             words.exact(&sides.0),
             words.exact(&sides.1)
         ),
+        Defect::NoneInside => {
+            "no neighbour's corner is inside of a circumsphere, expected one; require \
+             weakly-delaunay, which holds"
+                .to_owned()
+        }
         Defect::NotTcp { reason } => format!("not tetrahedrally close packed: {reason}"),
         Defect::OnCircumsphere { facet, neighbour } => format!(
             "the corner of {} behind {} lies on the circumsphere: its power \
@@ -285,105 +315,5 @@ pub fn describe<const D: usize>(names: &Names, defect: &Defect) -> String {
             name(facet),
             words.exact(power)
         ),
-    }
-}
-
-/// Names put together.
-struct Words<'t, const D: usize> {
-    names: &'t Names<'t>,
-}
-
-/// No longer number is written in full, unless that is wanted.
-const LONG: usize = 24;
-
-impl<const D: usize> Words<'_, D> {
-    /// The exact value, and a decimal where that is shorter to read.
-    fn exact(&self, number: &Number) -> String {
-        let text = number.to_string();
-        if text.parse::<i64>().is_ok() {
-            text
-        } else if text.len() > LONG && !self.names.is_exact() {
-            format!("about {}", short_decimal(number))
-        } else {
-            format!("{text} (about {})", short_decimal(number))
-        }
-    }
-
-    /// One side of an interface: how many facets of which simplices with which labels.
-    fn side(&self, facets: &[Facet]) -> String {
-        let simplices: Vec<SimplexId> = facets.iter().map(|facet| facet.simplex).collect();
-        let labels = simplices.iter().filter_map(|s| self.names.label(*s));
-        let labels: std::collections::BTreeSet<String> = labels.collect();
-        let labels = match labels.is_empty() {
-            true => String::new(),
-            false => format!(", {}", labels.into_iter().collect::<Vec<_>>().join(", ")),
-        };
-        let count = match facets.len() {
-            1 => "1 facet".to_owned(),
-            count => format!("{count} facets"),
-        };
-        format!("{count} ({}{labels})", self.some(&simplices))
-    }
-
-    fn contact(&self, sides: &[Vec<Facet>; 2], coincident: usize, kind: ContactKind) -> String {
-        let [a, b] = sides.each_ref().map(|side| self.side(side));
-        match kind {
-            ContactKind::EqualFacets => format!(
-                "{a} lie against {b}: the {coincident} facets are equal, but each side has nodes of \
-                 its own; --identify 0 joins them"
-            ),
-            ContactKind::OtherDiagonals => format!(
-                "{a} lie against {b}: the points are equal, but the facets are not (other \
-                 diagonals); {coincident} facets are equal"
-            ),
-            ContactKind::HangingNodes(hanging) => format!(
-                "{a} lie against {b}: {hanging} points of one side are no points of the other \
-                 (hanging nodes); {coincident} facets are equal"
-            ),
-            ContactKind::Touching => format!(
-                "{a} and {b} touch in a point or along an edge that is no common corner or edge"
-            ),
-        }
-    }
-
-    /// The first few simplices.
-    fn some(&self, simplices: &[SimplexId]) -> String {
-        const FEW: usize = 8;
-        let first = simplices.iter().take(FEW).map(|s| self.names.simplex(*s));
-        let rest = (simplices.len() > FEW).then(|| "…".to_owned());
-        first.chain(rest).collect::<Vec<_>>().join(", ")
-    }
-
-    fn corners(&self, simplex: SimplexId) -> String {
-        self.list(simplex, 0..=D)
-    }
-
-    fn list(&self, simplex: SimplexId, indices: impl IntoIterator<Item = usize>) -> String {
-        let indices = indices.into_iter();
-        let texts: Vec<String> = indices.map(|k| self.names.corner(simplex, k)).collect();
-        format!("[{}]", texts.join(", "))
-    }
-
-    fn mended(&self, simplex: SimplexId) -> String {
-        self.list(simplex, (0..D - 1).chain([D, D - 1]))
-    }
-
-    fn facet(&self, facet: &Facet) -> String {
-        let opposite = usize::from(facet.opposite);
-        let simplex = facet.simplex;
-        let corners = self.list(simplex, (0..=D).filter(|&k| k != opposite));
-        format!(
-            "facet {opposite} of {} {corners}",
-            self.names.simplex(simplex)
-        )
-    }
-
-    fn angle(&self, angle: &Angle) -> String {
-        let (i, j) = angle.facets;
-        let ridge = self.list(angle.simplex, (0..=D).filter(|&k| k != i && k != j));
-        format!(
-            "the dihedral angle of {} at {ridge}",
-            self.names.simplex(angle.simplex)
-        )
     }
 }

@@ -1,9 +1,9 @@
-//! What a user requires, decided: a statement for the claim, or the defects.
+//! Requirements of a user, decided: a statement for the claim, or the defects.
 //!
 //! A bound in degrees becomes a rational cosine between the bound and the angle. So the statement
 //! implies the requirement, and no degrees occur in a certificate.
 
-use super::defect::Findings;
+use super::findings::Findings;
 use super::plane::check_plane;
 use super::statements::{
     check_acute, check_delaunay, check_nonobtuse, check_tcp, list_not_above, list_not_below,
@@ -28,7 +28,7 @@ pub(super) struct Required<'m, const D: usize> {
 
 impl<const D: usize> Required<'_, D> {
     /// The statement that implies the requirement; `None` if it does not hold, or holds for every
-    /// tiling. What is wrong is added to the findings.
+    /// tiling. Defects are added to the findings.
     pub fn statement(
         &self,
         requirement: &Requirement,
@@ -62,6 +62,14 @@ impl<const D: usize> Required<'_, D> {
                 let weak = *requirement == Requirement::WeaklyDelaunay;
                 check_delaunay(model, matching, weak, findings);
                 Some(delaunay(model.tiling.frame.domain.is_region(), weak))
+            }
+            Requirement::NotDelaunay => {
+                let mut inside = Findings::new(1);
+                check_delaunay(model, matching, true, &mut inside);
+                if inside.is_empty() {
+                    findings.add(super::Defect::NoneInside);
+                }
+                Some(Statement::NotDelaunay)
             }
             Requirement::UncrossedPlane(plane) => self.uncrossed(plane, findings),
             Requirement::Tcp if model.tiling.frame.domain != Domain::Space => {

@@ -1,7 +1,8 @@
 //! One function for each further statement that a claim may make about a tiling
 //! that passed the hypotheses: angles and Delaunay.
 
-use super::defect::{Angle, Defect, Findings};
+use super::defect::{Angle, Defect};
+use super::findings::Findings;
 use crate::classify::{self, NotTcp, Ridges};
 use crate::predicates::{AnglesAgainst, InSphere, Model, Prepared, RadiusAgainst, Shape};
 use crate::quality::{self, DihedralAngle, compare_with_degrees};
@@ -11,9 +12,11 @@ use acutile_exact::number::{Number, enclosure};
 use malachite::Rational;
 use malachite::base::num::arithmetic::traits::PowerOf2;
 use std::cmp::Ordering;
+use std::sync::atomic::{AtomicBool, Ordering::Relaxed};
 
-/// Statements are decided after the hypotheses.
-const NOT_FLAT: &str = "every simplex is positively oriented";
+/// The reason why each simplex has its angles here. Statements are decided after the orientations, and simplices that
+/// fail a statement are sought only among those that are not flat.
+const NOT_FLAT: &str = "the simplices that were found to be flat are no part of this";
 
 /// Every dihedral angle is acute: <g_i, g_j> < 0 for all facets i ≠ j.
 pub fn check_acute<const D: usize>(model: &Model<D>, findings: &mut Findings) {
@@ -172,7 +175,7 @@ fn angle<const D: usize>(tiling: &Tiling<D>, simplex: SimplexId, facets: (usize,
     }
 }
 
-/// Local Delaunay property: behind every facet the neighbour's opposite corner
+/// Local Delaunay property: across every facet the neighbour's opposite corner
 /// lies outside of the circumsphere (on it is allowed in the weak form). For a
 /// tiling this implies the global one (docs/soundness.md).
 pub fn check_delaunay<const D: usize>(
@@ -195,6 +198,24 @@ pub fn check_delaunay<const D: usize>(
             }
         }
     }
+}
+
+/// Whether the local Delaunay property holds in its strict form, in its weak form, or in neither
+/// (`None`): one pass over all pairs.
+pub(super) fn is_strictly_delaunay<const D: usize>(
+    model: &Model<D>,
+    matching: &Matching<D>,
+) -> Option<bool> {
+    let touches = AtomicBool::new(false);
+    let failing = model
+        .prepare(InSphere)
+        .failing_pairs(matching, |_, _, sign| {
+            if sign == Sign::Equal {
+                touches.store(true, Relaxed);
+            }
+            sign != Sign::Less
+        });
+    failing.is_empty().then(|| !touches.into_inner())
 }
 
 /// The simplices, in order, that fail with a neighbour, and their neighbours.

@@ -8,7 +8,7 @@
 //! = 12, hence 12 vertices of valence 5, 12 + m in all and 20 + 2m triangles. Every
 //! triangle has at most one 6-valent vertex, so 6m <= 20 + 2m and m <= 5. The
 //! search below builds all spheres with these valences and m <= 5, triangle after
-//! triangle: what it finds is all that there is.
+//! triangle: its list is complete.
 
 use super::sphere::{Code, Triangle, code};
 use std::collections::BTreeSet;

@@ -1,4 +1,4 @@
-//! What a tiling is combinatorially: valences, vertex stars, TCP or not, and with
+//! The combinatorial type of a tiling: valences, vertex stars, TCP or not, and with
 //! which other tilings it is isomorphic.
 //!
 //! | file | holds |
@@ -9,7 +9,7 @@
 //! | `neighbours` | Voronoi neighbours of points, from uncut Delaunay cells |
 //! | `polyhedra` | names of Delaunay cells |
 //! | `star` | the type of each vertex |
-//! | `tcp` | the definition of TCP, or what violates it |
+//! | `tcp` | the definition of TCP, or the edges and triangles that violate it |
 //! | `symbol` | Delaney-Dress symbols: isomorphism decided |
 //! | `symmetry` | the isometries that keep a tiling, and orbits under them |
 //!

@@ -36,9 +36,10 @@ impl Surroundings {
 impl fmt::Display for Surroundings {
     fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
         let index: Vec<String> = self.voronoi_index().iter().map(usize::to_string).collect();
-        let kind = match self.is_frank_kasper {
-            true => format!(", Z{}", self.neighbours()),
-            false => String::new(),
+        let kind = if self.is_frank_kasper {
+            format!(", Z{}", self.neighbours())
+        } else {
+            String::new()
         };
         write!(
             f,

@@ -41,16 +41,19 @@ pub struct Ridges<const D: usize> {
 impl<const D: usize> Ridges<D> {
     /// The ridges of a tiling with this matching of its facets.
     pub fn of(tiling: &Tiling<D>, matching: &Matching<D>) -> Self {
-        let mut groups: BTreeMap<Vec<Corner<D>>, Vec<Wedge>> = BTreeMap::new();
+        let mut wedges: Vec<([Corner<D>; 2], Wedge)> =
+            Vec::with_capacity(tiling.len() * D * (D + 1) / 2);
         for (simplex, corners) in tiling.indices().zip(tiling.simplices()) {
             for (i, j) in pairs(D + 1) {
-                let form = normal_form(corners, i, j);
-                groups.entry(form).or_default().push((simplex, (i, j)));
+                wedges.push((normal_form(corners, i, j), (simplex, (i, j))));
             }
         }
+        wedges.sort_unstable();
         let mut index = vec![0; tiling.len() * (D + 1) * (D + 1)];
-        let mut list = Vec::with_capacity(groups.len());
-        for (corners, around) in groups {
+        let mut list = Vec::new();
+        for group in wedges.chunk_by(|a, b| a.0 == b.0) {
+            let corners = group[0].0[..D - 1].to_vec();
+            let around: Vec<Wedge> = group.iter().map(|(_, wedge)| *wedge).collect();
             for &(simplex, (i, j)) in &around {
                 index[(simplex.index() * (D + 1) + i) * (D + 1) + j] = list.len();
                 index[(simplex.index() * (D + 1) + j) * (D + 1) + i] = list.len();
@@ -98,20 +101,18 @@ impl<const D: usize> Ridges<D> {
 }
 
 /// The corners without i and j, sorted, moved so that the first has shift zero: equal
-/// for two ridges exactly when they are translates (see `tiling::facets`).
-fn normal_form<const D: usize>(simplex: &[Corner<D>], i: usize, j: usize) -> Vec<Corner<D>> {
-    let mut corners: Vec<Corner<D>> = simplex
-        .iter()
-        .enumerate()
-        .filter(|(k, _)| *k != i && *k != j)
-        .map(|(_, corner)| *corner)
-        .collect();
+/// for two ridges exactly when they are translates (see `tiling::facets`). The one corner of a ridge in the plane
+/// stands twice.
+fn normal_form<const D: usize>(simplex: &[Corner<D>], i: usize, j: usize) -> [Corner<D>; 2] {
+    let mut rest = (0..=D).filter(|&k| k != i && k != j).map(|k| simplex[k]);
+    let first = rest.next().unwrap_or(simplex[0]);
+    let mut corners = [first, rest.next().unwrap_or(first)];
     corners.sort_unstable();
-    let origin = corners.first().map_or([0; D], |first| first.shift);
-    for corner in &mut corners {
-        corner.shift = difference(corner.shift, origin);
-    }
-    corners
+    let origin = corners[0].shift;
+    corners.map(|corner| Corner {
+        shift: difference(corner.shift, origin),
+        ..corner
+    })
 }
 
 /// All i < j < n.

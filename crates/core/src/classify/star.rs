@@ -1,12 +1,12 @@
 //! The types of the vertices of a tiling of space by their links.
 
-use super::frank_kasper;
-use super::sphere::{Triangle, code};
+use super::sphere::Triangle;
+use crate::parallel;
 use crate::tiling::{Corner, Tiling, difference};
 use std::collections::{BTreeMap, BTreeSet};
 use std::fmt;
 
-/// What a vertex looks like.
+/// The type of a vertex star.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub enum Star {
     /// One of the stars of TCP triangulations, with this many neighbours: 12, 14, 15 or
@@ -36,7 +36,7 @@ pub fn stars(tiling: &Tiling<3>) -> Vec<Star> {
             links[corner.vertex.index()].push(link_triangle(corners, apex));
         }
     }
-    links.iter().map(|link| star(link)).collect()
+    parallel::map(links.len(), |vertex| star(&links[vertex]))
 }
 
 /// The facet opposite to a corner, moved with that corner to shift zero. In a positively
@@ -71,14 +71,49 @@ fn star(link: &[[Corner<3>; 3]]) -> Star {
     if !is_closed(&triangles) {
         return Star::Boundary(neighbours);
     }
-    // Codes are made of links that can be in the list only, for they take long for large ones.
-    let can_be_listed = frank_kasper::links()
-        .iter()
-        .any(|known| known.len() == neighbours);
-    match can_be_listed.then(|| code(&triangles)).flatten() {
-        Some(code) if frank_kasper::links().contains(&code) => Star::FrankKasper(neighbours),
-        _ => Star::Other(neighbours),
+    match is_frank_kasper(&triangles, neighbours) {
+        true => Star::FrankKasper(neighbours),
+        false => Star::Other(neighbours),
     }
+}
+
+/// Whether a closed link is a sphere whose vertices have valences 5 and 6, those of valence 6 not adjacent. By the
+/// exhaustive search of [`frank_kasper`](super::frank_kasper) there are four of these, with 12, 14, 15 and 16 vertices.
+fn is_frank_kasper(triangles: &[Triangle], vertices: usize) -> bool {
+    let mut around = vec![Vec::new(); vertices];
+    for &[a, b, c] in triangles {
+        for (apex, side) in [(a, (b, c)), (b, (c, a)), (c, (a, b))] {
+            around[apex].push(side);
+        }
+    }
+    let is_six = |vertex: usize| around[vertex].len() == 6;
+    let has_apart_sixes = |[a, b, c]: &Triangle| {
+        [(a, b), (b, c), (c, a)]
+            .iter()
+            .all(|(a, b)| !(is_six(**a) && is_six(**b)))
+    };
+    // Euler's formula, and one cycle of triangles around each vertex: a sphere if it is connected, as two
+    // spheres have twice the Euler characteristic.
+    triangles.len() + 4 == 2 * vertices
+        && around
+            .iter()
+            .all(|sides| matches!(sides.len(), 5 | 6) && is_cycle(sides))
+        && triangles.iter().all(has_apart_sixes)
+}
+
+/// Whether directed edges make one cycle.
+fn is_cycle(edges: &[(usize, usize)]) -> bool {
+    let Some(&(first, mut last)) = edges.first() else {
+        return false;
+    };
+    let mut length = 1;
+    while last != first && length < edges.len() {
+        let Some(&(_, next)) = edges.iter().find(|(from, _)| *from == last) else {
+            return false;
+        };
+        (last, length) = (next, length + 1);
+    }
+    last == first && length == edges.len()
 }
 
 /// Whether each edge of a triangle is, in the other direction, one of another triangle.

@@ -6,7 +6,7 @@
 //! colour in the coarsest partition of the chambers that separates edge lengths and
 //! boundary and that all s_k respect. Symmetries clearly keep such colours. Conversely let the
 //! colours of C and C' agree. Those of s_k(C) and s_k(C') do, too, and f maps s_k(C) to
-//! s_k(C'): for k < D nothing is to be said, and behind the facet of C, which f maps to the
+//! s_k(C'): for k < D this is clear, and across the facet of C, which f maps to the
 //! facet of C', there stand two congruent tiles in the same position. So f maps neighbour to
 //! neighbour, a boundary facet to a boundary facet, and since all tiles are connected
 //! through facets, every tile to a tile.
@@ -18,7 +18,7 @@
 //! The lattice that a tiling is given with may be too small, or not invariant under the
 //! group: neither matters here, but the cosets then form no group.
 
-use super::symbol::{coarsest, edge_index, images, orders};
+use super::symbol::{Images, Orders, coarsest, edge_index};
 use crate::tiling::{Facet, Matching, SimplexId, Tiling};
 use acutile_exact::geometry::linear;
 use acutile_exact::number::Number;
@@ -49,22 +49,26 @@ pub struct Symmetry<const D: usize> {
 }
 
 impl<const D: usize> Symmetry<D> {
-    /// The symmetries of a proved tiling. `edges` gives the squared edges 01, 02, …, 12, … of
+    /// The symmetries of a tiling without defects. `edges` gives the squared edges 01, 02, …, 12, … of
     /// each simplex.
+    ///
+    /// # Panics
+    /// A tiling with a flat simplex, or a matching of another tiling.
     pub fn of(tiling: &Tiling<D>, matching: &Matching<D>, edges: &[Vec<Number>]) -> Self {
-        let orders = orders::<D>();
+        let orders = Orders::of(D);
         // A facet without a mate is glued to itself, and no inner facet is.
-        let images = images(tiling, matching, &orders).expect("mates have the same corners");
+        let images = Images::of(tiling, matching, &orders)
+            .expect("facets of a proved tiling match, and memory ends before 2^32 chambers");
         let lengths = interned(edges);
         let labels: Vec<Vec<usize>> = (0..tiling.len())
-            .flat_map(|simplex| orders.iter().map(move |order| (simplex, order)))
+            .flat_map(|simplex| orders.list.iter().map(move |order| (simplex, order)))
             .map(|(simplex, order)| label(matching, &lengths[simplex], simplex, order))
             .collect();
         let colours = coarsest(&labels, &images);
         let chambers = Chambers {
             tiling,
             matching,
-            orders,
+            orders: orders.list,
             colours,
         };
         Symmetry {
@@ -193,7 +197,7 @@ fn interned(edges: &[Vec<Number>]) -> Vec<Vec<usize>> {
         .collect()
 }
 
-/// What is told of a chamber: whether its last facet is in the boundary, and its lengths.
+/// The label of a chamber: whether its last facet is in the boundary, and its lengths.
 fn label<const D: usize>(
     matching: &Matching<D>,
     lengths: &[usize],
@@ -227,12 +231,15 @@ struct Chambers<'t, const D: usize> {
 
 impl<const D: usize> Chambers<'_, D> {
     /// The least colour among the chambers of a simplex whose order is as asked. The colours of
-    /// the chambers at a face determine its orbit, so the least one does.
+    /// the chambers at a face determine its orbit, so the least one does. The orders are all
+    /// permutations, and each question is about a prefix of one, so some order is asked for.
     fn least(&self, simplex: usize, is_asked: impl Fn(&[usize]) -> bool) -> u32 {
         let of_simplex = &self.colours[simplex * self.orders.len()..];
         let asked = self.orders.iter().zip(of_simplex);
         let colours = asked.filter(|(order, _)| is_asked(order)).map(|(_, c)| *c);
-        colours.min().expect("some order is asked for")
+        colours
+            .min()
+            .expect("each question is about a prefix or the end of some order")
     }
 
     fn vertices(&self) -> Vec<usize> {

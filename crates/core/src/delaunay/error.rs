@@ -1,5 +1,7 @@
 //! Why a point set has no triangulation here.
 
+use crate::quality::short_decimal;
+use crate::statement::counted;
 use crate::tiling::Corner;
 use acutile_exact::number::Number;
 use std::fmt;
@@ -64,11 +66,15 @@ impl CosphericalSet {
 
 impl fmt::Display for CosphericalSet {
     fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
+        let radius = &self.squared_radius;
+        let radius = match radius.to_string() {
+            short if short.len() <= 24 => short,
+            _ => format!("about {}", short_decimal(radius)),
+        };
         write!(
             f,
-            "{} points with squared radius {}:",
-            self.corners.len(),
-            self.squared_radius
+            "{} points with squared radius {radius}:",
+            self.corners.len()
         )?;
         for (vertex, shift) in &self.corners {
             write!(f, " {vertex}{shift:?}")?;
@@ -101,7 +107,12 @@ impl fmt::Display for DelaunayError {
                 write!(f, "the points {a} and {b} differ by a lattice vector")
             }
             Self::Cospherical(sets) => {
-                write!(f, "{} Delaunay cells are not simplices", sets.len())?;
+                let cells = counted(
+                    sets.len(),
+                    "Delaunay cell is no simplex",
+                    "Delaunay cells are not simplices",
+                );
+                write!(f, "{cells}")?;
                 sets.iter()
                     .take(LISTED)
                     .try_for_each(|set| write!(f, "\n  {set}"))?;

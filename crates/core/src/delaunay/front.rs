@@ -130,7 +130,7 @@ impl<const D: usize> Front<D> {
         false
     }
 
-    /// The link behind an entry of a list, or at its head.
+    /// The link after an entry of a list, or at its head.
     fn link(&mut self, before: u32, view: &View<D>) -> &mut u32 {
         match before {
             NONE => &mut self.heads[view.least()],

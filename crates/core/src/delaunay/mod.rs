@@ -51,7 +51,7 @@ use polytope::Polytope;
 use predicates::Predicates;
 use wrap::Cells;
 
-/// What to do with cells that are not simplices.
+/// The treatment of cells that are not simplices.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Ties {
     /// Refuse, and list all cospherical sets.
@@ -109,6 +109,15 @@ fn triangulate_set<const D: usize>(
             &found.polytopes,
         )?));
     }
+    tiling(set, model, found)
+}
+
+/// The simplices that were found, sorted by corners.
+fn tiling<const D: usize>(
+    set: &PointSet<D>,
+    model: Model<D>,
+    found: Found<D>,
+) -> Result<Tiling<D>, DelaunayError> {
     let shell = &found.shell;
     let simplices = parallel::map(shell.len(), |simplex| {
         Simplex::new(&model, shell.simplex(SimplexId::at(simplex)))
@@ -129,16 +138,38 @@ fn triangulate_set<const D: usize>(
 pub fn cells<const D: usize>(set: &PointSet<D>) -> Result<Vec<Cell<D>>, DelaunayError> {
     let model = Model::new(set)?;
     let found = find(&model)?;
+    cells_of(&model, &found)
+}
+
+/// The Delaunay cells as [`cells`] gives them, and the triangulation where all are simplices, as [`triangulate`]
+/// gives it; the search is made once.
+pub fn cells_and_triangulation<const D: usize>(
+    set: &PointSet<D>,
+) -> Result<(Vec<Cell<D>>, Option<Tiling<D>>), DelaunayError> {
+    let model = Model::new(set)?;
+    let found = find(&model)?;
+    let cells = cells_of(&model, &found)?;
+    let tiling = match found.polytopes.is_empty() {
+        true => Some(tiling(set, model, found)?),
+        false => None,
+    };
+    Ok((cells, tiling))
+}
+
+fn cells_of<const D: usize>(
+    model: &Model<D>,
+    found: &Found<D>,
+) -> Result<Vec<Cell<D>>, DelaunayError> {
     let simple = found.shell.simplices().take(found.simple);
     let all_but_one = |i: usize| (0..=D).filter(|&k| k != i).collect::<Vec<_>>();
     let facets: Vec<_> = (0..=D).rev().map(all_but_one).collect();
     let mut cells = Vec::with_capacity(found.simple + found.polytopes.len());
     for simplex in simple {
-        cells.push(Cell::new(&model, simplex, facets.clone())?);
+        cells.push(Cell::new(model, simplex, facets.clone())?);
     }
     for polytope in &found.polytopes {
         cells.push(Cell::new(
-            &model,
+            model,
             &polytope.corners,
             polytope.facet_indices(),
         )?);
@@ -147,7 +178,7 @@ pub fn cells<const D: usize>(set: &PointSet<D>) -> Result<Vec<Cell<D>>, Delaunay
     Ok(cells)
 }
 
-/// What the search found, in model coordinates.
+/// The result of the search, in model coordinates.
 #[doc(hidden)]
 pub struct Found<const D: usize> {
     /// The simplices: first the cells that are simplices, then the parts of the others.

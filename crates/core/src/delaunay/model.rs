@@ -13,7 +13,7 @@ use crate::tiling::{Corner, Frame, PointSet, SHIFT_LIMIT, Tiling, VertexId};
 use acutile_exact::number::Number;
 use malachite::{Integer, Rational};
 
-/// How many witness points stand behind the points of the set, see [`Model::witness`].
+/// The number of witness points after the points of the set, see [`Model::witness`].
 pub const WITNESSES: usize = 4;
 
 /// A point set in reduced coordinates. Its corners number the points in
@@ -27,7 +27,7 @@ pub struct Model<const D: usize> {
     pub vertices: Vec<[Number; D]>,
     /// In the reduced basis, 0 <= x < 1; then the witnesses. There are no simplices.
     pub points: Tiling<D>,
-    /// What was subtracted from the reduced coordinates of the vertex.
+    /// The vector that was subtracted from the reduced coordinates of the vertex.
     offsets: Vec<[i64; D]>,
     pub places: Places<D>,
     pub tree: Tree<D>,

@@ -78,9 +78,10 @@ impl<const D: usize> Polytope<D> {
         let mut on: Mask = 0;
         let mut side = None;
         for (i, corner) in self.corners.iter().enumerate() {
-            let sign = match chosen.contains(&i) {
-                true => Sign::Equal,
-                false => predicates.orientation(&facet, corner),
+            let sign = if chosen.contains(&i) {
+                Sign::Equal
+            } else {
+                predicates.orientation(&facet, corner)
             };
             match (sign, side) {
                 (Sign::Equal, _) => on |= 1 << i,

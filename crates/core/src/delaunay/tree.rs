@@ -24,7 +24,7 @@ pub struct Tree<const D: usize> {
 }
 
 /// How the two halves of a node lie along one axis: where the first ends and where
-/// the second begins. Two comparisons tell which of them a window may meet.
+/// the second begins. Two comparisons decide which of them a window may meet.
 #[derive(Clone, Copy, Debug, Default)]
 struct Split {
     axis: usize,
@@ -113,14 +113,14 @@ impl Split {
     }
 }
 
-/// What a query carries down the tree.
+/// The data that a query carries down the tree.
 struct Query<'a, const D: usize> {
     places: &'a [[f64; D]],
     window: Extent<D>,
     /// The centre of the ball, moved so that the cell that is searched has shift zero.
     center: [f64; D],
     square: f64,
-    /// What corners of that cell are given.
+    /// The shift of the corners of that cell.
     shift: [i32; D],
     found: &'a mut Vec<Corner<D>>,
 }

@@ -80,9 +80,10 @@ pub fn wrap<const D: usize>(predicates: &Predicates<D>) -> Result<Cells<D>, Dela
     while let Some(view) = wrapping.front.first() {
         let facet = view.facet();
         let Proposal { apex, is_clear } = wrapping.propose(&facet)?;
-        match is_clear {
-            true => wrapping.record_simplex(facet, apex)?,
-            false => wrapping.settle(facet, apex)?,
+        if is_clear {
+            wrapping.record_simplex(facet, apex)?
+        } else {
+            wrapping.settle(facet, apex)?
         }
     }
     Ok(wrapping.cells)
@@ -126,9 +127,10 @@ impl<const D: usize> Wrapping<'_, D> {
             }
             sign == Sign::Equal
         });
-        match is_beyond {
-            true => Ok(lowest),
-            false => Err(DelaunayError::Uncertified),
+        if is_beyond {
+            Ok(lowest)
+        } else {
+            Err(DelaunayError::Uncertified)
         }
     }
 

@@ -29,6 +29,7 @@ pub struct Bound<C> {
 }
 
 impl<C: Coefficient> Bound<C> {
+    /// The bound that is this angle.
     pub fn of(angle: &DihedralAngle, convert: Convert<C>) -> Self {
         let square = angle.signed_square.abs();
         let unit = Number::from(Rational::from(Number::common_denominator(
@@ -147,9 +148,12 @@ pub fn add_bound<C: Coefficient>(
         Relation::LessThan | Relation::AtMost | Relation::Maximum
     );
     let is_strict = matches!(relation, Relation::LessThan | Relation::MoreThan);
-    let compare = |angle: &Cosine<C>| match is_upper {
-        true => angle.is_above(bound, is_strict),
-        false => angle.is_below(bound, is_strict),
+    let compare = |angle: &Cosine<C>| {
+        if is_upper {
+            angle.is_above(bound, is_strict)
+        } else {
+            angle.is_below(bound, is_strict)
+        }
     };
     for simplex in angles {
         // All angles are at most B exactly if the largest is; one is exactly if the smallest is.
@@ -165,9 +169,10 @@ pub fn add_bound<C: Coefficient>(
             .iter()
             .flat_map(|s| attained(s, is_largest, is_upper, bound));
         let attained: Alternatives<C> = attained.collect();
-        match attained.is_empty() {
-            true => conditions.add_impossible(),
-            false => conditions.add_alternatives(attained),
+        if attained.is_empty() {
+            conditions.add_impossible()
+        } else {
+            conditions.add_alternatives(attained)
         }
     }
 }

@@ -13,11 +13,15 @@ use malachite::{Integer, Rational};
 /// A cleared family.
 #[derive(Clone, Debug)]
 pub struct Cleared<'f, C, const D: usize> {
+    /// The family itself.
     pub family: &'f Family<D>,
+    /// The Gram matrix, times a positive number.
     pub gram: [[Polynomial<C>; D]; D],
     /// The adjugate of the Gram matrix, which measures covectors.
     pub cogram: [[Polynomial<C>; D]; D],
+    /// The coordinates of the vertices, times `unit`.
     pub vertices: Vec<[Polynomial<C>; D]>,
+    /// The domain, where it is a polytope, times `unit`.
     pub polytope: Option<Polytope<Polynomial<C>>>,
     /// One lattice step.
     pub unit: Polynomial<C>,
@@ -38,6 +42,7 @@ pub fn to_number(number: Number) -> Number {
 }
 
 impl<'f, C: Coefficient, const D: usize> Cleared<'f, C, D> {
+    /// Clears a family; `convert` takes its numbers to the coefficients of the result.
     pub fn new(family: &'f Family<D>, convert: Convert<C>) -> Self {
         let scaled = |p: &Polynomial, unit: &Number| p.map(|c| convert(c * unit));
         let metric = family.frame.gram.iter().flatten();
@@ -75,6 +80,7 @@ impl<'f, C: Coefficient, const D: usize> Cleared<'f, C, D> {
         &self.family.corners[first..=first + D]
     }
 
+    /// A simplex with cleared coordinates.
     pub fn simplex(&self, simplex: SimplexId) -> Simplex<Polynomial<C>, D> {
         let corners = self.corners(simplex).iter();
         let corners: Vec<[Polynomial<C>; D]> = corners.map(|c| self.position(c)).collect();

@@ -1,4 +1,4 @@
-//! What has to hold on a box: conditions on the signs of polynomials.
+//! The conditions on a box: conditions on the signs of polynomials.
 //!
 //! A condition is a disjunction of alternatives, and an alternative is a conjunction of signs. Most
 //! conditions have one alternative with one sign. Equal signs and equal conditions are kept once.
@@ -10,8 +10,11 @@ use std::collections::{BTreeMap, BTreeSet};
 /// A sign that a polynomial has to have at every point.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Wanted {
+    /// Greater than zero.
     Positive,
+    /// At least zero.
     NonNegative,
+    /// Zero.
     Zero,
 }
 
@@ -29,7 +32,9 @@ impl Wanted {
 /// A polynomial and its sign.
 #[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub struct Atom<C = acutile_exact::number::Number> {
+    /// A polynomial in the parameters.
     pub polynomial: Polynomial<C>,
+    /// Its sign at every point.
     pub wanted: Wanted,
 }
 
@@ -51,9 +56,10 @@ impl<C: Coefficient> Atom<C> {
 
     /// p > 0, or p >= 0.
     pub fn strict_if(is_strict: bool, polynomial: Polynomial<C>) -> Self {
-        match is_strict {
-            true => Atom::positive(polynomial),
-            false => Atom::nonnegative(polynomial),
+        if is_strict {
+            Atom::positive(polynomial)
+        } else {
+            Atom::nonnegative(polynomial)
         }
     }
 
@@ -70,6 +76,21 @@ impl<C: Coefficient> Atom<C> {
             Wanted::Positive => bernstein::is_positive(&self.polynomial, cuboid),
             Wanted::NonNegative => bernstein::is_nonnegative(&self.polynomial, cuboid),
             Wanted::Zero => Some(self.polynomial.is_zero()),
+        }
+    }
+
+    /// Whether the sign is as wanted at each corner that belongs to the box; `None` beyond a limit.
+    pub fn holds_at_corners(&self, cuboid: &Cuboid) -> Option<Vec<bool>> {
+        let signs = bernstein::corner_signs(&self.polynomial, cuboid)?;
+        let allowed = signs.into_iter().map(|sign| self.wanted.allows(sign));
+        Some(allowed.collect())
+    }
+
+    /// The cost of a look at the box.
+    pub fn cost(&self, cuboid: &Cuboid) -> u64 {
+        match self.wanted {
+            Wanted::Zero => 1,
+            _ => bernstein::steps(&self.polynomial, cuboid.sides.len()).saturating_mul(C::COST),
         }
     }
 
@@ -97,6 +118,7 @@ pub const MOST_ALTERNATIVES: usize = 64;
 /// Conditions, each a disjunction of conjunctions of numbered atoms.
 #[derive(Clone, Debug)]
 pub struct Conditions<C = acutile_exact::number::Number> {
+    /// The atoms, without repetition.
     pub atoms: Vec<Atom<C>>,
     numbers: BTreeMap<Atom<C>, usize>,
     all: BTreeSet<Vec<Vec<usize>>>,

@@ -5,20 +5,20 @@
 //! A point at which one is wrong is handed to the checker of single tilings, which has the word.
 
 use super::angles::{self, Bound};
+use super::candidates::candidates;
 use super::cleared::{Cleared, Convert, to_integer, to_number};
 use super::conditions::Conditions;
 use super::hypotheses::{self, Member};
-use super::tree::{LEAF_LIMIT, NoTree, Tree, grow};
-use super::{Family, FamilyError, point_in_words, ratios};
+use super::tree::{COST_LIMIT, Effort, LEAF_LIMIT, Limit, NoTree, Tree, grow};
+use super::{Family, FamilyError, box_in_words, point_in_words, ratios, zeros};
 use crate::checker::{self, Findings, Options, Progress, Proof, without_implied};
 use crate::format::Relation;
-use crate::quality::{DihedralAngle, RadiusEdge};
+use crate::quality::DihedralAngle;
 use crate::statement::{Requirement, Statement};
 use crate::tiling::Tiling;
-use acutile_exact::number::{Number, enclosure};
+use acutile_exact::number::Number;
+use acutile_exact::polynomial::line::Place;
 use acutile_exact::polynomial::{Coefficient, Cuboid};
-use malachite::base::num::arithmetic::traits::{Ceiling, Floor, Pow};
-use malachite::{Integer, Rational};
 
 /// A proof in the prover's memory.
 #[derive(Clone, Debug)]
@@ -31,6 +31,7 @@ pub struct FamilyProof<const D: usize> {
     pub signs: usize,
     /// The member in the middle of the box, and its proof.
     pub member: Tiling<D>,
+    /// The proof of this member.
     pub proof: Proof<D>,
 }
 
@@ -41,7 +42,9 @@ pub enum NotProvable {
     Malformed(FamilyError),
     /// The member at this point of the box is refuted.
     Refuted {
+        /// The values of the parameters.
         point: Vec<Number>,
+        /// The defects of the member.
         findings: Findings,
     },
     /// Nothing is known to be wrong.
@@ -50,6 +53,8 @@ pub enum NotProvable {
 
 /// A tree that proves statements which are not required has at most this many leaves.
 const OPTIONAL_LEAVES: usize = 64;
+/// The cost of a statement that is not required.
+const OPTIONAL_COST: u64 = COST_LIMIT / 4;
 
 /// Examines a family: a proof, or why there is none.
 ///
@@ -67,23 +72,21 @@ pub fn examine<const D: usize>(
     let proof = checker::examine(&member, options, progress);
     let proof = proof.map_err(|findings| refuted(&point, findings))?;
     progress("polynomials");
-    match family.frame.field.is_rationals() {
-        true => {
-            Examination::new(family, &point, &member, &proof, to_integer).run(options, progress)
-        }
-        false => {
-            Examination::new(family, &point, &member, &proof, to_number).run(options, progress)
-        }
+    if family.frame.field.is_rationals() {
+        Examination::new(family, &point, &member, &proof, to_integer).run(options, progress)
+    } else {
+        Examination::new(family, &point, &member, &proof, to_number).run(options, progress)
     }
 }
 
 fn refuted(point: &[Number], findings: Findings) -> NotProvable {
-    match findings.is_declined() {
-        true => NotProvable::Declined("a limit is reached at one point".to_owned()),
-        false => NotProvable::Refuted {
+    if findings.is_declined() {
+        NotProvable::Declined("a limit is reached at one point".to_owned())
+    } else {
+        NotProvable::Refuted {
             point: point.to_vec(),
             findings,
-        },
+        }
     }
 }
 
@@ -119,25 +122,34 @@ impl<'f, C: Coefficient, const D: usize> Examination<'f, C, D> {
         let cuboid = self.family.cuboid();
         let mut conditions = Conditions::default();
         hypotheses::add(&self.cleared, &self.member(), &mut conditions);
-        let mut tree = self.required(&conditions, &cuboid, &Tree::Leaf, options)?;
+        let required = Required {
+            options,
+            progress,
+            cuboid: &cuboid,
+        };
+        let mut tree = self.required(&conditions, "a tiling", &Tree::Leaf, &required)?;
         let mut signs = conditions.atoms.len();
         let mut statements = vec![Statement::FaceToFaceTiling];
         progress("required statements");
         for requirement in &options.required {
-            let proved = self.requirement(requirement, &cuboid, &tree, options)?;
+            let proved = self.requirement(requirement, &tree, &required)?;
             if let Some((statement, grown, atoms)) = proved {
                 statements.push(statement);
                 (tree, signs) = (grown, signs + atoms);
             }
         }
         progress("further statements");
-        for choice in self.proposals() {
+        for choice in self.proposals(&cuboid) {
             for statement in choice {
                 let Some(conditions) = self.conditions(&statement) else {
                     continue;
                 };
-                let limit = tree.leaves().max(OPTIONAL_LEAVES);
-                if let Ok(grown) = grow(&conditions, &cuboid, &tree, limit) {
+                let effort = Effort {
+                    leaves: tree.leaves().max(OPTIONAL_LEAVES),
+                    cost: OPTIONAL_COST,
+                    report: &|_, _| {},
+                };
+                if let Ok(grown) = grow(&conditions, &cuboid, &tree, &effort) {
                     statements.push(statement);
                     (tree, signs) = (grown, signs + conditions.atoms.len());
                     break;
@@ -171,23 +183,38 @@ impl<'f, C: Coefficient, const D: usize> Examination<'f, C, D> {
         conditions
     }
 
+    /// A tree for conditions that are required; `subject` names them on the terminal.
     fn required(
         &self,
         conditions: &Conditions<C>,
-        cuboid: &Cuboid,
+        subject: &str,
         tree: &Tree,
-        options: &Options,
+        required: &Required,
     ) -> Result<Tree, NotProvable> {
-        grow(conditions, cuboid, tree, LEAF_LIMIT).map_err(|error| self.refusal(error, options))
+        let effort = Effort {
+            leaves: LEAF_LIMIT,
+            cost: COST_LIMIT,
+            report: &|leaves, part| {
+                let percent = (100.0 * part) as u32;
+                (required.progress)(&format!("{subject}: {percent}% of the box, {leaves} parts"));
+            },
+        };
+        let grown = grow(conditions, required.cuboid, tree, &effort);
+        grown.map_err(|error| self.refusal(error, conditions, required))
     }
 
     /// The checker of single tilings has the word about a point.
-    fn refusal(&self, error: NoTree, options: &Options) -> NotProvable {
+    fn refusal(
+        &self,
+        error: NoTree,
+        conditions: &Conditions<C>,
+        required: &Required,
+    ) -> NotProvable {
         let names = self.family.names();
         match error {
             NoTree::Violated(point) => {
                 let member = self.family.at(&point);
-                match checker::examine(&member, options, &|_| {}) {
+                match checker::examine(&member, required.options, &|_| {}) {
                     Err(findings) => refuted(&point, findings),
                     Ok(_) => NotProvable::Declined(format!(
                         "a sign cannot hold on the whole box, and the tiling at {} is right",
@@ -195,15 +222,58 @@ impl<'f, C: Coefficient, const D: usize> Examination<'f, C, D> {
                     )),
                 }
             }
-            NoTree::Undecided(cuboid) => {
-                let sides = names.iter().zip(&cuboid.sides);
-                let sides: Vec<String> = sides.map(|(n, side)| format!("{n} in {side}")).collect();
+            NoTree::Undecided(cuboid, limit) => {
+                let zeros = zeros::zeros(conditions, &cuboid);
+                if let Some(refutation) = self.refuted_at(&zeros, required) {
+                    return refutation;
+                }
+                let limit = match limit {
+                    Limit::Leaves => format!("the box is in {LEAF_LIMIT} parts"),
+                    Limit::Depth => "the part is very small".to_owned(),
+                    Limit::Cost => "the limit of work is reached".to_owned(),
+                };
+                let best = self
+                    .smaller(conditions, required)
+                    .map_or(String::new(), |smaller| {
+                        format!(
+                            "; proved is the smaller box {}",
+                            box_in_words(&names, &smaller)
+                        )
+                    });
+                let place = match zeros.first() {
+                    Some(zero) => format!("vanishes at {}", zeros::in_words(&names, zero)),
+                    None => format!("is not decided where {}", box_in_words(&names, &cuboid)),
+                };
                 NotProvable::Declined(format!(
-                    "a sign is not decided where {}; a smaller box may be proved",
-                    sides.join(", ")
+                    "a sign {place}, and {limit}{best}; a smaller box or fewer parameters may be proved"
                 ))
             }
         }
+    }
+
+    /// The refutation by the first of some zeros at which the member is refuted.
+    fn refuted_at(&self, zeros: &[Place], required: &Required) -> Option<NotProvable> {
+        let mut points = zeros.iter().filter_map(zeros::number);
+        points.find_map(|point| {
+            let point = vec![point];
+            let member = self.family.at(&point);
+            let findings = checker::examine(&member, required.options, &|_| {}).err()?;
+            (!findings.is_declined()).then_some(NotProvable::Refuted { point, findings })
+        })
+    }
+
+    /// The largest box around the middle, of those half as large, a quarter as large and so on, on which the
+    /// conditions are proved without a cut.
+    fn smaller(&self, conditions: &Conditions<C>, required: &Required) -> Option<Cuboid> {
+        let effort = Effort {
+            leaves: 1,
+            cost: COST_LIMIT / 16,
+            report: &|_, _| {},
+        };
+        let boxes = (1..=SMALLER_BOXES).map(|k| required.cuboid.around_center(k));
+        let mut boxes =
+            boxes.filter(|smaller| grow(conditions, smaller, &Tree::Leaf, &effort).is_ok());
+        boxes.next()
     }
 
     /// A statement that implies the requirement, with the tree that proves it; `None` if it needs
@@ -211,9 +281,8 @@ impl<'f, C: Coefficient, const D: usize> Examination<'f, C, D> {
     fn requirement(
         &self,
         requirement: &Requirement,
-        cuboid: &Cuboid,
         tree: &Tree,
-        options: &Options,
+        required: &Required,
     ) -> Result<Option<(Statement, Tree, usize)>, NotProvable> {
         if let Requirement::UncrossedPlane(plane) = requirement {
             return Err(NotProvable::Declined(format!(
@@ -226,7 +295,7 @@ impl<'f, C: Coefficient, const D: usize> Examination<'f, C, D> {
             let Some(conditions) = self.conditions(&statement) else {
                 continue;
             };
-            match self.required(&conditions, cuboid, tree, options) {
+            match self.required(&conditions, &requirement.to_string(), tree, required) {
                 Ok(grown) => return Ok(Some((statement, grown, conditions.atoms.len()))),
                 Err(error @ NotProvable::Refuted { .. }) => return Err(error),
                 Err(error) => failure = Some(error),
@@ -258,6 +327,9 @@ impl<'f, C: Coefficient, const D: usize> Examination<'f, C, D> {
             Statement::WeaklyDelaunay => {
                 hypotheses::add_delaunay(cleared, &self.member(), false, &mut conditions);
             }
+            Statement::NotDelaunay => {
+                hypotheses::add_not_delaunay(cleared, &self.member(), &mut conditions);
+            }
             Statement::FaceToFaceTiling
             | Statement::Tcp
             | Statement::UncrossedPlane(_)
@@ -267,66 +339,37 @@ impl<'f, C: Coefficient, const D: usize> Examination<'f, C, D> {
         Some(conditions)
     }
 
-    /// What holds for the member and may hold for all; of each list the first that does is taken.
-    fn proposals(&self) -> Vec<Vec<Statement>> {
+    /// Statements that hold for the member and may hold for all; of each list the first that does is taken.
+    ///
+    /// A statement must hold at another point of the box, too. That excludes bounds that one member attains.
+    fn proposals(&self, cuboid: &Cuboid) -> Vec<Vec<Statement>> {
         let weaker = |statement: &Statement| match statement {
             Statement::Acute => vec![Statement::Acute, Statement::Nonobtuse],
             Statement::Delaunay => vec![Statement::Delaunay, Statement::WeaklyDelaunay],
             Statement::FaceToFaceTiling | Statement::Tcp => Vec::new(),
             other => vec![other.clone()],
         };
-        self.proof.statements.iter().map(weaker).collect()
+        let other = self.family.at(&cuboid.beside_center());
+        let other = checker::examine(&other, &Options::default(), &|_| {});
+        let other = other.map(|proof| proof.statements).unwrap_or_default();
+        let is_there = |statement: &Statement| {
+            other.contains(statement)
+                || other
+                    .iter()
+                    .any(|stronger| weaker(stronger).contains(statement))
+        };
+        let choices = self.proof.statements.iter().map(weaker);
+        let kept = choices.map(|choice| choice.into_iter().filter(is_there).collect());
+        kept.collect()
     }
 }
 
-/// Statements that imply a requirement, the simplest first. A bound in degrees becomes a rational
-/// cosine beyond it.
-pub(super) fn candidates(requirement: &Requirement) -> Vec<Statement> {
-    match requirement {
-        // What is combinatorial is decided by one member.
-        Requirement::Tiling
-        | Requirement::Tcp
-        | Requirement::UncrossedPlane(_)
-        | Requirement::Connected
-        | Requirement::NoCavities
-        | Requirement::ManifoldBoundary => Vec::new(),
-        Requirement::Acute => vec![Statement::Acute],
-        Requirement::Nonobtuse => vec![Statement::Nonobtuse],
-        Requirement::Delaunay => vec![Statement::Delaunay],
-        Requirement::WeaklyDelaunay => vec![Statement::WeaklyDelaunay],
-        Requirement::DihedralBelow(bound) => {
-            let cosines = DIGITS.map(|digits| cosine(bound, digits, true));
-            let angles = cosines.map(|c| DihedralAngle::of_cosine(&c));
-            let statement = |angle| Statement::LargestAngle(Relation::LessThan, angle);
-            angles.map(statement).to_vec()
-        }
-        Requirement::DihedralAbove(bound) => {
-            let cosines = DIGITS.map(|digits| cosine(bound, digits, false));
-            let angles = cosines.map(|c| DihedralAngle::of_cosine(&c));
-            let statement = |angle| Statement::SmallestAngle(Relation::MoreThan, angle);
-            angles.map(statement).to_vec()
-        }
-        Requirement::RadiusEdgeBelow(bound) => {
-            let square = Number::from(bound * bound);
-            vec![Statement::RadiusEdge(
-                Relation::LessThan,
-                RadiusEdge { square },
-            )]
-        }
-    }
+/// What all required statements have in common.
+struct Required<'r> {
+    options: &'r Options,
+    progress: Progress<'r>,
+    cuboid: &'r Cuboid,
 }
 
-/// Digits of the cosines that are tried.
-const DIGITS: [u64; 3] = [4, 8, 16];
-
-/// A decimal that is at least the cosine of these degrees, or at most.
-fn cosine(degrees: &Rational, digits: u64, is_above: bool) -> Rational {
-    let scale = Rational::from(10).pow(digits);
-    let width = Rational::from(1) / (&scale * Rational::from(1000));
-    let (low, high) = enclosure::cos_of_degrees(degrees, &width);
-    let rounded: Integer = match is_above {
-        true => (high * &scale).ceiling(),
-        false => (low * &scale).floor(),
-    };
-    Rational::from(rounded) / scale
-}
+/// Halvings of a box that is not proved.
+const SMALLER_BOXES: u32 = 6;

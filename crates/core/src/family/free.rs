@@ -1,12 +1,13 @@
 //! A tiling becomes a family in which some coordinates vary around their values.
 
 use super::{Family, FamilyError, Parameter};
-use crate::tiling::{Frame, Tiling, VertexId};
+use crate::tiling::{Corner, Domain, Frame, Tiling, VertexId, cell_of};
+use acutile_exact::geometry::linear;
 use acutile_exact::number::Number;
 use acutile_exact::polynomial::{End, Polynomial, Side};
 use malachite::Rational;
 
-/// What varies.
+/// The quantity that varies.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Free {
     /// The coordinates of a vertex in the basis.
@@ -55,6 +56,41 @@ pub fn family<const D: usize>(
     Ok(family)
 }
 
+/// The family of the triangulations of moving points: `tiling` is one of `points`, which move as the
+/// polynomials do. `None` if some vertex of the tiling is no such point.
+pub fn over_points(
+    tiling: &Tiling<3>,
+    points: &[[Number; 3]],
+    parameters: Vec<Parameter>,
+    gram: [[Polynomial; 3]; 3],
+    polynomials: Vec<[Polynomial; 3]>,
+) -> Option<Family<3>> {
+    let corners = tiling.corners.iter();
+    let corners = corners.map(|corner| named(points, &tiling.position(corner)));
+    Some(Family {
+        parameters,
+        frame: Frame {
+            field: tiling.frame.field.clone(),
+            gram,
+            domain: Domain::Space,
+        },
+        vertices: polynomials,
+        corners: corners.collect::<Option<_>>()?,
+    })
+}
+
+/// The corner at a position: one of the points, moved by a lattice vector of space.
+fn named(points: &[[Number; 3]], position: &[Number; 3]) -> Option<Corner<3>> {
+    let is_there = |point: &[Number; 3]| {
+        let moved = linear::subtract(position, point);
+        let shift = cell_of(&moved, 3)?;
+        let is_whole = |k: usize| moved[k] == Number::from(Rational::from(shift[k]));
+        (0..3).all(is_whole).then_some(shift)
+    };
+    let mut found = (0..).zip(points);
+    found.find_map(|(vertex, point)| Some(Corner::of(vertex).moved(is_there(point)?)))
+}
+
 /// A new parameter around a value.
 fn parameter<const D: usize>(
     family: &mut Family<D>,
@@ -72,9 +108,10 @@ fn parameter<const D: usize>(
         },
     });
     // Whether there are too many is checked at the end.
-    match index < acutile_exact::polynomial::MOST_PARAMETERS {
-        true => Polynomial::parameter(index),
-        false => Polynomial::constant(value.clone()),
+    if index < acutile_exact::polynomial::MOST_PARAMETERS {
+        Polynomial::parameter(index)
+    } else {
+        Polynomial::constant(value.clone())
     }
 }
 
@@ -98,9 +135,10 @@ fn free_vertex<const D: usize>(
     radius: &Rational,
 ) {
     let position = tiling.vertices.vertex(VertexId::at(vertex));
-    let free = match is_in_boundary(tiling, &position) {
-        true => tiling.frame.rank(),
-        false => D,
+    let free = if is_in_boundary(tiling, &position) {
+        tiling.frame.rank()
+    } else {
+        D
     };
     for (k, letter) in ["x", "y", "z"].iter().enumerate().take(free) {
         let name = format!("{letter}{vertex}");

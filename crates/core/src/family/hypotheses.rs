@@ -13,8 +13,11 @@ use acutile_exact::polynomial::{Coefficient, Polynomial};
 /// A member whose combinatorics is checked.
 #[derive(Clone, Copy, Debug)]
 pub struct Member<'m, const D: usize> {
+    /// The values of the parameters.
     pub point: &'m [Number],
+    /// The tiling at this point.
     pub tiling: &'m Tiling<D>,
+    /// Which facets coincide.
     pub matching: &'m Matching<D>,
 }
 
@@ -68,9 +71,12 @@ fn add_metric<C: Coefficient, const D: usize>(
 ) {
     for order in 1..=D {
         let block: [[Polynomial<C>; D]; D] = std::array::from_fn(|i| {
-            std::array::from_fn(|j| match i.max(j) < order {
-                true => cleared.gram[i][j].clone(),
-                false => cleared.unit.integer(i64::from(i == j)),
+            std::array::from_fn(|j| {
+                if i.max(j) < order {
+                    cleared.gram[i][j].clone()
+                } else {
+                    cleared.unit.integer(i64::from(i == j))
+                }
             })
         });
         conditions.add(Atom::positive(linear::determinant(&block)));
@@ -131,7 +137,7 @@ fn add_convex_cycle<C: Coefficient, const D: usize>(
     }
 }
 
-/// The polynomial or its negative: what is positive for the member.
+/// The polynomial or its negative, whichever is positive for the member.
 fn turned<C: Coefficient, const D: usize>(p: Polynomial<C>, member: &Member<D>) -> Polynomial<C> {
     if member.sign(&p) == Sign::Less {
         p.negated()
@@ -215,6 +221,32 @@ pub fn add_delaunay<C: Coefficient, const D: usize>(
     is_strict: bool,
     conditions: &mut Conditions<C>,
 ) {
+    for power in powers(cleared, member) {
+        conditions.add(Atom::strict_if(is_strict, power));
+    }
+}
+
+/// Not Delaunay: the power of some neighbour's corner is negative.
+pub fn add_not_delaunay<C: Coefficient, const D: usize>(
+    cleared: &Cleared<C, D>,
+    member: &Member<D>,
+    conditions: &mut Conditions<C>,
+) {
+    let inside = |power: Polynomial<C>| vec![Atom::positive(power.negated())];
+    let alternatives: Vec<_> = powers(cleared, member).into_iter().map(inside).collect();
+    match alternatives.is_empty() {
+        true => conditions.add_impossible(),
+        false => conditions.add_alternatives(alternatives),
+    }
+}
+
+/// For each pair of neighbours the power of the one's corner for the other's circumsphere, times its
+/// determinant.
+fn powers<C: Coefficient, const D: usize>(
+    cleared: &Cleared<C, D>,
+    member: &Member<D>,
+) -> Vec<Polynomial<C>> {
+    let mut powers = Vec::new();
     for simplex in cleared.family.simplices() {
         let mut shape = None;
         for facet in (0..=D).map(|opposite| Facet::new(simplex, opposite)) {
@@ -227,8 +259,9 @@ pub fn add_delaunay<C: Coefficient, const D: usize>(
                 let origin = cleared.position(&cleared.corners(simplex)[0]);
                 let offset = linear::subtract(&cleared.position(&apex), &origin);
                 let power = shape.power(&cleared.gram, &offset);
-                conditions.add(Atom::strict_if(is_strict, power));
+                powers.push(power);
             }
         }
     }
+    powers
 }

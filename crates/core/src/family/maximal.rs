@@ -3,10 +3,11 @@
 //!
 //! The interval or box is not bounded by the family's own box.
 
+use super::candidates::candidates;
 use super::cleared::{Convert, to_integer, to_number};
 use super::conditions::{Atom, Conditions};
-use super::examine::{Examination, NotProvable, candidates};
-use super::tree::{Tree, grow};
+use super::examine::{Examination, NotProvable};
+use super::tree::{COST_LIMIT, Effort, Tree, grow};
 use super::{Family, FamilyError};
 use crate::checker::{self, Options};
 use crate::statement::Statement;
@@ -17,7 +18,7 @@ use malachite::Rational;
 use malachite::base::num::arithmetic::traits::PowerOf2;
 use malachite::rational::rational::arithmetic::traits::SimplestRationalInInterval;
 
-/// What is found around a point.
+/// The result around a point.
 #[derive(Clone, Debug)]
 pub enum Maximal {
     /// With one parameter: the exact ends.
@@ -46,9 +47,10 @@ pub fn maximal<const D: usize>(
             family.parameters.len(),
         )));
     }
-    match family.frame.field.is_rationals() && point.iter().all(Number::is_rational) {
-        true => around(family, point, options, fraction, to_integer),
-        false => around(family, point, options, fraction, to_number),
+    if family.frame.field.is_rationals() && point.iter().all(Number::is_rational) {
+        around(family, point, options, fraction, to_integer)
+    } else {
+        around(family, point, options, fraction, to_number)
     }
 }
 
@@ -164,7 +166,12 @@ fn grown<C: Coefficient>(
 ) -> Result<Cuboid, NotProvable> {
     let holds = |cuboid: &Cuboid| {
         let mut conditions = all.iter();
-        conditions.all(|c| grow(c, cuboid, &Tree::Leaf, LEAVES).is_ok())
+        let effort = Effort {
+            leaves: LEAVES,
+            cost: COST_LIMIT / 4,
+            report: &|_, _| {},
+        };
+        conditions.all(|c| grow(c, cuboid, &Tree::Leaf, &effort).is_ok())
     };
     let mut cuboid = first(point, given, holds)?;
     let fraction = Number::from(fraction.clone());
@@ -194,11 +201,12 @@ fn grown<C: Coefficient>(
             }
         }
     }
-    match has_grown {
-        false => Ok(cuboid),
-        true => Err(NotProvable::Declined(format!(
+    if has_grown {
+        Err(NotProvable::Declined(format!(
             "the box grows without end; {ROUNDS} rounds were made"
-        ))),
+        )))
+    } else {
+        Ok(cuboid)
     }
 }
 
@@ -241,9 +249,10 @@ fn moved(cuboid: &Cuboid, axis: usize, is_high: bool, step: &Number) -> Cuboid {
     let mut moved = cuboid.clone();
     let side = &mut moved.sides[axis];
     let slack = Number::from(Rational::from_signeds(17, 16));
-    let (end, ends) = match is_high {
-        true => (&mut side.high, [step.clone(), step * &slack]),
-        false => (&mut side.low, [-step, -(step * &slack)]),
+    let (end, ends) = if is_high {
+        (&mut side.high, [step.clone(), step * &slack])
+    } else {
+        (&mut side.low, [-step, -(step * &slack)])
     };
     let [near, far] = ends.map(|step| &end.value + &step);
     let (low, high) = if near < far { (near, far) } else { (far, near) };

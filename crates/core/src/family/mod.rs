@@ -7,15 +7,19 @@
 //! | [`cleared`] | the same with denominators cleared, over one ring of coefficients |
 //! | [`conditions`] | signs of polynomials that have to hold on the box |
 //! | `hypotheses`, `angles`, `ratios` | the conditions of the hypotheses and of each statement |
+//! | `candidates` | the statements that imply a requirement |
 //! | [`tree`] | bisection of the box until the signs are known |
+//! | `zeros` | with one parameter, the exact zeros of signs that bisection leaves open |
 //! | [`examine`](mod@examine) | proved with a tree, refuted with a point, or declined |
 //! | `prove` | the certificate, and the kernel's word |
 //! | [`maximal`] | the largest interval or box around a point |
+//! | [`spans`] | enclosures of angles and ratios over the box |
 //! | [`free`] | a tiling becomes a family in which some coordinates vary |
 //!
 //! A claim about a family is about every point of the box, word for word as for a single tiling.
 
 pub mod angles;
+mod candidates;
 pub mod cleared;
 pub mod conditions;
 pub mod examine;
@@ -24,16 +28,21 @@ pub mod hypotheses;
 pub mod maximal;
 mod prove;
 pub mod ratios;
+pub mod spans;
 pub mod tree;
+mod zeros;
 
 pub use examine::{FamilyProof, NotProvable, examine};
 pub use prove::{FamilyNotProved, ProvedFamily, confirm, prove};
 pub use tree::Tree;
 
+use crate::quality::rounded_down;
 use crate::tiling::{Corner, Frame, SimplexId, Tiling};
+use acutile_exact::geometry::RingElement;
 use acutile_exact::number::Number;
 use acutile_exact::polynomial::text::EXPONENT_LIMIT;
 use acutile_exact::polynomial::{Cuboid, MOST_PARAMETERS, Polynomial, Side};
+use malachite::Rational;
 use std::fmt;
 
 /// A parameter and its interval.
@@ -90,6 +99,8 @@ pub enum FamilyError {
     Name(String),
     /// Two parameters have this name.
     SameName(String),
+    /// A parameter is named like the generator of the field in all sentences.
+    Generator,
     /// The lower end of this parameter's interval is above the upper end.
     Exchanged(String),
     /// The ends of this parameter's interval are equal.
@@ -119,6 +130,10 @@ impl fmt::Display for FamilyError {
                 LONGEST_NAME - 1
             ),
             FamilyError::SameName(name) => write!(f, "two parameters are named {name:?}"),
+            FamilyError::Generator => write!(
+                f,
+                "a parameter is named \"a\", as the root of the field is in a certificate; choose another name"
+            ),
             FamilyError::Exchanged(name) => write!(
                 f,
                 "box ends exchanged: the lower end of {name:?} is above the upper end; exchange them"
@@ -205,9 +220,10 @@ impl<const D: usize> Family<D> {
         gram.chain(domain).chain(self.vertices.iter().flatten())
     }
 
-    /// The member at a point.
+    /// The member at a point. Its field is that of the point where the family is rational.
     pub fn at(&self, point: &[Number]) -> Tiling<D> {
         let value = |p: &Polynomial| p.value(point);
+        let field = point.iter().find_map(Number::field);
         let gram = self.frame.gram.each_ref();
         let vertices = self
             .vertices
@@ -215,7 +231,7 @@ impl<const D: usize> Family<D> {
             .map(|vertex| vertex.each_ref().map(value));
         Tiling {
             frame: Frame {
-                field: self.frame.field.clone(),
+                field: field.unwrap_or(&self.frame.field).clone(),
                 gram: gram.map(|row| row.each_ref().map(value)),
                 domain: self.frame.domain.map(value),
             },
@@ -239,6 +255,9 @@ impl<const D: usize> Family<D> {
         for (k, Parameter { name, side }) in self.parameters.iter().enumerate() {
             if !is_name(name) {
                 return Err(FamilyError::Name(name.clone()));
+            }
+            if name == "a" && !self.frame.field.is_rationals() {
+                return Err(FamilyError::Generator);
             }
             if self.parameters[..k].iter().any(|other| other.name == *name) {
                 return Err(FamilyError::SameName(name.clone()));
@@ -268,9 +287,49 @@ fn is_name(name: &str) -> bool {
     is_first && name.len() <= LONGEST_NAME && characters.all(is_other)
 }
 
-/// A point as `c2 = 3, z = 1/16`.
+/// A box as `c2 in [8/3, 7/2), z in [1/16, 1/8]`.
+pub fn box_in_words(names: &[String], cuboid: &Cuboid) -> String {
+    let side = |(name, side): (&String, &Side)| format!("{name} in {side}");
+    let sides: Vec<String> = names.iter().zip(&cuboid.sides).map(side).collect();
+    sides.join(", ")
+}
+
+/// A point as `c2 = 3, z = 1/16`; a rational multiple of the generator of its field as `t = 1.414213562..., a root of
+/// t^2 - 2`.
 pub fn point_in_words(names: &[String], point: &[Number]) -> String {
-    let value = |(name, x): (&String, &Number)| format!("{name} = {x}");
-    let values: Vec<String> = names.iter().zip(point).map(value).collect();
+    let value = |(k, (name, x)): (usize, (&String, &Number))| match minimal_polynomial(x, k) {
+        Some(p) => format!("{name} = {}, a root of {}", decimals(x), p.shown(names)),
+        None => format!("{name} = {x}"),
+    };
+    let values: Vec<String> = names.iter().zip(point).enumerate().map(value).collect();
     values.join(", ")
+}
+
+/// For an irrational c a, with the generator a of its field and c in Q: the polynomial p(x / c) of the parameter
+/// x of this number, where p(a) = 0.
+fn minimal_polynomial(x: &Number, parameter: usize) -> Option<Polynomial> {
+    let field = x.field()?;
+    let [zero, c, rest @ ..] = x.coefficients() else {
+        return None;
+    };
+    if *c == 0 || *zero != 0 || rest.iter().any(|c| *c != 0) {
+        return None;
+    }
+    let over = Number::from(Rational::from(1) / c);
+    let x = Polynomial::parameter(parameter).map(|one: &Number| one * &over);
+    let coefficients = field.polynomial().iter().rev();
+    let sum = coefficients.fold(Polynomial::zero(), |sum, c| {
+        let c = Number::from(Rational::from(c));
+        sum.times(&x).plus(&Polynomial::constant(c))
+    });
+    Some(sum.reduced())
+}
+
+/// The first nine decimals, `1.414213562...`.
+pub fn decimals(x: &Number) -> String {
+    if x.sign().is_lt() {
+        return format!("-{}", decimals(&-x));
+    }
+    let (below, _) = x.enclosure(&Rational::from_signeds(1, 1_000_000_000_000i64));
+    format!("{}...", rounded_down(&below, 9))
 }

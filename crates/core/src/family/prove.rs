@@ -44,7 +44,7 @@ pub fn prove<const D: usize>(
 /// Writes the certificate of a proof, and asks the kernel.
 ///
 /// # Errors
-/// What the kernel refuses.
+/// The kernel's refusal.
 pub fn confirm<const D: usize>(
     family: &Family<D>,
     proof: &FamilyProof<D>,
@@ -67,7 +67,7 @@ impl ProvedFamily {
     /// Asks the kernel about a certificate in either encoding, and reads its family.
     ///
     /// # Errors
-    /// What the kernel refuses, or what cannot be read.
+    /// The kernel's refusal, or numbers that cannot be read.
     pub fn of_certificate(
         bytes: &[u8],
         limits: &Limits,
@@ -86,7 +86,7 @@ impl ProvedFamily {
         Ok((proved, read))
     }
 
-    /// What the kernel confirmed, alone.
+    /// The kernel's verdict alone.
     pub fn into_verified(self) -> Verified {
         self.verified
     }
@@ -96,7 +96,7 @@ impl ProvedFamily {
         &self.certificate
     }
 
-    /// What the kernel confirmed.
+    /// The kernel's verdict.
     pub fn verified(&self) -> &Verified {
         &self.verified
     }

@@ -27,9 +27,12 @@ pub fn add_bound<C: Coefficient, const D: usize>(
     for simplex in cleared.family.simplices() {
         // b |e|² - R² for all edges e.
         let slacks = slacks(cleared, simplex, bound, convert);
-        let beyond = |slack: &Polynomial<C>| match is_upper {
-            true => Atom::strict_if(is_strict, slack.clone()),
-            false => Atom::strict_if(is_strict, slack.negated()),
+        let beyond = |slack: &Polynomial<C>| {
+            if is_upper {
+                Atom::strict_if(is_strict, slack.clone())
+            } else {
+                Atom::strict_if(is_strict, slack.negated())
+            }
         };
         // The ratio is less than b if R² < b |e|² for all edges, and more if R² > b |e|² for one.
         if is_upper {
@@ -46,9 +49,10 @@ pub fn add_bound<C: Coefficient, const D: usize>(
         }));
     }
     if matches!(relation, Relation::Maximum | Relation::Minimum) {
-        match attained.is_empty() {
-            true => conditions.add_impossible(),
-            false => conditions.add_alternatives(attained),
+        if attained.is_empty() {
+            conditions.add_impossible()
+        } else {
+            conditions.add_alternatives(attained)
         }
     }
 }

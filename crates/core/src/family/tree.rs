@@ -3,15 +3,29 @@
 //! A sign that is proved on a box is proved on its halves, too: their Bernstein coefficients are
 //! averages of those of the box, and a coefficient of a face with a positive value is positive.
 
-use super::conditions::Conditions;
+use super::conditions::{Atom, Conditions};
 pub use crate::format::family::Tree;
 use acutile_exact::number::Number;
 use acutile_exact::polynomial::{Coefficient, Cuboid};
+use std::cell::Cell;
 
 /// A tree with more leaves is given up.
 pub const LEAF_LIMIT: usize = 4096;
 /// Cuts one after the other.
 pub const DEPTH_LIMIT: usize = 64;
+/// The most products of coefficients for a statement that is required.
+pub const COST_LIMIT: u64 = 400_000_000;
+
+/// The limits of a search for a tree.
+#[derive(Clone, Copy)]
+pub struct Effort<'r> {
+    /// The most leaves.
+    pub leaves: usize,
+    /// The most products of coefficients.
+    pub cost: u64,
+    /// Is given the number of leaves that are proved, and the part of the box that they are. Only for display.
+    pub report: &'r dyn Fn(usize, f64),
+}
 
 /// Why there is no tree.
 #[derive(Clone, Debug)]
@@ -19,7 +33,18 @@ pub enum NoTree {
     /// A condition does not hold at this point of the box.
     Violated(Vec<Number>),
     /// The signs on this box are not decided, and a limit is reached.
-    Undecided(Cuboid),
+    Undecided(Cuboid, Limit),
+}
+
+/// The limit that is reached.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Limit {
+    /// The number of leaves.
+    Leaves,
+    /// The number of cuts one after the other.
+    Depth,
+    /// The number of products of coefficients.
+    Cost,
 }
 
 impl Tree {
@@ -40,8 +65,7 @@ impl Tree {
     }
 }
 
-/// Cuts the leaves of `tree` further until the conditions are proved on all leaves, at most `limit`
-/// of them.
+/// Cuts the leaves of `tree` further until the conditions are proved on all leaves.
 ///
 /// # Errors
 /// A point at which a condition is violated, or a box that is not decided.
@@ -49,11 +73,14 @@ pub fn grow<C: Coefficient>(
     conditions: &Conditions<C>,
     cuboid: &Cuboid,
     tree: &Tree,
-    limit: usize,
+    effort: &Effort,
 ) -> Result<Tree, NoTree> {
     let mut growth = Growth {
         conditions,
-        budget: limit.saturating_sub(tree.leaves()),
+        effort,
+        budget: effort.leaves.saturating_sub(tree.leaves()),
+        cost: Cell::new(0),
+        proved: (0, 0.0),
         lengths: lengths(cuboid),
     };
     let open: Vec<&Vec<Vec<usize>>> = conditions.all().collect();
@@ -63,8 +90,13 @@ pub fn grow<C: Coefficient>(
 
 struct Growth<'c, C> {
     conditions: &'c Conditions<C>,
+    effort: &'c Effort<'c>,
     /// Leaves that may still be added.
     budget: usize,
+    /// The cost until now.
+    cost: Cell<u64>,
+    /// The leaves that are proved, and the part of the box that they are.
+    proved: (usize, f64),
     /// The lengths of the sides of the whole box.
     lengths: Vec<f64>,
 }
@@ -82,16 +114,19 @@ impl<C: Coefficient> Growth<'_, C> {
     ) -> Result<Tree, NoTree> {
         let (open, proved) = self.undecided(cuboid, open, proved);
         if open.is_empty() {
+            self.proved.0 += tree.leaves();
+            self.proved.1 += 0.5f64.powi(i32::try_from(depth).unwrap_or(i32::MAX));
+            (self.effort.report)(self.proved.0, self.proved.1);
             return Ok(tree.clone());
         }
         if let Some(point) = self.violation(cuboid, &open) {
             return Err(NoTree::Violated(point));
         }
+        if let Some(limit) = self.limit(tree, depth) {
+            return Err(NoTree::Undecided(cuboid.clone(), limit));
+        }
         let (axis, parts) = match tree {
             Tree::Halves(axis, parts) => (*axis, parts.clone()),
-            Tree::Leaf if self.budget == 0 || depth == DEPTH_LIMIT => {
-                return Err(NoTree::Undecided(cuboid.clone()));
-            }
             Tree::Leaf => {
                 self.budget -= 1;
                 let axis = self.best_axis(cuboid, &open, &proved);
@@ -102,6 +137,30 @@ impl<C: Coefficient> Growth<'_, C> {
         let low = self.grow(&low, &parts[0], &open, &proved, depth + 1)?;
         let high = self.grow(&high, &parts[1], &open, &proved, depth + 1)?;
         Ok(Tree::Halves(axis, Box::new([low, high])))
+    }
+
+    /// The limit that forbids to go on.
+    fn limit(&self, tree: &Tree, depth: usize) -> Option<Limit> {
+        match tree {
+            _ if self.is_spent() => Some(Limit::Cost),
+            Tree::Leaf if self.budget == 0 => Some(Limit::Leaves),
+            Tree::Leaf if depth == DEPTH_LIMIT => Some(Limit::Depth),
+            _ => None,
+        }
+    }
+
+    fn is_spent(&self) -> bool {
+        self.cost.get() > self.effort.cost
+    }
+
+    /// Counts the cost of a look at an atom, unless the limit is reached.
+    fn may_look(&self, atom: &Atom<C>, cuboid: &Cuboid) -> bool {
+        let may = !self.is_spent();
+        if may {
+            let cost = self.cost.get().saturating_add(atom.cost(cuboid));
+            self.cost.set(cost);
+        }
+        may
     }
 
     /// The conditions that are not proved on the box, and the atoms that are.
@@ -116,7 +175,8 @@ impl<C: Coefficient> Growth<'_, C> {
         for condition in open {
             let holds = Conditions::<C>::holds(condition, |number| {
                 *known[number].get_or_insert_with(|| {
-                    self.conditions.atoms[number].is_proved_on(cuboid) == Some(true)
+                    let atom = &self.conditions.atoms[number];
+                    self.may_look(atom, cuboid) && atom.is_proved_on(cuboid) == Some(true)
                 })
             });
             if !holds {
@@ -129,18 +189,47 @@ impl<C: Coefficient> Growth<'_, C> {
         )
     }
 
-    /// A corner of the box, or its centre, at which a condition does not hold.
+    /// A point of the box at which a condition does not hold: the centre, one with short numbers, or a corner.
     fn violation(&self, cuboid: &Cuboid, open: &Open) -> Option<Vec<Number>> {
-        let corners = match cuboid.sides.len() {
-            0..=MOST_SIDES => cuboid.corners(),
-            _ => Vec::new(),
-        };
-        let mut points = std::iter::once(cuboid.center()).chain(corners);
-        points.find(|point| {
-            open.iter().any(|condition| {
-                !Conditions::<C>::holds(condition, |k| self.conditions.atoms[k].holds_at(point))
-            })
-        })
+        let inner = std::iter::once(cuboid.center()).chain(cuboid.simple_point());
+        for point in inner {
+            let mut known = vec![None; self.conditions.atoms.len()];
+            let mut holds = |k: usize| {
+                *known[k].get_or_insert_with(|| self.conditions.atoms[k].holds_at(&point))
+            };
+            let all_hold = open
+                .iter()
+                .all(|condition| Conditions::<C>::holds(condition, &mut holds));
+            if !all_hold {
+                return Some(point);
+            }
+        }
+        let corner = self.violated_corner(cuboid, open)?;
+        cuboid.corners().into_iter().nth(corner)
+    }
+
+    /// The first corner at which a condition does not hold.
+    fn violated_corner(&self, cuboid: &Cuboid, open: &Open) -> Option<usize> {
+        if cuboid.sides.len() > MOST_SIDES {
+            return None;
+        }
+        let mut known: Vec<Option<Vec<bool>>> = vec![None; self.conditions.atoms.len()];
+        let corners = open.iter().filter_map(|condition| {
+            for &number in condition.iter().flatten() {
+                let atom = &self.conditions.atoms[number];
+                if known[number].is_none() && self.may_look(atom, cuboid) {
+                    known[number] = atom.holds_at_corners(cuboid);
+                }
+                known[number].as_ref()?;
+            }
+            let count = known[*condition.iter().flatten().next()?].as_ref()?.len();
+            let holds = |corner: usize| {
+                let atom = |k: usize| known[k].as_ref().is_none_or(|holds| holds[corner]);
+                Conditions::<C>::holds(condition, atom)
+            };
+            (0..count).find(|corner| !holds(*corner))
+        });
+        corners.min()
     }
 
     /// The side whose halves leave the fewest conditions undecided; of several the one that is the

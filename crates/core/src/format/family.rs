@@ -11,7 +11,9 @@ use std::io::{self, Write};
 /// A claim about all members of a family, and the witness for it.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct FamilyCertificate {
+    /// The claim alone defines the theorem.
     pub claim: FamilyClaim,
+    /// The data from which the kernel checks it.
     pub witness: FamilyWitness,
 }
 
@@ -27,15 +29,20 @@ pub struct FamilyClaim {
 /// A parameter and its interval.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Parameter {
+    /// The name, which polynomials use by its position.
     pub name: String,
+    /// The lower end.
     pub low: End,
+    /// The upper end.
     pub high: End,
 }
 
 /// An end of an interval.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct End {
+    /// Whether the interval leaves the end out.
     pub is_open: bool,
+    /// The number at the end.
     pub value: Fraction,
 }
 
@@ -46,7 +53,9 @@ pub struct Value(pub Vec<Term>);
 /// A coefficient and one exponent for each parameter.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Term {
+    /// The coefficient.
     pub coefficient: Number,
+    /// The exponents, in the order of the parameters.
     pub exponents: Vec<u8>,
 }
 
@@ -66,6 +75,7 @@ pub struct FamilyWitness {
     pub denominator: Integer,
     /// D numerators each.
     pub vertices: Vec<Vec<Value>>,
+    /// The division of the box into leaves.
     pub tree: Tree,
     /// D + 1 corners for each simplex, one simplex after the other.
     pub simplices: Vec<Corner>,

@@ -5,7 +5,8 @@
 //! has one JSON text. It decides nothing else: the kernel judges the CBOR.
 
 use super::cbor;
-pub use super::json_error::{JsonCode, JsonError};
+use super::json_error::Fault;
+pub use super::json_error::{JsonCode, JsonError, line_of_item};
 use super::print::{self, DEEPEST, Members, PrintError, RECORDS};
 use malachite::Integer;
 use std::collections::BTreeSet;
@@ -17,7 +18,7 @@ use std::str::FromStr;
 /// # Errors
 /// [`JsonError`] if the text is not the canonical JSON of some CBOR.
 pub fn to_cbor(json: &[u8]) -> Result<Vec<u8>, JsonError> {
-    transcribed(json, false)
+    transcribed(json, false).map_err(|fault| fault.within(json))
 }
 
 /// The CBOR of a claim file in JSON.
@@ -25,10 +26,10 @@ pub fn to_cbor(json: &[u8]) -> Result<Vec<u8>, JsonError> {
 /// # Errors
 /// As [`to_cbor`].
 pub fn claim_to_cbor(json: &[u8]) -> Result<Vec<u8>, JsonError> {
-    transcribed(json, true)
+    transcribed(json, true).map_err(|fault| fault.within(json))
 }
 
-fn transcribed(json: &[u8], is_claim_file: bool) -> Result<Vec<u8>, JsonError> {
+fn transcribed(json: &[u8], is_claim_file: bool) -> Result<Vec<u8>, Fault> {
     let mut reader = Reader {
         json,
         offset: 0,
@@ -37,7 +38,7 @@ fn transcribed(json: &[u8], is_claim_file: bool) -> Result<Vec<u8>, JsonError> {
         kind: None,
     };
     let read = reader.document();
-    let declined = |code, problem| JsonError {
+    let declined = |code, problem| Fault {
         code,
         offset: 0,
         problem,
@@ -56,7 +57,7 @@ fn transcribed(json: &[u8], is_claim_file: bool) -> Result<Vec<u8>, JsonError> {
 }
 
 /// Prints the CBOR again, and compares.
-fn check_canonical(json: &[u8], cbor: &[u8], members: Members) -> Result<(), JsonError> {
+fn check_canonical(json: &[u8], cbor: &[u8], members: Members) -> Result<(), Fault> {
     let mut comparison = Comparison {
         expected: json,
         offset: 0,
@@ -66,17 +67,17 @@ fn check_canonical(json: &[u8], cbor: &[u8], members: Members) -> Result<(), Jso
     let offset = comparison.offset;
     match printed {
         Ok(()) if offset == json.len() => Ok(()),
-        Err(PrintError::Write(_)) if comparison.is_other_shape => Err(JsonError {
+        Err(PrintError::Write(_)) if comparison.is_other_shape => Err(Fault {
             code: JsonCode::Json,
             offset,
             problem: "an array stands for a record, or a record for an array",
         }),
-        Ok(()) | Err(PrintError::Write(_)) => Err(JsonError {
+        Ok(()) | Err(PrintError::Write(_)) => Err(Fault {
             code: JsonCode::Canonical,
             offset,
             problem: "the text is not the canonical one",
         }),
-        Err(PrintError::Cbor(error)) => Err(JsonError {
+        Err(PrintError::Cbor(error)) => Err(Fault {
             code: JsonCode::Json,
             offset,
             problem: error.problem,
@@ -122,7 +123,7 @@ struct Reader<'j> {
 }
 
 impl<'j> Reader<'j> {
-    fn document(&mut self) -> Result<(), JsonError> {
+    fn document(&mut self) -> Result<(), Fault> {
         self.value(0)?;
         self.skip_space();
         if self.offset == self.json.len() {
@@ -132,8 +133,8 @@ impl<'j> Reader<'j> {
         }
     }
 
-    fn error(&self, problem: &'static str) -> JsonError {
-        JsonError {
+    fn error(&self, problem: &'static str) -> Fault {
+        Fault {
             code: JsonCode::Json,
             offset: self.offset,
             problem,
@@ -158,7 +159,7 @@ impl<'j> Reader<'j> {
         is_there
     }
 
-    fn value(&mut self, depth: usize) -> Result<(), JsonError> {
+    fn value(&mut self, depth: usize) -> Result<(), Fault> {
         if depth > DEEPEST {
             return Err(self.error("the arrays are nested too deeply"));
         }
@@ -168,9 +169,12 @@ impl<'j> Reader<'j> {
             Some(b'{') => self.record(depth),
             Some(b'"') => {
                 let text = self.string()?;
-                self.put(|cbor| match is_decimal(&text) {
-                    true => cbor::integer(cbor, &Integer::from_str(&text).unwrap_or_default()),
-                    false => cbor::text(cbor, &text),
+                self.put(|cbor| {
+                    if is_decimal(&text) {
+                        cbor::integer(cbor, &Integer::from_str(&text).unwrap_or_default())
+                    } else {
+                        cbor::text(cbor, &text)
+                    }
                 });
                 Ok(())
             }
@@ -188,7 +192,7 @@ impl<'j> Reader<'j> {
         let _ = write(&mut self.cbor);
     }
 
-    fn array(&mut self, depth: usize) -> Result<(), JsonError> {
+    fn array(&mut self, depth: usize) -> Result<(), Fault> {
         self.offset += 1;
         let start = self.cbor.len();
         let mut length = 0;
@@ -216,7 +220,7 @@ impl<'j> Reader<'j> {
         self.cbor.splice(start..start, head);
     }
 
-    fn record(&mut self, depth: usize) -> Result<(), JsonError> {
+    fn record(&mut self, depth: usize) -> Result<(), Fault> {
         let offset = self.offset;
         self.offset += 1;
         let start = self.cbor.len();
@@ -257,8 +261,8 @@ impl<'j> Reader<'j> {
     }
 
     /// The names are those of a record. Whether it stands in its place is seen in printing.
-    fn check_names(&self, names: &[String], offset: usize) -> Result<(), JsonError> {
-        let error = |code, problem| JsonError {
+    fn check_names(&self, names: &[String], offset: usize) -> Result<(), Fault> {
+        let error = |code, problem| Fault {
             code,
             offset,
             problem,
@@ -272,17 +276,18 @@ impl<'j> Reader<'j> {
             let expected: BTreeSet<&str> = members.iter().map(|(name, _)| *name).collect();
             expected == sorted
         };
-        Err(match RECORDS.iter().any(has_these) {
-            true => error(
+        Err(if RECORDS.iter().any(has_these) {
+            error(
                 JsonCode::Canonical,
                 "a member is repeated, or the order is another",
-            ),
-            false => error(JsonCode::Json, "the members are not those of a record"),
+            )
+        } else {
+            error(JsonCode::Json, "the members are not those of a record")
         })
     }
 
     /// A string of printable ASCII. Escapes are read, and are not canonical.
-    fn string(&mut self) -> Result<String, JsonError> {
+    fn string(&mut self) -> Result<String, Fault> {
         self.offset += 1;
         let mut text = String::new();
         loop {
@@ -299,7 +304,7 @@ impl<'j> Reader<'j> {
     }
 
     /// The character of the escape that begins here; the last byte of it is left.
-    fn escaped(&mut self) -> Result<char, JsonError> {
+    fn escaped(&mut self) -> Result<char, Fault> {
         self.offset += 1;
         match self.peek() {
             Some(byte @ (b'"' | b'\\' | b'/')) => Ok(char::from(byte)),
@@ -320,13 +325,13 @@ impl<'j> Reader<'j> {
     }
 
     /// An integer. `1.0` and `1e3` are integers, too, and not canonical.
-    fn number(&mut self) -> Result<Integer, JsonError> {
+    fn number(&mut self) -> Result<Integer, Fault> {
         let start = self.offset;
         let is_part = |byte: &u8| matches!(byte, b'0'..=b'9' | b'-' | b'+' | b'.' | b'e' | b'E');
         let length = self.json[start..].iter().take_while(|b| is_part(b)).count();
         self.offset += length;
         let text = std::str::from_utf8(&self.json[start..self.offset]).unwrap_or_default();
-        integer(text).ok_or(JsonError {
+        integer(text).ok_or(Fault {
             code: JsonCode::Json,
             offset: start,
             problem: "expected an integer",

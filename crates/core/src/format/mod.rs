@@ -11,12 +11,12 @@
 //! | [`json`] | JSON into CBOR, with the check that it is canonical |
 //! | `json_error` | why JSON is no certificate |
 //! | [`mod@print`] | CBOR into JSON; the claim file |
-//! | [`recognise`] | one function that tells the encodings apart |
+//! | [`recognise`] | one function that distinguishes the encodings |
 //!
 //! CBOR is the certificate: its digest is the certificate's digest. JSON is the same data for
 //! people. The typed writer and reader know CBOR only; JSON is transcribed, item by item.
 //!
-//! This module neither computes nor judges. What a certificate proves is decided by the kernel.
+//! This module neither computes nor judges. The kernel decides whether a certificate proves its claim.
 //! It leaves out the tiling: `transcribe` makes a certificate from one, and back.
 
 pub mod cbor;
@@ -118,6 +118,7 @@ pub struct Number(pub Vec<Integer>);
 /// An element of the field, in lowest terms.
 #[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub struct Fraction {
+    /// The coefficients of the numerator.
     pub numerator: Number,
     /// Positive.
     pub denominator: Integer,
@@ -204,6 +205,8 @@ pub enum Statement {
     LocallyDelaunay,
     /// The same, and the corner may lie on the circumsphere.
     LocallyWeaklyDelaunay,
+    /// Some vertex lies in the open circumball of a simplex.
+    NotDelaunay,
     /// D = 3, all of space: every edge is in 5 or 6 tetrahedra, and no triangle has two edges
     /// that are in 6.
     Tcp,
@@ -214,6 +217,7 @@ pub enum Statement {
 pub struct Plane {
     /// D integers with the greatest common divisor 1; the first one that is not zero is positive.
     pub normal: Vec<i32>,
+    /// The plane is normal · x = offset.
     pub offset: Integer,
     /// Positive; without a common divisor with the offset.
     pub denominator: Integer,

@@ -19,6 +19,7 @@ pub const KIND: &str = "patches";
 /// A claim about all tilings that a system of patches builds, and its patches.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Certificate {
+    /// The claim alone defines the theorem.
     pub claim: Claim,
     /// One patch for each tile.
     pub witness: Vec<Patch>,
@@ -27,39 +28,50 @@ pub struct Certificate {
 /// Over every mosaic of the tiles the patches build a tiling of space with the statements.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Claim {
+    /// The field of all numbers.
     pub field: Field,
     /// The upper triangle of the 3 × 3 Gram matrix, by rows.
     pub gram: Vec<Vec<Number>>,
     /// The rank r of the lattice: 1 or 2.
     pub rank: usize,
+    /// The tiles of the mosaics.
     pub tiles: Vec<Tile>,
+    /// The statements about every tiling that the patches build.
     pub statements: Vec<Statement>,
 }
 
 /// A convex polygon (r = 1) or a segment (r = 2), with a class for each side.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Tile {
+    /// Positive; coordinates are numerators over it.
     pub denominator: Integer,
     /// 3 - r numerators each.
     pub vertices: Vec<Vec<Number>>,
+    /// One integer for each side: its class.
     pub classes: Vec<i64>,
 }
 
 /// The tetrahedra and pyramids over a tile.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Patch {
+    /// Positive; coordinates are numerators over it.
     pub denominator: Integer,
     /// r numerators for each side.
     pub offsets: Vec<Vec<Number>>,
+    /// 3 numerators for each vertex.
     pub vertices: Vec<Vec<Number>>,
+    /// The pyramids on the sides.
     pub pyramids: Vec<Pyramid>,
+    /// The tetrahedra, each by its corners.
     pub simplices: Vec<[Corner; 4]>,
 }
 
 /// An apex over a polygon in a side.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Pyramid {
+    /// The apex.
     pub apex: Corner,
+    /// The corners of the polygon in the side, in order.
     pub polygon: Vec<Corner>,
 }
 

@@ -12,7 +12,7 @@ use std::io::{self, Write};
 /// The members of a record, in order, with the shapes of their values.
 pub type Members = &'static [(&'static str, Shape)];
 
-/// What decides whether an array is printed as a record.
+/// Decides whether an array is printed as a record.
 #[derive(Clone, Copy, Debug)]
 pub enum Shape {
     /// It is not.

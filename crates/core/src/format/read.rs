@@ -116,7 +116,7 @@ pub(super) fn dimension(items: &mut Items) -> Result<usize, CborError> {
     }
 }
 
-/// The Gram matrix, the domain and the statements; `read` reads what stands in the place of a
+/// The Gram matrix, the domain and the statements; `read` reads the value in the place of a
 /// number.
 pub(super) fn end_of_claim<V>(
     items: &mut Items,
@@ -285,7 +285,7 @@ fn plane(items: &mut Items) -> Result<Plane, CborError> {
 }
 
 /// The statements that are a text alone.
-const PLAIN: [Statement; 8] = [
+const PLAIN: [Statement; 9] = [
     Statement::FaceToFaceTiling,
     Statement::Acute,
     Statement::Nonobtuse,
@@ -293,6 +293,7 @@ const PLAIN: [Statement; 8] = [
     Statement::WeaklyDelaunay,
     Statement::LocallyDelaunay,
     Statement::LocallyWeaklyDelaunay,
+    Statement::NotDelaunay,
     Statement::Tcp,
 ];
 

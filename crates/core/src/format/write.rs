@@ -73,7 +73,7 @@ pub(super) fn begin(out: &mut impl Write, format: &str, kind: &str) -> io::Resul
     text(out, kind)
 }
 
-/// What stands in the place of a number.
+/// The values in the place of a number.
 pub trait Entry {
     /// Writes it.
     ///
@@ -257,6 +257,7 @@ impl Statement {
             Statement::WeaklyDelaunay => "weakly Delaunay",
             Statement::LocallyDelaunay => "locally Delaunay",
             Statement::LocallyWeaklyDelaunay => "locally weakly Delaunay",
+            Statement::NotDelaunay => "not Delaunay",
             Statement::Tcp => "TCP",
         }
     }

@@ -8,7 +8,7 @@
 //! the apex over it.
 
 use super::{Patch, Pyramid};
-use crate::tiling::{Corner, Plane, Polytope, Tiling, VertexId, difference, floor};
+use crate::tiling::{Corner, Plane, Polytope, Tiling, VertexId, cell_of, difference};
 use acutile_exact::geometry::{RingElement, Sign, Simplex};
 use acutile_exact::number::Number;
 use std::collections::BTreeSet;
@@ -23,6 +23,8 @@ pub enum DeriveError {
     Crossing,
     /// The tetrahedra around an axis form no cycle.
     Axis,
+    /// A point is more than [`CELL_LIMIT`](crate::tiling::CELL_LIMIT) cells away from the origin.
+    Far,
 }
 
 impl fmt::Display for DeriveError {
@@ -31,6 +33,7 @@ impl fmt::Display for DeriveError {
             DeriveError::Tile => "the tile is flat",
             DeriveError::Crossing => "a tetrahedron is neither in the tile nor around an axis",
             DeriveError::Axis => "the tetrahedra around an axis form no cycle",
+            DeriveError::Far => "a point is more than 2^29 cells away from the origin",
         })
     }
 }
@@ -141,9 +144,10 @@ impl Finder {
                 Sign::Greater => {}
             }
         }
-        match sides.is_empty() {
-            true => Place::Interior,
-            false => Place::Sides(sides),
+        if sides.is_empty() {
+            Place::Interior
+        } else {
+            Place::Sides(sides)
         }
     }
 
@@ -158,7 +162,13 @@ impl Finder {
             }
         }
         if outer.is_empty() {
-            let row = corners.each_ref().map(|corner| self.corner(corner));
+            let [a, b, c, d] = corners;
+            let row = [
+                self.corner(a)?,
+                self.corner(b)?,
+                self.corner(c)?,
+                self.corner(d)?,
+            ];
             self.rows.insert(seen_from_first(row));
             return Ok(());
         }
@@ -178,8 +188,7 @@ impl Finder {
                     .is_lt()
         });
         let side = *shared.ok_or(DeriveError::Crossing)?;
-        self.add_to_axis(side, apex, beyond, [one, other]);
-        Ok(())
+        self.add_to_axis(side, apex, beyond, [one, other])
     }
 
     fn add_to_axis(
@@ -188,10 +197,13 @@ impl Finder {
         apex: &[Number; 3],
         beyond: &[Number; 3],
         edge: [&[Number; 3]; 2],
-    ) {
-        let apex = self.corner(apex);
+    ) -> Result<(), DeriveError> {
+        let apex = self.corner(apex)?;
         let back = apex.shift.map(|s| -s);
-        let mut edge = edge.map(|x| self.corner(x).moved(back));
+        let mut edge = [
+            self.corner(edge[0])?.moved(back),
+            self.corner(edge[1])?.moved(back),
+        ];
         edge.sort_unstable();
         let beyond = std::array::from_fn(|k| &beyond[k] + &beyond[k].integer(i64::from(back[k])));
         let is_same =
@@ -207,11 +219,12 @@ impl Finder {
                 edges: BTreeSet::from([edge]),
             }),
         }
+        Ok(())
     }
 
     /// The corner at a point; a new vertex where there is none yet.
-    fn corner(&mut self, point: &[Number; 3]) -> Corner<3> {
-        let shift = std::array::from_fn(|k| if k < self.rank { floor(&point[k]) } else { 0 });
+    fn corner(&mut self, point: &[Number; 3]) -> Result<Corner<3>, DeriveError> {
+        let shift = cell_of(point, self.rank).ok_or(DeriveError::Far)?;
         let base: [Number; 3] =
             std::array::from_fn(|k| &point[k] - &point[k].integer(i64::from(shift[k])));
         let known = self.vertices.iter().position(|vertex| *vertex == base);
@@ -219,10 +232,10 @@ impl Finder {
             self.vertices.push(base);
             self.vertices.len() - 1
         });
-        Corner {
+        Ok(Corner {
             vertex: VertexId::at(vertex),
             shift,
-        }
+        })
     }
 
     fn position(&self, corner: &Corner<3>) -> [Number; 3] {
@@ -238,9 +251,10 @@ impl Finder {
     /// A sorted row, with the last two exchanged where that makes it positive.
     fn positive(&self, row: [Corner<3>; 4]) -> [Corner<3>; 4] {
         let [a, b, c, d] = row;
-        match self.is_positive(&row) {
-            true => row,
-            false => [a, b, d, c],
+        if self.is_positive(&row) {
+            row
+        } else {
+            [a, b, d, c]
         }
     }
 

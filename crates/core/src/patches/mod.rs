@@ -9,7 +9,7 @@ mod prove;
 mod read;
 mod words;
 
-pub use prove::{Theorem, certificate, prove};
+pub use prove::{Theorem, certificate, prove, prove_bounds};
 pub use words::in_words;
 
 use crate::tiling::{Corner, Domain, Frame, Polytope, Tiling};
@@ -18,11 +18,13 @@ use acutile_exact::number::{Field, Number};
 /// Tiles with their patches.
 #[derive(Clone, Debug)]
 pub struct System {
+    /// The field of all numbers.
     pub field: Field,
     /// Inner products of b_1, b_2, b_3.
     pub gram: [[Number; 3]; 3],
     /// The rank r of the lattice that b_1, …, b_r span: 1 or 2.
     pub rank: usize,
+    /// The tiles of the mosaics.
     pub tiles: Vec<Tile>,
 }
 
@@ -33,6 +35,7 @@ pub struct Tile {
     pub corners: Vec<Vec<Number>>,
     /// The class of each side.
     pub classes: Vec<i64>,
+    /// The cells over the tile.
     pub patch: Patch,
 }
 
@@ -41,16 +44,20 @@ pub struct Tile {
 pub struct Patch {
     /// A vector of the span of the lattice for each side.
     pub offsets: Vec<Vec<Number>>,
+    /// The vertices, in coordinates of the basis.
     pub vertices: Vec<[Number; 3]>,
     /// Positively oriented.
     pub simplices: Vec<[Corner<3>; 4]>,
+    /// The pyramids on the sides.
     pub pyramids: Vec<Pyramid>,
 }
 
 /// An apex over a polygon in a side. (h_0, h_1, h_2, apex) is positive.
 #[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub struct Pyramid {
+    /// The apex.
     pub apex: Corner<3>,
+    /// The corners h_0, h_1, … of the polygon, in order.
     pub polygon: Vec<Corner<3>>,
 }
 

@@ -3,8 +3,8 @@
 use super::{Patch, System, Tile};
 use crate::format::patches as format;
 use crate::predicates::Model;
-use crate::proved::NotProved;
-use crate::quality::{DihedralAngle, exact_ranges};
+use crate::proved::{NotProved, hexadecimal};
+use crate::quality::{DihedralAngle, Ranges, exact_ranges};
 use crate::statement::{Relation, Statement};
 use crate::tiling::{Corner, Tiling};
 use crate::transcribe::Written;
@@ -27,14 +27,19 @@ impl Theorem {
         &self.certificate
     }
 
-    /// What the kernel confirmed.
+    /// The kernel's verdict.
     pub fn verified(&self) -> &Verified {
         &self.verified
     }
 
-    /// What the kernel confirmed, alone.
+    /// The kernel's verdict alone.
     pub fn into_verified(self) -> Verified {
         self.verified
+    }
+
+    /// The SHA-256 of the certificate, in hexadecimal digits.
+    pub fn sha256(&self) -> String {
+        hexadecimal(&self.verified.sha256)
     }
 
     /// The statements of the claim.
@@ -48,7 +53,40 @@ impl Theorem {
 /// # Errors
 /// [`NotProved::Unconfirmed`] if the kernel refuses the certificate.
 pub fn prove(system: &System, limits: &Limits) -> Result<Theorem, NotProved> {
-    let statements = statements(system);
+    confirm(system, statements(system), limits)
+}
+
+/// Proves that all cells over all mosaics have their angles and ratios in these ranges.
+///
+/// # Errors
+/// As [`prove`]; a cell may be out of a range.
+pub fn prove_bounds(
+    system: &System,
+    ranges: &Ranges,
+    limits: &Limits,
+) -> Result<Theorem, NotProved> {
+    let Ranges {
+        radius_edge,
+        smallest_dihedral,
+        largest_dihedral,
+    } = ranges;
+    let statements = vec![
+        Statement::FaceToFaceTiling,
+        Statement::LargestAngle(Relation::AtMost, largest_dihedral.max.clone()),
+        Statement::LargestAngle(Relation::AtLeast, largest_dihedral.min.clone()),
+        Statement::SmallestAngle(Relation::AtMost, smallest_dihedral.max.clone()),
+        Statement::SmallestAngle(Relation::AtLeast, smallest_dihedral.min.clone()),
+        Statement::RadiusEdge(Relation::AtMost, radius_edge.max.clone()),
+        Statement::RadiusEdge(Relation::AtLeast, radius_edge.min.clone()),
+    ];
+    confirm(system, statements, limits)
+}
+
+fn confirm(
+    system: &System,
+    statements: Vec<Statement>,
+    limits: &Limits,
+) -> Result<Theorem, NotProved> {
     let certificate = format::to_bytes(&certificate(system, &statements));
     let verified = verify(&mut certificate.as_slice(), limits)
         .map_err(|refusal| NotProved::Unconfirmed(Box::new(refusal)))?;

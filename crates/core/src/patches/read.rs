@@ -14,7 +14,7 @@ impl Theorem {
     /// Asks the kernel about a certificate in either encoding, and reads its system.
     ///
     /// # Errors
-    /// What the kernel refuses, or what cannot be read.
+    /// The kernel's refusal, or numbers that cannot be read.
     pub fn of_certificate(bytes: &[u8], limits: &Limits) -> Result<(Theorem, System), NotProved> {
         let cbor = formats::to_cbor(bytes).map_err(NotProved::Json)?;
         let verified = verify(&mut &cbor[..], limits)

@@ -5,7 +5,7 @@
 //! **Values.** Let m be the largest entry of the computed edges, and delta = r m. The
 //! exact edges are at most (1 + r) m. One part of a predicate is homogeneous of degree k, and
 //! doubles scale by powers of two without rounding, hence the error of a value is
-//! at most m^k E(r), where E(r) is what the text of the predicate gives over
+//! at most m^k E(r), where E(r) is the value of the predicate over
 //! [`Bound`]s for edges of size 1 + r with error r. E is a polynomial in r with
 //! coefficients that are not negative, hence convex, and for r <= R = 2^-20
 //! E(r) <= E(0) + r (E(R) - E(0)) / R.
@@ -31,7 +31,9 @@ use std::hint::black_box;
 /// A number of the metric as a double, with a bound of its error.
 #[derive(Clone, Copy, Debug)]
 pub struct Rounded {
+    /// An approximation.
     pub value: f64,
+    /// A bound of the absolute error.
     pub error: f64,
 }
 
@@ -61,7 +63,7 @@ impl Rounded {
     }
 }
 
-/// What a predicate's filter needs to know.
+/// The data of a predicate's filter.
 #[derive(Clone, Debug)]
 pub struct Filter<const D: usize> {
     metric: Metric<f64, D>,
@@ -212,7 +214,7 @@ impl<const D: usize> Filter<D> {
     }
 }
 
-/// The signs beyond the thresholds, and what says whether they are proved.
+/// The signs beyond the thresholds, and the evidence that they are proved.
 #[derive(Clone, Copy, Default)]
 struct Judged {
     signs: Signs,

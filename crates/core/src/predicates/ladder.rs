@@ -20,7 +20,7 @@ use malachite::base::num::basic::traits::Zero;
 use malachite::base::num::conversion::traits::RoundingFrom;
 use malachite::base::rounding_modes::RoundingMode;
 
-/// A ring over 128 bits, and what it is lifted to.
+/// A ring over 128 bits, and the ring that it is lifted to.
 pub trait Base: Scalar {
     /// Over 128 bits, factors 64.
     type Narrow: Scalar + Lift<Self>;
@@ -40,7 +40,7 @@ pub trait Base: Scalar {
     fn size(value: &Self::Big) -> Self::Size;
     /// Coefficients of at most this size, in the ring of `like`.
     fn given(size: f64, like: &Self::Size) -> Self::Size;
-    /// What must fit for a value and its sign.
+    /// The sizes that must fit for a value and its sign.
     fn need(value: &Self::Size) -> Need;
     /// A value as x + y √d, y = 0 over the integers.
     fn narrow_coefficients(value: Self::Narrow) -> [I512; 2];
@@ -333,7 +333,7 @@ fn narrowed<B: Base, const D: usize>(big: &Metric<B::Big, D>) -> Option<Metric<B
     Some(map_metric(&options, |x| x.clone().unwrap_or(zero.clone())))
 }
 
-/// What must fit for edges and a point with coefficients of at most 2^bits.
+/// The sizes that must fit for edges and a point with coefficients of at most 2^bits.
 fn need<B: Base, P: Predicate<D>, const D: usize>(
     predicate: &P,
     metric: &Metric<B::Size, D>,

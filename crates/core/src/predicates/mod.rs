@@ -7,7 +7,7 @@
 //! | [`filter`] | values in doubles with a proved error: in front of all else |
 //! | [`ring`] | the cleared coordinates, and the edges of a simplex in them |
 //! | [`binary`] | doubles as integers in one binary unit |
-//! | [`ladder`] | integers as wide as the bounds ask for: the exact values behind |
+//! | [`ladder`] | integers as wide as the bounds require, for the signs that the filter leaves open |
 //! | [`model`] | a tiling made ready; both together |
 //! | [`shapes`] | orientation and right angles of all simplices, in one pass |
 //! | [`pairs`] | the in-sphere predicate for all pairs of neighbours |
@@ -15,7 +15,7 @@
 //! | `vectors` | the vectors of a simplex from its first corner |
 //! | [`volume`] | the sum of the determinants |
 //!
-//! A filter returns a sign that it proves, or none; what it leaves open is decided
+//! A filter returns a sign that it proves, or none. The others are decided
 //! exactly.
 
 pub mod binary;

@@ -87,7 +87,7 @@ impl<'a, const D: usize> Model<'a, D> {
         }
     }
 
-    /// What `work` makes of the simplices, a chunk of them at a time, on all cores.
+    /// The results of `work` for the simplices, a chunk of them at a time, on all cores.
     pub fn by_chunks<T: Send + Sync>(&self, work: impl Fn(Range<usize>) -> T + Sync) -> Vec<T> {
         parallel::by_chunks(self.tiling.len(), CHUNK, work)
     }
@@ -359,9 +359,10 @@ fn rounded<const D: usize>(metric: &Metric<Number, D>) -> Metric<Rounded, D> {
     let entries = metric.gram.iter().flatten().map(|x| x.approximate().abs());
     let largest = entries.fold(0.0, f64::max);
     // Beyond 2^200 there is no filter.
-    let scale = match (2f64.powi(20)..2f64.powi(200)).contains(&largest) {
-        true => -(largest.log2().floor() as i32),
-        false => 0,
+    let scale = if (2f64.powi(20)..2f64.powi(200)).contains(&largest) {
+        -(largest.log2().floor() as i32)
+    } else {
+        0
     };
     let matrix = |rows: &[[Number; D]; D], scale: i32| {
         rows.each_ref()

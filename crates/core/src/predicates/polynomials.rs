@@ -16,7 +16,7 @@ pub struct Metric<S, const D: usize> {
     pub gram: [[S; D]; D],
     /// Its adjugate, which measures covectors.
     pub cogram: [[S; D]; D],
-    /// What [`Predicate::constants`] gives.
+    /// The type of [`Predicate::constants`].
     pub constants: Vec<S>,
 }
 

@@ -2,7 +2,7 @@
 
 use super::{Model, Orientation};
 use crate::tiling::dimension::same;
-use crate::tiling::{Corner, Frame, SimplexId, Tiling, floor};
+use crate::tiling::{Corner, Frame, SimplexId, Tiling, cell_of};
 use acutile_exact::number::Number;
 use std::collections::BTreeMap;
 
@@ -10,7 +10,8 @@ impl<const D: usize> Tiling<D> {
     /// The tiling of these simplices, D + 1 positions each, in basis coordinates.
     /// Positions that differ by a lattice vector become one vertex, decided exactly;
     /// it is the one with 0 <= x < 1 in the directions of the lattice. Simplices that
-    /// are negatively oriented get their last two corners exchanged.
+    /// are negatively oriented get their last two corners exchanged. A position more than
+    /// [`CELL_LIMIT`](crate::tiling::CELL_LIMIT) cells away becomes a vertex as it is.
     pub fn from_positions(frame: Frame<D>, simplices: &[Vec<[Number; D]>]) -> Self {
         let rank = frame.rank();
         let mut indices: BTreeMap<[Number; D], u32> = BTreeMap::new();
@@ -70,9 +71,9 @@ fn negative<const D: usize>(tiling: &Tiling<D>) -> Vec<SimplexId> {
         .failing(|signs| signs.none_negative())
 }
 
-/// A position as a vertex of the cell and a lattice vector.
+/// A position as a vertex of the cell and a lattice vector. One beyond the limit of cells stays.
 fn split<const D: usize>(position: &[Number; D], rank: usize) -> ([Number; D], [i32; D]) {
-    let shift: [i32; D] = std::array::from_fn(|k| if k < rank { floor(&position[k]) } else { 0 });
+    let shift = cell_of(position, rank).unwrap_or([0; D]);
     let vertex =
         std::array::from_fn(|k| &position[k] - &Number::from(malachite::Rational::from(shift[k])));
     (vertex, shift)

@@ -20,26 +20,40 @@ use malachite::{Integer, Natural, Rational};
 #[derive(Clone, Debug)]
 pub enum Ring<'a, const D: usize> {
     /// Z, coordinates less than 2^62.
-    Integers { vertices: &'a [[i64; D]], unit: i64 },
+    Integers {
+        /// D coordinates for each vertex.
+        vertices: &'a [[i64; D]],
+        /// The length of a lattice step.
+        unit: i64,
+    },
     /// Z, coordinates and unit less than 2^95.
     Long {
+        /// D coordinates for each vertex.
         vertices: Vec<[i128; D]>,
+        /// The length of a lattice step.
         unit: i128,
     },
     /// Z, times a power of two for all simplices or one for each.
     Doubles {
+        /// D coordinates for each vertex.
         points: &'a [[f64; D]],
+        /// The power of two for all simplices; `None` for one in each simplex.
         exponent: Option<i32>,
     },
     /// Z[√d]: x + y √d for each coordinate [x, y], less than 2^62.
     Quadratic {
+        /// D coordinates [x, y] for each vertex.
         vertices: Vec<[[i64; 2]; D]>,
+        /// The length of a lattice step.
         unit: i64,
+        /// The square root of d.
         root: SquareRoot,
     },
     /// The field.
     Numbers {
+        /// D coordinates for each vertex.
         vertices: Vec<[Number; D]>,
+        /// The length of a lattice step.
         unit: Number,
     },
 }
@@ -134,9 +148,10 @@ impl<'a, const D: usize> Ring<'a, D> {
         }
         let vertices = tiling.vertices.to_numbers();
         let unit = Number::common_denominator(vertices.iter().flatten());
-        let narrow = match is_metric_rational {
-            true => long(&vertices, &unit),
-            false => None,
+        let narrow = if is_metric_rational {
+            long(&vertices, &unit)
+        } else {
+            None
         };
         narrow
             .or_else(|| quadratic(&vertices, &unit, SquareRoot::of(&tiling.frame.field)?))

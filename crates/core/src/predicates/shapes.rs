@@ -15,7 +15,7 @@ pub struct Shapes {
 }
 
 impl Shapes {
-    /// Adds a simplex by what fails.
+    /// Adds a simplex by the conditions that fail.
     #[cold]
     pub(super) fn add(&mut self, simplex: SimplexId, is_positive: bool, angles: Signs) {
         if !is_positive {

@@ -47,7 +47,7 @@ impl<const D: usize> Prepared<'_, Orientation, D> {
 
 /// A sum of determinants: x + y √d in units of 2^(D e) for exponents e, and numbers.
 struct Total {
-    /// What has been summed since the exponent changed last.
+    /// The sum since the exponent changed last.
     current: (i32, [I512; 2]),
     sums: BTreeMap<i32, [Integer; 2]>,
     numbers: Number,

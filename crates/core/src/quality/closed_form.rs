@@ -5,18 +5,13 @@
 //! of square roots for the multiples of 15, 18 and 22.5 degrees, and each is
 //! recognised by the polynomial that s is a root of.
 
-use acutile_exact::number::Number;
+use acutile_exact::number::{Number, radical};
 use malachite::Rational;
 use malachite::base::num::arithmetic::traits::CheckedSqrt;
 
 /// √square as a text.
 pub fn root(square: &Number) -> Option<String> {
-    let square = square.to_rational()?;
-    Some(match square.checked_sqrt() {
-        Some(root) => root.to_string(),
-        None if *square.denominator_ref() == 1u32 => format!("√{square}"),
-        None => format!("√({square})"),
-    })
+    square.to_rational().map(radical::root)
 }
 
 /// √square where it is rational.
@@ -40,9 +35,10 @@ pub fn angle(signed_square: &Number) -> Option<String> {
 }
 
 fn degrees_text(degrees: &Rational) -> String {
-    match *degrees.denominator_ref() == 1u32 {
-        true => degrees.to_string(),
-        false => super::decimal::rounded_down(degrees, 1),
+    if *degrees.denominator_ref() == 1u32 {
+        degrees.to_string()
+    } else {
+        super::decimal::rounded_down(degrees, 1)
     }
 }
 
@@ -72,9 +68,10 @@ const KNOWN: [Known; 13] = [
 pub fn whole_degrees(signed_square: &Number) -> Option<Rational> {
     let square = signed_square.abs();
     let acute = known_degrees(&square).or_else(|| odd_multiple_of_nine(&square))?;
-    Some(match signed_square.sign().is_lt() {
-        true => Rational::from(180) - acute,
-        false => acute,
+    Some(if signed_square.sign().is_lt() {
+        Rational::from(180) - acute
+    } else {
+        acute
     })
 }
 

@@ -12,24 +12,28 @@ pub fn short_decimal(number: &Number) -> String {
 }
 
 /// Nine decimals where that shows enough, else as [`short_decimal`].
-fn plain_decimal(number: &Number) -> String {
-    let value = number.approximate();
-    match (1e-3..1e9).contains(&value.abs()) {
-        true => format!("{value:.9}"),
-        false => short_decimal(number),
+pub fn plain_decimal(value: f64) -> String {
+    if (1e-3..1e9).contains(&value.abs()) {
+        format!("{value:.9}")
+    } else {
+        format!("{value:.6e}")
     }
 }
 
-/// A point as `(1/2, 0, about 3.141592654)`: exact where that is short.
-pub fn short_point(point: &[Number]) -> String {
-    let coordinate = |x: &Number| {
-        let exact = x.to_string();
-        match exact.len() {
-            0..=24 => exact,
-            _ => format!("about {}", plain_decimal(x)),
-        }
-    };
-    let coordinates: Vec<String> = point.iter().map(coordinate).collect();
+/// `1/2`, or `about 3.141592654`: exact where that is short or wanted.
+pub fn short_number(number: &Number, is_exact: bool) -> String {
+    let exact = number.to_string();
+    match exact.len() {
+        0..=24 => exact,
+        _ if is_exact => exact,
+        _ => format!("about {}", plain_decimal(number.approximate())),
+    }
+}
+
+/// A point as `(1/2, 0, about 3.141592654)`.
+pub fn short_point(point: &[Number], is_exact: bool) -> String {
+    let number = |x: &Number| short_number(x, is_exact);
+    let coordinates: Vec<String> = point.iter().map(number).collect();
     format!("({})", coordinates.join(", "))
 }
 
@@ -44,17 +48,17 @@ pub fn decimal_range((lower, upper): &(Rational, Rational)) -> String {
     }
 }
 
-/// The largest decimal with so many digits behind the point that is at most `value`.
+/// The largest decimal with `digits` digits after the point that is at most `value`.
 pub fn rounded_down(value: &Rational, digits: u64) -> String {
     decimal(&(value * power_of_ten(digits)).floor(), digits)
 }
 
-/// The smallest decimal with so many digits behind the point that is at least `value`.
+/// The smallest decimal with `digits` digits after the point that is at least `value`.
 pub fn rounded_up(value: &Rational, digits: u64) -> String {
     decimal(&(value * power_of_ten(digits)).ceiling(), digits)
 }
 
-/// The nearest decimal with so many digits behind the point; of two the larger one
+/// The nearest decimal with `digits` digits after the point; of two the larger one
 /// in absolute value.
 pub fn rounded_nearest(value: &Rational, digits: u64) -> String {
     let doubled = value * power_of_ten(digits) * Rational::from(2);

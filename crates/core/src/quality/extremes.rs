@@ -86,7 +86,7 @@ fn best<T: Clone>(first: &T, others: Vec<T>, better: impl Fn(T, T) -> T) -> T {
 
 /// Doubles closer than this, relatively, are compared exactly.
 const SLACK: f64 = 1e-9;
-/// So many candidates are compared exactly; others are found afterwards if they are better.
+/// The most candidates that are compared exactly. Others are found afterwards if they are better.
 const CANDIDATES: usize = 1 << 10;
 
 /// Simplices that seem to have an extreme value; those with equal edges once.

@@ -1,4 +1,4 @@
-//! Radius-edge ratios and dihedral angles as exact objects: each is held by a
+//! Radius-edge ratios and dihedral angles as exact objects: each is determined by a
 //! number of the field from which it follows, so that two of them are compared
 //! exactly and enclosed as tightly as asked.
 

@@ -18,13 +18,16 @@ pub struct Measures {
 /// The smallest and the largest of several values.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Range<T> {
+    /// The smallest value.
     pub min: T,
+    /// The largest value.
     pub max: T,
 }
 
 /// The six figures of a row of Table 1.
 #[derive(Clone, Debug)]
 pub struct Ranges {
+    /// Circumradius over shortest edge.
     pub radius_edge: Range<RadiusEdge>,
     /// Over the simplices, of the smallest dihedral angle of each.
     pub smallest_dihedral: Range<DihedralAngle>,

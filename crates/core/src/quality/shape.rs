@@ -41,6 +41,17 @@ pub fn shapes<const D: usize>(tiling: &Tiling<D>) -> Vec<Shape> {
     shapes
 }
 
+/// The index of the class of each of `count` simplices.
+pub fn kinds(shapes: &[Shape], count: usize) -> Vec<usize> {
+    let mut kinds = vec![0; count];
+    for (kind, shape) in shapes.iter().enumerate() {
+        for member in &shape.members {
+            kinds[member.index()] = kind;
+        }
+    }
+    kinds
+}
+
 /// Squared lengths of the edges 01, 02, …, 12, … of a simplex.
 pub fn squared_edges<const D: usize>(tiling: &Tiling<D>, simplex: SimplexId) -> Vec<Number> {
     let corners: Vec<[Number; D]> = tiling
@@ -57,7 +68,7 @@ pub fn squared_edges<const D: usize>(tiling: &Tiling<D>, simplex: SimplexId) -> 
     squares
 }
 
-/// The normal form of a simplex with so many corners and these squared edges 01, 02, …:
+/// The normal form of a simplex with this number of corners and these squared edges 01, 02, …:
 /// equal exactly for congruent simplices.
 pub fn congruence_form(edges: &[Number], corners: usize) -> Vec<Number> {
     normal_form(edges, corners, &permutations(corners))

@@ -1,14 +1,14 @@
 //! Statements about a tiling, with exact bounds in the tiling's field.
 //!
 //! The prover makes them, certificates carry them ([`crate::transcribe`]), and `words` writes
-//! them for people. [`Requirement`] is what a user asks for; the prover answers with a statement
+//! them for people. [`Requirement`] is a user's request; the prover answers with a statement
 //! that implies it.
 
 mod requirement;
 mod words;
 
-pub use requirement::Requirement;
-pub use words::{in_words, summary};
+pub use requirement::{Requirement, contradiction};
+pub use words::{counted, in_words, summary};
 
 mod plane;
 
@@ -44,6 +44,8 @@ pub enum Statement {
     LocallyDelaunay,
     /// The same, and it may lie on the circumsphere.
     LocallyWeaklyDelaunay,
+    /// Some vertex lies in the open circumball of a simplex.
+    NotDelaunay,
     /// Tetrahedrally close packed.
     Tcp,
 }

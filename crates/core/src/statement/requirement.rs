@@ -1,4 +1,4 @@
-//! What a user asks a tiling to be.
+//! The statements that a user can require of a tiling.
 
 use super::plane::{self, Plane};
 use acutile_exact::number::parse_rational;
@@ -25,6 +25,8 @@ pub enum Requirement {
     Delaunay,
     /// `weakly-delaunay`; of a region, locally.
     WeaklyDelaunay,
+    /// `not-delaunay`: some vertex is inside of a circumsphere.
+    NotDelaunay,
     /// `plane:EQUATION`, like `plane:x2+x3=1/2`: no simplex crosses it.
     UncrossedPlane(Plane),
     /// `tcp`
@@ -39,12 +41,12 @@ pub enum Requirement {
 
 /// The words that are known. Shells treat `<` and `>` as redirections, so each bound has a form
 /// without them.
-const EXPECTED: &str = "expected acute, nonobtuse, delaunay, weakly-delaunay, tcp, tiling, \
+const EXPECTED: &str = "expected acute, nonobtuse, delaunay, weakly-delaunay, not-delaunay, tcp, tiling, \
                         dihedral-below=DEGREES, dihedral-above=DEGREES, radius-edge-below=RATIO, \
                         plane:EQUATION like plane:x2+x3=1/2, \
                         connected, no-cavities or manifold-boundary";
 
-/// The ways to begin a bound, and what its number means.
+/// The ways to begin a bound, and the meaning of its number.
 const BOUNDS: [(&str, Bound); 6] = [
     ("dihedral<", Bound::DihedralBelow),
     ("dihedral-below=", Bound::DihedralBelow),
@@ -81,6 +83,7 @@ impl FromStr for Requirement {
             "nonobtuse" => return Ok(Requirement::Nonobtuse),
             "delaunay" => return Ok(Requirement::Delaunay),
             "weakly-delaunay" => return Ok(Requirement::WeaklyDelaunay),
+            "not-delaunay" => return Ok(Requirement::NotDelaunay),
             "tcp" => return Ok(Requirement::Tcp),
             "connected" => return Ok(Requirement::Connected),
             "no-cavities" => return Ok(Requirement::NoCavities),
@@ -98,9 +101,32 @@ impl FromStr for Requirement {
     }
 }
 
+/// Two requirements that no tiling fulfils together.
+pub fn contradiction(required: &[Requirement]) -> Option<(&Requirement, &Requirement)> {
+    let pairs = required
+        .iter()
+        .flat_map(|x| required.iter().map(move |y| (x, y)));
+    pairs.into_iter().find(|(x, y)| excludes(x, y))
+}
+
+/// Whether x excludes y. A lower bound for angles excludes an upper bound that is not above it.
+fn excludes(x: &Requirement, y: &Requirement) -> bool {
+    use Requirement::{Acute, Delaunay, DihedralAbove, DihedralBelow, Nonobtuse};
+    use Requirement::{NotDelaunay, WeaklyDelaunay};
+    match (x, y) {
+        (Delaunay | WeaklyDelaunay, NotDelaunay) => true,
+        (Acute | Nonobtuse, DihedralAbove(low)) => *low >= 90,
+        (DihedralBelow(high), DihedralAbove(low)) => low >= high,
+        _ => false,
+    }
+}
+
 /// A positive number, at most `largest`.
 fn bound(text: &str, largest: Option<u8>) -> Result<Rational, String> {
-    let bound = parse_rational(text).map_err(|error| error.to_string())?;
+    let bound = parse_rational(text).map_err(|error| match error.is_limit() {
+        true => error.to_string(),
+        false => format!("found {text:?}, expected a number like 90, 78.5 or 157/2"),
+    })?;
     if bound <= 0 {
         return Err(format!("found {text}, expected more than 0"));
     }
@@ -123,6 +149,7 @@ impl fmt::Display for Requirement {
             Requirement::RadiusEdgeBelow(bound) => write!(f, "radius-edge<{bound}"),
             Requirement::Delaunay => write!(f, "delaunay"),
             Requirement::WeaklyDelaunay => write!(f, "weakly-delaunay"),
+            Requirement::NotDelaunay => write!(f, "not-delaunay"),
             Requirement::UncrossedPlane(plane) => write!(f, "plane:{plane}"),
             Requirement::Tcp => write!(f, "tcp"),
             Requirement::Connected => write!(f, "connected"),

@@ -13,24 +13,30 @@ pub fn in_words(statement: &Statement, dimension: usize) -> String {
         Statement::FaceToFaceTiling => format!("a tiling, {}", names.how),
         Statement::Acute => format!("all {} are acute", names.angles),
         Statement::Nonobtuse => format!("no {} is obtuse", names.angle),
-        Statement::LargestAngle(relation, angle) => match is_upper(*relation) {
-            true => format!("all {} are {}", names.angles, bound(*relation, angle)),
-            false => format!(
-                "the largest {} of every {} is {}",
-                names.angle,
-                names.simplex,
-                bound(*relation, angle)
-            ),
-        },
-        Statement::SmallestAngle(relation, angle) => match is_upper(*relation) {
-            true => format!(
-                "the smallest {} of every {} is {}",
-                names.angle,
-                names.simplex,
-                bound(*relation, angle)
-            ),
-            false => format!("all {} are {}", names.angles, bound(*relation, angle)),
-        },
+        Statement::LargestAngle(relation, angle) => {
+            if is_upper(*relation) {
+                format!("all {} are {}", names.angles, bound(*relation, angle))
+            } else {
+                format!(
+                    "the largest {} of every {} is {}",
+                    names.angle,
+                    names.simplex,
+                    bound(*relation, angle)
+                )
+            }
+        }
+        Statement::SmallestAngle(relation, angle) => {
+            if is_upper(*relation) {
+                format!(
+                    "the smallest {} of every {} is {}",
+                    names.angle,
+                    names.simplex,
+                    bound(*relation, angle)
+                )
+            } else {
+                format!("all {} are {}", names.angles, bound(*relation, angle))
+            }
+        }
         Statement::RadiusEdge(relation, ratio) => format!(
             "every circumradius over the shortest edge of its {} is {}",
             names.simplex,
@@ -51,6 +57,10 @@ pub fn in_words(statement: &Statement, dimension: usize) -> String {
                 names.facet
             )
         }
+        Statement::NotDelaunay => format!(
+            "it is no Delaunay triangulation of its vertices: one of them is inside of the {} of a {}",
+            names.sphere, names.simplex
+        ),
         Statement::Tcp => "it is tetrahedrally close packed: every edge is in 5 or 6 tetrahedra, \
                            and no triangle has two edges that are in 6"
             .to_owned(),
@@ -89,7 +99,7 @@ pub fn summary<S: Display, const D: usize>(
     words
 }
 
-/// What things are called in a dimension.
+/// The words for things of a dimension.
 struct Names {
     how: &'static str,
     simplex: &'static str,
@@ -100,6 +110,7 @@ struct Names {
     angle: &'static str,
     angles: &'static str,
     corners: &'static str,
+    sphere: &'static str,
 }
 
 impl Names {
@@ -115,6 +126,7 @@ impl Names {
                 angle: "angle",
                 angles: "angles",
                 corners: "vertices",
+                sphere: "circumcircle",
             },
             _ => Names {
                 how: "face to face",
@@ -126,12 +138,14 @@ impl Names {
                 angle: "dihedral angle",
                 angles: "dihedral angles",
                 corners: "vertices and edges",
+                sphere: "circumsphere",
             },
         }
     }
 }
 
-fn counted(count: usize, one: &str, several: &str) -> String {
+/// `1 vertex`, `2 vertices`
+pub fn counted(count: usize, one: &str, several: &str) -> String {
     format!("{count} {}", if count == 1 { one } else { several })
 }
 
@@ -194,7 +208,7 @@ fn is_short(text: &str) -> bool {
     text.chars().count() <= LONGEST
 }
 
-/// Digits that are printed behind the point.
+/// Digits that are printed after the point.
 const DIGITS: u64 = 4;
 
 /// The first digits of a value that is no short decimal: `78.4630...`
@@ -212,7 +226,7 @@ fn decimals(value: &impl Exact) -> String {
     format!("about {}", rounded_down(&low, DIGITS))
 }
 
-/// Only a value with that many digits 0 behind the point is not decided then.
+/// Only a value with that many digits 0 after the point is not decided then.
 const ROUNDS: usize = 8;
 
 /// A rational as a decimal where that is exact and short.

@@ -5,11 +5,11 @@ use crate::quality::{rounded_down, rounded_up};
 use crate::tiling::SimplexId;
 use std::fmt::{Display, Write};
 
-/// What the figures are.
+/// The names of the figures.
 const DEFINITIONS: &str = "radius-edge ratio: circumradius over shortest edge (Eppstein, Sullivan, Üngör, Table 1); aspect \
     ratio: longest edge over √(2D(D+1)) inradii, 1 for the regular simplex (Verdict Library Reference Manual, SAND2007-1751)";
 
-/// Bars are at most so many characters long.
+/// The greatest length of a bar in characters.
 const BAR: usize = 50;
 
 /// Figures, extremes and a histogram with bars. `simplex` names a simplex.
@@ -95,9 +95,10 @@ fn extreme<P>(
         rounded_down(&extreme.bounds.0, 6),
         rounded_up(&extreme.bounds.1, 6),
     );
-    let value = match low == high {
-        true => low,
-        false => format!("{low} to {high}"),
+    let value = if low == high {
+        low
+    } else {
+        format!("{low} to {high}")
     };
     let is_rational = extreme.bounds.0 == extreme.bounds.1;
     let form = match &extreme.closed_form {

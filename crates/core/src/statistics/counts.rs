@@ -9,7 +9,7 @@ use acutile_exact::number::Number;
 use std::cell::OnceCell;
 use std::ops::Range;
 
-/// What is counted. See [`super::Statistics`].
+/// The counts. See [`super::Statistics`].
 pub(super) struct Counts {
     pub left_out: Vec<SimplexId>,
     pub kinds: [usize; 3],
@@ -67,9 +67,10 @@ impl<const D: usize> Counting<'_, '_, D> {
         let exact = OnceCell::new();
         let signs = || exact.get_or_init(|| self.shape.signs(simplex).split_first());
         let (determinant, squares, products) = (values[0], &values[1..D + 2], &values[D + 2..]);
-        let is_positive = match determinant.abs() > volume_error {
-            true => determinant > 0.0,
-            false => signs().0.all_positive(),
+        let is_positive = if determinant.abs() > volume_error {
+            determinant > 0.0
+        } else {
+            signs().0.all_positive()
         };
         if !is_positive {
             counts.left_out.push(simplex);
@@ -82,9 +83,10 @@ impl<const D: usize> Counting<'_, '_, D> {
             let bins = self
                 .bins
                 .of_products(product, [squares[i], squares[j]], error);
-            let bin = match bins.start() == bins.end() {
-                true => *bins.start(),
-                false => self.bins.decide(simplex, (index, (i, j)), bins),
+            let bin = if bins.start() == bins.end() {
+                *bins.start()
+            } else {
+                self.bins.decide(simplex, (index, (i, j)), bins)
             };
             worst = worst.max(sign);
             counts.angles[kind(sign)] += 1;
@@ -92,14 +94,15 @@ impl<const D: usize> Counting<'_, '_, D> {
         }
         counts.kinds[kind(worst)] += 1;
         let is_close = volume_error <= ASPECT * determinant;
-        let aspect = match is_close {
-            true => aspect(
+        let aspect = if is_close {
+            aspect(
                 self.model.float_edges(simplex),
                 self.products.float_gram(),
                 determinant,
                 squares,
-            ),
-            false => self.exact_aspect(simplex),
+            )
+        } else {
+            self.exact_aspect(simplex)
         };
         counts.add_aspects([(aspect, simplex); 2]);
     }

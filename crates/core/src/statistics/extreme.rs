@@ -26,7 +26,7 @@ const NAMED: usize = 20;
 /// The simplices among which extremes are looked for.
 pub(super) struct Members<'m, 't, const D: usize> {
     pub model: &'m Model<'t, D>,
-    /// What the simplices of the model are called, if not by their own indices.
+    /// The names of the simplices of the model, if these are not their own indices.
     pub names: Option<&'m [SimplexId]>,
 }
 
@@ -56,7 +56,7 @@ impl<const D: usize> Members<'_, '_, D> {
         extreme(ratio, holders)
     }
 
-    /// What `find` adds for simplices where a sign is zero: the first few, and their number.
+    /// The simplices that `find` adds where a sign is zero: the first few, and their number.
     fn holders<P: Send + Sync>(
         &self,
         predicate: impl Predicate<D>,

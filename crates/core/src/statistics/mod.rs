@@ -15,6 +15,7 @@ pub use chart::{csv, svg, text};
 pub use data::data;
 pub use extreme::Extreme;
 
+use crate::checker::{Findings, check_metric};
 use crate::predicates::Model;
 use crate::quality::exact_ranges;
 use crate::tiling::dimension::same;
@@ -26,7 +27,9 @@ use extreme::Members;
 /// opposite to it.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Place {
+    /// The simplex.
     pub simplex: SimplexId,
+    /// The two facets that meet in the angle, by their opposite corners.
     pub facets: (usize, usize),
 }
 
@@ -60,12 +63,23 @@ pub struct Statistics {
     pub aspects: Option<[(f64, SimplexId); 2]>,
 }
 
-/// The figures of `tiling`, with angles counted in bins of so many degrees, a divisor of 180.
-pub fn statistics<const D: usize>(tiling: &Tiling<D>, degrees_per_bin: u32) -> Statistics {
-    match D {
+/// The figures of `tiling`, with angles counted in bins of `degrees_per_bin`, a divisor of 180.
+///
+/// # Errors
+/// A Gram matrix that is not positive definite: then there are no angles.
+pub fn statistics<const D: usize>(
+    tiling: &Tiling<D>,
+    degrees_per_bin: u32,
+) -> Result<Statistics, Findings> {
+    let mut findings = Findings::new(1);
+    check_metric(&tiling.frame, &mut findings);
+    if !findings.is_empty() {
+        return Err(findings);
+    }
+    Ok(match D {
         2 => of_plane(same(tiling), degrees_per_bin),
         _ => of_space(same(tiling), degrees_per_bin),
-    }
+    })
 }
 
 #[inline(never)]

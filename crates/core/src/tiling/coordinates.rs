@@ -2,7 +2,7 @@
 //!
 //! A million vertices as numbers of a field are three million objects on the heap.
 //! Coordinates from meshes and supercells are machine integers over one common
-//! denominator, or doubles, each of which is a rational number; only what is
+//! denominator, or doubles, each of which is a rational number; only a number that is
 //! neither is kept as numbers. All forms are exact, and equal ones are made equal:
 //! the narrowest form that holds the values is taken.
 
@@ -21,7 +21,9 @@ pub struct Coordinates<const D: usize>(Form<D>);
 pub enum Form<const D: usize> {
     /// Numerators over one positive denominator, less than 2^62 in absolute value.
     Integers {
+        /// D numerators for each point.
         numerators: Vec<[i64; D]>,
+        /// The positive denominator of all coordinates.
         denominator: i64,
     },
     /// Finite doubles, each the rational number that it is.

@@ -30,7 +30,7 @@ pub struct Facet {
     pub opposite: u8,
 }
 
-/// What lies behind a facet: `facet`, moved by the lattice vector `shift`.
+/// The mate of a facet: `facet`, moved by the lattice vector `shift`.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Mate<const D: usize> {
     /// The same corners, seen from the other simplex.
@@ -87,7 +87,7 @@ impl Facet {
 }
 
 impl<const D: usize> Matching<D> {
-    /// What lies behind a facet of the tiling that was matched; `None` for a facet
+    /// The mate of a facet of the tiling that was matched; `None` for a facet
     /// that has no single mate on its other side.
     pub fn mate(&self, tiling: &Tiling<D>, facet: Facet) -> Option<Mate<D>> {
         let other = self.neighbour(facet)?;
@@ -105,7 +105,7 @@ impl<const D: usize> Matching<D> {
         Some(neighbour[usize::from(mate.facet.opposite)].moved(mate.shift))
     }
 
-    /// The facet behind a facet, up to a lattice vector.
+    /// The mate of a facet, up to a lattice vector.
     pub fn neighbour(&self, facet: Facet) -> Option<Facet> {
         match self.mates[facet.id::<D>().index()] {
             NONE => None,
@@ -167,7 +167,7 @@ struct Buckets {
     facets: Vec<FacetId>,
 }
 
-/// Work is cut into pieces of about so many facets.
+/// The size of a piece of work, in facets.
 const CHUNK: usize = 1 << 16;
 
 impl Buckets {
@@ -258,7 +258,7 @@ fn least_vertices<const D: usize>(corners: &[Corner<D>]) -> impl Iterator<Item =
     (0..=D).map(move |index| if index == least.1 { second } else { least.0 })
 }
 
-/// Pairs the facets in the buckets of some vertices; gives what does not match.
+/// Pairs the facets in the buckets of some vertices; returns those without a pair.
 ///
 /// A bucket is sorted by the next two vertices, in one word; normal forms are made and
 /// compared only where these are equal, as they are for mates.
@@ -368,9 +368,10 @@ fn origin<const D: usize>(tiling: &Tiling<D>, facet: Facet) -> [i32; D] {
     let mut first = corners[0];
     for corner in &corners[1..] {
         // Vertices are different where it pays to be fast.
-        let is_less = match corner.vertex == first.vertex {
-            true => corner.shift < first.shift,
-            false => corner.vertex < first.vertex,
+        let is_less = if corner.vertex == first.vertex {
+            corner.shift < first.shift
+        } else {
+            corner.vertex < first.vertex
         };
         first = if is_less { *corner } else { first };
     }

@@ -1,22 +1,22 @@
-//! The cell of the lattice in which a coordinate lies.
+//! The cell of the lattice in which a point lies.
 
 use acutile_exact::number::Number;
-use malachite::Rational;
 
-/// The largest integer that is not more than x, or 0 if it is beyond 2^30; a double proposes,
-/// exact comparisons decide.
-pub fn floor(x: &Number) -> i32 {
-    let integer = |n: i32| Number::from(Rational::from(n));
-    let guess = x.approximate().floor();
-    if guess.is_nan() || guess.abs() >= f64::from(1 << 30) {
-        return 0;
+/// Cells with larger entries are refused, so that differences of cells and shifts fit into 32 bits.
+pub const CELL_LIMIT: i32 = 1 << 29;
+
+/// The largest integer that is not more than x; `None` if its size exceeds [`CELL_LIMIT`].
+pub fn floor(x: &Number) -> Option<i32> {
+    let floor = i32::try_from(&x.floor()).ok()?;
+    (floor.unsigned_abs() <= CELL_LIMIT.unsigned_abs()).then_some(floor)
+}
+
+/// The floors of the first `rank` coordinates, the directions of the lattice, and zeros; `None` as
+/// for [`floor`].
+pub fn cell_of<const D: usize>(point: &[Number; D], rank: usize) -> Option<[i32; D]> {
+    let mut cell = [0; D];
+    for k in 0..rank.min(D) {
+        cell[k] = floor(&point[k])?;
     }
-    let mut floor = guess as i32;
-    while *x < integer(floor) {
-        floor -= 1;
-    }
-    while *x >= integer(floor + 1) {
-        floor += 1;
-    }
-    floor
+    Some(cell)
 }

@@ -4,7 +4,7 @@
 use super::Polytope;
 use acutile_exact::number::{Field, Number};
 
-/// What is tiled: all of space, or a convex polytope in the last k coordinates
+/// The domain of a tiling: all of space, or a convex polytope in the last k coordinates
 /// times the span of the first r = D - k basis vectors, which generate the lattice.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Domain<S = Number> {
@@ -67,7 +67,7 @@ pub struct Frame<const D: usize, S = Number> {
     pub field: Field,
     /// Inner products of the basis vectors; symmetric, to be positive definite.
     pub gram: [[S; D]; D],
-    /// What is tiled.
+    /// The domain.
     pub domain: Domain<S>,
 }
 

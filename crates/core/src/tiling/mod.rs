@@ -15,7 +15,7 @@ mod supercell;
 
 pub use coordinates::Coordinates;
 pub use facets::{Facet, Matching, Mate, Mismatch, match_facets};
-pub use floor::floor;
+pub use floor::{CELL_LIMIT, cell_of, floor};
 pub use frame::{Domain, Frame};
 pub use index::{FacetId, SimplexId, VertexId};
 pub use merged::merged;

@@ -104,7 +104,7 @@ fn offsets<const D: usize>(sizes: [u16; D]) -> Vec<[i32; D]> {
     })
 }
 
-/// The copy of the corner's vertex, with what is left of its shift.
+/// The copy of the corner's vertex, with the rest of its shift.
 fn coarsened<const D: usize>(corner: Corner<D>, sizes: [u16; D], vertices: usize) -> Corner<D> {
     let (mut copy, mut stride) = (0, 1);
     let mut shift = [0; D];

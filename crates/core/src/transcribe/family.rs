@@ -40,9 +40,10 @@ pub fn to_certificate<const D: usize>(family: &Family<D>, proof: &FamilyProof<D>
         tiling: &proof.member,
         order: &order,
     };
-    let sixes = match proof.statements.contains(&Statement::Tcp) {
-        true => proof.proof.parts(&proof.member).sixes,
-        false => None,
+    let sixes = if proof.statements.contains(&Statement::Tcp) {
+        proof.proof.parts(&proof.member).sixes
+    } else {
+        None
     };
     let mut bytes = Vec::new();
     // A Vec takes every byte.

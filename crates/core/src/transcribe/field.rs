@@ -14,6 +14,7 @@ use malachite::{Integer, Natural, Rational};
 /// The Gram matrix and the field in which a tiling is written.
 #[derive(Clone, Debug)]
 pub struct Written<const D: usize> {
+    /// The field of the certificate.
     pub numerals: Numerals,
     gram: [[Number; D]; D],
 }
@@ -45,9 +46,10 @@ impl<const D: usize> Written<D> {
         let numbers = ratios.iter().flatten().chain(corners);
         let subfield = Subfield::of(field, numbers.chain(vertices.iter().flatten()));
         let entries = gram.iter().flatten();
-        let gram = match entries.clone().all(|x| subfield.contains(x)) {
-            true => gram.clone(),
-            false => ratios,
+        let gram = if entries.clone().all(|x| subfield.contains(x)) {
+            gram.clone()
+        } else {
+            ratios
         };
         let numerals = Numerals { subfield };
         Written { numerals, gram }
@@ -95,7 +97,9 @@ impl Numerals {
         self.subfield.field.degree()
     }
 
-    /// The coefficients of a number of the tiling in the certificate's field.
+    /// The coefficients of a number of the tiling in the certificate's field. It is in this field:
+    /// `of` generates it by the ratios of the Gram matrix and all coordinates, and the squares in
+    /// statements are rational functions of these, or rational.
     fn coefficients(&self, number: &Number) -> Vec<Rational> {
         let coefficients = self.subfield.coefficients(number);
         coefficients.expect("the numbers of a tiling are in the field that they generate")
@@ -162,6 +166,7 @@ impl Numerals {
             Statement::WeaklyDelaunay => format::Statement::WeaklyDelaunay,
             Statement::LocallyDelaunay => format::Statement::LocallyDelaunay,
             Statement::LocallyWeaklyDelaunay => format::Statement::LocallyWeaklyDelaunay,
+            Statement::NotDelaunay => format::Statement::NotDelaunay,
             Statement::Tcp => format::Statement::Tcp,
         }
     }
@@ -181,7 +186,8 @@ pub fn make_primitive<'n>(numbers: impl Iterator<Item = &'n mut format::Number>)
     }
 }
 
-/// The value of a rational number that is an integer.
+/// The value of a rational number that is an integer: all callers have multiplied it by a common
+/// denominator.
 fn integer(x: &Rational) -> Integer {
     Integer::try_from(x.clone()).expect("the number is cleared of its denominator")
 }

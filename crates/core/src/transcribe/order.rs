@@ -9,7 +9,7 @@
 use super::curve;
 use crate::parallel;
 use crate::tiling::coordinates::Form;
-use crate::tiling::{Corner, Facet, Matching, SimplexId, Tiling, VertexId, floor};
+use crate::tiling::{CELL_LIMIT, Corner, Facet, Matching, SimplexId, Tiling, VertexId, cell_of};
 use acutile_exact::number::Number;
 use rayon::prelude::*;
 
@@ -53,6 +53,8 @@ impl<const D: usize> Order<D> {
     }
 }
 
+/// The cells of all vertices; nothing if all are zero. They make shifts small. A vertex beyond the
+/// limit of cells gets the cell zero, which is correct, too.
 fn cells<const D: usize>(tiling: &Tiling<D>) -> Vec<[i32; D]> {
     let rank = tiling.frame.rank();
     if rank == 0 {
@@ -63,23 +65,27 @@ fn cells<const D: usize>(tiling: &Tiling<D>) -> Vec<[i32; D]> {
             numerators,
             denominator,
         } => {
-            let small = |x: i64| i32::try_from(x.div_euclid(*denominator)).unwrap_or(0);
             let cell = |x: &[i64; D]| -> [i32; D] {
-                std::array::from_fn(|k| if k < rank { small(x[k]) } else { 0 })
+                let floors = x.map(|x| x.div_euclid(*denominator));
+                let mut directions = floors[..rank].iter();
+                if directions.any(|x| x.unsigned_abs() > CELL_LIMIT as u64) {
+                    return [0; D];
+                }
+                std::array::from_fn(|k| if k < rank { floors[k] as i32 } else { 0 })
             };
             numerators.iter().map(cell).collect()
         }
         _ => {
             let cell = |vertex: usize| -> [i32; D] {
-                let x = tiling.vertices.vertex(VertexId::at(vertex));
-                std::array::from_fn(|k| if k < rank { floor(&x[k]) } else { 0 })
+                cell_of(&tiling.vertices.vertex(VertexId::at(vertex)), rank).unwrap_or([0; D])
             };
             parallel::map(tiling.vertices.len(), cell)
         }
     };
-    match cells.iter().all(|cell| *cell == [0; D]) {
-        true => Vec::new(),
-        false => cells,
+    if cells.iter().all(|cell| *cell == [0; D]) {
+        Vec::new()
+    } else {
+        cells
     }
 }
 
@@ -140,9 +146,10 @@ fn rows<const D: usize>(tiling: &Tiling<D>, matching: &Matching<D>) -> Vec<Simpl
         return given;
     }
     let sorted = along_curve(tiling);
-    match most_open(matching, &sorted) < open {
-        true => sorted,
-        false => given,
+    if most_open(matching, &sorted) < open {
+        sorted
+    } else {
+        given
     }
 }
 

@@ -173,11 +173,12 @@ impl Numbers {
             format::Statement::WeaklyDelaunay => Statement::WeaklyDelaunay,
             format::Statement::LocallyDelaunay => Statement::LocallyDelaunay,
             format::Statement::LocallyWeaklyDelaunay => Statement::LocallyWeaklyDelaunay,
+            format::Statement::NotDelaunay => Statement::NotDelaunay,
             format::Statement::Tcp => Statement::Tcp,
         })
     }
 
-    /// A domain; `value` makes a coordinate of what stands there and the denominator.
+    /// A domain; `value` makes a coordinate of a numerator and the denominator.
     pub fn domain<V, S>(
         &self,
         domain: &format::Domain<V>,

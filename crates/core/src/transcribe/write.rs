@@ -11,9 +11,10 @@ use malachite::base::num::arithmetic::traits::{Gcd, Pow};
 use malachite::{Integer, Rational};
 use std::io::{self, Write};
 
-/// What a certificate is made of.
+/// The parts of a certificate.
 #[derive(Clone, Copy, Debug)]
 pub struct Parts<'t, const D: usize> {
+    /// The tiling; its simplices become rows.
     pub tiling: &'t Tiling<D>,
     /// The matching of its facets; facets without a mate are in the boundary.
     pub matching: &'t Matching<D>,

@@ -46,9 +46,10 @@ fn cofactor<S: RingElement, const D: usize>(matrix: &[[S; D]; D], i: usize, j: u
     }
     if D == 2 {
         let other = matrix[1 - i][1 - j].clone();
-        return match i == j {
-            true => other,
-            false => other.integer(0).minus(&other),
+        return if i == j {
+            other
+        } else {
+            other.integer(0).minus(&other)
         };
     }
     let rows: Vec<&[S]> = (0..D)

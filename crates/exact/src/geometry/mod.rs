@@ -8,6 +8,7 @@ pub mod linear;
 pub mod quadratic;
 pub mod scalar;
 pub mod simplex;
+pub mod space;
 pub mod triangle;
 pub mod wide;
 

@@ -1,4 +1,4 @@
-//! What the predicates ask of a number: ring operations and a sign.
+//! The operations that predicates need of a number: those of a ring, and a sign.
 
 use std::cmp::Ordering;
 

@@ -12,6 +12,7 @@ pub type Point<S> = [S; 3];
 /// The point `numerators / denominator`.
 #[derive(Clone, Debug)]
 pub struct Quotient<S> {
+    /// The numerators of the three coordinates.
     pub numerators: Point<S>,
     /// Not zero.
     pub denominator: S,
@@ -20,6 +21,7 @@ pub struct Quotient<S> {
 /// A triangle that is not flat, with its plane n · x = c.
 #[derive(Clone, Debug)]
 pub struct Triangle<'p, S> {
+    /// The corners a, b and c.
     pub corners: [&'p Point<S>; 3],
     /// (b - a) × (c - a)
     pub normal: Point<S>,
@@ -68,7 +70,7 @@ impl<'p, S: Scalar> Triangle<'p, S> {
         !(signs.contains(&Sign::Less) && signs.contains(&Sign::Greater))
     }
 
-    /// The same for a segment in the plane of the triangle, looked at along an axis that the plane
+    /// The same for a segment in the plane of the triangle, projected along an axis that the plane
     /// does not contain. If neither end is in the triangle, the segment crosses a side that
     /// is not parallel to it, or misses the triangle.
     fn meets_coplanar(&self, p: &Point<S>, q: &Point<S>) -> Option<Quotient<S>> {
@@ -153,7 +155,7 @@ fn whole<S: Scalar>(point: &Point<S>) -> Quotient<S> {
     }
 }
 
-/// The common point of two closed segments in a plane, looked at along `axis`, that are not
+/// The common point of two closed segments in a plane, projected along `axis`, that are not
 /// parallel: either has its ends not strictly on one side of the other.
 fn crossing<S: Scalar>(
     (p, q): (&Point<S>, &Point<S>),

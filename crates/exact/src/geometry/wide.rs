@@ -162,9 +162,10 @@ impl<const N: usize> Scalar for Wide<N> {
     }
 
     fn approximate(&self) -> f64 {
-        let size = match self.is_negative() {
-            true => Wide::ZERO.minus(self),
-            false => *self,
+        let size = if self.is_negative() {
+            Wide::ZERO.minus(self)
+        } else {
+            *self
         };
         let words = size.0.iter().rev();
         let value = words.fold(0.0, |sum, &word| sum * 2f64.powi(64) + word as f64);

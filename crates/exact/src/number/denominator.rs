@@ -7,9 +7,12 @@ use malachite::{Integer, Natural, Rational};
 
 /// The least common multiple of the denominators.
 pub fn common_denominator<'r>(numbers: impl Iterator<Item = &'r Rational>) -> Natural {
-    numbers.fold(Natural::ONE, |lcm, x| match *x.denominator_ref() == 1 {
-        true => lcm,
-        false => lcm.lcm(x.denominator_ref()),
+    numbers.fold(Natural::ONE, |lcm, x| {
+        if *x.denominator_ref() == 1 {
+            lcm
+        } else {
+            lcm.lcm(x.denominator_ref())
+        }
     })
 }
 

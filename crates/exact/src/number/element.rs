@@ -1,7 +1,7 @@
 //! Elements of a field: arithmetic, comparison and text.
 //!
 //! An element is a rational number, which belongs to every field, or a
-//! combination of the powers of a generator with a coefficient behind the
+//! combination of the powers of a generator with a coefficient after the
 //! first that is not zero. Signs and enclosures are in [`super::sign`].
 
 use super::field::{Field, SYMBOL};

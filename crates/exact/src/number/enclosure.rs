@@ -2,7 +2,7 @@
 //! roots, π, the cosine and its inverse in degrees.
 //!
 //! The transcendental functions are computed with integers in units of 2^-bits;
-//! every rounding has a direction. No error is estimated beforehand: what comes
+//! every rounding has a direction. No error is estimated beforehand: the result
 //! out is a lower and an upper bound for any number of bits, and bits are added
 //! until the bounds are as close as asked. Signs use the intervals; the angles
 //! of reports, and proofs of bounds for angles, use the rest.

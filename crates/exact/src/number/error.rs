@@ -1,4 +1,4 @@
-//! What can be wrong with a field or with the text of a number, and how it is said.
+//! Errors about fields and about the text of numbers, and their messages.
 
 use super::limits::{
     BITS_LIMIT, DEGREE_LIMIT, DEPTH_LIMIT, DIGITS_LIMIT, ISOLATION_LIMIT, MINOR_BITS_LIMIT,
@@ -97,18 +97,51 @@ impl std::error::Error for FieldError {}
 pub struct ReadError {
     /// In characters from 1.
     pub column: usize,
-    /// What is wrong.
+    /// The kind of error.
     pub kind: ReadErrorKind,
 }
 
-/// What can be wrong with a text.
+/// An unknown name, and those that the document declares.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Declared {
+    /// The unknown name.
+    pub unknown: String,
+    /// The parameters of the document.
+    pub parameters: Vec<String>,
+    /// The generators of its field.
+    pub generators: Vec<String>,
+}
+
+impl fmt::Display for Declared {
+    fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
+        let Declared { unknown, .. } = self;
+        write!(
+            f,
+            "found '{unknown}', expected a number like 3/7 or sqrt(2)/4, or a declared name; {} and {}; to add a \
+             parameter, write \"parameters\": {{\"{unknown}\": [0, 1]}} with its ends",
+            listed("parameter", &self.parameters),
+            listed("generator", &self.generators)
+        )
+    }
+}
+
+/// `the parameters are s and t`
+fn listed(noun: &str, names: &[String]) -> String {
+    match names {
+        [] => format!("there is no {noun}"),
+        [name] => format!("the {noun} is {name}"),
+        [first @ .., last] => format!("the {noun}s are {} and {last}", first.join(", ")),
+    }
+}
+
+/// The kinds of errors about a text.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum ReadErrorKind {
     /// Nothing but blanks.
     Empty,
     /// More characters than [`TEXT_LIMIT`].
     TooLong(usize),
-    /// What may stand here, and what does.
+    /// The expected text, and the found one.
     Unexpected(&'static str, String),
     /// Nested deeper than [`DEPTH_LIMIT`].
     TooDeep,
@@ -118,6 +151,10 @@ pub enum ReadErrorKind {
     ExponentBeyondLimit(i64),
     /// A name that no generator has.
     UnknownName(String),
+    /// This name stands where no generators are defined.
+    NoNames(String),
+    /// A document declares neither a parameter nor a generator of this name.
+    NotDeclared(Declared),
     /// This cannot name a generator.
     NotAName(String),
     /// Another generator has this name.
@@ -173,6 +210,8 @@ impl fmt::Display for ReadError {
                 write!(f, "the exponent is beyond the limit of {limit}")
             }
             UnknownName(name) => write!(f, "no generator is named '{name}'"),
+            NoNames(name) => write!(f, "found '{name}', expected a number like 3/7 or sqrt(2)/4"),
+            NotDeclared(declared) => write!(f, "{declared}"),
             NotAName(name) => write!(f, "'{}' cannot name a generator", name.escape_default()),
             NameTaken(name) => write!(f, "another generator is named '{name}'"),
             DivisionByZero => write!(f, "division by zero"),

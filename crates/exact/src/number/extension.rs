@@ -78,7 +78,7 @@ fn without_zeros_of(field: &Field, d: &Number) -> Result<Field, FieldError> {
 }
 
 /// (e, f) with d = e f², f > 0 rational, and the coefficients of e integers
-/// without a common square factor, as far as small primes tell.
+/// without a common square factor among small primes.
 fn square_class(d: &Number) -> (Number, Rational) {
     let (numerators, denominator) = over_common_denominator(d.coefficients());
     let content = numerators

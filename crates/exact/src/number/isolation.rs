@@ -1,4 +1,4 @@
-//! From a polynomial and an interval with one root to what a field needs: a
+//! From a polynomial and an interval with one root to the data of a field: a
 //! monic polynomial, and a dyadic interval in which it is monotone around the
 //! root.
 
@@ -13,7 +13,7 @@ use malachite::base::num::logic::traits::SignificantBits;
 use malachite::{Integer, Rational};
 use std::cmp::Ordering;
 
-/// Checks what can be checked without arithmetic.
+/// The checks without arithmetic.
 pub(super) fn check_limits(
     polynomial: &[Integer],
     lo: &Rational,

@@ -14,6 +14,7 @@
 //! | `polynomial` | polynomials over Q: Euclid, Sturm |
 //! | `extension` | K(√d), K(b): a generator of a larger field |
 //! | `recognition`, `lattice` | whether a real number lies in a field |
+//! | `surd` | square roots in simplest form, generators of quadratic fields |
 //! | [`subfield`] | the field that some numbers generate |
 //! | [`text`] | the syntax of numbers |
 //! | [`reader`] | the numbers of a file in one field |
@@ -34,19 +35,22 @@ pub mod isolation;
 mod lattice;
 pub mod limits;
 mod polynomial;
+pub mod radical;
 pub mod reader;
 pub mod recognition;
 mod root;
 mod sign;
 mod small;
 pub mod subfield;
+mod surd;
 pub mod text;
 
 pub use denominator::{common_denominator, over_common_denominator};
 pub use element::Number;
 pub use enclosure::Interval;
-pub use error::{FieldError, ReadError, ReadErrorKind};
+pub use error::{Declared, FieldError, ReadError, ReadErrorKind};
 pub use field::Field;
 pub use reader::{Reader, numbers, parse_rational};
 pub use subfield::Subfield;
+pub use surd::{Quadratic, square_part};
 pub use text::Expression;

@@ -83,6 +83,11 @@ impl Reader {
         Ok(())
     }
 
+    /// The names of the generators, sorted.
+    pub fn generator_names(&self) -> impl Iterator<Item = &str> {
+        self.names.keys().map(String::as_str)
+    }
+
     /// Extends the field, if needed, by the generator of `other`, and returns it.
     fn join(&mut self, other: &Field) -> Result<Number, FieldError> {
         if other.is_rationals() || self.field == *other {
@@ -108,7 +113,7 @@ impl Reader {
         Ok(self.adopt(extension))
     }
 
-    /// Moves everything into the larger field; returns what was adjoined.
+    /// Moves everything into the larger field; returns the adjoined number.
     fn adopt(&mut self, extension: Extension) -> Number {
         self.names
             .values_mut()
@@ -203,10 +208,14 @@ type Find<'a> = &'a dyn Fn(&Number) -> Result<Option<Number>, ReadErrorKind>;
 fn evaluate(expression: &Expression, names: &Names, find: Find) -> Result<Number, Stop> {
     match expression {
         Expression::Rational(value) => Ok(Number::from(value.clone())),
-        Expression::Name(name, column) => names
-            .get(name)
-            .cloned()
-            .ok_or_else(|| stop(*column, ReadErrorKind::UnknownName(name.clone()))),
+        Expression::Name(name, column) => names.get(name).cloned().ok_or_else(|| {
+            let unknown = if names.is_empty() {
+                ReadErrorKind::NoNames
+            } else {
+                ReadErrorKind::UnknownName
+            };
+            stop(*column, unknown(name.clone()))
+        }),
         Expression::Sum(summands) => summands.iter().try_fold(Number::zero(), |sum, (minus, x)| {
             let x = evaluate(x, names, find)?;
             limited(if *minus { sum - x } else { sum + x }, 1)

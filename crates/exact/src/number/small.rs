@@ -16,7 +16,7 @@ const DEGREE: usize = 8;
 /// The bits of the bounds of the generator's powers.
 const BITS: u64 = 62;
 
-/// What is small about a field.
+/// The small data of a field.
 pub(super) struct Small {
     degree: usize,
     /// a^n = Σ c a^i for the pairs (i, c).
@@ -85,7 +85,7 @@ impl Small {
         )
     }
 
-    /// The sign, if the bounds of the powers tell it.
+    /// The sign, if the bounds of the powers determine it.
     pub fn sign(&self, f: &[Rational]) -> Option<Sign> {
         let f = Scaled::new(f)?;
         let (mut low, mut high) = (0i128, 0i128);

@@ -98,7 +98,7 @@ impl Parser {
         Some(found)
     }
 
-    fn expect(&mut self, wanted: char, name: &'static str) -> Result<(), ReadError> {
+    fn required(&mut self, wanted: char, name: &'static str) -> Result<(), ReadError> {
         self.take(&[wanted])
             .map(drop)
             .ok_or_else(|| self.unexpected(name))
@@ -156,7 +156,7 @@ impl Parser {
         let open = self.take(&['(']).is_some();
         let exponent = self.exponent()?;
         if open {
-            self.expect(')', "')'")?;
+            self.required(')', "')'")?;
         }
         Ok(Expression::Power(Box::new(base), exponent, column))
     }
@@ -187,7 +187,7 @@ impl Parser {
         self.depth += 1;
         let inner = self.sum()?;
         self.depth -= 1;
-        self.expect(')', "an operator or ')'")?;
+        self.required(')', "an operator or ')'")?;
         Ok(inner)
     }
 
@@ -197,7 +197,7 @@ impl Parser {
         if name != ROOT_NAME {
             return Ok(Expression::Name(name, column));
         }
-        self.expect('(', "'(' after sqrt")?;
+        self.required('(', "'(' after sqrt")?;
         Ok(Expression::Root(Box::new(self.nested()?), column))
     }
 
@@ -210,7 +210,7 @@ impl Parser {
     }
 
     /// Digits, a fraction, an exponent: the digits d_1 … d_m with f of them
-    /// behind the point, and exponent e, are d_1…d_m 10^(e-f).
+    /// after the point, and exponent e, are d_1…d_m 10^(e-f).
     fn decimal(&mut self) -> Result<Rational, ReadError> {
         let start = self.at;
         let mut digits = self.run(|c| c.is_ascii_digit());

@@ -14,6 +14,7 @@
 use super::cuboid::Cuboid;
 use super::{Coefficient, Polynomial};
 use crate::geometry::Sign;
+use crate::number::Number;
 
 /// A polynomial with more coefficients than this is not decided.
 pub const COEFFICIENT_LIMIT: usize = 1 << 20;
@@ -28,6 +29,76 @@ pub fn is_positive<C: Coefficient>(p: &Polynomial<C>, cuboid: &Cuboid) -> Option
 /// Whether they prove that it is at least zero on the box.
 pub fn is_nonnegative<C: Coefficient>(p: &Polynomial<C>, cuboid: &Cuboid) -> Option<bool> {
     Some(Table::of(p, cuboid)?.none_negative())
+}
+
+/// A lower and an upper bound of p/q on the box, where q is at least zero; `None` for what is not bounded by
+/// the coefficients, or not decided.
+///
+/// If p - M q has no positive coefficient, then p/q is at most M wherever q is positive. The least such M is
+/// the largest quotient of coefficients. A coefficient 0 of q asks for one of p that is not positive. So a
+/// factor that p and q have in common and that is zero on a side of the box does no harm.
+pub fn quotient_bounds(
+    p: &Polynomial<Number>,
+    q: &Polynomial<Number>,
+    cuboid: &Cuboid,
+) -> [Option<Number>; 2] {
+    let degrees = (0..cuboid.sides.len()).map(|k| p.degree(k).max(q.degree(k)));
+    let degrees: Vec<usize> = degrees.collect();
+    let table = |polynomial| Table::of_degrees(polynomial, cuboid, degrees.clone());
+    let (Some(p), Some(q)) = (table(p), table(q)) else {
+        return [None, None];
+    };
+    let mut bounds: [Option<Number>; 2] = [None, None];
+    let mut is_bounded = [true, true];
+    for (b, c) in p.entries.iter().zip(&q.entries) {
+        match (c.sign(), b.sign()) {
+            (Sign::Less, _) => return [None, None],
+            (Sign::Equal, Sign::Less) => is_bounded[0] = false,
+            (Sign::Equal, Sign::Greater) => is_bounded[1] = false,
+            (Sign::Equal, Sign::Equal) => {}
+            (Sign::Greater, _) => {
+                let Some(quotient) = b.divide(c) else {
+                    return [None, None];
+                };
+                let [low, high] = &mut bounds;
+                widen(low, &quotient, |old| quotient < *old);
+                widen(high, &quotient, |old| quotient > *old);
+            }
+        }
+    }
+    let mut kept = is_bounded.into_iter();
+    bounds.map(|bound| bound.filter(|_| kept.next() == Some(true)))
+}
+
+fn widen(bound: &mut Option<Number>, value: &Number, is_beyond: impl Fn(&Number) -> bool) {
+    if bound.as_ref().is_none_or(is_beyond) {
+        *bound = Some(value.clone());
+    }
+}
+
+/// The signs at the corners of the box that belong to it, in the order of [`Cuboid::corners`]: a corner's value is a
+/// positive number times its coefficient.
+pub fn corner_signs<C: Coefficient>(p: &Polynomial<C>, cuboid: &Cuboid) -> Option<Vec<Sign>> {
+    let table = Table::of(p, cuboid)?;
+    let mut places = vec![0];
+    for (axis, side) in cuboid.sides.iter().enumerate() {
+        let last = table.stride(axis) * table.degrees[axis];
+        let ends = [(side.low.is_open, 0), (side.high.is_open, last)];
+        let closed = ends.iter().filter(|(is_open, _)| !is_open);
+        let closed: Vec<usize> = closed.map(|(_, offset)| *offset).collect();
+        let moved = |place: usize| closed.iter().map(move |offset| place + offset);
+        places = places.into_iter().flat_map(moved).collect();
+    }
+    let signs = places.into_iter().map(|place| table.entries[place].sign());
+    Some(signs.collect())
+}
+
+/// The steps that [`is_positive`] and [`is_nonnegative`] take for a polynomial: about one product of coefficients
+/// each.
+pub fn steps<C: Coefficient>(p: &Polynomial<C>, axes: usize) -> u64 {
+    let lengths = (0..axes).map(|k| p.degree(k) as u64 + 1);
+    let size = lengths.clone().fold(1u64, |size, n| size.saturating_mul(n));
+    size.saturating_mul(1 + lengths.filter(|n| *n > 1).sum::<u64>())
 }
 
 /// The coefficients in the order of their indices, the last axis fastest, all times one positive
@@ -45,7 +116,13 @@ struct Table<C> {
 
 impl<C: Coefficient> Table<C> {
     fn of(p: &Polynomial<C>, cuboid: &Cuboid) -> Option<Self> {
-        let mut table = Table::dense(p, cuboid.sides.len())?;
+        let degrees = (0..cuboid.sides.len()).map(|k| p.degree(k)).collect();
+        Table::of_degrees(p, cuboid, degrees)
+    }
+
+    /// With these degrees or higher ones than those of p.
+    fn of_degrees(p: &Polynomial<C>, cuboid: &Cuboid, degrees: Vec<usize>) -> Option<Self> {
+        let mut table = Table::dense(p, degrees)?;
         for (axis, side) in cuboid.sides.iter().enumerate() {
             if table.degrees[axis] > 0 {
                 table.substitute(axis, &C::ends(side)?);
@@ -55,8 +132,7 @@ impl<C: Coefficient> Table<C> {
     }
 
     /// The coefficients of the monomials.
-    fn dense(p: &Polynomial<C>, parameters: usize) -> Option<Self> {
-        let degrees: Vec<usize> = (0..parameters).map(|k| p.degree(k)).collect();
+    fn dense(p: &Polynomial<C>, degrees: Vec<usize>) -> Option<Self> {
         let size = degrees
             .iter()
             .try_fold(1usize, |size, n| size.checked_mul(n + 1));
@@ -107,42 +183,29 @@ impl<C: Coefficient> Table<C> {
                 _ => fixed,
             }
         });
-        let faces = choices.fold(vec![Vec::new()], |faces, choice| {
-            let with = |face: &Vec<Option<usize>>| {
-                let face = face.clone();
-                choice
-                    .iter()
-                    .map(move |fixed| [&face[..], &[*fixed]].concat())
-                    .collect::<Vec<_>>()
-            };
-            faces.iter().flat_map(with).collect::<Vec<_>>()
-        });
-        let positive = self.positive_indices();
-        faces.iter().all(|face| {
-            let is_on = |index: &Vec<usize>| {
-                face.iter()
-                    .zip(index)
-                    .all(|(fixed, i)| fixed.is_none_or(|f| f == *i))
-            };
-            positive.iter().any(is_on)
-        })
+        let choices: Vec<Vec<Option<usize>>> = choices.collect();
+        let mut is_positive = vec![false; choices.iter().map(Vec::len).product()];
+        let positive = self.entries.iter().enumerate();
+        for (place, _) in positive.filter(|(_, c)| c.sign() == Sign::Greater) {
+            if let Some(face) = self.face(place, &choices) {
+                is_positive[face] = true;
+            }
+        }
+        is_positive.into_iter().all(|is_positive| is_positive)
     }
 
-    fn positive_indices(&self) -> Vec<Vec<usize>> {
-        let positive = self
-            .entries
-            .iter()
-            .enumerate()
-            .filter(|(_, c)| c.sign() == Sign::Greater);
-        let indices = |(mut place, _): (usize, &C)| {
-            let mut index = vec![0; self.degrees.len()];
-            for (slot, n) in index.iter_mut().zip(&self.degrees).rev() {
-                *slot = place % (n + 1);
-                place /= n + 1;
-            }
-            index
-        };
-        positive.map(indices).collect()
+    /// The number of the only face with this coefficient, if faces are given by one choice on each axis: an index, or
+    /// all of them.
+    fn face(&self, mut place: usize, choices: &[Vec<Option<usize>>]) -> Option<usize> {
+        let (mut face, mut step) = (0, 1);
+        for (n, choice) in self.degrees.iter().zip(choices).rev() {
+            let index = place % (n + 1);
+            place /= n + 1;
+            let is_on = |fixed: &Option<usize>| fixed.is_none_or(|fixed| fixed == index);
+            face += step * choice.iter().position(is_on)?;
+            step *= choice.len();
+        }
+        Some(face)
     }
 }
 

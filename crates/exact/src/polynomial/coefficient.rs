@@ -9,6 +9,8 @@ use malachite::{Integer, Natural, Rational};
 
 /// A coefficient: an integer, or a number of a field.
 pub trait Coefficient: Scalar + Ord {
+    /// The cost of a product, against one of integers.
+    const COST: u64;
     /// An integer.
     fn from_integer(value: i64) -> Self;
     /// These numbers times one positive number.
@@ -21,6 +23,8 @@ pub trait Coefficient: Scalar + Ord {
 }
 
 impl Coefficient for Integer {
+    const COST: u64 = 1;
+
     fn from_integer(value: i64) -> Self {
         Integer::from(value)
     }
@@ -51,6 +55,8 @@ impl Coefficient for Integer {
 }
 
 impl Coefficient for Number {
+    const COST: u64 = 8;
+
     fn from_integer(value: i64) -> Self {
         Number::from(Rational::from(value))
     }

@@ -2,6 +2,7 @@
 
 use crate::number::Number;
 use malachite::Rational;
+use malachite::rational::rational::arithmetic::traits::SimplestRationalInInterval;
 use std::fmt;
 
 /// An end of an interval.
@@ -34,7 +35,9 @@ impl End {
 /// An interval from a lower end to a higher one.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Side {
+    /// The lower end.
     pub low: End,
+    /// The upper end.
     pub high: End,
 }
 
@@ -51,13 +54,15 @@ impl Side {
 
     /// Whether it contains a number.
     pub fn contains(&self, value: &Number) -> bool {
-        let above = match self.low.is_open {
-            true => *value > self.low.value,
-            false => *value >= self.low.value,
+        let above = if self.low.is_open {
+            *value > self.low.value
+        } else {
+            *value >= self.low.value
         };
-        let below = match self.high.is_open {
-            true => *value < self.high.value,
-            false => *value <= self.high.value,
+        let below = if self.high.is_open {
+            *value < self.high.value
+        } else {
+            *value <= self.high.value
         };
         above && below
     }
@@ -81,6 +86,7 @@ impl fmt::Display for Side {
 /// A box: the product of its sides, one for each parameter.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Cuboid {
+    /// One side for each parameter.
     pub sides: Vec<Side>,
 }
 
@@ -100,6 +106,44 @@ impl Cuboid {
     /// The point in the middle.
     pub fn center(&self) -> Vec<Number> {
         self.sides.iter().map(Side::middle).collect()
+    }
+
+    /// The closed box around the middle whose sides are shorter by the factor 2^k.
+    #[must_use]
+    pub fn around_center(&self, k: u32) -> Cuboid {
+        let half = Number::from(Rational::from_signeds(1, 2) >> k);
+        let smaller = |side: &Side| {
+            let (middle, reach) = (side.middle(), &side.length() * &half);
+            Side {
+                low: End::closed(&middle - &reach),
+                high: End::closed(&middle + &reach),
+            }
+        };
+        Cuboid {
+            sides: self.sides.iter().map(smaller).collect(),
+        }
+    }
+
+    /// A point inside, a third of the length away from each lower end.
+    pub fn beside_center(&self) -> Vec<Number> {
+        let third = Number::from(Rational::from_signeds(1, 3));
+        let sides = self.sides.iter();
+        let point = sides.map(|side| &side.low.value + &(&side.length() * &third));
+        point.collect()
+    }
+
+    /// The point inside whose coordinates have the smallest denominators; `None` if an end is irrational.
+    pub fn simple_point(&self) -> Option<Vec<Number>> {
+        let simple = |side: &Side| {
+            let (low, high) = (
+                side.low.value.to_rational()?,
+                side.high.value.to_rational()?,
+            );
+            Some(Number::from(Rational::simplest_rational_in_open_interval(
+                low, high,
+            )))
+        };
+        self.sides.iter().map(simple).collect()
     }
 
     /// Whether it contains a point.

@@ -4,8 +4,8 @@
 //! counted by Sturm's theorem. So a root is a root of one factor, and the sign of every polynomial
 //! is known at each root and between neighbouring ones.
 
-use super::Polynomial;
 use super::dense::{self, Dense, Factor};
+use super::{Polynomial, Side};
 use crate::geometry::{RingElement, Sign};
 use crate::number::Number;
 use malachite::Rational;
@@ -28,7 +28,12 @@ pub enum Extent {
     /// There is none.
     Unbounded,
     /// It is here, and may be left out.
-    At { place: Place, is_open: bool },
+    At {
+        /// The number at the end.
+        place: Place,
+        /// Whether the interval leaves the end out.
+        is_open: bool,
+    },
 }
 
 /// A real number.
@@ -38,8 +43,11 @@ pub enum Place {
     Number(Number),
     /// The only root of a squarefree polynomial, constant term first, between two numbers.
     Root {
+        /// The coefficients, constant term first.
         polynomial: Vec<Number>,
+        /// A number of the field below the root.
         low: Number,
+        /// A number of the field above the root.
         high: Number,
     },
 }
@@ -91,6 +99,33 @@ impl Line {
         Some((low.mirrored(), self.upwards(point, &holds)))
     }
 
+    /// The roots of all factors in an interval, in order; at most this many.
+    pub fn roots(&self, side: &Side, most: usize) -> Vec<Place> {
+        let (low, high) = (&side.low.value, &side.high.value);
+        let is_root = |x: &Number| self.factors.iter().any(|f| f.sign_at(x) == Ordering::Equal);
+        let mut places = Vec::new();
+        if !side.low.is_open && is_root(low) {
+            places.push(Place::Number(low.clone()));
+        }
+        let mut from = low.clone();
+        while places.len() < most
+            && let Some(root) = self.next_root(&from)
+        {
+            let factor = &self.factors[root.factor];
+            let is_end =
+                factor.sign_at(high) == Ordering::Equal && factor.count(&root.low, high) == 1;
+            if root.low >= *high
+                || factor.count(&root.low, high) == 0
+                || is_end && side.high.is_open
+            {
+                break;
+            }
+            places.push(self.place(&root));
+            from = root.high;
+        }
+        places
+    }
+
     /// From a point at which the condition holds to where it ends.
     fn upwards(&self, point: &Number, holds: &impl Fn(&[Sign]) -> bool) -> Extent {
         let after = self.free_end(point);
@@ -107,9 +142,10 @@ impl Line {
                 is_open,
             };
             let is_at_end = self.factors[root.factor].sign_at(&root.high) == Ordering::Equal;
-            let after = match is_at_end {
-                true => self.free_end(&root.high),
-                false => root.high.clone(),
+            let after = if is_at_end {
+                self.free_end(&root.high)
+            } else {
+                root.high.clone()
             };
             let mut signs = self.signs(&after);
             let beyond = holds(&signs);

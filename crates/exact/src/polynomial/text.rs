@@ -6,7 +6,7 @@
 use super::{Coefficient, MOST_PARAMETERS, Monomial, Polynomial};
 use crate::geometry::RingElement;
 use crate::number::text::parse;
-use crate::number::{Expression, Number, ReadError, ReadErrorKind, Reader};
+use crate::number::{Declared, Expression, Number, ReadError, ReadErrorKind, Reader};
 
 /// No exponent in a text is larger.
 pub const EXPONENT_LIMIT: usize = 15;
@@ -17,6 +17,7 @@ pub const EXPONENT_LIMIT: usize = 15;
 /// If the text is no polynomial.
 pub fn learn(reader: &mut Reader, text: &str, parameters: &[String]) -> Result<(), ReadError> {
     learn_constants(reader, &parse(text)?, parameters)
+        .map_err(|error| with_declared(error, reader, parameters))
 }
 
 /// The polynomial, whose constants have been learnt. Numbers of smaller fields do not mix with
@@ -26,6 +27,22 @@ pub fn learn(reader: &mut Reader, text: &str, parameters: &[String]) -> Result<(
 /// As [`learn`], and if an exponent is larger than [`EXPONENT_LIMIT`].
 pub fn read(reader: &Reader, text: &str, parameters: &[String]) -> Result<Polynomial, ReadError> {
     polynomial(reader, &parse(text)?, parameters)
+        .map_err(|error| with_declared(error, reader, parameters))
+}
+
+/// An unknown name may be meant as a parameter, so the message lists those that are declared.
+fn with_declared(error: ReadError, reader: &Reader, parameters: &[String]) -> ReadError {
+    let kind = match error.kind {
+        ReadErrorKind::UnknownName(unknown) | ReadErrorKind::NoNames(unknown) => {
+            ReadErrorKind::NotDeclared(Declared {
+                unknown,
+                parameters: parameters.to_vec(),
+                generators: reader.generator_names().map(str::to_owned).collect(),
+            })
+        }
+        kind => kind,
+    };
+    ReadError { kind, ..error }
 }
 
 /// The first parameter that occurs.
@@ -106,20 +123,19 @@ fn polynomial(
                 .iter()
                 .try_fold(first, |product, (divides, x, column)| {
                     let factor = polynomial(reader, x, parameters)?;
-                    match divides {
-                        false => times(&product, &factor, *column),
-                        true => {
-                            let divisor = factor.to_constant();
-                            let divisor = divisor.ok_or_else(|| {
-                                let name = parameter_in(x, parameters).unwrap_or_default();
-                                not_a_polynomial(*column, name)
-                            })?;
-                            let inverse = divisor.inverse().ok_or(ReadError {
-                                column: *column,
-                                kind: ReadErrorKind::DivisionByZero,
-                            })?;
-                            Ok(product.map(|c| c * &inverse))
-                        }
+                    if *divides {
+                        let divisor = factor.to_constant();
+                        let divisor = divisor.ok_or_else(|| {
+                            let name = parameter_in(x, parameters).unwrap_or_default();
+                            not_a_polynomial(*column, name)
+                        })?;
+                        let inverse = divisor.inverse().ok_or(ReadError {
+                            column: *column,
+                            kind: ReadErrorKind::DivisionByZero,
+                        })?;
+                        Ok(product.map(|c| c * &inverse))
+                    } else {
+                        times(&product, &factor, *column)
                     }
                 })
         }
@@ -167,9 +183,10 @@ pub(super) fn shown(p: &Polynomial<Number>, names: &[String]) -> String {
             (powers, false) => format!("({})*{powers}", in_products(&size)),
         };
     }
-    match text.is_empty() {
-        true => "0".to_owned(),
-        false => text,
+    if text.is_empty() {
+        "0".to_owned()
+    } else {
+        text
     }
 }
 
@@ -202,8 +219,9 @@ pub fn in_products(number: &Number) -> String {
             _ => format!("{c}*{symbol}^{power}"),
         };
     }
-    match text.is_empty() {
-        true => "0".to_owned(),
-        false => text,
+    if text.is_empty() {
+        "0".to_owned()
+    } else {
+        text
     }
 }

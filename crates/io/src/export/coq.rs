@@ -4,10 +4,11 @@
 //! runs the checker of `Bytes.v`, which is proved sound. So nothing here is trusted: the theorem is
 //! about the bytes and the claim that the file shows, and a mistake makes `coqc` fail.
 //!
-//! Regions are left out: the development does not treat them.
+//! The statements about uncrossed planes and "not Delaunay" are left out: the development does not treat them.
 
+use acutile_core::format::family::{End, FamilyClaim, Parameter, Term, Value};
 use acutile_core::format::{
-    Claim, Cosine, Domain, Field, Fraction, Number, Polytope, Relation, Statement,
+    self, Claim, Cosine, Domain, Field, Fraction, Number, Polytope, Relation, Statement,
 };
 use malachite::Integer;
 use std::fmt;
@@ -15,18 +16,20 @@ use std::fmt;
 /// Why a certificate has no file for Coq.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum NotATheorem {
-    /// The soundness of regions is proved on paper only.
-    Region,
-    /// So is that of uncrossed planes.
+    /// The soundness of uncrossed planes is proved on paper only.
     Plane,
+    /// And that of vertices inside of circumspheres.
+    NotDelaunay,
 }
 
 impl fmt::Display for NotATheorem {
     fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
         match self {
-            NotATheorem::Region => f.write_str("the Coq development does not treat regions"),
             NotATheorem::Plane => {
                 f.write_str("the Coq development does not treat the statement \"uncrossed plane\"")
+            }
+            NotATheorem::NotDelaunay => {
+                f.write_str("the Coq development does not treat the statement \"not Delaunay\"")
             }
         }
     }
@@ -35,38 +38,76 @@ impl fmt::Display for NotATheorem {
 impl std::error::Error for NotATheorem {}
 
 /// The SHA-256 of the files that define the words of the theorem, as `sha256sum` prints them.
-const STATEMENT_FILES: &str = include_str!("../../../../proofs/statements.sha256");
+const STATEMENT_FILES: &str = include_str!("statements.sha256");
 
 /// Bytes on one line. Coq's parser needs stack in proportion to the longest list.
 const BYTES_PER_LINE: usize = 64;
 
+/// The file for a certificate of a tiling or of a family.
+///
+/// # Errors
+/// The bytes are no certificate of these kinds, or the reason is a [`NotATheorem`], in words.
+pub fn coq_file(cbor: &[u8]) -> Result<String, String> {
+    let theorem = if format::kind(cbor) == Some(format::FAMILY) {
+        let certificate = format::family::certificate(cbor).map_err(|error| error.to_string())?;
+        coq_family_theorem(cbor, &certificate.claim)
+    } else {
+        let certificate = format::read::certificate(cbor).map_err(|error| error.to_string())?;
+        coq_theorem(cbor, &certificate.claim)
+    };
+    theorem.map_err(|reason| reason.to_string())
+}
+
 /// The file for the certificate with these bytes and this claim, whether or not it is true.
 ///
 /// # Errors
-/// [`NotATheorem`] for regions and uncrossed planes.
+/// [`NotATheorem`] for uncrossed planes and the statement `not Delaunay`.
 pub fn coq_theorem(certificate: &[u8], claim: &Claim) -> Result<String, NotATheorem> {
+    let members = claim_members(claim)?;
+    Ok(theorem(certificate, "", &format!("OfTiling {members}")))
+}
+
+/// The file for a certificate of the kind `family`, as [`coq_theorem`].
+///
+/// # Errors
+/// [`NotATheorem`] for the statement `not Delaunay`.
+pub fn coq_family_theorem(certificate: &[u8], claim: &FamilyClaim) -> Result<String, NotATheorem> {
+    let parameters = list(&claim.parameters, parameter);
+    let members = claim_members(&claim.claim)?;
+    Ok(theorem(
+        certificate,
+        "String ",
+        &format!("OfFamily {parameters}\n  {members}"),
+    ))
+}
+
+/// Names are texts, which need the library `String`. It is imported before `List`, whose `length` and
+/// `concat` then have these short names.
+fn theorem(certificate: &[u8], strings: &str, claim: &str) -> String {
     let lines = certificate.chunks(BYTES_PER_LINE);
     let bytes: Vec<String> = lines
         .map(|line| list(line, |b| format!("x{b:02x}")))
         .collect();
-    Ok(format!(
+    format!(
         "(* The claim of an acutile certificate, as a theorem about real space or the real plane.\n   \
          [certificate] is the certificate: its CBOR, byte by byte. [claimed] is its claim.\n   \
-         Denote.v defines certificates and the meaning of claims, in the words of Statement.v and\n   \
-         PlaneStatement.v. The SHA-256 of these files:\n{}   The last line prints the axioms. *)\n\
-         From Coq Require Import List NArith ZArith.\nFrom Coq Require Import Init.Byte.\n\
-         From Acutile Require Import Statement Denote Bytes.\nImport ListNotations.\nLocal Open Scope Z_scope.\n\n\
+         Denote.v defines certificates and the meaning of claims, in the words of the four\n   \
+         statement files. The SHA-256 of these files:\n{}   Bytes.v is not imported, so it cannot change how the theorem is read.\n   \
+         The last line prints the axioms. *)\n\
+         From Coq Require Import {}List NArith ZArith.\nFrom Coq Require Import Init.Byte.\n\
+         From Acutile Require Import Statement Denote.\nFrom Acutile Require Bytes.\nImport ListNotations.\nLocal Open Scope Z_scope.\n\n\
          Definition certificate : bytes := concat [\n{}].\n\n\
          Definition claimed : claim := {}.\n\n\
-         Lemma checked : accepts certificate = Some claimed.\n\
+         Lemma checked : Acutile.Bytes.accepts certificate = Some claimed.\n\
          Proof. vm_cast_no_check (eq_refl (Some claimed)). Qed.\n\n\
          Theorem claim : exists c, certificate = print c /\\ claim_of c = claimed /\\ shows c /\\ meaning claimed.\n\
-         Proof. exact (accepted certificate claimed checked). Qed.\n\
+         Proof. exact (Acutile.Bytes.accepted certificate claimed checked). Qed.\n\
          Print Assumptions claim.\n",
         indented(STATEMENT_FILES),
+        strings,
         bytes.join(";\n"),
-        claim_term(claim)?,
-    ))
+        claim,
+    )
 }
 
 fn indented(lines: &str) -> String {
@@ -78,15 +119,15 @@ fn list<T>(items: &[T], term: impl Fn(&T) -> String) -> String {
     format!("[{}]", terms.join(";"))
 }
 
-/// A term of type `claim`.
-fn claim_term(claim: &Claim) -> Result<String, NotATheorem> {
+/// A term of type `tiling_claim`.
+fn claim_members<V: Numeric>(claim: &Claim<V>) -> Result<String, NotATheorem> {
     let statements: Result<Vec<String>, _> = claim.statements.iter().map(statement).collect();
     Ok(format!(
-        "OfTiling (TilingClaim {}\n  {}\n  {}\n  {}\n  {})",
+        "(TilingClaim {}\n  {}\n  {}\n  {}\n  {})",
         claim.dimension,
         field(&claim.field),
         points(&claim.gram),
-        domain(&claim.domain)?,
+        domain(&claim.domain),
         list(&statements?, String::clone),
     ))
 }
@@ -100,12 +141,45 @@ fn integer(value: &Integer) -> String {
     }
 }
 
-fn number(value: &Number) -> String {
+fn coefficients(value: &Number) -> String {
     list(&value.0, integer)
 }
 
-fn points(rows: &[Vec<Number>]) -> String {
-    list(rows, |row| list(row, number))
+/// What stands in the Gram matrix: a term of type `number`.
+trait Numeric {
+    fn number(&self) -> String;
+}
+
+impl Numeric for Number {
+    fn number(&self) -> String {
+        format!("Plain {}", coefficients(self))
+    }
+}
+
+impl Numeric for Value {
+    fn number(&self) -> String {
+        let term = |term: &Term| {
+            let exponents = list(&term.exponents, u8::to_string);
+            format!("({},{exponents}%N)", coefficients(&term.coefficient))
+        };
+        format!("Polynomial {}", list(&self.0, term))
+    }
+}
+
+fn points<V: Numeric>(rows: &[Vec<V>]) -> String {
+    list(rows, |row| list(row, V::number))
+}
+
+fn parameter(parameter: &Parameter) -> String {
+    let Parameter { name, low, high } = parameter;
+    format!("Range \"{name}\"%string {} {}", end(low), end(high))
+}
+
+fn end(end: &End) -> String {
+    let is_closed = !end.is_open;
+    let numerator = coefficients(&end.value.numerator);
+    let divisor = integer(&end.value.denominator);
+    format!("(Limit {is_closed} {numerator} {divisor})")
 }
 
 fn field(field: &Field) -> String {
@@ -121,17 +195,17 @@ fn field(field: &Field) -> String {
     }
 }
 
-fn domain(domain: &Domain) -> Result<String, NotATheorem> {
-    Ok(match domain {
+fn domain<V: Numeric>(domain: &Domain<V>) -> String {
+    match domain {
         Domain::Space => "Space".to_owned(),
         Domain::Slab(polytope) => format!("(Slab {})", polytope_term(polytope)),
         Domain::Prism(polytope) => format!("(Prism {})", polytope_term(polytope)),
         Domain::Solid(polytope) => format!("(Solid {})", polytope_term(polytope)),
-        Domain::Region(_) => return Err(NotATheorem::Region),
-    })
+        Domain::Region(rank) => format!("(Region {rank})"),
+    }
 }
 
-fn polytope_term(polytope: &Polytope) -> String {
+fn polytope_term<V: Numeric>(polytope: &Polytope<V>) -> String {
     let face = |face: &Vec<u32>| list(face, |i| format!("{i}%N"));
     format!(
         "(Polytope {} {} {})",
@@ -160,6 +234,7 @@ fn statement(statement: &Statement) -> Result<String, NotATheorem> {
         Statement::WeaklyDelaunay => "IsWeaklyDelaunay".to_owned(),
         Statement::LocallyDelaunay => "IsLocallyDelaunay".to_owned(),
         Statement::LocallyWeaklyDelaunay => "IsLocallyWeaklyDelaunay".to_owned(),
+        Statement::NotDelaunay => return Err(NotATheorem::NotDelaunay),
         Statement::Tcp => "IsTCP".to_owned(),
     })
 }
@@ -172,8 +247,8 @@ fn angle(quantity: &str, relation: Relation, cosine: &Cosine) -> String {
 
 /// Numerator and denominator.
 fn fraction(fraction: &Fraction) -> String {
-    let numerator = number(&fraction.numerator);
-    format!("{numerator} {}", integer(&fraction.denominator))
+    let numerator = fraction.numerator.number();
+    format!("({numerator}) {}", integer(&fraction.denominator))
 }
 
 fn relation_term(relation: Relation) -> &'static str {

@@ -99,9 +99,13 @@ fn rows<const D: usize>(
         .map(|row| Value::Array(row.borrow().iter().map(|x| json!(number(x))).collect()))
 }
 
-/// `1/2+3/4*a^2`, in the generator of the field, by its symbol.
+/// A number in the generator of its field, by the symbol of that.
 fn number(number: &Number) -> String {
-    let symbol = number.field().map_or("", Field::symbol);
+    number_in(number, number.field().map_or("", Field::symbol))
+}
+
+/// `1/2+3/4*a^2`, where `a` is the symbol.
+pub(super) fn number_in(number: &Number, symbol: &str) -> String {
     let mut text = String::new();
     for (power, coefficient) in number.coefficients().iter().enumerate() {
         if *coefficient == 0 {
@@ -124,9 +128,10 @@ fn number(number: &Number) -> String {
 }
 
 fn simplex<const D: usize>(corners: &[Corner<D>], rank: usize) -> Value {
-    let corner = |corner: &Corner<D>| match corner.shift.iter().all(|&s| s == 0) {
-        true => json!(corner.vertex.number()),
-        false => {
+    let corner = |corner: &Corner<D>| {
+        if corner.shift.iter().all(|&s| s == 0) {
+            json!(corner.vertex.number())
+        } else {
             let row = std::iter::once(i64::from(corner.vertex.number()))
                 .chain(corner.shift[..rank].iter().map(|&s| i64::from(s)));
             Value::Array(row.map(|n| json!(n)).collect())

@@ -8,7 +8,7 @@ use std::collections::BTreeMap;
 use std::fmt;
 use std::marker::PhantomData;
 
-/// What every file of ours begins with.
+/// The first members of every file of the project's own formats.
 #[derive(Deserialize)]
 pub struct Header {
     pub format: String,
@@ -217,7 +217,7 @@ pub enum Coordinates {
     Cartesian,
 }
 
-/// What is tiled.
+/// The domain.
 #[derive(Default)]
 pub enum Domain<'a> {
     #[default]

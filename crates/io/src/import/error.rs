@@ -12,30 +12,66 @@ pub enum ImportError {
     /// The operating system refused.
     Unreadable(io::Error),
     /// More bytes than the limit.
-    TooLong { limit: u64 },
+    TooLong {
+        /// The limit in bytes.
+        limit: u64,
+    },
     /// A compressed file of `length` bytes that has more than `growth` bytes of content.
-    GrowsTooMuch { length: u64, growth: u64 },
+    GrowsTooMuch {
+        /// The length of the file in bytes.
+        length: u64,
+        /// The greatest length of the content in bytes.
+        growth: u64,
+    },
     /// Not UTF-8 from this byte on.
-    NotText { offset: usize },
+    NotText {
+        /// The first byte that is not UTF-8, from zero.
+        offset: usize,
+    },
     /// Nothing but white space.
     Empty,
     /// Not JSON, or not the members that were expected; names line and column.
     Json(serde_json::Error),
-    /// JSON, but not what was expected at this place.
+    /// JSON of another shape than expected at this place.
     Shape {
+        /// The path of the entry.
         place: String,
+        /// The error of the JSON reader.
         error: serde_json::Error,
     },
     /// JSON of another format.
-    Format { found: String },
+    Format {
+        /// The value of `format`.
+        found: String,
+        /// The values that are read.
+        expected: Vec<String>,
+    },
     /// An unknown version of the format.
-    Version { found: u64 },
+    Version {
+        /// The value of `version`.
+        found: u64,
+    },
     /// Something about the entry at `place`, like `vertices[3][1]`.
-    Entry { place: String, problem: String },
+    Entry {
+        /// The path of the entry.
+        place: String,
+        /// The problem with it.
+        problem: String,
+    },
     /// At `place` a stated limit is exceeded.
-    Limit { place: String, problem: String },
+    Limit {
+        /// The path of the entry.
+        place: String,
+        /// The limit, and the value that exceeds it.
+        problem: String,
+    },
     /// A number that cannot be read.
-    Number { place: String, error: ReadError },
+    Number {
+        /// The path of the entry.
+        place: String,
+        /// The error of the number reader.
+        error: ReadError,
+    },
 }
 
 impl ImportError {
@@ -80,7 +116,9 @@ impl ImportError {
 impl fmt::Display for ImportError {
     fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
         match self {
-            ImportError::Unreadable(error) => write!(f, "cannot be read: {error}"),
+            ImportError::Unreadable(error) => {
+                write!(f, "cannot be read: {}", words::of_io(error))
+            }
             ImportError::TooLong { limit } => {
                 write!(f, "is longer than the limit of {limit} bytes")
             }
@@ -90,9 +128,15 @@ impl fmt::Display for ImportError {
                  expected at most {growth}; if this is intended, decompress the file first"
             ),
             ImportError::NotText { offset } => {
-                write!(f, "byte {offset}: not UTF-8 text")
+                write!(
+                    f,
+                    "byte {offset} is not UTF-8: neither text nor a binary format that is read"
+                )
             }
-            ImportError::Empty => write!(f, "is empty, expected a tiling or point-set file"),
+            ImportError::Empty => write!(
+                f,
+                "is empty, expected an input file; acutile new writes examples"
+            ),
             ImportError::Json(error) | ImportError::Shape { error, .. } => write!(
                 f,
                 "{} (line {}, column {})",
@@ -100,10 +144,12 @@ impl fmt::Display for ImportError {
                 error.line(),
                 error.column()
             ),
-            ImportError::Format { found } => write!(
-                f,
-                "format is {found:?}, expected \"acutile-tiling\" or \"acutile-points\""
-            ),
+            ImportError::Format { found, expected } => {
+                let expected: Vec<String> = expected.iter().map(|e| format!("{e:?}")).collect();
+                let expected = expected.join(" or ");
+                write!(f, "format is {found:?}, expected {expected}")?;
+                f.write_str(words::use_of(found))
+            }
             ImportError::Version { found } => {
                 write!(f, "version is {found}, expected 1")
             }

@@ -118,7 +118,7 @@ impl<S: Entry, const D: usize> Change<D, S> {
         }
     }
 
-    /// With basis vectors as rows of B, x = f B, so f_k = Σ_j x_j C_kj / det B for
+    /// With basis vectors as rows of B, x = f B. So f_k = Σ_j x_j C_kj / det B for
     /// the cofactors C of B.
     fn from_vectors(vectors: &[[S; D]; D], coordinates: Coordinates) -> Result<Self, ImportError> {
         if coordinates == Coordinates::Fractional {
@@ -126,12 +126,11 @@ impl<S: Entry, const D: usize> Change<D, S> {
         }
         let determinant = linear::determinant(vectors);
         let Some(scale) = determinant.inverse() else {
-            let problem = match determinant.is_zero() {
-                true => "the lattice vectors are linearly dependent: their determinant is 0",
-                false => {
-                    "the determinant of the lattice vectors depends on parameters; give \
+            let problem = if determinant.is_zero() {
+                "the lattice vectors are linearly dependent: their determinant is 0"
+            } else {
+                "the determinant of the lattice vectors depends on parameters; give \
                      fractional coordinates"
-                }
             };
             return Err(ImportError::entry("lattice", problem));
         };

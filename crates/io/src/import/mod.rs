@@ -1,6 +1,6 @@
 //! Files that people bring, read into tilings and point sets.
 //!
-//! A reader checks form (what is there, of the right length, in range); whether
+//! A reader checks form (presence, length, range); whether
 //! the tiling is one is the checker's business. Every error names the place.
 
 pub mod cif;
@@ -17,5 +17,6 @@ mod words;
 
 pub use error::ImportError;
 pub use excerpt::Excerpt;
-pub use native::{Content, NativeFile, read_native};
+pub use native::{Content, NativeFile, read_document, read_native};
 pub use text::{BYTE_LIMIT, is_gzip, read_bytes, read_text, uncompressed_name, without_comments};
+pub use words::of_io as io_words;

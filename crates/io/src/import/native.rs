@@ -10,20 +10,23 @@ use acutile_core::tiling::{
     AnyPointSet, AnyTiling, Corner, Domain, Frame, PointSet, SHIFT_LIMIT, Tiling, VertexId,
 };
 use acutile_exact::number::Number;
+use serde::Deserialize;
+use serde::de::DeserializeOwned;
+use std::borrow::Cow;
 
 /// A file of ours.
 pub struct NativeFile {
-    /// What its author calls it.
+    /// Its name.
     pub name: Option<String>,
-    /// What its author says of it.
+    /// Its description.
     pub description: Option<String>,
     /// For each vertex or point the label of its site; empty if the file has none.
     pub labels: Vec<String>,
-    /// What it holds.
+    /// Its content.
     pub content: Content,
 }
 
-/// What a file holds.
+/// The content of a file.
 pub enum Content {
     /// A tiling file.
     Tiling(AnyTiling),
@@ -42,23 +45,9 @@ const POINTS: &str = "acutile-points";
 /// # Errors
 /// [`ImportError`], naming line and column for JSON and the entry otherwise.
 pub fn read_native(text: &str) -> Result<NativeFile, ImportError> {
-    let text = text.trim_start_matches('\u{feff}');
-    if text.trim().is_empty() {
-        return Err(ImportError::Empty);
-    }
-    let text = &*without_comments(text);
-    let header: Header = serde_json::from_str(text).map_err(ImportError::Json)?;
-    if header.format != TILING && header.format != POINTS {
-        return Err(ImportError::Format {
-            found: header.format,
-        });
-    }
-    if header.version != 1 {
-        return Err(ImportError::Version {
-            found: header.version,
-        });
-    }
-    let document: Document = serde_json::from_str(text).map_err(|error| with_place(text, error))?;
+    let text = plain(text)?;
+    let header = header(&text, &[TILING, POINTS])?;
+    let document: Document = shaped(&text)?;
     let numbers = Numbers::of(&document)?;
     let content = match document.dimension {
         2 => content(
@@ -101,10 +90,48 @@ fn labels(document: &Document) -> Result<Vec<String>, ImportError> {
     Ok(labels.clone())
 }
 
+/// Reads a document of version 1 of another format of ours, whose shape is `T`.
+///
+/// # Errors
+/// As for [`read_native`].
+pub fn read_document<T: DeserializeOwned>(text: &str, format: &str) -> Result<T, ImportError> {
+    let text = plain(text)?;
+    header(&text, &[format])?;
+    shaped(&text)
+}
+
+/// The text without a byte order mark and without comments.
+fn plain(text: &str) -> Result<Cow<'_, str>, ImportError> {
+    let text = text.trim_start_matches('\u{feff}');
+    match text.trim().is_empty() {
+        true => Err(ImportError::Empty),
+        false => Ok(without_comments(text)),
+    }
+}
+
+/// The header, if it is of one of these formats and of version 1.
+fn header(text: &str, formats: &[&str]) -> Result<Header, ImportError> {
+    let header: Header = serde_json::from_str(text).map_err(ImportError::Json)?;
+    if !formats.contains(&header.format.as_str()) {
+        return Err(ImportError::Format {
+            found: header.format,
+            expected: formats.iter().map(|&format| format.to_owned()).collect(),
+        });
+    }
+    match header.version {
+        1 => Ok(header),
+        found => Err(ImportError::Version { found }),
+    }
+}
+
+fn shaped<'t, T: Deserialize<'t>>(text: &'t str) -> Result<T, ImportError> {
+    serde_json::from_str(text).map_err(|error| with_place::<T>(text, error))
+}
+
 /// Where in the document the shape is wrong, if JSON it is: read once more, slowly.
-fn with_place(text: &str, error: serde_json::Error) -> ImportError {
+fn with_place<'t, T: Deserialize<'t>>(text: &'t str, error: serde_json::Error) -> ImportError {
     let mut deserializer = serde_json::Deserializer::from_str(text);
-    match serde_path_to_error::deserialize::<_, Document>(&mut deserializer) {
+    match serde_path_to_error::deserialize::<_, T>(&mut deserializer) {
         Err(traced) if error.is_data() && traced.path().iter().len() > 0 => ImportError::Shape {
             place: traced.path().to_string(),
             error,
@@ -207,12 +234,13 @@ fn require<'d, T>(
 }
 
 fn forbid(member: &str, present: bool, format: &str) -> Result<(), ImportError> {
-    match present {
-        false => Ok(()),
-        true => Err(ImportError::entry(
+    if present {
+        Err(ImportError::entry(
             member,
             format!("has no place in {format}"),
-        )),
+        ))
+    } else {
+        Ok(())
     }
 }
 

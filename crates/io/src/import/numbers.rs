@@ -16,7 +16,7 @@ pub struct Numbers {
     names: Vec<String>,
 }
 
-/// What entries of a document are: numbers, or polynomials in its parameters.
+/// The kind of a document's entries: numbers, or polynomials in its parameters.
 pub trait Entry: RingElement + PartialEq {
     /// The value of a text that was learnt.
     fn read(numbers: &Numbers, text: &str) -> Result<Self, ReadError>;

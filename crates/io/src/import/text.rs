@@ -88,9 +88,10 @@ pub fn is_gzip(path: &Path) -> bool {
 
 /// The path without `.gz`: its extension is that of the content.
 pub fn uncompressed_name(path: &Path) -> Cow<'_, Path> {
-    match is_gzip(path) {
-        true => Cow::Owned(path.with_extension("")),
-        false => Cow::Borrowed(path),
+    if is_gzip(path) {
+        Cow::Owned(path.with_extension(""))
+    } else {
+        Cow::Borrowed(path)
     }
 }
 

@@ -1,4 +1,34 @@
-//! What the JSON reader says, in the words of those who write such files.
+//! What the JSON reader and the operating system say, in the words of those who write such files.
+
+use std::io;
+
+/// What the operating system says of a file, without its number.
+pub fn of_io(error: &io::Error) -> String {
+    match error.kind() {
+        io::ErrorKind::NotFound => "there is no such file".to_owned(),
+        io::ErrorKind::IsADirectory => "is a directory, expected a file".to_owned(),
+        io::ErrorKind::NotADirectory => "a part of its path is not a directory".to_owned(),
+        io::ErrorKind::PermissionDenied => "permission denied".to_owned(),
+        _ => {
+            let text = error.to_string();
+            let end = text.find(" (os error").unwrap_or(text.len());
+            text[..end].to_owned()
+        }
+    }
+}
+
+/// What a file of another format of ours is for.
+pub fn use_of(format: &str) -> &'static str {
+    match format {
+        "acutile-plane-tiling" => {
+            "; a plane tiling by squares and triangles is taken as square-triangle:FILE or z-c15:FILE"
+        }
+        "acutile-tiling" | "acutile-points" => "; acutile takes this file by its name alone",
+        "acutile-certificate" => "; this is no certificate in its canonical form",
+        "acutile-answer" => "; this is an answer that --json printed",
+        _ => "",
+    }
+}
 
 /// The message of an error of serde_json without its place.
 pub fn of_json(error: &serde_json::Error) -> String {
@@ -19,7 +49,9 @@ fn of_message(message: &str) -> String {
     }
     if let Some(rest) = message.strip_prefix("invalid length ") {
         let (count, expected) = rest.split_once(", expected ").unwrap_or((rest, "others"));
-        return format!("found {count} entries, expected {}", thing(expected));
+        let entries = if count == "1" { "entry" } else { "entries" };
+        let expected = thing(expected).replace("an array of length ", "");
+        return format!("found {count} {entries}, expected {expected}");
     }
     if let Some(name) = quoted(message, "missing field ") {
         return format!("the member {name:?} is missing{}", example(name));
@@ -58,6 +90,7 @@ fn of_syntax(message: &str) -> Option<&'static str> {
         }
         "invalid escape" => "an unknown escape in a text; a backslash is written \\\\",
         "recursion limit exceeded" => "brackets are nested more than 127 deep",
+        "number out of range" => "the number is too large",
         "invalid number" => "this is no number of JSON; write fractions as texts, like \"1/2\"",
         _ => return None,
     })
@@ -79,7 +112,7 @@ fn thing(name: &str) -> String {
         "a string" => "a text in double quotes".to_owned(),
         "u64" | "usize" => "an integer of at least 0".to_owned(),
         "i64" => "an integer".to_owned(),
-        "struct Header" | "struct Document" => {
+        "struct Header" | "struct Document" | "struct PlaneDocument" => {
             "an object with format, version and dimension".to_owned()
         }
         "struct Generator" => "an object with polynomial and root".to_owned(),
@@ -105,7 +138,7 @@ fn quoted<'m>(message: &'m str, start: &str) -> Option<&'m str> {
     rest.split_once('`').map(|(name, _)| name)
 }
 
-/// What a member that is missing may be.
+/// The possible values of a missing member.
 fn example(name: &str) -> &'static str {
     match name {
         "format" => "; expected \"format\": \"acutile-tiling\" or \"acutile-points\"",

@@ -63,6 +63,14 @@ struct Pending {
     place: Place,
 }
 
+/// The value of a parameter; quotes around it are no part of it.
+fn unquoted(value: &str) -> String {
+    let inner = value
+        .strip_prefix('"')
+        .and_then(|rest| rest.strip_suffix('"'));
+    inner.unwrap_or(value).to_owned()
+}
+
 #[derive(Default)]
 struct Reading {
     draft: Draft,
@@ -83,7 +91,7 @@ impl Reading {
         let keyword = fields.next().unwrap_or_default().to_ascii_uppercase();
         let parameters: BTreeMap<String, String> = fields
             .map(|field| field.split_once('=').unwrap_or((field, "")))
-            .map(|(name, value)| (name.trim().to_ascii_uppercase(), value.trim().to_owned()))
+            .map(|(name, value)| (name.trim().to_ascii_uppercase(), unquoted(value.trim())))
             .collect();
         self.block = match keyword.as_str() {
             "PART" => {
@@ -91,6 +99,10 @@ impl Reading {
                 Block::Other
             }
             "NODE" => self.node_block(&parameters, place)?,
+            "ELEMENT" if parameters.contains_key("INPUT") => {
+                let problem = "found *ELEMENT with INPUT".to_owned();
+                return Err(declined(place, problem));
+            }
             "ELEMENT" => {
                 let kind = parameters.get("TYPE").cloned().unwrap_or_default();
                 let kind = kind.to_ascii_uppercase();
@@ -245,6 +257,33 @@ impl Reading {
     }
 }
 
+/// The types of elements that are read, without letters before, and their nodes. A name that goes on with
+/// a digit is another type.
+const CELLS: [(&str, usize); 22] = [
+    ("C3D4", 4),
+    ("C3D10", 10),
+    ("CPS3", 3),
+    ("CPE3", 3),
+    ("CPEG3", 3),
+    ("CAX3", 3),
+    ("C2D3", 3),
+    ("AC2D3", 3),
+    ("S3", 3),
+    ("STRI3", 3),
+    ("M3D3", 3),
+    ("SFM3D3", 3),
+    ("R3D3", 3),
+    ("WARPF2D3", 3),
+    ("CPS6", 6),
+    ("CPE6", 6),
+    ("CPEG6", 6),
+    ("CAX6", 6),
+    ("C2D6", 6),
+    ("STRI65", 6),
+    ("M3D6", 6),
+    ("SFM3D6", 6),
+];
+
 /// The nodes of a solid tetrahedron or of a triangle. The letters before and after the numbers say
 /// what is computed.
 fn nodes_of_cell(kind: &str) -> Option<usize> {
@@ -253,17 +292,8 @@ fn nodes_of_cell(kind: &str) -> Option<usize> {
         let rest = base.strip_prefix(prefix).or(kind.strip_prefix(prefix));
         rest.is_some_and(|rest| !rest.starts_with(|c: char| c.is_ascii_digit()))
     };
-    if begins("C3D4") {
-        Some(4)
-    } else if begins("C3D10") {
-        Some(10)
-    } else {
-        let triangles = [
-            "CPS3", "CPE3", "CPEG3", "CAX3", "C2D3", "AC2D3", "S3", "STRI3", "M3D3", "SFM3D3",
-            "R3D3", "WARPF2D3",
-        ];
-        triangles.iter().any(|prefix| begins(prefix)).then_some(3)
-    }
+    let found = CELLS.iter().find(|(prefix, _)| begins(prefix));
+    found.map(|(_, nodes)| *nodes)
 }
 
 fn declined(place: Place, problem: String) -> MeshError {

@@ -13,7 +13,7 @@ use acutile_core::tiling::{
 };
 use acutile_exact::number::{Field, Number};
 use malachite::{Integer, Rational};
-use std::collections::BTreeSet;
+use std::collections::{BTreeSet, HashSet};
 
 /// A tiling made of a mesh.
 pub struct Converted {
@@ -27,7 +27,7 @@ pub struct Converted {
     pub sides: Sides,
     /// Nodes that were moved to exact images.
     pub moves: Vec<Move>,
-    /// Nodes that belong to no cell, and were left out.
+    /// Nodes that are no corners of cells, and were left out.
     pub unused: usize,
     /// Nodes that have exactly the coordinates of another node and are still vertices
     /// of their own.
@@ -73,12 +73,11 @@ fn converted(
     if let Some(tolerance) = tolerance.filter(|&tolerance| tolerance > 0.0) {
         moves = apply_snap(&mut found, &mesh, &basis, &inverse, tolerance)?;
     }
-    let coincident = match merge {
-        true => 0,
-        false => {
-            let merged = identify(&mesh.points, &used, &inverse, basis.rank, true)?;
-            found.numerators.len() - merged.numerators.len()
-        }
+    let coincident = if merge {
+        0
+    } else {
+        let points: HashSet<&[Integer; 3]> = found.numerators.iter().collect();
+        found.numerators.len() - points.len()
     };
     let snapped = |distance: f64| {
         // Whoever gives a tolerance says which gaps are meant.
@@ -112,7 +111,9 @@ fn converted(
 
 /// A mesh of triangles has to lie in a plane z = constant.
 fn check_plane(mesh: &Mesh, used: &[bool]) -> Result<(), MeshError> {
-    let mut heights = (0..mesh.points.len()).filter(|&point| used[point]);
+    let corners = (0..mesh.points.len()).filter(|&point| used[point]);
+    let middles = mesh.curved.values().flatten().map(|&point| point as usize);
+    let mut heights = corners.chain(middles);
     let Some(first) = heights.next() else {
         return Ok(());
     };

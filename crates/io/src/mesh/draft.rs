@@ -1,10 +1,10 @@
 //! A mesh while it is read: nodes, then elements by the numbers of their nodes.
 //!
 //! Tetrahedra and triangles are kept apart, because a file says only at its end which of them are
-//! its cells. Tetrahedra of second order whose middle nodes are the midpoints of their edges, as
-//! doubles, are straight.
+//! its cells. Cells of second order whose middle nodes are the midpoints of their edges, as doubles,
+//! are straight.
 
-use super::element::is_curved_tetrahedron;
+use super::element::{counted, is_curved_tetrahedron};
 use super::error::{MeshError, Place};
 use super::numbering::{Index, Numbering};
 use super::{Mesh, Periodic};
@@ -14,7 +14,8 @@ use std::collections::BTreeMap;
 /// counted, too.
 const MOST: usize = 1 << 29;
 
-/// The edges of a tetrahedron in the order of its middle nodes, as VTK has them.
+/// The edges of a cell in the order of its middle nodes, as VTK has them; the first three are those of
+/// a triangle.
 const EDGES: [(usize, usize); 6] = [(0, 1), (1, 2), (0, 2), (0, 3), (1, 3), (2, 3)];
 
 /// An element of a file.
@@ -25,8 +26,8 @@ pub struct Element<'n> {
     pub label: i64,
     /// Its geometric entity; 0 for none.
     pub entity: i64,
-    /// Three nodes of a triangle, four of a tetrahedron, or ten of a tetrahedron of second order
-    /// in VTK's order.
+    /// Three nodes of a triangle, four of a tetrahedron, or six and ten of those of second order in
+    /// VTK's order.
     pub nodes: &'n [i64],
     /// Where it stands.
     pub place: Place,
@@ -39,8 +40,6 @@ pub struct Draft {
     pub mesh: Mesh,
     tetrahedra: Cells<4>,
     triangles: Cells<3>,
-    middles: BTreeMap<usize, [u32; 6]>,
-    straight: usize,
     /// The names of labels by the dimension of the cells.
     pub names: [BTreeMap<i64, String>; 4],
 }
@@ -53,6 +52,16 @@ struct Cells<const N: usize> {
     lines: Option<Numbering>,
     labels: Vec<i64>,
     entities: Vec<i64>,
+    /// The middle nodes of curved cells, by the index of the cell.
+    middles: BTreeMap<usize, Vec<u32>>,
+    /// The number of straight cells of second order.
+    straight: usize,
+}
+
+/// A cell of second order.
+struct Nodes<const N: usize> {
+    corners: [u32; N],
+    middles: Vec<u32>,
 }
 
 impl<const N: usize> Cells<N> {
@@ -66,6 +75,28 @@ impl<const N: usize> Cells<N> {
         }
     }
 
+    /// A cell of second order, by its middle nodes.
+    fn push_second_order(&mut self, points: &[[f64; 3]], element: &Element, nodes: Nodes<N>) {
+        let point = |index: u32| points[index as usize];
+        let is_straight = EDGES.iter().zip(&nodes.middles).all(|(&(a, b), &middle)| {
+            let ends = [nodes.corners[a], nodes.corners[b]];
+            let ([a, b], middle) = (ends.map(point), point(middle));
+            (0..3).all(|k| is_midpoint(a[k], b[k], middle[k]))
+        });
+        if is_straight {
+            self.straight += 1;
+        } else {
+            self.middles.insert(self.corners.len(), nodes.middles);
+        }
+        self.push(element, nodes.corners);
+    }
+
+    /// How many cells are of first order, and how many of second order.
+    fn by_order(&self) -> [usize; 2] {
+        let second = self.straight + self.middles.len();
+        [self.corners.len() - second, second]
+    }
+
     /// Gives numbers, lines and labels to the mesh.
     fn store(self, mesh: &mut Mesh) -> Vec<[u32; N]> {
         let known = |list: Vec<i64>| match list.iter().all(|&label| label == 0) {
@@ -76,6 +107,7 @@ impl<const N: usize> Cells<N> {
         mesh.lines = self.lines;
         mesh.labels = known(self.labels);
         mesh.entities = known(self.entities);
+        mesh.curved = self.middles;
         self.corners
     }
 }
@@ -116,15 +148,21 @@ impl Draft {
                 let corners = found(index, element, 0)?;
                 self.triangles.push(element, corners);
             }
+            6 => {
+                let nodes = Nodes {
+                    corners: found(index, element, 0)?,
+                    middles: found::<3>(index, element, 3)?.to_vec(),
+                };
+                let points = &self.mesh.points;
+                self.triangles.push_second_order(points, element, nodes);
+            }
             10 => {
-                let corners = found(index, element, 0)?;
-                let middles = found(index, element, 4)?;
-                if self.is_straight(&corners, &middles) {
-                    self.straight += 1;
-                } else {
-                    self.middles.insert(self.tetrahedra.corners.len(), middles);
-                }
-                self.tetrahedra.push(element, corners);
+                let nodes = Nodes {
+                    corners: found(index, element, 0)?,
+                    middles: found::<6>(index, element, 4)?.to_vec(),
+                };
+                let points = &self.mesh.points;
+                self.tetrahedra.push_second_order(points, element, nodes);
             }
             _ => {
                 let corners = found(index, element, 0)?;
@@ -132,15 +170,6 @@ impl Draft {
             }
         }
         Ok(())
-    }
-
-    /// Whether each middle node is the midpoint of its edge.
-    fn is_straight(&self, corners: &[u32; 4], middles: &[u32; 6]) -> bool {
-        let point = |index: u32| self.mesh.points[index as usize];
-        EDGES.iter().zip(middles).all(|(&(a, b), &middle)| {
-            let (a, b, middle) = (point(corners[a]), point(corners[b]), point(middle));
-            (0..3).all(|k| is_midpoint(a[k], b[k], middle[k]))
-        })
     }
 
     /// Counts elements of another type.
@@ -175,7 +204,9 @@ impl Draft {
                 return Err(self.refusal(&name));
             }
         } else if !self.triangles.corners.is_empty() {
-            self.count_other("triangles", self.triangles.corners.len());
+            let [first, second] = self.triangles.by_order();
+            self.count_other("triangles", first);
+            self.count_other("second-order triangles", second);
             self.triangles = Cells::default();
         }
         if let Some(name) = self.mesh.others.keys().find(|n| is_curved_tetrahedron(n)) {
@@ -184,6 +215,13 @@ impl Draft {
         }
         let cells = self.tetrahedra.corners.len() + self.triangles.corners.len();
         if cells == 0 {
+            let mut names = self.mesh.others.keys();
+            if let Some(name) = names.find(|name| name.ends_with(" triangles")) {
+                let count = counted(self.mesh.others[name], name);
+                return Err(MeshError::limit(format!(
+                    "has {count}, expected triangles with three or six nodes"
+                )));
+            }
             let others = match self.mesh.others.is_empty() {
                 true => String::new(),
                 false => format!(", but {}", self.mesh.other_counts()),
@@ -197,11 +235,16 @@ impl Draft {
                 "has {cells} cells, the limit is {MOST}"
             )));
         }
-        if self.straight > 0 {
-            self.pass(format!(
-                "the middle nodes of {} second-order tetrahedra, midpoints of their edges as doubles",
-                self.straight
-            ));
+        for (straight, kind) in [
+            (self.tetrahedra.straight, "second-order tetrahedra"),
+            (self.triangles.straight, "second-order triangles"),
+        ] {
+            if straight > 0 {
+                let cells = counted(straight, kind);
+                self.pass(format!(
+                    "the middle nodes of {cells}, midpoints of their edges as doubles"
+                ));
+            }
         }
         let mut mesh = self.mesh;
         let [_, _, of_triangles, of_tetrahedra] = self.names;
@@ -212,14 +255,13 @@ impl Draft {
             mesh.tetrahedra = self.tetrahedra.store(&mut mesh);
             mesh.names = of_tetrahedra;
         }
-        mesh.curved = self.middles;
         Ok(mesh)
     }
 
     fn refusal(&self, name: &str) -> MeshError {
-        let count = self.mesh.others[name];
+        let count = counted(self.mesh.others[name], name);
         MeshError::limit(format!(
-            "has {count} {name}, expected tetrahedra with four nodes, or with ten from a format \
+            "has {count}, expected tetrahedra with four nodes, or with ten from a format \
              whose order of nodes is documented: facets of the former need not be plane"
         ))
     }

@@ -1,5 +1,5 @@
-//! Element types of other kinds than the tetrahedron with four nodes: names, and how
-//! many nodes they have, by the numbers of Gmsh and of VTK.
+//! Types of elements other than the tetrahedron with four nodes.
+//! Each has a name and a number of nodes, and is found by its number in Gmsh or in VTK.
 
 /// The tetrahedron with four nodes in Gmsh's numbering.
 pub const GMSH_TETRAHEDRON: i64 = 4;
@@ -8,10 +8,11 @@ pub const VTK_TETRAHEDRON: i64 = 10;
 /// The triangle with three nodes, in Gmsh's numbering and in VTK's.
 pub const GMSH_TRIANGLE: i64 = 2;
 pub const VTK_TRIANGLE: i64 = 5;
-/// Triangles, tetrahedra, and tetrahedra of second order, in Gmsh's numbering.
-pub const GMSH_CELLS: [i64; 3] = [GMSH_TRIANGLE, GMSH_TETRAHEDRON, 11];
-/// The same in VTK's.
-pub const VTK_CELLS: [i64; 3] = [VTK_TRIANGLE, VTK_TETRAHEDRON, 24];
+/// Triangles and tetrahedra of first and of second order, in Gmsh's numbering.
+pub const GMSH_CELLS: [i64; 4] = [GMSH_TRIANGLE, GMSH_TETRAHEDRON, 9, 11];
+/// The same in VTK's, with the number of their nodes.
+pub const VTK_CELLS: [(i64, usize); 4] =
+    [(VTK_TRIANGLE, 3), (VTK_TETRAHEDRON, 4), (22, 6), (24, 10)];
 
 /// The nodes of a cell in VTK's order. Gmsh has the last two middle nodes of a tetrahedron of second
 /// order in the other order.
@@ -110,11 +111,34 @@ pub fn vtk_cell(kind: i64) -> String {
         26 => "second-order prisms",
         27 => "second-order pyramids",
         42 => "polyhedra",
+        69 => "Lagrange triangles",
         71 => "Lagrange tetrahedra",
+        76 => "Bezier triangles",
         78 => "Bezier tetrahedra",
         _ => return format!("cells of VTK type {kind}"),
     };
     name.to_owned()
+}
+
+/// `2 lines`, `1 line`: names of elements are plural.
+pub fn counted(count: usize, name: &str) -> String {
+    if count != 1 {
+        return format!("{count} {name}");
+    }
+    let (of, kind) = match name.strip_prefix("elements of type") {
+        Some(kind) => return format!("1 element of type{kind}"),
+        None => name.rsplit_once(' ').unwrap_or(("", name)),
+    };
+    let one = match (kind.strip_suffix("hedra"), kind.strip_suffix('s')) {
+        (Some(stem), _) => format!("{stem}hedron"),
+        (None, Some("vertice")) => "vertex".to_owned(),
+        (None, Some(stem)) => stem.to_owned(),
+        (None, None) => kind.to_owned(),
+    };
+    match of {
+        "" => format!("1 {one}"),
+        of => format!("1 {of} {one}"),
+    }
 }
 
 /// Whether elements of this name are tetrahedra with more than four nodes, which need

@@ -113,8 +113,8 @@ fn translation<const D: usize>(step: [i32; D], lattice: &[[f64; 3]]) -> [f64; 16
     matrix
 }
 
-/// Turns basis coordinates into Cartesian ones: y_j = Σ_i f_i B_ij, where either B is given,
-/// or B_ij = L_ij √D_j for G = L D Lᵀ with L unit lower triangular and D diagonal.
+/// Turns basis coordinates into Cartesian ones: y_j = Σ_i f_i B_ij. Either B is given, or
+/// B_ij = L_ij √D_j. Here G = L D Lᵀ, L is unit lower triangular, and D is diagonal.
 struct Cartesian {
     rows: [[Number; 3]; 3],
     /// D_j where √D_j is no rational, else nothing.

@@ -1,6 +1,7 @@
 //! The formats: names, file extensions, and how a file without one is recognised.
 
 use super::MeshError;
+use crate::import::uncompressed_name;
 use std::path::Path;
 
 /// Formats that one reader reads.
@@ -103,9 +104,9 @@ impl Format {
 impl Family {
     /// By the extension, `.gz` left aside.
     pub fn of_path(path: &Path) -> Option<Family> {
-        let name = path.file_name()?.to_str()?.to_ascii_lowercase();
-        let name = name.strip_suffix(".gz").unwrap_or(&name);
-        Some(match name.rsplit_once('.')?.1 {
+        let name = uncompressed_name(path);
+        let extension = name.extension()?.to_str()?.to_ascii_lowercase();
+        Some(match extension.as_str() {
             "msh" => Family::Msh,
             "vtk" => Family::Vtk,
             "vtu" => Family::Vtu,
@@ -170,9 +171,11 @@ impl Family {
             "abaqus" => Ok(Family::Abaqus),
             "nastran" => Ok(Family::Nastran),
             "mfem" => Ok(Family::Mfem),
-            _ => Format::parse(name)
-                .map(Format::family)
-                .map_err(|problem| format!("{problem}, abaqus, nastran, mfem")),
+            "msh" => Ok(Family::Msh),
+            _ => Format::parse(name).map(Format::family).map_err(|_| {
+                "expected one of msh, vtk, vtu, medit, meshb, tetgen, abaqus, nastran, mfem"
+                    .to_owned()
+            }),
         }
     }
 

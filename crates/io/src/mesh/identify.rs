@@ -1,10 +1,10 @@
 //! Points modulo a lattice, exactly.
 //!
 //! Every double is m 2^q with integers m and q. Let e be the smallest q, or 0 if that is
-//! less, so that X = 2^-e x has integer entries, and let the change to basis coordinates be M / d with
-//! an integer matrix M and d > 0. Then f = x M / d = N / Q with N = X M and Q = 2^-e d: basis coordinates of all
-//! points are integers over one denominator. The lattice vector that takes a point to the cell is
-//! the floor of N / Q, and two points differ by a lattice vector when their remainders are equal.
+//! less. Then X = 2^-e x has integer entries. Let the change to basis coordinates be M / d with
+//! an integer matrix M and d > 0. Then f = x M / d = N / Q with N = X M and Q = 2^-e d. So basis
+//! coordinates of all points are integers over one denominator. The lattice vector that takes a
+//! point to the cell is the floor of N / Q. Two points with equal remainders differ by a lattice vector.
 
 use super::error::MeshError;
 use acutile_core::tiling::SHIFT_LIMIT;

@@ -2,6 +2,7 @@
 
 use super::error::MeshError;
 use super::{Mesh, Periodic};
+use acutile_core::statement::counted;
 use acutile_exact::geometry::linear;
 use acutile_exact::number::{Number, parse_rational};
 use malachite::Rational;
@@ -11,6 +12,8 @@ use malachite::base::num::basic::traits::{One, Zero};
 #[derive(Clone, Debug, PartialEq)]
 pub struct Lattice {
     vectors: Vec<[Rational; 3]>,
+    /// Whether a vector is written with two entries.
+    is_of_plane: bool,
 }
 
 /// A right-handed basis of space whose first `rank` vectors generate the lattice.
@@ -38,7 +41,16 @@ impl Lattice {
         if !are_independent(&vectors) {
             return Err("the vectors are linearly dependent, expected independent ones".to_owned());
         }
-        Ok(Lattice { vectors })
+        let is_short = |vector: &str| vector.split(',').count() == 2;
+        Ok(Lattice {
+            vectors,
+            is_of_plane: text.split(';').any(is_short),
+        })
+    }
+
+    /// Whether a vector is written with two entries, so that it is none of space.
+    pub fn is_of_plane(&self) -> bool {
+        self.is_of_plane
     }
 
     /// The lattice of a mesh's periodic links: the translations of the links between
@@ -79,7 +91,10 @@ impl Lattice {
                  --bounded reads the mesh without them",
             ));
         }
-        let lattice = Lattice { vectors };
+        let lattice = Lattice {
+            vectors,
+            is_of_plane: false,
+        };
         match translations.iter().find(|t| !lattice.contains(t)) {
             None => Ok(lattice),
             Some(t) => Err(MeshError::of_file(format!(
@@ -182,8 +197,8 @@ impl Basis {
         }
     }
 
-    /// Row k gives basis coordinate k as a combination of Cartesian ones: with basis vectors
-    /// as rows of B, x = f B, so f_k = Σ_j x_j C_kj / det B for the cofactors C of B.
+    /// Row k gives basis coordinate k as a combination of Cartesian ones. The rows of B are the
+    /// basis vectors, and C has the cofactors of B. Then x = f B, so f_k = Σ_j x_j C_kj / det B.
     ///
     /// # Errors
     /// Where the vectors are dependent, which those of a [`Lattice`] are not.
@@ -234,9 +249,9 @@ fn vector(text: &str) -> Result<[Rational; 3], String> {
         [a, b, c] => [a, b, c],
         _ => {
             return Err(format!(
-                "the vector \"{}\" has {} entries, expected 3 with commas between",
+                "the vector \"{}\" has {}, expected 3 with commas between",
                 text.trim(),
-                entries.len()
+                counted(entries.len(), "entry", "entries")
             ));
         }
     };
@@ -316,7 +331,7 @@ mod tests {
             ),
             (
                 "1;0,1",
-                "the vector \"1\" has 1 entries, expected 3 with commas between",
+                "the vector \"1\" has 1 entry, expected 3 with commas between",
             ),
             (
                 "1,0,0;2,0,0",

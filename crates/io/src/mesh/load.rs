@@ -1,7 +1,7 @@
 //! Meshes from files, with the limits of their bytes; and the two files of TetGen.
 
 use super::{Family, Mesh, MeshError, tetgen, unknown};
-use crate::import::read_bytes;
+use crate::import::{is_gzip, read_bytes, uncompressed_name};
 use std::path::{Path, PathBuf};
 
 /// No mesh file may be longer: 1 GiB, and 512 MiB after decompression.
@@ -55,14 +55,22 @@ pub fn load_by_name(path: &Path, family: Family) -> Result<Loaded, MeshError> {
 
 /// The `.node` and `.ele` file to the name of either, `.gz` kept.
 pub fn tetgen_paths(path: &Path) -> Option<(PathBuf, PathBuf)> {
-    let name = path.file_name()?.to_str()?;
-    let (name, packed) = match name.strip_suffix(".gz") {
-        Some(name) => (name, ".gz"),
-        None => (name, ""),
+    let plain = uncompressed_name(path);
+    let extension = plain.extension()?;
+    let (node, ele) = match extension.to_str()? {
+        "node" | "ele" => ("node", "ele"),
+        "NODE" | "ELE" => ("NODE", "ELE"),
+        _ => return None,
     };
-    let stem = name.strip_suffix(".node").or(name.strip_suffix(".ele"))?;
-    let with = |extension| path.with_file_name(format!("{stem}.{extension}{packed}"));
-    Some((with("node"), with("ele")))
+    let with = |extension: &str| {
+        let mut file = plain.with_extension(extension).into_os_string();
+        if let Some(packed) = path.extension().filter(|_| is_gzip(path)) {
+            file.push(".");
+            file.push(packed);
+        }
+        PathBuf::from(file)
+    };
+    Some((with(node), with(ele)))
 }
 
 fn load_pair(path: &Path) -> Result<Mesh, MeshError> {
@@ -74,7 +82,16 @@ fn load_pair(path: &Path) -> Result<Mesh, MeshError> {
         place: super::Place::File,
         ..error
     };
-    let read = |path: &Path| bytes(path).map_err(|error| named(path, error));
+    // The caller names the file that the user gave.
+    let read = |file: &Path| {
+        bytes(file).map_err(|error| match file == path {
+            true => error,
+            false => MeshError {
+                problem: format!("its partner {}: {error}", file.display()),
+                ..error
+            },
+        })
+    };
     let (nodes_bytes, elements_bytes) = (read(&nodes)?, read(&elements)?);
     let (draft, index) = tetgen::read_nodes(&nodes_bytes).map_err(|error| named(&nodes, error))?;
     tetgen::read_elements(&elements_bytes, draft, &index).map_err(|error| named(&elements, error))

@@ -30,7 +30,15 @@ pub fn read_text(bytes: &[u8]) -> Result<Mesh, MeshError> {
                 let count = source.int("the number of tetrahedra")?;
                 medit.cells::<10>(&mut source, count)?;
             }
-            b"TetrahedraP2Ordering" => return Err(other_order(&source)),
+            b"TetrahedraP2Ordering" => return Err(other_order(&source, "tetrahedra")),
+            b"TrianglesP2Ordering" => {
+                medit.other_triangles = Some(other_order(&source, "triangles"));
+                skip_numbers(&mut source);
+            }
+            b"TrianglesP2" => {
+                let count = source.int("the number of triangles")?;
+                medit.cells::<6>(&mut source, count)?;
+            }
             b"Triangles" => {
                 let count = source.int("the number of triangles")?;
                 medit.cells::<3>(&mut source, count)?;
@@ -112,7 +120,15 @@ pub fn read_binary(bytes: &[u8]) -> Result<Mesh, MeshError> {
                 let count = medit.integer(&mut source, "the number of tetrahedra")?;
                 medit.cells::<10>(&mut source, count)?;
             }
-            TETRAHEDRA_P2_ORDERING => return Err(other_order(&source)),
+            TETRAHEDRA_P2_ORDERING => return Err(other_order(&source, "tetrahedra")),
+            24 => {
+                let count = medit.integer(&mut source, "the number of triangles")?;
+                medit.cells::<6>(&mut source, count)?;
+            }
+            TRIANGLES_P2_ORDERING => {
+                medit.other_triangles = Some(other_order(&source, "triangles"));
+                go_to(&mut source, next)?;
+            }
             6 => {
                 let count = medit.integer(&mut source, "the number of triangles")?;
                 medit.cells::<3>(&mut source, count)?;
@@ -146,17 +162,21 @@ fn go_to(source: &mut Source, next: i64) -> Result<(), MeshError> {
     }
 }
 
-/// The number of the keyword by which a file gives the nodes of second-order tetrahedra another order
+/// The numbers of the keywords by which a file gives the nodes of second-order cells another order
 /// (libmeshb7.h).
 const TETRAHEDRA_P2_ORDERING: i64 = 133;
+const TRIANGLES_P2_ORDERING: i64 = 129;
 
-fn other_order(source: &Source) -> MeshError {
+fn other_order(source: &Source, cells: &str) -> MeshError {
+    let keyword = match cells {
+        "triangles" => "TrianglesP2Ordering",
+        _ => "TetrahedraP2Ordering",
+    };
     MeshError {
         is_limit: true,
-        ..source.error(
-            "found TetrahedraP2Ordering, expected second-order tetrahedra with the nodes in the \
-             usual order",
-        )
+        ..source.error(format!(
+            "found {keyword}, expected second-order {cells} with the nodes in the usual order"
+        ))
     }
 }
 
@@ -195,6 +215,8 @@ struct Medit {
     dimension: i64,
     /// Whether integers have 64 bits.
     is_wide: bool,
+    /// The refusal of triangles with another order of nodes, if they are the cells.
+    other_triangles: Option<MeshError>,
 }
 
 impl Default for Medit {
@@ -205,6 +227,7 @@ impl Default for Medit {
             has_vertices: false,
             dimension: 3,
             is_wide: false,
+            other_triangles: None,
         }
     }
 }
@@ -248,8 +271,8 @@ impl Medit {
         Ok(())
     }
 
-    /// `node … reference` for each tetrahedron or triangle. Of second order, a tetrahedron has its
-    /// middle nodes in VTK's order, as Gmsh writes it.
+    /// `node … reference` for each tetrahedron or triangle. Of second order, they have their middle
+    /// nodes in VTK's order, as Gmsh writes them.
     fn cells<const N: usize>(&mut self, source: &mut Source, count: i64) -> Result<(), MeshError> {
         let count = source.count(count, source.least_bytes(N + 1, 4), "cells")?;
         self.cells.reserve(count);
@@ -279,6 +302,13 @@ impl Medit {
     }
 
     fn finish(mut self) -> Result<Mesh, MeshError> {
+        let has_tetrahedra = self
+            .cells
+            .iter()
+            .any(|(nodes, ..)| matches!(nodes.len(), 4 | 10));
+        if let (Some(error), false) = (self.other_triangles, has_tetrahedra) {
+            return Err(error);
+        }
         let index = self.draft.node_index()?;
         for (nodes, label, tag, place) in &self.cells {
             let element = Element {

@@ -21,7 +21,8 @@ const GEOMETRIES: [(&str, usize); 8] = [
 /// An element of the list of elements or of the boundary.
 struct Pending {
     label: i64,
-    geometry: usize,
+    /// The name of its geometry type.
+    kind: &'static str,
     nodes: Vec<i64>,
     place: Place,
 }
@@ -40,7 +41,7 @@ pub fn read(bytes: &[u8]) -> Result<Mesh, MeshError> {
             b"elements" => elements = list(&mut source)?,
             b"boundary" => {
                 for element in list(&mut source)? {
-                    draft.count_other(&format!("boundary {}", GEOMETRIES[element.geometry].0), 1);
+                    draft.count_other(&format!("boundary {}", element.kind), 1);
                 }
             }
             b"vertices" => vertices = Some(vertex_list(&mut source, &mut draft)?),
@@ -60,8 +61,8 @@ pub fn read(bytes: &[u8]) -> Result<Mesh, MeshError> {
     }
     let index = draft.node_index()?;
     for (tag, pending) in (0..).zip(&elements) {
-        if !matches!(pending.geometry, 2 | 4) {
-            draft.count_other(GEOMETRIES[pending.geometry].0, 1);
+        if !matches!(pending.kind, "triangles" | "tetrahedra") {
+            draft.count_other(pending.kind, 1);
             continue;
         }
         let element = Element {
@@ -100,7 +101,7 @@ fn list(source: &mut Source) -> Result<Vec<Pending>, MeshError> {
         let label = source.int("an attribute")?;
         let found = source.int("a geometry type")?;
         let geometry = usize::try_from(found).unwrap_or(usize::MAX);
-        let Some((_, width)) = GEOMETRIES.get(geometry) else {
+        let Some((kind, width)) = GEOMETRIES.get(geometry) else {
             return Err(source.error(format!("found geometry type {found}, expected 0 to 7")));
         };
         let mut nodes = Vec::with_capacity(*width);
@@ -109,7 +110,7 @@ fn list(source: &mut Source) -> Result<Vec<Pending>, MeshError> {
         }
         list.push(Pending {
             label,
-            geometry,
+            kind,
             nodes,
             place: source.place(),
         });
@@ -131,7 +132,7 @@ fn vertex_list(source: &mut Source, draft: &mut Draft) -> Result<usize, MeshErro
     }
     for tag in 0..count as i64 {
         let mut point = [0.0; 3];
-        for x in &mut point[..width as usize] {
+        for x in point.iter_mut().take(width as usize) {
             *x = source.double("a coordinate")?;
         }
         draft.add_node(tag, point, source.place())?;
@@ -173,7 +174,10 @@ fn nodes(source: &mut Source, draft: &mut Draft, count: usize) -> Result<(), Mes
             true => (index / width, index % width),
             false => (index % count, index / count),
         };
-        points[vertex][k] = source.double("a coordinate")?;
+        let read = source.double("a coordinate")?;
+        if let Some(x) = points.get_mut(vertex).and_then(|point| point.get_mut(k)) {
+            *x = read;
+        }
     }
     for (tag, point) in (0..).zip(points) {
         draft.add_node(tag, point, source.place())?;

@@ -64,6 +64,7 @@ mod words;
 pub mod writer;
 
 pub use convert::{Converted, periodic_tiling, region_tiling};
+pub use element::counted;
 pub use error::{MeshError, Place};
 pub use flatten::{Flat, flatten};
 pub use format::{Family, Format};
@@ -75,7 +76,7 @@ pub use patch::patch;
 pub use snap::Move;
 pub use writer::{File, write};
 
-use acutile_core::curved::Nodes;
+use acutile_core::curved::Element;
 use acutile_core::tiling::SimplexId;
 use std::collections::BTreeMap;
 
@@ -92,9 +93,9 @@ pub struct Mesh {
     pub tetrahedra: Vec<[u32; 4]>,
     /// Three points each, in a mesh without tetrahedra.
     pub triangles: Vec<[u32; 3]>,
-    /// The nodes on the edges 01, 12, 02, 03, 13 and 23 of each tetrahedron of second order that
-    /// is not straight, by the index of the tetrahedron.
-    pub curved: BTreeMap<usize, [u32; 6]>,
+    /// The cells of second order that are not straight, by their indices. The nodes are those on the
+    /// edges 01, 12, 02 (and 03, 13, 23).
+    pub curved: BTreeMap<usize, Vec<u32>>,
     /// The number of each cell.
     pub elements: Numbering,
     /// The line of each cell, for text.
@@ -176,20 +177,27 @@ impl Mesh {
         }
     }
 
-    /// The curved tetrahedra with their ten nodes.
-    pub fn curved_elements(&self) -> Vec<(SimplexId, Nodes)> {
-        let point = |index: u32| self.points[index as usize];
-        let element = |(&simplex, middles): (&usize, &[u32; 6])| {
-            let [a, b, c, d] = self.tetrahedra[simplex].map(point);
-            let [e, f, g, h, i, j] = middles.map(point);
-            (SimplexId::at(simplex), [a, b, c, d, e, f, g, h, i, j])
+    /// The curved cells with all of their nodes.
+    pub fn curved_elements(&self) -> Vec<(SimplexId, Element)> {
+        let element = |(&cell, middles): (&usize, &Vec<u32>)| {
+            let point = |index: &u32| self.points[*index as usize];
+            let mut points = self.cell(cell).iter().chain(middles).map(point);
+            let mut next = || points.next().unwrap_or_default();
+            let element = match self.dimension() {
+                2 => Element::Triangle(std::array::from_fn(|_| {
+                    let [x, y, _] = next();
+                    [x, y]
+                })),
+                _ => Element::Tetrahedron(std::array::from_fn(|_| next())),
+            };
+            (SimplexId::at(cell), element)
         };
         self.curved.iter().map(element).collect()
     }
 
     /// `12 triangles, 4 points`: the elements of other types.
     pub fn other_counts(&self) -> String {
-        let counts = self.others.iter().map(|(name, n)| format!("{n} {name}"));
+        let counts = self.others.iter().map(|(name, n)| counted(*n, name));
         counts.collect::<Vec<_>>().join(", ")
     }
 

@@ -135,8 +135,8 @@ fn is_binary(source: &Source) -> bool {
     source.encoding != Encoding::Text
 }
 
-/// The version, 0 for text or 1 for binary, and the bytes of a number; then, for binary, the
-/// integer 1, which shows the order of bytes.
+/// The version, 0 for text or 1 for binary, and the bytes of a number. In a binary file the integer 1
+/// follows, which shows the order of bytes.
 fn header(source: &mut Source) -> Result<Version, MeshError> {
     let word = source.word("a version like 2.2 or 4.1")?;
     let number = std::str::from_utf8(word)

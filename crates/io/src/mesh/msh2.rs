@@ -18,8 +18,8 @@ fn count(source: &mut Source, least: usize, what: &str) -> Result<usize, MeshErr
     Ok(count)
 }
 
-/// `tag x y z` for each node; of parametric nodes then the dimension and the number of their entity,
-/// and a parameter on a curve or two on a surface.
+/// `tag x y z` for each node. Of parametric nodes the dimension and the number of their entity follow,
+/// and a parameter on a curve, or two on a surface.
 pub fn nodes(source: &mut Source, draft: &mut Draft, is_parametric: bool) -> Result<(), MeshError> {
     let least = match source.encoding {
         Encoding::Text => 8,
@@ -53,8 +53,8 @@ pub fn nodes(source: &mut Source, draft: &mut Draft, is_parametric: bool) -> Res
     Ok(())
 }
 
-/// In text `tag type k label_1 … label_k node …` for each element; in binary blocks of a
-/// type, a number of elements and k, and then `tag label_1 … label_k node …` for each.
+/// In text, each element is `tag type k label_1 … label_k node …`. In binary, a block has a type, a
+/// number of elements and k. Then each element is `tag label_1 … label_k node …`.
 pub fn elements(source: &mut Source, index: &Index, draft: &mut Draft) -> Result<(), MeshError> {
     let is_text = source.encoding == Encoding::Text;
     let total = count(source, 8, "elements")?;

@@ -54,7 +54,7 @@ pub fn parameters(source: &Source, dimension: i64, parametric: i64) -> Result<i6
 }
 
 /// For each block `dimension entity parametric count`, the numbers of the nodes, then
-/// their coordinates, with parameters behind them where the block is parametric.
+/// their coordinates, followed by parameters where the block is parametric.
 pub fn nodes(source: &mut Source, draft: &mut Draft) -> Result<(), MeshError> {
     let totals = totals(source, "nodes")?;
     for _ in 0..totals.blocks {
@@ -130,8 +130,8 @@ pub fn elements(
     check_total(source, done, totals.items, "elements")
 }
 
-/// For each link `dimension image original`, the number of entries of the affine map
-/// (0 or 16) and the entries, then the number of pairs and the pairs.
+/// A link is `dimension image original`, then the number of entries of the affine map (0 or 16) and
+/// the entries. The number of pairs and the pairs follow.
 pub fn periodic(source: &mut Source, index: &Index, draft: &mut Draft) -> Result<(), MeshError> {
     let links = source.long("the number of periodic links")?;
     let links = source.count(links, source.least_bytes(5, 5), "periodic links")?;

@@ -1,5 +1,5 @@
-//! Numbers for MSH files, in which nodes, elements, entities and physical groups have positive
-//! numbers, each element has one entity, and each entity at most one group here.
+//! Numbers for MSH files. Nodes, elements, entities and physical groups have positive numbers.
+//! Each element has one entity, and here each entity has at most one group.
 
 use super::Mesh;
 use super::numbering::Numbering;

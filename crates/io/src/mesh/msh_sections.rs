@@ -41,8 +41,9 @@ pub struct Entities {
 }
 
 impl Entities {
-    /// The numbers of points, curves, surfaces and volumes; then for each its number, its box (of a
-    /// point its place, in version 4.1), its groups, and from curves on its boundary.
+    /// The numbers of points, curves, surfaces and volumes. For each of them follow its number, its
+    /// box and its groups; from curves on its boundary, too. In version 4.1 a point has its place
+    /// instead of a box.
     pub fn read(source: &mut Source, is_version_40: bool) -> Result<Entities, MeshError> {
         let mut counts = [0; 4];
         for count in &mut counts {

@@ -1,4 +1,4 @@
-//! Nastran bulk data, `.bdf` and `.nas`: `GRID`, `CTETRA` and `CTRIA3` in free, small and large fields
+//! Nastran bulk data, `.bdf` and `.nas`: `GRID`, `CTETRA`, `CTRIA3` and `CTRIA6` in free, small and large fields
 //! (NX Nastran User's Guide, "The bulk data section"). Property numbers are the labels.
 //!
 //! Not read: coordinate systems other than the basic one, replicated cards, included files. They are
@@ -11,7 +11,7 @@ use super::lines::numbered;
 use super::source::{decimal_double, shown};
 
 /// Cards that are elements of other types, with their names.
-const OTHERS: [(&str, &str); 12] = [
+const OTHERS: [(&str, &str); 11] = [
     ("CHEXA", "hexahedra"),
     ("CPENTA", "prisms"),
     ("CPYRAM", "pyramids"),
@@ -19,7 +19,6 @@ const OTHERS: [(&str, &str); 12] = [
     ("CQUAD4", "quadrangles"),
     ("CQUAD8", "second-order quadrangles"),
     ("CQUADR", "quadrangles"),
-    ("CTRIA6", "second-order triangles"),
     ("CBAR", "lines"),
     ("CBEAM", "lines"),
     ("CROD", "lines"),
@@ -35,6 +34,7 @@ pub fn read(bytes: &[u8]) -> Result<Mesh, MeshError> {
             "GRID" => grid(&card, &mut draft)?,
             "CTETRA" => elements.push((card.cell(&[4, 10])?, card.place)),
             "CTRIA3" | "CTRIAR" => elements.push((card.cell(&[3])?, card.place)),
+            "CTRIA6" => elements.push((card.cell(&[6])?, card.place)),
             "GRDSET" | "INCLUDE" => {
                 return Err(card.declined(&format!("found {}", card.name)));
             }

@@ -5,6 +5,7 @@ use super::lattice::Basis;
 use super::numbering::Numbering;
 use acutile_core::tiling::SimplexId;
 use acutile_exact::number::Number;
+use malachite::Rational;
 use std::collections::BTreeMap;
 
 /// The file's numbers of tetrahedra, corners and vertices of a tiling.
@@ -25,6 +26,8 @@ pub struct Origin {
     representatives: Vec<u32>,
     /// The basis of the tiling's coordinates, in those of the file.
     basis: Vec<[Number; 3]>,
+    /// The z of all nodes of a plane mesh.
+    height: Option<Number>,
 }
 
 /// A tetrahedron in the numbers of its file.
@@ -42,6 +45,12 @@ impl Origin {
         let corners = mesh.cells().flatten().copied().collect();
         let width = mesh.dimension() + 1;
         let labels = mesh.materials().to_vec();
+        let corner: Option<&u32> = mesh.triangles.first().map(|triangle| &triangle[0]);
+        let corner = corner
+            .filter(|_| width == 3)
+            .map(|c| mesh.points[*c as usize]);
+        let height = corner.and_then(|[.., z]| Rational::try_from(z).ok());
+        let height = height.map(Number::from);
         Origin {
             nodes: mesh.nodes,
             elements: mesh.elements,
@@ -51,6 +60,7 @@ impl Origin {
             labels,
             names: mesh.names,
             representatives,
+            height,
             basis: basis.vectors.to_vec(),
         }
     }
@@ -59,7 +69,9 @@ impl Origin {
     pub fn cartesian(&self, point: &[Number]) -> Vec<Number> {
         let coordinate = |j: usize| {
             let terms = point.iter().zip(&self.basis).map(|(x, b)| x * &b[j]);
-            terms.fold(Number::zero(), |sum, term| sum + term)
+            let height = self.height.clone().filter(|_| j == 2);
+            let origin = height.unwrap_or_else(Number::zero);
+            terms.fold(origin, |sum, term| sum + term)
         };
         (0..3).map(coordinate).collect()
     }

@@ -9,8 +9,8 @@ use std::collections::HashMap;
 /// No patch looks at more translates of tetrahedra.
 const MOST: f64 = 5e6;
 
-/// The simplices of a tiling, translates included, whose corners are at most `radius` away
-/// from the origin, decided exactly; a bounded mesh in the same basis.
+/// The simplices of a tiling, translates included, with all corners at most `radius` away from the
+/// origin. This is decided exactly. They are a bounded mesh in the same basis.
 ///
 /// # Errors
 /// Where there is none, or the ball holds too many.

@@ -1,5 +1,5 @@
-//! What a periodic mesh tiles: all of space, a slab, or a region with a boundary; and the facets on
-//! its sides that have no mate.
+//! The domain of a periodic mesh: all of space, a slab, or a region with a boundary.
+//! Also the facets on its sides that have no mate.
 //!
 //! A facet without a mate is *on the sides*, and should have a mate, in two cases. A lattice vector
 //! other than zero moves each of its corners exactly onto a node of the mesh. Or a periodic link of the

@@ -1,7 +1,7 @@
 //! Vertices that nearly differ by a lattice vector, moved to the exact image of one.
 //!
-//! Distances are computed in doubles, for nothing depends on them but which vertices are
-//! moved; every move is told, and what is proved is proved about the moved mesh.
+//! Distances are computed in doubles, because they only select the vertices that are moved.
+//! A note names every move, and the proof is about the moved mesh.
 
 use super::error::MeshError;
 use super::identify::Identified;

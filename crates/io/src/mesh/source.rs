@@ -1,5 +1,5 @@
-//! A cursor over the bytes of a mesh file that reads numbers in text or in binary,
-//! and knows the line or the byte where it stands.
+//! A cursor over the bytes of a mesh file. It reads numbers in text or in binary, and knows its line
+//! or its byte.
 
 use super::error::{MeshError, Place};
 use super::words::integer;
@@ -288,16 +288,16 @@ impl<'a> Source<'a> {
         is_word.then_some(value)
     }
 
-    /// How many items follow, each of which takes at least `least` bytes: no more than
-    /// the file has room for.
+    /// How many items follow, each of which takes at least `least` bytes: no more than the rest of
+    /// the file contains.
     pub fn count(&mut self, value: i64, least: usize, what: &str) -> Read<usize> {
-        let room = self.remaining() / least.max(1);
+        let most = self.remaining() / least.max(1);
         match usize::try_from(value) {
             // The last item may lack the separator.
-            Ok(count) if count <= room + 1 => Ok(count),
+            Ok(count) if count <= most + 1 => Ok(count),
             _ => Err(self.error(format!(
-                "found {value} as the number of {what}, but the {} bytes that are left have \
-                 room for at most {room}",
+                "found {value} as the number of {what}, but the {} bytes that are left \
+                 contain at most {most}",
                 self.remaining()
             ))),
         }

@@ -117,10 +117,17 @@ pub fn load_surface(path: &Path) -> Result<Surface, MeshError> {
     let name = name.strip_suffix(".gz").unwrap_or(&name);
     if name.ends_with(".stl") || name.ends_with(".obj") {
         let bytes = load::bytes(path)?;
-        return match name.ends_with(".stl") {
+        let surface = match name.ends_with(".stl") {
             true => read_stl(&bytes),
             false => read_obj(&bytes),
         };
+        return surface.and_then(|surface| {
+            if surface.triangles.is_empty() {
+                Err(MeshError::of_file("has no triangles"))
+            } else {
+                Ok(surface)
+            }
+        });
     }
     let family = Family::of_path(path).ok_or_else(|| {
         MeshError::of_file("no surface; expected .stl, .obj, or a mesh file of triangles")
@@ -130,6 +137,13 @@ pub fn load_surface(path: &Path) -> Result<Surface, MeshError> {
         return Err(MeshError::of_file(
             "a mesh of tetrahedra, expected a surface of triangles",
         ));
+    }
+    if !mesh.curved.is_empty() {
+        let count = mesh.curved.len();
+        return Err(MeshError::limit(format!(
+            "has {}, expected a surface of plane triangles",
+            super::counted(count, "curved triangles")
+        )));
     }
     let point = |index: u32| mesh.points[index as usize];
     Ok(Surface {

@@ -1,5 +1,5 @@
 //! TetGen's `.node` and `.ele` files (TetGen manual, section "File formats"), and those of Triangle,
-//! which have two coordinates and three corners.
+//! which have two coordinates and three or six nodes.
 //!
 //! One line is one item. Commas separate like spaces; missing numbers at the end of a head are 0;
 //! columns beyond those that the head announces are ignored. Programs that write these files do not
@@ -53,11 +53,10 @@ pub fn read_elements(bytes: &[u8], mut draft: Draft, index: &Index) -> Result<Me
     let count: usize = head.parsed(0, "the number of elements")?;
     let corners = match head.entry(1, "the nodes of an element")? {
         0 => 4,
-        found @ (3 | 4 | 10) => found,
+        found @ (3 | 4 | 6 | 10) => found,
         found => {
             let problem = format!(
-                "found {found} nodes in an element, expected 4, 10 for tetrahedra of second order, \
-                 or 3 for triangles"
+                "found {found} nodes in an element, expected 4 or 10 for tetrahedra, 3 or 6 for triangles"
             );
             return Err(MeshError {
                 is_limit: true,
@@ -74,8 +73,11 @@ pub fn read_elements(bytes: &[u8], mut draft: Draft, index: &Index) -> Result<Me
         for (k, node) in nodes[..corners].iter_mut().enumerate() {
             *node = line.parsed(1 + k, "a node number, an integer")?;
         }
-        if corners == 10 {
-            nodes = vtk_order(nodes);
+        match corners {
+            10 => nodes = vtk_order(nodes),
+            // Triangle has the middle nodes on the edges 12, 02 and 01.
+            6 => nodes[3..6].rotate_right(1),
+            _ => {}
         }
         let label = match attributes {
             0 => 0.0,
@@ -128,8 +130,9 @@ fn turn(mesh: &mut Mesh) {
         corners.swap(2, 3);
     }
     for middles in mesh.curved.values_mut() {
-        let [ab, bc, ac, ad, bd, cd] = *middles;
-        *middles = [ab, bd, ad, ac, bc, cd];
+        if let [ab, bc, ac, ad, bd, cd] = middles[..] {
+            *middles = vec![ab, bd, ad, ac, bc, cd];
+        }
     }
     mesh.turned = mesh.tetrahedra.len();
 }

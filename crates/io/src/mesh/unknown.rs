@@ -3,13 +3,15 @@
 use std::path::Path;
 
 /// The formats that are read, for messages.
-pub const READ: &str = "acutile reads tiling, point-set and certificate files of its own, CIF, Gmsh \
-                        .msh, VTK .vtk and .vtu, MEDIT .mesh and .meshb, TetGen and Triangle .node \
-                        and .ele, Abaqus .inp, Nastran .bdf and .nas, MFEM .mesh; meshio converts \
-                        many others (meshio convert IN OUT.vtu)";
+pub const READ: &str = "acutile reads tiling, point-set and certificate files of its own; the meshes \
+                        Gmsh .msh, VTK .vtk and .vtu, MEDIT .mesh and .meshb, TetGen and Triangle \
+                        .node and .ele, Abaqus .inp, Nastran .bdf, .nas and .fem, MFEM .mesh; the \
+                        crystal structures CIF, POSCAR, extended XYZ and pymatgen JSON; and STL and \
+                        OBJ surfaces with certify --fills; meshio converts many other meshes (meshio \
+                        convert IN OUT.vtu)";
 
 /// Extensions of formats that are not read.
-const EXTENSIONS: [(&str, &str); 40] = [
+const EXTENSIONS: [(&str, &str); 43] = [
     ("xdmf", "XDMF"),
     ("xmf", "XDMF"),
     ("h5", "HDF5"),
@@ -50,10 +52,13 @@ const EXTENSIONS: [(&str, &str); 40] = [
     ("poly", "TetGen input (tetgen makes a mesh of it)"),
     ("smesh", "TetGen input (tetgen makes a mesh of it)"),
     ("mphtxt", "COMSOL"),
+    ("mdpa", "Kratos model part"),
+    ("wrl", "VRML"),
+    ("x3d", "X3D"),
 ];
 
 /// First bytes of formats that are not read.
-const STARTS: [(&[u8], &str); 22] = [
+const STARTS: [(&[u8], &str); 33] = [
     (
         b"\x89HDF\r\n\x1a\n",
         "HDF5 (XDMF, MED, CGNS or Exodus data)",
@@ -71,17 +76,31 @@ const STARTS: [(&[u8], &str); 22] = [
     (b"View \"", "Gmsh post-processing view"),
     (b"*KEYWORD", "LS-DYNA keyword"),
     (b"(0 \"", "Fluent mesh"),
+    (b"Begin ModelPartData", "Kratos model part"),
+    (b"!PERMAS", "PERMAS"),
+    (b"TITLE = \"", "Tecplot"),
     (b"/COM,ANSYS", "Ansys CDB"),
     (
         b"solid ",
         "STL surface (certify --fills compares it with a mesh)",
     ),
     (b"PK\x03\x04", "ZIP archive"),
-    (b"\x1f\x8b", "gzip (the name has to end in .gz)"),
+    (
+        b"\x1f\x8b",
+        "gzip (the name has to end in .gz, and the file has to be compressed once)",
+    ),
+    (b"\xff\xfe", "text in UTF-16 (UTF-8 is read)"),
+    (b"\xfe\xff", "text in UTF-16 (UTF-8 is read)"),
     (b"BZh", "bzip2 archive"),
     (b"\xfd7zXZ", "xz archive"),
     (b"%PDF", "PDF"),
     (b"\x89PNG", "PNG image"),
+    (b"\xff\xd8\xff", "JPEG image"),
+    (b"\x7fELF", "ELF, a program for Linux"),
+    (b"MZ", "a program for Windows"),
+    (b"\xcf\xfa\xed\xfe", "a program for macOS"),
+    (b"SQLite format 3", "SQLite database"),
+    (b"<!DOCTYPE html", "HTML page"),
 ];
 
 /// The name of a format that is not read, if the file seems to be of one.
@@ -105,8 +124,17 @@ pub fn name(path: &Path, bytes: &[u8]) -> Option<&'static str> {
 
 /// What to say of a file that is not read.
 pub fn message(path: &Path, bytes: &[u8]) -> String {
-    match name(path, bytes) {
-        Some(name) => format!("the format is not read: {name}; {READ}"),
-        None => format!("the format is not known; {READ}"),
+    let start = super::source::without_mark(bytes).trim_ascii_start();
+    let is_json = path
+        .extension()
+        .is_some_and(|extension| extension.eq_ignore_ascii_case("json"));
+    match (name(path, bytes), start.first()) {
+        (Some(name), _) => format!("the format is not read: {name}; {READ}"),
+        (None, Some(first)) if is_json && first.is_ascii_graphic() => format!(
+            "begins with {:?}, expected an object in braces, like {{\"format\": \"acutile-tiling\", …}}; \
+             acutile new writes examples",
+            char::from(*first)
+        ),
+        (None, _) => format!("the format is not known; {READ}"),
     }
 }

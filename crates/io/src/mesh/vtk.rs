@@ -5,6 +5,7 @@ use super::Mesh;
 use super::draft::Draft;
 use super::error::{MeshError, Place};
 use super::source::{Encoding, Source, shown};
+use super::unknown::READ;
 use super::vtk_cells::Cells;
 use super::vtk_data;
 
@@ -65,11 +66,15 @@ fn head(source: &mut Source) -> Result<u32, MeshError> {
         b"BINARY" => Encoding::Big,
         _ => return Err(source.unexpected(word, "ASCII or BINARY")),
     };
-    for expected in ["DATASET", "UNSTRUCTURED_GRID"] {
-        let word = source.word(expected)?;
-        if !word.eq_ignore_ascii_case(expected.as_bytes()) {
-            return Err(source.unexpected(word, expected));
-        }
+    let word = source.word("DATASET")?;
+    if !word.eq_ignore_ascii_case(b"DATASET") {
+        return Err(source.unexpected(word, "DATASET"));
+    }
+    let word = source.word("UNSTRUCTURED_GRID")?;
+    if !word.eq_ignore_ascii_case(b"UNSTRUCTURED_GRID") {
+        let found = format!("a VTK dataset of type {}", shown(word));
+        let expected = "expected UNSTRUCTURED_GRID";
+        return Err(source.error(format!("{found} is not read, {expected}; {READ}")));
     }
     source.encoding = encoding;
     Ok(version)

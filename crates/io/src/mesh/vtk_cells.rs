@@ -1,7 +1,7 @@
 //! Cells as VTK has them in legacy files and in VTU files.
 
 use super::draft::{Draft, Element};
-use super::element::{VTK_CELLS, VTK_TETRAHEDRON, VTK_TRIANGLE, vtk_cell};
+use super::element::{VTK_CELLS, vtk_cell};
 use super::error::{MeshError, Place};
 use super::numbering::{Index, Numbering};
 
@@ -62,14 +62,9 @@ impl Cells {
             let tag = (before + cell) as i64;
             let nodes = self.nodes(tag, start, end)?;
             start = end;
-            if !VTK_CELLS.contains(&kind) {
+            let Some((_, expected)) = VTK_CELLS.into_iter().find(|(cell, _)| *cell == kind) else {
                 draft.count_other(&vtk_cell(kind), 1);
                 continue;
-            }
-            let expected = match kind {
-                VTK_TRIANGLE => 3,
-                VTK_TETRAHEDRON => 4,
-                _ => 10,
             };
             if nodes.len() != expected {
                 return Err(MeshError::of_file(format!(

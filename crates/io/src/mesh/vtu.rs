@@ -7,6 +7,7 @@ use super::draft::Draft;
 use super::error::{MeshError, Place};
 use super::numbering::Numbering;
 use super::source::{Encoding, Source, shown};
+use super::unknown::READ;
 use super::vtk_cells::Cells;
 use super::vtu_data::{Compressor, Kind, Layout, doubles, integers, unpack};
 use super::vtu_parts::{Appended, Lines, length_before, split};
@@ -339,7 +340,12 @@ fn layout(attributes: &BTreeMap<String, String>, place: Place) -> Result<Layout,
     };
     let kind = get("type", "nothing");
     if kind != "UnstructuredGrid" {
-        return Err(wrong("type", &kind, "UnstructuredGrid"));
+        let found = format!("VTK XML of type {}", shown(kind.as_bytes()));
+        let expected = "expected UnstructuredGrid";
+        return Err(MeshError::at(
+            place,
+            format!("{found} is not read, {expected}; {READ}"),
+        ));
     }
     let order = get("byte_order", "LittleEndian");
     let encoding = match order.as_str() {

@@ -1,8 +1,8 @@
 //! The arrays of a VTU file: in text, in base64, raw, compressed with zlib, LZ4 or LZMA.
 //!
-//! In binary an array is its number of bytes and the bytes. Compressed, it is a number of
-//! blocks, the size of a block and of the last one (0 if it is as long as the others) before
-//! compression, the size of each after it, and the blocks. In base64 the head of a compressed array is
+//! In binary an array is its number of bytes and the bytes. A compressed array has a head and
+//! blocks. The head begins with the number of blocks and the size of a block before compression. The
+//! size of the last block follows (0 if it is as long as the others), then the compressed sizes. In base64 the head of a compressed array is
 //! encoded on its own.
 
 use super::error::{MeshError, Place};

@@ -1,4 +1,4 @@
-//! The parts of a VTU file before its XML is read: the XML, the appended data behind it, and
+//! The parts of a VTU file before its XML is read: the XML, the appended data after it, and
 //! the lines of bytes.
 
 use super::error::{MeshError, Place};

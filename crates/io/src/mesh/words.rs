@@ -17,8 +17,8 @@ pub fn decimal_double(word: &[u8]) -> Option<f64> {
     }
 }
 
-/// Whether a digit or a point comes first, after a sign or not: then Rust reads the word as
-/// we do, for `inf` and `nan` are all that it reads otherwise.
+/// Whether a digit or a point comes first, after a sign or not. Such a word means the same to
+/// Rust; apart from these Rust reads only `inf` and `nan`.
 fn begins_as_number(word: &[u8]) -> bool {
     let unsigned = match word {
         [b'-' | b'+', rest @ ..] => rest,

@@ -58,8 +58,9 @@ pub fn losses(mesh: &Mesh, format: Format) -> Vec<String> {
     losses.extend(mesh.unread.iter().cloned());
     if !mesh.curved.is_empty() {
         losses.push(format!(
-            "the middle nodes of {} curved tetrahedra",
-            mesh.curved.len()
+            "the middle nodes of {} curved {}",
+            mesh.curved.len(),
+            mesh.cell_name()
         ));
     }
     let is_plain = |numbering: &super::Numbering| {

@@ -2,6 +2,7 @@
 
 use super::identity::{dot, is_zero, minus};
 use super::infinitesimal::Polynomial;
+use super::introduction::states_for_all;
 use super::row::{Finding, Row};
 use crate::survey::Survey;
 use acutile_core::statement::Statement;
@@ -38,13 +39,15 @@ pub fn rows(survey: &Survey) -> Vec<Row> {
             "lemma 4: the tetrahedra abcd and bcde of the example are acute",
             "for small ε > 0",
         )
-        .found(Ok(example_is_acute())),
+        .citing(survey, &["two-corners-all"])
+        .found_for_all(example_is_acute(survey)),
         row(
             "lemma-4-not-delaunay",
             "lemma 4: e lies inside of the circumsphere of abcd, so that the triangulation is not Delaunay",
             "for small ε > 0",
         )
-        .found(example_is_not_delaunay()),
+        .citing(survey, &["two-corners-all"])
+        .found_for_all(example_is_not_delaunay(survey)),
         row(
             "lemma-4-certified",
             "lemma 4: the example, certified as an acute triangulation of a solid and not Delaunay",
@@ -157,22 +160,28 @@ fn products(corners: [usize; 4]) -> NormalProducts<Polynomial, 3> {
     simplex(corners).normal_products(&unit_matrix())
 }
 
-/// All products <g_i, g_j> are polynomials in ε without positive coefficients, and not zero.
-fn example_is_acute() -> (bool, String) {
+/// The certificate is about ε up to the value from which the example is Delaunay. Beyond it: all products
+/// <g_i, g_j> are polynomials in ε without positive coefficients, and not zero.
+fn example_is_acute(survey: &Survey) -> Finding {
+    let (is_stated, certified) = states_for_all(survey, "two-corners-all", &[Statement::Acute])?;
     let holds = [[0, 1, 2, 3], [1, 2, 3, 4]].iter().all(|corners| {
         let products = products(*corners);
         products
             .pairs()
             .all(|(_, _, product)| product.is_negative_for_all())
     });
-    let proved = "acute for every ε > 0: all products of normals are polynomials in ε with no \
-                  positive coefficient";
-    (holds, proved.to_owned())
+    let proved = format!(
+        "{certified}; acute even for every ε > 0: all products of normals are polynomials in ε with no \
+         positive coefficient"
+    );
+    Ok((holds && is_stated, proved))
 }
 
 /// The power of e is det times a polynomial that changes sign once for ε > 0 (Descartes: one
 /// change of sign in its coefficients), at the root (√2 - 1)/3.
-fn example_is_not_delaunay() -> Finding {
+fn example_is_not_delaunay(survey: &Survey) -> Finding {
+    let (is_stated, certified) =
+        states_for_all(survey, "two-corners-all", &[Statement::NotDelaunay])?;
     let abcd = simplex([0, 1, 2, 3]);
     let points = points();
     let power = abcd.power(&unit_matrix(), &linear::subtract(&points[4], &points[0]));
@@ -193,10 +202,12 @@ fn example_is_not_delaunay() -> Finding {
         });
     // det > 0 for all ε > 0, negative power means inside.
     let positive = abcd.determinant.coefficients().iter().all(|c| *c >= 0);
-    let holds = positive && signs.first() == Some(&false) && changes == 1 && value.is_zero();
-    let proved = "inside exactly for 0 < ε < (√2 - 1)/3 = 0.13807…: the power of e has one \
-                  positive root, on the sphere at it and outside beyond it";
-    Ok((holds, proved.to_owned()))
+    let is_root = signs.first() == Some(&false) && changes == 1 && value.is_zero();
+    let proved = format!(
+        "{certified}; inside exactly for 0 < ε < (√2 - 1)/3 = 0.13807…: the power of e has one positive root, on \
+         the sphere at it and outside beyond it"
+    );
+    Ok((is_stated && positive && is_root, proved))
 }
 
 fn certified_example(survey: &Survey) -> Finding {

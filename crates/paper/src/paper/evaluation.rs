@@ -60,5 +60,6 @@ fn row(survey: &Survey, name: &str, label: &str, k: usize, printed: &str) -> Row
 fn figure(survey: &Survey, name: &str, k: usize) -> Result<Figure, String> {
     let row = table::Row::of(name, survey.get(name)?);
     let (min, max) = row.figures[k / 2].clone();
-    Ok(if k.is_multiple_of(2) { min } else { max })
+    let figure = if k.is_multiple_of(2) { min } else { max };
+    figure.ok_or_else(|| format!("{name}: has no bound"))
 }

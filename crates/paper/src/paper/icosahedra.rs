@@ -85,7 +85,7 @@ fn cone() -> Finding {
     ))
 }
 
-/// Whether the minimal symbols are equal; where they are not, what it is.
+/// Whether the minimal symbols are equal; where they are not, its type.
 fn is_z(survey: &Survey) -> Finding {
     let (one, other) = (survey.space("icosahedral")?, survey.space("z")?);
     let symbol = one.symbol();
@@ -138,7 +138,7 @@ fn class_of_cones(study: &Study<3>) -> Result<usize, String> {
             .count()
             == 3
     };
-    let classes: Vec<usize> = (0..study.shapes.len()).filter(is_cone).collect();
+    let classes: Vec<usize> = (0..study.shapes().len()).filter(is_cone).collect();
     match classes[..] {
         [class] => Ok(class),
         _ => Err(format!(
@@ -151,9 +151,9 @@ fn class_of_cones(study: &Study<3>) -> Result<usize, String> {
 fn four_types(survey: &Survey) -> Finding {
     let study = survey.space("icosahedral")?;
     let cones = class_of_cones(study)?;
-    let others = study.shapes.len() - 1;
+    let others = study.shapes().len() - 1;
     let sizes: Vec<String> = study
-        .shapes
+        .shapes()
         .iter()
         .enumerate()
         .filter(|(class, _)| *class != cones)
@@ -161,7 +161,7 @@ fn four_types(survey: &Survey) -> Finding {
         .collect();
     let proved = format!(
         "{} tetrahedra in icosahedra, and {others} other congruence classes of {} tetrahedra in a cell",
-        study.shapes[cones].members.len(),
+        study.shapes()[cones].members.len(),
         sizes.join(", ")
     );
     Ok((others == 4, proved))
@@ -171,7 +171,7 @@ fn four_types(survey: &Survey) -> Finding {
 /// tetrahedron's place: the facet between the three angles that are not 72 degrees.
 fn faces(survey: &Survey) -> Finding {
     let study = survey.space("icosahedral")?;
-    let members = &study.shapes[class_of_cones(study)?].members;
+    let members = &study.shapes()[class_of_cones(study)?].members;
     let cones: BTreeSet<SimplexId> = members.iter().copied().collect();
     let metric = acutile_exact::geometry::linear::cofactors(&study.tiling.frame.gram);
     let mut shared = 0;

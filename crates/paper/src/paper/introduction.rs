@@ -6,8 +6,9 @@ use acutile_core::checker::{
     Findings, Model, check_corners, check_facets, check_orientation, check_volume,
 };
 use acutile_core::quality::{DihedralAngle, Exact, rounded_down, rounded_up};
-use acutile_core::statement::Statement;
+use acutile_core::statement::{Statement, in_words};
 use acutile_core::tiling::{Corner, Frame, Tiling, VertexId, match_facets};
+use acutile_core::with_family;
 use acutile_exact::number::Field;
 use malachite::Rational;
 
@@ -40,6 +41,15 @@ pub fn rows(survey: &Survey) -> Vec<Row> {
         .found(copies_of_a_triangle()),
         Row::new(
             "1",
+            "acute-triangles-tile-the-plane",
+            "congruent copies of any acute triangle are an acute tiling of the plane; x and y range over all \
+             acute triangles up to similarity",
+            "trivial",
+        )
+        .citing(survey, &["triangle-tiling-all"])
+        .found_for_all(states_for_all(survey, "triangle-tiling-all", &[Statement::Acute])),
+        Row::new(
+            "1",
             "regular-does-not-tile",
             "regular tetrahedra do not tile space face to face: no whole number of them fits \
              around an edge",
@@ -56,6 +66,28 @@ pub fn rows(survey: &Survey) -> Vec<Row> {
         .citing(survey, &["sommerville-2"])
         .found(angles_of_bcc(survey)),
     ]
+}
+
+/// Whether the certificate about all members of a construction makes these statements.
+pub fn states_for_all(survey: &Survey, name: &str, statements: &[Statement]) -> Finding {
+    let general = survey.general(name)?;
+    let words: Vec<String> = statements.iter().map(|s| in_words(s, 3)).collect();
+    let words = words.join(", ");
+    let members = match &general.family {
+        Some(family) => {
+            let parameters = with_family!(family, f => f.parameters.iter());
+            let sides = parameters.map(|p| format!("{} in {}", p.name, p.side));
+            format!("for {}", sides.collect::<Vec<_>>().join(", "))
+        }
+        None => "over every tiling or word, periodic or not".to_owned(),
+    };
+    Ok(match statements.iter().all(|s| general.states(s)) {
+        true => (true, format!("{name}, {members}: {words}")),
+        false => (
+            false,
+            format!("{name}: its certificate does not state {words}"),
+        ),
+    })
 }
 
 /// The theorem of section 4.3, in the introduction the answer to problem 2.

@@ -17,7 +17,7 @@
 //! | `evaluation` | 5 and Table 1 |
 //! | `question` | 5, open problem 2 |
 //!
-//! `row` says what a row is and how a printed figure is judged; `identity` and `infinitesimal`
+//! `row` defines a row and judges printed figures; `identity` and `infinitesimal`
 //! prove polynomial identities; `random` makes tetrahedra. No verdict is stored: each is
 //! computed from the constructions, which the checker has proved, or from an identity.
 

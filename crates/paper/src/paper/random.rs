@@ -35,9 +35,12 @@ pub fn tetrahedra() -> impl Iterator<Item = [Vector; 4]> {
         count += 1;
         let near_regular = count.is_multiple_of(2);
         Some(std::array::from_fn(|k| {
-            std::array::from_fn(|i| match near_regular {
-                true => REGULAR[k][i] + random.coordinate(2),
-                false => random.coordinate(5),
+            std::array::from_fn(|i| {
+                if near_regular {
+                    REGULAR[k][i] + random.coordinate(2)
+                } else {
+                    random.coordinate(5)
+                }
             })
         }))
     })

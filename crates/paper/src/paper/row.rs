@@ -1,4 +1,4 @@
-//! A row: a statement of the paper, what it prints, what is proved, and the verdict.
+//! A row: a statement of the paper, its printed form, the proved form, and the verdict.
 
 use crate::survey::Survey;
 use crate::table::Figure;
@@ -8,11 +8,13 @@ use malachite::base::num::arithmetic::traits::Floor;
 use serde_json::{Value, json};
 use std::fmt;
 
-/// What became of a statement.
+/// The verdict on a statement.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Verdict {
     /// It holds as printed.
     Confirmed,
+    /// It is about a construction, and holds for all members: a certificate proves it.
+    ProvedForAll,
     /// The printed figure is the proved value rounded in this way.
     Rounded(Rounding),
     /// The printed figure is neither the proved value nor that value rounded or truncated.
@@ -41,6 +43,7 @@ impl Verdict {
     pub fn word(&self) -> &'static str {
         match self {
             Verdict::Confirmed => "confirmed",
+            Verdict::ProvedForAll => "proved for all",
             Verdict::Rounded(_) => "rounded",
             Verdict::Misprint => "misprint",
             Verdict::Refuted => "refuted",
@@ -78,16 +81,17 @@ pub struct Row {
     pub section: &'static str,
     /// The statement in our words.
     pub statement: String,
-    /// What the paper prints.
+    /// The paper's text.
     pub printed: String,
-    /// What is proved.
+    /// The proved text.
     pub proved: String,
+    /// Whether the statement holds.
     pub verdict: Verdict,
     /// The certificates that the proof rests on: constructions and SHA-256.
     pub certificates: Vec<(String, String)>,
 }
 
-/// What a proof gave: whether the statement holds and what was found; or why nothing was
+/// The result of a proof: whether the statement holds, and the evidence; or why nothing was
 /// decided.
 pub type Finding = Result<(bool, String), String>;
 
@@ -108,21 +112,32 @@ impl Row {
     /// Cites the certificates of those of these constructions that there are.
     pub fn citing(mut self, survey: &Survey, names: &[&str]) -> Row {
         for name in names {
-            if let Ok(study) = survey.get(name) {
-                let hash = study.certificate().to_owned();
-                self.certificates.push(((*name).to_owned(), hash));
+            let study = survey.get(name).map(|study| study.certificate());
+            let hash = study.or_else(|_| survey.general(name).map(|general| &*general.certificate));
+            if let Ok(hash) = hash {
+                self.certificates
+                    .push(((*name).to_owned(), hash.to_owned()));
             }
         }
         self
     }
 
-    /// The row with what a proof found.
+    /// The row with the result of a proof.
     pub fn found(mut self, finding: Finding) -> Row {
         (self.verdict, self.proved) = match finding {
             Ok((holds, proved)) => (Verdict::of(holds), proved),
             Err(reason) => (Verdict::Undecided, reason),
         };
         self
+    }
+
+    /// The row with a proof about all members of a construction.
+    pub fn found_for_all(self, finding: Finding) -> Row {
+        let mut row = self.found(finding);
+        if row.verdict == Verdict::Confirmed {
+            row.verdict = Verdict::ProvedForAll;
+        }
+        row
     }
 
     /// The row with its printed decimal judged against the proved figure.
@@ -164,7 +179,13 @@ impl fmt::Display for Row {
         writeln!(f, "{} [section {}] {verdict}", self.id, self.section)?;
         writeln!(f, "  statement: {}", self.statement)?;
         writeln!(f, "  printed: {}", self.printed)?;
-        write!(f, "  proved: {}", self.proved)
+        write!(f, "  proved: {}", self.proved)?;
+        if self.verdict == Verdict::ProvedForAll {
+            for (name, hash) in &self.certificates {
+                write!(f, "\n  certificate: {name}, SHA-256 {hash}")?;
+            }
+        }
+        Ok(())
     }
 }
 
@@ -174,9 +195,10 @@ pub fn judge(printed: &str, figure: &Figure) -> Verdict {
         .split_once('.')
         .map_or(0, |(_, fraction)| fraction.len()) as u64;
     // The paper writes .651 for 0.651.
-    let printed = match printed.starts_with('.') {
-        true => format!("0{printed}"),
-        false => printed.to_owned(),
+    let printed = if printed.starts_with('.') {
+        format!("0{printed}")
+    } else {
+        printed.to_owned()
     };
     let (low, high) = &figure.bounds;
     let agrees = |round: fn(&Rational, u64) -> String| {
@@ -200,9 +222,10 @@ pub fn decimal(text: &str) -> Option<Rational> {
 /// A figure for readers: the value, or an enclosure, with the closed form.
 pub fn describe(figure: &Figure, unit: &str) -> String {
     let (low, high) = &figure.bounds;
-    let value = match low == high {
-        true => format!("{low}{unit}"),
-        false => format!("{} to {}{unit}", rounded_down(low, 9), rounded_up(high, 9)),
+    let value = if low == high {
+        format!("{low}{unit}")
+    } else {
+        format!("{} to {}{unit}", rounded_down(low, 9), rounded_up(high, 9))
     };
     match &figure.closed_form {
         Some(form) if low != high => format!("{form} = {value}"),

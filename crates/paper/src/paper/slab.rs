@@ -1,6 +1,6 @@
 //! Section 4.3: the slab.
 
-use super::introduction::all_state;
+use super::introduction::{all_state, states_for_all};
 use super::row::{Finding, Row};
 use crate::survey::Survey;
 use acutile_core::statement::Statement;
@@ -47,6 +47,21 @@ pub fn rows(survey: &Survey) -> Vec<Row> {
         )
         .citing(survey, &["slab"])
         .found(all_state(survey, &["slab"], &Statement::Acute)),
+        row(
+            "slab-heights",
+            "the slab with other heights z1, z2, z3 for 4, 4.6 and 7.1 is acute, too, in a box around the paper's \
+             heights",
+            "4, 4.6, 7.1",
+        )
+        .citing(survey, &["slab-all"])
+        .found_for_all(states_for_all(survey, "slab-all", &[Statement::Acute])),
+        row(
+            "slab-stretch",
+            "the slab with the paper's heights over grids with other squared sides w than 36 is acute, too",
+            "γ = h/14.2",
+        )
+        .citing(survey, &["slab-stretch-all"])
+        .found_for_all(states_for_all(survey, "slab-stretch-all", &[Statement::Acute])),
         row("slab-stack", "the slab can be repeated to fill all of space", "repeated")
             .citing(survey, &["slab-stack"])
             .found(all_state(survey, &["slab-stack"], &Statement::Acute)),

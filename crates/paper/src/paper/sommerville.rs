@@ -4,12 +4,13 @@
 use super::row::{Finding, Row};
 use crate::survey::{Study, Survey};
 use acutile_catalog as catalog;
-use acutile_core::checker::Options;
-use acutile_core::proved::prove;
+use acutile_core::family::AnyFamily;
+use acutile_core::family::cleared::{Cleared, to_number};
 use acutile_core::quality::congruence_form;
 use acutile_core::tiling::{AnyTiling, SimplexId, Tiling};
-use acutile_exact::geometry::linear;
+use acutile_exact::geometry::{RingElement, linear};
 use acutile_exact::number::Number;
+use acutile_exact::polynomial::Polynomial;
 use malachite::Rational;
 
 /// The rows about cut tetrahedra and Goldberg's families.
@@ -38,7 +39,8 @@ pub fn rows(survey: &Survey) -> Vec<Row> {
              c² = 4a² + e², and tiles space for every ratio a/e",
             "3a, b, b, b, c, c",
         )
-        .found(goldberg_family()),
+        .citing(survey, &["goldberg-1-all"])
+        .found_for_all(goldberg_family(survey)),
         row(
             "goldberg-c-edges",
             "in Goldberg's first family the edges of valence four are those of length c",
@@ -187,9 +189,7 @@ struct Goldberg {
 
 impl Goldberg {
     fn of(tetrahedron: &Tetrahedron) -> Option<Self> {
-        let orders = (0..4).flat_map(|i| (0..4).flat_map(move |j| (0..4).map(move |k| [i, j, k])));
-        for [i, j, k] in orders.filter(|[i, j, k]| i != j && j != k && i != k) {
-            let order = [i, j, k, 6 - i - j - k];
+        for order in orders() {
             let square = |x: usize, y: usize| tetrahedron.square(order[x], order[y]);
             let a = square(0, 3) * Number::from(Rational::from_signeds(1, 9));
             let b = square(0, 1);
@@ -204,43 +204,46 @@ impl Goldberg {
     }
 }
 
-/// The corners of the tilings, in coordinates of their bases, are compared for several ratios:
-/// where they agree, the hypotheses that do not involve the metric are the same. The squared
-/// edges are linear in a² and e², so that two ratios would do.
-fn goldberg_family() -> Finding {
-    let entry = catalog::find("goldberg-1").ok_or("goldberg-1: not in this build")?;
-    let mut first: Option<Tiling<3>> = None;
-    for (n, d) in [(1, 5), (1, 2), (1, 1), (7, 2)] {
-        let ratio = Number::from(Rational::from_signeds(n, d));
-        let tiling = entry
-            .build_with(&ratio)
-            .map_err(|error| error.to_string())?;
-        let AnyTiling::Space(tiling) = tiling else {
-            return Err("goldberg-1: is not in space".to_owned());
-        };
-        if !is_goldberg(&tiling, &ratio) || prove(&tiling, &Options::default(), &|_| {}).is_err() {
-            return Ok((false, format!("does not hold for a/e = {ratio}")));
-        }
-        let same = |t: &Tiling<3>| t.corners == tiling.corners && t.vertices == tiling.vertices;
-        if !first.as_ref().is_none_or(same) {
-            return Err("the recipe is not the same for all ratios".to_owned());
-        }
-        first.get_or_insert(tiling);
-    }
-    let proved = "proved for a/e = 1/5, 1/2, 1, 7/2 with the same coordinates in the basis; the \
-                  hypotheses on these do not involve the metric, and squared edges are linear in a² and e²";
-    Ok((true, proved.to_owned()))
+/// The family proves the tilings. Its squared edges are polynomials in s = e²/(a² + e²), up to a factor, and
+/// they are those of the statement.
+fn goldberg_family(survey: &Survey) -> Finding {
+    let general = survey.general("goldberg-1-all")?;
+    let Some(AnyFamily::Space(family)) = &general.family else {
+        return Err("goldberg-1-all: is not in space".to_owned());
+    };
+    let cleared = Cleared::new(family, to_number);
+    let is_every_ratio = family.cuboid().sides[0].to_string() == "(0, 1)";
+    let mut simplices = family.simplices();
+    let holds = is_every_ratio && simplices.all(|simplex| has_goldberg_sides(&cleared, simplex));
+    let proved = "the certificate is about every s = e²/(a² + e²) between 0 and 1; the squared sides of every \
+                  tetrahedron are b² times 9 (1 - s), 1, 1, 1, 4 - 3s, 4 - 3s, as polynomials";
+    Ok((holds, proved.to_owned()))
 }
 
-fn is_goldberg(tiling: &Tiling<3>, ratio: &Number) -> bool {
-    tiling.simplices().all(|corners| {
-        let tetrahedron = Tetrahedron {
-            gram: tiling.frame.gram.clone(),
-            corners: std::array::from_fn(|k| tiling.position(&corners[k])),
-        };
-        let found = Goldberg::of(&tetrahedron);
-        found.is_some_and(|g| g.a == ratio * ratio * &g.e)
+/// In some order of the corners, |01|² = |12|² = |23|² = b², |02|² = |13|² = (4 - 3s) b² and
+/// |03|² = 9 (1 - s) b². With s = e²/(a² + e²) and b² = a² + e² these are 4a² + e² and 9a².
+fn has_goldberg_sides(cleared: &Cleared<Number, 3>, simplex: SimplexId) -> bool {
+    let corners = cleared.corners(simplex);
+    let square = |i: usize, j: usize| {
+        let [p, q] = [i, j].map(|k| cleared.position(&corners[k]));
+        linear::square(&cleared.gram, &linear::subtract(&p, &q))
+    };
+    let s: Polynomial = Polynomial::parameter(0);
+    let of_c = s.integer(4).minus(&s.times(&s.integer(3)));
+    let of_long = s.integer(9).minus(&s.times(&s.integer(9)));
+    orders().any(|[p, q, r, t]| {
+        let b = square(p, q);
+        let c = b.times(&of_c);
+        let is_chain = square(q, r) == b && square(r, t) == b && square(p, t) == b.times(&of_long);
+        is_chain && square(p, r) == c && square(q, t) == c
     })
+}
+
+/// All orders of four corners.
+fn orders() -> impl Iterator<Item = [usize; 4]> {
+    let triples = (0..4).flat_map(|i| (0..4).flat_map(move |j| (0..4).map(move |k| [i, j, k])));
+    let distinct = triples.filter(|[i, j, k]| i != j && j != k && i != k);
+    distinct.map(|[i, j, k]| [i, j, k, 6 - i - j - k])
 }
 
 fn edges_of_valence_four(survey: &Survey) -> Finding {

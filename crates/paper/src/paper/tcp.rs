@@ -1,6 +1,6 @@
 //! Section 4.1: which structures are TCP, with which vertices.
 
-use super::introduction::all_state;
+use super::introduction::states_for_all;
 use super::row::{Finding, Row};
 use crate::survey::{Study, Survey};
 use acutile_catalog::{self as catalog, CatalogError};
@@ -49,6 +49,17 @@ pub fn rows(survey: &Survey) -> Vec<Row> {
                 .found(is_tcp(survey, name)),
         );
     }
+    let over_all =
+        |statement: Statement| states_for_all(survey, "square-triangle-all", &[statement]);
+    rows.push(
+        row(
+            "tcp/square-triangle",
+            "every tiling of the plane by squares and triangles leads to a TCP structure",
+            "any tiling",
+        )
+        .citing(survey, &["square-triangle-all"])
+        .found_for_all(over_all(Statement::Tcp)),
+    );
     rows.push(
         row(
             "delaunay",
@@ -56,8 +67,8 @@ pub fn rows(survey: &Survey) -> Vec<Row> {
              of the points",
             "Delaunay",
         )
-        .citing(survey, &OVER_TILINGS)
-        .found(all_state(survey, &OVER_TILINGS, &Statement::Delaunay)),
+        .citing(survey, &["square-triangle-all"])
+        .found_for_all(over_all(Statement::Delaunay)),
     );
     rows.push(
         row(
@@ -102,14 +113,18 @@ pub fn rows(survey: &Survey) -> Vec<Row> {
             "the TCP structures constructed are acute triangulations",
             "acute triangulations",
         )
-        .citing(survey, &["z", "a15", "sigma", "h", "c15"])
-        .found(all_state(
-            survey,
-            &["z", "a15", "sigma", "h", "c15"],
-            &Statement::Acute,
-        )),
+        .citing(survey, &["square-triangle-all", "kagome-all"])
+        .found_for_all(tcp_is_acute(survey)),
     );
     rows
+}
+
+/// Z, A15, σ and H are over tilings by squares and triangles, and C15 is a word of kagome layers.
+fn tcp_is_acute(survey: &Survey) -> Finding {
+    let acute = [Statement::Acute];
+    let (is_first, first) = states_for_all(survey, "square-triangle-all", &acute)?;
+    let (is_second, second) = states_for_all(survey, "kagome-all", &acute)?;
+    Ok((is_first && is_second, format!("{first}; {second}")))
 }
 
 fn four_stars() -> (bool, String) {
@@ -167,9 +182,10 @@ fn combinations(survey: &Survey) -> Finding {
         };
         words.push(format!("{name} = {a15} A15 + {z} Z + {c15} C15"));
     }
-    match words.is_empty() {
-        true => Err("no TCP structures in this build".to_owned()),
-        false => Ok((true, format!("in cells: {}", words.join("; ")))),
+    if words.is_empty() {
+        Err("no TCP structures in this build".to_owned())
+    } else {
+        Ok((true, format!("in cells: {}", words.join("; "))))
     }
 }
 

@@ -1,4 +1,4 @@
-//! Section 2.2: what is said of all known space-filling tetrahedra, of regular ones and of
+//! Section 2.2: the statements about all known space-filling tetrahedra, of regular ones and of
 //! subdivided cubes.
 
 use super::introduction::{CONGRUENT, regular_angle};
@@ -33,7 +33,7 @@ pub fn rows(survey: &Survey) -> Vec<Row> {
             "congruent copies",
         )
         .citing(survey, &CONGRUENT)
-        .found(for_all(survey, &CONGRUENT, |study| study.shapes.len() == 1)),
+        .found(for_all(survey, &CONGRUENT, |study| study.shapes().len() == 1)),
         row(
             "right-angles",
             "all tetrahedra known to tile space have right dihedral angles",

@@ -248,8 +248,9 @@ fn between(survey: &Survey) -> Finding {
         .iter()
         .map(|(average, name)| format!("{name} {}", mixed_number(average).unwrap_or_default()))
         .collect();
-    match words.is_empty() {
-        true => Err("no TCP structures in this build".to_owned()),
-        false => Ok((true, words.join(", "))),
+    if words.is_empty() {
+        Err("no TCP structures in this build".to_owned())
+    } else {
+        Ok((true, words.join(", ")))
     }
 }

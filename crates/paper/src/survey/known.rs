@@ -1,10 +1,16 @@
 //! Which constructions of the catalogue a triangulation is isomorphic to.
 
 use super::Survey;
+use super::fullerenes::space_fullerene;
+use super::phases::frank_kasper_phase;
+use super::stacks::candidate_words;
 use super::study::{AnyStudy, Study};
 use acutile_catalog as catalog;
-use acutile_core::classify::{Ridges, combinatorial_symbol};
-use acutile_core::tiling::{AnyTiling, Domain, match_facets};
+use acutile_core::classify::{Ridges, Symbol, combinatorial_symbol};
+use acutile_core::tiling::{AnyTiling, Domain, Tiling, match_facets};
+use malachite::Rational;
+use rayon::prelude::*;
+use std::sync::LazyLock;
 
 /// The names of the constructions in a survey that a tiling of space is isomorphic to, in
 /// the catalogue's order. Valences decide most cases before symbols are compared.
@@ -19,31 +25,56 @@ pub fn isomorphic_entries(study: &Study<3>, survey: &Survey) -> Vec<&'static str
         }
         _ => false,
     };
-    catalog::names().filter(is_isomorphic).collect()
+    catalog::types().filter(is_isomorphic).collect()
 }
 
-/// The names of all constructions of the catalogue that a tiling of space is isomorphic to. They are built
-/// and not proved, and most have another average valence.
-pub fn isomorphic_in_catalog(study: &Study<3>) -> Vec<&'static str> {
+/// The names of all constructions of the catalogue that a tiling of space is isomorphic to, then the stack of
+/// kagome layers that it is, its number among the space fullerenes, and the P, M, R or T phase.
+pub fn isomorphic_to(study: &Study<3>, symbol: &Symbol<usize, 3>) -> Vec<String> {
     let average = study.ridges.average_valence();
-    let mut symbol = None;
-    let mut is_isomorphic = |name: &&str| {
-        let Some(Ok(AnyTiling::Space(tiling))) = catalog::find(name).map(|entry| entry.build())
-        else {
-            return false;
+    let of_catalog = averages()
+        .iter()
+        .filter(|(_, other)| *other == average)
+        .map(|(name, _)| (*name).to_owned());
+    let of_stacks = candidate_words(study)
+        .into_iter()
+        .map(|word| format!("kagome:{word}"));
+    let mut names: Vec<String> = of_catalog
+        .chain(of_stacks)
+        .filter(|name| has_symbol(name, symbol))
+        .collect();
+    let digest = symbol.sha256();
+    names.extend(space_fullerene(&digest));
+    names.extend(frank_kasper_phase(&digest));
+    names
+}
+
+/// The constructions of the catalogue that tile space, with their average valences. They are built and not
+/// proved, once in a run.
+fn averages() -> &'static [(&'static str, Option<Rational>)] {
+    static AVERAGES: LazyLock<Vec<(&str, Option<Rational>)>> = LazyLock::new(|| {
+        let names: Vec<&str> = catalog::types().collect();
+        let average = |name: &&'static str| {
+            let tiling = of_space(name)?;
+            let ridges = Ridges::of(&tiling, &match_facets(&tiling));
+            Some((*name, ridges.average_valence()))
         };
-        if tiling.frame.domain != Domain::Space {
-            return false;
-        }
+        names.par_iter().filter_map(average).collect()
+    });
+    &AVERAGES
+}
+
+fn of_space(name: &str) -> Option<Tiling<3>> {
+    match catalog::build(name) {
+        Ok(AnyTiling::Space(tiling)) if tiling.frame.domain == Domain::Space => Some(tiling),
+        _ => None,
+    }
+}
+
+fn has_symbol(name: &str, symbol: &Symbol<usize, 3>) -> bool {
+    let found = of_space(name).and_then(|tiling| {
         let matching = match_facets(&tiling);
-        let ridges = Ridges::of(&tiling, &matching);
-        if ridges.average_valence() != average {
-            return false;
-        }
-        let own = symbol.get_or_insert_with(|| study.symbol());
-        own.is_some() && combinatorial_symbol(&tiling, &matching, &ridges) == *own
-    };
-    catalog::names()
-        .filter(|name| is_isomorphic(name))
-        .collect()
+        combinatorial_symbol(&tiling, &matching, &Ridges::of(&tiling, &matching))
+    });
+    found.as_ref() == Some(symbol)
 }

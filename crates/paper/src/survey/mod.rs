@@ -1,23 +1,31 @@
-//! What is known of a construction, each thing once: the tiling, its certificate's hash,
+//! The facts about a construction, each computed once: the tiling, its certificate's hash,
 //! congruence classes, measures and combinatorics.
 //!
 //! The table, the paper's statements and the classification all read studies, so that a
 //! construction is built and proved once in a run. A study is made of proved tilings only: what
 //! the checker refutes has none.
 
+mod fullerenes;
+mod general;
 mod known;
+mod phases;
+mod stacks;
 mod study;
 
-pub use known::{isomorphic_entries, isomorphic_in_catalog};
+pub use general::General;
+pub use known::{isomorphic_entries, isomorphic_to};
 pub use study::{AnyStudy, NotStudied, Study};
 
 use acutile_catalog as catalog;
 use rayon::prelude::*;
 use std::collections::BTreeMap;
+use std::sync::OnceLock;
 
 /// Studies of several constructions by name, or why there is none.
 pub struct Survey {
     studies: BTreeMap<String, Result<AnyStudy, String>>,
+    /// Families and systems of patches, once one is asked for.
+    generals: OnceLock<BTreeMap<String, Result<General, String>>>,
 }
 
 impl Survey {
@@ -26,6 +34,7 @@ impl Survey {
         let study = |name: &&str| ((*name).to_owned(), AnyStudy::of_entry(name));
         Survey {
             studies: names.par_iter().map(study).collect(),
+            generals: OnceLock::new(),
         }
     }
 
@@ -54,6 +63,24 @@ impl Survey {
         match self.get(name)? {
             AnyStudy::Space(study) => Ok(study),
             AnyStudy::Plane(_) => Err(format!("{name}: is not in space")),
+        }
+    }
+
+    /// What is proved of all members of a construction: a family or a system of patches of the catalogue.
+    ///
+    /// # Errors
+    /// As [`Survey::get`].
+    pub fn general(&self, name: &str) -> Result<&General, String> {
+        let generals = self.generals.get_or_init(|| {
+            let theorems = catalog::THEOREMS.iter().map(|theorem| theorem.name);
+            let names: Vec<&str> = catalog::family_names().chain(theorems).collect();
+            let general = |name: &&str| ((*name).to_owned(), General::of_entry(name));
+            names.par_iter().map(general).collect()
+        });
+        match generals.get(name) {
+            Some(Ok(general)) => Ok(general),
+            Some(Err(message)) => Err(message.clone()),
+            None => Err(format!("{name}: not in this build")),
         }
     }
 

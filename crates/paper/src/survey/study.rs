@@ -1,4 +1,4 @@
-//! A proved tiling and what follows from it.
+//! A proved tiling and its consequences.
 
 use acutile_catalog as catalog;
 use acutile_core::checker::Options;
@@ -18,18 +18,23 @@ use std::sync::OnceLock;
 /// A tiling that is proved; the kernel has confirmed its certificate.
 #[derive(Debug)]
 pub struct Study<const D: usize> {
+    /// The tiling.
     pub tiling: Tiling<D>,
+    /// Which facets coincide.
     pub matching: Matching<D>,
-    /// What the certificate states.
+    /// The statements of the certificate.
     pub statements: Vec<Statement>,
     /// The SHA-256 of the certificate's bytes, in hexadecimal digits.
     pub certificate: String,
-    /// Congruence classes.
-    pub shapes: Vec<Shape>,
+    /// Congruence classes, once they are asked for.
+    shapes: OnceLock<Vec<Shape>>,
+    /// How many vertices of a cell have each star, once this is asked for.
+    stars: OnceLock<BTreeMap<Star, usize>>,
     /// The measures of each class, once they are asked for.
     measures: OnceLock<Vec<Measures>>,
     /// The exact ranges that the certificate claims.
     pub ranges: Ranges,
+    /// Vertices of the plane, edges of space, with the simplices around each.
     pub ridges: Ridges<D>,
 }
 
@@ -39,23 +44,35 @@ impl<const D: usize> Study<D> {
     /// # Errors
     /// The first defect, in words.
     pub fn of(tiling: Tiling<D>) -> Result<Self, NotStudied> {
-        let proved = prove(&tiling, &Options::default(), &|_| {}).map_err(|reason| NotStudied {
+        // The kernel uses one core.
+        let combinatorics = || {
+            let matching = match_facets(&tiling);
+            let ridges = Ridges::of(&tiling, &matching);
+            (matching, ridges)
+        };
+        let proof = || prove(&tiling, &Options::default(), &|_| {});
+        let (proved, (matching, ridges)) = rayon::join(proof, combinatorics);
+        let proved = proved.map_err(|reason| NotStudied {
             message: reason.in_words(&tiling),
             is_refuted: matches!(reason, NotProved::Refuted(_)),
         })?;
-        let shapes = shapes(&tiling);
-        let matching = match_facets(&tiling);
         Ok(Study {
             ranges: ranges(proved.statements())
                 .ok_or_else(|| NotStudied::open("the certificate has no exact bounds"))?,
-            ridges: Ridges::of(&tiling, &matching),
+            ridges,
             certificate: proved.sha256(),
             statements: proved.statements().to_vec(),
             matching,
-            shapes,
+            shapes: OnceLock::new(),
+            stars: OnceLock::new(),
             measures: OnceLock::new(),
             tiling,
         })
+    }
+
+    /// Congruence classes.
+    pub fn shapes(&self) -> &[Shape] {
+        self.shapes.get_or_init(|| shapes(&self.tiling))
     }
 
     /// The measures of each class. They take far longer than the classes.
@@ -64,7 +81,7 @@ impl<const D: usize> Study<D> {
     /// Never: a proved tiling has no flat simplex, which alone has no measures.
     pub fn measures(&self) -> &[Measures] {
         self.measures.get_or_init(|| {
-            measures_of_shapes(&self.tiling, &self.shapes).expect("no simplex is flat")
+            measures_of_shapes(&self.tiling, self.shapes()).expect("no simplex is flat")
         })
     }
 
@@ -106,19 +123,21 @@ impl Study<3> {
     }
 
     /// How many vertices of a cell have each star.
-    pub fn star_counts(&self) -> BTreeMap<Star, usize> {
-        let mut counts = BTreeMap::new();
-        for star in stars(&self.tiling) {
-            *counts.entry(star).or_insert(0) += 1;
-        }
-        counts
+    pub fn star_counts(&self) -> &BTreeMap<Star, usize> {
+        self.stars.get_or_init(|| {
+            let mut counts = BTreeMap::new();
+            for star in stars(&self.tiling) {
+                *counts.entry(star).or_insert(0) += 1;
+            }
+            counts
+        })
     }
 }
 
 /// Why there is no study.
 #[derive(Clone, Debug)]
 pub struct NotStudied {
-    /// The first defect, or what else is in the way.
+    /// The first defect, or the other obstacle.
     pub message: String,
     /// Whether something is wrong with the tiling. Otherwise nothing is decided.
     pub is_refuted: bool,

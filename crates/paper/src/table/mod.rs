@@ -4,8 +4,10 @@
 //! Every figure is an enclosure of the exact value; `render` writes them in several
 //! formats. The paper's own figures are judged in [`crate::paper`].
 
+mod general;
 mod render;
 
+pub use general::{figures_of_family, of_family};
 pub use render::{csv, json, latex, markdown, text};
 
 use crate::survey::{AnyStudy, Study};
@@ -30,7 +32,7 @@ pub const PAPER_ROWS: [(&str, &str); 14] = [
     ("cube-corner", "Cube corner"),
 ];
 
-/// The six columns: what is measured, digits behind the point in the paper.
+/// The six columns: the measure, and the number of digits after the point in the paper.
 pub const COLUMNS: [(&str, u64); 3] = [
     ("radius_edge", 3),
     ("smallest_dihedral", 2),
@@ -43,7 +45,7 @@ pub fn width() -> Rational {
     Rational::from_signeds(1i64, 10_000_000_000)
 }
 
-/// Digits behind the point of the enclosures' ends.
+/// Digits after the point of the enclosures' ends.
 pub const DIGITS: u64 = 11;
 
 /// A figure: bounds, and the closed form where there is a short one.
@@ -51,6 +53,7 @@ pub const DIGITS: u64 = 11;
 pub struct Figure {
     /// Lower and upper bound; equal where the value is rational and recognised.
     pub bounds: (Rational, Rational),
+    /// The exact value as text, such as `arccos(1/5)`.
     pub closed_form: Option<String>,
 }
 
@@ -72,18 +75,20 @@ impl Figure {
 /// A row of the table.
 #[derive(Clone, Debug)]
 pub struct Row {
+    /// The name in the catalogue.
     pub name: String,
     /// The paper's label where it has the row, else the name.
     pub label: String,
+    /// 2 or 3.
     pub dimension: usize,
-    /// Simplices in a cell.
-    pub simplices: usize,
-    /// Congruence classes of simplices.
-    pub shapes: usize,
-    /// The SHA-256 of the certificate of the tiling.
+    /// Simplices in a cell; `None` for a system of patches.
+    pub simplices: Option<usize>,
+    /// Congruence classes of simplices; `None` for a construction with many members.
+    pub shapes: Option<usize>,
+    /// The SHA-256 of the certificate.
     pub certificate: String,
-    /// Minimum and maximum for each column.
-    pub figures: [(Figure, Figure); 3],
+    /// Minimum and maximum for each column; `None` where no bound is known.
+    pub figures: [(Option<Figure>, Option<Figure>); 3],
 }
 
 impl Row {
@@ -100,8 +105,8 @@ impl Row {
             name: name.to_owned(),
             label: label(name).unwrap_or(name).to_owned(),
             dimension: D,
-            simplices: study.tiling.len(),
-            shapes: study.shapes.len(),
+            simplices: Some(study.tiling.len()),
+            shapes: Some(study.shapes().len()),
             certificate: study.certificate.clone(),
             figures: [
                 figures(&study.ranges.radius_edge),
@@ -112,8 +117,8 @@ impl Row {
     }
 }
 
-fn figures<T: Exact>(range: &Range<T>) -> (Figure, Figure) {
-    (Figure::of(&range.min), Figure::of(&range.max))
+fn figures<T: Exact>(range: &Range<T>) -> (Option<Figure>, Option<Figure>) {
+    (Some(Figure::of(&range.min)), Some(Figure::of(&range.max)))
 }
 
 /// The paper's label for a construction in its table.

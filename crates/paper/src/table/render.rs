@@ -7,6 +7,7 @@
 
 use super::{COLUMNS, DIGITS, Figure, Row};
 use acutile_core::quality::{rounded_down, rounded_up};
+use acutile_exact::number::radical::with_radicals;
 use serde_json::{Map, Value, json};
 
 /// Columns with blanks between, then the closed forms.
@@ -82,9 +83,8 @@ fn latex_forms(rows: &[Row]) -> String {
         let figures = measures.iter().zip(&row.figures);
         let forms: Vec<String> = figures
             .flat_map(|(measure, (min, max))| [(measure, "min", min), (measure, "max", max)])
-            .filter(|(_, _, figure)| !figure.is_rational())
             .filter_map(|(measure, end, figure)| {
-                let form = latex_form(figure.closed_form.as_ref()?);
+                let form = latex_form(&inexact_form(figure)?);
                 Some(format!("{measure} {end} ${form}$"))
             })
             .collect();
@@ -101,17 +101,11 @@ fn latex_forms(rows: &[Row]) -> String {
 
 /// `arccos(-√(1/6))` as `\arccos(-\sqrt{1/6})`.
 fn latex_form(form: &str) -> String {
-    let form = form.replace("arccos", "\\arccos");
-    match form.split_once('√') {
-        None => form,
-        Some((before, after)) => match after.strip_prefix('(') {
-            Some(rest) => format!("{before}\\sqrt{{{}", rest.replacen(')', "}", 1)),
-            None => {
-                let digits: String = after.chars().take_while(char::is_ascii_digit).collect();
-                format!("{before}\\sqrt{{{digits}}}{}", &after[digits.len()..])
-            }
-        },
-    }
+    with_radicals(
+        form,
+        |text| text.replace("arccos", "\\arccos"),
+        str::to_owned,
+    )
 }
 
 /// One line for each row: both ends and the closed form of each figure.
@@ -134,11 +128,12 @@ pub fn csv(rows: &[Row]) -> String {
             field(&row.name),
             field(&row.label),
             row.dimension.to_string(),
-            row.simplices.to_string(),
+            count(row),
         ];
         for figure in row.figures.iter().flat_map(|(min, max)| [min, max]) {
-            line.extend(ends(figure));
-            line.push(figure.closed_form.clone().unwrap_or_default());
+            let ends = figure.as_ref().map(ends).unwrap_or_default();
+            line.extend(ends);
+            line.push(closed_form(figure).unwrap_or_default());
         }
         line.push(row.certificate.clone());
         text.push_str(&(line.join(",") + "\n"));
@@ -148,9 +143,10 @@ pub fn csv(rows: &[Row]) -> String {
 
 /// A field of a CSV file, quoted where it must be.
 fn field(text: &str) -> String {
-    match text.contains([',', '"', '\n', '\r']) {
-        true => format!("\"{}\"", text.replace('"', "\"\"")),
-        false => text.to_owned(),
+    if text.contains([',', '"', '\n', '\r']) {
+        format!("\"{}\"", text.replace('"', "\"\""))
+    } else {
+        text.to_owned()
     }
 }
 
@@ -169,8 +165,9 @@ fn json_row(row: &Row) -> Value {
     object.insert("tetrahedra".into(), json!(row.simplices));
     object.insert("shapes".into(), json!(row.shapes));
     for ((column, _), (min, max)) in COLUMNS.iter().zip(&row.figures) {
-        let mut measure = json!({ "min": ends(min), "max": ends(max) });
-        measure["closed"] = json!({ "min": min.closed_form, "max": max.closed_form });
+        let [low, high] = [min, max].map(|figure| figure.as_ref().map(ends));
+        let mut measure = json!({ "min": low, "max": high });
+        measure["closed"] = json!({ "min": closed_form(min), "max": closed_form(max) });
         object.insert((*column).into(), measure);
     }
     object.insert("certificate".into(), json!(row.certificate));
@@ -183,12 +180,24 @@ fn ends(figure: &Figure) -> [String; 2] {
     [rounded_down(low, DIGITS), rounded_up(high, DIGITS)]
 }
 
-/// The label, the number of simplices and the six figures.
+/// The number of simplices in a cell.
+fn count(row: &Row) -> String {
+    row.simplices.map_or(String::new(), |n| n.to_string())
+}
+
+fn closed_form(figure: &Option<Figure>) -> Option<String> {
+    figure.as_ref()?.closed_form.clone()
+}
+
+/// The label, the number of simplices and the six figures; a dash where no bound is known.
 fn cells(row: &Row) -> Vec<String> {
-    let mut cells = vec![row.label.clone(), row.simplices.to_string()];
+    let mut cells = vec![row.label.clone(), count(row)];
+    let dash = || "–".to_owned();
     for ((_, digits), (min, max)) in COLUMNS.iter().zip(&row.figures) {
-        cells.push(outward(min, *digits, rounded_down(&min.bounds.0, *digits)));
-        cells.push(outward(max, *digits, rounded_up(&max.bounds.1, *digits)));
+        let low = |min: &Figure| outward(min, *digits, rounded_down(&min.bounds.0, *digits));
+        let high = |max: &Figure| outward(max, *digits, rounded_up(&max.bounds.1, *digits));
+        cells.push(min.as_ref().map_or_else(dash, low));
+        cells.push(max.as_ref().map_or_else(dash, high));
     }
     cells
 }
@@ -196,29 +205,32 @@ fn cells(row: &Row) -> Vec<String> {
 /// The figure as it was rounded; without zeros at the end where that is the value itself.
 fn outward(figure: &Figure, digits: u64, rounded: String) -> String {
     let (low, high) = &figure.bounds;
-    match rounded_down(low, digits) == rounded_up(high, digits) {
-        true => rounded
+    if rounded_down(low, digits) == rounded_up(high, digits) {
+        rounded
             .trim_end_matches('0')
             .trim_end_matches('.')
-            .to_owned(),
-        false => rounded,
+            .to_owned()
+    } else {
+        rounded
     }
 }
 
-/// As [`cells`], with the closed forms behind those figures that are not exact.
+/// As [`cells`], with the closed forms after those figures that are not exact.
 fn cells_with_forms(row: &Row, write: impl Fn(&str) -> String) -> Vec<String> {
     let mut cells = cells(row);
     let figures = row.figures.iter().flat_map(|(min, max)| [min, max]);
     for (cell, figure) in cells[2..].iter_mut().zip(figures) {
-        if let Some(form) = figure
-            .closed_form
-            .as_deref()
-            .filter(|_| !figure.is_rational())
-        {
-            *cell = format!("{cell} ({})", write(form));
+        if let Some(form) = inexact_form(figure) {
+            *cell = format!("{cell} ({})", write(&form));
         }
     }
     cells
+}
+
+/// The closed form of a figure that is not exact as printed.
+fn inexact_form(figure: &Option<Figure>) -> Option<String> {
+    let figure = figure.as_ref().filter(|figure| !figure.is_rational());
+    figure?.closed_form.clone()
 }
 
 /// `ρ min √(5/12)` for every figure with a closed form that is not a number.
@@ -227,7 +239,6 @@ fn closed_forms(row: &Row) -> Vec<String> {
     HEADINGS[2..]
         .iter()
         .zip(figures)
-        .filter(|(_, figure)| !figure.is_rational())
-        .filter_map(|(heading, figure)| Some(format!("{heading} {}", figure.closed_form.as_ref()?)))
+        .filter_map(|(heading, figure)| Some(format!("{heading} {}", inexact_form(figure)?)))
         .collect()
 }

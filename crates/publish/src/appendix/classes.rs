@@ -1,8 +1,8 @@
 //! The congruence classes: edges, volume, dihedral angles, and the sign computation that
 //! shows each angle to be acute.
 //!
-//! With M the matrix of the inner products of the edges e_1, …, e_D from corner 0 and C its
-//! cofactors, the gradients of the barycentric coordinates have <g_i, g_j> = C_ij / det M for
+//! Let M be the matrix of the inner products of the edges e_1, …, e_D from corner 0, and C its
+//! cofactors. The gradients of the barycentric coordinates have <g_i, g_j> = C_ij / det M for
 //! i, j >= 1, and g_0 = -(g_1 + … + g_D). M follows from the squared edges. A positive
 //! factor makes the entries of Q, a multiple of M, integers without a common divisor; the
 //! numbers N_ij printed are the cofactors of Q, continued to i = 0. So a reader needs
@@ -10,8 +10,7 @@
 
 use super::rational::interval;
 use super::subject::Analysis;
-use super::tex::{counted, simplices, table_fits, tabular, width};
-use super::theorem::{fits, matrix};
+use super::tex::{counted, fits, matrix, simplices, table_fits, tabular, width};
 use acutile_core::quality::{DihedralAngle, Exact, measures};
 use acutile_core::tiling::SimplexId;
 use acutile_exact::geometry::linear;
@@ -19,12 +18,12 @@ use acutile_exact::number::Number;
 use malachite::Rational;
 use std::cmp::Ordering;
 
-/// The section on classes.
-pub fn classes<const D: usize>(analysis: &Analysis<D>) -> String {
+/// The section on classes, with their figures.
+pub fn classes<const D: usize>(analysis: &Analysis<D>, figures: &str) -> String {
     let blocks: String = (0..analysis.shapes.len())
         .map(|class| block(analysis, class))
         .collect();
-    format!("{}{blocks}", how_to_check::<D>())
+    format!("{}{figures}{blocks}", how_to_check::<D>())
 }
 
 fn how_to_check<const D: usize>() -> String {

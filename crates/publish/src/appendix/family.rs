@@ -1,12 +1,12 @@
-//! The section on a family: the theorem, vertices and tiles with polynomials, the pairing, and the
-//! signs of all polynomials on the leaves of the tree.
+//! The section on a family: the theorem, vertices and tiles with polynomials, and the pairing. The
+//! signs of all polynomials on the leaves of the tree follow.
 
 use super::conditions::{Condition, conditions};
 use super::numeral::Numerals;
 use super::polynomial::{name, polynomial};
 use super::subject::Subject;
-use super::tex::{self, Table, facet_word, list, simplices};
-use super::{bibliography, recheck, theorem};
+use super::tex::{self, Table, facet_word, list, matrix, simplices};
+use super::{bibliography, claim, names, recheck};
 use acutile_core::family::{Family, Tree};
 use acutile_core::tiling::{Facet, SimplexId, match_facets};
 use acutile_exact::number::Number;
@@ -52,10 +52,10 @@ pub fn section<const D: usize>(subject: &Subject, family: &Family<D>, tree: &Tre
     [
         format!(
             "\\acutilesection{{{}}}\\label{{{}}}\n",
-            theorem::heading(subject),
+            names::heading(subject),
             section.label("section")
         ),
-        theorem::introduction(subject, &citation),
+        names::introduction(subject, &citation),
         "\n\n".to_owned(),
         statement(&section),
         proof(&section),
@@ -85,7 +85,7 @@ fn statement<const D: usize>(section: &Section<D>) -> String {
         .subject
         .statements()
         .iter()
-        .filter_map(|statement| theorem::in_words::<D>(&section.numerals, statement))
+        .filter_map(|statement| claim::in_words::<D>(&section.numerals, statement))
         .map(|words| format!("\\item {words}\n"))
         .collect();
     let items = match items.trim_end().strip_suffix(';') {
@@ -98,7 +98,7 @@ fn statement<const D: usize>(section: &Section<D>) -> String {
         "\\begin{{acutiletheorem}}[{name}]\\label{{{label}}}\nLet {box}. Let {basis} be a basis of {space} with the inner products\n\
          % acutile:gram\n\\[ \\acutilefit{{$\\bigl(\\langle b_i,b_j\\rangle\\bigr)={gram}.$}} \\]\n{lattice}\
          Then the ${count}$ {kind} of Table~\\ref{{{orbits}}}{moved} tile {domain} {how}: they cover it, their interiors are disjoint, and any two of them meet in a common face of both or not at all.{items}\n\\end{{acutiletheorem}}\n\n",
-        name = theorem::human_name(section.subject),
+        name = names::human_name(section.subject),
         label = section.label("theorem"),
         r#box = parameters(section),
         basis = list(&basis),
@@ -107,7 +107,7 @@ fn statement<const D: usize>(section: &Section<D>) -> String {
         } else {
             "Euclidean space"
         },
-        gram = theorem::matrix(&gram),
+        gram = matrix(&gram),
         lattice = match lattice.is_empty() {
             true => String::new(),
             false => format!("Let $\\Lambda={}$. ", lattice.join("+")),

@@ -1,5 +1,5 @@
-//! The group of isometries under which the tiles are given by representatives: generators,
-//! elements up to the lattice, and the checks that make it a group.
+//! The group of isometries that makes all tiles from representatives: generators, elements up to
+//! the lattice, and the checks that make it a group.
 
 use super::polynomial::product;
 use super::subject::Analysis;
@@ -73,7 +73,13 @@ pub fn group<const D: usize>(analysis: &Analysis<D>) -> String {
     format!(
         "\\acutileparagraph{{Symmetry (S).}} Table~\\ref{{{label}}} has ${order}$ isometries{modulo}, with $\\gamma_0$ the identity. The linear part $A$ of each generator \
          satisfies $A^TGA=G$, with the Gram matrix $G$.{linear} The last columns have the products with the generators; since they are all in the list, \
-         it is ${quotient}$.{domain}\n\n{table}",
+         it is ${quotient}$.{domain}{space_group}\n\n{table}",
+        space_group = analysis
+            .space_group
+            .as_ref()
+            .map_or(String::new(), |group| {
+                format!(" As a space group $\\Gamma$ has the type {}.", group.name())
+            }),
         label = analysis.label("group"),
         table = table(analysis),
     )

@@ -5,12 +5,15 @@
 //! |---|---|
 //! | `subject` | a confirmed certificate, and what is computed of its tiling |
 //! | `rational`, `numeral`, `surd`, `tex` | exact numbers and small pieces of TeX |
-//! | `theorem` | the theorem in words; field, lattice, metric |
-//! | `names` | what people call a construction |
+//! | `breaks`, `columns` | where lines break, and how wide tables are |
+//! | `theorem`, `claim`, `field` | the theorem, its statements in words, its field |
+//! | `names` | what people call a construction; headings |
 //! | `orbits` | representatives of the tiles under a group |
 //! | `vertices`, `group`, `tiles`, `facets`, `boundary`, `volume` | a paragraph and a table for each hypothesis |
 //! | `region`, `separation` | the boundary of a region: facets that meet, and what is outside |
 //! | `classes` | congruence classes: edges, angles, and why they are acute |
+//! | `figures` | a figure of each class |
+//! | `space_group` | the type of the group, and the Wyckoff letters of the vertices |
 //! | `statements` | bounds, Delaunay, TCP |
 //! | `family`, `conditions`, `polynomial` | families: polynomials and their signs |
 //! | `patches` | systems of patches, with pictures of the pieces |
@@ -22,13 +25,18 @@
 //! ([`crate::report::Proved`]), and tests/appendix/check.py compares the printed numbers with
 //! the certificate.
 
-mod bibliography;
+pub(crate) mod bibliography;
 mod boundary;
+mod breaks;
+mod claim;
 mod classes;
+mod columns;
 mod conditions;
 mod document;
 mod facets;
 mod family;
+mod field;
+mod figures;
 mod group;
 mod names;
 mod numeral;
@@ -40,6 +48,7 @@ mod rational;
 mod recheck;
 mod region;
 mod separation;
+mod space_group;
 mod statements;
 mod subject;
 mod surd;
@@ -56,6 +65,7 @@ pub use tex::slug;
 use acutile_core::classify::stars;
 use acutile_core::tiling::AnyTiling;
 use acutile_core::with_family;
+use breaks::breakable;
 use rayon::prelude::*;
 use subject::{Analysis, Content};
 
@@ -73,6 +83,7 @@ pub struct Options {
 pub struct File {
     /// Relative, with `/`.
     pub path: String,
+    /// The content.
     pub bytes: Vec<u8>,
 }
 
@@ -85,17 +96,33 @@ struct Parts {
 
 /// All files of an appendix about these subjects, several computed at a time.
 pub fn appendix(subjects: &[Subject], options: &Options) -> Vec<File> {
-    let parts = subjects.par_iter().map(parts_of).collect();
+    let parts = subjects
+        .par_iter()
+        .map(|subject| parts_of(subject, options))
+        .collect();
     document::files(subjects, parts, options)
 }
 
-fn parts_of(subject: &Subject) -> Parts {
+fn parts_of(subject: &Subject, options: &Options) -> Parts {
+    let parts = unbroken_parts(subject, options);
+    Parts {
+        section: breakable(&parts.section),
+        tables: breakable(&parts.tables),
+        ..parts
+    }
+}
+
+fn unbroken_parts(subject: &Subject, options: &Options) -> Parts {
     match &subject.content {
         Content::Tiling(AnyTiling::Plane(tiling)) => {
-            parts_of_tiling(&Analysis::of(subject, tiling, Vec::new()))
+            let analysis = Analysis::of(subject, tiling, Vec::new());
+            let figures = figures::triangles(&subject.name, tiling, &analysis.shapes, options);
+            parts_of_tiling(&analysis, &figures)
         }
         Content::Tiling(AnyTiling::Space(tiling)) => {
-            parts_of_tiling(&Analysis::of(subject, tiling, stars(tiling)))
+            let analysis = Analysis::of(subject, tiling, stars(tiling));
+            let figures = figures::solids(&subject.name, tiling, &analysis.shapes, options);
+            parts_of_tiling(&analysis, &figures)
         }
         Content::Family(family, tree) => Parts {
             section: with_family!(family, f => family::section(subject, f, tree)),
@@ -110,30 +137,30 @@ fn parts_of(subject: &Subject) -> Parts {
     }
 }
 
-fn parts_of_tiling<const D: usize>(analysis: &Analysis<D>) -> Parts {
+fn parts_of_tiling<const D: usize>(analysis: &Analysis<D>, figures: &str) -> Parts {
     Parts {
-        section: section(analysis),
+        section: section(analysis, figures),
         tables: tables(analysis),
         row: overview::row(analysis),
     }
 }
 
 /// The section on a subject.
-fn section<const D: usize>(analysis: &Analysis<D>) -> String {
+fn section<const D: usize>(analysis: &Analysis<D>, figures: &str) -> String {
     let subject = analysis.subject;
     let citation = bibliography::citation(&subject.name, subject.source);
     [
         format!(
             "\\acutilesection{{{}}}\\label{{{}}}\n",
-            theorem::heading(subject),
+            names::heading(subject),
             analysis.label("section")
         ),
-        theorem::introduction(subject, &citation),
+        names::introduction(subject, &citation),
         theorem::sizes(analysis),
         "\n\n".to_owned(),
         theorem::theorem(analysis),
         theorem::proof(analysis),
-        theorem::root(analysis),
+        field::root(analysis),
         format!(
             "\\acutileparagraph{{Metric (M).}} {}",
             theorem::metric(analysis)
@@ -147,7 +174,7 @@ fn section<const D: usize>(analysis: &Analysis<D>) -> String {
         volume::volume(analysis),
         format!(
             "\\acutileparagraph{{Angles.}} {}",
-            classes::classes(analysis)
+            classes::classes(analysis, figures)
         ),
         statements::statements(analysis),
         recheck::recheck(subject),
@@ -158,7 +185,7 @@ fn section<const D: usize>(analysis: &Analysis<D>) -> String {
 /// The long tables of a subject.
 fn tables<const D: usize>(analysis: &Analysis<D>) -> String {
     [
-        format!("\\section{{{}}}\n", theorem::heading(analysis.subject)),
+        format!("\\section{{{}}}\n", names::heading(analysis.subject)),
         vertices::table(analysis),
         tiles::all_simplices(analysis),
         facets::all_facets(analysis),

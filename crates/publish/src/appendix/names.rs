@@ -1,9 +1,10 @@
 //! What people call the constructions of the catalogue, in TeX and in plain text.
 
+use super::subject::Subject;
 use super::tex::escape;
 
 /// Names in TeX, and their plain text where that is another.
-const NAMES: [(&str, &str, &str); 46] = [
+const NAMES: [(&str, &str, &str); 57] = [
     ("z", "Z over the triangle tiling", ""),
     ("a15", "A15 over the square tiling", ""),
     ("sigma", "$\\sigma$ ($3^2.4.3.4$)", "sigma (3^2.4.3.4)"),
@@ -46,7 +47,10 @@ const NAMES: [(&str, &str, &str); 46] = [
     ("c14", "C14", ""),
     ("c36", "C36", ""),
     ("mu", "$\\mu$", "mu"),
+    ("c14-best", "C14, optimized", ""),
+    ("z-best", "Z, optimized", ""),
     ("slab", "The slab", ""),
+    ("slab-best", "The slab, optimized", ""),
     ("slab-stack", "The slab repeated", ""),
     ("bcc", "The body-centred cubic lattice (Sommerville II)", ""),
     ("sommerville-1", "Sommerville I", ""),
@@ -74,6 +78,42 @@ const NAMES: [(&str, &str, &str); 46] = [
     ("square-8", "The square in eight triangles", ""),
     ("square-10", "The square in ten triangles", ""),
     ("square-14", "The square in fourteen triangles", ""),
+    (
+        "dodecahedron-470",
+        "The regular dodecahedron in $470$ tetrahedra",
+        "The regular dodecahedron in 470 tetrahedra",
+    ),
+    (
+        "tetrahedron-543",
+        "The regular tetrahedron in $543$ tetrahedra",
+        "The regular tetrahedron in 543 tetrahedra",
+    ),
+    (
+        "prism-533",
+        "The triangular prism in $533$ tetrahedra",
+        "The triangular prism in 533 tetrahedra",
+    ),
+    (
+        "pentagonal-prism-515",
+        "The pentagonal prism in $515$ tetrahedra",
+        "The pentagonal prism in 515 tetrahedra",
+    ),
+    (
+        "cube-2715",
+        "The cube in $2715$ tetrahedra",
+        "The cube in 2715 tetrahedra",
+    ),
+    (
+        "octahedron-4344",
+        "The regular octahedron in $4344$ tetrahedra",
+        "The regular octahedron in 4344 tetrahedra",
+    ),
+    ("square-prism", "The infinite square prism", ""),
+    (
+        "cube-space",
+        "Space with three families of mirror planes",
+        "",
+    ),
     ("goldberg-1-all", "Goldberg's first family, all ratios", ""),
     (
         "goldberg-1-nonobtuse",
@@ -107,4 +147,35 @@ pub fn plain(name: &str) -> String {
         Some((_, _, plain)) => (*plain).to_owned(),
         None => name.to_owned(),
     }
+}
+
+/// The heading of a section.
+pub fn heading(subject: &Subject) -> String {
+    let plain = plain(&subject.name);
+    format!(
+        "\\texorpdfstring{{{}}}{{{}}}",
+        human_name(subject),
+        escape(&plain)
+    )
+}
+
+/// What people call it.
+pub fn human_name(subject: &Subject) -> String {
+    human(&subject.name)
+}
+
+/// The first sentence of a section.
+pub fn introduction(subject: &Subject, citation: &str) -> String {
+    let description = subject.description.trim();
+    let what = match description.is_empty() {
+        true => String::new(),
+        false => format!("{}{citation}. ", escape(&capitalised(description))),
+    };
+    format!("\\noindent {what}")
+}
+
+fn capitalised(text: &str) -> String {
+    let mut characters = text.chars();
+    let first = characters.next().map(char::to_uppercase);
+    first.into_iter().flatten().chain(characters).collect()
 }

@@ -5,9 +5,10 @@
 //! so that a document may hand them to siunitx.
 
 use super::rational::interval;
-use super::surd::{compared, rational_root, square_part};
+use super::surd::compared;
 use super::tex::width;
-use acutile_exact::number::{Field, Number, over_common_denominator};
+use acutile_exact::number::radical::{tex_root, tex_sign_over};
+use acutile_exact::number::{Field, Number, Quadratic, over_common_denominator};
 use malachite::base::num::arithmetic::traits::{CheckedSqrt, Gcd};
 use malachite::base::num::basic::traits::{One, Zero};
 use malachite::{Integer, Natural, Rational};
@@ -38,25 +39,14 @@ fn rational_square_root(x: &Rational) -> Option<Rational> {
 impl Numerals {
     /// The notation for a field.
     pub fn of(field: &Field) -> Numerals {
-        let [c, b, _] = field.polynomial() else {
-            return match field.degree() {
-                1 => Numerals::Rational,
-                _ => Numerals::Powers,
-            };
-        };
-        // a = (-b ± √(b² - 4c))/2
-        let (square, radicand) = square_part(&(b * b - Integer::from(4) * c));
-        if radicand == 1u32 {
-            return Numerals::Powers;
-        }
-        let two = Rational::from(2);
-        let offset = -Rational::from(b) / &two;
-        let factor = Rational::from(square) / two;
-        let is_larger = field.generator() > Number::from(offset.clone());
-        Numerals::Quadratic {
-            offset,
-            factor: if is_larger { factor } else { -factor },
-            radicand,
+        match (Quadratic::of(field), field.degree()) {
+            (Some(root), _) => Numerals::Quadratic {
+                offset: root.offset,
+                factor: root.factor,
+                radicand: root.radicand,
+            },
+            (None, 1) => Numerals::Rational,
+            (None, _) => Numerals::Powers,
         }
     }
 
@@ -90,11 +80,13 @@ impl Numerals {
         self.slashed(&self.coefficients(x))
     }
 
-    /// The number in a table: a fraction bar over and under digits only.
+    /// The number in a table: a fraction bar over and under digits only;
+    /// a slash where the line has to break.
     pub fn cell(&self, x: &Number) -> String {
-        match x.is_rational() {
+        let inline = self.inline(x);
+        match x.is_rational() && width(&inline) <= LONGEST {
             true => self.number(x),
-            false => self.inline(x),
+            false => inline,
         }
     }
 
@@ -134,7 +126,7 @@ impl Numerals {
         let (text, why) = (self.cell(x), self.why(x));
         let wide = width(&text);
         match (why.is_empty(), wide + width(&why) > LONGEST) {
-            (true, _) if wide <= LONGEST => text,
+            (true, _) if wide <= LONGEST || x.is_rational() => text,
             (false, false) => format!("{text}\\quad({why})"),
             _ => format!("\\in {}", self.enclosed(x)),
         }
@@ -166,22 +158,21 @@ impl Numerals {
 
     fn basis(&self, power: usize) -> String {
         match (self, power) {
-            (Numerals::Quadratic { radicand, .. }, _) => format!("\\sqrt{{{radicand}}}"),
+            (Numerals::Quadratic { radicand, .. }, _) => tex_sign_over(&radicand.to_string()),
             (_, 1) => "\\alpha".to_owned(),
             _ => format!("\\alpha^{{{power}}}"),
         }
     }
 
-    /// √x for x >= 0: a number of the field where it is one and is found, else m √r / n for
-    /// rational x, else the root sign over x.
+    /// √x for x >= 0: a number of the field where it is one and is found, else the root sign over x.
     pub fn root(&self, x: &Number) -> String {
         if let Some(x) = x.to_rational() {
-            return rational_root(x);
+            return tex_root(x);
         }
-        match self.root_in_field(x) {
-            Some(root) => root,
-            None => format!("\\sqrt{{{}}}", self.inline(x)),
+        if let Some(root) = self.root_in_field(x) {
+            return root;
         }
+        tex_sign_over(&self.inline(x))
     }
 
     /// u + v √d with (u + v √d)² = p + q √d: u² and d v² are (p ± n)/2 with n² = p² - d q².
@@ -284,12 +275,12 @@ mod tests {
     }
 
     #[test]
-    fn roots_are_simplified_and_found_in_the_field() {
+    fn roots_are_found_in_the_field() {
         // The last: (√5 - 1)/2 squared is (3 - √5)/2, and 1 - √5 would be the wrong root.
         let cases = [
             ("1/25", "1/5"),
-            ("1/20", "\\sqrt{5}/10"),
-            ("12", "2\\sqrt{3}"),
+            ("1/20", "\\sqrt{1/20}"),
+            ("12", "\\sqrt{12}"),
             ("(3-sqrt(5))/2", "(-1+\\sqrt{5})/2"),
             ("(3-sqrt(5))/6", "\\sqrt{(3-\\sqrt{5})/6}"),
             // The norm is -1, so no number of the field has this square.

@@ -5,7 +5,7 @@
 //! vertices, so a reader can follow it with coordinates.
 
 use acutile_core::classify::{Isometry, Symmetry, generators};
-use acutile_core::tiling::{Corner, SHIFT_LIMIT, SimplexId, Tiling, VertexId, floor};
+use acutile_core::tiling::{Corner, SHIFT_LIMIT, SimplexId, Tiling, VertexId, cell_of};
 use acutile_exact::number::Number;
 use malachite::{Integer, Rational};
 use std::collections::BTreeMap;
@@ -105,11 +105,11 @@ impl<const D: usize> Orbits<D> {
             let representative = self.representatives.len();
             let (mut stabiliser, mut count) = (Vec::new(), 0);
             for (element, vertices) in vertices.iter().enumerate() {
-                let corners: Vec<Corner<D>> = tiling
-                    .simplex(tile)
-                    .iter()
-                    .map(|c| image(&self.elements[element], vertices, c))
-                    .collect();
+                let row = tiling.simplex(tile).iter();
+                let corners = row.map(|c| image(&self.elements[element], vertices, c));
+                let Some(corners) = corners.collect::<Option<Vec<_>>>() else {
+                    continue;
+                };
                 for (corner, at) in corners.iter().enumerate() {
                     self.vertices[at.vertex.index()].get_or_insert(Origin {
                         element,
@@ -185,18 +185,19 @@ fn vertex_images<const D: usize>(
         .collect()
 }
 
-/// The image of a corner: that of its vertex, moved by the image of its shift.
+/// The image of a corner: that of its vertex, moved by the image of its shift. `None` if this is
+/// too long to be a shift of the tiling.
 fn image<const D: usize>(
     element: &Isometry<D>,
     vertices: &[Corner<D>],
     corner: &Corner<D>,
-) -> Corner<D> {
+) -> Option<Corner<D>> {
     let shift = corner.shift.map(|s| Number::from(Rational::from(s)));
-    let turned: [i32; D] = std::array::from_fn(|i| {
+    let turned: [Number; D] = std::array::from_fn(|i| {
         let terms = element.linear[i].iter().zip(&shift);
-        floor(&terms.fold(Number::zero(), |sum, (a, s)| sum + a * s))
+        terms.fold(Number::zero(), |sum, (a, s)| sum + a * s)
     });
-    vertices[corner.vertex.index()].moved(turned)
+    Some(vertices[corner.vertex.index()].moved(cell_of(&turned, D)?))
 }
 
 /// A point with the lattice's coordinates in [0, 1), and by which lattice vector it was moved.

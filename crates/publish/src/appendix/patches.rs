@@ -1,10 +1,10 @@
-//! The section on a system of patches: the theorem, and for each tile of the base a picture of its
-//! piece, vertices, tetrahedra with their determinants, and pyramids.
+//! The section on a system of patches: the theorem, and a part for each tile of the base. A part has
+//! a picture of the piece, vertices, tetrahedra with their determinants, and pyramids.
 
 use super::numeral::Numerals;
 use super::subject::Subject;
-use super::tex::{self, Table, list};
-use super::{bibliography, recheck, theorem};
+use super::tex::{self, Table, list, matrix};
+use super::{bibliography, claim, names, recheck};
 use crate::draw::{self, Figure, tikz};
 use acutile_core::patches::{Pyramid, System, Tile};
 use acutile_core::tiling::{AnyTiling, Corner, SimplexId};
@@ -26,10 +26,10 @@ pub fn section(subject: &Subject, system: &System, words: &str) -> String {
     [
         format!(
             "\\acutilesection{{{}}}\\label{{{}}}\n",
-            theorem::heading(subject),
+            names::heading(subject),
             page.label("section")
         ),
-        theorem::introduction(subject, &citation),
+        names::introduction(subject, &citation),
         "\n\n".to_owned(),
         page.theorem(words),
         tiles,
@@ -60,7 +60,7 @@ impl Page<'_> {
             .subject
             .statements()
             .iter()
-            .filter_map(|statement| theorem::in_words::<3>(&self.numerals, statement))
+            .filter_map(|statement| claim::in_words::<3>(&self.numerals, statement))
             .map(|words| format!("\\item {words}\n"))
             .collect();
         let items = match items.trim_end().strip_suffix(';') {
@@ -86,9 +86,9 @@ impl Page<'_> {
              The base is {base}. Take any {copies} below in which sides of one class meet, periodic or not. Over each of its tiles place the piece and the pyramids of that tile, as Theorem~\\ref{{acutile:patches}} says, and for two pyramids over one polygon the tetrahedra of their join. \
              The tetrahedra tile space face to face: they cover it, their interiors are disjoint, and any two of them meet in a common face of both or not at all.{items}\n\\end{{acutiletheorem}}\n\n\
              In the words of the certificate: {words}.\n\n",
-            name = theorem::human_name(self.subject),
+            name = names::human_name(self.subject),
             label = self.label("theorem"),
-            gram = theorem::matrix(&gram),
+            gram = matrix(&gram),
             words = tex::escape(words),
         )
     }

@@ -5,8 +5,8 @@ use acutile_exact::geometry::{Sign, linear};
 use acutile_exact::number::Number;
 use malachite::Rational;
 
-/// A covector w and a number c: w is at most c at the corners of the first facet, and greater than
-/// c at the corners of the second that are not common; common corners have the value c.
+/// A covector w and a number c. At the corners of the first facet w is at most c. At the corners of
+/// the second it is greater than c, except at common corners, where it is c.
 pub struct Separation<const D: usize> {
     pub covector: [Number; D],
     pub value: Number,

@@ -3,6 +3,7 @@
 
 use super::numeral::Numerals;
 use super::orbits::Orbits;
+use super::space_group::SpaceGroup;
 use super::tex::{moved, slug};
 use crate::report::Proved;
 use acutile_core::classify::{Ridges, Star, Symmetry};
@@ -10,7 +11,7 @@ use acutile_core::family::{AnyFamily, ProvedFamily, Tree};
 use acutile_core::format::print;
 use acutile_core::patches::{System, Theorem};
 use acutile_core::proved::hexadecimal;
-use acutile_core::quality::{Shape, shapes, squared_edges};
+use acutile_core::quality::{Shape, kinds, shapes, squared_edges};
 use acutile_core::statement::Statement;
 use acutile_core::tiling::{AnyTiling, Matching, Mate, SimplexId, Tiling, match_facets};
 use acutile_core::with_dimension;
@@ -46,6 +47,11 @@ pub(super) enum Content {
 }
 
 impl Subject {
+    /// The digest of the certificate, in hexadecimal digits.
+    pub fn sha256(&self) -> &str {
+        &self.sha256
+    }
+
     /// A confirmed certificate.
     pub fn of_proved(proved: &Proved) -> Subject {
         Subject {
@@ -115,6 +121,11 @@ impl Subject {
         slug(&self.name)
     }
 
+    /// The certificate, in CBOR.
+    pub fn certificate(&self) -> &[u8] {
+        &self.cbor
+    }
+
     /// Where the certificate stands beside the document.
     pub fn certificate_path(&self) -> String {
         format!("anc/{}.cbor", self.slug())
@@ -173,6 +184,8 @@ pub(super) struct Analysis<'s, const D: usize> {
     /// The class of each simplex.
     pub classes: Vec<usize>,
     pub orbits: Orbits<D>,
+    /// Its type; none where it is no space group or is not found.
+    pub space_group: Option<SpaceGroup>,
     /// The places of the representatives in the order of all tables: by class, then by tile.
     pub order: Vec<usize>,
     cogram: [[Number; D]; D],
@@ -187,18 +200,20 @@ impl<'s, const D: usize> Analysis<'s, D> {
             .collect();
         let symmetry = Symmetry::of(tiling, &matching, &edges);
         let shapes = shapes(tiling);
-        let classes = classes(&shapes, tiling.len());
+        let classes = kinds(&shapes, tiling.len());
         let orbits = Orbits::of(tiling, &symmetry);
         let mut order: Vec<usize> = (0..orbits.representatives.len()).collect();
         order.sort_by_key(|&place| {
             let tile = orbits.representatives[place].tile;
             (classes[tile.index()], tile)
         });
+        let numerals = Numerals::of(&tiling.frame.field);
         Analysis {
             subject,
             tiling,
             stars,
-            numerals: Numerals::of(&tiling.frame.field),
+            space_group: SpaceGroup::of(tiling, &orbits, &numerals),
+            numerals,
             ridges: Ridges::of(tiling, &matching),
             shapes,
             classes,
@@ -242,15 +257,4 @@ impl<'s, const D: usize> Analysis<'s, D> {
         let tile = self.image(image.element, image.representative, &shift);
         (tile, image.corners[usize::from(mate.facet.opposite)])
     }
-}
-
-/// The class of each of `count` simplices.
-fn classes(shapes: &[Shape], count: usize) -> Vec<usize> {
-    let mut classes = vec![0; count];
-    for (class, shape) in shapes.iter().enumerate() {
-        for &member in &shape.members {
-            classes[member.index()] = class;
-        }
-    }
-    classes
 }

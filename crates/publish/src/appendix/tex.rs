@@ -1,10 +1,16 @@
 //! Small pieces of TeX: escaped text, counts, corners, facets, tables.
 
+use super::columns::{LINE, fitted};
 use acutile_core::tiling::{Corner, Mate};
+use acutile_exact::number::radical::with_radicals;
 
 /// Text in which nothing is a command. Letters beyond Latin-1 that have no place in
 /// plain pdfLaTeX are named by their number.
 pub fn escape(text: &str) -> String {
+    with_radicals(text, escape_plain, |tex| format!("${tex}$"))
+}
+
+fn escape_plain(text: &str) -> String {
     let mut escaped = String::with_capacity(text.len());
     for c in text.chars() {
         match c {
@@ -17,7 +23,6 @@ pub fn escape(text: &str) -> String {
             'σ' => escaped.push_str("$\\sigma$"),
             'μ' | 'µ' => escaped.push_str("$\\mu$"),
             '²' => escaped.push_str("$^2$"),
-            '√' => escaped.push_str("$\\surd$"),
             '≥' => escaped.push_str("$\\ge$"),
             '≤' => escaped.push_str("$\\le$"),
             'ε' => escaped.push_str("$\\varepsilon$"),
@@ -122,9 +127,6 @@ pub fn table_fits(rows: &[Vec<&str>]) -> bool {
         <= LINE
 }
 
-/// Letters in a line of a table, where they are small.
-const LINE: usize = 88;
-
 /// Items as they are read in a sentence.
 pub fn list(items: &[String]) -> String {
     match items {
@@ -162,7 +164,7 @@ impl Table<'_> {
         } else {
             "\\\\\n"
         };
-        let size = size(heading, rows);
+        let (size, columns) = fitted(columns, heading, rows);
         let rows = rows.join(&format!(" {end}"));
         format!(
             "{{\\acutiletables{size}\n% acutile:table {mark}\n\\begin{{longtable}}{{{columns}}}\n\
@@ -171,26 +173,6 @@ impl Table<'_> {
              \\toprule\n{heading} \\\\\n\\midrule\n\\endhead\n\
              \\bottomrule\n\\endlastfoot\n{rows} \\\\\n\\end{{longtable}}}}\n"
         )
-    }
-}
-
-/// Smaller letters where the cells are too wide for a line.
-fn size(heading: &str, rows: &[String]) -> &'static str {
-    let mut widest: Vec<usize> = Vec::new();
-    for row in rows.iter().map(String::as_str).chain([heading]) {
-        for (column, cell) in row.split('&').enumerate() {
-            if widest.len() <= column {
-                widest.push(0);
-            }
-            if !cell.contains("multicolumn") {
-                widest[column] = widest[column].max(width(cell));
-            }
-        }
-    }
-    match widest.iter().map(|w| w + 2).sum::<usize>() {
-        0..=LINE => "",
-        letters if letters <= LINE * 5 / 4 => "\\acutilesmaller",
-        _ => "\\acutilesmallest",
     }
 }
 
@@ -220,6 +202,25 @@ pub fn width(formula: &str) -> usize {
         }
     }
     width
+}
+
+/// A matrix; in displays that are not too wide.
+pub fn matrix(rows: &[Vec<String>]) -> String {
+    let rows: Vec<String> = rows.iter().map(|row| row.join(" & ")).collect();
+    format!(
+        "\\begin{{pmatrix}} {} \\end{{pmatrix}}",
+        rows.join(" \\\\ ")
+    )
+}
+
+/// Whether a matrix of these entries fits into a line, `letters` wide.
+pub fn fits(rows: &[Vec<String>], letters: usize) -> bool {
+    let columns = rows.first().map_or(0, Vec::len);
+    let widest = |column: usize| rows.iter().map(|row| width(&row[column])).max();
+    (0..columns)
+        .map(|k| widest(k).unwrap_or(0) + 2)
+        .sum::<usize>()
+        <= letters
 }
 
 #[cfg(test)]

@@ -24,7 +24,13 @@ pub fn vertices<const D: usize>(analysis: &Analysis<D>) -> String {
     };
     format!(
         "\\acutileparagraph{{Vertices.}} Table~\\ref{{{label}}} lists the vertices{cell} in the order of the certificate. All counting begins at $0$. \
-         No two rows have the same point{cell}. The last column has {occurs}, so each vertex occurs.\n\n{table}",
+         No two rows have the same point{cell}. The last column has {occurs}, so each vertex occurs.{sites}\n\n{table}",
+        sites = match site_letters(analysis) {
+            None => "",
+            Some(_) =>
+                " The column before it has the multiplicity and the Wyckoff letter under $\\Gamma$ \
+                        in the standard setting, which no proof uses.",
+        },
         label = analysis.label("vertices"),
         table = table(analysis),
     )
@@ -33,6 +39,7 @@ pub fn vertices<const D: usize>(analysis: &Analysis<D>) -> String {
 /// The table of all vertices.
 pub fn table<const D: usize>(analysis: &Analysis<D>) -> String {
     let stars: Vec<String> = analysis.stars.iter().map(star_name).collect();
+    let letters = site_letters(analysis);
     let row = |vertex: usize| {
         let coordinates: String = analysis
             .tiling
@@ -44,7 +51,17 @@ pub fn table<const D: usize>(analysis: &Analysis<D>) -> String {
         let star = stars
             .get(vertex)
             .map_or(String::new(), |star| format!(" & {star}"));
-        format!("{vertex}{coordinates}{star} & {}", origin(analysis, vertex))
+        let site = letters.map_or(String::new(), |letters| {
+            format!(" & {}", letters[vertex].as_deref().unwrap_or_default())
+        });
+        format!(
+            "{vertex}{coordinates}{star}{site} & {}",
+            origin(analysis, vertex)
+        )
+    };
+    let (site_column, site_name) = match letters {
+        None => ("", ""),
+        Some(_) => ("l", " & site"),
     };
     let names: String = (1..=D).map(|i| format!(" & $x_{i}$")).collect();
     let (star_column, star_name) = match stars.is_empty() {
@@ -53,13 +70,19 @@ pub fn table<const D: usize>(analysis: &Analysis<D>) -> String {
     };
     Table {
         mark: format!("vertices {}", analysis.subject.slug()),
-        columns: &format!("r@{{\\qquad}}{}{star_column}l", "l".repeat(D)),
+        columns: &format!("r@{{\\qquad}}{}{star_column}{site_column}l", "l".repeat(D)),
         caption: "Vertices in coordinates of the basis.".to_owned(),
         label: analysis.label("vertices"),
-        heading: format!("vertex{names}{star_name} & corner of"),
+        heading: format!("vertex{names}{star_name}{site_name} & corner of"),
         rows: (0..analysis.tiling.vertices.len()).map(row).collect(),
     }
     .tex()
+}
+
+/// The Wyckoff letters, where each vertex has one.
+fn site_letters<'a, const D: usize>(analysis: &'a Analysis<D>) -> Option<&'a [Option<String>]> {
+    let letters = &analysis.space_group.as_ref()?.letters;
+    letters.iter().all(Option::is_some).then_some(letters)
 }
 
 fn origin<const D: usize>(analysis: &Analysis<D>, vertex: usize) -> String {

@@ -68,7 +68,10 @@ pub fn volume<const D: usize>(analysis: &Analysis<D>) -> String {
     )
 }
 
-/// A sum of terms in a display, broken where a line is full.
+/// Lines of a display; a longer one does not fit on a page.
+const LINES: usize = 12;
+
+/// A sum of terms in displays, broken where a line is full.
 fn display_sum<'t>(terms: impl Iterator<Item = &'t str>, total: &str) -> String {
     let mut lines = vec![String::new()];
     let mut letters = 0;
@@ -83,8 +86,14 @@ fn display_sum<'t>(terms: impl Iterator<Item = &'t str>, total: &str) -> String 
         lines[line].push_str(&format!("{plus}{text}"));
         letters += wide;
     }
-    format!(
-        "\\[ \\acutilefit{{$\\begin{{aligned}}\n&{}={total},\n\\end{{aligned}}$}} \\]\n",
-        lines.join("\\\\\n&")
-    )
+    if let Some(last) = lines.last_mut() {
+        last.push_str(&format!("={total},"));
+    }
+    let displays = lines.chunks(LINES).map(|lines| {
+        format!(
+            "\\[ \\acutilefit{{$\\begin{{aligned}}\n&{}\n\\end{{aligned}}$}} \\]\n",
+            lines.join("\\\\\n&")
+        )
+    });
+    displays.collect()
 }

@@ -7,6 +7,7 @@ use std::str::FromStr;
 /// What the depositor says of the archive.
 #[derive(Clone, Debug, Default)]
 pub struct Deposit {
+    /// The title of the archive.
     pub title: Option<String>,
     /// Without an author the archive cites acutile alone.
     pub authors: Vec<Author>,
@@ -21,8 +22,11 @@ pub struct Deposit {
 /// `Family, Given <0000-0002-1825-0097>`; the ORCID may be left out.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Author {
+    /// The family name.
     pub family: String,
+    /// The given names.
     pub given: String,
+    /// The ORCID, `0000-0002-1825-0097`.
     pub orcid: Option<String>,
 }
 

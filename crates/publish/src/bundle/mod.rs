@@ -5,13 +5,15 @@
 //! |---|---|
 //! | `mod.rs` | which files there are |
 //! | `metadata` | who deposits it: CITATION.cff, .zenodo.json |
+//! | `kernel` | the kernel's sources with the crates that they need |
 //! | `readme` | what the archive tells a referee |
 //! | `pdf` | the appendix by TeX |
 //! | `zip` | the files as one |
 //! | `verify.py` | a third checker, in Python; it goes into the archive |
 //!
-//! Nothing here proves anything: what comes in is [`Proved`].
+//! Nothing here proves anything: what comes in is [`Proved`], or a [`Theorem`].
 
+mod kernel;
 pub mod metadata;
 mod pdf;
 mod readme;
@@ -20,37 +22,40 @@ mod zip;
 pub use zip::archive;
 
 use self::metadata::Deposit;
-use crate::appendix::{self, File, Subject, slug};
-use crate::report::{Proved, page};
+use crate::appendix::{self, File, Subject};
+use crate::report::{Proved, Shown, Theorem, mixed_page};
 use acutile_core::tiling::{AnyTiling, Tiling};
 use acutile_core::with_dimension;
-use acutile_io::export::tiling_text;
+use acutile_io::export::{coq_file, tiling_text};
 use acutile_io::mesh::{Format, flatten, write};
 use sha2::{Digest, Sha256};
 
 /// What the archive has beside what is made of the tilings.
 const FIXED: [(&str, &str); 7] = [
-    ("verify/LICENSE", include_str!("../../../../LICENSE")),
-    ("docs/format.md", include_str!("../../../../docs/format.md")),
+    ("verify/LICENSE", include_str!("../../repository/LICENSE")),
+    (
+        "docs/format.md",
+        include_str!("../../repository/docs/format.md"),
+    ),
     (
         "docs/soundness.md",
-        include_str!("../../../../docs/soundness.md"),
+        include_str!("../../repository/docs/soundness.md"),
     ),
     (
         "verify/package.json",
-        include_str!("../../../../verifiers/javascript/package.json"),
+        include_str!("../../repository/verifiers/javascript/package.json"),
     ),
     (
         "verify/verifier.js",
-        include_str!("../../../../verifiers/javascript/verifier.js"),
+        include_str!("../../repository/verifiers/javascript/verifier.js"),
     ),
     (
         "verify/verify-cli.mjs",
-        include_str!("../../../../verifiers/javascript/verify-cli.mjs"),
+        include_str!("../../repository/verifiers/javascript/verify-cli.mjs"),
     ),
     (
         "verify/verify.py",
-        include_str!("../../../../verifiers/python/verify.py"),
+        include_str!("../../repository/verifiers/python/verify.py"),
     ),
 ];
 
@@ -61,32 +66,79 @@ const MESHES: [(&str, Format); 3] = [
     ("mesh", Format::Medit),
 ];
 
-/// A confirmed certificate, and what the appendix says of it.
+/// A confirmed certificate.
 pub struct Piece {
-    pub proved: Proved,
+    /// What the page shows of it.
+    pub content: Content,
+    /// The part of the appendix about it.
     pub subject: Subject,
+}
+
+/// What a confirmed certificate is about.
+pub enum Content {
+    /// A single tiling.
+    Tiling(Box<Proved>),
+    /// A family, or a system of patches.
+    Theorem(Box<Theorem>),
+}
+
+impl Content {
+    fn shown(&self) -> Shown<'_> {
+        match self {
+            Content::Tiling(proved) => Shown::Proved(proved),
+            Content::Theorem(theorem) => Shown::Theorem(theorem),
+        }
+    }
+
+    fn json(&self) -> &str {
+        match self {
+            Content::Tiling(proved) => proved.json(),
+            Content::Theorem(theorem) => theorem.json(),
+        }
+    }
+
+    /// The claim in the kernel's words.
+    fn claim(&self) -> String {
+        match self {
+            Content::Tiling(proved) => proved.in_words(),
+            Content::Theorem(theorem) => theorem.claim().to_owned(),
+        }
+    }
+
+    fn tiling(&self) -> Option<&AnyTiling> {
+        match self {
+            Content::Tiling(proved) => Some(proved.tiling()),
+            Content::Theorem(_) => None,
+        }
+    }
 }
 
 /// What goes into the archive.
 pub struct Options {
     /// The appendix as PDF, if there is a TeX.
     pub pdf: bool,
+    /// The claims as theorems for Coq.
+    pub coq: bool,
     /// Who deposits the archive, and under which licence.
     pub deposit: Deposit,
 }
 
 /// The files by their names, and what is to be told on standard error.
 pub struct Bundle {
+    /// The files, sorted by path.
     pub files: Vec<File>,
+    /// Sentences for standard error.
     pub notes: Vec<String>,
 }
 
-/// What the archive says of one tiling.
+/// What the archive says of one certificate.
 struct Entry {
     slug: String,
     /// The claim in the kernel's words.
     claim: String,
     sha256: String,
+    /// Whether it is about a single tiling, which is there as a file.
+    is_tiling: bool,
     /// How many coordinates of the meshes are rounded, and by how much; nothing in the plane.
     rounding: Option<(usize, f64)>,
 }
@@ -96,14 +148,26 @@ struct Entry {
 /// # Errors
 /// Two tilings would have the same files.
 pub fn bundle(pieces: Vec<Piece>, options: &Options) -> Result<Bundle, String> {
-    let (proved, subjects): (Vec<Proved>, Vec<Subject>) =
-        pieces.into_iter().map(|p| (p.proved, p.subject)).unzip();
     let mut notes = Vec::new();
     let mut files = fixed();
-    let entries = entries(&proved, &mut files)?;
-    files.push(file("report.html", page(&proved, None)));
+    files.extend(kernel::files()?);
+    let entries = entries(&pieces, &mut files)?;
+    let theorems = match options.coq {
+        true => add_theorems(&pieces, &mut files, &mut notes),
+        false => 0,
+    };
+    let (contents, subjects): (Vec<Content>, Vec<Subject>) =
+        pieces.into_iter().map(|p| (p.content, p.subject)).unzip();
+    let shown: Vec<Shown> = contents.iter().map(Content::shown).collect();
+    files.push(file("report.html", mixed_page(&shown, None)));
     let has_pdf = add_appendix(&subjects, options, &mut files, &mut notes);
-    let readme = readme::readme(&entries, !subjects.is_empty(), has_pdf, &options.deposit);
+    let parts = readme::Parts {
+        has_appendix: !subjects.is_empty(),
+        has_pdf,
+        theorems,
+    };
+    let readme = readme::readme(&entries, parts, &options.deposit);
+    files.push(file("expected-output.txt", readme::expected(&entries)));
     files.extend(citation(&entries, &options.deposit));
     files.push(file("Makefile", readme::makefile()));
     files.push(file("CLAIMS.md", readme::claims(&entries)));
@@ -118,7 +182,7 @@ pub fn bundle(pieces: Vec<Piece>, options: &Options) -> Result<Bundle, String> {
 /// The author's citation and Zenodo record; without an author the citation of acutile.
 fn citation(entries: &[Entry], deposit: &Deposit) -> Vec<File> {
     let slugs: Vec<&str> = entries.iter().map(|entry| entry.slug.as_str()).collect();
-    let own = include_str!("../../../../CITATION.cff").to_owned();
+    let own = include_str!("../../repository/CITATION.cff").to_owned();
     let citation = deposit.citation(&slugs).unwrap_or(own);
     let zenodo = deposit.zenodo(&slugs);
     let zenodo = zenodo.map(|text| file(".zenodo.json", text));
@@ -128,10 +192,10 @@ fn citation(entries: &[Entry], deposit: &Deposit) -> Vec<File> {
         .collect()
 }
 
-fn entries(proved: &[Proved], files: &mut Vec<File>) -> Result<Vec<Entry>, String> {
+fn entries(pieces: &[Piece], files: &mut Vec<File>) -> Result<Vec<Entry>, String> {
     let mut entries: Vec<Entry> = Vec::new();
-    for proved in proved {
-        let entry = entry(proved, files);
+    for piece in pieces {
+        let entry = entry(piece, files);
         let slug = &entry.slug;
         // Some file systems do not tell A15 from a15.
         let is_same = |other: &Entry| other.slug.eq_ignore_ascii_case(slug);
@@ -141,6 +205,22 @@ fn entries(proved: &[Proved], files: &mut Vec<File>) -> Result<Vec<Entry>, Strin
         entries.push(entry);
     }
     Ok(entries)
+}
+
+/// Adds the claims as theorems for Coq, and notes those that have none; how many were added.
+fn add_theorems(pieces: &[Piece], files: &mut Vec<File>, notes: &mut Vec<String>) -> usize {
+    let mut count = 0;
+    for Piece { subject, .. } in pieces {
+        let slug = subject.slug();
+        match coq_file(subject.certificate()) {
+            Ok(theorem) => {
+                files.push(file(&format!("coq/{slug}.v"), theorem));
+                count += 1;
+            }
+            Err(reason) => notes.push(format!("{slug}: no theorem for Coq: {reason}")),
+        }
+    }
+    count
 }
 
 /// Adds the appendix, if there is something to say in it; whether with PDF.
@@ -187,27 +267,28 @@ fn in_appendix(file: File) -> File {
     }
 }
 
-/// Adds the certificate in both encodings, the tiling and its meshes.
-fn entry(proved: &Proved, files: &mut Vec<File>) -> Entry {
-    let slug = slug(&proved.name);
+/// Adds the certificate in both encodings, and a single tiling with its meshes.
+fn entry(Piece { content, subject }: &Piece, files: &mut Vec<File>) -> Entry {
+    let slug = subject.slug();
     files.push(File {
         path: format!("certificates/{slug}.cbor"),
-        bytes: proved.certificate().to_vec(),
+        bytes: subject.certificate().to_vec(),
     });
-    files.push(file(
-        &format!("certificates/{slug}.json"),
-        proved.json().to_owned(),
-    ));
-    let text = with_dimension!(proved.tiling(), AnyTiling, t => tiling_text(t, &slug));
-    files.push(file(&format!("tilings/{slug}.json"), text));
-    let rounding = match proved.tiling() {
-        AnyTiling::Plane(_) => None,
-        AnyTiling::Space(tiling) => Some(meshes(tiling, &slug, files)),
-    };
+    let json = content.json().to_owned();
+    files.push(file(&format!("certificates/{slug}.json"), json));
+    let mut rounding = None;
+    if let Some(tiling) = content.tiling() {
+        let text = with_dimension!(tiling, AnyTiling, t => tiling_text(t, &slug));
+        files.push(file(&format!("tilings/{slug}.json"), text));
+        if let AnyTiling::Space(tiling) = tiling {
+            rounding = Some(meshes(tiling, &slug, files));
+        }
+    }
     Entry {
-        claim: proved.in_words(),
-        sha256: proved.sha256(),
+        claim: content.claim(),
+        sha256: subject.sha256().to_owned(),
         slug,
+        is_tiling: content.tiling().is_some(),
         rounding,
     }
 }

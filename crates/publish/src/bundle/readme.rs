@@ -6,8 +6,17 @@ use super::metadata::Deposit;
 
 const VERSION: &str = env!("CARGO_PKG_VERSION");
 
+/// What is in the archive besides certificates.
+#[derive(Clone, Copy, Debug)]
+pub struct Parts {
+    pub has_appendix: bool,
+    pub has_pdf: bool,
+    /// The number of theorems for Coq.
+    pub theorems: usize,
+}
+
 /// The text, in Markdown. Names in it are slugs, and claims are in the kernel's words.
-pub fn readme(entries: &[Entry], has_appendix: bool, has_pdf: bool, deposit: &Deposit) -> String {
+pub fn readme(entries: &[Entry], parts: Parts, deposit: &Deposit) -> String {
     let slugs: Vec<&str> = entries.iter().map(|entry| entry.slug.as_str()).collect();
     [
         format!(
@@ -16,8 +25,9 @@ pub fn readme(entries: &[Entry], has_appendix: bool, has_pdf: bool, deposit: &De
             deposit.title(&slugs)
         ),
         entries.iter().map(claim).collect(),
-        check(),
-        contents(entries, has_appendix, has_pdf),
+        check(entries),
+        theorems(parts.theorems),
+        contents(entries, parts),
         meshes(entries),
         citation(deposit),
     ]
@@ -31,23 +41,56 @@ fn citation(deposit: &Deposit) -> String {
     };
     format!(
         "## To cite\n\n`CITATION.cff`. {licence} The verifiers in `verify/` and the documents in `docs/` are under the licence in \
-         `verify/LICENSE`.\n"
+         `verify/LICENSE`; the crates in `verify/rust/vendor` have their own licences beside them.\n"
     )
 }
 
-/// `make check`: the checksums, then all certificates by two programs.
+/// `make check`: the checksums, then all certificates by Python, with the answers that are expected.
 pub fn makefile() -> String {
     "# make check: nothing has changed since the deposit, and every certificate is verified.
-.PHONY: check checksums python node
+# make node, make rust: the same certificates by two other programs; the first build in Rust takes about a minute.
+.PHONY: check checksums python node rust
+export LC_ALL = C
 check: checksums python
 checksums:
 \tsha256sum --check --quiet SHA256SUMS || shasum -a 256 -c SHA256SUMS
 python:
-\tpython3 verify/verify.py certificates/*.json
+\tpython3 verify/verify.py certificates/*.json | sed -E 's/: verified: .*sha256 ([0-9a-f]+).*/: verified, sha256 \\1/' >check-output.txt
+\tcat check-output.txt
+\tdiff expected-output.txt check-output.txt
+\t@echo 'as expected'
 node:
 \tnode verify/verify-cli.mjs certificates/*.json
+rust:
+\tcd verify/rust && cargo build --release --offline --locked
+\tverify/rust/target/release/acutile-verify certificates/*.cbor
 "
     .to_owned()
+}
+
+/// What `make check` prints of the certificates, in the order of their names.
+pub fn expected(entries: &[Entry]) -> String {
+    let line = |entry: &Entry| {
+        format!(
+            "certificates/{}.json: verified, sha256 {}\n",
+            entry.slug, entry.sha256
+        )
+    };
+    let mut lines: Vec<String> = entries.iter().map(line).collect();
+    lines.sort();
+    lines.concat()
+}
+
+/// How the theorems for Coq are checked.
+fn theorems(count: usize) -> String {
+    match count {
+        0 => String::new(),
+        _ => format!(
+            "With **Coq** 8.16 and the folder `proofs` of the source of acutile {VERSION}: each `coq/NAME.v` has a certificate and its claim as \
+             a theorem.\n`make -C proofs` there builds the theory, and `coqc -R proofs/theories Acutile coq/NAME.v` proves the claim\nand prints \
+             its axioms.\n\n"
+        ),
+    }
 }
 
 /// From each claim to its evidence, and the limits of all claims.
@@ -75,8 +118,9 @@ The digests of the certificates are in `README.md` and in `SHA256SUMS`.
 - Names, descriptions and sources of the tilings: the certificates do not contain them.
 - The values in `report.html` and the tables of the appendix beside the claims: the prover computed them exactly, and the verifiers
   do not check them.
-- The meshes in `tilings/`: their coordinates are rounded.
+- Meshes in `tilings/`: their coordinates are rounded.
 - That a tiling is new, or the best of its kind.
+- That a compiler or an interpreter does what its language says: hence several verifiers in several languages.
 ",
         rows.collect::<String>()
     )
@@ -91,7 +135,11 @@ fn claim(entry: &Entry) -> String {
     )
 }
 
-fn check() -> String {
+fn check(entries: &[Entry]) -> String {
+    let expected: String = expected(entries)
+        .lines()
+        .map(|line| format!("    {line}\n"))
+        .collect();
     format!(
         "
 ## How to check it
@@ -113,26 +161,37 @@ With **Node** 20 or later, and nothing else, all of `docs/format.md`:
 
     node verify/verify-cli.mjs certificates/*.json
 
-With **Rust** (1.90 or later) and the source of acutile {VERSION}, the same with the verifier that confirmed these files when they were written.
-In the folder of the source, and then with that program here:
+With **Rust** (1.90 or later), and nothing else, the same with the verifier that confirmed these files when they were written.
+`verify/rust` has its sources with all crates that it needs, so that no network is used:
 
-    cargo build --release --locked --package acutile-kernel
-    acutile-verify certificates/*.cbor
+    cd verify/rust && cargo build --release --offline --locked && cd ../..
+    verify/rust/target/release/acutile-verify certificates/*.cbor
+
+`make check` runs the checksums and Python, and compares the answers with `expected-output.txt`:
+
+{}
+Python takes about a second for 1,000 simplices with rational coordinates, and several for other fields; Rust builds in a minute and needs
+less than a second for 100,000.
 
 Or by hand: the JSON is text, and `docs/format.md` says what every number in it means and works through one with pencil and paper.
 
-"
+",
+        expected
     )
 }
 
-fn contents(entries: &[Entry], has_appendix: bool, has_pdf: bool) -> String {
-    let pdf = match has_pdf {
+fn contents(entries: &[Entry], parts: Parts) -> String {
+    let pdf = match parts.has_pdf {
         true => "; `main.pdf` and `supplement.pdf` are made of it",
         false => "; `pdflatex main` and `pdflatex supplement`, three times each, make PDFs of it",
     };
-    let appendix = match has_appendix {
+    let appendix = match parts.has_appendix {
         true => format!("| `appendix/` | theorems, exact tables and proofs in LaTeX{pdf} |\n"),
         false => String::new(),
+    };
+    let tilings = match entries.iter().any(|entry| entry.is_tiling) {
+        true => "| `tilings/*.json` | the tilings for acutile, exact |\n",
+        false => "",
     };
     let is_flat = |entry: &Entry| entry.rounding.is_none();
     let meshes = match entries.iter().all(is_flat) {
@@ -141,6 +200,10 @@ fn contents(entries: &[Entry], has_appendix: bool, has_pdf: bool) -> String {
             "| `tilings/*.msh`, `*.vtu`, `*.mesh` | one cell as a mesh in MSH 4.1, VTU and MEDIT, in doubles |\n"
         }
     };
+    let coq = match parts.theorems {
+        0 => "",
+        _ => "| `coq/` | claims as theorems for Coq, each with its certificate |\n",
+    };
     format!(
         "## What is here
 
@@ -148,11 +211,10 @@ fn contents(entries: &[Entry], has_appendix: bool, has_pdf: bool) -> String {
 |---|---|
 | `certificates/` | claims with all that is needed to check them, as CBOR and as JSON |
 {appendix}| `report.html` | a page to look at, with a check in the browser; it loads nothing |
-| `tilings/*.json` | the tilings for acutile, exact |
-{meshes}| `verify/` | the verifiers in Python and JavaScript |
+{tilings}{meshes}{coq}| `verify/` | the verifiers in Python and JavaScript, and the sources of the one in Rust with all crates that it needs |
 | `docs/` | the format of certificates, and why they prove what they claim |
 | `CLAIMS.md` | each claim with its evidence, and what is not proved |
-| `Makefile` | `make check` compares the checksums and verifies every certificate |
+| `Makefile` | `make check` compares the checksums, verifies every certificate, and compares the answers with `expected-output.txt` |
 | `SHA256SUMS` | the SHA-256 of every other file |
 
 "

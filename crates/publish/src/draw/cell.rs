@@ -14,7 +14,7 @@ use malachite::Rational;
 pub fn cell(name: &str, tiling: &Tiling<3>, options: &Options) -> Result<Drawing, DrawError> {
     patch::check_count(tiling)?;
     let view = View::new(&tiling.frame.gram, options.direction)?;
-    let (bodies, classes) = patch::cell(tiling);
+    let (bodies, palette) = patch::cell(tiling);
     let mut scene = Scene::new(&view);
     scene.add_solid(&bodies, None);
     for ends in parallelepiped(&tiling.frame) {
@@ -33,7 +33,7 @@ pub fn cell(name: &str, tiling: &Tiling<3>, options: &Options) -> Result<Drawing
         columns: 1,
         margin: 2.0,
         has_one_scale: true,
-        legend: patch::legend(classes),
+        legend: patch::legend_with_cell(&palette),
     };
     Ok(layout.arrange(&format!("{name}: cell"), &[panel]))
 }

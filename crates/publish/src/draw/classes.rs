@@ -1,16 +1,16 @@
-//! One simplex of each congruence class with its angles in degrees: the dihedral angles of a
-//! tetrahedron at its edges, the angles of a triangle at its corners.
+//! One simplex of each congruence class with its angles in degrees. A tetrahedron has its dihedral
+//! angles at its edges, a triangle has its angles at its corners.
 //!
-//! The angles are enclosed and rounded from the enclosure. Each tetrahedron is seen from where its
-//! labels are farthest from one another and from the other edges.
+//! The angles are enclosed and rounded from the enclosure. Corners have the numbers 0 to 3 of the simplex. Each tetrahedron is
+//! seen from where its labels are off the edges and off one another.
 
-use super::drawing::{
-    Drawing, FONT, Item, Layout, Panel, Place, Stroke, class_colour, lit, text_width,
-};
+use super::drawing::{Colour, Drawing, FONT, Item, Layout, Panel, Place, Stroke, lit, text_width};
+use super::labels::{Request, around_point, beside_line, placed};
 use super::polygon::Point;
 use super::scene::{Body, Scene};
 use super::view::View;
 use super::{DrawError, Options, patch, plane};
+use crate::palette::Palette;
 use acutile_core::quality::{DihedralAngle, Exact, Shape, rounded_nearest, shapes};
 use acutile_core::tiling::{SimplexId, Tiling};
 use acutile_exact::geometry::linear;
@@ -34,49 +34,128 @@ const EDGES: [([usize; 2], [usize; 2]); 6] = [
 pub fn tetrahedra(name: &str, tiling: &Tiling<3>, options: &Options) -> Result<Drawing, DrawError> {
     let shapes = checked_shapes(tiling)?;
     let layout = layout(&shapes, options);
-    let panels = shapes.iter().enumerate().map(|(class, shape)| {
-        let simplex = shape.members[0];
-        let body = patch::body(tiling, tiling.simplex(simplex), class);
-        let view = best_view(tiling, &body, &layout)?;
-        let mut scene = Scene::new(&view);
-        scene.add_solid(std::slice::from_ref(&body), Some(Stroke::HiddenEdge));
-        let mut items = scene.items()?;
-        for ([a, b], [i, j]) in EDGES {
-            let [p, q] = [a, b].map(|k| view.place(&body.corners[k]));
-            items.push(Item::Label {
-                at: middle(p, q),
-                text: angle(tiling, simplex, i, j),
-                has_halo: true,
-            });
-        }
-        Ok(Panel {
-            items,
-            caption: caption(class, shape, tiling.len()),
-        })
-    });
-    let panels = panels.collect::<Result<Vec<Panel>, DrawError>>()?;
-    Ok(layout.arrange(&format!("{name}: classes"), &panels))
+    let panels = solid_panels(tiling, &shapes, &layout)?;
+    Ok(layout.arrange(&title(name), &panels))
 }
 
 /// The classes of a tiling of the plane.
 pub fn triangles(name: &str, tiling: &Tiling<2>, options: &Options) -> Result<Drawing, DrawError> {
     let shapes = checked_shapes(tiling)?;
     let layout = layout(&shapes, options);
-    let view = View::new(&plane::gram(&tiling.frame.gram), [0.0, 0.0, 1.0])?;
-    let panels: Vec<Panel> = shapes
-        .iter()
-        .enumerate()
-        .map(|(class, shape)| {
-            let simplex = shape.members[0];
-            let corners = tiling.simplex(simplex);
-            let places = [0, 1, 2].map(|k| view.place(&plane::place(tiling, &corners[k])));
-            Panel {
-                items: triangle(tiling, simplex, places, class, room(&layout)),
-                caption: caption(class, shape, tiling.len()),
-            }
+    let panels = flat_panels(tiling, &shapes, &layout)?;
+    Ok(layout.arrange(&title(name), &panels))
+}
+
+/// The classes of a tiling of space as several drawings with this many of them beside one another, all of one width.
+///
+/// # Errors
+/// The Gram matrix is not positive definite, or a place is not finite.
+pub fn tetrahedra_in_rows(
+    name: &str,
+    tiling: &Tiling<3>,
+    shapes: &[Shape],
+    row: Row,
+) -> Result<Vec<Drawing>, DrawError> {
+    row.drawings(name, solid_panels(tiling, shapes, &row.layout())?)
+}
+
+/// The classes of a tiling of the plane in the same way.
+///
+/// # Errors
+/// The Gram matrix is not positive definite, or a place is not finite.
+pub fn triangles_in_rows(
+    name: &str,
+    tiling: &Tiling<2>,
+    shapes: &[Shape],
+    row: Row,
+) -> Result<Vec<Drawing>, DrawError> {
+    row.drawings(name, flat_panels(tiling, shapes, &row.layout())?)
+}
+
+/// A row of classes.
+#[derive(Clone, Copy, Debug)]
+pub struct Row {
+    /// In millimetres.
+    pub width: f64,
+    /// Classes beside one another.
+    pub columns: usize,
+}
+
+impl Row {
+    fn layout(self) -> Layout {
+        Layout {
+            width: self.width,
+            columns: self.columns,
+            margin: 5.0,
+            has_one_scale: false,
+            legend: Vec::new(),
+        }
+    }
+
+    fn drawings(self, name: &str, panels: Vec<Panel>) -> Result<Vec<Drawing>, DrawError> {
+        let rows = panels.chunks(self.columns.max(1)).map(|panels| {
+            // A row that is not full keeps the size of its panels.
+            let width = self.width * panels.len() as f64 / self.columns.max(1) as f64;
+            let layout = Layout {
+                width,
+                columns: panels.len(),
+                ..self.layout()
+            };
+            let drawing = layout.arrange(&title(name), panels);
+            drawing
+                .is_finite()
+                .then_some(drawing)
+                .ok_or(DrawError::TooLarge)
+        });
+        rows.collect()
+    }
+}
+
+fn title(name: &str) -> String {
+    format!("{name}: classes")
+}
+
+fn solid_panels(
+    tiling: &Tiling<3>,
+    shapes: &[Shape],
+    layout: &Layout,
+) -> Result<Vec<Panel>, DrawError> {
+    let palette = Palette::of(shapes);
+    let panels = shapes.iter().enumerate().map(|(class, shape)| {
+        let simplex = shape.members[0];
+        let body = patch::body(tiling, tiling.simplex(simplex), palette.colour(class));
+        let angles = EDGES.map(|(_, [i, j])| angle(tiling, simplex, i, j));
+        let (view, labels) = best_view(tiling, &body, &angles, layout)?;
+        let mut scene = Scene::new(&view);
+        scene.add_solid(std::slice::from_ref(&body), Some(Stroke::HiddenEdge));
+        let mut items = scene.items()?;
+        items.extend(labels);
+        Ok(Panel {
+            items,
+            caption: caption(class, shape, tiling.len()),
         })
-        .collect();
-    Ok(layout.arrange(&format!("{name}: classes"), &panels))
+    });
+    panels.collect()
+}
+
+fn flat_panels(
+    tiling: &Tiling<2>,
+    shapes: &[Shape],
+    layout: &Layout,
+) -> Result<Vec<Panel>, DrawError> {
+    let palette = Palette::of(shapes);
+    let view = View::new(&plane::gram(&tiling.frame.gram), [0.0, 0.0, 1.0])?;
+    let panels = shapes.iter().enumerate().map(|(class, shape)| {
+        let simplex = shape.members[0];
+        let corners = tiling.simplex(simplex);
+        let places = [0, 1, 2].map(|k| view.place(&plane::place(tiling, &corners[k])));
+        let colour = palette.colour(class);
+        Panel {
+            items: triangle(tiling, simplex, places, colour, room(layout)),
+            caption: caption(class, shape, tiling.len()),
+        }
+    });
+    Ok(panels.collect())
 }
 
 /// The angle at a corner is that between the two sides not opposite to it; its label is outside.
@@ -84,12 +163,12 @@ fn triangle(
     tiling: &Tiling<2>,
     simplex: SimplexId,
     places: [Place; 3],
-    class: usize,
+    colour: Colour,
     room: f64,
 ) -> Vec<Item> {
     let mut items = vec![Item::Polygon {
         corners: places.to_vec(),
-        fill: lit(class_colour(class), 1.0),
+        fill: lit(colour, 1.0),
     }];
     items.extend([(0, 1), (1, 2), (2, 0)].map(|(a, b)| Item::Line {
         ends: [places[a], places[b]],
@@ -108,8 +187,8 @@ fn triangle(
     items
 }
 
-/// The middle of a label outside of a corner, in the direction away from the nearer other
-/// corner, so that the labels of two near corners go apart.
+/// The middle of a label outside of a corner, on the side away from the nearer other corner. So
+/// the labels of two near corners go apart.
 fn beside(places: &[Place; 3], corner: usize, scale: f64) -> Place {
     let at = places[corner];
     let away = |k: usize| {
@@ -125,7 +204,6 @@ fn beside(places: &[Place; 3], corner: usize, scale: f64) -> Place {
 }
 
 fn checked_shapes<const D: usize>(tiling: &Tiling<D>) -> Result<Vec<Shape>, DrawError> {
-    patch::check_count(tiling)?;
     let shapes = shapes(tiling);
     match shapes.len() {
         classes if classes > CLASS_LIMIT => Err(DrawError::TooManyClasses(classes, CLASS_LIMIT)),
@@ -134,8 +212,8 @@ fn checked_shapes<const D: usize>(tiling: &Tiling<D>) -> Result<Vec<Shape>, Draw
 }
 
 fn layout(shapes: &[Shape], options: &Options) -> Layout {
-    // A label is 9 mm wide, and three go beside one another over an edge.
-    let fitting = (options.width / 40.0).floor().max(1.0) as usize;
+    // A label is 9 mm wide; in less than 50 mm not all are off the edges.
+    let fitting = (options.width / 50.0).floor().max(1.0) as usize;
     Layout {
         width: options.width,
         columns: fitting.min(shapes.len()),
@@ -178,10 +256,16 @@ fn angle<const D: usize>(tiling: &Tiling<D>, simplex: SimplexId, i: usize, j: us
     String::new()
 }
 
-/// Of the directions with small whole coordinates the first in which the labels are clearest.
-fn best_view(tiling: &Tiling<3>, body: &Body, layout: &Layout) -> Result<View, DrawError> {
+/// Tries the clearest directions with small whole coordinates. Takes the first one in which all labels, angles at
+/// edges and numbers of corners, are off all edges and off one another.
+fn best_view(
+    tiling: &Tiling<3>,
+    body: &Body,
+    angles: &[String; 6],
+    layout: &Layout,
+) -> Result<(View, Vec<Item>), DrawError> {
     let room = room(layout);
-    let mut best: Option<(f64, View)> = None;
+    let mut views: Vec<(f64, View)> = Vec::new();
     let range = -3..=3;
     for (x, y, z) in range
         .clone()
@@ -192,16 +276,54 @@ fn best_view(tiling: &Tiling<3>, body: &Body, layout: &Layout) -> Result<View, D
         // A little off, so that no edge of a symmetric tetrahedron is seen end on.
         let direction = [(x, 0.11), (y, 0.07), (z, 0.05)].map(|(n, off)| f64::from(n) + off);
         let view = View::new(&tiling.frame.gram, direction)?;
-        let clearness = clearness(body.corners.each_ref().map(|p: &Point| view.place(p)), room);
-        if best.as_ref().is_none_or(|(most, _)| clearness > *most) {
-            best = Some((clearness, view));
+        let places = body.corners.each_ref().map(|p: &Point| view.place(p));
+        views.push((clearness(places, room), view));
+    }
+    views.sort_by(|(a, _), (b, _)| b.total_cmp(a));
+    let mut best: Option<(usize, View, Vec<Item>)> = None;
+    for (_, view) in views.into_iter().take(TRIED) {
+        let places = body.corners.each_ref().map(|p: &Point| view.place(p));
+        let (labels, hits) = labelled(&places, angles, room);
+        if best.as_ref().is_none_or(|(least, ..)| hits < *least) {
+            best = Some((hits, view, labels));
+        }
+        if hits == 0 {
+            break;
         }
     }
-    best.map(|(_, view)| view).ok_or(DrawError::NoDirection)
+    best.map(|(_, view, labels)| (view, labels))
+        .ok_or(DrawError::NoDirection)
 }
 
-/// The least distance between labels, and of a label from an edge that is not its own, in
-/// units of a label's width and height, for a tetrahedron that fills the room.
+/// Directions for which labels are placed.
+const TRIED: usize = 120;
+
+/// The labels of a tetrahedron with corners at these places, and how many edges and labels they hit.
+fn labelled(places: &[Place; 4], angles: &[String; 6], room: f64) -> (Vec<Item>, usize) {
+    // What is left where there are labels on either side.
+    let wide = (room - 2.0 * text_width("000.00°")).max(1.0) / extent(places, 0).max(1e-9);
+    let scale = wide.min((1.5 * room - 5.0 * FONT) / extent(places, 1).max(1e-9));
+    let paper = places.map(|p| p.map(|x| x * scale));
+    let middle: Place = [0, 1].map(|k| paper.iter().map(|p| p[k]).sum::<f64>() / 4.0);
+    let lines = EDGES.map(|(ends, _)| ends.map(|k| paper[k]));
+    let names = (0..4).map(|k| around_point(k.to_string(), paper[k], middle));
+    let requests: Vec<Request> = lines
+        .iter()
+        .zip(angles)
+        .map(|(line, angle)| beside_line(angle.clone(), *line))
+        .chain(names)
+        .collect();
+    let (found, hits) = placed(&requests, &lines);
+    let labels = found.iter().zip(requests).map(|(at, request)| Item::Label {
+        at: at.map(|x| x / scale),
+        text: request.text,
+        has_halo: true,
+    });
+    (labels.collect(), hits)
+}
+
+/// The least distance between two labels, or between a label and an edge of another label. The unit
+/// is a label's width and height, and the tetrahedron fills its place.
 fn clearness(places: [Place; 4], room: f64) -> f64 {
     let scale = room / extent(&places, 0).max(extent(&places, 1)).max(1e-9);
     let unit = [text_width("00.00°"), 1.2 * FONT];

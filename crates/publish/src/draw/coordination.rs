@@ -1,44 +1,24 @@
 //! Coordination polyhedra: the link of one vertex of each kind as a solid, with the vertex in it.
 
 use super::drawing::{BLACK, Drawing, Layout, Panel, WHITE};
-use super::scene::{Dot, Scene};
-use super::star::{bodies, neighbours};
+use super::star::{around, bodies};
 use super::view::View;
-use super::{DrawError, Options, patch};
+use super::{DrawError, Options};
+use crate::palette::colour;
 use acutile_core::classify::stars;
-use acutile_core::quality::shapes;
-use acutile_core::tiling::{Corner, Tiling, VertexId};
+use acutile_core::quality::{kinds as classes_of, shapes};
+use acutile_core::tiling::{Tiling, VertexId};
 use std::collections::BTreeMap;
 
 /// One panel for each kind of vertex: the same star, with tetrahedra of the same congruence classes.
 pub fn figure(name: &str, tiling: &Tiling<3>, options: &Options) -> Result<Drawing, DrawError> {
-    patch::check_count(tiling)?;
     let view = View::new(&tiling.frame.gram, options.direction)?;
-    let classes = patch::classes(&shapes(tiling), tiling.len());
+    let classes = classes_of(&shapes(tiling), tiling.len());
     let mut panels = Vec::new();
     for (kind, ((star, _), members)) in kinds(tiling, &classes).into_iter().enumerate() {
         let id = VertexId::at(members[0]);
-        let colour = vec![kind; tiling.len()];
-        let bodies = bodies(tiling, id, &colour);
-        let centre = tiling.position(&Corner::of(id));
-        let mut scene = Scene::new(&view);
-        scene.add_solid(&bodies, None);
-        let around = neighbours(&bodies, &centre);
-        let count = around.len();
-        for at in around {
-            scene.add_dot(Dot {
-                at,
-                radius: 0.6,
-                colour: WHITE,
-                shines_through: false,
-            });
-        }
-        scene.add_dot(Dot {
-            at: centre,
-            radius: 0.8,
-            colour: BLACK,
-            shines_through: true,
-        });
+        let bodies = bodies(tiling, id, |_| colour(kind));
+        let (scene, count) = around(tiling, id, &bodies, &view, None);
         panels.push(Panel {
             items: scene.items()?,
             caption: format!("{star}: {count} neighbours, {} in the cell", members.len()),
@@ -49,7 +29,10 @@ pub fn figure(name: &str, tiling: &Tiling<3>, options: &Options) -> Result<Drawi
         columns: panels.len().clamp(1, 2),
         margin: 3.0,
         has_one_scale: true,
-        legend: Vec::new(),
+        legend: vec![
+            (BLACK, "vertex".to_owned()),
+            (WHITE, "neighbour".to_owned()),
+        ],
     };
     Ok(layout.arrange(&format!("{name}: coordination polyhedra"), &panels))
 }

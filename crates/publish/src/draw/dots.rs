@@ -1,6 +1,6 @@
-//! Section 4.1: the square/triangle tiling under a TCP structure, with the dots from which its
-//! vertices are read off: black ones at heights 4k - 1, white ones at 4k + 1, and the tiling's vertices
-//! at 4k and 4k + 2.
+//! Section 4.1: the square/triangle tiling under a TCP structure, with dots for the vertices of the
+//! structure. Black dots are at heights 4k - 1, white ones at 4k + 1, and the tiling's vertices at 4k and
+//! 4k + 2.
 
 use super::drawing::{BLACK, Drawing, GREY, Item, Layout, Panel, Place, Stroke, WHITE};
 use super::{DrawError, Options};
@@ -60,8 +60,8 @@ fn under(name: &str) -> Option<PlaneTiling> {
 /// A square or a triangle: its corners in positive order.
 type Tile = Vec<Cyclotomic>;
 
-/// All tiles of a cell, with their centres in the parallelogram. A triangle's sides have directions k, k + 4, k + 8 and a square's k,
-/// k + 3, k + 6, k + 9, so that one corner of each begins with a small direction.
+/// All tiles of a cell, with their centres in the parallelogram. A triangle's sides have directions k, k + 4, k + 8, and a square's k,
+/// k + 3, k + 6, k + 9. So one corner of each begins with a small direction.
 fn tiles(plane: &PlaneTiling) -> Result<Vec<Tile>, DrawError> {
     let mut tiles = Vec::new();
     for (&vertex, star) in plane.vertices.iter().zip(&plane.stars()?) {
@@ -154,8 +154,8 @@ fn marks(plane: &PlaneTiling, tiles: &[Tile]) -> Result<Vec<Item>, DrawError> {
 /// Points of a structure are given in so many parts of a side.
 const SCALE: i64 = 12;
 
-/// The corners, the middles of the sides, the centre of a triangle, and in a square the middles
-/// moved inwards by a quarter of the side, that is of the way to the opposite middle.
+/// The corners, the middles of the sides, and the centre of a triangle. In a square also the middles,
+/// moved inwards by a quarter of the side.
 fn candidates(tile: &[Cyclotomic]) -> Vec<Cyclotomic> {
     let n = tile.len();
     let combination = |weights: &[(usize, i64)]| {

@@ -1,39 +1,17 @@
-//! A figure as marks on paper: polygons, lines, dots and words in millimetres, x to the
-//! right and y up, in the order in which they are painted; and the arrangement of panels.
+//! A figure as marks on paper: polygons, lines, dots and words, in the order in which they are
+//! painted. The unit is a millimetre, x goes to the right and y up. Panels are arranged here, too.
 
-/// Red, green, blue.
-pub type Colour = [u8; 3];
+pub use crate::palette::Colour;
 
 /// A place on paper.
 pub type Place = [f64; 2];
 
+/// Black.
 pub const BLACK: Colour = [0, 0, 0];
+/// White.
 pub const WHITE: Colour = [255, 255, 255];
+/// Light grey.
 pub const GREY: Colour = [200, 200, 200];
-
-/// The hues of Okabe and Ito (2008), darkened or whitened a little so that their greys are apart:
-/// 215, 72, 165, 115, 190, 93, 140 and 238 of 255, in an order in which neighbours differ much.
-const PALETTE: [Colour; 8] = [
-    [240, 228, 66],
-    [0, 94, 148],
-    [98, 185, 235],
-    [207, 91, 0],
-    [238, 188, 77],
-    [0, 139, 101],
-    [190, 113, 155],
-    [238, 238, 238],
-];
-
-/// The colour of a class: the palette, then its colours whitened, then darkened; after these
-/// they repeat.
-pub fn class_colour(class: usize) -> Colour {
-    let colour = PALETTE[class % PALETTE.len()];
-    match class / PALETTE.len() % 3 {
-        0 => colour,
-        1 => colour.map(|x| (x / 3).saturating_add(170)),
-        _ => colour.map(|x| (u16::from(x) * 7 / 10) as u8),
-    }
-}
 
 /// A colour mixed with white: the colour itself for `light` 0, a tenth white for 1, so that
 /// no class gets the grey of another.
@@ -93,19 +71,35 @@ impl Stroke {
 #[derive(Clone, Debug)]
 pub enum Item {
     /// Filled, with a hair line of its colour so that no gap is seen between neighbours.
-    Polygon { corners: Vec<Place>, fill: Colour },
+    Polygon {
+        /// The corners, in order.
+        corners: Vec<Place>,
+        /// The colour.
+        fill: Colour,
+    },
     /// A line with round ends.
-    Line { ends: [Place; 2], stroke: Stroke },
+    Line {
+        /// The two ends.
+        ends: [Place; 2],
+        /// Width and dashes.
+        stroke: Stroke,
+    },
     /// A disc with a thin black outline; the radius is in millimetres always.
     Dot {
+        /// The centre.
         at: Place,
+        /// The radius in millimetres.
         radius: f64,
+        /// The colour.
         fill: Colour,
     },
     /// Words centred at a place, on white where `has_halo`.
     Label {
+        /// The centre of the words.
         at: Place,
+        /// The words, without markup.
         text: String,
+        /// Whether they are on white.
         has_halo: bool,
     },
 }
@@ -123,7 +117,9 @@ pub fn text_width(text: &str) -> f64 {
 /// A picture in some unit of length with words below it.
 #[derive(Clone, Debug)]
 pub struct Panel {
+    /// The marks, from the back to the front.
     pub items: Vec<Item>,
+    /// The words below it.
     pub caption: String,
 }
 
@@ -134,6 +130,7 @@ pub struct Drawing {
     pub title: String,
     /// In millimetres.
     pub size: [f64; 2],
+    /// The marks, from the back to the front.
     pub items: Vec<Item>,
 }
 

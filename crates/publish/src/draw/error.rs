@@ -25,6 +25,10 @@ pub enum DrawError {
     NotSolid,
     /// Cells of something that is not proved to be a weakly Delaunay triangulation of space.
     NoFoam(String),
+    /// The font of the program cannot be read.
+    NoFont(String),
+    /// A picture so wide and high in dots, more than the limit.
+    TooManyDots(f64, f64, f64),
     /// Steps of something else than the slab.
     NoSteps,
     /// A plane tiling under something that has none.
@@ -36,8 +40,11 @@ pub enum DrawError {
 impl DrawError {
     /// Whether a limit was reached.
     pub fn is_limit(&self) -> bool {
-        use DrawError::{TooMany, TooManyClasses, TooManyPieces};
-        matches!(self, TooMany(..) | TooManyClasses(..) | TooManyPieces)
+        use DrawError::{TooMany, TooManyClasses, TooManyDots, TooManyPieces};
+        matches!(
+            self,
+            TooMany(..) | TooManyClasses(..) | TooManyDots(..) | TooManyPieces
+        )
     }
 }
 
@@ -76,6 +83,11 @@ impl fmt::Display for DrawError {
             DrawError::NoFoam(reason) => write!(
                 f,
                 "a foam has the Voronoi cells of a Delaunay triangulation of space: {reason}"
+            ),
+            DrawError::NoFont(reason) => write!(f, "the font of the program: {reason}"),
+            DrawError::TooManyDots(width, height, limit) => write!(
+                f,
+                "{width} times {height} dots are more than a PNG has here; the limit is {limit}: a smaller --width, or --format pdf"
             ),
             DrawError::NoSteps => write!(f, "only the slab (acutile draw slab) is built in steps"),
             DrawError::NoPlane => write!(

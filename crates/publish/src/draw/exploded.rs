@@ -1,5 +1,5 @@
-//! The tetrahedra of a cell moved apart: each by a part of the way from the middle of all
-//! to its own.
+//! The tetrahedra of a small piece moved apart: each by the way from the middle of all to its own.
+//! Larger ones hide one another, so that the command line does not offer it.
 
 use super::drawing::{Drawing, Layout, Panel};
 use super::polygon::Point;
@@ -7,22 +7,20 @@ use super::scene::{Body, Scene};
 use super::view::View;
 use super::{DrawError, Options, patch};
 use acutile_core::tiling::Tiling;
-use acutile_exact::number::Number;
 
 /// The figure.
 pub fn exploded(name: &str, tiling: &Tiling<3>, options: &Options) -> Result<Drawing, DrawError> {
     patch::check_count(tiling)?;
     let view = View::new(&tiling.frame.gram, options.direction)?;
-    let (bodies, classes) = patch::cell(tiling);
+    let (bodies, palette) = patch::cell(tiling);
     let middles: Vec<Point> = bodies
         .iter()
         .map(|b| patch::centre(b.corners.iter()))
         .collect();
     let middle = patch::centre(middles.iter());
-    let factor = Number::from(options.apart.clone());
     let mut scene = Scene::new(&view);
     for (body, own) in bodies.iter().zip(&middles) {
-        let by: Point = [0, 1, 2].map(|k| &factor * &(&own[k] - &middle[k]));
+        let by: Point = [0, 1, 2].map(|k| &own[k] - &middle[k]);
         scene.add_solid(&[moved(body, &by)], None);
     }
     let panel = Panel {
@@ -34,7 +32,7 @@ pub fn exploded(name: &str, tiling: &Tiling<3>, options: &Options) -> Result<Dra
         columns: 1,
         margin: 2.0,
         has_one_scale: true,
-        legend: patch::legend(classes),
+        legend: patch::legend(&palette),
     };
     Ok(layout.arrange(&format!("{name}: exploded"), &[panel]))
 }

@@ -1,10 +1,11 @@
 //! The foam of a Delaunay triangulation of space: the Voronoi cell of one vertex of each kind, and all cells as
 //! OBJ and STL.
 
-use super::drawing::{BLACK, Drawing, Layout, Panel, class_colour};
+use super::drawing::{BLACK, Drawing, Layout, Panel};
 use super::scene::{Dot, Scene};
 use super::view::View;
 use super::{DrawError, Options};
+use crate::palette::colour;
 use acutile_core::checker::{self, examine};
 use acutile_core::classify::stars;
 use acutile_core::foam::{Cell, cells, isoperimetric_quotient};
@@ -58,7 +59,7 @@ pub fn figure(name: &str, tiling: &Tiling<3>, options: &Options) -> Result<Drawi
         let cell = &all[members[0]];
         let mut scene = Scene::new(&view);
         let faces: Vec<&[_]> = cell.faces.iter().map(|f| &f.corners[..]).collect();
-        scene.add_polyhedron(&faces, &cell.centre, class_colour(kind));
+        scene.add_polyhedron(&faces, &cell.centre, colour(kind));
         scene.add_dot(Dot {
             at: cell.centre.clone(),
             radius: 0.7,
@@ -76,7 +77,7 @@ pub fn figure(name: &str, tiling: &Tiling<3>, options: &Options) -> Result<Drawi
         columns: panels.len().clamp(1, 2),
         margin: 3.0,
         has_one_scale: true,
-        legend: Vec::new(),
+        legend: vec![(BLACK, "vertex; broken lines are behind".to_owned())],
     };
     let title = format!("{name}: foam; {}", quotient_in_words(tiling, &all));
     Ok(layout.arrange(&title, &panels))

@@ -1,9 +1,9 @@
 //! Hidden lines: which parts of a segment are behind faces.
 //!
 //! A point P is hidden by a face if P + t v lies in it for some t > 0, v the direction to the
-//! eye. On a segment P(s) = a + s (b - a) this is the intersection of linear
-//! inequalities in s, one for each side of the face and one for the depth, hence an
-//! interval. Its ends are exact, and so is their union.
+//! eye. On a segment P(s) = a + s (b - a) these are linear inequalities in s: one for each side
+//! of the face, one for the depth. So they hold on an interval. Its ends are exact, and so is a union
+//! of intervals.
 
 use super::polygon::{Face, Plane, Point, extent};
 use acutile_exact::geometry::Sign;
@@ -13,8 +13,11 @@ use malachite::Rational;
 /// A part of a segment, from < to in [0, 1].
 #[derive(Clone, Debug)]
 pub struct Part {
+    /// The parameter at which the part begins.
     pub from: Number,
+    /// The parameter at which it ends.
     pub to: Number,
+    /// Whether no face covers it.
     pub is_visible: bool,
 }
 

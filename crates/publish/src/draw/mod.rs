@@ -1,5 +1,5 @@
-//! Figures for print: tetrahedra of each congruence class, the cell, the star of a vertex, an
-//! exploded view, the slab's eight steps, plane tilings.
+//! Figures for print: tetrahedra of each congruence class, the cell, the star of a vertex, foams, the slab's eight steps,
+//! plane tilings.
 //!
 //! | file | holds |
 //! |---|---|
@@ -9,25 +9,31 @@
 //! | [`view`] | the direction of sight, and the projection |
 //! | `scene` | bodies, lines and points, turned into marks |
 //! | [`drawing`] | marks in millimetres, panels, line weights, colours |
-//! | [`svg`], [`tikz`] | how marks are written |
-//! | `classes`, `cell`, `star`, `foam`, `coordination`, `exploded`, `steps`, `plane`, `dots` | one kind of figure each |
+//! | [`svg`], [`tikz`], [`pdf`], [`png`] | how marks are written |
+//! | `font` | letters for the last two |
+//! | [`classes`], `cell`, `star`, `foam`, `coordination`, `exploded`, `steps`, `plane`, `dots` | one kind of figure each |
+//! | `labels` | places for words beside lines |
 //! | `patch` | simplices of a tiling as bodies |
 //!
 //! What hides what is decided exactly; only places on the paper are doubles. Nothing here
 //! proves anything about a tiling, and nothing is assumed: simplices may overlap.
 
 mod cell;
-mod classes;
+pub mod classes;
 mod coordination;
 mod dots;
 pub mod drawing;
 mod error;
 mod exploded;
 pub mod foam;
+mod font;
 pub mod hidden;
+mod labels;
 pub mod order;
 mod patch;
+pub mod pdf;
 mod plane;
+pub mod png;
 pub mod polygon;
 mod scene;
 mod star;
@@ -40,7 +46,6 @@ pub use drawing::Drawing;
 pub use error::DrawError;
 
 use acutile_core::tiling::AnyTiling;
-use malachite::Rational;
 
 /// What is drawn.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -55,7 +60,7 @@ pub enum Figure {
     Foam,
     /// The neighbours of the vertices with their link, one of each kind.
     Coordination,
-    /// The tetrahedra of a cell, moved apart.
+    /// The tetrahedra of a small piece, moved apart.
     Exploded,
     /// The slab in its eight steps.
     Steps,
@@ -70,8 +75,6 @@ pub struct Options {
     pub direction: [f64; 3],
     /// The vertex of [`Figure::Star`].
     pub vertex: usize,
-    /// By which part of its distance from the centre a tetrahedron is moved outward.
-    pub apart: Rational,
     /// Of the figure, in millimetres.
     pub width: f64,
 }
@@ -85,7 +88,6 @@ impl Default for Options {
         Options {
             direction: DIRECTION,
             vertex: 0,
-            apart: Rational::from(1),
             width: 84.0,
         }
     }

@@ -1,10 +1,11 @@
 //! Simplices of a tiling where they are drawn: coloured by congruence class, in one cell.
 
 use super::DrawError;
-use super::drawing::{Colour, class_colour};
+use super::drawing::{Colour, Stroke};
 use super::polygon::Point;
 use super::scene::Body;
-use acutile_core::quality::{Shape, shapes};
+use crate::palette::Palette;
+use acutile_core::quality::{kinds, shapes};
 use acutile_core::tiling::{Corner, SimplexId, Tiling};
 use acutile_exact::number::Number;
 use malachite::Rational;
@@ -21,35 +22,31 @@ pub fn check_count<const D: usize>(tiling: &Tiling<D>) -> Result<(), DrawError> 
     }
 }
 
-/// The index of the class of each simplex.
-pub fn classes(shapes: &[Shape], simplices: usize) -> Vec<usize> {
-    let mut classes = vec![0; simplices];
-    for (class, shape) in shapes.iter().enumerate() {
-        shape
-            .members
-            .iter()
-            .for_each(|&i| classes[i.index()] = class);
-    }
-    classes
+/// The colours of the classes and their names.
+pub fn legend(palette: &Palette) -> Vec<(Colour, String)> {
+    let colours = palette.colours().iter().enumerate();
+    colours
+        .map(|(class, colour)| (*colour, format!("class {class}")))
+        .collect()
 }
 
-/// The colours of the classes and their names.
-pub fn legend(classes: usize) -> Vec<(Colour, String)> {
-    let entry = |class: usize| (class_colour(class), format!("class {class}"));
-    (0..classes).map(entry).collect()
+/// The same, with the cell where it is drawn.
+pub fn legend_with_cell(palette: &Palette) -> Vec<(Colour, String)> {
+    let cell = (Stroke::Cell.colour(), "heavy lines: the cell".to_owned());
+    legend(palette).into_iter().chain([cell]).collect()
 }
 
 /// All tetrahedra, each by that lattice vector that brings its centre into 0 <= x < 1;
-/// and the number of classes.
-pub fn cell(tiling: &Tiling<3>) -> (Vec<Body>, usize) {
+/// and the colours of the classes.
+pub fn cell(tiling: &Tiling<3>) -> (Vec<Body>, Palette) {
     let shapes = shapes(tiling);
-    let classes = classes(&shapes, tiling.len());
+    let palette = Palette::of(&shapes);
     let bodies = tiling
         .indices()
-        .zip(classes)
-        .map(|(i, class)| body(tiling, &centred(tiling, i), class))
+        .zip(kinds(&shapes, tiling.len()))
+        .map(|(i, class)| body(tiling, &centred(tiling, i), palette.colour(class)))
         .collect();
-    (bodies, shapes.len())
+    (bodies, palette)
 }
 
 /// The corners moved together, by the lattice vector that brings their centre into 0 <= x < 1.
@@ -63,11 +60,11 @@ pub fn centred<const D: usize>(tiling: &Tiling<D>, simplex: SimplexId) -> Vec<Co
     corners.iter().map(|corner| corner.moved(by)).collect()
 }
 
-/// Four corners as a body in the colour of a class.
-pub fn body(tiling: &Tiling<3>, corners: &[Corner<3>], class: usize) -> Body {
+/// Four corners as a body.
+pub fn body(tiling: &Tiling<3>, corners: &[Corner<3>], colour: Colour) -> Body {
     Body {
         corners: std::array::from_fn(|k| tiling.position(&corners[k])),
-        colour: class_colour(class),
+        colour,
     }
 }
 

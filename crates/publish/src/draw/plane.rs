@@ -1,45 +1,59 @@
 //! A tiling of the plane, its triangles coloured by congruence class; where there is a
 //! lattice, several cells, and one of them outlined.
 
-use super::drawing::{Drawing, Layout, Panel, Stroke, class_colour};
+use super::drawing::{Drawing, Item, Layout, Panel, Stroke, lit};
 use super::polygon::Point;
-use super::scene::{Line, Scene};
 use super::view::View;
 use super::{DrawError, Options, patch};
-use acutile_core::quality::shapes;
+use crate::palette::Palette;
+use acutile_core::quality::{kinds, shapes};
 use acutile_core::tiling::{Corner, Tiling};
 use acutile_exact::number::Number;
 use malachite::Rational;
+use std::collections::BTreeSet;
 
 /// Cells on either side of the outlined one.
 const AROUND: i32 = 1;
 
 /// The figure.
 pub fn plane(name: &str, tiling: &Tiling<2>, options: &Options) -> Result<Drawing, DrawError> {
-    patch::check_count(tiling)?;
     let view = View::new(&gram(&tiling.frame.gram), [0.0, 0.0, 1.0])?;
     let shapes = shapes(tiling);
-    let classes = patch::classes(&shapes, tiling.len());
+    let palette = Palette::of(&shapes);
+    let classes = kinds(&shapes, tiling.len());
     let reach = |k: usize| if k < tiling.frame.rank() { AROUND } else { 0 };
-    let mut scene = Scene::new(&view);
+    // In the plane no triangle covers another, so no edge is tested for visibility.
+    let (mut items, mut edges) = (Vec::new(), BTreeSet::new());
     for simplex in tiling.indices() {
         let corners = patch::centred(tiling, simplex);
+        let colour = palette.colour(classes[simplex.index()]);
         for i in -reach(0)..=reach(0) {
             for j in -reach(1)..=reach(1) {
                 let places = [0, 1, 2].map(|k| place(tiling, &corners[k].moved([i, j])));
-                scene.add_triangle(places, class_colour(classes[simplex.index()]));
+                items.push(Item::Polygon {
+                    corners: places.iter().map(|p| view.place(p)).collect(),
+                    fill: lit(colour, view.light(&places)),
+                });
+                let sides = [(0, 1), (0, 2), (1, 2)].map(|(a, b)| [&places[a], &places[b]]);
+                edges.extend(sides.map(|ends| ends.map(Point::clone)).map(sorted));
             }
         }
     }
-    for ends in outline(tiling.frame.rank()) {
-        scene.add_line(Line {
-            ends,
-            visible: Stroke::Outline,
-            hidden: None,
-        });
-    }
+    let line = |stroke| {
+        let view = &view;
+        move |ends: [Point; 2]| Item::Line {
+            ends: ends.map(|p| view.place(&p)),
+            stroke,
+        }
+    };
+    items.extend(edges.into_iter().map(line(Stroke::Edge)));
+    items.extend(
+        outline(tiling.frame.rank())
+            .into_iter()
+            .map(line(Stroke::Outline)),
+    );
     let panel = Panel {
-        items: scene.items()?,
+        items,
         caption: String::new(),
     };
     let layout = Layout {
@@ -47,9 +61,13 @@ pub fn plane(name: &str, tiling: &Tiling<2>, options: &Options) -> Result<Drawin
         columns: 1,
         margin: 2.0,
         has_one_scale: true,
-        legend: patch::legend(shapes.len()),
+        legend: patch::legend(&palette),
     };
     Ok(layout.arrange(&format!("{name}: plane"), &[panel]))
+}
+
+fn sorted([a, b]: [Point; 2]) -> [Point; 2] {
+    if a < b { [a, b] } else { [b, a] }
 }
 
 /// The plane as the coordinate plane of the first two basis vectors.

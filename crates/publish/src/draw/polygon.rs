@@ -1,7 +1,7 @@
 //! Exact convex polygons in space, and planes that cut them.
 //!
-//! Everything here is affine, so points are taken in basis coordinates and no length is
-//! needed: a line of sight hits a polygon in every basis or in none.
+//! Everything here is affine: a line of sight hits a polygon in every basis or in none. So points
+//! are taken in basis coordinates, and no length is needed.
 
 use acutile_exact::geometry::{Sign, linear};
 use acutile_exact::number::Number;
@@ -110,17 +110,16 @@ impl Face {
         &self.extent
     }
 
-    /// The functions that are all at least 0 where a point is hidden, and not all on the
-    /// face's plane: the sides, and the depth behind the plane.
+    /// The functions of the sides, and the depth beyond the face's plane. All are at least 0 where a
+    /// point is hidden, and not all of them on the plane.
     pub fn shadow(&self) -> impl Iterator<Item = Plane> {
         let behind = std::iter::once(self.plane.turned());
         self.sides.iter().cloned().chain(behind)
     }
 }
 
-/// The least and the greatest value of x_i v_k - x_k v_i for the two i other than one k
-/// with v_k ≠ 0: both functions are constant along the line of sight v. `None`
-/// without points, or if v is zero.
+/// The least and the greatest value of x_i v_k - x_k v_i for some k with v_k ≠ 0 and the two other i.
+/// Both functions are constant along the line of sight v. `None` without points, or if v is zero.
 pub fn extent(points: &[Point], eye: &Point) -> Option<[[Number; 2]; 2]> {
     let k = (0..3).find(|&k| !eye[k].is_zero())?;
     let range = |step: usize| {
@@ -140,7 +139,9 @@ pub fn extent(points: &[Point], eye: &Point) -> Option<[[Number; 2]; 2]> {
 /// for a polygon in the plane.
 #[derive(Clone, Debug)]
 pub struct Cut {
+    /// The part on the positive side.
     pub positive: Option<Vec<Point>>,
+    /// The part on the negative side.
     pub negative: Option<Vec<Point>>,
 }
 

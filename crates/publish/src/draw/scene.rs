@@ -127,22 +127,6 @@ impl<'v> Scene<'v> {
         }
     }
 
-    /// Adds a triangle with its sides, seen from either side.
-    pub fn add_triangle(&mut self, corners: [Point; 3], colour: Colour) {
-        for (i, j) in [(0, 1), (0, 2), (1, 2)] {
-            self.add_line(Line {
-                ends: [corners[i].clone(), corners[j].clone()],
-                visible: Stroke::Edge,
-                hidden: None,
-            });
-        }
-        if let Some(face) = Face::triangle(corners, &self.view.eye) {
-            self.colours
-                .push(lit(colour, self.view.light(&face.corners)));
-            self.faces.push(face);
-        }
-    }
-
     /// Adds a line.
     pub fn add_line(&mut self, line: Line) {
         self.lines.push(line);

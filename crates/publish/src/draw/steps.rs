@@ -12,7 +12,7 @@ use acutile_exact::number::Number;
 use malachite::Rational;
 use std::collections::BTreeSet;
 
-/// The tetrahedra of a cell that come with each step, in the order of the catalogue: a cell has
+/// The tetrahedra of a cell that come with each step, in the order of the catalogue. A cell has
 /// one vertex, three edges and two triangles of the grid.
 pub const NEW: [usize; 8] = [0, 2, 3, 6, 6, 6, 2, 6];
 

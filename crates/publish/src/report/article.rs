@@ -1,19 +1,45 @@
 //! What a page says of one tiling, as text and tables: complete without the page's program.
 
-use super::colour::{colour, hex};
+use super::colour::{hex, part};
 use super::data::domain_word;
 use super::facts::{Facts, cosine_bounds, cosine_text, degrees, root_text};
 use super::histogram::histogram;
 use super::html::{escape, fill};
+use super::math::math;
 use super::picture::picture;
 use super::proved::Proved;
+use super::theorem::Theorem;
+use crate::palette::Colour;
 use acutile_core::quality::{DihedralAngle, Measures, Shape, rounded_down, rounded_up};
 use acutile_core::tiling::Tiling;
+use acutile_exact::number::radical::root;
 use acutile_exact::number::{Field, Number};
 use malachite::Rational;
 use std::collections::BTreeMap;
 
 const TEMPLATE: &str = include_str!("assets/article.html");
+const TILING: &str = include_str!("assets/tiling.html");
+/// A longer table of vertices has its numbers as text.
+const MOST_FORMULAS: usize = 200;
+const CLASSES: &str = include_str!("assets/classes.html");
+
+/// The words for a dimension, as a template has them.
+pub fn words<const D: usize>() -> [(&'static str, &'static str); 4] {
+    match D {
+        2 => [
+            ("simplices", "triangles"),
+            ("angles", "angles"),
+            ("volume", "area"),
+            ("dimension", "2"),
+        ],
+        _ => [
+            ("simplices", "tetrahedra"),
+            ("angles", "dihedral angles"),
+            ("volume", "volume"),
+            ("dimension", "3"),
+        ],
+    }
+}
 
 /// The article number `index` of a page.
 pub fn article<const D: usize>(
@@ -22,41 +48,130 @@ pub fn article<const D: usize>(
     tiling: &Tiling<D>,
     facts: &Facts,
 ) -> String {
-    let simplex = if D == 2 { "triangles" } else { "tetrahedra" };
-    let name = escape(&proved.name);
-    let label = format!("One cell of {name}: {} {simplex}", tiling.len());
-    let (claim, statements) = claim(proved);
-    fill(
-        TEMPLATE,
-        &[
-            ("index", &index.to_string()),
-            ("name", &name),
-            ("description", &escape(described(proved))),
-            ("claim", &claim),
-            ("statements", &statements),
-            ("sha256", &escape(&proved.sha256())),
-            ("bytes", &proved.json().len().to_string()),
-            ("picture", &picture(tiling, &facts.class_of, &label)),
-            ("facts", &summary(tiling, facts)),
-            ("simplices", simplex),
-            ("dimension", &D.to_string()),
-            ("angles", if D == 2 { "angles" } else { "dihedral angles" }),
-            ("volume", if D == 2 { "area" } else { "volume" }),
-            ("histogram", &histogram(facts, simplex)),
-            ("classes", &classes(facts)),
-            ("vertices", &vertices(tiling, facts)),
-        ],
-    )
+    let [(_, simplices), ..] = words::<D>();
+    let tables = [
+        ("classes", &*classes(facts)),
+        ("vertices", &vertices(tiling, facts)),
+    ];
+    let parts = Parts {
+        classes: &facts.class_of,
+        facts: summary(tiling, Some(facts)),
+        histogram: histogram(facts, simplices),
+        sections: fill(CLASSES, &[&tables[..], &words::<D>()].concat()),
+    };
+    parts.article(index, proved, tiling)
+}
+
+/// The parts of an article below its claim.
+pub struct Parts<'a> {
+    /// The classes by which the still picture is coloured.
+    pub classes: &'a [usize],
+    pub facts: String,
+    pub histogram: String,
+    pub sections: String,
+}
+
+impl Parts<'_> {
+    /// The article number `index` of a page.
+    pub fn article<const D: usize>(
+        &self,
+        index: usize,
+        proved: &Proved,
+        tiling: &Tiling<D>,
+    ) -> String {
+        let [(_, simplices), ..] = words::<D>();
+        let label = format!(
+            "One cell of {}: {} {simplices}",
+            escape(&proved.name),
+            tiling.len()
+        );
+        let head = Head {
+            name: &proved.name,
+            description: &proved.description,
+            claim: &proved.in_words(),
+            sha256: &proved.sha256(),
+            json: proved.json(),
+        };
+        let own = [
+            ("facts", &*self.facts),
+            ("histogram", &self.histogram),
+            ("sections", &self.sections),
+        ];
+        let sections = fill(TILING, &[&own[..], &words::<D>()].concat());
+        head.article(index, &picture(tiling, self.classes, &label), &sections)
+    }
+}
+
+/// What every article says first: a certificate that the kernel has confirmed.
+pub struct Head<'a> {
+    pub name: &'a str,
+    pub description: &'a str,
+    /// The claim in words.
+    pub claim: &'a str,
+    pub sha256: &'a str,
+    pub json: &'a str,
+}
+
+impl<'a> Head<'a> {
+    /// That of a family or a system of patches.
+    pub fn of_theorem(theorem: &'a Theorem) -> Self {
+        Head {
+            name: &theorem.name,
+            description: &theorem.description,
+            claim: theorem.claim(),
+            sha256: theorem.sha256(),
+            json: theorem.json(),
+        }
+    }
+
+    /// The article number `index` of a page, with a still picture and sections below the claim.
+    pub fn article(&self, index: usize, picture: &str, sections: &str) -> String {
+        let (claim, statements) = sentences(self.claim);
+        fill(
+            TEMPLATE,
+            &[
+                ("index", &index.to_string()),
+                ("name", &escape(self.name)),
+                ("description", &escape(self.described())),
+                ("claim", &claim),
+                ("statements", &statements),
+                ("sha256", &escape(self.sha256)),
+                ("bytes", &self.json.len().to_string()),
+                ("cite", &escape(&self.citation())),
+                ("picture", picture),
+                ("sections", sections),
+            ],
+        )
+    }
+
+    /// What a file is called says nothing of what it proves.
+    fn described(&self) -> &str {
+        match self.description {
+            "" => "as a file of this name has it",
+            description => description,
+        }
+    }
+
+    /// An entry of BibTeX for the certificate.
+    fn citation(&self) -> String {
+        let version = env!("CARGO_PKG_VERSION");
+        let special = ['{', '}', '\\', '%', '#', '&', '_', '$'];
+        let (name, digest) = (self.name.replace(special, "-"), self.sha256);
+        format!(
+            "@misc{{acutile-{},\n  author = {{{{the acutile authors}}}},\n  title = {{A certified tiling: {{{name}}}}},\n  \
+             note = {{Certificate with the SHA-256 {digest}, verified by acutile {version}}}\n}}",
+            &digest[..8.min(digest.len())]
+        )
+    }
 }
 
 /// The claim: the first sentence, and a list of the other statements.
-fn claim(proved: &Proved) -> (String, String) {
-    let words = proved.in_words();
+fn sentences(words: &str) -> (String, String) {
     let mut sentences = words
         .split("; ")
         .map(|sentence| format!("{}.", capital(sentence)));
     let first = escape(&sentences.next().unwrap_or_default());
-    let items = sentences.map(|sentence| format!("<li>{}</li>", escape(&sentence)));
+    let items = sentences.map(|sentence| format!("<li data-sentence>{}</li>", escape(&sentence)));
     (first, items.collect())
 }
 
@@ -68,12 +183,12 @@ fn capital(sentence: &str) -> String {
 }
 
 /// Counts, field and metric as a list of terms.
-fn summary<const D: usize>(tiling: &Tiling<D>, facts: &Facts) -> String {
+pub fn summary<const D: usize>(tiling: &Tiling<D>, facts: Option<&Facts>) -> String {
     let frame = &tiling.frame;
     let rows = frame.gram.iter().map(|row| {
         let entries = row
             .iter()
-            .map(|x| format!("<td>{}</td>", escape(&x.to_string())));
+            .map(|x| format!("<td>{}</td>", math(&x.to_string())));
         format!("<tr>{}</tr>", entries.collect::<String>())
     });
     let gram = format!(
@@ -92,31 +207,36 @@ fn summary<const D: usize>(tiling: &Tiling<D>, facts: &Facts) -> String {
     let terms = [
         ("Tiled", escape(domain)),
         ("In one cell", counts(tiling, facts)),
-        ("Vertex types", escape(&type_counts(facts))),
+        (
+            "Vertex types",
+            facts.map_or_else(String::new, |facts| escape(&type_counts(facts))),
+        ),
         ("Numbers", field_words(&frame.field)),
         ("Gram matrix of the basis", gram),
     ];
     let term = |(term, value): &(&str, String)| format!("<dt>{term}</dt><dd>{value}</dd>");
-    terms.iter().map(term).collect()
+    let shown = terms.iter().filter(|(_, value)| !value.is_empty());
+    shown.map(term).collect()
 }
 
-fn counts<const D: usize>(tiling: &Tiling<D>, facts: &Facts) -> String {
-    let count = |n: usize, one: &str, many: &str| match n {
-        1 => format!("1 {one}"),
-        _ => format!("{n} {many}"),
+/// The numbers that a verifier finds, too, are marked, so that the page can compare them.
+fn counts<const D: usize>(tiling: &Tiling<D>, facts: Option<&Facts>) -> String {
+    let marked = |what: &str, n: usize, one: &str, many: &str| {
+        let word = if n == 1 { one } else { many };
+        format!("<span data-verified=\"{what}\">{n}</span> {word}")
     };
     let simplices = match D {
-        2 => count(tiling.len(), "triangle", "triangles"),
-        _ => count(tiling.len(), "tetrahedron", "tetrahedra"),
+        2 => marked("simplices", tiling.len(), "triangle", "triangles"),
+        _ => marked("simplices", tiling.len(), "tetrahedron", "tetrahedra"),
     };
+    let classes = facts.map(|facts| match facts.classes.len() {
+        1 => " of 1 congruence class".to_owned(),
+        n => format!(" of {n} congruence classes"),
+    });
     format!(
-        "{}, {simplices} of {}; {}",
-        count(tiling.vertices.len(), "vertex", "vertices"),
-        count(
-            facts.classes.len(),
-            "congruence class",
-            "congruence classes"
-        ),
+        "{}, {simplices}{}; {}",
+        marked("vertices", tiling.vertices.len(), "vertex", "vertices"),
+        classes.unwrap_or_default(),
         match tiling.frame.rank() {
             0 => "no lattice".to_owned(),
             rank => format!("the lattice has rank {rank}"),
@@ -136,14 +256,14 @@ fn type_counts(facts: &Facts) -> String {
 }
 
 /// `Q(a), where a is the root of a^2 - 3 between 1 and 2: √3`.
-fn field_words(field: &Field) -> String {
+pub fn field_words(field: &Field) -> String {
     if field.is_rationals() {
         return "rational".to_owned();
     }
     let coefficients = field.polynomial().iter().map(Rational::from);
     let (low, high) = field.root();
     let root = match field.polynomial() {
-        [c, zero, _] if *zero == 0 && low >= 0 => format!(", a = √{}", -c),
+        [c, zero, _] if *zero == 0 && low >= 0 => format!(", a = {}", root(&Rational::from(-c))),
         _ => String::new(),
     };
     escape(&format!(
@@ -178,9 +298,13 @@ fn polynomial(coefficients: impl Iterator<Item = Rational>) -> String {
 
 /// The rows of the table of congruence classes.
 fn classes(facts: &Facts) -> String {
+    let palette = facts.palette();
     let row = |(number, (shape, measures)): (usize, &(Shape, Measures))| {
         let cell = &facts.cells[shape.members[0].index()];
-        let edges = shape.squared_edges.iter().map(Number::to_string);
+        let edges = shape
+            .squared_edges
+            .iter()
+            .map(|square| math(&square.to_string()));
         let largest = measures.angles.last().map(|angle| {
             format!(
                 "{}<br><small>cos = {}</small>",
@@ -191,12 +315,12 @@ fn classes(facts: &Facts) -> String {
         format!(
             "<tr><th scope=\"row\">{}{}</th><td>{}</td><td>{}</td>\
              <td>{}</td><td>{}</td><td>{}</td><td>{}</td></tr>",
-            swatch(number),
+            swatch(palette.colour(number)),
             number,
             shape.members.len(),
-            escape(&edges.collect::<Vec<_>>().join(", ")),
-            escape(&facts.numbers.values[cell.volume].to_string()),
-            escape(&root_text(&measures.radius_edge.square)),
+            edges.collect::<Vec<_>>().join(", "),
+            math(&facts.numbers.values[cell.volume].to_string()),
+            math(&root_text(&measures.radius_edge.square)),
             angle_list(measures),
             largest.unwrap_or_default(),
         )
@@ -207,7 +331,7 @@ fn classes(facts: &Facts) -> String {
 /// `√(5/12) ∈ [0.645497, 0.645498]`, or a rational cosine alone.
 fn cosine_with_bounds(angle: &DihedralAngle) -> String {
     let (low, high) = cosine_bounds(angle);
-    let text = escape(&cosine_text(angle));
+    let text = math(&cosine_text(angle));
     match low == high {
         true => text,
         false => format!(
@@ -228,12 +352,12 @@ fn angle_list(measures: &Measures) -> String {
     words.collect::<Vec<_>>().join(", ")
 }
 
-/// A square in the colour of a class.
-fn swatch(class: usize) -> String {
+/// A square in a colour.
+fn swatch(colour: Colour) -> String {
     format!(
         "<svg class=\"swatch\" viewBox=\"0 0 1 1\" aria-hidden=\"true\"><rect width=\"1\" height=\"1\" \
          fill=\"{}\"/></svg>",
-        hex(colour(class))
+        hex(part(colour))
     )
 }
 
@@ -248,10 +372,16 @@ fn angle_text((low, high): &(Rational, Rational)) -> String {
 
 /// The rows of the table of vertices.
 fn vertices<const D: usize>(tiling: &Tiling<D>, facts: &Facts) -> String {
+    // Markup makes a long table ten times as long.
+    let shown = if tiling.vertices.len() <= MOST_FORMULAS {
+        math
+    } else {
+        escape
+    };
     let row = |(index, vertex): (usize, [Number; D])| {
         let coordinates = vertex
             .iter()
-            .map(|x| format!("<td>{}</td>", escape(&x.to_string())));
+            .map(|x| format!("<td>{}</td>", shown(&x.to_string())));
         format!(
             "<tr><th scope=\"row\">{index}</th><td>{}</td>{}</tr>",
             escape(&facts.types[index]),
@@ -259,12 +389,4 @@ fn vertices<const D: usize>(tiling: &Tiling<D>, facts: &Facts) -> String {
         )
     };
     tiling.vertices.iter().enumerate().map(row).collect()
-}
-
-/// What a file is called says nothing of what it proves.
-fn described(proved: &Proved) -> &str {
-    match proved.description.as_str() {
-        "" => "as a file of this name has it",
-        description => description,
-    }
 }

@@ -4,162 +4,170 @@ use super::html::escape;
 use super::markdown::{Document, to_html};
 
 /// The documents that the site has.
-pub const DOCUMENTS: [Document; 26] = [
+pub const DOCUMENTS: [Document; 27] = [
     document(
         "README.md",
         "docs/readme.html",
         "Read me",
-        include_str!("../../../../README.md"),
+        include_str!("../../repository/README.md"),
     ),
     document(
         "docs/tutorials/theorem.md",
         "docs/tutorial-theorem.html",
         "Tutorial: a theorem",
-        include_str!("../../../../docs/tutorials/theorem.md"),
+        include_str!("../../repository/docs/tutorials/theorem.md"),
     ),
     document(
         "docs/tutorials/mesh.md",
         "docs/tutorial-mesh.html",
         "Tutorial: a mesh",
-        include_str!("../../../../docs/tutorials/mesh.md"),
+        include_str!("../../repository/docs/tutorials/mesh.md"),
     ),
     document(
         "docs/tutorials/paper.md",
         "docs/tutorial-paper.html",
         "Tutorial: a paper",
-        include_str!("../../../../docs/tutorials/paper.md"),
+        include_str!("../../repository/docs/tutorials/paper.md"),
     ),
     document(
         "python/README.md",
         "docs/python.html",
         "The Python package",
-        include_str!("../../../../python/README.md"),
+        include_str!("../../repository/python/README.md"),
     ),
     document(
         "docs/format.md",
         "docs/format.html",
         "File formats",
-        include_str!("../../../../docs/format.md"),
+        include_str!("../../repository/docs/format.md"),
     ),
     document(
         "docs/soundness.md",
         "docs/soundness.html",
         "Why a certificate proves what it claims",
-        include_str!("../../../../docs/soundness.md"),
-    ),
+        include_str!("../../repository/docs/soundness.md"),
+    )
+    .with_formulas(),
     document(
         "docs/trust.md",
         "docs/trust.html",
         "What is trusted",
-        include_str!("../../../../docs/trust.md"),
+        include_str!("../../repository/docs/trust.md"),
     ),
     document(
         "docs/optimize.md",
         "docs/optimize.html",
         "Better angles",
-        include_str!("../../../../docs/optimize.md"),
+        include_str!("../../repository/docs/optimize.md"),
     ),
     document(
         "docs/glossary.md",
         "docs/glossary.html",
         "Glossary",
-        include_str!("../../../../docs/glossary.md"),
+        include_str!("../../repository/docs/glossary.md"),
     ),
     document(
         "docs/performance.md",
         "docs/performance.html",
         "Performance",
-        include_str!("../../../../docs/performance.md"),
+        include_str!("../../repository/docs/performance.md"),
     ),
     document(
-        "docs/profile.md",
-        "docs/profile.html",
-        "What profiles said",
-        include_str!("../../../../docs/profile.md"),
+        "docs/command-line.md",
+        "docs/command-line.html",
+        "The command line",
+        include_str!("../../repository/docs/command-line.md"),
+    ),
+    document(
+        "docs/json.md",
+        "docs/json.html",
+        "Answers as JSON",
+        include_str!("../../repository/docs/json.md"),
     ),
     document(
         "docs/meshes.md",
         "docs/meshes.html",
         "Mesh files",
-        include_str!("../../../../docs/meshes.md"),
+        include_str!("../../repository/docs/meshes.md"),
     ),
     document(
         "docs/cif.md",
         "docs/cif.html",
         "Crystallographic files",
-        include_str!("../../../../docs/cif.md"),
+        include_str!("../../repository/docs/cif.md"),
     ),
     document(
         "docs/appendix.md",
         "docs/appendix.html",
         "Appendices in LaTeX",
-        include_str!("../../../../docs/appendix.md"),
+        include_str!("../../repository/docs/appendix.md"),
     ),
     document(
         "docs/gallery.md",
         "docs/gallery.html",
         "This site",
-        include_str!("../../../../docs/gallery.md"),
+        include_str!("../../repository/docs/gallery.md"),
     ),
     document(
         "docs/bundle.md",
         "docs/bundle.html",
         "Archives to deposit",
-        include_str!("../../../../docs/bundle.md"),
+        include_str!("../../repository/docs/bundle.md"),
     ),
     document(
         "docs/draw.md",
         "docs/draw.html",
         "Figures for print",
-        include_str!("../../../../docs/draw.md"),
+        include_str!("../../repository/docs/draw.md"),
     ),
     document(
         "proofs/README.md",
         "docs/proofs.html",
         "The development in Coq",
-        include_str!("../../../../proofs/README.md"),
+        include_str!("../../repository/proofs/README.md"),
     ),
     document(
         "ARCHITECTURE.md",
         "docs/architecture.html",
         "Architecture",
-        include_str!("../../../../ARCHITECTURE.md"),
+        include_str!("../../repository/ARCHITECTURE.md"),
     ),
     document(
         "docs/lower-bound.md",
         "docs/lower-bound.html",
         "Lower bounds for the largest dihedral angle",
-        include_str!("../../../../docs/lower-bound.md"),
-    ),
+        include_str!("../../repository/docs/lower-bound.md"),
+    )
+    .with_formulas(),
     document(
         "docs/families.md",
         "docs/families.html",
         "Families of tilings",
-        include_str!("../../../../docs/families.md"),
+        include_str!("../../repository/docs/families.md"),
     ),
     document(
         "docs/choices.md",
         "docs/choices.html",
         "Choices and dependencies",
-        include_str!("../../../../docs/choices.md"),
+        include_str!("../../repository/docs/choices.md"),
     ),
     document(
         "docs/versions.md",
         "docs/versions.html",
         "Versions",
-        include_str!("../../../../docs/versions.md"),
+        include_str!("../../repository/docs/versions.md"),
     ),
     document(
         "CONTRIBUTING.md",
         "docs/contributing.html",
         "Contributing",
-        include_str!("../../../../CONTRIBUTING.md"),
+        include_str!("../../repository/CONTRIBUTING.md"),
     ),
     document(
         "SECURITY.md",
         "docs/security.html",
         "Security",
-        include_str!("../../../../SECURITY.md"),
+        include_str!("../../repository/SECURITY.md"),
     ),
 ];
 
@@ -174,6 +182,7 @@ const fn document(
         page,
         title,
         text,
+        has_formulas: false,
     }
 }
 
@@ -181,13 +190,13 @@ const fn document(
 pub const FILES: [(&str, &str); 3] = [
     (
         "docs/certificate.schema.json",
-        include_str!("../../../../docs/certificate.schema.json"),
+        include_str!("../../repository/docs/certificate.schema.json"),
     ),
     (
         "docs/images/a15.svg",
-        include_str!("../../../../docs/images/a15.svg"),
+        include_str!("../../repository/docs/images/a15.svg"),
     ),
-    ("LICENSE", include_str!("../../../../LICENSE")),
+    ("LICENSE", include_str!("../../repository/LICENSE")),
 ];
 
 /// The list of documents, as the body of `docs/index.html`.
@@ -216,4 +225,38 @@ pub fn body(document: &Document, has_certificate: impl Fn(&str) -> bool) -> Stri
             .map(|link| format!("../{link}"))
     });
     format!("<div class=\"document\">{html}</div>")
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{DOCUMENTS, body};
+
+    /// The text of a page without its formulas and code.
+    fn prose(html: &str) -> String {
+        let mut rest = html.to_owned();
+        for name in ["math", "code", "h1", "h2", "h3"] {
+            let (open, close) = (format!("<{name}"), format!("</{name}>"));
+            while let Some(start) = rest.find(&open) {
+                let end = rest[start..].find(&close).expect("an end") + close.len();
+                rest.replace_range(start..start + end, " ");
+            }
+        }
+        rest
+    }
+
+    #[test]
+    fn proofs_have_their_formulas_marked() {
+        for document in DOCUMENTS.iter().filter(|document| document.has_formulas) {
+            let html = body(document, |_| false);
+            let formulas = html.matches("<math").count();
+            assert!(formulas > 200, "{}: {formulas}", document.path);
+            let text = prose(&html);
+            let words = text.split_whitespace();
+            let left: Vec<&str> = words
+                .filter(|word| word.contains('_') && !word.contains("href"))
+                .collect();
+            // A bracket that closes in another sentence is beyond the rule.
+            assert!(left.len() * 50 < formulas, "{}: {left:?}", document.path);
+        }
+    }
 }

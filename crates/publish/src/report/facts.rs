@@ -1,14 +1,16 @@
 //! Everything exact that a page shows of a tiling: for each simplex its class, volume, edges and
 //! angles, every value once.
 
+use crate::palette::Palette;
 use acutile_core::classify::{Ridges, stars};
 use acutile_core::quality::{
-    DihedralAngle, Exact, Measures, Shape, measures_of_shapes, rational_root, root, shapes,
+    DihedralAngle, Exact, Measures, Shape, kinds, measures_of_shapes, rational_root, root, shapes,
     squared_edges,
 };
 use acutile_core::tiling::{SimplexId, Tiling, match_facets};
 use acutile_exact::geometry::linear;
 use acutile_exact::number::Number;
+use acutile_exact::number::radical::sign_over;
 use malachite::Rational;
 use std::collections::BTreeMap;
 
@@ -63,31 +65,39 @@ pub struct Facts {
     pub types: Vec<String>,
 }
 
+/// More classes, or more simplices, are no help to a reader, and their exact values fill a page.
+const MOST_CLASSES: usize = 300;
+const MOST_SIMPLICES: usize = 20_000;
+
 const NOT_FLAT: &str = "no simplex of a proved tiling is flat";
 
 impl Facts {
-    /// Of a tiling of space.
-    pub fn of_space(tiling: &Tiling<3>) -> Facts {
-        let types = stars(tiling).iter().map(ToString::to_string).collect();
-        Facts::with_types(tiling, types)
+    /// The colours of the classes.
+    pub fn palette(&self) -> Palette {
+        Palette::of(self.classes.iter().map(|(shape, _)| shape))
+    }
+}
+
+// The constructors panic on flat simplices. They are for tilings that the kernel has confirmed.
+impl Facts {
+    /// Of a tiling of space; `None` if it has too many different simplices for tables.
+    pub fn of_space(tiling: &Tiling<3>) -> Option<Facts> {
+        let shapes = few_shapes(tiling)?;
+        Some(Facts::with_types(tiling, shapes, types_of_space(tiling)))
     }
 
-    /// Of a tiling of the plane.
-    pub fn of_plane(tiling: &Tiling<2>) -> Facts {
-        let ridges = Ridges::of(tiling, &match_facets(tiling));
-        let mut types = vec![String::new(); tiling.vertices.len()];
-        for ridge in &ridges.list {
-            let place = if ridge.is_boundary { "boundary, " } else { "" };
-            let text = format!("{place}{} triangles", ridge.valence());
-            // The ridges of the plane are its vertices.
-            types[ridge.corners[0].vertex.index()] = text;
-        }
-        Facts::with_types(tiling, types)
+    /// Of a tiling of the plane; `None` if it has too many different triangles.
+    pub fn of_plane(tiling: &Tiling<2>) -> Option<Facts> {
+        let shapes = few_shapes(tiling)?;
+        Some(Facts::with_types(tiling, shapes, types_of_plane(tiling)))
     }
 
-    fn with_types<const D: usize>(tiling: &Tiling<D>, types: Vec<String>) -> Facts {
-        let shapes = shapes(tiling);
-        let class_of = class_of(&shapes, tiling.len());
+    fn with_types<const D: usize>(
+        tiling: &Tiling<D>,
+        shapes: Vec<Shape>,
+        types: Vec<String>,
+    ) -> Facts {
+        let class_of = kinds(&shapes, tiling.len());
         let measures = measures_of_shapes(tiling, &shapes).expect(NOT_FLAT);
         let mut facts = Facts {
             numbers: Table::new(),
@@ -131,20 +141,34 @@ impl Facts {
     }
 }
 
-/// The congruence class of each simplex of a tiling.
-pub fn classes<const D: usize>(tiling: &Tiling<D>) -> Vec<usize> {
-    class_of(&shapes(tiling), tiling.len())
+/// The type of each vertex: Z12 … Z16 and others.
+pub fn types_of_space(tiling: &Tiling<3>) -> Vec<String> {
+    stars(tiling).iter().map(ToString::to_string).collect()
 }
 
-fn class_of(shapes: &[Shape], simplices: usize) -> Vec<usize> {
-    let mut class = vec![0; simplices];
-    for (index, shape) in shapes.iter().enumerate() {
-        shape
-            .members
-            .iter()
-            .for_each(|&member| class[member.index()] = index);
+/// The valence of each vertex of the plane, in words.
+pub fn types_of_plane(tiling: &Tiling<2>) -> Vec<String> {
+    let ridges = Ridges::of(tiling, &match_facets(tiling));
+    let mut types = vec![String::new(); tiling.vertices.len()];
+    for ridge in &ridges.list {
+        let place = if ridge.is_boundary { "boundary, " } else { "" };
+        let text = format!("{place}{} triangles", ridge.valence());
+        // The ridges of the plane are its vertices.
+        types[ridge.corners[0].vertex.index()] = text;
     }
-    class
+    types
+}
+
+fn few_shapes<const D: usize>(tiling: &Tiling<D>) -> Option<Vec<Shape>> {
+    if tiling.len() > MOST_SIMPLICES {
+        return None;
+    }
+    Some(shapes(tiling)).filter(|shapes| shapes.len() <= MOST_CLASSES)
+}
+
+/// The congruence class of each simplex of a tiling.
+pub fn classes<const D: usize>(tiling: &Tiling<D>) -> Vec<usize> {
+    kinds(&shapes(tiling), tiling.len())
 }
 
 /// The cosine of an angle, exactly: `√(5/12)`, or with the field's generator `√(1/2 + 1/4 a)`.
@@ -158,7 +182,7 @@ pub fn cosine_text(angle: &DihedralAngle) -> String {
 
 /// A square root, exactly.
 pub fn root_text(square: &Number) -> String {
-    root(square).unwrap_or_else(|| format!("√({square})"))
+    root(square).unwrap_or_else(|| sign_over(&square.to_string()))
 }
 
 /// Bounds of the cosine, 1e-10 apart or less.

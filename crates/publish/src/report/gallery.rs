@@ -1,15 +1,19 @@
-//! A static site of the whole catalogue: an index with pictures and the table, a page for each
-//! tiling, the paper's statements with verdicts, the documents. All links are relative.
+//! A static site of the whole catalogue. It has an index with pictures and the table, a page for
+//! each tiling, the paper's statements with verdicts, and the documents. All links are relative.
 
 use super::documents::{self, DOCUMENTS, FILES};
+use super::drop;
+use super::histogram::spark;
 use super::html::{escape, fill};
-use super::page::{STYLE, page};
+use super::page::{Links, STYLE, page, shared_files};
 use super::picture::picture;
 use super::proved::Proved;
 use super::summary;
+use super::theorems;
 use acutile_catalog::{self as catalog, Entry};
 use acutile_core::checker::Options;
 use acutile_core::tiling::AnyTiling;
+use acutile_core::with_dimension;
 use acutile_paper::paper::{self, Row, Verdict};
 use acutile_paper::survey::Survey;
 use acutile_paper::table;
@@ -18,6 +22,7 @@ use std::collections::BTreeMap;
 
 const TEMPLATE: &str = include_str!("assets/site.html");
 const SITE_STYLE: &str = include_str!("assets/site.css");
+const SITE_PROGRAM: &str = include_str!("assets/site.js");
 
 /// The files of a site by their paths in it.
 pub type Site = BTreeMap<String, Vec<u8>>;
@@ -29,6 +34,7 @@ pub type Site = BTreeMap<String, Vec<u8>>;
 pub fn gallery() -> Result<Site, String> {
     let entries: Vec<&Entry> = catalog::names().filter_map(catalog::find).collect();
     let proved = prove_all(&entries)?;
+    let theorems = theorems::all()?;
     let survey = Survey::of_catalog();
     let mut site = Site::new();
     let mut put = |path: String, text: String| drop(site.insert(path, text.into_bytes()));
@@ -44,6 +50,19 @@ pub fn gallery() -> Result<Site, String> {
         );
     }
     put("index.html".into(), index(&entries, &proved, &survey)?);
+    for (theorem, page) in theorems.iter().zip(theorems::pages(&theorems)) {
+        put(
+            format!("certificates/{}.json", theorem.name),
+            theorem.json().to_owned(),
+        );
+        put(format!("tilings/{}.html", theorem.name), page);
+    }
+    let families = theorems::body(&theorems);
+    put("theorems.html".into(), site_page("", "Families", &families));
+    let records = theorems::records_body()?;
+    put("records.html".into(), site_page("", "Records", &records));
+    put("verify.html".into(), drop::page());
+    put("site.js".into(), SITE_PROGRAM.to_owned());
     put("paper.html".into(), paper_page(&paper::rows(&survey)));
     put(
         "docs/index.html".into(),
@@ -55,6 +74,9 @@ pub fn gallery() -> Result<Site, String> {
             document.page.into(),
             site_page("../", document.title, &body),
         );
+    }
+    for (path, text) in shared_files() {
+        put(path.into(), text);
     }
     for (path, text) in FILES {
         put(path.into(), text.to_owned());
@@ -71,16 +93,27 @@ struct Shown {
     picture: String,
     certificate: String,
     counts: String,
+    /// A histogram of the angles, small.
+    spark: String,
 }
 
 /// Proves all constructions, several at a time.
 fn prove_all(entries: &[&Entry]) -> Result<Vec<Shown>, String> {
-    let shown: Vec<_> = entries.par_iter().map(|entry| shown(entry)).collect();
+    let name = |index: usize| entries.get(index).map(|entry| entry.name);
+    let one = |(index, entry): (usize, &&Entry)| {
+        let links = Links {
+            index: "index.html",
+            previous: index.checked_sub(1).and_then(name),
+            next: name(index + 1),
+        };
+        shown(entry, &links)
+    };
+    let shown: Vec<_> = entries.par_iter().enumerate().map(one).collect();
     // The error of the first entry, whichever was found first.
     shown.into_iter().collect()
 }
 
-fn shown(entry: &Entry) -> Result<Shown, String> {
+fn shown(entry: &Entry, links: &Links) -> Result<Shown, String> {
     let name = entry.name;
     let tiling = entry.build().map_err(|error| format!("{name}: {error}"))?;
     let description = format!("{} ({})", entry.description, entry.source);
@@ -100,21 +133,65 @@ fn shown(entry: &Entry) -> Result<Shown, String> {
             AnyTiling::Space(tiling) => picture(tiling, &super::facts::classes(tiling), &label),
         },
         counts: summary(&proved),
-        page: page(std::slice::from_ref(&proved), Some("../index.html")),
+        spark: with_dimension!(proved.tiling(), AnyTiling, t => spark(t)),
+        page: page(std::slice::from_ref(&proved), Some(links)),
     })
 }
 
-fn index(entries: &[&Entry], proved: &[Shown], survey: &Survey) -> Result<String, String> {
-    let card = |(entry, shown): (&&Entry, &Shown)| {
-        let name = escape(entry.name);
+/// The groups of the index, in their order.
+const GROUPS: [&str; 4] = [
+    "Tetrahedrally close packed structures",
+    "Other tilings of space",
+    "Slabs, prisms and polyhedra",
+    "The plane",
+];
+
+fn group(entry: &Entry, shown: &Shown) -> &'static str {
+    let [packed, space, parts, plane] = GROUPS;
+    match entry.domain {
+        "plane" | "polygon" => plane,
+        "space" if properties(shown).contains(&"tcp") => packed,
+        "space" => space,
+        _ => parts,
+    }
+}
+
+/// The properties by which the index filters: words of the proved counts.
+fn properties(shown: &Shown) -> Vec<&'static str> {
+    let has = |word: &str| shown.counts.split(", ").any(|part| part == word);
+    let known = [("acute", "acute"), ("TCP", "tcp")];
+    let known = known.into_iter().filter(|(word, _)| has(word));
+    known.map(|(_, property)| property).collect()
+}
+
+fn card(entry: &Entry, shown: &Shown) -> String {
+    let name = escape(entry.name);
+    format!(
+        "<li data-has=\"{}\"><a href=\"tilings/{name}.html\"><img src=\"pictures/{name}.svg\" alt=\"\" loading=\"lazy\">\
+         <b>{name}</b></a><span>{}</span><small>{}</small></li>",
+        properties(shown).join(" "),
+        escape(entry.description),
+        escape(&shown.counts)
+    )
+}
+
+fn groups(entries: &[&Entry], proved: &[Shown]) -> String {
+    let section = |name: &&str| {
+        let members = entries.iter().zip(proved);
+        let members = members.filter(|(entry, shown)| group(entry, shown) == *name);
+        let cards: String = members.map(|(entry, shown)| card(entry, shown)).collect();
         format!(
-            "<li><a href=\"tilings/{name}.html\"><img src=\"pictures/{name}.svg\" alt=\"\" loading=\"lazy\">\
-             <b>{name}</b></a><span>{}</span><small>{}</small></li>",
-            escape(entry.description),
-            escape(&shown.counts)
+            "<section class=\"group\"><h2>{name}</h2><ul class=\"cards\">{cards}</ul></section>"
         )
     };
-    let cards: String = entries.iter().zip(proved).map(card).collect();
+    GROUPS.iter().map(section).collect()
+}
+
+const FILTER: &str = "<form class=\"filter js-only\" role=\"search\"><label>Search <input type=\"search\" name=\"search\"></label>\
+     <label><input type=\"checkbox\" value=\"acute\"> acute</label>\
+     <label><input type=\"checkbox\" value=\"tcp\"> TCP</label><output></output></form>";
+
+fn index(entries: &[&Entry], proved: &[Shown], survey: &Survey) -> Result<String, String> {
     let names: Vec<&str> = entries.iter().map(|entry| entry.name).collect();
     let rows = table::order(&names)
         .into_iter()
@@ -124,25 +201,31 @@ fn index(entries: &[&Entry], proved: &[Shown], survey: &Survey) -> Result<String
         "<h1 class=\"title\">Tilings by acute tetrahedra</h1><p class=\"lead\">Tilings of space, slabs, solids and the plane by tetrahedra and triangles, most of them acute. Each was proved in exact \
          arithmetic, and its certificate confirmed by a small independent kernel, when this site was written. Every page \
          carries its certificate and a verifier that runs in your browser.</p>\
-         <ul class=\"cards\">{cards}</ul>\
+         {FILTER}{}\
          <h2 id=\"table\">Table 1 of the paper, as enclosures</h2>\
          <p>Radius-edge ratio ρ, smallest dihedral angle α and largest dihedral angle β of each tetrahedron, the least and the \
-         largest over the tiling. Minima are rounded down and maxima up; exact values below them where they are short.</p>\
+         largest over the tiling. Minima are rounded down and maxima up; exact values below them where they are short. Click a heading to sort.</p>\
          {}",
-        figures(&rows)
+        groups(entries, proved),
+        figures(&rows, |name| {
+            let index = entries.iter().position(|entry| entry.name == name);
+            index.map_or("", |index| &proved[index].spark)
+        })
     );
     Ok(site_page("", "Tilings by acute tetrahedra", &body))
 }
 
 /// The table with links to the tilings: the cells of its Markdown form.
-fn figures(rows: &[table::Row]) -> String {
+fn figures<'a>(rows: &[table::Row], spark: impl Fn(&str) -> &'a str) -> String {
     let text = table::markdown(rows);
     let mut lines = text
         .lines()
         .map(|line| line.trim_matches(['|', ' ']).split(" | "));
     let head = lines.next().into_iter().flatten();
     let head: String = head
-        .map(|cell| format!("<th scope=\"col\">{cell}</th>"))
+        .map(|cell| {
+            format!("<th scope=\"col\"><span class=\"no-js\">{cell}</span><button type=\"button\" class=\"js-only\">{cell}</button></th>")
+        })
         .collect();
     let row = |(row, cells): (&table::Row, std::str::Split<&str>)| {
         let name = format!(
@@ -151,11 +234,11 @@ fn figures(rows: &[table::Row]) -> String {
             escape(&row.label)
         );
         let figures: String = cells.skip(1).map(figure).collect();
-        format!("<tr>{name}{figures}</tr>")
+        format!("<tr>{name}{figures}<td>{}</td></tr>", spark(&row.name))
     };
     let body: String = rows.iter().zip(lines.skip(1)).map(row).collect();
     format!(
-        "<div class=\"scroll figures\" tabindex=\"0\" role=\"region\" aria-label=\"Table 1\"><table><thead><tr>{head}</tr>\
+        "<div class=\"scroll figures\" tabindex=\"0\" role=\"region\" aria-label=\"Table 1\"><table><thead><tr>{head}<th scope=\"col\">angles, 0° to 180°</th></tr>\
          </thead><tbody>{body}</tbody></table></div>"
     )
 }
@@ -221,7 +304,7 @@ fn paper_row(row: &Row) -> String {
         }
     });
     let mark = match row.verdict {
-        Verdict::Confirmed | Verdict::Rounded(_) => "holds",
+        Verdict::Confirmed | Verdict::ProvedForAll | Verdict::Rounded(_) => "holds",
         Verdict::Misprint | Verdict::Refuted => "differs",
         Verdict::Open | Verdict::Undecided => "open",
     };

@@ -1,21 +1,57 @@
-//! The dihedral angles of one cell as a histogram, in SVG. Bars are two degrees wide and counted
-//! from doubles: a picture, no proof.
+//! The dihedral angles of one cell as a histogram, in SVG. Bars are two degrees wide. From tables they
+//! are counted by doubles: a picture, no proof.
 
 use super::facts::{Facts, degrees, middle};
+use acutile_core::statistics::{Statistics, statistics};
+use acutile_core::tiling::Tiling;
 use std::collections::BTreeMap;
 use std::fmt::Write;
 
 const BIN: f64 = 2.0;
+/// The same for [`Statistics`].
+pub const DEGREES_PER_BIN: u32 = 2;
 const WIDTH: f64 = 640.0;
 const HEIGHT: f64 = 200.0;
-/// Room below for the degrees, above for the counts.
+/// Why a proved tiling has statistics.
+pub const METRIC: &str = "the metric of a proved tiling is positive definite";
+/// The heights below for the degrees, above for the counts.
 const BELOW: f64 = 34.0;
 const ABOVE: f64 = 18.0;
 const SIDE: f64 = 12.0;
 
 /// The histogram; `simplex` is what the simplices are called.
 pub fn histogram(facts: &Facts, simplex: &str) -> String {
-    let bins = bins(facts);
+    drawn(&bins(facts), simplex)
+}
+
+/// The histogram of a mesh, counted exactly.
+pub fn histogram_of(statistics: &Statistics, simplex: &str) -> String {
+    let counted = (0..).zip(&statistics.histogram);
+    let bins = counted.filter(|(_, count)| **count > 0);
+    drawn(&bins.map(|(bin, count)| (bin, *count)).collect(), simplex)
+}
+
+/// All angles of a proved tiling from 0 to 180 degrees as bars without labels.
+///
+/// # Panics
+/// Never for a proved tiling.
+pub fn spark<const D: usize>(tiling: &Tiling<D>) -> String {
+    let counts = statistics(tiling, 5).expect(METRIC).histogram;
+    let most = counts.iter().max().copied().unwrap_or(1).max(1);
+    let bars = (0..).zip(&counts).filter(|(_, count)| **count > 0);
+    let bar = |(k, count): (usize, &usize)| {
+        let height = 1.0 + 19.0 * *count as f64 / most as f64;
+        format!(
+            "<rect x=\"{}\" y=\"{:.1}\" width=\"1.6\" height=\"{height:.1}\"/>",
+            2 * k,
+            20.0 - height
+        )
+    };
+    let bars: String = bars.map(bar).collect();
+    format!("<svg class=\"spark\" viewBox=\"0 0 72 20\" aria-hidden=\"true\">{bars}</svg>")
+}
+
+fn drawn(bins: &BTreeMap<i64, usize>, simplex: &str) -> String {
     let first = bins.keys().next().map_or(0, |bin| bin - 1);
     let last = bins.keys().last().map_or(45, |bin| bin + 1);
     let (low, high) = (
@@ -28,10 +64,10 @@ pub fn histogram(facts: &Facts, simplex: &str) -> String {
     let mut svg = format!(
         "<svg class=\"histogram\" viewBox=\"0 0 {WIDTH} {HEIGHT}\" role=\"img\" aria-label=\"Histogram: \
          {}\">",
-        in_words(&bins, simplex)
+        in_words(bins, simplex)
     );
     let base = HEIGHT - BELOW;
-    for (&bin, &count) in &bins {
+    for (&bin, &count) in bins {
         let (left, right) = (bin as f64 * BIN, (bin + 1) as f64 * BIN);
         // Writing to a string cannot fail.
         let _ = write!(

@@ -1,8 +1,11 @@
 //! The project's documents as HTML: headings get names, links and images lead inside the site or are
 //! left out.
 
+use super::formulas::marked;
 use super::html::escape;
-use pulldown_cmark::{Alignment, CowStr, Event, Options, Parser, Tag, TagEnd, html};
+use pulldown_cmark::{
+    Alignment, CowStr, Event, Options, Parser, Tag, TagEnd, TextMergeStream, html,
+};
 use std::collections::BTreeMap;
 
 /// A document of the project.
@@ -12,8 +15,22 @@ pub struct Document {
     pub path: &'static str,
     /// Where it stands in the site.
     pub page: &'static str,
+    /// The title in lists and in the page's head.
     pub title: &'static str,
+    /// The document in Markdown.
     pub text: &'static str,
+    /// Whether it has formulas in its running text, as proofs have.
+    pub has_formulas: bool,
+}
+
+impl Document {
+    /// The same document, with formulas in its text.
+    pub const fn with_formulas(self) -> Document {
+        Document {
+            has_formulas: true,
+            ..self
+        }
+    }
 }
 
 /// A document's text as HTML. `target` gives for a path of the repository the link from this
@@ -21,7 +38,8 @@ pub struct Document {
 /// link goes.
 pub fn to_html(document: &Document, target: impl Fn(&str) -> Option<String>) -> String {
     let options = Options::ENABLE_TABLES | Options::ENABLE_FOOTNOTES;
-    let mut events: Vec<Event> = Parser::new_ext(document.text, options).collect();
+    let parser = TextMergeStream::new(Parser::new_ext(document.text, options));
+    let mut events: Vec<Event> = parser.collect();
     name_headings(&mut events);
     let mut open = Vec::new();
     events.retain_mut(|event| match event {
@@ -41,7 +59,23 @@ pub fn to_html(document: &Document, target: impl Fn(&str) -> Option<String>) -> 
         }
         _ => true,
     });
+    if document.has_formulas {
+        mark_formulas(&mut events);
+    }
     render(events)
+}
+
+/// Formulas outside of headings and blocks of code become MathML.
+fn mark_formulas(events: &mut [Event]) {
+    let mut is_plain = true;
+    for event in events {
+        match event {
+            Event::Start(Tag::CodeBlock(_) | Tag::Heading { .. }) => is_plain = false,
+            Event::End(TagEnd::CodeBlock | TagEnd::Heading(_)) => is_plain = true,
+            Event::Text(text) if is_plain => *event = Event::InlineHtml(marked(text).into()),
+            _ => {}
+        }
+    }
 }
 
 /// HTML without style attributes, which the site's content security policy forbids: columns are
@@ -54,7 +88,22 @@ fn render(mut events: Vec<Event>) -> String {
     }
     let mut page = String::new();
     html::push_html(&mut page, events.into_iter());
-    page
+    reachable(&page)
+}
+
+/// Code and tables scroll where they are too wide, so the keyboard has to reach them. A heading without words is none. In the text of
+/// a page these marks are escaped.
+fn reachable(page: &str) -> String {
+    page.replace(
+        "<pre>",
+        "<pre tabindex=\"0\" role=\"group\" aria-label=\"Code\">",
+    )
+    .replace(
+        "<table>",
+        "<div class=\"scroll\" tabindex=\"0\" role=\"group\" aria-label=\"Table\"><table>",
+    )
+    .replace("</table>", "</table></div>")
+    .replace("<th></th>", "<td></td>")
 }
 
 /// Links to the outside and within the page stay; others are looked up by their path.
@@ -115,4 +164,26 @@ fn slug(words: &str) -> String {
     kept.flat_map(char::to_lowercase)
         .map(|c| if c == ' ' { '-' } else { c })
         .collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{Document, to_html};
+
+    #[test]
+    fn what_scrolls_has_the_focus() {
+        let document = Document {
+            path: "a.md",
+            page: "docs/a.html",
+            title: "A",
+            text: "| | b |\n|---|---|\n| c | `<table>` |\n\n```\n<pre>\n```\n",
+            has_formulas: false,
+        };
+        assert_eq!(
+            to_html(&document, |_| None),
+            "<div class=\"scroll\" tabindex=\"0\" role=\"group\" aria-label=\"Table\"><table><thead><tr><td></td><th>b</th></tr></thead><tbody>\n\
+             <tr><td>c</td><td><code>&lt;table&gt;</code></td></tr>\n</tbody></table></div>\n\
+             <pre tabindex=\"0\" role=\"group\" aria-label=\"Code\"><code>&lt;pre&gt;\n</code></pre>\n"
+        );
+    }
 }

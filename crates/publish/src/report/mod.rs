@@ -6,13 +6,21 @@
 //! | `proved` | [`Proved`]: a certificate with the kernel's word, the only thing that is shown as proved |
 //! | `facts` | the exact values of a tiling, each once |
 //! | `data` | these values for the page's program |
+//! | `foam` | Voronoi cells for the view |
 //! | `article` | the same as text and tables, readable without a program |
+//! | `theorem` | [`Theorem`]: a confirmed family or system of patches |
+//! | `family`, `patches`, `mosaics` | their articles |
+//! | `math` | formulas as MathML |
+//! | `mesh` | the article of a tiling with too many different simplices for tables |
 //! | `refutation` | a refuted tiling: its defects in words and in the picture |
 //! | `histogram`, `picture` | drawings in SVG |
 //! | `page` | the page: one file that loads nothing |
 //! | `html` | escaping, templates |
 //! | `gallery` | the site |
+//! | `theorems` | its pages of families, systems of patches and records |
+//! | `drop` | its page that verifies any certificate in the reader's browser |
 //! | `documents`, `markdown` | the project's documents in it |
+//! | `formulas` | formulas in their text |
 //! | `assets` | template, style, program, and the verifier in JavaScript |
 //!
 //! Nothing here proves anything.
@@ -21,15 +29,25 @@ mod article;
 mod colour;
 mod data;
 mod documents;
+mod drop;
 mod facts;
+mod family;
+mod foam;
+mod formulas;
 mod gallery;
 mod histogram;
 mod html;
 mod markdown;
+mod math;
+mod mesh;
+mod mosaics;
 mod page;
+mod patches;
 mod picture;
 mod proved;
 mod refutation;
+mod theorem;
+mod theorems;
 
 pub use documents::DOCUMENTS;
 pub use gallery::{Site, gallery};
@@ -37,6 +55,7 @@ pub use markdown::Document;
 pub use page::{Shown, mixed_page, page};
 pub use proved::{NotProved, Proved};
 pub use refutation::{Listed, Refutation};
+pub use theorem::Theorem;
 
 use acutile_core::statement::Statement;
 use acutile_core::tiling::AnyTiling;

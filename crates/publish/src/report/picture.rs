@@ -8,8 +8,10 @@
 //! spheres. For other tilings this order, and hence the picture, may be wrong in places; the text
 //! beside it does not depend on it.
 
-use super::colour::{colour, hex};
+use super::colour::{hex, part};
 use super::data::basis;
+use crate::palette::Palette;
+use acutile_core::quality::shapes;
 use acutile_core::tiling::{Corner, Facet, SimplexId, Tiling, supercell};
 use acutile_exact::geometry::linear;
 use std::collections::{BTreeMap, BTreeSet};
@@ -34,15 +36,22 @@ struct Face {
 /// The picture of simplices of these congruence classes; `label` describes it and is escaped
 /// already. Few triangles of the plane are shown with their neighbours.
 pub fn picture<const D: usize>(tiling: &Tiling<D>, classes: &[usize], label: &str) -> String {
+    let palette = Palette::of(&shapes(tiling));
     if D == 2 && tiling.len() < 12 {
         let sizes: [u16; D] = std::array::from_fn(|k| if k < tiling.frame.rank() { 3 } else { 1 });
         let copies = sizes.iter().map(|&n| usize::from(n)).product();
-        return cell_picture(&supercell(tiling, sizes), &classes.repeat(copies), label);
+        let classes = classes.repeat(copies);
+        return cell_picture(&supercell(tiling, sizes), &classes, &palette, label);
     }
-    cell_picture(tiling, classes, label)
+    cell_picture(tiling, classes, &palette, label)
 }
 
-fn cell_picture<const D: usize>(tiling: &Tiling<D>, classes: &[usize], label: &str) -> String {
+fn cell_picture<const D: usize>(
+    tiling: &Tiling<D>,
+    classes: &[usize],
+    palette: &Palette,
+    label: &str,
+) -> String {
     let basis = basis(tiling);
     let mut faces = Vec::new();
     let moves: Vec<[i32; D]> = tiling
@@ -52,7 +61,7 @@ fn cell_picture<const D: usize>(tiling: &Tiling<D>, classes: &[usize], label: &s
     let inner = inner_facets(tiling, &moves);
     for (simplex, &class) in tiling.indices().zip(classes) {
         let corners = placed(tiling, &basis, simplex, moves[simplex.index()]);
-        let colour = colour(class);
+        let colour = part(palette.colour(class));
         match D {
             2 => faces.push(flat_face(&corners, colour)),
             _ => faces.extend(solid_faces(&corners, colour, |k| {

@@ -27,6 +27,7 @@ pub struct Proved {
 /// Why there is nothing to show as proved.
 #[derive(Debug)]
 pub struct NotProved {
+    /// The verdict of the prover.
     pub reason: Box<proved::NotProved>,
     /// The same in words, with the first defect of a tiling.
     pub message: String,

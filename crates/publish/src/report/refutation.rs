@@ -19,6 +19,8 @@ const DRAWN: usize = 4000;
 pub struct Refutation {
     /// The name of its file.
     pub name: String,
+    /// A certificate that the kernel refuses, in JSON; `None` for a file that is none.
+    pub refused: Option<String>,
     /// The verdict in a sentence.
     pub verdict: String,
     /// Further sentences: what was done to the input, what a repair would change.
@@ -36,12 +38,17 @@ pub struct Refutation {
 /// A defect in words, with the places where it is drawn.
 #[derive(Debug)]
 pub struct Listed {
+    /// The stable name of the kind of defect.
     pub code: &'static str,
+    /// The defect in one sentence.
     pub words: String,
     /// The corners with their exact coordinates.
     pub places: Vec<String>,
+    /// Possible repairs, each a sentence.
     pub advice: Vec<String>,
+    /// The simplices that it names.
     pub simplices: Vec<SimplexId>,
+    /// The facets that it names.
     pub facets: Vec<Facet>,
     /// A point that shows the defect, in the basis, rounded.
     pub point: Option<Vec<f64>>,
@@ -64,12 +71,45 @@ pub fn article(index: usize, refutation: &Refutation) -> String {
         &[
             ("index", &index.to_string()),
             ("name", &escape(&refutation.name)),
+            ("heading", heading(refutation)),
+            ("buttons", buttons(refutation)),
+            ("note", note(refutation)),
             ("counts", &format!("{count} {word}")),
             ("verdict", &escape(&refutation.verdict)),
             ("notes", &notes),
             ("defects", &groups(refutation)),
         ],
     )
+}
+
+fn heading(refutation: &Refutation) -> &'static str {
+    match refutation.refused {
+        None => "Not a valid tiling",
+        Some(_) => "Not proved",
+    }
+}
+
+fn buttons(refutation: &Refutation) -> &'static str {
+    match refutation.refused {
+        None => "<button type=\"button\" data-action=\"all\">All defects</button>",
+        Some(_) => {
+            "<button type=\"button\" class=\"primary\" data-action=\"verify\">Verify in this browser</button>\
+             <button type=\"button\" data-action=\"certificate\">Download certificate</button>"
+        }
+    }
+}
+
+fn note(refutation: &Refutation) -> &'static str {
+    match refutation.refused {
+        None => {
+            "The prover found these defects in exact arithmetic; no rounding and no tolerance is part of it. Coordinates are as in the \
+             file. Numbers after \u{201c}about\u{201d} are cut off; the picture is made of doubles."
+        }
+        Some(_) => {
+            "The kernel stops at the first rule that a certificate breaks; there may be more. Nothing that the certificate claims is \
+             proved, and nothing is refuted by this: the picture shows what the certificate describes, in doubles."
+        }
+    }
 }
 
 /// The defects by kind, in the order in which the prover found the kinds.
@@ -139,6 +179,8 @@ fn data_of<const D: usize>(tiling: &Tiling<D>, refutation: &Refutation) -> Value
     let names = refutation.names.iter();
     json!({
         "name": refutation.name,
+        "certificate": refutation.refused,
+        "sha256": "",
         "dimension": D,
         "rank": tiling.frame.rank(),
         "basis": basis(tiling),

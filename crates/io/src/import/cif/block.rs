@@ -17,7 +17,7 @@ const PAIRS: usize = usize::MAX;
 
 /// A data block.
 pub struct Block<'t> {
-    /// What follows `data_`.
+    /// The text after `data_`.
     pub name: &'t str,
     loops: Vec<Loop<'t>>,
     /// Loop and column of each tag.
@@ -58,8 +58,19 @@ impl<'t> Column<'_, 't> {
 }
 
 impl<'t> Block<'t> {
-    /// The values of the first of these tags, in the spelling of [`normal`], that has a value
-    /// which is known; of the first that is there if none has.
+    /// The tags of numbers of the cell and of coordinates that have a standard uncertainty in a tag of its own, the
+    /// first one.
+    pub fn separate_uncertainty(&self) -> Option<&str> {
+        let is_one = |tag: &&str| {
+            let is_number = ["_cell_length_", "_cell_angle_", "_atom_site_fract_"];
+            is_number.iter().any(|start| tag.starts_with(start))
+                && (tag.ends_with("_su") || tag.ends_with("_esd"))
+        };
+        self.places.keys().map(String::as_str).filter(is_one).min()
+    }
+
+    /// The values of the first of these tags, in the spelling of [`normal`], with a known value.
+    /// If none has one, those of the first tag that is there.
     pub fn column(&self, tags: &[&str]) -> Option<Column<'_, 't>> {
         let mut there = tags.iter().filter_map(|&tag| self.exact(tag));
         let first = there.next()?;
@@ -144,7 +155,7 @@ fn normal(tag: &str) -> String {
 /// The data blocks of a text.
 ///
 /// # Errors
-/// What is no CIF, with its line.
+/// Text that is no CIF, with its line.
 pub fn blocks(text: &str) -> Result<Vec<Block<'_>>, ImportError> {
     let mut tokens = Tokens::of(text);
     let mut blocks: Vec<Block> = Vec::new();
@@ -195,7 +206,7 @@ fn read_pair<'t>(
     tokens.next()
 }
 
-/// The tags and then the values of a loop; the word behind them.
+/// The tags and then the values of a loop; the word after them.
 fn read_loop<'t>(
     line: u32,
     tokens: &mut Tokens<'t>,

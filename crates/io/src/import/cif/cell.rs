@@ -1,9 +1,9 @@
 //! The cell of a data block, as the Gram matrix of its basis.
 //!
 //! b_i · b_j = a_i a_j cos θ_ij. Lengths are decimals; the cosines of 60, 90 and 120
-//! degrees are rational. Any other decimal angle has an irrational cosine (Niven): it is
-//! rounded to 15 decimals, so that the field stays Q, and a note says so. What is
-//! proved is then proved of that lattice. A missing angle is 90 degrees, as the dictionary says.
+//! degrees are rational. Any other decimal angle has an irrational cosine (Niven). It is
+//! rounded to 15 decimals, so that the field stays Q, and a note says so. The proof is
+//! then about that lattice. A missing angle is 90 degrees, as the dictionary says.
 
 use super::block::Block;
 use super::decimal::Decimal;
@@ -24,6 +24,8 @@ pub struct Cell {
     pub lengths: [Decimal; 3],
     /// cos α, cos β, cos γ
     pub cosines: [Rational; 3],
+    /// For each angle with an uncertainty an interval that contains the cosines of all its values.
+    pub cosine_ranges: [Option<(Rational, Rational)>; 3],
     /// One unit of the last written digit of each angle, in degrees.
     pub angle_units: [Rational; 3],
     /// Angle and cosine in words, for each that was rounded; angles that are missing.
@@ -47,6 +49,7 @@ pub fn cell(block: &Block) -> Result<Cell, ImportError> {
     }
     let mut cosines = [(); 3].map(|()| Rational::from(0));
     let mut angle_units = cosines.clone();
+    let mut cosine_ranges = [None, None, None];
     let mut uncertain = 0;
     for (k, name) in ["alpha", "beta", "gamma"].into_iter().enumerate() {
         let Some(angle) = positive(block, &format!("_cell_angle_{name}"), Some(180))? else {
@@ -58,16 +61,21 @@ pub fn cell(block: &Block) -> Result<Cell, ImportError> {
         let (cosine, words) = cosine(name, &angle.value);
         notes.extend(words);
         cosines[k] = cosine;
-        uncertain += usize::from(angle.uncertain);
+        cosine_ranges[k] = cosine_range(&angle);
+        uncertain += usize::from(angle.uncertainty.is_some());
         angle_units[k] = angle.unit;
     }
-    uncertain += lengths.iter().filter(|length| length.uncertain).count();
+    uncertain += lengths
+        .iter()
+        .filter(|length| length.uncertainty.is_some())
+        .count();
     let gram = gram([&lengths[0], &lengths[1], &lengths[2]], &cosines);
     check_positive(block, &gram)?;
     Ok(Cell {
         gram,
         lengths: std::array::from_fn(|k| lengths[k].clone()),
         cosines,
+        cosine_ranges,
         angle_units,
         notes,
         uncertain,
@@ -105,7 +113,24 @@ fn positive(block: &Block, tag: &str, limit: Option<u8>) -> Result<Option<Decima
     Ok(Some(number))
 }
 
-/// The cosine of an angle, rounded where it must be, and what to say of that.
+/// The cosines of an angle within its uncertainty, rounded outward; the cosine falls.
+fn cosine_range(angle: &Decimal) -> Option<(Rational, Rational)> {
+    let su = angle.uncertainty.as_ref().filter(|su| **su > 0)?;
+    let width = Rational::from(10).pow(-COSINE_DECIMALS);
+    let (least, most) = (&angle.value - su, &angle.value + su);
+    // The cosine falls from 0 to 180 degrees only, and no angle of a cell is beyond.
+    let low = match most < 180 {
+        true => cos_of_degrees(&most, &width).0,
+        false => Rational::from(-1),
+    };
+    let high = match least > 0 {
+        true => cos_of_degrees(&least, &width).1,
+        false => Rational::from(1),
+    };
+    Some((low, high))
+}
+
+/// The cosine of an angle, rounded where it must be, and the note about it.
 fn cosine(name: &str, degrees: &Rational) -> (Rational, Option<String>) {
     let scale = Rational::from(10).pow(COSINE_DECIMALS);
     let width = (&scale * Rational::from(1_000_000)).pow(-1i64);

@@ -1,7 +1,6 @@
 //! The numbers of a CIF: decimals taken exactly as written, with their last written digit.
 //!
-//! `0.1234(5)` is 1234/10000: the standard uncertainty in parentheses is understood and
-//! left out. `1/3` is no number of CIF, but it is read, exactly.
+//! `0.1234(5)` is 1234/10000 with the standard uncertainty 5/10000. `1/3` is no number of CIF, but it is read, exactly.
 
 use malachite::base::num::arithmetic::traits::{Abs, Floor, Pow};
 use malachite::base::num::conversion::traits::RoundingFrom;
@@ -18,11 +17,11 @@ pub struct Decimal {
     pub value: Rational,
     /// One unit of the last written digit; zero for a fraction like 1/3 or an integer.
     pub unit: Rational,
-    /// Whether a standard uncertainty follows.
-    pub uncertain: bool,
+    /// The standard uncertainty, if one follows.
+    pub uncertainty: Option<Rational>,
 }
 
-/// What became of a number that was to be snapped.
+/// The result of snapping a number.
 #[derive(Debug, PartialEq)]
 pub enum Snapped {
     /// It is a multiple of 1/denominator, or no such multiple agrees with it.
@@ -37,7 +36,7 @@ impl Decimal {
     /// Reads a number.
     ///
     /// # Errors
-    /// What was expected.
+    /// The expected text.
     pub fn parse(text: &str) -> Result<Decimal, String> {
         let mut rest = text;
         let negative = rest.starts_with('-');
@@ -56,8 +55,8 @@ impl Decimal {
 
     /// The multiple k/n that the number is written for.
     ///
-    /// It is rounded to two digits or more, and differs by at most half a unit of the last one;
-    /// or it is cut off after three digits or more, and differs by less than a unit. A multiple
+    /// It is rounded to two digits or more, and differs by at most half a unit of the last one.
+    /// Or it is cut off after three digits or more, and differs by less than a unit. A multiple
     /// within a unit of a shorter number is a coincidence: 0.6 is not 2/3.
     pub fn snap(&self, denominator: u32) -> Snapped {
         let n = Rational::from(denominator);
@@ -86,7 +85,7 @@ impl Decimal {
     }
 }
 
-/// A value to so many decimals at most, for a message.
+/// A value rounded to at most `decimals` decimals, for a message.
 pub fn about(value: &Rational, decimals: usize) -> String {
     let digits = format!("{:.decimals$}", f64::rounding_from(value, Nearest).0);
     digits
@@ -125,7 +124,7 @@ fn fraction(numerator: &str, denominator: &str) -> Option<Decimal> {
     Some(Decimal {
         value: Rational::from_naturals(natural(numerator)?, denominator),
         unit: Rational::from(0),
-        uncertain: false,
+        uncertainty: None,
     })
 }
 
@@ -142,14 +141,14 @@ fn decimal(whole: &str, mut rest: &str) -> Option<Decimal> {
         rest = tail;
         power += exponent(&mut rest)?;
     }
-    let uncertain = !rest.is_empty();
-    if uncertain {
-        let inner = rest.strip_prefix('(')?.strip_suffix(')')?;
-        if inner.is_empty() || !inner.bytes().all(|byte| byte.is_ascii_digit()) {
-            return None;
-        }
-    }
     let place = Rational::from(10).pow(power);
+    let mut uncertainty = None;
+    if !rest.is_empty() {
+        let inner = rest.strip_prefix('(')?.strip_suffix(')')?;
+        let is_digits = inner.bytes().all(|byte| byte.is_ascii_digit());
+        let units = natural(inner).filter(|_| is_digits)?;
+        uncertainty = Some(Rational::from(units) * &place);
+    }
     let unit = if power < 0 {
         place.clone()
     } else {
@@ -158,7 +157,7 @@ fn decimal(whole: &str, mut rest: &str) -> Option<Decimal> {
     Some(Decimal {
         value: Rational::from(mantissa) * place,
         unit,
-        uncertain,
+        uncertainty,
     })
 }
 
@@ -180,20 +179,21 @@ mod tests {
 
     #[test]
     fn numbers_as_written() {
-        for (text, value, unit, uncertain) in [
-            ("0.1234(5)", q(617, 5000), q(1, 10000), true),
-            ("-.25", q(-1, 4), q(1, 100), false),
-            ("+5.", q(5, 1), q(0, 1), false),
-            ("90", q(90, 1), q(0, 1), false),
-            ("12.50(12)", q(25, 2), q(1, 100), true),
-            ("1.5e-2(3)", q(3, 200), q(1, 1000), true),
-            ("2E+1", q(20, 1), q(0, 1), false),
-            ("2/6", q(1, 3), q(0, 1), false),
+        for (text, value, unit, uncertainty) in [
+            ("0.1234(5)", q(617, 5000), q(1, 10000), Some(q(5, 10000))),
+            ("-.25", q(-1, 4), q(1, 100), None),
+            ("+5.", q(5, 1), q(0, 1), None),
+            ("90", q(90, 1), q(0, 1), None),
+            ("90(1)", q(90, 1), q(0, 1), Some(q(1, 1))),
+            ("12.50(12)", q(25, 2), q(1, 100), Some(q(12, 100))),
+            ("1.5e-2(3)", q(3, 200), q(1, 1000), Some(q(3, 1000))),
+            ("2E+1", q(20, 1), q(0, 1), None),
+            ("2/6", q(1, 3), q(0, 1), None),
         ] {
             let expected = Decimal {
                 value,
                 unit,
-                uncertain,
+                uncertainty,
             };
             assert_eq!(Decimal::parse(text), Ok(expected), "{text}");
         }

@@ -1,9 +1,9 @@
 //! Every operation must be an isometry of the cell: Rᵀ G R = G, exactly.
 //!
 //! Written numbers are rounded: a = 24.177 and b = 24.1765 are one length. If the operations fit
-//! the cell within half a unit of each last digit, the cell is replaced by one that they fit
-//! exactly: first by equal lengths where two agree within their digits, then by the mean of the
-//! metric under the operations. Otherwise the file is refused.
+//! the cell within half a unit of each last digit, a cell that they fit exactly replaces it. First,
+//! lengths that agree within their digits become equal. Then the mean of the metric under the
+//! operations is taken. Otherwise the file is refused.
 
 use super::cell::{Cell, Gram, gram};
 use super::decimal::about;
@@ -17,7 +17,7 @@ use malachite::base::num::arithmetic::traits::Abs;
 /// A bound for π / 180.
 const RADIANS: (i64, i64) = (17_454, 1_000_000);
 
-/// Makes the metric invariant under the operations; what was changed is returned in words.
+/// Makes the metric invariant under the operations; returns the changes in words.
 ///
 /// # Errors
 /// An operation that does not fit the cell within the written digits.

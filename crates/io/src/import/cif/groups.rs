@@ -1,8 +1,8 @@
-//! What a block says of its space group besides the list of operations: Hall symbol,
+//! The statements of a block about its space group besides the list of operations: Hall symbol,
 //! Hermann-Mauguin symbols and number. All must agree with the list, or they replace it.
 //!
-//! A Hermann-Mauguin symbol without an origin choice says nothing of the origin, so the list may differ
-//! from the tables by a shift of the origin. A Hall symbol and a symbol with a choice say it all.
+//! A Hermann-Mauguin symbol without an origin choice says nothing of the origin. So the list may
+//! differ from the tables by a shift of the origin. A Hall symbol and a symbol with a choice say it all.
 
 use super::block::Block;
 use super::cell::Cell;

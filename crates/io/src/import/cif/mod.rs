@@ -1,5 +1,7 @@
-//! Crystallographic information files (CIF 1.1 and 2.0): a point set from a cell, a list of
-//! symmetry operations and sites. docs/cif.md says what is read.
+//! Crystallographic information files (CIF 1.1 and 2.0).
+//!
+//! A cell, a list of symmetry operations and sites give a point set. docs/cif.md lists the parts that
+//! are read.
 //!
 //! | file | does |
 //! |---|---|
@@ -15,6 +17,7 @@
 //! | `sites` | the sites of the asymmetric unit |
 //! | `special` | sites near special positions |
 //! | `orbits` | the atoms of a cell |
+//! | `uncertainty` | free numbers with standard uncertainties, as parameters |
 //! | `notes` | counts and warnings |
 //!
 //! Coordinates become the rationals that are written. A note names every change.
@@ -34,6 +37,7 @@ mod sites;
 mod special;
 mod symmetry;
 mod token;
+mod uncertainty;
 
 pub use decimal::Decimal;
 pub use options::{CifOptions, Special};
@@ -69,8 +73,8 @@ pub fn is_cif(path: &Path, text: &str) -> bool {
 /// Reads the text of a CIF.
 ///
 /// # Errors
-/// [`ImportError`] with the line: no CIF, something missing, a list of operations that is no
-/// group or does not fit the cell, a site near a special position, disorder.
+/// [`ImportError`] with the line: no CIF, something missing, a site near a special position, disorder.
+/// Or the list of operations is no group, or does not fit the cell.
 pub fn read_cif(text: &str, options: &CifOptions) -> Result<Structure, ImportError> {
     if text.len() > CIF_LIMIT {
         return Err(ImportError::TooLong {
@@ -88,6 +92,18 @@ pub fn read_cif(text: &str, options: &CifOptions) -> Result<Structure, ImportErr
     check_snapped(&sites.sites, &operations, options)?;
     let moved = special::settle(&mut sites.sites, &operations, options.special)?;
     let (atoms, merged) = orbits::atoms(&sites.sites, &operations, options.ignore_occupancy)?;
+    let variation = match options.within_su {
+        true => {
+            uncertainty::check_readable(block, &cell)?;
+            Some(uncertainty::variation(
+                &cell,
+                &sites.sites,
+                &operations,
+                &atoms,
+            )?)
+        }
+        false => None,
+    };
 
     let mut notes = Vec::new();
     if blocks.len() > 1 {
@@ -100,8 +116,11 @@ pub fn read_cif(text: &str, options: &CifOptions) -> Result<Structure, ImportErr
     notes.extend(named);
     notes.extend(notes::replacements(&operations));
     notes.extend(sites.notes.iter().cloned());
-    notes.extend(notes::uncertainties(cell.uncertain + sites.uncertain));
-    notes.extend(cell.notes);
+    match &variation {
+        Some(variation) => notes.push(notes::within_uncertainties(variation.intervals.len())),
+        None => notes.extend(notes::uncertainties(cell.uncertain + sites.uncertain)),
+    }
+    notes.extend(cell.notes.iter().cloned());
     notes.extend(fitted);
     notes.extend(moved);
     notes.extend(merged);
@@ -116,6 +135,7 @@ pub fn read_cif(text: &str, options: &CifOptions) -> Result<Structure, ImportErr
             .collect(),
         elements: atoms.iter().map(|atom| of_site(atom).element).collect(),
         notes,
+        variation,
     };
     structure.note_distance();
     Ok(structure)

@@ -4,6 +4,7 @@ use super::decimal::about;
 use super::orbits::{self, Atom, PAIR_LIMIT};
 use super::sites::{Site, Sites};
 use super::symmetry::Listed;
+use acutile_core::statement::counted;
 
 /// How many sites the count names.
 const NAMED_SITES: usize = 20;
@@ -35,6 +36,11 @@ pub fn uncertainties(count: usize) -> Option<String> {
              is exact"
         )
     })
+}
+
+/// The free numbers that are parameters.
+pub fn within_uncertainties(count: usize) -> String {
+    format!("{count} free numbers take all values within their standard uncertainties")
 }
 
 /// The number of atoms of each site.
@@ -69,7 +75,7 @@ fn near_atoms(sites: &[Site], atoms: &[Atom]) -> Vec<String> {
     };
     let named = pairs.iter().take(NAMED_PAIRS).map(|&(i, j)| {
         let (a, b) = (place(&atoms[i]), place(&atoms[j]));
-        format!("warning: the atoms {a} and {b} differ by no more than the written digits tell")
+        format!("warning: the atoms {a} and {b} differ by no more than the precision of the written digits")
     });
     let mut notes: Vec<String> = named.collect();
     if !pairs.is_empty() {
@@ -89,9 +95,10 @@ fn near_atoms(sites: &[Site], atoms: &[Atom]) -> Vec<String> {
 
 fn counts(sites: &Sites, operations: usize, atoms: &[usize]) -> String {
     let chosen = sites.sites.len();
-    let of = match chosen == sites.listed {
-        true => String::new(),
-        false => format!(" of {}", sites.listed),
+    let of = if chosen == sites.listed {
+        String::new()
+    } else {
+        format!(" of {}", sites.listed)
     };
     let each = sites.sites.iter().zip(atoms).take(NAMED_SITES);
     let mut each: Vec<String> = each
@@ -101,9 +108,15 @@ fn counts(sites: &Sites, operations: usize, atoms: &[usize]) -> String {
         each.push("…".to_owned());
     }
     format!(
-        "{chosen}{of} sites, {operations} operations, {} images, {} atoms in a cell: {}",
-        chosen * operations,
-        atoms.iter().sum::<usize>(),
+        "{}, {}, {}, {} in a cell: {}",
+        if of.is_empty() {
+            counted(chosen, "site", "sites")
+        } else {
+            format!("{chosen}{of} sites")
+        },
+        counted(operations, "operation", "operations"),
+        counted(chosen * operations, "image", "images"),
+        counted(atoms.iter().sum(), "atom", "atoms"),
         each.join(", "),
     )
 }

@@ -17,7 +17,7 @@ pub type Rotation = [[i64; 3]; 3];
 /// A list may not be longer.
 pub const OPERATION_LIMIT: usize = 1000;
 
-/// Nor the text of an operation: the entries of R, sums of so many signs at most, stay small.
+/// The longest text of an operation. The entries of R are sums of at most this many signs, and stay small.
 const TEXT_LIMIT: usize = 200;
 
 /// x -> R x + t.
@@ -36,7 +36,7 @@ impl Operation {
     /// Reads an operation; decimals are snapped where a denominator is given.
     ///
     /// # Errors
-    /// What was expected.
+    /// The expected text.
     pub fn parse(text: &str, snap: Option<u32>) -> Result<Operation, String> {
         if text.len() > TEXT_LIMIT {
             return Err(format!("is longer than {TEXT_LIMIT} bytes"));

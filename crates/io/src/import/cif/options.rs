@@ -15,9 +15,11 @@ pub struct CifOptions {
     pub ignore_occupancy: bool,
     /// Sites that lie on a special position within their digits.
     pub special: Special,
+    /// Make the free numbers with standard uncertainties parameters.
+    pub within_su: bool,
 }
 
-/// What becomes of a site that an operation moves by less than the site's written digits.
+/// The treatment of a site that an operation moves by less than the site's written digits.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Special {
     /// The file is refused: the number of atoms is not certain.

@@ -13,7 +13,7 @@ use std::collections::HashMap;
 
 /// Images, before merging.
 const IMAGE_LIMIT: usize = 200_000;
-/// Near pairs are looked for until so many are found.
+/// The number of near pairs after which the search ends.
 pub const PAIR_LIMIT: usize = 1000;
 /// No coordinate is taken to be written less finely than this when near images are
 /// looked for: an atom is larger.
@@ -25,7 +25,9 @@ pub struct Atom {
     pub position: [Rational; 3],
     /// Index of its site.
     pub site: usize,
-    /// How far each coordinate may be from what was meant, for all that the written digits tell.
+    /// Index of the operation that takes the site to it.
+    pub operation: usize,
+    /// The distance within which the intended value of each coordinate lies, by the written digits.
     error: [f64; 3],
 }
 
@@ -57,7 +59,7 @@ pub fn atoms(
     let mut places: HashMap<[Rational; 3], usize> = HashMap::new();
     let mut repeated = Vec::new();
     for (index, site) in sites.iter().enumerate() {
-        for listed in operations {
+        for (operation, listed) in operations.iter().enumerate() {
             let position = listed.operation.apply(&site.position).map(fractional);
             let Some(&other) = places.get(&position) else {
                 places.insert(position.clone(), index);
@@ -65,6 +67,7 @@ pub fn atoms(
                 atoms.push(Atom {
                     position,
                     site: index,
+                    operation,
                     error,
                 });
                 continue;

@@ -34,13 +34,15 @@ pub struct Site {
     pub position: [Rational; 3],
     /// One unit of the last written digit of each coordinate, zero where that is exact.
     pub units: [Rational; 3],
+    /// The standard uncertainty of each coordinate, zero where it has none or was snapped.
+    pub uncertainties: [Rational; 3],
     /// The position before it was snapped.
     pub written: [Rational; 3],
     /// How many atoms the file says that it stands for.
     pub multiplicity: Option<usize>,
 }
 
-/// The chosen sites, and what was done to their numbers.
+/// The chosen sites, and the changes to their numbers.
 #[derive(Default)]
 pub struct Sites {
     pub sites: Vec<Site>,
@@ -65,7 +67,7 @@ pub fn has_cartesian_sites(block: &Block) -> bool {
 /// The sites of a block that the options choose.
 ///
 /// # Errors
-/// What is missing, unreadable or disordered.
+/// Values that are missing, unreadable or disordered.
 pub fn sites(block: &Block, options: &CifOptions) -> Result<Sites, ImportError> {
     let columns = FRACTIONS.map(|tag| block.column(&[tag]).ok_or(tag));
     let mut coordinates = Vec::new();
@@ -180,7 +182,7 @@ impl Table<'_, '_> {
         for (column, axis) in self.coordinates.iter().zip(["x", "y", "z"]) {
             let value = column.value(row);
             let number = coordinate(&value, axis, &label)?;
-            sites.uncertain += usize::from(number.uncertain);
+            sites.uncertain += usize::from(number.uncertainty.is_some());
             numbers.push(number);
             texts.push(value.text);
         }
@@ -189,9 +191,18 @@ impl Table<'_, '_> {
             .snap
             .and_then(|n| snapped(&numbers, &texts, &label, n, &mut sites.notes));
         let written = std::array::from_fn(|k| numbers[k].value.clone());
-        let units = std::array::from_fn(|k| match &snapped {
-            Some(fractions) if fractions[k] != numbers[k].value => Rational::from(0),
-            _ => numbers[k].unit.clone(),
+        let is_snapped = |k: usize| {
+            snapped
+                .as_ref()
+                .is_some_and(|fractions| fractions[k] != numbers[k].value)
+        };
+        let units = std::array::from_fn(|k| match is_snapped(k) {
+            true => Rational::from(0),
+            false => numbers[k].unit.clone(),
+        });
+        let uncertainties = std::array::from_fn(|k| {
+            let su = numbers[k].uncertainty.as_ref();
+            su.cloned().unwrap_or_default()
         });
         let line = self.line(row);
         if texts.iter().any(|text| text.contains('\u{fffd}')) || label.contains('\u{fffd}') {
@@ -203,6 +214,7 @@ impl Table<'_, '_> {
             line,
             position: snapped.unwrap_or_else(|| <[Rational; 3]>::clone(&written)),
             units,
+            uncertainties,
             written,
             multiplicity,
         })

@@ -1,10 +1,10 @@
 //! Sites that lie on a special position within their written digits.
 //!
-//! 0.3333 is not 1/3, so a site at (0.3333, 0.6667, 1/4) does not lie on a threefold axis and
+//! 0.3333 is not 1/3, so a site at (0.3333, 0.6667, 1/4) does not lie on a threefold axis. It
 //! has three images where one is meant. The digits show it: an operation moves the site by less
-//! than they say. With half a unit u_j / 2 of each coordinate as its error, the k-th coordinate of
-//! g x - x = (R - I) x + t is known up to Σ_j |R - I|_kj u_j / 2. Numbers of three decimals or more
-//! may also be cut off, which doubles the error.
+//! than they say. Let half a unit, u_j / 2, be the error of each coordinate. Then the k-th coordinate
+//! of g x - x = (R - I) x + t is known up to Σ_j |R - I|_kj u_j / 2. Numbers of three decimals or
+//! more may also be cut off, which doubles the error.
 
 use super::decimal::about;
 use super::operation::Operation;
@@ -27,10 +27,10 @@ struct Keeper {
     moved: Vector,
 }
 
-/// Moves sites onto their special positions, keeps them, or refuses; notes say what was done.
+/// Moves sites onto their special positions, keeps them, or refuses; notes name the changes.
 ///
 /// # Errors
-/// A site lies on a special position only within its digits, unless `special` says what then.
+/// A site lies on a special position only within its digits, unless `special` allows more.
 pub fn settle(
     sites: &mut [Site],
     operations: &[Listed],
@@ -167,7 +167,7 @@ fn refusal(site: &Site, operations: &[Listed], keepers: &[Keeper]) -> (u32, Stri
     let moving = keepers.iter().find(|keeper| !is_zero(&keeper.moved));
     let step = moving.map_or_else(String::new, |keeper| {
         format!(
-            "the operation {:?} moves it by {} only, which its digits do not tell from nothing; ",
+            "the operation {:?} moves it by {} only, which is within the precision of its digits; ",
             operations[keeper.operation].text,
             place(&keeper.moved)
         )

@@ -1,9 +1,8 @@
-//! The symmetry of a data block: its list of operations, checked against each other and
-//! against what else the file says of its space group.
+//! The symmetry of a data block: its list of operations. They are checked against each other and
+//! against the other statements of the file about its space group.
 //!
-//! A list that is cut short gives a wrong atom count without any other sign, so it is
-//! refused: the list must be a group, and that of every name of the space group (see
-//! [`super::groups`]).
+//! A list that is cut short gives a wrong atom count without any other sign, so it is refused.
+//! The list must be a group, and that of every name of the space group (see [`super::groups`]).
 
 use super::block::{Block, Column};
 use super::cell::Cell;

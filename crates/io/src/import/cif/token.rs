@@ -2,8 +2,8 @@
 //!
 //! The syntax is that of S. R. Hall, J. D. Westbrook, Specification of the
 //! Crystallographic Information File, International Tables G (2005), chapter 2.2. A
-//! value is a word, a text in quotes (a quote ends it only before white space), or
-//! the lines between two lines that begin with `;`. A value that begins with a bracket is reserved
+//! value is a word, a text in quotes, or the lines between two lines that begin with `;`.
+//! A quote ends a text only before white space. A value that begins with a bracket is reserved
 //! there, but programs write it, so it is read. A file that begins with `#\#CIF_2.0` has the lists,
 //! tables and triple quotes of CIF 2.0 (H. J. Bernstein et al., J. Appl. Cryst. 49 (2016) 277), and
 //! its quotes end at the next quote.
@@ -195,9 +195,10 @@ impl<'t> Tokens<'t> {
                 Some(b'[' | b'{') => depth += 1,
                 Some(b']' | b'}') => depth -= 1,
                 Some(quote @ (b'\'' | b'"')) => {
-                    match self.is_triple(quote) {
-                        true => self.triple_quoted(quote)?,
-                        false => self.quoted(quote)?,
+                    if self.is_triple(quote) {
+                        self.triple_quoted(quote)?
+                    } else {
+                        self.quoted(quote)?
                     };
                     continue;
                 }
@@ -232,16 +233,17 @@ impl<'t> Tokens<'t> {
                 .iter()
                 .any(|word| text.eq_ignore_ascii_case(word))
             || text.starts_with('$');
-        match reserved {
-            true => Err(at_line(
+        if reserved {
+            Err(at_line(
                 line,
                 format!("found {}, which has no place in a CIF of data", short(text)),
-            )),
-            false => Ok(Token::Value(Value {
+            ))
+        } else {
+            Ok(Token::Value(Value {
                 text,
                 line,
                 quoted: false,
-            })),
+            }))
         }
     }
 }
@@ -254,7 +256,7 @@ fn quoted_value(text: &str, line: u32) -> Token<'_> {
     })
 }
 
-/// The rest of `text` behind a keyword, which may have capital letters.
+/// The rest of `text` after a keyword, which may have capital letters.
 pub fn strip_prefix<'t>(text: &'t str, keyword: &str) -> Option<&'t str> {
     let head = text.get(..keyword.len())?;
     head.eq_ignore_ascii_case(keyword)

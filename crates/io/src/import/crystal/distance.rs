@@ -1,7 +1,7 @@
 //! The shortest distance between atoms of a crystal structure.
 //!
-//! Spheres of diameter d around n points of a cell of volume V do not overlap if d is the shortest
-//! distance, so that n d³ / √2 <= V (the densest packing, Hales 2005). All pairs within this bound
+//! Let d be the shortest distance of n points in a cell of volume V. Spheres of diameter d around them
+//! do not overlap, so n d³ / √2 <= V (the densest packing, Hales 2005). All pairs within this bound
 //! are compared: in doubles first, and exactly where doubles do not decide.
 
 use malachite::Rational;
@@ -173,8 +173,9 @@ mod tests {
         x.map(|(n, d)| Rational::from_signeds(n, d))
     }
 
-    /// By hand: in the cubic lattice of edge 4 with a body centre, the squared distance is 3 · 4; in
-    /// the lattice of one point with a·b = 9/10 a² the shortest vector is a - b of squared length 1/5 a².
+    /// By hand: in the cubic lattice of edge 4 with a body centre, the squared distance is 3 · 4.
+    /// In the lattice of one point with a·b = 9/10 a², a - b is the shortest vector. Its squared length
+    /// is 1/5 a².
     #[test]
     fn shortest_distances() {
         let cubic = gram([[16, 0, 0], [0, 16, 0], [0, 0, 16]]);

@@ -12,7 +12,7 @@ const ELEMENTS: [&str; 120] = [
     "Cn", "Nh", "Fl", "Mc", "Lv", "Ts", "Og",
 ];
 
-/// What a type symbol stands for.
+/// The meaning of a type symbol.
 #[derive(Debug, PartialEq, Eq)]
 pub enum Kind {
     /// One element, perhaps with a charge.
@@ -45,7 +45,7 @@ pub fn of_label(label: &str) -> Option<&'static str> {
     head(2).and_then(exact).or_else(|| head(1).and_then(exact))
 }
 
-/// What a type symbol stands for: an element with a charge like `Fe3+`, or something else. In
+/// The meaning of a type symbol: an element with a charge like `Fe3+`, or something else. In
 /// capitals `FE` is iron, while `NH4` is a group and not nihonium.
 pub fn kind(symbol: &str) -> Kind {
     let letters = symbol.trim_end_matches(|c: char| c.is_ascii_digit() || matches!(c, '+' | '-'));

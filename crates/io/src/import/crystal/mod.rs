@@ -19,7 +19,7 @@ mod vectors;
 mod xyz;
 
 pub use distance::Shortest;
-pub use structure::{Structure, point_set};
+pub use structure::{Interval, Structure, Variation, point_set};
 
 use super::ImportError;
 use super::cif::{CifOptions, is_cif, read_cif};

@@ -1,13 +1,14 @@
 //! POSCAR and CONTCAR of VASP: a comment, a scale, three vectors, species, counts, positions.
 //!
 //! The format is that of the VASP wiki, "POSCAR". A negative scale is the volume of the cell. If the
-//! scale that follows from it is irrational, it is rounded to 12 digits: a structure with another
+//! scale that follows from it is irrational, it is rounded to 12 digits. A structure with another
 //! scale is similar, and only lengths depend on it. Velocities are not read.
 
 use super::structure::Structure;
 use super::vectors::{self, Coordinates, Listed, Vector, determinant, number, species};
 use crate::import::ImportError;
 use crate::import::cif::CifOptions;
+use acutile_core::statement::counted;
 use acutile_exact::number::Number;
 use malachite::Rational;
 use malachite::base::num::arithmetic::traits::{Abs, CheckedRoot, Floor, FloorRoot, Pow};
@@ -29,10 +30,26 @@ impl<'t> Lines<'t> {
     }
 }
 
-/// Whether a text looks like a POSCAR: numbers where its scale and vectors are.
+/// Whether a text looks like a POSCAR: numbers where its scale and vectors are, then counts of species,
+/// perhaps after a line with their names.
 pub fn is_likely(text: &str) -> bool {
     let counts: Vec<Option<usize>> = text.lines().skip(1).take(4).map(numbers_in).collect();
-    matches!(counts[..], [Some(1 | 3), Some(3), Some(3), Some(3)])
+    let has_vectors = matches!(counts[..], [Some(1 | 3), Some(3), Some(3), Some(3)]);
+    let words = |line: usize| {
+        text.lines()
+            .nth(line)
+            .into_iter()
+            .flat_map(str::split_whitespace)
+    };
+    let are_counts = |line: usize| {
+        let counts: Option<Vec<u32>> = words(line).map(|word| word.parse().ok()).collect();
+        counts.is_some_and(|counts| counts.iter().any(|&count| count > 0))
+    };
+    let are_names = |line: usize| {
+        let is_name = |word: &str| word.starts_with(|c: char| c.is_ascii_alphabetic());
+        words(line).all(is_name)
+    };
+    has_vectors && (are_counts(5) || are_names(5) && are_counts(6))
 }
 
 fn numbers_in(line: &str) -> Option<usize> {
@@ -94,7 +111,16 @@ pub fn read(text: &str, options: &CifOptions) -> Result<Structure, ImportError> 
         .lines
         .filter(|(_, line)| !line.trim().is_empty())
         .count();
-    let unread = (rest > 0).then(|| format!("{rest} lines after the positions are not read"));
+    let unread = (rest > 0).then(|| {
+        format!(
+            "{} not read",
+            counted(
+                rest,
+                "line after the positions is",
+                "lines after the positions are"
+            )
+        )
+    });
     let notes = notes.into_iter().chain(unread).collect();
     vectors::structure(
         comment.to_owned(),
@@ -121,7 +147,7 @@ fn stretched(vector: Vector, scales: &Vector) -> Vector {
     std::array::from_fn(|k| &vector[k] * &scales[k])
 }
 
-/// One factor for all directions, or one for each Cartesian direction, and what is to be said of it.
+/// One factor for all directions, or one for each Cartesian direction, and a note about it.
 struct Scales {
     scales: Vector,
     notes: Vec<String>,
@@ -164,9 +190,10 @@ fn scales((line, text): (usize, &str), vectors: &[Vector; 3]) -> Result<Scales, 
         }
         [x, y, z] => {
             let scales = [number(x, place)?, number(y, place)?, number(z, place)?];
-            match scales.iter().all(|scale| *scale > 0) {
-                true => Ok(exact(scales)),
-                false => wrong("expected three positive scales"),
+            if scales.iter().all(|scale| *scale > 0) {
+                Ok(exact(scales))
+            } else {
+                wrong("expected three positive scales")
             }
         }
         _ => wrong("expected a scale, or three"),

@@ -3,19 +3,45 @@
 use super::distance::{Shortest, approximate, shortest};
 use acutile_core::tiling::{Frame, PointSet};
 use acutile_exact::number::{Field, Number};
+use acutile_exact::polynomial::Polynomial;
 use malachite::Rational;
 
 /// A crystal structure as a point set.
 pub struct Structure {
-    /// What the file calls it.
+    /// The name in the file.
     pub name: String,
+    /// The atoms, with coordinates in the basis of the cell.
     pub points: PointSet<3>,
     /// For each point the label of its site.
     pub labels: Vec<String>,
     /// For each point its element, as far as that is known.
     pub elements: Vec<Option<&'static str>>,
-    /// What a reader has to know: replacements, rounding, warnings, counts. Each is a line.
+    /// Notes for the reader: replacements, rounding, warnings, counts. Each is a line.
     pub notes: Vec<String>,
+    /// The free numbers with standard uncertainties, if they are asked for.
+    pub variation: Option<Variation>,
+}
+
+/// A structure for each point of a box of parameters.
+#[derive(Clone, Debug)]
+pub struct Variation {
+    /// At least one.
+    pub intervals: Vec<Interval>,
+    /// Up to a positive factor.
+    pub gram: [[Polynomial; 3]; 3],
+    /// In the order of the structure's points.
+    pub points: Vec<[Polynomial; 3]>,
+}
+
+/// A parameter, from `low` to `high`.
+#[derive(Clone, Debug)]
+pub struct Interval {
+    /// A name like `x_fe1` or `c_over_a`.
+    pub name: String,
+    /// The lower end, which belongs to it.
+    pub low: Rational,
+    /// The upper end, which belongs to it.
+    pub high: Rational,
 }
 
 /// Atoms are never nearer to each other, in the units of cell lengths (ångströms).

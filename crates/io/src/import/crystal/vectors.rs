@@ -4,6 +4,7 @@ use super::element;
 use super::structure::{Structure, point_set};
 use crate::import::ImportError;
 use crate::import::cif::{CifOptions, Decimal, chosen};
+use acutile_core::statement::counted;
 use malachite::Rational;
 use malachite::base::num::arithmetic::traits::Floor;
 use std::collections::HashMap;
@@ -99,9 +100,10 @@ pub fn structure(
         places.insert(position.clone(), atom.place);
         kept.push((atom.label, atom.element, position));
     }
-    notes.push(match kept.len() == listed {
-        true => format!("{listed} atoms in a cell"),
-        false => format!("{} of {listed} atoms in a cell", kept.len()),
+    notes.push(if kept.len() == listed {
+        format!("{} in a cell", counted(listed, "atom", "atoms"))
+    } else {
+        format!("{} of {listed} atoms in a cell", kept.len())
     });
     let gram = std::array::from_fn(|i| std::array::from_fn(|j| dot(&vectors[i], &vectors[j])));
     let mut structure = Structure {
@@ -110,6 +112,7 @@ pub fn structure(
         labels: kept.iter().map(|(label, _, _)| label.clone()).collect(),
         elements: kept.iter().map(|(_, element, _)| *element).collect(),
         notes,
+        variation: None,
     };
     structure.note_distance();
     Ok(structure)

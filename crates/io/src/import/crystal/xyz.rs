@@ -40,7 +40,9 @@ pub fn read(text: &str, options: &CifOptions) -> Result<Structure, ImportError> 
             .find(|(key, _)| key.eq_ignore_ascii_case(name))
             .map(|(_, value)| value.as_str())
     };
-    let lattice = key("Lattice").ok_or_else(|| {
+    // A word without a value is true.
+    let lattice = key("Lattice").filter(|value| *value != "T");
+    let lattice = lattice.ok_or_else(|| {
         ImportError::entry(
             place.clone(),
             "there is no Lattice=\"…\": a file without a cell is no crystal",
@@ -187,12 +189,13 @@ fn check_periodic(text: &str, place: &str) -> Result<(), ImportError> {
         .split(|c: char| c.is_whitespace() || matches!(c, ',' | '[' | ']'))
         .filter(|word| !word.is_empty())
         .collect();
-    match !words.is_empty() && words.iter().all(|word| is_true(word)) {
-        true => Ok(()),
-        false => Err(ImportError::entry(
+    if !words.is_empty() && words.iter().all(|word| is_true(word)) {
+        Ok(())
+    } else {
+        Err(ImportError::entry(
             place,
             format!("pbc is {text:?}, expected a cell that is periodic in all directions (T T T)"),
-        )),
+        ))
     }
 }
 

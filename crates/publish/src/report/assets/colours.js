@@ -11,29 +11,65 @@ function viridis(t) {
   return VIRIDIS[k].map((c, i) => c + (x - k) * (VIRIDIS[k + 1][i] - c));
 }
 
-// The three ways to colour: a palette of at most 64 colours, the four indices for a simplex, a legend.
+// The angles between the facets opposite to corners i and j, in degrees, rounded: [i, j, degrees].
+function roundedAngles(points, D) {
+  const pairs = [[0, 1], [0, 2], [0, 3], [1, 2], [1, 3], [2, 3]].filter((pair) => Math.max(...pair) <= D);
+  const degrees = (u, v) => Math.atan2(Math.hypot(...cross(u, v)), dot(u, v)) * 180 / Math.PI;
+  if (D === 2) {
+    return pairs.map(([i, j]) => {
+      const at = points[3 - i - j];
+      return [i, j, degrees(add(points[i], at, -1), add(points[j], at, -1))];
+    });
+  }
+  const normals = facets(points.map((p) => ({ p })), D, mean(points)).map(([, normal]) => normal);
+  return pairs.map(([i, j]) => [i, j, 180 - degrees(normals[i], normals[j])]);
+}
+
+// The largest angle of a simplex in degrees, rounded.
+function largestAngle(tiling, index) {
+  const { data, D } = tiling;
+  if (!data.cells) return Math.max(...roundedAngles(pointsOf(tiling, index), D).map(([, , x]) => x));
+  return Math.max(...data.cells[index].slice(-D * (D + 1) / 2).map((a) => data.angles[a].approximate));
+}
+
+// The least and the greatest of these over all simplices.
+function rangeOfAngles(tiling) {
+  if (tiling.data.range) return tiling.data.range;
+  if (tiling.range) return tiling.range;
+  let [low, high] = [Infinity, -Infinity];
+  for (let index = 0; index < tiling.count; index++) {
+    const x = largestAngle(tiling, index);
+    [low, high] = [Math.min(low, x), Math.max(high, x)];
+  }
+  return tiling.range = [low, high];
+}
+
+const hexOf = (c) => "#" + c.map((x) => Math.round(255 * x).toString(16).padStart(2, "0")).join("");
+
+// The ways to colour: a palette of at most 64 colours, the four indices for a simplex, a legend.
 const COLOURINGS = {
   class: (tiling) => ({
     palette: tiling.data.palette.slice(0, 63).map(rgb),
-    of: (cell) => Array(4).fill(cell.class % 63),
+    of: (index) => Array(4).fill(tiling.data.cells[index][0] % 63),
     legend: tiling.data.palette.map((hex, k) => [hex, `class ${k}`]),
   }),
   angle: (tiling) => {
-    const low = Math.min(...tiling.largest), high = Math.max(...tiling.largest);
-    const place = (x) => (high - low < 1e-9 ? 0.5 : (x - low) / (high - low));
+    const [low, high] = rangeOfAngles(tiling), isOne = high - low < 1e-9;
+    const place = (x) => (isOne ? 0.5 : (x - low) / (high - low));
     const steps = Array.from({ length: 64 }, (_, k) => viridis(k / 63));
-    const marks = high - low < 1e-9 ? [low] : [0, 0.25, 0.5, 0.75, 1].map((t) => low + t * (high - low));
-    const hex = (c) => "#" + c.map((x) => Math.round(255 * x).toString(16).padStart(2, "0")).join("");
+    const marks = isOne ? [low] : [0, 0.25, 0.5, 0.75, 1].map((t) => low + t * (high - low));
     return {
       palette: steps,
-      of: (cell) => Array(4).fill(Math.round(63 * place(tiling.largest[cell.index]))),
-      legend: marks.map((x) => [hex(viridis(place(x))), `${x.toFixed(2)}°`]),
+      of: (index) => Array(4).fill(Math.min(63, Math.max(0, Math.round(63 * place(largestAngle(tiling, index)))))),
+      legend: marks.map((x) => [hexOf(viridis(place(x))), `${x.toFixed(2)}°`]),
     };
   },
   type: (tiling) => ({
     palette: tiling.data.typeNames.map((_, k) => rgb(TYPE_COLOURS[k % 8])).slice(0, 64),
-    of: (cell) => [0, 1, 2, 3].map((i) => (cell.corners[i] ? tiling.data.types[cell.corners[i][0]] % 64 : 0)),
+    of: (index) => [0, 1, 2, 3].map((i) => {
+      const corner = tiling.rows[index][i];
+      return i <= tiling.D ? tiling.data.types[[corner].flat()[0]] % 64 : 0;
+    }),
     legend: tiling.data.typeNames.map((name, k) => [TYPE_COLOURS[k % 8], name]),
   }),
 };
-

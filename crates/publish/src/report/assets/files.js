@@ -1,8 +1,8 @@
 // Downloads: the certificate as it is, and the simplices that the view shows as a mesh in doubles.
 
-function download(name, type, text) {
+function download(name, type, content) {
   const link = document.createElement("a");
-  link.href = URL.createObjectURL(new Blob([text], { type }));
+  link.href = URL.createObjectURL(new Blob([content], { type }));
   link.download = name;
   link.click();
   setTimeout(() => URL.revokeObjectURL(link.href), 10000);
@@ -15,12 +15,13 @@ const fileStem = (name) => name.replace(/\.json$/, "").replace(/[^A-Za-z0-9._-]+
 function meshOf(tiling, n) {
   const numbers = new Map(), vertices = [], simplices = [];
   for (const shift of translates(tiling, n)) {
-    for (const cell of tiling.cells) {
-      simplices.push(cell.corners.map(([v, ...s], i) => {
-        const key = [v, ...s.map((x, k) => x + cell.moved[k] + shift[k])].join();
+    for (let index = 0; index < tiling.count; index++) {
+      const { corners, moved, points } = cellOf(tiling, index);
+      simplices.push(corners.map(([v, ...s], i) => {
+        const key = [v, ...s.map((x, k) => x + moved[k] + shift[k])].join();
         if (!numbers.has(key)) {
           numbers.set(key, vertices.length);
-          vertices.push(add(cell.points[i], tiling.cartesian(shift)));
+          vertices.push(add(points[i], tiling.cartesian(shift)));
         }
         return numbers.get(key);
       }));
@@ -32,9 +33,10 @@ function meshOf(tiling, n) {
 // VTK legacy file, ASCII, an unstructured grid; cell data: the congruence class.
 function vtkText(tiling, n) {
   const { vertices, simplices } = meshOf(tiling, n), corners = tiling.D + 1;
-  const classes = simplices.map((_, i) => tiling.cells[i % tiling.cells.length].class);
+  const classOf = (index) => tiling.data.cells?.[index][0] ?? 0;
   // The title is one line of at most 256 characters.
   const title = fileStem(tiling.data.name).slice(0, 100);
+  const classes = simplices.map((_, i) => classOf(i % tiling.count));
   return [
     "# vtk DataFile Version 3.0", `${title}, coordinates rounded to doubles`, "ASCII", "DATASET UNSTRUCTURED_GRID",
     `POINTS ${vertices.length} double`, ...vertices.map((p) => p.join(" ")),

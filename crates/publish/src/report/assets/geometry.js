@@ -1,32 +1,97 @@
-// The tiling as polygons: placing simplices, cutting them by a plane, the triangles to draw. Doubles, for pictures only.
+// The simplices of one cell side by side, and which of their facets lie in the boundary of the cell. Doubles, for pictures only.
 
-// The tiling `data` (see crates/publish/src/report/data.rs) ready for drawing: every simplex with Cartesian corners, moved so that its centroid lies
-// in the cell, and `moved`, the lattice vector by which it was moved.
-function prepare(data) {
+// The tiling `data` (see crates/publish/src/report/data.rs) ready for drawing. Each simplex is moved by a lattice vector, so that its centroid
+// lies in the cell. `ids` has the corners of the simplices as numbers of placed vertices, `positions` their Cartesian coordinates.
+async function prepare(data) {
   const certificate = data.certificate ? JSON.parse(data.certificate) : null;
-  const D = data.dimension, r = data.rank;
+  await breathe();
+  if (data.kind === "family") setMember(data, certificate, data.steps);
+  if (data.kind === "patches" && !data.choice) {
+    data.choices = choicesOf(data, certificate);
+    data = builtFrom(data, data.choices[0]);
+  }
+  const D = data.dimension, r = data.rank, rows = data.rows ?? certificate.witness.simplices;
   const cartesian = (x) => [0, 1, 2].map((i) => x.reduce((sum, c, k) => sum + c * (data.basis[k][i] ?? 0), 0));
-  const cells = (data.cells ?? data.rows).map((cell, index) => {
-    const row = data.rows ? cell : certificate.witness.simplices[index].slice(0, D + 1);
-    const corners = row.map((corner) => (Array.isArray(corner) && corner.length > 1 ? corner : [[corner].flat()[0], ...Array(r).fill(0)]));
-    const points = corners.map(([v, ...shift]) => data.points[v].map((x, k) => x + (shift[k] ?? 0)));
-    const moved = Array.from({ length: D }, (_, k) =>
-      k < r ? -Math.floor(points.reduce((sum, p) => sum + p[k], 0) / (D + 1) + 1e-9) : 0);
-    const pairs = D * (D + 1) / 2;
-    const place = { index, corners, moved, points: points.map((p) => cartesian(p.map((x, k) => x + moved[k]))) };
-    return data.rows ? place : { ...place, class: cell[0], volume: cell[1], edges: cell.slice(2, 2 + pairs), angles: cell.slice(2 + pairs) };
-  });
-  const largest = data.rows ? null : cells.map((cell) => Math.max(...cell.angles.map((a) => data.angles[a].approximate)));
-  const tiling = { data, certificate, cells, largest, cartesian, D, r };
+  const tiling = { data, certificate, rows, cartesian, D, r, count: rows.length, bounds: {} };
+  await placeRows(tiling);
+  await findOuter(tiling);
   if (data.defects) linkDefects(tiling);
   return tiling;
 }
 
-const add = (a, b, s = 1) => [a[0] + s * b[0], a[1] + s * b[1], a[2] + s * b[2]];
-const dot = (a, b) => a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-const cross = (a, b) => [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]];
-const unit = (a) => { const n = Math.hypot(...a) || 1; return [a[0] / n, a[1] / n, a[2] / n]; };
-const mean = (points) => points.reduce((s, p) => add(s, p, 1 / points.length), [0, 0, 0]);
+// A corner of a row: the vertex, and the lattice vector by which it is moved.
+const cornerOf = (tiling, corner) =>
+  (Array.isArray(corner) && corner.length > 1 ? corner : [[corner].flat()[0], ...Array(tiling.r).fill(0)]);
+
+// Fills `ids`, `moved`, `placements` and `positions`.
+async function placeRows(tiling) {
+  const { D, r, rows, count, data } = tiling, numbers = new Map(), placements = [];
+  tiling.ids = new Uint32Array(count * (D + 1));
+  tiling.moved = new Int32Array(count * D);
+  // Vertices with small moves have numbers as names, which are quicker to find than texts.
+  const name = (v, shift) => (shift.every((s) => s >= -32 && s < 32) ? shift.reduce((code, s) => 64 * code + s + 32, v) : [v, ...shift].join());
+  const placed = (v, shift) => {
+    const key = name(v, shift);
+    let id = numbers.get(key);
+    if (id === undefined) {
+      numbers.set(key, id = numbers.size);
+      placements.push([v, ...shift]);
+    }
+    return id;
+  };
+  await inPortions(count, (index) => {
+    const corners = rows[index].slice(0, D + 1).map((corner) => cornerOf(tiling, corner));
+    const moved = Array.from({ length: r }, (_, k) => {
+      const sum = corners.reduce((s, corner) => s + data.points[corner[0]][k] + corner[k + 1], 0);
+      return -Math.floor(sum / (D + 1) + 1e-9);
+    });
+    tiling.moved.set(moved, index * D);
+    corners.forEach(([v, ...shift], i) => { tiling.ids[index * (D + 1) + i] = placed(v, shift.map((s, k) => s + moved[k])); });
+  });
+  tiling.placements = placements;
+  placeVertices(tiling);
+}
+
+// Fills `positions`: where the placed vertices are.
+function placeVertices(tiling) {
+  const { placements, data } = tiling;
+  tiling.positions = new Float64Array(3 * placements.length);
+  placements.forEach(([v, ...shift], id) => tiling.positions.set(tiling.cartesian(data.points[v].map((x, k) => x + (shift[k] ?? 0))), 3 * id));
+}
+
+// Sets a bit of `outer` for each facet that no other simplex of the cell has; in the plane all triangles are seen.
+async function findOuter(tiling) {
+  const { D, ids, count } = tiling, vertices = tiling.positions.length / 3;
+  tiling.outer = new Uint8Array(count).fill(D === 2 ? 8 : 0);
+  if (D === 2) return;
+  const open = new Map(), isSmall = vertices ** 3 < Number.MAX_SAFE_INTEGER;
+  await inPortions(count, (index) => {
+    for (let k = 0; k < 4; k++) {
+      const facet = [0, 1, 2, 3].filter((i) => i !== k).map((i) => ids[4 * index + i]).sort((a, b) => a - b);
+      const key = isSmall ? (facet[0] * vertices + facet[1]) * vertices + facet[2] : facet.join();
+      if (!open.delete(key)) open.set(key, 4 * index + k);
+    }
+  });
+  for (const facet of open.values()) tiling.outer[facet >> 2] |= 1 << (facet & 3);
+}
+
+// The Cartesian corners of a simplex.
+function pointsOf(tiling, index) {
+  const { ids, positions: p, D } = tiling;
+  return Array.from({ length: D + 1 }, (_, i) => {
+    const at = 3 * ids[index * (D + 1) + i];
+    return [p[at], p[at + 1], p[at + 2]];
+  });
+}
+
+// All that is known of a simplex. `corners` are as the certificate has them.
+function cellOf(tiling, index) {
+  const { D, data } = tiling, pairs = D * (D + 1) / 2, cell = data.cells?.[index];
+  const corners = tiling.rows[index].slice(0, D + 1).map((corner) => cornerOf(tiling, corner));
+  const moved = Array.from(tiling.moved.subarray(index * D, (index + 1) * D));
+  const place = { index, corners, moved, points: pointsOf(tiling, index) };
+  return cell ? { ...place, class: cell[0], volume: cell[1], edges: cell.slice(2, 2 + pairs), angles: cell.slice(2 + pairs) } : place;
+}
 
 // The translates of a cell: n in each direction of the lattice.
 function translates(tiling, n) {
@@ -38,135 +103,29 @@ function translates(tiling, n) {
   return shifts;
 }
 
-// A convex polygon, corners with position p and barycentric coordinates b, on the side n · p <= c of a plane.
-function clip(polygon, plane) {
-  const kept = [];
-  polygon.forEach((a, i) => {
-    const b = polygon[(i + 1) % polygon.length];
-    const s = dot(plane.n, a.p) - plane.c, t = dot(plane.n, b.p) - plane.c;
-    if (s <= 0) kept.push(a);
-    if ((s < 0 && t > 0) || (s > 0 && t < 0)) kept.push(between(a, b, s / (s - t)));
-  });
-  return kept;
+// The box around n cells in each direction, and a ball around them, close to the smallest one (M. Badoiu, K. Clarkson 2003: again and
+// again a step, each shorter, toward the point that is farthest).
+function boundsOf(tiling, n) {
+  return tiling.bounds[n] ??= ballAround(translates(tiling, n).map(tiling.cartesian), tiling.positions);
 }
 
-const between = (a, b, t) => ({
-  p: a.p.map((x, k) => x + t * (b.p[k] - x)),
-  b: a.b.map((x, k) => x + t * (b.b[k] - x)),
-});
-
-// Where a plane cuts a tetrahedron: a convex polygon, empty if it does not.
-function section(corners, plane) {
-  const side = corners.map((a) => dot(plane.n, a.p) - plane.c);
-  const points = [];
-  for (let i = 0; i < 4; i++) {
-    for (let j = 0; j < 4; j++) {
-      if (side[i] <= 0 && side[j] > 0) points.push(between(corners[i], corners[j], side[i] / (side[i] - side[j])));
-    }
+function ballAround(offsets, positions) {
+  const low = [Infinity, Infinity, Infinity], high = low.map((x) => -x);
+  const each = (visit) => {
+    for (const o of offsets) for (let i = 0; i < positions.length; i += 3) visit(positions[i] + o[0], positions[i + 1] + o[1], positions[i + 2] + o[2]);
+  };
+  each((...p) => p.forEach((x, k) => { low[k] = Math.min(low[k], x); high[k] = Math.max(high[k], x); }));
+  let centre = mean([low, high]), radius = 0;
+  // Many points are walked through less often; the ball is then a little larger.
+  const steps = offsets.length * positions.length > 3e5 ? 4 : 40;
+  for (let step = 2; step <= steps; step++) {
+    let most = -1, far = centre;
+    each((x, y, z) => {
+      const square = (x - centre[0]) ** 2 + (y - centre[1]) ** 2 + (z - centre[2]) ** 2;
+      if (square > most) [most, far] = [square, [x, y, z]];
+    });
+    radius = Math.sqrt(Math.max(most, 0));
+    if (step < steps) centre = add(centre, add(far, centre, -1), 1 / step);
   }
-  const centre = mean(points.map((q) => q.p));
-  const u = unit(Math.abs(plane.n[0]) < 0.9 ? cross(plane.n, [1, 0, 0]) : cross(plane.n, [0, 1, 0]));
-  const v = cross(plane.n, u);
-  const turn = (q) => { const d = add(q.p, centre, -1); return Math.atan2(dot(d, v), dot(d, u)); };
-  return points.sort((a, b) => turn(a) - turn(b));
-}
-
-// Numbers for each corner of a triangle to draw: position 3, normal 3, centroid of its simplex 3, barycentric coordinates 4, and bytes:
-// colour at the four corners of the simplex 4, which facet the triangle lies in (4 for a section), whether only its edges are drawn, and the simplex in a separate array.
-const FLOATS = 13;
-// A simplex is drawn whole (0), by its edges, or not at all.
-const EDGES_ONLY = 1, NOT_DRAWN = 2;
-
-// A growing list of triangles.
-class Triangles {
-  constructor() {
-    this.count = 0;
-    this.grow(1024);
-  }
-
-  grow(room) {
-    const copy = (Kind, length, old) => { const fresh = new Kind(length); if (old) fresh.set(old); return fresh; };
-    this.room = room;
-    this.floats = copy(Float32Array, room * 3 * FLOATS, this.floats);
-    this.bytes = copy(Uint8Array, room * 3 * 8, this.bytes);
-    this.owners = copy(Uint32Array, room, this.owners);
-  }
-
-  // Adds a convex polygon as a fan.
-  put(polygon, normal, centroid, ink, facet, owner, presence) {
-    for (let i = 2; i < polygon.length; i++) {
-      if (this.count === this.room) this.grow(2 * this.room);
-      [0, i - 1, i].forEach((k, corner) => {
-        const at = 3 * this.count + corner, { floats, bytes } = this, { p, b } = polygon[k];
-        floats.set(p, at * FLOATS);
-        floats.set(normal, at * FLOATS + 3);
-        floats.set(centroid, at * FLOATS + 6);
-        floats.set(b, at * FLOATS + 9);
-        bytes.set(ink, at * 8);
-        bytes[at * 8 + 4] = facet;
-        bytes[at * 8 + 5] = presence;
-      });
-      this.owners[this.count++] = owner;
-    }
-  }
-
-  done() {
-    const { count } = this;
-    return { floats: this.floats.subarray(0, count * 3 * FLOATS), bytes: this.bytes.subarray(0, count * 24), owners: this.owners.subarray(0, count) };
-  }
-}
-
-// All triangles to draw. `colours(cell)` gives four indices into the palette, `plane` may be null.
-function triangles(tiling, n, plane, colours) {
-  const list = new Triangles();
-  translates(tiling, n).forEach((shift, copy) => {
-    const offset = tiling.cartesian(shift);
-    for (const cell of tiling.cells) {
-      const corners = cell.points.map((p, i) => ({ p: add(p, offset), b: UNIT[i] }));
-      if ((tiling.presence?.(cell) ?? 0) === NOT_DRAWN) continue;
-      const outside = plane ? corners.filter(({ p }) => dot(plane.n, p) > plane.c).length : 0;
-      if (outside === corners.length) continue;
-      const centroid = mean(corners.map(({ p }) => p)), owner = copy * tiling.cells.length + cell.index;
-      for (const [polygon, normal, facet] of facets(corners, tiling.D, centroid)) {
-        const how = tiling.presence?.(cell, facet) ?? 0;
-        if (how !== NOT_DRAWN) list.put(outside ? clip(polygon, plane) : polygon, normal, centroid, colours(cell, facet), facet, owner, how);
-      }
-      if (outside && tiling.D === 3) list.put(section(corners, plane), plane.n, centroid, colours(cell, 4), 4, owner, tiling.presence?.(cell, 4) ?? 0);
-    }
-  });
-  tiling.mark?.(list);
-  return list.done();
-}
-
-const UNIT = [[1, 0, 0, 0], [0, 1, 0, 0], [0, 0, 1, 0], [0, 0, 0, 1]];
-
-// The facets of a tetrahedron with outward normals; a triangle of the plane is its own only one.
-function facets(corners, D, centroid) {
-  if (D === 2) return [[corners, [0, 0, 1], 3]];
-  return [0, 1, 2, 3].map((k) => {
-    const polygon = corners.filter((_, i) => i !== k);
-    let normal = unit(cross(add(polygon[1].p, polygon[0].p, -1), add(polygon[2].p, polygon[0].p, -1)));
-    if (dot(normal, add(polygon[0].p, centroid, -1)) < 0) normal = normal.map((x) => -x);
-    return [polygon, normal, k];
-  });
-}
-
-// The box around all simplices of n cells in each direction, and a ball around them, close to the smallest one (M. Badoiu, K. Clarkson
-// 2003: again and again a step, each shorter, toward the point that is farthest).
-function bounds(tiling, n) {
-  const points = translates(tiling, n).flatMap((shift) => {
-    const offset = tiling.cartesian(shift);
-    return tiling.cells.flatMap((cell) => cell.points.map((p) => add(p, offset)));
-  });
-  const extreme = (f, start) => points.reduce((e, p) => e.map((x, k) => f(x, p[k])), [start, start, start]);
-  const low = extreme(Math.min, Infinity), high = extreme(Math.max, -Infinity);
-  const square = (a, b) => (a[0] - b[0]) ** 2 + (a[1] - b[1]) ** 2 + (a[2] - b[2]) ** 2;
-  let centre = mean([low, high]), farthest;
-  for (let step = 2; step < 40; step++) {
-    farthest = points.reduce((far, p) => (square(p, centre) > square(far, centre) ? p : far), points[0]);
-    centre = add(centre, add(farthest, centre, -1), 1 / step);
-  }
-  const radius = Math.sqrt(points.reduce((most, p) => Math.max(most, square(p, centre)), 0));
   return { low, high, centre, radius };
 }
-

@@ -5,39 +5,37 @@ const [SOUND, DEFECT, FACET, PALE, POINT] = [0, 1, 2, 3, 4];
 
 // Which defects each drawn simplex has, and which facets lie in defects.
 function linkDefects(tiling) {
-  const place = new Map(tiling.data.ids.map((id, index) => [id, index]));
-  for (const cell of tiling.cells) [cell.id, cell.defects, cell.marked] = [tiling.data.ids[cell.index], [], new Map()];
-  tiling.data.defects.forEach((defect, number) => {
-    for (const id of defect.simplices) tiling.cells[place.get(id)].defects.push(number);
+  const { data } = tiling, place = tiling.place = new Map(data.ids.map((id, index) => [id, index]));
+  tiling.defectsOf = Array.from({ length: tiling.count }, () => []);
+  tiling.marked = new Map();
+  data.defects.forEach((defect, number) => {
+    for (const id of defect.simplices) tiling.defectsOf[place.get(id)].push(number);
     for (const [id, opposite] of defect.facets) {
-      const { marked } = tiling.cells[place.get(id)];
-      marked.set(opposite, [...(marked.get(opposite) ?? []), number]);
+      const key = 4 * place.get(id) + opposite;
+      tiling.marked.set(key, [...(tiling.marked.get(key) ?? []), number]);
     }
   });
   tiling.defect = null;
   tiling.others = "edges";
-  tiling.presence = (cell, facet) => presence(tiling, cell, facet);
-  tiling.mark = (list) => tiling.cells.length && putMarkers(tiling, list, 0.008 * bounds(tiling, 1).radius);
-  const seen = new Map();
-  const key = (cell, facet) => cell.corners.map(([v, ...s], i) => (i === facet ? null : [v, ...s.map((x, k) => x + cell.moved[k])].join()))
-    .filter((text) => text !== null).sort().join(";");
-  for (const cell of tiling.cells) for (let k = 0; k <= tiling.D; k++) seen.set(key(cell, k), (seen.get(key(cell, k)) ?? 0) + 1);
-  for (const cell of tiling.cells) cell.outer = [0, 1, 2, 3].map((k) => tiling.D === 2 || seen.get(key(cell, k)) === 1);
+  tiling.presence = (index, facet) => presence(tiling, index, facet);
+  tiling.mark = (list) => tiling.count && putMarkers(tiling, list, 0.008 * boundsOf(tiling, 1).radius);
 }
 
 const isIn = (tiling, defects) => defects.length > 0 && (tiling.defect === null || defects.includes(tiling.defect));
 
 // How a simplex or one of its facets is drawn: whole, by its edges, or not at all.
-function presence(tiling, cell, facet) {
-  if (isIn(tiling, cell.defects)) return 0;
-  if (tiling.others === "hidden" || (tiling.others === "edges" && facet !== undefined && facet < 4 && !cell.outer[facet])) return NOT_DRAWN;
+function presence(tiling, index, facet) {
+  if (isIn(tiling, tiling.defectsOf[index])) return 0;
+  const isInner = facet !== undefined && facet < 4 && !(tiling.outer[index] >> facet & 1);
+  if (tiling.others === "hidden" || (tiling.others === "edges" && isInner)) return NOT_DRAWN;
   return tiling.others === "edges" ? EDGES_ONLY : 0;
 }
 
 COLOURINGS.defect = (tiling) => ({
   palette: DEFECT_COLOURS.map(rgb),
-  of: (cell, facet) => {
-    const ink = isIn(tiling, cell.marked.get(facet) ?? []) ? FACET : isIn(tiling, cell.defects) ? DEFECT : cell.defects.length ? PALE : SOUND;
+  of: (index, facet) => {
+    const defects = tiling.defectsOf[index];
+    const ink = isIn(tiling, tiling.marked.get(4 * index + facet) ?? []) ? FACET : isIn(tiling, defects) ? DEFECT : defects.length ? PALE : SOUND;
     return Array(4).fill(ink);
   },
   legend: [
@@ -51,8 +49,8 @@ COLOURINGS.defect = (tiling) => ({
 function putMarkers(tiling, list, size) {
   tiling.data.defects.forEach(({ point, simplices }, number) => {
     if (!point || !isIn(tiling, [number])) return;
-    const owner = Math.max(0, tiling.data.ids.indexOf(simplices[0]));
-    const move = tiling.cells[owner].moved, p = tiling.cartesian(point.map((x, k) => x + move[k]));
+    const owner = tiling.place.get(simplices[0]) ?? 0;
+    const { moved: move } = cellOf(tiling, owner), p = tiling.cartesian(point.map((x, k) => x + move[k]));
     for (const [x, y, z] of [0, 1, 2, 3, 4, 5, 6, 7].map((bits) => [0, 1, 2].map((k) => (bits >> k & 1 ? 1 : -1)))) {
       const ends = [[x, 0, 0], [0, y, 0], [0, 0, z]].map((d, i) => ({ p: add(p, d, size), b: UNIT[i] }));
       list.put(ends, unit([x, y, z]), p, Array(4).fill(POINT), 3, owner, 0);
@@ -62,21 +60,22 @@ function putMarkers(tiling, list, size) {
 
 // A ball around the simplices of a defect.
 function ballOf(tiling, number) {
-  const points = tiling.cells.filter((cell) => cell.defects.includes(number)).flatMap((cell) => cell.points);
+  const points = tiling.data.defects[number].simplices.flatMap((id) => pointsOf(tiling, tiling.place.get(id)));
   if (points.length === 0) return null;
   const centre = mean(points);
   return { centre, radius: Math.max(...points.map((p) => Math.hypot(...add(p, centre, -1)))) };
 }
 
 // What is shown of a simplex: the text of its defects as the list has it.
-function defectDetails(tiling, cell, article) {
-  const name = tiling.data.names[cell.id] ?? `${tiling.D === 2 ? "triangle" : "tetrahedron"} ${cell.id}`;
-  const about = cell.defects.slice(0, 8).map((number) => {
+function defectDetails(tiling, index, article) {
+  const id = tiling.data.ids[index], defects = tiling.defectsOf[index];
+  const name = tiling.data.names[id] ?? `${tiling.D === 2 ? "triangle" : "tetrahedron"} ${id}`;
+  const about = defects.slice(0, 8).map((number) => {
     const copy = article.querySelector(`[data-defect="${number}"]`).closest("li").cloneNode(true);
     const button = copy.querySelector("button");
     button.replaceWith(element("p", {}, button.textContent));
     return element("div", { class: "about" }, ...copy.childNodes);
   });
-  const words = cell.defects.length ? `In ${cell.defects.length} of the listed defects.` : "In none of the listed defects.";
+  const words = defects.length ? `In ${defects.length} of the listed defects.` : "In none of the listed defects.";
   return [element("h3", {}, name[0].toUpperCase() + name.slice(1)), element("p", {}, words), ...about];
 }

@@ -1,0 +1,1 @@
+../../../../kernel/src/filter.rs

@@ -1,0 +1,1 @@
+../../../../../verifiers/javascript/verify-cli.mjs

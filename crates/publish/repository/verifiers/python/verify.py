@@ -1,0 +1,1 @@
+../../../../../verifiers/python/verify.py

@@ -1,0 +1,75 @@
+//! The one rule for files that are there: acutile replaces what it can make again.
+//!
+//! The file that an option names is output, and the same command makes it again, so it is replaced. An input
+//! never is. Other files are replaced only if acutile wrote what is there, or with --force. These are files
+//! whose names acutile chooses, in the directory of -o, and starting files, which people edit.
+
+use super::name::InputName;
+use super::plane;
+use acutile_catalog as catalog;
+use std::path::{Path, PathBuf};
+
+/// Checks that the file that an option names is none of the inputs.
+///
+/// # Errors
+/// A message that names the file and the input.
+pub fn check_not_an_input(
+    target: Option<&Path>,
+    option: &str,
+    inputs: &[InputName],
+) -> Result<(), String> {
+    let same = |target: &Path| {
+        let target = target.canonicalize().ok().filter(|path| path.is_file())?;
+        let is_target = |path: &PathBuf| path.canonicalize().is_ok_and(|path| path == target);
+        inputs
+            .iter()
+            .find(|input| files(input).iter().any(is_target))
+    };
+    match target.and_then(|target| same(target).map(|input| (target, input))) {
+        None => Ok(()),
+        Some((target, input)) => Err(format!(
+            "{option} {}: would overwrite the input {input}",
+            target.display()
+        )),
+    }
+}
+
+/// The files that an input is read from.
+fn files(input: &InputName) -> Vec<PathBuf> {
+    if let Some((path, _)) = plane::path(input) {
+        return vec![path];
+    }
+    if catalog::find(input).is_some() {
+        return Vec::new();
+    }
+    let path = input.path();
+    match acutile_io::mesh::load::tetgen_paths(path) {
+        Some((nodes, elements)) => vec![nodes, elements],
+        None => vec![path.to_path_buf()],
+    }
+}
+
+/// Checks that a file may be replaced whose name acutile has chosen, or that people edit; `is_own` says
+/// whether its bytes are such that acutile can make them again.
+///
+/// # Errors
+/// The file is another one and `force` is not set, or it is no ordinary file.
+pub fn check_replaceable(
+    path: &Path,
+    is_own: impl Fn(&[u8]) -> bool,
+    force: bool,
+) -> Result<(), String> {
+    let Ok(metadata) = path.symlink_metadata() else {
+        return Ok(());
+    };
+    let name = path.display();
+    if !metadata.is_file() {
+        return Err(format!("{name}: is there and is no ordinary file"));
+    }
+    if force || is_own(&std::fs::read(path).unwrap_or_default()) {
+        return Ok(());
+    }
+    Err(format!(
+        "{name}: is there and is not what acutile wrote; --force replaces it"
+    ))
+}

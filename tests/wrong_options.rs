@@ -1,0 +1,230 @@
+//! Values of options that are wrong, and places that cannot be read from or written to.
+
+use crate::common::{acutile, code};
+use crate::messages::refusal;
+
+#[test]
+fn numbers_and_statements_in_options() {
+    for (arguments, words) in [
+        (
+            &["export", "a15", "--supercell", "x"][..],
+            "found \"x\", expected an integer from 1 to 65535",
+        ),
+        (
+            &["export", "a15", "--supercell", "0,1,1"],
+            "expected an integer from 1 to 65535",
+        ),
+        (
+            &["export", "a15", "--supercell", "1,2"],
+            "found 2 numbers, expected 3",
+        ),
+        (
+            &["certify", "a15", "--max-defects", "many"],
+            "expected an integer of at least 0",
+        ),
+        (
+            &["certify", "a15", "--max-defects", "-1"],
+            "'-1' for '--max-defects <N>': expected an integer of at least 0",
+        ),
+        (
+            &["draw", "a15", "--width", "0"],
+            "0 is out of range, expected an integer from 20 to 1000",
+        ),
+        (
+            &["draw", "a15", "--width", "-1"],
+            "-1 is out of range, expected an integer from 20 to 1000",
+        ),
+        (
+            &["search", "balls", "--steps", "-1"],
+            "'-1' for '--steps <N>'",
+        ),
+        (
+            &["certify", "goldberg-1", "--param", "x"],
+            "found 'x', expected a number like 3/7 or sqrt(2)/4",
+        ),
+        (
+            &["certify", "part.mesh", "--lattice", "x,y,z"],
+            "found 'x', expected a number like 3/7 or sqrt(2)/4",
+        ),
+        (
+            &["certify", "part.mesh", "--lattice", "1"],
+            "the vector \"1\" has 1 entry, expected 3",
+        ),
+        (
+            &["certify", "square-triangle-all", "--lattice", "1,2,3"],
+            "--lattice is for a mesh file, which this is not",
+        ),
+        (
+            &["certify", "square-triangle-all", "--param", "3"],
+            "a theorem takes no parameter",
+        ),
+        (
+            &["quality", "a15", "--from", "vtk"],
+            "--from is for a mesh file, which this is not",
+        ),
+        (
+            &["verify", "a15"],
+            "found a name of the catalogue, expected a certificate; `acutile certify a15 -o a15.cbor` writes one",
+        ),
+        (
+            &["certify", "a15", "-o", "a15.pdf"],
+            "found the extension .pdf, but a certificate in JSON or a certificate in CBOR is written, expected the extension .json or .cbor",
+        ),
+        (
+            &["certify", "a15", "--max-bytes", "99999999999999999999999"],
+            "the number is too large",
+        ),
+        (&["certify", "a15", "--max-defects", ""], "expected"),
+        (
+            &["certify", "a15", "--require", "dihedral<x"],
+            "found \"x\", expected a number like 90, 78.5 or 157/2",
+        ),
+        (
+            &["certify", "a15", "--require", "dihedral<-3"],
+            "expected more than 0",
+        ),
+        (
+            &["certify", "a15", "--require", "blunt"],
+            "dihedral-below=DEGREES",
+        ),
+        (
+            &["certify", "a15", "--require", "delaunay,not-delaunay"],
+            "no tiling is both delaunay and not-delaunay, expected requirements that agree",
+        ),
+        (
+            &[
+                "certify",
+                "a15",
+                "--require",
+                "not-delaunay,weakly-delaunay",
+            ],
+            "no tiling is both weakly-delaunay and not-delaunay",
+        ),
+        (
+            &["certify", "a15", "--require", "acute,dihedral>90"],
+            "no tiling is both acute and dihedral>90",
+        ),
+        (
+            &["certify", "a15", "--require", "dihedral<70,dihedral>70"],
+            "no tiling is both dihedral<70 and dihedral>70",
+        ),
+        (
+            &["a15", "certify"],
+            "The command comes first, like `acutile certify a15`",
+        ),
+        (
+            &["certify", "a15", "--require", "acute", "delaunay"],
+            "a comma joins statements: --require STATEMENT,delaunay",
+        ),
+        (
+            &["quality", "a15", "--bin", "7"],
+            "expected a divisor of 180",
+        ),
+        (
+            &["certify", "square-triangle:"],
+            "found nothing after the colon",
+        ),
+        (
+            &["convert", "a15", "a15.foo"],
+            "expected .msh, .vtk, .vtu, .mesh, .meshb, .node or .ele",
+        ),
+        (
+            &["convert", "bcc", "b.vtu"],
+            "have no exact 64-bit floating-point number",
+        ),
+    ] {
+        let text = refusal(arguments);
+        assert!(text.contains(words), "{arguments:?}: {text}");
+        for jargon in [
+            "digit found",
+            "target type",
+            "no doubles",
+            "..=",
+            "no generator",
+        ] {
+            assert!(!text.contains(jargon), "{arguments:?}: {text}");
+        }
+    }
+}
+
+/// A certificate is cut off within an item, and at the end of one.
+#[test]
+fn a_certificate_that_ends_early() {
+    let place = tempfile::tempdir().expect("a directory");
+    let whole = place.path().join("z.cbor");
+    let whole = whole.to_str().expect("UTF-8");
+    assert_eq!(code(&acutile(["certify", "z", "-o", whole])), 0);
+    let bytes = std::fs::read(whole).expect("written");
+    let cut = place.path().join("cut.cbor");
+    for length in [1, 21, 200, bytes.len() - 1] {
+        std::fs::write(&cut, &bytes[..length]).expect("written");
+        let text = refusal(&["verify", cut.to_str().expect("UTF-8")]);
+        let words =
+            format!("malformed [cbor] the file ends after {length} bytes, expected the rest");
+        assert!(text.contains(&words), "{text}");
+    }
+}
+
+/// Neither depends on permissions, so that root gets the same answers: a file stands where a directory
+/// belongs, and a directory where a file belongs.
+#[test]
+fn a_file_for_a_directory_and_a_directory_for_a_file() {
+    let place = tempfile::tempdir().expect("a directory");
+    let at = |name: &str| place.path().join(name).to_str().expect("UTF-8").to_owned();
+    let (file, folder) = (at("notes.txt"), at("folder.json"));
+    std::fs::write(&file, "mine").expect("written");
+    std::fs::create_dir(&folder).expect("made");
+    let below = format!("{file}/x.json");
+    for (arguments, words) in [
+        (&["appendix", "z", "-o", &file][..], "expected a directory"),
+        (&["gallery", "-o", &file], "expected a directory"),
+        (&["man", &file], "expected a directory"),
+        (
+            &["certify", "z", "a15", "-o", &file],
+            "expected a directory",
+        ),
+        (
+            &["certify", "z", "-o", &below],
+            "cannot be written: a part of its path is not a directory",
+        ),
+        (
+            &["export", "z", "-o", &below],
+            "cannot be written: a part of its path is not a directory",
+        ),
+        (
+            &["export", "z", "-o", &folder],
+            "is a directory, expected a file",
+        ),
+        (
+            &["new", "tiling", "-o", &folder],
+            "is a directory, expected a file",
+        ),
+        (&["certify", &below], "not a directory"),
+        (&["verify", &below], "not a directory"),
+    ] {
+        let text = refusal(arguments);
+        assert!(text.contains(words), "{arguments:?}: {text}");
+        assert!(!text.contains("os error"), "{arguments:?}: {text}");
+    }
+    assert_eq!(std::fs::read(&file).expect("still there"), b"mine");
+    assert!(!std::path::Path::new(&folder).join("x").exists());
+}
+
+/// Nothing can be created in /proc, not even by root, and nothing fits on /dev/full.
+#[test]
+#[cfg(target_os = "linux")]
+fn a_folder_and_a_device_that_take_nothing() {
+    for (arguments, words) in [
+        (
+            &["certify", "z", "-o", "/proc/z.json"][..],
+            "cannot be written",
+        ),
+        (&["draw", "z", "-o", "/proc/z.svg"], "cannot be written"),
+        (&["appendix", "z", "-o", "/proc/appendix"], "/proc/appendix"),
+        (&["export", "z", "-o", "/dev/full"], "cannot be written"),
+        (&["report", "z", "-o", "/dev/full"], "cannot be written"),
+    ] {
+        let text = refusal(arguments);
+        assert!(text.contains(words), "{arguments:?}: {text}");
+    }
+}
