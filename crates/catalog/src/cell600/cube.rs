@@ -4,8 +4,8 @@
 //! Each of the five parts is one piece of 543. Where the middle meets a corner of the cube,
 //! the two have the same bumps. The other faces are flat, so mirror images of the cube meet face to face.
 
-use super::piece::{Point, Symmetry, cells, tetrahedra};
-use super::tables::{CORNER, CUBE_CORNER, CUBE_MIDDLE, REGULAR, UNIT};
+use super::piece::{Point, Symmetry, UNIT, cells, tetrahedra};
+use super::tables::{CORNER, CUBE_CORNER, CUBE_MIDDLE, REGULAR};
 use crate::CatalogError;
 use crate::limits::CUBE_LIMIT;
 use crate::recipe::fraction;

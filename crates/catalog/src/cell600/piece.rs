@@ -5,11 +5,13 @@
 //! A point is an average of the four corners of the tetrahedron, with weights that are permuted along
 //! with places. So one row of a table places an orbit.
 
-use super::tables::UNIT;
 use super::without;
 use crate::CatalogError;
 use acutile_exact::geometry::cell600::{self, Golden};
 use std::collections::HashMap;
+
+/// The weights of a point sum to this.
+pub const UNIT: i64 = 96_000;
 
 /// For each vertex of the missing cell the rank of its inner product with the vertex, from -4 to 4.
 pub type Place = [i8; 4];

@@ -8,9 +8,8 @@
 //! from the axis. A vertex is named by its inner products with the vertices of the bipyramid, and rotations
 //! and reflections permute these names along with the directions.
 
-use super::piece::rank_of;
+use super::piece::{UNIT, rank_of};
 use super::prism_tables::{Orbit, Outward, PENTAGON, PENTAGON_HEIGHT, TRIANGLE, TRIANGLE_HEIGHT};
-use super::tables::UNIT;
 use super::without;
 use crate::CatalogError;
 use crate::recipe::fraction;

@@ -1,12 +1,9 @@
 //! Where the vertices lie: one row for each orbit of the symmetry.
 //!
 //! They come from sequential linear programs in doubles that make the largest dihedral angle small,
-//! rounded to multiples of 1/[`UNIT`]. Nothing depends on how they were found.
+//! rounded to multiples of 1/[`super::piece::UNIT`]. Nothing depends on how they were found.
 
 use super::piece::Orbit;
-
-/// The weights of a point sum to this.
-pub const UNIT: i64 = 96_000;
 
 const fn orbit(place: [i8; 4], weights: [i64; 4]) -> Orbit {
     Orbit { place, weights }

@@ -40,7 +40,7 @@ use crate::quality::rounded_down;
 use crate::tiling::{Corner, Frame, SimplexId, Tiling};
 use acutile_exact::geometry::RingElement;
 use acutile_exact::number::Number;
-use acutile_exact::polynomial::text::EXPONENT_LIMIT;
+use acutile_exact::number::limits::EXPONENT_LIMIT;
 use acutile_exact::polynomial::{Cuboid, MOST_PARAMETERS, Polynomial, Side};
 use malachite::Rational;
 use std::fmt;

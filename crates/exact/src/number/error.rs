@@ -1,10 +1,10 @@
 //! Errors about fields and about the text of numbers, and their messages.
 
+use super::limits::EXPONENT_LIMIT;
 use super::limits::{
     BITS_LIMIT, DEGREE_LIMIT, DEPTH_LIMIT, DIGITS_LIMIT, ISOLATION_LIMIT, MINOR_BITS_LIMIT,
     POLYNOMIAL_BITS_LIMIT, TEXT_LIMIT,
 };
-use crate::polynomial::text::EXPONENT_LIMIT;
 use malachite::Rational;
 use std::fmt;
 

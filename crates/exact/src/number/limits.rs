@@ -10,6 +10,8 @@ pub const DIGITS_LIMIT: usize = 1000;
 pub const DECIMAL_EXPONENT_LIMIT: i64 = 1000;
 /// The largest absolute value of the exponent in `x^3`.
 pub const POWER_LIMIT: i64 = 1000;
+/// The largest exponent of one parameter in a polynomial.
+pub const EXPONENT_LIMIT: usize = 15;
 /// No value, also in between, has more bits in all its numerators and
 /// denominators together.
 pub const BITS_LIMIT: u64 = 65_536;

@@ -5,11 +5,9 @@
 
 use super::{Coefficient, MOST_PARAMETERS, Monomial, Polynomial};
 use crate::geometry::RingElement;
+use crate::number::limits::EXPONENT_LIMIT;
 use crate::number::text::parse;
 use crate::number::{Declared, Expression, Number, ReadError, ReadErrorKind, Reader};
-
-/// No exponent in a text is larger.
-pub const EXPONENT_LIMIT: usize = 15;
 
 /// Extends the field of `reader` until the constants of the text lie in it.
 ///

@@ -3,6 +3,7 @@
 //! A reader checks form (presence, length, range); whether
 //! the tiling is one is the checker's business. Every error names the place.
 
+mod atoms;
 pub mod cif;
 pub mod crystal;
 mod document;

@@ -17,6 +17,14 @@ pub fn of_io(error: &io::Error) -> String {
     }
 }
 
+/// A text of the file, quoted for a message, cut where it is long.
+pub fn short(text: &str) -> String {
+    match text.char_indices().nth(40) {
+        None => format!("{text:?}"),
+        Some((end, _)) => format!("{:?}…", &text[..end]),
+    }
+}
+
 /// What a file of another format of ours is for.
 pub fn use_of(format: &str) -> &'static str {
     match format {

@@ -5,8 +5,9 @@
 //! dictionaries is `_atom_site_label` of the older). Tags of other categories than [`READ`]
 //! are passed over.
 
-use super::token::{Token, Tokens, Value, at_line, short};
+use super::token::{Token, Tokens, Value, at_line};
 use crate::import::ImportError;
+use crate::import::words::short;
 use std::collections::HashMap;
 
 /// How the tags begin that anything is read from.

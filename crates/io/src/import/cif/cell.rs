@@ -6,9 +6,9 @@
 //! then about that lattice. A missing angle is 90 degrees, as the dictionary says.
 
 use super::block::Block;
-use super::decimal::Decimal;
 use super::token::at_line;
 use crate::import::ImportError;
+use crate::import::atoms::decimal::Decimal;
 use acutile_exact::number::enclosure::cos_of_degrees;
 use malachite::Rational;
 use malachite::base::num::arithmetic::traits::{Abs, Floor, Pow};

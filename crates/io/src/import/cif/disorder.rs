@@ -1,12 +1,13 @@
 //! Sites that are no atoms, or only some of the time: dummies, occupancies, disorder groups,
 //! mixtures. A point set has each atom or has it not, so most of these are refused.
 
-use super::decimal::Decimal;
-use super::options::CifOptions;
-use super::sites::{Table, known};
-use super::token::{Value, at_line, short};
+use super::columns::{Table, known};
+use super::token::{Value, at_line};
 use crate::import::ImportError;
-use crate::import::crystal::element::{self, Kind};
+use crate::import::atoms::decimal::Decimal;
+use crate::import::atoms::element::{self, Kind};
+use crate::import::atoms::options::CifOptions;
+use crate::import::words::short;
 use std::collections::BTreeMap;
 
 const ADVICE: &str = "disorder cannot be a point set; choose sites with --only or --except, or take each as an atom with --ignore-occupancy";

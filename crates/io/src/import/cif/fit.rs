@@ -6,11 +6,11 @@
 //! operations is taken. Otherwise the file is refused.
 
 use super::cell::{Cell, Gram, gram};
-use super::decimal::about;
+use super::operation::Listed;
 use super::operation::{Rotation, metric_change};
-use super::symmetry::Listed;
 use super::token::at_line;
 use crate::import::ImportError;
+use crate::import::atoms::decimal::about;
 use malachite::Rational;
 use malachite::base::num::arithmetic::traits::Abs;
 

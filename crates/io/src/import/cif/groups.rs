@@ -7,10 +7,11 @@
 use super::block::Block;
 use super::cell::Cell;
 use super::fit;
+use super::operation::Listed;
 use super::operation::Operation;
-use super::symmetry::Listed;
-use super::token::{Value, at_line, short};
+use super::token::{Value, at_line};
 use crate::import::ImportError;
+use crate::import::words::short;
 use acutile_crystal::hall;
 use acutile_crystal::identify::{differ_by_origin, identify};
 use acutile_crystal::motion::{Motion, fractional};

@@ -7,14 +7,12 @@
 //! |---|---|
 //! | `token` | words, with their lines |
 //! | `block` | data blocks: tags and their values |
-//! | `decimal` | numbers exactly as written, and snapping |
 //! | `cell` | lengths and angles, as a Gram matrix over Q |
 //! | `operation`, `symmetry` | operations; the list of a file, checked to be its group |
 //! | `groups` | the names of the space group, compared with the list or in its place |
 //! | `fit` | the cell, made invariant under the operations |
-//! | `options` | the options |
-//! | `select`, `disorder` | which sites are taken, and whether they are atoms |
-//! | `sites` | the sites of the asymmetric unit |
+//! | `disorder` | whether the chosen sites are atoms |
+//! | `columns`, `sites` | the sites of the asymmetric unit |
 //! | `special` | sites near special positions |
 //! | `orbits` | the atoms of a cell |
 //! | `uncertainty` | free numbers with standard uncertainties, as parameters |
@@ -24,32 +22,30 @@
 
 mod block;
 mod cell;
-mod decimal;
+mod columns;
 mod disorder;
 mod fit;
 mod groups;
 mod notes;
 mod operation;
-mod options;
 mod orbits;
-mod select;
 mod sites;
 mod special;
 mod symmetry;
 mod token;
 mod uncertainty;
 
-pub use decimal::Decimal;
-pub use options::{CifOptions, Special};
-pub use select::{chosen, names};
+pub use super::atoms::options::{CifOptions, Special};
+pub use super::atoms::select::names;
 
 use super::ImportError;
-use super::crystal::{Structure, point_set};
+use super::atoms::structure::{Structure, point_set};
+use super::words::short;
 use block::Block;
+use operation::Listed;
 use sites::Site;
 use std::path::Path;
-use symmetry::Listed;
-use token::{at_line, short, strip_prefix};
+use token::{at_line, strip_prefix};
 
 /// Bytes of a CIF: it is taken apart as a whole.
 const CIF_LIMIT: usize = 1 << 25;
@@ -193,7 +189,7 @@ fn choose<'b, 't>(
     }
     let fits = |block: &&Block| match name {
         Some(name) => block.name.eq_ignore_ascii_case(name),
-        None => sites::has_sites(block),
+        None => columns::has_sites(block),
     };
     let found: Vec<&Block> = blocks.iter().filter(fits).collect();
     let names = |blocks: &[&Block]| {
@@ -213,7 +209,7 @@ fn choose<'b, 't>(
                 format!("there is no data block {name}; there are {}", names(&all)),
             ))
         }
-        ([], None) if blocks.iter().any(sites::has_cartesian_sites) => Err(ImportError::entry(
+        ([], None) if blocks.iter().any(columns::has_cartesian_sites) => Err(ImportError::entry(
             format!("data_{}", blocks[0].name),
             "the sites have Cartesian coordinates (_atom_site_Cartn_x) only, expected fractional ones: \
              _atom_site_fract_x, _y and _z",

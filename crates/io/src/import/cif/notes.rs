@@ -1,9 +1,9 @@
 //! Counts and warnings about a structure, in words.
 
-use super::decimal::about;
+use super::operation::Listed;
 use super::orbits::{self, Atom, PAIR_LIMIT};
 use super::sites::{Site, Sites};
-use super::symmetry::Listed;
+use crate::import::atoms::decimal::about;
 use acutile_core::statement::counted;
 
 /// How many sites the count names.

@@ -5,7 +5,8 @@
 //! 1 or -1 and t modulo the lattice. A list is closed when with any two operations it has
 //! their product; a finite closed list is a group.
 
-use super::decimal::{Decimal, Snapped};
+use crate::import::atoms::decimal::{Decimal, Snapped};
+use crate::import::words::short;
 use acutile_exact::geometry::linear;
 use malachite::base::num::arithmetic::traits::{Floor, Lcm};
 use malachite::{Natural, Rational};
@@ -30,6 +31,14 @@ pub struct Operation {
     /// Whether a decimal is left that is a multiple of no 1/24: a rounded fraction,
     /// for space groups have none.
     pub is_rounded: bool,
+}
+
+/// An operation and the line where it stands.
+pub struct Listed {
+    pub operation: Operation,
+    pub line: u32,
+    /// As it is written.
+    pub text: String,
 }
 
 impl Operation {
@@ -73,10 +82,7 @@ impl Operation {
             let sign = if rest.starts_with('-') { -1 } else { 1 };
             let tail = rest.strip_prefix(['-', '+']);
             if tail.is_none() && !first {
-                return Err(format!(
-                    "has {} in {text:?}, expected + or -",
-                    super::token::short(rest)
-                ));
+                return Err(format!("has {} in {text:?}, expected + or -", short(rest)));
             }
             rest = tail.unwrap_or(rest);
             first = false;
@@ -101,12 +107,8 @@ impl Operation {
     }
 
     fn constant(&mut self, text: &str, snap: Option<u32>) -> Result<Rational, String> {
-        let number = Decimal::parse(text).map_err(|_| {
-            format!(
-                "has {}, expected x, y, z or a number like 1/2",
-                super::token::short(text)
-            )
-        })?;
+        let number = Decimal::parse(text)
+            .map_err(|_| format!("has {}, expected x, y, z or a number like 1/2", short(text)))?;
         if let Some(Snapped::To(value)) = snap.map(|n| number.snap(n)) {
             self.replaced.push((text.to_owned(), value.clone()));
             return Ok(value);

@@ -1,9 +1,9 @@
 //! The atoms of a cell: the images of the sites under the operations, merged where they
 //! are equal modulo the lattice, exactly.
 
+use super::operation::Listed;
 use super::operation::fractional;
 use super::sites::Site;
-use super::symmetry::Listed;
 use super::token::at_line;
 use crate::import::ImportError;
 use malachite::Rational;

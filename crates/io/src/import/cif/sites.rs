@@ -1,29 +1,14 @@
 //! The sites of a data block: labels and coordinates, chosen, snapped and checked.
 
-use super::block::{Block, Column};
-use super::decimal::{Decimal, Snapped};
+use super::block::Block;
+use super::columns::{Table, known};
 use super::disorder;
-use super::options::CifOptions;
-use super::select;
 use super::token::{Value, at_line};
 use crate::import::ImportError;
-use crate::import::crystal::element::{self, Kind};
+use crate::import::atoms::decimal::{Decimal, Snapped};
+use crate::import::atoms::options::CifOptions;
+use crate::import::atoms::select;
 use malachite::Rational;
-
-const FRACTIONS: [&str; 3] = [
-    "_atom_site_fract_x",
-    "_atom_site_fract_y",
-    "_atom_site_fract_z",
-];
-const LABELS: [&str; 3] = [
-    "_atom_site_label",
-    "_atom_site_id",
-    "_atom_site_type_symbol",
-];
-const MULTIPLICITIES: [&str; 2] = [
-    "_atom_site_site_symmetry_multiplicity",
-    "_atom_site_symmetry_multiplicity",
-];
 
 /// A site of the asymmetric unit.
 pub struct Site {
@@ -54,68 +39,12 @@ pub struct Sites {
     pub uncertain: usize,
 }
 
-/// Whether a block has sites.
-pub fn has_sites(block: &Block) -> bool {
-    block.exact(FRACTIONS[0]).is_some()
-}
-
-/// Whether a block has sites in Cartesian coordinates.
-pub fn has_cartesian_sites(block: &Block) -> bool {
-    block.exact("_atom_site_cartn_x").is_some()
-}
-
 /// The sites of a block that the options choose.
 ///
 /// # Errors
 /// Values that are missing, unreadable or disordered.
 pub fn sites(block: &Block, options: &CifOptions) -> Result<Sites, ImportError> {
-    let columns = FRACTIONS.map(|tag| block.column(&[tag]).ok_or(tag));
-    let mut coordinates = Vec::new();
-    for column in columns {
-        let missing =
-            |tag| ImportError::entry(format!("data_{}", block.name), format!("{tag} is missing"));
-        coordinates.push(column.map_err(missing)?);
-    }
-    let [x, y, z] = coordinates[..] else {
-        return Ok(Sites::default());
-    };
-    if y.group != x.group || z.group != x.group {
-        return Err(at_line(
-            x.value(0).line,
-            "the coordinates of the sites stand in different loops",
-        ));
-    }
-    let beside = |tags: &[&str]| block.column(tags).filter(|column| column.group == x.group);
-    let table = Table {
-        coordinates: [x, y, z],
-        label: beside(&LABELS),
-        symbol: beside(&["_atom_site_type_symbol"]),
-        occupancy: beside(&["_atom_site_occupancy"]),
-        flag: beside(&["_atom_site_calc_flag"]),
-        multiplicity: beside(&MULTIPLICITIES),
-        assembly: beside(&["_atom_site_disorder_assembly"]),
-        group: beside(&["_atom_site_disorder_group"]),
-    };
-    table.read(options)
-}
-
-/// The columns that are read of the loop of sites.
-pub struct Table<'b, 't> {
-    coordinates: [Column<'b, 't>; 3],
-    label: Option<Column<'b, 't>>,
-    pub symbol: Option<Column<'b, 't>>,
-    pub occupancy: Option<Column<'b, 't>>,
-    pub flag: Option<Column<'b, 't>>,
-    multiplicity: Option<Column<'b, 't>>,
-    pub assembly: Option<Column<'b, 't>>,
-    pub group: Option<Column<'b, 't>>,
-}
-
-/// The value of a column in a row, if it is known.
-pub fn known<'t>(column: Option<Column<'_, 't>>, row: usize) -> Option<Value<'t>> {
-    column
-        .map(|column| column.value(row))
-        .filter(|value| !value.is_missing())
+    Table::of(block)?.read(options)
 }
 
 impl Table<'_, '_> {
@@ -148,25 +77,6 @@ impl Table<'_, '_> {
             ));
         }
         Ok(sites)
-    }
-
-    /// The line of a row.
-    pub fn line(&self, row: usize) -> u32 {
-        self.coordinates[0].value(row).line
-    }
-
-    fn label(&self, row: usize) -> String {
-        known(self.label, row)
-            .map_or_else(|| format!("site{}", row + 1), |value| value.text.to_owned())
-    }
-
-    /// The element of the type symbol; without a type symbol, that of the label.
-    fn element(&self, row: usize, label: &str) -> Option<&'static str> {
-        match known(self.symbol, row).map(|value| element::kind(value.text)) {
-            Some(Kind::Element(element)) => Some(element),
-            Some(_) => None,
-            None => element::of_label(label),
-        }
     }
 
     fn site(

@@ -6,13 +6,13 @@
 //! of g x - x = (R - I) x + t is known up to Σ_j |R - I|_kj u_j / 2. Numbers of three decimals or
 //! more may also be cut off, which doubles the error.
 
-use super::decimal::about;
+use super::operation::Listed;
 use super::operation::Operation;
-use super::options::Special;
 use super::sites::Site;
-use super::symmetry::Listed;
 use super::token::at_line;
 use crate::import::ImportError;
+use crate::import::atoms::decimal::about;
+use crate::import::atoms::options::Special;
 use malachite::Rational;
 use malachite::base::num::arithmetic::traits::{Abs, Floor};
 

@@ -7,9 +7,10 @@
 use super::block::{Block, Column};
 use super::cell::Cell;
 use super::groups::Names;
-use super::operation::{NotAGroup, OPERATION_LIMIT, Operation, check_group};
-use super::token::{Value, at_line, short};
+use super::operation::{Listed, NotAGroup, OPERATION_LIMIT, Operation, check_group};
+use super::token::{Value, at_line};
 use crate::import::ImportError;
+use crate::import::words::short;
 
 const OPERATIONS: [&str; 4] = [
     "_space_group_symop_operation_xyz",
@@ -22,14 +23,6 @@ const NUMBERS: [&str; 3] = [
     "_symmetry_int_tables_number",
     "_symmetry_space_group_it_number",
 ];
-
-/// An operation and the line where it stands.
-pub struct Listed {
-    pub operation: Operation,
-    pub line: u32,
-    /// As it is written.
-    pub text: String,
-}
 
 /// The operations of a block; decimals in them are snapped where a denominator is given.
 ///

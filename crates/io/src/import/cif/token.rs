@@ -9,6 +9,7 @@
 //! its quotes end at the next quote.
 
 use crate::import::ImportError;
+use crate::import::words::short;
 
 /// A value as it stands in the file.
 #[derive(Clone, Copy, Debug)]
@@ -261,14 +262,6 @@ pub fn strip_prefix<'t>(text: &'t str, keyword: &str) -> Option<&'t str> {
     let head = text.get(..keyword.len())?;
     head.eq_ignore_ascii_case(keyword)
         .then(|| &text[keyword.len()..])
-}
-
-/// A text of the file, quoted for a message, cut where it is long.
-pub fn short(text: &str) -> String {
-    match text.char_indices().nth(40) {
-        None => format!("{text:?}"),
-        Some((end, _)) => format!("{:?}…", &text[..end]),
-    }
 }
 
 fn is_line_end(byte: u8) -> bool {

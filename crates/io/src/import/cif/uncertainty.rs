@@ -12,13 +12,13 @@
 
 use super::block::Block;
 use super::cell::{Cell, gram};
-use super::decimal::Decimal;
+use super::operation::Listed;
 use super::operation::{Rotation, fractional};
 use super::orbits::Atom;
 use super::sites::Site;
-use super::symmetry::Listed;
 use crate::import::ImportError;
-use crate::import::crystal::{Interval, Variation};
+use crate::import::atoms::decimal::Decimal;
+use crate::import::atoms::structure::{Interval, Variation};
 use acutile_exact::geometry::RingElement;
 use acutile_exact::geometry::space::null_space;
 use acutile_exact::number::Number;

@@ -2,27 +2,23 @@
 //!
 //! | file | does |
 //! |---|---|
-//! | `structure` | the atoms of a cell with their labels |
-//! | `element` | elements in symbols and labels |
-//! | `distance` | the shortest distance |
 //! | `vectors` | structures from basis vectors and a list of atoms |
 //! | `poscar`, `xyz`, `pymatgen` | the formats of VASP, of extended XYZ, of pymatgen's JSON |
 //!
-//! CIF, which has symmetry, is in [`super::cif`]. Numbers stay the decimals that are written.
+//! CIF, which has symmetry, is in [`super::cif`], and the parts that all readers share in `super::atoms`.
+//! Numbers stay the decimals that are written.
 
-mod distance;
-pub mod element;
 mod poscar;
 mod pymatgen;
-mod structure;
 mod vectors;
 mod xyz;
 
-pub use distance::Shortest;
-pub use structure::{Interval, Structure, Variation, point_set};
+pub use super::atoms::Shortest;
+pub use super::atoms::structure::{Interval, Structure, Variation};
 
 use super::ImportError;
-use super::cif::{CifOptions, is_cif, read_cif};
+use super::atoms::options::CifOptions;
+use super::cif::{is_cif, read_cif};
 use std::path::Path;
 
 /// The formats of crystal structures.

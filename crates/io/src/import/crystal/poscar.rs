@@ -4,10 +4,10 @@
 //! scale that follows from it is irrational, it is rounded to 12 digits. A structure with another
 //! scale is similar, and only lengths depend on it. Velocities are not read.
 
-use super::structure::Structure;
 use super::vectors::{self, Coordinates, Listed, Vector, determinant, number, species};
 use crate::import::ImportError;
-use crate::import::cif::CifOptions;
+use crate::import::atoms::options::CifOptions;
+use crate::import::atoms::structure::Structure;
 use acutile_core::statement::counted;
 use acutile_exact::number::Number;
 use malachite::Rational;

@@ -1,9 +1,9 @@
 //! A `Structure` of pymatgen as JSON: a lattice matrix and sites, with the decimals as they stand.
 
-use super::structure::Structure;
 use super::vectors::{self, Coordinates, Listed, Vector, number, species};
 use crate::import::ImportError;
-use crate::import::cif::CifOptions;
+use crate::import::atoms::options::CifOptions;
+use crate::import::atoms::structure::Structure;
 use serde::Deserialize;
 use serde_json::value::RawValue;
 

@@ -1,9 +1,11 @@
 //! A structure from basis vectors and a list of atoms, all rational.
 
-use super::element;
-use super::structure::{Structure, point_set};
 use crate::import::ImportError;
-use crate::import::cif::{CifOptions, Decimal, chosen};
+use crate::import::atoms::decimal::Decimal;
+use crate::import::atoms::element;
+use crate::import::atoms::options::CifOptions;
+use crate::import::atoms::select::chosen;
+use crate::import::atoms::structure::{Structure, point_set};
 use acutile_core::statement::counted;
 use malachite::Rational;
 use malachite::base::num::arithmetic::traits::Floor;

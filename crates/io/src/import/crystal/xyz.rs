@@ -4,10 +4,10 @@
 //! `Properties` names the columns. The cell must be periodic in all directions. Of several
 //! frames one is chosen.
 
-use super::structure::Structure;
 use super::vectors::{self, Coordinates, Listed, Vector, number, species};
 use crate::import::ImportError;
-use crate::import::cif::CifOptions;
+use crate::import::atoms::options::CifOptions;
+use crate::import::atoms::structure::Structure;
 
 /// Frames that are counted at most.
 const FRAME_LIMIT: usize = 1_000_000;

@@ -1,8 +1,8 @@
 //! Which sites are taken: labels and elements of `--only` and `--except`.
 
 use super::options::CifOptions;
-use super::token::short;
 use crate::import::ImportError;
+use crate::import::words::short;
 
 /// The names in values of an option: separated by commas, or in double quotes where a name
 /// has a comma itself.

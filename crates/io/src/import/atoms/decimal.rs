@@ -95,7 +95,7 @@ pub fn about(value: &Rational, decimals: usize) -> String {
 }
 
 fn problem(text: &str) -> String {
-    let found = super::token::short(text);
+    let found = crate::import::words::short(text);
     format!(
         "found {found}, expected a number like 0.25, 0.3333(2) or 1/3, of at most {DIGITS_LIMIT} digits"
     )
