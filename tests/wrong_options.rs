@@ -35,6 +35,14 @@ fn numbers_and_statements_in_options() {
             "-1 is out of range, expected an integer from 20 to 1000",
         ),
         (
+            &["draw", "a15", "--width", "1e3"],
+            "'1e3' for '--width <MM>': expected an integer from 20 to 1000",
+        ),
+        (
+            &["optimize", "c14", "--denominator", "0"],
+            "0 is out of range, expected an integer from 1 to 1152921504606846976",
+        ),
+        (
             &["search", "balls", "--steps", "-1"],
             "'-1' for '--steps <N>'",
         ),

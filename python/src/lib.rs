@@ -14,6 +14,7 @@ use acutile::Tiling as Input;
 use acutile_catalog as catalog;
 use acutile_core::format;
 use acutile_core::proved::{hexadecimal, in_words};
+use acutile_core::refusal::Refused;
 use acutile_core::tiling::{Coordinates, Corner};
 use acutile_core::with_dimension;
 use acutile_exact::number::Number;
@@ -21,7 +22,7 @@ use acutile_kernel::{Limits, Verified};
 use acutile_paper::survey::Survey;
 use acutile_paper::table::{self, Row};
 use acutile_publish::report::{Proved, page};
-use error::{Failed, failed, refusal};
+use error::{Failed, failed};
 use numpy::{IntoPyArray, PyArray2, PyArrayMethods, PyReadonlyArray2};
 use pyo3::prelude::*;
 use pyo3::types::PyBytes;
@@ -227,7 +228,8 @@ fn verify(py: Python<'_>, certificate: Vec<u8>, claim: Option<Vec<u8>>) -> PyRes
     work(py, None, move |_| {
         let cbor = format::to_cbor(&certificate).map_err(failed)?;
         let verified = acutile_kernel::verify(&mut &cbor[..], &Limits::DEFAULT);
-        let verified = verified.map_err(|error| refusal(&error))?;
+        let verified =
+            verified.map_err(|refusal| failed(Refused::of_file(&certificate, &cbor, refusal)))?;
         answer::verified(&verified, claim.as_deref())
     })?
 }

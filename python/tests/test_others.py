@@ -1,9 +1,13 @@
 """Verification, Delaunay triangulations, quality, classification, tables, reports."""
 
+import pathlib
+
 import numpy as np
 import pytest
 
 import acutile
+
+CERTIFICATES = pathlib.Path(__file__).parents[2] / "certificates"
 
 
 def test_a_changed_certificate_is_refused():
@@ -11,6 +15,15 @@ def test_a_changed_certificate_is_refused():
     certificate[-1] ^= 1
     with pytest.raises(acutile.Failed):
         acutile.verify(bytes(certificate))
+
+
+def test_a_wrong_certificate_in_json_is_named_by_line_and_column():
+    text = (CERTIFICATES / "a15.json").read_text()
+    wrong = text.replace('"dimension":3', '"dimension":4', 1)
+    # The item 4 stands after the 12 characters of "dimension": in its line.
+    line = wrong[: wrong.index('"dimension":4')].count("\n") + 1
+    with pytest.raises(acutile.Failed, match=rf"\[dimension\] line {line}, column 13 "):
+        acutile.verify(wrong.encode())
 
 
 def test_a_claim_is_compared(tmp_path):

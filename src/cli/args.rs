@@ -149,6 +149,9 @@ pub enum Command {
     #[command(after_long_help = examples!("\n  acutile cite a15\n  acutile cite mine.cbor -o mine.bib"))]
     Cite(CiteArguments),
     /// Print a completion script for a shell
+    ///
+    /// Every shell completes commands, options and names of the catalogue. Elvish and PowerShell complete one
+    /// name for each command, and no values of options.
     #[command(after_long_help = examples!("\n  acutile completions bash > acutile.bash"))]
     Completions(CompletionsArguments),
     /// Print the manual page, or write one for each command

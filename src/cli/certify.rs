@@ -205,7 +205,7 @@ fn check(inputs: &[InputName], arguments: &CertifyArguments) -> Result<(), Strin
     Ok(())
 }
 
-/// What the page of --report has of an input.
+/// The part of the page of --report about an input.
 fn article(
     input: &InputName,
     answer: &Answer,

@@ -1,5 +1,5 @@
 //! `acutile export`: a tiling, or a supercell of it, as a tiling file or as a program for a computer
-//! algebra system; a certificate as a theorem for Coq.
+//! algebra system. It also writes a certificate as a theorem for Coq.
 
 use super::extension::{self, Format};
 use super::input::{self, FileArguments};
@@ -43,7 +43,7 @@ pub struct ExportArguments {
     pub supercell: Vec<u16>,
 }
 
-/// What a tiling is written as.
+/// The formats for a tiling.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
 pub enum ExportFormat {
     /// A tiling file

@@ -90,7 +90,7 @@ pub enum Read {
 }
 
 impl Read {
-    /// What it is about; a certificate is not judged here.
+    /// The tiling or family in it; a certificate is not judged here.
     ///
     /// # Errors
     /// A message that names the input.

@@ -248,8 +248,8 @@ pub struct Staged {
 }
 
 impl Staged {
-    /// A temporary file beside `path`, or beside what it points to; `None` where that is a
-    /// device or a pipe, which has no place beside it.
+    /// A temporary file beside `path`, or beside the file that it points to. `None` for a device or a pipe,
+    /// which has no place beside it.
     pub fn new(path: &Path) -> io::Result<Option<Staged>> {
         if path.is_dir() {
             return Err(io::Error::new(ErrorKind::IsADirectory, "is a directory"));
@@ -267,7 +267,7 @@ impl Staged {
         Ok(Some(Staged { file, path }))
     }
 
-    /// What has been written, and is to be.
+    /// The temporary file, to write into or to read from.
     pub fn file(&self) -> &std::fs::File {
         self.file.as_file()
     }
