@@ -106,7 +106,7 @@ impl<'a, const D: usize> Floats<'a, D> {
     }
 }
 
-/// So many simplices are filtered together.
+/// The number of simplices that are filtered together.
 pub const BATCH: usize = 16;
 
 /// The edges of some simplices, and the vector to a further point, each entry of all of

@@ -6,9 +6,9 @@ use crate::tiling::{Facet, Matching, SimplexId};
 use acutile_exact::geometry::Sign;
 
 impl<const D: usize> Prepared<'_, InSphere, D> {
-    /// The simplices, in order, that fail with a neighbour: for which
-    /// `is_right(simplex, neighbour, sign)` is false, where `sign` is that of the power of the
-    /// neighbour's opposite corner with respect to the simplex's circumsphere.
+    /// The simplices, in order, that fail with a neighbour: those for which `is_right(simplex, neighbour,
+    /// sign)` is false. Here `sign` is that of the power of the neighbour's opposite corner with respect to
+    /// the simplex's circumsphere.
     ///
     /// Each pair of neighbours is tested from one side. Let p and q be the powers of a point
     /// with respect to the circumspheres of A and B, with apexes a and b over the common facet.
