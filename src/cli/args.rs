@@ -98,8 +98,8 @@ pub enum Command {
     /// Move vertices and lattice for better angles, and prove the result
     ///
     /// Doubles search; the result is rational and proved. The combinatorics, the symmetry and the boundary
-    /// stay. The exit code is 3 when nothing better is found, or, with --goal acute, when the result is not
-    /// acute; the best so far is written in any case. Ctrl-C ends the search with the best so far.
+    /// stay. The exit code is 3 if nothing better is found, and with --goal acute if the result is not
+    /// acute. The best so far is written in any case. Ctrl-C ends the search with the best so far.
     #[command(after_long_help = examples!("\n  acutile optimize c14 -o c14-best.cbor\n  acutile optimize part.msh --goal acute -o part.cbor\n  acutile optimize slab --denominator 100 --json"))]
     Optimize(OptimizeArguments),
     /// The best certified tilings of each kind of domain, the literature, and lower bounds

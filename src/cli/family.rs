@@ -52,8 +52,8 @@ pub struct FamilyArguments {
     /// like 0.0629(3), at once. Numbers without one are exact, and symmetry is kept
     #[arg(long, conflicts_with_all = ["free", "maximal"])]
     pub within_su: bool,
-    /// How far each number of --free may vary, up and down: a coordinate in units of its basis vector, an
-    /// entry of the Gram matrix in its own unit
+    /// How far each number of --free may vary, up and down. A coordinate is in units of its basis vector,
+    /// an entry of the Gram matrix in its own unit
     #[arg(long, value_name = "RADIUS", requires = "free")]
     pub radius: Option<String>,
 }

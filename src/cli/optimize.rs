@@ -68,7 +68,7 @@ pub struct OptimizeArguments {
     /// Prove that the result is a strict local optimum, by exact multipliers; the prover alone says it
     #[arg(long)]
     pub prove_local: bool,
-    /// Write the certificate of the result to this file (`-` for standard output). acutile convert and
+    /// Write the certificate of the result to this file (`-` for standard output). The commands convert and
     /// export turn it into a mesh or a tiling file
     #[arg(short, long, value_name = "FILE")]
     pub output: Option<PathBuf>,

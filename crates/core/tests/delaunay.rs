@@ -493,9 +493,9 @@ fn agrees_with_brute_force() {
     }
 }
 
-/// Sets that are too large for the twin: a basis of the same lattice, sheared by up to 10
-/// six times over, gives the same cells, with doubles proving most of them (random points),
-/// some (a triclinic lattice), or none (a grid).
+/// Sets that are too large for the twin. A basis of the same lattice, sheared by up to 10 six times over,
+/// gives the same cells. Doubles prove most of them for random points, some in a triclinic lattice, and
+/// none in a grid.
 #[test]
 fn a_change_of_basis_changes_nothing() {
     let mut random = Random(31);

@@ -1,5 +1,5 @@
-//! Possible repairs of a defect: the distance to the nearest facet, the simplices that overlap with a
-//! common point, a missing simplex, the least move of a vertex.
+//! Possible repairs of a defect: the nearest facet with its distance, overlapping simplices with a common
+//! point, a missing simplex, the least move of a vertex.
 //!
 //! Doubles search; every value in a message is computed or confirmed exactly. Nothing here takes part in
 //! a proof or in a refutation: [`crate::checker`] has decided before.

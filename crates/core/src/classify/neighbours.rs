@@ -107,7 +107,7 @@ fn is_edge(cell: &Cell<3>, pair: &[usize; 2]) -> bool {
     facets().count() >= 2 && (0..cell.corners.len()).filter(|&c| common(c)).count() == 2
 }
 
-/// A star is of Frank and Kasper if all its cells are tetrahedra, its edges have valence 5 or 6, and no
+/// A star is of Frank and Kasper if all its cells are tetrahedra and its edges have valence 5 or 6. No
 /// triangle has two edges of valence 6. The module [`super::frank_kasper`] lists the links with these
 /// valences.
 fn of_star(star: &Star) -> Surroundings {

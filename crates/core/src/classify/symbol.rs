@@ -3,21 +3,21 @@
 //! A *chamber* of a triangulation is a flag: a vertex, an edge, … and a simplex, each in the next. Here it
 //! is a simplex with an order of its corners, of which the first k + 1 span the k-face. For each k = 0 … D
 //! every chamber C has exactly one other chamber s_k(C) that differs in the k-face only. For k < D it
-//! exchanges the corners k and k + 1; s_D goes through the facet without the last corner. A triangulation
-//! of a simply connected space is determined up to isomorphism by the chambers modulo any group of
-//! automorphisms, with the maps s_k and the orders of the products s_j s_k (Dress, Presentations of
-//! discrete groups, acting on simply connected manifolds, Adv. Math. 63, 1987; for algorithms
-//! Delgado-Friedrichs, Data structures and algorithms for tilings I, Theoret. Comput. Sci. 303, 2003). In a
+//! exchanges the corners k and k + 1; s_D goes through the facet without the last corner. Consider the
+//! chambers modulo any group of automorphisms, with the maps s_k and the orders of the products s_j s_k.
+//! They determine a triangulation of a simply connected space up to isomorphism (Dress, Presentations of
+//! discrete groups, acting on simply connected manifolds, Adv. Math. 63, 1987). For algorithms see
+//! Delgado-Friedrichs, Data structures and algorithms for tilings I, Theoret. Comput. Sci. 303, 2003. In a
 //! triangulation all orders but the one of s_(D-1) s_D are fixed; that one is the valence of the ridge that
 //! the first D - 1 corners span.
 //!
 //! The *minimal* symbol is the quotient by all automorphisms, orientation reversing ones included. It does
-//! not know the lattice that the triangulation was given with, so that two triangulations are isomorphic
-//! exactly when their minimal symbols are. It is the image under the coarsest partition of the chambers
-//! that separates different labels and that all s_k respect. The partition by labels is refined: a
-//! chamber's new colour is its old one with those of its images. Colours are numbered by rank, and so
-//! depend on the set of colours only. In the end each chamber of the quotient has a colour of its own. So
-//! the numbering by colour is canonical: isomorphic means equal.
+//! not depend on the lattice of the input. So two triangulations are isomorphic exactly if their minimal
+//! symbols are. It is the image under the coarsest partition of the chambers that separates different
+//! labels and that all s_k respect. The partition by labels is refined: a chamber's new colour is its old
+//! one with those of its images. Colours are numbered by rank, and so depend on the set of colours only. In
+//! the end each chamber of the quotient has a colour of its own. So the numbering by colour is canonical:
+//! isomorphic means equal.
 
 use super::ridges::Ridges;
 use crate::parallel;

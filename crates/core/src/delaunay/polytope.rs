@@ -5,14 +5,12 @@
 //! least corner, and pull each facet that does not contain v. The simplices are the pyramids with apex v
 //! over the simplices of these facets.
 //!
-//! *Pulling agrees on shared faces and across lattice translations.* The order depends
-//! only on differences of positions, so translates are cut alike. The pulling of
-//! P, restricted to a face F of P, is the pulling of F (De Loera, Rambau, Santos,
-//! Triangulations, 2010, Lemma 4.3.6): by induction on the dimension, if F does not contain
-//! v, F lies in a facet that is pulled by itself; if it does, v is also the least
-//! corner of F, and the simplices in F are the pyramids with apex v over the faces of F
-//! without v, which are faces of facets of P without v. So two cells with a
-//! common facet cut it alike.
+//! *Pulling agrees on shared faces and across lattice translations.* The order depends only on differences
+//! of positions, so translates are cut alike. The pulling of P, restricted to a face F of P, is the pulling
+//! of F (De Loera, Rambau, Santos, Triangulations, 2010, Lemma 4.3.6). The proof is by induction on the
+//! dimension. If F does not contain v, F lies in a facet that is pulled by itself. If it does, v is also
+//! the least corner of F. Then the simplices in F are the pyramids with apex v over the faces of F without
+//! v. These are faces of facets of P without v. So two cells with a common facet cut it alike.
 //!
 //! In the cubic lattice v is (0,0,0), and following the least corners
 //! gives the paths from (0,0,0) to (1,1,1): the six tetrahedra of Kuhn.

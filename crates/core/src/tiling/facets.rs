@@ -8,10 +8,9 @@
 //! order of their shifts, and the others are ordered by vertex. So two facets are lattice translates of
 //! each other exactly if their normal forms are equal.
 //!
-//! Side. In a positively oriented simplex with corners c_0 … c_D the facet without
-//! c_i, its corners in order, has the sign (-1)^i times the parity of the sort as
-//! orientation of its normal form. Two simplices that share the facet lie on
-//! opposite sides of it exactly when these signs differ.
+//! Side. Take the facet without c_i of a positively oriented simplex with corners c_0 … c_D, its corners in
+//! order. The orientation of its normal form is (-1)^i times the parity of the sort. Two simplices that
+//! share the facet lie on opposite sides of it exactly when these signs differ.
 
 use super::dimension::{same, same_value};
 use super::{Corner, FacetId, SimplexId, Tiling, VertexId, difference};

@@ -3,7 +3,7 @@
 //!
 //! The transcendental functions are computed with integers in units of 2^-bits; every rounding has a
 //! direction. No error is estimated beforehand. The result is a lower and an upper bound for any number of
-//! bits, and bits are added until the bounds are as close as asked. Signs use the intervals; the angles of
+//! bits. Bits are added until the bounds are as close as asked. Signs use the intervals; the angles of
 //! reports, and proofs of bounds for angles, use the rest.
 
 use malachite::base::num::arithmetic::traits::{

@@ -28,7 +28,7 @@ pub fn marked(text: &str) -> String {
     marked
 }
 
-/// What a word can be in a formula.
+/// The kinds of words in a formula.
 #[derive(Clone, Copy, PartialEq, Eq)]
 enum Kind {
     /// It has an index or an exponent: certainly a formula.
@@ -206,7 +206,7 @@ fn formula(text: &str) -> String {
     )
 }
 
-/// What follows `_` or `^`: a token, or several in braces. And where the rest begins.
+/// The argument of `_` or `^`: a token, or several in braces. And where the rest begins.
 fn index(tokens: &[&str], start: usize) -> (String, usize) {
     let end = match tokens[start] {
         "{" => tokens[start..].iter().position(|token| *token == "}"),
