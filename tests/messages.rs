@@ -144,7 +144,7 @@ fn a_name_that_promises_another_format_is_refused_and_nothing_is_written() {
         (
             &["draw", "bcc"][..],
             "x.eps",
-            "expected the extension .svg or .tex or",
+            "expected the extension .svg, .tex, .tikz",
         ),
         (
             &["draw", "bcc", "--format", "svg"],
@@ -156,7 +156,7 @@ fn a_name_that_promises_another_format_is_refused_and_nothing_is_written() {
             "x.svg",
             "TikZ is written",
         ),
-        (&["quality", "bcc"], "q.pdf", "or .csv or .svg or .json"),
+        (&["quality", "bcc"], "q.pdf", ".csv, .svg or .json"),
         (
             &["quality", "bcc", "--format", "csv"],
             "q.svg",

@@ -37,7 +37,7 @@ macro_rules! examples {
     };
 }
 
-/// Proves, in exact arithmetic, that tilings by tetrahedra are valid and acute.
+/// Proves in exact arithmetic that tilings and meshes of tetrahedra are valid, acute or Delaunay.
 #[derive(Debug, Parser)]
 #[command(name = "acutile", version, about, max_term_width = 100)]
 #[command(

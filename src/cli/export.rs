@@ -10,6 +10,8 @@ use super::output::{Output, write_bytes};
 use super::overwriting::check_not_an_input;
 use super::record::Record;
 use super::transcribe;
+use acutile_catalog as catalog;
+use acutile_core::format::recognise;
 use acutile_core::tiling::{Tiling, supercell};
 use acutile_core::with_dimension;
 use acutile_io::export::{System, algebra_text, coq_file, labelled_tiling_text};
@@ -111,9 +113,21 @@ fn written(arguments: &ExportArguments, output: &mut Output) -> Result<String, I
     with_dimension!(&named.tiling, AnyTiling, t => text(t, &named, format, &arguments.supercell))
 }
 
+fn expects_certificate(path: &InputName) -> String {
+    format!(
+        "{path}: found no certificate, which --coq takes; `acutile certify {path} -o FILE.cbor` writes one"
+    )
+}
+
 fn theorem(path: &InputName) -> Result<String, InputError> {
+    if !path.path().exists() && catalog::find(path).is_some() {
+        return Err(expects_certificate(path).into());
+    }
     let bytes = read_bytes(path.path(), BYTE_LIMIT)
         .map_err(|error| InputError::of_file(path.path(), &error))?;
+    if recognise(&bytes).is_none() {
+        return Err(expects_certificate(path).into());
+    }
     let cbor = transcribe::cbor(path, &bytes)?;
     Ok(coq_file(&cbor).map_err(|reason| format!("{path}: {reason}"))?)
 }

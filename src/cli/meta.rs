@@ -95,6 +95,15 @@ pub fn man(arguments: &ManArguments, output: &mut Output) -> Outcome {
     if let Err(message) = check_directory(folder) {
         return output.fail_with(None, message);
     }
+    let names_command = |command: &Command| folder.as_os_str() == command.get_name();
+    if !folder.exists() && program.get_subcommands().any(names_command) {
+        let name = folder.display();
+        let message = format!(
+            "{name}: found a command, expected a directory for the pages of all commands; \
+             `acutile {name} --help` prints its help"
+        );
+        return output.fail_with(None, message);
+    }
     // A missing folder is made, one that lies in a missing folder is not: writing fails then.
     let _ = std::fs::create_dir(folder);
     for command in std::iter::once(&program).chain(program.get_subcommands()) {

@@ -57,7 +57,8 @@ fn ended(given: &[OsString], error: &Error) -> ExitCode {
     let _ = match error.use_stderr() {
         true => {
             let text = in_plain_words(error.render().ansi().to_string());
-            let advice = command_missing(error).unwrap_or_default();
+            let advice = command_missing(error).or_else(|| argument_advice(error));
+            let advice = advice.unwrap_or_default();
             write!(anstream::stderr(), "{text}{advice}")
         }
         false => error.print(),
@@ -90,6 +91,29 @@ fn command_missing(error: &Error) -> Option<String> {
     let again = Arguments::command().try_get_matches_from(["acutile", name]);
     let command = again.as_ref().err().and_then(suggested)?;
     Some(format!("\nDid you mean `acutile help {command}`?\n"))
+}
+
+/// Advice where the input is missing, and where a command without -o gets it.
+fn argument_advice(error: &Error) -> Option<String> {
+    match (error.kind(), error.get(ContextKind::InvalidArg)?) {
+        (ErrorKind::MissingRequiredArgument, ContextValue::Strings(missing)) => {
+            let is_input = |name: &String| name.contains("NAME|FILE");
+            missing.iter().any(is_input).then(|| {
+                "\n`acutile list` names the constructions of the catalogue, and `acutile new KIND` \
+                 writes an example of a file.\n"
+                    .to_owned()
+            })
+        }
+        (ErrorKind::UnknownArgument, ContextValue::String(name)) => {
+            let is_output = name == "-o" || name == "--output";
+            is_output.then(|| {
+                "\nThis command writes to standard output, and a shell writes that to a file: \
+                 > FILE\n"
+                    .to_owned()
+            })
+        }
+        _ => None,
+    }
 }
 
 /// The messages of clap about numbers, and about arguments that are no text, in plain words.

@@ -220,7 +220,12 @@ fn something_else(begin: &[u8]) -> Option<String> {
     }
     let first = begin.trim_ascii_start().first()?;
     let is_text = first.is_ascii_graphic() && *first != b'{';
-    is_text.then(|| format!("begins with {:?}, {expected}", char::from(*first)))
+    is_text.then(|| {
+        format!(
+            "begins with {:?}, {expected}; `acutile certify` proves a tiling or a mesh, and writes one",
+            char::from(*first)
+        )
+    })
 }
 
 /// Bytes by which the encodings differ.

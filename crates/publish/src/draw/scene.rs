@@ -1,5 +1,5 @@
-//! What is seen in one panel: opaque tetrahedra, lines and points in space, turned into
-//! marks without anything that is covered.
+//! The visible parts of one panel: opaque tetrahedra, lines and points in space become marks, without their
+//! hidden parts.
 
 use super::DrawError;
 use super::drawing::{Colour, Item, Stroke, lit};

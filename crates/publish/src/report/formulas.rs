@@ -1,5 +1,6 @@
-//! Formulas in the running text of documents as MathML: `h_f(x) = det(w_1 - w_0, x - w_0)`. Documents write them as plain text, so this
-//! recognises them: words with an index or an exponent, and what operators join to them. All else stays text.
+//! Formulas in the running text of documents as MathML: `h_f(x) = det(w_1 - w_0, x - w_0)`. Documents write
+//! them as plain text, so this recognises them: words with an index or an exponent, and the terms that
+//! operators join to them. All else stays text.
 
 use super::html::escape;
 
