@@ -281,6 +281,18 @@ fn first_mistakes() {
             "a15: found no certificate, which --coq takes; `acutile certify a15 -o FILE.cbor` writes one",
         ),
         (
+            &["certify", &mesh, "--special"],
+            "part.mesh: --special is for a CIF, which this is not",
+        ),
+        (
+            &["export", &mesh, "--supercell", "2,2,2"],
+            "--supercell: found 3 numbers for a tiling without a lattice, expected none",
+        ),
+        (
+            &["export", "a15", "--supercell", "2"],
+            "--supercell: found 1 number, expected 3",
+        ),
+        (
             &["verify", &mesh],
             "`acutile certify` proves a tiling or a mesh, and writes one",
         ),

@@ -8,6 +8,7 @@ from collections.abc import Callable, Iterable
 from typing import Any
 
 from . import _inputs, _native
+from ._native import Failed
 from ._results import (
     Classification,
     Optimized,
@@ -62,7 +63,8 @@ def certify(
         The domain of a tiling file, such as ``{"solid": {"vertices": …}}``. Without it a bounded
         mesh is the region that it covers.
     require
-        Statements that must hold, such as ``"acute"``, ``"dihedral<80"``, ``"delaunay"``.
+        Statements that must hold, such as ``"acute"``, ``"dihedral<80"``, ``"delaunay"``: a list,
+        or a text with commas.
     certificate
         Whether to write a certificate and let the kernel check it. Without it the prover alone
         decides, which is faster.
@@ -96,7 +98,7 @@ def certify(
     {'right-angle': 3}
     """
     if isinstance(require, str):
-        require = [require]
+        require = require.split(",")
     if lattice is not None:
         options["lattice"] = lattice
     if domain is not None:
@@ -158,13 +160,15 @@ def optimize(
     return Optimized(best, json.loads(answer), cbor)
 
 
-def verify(certificate: bytes | str | os.PathLike, claim: str | None = None) -> Verified:
+def verify(
+    certificate: bytes | str | os.PathLike | Result, claim: str | None = None
+) -> Verified:
     """Checks a certificate with the kernel, from its bytes alone.
 
     Parameters
     ----------
     certificate
-        The bytes in CBOR or canonical JSON, or a file name.
+        The bytes in CBOR or canonical JSON, a file name, or a result of :func:`certify`.
     claim
         The text of a claim file. The certificate must prove exactly this claim.
 
@@ -181,6 +185,8 @@ def verify(certificate: bytes | str | os.PathLike, claim: str | None = None) -> 
     OSError
         The file cannot be read.
     """
+    if isinstance(certificate, Result):
+        certificate = certificate.require_certificate()
     if not isinstance(certificate, (bytes, bytearray)):
         with open(certificate, "rb") as file:
             certificate = file.read()
@@ -254,13 +260,13 @@ def classify(source: Any, cells: Any = None, **options: Any) -> Classification:
     return Classification(**json.loads(tiling.classify()))
 
 
-def table(names: Iterable[str], *, format: str = "text") -> str:
+def table(names: str | Iterable[str], *, format: str = "text") -> str:
     """The columns of the paper's Table 1 for constructions of the catalogue.
 
     `format` is ``text``, ``markdown``, ``latex``, ``csv`` or ``json``. Angles are in degrees. An
     unknown name raises ``Failed``.
     """
-    return _native.table_of(list(names), format)
+    return _native.table_of([names] if isinstance(names, str) else list(names), format)
 
 
 def report(*results: Result, names: Iterable[str] | None = None) -> str:
@@ -269,6 +275,10 @@ def report(*results: Result, names: Iterable[str] | None = None) -> str:
     It loads nothing from elsewhere, and verifies the certificates in the browser. `names` has a
     title for each result. A result without a certificate raises ``Failed``.
     """
+    for result in results:
+        if not isinstance(result, Result):
+            found = type(result).__name__
+            raise Failed(f"found {found}, expected results of certify, such as certify('a15')")
     labels = list(names) if names is not None else [f"result {k}" for k in range(len(results))]
     if len(labels) != len(results):
         raise ValueError(f"found {len(labels)} names for {len(results)} results")

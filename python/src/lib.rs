@@ -226,6 +226,11 @@ fn array<T: numpy::Element>(
 #[pyo3(signature = (certificate, claim=None))]
 fn verify(py: Python<'_>, certificate: Vec<u8>, claim: Option<Vec<u8>>) -> PyResult<String> {
     work(py, None, move |_| {
+        if format::recognise(&certificate).is_none() {
+            return Err(failed(
+                "found no certificate, expected CBOR or JSON with the format acutile-certificate; certify(...).certificate is one",
+            ));
+        }
         let cbor = format::to_cbor(&certificate).map_err(failed)?;
         let verified = acutile_kernel::verify(&mut &cbor[..], &Limits::DEFAULT);
         let verified =
@@ -248,6 +253,11 @@ fn names() -> Vec<(String, String)> {
 fn table_of(py: Python<'_>, names: Vec<String>, format: String) -> PyResult<String> {
     work(py, None, move |_| -> Result<String, PyErr> {
         let wanted: Vec<&str> = names.iter().map(String::as_str).collect();
+        if let Some(wrong) = wanted.iter().find(|name| catalog::find(name).is_none()) {
+            return Err(failed(format!(
+                "{wrong}: found no name of the catalogue; names() lists them"
+            )));
+        }
         let survey = Survey::of(&wanted);
         let row = |name: &&str| survey.get(name).map(|study| Row::of(name, study));
         let rows: Vec<Row> = wanted

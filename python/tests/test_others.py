@@ -77,5 +77,19 @@ def test_a_page():
     assert page.lower().startswith("<!doctype html>") and "A15" in page
 
 
+def test_first_mistakes_get_the_next_step():
+    proved = acutile.certify("bcc", require="nonobtuse,delaunay")
+    assert acutile.verify(proved).sha256 == proved.sha256
+    assert "bcc" in acutile.table("bcc", format="csv").lower()
+    for call, words in [
+        (lambda: acutile.certify("a51"), "did you mean a15"),
+        (lambda: acutile.table("foo"), r"names\(\) lists them"),
+        (lambda: acutile.report("a15"), "found str, expected results of certify"),
+        (lambda: acutile.verify(b"hello"), "found no certificate"),
+    ]:
+        with pytest.raises(acutile.Failed, match=words):
+            call()
+
+
 def test_the_catalogue():
     assert "a15" in acutile.names()

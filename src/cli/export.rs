@@ -12,6 +12,7 @@ use super::record::Record;
 use super::transcribe;
 use acutile_catalog as catalog;
 use acutile_core::format::recognise;
+use acutile_core::statement::counted;
 use acutile_core::tiling::{Tiling, supercell};
 use acutile_core::with_dimension;
 use acutile_io::export::{System, algebra_text, coq_file, labelled_tiling_text};
@@ -185,10 +186,12 @@ pub fn supercell_sizes<const D: usize>(
 ) -> Result<[u16; D], String> {
     let rank = tiling.frame.rank();
     if sizes.len() != rank {
-        let found = sizes.len();
-        return Err(format!(
-            "--supercell: found {found} numbers, expected {rank}"
-        ));
+        let found = counted(sizes.len(), "number", "numbers");
+        return Err(if rank == 0 {
+            format!("--supercell: found {found} for a tiling without a lattice, expected none")
+        } else {
+            format!("--supercell: found {found}, expected {rank}")
+        });
     }
     let copies = sizes.iter().map(|&n| n as usize).product::<usize>();
     let simplices = copies.saturating_mul(tiling.len().max(tiling.vertices.len()));

@@ -175,6 +175,7 @@ fn read_content(
 ) -> Result<Read, InputError> {
     let loaded = match content {
         TextOrMesh::Mesh(loaded) => {
+            document::check_for_crystal(input, &options.points)?;
             mesh::tiling(input, loaded, &options.mesh, output).map(Loaded::Tiling)
         }
         TextOrMesh::Text(text) => {
