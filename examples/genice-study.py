@@ -21,7 +21,7 @@ import tempfile
 from fractions import Fraction
 
 COUNT = 84
-# Lengths are published as doubles; so many decimals are kept.
+# Lengths are published as doubles; only these decimals are kept.
 DECIMALS = 9
 
 

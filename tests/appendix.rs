@@ -108,7 +108,7 @@ fn foreign_and_edited_files_stay_without_force() {
     let place = tempfile::tempdir().expect("a temporary directory");
     file(place.path(), "notes.txt", "mine");
     assert_eq!(code(&write(&["cube-6"], place.path(), &[])), 0);
-    // What nobody changed is replaced, here by a document about something else.
+    // A file that nobody changed is replaced, here by a document about something else.
     assert_eq!(code(&write(&["cube-5"], place.path(), &[])), 0);
     let edited = text(place.path().join("main.tex")) + "% a line of mine\n";
     file(place.path(), "main.tex", &edited);

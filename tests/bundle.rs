@@ -1,5 +1,5 @@
-//! `acutile bundle`: what is in an archive, that it depends on nothing but its input, and that a
-//! referee's three programs believe what is in it and nothing else.
+//! `acutile bundle`: the content of an archive, and that it depends on nothing but its input. A referee's
+//! three programs accept its certificates, and refuse changed ones.
 //!
 //! A test that needs Python 3, Node 20, make or TeX is ignored, so that `cargo test` needs Rust
 //! alone; `cargo test -- --ignored` runs it.

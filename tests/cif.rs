@@ -207,7 +207,7 @@ fn the_documented_example() {
     let words = |text: &str| text.split_whitespace().collect::<Vec<_>>().join(" ");
     let (printed, mut count) = (words(&printed), 0);
     for block in document.split("```").skip(1).step_by(2) {
-        // What stands between two commands or ellipses is one piece.
+        // The lines between two commands or ellipses are one piece.
         for piece in block
             .split('\n')
             .filter(|line| !line.starts_with('$'))
@@ -222,8 +222,9 @@ fn the_documented_example() {
     assert!(count > 3);
 }
 
-/// Delaunay cells and Voronoi neighbours of simple lattices and packings, by hand: the cube; the prism over a
-/// triangle; two tetrahedra and an octahedron for each atom of a close packing; bcc has tetrahedra only.
+/// Delaunay cells and Voronoi neighbours of simple lattices and packings, by hand. They are the cube, and
+/// the prism over a triangle. A close packing has two tetrahedra and an octahedron for each atom, and bcc
+/// has tetrahedra only.
 #[test]
 fn cells_that_are_not_cut() {
     let place = tempfile::tempdir().expect("a directory");

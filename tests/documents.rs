@@ -187,3 +187,80 @@ fn no_test_is_switched_off() {
         "only {count} harnesses are switched off: was [lib] renamed?"
     );
 }
+
+/// CONTRIBUTING.md has a row for every file with tests that `cargo test` ignores. The row names the file.
+#[test]
+fn every_ignored_test_has_a_row_with_its_needs() {
+    let rows = read("CONTRIBUTING.md");
+    let row = |start: String| rows.lines().any(|line| line.starts_with(&start));
+    let root = Path::new(env!("CARGO_MANIFEST_DIR"));
+    let crates = fs::read_dir(root.join("crates")).expect("crates");
+    let folders = crates.map(|entry| entry.expect("an entry").path());
+    let mut count = 0;
+    for folder in folders.chain([root.to_path_buf()]) {
+        let Ok(files) = fs::read_dir(folder.join("tests")) else {
+            continue;
+        };
+        for file in files {
+            let path = file.expect("an entry").path();
+            let is_ignoring = |path: &PathBuf| {
+                let text = fs::read_to_string(path).unwrap_or_default();
+                text.lines().any(|line| line.starts_with("#[ignore"))
+            };
+            if !is_ignoring(&path) {
+                continue;
+            }
+            let name = path.file_stem().expect("a name").to_string_lossy();
+            let start = if folder == *root {
+                format!("| `cargo test --test main -- --ignored {name}::`")
+            } else {
+                let package = folder.file_name().expect("a name").to_string_lossy();
+                format!("| `cargo test --package acutile-{package} --test {name} -- --ignored`")
+            };
+            assert!(row(start.clone()), "CONTRIBUTING.md has no row {start}");
+            count += 1;
+        }
+    }
+    assert!(count > 5, "only {count} files have ignored tests");
+}
+
+/// The kinds of examples that documents name are those of `acutile new`.
+#[test]
+fn examples_that_documents_name_exist() {
+    let root = Path::new(env!("CARGO_MANIFEST_DIR"));
+    let mut count = 0;
+    for folder in ["docs", "docs/tutorials"] {
+        for entry in fs::read_dir(root.join(folder)).expect("a folder") {
+            let text = fs::read_to_string(entry.expect("an entry").path()).unwrap_or_default();
+            let uses = text.split("`acutile new ").skip(1);
+            for kind in uses.filter_map(|rest| rest.split(['`', ' ']).next()) {
+                if kind != "KIND" {
+                    let run = crate::common::acutile(["new", kind]);
+                    assert_eq!(crate::common::code(&run), 0, "acutile new {kind}");
+                    count += 1;
+                }
+            }
+        }
+    }
+    assert!(count > 1, "documents name only {count} examples");
+}
+
+/// Scripts in .ci that documents name exist.
+#[test]
+fn scripts_that_documents_name_exist() {
+    let root = Path::new(env!("CARGO_MANIFEST_DIR"));
+    let documents = fs::read_dir(root.join("docs")).expect("docs");
+    let documents = documents.map(|entry| entry.expect("an entry").path());
+    let others = ["README.md", "CONTRIBUTING.md", "ARCHITECTURE.md"].map(|name| root.join(name));
+    let mut count = 0;
+    for path in documents.chain(others) {
+        let text = fs::read_to_string(&path).unwrap_or_default();
+        for rest in text.split("`.ci/").skip(1) {
+            let name: &str = rest.split(['`', ' ']).next().unwrap_or_default();
+            let place = path.display();
+            assert!(root.join(".ci").join(name).exists(), "{place}: .ci/{name}");
+            count += 1;
+        }
+    }
+    assert!(count > 8, "documents name only {count} scripts");
+}

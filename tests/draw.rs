@@ -82,8 +82,8 @@ fn pdf_and_png_have_the_size_of_the_figure() {
     );
 }
 
-/// Other programs read the files: the words of a PDF are those of the SVG, its fonts are embedded, and the colours in the
-/// middles of dots and faces are those of the drawing.
+/// Other programs read the files. The words of a PDF are those of the SVG, and its fonts are embedded. The
+/// colours in the middles of dots and faces are those of the drawing.
 #[test]
 #[ignore = "needs poppler, and Python with Pillow"]
 fn other_programs_read_pdf_and_png() {

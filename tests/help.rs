@@ -125,7 +125,38 @@ fn common_options_stand_first() {
     }
 }
 
-/// What bash completes, with the script that the program prints.
+/// A wrong name after `help` gets the suggestion that it gets as a command.
+#[test]
+fn help_suggests_a_command() {
+    let run = acutile(["help", "certfy"]);
+    assert_eq!(code(&run), 2);
+    let words = stderr(&run);
+    assert!(
+        words.contains("Did you mean `acutile help certify`?"),
+        "{words}"
+    );
+    let words = stderr(&acutile(["help", "qqq"]));
+    assert!(!words.contains("Did you mean"), "{words}");
+}
+
+/// The scripts for Elvish and PowerShell have names of the catalogue in the part of each command that takes them.
+#[test]
+fn elvish_and_powershell_complete_names_of_the_catalogue() {
+    for (shell, begin, name) in [
+        ("elvish", "&'acutile;certify'= {", "cand sommerville-2 "),
+        ("powershell", "'acutile;certify' {", "new('sommerville-2', "),
+    ] {
+        let script = stdout(&acutile(["completions", shell]));
+        let part = script.split(begin).nth(1).expect("the part of certify");
+        let part = part.split("'acutile;").next().unwrap_or_default();
+        assert_eq!(part.matches(name).count(), 1, "{shell}");
+        let verify = script.split("'acutile;verify'").nth(1).expect("verify");
+        let verify = verify.split("'acutile;").next().unwrap_or_default();
+        assert!(!verify.contains(name), "{shell}: verify takes files alone");
+    }
+}
+
+/// The completions of bash, with the script that the program prints.
 #[cfg(unix)]
 #[test]
 fn bash_completes_names_of_the_catalogue_and_statements() {

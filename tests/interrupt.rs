@@ -1,4 +1,4 @@
-//! An interrupt leaves nothing behind: neither half a certificate nor a temporary file.
+//! An interrupt leaves neither half a certificate nor a temporary file.
 #![cfg(target_os = "linux")] // env --default-signal is of GNU
 
 use crate::common::{acutile, code, stderr};

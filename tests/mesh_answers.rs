@@ -1,5 +1,5 @@
-//! Answers about meshes that say neither more nor less than needed: one line for one fault, points in the
-//! coordinates of the file, nouns that agree with their numbers.
+//! Answers about meshes: one line for one fault, points in the coordinates of the file, nouns that agree
+//! with their numbers.
 
 use super::common::{acutile, code, file, stderr, stdout};
 use super::mesh_cases::{certify, grid};
@@ -34,8 +34,8 @@ pub fn certify_text(
     certify(&file(folder, name, text).to_string_lossy(), options)
 }
 
-/// Two tetrahedra with a common edge, or only a common corner, that have nodes of their own: each pair of
-/// facets at the edge touches, and it is one contact.
+/// Two tetrahedra have a common edge or corner in space, and different nodes there. Each pair of facets at
+/// the edge touches, and this is one contact.
 #[test]
 fn a_contact_along_an_edge_is_one_line() {
     let folder = tempfile::tempdir().expect("a folder");
@@ -138,9 +138,9 @@ fn is_inside(corners: &[[f64; 3]], point: [f64; 3]) -> bool {
     })
 }
 
-/// Tetrahedra around a common edge: any two facets at one of its ends have a common corner. The kernel
-/// finds for most of these pairs at the first attempt that they have nothing else in common; with all
-/// attempts it needed 13,000 units of work for a pair, of which there are 11,175 at each end.
+/// Tetrahedra around a common edge: any two facets at one of its ends have a common corner. For most of
+/// these pairs the first attempt of the kernel shows that they have nothing else in common. With all
+/// attempts it needed 13,000 units of work for a pair. There are 11,175 pairs at each end.
 #[test]
 fn a_fan_costs_the_kernel_little() {
     let folder = tempfile::tempdir().expect("a folder");
@@ -217,7 +217,7 @@ fn triangles_of_third_order_are_declined_by_name() {
     assert!(err.contains("has 1 third-order triangle,"), "{err}");
 }
 
-/// Formats of meshio 5.3.5 and Gmsh 4.15.2 that are not read; none is taken for a POSCAR, though the second
+/// Formats of meshio 5.3.5 and Gmsh 4.15.2 that are not read. None is read as a POSCAR, though the second
 /// to fifth lines have one and three numbers.
 #[test]
 fn formats_that_are_not_read_are_named_by_their_first_bytes() {

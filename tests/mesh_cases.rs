@@ -325,7 +325,7 @@ fn msh_numbers_are_positive() {
     }
 }
 
-/// Labels and names go from MSH to VTU and back, and names that a format does not hold are told.
+/// Labels and names go from MSH to VTU and back. Names that a format cannot store are named in a note.
 #[test]
 fn labels_are_kept_or_their_loss_is_told() {
     let text = "$MeshFormat\n2.2 0 8\n$EndMeshFormat\n$PhysicalNames\n1\n3 7 \"steel\"\n\

@@ -4,8 +4,8 @@ use super::common::file;
 use super::mesh_answers::certify_text;
 use super::mesh_cases::certify;
 
-/// Corners and middle nodes of a curved triangle that is valid only if the middle nodes are taken in the
-/// order 01, 12, 02: in the other two rotations the Jacobian at corner 0 is -5 and -9/2.
+/// Corners and middle nodes of a curved triangle that is valid only with the middle nodes in the order 01,
+/// 12, 02. In the other two rotations the Jacobian at corner 0 is -5 and -9/2.
 const CURVED: [&str; 6] = ["0 0", "1 0", "0 1", "0.5 0.125", "0.5 0.5", "0 0.5"];
 
 #[test]

@@ -262,9 +262,9 @@ fn tilings_of_the_catalogue_become_meshes_and_are_proved_again() {
     );
 }
 
-/// The unit cubes of Z^3, each cut into six. A tetrahedron of one of the eight cubes at the
-/// origin has coordinates -1, 0 and 1, so its corners are within sqrt 3 < 1.8; one of any other cube
-/// has a corner with a coordinate 2 or -2.
+/// The unit cubes of Z^3, each cut into six. A tetrahedron of one of the eight cubes at the origin has
+/// coordinates -1, 0 and 1, so its corners are within sqrt 3 < 1.8. A tetrahedron of any other cube has a
+/// corner with a coordinate 2 or -2.
 #[test]
 fn a_patch_holds_whole_tetrahedra_in_the_ball() {
     let folder = tempfile::tempdir().expect("a folder");

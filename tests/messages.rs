@@ -1,10 +1,10 @@
-//! Messages about input files: the place, the line with a caret, and words of those who write
-//! such files; and names of output files that promise another format.
+//! Messages about input files: the place, the line with a caret, and the words of people who write such
+//! files. Also names of output files that promise another format.
 
 use crate::common::{acutile, code, stderr, stdout};
 use std::path::Path;
 
-/// What `certify` says of a file with this content.
+/// The message of `certify` about a file with this content.
 fn complaint(place: &Path, content: &str) -> String {
     let file = place.join("t.json");
     std::fs::write(&file, content).expect("written");
@@ -144,7 +144,7 @@ fn a_name_that_promises_another_format_is_refused_and_nothing_is_written() {
         (
             &["draw", "bcc"][..],
             "x.eps",
-            "expected the extension .svg or .tex or",
+            "expected the extension .svg, .tex, .tikz",
         ),
         (
             &["draw", "bcc", "--format", "svg"],
@@ -156,7 +156,7 @@ fn a_name_that_promises_another_format_is_refused_and_nothing_is_written() {
             "x.svg",
             "TikZ is written",
         ),
-        (&["quality", "bcc"], "q.pdf", "or .csv or .svg or .json"),
+        (&["quality", "bcc"], "q.pdf", ".csv, .svg or .json"),
         (
             &["quality", "bcc", "--format", "csv"],
             "q.svg",
@@ -205,7 +205,7 @@ fn delaunay_of_a_name_says_that_it_is_a_tiling() {
     assert!(stderr(&output).contains("a15: a tiling of the catalogue, expected a file of points"));
 }
 
-/// What the program says of these arguments, which must be wrong.
+/// The message of the program about these arguments, which must be wrong.
 pub fn refusal(arguments: &[&str]) -> String {
     let output = acutile(arguments);
     assert_eq!(code(&output), 2, "{arguments:?}: {}", stderr(&output));

@@ -166,8 +166,8 @@ fn classification_in_words_and_json() {
     );
 }
 
-/// Checked against the paper by hand calculation and by a second computation in floating
-/// point: a row that changes sides is either a mistake here or news about the paper.
+/// Checked against the paper by hand calculation and by a second computation in floating point. If a
+/// verdict changes, there is a mistake either here or in the paper.
 #[test]
 fn the_rows_that_differ_from_print() {
     let output = crate::common::acutile(["paper", "--json"]);

@@ -29,8 +29,8 @@ fn name_of(phase: &str) -> Value {
     json!([format!("Frank-Kasper {} phase", phase.to_uppercase())])
 }
 
-/// The group of the points, the numbers of vertices of each type, and for P, M and R the coordination number of each
-/// site, which is in its label, are those of the literature.
+/// The group of the points and the numbers of vertices of each type are those of the literature. For P, M
+/// and R so is the coordination number of each site, which is in its label.
 #[test]
 fn phases_of_frank_and_kasper_are_named() {
     for (phase, group, counts) in PHASES {

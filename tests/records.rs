@@ -3,9 +3,9 @@
 use crate::common::{acutile, code, stderr, stdout};
 use serde_json::Value;
 
-/// The values of the cube and the dodecahedron are those of prototypes in another language: 86.7531 and
-/// 81.4031, of C14 74.147706 and of the slab 77.336565 are optima, and the catalogue's rational coordinates come near. Each digest is that of the certificate
-/// that `certify` writes.
+/// The values of the cube and the dodecahedron, 86.7531 and 81.4031, are those of prototypes in another
+/// language. The values of C14, 74.147706, and of the slab, 77.336565, are optima; the catalogue's rational
+/// coordinates come near. Each digest is that of the certificate that `certify` writes.
 #[test]
 fn values_come_from_certificates() {
     let run = acutile(["records", "--json"]);

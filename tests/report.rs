@@ -188,7 +188,7 @@ fn what_the_kernel_refuses_is_on_no_page_as_proved() {
             "{name}: {}",
             stderr(&output)
         );
-        // A claim that is false has a page that says so; what cannot be read has none.
+        // A claim that is false has a page that says so. A file that cannot be read has none.
         assert_eq!(target.exists(), expected == 1, "{name}");
         if expected == 1 {
             let page = std::fs::read_to_string(&target).expect("a page");

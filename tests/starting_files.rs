@@ -1,5 +1,5 @@
-//! What `acutile new` writes: accepted as it is; and what becomes of it with one thing
-//! wrong, or with a thousand random changes.
+//! The files that `acutile new` writes: accepted as they are, and answered sensibly with one fault, or with
+//! a thousand random changes.
 
 use crate::common::{acutile, code, file, stderr, stdout};
 use acutile_core::checker::Options;
@@ -21,8 +21,9 @@ fn example(kind: &str) -> String {
     stdout(&output)
 }
 
-/// The Kuhn cube has 6 tetrahedra, the cube cut at its corners 5, A15 46, Z 40; triangles 2; the tiling of
-/// space over the rows of 3^3.4^2 has 86, one cell of A15 (46 for a square) and one of Z (40 for two triangles).
+/// The Kuhn cube has 6 tetrahedra, the cube cut at its corners 5, A15 46, Z 40. The plane has 2 triangles.
+/// The tiling of space over the rows of 3^3.4^2 has 86: one cell of A15 (46 for a square) and one of Z (40
+/// for two triangles).
 #[test]
 fn every_kind_is_certified_as_it_is() {
     let place = tempfile::tempdir().expect("a directory");
@@ -121,7 +122,7 @@ fn comments() {
     );
 }
 
-/// What a file leads to: how many statements the kernel confirms, or nothing.
+/// The number of statements that the kernel confirms of a file, or nothing.
 fn judge(text: &str, is_cif: bool) -> Option<usize> {
     let content = match is_cif {
         true => {
@@ -146,7 +147,7 @@ fn delaunay<const D: usize>(points: &PointSet<D>) -> Option<Tiling<D>> {
     triangulate(points, Ties::Refuse).ok()
 }
 
-/// What the prover proves the kernel confirms.
+/// The kernel confirms every proof of the prover.
 fn statements<const D: usize>(tiling: &Tiling<D>) -> Option<usize> {
     match prove(tiling, &Options::default(), &|_| ()) {
         Ok(proved) => Some(proved.statements().len()),
@@ -155,8 +156,8 @@ fn statements<const D: usize>(tiling: &Tiling<D>) -> Option<usize> {
     }
 }
 
-/// Every corner moved by a lattice vector, or replaced by another vertex where there is no lattice; every
-/// simplex left out, doubled, or turned over: each is refuted.
+/// Every corner is moved by a lattice vector, or replaced by another vertex where there is no lattice.
+/// Every simplex is left out, doubled, or turned over. Each change is refuted.
 #[test]
 fn planted_defects_in_tilings_are_refuted() {
     for kind in TILINGS {

@@ -273,7 +273,8 @@ fn limits_are_options() {
     assert!(line.contains(&format!("--max-bytes {length}")), "{line}");
 }
 
-/// A wrong certificate in JSON is named by its line, and not by a byte of its CBOR.
+/// A wrong certificate in JSON is named by line and column, and not by a byte of its CBOR. The columns are
+/// those of the items in the lines here, counted by hand.
 #[test]
 fn lines_of_json() {
     let place = tempfile::tempdir().expect("a directory");
@@ -282,27 +283,33 @@ fn lines_of_json() {
     assert_eq!(code(&acutile(["certify", "a15", "-o", whole])), 0);
     let text = fs::read_to_string(whole).expect("written");
     let wrong = place.path().join("wrong.json");
+    let page = place.path().join("page.html");
+    let page = page.to_str().expect("UTF-8");
     for (right, other, words) in [
         (
             "\"dimension\":3",
             "\"dimension\":4",
-            "[dimension] line 6 (\"dimension\":4): expected the dimension 2 or 3",
+            "[dimension] line 6, column 13 (\"dimension\":4): expected the dimension 2 or 3",
         ),
-        ("\"acute\"", "\"cute\"", "[statements] line 16 (\"cute\"): "),
+        (
+            "\"acute\"",
+            "\"cute\"",
+            "[statements] line 16, column 1 (\"cute\"): ",
+        ),
         (
             "\"maximum\",1,[1,25]",
             "\"maximun\",1,[1,25]",
-            "line 17 ([\"largest dihedral angle\",\"maximun\",1,[1,25]]): ",
+            "line 17, column 27 ([\"largest dihedral angle\",\"maximun\",1,[1,25]]): ",
         ),
         (
             "\"boundary\":[]",
             "\"boundary\":7",
-            "[cbor] line 39 (\"boundary\":7): expected an item",
+            "[cbor] line 39, column 12 (\"boundary\":7): expected an item",
         ),
         (
             "\"boundary\"",
             "\"bundary\"",
-            "[json] line 27 (\"witness\":{): the members are not those",
+            "[json] line 27, column 11 (\"witness\":{): the members are not those",
         ),
     ] {
         let changed = text.replacen(right, other, 1);
@@ -311,6 +318,10 @@ fn lines_of_json() {
         fs::write(&wrong, &changed).expect("written");
         let answer = stdout(&run(&[wrong.to_str().expect("UTF-8")]));
         assert!(answer.contains(words), "line {line}: {answer}");
+        // Commands that show certificates say the same.
+        let report = acutile(["report", wrong.to_str().expect("UTF-8"), "-o", page]);
+        let report = String::from_utf8_lossy(&report.stderr).into_owned();
+        assert!(report.contains(words), "line {line}: {report}");
     }
 }
 

@@ -35,6 +35,14 @@ fn numbers_and_statements_in_options() {
             "-1 is out of range, expected an integer from 20 to 1000",
         ),
         (
+            &["draw", "a15", "--width", "1e3"],
+            "'1e3' for '--width <MM>': expected an integer from 20 to 1000",
+        ),
+        (
+            &["optimize", "c14", "--denominator", "0"],
+            "0 is out of range, expected an integer from 1 to 1152921504606846976",
+        ),
+        (
             &["search", "balls", "--steps", "-1"],
             "'-1' for '--steps <N>'",
         ),
@@ -227,4 +235,80 @@ fn a_folder_and_a_device_that_take_nothing() {
         let text = refusal(arguments);
         assert!(text.contains(words), "{arguments:?}: {text}");
     }
+}
+
+/// Mistakes of people who use the program for the first time: each answer names the next step.
+#[test]
+fn first_mistakes() {
+    let place = tempfile::tempdir().expect("a directory");
+    let at = |name: &str| place.path().join(name).to_str().expect("UTF-8").to_owned();
+    let mesh = at("part.mesh");
+    assert_eq!(code(&acutile(["convert", "cube-6", &mesh])), 0);
+    for (arguments, words) in [
+        (&["certify"][..], "`acutile list` names the constructions"),
+        (&["draw"], "`acutile new KIND` writes an example of a file"),
+        (
+            &["table", "a15", "-o", "t.tex"],
+            "This command writes to standard output",
+        ),
+        (
+            &["certify", "kagome"],
+            "neither a name of the catalogue (acutile list) nor a file; did you mean kagome:WORD?",
+        ),
+        (
+            &["appendix", "a15", "-o", &at("app.pdf")],
+            "app.pdf: found the extension .pdf, expected the name of a directory",
+        ),
+        (
+            &["gallery", "-o", &at("site.html")],
+            "site.html: found the extension .html, expected the name of a directory",
+        ),
+        (
+            &["man", "certify"],
+            "certify: found a command, expected a directory for the pages of all commands; \
+             `acutile certify --help` prints its help",
+        ),
+        (
+            &["delaunay", &mesh],
+            "part.mesh: a mesh, expected a file of points; `acutile certify ",
+        ),
+        (
+            &["export", "--coq", &mesh],
+            "part.mesh: found no certificate, which --coq takes; `acutile certify ",
+        ),
+        (
+            &["export", "--coq", "a15"],
+            "a15: found no certificate, which --coq takes; `acutile certify a15 -o FILE.cbor` writes one",
+        ),
+        (
+            &["certify", &mesh, "--special"],
+            "part.mesh: --special is for a CIF, which this is not",
+        ),
+        (
+            &["export", &mesh, "--supercell", "2,2,2"],
+            "--supercell: found 3 numbers for a tiling without a lattice, expected none",
+        ),
+        (
+            &["export", "a15", "--supercell", "2"],
+            "--supercell: found 1 number, expected 3",
+        ),
+        (
+            &["verify", &mesh],
+            "`acutile certify` proves a tiling or a mesh, and writes one",
+        ),
+        (
+            &["draw", "a15", "-o", &at("a15.jpg")],
+            "but SVG, TikZ, PDF, PNG, OBJ or STL is written, expected the extension .svg, .tex, ",
+        ),
+    ] {
+        let text = refusal(arguments);
+        assert!(text.contains(words), "{arguments:?}: {text}");
+        assert!(!text.contains("byte 0"), "{arguments:?}: {text}");
+    }
+    let left = std::fs::read_dir(place.path()).expect("the directory");
+    assert_eq!(left.count(), 1, "nothing is written but the mesh");
+    assert!(!std::path::Path::new("certify").exists());
+    // Upper and lower case are the same in statements, as in names.
+    let run = acutile(["certify", "A15", "--require", "Acute,Dihedral<79,TCP"]);
+    assert_eq!(code(&run), 0);
 }

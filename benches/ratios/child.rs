@@ -1,5 +1,5 @@
-//! This program started again with one piece of work, because the most memory that a process
-//! has had never falls, and because callgrind counts a process.
+//! Starts this program again with one piece of work. The peak memory of a process never falls, and
+//! callgrind counts a whole process.
 //!
 //! The work is named in an environment variable, `size times kind`, a tab and the file; the child prints one line.
 

@@ -1,5 +1,5 @@
-//! `acutile classify` from the file of a crystal structure to the answer, with the proof of its triangulation: A15 with
-//! shaken atoms, so that all tetrahedra differ, on all cores.
+//! `acutile classify` from the file of a crystal structure to the answer, with the proof of its
+//! triangulation, on all cores. The structure is A15 with shaken atoms, so that all tetrahedra differ.
 
 use crate::clock::{once, processor_time_of_children};
 use crate::data::a15_points;

@@ -1,5 +1,5 @@
-//! Times and memory. Other programs disturb elapsed time, so that the least of many rounds is
-//! taken, and for long work the time that this process had a processor.
+//! Times and memory. Other programs disturb elapsed time. So the least of many rounds is taken, and for
+//! long work the processor time of this process.
 
 use std::hint::black_box;
 use std::time::{Duration, Instant};

@@ -20,8 +20,8 @@ pub fn a15(n: u16) -> Tiling<3> {
     supercell(&entry("a15"), [n; 3])
 }
 
-/// The tiling with its vertices moved a little by multiples of `step`, a text, so that the
-/// coordinates are as long, or as irrational, as that number.
+/// The tiling with its vertices moved a little by multiples of `step`, a text. So the coordinates are as
+/// long, or as irrational, as that number.
 pub fn bent(tiling: &Tiling<3>, step: &str) -> Tiling<3> {
     let mut reader = Reader::new();
     reader.learn(step).expect("a number");

@@ -1,5 +1,5 @@
-//! Periodic Delaunay triangulations, exact and certified: one cell of a TCP structure, supercells of
-//! A15 in a cube, and the same moved a little in a skewed lattice.
+//! Periodic Delaunay triangulations, exact and certified. The points are one cell of a TCP structure,
+//! supercells of A15 in a cube, and the same moved a little in a skewed lattice.
 
 use crate::child::{self, Work};
 use crate::clock::fastest;

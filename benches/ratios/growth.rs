@@ -1,5 +1,5 @@
-//! How time and memory grow: four sizes of each kind of work, each in a process of its own, and the
-//! factor for twice the size, fitted.
+//! The growth of time and memory. Four sizes of each kind of work run, each in a process of its own. The
+//! factor for twice the size is fitted.
 
 use crate::child::{self, Found};
 use crate::clock::repetitions;

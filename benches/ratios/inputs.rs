@@ -109,8 +109,8 @@ fn assert_cubic(frame: &Frame<3>) {
     }
 }
 
-/// The polynomial of the generator and its root on the first line; then twelve coordinates of each tetrahedron
-/// on a line, each as rational coefficients with commas between.
+/// The first line has the polynomial of the generator and its root. Every other line has the twelve
+/// coordinates of a tetrahedron, each as rational coefficients with commas between.
 fn corner_numbers(tiling: &Tiling<3>) -> String {
     assert_cubic(&tiling.frame);
     let field = &tiling.frame.field;

@@ -1,5 +1,5 @@
-//! Orientation and the six products of normals of each tetrahedron in doubles, from doubles,
-//! with no error bound: what an unproved check does.
+//! Orientation and the six products of normals of each tetrahedron in doubles, from doubles, with no error
+//! bound. This is the work of an unproved check.
 
 use crate::clock::fastest;
 use acutile_core::tiling::Tiling;

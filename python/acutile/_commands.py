@@ -8,6 +8,7 @@ from collections.abc import Callable, Iterable
 from typing import Any
 
 from . import _inputs, _native
+from ._native import Failed
 from ._results import (
     Classification,
     Optimized,
@@ -62,7 +63,8 @@ def certify(
         The domain of a tiling file, such as ``{"solid": {"vertices": …}}``. Without it a bounded
         mesh is the region that it covers.
     require
-        Statements that must hold, such as ``"acute"``, ``"dihedral<80"``, ``"delaunay"``.
+        Statements that must hold, such as ``"acute"``, ``"dihedral<80"``, ``"delaunay"``: a list,
+        or a text with commas.
     certificate
         Whether to write a certificate and let the kernel check it. Without it the prover alone
         decides, which is faster.
@@ -96,7 +98,7 @@ def certify(
     {'right-angle': 3}
     """
     if isinstance(require, str):
-        require = [require]
+        require = require.split(",")
     if lattice is not None:
         options["lattice"] = lattice
     if domain is not None:
@@ -135,6 +137,16 @@ def optimize(
     progress
         A function that is called with the current value as a text, or a bar of tqdm.
 
+    Returns
+    -------
+    Optimized
+        The best tiling found, with its certificate; ``is_better`` compares it with the start.
+
+    Raises
+    ------
+    Failed
+        The input cannot be read, is not a valid tiling, or is a tiling of the plane.
+
     Examples
     --------
     >>> import acutile
@@ -148,21 +160,33 @@ def optimize(
     return Optimized(best, json.loads(answer), cbor)
 
 
-def verify(certificate: bytes | str | os.PathLike, claim: str | None = None) -> Verified:
+def verify(
+    certificate: bytes | str | os.PathLike | Result, claim: str | None = None
+) -> Verified:
     """Checks a certificate with the kernel, from its bytes alone.
 
     Parameters
     ----------
     certificate
-        The bytes in CBOR or canonical JSON, or a file name.
+        The bytes in CBOR or canonical JSON, a file name, or a result of :func:`certify`.
     claim
         The text of a claim file. The certificate must prove exactly this claim.
+
+    Returns
+    -------
+    Verified
+        The claim, its words, the counts and the SHA-256 of the certificate.
 
     Raises
     ------
     Failed
-        The certificate is rejected, malformed, declined, or proves another claim.
+        The certificate is rejected, malformed, declined, or proves another claim. The message has
+        the code, the place and the exact value. A place in JSON is a line and a column.
+    OSError
+        The file cannot be read.
     """
+    if isinstance(certificate, Result):
+        certificate = certificate.require_certificate()
     if not isinstance(certificate, (bytes, bytearray)):
         with open(certificate, "rb") as file:
             certificate = file.read()
@@ -182,6 +206,17 @@ def delaunay(points: Any, lattice: Any, *, triangulate: bool = False) -> Triangu
     triangulate
         Cut cells with cospherical vertices, the same way in every translate. Without it such a
         set raises ``Failed``.
+
+    Returns
+    -------
+    Triangulation
+        Vertices of shape (n, D) in basis coordinates, corners of shape (m, D + 1) and lattice
+        translations of shape (m, D + 1, D). :func:`certify` proves it.
+
+    Raises
+    ------
+    Failed
+        Two points coincide, the lattice vectors are dependent, or a limit is exceeded.
     """
     return Triangulation(
         _inputs.of_points(points, lattice=lattice, triangulate=triangulate)
@@ -191,28 +226,59 @@ def delaunay(points: Any, lattice: Any, *, triangulate: bool = False) -> Triangu
 def quality(source: Any, cells: Any = None, **options: Any) -> Quality:
     """Dihedral angles of all simplices, in degrees, as enclosures.
 
-    The input is that of :func:`certify`. Each exact angle lies between its two ends.
+    The input is that of :func:`certify`. It need not be a valid tiling.
+
+    Returns
+    -------
+    Quality
+        Two float64 arrays ``lower`` and ``upper`` of shape (m, 6), in the plane (m, 3). Each exact
+        angle lies between its two ends. Angles of a flat simplex are NaN.
+
+    Raises
+    ------
+    Failed
+        The input cannot be read.
     """
     tiling = _inputs.tiling(source, cells, **options)
     return Quality(*tiling.angles())
 
 
 def classify(source: Any, cells: Any = None, **options: Any) -> Classification:
-    """The combinatorial type of a tiling. The input is that of :func:`certify`."""
+    """The combinatorial type of a tiling. The input is that of :func:`certify`.
+
+    Returns
+    -------
+    Classification
+        Counts of classes, valences and vertex types, TCP, and isomorphic constructions.
+
+    Raises
+    ------
+    Failed
+        The input cannot be read, or the tiling is not proved.
+    """
     tiling = _inputs.tiling(source, cells, **options)
     return Classification(**json.loads(tiling.classify()))
 
 
-def table(names: Iterable[str], *, format: str = "text") -> str:
+def table(names: str | Iterable[str], *, format: str = "text") -> str:
     """The columns of the paper's Table 1 for constructions of the catalogue.
 
-    `format` is ``text``, ``markdown``, ``latex``, ``csv`` or ``json``.
+    `format` is ``text``, ``markdown``, ``latex``, ``csv`` or ``json``. Angles are in degrees. An
+    unknown name raises ``Failed``.
     """
-    return _native.table_of(list(names), format)
+    return _native.table_of([names] if isinstance(names, str) else list(names), format)
 
 
 def report(*results: Result, names: Iterable[str] | None = None) -> str:
-    """A page in HTML about proved results. It loads nothing and checks itself in the browser."""
+    """A page in HTML about proved results, as a text.
+
+    It loads nothing from elsewhere, and verifies the certificates in the browser. `names` has a
+    title for each result. A result without a certificate raises ``Failed``.
+    """
+    for result in results:
+        if not isinstance(result, Result):
+            found = type(result).__name__
+            raise Failed(f"found {found}, expected results of certify, such as certify('a15')")
     labels = list(names) if names is not None else [f"result {k}" for k in range(len(results))]
     if len(labels) != len(results):
         raise ValueError(f"found {len(labels)} names for {len(results)} results")

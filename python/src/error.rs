@@ -1,6 +1,5 @@
 //! Errors as Python exceptions, in the words of the command line.
 
-use acutile_kernel::Refusal;
 use pyo3::create_exception;
 use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
@@ -16,9 +15,4 @@ create_exception!(
 /// An exception with these words.
 pub fn failed(message: impl Display) -> PyErr {
     Failed::new_err(message.to_string())
-}
-
-/// The kernel's refusal of a certificate.
-pub fn refusal(refusal: &Refusal) -> PyErr {
-    failed(acutile_core::refusal::in_words(refusal))
 }

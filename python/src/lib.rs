@@ -14,6 +14,7 @@ use acutile::Tiling as Input;
 use acutile_catalog as catalog;
 use acutile_core::format;
 use acutile_core::proved::{hexadecimal, in_words};
+use acutile_core::refusal::Refused;
 use acutile_core::tiling::{Coordinates, Corner};
 use acutile_core::with_dimension;
 use acutile_exact::number::Number;
@@ -21,7 +22,7 @@ use acutile_kernel::{Limits, Verified};
 use acutile_paper::survey::Survey;
 use acutile_paper::table::{self, Row};
 use acutile_publish::report::{Proved, page};
-use error::{Failed, failed, refusal};
+use error::{Failed, failed};
 use numpy::{IntoPyArray, PyArray2, PyArrayMethods, PyReadonlyArray2};
 use pyo3::prelude::*;
 use pyo3::types::PyBytes;
@@ -225,9 +226,15 @@ fn array<T: numpy::Element>(
 #[pyo3(signature = (certificate, claim=None))]
 fn verify(py: Python<'_>, certificate: Vec<u8>, claim: Option<Vec<u8>>) -> PyResult<String> {
     work(py, None, move |_| {
+        if format::recognise(&certificate).is_none() {
+            return Err(failed(
+                "found no certificate, expected CBOR or JSON with the format acutile-certificate; certify(...).certificate is one",
+            ));
+        }
         let cbor = format::to_cbor(&certificate).map_err(failed)?;
         let verified = acutile_kernel::verify(&mut &cbor[..], &Limits::DEFAULT);
-        let verified = verified.map_err(|error| refusal(&error))?;
+        let verified =
+            verified.map_err(|refusal| failed(Refused::of_file(&certificate, &cbor, refusal)))?;
         answer::verified(&verified, claim.as_deref())
     })?
 }
@@ -246,6 +253,11 @@ fn names() -> Vec<(String, String)> {
 fn table_of(py: Python<'_>, names: Vec<String>, format: String) -> PyResult<String> {
     work(py, None, move |_| -> Result<String, PyErr> {
         let wanted: Vec<&str> = names.iter().map(String::as_str).collect();
+        if let Some(wrong) = wanted.iter().find(|name| catalog::find(name).is_none()) {
+            return Err(failed(format!(
+                "{wrong}: found no name of the catalogue; names() lists them"
+            )));
+        }
         let survey = Survey::of(&wanted);
         let row = |name: &&str| survey.get(name).map(|study| Row::of(name, study));
         let rows: Vec<Row> = wanted

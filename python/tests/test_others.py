@@ -1,9 +1,13 @@
 """Verification, Delaunay triangulations, quality, classification, tables, reports."""
 
+import pathlib
+
 import numpy as np
 import pytest
 
 import acutile
+
+CERTIFICATES = pathlib.Path(__file__).parents[2] / "certificates"
 
 
 def test_a_changed_certificate_is_refused():
@@ -11,6 +15,15 @@ def test_a_changed_certificate_is_refused():
     certificate[-1] ^= 1
     with pytest.raises(acutile.Failed):
         acutile.verify(bytes(certificate))
+
+
+def test_a_wrong_certificate_in_json_is_named_by_line_and_column():
+    text = (CERTIFICATES / "a15.json").read_text()
+    wrong = text.replace('"dimension":3', '"dimension":4', 1)
+    # The item 4 stands after the 12 characters of "dimension": in its line.
+    line = wrong[: wrong.index('"dimension":4')].count("\n") + 1
+    with pytest.raises(acutile.Failed, match=rf"\[dimension\] line {line}, column 13 "):
+        acutile.verify(wrong.encode())
 
 
 def test_a_claim_is_compared(tmp_path):
@@ -62,6 +75,20 @@ def test_a_row_of_the_table():
 def test_a_page():
     page = acutile.report(acutile.certify("a15"), names=["A15"])
     assert page.lower().startswith("<!doctype html>") and "A15" in page
+
+
+def test_first_mistakes_get_the_next_step():
+    proved = acutile.certify("bcc", require="nonobtuse,delaunay")
+    assert acutile.verify(proved).sha256 == proved.sha256
+    assert "bcc" in acutile.table("bcc", format="csv").lower()
+    for call, words in [
+        (lambda: acutile.certify("a51"), "did you mean a15"),
+        (lambda: acutile.table("foo"), r"names\(\) lists them"),
+        (lambda: acutile.report("a15"), "found str, expected results of certify"),
+        (lambda: acutile.verify(b"hello"), "found no certificate"),
+    ]:
+        with pytest.raises(acutile.Failed, match=words):
+            call()
 
 
 def test_the_catalogue():

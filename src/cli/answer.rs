@@ -1,4 +1,4 @@
-//! What became of an input of `certify`, in words and as data.
+//! The verdict on an input of `certify`, in words and as data.
 
 use super::certify::CertifyArguments;
 use super::named::InputError;
@@ -16,7 +16,7 @@ use serde_json::{Value, json};
 use std::io;
 use std::path::Path;
 
-/// What became of one input.
+/// The verdict on one input.
 pub enum Answer {
     Proved {
         verified: Verified,
@@ -33,7 +33,7 @@ pub enum Answer {
     Declined(String),
 }
 
-/// What the prover alone says.
+/// The answer of the prover alone.
 pub struct Examined {
     pub vertices: usize,
     pub simplices: usize,
@@ -45,7 +45,7 @@ pub struct Examined {
 /// What is said beside a proof.
 #[derive(Default)]
 pub struct Beside {
-    /// What the region looks like.
+    /// The anatomy of the region.
     pub description: Option<Description>,
     /// Elements of other types: all, and whether some fill space.
     pub others: Option<(String, bool)>,

@@ -1,9 +1,8 @@
 //! `acutile appendix`: certificates, or constructions proved on the spot, as a LaTeX
 //! appendix in a directory.
 //!
-//! A directory that is there is added to. A file in it is replaced only where it is what some
-//! `acutile appendix` wrote and nobody has changed since, or with `--force`; all files are checked before
-//! the first is written.
+//! A directory that is there is added to. A file in it is replaced only if `acutile appendix` wrote it and
+//! nobody has changed it since, or with `--force`. All files are checked before the first is written.
 
 use super::input::FileArguments;
 use super::limits::LimitArguments;

@@ -37,7 +37,7 @@ macro_rules! examples {
     };
 }
 
-/// Proves, in exact arithmetic, that tilings by tetrahedra are valid and acute.
+/// Proves in exact arithmetic that tilings and meshes of tetrahedra are valid, acute or Delaunay.
 #[derive(Debug, Parser)]
 #[command(name = "acutile", version, about, max_term_width = 100)]
 #[command(
@@ -98,8 +98,8 @@ pub enum Command {
     /// Move vertices and lattice for better angles, and prove the result
     ///
     /// Doubles search; the result is rational and proved. The combinatorics, the symmetry and the boundary
-    /// stay. The exit code is 3 when nothing better is found, or, with --goal acute, when the result is not
-    /// acute; the best so far is written in any case. Ctrl-C ends the search with the best so far.
+    /// stay. The exit code is 3 if nothing better is found, and with --goal acute if the result is not
+    /// acute. The best so far is written in any case. Ctrl-C ends the search with the best so far.
     #[command(after_long_help = examples!("\n  acutile optimize c14 -o c14-best.cbor\n  acutile optimize part.msh --goal acute -o part.cbor\n  acutile optimize slab --denominator 100 --json"))]
     Optimize(OptimizeArguments),
     /// The best certified tilings of each kind of domain, the literature, and lower bounds
@@ -149,6 +149,9 @@ pub enum Command {
     #[command(after_long_help = examples!("\n  acutile cite a15\n  acutile cite mine.cbor -o mine.bib"))]
     Cite(CiteArguments),
     /// Print a completion script for a shell
+    ///
+    /// Every shell completes commands, options and names of the catalogue. Elvish and PowerShell complete one
+    /// name for each command, and no values of options.
     #[command(after_long_help = examples!("\n  acutile completions bash > acutile.bash"))]
     Completions(CompletionsArguments),
     /// Print the manual page, or write one for each command

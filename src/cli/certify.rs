@@ -41,20 +41,6 @@ pub struct CertifyArguments {
         hide_possible_values = true
     )]
     pub inputs: Vec<InputName>,
-    #[command(flatten)]
-    pub file: FileArguments,
-    /// The whole catalogue
-    #[arg(long)]
-    pub all: bool,
-    /// The number of a construction that has one, like 3/7 or sqrt(2)/4: a/e for goldberg-1,
-    /// goldberg-2 and goldberg-3, epsilon for two-corners
-    #[arg(
-        long,
-        value_name = "VALUE",
-        conflicts_with = "all",
-        allow_hyphen_values = true
-    )]
-    pub param: Option<String>,
     /// Write the certificate to this file (`-` for standard output), or the
     /// certificates into this directory
     #[arg(short, long, value_name = "FILE|DIR")]
@@ -75,6 +61,20 @@ pub struct CertifyArguments {
         hide_possible_values = true
     )]
     pub required: Vec<Requirement>,
+    #[command(flatten)]
+    pub file: FileArguments,
+    /// The whole catalogue
+    #[arg(long)]
+    pub all: bool,
+    /// The number of a construction that has one, like 3/7 or sqrt(2)/4: a/e for goldberg-1,
+    /// goldberg-2 and goldberg-3, epsilon for two-corners
+    #[arg(
+        long,
+        value_name = "VALUE",
+        conflicts_with = "all",
+        allow_hyphen_values = true
+    )]
+    pub param: Option<String>,
     /// For square-triangle:NAME, square-triangle:FILE and kagome:WORD: check only that the input
     /// belongs to the family, and cite the theorem about all its members
     #[arg(long, conflicts_with_all = ["param", "no_certificate"])]
@@ -205,7 +205,7 @@ fn check(inputs: &[InputName], arguments: &CertifyArguments) -> Result<(), Strin
     Ok(())
 }
 
-/// What the page of --report has of an input.
+/// The part of the page of --report about an input.
 fn article(
     input: &InputName,
     answer: &Answer,

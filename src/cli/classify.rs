@@ -1,4 +1,4 @@
-//! `acutile classify`: what a tiling is combinatorially.
+//! `acutile classify`: the combinatorial type of a tiling.
 
 use super::input::{self, FileArguments, Loaded};
 use super::name::InputName;
@@ -172,7 +172,7 @@ pub fn of_study(error: &NotStudied) -> Outcome {
     }
 }
 
-/// What holds in both dimensions; ridges are edges in space and vertices in the plane.
+/// The part for both dimensions; ridges are edges in space and vertices in the plane.
 fn common<const D: usize>(study: &Study<D>) -> Value {
     let valences = study.ridges.valence_counts();
     json!({

@@ -34,9 +34,9 @@ pub struct ConvertArguments {
     /// certificate
     #[arg(value_name = "NAME|FILE", hide_possible_values = true)]
     pub input: InputName,
-    /// The file to write, in the format of its extension: msh, vtk, vtu, mesh, meshb, node or
-    /// ele, json for a tiling file; compressed if .gz follows (`-` for standard output). For a
-    /// certificate json or cbor, its two encodings
+    /// The file to write, in the format of its extension: msh, vtk, vtu, mesh, meshb, node or ele, or json
+    /// for a tiling file. A name with .gz after it is compressed; `-` is standard output. For a certificate
+    /// json or cbor, its two encodings
     #[arg(value_name = "FILE")]
     pub output: PathBuf,
     /// The number that the construction depends on

@@ -14,6 +14,7 @@ use acutile_catalog as catalog;
 use acutile_core::with_dimension;
 use acutile_io::export::labelled_tiling_text;
 use acutile_io::import::{Content, uncompressed_name};
+use acutile_io::mesh::Family;
 use clap::Args;
 use std::path::PathBuf;
 
@@ -44,6 +45,7 @@ fn write(arguments: &DelaunayArguments, output: &mut Output) -> Result<(), Input
     let name = &arguments.input;
     check_not_a_name(name)?;
     check_not_an_input(path, "-o", std::slice::from_ref(name))?;
+    check_not_a_mesh(name)?;
     let document = document::open(name.path(), &arguments.points, output)?;
     let Content::Points(points) = document.content else {
         return Err(format!("{name}: is a tiling file, expected a point-set file").into());
@@ -56,6 +58,17 @@ fn write(arguments: &DelaunayArguments, output: &mut Output) -> Result<(), Input
             .map(|tiling| labelled_tiling_text(&tiling, stem, &document.labels))
     })?;
     write_bytes(path, text.as_bytes(), output)
+}
+
+/// The simplices of a mesh are given already.
+fn check_not_a_mesh(name: &InputName) -> Result<(), String> {
+    match Family::of_path(name.path()) {
+        Some(_) => Err(format!(
+            "{name}: a mesh, expected a file of points; `acutile certify {name}` proves its elements, \
+             with --require delaunay as a Delaunay triangulation"
+        )),
+        None => Ok(()),
+    }
 }
 
 /// A construction of the catalogue is triangulated already.

@@ -10,6 +10,7 @@ use super::output::{Output, write_bytes};
 use super::overwriting::check_not_an_input;
 use super::progress::Progress;
 use super::record::Record;
+use super::usage::integer_in;
 use acutile_core::tiling::AnyTiling;
 use acutile_exact::number::{Number, parse_rational};
 use acutile_publish::draw::pdf::pdf;
@@ -51,7 +52,7 @@ pub struct DrawArguments {
     #[arg(long)]
     pub standalone: bool,
     /// The width in millimetres, 20 to 1000; a journal column where nothing is said
-    #[arg(long, value_name = "MM", default_value_t = 84, value_parser = clap::value_parser!(u16).range(20..=1000))]
+    #[arg(long, value_name = "MM", default_value_t = 84, value_parser = integer_in::<u16>(20..=1000))]
     pub width: u16,
     /// Write here and not to standard output
     #[arg(short, long, value_name = "FILE")]

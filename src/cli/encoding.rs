@@ -40,7 +40,7 @@ impl Encoding {
             .find(|encoding| extension.eq_ignore_ascii_case(encoding.extension()))
     }
 
-    /// What names of files end in.
+    /// The extension of file names.
     pub fn extension(self) -> &'static str {
         match self {
             Encoding::Json => "json",

@@ -1,5 +1,5 @@
 //! `acutile export`: a tiling, or a supercell of it, as a tiling file or as a program for a computer
-//! algebra system; a certificate as a theorem for Coq.
+//! algebra system. It also writes a certificate as a theorem for Coq.
 
 use super::extension::{self, Format};
 use super::input::{self, FileArguments};
@@ -10,6 +10,9 @@ use super::output::{Output, write_bytes};
 use super::overwriting::check_not_an_input;
 use super::record::Record;
 use super::transcribe;
+use acutile_catalog as catalog;
+use acutile_core::format::recognise;
+use acutile_core::statement::counted;
 use acutile_core::tiling::{Tiling, supercell};
 use acutile_core::with_dimension;
 use acutile_io::export::{System, algebra_text, coq_file, labelled_tiling_text};
@@ -43,7 +46,7 @@ pub struct ExportArguments {
     pub supercell: Vec<u16>,
 }
 
-/// What a tiling is written as.
+/// The formats for a tiling.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
 pub enum ExportFormat {
     /// A tiling file
@@ -111,9 +114,21 @@ fn written(arguments: &ExportArguments, output: &mut Output) -> Result<String, I
     with_dimension!(&named.tiling, AnyTiling, t => text(t, &named, format, &arguments.supercell))
 }
 
+fn expects_certificate(path: &InputName) -> String {
+    format!(
+        "{path}: found no certificate, which --coq takes; `acutile certify {path} -o FILE.cbor` writes one"
+    )
+}
+
 fn theorem(path: &InputName) -> Result<String, InputError> {
+    if !path.path().exists() && catalog::find(path).is_some() {
+        return Err(expects_certificate(path).into());
+    }
     let bytes = read_bytes(path.path(), BYTE_LIMIT)
         .map_err(|error| InputError::of_file(path.path(), &error))?;
+    if recognise(&bytes).is_none() {
+        return Err(expects_certificate(path).into());
+    }
     let cbor = transcribe::cbor(path, &bytes)?;
     Ok(coq_file(&cbor).map_err(|reason| format!("{path}: {reason}"))?)
 }
@@ -171,10 +186,12 @@ pub fn supercell_sizes<const D: usize>(
 ) -> Result<[u16; D], String> {
     let rank = tiling.frame.rank();
     if sizes.len() != rank {
-        let found = sizes.len();
-        return Err(format!(
-            "--supercell: found {found} numbers, expected {rank}"
-        ));
+        let found = counted(sizes.len(), "number", "numbers");
+        return Err(if rank == 0 {
+            format!("--supercell: found {found} for a tiling without a lattice, expected none")
+        } else {
+            format!("--supercell: found {found}, expected {rank}")
+        });
     }
     let copies = sizes.iter().map(|&n| n as usize).product::<usize>();
     let simplices = copies.saturating_mul(tiling.len().max(tiling.vertices.len()));

@@ -34,7 +34,7 @@ pub fn format<F: Copy + PartialEq>(
         .flat_map(|format| format.2)
         .copied()
         .collect();
-    Err(refusal(path, &words.join(" or "), &names))
+    Err(refusal(path, &one_of(&words), &names))
 }
 
 /// The format of --format, or `json` where --json is given.
@@ -85,6 +85,15 @@ fn refusal(path: Option<&Path>, written: &str, expected: &[&str]) -> String {
         "{}: found the extension .{}, but {written} is written, expected the extension {}",
         path.display(),
         found.display(),
-        names.join(" or ")
+        one_of(&names)
     )
+}
+
+/// `a, b or c`
+fn one_of(names: &[impl AsRef<str>]) -> String {
+    let names: Vec<&str> = names.iter().map(AsRef::as_ref).collect();
+    match names.split_last() {
+        Some((last, first)) if !first.is_empty() => format!("{} or {last}", first.join(", ")),
+        _ => names.concat(),
+    }
 }

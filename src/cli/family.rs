@@ -30,11 +30,10 @@ use std::borrow::Cow;
 /// Options for boxes of parameters.
 #[derive(Debug, Args)]
 pub struct FamilyArguments {
-    /// For a family, or with --free: prove the largest interval around this point, or with several
-    /// parameters a box no side of which can be moved out by --fraction of its length and be
-    /// proved. POINT has a value for each parameter, with commas between them, like 3,3/50,4/5.
-    /// The statements are those of --require; without it acute, or else nonobtuse, if that holds at
-    /// POINT
+    /// For a family, or with --free: prove the largest interval around this point. With several parameters
+    /// prove a box: no side of it can move out by --fraction of its length and be proved. POINT has a value
+    /// for each parameter, with commas between them, like 3,3/50,4/5. The statements are those of
+    /// --require; without it acute, or else nonobtuse, if that holds at POINT
     #[arg(long, value_name = "POINT", allow_hyphen_values = true)]
     pub maximal: Option<String>,
     /// The fraction for --maximal with several parameters
@@ -53,8 +52,8 @@ pub struct FamilyArguments {
     /// like 0.0629(3), at once. Numbers without one are exact, and symmetry is kept
     #[arg(long, conflicts_with_all = ["free", "maximal"])]
     pub within_su: bool,
-    /// How far each number of --free may vary, up and down: a coordinate in units of its basis
-    /// vector, an entry of the Gram matrix in its own unit
+    /// How far each number of --free may vary, up and down. A coordinate is in units of its basis vector,
+    /// an entry of the Gram matrix in its own unit
     #[arg(long, value_name = "RADIUS", requires = "free")]
     pub radius: Option<String>,
 }

@@ -90,7 +90,7 @@ pub enum Read {
 }
 
 impl Read {
-    /// What it is about; a certificate is not judged here.
+    /// The tiling or family in it; a certificate is not judged here.
     ///
     /// # Errors
     /// A message that names the input.
@@ -175,6 +175,7 @@ fn read_content(
 ) -> Result<Read, InputError> {
     let loaded = match content {
         TextOrMesh::Mesh(loaded) => {
+            document::check_for_crystal(input, &options.points)?;
             mesh::tiling(input, loaded, &options.mesh, output).map(Loaded::Tiling)
         }
         TextOrMesh::Text(text) => {

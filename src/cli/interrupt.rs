@@ -65,7 +65,7 @@ impl Drop for Entry {
 }
 
 impl Guarded {
-    /// What `make` makes, on the list from its first moment.
+    /// The file that `make` makes, on the list from its first moment.
     ///
     /// # Errors
     /// Those of `make`.

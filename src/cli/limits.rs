@@ -24,8 +24,8 @@ pub struct LimitArguments {
 }
 
 impl LimitArguments {
-    /// The options that allow more than `acutile-verify` does without options, as a reader of the
-    /// certificate may have to give them; none if all are the usual ones.
+    /// The options that allow more than `acutile-verify` does without options; none if all limits are the
+    /// usual ones. A reader of the certificate may have to give them.
     pub fn raised(&self) -> Option<String> {
         let usual = Limits::DEFAULT;
         let limits = [

@@ -34,7 +34,7 @@ impl Look {
         })
     }
 
-    /// A line, broken between words; what follows is indented by two more blanks than its beginning.
+    /// A line, broken between words. The lines after the first have two more blanks before them.
     pub fn wrapped(&self, line: &str) -> String {
         let text = line.trim_start_matches(' ');
         let indent = " ".repeat(line.len() - text.len());

@@ -22,9 +22,8 @@ pub struct MeshArguments {
     /// The mesh is bounded, even if the file has periodic links
     #[arg(help_heading = "Mesh files", long, conflicts_with = "lattice")]
     pub bounded: bool,
-    /// Move nodes that are within this distance of a lattice translate of another node exactly
-    /// onto it (of another node, if the mesh is bounded); what is proved is proved about the
-    /// moved mesh
+    /// Move nodes that are within this distance of a lattice translate of another node exactly onto it (of
+    /// another node, if the mesh is bounded). The proof is about the moved mesh
     #[arg(help_heading = "Mesh files", long, value_name = "TOLERANCE", value_parser = tolerance)]
     pub identify: Option<f64>,
     /// Write every move of --identify to this file, as CSV

@@ -15,25 +15,60 @@ use std::path::Path;
 /// Prints the completion script for a shell.
 pub fn completions(arguments: &CompletionsArguments, output: &mut Output) -> Outcome {
     let mut script = Vec::new();
-    clap_complete::generate(
-        arguments.shell,
-        &mut Arguments::command(),
-        "acutile",
-        &mut script,
-    );
-    if arguments.shell == Shell::Fish {
-        script.extend(values_for_fish(&Arguments::command()).into_bytes());
-    }
+    let mut program = Arguments::command();
+    clap_complete::generate(arguments.shell, &mut program, "acutile", &mut script);
+    let script = String::from_utf8_lossy(&script).into_owned();
+    let script = match arguments.shell {
+        Shell::Fish => script + &values_for_fish(&program),
+        Shell::Elvish => with_values(
+            script,
+            &program,
+            |command| format!("&'acutile;{command}'= {{\n"),
+            |name| format!("            cand {name} ''\n"),
+        ),
+        Shell::PowerShell => with_values(
+            script,
+            &program,
+            |command| format!("'acutile;{command}' {{\n"),
+            |name| {
+                let kind = "[CompletionResultType]::ParameterValue";
+                format!(
+                    "            [CompletionResult]::new('{name}', '{name}', {kind}, '{name}')\n"
+                )
+            },
+        ),
+        _ => script,
+    };
     output.document_goes_to(None);
-    write(None, &script, output)
+    write(None, script.as_bytes(), output)
 }
 
-/// The values of arguments without an option, such as names of the catalogue: clap leaves them out of the
-/// script for fish.
+/// The values of the arguments without an option, such as names of the catalogue. clap leaves them out of
+/// the scripts for fish, Elvish and PowerShell.
+fn values(command: &Command) -> Vec<String> {
+    let values = command.get_positionals().flat_map(Arg::get_possible_values);
+    values.map(|value| value.get_name().to_owned()).collect()
+}
+
+/// The script with a line for each value, after the line that begins the part of its command.
+fn with_values(
+    mut script: String,
+    program: &Command,
+    begin: fn(&str) -> String,
+    line: fn(String) -> String,
+) -> String {
+    for command in program.get_subcommands() {
+        let begin = begin(command.get_name());
+        let lines: String = values(command).into_iter().map(line).collect();
+        script = script.replacen(&begin, &(begin.clone() + &lines), 1);
+    }
+    script
+}
+
+/// Lines at the end of the script for fish.
 fn values_for_fish(program: &Command) -> String {
     let line = |command: &Command| {
-        let values = command.get_positionals().flat_map(Arg::get_possible_values);
-        let names: Vec<String> = values.map(|value| value.get_name().to_owned()).collect();
+        let names = values(command);
         let condition = format!("__fish_acutile_using_subcommand {}", command.get_name());
         (!names.is_empty()).then(|| {
             format!(
@@ -58,6 +93,15 @@ pub fn man(arguments: &ManArguments, output: &mut Output) -> Outcome {
         return write(None, &page(&program), output);
     };
     if let Err(message) = check_directory(folder) {
+        return output.fail_with(None, message);
+    }
+    let names_command = |command: &Command| folder.as_os_str() == command.get_name();
+    if !folder.exists() && program.get_subcommands().any(names_command) {
+        let name = folder.display();
+        let message = format!(
+            "{name}: found a command, expected a directory for the pages of all commands; \
+             `acutile {name} --help` prints its help"
+        );
         return output.fail_with(None, message);
     }
     // A missing folder is made, one that lies in a missing folder is not: writing fails then.

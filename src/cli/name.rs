@@ -8,7 +8,7 @@ use std::fmt;
 use std::ops::Deref;
 use std::path::{Path, PathBuf};
 
-/// An input. As a text it is for messages and for names of the catalogue; files are opened by [`InputName::path`],
+/// An input. The text is for messages and for names of the catalogue. [`InputName::path`] opens files,
 /// since the text of a name that is not UTF-8 names no file.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct InputName {

@@ -13,6 +13,7 @@ use super::overwriting::check_not_an_input;
 use super::progress::Progress;
 use super::proved as proof;
 use super::record::Record;
+use super::usage::integer_in;
 use acutile_core::advice::{Advice, Adviser};
 use acutile_core::proved::NotProved;
 use acutile_core::statement::Statement;
@@ -53,7 +54,7 @@ pub struct OptimizeArguments {
     #[arg(long)]
     pub fixed_boundary: bool,
     /// Coordinates become multiples of 1/N; without it about a millionth of an edge
-    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u64).range(1..=1 << 60))]
+    #[arg(long, value_name = "N", value_parser = integer_in::<u64>(1..=1 << 60))]
     pub denominator: Option<u64>,
     /// Also search from N random places near the start
     #[arg(long, value_name = "N", default_value_t = 0)]
@@ -67,8 +68,8 @@ pub struct OptimizeArguments {
     /// Prove that the result is a strict local optimum, by exact multipliers; the prover alone says it
     #[arg(long)]
     pub prove_local: bool,
-    /// Write the certificate of the result to this file (`-` for standard output); acutile convert
-    /// and export turn it into a mesh or a tiling file
+    /// Write the certificate of the result to this file (`-` for standard output). The commands convert and
+    /// export turn it into a mesh or a tiling file
     #[arg(short, long, value_name = "FILE")]
     pub output: Option<PathBuf>,
     /// The encoding; without it CBOR for a file whose name ends in .cbor, and else JSON
@@ -103,7 +104,7 @@ impl GoalName {
     }
 }
 
-/// What `--symmetry` asks for.
+/// The values of `--symmetry`.
 #[derive(Clone, Debug)]
 pub enum SymmetryName {
     List,

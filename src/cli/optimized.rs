@@ -1,4 +1,4 @@
-//! What `acutile optimize` found, in words and as data.
+//! The results of `acutile optimize`, in words and as data.
 
 use super::optimize::{GoalName, OptimizeArguments};
 use super::output::Output;
@@ -10,7 +10,7 @@ use acutile_optimize::{LocalProof, NotLocal, Reason, value};
 use serde_json::{Value, json};
 use std::path::Path;
 
-/// What was found.
+/// The answer about the best tiling that was found.
 pub struct Report<'r> {
     pub arguments: &'r OptimizeArguments,
     pub found: &'r acutile_optimize::Outcome,

@@ -248,8 +248,8 @@ pub struct Staged {
 }
 
 impl Staged {
-    /// A temporary file beside `path`, or beside what it points to; `None` where that is a
-    /// device or a pipe, which has no place beside it.
+    /// A temporary file beside `path`, or beside the file that it points to. `None` for a device or a pipe,
+    /// which has no place beside it.
     pub fn new(path: &Path) -> io::Result<Option<Staged>> {
         if path.is_dir() {
             return Err(io::Error::new(ErrorKind::IsADirectory, "is a directory"));
@@ -267,7 +267,7 @@ impl Staged {
         Ok(Some(Staged { file, path }))
     }
 
-    /// What has been written, and is to be.
+    /// The temporary file, to write into or to read from.
     pub fn file(&self) -> &std::fs::File {
         self.file.as_file()
     }
@@ -339,9 +339,23 @@ pub fn check_directory(path: &Path) -> Result<(), String> {
             "{}: found a file, expected a directory or a new name",
             path.display()
         ))
+    } else if let Some(extension) = file_extension(path).filter(|_| !path.exists()) {
+        Err(format!(
+            "{}: found the extension .{extension}, expected the name of a directory, into which several files are written",
+            path.display()
+        ))
     } else {
         Ok(())
     }
+}
+
+/// The extension of a name that can only be meant for a single file.
+fn file_extension(path: &Path) -> Option<&str> {
+    const OF_FILES: [&str; 9] = [
+        "tex", "pdf", "html", "htm", "zip", "json", "cbor", "svg", "gz",
+    ];
+    let extension = path.extension()?.to_str()?;
+    OF_FILES.contains(&extension).then_some(extension)
 }
 
 /// Writes a file, or to standard output for `-` and where there is none.

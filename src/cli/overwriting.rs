@@ -49,8 +49,8 @@ fn files(input: &InputName) -> Vec<PathBuf> {
     }
 }
 
-/// Checks that a file may be replaced whose name acutile has chosen, or that people edit; `is_own` says
-/// whether its bytes are such that acutile can make them again.
+/// Checks that acutile may replace a file with a name that it has chosen, or that people edit. `is_own`
+/// says whether acutile can make these bytes again.
 ///
 /// # Errors
 /// The file is another one and `force` is not set, or it is no ordinary file.

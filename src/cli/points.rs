@@ -4,6 +4,7 @@ use super::named::InputError;
 use super::outcome::Outcome;
 use super::output::Output;
 use super::progress::Progress;
+use super::usage::integer_in;
 use acutile_core::delaunay::{DelaunayError, Ties, triangulate};
 use acutile_core::statement::counted;
 use acutile_core::tiling::{AnyPointSet, AnyTiling, PointSet, Tiling};
@@ -21,10 +22,10 @@ pub struct PointArguments {
     /// The data block of a CIF, or the number of the frame of an XYZ file, that has several
     #[arg(long, value_name = "NAME", help_heading = "Crystal structures")]
     pub block: Option<String>,
-    /// Replace each decimal of a CIF by the multiple of 1/DENOMINATOR that agrees with all of its
-    /// digits, if there is one; every replacement is printed
+    /// Replace each decimal of a CIF by the multiple of 1/DENOMINATOR that agrees with all of its digits,
+    /// if there is one. Every replacement is printed
     #[arg(long, value_name = "DENOMINATOR", help_heading = "Crystal structures",
-          value_parser = clap::value_parser!(u32).range(1..=1_000_000))]
+          value_parser = integer_in::<u32>(1..=1_000_000))]
     pub snap: Option<u32>,
     /// Move sites of a CIF that lie on a special position within their digits exactly onto it
     #[arg(long, help_heading = "Crystal structures")]
@@ -144,8 +145,8 @@ pub fn tiling<const D: usize>(
     })
 }
 
-/// A set that has several triangulations, or none within the limits, is declined;
-/// one that is not a point set of the frame is bad input.
+/// A set that has several triangulations, or none within the limits, is declined. A set that is not a point
+/// set of the frame is bad input.
 pub fn outcome_of(error: &DelaunayError) -> Outcome {
     match error {
         DelaunayError::Empty

@@ -1,5 +1,5 @@
-//! The line on the terminal that tells what a long check is doing. It shows after a
-//! moment only, on standard error only, and only where that is a terminal.
+//! The line on the terminal that names the current step of a long check. It shows after a moment only, on
+//! standard error only, and only where that is a terminal.
 
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
 use std::time::Duration;

@@ -104,7 +104,7 @@ fn statements_json(claim: &format::Claim) -> Value {
     file["claim"]["statements"].clone()
 }
 
-/// The kernel has the last word: what it does not confirm is not called proved.
+/// The kernel decides: nothing is called proved that it does not confirm.
 pub fn prove_tiling<const D: usize>(
     tiling: &Tiling<D>,
     name: &str,

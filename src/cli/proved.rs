@@ -55,7 +55,7 @@ fn source(
     }
 }
 
-/// What the kernel has confirmed.
+/// A certificate that the kernel has confirmed, with its subject.
 enum Confirmed {
     Tiling(Box<Proved>),
     Family(Box<ProvedFamily>, Box<AnyFamily>),
@@ -73,7 +73,7 @@ impl Confirmed {
         // A certificate that cannot be read is refused as that of a tiling.
         let cbor = format::to_cbor(bytes).unwrap_or_default();
         if is_theorem(&cbor) {
-            let (theorem, system) = Theorem::of_certificate(&cbor, limits)?;
+            let (theorem, system) = Theorem::of_certificate(bytes, limits)?;
             return Ok(Confirmed::System(Box::new(theorem), Box::new(system)));
         }
         if format::kind(&cbor) == Some(format::FAMILY) {
@@ -115,7 +115,7 @@ impl Confirmed {
     }
 }
 
-/// What a page shows of an input; one that is refuted, or a certificate that is rejected, is an article, too.
+/// The article of a page about an input. A refuted input and a rejected certificate have articles, too.
 ///
 /// # Errors
 /// Where it is neither proved nor refuted, a message that names the input.
@@ -152,7 +152,7 @@ pub fn shown(
     Ok(Article::Refuted(Box::new(refuted.article(&title(input)))))
 }
 
-/// What a page shows of a certificate.
+/// The article of a page about a certificate.
 ///
 /// # Errors
 /// Where the kernel neither confirms nor rejects it, or it describes no tiling, a message that names the input.
@@ -177,15 +177,17 @@ pub fn article(
 /// The article of a certificate that the kernel rejects, if it describes a tiling.
 fn rejected(input: &InputName, bytes: &[u8], error: &NotProved) -> Option<Refutation> {
     match &*error.reason {
-        proved::NotProved::Unconfirmed(refusal) if refusal.code.kind() == Kind::Rejected => {
-            refuted_page::refused(title(input), bytes, refusal)
+        proved::NotProved::Unconfirmed(refused)
+            if refused.refusal.code.kind() == Kind::Rejected =>
+        {
+            refuted_page::refused(title(input), bytes, &refused.refusal)
         }
         _ => None,
     }
 }
 
-/// What an appendix says of an input: a construction of the catalogue, a file that is proved first, or
-/// a certificate. Families and theorems about all members of a family are taken, too.
+/// The subject of an appendix: a construction of the catalogue, a file that is proved first, or a
+/// certificate. Families and theorems about all members of a family are taken, too.
 ///
 /// # Errors
 /// A message that names the input.
@@ -199,7 +201,7 @@ pub fn subject_of(
     Ok(confirmed.subject(input, description))
 }
 
-/// The part of an archive about an input: what [`subject_of`] gives, and what the page shows.
+/// The part of an archive about an input: the result of [`subject_of`], and the content of the page.
 ///
 /// # Errors
 /// A message that names the input.
@@ -216,7 +218,7 @@ pub fn piece(
     })
 }
 
-/// What the kernel has confirmed of an input, and what this is.
+/// The confirmed certificate of an input, and its description.
 fn confirmed(
     input: &InputName,
     options: &FileArguments,
@@ -307,7 +309,8 @@ fn of_family(input: &InputName, named: NamedFamily, limits: &Limits) -> Result<S
     }
 }
 
-/// What an input is called: a name of the catalogue, or that of a file; readers of a page need not know in whose folder it was.
+/// The title of an input: a name of the catalogue, or the name of a file. Readers of a page need not know
+/// the folder of the file.
 pub fn title(input: &InputName) -> String {
     let path = input.path();
     match path.file_stem() {
@@ -325,7 +328,7 @@ fn is_catalogued(input: &InputName) -> bool {
 pub fn outcome(error: &proved::NotProved) -> Outcome {
     match error {
         proved::NotProved::Refuted(_) => Outcome::Refuted,
-        proved::NotProved::Unconfirmed(refusal) => match refusal.code.kind() {
+        proved::NotProved::Unconfirmed(refused) => match refused.refusal.code.kind() {
             Kind::Rejected => Outcome::Refuted,
             Kind::Malformed => Outcome::Failed,
             Kind::Declined => Outcome::Declined,

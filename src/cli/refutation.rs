@@ -22,10 +22,10 @@ pub struct Refuted {
     pub point: Option<String>,
     /// The numbers of the file, for a mesh.
     pub origin: Option<Origin>,
-    /// What was done to the input before.
+    /// The changes that were made to the input.
     pub notes: Vec<String>,
     pub findings: Findings,
-    /// What becomes of it after a repair.
+    /// The verdict after a repair.
     pub second: SecondLook,
     /// Whether long numbers are written in full.
     pub is_exact: bool,

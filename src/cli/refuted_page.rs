@@ -87,8 +87,8 @@ impl Refuted {
     }
 }
 
-/// The article of a certificate that the kernel refuses, with the simplex of the refusal in the picture; `None`
-/// if it does not even describe a tiling or a family.
+/// The article of a certificate that the kernel refuses, with the simplex of the refusal in the picture.
+/// `None` if it does not describe a tiling or a family.
 pub fn refused(name: String, bytes: &[u8], refusal: &Refusal) -> Option<Refutation> {
     let cbor = format::to_cbor(bytes).ok()?;
     let (tiling, notes) = described(&cbor)?;

@@ -1,4 +1,4 @@
-//! What a tiling with a boundary looks like, in words and as data: pieces, cavities, singular places,
+//! The anatomy of a tiling with a boundary, in words and as data: pieces, cavities, singular places,
 //! labels.
 
 use acutile_core::anatomy::{Anatomy, pieces, volumes};

@@ -6,12 +6,13 @@ use clap::{Arg, Command, Error};
 use std::ffi::OsStr;
 
 /// Words that shells offer; the bounds of angles and ratios are written after them.
-const WORDS: [&str; 12] = [
+const WORDS: [&str; 13] = [
     "tiling",
     "acute",
     "nonobtuse",
     "delaunay",
     "weakly-delaunay",
+    "not-delaunay",
     "tcp",
     "connected",
     "no-cavities",

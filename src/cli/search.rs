@@ -9,6 +9,7 @@ use super::plane;
 use super::progress::Progress;
 use super::record::Record;
 use super::search_balls::{self, BallArguments};
+use super::usage::integer_in;
 use acutile_catalog::places::Places;
 use acutile_catalog::plane_tiling;
 use acutile_core::quality::{decimal_range, display_width};
@@ -43,7 +44,7 @@ struct SlabArguments {
     #[arg(long, value_name = "N", default_value_t = 1000)]
     tries: usize,
     /// At most N layers between the boundary and the middle, the middle included
-    #[arg(long, value_name = "N", default_value_t = 4, value_parser = clap::builder::RangedU64ValueParser::<usize>::new().range(1..=12))]
+    #[arg(long, value_name = "N", default_value_t = 4, value_parser = integer_in::<usize>(1..=12))]
     layers: usize,
     /// The seed of the heights
     #[arg(long, value_name = "N", default_value_t = 0)]

@@ -7,6 +7,7 @@ use super::output::Output;
 use super::progress::Progress;
 use super::record::Record;
 use super::shape::shape;
+use super::usage::integer_in;
 use acutile_core::quality::{decimal_range, display_width};
 use acutile_optimize::balls::{Balls, Class, Found, search};
 use acutile_optimize::{Goal, Outcome as Optimized, value};
@@ -21,7 +22,7 @@ use std::time::{Duration, Instant};
 pub struct BallArguments {
     /// Remove connected sets of at most N vertices, and such sets with their neighbours or with all cells that contain
     /// them
-    #[arg(long, value_name = "N", default_value_t = 4, value_parser = clap::builder::RangedU64ValueParser::<usize>::new().range(1..=6))]
+    #[arg(long, value_name = "N", default_value_t = 4, value_parser = integer_in::<usize>(1..=6))]
     size: usize,
     /// Build only this polyhedron: tetrahedron, cube, octahedron, dodecahedron, icosahedron, prism:N, prism:N,HEIGHT,
     /// or a file with the three coordinates of a corner on each line

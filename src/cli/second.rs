@@ -19,7 +19,7 @@ use acutile_io::mesh::surface::{Comparison, compare, load_surface};
 use malachite::Rational;
 use serde_json::json;
 
-/// What becomes of a refuted tiling after a repair.
+/// The verdict on a refuted tiling after a repair.
 #[derive(Default)]
 pub struct SecondLook {
     /// Sentences for people.
@@ -74,7 +74,7 @@ pub fn after_proof(
     answer
 }
 
-/// What a user who expected a closed cell has to know of a periodic region.
+/// A note on a periodic region, for users who expected a closed cell.
 pub fn note_on_boundary<const D: usize>(tiling: &Tiling<D>) -> Option<String> {
     let Domain::Region(1..) = tiling.frame.domain else {
         return None;
@@ -269,7 +269,7 @@ pub fn contact(
     Some(Answer::Said(words, data))
 }
 
-/// What becomes of a refuted tiling if all elements are turned, or equal nodes merged.
+/// The verdict on a refuted tiling if all elements are turned, or equal nodes merged.
 pub fn look<const D: usize>(
     tiling: &Tiling<D>,
     findings: &Findings,

@@ -1,4 +1,4 @@
-//! `acutile show`: what a tiling is, before anything about it is proved.
+//! `acutile show`: describes a tiling, before anything about it is proved.
 
 use super::input::{self, FileArguments, Loaded, Read};
 use super::name::InputName;
@@ -311,8 +311,8 @@ fn field_data(field: &Field) -> Value {
     json!({ "polynomial": polynomial, "root": [lower.to_string(), upper.to_string()] })
 }
 
-/// The squared edges of a simplex, in space each with the dihedral angle at it; in the plane the squared
-/// edges and the angles opposite to them.
+/// The squared edges of a simplex. In space each has the dihedral angle at it, in the plane the angle
+/// opposite to it.
 fn edges_and_angles<const D: usize>(
     tiling: &Tiling<D>,
     simplex: SimplexId,

@@ -163,7 +163,7 @@ pub fn answer(
     }
 }
 
-/// What a theorem of the catalogue is about: its tiles with their patches.
+/// The subject of a theorem of the catalogue: its tiles with their patches.
 ///
 /// # Errors
 /// A message that names the theorem.
@@ -183,7 +183,7 @@ pub fn show_entry(entry: &Entry) -> Result<Shown, String> {
 /// The words before a claim that is not judged.
 const UNJUDGED: &str = "claim, not verified here: ";
 
-/// What a certificate of the kind `patches` contains, without judging it.
+/// The content of a certificate of the kind `patches`, which is not judged here.
 ///
 /// # Errors
 /// If the bytes are none.

@@ -13,6 +13,7 @@ use clap::error::{ContextKind, ContextValue, ErrorKind};
 use clap::{CommandFactory, Error, FromArgMatches};
 use std::ffi::OsString;
 use std::io::Write;
+use std::ops::RangeInclusive;
 use std::path::Path;
 use std::process::ExitCode;
 
@@ -56,7 +57,8 @@ fn ended(given: &[OsString], error: &Error) -> ExitCode {
     let _ = match error.use_stderr() {
         true => {
             let text = in_plain_words(error.render().ansi().to_string());
-            let advice = command_missing(error).unwrap_or_default();
+            let advice = command_missing(error).or_else(|| argument_advice(error));
+            let advice = advice.unwrap_or_default();
             write!(anstream::stderr(), "{text}{advice}")
         }
         false => error.print(),
@@ -64,7 +66,7 @@ fn ended(given: &[OsString], error: &Error) -> ExitCode {
     ExitCode::from(u8::try_from(error.exit_code()).unwrap_or(2))
 }
 
-/// Advice where a construction or a file stands in the place of a command.
+/// Advice where a construction or a file stands in the place of a command, or a name that is nearly a command.
 fn command_missing(error: &Error) -> Option<String> {
     let is_command = error.kind() == ErrorKind::InvalidSubcommand;
     let found = error.get(ContextKind::InvalidSubcommand);
@@ -72,10 +74,49 @@ fn command_missing(error: &Error) -> Option<String> {
         return None;
     };
     let is_input = catalog::find(name).is_some() || Path::new(name).exists();
-    is_input.then(|| format!("\nThe command comes first, like `acutile certify {name}`.\n"))
+    if is_input {
+        return Some(format!(
+            "\nThe command comes first, like `acutile certify {name}`.\n"
+        ));
+    }
+    let suggested = |error: &Error| match error.get(ContextKind::SuggestedSubcommand) {
+        // The best one is the last.
+        Some(ContextValue::Strings(names)) => names.last().cloned(),
+        _ => None,
+    };
+    if suggested(error).is_some() {
+        return None;
+    }
+    // After `acutile help` clap suggests nothing. The same name as a command has its suggestion.
+    let again = Arguments::command().try_get_matches_from(["acutile", name]);
+    let command = again.as_ref().err().and_then(suggested)?;
+    Some(format!("\nDid you mean `acutile help {command}`?\n"))
 }
 
-/// What clap says of numbers in the words of Rust's parser, and of arguments that are no text, in plain words.
+/// Advice where the input is missing, and where a command without -o gets it.
+fn argument_advice(error: &Error) -> Option<String> {
+    match (error.kind(), error.get(ContextKind::InvalidArg)?) {
+        (ErrorKind::MissingRequiredArgument, ContextValue::Strings(missing)) => {
+            let is_input = |name: &String| name.contains("NAME|FILE");
+            missing.iter().any(is_input).then(|| {
+                "\n`acutile list` names the constructions of the catalogue, and `acutile new KIND` \
+                 writes an example of a file.\n"
+                    .to_owned()
+            })
+        }
+        (ErrorKind::UnknownArgument, ContextValue::String(name)) => {
+            let is_output = name == "-o" || name == "--output";
+            is_output.then(|| {
+                "\nThis command writes to standard output, and a shell writes that to a file: \
+                 > FILE\n"
+                    .to_owned()
+            })
+        }
+        _ => None,
+    }
+}
+
+/// The messages of clap about numbers, and about arguments that are no text, in plain words.
 fn in_plain_words(text: String) -> String {
     const WORDS: [(&str, &str); 5] = [
         (
@@ -97,17 +138,26 @@ fn in_plain_words(text: String) -> String {
         ("a value is required for", "expected a value for"),
     ];
     let replaced = |text: String, (from, to): &(&str, &str)| text.replace(from, to);
-    in_range(WORDS.iter().fold(text, replaced))
+    WORDS.iter().fold(text, replaced)
 }
 
-/// The range of an integer in words, not as Rust writes it.
-fn in_range(text: String) -> String {
-    match text.split_once(" is not in ") {
-        Some((before, range)) => {
-            let range = range.replacen("..=", " to ", 1);
-            format!("{before} is out of range, expected an integer from {range}")
-        }
-        None => text,
+/// Reads an integer in this range. An error names the range.
+pub fn integer_in<T: TryFrom<u64>>(
+    range: RangeInclusive<u64>,
+) -> impl Fn(&str) -> Result<T, String> + Clone + Send + Sync + 'static {
+    move |text| {
+        let (low, high) = (range.start(), range.end());
+        let is_integer = text.parse::<i128>().is_ok();
+        let in_range = text.parse().ok().filter(|n| range.contains(n));
+        let value = in_range.and_then(|n| T::try_from(n).ok());
+        value.ok_or_else(|| {
+            let expected = format!("expected an integer from {low} to {high}");
+            if is_integer {
+                format!("{text} is out of range, {expected}")
+            } else {
+                expected
+            }
+        })
     }
 }
 

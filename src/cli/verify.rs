@@ -8,10 +8,10 @@ use super::output::Output;
 use super::record::Record;
 use super::words::{name, one_line};
 use acutile_catalog as catalog;
-use acutile_core::format::json::{JsonError, line_of_item};
+use acutile_core::format::json::JsonError;
 use acutile_core::format::{self, CLAIM_FORMAT, Encoding, recognise};
 use acutile_core::proved::{hexadecimal, in_words};
-use acutile_core::refusal;
+use acutile_core::refusal::{self, Refused};
 use acutile_core::statement::counted;
 use acutile_io::import::{BYTE_LIMIT, io_words, read_bytes};
 use acutile_io::mesh::unknown;
@@ -40,9 +40,7 @@ enum Verdict {
     Verified(Box<Verified>),
     /// It proves another claim.
     OtherClaim(Box<Verified>),
-    Refused(Box<Refusal>),
-    /// The same for JSON, with the line that the kernel refuses.
-    RefusedLine(Box<Refusal>, String),
+    Refused(Refused),
     Malformed(JsonError),
     /// Its first bytes are those of something else.
     NoCertificate(String),
@@ -176,16 +174,8 @@ fn check_reader(
         return Err(Verdict::TooLong(length));
     }
     let cbor = format::to_cbor(&bytes).map_err(Verdict::Malformed)?;
-    verify(&mut &cbor[..], limits).map_err(|refusal| {
-        let line = match refusal.place {
-            Place::Byte(byte) => line_of_item(&bytes, &cbor, byte),
-            _ => None,
-        };
-        match line {
-            Some(line) => Verdict::RefusedLine(Box::new(refusal), line),
-            None => Verdict::Refused(Box::new(refusal)),
-        }
-    })
+    verify(&mut &cbor[..], limits)
+        .map_err(|refusal| Verdict::Refused(Refused::of_file(&bytes, &cbor, refusal)))
 }
 
 /// Adds the length of the file, which the kernel does not know. A file that ends too early is named as
@@ -201,7 +191,7 @@ fn refused(mut refusal: Refusal, length: Option<u64>) -> Verdict {
     if let Wrong::Limit("bytes", enough) = &mut refusal.value {
         *enough = enough.or(length);
     }
-    Verdict::Refused(Box::new(refusal))
+    Verdict::Refused(refusal.into())
 }
 
 /// The format of another file of the project, and the use of such a file.
@@ -218,7 +208,8 @@ fn other_format(begin: &[u8]) -> Option<String> {
     ))
 }
 
-/// What a file is that begins as no certificate does: neither with a brace nor with a map of CBOR.
+/// The description of a file that begins as no certificate does: neither with a brace nor with a map of
+/// CBOR.
 fn something_else(begin: &[u8]) -> Option<String> {
     let expected = "expected a certificate";
     if begin.is_empty() {
@@ -229,7 +220,12 @@ fn something_else(begin: &[u8]) -> Option<String> {
     }
     let first = begin.trim_ascii_start().first()?;
     let is_text = first.is_ascii_graphic() && *first != b'{';
-    is_text.then(|| format!("begins with {:?}, {expected}", char::from(*first)))
+    is_text.then(|| {
+        format!(
+            "begins with {:?}, {expected}; `acutile certify` proves a tiling or a mesh, and writes one",
+            char::from(*first)
+        )
+    })
 }
 
 /// Bytes by which the encodings differ.
@@ -240,14 +236,12 @@ impl Verdict {
         match self {
             Verdict::Verified(_) => 0,
             Verdict::OtherClaim(_) => 1,
-            Verdict::Refused(refusal) | Verdict::RefusedLine(refusal, _) => {
-                match refusal.code.kind() {
-                    _ if refusal.code == Code::Unreadable => 2,
-                    Kind::Rejected => 1,
-                    Kind::Malformed => 2,
-                    Kind::Declined => 3,
-                }
-            }
+            Verdict::Refused(refused) => match refused.refusal.code.kind() {
+                _ if refused.refusal.code == Code::Unreadable => 2,
+                Kind::Rejected => 1,
+                Kind::Malformed => 2,
+                Kind::Declined => 3,
+            },
             Verdict::Malformed(error) if error.code.is_declined() => 3,
             Verdict::Malformed(_) | Verdict::NoCertificate(_) | Verdict::OtherFormat(_) => 2,
             Verdict::Unreadable(_) | Verdict::NoFile(_) => 2,
@@ -277,10 +271,8 @@ impl Verdict {
         match self {
             Verdict::Verified(_) => "verified",
             Verdict::OtherClaim(_) => "rejected",
-            Verdict::Refused(refusal) if refusal.code == Code::Unreadable => "unreadable",
-            Verdict::Refused(refusal) | Verdict::RefusedLine(refusal, _) => {
-                refusal.code.kind().text()
-            }
+            Verdict::Refused(refused) if refused.refusal.code == Code::Unreadable => "unreadable",
+            Verdict::Refused(refused) => refused.refusal.code.kind().text(),
             Verdict::Malformed(_) => match self.exit_code() {
                 3 => "declined",
                 _ => "malformed",
@@ -295,7 +287,7 @@ impl Verdict {
         match self {
             Verdict::Verified(_) => "verified",
             Verdict::OtherClaim(_) => "other-claim",
-            Verdict::Refused(refusal) | Verdict::RefusedLine(refusal, _) => refusal.code.text(),
+            Verdict::Refused(refused) => refused.refusal.code.text(),
             Verdict::Malformed(error) => error.code.name(),
             Verdict::NoCertificate(_) => "cbor",
             Verdict::OtherFormat(_) => "format",
@@ -310,8 +302,7 @@ impl Verdict {
             Verdict::OtherClaim(verified) => {
                 format!("it proves another claim: {}", in_words(verified))
             }
-            Verdict::Refused(refusal) => refusal::message(refusal),
-            Verdict::RefusedLine(refusal, line) => refusal::message_at(refusal, line.clone()),
+            Verdict::Refused(refused) => refused.message(),
             Verdict::Malformed(error) => error.to_string(),
             Verdict::NoCertificate(found) | Verdict::OtherFormat(found) => found.clone(),
             Verdict::TooLong(length) => {

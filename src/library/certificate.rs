@@ -2,8 +2,9 @@
 
 use super::Error;
 use acutile_core::format::{print, to_cbor};
-use acutile_core::{proved, refusal};
-use acutile_kernel as kernel;
+use acutile_core::proved;
+use acutile_core::refusal::Refused;
+use acutile_kernel::{self as kernel, Refusal};
 
 /// The bytes of a certificate, in deterministic CBOR. They need not prove anything:
 /// [`crate::verify`] asks the kernel.
@@ -18,8 +19,21 @@ use acutile_kernel as kernel;
 /// assert_eq!(Certificate::from_bytes(certificate.as_bytes())?, certificate);
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub struct Certificate(Vec<u8>);
+#[derive(Clone, Debug)]
+pub struct Certificate {
+    cbor: Vec<u8>,
+    /// The JSON that it was read from, so that a refusal names a line and not a byte.
+    json: Option<Vec<u8>>,
+}
+
+/// Two certificates are equal if their CBOR is.
+impl PartialEq for Certificate {
+    fn eq(&self, other: &Self) -> bool {
+        self.cbor == other.cbor
+    }
+}
+
+impl Eq for Certificate {}
 
 impl Certificate {
     /// Reads a certificate in either encoding, CBOR or canonical JSON.
@@ -28,16 +42,20 @@ impl Certificate {
     /// JSON that is not canonical.
     pub fn from_bytes(bytes: &[u8]) -> Result<Certificate, Error> {
         let cbor = to_cbor(bytes).map_err(Error::new)?;
-        Ok(Certificate(cbor.into_owned()))
+        let json = (cbor != bytes).then(|| bytes.to_vec());
+        Ok(Certificate {
+            cbor: cbor.into_owned(),
+            json,
+        })
     }
 
     pub(crate) fn of_cbor(cbor: Vec<u8>) -> Certificate {
-        Certificate(cbor)
+        Certificate { cbor, json: None }
     }
 
     /// The certificate in CBOR, the encoding that the kernel reads.
     pub fn as_bytes(&self) -> &[u8] {
-        &self.0
+        &self.cbor
     }
 
     /// The certificate in canonical JSON, the encoding for people.
@@ -45,8 +63,13 @@ impl Certificate {
     /// # Errors
     /// Bytes that are no certificate.
     pub fn to_json(&self) -> Result<String, Error> {
-        let json = print::to_json(&self.0).map_err(Error::new)?;
+        let json = print::to_json(&self.cbor).map_err(Error::new)?;
         String::from_utf8(json).map_err(Error::new)
+    }
+
+    fn refused(&self, refusal: Refusal) -> Refused {
+        let file = self.json.as_ref().unwrap_or(&self.cbor);
+        Refused::of_file(file, &self.cbor, refusal)
     }
 }
 
@@ -129,10 +152,11 @@ pub struct Verified {
 /// ```
 ///
 /// # Errors
-/// The first condition that does not hold, with its code, place and exact value; or a limit.
+/// The first condition that does not hold, with its code, place and exact value; or a limit. A place in
+/// a certificate that was read from JSON is a line and a column.
 pub fn verify(certificate: &Certificate, limits: &Limits) -> Result<Verified, Error> {
     let verified = kernel::verify(&mut certificate.as_bytes(), &limits.0);
-    let verified = verified.map_err(|reason| Error::new(refusal::in_words(&reason)))?;
+    let verified = verified.map_err(|refusal| Error::new(certificate.refused(refusal)))?;
     Ok(Verified {
         claim: verified.claim.print().to_owned(),
         words: proved::in_words(&verified),

@@ -105,10 +105,10 @@ impl Tiling {
         }
         let path = Path::new(source);
         if !path.exists() {
-            return Err(Error::of(
-                &source,
-                "neither a name of the catalogue nor a file",
-            ));
+            let advice = catalog::suggestion(source).filter(|_| !source.contains(['/', '.']));
+            let advice = advice.map(|name| format!("; did you mean {name}?"));
+            let problem = "neither a name of the catalogue nor a file".to_owned();
+            return Err(Error::of(&source, problem + &advice.unwrap_or_default()));
         }
         of_file(path, options).map_err(|error| Error::of(&source, error))
     }

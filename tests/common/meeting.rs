@@ -1,5 +1,5 @@
-//! An oracle for whether two simplices meet elsewhere than in their common vertices, by linear
-//! programming in exact fractions; it shares no thought with the program.
+//! An oracle for whether two simplices meet elsewhere than in their common vertices. It uses linear
+//! programming in exact fractions, and no method of the program.
 
 use num_rational::Ratio;
 use num_traits::{One, Signed, Zero};
@@ -9,12 +9,12 @@ pub type Point = [i64; 3];
 /// Overflow panics.
 type Fraction = Ratio<i128>;
 
-/// Whether some point of the convex hull of `p` and of that of `q` has, in the first, weight on a
-/// point that is not among `common`.
+/// Whether the convex hulls of `p` and `q` have a common point that, in the first hull, has weight on a
+/// point outside of `common`.
 ///
 /// Let the columns (p_i, 1, 0) and (-q_j, 0, 1) have the weights λ, μ >= 0 with the sum (0, 1, 1). The
-/// greatest weight on the points that are not common is taken at a vertex of this polytope, that is with
-/// linearly independent columns; all choices of columns are gone through.
+/// greatest weight on the points that are not common occurs at a vertex of this polytope, that is with
+/// linearly independent columns. All choices of columns are tried.
 pub fn meet_elsewhere(p: &[Point], q: &[Point], common: &[Point]) -> bool {
     let first = p.iter().map(|x| [x[0], x[1], x[2], 1, 0]);
     let second = q.iter().map(|x| [-x[0], -x[1], -x[2], 0, 1]);

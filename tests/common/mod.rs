@@ -1,4 +1,4 @@
-//! What the integration tests share: running the programs, and the Kuhn cube.
+//! Common functions of the integration tests: running the programs, and the Kuhn cube.
 
 mod kuhn;
 pub mod well_formed;

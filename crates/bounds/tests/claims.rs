@@ -47,8 +47,8 @@ fn the_opposite_of_every_claim_fails() {
     }
 }
 
-/// For each definition of the proof some claim depends on it: with another value of any single
-/// definition that is not a choice, a claim of the part is lost.
+/// Some claim depends on each definition of the proof. With another value of any single definition that is
+/// not a choice, a claim of the part is lost.
 #[test]
 fn a_wrong_definition_is_noticed() {
     // p, z and phi are choices: 57.9 may be a little smaller.

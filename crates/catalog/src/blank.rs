@@ -1,19 +1,17 @@
 //! Blank edges of a square/triangle tiling, and colours of its tiles.
 //!
-//! A set of edges is *blank* if every triangle has one side in it, every square two opposite
-//! sides and no other, and every vertex two edges. Tiles then get colours ±1: the same
-//! across an edge that is not blank and across a blank edge between a triangle and a square,
-//! opposite ones across a blank edge between two triangles or two squares. Around a vertex the
-//! colours close only if its two blank edges are of one kind; where that holds everywhere, the
-//! colours are determined up to sign on the plane, and have the period of the cell doubled in
-//! each direction.
+//! A set of edges is *blank* if every triangle has one side in it, and every square two opposite sides.
+//! Every vertex has two edges in it. Tiles then get colours ±1. Across a blank edge between two triangles
+//! or two squares the colours are opposite. Across every other edge they are the same. Around a vertex the
+//! colours close only if its two blank edges are of one kind. If that holds everywhere, the colours are
+//! determined up to sign on the plane. They have the period of the cell doubled in each direction.
 //!
-//! A set with the period of a small multiple of the cell is searched for. Where there
-//! is none, the same search over the tiles around one vertex, not periodic, may show that
-//! there is none at all. The smallest such part is a wheel, six triangles at a vertex v ringed by
-//! squares. At a rim vertex p with the spoke s each of the two rim edges is either blank itself
-//! or the side of the square on it that begins at p is: two edges, so s is not blank. But v needs two
-//! blank spokes. The inflated tilings are made of wheels.
+//! A set with the period of a small multiple of the cell is searched for. Where there is none, the same
+//! search over the tiles around one vertex, not periodic, may show that there is none at all. The smallest
+//! such part is a wheel, six triangles at a vertex v ringed by squares. Consider a rim vertex p with the
+//! spoke s. For each of the two rim edges, either it is blank, or the side at p of the square on it is.
+//! These are two edges, so s is not blank. But v needs two blank spokes. The inflated tilings are made of
+//! wheels.
 
 use super::CatalogError;
 use super::plane_tiling::{Cyclotomic, POWERS, PlaneTiling, TileCorner, sum};

@@ -54,8 +54,8 @@ pub fn sommerville_2() -> Result<Tiling<3>, CatalogError> {
     Ok(triangulate(&bcc, Ties::Refuse)?)
 }
 
-/// Sommerville III: the cube's centre and half a face, cut along the diagonal from the
-/// corner with the least coordinates, so that opposite faces are cut alike.
+/// Sommerville III: the cube's centre and half a face. The face is cut along the diagonal from the corner
+/// with the least coordinates, so that opposite faces are cut alike.
 pub fn sommerville_3() -> Tiling<3> {
     let mut tetrahedra = Vec::new();
     for (_, [a, b, c, d]) in cube_faces() {
@@ -196,20 +196,19 @@ pub fn goldberg_2(ratio: &Number) -> Tiling<3> {
     tiling
 }
 
-/// Goldberg's third family: the first, cut by the plane through the edge AB of length 3a and the
+/// Goldberg's third family: the first, cut by a plane. The plane contains the edge AB of length 3a and the
 /// midpoint of the middle step CD of the path A, C, D, B.
 ///
-/// *Face to face or not.* In the first family's tiling CD is the first or last step of other
-/// tetrahedra, which do not cut it: for every ratio the parts do not fit there. In any face-to-face
-/// tiling by parts A, C, B, M whose faces ACM, BCM and ABC are scalene and different, the neighbour
-/// across each of these is the mirror image. So the tetrahedra around CM and around AC are
-/// mirror images of one another in turn, and the angles there divide 180 degrees. These are the
-/// first family's angles at CD and AC, for which (six tetrahedra at CD, two of each
-/// kind) CD + 2 AC = 180. So they are 60 and 60, where (a/e)² = 1/8 and the first family is
-/// Sommerville's II, or 90 and 45, where (a/e)² = 1/2 and it is the cube in six. In both cases
-/// reflections do generate a tiling (the chambers of affine Weyl groups), in which every CD is cut.
-/// It is built for these ratios; for all others the first arrangement is, which the
-/// checker refutes.
+/// *Face to face or not.* In the first family's tiling CD is the first or last step of other tetrahedra,
+/// which do not cut it. So for every ratio the parts do not fit there. Suppose that the faces ACM, BCM and
+/// ABC of the parts A, C, B, M are scalene and different. In any face-to-face tiling by such parts the
+/// neighbour across each of these faces is the mirror image. So the tetrahedra around CM and around AC are
+/// mirror images of one another in turn, and the angles there divide 180 degrees. These are the first
+/// family's angles at CD and AC, for which (six tetrahedra at CD, two of each kind) CD + 2 AC = 180. So
+/// they are 60 and 60, where (a/e)² = 1/8 and the first family is Sommerville's II, or 90 and 45, where
+/// (a/e)² = 1/2 and it is the cube in six. In both cases reflections do generate a tiling (the chambers of
+/// affine Weyl groups), in which every CD is cut. It is built for these ratios; for all others the first
+/// arrangement is, which the checker refutes.
 pub fn goldberg_3(ratio: &Number) -> Tiling<3> {
     let square = ratio * ratio;
     if square == fraction(1, 2) {

@@ -23,7 +23,8 @@ pub struct Entry {
     pub parameter: Option<Parameter>,
     /// Whether it has thousands of simplices: lists of all constructions leave it out.
     pub is_large: bool,
-    /// Requirements like `plane:x1+x2=0`: what its certificate states beyond what the prover finds.
+    /// Requirements like `plane:x1+x2=0`. Its certificate states them beside the statements that the prover
+    /// finds.
     pub stated: &'static [&'static str],
     /// The construction of which it has the combinatorial type, with other numbers.
     pub variant_of: Option<&'static str>,

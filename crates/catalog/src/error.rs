@@ -29,8 +29,8 @@ pub enum CatalogError {
     NoOrbit(Vec<i8>),
     /// A file of a plane tiling cannot be read.
     File(String),
-    /// Two neighbouring edges at this vertex enclose an angle, in degrees, that is neither of a
-    /// triangle nor of a square: not an edge-to-edge tiling by squares and triangles.
+    /// Two neighbouring edges at this vertex enclose an angle, in degrees, that belongs to no triangle or
+    /// square. So this is no edge-to-edge tiling by squares and triangles.
     NotSquareTriangle {
         /// Index of the vertex.
         vertex: usize,

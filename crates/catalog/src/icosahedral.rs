@@ -1,15 +1,13 @@
 //! Section 4.2: regular icosahedra with a vertical 3-fold axis, touching edge to edge
 //! in hexagonal layers, the layers sharing horizontal faces.
 //!
-//! Edge length 2. Let q_0, q_1, q_2 be the corners of an equilateral triangle of side 2 in
-//! the plane around the origin, and phi the golden ratio. The vertices of the icosahedron lie
-//! over q_i at the height phi²/sqrt 3, over -phi q_i at 1/(phi sqrt 3), and opposite to these
-//! twelve minus six. Six edges go from an upper end U over -phi q_i to a lower end L over
-//! phi q_j; the one opposite to it goes from -L to -U, so the neighbour that touches
-//! there is moved by U + L = phi (q_j - q_i). These vectors span the lattice of the layer.
-//! A layer that shares horizontal faces with this one is its mirror image: the
-//! period is two layers, 4 phi²/sqrt 3. With that as the unit of height all numbers lie in
-//! Q(sqrt 5).
+//! Edge length 2. Let q_0, q_1, q_2 be the corners of an equilateral triangle of side 2 in the plane around
+//! the origin, and phi the golden ratio. The vertices of the icosahedron lie over q_i at the height
+//! phi²/sqrt 3, over -phi q_i at 1/(phi sqrt 3), and opposite to these twelve minus six. Six edges go from
+//! an upper end U over -phi q_i to a lower end L over phi q_j. The opposite edge goes from -L to -U. So the
+//! neighbour that touches there is moved by U + L = phi (q_j - q_i). These vectors span the lattice of the
+//! layer. A layer that shares horizontal faces with this one is its mirror image: the period is two layers,
+//! 4 phi²/sqrt 3. With that as the unit of height all numbers lie in Q(sqrt 5).
 
 use super::CatalogError;
 use super::recipe::{fraction, quotient};

@@ -8,9 +8,9 @@
 //!
 //! - `z`, height 4, same registry: two points on the hexagon's axis at distance 1 from the
 //!   layers, and at mid-height one over each of the other registries;
-//! - `+` or `-`, height 4 sqrt(2/3), registry one more or less: a point on the lower
-//!   hexagon's axis at 3/8 of the height, one on the upper one's at 5/8, and one at
-//!   mid-height over the third registry.
+//! - `+` or `-`, height 4 sqrt(2/3), registry one more or less: three points. They are on the lower
+//!   hexagon's axis at 3/8 of the height, on the upper hexagon's axis at 5/8, and at mid-height over the
+//!   third registry.
 //!
 //! `z` is Z, `+` C15, `+-` C14, `++--` C36, `z+` mu.
 
@@ -66,8 +66,8 @@ pub fn points(word: &str) -> Result<PointSet<3>, CatalogError> {
     in_lattice(&points, &axis(registry.rem_euclid(3)), &height)
 }
 
-/// The lattice: two vectors of length 4 in the plane, and the one from the first layer to
-/// the first of the next period, which may lean by `lean`.
+/// The lattice has two vectors of length 4 in the plane. The third goes from the first layer to the first
+/// of the next period, and may lean by `lean`.
 fn in_lattice(
     points: &[Point],
     lean: &[Number; 2],

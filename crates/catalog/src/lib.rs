@@ -145,16 +145,20 @@ pub fn find(name: &str) -> Option<&'static Entry> {
 }
 
 /// The name of the catalogue that is most like a wrong one, if any is much like it.
-pub fn suggestion(wrong: &str) -> Option<&'static str> {
+/// Where the user chooses a part of the name, it is `WORD`.
+pub fn suggestion(wrong: &str) -> Option<String> {
     /// One less the share of letters that must be changed, put in, left out or exchanged.
     const MUCH: f64 = 0.6;
     let wrong = wrong.to_ascii_lowercase();
-    let similarity =
-        |name: &'static str| (strsim::normalized_damerau_levenshtein(&wrong, name), name);
-    let names = ENTRIES.iter().map(|entry| similarity(entry.name));
-    let best = names.max_by(|a, b| a.0.total_cmp(&b.0));
-    best.filter(|(similarity, _)| *similarity >= MUCH)
-        .map(|(_, name)| name)
+    let similarity = |entry: &'static Entry| {
+        let similarity = strsim::normalized_damerau_levenshtein(&wrong, entry.name);
+        (similarity, entry)
+    };
+    let entries = ENTRIES.iter().map(similarity);
+    let best = entries.max_by(|a, b| a.0.total_cmp(&b.0));
+    let (_, entry) = best.filter(|(similarity, _)| *similarity >= MUCH)?;
+    let word = if entry.is_family() { "WORD" } else { "" };
+    Some(format!("{}{word}", entry.name))
 }
 
 /// The construction with this name, `kagome:z+` included, with default parameters.

@@ -20,8 +20,9 @@ pub struct Places {
     pub kinds: Vec<(&'static str, Vec<[Number; 2]>)>,
 }
 
-/// The kinds in order: vertices, middles of even and odd edges, centres of triangles with even and odd sides, centres
-/// of squares, and points a quarter of a side inside the even and the odd sides of squares.
+/// The kinds in order: vertices; middles of even and odd edges; centres of triangles with even and odd
+/// sides; centres of squares. The last two are points a quarter of a side inside the even and the odd sides
+/// of squares.
 const KINDS: [&str; 8] = ["V", "E0", "E1", "T0", "T1", "S", "S0", "S1"];
 const VERTEX: usize = 0;
 const EDGE: usize = 1;

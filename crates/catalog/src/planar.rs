@@ -67,9 +67,9 @@ pub fn square_10() -> Tiling<2> {
 /// the symmetry of both diagonals: a point at distance u on each side, two points
 /// (t, t) and (1 - t, 1 - t), two (x, 1 - x) and (1 - x, x).
 ///
-/// All five angles at (t, t) are 72 degrees, so its edges go to (0, 0) and, symmetrically about the
-/// diagonal, to (u, 0), 27 degrees off the vertical: u = t (1 + tan 27), and to (x, 1 - x),
-/// 9 degrees off the horizontal: 1 - x - t = (x - t) tan 9. Both tangents lie in Q(tan 9), of
+/// All five angles at (t, t) are 72 degrees. So one edge goes to (0, 0), and the others lie symmetrically
+/// about the diagonal. The edge to (u, 0) is 27 degrees off the vertical: u = t (1 + tan 27). The edge to
+/// (x, 1 - x) is 9 degrees off the horizontal: 1 - x - t = (x - t) tan 9. Both tangents lie in Q(tan 9), of
 /// degree 4. t = 8/25 is one of the values that leave all other angles below 72.
 pub fn square_14() -> Result<Tiling<2>, CatalogError> {
     let polynomial = [1, -4, -14, -4, 1].map(Integer::from);

@@ -198,9 +198,9 @@ impl PlaneTiling {
 
     /// The corners of tiles around each vertex, in positive order.
     ///
-    /// Checked: all angles are 60 or 90 degrees. Then the tiles close: at the far end of a side the
-    /// angle of the same tile is the same, as an angle of 60 degrees makes its third side an
-    /// edge. So the tiles cover the plane evenly, and once if their area is that of the cell.
+    /// Checked: all angles are 60 or 90 degrees. Then the tiles close. At the far end of a side the same
+    /// tile has the same angle, because an angle of 60 degrees makes its third side an edge. So the tiles
+    /// cover the plane evenly, and once if their area is that of the cell.
     ///
     /// # Errors
     /// The first defect of the plane tiling.

@@ -42,9 +42,9 @@ fn two_colouring(tiling: &Tiling<3>) -> Result<Vec<bool>, CatalogError> {
         .ok_or(CatalogError::NotTwoColourable)
 }
 
-/// C15: the diamond lattice (fcc with the basis (0,1,1), (1,0,1), (1,1,0), and its translate by
-/// a quarter of their sum) and the circumcentres of those Delaunay cells that have more than
-/// four corners: the centres of the puckered hexagons of bonds.
+/// C15: the diamond structure, and the centres of its puckered hexagons of bonds. Diamond is fcc, with the
+/// basis (0,1,1), (1,0,1), (1,1,0), and its translate by a quarter of their sum. The centres are the
+/// circumcentres of those Delaunay cells that have more than four corners.
 pub fn c15() -> Result<Tiling<3>, CatalogError> {
     let mut points = rational_points([[2, 1, 1], [1, 2, 1], [1, 1, 2]], 4, &[[0; 3], [1; 3]]);
     points.points.extend(large_cell_centers(&points)?);

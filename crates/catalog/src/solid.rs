@@ -27,11 +27,10 @@ fn corner_of(frame: Frame<3>) -> Tiling<3> {
 /// a = -(epsilon, epsilon, epsilon), b, c, d the unit vectors, e = (2/3 + epsilon)(1, 1, 1):
 /// abcd and bcde.
 ///
-/// The line ae meets the triangle bcd in its centroid, between a and e, for every epsilon > -1/3.
-/// So none of the five points is in the hull of the others, and the hull is the bipyramid:
-/// convex without further condition. Not Delaunay: where
-/// the sphere abcd meets the line again is (1 + epsilon)/(1 + 3 epsilon) on all axes, and
-/// that is beyond e exactly if 9 epsilon² + 6 epsilon < 1, epsilon < (sqrt 2 - 1)/3.
+/// The line ae meets the triangle bcd in its centroid, between a and e, for every epsilon > -1/3. So none
+/// of the five points is in the hull of the others, and the hull is the bipyramid: convex without further
+/// condition. Not Delaunay: the sphere abcd meets the line again at (1 + epsilon)/(1 + 3 epsilon) on all
+/// axes. That is beyond e exactly if 9 epsilon² + 6 epsilon < 1, so epsilon < (sqrt 2 - 1)/3.
 pub fn two_corners(epsilon: &Number) -> Tiling<3> {
     let diagonal = |x: Number| [x.clone(), x.clone(), x];
     let unit = |axis| std::array::from_fn(|k| fraction(i64::from(k == axis), 1));

@@ -1,15 +1,14 @@
 //! Section 4.1: from an edge-to-edge tiling of the plane by squares and equilateral
 //! triangles to a TCP structure.
 //!
-//! The paper marks black and white dots on the plane tiling, side 4, and puts points at
-//! heights 4k - 1 over black dots, 4k + 1 over white ones, 4k and 4k + 2 over vertices.
-//! *The rule of the colours.* All edges have directions that are multiples of 30 degrees
-//! from one of them; call an edge black if the multiple is even. Then the edges
-//! of a triangle (60 degrees apart) have one colour, neighbouring edges of a square (90)
-//! differ, and nothing depends on the cell that was chosen. The dots: the middle of
-//! an edge in its colour; the centre of a triangle in the other colour than its edges;
-//! in a square, for each side, its middle moved inwards by 1, in the other colour than
-//! the side.
+//! The paper marks black and white dots on the plane tiling with side 4. It puts points at heights 4k - 1
+//! over black dots, 4k + 1 over white ones, 4k and 4k + 2 over vertices. *The rule of the colours.* All
+//! edges have directions that are multiples of 30 degrees from one of them; call an edge black if the
+//! multiple is even. Then the edges of a triangle, 60 degrees apart, have one colour. Neighbouring edges of
+//! a square, 90 degrees apart, differ. Nothing depends on the choice of the cell. There are three kinds of
+//! dots. The middle of an edge has the edge's colour. The centre of a triangle has the other colour than
+//! its edges. A square has a dot for each side: the middle of the side moved inwards by 1, in the other
+//! colour than the side.
 
 use super::CatalogError;
 use super::plane_tiling::{Cyclotomic, POWERS, PlaneTiling, scaled, sum};
@@ -71,7 +70,7 @@ impl PlaneTiling {
     }
 }
 
-/// The points over a plane tiling of side l, given by the square of l, with period 4 in height: `points`
+/// The points over a plane tiling of side l, given by the square of l, with period 4 in height. `points`
 /// are `scale` times the place in the plane, in units of l, and the height.
 ///
 /// # Errors

@@ -1,17 +1,17 @@
 //! Section 4.1: the variant that builds combinations of Z and C15 from a square/triangle
 //! tiling (after Sullivan, New tetrahedrally close-packed structures, 2000).
 //!
-//! *Derivation.* Stacks of kagome layers over a word of `z`, `+`, `-` are mixtures of Z and C15. Seen
-//! along a row of the layers they are plane tilings by strips of rectangles (from `z`) and of
-//! isosceles triangles (from `+`, `-`), with points at these heights, period 4. What
-//! carries over to other tilings is local. Blank edges (see `blank`) have no dot in the middle;
-//! every tile has a colour c = ±1 (see `colours`), and there are points
+//! *Derivation.* Stacks of kagome layers over a word of `z`, `+`, `-` are mixtures of Z and C15. Along a
+//! row of the layers they look like plane tilings by strips of rectangles (from `z`) and of isosceles
+//! triangles (from `+`, `-`). The points have these heights, with period 4. Only the local rules carry over
+//! to other tilings. Blank edges (see `blank`) have no dot in the middle; every tile has a colour c = ±1
+//! (see `colours`), and there are points
 //!
 //! - over vertices at 0 and 2;
 //! - over the middle of an edge that is not blank at c, the colour of both its tiles;
 //! - in a triangle at -c, 3/4 of the way from a corner to the blank side opposite to it;
-//! - in a square at -c, 1 inwards from the middle of each side that is not blank, and at c,
-//!   1/sqrt 3 inwards from the middle of each blank side.
+//! - in a square at -c, 1 inwards from the middle of each side that is not blank; also at c, 1/sqrt 3
+//!   inwards from the middle of each blank side.
 //!
 //! In the layers blank edges have length 4 and the others 2 sqrt 3. Here all have length 3.7;
 //! that the Delaunay triangulation is TCP and acute is not assumed, the checker proves it.
@@ -54,8 +54,8 @@ fn points(marking: &Marking) -> Result<Vec<(Cyclotomic, i64)>, CatalogError> {
     Ok(points)
 }
 
-/// The points that belong to the side of a tile from a corner: every point of the
-/// structure, but those over vertices, belongs to one side.
+/// The points that belong to the side of a tile from a corner. Every point of the structure belongs to one
+/// side, except the points over vertices.
 fn at_side(
     corner: Cyclotomic,
     tile: &TileCorner,

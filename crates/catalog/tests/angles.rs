@@ -10,8 +10,8 @@ use acutile_paper::survey::Study;
 use acutile_paper::table::Figure;
 use malachite::Rational;
 
-/// A figure of Table 1 in hundredths or thousandths: the value is at most one unit of the last
-/// printed digit away, as print is rounded or truncated.
+/// A figure of Table 1 in hundredths or thousandths. The value is at most one unit of the last printed
+/// digit away, because print is rounded or truncated.
 fn assert_printed(name: &str, value: &impl Exact, printed: &str) {
     let digits = printed
         .find('.')
@@ -32,10 +32,10 @@ fn assert_between(name: &str, value: &impl Exact, least: &str, most: &str) {
     assert!(low > least && high < most, "{name}: {low} to {high}");
 }
 
-/// The rows of Table 1 that the other tests do not cover. Two figures are not the printed ones:
-/// Slab's largest angle is printed as 87.70. It is at the edge between two vertices at height
-/// 7.1 of a tetrahedron of step 8, whose other two are 2.5 below and above their middle, which is
-/// 3 cos 30 from the vertical edge: 2 arctan(5/(3 sqrt 3)), 87.7958. And 71.99 is 72.
+/// The rows of Table 1 that the other tests do not cover. Two figures are not the printed ones: Slab's
+/// largest angle is printed as 87.70. It belongs to a tetrahedron of step 8, at the edge between two
+/// vertices at height 7.1. The other two vertices are 2.5 below and above their middle, which is 3 cos 30
+/// from the vertical edge. So the angle is 2 arctan(5/(3 sqrt 3)), 87.7958. And 71.99 is 72.
 #[test]
 fn figures_of_table_1() {
     let rows = [

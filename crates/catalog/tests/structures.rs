@@ -1,4 +1,4 @@
-//! What structures of the catalogue are: positions, symbols, and the bounds of parameters.
+//! Properties of structures of the catalogue: positions, symbols, and the bounds of parameters.
 
 use crate::common::tiling;
 use acutile_catalog::{CatalogError, build, build_with};
@@ -53,8 +53,8 @@ fn a15_from_bcc_is_similar_to_a15() {
     assert_ne!(symbol("z"), symbol("a15"));
 }
 
-/// What the icosahedra give is not Z but C14 (all its vertices have 12 or 16 neighbours, and
-/// Z has none with 16); the variant gives C15 over triangles and Z over squares.
+/// The icosahedra give C14 and not Z: all vertices have 12 or 16 neighbours, and Z has none with 16. The
+/// variant gives C15 over triangles and Z over squares.
 #[test]
 fn what_tcp_structures_are() {
     let symbol = |name| Study::of(tiling(name)).unwrap().symbol().unwrap();

@@ -137,9 +137,9 @@ fn sorted<const D: usize>(mut choice: [usize; D]) -> [usize; D] {
     choice
 }
 
-/// Whether doubles know that all coefficients are positive. An entry of a row comes from five
-/// coordinates by seven roundings, so its error is below 2^-48 of the largest coordinate c; a
-/// determinant of D rows of size at most 7 c has an error below 2^-38 c^D, and so has a mean of six.
+/// Whether doubles know that all coefficients are positive. An entry of a row comes from five coordinates
+/// by seven roundings, so its error is below 2^-48 of the largest coordinate c. A determinant of D rows of
+/// size at most 7 c has an error below 2^-38 c^D, and so has a mean of six.
 fn is_positive_in_doubles<const D: usize, const N: usize>(nodes: &[[f64; D]; N]) -> bool {
     let largest = nodes
         .as_flattened()

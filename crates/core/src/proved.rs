@@ -6,12 +6,13 @@
 
 use crate::checker::{self, Findings, Names, Options, Progress};
 use crate::format::{self, json::JsonError};
+use crate::refusal::Refused;
 use crate::statement::Statement;
 use crate::stream::stream;
 use crate::tiling::dimension::same;
 use crate::tiling::{AnyTiling, Tiling};
 use crate::transcribe::{self, ReadError};
-use acutile_kernel::{Limits, Refusal, Value, Verified, verify};
+use acutile_kernel::{Limits, Value, Verified, verify};
 use std::fmt;
 use std::io::{self, BufReader, BufWriter, IntoInnerError, Read, Seek, Write};
 use std::panic::resume_unwind;
@@ -40,7 +41,7 @@ pub enum NotProved {
     /// Nothing is known to be wrong, and a limit left something open.
     Declined(Findings),
     /// The kernel does not confirm the certificate.
-    Unconfirmed(Box<Refusal>),
+    Unconfirmed(Refused),
     /// The certificate cannot be written, or not read again.
     Io(io::Error),
     /// The certificate's JSON is not canonical.
@@ -76,8 +77,7 @@ impl fmt::Display for NotProved {
             NotProved::Refuted(findings) => write!(f, "refuted: {}", codes(findings)),
             NotProved::Declined(findings) => write!(f, "declined: {}", codes(findings)),
             NotProved::Unconfirmed(refusal) => {
-                let words = crate::refusal::in_words(refusal);
-                write!(f, "the kernel does not confirm the certificate: {words}")
+                write!(f, "the kernel does not confirm the certificate: {refusal}")
             }
             NotProved::Io(error) => write!(f, "{error}"),
             NotProved::Json(error) => {
@@ -159,7 +159,7 @@ fn proved<const D: usize>(
         let verified = kernel.join().unwrap_or_else(|panic| resume_unwind(panic));
         Ok(Proved {
             certificate,
-            verified: verified.map_err(|refusal| NotProved::Unconfirmed(Box::new(refusal)))?,
+            verified: verified.map_err(|refusal| NotProved::Unconfirmed(refusal.into()))?,
             statements: proof.statements,
         })
     })
@@ -223,7 +223,7 @@ fn confirmed<const D: usize>(
     storage.rewind().map_err(NotProved::Io)?;
     let verified = verify(&mut BufReader::new(storage), &options.limits);
     Ok(Confirmed {
-        verified: verified.map_err(|refusal| NotProved::Unconfirmed(Box::new(refusal)))?,
+        verified: verified.map_err(|refusal| NotProved::Unconfirmed(refusal.into()))?,
         statements,
     })
 }
@@ -240,7 +240,7 @@ impl Proved {
             if let Value::Limit("bytes", enough) = &mut refusal.value {
                 *enough = Some(length);
             }
-            NotProved::Unconfirmed(Box::new(refusal))
+            NotProved::Unconfirmed(Refused::of_file(bytes, &cbor, refusal))
         })?;
         let (tiling, statements) =
             transcribe::of_certificate(&cbor).map_err(NotProved::Unreadable)?;

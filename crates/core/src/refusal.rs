@@ -1,9 +1,59 @@
 //! The kernel's refusals in words. The kernel gives a code, a place and an exact value; nothing
 //! here decides. All numbers count from zero.
 
+use crate::format::json::place_of_item;
 use acutile_kernel::{Code, Limits, Place, Refusal, Value};
 use malachite::Integer;
+use std::fmt;
 use std::str::FromStr;
+
+/// The kernel's refusal of a file. The kernel reads CBOR and names its bytes. If the file is JSON, a
+/// byte becomes a line and a column.
+#[derive(Debug)]
+pub struct Refused {
+    /// The kernel's verdict.
+    pub refusal: Box<Refusal>,
+    place: Option<String>,
+}
+
+impl From<Refusal> for Refused {
+    fn from(refusal: Refusal) -> Self {
+        let refusal = Box::new(refusal);
+        Refused {
+            refusal,
+            place: None,
+        }
+    }
+}
+
+impl Refused {
+    /// The refusal of `cbor`, which is the certificate of the file with these bytes.
+    pub fn of_file(file: &[u8], cbor: &[u8], refusal: Refusal) -> Refused {
+        let place = match refusal.place {
+            Place::Byte(byte) if file != cbor => place_of_item(file, cbor, byte),
+            _ => None,
+        };
+        let refusal = Box::new(refusal);
+        Refused { refusal, place }
+    }
+
+    /// The place, the rule, and the value, without the code.
+    pub fn message(&self) -> String {
+        match &self.place {
+            Some(place) => message_at(&self.refusal, place.clone()),
+            None => message(&self.refusal),
+        }
+    }
+}
+
+/// Verdict, code and message, such as `malformed [dimension] line 6, column 13 ("dimension":4): …`.
+impl fmt::Display for Refused {
+    fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
+        let code = self.refusal.code;
+        let (kind, name) = (code.kind().text(), code.text());
+        write!(f, "{kind} [{name}] {}", self.message())
+    }
+}
 
 /// `rejected [orientation] simplex 3: expected a positive determinant, found 0`
 pub fn in_words(refusal: &Refusal) -> String {
@@ -21,7 +71,7 @@ pub fn message(refusal: &Refusal) -> String {
 }
 
 /// The same with other words for the place.
-pub fn message_at(refusal: &Refusal, place: String) -> String {
+fn message_at(refusal: &Refusal, place: String) -> String {
     let place = match point(&refusal.point) {
         Some(point) => format!("{place} at {point}"),
         None => place,

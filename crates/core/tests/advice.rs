@@ -81,8 +81,8 @@ fn two_neighbours_removed_are_a_hole_of_six_facets() {
     assert_eq!(holes, vec![(6, false); 6]);
 }
 
-/// One corner of one tetrahedron gets a vertex of its own, which is off by 1/1000 in x: three of
-/// its facets no longer match, and miss by exactly that times the lattice constant, 4.
+/// One corner of one tetrahedron gets a vertex of its own, which is off by 1/1000 in x. Three of its facets
+/// no longer match. They miss by exactly that times the lattice constant, 4.
 #[test]
 fn a_split_vertex_is_found_with_its_distance() {
     for (offset, square) in [("1/1000", "16/1000000"), ("0", "0")] {
@@ -176,7 +176,7 @@ fn tetrahedra_that_touch_have_no_common_inner_point() {
     assert!(common_point(&up, &bar.map(point)).is_some());
 }
 
-/// One tetrahedron alone, in the cubic frame; what surrounds it does not matter here.
+/// One tetrahedron alone, in the cubic frame. Its neighbours do not matter here.
 fn alone(corners: [[&str; 3]; 4]) -> Tiling<3> {
     let mut tiling = Tiling {
         frame: Frame::cubic(),

@@ -1,4 +1,4 @@
-//! The Delaunay room against hand counts, a brute-force twin and its symmetries.
+//! The module `delaunay` against hand counts, a brute-force twin and its symmetries.
 
 use acutile_core::checker::Options;
 use acutile_core::delaunay::{Cell, DelaunayError, Ties, cells, triangulate};
@@ -30,8 +30,8 @@ const CUBIC: [[i64; 3]; 3] = [[1, 0, 0], [0, 1, 0], [0, 0, 1]];
 const FCC: [[i64; 3]; 3] = [[2, 1, 1], [1, 2, 1], [1, 1, 2]];
 const BCC: [[i64; 3]; 3] = [[3, -1, -1], [-1, 3, -1], [-1, -1, 3]];
 
-/// The sizes of the cells: for each number of corners, of facets with so many
-/// corners each, how many cells there are.
+/// The number of cells for each size. A size has the number of corners, and the number of corners of each
+/// facet.
 fn census<const D: usize>(set: &PointSet<D>) -> BTreeMap<(usize, Vec<usize>), usize> {
     let mut census = BTreeMap::new();
     for cell in cells(set).unwrap() {
@@ -66,7 +66,7 @@ fn normal<const D: usize>(mut face: Vec<Corner<D>>) -> Vec<Corner<D>> {
     face
 }
 
-/// Everything that a tiling by simplices must fulfil, by other means than the room's own.
+/// All conditions of a tiling by simplices, by other methods than those of the module.
 fn check<const D: usize>(tiling: &Tiling<D>) {
     let matching = match_facets(tiling);
     assert!(matching.mismatches.is_empty());
@@ -354,8 +354,8 @@ fn square(g: &[[i64; 3]; 3], x: Vector) -> i64 {
     times(x, *g).iter().zip(x).map(|(a, b)| a * b).sum()
 }
 
-/// All Delaunay cells as sets of corners: for every point the quadruples of points
-/// within twice the covering radius (at most half the root of the trace, Babai).
+/// All Delaunay cells as sets of corners. For every point it tries the quadruples of points within twice
+/// the covering radius, which is at most half the root of the trace (Babai).
 fn brute_force(
     gram: &[[i64; 3]; 3],
     denominator: i64,
@@ -421,8 +421,8 @@ fn collect_cells(
     }
 }
 
-/// The cells that the room finds for the same points, in the basis u · b, shuffled and
-/// moved by lattice vectors, told in the terms of the points and basis given.
+/// The cells that the module finds for the same points in the basis u · b, shuffled and moved by lattice
+/// vectors. They are in terms of the given points and basis.
 fn disguised(
     gram: &[[i64; 3]; 3],
     denominator: i64,
@@ -493,9 +493,9 @@ fn agrees_with_brute_force() {
     }
 }
 
-/// Sets that are too large for the twin: a basis of the same lattice, sheared by up to 10
-/// six times over, gives the same cells, with doubles proving most of them (random points),
-/// some (a triclinic lattice), or none (a grid).
+/// Sets that are too large for the twin. A basis of the same lattice, sheared by up to 10 six times over,
+/// gives the same cells. Doubles prove most of them for random points, some in a triclinic lattice, and
+/// none in a grid.
 #[test]
 fn a_change_of_basis_changes_nothing() {
     let mut random = Random(31);
@@ -517,8 +517,8 @@ fn a_change_of_basis_changes_nothing() {
     }
 }
 
-/// The shears of the cubic lattice by 5 and by 10, and a triclinic lattice: the
-/// kernel confirms from the certificate's bytes that the tiling is the Delaunay one.
+/// The shears of the cubic lattice by 5 and by 10, and a triclinic lattice. The kernel confirms from the
+/// certificate's bytes that the tiling is the Delaunay one.
 #[test]
 fn the_kernel_confirms_skewed_triangulations() {
     let mut random = Random(8);

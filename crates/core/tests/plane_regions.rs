@@ -1,5 +1,5 @@
-//! Regions of the plane of every rank, small enough that every degenerate position is frequent:
-//! the prover and the kernel agree with an oracle that compares all pairs of triangles.
+//! Regions of the plane of every rank, small enough that every degenerate position is frequent. The prover
+//! and the kernel agree with an oracle that compares all pairs of triangles.
 
 use crate::meeting::{Point, meet_elsewhere};
 use acutile_core::checker::{Options, examine};

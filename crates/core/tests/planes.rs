@@ -99,9 +99,9 @@ fn is_uncrossed<const D: usize>(tiling: &Tiling<D>, equation: &str) -> bool {
     }
 }
 
-/// Kuhn's tetrahedra of a unit cube are where the coordinates have one order: none crosses an integer plane
-/// x_i = k or x_i - x_j = k, and every other plane that meets the inside of the cube crosses one. Translates of a plane
-/// belong to it.
+/// In each of Kuhn's tetrahedra of a unit cube the coordinates have one order. So none crosses an integer
+/// plane x_i = k or x_i - x_j = k. Every other plane that meets the inside of the cube crosses one.
+/// Translates of a plane belong to it.
 #[test]
 fn kuhn_tetrahedra_have_six_families_of_mirrors() {
     let Ok(AnyTiling::Space(tiling)) = catalog::build("cube-6") else {

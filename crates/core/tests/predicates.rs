@@ -1,6 +1,6 @@
-//! Every fast predicate against its twin in exact numbers of the field, on data that
-//! is chosen to hurt: nearly flat, exactly flat, exact right angles, subnormals, huge
-//! exponents, coordinates at the limits of every width.
+//! Every fast predicate against its twin in exact numbers of the field, on difficult data. They are nearly
+//! flat, exactly flat, with exact right angles, subnormals, huge exponents, or coordinates at the limits of
+//! every width.
 
 use crate::soup::{Random, compare_all, rational, skewed, soup};
 use acutile_core::tiling::{

@@ -1,6 +1,6 @@
-//! The exact path at its borders: integers of every width against big ones, edges that
-//! are as long as each rung allows, doubles as far apart as one exponent allows; and
-//! neighbours that are tested from one side, against both sides.
+//! The exact path at its limits: integers of every width against big ones, edges of the greatest length for
+//! each rung, doubles as far apart as one exponent allows. Neighbours that are tested from one side are
+//! compared with both sides.
 
 use crate::soup::{Random, compare_all, rational, skewed, soup, twin};
 use acutile_core::checker::{Findings, Model, check_delaunay};

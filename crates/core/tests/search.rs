@@ -45,9 +45,9 @@ fn model(gram: [[i64; 3]; 3], denominator: i64, points: &[[i64; 3]]) -> Model<3>
     Model::new(&PointSet { frame, points }).unwrap()
 }
 
-/// The predicates give the signs of the polynomials in numbers of the field: for coordinates
-/// of 2 to 60 bits, corners close to each other and far beyond the filter's reach, and five
-/// points of a small grid, of which many lie on a sphere.
+/// The predicates give the signs of the polynomials in numbers of the field. Coordinates have 2 to 60 bits.
+/// Corners are close to each other, or far beyond the filter's reach. Five points of a small grid often lie
+/// on a sphere.
 #[test]
 fn predicates_agree_with_numbers_of_the_field() {
     let mut random = Random(1);

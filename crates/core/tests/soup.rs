@@ -65,7 +65,7 @@ pub fn soup(
     }
 }
 
-/// What the predicate is over the numbers of the tiling, without any shortcut.
+/// The value of the predicate over the numbers of the tiling, without any shortcut.
 pub fn twin<P: Predicate<3>>(
     predicate: &P,
     tiling: &Tiling<3>,

@@ -31,8 +31,8 @@ fn a15_has_the_figures_of_the_paper() {
     assert_eq!(rounded_nearest(&high.bounds.1, 3), "0.707");
 }
 
-/// Every tetrahedron of Sommerville II has two right angles and four of 60 degrees; 60 and 90 are
-/// ends of bins, and the angles belong to the upper ones. All six angles tie.
+/// Every tetrahedron of Sommerville II has two right angles and four of 60 degrees. 60 and 90 are ends of
+/// bins, and the angles belong to the upper bins. All six angles tie.
 #[test]
 fn angles_at_the_ends_of_bins_are_in_the_upper_one() {
     for width in [30, 15, 5, 1] {

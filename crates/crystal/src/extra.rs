@@ -1,5 +1,6 @@
-//! Settings that other programs write and that are not among the 530: larger cells, and other origins.
-//! gemmi has them at the end of its table, from cctbx. Their operations follow from the Hall symbols.
+//! Settings that other programs write and that are not among the 530: larger cells, and other origins. The
+//! program gemmi has them at the end of its table, from cctbx. Their operations follow from the Hall
+//! symbols.
 
 /// The number, the symbol and the Hall symbol of each.
 pub const EXTRA: [(u16, &str, &str); 34] = [

@@ -1,7 +1,7 @@
 //! The type of a space group, with a transformation to its standard setting.
 //!
-//! moyo proposes the type, the basis and, in doubles, the origin. The doubles decide which translation of
-//! the standard group belongs to each motion; the equations for the origin are then solved exactly,
+//! moyo proposes the type, the basis and, in doubles, the origin. The doubles propose the translation of
+//! the standard group that belongs to each motion. Then the equations for the origin are solved exactly,
 //! and the transformed group is compared with the standard one. Nothing else is believed.
 
 use crate::lattice::{basis, gram_of, translations};

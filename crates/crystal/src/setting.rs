@@ -1,8 +1,8 @@
 //! The 530 settings of the tables, and 34 more, by Hermann-Mauguin symbol or number.
 //!
-//! The list of the 530 is moyo's, with the symbols of International Tables A. A symbol is looked up without
-//! blanks; the full symbol, the short one, the older ones without `e` and `-3`, and those of SHELX are
-//! known. `:1`, `:2`, `:H`, `:R` or the letters S, Z, H, R after it choose among settings.
+//! The list of the 530 is moyo's, with the symbols of International Tables A. A symbol is found without
+//! regard to blanks. The tables have the full symbol, the short one, the older ones without `e` and `-3`,
+//! and those of SHELX. `:1`, `:2`, `:H`, `:R` or the letters S, Z, H, R after it choose among settings.
 
 use crate::extra::EXTRA;
 use crate::hall;
@@ -78,8 +78,8 @@ impl Setting {
         }
     }
 
-    /// What a symbol has after a colon: `1` or `2` of an origin choice like `1cab`, whose axes the
-    /// symbol tells, `H` or `R`.
+    /// The part of a symbol after the colon: `1` or `2` of an origin choice like `1cab`, whose axes follow
+    /// from the symbol, `H` or `R`.
     fn origin_or_axes(&self) -> &'static str {
         match self.choice.as_bytes().first() {
             Some(b'1' | b'2' | b'H' | b'R') => &self.choice[..1],
@@ -121,7 +121,7 @@ pub fn of_number(number: u16) -> Vec<&'static Setting> {
 pub struct Found {
     /// The settings it may stand for; none if it is not in the list.
     pub settings: Vec<&'static Setting>,
-    /// Whether the symbol fixes the origin and the axes: then its operations are those of one of
+    /// Whether the symbol fixes the origin and the axes. Then its operations are exactly those of one of
     /// the settings, and not only up to the origin.
     pub is_fixed: bool,
 }

@@ -1,9 +1,9 @@
 //! All motions that keep a point set with a lattice and kinds of points, exactly.
 //!
-//! First come the translations: one takes a point of the rarest kind to another one. They generate
-//! the whole lattice of the set. Every motion keeps that lattice, so that its rotation is integral in
-//! a reduced basis, keeps the Gram matrix, and takes each basis vector to a lattice vector of the
-//! same length. Such vectors have coefficients of at most 2 in size there.
+//! First come the translations: one takes a point of the rarest kind to another one. They generate the
+//! whole lattice of the set. Every motion keeps that lattice. So in a reduced basis its rotation is
+//! integral and keeps the Gram matrix. It takes each basis vector to a lattice vector of the same length.
+//! Such vectors have coefficients of at most 2 in size there.
 
 use crate::lattice::{basis, gram_of, reduced};
 use crate::motion::{Motion, Rotation, Vector, fractional, rotated};

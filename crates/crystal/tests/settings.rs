@@ -66,8 +66,8 @@ fn hall_symbols_give_the_groups_of_gemmi() {
     }
 }
 
-/// Hall symbols with changes of basis, as gemmi has them; refused where the new basis vectors are no
-/// lattice vectors or rotations are not integral, which make.py decides.
+/// Hall symbols with changes of basis, as gemmi has them. A symbol is refused if the new basis vectors are
+/// no lattice vectors, or rotations are not integral; make.py decides this.
 #[test]
 fn changes_of_basis_give_the_groups_of_gemmi() {
     let (mut equal, mut refused, mut finer) = (0, 0, Vec::new());

@@ -10,8 +10,8 @@ fn q(text: &str) -> Rational {
     parse_rational(text).unwrap()
 }
 
-/// Whether the bounds lie at most `width` apart around a number with the decimals
-/// of `digits`, cut off, which is between them and one unit of the last place up.
+/// Whether the bounds lie at most `width` apart around a number with the decimals of `digits`, cut off. The
+/// number is between these decimals and one unit of the last place more.
 fn check(bounds: (Rational, Rational), digits: &str, width: &Rational) {
     let (lo, hi) = bounds;
     assert!(lo <= hi && &hi - &lo <= *width, "{digits}: too wide");

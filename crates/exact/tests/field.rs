@@ -111,8 +111,8 @@ fn rational_roots_stay_in_q() {
     }
 }
 
-/// x^32 - 2 (c x - 1)² for c = 10^600 has two roots within about c^-17 of 1/c
-/// (Mignotte): too close to be told apart within the limit.
+/// x^32 - 2 (c x - 1)² for c = 10^600 has two roots within about c^-17 of 1/c (Mignotte). They are too
+/// close to be separated within the limit.
 #[test]
 fn roots_too_close() {
     let c = Integer::from(10).pow(600u64);
@@ -145,8 +145,8 @@ fn generators_are_algebraic_integers() {
     );
 }
 
-/// What a certificate demands of the interval, with rational Horner: opposite
-/// signs at the ends, and a derivative whose interval value excludes 0.
+/// The conditions of a certificate on the interval, with rational Horner: opposite signs at the ends, and a
+/// derivative whose interval value excludes 0.
 #[test]
 fn intervals_are_as_certificates_want_them() {
     for (p, lo, hi) in [

@@ -1,6 +1,6 @@
-//! Every exact operation against a second implementation: rationals against
-//! num-rational, Q(√5) and Q(√2, √3) against formulas for pairs, a reducible
-//! field against an irreducible one, signs against long enclosures.
+//! Every exact operation against a second implementation. Rationals are compared with num-rational, Q(√5)
+//! and Q(√2, √3) with formulas for pairs, a reducible field with an irreducible one, and signs with long
+//! enclosures.
 
 use acutile_exact::geometry::{RingElement, Scalar};
 use acutile_exact::number::{Field, Number, Reader};

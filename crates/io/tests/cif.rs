@@ -215,9 +215,9 @@ fn rounded_thirds_give_more_atoms_and_a_warning() {
     );
 }
 
-/// bcc by its primitive cell: the angle is arccos(-1/3), irrational in degrees, and the twofold rotation
-/// about [001] asks for exactly -1/3: it takes a1 to a2 and a3 to -(a1 + a2 + a3), so a1 · a3 = c to -1 - 2c. With
-/// 100 degrees c = -0.17364817767.
+/// bcc by its primitive cell. The angle is arccos(-1/3), irrational in degrees, and the twofold rotation
+/// about [001] requires exactly -1/3. It takes a1 to a2, and a3 to -(a1 + a2 + a3), so a1 · a3 = c becomes
+/// -1 - 2c. With 100 degrees c = -0.17364817767.
 #[test]
 fn an_operation_that_fits_within_the_digits_makes_the_cell_exact() {
     let cif = |angle: &str| {
@@ -496,8 +496,9 @@ fn spellings() {
     }
 }
 
-/// A list of operations with one missing, or one sign or letter changed, is not the group of Pm-3n any more, and one
-/// length or angle changed is not its cell: 48 + 48 + 4 planted defects, each refused.
+/// A list of operations with one missing, or with one sign or letter changed, is not the group of Pm-3n any
+/// more. A cell with one length or angle changed is not its cell. So there are 48 + 48 + 4 planted defects,
+/// each refused.
 #[test]
 fn planted_defects_are_refused() {
     let whole = text("a15");

@@ -29,8 +29,8 @@ impl Random {
     }
 }
 
-/// The cube of side 1 in six tetrahedra: all of its nodes are one vertex modulo Z^3, so no node
-/// can be moved alone and no tetrahedron changed.
+/// The cube of side 1 in six tetrahedra. All of its nodes are one vertex modulo Z^3, so no node can be
+/// moved alone, and no tetrahedron can be changed.
 fn cube() -> Mesh {
     let coordinate = |k: u32, bit: u32| f64::from(k >> bit & 1);
     let points: Vec<[f64; 3]> = (0..8)

@@ -110,7 +110,7 @@ fn lines_and_numbers_are_those_of_the_file() {
     assert_eq!(mesh.labels, [1, 1, 1, 2, 2, 2]);
 }
 
-/// What a format holds of a mesh.
+/// The parts of a mesh that a format stores.
 fn kept(mesh: &Mesh, format: Format) -> Mesh {
     let mut kept = mesh.clone();
     let consecutive = |first, length| acutile_io::mesh::Numbering::consecutive(first, length);

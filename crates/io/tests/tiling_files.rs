@@ -1,5 +1,5 @@
-//! Tiling files: what is read, what is refused and with which words, and what the
-//! checker says of tilings that are wrong in one way each.
+//! Tiling files that are read, and files that are refused, with the message. Also the checker's answers
+//! about tilings with one fault each.
 
 use crate::kuhn::kuhn;
 use acutile_core::checker::{Defect, Findings, Options, examine};

@@ -15,7 +15,7 @@ const LEAST_GAIN: f64 = 1e-5;
 const STEPS: usize = 8;
 /// The greatest number of passes.
 const PASSES: usize = 60;
-/// So many passes without a gain end the search.
+/// The number of passes without a gain that ends the search.
 const PATIENCE: usize = 3;
 
 /// The parameters after all passes.

@@ -191,8 +191,8 @@ impl Model {
         Some(rows)
     }
 
-    /// For a parameter of a vertex the mean edge over the length of its vector; for one of the Gram matrix
-    /// the size of that matrix.
+    /// For a parameter of a vertex: the mean edge divided by the length of its vector. For a parameter of
+    /// the Gram matrix: the size of that matrix.
     fn scales_at(&self, start: &[f64]) -> Vec<f64> {
         let gram = self.gram_at(start);
         let length = |x: &[f64; 3]| {

@@ -1,9 +1,9 @@
 //! The motions that a search allows, as affine functions of a few parameters.
 //!
-//! A vertex moves in the space that its stabiliser fixes, cut with the planes of the boundary faces
-//! that contain it; the other vertices of its orbit follow. The Gram matrix moves in the space of those
-//! that the point group keeps, in the lattice's directions. All of this is linear and computed exactly,
-//! so whatever the values of the parameters are, the symmetry and the boundary stay.
+//! A vertex moves in the space that its stabiliser fixes, intersected with the planes of the boundary faces
+//! that contain it. The other vertices of its orbit follow. The Gram matrix moves in the space of those
+//! that the point group keeps, in the lattice's directions. All of this is linear and computed exactly, so
+//! whatever the values of the parameters are, the symmetry and the boundary stay.
 //!
 //! A parameter is a coordinate of a vertex or an entry of the Gram matrix itself. So a parameter with a
 //! small denominator gives short coordinates.
@@ -236,8 +236,8 @@ fn differences(linear: &[[Number; 3]; 3]) -> Vec<Vec<Number>> {
         .collect()
 }
 
-/// For each vertex the covectors that its motions must vanish on: normals of the faces of the domain that
-/// contain it, or, in a region, of the boundary facets at it.
+/// For each vertex the covectors that its motions must vanish on. They are normals of the faces of the
+/// domain that contain it. In a region they are normals of the boundary facets at it.
 fn normals(tiling: &Tiling<3>, matching: &Matching<3>) -> Vec<Vec<[Number; 3]>> {
     let mut normals = vec![Vec::new(); tiling.vertices.len()];
     if tiling.frame.domain.is_region() {

@@ -1,8 +1,8 @@
 //! Edges that prove that no motion makes a tiling acute.
 //!
 //! The dihedral angles at an inner edge add up to 360 degrees. With four of them or fewer one is at least
-//! 90. At an edge in a flat part of the boundary, which stays flat, they add up to 180: with one or two of
-//! them one is at least 90.
+//! 90. At an edge in a flat part of the boundary, which stays flat, they add up to 180. So if there are one
+//!     or two of them, one is at least 90.
 
 use acutile_core::anatomy::facet_corners;
 use acutile_core::classify::{Ridge, Ridges};

@@ -23,7 +23,7 @@ type Key = [f64; 6];
 
 /// Values closer than this count as equal: doubles do not distinguish them.
 const SAME: f64 = 1e-13;
-/// So many parameters take part in moves of pairs.
+/// The number of parameters that take part in moves of pairs.
 const PAIRED: usize = 16;
 /// About the greatest number of simplices that are evaluated for moves.
 const WORK: usize = 1 << 20;

@@ -82,7 +82,7 @@ const LARGE: (usize, usize) = (400, 1_200);
 const FINE: f64 = 1e6;
 /// No denominator is much larger.
 const LARGEST: u64 = 1 << 50;
-/// So many of the best ends are proved: rounding may change their order.
+/// The number of best ends that are proved, because rounding may change their order.
 const PROVED: usize = 3;
 /// The distance of random starts, in edges.
 const JITTER: f64 = 0.02;

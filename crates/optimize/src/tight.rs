@@ -121,8 +121,8 @@ fn tight(
     tight
 }
 
-/// A positive multiple of the gradient of the cosine of an angle, by the parameters; `None` for a flat
-/// simplex, which a proved tiling does not have.
+/// A positive multiple of the gradient of the cosine of an angle with respect to the parameters. `None` for
+/// a flat simplex, which a proved tiling does not have.
 fn gradient(
     tiling: &Tiling<3>,
     moves: &Moves,

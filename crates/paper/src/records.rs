@@ -1,7 +1,7 @@
 //! The best known tilings: certified here, in the literature, and lower bounds.
 //!
-//! A value of a tiling comes from a certificate that was proved in this run, and a lower bound from checks
-//! that were decided in it. Only the literature is quoted.
+//! A value of a tiling comes from a certificate that was proved in this run. A lower bound comes from
+//! checks that were decided in it. Only the literature is quoted.
 
 use acutile_bounds::{Verdict, checks, theorem};
 use acutile_catalog as catalog;

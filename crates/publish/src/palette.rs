@@ -1,8 +1,9 @@
 //! The colours of congruence classes: a class of a tiling has one colour in figures, on pages and in the appendix.
 //!
-//! The colour follows from the exact shape, up to scale. The shapes of the TCP structures have colours of their own, the same in all
-//! tilings. Another shape has the colour that its edges hash to, or if a class of the tiling has that one, or its lightness, the
-//! next; so it may have two colours in two tilings.
+//! The colour follows from the exact shape, up to scale. The shapes of the TCP structures have colours of
+//! their own, the same in all tilings. Another shape has the colour that its edges hash to. If a class of
+//! the tiling has that colour or its lightness, the shape has the next one. So it may have two colours in
+//! two tilings.
 
 use acutile_core::quality::{Shape, rounded_nearest};
 use acutile_exact::number::Number;

@@ -1,5 +1,5 @@
-//! Figures against an oracle that solves for the point of a line of sight, against the literature
-//! and against what the paper says; their files against what reads them.
+//! Figures against an oracle that solves for the point of a line of sight, against the literature, and
+//! against the paper. Their files are read by other programs.
 
 use crate::well_formed::well_formed;
 use acutile_catalog::build;

@@ -5,11 +5,12 @@
 //!
 //! f = Σ w_i x_i + Σ r_i e_i + k > 0 for every feasible triangle.
 //!
-//! Let L = f - ν (180/π) (m - Σ cos) with ν >= 0. Where L > 0, f > 0 or the triangle is not feasible.
-//! By the mean value theorem L is at least its value at the lower corner of a box, plus the sum of
-//! the widths times the negative parts of lower bounds of the partial derivatives. A box is decided
-//! when this is positive, for the given ν or for ν = 0, or when the sum of cosines exceeds m at the
-//! upper corner. Else it is cut in half. Section 14 of docs/lower-bound.md has the formulas; `triangle` evaluates them.
+//! Let L = f - ν (180/π) (m - Σ cos) with ν >= 0. Where L > 0, f > 0 or the triangle is not feasible. By
+//! the mean value theorem L is at least the following sum in a box. Its first term is the value at the
+//! lower corner. The others are the widths times the negative parts of lower bounds of the partial
+//! derivatives. A box is decided when this is positive, for the given ν or for ν = 0, or when the sum of
+//! cosines exceeds m at the upper corner. Else it is cut in half. Section 14 of docs/lower-bound.md has the
+//! formulas; `triangle` evaluates them.
 
 mod triangle;
 

@@ -10,9 +10,9 @@
 //! | `dodecahedron` | without the star of a vertex: the regular dodecahedron, 470 |
 //! | `prism`, `prism_tables` | without a bipyramid: prisms over a triangle, 533, and a pentagon, 515 |
 //!
-//! That a cube has an acute triangulation was proved by Kopczyński, Pak and Przytycki
-//! (arXiv:0909.3706) and by VanderZee, Hirani, Zharnitsky and Guoy (arXiv:0905.3715), who have
-//! 1,370 tetrahedra and, as far as is known here, published no coordinates.
+//! Two papers prove that a cube has an acute triangulation: Kopczyński, Pak and Przytycki
+//! (arXiv:0909.3706), and VanderZee, Hirani, Zharnitsky and Guoy (arXiv:0905.3715). The latter have 1,370
+//! tetrahedra and, as far as is known here, published no coordinates.
 
 pub mod cube;
 pub mod dodecahedron;

@@ -1,8 +1,8 @@
 //! Right prisms over a regular triangle and a regular pentagon: the 600-cell without a bipyramid.
 //!
-//! Two cells with a common triangle form a bipyramid over a triangle, and the five cells at an edge one over
-//! a pentagon. The tetrahedra without a vertex of it triangulate the dual polyhedron, a prism: each vertex
-//! of the ring belongs to a side, and each apex to an end.
+//! Two cells with a common triangle form a bipyramid over a triangle, and the five cells at an edge one
+//! over a pentagon. The tetrahedra without a vertex of it triangulate the dual polyhedron, a prism. Each
+//! vertex of the ring belongs to a side, and each apex to an end.
 //!
 //! In the basis are the directions of two successive sides, of length 1, and the axis. A side has the distance 1
 //! from the axis. A vertex is named by its inner products with the vertices of the bipyramid, and rotations

@@ -1,5 +1,5 @@
-//! Holes: facets without a mate that hang together through their ridges, and the one
-//! simplex that fills them where it is one.
+//! Holes: facets without a mate that are connected through their ridges. If one simplex fills a hole, it is
+//! found.
 
 use super::place::facet_corners;
 use crate::tiling::{Corner, Facet, Tiling, difference};

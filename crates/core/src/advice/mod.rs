@@ -1,5 +1,5 @@
-//! Possible repairs of a defect: how far the nearest facet is, which simplices
-//! overlap and where, which simplex is missing, how little a vertex must move.
+//! Possible repairs of a defect: the nearest facet with its distance, overlapping simplices with a common
+//! point, a missing simplex, the least move of a vertex.
 //!
 //! Doubles search; every value in a message is computed or confirmed exactly. Nothing here takes part in
 //! a proof or in a refutation: [`crate::checker`] has decided before.

@@ -1,10 +1,10 @@
 //! How little one corner of a simplex must move to make it acute.
 //!
-//! The facet opposite to the corner stays, and an acute simplex has acute facets only: the
-//! dihedral angles of a tetrahedron bound the angles of its triangles, and if all are acute so are
-//! those. (Eppstein, Sullivan, Üngör, section on acute simplices.) So a corner whose opposite facet is not acute
-//! cannot do it. If the facet is acute, a corner high above its middle can: then the lateral angles come near
-//! to those of the facet, and the others near to right angles from below.
+//! The facet opposite to the corner stays. An acute simplex has acute facets only, because the dihedral
+//! angles of a tetrahedron bound the angles of its triangles. (Eppstein, Sullivan, Üngör, section on acute
+//! simplices.) So a corner whose opposite facet is not acute cannot do it. If the facet is acute, a corner
+//! high above its middle makes the simplex acute. Then the lateral angles are near to those of the facet,
+//! and the others are near to right angles from below.
 
 use crate::tiling::{Corner, SimplexId, Tiling};
 use acutile_exact::geometry::{Scalar, Sign, Simplex, linear};
@@ -92,8 +92,8 @@ fn length<const D: usize>(tiling: &Tiling<D>, step: &[Number; D]) -> Rational {
     square.enclosure_of_root(&width).1
 }
 
-/// Whether the facet opposite to a corner has acute angles only: every squared edge of
-/// each of its triangles is less than the sum of the two others.
+/// Whether the facet opposite to a corner has acute angles only. Then every squared edge of each of its
+/// triangles is less than the sum of the two others.
 fn is_facet_acute<const D: usize>(
     tiling: &Tiling<D>,
     points: &[[Number; D]],
@@ -159,8 +159,8 @@ impl<const D: usize> Search<D> {
         }
     }
 
-    /// Steps that make the simplex acute according to doubles: first the shortest that was
-    /// found, on the boundary of what is acute, then others farther inside.
+    /// Steps that make the simplex acute according to doubles. The first is the shortest that was found, on
+    /// the boundary of the acute positions. The others go farther inside.
     fn candidates(&self) -> Vec<[f64; D]> {
         let Some(safe) = self.acute_step() else {
             return Vec::new();

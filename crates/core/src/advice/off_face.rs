@@ -20,8 +20,8 @@ pub struct OffFace {
     pub squared_distance: Number,
 }
 
-/// A facet is probably meant to lie in a face if its corners are nearer to the face's plane than this part
-/// of its longest edge.
+/// A facet is probably meant to lie in a face if its corners are near to the plane of the face. Near means
+/// less than this part of its longest edge.
 const NEAR: f64 = 0.1;
 
 /// The vertices of a facet that keep it from lying in a face of the domain; none where no face is near.

@@ -98,10 +98,10 @@ fn shifts<const D: usize>(here: &Extent<D>, there: &Extent<D>, rank: usize) -> V
 
 /// A point in the interior of two simplices that are not flat, where there is one.
 ///
-/// The intersection is the convex hull of the corners of each in the other and of the points
-/// where an edge of one crosses a facet's hyperplane of the other, inside of it. The mean of these
-/// is in the relative interior of the hull; so it is in both interiors, or they have no
-/// common point.
+/// The intersection is the convex hull of two kinds of points. Some are corners of one simplex in the
+/// other. The others are points of the other simplex at which an edge of one crosses the hyperplane of a
+/// facet. The mean of these is in the relative interior of the hull; so it is in both interiors, or they
+/// have no common point.
 pub fn common_point<const D: usize>(s: &[[Number; D]], t: &[[Number; D]]) -> Option<[Number; D]> {
     let (s, t) = (Body::new(s), Body::new(t));
     let mut hull = s.points_in(&t);

@@ -58,8 +58,8 @@ impl<const D: usize> Anatomy<D> {
     }
 }
 
-/// The first simplex of each piece and the number of its simplices, where a path may go only from a
-/// simplex to one that it `joins`.
+/// The first simplex of each piece and the number of its simplices. A path in a piece goes from a simplex
+/// to one that it `joins`.
 pub fn pieces<const D: usize>(
     tiling: &Tiling<D>,
     matching: &Matching<D>,

@@ -9,7 +9,7 @@ use crate::quality::decimal_range;
 use crate::statement::counted;
 use crate::tiling::{CELL_LIMIT, Facet, SimplexId, VertexId};
 
-/// One defect of a tiling of dimension D as a sentence, with things called by their `names`.
+/// One defect of a tiling of dimension D as a sentence, with the `names` of simplices and vertices.
 pub fn describe<const D: usize>(names: &Names, defect: &Defect) -> String {
     let words = Words::<D> { names };
     let name = |facet: &Facet| words.facet(facet);

@@ -1,8 +1,7 @@
 //! The vertex stars of TCP triangulations, found by exhaustion.
 //!
-//! The link of a vertex is a triangulated sphere; the valence of an edge at the vertex
-//! is the valence of a vertex of the link. So TCP asks for links whose valences are 5
-//! and 6, no two 6-valent vertices adjacent.
+//! The link of a vertex is a triangulated sphere. The valence of an edge at the vertex is the valence of a
+//! vertex of the link. So TCP asks for links whose valences are 5 and 6, no two 6-valent vertices adjacent.
 //!
 //! Bound. Let there be m vertices of valence 6. Euler's formula gives Σ (6 - valence)
 //! = 12, hence 12 vertices of valence 5, 12 + m in all and 20 + 2m triangles. Every

@@ -1,8 +1,8 @@
 //! The Voronoi neighbours of the points of a set, from its Delaunay cells.
 //!
 //! Two points are neighbours if their Voronoi cells share a face of dimension 2. That is so exactly if they
-//! span an edge of a Delaunay cell, and the face has as many edges as Delaunay cells lie around
-//! that edge. Cells that are not simplices are not cut, so the answer depends on the points alone.
+//! span an edge of a Delaunay cell. The face has as many edges as there are Delaunay cells around that
+//! edge. Cells that are not simplices are not cut, so the answer depends on the points alone.
 
 use crate::delaunay::Cell;
 use crate::tiling::{Corner, difference};
@@ -107,9 +107,9 @@ fn is_edge(cell: &Cell<3>, pair: &[usize; 2]) -> bool {
     facets().count() >= 2 && (0..cell.corners.len()).filter(|&c| common(c)).count() == 2
 }
 
-/// A star is of Frank and Kasper if all its cells are tetrahedra, its edges have 5 or 6 of them,
-/// and no triangle has two edges of 6: the links with these valences are listed by
-/// [`super::frank_kasper`].
+/// A star is of Frank and Kasper if all its cells are tetrahedra and its edges have valence 5 or 6. No
+/// triangle has two edges of valence 6. The module [`super::frank_kasper`] lists the links with these
+/// valences.
 fn of_star(star: &Star) -> Surroundings {
     let mut faces = BTreeMap::new();
     for count in star.around.values() {

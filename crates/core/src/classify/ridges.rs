@@ -1,6 +1,5 @@
-//! Ridges: the (D-2)-faces of a tiling up to lattice translation, that is the edges
-//! of a tiling of space and the vertices of a tiling of the plane, with the number
-//! of simplices around each.
+//! Ridges: the (D-2)-faces of a tiling up to lattice translation, with the number of simplices around each.
+//! They are the edges of a tiling of space, and the vertices of a tiling of the plane.
 
 use crate::tiling::{Corner, Facet, Matching, SimplexId, Tiling, difference};
 use malachite::Rational;

@@ -1,11 +1,10 @@
 //! Triangulated spheres up to isomorphism.
 //!
-//! A consistently oriented list of triangles gives each vertex the cyclic order of its
-//! neighbours. From a directed edge and a sense of rotation all vertices are numbered in
-//! the order in which they are met, and the numbered neighbour lists are a code; two
-//! triangulated spheres are isomorphic, mirror images included, exactly when their
-//! least codes agree, for an isomorphism carries directed edges to directed edges and
-//! both rotations to both.
+//! A consistently oriented list of triangles gives each vertex the cyclic order of its neighbours. A
+//! directed edge and a sense of rotation give an order of all vertices: the order in which a walk meets
+//! them. The neighbour lists with these numbers are a code. An isomorphism maps directed edges to directed
+//! edges and both senses of rotation to both. So two triangulated spheres are isomorphic, mirror images
+//! included, exactly if their least codes agree.
 
 use std::collections::{BTreeMap, VecDeque};
 
@@ -39,8 +38,8 @@ impl Code {
     }
 }
 
-/// The canonical code of a closed surface; `None` if the triangles around some vertex
-/// do not close up to one cycle, or the surface is not connected.
+/// The canonical code of a closed surface. `None` if the triangles around some vertex do not close up to
+/// one cycle, or if the surface is not connected.
 pub fn code(triangles: &[Triangle]) -> Option<Code> {
     let rotation = Rotation::new(triangles)?;
     let darts = rotation.neighbours.iter().enumerate();

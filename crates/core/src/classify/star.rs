@@ -39,10 +39,10 @@ pub fn stars(tiling: &Tiling<3>) -> Vec<Star> {
     parallel::map(links.len(), |vertex| star(&links[vertex]))
 }
 
-/// The facet opposite to a corner, moved with that corner to shift zero. In a positively
-/// oriented tetrahedron it is seen in the positive sense from corner k if its corners
-/// are taken in order for odd k, and with two exchanged for even k; only that this
-/// is the same sense for all tetrahedra matters.
+/// The facet opposite to a corner, moved with that corner to shift zero. Take the corners of the facet in
+/// order for odd k, and with two exchanged for even k. Then in a positively oriented tetrahedron the facet
+/// has the positive sense, seen from corner k. All that matters is that this sense is the same for all
+/// tetrahedra.
 fn link_triangle(corners: &[Corner<3>], apex: usize) -> [Corner<3>; 3] {
     let mut triangle = std::array::from_fn(|k| {
         let corner = corners[k + usize::from(k >= apex)];

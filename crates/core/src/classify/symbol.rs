@@ -1,25 +1,23 @@
 //! Delaney-Dress symbols: isomorphism of periodic triangulations, decided.
 //!
-//! A *chamber* of a triangulation is a flag: a vertex, an edge, … and a simplex, each in
-//! the next; here a simplex with an order of its corners, the k-face being spanned by the
-//! first k + 1. For each k = 0 … D every chamber C has exactly one other chamber s_k(C) that
-//! differs in the k-face only. For k < D it exchanges the corners k and k + 1; s_D goes through
-//! the facet without the last corner. A triangulation of a simply connected space is
-//! determined up to isomorphism by the chambers modulo any group of automorphisms, with the
-//! maps s_k and the orders of the products s_j s_k (Dress, Presentations of discrete groups,
-//! acting on simply connected manifolds, Adv. Math. 63, 1987; for algorithms Delgado-Friedrichs,
-//! Data structures and algorithms for tilings I, Theoret. Comput. Sci. 303, 2003). In a
-//! triangulation all orders but the one of s_(D-1) s_D are fixed; that one is the valence
-//! of the ridge that the first D - 1 corners span.
+//! A *chamber* of a triangulation is a flag: a vertex, an edge, … and a simplex, each in the next. Here it
+//! is a simplex with an order of its corners, of which the first k + 1 span the k-face. For each k = 0 … D
+//! every chamber C has exactly one other chamber s_k(C) that differs in the k-face only. For k < D it
+//! exchanges the corners k and k + 1; s_D goes through the facet without the last corner. Consider the
+//! chambers modulo any group of automorphisms, with the maps s_k and the orders of the products s_j s_k.
+//! They determine a triangulation of a simply connected space up to isomorphism (Dress, Presentations of
+//! discrete groups, acting on simply connected manifolds, Adv. Math. 63, 1987). For algorithms see
+//! Delgado-Friedrichs, Data structures and algorithms for tilings I, Theoret. Comput. Sci. 303, 2003. In a
+//! triangulation all orders but the one of s_(D-1) s_D are fixed; that one is the valence of the ridge that
+//! the first D - 1 corners span.
 //!
-//! The *minimal* symbol is the quotient by all automorphisms, orientation reversing ones
-//! included. It does not know the lattice that the triangulation was given with, so that two
-//! triangulations are isomorphic exactly when their minimal symbols are. It is the image
-//! under the coarsest partition of the chambers that separates different labels and that
-//! all s_k respect, found by refining the partition by labels: a chamber's new colour is
-//! its old one with those of its images. Colours are numbered by rank, and so depend on
-//! the set of colours only; in the end each chamber of the quotient has a colour of its own,
-//! and the numbering by colour is canonical: isomorphic means equal.
+//! The *minimal* symbol is the quotient by all automorphisms, orientation reversing ones included. It does
+//! not depend on the lattice of the input. So two triangulations are isomorphic exactly if their minimal
+//! symbols are. It is the image under the coarsest partition of the chambers that separates different
+//! labels and that all s_k respect. The partition by labels is refined: a chamber's new colour is its old
+//! one with those of its images. Colours are numbered by rank, and so depend on the set of colours only. In
+//! the end each chamber of the quotient has a colour of its own. So the numbering by colour is canonical:
+//! isomorphic means equal.
 
 use super::ridges::Ridges;
 use crate::parallel;
@@ -50,8 +48,8 @@ impl<L, const D: usize> Symbol<L, D> {
 }
 
 impl<const D: usize> Symbol<usize, D> {
-    /// The SHA-256, in hexadecimal digits, of the number of chambers, the labels, and the images of each chamber,
-    /// each as four bytes, the least one first. Isomorphic triangulations have the same.
+    /// The SHA-256, in hexadecimal digits, of the number of chambers, the labels, and the images of each
+    /// chamber. Each number has four bytes, the least one first. Isomorphic triangulations have the same.
     pub fn sha256(&self) -> String {
         let labels = self.labels.iter().map(|&label| label as u32);
         let images = self.images.iter().flatten().copied();
@@ -162,8 +160,8 @@ fn place(order: impl Iterator<Item = usize>) -> usize {
     order.fold(0, |place, corner| 4 * place + corner)
 }
 
-/// The images s_0(C) … s_D(C) of all chambers; chamber number n of the simplex s is
-/// s (D+1)! + n. Behind a facet without a mate is the chamber itself.
+/// The images s_0(C) … s_D(C) of all chambers; chamber number n of the simplex s is s (D+1)! + n. Across a
+/// facet without a mate the image is the chamber itself.
 pub(super) struct Images {
     /// D + 1 for each chamber, one chamber after the other.
     flat: Vec<u32>,
@@ -233,8 +231,8 @@ fn images_of<const D: usize>(
     Some(())
 }
 
-/// The simplex across a facet, and for each corner the one that takes its place: the
-/// same corner in the facet, and the corners opposite to it for each other.
+/// The simplex across a facet, and for each corner its image. A corner of the facet is its own image, and
+/// the corners opposite to the facet are images of each other.
 fn gluing<const D: usize>(
     tiling: &Tiling<D>,
     facet: Facet,

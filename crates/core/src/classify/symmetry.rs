@@ -1,22 +1,21 @@
 //! The symmetry group of a tiling, found exactly: all isometries of the space that map
 //! every tile to a tile.
 //!
-//! Two chambers (see `symbol`) that have the same squared edge lengths determine an
-//! isometry f that maps the one to the other. It is a symmetry exactly when both have the same
-//! colour in the coarsest partition of the chambers that separates edge lengths and
-//! boundary and that all s_k respect. Symmetries clearly keep such colours. Conversely let the
-//! colours of C and C' agree. Those of s_k(C) and s_k(C') do, too, and f maps s_k(C) to
-//! s_k(C'): for k < D this is clear, and across the facet of C, which f maps to the
-//! facet of C', there stand two congruent tiles in the same position. So f maps neighbour to
-//! neighbour, a boundary facet to a boundary facet, and since all tiles are connected
-//! through facets, every tile to a tile.
+//! Two chambers (see `symbol`) that have the same squared edge lengths determine an isometry f that maps
+//! the one to the other. It is a symmetry exactly if both have the same colour in a partition of the
+//! chambers. This is the coarsest one that separates edge lengths and boundary and that all s_k respect.
+//! Symmetries clearly keep such colours. Conversely let the colours of C and C' agree. Those of s_k(C) and
+//! s_k(C') do, too, and f maps s_k(C) to s_k(C'). For k < D this is clear. For k = D, f maps the facet of C
+//! to the facet of C', and the tiles across them are congruent and in the same position. So f maps
+//! neighbour to neighbour, a boundary facet to a boundary facet, and since all tiles are connected through
+//! facets, every tile to a tile.
 //!
-//! The group acts freely on the chambers, since an isometry that fixes D + 1 points in general
-//! position is the identity. So the chambers of one colour, up to the lattice, stand for the
-//! elements of the group up to the lattice, and orbits of faces are seen from colours.
+//! The group acts freely on the chambers, since an isometry that fixes D + 1 points in general position is
+//! the identity. So the chambers of one colour, up to the lattice, correspond to the elements of the group
+//! up to the lattice. Colours give the orbits of faces.
 //!
-//! The lattice that a tiling is given with may be too small, or not invariant under the
-//! group: neither matters here, but the cosets then form no group.
+//! The lattice of the input may be too small, or not invariant under the group. Neither matters here, but
+//! then the cosets form no group.
 
 use super::symbol::{Images, Orders, coarsest, edge_index};
 use crate::tiling::{Facet, Matching, SimplexId, Tiling};

@@ -151,8 +151,8 @@ fn walk<const D: usize>(
         };
         let (old, next) = (tiling.simplex(here), mate.facet.simplex);
         let mut new = tiling.simplex(next).iter();
-        // The corner opposite to the facet of entry is off the edge, but in the facet
-        // that is crossed; the next exit is opposite to it.
+        // The corner opposite to the facet of entry is not on the edge, but in the facet of exit. In the
+        // next simplex the facet of exit is opposite to it.
         let pivot = old[entry];
         let Some(next_exit) = new.position(|corner| corner.moved(mate.shift) == pivot) else {
             return Walk::Open;

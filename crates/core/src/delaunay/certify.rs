@@ -1,18 +1,17 @@
-//! The exact check of a finished triangulation, independent of how it was found: it
-//! trusts neither the search tree nor the gift wrapping.
+//! The exact check of a finished triangulation. It does not depend on the search tree or the gift wrapping,
+//! which found the triangulation.
 //!
-//! Checked: (1) every point is a corner, (2) every simplex is positively oriented,
-//! (3) every facet has one mate, on its other side, (4) the corner of
-//! the mate opposite to the facet is outside of the circumsphere, or on it if the two
-//! simplices come from one cell, (5) the volumes sum to the volume of one cell.
+//! These conditions are checked. (1) Every point is a corner. (2) Every simplex is positively oriented. (3)
+//! Every facet has one mate, on its other side. (4) The corner of the mate opposite to the facet is outside
+//! of the circumsphere, or on it if the two simplices come from one cell. (5) The volumes sum to the volume
+//! of one cell.
 //!
-//! *Then it is a Delaunay triangulation.* By (2) and (3) the number N of simplices
-//! over a generic point is constant (crossing a facet leaves one simplex and enters its
-//! mate), and N times the cell's volume is the sum of the volumes, so by (5) N is 1 and
-//! the simplices tile. Let f be the function that interpolates |x|² on each of
-//! them. By (4) it is convex across every facet, hence convex. So the
-//! affine function of a simplex is at most f everywhere, in particular at most |p|² at
-//! every point p, which by (1) is a corner: p is not inside the circumsphere.
+//! *Then it is a Delaunay triangulation.* By (2) and (3) the number N of simplices over a generic point is
+//! constant: crossing a facet leaves one simplex and enters its mate. N times the cell's volume is the sum
+//! of the volumes. So by (5) N is 1, and the simplices tile. Let f be the function that interpolates |x|²
+//! on each of them. By (4) it is convex across every facet, hence convex. So the affine function of a
+//! simplex is at most f everywhere. By (1) every point p is a corner, so the affine function is at most
+//! |p|² there. Hence p is not inside the circumsphere.
 
 use crate::predicates::{InSphere, Model, Orientation};
 use crate::tiling::{SimplexId, Tiling, match_facets};
@@ -20,8 +19,8 @@ use acutile_exact::geometry::Sign;
 use acutile_exact::number::Number;
 use malachite::Rational;
 
-/// Whether the simplices of `shell` are the Delaunay triangulation of its first `points`
-/// vertices; `cells` has the number of the cell that each simplex comes from.
+/// Whether the simplices of `shell` are the Delaunay triangulation of its first `points` vertices. For each
+/// simplex `cells` has the number of the cell that it comes from.
 pub fn is_delaunay<const D: usize>(shell: &Tiling<D>, cells: &[u32], points: usize) -> bool {
     let model = Model::new(shell);
     uses_all_points(shell, points)

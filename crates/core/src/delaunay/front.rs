@@ -1,9 +1,8 @@
 //! The facets beyond which the cell is still to be found, one of each orbit.
 //!
-//! A facet is kept in a short list at the least of its corners, and the facet
-//! whose least corner comes first is served first. Points are numbered in tree order, so
-//! what is finished is about a union of boxes of the tree, only its surface is open,
-//! and what is needed next was used a short time ago.
+//! A facet is kept in a short list at the least of its corners, and the facet whose least corner comes
+//! first is served first. Points are numbered in tree order. So the finished part is about a union of boxes
+//! of the tree, and only its surface is open. The data that are needed next were used a short time ago.
 
 use crate::tiling::{Corner, difference};
 use std::cmp::Reverse;

@@ -31,8 +31,8 @@ pub struct Orthogonal<const D: usize> {
 }
 
 impl<const D: usize> Orthogonal<D> {
-    /// The Gram-Schmidt process on a Gram matrix; `None` if that is not positive
-    /// definite, for the product of the first k norms is the k-th leading minor.
+    /// The Gram-Schmidt process on a Gram matrix. `None` if the matrix is not positive definite: the
+    /// product of the first k norms is the k-th leading minor.
     pub fn of(gram: &[[Number; D]; D]) -> Option<Self> {
         let mut mu: [[Number; D]; D] = zeros();
         let mut r: [[Number; D]; D] = zeros();

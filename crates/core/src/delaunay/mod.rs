@@ -1,9 +1,8 @@
 //! Periodic Delaunay triangulations, exactly.
 //!
-//! [`triangulate`] turns a point set with a lattice, however skewed and with as few as one
-//! point, into a tiling by simplices; [`cells`] gives the Delaunay cells themselves,
-//! which are polytopes where more than D + 1 points lie on an empty sphere. Dimensions
-//! 2 and 3.
+//! [`triangulate`] turns a point set with a lattice into a tiling by simplices. The lattice may be skewed,
+//! and one point is enough. [`cells`] gives the Delaunay cells themselves, which are polytopes if more than
+//! D + 1 points lie on an empty sphere. Dimensions 2 and 3.
 //!
 //! | file | does |
 //! |---|---|
@@ -72,11 +71,10 @@ pub struct Cell<const D: usize> {
 
 /// The Delaunay triangulation of a point set.
 ///
-/// Vertex i of the tiling is point i, moved by a lattice vector into the cell
-/// 0 <= x < 1 of the given basis. Simplices are positively oriented; their corners are
-/// sorted by (vertex, shift), the first with shift zero and the last two exchanged
-/// where the orientation asks for it; the simplices are sorted by corners. So
-/// the result depends on nothing but the points, the basis and their order.
+/// Vertex i of the tiling is point i, moved by a lattice vector into the cell 0 <= x < 1 of the given
+/// basis. Simplices are positively oriented and sorted by corners. Their corners are sorted by (vertex,
+/// shift), and the first has shift zero. The last two are exchanged if the orientation requires it. So the
+/// result depends on nothing but the points, the basis and their order.
 pub fn triangulate<const D: usize>(
     set: &PointSet<D>,
     ties: Ties,
@@ -133,8 +131,8 @@ fn tiling<const D: usize>(
     })
 }
 
-/// The Delaunay cells of a point set, one of each orbit, sorted by corners; corners
-/// refer to the points moved into the cell 0 <= x < 1 of the given basis.
+/// The Delaunay cells of a point set, one of each orbit, sorted by corners. Corners refer to the points
+/// moved into the cell 0 <= x < 1 of the given basis.
 pub fn cells<const D: usize>(set: &PointSet<D>) -> Result<Vec<Cell<D>>, DelaunayError> {
     let model = Model::new(set)?;
     let found = find(&model)?;

@@ -78,8 +78,8 @@ impl<const D: usize> Model<D> {
         Ok(model)
     }
 
-    /// The corner of the i-th witness: a point in the interior of the reduced cell
-    /// with a large denominator, in general position to points that occur.
+    /// The corner of the i-th witness: a point in the interior of the reduced cell. Its denominator is
+    /// large, so that it is in general position to points that occur.
     pub fn witness(&self, i: usize) -> Corner<D> {
         Corner::of((self.names.len() + i) as u32)
     }

@@ -1,18 +1,16 @@
 //! Delaunay cells that are not simplices: their facets, and how they are cut into
 //! simplices by pulling.
 //!
-//! Let < be the lexicographic order of positions in the caller's basis. Pulling a
-//! polytope: take its least corner v; the simplices are the pyramids with apex v over
-//! the simplices of those facets, pulled in turn, that do not contain v.
+//! Let < be the lexicographic order of positions in the caller's basis. Pulling a polytope: let v be its
+//! least corner, and pull each facet that does not contain v. The simplices are the pyramids with apex v
+//! over the simplices of these facets.
 //!
-//! *Pulling agrees on shared faces and across lattice translations.* The order depends
-//! only on differences of positions, so translates are cut alike. The pulling of
-//! P, restricted to a face F of P, is the pulling of F (De Loera, Rambau, Santos,
-//! Triangulations, 2010, Lemma 4.3.6): by induction on the dimension, if F does not contain
-//! v, F lies in a facet that is pulled by itself; if it does, v is also the least
-//! corner of F, and the simplices in F are the pyramids with apex v over the faces of F
-//! without v, which are faces of facets of P without v. So two cells with a
-//! common facet cut it alike.
+//! *Pulling agrees on shared faces and across lattice translations.* The order depends only on differences
+//! of positions, so translates are cut alike. The pulling of P, restricted to a face F of P, is the pulling
+//! of F (De Loera, Rambau, Santos, Triangulations, 2010, Lemma 4.3.6). The proof is by induction on the
+//! dimension. If F does not contain v, F lies in a facet that is pulled by itself. If it does, v is also
+//! the least corner of F. Then the simplices in F are the pyramids with apex v over the faces of F without
+//! v. These are faces of facets of P without v. So two cells with a common facet cut it alike.
 //!
 //! In the cubic lattice v is (0,0,0), and following the least corners
 //! gives the paths from (0,0,0) to (1,1,1): the six tetrahedra of Kuhn.
@@ -42,9 +40,8 @@ pub struct Polytope<const D: usize> {
 impl<const D: usize> Polytope<D> {
     /// The convex hull of corners on one sphere, not all in a hyperplane.
     ///
-    /// Every D corners that lie in no facet yet span a hyperplane (no three points
-    /// of a sphere are on a line); it bears a facet exactly when no two corners lie on
-    /// different sides.
+    /// Every D corners that lie in no facet yet span a hyperplane, because no three points of a sphere are
+    /// on a line. It contains a facet exactly if no two corners lie on different sides.
     pub fn new(
         mut corners: Vec<Corner<D>>,
         predicates: &Predicates<D>,

@@ -161,8 +161,8 @@ pub fn exact_center<const D: usize>(
     Ok((center, squared_radius))
 }
 
-/// The circumcentre of the simplex with these D + 1 corners, exactly, in the basis with
-/// this Gram matrix; `None` if the simplex is flat or the metric degenerate.
+/// The circumcentre of the simplex with these D + 1 corners, exactly, in the basis with this Gram matrix.
+/// `None` if the simplex is flat or the metric is degenerate.
 ///
 /// With x measured from corner 0 it solves e_k · G x = |e_k|²/2. Since g_j · e_k is d
 /// for j = k and else 0, G x = h/(2d) with h = Σ |e_k|² g_k; and with the

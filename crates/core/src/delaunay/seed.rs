@@ -31,12 +31,11 @@ pub fn seed<const D: usize>(predicates: &Predicates<D>) -> Result<Proposal<D>, D
 impl<const D: usize> Search<'_, D> {
     /// A simplex with an empty sphere.
     ///
-    /// Let g be a point in no hyperplane of corners. A simplex that contains g lifts to
-    /// a simplex over the paraboloid; among them the Delaunay one is lowest
-    /// over g. If a point is inside the sphere of such a simplex, putting it in the
-    /// place of one corner, in exactly one way, keeps g inside and goes down strictly.
-    /// This starts from a simplex of lattice vectors and ends as there are finitely many
-    /// simplices below it.
+    /// Let g be a point in no hyperplane of corners. A simplex that contains g lifts to a simplex over the
+    /// paraboloid; among them the Delaunay one is lowest over g. If a point is inside the sphere of such a
+    /// simplex, it can replace exactly one corner so that g stays inside. This step goes down strictly.
+    /// This starts from a simplex of lattice vectors and ends as there are finitely many simplices below
+    /// it.
     fn run(&mut self) -> Result<Proposal<D>, DelaunayError> {
         let mut failure = DelaunayError::Uncertified;
         for i in 0..WITNESSES {

@@ -1,5 +1,5 @@
-//! Which points, moved by which lattice vectors, lie in a ball: a k-d tree over the
-//! points of one cell, asked once for every lattice vector that the ball may need.
+//! Finds the points, moved by lattice vectors, that lie in a ball. It is a k-d tree over the points of one
+//! cell, with one query for every lattice vector that the ball may need.
 //!
 //! The answer may hold points a little outside of the ball, never lacks one inside.
 
@@ -45,8 +45,8 @@ pub struct Ball<const D: usize> {
     pub radius: f64,
 }
 
-/// The permutation of `fractions` in which neighbours lie close together, to store
-/// the points by before the tree is made: halved at the median of the longest side.
+/// A permutation of `fractions` in which neighbours are close together. Points are stored in this order
+/// before the tree is made. The points are halved at the median of the longest side.
 pub fn tree_order<const D: usize>(fractions: &[[f64; D]], lengths: &[f64; D]) -> Vec<u32> {
     let mut order: Vec<u32> = (0..fractions.len() as u32).collect();
     halve(&mut order, fractions, lengths);

@@ -1,14 +1,13 @@
 //! Gift wrapping: from one Delaunay cell over its facets to all of them.
 //!
-//! A Delaunay cell is the convex hull of all points on an empty sphere. Beyond
-//! each of its facets lies exactly one further cell: of the spheres through the facet
-//! the one whose centre is pushed out until it meets a point beyond. Doubles propose
-//! that point, and where they leave hardly a doubt the simplex is recorded as it is: the
-//! certificate decides. Where they do leave a doubt, all points that may lie on or inside
-//! of the sphere are fetched and judged exactly. A point inside is a better
-//! proposal; when there is none, the points on the sphere are the cell. The sphere shrinks
-//! beyond the facet with each proposal, so this ends. Where predicates are not filtered,
-//! each cell is found in this way, and so has been shown to be empty.
+//! A Delaunay cell is the convex hull of all points on an empty sphere. Exactly one other cell lies beyond
+//! each of its facets. To find it, the centre of a sphere through the facet is pushed out until the sphere
+//! meets a point beyond. Doubles propose that point, and where they leave hardly a doubt the simplex is
+//! recorded as it is: the certificate decides. Where they do leave a doubt, all points that may lie on or
+//! inside of the sphere are fetched and judged exactly. A point inside is a better proposal; when there is
+//! none, the points on the sphere are the cell. The sphere shrinks beyond the facet with each proposal, so
+//! this ends. Where predicates are not filtered, each cell is found in this way, and so has been shown to
+//! be empty.
 //!
 //! (In the plane a triangulation could be repaired by flips instead; in space these
 //! may get stuck before all facets are locally Delaunay.)
@@ -41,8 +40,8 @@ const FIRST_BALL: f64 = 1.5;
 const FLAT: f64 = 1e-6;
 /// Below this height on either side the exact predicates are asked.
 const CLEAR: f64 = 1e-3;
-/// If spheres reach more differently than this, relative to the radius of the ball,
-/// doubles know which is smaller, as they know the facet: see [`Circle::is_sharp`].
+/// If the reach of two spheres differs by more than this, relative to the radius of the ball, doubles
+/// decide which is smaller. They decide the facet in the same way: see [`Circle::is_sharp`].
 const APART: f64 = 1e-4;
 
 /// A corner that may be beyond a facet.
@@ -159,8 +158,8 @@ impl<const D: usize> Wrapping<'_, D> {
         if self.volume > 2.0 * (1..=D).product::<usize>() as f64 {
             return Err(DelaunayError::Uncertified);
         }
-        // The facet without facet[i]: putting the apex in the place of facet[i] and
-        // that at the end is one exchange, so beyond it orientation is positive.
+        // The facet without facet[i]. The apex takes the place of facet[i], which goes to the end. This is
+        // one exchange, so the orientation beyond the facet is positive.
         for i in 0..D {
             let mut other = facet;
             other[i] = apex;
@@ -205,10 +204,9 @@ impl<const D: usize> Wrapping<'_, D> {
         }
     }
 
-    /// Of the corners at hand that are beyond the facet, the one whose sphere reaches
-    /// least far: the centre c + t n is as far from p as from the facet,
-    /// so 2 t n · (p - c) = |p - c|² - |c|². (Corners almost in the plane of the facet
-    /// have their turn when spheres are judged exactly.)
+    /// The corner beyond the facet whose sphere reaches least far, of those in the list. The centre c + t n
+    /// is as far from p as from the facet, so 2 t n · (p - c) = |p - c|² - |c|². (Corners almost in the
+    /// plane of the facet have their turn when spheres are judged exactly.)
     ///
     /// All points beyond the facet with t below `height` are at hand. So the answer is
     /// clear if none is near the plane and no other t is nearly as small.

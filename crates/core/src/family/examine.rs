@@ -262,8 +262,8 @@ impl<'f, C: Coefficient, const D: usize> Examination<'f, C, D> {
         })
     }
 
-    /// The largest box around the middle, of those half as large, a quarter as large and so on, on which the
-    /// conditions are proved without a cut.
+    /// The largest box around the middle on which the conditions are proved without a cut. Boxes half as
+    /// large, a quarter as large and so on are tried.
     fn smaller(&self, conditions: &Conditions<C>, required: &Required) -> Option<Cuboid> {
         let effort = Effort {
             leaves: 1,
@@ -364,7 +364,7 @@ impl<'f, C: Coefficient, const D: usize> Examination<'f, C, D> {
     }
 }
 
-/// What all required statements have in common.
+/// The common part of all required statements.
 struct Required<'r> {
     options: &'r Options,
     progress: Progress<'r>,

@@ -113,8 +113,8 @@ fn add_domain<C: Coefficient, const D: usize>(
     planes
 }
 
-/// The corners of a face are in the cyclic order of a convex polygon: seen from a fixed vertex o off
-/// its plane, every other corner t is on the same side of every side pq.
+/// The corners of a face are in the cyclic order of a convex polygon. Seen from a fixed vertex o that is
+/// not in its plane, every other corner t is on the same side of every side pq.
 fn add_convex_cycle<C: Coefficient, const D: usize>(
     polytope: &Polytope<Polynomial<C>>,
     corners: &[usize],

@@ -1,5 +1,5 @@
-//! The largest interval around a point in which a family has the required statements, exactly; with
-//! several parameters a box that cannot grow on any side by a given fraction.
+//! The largest interval around a point in which a family has the required statements, exactly. With several
+//! parameters it is a box that cannot grow on any side by a given fraction.
 //!
 //! The interval or box is not bounded by the family's own box.
 
@@ -30,8 +30,8 @@ pub enum Maximal {
 /// Boxes are proved with at most this many leaves.
 const LEAVES: usize = 16;
 
-/// The largest interval or box around a point of one coordinate for each parameter, and a box to
-/// prove: an end that is no number of the field is replaced by a rational number inside.
+/// The largest interval or box around a point, which has a coordinate for each parameter, and a box to
+/// prove. There an end that is no number of the field is replaced by a rational number inside.
 ///
 /// # Errors
 /// If the member at the point is refuted, or no box around it is proved.

@@ -5,6 +5,7 @@ use super::{AnyFamily, Family, FamilyProof, NotProvable, Tree, examine};
 use crate::checker::{Options, Progress};
 use crate::format;
 use crate::proved::{NotProved, hexadecimal};
+use crate::refusal::Refused;
 use crate::statement::Statement;
 use crate::transcribe::family;
 use acutile_kernel::{Limits, Refusal, Verified, verify};
@@ -27,8 +28,8 @@ pub enum FamilyNotProved {
     Unconfirmed(Box<Refusal>),
 }
 
-/// Proves a family: every member is a face-to-face tiling with the required statements, and with
-/// those of the others that the prover finds to hold for all.
+/// Proves a family: every member is a face-to-face tiling with the required statements. The other
+/// statements that the prover finds to hold for all members are proved, too.
 ///
 /// # Errors
 /// [`FamilyNotProved`], with a point of the box where the family is refuted.
@@ -74,7 +75,7 @@ impl ProvedFamily {
     ) -> Result<(ProvedFamily, AnyFamily), NotProved> {
         let cbor = format::to_cbor(bytes).map_err(NotProved::Json)?;
         let verified = verify(&mut &cbor[..], limits)
-            .map_err(|refusal| NotProved::Unconfirmed(Box::new(refusal)))?;
+            .map_err(|refusal| NotProved::Unconfirmed(Refused::of_file(bytes, &cbor, refusal)))?;
         let (read, statements, tree) =
             family::of_certificate(&cbor).map_err(NotProved::Unreadable)?;
         let proved = ProvedFamily {

@@ -1,7 +1,7 @@
 //! Bisection of a box until all conditions are proved on each part.
 //!
-//! A sign that is proved on a box is proved on its halves, too: their Bernstein coefficients are
-//! averages of those of the box, and a coefficient of a face with a positive value is positive.
+//! A sign that is proved on a box is proved on its halves, too. Their Bernstein coefficients are averages
+//! of those of the box, and a coefficient of a face with a positive value is positive.
 
 use super::conditions::{Atom, Conditions};
 pub use crate::format::family::Tree;

@@ -1,5 +1,5 @@
-//! Certificates of the kind "family" as data: polynomials stand where a tiling has numbers, and a
-//! tree says how the box of the parameters is cut.
+//! Certificates of the kind "family" as data. They have polynomials where a tiling has numbers, and a tree
+//! that cuts the box of the parameters.
 
 use super::cbor::{CborError, Item, Items, array, integer, small, text};
 use super::read::{self, list};

@@ -6,7 +6,7 @@
 
 use super::cbor;
 use super::json_error::Fault;
-pub use super::json_error::{JsonCode, JsonError, line_of_item};
+pub use super::json_error::{JsonCode, JsonError, place_of_item};
 use super::print::{self, DEEPEST, Members, PrintError, RECORDS};
 use malachite::Integer;
 use std::collections::BTreeSet;

@@ -1,6 +1,6 @@
 //! Why JSON is no certificate: the kinds of errors, and where they are.
 //!
-//! The kernel names bytes of the CBOR. [`line_of_item`] finds the line of JSON that they come from.
+//! The kernel names bytes of the CBOR. [`place_of_item`] finds the line and column of JSON that they come from.
 
 use super::print;
 use std::fmt;
@@ -13,6 +13,8 @@ pub struct JsonError {
     pub code: JsonCode,
     /// The line where it was noticed, counted from 1.
     pub line: usize,
+    /// The byte of the line where it was noticed, counted from 1.
+    pub column: usize,
     /// The text of this line, which is cut if it is long.
     pub text: String,
     /// The rule that is broken.
@@ -28,10 +30,11 @@ pub(super) struct Fault {
 
 impl Fault {
     pub fn within(self, json: &[u8]) -> JsonError {
-        let (line, text) = line_at(json, self.offset);
+        let (line, column, text) = line_at(json, self.offset);
         JsonError {
             code: self.code,
             line,
+            column,
             text,
             problem: self.problem,
         }
@@ -41,9 +44,9 @@ impl Fault {
 /// Characters of a line that an error quotes.
 const QUOTED: usize = 60;
 
-/// The number of the line with this byte, counted from 1, and its text, from this byte on if that is
-/// far from the start. A file cannot bring control characters into a message.
-fn line_at(json: &[u8], offset: usize) -> (usize, String) {
+/// The line and column of a byte, both counted from 1, and the text of the line. The text begins at this
+/// byte if that is far from the start. A file cannot bring control characters into a message.
+fn line_at(json: &[u8], offset: usize) -> (usize, usize, String) {
     let (before, after) = json.split_at(offset.min(json.len()));
     let ends = before.iter().filter(|byte| **byte == b'\n').count();
     let start = before.iter().rposition(|byte| *byte == b'\n');
@@ -59,15 +62,16 @@ fn line_at(json: &[u8], offset: usize) -> (usize, String) {
         _ => '?',
     };
     let quoted: String = line.iter().take(QUOTED).map(plain).collect();
-    let before = if is_far { "... " } else { "" };
+    let marker = if is_far { "... " } else { "" };
     let rest = if line.len() > QUOTED { " ..." } else { "" };
-    (ends + 1, format!("{before}{quoted}{rest}"))
+    let column = offset.min(json.len()) - start + 1;
+    (ends + 1, column, format!("{marker}{quoted}{rest}"))
 }
 
-/// The line of a certificate in canonical JSON whose item ends at this byte of its CBOR.
+/// The place in canonical JSON of the item that ends at this byte of the certificate's CBOR.
 ///
 /// The CBOR is printed up to this byte. So the printed text ends where the item begins.
-pub fn line_of_item(json: &[u8], cbor: &[u8], byte: u64) -> Option<String> {
+pub fn place_of_item(json: &[u8], cbor: &[u8], byte: u64) -> Option<String> {
     let members = print::members_of(super::kind(cbor)?, false)?;
     let end = usize::try_from(byte).ok()?.checked_sub(1)?;
     let mut printed = Length(0);
@@ -75,8 +79,8 @@ pub fn line_of_item(json: &[u8], cbor: &[u8], byte: u64) -> Option<String> {
     let _ = print::print(cbor.get(..end)?, members, &mut printed);
     let is_between = |byte: &&u8| byte.is_ascii_whitespace() || **byte == b',';
     let skipped = json.get(printed.0..)?.iter().take_while(is_between).count();
-    let (line, text) = line_at(json, printed.0 + skipped);
-    Some(format!("line {line} ({text})"))
+    let (line, column, text) = line_at(json, printed.0 + skipped);
+    Some(format!("line {line}, column {column} ({text})"))
 }
 
 /// Counts the bytes that are written.
@@ -125,7 +129,14 @@ impl JsonCode {
 
 impl fmt::Display for JsonError {
     fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
-        write!(f, "line {} ({}): {}", self.line, self.text, self.problem)
+        let Self {
+            line,
+            column,
+            text,
+            problem,
+            ..
+        } = self;
+        write!(f, "line {line}, column {column} ({text}): {problem}")
     }
 }
 

@@ -124,8 +124,8 @@ pub struct Fraction {
     pub denominator: Integer,
 }
 
-/// The set that is tiled: all of D-space; or a convex polytope P of dimension k in the last k
-/// coordinates times the span of the first r = D - k basis vectors; or the union of the simplices.
+/// The set that is tiled. It is all of D-space, or the union of the simplices. Or it is a convex polytope P
+/// of dimension k in the last k coordinates, times the span of the first r = D - k basis vectors.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum Domain<V = Number> {
     /// k = 0, r = D
@@ -170,8 +170,8 @@ pub struct Polytope<V = Number> {
     pub denominator: Integer,
     /// k numerators each.
     pub vertices: Vec<Vec<V>>,
-    /// The facets by the indices of their vertices: one index for k = 1, the ends of a side for
-    /// k = 2, the corners of a face in cyclic order for k = 3.
+    /// The facets by the indices of their vertices. There is one index for k = 1. There are the ends of a
+    /// side for k = 2, and the corners of a face in cyclic order for k = 3.
     pub faces: Vec<Vec<u32>>,
 }
 

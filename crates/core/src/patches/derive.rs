@@ -1,11 +1,10 @@
 //! The patch of a tile, taken from a tiling of space over the mosaic of this tile alone.
 //!
-//! A rule defines the points over a mosaic; their Delaunay triangulation is computed for the
-//! simplest mosaic, in which every tile is this one. A tetrahedron whose corners lie in the prism
-//! over the tile belongs to its piece. Any other one with a corner in the interior of the prism
-//! must have two corners in one of its sides, and one beyond this side. Those with the same two
-//! corners off the side stand around the axis of a join: so they give a polygon in the side and
-//! the apex over it.
+//! A rule defines the points over a mosaic; their Delaunay triangulation is computed for the simplest
+//! mosaic, in which every tile is this one. A tetrahedron whose corners lie in the prism over the tile
+//! belongs to its piece. Any other one with a corner in the interior of the prism must have two corners in
+//! one of its sides, and one beyond it. Those with the same two corners off the side are around the axis of
+//! a join. So they give a polygon in the side, and the apex over it.
 
 use super::{Patch, Pyramid};
 use crate::tiling::{Corner, Plane, Polytope, Tiling, VertexId, cell_of, difference};

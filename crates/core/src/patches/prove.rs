@@ -89,7 +89,7 @@ fn confirm(
 ) -> Result<Theorem, NotProved> {
     let certificate = format::to_bytes(&certificate(system, &statements));
     let verified = verify(&mut certificate.as_slice(), limits)
-        .map_err(|refusal| NotProved::Unconfirmed(Box::new(refusal)))?;
+        .map_err(|refusal| NotProved::Unconfirmed(refusal.into()))?;
     Ok(Theorem {
         certificate,
         verified,

@@ -4,6 +4,7 @@ use super::{Patch, Pyramid, System, Theorem, Tile};
 use crate::format::patches as format;
 use crate::format::{self as formats};
 use crate::proved::NotProved;
+use crate::refusal::Refused;
 use crate::tiling::Corner;
 use crate::transcribe::{Numbers, ReadError};
 use acutile_exact::number::Number;
@@ -18,7 +19,7 @@ impl Theorem {
     pub fn of_certificate(bytes: &[u8], limits: &Limits) -> Result<(Theorem, System), NotProved> {
         let cbor = formats::to_cbor(bytes).map_err(NotProved::Json)?;
         let verified = verify(&mut &cbor[..], limits)
-            .map_err(|refusal| NotProved::Unconfirmed(Box::new(refusal)))?;
+            .map_err(|refusal| NotProved::Unconfirmed(Refused::of_file(bytes, &cbor, refusal)))?;
         let read = format::certificate(&cbor)
             .map_err(|error| NotProved::Unreadable(ReadError::Cbor(error)))?;
         let numbers = Numbers::of(&read.claim.field).map_err(NotProved::Unreadable)?;

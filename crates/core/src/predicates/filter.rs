@@ -2,15 +2,12 @@
 //!
 //! **Edges** are known up to delta, see [`super::floats`].
 //!
-//! **Values.** Let m be the largest entry of the computed edges, and delta = r m. The
-//! exact edges are at most (1 + r) m. One part of a predicate is homogeneous of degree k, and
-//! doubles scale by powers of two without rounding, hence the error of a value is
-//! at most m^k E(r), where E(r) is the value of the predicate over
-//! [`Bound`]s for edges of size 1 + r with error r. E is a polynomial in r with
-//! coefficients that are not negative, hence convex, and for r <= R = 2^-20
-//! E(r) <= E(0) + r (E(R) - E(0)) / R.
-//! Both constants are raised by 2^-20 of themselves for the roundings in the
-//! threshold itself, and for the few of E.
+//! **Values.** Let m be the largest entry of the computed edges, and delta = r m. The exact edges are at
+//! most (1 + r) m. One part of a predicate is homogeneous of degree k, and doubles scale by powers of two
+//! without rounding. Hence the error of a value is at most m^k E(r). E(r) is the value of the predicate
+//! over [`Bound`]s for edges of size 1 + r with error r. E is a polynomial in r with coefficients that are
+//! not negative, hence convex, and for r <= R = 2^-20 E(r) <= E(0) + r (E(R) - E(0)) / R. Both constants
+//! are raised by 2^-20 of themselves for the roundings in the threshold itself, and for the few of E.
 //!
 //! **Underflow** adds at most 2^-1075 to a product, and that is multiplied further by
 //! at most the largest intermediate bound T for edges of size 1 (and m^k if m > 1).

@@ -1,11 +1,9 @@
 //! Edges in doubles with a proved bound of their error, side by side for many simplices.
 //!
-//! With u = 2^-53, coordinates x of at most X known up to 3 u X, and
-//! shifts s of at most S steps of length h, the edge (x_b - x_a) + (s_b - s_a) h is
-//! rounded in at most three operations, each by u times a result of at most
-//! 2 X + S h, and h itself by u h. All together is less than
-//! delta = 16 u (2 X + S h).
-//! Where coordinates and h are integers and 2 X + S h < 2^52, edges are exact and delta = 0.
+//! Let u = 2^-53. Coordinates x are at most X and known up to 3 u X, and shifts s have at most S steps of
+//! length h. The edge (x_b - x_a) + (s_b - s_a) h is rounded in at most three operations, each by u times a
+//! result of at most 2 X + S h. h itself is rounded by u h. All together is less than delta = 16 u (2 X + S
+//! h). Where coordinates and h are integers and 2 X + S h < 2^52, edges are exact and delta = 0.
 
 use crate::parallel;
 use crate::tiling::coordinates::Form;
@@ -106,7 +104,7 @@ impl<'a, const D: usize> Floats<'a, D> {
     }
 }
 
-/// So many simplices are filtered together.
+/// The number of simplices that are filtered together.
 pub const BATCH: usize = 16;
 
 /// The edges of some simplices, and the vector to a further point, each entry of all of

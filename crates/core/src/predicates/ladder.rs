@@ -1,12 +1,11 @@
 //! Exact evaluation in integers that are as wide as they must be.
 //!
-//! The edges are given in a base ring: integers of 128 bits, or x + y √d of such. A
-//! predicate evaluated over [`Bound`]s, for edges whose coefficients are at most
-//! 2^b, bounds everything that is computed on the way, and all factors of products.
-//! The rungs have 128, 256 and 512 bits, and half as many for factors. So for each rung
-//! there is a largest b for which nothing is lost; the lowest rung that is safe for
-//! a simplex is taken, and big integers where none is. In the plane, where tilings are small and
-//! the polynomials short, big integers follow 128 bits: each rung is code for every predicate.
+//! The edges are given in a base ring: integers of 128 bits, or x + y √d of such. A predicate evaluated
+//! over [`Bound`]s, for edges whose coefficients are at most 2^b, bounds everything that is computed on the
+//! way, and all factors of products. The rungs have 128, 256 and 512 bits, and half as many for factors. So
+//! for each rung there is a largest b for which nothing is lost. The lowest rung that is safe for a simplex
+//! is taken. If none is safe, big integers are. In the plane, where tilings are small and the polynomials
+//! short, big integers follow 128 bits: each rung is code for every predicate.
 
 use super::filter::map_metric;
 use super::polynomials::{Metric, Predicate};

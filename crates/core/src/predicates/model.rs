@@ -353,8 +353,8 @@ fn number_metric<const D: usize>(
     }
 }
 
-/// The metric in doubles: if the largest entry is beyond 2^20 or so, the Gram matrix
-/// is multiplied by a power of two, and its adjugate by the power that belongs to it.
+/// The metric in doubles. If the largest entry is beyond 2^20 or so, the Gram matrix is multiplied by a
+/// power of two, and its adjugate by the corresponding power.
 fn rounded<const D: usize>(metric: &Metric<Number, D>) -> Metric<Rounded, D> {
     let entries = metric.gram.iter().flatten().map(|x| x.approximate().abs());
     let largest = entries.fold(0.0, f64::max);

@@ -1,9 +1,9 @@
 //! The predicates: polynomials in the edges of a simplex, a further point and the
 //! metric, written once for every kind of number.
 //!
-//! The same text is evaluated over doubles, over [`Bound`](acutile_exact::geometry::Bound)s,
-//! which says how wrong the doubles can be and how wide the integers must be, and
-//! over integers, quadratic numbers and numbers of a field for the exact values.
+//! The same code is evaluated over several rings. Over [`Bound`](acutile_exact::geometry::Bound)s it gives
+//! the error of the doubles and the width of the integers. Over integers, quadratic numbers and numbers of
+//! a field it gives the exact values.
 
 use acutile_exact::geometry::{Scalar, Simplex};
 use acutile_exact::number::Number;

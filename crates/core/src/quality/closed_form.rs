@@ -1,8 +1,7 @@
 //! Short names of square roots and of angles, recognised exactly.
 //!
-//! An angle is given by the signed square of its cosine, s = ±cos² t. Half the
-//! double angle formula, cos² t = (1 + cos 2t)/2, makes s an integer combination
-//! of square roots for the multiples of 15, 18 and 22.5 degrees, and each is
+//! An angle is given by the signed square of its cosine, s = ±cos² t. By the formula cos² t = (1 + cos
+//! 2t)/2, s is an integer combination of square roots for the multiples of 15, 18 and 22.5 degrees. Each is
 //! recognised by the polynomial that s is a root of.
 
 use acutile_exact::number::{Number, radical};
@@ -19,8 +18,8 @@ pub fn rational_root(square: &Number) -> Option<Rational> {
     square.to_rational()?.checked_sqrt()
 }
 
-/// The angle with this signed square of the cosine, as a text: degrees where they
-/// are a known multiple, else an arc cosine where the square is rational.
+/// The angle with this signed square of the cosine, as a text. It is in degrees for a known multiple, else
+/// an arc cosine if the square is rational.
 pub fn angle(signed_square: &Number) -> Option<String> {
     if let Some(degrees) = whole_degrees(signed_square) {
         return Some(degrees_text(&degrees));
@@ -42,8 +41,8 @@ fn degrees_text(degrees: &Rational) -> String {
     }
 }
 
-/// A known angle below 90 degrees: twice the degrees, the coefficients of a polynomial
-/// with root cos² t (constant first), and whether it is the smaller of two roots.
+/// A known angle below 90 degrees. It has twice the degrees, the coefficients of a polynomial with root
+/// cos² t (constant first), and whether this is the smaller of two roots.
 type Known = (i64, [i64; 3], bool);
 
 const KNOWN: [Known; 13] = [
@@ -63,8 +62,8 @@ const KNOWN: [Known; 13] = [
     (180, [0, 1, 0], false),
 ];
 
-/// The angle in degrees if it is a multiple of 15, 18 or 22.5 degrees whose cosine
-/// has a square of degree at most two, or an odd multiple of 9 degrees.
+/// The angle in degrees if it is a multiple of 15, 18 or 22.5 degrees, or an odd multiple of 9 degrees. The
+/// square of the cosine must have a degree of at most two.
 pub fn whole_degrees(signed_square: &Number) -> Option<Rational> {
     let square = signed_square.abs();
     let acute = known_degrees(&square).or_else(|| odd_multiple_of_nine(&square))?;

@@ -1,5 +1,5 @@
-//! The least and the greatest value, over all simplices of a tiling, of the largest dihedral
-//! angle, of the smallest, and of the radius-edge ratio: exactly.
+//! Exact least and greatest values, over all simplices of a tiling, of the largest dihedral angle, the
+//! smallest one, and the radius-edge ratio.
 //!
 //! Doubles propose the simplices that have them. Then all simplices are compared with the exact
 //! values, by predicates with filters. The simplices that are beyond a value are few; the best

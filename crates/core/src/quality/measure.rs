@@ -1,6 +1,5 @@
-//! Radius-edge ratios and dihedral angles as exact objects: each is determined by a
-//! number of the field from which it follows, so that two of them are compared
-//! exactly and enclosed as tightly as asked.
+//! Radius-edge ratios and dihedral angles as exact objects. Each is determined by a number of the field. So
+//! two of them are compared exactly, and each is enclosed as tightly as asked.
 
 use super::closed_form;
 use acutile_exact::geometry::{NormalProducts, Sign, Simplex, linear};

@@ -77,7 +77,9 @@ impl FromStr for Requirement {
     type Err = String;
 
     fn from_str(text: &str) -> Result<Self, String> {
-        match text {
+        // Upper and lower case are the same in words. The letters of an equation are not words.
+        let lower = text.to_ascii_lowercase();
+        match lower.as_str() {
             "tiling" => return Ok(Requirement::Tiling),
             "acute" => return Ok(Requirement::Acute),
             "nonobtuse" => return Ok(Requirement::Nonobtuse),
@@ -90,11 +92,11 @@ impl FromStr for Requirement {
             "manifold-boundary" => return Ok(Requirement::ManifoldBoundary),
             _ => {}
         }
-        if let Some(equation) = text.strip_prefix("plane:") {
-            return plane::parse(equation).map(Requirement::UncrossedPlane);
+        if lower.starts_with("plane:") {
+            return plane::parse(&text["plane:".len()..]).map(Requirement::UncrossedPlane);
         }
         let bound = BOUNDS.iter().find_map(|(prefix, bound)| {
-            let number = text.strip_prefix(prefix)?;
+            let number = lower.strip_prefix(prefix)?;
             Some(bound.requirement(number))
         });
         bound.unwrap_or_else(|| Err(EXPECTED.to_owned()))

@@ -57,9 +57,9 @@ pub struct Statistics {
     pub lowest_ratio: Option<Extreme<SimplexId>>,
     /// The largest radius-edge ratio.
     pub highest_ratio: Option<Extreme<SimplexId>>,
-    /// Least and greatest aspect ratio in doubles, with a simplex that has it: longest edge over
-    /// √(2D(D+1)) times the inradius, 1 for the regular simplex (Knupp et al., The Verdict
-    /// Library Reference Manual, SAND2007-1751).
+    /// Least and greatest aspect ratio in doubles, with a simplex that has it. It is the longest edge
+    /// divided by √(2D(D+1)) times the inradius, and 1 for the regular simplex. See Knupp et al., The
+    /// Verdict Library Reference Manual, SAND2007-1751.
     pub aspects: Option<[(f64, SimplexId); 2]>,
 }
 

@@ -1,10 +1,9 @@
 //! The coordinates of the vertices of a tiling, stored as narrowly as they allow.
 //!
-//! A million vertices as numbers of a field are three million objects on the heap.
-//! Coordinates from meshes and supercells are machine integers over one common
-//! denominator, or doubles, each of which is a rational number; only a number that is
-//! neither is kept as numbers. All forms are exact, and equal ones are made equal:
-//! the narrowest form that holds the values is taken.
+//! A million vertices as numbers of a field are three million objects on the heap. Coordinates from meshes
+//! and supercells are machine integers over one common denominator, or doubles, each of which is a rational
+//! number. Only coordinates that are neither are kept as numbers of the field. All forms are exact, and
+//! equal ones are made equal: the narrowest form that holds the values is taken.
 
 use super::VertexId;
 use acutile_exact::number::Number;

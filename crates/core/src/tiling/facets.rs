@@ -1,18 +1,16 @@
 //! Facet matching: which facet is, up to a lattice vector, which other facet.
 //!
-//! Corners are compared by vertex index and shift, never by coordinates, so that
-//! no zero test is needed and a vertex may meet translates of itself.
+//! Corners are compared by vertex index and shift, never by coordinates. So no zero test is needed, and a
+//! vertex may meet translates of itself.
 //!
-//! Normal form. Sort the D corners of a facet by (vertex, shift) and move the
-//! facet so that the first corner's shift is zero. The order survives a common
-//! translation (corners with the same vertex keep the order of their shifts, the
-//! others are ordered by vertex), so two facets are lattice translates of each
-//! other exactly when their normal forms are equal.
+//! Normal form. Sort the D corners of a facet by (vertex, shift) and move the facet so that the first
+//! corner's shift is zero. A common translation keeps the order: corners with the same vertex keep the
+//! order of their shifts, and the others are ordered by vertex. So two facets are lattice translates of
+//! each other exactly if their normal forms are equal.
 //!
-//! Side. In a positively oriented simplex with corners c_0 … c_D the facet without
-//! c_i, its corners in order, has the sign (-1)^i times the parity of the sort as
-//! orientation of its normal form. Two simplices that share the facet lie on
-//! opposite sides of it exactly when these signs differ.
+//! Side. Take the facet without c_i of a positively oriented simplex with corners c_0 … c_D, its corners in
+//! order. The orientation of its normal form is (-1)^i times the parity of the sort. Two simplices that
+//! share the facet lie on opposite sides of it exactly when these signs differ.
 
 use super::dimension::{same, same_value};
 use super::{Corner, FacetId, SimplexId, Tiling, VertexId, difference};
@@ -117,9 +115,8 @@ impl<const D: usize> Matching<D> {
 /// Matches all facets of `tiling`, each with the only other one that it is a
 /// translate of, in time and memory proportional to their number.
 ///
-/// The facets are counted into one bucket for each vertex, that of the least one
-/// among their corners, and each bucket is sorted by normal form. A bucket is as
-/// large as the star of a vertex.
+/// There is one bucket for each vertex. A facet belongs to the bucket of the least vertex among its
+/// corners, and each bucket is sorted by normal form. A bucket is as large as the star of a vertex.
 ///
 /// # Panics
 /// If there are 2^32 facets or more: 64 GiB of corners.
@@ -243,8 +240,8 @@ fn ranges(starts: &[u32], size: usize) -> Vec<Range<usize>> {
     ranges
 }
 
-/// For each corner of a simplex the least vertex of the other corners: the least of
-/// all, and the second least where the least is left out.
+/// For each corner of a simplex the least vertex of the other corners. It is the least of all, or the
+/// second least where the least is left out.
 fn least_vertices<const D: usize>(corners: &[Corner<D>]) -> impl Iterator<Item = VertexId> {
     let (mut least, mut second) = ((LAST, 0), LAST);
     for (index, corner) in corners.iter().enumerate() {
@@ -260,8 +257,8 @@ fn least_vertices<const D: usize>(corners: &[Corner<D>]) -> impl Iterator<Item =
 
 /// Pairs the facets in the buckets of some vertices; returns those without a pair.
 ///
-/// A bucket is sorted by the next two vertices, in one word; normal forms are made and
-/// compared only where these are equal, as they are for mates.
+/// A bucket is sorted by the next two vertices, in one machine word. Normal forms are made and compared
+/// only if these are equal, as they are for mates.
 fn match_buckets<const D: usize>(
     tiling: &Tiling<D>,
     buckets: &Buckets,

@@ -4,8 +4,8 @@
 use super::Polytope;
 use acutile_exact::number::{Field, Number};
 
-/// The domain of a tiling: all of space, or a convex polytope in the last k coordinates
-/// times the span of the first r = D - k basis vectors, which generate the lattice.
+/// The domain of a tiling. It is all of space, or a convex polytope in the last k coordinates times the
+/// span of the first r = D - k basis vectors. These vectors generate the lattice.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Domain<S = Number> {
     /// All of D-space.

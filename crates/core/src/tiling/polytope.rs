@@ -95,9 +95,8 @@ impl<S: RingElement> Polytope<S> {
 }
 
 impl Polytope {
-    /// The plane of a face, turned so that the polytope's first vertex off the plane is on the
-    /// positive side; `None` where the face's first k vertices, or all vertices, lie in no plane or
-    /// in one.
+    /// The plane of a face. Its positive side has the polytope's first vertex that is not in the plane.
+    /// `None` if the face's first k vertices span no plane, or if all vertices lie in one plane.
     pub fn plane(&self, face: usize) -> Option<Plane> {
         let plane = self.unturned_plane(face)?;
         if plane.normal.iter().all(Number::is_zero) {

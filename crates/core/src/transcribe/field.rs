@@ -97,9 +97,9 @@ impl Numerals {
         self.subfield.field.degree()
     }
 
-    /// The coefficients of a number of the tiling in the certificate's field. It is in this field:
-    /// `of` generates it by the ratios of the Gram matrix and all coordinates, and the squares in
-    /// statements are rational functions of these, or rational.
+    /// The coefficients of a number of the tiling in the certificate's field. It is in this field. `of`
+    /// generates the field by the ratios of the Gram matrix and all coordinates. The squares in statements
+    /// are rational functions of these, or rational.
     fn coefficients(&self, number: &Number) -> Vec<Rational> {
         let coefficients = self.subfield.coefficients(number);
         coefficients.expect("the numbers of a tiling are in the field that they generate")

@@ -10,8 +10,8 @@
 //! | [`family`] | family ⇄ certificate |
 //!
 //! The certificate of a tiling is determined by the tiling and its statements. Its Gram matrix is
-//! primitive, its vertices lie in the first cell, and its rows stand in an order for which few
-//! facets are open at a time. Nothing here is checked: the kernel does that.
+//! primitive, and its vertices lie in the first cell. Its rows have an order for which few facets are open
+//! at a time. Nothing here is checked: the kernel does that.
 
 pub mod curve;
 pub mod family;

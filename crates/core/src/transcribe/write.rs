@@ -245,8 +245,8 @@ impl<const D: usize> Rows<'_, D> {
         })
     }
 
-    /// The sorted corners of a facet, seen from the first, and whether the last two must be
-    /// exchanged so that the opposite corner and they are positively oriented.
+    /// The sorted corners of a facet, relative to the first. Also whether the last two must be exchanged,
+    /// so that the opposite corner and these corners are positively oriented.
     fn facet(&self, facet: Facet) -> ([Corner<D>; D], bool) {
         let simplex = self.tiling.simplex(facet.simplex);
         let opposite = usize::from(facet.opposite);

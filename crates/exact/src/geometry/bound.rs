@@ -1,5 +1,5 @@
-//! How large the values of a predicate can get, and how wrong doubles can be: found
-//! by evaluating the very text of the predicate over bounds.
+//! Bounds of the values of a predicate, and of the errors of doubles. They come from evaluating the
+//! predicate's own code over bounds.
 //!
 //! A [`Bound`] stands for all pairs of an exact value x and a double x' with
 //! |x| <= size and |x - x'| <= error; `top` bounds every value that its computation

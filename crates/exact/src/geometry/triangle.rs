@@ -155,8 +155,8 @@ fn whole<S: Scalar>(point: &Point<S>) -> Quotient<S> {
     }
 }
 
-/// The common point of two closed segments in a plane, projected along `axis`, that are not
-/// parallel: either has its ends not strictly on one side of the other.
+/// The common point of two closed segments in a plane, projected along `axis`, that are not parallel. The
+/// ends of neither segment lie strictly on one side of the other segment.
 fn crossing<S: Scalar>(
     (p, q): (&Point<S>, &Point<S>),
     (a, b): (&Point<S>, &Point<S>),

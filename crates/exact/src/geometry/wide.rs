@@ -1,10 +1,10 @@
 //! Integers of 128, 256 and 512 bits: for predicates whose values are known to fit.
 //!
-//! Arithmetic is modulo 2^(64 N), in two's complement, and a product takes the lower half of
-//! each factor as a signed integer: so few machine multiplications, 1, 4 and 16, are enough.
-//! Whoever uses it has proved that no value, final or intermediate, needs more than all bits,
-//! and no factor of a product more than half of them (see [`super::bound`]); then nothing is
-//! lost and the results are those of the integers. Debug builds look at each factor.
+//! Arithmetic is modulo 2^(64 N), in two's complement. A product takes the lower half of each factor as a
+//! signed integer. So few machine multiplications are enough: 1, 4 and 16. The caller must have proved two
+//! bounds (see [`super::bound`]). No value, final or intermediate, needs more than all bits, and no factor
+//! of a product needs more than half of them. Then the results are those of the integers. Debug builds look
+//! at each factor.
 
 use super::{RingElement, Scalar, Sign};
 use malachite::Integer;

@@ -1,8 +1,8 @@
 //! Elements of a field: arithmetic, comparison and text.
 //!
-//! An element is a rational number, which belongs to every field, or a
-//! combination of the powers of a generator with a coefficient after the
-//! first that is not zero. Signs and enclosures are in [`super::sign`].
+//! An element is a rational number, which belongs to every field, or a combination of the powers of a
+//! generator. In a combination some coefficient after the first is not zero. Signs and enclosures are in
+//! [`super::sign`].
 
 use super::field::{Field, SYMBOL};
 use super::polynomial as poly;
@@ -18,9 +18,9 @@ use std::ops::{Add, Mul, Neg, Sub};
 
 /// A real number in a [`Field`].
 ///
-/// Equality and order are those of the real numbers. Operations on two
-/// irrational numbers of different fields panic: elements of one computation
-/// live in one field, and mixing them is an error of the program.
+/// Equality and order are those of the real numbers. Operations on two irrational numbers of different
+/// fields panic. The elements of one computation belong to one field, so mixing fields is an error of the
+/// program.
 #[derive(Clone)]
 pub struct Number(pub(super) Value);
 
@@ -103,9 +103,9 @@ impl Number {
 
     /// 1/x, or `None` for 0.
     ///
-    /// With p the polynomial of the field, f that of x and g = gcd(f, p): if g
-    /// vanishes at the root, x is 0; else p/g does, has no common factor with f
-    /// (p is squarefree), and f is inverted modulo p/g.
+    /// Let p be the polynomial of the field, f that of x, and g = gcd(f, p). If g vanishes at the root, x
+    /// is 0. Else p/g does; it has no common factor with f, because p is squarefree. So f is inverted
+    /// modulo p/g.
     pub fn inverse(&self) -> Option<Number> {
         match &self.0 {
             Simple(value) => (*value != 0).then(|| Number(Simple(value.reciprocal()))),

@@ -1,11 +1,10 @@
 //! Rigorous bounds of real numbers by rational ones: interval operations, square
 //! roots, π, the cosine and its inverse in degrees.
 //!
-//! The transcendental functions are computed with integers in units of 2^-bits;
-//! every rounding has a direction. No error is estimated beforehand: the result
-//! out is a lower and an upper bound for any number of bits, and bits are added
-//! until the bounds are as close as asked. Signs use the intervals; the angles
-//! of reports, and proofs of bounds for angles, use the rest.
+//! The transcendental functions are computed with integers in units of 2^-bits; every rounding has a
+//! direction. No error is estimated beforehand. The result is a lower and an upper bound for any number of
+//! bits. Bits are added until the bounds are as close as asked. Signs use the intervals; the angles of
+//! reports, and proofs of bounds for angles, use the rest.
 
 use malachite::base::num::arithmetic::traits::{
     Abs, Ceiling, CeilingSqrt, DivRound, Floor, FloorSqrt, ShrRound,
@@ -73,9 +72,8 @@ pub fn pi(width: &Rational) -> (Rational, Rational) {
     refine(width, pi_bounds)
 }
 
-/// Bounds of the cosine of `degrees` degrees at most `width` > 0 apart; the value
-/// itself twice for the multiples of 60 and of 90 degrees, which are the only
-/// ones with a rational cosine (Niven).
+/// Bounds of the cosine of `degrees` degrees at most `width` > 0 apart. For multiples of 60 and of 90
+/// degrees both are the value itself. These are the only ones with a rational cosine (Niven).
 pub fn cos_of_degrees(degrees: &Rational, width: &Rational) -> (Rational, Rational) {
     // cos is even and has period 360: 0 <= q <= 180.
     let turn = Rational::from(360);
@@ -202,9 +200,8 @@ fn atan_of_inverse(n: u64, bits: u64) -> (Integer, Integer) {
 
 /// Bounds of 2^bits cos x for x = k/2^bits >= 0.
 ///
-/// The rest of Taylor's series from the term ±x^(2i)/(2i)! on is at most that
-/// term (Lagrange: every derivative of the cosine is at most 1), and an upper
-/// bound of it is at most 1 where the sum stops.
+/// The rest of Taylor's series from the term ±x^(2i)/(2i)! on is at most that term. (Lagrange: every
+/// derivative of the cosine is at most 1.) An upper bound of the term is at most 1 where the sum stops.
 fn cosine(k: &Integer, bits: u64) -> (Integer, Integer) {
     let one = Integer::ONE << bits;
     let square = k * k;
@@ -256,9 +253,9 @@ fn atan_above(k: Integer, bits: u64) -> Integer {
     atan_series(&half(half(k)), bits, true) << 2u64
 }
 
-/// A lower or an upper bound of 2^bits atan v = Σ ± 2^bits v^(2i+1)/(2i+1) for
-/// v = k/2^bits in [0, 1/2]: bounds of each term, and of the rest, which is at
-/// most the next term, because the terms fall and alternate.
+/// A lower or an upper bound of 2^bits atan v = Σ ± 2^bits v^(2i+1)/(2i+1) for v = k/2^bits in [0, 1/2]. It
+/// sums bounds of the terms and of the rest. The rest is at most the next term, because the terms fall and
+/// alternate.
 fn atan_series(k: &Integer, bits: u64, above: bool) -> Integer {
     let square = k * k;
     let mut power = (k.clone(), k.clone());

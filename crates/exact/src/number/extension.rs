@@ -1,10 +1,9 @@
 //! Larger fields: K(y) for a square root, or for a root of another polynomial.
 //!
-//! With K = Q(a), p(a) = 0 of degree n, and y^m = r_0 + … + r_(m-1) y^(m-1)
-//! over K, the ring A = Q[x]/(p) [y] has dimension n m over Q. For small k the
-//! element t = y + k a generates it; its minimal polynomial, and a in terms of
-//! t, come from one system of linear equations. What holds in A holds of the
-//! real numbers, also where A is no field.
+//! With K = Q(a), p(a) = 0 of degree n, and y^m = r_0 + … + r_(m-1) y^(m-1) over K, the ring A = Q[x]/(p)
+//! [y] has dimension n m over Q. For small k the element t = y + k a generates it; its minimal polynomial,
+//! and a in terms of t, come from one system of linear equations. Every equation in A also holds for the
+//! real numbers, even if A is no field.
 
 use super::element::Number;
 use super::error::FieldError;
@@ -65,8 +64,8 @@ pub(super) fn adjoin_square_root(field: &Field, d: &Number) -> Result<Extension,
     Ok(Extension { new, ..extension })
 }
 
-/// The same field, with a polynomial that has no factor in common with that of
-/// d: such a factor does not vanish at the generator, because d does not.
+/// The same field, with a polynomial that has no factor in common with that of d. Such a factor does not
+/// vanish at the generator, because d does not.
 fn without_zeros_of(field: &Field, d: &Number) -> Result<Field, FieldError> {
     let p = poly::from_integers(field.polynomial());
     let common = poly::gcd(d.coefficients(), &p);

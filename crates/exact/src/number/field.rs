@@ -1,10 +1,9 @@
 //! Ordered fields inside the real numbers: Q, and Q(a) for a root a of an
 //! integer polynomial.
 //!
-//! The polynomial need not be irreducible. It is made monic and squarefree, so
-//! that a is an algebraic integer and a simple root, and everything that is
-//! decided about an element is decided at the root itself. The elements are in
-//! `element`; this file makes fields and encloses their roots.
+//! The polynomial need not be irreducible. It is made monic and squarefree, so that a is an algebraic
+//! integer and a simple root. Everything about an element is decided at the root itself. The elements are
+//! in `element`; this file makes fields and encloses their roots.
 
 use super::error::FieldError;
 use super::isolation;
@@ -119,9 +118,9 @@ impl Field {
         &self.0.polynomial
     }
 
-    /// An interval with dyadic ends that holds the generator and no other root:
-    /// lower end < upper end, the polynomial has opposite strict signs at them,
-    /// and the interval value of the derivative (Horner) excludes 0.
+    /// An interval with dyadic ends that contains the generator and no other root. The lower end is less
+    /// than the upper one, and the polynomial has opposite strict signs at them. The interval value of the
+    /// derivative (Horner) excludes 0.
     pub fn root(&self) -> (Rational, Rational) {
         self.0.isolation.ends()
     }

@@ -1,6 +1,5 @@
-//! From a polynomial and an interval with one root to the data of a field: a
-//! monic polynomial, and a dyadic interval in which it is monotone around the
-//! root.
+//! Turns a polynomial and an interval with one root into the data of a field. These are a monic polynomial,
+//! and a dyadic interval in which it is monotone around the root.
 
 use super::enclosure::Interval;
 use super::error::FieldError;
@@ -87,13 +86,11 @@ pub(super) enum Isolated {
     Irrational(Dyadic),
 }
 
-/// The only root of the monic `p` in [lo, hi]: an integer (a rational root of a
-/// monic polynomial is one), or an interval as in [`Field::root`]. `None` beyond
-/// [`ISOLATION_LIMIT`].
+/// The only root of the monic `p` in [lo, hi]: an integer, or an interval as in [`Field::root`]. A rational
+/// root of a monic polynomial is an integer. `None` beyond [`ISOLATION_LIMIT`].
 ///
-/// The interval is the first of k/2^e to (k+1)/2^e, e = 0, 1, …, with the root
-/// inside and a derivative that is seen not to vanish; p is monotone there and
-/// has no other root.
+/// The interval is the first of k/2^e to (k+1)/2^e, e = 0, 1, …, that contains the root and in which
+/// interval arithmetic excludes a zero of the derivative. There p is monotone and has no other root.
 pub(super) fn isolate(p: &[Integer], lo: &Rational, hi: &Rational) -> Option<Isolated> {
     let (at_lo, at_hi) = (poly::sign_at(p, lo), poly::sign_at(p, hi));
     for (x, sign) in [(lo, at_lo), (hi, at_hi)] {

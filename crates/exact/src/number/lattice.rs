@@ -1,6 +1,5 @@
-//! Short vectors of integer lattices: the algorithm of Lenstra, Lenstra and
-//! Lovász, exact, in de Weger's form without fractions (Cohen, A Course in
-//! Computational Algebraic Number Theory, algorithm 2.6.7).
+//! Short vectors of integer lattices: the algorithm of Lenstra, Lenstra and Lovász, exact, in de Weger's
+//! form without fractions. See Cohen, A Course in Computational Algebraic Number Theory, algorithm 2.6.7.
 //!
 //! [`super::recognition`] finds candidates with it. What is found is checked
 //! there, so that nothing depends on this file but what can be found.

@@ -65,7 +65,8 @@ pub fn with_radicals(
     out
 }
 
-/// What stands under a root sign, and what follows it: digits, a letter, or a formula in parentheses.
+/// The text under a root sign, and the text after it. The former is digits, a letter, or a formula in
+/// parentheses.
 fn operand(text: &str) -> (&str, &str) {
     if let Some(inner) = text.strip_prefix('(') {
         let mut depth = 1;

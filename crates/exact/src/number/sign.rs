@@ -1,8 +1,8 @@
 //! Signs, enclosures and nearest doubles of elements of a field.
 //!
-//! A strict sign is proved by an enclosure at the root. A zero is recognised by
-//! its coefficients, and where the polynomial of the field is reducible by
-//! gcd(f, p): f vanishes at the root exactly when that divisor does.
+//! A strict sign is proved by an enclosure at the root. A zero is recognised by its coefficients. If the
+//! polynomial of the field is reducible, gcd(f, p) decides: f vanishes at the root exactly when that
+//! divisor does.
 
 use super::element::{Number, Value};
 use super::enclosure as fixed;

@@ -1,9 +1,8 @@
 //! Products and signs of small elements in 128-bit integers.
 //!
-//! Most elements of a tiling have short coefficients in a field of low degree.
-//! Then machine integers with checked overflow do the same exact work in a
-//! fraction of the time; where something does not fit, the answer is `None`, and
-//! [`super::element`] and [`super::sign`] go the general way.
+//! Most elements of a tiling have short coefficients in a field of low degree. Then machine integers with
+//! checked overflow do the same exact work in a fraction of the time. If a value does not fit, the answer
+//! is `None`, and [`super::element`] and [`super::sign`] use the general method.
 
 use super::root::Level;
 use crate::geometry::Sign;

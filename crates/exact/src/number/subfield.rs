@@ -53,8 +53,8 @@ impl Subfield {
         }
     }
 
-    /// The coefficients of a number in the powers of the smaller field's generator, as many as
-    /// its degree; `None` if it is not in the field.
+    /// The coefficients of a number in the powers of the smaller field's generator, as many as the degree
+    /// of this field. `None` if the number is not in it.
     pub fn coefficients(&self, number: &Number) -> Option<Vec<Rational>> {
         match &self.powers {
             None => Some(padded(number, self.field.degree())),

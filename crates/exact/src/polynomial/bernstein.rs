@@ -1,11 +1,10 @@
 //! Signs of a polynomial that hold on a whole box.
 //!
-//! Substitute the box by [0, 1]^m. In the tensor Bernstein basis
-//! B_i(u) = Π_k C(n_k, i_k) u_k^i_k (1 - u_k)^(n_k - i_k), where n_k is the degree in the k-th
-//! parameter, every basis function is at least zero on the cube and positive inside. So
-//! coefficients that are at least zero prove that the polynomial is. On a face of the cube, only
-//! the coefficients with i_k = 0 or i_k = n_k on the fixed axes matter, and the polynomial is
-//! positive inside of that face if one of them is positive.
+//! Substitute the box by [0, 1]^m. The tensor Bernstein basis is B_i(u) = Π_k C(n_k, i_k) u_k^i_k (1 -
+//! u_k)^(n_k - i_k), where n_k is the degree in the k-th parameter. Every basis function is at least zero
+//! on the cube and positive inside. So coefficients that are at least zero prove that the polynomial is. On
+//! a face of the cube, only the coefficients with i_k = 0 or i_k = n_k on the fixed axes matter. The
+//! polynomial is positive inside of that face if one of them is positive.
 //!
 //! The coefficients here are those of the basis without the binomial factors, times a positive
 //! number: they have the same signs. They are found axis by axis from
@@ -31,8 +30,8 @@ pub fn is_nonnegative<C: Coefficient>(p: &Polynomial<C>, cuboid: &Cuboid) -> Opt
     Some(Table::of(p, cuboid)?.none_negative())
 }
 
-/// A lower and an upper bound of p/q on the box, where q is at least zero; `None` for what is not bounded by
-/// the coefficients, or not decided.
+/// A lower and an upper bound of p/q on the box, where q is at least zero. `None` for a bound that the
+/// coefficients do not give, or do not decide.
 ///
 /// If p - M q has no positive coefficient, then p/q is at most M wherever q is positive. The least such M is
 /// the largest quotient of coefficients. A coefficient 0 of q asks for one of p that is not positive. So a
@@ -76,8 +75,8 @@ fn widen(bound: &mut Option<Number>, value: &Number, is_beyond: impl Fn(&Number)
     }
 }
 
-/// The signs at the corners of the box that belong to it, in the order of [`Cuboid::corners`]: a corner's value is a
-/// positive number times its coefficient.
+/// The signs at the corners of the box that belong to it, in the order of [`Cuboid::corners`]. A corner's
+/// value is a positive number times its coefficient.
 pub fn corner_signs<C: Coefficient>(p: &Polynomial<C>, cuboid: &Cuboid) -> Option<Vec<Sign>> {
     let table = Table::of(p, cuboid)?;
     let mut places = vec![0];

@@ -78,8 +78,8 @@ impl Line {
         }
     }
 
-    /// The largest interval around a point in which a condition on the signs of all polynomials
-    /// holds; `None` if it does not hold at the point.
+    /// The largest interval around a point in which a condition on the signs of all polynomials holds.
+    /// `None` if it does not hold at the point.
     pub fn maximal(
         &self,
         point: &Number,

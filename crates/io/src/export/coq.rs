@@ -145,7 +145,7 @@ fn coefficients(value: &Number) -> String {
     list(&value.0, integer)
 }
 
-/// What stands in the Gram matrix: a term of type `number`.
+/// A number of a certificate as a term of Coq's type `number`.
 trait Numeric {
     fn number(&self) -> String;
 }

@@ -12,8 +12,8 @@ use std::path::Path;
 /// No input file may be longer, decompressed: 256 MiB.
 pub const BYTE_LIMIT: u64 = 1 << 28;
 
-/// A compressed file may grow by this factor, and by [`GROWTH_ALLOWANCE`] beyond. What readers
-/// build takes up to thirty times the text, so a small file must not become a large text.
+/// A compressed file may grow by this factor, and by [`GROWTH_ALLOWANCE`] beyond. The data that readers
+/// build take up to thirty times the memory of the text. So a small file must not become a large text.
 /// Meshes and tilings grow by factors of 3 to 30.
 pub const GROWTH_LIMIT: u64 = 100;
 /// See [`GROWTH_LIMIT`]: 1 MiB.

@@ -1,8 +1,8 @@
-//! What the JSON reader and the operating system say, in the words of those who write such files.
+//! Messages of the JSON reader and of the operating system, in the words of people who write such files.
 
 use std::io;
 
-/// What the operating system says of a file, without its number.
+/// The message of the operating system about a file, without its number.
 pub fn of_io(error: &io::Error) -> String {
     match error.kind() {
         io::ErrorKind::NotFound => "there is no such file".to_owned(),
@@ -25,7 +25,7 @@ pub fn short(text: &str) -> String {
     }
 }
 
-/// What a file of another format of ours is for.
+/// The use of a file in another format of the project.
 pub fn use_of(format: &str) -> &'static str {
     match format {
         "acutile-plane-tiling" => {

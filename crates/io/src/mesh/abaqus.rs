@@ -42,7 +42,7 @@ pub fn read(bytes: &[u8]) -> Result<Mesh, MeshError> {
     reading.finish()
 }
 
-/// What data lines belong to.
+/// The keyword that data lines belong to.
 #[derive(Default)]
 enum Block {
     Nodes,

@@ -33,7 +33,7 @@ pub struct Element<'n> {
     pub place: Place,
 }
 
-/// What has been read.
+/// The parts of a mesh that have been read.
 #[derive(Default)]
 pub struct Draft {
     /// The nodes, and all that is no cell.

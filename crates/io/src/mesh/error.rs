@@ -18,7 +18,7 @@ pub enum Place {
 pub struct MeshError {
     /// Where.
     pub place: Place,
-    /// What was expected and what was found.
+    /// The expected and the found value.
     pub problem: String,
     /// Whether a stated limit is the reason, and not the file.
     pub is_limit: bool,

@@ -6,7 +6,7 @@ use std::path::{Path, PathBuf};
 
 /// No mesh file may be longer: 1 GiB, and 512 MiB after decompression.
 pub const BYTE_LIMIT: u64 = 1 << 30;
-/// What a compressed file may grow to.
+/// The largest size of a file after decompression, in bytes.
 pub const UNPACKED_LIMIT: u64 = 1 << 29;
 
 /// A mesh with the family of formats that it came from.

@@ -205,7 +205,7 @@ fn dimension(source: &mut Source) -> Result<i64, MeshError> {
     }
 }
 
-/// What has been read.
+/// The parts that have been read.
 struct Medit {
     draft: Draft,
     /// Cells may stand before the vertices: nodes, reference, number and place.

@@ -159,7 +159,7 @@ impl Mesh {
         }
     }
 
-    /// What the cells are called.
+    /// The name of the cells.
     pub fn cell_name(&self) -> &'static str {
         if self.dimension() == 2 {
             "triangles"

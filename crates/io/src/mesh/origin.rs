@@ -1,4 +1,4 @@
-//! What a tiling's indices are called in the file that it was read from.
+//! The names of a tiling's indices in the file that it was read from.
 
 use super::Mesh;
 use super::lattice::Basis;

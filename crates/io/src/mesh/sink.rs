@@ -24,7 +24,7 @@ pub fn cell_arrays(mesh: &Mesh) -> Vec<(&'static str, &[i64])> {
 
 /// Writes numbers in text or in binary.
 pub struct Sink {
-    /// What has been written.
+    /// The bytes that have been written.
     pub bytes: Vec<u8>,
     encoding: Encoding,
 }

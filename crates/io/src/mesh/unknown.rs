@@ -122,7 +122,7 @@ pub fn name(path: &Path, bytes: &[u8]) -> Option<&'static str> {
     }
 }
 
-/// What to say of a file that is not read.
+/// The message about a file that is not read.
 pub fn message(path: &Path, bytes: &[u8]) -> String {
     let start = super::source::without_mark(bytes).trim_ascii_start();
     let is_json = path

@@ -4,7 +4,7 @@
 use super::error::{MeshError, Place};
 use std::io::BufRead;
 
-/// What comes after the tag `AppendedData`, and how it is encoded.
+/// The bytes after the tag `AppendedData`, and their encoding.
 #[derive(Clone, Copy)]
 pub struct Appended<'a> {
     /// The bytes after the underscore.

@@ -48,7 +48,7 @@ pub fn write(mesh: &Mesh, format: Format) -> Vec<File> {
     }
 }
 
-/// What a mesh, or the file that it came from, has and the format does not hold.
+/// The parts of a mesh, or of the file that it came from, that the format cannot store.
 pub fn losses(mesh: &Mesh, format: Format) -> Vec<String> {
     let family = format.family();
     let mut losses = Vec::new();
@@ -107,7 +107,7 @@ fn lost_labels(mesh: &Mesh, family: Family) -> Option<String> {
     }
 }
 
-/// What has other numbers or names than in the mesh.
+/// The parts that have other numbers or names than in the mesh.
 pub fn changes(mesh: &Mesh, format: Format) -> Vec<String> {
     match format {
         Format::Msh2 | Format::Msh2Binary => Numbers::of(mesh, msh_write::MOST_MSH2).notes,

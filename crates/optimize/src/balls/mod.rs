@@ -70,7 +70,7 @@ impl Found {
 /// Reports the current work; returns whether to go on.
 pub type Report<'a> = &'a mut dyn FnMut(&str) -> bool;
 
-/// What to search for.
+/// The options of a search.
 #[derive(Clone, Debug)]
 pub struct Balls {
     /// Connected sets of at most this many vertices, and these with their neighbours.

@@ -22,8 +22,8 @@ const DENOMINATOR: i64 = 10_000;
 type Point = [f64; 3];
 type Exact = [Number; 3];
 
-/// A polyhedron with the remaining cells, which may be turned inside out; `None` if the ridges are not the edges of
-/// a convex polyhedron with three faces at each corner.
+/// A polyhedron with the remaining cells, which may be turned inside out. `None` if the ridges are not the
+/// edges of a convex polyhedron with three faces at each corner.
 pub fn placed(remains: &Remains, removed: &[usize]) -> Option<Tiling<3>> {
     let skeleton = Skeleton::of(remains)?;
     let points = projected(removed);
@@ -126,8 +126,8 @@ impl Skeleton {
     }
 }
 
-/// The corners of planes n · x = 1 near those of the faces; `None` if the planes enclose no convex polyhedron with
-/// these corners, or other than three planes meet in one.
+/// The corners of planes n · x = 1 near those of the faces. `None` if the planes enclose no convex
+/// polyhedron with these corners, or if not exactly three planes meet in a corner.
 fn corners_of_planes(skeleton: &Skeleton, points: &[Point]) -> Option<Vec<Exact>> {
     let normal = |face: usize| {
         let corners = skeleton.corners_in(&[face]);

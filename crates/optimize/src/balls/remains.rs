@@ -17,7 +17,7 @@ pub struct Remains {
 }
 
 impl Remains {
-    /// What a set leaves of all cells; `None` if the boundary is no sphere.
+    /// The cells that a set leaves; `None` if the boundary is no sphere.
     pub fn of(cells: &[[usize; 4]], set: &[usize]) -> Option<Self> {
         let mut kept = cells.to_vec();
         kept.retain(|cell| cell.iter().all(|v| !set.contains(v)));

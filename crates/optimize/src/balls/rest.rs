@@ -1,11 +1,11 @@
 //! Which removed sets leave a rest that might triangulate a polyhedron acutely, by counts.
 //!
-//! K is the set of tetrahedra without a vertex of B. Each of its edges inside has valence 5. Angles at an edge
-//! in a flat part of the boundary add up to 180 degrees, so an acute K has at least three there. So every
-//! boundary edge of valence 1 or 2 lies in an edge of the polyhedron: these edges form a part of its skeleton,
-//! and none of them ends inside a face. Only sets for which they are all of the skeleton are built. So a vertex at which
-//! one of them ends is enough to leave a set out; there the edge of the polyhedron would go on along edges of valence
-//! 3 or more.
+//! K is the set of tetrahedra without a vertex of B. Each of its edges inside has valence 5. Angles at an
+//! edge in a flat part of the boundary add up to 180 degrees, so an acute K has at least three there. So
+//! every boundary edge of valence 1 or 2 lies in an edge of the polyhedron. These edges form a part of its
+//! skeleton, and none of them ends inside a face. Only sets for which they are all of the skeleton are
+//! built. So a vertex at which one of them ends excludes a set. There the edge of the polyhedron would
+//! continue along edges of valence 3 or more.
 
 use super::remains::{Edge, Remains, number_of};
 use acutile_exact::geometry::cell600;
@@ -37,9 +37,9 @@ impl Rest {
     }
 }
 
-/// One removed set of each class, with the number of sets in the class: connected sets with vertex 0 and at
-/// most `size` vertices, then one of each of their classes with all neighbours. `watch` gets the number of sets, and
-/// returns whether to go on.
+/// One removed set of each class, with the number of sets in the class. They are connected sets with vertex
+/// 0 and at most `size` vertices. Then comes one of each of their classes with all neighbours. `watch` gets
+/// the number of sets, and returns whether to go on.
 pub fn rests(
     size: usize,
     watch: &mut dyn FnMut(usize) -> bool,
@@ -172,8 +172,9 @@ mod tests {
             (470, (0, 30))
         );
         assert_eq!((dodecahedron.corners, dodecahedron.faces), (20, 12));
-        // The two cells at a triangle and the five at an edge leave prisms over a triangle and over a pentagon, with
-        // 533 and 515 cells: 9 and 15 edges, 6 and 10 corners.
+        // Without the two cells at a triangle a prism over a triangle remains: 533 cells, 9 edges, 6
+        // corners. Without the five cells at an edge a prism over a pentagon remains: 515 cells, 15 edges,
+        // 10 corners.
         let [a, b, c, _] = cells[0];
         for (set, tetrahedra, corners, faces) in
             [(vec![a, b, c], 533, 6, 5), (vec![a, b], 515, 10, 7)]

@@ -119,8 +119,8 @@ impl Target {
         })
     }
 
-    /// The images of the corners of another polyhedron, of which faces and corners are given as here, under all
-    /// isomorphisms; one of each class for which all distances agree.
+    /// The images of the corners of another polyhedron under all isomorphisms. Its faces and corners are
+    /// given as here. Of each class with equal distances there is one.
     pub fn placements(&self, corners: usize, faces: &[Vec<usize>]) -> Vec<Vec<usize>> {
         if (corners, faces.len()) != (self.corners.len(), self.faces.len()) {
             return Vec::new();

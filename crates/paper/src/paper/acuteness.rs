@@ -252,9 +252,9 @@ fn obtuse_projections() -> (bool, String) {
     (holds && count > 0, proved)
 }
 
-/// cos d' = -cos b' cos c' + sin b' sin c' cos bac is less than cos bac where the latter is positive. Where
-/// it is negative, which is the case that the proof of lemma 2 is about, sin b' sin c' < 1 brings
-/// the product closer to zero, and a flat triangle decides.
+/// cos d' = -cos b' cos c' + sin b' sin c' cos bac is less than cos bac where the latter is positive. The
+/// proof of lemma 2 is about negative values. There sin b' sin c' < 1 brings the product closer to zero,
+/// and a flat triangle decides.
 fn facet_angle_against_dihedral() -> (bool, String) {
     let flat = [[0, 0, 0], [-200, -20, 0], [200, -20, 0], [-100, -11, 6]];
     let is_counterexample = |t: &[Vector; 4]| {

@@ -167,8 +167,8 @@ fn four_types(survey: &Survey) -> Finding {
     Ok((others == 4, proved))
 }
 
-/// The face of a cone is opposite to the centre, which is the corner in no other kind of
-/// tetrahedron's place: the facet between the three angles that are not 72 degrees.
+/// The face of a cone is opposite to the centre. It is the facet between the three angles that are not 72
+/// degrees.
 fn faces(survey: &Survey) -> Finding {
     let study = survey.space("icosahedral")?;
     let members = &study.shapes()[class_of_cones(study)?].members;

@@ -1,9 +1,9 @@
 //! Polynomial identities, proved by evaluation.
 //!
-//! A polynomial of degree at most d_k in its k-th variable that vanishes at all points of the
-//! grid {0, …, d_1} x … x {0, …, d_n} is zero: as a polynomial in the last variable it has
-//! d_n + 1 roots at every point of the smaller grid, so that its coefficients vanish there,
-//! and are zero by induction. The degrees are bounds that one reads off the formula.
+//! Suppose that a polynomial of degree at most d_k in its k-th variable vanishes at all points of the grid
+//! {0, …, d_1} x … x {0, …, d_n}. Then it is zero. As a polynomial in the last variable it has d_n + 1
+//! roots at every point of the smaller grid. So its coefficients vanish there, and are zero by induction.
+//! The degrees are bounds that one reads off the formula.
 
 use acutile_exact::geometry::linear;
 

@@ -77,8 +77,8 @@ fn height_of_step_8() -> (bool, String) {
     (height == tenths(96), format!("{height} γ, exactly"))
 }
 
-/// The layers from the top are those from the bottom; the bumps of step 8 at 9.6 must be the
-/// tops of the bumps of step 4 seen from above, 4.6 below the upper plane.
+/// The layers from the top are those from the bottom. So the bumps of step 8 at 9.6 must be the tops of the
+/// bumps of step 4 seen from above, 4.6 below the upper plane.
 fn height() -> (bool, String) {
     let height = tenths(96) + tenths(46);
     // The midpoints at 7.1 must be in the middle.
@@ -86,8 +86,8 @@ fn height() -> (bool, String) {
     (holds, format!("{height} γ, twice 7.1 γ"))
 }
 
-/// The base has one vertex, two triangles and three edges in a cell; a kagome layer, as
-/// that of the bumps of step 5, has six pairs of neighbours.
+/// The base has one vertex, two triangles and three edges in a cell. A kagome layer, like that of the bumps
+/// of step 5, has six pairs of neighbours.
 fn steps(survey: &Survey) -> Finding {
     let study = survey.space("slab")?;
     let half: usize = [2, 3, 6, 6, 6, 2].iter().sum();
@@ -105,8 +105,8 @@ fn steps(survey: &Survey) -> Finding {
     ))
 }
 
-/// The first two basis vectors span the base, so that the height of a point is its third coordinate up to
-/// a factor; in units of the slab's height times 14.2 it must be a whole number of tenths.
+/// The first two basis vectors span the base. So the height of a point is its third coordinate up to a
+/// factor. In units of the slab's height times 14.2 it must be a whole number of tenths.
 fn layers(survey: &Survey) -> Finding {
     let study = survey.space("slab")?;
     let heights: BTreeSet<Number> = study.tiling.vertices.iter().map(|[_, _, z]| z).collect();

@@ -107,10 +107,10 @@ fn largest_angle(survey: &Survey, name: &str, printed: &str, statement: &str) ->
         .figure("°", figure)
 }
 
-/// A triangulation with I vertices inside and S on the open sides has, by Euler's formula,
-/// 2I + S + 2 triangles, hence 6I + 3S + 6 corners of triangles. If it is acute, each corner of
-/// the square is in at least 2 triangles, each vertex on a side in 3; if each vertex inside
-/// were in 6, there would be at least 6I + 3S + 8.
+/// A triangulation with I vertices inside and S on the open sides has, by Euler's formula, 2I + S + 2
+/// triangles, hence 6I + 3S + 6 corners of triangles. If it is acute, each corner of the square is in at
+/// least 2 triangles, and each vertex on a side in at least 3. If each vertex inside were in 6, there would
+/// be at least 6I + 3S + 8.
 fn euler() -> (bool, String) {
     // Coefficients of I, S, 1.
     let triangles = [2, 1, 2];

@@ -154,9 +154,9 @@ fn is_tcp(survey: &Survey, name: &str) -> Finding {
     })
 }
 
-/// How many cells of A15 (2 Z12, 6 Z14), Z (3 Z12, 2 Z14, 2 Z15) and C15 (2 Z12, 1 Z16) have the
-/// numbers of vertex types of a TCP structure: the equations for Z16, Z15 and Z14 give
-/// them, the one for Z12 must then hold.
+/// The numbers of cells of A15 (2 Z12, 6 Z14), Z (3 Z12, 2 Z14, 2 Z15) and C15 (2 Z12, 1 Z16) that together
+/// have the vertex types of a TCP structure. The equations for Z16, Z15 and Z14 determine them. Then the
+/// equation for Z12 must hold.
 fn cells(study: &Study<3>) -> Option<[Rational; 3]> {
     let counts = study.star_counts();
     let count = |n: usize| {

@@ -73,10 +73,9 @@ pub fn rows(survey: &Survey) -> Vec<Row> {
     rows
 }
 
-/// The average of the 6 T angles is Σ/(6 T) and the average valence 6 T/E; so the statement says that the
-/// sum of all angles is 360 E, which holds if the angles around each edge add up to 360. That
-/// follows from the proof that the tetrahedra tile face to face, and is computed here edge by
-/// edge.
+/// The average of the 6 T angles is Σ/(6 T), and the average valence is 6 T/E. So the statement says that
+/// the sum of all angles is 360 E. This holds if the angles around each edge add up to 360. That follows
+/// from the proof that the tetrahedra tile face to face, and is computed here edge by edge.
 fn valence_times_angle(survey: &Survey) -> Finding {
     let mut edges = 0;
     let mut tilings = 0;
@@ -162,9 +161,9 @@ fn n_zero() -> Figure {
     }
 }
 
-/// The regular tetrahedron with one edge changed by ε. cos t = -p/√(q r) with p, q, r in `Q[ε]`; where
-/// ε = 0 all are alike, q = r, sin t is the same for all six angles, and
-/// cos' = (-p' + p (q' + r')/(2q))/q. The sum of the six derivatives must vanish.
+/// The regular tetrahedron with one edge changed by ε. For each angle cos t = -p/√(q r) with p, q, r in
+/// `Q[ε]`. At ε = 0 all six angles are equal, with the same sin t, and q = r. So cos' = (-p' + p (q' +
+/// r')/(2q))/q. The sum of the six derivatives must vanish.
 fn critical_point() -> (bool, String) {
     let number = |n: &[i64]| Polynomial::new(n, 1);
     // Squared sides 2, but |e_1 - e_2|² = 2 - 2ε.

@@ -12,7 +12,7 @@ use acutile_core::with_family;
 /// A construction of the catalogue that is proved for all its members.
 #[derive(Debug)]
 pub struct General {
-    /// What the certificate states of every member.
+    /// The statements of the certificate about every member.
     pub statements: Vec<Statement>,
     /// The SHA-256 of the certificate's bytes, in hexadecimal digits.
     pub certificate: String,

@@ -28,8 +28,9 @@ pub fn isomorphic_entries(study: &Study<3>, survey: &Survey) -> Vec<&'static str
     catalog::types().filter(is_isomorphic).collect()
 }
 
-/// The names of all constructions of the catalogue that a tiling of space is isomorphic to, then the stack of
-/// kagome layers that it is, its number among the space fullerenes, and the P, M, R or T phase.
+/// The names of known tilings that a tiling of space is isomorphic to. First come constructions of the
+/// catalogue, then the stack of kagome layers, its number among the space fullerenes, and the P, M, R or T
+/// phase.
 pub fn isomorphic_to(study: &Study<3>, symbol: &Symbol<usize, 3>) -> Vec<String> {
     let average = study.ridges.average_valence();
     let of_catalog = averages()

@@ -1,9 +1,8 @@
 //! The facts about a construction, each computed once: the tiling, its certificate's hash,
 //! congruence classes, measures and combinatorics.
 //!
-//! The table, the paper's statements and the classification all read studies, so that a
-//! construction is built and proved once in a run. A study is made of proved tilings only: what
-//! the checker refutes has none.
+//! The table, the paper's statements and the classification all read studies, so that a construction is
+//! built and proved once in a run. Only proved tilings have a study.
 
 mod fullerenes;
 mod general;

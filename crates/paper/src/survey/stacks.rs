@@ -1,14 +1,15 @@
 //! The word of a stack of kagome layers, read from its combinatorics.
 //!
-//! In such a stack (see `kagome` of the catalogue) an edge of valence 6, the *axis*, goes through the middle of each
-//! hexagon of a layer; the tetrahedra around it join it to the six sides of the hexagon. The triangles of the layer at
-//! these sides lie, alternately, over the next and the previous registry. From the upper end of an axis
-//! the next layer is found:
+//! In such a stack (see `kagome` of the catalogue) an edge of valence 6 goes through the middle of each
+//! hexagon of a layer. It is called the *axis*. The tetrahedra around it join it to the six sides of the
+//! hexagon. The triangles of the layer at these sides lie, alternately, over the next and the previous
+//! registry. From the upper end of an axis the next layer is found:
 //!
 //! - block `z`: the upper end has two edges of valence 6, and so has the other end of the second one. The edge after
 //!   these two is the axis of the next layer.
-//! - block `+` or `-`: the upper end has four edges of valence 6. Those but the axis go to the lower ends of axes of the
-//!   next layer, each beside a side of the hexagon, and the three sides belong to the same registry.
+//! - block `+` or `-`: the upper end has four edges of valence 6. All of these except the axis go to the
+//!   lower ends of axes of the next layer. Each is beside a side of the hexagon, and the three sides belong
+//!   to the same registry.
 //!
 //! The steps repeat after a while, since a cell of the lattice has finitely many edges. The word that they spell is a
 //! candidate: whether the tiling is that stack is decided by comparing symbols.
@@ -42,8 +43,8 @@ fn has_counts_of_a_stack(study: &Study<3>) -> bool {
     all == z12 + z14 + z15 + z16 && z14 == z15 && 2 * z12 == 3 * z14 + 4 * z16
 }
 
-/// The word from an axis upwards, in canonical form; `None` if the steps meet an axis that is seen, or do not
-/// come from a stack.
+/// The word from an axis upwards, in canonical form. `None` if the steps meet an axis that is already seen,
+/// or do not come from a stack.
 fn word(skeleton: &Skeleton, start: Axis, seen: &mut BTreeSet<Key>) -> Option<String> {
     let first = start.key();
     let mut letters = Vec::new();

@@ -1,9 +1,9 @@
 //! The table as text, Markdown, LaTeX, CSV and JSON.
 //!
-//! In the formats for readers a figure has the paper's digits and is rounded outward, a
-//! minimum down and a maximum up, so that the values of all tetrahedra lie between the two
-//! numbers as printed; a rational value that needs no more digits is printed as it is. CSV
-//! and JSON have both ends of the enclosures, rounded outward.
+//! In the formats for readers a figure has the paper's digits and is rounded outward, a minimum down and a
+//! maximum up. So the values of all tetrahedra lie between the two printed numbers. A rational value that
+//! needs no more digits is printed as it is. CSV and JSON have both ends of the enclosures, rounded
+//! outward.
 
 use super::{COLUMNS, DIGITS, Figure, Row};
 use acutile_core::quality::{rounded_down, rounded_up};

@@ -136,7 +136,7 @@ struct Signs {
     inner: Vec<Vec<Number>>,
     /// N, D + 1 rows.
     normals: Vec<Vec<Number>>,
-    /// What the cofactors of Q were divided by to give N.
+    /// The number that the cofactors of Q were divided by to give N.
     divisor: Rational,
 }
 

@@ -165,7 +165,7 @@ fn main(subjects: &[Subject], options: &Options) -> String {
     )
 }
 
-/// What another document inputs.
+/// The fragments that another document can input.
 fn fragment(subjects: &[Subject], has_overview: bool, options: &Options) -> String {
     let input = |kind: &str| -> String {
         subjects

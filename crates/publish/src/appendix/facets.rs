@@ -1,5 +1,5 @@
-//! What stands on the other side of each facet of the representatives, and why it is the other
-//! side; the powers for the Delaunay condition; the pairing of all facets for the supplement.
+//! The tile on the other side of each facet of the representatives, and the reason. Also the powers for the
+//! Delaunay condition, and the pairing of all facets for the supplement.
 
 use super::boundary::{boundary_face, faces};
 use super::subject::Analysis;

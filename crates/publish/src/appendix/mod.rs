@@ -1,5 +1,5 @@
-//! A LaTeX appendix about certificates: what was proved, with the numbers by which a
-//! referee can follow it, and how to check it again.
+//! A LaTeX appendix about certificates. It has the theorem, the numbers by which a referee can follow the
+//! proof, and the way to check it again.
 //!
 //! | file | part |
 //! |---|---|

@@ -1,4 +1,4 @@
-//! What people call the constructions of the catalogue, in TeX and in plain text.
+//! Names of the constructions of the catalogue for readers, in TeX and in plain text.
 
 use super::subject::Subject;
 use super::tex::escape;
@@ -159,7 +159,7 @@ pub fn heading(subject: &Subject) -> String {
     )
 }
 
-/// What people call it.
+/// The name for readers.
 pub fn human_name(subject: &Subject) -> String {
     human(&subject.name)
 }

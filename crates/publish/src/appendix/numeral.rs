@@ -1,5 +1,5 @@
-//! Exact numbers as TeX: fractions, square roots, powers of the generator; and why a
-//! number is negative, in a form that paper and pencil can follow.
+//! Exact numbers as TeX: fractions, square roots, powers of the generator. Also the reason why a number is
+//! negative, in a form that paper and pencil can follow.
 //!
 //! Everything is written for math mode. Decimals go through the macro `\acutiledecimal`,
 //! so that a document may hand them to siunitx.
@@ -120,8 +120,8 @@ impl Numerals {
         }
     }
 
-    /// The number with the reason for its sign in parentheses, where that is not seen; a decimal
-    /// enclosure in the place of what is too long for a table.
+    /// The number with the reason for its sign in parentheses, if the sign is not obvious. A number that is
+    /// too long for a table is replaced by a decimal enclosure.
     pub fn justified(&self, x: &Number) -> String {
         let (text, why) = (self.cell(x), self.why(x));
         let wide = width(&text);

@@ -58,7 +58,7 @@ pub fn product(before: &str, coefficient: &str, variable: &str) -> String {
     }
 }
 
-/// What ends the name of a command, as in `\alpha t`.
+/// The blank that ends the name of a command, as in `\alpha t`.
 fn gap(before: &str) -> &'static str {
     if before.ends_with(|c: char| c.is_ascii_alphabetic()) {
         " "

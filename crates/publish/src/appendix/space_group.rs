@@ -22,8 +22,8 @@ pub struct SpaceGroup {
 }
 
 impl SpaceGroup {
-    /// The type of the group of a tiling of space; `None` in the plane, in other domains, in fields of higher degree, for a
-    /// lattice alone, and where the tables find none.
+    /// The type of the group of a tiling of space. `None` in the plane, in other domains, in fields of
+    /// higher degree and for a lattice alone. Also `None` if the tables have no such type.
     ///
     /// The polynomial of a field of higher degree may be reducible, and then powers of its root may depend on each other.
     pub fn of<const D: usize>(

@@ -1,5 +1,5 @@
-//! What an appendix is about: a certificate that the kernel confirmed, and what is
-//! computed of its tiling for the tables.
+//! The subject of an appendix: a certificate that the kernel confirmed, and the values of its tiling for
+//! the tables.
 
 use super::numeral::Numerals;
 use super::orbits::Orbits;
@@ -21,9 +21,9 @@ use acutile_exact::number::Number;
 /// A confirmed certificate with a name.
 #[derive(Debug)]
 pub struct Subject {
-    /// What it is called in headings.
+    /// The name in headings.
     pub name: String,
-    /// What it is, in a line, or nothing; not part of what is proved.
+    /// A description in a line, or nothing. It is no part of the proof.
     pub description: String,
     /// Where it comes from, in the words of the catalogue.
     pub source: Option<&'static str>,
@@ -36,7 +36,7 @@ pub struct Subject {
     pub(super) content: Content,
 }
 
-/// What a certificate is about.
+/// The subject of a certificate.
 #[derive(Debug)]
 pub(super) enum Content {
     Tiling(AnyTiling),

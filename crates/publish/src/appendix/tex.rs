@@ -51,7 +51,7 @@ pub fn slug(name: &str) -> String {
     }
 }
 
-/// What a simplex of dimension D is called.
+/// The word for a simplex of dimension D.
 pub fn simplices(dimension: usize, count: usize) -> &'static str {
     match (dimension, count) {
         (2, 1) => "triangle",
@@ -61,12 +61,12 @@ pub fn simplices(dimension: usize, count: usize) -> &'static str {
     }
 }
 
-/// What a face of dimension D - 1 is called.
+/// The word for a face of dimension D - 1.
 pub fn facet_word(dimension: usize) -> &'static str {
     if dimension == 2 { "edge" } else { "facet" }
 }
 
-/// What passes through the corners of a simplex.
+/// The word for the circle or sphere through the corners of a simplex.
 pub fn sphere_word(dimension: usize) -> &'static str {
     if dimension == 2 {
         "circumcircle"

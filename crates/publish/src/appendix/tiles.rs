@@ -123,7 +123,7 @@ fn stabilisers<const D: usize>(analysis: &Analysis<D>) -> String {
     )
 }
 
-/// What a corner's superscript means.
+/// The meaning of a corner's superscript.
 fn notation<const D: usize>(analysis: &Analysis<D>) -> &'static str {
     match (analysis.rank(), D) {
         (0, _) => "A corner is a vertex, by its number.",

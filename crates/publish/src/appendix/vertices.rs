@@ -99,7 +99,7 @@ fn origin<const D: usize>(analysis: &Analysis<D>, vertex: usize) -> String {
     }
 }
 
-/// What a star is called.
+/// The name of a star.
 pub fn star_name(star: &Star) -> String {
     match star {
         Star::FrankKasper(n) => format!("$Z_{{{n}}}$"),

@@ -4,7 +4,7 @@
 use serde_json::{Value, json};
 use std::str::FromStr;
 
-/// What the depositor says of the archive.
+/// The depositor's data about the archive.
 #[derive(Clone, Debug, Default)]
 pub struct Deposit {
     /// The title of the archive.

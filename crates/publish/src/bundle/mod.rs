@@ -11,7 +11,7 @@
 //! | `zip` | the files as one |
 //! | `verify.py` | a third checker, in Python; it goes into the archive |
 //!
-//! Nothing here proves anything: what comes in is [`Proved`], or a [`Theorem`].
+//! Nothing here proves anything: the input is [`Proved`] or a [`Theorem`].
 
 mod kernel;
 pub mod metadata;
@@ -30,7 +30,7 @@ use acutile_io::export::{coq_file, tiling_text};
 use acutile_io::mesh::{Format, flatten, write};
 use sha2::{Digest, Sha256};
 
-/// What the archive has beside what is made of the tilings.
+/// The parts of the archive that do not come from the tilings.
 const FIXED: [(&str, &str); 7] = [
     ("verify/LICENSE", include_str!("../../repository/LICENSE")),
     (
@@ -68,13 +68,13 @@ const MESHES: [(&str, Format); 3] = [
 
 /// A confirmed certificate.
 pub struct Piece {
-    /// What the page shows of it.
+    /// The part of the page about it.
     pub content: Content,
     /// The part of the appendix about it.
     pub subject: Subject,
 }
 
-/// What a confirmed certificate is about.
+/// The subject of a confirmed certificate.
 pub enum Content {
     /// A single tiling.
     Tiling(Box<Proved>),
@@ -113,7 +113,7 @@ impl Content {
     }
 }
 
-/// What goes into the archive.
+/// The input of the archive.
 pub struct Options {
     /// The appendix as PDF, if there is a TeX.
     pub pdf: bool,
@@ -123,7 +123,7 @@ pub struct Options {
     pub deposit: Deposit,
 }
 
-/// The files by their names, and what is to be told on standard error.
+/// The files by their names, and the notes for standard error.
 pub struct Bundle {
     /// The files, sorted by path.
     pub files: Vec<File>,
@@ -131,7 +131,7 @@ pub struct Bundle {
     pub notes: Vec<String>,
 }
 
-/// What the archive says of one certificate.
+/// The archive's data about one certificate.
 struct Entry {
     slug: String,
     /// The claim in the kernel's words.

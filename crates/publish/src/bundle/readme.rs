@@ -68,7 +68,7 @@ rust:
     .to_owned()
 }
 
-/// What `make check` prints of the certificates, in the order of their names.
+/// The output of `make check` about the certificates, in the order of their names.
 pub fn expected(entries: &[Entry]) -> String {
     let line = |entry: &Entry| {
         format!(
@@ -221,7 +221,7 @@ fn contents(entries: &[Entry], parts: Parts) -> String {
     )
 }
 
-/// What rounding did.
+/// The section about the meshes, whose coordinates are rounded.
 fn meshes(entries: &[Entry]) -> String {
     let rows: String = entries.iter().filter_map(row).collect();
     if rows.is_empty() {

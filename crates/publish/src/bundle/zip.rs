@@ -60,7 +60,7 @@ fn packed(bytes: &[u8]) -> Option<Vec<u8>> {
     encoder.finish().ok()
 }
 
-/// What a local header and the central directory both say, from the flags on.
+/// The common part of a local header and the central directory, from the flags on.
 fn common_fields(file: &File, packed: usize) -> Option<Vec<u8>> {
     let mut crc = Crc::new();
     crc.update(&file.bytes);

@@ -151,7 +151,7 @@ fn marks(plane: &PlaneTiling, tiles: &[Tile]) -> Result<Vec<Item>, DrawError> {
     Ok(places.into_iter().filter_map(mark).collect())
 }
 
-/// Points of a structure are given in so many parts of a side.
+/// The number of parts of a side that points of a structure are multiples of.
 const SCALE: i64 = 12;
 
 /// The corners, the middles of the sides, and the centre of a triangle. In a square also the middles,

@@ -15,9 +15,9 @@ pub enum DrawError {
     NoDirection,
     /// A vertex beyond the last one, and how many there are.
     NoVertex(usize, usize),
-    /// So many simplices, more than the limit.
+    /// The number of simplices, more than the limit.
     TooMany(usize, usize),
-    /// So many congruence classes, more than the limit.
+    /// The number of congruence classes, more than the limit.
     TooManyClasses(usize, usize),
     /// Faces that cross one another in more than [`super::order::PIECE_LIMIT`] pieces.
     TooManyPieces,

@@ -15,8 +15,8 @@
 //! | `labels` | places for words beside lines |
 //! | `patch` | simplices of a tiling as bodies |
 //!
-//! What hides what is decided exactly; only places on the paper are doubles. Nothing here
-//! proves anything about a tiling, and nothing is assumed: simplices may overlap.
+//! Visibility is decided exactly; only places on the paper are doubles. Nothing here proves anything about
+//! a tiling, and nothing is assumed: simplices may overlap.
 
 mod cell;
 pub mod classes;
@@ -96,8 +96,8 @@ impl Default for Options {
 /// The figure of a tiling with this name.
 ///
 /// # Errors
-/// If the figure is none of this tiling's, is too large to be looked at, or the Gram matrix is
-/// not positive definite.
+/// If the tiling has no such figure, if the figure is too large, or if the Gram matrix is not positive
+/// definite.
 pub fn draw(
     name: &str,
     tiling: &AnyTiling,

@@ -1,11 +1,10 @@
 //! The order in which faces are painted, from the far ones to the near ones.
 //!
-//! *Two faces.* Face B is behind A if some line of sight meets A before B. The part of B
-//! that A overlaps in the projection is a convex polygon, and the depth of B under A's plane is an affine
-//! function on it: its signs at the corners tell.
-//! *All faces.* Faces with nothing behind them that is not yet painted are painted; faces before
-//! which there is nothing are left for the end. What remains holds cycles, or faces
-//! that cross: it is cut by a binary space partition, after which there are none.
+//! *Two faces.* Face B is behind A if some line of sight meets A before B. The part of B that A overlaps in
+//! the projection is a convex polygon. The depth of B under A's plane is an affine function on it, so its
+//! signs at the corners decide. *All faces.* Faces with nothing behind them that is not yet painted are
+//! painted; faces before which there is nothing are left for the end. The remaining faces contain cycles,
+//! or cross. A binary space partition cuts them, after which there are no cycles and no crossings.
 //! Everything is exact, so no figure has a face before one that covers it.
 
 use super::polygon::{Face, Plane, Point, cut};

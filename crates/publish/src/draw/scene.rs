@@ -1,5 +1,5 @@
-//! What is seen in one panel: opaque tetrahedra, lines and points in space, turned into
-//! marks without anything that is covered.
+//! The visible parts of one panel: opaque tetrahedra, lines and points in space become marks, without their
+//! hidden parts.
 
 use super::DrawError;
 use super::drawing::{Colour, Item, Stroke, lit};
@@ -57,8 +57,8 @@ impl<'v> Scene<'v> {
         }
     }
 
-    /// Adds tetrahedra as one solid: facets that two of them share are inside. Edges behind faces are
-    /// drawn as `hidden` says; without that, edges inside are not looked at.
+    /// Adds tetrahedra as one solid: facets that two of them share are inside. Edges behind faces are drawn
+    /// as `hidden` says. Without it edges inside are ignored.
     pub fn add_solid(&mut self, bodies: &[Body], hidden: Option<Stroke>) {
         let mut facets: BTreeMap<Vec<&Point>, Vec<(usize, usize)>> = BTreeMap::new();
         for (body, Body { corners, .. }) in bodies.iter().enumerate() {

@@ -64,8 +64,8 @@ pub(super) fn bodies(
     bodies
 }
 
-/// These bodies around a vertex as one solid, with a black dot for the vertex and a white one for each neighbour; and the
-/// number of neighbours.
+/// These bodies around a vertex as one solid, with a black dot for the vertex and a white one for each
+/// neighbour. Also the number of neighbours.
 pub(super) fn around<'v>(
     tiling: &Tiling<3>,
     vertex: VertexId,

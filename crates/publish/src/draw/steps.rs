@@ -1,5 +1,5 @@
-//! Section 4.3: the slab in its eight steps, one panel each; new tetrahedra are coloured, and
-//! the vertices by their layers as in the paper: white, yellow, red, blue, black.
+//! Section 4.3: the slab in its eight steps, one panel each. New tetrahedra are coloured. The vertices have
+//! the colours of their layers as in the paper: white, yellow, red, blue, black.
 
 use super::drawing::{BLACK, Colour, Drawing, Layout, Panel, Stroke, WHITE};
 use super::polygon::Point;

@@ -1,7 +1,7 @@
 //! From where a figure is seen: an exact direction, and a projection in doubles.
 //!
-//! What hides what is decided by the direction to the eye, which is a rational vector in basis
-//! coordinates. Only places on the paper are doubles.
+//! The direction to the eye, a rational vector in basis coordinates, decides visibility. Only places on the
+//! paper are doubles.
 
 use super::DrawError;
 use super::polygon::Point;
@@ -20,12 +20,12 @@ pub struct View {
     basis: [[f64; 3]; 3],
 }
 
-/// Entries of the direction are multiples of one part in so many of the largest one.
+/// Entries of the direction are multiples of the largest one divided by this number.
 const STEPS: f64 = 4096.0;
 
 impl View {
-    /// For a basis with this Gram matrix, seen from `direction`: Cartesian coordinates with the
-    /// first basis vector along x, the second in the plane of x and y, the third above it.
+    /// The view of a basis with this Gram matrix from `direction`. In Cartesian coordinates the first basis
+    /// vector lies along x, the second in the plane of x and y, and the third above it.
     ///
     /// # Errors
     /// If the matrix is not positive definite, the direction is 0, or lengths are beyond doubles.

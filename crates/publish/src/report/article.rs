@@ -1,4 +1,4 @@
-//! What a page says of one tiling, as text and tables: complete without the page's program.
+//! The part of a page about one tiling, as text and tables. It is complete without the page's program.
 
 use super::colour::{hex, part};
 use super::data::domain_word;
@@ -102,7 +102,7 @@ impl Parts<'_> {
     }
 }
 
-/// What every article says first: a certificate that the kernel has confirmed.
+/// The beginning of every article about a certificate that the kernel has confirmed.
 pub struct Head<'a> {
     pub name: &'a str,
     pub description: &'a str,
@@ -144,7 +144,7 @@ impl<'a> Head<'a> {
         )
     }
 
-    /// What a file is called says nothing of what it proves.
+    /// The name of a file says nothing about its claim.
     fn described(&self) -> &str {
         match self.description {
             "" => "as a file of this name has it",

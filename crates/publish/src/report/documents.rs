@@ -1,4 +1,4 @@
-//! The project's documents in the site: which there are, where they stand, and as HTML.
+//! The project's documents in the site: their list, their paths, and their HTML.
 
 use super::html::escape;
 use super::markdown::{Document, to_html};

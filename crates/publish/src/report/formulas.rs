@@ -1,5 +1,6 @@
-//! Formulas in the running text of documents as MathML: `h_f(x) = det(w_1 - w_0, x - w_0)`. Documents write them as plain text, so this
-//! recognises them: words with an index or an exponent, and what operators join to them. All else stays text.
+//! Formulas in the running text of documents as MathML: `h_f(x) = det(w_1 - w_0, x - w_0)`. Documents write
+//! them as plain text, so this recognises them: words with an index or an exponent, and the terms that
+//! operators join to them. All else stays text.
 
 use super::html::escape;
 
@@ -28,7 +29,7 @@ pub fn marked(text: &str) -> String {
     marked
 }
 
-/// What a word can be in a formula.
+/// The kinds of words in a formula.
 #[derive(Clone, Copy, PartialEq, Eq)]
 enum Kind {
     /// It has an index or an exponent: certainly a formula.
@@ -206,7 +207,7 @@ fn formula(text: &str) -> String {
     )
 }
 
-/// What follows `_` or `^`: a token, or several in braces. And where the rest begins.
+/// The argument of `_` or `^`: a token, or several in braces. And where the rest begins.
 fn index(tokens: &[&str], start: usize) -> (String, usize) {
     let end = match tokens[start] {
         "{" => tokens[start..].iter().position(|token| *token == "}"),

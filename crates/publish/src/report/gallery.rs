@@ -82,12 +82,12 @@ pub fn gallery() -> Result<Site, String> {
         put(path.into(), text.to_owned());
     }
     put("site.css".into(), [STYLE, SITE_STYLE].concat());
-    // Hosts that run generators over sites are told not to.
+    // A file that keeps hosts from running generators over the site.
     put(".nojekyll".into(), String::new());
     Ok(site)
 }
 
-/// What the site needs of a tiling; the rest is forgotten.
+/// The data that the site needs of a tiling; the rest is dropped.
 struct Shown {
     page: String,
     picture: String,

@@ -39,8 +39,8 @@ pub fn script_json(value: &Value) -> String {
     safe
 }
 
-/// `template` with every `{{key}}` replaced, in one pass: what a value holds is never read as a
-/// template. An unknown key stays.
+/// `template` with every `{{key}}` replaced, in one pass. So a value is never read as a template. An
+/// unknown key stays.
 pub fn fill(template: &str, values: &[(&str, &str)]) -> String {
     let mut text = String::with_capacity(template.len());
     let mut rest = template;

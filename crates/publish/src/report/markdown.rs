@@ -33,9 +33,8 @@ impl Document {
     }
 }
 
-/// A document's text as HTML. `target` gives for a path of the repository the link from this
-/// document's page to it, or `None` where the site does not have it; then the words stay and the
-/// link goes.
+/// A document's text as HTML. `target` gives for a path of the repository the link from this document's
+/// page to it, or `None` if the site does not have it. Then the words stay without a link.
 pub fn to_html(document: &Document, target: impl Fn(&str) -> Option<String>) -> String {
     let options = Options::ENABLE_TABLES | Options::ENABLE_FOOTNOTES;
     let parser = TextMergeStream::new(Parser::new_ext(document.text, options));
@@ -52,7 +51,7 @@ pub fn to_html(document: &Document, target: impl Fn(&str) -> Option<String>) -> 
             link.is_some()
         }
         Event::End(TagEnd::Link | TagEnd::Image) => open.pop().unwrap_or(false),
-        // Our own documents have no markup in them; what looks like it is text.
+        // The project's documents contain no HTML; characters that look like it are text.
         Event::Html(text) | Event::InlineHtml(text) => {
             *event = Event::Html(CowStr::from(escape(text)));
             true
@@ -127,8 +126,8 @@ fn resolve(from: &str, link: &str, target: impl Fn(&str) -> Option<String>) -> O
     target(&parts.join("/")).map(|link| link + &fragment)
 }
 
-/// Gives every heading the name that its readers on other sites know: lower case, blanks as
-/// hyphens, other signs left out; a second one of the same words gets a number.
+/// Gives every heading the anchor that other sites give it: lower case, blanks as hyphens, other signs left
+/// out. A second heading with the same words gets a number.
 fn name_headings(events: &mut [Event]) {
     let mut seen: BTreeMap<String, usize> = BTreeMap::new();
     for start in 0..events.len() {

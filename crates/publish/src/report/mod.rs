@@ -1,5 +1,5 @@
-//! What people look at: a page for tilings that the kernel has confirmed or that are refuted, and a
-//! site of the whole catalogue.
+//! Pages about tilings that the kernel has confirmed or that are refuted, and a site of the whole
+//! catalogue.
 //!
 //! | file | holds |
 //! |---|---|

@@ -73,8 +73,9 @@ fn position([a, b, c, d]: Cyclotomic) -> Value {
 mod tests {
     use super::mosaics;
 
-    /// Counted by hand: the vertex of 3^6 has six corners of triangles, a cell has two triangles; the snub square tiling has two
-    /// squares and four triangles in a cell with four vertices; inflation by 2 + √3 multiplies areas by 7 + 4√3.
+    /// Counted by hand. The vertex of 3^6 has six corners of triangles, and a cell has two triangles. The
+    /// snub square tiling has two squares and four triangles in a cell with four vertices. Inflation by 2 +
+    /// √3 multiplies areas by 7 + 4√3.
     #[test]
     fn numbers_of_tiles() {
         let value = mosaics();

@@ -1,12 +1,10 @@
-//! A still picture of one cell in SVG: what stands where the page's program does not run, and in
-//! the index of a site.
+//! A still picture of one cell in SVG, for readers without the page's program and for the index of a site.
 //!
-//! Parallel projection, faces that look at the viewer only, painted from back to front. In a
-//! Delaunay triangulation the simplices can be ordered by the depth of their circumcentres
-//! (H. Edelsbrunner, An acyclicity theorem for cell complexes in d dimensions, 1990, with the
-//! viewpoint at infinity): a facet that two share lies in the plane of equal power of the two
-//! spheres. For other tilings this order, and hence the picture, may be wrong in places; the text
-//! beside it does not depend on it.
+//! Parallel projection, faces that look at the viewer only, painted from back to front. In a Delaunay
+//! triangulation the simplices can be ordered by the depth of their circumcentres (H. Edelsbrunner, An
+//! acyclicity theorem for cell complexes in d dimensions, 1990, with the viewpoint at infinity): a common
+//! facet lies in the plane of equal power of the two spheres. For other tilings this order, and hence the
+//! picture, may be wrong in places; the text beside it does not depend on it.
 
 use super::colour::{hex, part};
 use super::data::basis;

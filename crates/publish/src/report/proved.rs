@@ -1,5 +1,5 @@
-//! What a page may show as proved: a certificate that the kernel has confirmed, with the
-//! tiling that it describes.
+//! The only input that a page shows as proved: a certificate that the kernel has confirmed, with the tiling
+//! that it describes.
 
 use acutile_core::checker::Options;
 use acutile_core::format::print;
@@ -15,9 +15,9 @@ use std::fmt;
 /// simplices and corners.
 #[derive(Debug)]
 pub struct Proved {
-    /// A name of the catalogue, or what its file is called. Not part of what is proved.
+    /// A name of the catalogue, or the name of its file. It is no part of the proof.
     pub name: String,
-    /// What it is, in a line, or nothing; nor is this.
+    /// A description in a line, or nothing. It is no part of the proof.
     pub description: String,
     proved: proved::Proved,
     tiling: AnyTiling,
@@ -107,7 +107,7 @@ impl Proved {
         &self.json
     }
 
-    /// What the kernel confirmed.
+    /// The kernel's verdict.
     pub fn verified(&self) -> &Verified {
         self.proved.verified()
     }

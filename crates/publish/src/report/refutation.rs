@@ -23,7 +23,7 @@ pub struct Refutation {
     pub refused: Option<String>,
     /// The verdict in a sentence.
     pub verdict: String,
-    /// Further sentences: what was done to the input, what a repair would change.
+    /// Further sentences: the changes of the input, and the effect of a repair.
     pub notes: Vec<String>,
     /// The tiling as it was read.
     pub tiling: AnyTiling,

@@ -11,7 +11,7 @@ use acutile_kernel::Verified;
 pub struct Theorem {
     /// A name of the catalogue, or what its file is called. Not part of what is proved.
     pub name: String,
-    /// What it is, in a line, or nothing; nor is this.
+    /// A description in a line, or nothing. It is no part of the proof.
     pub description: String,
     /// The letters of the tiles of a system of patches, in words of its family; perhaps none.
     pub letters: &'static str,
@@ -21,7 +21,7 @@ pub struct Theorem {
     pub(super) content: Content,
 }
 
-/// What a certificate is about.
+/// The subject of a certificate.
 #[derive(Debug)]
 pub(super) enum Content {
     /// With the tree of its leaves.

@@ -1,4 +1,5 @@
-//! Pages of the site about families, systems of patches, and records: what the kernel confirmed of each, with its certificate.
+//! Pages of the site about families, systems of patches, and records. Each has the confirmed claim and its
+//! certificate.
 
 use super::html::escape;
 use super::page::{Links, Shown, mixed_page};

@@ -1,11 +1,11 @@
-//! What the files assert of a tiling, computed by the prover.
+//! The facts that the files assert of a tiling, computed by the prover.
 
 use acutile_core::quality::{Shape, kinds, shapes};
 use acutile_core::tiling::Tiling;
 use acutile_exact::geometry::{Sign, linear};
 use acutile_exact::number::Number;
 
-/// What the systems compute again.
+/// The facts that the systems compute again.
 pub struct Facts {
     /// The sum of the absolute determinants of all simplices.
     pub total: Number,

@@ -10,7 +10,7 @@ use malachite::{Integer, Rational};
 
 const BRACKETS: [&str; 2] = ["[", "]"];
 
-/// What the template asks for.
+/// The values for the template.
 pub fn values<const D: usize>(tiling: &Tiling<D>, facts: &Facts) -> Vec<(&'static str, String)> {
     let field = &tiling.frame.field;
     let degree = field.degree();

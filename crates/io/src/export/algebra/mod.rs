@@ -13,7 +13,7 @@ mod symbolic;
 use acutile_core::tiling::{Domain, Tiling};
 use facts::Facts;
 
-/// What reads the file.
+/// The system that reads the file.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum System {
     /// Sage, with its preparser.

@@ -7,7 +7,7 @@ use acutile_core::tiling::{Corner, Tiling};
 use acutile_exact::number::{Field, Number, Quadratic};
 use malachite::Integer;
 
-/// What the template asks for.
+/// The values for the template.
 pub fn values<const D: usize>(
     tiling: &Tiling<D>,
     facts: &Facts,

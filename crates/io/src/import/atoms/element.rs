@@ -69,8 +69,8 @@ fn of_parts(parts: &[(&'static str, bool)]) -> Kind {
     }
 }
 
-/// The elements of a formula in order, and whether each one has a fractional count or stands
-/// beside a separator; `None` if it is no formula.
+/// The elements of a formula in order, and whether each one has a fractional count or stands beside a
+/// separator. `None` if it is no formula.
 fn parts(symbol: &str) -> Option<Vec<(&'static str, bool)>> {
     let mut rest = symbol;
     let mut parts = Vec::<(&'static str, bool)>::new();

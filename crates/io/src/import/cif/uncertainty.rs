@@ -1,10 +1,10 @@
 //! The numbers of a CIF that have standard uncertainties, as parameters of a family.
 //!
-//! A coordinate of a site is free if it has an uncertainty and the operations that keep the site leave
-//! it free. x and 2x are one parameter, whether or not 2x is written with an uncertainty.
-//! A parameter ranges over its written value plus and minus the uncertainty. Where two coordinates
-//! depend on one parameter, only the interval of the one counts. So the box contains all coordinates
-//! that are within the uncertainties of the file.
+//! A coordinate of a site is free if it has an uncertainty and the operations that keep the site leave it
+//! free. The coordinates x and 2x are one parameter, whether or not 2x is written with an uncertainty. A
+//! parameter ranges over its written value plus and minus the uncertainty. Where two coordinates depend on
+//! one parameter, only the interval of the one counts. So the box contains all coordinates that are within
+//! the uncertainties of the file.
 //!
 //! Lengths count by their quotients with the first one, because similar cells have the same angles. An
 //! angle with an uncertainty counts by its cosine, in a rational interval that contains its cosines.
