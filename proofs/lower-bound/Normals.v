@@ -115,3 +115,176 @@ Proof.
   - field. repeat split; lra.
 Qed.
 End Tetrahedron.
+
+(** ** The corollaries (a), (b), (c), and their strict forms *)
+
+Section Corollaries.
+Variables (a b c d : point) (theta : R).
+Hypothesis solid : orient a b c d <> 0.
+Hypothesis acute : 0 <= theta < PI / 2.
+Let k := cos theta.
+Let t := Tetrahedron a b c d.
+Definition all_at_most := forall x, In x (dihedrals t) -> x <= theta.
+Definition all_below := forall x, In x (dihedrals t) -> x < theta.
+
+Lemma below_at_most : all_below -> all_at_most.
+Proof. intros H x X. specialize (H x X). lra. Qed.
+Lemma k_positive : 0 < k.
+Proof. apply cos_gt_0; lra. Qed.
+Lemma angle_range x : In x (dihedrals t) -> 0 <= x <= PI.
+Proof. unfold t. rewrite the_six. simpl. intros [<-|[<-|[<-|[<-|[<-|[<-|[]]]]]]]; apply acos_bound. Qed.
+Lemma cosines_at_least : all_at_most -> forall x, In x (dihedrals t) -> k <= cos x.
+Proof. intros H x X. pose proof (angle_range x X). specialize (H x X). apply cos_decr_1; lra. Qed.
+Lemma cosines_above : all_below -> forall x, In x (dihedrals t) -> k < cos x.
+Proof. intros H x X. pose proof (angle_range x X). specialize (H x X). apply cos_decreasing_1; lra. Qed.
+
+(** The six cosines and the inequality between them, in a form for lra and nra. *)
+Ltac six H :=
+  pose proof (H (ab a b c d) ltac:(unfold t; rewrite the_six; simpl; auto 10));
+  pose proof (H (ac a b c d) ltac:(unfold t; rewrite the_six; simpl; auto 10));
+  pose proof (H (ad a b c d) ltac:(unfold t; rewrite the_six; simpl; auto 10));
+  pose proof (H (bc a b c d) ltac:(unfold t; rewrite the_six; simpl; auto 10));
+  pose proof (H (bd a b c d) ltac:(unfold t; rewrite the_six; simpl; auto 10));
+  pose proof (H (cd a b c d) ltac:(unfold t; rewrite the_six; simpl; auto 10)).
+
+Lemma k_below_1 : all_at_most -> k < 1.
+Proof.
+  intros H. pose proof (cosines_at_least H) as Q. six Q. pose proof k_positive.
+  pose proof (lemma_2 a b c d solid 1 1 1 1). lra.
+Qed.
+
+Section A.
+Let y := 2 * k / (1 - k).
+Lemma y_is : k < 1 -> 0 < y /\ y * (1 - k) = 2 * k /\ 1 - 4 * k ^ 2 / (1 - k) = 1 - 2 * k * y.
+Proof. intros K. pose proof k_positive. unfold y. split; [apply Rdiv_lt_0_compat; lra|]. split; field; lra. Qed.
+
+Theorem corollary_a : all_at_most -> forall x, In x (dihedrals t) -> cos x <= 1 - 4 * k ^ 2 / (1 - k).
+Proof.
+  intros H x X. pose proof (cosines_at_least H) as Q. pose proof k_positive.
+  pose proof (k_below_1 H) as K. destruct (y_is K) as [Y1 [Y2 ->]].
+  six Q. assert (Y3 : y * y * (1 - k) = 2 * k * y) by (rewrite Rmult_assoc, Y2; ring).
+  unfold t in X. rewrite the_six in X. simpl in X. destruct X as [<-|[<-|[<-|[<-|[<-|[<-|[]]]]]]];
+  [pose proof (lemma_2 a b c d solid y y 1 1) | pose proof (lemma_2 a b c d solid y 1 y 1)
+  |pose proof (lemma_2 a b c d solid y 1 1 y) | pose proof (lemma_2 a b c d solid 1 y y 1)
+  |pose proof (lemma_2 a b c d solid 1 y 1 y) | pose proof (lemma_2 a b c d solid 1 1 y y)];
+  assert (forall z, k <= z -> y * k <= y * z /\ y * y * k <= y * y * z) as M by (intros z Z; split; apply Rmult_le_compat_l; nra);
+  repeat match goal with L : k <= cos _ |- _ => apply M in L; destruct L end; nra.
+Qed.
+Theorem corollary_a_strict : all_below -> forall x, In x (dihedrals t) -> cos x < 1 - 4 * k ^ 2 / (1 - k).
+Proof.
+  intros H x X. pose proof (cosines_above H) as Q. pose proof k_positive.
+  pose proof (k_below_1 (below_at_most H)) as K. destruct (y_is K) as [Y1 [Y2 ->]].
+  six Q. assert (Y3 : y * y * (1 - k) = 2 * k * y) by (rewrite Rmult_assoc, Y2; ring).
+  unfold t in X. rewrite the_six in X. simpl in X. destruct X as [<-|[<-|[<-|[<-|[<-|[<-|[]]]]]]];
+  [pose proof (lemma_2 a b c d solid y y 1 1) | pose proof (lemma_2 a b c d solid y 1 y 1)
+  |pose proof (lemma_2 a b c d solid y 1 1 y) | pose proof (lemma_2 a b c d solid 1 y y 1)
+  |pose proof (lemma_2 a b c d solid 1 y 1 y) | pose proof (lemma_2 a b c d solid 1 1 y y)];
+  assert (forall z, k < z -> y * k < y * z /\ y * y * k < y * y * z) as M by (intros z Z; split; apply Rmult_lt_compat_l; nra);
+  repeat match goal with L : k < cos _ |- _ => apply M in L; destruct L end; nra.
+Qed.
+End A.
+
+(** The angles at two edges of the face abc. *)
+Theorem corollary_b p z : 0 < p -> 0 < z -> all_at_most ->
+  cos (dihedral a b c d) + cos (dihedral a c b d) <= (p ^ 2 + 2 + z ^ 2 - k * (2 + 2 * p * z + 4 * z)) / (2 * p).
+Proof.
+  intros P Z H. pose proof (cosines_at_least H) as Q. six Q.
+  pose proof (lemma_2 a b c d solid z 1 1 p) as L. fold (ab a b c d) (ac a b c d).
+  apply Rmult_le_reg_l with (2 * p); [lra|].
+  replace (2 * p * (_ / _)) with (p ^ 2 + 2 + z ^ 2 - k * (2 + 2 * p * z + 4 * z)) by (field; lra).
+  assert (forall w, k <= w -> z * k <= z * w) as M by (intros; apply Rmult_le_compat_l; lra).
+  assert (forall w, k <= w -> p * z * k <= p * z * w) as N by (intros; apply Rmult_le_compat_l; nra).
+  pose proof (M (cos (bd a b c d)) ltac:(assumption)). pose proof (M (cos (cd a b c d)) ltac:(assumption)).
+  pose proof (N (cos (bc a b c d)) ltac:(assumption)). nra.
+Qed.
+Theorem corollary_b_strict p z : 0 < p -> 0 < z -> all_below ->
+  cos (dihedral a b c d) + cos (dihedral a c b d) < (p ^ 2 + 2 + z ^ 2 - k * (2 + 2 * p * z + 4 * z)) / (2 * p).
+Proof.
+  intros P Z H. pose proof (cosines_above H) as Q. six Q.
+  pose proof (lemma_2 a b c d solid z 1 1 p) as L. fold (ab a b c d) (ac a b c d).
+  apply Rmult_lt_reg_l with (2 * p); [lra|].
+  replace (2 * p * (_ / _)) with (p ^ 2 + 2 + z ^ 2 - k * (2 + 2 * p * z + 4 * z)) by (field; lra).
+  assert (forall w, k < w -> z * k < z * w) as M by (intros; apply Rmult_lt_compat_l; lra).
+  assert (forall w, k < w -> p * z * k < p * z * w) as N by (intros; apply Rmult_lt_compat_l; nra).
+  pose proof (M (cos (bd a b c d)) ltac:(assumption)). pose proof (M (cos (cd a b c d)) ltac:(assumption)).
+  pose proof (N (cos (bc a b c d)) ltac:(assumption)). nra.
+Qed.
+
+(** The angles at the three edges of the vertex a. *)
+Theorem corollary_c : all_at_most ->
+  cos (dihedral a b c d) + cos (dihedral a c b d) + cos (dihedral a d b c) <= (3 - 9 * k ^ 2) / 2.
+Proof.
+  intros H. pose proof (cosines_at_least H) as Q. six Q. pose proof k_positive.
+  pose proof (lemma_2 a b c d solid (3 * k) 1 1 1) as L. fold (ab a b c d) (ac a b c d) (ad a b c d).
+  assert (forall w, k <= w -> 3 * k * k <= 3 * k * w) as M by (intros; apply Rmult_le_compat_l; lra).
+  pose proof (M (cos (bc a b c d)) ltac:(assumption)). pose proof (M (cos (bd a b c d)) ltac:(assumption)).
+  pose proof (M (cos (cd a b c d)) ltac:(assumption)). lra.
+Qed.
+Theorem corollary_c_strict : all_below ->
+  cos (dihedral a b c d) + cos (dihedral a c b d) + cos (dihedral a d b c) < (3 - 9 * k ^ 2) / 2.
+Proof.
+  intros H. pose proof (cosines_above H) as Q. six Q. pose proof k_positive.
+  pose proof (lemma_2 a b c d solid (3 * k) 1 1 1) as L. fold (ab a b c d) (ac a b c d) (ad a b c d).
+  assert (forall w, k < w -> 3 * k * k < 3 * k * w) as M by (intros; apply Rmult_lt_compat_l; lra).
+  pose proof (M (cos (bc a b c d)) ltac:(assumption)). pose proof (M (cos (bd a b c d)) ltac:(assumption)).
+  pose proof (M (cos (cd a b c d)) ltac:(assumption)). lra.
+Qed.
+End Corollaries.
+
+(** ** Section 5, the algebraic part of Proposition 4
+
+    A tetrahedron with all angles below theta1 has all angles above 60 degrees. *)
+Theorem proposition_4_angles a b c d : orient a b c d <> 0 ->
+  all_below a b c d (acos ((sqrt 33 - 1) / 16)) -> forall x, In x (dihedrals (Tetrahedron a b c d)) -> PI / 3 < x.
+Proof.
+  intros O H x X. pose proof (sqrt_sqrt 33 ltac:(lra)) as S. pose proof (sqrt_lt_R0 33 ltac:(lra)) as S0.
+  assert (S1 : 5 < sqrt 33 < 6) by (split; nra).
+  set (k := (sqrt 33 - 1) / 16) in *. assert (K : 0 < k < 1) by (unfold k; lra).
+  assert (E : cos (acos k) = k) by (apply cos_acos; lra).
+  assert (T : 0 <= acos k < PI / 2).
+  { pose proof (acos_bound k). split; [lra|]. apply Rnot_le_lt. intros L. pose proof PI_RGT_0.
+    pose proof (cos_le_0 (acos k) L ltac:(lra)). lra. }
+  pose proof (corollary_a_strict a b c d (acos k) O T H x X) as L. rewrite E in L.
+  replace (1 - 4 * k ^ 2 / (1 - k)) with (1 / 2) in L.
+  - pose proof (angle_range a b c d x X). pose proof PI_RGT_0. rewrite <- cos_PI3 in L. apply cos_decreasing_0; lra.
+  - apply Rmult_eq_reg_r with (1 - k); [|lra]. replace ((1 - 4 * k ^ 2 / (1 - k)) * (1 - k)) with (1 - k - 4 * k ^ 2) by (field; lra).
+    unfold k. nra.
+Qed.
+
+(** ** Section 6: theta*, and what (a), (b) and (c) give there *)
+
+Definition theta_star := acos (sqrt 3 / 6).
+Lemma root3 : sqrt 3 * sqrt 3 = 3 /\ 1.73205 < sqrt 3 < 1.73206.
+Proof. pose proof (sqrt_sqrt 3 ltac:(lra)). pose proof (sqrt_lt_R0 3 ltac:(lra)). repeat split; nra. Qed.
+Lemma cos_theta_star : cos theta_star = sqrt 3 / 6.
+Proof. pose proof root3. apply cos_acos. lra. Qed.
+Lemma theta_star_acute : 0 <= theta_star < PI / 2.
+Proof.
+  pose proof root3. pose proof cos_theta_star as E. unfold theta_star in *. pose proof (acos_bound (sqrt 3 / 6)). pose proof PI_RGT_0.
+  split; [lra|]. apply Rnot_le_lt. intros L. pose proof (cos_le_0 _ L ltac:(lra)). lra.
+Qed.
+
+(** Step A: every angle t has cos t <= (21 - 2 sqrt 3) / 33. *)
+Theorem step_a a b c d : orient a b c d <> 0 -> all_at_most a b c d theta_star ->
+  forall x, In x (dihedrals (Tetrahedron a b c d)) -> cos x <= (21 - 2 * sqrt 3) / 33.
+Proof.
+  intros O H x X. pose proof (corollary_a a b c d theta_star O theta_star_acute H x X) as L. rewrite cos_theta_star in L.
+  pose proof root3 as [S S1]. replace ((21 - 2 * sqrt 3) / 33) with (1 - 4 * (sqrt 3 / 6) ^ 2 / (1 - sqrt 3 / 6)); [exact L|].
+  apply Rmult_eq_reg_r with (1 - sqrt 3 / 6); [|lra].
+  replace ((1 - 4 * (sqrt 3 / 6) ^ 2 / (1 - sqrt 3 / 6)) * (1 - sqrt 3 / 6)) with (1 - sqrt 3 / 6 - 4 * (sqrt 3 / 6) ^ 2) by (field; lra).
+  nra.
+Qed.
+(** Step B: the angles at two edges of a face have cosines with a sum below 0.833. *)
+Theorem step_b a b c d : orient a b c d <> 0 -> all_at_most a b c d theta_star ->
+  cos (dihedral a b c d) + cos (dihedral a c b d) < 0.833.
+Proof.
+  intros O H. pose proof (corollary_b a b c d theta_star O theta_star_acute 1.09 0.89 ltac:(lra) ltac:(lra) H) as L. rewrite cos_theta_star in L.
+  pose proof root3. lra.
+Qed.
+(** Step C: the angles at the three edges from a vertex do not all have the cosine 7/18, that of a0. *)
+Theorem step_c a b c d : orient a b c d <> 0 -> all_at_most a b c d theta_star ->
+  ~ (cos (dihedral a b c d) = 7 / 18 /\ cos (dihedral a c b d) = 7 / 18 /\ cos (dihedral a d b c) = 7 / 18).
+Proof.
+  intros O H [A [B C]]. pose proof (corollary_c a b c d theta_star O theta_star_acute H) as L. rewrite cos_theta_star, A, B, C in L.
+  pose proof root3. lra.
+Qed.
