@@ -42,6 +42,10 @@ Lemma acot_range x : 0 < acot x < PI.
 Proof. unfold acot. pose proof (atan_bound x). lra. Qed.
 Lemma acot_acute x : 0 < x -> acot x < PI / 2.
 Proof. intros H. unfold acot. pose proof (atan_increasing 0 x H). rewrite atan_0 in *. lra. Qed.
+Lemma one_plus x : 0 < 1 + x ^ 2.
+Proof. pose proof (pow2_ge_0 x). lra. Qed.
+Lemma square x : 0 <= x * x.
+Proof. exact (Rle_0_sqr x). Qed.
 Lemma acot_decreasing x y : x <= y -> acot y <= acot x.
 Proof. intros [H|<-]; [|lra]. unfold acot. pose proof (atan_increasing x y H). lra. Qed.
 Lemma acot_cot q : 0 < q < PI -> acot (cos q / sin q) = q.

@@ -184,7 +184,7 @@ Proof.
     replace (s * s) with (1 - c * c) by lra. replace (sin q * sin q) with (1 - cos q * cos q) by lra. ring. }
   assert (P : 0 < sin l * sin q) by nra.
   assert (N : 0 <= cos l * c * sin q + s * cos q) by (assert (0 < cos l * c) by nra; nra).
-  assert (B : -1 <= apex_cos theta q <= 1) by (split; nra).
+  assert (B : -1 <= apex_cos theta q <= 1) by (pose proof (square (sin l * sin q)); pose proof (square (cos l * c * sin q + s * cos q)); clear - E H1 H2; split; nra).
   assert (CA : cos a = apex_cos theta q) by (apply cos_acos; lra).
   pose proof (acos_bound (apex_cos theta q)) as AB. fold a in AB.
   assert (SA : sin a * sin a = 1 - apex_cos theta q * apex_cos theta q) by (rewrite <- CA; pose proof (squares a); lra).
@@ -234,7 +234,7 @@ Proof.
   intros Q. destruct (apex_sine q Q) as [A1 [A2 [A3 [A4 A5]]]]. set (a := acos (apex_cos theta q)) in *.
   pose proof (sin_pos q ltac:(lra)) as Sq. pose proof (sin_pos l ltac:(lra)) as Sl. pose proof c_pos. pose proof s_pos.
   pose proof (sin_acot (X q)) as [SX SX2].
-  assert (P : 0 < 1 + X q ^ 2) by nra. assert (PZ : 0 < 1 + Zq q ^ 2) by nra.
+  pose proof (one_plus (X q)) as P. pose proof (one_plus (Zq q)) as PZ.
   eapply slope_eq.
   - unfold G. apply slope_acot. unfold Zq. apply slope_mult; [apply slope_const|]. apply slope_cos. apply slope_acot. unfold X.
     apply slope_div; [|apply slope_const|lra]. apply slope_plus; [apply slope_const|].
@@ -297,8 +297,8 @@ Proof.
   assert (F : forall q, gt <= q <= theta -> f' q <= C theta xmin).
   { intros q Q. destruct (N q Q) as [[N1 N2] [N3 N4]]. pose proof (ZE q ltac:(lra)) as E. unfold f'. set (b := acos (ac q)) in *. rewrite <- N3 in E.
     set (r := sin (acot ((cos l * c + s * (cos q / sin q)) / sin l))).
-    assert (R2 : r * r <= 1) by (pose proof (squares (acot ((cos l * c + s * (cos q / sin q)) / sin l))) as W; fold r in W; nra).
-    assert (R0 : 0 <= r * r) by nra.
+    assert (R2 : r * r <= 1) by (pose proof (squares (acot ((cos l * c + s * (cos q / sin q)) / sin l))) as W; fold r in W; pose proof (square (cos (acot ((cos l * c + s * (cos q / sin q)) / sin l)))); lra).
+    pose proof (square r) as R0.
     destruct (small_trig q ltac:(unfold small; lra)) as [q1 q2].
     assert (K1 : 1 <= cos q / c) by (apply Rmult_le_reg_r with c; [lra|]; unfold Rdiv; rewrite Rmult_assoc, Rinv_l; lra).
     pose proof (cos_le b theta ltac:(lra) ltac:(lra) ltac:(lra)) as K2. pose proof (sin_le b theta ltac:(lra) ltac:(lra) ltac:(lra)) as K3. fold c in K2. fold s in K3.
@@ -308,7 +308,7 @@ Proof.
       apply Rle_trans with (Z q * sin b); [lra|]. apply Rmult_le_compat_l; lra. }
     assert (Z2 : / (1 + Z q ^ 2) <= (1 - c) / 2).
     { assert (Y : (1 + c) * (1 + c) <= Z q * s * (Z q * s)) by (apply Rmult_le_compat; lra).
-      apply Rmult_le_reg_r with (1 + Z q ^ 2); [nra|]. rewrite Rinv_l by nra.
+      pose proof (one_plus (Z q)). apply Rmult_le_reg_r with (1 + Z q ^ 2); [lra|]. rewrite Rinv_l by lra.
       assert (Y2 : (1 + c) * (1 + c) <= (Z q * Z q) * ((1 - c) * (1 + c))) by (replace ((1 - c) * (1 + c)) with (s * s) by lra; lra).
       assert (Y3 : 1 + c <= Z q * Z q * (1 - c)) by (apply Rmult_le_reg_r with (1 + c); lra). lra. }
     pose proof (sin_le (a0 theta) q ltac:(lra) ltac:(lra) ltac:(lra)) as K4. pose proof (sin_pos (a0 theta) ltac:(lra)) as K5.
@@ -317,7 +317,7 @@ Proof.
     assert (K8 : / (sin q * sin b) <= / (sin (a0 theta) * sin xmin)) by (apply Rinv_le_contravar; [nra|]; apply Rmult_le_compat; lra).
     assert (K9 : 0 < / (sin q * sin b)) by (apply Rinv_0_lt_compat; nra).
     assert (V : 0 < s / c * s) by (apply Rmult_lt_0_compat; [apply Rdiv_lt_0_compat|]; lra).
-    assert (U0 : 0 < / (1 + Z q ^ 2)) by (apply Rinv_0_lt_compat; nra).
+    assert (U0 : 0 < / (1 + Z q ^ 2)) by (apply Rinv_0_lt_compat, one_plus).
     unfold Rdiv at 1. unfold Rdiv at 3. apply Rmult_le_compat; [|lra| |lra].
     - apply Rmult_le_pos; [|lra]. rewrite Rmult_assoc. apply Rmult_le_pos; lra.
     - rewrite (Rmult_assoc (/ _)), (Rmult_assoc ((1 - c) / 2)).
