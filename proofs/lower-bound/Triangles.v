@@ -16,6 +16,40 @@ Definition part (g r : R) := acot (tan g * cos r).
 Definition K (theta : R) := / sin (2 * theta).
 Definition C (theta xmin : R) := (1 - cos theta) / 2 * tan theta * sin theta / (sin (a0 theta) * sin xmin).
 
+(** ** Lemma 4, the sum, for any three acute angles *)
+Theorem lemma_4_sum a g g' l r' r : spherical_triangle a g g' l r' r -> a < PI / 2 -> g < PI / 2 -> g' < PI / 2 ->
+  a = part g r + part g' r'.
+Proof.
+  intros [[A1 A2] [G1 G2] [H1 H2] _ R1 R2 _ Rg Rh] A G H. unfold side_rule in Rg, Rh.
+  pose proof (sin_pos a ltac:(lra)) as SA. pose proof (sin_pos g ltac:(lra)) as SG. pose proof (sin_pos g' ltac:(lra)) as SH.
+  pose proof (cos_pos a ltac:(lra)) as CA. pose proof (cos_pos g ltac:(lra)) as CG. pose proof (cos_pos g' ltac:(lra)) as CH.
+  unfold part. set (p := acot (tan g * cos r)).
+  assert (CC : 0 < cos a * cos g) by (apply Rmult_lt_0_compat; lra). assert (SS : 0 < sin a * sin g) by (apply Rmult_lt_0_compat; lra).
+  assert (Cr : 0 < cos r) by (apply Rmult_lt_reg_l with (sin a * sin g); [lra|]; rewrite Rmult_0_r, <- Rh; lra).
+  assert (T : 0 < tan g) by (unfold tan; apply Rdiv_lt_0_compat; lra).
+  pose proof (acot_range (tan g * cos r)) as P. pose proof (acot_acute (tan g * cos r) ltac:(nra)) as P'. fold p in P, P'.
+  pose proof (cot_acot (tan g * cos r)) as E. fold p in E. unfold tan in E.
+  assert (E1 : cos p * cos g = sin g * cos r * sin p) by (rewrite E; field; lra).
+  pose proof (sin_pos p ltac:(lra)) as SP.
+  assert (E2 : cos g' * sin p = cos g * sin (a - p)).
+  { rewrite sin_minus. replace (cos g') with (sin a * sin g * cos r - cos a * cos g) by lra.
+    replace ((sin a * sin g * cos r - cos a * cos g) * sin p) with (sin a * (sin g * cos r * sin p) - cos a * cos g * sin p) by ring.
+    rewrite <- E1. ring. }
+  assert (SQ : 0 < sin (a - p)) by (apply Rmult_lt_reg_l with (cos g); [lra|]; rewrite Rmult_0_r, <- E2; nra).
+  assert (Q : 0 < a - p).
+  { apply Rnot_le_lt. intros L. pose proof (sin_ge_0 (p - a) ltac:(lra) ltac:(lra)). replace (a - p) with (- (p - a)) in SQ by ring. rewrite sin_neg in SQ. lra. }
+  enough (a - p = acot (tan g' * cos r')) by lra.
+  rewrite <- (acot_cot (a - p)) by lra. f_equal. set (q := a - p) in *.
+  assert (E3 : sin p = sin a * cos q - cos a * sin q) by (rewrite <- sin_minus; f_equal; unfold q; ring).
+  assert (QS : 0 < sin q * (sin a * sin g')) by (repeat apply Rmult_lt_0_compat; lra).
+  apply Rmult_eq_reg_r with (sin q * (sin a * sin g')); [|lra]. unfold tan.
+  replace (cos q / sin q * (sin q * (sin a * sin g'))) with (cos q * (sin a * sin g')) by (field; lra).
+  replace (sin g' / cos g' * cos r' * (sin q * (sin a * sin g'))) with (sin g' * sin q * (sin g' * sin a * cos r') / cos g') by (field; lra).
+  rewrite <- Rg. 
+  replace (sin g' * sin q * (cos g + cos g' * cos a) / cos g') with (sin g' * ((cos g * sin q) / cos g' + sin q * cos a)) by (field; lra).
+  rewrite <- E2, E3. field. lra.
+Qed.
+
 Section Lemmas.
 Variable theta : R.
 Hypothesis range : 2 * PI / 5 < theta < 5 * PI / 12.
@@ -86,40 +120,7 @@ Qed.
 Theorem lemma_3_at_most A B C' l m n : spherical_triangle A B C' l m n -> small A -> small B -> small C' -> apex theta l <= theta.
 Proof. intros T H1 H2 H3. apply (apex_at_most A B C'); auto. apply T. Qed.
 
-(** ** Lemma 4 *)
-Theorem lemma_4_sum a g g' l r' r : spherical_triangle a g g' l r' r -> a < PI / 2 -> g < PI / 2 -> g' < PI / 2 ->
-  a = part g r + part g' r'.
-Proof.
-  intros [[A1 A2] [G1 G2] [H1 H2] _ R1 R2 _ Rg Rh] A G H. unfold side_rule in Rg, Rh.
-  pose proof (sin_pos a ltac:(lra)) as SA. pose proof (sin_pos g ltac:(lra)) as SG. pose proof (sin_pos g' ltac:(lra)) as SH.
-  pose proof (cos_pos a ltac:(lra)) as CA. pose proof (cos_pos g ltac:(lra)) as CG. pose proof (cos_pos g' ltac:(lra)) as CH.
-  unfold part. set (p := acot (tan g * cos r)).
-  assert (CC : 0 < cos a * cos g) by (apply Rmult_lt_0_compat; lra). assert (SS : 0 < sin a * sin g) by (apply Rmult_lt_0_compat; lra).
-  assert (Cr : 0 < cos r) by (apply Rmult_lt_reg_l with (sin a * sin g); [lra|]; rewrite Rmult_0_r, <- Rh; lra).
-  assert (T : 0 < tan g) by (unfold tan; apply Rdiv_lt_0_compat; lra).
-  pose proof (acot_range (tan g * cos r)) as P. pose proof (acot_acute (tan g * cos r) ltac:(nra)) as P'. fold p in P, P'.
-  pose proof (cot_acot (tan g * cos r)) as E. fold p in E. unfold tan in E.
-  assert (E1 : cos p * cos g = sin g * cos r * sin p) by (rewrite E; field; lra).
-  pose proof (sin_pos p ltac:(lra)) as SP.
-  assert (E2 : cos g' * sin p = cos g * sin (a - p)).
-  { rewrite sin_minus. replace (cos g') with (sin a * sin g * cos r - cos a * cos g) by lra.
-    replace ((sin a * sin g * cos r - cos a * cos g) * sin p) with (sin a * (sin g * cos r * sin p) - cos a * cos g * sin p) by ring.
-    rewrite <- E1. ring. }
-  assert (SQ : 0 < sin (a - p)) by (apply Rmult_lt_reg_l with (cos g); [lra|]; rewrite Rmult_0_r, <- E2; nra).
-  assert (Q : 0 < a - p).
-  { apply Rnot_le_lt. intros L. pose proof (sin_ge_0 (p - a) ltac:(lra) ltac:(lra)). replace (a - p) with (- (p - a)) in SQ by ring. rewrite sin_neg in SQ. lra. }
-  enough (a - p = acot (tan g' * cos r')) by lra.
-  rewrite <- (acot_cot (a - p)) by lra. f_equal. set (q := a - p) in *.
-  assert (E3 : sin p = sin a * cos q - cos a * sin q) by (rewrite <- sin_minus; f_equal; unfold q; ring).
-  assert (QS : 0 < sin q * (sin a * sin g')) by (repeat apply Rmult_lt_0_compat; lra).
-  apply Rmult_eq_reg_r with (sin q * (sin a * sin g')); [|lra]. unfold tan.
-  replace (cos q / sin q * (sin q * (sin a * sin g'))) with (cos q * (sin a * sin g')) by (field; lra).
-  replace (sin g' / cos g' * cos r' * (sin q * (sin a * sin g'))) with (sin g' * sin q * (sin g' * sin a * cos r') / cos g') by (field; lra).
-  rewrite <- Rg. 
-  replace (sin g' * sin q * (cos g + cos g' * cos a) / cos g') with (sin g' * ((cos g * sin q) / cos g' + sin q * cos a)) by (field; lra).
-  rewrite <- E2, E3. field. lra.
-Qed.
-
+(** ** Lemma 4, the bounds *)
 Lemma K_bound g : PI / 4 <= g <= theta -> / (2 * (sin g * cos g)) <= K theta.
 Proof.
   intros G. unfold K. replace (2 * (sin g * cos g)) with (sin (2 * g)) by (rewrite sin_2a; ring).
