@@ -369,4 +369,125 @@ Proof.
   - apply orb_false_iff in F. destruct F as [F F2]. apply orb_false_iff in F. destruct F as [F0 F1]. unfold S3, term. rewrite F0, F1, F2. cbn. lra.
 Qed.
 End Triangle.
+
+(** ** Section 11: equality in every term, and the end *)
+
+Lemma no_triangle c : Din c -> six c = true -> term c + term (along c) + term (along (along c)) = 0.
+Proof.
+  intros H S. assert (F : forall d, Din d -> (six (along d) = true \/ six (along (along d)) = true) -> faces d = false).
+  { intros d D Z. destruct (faces d) eqn:Q; auto. destruct (faces_fives d D Q). destruct Z; congruence. }
+  unfold term. rewrite S, (F (along c)), (F (along (along c))); [|inside|left|inside|right]; try (rewrite (link_triangle L) by inside; exact S).
+  rewrite andb_false_r. cbn. lra.
+Qed.
+Lemma triangles_nonneg c : Din c -> 0 <= term c + term (along c) + term (along (along c)).
+Proof.
+  intros H. destruct (six c) eqn:S0; [rewrite no_triangle; auto; lra|].
+  destruct (six (along c)) eqn:S1.
+  { pose proof (no_triangle (along c) ltac:(inside) S1) as Q. rewrite (link_triangle L) in Q by auto. lra. }
+  destruct (six (along (along c))) eqn:S2.
+  { pose proof (no_triangle (along (along c)) ltac:(inside) S2) as Q. rewrite (link_triangle L c) in Q by auto. lra. }
+  apply triangle_nonneg; auto.
+Qed.
+Lemma equality c : Din c -> term c + term (along c) + term (along (along c)) = 0.
+Proof.
+  intros H. apply (total_all_zero darts (fun c => term c + term (along c) + term (along (along c))) triangles_nonneg); [|exact H].
+  rewrite !total_plus, (sum_along (fun c => term (along c))), (sum_along term). pose proof terms. lra.
+Qed.
+(** There is an HT edge. *)
+Lemma some_HT : exists d, Din d /\ six d = true /\ six (across d) = false.
+Proof.
+  destruct (link_some L) as [d [H S]]. destruct (apart d H S) as [S1 S2].
+  destruct (six (across d)) eqn:A; [|exists d; auto].
+  exists (along (back d)). assert (I : Din (along (back d))) by inside. split; [exact I|]. split.
+  - rewrite <- six_back by inside. rewrite (link_back L) by auto. exact S.
+  - rewrite <- across_from_after by exact I. rewrite (link_triangle L) by inside.
+    destruct (six (along (turn (turn (back d))))) eqn:B; auto. exfalso. apply (not_both (back d)); [inside|]. split; [exact B|].
+    unfold hB. change (turn (turn (turn (back d)))) with (before (along d)). rewrite across_from_before; auto.
+Qed.
+(** A triangle whose three angles are a0, at vertices of degree 5. *)
+Theorem three_a0 : exists d, In d darts /\ six d = false /\ ang d = a0 T /\ ang (along d) = a0 T /\ ang (along (along d)) = a0 T.
+Proof.
+  destruct some_HT as [d [H [S A]]]. exists (across d). pose proof (across_in d H) as I. split; [exact I|]. split; [exact A|].
+  assert (F : faces (across d) = true) by (unfold faces; rewrite across_across; auto).
+  destruct (faces_fives _ I F) as [S1 S2]. set (c := across d) in *.
+  pose proof (equality c I) as Q. pose proof (triangle_pays c I A S1 S2 ltac:(rewrite F; reflexivity)) as P. rewrite Q in P.
+  pose proof (E_above c I A) as [P0 _]. pose proof (E_above (along c) ltac:(inside) S1) as [P1 _]. pose proof (E_above (along (along c)) ltac:(inside) S2) as [P2 _].
+  unfold E, excess in *. lra.
+Qed.
 End Link.
+
+(** Theorem 2, for a link with angles. *)
+Theorem theorem_2_link dart darts turn along six ang len :
+  link dart darts turn along six ang len -> exists d, In d darts /\ theta_star <= ang d.
+Proof.
+  intros L. destruct (Exists_dec (fun d => theta_star <= ang d) darts (fun d => Rle_dec _ _)) as [H|H].
+  - apply Exists_exists in H. exact H.
+  - exfalso. assert (B : forall d, In d darts -> ang d < theta_star).
+    { intros d D. apply Rnot_le_lt. intros Q. apply H, Exists_exists. exists d. auto. }
+    destruct (three_a0 _ _ _ _ _ _ _ L (fun d D => Rlt_le _ _ (B d D))) as [c [I [S [E _]]]].
+    pose proof (link_five_sum _ _ _ _ _ _ _ L c I S) as Q. unfold a0 in E.
+    assert (I1 : In (turn c) darts) by (apply L; auto). assert (I2 : In (turn (turn c)) darts) by (apply L; auto).
+    assert (I3 : In (turn (turn (turn c))) darts) by (apply L; auto). assert (I4 : In (turn (turn (turn (turn c)))) darts) by (apply L; auto).
+    pose proof (B _ I1). pose proof (B _ I2). pose proof (B _ I3). pose proof (B _ I4). lra.
+Qed.
+
+(** ** The tetrahedra at a vertex
+
+    The darts are those of the link of the point v.  [tip d] is the other end of the edge from v on which d starts, and
+    the tetrahedron of d has the vertices v, [tip d], [tip (along d)] and [tip (along (along d))].  So each tetrahedron
+    has three darts, and [corner_angle d] is its dihedral angle at the edge from v to [tip d].  The tetrahedra at this
+    edge are those of d, [turn d], [turn (turn d)], and so on: five of them, or six if [six d]. *)
+Definition corner_tetrahedron {dart} (v : point) (tip : dart -> point) (along : dart -> dart) (d : dart) :=
+  Tetrahedron v (tip d) (tip (along d)) (tip (along (along d))).
+Definition corner_angle {dart} (v : point) (tip : dart -> point) (along : dart -> dart) (d : dart) :=
+  dihedral v (tip d) (tip (along d)) (tip (along (along d))).
+Record star (dart : Type) (v : point) (darts : list dart) (turn along : dart -> dart) (tip : dart -> point) (six : dart -> bool) : Prop := {
+  star_distinct : NoDup darts;
+  star_turn : forall d, In d darts -> In (turn d) darts;
+  star_along : forall d, In d darts -> In (along d) darts;
+  star_triangle : forall d, In d darts -> along (along (along d)) = d;
+  star_back : forall d, In d darts -> turn (along (turn (along d))) = d;
+  star_tip : forall d, In d darts -> tip (turn d) = tip d;
+  star_solid : forall d, In d darts -> vol (corner_tetrahedron v tip along d) <> 0;
+  star_six : forall d, In d darts -> six (turn d) = six d;
+  star_five_darts : forall d, In d darts -> six d = false -> turn (turn (turn (turn (turn d)))) = d;
+  star_six_darts : forall d, In d darts -> six d = true -> turn (turn (turn (turn (turn (turn d))))) = d;
+  star_apart : forall d, In d darts -> six d = true -> six (turn (along d)) = false;
+  star_some : exists d, In d darts /\ six d = true;
+  star_five_sum : forall d, In d darts -> six d = false -> let a := corner_angle v tip along in
+    a d + a (turn d) + a (turn (turn d)) + a (turn (turn (turn d))) + a (turn (turn (turn (turn d)))) = 2 * PI;
+  star_six_sum : forall d, In d darts -> six d = true -> let a := corner_angle v tip along in
+    a d + a (turn d) + a (turn (turn d)) + a (turn (turn (turn d))) + a (turn (turn (turn (turn d))))
+    + a (turn (turn (turn (turn (turn d))))) = 2 * PI }.
+
+Section Star.
+Variables (dart : Type) (v : point) (darts : list dart) (turn along : dart -> dart) (tip : dart -> point) (six : dart -> bool).
+Hypothesis S : star dart v darts turn along tip six.
+Lemma star_link : link dart darts turn along six (corner_angle v tip along) (fun d => angle (sub (tip d) v) (sub (tip (along d)) v)).
+Proof.
+  destruct S. split; auto.
+  - intros d D. unfold corner_angle. rewrite !star_triangle0 by auto. apply corner. exact (star_solid0 d D).
+  - intros d D. rewrite angle_sym. do 2 f_equal.
+    + rewrite <- (star_tip0 (along (turn (along d)))) by auto. rewrite star_back0 by auto. reflexivity.
+    + rewrite star_tip0 by auto. reflexivity.
+Qed.
+
+Theorem theorem_2 : exists d, In d darts /\ theta_star <= corner_angle v tip along d.
+Proof. exact (theorem_2_link _ _ _ _ _ _ _ star_link). Qed.
+
+(** Step C of section 6: with the other three angles of the tetrahedra, some angle is above theta*. *)
+Theorem above_theta_star : exists d, In d darts /\ exists x, In x (dihedrals (corner_tetrahedron v tip along d)) /\ theta_star < x.
+Proof.
+  destruct (Exists_dec (fun d => Exists (fun x => theta_star < x) (dihedrals (corner_tetrahedron v tip along d))) darts
+    (fun d => Exists_dec _ _ (fun x => Rlt_dec _ _))) as [H|H].
+  - apply Exists_exists in H. destruct H as [d [D X]]. apply Exists_exists in X. exists d. auto.
+  - exfalso. assert (B : forall d, In d darts -> all_at_most v (tip d) (tip (along d)) (tip (along (along d))) theta_star).
+    { intros d D x X. apply Rnot_lt_le. intros Q. apply H, Exists_exists. exists d. split; [exact D|]. apply Exists_exists. exists x. auto. }
+    destruct (three_a0 _ _ _ _ _ _ _ star_link) as [d [D [_ [E0 [E1 E2]]]]].
+    { intros d D. apply (B d D). left. reflexivity. }
+    pose proof (star_triangle _ _ _ _ _ _ _ S) as R. pose proof (star_along _ _ _ _ _ _ _ S) as I.
+    unfold corner_angle in *. rewrite !R in E1 by auto. rewrite !R in E2 by auto.
+    apply (step_c v (tip d) (tip (along d)) (tip (along (along d)))); [exact (star_solid _ _ _ _ _ _ _ S d D)|auto|].
+    rewrite E0, (dihedral_sym v (tip (along d))), E1, E2. auto using ca0.
+Qed.
+End Star.
