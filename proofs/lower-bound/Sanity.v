@@ -62,28 +62,55 @@ Qed.
 Lemma turned_triangle A B C a b c : spherical_triangle A B C a b c -> spherical_triangle B C A b c a.
 Proof. intros []. split; assumption. Qed.
 
-Lemma darts_in d : (d <? 84)%nat = true -> In d darts.
-Proof. intros H. apply Nat.ltb_lt in H. apply in_seq. lia. Qed.
-Ltac each := let d := fresh in let H := fresh in
-  intros d H; unfold darts in H; simpl in H; repeat (destruct H as [<-|H]); [..|destruct H].
+(** The demands on numbers, by computation. *)
+Lemma computed (p : nat -> bool) : forallb p darts = true -> forall d, In d darts -> p d = true.
+Proof. intros H. apply forallb_forall. exact H. Qed.
+(** The kinds of corners: a0, 60 degrees, theta*. *)
+Definition kind d := if (d <? 12)%nat then 0%nat else if six d then 1%nat else 2%nat.
+Definition value k := match k with 0%nat => a0 T | 1%nat => PI / 3 | _ => T end.
+Lemma ang_value d : ang d = value (kind d).
+Proof. unfold ang, kind. destruct (d <? 12)%nat; [|destruct (six d)]; reflexivity. Qed.
+Definition long d := (d <? 12)%nat || (d mod 3 =? 1)%nat.
+Definition same (l m : list nat) := if list_eq_dec Nat.eq_dec l m then true else false.
+Lemma same_eq l m : same l m = true -> l = m.
+Proof. unfold same. destruct (list_eq_dec Nat.eq_dec l m); congruence. Qed.
+Definition kinds_five d := map kind [d; turn d; turn (turn d); turn (turn (turn d)); turn (turn (turn (turn d)))].
+Definition shape d := map kind [d; along d; along (along d)] ++ map (fun e => if long e then 1%nat else 0%nat) [along d; along (along d); d].
 
 Theorem equality_is_possible : link nat darts turn along six ang len /\ forall d, In d darts -> ang d <= theta_star.
 Proof.
   pose proof (between T T_range) as [B _]. pose proof T_acute. pose proof T_range. pose proof PI_RGT_0.
+  assert (M : forall d, (d <? 84)%nat = true -> In d darts) by (intros d Z; apply Nat.ltb_lt in Z; apply in_seq; lia).
   split; [split|].
   - apply seq_NoDup.
-  - each; apply darts_in; reflexivity.
-  - each; apply darts_in; reflexivity.
-  - each; reflexivity.
-  - each; reflexivity.
-  - each; reflexivity.
-  - each; first [reflexivity|discriminate].
-  - each; first [reflexivity|discriminate].
-  - each; first [reflexivity|discriminate].
-  - exists 12%nat. split; [apply darts_in|]; reflexivity.
-  - each; first [exact all_a0|exact hexagon_triangle|exact (turned_triangle _ _ _ _ _ _ hexagon_triangle)|exact (turned_triangle _ _ _ _ _ _ (turned_triangle _ _ _ _ _ _ hexagon_triangle))].
-  - each; reflexivity.
-  - each; first [discriminate|intros _; cbn; unfold a0; lra].
-  - each; first [discriminate|intros _; cbn; lra].
-  - each; cbn; lra.
+  - intros d D. apply M. apply (computed (fun d => turn d <? 84)%nat); [vm_compute; reflexivity|exact D].
+  - intros d D. apply M. apply (computed (fun d => along d <? 84)%nat); [vm_compute; reflexivity|exact D].
+  - intros d D. apply Nat.eqb_eq. apply (computed (fun d => along (along (along d)) =? d)%nat); [vm_compute; reflexivity|exact D].
+  - intros d D. apply Nat.eqb_eq. apply (computed (fun d => turn (along (turn (along d))) =? d)%nat); [vm_compute; reflexivity|exact D].
+  - intros d D. apply eqb_prop. apply (computed (fun d => Bool.eqb (six (turn d)) (six d))); [vm_compute; reflexivity|exact D].
+  - intros d D Z. apply Nat.eqb_eq. pose proof (computed (fun d => six d || (turn (turn (turn (turn (turn d)))) =? d)%nat) ltac:(vm_compute; reflexivity) d D) as Q.
+    cbv beta in Q. rewrite Z in Q. exact Q.
+  - intros d D Z. apply Nat.eqb_eq. pose proof (computed (fun d => negb (six d) || (turn (turn (turn (turn (turn (turn d))))) =? d)%nat) ltac:(vm_compute; reflexivity) d D) as Q.
+    cbv beta in Q. rewrite Z in Q. exact Q.
+  - intros d D Z. apply negb_true_iff. pose proof (computed (fun d => negb (six d) || negb (six (turn (along d)))) ltac:(vm_compute; reflexivity) d D) as Q.
+    cbv beta in Q. rewrite Z in Q. exact Q.
+  - exists 12%nat. split; [apply M|]; reflexivity.
+  - intros d D. pose proof (computed (fun d => existsb (same (shape d)) [[0;0;0;1;1;1]; [1;2;2;1;0;0]; [2;2;1;0;0;1]; [2;1;2;0;1;0]])%nat ltac:(vm_compute; reflexivity) d D) as Q.
+    cbv beta in Q. apply existsb_exists in Q. destruct Q as [l [Il Q]]. apply same_eq in Q.
+    rewrite !ang_value. unfold len. fold (long d) (long (along d)) (long (along (along d))).
+    unfold shape in Q. cbn [map app] in Q.
+    assert (X : forall e, (if long e then edge else spoke) = match (if long e then 1%nat else 0%nat) with 1%nat => edge | _ => spoke end) by (intros e; destruct (long e); reflexivity).
+    rewrite !X. destruct Il as [<-|[<-|[<-|[<-|[]]]]]; injection Q as -> -> -> -> -> ->; cbn [value].
+    + exact all_a0.
+    + exact hexagon_triangle.
+    + exact (turned_triangle _ _ _ _ _ _ hexagon_triangle).
+    + exact (turned_triangle _ _ _ _ _ _ (turned_triangle _ _ _ _ _ _ hexagon_triangle)).
+  - intros d D. pose proof (computed (fun d => Bool.eqb (long (turn (along d))) (long d)) ltac:(vm_compute; reflexivity) d D) as Q.
+    apply eqb_prop in Q. unfold len. fold (long d) (long (turn (along d))). rewrite Q. reflexivity.
+  - intros d D Z. pose proof (computed (fun d => six d || existsb (same (kinds_five d)) [[0;2;2;2;2]; [2;0;2;2;2]; [2;2;0;2;2]; [2;2;2;0;2]; [2;2;2;2;0]])%nat ltac:(vm_compute; reflexivity) d D) as Q.
+    cbv beta in Q. rewrite Z in Q. cbn [orb] in Q. apply existsb_exists in Q. destruct Q as [l [Il Q]]. apply same_eq in Q. unfold kinds_five in Q. cbn [map] in Q.
+    rewrite !ang_value. destruct Il as [<-|[<-|[<-|[<-|[<-|[]]]]]]; injection Q as -> -> -> -> ->; cbn [value]; unfold a0; lra.
+  - intros d D Z. pose proof (computed (fun d => negb (six d) || same (map kind [d; turn d; turn (turn d); turn (turn (turn d)); turn (turn (turn (turn d))); turn (turn (turn (turn (turn d))))]) [1;1;1;1;1;1])%nat ltac:(vm_compute; reflexivity) d D) as Q.
+    cbv beta in Q. rewrite Z in Q. cbn [orb negb] in Q. apply same_eq in Q. cbn [map] in Q. rewrite !ang_value. injection Q as -> -> -> -> -> ->. cbn [value]. lra.
+  - intros d D. rewrite ang_value. unfold value. destruct (kind d) as [|[|k]]; lra.
 Qed.

@@ -3,7 +3,7 @@
    The sections are those of docs/lower-bound.md; angles are in radians. *)
 From Coq Require Import Reals List.
 From Acutile Require Import Statement.
-From LowerBound Require Normals Corners Triangles Excess Link.
+From LowerBound Require Normals Corners Triangles Excess Steps Link Sanity.
 Open Scope R_scope.
 
 (* Section 4, Lemma 2: the faces have the names of the opposite vertices. *)
@@ -36,6 +36,18 @@ Check (LowerBound.Normals.proposition_4_angles : forall a b c d, vol (Tetrahedro
   (forall x, In x (dihedrals (Tetrahedron a b c d)) -> x < acos ((sqrt 33 - 1) / 16)) ->
   forall x, In x (dihedrals (Tetrahedron a b c d)) -> PI / 3 < x).
 
+(* Section 6, Steps A and B: angles of tetrahedra all of whose angles are at most theta_star *)
+Definition theta_star := acos (sqrt 3 / 6).
+Definition at_most_star t := forall x, In x (dihedrals t) -> x <= theta_star.
+Definition possible x := exists a b c d, vol (Tetrahedron a b c d) <> 0 /\ at_most_star (Tetrahedron a b c d) /\ In x (dihedrals (Tetrahedron a b c d)).
+Check (LowerBound.Steps.step_a_valence : forall l, (forall x, In x l -> possible x) -> fold_right Rplus 0 l = 2 * PI ->
+  length l = 5%nat \/ length l = 6%nat).
+Check (LowerBound.Steps.step_b_valence : forall u v w p r l m,
+  vol (Tetrahedron u v w p) <> 0 -> at_most_star (Tetrahedron u v w p) ->
+  vol (Tetrahedron u v w r) <> 0 -> at_most_star (Tetrahedron u v w r) ->
+  length l = 4%nat -> (forall x, In x l -> possible x) -> dihedral u v w p + dihedral u v w r + fold_right Rplus 0 l = 2 * PI ->
+  length m = 4%nat -> (forall x, In x m -> possible x) -> dihedral u w v p + dihedral u w v r + fold_right Rplus 0 m = 2 * PI -> False).
+
 (* Section 8: what is used of a spherical triangle with the angles A, B, C and the opposite sides a, b, c *)
 Definition side_rule (A B C a : R) := cos A + cos B * cos C = sin B * sin C * cos a.
 Check (LowerBound.Corners.Build_spherical_triangle : forall A B C a b c,
@@ -58,7 +70,6 @@ Check (LowerBound.Triangles.lemma_3 : forall theta, 2 * PI / 5 < theta < 5 * PI 
   forall a g g' l r r', spherical_triangle a g g' l r r' -> a <= theta -> g <= theta -> g' <= theta -> apex theta l <= a).
 Check (LowerBound.Triangles.lemma_3_at_most : forall theta, 2 * PI / 5 < theta < 5 * PI / 12 ->
   forall A B C l m n, spherical_triangle A B C l m n -> 0 < A <= theta -> 0 < B <= theta -> 0 < C <= theta -> apex theta l <= theta).
-Definition theta_star := acos (sqrt 3 / 6).
 Definition middle x := a0 theta_star <= x <= theta_star.
 Check (LowerBound.Excess.lemma_3_at_least : forall A B C l m n, spherical_triangle A B C l m n -> middle A -> middle B -> middle C ->
   PI / 3 <= apex theta_star l /\ (apex theta_star l = PI / 3 -> A = a0 theta_star /\ B = a0 theta_star /\ C = a0 theta_star)).
@@ -113,3 +124,29 @@ Check (LowerBound.Link.theorem_2 : forall dart v darts turn along tip six, Lower
 (* Section 6, Step C: Theorem 1 at such a vertex *)
 Check (LowerBound.Link.above_theta_star : forall dart v darts turn along tip six, LowerBound.Link.star dart v darts turn along tip six ->
   exists d, In d darts /\ exists x, In x (dihedrals (tetrahedron_of v tip along d)) /\ theta_star < x).
+
+(* Section 11: equality. A link with angles and lengths, and the example. *)
+Check (LowerBound.Link.Build_link : forall (dart : Type) darts (turn along : dart -> dart) six ang len,
+  NoDup darts ->
+  (forall d, In d darts -> In (turn d) darts) ->
+  (forall d, In d darts -> In (along d) darts) ->
+  (forall d, In d darts -> along (along (along d)) = d) ->
+  (forall d, In d darts -> turn (along (turn (along d))) = d) ->
+  (forall d, In d darts -> six (turn d) = six d) ->
+  (forall d, In d darts -> six d = false -> turn (turn (turn (turn (turn d)))) = d) ->
+  (forall d, In d darts -> six d = true -> turn (turn (turn (turn (turn (turn d))))) = d) ->
+  (forall d, In d darts -> six d = true -> six (turn (along d)) = false) ->
+  (exists d, In d darts /\ six d = true) ->
+  (forall d, In d darts -> spherical_triangle (ang d) (ang (along d)) (ang (along (along d))) (len (along d)) (len (along (along d))) (len d)) ->
+  (forall d, In d darts -> len (turn (along d)) = len d) ->
+  (forall d, In d darts -> six d = false ->
+    ang d + ang (turn d) + ang (turn (turn d)) + ang (turn (turn (turn d))) + ang (turn (turn (turn (turn d)))) = 2 * PI) ->
+  (forall d, In d darts -> six d = true ->
+    ang d + ang (turn d) + ang (turn (turn d)) + ang (turn (turn (turn d))) + ang (turn (turn (turn (turn d))))
+    + ang (turn (turn (turn (turn (turn d))))) = 2 * PI) ->
+  LowerBound.Link.link dart darts turn along six ang len).
+Check (LowerBound.Link.theorem_2_link : forall dart darts turn along six ang len, LowerBound.Link.link dart darts turn along six ang len ->
+  exists d, In d darts /\ theta_star <= ang d).
+Check (LowerBound.Sanity.equality_is_possible : let ang := LowerBound.Sanity.ang in let darts := seq 0 84 in
+  LowerBound.Link.link nat darts LowerBound.Sanity.turn LowerBound.Sanity.along LowerBound.Sanity.six ang LowerBound.Sanity.len /\
+  forall d, In d darts -> ang d <= theta_star).
