@@ -4,7 +4,7 @@
     the same name. [interval] of CoqInterval proves inequalities; equations between square roots are
     proved by [field]. The boxes of section 14, the geometry and the combinatorics are not here.
 
-    Build: make lower-bound. Needs Debian's libcoq-interval. *)
+    Build: make lower-bound-numbers. Needs Debian's libcoq-interval. *)
 
 From Coq Require Import Reals Lra.
 From Interval Require Import Tactic.

@@ -4,13 +4,17 @@
 #
 #   check.sh               check this folder
 #   check.sh --self-test   show that it fails on an injected Admitted, axiom, and the like
-#   check.sh --quick       without coqchk; --words, --axioms, --library, --coqchk: that part alone. These believe
+#   check.sh --quick       without coqchk; --words, --axioms, --bounds, --library, --coqchk: that part alone. These believe
 #                          compiled files that are newer than their sources; check.sh builds all anew
 set -eu
 cd "$(dirname "$0")"
 theorems="Numbers.z_theorem Numbers.nf_theorem Numbers.z_theorem2 Numbers.nf_theorem2
   RegionNumbers.z_region_theorem RegionNumbers.nf_region_theorem RegionNumbers.z_region_theorem2 RegionNumbers.nf_region_theorem2
   Bytes.accepted Bytes.bytes_theorem"
+bounds="Normals.lemma_2 Normals.corollary_a Normals.corollary_b Normals.corollary_c Normals.corollary_a_strict Normals.corollary_b_strict
+  Normals.corollary_c_strict Normals.proposition_4_angles Corners.corner Triangles.lemma_3 Triangles.lemma_3_at_most Excess.lemma_3_at_least
+  Triangles.lemma_4_sum Triangles.lemma_4_bounds Triangles.lemma_5 Excess.CT_below Excess.lemma_6_uuu Excess.lemma_6_utt Steps.step_a_valence
+  Steps.step_b_valence Link.theorem_2_link Link.theorem_2 Link.above_theta_star Sanity.equality_is_possible"
 axioms="Coq.Logic.Classical_Prop.classic
 Coq.Logic.FunctionalExtensionality.functional_extensionality_dep
 Coq.Reals.ClassicalDedekindReals.sig_forall_dec
@@ -20,7 +24,7 @@ fail() { echo "check.sh: $1" >&2; exit 1; }
 # 1. Words that leave something open, and hypotheses outside of a section, which are axioms.
 # The files that define the words of the theorems are the pinned ones.
 check_words() {
-    ./words.py theories/*.v >/dev/null || fail "a forbidden word or a hypothesis, above"
+    ./words.py theories/*.v lower-bound/*.v >/dev/null || fail "a forbidden word or a hypothesis, above"
     pinned=$(sed 's/^[0-9a-f]*  //' statements.sha256 | tr '\n' ' ')
     test "$pinned" = "Statement.v PlaneStatement.v RegionStatement.v PlaneRegionStatement.v Denote.v " || fail "statements.sha256 does not pin the five files"
     (cd theories && sha256sum --check --strict --quiet ../statements.sha256) || fail "a statement file is not the one of statements.sha256: read it, then pin it"
@@ -28,12 +32,23 @@ check_words() {
     test "$(head -1 _CoqProject)" = "-Q theories Acutile" || fail "_CoqProject has other options"
     test "$(tail -n +2 _CoqProject | LC_ALL=C sort)" = "$(printf '%s\n' theories/*.v | LC_ALL=C sort)" || fail "_CoqProject is not the list of theories/*.v"
     test -z "$(find theories -mindepth 2 -name '*.v*')" || fail "a folder inside of theories"
-    for file in CoqMakefile.local CoqMakefile.local-late; do test ! -e $file || fail "there is a file $file"; done
+    test "$(head -2 lower-bound/_CoqProject | tr '\n' ' ')" = "-Q ../theories Acutile -Q . LowerBound " || fail "lower-bound/_CoqProject has other options"
+    test "$(tail -n +3 lower-bound/_CoqProject | LC_ALL=C sort)" = "$(cd lower-bound && printf '%s\n' [A-Z]*.v | LC_ALL=C sort)" || fail "lower-bound/_CoqProject is not the list of its files"
+    for file in CoqMakefile.local CoqMakefile.local-late; do
+        test ! -e $file || fail "there is a file $file"
+        test ! -e lower-bound/$file || fail "there is a file lower-bound/$file"
+    done
 }
 
 # 2. Build from the sources that are there, and for a full check from nothing else.
-clean() { find theories -type f \( -name '*.vo' -o -name '*.vos' -o -name '*.vok' -o -name '*.glob' \) -delete && rm -f CoqMakefile CoqMakefile.conf .CoqMakefile.d; }
+clean() {
+    find theories lower-bound -type f \( -name '*.vo' -o -name '*.vos' -o -name '*.vok' -o -name '*.glob' \) -delete
+    for dir in . lower-bound; do (cd $dir && rm -f CoqMakefile CoqMakefile.conf .CoqMakefile.d); done
+}
 build() { coq_makefile -f _CoqProject -o CoqMakefile && make -s -j2 -f CoqMakefile >build.tmp 2>&1 || { cat build.tmp >&2; fail "the build"; }; }
+build_bounds() {
+    (cd lower-bound && coq_makefile -f _CoqProject -o CoqMakefile && make -s -j2 -f CoqMakefile) >build.tmp 2>&1 || { cat build.tmp >&2; fail "the build of lower-bound"; }
+}
 
 # 3. The types of the final theorems, and their axioms, by Print Assumptions: axioms.txt, names and types, for all of them
 # together, by their full names and by their short ones. For each alone it would take ten times as long.
@@ -54,12 +69,26 @@ check_axioms() {
     rm -r "$dir"
 }
 
+# The same for the lemmas of docs/lower-bound.md: folder lower-bound.
+check_bounds() {
+    dir=$(mktemp -d)
+    {
+        echo "From LowerBound Require Normals Corners Triangles Excess Steps Link Sanity. Set Printing All."
+        echo "Definition full := ($(printf '@LowerBound.%s, ' $bounds)I). Print Assumptions full."
+    } >"$dir/Axioms.v"
+    coqc -Q theories Acutile -Q lower-bound LowerBound "$dir/Axioms.v" >"$dir/out" || fail "Print Assumptions in lower-bound"
+    diff axioms.txt "$dir/out" >&2 || fail "the axioms of lower-bound are not those of axioms.txt"
+    cp lower-bound/types.v "$dir/Types.v"
+    coqc -Q theories Acutile -Q lower-bound LowerBound "$dir/Types.v" >"$dir/out" || fail "a theorem does not have the type of lower-bound/types.v"
+    rm -r "$dir"
+}
+
 # 4. All compiled files again, and the library files under them, by coqchk. The axioms of
 # all these files together, by their full names, are four.
 check_again() {
-    modules=$(sed -n 's#^theories/\(.*\)\.v$#Acutile.\1#p' _CoqProject)
+    modules="$(sed -n 's#^theories/\(.*\)\.v$#Acutile.\1#p' _CoqProject) $(sed -n 's#^\([A-Z].*\)\.v$#LowerBound.\1#p' lower-bound/_CoqProject)"
     # shellcheck disable=SC2086
-    coqchk -silent -o -Q theories Acutile $modules >coqchk.tmp 2>&1 || { tail -5 coqchk.tmp >&2; fail "coqchk"; }
+    coqchk -silent -o -Q theories Acutile -Q lower-bound LowerBound $modules >coqchk.tmp 2>&1 || { tail -5 coqchk.tmp >&2; fail "coqchk"; }
     found=$(sed -n '/^\* Axioms:/,/^\* Constants/p' coqchk.tmp | grep -v '^\*' | tr -d ' ' | grep . | sort)
     test "$found" = "$axioms" || { echo "$found" >&2; fail "coqchk: other axioms than expected"; }
     for kind in 'type-in-type' 'unsafe (co)fixpoints' 'positivity'; do
@@ -128,6 +157,12 @@ self_test() {
         Proof. intros H. destruct (bytes_theorem_all s k H) as [c [X [Y _]]]. exists c. auto. Qed.
         Notation "A /\ B" := (ltac:(let b := constr:(B) in lazymatch b with meaning _ => exact (and A True) | _ => exact (and A B) end)) (only parsing).' \
         Bytes.v 's/^Theorem bytes_theorem/&_all/; s/^Theorem accepted/&_all/; s/(accepted s k H)/(accepted_all s k H)/'
+    # the lemmas of the lower bounds
+    changed --words 'a lemma of lower-bound that is not built' "sed -i '/Excess/d' lower-bound/_CoqProject"
+    refused --words 'Lemma injected : 0 = 1. Proof. Admitted.' ../lower-bound/Normals.v
+    refused --bounds 'Axiom injected : 0 = 1. Theorem theorem_2 : 0 = 1. Proof injected.' ../lower-bound/Link.v 's/^Theorem theorem_2 /Theorem theorem_2_all /'
+    refused --bounds 'Theorem theorem_2 dart v darts turn along tip six : star dart v darts turn along tip six -> exists d : dart, In d darts.
+        Proof. intros S. destruct (star_some _ _ _ _ _ _ _ S) as [d [D _]]. exists d. exact D. Qed.' ../lower-bound/Link.v 's/^Theorem theorem_2 /Theorem theorem_2_all /'
     for option in --quick --axioms; do
         refused $option 'Axiom injected : 0 = 1. Theorem z_theorem : 0 = 1. Proof injected.'
         refused $option 'Axiom injected : 0 = 1. Theorem accepted : 0 = 1. Proof injected.'
@@ -141,7 +176,7 @@ self_test() {
     # coqchk looks at what no theorem uses
     refused --coqchk 'Module Classical_Prop. Hypothesis classic : 0 = 1. End Classical_Prop.'
 }
-copied() { dir=$(mktemp -d) && cp -rp theories _CoqProject check.sh words.py types.v statements.sha256 axioms.txt "$dir"; }
+copied() { dir=$(mktemp -d) && cp -rp theories lower-bound _CoqProject check.sh words.py types.v statements.sha256 axioms.txt "$dir"; }
 must_fail() { # OPTION WHAT: check.sh of the copy
     if "$dir/check.sh" ${1:+"$1"} >"$dir/log" 2>&1; then fail "accepted with $1: $2"; fi
     echo "refused with ${1:-everything}: $2 [$(tail -1 "$dir/log")]"
@@ -161,12 +196,13 @@ changed() { # OPTION WHAT COMMAND: after the command
 }
 
 case "${1:-}" in
---self-test) check_words && build && check_axioms && self_test ;;
---quick) check_words && build && check_axioms && echo "complete; coqchk not run" ;;
+--self-test) check_words && build && check_axioms && build_bounds && check_bounds && self_test ;;
+--quick) check_words && build && check_axioms && build_bounds && check_bounds && echo "complete; coqchk not run" ;;
 --words) check_words ;;
 --axioms) build && check_axioms ;;
---coqchk) build && check_again ;;
+--bounds) build && build_bounds && check_bounds ;;
+--coqchk) build && build_bounds && check_again ;;
 --library) build && check_library ;;
-"") check_words && clean && build && check_axioms && check_library && check_again && echo "complete: no open proof, and only these axioms:" && echo "$axioms" ;;
-*) fail "usage: check.sh [--self-test | --quick | --words | --axioms | --library | --coqchk]" ;;
+"") check_words && clean && build && check_axioms && build_bounds && check_bounds && check_library && check_again && echo "complete: no open proof, and only these axioms:" && echo "$axioms" ;;
+*) fail "usage: check.sh [--self-test | --quick | --words | --axioms | --bounds | --library | --coqchk]" ;;
 esac

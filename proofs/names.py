@@ -5,6 +5,7 @@
 - Every lemma, theorem and corollary there has such a note, or is named in proofs/README.md
   under "Without a counterpart".
 - Every "`path` (N lines" of docs/trust.md and proofs/README.md is true.
+- Every theorem that section 16 of docs/lower-bound.md names exists, and check.sh looks at its axioms.
 - proofs/README.md counts the certificates of the catalogue that CI proves (.ci/proofs) and those that it does not.
 """
 import pathlib, re, sys
@@ -58,6 +59,22 @@ def counts():
     return wrong, n
 
 
+def bounds():
+    """Which theorems of the table of docs/lower-bound.md do not exist or are not checked, and how many there are."""
+    wrong, n = [], 0
+    section = re.search(r"^## 16\. What Coq proves\n(.*?)^## ", (root / "docs/lower-bound.md").read_text(), re.M | re.S)[1]
+    checked = set(re.search(r'^bounds="(.*?)"', (here / "check.sh").read_text(), re.M | re.S)[1].split())
+    for file, names in re.findall(r"(\w+)\.v((?:, `\w+`)+)", section):
+        text = (here / "lower-bound" / f"{file}.v").read_text()
+        for name in re.findall(r"`(\w+)`", names):
+            n += 1
+            if not re.search(r"^(?:Lemma|Theorem) " + name + r"\b", text, re.M):
+                wrong.append(f"docs/lower-bound.md: {file}.v has no {name}")
+            elif f"{file}.{name}" not in checked:
+                wrong.append(f"check.sh does not look at {file}.{name}")
+    return wrong, n
+
+
 def catalogue():
     """What is wrong with the counts of certificates."""
     slow = re.search(r"minutes='/\((.*?)\)", (root / ".ci/proofs").read_text())[1].split("|")
@@ -70,9 +87,9 @@ def catalogue():
     return [f"proofs/README.md does not say: {words.strip()}" for words in true if words not in readme]
 
 
-(a, names), (b, lemmas), (c, lines) = notes(), heads(), counts()
-wrong = a + b + c + catalogue()
-if lemmas < 12 or names < 20 or lines < 5:
+(a, names), (b, lemmas), (c, lines), (d, theorems) = notes(), heads(), counts(), bounds()
+wrong = a + b + c + d + catalogue()
+if lemmas < 12 or names < 20 or lines < 5 or theorems < 20:
     wrong.append("too little was found to be checked")
-print("\n".join(wrong) or "all true:", f"{lemmas} lemmas, {names} names, {lines} counts of lines")
+print("\n".join(wrong) or "all true:", f"{lemmas} lemmas, {names} names, {lines} counts of lines, {theorems} theorems on lower bounds")
 sys.exit(bool(wrong))
