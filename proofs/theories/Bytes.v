@@ -231,14 +231,10 @@ Local Open Scope string_scope.
 (** The statement about planes that no simplex crosses, which has no theorem here. *)
 Definition names_a_plane (i : item) : bool :=
   match i with Array (Text name :: _) => String.eqb name "uncrossed plane" | _ => false end.
-(** The statement that a vertex is inside of a circumsphere, which has none either. *)
-Definition names_a_vertex_inside (i : item) : bool :=
-  match i with Text name => String.eqb name "not Delaunay" | _ => false end.
 Definition unreadable (k : item) : refusal :=
   match k with
   | Array [_; _; _; _; Array statements] | Array [_; _; _; _; _; Array statements] =>
     if existsb names_a_plane statements then Declined "the statement: this checker has no theorem about uncrossed planes"
-    else if existsb names_a_vertex_inside statements then Declined "the statement: this checker has no theorem about tilings that are not Delaunay"
     else Malformed "not of the shape of a certificate"
   | _ => Malformed "not of the shape of a certificate"
   end.
@@ -504,7 +500,7 @@ Proof.
   assert (HS' : forall st, In st (statement_of A inn s) -> holds l1 l2 l3 (rank k) (List.length (w_rows w)) (fun j => as_tetrahedron l1 l2 l3 (rows_as_simplices j)) (dstatement A phi st)).
   { intros st Hst. apply HS, in_map. unfold statements_of. apply in_flat_map. eauto. }
   unfold is_region in NR.
-  destruct s as [| | |rel sg p q|rel sg p q|rel p q| | | | |]; cbn [fit_sentence] in FS; try discriminate; cbn [space_sentence];
+  destruct s as [| | |rel sg p q|rel sg p q|rel p q| | | | | |]; cbn [fit_sentence] in FS; try discriminate; cbn [space_sentence];
     [destruct (region_of k); try discriminate; exact T|..];
     specialize (HS' _ (or_introl eq_refl)); cbn [dstatement holds] in HS'; unfold dangle in HS'; rewrite ?inn_ok in HS' by assumption; exact HS'.
 Qed.
@@ -524,7 +520,7 @@ Proof.
   assert (HS' : forall st, In st (region_statement_of A inn s) -> holds_in_region l1 l2 l3 (rank k) (List.length (w_rows w)) (fun j => as_tetrahedron l1 l2 l3 (rows_as_simplices j)) (rdstatement A phi st)).
   { intros st Hst. apply HS, in_map. unfold region_statements_of. apply in_flat_map. eauto. }
   unfold is_region in RG.
-  destruct s as [| | |rel sg p q|rel sg p q|rel p q| | | | |]; cbn [fit_sentence] in FS; cbn [space_sentence];
+  destruct s as [| | |rel sg p q|rel sg p q|rel p q| | | | | |]; cbn [fit_sentence] in FS; cbn [space_sentence];
     [destruct (region_of k); try discriminate; exact T|..];
     specialize (HS' _ (or_introl eq_refl)); cbn [rdstatement holds_in_region dstatement holds] in HS'; unfold dangle in HS'; rewrite ?inn_ok in HS' by assumption; exact HS'.
 Qed.
@@ -699,7 +695,7 @@ Proof.
   assert (HS' : forall st, In st (statement_of A inn s) -> holds2 l1 l2 (rank k) (List.length (w_rows w)) (fun j => as_triangle l1 l2 (triangles_as_simplices ts j)) (dstatement A phi st)).
   { intros st Hst. apply HS, in_map. unfold statements_of. apply in_flat_map. eauto. }
   unfold is_region in NR.
-  destruct s as [| | |rel sg p q|rel sg p q|rel p q| | | | |]; cbn [fit_sentence] in FS; try discriminate; cbn [plane_sentence];
+  destruct s as [| | |rel sg p q|rel sg p q|rel p q| | | | | |]; cbn [fit_sentence] in FS; try discriminate; cbn [plane_sentence];
     [destruct (region_of k); try discriminate; exact T|..];
     specialize (HS' _ (or_introl eq_refl)); cbn [dstatement holds2] in HS'; unfold dangle in HS'; rewrite ?inn_ok in HS' by assumption; exact HS'.
 Qed.
@@ -719,7 +715,7 @@ Proof.
   assert (HS' : forall st, In st (region_statement_of A inn s) -> holds_in_region2 l1 l2 (rank k) (List.length (w_rows w)) (fun j => as_triangle l1 l2 (triangles_as_simplices ts j)) (rdstatement A phi st)).
   { intros st Hst. apply HS, in_map. unfold region_statements_of. apply in_flat_map. eauto. }
   unfold is_region in RG.
-  destruct s as [| | |rel sg p q|rel sg p q|rel p q| | | | |]; cbn [fit_sentence] in FS; cbn [plane_sentence];
+  destruct s as [| | |rel sg p q|rel sg p q|rel p q| | | | | |]; cbn [fit_sentence] in FS; cbn [plane_sentence];
     [destruct (region_of k); try discriminate; exact T|..];
     specialize (HS' _ (or_introl eq_refl)); cbn [rdstatement holds_in_region2 dstatement holds2] in HS'; unfold dangle in HS'; rewrite ?inn_ok in HS' by assumption; exact HS'.
 Qed.

@@ -275,6 +275,19 @@ Definition chk_power (less : A -> A -> bool) g den (kts : list ktet) (t : ctet) 
 Definition chk_delaunay (less : A -> A -> bool) (c : cert) :=
   let kts := positions c in
   forallb (fun t => forallb (chk_power less (c_gram c) (c_den c) kts t (kpos (c_den c) (c_verts c) t)) I4) (c_tets c).
+(** Not Delaunay: the power of a mate's opposite vertex is negative. *)
+Definition chk_inside_at (c : cert) (kts : list ktet) (kt : ktet) (m : mref) : bool :=
+  match m with
+  | None => false
+  | Some (k', i', d) =>
+    match nth_error kts (N.to_nat k') with
+    | None => false
+    | Some kt' => N.ltb i' 4 && latb (c_rank c) d && alt zero (kpower (c_gram c) kt (vadd (kvx kt' (N.to_nat i')) (vofZ (c_den c) d)))
+    end
+  end.
+Definition chk_not_delaunay (c : cert) : bool :=
+  let kts := positions c in
+  existsl (fun t => let kt := kpos (c_den c) (c_verts c) t in existsl (fun i => chk_inside_at c kts kt (mt t i)) I4) (c_tets c).
 
 (** The statements of a claim. The bound of an angle is given by the sign and the square p/q
     of its cosine, that of a ratio by p/q. *)
@@ -283,7 +296,7 @@ Inductive cstatement :=
   | CLargestDihedralAngle (rel : relation) (sg : Z) (p : A) (q : Z)
   | CSmallestDihedralAngle (rel : relation) (sg : Z) (p : A) (q : Z)
   | CSquaredRadiusEdgeRatio (rel : relation) (p : A) (q : Z)
-  | CDelaunay | CWeaklyDelaunay | CTCP.
+  | CDelaunay | CWeaklyDelaunay | CNotDelaunay | CTCP.
 Definition check_statement (c : cert) (s : cstatement) : bool :=
   let g := c_gram c in
   let all f := forallb (fun t => forallb (on_edge f) (six t)) (positions c) in
@@ -299,6 +312,7 @@ Definition check_statement (c : cert) (s : cstatement) : bool :=
     Z.ltb 0 q && alt zero p && related rel (chk_radius g p q) (positions c)
   | CDelaunay => chk_delaunay alt c
   | CWeaklyDelaunay => chk_delaunay ale c
+  | CNotDelaunay => chk_not_delaunay c
   | CTCP => Nat.eqb (c_rank c) 3 && chk_tcp (c_tets c)
   end.
 Definition check (c : cert) (ss : list cstatement) : bool := check_tiling c && forallb (check_statement c) ss.

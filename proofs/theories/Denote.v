@@ -71,7 +71,7 @@ Inductive sentence :=
   | LargestAngle (rel : relation) (sign : Z) (p : number) (q : Z)
   | SmallestAngle (rel : relation) (sign : Z) (p : number) (q : Z)
   | SquaredRatio (rel : relation) (p : number) (q : Z)
-  | IsDelaunay | IsWeaklyDelaunay | IsLocallyDelaunay | IsLocallyWeaklyDelaunay | IsTCP.
+  | IsDelaunay | IsWeaklyDelaunay | IsLocallyDelaunay | IsLocallyWeaklyDelaunay | IsNotDelaunay | IsTCP.
 Record tiling_claim := TilingClaim {
   dimension : nat; over : field; gram_rows : list (list number); region_of : region; sentences : list sentence }.
 (** A corner: a vertex, and the shift, empty if it is zero. A row: its corners; its sixes if TCP is stated. *)
@@ -135,6 +135,7 @@ Definition sentence_item (f : field) (s : sentence) : item :=
   | IsWeaklyDelaunay => Text "weakly Delaunay"
   | IsLocallyDelaunay => Text "locally Delaunay"
   | IsLocallyWeaklyDelaunay => Text "locally weakly Delaunay"
+  | IsNotDelaunay => Text "not Delaunay"
   | IsTCP => Text "TCP"
   end.
 Definition claim_items (k : tiling_claim) (parameters : list item) : item :=
@@ -264,6 +265,7 @@ Definition space_sentence (l1 l2 l3 : point) (s : sentence) : Prop :=
   | IsWeaklyDelaunay => weakly_delaunay l1 l2 l3 r n P
   | IsLocallyDelaunay => locally_delaunay l1 l2 l3 r n P
   | IsLocallyWeaklyDelaunay => locally_weakly_delaunay l1 l2 l3 r n P
+  | IsNotDelaunay => not_delaunay l1 l2 l3 r n P
   | IsTCP => tcp l1 l2 l3 r n P
   end.
 Definition plane_sentence (l1 l2 : point2) (s : sentence) : Prop :=
@@ -283,6 +285,7 @@ Definition plane_sentence (l1 l2 : point2) (s : sentence) : Prop :=
   | IsWeaklyDelaunay => weakly_delaunay2 l1 l2 r n P
   | IsLocallyDelaunay => locally_delaunay2 l1 l2 r n P
   | IsLocallyWeaklyDelaunay => locally_weakly_delaunay2 l1 l2 r n P
+  | IsNotDelaunay => not_delaunay2 l1 l2 r n P
   | IsTCP => False
   end.
 (** There are bases with the Gram matrix, and for all of them every sentence holds. Any two of them

@@ -88,7 +88,7 @@ Definition sentence_place (s : sentence) : nat :=
   | LargestAngle rel _ _ _ => 10 + relation_place rel
   | SmallestAngle rel _ _ _ => 20 + relation_place rel
   | SquaredRatio rel _ _ => 30 + relation_place rel
-  | IsDelaunay => 40 | IsWeaklyDelaunay => 41 | IsLocallyDelaunay => 42 | IsLocallyWeaklyDelaunay => 43 | IsTCP => 44
+  | IsDelaunay => 40 | IsWeaklyDelaunay => 41 | IsLocallyDelaunay => 42 | IsLocallyWeaklyDelaunay => 43 | IsNotDelaunay => 44 | IsTCP => 45
   end.
 Fixpoint increasing (l : list nat) : bool :=
   match l with a :: (b :: _) as r => Nat.ltb a b && increasing r | _ => true end.
@@ -353,6 +353,7 @@ Definition statement_of (s : sentence) : list (cstatement A) :=
   | IsDelaunay => [CDelaunay A]
   | IsWeaklyDelaunay => [CWeaklyDelaunay A]
   | IsLocallyDelaunay | IsLocallyWeaklyDelaunay => []
+  | IsNotDelaunay => [CNotDelaunay A]
   | IsTCP => [CTCP A]
   end.
 Definition region_statement_of (s : sentence) : list (rstatement A) :=

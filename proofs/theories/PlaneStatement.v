@@ -100,6 +100,7 @@ Definition weakly_delaunay2 := forall c, is_tile2 c -> exists C s, circumscribed
   forall v, is_vertex2 v -> s <= distance_squared2 v C.
 Definition delaunay2 := forall c, is_tile2 c -> exists C s, circumscribed2 (tile2 c) C s /\
   forall v, is_vertex2 v -> s <= distance_squared2 v C /\ (distance_squared2 v C = s -> In v (corners (tile2 c))).
+Definition not_delaunay2 := exists c C s v, is_tile2 c /\ circumscribed2 (tile2 c) C s /\ is_vertex2 v /\ distance_squared2 v C < s.
 End Tilings.
 
 (** The statements of Statement.v; the dihedral angles of a triangle are its angles, and
@@ -113,5 +114,6 @@ Definition holds2 (l1 l2 : point2) (r N : nat) (P : nat -> triangle2) (s : state
   | SquaredRadiusEdgeRatio rel B => squared_radius_edge_ratio2 l1 l2 r N P rel B
   | Delaunay => delaunay2 l1 l2 r N P
   | WeaklyDelaunay => weakly_delaunay2 l1 l2 r N P
+  | NotDelaunay => not_delaunay2 l1 l2 r N P
   | TCP => False
   end.

@@ -140,6 +140,7 @@ Definition read_sentence (f : field) (i : item) : option sentence :=
   | Text "weakly Delaunay" => Some IsWeaklyDelaunay
   | Text "locally Delaunay" => Some IsLocallyDelaunay
   | Text "locally weakly Delaunay" => Some IsLocallyWeaklyDelaunay
+  | Text "not Delaunay" => Some IsNotDelaunay
   | Text "TCP" => Some IsTCP
   | _ => None
   end.

@@ -165,6 +165,7 @@ Definition dstatement (s : cstatement) : statement :=
   | CSquaredRadiusEdgeRatio _ rel p q => SquaredRadiusEdgeRatio rel (phi p / IZR q)
   | CDelaunay _ => Delaunay
   | CWeaklyDelaunay _ => WeaklyDelaunay
+  | CNotDelaunay _ => NotDelaunay
   | CTCP _ => TCP
   end.
 End Denote.
@@ -1034,6 +1035,49 @@ Proof.
     apply Rmult_lt_reg_l with (vol (phiT (kpos den vs t))); auto. rewrite PP by lra. lra.
 Qed.
 
+(** Not Delaunay: a vertex with a negative power is inside. *)
+Lemma inside_at_sound k t m : nth_error (c_tets c) k = Some t ->
+  chk_inside_at A aadd asub amul aofZ alt c (positions c) (kpos den vs t) m = true ->
+  exists k' i' d, m = Some (k', i', d) /\ In (N.to_nat i') I4 /\ is_tile r N (N.to_nat k', d) /\ is_tile r N (k, z30) /\
+  let P := tile l1 l2 l3 cP (k, z30) in
+  distance_squared (vx (tile l1 l2 l3 cP (N.to_nat k', d)) (N.to_nat i')) (circumcentre P) < distance_squared (va P) (circumcentre P).
+Proof.
+  intros Et H. unfold Checker.chk_inside_at in H. destruct m as [[[k' i'] d]|]; [|discriminate]. exists k', i', d. split; auto.
+  unfold Checker.positions in H. fold den vs in H. rewrite nth_error_map in H.
+  destruct (nth_error (c_tets c) (N.to_nat k')) as [t'|] eqn:E'; [|discriminate]. cbn [option_map] in H.
+  rewrite !andb_true_iff, N.ltb_lt in H. destruct H as [[Hi Hd] H]. fold r in Hd.
+  assert (Hk : (k < N)%nat) by (apply nth_error_Some; congruence).
+  assert (Hk' : (N.to_nat k' < N)%nat) by (apply nth_error_Some; congruence).
+  assert (V : valid (k, z30)) by (split; [exact Hk|apply latb_zero]).
+  assert (V' : valid (N.to_nat k', d)) by (split; auto).
+  split; [apply I4_lt; lia|]. split; [apply valid_is_tile, V'|]. split; [apply valid_is_tile, V|]. cbv zeta.
+  rewrite !tile_cP. pose proof (pvol k z30 Hk) as P. pose proof (power_distance (piece (k, z30)) (vx (piece (N.to_nat k', d)) (N.to_nat i')) P) as PD. cbv zeta in PD.
+  assert (EV : vx (Euclid.Et b1 b2 b3 (piece (N.to_nat k', d))) (N.to_nat i') = e (vx (piece (N.to_nat k', d)) (N.to_nat i'))).
+  { destruct (N.to_nat i') as [|[|[|?]]]; reflexivity. }
+  rewrite EV. change (va (Euclid.Et b1 b2 b3 (piece (k, z30)))) with (e (va (piece (k, z30)))).
+  apply alt_ok in H. rewrite phi_zero, phi_power, phi3_add, phi3_ofZ, phi_vx in H. fold h G in H.
+  assert (PT : piece (k, z30) = phiT (kpos den vs t)).
+  { unfold Degree.piece; cbn [fst snd]. rewrite (cT_eq k t Et). apply ttr0. }
+  assert (PV : vx (piece (N.to_nat k', d)) (N.to_nat i') = add (vx (phiT (kpos den vs t')) (N.to_nat i')) (vec h d)).
+  { unfold Degree.piece; cbn [fst snd]. rewrite (cT_eq _ t' E'). apply vx_translate'. }
+  rewrite <- PV, <- PT in H.
+  pose proof (power_power_sum G (piece (k, z30)) (vx (piece (N.to_nat k', d)) (N.to_nat i')) ltac:(lra)) as PP.
+  pose proof s_pos. cut (s * power G (piece (k, z30)) (vx (piece (N.to_nat k', d)) (N.to_nat i')) < 0); [lra|].
+  assert (power G (piece (k, z30)) (vx (piece (N.to_nat k', d)) (N.to_nat i')) < 0).
+  { apply Rmult_lt_reg_l with (vol (piece (k, z30))); auto. lra. }
+  apply Rmult_lt_reg_l with (/ s); [apply Rinv_0_lt_compat; auto|]. rewrite <- Rmult_assoc, Rinv_l by lra. lra.
+Qed.
+Theorem not_delaunay_sound : chk_not_delaunay A aadd asub amul aofZ alt c = true -> not_delaunay l1 l2 l3 r N cP.
+Proof.
+  intros H. unfold Checker.chk_not_delaunay in H. rewrite existsl_eq, existsb_exists in H. destruct H as [t [It H]].
+  rewrite existsl_eq, existsb_exists in H. destruct H as [i [_ H]]. apply In_nth_error in It as [k Et].
+  destruct (inside_at_sound k t _ Et H) as [k' [i' [d [_ [Hi [V' [V D]]]]]]]. cbv zeta in D.
+  eexists. eexists. eexists. eexists. split; [exact V|]. split; [apply circumscribed_centre|split; [|exact D]].
+  - rewrite tile_cP, vol_Et. apply valid_is_tile in V. pose proof (pvol k z30 (proj1 V)).
+    apply Rmult_integral_contrapositive_currified; [lra|apply cdetb].
+  - eexists. split; [exact V'|apply vx_In, Hi].
+Qed.
+
 (** *** Valences *)
 (** The name of a vertex of a tile: the corner, moved with the tile. *)
 Definition names (cc : cell) : list corner :=
@@ -1259,7 +1303,7 @@ Qed.
 (** *** All statements *)
 Theorem statement_sound st : check_statement c st = true -> holds l1 l2 l3 r N cP (dstatement st).
 Proof.
-  intros H. destruct st as [| |rel sg p q|rel sg p q|rel p q| | |]; cbn [Checker.check_statement dstatement holds] in *; cbv zeta in H.
+  intros H. destruct st as [| |rel sg p q|rel sg p q|rel p q| | | |]; cbn [Checker.check_statement dstatement holds] in *; cbv zeta in H.
   - exact (each_angle _ (fun x => x < PI / 2) acute_sound H).
   - exact (each_angle _ (fun x => x <= PI / 2) nonobtuse_sound H).
   - apply andb_true_iff in H as [B H]. apply largest_sound; auto.
@@ -1288,6 +1332,7 @@ Proof.
     { rewrite tile_cP, vol_Et. apply Rmult_integral_contrapositive_currified; [lra|apply cdetb]. }
     exists (circumcentre (tile l1 l2 l3 cP cc)), (distance_squared (va (tile l1 l2 l3 cP cc)) (circumcentre (tile l1 l2 l3 cP cc))).
     split; [apply circumscribed_centre; auto|]. intros v Hv. apply (weakly_sound ale ale_ok H cc v Hc Hv).
+  - apply not_delaunay_sound, H.
   - apply tcp_sound, H.
 Qed.
 End Basis.

@@ -230,6 +230,9 @@ Definition weakly_delaunay := forall c, is_tile c -> exists C s, circumscribed (
 Definition delaunay := forall c, is_tile c -> exists C s, circumscribed (tile c) C s /\
   forall v, is_vertex v -> s <= distance_squared v C /\ (distance_squared v C = s -> In v (verts (tile c))).
 
+(** "not Delaunay": the circumscribed ball of some tile has a vertex in its interior. *)
+Definition not_delaunay := exists c C s v, is_tile c /\ circumscribed (tile c) C s /\ is_vertex v /\ distance_squared v C < s.
+
 (** "TCP", tetrahedrally close packed.  The valence of an edge uv is the number of
     tiles that have it; it is 5 or 6, and no triangle has two edges of valence 6. *)
 Definition has_vertices (vs : list point) (c : nat * (Z * Z * Z)) := is_tile c /\ forall v, In v vs -> In v (verts (tile c)).
@@ -246,7 +249,7 @@ Inductive statement :=
   | Acute | Nonobtuse
   | LargestDihedralAngle (rel : relation) (B : R) | SmallestDihedralAngle (rel : relation) (B : R)
   | SquaredRadiusEdgeRatio (rel : relation) (B : R)
-  | Delaunay | WeaklyDelaunay | TCP.
+  | Delaunay | WeaklyDelaunay | NotDelaunay | TCP.
 Definition holds (l1 l2 l3 : point) (r N : nat) (P : nat -> tetrahedron) (s : statement) : Prop :=
   match s with
   | Acute => acute l1 l2 l3 r N P
@@ -256,5 +259,6 @@ Definition holds (l1 l2 l3 : point) (r N : nat) (P : nat -> tetrahedron) (s : st
   | SquaredRadiusEdgeRatio rel B => squared_radius_edge_ratio l1 l2 l3 r N P rel B
   | Delaunay => delaunay l1 l2 l3 r N P
   | WeaklyDelaunay => weakly_delaunay l1 l2 l3 r N P
+  | NotDelaunay => not_delaunay l1 l2 l3 r N P
   | TCP => tcp l1 l2 l3 r N P
   end.

@@ -4,7 +4,7 @@
 //! runs the checker of `Bytes.v`, which is proved sound. So nothing here is trusted: the theorem is
 //! about the bytes and the claim that the file shows, and a mistake makes `coqc` fail.
 //!
-//! The statements about uncrossed planes and "not Delaunay" are left out: the development does not treat them.
+//! The statement about uncrossed planes is left out: the development does not treat it.
 
 use acutile_core::format::family::{End, FamilyClaim, Parameter, Term, Value};
 use acutile_core::format::{
@@ -18,8 +18,6 @@ use std::fmt;
 pub enum NotATheorem {
     /// The soundness of uncrossed planes is proved on paper only.
     Plane,
-    /// And that of vertices inside of circumspheres.
-    NotDelaunay,
 }
 
 impl fmt::Display for NotATheorem {
@@ -27,9 +25,6 @@ impl fmt::Display for NotATheorem {
         match self {
             NotATheorem::Plane => {
                 f.write_str("the Coq development does not treat the statement \"uncrossed plane\"")
-            }
-            NotATheorem::NotDelaunay => {
-                f.write_str("the Coq development does not treat the statement \"not Delaunay\"")
             }
         }
     }
@@ -61,7 +56,7 @@ pub fn coq_file(cbor: &[u8]) -> Result<String, String> {
 /// The file for the certificate with these bytes and this claim, whether or not it is true.
 ///
 /// # Errors
-/// [`NotATheorem`] for uncrossed planes and the statement `not Delaunay`.
+/// [`NotATheorem`] for uncrossed planes.
 pub fn coq_theorem(certificate: &[u8], claim: &Claim) -> Result<String, NotATheorem> {
     let members = claim_members(claim)?;
     Ok(theorem(certificate, "", &format!("OfTiling {members}")))
@@ -70,7 +65,7 @@ pub fn coq_theorem(certificate: &[u8], claim: &Claim) -> Result<String, NotATheo
 /// The file for a certificate of the kind `family`, as [`coq_theorem`].
 ///
 /// # Errors
-/// [`NotATheorem`] for the statement `not Delaunay`.
+/// As [`coq_theorem`]; a family has no uncrossed planes.
 pub fn coq_family_theorem(certificate: &[u8], claim: &FamilyClaim) -> Result<String, NotATheorem> {
     let parameters = list(&claim.parameters, parameter);
     let members = claim_members(&claim.claim)?;
@@ -234,7 +229,7 @@ fn statement(statement: &Statement) -> Result<String, NotATheorem> {
         Statement::WeaklyDelaunay => "IsWeaklyDelaunay".to_owned(),
         Statement::LocallyDelaunay => "IsLocallyDelaunay".to_owned(),
         Statement::LocallyWeaklyDelaunay => "IsLocallyWeaklyDelaunay".to_owned(),
-        Statement::NotDelaunay => return Err(NotATheorem::NotDelaunay),
+        Statement::NotDelaunay => "IsNotDelaunay".to_owned(),
         Statement::Tcp => "IsTCP".to_owned(),
     })
 }
