@@ -241,6 +241,7 @@ Definition fast_statement (c : cert A) (kts : list ktet) (km : PositiveMap.t kte
     chk_bound A aofZ alt ale sg p q && related rel (fun t => test_smallest (angles sg p q) (six A t)) kts
   | CSquaredRadiusEdgeRatio _ rel p q =>
     Z.ltb 0 q && alt zero p && related rel (chk_radius A aadd asub amul aofZ alt ale g p q) kts
+  | CUncrossed _ n p q part => Z.ltb 0 q && forallb (chk_uncrossed A aadd asub amul aofZ ale part (c_den A c) (c_rank A c) n p q) kts
   | CDelaunay _ => fast_delaunay alt c kts km
   | CWeaklyDelaunay _ => fast_delaunay ale c kts km
   | CNotDelaunay _ => fast_not_delaunay c kts km

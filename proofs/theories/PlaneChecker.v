@@ -124,6 +124,8 @@ Definition check_statement2 (c : cert2) (s : cstatement A) : bool :=
   | CSmallestDihedralAngle _ rel sg p q =>
     chk_bound A aofZ alt ale sg p q && related rel (fun t => test_smallest (angles sg p q) (three c t)) (e_tris c)
   | CSquaredRadiusEdgeRatio _ rel p q => Z.ltb 0 q && alt zero p && related rel (chk_radius2 c p q) (e_tris c)
+  | CUncrossed _ (c1, c2, _) p q part => let c3 := lift c in
+    Z.ltb 0 q && forallb (chk_uncrossed A aadd asub amul aofZ ale part (c_den A c3) (c_rank A c3) (c1, c2, 0%Z) p q) (positions A aadd aofZ c3)
   | CDelaunay _ => let c3 := lift c in
     chk_delaunay A aadd asub amul aofZ ale c3 && chk_edges c3 (positions A aadd aofZ c3) (c_tets A c3)
   | CWeaklyDelaunay _ => chk_delaunay A aadd asub amul aofZ ale (lift c)

@@ -689,6 +689,24 @@ Proof.
   eexists. eexists. eexists. exists v. split; [exact T|]. split; [exact C2|]. split; [eexists; split; [exact T'|exact Iv]|]. lra.
 Qed.
 
+(** *** Lines that no triangle crosses: planes that no tetrahedron crosses *)
+Theorem uncrossed_sound2 part c1 c2 p q : 0 < IZR q ->
+  forallb (chk_uncrossed A aadd asub amul aofZ ale part (c_den A c3) (c_rank A c3) (c1, c2, 0%Z) p q) (positions A aadd aofZ c3) = true ->
+  uncrossed2 l1 l2 r N T2 (c1, c2) (IZR p / IZR q).
+Proof.
+  intros Q H [k n] Ht.
+  pose proof (uncrossed_sound A aadd asub amul aofZ alt ale phi phi_add phi_sub phi_mul phi_Z alt_ok ale_ok c3 base3 L1 L2 L3 lift_gram part _ p q Q H) as U.
+  rewrite <- (dtet_cP A aadd asub amul aofZ alt phi phi_add phi_Z c3 base3) in U.
+  destruct (over_tile k n Ht) as [e [[A1 A2] _]]. specialize (U _ A2). rewrite A1 in U.
+  assert (K : forall x, hull2 (tile2 (k, n)) (at_coordinates2 l1 l2 x) -> hull (overA e (tile2 (k, n))) (at_coordinates L1 L2 L3 (up 0 x)) /\
+    linear_form (c1, c2, 0%Z) (up 0 x) = IZR c1 * x2 x + IZR c2 * y2 x).
+  { intros x Hx. split.
+    - replace (at_coordinates L1 L2 L3 (up 0 x)) with (up 0 (at_coordinates2 l1 l2 x)); [apply bottom, Hx|].
+      unfold at_coordinates, at_coordinates2, L1, L2, L3, up. apply point_eq; unf; unf2; ring.
+    - unfold linear_form, up; cbn [px py pz]. ring. }
+  cbn [fst snd]. destruct U as [U|U]; [left|right]; intros x Hx; destruct (K x Hx) as [K1 <-]; apply U, K1.
+Qed.
+
 Section Tiling.
 Hypothesis chk3 : check_tiling A aadd asub amul aofZ alt ale c3 = true.
 Let S3 := tiling_sound A aadd asub amul aofZ alt ale phi phi_add phi_sub phi_mul phi_Z alt_ok ale_ok c3 base3 chk3 L1 L2 L3 lift_gram.
@@ -819,12 +837,13 @@ End Tiling.
 Lemma each_sound2 st : check_statement2 A aadd asub amul aofZ alt ale c st = true ->
   match st with CDelaunay _ | CWeaklyDelaunay _ => True | _ => holds2 l1 l2 r N T2 (dstatement A phi st) end.
 Proof.
-  intros H. destruct st as [| |rel sg p q|rel sg p q|rel p q| | | |]; auto; cbn [check_statement2 dstatement holds2] in *; cbv zeta in H; change (c_gram A (lift c)) with (c_gram A c3) in H.
+  intros H. destruct st as [| |rel sg p q|rel sg p q|rel p q|n p q part| | | |]; auto; cbn [check_statement2 dstatement holds2] in *; cbv zeta in H; change (c_gram A (lift c)) with (c_gram A c3) in H.
   - exact (each_angle2 _ (fun x => x < PI / 2) (acute_sound A aadd asub amul aofZ alt phi phi_add phi_sub phi_mul phi_Z alt_ok c3 base3 L1 L2 L3 lift_gram) H).
   - exact (each_angle2 _ (fun x => x <= PI / 2) (nonobtuse_sound A aadd asub amul aofZ alt ale phi phi_add phi_sub phi_mul phi_Z ale_ok c3 base3 L1 L2 L3 lift_gram) H).
   - apply andb_true_iff in H as [B H]. apply largest_sound2; auto.
   - apply andb_true_iff in H as [B H]. apply smallest_sound2; auto.
   - apply andb_true_iff in H as [B H]. apply andb_true_iff in B as [B _]. apply Z.ltb_lt, IZR_lt in B. apply radius_sound2; auto.
+  - destruct n as [[c1 c2] ?]. cbv beta iota in H |- *. apply andb_true_iff in H as [B H]. apply Z.ltb_lt, IZR_lt in B. apply (uncrossed_sound2 part); auto.
   - apply not_delaunay_sound2, H.
   - discriminate.
 Qed.

@@ -221,6 +221,13 @@ Definition circumscribed (t : tetrahedron) (C : point) (s : R) := forall v, In v
 Definition squared_ratio (t : tetrahedron) (q : R) := exists C s l, circumscribed t C s /\ smallest (squared_edges t) l /\ q = s / l.
 Definition squared_radius_edge_ratio := bounded is_tile (fun c => squared_ratio (tile c)).
 
+(** "uncrossed plane": the points with the basis coordinates x and c1 x1 + c2 x2 + c3 x3 = b, for
+    c = (c1, c2, c3), are a plane.  Each tile lies in one of its two closed sides. *)
+Definition linear_form (c : Z * Z * Z) (x : point) : R := let '(c1, c2, c3) := c in IZR c1 * px x + IZR c2 * py x + IZR c3 * pz x.
+Definition uncrossed (c : Z * Z * Z) (b : R) := forall t, is_tile t ->
+  (forall x, hull (tile t) (at_coordinates l1 l2 l3 x) -> linear_form c x <= b) \/
+  (forall x, hull (tile t) (at_coordinates l1 l2 l3 x) -> b <= linear_form c x).
+
 (** "Delaunay": the circumscribed ball of every tile has no vertex in its
     interior and none but the tile's own on its boundary; "weakly Delaunay": none in
     its interior. *)
@@ -249,6 +256,7 @@ Inductive statement :=
   | Acute | Nonobtuse
   | LargestDihedralAngle (rel : relation) (B : R) | SmallestDihedralAngle (rel : relation) (B : R)
   | SquaredRadiusEdgeRatio (rel : relation) (B : R)
+  | Uncrossed (c : Z * Z * Z) (b : R)
   | Delaunay | WeaklyDelaunay | NotDelaunay | TCP.
 Definition holds (l1 l2 l3 : point) (r N : nat) (P : nat -> tetrahedron) (s : statement) : Prop :=
   match s with
@@ -257,6 +265,7 @@ Definition holds (l1 l2 l3 : point) (r N : nat) (P : nat -> tetrahedron) (s : st
   | LargestDihedralAngle rel B => largest_dihedral_angle l1 l2 l3 r N P rel B
   | SmallestDihedralAngle rel B => smallest_dihedral_angle l1 l2 l3 r N P rel B
   | SquaredRadiusEdgeRatio rel B => squared_radius_edge_ratio l1 l2 l3 r N P rel B
+  | Uncrossed c b => uncrossed l1 l2 l3 r N P c b
   | Delaunay => delaunay l1 l2 l3 r N P
   | WeaklyDelaunay => weakly_delaunay l1 l2 l3 r N P
   | NotDelaunay => not_delaunay l1 l2 l3 r N P
