@@ -407,13 +407,13 @@ fn the_kernel_is_built_without_network() {
 /// A claim as a theorem where there is one, and a note where there is none.
 #[test]
 fn theorems_for_coq_come_where_they_are_asked_for() {
-    let region = "tests/certificates/valid/region-not-delaunay.json";
+    let patches = "certificates/kagome-all.json";
     let directory = tempfile::tempdir().expect("a directory");
     let target = directory.path().join("artefact.zip");
-    let words = ["bundle", "bcc", region, "--coq", "--no-pdf", "-o"].map(OsStr::new);
+    let words = ["bundle", "bcc", patches, "--coq", "--no-pdf", "-o"].map(OsStr::new);
     let output = acutile(words.into_iter().chain([target.as_os_str()]));
     assert_eq!(code(&output), 0, "{}", stderr(&output));
-    assert!(stderr(&output).contains("region-not-delaunay: no theorem for Coq"));
+    assert!(stderr(&output).contains("kagome-all: no theorem for Coq"));
     let directory = unpacked(&["bcc", "goldberg-1-all", "--coq", "--no-pdf"]);
     for name in ["bcc", "goldberg-1-all"] {
         let certificate = directory.path().join(format!("certificates/{name}.cbor"));
@@ -454,8 +454,13 @@ fn a_certificate_is_cited_with_its_digest_and_scope() {
     assert!(family.contains("acutile export --coq"), "{family}");
     let not_delaunay = cite("certificates/two-corners-all.json");
     assert!(
-        not_delaunay.contains("Coq does not treat this kind of claim"),
+        not_delaunay.contains("acutile export --coq"),
         "{not_delaunay}"
+    );
+    let patches = cite("certificates/kagome-all.json");
+    assert!(
+        patches.contains("Coq does not treat this kind of claim"),
+        "{patches}"
     );
     for (input, expected) in [
         ("tests/certificates/false/not-acute--cube-6.json", 1),

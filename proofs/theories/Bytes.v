@@ -228,20 +228,6 @@ Definition judged (c : certificate) : verdict :=
     end end
   end.
 Local Open Scope string_scope.
-(** The statement about planes that no simplex crosses, which has no theorem here. *)
-Definition names_a_plane (i : item) : bool :=
-  match i with Array (Text name :: _) => String.eqb name "uncrossed plane" | _ => false end.
-(** The statement that a vertex is inside of a circumsphere, which has none either. *)
-Definition names_a_vertex_inside (i : item) : bool :=
-  match i with Text name => String.eqb name "not Delaunay" | _ => false end.
-Definition unreadable (k : item) : refusal :=
-  match k with
-  | Array [_; _; _; _; Array statements] | Array [_; _; _; _; _; Array statements] =>
-    if existsb names_a_plane statements then Declined "the statement: this checker has no theorem about uncrossed planes"
-    else if existsb names_a_vertex_inside statements then Declined "the statement: this checker has no theorem about tilings that are not Delaunay"
-    else Malformed "not of the shape of a certificate"
-  | _ => Malformed "not of the shape of a certificate"
-  end.
 Definition judge (s : bytes) : verdict :=
   match items s with
   | Complete (Array (Text format :: Int version :: rest)) =>
@@ -252,7 +238,7 @@ Definition judge (s : bytes) : verdict :=
       if negb (String.eqb kind "tiling" || String.eqb kind "family") then
         Refused (Declined ("the kind: this checker has theorems about tilings and families only")) else
       match (if String.eqb kind "tiling" then read_tiling k w else read_family k w) with
-      | None => Refused (unreadable k)
+      | None => Refused (Malformed "not of the shape of a certificate")
       | Some c => if same_bytes s (fast_print c) then judged c else Refused (Malformed "not the canonical bytes")
       end
     | _ => Refused (Malformed "not an acutile certificate")
@@ -266,7 +252,7 @@ Local Close Scope string_scope.
 (** ** What the data of the checker denote *)
 Local Open Scope R_scope.
 Section Link.
-Variables (A : Type) (aadd asub amul : A -> A -> A) (aofZ : Z -> A) (alt ale : A -> A -> bool) (fit : number -> bool) (inn : number -> A).
+Variables (A : Type) (aadd asub amul : A -> A -> A) (aofZ : Z -> A) (alt ale : A -> A -> bool) (fit : number -> bool) (inn : number -> A) (part : Z -> A -> Z).
 Variables (phi : A -> R) (a : valuation).
 Hypothesis phi_Z : forall z, phi (aofZ z) = IZR z.
 Hypothesis inn_ok : forall x, fit x = true -> phi (inn x) = value a x.
@@ -312,7 +298,7 @@ Variables (ts : list ctet) (places : list (N * N * Z3)).
 Hypothesis SHAPE : shape3 fit k w ts places = true.
 Lemma shape3_all : gram_shape fit k = true /\ (forall v, In v (w_vertices w) -> triple fit v = true) /\
   (forall v, In v (scaled k w (rank k)) -> triple fit v = true) /\ (0 < w_denominator w)%Z /\ denominators_agree k w = true /\
-  facets_agree k w ts places = true /\ In FaceToFaceTiling (sentences k) /\ (forall s, In s (sentences k) -> fit_sentence fit (is_region k) s = true) /\
+  facets_agree k w ts places = true /\ In FaceToFaceTiling (sentences k) /\ (forall s, In s (sentences k) -> fit_sentence fit 3 (is_region k) s = true) /\
   both (same_row (N.of_nat (List.length (w_vertices w)))) (w_rows w) ts = true.
 Proof.
   pose proof SHAPE as H. unfold shape3 in H. rewrite !andb_true_iff, !forallb_forall, Z.ltb_lt in H.
@@ -490,7 +476,7 @@ Theorem space_link : dimension k = 3%nat -> is_region k = false ->
   (exists l1 l2 l3, has_gram (dgram A phi c) l1 l2 l3) ->
   (forall l1 l2 l3, has_gram (dgram A phi c) l1 l2 l3 ->
     face_to_face_tiling l1 l2 l3 (c_rank A c) (ddomain A phi c l1 l2 l3) (List.length (c_tets A c)) (dtet A aofZ phi c l1 l2 l3) /\
-    forall s, In s (map (dstatement A phi) (statements_of A inn k)) -> holds l1 l2 l3 (c_rank A c) (List.length (c_tets A c)) (dtet A aofZ phi c l1 l2 l3) s) ->
+    forall s, In s (map (dstatement A phi) (statements_of A part inn k)) -> holds l1 l2 l3 (c_rank A c) (List.length (c_tets A c)) (dtet A aofZ phi c l1 l2 l3) s) ->
   exists n T listed, are_rows a w n T /\ are_facets a w (rank k) T listed /\ holds_of k a n T listed.
 Proof.
   intros D NR H1 H2. destruct (shape3_all ts places SHAPE) as [_ [_ [_ [_ [_ [FA [ST [FS B]]]]]]]].
@@ -501,15 +487,16 @@ Proof.
   intros l1 l2 l3 HG s Hs. destruct (H2 l1 l2 l3 HG) as [T HS]. rewrite (tetrahedra_link ts places SHAPE) in T, HS. rewrite (domain_link ts places SHAPE) in T.
   change (c_rank A c) with (rank k) in T, HS. change (c_tets A c) with ts in T, HS. rewrite <- (both_length _ _ _ B) in T, HS.
   specialize (FS s Hs). rewrite NR in FS.
-  assert (HS' : forall st, In st (statement_of A inn s) -> holds l1 l2 l3 (rank k) (List.length (w_rows w)) (fun j => as_tetrahedron l1 l2 l3 (rows_as_simplices j)) (dstatement A phi st)).
+  assert (HS' : forall st, In st (statement_of A part inn s) -> holds l1 l2 l3 (rank k) (List.length (w_rows w)) (fun j => as_tetrahedron l1 l2 l3 (rows_as_simplices j)) (dstatement A phi st)).
   { intros st Hst. apply HS, in_map. unfold statements_of. apply in_flat_map. eauto. }
   unfold is_region in NR.
-  destruct s as [| | |rel sg p q|rel sg p q|rel p q| | | | |]; cbn [fit_sentence] in FS; try discriminate; cbn [space_sentence];
+  destruct s as [| | |rel sg p q|rel sg p q|rel p q|l p q| | | | | |]; cbn [fit_sentence] in FS; try discriminate; cbn [space_sentence];
     [destruct (region_of k); try discriminate; exact T|..];
+    try (destruct l as [|c1 [|c2 [|c3 [|? ?]]]]; try discriminate);
     specialize (HS' _ (or_introl eq_refl)); cbn [dstatement holds] in HS'; unfold dangle in HS'; rewrite ?inn_ok in HS' by assumption; exact HS'.
 Qed.
 Theorem region_link : dimension k = 3%nat -> is_region k = true ->
-  region_meaning (dgram A phi c) (c_rank A c) (List.length (c_tets A c)) (dtet A aofZ phi c) (listed_facets A c) (map (rdstatement A phi) (region_statements_of A inn k)) ->
+  region_meaning (dgram A phi c) (c_rank A c) (List.length (c_tets A c)) (dtet A aofZ phi c) (listed_facets A c) (map (rdstatement A phi) (region_statements_of A part inn k)) ->
   exists n T listed, are_rows a w n T /\ are_facets a w (rank k) T listed /\ holds_of k a n T listed.
 Proof.
   intros D RG [H1 H2]. destruct (shape3_all ts places SHAPE) as [_ [_ [_ [_ [_ [_ [ST [FS B]]]]]]]].
@@ -521,11 +508,12 @@ Proof.
   change (c_rank A c) with (rank k) in T, HS. change (c_tets A c) with ts in T, HS. rewrite <- (both_length _ _ _ B) in T, HS.
   apply (listed_either _ _ _ _ _ _ (listed_places places)) in T; [|apply (listed_same ts places SHAPE RG)].
   specialize (FS s Hs).
-  assert (HS' : forall st, In st (region_statement_of A inn s) -> holds_in_region l1 l2 l3 (rank k) (List.length (w_rows w)) (fun j => as_tetrahedron l1 l2 l3 (rows_as_simplices j)) (rdstatement A phi st)).
+  assert (HS' : forall st, In st (region_statement_of A part inn s) -> holds_in_region l1 l2 l3 (rank k) (List.length (w_rows w)) (fun j => as_tetrahedron l1 l2 l3 (rows_as_simplices j)) (rdstatement A phi st)).
   { intros st Hst. apply HS, in_map. unfold region_statements_of. apply in_flat_map. eauto. }
   unfold is_region in RG.
-  destruct s as [| | |rel sg p q|rel sg p q|rel p q| | | | |]; cbn [fit_sentence] in FS; cbn [space_sentence];
+  destruct s as [| | |rel sg p q|rel sg p q|rel p q|l p q| | | | | |]; cbn [fit_sentence] in FS; cbn [space_sentence];
     [destruct (region_of k); try discriminate; exact T|..];
+    try (destruct l as [|c1 [|c2 [|c3 [|? ?]]]]; try discriminate);
     specialize (HS' _ (or_introl eq_refl)); cbn [rdstatement holds_in_region dstatement holds] in HS'; unfold dangle in HS'; rewrite ?inn_ok in HS' by assumption; exact HS'.
 Qed.
 End SpaceLink.
@@ -536,7 +524,7 @@ Variables (ts : list ctri) (places : list (N * N * Z3)).
 Hypothesis SHAPE : shape2 fit k w ts places = true.
 Lemma shape2_all : gram_shape fit k = true /\ (forall v, In v (w_vertices w) -> pair fit v = true) /\
   (forall v, In v (scaled k w (rank k)) -> pair fit v = true) /\ (0 < w_denominator w)%Z /\ denominators_agree k w = true /\
-  sides_agree k w ts places = true /\ In FaceToFaceTiling (sentences k) /\ (forall s, In s (sentences k) -> fit_sentence fit (is_region k) s = true) /\
+  sides_agree k w ts places = true /\ In FaceToFaceTiling (sentences k) /\ (forall s, In s (sentences k) -> fit_sentence fit 2 (is_region k) s = true) /\
   both (same_triangle (N.of_nat (List.length (w_vertices w)))) (w_rows w) ts = true.
 Proof.
   pose proof SHAPE as H. unfold shape2 in H. rewrite !andb_true_iff, !forallb_forall, Z.ltb_lt in H.
@@ -686,7 +674,7 @@ Theorem plane_link : dimension k = 2%nat -> is_region k = false ->
   (exists l1 l2, has_gram2 (dgram2 A phi c) l1 l2) ->
   (forall l1 l2, has_gram2 (dgram2 A phi c) l1 l2 ->
     edge_to_edge_tiling l1 l2 (e_rank A c) (ddomain2 A phi c l1 l2) (List.length (e_tris A c)) (dtriangle A aofZ phi c l1 l2) /\
-    forall s, In s (map (dstatement A phi) (statements_of A inn k)) -> holds2 l1 l2 (e_rank A c) (List.length (e_tris A c)) (dtriangle A aofZ phi c l1 l2) s) ->
+    forall s, In s (map (dstatement A phi) (statements_of A part inn k)) -> holds2 l1 l2 (e_rank A c) (List.length (e_tris A c)) (dtriangle A aofZ phi c l1 l2) s) ->
   exists n T listed, are_rows a w n T /\ are_facets a w (rank k) T listed /\ holds_of k a n T listed.
 Proof.
   intros D NR H1 H2. destruct (shape2_all ts places SHAPE) as [_ [_ [_ [_ [_ [FA [ST [FS B]]]]]]]]. exists (List.length (w_rows w)), (triangles_as_simplices ts), []. split; [|split].
@@ -696,15 +684,16 @@ Proof.
   intros l1 l2 HG s Hs. destruct (H2 l1 l2 HG) as [T HS]. rewrite (triangles_link ts places SHAPE) in T, HS. rewrite (domain2_link ts places SHAPE) in T.
   change (e_rank A c) with (rank k) in T, HS. change (e_tris A c) with ts in T, HS. rewrite <- (both_length _ _ _ B) in T, HS.
   specialize (FS s Hs). rewrite NR in FS.
-  assert (HS' : forall st, In st (statement_of A inn s) -> holds2 l1 l2 (rank k) (List.length (w_rows w)) (fun j => as_triangle l1 l2 (triangles_as_simplices ts j)) (dstatement A phi st)).
+  assert (HS' : forall st, In st (statement_of A part inn s) -> holds2 l1 l2 (rank k) (List.length (w_rows w)) (fun j => as_triangle l1 l2 (triangles_as_simplices ts j)) (dstatement A phi st)).
   { intros st Hst. apply HS, in_map. unfold statements_of. apply in_flat_map. eauto. }
   unfold is_region in NR.
-  destruct s as [| | |rel sg p q|rel sg p q|rel p q| | | | |]; cbn [fit_sentence] in FS; try discriminate; cbn [plane_sentence];
+  destruct s as [| | |rel sg p q|rel sg p q|rel p q|l p q| | | | | |]; cbn [fit_sentence] in FS; try discriminate; cbn [plane_sentence];
     [destruct (region_of k); try discriminate; exact T|..];
+    try (destruct l as [|c1 [|c2 [|c3 [|? ?]]]]; try discriminate);
     specialize (HS' _ (or_introl eq_refl)); cbn [dstatement holds2] in HS'; unfold dangle in HS'; rewrite ?inn_ok in HS' by assumption; exact HS'.
 Qed.
 Theorem plane_region_link : dimension k = 2%nat -> is_region k = true ->
-  region_meaning2 (dgram2 A phi c) (e_rank A c) (List.length (e_tris A c)) (dtriangle A aofZ phi c) (listed_sides A c) (map (rdstatement A phi) (region_statements_of A inn k)) ->
+  region_meaning2 (dgram2 A phi c) (e_rank A c) (List.length (e_tris A c)) (dtriangle A aofZ phi c) (listed_sides A c) (map (rdstatement A phi) (region_statements_of A part inn k)) ->
   exists n T listed, are_rows a w n T /\ are_facets a w (rank k) T listed /\ holds_of k a n T listed.
 Proof.
   intros D RG [H1 H2]. destruct (shape2_all ts places SHAPE) as [_ [_ [_ [_ [_ [_ [ST [FS B]]]]]]]].
@@ -716,11 +705,12 @@ Proof.
   change (e_rank A c) with (rank k) in T, HS. change (e_tris A c) with ts in T, HS. rewrite <- (both_length _ _ _ B) in T, HS.
   apply (listed_either2 _ _ _ _ _ (listed_places2 places)) in T; [|apply (listed_same2 ts places SHAPE RG)].
   specialize (FS s Hs).
-  assert (HS' : forall st, In st (region_statement_of A inn s) -> holds_in_region2 l1 l2 (rank k) (List.length (w_rows w)) (fun j => as_triangle l1 l2 (triangles_as_simplices ts j)) (rdstatement A phi st)).
+  assert (HS' : forall st, In st (region_statement_of A part inn s) -> holds_in_region2 l1 l2 (rank k) (List.length (w_rows w)) (fun j => as_triangle l1 l2 (triangles_as_simplices ts j)) (rdstatement A phi st)).
   { intros st Hst. apply HS, in_map. unfold region_statements_of. apply in_flat_map. eauto. }
   unfold is_region in RG.
-  destruct s as [| | |rel sg p q|rel sg p q|rel p q| | | | |]; cbn [fit_sentence] in FS; cbn [plane_sentence];
+  destruct s as [| | |rel sg p q|rel sg p q|rel p q|l p q| | | | | |]; cbn [fit_sentence] in FS; cbn [plane_sentence];
     [destruct (region_of k); try discriminate; exact T|..];
+    try (destruct l as [|c1 [|c2 [|c3 [|? ?]]]]; try discriminate);
     specialize (HS' _ (or_introl eq_refl)); cbn [rdstatement holds_in_region2 dstatement holds2] in HS'; unfold dangle in HS'; rewrite ?inn_ok in HS' by assumption; exact HS'.
 Qed.
 End PlaneLink.
@@ -743,13 +733,13 @@ Proof.
   - unfold z_proved, proved in H. exists 0. split; [exact I|]. destruct (dimension k) as [|[|[|[|?]]]] eqn:D; try discriminate.
     + destruct (Pairing.triangles _ _) as [ts places]. unfold proved2 in H. destruct (shape2 z_fit k w ts places) eqn:S; [|discriminate].
       destruct (is_region k) eqn:RG.
-      * apply z_region_theorem2 in H. apply (plane_region_link Z idZ z_fit z_in IZR (0, []) z_in_ok k w ts places S D RG H).
-      * apply z_theorem2 in H as [H1 H2]. apply (plane_link Z idZ z_fit z_in IZR (0, []) z_in_ok k w ts places S D RG H1 H2).
+      * apply z_region_theorem2 in H. apply (plane_region_link Z idZ z_fit z_in zpart IZR (0, []) z_in_ok k w ts places S D RG H).
+      * apply z_theorem2 in H as [H1 H2]. apply (plane_link Z idZ z_fit z_in zpart IZR (0, []) z_in_ok k w ts places S D RG H1 H2).
     + destruct (Pairing.tetrahedra _ _) as [ts places]. unfold proved3 in H. destruct (shape3 z_fit k w ts places) eqn:S; [|discriminate].
       destruct (is_region k) eqn:RG.
-      * apply z_region_theorem in H. apply (region_link Z Z.add Z.sub Z.mul idZ Z.leb z_fit z_in IZR (0, []) z_in_ok k w ts places S D RG H).
+      * apply z_region_theorem in H. apply (region_link Z Z.add Z.sub Z.mul idZ Z.leb z_fit z_in zpart IZR (0, []) z_in_ok k w ts places S D RG H).
       * apply fast_ok in H. apply z_theorem in H as [H1 H2].
-        apply (space_link Z Z.add Z.sub Z.mul idZ Z.leb z_fit z_in IZR (0, []) z_in_ok k w ts places S D RG H1 H2).
+        apply (space_link Z Z.add Z.sub Z.mul idZ Z.leb z_fit z_in zpart IZR (0, []) z_in_ok k w ts places S D RG H1 H2).
   - destruct h as [e0 es]. destruct (nf_root p e0 es lo hi d) eqn:R; [|discriminate].
     unfold nf_root in R. apply andb_true_iff in R as [M R]. apply same_list_eq in M. set (fl := removelast p) in *. clearbody fl.
     assert (ROOT : forall a, ev a (fl ++ [1%Z]) = 0 -> in_claimed (Encl lo hi d) a ->
@@ -759,16 +749,16 @@ Proof.
     + destruct (Pairing.triangles _ _) as [ts places]. unfold proved2 in H. destruct (shape2 nf_fit k w ts places) eqn:S; [|discriminate].
       destruct (is_region k) eqn:RG.
       * destruct (nf_region_theorem2 fl e0 es (Encl lo hi d) _ _ R H) as [a [A1 [A2 [A3 H1]]]]. exists a. split; [apply ROOT; auto|].
-        apply (plane_region_link (list Z) lofZ nf_fit nf_in (ev a) (a, []) (nf_in_ok a) k w ts places S D RG H1).
+        apply (plane_region_link (list Z) lofZ nf_fit nf_in (nfpart e0) (ev a) (a, []) (nf_in_ok a) k w ts places S D RG H1).
       * destruct (nf_theorem2 fl e0 es (Encl lo hi d) _ _ R H) as [a [A1 [A2 [A3 [H1 H2]]]]]. exists a. split; [apply ROOT; auto|].
-        apply (plane_link (list Z) lofZ nf_fit nf_in (ev a) (a, []) (nf_in_ok a) k w ts places S D RG H1 H2).
+        apply (plane_link (list Z) lofZ nf_fit nf_in (nfpart e0) (ev a) (a, []) (nf_in_ok a) k w ts places S D RG H1 H2).
     + destruct (Pairing.tetrahedra _ _) as [ts places]. unfold proved3 in H. destruct (shape3 nf_fit k w ts places) eqn:S; [|discriminate].
       destruct (is_region k) eqn:RG.
       * destruct (nf_region_theorem fl e0 es (Encl lo hi d) _ _ R H) as [a [A1 [A2 [A3 H1]]]]. exists a. split; [apply ROOT; auto|].
-        apply (region_link (list Z) ladd lsub (lmul fl) lofZ (lleb e0 es) nf_fit nf_in (ev a) (a, []) (nf_in_ok a) k w ts places S D RG H1).
+        apply (region_link (list Z) ladd lsub (lmul fl) lofZ (lleb e0 es) nf_fit nf_in (nfpart e0) (ev a) (a, []) (nf_in_ok a) k w ts places S D RG H1).
       * apply fast_ok in H.
         destruct (nf_theorem fl e0 es (Encl lo hi d) _ _ R H) as [a [A1 [A2 [A3 [H1 H2]]]]]. exists a. split; [apply ROOT; auto|].
-        apply (space_link (list Z) ladd lsub (lmul fl) lofZ (lleb e0 es) nf_fit nf_in (ev a) (a, []) (nf_in_ok a) k w ts places S D RG H1 H2).
+        apply (space_link (list Z) ladd lsub (lmul fl) lofZ (lleb e0 es) nf_fit nf_in (nfpart e0) (ev a) (a, []) (nf_in_ok a) k w ts places S D RG H1 H2).
 Qed.
 
 (** *** Families *)
@@ -830,12 +820,12 @@ Proof.
   - destruct (Pairing.triangles _ _) as [tris places]. unfold proved2 in G. destruct (shape2 (poly_fit bfit) k w tris places) eqn:S; [|discriminate].
     rewrite F3 in G.
     destruct (leaf_sound2 B badd bsub bmul bofZ bnonneg bpos beta beta_add beta_sub beta_mul beta_Z bnonneg_ok bpos_ok m l ts O Il _ _ G) as [H1 H2].
-    apply (plane_link (poly B m) (pofZ B bofZ m) (poly_fit bfit) (poly_in B badd bofZ bin m) (ev_at m ts) (a, ts) IN k w tris places S D F3 H1 H2).
+    apply (plane_link (poly B m) (pofZ B bofZ m) (poly_fit bfit) (poly_in B badd bofZ bin m) (fun _ _ => 0%Z) (ev_at m ts) (a, ts) IN k w tris places S D F3 H1 H2).
   - destruct (Pairing.tetrahedra _ _) as [tets places]. unfold proved3 in G. destruct (shape3 (poly_fit bfit) k w tets places) eqn:S; [|discriminate].
     rewrite F3 in G.
     destruct (leaf_sound B badd bsub bmul bofZ bnonneg bpos beta beta_add beta_sub beta_mul beta_Z bnonneg_ok bpos_ok m l ts O Il _ _ G) as [H1 H2].
     apply (space_link (poly B m) (padd B badd m) (psub B bsub bofZ m) (pmul B badd bmul bofZ m) (pofZ B bofZ m) (ple B badd bsub bmul bofZ bnonneg m l)
-      (poly_fit bfit) (poly_in B badd bofZ bin m) (ev_at m ts) (a, ts) IN k w tets places S D F3 H1 H2).
+      (poly_fit bfit) (poly_in B badd bofZ bin m) (fun _ _ => 0%Z) (ev_at m ts) (a, ts) IN k w tets places S D F3 H1 H2).
 Qed.
 End OnBoxSound.
 Lemma one_ok x : one x = true -> IZR (List.hd 0%Z x) = at_root 0 x.

@@ -275,6 +275,38 @@ Definition chk_power (less : A -> A -> bool) g den (kts : list ktet) (t : ctet) 
 Definition chk_delaunay (less : A -> A -> bool) (c : cert) :=
   let kts := positions c in
   forallb (fun t => forallb (chk_power less (c_gram c) (c_den c) kts t (kpos (c_den c) (c_verts c) t)) I4) (c_tets c).
+(** Not Delaunay: the power of a mate's opposite vertex is negative. *)
+Definition chk_inside_at (c : cert) (kts : list ktet) (kt : ktet) (m : mref) : bool :=
+  match m with
+  | None => false
+  | Some (k', i', d) =>
+    match nth_error kts (N.to_nat k') with
+    | None => false
+    | Some kt' => N.ltb i' 4 && latb (c_rank c) d && alt zero (kpower (c_gram c) kt (vadd (kvx kt' (N.to_nat i')) (vofZ (c_den c) d)))
+    end
+  end.
+Definition chk_not_delaunay (c : cert) : bool :=
+  let kts := positions c in
+  existsl (fun t => let kt := kpos (c_den c) (c_verts c) t in existsl (fun i => chk_inside_at c kts kt (mt t i)) I4) (c_tets c).
+
+(** ** 8. Statements: planes that no tetrahedron crosses
+
+    The plane c x = p/q and its translates by the lattice are the planes where q (c x) - p is a
+    multiple of q g, for the greatest common divisor g of the first r entries of c.  The corners of a
+    tetrahedron are between two successive ones; if g is zero, in one closed side of one plane. *)
+Definition kheight (n : Z3) (p q den : Z) (v : v3) : A :=
+  let '(c1, c2, c3) := n in
+  asub (aadd (aadd (amul (aofZ (q * c1)) (vX v)) (amul (aofZ (q * c2)) (vY v))) (amul (aofZ (q * c3)) (vZ v))) (aofZ (p * den)).
+Definition plane_step (r : nat) (n : Z3) : Z :=
+  let '(c1, c2, c3) := n in
+  match r with 0 => 0%Z | 1 => Z.gcd c1 0 | 2 => Z.gcd c1 c2 | _ => Z.gcd c1 (Z.gcd c2 c3) end.
+(** [part d x] is about the integral part of x / d: a hint. *)
+Definition chk_uncrossed (part : Z -> A -> Z) (den : Z) (r : nat) (n : Z3) (p q : Z) (t : ktet) : bool :=
+  let g := plane_step r n in let hs := map (kheight n p q den) (kverts t) in
+  if Z.eqb g 0 then if forallb (fun x => ale zero x) hs then true else forallb (fun x => ale x zero) hs
+  else
+    let u := (q * den * g)%Z in let m := part (4 * u)%Z (fold_right aadd zero hs) in
+    existsl (fun m => forallb (fun x => ale (aofZ (u * m)) x && ale x (aofZ (u * (m + 1)))) hs) [m; (m - 1)%Z; (m + 1)%Z].
 
 (** The statements of a claim. The bound of an angle is given by the sign and the square p/q
     of its cosine, that of a ratio by p/q. *)
@@ -283,7 +315,8 @@ Inductive cstatement :=
   | CLargestDihedralAngle (rel : relation) (sg : Z) (p : A) (q : Z)
   | CSmallestDihedralAngle (rel : relation) (sg : Z) (p : A) (q : Z)
   | CSquaredRadiusEdgeRatio (rel : relation) (p : A) (q : Z)
-  | CDelaunay | CWeaklyDelaunay | CTCP.
+  | CUncrossed (n : Z3) (p q : Z) (part : Z -> A -> Z)
+  | CDelaunay | CWeaklyDelaunay | CNotDelaunay | CTCP.
 Definition check_statement (c : cert) (s : cstatement) : bool :=
   let g := c_gram c in
   let all f := forallb (fun t => forallb (on_edge f) (six t)) (positions c) in
@@ -297,8 +330,10 @@ Definition check_statement (c : cert) (s : cstatement) : bool :=
     chk_bound sg p q && related rel (fun t => test_smallest (angles sg p q) (six t)) (positions c)
   | CSquaredRadiusEdgeRatio rel p q =>
     Z.ltb 0 q && alt zero p && related rel (chk_radius g p q) (positions c)
+  | CUncrossed n p q part => Z.ltb 0 q && forallb (chk_uncrossed part (c_den c) (c_rank c) n p q) (positions c)
   | CDelaunay => chk_delaunay alt c
   | CWeaklyDelaunay => chk_delaunay ale c
+  | CNotDelaunay => chk_not_delaunay c
   | CTCP => Nat.eqb (c_rank c) 3 && chk_tcp (c_tets c)
   end.
 Definition check (c : cert) (ss : list cstatement) : bool := check_tiling c && forallb (check_statement c) ss.

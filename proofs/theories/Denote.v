@@ -71,7 +71,8 @@ Inductive sentence :=
   | LargestAngle (rel : relation) (sign : Z) (p : number) (q : Z)
   | SmallestAngle (rel : relation) (sign : Z) (p : number) (q : Z)
   | SquaredRatio (rel : relation) (p : number) (q : Z)
-  | IsDelaunay | IsWeaklyDelaunay | IsLocallyDelaunay | IsLocallyWeaklyDelaunay | IsTCP.
+  | UncrossedPlane (c : list Z) (p q : Z)
+  | IsDelaunay | IsWeaklyDelaunay | IsLocallyDelaunay | IsLocallyWeaklyDelaunay | IsNotDelaunay | IsTCP.
 Record tiling_claim := TilingClaim {
   dimension : nat; over : field; gram_rows : list (list number); region_of : region; sentences : list sentence }.
 (** A corner: a vertex, and the shift, empty if it is zero. A row: its corners; its sixes if TCP is stated. *)
@@ -131,10 +132,12 @@ Definition sentence_item (f : field) (s : sentence) : item :=
   | LargestAngle rel sg p q => Array [Text "largest dihedral angle"; Text (relation_word rel); Int sg; fraction p q]
   | SmallestAngle rel sg p q => Array [Text "smallest dihedral angle"; Text (relation_word rel); Int sg; fraction p q]
   | SquaredRatio rel p q => Array [Text "squared radius-edge ratio"; Text (relation_word rel); fraction p q]
+  | UncrossedPlane c p q => Array [Text "uncrossed plane"; Array (map Int c); Array [Int p; Int q]]
   | IsDelaunay => Text "Delaunay"
   | IsWeaklyDelaunay => Text "weakly Delaunay"
   | IsLocallyDelaunay => Text "locally Delaunay"
   | IsLocallyWeaklyDelaunay => Text "locally weakly Delaunay"
+  | IsNotDelaunay => Text "not Delaunay"
   | IsTCP => Text "TCP"
   end.
 Definition claim_items (k : tiling_claim) (parameters : list item) : item :=
@@ -260,10 +263,12 @@ Definition space_sentence (l1 l2 l3 : point) (s : sentence) : Prop :=
   | LargestAngle rel sg p q => largest_dihedral_angle l1 l2 l3 r n P rel (angle_bound sg p q)
   | SmallestAngle rel sg p q => smallest_dihedral_angle l1 l2 l3 r n P rel (angle_bound sg p q)
   | SquaredRatio rel p q => squared_radius_edge_ratio l1 l2 l3 r n P rel (value a p / IZR q)
+  | UncrossedPlane c p q => match c with [c1; c2; c3] => uncrossed l1 l2 l3 r n P (c1, c2, c3) (IZR p / IZR q) | _ => False end
   | IsDelaunay => delaunay l1 l2 l3 r n P
   | IsWeaklyDelaunay => weakly_delaunay l1 l2 l3 r n P
   | IsLocallyDelaunay => locally_delaunay l1 l2 l3 r n P
   | IsLocallyWeaklyDelaunay => locally_weakly_delaunay l1 l2 l3 r n P
+  | IsNotDelaunay => not_delaunay l1 l2 l3 r n P
   | IsTCP => tcp l1 l2 l3 r n P
   end.
 Definition plane_sentence (l1 l2 : point2) (s : sentence) : Prop :=
@@ -279,10 +284,12 @@ Definition plane_sentence (l1 l2 : point2) (s : sentence) : Prop :=
   | LargestAngle rel sg p q => largest_angle2 l1 l2 r n P rel (angle_bound sg p q)
   | SmallestAngle rel sg p q => smallest_angle2 l1 l2 r n P rel (angle_bound sg p q)
   | SquaredRatio rel p q => squared_radius_edge_ratio2 l1 l2 r n P rel (value a p / IZR q)
+  | UncrossedPlane c p q => match c with [c1; c2] => uncrossed2 l1 l2 r n P (c1, c2) (IZR p / IZR q) | _ => False end
   | IsDelaunay => delaunay2 l1 l2 r n P
   | IsWeaklyDelaunay => weakly_delaunay2 l1 l2 r n P
   | IsLocallyDelaunay => locally_delaunay2 l1 l2 r n P
   | IsLocallyWeaklyDelaunay => locally_weakly_delaunay2 l1 l2 r n P
+  | IsNotDelaunay => not_delaunay2 l1 l2 r n P
   | IsTCP => False
   end.
 (** There are bases with the Gram matrix, and for all of them every sentence holds. Any two of them

@@ -51,6 +51,10 @@ Fixpoint both {X Y} (f : X -> Y -> bool) (xs : list X) (ys : list Y) : bool :=
   match xs, ys with x :: xs, y :: ys => if f x y then both f xs ys else false | [], [] => true | _, _ => false end.
 Lemma both_map {X Y} (f : X -> Y -> bool) (g : X -> Y) xs : both f xs (map g xs) = forallb (fun x => f x (g x)) xs.
 Proof. induction xs as [|x xs IH]; cbn; auto. rewrite IH. destruct (f x (g x)); auto. Qed.
+Fixpoint either {X Y} (f : X -> Y -> bool) (xs : list X) (ys : list Y) : bool :=
+  match xs, ys with x :: xs, y :: ys => if f x y then true else either f xs ys | _, _ => false end.
+Lemma either_map {X Y} (f : X -> Y -> bool) (g : X -> Y) xs : either f xs (map g xs) = existsl (fun x => f x (g x)) xs.
+Proof. induction xs as [|x xs IH]; cbn; auto. rewrite IH. reflexivity. Qed.
 
 (** ** Valences, counted once *)
 Definition tally := PositiveMap.t (list ((N * Z3) * N)).
@@ -202,6 +206,26 @@ Proof.
   apply F. intros t. apply F. intros i. unfold fast_power, chk_power.
   destruct (mt t i) as [[[k' i'] d]|]; auto. rewrite entry_tabulate. reflexivity.
 Qed.
+Definition fast_inside_at (c : cert A) (km : PositiveMap.t ktet) (kt : ktet) (m : mref) : bool :=
+  match m with
+  | None => false
+  | Some (k', i', d) =>
+    match entry km k' with
+    | None => false
+    | Some kt' => N.ltb i' 4 && latb (c_rank A c) d &&
+      alt zero (kpower A aadd asub amul (c_gram A c) kt (vadd (kvx A kt' (N.to_nat i')) (vofZ (c_den A c) d)))
+    end
+  end.
+Definition fast_not_delaunay (c : cert A) (kts : list ktet) (km : PositiveMap.t ktet) : bool :=
+  either (fun t kt => existsl (fun i => fast_inside_at c km kt (mt t i)) I4) (c_tets A c) kts.
+Lemma fast_not_delaunay_eq c : fast_not_delaunay c (positions A aadd aofZ c) (tabulate (positions A aadd aofZ c)) = chk_not_delaunay A aadd asub amul aofZ alt c.
+Proof.
+  unfold fast_not_delaunay, chk_not_delaunay. unfold positions at 2. rewrite either_map. cbv zeta.
+  assert (F : forall X (f g : X -> bool) l, (forall x, f x = g x) -> existsl f l = existsl g l).
+  { intros X f g l E. induction l; cbn; auto. rewrite E, IHl. reflexivity. }
+  apply F. intros t. apply F. intros i. unfold fast_inside_at, chk_inside_at.
+  destruct (mt t i) as [[[k' i'] d]|]; auto. rewrite entry_tabulate. reflexivity.
+Qed.
 
 (** ** All checks *)
 Definition fast_statement (c : cert A) (kts : list ktet) (km : PositiveMap.t ktet) (s : cstatement A) : bool :=
@@ -217,8 +241,10 @@ Definition fast_statement (c : cert A) (kts : list ktet) (km : PositiveMap.t kte
     chk_bound A aofZ alt ale sg p q && related rel (fun t => test_smallest (angles sg p q) (six A t)) kts
   | CSquaredRadiusEdgeRatio _ rel p q =>
     Z.ltb 0 q && alt zero p && related rel (chk_radius A aadd asub amul aofZ alt ale g p q) kts
+  | CUncrossed _ n p q part => Z.ltb 0 q && forallb (chk_uncrossed A aadd asub amul aofZ ale part (c_den A c) (c_rank A c) n p q) kts
   | CDelaunay _ => fast_delaunay alt c kts km
   | CWeaklyDelaunay _ => fast_delaunay ale c kts km
+  | CNotDelaunay _ => fast_not_delaunay c kts km
   | CTCP _ => Nat.eqb (c_rank A c) 3 && fast_tcp (c_tets A c)
   end.
 Definition fast_positions (c : cert A) : list ktet := let vm := tabulate (c_verts A c) in fast_map (fast_kpos (c_den A c) vm) (c_tets A c).
@@ -253,6 +279,7 @@ Proof.
   destruct s; cbn [fast_statement check_statement]; cbv zeta; auto.
   - rewrite fast_delaunay_eq. auto.
   - rewrite fast_delaunay_eq. auto.
+  - rewrite fast_not_delaunay_eq. auto.
   - rewrite !andb_true_iff. intros [H1 H2]. split; [exact H1|apply fast_tcp_ok, H2].
 Qed.
 Theorem fast_ok c ss : fast_check c ss = true -> check A aadd asub amul aofZ alt ale c ss = true.

@@ -88,19 +88,33 @@ Definition sentence_place (s : sentence) : nat :=
   | LargestAngle rel _ _ _ => 10 + relation_place rel
   | SmallestAngle rel _ _ _ => 20 + relation_place rel
   | SquaredRatio rel _ _ => 30 + relation_place rel
-  | IsDelaunay => 40 | IsWeaklyDelaunay => 41 | IsLocallyDelaunay => 42 | IsLocallyWeaklyDelaunay => 43 | IsTCP => 44
+  | UncrossedPlane _ _ _ => 36
+  | IsDelaunay => 40 | IsWeaklyDelaunay => 41 | IsLocallyDelaunay => 42 | IsLocallyWeaklyDelaunay => 43 | IsNotDelaunay => 44 | IsTCP => 45
   end.
-Fixpoint increasing (l : list nat) : bool :=
-  match l with a :: (b :: _) as r => Nat.ltb a b && increasing r | _ => true end.
+Fixpoint lexicographic (x y : list Z) : bool :=
+  match x, y with a :: x, b :: y => Z.ltb a b || (Z.eqb a b && lexicographic x y) | _, _ => false end.
+(** Planes stand in the order of their coefficients, then of p, then of q. *)
+Definition precedes (s t : sentence) : bool :=
+  match s, t with
+  | UncrossedPlane c p q, UncrossedPlane d u v => lexicographic (c ++ [p; q]) (d ++ [u; v])
+  | _, _ => Nat.ltb (sentence_place s) (sentence_place t)
+  end.
+Fixpoint increasing (l : list sentence) : bool :=
+  match l with a :: (b :: _) as r => precedes a b && increasing r | _ => true end.
+Definition is_plane (s : sentence) : bool := match s with UncrossedPlane _ _ _ => true | _ => false end.
 Definition is_tcp (s : sentence) : bool := match s with IsTCP => true | _ => false end.
 Definition is_global (s : sentence) : bool := match s with IsDelaunay | IsWeaklyDelaunay => true | _ => false end.
 Definition is_local (s : sentence) : bool := match s with IsLocallyDelaunay | IsLocallyWeaklyDelaunay => true | _ => false end.
-Definition proper_bound (n : nat) (s : sentence) : bool :=
+Definition positive_first (c : list Z) : bool := match filter (fun x => negb (Z.eqb 0 x)) c with x :: _ => Z.ltb 0 x | [] => false end.
+Definition proper_bound (d n : nat) (s : sentence) : bool :=
   let fraction p q := proper_number 0 n p && proper_denominator q [[p]] in
   match s with
   | LargestAngle _ sg p q | SmallestAngle _ sg p q =>
     Z.leb (-1) sg && Z.leb sg 1 && fraction p q && Bool.eqb (Z.eqb sg 0) (forallb (Z.eqb 0) (integers p))
   | SquaredRatio _ p q => fraction p q
+  | UncrossedPlane c p q =>
+    Nat.eqb (length c) d && Z.eqb (fold_left Z.gcd c 0%Z) 1 && positive_first c && forallb (fun x => Z.ltb (Z.abs x) 536870912) c &&
+    Z.ltb 0 q && Z.eqb (Z.gcd p q) 1
   | _ => true
   end.
 Definition is_region (k : tiling_claim) : bool := match region_of k with Region _ => true | _ => false end.
@@ -110,9 +124,10 @@ Definition claim_refusal (m : nat) (k : tiling_claim) : option refusal :=
   match field_refusal (over k) with Some v => Some v | None =>
   need (triangular m n (dimension k) (gram_rows k) && Z.eqb (common_divisor 0 (gram_rows k)) 1) else Malformed "the Gram matrix";
   match region_refusal m k with Some v => Some v | None =>
-  need (match sentences k with FaceToFaceTiling :: _ => true | _ => false end && increasing (map sentence_place (sentences k)))
+  need (match sentences k with FaceToFaceTiling :: _ => true | _ => false end && increasing (sentences k))
     else Malformed "the order of the statements";
-  need forallb (proper_bound n) (sentences k) else Malformed "a bound";
+  need forallb (proper_bound (dimension k) n) (sentences k) else Malformed "a bound";
+  need (Nat.eqb m 0 || negb (existsb is_plane (sentences k))) else Malformed "an uncrossed plane of a family";
   need (is_region k || negb (existsb is_local (sentences k))) else Malformed "a local statement about a domain that is not a region";
   need (negb (is_region k) || negb (existsb is_global (sentences k))) else Malformed "Delaunay of a region";
   need (negb (existsb is_tcp (sentences k)) || (Nat.eqb (dimension k) 3 && Nat.eqb (rank k) 3 && negb (is_region k))) else Malformed "TCP is stated of space only";
@@ -350,9 +365,13 @@ Definition statement_of (s : sentence) : list (cstatement A) :=
   | LargestAngle rel sg p q => [CLargestDihedralAngle A rel sg (inn p) q]
   | SmallestAngle rel sg p q => [CSmallestDihedralAngle A rel sg (inn p) q]
   | SquaredRatio rel p q => [CSquaredRadiusEdgeRatio A rel (inn p) q]
+  | UncrossedPlane [c1; c2; c3] p q => [CUncrossed A (c1, c2, c3) p q part]
+  | UncrossedPlane [c1; c2] p q => [CUncrossed A (c1, c2, 0) p q part]
+  | UncrossedPlane _ _ _ => []
   | IsDelaunay => [CDelaunay A]
   | IsWeaklyDelaunay => [CWeaklyDelaunay A]
   | IsLocallyDelaunay | IsLocallyWeaklyDelaunay => []
+  | IsNotDelaunay => [CNotDelaunay A]
   | IsTCP => [CTCP A]
   end.
 Definition region_statement_of (s : sentence) : list (rstatement A) :=
@@ -361,9 +380,10 @@ Definition region_statement_of (s : sentence) : list (rstatement A) :=
   | IsLocallyWeaklyDelaunay => [CLocallyWeaklyDelaunay A]
   | _ => map (Each A) (statement_of s)
   end.
-Definition fit_sentence (regional : bool) (s : sentence) : bool :=
+Definition fit_sentence (d : nat) (regional : bool) (s : sentence) : bool :=
   match s with
   | LargestAngle _ _ p _ | SmallestAngle _ _ p _ | SquaredRatio _ p _ => fit p
+  | UncrossedPlane c _ _ => Nat.eqb (length c) d
   | IsLocallyDelaunay | IsLocallyWeaklyDelaunay => regional
   | _ => true
   end.
@@ -372,7 +392,7 @@ Definition region_statements_of (k : tiling_claim) := flat_map region_statement_
 
 Definition shape3 (k : tiling_claim) (w : tiling_witness) (ts : list ctet) (places : list (N * N * Z3)) : bool :=
   gram_shape k && forallb triple (w_vertices w) && forallb triple (scaled k w (rank k)) && Z.ltb 0 (w_denominator w) && denominators_agree k w &&
-  facets_agree k w ts places && states_tiling k && forallb (fit_sentence (is_region k)) (sentences k) &&
+  facets_agree k w ts places && states_tiling k && forallb (fit_sentence 3 (is_region k)) (sentences k) &&
   both (same_row (N.of_nat (length (w_vertices w)))) (w_rows w) ts.
 Definition data3 (k : tiling_claim) (w : tiling_witness) (ts : list ctet) : cert A :=
   faces_cert A aadd asub amul aofZ ale (w_denominator w) (map vec3 (w_vertices w)) ts (gram3 k) (rank k)
@@ -385,7 +405,7 @@ Definition proved3 (k : tiling_claim) (w : tiling_witness) (ts : list ctet) (pla
 
 Definition shape2 (k : tiling_claim) (w : tiling_witness) (ts : list ctri) (places : list (N * N * Z3)) : bool :=
   gram_shape k && forallb pair (w_vertices w) && forallb pair (scaled k w (rank k)) && Z.ltb 0 (w_denominator w) && denominators_agree k w &&
-  sides_agree k w ts places && states_tiling k && forallb (fit_sentence (is_region k)) (sentences k) &&
+  sides_agree k w ts places && states_tiling k && forallb (fit_sentence 2 (is_region k)) (sentences k) &&
   both (same_triangle (N.of_nat (length (w_vertices w)))) (w_rows w) ts.
 Definition data2 (k : tiling_claim) (w : tiling_witness) (ts : list ctri) : cert2 A :=
   Cert2 A (w_denominator w) (map vec2 (w_vertices w)) ts (gram2 k) (rank k) (map vec2 (scaled k w (rank k))) (faces_of k).

@@ -104,6 +104,14 @@ Fixpoint chk_edges (c : cert A) (kts : list (ktet A)) (ts : list ctet) : bool :=
   | a :: b :: _ :: ts => strict a 0 && strict a 1 && strict b 3 && chk_edges c kts ts
   | _ => true
   end.
+(** Not Delaunay: a corner of a mate is inside of the ball of the first tetrahedron over a triangle, which
+    meets the bottom plane in the circumscribed circle. *)
+Definition bottom_mate (ts : list ctri) (m : mref2) : mref :=
+  match m with Some (_, j, _) => if N.ltb j 3 then lifted_mate ts (fun j e => (0%N, slot e j)) m else None | None => None end.
+Definition chk_not_delaunay2 (c : cert2) : bool :=
+  let c3 := lift c in let kts := positions A aadd aofZ c3 in
+  existsl (fun t => let kt := kpos A aadd aofZ (c_den A c3) (c_verts A c3) (tetA (V2 c) (e_tris c) 0 t) in
+    existsl (fun m => chk_inside_at A aadd asub amul aofZ alt c3 kts kt (bottom_mate (e_tris c) m)) [n0 t; n1 t; n2 t]) (e_tris c).
 Definition check_statement2 (c : cert2) (s : cstatement A) : bool :=
   let g := c_gram A (lift c) in
   let all f := forallb (fun t => forallb (on_edge A f) (three c t)) (e_tris c) in
@@ -116,9 +124,12 @@ Definition check_statement2 (c : cert2) (s : cstatement A) : bool :=
   | CSmallestDihedralAngle _ rel sg p q =>
     chk_bound A aofZ alt ale sg p q && related rel (fun t => test_smallest (angles sg p q) (three c t)) (e_tris c)
   | CSquaredRadiusEdgeRatio _ rel p q => Z.ltb 0 q && alt zero p && related rel (chk_radius2 c p q) (e_tris c)
+  | CUncrossed _ (c1, c2, _) p q part => let c3 := lift c in
+    Z.ltb 0 q && forallb (chk_uncrossed A aadd asub amul aofZ ale part (c_den A c3) (c_rank A c3) (c1, c2, 0%Z) p q) (positions A aadd aofZ c3)
   | CDelaunay _ => let c3 := lift c in
     chk_delaunay A aadd asub amul aofZ ale c3 && chk_edges c3 (positions A aadd aofZ c3) (c_tets A c3)
   | CWeaklyDelaunay _ => chk_delaunay A aadd asub amul aofZ ale (lift c)
+  | CNotDelaunay _ => chk_not_delaunay2 c
   | CTCP _ => false
   end.
 Definition in_range (c : cert2) (t : ctri) := N.ltb (fst (p0 t)) (V2 c) && N.ltb (fst (p1 t)) (V2 c) && N.ltb (fst (p2 t)) (V2 c).

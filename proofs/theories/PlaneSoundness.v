@@ -646,6 +646,67 @@ Proof.
 Qed.
 
 (** *** The tiling *)
+(** *** Delaunay *)
+(** The balls of the tetrahedra over T meet the bottom plane in the circle of T. *)
+Lemma circle_A e T C q : circumscribed (overA e T) C q ->
+  circumscribed2 T (down C) (q - pz C * pz C) /\ forall v, distance_squared (up 0 v) C = distance_squared2 v (down C) + pz C * pz C.
+Proof.
+  intros H. assert (D : forall v, distance_squared (up 0 v) C = distance_squared2 v (down C) + pz C * pz C).
+  { intros v. rewrite distance_down. ring. }
+  split; auto. intros v Hv. assert (K : In (up 0 v) (verts (overA e T))) by (apply bottom_vertex; auto).
+  apply H in K. rewrite D in K. lra.
+Qed.
+Lemma bottom_vx e T j : In j I4 -> (j < 3)%nat -> exists v, In v (corners T) /\ vx (overA e T) (N.to_nat (slot e (N.of_nat j))) = up 0 v.
+Proof.
+  intros _ H. destruct j as [|[|[|j]]]; [| | |lia]; destruct e; eexists; (split; [|reflexivity]); simpl; auto.
+Qed.
+Theorem not_delaunay_sound2 : chk_not_delaunay2 A aadd asub amul aofZ alt ale c = true -> not_delaunay2 l1 l2 r N T2.
+Proof.
+  intros H. unfold chk_not_delaunay2 in H. cbv zeta in H. rewrite existsl_eq, existsb_exists in H. destruct H as [t [It H]].
+  rewrite existsl_eq, existsb_exists in H. destruct H as [m [_ H]]. apply In_nth_error in It as [k Et].
+  destruct (prisms_nth (V2 A c) (e_tris A c) (e_tris A c) 0 k t Et) as [N0 _]. rewrite N.add_0_l in N0. rewrite <- lift_tets in N0.
+  assert (KE : kpos A aadd aofZ (c_den A c3) (c_verts A c3) (tetA (V2 A c) (e_tris A c) 0 t) =
+    kpos A aadd aofZ (c_den A c3) (c_verts A c3) (tetA (V2 A c) (e_tris A c) (N.of_nat k) t)) by (unfold tetA; destruct (even t); reflexivity).
+  fold c3 in H. rewrite KE in H.
+  destruct (inside_at_sound A aadd asub amul aofZ alt phi phi_add phi_sub phi_mul phi_Z alt_ok c3 base3 L1 L2 L3 lift_gram _ _ _ N0 H) as [k' [i' [d [E [Hi [V' [V D]]]]]]].
+  cbv zeta in D. rewrite <- (dtet_cP A aadd asub amul aofZ alt phi phi_add phi_Z c3 base3) in D.
+  unfold bottom_mate in E. destruct m as [[[t' j] u]|]; [|discriminate]. destruct (N.ltb_spec j 3) as [Hj|]; [|discriminate].
+  cbn [lifted_mate] in E. injection E as E1 E2 E3.
+  assert (Ek : k' = (3 * t')%N) by (rewrite <- E1, N.add_0_r; reflexivity). clear E1. subst d k'. rewrite N2Nat.inj_mul in V', D. change (N.to_nat 3) with 3%nat in V', D.
+  pose proof (lattice3 _ (eq_ind _ (fun x => in_lattice x (up3 u)) (proj2 V') _ lift_rank)) as [_ Hu]. cbn [snd lat2 up3 fst] in Hu.
+  assert (Hk' : (N.to_nat t' < N)%nat) by (pose proof (proj1 V') as X; cbn [fst] in X; rewrite length3 in X; lia).
+  assert (T' : is_tile2 (N.to_nat t', u)) by (split; [exact Hk'|destruct u; exact Hu]).
+  assert (Hk : (k < N)%nat) by (apply nth_error_Some; congruence).
+  assert (T : is_tile2 (k, (0, 0)%Z)) by (split; [exact Hk|destruct r as [|[|?]]; cbn; auto]).
+  destruct (over_tile_even _ _ T) as [[A1 A2] _]. destruct (over_tile_even _ _ T') as [[B1 _] _].
+  change (up3 (0, 0)%Z) with z30 in A1, A2. rewrite B1, A1 in D.
+  assert (Ei : N.to_nat i' = N.to_nat (slot (even_at (N.to_nat t')) (N.of_nat (N.to_nat j)))).
+  { rewrite N2Nat.id, <- E2. cbn [snd]. unfold even_at. destruct (nth_error (e_tris A c) (N.to_nat t')); reflexivity. }
+  rewrite Ei in D. destruct (bottom_vx (even_at (N.to_nat t')) (tile2 (N.to_nat t', u)) (N.to_nat j)) as [v [Iv Ev]]; [apply I4_lt; lia|lia|].
+  rewrite Ev in D.
+  pose proof (circumscribed_centre (tile3 ((3 * k)%nat, z30)) (vol_tile3 _ A2)) as CC. rewrite A1 in CC.
+  destruct (circle_A _ _ _ _ CC) as [C2 D2]. rewrite D2 in D.
+  eexists. eexists. eexists. exists v. split; [exact T|]. split; [exact C2|]. split; [eexists; split; [exact T'|exact Iv]|]. lra.
+Qed.
+
+(** *** Lines that no triangle crosses: planes that no tetrahedron crosses *)
+Theorem uncrossed_sound2 part c1 c2 p q : 0 < IZR q ->
+  forallb (chk_uncrossed A aadd asub amul aofZ ale part (c_den A c3) (c_rank A c3) (c1, c2, 0%Z) p q) (positions A aadd aofZ c3) = true ->
+  uncrossed2 l1 l2 r N T2 (c1, c2) (IZR p / IZR q).
+Proof.
+  intros Q H [k n] Ht.
+  pose proof (uncrossed_sound A aadd asub amul aofZ alt ale phi phi_add phi_sub phi_mul phi_Z alt_ok ale_ok c3 base3 L1 L2 L3 lift_gram part _ p q Q H) as U.
+  rewrite <- (dtet_cP A aadd asub amul aofZ alt phi phi_add phi_Z c3 base3) in U.
+  destruct (over_tile k n Ht) as [e [[A1 A2] _]]. specialize (U _ A2). rewrite A1 in U.
+  assert (K : forall x, hull2 (tile2 (k, n)) (at_coordinates2 l1 l2 x) -> hull (overA e (tile2 (k, n))) (at_coordinates L1 L2 L3 (up 0 x)) /\
+    linear_form (c1, c2, 0%Z) (up 0 x) = IZR c1 * x2 x + IZR c2 * y2 x).
+  { intros x Hx. split.
+    - replace (at_coordinates L1 L2 L3 (up 0 x)) with (up 0 (at_coordinates2 l1 l2 x)); [apply bottom, Hx|].
+      unfold at_coordinates, at_coordinates2, L1, L2, L3, up. apply point_eq; unf; unf2; ring.
+    - unfold linear_form, up; cbn [px py pz]. ring. }
+  cbn [fst snd]. destruct U as [U|U]; [left|right]; intros x Hx; destruct (K x Hx) as [K1 <-]; apply U, K1.
+Qed.
+
 Section Tiling.
 Hypothesis chk3 : check_tiling A aadd asub amul aofZ alt ale c3 = true.
 Let S3 := tiling_sound A aadd asub amul aofZ alt ale phi phi_add phi_sub phi_mul phi_Z alt_ok ale_ok c3 base3 chk3 L1 L2 L3 lift_gram.
@@ -665,21 +726,11 @@ Proof.
   - apply edges_plane, (tiling_face_to_face _ _ _ _ _ _ _ S3).
 Qed.
 
-(** *** Delaunay *)
 Notation tile3' := (tile L1 L2 L3 T3).
 Lemma vertex_up v : is_vertex2 l1 l2 r N T2 v -> is_vertex L1 L2 L3 (c_rank A c3) (length (c_tets A c3)) T3 (up 0 v).
 Proof.
   intros [[k n] [H Hv]]. destruct (over_tile k n H) as [e [[A1 A2] _]]. exists ((3 * k)%nat, up3 n). split; auto.
   rewrite A1. apply bottom_vertex; auto.
-Qed.
-(** The balls of the tetrahedra over T meet the bottom plane in the circle of T. *)
-Lemma circle_A e T C q : circumscribed (overA e T) C q ->
-  circumscribed2 T (down C) (q - pz C * pz C) /\ forall v, distance_squared (up 0 v) C = distance_squared2 v (down C) + pz C * pz C.
-Proof.
-  intros H. assert (D : forall v, distance_squared (up 0 v) C = distance_squared2 v (down C) + pz C * pz C).
-  { intros v. rewrite distance_down. ring. }
-  split; auto. intros v Hv. assert (K : In (up 0 v) (verts (overA e T))) by (apply bottom_vertex; auto).
-  apply H in K. rewrite D in K. lra.
 Qed.
 Lemma circle_B e T C q : area T <> 0 -> circumscribed (overB e T) C q -> down C = circumcentre2 T /\ q = distance_squared2 (ta T) (circumcentre2 T) + pz C * pz C.
 Proof.
@@ -786,12 +837,14 @@ End Tiling.
 Lemma each_sound2 st : check_statement2 A aadd asub amul aofZ alt ale c st = true ->
   match st with CDelaunay _ | CWeaklyDelaunay _ => True | _ => holds2 l1 l2 r N T2 (dstatement A phi st) end.
 Proof.
-  intros H. destruct st as [| |rel sg p q|rel sg p q|rel p q| | |]; auto; cbn [check_statement2 dstatement holds2] in *; cbv zeta in H; change (c_gram A (lift c)) with (c_gram A c3) in H.
+  intros H. destruct st as [| |rel sg p q|rel sg p q|rel p q|n p q part| | | |]; auto; cbn [check_statement2 dstatement holds2] in *; cbv zeta in H; change (c_gram A (lift c)) with (c_gram A c3) in H.
   - exact (each_angle2 _ (fun x => x < PI / 2) (acute_sound A aadd asub amul aofZ alt phi phi_add phi_sub phi_mul phi_Z alt_ok c3 base3 L1 L2 L3 lift_gram) H).
   - exact (each_angle2 _ (fun x => x <= PI / 2) (nonobtuse_sound A aadd asub amul aofZ alt ale phi phi_add phi_sub phi_mul phi_Z ale_ok c3 base3 L1 L2 L3 lift_gram) H).
   - apply andb_true_iff in H as [B H]. apply largest_sound2; auto.
   - apply andb_true_iff in H as [B H]. apply smallest_sound2; auto.
   - apply andb_true_iff in H as [B H]. apply andb_true_iff in B as [B _]. apply Z.ltb_lt, IZR_lt in B. apply radius_sound2; auto.
+  - destruct n as [[c1 c2] ?]. cbv beta iota in H |- *. apply andb_true_iff in H as [B H]. apply Z.ltb_lt, IZR_lt in B. apply (uncrossed_sound2 part); auto.
+  - apply not_delaunay_sound2, H.
   - discriminate.
 Qed.
 End Basis.

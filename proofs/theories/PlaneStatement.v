@@ -95,15 +95,20 @@ Definition smallest_angle2 := bounded is_tile2 (fun c => smallest (angles2 (tile
 Definition circumscribed2 (t : triangle2) (C : point2) (s : R) := forall v, In v (corners t) -> distance_squared2 v C = s.
 Definition squared_ratio2 (t : triangle2) (q : R) := exists C s l, circumscribed2 t C s /\ smallest (squared_edges2 t) l /\ q = s / l.
 Definition squared_radius_edge_ratio2 := bounded is_tile2 (fun c => squared_ratio2 (tile2 c)).
+(** "uncrossed plane": a line. *)
+Definition uncrossed2 (c : Z * Z) (b : R) := forall t, is_tile2 t ->
+  (forall x, hull2 (tile2 t) (at_coordinates2 l1 l2 x) -> IZR (fst c) * x2 x + IZR (snd c) * y2 x <= b) \/
+  (forall x, hull2 (tile2 t) (at_coordinates2 l1 l2 x) -> b <= IZR (fst c) * x2 x + IZR (snd c) * y2 x).
 Definition is_vertex2 (v : point2) := exists c, is_tile2 c /\ In v (corners (tile2 c)).
 Definition weakly_delaunay2 := forall c, is_tile2 c -> exists C s, circumscribed2 (tile2 c) C s /\
   forall v, is_vertex2 v -> s <= distance_squared2 v C.
 Definition delaunay2 := forall c, is_tile2 c -> exists C s, circumscribed2 (tile2 c) C s /\
   forall v, is_vertex2 v -> s <= distance_squared2 v C /\ (distance_squared2 v C = s -> In v (corners (tile2 c))).
+Definition not_delaunay2 := exists c C s v, is_tile2 c /\ circumscribed2 (tile2 c) C s /\ is_vertex2 v /\ distance_squared2 v C < s.
 End Tilings.
 
 (** The statements of Statement.v; the dihedral angles of a triangle are its angles, and
-    "TCP" is no statement about the plane. *)
+    "TCP" is no statement about the plane; a line has two coefficients. *)
 Definition holds2 (l1 l2 : point2) (r N : nat) (P : nat -> triangle2) (s : statement) : Prop :=
   match s with
   | Acute => acute2 l1 l2 r N P
@@ -111,7 +116,9 @@ Definition holds2 (l1 l2 : point2) (r N : nat) (P : nat -> triangle2) (s : state
   | LargestDihedralAngle rel B => largest_angle2 l1 l2 r N P rel B
   | SmallestDihedralAngle rel B => smallest_angle2 l1 l2 r N P rel B
   | SquaredRadiusEdgeRatio rel B => squared_radius_edge_ratio2 l1 l2 r N P rel B
+  | Uncrossed (c1, c2, _) b => uncrossed2 l1 l2 r N P (c1, c2) b
   | Delaunay => delaunay2 l1 l2 r N P
   | WeaklyDelaunay => weakly_delaunay2 l1 l2 r N P
+  | NotDelaunay => not_delaunay2 l1 l2 r N P
   | TCP => False
   end.

@@ -136,10 +136,12 @@ Definition read_sentence (f : field) (i : item) : option sentence :=
     let* rel := read_relation rel in let* p := read_number f p in Some (SmallestAngle rel sg p q)
   | Array [Text "squared radius-edge ratio"; rel; Array [p; Int q]] =>
     let* rel := read_relation rel in let* p := read_number f p in Some (SquaredRatio rel p q)
+  | Array [Text "uncrossed plane"; c; Array [Int p; Int q]] => let* c := array whole c in Some (UncrossedPlane c p q)
   | Text "Delaunay" => Some IsDelaunay
   | Text "weakly Delaunay" => Some IsWeaklyDelaunay
   | Text "locally Delaunay" => Some IsLocallyDelaunay
   | Text "locally weakly Delaunay" => Some IsLocallyWeaklyDelaunay
+  | Text "not Delaunay" => Some IsNotDelaunay
   | Text "TCP" => Some IsTCP
   | _ => None
   end.

@@ -407,7 +407,7 @@ Lemma each_sound st : fast_statement A aadd asub amul aofZ alt ale c (positions 
   match st with CDelaunay _ | CWeaklyDelaunay _ | CTCP _ => True | _ => holds l1 l2 l3 r N P (dstatement A phi st) end.
 Proof.
   intros H. apply fast_statement_ok in H.
-  destruct st as [| |rel sg p q|rel sg p q|rel p q| | |]; auto; cbn [Checker.check_statement dstatement holds] in *; cbv zeta in H.
+  destruct st as [| |rel sg p q|rel sg p q|rel p q|n p q hint| | | |]; auto; cbn [Checker.check_statement dstatement holds] in *; cbv zeta in H.
   - exact (each_angle A aadd asub amul aofZ alt phi phi_add phi_sub phi_mul phi_Z alt_ok c base l1 l2 l3 HG _ (fun x => x < PI / 2)
       (acute_sound A aadd asub amul aofZ alt phi phi_add phi_sub phi_mul phi_Z alt_ok c base l1 l2 l3 HG) H).
   - exact (each_angle A aadd asub amul aofZ alt phi phi_add phi_sub phi_mul phi_Z alt_ok c base l1 l2 l3 HG _ (fun x => x <= PI / 2)
@@ -416,6 +416,9 @@ Proof.
   - apply andb_true_iff in H as [B H]. apply (smallest_sound A aadd asub amul aofZ alt ale phi phi_add phi_sub phi_mul phi_Z alt_ok ale_ok c base l1 l2 l3 HG); auto.
   - apply andb_true_iff in H as [B H]. apply andb_true_iff in B as [B _]. apply Z.ltb_lt, IZR_lt in B.
     apply (radius_sound A aadd asub amul aofZ alt ale phi phi_add phi_sub phi_mul phi_Z alt_ok ale_ok c base l1 l2 l3 HG); auto.
+  - apply andb_true_iff in H as [B H]. apply Z.ltb_lt, IZR_lt in B.
+    apply (uncrossed_sound A aadd asub amul aofZ alt ale phi phi_add phi_sub phi_mul phi_Z alt_ok ale_ok c base l1 l2 l3 HG hint n p q B H).
+  - apply (not_delaunay_sound A aadd asub amul aofZ alt phi phi_add phi_sub phi_mul phi_Z alt_ok c base l1 l2 l3 HG H).
 Qed.
 
 (** *** Tiles with a common facet *)

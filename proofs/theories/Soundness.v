@@ -136,6 +136,32 @@ Proof.
   unfold Checker.kpower, power_sum, ksq, sq. repeat rewrite ?phi_add, ?phi_mul. rewrite !phi_L, !phi_gdot, !phi3_sub. reflexivity.
 Qed.
 
+(** Planes, and the lattice. *)
+Definition zdot (n d : Z3) : Z := let '(n1, n2, n3) := n in let '(d1, d2, d3) := d in (n1 * d1 + n2 * d2 + n3 * d3)%Z.
+Lemma phi_height n p q d v : phi (kheight A aadd asub amul aofZ n p q d v) = (IZR q * linear_form n (phi3 v) - IZR p * IZR d)%R.
+Proof.
+  destruct n as [[n1 n2] n3]. unfold kheight, linear_form, phi3; cbn [px py pz].
+  rewrite phi_sub, !phi_add, !phi_mul, !phi_Z, !mult_IZR. ring.
+Qed.
+Lemma linear_add n x y : linear_form n (add x y) = (linear_form n x + linear_form n y)%R.
+Proof. destruct n as [[n1 n2] n3]. unfold linear_form, add; cbn [px py pz]. ring. Qed.
+Lemma linear_vec n d z : linear_form n (vec d z) = (d * IZR (zdot n z))%R.
+Proof. destruct n as [[n1 n2] n3], z as [[z1 z2] z3]. unfold linear_form, vec, zdot; cbn [px py pz]. rewrite !plus_IZR, !mult_IZR. ring. Qed.
+Lemma step_divides r n d : latb r d = true -> exists w, zdot n d = (plane_step r n * w)%Z.
+Proof.
+  rewrite latb_iff. destruct n as [[n1 n2] n3], d as [[d1 d2] d3]. unfold plane_step, zdot. destruct r as [|[|[|r]]]; cbn [in_lattice].
+  - intros [-> [-> ->]]. exists 0%Z. ring.
+  - intros [-> ->]. destruct (Z.gcd_divide_l n1 0) as [a Ha]. set (g := Z.gcd n1 0) in *. clearbody g. exists (a * d1)%Z. rewrite Ha. ring.
+  - intros ->. destruct (Z.gcd_divide_l n1 n2) as [a Ha], (Z.gcd_divide_r n1 n2) as [b Hb]. set (g := Z.gcd n1 n2) in *. clearbody g.
+    exists (a * d1 + b * d2)%Z. rewrite Ha, Hb. ring.
+  - intros _. destruct (Z.gcd_divide_l n1 (Z.gcd n2 n3)) as [a Ha], (Z.gcd_divide_r n1 (Z.gcd n2 n3)) as [b Hb].
+    destruct (Z.gcd_divide_l n2 n3) as [a' Ha'], (Z.gcd_divide_r n2 n3) as [b' Hb'].
+    set (g := Z.gcd n1 (Z.gcd n2 n3)) in *. clearbody g. set (g' := Z.gcd n2 n3) in *. clearbody g'. rewrite Hb in Ha', Hb'.
+    exists (a * d1 + a' * b * d2 + b' * b * d3)%Z. rewrite Ha, Ha', Hb'. ring.
+Qed.
+Lemma step_nonnegative r n : (0 <= plane_step r n)%Z.
+Proof. destruct n as [[n1 n2] n3], r as [|[|[|r]]]; cbn [plane_step]; try apply Z.gcd_nonneg. lia. Qed.
+
 (** ** What a certificate denotes
 
     Corner (v, n) is the point with basis coordinates c_verts[v]/c_den + n. *)
@@ -163,8 +189,10 @@ Definition dstatement (s : cstatement) : statement :=
   | CLargestDihedralAngle _ rel sg p q => LargestDihedralAngle rel (dangle sg p q)
   | CSmallestDihedralAngle _ rel sg p q => SmallestDihedralAngle rel (dangle sg p q)
   | CSquaredRadiusEdgeRatio _ rel p q => SquaredRadiusEdgeRatio rel (phi p / IZR q)
+  | CUncrossed _ n p q _ => Uncrossed n (IZR p / IZR q)
   | CDelaunay _ => Delaunay
   | CWeaklyDelaunay _ => WeaklyDelaunay
+  | CNotDelaunay _ => NotDelaunay
   | CTCP _ => TCP
   end.
 End Denote.
@@ -1034,6 +1062,108 @@ Proof.
     apply Rmult_lt_reg_l with (vol (phiT (kpos den vs t))); auto. rewrite PP by lra. lra.
 Qed.
 
+(** Not Delaunay: a vertex with a negative power is inside. *)
+Lemma inside_at_sound k t m : nth_error (c_tets c) k = Some t ->
+  chk_inside_at A aadd asub amul aofZ alt c (positions c) (kpos den vs t) m = true ->
+  exists k' i' d, m = Some (k', i', d) /\ In (N.to_nat i') I4 /\ is_tile r N (N.to_nat k', d) /\ is_tile r N (k, z30) /\
+  let P := tile l1 l2 l3 cP (k, z30) in
+  distance_squared (vx (tile l1 l2 l3 cP (N.to_nat k', d)) (N.to_nat i')) (circumcentre P) < distance_squared (va P) (circumcentre P).
+Proof.
+  intros Et H. unfold Checker.chk_inside_at in H. destruct m as [[[k' i'] d]|]; [|discriminate]. exists k', i', d. split; auto.
+  unfold Checker.positions in H. fold den vs in H. rewrite nth_error_map in H.
+  destruct (nth_error (c_tets c) (N.to_nat k')) as [t'|] eqn:E'; [|discriminate]. cbn [option_map] in H.
+  rewrite !andb_true_iff, N.ltb_lt in H. destruct H as [[Hi Hd] H]. fold r in Hd.
+  assert (Hk : (k < N)%nat) by (apply nth_error_Some; congruence).
+  assert (Hk' : (N.to_nat k' < N)%nat) by (apply nth_error_Some; congruence).
+  assert (V : valid (k, z30)) by (split; [exact Hk|apply latb_zero]).
+  assert (V' : valid (N.to_nat k', d)) by (split; auto).
+  split; [apply I4_lt; lia|]. split; [apply valid_is_tile, V'|]. split; [apply valid_is_tile, V|]. cbv zeta.
+  rewrite !tile_cP. pose proof (pvol k z30 Hk) as P. pose proof (power_distance (piece (k, z30)) (vx (piece (N.to_nat k', d)) (N.to_nat i')) P) as PD. cbv zeta in PD.
+  assert (EV : vx (Euclid.Et b1 b2 b3 (piece (N.to_nat k', d))) (N.to_nat i') = e (vx (piece (N.to_nat k', d)) (N.to_nat i'))).
+  { destruct (N.to_nat i') as [|[|[|?]]]; reflexivity. }
+  rewrite EV. change (va (Euclid.Et b1 b2 b3 (piece (k, z30)))) with (e (va (piece (k, z30)))).
+  apply alt_ok in H. rewrite phi_zero, phi_power, phi3_add, phi3_ofZ, phi_vx in H. fold h G in H.
+  assert (PT : piece (k, z30) = phiT (kpos den vs t)).
+  { unfold Degree.piece; cbn [fst snd]. rewrite (cT_eq k t Et). apply ttr0. }
+  assert (PV : vx (piece (N.to_nat k', d)) (N.to_nat i') = add (vx (phiT (kpos den vs t')) (N.to_nat i')) (vec h d)).
+  { unfold Degree.piece; cbn [fst snd]. rewrite (cT_eq _ t' E'). apply vx_translate'. }
+  rewrite <- PV, <- PT in H.
+  pose proof (power_power_sum G (piece (k, z30)) (vx (piece (N.to_nat k', d)) (N.to_nat i')) ltac:(lra)) as PP.
+  pose proof s_pos. cut (s * power G (piece (k, z30)) (vx (piece (N.to_nat k', d)) (N.to_nat i')) < 0); [lra|].
+  assert (power G (piece (k, z30)) (vx (piece (N.to_nat k', d)) (N.to_nat i')) < 0).
+  { apply Rmult_lt_reg_l with (vol (piece (k, z30))); auto. lra. }
+  apply Rmult_lt_reg_l with (/ s); [apply Rinv_0_lt_compat; auto|]. rewrite <- Rmult_assoc, Rinv_l by lra. lra.
+Qed.
+Theorem not_delaunay_sound : chk_not_delaunay A aadd asub amul aofZ alt c = true -> not_delaunay l1 l2 l3 r N cP.
+Proof.
+  intros H. unfold Checker.chk_not_delaunay in H. rewrite existsl_eq, existsb_exists in H. destruct H as [t [It H]].
+  rewrite existsl_eq, existsb_exists in H. destruct H as [i [_ H]]. apply In_nth_error in It as [k Et].
+  destruct (inside_at_sound k t _ Et H) as [k' [i' [d [_ [Hi [V' [V D]]]]]]]. cbv zeta in D.
+  eexists. eexists. eexists. eexists. split; [exact V|]. split; [apply circumscribed_centre|split; [|exact D]].
+  - rewrite tile_cP, vol_Et. apply valid_is_tile in V. pose proof (pvol k z30 (proj1 V)).
+    apply Rmult_integral_contrapositive_currified; [lra|apply cdetb].
+  - eexists. split; [exact V'|apply vx_In, Hi].
+Qed.
+
+(** *** Planes that no tile crosses *)
+Theorem uncrossed_sound part n p q : 0 < IZR q -> forallb (chk_uncrossed A aadd asub amul aofZ ale part den r n p q) (positions c) = true ->
+  uncrossed l1 l2 l3 r N cP n (IZR p / IZR q).
+Proof.
+  intros Q H [k d] Hc. apply valid_is_tile in Hc. pose proof h_pos as hp. pose proof (proj1 Hc) as Hk. pose proof (proj2 Hc) as Hd. cbn [fst snd] in Hk, Hd.
+  destruct (get k Hk) as [t [Et It]]. rewrite forallb_forall in H.
+  assert (Ip : In (kpos den vs t) (positions c)) by (unfold Checker.positions; fold den vs; apply in_map; exact It).
+  specialize (H _ Ip). set (W := fun x => IZR q * linear_form n x - IZR p * h).
+  assert (S : (forall v, In v (verts (piece (k, d))) -> W v <= 0) \/ (forall v, In v (verts (piece (k, d))) -> 0 <= W v)).
+  { destruct (step_divides r n d Hd) as [w Ew]. pose proof (step_nonnegative r n) as Gn. unfold chk_uncrossed in H. cbv zeta in H.
+    set (g := plane_step r n) in *. clearbody g.
+    assert (V : forall v, In v (verts (piece (k, d))) -> exists x, In x (map (kheight A aadd asub amul aofZ n p q den) (kverts (kpos den vs t))) /\
+      W v = phi x + IZR (q * den * (g * w))).
+    { intros v Hv. unfold Degree.piece in Hv; cbn [fst snd] in Hv. rewrite (cT_eq k t Et) in Hv. apply in_piece_verts in Hv as [u [Hu ->]].
+      eexists. split; [apply in_map, Hu|]. unfold W. rewrite phi_height, linear_add, linear_vec, Ew, !mult_IZR. fold h. ring. }
+    set (ks := map (kheight A aadd asub amul aofZ n p q den) (kverts (kpos den vs t))) in *. clearbody ks. destruct (Z.eqb_spec g 0) as [E|NE].
+    - rewrite E in V. assert (Z0 : IZR (q * den * (0 * w)) = 0) by (rewrite Z.mul_0_l, Z.mul_0_r; reflexivity). rewrite Z0 in V.
+      destruct (forallb (fun x => ale zero x) ks) eqn:P; [right|left]; intros v Hv; destruct (V v Hv) as [x [Hx ->]].
+      + rewrite forallb_forall in P. specialize (P x Hx). apply ale_ok in P. rewrite phi_zero in P. lra.
+      + rewrite forallb_forall in H. specialize (H x Hx). apply ale_ok in H. rewrite phi_zero in H. lra.
+    - rewrite existsl_eq, existsb_exists in H. destruct H as [m [_ H]]. rewrite forallb_forall in H.
+      assert (U : (0 <= q * den * g)%Z).
+      { apply lt_IZR in Q. destruct BASE as [DP _]. fold den in DP. apply Z.mul_nonneg_nonneg; [apply Z.mul_nonneg_nonneg|]; lia. }
+      destruct (Z_le_gt_dec 0 (m + w)) as [L|L]; [right|left]; intros v Hv; destruct (V v Hv) as [x [Hx ->]]; specialize (H x Hx);
+        cbv beta in H; apply andb_true_iff in H as [H1 H2]; apply ale_ok in H1, H2; rewrite phi_Z in H1, H2.
+      + assert (K : 0 <= IZR (q * den * g * m) + IZR (q * den * (g * w))).
+        { rewrite <- plus_IZR. apply IZR_le. replace (q * den * g * m + q * den * (g * w))%Z with (q * den * g * (m + w))%Z by ring.
+          apply Z.mul_nonneg_nonneg; lia. }
+        lra.
+      + assert (K : IZR (q * den * g * (m + 1)) + IZR (q * den * (g * w)) <= 0).
+        { rewrite <- plus_IZR. apply IZR_le. replace (q * den * g * (m + 1) + q * den * (g * w))%Z with (q * den * g * (m + w + 1))%Z by ring.
+          apply Z.mul_nonneg_nonpos; lia. }
+        lra. }
+  assert (X : forall x, hull (tile l1 l2 l3 cP (k, d)) (at_coordinates l1 l2 l3 x) -> exists a1 a2 a3 a4, 0 <= a1 /\ 0 <= a2 /\ 0 <= a3 /\ 0 <= a4 /\
+    h * (IZR q * linear_form n x - IZR p) = a1 * W (va (piece (k, d))) + a2 * W (vb (piece (k, d))) + a3 * W (vc (piece (k, d))) + a4 * W (vd (piece (k, d)))).
+  { intros x [a1 [a2 [a3 [a4 [P1 [P2 [P3 [P4 [SW E]]]]]]]]]. exists a1, a2, a3, a4. repeat (split; [assumption|]).
+    rewrite tile_cP, E_comb4 in E.
+    assert (EX : at_coordinates l1 l2 l3 x = Euclid.E b1 b2 b3 (scale h x)).
+    { unfold Euclid.E, b1, b2, b3, at_coordinates. apply point_eq; unf; field; lra. }
+    rewrite EX in E. apply (E_inj b1 b2 b3 cdetb) in E.
+    assert (HX : h * (IZR q * linear_form n x - IZR p) = W (scale h x)).
+    { unfold W, linear_form. destruct n as [[n1 n2] n3]. unf. ring. }
+    rewrite HX, E. unfold W, linear_form. destruct n as [[n1 n2] n3]. unfold combination. unf.
+    replace a4 with (1 - a1 - a2 - a3) by lra. ring. }
+  assert (Y : forall x, h * (IZR q * linear_form n x - IZR p) = h * IZR q * (linear_form n x - IZR p / IZR q)) by (intros x; field; lra).
+  assert (HQ : 0 < h * IZR q) by (apply Rmult_lt_0_compat; auto).
+  assert (PV : forall v, In v [va (piece (k, d)); vb (piece (k, d)); vc (piece (k, d)); vd (piece (k, d))] -> In v (verts (piece (k, d)))) by (intros v Hv; exact Hv).
+  destruct S as [S|S]; [left|right]; intros x Hx; destruct (X x Hx) as [a1 [a2 [a3 [a4 [P1 [P2 [P3 [P4 E]]]]]]]]; rewrite Y in E;
+    pose proof (S _ (PV _ (or_introl eq_refl))) as W1; pose proof (S _ (PV _ (or_intror (or_introl eq_refl)))) as W2;
+    pose proof (S _ (PV _ (or_intror (or_intror (or_introl eq_refl))))) as W3; pose proof (S _ (PV _ (or_intror (or_intror (or_intror (or_introl eq_refl)))))) as W4.
+  - assert (K : h * IZR q * (linear_form n x - IZR p / IZR q) <= 0).
+    { rewrite E. pose proof (Rmult_le_compat_l _ _ _ P1 W1). pose proof (Rmult_le_compat_l _ _ _ P2 W2).
+      pose proof (Rmult_le_compat_l _ _ _ P3 W3). pose proof (Rmult_le_compat_l _ _ _ P4 W4). lra. }
+    apply Rnot_lt_le. intros L. assert (0 < h * IZR q * (linear_form n x - IZR p / IZR q)) by (apply Rmult_lt_0_compat; lra). lra.
+  - assert (K : 0 <= h * IZR q * (linear_form n x - IZR p / IZR q)).
+    { rewrite E. pose proof (Rmult_le_pos _ _ P1 W1). pose proof (Rmult_le_pos _ _ P2 W2). pose proof (Rmult_le_pos _ _ P3 W3). pose proof (Rmult_le_pos _ _ P4 W4). lra. }
+    apply Rnot_lt_le. intros L. assert (0 < h * IZR q * (IZR p / IZR q - linear_form n x)) by (apply Rmult_lt_0_compat; lra). lra.
+Qed.
+
 (** *** Valences *)
 (** The name of a vertex of a tile: the corner, moved with the tile. *)
 Definition names (cc : cell) : list corner :=
@@ -1259,12 +1389,13 @@ Qed.
 (** *** All statements *)
 Theorem statement_sound st : check_statement c st = true -> holds l1 l2 l3 r N cP (dstatement st).
 Proof.
-  intros H. destruct st as [| |rel sg p q|rel sg p q|rel p q| | |]; cbn [Checker.check_statement dstatement holds] in *; cbv zeta in H.
+  intros H. destruct st as [| |rel sg p q|rel sg p q|rel p q|n p q part| | | |]; cbn [Checker.check_statement dstatement holds] in *; cbv zeta in H.
   - exact (each_angle _ (fun x => x < PI / 2) acute_sound H).
   - exact (each_angle _ (fun x => x <= PI / 2) nonobtuse_sound H).
   - apply andb_true_iff in H as [B H]. apply largest_sound; auto.
   - apply andb_true_iff in H as [B H]. apply smallest_sound; auto.
   - apply andb_true_iff in H as [B H]. apply andb_true_iff in B as [B _]. apply Z.ltb_lt, IZR_lt in B. apply radius_sound; auto.
+  - apply andb_true_iff in H as [B H]. apply Z.ltb_lt, IZR_lt in B. apply (uncrossed_sound part); auto.
   - assert (LE : forall x y, alt x y = true -> phi x <= phi y) by (intros x y X; apply alt_ok in X; lra).
     intros cc Hc. apply valid_is_tile in Hc.
     assert (V : 0 < vol (piece cc)) by (destruct cc; apply pvol, Hc).
@@ -1288,6 +1419,7 @@ Proof.
     { rewrite tile_cP, vol_Et. apply Rmult_integral_contrapositive_currified; [lra|apply cdetb]. }
     exists (circumcentre (tile l1 l2 l3 cP cc)), (distance_squared (va (tile l1 l2 l3 cP cc)) (circumcentre (tile l1 l2 l3 cP cc))).
     split; [apply circumscribed_centre; auto|]. intros v Hv. apply (weakly_sound ale ale_ok H cc v Hc Hv).
+  - apply not_delaunay_sound, H.
   - apply tcp_sound, H.
 Qed.
 End Basis.

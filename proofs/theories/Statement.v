@@ -221,6 +221,13 @@ Definition circumscribed (t : tetrahedron) (C : point) (s : R) := forall v, In v
 Definition squared_ratio (t : tetrahedron) (q : R) := exists C s l, circumscribed t C s /\ smallest (squared_edges t) l /\ q = s / l.
 Definition squared_radius_edge_ratio := bounded is_tile (fun c => squared_ratio (tile c)).
 
+(** "uncrossed plane": the points with the basis coordinates x and c1 x1 + c2 x2 + c3 x3 = b, for
+    c = (c1, c2, c3), are a plane.  Each tile lies in one of its two closed sides. *)
+Definition linear_form (c : Z * Z * Z) (x : point) : R := let '(c1, c2, c3) := c in IZR c1 * px x + IZR c2 * py x + IZR c3 * pz x.
+Definition uncrossed (c : Z * Z * Z) (b : R) := forall t, is_tile t ->
+  (forall x, hull (tile t) (at_coordinates l1 l2 l3 x) -> linear_form c x <= b) \/
+  (forall x, hull (tile t) (at_coordinates l1 l2 l3 x) -> b <= linear_form c x).
+
 (** "Delaunay": the circumscribed ball of every tile has no vertex in its
     interior and none but the tile's own on its boundary; "weakly Delaunay": none in
     its interior. *)
@@ -229,6 +236,9 @@ Definition weakly_delaunay := forall c, is_tile c -> exists C s, circumscribed (
   forall v, is_vertex v -> s <= distance_squared v C.
 Definition delaunay := forall c, is_tile c -> exists C s, circumscribed (tile c) C s /\
   forall v, is_vertex v -> s <= distance_squared v C /\ (distance_squared v C = s -> In v (verts (tile c))).
+
+(** "not Delaunay": the circumscribed ball of some tile has a vertex in its interior. *)
+Definition not_delaunay := exists c C s v, is_tile c /\ circumscribed (tile c) C s /\ is_vertex v /\ distance_squared v C < s.
 
 (** "TCP", tetrahedrally close packed.  The valence of an edge uv is the number of
     tiles that have it; it is 5 or 6, and no triangle has two edges of valence 6. *)
@@ -246,7 +256,8 @@ Inductive statement :=
   | Acute | Nonobtuse
   | LargestDihedralAngle (rel : relation) (B : R) | SmallestDihedralAngle (rel : relation) (B : R)
   | SquaredRadiusEdgeRatio (rel : relation) (B : R)
-  | Delaunay | WeaklyDelaunay | TCP.
+  | Uncrossed (c : Z * Z * Z) (b : R)
+  | Delaunay | WeaklyDelaunay | NotDelaunay | TCP.
 Definition holds (l1 l2 l3 : point) (r N : nat) (P : nat -> tetrahedron) (s : statement) : Prop :=
   match s with
   | Acute => acute l1 l2 l3 r N P
@@ -254,7 +265,9 @@ Definition holds (l1 l2 l3 : point) (r N : nat) (P : nat -> tetrahedron) (s : st
   | LargestDihedralAngle rel B => largest_dihedral_angle l1 l2 l3 r N P rel B
   | SmallestDihedralAngle rel B => smallest_dihedral_angle l1 l2 l3 r N P rel B
   | SquaredRadiusEdgeRatio rel B => squared_radius_edge_ratio l1 l2 l3 r N P rel B
+  | Uncrossed c b => uncrossed l1 l2 l3 r N P c b
   | Delaunay => delaunay l1 l2 l3 r N P
   | WeaklyDelaunay => weakly_delaunay l1 l2 l3 r N P
+  | NotDelaunay => not_delaunay l1 l2 l3 r N P
   | TCP => tcp l1 l2 l3 r N P
   end.

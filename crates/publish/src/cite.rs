@@ -4,9 +4,8 @@
 
 use crate::appendix::Subject;
 use crate::appendix::bibliography::entries;
-use acutile_core::format::{family, read};
 use acutile_core::proved::{hexadecimal, in_words};
-use acutile_io::export::{coq_family_theorem, coq_theorem};
+use acutile_io::export::coq_file;
 use acutile_kernel::Verified;
 
 const VERSION: &str = env!("CARGO_PKG_VERSION");
@@ -65,12 +64,7 @@ fn made(subject: &Subject, digest: &str, has_sources: bool) -> String {
 /// Which proofs there are that the checks imply the claim.
 fn checked(subject: &Subject) -> String {
     let bytes = subject.certificate();
-    let has_theorem = match read::certificate(bytes) {
-        Ok(certificate) => coq_theorem(bytes, &certificate.claim).is_ok(),
-        Err(_) => family::certificate(bytes)
-            .is_ok_and(|certificate| coq_family_theorem(bytes, &certificate.claim).is_ok()),
-    };
-    let coq = match has_theorem {
+    let coq = match coq_file(bytes).is_ok() {
         true => {
             "Coq can prove the claim from the same bytes: acutile export --coq writes it as a theorem. This command has not run Coq."
         }

@@ -3,39 +3,12 @@
 //! The file contains the certificate's own bytes, and its claim as a term of `Denote.v`. Coq's kernel
 //! runs the checker of `Bytes.v`, which is proved sound. So nothing here is trusted: the theorem is
 //! about the bytes and the claim that the file shows, and a mistake makes `coqc` fail.
-//!
-//! The statements about uncrossed planes and "not Delaunay" are left out: the development does not treat them.
 
 use acutile_core::format::family::{End, FamilyClaim, Parameter, Term, Value};
 use acutile_core::format::{
     self, Claim, Cosine, Domain, Field, Fraction, Number, Polytope, Relation, Statement,
 };
 use malachite::Integer;
-use std::fmt;
-
-/// Why a certificate has no file for Coq.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub enum NotATheorem {
-    /// The soundness of uncrossed planes is proved on paper only.
-    Plane,
-    /// And that of vertices inside of circumspheres.
-    NotDelaunay,
-}
-
-impl fmt::Display for NotATheorem {
-    fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
-        match self {
-            NotATheorem::Plane => {
-                f.write_str("the Coq development does not treat the statement \"uncrossed plane\"")
-            }
-            NotATheorem::NotDelaunay => {
-                f.write_str("the Coq development does not treat the statement \"not Delaunay\"")
-            }
-        }
-    }
-}
-
-impl std::error::Error for NotATheorem {}
 
 /// The SHA-256 of the files that define the words of the theorem, as `sha256sum` prints them.
 const STATEMENT_FILES: &str = include_str!("statements.sha256");
@@ -46,39 +19,31 @@ const BYTES_PER_LINE: usize = 64;
 /// The file for a certificate of a tiling or of a family.
 ///
 /// # Errors
-/// The bytes are no certificate of these kinds, or the reason is a [`NotATheorem`], in words.
+/// The bytes are no certificate of these kinds.
 pub fn coq_file(cbor: &[u8]) -> Result<String, String> {
-    let theorem = if format::kind(cbor) == Some(format::FAMILY) {
+    if format::kind(cbor) == Some(format::FAMILY) {
         let certificate = format::family::certificate(cbor).map_err(|error| error.to_string())?;
-        coq_family_theorem(cbor, &certificate.claim)
-    } else {
-        let certificate = format::read::certificate(cbor).map_err(|error| error.to_string())?;
-        coq_theorem(cbor, &certificate.claim)
-    };
-    theorem.map_err(|reason| reason.to_string())
+        return Ok(coq_family_theorem(cbor, &certificate.claim));
+    }
+    let certificate = format::read::certificate(cbor).map_err(|error| error.to_string())?;
+    Ok(coq_theorem(cbor, &certificate.claim))
 }
 
 /// The file for the certificate with these bytes and this claim, whether or not it is true.
-///
-/// # Errors
-/// [`NotATheorem`] for uncrossed planes and the statement `not Delaunay`.
-pub fn coq_theorem(certificate: &[u8], claim: &Claim) -> Result<String, NotATheorem> {
-    let members = claim_members(claim)?;
-    Ok(theorem(certificate, "", &format!("OfTiling {members}")))
+pub fn coq_theorem(certificate: &[u8], claim: &Claim) -> String {
+    let members = claim_members(claim);
+    theorem(certificate, "", &format!("OfTiling {members}"))
 }
 
 /// The file for a certificate of the kind `family`, as [`coq_theorem`].
-///
-/// # Errors
-/// [`NotATheorem`] for the statement `not Delaunay`.
-pub fn coq_family_theorem(certificate: &[u8], claim: &FamilyClaim) -> Result<String, NotATheorem> {
+pub fn coq_family_theorem(certificate: &[u8], claim: &FamilyClaim) -> String {
     let parameters = list(&claim.parameters, parameter);
-    let members = claim_members(&claim.claim)?;
-    Ok(theorem(
+    let members = claim_members(&claim.claim);
+    theorem(
         certificate,
         "String ",
         &format!("OfFamily {parameters}\n  {members}"),
-    ))
+    )
 }
 
 /// Names are texts, which need the library `String`. It is imported before `List`, whose `length` and
@@ -120,16 +85,15 @@ fn list<T>(items: &[T], term: impl Fn(&T) -> String) -> String {
 }
 
 /// A term of type `tiling_claim`.
-fn claim_members<V: Numeric>(claim: &Claim<V>) -> Result<String, NotATheorem> {
-    let statements: Result<Vec<String>, _> = claim.statements.iter().map(statement).collect();
-    Ok(format!(
+fn claim_members<V: Numeric>(claim: &Claim<V>) -> String {
+    format!(
         "(TilingClaim {}\n  {}\n  {}\n  {}\n  {})",
         claim.dimension,
         field(&claim.field),
         points(&claim.gram),
         domain(&claim.domain),
-        list(&statements?, String::clone),
-    ))
+        list(&claim.statements, statement),
+    )
 }
 
 /// An integer, in parentheses if it is negative.
@@ -215,8 +179,8 @@ fn polytope_term<V: Numeric>(polytope: &Polytope<V>) -> String {
     )
 }
 
-fn statement(statement: &Statement) -> Result<String, NotATheorem> {
-    Ok(match statement {
+fn statement(statement: &Statement) -> String {
+    match statement {
         Statement::FaceToFaceTiling => "FaceToFaceTiling".to_owned(),
         Statement::Acute => "IsAcute".to_owned(),
         Statement::Nonobtuse => "IsNonobtuse".to_owned(),
@@ -229,14 +193,19 @@ fn statement(statement: &Statement) -> Result<String, NotATheorem> {
                 fraction(bound)
             )
         }
-        Statement::UncrossedPlane(_) => return Err(NotATheorem::Plane),
+        Statement::UncrossedPlane(plane) => format!(
+            "UncrossedPlane {} {} {}",
+            list(&plane.normal, |c| integer(&Integer::from(*c))),
+            integer(&plane.offset),
+            integer(&plane.denominator)
+        ),
         Statement::Delaunay => "IsDelaunay".to_owned(),
         Statement::WeaklyDelaunay => "IsWeaklyDelaunay".to_owned(),
         Statement::LocallyDelaunay => "IsLocallyDelaunay".to_owned(),
         Statement::LocallyWeaklyDelaunay => "IsLocallyWeaklyDelaunay".to_owned(),
-        Statement::NotDelaunay => return Err(NotATheorem::NotDelaunay),
+        Statement::NotDelaunay => "IsNotDelaunay".to_owned(),
         Statement::Tcp => "IsTCP".to_owned(),
-    })
+    }
 }
 
 fn angle(quantity: &str, relation: Relation, cosine: &Cosine) -> String {
