@@ -1,6 +1,7 @@
 //! The verdict on an input of `certify`, in words and as data.
 
-use super::certify::CertifyArguments;
+use super::certify_arguments::CertifyArguments;
+use super::claim::{claim_json, statements, summary};
 use super::named::InputError;
 use super::outcome::Outcome;
 use super::output::{self, Output, Staged, write_file};
@@ -8,7 +9,6 @@ use super::record::Record;
 use super::refutation::Refuted;
 use super::region::Description;
 use super::target::Target;
-use super::verify::{claim_json, summary};
 use acutile_core::proved::hexadecimal;
 use acutile_core::statement::counted;
 use acutile_kernel::Verified;
@@ -212,17 +212,6 @@ impl Told {
         statements.extend(details.into_iter().cloned());
         output.tell(input, "proved", &statements, "");
     }
-}
-
-/// The statements of a sentence that joins them with semicolons, the counts at its end apart.
-pub fn statements(words: &str) -> Vec<String> {
-    let parts = words
-        .split("; ")
-        .flat_map(|part| match part.split_once(". (") {
-            Some((statement, counts)) => vec![statement, counts.trim_end_matches(')')],
-            None => vec![part],
-        });
-    parts.map(str::to_owned).collect()
 }
 
 /// A proof in words and as data.

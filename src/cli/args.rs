@@ -2,7 +2,7 @@
 
 use super::appendix::AppendixArguments;
 use super::bundle::BundleArguments;
-use super::certify::CertifyArguments;
+use super::certify_arguments::CertifyArguments;
 use super::cite::CiteArguments;
 use super::classify::ClassifyArguments;
 use super::convert::ConvertArguments;

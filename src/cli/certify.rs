@@ -1,13 +1,13 @@
 //! `acutile certify`: proves tilings and writes their certificates.
 
 use super::answer::{Answer, Beside, Written, unwritten};
+use super::article::{self, Article};
+use super::certify_arguments::CertifyArguments;
+use super::counts::Counts;
 use super::defects;
-use super::encoding::Encoding;
 use super::extension;
-use super::family::{self, FamilyArguments, NO_UNCERTAINTIES, Subject, within_su};
-use super::input::{self, FileArguments, Loaded};
-use super::limits::LimitArguments;
-use super::look::Counts;
+use super::family::{self, NO_UNCERTAINTIES, Subject, within_su};
+use super::input::{self, Loaded};
 use super::name::InputName;
 use super::named::InputError;
 use super::outcome::Outcome;
@@ -16,107 +16,16 @@ use super::overwriting::check_not_an_input;
 use super::prove::{examine_tiling, in_words, prove_tiling, required};
 use super::proved::{self, title};
 use super::record::verdict;
-use super::refutation::Refuted;
-use super::report::{self, Article};
-use super::requirement::RequirementParser;
-use super::second::{self, SecondLook};
+use super::refutation::{Refuted, SecondLook};
+use super::second;
 use super::target::{Target, targets};
 use super::theorem;
 use acutile_catalog as catalog;
 use acutile_core::checker::Options;
 use acutile_core::family::AnyFamily;
 use acutile_core::proved::NotProved;
-use acutile_core::statement::{Requirement, counted};
+use acutile_core::statement::counted;
 use acutile_core::with_dimension;
-use clap::Args;
-use std::path::PathBuf;
-
-#[derive(Debug, Args)]
-pub struct CertifyArguments {
-    /// Names of the catalogue, tiling files, mesh files, or point sets (CIF too), whose
-    /// Delaunay triangulation is certified (`-` for standard input)
-    #[arg(
-        value_name = "NAME|FILE",
-        required_unless_present = "all",
-        hide_possible_values = true
-    )]
-    pub inputs: Vec<InputName>,
-    /// Write the certificate to this file (`-` for standard output), or the
-    /// certificates into this directory
-    #[arg(short, long, value_name = "FILE|DIR")]
-    pub output: Option<PathBuf>,
-    /// The encoding; without it CBOR for a file whose name ends in .cbor, and else JSON
-    #[arg(long, value_enum, conflicts_with = "no_certificate")]
-    pub format: Option<Encoding>,
-    /// Statements that must hold: tiling, acute, nonobtuse, delaunay, weakly-delaunay, not-delaunay, tcp,
-    /// dihedral-below=DEGREES, dihedral-above=DEGREES, radius-edge-below=RATIO; in quotes also
-    /// 'dihedral<DEGREES', 'dihedral>DEGREES', 'radius-edge<RATIO'; plane:EQUATION in basis
-    /// coordinates, like plane:x2+x3=1/2, for a plane that no simplex crosses; and, by the prover alone,
-    /// connected, no-cavities, manifold-boundary
-    #[arg(
-        long = "require",
-        value_name = "STATEMENT,STATEMENT",
-        value_delimiter = ',',
-        value_parser = RequirementParser,
-        hide_possible_values = true
-    )]
-    pub required: Vec<Requirement>,
-    #[command(flatten)]
-    pub file: FileArguments,
-    /// The whole catalogue
-    #[arg(long)]
-    pub all: bool,
-    /// The number of a construction that has one, like 3/7 or sqrt(2)/4: a/e for goldberg-1,
-    /// goldberg-2 and goldberg-3, epsilon for two-corners
-    #[arg(
-        long,
-        value_name = "VALUE",
-        conflicts_with = "all",
-        allow_hyphen_values = true
-    )]
-    pub param: Option<String>,
-    /// For square-triangle:NAME, square-triangle:FILE and kagome:WORD: check only that the input
-    /// belongs to the family, and cite the theorem about all its members
-    #[arg(long, conflicts_with_all = ["param", "no_certificate"])]
-    pub cite: bool,
-    /// Give negatively oriented simplices positive orientation
-    #[arg(long)]
-    pub reorient: bool,
-    /// Prove, but make no certificate and do not ask the kernel: for large meshes that
-    /// are to be checked and not to be published
-    #[arg(long, conflicts_with_all = ["output", "report"])]
-    pub no_certificate: bool,
-    /// How many defects of each kind are printed; all are counted. Without it 20, and with --json all
-    #[arg(long, value_name = "N")]
-    pub max_defects: Option<usize>,
-    /// Write exact numbers in full; without it long numbers are approximate. JSON has all in full
-    #[arg(long)]
-    pub exact: bool,
-    /// Decline where the mesh has elements of types that are not checked
-    #[arg(long)]
-    pub strict: bool,
-    /// Facets may lie against each other (cohesive zones, contact): prove that interiors are disjoint,
-    /// and count the pairs
-    #[arg(long)]
-    pub allow_contact: bool,
-    /// Compare the boundary of a bounded mesh with the triangles of a surface: STL, OBJ, or a mesh file
-    /// of triangles
-    #[arg(long, value_name = "SURFACE")]
-    pub fills: Option<PathBuf>,
-    /// Write the cells of the defects to this VTU file, for ParaView
-    #[arg(long, value_name = "FILE.vtu")]
-    pub defects: Option<PathBuf>,
-    /// Write a page to look at to this file: what is proved, and the defects of what is refuted, in red
-    #[arg(long, value_name = "FILE.html")]
-    pub report: Option<PathBuf>,
-    /// Replace files in the directory of -o that are there, even if they are no certificates
-    #[arg(long, requires = "output")]
-    pub force: bool,
-    #[command(flatten)]
-    pub family: FamilyArguments,
-    #[command(flatten)]
-    pub limits: LimitArguments,
-}
 
 /// Certifies every input; the outcome is the worst of all.
 pub fn run(arguments: &CertifyArguments, output: &mut Output) -> Outcome {
@@ -174,7 +83,7 @@ pub fn run(arguments: &CertifyArguments, output: &mut Output) -> Outcome {
     }
     counts.tell(output);
     if let Some(path) = arguments.report.as_deref().filter(|_| !articles.is_empty()) {
-        worst = worst.and(report::write(&articles, Some(path), output));
+        worst = worst.and(article::write(&articles, Some(path), output));
         output.tell_files();
     }
     worst

@@ -1,13 +1,12 @@
 //! `acutile certify` for families: a tiling for each point of a box of parameters.
 
 use super::answer::{Answer, Written, unwritten};
-use super::certify::CertifyArguments;
+use super::certify_arguments::{CertifyArguments, FamilyArguments};
 use super::named::InputError;
 use super::outcome::Outcome;
 use super::progress::Progress;
 use super::prove::encoding;
-use super::refutation::Refuted;
-use super::second::SecondLook;
+use super::refutation::{Refuted, SecondLook};
 use super::target::Target;
 use acutile_core::checker::Options;
 use acutile_core::family::free::{self, Free};
@@ -23,40 +22,8 @@ use acutile_exact::number::{Number, numbers, parse_rational};
 use acutile_exact::polynomial::line::{Extent, Place};
 use acutile_exact::polynomial::{End, Side};
 use acutile_io::import::crystal::{Interval, Variation};
-use clap::Args;
 use malachite::Rational;
 use std::borrow::Cow;
-
-/// Options for boxes of parameters.
-#[derive(Debug, Args)]
-pub struct FamilyArguments {
-    /// For a family, or with --free: prove the largest interval around this point. With several parameters
-    /// prove a box: no side of it can move out by --fraction of its length and be proved. POINT has a value
-    /// for each parameter, with commas between them, like 3,3/50,4/5. The statements are those of
-    /// --require; without it acute, or else nonobtuse, if that holds at POINT
-    #[arg(long, value_name = "POINT", allow_hyphen_values = true)]
-    pub maximal: Option<String>,
-    /// The fraction for --maximal with several parameters
-    #[arg(
-        long,
-        value_name = "FRACTION",
-        default_value = "1/16",
-        requires = "maximal"
-    )]
-    pub fraction: String,
-    /// Let the coordinates of these vertices vary, or the entries of the Gram matrix (gram), each by
-    /// at most --radius. A vertex is a number from 0, in the order of the file and of `export`
-    #[arg(long, value_name = "VERTEX|gram", num_args = 1.., requires = "radius")]
-    pub free: Vec<String>,
-    /// Prove the statements of a CIF for all values of its numbers within their standard uncertainties,
-    /// like 0.0629(3), at once. Numbers without one are exact, and symmetry is kept
-    #[arg(long, conflicts_with_all = ["free", "maximal"])]
-    pub within_su: bool,
-    /// How far each number of --free may vary, up and down. A coordinate is in units of its basis vector,
-    /// an entry of the Gram matrix in its own unit
-    #[arg(long, value_name = "RADIUS", requires = "free")]
-    pub radius: Option<String>,
-}
 
 /// The input to which options for boxes of parameters may not apply.
 #[derive(Clone, Copy, Debug)]

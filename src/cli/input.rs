@@ -8,7 +8,6 @@ use super::named::{InputError, Named, NamedFamily};
 use super::output::Output;
 use super::plane;
 use super::points::{self, PointArguments};
-use super::theorem;
 use super::transcribe;
 use acutile_catalog as catalog;
 use acutile_core::format;
@@ -194,7 +193,7 @@ fn read_content(
 /// The tiling or family of a certificate, which is not judged here.
 fn of_certificate(input: &str, bytes: &[u8]) -> Result<Loaded, InputError> {
     let cbor = transcribe::cbor(input, bytes)?;
-    if theorem::is_theorem(&cbor) {
+    if is_theorem(&cbor) {
         let message = format!(
             "{input}: a certificate of a theorem and no tiling; show, verify and convert take it"
         );
@@ -340,4 +339,9 @@ pub fn text_or_mesh(path: &Path, options: &MeshArguments) -> Result<TextOrMesh, 
     text_of(&uncompressed_name(path), bytes)
         .map(TextOrMesh::Text)
         .map_err(of_file)
+}
+
+/// Whether a certificate in CBOR is of the kind `patches`.
+pub fn is_theorem(cbor: &[u8]) -> bool {
+    format::kind(cbor) == Some(format::patches::KIND)
 }

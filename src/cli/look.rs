@@ -1,10 +1,8 @@
 //! Answers on a terminal: a sign and a colour for the verdict, one statement a line, lines of the terminal's
 //! width. A pipe gets none of this: its lines are for scripts, and stay as they are.
 
-use super::output::Output;
 use anstream::{AutoStream, ColorChoice};
 use anstyle::{AnsiColor, Style};
-use std::collections::BTreeMap;
 use std::io::{self, IsTerminal};
 use textwrap::{Options, WordSeparator, WordSplitter};
 
@@ -68,26 +66,5 @@ impl Look {
             }
             false => text.to_owned(),
         }
-    }
-}
-
-/// How often each verdict occurs.
-#[derive(Default)]
-pub struct Counts(BTreeMap<&'static str, usize>);
-
-impl Counts {
-    pub fn add(&mut self, verdict: &'static str) {
-        *self.0.entry(verdict).or_insert(0) += 1;
-    }
-
-    /// On a terminal a last line about several inputs.
-    pub fn tell(&self, output: &mut Output) {
-        let total: usize = self.0.values().sum();
-        if output.look().is_none() || total < 2 {
-            return;
-        }
-        let counts = self.0.iter().map(|(verdict, n)| format!("{n} {verdict}"));
-        let counts = counts.collect::<Vec<_>>().join(", ");
-        output.line(format!("{total} inputs: {counts}"));
     }
 }

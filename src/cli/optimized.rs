@@ -1,9 +1,9 @@
 //! The results of `acutile optimize`, in words and as data.
 
+use super::claim::{claim_json, summary};
 use super::optimize::{GoalName, OptimizeArguments};
 use super::output::Output;
 use super::record::Record;
-use super::verify::{claim_json, summary};
 use acutile_core::quality::{decimal_range, display_width};
 use acutile_core::statement::{Statement, counted};
 use acutile_optimize::{LocalProof, NotLocal, Reason, value};

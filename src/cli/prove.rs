@@ -1,7 +1,7 @@
 //! From a tiling to an answer of `acutile certify`: the prover, the certificate, the kernel.
 
 use super::answer::{Answer, Examined, Written};
-use super::certify::CertifyArguments;
+use super::certify_arguments::CertifyArguments;
 use super::encoding::Encoding;
 use super::output::Staged;
 use super::progress::Progress;

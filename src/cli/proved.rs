@@ -1,8 +1,9 @@
 //! Inputs of `acutile report`, `acutile appendix`, `acutile bundle` and `acutile cite`. An input is read once. Whatever is no certificate
 //! is proved first, so that there is one. Nothing gets past here that the kernel does not confirm.
 
+use super::article::Article;
 use super::family;
-use super::input::{self, FileArguments, Loaded, Read};
+use super::input::{self, FileArguments, Loaded, Read, is_theorem};
 use super::name::InputName;
 use super::named::{InputError, Named, NamedFamily};
 use super::outcome::Outcome;
@@ -10,9 +11,7 @@ use super::output::Output;
 use super::progress::Progress;
 use super::refutation::Refuted;
 use super::refuted_page::{self, LISTED};
-use super::report::Article;
 use super::second;
-use super::theorem::is_theorem;
 use acutile_catalog as catalog;
 use acutile_core::checker::Options;
 use acutile_core::family::{AnyFamily, ProvedFamily, prove as prove_family};

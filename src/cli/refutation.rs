@@ -5,7 +5,6 @@
 use super::named::Named;
 use super::output::Output;
 use super::record::Record;
-use super::second::{SecondLook, counts};
 use acutile_core::advice::{Advice, Adviser};
 use acutile_core::checker::{Defect, Findings, Names, defect_data, describe};
 use acutile_core::quality::short_point;
@@ -31,6 +30,15 @@ pub struct Refuted {
     pub is_exact: bool,
     /// The number of defects of each kind that people see, if --max-defects says it.
     pub shown: Option<usize>,
+}
+
+/// The verdict on a refuted tiling after a repair.
+#[derive(Default)]
+pub struct SecondLook {
+    /// Sentences for people.
+    pub sentences: Vec<String>,
+    /// The sentence that says all there is to say.
+    pub instead: Option<String>,
 }
 
 /// The number of defects of each kind that people see without --max-defects.
@@ -204,6 +212,15 @@ impl Refuted {
     pub(super) fn told<const D: usize>(&self, advice: &Advice<D>, names: &Names) -> String {
         in_words(advice, names, &|point| self.point(point))
     }
+}
+
+/// `2 overlap, 3 flat`
+pub fn counts(findings: &Findings) -> String {
+    let pairs = findings.counts().iter();
+    pairs
+        .map(|(code, count)| format!("{count} {code}"))
+        .collect::<Vec<_>>()
+        .join(", ")
 }
 
 /// Indices, or the numbers of the file that a mesh was read from.

@@ -2,8 +2,7 @@
 
 use super::defects::facets;
 use super::family::member_at;
-use super::refutation::{Refuted, advice, names};
-use super::second::counts;
+use super::refutation::{Refuted, advice, counts, names};
 use acutile_core::advice::Adviser;
 use acutile_core::checker::{Defect, Names, describe};
 use acutile_core::format::{self, print};

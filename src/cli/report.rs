@@ -1,18 +1,18 @@
 //! `acutile report`: a page to look at, of proved and of refuted tilings.
 
+use super::article::{self, Article};
 use super::extension;
 use super::input::FileArguments;
 use super::limits::LimitArguments;
 use super::name::InputName;
 use super::outcome::Outcome;
-use super::output::{Output, write_bytes};
+use super::output::Output;
 use super::overwriting::check_not_an_input;
 use super::proved::shown;
 use super::record::Record;
-use acutile_publish::report::{Proved, Refutation, Shown, Theorem, mixed_page};
 use clap::Args;
 use serde_json::json;
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 
 #[derive(Debug, Args)]
 pub struct ReportArguments {
@@ -30,23 +30,6 @@ pub struct ReportArguments {
     pub output: Option<PathBuf>,
     #[command(flatten)]
     pub limits: LimitArguments,
-}
-
-/// An article of a page.
-pub enum Article {
-    Proved(Box<Proved>),
-    Theorem(Box<Theorem>),
-    Refuted(Box<Refutation>),
-}
-
-impl Article {
-    fn shown(&self) -> Shown<'_> {
-        match self {
-            Article::Proved(proved) => Shown::Proved(proved),
-            Article::Theorem(theorem) => Shown::Theorem(theorem),
-            Article::Refuted(refutation) => Shown::Refuted(refutation),
-        }
-    }
 }
 
 /// Writes the page; nothing is written where an input is neither proved nor refuted.
@@ -69,7 +52,7 @@ pub fn run(arguments: &ReportArguments, output: &mut Output) -> Outcome {
         worst = worst.and(tell(input, &article, output));
         articles.push(article);
     }
-    worst.and(match write(&articles, path, output) {
+    worst.and(match article::write(&articles, path, output) {
         Outcome::Done => output.done(Record::of(None)),
         failed => failed,
     })
@@ -103,14 +86,5 @@ fn tell(input: &InputName, article: &Article, output: &mut Output) -> Outcome {
             }
             Outcome::Refuted
         }
-    }
-}
-
-/// Writes the page of these articles.
-pub fn write(articles: &[Article], path: Option<&Path>, output: &mut Output) -> Outcome {
-    let shown: Vec<Shown> = articles.iter().map(Article::shown).collect();
-    match write_bytes(path, mixed_page(&shown, None).as_bytes(), output) {
-        Ok(()) => Outcome::Done,
-        Err(error) => output.fail(None, &error),
     }
 }

@@ -2,9 +2,9 @@
 //! with its elements turned, its equal nodes merged, or contact allowed.
 
 use super::answer::{Answer, Beside};
-use super::certify::CertifyArguments;
+use super::certify_arguments::CertifyArguments;
 use super::named::Named;
-use super::refutation::{Refuted, names};
+use super::refutation::{Refuted, SecondLook, counts, names};
 use super::region;
 use super::target::Target;
 use acutile_core::checker::{self, Defect, Findings, Options};
@@ -18,15 +18,6 @@ use acutile_io::mesh::counted as elements;
 use acutile_io::mesh::surface::{Comparison, compare, load_surface};
 use malachite::Rational;
 use serde_json::json;
-
-/// The verdict on a refuted tiling after a repair.
-#[derive(Default)]
-pub struct SecondLook {
-    /// Sentences for people.
-    pub sentences: Vec<String>,
-    /// The sentence that says all there is to say.
-    pub instead: Option<String>,
-}
 
 /// Elements of other types, and whether some have the dimension of the mesh.
 pub fn others(named: &Named) -> Option<(String, bool)> {
@@ -312,15 +303,6 @@ pub fn look<const D: usize>(
         }
     }
     second
-}
-
-/// `2 overlap, 3 flat`
-pub fn counts(findings: &Findings) -> String {
-    let pairs = findings.counts().iter();
-    pairs
-        .map(|(code, count)| format!("{count} {code}"))
-        .collect::<Vec<_>>()
-        .join(", ")
 }
 
 fn words<const D: usize>(_: &Tiling<D>, names: &checker::Names, defect: &Defect) -> String {

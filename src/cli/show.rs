@@ -1,12 +1,12 @@
 //! `acutile show`: describes a tiling, before anything about it is proved.
 
-use super::input::{self, FileArguments, Loaded, Read};
+use super::input::{self, FileArguments, Loaded, Read, is_theorem};
 use super::name::InputName;
 use super::named::{InputError, Named, NamedFamily};
 use super::outcome::Outcome;
 use super::output::Output;
 use super::record::Record;
-use super::theorem;
+use super::show_theorem::{self, Shown};
 use acutile_catalog as catalog;
 use acutile_core::family::spans::{Extreme, Spans, spans};
 use acutile_core::family::{Family, point_in_words};
@@ -56,12 +56,6 @@ struct List {
     exact: bool,
 }
 
-/// What is shown, in words and as data.
-pub struct Shown {
-    pub lines: Vec<String>,
-    pub data: Value,
-}
-
 /// Prints counts, lattice, field and shapes.
 pub fn run(arguments: &ShowArguments, output: &mut Output) -> Outcome {
     let input = &arguments.input;
@@ -79,7 +73,7 @@ pub fn run(arguments: &ShowArguments, output: &mut Output) -> Outcome {
 fn shown(arguments: &ShowArguments, output: &mut Output) -> Result<Shown, InputError> {
     let (input, parameter) = (&arguments.input, arguments.param.as_deref());
     if let Some(entry) = catalog::theorem(input) {
-        return theorem::show_entry(entry).map_err(InputError::from);
+        return show_theorem::of_entry(entry).map_err(InputError::from);
     }
     let read = input::read(input, parameter, &arguments.file, output)?;
     if let Some(shown) = of_theorem(input, &read) {
@@ -105,7 +99,7 @@ fn of_theorem(input: &InputName, read: &Read) -> Option<Result<Shown, String>> {
         return None;
     };
     let cbor = format::to_cbor(bytes).ok()?;
-    theorem::is_theorem(&cbor).then(|| theorem::show_certificate(input, &cbor))
+    is_theorem(&cbor).then(|| show_theorem::of_certificate(input, &cbor))
 }
 
 fn of_tiling(named: &Named, list: List) -> Shown {

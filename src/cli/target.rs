@@ -1,6 +1,6 @@
 //! Where `acutile certify` writes certificates.
 
-use super::certify::CertifyArguments;
+use super::certify_arguments::CertifyArguments;
 use super::encoding::Encoding;
 use super::name::InputName;
 use super::output::{check_directory, is_standard};

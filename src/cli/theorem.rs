@@ -1,22 +1,18 @@
 //! Theorems about all members of a family: proved by a system of patches, and cited for a member.
 
 use super::answer::{Answer, Written, unwritten};
-use super::certify::CertifyArguments;
+use super::certify_arguments::CertifyArguments;
 use super::document::check_for_crystal;
 use super::input::check_for_mesh;
 use super::name::InputName;
 use super::named::InputError;
 use super::plane;
 use super::prove::encoding;
-use super::show::Shown;
 use super::target::Target;
 use acutile_catalog::{self as catalog, CatalogError, Theorem as Entry};
-use acutile_core::limits::own_limits;
-use acutile_core::patches::{Theorem, in_words, prove};
+use acutile_core::patches::{Theorem, prove};
 use acutile_core::quality::compare_with_degrees;
 use acutile_core::statement::{Relation, Requirement, Statement};
-use acutile_core::{format, format::patches};
-use serde_json::json;
 use std::borrow::Cow;
 
 /// A theorem for an input of `certify`.
@@ -161,63 +157,4 @@ pub fn answer(
         },
         Err(error) => unwritten(target, &error),
     }
-}
-
-/// The subject of a theorem of the catalogue: its tiles with their patches.
-///
-/// # Errors
-/// A message that names the theorem.
-pub fn show_entry(entry: &Entry) -> Result<Shown, String> {
-    let system = (entry.system)().map_err(|error| format!("{}: {error}", entry.name))?;
-    let theorem = prove(&system, &own_limits()).map_err(|error| error.to_string())?;
-    let mut shown = show_certificate(entry.name, theorem.certificate())?;
-    let title = format!("{}: {}", entry.name, entry.description);
-    // The kernel has confirmed it.
-    if let Some(claim) = shown.lines.first_mut() {
-        *claim = claim.replacen(UNJUDGED, "a theorem: ", 1);
-    }
-    shown.lines.insert(0, title);
-    Ok(shown)
-}
-
-/// The words before a claim that is not judged.
-const UNJUDGED: &str = "claim, not verified here: ";
-
-/// The content of a certificate of the kind `patches`, which is not judged here.
-///
-/// # Errors
-/// If the bytes are none.
-pub fn show_certificate(name: &str, cbor: &[u8]) -> Result<Shown, String> {
-    let named = |error: &dyn std::fmt::Display| format!("{name}: {error}");
-    let certificate = patches::certificate(cbor).map_err(|error| named(&error))?;
-    let words = in_words(&certificate.claim).map_err(|error| named(&error))?;
-    let mut lines = vec![format!("{UNJUDGED}{words}")];
-    let mut data = Vec::new();
-    let tiles = certificate.claim.tiles.iter().zip(&certificate.witness);
-    for (number, (tile, patch)) in tiles.enumerate() {
-        let polygons: Vec<usize> = patch.pyramids.iter().map(|p| p.polygon.len()).collect();
-        let corners: Vec<String> = polygons.iter().map(ToString::to_string).collect();
-        lines.push(format!(
-            "tile {number}: {} sides; {} tetrahedra, {} vertices, pyramids over polygons with {} corners",
-            tile.classes.len(),
-            patch.simplices.len(),
-            patch.vertices.len(),
-            corners.join(", ")
-        ));
-        data.push(json!({
-            "sides": tile.classes.len(),
-            "simplices": patch.simplices.len(),
-            "vertices": patch.vertices.len(),
-            "polygons": polygons,
-        }));
-    }
-    Ok(Shown {
-        lines,
-        data: json!({ "theorem": words, "tiles": data }),
-    })
-}
-
-/// Whether a certificate in CBOR is of the kind `patches`.
-pub fn is_theorem(cbor: &[u8]) -> bool {
-    format::kind(cbor) == Some(patches::KIND)
 }

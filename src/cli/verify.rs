@@ -1,8 +1,8 @@
 //! `acutile verify`: asks the kernel about certificates in either encoding.
 
-use super::answer::statements;
+use super::claim::{claim_json, statements, summary};
+use super::counts::Counts;
 use super::limits::LimitArguments;
-use super::look::Counts;
 use super::outcome::{Outcome, exit_outcome};
 use super::output::Output;
 use super::record::Record;
@@ -12,12 +12,11 @@ use acutile_core::format::json::JsonError;
 use acutile_core::format::{self, CLAIM_FORMAT, Encoding, recognise};
 use acutile_core::proved::{hexadecimal, in_words};
 use acutile_core::refusal::{self, Refused};
-use acutile_core::statement::counted;
 use acutile_io::import::{BYTE_LIMIT, io_words, read_bytes};
 use acutile_io::mesh::unknown;
 use acutile_kernel::{Code, Kind, Limits, Place, Refusal, Value as Wrong, Verified, verify};
 use clap::Args;
-use serde_json::{Value, json};
+use serde_json::json;
 use std::ffi::OsString;
 use std::fs::File;
 use std::io::{self, BufReader, Read};
@@ -336,21 +335,4 @@ impl Verdict {
         let record = record.member("code", json!(self.code()));
         record.member(reason, json!(self.message()))
     }
-}
-
-/// The claim as the kernel prints it.
-pub fn claim_json(verified: &Verified) -> Value {
-    let file: Value = serde_json::from_str(verified.claim.print()).unwrap_or_default();
-    file["claim"].clone()
-}
-
-/// The claim in words with counts and digest, in a line.
-pub fn summary(verified: &Verified) -> String {
-    format!(
-        "{}. ({}, {}, sha256 {})",
-        in_words(verified),
-        counted(verified.vertices as usize, "vertex", "vertices"),
-        counted(verified.simplices as usize, "simplex", "simplices"),
-        hexadecimal(&verified.sha256)
-    )
 }

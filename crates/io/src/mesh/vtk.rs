@@ -8,6 +8,7 @@ use super::source::{Encoding, Source, shown};
 use super::unknown::READ;
 use super::vtk_cells::Cells;
 use super::vtk_data;
+use super::vtk_data::in_text;
 
 /// Reads an unstructured grid. Points and cells are numbered from 0.
 pub fn read(bytes: &[u8]) -> Result<Mesh, MeshError> {
@@ -84,18 +85,6 @@ fn head(source: &mut Source) -> Result<u32, MeshError> {
 fn strip_prefix<'b>(bytes: &'b [u8], prefix: &[u8]) -> Option<&'b [u8]> {
     let (start, rest) = bytes.split_at_checked(prefix.len())?;
     start.eq_ignore_ascii_case(prefix).then_some(rest)
-}
-
-/// Reads in text what stands in text in a binary file, too: the rest of a line of words.
-pub fn in_text<T>(
-    source: &mut Source,
-    read: impl FnOnce(&mut Source) -> Result<T, MeshError>,
-) -> Result<T, MeshError> {
-    let encoding = std::mem::replace(&mut source.encoding, Encoding::Text);
-    let value = read(source)?;
-    source.rest_of_line();
-    source.encoding = encoding;
-    Ok(value)
 }
 
 fn points(source: &mut Source, draft: &mut Draft) -> Result<(), MeshError> {

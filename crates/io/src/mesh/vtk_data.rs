@@ -3,7 +3,6 @@
 use super::draft::Draft;
 use super::error::MeshError;
 use super::source::{Encoding, Source};
-use super::vtk::in_text;
 use super::vtk_cells::Cells;
 
 /// The type of an array's numbers.
@@ -271,4 +270,16 @@ impl Array {
 
 fn name(source: &mut Source) -> Result<String, MeshError> {
     Ok(String::from_utf8_lossy(source.word("a name")?).into_owned())
+}
+
+/// Reads in text what stands in text in a binary file, too: the rest of a line of words.
+pub fn in_text<T>(
+    source: &mut Source,
+    read: impl FnOnce(&mut Source) -> Result<T, MeshError>,
+) -> Result<T, MeshError> {
+    let encoding = std::mem::replace(&mut source.encoding, Encoding::Text);
+    let value = read(source)?;
+    source.rest_of_line();
+    source.encoding = encoding;
+    Ok(value)
 }

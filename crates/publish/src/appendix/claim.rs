@@ -1,8 +1,9 @@
 //! The statements of a claim in words, with their numbers.
 
+use super::columns::width;
 use super::numeral::Numerals;
 use super::rational::{interval, rational};
-use super::tex::{facet_word, sphere_word, width};
+use super::tex::{facet_word, sphere_word};
 use acutile_core::quality::{DihedralAngle, Exact, RadiusEdge};
 use acutile_core::statement::{Relation, Statement};
 use malachite::Rational;

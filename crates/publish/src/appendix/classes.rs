@@ -8,9 +8,10 @@
 //! numbers N_ij printed are the cofactors of Q, continued to i = 0. So a reader needs
 //! nothing but six squared lengths and 2 x 2 minors.
 
+use super::columns::width;
 use super::rational::interval;
 use super::subject::Analysis;
-use super::tex::{counted, fits, matrix, simplices, table_fits, tabular, width};
+use super::tex::{counted, fits, matrix, simplices, table_fits, tabular};
 use acutile_core::quality::{DihedralAngle, Exact, measures};
 use acutile_core::tiling::SimplexId;
 use acutile_exact::geometry::linear;

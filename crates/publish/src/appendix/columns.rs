@@ -1,7 +1,5 @@
 //! The widths of tables: smaller letters, and columns in which lines break, for cells that are too wide.
 
-use super::tex::width;
-
 /// Letters in a line of a table, where they are small.
 pub const LINE: usize = 88;
 /// Letters in a line of the smallest size.
@@ -82,4 +80,21 @@ mod tests {
         let wide = fitted("r@{\\quad}ll", "a & b & c", &rows(200));
         assert_eq!(wide.1, "r@{\\quad}p{.910\\linewidth}l");
     }
+}
+
+/// About how many letters wide a formula is: commands count one, signs two, braces nothing.
+pub fn width(formula: &str) -> usize {
+    let mut width = 0;
+    let mut characters = formula.chars().peekable();
+    while let Some(c) = characters.next() {
+        if c == '\\' {
+            while characters.next_if(char::is_ascii_alphabetic).is_some() {}
+            width += 1;
+        } else if "+-=<".contains(c) {
+            width += 2;
+        } else if !"{}^_ ".contains(c) {
+            width += 1;
+        }
+    }
+    width
 }

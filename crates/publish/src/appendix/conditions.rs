@@ -1,7 +1,10 @@
 //! The polynomials of a family whose signs prove it, each once, with the places where it occurs.
 
-use super::family::Section;
+use super::numeral::Numerals;
+use super::polynomial::polynomial;
+use super::subject::Subject;
 use super::tex::list;
+use acutile_core::family::{Family, Tree};
 use acutile_core::statement::Statement;
 use acutile_core::tiling::{Corner, Facet, SimplexId, match_facets};
 use acutile_exact::geometry::{RingElement, Simplex, linear};
@@ -9,6 +12,28 @@ use acutile_exact::number::Number;
 use acutile_exact::polynomial::Polynomial;
 use malachite::Rational;
 use std::collections::BTreeMap;
+
+/// What is written about a family.
+pub struct Section<'f, const D: usize> {
+    pub subject: &'f Subject,
+    pub family: &'f Family<D>,
+    pub tree: &'f Tree,
+    pub numerals: Numerals,
+}
+
+impl<const D: usize> Section<'_, D> {
+    pub fn rank(&self) -> usize {
+        self.family.frame.rank()
+    }
+
+    pub fn label(&self, what: &str) -> String {
+        format!("acutile:{}:{what}", self.subject.slug())
+    }
+
+    pub fn polynomial(&self, p: &Polynomial) -> String {
+        polynomial(&self.numerals, &self.family.names(), p)
+    }
+}
 
 /// A polynomial that is positive on the box, or at least zero.
 pub struct Condition {

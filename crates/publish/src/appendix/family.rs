@@ -1,9 +1,9 @@
 //! The section on a family: the theorem, vertices and tiles with polynomials, and the pairing. The
 //! signs of all polynomials on the leaves of the tree follow.
 
-use super::conditions::{Condition, conditions};
+use super::conditions::{Condition, Section, conditions};
 use super::numeral::Numerals;
-use super::polynomial::{name, polynomial};
+use super::polynomial::name;
 use super::subject::Subject;
 use super::tex::{self, Table, facet_word, list, matrix, simplices};
 use super::{bibliography, claim, names, recheck};
@@ -15,28 +15,6 @@ use acutile_exact::polynomial::{Cuboid, End, Polynomial};
 
 /// Leaves for which coefficients are printed.
 const LEAVES: usize = 8;
-
-/// What is written about a family.
-pub struct Section<'f, const D: usize> {
-    pub subject: &'f Subject,
-    pub family: &'f Family<D>,
-    pub tree: &'f Tree,
-    pub numerals: Numerals,
-}
-
-impl<const D: usize> Section<'_, D> {
-    pub fn rank(&self) -> usize {
-        self.family.frame.rank()
-    }
-
-    pub fn label(&self, what: &str) -> String {
-        format!("acutile:{}:{what}", self.subject.slug())
-    }
-
-    pub fn polynomial(&self, p: &Polynomial) -> String {
-        polynomial(&self.numerals, &self.family.names(), p)
-    }
-}
 
 /// The section.
 pub fn section<const D: usize>(subject: &Subject, family: &Family<D>, tree: &Tree) -> String {

@@ -1,9 +1,10 @@
 //! The group of isometries that makes all tiles from representatives: generators, elements up to
 //! the lattice, and the checks that make it a group.
 
+use super::columns::width;
 use super::polynomial::product;
 use super::subject::Analysis;
-use super::tex::{Table, list, width};
+use super::tex::{Table, list};
 use acutile_core::classify::Isometry;
 use acutile_core::tiling::Polytope;
 use acutile_exact::number::Number;

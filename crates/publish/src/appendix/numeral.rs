@@ -4,9 +4,9 @@
 //! Everything is written for math mode. Decimals go through the macro `\acutiledecimal`,
 //! so that a document may hand them to siunitx.
 
+use super::columns::width;
 use super::rational::interval;
 use super::surd::compared;
-use super::tex::width;
 use acutile_exact::number::radical::{tex_root, tex_sign_over};
 use acutile_exact::number::{Field, Number, Quadratic, over_common_denominator};
 use malachite::base::num::arithmetic::traits::{CheckedSqrt, Gcd};

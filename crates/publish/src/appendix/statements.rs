@@ -2,10 +2,11 @@
 //! each with the numbers that show it.
 
 use super::classes::{cosine_bounds, edge_name, pairs};
+use super::columns::width;
 use super::facets::delaunay;
 use super::rational::interval;
 use super::subject::Analysis;
-use super::tex::{Table, list, width};
+use super::tex::{Table, list};
 use super::vertices::star_name;
 use acutile_core::quality::{DihedralAngle, Exact, RadiusEdge};
 use acutile_core::statement::{Relation, Statement};

@@ -1,6 +1,6 @@
 //! Small pieces of TeX: escaped text, counts, corners, facets, tables.
 
-use super::columns::{LINE, fitted};
+use super::columns::{LINE, fitted, width};
 use acutile_core::tiling::{Corner, Mate};
 use acutile_exact::number::radical::with_radicals;
 
@@ -185,23 +185,6 @@ pub fn tabular(mark: &str, columns: &str, heading: &str, rows: &[String]) -> Str
         "\\nopagebreak\n% acutile:table {mark}\n\\begin{{center}}\\acutilefit{{\\acutiletables\\begin{{tabular}}{{{columns}}}\n\\toprule\n{heading} \\\\\n\\midrule\n{} \\\\\n\\bottomrule\n\\end{{tabular}}}}\\end{{center}}\n",
         rows.join(" \\\\\n")
     )
-}
-
-/// About how many letters wide a formula is: commands count one, signs two, braces nothing.
-pub fn width(formula: &str) -> usize {
-    let mut width = 0;
-    let mut characters = formula.chars().peekable();
-    while let Some(c) = characters.next() {
-        if c == '\\' {
-            while characters.next_if(char::is_ascii_alphabetic).is_some() {}
-            width += 1;
-        } else if "+-=<".contains(c) {
-            width += 2;
-        } else if !"{}^_ ".contains(c) {
-            width += 1;
-        }
-    }
-    width
 }
 
 /// A matrix; in displays that are not too wide.

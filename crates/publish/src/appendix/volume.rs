@@ -1,7 +1,7 @@
 //! The sum of the volumes over the representatives: it is the volume of the domain.
 
+use super::columns::width;
 use super::subject::Analysis;
-use super::tex::width;
 use acutile_core::tiling::Domain;
 use acutile_exact::number::Number;
 use malachite::Rational;

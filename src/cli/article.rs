@@ -1,0 +1,32 @@
+//! Articles of a page of proved and refuted tilings.
+
+use super::outcome::Outcome;
+use super::output::{Output, write_bytes};
+use acutile_publish::report::{Proved, Refutation, Shown, Theorem, mixed_page};
+use std::path::Path;
+
+/// An article of a page.
+pub enum Article {
+    Proved(Box<Proved>),
+    Theorem(Box<Theorem>),
+    Refuted(Box<Refutation>),
+}
+
+impl Article {
+    fn shown(&self) -> Shown<'_> {
+        match self {
+            Article::Proved(proved) => Shown::Proved(proved),
+            Article::Theorem(theorem) => Shown::Theorem(theorem),
+            Article::Refuted(refutation) => Shown::Refuted(refutation),
+        }
+    }
+}
+
+/// Writes the page of these articles.
+pub fn write(articles: &[Article], path: Option<&Path>, output: &mut Output) -> Outcome {
+    let shown: Vec<Shown> = articles.iter().map(Article::shown).collect();
+    match write_bytes(path, mixed_page(&shown, None).as_bytes(), output) {
+        Ok(()) => Outcome::Done,
+        Err(error) => output.fail(None, &error),
+    }
+}
