@@ -3,6 +3,7 @@
 use super::extension::{self, Format};
 use super::family::member_at;
 use super::input::{self, FileArguments, Loaded};
+use super::integer::integer_in;
 use super::name::InputName;
 use super::named::{InputError, Named};
 use super::outcome::Outcome;
@@ -10,7 +11,6 @@ use super::output::{Output, write_bytes};
 use super::overwriting::check_not_an_input;
 use super::progress::Progress;
 use super::record::Record;
-use super::usage::integer_in;
 use acutile_core::tiling::AnyTiling;
 use acutile_exact::number::{Number, parse_rational};
 use acutile_publish::draw::pdf::pdf;

@@ -30,6 +30,7 @@ mod extension;
 mod family;
 mod gallery;
 mod input;
+mod integer;
 mod interrupt;
 mod limits;
 mod list;

@@ -2,6 +2,7 @@
 
 use super::encoding::Encoding;
 use super::input::{self, FileArguments};
+use super::integer::integer_in;
 use super::interrupt;
 use super::limits::LimitArguments;
 use super::name::InputName;
@@ -13,7 +14,6 @@ use super::overwriting::check_not_an_input;
 use super::progress::Progress;
 use super::proved as proof;
 use super::record::Record;
-use super::usage::integer_in;
 use acutile_core::advice::{Advice, Adviser};
 use acutile_core::proved::NotProved;
 use acutile_core::statement::Statement;

@@ -1,10 +1,10 @@
 //! Point sets: how they are read and triangulated.
 
+use super::integer::integer_in;
 use super::named::InputError;
 use super::outcome::Outcome;
 use super::output::Output;
 use super::progress::Progress;
-use super::usage::integer_in;
 use acutile_core::delaunay::{DelaunayError, Ties, triangulate};
 use acutile_core::statement::counted;
 use acutile_core::tiling::{AnyPointSet, AnyTiling, PointSet, Tiling};

@@ -1,6 +1,7 @@
 //! `acutile search`: acute slabs over plane tilings, and balls of the 600-cell for polyhedra.
 
 use super::encoding::{Encoding, write_certificate};
+use super::integer::integer_in;
 use super::interrupt;
 use super::named::InputError;
 use super::outcome::Outcome;
@@ -9,7 +10,6 @@ use super::plane;
 use super::progress::Progress;
 use super::record::Record;
 use super::search_balls::{self, BallArguments};
-use super::usage::integer_in;
 use acutile_catalog::places::Places;
 use acutile_catalog::plane_tiling;
 use acutile_core::quality::{decimal_range, display_width};

@@ -1,13 +1,13 @@
 //! `acutile search balls`: acute polyhedra in the 600-cell without a ball.
 
 use super::encoding::{Encoding, write_certificate};
+use super::integer::integer_in;
 use super::interrupt;
 use super::outcome::Outcome;
 use super::output::Output;
 use super::progress::Progress;
 use super::record::Record;
 use super::shape::shape;
-use super::usage::integer_in;
 use acutile_core::quality::{decimal_range, display_width};
 use acutile_optimize::balls::{Balls, Class, Found, search};
 use acutile_optimize::{Goal, Outcome as Optimized, value};

@@ -14,7 +14,7 @@ use super::boundary::{cell, compare, ranks, vectors};
 use super::defect::{ContactKind, Defect};
 use super::findings::Findings;
 use super::interfaces::{Interfaces, two_sides};
-use super::region::Region;
+use super::meeting::{Found, Meeting, Region};
 use crate::advice::overlap;
 use crate::tiling::{Corner, Facet, SimplexId, difference};
 use acutile_exact::geometry::Scalar;
@@ -28,24 +28,6 @@ const PAIRS: usize = 8_000_000;
 
 /// The most translates of simplices that are compared for this decision.
 const TRANSLATES: usize = 4_000_000;
-
-/// The findings of the checks of a region.
-pub(super) struct Found<const D: usize> {
-    /// Pairs of boundary facets that meet where they should not.
-    pub meeting: Vec<Meeting<D>>,
-    /// Boundary facets, by their indices, with the simplices directly outside, moved by lattice vectors.
-    pub covered: Vec<CoveredFacet<D>>,
-}
-
-/// A boundary facet, by its index, and the simplices directly outside.
-pub(super) type CoveredFacet<const D: usize> = (usize, Vec<(SimplexId, [i32; D])>);
-
-/// Two boundary facets, by their indices, the second moved by a lattice vector.
-#[derive(Clone, Copy)]
-pub(super) struct Meeting<const D: usize> {
-    pub facets: (usize, usize),
-    pub by: [i32; D],
-}
 
 /// The causes of other defects, and the boundary facets of the interfaces among them.
 pub(super) struct Contacts {

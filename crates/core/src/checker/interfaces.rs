@@ -1,7 +1,6 @@
 //! Sets of boundary facets that lie against each other, and the two sides of each.
 
-use super::contact::Meeting;
-use super::region::Region;
+use super::meeting::{Meeting, Region};
 use crate::anatomy::Union;
 use crate::tiling::Corner;
 use acutile_exact::geometry::Scalar;

@@ -14,6 +14,7 @@ mod duplicates;
 mod findings;
 mod hypotheses;
 mod interfaces;
+mod meeting;
 mod names;
 mod offenders;
 mod outside;

@@ -7,13 +7,13 @@
 //! A pair of boundary facets is compared once, up to translation: each facet in its own place
 //! with all facets that a lattice vector not before zero moves near to it.
 
-use super::boundary::{BoundaryFacet, Scale, cell, compare, ranks, vectors};
-use super::contact::{self, Contacts, CoveredFacet, Found, Meeting};
+use super::boundary::{Scale, cell, compare, ranks, vectors};
+use super::contact::{self, Contacts};
 use super::defect::{BOUNDARY_MEETS, BOUNDARY_WORK, Defect};
 use super::findings::Findings;
 use super::hypotheses::Unsided;
+use super::meeting::{CoveredFacet, Found, Meeting, Region};
 use super::outside::Outside;
-use super::shared::Shared;
 use crate::anatomy::Union;
 use crate::parallel;
 use crate::tiling::coordinates::Form;
@@ -62,25 +62,7 @@ const TRANSLATES: usize = 20_000_000;
 /// The most boxes of simplices that are compared with boxes of facets.
 const COMPARISONS: usize = 2_000_000_000;
 
-pub(super) struct Region<'t, S, const D: usize> {
-    pub tiling: &'t Tiling<D>,
-    pub scale: Scale<'t, S, D>,
-    pub boundary: Vec<BoundaryFacet<D>>,
-    shared: Shared,
-}
-
-impl<'t, S: Scalar, const D: usize> Region<'t, S, D> {
-    fn new(tiling: &'t Tiling<D>, matching: &Matching<D>, scale: Scale<'t, S, D>) -> Self {
-        let used_once = matching.mismatches.iter().filter(|m| m.uses.len() == 1);
-        let boundary = used_once.map(|m| BoundaryFacet::new(tiling, m.uses[0].0));
-        Region {
-            tiling,
-            scale,
-            boundary: boundary.collect(),
-            shared: Shared::of(matching),
-        }
-    }
-
+impl<S: Scalar, const D: usize> Region<'_, S, D> {
     fn check(&self, unsided: &Unsided, findings: &mut Findings) -> BTreeSet<Facet> {
         let is_closed = self.boundary.is_empty() && findings.is_empty();
         if is_closed && !self.tiling.is_empty() {
