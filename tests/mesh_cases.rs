@@ -3,7 +3,7 @@
 use super::common::{acutile, code, file, stderr, stdout};
 use std::path::{Path, PathBuf};
 
-fn case(name: &str) -> String {
+pub(super) fn case(name: &str) -> String {
     let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/meshes/cases");
     folder.join(name).to_string_lossy().into_owned()
 }
