@@ -18,6 +18,7 @@ mod lower_bound;
 mod mesh_answers;
 mod mesh_cases;
 mod mesh_curved;
+mod mesh_programs;
 mod mesh_words;
 mod meshes;
 mod messages;

@@ -243,7 +243,7 @@ fn formats_that_are_not_read_are_named_by_their_first_bytes() {
         (
             "a.ply2",
             "3\n1\n0 0 0\n1 0 0\n0 1 0\n0 0 0\n3 0 1 2\n",
-            "not known",
+            "PLY2",
         ),
     ] {
         let (code, _, err) = certify_text(folder.path(), name, text, &[]);

@@ -3,7 +3,7 @@
 use super::common::{acutile, code, file, stderr, stdout};
 use std::path::{Path, PathBuf};
 
-fn case(name: &str) -> String {
+pub(super) fn case(name: &str) -> String {
     let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/meshes/cases");
     folder.join(name).to_string_lossy().into_owned()
 }
@@ -128,6 +128,9 @@ fn regions_are_described() {
     let (code, out, _) = certify("missing_cells.msh", &[]);
     assert_eq!(code, 0);
     assert!(out.contains("cavity"), "{out}");
+    // 381 tetrahedra of volume 1/6.
+    let (_, out, _) = certify("missing_cells.msh", &["--json"]);
+    assert!(out.contains("\"volume\":63.5}"), "{out}");
     let (code, out, _) = certify("missing_cells.msh", &["--require", "no-cavities"]);
     assert_eq!(code, 1, "{out}");
     for requirement in ["connected", "no-cavities", "manifold-boundary"] {

@@ -27,6 +27,8 @@ EXTENSIONS = {".msh", ".vtk", ".vtu", ".mesh", ".meshb", ".node", ".ele", ".inp"
 
 def read(path):
     """The mesh of a file, without meshio's words about it."""
+    if path.suffix == ".vtu" and path.read_bytes().count(b"<Piece") > 1:
+        raise ValueError("meshio reads one piece of several")
     silent = io.StringIO()
     with contextlib.redirect_stdout(silent), contextlib.redirect_stderr(silent):
         return meshio.read(path)
@@ -75,7 +77,7 @@ def compare(path, acutile, folder):
         original = figures(read(path))
     except BaseException as error:  # meshio raises SystemExit, too.
         original = None
-        reason = f"meshio: {type(error).__name__}"
+        reason = f"meshio: {type(error).__name__} {error}".splitlines()[0].strip()
     else:
         reason = "meshio finds no tetrahedra or triangles"
     target = folder / "converted.msh"

@@ -54,11 +54,8 @@ pub fn read(
         }
         return Ok(of_structure(structure));
     }
+    check_format(path, text)?;
     check_for_crystal(&path.display().to_string(), points)?;
-    if !text.trim_start().is_empty() && !without_comments(text).trim_start().starts_with('{') {
-        let message = unknown::message(path, text.as_bytes());
-        return Err(format!("{}: {message}", path.display()).into());
-    }
     let in_text = |error| InputError::of_text(path, text, &error);
     let file = read_native(text).map_err(in_text)?;
     let words: Vec<String> = [file.name, file.description]
@@ -102,6 +99,22 @@ fn of_structure(structure: Structure) -> Document {
         elements: structure.elements,
         notes: structure.notes,
         variation: structure.variation,
+    }
+}
+
+/// A text is a crystal structure, or begins like the project's own files.
+///
+/// # Errors
+/// Names the format, and the formats that are read.
+pub fn check_format(path: &Path, text: &str) -> Result<(), String> {
+    let is_own = || without_comments(text).trim_start().starts_with('{');
+    let is_crystal = crystal::kind(&uncompressed_name(path), text).is_some();
+    match is_crystal || text.trim_start().is_empty() || is_own() {
+        true => Ok(()),
+        false => {
+            let message = unknown::message(path, text.as_bytes());
+            Err(format!("{}: {message}", path.display()))
+        }
     }
 }
 

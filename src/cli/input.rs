@@ -178,6 +178,7 @@ fn read_content(
             mesh::tiling(input, loaded, &options.mesh, output).map(Loaded::Tiling)
         }
         TextOrMesh::Text(text) => {
+            document::check_format(input.path(), &text)?;
             check_for_mesh(input, &options.mesh)?;
             of_text(input, &text, &options.points, output)
         }

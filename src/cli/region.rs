@@ -161,24 +161,43 @@ fn in_data<const D: usize>(anatomy: &Anatomy<D>, names: &Names) -> Value {
     })
 }
 
+/// A sum of doubles with the errors of its additions (Neumaier's summation): a sum of 10^5 volumes is right
+/// to nearly all of its digits.
+#[derive(Default)]
+struct Sum {
+    total: f64,
+    lost: f64,
+}
+
+impl Sum {
+    fn add(&mut self, value: f64) {
+        let total = self.total + value;
+        self.lost += match self.total.abs() >= value.abs() {
+            true => (self.total - total) + value,
+            false => (value - total) + self.total,
+        };
+        self.total = total;
+    }
+}
+
 /// Of each label the cells, their volume and their pieces.
 fn tags<const D: usize>(tiling: &Tiling<D>, matching: &Matching<D>, origin: &Origin) -> Vec<Tag> {
     let volumes = volumes(tiling);
-    let mut sums: BTreeMap<i64, (usize, f64)> = BTreeMap::new();
+    let mut sums: BTreeMap<i64, (usize, Sum)> = BTreeMap::new();
     let label = |simplex| origin.label(simplex).unwrap_or(0);
     for simplex in tiling.indices() {
         let sum = sums.entry(label(simplex)).or_default();
         sum.0 += 1;
-        sum.1 += volumes[simplex.index()];
+        sum.1.add(volumes[simplex.index()]);
     }
     let pieces = pieces(tiling, matching, |s, t| label(s) == label(t));
-    let tag = |(value, (simplices, volume))| Tag {
+    let tag = |(value, (simplices, volume)): (i64, (usize, Sum))| Tag {
         name: match value {
             0 => "no tag".to_owned(),
             _ => origin.label_name(value),
         },
         simplices,
-        volume,
+        volume: volume.total + volume.lost,
         pieces: pieces
             .iter()
             .filter(|(first, _)| label(*first) == value)

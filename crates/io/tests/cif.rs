@@ -387,7 +387,7 @@ fn messages() {
         ),
         (
             edit(&a15, "IT_number 223", "IT_number 136"),
-            "line 4: space group 136 does not agree with the 48 listed operations at line 13, which are those of number 223, \
+            "line 4: space group 136 does not agree with the 48 listed operations at line 13, of number 223, \
              P m -3 n: complete the list, or remove the number if the list is right",
         ),
         (

@@ -248,11 +248,11 @@ fn symbols_that_contradict_the_operations() {
     for (symmetry, words) in [
         (
             symbol("P m -3 n"),
-            "it stands for 48 operations, and 1 are listed",
+            "it stands for 48 operations, and 1 is listed",
         ),
         (
             symbol("F 4/m -3 2/m"),
-            "it stands for 192 operations, and 1 are listed",
+            "it stands for 192 operations, and 1 is listed",
         ),
         (
             "_space_group_name_Hall '-P 4n 2 3'".to_owned(),
@@ -260,7 +260,7 @@ fn symbols_that_contradict_the_operations() {
         ),
         (
             "_space_group_IT_number 223".to_owned(),
-            "those of number 1, P 1",
+            "the 1 listed operation at line 9, of number 1, P 1",
         ),
     ] {
         let found = error(&a15(&format!("{symmetry}\n{identity}")));
@@ -522,6 +522,8 @@ fn other_formats() {
         ("a.vasp", scaled),
         ("CONTCAR", cartesian),
         ("POSCAR", old),
+        ("POSCAR", POSCAR.replace("Direct", "Fractional")),
+        ("POSCAR", POSCAR.replace("Si V", "Si_pv V/3f2a")),
         ("-", POSCAR.to_owned()),
         ("a.xyz", XYZ.to_owned()),
         ("-", XYZ.to_owned()),
@@ -537,6 +539,10 @@ fn other_formats() {
             .filter(|element| **element == Some("Si"))
             .count();
         assert_eq!(silicon, 2, "{name}");
+        assert!(
+            found.labels.iter().all(|label| !label.contains('/')),
+            "{name}"
+        );
     }
     // A volume of 0.841232384 = 0.944³ for the cell of edge 2: the scale is 0.472.
     let shrunk = open("POSCAR", &volume).expect("a rational scale");
@@ -559,8 +565,8 @@ fn other_formats() {
         ),
         (
             "POSCAR",
-            POSCAR.replace("Direct", "Odd"),
-            "line 8: found \"Odd\"",
+            POSCAR.replace("Direct\n", ""),
+            "line 8: found \"0 0 0\", expected Direct or Cartesian",
         ),
         (
             "POSCAR",

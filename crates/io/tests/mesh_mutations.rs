@@ -265,6 +265,9 @@ fn damaged_files_of_formats_that_are_only_read_never_panic() {
         ("gmsh_disk2.mesh", Family::Medit),
         ("gmsh_disk2.msh", Family::Msh),
         ("gmsh_disk2.bdf", Family::Nastran),
+        ("curved10.bdf", Family::Nastran),
+        ("vtk_texts_42_binary.vtk", Family::Vtk),
+        ("vtk_texts_51.vtk", Family::Vtk),
     ] {
         let bytes = std::fs::read(cases.join(name)).expect("the file");
         assert!(family.read(&bytes).is_ok(), "{name}");

@@ -10,7 +10,7 @@ use super::error::{MeshError, Place};
 use super::lines::{Line, numbered};
 use super::numbering::Index;
 use super::source::shown;
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 
 /// Keywords that make nodes or elements in a way that is not read.
 const DECLINED: [&str; 9] = [
@@ -28,18 +28,42 @@ const DECLINED: [&str; 9] = [
 /// Reads the nodes and elements of a file.
 pub fn read(bytes: &[u8]) -> Result<Mesh, MeshError> {
     let mut reading = Reading::default();
+    let mut keyword: Option<(String, u64)> = None;
     for (number, line) in numbered(bytes) {
         let text = line.trim_ascii();
         if text.starts_with(b"**") || text.is_empty() {
             continue;
         }
-        if let Some(keyword) = text.strip_prefix(b"*") {
-            reading.keyword(&String::from_utf8_lossy(keyword), number)?;
-        } else {
-            reading.data(text, number)?;
+        let begun = keyword
+            .as_mut()
+            .filter(|(begun, _)| begun.ends_with(',') && text[0].is_ascii_alphabetic());
+        if let Some((begun, _)) = begun {
+            // A line of a keyword that ends with a comma goes on in the next one.
+            *begun += &String::from_utf8_lossy(text);
+            continue;
+        }
+        if let Some((text, number)) = keyword.take() {
+            reading.keyword(&text, number)?;
+        }
+        match text.strip_prefix(b"*") {
+            Some(text) => keyword = Some((String::from_utf8_lossy(text).into_owned(), number)),
+            None => reading.data(text, number)?,
         }
     }
+    if let Some((text, number)) = keyword {
+        reading.keyword(&text, number)?;
+    }
     reading.finish()
+}
+
+/// The parts of a text between commas that do not stand in quotes.
+fn fields(text: &str) -> Vec<&str> {
+    let mut is_quoted = false;
+    let is_end = |c: char| {
+        is_quoted ^= c == '"';
+        c == ',' && !is_quoted
+    };
+    text.split(is_end).map(str::trim).collect()
 }
 
 /// The keyword that data lines belong to.
@@ -81,13 +105,15 @@ struct Reading {
     labels: BTreeMap<String, i64>,
     parts_with_nodes: usize,
     is_new_part: bool,
+    /// The names of parts that have been placed.
+    placed: BTreeSet<String>,
 }
 
 impl Reading {
     fn keyword(&mut self, text: &str, number: u64) -> Result<(), MeshError> {
         let place = Place::Line(number);
         self.expect_whole(place)?;
-        let mut fields = text.split(',').map(str::trim);
+        let mut fields = fields(text).into_iter();
         let keyword = fields.next().unwrap_or_default().to_ascii_uppercase();
         let parameters: BTreeMap<String, String> = fields
             .map(|field| field.split_once('=').unwrap_or((field, "")))
@@ -97,6 +123,16 @@ impl Reading {
             "PART" => {
                 self.is_new_part = true;
                 Block::Other
+            }
+            "INSTANCE" => {
+                let part = parameters.get("PART").cloned().unwrap_or_default();
+                match self.placed.insert(part.to_ascii_uppercase()) {
+                    true => Block::Other,
+                    false => {
+                        let problem = format!("found a second *INSTANCE of the part {part:?}");
+                        return Err(declined(place, problem));
+                    }
+                }
             }
             "NODE" => self.node_block(&parameters, place)?,
             "ELEMENT" if parameters.contains_key("INPUT") => {

@@ -77,12 +77,15 @@ fn load_pair(path: &Path) -> Result<Mesh, MeshError> {
     let (nodes, elements) = tetgen_paths(path).ok_or_else(|| {
         MeshError::of_file("a TetGen mesh has a name that ends in .node or .ele, with .gz or not")
     })?;
-    let named = |path: &Path, error: MeshError| MeshError {
-        problem: format!("{}: {error}", path.display()),
-        place: super::Place::File,
-        ..error
-    };
     // The caller names the file that the user gave.
+    let named = |file: &Path, error: MeshError| match file == path {
+        true => error,
+        false => MeshError {
+            problem: format!("{}: {error}", file.display()),
+            place: super::Place::File,
+            ..error
+        },
+    };
     let read = |file: &Path| {
         bytes(file).map_err(|error| match file == path {
             true => error,

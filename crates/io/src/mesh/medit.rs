@@ -296,6 +296,10 @@ impl Medit {
             "Prisms" => "prisms",
             "Hexahedra" | "Hexaedra" => "hexahedra",
             "Pyramids" => "pyramids",
+            "TrianglesP3" => "third-order triangles",
+            "TetrahedraP3" => "third-order tetrahedra",
+            "TrianglesP4" => "fourth-order triangles",
+            "TetrahedraP4" => "fourth-order tetrahedra",
             _ => return self.draft.pass(format!("{count} {keyword}")),
         };
         self.draft.count_other(name, count);

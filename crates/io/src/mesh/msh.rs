@@ -21,6 +21,7 @@ pub fn read(bytes: &[u8]) -> Result<Mesh, MeshError> {
 /// The versions that differ in their sections.
 #[derive(Clone, Copy, PartialEq, Eq)]
 enum Version {
+    One,
     Two,
     FourZero,
     FourOne,
@@ -48,7 +49,7 @@ impl Reading {
                 let version = self.known_version(source, name)?;
                 let index = after_nodes(&self.index, source, name)?;
                 match version {
-                    Version::Two => msh2::periodic(source, index, &mut self.draft)?,
+                    Version::One | Version::Two => msh2::periodic(source, index, &mut self.draft)?,
                     Version::FourZero => msh40::periodic(source, index, &mut self.draft)?,
                     Version::FourOne => msh4::periodic(source, index, &mut self.draft)?,
                 }
@@ -57,7 +58,7 @@ impl Reading {
             "Entities" => match self.known_version(source, name)? {
                 Version::FourZero => self.entities = Entities::read(source, true)?,
                 Version::FourOne => self.entities = Entities::read(source, false)?,
-                Version::Two => return self.pass(source, name),
+                Version::One | Version::Two => return self.pass(source, name),
             },
             "NodeData" | "ElementData" | "ElementNodeData" if is_binary(source) => {
                 msh_sections::skip_data(source, name)?;
@@ -78,10 +79,13 @@ impl Reading {
         }
         let draft = &mut self.draft;
         if name == "NOD" {
+            // Version 1 has no header. Gmsh writes the other sections into such files as into those of version 2.
+            self.version.get_or_insert(Version::One);
             msh1::nodes(source, draft)?;
         } else {
             let is_parametric = name == "ParametricNodes";
             match self.version.ok_or_else(|| no_version(source, name))? {
+                Version::One => return Err(no_version(source, name)),
                 Version::Two => msh2::nodes(source, draft, is_parametric)?,
                 Version::FourZero => msh40::nodes(source, draft)?,
                 Version::FourOne => msh4::nodes(source, draft)?,
@@ -101,6 +105,7 @@ impl Reading {
             return msh1::elements(source, index, draft);
         }
         match self.version.ok_or_else(|| no_version(source, name))? {
+            Version::One => Err(no_version(source, name)),
             Version::Two => msh2::elements(source, index, draft),
             Version::FourZero => msh40::elements(source, index, entities, draft),
             Version::FourOne => msh4::elements(source, index, entities, draft),

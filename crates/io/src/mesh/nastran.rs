@@ -195,8 +195,13 @@ fn cards(bytes: &[u8]) -> Result<Vec<Card>, MeshError> {
                 };
                 return Err(card.declined("found a replicated card"));
             }
+            // meshio ends the names of second-order elements with an underscore.
             _ => cards.push(Card {
-                name: name.trim_end_matches('*').trim().to_owned(),
+                name: name
+                    .trim_end_matches('*')
+                    .trim()
+                    .trim_end_matches('_')
+                    .to_owned(),
                 fields,
                 place: Place::Line(number),
             }),

@@ -11,7 +11,7 @@ pub const READ: &str = "acutile reads tiling, point-set and certificate files of
                         convert IN OUT.vtu)";
 
 /// Extensions of formats that are not read.
-const EXTENSIONS: [(&str, &str); 43] = [
+const EXTENSIONS: [(&str, &str); 47] = [
     ("xdmf", "XDMF"),
     ("xmf", "XDMF"),
     ("h5", "HDF5"),
@@ -53,12 +53,16 @@ const EXTENSIONS: [(&str, &str); 43] = [
     ("smesh", "TetGen input (tetgen makes a mesh of it)"),
     ("mphtxt", "COMSOL"),
     ("mdpa", "Kratos model part"),
+    ("ply2", "PLY2"),
+    ("wkt", "well-known text"),
+    ("traj", "ASE trajectory"),
+    ("rad", "Radioss"),
     ("wrl", "VRML"),
     ("x3d", "X3D"),
 ];
 
 /// First bytes of formats that are not read.
-const STARTS: [(&[u8], &str); 33] = [
+const STARTS: [(&[u8], &str); 38] = [
     (
         b"\x89HDF\r\n\x1a\n",
         "HDF5 (XDMF, MED, CGNS or Exodus data)",
@@ -76,6 +80,11 @@ const STARTS: [(&[u8], &str); 33] = [
     (b"View \"", "Gmsh post-processing view"),
     (b"*KEYWORD", "LS-DYNA keyword"),
     (b"(0 \"", "Fluent mesh"),
+    (b"(1 \"", "Fluent mesh"),
+    (b"(2 ", "Fluent mesh"),
+    (b"(10 (", "Fluent mesh"),
+    (b"- of Ulm", "ASE trajectory"),
+    (b"#RADIOSS", "Radioss"),
     (b"Begin ModelPartData", "Kratos model part"),
     (b"!PERMAS", "PERMAS"),
     (b"TITLE = \"", "Tecplot"),

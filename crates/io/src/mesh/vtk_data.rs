@@ -14,6 +14,10 @@ pub enum Kind {
     Integer(usize, bool),
     /// Bits, eight in a byte.
     Bit,
+    /// Texts, one on a line; in binary a length before each.
+    Text,
+    /// A type and a text on a line, in binary files too.
+    Variant,
 }
 
 /// The next word as a type, in any case.
@@ -23,6 +27,8 @@ pub fn kind(source: &mut Source) -> Result<Kind, MeshError> {
         b"float" => Kind::Single,
         b"double" => Kind::Double,
         b"bit" => Kind::Bit,
+        b"string" | b"utf8_string" => Kind::Text,
+        b"variant" => Kind::Variant,
         b"char" | b"signed_char" | b"vtktypeint8" => Kind::Integer(1, true),
         b"unsigned_char" | b"vtktypeuint8" => Kind::Integer(1, false),
         b"short" | b"vtktypeint16" => Kind::Integer(2, true),
@@ -42,7 +48,7 @@ impl Kind {
             Kind::Single => 4,
             Kind::Double => 8,
             Kind::Integer(bytes, _) => bytes,
-            Kind::Bit => 1,
+            Kind::Bit | Kind::Text | Kind::Variant => 1,
         }
     }
 
@@ -66,7 +72,7 @@ impl Kind {
     /// An integer.
     pub fn integer(self, source: &mut Source) -> Result<i64, MeshError> {
         let Kind::Integer(bytes, signed) = self else {
-            return Err(source.error("found numbers of floating point, expected integers"));
+            return Err(source.error("found a type that is none of integers, expected integers"));
         };
         match source.encoding {
             Encoding::Text => source.int("an integer"),
@@ -78,9 +84,13 @@ impl Kind {
         }
     }
 
-    /// Passes over numbers.
+    /// Passes over numbers or texts.
     fn skip(self, source: &mut Source, count: usize) -> Result<(), MeshError> {
         match (source.encoding, self) {
+            (Encoding::Text, Kind::Text) | (_, Kind::Variant) => {
+                (0..count).try_for_each(|_| skip_line(source))
+            }
+            (_, Kind::Text) => (0..count).try_for_each(|_| skip_text(source)),
             (Encoding::Text, _) => (0..count).try_for_each(|_| source.word("a number").map(drop)),
             (_, Kind::Bit) => source.take(count.div_ceil(8), "an array").map(drop),
             _ => source
@@ -88,6 +98,30 @@ impl Kind {
                 .map(drop),
         }
     }
+}
+
+fn skip_line(source: &mut Source) -> Result<(), MeshError> {
+    match source.remaining() {
+        0 => Err(source.error("the file ends, expected a text")),
+        _ => {
+            source.rest_of_line();
+            Ok(())
+        }
+    }
+}
+
+/// Passes over a text in binary. The two highest bits of its first byte tell that its length has 1, 2, 4
+/// or 8 bytes, the first one included (vtkDataWriter, `VTK_STRING`).
+fn skip_text(source: &mut Source) -> Result<(), MeshError> {
+    let first = source.take(1, "the length of a text")?[0];
+    let further = [7, 3, 1, 0][usize::from(first >> 6)];
+    let digits = source.take(further, "the length of a text")?;
+    let length = digits
+        .iter()
+        .fold(usize::from(first & 0x3f), |value, &digit| {
+            value.saturating_mul(256).saturating_add(usize::from(digit))
+        });
+    source.take(length, "a text").map(drop)
 }
 
 /// Passes over metadata, which end with an empty line.
@@ -232,8 +266,8 @@ impl Array {
     fn count(&self, source: &mut Source) -> Result<usize, MeshError> {
         let count = self.components.saturating_mul(self.tuples);
         let least = match (source.encoding, self.kind) {
+            (_, Kind::Bit | Kind::Text | Kind::Variant) => 1,
             (Encoding::Text, _) => 2,
-            (_, Kind::Bit) => 1,
             _ => self.kind.bytes(),
         };
         let items = match self.kind {

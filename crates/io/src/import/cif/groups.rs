@@ -12,6 +12,7 @@ use super::operation::Operation;
 use super::token::{Value, at_line};
 use crate::import::ImportError;
 use crate::import::words::short;
+use acutile_core::statement::counted;
 use acutile_crystal::hall;
 use acutile_crystal::identify::{differ_by_origin, identify};
 use acutile_crystal::motion::{Motion, fractional};
@@ -220,13 +221,15 @@ fn disagreement(
     let mut counts = counts.to_vec();
     counts.sort_unstable();
     counts.dedup();
+    let is_one = counts == [1];
     let counts: Vec<String> = counts.iter().map(usize::to_string).collect();
     let problem = format!(
-        "the {what} {} does not agree with the listed operations: it stands for {} operations, and {} are listed at line \
-         {}{found}; complete the list, or remove the symbol or the list, whichever is wrong",
+        "the {what} {} does not agree with the listed operations: it stands for {} {}, and {} at line {}{found}; \
+         complete the list, or remove the symbol or the list, whichever is wrong",
         short(value.text),
         counts.join(" or "),
-        list.len(),
+        if is_one { "operation" } else { "operations" },
+        counted(list.len(), "is listed", "are listed"),
         list.first().map_or(0, |listed| listed.line)
     );
     at_line(value.line, problem)
@@ -304,9 +307,9 @@ fn check_number(
                 |found| format!("number {}, {}", found.setting.number, found.setting.short),
             );
             let problem = format!(
-                "space group {number} does not agree with the {} listed operations at line {}, which are those of {words}: \
+                "space group {number} does not agree with the {} at line {}, of {words}: \
                  complete the list, or remove the number if the list is right",
-                list.len(),
+                counted(list.len(), "listed operation", "listed operations"),
                 list.first().map_or(0, |listed| listed.line)
             );
             Err(at_line(line, problem))

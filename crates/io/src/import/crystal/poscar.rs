@@ -85,7 +85,8 @@ pub fn read(text: &str, options: &CifOptions) -> Result<Structure, ImportError> 
     }
     let coordinates = match mode.chars().next() {
         Some('c' | 'C' | 'k' | 'K') => Coordinates::Cartesian,
-        Some('d' | 'D') => Coordinates::Fractional,
+        // VASP takes every other letter for direct coordinates, like that of Fractional.
+        Some(letter) if letter.is_alphabetic() => Coordinates::Fractional,
         _ => {
             let problem = format!("found {mode:?}, expected Direct or Cartesian");
             return Err(ImportError::entry(format!("line {line}"), problem));
@@ -97,7 +98,8 @@ pub fn read(text: &str, options: &CifOptions) -> Result<Structure, ImportError> 
             let line = lines.next("the position of an atom")?;
             let position = vector(line)?;
             atoms.push(Listed {
-                label: format!("{name}{index}"),
+                // VASP may write the hash of a potential after the element.
+                label: format!("{}{index}", name.split('/').next().unwrap_or(name)),
                 element: species(name),
                 position: match coordinates {
                     Coordinates::Cartesian => stretched(position, &scales),
