@@ -1,6 +1,7 @@
 (** * docs/lower-bound.md, section 6: Steps A and B
 
-    All dihedral angles of the tetrahedra are at most theta* here.  Step C is in Link.v. *)
+    All dihedral angles of the tetrahedra are at most theta* here.  Step C is in Link.v, and
+    Vertex.v has all three at a vertex. *)
 From Coq Require Import Reals Lra Psatz Lia List.
 From Acutile Require Import Statement Tetrahedra Angles.
 From LowerBound Require Import Calculus Normals Corners Excess.

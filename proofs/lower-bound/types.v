@@ -3,7 +3,7 @@
    The sections are those of docs/lower-bound.md; angles are in radians. *)
 From Coq Require Import Reals List.
 From Acutile Require Import Statement.
-From LowerBound Require Normals Corners Triangles Excess Steps Link Sanity.
+From LowerBound Require Normals Corners Triangles Excess Steps Link Vertex Sanity.
 Open Scope R_scope.
 
 (* Section 4, Lemma 2: the faces have the names of the opposite vertices. *)
@@ -123,6 +123,24 @@ Check (LowerBound.Link.theorem_2 : forall dart v darts turn along tip six, Lower
   exists d, In d darts /\ theta_star <= angle_of v tip along d).
 (* Section 6, Step C: Theorem 1 at such a vertex *)
 Check (LowerBound.Link.above_theta_star : forall dart v darts turn along tip six, LowerBound.Link.star dart v darts turn along tip six ->
+  exists d, In d darts /\ exists x, In x (dihedrals (tetrahedron_of v tip along d)) /\ theta_star < x).
+
+(* Steps A, B and C: the same with any valences, not all of them 5. [Nat.iter i turn d] is d, turned i times. *)
+Check (LowerBound.Vertex.Build_vertex_star : forall (dart : Type) v darts (turn along : dart -> dart) (tip : dart -> point) valence,
+  NoDup darts ->
+  (forall d, In d darts -> In (turn d) darts) ->
+  (forall d, In d darts -> In (along d) darts) ->
+  (forall d, In d darts -> along (along (along d)) = d) ->
+  (forall d, In d darts -> turn (along (turn (along d))) = d) ->
+  (forall d, In d darts -> tip (turn d) = tip d) ->
+  (forall d, In d darts -> vol (tetrahedron_of v tip along d) <> 0) ->
+  (forall d, In d darts -> valence (turn d) = valence d) ->
+  (forall d, In d darts -> Nat.iter (valence d) turn d = d) ->
+  (forall d, In d darts ->
+    fold_right Rplus 0 (map (angle_of v tip along) (map (fun i => Nat.iter i turn d) (seq 0 (valence d)))) = 2 * PI) ->
+  LowerBound.Vertex.vertex_star dart v darts turn along tip valence).
+Check (LowerBound.Vertex.theorem_1_at_a_vertex : forall dart v darts turn along tip valence,
+  LowerBound.Vertex.vertex_star dart v darts turn along tip valence -> (exists d, In d darts /\ valence d <> 5%nat) ->
   exists d, In d darts /\ exists x, In x (dihedrals (tetrahedron_of v tip along d)) /\ theta_star < x).
 
 (* Section 11: equality. A link with angles and lengths, and the example. *)
