@@ -96,7 +96,7 @@ def entry(old, rng):
         return "open" if old == "closed" else "closed"
     if old.endswith("angle"):
         return rng.choice(["largest dihedral angle", "smallest dihedral angle"])
-    return rng.choice(["acute", "nonobtuse", "Delaunay", "weakly Delaunay", "TCP", "space", "Q", "at most", "maximum", "minimum", "less than"])
+    return rng.choice(["acute", "nonobtuse", "Delaunay", "weakly Delaunay", "not Delaunay", "TCP", "space", "Q", "at most", "maximum", "minimum", "less than"])
 
 
 def tidy(row, dimension, rank):

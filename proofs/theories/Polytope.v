@@ -38,16 +38,18 @@ Definition facet_of_hull (f : list N) : bool :=
   let H := half_space_over A aadd asub amul aofZ ale den r W f in
   forallb (fun i => let l := klev A aadd amul H (corner_at i) in if among i f then is_zero A aofZ ale l else alt zero l) (indices (length W)) &&
   negb (subset (indices (length W)) f).
-(** P2: of consecutive corners and any other one the turn has one strict sign. *)
+(** P2: of consecutive corners and any other one the turn has one strict sign.  Three corners are a
+    triangle by P1: otherwise H would be zero everywhere. *)
 Definition convex_face (f : list N) : bool :=
-  match r with
-  | 0 =>
+  match r, f with
+  | 0, [_; _; _] => true
+  | 0, _ =>
     let n := hn A (half_space_over A aadd asub amul aofZ ale den r W f) in
     let turn p q t := kdet3 A aadd asub amul (vsub A asub (corner_at q) (corner_at p)) (vsub A asub (corner_at t) (corner_at p)) n in
     let all (ok : A -> bool) := forallb (fun e => forallb (fun t => if among t [fst e; snd e] then true else ok (turn (fst e) (snd e) t)) f)
       (match f with [] => [] | i :: g => combine f (g ++ [i]) end) in
     if all (fun x => alt zero x) then true else all (fun x => alt x zero)
-  | _ => true
+  | _, _ => true
   end.
 (** P3: every ridge is in two faces. *)
 Definition closed_up (faces : list (list N)) : bool :=
