@@ -1,10 +1,10 @@
 (* The types of the main theorems, written out: check.sh compiles this file.  It fails if a
-   theorem says something else.  Only Coq's library and the pinned files of statements.sha256
+   theorem says something else.  Only Coq's library and the pinned files of statements.sha256 and patches.sha256
    are imported.  All other files come without their short names and their notations, so
    none of them can change how this text is read.  The main theorem is written out even
    before they are loaded. *)
 From Coq Require Import Reals ZArith List.
-From Acutile Require Statement PlaneStatement RegionStatement PlaneRegionStatement Denote.
+From Acutile Require Statement PlaneStatement RegionStatement PlaneRegionStatement Denote PatchStatement SquareTriangle.
 Import ListNotations.
 
 (* The bytes of a certificate: Bytes.v. *)
@@ -75,3 +75,12 @@ Check (Acutile.RegionNumbers.nf_region_theorem2 : forall fl e0 es claimed c ss, 
   forall l1 l2, Acutile.PlaneStatement.has_gram2 (Acutile.PlaneSoundness.dgram2 (list Z) (Acutile.Numbers.ev al) c) l1 l2 ->
   Acutile.PlaneRegionStatement.edge_to_edge_region l1 l2 (Acutile.PlaneChecker.e_rank _ c) (length (Acutile.PlaneChecker.e_tris _ c)) (Acutile.PlaneSoundness.dtriangle (list Z) Acutile.Numbers.lofZ (Acutile.Numbers.ev al) c l1 l2) (Acutile.PlaneRegionChecker.listed_sides _ c) /\
   forall s, In s (map (Acutile.RegionTheorem.rdstatement (list Z) (Acutile.Numbers.ev al)) ss) -> Acutile.PlaneRegionStatement.holds_in_region2 l1 l2 (Acutile.PlaneChecker.e_rank _ c) (length (Acutile.PlaneChecker.e_tris _ c)) (Acutile.PlaneSoundness.dtriangle (list Z) Acutile.Numbers.lofZ (Acutile.Numbers.ev al) c l1 l2) s).
+
+(* All tilings over edge-to-edge tilings of the plane by squares and triangles: PatchNumbers.v. *)
+From Acutile Require PatchNumbers.
+Check (Acutile.PatchNumbers.square_triangle_theorem : forall tiles : nat -> Acutile.PatchStatement.tile,
+  Acutile.PatchStatement.mosaic Acutile.SquareTriangle.square_triangle tiles ->
+  (exists rise, Acutile.PatchStatement.walls_agree Acutile.SquareTriangle.square_triangle tiles rise) /\
+  forall rise : nat -> R, Acutile.PatchStatement.walls_agree Acutile.SquareTriangle.square_triangle tiles rise ->
+    Acutile.PatchStatement.tiles_space (Acutile.PatchStatement.is_cell Acutile.SquareTriangle.square_triangle tiles rise) /\
+    Acutile.PatchStatement.acute_cells (Acutile.PatchStatement.is_cell Acutile.SquareTriangle.square_triangle tiles rise)).
