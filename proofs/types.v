@@ -82,5 +82,7 @@ Check (Acutile.PatchNumbers.square_triangle_theorem : forall tiles : nat -> Acut
   Acutile.PatchStatement.mosaic Acutile.SquareTriangle.square_triangle tiles ->
   (exists rise, Acutile.PatchStatement.walls_agree Acutile.SquareTriangle.square_triangle tiles rise) /\
   forall rise : nat -> R, Acutile.PatchStatement.walls_agree Acutile.SquareTriangle.square_triangle tiles rise ->
-    Acutile.PatchStatement.tiles_space (Acutile.PatchStatement.is_cell Acutile.SquareTriangle.square_triangle tiles rise) /\
-    Acutile.PatchStatement.acute_cells (Acutile.PatchStatement.is_cell Acutile.SquareTriangle.square_triangle tiles rise)).
+    let cells := Acutile.PatchStatement.is_cell Acutile.SquareTriangle.square_triangle tiles rise in
+    Acutile.PatchStatement.tiles_space cells /\ Acutile.PatchStatement.acute_cells cells /\
+    Acutile.PatchStatement.largest_angle_of_cells cells Acutile.Statement.AtMost (acos (1 / 5)) /\
+    forall i : nat, Acutile.PatchStatement.shape (tiles i) = 1 -> Acutile.PatchStatement.largest_angle_of_cells cells Acutile.Statement.Maximum (acos (1 / 5))).

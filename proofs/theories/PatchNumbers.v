@@ -1,8 +1,8 @@
 (** * All tilings of space over edge-to-edge tilings of the plane by squares and triangles
 
     The finite checks by computation, and the theorem. *)
-From Coq Require Import ZArith List.
-From Acutile Require Import PatchStatement SquareTriangle PatchChecker SquareTriangleHints PatchHeights.
+From Coq Require Import Reals Lra ZArith List.
+From Acutile Require Import Statement PatchStatement SquareTriangle PatchChecker SquareTriangleHints PatchHeights PatchAngles.
 Import ListNotations.
 Open Scope Z_scope.
 
@@ -24,12 +24,26 @@ Proof. vm_compute. reflexivity. Qed.
 Lemma square_triangle_headed : check_headings square_triangle square_triangle_headings = true.
 Proof. vm_compute. reflexivity. Qed.
 
+(** A tetrahedron over a square has the largest angle; over triangles alone none has. *)
+Definition peaks (a : nat) : option nat := match a with 1%nat => Some 15%nat | _ => None end.
+Lemma square_triangle_angles : check_angles square_triangle 25 peaks = true.
+Proof. vm_compute. reflexivity. Qed.
+Lemma root_of_25 : sqrt (/ 25) = (1 / 5)%R.
+Proof. replace (/ 25)%R with ((1 / 5) * (1 / 5))%R by lra. apply sqrt_square. lra. Qed.
+
 (** Over every edge-to-edge tiling of the plane by squares and equilateral triangles the patches
-    can be raised so that walls agree, and then the cells tile space face to face and are acute. *)
+    can be raised so that walls agree.  Then the cells tile space face to face, they are
+    acute, and no dihedral angle is above arccos (1/5); it occurs if there is a square. *)
 Theorem square_triangle_theorem : forall tiles, mosaic square_triangle tiles ->
   (exists rise, walls_agree square_triangle tiles rise) /\
-  forall rise, walls_agree square_triangle tiles rise ->
-    tiles_space (is_cell square_triangle tiles rise) /\ acute_cells (is_cell square_triangle tiles rise).
+  forall rise, walls_agree square_triangle tiles rise -> let cells := is_cell square_triangle tiles rise in
+    tiles_space cells /\ acute_cells cells /\ largest_angle_of_cells cells AtMost (acos (1 / 5)) /\
+    forall i, shape (tiles i) = 1%nat -> largest_angle_of_cells cells Maximum (acos (1 / 5)).
 Proof.
-  exact (patches_over_mosaic square_triangle square_triangle_hints square_triangle_headings square_triangle_checked square_triangle_headed).
+  intros tiles tiling.
+  destruct (patches_over_mosaic square_triangle square_triangle_hints square_triangle_headings square_triangle_checked square_triangle_headed tiles tiling) as [E T].
+  split; [exact E|]. intros rise A cells. destruct (T rise A) as [S C]. split; [exact S|]. split; [exact C|]. rewrite <- root_of_25. split.
+  - exact (angle_at_most square_triangle square_triangle_hints 25 peaks square_triangle_checked eq_refl square_triangle_angles tiles rise tiling A).
+  - intros i I. apply (largest_angle square_triangle square_triangle_hints 25 peaks square_triangle_checked eq_refl square_triangle_angles tiles rise tiling A i 15).
+    rewrite I. reflexivity.
 Qed.

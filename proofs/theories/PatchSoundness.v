@@ -290,6 +290,12 @@ Definition across (cf : cell * nat) : cell * nat := match cf with
   | ((i, Join s e, n), 2%nat) => ((i, Join s (prev (rim_count (patch_of i) s) e), n), 1%nat)
   | _ => let '(i, o, n) := view cf in beyond i o n end.
 
+Lemma piece_corners i k : (k < length (pieces (patch_of i)))%nat -> good_corners (corners_at (patch_of i) k) = true.
+Proof.
+  intros Hk. destruct (checks (kind i) (kind_lt i)) as [_ [K _]]. specialize (K _ (nth_In _ (origin_spot, origin_spot, origin_spot, origin_spot) Hk)).
+  unfold corners_at. unfold check_piece in K. change (PatchChecker.patch_at system (kind i)) with (patch_of i) in K.
+  destruct (nth k (pieces (patch_of i)) _) as [[[? ?] ?] ?]. rewrite !andb_true_iff in K. tauto.
+Qed.
 (** Two sides that meet, and their rims. *)
 Lemma rims i s j s' e : (s < sides i)%nat -> across_side i s = (j, s') -> (e < rim_count (patch_of i) s)%nat ->
   let e' := rim_mate h (kind i) s (kind j) s' e in let p := patch_of i in let q := patch_of j in
@@ -308,9 +314,7 @@ Proof.
   destruct c as [[i [k|s e]] n]; cbn [valid piece].
   - intros Hk. exists (/ 24), (rise i + IZR n), (corner (tiles i)), (along (tiles i)), (corners_at (patch_of i) k).
     split; [lra|]. split; [apply along_unit|]. split; auto.
-    destruct (checks (kind i) (kind_lt i)) as [_ [K _]]. specialize (K _ (nth_In _ (origin_spot, origin_spot, origin_spot, origin_spot) Hk)).
-    unfold corners_at. unfold check_piece in K. change (PatchChecker.patch_at system (kind i)) with (patch_of i) in K. destruct (nth k (pieces (patch_of i)) _) as [[[? ?] ?] ?].
-    rewrite !andb_true_iff in K. tauto.
+    apply piece_corners, Hk.
   - intros [Hs [He _]]. destruct (across_side i s) as [j s'] eqn:E.
     exists (/ 576), (wall_height i s + IZR n), (corner_of i s), (direction i s), (join (patch_of i) s (patch_of j) s' e).
     split; [lra|]. split; [apply direction_unit; auto|]. split; auto. apply (rims i s j s' e Hs E He).
@@ -582,10 +586,7 @@ Proof.
     intros r Hr. rewrite left_place. apply Rmult_lt_0_compat; [lra|]. apply zpos_ok, K3, in_seq. split; [lia|exact Hr]. }
   intros [[i p] n] V NE C. destruct p as [k'|s e].
   - pose proof C as C'. rewrite E0 in C'. apply (piece_over i k' n) in C'; auto. apply IN in C'. subst i. cbn [valid] in V.
-    assert (G : good_corners (corners_at (patch_of 0%nat) k') = true).
-    { destruct (checks (kind 0) (kind_lt 0)) as [_ [K _]]. specialize (K _ (nth_In _ (origin_spot, origin_spot, origin_spot, origin_spot) V)).
-      unfold corners_at. unfold check_piece in K. change (PatchChecker.patch_at system (kind 0)) with (patch_of 0%nat) in K. destruct (nth k' (pieces (patch_of 0%nat)) _) as [[[? ?] ?] ?].
-      rewrite !andb_true_iff in K. tauto. }
+    pose proof (piece_corners 0%nat k' V) as G.
     cbn [piece] in C. revert C. destruct (Nat.eq_dec k' k) as [->|Nk].
     + assert (n <> 0%Z) by congruence.
       destruct (Z_lt_le_dec n (-3)); [apply far_away with (u := 24%Z); auto; try lia; try apply along_unit|].

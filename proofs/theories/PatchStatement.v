@@ -119,3 +119,5 @@ Record tiles_space (cells : tetrahedron -> Prop) : Prop := {
   (* two cells meet in the hull of their common vertices: in a common face or not at all *)
   space_face_to_face : forall X t t', cells t -> cells t' -> hull t X -> hull t' X -> common_hull t t' X }.
 Definition acute_cells (cells : tetrahedron -> Prop) := forall t x, cells t -> In x (dihedrals t) -> x < PI / 2.
+(** The quantity of a cell is its largest dihedral angle, in radians. *)
+Definition largest_angle_of_cells (cells : tetrahedron -> Prop) := bounded cells (fun t => largest (dihedrals t)).
