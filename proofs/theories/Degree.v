@@ -1,6 +1,9 @@
-(* The periodic tiling theorem, in lattice coordinates (lattice = h Z^3). *)
+(** * The degree argument of Cells.v for translates of finitely many tetrahedra
+
+    In lattice coordinates: the lattice is h Z^3 or a sublattice of it. *)
 Require Import Reals Lra Psatz ZArith List Lia Bool.
 From Acutile Require Import Statement Sums Crossing Tetrahedra Topology.
+From Acutile Require Cells.
 Import ListNotations.
 Open Scope R_scope.
 
@@ -77,17 +80,6 @@ Proof.
     rewrite (facet_translate (vec h n)), (facet_translate (vec h n)). apply oddm_tritr; auto.
 Qed.
 
-(** A facet that a segment inside of the domain crosses is not on the boundary. *)
-Lemma crossed_paired c i p q : valid c -> In i I4 -> Dom p -> Dom q ->
-  crossing (facet (piece c) i) p q <> 0%Z -> paired (c, i).
-Proof.
-  destruct c as [k n]. intros [Hk Hn] Hi Dp Dq CR E. unfold paired in *; cbn [fst snd] in *.
-  pose proof (Hmate k i Hk Hi) as H. rewrite E in H.
-  pose proof (H n p Hn Dp) as Hp. pose proof (H n q Hn Dq) as Hq. unfold coord in Hp, Hq. unfold crossing in CR.
-  destruct (crp (facet (piece (k, n)) i) p q) eqn:E1; [apply crp_t in E1; lra|].
-  destruct (crm (facet (piece (k, n)) i) p q) eqn:E2; [apply crm_t in E2; lra|]. simpl in CR. lia.
-Qed.
-
 (* finite ranges of cells *)
 Definition cells (K : nat) : list cell :=
   filter (fun c => lat (snd c)) (list_prod (seq 0 N) (list_prod (list_prod (zr K) (zr K)) (zr K))).
@@ -158,150 +150,36 @@ Proof.
   - apply (Q (pz y) n3 (pz (va (T k))) (pz (vb (T k))) (pz (vc (T k))) (pz (vd (T k)))); auto.
 Qed.
 
-(* The weighted degree argument. *)
-Definition count (w : cell -> Z) K x := zsum (fun c => (w c * Z.b2z (insideb (piece c) x))%Z) (cells K).
+(** ** These cells fulfil the hypotheses of Cells.v *)
+Lemma cells_finite K : Cells.finite_part cell valid (cells K).
+Proof. split; [apply cells_NoDup|apply cells_valid]. Qed.
+Lemma cells_positive c : valid c -> 0 < vol (piece c).
+Proof. intros [H _]. apply cellt_vol, H. Qed.
+Lemma cells_range M : exists L, Cells.finite_part cell valid L /\ Cells.reaches cell piece valid L M.
+Proof. destruct (range M) as [K RG]. exists (cells K). split; [apply cells_finite|exact RG]. Qed.
+Lemma cells_boundary c i : valid c -> In i I4 -> paired (c, i) \/ forall y, Dom y -> 0 < coord (piece c) i y.
+Proof.
+  destruct c as [k n]. intros [Hk Hn] Hi. unfold paired; cbn [fst snd] in *. pose proof (Hmate k i Hk Hi) as H.
+  destruct (mate k i) as [[[k' i'] d]|]; [left; congruence|right; intros y; apply (H n y Hn)].
+Qed.
 
+Definition count (w : cell -> Z) K x := zsum (fun c => (w c * Z.b2z (insideb (piece c) x))%Z) (cells K).
 Lemma weighted K p q w :
   (forall c, In c (cells K) -> generic_for (piece c) p q) ->
   (forall c i, In c (cells K) -> In i I4 -> crossing (facet (piece c) i) p q <> 0%Z ->
      paired (c, i) /\ In (fst (across (c, i))) (cells K) /\ w (fst (across (c, i))) = w c) ->
   count w K p = count w K q.
-Proof.
-  intros G H. unfold count.
-  cut (zsum (fun c => w c * Z.b2z (insideb (piece c) q) - w c * Z.b2z (insideb (piece c) p))%Z (cells K) = 0%Z).
-  { rewrite zsum_sub. lia. }
-  rewrite (zsum_ext _ (fun c => zsum (fun i => (w c * crossing (facet (piece c) i) p q)%Z) I4)).
-  2:{ intros c Hc. rewrite zsum_mull, <- tet_crossing; [ring| |]; auto. apply cellt_vol. eapply cells_N; eauto. }
-  rewrite <- (zsum_prod (fun ci => (w (fst ci) * crossing (facet (piece (fst ci)) (snd ci)) p q)%Z)).
-  apply zsum_invol with (s := across).
-  - apply NoDup_list_prod; [apply cells_NoDup|]. unfold I4. repeat constructor; simpl; intuition congruence.
-  - intros [c i] Hin NZ. apply in_prod_iff in Hin as [Hc Hi]. cbn [fst snd] in NZ.
-    assert (CR : crossing (facet (piece c) i) p q <> 0%Z) by (intros E; rewrite E in NZ; lia).
-    destruct (H _ _ Hc Hi CR) as [H0 [H1 H2]].
-    pose proof (cells_valid _ _ Hc) as Hk.
-    destruct (sg_spec c i Hk Hi H0) as [S1 [S2 [S3 [S4 _]]]].
-    set (ci' := across (c, i)) in *. repeat split; auto.
-    + match goal with |- In ?z _ => rewrite (surjective_pairing z) end. apply in_prod; auto.
-    + rewrite H2. cbn [fst snd]. rewrite (oddm_cr _ _ p q S4). lia.
-Qed.
-
-(** The same with real weights and an inequality: if w does not increase from a
-    cell to the next one along the segment, its total does not increase. *)
-Definition total (w : cell -> R) K x := rsum (fun c => w c * IZR (Z.b2z (insideb (piece c) x))) (cells K).
-
-Lemma weighted_le K p q w :
-  (forall c, In c (cells K) -> generic_for (piece c) p q) ->
-  (forall c i, In c (cells K) -> In i I4 -> crossing (facet (piece c) i) p q <> 0%Z ->
-     paired (c, i) /\ In (fst (across (c, i))) (cells K) /\
-     IZR (crossing (facet (piece c) i) p q) * (w c - w (fst (across (c, i)))) <= 0) ->
-  total w K q <= total w K p.
-Proof.
-  intros G H. unfold total.
-  cut (rsum (fun c => w c * IZR (Z.b2z (insideb (piece c) q)) - w c * IZR (Z.b2z (insideb (piece c) p))) (cells K) <= 0).
-  { rewrite rsum_sub. lra. }
-  rewrite (rsum_ext _ (fun c => rsum (fun i => w c * IZR (crossing (facet (piece c) i) p q)) I4)).
-  2:{ intros c Hc. rewrite rsum_mull, <- rsum_IZR, <- tet_crossing, minus_IZR; [ring| |]; auto. apply cellt_vol. eapply cells_N; eauto. }
-  rewrite <- (rsum_prod (fun ci => w (fst ci) * IZR (crossing (facet (piece (fst ci)) (snd ci)) p q))).
-  apply rsum_invol with (s := across) (b := fun ci => negb (Z.eqb (crossing (facet (piece (fst ci)) (snd ci)) p q) 0)).
-  - apply NoDup_list_prod; [apply cells_NoDup|]. unfold I4. repeat constructor; simpl; intuition congruence.
-  - intros [c i] _ Hb. cbn [fst snd] in *. apply negb_false_iff, Z.eqb_eq in Hb. rewrite Hb. lra.
-  - intros [c i] Hin Hb. apply in_prod_iff in Hin as [Hc Hi]. cbn [fst snd] in *.
-    apply negb_true_iff, Z.eqb_neq in Hb.
-    destruct (H _ _ Hc Hi Hb) as [H0 [H1 H2]].
-    pose proof (cells_valid _ _ Hc) as Hk.
-    destruct (sg_spec c i Hk Hi H0) as [S1 [S2 [S3 [S4 _]]]].
-    set (ci' := across (c, i)) in *. pose proof (oddm_cr _ _ p q S4) as E. repeat split; auto.
-    + match goal with |- In ?z _ => rewrite (surjective_pairing z) end. apply in_prod; auto.
-    + apply negb_true_iff, Z.eqb_neq. lia.
-    + replace (crossing (facet (piece (fst ci')) (snd ci')) p q) with (- crossing (facet (piece c) i) p q)%Z by lia.
-      rewrite opp_IZR. lra.
-Qed.
-
-(* generic points exist in every pair of open sets *)
-Lemma D_rot_o p f : orient p (t3 f) (t1 f) (t2 f) = - side f p /\ orient p (t1 f) (t2 f) (t3 f) = - side f p /\ orient p (t2 f) (t3 f) (t1 f) = - side f p.
-Proof. unfold side. unf. repeat split; ring. Qed.
-
-Definition tris K : list triangle := flat_map (fun c => map (facet (piece c)) I4) (cells K).
-Lemma tris_In K f : In f (tris K) <-> exists c i, In c (cells K) /\ In i I4 /\ f = facet (piece c) i.
-Proof.
-  unfold tris. rewrite in_flat_map. split.
-  - intros [c [Hc Hf]]. apply in_map_iff in Hf as [i [<- Hi]]. eauto.
-  - intros [c [i [Hc [Hi ->]]]]. exists c. split; auto. apply in_map; auto.
-Qed.
-Lemma tri_nz K f : In f (tris K) -> exists z, side f z <> 0.
-Proof.
-  intros H. apply tris_In in H as [c [i [Hc [Hi ->]]]]. exists (centroid (piece c)).
-  pose proof (cen_inter (piece c) (cellt_vol c (cells_N _ _ Hc)) i Hi). unfold coord in *. lra.
-Qed.
+Proof. exact (Cells.weighted cell piece valid paired across cells_positive sg_spec (cells K) p q w (cells_finite K)). Qed.
 
 Lemma gen_pair K U V : open U -> open V -> (exists x, U x) -> (exists x, V x) ->
   exists p q, U p /\ V q /\ forall c, In c (cells K) -> generic_for (piece c) p q.
-Proof.
-  intros OU OV NU NV.
-  destruct (generic (map side (tris K)) U) as [p [Up Gp]]; auto.
-  { intros f Hf. apply in_map_iff in Hf as [g [<- Hg]]. split; [apply aff_o|]. eapply tri_nz; eauto. }
-  destruct (generic (flat_map (fun f => [side f; (fun x => orient p x (t1 f) (t2 f)); (fun x => orient p x (t2 f) (t3 f)); (fun x => orient p x (t3 f) (t1 f))]) (tris K)) V)
-    as [q [Vq Gq]]; auto.
-  { intros g Hg. apply in_flat_map in Hg as [f [Hf Hg]].
-    assert (P : side f p <> 0). { apply Gp, in_map; auto. }
-    destruct (D_rot_o p f) as [D1 [D2 D3]].
-    destruct Hg as [<-|[<-|[<-|[<-|[]]]]].
-    - split; [apply aff_o|]. eapply tri_nz; eauto.
-    - split; [apply aff_D2|]. exists (t3 f). rewrite D1. lra.
-    - split; [apply aff_D2|]. exists (t1 f). rewrite D2. lra.
-    - split; [apply aff_D2|]. exists (t2 f). rewrite D3. lra. }
-  exists p, q. split; auto. split; auto. intros c Hc.
-  assert (IT : forall i, In i I4 -> In (facet (piece c) i) (tris K)) by (intros i Hi; apply tris_In; eauto).
-  split.
-  - intros i Hi. apply (Gp (side (facet (piece c) i))), in_map; auto.
-  - intros i Hi. apply Gq, in_flat_map. exists (facet (piece c) i). split; auto. simpl; auto.
-  - intros i Hi.
-    assert (Q : forall g, In g [side (facet (piece c) i); (fun x => orient p x (t1 (facet (piece c) i)) (t2 (facet (piece c) i))); (fun x => orient p x (t2 (facet (piece c) i)) (t3 (facet (piece c) i))); (fun x => orient p x (t3 (facet (piece c) i)) (t1 (facet (piece c) i)))] -> g q <> 0).
-    { intros g Hg. apply Gq, in_flat_map. exists (facet (piece c) i). split; auto. }
-    repeat split.
-    + apply (Q (fun x => orient p x (t1 (facet (piece c) i)) (t2 (facet (piece c) i)))). simpl; auto.
-    + apply (Q (fun x => orient p x (t2 (facet (piece c) i)) (t3 (facet (piece c) i)))). simpl; auto.
-    + apply (Q (fun x => orient p x (t3 (facet (piece c) i)) (t1 (facet (piece c) i)))). simpl; auto.
-Qed.
-
-Lemma connect K M (W U V : point -> Prop) :
-  (forall c y, valid c -> near M org y -> closed (piece c) y -> In c (cells K)) ->
-  (forall y, W y -> near M org y /\ Dom y) ->
-  (forall p q s, W p -> W q -> 0 <= s <= 1 -> W (lerp p q s)) ->
-  open U -> open V -> (exists x, U x) -> (exists x, V x) ->
-  (forall x, U x -> W x) -> (forall x, V x -> W x) ->
-  exists p q, U p /\ V q /\ (forall c, In c (cells K) -> generic_for (piece c) p q) /\
-  forall c i, In c (cells K) -> In i I4 -> crossing (facet (piece c) i) p q <> 0%Z ->
-    paired (c, i) /\ In (fst (across (c, i))) (cells K) /\
-    exists y, W y /\ closed (piece c) y /\ coord (piece c) i y = 0.
-Proof.
-  intros RG WM WC OU OV NU NV UW VW.
-  destruct (gen_pair K U V OU OV NU NV) as [p [q [Up [Vq G]]]].
-  exists p, q. split; auto. split; auto. split; auto.
-  intros c i Hc Hi CR. pose proof (cells_valid _ _ Hc) as Hk. pose proof (cellt_vol _ (proj1 Hk)) as V0.
-  assert (PA : paired (c, i)).
-  { apply crossed_paired with (p := p) (q := q); auto; apply WM; auto. }
-  destruct (sg_spec c i Hk Hi PA) as [S1 [S2 [S3 [S4 _]]]].
-  destruct (cr_meets _ i p q Hi V0 CR) as [s [Hs [C1 C2]]].
-  split; auto. split.
-  - set (ci' := across (c, i)) in *.
-    assert (CR' : crossing (facet (piece (fst ci')) (snd ci')) p q <> 0%Z).
-    { rewrite (oddm_cr _ _ p q S4) in CR. lia. }
-    destruct (cr_meets _ _ p q S2 (cellt_vol _ (proj1 S1)) CR') as [s' [Hs' [C1' C2']]].
-    apply RG with (y := lerp p q s'); auto. apply WM, WC; auto. lra.
-  - exists (lerp p q s). split; auto. apply WC; auto. lra.
-Qed.
+Proof. exact (Cells.gen_pair cell piece valid cells_positive (cells K) U V (cells_finite K)). Qed.
 
 Definition one (c : cell) : Z := 1%Z.
 Lemma cnt_one K x : count one K x = zsum (fun c => Z.b2z (insideb (piece c) x)) (cells K).
-Proof. unfold count, one. apply zsum_ext. intros. lia. Qed.
-
+Proof. exact (Cells.cnt_one cell piece (cells K) x). Qed.
 Lemma near_org_exists x : exists M, 0 < M /\ near M org x.
-Proof.
-  exists (Rabs (px x) + Rabs (py x) + Rabs (pz x) + 1).
-  pose proof (Rabs_pos (px x)); pose proof (Rabs_pos (py x)); pose proof (Rabs_pos (pz x)).
-  unfold near; cbn [org px py pz]; rewrite !Rminus_0_r. repeat split; lra.
-Qed.
+Proof. exact (Cells.near_origin_exists x). Qed.
 
 Lemma ttr0 t : translate (vec h z30) t = t.
 Proof.
@@ -316,39 +194,26 @@ Qed.
 Definition covered_once := forall M x (V : point -> Prop), near M org x -> V x -> open V -> (forall y, V y -> Dom y) ->
   exists K q, V q /\ count one K q = 1%Z /\
    (forall c y, valid c -> near M org y -> closed (piece c) y -> In c (cells K)) /\ near M org q.
-
-Lemma near_Dom_convex e x p q s : near e x p /\ Dom p -> near e x q /\ Dom q -> 0 <= s <= 1 -> near e x (lerp p q s) /\ Dom (lerp p q s).
-Proof. intros [? ?] [? ?] ?. split; [apply near_convex|apply Dom_convex]; auto. Qed.
+Lemma cells_once : covered_once -> Cells.covered_once cell piece valid Dom.
+Proof.
+  intros O M x V Nx Vx OV VD. destruct (O M x V Nx Vx OV VD) as [K [q [Vq [C [RG Nq]]]]].
+  exists (cells K), q. split; [exact Vq|]. split; [exact C|]. split; [apply cells_finite|]. split; [exact RG|exact Nq].
+Qed.
 
 (** The number of tiles is the same at all points of the domain that are in no facet plane. *)
 Definition off_planes K p := forall ci, In ci (list_prod (cells K) I4) -> coord (piece (fst ci)) (snd ci) p <> 0.
 Definition like K M p y := (near M org y /\ Dom y) /\
   forall ci, In ci (list_prod (cells K) I4) -> 0 < coord (piece (fst ci)) (snd ci) p * coord (piece (fst ci)) (snd ci) y.
 Lemma like_open K M p : open (like K M p).
-Proof.
-  apply opn_and; [apply opn_and; auto; apply near_opn|]. apply opn_all. intros ci _.
-  destruct (aff_o (facet (piece (fst ci)) (snd ci))) as [a [b [c [d H]]]]. set (k := coord (piece (fst ci)) (snd ci) p).
-  apply (aff_pos_opn (fun y => k * coord (piece (fst ci)) (snd ci) y)).
-  exists (k * a), (k * b), (k * c), (k * d). intros y. unfold coord. rewrite H. ring.
-Qed.
+Proof. exact (Cells.like_open cell piece Dom Dom_open (cells K) M p). Qed.
 Lemma like_count K M p y : like K M p y -> count one K y = count one K p.
-Proof.
-  intros [_ H]. rewrite !cnt_one. apply zsum_ext. intros c Hc. f_equal. apply beq_iff. rewrite !interb_t.
-  split; intros I i Hi; specialize (H (c, i) (proj2 (in_prod_iff _ _ _ _) (conj Hc Hi))); specialize (I i Hi); cbn [fst snd] in H; nra.
-Qed.
+Proof. exact (Cells.like_count cell piece Dom (cells K) M p y). Qed.
 Lemma count_constant K M p q :
   (forall c y, valid c -> near M org y -> closed (piece c) y -> In c (cells K)) ->
   near M org p -> Dom p -> off_planes K p -> near M org q -> Dom q -> off_planes K q -> count one K p = count one K q.
 Proof.
-  intros RG Np Dp Op Nq Dq Oq.
-  assert (SELF : forall x, near M org x -> Dom x -> off_planes K x -> like K M x x).
-  { intros x Nx Dx Ox. split; auto. intros ci Hci. specialize (Ox ci Hci). nra. }
-  destruct (connect K M (fun y => near M org y /\ Dom y) (like K M p) (like K M q)) as [p' [q' [Lp [Lq [G CR]]]]];
-    eauto using like_open; try (intros; apply near_Dom_convex; auto).
-  { intros y [Hy _]. exact Hy. }
-  { intros y [Hy _]. exact Hy. }
-  rewrite <- (like_count K M p p' Lp), <- (like_count K M q q' Lq).
-  apply weighted; auto. intros c i Hc Hi X. destruct (CR c i Hc Hi X) as [X1 [X2 _]]. auto.
+  exact (Cells.count_constant cell piece valid Dom paired across cells_positive sg_spec cells_boundary Dom_open Dom_convex
+    (cells K) M p q (cells_finite K)).
 Qed.
 
 (** ** What follows *)
@@ -356,136 +221,34 @@ Section Once.
 Hypothesis once : covered_once.
 
 Theorem cover : forall x, (forall e, 0 < e -> exists y, near e x y /\ Dom y) -> exists c, valid c /\ closed (piece c) x.
-Proof.
-  intros x LIM. destruct (near_org_exists x) as [M [HM Hx]]. destruct (range M) as [K RG].
-  destruct (existsb (fun c => closedb (piece c) x) (cells K)) eqn:E.
-  - apply existsb_exists in E as [c [Hc E]]. apply closedb_t in E. exists c. split; auto. eapply cells_valid; eauto.
-  - exfalso.
-    assert (NC : forall c, In c (cells K) -> ~ closed (piece c) x).
-    { intros c Hc C. assert (existsb (fun c => closedb (piece c) x) (cells K) = true); [|congruence].
-      apply existsb_exists. exists c. split; auto. apply closedb_t; auto. }
-    assert (OV : open (fun y => near M org y /\ forall c, In c (cells K) -> ~ closed (piece c) y)).
-    { apply opn_and; [apply near_opn|]. apply opn_all. intros c _. apply not_closed_opn. }
-    destruct (OV x (conj Hx NC)) as [e [He KV]]. destruct (LIM e He) as [z [Nz Dz]]. destruct (KV z Nz) as [Mz Vz].
-    destruct (once M z (fun y => (near M org y /\ forall c, In c (cells K) -> ~ closed (piece c) y) /\ Dom y)) as [K' [q [[[_ Vq] Dq] [C1 [RG' Hq]]]]]; auto.
-    { apply opn_and; auto. }
-    { tauto. }
-    rewrite cnt_one in C1.
-    destruct (zsum_b2z_pos (fun c => insideb (piece c) q) (cells K')) as [c [Hc Hi]]; [lia|].
-    apply interb_t, inter_closed in Hi. apply (Vq c); auto. apply RG with (y := q); auto. eapply cells_valid; eauto.
-Qed.
+Proof. exact (Cells.cover cell piece valid Dom cells_range Dom_open (cells_once once)). Qed.
 
-Theorem disjoint : forall x c c', valid c -> valid c' ->
-  inside (piece c) x -> inside (piece c') x -> c = c'.
-Proof.
-  intros x c c' Hc Hc' I I'. destruct (cell_eq_dec c c') as [|Ne]; auto. exfalso.
-  destruct (near_org_exists x) as [M [HM Hx]].
-  destruct (once M x (fun y => inside (piece c) y /\ inside (piece c') y)) as [K [q [[Q1 Q2] [C1 [RG Hq]]]]]; auto.
-  { apply opn_and; apply inter_opn. }
-  { intros y [Iy _]. apply (Dom_inside _ _ Hc Iy). }
-  rewrite cnt_one in C1.
-  pose proof (zsum_b2z_ge2 (fun c => insideb (piece c) q) (cells K) c c') as G.
-  assert (2 <= 1)%Z; [|lia]. rewrite <- C1 at 1. apply G; auto; try (apply interb_t; auto);
-  apply RG with (y := q); auto using inter_closed.
-Qed.
+Theorem disjoint : forall x c c', valid c -> valid c' -> inside (piece c) x -> inside (piece c') x -> c = c'.
+Proof. exact (Cells.disjoint cell cell_eq_dec piece valid Dom Dom_inside (cells_once once)). Qed.
 
-(* an interior point of one cell lies in no other closed cell *)
-Theorem disjoint_closed : forall x c c', valid c -> valid c' ->
-  inside (piece c) x -> closed (piece c') x -> c = c'.
-Proof.
-  intros x c c' Hc Hc' I I'. destruct (inter_opn _ _ I) as [e [He K]].
-  destruct (closed_limit _ x e (cellt_vol c' (proj1 Hc')) I' He) as [y [Ny Iy]].
-  apply disjoint with (x := y); auto.
-Qed.
+Theorem disjoint_closed : forall x c c', valid c -> valid c' -> inside (piece c) x -> closed (piece c') x -> c = c'.
+Proof. exact (Cells.disjoint_closed cell cell_eq_dec piece valid Dom cells_positive Dom_inside (cells_once once)). Qed.
 
 Lemma cnt_interior w K q c : In c (cells K) -> inside (piece c) q -> count w K q = w c.
-Proof.
-  intros Hc I. unfold count. rewrite (zsum_single _ _ c); [|apply cells_NoDup|auto|].
-  - rewrite (proj2 (interb_t _ _) I). simpl. lia.
-  - intros c' Hc' Ne. destruct (insideb (piece c') q) eqn:Eb; simpl; [|lia].
-    exfalso. apply Ne. apply interb_t in Eb. apply disjoint with (x := q); auto; eapply cells_valid; eauto.
-Qed.
-Lemma total_interior w K q c : In c (cells K) -> inside (piece c) q -> total w K q = w c.
-Proof.
-  intros Hc I. unfold total. rewrite (rsum_single _ _ c); [|apply cells_NoDup|auto|].
-  - rewrite (proj2 (interb_t _ _) I). simpl. lra.
-  - intros c' Hc' Ne. destruct (insideb (piece c') q) eqn:Eb; simpl; [|lra].
-    exfalso. apply Ne. apply interb_t in Eb. apply disjoint with (x := q); auto; eapply cells_valid; eauto.
-Qed.
+Proof. exact (Cells.cnt_interior cell cell_eq_dec piece valid Dom Dom_inside (cells_once once) w (cells K) q c (cells_finite K)). Qed.
 
 (** What passes through every facet around x is the same for all tiles that contain x. *)
 Theorem constant_around (x : point) (w : cell -> Z) :
   (forall d i, valid d -> In i I4 -> paired (d, i) -> closed (piece d) x -> coord (piece d) i x = 0 -> w (fst (across (d, i))) = w d) ->
   forall c c', valid c -> valid c' -> closed (piece c) x -> closed (piece c') x -> w c = w c'.
 Proof.
-  intros HW c c' Hc Hc' C C'.
-  destruct (near_org_exists x) as [M1 [HM1 Hx]].
-  destruct (range M1) as [K RG].
-  set (G := fun y => near M1 org y /\ forall ci, In ci (list_prod (cells K) I4) ->
-     (closed (piece (fst ci)) x /\ coord (piece (fst ci)) (snd ci) x = 0) \/
-     (~ closed (piece (fst ci)) y \/ coord (piece (fst ci)) (snd ci) y <> 0)).
-  assert (OG : open G).
-  { unfold G. apply opn_and; [apply near_opn|]. apply opn_all. intros [d i] _. cbn [fst snd].
-    apply opn_or; [apply opn_const|]. apply opn_or; [apply not_closed_opn|]. apply aff_nz_opn, aff_o. }
-  assert (Gx : G x).
-  { unfold G. split; auto. intros [d i] _; cbn [fst snd].
-    destruct (closedb (piece d) x) eqn:Cb.
-    - apply closedb_t in Cb. destruct (Req_EM_T (coord (piece d) i x) 0); auto.
-    - right; left. rewrite <- closedb_t. congruence. }
-  destruct (OG x Gx) as [e [He KG]].
-  assert (Ic : In c (cells K)) by (apply RG with (y := x); auto).
-  assert (Ic' : In c' (cells K)) by (apply RG with (y := x); auto).
-  destruct (connect K M1 (fun y => near e x y /\ Dom y) (fun y => near e x y /\ inside (piece c) y) (fun y => near e x y /\ inside (piece c') y))
-    as [p [q [[Up1 Up2] [[Vq1 Vq2] [GE CR]]]]]; auto.
-  - intros y [Hy Dy]. split; auto. apply KG in Hy. apply Hy.
-  - intros; apply near_Dom_convex; auto.
-  - apply opn_and; [apply near_opn | apply inter_opn].
-  - apply opn_and; [apply near_opn | apply inter_opn].
-  - apply closed_limit; auto. apply cellt_vol, Hc.
-  - apply closed_limit; auto. apply cellt_vol, Hc'.
-  - intros y [Hy Iy]. split; auto. apply (Dom_inside _ _ Hc Iy).
-  - intros y [Hy Iy]. split; auto. apply (Dom_inside _ _ Hc' Iy).
-  - assert (E : count w K p = count w K q).
-    { apply weighted; auto. intros d i Hkn Hi X. destruct (CR d i Hkn Hi X) as [PA [X2 [y [[Wy _] [Cy Ly]]]]].
-      split; auto. split; auto. clear X2.
-      apply KG in Wy. destruct Wy as [_ Wy].
-      specialize (Wy (d, i)). cbn [fst snd] in Wy. rewrite in_prod_iff in Wy.
-      destruct (Wy (conj Hkn Hi)) as [[Cx Lx]|[|]]; [|tauto|tauto].
-      apply HW; auto. exact (cells_valid _ _ Hkn). }
-    rewrite (cnt_interior w K p c), (cnt_interior w K q c') in E by auto. exact E.
+  exact (Cells.constant_around cell cell_eq_dec piece valid Dom paired across cells_positive cells_range sg_spec cells_boundary
+    Dom_convex Dom_inside (cells_once once) x w).
 Qed.
 
 Theorem face_to_face : forall x v c c', valid c -> valid c' ->
   closed (piece c) x -> closed (piece c') x -> carT (piece c) x v -> carT (piece c') x v.
 Proof.
-  intros x v c c' Hc Hc' C C' CAR.
-  pose proof (constant_around x (fun c => Z.b2z (carb (piece c) x v))) as E.
-  specialize (fun H => E H c c' Hc Hc' C C'). cbv beta in E.
-  rewrite <- (carb_t _ x v (cellt_vol c (proj1 Hc))) in CAR. rewrite CAR in E.
-  apply carb_t; [apply cellt_vol, Hc'|].
-  destruct (carb (piece c') x v); auto. exfalso. cut (1 = 0)%Z; [discriminate|]. apply E. clear E CAR C C' Hc Hc' c c'.
-  intros d i Hk Hi PA Cx Lx.
-  destruct (sg_spec d i Hk Hi PA) as [S1 [S2 [S3 [S4 _]]]].
-  set (ci' := across (d, i)) in *.
-  assert (Lx' : coord (piece (fst ci')) (snd ci') x = 0).
-  { unfold coord in *. rewrite (oddm_o _ _ x S4) in Lx. lra. }
-  assert (V1 : 0 < vol (piece d)) by (apply cellt_vol, Hk).
-  assert (V2 : 0 < vol (piece (fst ci'))) by (apply cellt_vol, S1).
-  assert (S4' : opposite (facet (piece (fst ci')) (snd ci')) (facet (piece d) i)).
-  { clear - S4. unfold opposite in *. intuition congruence. }
-  f_equal. apply beq_iff. rewrite !carb_t by auto. split; intros CC.
-  + apply carF_carT with (i := i); auto. apply carF_odd with (f := facet (piece (fst ci')) (snd ci')); auto.
-    apply carT_carF; auto.
-  + apply carF_carT with (i := snd ci'); auto. apply carF_odd with (f := facet (piece d) i); auto.
-    apply carT_carF; auto.
+  exact (Cells.face_to_face cell cell_eq_dec piece valid Dom paired across cells_positive cells_range sg_spec cells_boundary
+    Dom_convex Dom_inside (cells_once once)).
 Qed.
 
-(** ** Convexity: the global consequence of a local inequality
-
-    For each tile c an affine function f c.  If across every paired facet f c is
-    at least f c' on the side of c', then f c >= f c' on all of c', whatever the
-    two tiles.  (Delaunay's lemma; f c is the power of the circumsphere of c, up
-    to a function that is the same for all tiles.) *)
+(** Delaunay's lemma, see Cells.v. *)
 Section Convexity.
 Variable f : cell -> point -> R.
 Hypothesis f_affine : forall c c', affine (fun y => f c y - f c' y).
@@ -495,38 +258,8 @@ Hypothesis f_local : forall c i y, valid c -> In i I4 -> paired (c, i) ->
 
 Theorem local_to_global : forall c c' x, valid c -> valid c' -> closed (piece c') x -> f c' x <= f c x.
 Proof.
-  intros c c' x Hc Hc' C'. apply Rnot_lt_le. intros LT.
-  pose proof (cellt_vol c (proj1 Hc)) as V. pose proof (cellt_vol c' (proj1 Hc')) as V'.
-  set (p0 := centroid (piece c)). pose proof (cen_inter _ V) as I0. fold p0 in I0.
-  destruct (near_org_exists x) as [M1 [HM1 Hx]]. destruct (near_org_exists p0) as [M2 [HM2 Hp]].
-  set (M := Rmax M1 M2). assert (m1 : M1 <= M) by apply Rmax_l. assert (m2 : M2 <= M) by apply Rmax_r.
-  destruct (range M) as [K RG].
-  assert (OV : open (fun y => near M1 org y /\ 0 < f c' y - f c y)).
-  { apply opn_and; [apply near_opn|]. apply aff_pos_opn; auto. }
-  destruct (OV x) as [e [He KV]]; [split; auto; lra|].
-  destruct (closed_limit _ x e V' C' He) as [z [Nz Iz]].
-  destruct (connect K M (fun y => near M org y /\ Dom y) (fun y => near M org y /\ inside (piece c) y)
-     (fun y => (near M1 org y /\ 0 < f c' y - f c y) /\ inside (piece c') y))
-    as [p [q [[Up1 Up2] [[[Vq1 Vq2] Vq3] [GE CR]]]]]; auto.
-  - intros; apply near_Dom_convex; auto.
-  - apply opn_and; [apply near_opn | apply inter_opn].
-  - apply opn_and; [exact OV | apply inter_opn].
-  - exists p0. split; auto. apply near_mono with M2; auto.
-  - exists z. split; auto.
-  - intros y [Hy Iy]. split; auto. apply (Dom_inside _ _ Hc Iy).
-  - intros y [[Hy _] Iy]. split; [apply near_mono with M1; auto|]. apply (Dom_inside _ _ Hc' Iy).
-  - assert (E : total (fun d => f d q) K q <= total (fun d => f d q) K p).
-    { apply weighted_le; auto. intros d i Hd Hi X. destruct (CR d i Hd Hi X) as [PA [X2 _]]. split; auto. split; auto.
-      pose proof (cells_valid _ _ Hd) as Hdv. destruct (f_local d i q Hdv Hi PA) as [F1 F2]. unfold coord in F1, F2.
-      set (d' := fst (across (d, i))) in *.
-      unfold crossing in *. destruct (crp (facet (piece d) i) p q) eqn:E1; destruct (crm (facet (piece d) i) p q) eqn:E2.
-      - cbn in X. lia.
-      - apply crp_t in E1. assert (f d q <= f d' q) by (apply F2; lra). change (IZR (Z.b2z true - Z.b2z false)) with 1. lra.
-      - apply crm_t in E2. assert (f d' q <= f d q) by (apply F1; lra). change (IZR (Z.b2z false - Z.b2z true)) with (-1). lra.
-      - cbn in X. lia. }
-    assert (Ic : In c (cells K)). { apply RG with (y := p); auto. apply inter_closed; auto. }
-    assert (Ic' : In c' (cells K)). { apply RG with (y := q); auto using inter_closed. apply near_mono with M1; auto. }
-    rewrite (total_interior _ K p c), (total_interior _ K q c') in E by auto. lra.
+  exact (Cells.local_to_global cell cell_eq_dec piece valid Dom paired across cells_positive cells_range sg_spec cells_boundary
+    Dom_convex Dom_inside (cells_once once) f f_affine f_local).
 Qed.
 End Convexity.
 End Once.

@@ -1,11 +1,11 @@
 (** * Systems of patches: the checks imply the theorem
 
-    The cells over a mosaic satisfy the hypotheses of PatchDegree.v.  A facet of a cell is an
+    The cells over a mosaic satisfy the hypotheses of Cells.v.  A facet of a cell is an
     *occupant* of a patch, raised by some periods: a facet of a piece, or a lateral triangle of
     a pyramid; or it is one of the two facets of a tetrahedron of a join that contain its axis.
     [resolve] gives the facet of a cell for an occupant, [beyond] the facet on its other side. *)
 Require Import Reals Lra Psatz ZArith List Lia Bool.
-From Acutile Require Import Statement Sums Crossing Tetrahedra Topology Angles Euclid PatchStatement PatchChecker PatchDegree PatchGeometry.
+From Acutile Require Import Statement Sums Crossing Tetrahedra Topology Angles Euclid PatchStatement PatchChecker Cells PatchGeometry.
 Import ListNotations.
 Open Scope R_scope.
 
@@ -632,6 +632,27 @@ Proof.
       apply (join_cell system tiles rise i s j s' e n (across_meets _ _ _ _ Hs E) L He).
 Qed.
 
+(** Every facet has a mate, and the domain is all of space. *)
+Notation everywhere := (fun _ : point => True).
+Notation every_facet := (fun _ : cell * nat => True).
+Lemma mates_everywhere c f : valid c -> In f I4 -> True ->
+  valid (fst (across (c, f))) /\ In (snd (across (c, f))) I4 /\ across (across (c, f)) = (c, f) /\
+  opposite (facet (piece c) f) (facet (piece (fst (across (c, f)))) (snd (across (c, f)))) /\ True.
+Proof. intros V F _. pose proof (mates c f V F). tauto. Qed.
+Lemma no_boundary c f : valid c -> In f I4 -> True \/ forall y : point, True -> 0 < coord (piece c) f y.
+Proof. auto. Qed.
+Lemma open_everywhere : open everywhere.
+Proof. apply opn_const. Qed.
+Lemma convex_everywhere (p q : point) (s : R) : True -> True -> 0 <= s <= 1 -> True.
+Proof. auto. Qed.
+Lemma inside_everywhere c x : valid c -> inside (piece c) x -> True.
+Proof. auto. Qed.
+Lemma covered : covered_once cell piece valid everywhere.
+Proof.
+  exact (once_everywhere cell cell_eq_dec piece valid everywhere every_facet across piece_vol range mates_everywhere no_boundary
+    open_everywhere convex_everywhere inside_everywhere once_somewhere).
+Qed.
+
 Theorem patches_tile : tiles_space is_cell /\ acute_cells is_cell.
 Proof.
   pose proof piece_vol as PV. split.
@@ -639,14 +660,16 @@ Proof.
     + intros t Ht. apply is_cell_iff in Ht as [c [V ->]]. specialize (PV c V). lra.
     + intros M. destruct (range M) as [L [FL RG]]. exists (map piece L). intros t X Ht N H. apply is_cell_iff in Ht as [c [V ->]].
       apply in_map. apply RG with (y := X); auto. apply hull_closed; auto.
-    + intros X. destruct (cover cell cell_eq_dec piece valid across piece_vol range mates once_somewhere X) as [c [V C]].
+    + intros X. destruct (cover cell piece valid everywhere range open_everywhere covered X) as [c [V C]].
+      { intros e He. exists X. split; auto. apply near_refl, He. }
       exists (piece c). split; [apply is_cell_iff; eauto|apply hull_closed; auto].
     + intros X t t' Ht Ht' H H'. apply is_cell_iff in Ht as [c [V ->]]. apply is_cell_iff in Ht' as [c' [V' ->]].
       f_equal. apply open_hull_inter in H; auto. apply hull_closed in H'; auto.
-      apply (disjoint_closed cell cell_eq_dec piece valid across piece_vol range mates once_somewhere X); auto.
+      apply (disjoint_closed cell cell_eq_dec piece valid everywhere piece_vol inside_everywhere covered X); auto.
     + intros X t t' Ht Ht' H H'. apply is_cell_iff in Ht as [c [V ->]]. apply is_cell_iff in Ht' as [c' [V' ->]].
       pose proof (proj1 (hull_closed _ _ (PV c V)) H) as C. pose proof (proj1 (hull_closed _ _ (PV c' V')) H') as C'.
-      pose proof (fun v => face_to_face cell cell_eq_dec piece valid across piece_vol range mates once_somewhere X v c c' V V' C C') as FF.
+      pose proof (fun v => face_to_face cell cell_eq_dec piece valid everywhere every_facet across piece_vol range mates_everywhere no_boundary
+        convex_everywhere inside_everywhere covered X v c c' V V' C C') as FF.
       destruct H as [a [b [c0 [d [A [B [C0 [Dd [S Hx]]]]]]]]]. exists a, b, c0, d.
       repeat split; auto; intros P; apply carT_vert with (x := X); apply FF; exists a, b, c0, d; repeat split; auto.
   - intros t x Ht. apply is_cell_iff in Ht as [c [V ->]]. apply piece_acute; auto.

@@ -1,16 +1,20 @@
 (** * The degree argument for any locally finite family of tetrahedra
 
-    Degree.v is about a lattice and finitely many tetrahedra.  Here the tetrahedra have any
-    index set [cell]; nothing is periodic.  There is no boundary: each facet has a mate.
+    The tetrahedra have any index set [cell]; nothing needs to be periodic.  They are in an open
+    convex domain [Dom], and a facet has a mate or lies on the boundary of the domain.
+    Degree.v is about the translates of finitely many tetrahedra; in PatchSoundness.v the cells
+    stand over a tiling of the plane, and every facet has a mate.
 
     - [range]: finitely many cells meet a bounded set.
     - [mates]: the mate of a facet is the same triangle, seen from the other side, and the mate
       of the mate is the facet.
-    - [once_somewhere]: some point is inside of one cell and in no other one.
+    - [boundary]: the domain is inside of a facet without a mate.
+    - [covered_once]: every nonempty bounded open part of the domain holds a point that lies
+      inside of exactly one cell.  It suffices that there is such a point somewhere
+      ([once_everywhere]), because the number of cells at a point is constant ([count_constant]).
 
-    They imply that the cells cover all of space, that no inner point of a cell is in another
-    one, and that two cells meet in a common face or not at all.  A volume plays no part: the
-    number of cells at a point is constant, and at one point it is 1. *)
+    They imply that the cells cover the domain, that no inner point of a cell is in another
+    one, and that two cells meet in a common face or not at all. *)
 Require Import Reals Lra Psatz ZArith List Lia Bool.
 From Acutile Require Import Statement Sums Crossing Tetrahedra Topology.
 Import ListNotations.
@@ -18,16 +22,29 @@ Open Scope R_scope.
 
 Section Cells.
 Variables (cell : Type) (eq_dec : forall a b : cell, {a = b} + {a <> b}).
-Variables (piece : cell -> tetrahedron) (valid : cell -> Prop) (across : cell * nat -> cell * nat).
+Variables (piece : cell -> tetrahedron) (valid : cell -> Prop) (Dom : point -> Prop).
+(** The facets with a mate, and the mates. *)
+Variables (paired : cell * nat -> Prop) (across : cell * nat -> cell * nat).
 Definition finite_part (L : list cell) := NoDup L /\ forall c, In c L -> valid c.
 Definition reaches (L : list cell) M := forall c y, valid c -> near M origin y -> closed (piece c) y -> In c L.
 Hypothesis positive : forall c, valid c -> 0 < vol (piece c).
 Hypothesis range : forall M, exists L, finite_part L /\ reaches L M.
-Hypothesis mates : forall c i, valid c -> In i I4 ->
+Hypothesis mates : forall c i, valid c -> In i I4 -> paired (c, i) ->
   valid (fst (across (c, i))) /\ In (snd (across (c, i))) I4 /\ across (across (c, i)) = (c, i) /\
-  opposite (facet (piece c) i) (facet (piece (fst (across (c, i)))) (snd (across (c, i)))).
-Hypothesis once_somewhere : exists x c, valid c /\ inside (piece c) x /\
-  forall c', valid c' -> c' <> c -> ~ closed (piece c') x.
+  opposite (facet (piece c) i) (facet (piece (fst (across (c, i)))) (snd (across (c, i)))) /\ paired (across (c, i)).
+Hypothesis boundary : forall c i, valid c -> In i I4 -> paired (c, i) \/ forall y, Dom y -> 0 < coord (piece c) i y.
+Hypothesis Dom_open : open Dom.
+Hypothesis Dom_convex : forall p q s, Dom p -> Dom q -> 0 <= s <= 1 -> Dom (lerp p q s).
+Hypothesis Dom_inside : forall c x, valid c -> inside (piece c) x -> Dom x.
+
+(** A facet that a segment inside of the domain crosses is not on the boundary. *)
+Lemma crossed_paired c i p q : valid c -> In i I4 -> Dom p -> Dom q -> crossing (facet (piece c) i) p q <> 0%Z -> paired (c, i).
+Proof.
+  intros Hc Hi Dp Dq CR. destruct (boundary c i Hc Hi) as [P|H]; auto. exfalso.
+  pose proof (H p Dp) as Hp. pose proof (H q Dq) as Hq. unfold coord in Hp, Hq. unfold crossing in CR.
+  destruct (crp (facet (piece c) i) p q) eqn:E1; [apply crp_t in E1; lra|].
+  destruct (crm (facet (piece c) i) p q) eqn:E2; [apply crm_t in E2; lra|]. simpl in CR. lia.
+Qed.
 
 (** ** Weights that mates have in common *)
 Definition count (w : cell -> Z) L x := zsum (fun c => (w c * Z.b2z (insideb (piece c) x))%Z) L.
@@ -35,7 +52,7 @@ Definition count (w : cell -> Z) L x := zsum (fun c => (w c * Z.b2z (insideb (pi
 Lemma weighted L p q w : finite_part L ->
   (forall c, In c L -> generic_for (piece c) p q) ->
   (forall c i, In c L -> In i I4 -> crossing (facet (piece c) i) p q <> 0%Z ->
-     In (fst (across (c, i))) L /\ w (fst (across (c, i))) = w c) ->
+     paired (c, i) /\ In (fst (across (c, i))) L /\ w (fst (across (c, i))) = w c) ->
   count w L p = count w L q.
 Proof.
   intros [ND VL] G H. unfold count.
@@ -48,11 +65,41 @@ Proof.
   - apply NoDup_list_prod; [exact ND|]. unfold I4. repeat constructor; simpl; intuition congruence.
   - intros [c i] Hin NZ. apply in_prod_iff in Hin as [Hc Hi]. cbn [fst snd] in NZ.
     assert (CR : crossing (facet (piece c) i) p q <> 0%Z) by (intros E; rewrite E in NZ; lia).
-    destruct (H _ _ Hc Hi CR) as [H1 H2].
-    destruct (mates c i (VL c Hc) Hi) as [S1 [S2 [S3 S4]]].
+    destruct (H _ _ Hc Hi CR) as [H0 [H1 H2]].
+    destruct (mates c i (VL c Hc) Hi H0) as [S1 [S2 [S3 [S4 _]]]].
     set (ci' := across (c, i)) in *. repeat split; auto.
     + match goal with |- In ?z _ => rewrite (surjective_pairing z) end. apply in_prod; auto.
     + rewrite H2. cbn [fst snd]. rewrite (oddm_cr _ _ p q S4). lia.
+Qed.
+
+(** The same with real weights and an inequality: if w does not increase from a
+    cell to the next one along the segment, its total does not increase. *)
+Definition total (w : cell -> R) L x := rsum (fun c => w c * IZR (Z.b2z (insideb (piece c) x))) L.
+Lemma weighted_le L p q w : finite_part L ->
+  (forall c, In c L -> generic_for (piece c) p q) ->
+  (forall c i, In c L -> In i I4 -> crossing (facet (piece c) i) p q <> 0%Z ->
+     paired (c, i) /\ In (fst (across (c, i))) L /\
+     IZR (crossing (facet (piece c) i) p q) * (w c - w (fst (across (c, i)))) <= 0) ->
+  total w L q <= total w L p.
+Proof.
+  intros [ND VL] G H. unfold total.
+  cut (rsum (fun c => w c * IZR (Z.b2z (insideb (piece c) q)) - w c * IZR (Z.b2z (insideb (piece c) p))) L <= 0).
+  { rewrite rsum_sub. lra. }
+  rewrite (rsum_ext _ (fun c => rsum (fun i => w c * IZR (crossing (facet (piece c) i) p q)) I4)).
+  2:{ intros c Hc. rewrite rsum_mull, <- rsum_IZR, <- tet_crossing, minus_IZR; [ring| |]; auto. }
+  rewrite <- (rsum_prod (fun ci => w (fst ci) * IZR (crossing (facet (piece (fst ci)) (snd ci)) p q))).
+  apply rsum_invol with (s := across) (b := fun ci => negb (Z.eqb (crossing (facet (piece (fst ci)) (snd ci)) p q) 0)).
+  - apply NoDup_list_prod; [exact ND|]. unfold I4. repeat constructor; simpl; intuition congruence.
+  - intros [c i] _ Hb. cbn [fst snd] in *. apply negb_false_iff, Z.eqb_eq in Hb. rewrite Hb. lra.
+  - intros [c i] Hin Hb. apply in_prod_iff in Hin as [Hc Hi]. cbn [fst snd] in *.
+    apply negb_true_iff, Z.eqb_neq in Hb.
+    destruct (H _ _ Hc Hi Hb) as [H0 [H1 H2]].
+    destruct (mates c i (VL c Hc) Hi H0) as [S1 [S2 [S3 [S4 _]]]].
+    set (ci' := across (c, i)) in *. pose proof (oddm_cr _ _ p q S4) as E. repeat split; auto.
+    + match goal with |- In ?z _ => rewrite (surjective_pairing z) end. apply in_prod; auto.
+    + apply negb_true_iff, Z.eqb_neq. lia.
+    + replace (crossing (facet (piece (fst ci')) (snd ci')) p q) with (- crossing (facet (piece c) i) p q)%Z by lia.
+      rewrite opp_IZR. lra.
 Qed.
 
 (** ** Generic segments *)
@@ -103,21 +150,22 @@ Qed.
 
 (** Two open sets in a convex set W are connected by a generic segment in W. *)
 Lemma connect L M (W U V : point -> Prop) : finite_part L -> reaches L M ->
-  (forall y, W y -> near M origin y) ->
+  (forall y, W y -> near M origin y /\ Dom y) ->
   (forall p q s, W p -> W q -> 0 <= s <= 1 -> W (lerp p q s)) ->
   open U -> open V -> (exists x, U x) -> (exists x, V x) ->
   (forall x, U x -> W x) -> (forall x, V x -> W x) ->
   exists p q, U p /\ V q /\ (forall c, In c L -> generic_for (piece c) p q) /\
   forall c i, In c L -> In i I4 -> crossing (facet (piece c) i) p q <> 0%Z ->
-    In (fst (across (c, i))) L /\ exists y, W y /\ closed (piece c) y /\ coord (piece c) i y = 0.
+    paired (c, i) /\ In (fst (across (c, i))) L /\ exists y, W y /\ closed (piece c) y /\ coord (piece c) i y = 0.
 Proof.
   intros FL RG WM WC OU OV NU NV UW VW.
   destruct (gen_pair L U V FL OU OV NU NV) as [p [q [Up [Vq G]]]].
   exists p, q. split; auto. split; auto. split; auto.
   intros c i Hc Hi CR. pose proof (proj2 FL c Hc) as Hk. pose proof (positive c Hk) as V0.
-  destruct (mates c i Hk Hi) as [S1 [S2 [S3 S4]]].
+  assert (PA : paired (c, i)) by (apply crossed_paired with (p := p) (q := q); auto; apply WM; auto).
+  destruct (mates c i Hk Hi PA) as [S1 [S2 [S3 [S4 _]]]].
   destruct (cr_meets _ i p q Hi V0 CR) as [s [Hs [C1 C2]]].
-  split.
+  split; auto. split.
   - set (ci' := across (c, i)) in *.
     assert (CR' : crossing (facet (piece (fst ci')) (snd ci')) p q <> 0%Z).
     { rewrite (oddm_cr _ _ p q S4) in CR. lia. }
@@ -138,11 +186,13 @@ Proof.
 Qed.
 
 Definition off_planes L p := forall ci, In ci (list_prod L I4) -> coord (piece (fst ci)) (snd ci) p <> 0.
-Definition like L M p y := near M origin y /\
+Lemma near_Dom_convex e x p q s : near e x p /\ Dom p -> near e x q /\ Dom q -> 0 <= s <= 1 -> near e x (lerp p q s) /\ Dom (lerp p q s).
+Proof. intros [? ?] [? ?] ?. split; [apply near_convex|apply Dom_convex]; auto. Qed.
+Definition like L M p y := (near M origin y /\ Dom y) /\
   forall ci, In ci (list_prod L I4) -> 0 < coord (piece (fst ci)) (snd ci) p * coord (piece (fst ci)) (snd ci) y.
 Lemma like_open L M p : open (like L M p).
 Proof.
-  apply opn_and; [apply near_opn|]. apply opn_all. intros ci _.
+  apply opn_and; [apply opn_and; auto; apply near_opn|]. apply opn_all. intros ci _.
   destruct (aff_o (facet (piece (fst ci)) (snd ci))) as [a [b [c [d H]]]]. set (k := coord (piece (fst ci)) (snd ci) p).
   apply (aff_pos_opn (fun y => k * coord (piece (fst ci)) (snd ci) y)).
   exists (k * a), (k * b), (k * c), (k * d). intros y. unfold coord. rewrite H. ring.
@@ -153,17 +203,17 @@ Proof.
   split; intros I i Hi; specialize (H (c, i) (proj2 (in_prod_iff _ _ _ _) (conj Hc Hi))); specialize (I i Hi); cbn [fst snd] in H; nra.
 Qed.
 Lemma count_constant L M p q : finite_part L -> reaches L M ->
-  near M origin p -> off_planes L p -> near M origin q -> off_planes L q -> count one L p = count one L q.
+  near M origin p -> Dom p -> off_planes L p -> near M origin q -> Dom q -> off_planes L q -> count one L p = count one L q.
 Proof.
-  intros FL RG Np Op Nq Oq.
-  assert (SELF : forall x, near M origin x -> off_planes L x -> like L M x x).
-  { intros x Nx Ox. split; auto. intros ci Hci. specialize (Ox ci Hci). nra. }
-  destruct (connect L M (near M origin) (like L M p) (like L M q)) as [p' [q' [Lp [Lq [G CR]]]]];
-    eauto using like_open; try (intros; apply near_convex; auto).
+  intros FL RG Np Dp Op Nq Dq Oq.
+  assert (SELF : forall x, near M origin x -> Dom x -> off_planes L x -> like L M x x).
+  { intros x Nx Dx Ox. split; auto. intros ci Hci. specialize (Ox ci Hci). nra. }
+  destruct (connect L M (fun y => near M origin y /\ Dom y) (like L M p) (like L M q)) as [p' [q' [Lp [Lq [G CR]]]]];
+    eauto using like_open; try (intros; apply near_Dom_convex; auto).
   { intros y [Hy _]. exact Hy. }
   { intros y [Hy _]. exact Hy. }
   rewrite <- (like_count L M p p' Lp), <- (like_count L M q q' Lq).
-  apply weighted; auto. intros c i Hc Hi X. destruct (CR c i Hc Hi X) as [X1 _]. auto.
+  apply weighted; auto. intros c i Hc Hi X. destruct (CR c i Hc Hi X) as [X1 [X2 _]]. auto.
 Qed.
 Lemma off_planes_exists L U : finite_part L -> open U -> (exists x, U x) -> exists x, U x /\ off_planes L x.
 Proof.
@@ -173,11 +223,13 @@ Proof.
   apply (Gp (side (facet (piece c) i))), in_map, tris_In. eauto.
 Qed.
 
-(** Every nonempty open set has a point inside of exactly one cell. *)
-Lemma covered_once M x (V : point -> Prop) : near M origin x -> V x -> open V ->
+(** ** The covering condition *)
+Definition covered_once := forall M x (V : point -> Prop), near M origin x -> V x -> open V -> (forall y, V y -> Dom y) ->
   exists L q, V q /\ count one L q = 1%Z /\ finite_part L /\ reaches L M /\ near M origin q.
+
+Lemma once_everywhere : (exists x c, valid c /\ inside (piece c) x /\ forall c', valid c' -> c' <> c -> ~ closed (piece c') x) -> covered_once.
 Proof.
-  intros Nx Vx OV. destruct once_somewhere as [x0 [c0 [H0 [I0 NO]]]].
+  intros [x0 [c0 [H0 [I0 NO]]]] M x V Nx Vx OV VD.
   destruct (near_origin_exists x0) as [M0 [_ N0]]. set (M' := Rmax M M0).
   assert (m : M <= M') by apply Rmax_l. assert (m0 : M0 <= M') by apply Rmax_r.
   destruct (range M') as [L [FL RG]].
@@ -190,7 +242,7 @@ Proof.
   { exists x0. repeat split; auto; try apply N0. intros c Hc. destruct (eq_dec c c0); auto. right. apply NO; auto. apply FL, Hc. }
   exists L, q. split; [exact Vq|]. split; [|split; [exact FL|split; [|exact Nq]]].
   2:{ intros c y Vc Ny C. apply RG with (y := y); auto. apply near_mono with M; auto. }
-  rewrite (count_constant L M' q p); auto; try (eapply near_mono; [|eauto]; auto).
+  rewrite (count_constant L M' q p); auto; try (eapply near_mono; [|eauto]; auto); [|apply (Dom_inside c0); auto].
   rewrite cnt_one. rewrite (zsum_single _ _ c0); [|apply FL| |].
   - rewrite (proj2 (interb_t _ _) Ip). reflexivity.
   - apply RG with (y := p); auto; [apply near_mono with M0; auto|apply inter_closed; auto].
@@ -199,17 +251,24 @@ Proof.
 Qed.
 
 (** ** What follows *)
-Theorem cover x : exists c, valid c /\ closed (piece c) x.
+Section Once.
+Hypothesis once : covered_once.
+
+Theorem cover x : (forall e, 0 < e -> exists y, near e x y /\ Dom y) -> exists c, valid c /\ closed (piece c) x.
 Proof.
-  destruct (near_origin_exists x) as [M [HM Hx]]. destruct (range M) as [L [FL RG]].
+  intros LIM. destruct (near_origin_exists x) as [M [HM Hx]]. destruct (range M) as [L [FL RG]].
   destruct (existsb (fun c => closedb (piece c) x) L) eqn:E.
   - apply existsb_exists in E as [c [Hc E]]. apply closedb_t in E. exists c. split; auto. apply FL, Hc.
   - exfalso.
     assert (NC : forall c, In c L -> ~ closed (piece c) x).
     { intros c Hc C. assert (existsb (fun c => closedb (piece c) x) L = true); [|congruence].
       apply existsb_exists. exists c. split; auto. apply closedb_t; auto. }
-    destruct (covered_once M x (fun y => near M origin y /\ forall c, In c L -> ~ closed (piece c) y)) as [L' [q [[_ Vq] [C1 [FL' [RG' Hq]]]]]]; auto.
+    assert (OV : open (fun y => near M origin y /\ forall c, In c L -> ~ closed (piece c) y)).
     { apply opn_and; [apply near_opn|]. apply opn_all. intros c _. apply not_closed_opn. }
+    destruct (OV x (conj Hx NC)) as [e [He KV]]. destruct (LIM e He) as [z [Nz Dz]]. destruct (KV z Nz) as [Mz Vz].
+    destruct (once M z (fun y => (near M origin y /\ forall c, In c L -> ~ closed (piece c) y) /\ Dom y)) as [L' [q [[[_ Vq] _] [C1 [FL' [RG' Hq]]]]]]; auto.
+    { apply opn_and; auto. }
+    { tauto. }
     rewrite cnt_one in C1.
     destruct (zsum_b2z_pos (fun c => insideb (piece c) q) L') as [c [Hc Hi]]; [lia|].
     apply interb_t, inter_closed in Hi. apply (Vq c); auto. apply RG with (y := q); auto. apply FL', Hc.
@@ -219,14 +278,16 @@ Theorem disjoint x c c' : valid c -> valid c' -> inside (piece c) x -> inside (p
 Proof.
   intros Hc Hc' I I'. destruct (eq_dec c c') as [|Ne]; auto. exfalso.
   destruct (near_origin_exists x) as [M [HM Hx]].
-  destruct (covered_once M x (fun y => inside (piece c) y /\ inside (piece c') y)) as [L [q [[Q1 Q2] [C1 [FL [RG Hq]]]]]]; auto.
+  destruct (once M x (fun y => inside (piece c) y /\ inside (piece c') y)) as [L [q [[Q1 Q2] [C1 [FL [RG Hq]]]]]]; auto.
   { apply opn_and; apply inter_opn. }
+  { intros y [Iy _]. apply (Dom_inside _ _ Hc Iy). }
   rewrite cnt_one in C1.
   pose proof (zsum_b2z_ge2 (fun c => insideb (piece c) q) L c c') as G.
   assert (2 <= 1)%Z; [|lia]. rewrite <- C1 at 1. apply G; auto; try (apply interb_t; auto);
   apply RG with (y := q); auto using inter_closed.
 Qed.
 
+(** An inner point of one cell lies in no other closed cell. *)
 Theorem disjoint_closed x c c' : valid c -> valid c' -> inside (piece c) x -> closed (piece c') x -> c = c'.
 Proof.
   intros Hc Hc' I I'. destruct (inter_opn _ _ I) as [e [He K]].
@@ -242,9 +303,17 @@ Proof.
     exfalso. apply Ne. apply interb_t in Eb. apply disjoint with (x := q); auto; apply FL; auto.
 Qed.
 
+Lemma total_interior w L q c : finite_part L -> In c L -> inside (piece c) q -> total w L q = w c.
+Proof.
+  intros FL Hc I. unfold total. rewrite (rsum_single _ _ c); [|apply FL|auto|].
+  - rewrite (proj2 (interb_t _ _) I). simpl. lra.
+  - intros c' Hc' Ne. destruct (insideb (piece c') q) eqn:Eb; simpl; [|lra].
+    exfalso. apply Ne. apply interb_t in Eb. apply disjoint with (x := q); auto; apply FL; auto.
+Qed.
+
 (** What passes through every facet around x is the same for all cells that contain x. *)
 Theorem constant_around (x : point) (w : cell -> Z) :
-  (forall d i, valid d -> In i I4 -> closed (piece d) x -> coord (piece d) i x = 0 -> w (fst (across (d, i))) = w d) ->
+  (forall d i, valid d -> In i I4 -> paired (d, i) -> closed (piece d) x -> coord (piece d) i x = 0 -> w (fst (across (d, i))) = w d) ->
   forall c c', valid c -> valid c' -> closed (piece c) x -> closed (piece c') x -> w c = w c'.
 Proof.
   intros HW c c' Hc Hc' C C'.
@@ -264,17 +333,19 @@ Proof.
   destruct (OG x Gx) as [e [He KG]].
   assert (Ic : In c L) by (apply RG with (y := x); auto).
   assert (Ic' : In c' L) by (apply RG with (y := x); auto).
-  destruct (connect L M1 (near e x) (fun y => near e x y /\ inside (piece c) y) (fun y => near e x y /\ inside (piece c') y))
-    as [p [q [[Up1 Up2] [[Vq1 Vq2] [GE CR]]]]]; auto; try tauto.
-  - intros y Hy. apply KG in Hy. apply Hy.
-  - intros; apply near_convex; auto.
+  destruct (connect L M1 (fun y => near e x y /\ Dom y) (fun y => near e x y /\ inside (piece c) y) (fun y => near e x y /\ inside (piece c') y))
+    as [p [q [[Up1 Up2] [[Vq1 Vq2] [GE CR]]]]]; auto.
+  - intros y [Hy Dy]. split; auto. apply KG in Hy. apply Hy.
+  - intros; apply near_Dom_convex; auto.
   - apply opn_and; [apply near_opn | apply inter_opn].
   - apply opn_and; [apply near_opn | apply inter_opn].
   - apply closed_limit; auto.
   - apply closed_limit; auto.
+  - intros y [Hy Iy]. split; auto. apply (Dom_inside _ _ Hc Iy).
+  - intros y [Hy Iy]. split; auto. apply (Dom_inside _ _ Hc' Iy).
   - assert (E : count w L p = count w L q).
-    { apply weighted; auto. intros d i Hd Hi X. destruct (CR d i Hd Hi X) as [X2 [y [Wy [Cy Ly]]]].
-      split; auto. apply KG in Wy. destruct Wy as [_ Wy].
+    { apply weighted; auto. intros d i Hd Hi X. destruct (CR d i Hd Hi X) as [PA [X2 [y [[Wy _] [Cy Ly]]]]].
+      split; auto. split; auto. apply KG in Wy. destruct Wy as [_ Wy].
       specialize (Wy (d, i)). cbn [fst snd] in Wy. rewrite in_prod_iff in Wy.
       destruct (Wy (conj Hd Hi)) as [[Cx Lx]|[|]]; [|tauto|tauto].
       apply HW; auto. apply FL, Hd. }
@@ -290,8 +361,8 @@ Proof.
   rewrite <- (carb_t _ x v (positive c Hc)) in CAR. rewrite CAR in E.
   apply carb_t; [apply positive, Hc'|].
   destruct (carb (piece c') x v); auto. exfalso. cut (1 = 0)%Z; [discriminate|]. apply E. clear E CAR C C' Hc Hc' c c'.
-  intros d i Hk Hi Cx Lx.
-  destruct (mates d i Hk Hi) as [S1 [S2 [S3 S4]]].
+  intros d i Hk Hi PA Cx Lx.
+  destruct (mates d i Hk Hi PA) as [S1 [S2 [S3 [S4 _]]]].
   set (ci' := across (d, i)) in *.
   assert (Lx' : coord (piece (fst ci')) (snd ci') x = 0).
   { unfold coord in *. rewrite (oddm_o _ _ x S4) in Lx. lra. }
@@ -305,4 +376,55 @@ Proof.
   + apply carF_carT with (i := snd ci'); auto. apply carF_odd with (f := facet (piece d) i); auto.
     apply carT_carF; auto.
 Qed.
+
+(** ** Convexity: the global consequence of a local inequality
+
+    For each cell c an affine function f c.  If across every paired facet f c is
+    at least f c' on the side of c', then f c >= f c' on all of c', whatever the
+    two cells.  (Delaunay's lemma; f c is the power of the circumsphere of c, up
+    to a function that is the same for all cells.) *)
+Section Convexity.
+Variable f : cell -> point -> R.
+Hypothesis f_affine : forall c c', affine (fun y => f c y - f c' y).
+Hypothesis f_local : forall c i y, valid c -> In i I4 -> paired (c, i) ->
+  (coord (piece c) i y <= 0 -> f (fst (across (c, i))) y <= f c y) /\
+  (0 <= coord (piece c) i y -> f c y <= f (fst (across (c, i))) y).
+
+Theorem local_to_global : forall c c' x, valid c -> valid c' -> closed (piece c') x -> f c' x <= f c x.
+Proof.
+  intros c c' x Hc Hc' C'. apply Rnot_lt_le. intros LT.
+  pose proof (positive c Hc) as V. pose proof (positive c' Hc') as V'.
+  set (p0 := centroid (piece c)). pose proof (cen_inter _ V) as I0. fold p0 in I0.
+  destruct (near_origin_exists x) as [M1 [HM1 Hx]]. destruct (near_origin_exists p0) as [M2 [HM2 Hp]].
+  set (M := Rmax M1 M2). assert (m1 : M1 <= M) by apply Rmax_l. assert (m2 : M2 <= M) by apply Rmax_r.
+  destruct (range M) as [L [FL RG]].
+  assert (OV : open (fun y => near M1 origin y /\ 0 < f c' y - f c y)).
+  { apply opn_and; [apply near_opn|]. apply aff_pos_opn; auto. }
+  destruct (OV x) as [e [He KV]]; [split; auto; lra|].
+  destruct (closed_limit _ x e V' C' He) as [z [Nz Iz]].
+  destruct (connect L M (fun y => near M origin y /\ Dom y) (fun y => near M origin y /\ inside (piece c) y)
+     (fun y => (near M1 origin y /\ 0 < f c' y - f c y) /\ inside (piece c') y))
+    as [p [q [[Up1 Up2] [[[Vq1 Vq2] Vq3] [GE CR]]]]]; auto.
+  - intros; apply near_Dom_convex; auto.
+  - apply opn_and; [apply near_opn | apply inter_opn].
+  - apply opn_and; [exact OV | apply inter_opn].
+  - exists p0. split; auto. apply near_mono with M2; auto.
+  - exists z. split; auto.
+  - intros y [Hy Iy]. split; auto. apply (Dom_inside _ _ Hc Iy).
+  - intros y [[Hy _] Iy]. split; [apply near_mono with M1; auto|]. apply (Dom_inside _ _ Hc' Iy).
+  - assert (E : total (fun d => f d q) L q <= total (fun d => f d q) L p).
+    { apply weighted_le; auto. intros d i Hd Hi X. destruct (CR d i Hd Hi X) as [PA [X2 _]]. split; auto. split; auto.
+      pose proof (proj2 FL d Hd) as Hdv. destruct (f_local d i q Hdv Hi PA) as [F1 F2]. unfold coord in F1, F2.
+      set (d' := fst (across (d, i))) in *.
+      unfold crossing in *. destruct (crp (facet (piece d) i) p q) eqn:E1; destruct (crm (facet (piece d) i) p q) eqn:E2.
+      - cbn in X. lia.
+      - apply crp_t in E1. assert (f d q <= f d' q) by (apply F2; lra). change (IZR (Z.b2z true - Z.b2z false)) with 1. lra.
+      - apply crm_t in E2. assert (f d' q <= f d q) by (apply F1; lra). change (IZR (Z.b2z false - Z.b2z true)) with (-1). lra.
+      - cbn in X. lia. }
+    assert (Ic : In c L). { apply RG with (y := p); auto. apply inter_closed; auto. }
+    assert (Ic' : In c' L). { apply RG with (y := q); auto using inter_closed. apply near_mono with M1; auto. }
+    rewrite (total_interior _ L p c), (total_interior _ L q c') in E by auto. lra.
+Qed.
+End Convexity.
+End Once.
 End Cells.
