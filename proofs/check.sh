@@ -177,6 +177,7 @@ self_test() {
         refused $option 'Require Import ProofIrrelevance. Theorem z_theorem : forall (P : Prop) (a b : P), a = b. Proof proof_irrelevance.'
         refused $option 'Module Classical_Prop. Hypothesis classic : 0 = 1. End Classical_Prop. Theorem z_theorem : 0 = 1. Proof Classical_Prop.classic.'
     done
+    refused --axioms 'Axiom injected : 0 = 1. Theorem square_triangle_theorem : 0 = 1. Proof injected.'
     # coqchk looks at what no theorem uses
     refused --coqchk 'Module Classical_Prop. Hypothesis classic : 0 = 1. End Classical_Prop.'
 }

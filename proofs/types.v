@@ -85,4 +85,5 @@ Check (Acutile.PatchNumbers.square_triangle_theorem : forall tiles : nat -> Acut
     let cells := Acutile.PatchStatement.is_cell Acutile.SquareTriangle.square_triangle tiles rise in
     Acutile.PatchStatement.tiles_space cells /\ Acutile.PatchStatement.acute_cells cells /\
     Acutile.PatchStatement.largest_angle_of_cells cells Acutile.Statement.AtMost (acos (1 / 5)) /\
-    forall i : nat, Acutile.PatchStatement.shape (tiles i) = 1 -> Acutile.PatchStatement.largest_angle_of_cells cells Acutile.Statement.Maximum (acos (1 / 5))).
+    (forall i : nat, Acutile.PatchStatement.shape (tiles i) = 1 -> Acutile.PatchStatement.largest_angle_of_cells cells Acutile.Statement.Maximum (acos (1 / 5))) /\
+    Acutile.PatchStatement.delaunay_cells cells).

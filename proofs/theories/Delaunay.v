@@ -1,6 +1,6 @@
 (** * Delaunay's lemma: local implies global
 
-    In lattice coordinates, with the inner product of a Gram matrix G.  The power
+    With the inner product of a Gram matrix G.  The power
     of a point x with respect to the circumsphere of t is
       power t x = |x|^2 - sum_j lambda_j(x) |v_j|^2 = - sum_j lambda_j(x) |v_j - x|^2,
     lambda_j the barycentric coordinates: so no centre and no radius is needed.
@@ -8,6 +8,7 @@
     behind every facet, only a tile's own vertices have power 0. *)
 Require Import Reals Lra ZArith List Lia Bool.
 From Acutile Require Import Statement Sums Crossing Tetrahedra Topology Degree Domain Euclid.
+From Acutile Require Cells.
 Import ListNotations.
 Open Scope R_scope.
 
@@ -112,6 +113,97 @@ Proof.
 Qed.
 End Power.
 
+Lemma verts_vx t v : In v (verts t) -> exists j, In j I4 /\ v = vx t j.
+Proof. simpl. intros [<-|[<-|[<-|[<-|[]]]]]; [exists 0%nat|exists 1%nat|exists 2%nat|exists 3%nat]; (split; [simpl; tauto|reflexivity]). Qed.
+Lemma closed_vertex t v : 0 < vol t -> In v (verts t) -> closed t v /\ carT t v v.
+Proof.
+  intros V Hv. split.
+  - apply hull_closed; auto. simpl in Hv.
+    destruct Hv as [<-|[<-|[<-|[<-|[]]]]]; [exists 1,0,0,0|exists 0,1,0,0|exists 0,0,1,0|exists 0,0,0,1];
+    repeat split; try lra; unfold combination; apply point_eq; unf; ring.
+  - simpl in Hv. destruct Hv as [<-|[<-|[<-|[<-|[]]]]]; [exists 1,0,0,0|exists 0,1,0,0|exists 0,0,1,0|exists 0,0,0,1];
+    repeat split; try lra; try (unfold combination; apply point_eq; unf; ring); auto.
+    + left; split; auto; lra.
+    + right; left; split; auto; lra.
+    + right; right; left; split; auto; lra.
+    + right; right; right; split; auto; lra.
+Qed.
+
+(** ** The cells of Cells.v *)
+Section AnyCells.
+Variables (cell : Type) (eq_dec : forall a b : cell, {a = b} + {a <> b}).
+Variables (piece : cell -> tetrahedron) (valid : cell -> Prop) (Dom : point -> Prop).
+Variables (paired : cell * nat -> Prop) (across : cell * nat -> cell * nat).
+Hypothesis positive : forall c, valid c -> 0 < vol (piece c).
+Hypothesis range : forall M, exists L, Cells.finite_part cell valid L /\ Cells.reaches cell piece valid L M.
+Hypothesis mates : forall c i, valid c -> In i I4 -> paired (c, i) ->
+  valid (fst (across (c, i))) /\ In (snd (across (c, i))) I4 /\ across (across (c, i)) = (c, i) /\
+  opposite (facet (piece c) i) (facet (piece (fst (across (c, i)))) (snd (across (c, i)))) /\ paired (across (c, i)).
+Hypothesis boundary : forall c i, valid c -> In i I4 -> paired (c, i) \/ forall y, Dom y -> 0 < coord (piece c) i y.
+Hypothesis Dom_convex : forall p q s, Dom p -> Dom q -> 0 <= s <= 1 -> Dom (lerp p q s).
+Hypothesis Dom_inside : forall c x, valid c -> inside (piece c) x -> Dom x.
+Hypothesis once : Cells.covered_once cell piece valid Dom.
+Variable G : gram.
+(** The vertex of the mate that is behind the facet (c, i). *)
+Definition behind (c : cell) (i : nat) : point := vx (piece (fst (across (c, i)))) (snd (across (c, i))).
+Hypothesis local : forall c i, valid c -> In i I4 -> paired (c, i) -> 0 <= power G (piece c) (behind c i).
+
+Lemma across_power c i y : valid c -> In i I4 -> paired (c, i) ->
+  exists a, 0 <= a /\ power G (piece c) y - power G (piece (fst (across (c, i)))) y = - coord (piece c) i y * a.
+Proof.
+  intros Hc Hi PA. destruct (mates c i Hc Hi PA) as [S1 [S2 [S3 [S4 _]]]].
+  pose proof (local c i Hc Hi PA) as LC. unfold behind in LC. set (ci := across (c, i)) in *.
+  pose proof (positive _ Hc) as V. pose proof (positive _ S1) as V'.
+  exists (power G (piece c) (vx (piece (fst ci)) (snd ci)) / vol (piece (fst ci))). split.
+  - apply Rmult_le_pos; auto. left. apply Rinv_0_lt_compat; auto.
+  - apply Rmult_eq_reg_l with (vol (piece (fst ci))); [|lra].
+    rewrite (power_difference G (piece c) i _ (snd ci) y) by auto. field. lra.
+Qed.
+
+Theorem cells_weakly_delaunay c c' v : valid c -> valid c' -> In v (verts (piece c')) -> 0 <= power G (piece c) v.
+Proof.
+  intros Hc Hc' Hv. pose proof (positive _ Hc') as V'.
+  rewrite <- (power_vertex G (piece c') v) by (auto; lra). unfold power.
+  apply Rplus_le_compat_l.
+  apply (Cells.local_to_global cell eq_dec piece valid Dom paired across positive range mates boundary Dom_convex Dom_inside
+           once (fun c => lift G (piece c))); auto.
+  - intros d d'. apply aff_ext with (f := fun y => lift G (piece d) y + (-1) * lift G (piece d') y); [intros; ring|].
+    apply aff_add; [|apply aff_scl]; apply aff_lift.
+  - intros d i y Hd Hi PA. destruct (across_power d i y Hd Hi PA) as [a [A E]]. unfold power in E.
+    split; intros K; nra.
+  - apply closed_vertex; auto.
+Qed.
+
+(** Strictly: a vertex behind a facet whose apex has a positive power. *)
+Theorem cells_strict c c' v i : valid c -> valid c' -> In v (verts (piece c')) -> In i I4 -> coord (piece c) i v < 0 ->
+  paired (c, i) -> 0 < power G (piece c) (behind c i) -> 0 < power G (piece c) v.
+Proof.
+  intros Hc Hc' Hv Hi Li PA ST. pose proof (positive _ Hc) as V.
+  destruct (mates c i Hc Hi PA) as [S1 [S2 [S3 [S4 _]]]]. unfold behind in ST.
+  set (ci := across (c, i)) in *. pose proof (positive _ S1) as V1.
+  pose proof (power_difference G (piece c) i _ (snd ci) v Hi S2 V V1 S4) as PD.
+  pose proof (cells_weakly_delaunay (fst ci) c' v S1 Hc' Hv) as W.
+  assert (0 < - coord (piece c) i v * power G (piece c) (vx (piece (fst ci)) (snd ci))) by (apply Rmult_lt_0_compat; lra).
+  assert (0 <= vol (piece (fst ci)) * power G (piece (fst ci)) v) by (apply Rmult_le_pos; lra). nra.
+Qed.
+
+(** So a vertex that is not a vertex of c has positive power. *)
+Theorem cells_delaunay c c' v : valid c -> valid c' -> In v (verts (piece c')) ->
+  (forall i, In i I4 -> coord (piece c) i v < 0 -> paired (c, i) /\ 0 < power G (piece c) (behind c i)) ->
+  power G (piece c) v = 0 -> In v (verts (piece c)).
+Proof.
+  intros Hc Hc' Hv ST PZ. pose proof (positive _ Hc) as V. pose proof (positive _ Hc') as V'.
+  destruct (closed_vertex _ v V' Hv) as [C' CAR'].
+  destruct (closedb (piece c) v) eqn:CB.
+  - apply closedb_t in CB. apply carT_vert with (x := v).
+    apply (Cells.face_to_face cell eq_dec piece valid Dom paired across positive range mates boundary Dom_convex Dom_inside
+           once v v c' c); auto.
+  - exfalso. assert (NC : ~ closed (piece c) v) by (rewrite <- closedb_t; congruence).
+    apply not_closed_iff in NC as [i [Hi Li]]. destruct (ST i Hi Li) as [PA S].
+    pose proof (cells_strict c c' v i Hc Hc' Hv Hi Li PA S). lra.
+Qed.
+End AnyCells.
+
 Section Delaunay.
 Variables (N : nat) (T : nat -> tetrahedron) (h : R) (lat : Z3 -> bool) (Dom : point -> Prop).
 Variable mate : nat -> nat -> option (nat * nat * Z3).
@@ -152,37 +244,22 @@ Proof.
   rewrite !vx_translate, vec_add, (padd_comm (vec h n)), padd_assoc. apply power_translate. pose proof (Hvol k Hc). lra.
 Qed.
 
-Lemma across_power c i y : valid c -> In i I4 -> paired (c, i) ->
-  exists a, 0 <= a /\ power G (piece c) y - power G (piece (fst (across (c, i)))) y = - coord (piece c) i y * a.
+Notation cells_behind := (behind cell piece across).
+Lemma behind_power c i : valid c -> In i I4 -> paired (c, i) -> 0 <= power G (piece c) (cells_behind c i).
 Proof.
-  intros Hc Hi PA. pose proof (apex_power c i Hc Hi PA) as AP.
-  destruct (sg_spec _ _ _ _ Dom mate lat_add Hmate c i Hc Hi PA) as [S1 [S2 [S3 [S4 _]]]].
-  set (ci := across (c, i)) in *. pose proof (vol_piece _ Hc) as V. pose proof (vol_piece _ S1) as V'.
-  exists (power G (piece c) (vx (piece (fst ci)) (snd ci)) / vol (piece (fst ci))). split.
-  - destruct c as [k n]. cbn [fst] in AP. destruct (mate k i) as [[[k' i'] d]|] eqn:E; [|tauto].
-    rewrite AP. pose proof (local k i (proj1 Hc) Hi) as LC. rewrite E in LC.
-    apply Rmult_le_pos; auto. left. apply Rinv_0_lt_compat; auto.
-  - apply Rmult_eq_reg_l with (vol (piece (fst ci))); [|lra].
-    rewrite (power_difference G (piece c) i _ (snd ci) y) by auto. field. lra.
+  intros Hc Hi PA. pose proof (apex_power c i Hc Hi PA) as AP. pose proof (local (fst c) i (proj1 Hc) Hi) as LC.
+  unfold behind. destruct (mate (fst c) i) as [[[k' i'] d]|]; [|tauto]. rewrite AP. exact LC.
 Qed.
+Notation mates := (sg_spec N T h lat Dom mate lat_add Hmate).
+Notation positive := (cells_positive N T h lat Hvol).
+Notation in_range := (cells_range N T h lat h_pos Hvol).
+Notation boundary := (cells_boundary N T h lat Dom mate Hmate).
+Notation once_there := (cells_once N T h lat Dom once).
 
 Theorem weakly_delaunay_global c c' v : valid c -> valid c' -> In v (verts (piece c')) -> 0 <= power G (piece c) v.
 Proof.
-  intros Hc Hc' Hv. pose proof (vol_piece _ Hc') as V'.
-  rewrite <- (power_vertex G (piece c') v) by (auto; lra). unfold power.
-  apply Rplus_le_compat_l.
-  apply (local_to_global N T h lat Dom mate h_pos lat_add Dom_convex Dom_inside Hvol Hmate
-           once (fun c => lift G (piece c))); auto.
-  - intros d d'. apply aff_ext with (f := fun y => lift G (piece d) y + (-1) * lift G (piece d') y); [intros; ring|].
-    apply aff_add; [|apply aff_scl]; apply aff_lift.
-  - intros d i y Hd Hi PA. destruct (across_power d i y Hd Hi PA) as [a [A E]]. unfold power in E.
-    split; intros K; nra.
-  - intros i Hi.
-    assert (X : exists j, In j I4 /\ v = vx (piece c') j).
-    { simpl in Hv. destruct Hv as [<-|[<-|[<-|[<-|[]]]]]; [exists 0%nat|exists 1%nat|exists 2%nat|exists 3%nat]; (split; [simpl; tauto|reflexivity]). }
-    destruct X as [j [Hj ->]]. destruct (Nat.eq_dec i j) as [->|Ne].
-    + rewrite L_vx by auto. lra.
-    + rewrite L_vx' by auto. lra.
+  exact (cells_weakly_delaunay cell cell_eq_dec piece valid Dom paired across positive in_range mates boundary Dom_convex Dom_inside
+    once_there G behind_power c c' v).
 Qed.
 
 (** Strictly: a vertex behind a facet whose apex has a positive power. *)
@@ -192,51 +269,30 @@ Theorem strict_at c c' v i : valid c -> valid c' -> In v (verts (piece c')) -> I
   match mate (fst c) i with Some (k', i', d) => 0 < power G (T (fst c)) (vx (translate (vec h d) (T k')) i') | None => True end ->
   0 < power G (piece c) v.
 Proof.
-  intros Hc Hc' Hv Hi Li ST. pose proof (vol_piece _ Hc) as V.
+  intros Hc Hc' Hv Hi Li ST.
   assert (PA : paired (c, i)).
   { unfold Degree.paired; cbn [fst snd]. intros E. destruct c as [k n]. cbn [fst] in E.
     pose proof (boundary_vertices k i n c' v (proj1 Hc) (proj2 Hc) Hi E Hc' Hv). lra. }
-  pose proof (apex_power c i Hc Hi PA) as AP.
-  destruct (sg_spec _ _ _ _ Dom mate lat_add Hmate c i Hc Hi PA) as [S1 [S2 [S3 [S4 _]]]].
-  set (ci := across (c, i)) in *. pose proof (vol_piece _ S1) as V1.
-  pose proof (power_difference G (piece c) i _ (snd ci) v Hi S2 V V1 S4) as PD.
-  assert (PP : 0 < power G (piece c) (vx (piece (fst ci)) (snd ci))).
-  { destruct (mate (fst c) i) as [[[k' i'] d]|]; [|tauto]. rewrite AP. exact ST. }
-  pose proof (weakly_delaunay_global (fst ci) c' v S1 Hc' Hv) as W.
-  assert (0 < - coord (piece c) i v * power G (piece c) (vx (piece (fst ci)) (snd ci))) by (apply Rmult_lt_0_compat; lra).
-  assert (0 <= vol (piece (fst ci)) * power G (piece (fst ci)) v) by (apply Rmult_le_pos; lra). nra.
+  apply (cells_strict cell cell_eq_dec piece valid Dom paired across positive in_range mates boundary Dom_convex Dom_inside
+    once_there G behind_power c c' v i); auto.
+  pose proof (apex_power c i Hc Hi PA) as AP. unfold behind.
+  destruct (mate (fst c) i) as [[[k' i'] d]|]; [|tauto]. rewrite AP. exact ST.
 Qed.
 
 (** So a vertex that is not a vertex of c has positive power. *)
 Hypothesis strict : forall k i, (k < N)%nat -> In i I4 ->
   match mate k i with Some (k', i', d) => 0 < power G (T k) (vx (translate (vec h d) (T k')) i') | None => True end.
 
-Lemma closed_vertex t v : 0 < vol t -> In v (verts t) -> closed t v /\ carT t v v.
-Proof.
-  intros V Hv. split.
-  - apply hull_closed; auto. simpl in Hv.
-    destruct Hv as [<-|[<-|[<-|[<-|[]]]]]; [exists 1,0,0,0|exists 0,1,0,0|exists 0,0,1,0|exists 0,0,0,1];
-    repeat split; try lra; unfold combination; apply point_eq; unf; ring.
-  - simpl in Hv. destruct Hv as [<-|[<-|[<-|[<-|[]]]]]; [exists 1,0,0,0|exists 0,1,0,0|exists 0,0,1,0|exists 0,0,0,1];
-    repeat split; try lra; try (unfold combination; apply point_eq; unf; ring); auto.
-    + left; split; auto; lra.
-    + right; left; split; auto; lra.
-    + right; right; left; split; auto; lra.
-    + right; right; right; split; auto; lra.
-Qed.
-
 Theorem delaunay_global c c' v : valid c -> valid c' -> In v (verts (piece c')) ->
   power G (piece c) v = 0 -> In v (verts (piece c)).
 Proof.
-  intros Hc Hc' Hv PZ. pose proof (vol_piece _ Hc) as V. pose proof (vol_piece _ Hc') as V'.
-  destruct (closed_vertex _ v V' Hv) as [C' CAR'].
-  destruct (closedb (piece c) v) eqn:CB.
-  - apply closedb_t in CB.
-    apply carT_vert with (x := v).
-    apply (face_to_face N T h lat Dom mate h_pos lat_add Dom_convex Dom_inside Hvol Hmate
-           once v v c' c); auto.
-  - exfalso. assert (NC : ~ closed (piece c) v) by (rewrite <- closedb_t; congruence).
-    apply not_closed_iff in NC as [i [Hi Li]].
-    pose proof (strict_at c c' v i Hc Hc' Hv Hi Li (strict (fst c) i (proj1 Hc) Hi)). lra.
+  intros Hc Hc' Hv. apply (cells_delaunay cell cell_eq_dec piece valid Dom paired across positive in_range mates boundary Dom_convex
+    Dom_inside once_there G behind_power c c' v Hc Hc' Hv).
+  intros i Hi Li.
+  assert (PA : paired (c, i)).
+  { unfold Degree.paired; cbn [fst snd]. intros E. destruct c as [k n]. cbn [fst] in E.
+    pose proof (boundary_vertices k i n c' v (proj1 Hc) (proj2 Hc) Hi E Hc' Hv). lra. }
+  split; [exact PA|]. pose proof (apex_power c i Hc Hi PA) as AP. pose proof (strict (fst c) i (proj1 Hc) Hi) as ST. unfold behind.
+  destruct (mate (fst c) i) as [[[k' i'] d]|]; [|tauto]. rewrite AP. exact ST.
 Qed.
 End Delaunay.

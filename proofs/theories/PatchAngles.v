@@ -75,7 +75,7 @@ Qed.
 End Put.
 
 Section System.
-Variables (system : list patch) (h : hints) (heading : nat -> nat -> nat) (m : Z).
+Variables (system : list patch) (h : hints) (m : Z).
 (** A tetrahedron of the piece that reaches the bound, for some of the shapes. *)
 Variable peak : nat -> option nat.
 Definition check_angles : bool := forallb (fun a => let p := patch_at system a in

@@ -1,8 +1,8 @@
 (** * There are mosaics: the grid of unit squares
 
-    So the theorem of PatchNumbers.v is about something.  Nothing depends on this file. *)
+    So the theorem of PatchNumbers.v is about something.  And the checks refuse what is wrong.  Nothing depends on this file. *)
 Require Import Reals Lra Psatz ZArith List Lia Bool Cantor.
-From Acutile Require Import Statement Sums PatchStatement SquareTriangle.
+From Acutile Require Import Statement Sums PatchStatement SquareTriangle PatchChecker PatchNumbers.
 Import ListNotations.
 Open Scope R_scope.
 
@@ -87,3 +87,15 @@ Proof.
     change (sides square_triangle squares i) with 4%nat; change (sides square_triangle squares (code _)) with 4%nat;
     rewrite !square_corner, E, P; cbn [next Nat.eqb fst snd]; rewrite ?minus_IZR, ?plus_IZR; split; f_equal; ring.
 Qed.
+
+(** The checks refuse what is wrong: a piece without one of its tetrahedra, an apex at
+    another place, a square whose offsets are all zero. *)
+Definition without_one (p : patch) : patch := Patch (edges p) (tl (pieces p)).
+Definition moved (p : patch) : patch := Patch (map (fun e => Edge (start e) (lift 1 (apex e)) (rim e)) (edges p)) (pieces p).
+Definition level (p : patch) : patch := Patch (map (fun e => Edge (Spot (0, 0)%Z (ahead (start e)) (aside (start e))) (apex e) (rim e)) (edges p)) (pieces p).
+Example refused_without_one : check_system [triangle_patch; without_one square_patch] square_triangle_hints = false.
+Proof. vm_compute. reflexivity. Qed.
+Example refused_moved : check_system [moved triangle_patch; square_patch] square_triangle_hints = false.
+Proof. vm_compute. reflexivity. Qed.
+Example refused_level : check_system [triangle_patch; level square_patch] square_triangle_hints = false.
+Proof. vm_compute. reflexivity. Qed.

@@ -121,3 +121,7 @@ Record tiles_space (cells : tetrahedron -> Prop) : Prop := {
 Definition acute_cells (cells : tetrahedron -> Prop) := forall t x, cells t -> In x (dihedrals t) -> x < PI / 2.
 (** The quantity of a cell is its largest dihedral angle, in radians. *)
 Definition largest_angle_of_cells (cells : tetrahedron -> Prop) := bounded cells (fun t => largest (dihedrals t)).
+(** The circumscribed ball of every cell has no vertex in its interior and none but the cell's own on its boundary. *)
+Definition delaunay_cells (cells : tetrahedron -> Prop) := forall t, cells t -> exists C s, circumscribed t C s /\
+  forall v, (exists t', cells t' /\ In v (verts t')) ->
+    s <= distance_squared v C /\ (distance_squared v C = s -> In v (verts t)).
