@@ -9,7 +9,8 @@ use super::output::{Output, write_bytes};
 use super::overwriting::check_not_an_input;
 use super::proved::shown;
 use super::record::Record;
-use acutile_publish::report::{Proved, Refutation, Shown, Theorem, mixed_page};
+use acutile_publish::bundle::Content;
+use acutile_publish::report::{Refutation, Shown, mixed_page};
 use clap::Args;
 use serde_json::json;
 use std::path::{Path, PathBuf};
@@ -34,16 +35,14 @@ pub struct ReportArguments {
 
 /// An article of a page.
 pub enum Article {
-    Proved(Box<Proved>),
-    Theorem(Box<Theorem>),
+    Confirmed(Content),
     Refuted(Box<Refutation>),
 }
 
 impl Article {
     fn shown(&self) -> Shown<'_> {
         match self {
-            Article::Proved(proved) => Shown::Proved(proved),
-            Article::Theorem(theorem) => Shown::Theorem(theorem),
+            Article::Confirmed(content) => content.shown(),
             Article::Refuted(refutation) => Shown::Refuted(refutation),
         }
     }
@@ -79,13 +78,9 @@ pub fn run(arguments: &ReportArguments, output: &mut Output) -> Outcome {
 fn tell(input: &InputName, article: &Article, output: &mut Output) -> Outcome {
     let record = Record::of(Some(input));
     match article {
-        Article::Proved(proved) => {
-            let sha256 = proved.sha256();
+        Article::Confirmed(content) => {
+            let sha256 = content.sha256();
             output.done(record.verdict("proved").certificate(None, &sha256))
-        }
-        Article::Theorem(theorem) => {
-            let record = record.verdict("proved");
-            output.done(record.certificate(None, theorem.sha256()))
         }
         Article::Refuted(refutation) => {
             let words = refutation.verdict.trim_start_matches("Refuted: ");
