@@ -175,6 +175,22 @@ fn a_flat_or_inverted_start_is_refused() {
     assert!(stderr(&run).contains("--symmetry list"), "{}", stderr(&run));
 }
 
+#[test]
+fn a_start_that_is_no_mesh_has_the_numbers_of_its_file() {
+    let directory = tempfile::tempdir().expect("a directory");
+    // The second element is inverted.
+    let text = "$MeshFormat\n2.2 0 8\n$EndMeshFormat\n\
+                $Nodes\n5\n11 0 0 0\n12 1 0 0\n13 0 1 0\n14 0 0 1\n15 1 1 1\n$EndNodes\n\
+                $Elements\n2\n6 4 2 1 1 11 12 13 14\n7 4 2 1 1 12 13 14 15\n$EndElements\n";
+    let text = text.replace("12 13 14 15", "12 14 13 15");
+    let path = file(directory.path(), "turned.msh", &text);
+    let run = optimize(&path, &[]);
+    assert_eq!(code(&run), 1);
+    let said = stderr(&run);
+    assert!(said.contains("element 7"), "{said}");
+    assert!(!said.contains("simplex 1"), "{said}");
+}
+
 /// A15 in a bounded mesh with its inner nodes shaken: 99 degrees and more before, acute afterwards.
 #[test]
 fn a_mesh_becomes_acute() {

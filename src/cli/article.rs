@@ -2,21 +2,20 @@
 
 use super::outcome::Outcome;
 use super::output::{Output, write_bytes};
-use acutile_publish::report::{Proved, Refutation, Shown, Theorem, mixed_page};
+use acutile_publish::bundle::Content;
+use acutile_publish::report::{Refutation, Shown, mixed_page};
 use std::path::Path;
 
 /// An article of a page.
 pub enum Article {
-    Proved(Box<Proved>),
-    Theorem(Box<Theorem>),
+    Confirmed(Content),
     Refuted(Box<Refutation>),
 }
 
 impl Article {
     fn shown(&self) -> Shown<'_> {
         match self {
-            Article::Proved(proved) => Shown::Proved(proved),
-            Article::Theorem(theorem) => Shown::Theorem(theorem),
+            Article::Confirmed(content) => content.shown(),
             Article::Refuted(refutation) => Shown::Refuted(refutation),
         }
     }

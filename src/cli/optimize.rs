@@ -14,10 +14,12 @@ use super::overwriting::check_not_an_input;
 use super::progress::Progress;
 use super::proved as proof;
 use super::record::Record;
+use super::refutation::names;
 use acutile_core::advice::{Advice, Adviser};
 use acutile_core::proved::NotProved;
 use acutile_core::statement::Statement;
 use acutile_core::tiling::{AnyTiling, Tiling, match_facets};
+use acutile_io::mesh::Origin;
 use acutile_optimize::{
     Failure, Freedom, Goal, Group, Keep, Options, optimize, prove_local, reasons,
 };
@@ -174,7 +176,7 @@ fn answer(arguments: &OptimizeArguments, output: &mut Output) -> Result<Outcome,
         sides: named.sides,
     };
     let place = Place::of(arguments)?;
-    let found = search(input, &tiling, &options)?;
+    let found = search(input, &tiling, named.origin.as_ref(), &options)?;
     let why = match goal {
         Goal::Acute | Goal::MaxDihedral => reasons(&found.tiling, &match_facets(&found.tiling)),
         _ => Vec::new(),
@@ -208,6 +210,7 @@ fn answer(arguments: &OptimizeArguments, output: &mut Output) -> Result<Outcome,
 fn search(
     input: &str,
     tiling: &Tiling<3>,
+    origin: Option<&Origin>,
     options: &Options,
 ) -> Result<acutile_optimize::Outcome, InputError> {
     let progress = Progress::of(input);
@@ -221,7 +224,7 @@ fn search(
     });
     found.map_err(|failure| match failure {
         Failure::Start(error) => InputError {
-            message: format!("{input}: the start is no tiling: {}", of_start(&error, tiling)),
+            message: format!("{input}: the start is no tiling: {}", of_start(&error, tiling, origin)),
             outcome: proof::outcome(&error),
         },
         Failure::NoElement(error) => InputError::from(format!(
@@ -232,7 +235,7 @@ fn search(
 }
 
 /// Why the start is no tiling: each vertex that misses a face of the domain, then the first defect.
-fn of_start(error: &NotProved, tiling: &Tiling<3>) -> String {
+fn of_start(error: &NotProved, tiling: &Tiling<3>, origin: Option<&Origin>) -> String {
     let mut words = Vec::new();
     if let NotProved::Refuted(findings) = error {
         let adviser = Adviser::new(tiling);
@@ -250,7 +253,7 @@ fn of_start(error: &NotProved, tiling: &Tiling<3>) -> String {
             }
         }
     }
-    words.push(error.in_words(tiling));
+    words.push(error.in_words_with::<3>(&names(tiling, origin, false)));
     words.join("; ")
 }
 

@@ -134,7 +134,7 @@ pub fn shown(
         Source::Tiling(named) => named,
     };
     let error = match prove(input, &named, limits) {
-        Ok(proved) => return Ok(Article::Proved(Box::new(proved))),
+        Ok(proved) => return Ok(Article::Confirmed(Content::Tiling(Box::new(proved)))),
         Err(error) => error,
     };
     let proved::NotProved::Refuted(findings) = *error.reason else {
@@ -162,10 +162,7 @@ pub fn article(
     limits: &Limits,
 ) -> Result<Article, InputError> {
     match Confirmed::of(input, &description, bytes, limits) {
-        Ok(confirmed) => Ok(match confirmed.content(input, description) {
-            Content::Tiling(proved) => Article::Proved(proved),
-            Content::Theorem(theorem) => Article::Theorem(theorem),
-        }),
+        Ok(confirmed) => Ok(Article::Confirmed(confirmed.content(input, description))),
         Err(error) => match rejected(input, bytes, &error) {
             Some(refutation) => Ok(Article::Refuted(Box::new(refutation))),
             None => Err(refused(input, &error)),

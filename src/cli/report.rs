@@ -62,13 +62,9 @@ pub fn run(arguments: &ReportArguments, output: &mut Output) -> Outcome {
 fn tell(input: &InputName, article: &Article, output: &mut Output) -> Outcome {
     let record = Record::of(Some(input));
     match article {
-        Article::Proved(proved) => {
-            let sha256 = proved.sha256();
+        Article::Confirmed(content) => {
+            let sha256 = content.sha256();
             output.done(record.verdict("proved").certificate(None, &sha256))
-        }
-        Article::Theorem(theorem) => {
-            let record = record.verdict("proved");
-            output.done(record.certificate(None, theorem.sha256()))
         }
         Article::Refuted(refutation) => {
             let words = refutation.verdict.trim_start_matches("Refuted: ");

@@ -11,7 +11,7 @@ import { fileURLToPath, pathToFileURL } from "node:url";
 import { chromium } from "playwright-core";
 
 const ROOT = fileURLToPath(new URL("../../", import.meta.url));
-const ACUTILE = process.env.ACUTILE ?? join(ROOT, "target/debug/acutile");
+const ACUTILE = process.env.ACUTILE ?? join(ROOT, "target/release/acutile");
 const CHROMIUM = process.env.CHROMIUM ?? "/usr/bin/chromium";
 const AXE = readFileSync(createRequire(import.meta.url).resolve("axe-core/axe.min.js"), "utf8");
 const directory = mkdtempSync(join(tmpdir(), "acutile-refuted-"));

@@ -53,9 +53,14 @@ pub enum NotProved {
 impl NotProved {
     /// In words: the first defect of a tiling, or the other obstacle.
     pub fn in_words<const D: usize>(&self, tiling: &Tiling<D>) -> String {
+        self.in_words_with::<D>(&Names::of(tiling))
+    }
+
+    /// The same with other names of simplices and vertices, like those of a mesh file.
+    pub fn in_words_with<const D: usize>(&self, names: &Names) -> String {
         let first = |findings: &Findings| {
             let defect = findings.kept().first();
-            let words = |defect| checker::describe::<D>(&Names::of(tiling), defect);
+            let words = |defect| checker::describe::<D>(names, defect);
             defect.map_or_else(|| self.to_string(), words)
         };
         match self {

@@ -266,6 +266,31 @@ fn a_refutation_names_a_point() {
     assert!(matches!(error, NotProvable::Refuted { .. }), "{error:?}");
 }
 
+#[test]
+fn a_zero_on_a_facet_of_an_open_box_is_named() {
+    let AnyFamily::Plane(mut family) = family("triangle-tiling-all") else {
+        panic!("a family of tilings of the plane");
+    };
+    // No corner belongs to the box: x is open at both ends. At y = 0 the first basis vector is zero.
+    let open = |n: &str| End::open(number(n));
+    let side = |low, high| Side { low, high };
+    family.parameters[0].side = side(open("1/4"), open("1/2"));
+    family.parameters[1].side = side(End::closed(number("0")), End::closed(number("1")));
+    let (x, y) = (Polynomial::parameter(0), Polynomial::parameter(1));
+    let one = x.integer(1);
+    let xy = x.times(&y);
+    family.frame.gram = [
+        [y.clone(), xy.clone()],
+        [xy.clone(), one.minus(&y).plus(&xy)],
+    ];
+    let error = examine(&family, &options(&[]), &|_| {}).expect_err("no metric at y = 0");
+    let NotProvable::Refuted { point, findings } = error else {
+        panic!("{error:?}");
+    };
+    assert_eq!(point, [number("3/8"), number("0")]);
+    assert!(findings.counts().contains_key("metric-not-positive"));
+}
+
 /// Rectangles with these squares of the sides, for t in [0, 1].
 fn rectangles(square: &Polynomial) -> Family<2> {
     let AnyFamily::Plane(mut family) = family("triangle-tiling-all") else {

@@ -337,6 +337,10 @@ fn messages() {
              add a loop_ with _space_group_symop_operation_xyz and all operations ('x,y,z' alone for P1)",
         ),
         (
+            p1("'P 1'", "' '"),
+            "data_a: no symmetry operations and no space group: add a loop_ with _space_group_symop_operation_xyz and all operations ('x,y,z' alone for P1)",
+        ),
+        (
             p1("_symmetry_space_group_name_H-M 'P 1'\n", ""),
             "data_a: no symmetry operations and no space group: add a loop_ with _space_group_symop_operation_xyz and all operations ('x,y,z' alone for P1)",
         ),

@@ -169,8 +169,9 @@ fn to_entry(entry: i64) -> Checked<i32> {
 
 fn enclosures<const N: usize>(vertices: &Vertices, root: &Root, vertex: u32) -> Checked<[(i128, i128, u64); 3]> {
     let corner = Corner { vertex, shift: [0; 3] };
-    if let Ok(point) = vertices.point::<i64, N>(corner) {
-        return each(&point, |x| enclosure(&x.0, &root.rough));
-    }
-    each(&vertices.point::<BigInt, N>(corner)?, |x| enclosure(&x.0, &root.rough))
+    let found = match vertices.point::<i64, N>(corner) {
+        Ok(point) => each(&point, |x| enclosure(&x.0, &root.rough))?,
+        Err(_) => each(&vertices.point::<BigInt, N>(corner)?, |x| enclosure(&x.0, &root.rough))?,
+    };
+    Ok(found.map(|(middle, radius, s)| (middle - radius, middle + radius, s)))
 }

@@ -350,19 +350,18 @@ impl Statement {
     fn read(t: &mut Transcript, degree: usize, dimension: usize) -> Checked<Statement> {
         let length = if t.is_array()? { t.array(None)? } else { 0 };
         let property = some!(Property::find(&t.text()?), Statements, t.place());
-        let is_ratio = property == Property::SquaredRatio;
-        let is_plane = property == Property::UncrossedPlane;
+        let (is_ratio, is_plane) = (property == Property::SquaredRatio, property == Property::UncrossedPlane);
         let has_bound = is_ratio || property.is_angle();
         ensure!((has_bound || is_plane) == (length > 0), Statements, t.place());
-        if is_plane {
-            ensure!(length == 3, Cbor, t.place(), length);
-            let plane = Some(Plane::read(t, dimension)?);
-            return Ok(Statement { property, bound: None, plane });
-        }
-        if !has_bound {
-            return Ok(Statement { property, bound: None, plane: None });
-        }
-        ensure!(length == if is_ratio { 3 } else { 4 }, Cbor, t.place(), length);
+        ensure!(length == 0 || length == if property.is_angle() { 4 } else { 3 }, Cbor, t.place(), length);
+        let plane = if is_plane { Some(Plane::read(t, dimension)?) } else { None };
+        let bound = if has_bound { Some(Bound::read(t, degree, is_ratio)?) } else { None };
+        Ok(Statement { property, bound, plane })
+    }
+}
+
+impl Bound {
+    fn read(t: &mut Transcript, degree: usize, is_ratio: bool) -> Checked<Bound> {
         let relation = some!(Relation::find(&t.text()?), Statements, t.place());
         let found = if is_ratio { 1.into() } else { t.big()? };
         let sign = i64::try_from(&found).ok().filter(|sign| (-1..=1).contains(sign));
@@ -370,8 +369,7 @@ impl Statement {
         let (numerator, denominator) = read_fraction(t, degree)?;
         ensure!(denominator > BigInt::ZERO, BoundRange, t.place(), denominator);
         check_lowest(t.place(), numerator.iter().chain([&denominator]))?;
-        let bound = Some(Bound { relation, sign, numerator, denominator });
-        Ok(Statement { property, bound, plane: None })
+        Ok(Bound { relation, sign, numerator, denominator })
     }
 }
 

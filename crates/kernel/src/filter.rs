@@ -49,7 +49,7 @@ impl Interval {
         Interval { middle, radius, exponent: self.exponent + other.exponent }
     }
 
-    /// The sum of at most three intervals of 61 bits. Shifts lose less than one unit of each part.
+    /// The sum of at most four intervals of 61 bits. Shifts lose less than one unit of each part.
     #[inline(always)]
     fn sum<const K: usize>(terms: [Interval; K]) -> Interval {
         let exponent = terms.iter().fold(i64::MIN, |most, term| most.max(term.exponent));
@@ -72,21 +72,21 @@ pub struct Intervals {
 impl Intervals {
     /// An interval that contains the number with these coefficients.
     pub(crate) fn of<T: Int>(&self, coefficients: &[T]) -> Checked<Interval> {
-        if let [c] = coefficients {
+        if let Some((c, rest)) = coefficients.split_first()
+            && rest.iter().all(|c| *c == T::default())
+        {
             let shift = c.length().saturating_sub(u64::from(SIZE));
             let radius = u64::from(shift > 0);
             return Ok(Interval { middle: c.top(shift)?, radius, exponent: shift.cast_signed() });
         }
-        let (low, high, dropped) = enclosure(coefficients, &self.root.rough)?;
-        let size = low.unsigned_abs().max(high.unsigned_abs());
-        // To 60 bits; the ends are rounded outwards.
-        let shift = (i128::BITS - 60).saturating_sub(size.leading_zeros());
-        let (low, high) = ((low >> shift).top(0)?, -(-high >> shift).top(0)?);
-        let middle = (low + high) >> 1;
-        let radius = high.abs_diff(middle).max(low.abs_diff(middle));
+        let (middle, radius, dropped) = enclosure(coefficients, &self.root.rough)?;
+        // To 60 bits. Both parts are rounded down, each by less than one unit.
+        let shift = (i128::BITS - 60).saturating_sub((middle.abs() + radius).leading_zeros());
+        let lost = if shift > 0 { 2 } else { 0 };
+        let radius = (radius >> shift).top(0)?.unsigned_abs() + lost;
         let up = self.root.dropped + dropped + u64::from(shift);
         let exponent = i64::try_from(up).map_err(|_| Stop::LARGER)? - BITS.cast_signed();
-        Ok(Interval::rounded(middle, radius, exponent))
+        Ok(Interval::rounded((middle >> shift).top(0)?, radius, exponent))
     }
 }
 
@@ -101,14 +101,21 @@ impl Ring for Intervals {
         Vec::new()
     }
 
+    #[inline(always)]
     fn plus(&self, x: &Interval, y: &Interval) -> Checked<Interval> {
         Ok(Interval::sum([*x, *y]))
     }
 
+    #[inline(always)]
     fn minus(&self, x: &Interval, y: &Interval) -> Checked<Interval> {
-        Ok(Interval::sum([*x, Interval { middle: -y.middle, ..*y }]))
+        Ok(Interval::sum([*x, self.negated(y)?]))
     }
 
+    fn negated(&self, x: &Interval) -> Checked<Interval> {
+        Ok(Interval { middle: -x.middle, ..*x })
+    }
+
+    #[inline(always)]
     fn dot<const K: usize>(&self, x: [&Interval; K], y: [&Interval; K]) -> Checked<Interval> {
         let mut products = [Interval::default(); K];
         for ((product, x), y) in products.iter_mut().zip(x).zip(y) {

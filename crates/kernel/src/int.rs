@@ -25,16 +25,16 @@ pub trait Int: Clone + Default + Ord + From<i64> + Into<BigInt> + CheckedAdd + C
     }
 
     fn plus(&self, other: &Self) -> Checked<Self> {
-        self.checked_add(other).ok_or(Stop::LARGER)
+        self.checked_add(other).ok_or_else(|| Stop::LARGER)
     }
 
     fn minus(&self, other: &Self) -> Checked<Self> {
-        self.checked_sub(other).ok_or(Stop::LARGER)
+        self.checked_sub(other).ok_or_else(|| Stop::LARGER)
     }
 
     /// self + x y
     fn add_product(&mut self, x: &Self, y: &Self) -> Checked {
-        *self = self.plus(&x.checked_mul(y).ok_or(Stop::LARGER)?)?;
+        *self = self.plus(&x.checked_mul(y).ok_or_else(|| Stop::LARGER)?)?;
         Ok(())
     }
 }

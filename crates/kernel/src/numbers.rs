@@ -161,8 +161,8 @@ impl<const N: usize> Single<N> {
 
     /// Checks X for the facets of the list `boundary`.
     pub(crate) fn add_boundary(&mut self, facets: Vec<[Corner; 3]>, shape: Shape) -> Checked {
-        let small = self.small.as_ref().map(|model| model.rules.ring.clone());
-        let rings = (small, self.large.rules.ring.clone());
+        let large = self.large.rules.ring.clone();
+        let rings = (Exact::new(&large.root, &large.work).ok(), large);
         self.region = Some(Region::new(facets, shape, &self.vertices, rings)?);
         Ok(())
     }
@@ -202,15 +202,15 @@ impl<const N: usize> Single<N> {
         if self.region.is_some() {
             return Ok((Element::default(), attained));
         }
+        // A normal is high 2^62 + low, and products of these with edges of 62 bits fit 128 bits.
         let normal = ring.cross(&edges[1], &edges[2])?;
-        let determinant = ring.inner(&edges[0], &normal).map(|x| x.large());
-        let again = || {
-            self.large
-                .rules
-                .ring
-                .inner(&edges[0].each_ref().map(Element::large), &normal.each_ref().map(Element::large))
-        };
-        Ok((or_larger(determinant, again)?, attained))
+        let high = ring.inner(&edges[0], &normal.each_ref().map(|x| Element(x.0.map(|c| c >> 62))))?;
+        let low = ring.inner(&edges[0], &normal.each_ref().map(|x| Element(x.0.map(|c| c & ((1 << 62) - 1)))))?;
+        let mut determinant = high.large();
+        for (sum, c) in determinant.0.iter_mut().zip(low.0) {
+            *sum = (std::mem::take(sum) << 62) + c;
+        }
+        Ok((determinant, attained))
     }
 
     /// The judgement where products do not fit 64 bits.

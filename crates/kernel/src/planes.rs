@@ -6,20 +6,18 @@
 //! where h(x) = q c · x - p is zero.
 
 use crate::claim::{Claim, Plane};
-use crate::refusal::{Checked, Place};
-use crate::ring::{Exact, Ring};
+use crate::refusal::{Checked, Place, Stop};
+use crate::ring::{Element, Exact, Ring};
 use crate::row::Row;
 use crate::vertices::Vertices;
 use num_bigint::BigInt;
 use num_integer::Integer;
-use std::cmp::Ordering::{Equal, Less};
-
-type Integers<const N: usize> = Exact<BigInt, N>;
+use std::cmp::Ordering::{self, Greater, Less};
 
 /// Checks the planes of a claim for a row.
 pub(crate) fn check_row<const N: usize>(
     claim: &Claim,
-    ring: &Integers<N>,
+    ring: &Exact<BigInt, N>,
     vertices: &Vertices,
     row: &Row,
     simplex: u64,
@@ -27,16 +25,25 @@ pub(crate) fn check_row<const N: usize>(
     for plane in claim.statements.iter().filter_map(|statement| statement.plane.as_ref()) {
         let step = plane.normal.iter().take(claim.rank()).fold(0, |step: i64, c| step.gcd(c));
         let unit = &plane.denominator * &vertices.denominator * step.max(1);
-        let mut ends: Option<(BigInt, BigInt)> = None;
-        for corner in row.corners.iter().take(claim.dimension + 1) {
-            let height = height(plane, ring, &vertices.point(*corner)?, &vertices.denominator)?;
-            let (low, high) = between(ring, &height, &unit, step > 0, Place::Simplex(simplex))?;
-            ends = Some(match ends {
-                Some((least, most)) => (least.min(low), most.max(high)),
-                None => (low, high),
-            });
+        let corners = row.corners.iter().take(claim.dimension + 1);
+        let heights = corners.map(|corner| height(plane, ring, &vertices.point(*corner)?, &vertices.denominator));
+        let heights = heights.collect::<Checked<Vec<_>>>()?;
+        // The sign of a height minus k units.
+        let sign = |height, k: &BigInt| {
+            ring.work().add(k.bits());
+            ring.work().check(Place::Simplex(simplex))?;
+            ring.compare(height, &ring.element(&[&unit * k])?)?.decided()
+        };
+        let mut least = heights.first().ok_or(Stop::LARGER)?;
+        for height in &heights {
+            if ring.compare(height, least)?.decided()? == Less {
+                least = height;
+            }
         }
-        let is_uncrossed = ends.is_some_and(|(least, most)| most - least <= BigInt::from(1));
+        let above = if step == 0 { BigInt::ZERO } else { floor(|k| sign(least, k))? + 1 };
+        let signs = heights.iter().map(|height| sign(height, &above)).collect::<Checked<Vec<_>>>()?;
+        // No corner is above; of a single plane all corners may be.
+        let is_uncrossed = !signs.contains(&Greater) || (step == 0 && !signs.contains(&Less));
         ensure!(is_uncrossed, PlaneCrossed, Place::Simplex(simplex));
     }
     Ok(())
@@ -45,10 +52,10 @@ pub(crate) fn check_row<const N: usize>(
 /// q c · x - p for a point x, times the denominator of its coordinates.
 fn height<const N: usize>(
     plane: &Plane,
-    ring: &Integers<N>,
-    point: &[<Integers<N> as Ring>::Element; 3],
+    ring: &Exact<BigInt, N>,
+    point: &[Element<BigInt, N>; 3],
     denominator: &BigInt,
-) -> Checked<<Integers<N> as Ring>::Element> {
+) -> Checked<Element<BigInt, N>> {
     let mut height = ring.element(&[-&plane.offset * denominator])?;
     for (c, x) in plane.normal.iter().zip(point) {
         height = ring.plus(&height, &ring.times(&ring.element(&[&plane.denominator * c])?, x)?)?;
@@ -56,29 +63,9 @@ fn height<const N: usize>(
     Ok(height)
 }
 
-/// The floor and the ceiling of height / unit; for a single plane the one of -1, 0, 1 that is next to
-/// zero on the side of the height, and zero.
-fn between<const N: usize>(
-    ring: &Integers<N>,
-    height: &<Integers<N> as Ring>::Element,
-    unit: &BigInt,
-    is_periodic: bool,
-    place: Place,
-) -> Checked<(BigInt, BigInt)> {
-    let sign = |k: &BigInt| {
-        ring.work().add(k.bits());
-        ring.work().check(place)?;
-        ring.compare(height, &ring.element(&[unit * k])?)?.decided()
-    };
+/// The floor of a number, by the sign of its difference to integers.
+fn floor(sign: impl Fn(&BigInt) -> Checked<Ordering>) -> Checked<BigInt> {
     let (mut low, mut high) = (BigInt::from(-1), BigInt::from(1));
-    if !is_periodic {
-        let zero = BigInt::ZERO;
-        return Ok(match sign(&zero)? {
-            Less => (low, zero),
-            Equal => (zero.clone(), zero),
-            _ => (zero, high),
-        });
-    }
     while sign(&low)? == Less {
         low *= 2;
     }
@@ -87,12 +74,8 @@ fn between<const N: usize>(
     }
     while &high - &low > BigInt::from(1) {
         let middle = (&low + &high).div_floor(&BigInt::from(2));
-        if sign(&middle)? == Less {
-            high = middle;
-        } else {
-            low = middle;
-        }
+        let is_above = sign(&middle)? == Less;
+        *(if is_above { &mut high } else { &mut low }) = middle;
     }
-    let is_integer = sign(&low)? == Equal;
-    Ok((low.clone(), if is_integer { low } else { high }))
+    Ok(low)
 }

@@ -57,7 +57,7 @@ pub trait Ring: Clone {
     fn coefficients(&self, x: &Self::Element) -> Vec<BigInt>;
     fn plus(&self, x: &Self::Element, y: &Self::Element) -> Checked<Self::Element>;
     fn minus(&self, x: &Self::Element, y: &Self::Element) -> Checked<Self::Element>;
-    /// Σ x_i y_i, for at most three terms.
+    /// Σ x_i y_i, for at most four terms.
     fn dot<const K: usize>(&self, x: [&Self::Element; K], y: [&Self::Element; K]) -> Checked<Self::Element>;
     fn sign(&self, x: &Self::Element) -> Sign;
     /// Whether an element may have several signs, at different points.
@@ -83,8 +83,8 @@ pub trait Ring: Clone {
     /// x × y: the functional z -> det(x, y, z).
     fn cross(&self, x: &Vector<Self>, y: &Vector<Self>) -> Checked<Vector<Self>> {
         let ([x0, x1, x2], [y0, y1, y2]) = (x, y);
-        let minor = |a, b, c, d| self.minus(&self.times(a, b)?, &self.times(c, d)?);
-        Ok([minor(x1, y2, x2, y1)?, minor(x2, y0, x0, y2)?, minor(x0, y1, x1, y0)?])
+        let [m0, m1, m2] = [&self.negated(x0)?, &self.negated(x1)?, &self.negated(x2)?];
+        Ok([self.dot([x1, m2], [y2, y1])?, self.dot([x2, m0], [y0, y2])?, self.dot([x0, m1], [y1, y0])?])
     }
 
     fn negated(&self, x: &Self::Element) -> Checked<Self::Element> {
@@ -178,9 +178,9 @@ impl<T: Int, const N: usize> Exact<T, N> {
     }
 
     fn times_a(&self, sum: &mut [T; N]) -> Checked {
-        let sum = sum.get_mut(..self.degree()).ok_or(Stop::LARGER)?;
+        let sum = sum.get_mut(..self.degree()).ok_or_else(|| Stop::LARGER)?;
         sum.rotate_right(1);
-        let last = std::mem::take(sum.first_mut().ok_or(Stop::LARGER)?);
+        let last = std::mem::take(sum.first_mut().ok_or_else(|| Stop::LARGER)?);
         for (sum, tail) in sum.iter_mut().zip(&self.tail) {
             self.add_product(sum, &last, tail)?;
         }
@@ -242,7 +242,7 @@ impl<T: Int, const N: usize> Ring for Exact<T, N> {
                 self.times_a(&mut sum)?;
             }
             for (x, y) in x.iter().zip(y) {
-                let x = x.0.get(j).ok_or(Stop::LARGER)?;
+                let x = x.0.get(j).ok_or_else(|| Stop::LARGER)?;
                 if N > 2 && *x == T::default() {
                     continue;
                 }
@@ -263,8 +263,7 @@ impl<T: Int, const N: usize> Ring for Exact<T, N> {
             return Sign::exactly(Equal);
         }
         match enclosure(&x.0, &self.rough) {
-            Ok((low, ..)) if low > 0 => Sign::exactly(Greater),
-            Ok((_, high, _)) if high < 0 => Sign::exactly(Less),
+            Ok((middle, radius, _)) if middle.abs() > radius => Sign::exactly(middle.cmp(&0)),
             _ => self.fine_sign(x),
         }
     }

@@ -107,20 +107,19 @@ fn product(x: (&BigInt, &BigInt), y: (&BigInt, &BigInt)) -> (BigInt, BigInt) {
     (least, a.max(b).max(c).max(d))
 }
 
-/// Σ c_k a^k lies in [low, high] 2^s in units of the rough enclosures, by the first 60 bits of the
-/// coefficients. Returns low, high and s.
+/// Σ c_k a^k lies within `radius` of `middle`, both times 2^s in units of the rough enclosures, by the
+/// first 60 bits of the coefficients. Returns middle, radius and s.
 pub(crate) fn enclosure<T: Int>(coefficients: &[T], rough: &[(i64, i64)]) -> Checked<(i128, i128, u64)> {
     let length = coefficients.iter().map(T::length).max().unwrap_or(0);
     let dropped = length.saturating_sub(ROUGH_BITS);
     // A coefficient lies between its floor and that plus the width.
     let width = i128::from(dropped > 0);
-    let (mut low, mut high) = (0i128, 0i128);
+    let (mut middle, mut radius) = (0i128, 0i128);
     for (c, (least, most)) in coefficients.iter().zip(rough) {
-        let floor = i128::from(c.top(dropped)?);
-        let (least, most) = (i128::from(*least), i128::from(*most));
-        let ends = (floor * least, floor * most);
-        low += ends.0.min(ends.1) + width * least.min(0);
-        high += ends.0.max(ends.1) + width * most.max(0);
+        let floor = c.top(dropped)?;
+        middle += i128::from(floor) * i128::from(*least);
+        let size = i128::from(least.unsigned_abs().max(most.unsigned_abs()));
+        radius += i128::from(floor.unsigned_abs()) * i128::from(most.abs_diff(*least)) + width * size;
     }
-    Ok((low, high, dropped))
+    Ok((middle, radius, dropped))
 }

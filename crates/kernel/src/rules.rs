@@ -18,6 +18,8 @@ use std::cmp::Ordering::{self, Equal, Greater, Less};
 pub(crate) struct Rules<R: Ring> {
     pub(crate) ring: R,
     pub(crate) is_plane: bool,
+    /// G is the unit matrix.
+    is_unit: bool,
     gram: [Vector<R>; 3],
     adjugate: [Vector<R>; 3],
     four_det_gram: R::Element,
@@ -38,7 +40,7 @@ struct Extreme<R: Ring> {
     is_angle: bool,
     is_least: bool,
     relation: Relation,
-    p: R::Element,
+    minus_p: R::Element,
     q: R::Element,
 }
 
@@ -81,6 +83,7 @@ impl<R: Ring> Rules<R> {
         let mut rules = Rules {
             ring: ring.clone(),
             is_plane: claim.dimension == 2,
+            is_unit: is_unit(ring, &gram)?,
             four_det_gram: ring.times(&ring.integer(4)?, &determinant)?,
             gram,
             adjugate,
@@ -109,10 +112,10 @@ impl<R: Ring> Rules<R> {
         let is_cosine = !of.is_angle() || ring.compare(&p, &q)?.is(|sign| sign != Greater)?;
         let is_range = is_cosine && ring.sign(&p).decided()? == expected;
         ensure!(is_range, BoundRange, Place::Statement(statement), ring.quotient(&p, &q));
-        let p = if bound.sign < 0 { ring.negated(&p)? } else { p };
+        let minus_p = if bound.sign < 0 { p } else { ring.negated(&p)? };
         let is_least = of == Property::LargestAngle;
         let list = if of.is_angle() { &mut self.angles } else { &mut self.ratios };
-        list.push(Extreme { statement, is_angle: of.is_angle(), is_least, relation: bound.relation, p, q });
+        list.push(Extreme { statement, is_angle: of.is_angle(), is_least, relation: bound.relation, minus_p, q });
         Ok(())
     }
 
@@ -212,14 +215,18 @@ impl<R: Ring> Rules<R> {
             for quotient in quotients.iter().take(self.pairs()) {
                 let sign = self.compare(quotient, bound)?;
                 found = Some(found.map_or(sign, |first| bound.extreme(first, sign)));
+                // No sign is beyond this one.
+                if found == Some(Sign::exactly(bound.beyond())) {
+                    break;
+                }
             }
-            let sign = found.ok_or(Stop::LARGER)?;
+            let sign = found.ok_or_else(|| Stop::LARGER)?;
             // Angles rise where cosines fall.
             let order = |sign: Ordering| if bound.is_angle { sign.reverse() } else { sign };
             let is_allowed = sign.is(|sign| bound.relation.allows(order(sign)))?;
             if !is_allowed {
                 let (k, value) = self.extreme_quotient(bound, quotients)?;
-                let place = place(k).ok_or(Stop::LARGER)?;
+                let place = place(k).ok_or_else(|| Stop::LARGER)?;
                 ensure!(!bound.is_angle, AngleBound, place, value);
                 ensure!(bound.is_angle, RatioBound, place, value);
             }
@@ -230,19 +237,18 @@ impl<R: Ring> Rules<R> {
 
     /// The sign of x/y - p/q. If the sign of the cosine is undecided, it is one of ±x/y.
     fn compare(&self, (x, y, is_undecided): &Quotient<R>, bound: &Extreme<R>) -> Checked<Sign> {
-        let ring = &self.ring;
-        let (x, p) = (ring.times(x, &bound.q)?, ring.times(y, &bound.p)?);
-        let sign = ring.compare(&x, &p)?;
+        let difference = |x| Ok(self.ring.sign(&self.ring.dot([x, y], [&bound.q, &bound.minus_p])?));
+        let sign = difference(x)?;
         if !is_undecided {
             return Ok(sign);
         }
-        let other = ring.compare(&ring.negated(&x)?, &p)?;
+        let other = difference(&self.ring.negated(x)?)?;
         Ok(Sign { least: sign.least.min(other.least), most: sign.most.max(other.most) })
     }
 
     /// The place and the value of the extreme quotient, for a refusal.
     fn extreme_quotient(&self, bound: &Extreme<R>, quotients: &[Quotient<R>; 6]) -> Checked<(usize, Value)> {
-        let (ring, beyond) = (&self.ring, if bound.is_least { Less } else { Greater });
+        let (ring, beyond) = (&self.ring, bound.beyond());
         let (mut place, mut extreme) = (0, &quotients[0]);
         for (k, quotient) in quotients.iter().enumerate().take(self.pairs()) {
             let order = ring.compare(&ring.times(&quotient.0, &extreme.1)?, &ring.times(&extreme.0, &quotient.1)?)?;
@@ -256,7 +262,7 @@ impl<R: Ring> Rules<R> {
     /// Checks the statements about the circumsphere.
     ///
     /// The circumcentre z, seen from the first corner, has 2 ⟨z, e_i⟩ = |e_i|² = s_i. So
-    /// 2 ⟨z, x⟩ = w · x / det E for all x, where w = Σ s_i n_i.
+    /// 2 ⟨z, x⟩ = -w · x / det E for all x, where w = -Σ s_i n_i.
     fn check_sphere(
         &self,
         simplex: &Simplex<R>,
@@ -270,7 +276,7 @@ impl<R: Ring> Rules<R> {
         let [s1, s2, s3] = [ring.inner(e1, &d1)?, ring.inner(e2, &d2)?, ring.inner(e3, &d3)?];
         let mut w = Vector::<R>::default();
         for (((entry, n1), n2), n3) in w.iter_mut().zip(n1).zip(n2).zip(n3) {
-            *entry = ring.dot([&s1, &s2, &s3], [n1, n2, n3])?;
+            *entry = ring.negated(&ring.dot([&s1, &s2, &s3], [n1, n2, n3])?)?;
         }
         let mut attained = 0;
         if !self.ratios.is_empty() {
@@ -287,7 +293,7 @@ impl<R: Ring> Rules<R> {
                 between(&s2, &s3, e2, &d3)?,
                 s3,
             ];
-            // R² = z G z = w adj(G) w / (4 det E² det G), since 2 G z = w / det E.
+            // R² = z G z = w adj(G) w / (4 det E² det G), since 2 G z = -w / det E.
             let radius = ring.inner(&w, &self.dual(&w)?)?;
             let unit = ring.times(&ring.times(determinant, determinant)?, &self.four_det_gram)?;
             let quotients = each(&squares, |square| Ok((radius.clone(), ring.times(&unit, square)?, false)))?;
@@ -299,9 +305,9 @@ impl<R: Ring> Rules<R> {
         // are on different sides of it. So the condition says the same from both sides.
         for (mate, facet) in simplex.mates.iter().zip(0..) {
             let Some(x) = mate else { continue };
-            // The power of x, times det E: det E |x|² - w · x.
-            let square = ring.times(determinant, &ring.inner(x, &self.image(x)?)?)?;
-            let power = ring.minus(&square, &ring.inner(&w, x)?)?;
+            // The power of x, times det E: det E |x|² + w · x.
+            let ([w0, w1, w2], [x0, x1, x2]) = (&w, x);
+            let power = ring.dot([determinant, w0, w1, w2], [&ring.inner(x, &self.image(x)?)?, x0, x1, x2])?;
             let (sign, place) = (ring.sign(&power), Place::Facet(simplex.number, facet));
             let is_outside = !self.delaunay || sign.is(|sign| sign == Greater)?;
             let is_not_inside = !self.weakly_delaunay || sign.is(|sign| sign != Less)?;
@@ -324,7 +330,7 @@ impl<R: Ring> Rules<R> {
 
     /// adj(G) n
     fn dual(&self, n: &Vector<R>) -> Checked<Vector<R>> {
-        each(&self.adjugate, |row| self.ring.inner(row, n))
+        if self.is_unit { Ok(n.clone()) } else { each(&self.adjugate, |row| self.ring.inner(row, n)) }
     }
 
     /// The minor of G without its first row and column.
@@ -334,17 +340,19 @@ impl<R: Ring> Rules<R> {
 
     /// G x
     pub(crate) fn image(&self, x: &Vector<R>) -> Checked<Vector<R>> {
-        each(&self.gram, |row| self.ring.inner(row, x))
+        if self.is_unit { Ok(x.clone()) } else { each(&self.gram, |row| self.ring.inner(row, x)) }
     }
 }
 
 impl<R: Ring> Extreme<R> {
+    /// The sign of a quotient minus one that is less extreme.
+    fn beyond(&self) -> Ordering {
+        if self.is_least { Less } else { Greater }
+    }
+
     fn extreme(&self, a: Sign, b: Sign) -> Sign {
-        if self.is_least {
-            Sign { least: a.least.min(b.least), most: a.most.min(b.most) }
-        } else {
-            Sign { least: a.least.max(b.least), most: a.most.max(b.most) }
-        }
+        let choose = if self.is_least { Ordering::min } else { Ordering::max };
+        Sign { least: choose(a.least, b.least), most: choose(a.most, b.most) }
     }
 }
 
@@ -357,6 +365,12 @@ impl Relation {
             Relation::AtLeast | Relation::Minimum => ordering != Less,
         }
     }
+}
+
+fn is_unit<R: Ring>(ring: &R, matrix: &[Vector<R>; 3]) -> Checked<bool> {
+    let unit = [1, 0, 0, 0, 1, 0, 0, 0, 1];
+    let is_equal = |(x, unit)| Ok(ring.compare(x, &ring.integer(unit)?)? == Sign::exactly(Equal));
+    matrix.as_flattened().iter().zip(unit).map(is_equal).try_fold(true, |all, is_equal| Ok(all && is_equal?))
 }
 
 /// G from its upper triangle.

@@ -48,7 +48,7 @@ impl<K: PartialEq, V> Table<K, V> {
         if vertex >= self.of_vertex.len() {
             self.of_vertex.resize(vertex + 1, 0);
         }
-        let number = self.of_vertex.get_mut(vertex).ok_or(Stop::LARGER)?;
+        let number = self.of_vertex.get_mut(vertex).ok_or_else(|| Stop::LARGER)?;
         if *number == 0 {
             *number = match self.free.pop() {
                 Some(free) => free,
@@ -58,7 +58,7 @@ impl<K: PartialEq, V> Table<K, V> {
                 }
             };
         }
-        let list = self.lists.get_mut(index(*number)).ok_or(Stop::LARGER)?;
+        let list = self.lists.get_mut(index(*number)).ok_or_else(|| Stop::LARGER)?;
         let before = list.len();
         let position = list.iter().position(|(found, _)| found == name);
         let steps = position.unwrap_or(before);

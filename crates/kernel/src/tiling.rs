@@ -173,7 +173,7 @@ impl<M: Numbers> Pass<'_, M> {
 
     pub(crate) fn check_row(&mut self, row: &Row, simplex: u64) -> Checked {
         for corner in row.corners.iter().take(self.shape.dimension + 1) {
-            *self.used.get_mut(index(corner.vertex)).ok_or(Stop::LARGER)? = true;
+            *self.used.get_mut(index(corner.vertex)).ok_or_else(|| Stop::LARGER)? = true;
         }
         // Whether vertices lie in one face.
         let share = |corners: [u32; 3]| {

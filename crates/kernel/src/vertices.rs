@@ -88,13 +88,13 @@ impl Vertices {
         let degree = if N <= 2 { N } else { self.degree };
         let size = self.dimension * degree;
         let start = usize::try_from(corner.vertex).map_err(|_| Stop::LARGER)? * size;
-        let small = self.small.get(start..start + size).ok_or(Stop::LARGER)?;
+        let small = self.small.get(start..start + size).ok_or_else(|| Stop::LARGER)?;
         let mut point: [Element<T, N>; 3] = Default::default();
         let mut index = start;
         for (coordinate, values) in point.iter_mut().zip(small.chunks_exact(degree)) {
             for (slot, &value) in coordinate.0.iter_mut().zip(values) {
                 *slot = match value {
-                    LARGE => T::of(self.large.get(&index).ok_or(Stop::LARGER)?)?,
+                    LARGE => T::of(self.large.get(&index).ok_or_else(|| Stop::LARGER)?)?,
                     value => T::from(value),
                 };
                 index += 1;
@@ -103,7 +103,7 @@ impl Vertices {
         if corner.shift != [0; 3] {
             let denominator = T::of(&self.denominator)?;
             for (coordinate, shift) in point.iter_mut().zip(corner.shift) {
-                let constant = coordinate.0.first_mut().ok_or(Stop::LARGER)?;
+                let constant = coordinate.0.first_mut().ok_or_else(|| Stop::LARGER)?;
                 constant.add_product(&denominator, &T::from(shift.into()))?;
             }
         }

@@ -190,9 +190,19 @@ impl<C: Coefficient> Growth<'_, C> {
     }
 
     /// A point of the box at which a condition does not hold: the centre, one with short numbers, or a corner.
+    /// A box that is open in some direction has no corner; the centers of its facets take their place.
     fn violation(&self, cuboid: &Cuboid, open: &Open) -> Option<Vec<Number>> {
+        let has_corners = cuboid
+            .sides
+            .iter()
+            .all(|side| side.closed_ends().next().is_some());
+        let facets = if has_corners {
+            Vec::new()
+        } else {
+            cuboid.facet_centers()
+        };
         let inner = std::iter::once(cuboid.center()).chain(cuboid.simple_point());
-        for point in inner {
+        for point in inner.chain(facets) {
             let mut known = vec![None; self.conditions.atoms.len()];
             let mut holds = |k: usize| {
                 *known[k].get_or_insert_with(|| self.conditions.atoms[k].holds_at(&point))

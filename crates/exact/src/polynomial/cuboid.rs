@@ -171,6 +171,20 @@ impl Cuboid {
         })
     }
 
+    /// The centers of the facets that belong to it.
+    pub fn facet_centers(&self) -> Vec<Vec<Number>> {
+        let center = self.center();
+        let of_side = |(axis, side): (usize, &Side)| {
+            let at = |end: &Number| {
+                let mut point = center.clone();
+                point[axis] = end.clone();
+                point
+            };
+            side.closed_ends().map(at).collect::<Vec<_>>()
+        };
+        self.sides.iter().enumerate().flat_map(of_side).collect()
+    }
+
     /// The two halves along a side. Their common end belongs to both.
     pub fn halves(&self, axis: usize) -> [Cuboid; 2] {
         let middle = End::closed(self.sides[axis].middle());

@@ -65,23 +65,6 @@ fn as_paragraphs(columns: &str, widths: &[usize]) -> String {
     text
 }
 
-#[cfg(test)]
-mod tests {
-    use super::fitted;
-
-    #[test]
-    fn the_widest_columns_become_paragraphs() {
-        let rows = |digits: usize| vec![format!("1 & ${}$ & $2$", "7".repeat(digits))];
-        assert_eq!(
-            fitted("r@{\\quad}ll", "a & b & c", &rows(50)).1,
-            "r@{\\quad}ll"
-        );
-        // Of 112 letters 1 + 2 and 3 + 2 go to the other columns, with gaps, and 2 to the gap of this one: 102 are left.
-        let wide = fitted("r@{\\quad}ll", "a & b & c", &rows(200));
-        assert_eq!(wide.1, "r@{\\quad}p{.910\\linewidth}l");
-    }
-}
-
 /// About how many letters wide a formula is: commands count one, signs two, braces nothing.
 pub fn width(formula: &str) -> usize {
     let mut width = 0;
@@ -97,4 +80,21 @@ pub fn width(formula: &str) -> usize {
         }
     }
     width
+}
+
+#[cfg(test)]
+mod tests {
+    use super::fitted;
+
+    #[test]
+    fn the_widest_columns_become_paragraphs() {
+        let rows = |digits: usize| vec![format!("1 & ${}$ & $2$", "7".repeat(digits))];
+        assert_eq!(
+            fitted("r@{\\quad}ll", "a & b & c", &rows(50)).1,
+            "r@{\\quad}ll"
+        );
+        // Of 112 letters 1 + 2 and 3 + 2 go to the other columns, with gaps, and 2 to the gap of this one: 102 are left.
+        let wide = fitted("r@{\\quad}ll", "a & b & c", &rows(200));
+        assert_eq!(wide.1, "r@{\\quad}p{.910\\linewidth}l");
+    }
 }

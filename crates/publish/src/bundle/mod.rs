@@ -83,10 +83,19 @@ pub enum Content {
 }
 
 impl Content {
-    fn shown(&self) -> Shown<'_> {
+    /// Its article on a page.
+    pub fn shown(&self) -> Shown<'_> {
         match self {
             Content::Tiling(proved) => Shown::Proved(proved),
             Content::Theorem(theorem) => Shown::Theorem(theorem),
+        }
+    }
+
+    /// The digest of the certificate, in hexadecimal digits.
+    pub fn sha256(&self) -> String {
+        match self {
+            Content::Tiling(proved) => proved.sha256(),
+            Content::Theorem(theorem) => theorem.sha256().to_owned(),
         }
     }
 

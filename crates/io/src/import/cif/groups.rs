@@ -36,14 +36,15 @@ pub struct Names<'t> {
 impl<'t> Names<'t> {
     /// The names that the block knows.
     pub fn of(block: &Block<'t>, number: Option<(u16, u32)>) -> Result<Self, ImportError> {
+        let is_name = |value: &Value| !value.text.trim().is_empty();
         let mut symbols = Vec::new();
         for tag in SYMBOLS {
-            symbols.extend(block.value(&[tag])?);
+            symbols.extend(block.value(&[tag])?.filter(is_name));
         }
         Ok(Names {
             number,
             symbols,
-            hall: block.value(&HALL)?,
+            hall: block.value(&HALL)?.filter(is_name),
         })
     }
 
