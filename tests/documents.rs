@@ -215,7 +215,9 @@ fn every_ignored_test_has_a_row_with_its_needs() {
                 format!("| `cargo test --test main -- --ignored {name}::`")
             } else {
                 let package = folder.file_name().expect("a name").to_string_lossy();
-                format!("| `cargo test --package acutile-{package} --test {name} -- --ignored`")
+                format!(
+                    "| `cargo test --package acutile-{package} --test main -- --ignored {name}::`"
+                )
             };
             assert!(row(start.clone()), "CONTRIBUTING.md has no row {start}");
             count += 1;
