@@ -13,7 +13,7 @@ use super::gallery::GalleryArguments;
 use super::list::ListArguments;
 use super::lower_bound::LowerBoundArguments;
 use super::new::NewArguments;
-use super::optimize::OptimizeArguments;
+use super::optimize_arguments::OptimizeArguments;
 use super::paper::PaperArguments;
 use super::quality::QualityArguments;
 use super::records::RecordsArguments;

@@ -42,6 +42,7 @@ mod name;
 mod named;
 mod new;
 mod optimize;
+mod optimize_arguments;
 mod optimized;
 mod outcome;
 mod output;

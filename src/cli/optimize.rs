@@ -1,12 +1,10 @@
 //! `acutile optimize`: better angles for a tiling, proved.
 
 use super::encoding::Encoding;
-use super::input::{self, FileArguments};
-use super::integer::integer_in;
+use super::input;
 use super::interrupt;
-use super::limits::LimitArguments;
-use super::name::InputName;
 use super::named::InputError;
+use super::optimize_arguments::{OptimizeArguments, SymmetryName};
 use super::optimized::Report;
 use super::outcome::Outcome;
 use super::output::{Output, Staged, is_standard, unwritten, write_bytes};
@@ -20,114 +18,11 @@ use acutile_core::proved::NotProved;
 use acutile_core::statement::Statement;
 use acutile_core::tiling::{AnyTiling, Tiling, match_facets};
 use acutile_io::mesh::Origin;
-use acutile_optimize::{
-    Failure, Freedom, Goal, Group, Keep, Options, optimize, prove_local, reasons,
-};
-use clap::{Args, ValueEnum};
+use acutile_optimize::{Failure, Freedom, Goal, Group, Options, optimize, prove_local, reasons};
 use serde_json::json;
 use std::io::Write;
-use std::path::{Path, PathBuf};
+use std::path::Path;
 use std::sync::atomic::Ordering;
-
-#[derive(Debug, Args)]
-pub struct OptimizeArguments {
-    /// A name of the catalogue, or a tiling, mesh, point set or certificate file
-    #[arg(value_name = "NAME|FILE", hide_possible_values = true)]
-    pub input: InputName,
-    /// The number that the construction depends on (see acutile show)
-    #[arg(long, value_name = "VALUE", allow_hyphen_values = true)]
-    pub param: Option<String>,
-    #[command(flatten)]
-    pub file: FileArguments,
-    /// Give negatively oriented simplices positive orientation first
-    #[arg(long)]
-    pub reorient: bool,
-    /// What to improve
-    #[arg(long, value_enum, default_value = "max-dihedral")]
-    pub goal: GoalName,
-    /// The symmetry that stays: full, rotations, none, or the subgroup that some elements generate, by their
-    /// places like 3,7. The word list prints the elements and their places
-    #[arg(long, value_name = "SUBGROUP", default_value = "full", value_parser = symmetry)]
-    pub symmetry: SymmetryName,
-    /// Keep the lattice as it is
-    #[arg(long)]
-    pub fixed_lattice: bool,
-    /// Keep the vertices in the boundary where they are; without it they move in its planes
-    #[arg(long)]
-    pub fixed_boundary: bool,
-    /// Coordinates become multiples of 1/N; without it about a millionth of an edge
-    #[arg(long, value_name = "N", value_parser = integer_in::<u64>(1..=1 << 60))]
-    pub denominator: Option<u64>,
-    /// Also search from N random places near the start
-    #[arg(long, value_name = "N", default_value_t = 0)]
-    pub restarts: u32,
-    /// The seed of the random places
-    #[arg(long, value_name = "N", default_value_t = 0)]
-    pub seed: u64,
-    /// At most N linear programs from each place; for large meshes passes over all bad simplices
-    #[arg(long, value_name = "N", default_value_t = 300)]
-    pub steps: usize,
-    /// Prove that the result is a strict local optimum, by exact multipliers; the prover alone says it
-    #[arg(long)]
-    pub prove_local: bool,
-    /// Write the certificate of the result to this file (`-` for standard output). The commands convert and
-    /// export turn it into a mesh or a tiling file
-    #[arg(short, long, value_name = "FILE")]
-    pub output: Option<PathBuf>,
-    /// The encoding; without it CBOR for a file whose name ends in .cbor, and else JSON
-    #[arg(long, value_enum)]
-    pub format: Option<Encoding>,
-    #[command(flatten)]
-    pub limits: LimitArguments,
-}
-
-/// Goals by name.
-#[derive(Clone, Copy, Debug, ValueEnum)]
-pub enum GoalName {
-    /// The largest dihedral angle, as small as possible
-    MaxDihedral,
-    /// The smallest dihedral angle, as large as possible
-    MinDihedral,
-    /// The largest radius-edge ratio, as small as possible
-    RadiusEdge,
-    /// Every dihedral angle less than 90 degrees; then the search ends
-    Acute,
-}
-
-impl GoalName {
-    /// The goal with this name.
-    pub fn goal(self) -> Goal {
-        match self {
-            GoalName::MaxDihedral => Goal::MaxDihedral,
-            GoalName::MinDihedral => Goal::MinDihedral,
-            GoalName::RadiusEdge => Goal::RadiusEdge,
-            GoalName::Acute => Goal::Acute,
-        }
-    }
-}
-
-/// The values of `--symmetry`.
-#[derive(Clone, Debug)]
-pub enum SymmetryName {
-    List,
-    Keep(Keep),
-}
-
-fn symmetry(text: &str) -> Result<SymmetryName, String> {
-    let keep = match text {
-        "list" => return Ok(SymmetryName::List),
-        "full" => Keep::All,
-        "none" => Keep::Lattice,
-        "rotations" => Keep::Rotations,
-        places => {
-            let places: Result<Vec<usize>, _> = places.split(',').map(str::parse).collect();
-            Keep::Generated(places.map_err(|_| {
-                format!("found {text}, expected full, rotations, none, list, or places like 3,7")
-            })?)
-        }
-    };
-    Ok(SymmetryName::Keep(keep))
-}
 
 /// Searches, and writes the best result. Declined where nothing better was found, or where the goal is
 /// not reached.

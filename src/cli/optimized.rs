@@ -1,7 +1,7 @@
 //! The results of `acutile optimize`, in words and as data.
 
 use super::claim::{claim_json, summary};
-use super::optimize::{GoalName, OptimizeArguments};
+use super::optimize_arguments::{GoalName, OptimizeArguments};
 use super::output::Output;
 use super::record::Record;
 use acutile_core::quality::{decimal_range, display_width};

@@ -41,6 +41,9 @@ pub struct SecondLook {
     pub instead: Option<String>,
 }
 
+/// The number of defects of each kind that a page lists.
+pub const LISTED: usize = 100;
+
 /// The number of defects of each kind that people see without --max-defects.
 pub const SHOWN: usize = 20;
 

@@ -2,7 +2,7 @@
 
 use super::defects::facets;
 use super::family::member_at;
-use super::refutation::{Refuted, advice, counts, names};
+use super::refutation::{LISTED, Refuted, advice, counts, names};
 use acutile_core::advice::Adviser;
 use acutile_core::checker::{Defect, Names, describe};
 use acutile_core::format::{self, print};
@@ -12,9 +12,6 @@ use acutile_exact::number::Number;
 use acutile_kernel::{Place, Refusal};
 use acutile_publish::report::{Listed, Refutation};
 use std::collections::BTreeMap;
-
-/// The number of defects of each kind that a page lists.
-pub const LISTED: usize = 100;
 
 impl Refuted {
     /// The article; `name` is its heading.
