@@ -251,7 +251,7 @@ Proof.
     unfold k. nra.
 Qed.
 
-(** ** Section 6: theta*, and what (a), (b) and (c) give there *)
+(** ** Section 6: theta*, and what (c) gives there *)
 
 Definition theta_star := acos (sqrt 3 / 6).
 Lemma root3 : sqrt 3 * sqrt 3 = 3 /\ 1.73205 < sqrt 3 < 1.73206.
@@ -264,23 +264,6 @@ Proof.
   split; [lra|]. apply Rnot_le_lt. intros L. pose proof (cos_le_0 _ L ltac:(lra)). lra.
 Qed.
 
-(** Step A: every angle t has cos t <= (21 - 2 sqrt 3) / 33. *)
-Theorem step_a a b c d : orient a b c d <> 0 -> all_at_most a b c d theta_star ->
-  forall x, In x (dihedrals (Tetrahedron a b c d)) -> cos x <= (21 - 2 * sqrt 3) / 33.
-Proof.
-  intros O H x X. pose proof (corollary_a a b c d theta_star O theta_star_acute H x X) as L. rewrite cos_theta_star in L.
-  pose proof root3 as [S S1]. replace ((21 - 2 * sqrt 3) / 33) with (1 - 4 * (sqrt 3 / 6) ^ 2 / (1 - sqrt 3 / 6)); [exact L|].
-  apply Rmult_eq_reg_r with (1 - sqrt 3 / 6); [|lra].
-  replace ((1 - 4 * (sqrt 3 / 6) ^ 2 / (1 - sqrt 3 / 6)) * (1 - sqrt 3 / 6)) with (1 - sqrt 3 / 6 - 4 * (sqrt 3 / 6) ^ 2) by (field; lra).
-  nra.
-Qed.
-(** Step B: the angles at two edges of a face have cosines with a sum below 0.833. *)
-Theorem step_b a b c d : orient a b c d <> 0 -> all_at_most a b c d theta_star ->
-  cos (dihedral a b c d) + cos (dihedral a c b d) < 0.833.
-Proof.
-  intros O H. pose proof (corollary_b a b c d theta_star O theta_star_acute 1.09 0.89 ltac:(lra) ltac:(lra) H) as L. rewrite cos_theta_star in L.
-  pose proof root3. lra.
-Qed.
 (** Step C: the angles at the three edges from a vertex do not all have the cosine 7/18, that of a0. *)
 Theorem step_c a b c d : orient a b c d <> 0 -> all_at_most a b c d theta_star ->
   ~ (cos (dihedral a b c d) = 7 / 18 /\ cos (dihedral a c b d) = 7 / 18 /\ cos (dihedral a d b c) = 7 / 18).

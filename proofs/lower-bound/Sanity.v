@@ -2,9 +2,11 @@
 
     24 triangles with the angles 60, theta*, theta* and four with three angles a0 satisfy all demands of [link]: so they
     do not contradict each other, and no larger bound than theta* follows from them.  The vertices are 4 sixes and 12
-    fives; the fives and the four triangles form a truncated tetrahedron, and each six is in one of its hexagons. *)
-From Coq Require Import Reals Lra List Bool Arith Lia.
-From LowerBound Require Import Calculus Normals Corners Triangles Excess Link.
+    fives; the fives and the four triangles form a truncated tetrahedron, and each six is in one of its hexagons.
+    At the end there is a tiling of space: the hypotheses of Theorem 1 are not empty. *)
+From Coq Require Import Reals Lra List Bool Arith Lia ZArith.
+From Acutile Require Import Statement Certificate Sanity.
+From LowerBound Require Import Calculus Normals Corners Triangles Excess Link Tiling Theorem1.
 Import ListNotations.
 Open Scope R_scope.
 
@@ -113,4 +115,21 @@ Proof.
   - intros d D Z. pose proof (computed (fun d => negb (six d) || same (map kind [d; turn d; turn (turn d); turn (turn (turn d)); turn (turn (turn (turn d))); turn (turn (turn (turn (turn d))))]) [1;1;1;1;1;1])%nat ltac:(vm_compute; reflexivity) d D) as Q.
     cbv beta in Q. rewrite Z in Q. cbn [orb negb] in Q. apply same_eq in Q. cbn [map] in Q. rewrite !ang_value. injection Q as -> -> -> -> -> ->. cbn [value]. lra.
   - intros d D. rewrite ang_value. unfold value. destruct (kind d) as [|[|k]]; lra.
+Qed.
+
+(** ** A tiling of space, from the bytes of the certificate space-bcc *)
+Definition bcc := hex "
+  857361637574696c652d6365727469666963617465026674696c696e6785036151838303202082032081036573706163658773666163652d746f
+  2d666163652074696c696e67696e6f6e6f627475736584766c61726765737420646968656472616c20616e676c65676d6178696d756d00820001
+  8477736d616c6c65737420646968656472616c20616e676c65676d696e696d756d0182010483781973717561726564207261646975732d656467
+  6520726174696f676d6178696d756d82050c6844656c61756e61796f7765616b6c792044656c61756e6179840181830000008086840084000100
+  00840001010084000101018400840001000084000101018400010001840084000001008400010101840001010084008400000100840000010184
+  0001010184008400000001840001000184000101018400840000000184000101018400000101".
+Theorem a_tiling : exists (index : Type) (is_tile : index -> Prop) (tile : index -> tetrahedron), space_tiling is_tile tile /\
+  exists l1 l2 l3 N P, face_to_face_tiling l1 l2 l3 3 (fun _ => True) N P.
+Proof.
+  assert (B : exists l1 l2 l3, has_gram (Gram 3 3 3 (-1) (-1) (-1)) l1 l2 l3 /\ exists n P, face_to_face_tiling l1 l2 l3 3 (domain l1 l2 l3 3 []) n P) by acutile bcc.
+  destruct B as [l1 [l2 [l3 [_ [n [P H]]]]]]. assert (D : forall X, domain l1 l2 l3 3 [] X) by (intros X; apply domain_space, (tiling_basis _ _ _ _ _ _ _ H)).
+  exists (nat * (Z * Z * Z))%type, (is_tile 3 n), (tile l1 l2 l3 P). split; [exact (periodic_space l1 l2 l3 _ n P D H)|].
+  exists l1, l2, l3, n, P. destruct H. split; auto.
 Qed.

@@ -1,7 +1,7 @@
 (** * docs/lower-bound.md, section 6: Steps A, B and C together, at one vertex
 
     The tetrahedra at a vertex as in Link.v, but with any valences: if not all of them are 5, then some dihedral angle of
-    these tetrahedra is above theta*. *)
+    these tetrahedra is above theta*.  Steps A and B are for any bound theta as in Steps.v. *)
 From Coq Require Import Reals Lra List Bool Arith Lia.
 From Acutile Require Import Statement Tetrahedra Angles.
 From LowerBound Require Import Calculus Normals Corners Triangles Excess Steps Link.
@@ -47,10 +47,12 @@ Record vertex_star (dart : Type) (v : point) (darts : list dart) (turn along : d
 Section Vertex.
 Variables (dart : Type) (v : point) (darts : list dart) (turn along : dart -> dart) (tip : dart -> point) (valence : dart -> nat).
 Hypothesis S : vertex_star dart v darts turn along tip valence.
-Hypothesis at_most : forall d x, In d darts -> In x (dihedrals (corner_tetrahedron v tip along d)) -> x <= theta_star.
+Variables theta p z : R.
+Hypothesis good : good_bound theta p z.
+Hypothesis at_most : forall d x, In d darts -> In x (dihedrals (corner_tetrahedron v tip along d)) -> x <= theta.
 Notation angle_at := (corner_angle v tip along).
 
-Lemma angle_possible d : In d darts -> possible (angle_at d).
+Lemma angle_possible d : In d darts -> possible_at theta (angle_at d).
 Proof.
   intros D. exists v, (tip d), (tip (along d)), (tip (along (along d))). split; [exact (vertex_solid _ _ _ _ _ _ _ S d D)|]. split.
   - intros x X. exact (at_most d x D X).
@@ -60,7 +62,7 @@ Lemma iter_in d n : In d darts -> In (Nat.iter n turn d) darts.
 Proof. intros D. induction n as [|n IH]; [exact D|]. cbn. apply (vertex_turn _ _ _ _ _ _ _ S). exact IH. Qed.
 Lemma five_or_six d : In d darts -> valence d = 5%nat \/ valence d = 6%nat.
 Proof.
-  intros D. pose proof (step_a_valence (map angle_at (around turn (valence d) d))) as Q.
+  intros D. pose proof (valence_at theta p z good (map angle_at (around turn (valence d) d))) as Q.
   unfold around in Q. rewrite !map_length, seq_length in Q. apply Q; [|exact (vertex_sum _ _ _ _ _ _ _ S d D)].
   intros x X. apply in_map_iff in X. destruct X as [e [<- X]]. apply in_map_iff in X. destruct X as [i [<- _]]. apply angle_possible, iter_in, D.
 Qed.
@@ -79,16 +81,16 @@ Proof.
   { pose proof (Cyc (along d) (Al d D)) as Q. rewrite <- (Val (along d) (Al d D)) in Q. fold b in Q. rewrite W6 in Q. exact Q. }
   pose proof (Sum d D) as Sd. pose proof (Sum b Db) as Sb. rewrite V6 in Sd. rewrite W6 in Sb.
   unfold around in Sd, Sb. cbv [seq map fold_right Nat.iter nat_rect] in Sd, Sb, Le, Lb. rewrite Le in Sd. rewrite Lb in Sb.
-  set (w := tip d) in *. set (w' := tip (along d)) in *. set (p := tip (along (along d))) in *. set (r := tip (along e)).
-  assert (A1 : angle_at d = dihedral v w w' p) by reflexivity.
+  set (w := tip d) in *. set (w' := tip (along d)) in *. set (t := tip (along (along d))) in *. set (r := tip (along e)).
+  assert (A1 : angle_at d = dihedral v w w' t) by reflexivity.
   assert (A2 : angle_at e = dihedral v w w' r) by (unfold corner_angle; rewrite Ae, Tb, Td, dihedral_sym; reflexivity).
   assert (A3 : angle_at b = dihedral v w' w r) by (unfold corner_angle; fold e; rewrite Tb, Td; reflexivity).
-  assert (A4 : angle_at (along d) = dihedral v w' w p) by (unfold corner_angle; rewrite Tri by auto; rewrite dihedral_sym; reflexivity).
+  assert (A4 : angle_at (along d) = dihedral v w' w t) by (unfold corner_angle; rewrite Tri by auto; rewrite dihedral_sym; reflexivity).
   assert (Or : orient v w r w' <> 0).
   { pose proof (Sol e De) as Z. unfold corner_tetrahedron in Z. rewrite Ae, Tb, Td in Z. exact Z. }
   assert (Or' : orient v w w' r <> 0) by (intros Z; apply Or; replace (orient v w r w') with (- orient v w w' r) by (unf; ring); lra).
   pose proof (fun i => angle_possible _ (iter_in d i D)) as Pd. pose proof (fun i => angle_possible _ (iter_in b i Db)) as Pb.
-  apply (step_b_valence v w w' p r (map (fun i => angle_at (Nat.iter i turn d)) [1;2;3;4]%nat) (map (fun i => angle_at (Nat.iter i turn b)) [1;2;3;4]%nat)).
+  apply (two_sixes_at theta p z good v w w' t r (map (fun i => angle_at (Nat.iter i turn d)) [1;2;3;4]%nat) (map (fun i => angle_at (Nat.iter i turn b)) [1;2;3;4]%nat)).
   - exact (Sol d D).
   - intros x X. exact (at_most d x D X).
   - exact Or'.
@@ -124,6 +126,6 @@ Proof.
   destruct (Exists_dec (fun d => Exists (fun x => theta_star < x) (dihedrals (corner_tetrahedron v tip along d))) darts
     (fun d => Exists_dec _ _ (fun x => Rlt_dec _ _))) as [Q|Q].
   - apply Exists_exists in Q. destruct Q as [d [D X]]. apply Exists_exists in X. exists d. auto.
-  - apply (above_theta_star dart v darts turn along tip (fun d => valence d =? 6)%nat). apply vertex_is_star; auto.
+  - apply (above_theta_star dart v darts turn along tip (fun d => valence d =? 6)%nat). apply (vertex_is_star _ _ _ _ _ _ _ S theta_star 1.09 0.89 star_good); auto.
     intros d x D X. apply Rnot_lt_le. intros Z. apply Q, Exists_exists. exists d. split; [exact D|]. apply Exists_exists. exists x. auto.
 Qed.

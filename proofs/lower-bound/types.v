@@ -3,7 +3,7 @@
    The sections are those of docs/lower-bound.md; angles are in radians. *)
 From Coq Require Import Reals List.
 From Acutile Require Import Statement.
-From LowerBound Require Normals Corners Triangles Excess Steps Link Vertex Sanity.
+From LowerBound Require Normals Corners Triangles Excess Steps Link Vertex Tiling Around Theorem1 Sanity.
 Open Scope R_scope.
 
 (* Section 4, Lemma 2: the faces have the names of the opposite vertices. *)
@@ -168,3 +168,41 @@ Check (LowerBound.Link.theorem_2_link : forall dart darts turn along six ang len
 Check (LowerBound.Sanity.equality_is_possible : let ang := LowerBound.Sanity.ang in let darts := seq 0 84 in
   LowerBound.Link.link nat darts LowerBound.Sanity.turn LowerBound.Sanity.along LowerBound.Sanity.six ang LowerBound.Sanity.len /\
   forall d, In d darts -> ang d <= theta_star).
+
+(* Section 1: locally finite face-to-face tilings of space, for any set of indices of tiles *)
+Check (LowerBound.Tiling.Build_space_tiling : forall (index : Type) (is_tile : index -> Prop) (tile : index -> tetrahedron),
+  (forall c, is_tile c -> vol (tile c) <> 0) ->
+  (forall M, exists F, forall c X, is_tile c -> near M origin X -> hull (tile c) X -> In c F) ->
+  (forall X, exists c, is_tile c /\ hull (tile c) X) ->
+  (forall X c c', is_tile c -> is_tile c' -> open_hull (tile c) X -> hull (tile c') X -> c = c') ->
+  (forall X c c', is_tile c -> is_tile c' -> hull (tile c) X -> hull (tile c') X -> common_hull (tile c) (tile c') X) ->
+  LowerBound.Tiling.space_tiling is_tile tile).
+Notation space_tiling := LowerBound.Tiling.space_tiling.
+(* the tile c has the edge uv *)
+Definition has_edge {index : Type} (is_tile : index -> Prop) (tile : index -> tetrahedron) u v c := is_tile c /\ In u (verts (tile c)) /\ In v (verts (tile c)).
+(* The tiles at an edge form one cycle, and their angles add up to 360 degrees. *)
+Check (@LowerBound.Around.edge_cycle : forall (index : Type) (is_tile : index -> Prop) (tile : index -> tetrahedron), space_tiling is_tile tile ->
+  forall u v c0, has_edge is_tile tile u v c0 -> u <> v -> exists tiles (w : nat -> point), let n := length tiles in
+  NoDup tiles /\ (forall c, In c tiles <-> has_edge is_tile tile u v c) /\
+  (forall k c x, nth_error tiles k = Some c -> (In x (verts (tile c)) <-> In x (u :: v :: w k :: w (S k) :: nil))) /\ w n = w 0%nat /\
+  fold_right Rplus 0 (map (fun k => dihedral u v (w k) (w (S k))) (seq 0 n)) = 2 * PI).
+(* The tiles at a point form a vertex_star: its tetrahedra are the tiles with the vertex v. *)
+Check (@LowerBound.Around.star_in_tiling : forall (index : Type) (is_tile : index -> Prop) (tile : index -> tetrahedron), space_tiling is_tile tile ->
+  forall v, exists (dart : Type) (darts : list dart) turn along tip valence, LowerBound.Vertex.vertex_star dart v darts turn along tip valence /\
+  (forall d, In d darts -> exists c, is_tile c /\ forall x, In x (verts (tile c)) <-> In x (verts (tetrahedron_of v tip along d))) /\
+  (forall c, is_tile c -> In v (verts (tile c)) -> exists d, In d darts /\ forall x, In x (verts (tile c)) <-> In x (verts (tetrahedron_of v tip along d)))).
+(* Section 3, Lemma 1 *)
+Check (@LowerBound.Theorem1.lemma_1_space : forall (index : Type) (is_tile : index -> Prop) (tile : index -> tetrahedron), space_tiling is_tile tile ->
+  ~ forall u v c, has_edge is_tile tile u v c -> u <> v ->
+    exists L, NoDup L /\ length L = 5%nat /\ forall c', In c' L <-> has_edge is_tile tile u v c').
+(* Theorem 1 *)
+Check (@LowerBound.Theorem1.theorem_1_space : forall (index : Type) (is_tile : index -> Prop) (tile : index -> tetrahedron), space_tiling is_tile tile ->
+  exists c x, is_tile c /\ In x (dihedrals (tile c)) /\ acos (sqrt 3 / 6) < x).
+(* The same for periodic tilings, in the words of Statement.v: Omega is all of space. *)
+Check (LowerBound.Theorem1.lemma_1 : forall l1 l2 l3 (Omega : point -> Prop) N P, (forall X, Omega X) -> face_to_face_tiling l1 l2 l3 3 Omega N P ->
+  ~ forall u v c, has_vertices l1 l2 l3 3 N P (u :: v :: nil) c -> u <> v -> valence l1 l2 l3 3 N P u v 5).
+Check (LowerBound.Theorem1.theorem_1 : forall l1 l2 l3 (Omega : point -> Prop) N P, (forall X, Omega X) -> face_to_face_tiling l1 l2 l3 3 Omega N P ->
+  exists c x, is_tile 3 N c /\ In x (dihedrals (tile l1 l2 l3 P c)) /\ acos (sqrt 3 / 6) < x).
+(* The hypotheses are not empty: the tiling of the certificate space-bcc. *)
+Check (LowerBound.Sanity.a_tiling : exists (index : Type) (is_tile : index -> Prop) (tile : index -> tetrahedron), space_tiling is_tile tile /\
+  exists l1 l2 l3 N P, face_to_face_tiling l1 l2 l3 3 (fun _ => True) N P).

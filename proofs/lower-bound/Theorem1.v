@@ -1,0 +1,82 @@
+(** * docs/lower-bound.md, Theorem 1: every locally finite face-to-face tiling of space by tetrahedra has a dihedral angle
+    above theta* *)
+From Coq Require Import Reals Lra Lia List Permutation Classical.
+From Acutile Require Import Statement Tetrahedra.
+From LowerBound Require Import Normals Corners Link Vertex Tiling Edge Around Cell600.
+Import ListNotations.
+Open Scope R_scope.
+
+(** A tile has the same dihedral angles in another order of its vertices. *)
+Lemma shuffle_dihedrals s t : shuffle s t -> vol s <> 0 -> forall x, In x (dihedrals s) -> In x (dihedrals t).
+Proof.
+  induction 1 as [|a b c d t S IH|a b c d t S IH|a b c d t S IH]; intros V x X; [exact X| | |]; change (vol (Tetrahedron a b c d)) with (orient a b c d) in V; apply IH.
+  - change (orient b a c d <> 0). replace (orient b a c d) with (- orient a b c d) by (unf; ring). lra.
+  - unfold dihedrals in *; cbn [va vb vc vd] in *. rewrite (dihedral_back a b c d), (dihedral_sym c d b a) by exact V. simpl in *. tauto.
+  - change (orient a c b d <> 0). replace (orient a c b d) with (- orient a b c d) by (unf; ring). lra.
+  - assert (V' : orient b c a d <> 0) by (replace (orient b c a d) with (orient a b c d) by (unf; ring); exact V).
+    unfold dihedrals in *; cbn [va vb vc vd] in *. rewrite (dihedral_back b c a d V'), (dihedral_sym a d c b). simpl in *. tauto.
+  - change (orient a b d c <> 0). replace (orient a b d c) with (- orient a b c d) by (unf; ring). lra.
+  - assert (V' : orient c d a b <> 0) by (replace (orient c d a b) with (orient a b c d) by (unf; ring); exact V).
+    unfold dihedrals in *; cbn [va vb vc vd] in *. rewrite (dihedral_back c d a b V'), (dihedral_sym a b d c). simpl in *. tauto.
+Qed.
+
+Section Theorem_1.
+Context {index : Type} {is_tile : index -> Prop} {tile : index -> tetrahedron}.
+Hypothesis tiling : space_tiling is_tile tile.
+Notation pos := (@pos index is_tile tile).
+
+Lemma cell_dihedrals a b c d x : @cell index is_tile tile a b c d -> In x (dihedrals (Tetrahedron a b c d)) -> exists i, is_tile i /\ In x (dihedrals (tile i)).
+Proof.
+  intros C X. pose proof (cell_solid tiling _ _ _ _ C) as V. destruct C as [i [T S]]. exists i. split; [exact T|]. exact (shuffle_dihedrals _ _ S V x X).
+Qed.
+(** If all cycles have five tiles, they close as in Cell600.v. *)
+Lemma closes_after_five v darts p c0 c1 c2 c3 c4 : (forall p q r, In (p, q, r) darts <-> pos v p q r) -> valence_in darts (p, c0, c1) = 5%nat ->
+  pos v p c0 c1 -> pos v p c1 c2 -> pos v p c2 c3 -> pos v p c3 c4 -> pos v p c4 c0.
+Proof.
+  intros H V P0 P1 P2 P3. destruct (cycle_properties tiling v darts H p c0 c1 P0) as [A [_ [C _]]]. rewrite V in C.
+  set (c := point_of darts (p, c0, c1)) in *. assert (E0 : c 0%nat = c0) by reflexivity.
+  assert (E1 : c 1%nat = c1). { apply (same_side tiling v p c0); [|exact P0]. rewrite <- E0 at 1. apply A. }
+  assert (E2 : c 2%nat = c2). { apply (same_side tiling v p c1); [|exact P1]. rewrite <- E1 at 1. apply A. }
+  assert (E3 : c 3%nat = c3). { apply (same_side tiling v p c2); [|exact P2]. rewrite <- E2 at 1. apply A. }
+  assert (E4 : c 4%nat = c4). { apply (same_side tiling v p c3); [|exact P3]. rewrite <- E3 at 1. apply A. }
+  pose proof (A 4%nat) as Q. rewrite C, E0, E4 in Q. exact Q.
+Qed.
+
+(** Lemma 1: not all valences are 5. *)
+Theorem lemma_1_space : ~ forall u v c, has_edge is_tile tile u v c -> u <> v -> edge_valence is_tile tile u v 5.
+Proof.
+  intros F. apply (not_all_close tiling). intros v p c0 c1 c2 c3 c4 P0 P1 P2 P3.
+  destruct (darts_exist tiling v) as [darts [D H]]. apply (closes_after_five v darts p c0 c1 c2 c3 c4 H); auto.
+  destruct (cycle_tiles tiling v darts H p c0 c1 P0) as [tiles [N [L [I _]]]]. rewrite <- L.
+  pose proof (cell_apart tiling _ _ _ _ (proj1 P0)) as [Ne _]. destruct P0 as [[i [T S]] _].
+  assert (E : has_edge is_tile tile v p i) by (split; [exact T|]; split; apply (shuffle_verts _ _ S); simpl; auto).
+  destruct (F v p i E Ne) as [M [NM [LM IM]]]. rewrite <- LM. apply Permutation_length, NoDup_Permutation; auto. intros x. rewrite I, IM. reflexivity.
+Qed.
+
+Theorem theorem_1_space : exists c x, is_tile c /\ In x (dihedrals (tile c)) /\ theta_star < x.
+Proof.
+  apply NNPP. intros N. apply (not_all_close tiling). intros v p c0 c1 c2 c3 c4 P0 P1 P2 P3.
+  destruct (darts_exist tiling v) as [darts [D H]]. apply (closes_after_five v darts p c0 c1 c2 c3 c4 H); auto.
+  destruct (Nat.eq_dec (valence_in darts (p, c0, c1)) 5) as [E|E]; [exact E|]. exfalso. apply N.
+  destruct (theorem_1_at_a_vertex _ _ _ _ _ _ _ (vertex_star_of_tiling tiling v darts D H)) as [[[q r] s] [I [x [X L]]]].
+  - exists (p, c0, c1). split; [apply H, P0|exact E].
+  - apply H in I. destruct (cell_dihedrals v q r s x (proj1 I) X) as [i [T Y]]. exists i, x. auto.
+Qed.
+End Theorem_1.
+
+(** In the words of Statement.v, for periodic tilings. *)
+Lemma periodic_space l1 l2 l3 (Omega : point -> Prop) N P : (forall X, Omega X) -> face_to_face_tiling l1 l2 l3 3 Omega N P -> space_tiling (is_tile 3 N) (tile l1 l2 l3 P).
+Proof.
+  intros O []. split; auto.
+Qed.
+Theorem lemma_1 l1 l2 l3 (Omega : point -> Prop) N P : (forall X, Omega X) -> face_to_face_tiling l1 l2 l3 3 Omega N P ->
+  ~ forall u v c, has_vertices l1 l2 l3 3 N P (u :: v :: nil) c -> u <> v -> valence l1 l2 l3 3 N P u v 5.
+Proof.
+  intros O H F. assert (E : forall u v c, has_vertices l1 l2 l3 3 N P (u :: v :: nil) c <-> has_edge (is_tile 3 N) (tile l1 l2 l3 P) u v c).
+  { intros u v c. unfold has_vertices, has_edge. simpl. split; intros [T V]; (split; [exact T|]); [auto|]. intros w [<-|[<-|[]]]; tauto. }
+  apply (lemma_1_space (periodic_space l1 l2 l3 Omega N P O H)). intros u v c C Ne. apply E in C. destruct (F u v c C Ne) as [L [A [B I]]].
+  exists L. split; [exact A|]. split; [exact B|]. intros x. rewrite I. apply E.
+Qed.
+Theorem theorem_1 l1 l2 l3 (Omega : point -> Prop) N P : (forall X, Omega X) -> face_to_face_tiling l1 l2 l3 3 Omega N P ->
+  exists c x, is_tile 3 N c /\ In x (dihedrals (tile l1 l2 l3 P c)) /\ theta_star < x.
+Proof. intros O H. exact (theorem_1_space (periodic_space l1 l2 l3 Omega N P O H)). Qed.
