@@ -180,8 +180,9 @@ self_test() {
         refused $option 'Module Classical_Prop. Hypothesis classic : 0 = 1. End Classical_Prop. Theorem z_theorem : 0 = 1. Proof Classical_Prop.classic.'
     done
     refused --axioms 'Axiom injected : 0 = 1. Theorem square_triangle_theorem : 0 = 1. Proof injected.'
-    # coqchk looks at what no theorem uses
-    refused --coqchk 'Module Classical_Prop. Hypothesis classic : 0 = 1. End Classical_Prop.'
+    # coqchk looks at what no theorem uses. The copy has two files only, because coqchk takes minutes for all of them.
+    changed --coqchk 'an axiom that no theorem uses' "sed -i '2,\${/Sums/!d}' _CoqProject && sed -i '3,\${/Calculus/!d}' lower-bound/_CoqProject &&
+        echo 'Module Classical_Prop. Hypothesis classic : 0 = 1. End Classical_Prop.' >>theories/Sums.v"
 }
 copied() { dir=$(mktemp -d) && cp -rp theories lower-bound _CoqProject check.sh words.py types.v statements.sha256 patches.sha256 axioms.txt "$dir"; }
 must_fail() { # OPTION WHAT: check.sh of the copy
