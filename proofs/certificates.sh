@@ -32,7 +32,10 @@ if [ "${1:-}" = --export ]; then
     exit 0
 fi
 
-# certificates.sh --one DIRECTORY EXPORTED CERTIFICATE: DIRECTORY/Claim_NAME.vo and Own_NAME.vo
+# compiled DIRECTORY NAME: DIRECTORY/NAME.vo, what coqc prints in NAME.out, and its errors in NAME.err
+compiled() { (cd "$1" && timeout 600 coqc -noglob -Q "$theories" Acutile -Q . Claims "$2.v" >"$2.out" 2>"$2.err"); }
+
+# certificates.sh --one DIRECTORY EXPORTED CERTIFICATE: Claim_NAME.vo, Own_NAME.v and Theorem_NAME.v in DIRECTORY
 if [ "${1:-}" = --one ]; then
     name=$(name_of "$4")
     test -f "$3/$name/Claim_$name.v" -a ! -h "$3/$name/Claim_$name.v" || { echo "not exported: $4" >&2; exit 255; }
@@ -41,31 +44,25 @@ if [ "${1:-}" = --one ]; then
         { tail -5 "$2/Claim_$name.out" >&2; echo "NOT PROVED, the exported file has a forbidden word: $4" >&2; exit 255; }
     # the axioms come at the end, once for all: that takes longer than most proofs
     sed -i '/^Print Assumptions claim\.$/d' "$2/Claim_$name.v"
-    # Own_NAME.v is the script's alone: it says what is proved, in the words of Denote.v
+    # these two are the script's alone; the theorem says what is proved, in the words of Denote.v
+    "$here/own.py" "$4" >"$2/Own_$name.v"
     {
-        "$here/own.py" "$4"
         echo "From Acutile Require Denote. From Claims Require Claim_$name."
-        echo "Definition theorem : exists c, own = Acutile.Denote.print c /\\ Acutile.Denote.claim_of c = Claims.Claim_$name.claimed /\\"
+        echo "Definition theorem : exists c, Own_$name.own = Acutile.Denote.print c /\\ Acutile.Denote.claim_of c = Claims.Claim_$name.claimed /\\"
         echo "  Acutile.Denote.shows c /\\ Acutile.Denote.meaning Claims.Claim_$name.claimed := Claims.Claim_$name.claim."
-    } >"$2/Own_$name.v"
+    } >"$2/Theorem_$name.v"
     start=$(date +%s)
-    compiled() { (cd "$2" && timeout 600 coqc -noglob -Q "$theories" Acutile -Q . Claims "$1.v" >"$1.out" 2>&1); }
-    if ! compiled "Claim_$name" "$2"; then
-        tail -5 "$2/Claim_$name.out"
+    if ! compiled "$2" "Claim_$name"; then
+        tail -5 "$2/Claim_$name.err"
         # the Boolean function does not return the claim, in the lemma `checked`
-        if grep -q 'The term "eq_refl" has type' "$2/Claim_$name.out"; then
+        if grep -q 'The term "eq_refl" has type' "$2/Claim_$name.err"; then
             echo "NOT PROVED, the checker does not accept: $4" >&2
         else
             echo "NOT PROVED: $4" >&2
         fi
         exit 255
     fi
-    if ! compiled "Own_$name" "$2"; then
-        tail -5 "$2/Own_$name.out"
-        echo "NOT PROVED, the exported theorem is about something else: $4" >&2
-        exit 255
-    fi
-    echo "proved in $(($(date +%s) - start)) s: $4"
+    echo "compiled in $(($(date +%s) - start)) s: $4"
     exit 0
 fi
 
@@ -111,8 +108,7 @@ END
 $acutile export --coq $true -o "\$out"
 $here/own.py $true >"\$TMPDIR/own"
 ( exec >/dev/null 2>&1; i=0; while [ \$i -lt 1200 ]; do i=\$((i+1)); sleep 0.05; for f in "\$TMPDIR"/*/Own_*.v; do
-  grep -q '^Definition theorem' "\$f" || continue
-  { cat "\$TMPDIR/own"; sed -n '/^From Acutile/,\$p' "\$f"; } >"\$TMPDIR/changed"; mv "\$TMPDIR/changed" "\$f"
+  cp "\$TMPDIR/own" "\$TMPDIR/changed"; mv "\$TMPDIR/changed" "\$f"
 done; done ) &
 END
     cp "$false" "$dir/false.json"
@@ -137,18 +133,30 @@ test "$before" = "$(sha256sum -- "$@")" || { echo "a certificate is not what it 
 dir=$(mktemp -d)
 trap 'rm -rf "$dir" "$exported"' EXIT
 printf '%s\0' "$@" | xargs -0 -P 2 -n 1 "$0" --one "$dir" "$exported"
-test "$(find "$dir" -name 'Own_*.vo' | wc -l)" -eq "$#"
-{
-    for v in "$dir"/Own_*.v; do echo "From Claims Require $(basename "$v" .v)."; done
-    echo "Definition all := ($(for v in "$dir"/Own_*.v; do printf '%s.theorem, ' "$(basename "$v" .v)"; done)I)."
+test "$(find "$dir" -name 'Theorem_*.v' | wc -l)" -eq "$#"
+# All theorems in one file, because coqc takes longer to start than for most of them. The bytes come before anything exported.
+all() { # NAME...
+    for part in Own Theorem; do
+        for name; do printf 'Module %s_%s.\n' "$part" "$name"; cat "$dir/${part}_$name.v"; printf 'End %s_%s.\n' "$part" "$name"; done
+    done
+    echo "Definition all := ($(printf 'Theorem_%s.theorem, ' "$@")I)."
     echo "Set Printing All. Print Assumptions all."
-} >"$dir/All.v"
-(cd "$dir" && coqc -noglob -Q "$theories" Acutile -Q . Claims All.v >out)
-diff "$here/axioms.txt" "$dir/out" >&2 || { echo "other axioms than those of axioms.txt" >&2; exit 1; }
+}
+# shellcheck disable=SC2046
+all $(for file; do name_of "$file"; done) >"$dir/All.v"
+if ! compiled "$dir" All; then
+    for file; do
+        all "$(name_of "$file")" >"$dir/One.v"
+        compiled "$dir" One || { tail -5 "$dir/One.err"; echo "NOT PROVED, the exported theorem is about something else: $file" >&2; }
+    done
+    tail -5 "$dir/All.err" >&2
+    exit 1
+fi
+diff "$here/axioms.txt" "$dir/All.out" >&2 || { echo "other axioms than those of axioms.txt" >&2; exit 1; }
 echo "$# claims proved, with the axioms of axioms.txt"
 # check.sh checks the theory in this way; here it is taken as checked
 if [ -n "$again" ]; then
-    modules=$(for v in "$dir"/Claim_*.v "$dir"/Own_*.v; do printf ' -norec Claims.%s' "$(basename "$v" .v)"; done)
+    modules=$(for v in "$dir"/Claim_*.v "$dir"/All.v; do printf ' -norec Claims.%s' "$(basename "$v" .v)"; done)
     # shellcheck disable=SC2086
     (cd "$dir" && timeout 600 coqchk -silent -o -Q "$theories" Acutile -Q . Claims $modules >checked 2>&1) ||
         { tail -5 "$dir/checked" >&2; echo "coqchk does not accept them" >&2; exit 1; }
