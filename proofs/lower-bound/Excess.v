@@ -27,14 +27,8 @@ Proof.
   replace (sqrt 3 * sqrt 11 / 6 * (sqrt 3 * sqrt 11 / 6)) with ((sqrt 3 * sqrt 3) * (sqrt 11 * sqrt 11) / 36) by field. rewrite R3, R11. lra.
 Qed.
 (** cos a0 = 7/18, sin a0 = 5 sqrt 11 / 18. *)
-Lemma double_cos x : cos (2 * x) = 2 * cos x * cos x - 1.
-Proof. rewrite cos_2a. pose proof (squares x). lra. Qed.
-Lemma c2T : 2 * cos T * cos T - 1 = - (5 / 6).
-Proof. rewrite cT. pose proof root3 as [R _]. lra. Qed.
 Lemma ca0 : cos (a0 T) = 7 / 18.
-Proof.
-  unfold a0. rewrite cos_minus, cos_2PI, sin_2PI. replace (4 * T) with (2 * (2 * T)) by ring. rewrite !double_cos, c2T. lra.
-Qed.
+Proof. rewrite cos_a0, cT. pose proof root3 as [R _]. replace (sqrt 3 / 6) with (/ 6 * sqrt 3) by field. nra. Qed.
 Lemma sin_2T : sin (2 * T) = sqrt 11 / 6.
 Proof.
   rewrite sin_2a, sT, cT. pose proof root3 as [R _]. replace (2 * (sqrt 3 * sqrt 11 / 6) * (sqrt 3 / 6)) with (2 * (sqrt 3 * sqrt 3) * sqrt 11 / 36) by field.
@@ -42,28 +36,12 @@ Proof.
 Qed.
 Lemma sa0 : sin (a0 T) = 5 * sqrt 11 / 18.
 Proof.
-  unfold a0. rewrite sin_minus, cos_2PI, sin_2PI, Rmult_0_l. replace (4 * T) with (2 * (2 * T)) by ring.
-  rewrite sin_2a, double_cos, sin_2T, c2T. field.
+  rewrite sin_a0, sT, cT. pose proof root3 as [R _].
+  replace (4 * (sqrt 3 / 6) * (1 - 2 * (sqrt 3 / 6) ^ 2) * (sqrt 3 * sqrt 11 / 6)) with (4 * (sqrt 3 * sqrt 3) * (1 - sqrt 3 * sqrt 3 / 18) * sqrt 11 / 36) by field. rewrite R. field.
 Qed.
-(** theta* is between 72 and 75 degrees: cos 2 theta* = -5/6, and the multiples of theta* are located by their cosines. *)
+(** theta* is between 72 and 75 degrees. *)
 Lemma T_range : 2 * PI / 5 < T < 5 * PI / 12.
-Proof.
-  pose proof T_acute as [A B]. pose proof root3 as [R [R1 R2]].
-  assert (C2 : cos (2 * T) = - (5 / 6)) by (rewrite double_cos, cT; lra).
-  assert (C4 : cos (4 * T) = 7 / 18) by (replace (4 * T) with (2 * (2 * T)) by ring; rewrite double_cos, C2; lra).
-  (* 60 < T, as cos T < 1/2 *)
-  assert (A1 : PI / 3 < T).
-  { apply Rnot_le_lt. intros L. pose proof (cos_le T (PI / 3) ltac:(lra) L ltac:(lra)) as Q. rewrite cos_PI3, cT in Q. lra. }
-  assert (S2 : 0 < sin (2 * T)) by (apply sin_pos; lra).
-  (* T < 75, as cos 2T > cos 150 = - sqrt 3 / 2 *)
-  assert (B1 : T < 5 * PI / 12).
-  { apply Rnot_le_lt. intros L. pose proof (cos_le (PI - 2 * T) (PI / 6) ltac:(lra) ltac:(lra) ltac:(lra)) as Q.
-    rewrite cos_PI6 in Q. rewrite cos_minus, cos_PI, sin_PI, C2 in Q. lra. }
-  (* T > 72: in the interval 2 pi - 4T and T are acute, and cos (2 pi - 4T) = 7/18 > cos T *)
-  split; [|lra]. apply Rnot_le_lt. intros L.
-  pose proof (cos_le T (2 * PI - 4 * T) ltac:(lra) ltac:(lra) ltac:(lra)) as Q.
-  rewrite cos_minus, cos_2PI, sin_2PI, C4, cT in Q. lra.
-Qed.
+Proof. apply range_from; [exact T_acute|rewrite cT; pose proof root3; lra|rewrite ca0, cT; pose proof root3; lra]. Qed.
 
 (** Angles in [a0, theta*], and x of the side opposite A. *)
 Notation middle := (mid T).

@@ -24,6 +24,32 @@ Definition side_cos (A B C : R) := (cos A + cos B * cos C) / (sin B * sin C).
 Lemma side_cos_rule A B C l : 0 < sin B -> 0 < sin C -> side_rule A B C l -> cos l = side_cos A B C.
 Proof. unfold side_rule, side_cos. intros H1 H2 ->. field. lra. Qed.
 
+(** An angle between 72 and 75 degrees, by its cosine. *)
+Lemma double_cos x : cos (2 * x) = 2 * cos x * cos x - 1.
+Proof. rewrite cos_2a. pose proof (squares x). lra. Qed.
+Lemma cos_a0 theta : cos (a0 theta) = 8 * cos theta ^ 4 - 8 * cos theta ^ 2 + 1.
+Proof.
+  unfold a0. rewrite cos_minus, cos_2PI, sin_2PI. replace (4 * theta) with (2 * (2 * theta)) by ring. rewrite !double_cos. ring.
+Qed.
+Lemma sin_a0 theta : sin (a0 theta) = 4 * cos theta * (1 - 2 * cos theta ^ 2) * sin theta.
+Proof.
+  unfold a0. rewrite sin_minus, cos_2PI, sin_2PI. replace (4 * theta) with (2 * (2 * theta)) by ring. rewrite sin_2a, !double_cos, sin_2a. ring.
+Qed.
+Lemma range_from theta : 0 < theta < PI / 2 -> 0.2589 < cos theta < 1 / 2 -> cos theta < cos (a0 theta) -> 2 * PI / 5 < theta < 5 * PI / 12.
+Proof.
+  intros A [C1 C2] C3. pose proof PI_RGT_0.
+  assert (A1 : PI / 3 < theta).
+  { apply Rnot_le_lt. intros L. pose proof (cos_le theta (PI / 3) ltac:(lra) L ltac:(lra)) as Q. rewrite cos_PI3 in Q. lra. }
+  split; apply Rnot_le_lt; intros L.
+  - pose proof (cos_le theta (a0 theta) ltac:(lra) ltac:(unfold a0; lra) ltac:(unfold a0; lra)). lra.
+  - pose proof (cos_le (PI / 4 + PI / 6) theta ltac:(lra) ltac:(lra) ltac:(lra)) as Q.
+    rewrite cos_plus, cos_PI4, sin_PI4, cos_PI6, sin_PI6 in Q. pose proof (sqrt_sqrt 2 ltac:(lra)) as S. pose proof (sqrt_lt_R0 2 ltac:(lra)) as S0.
+    pose proof (sqrt_sqrt 3 ltac:(lra)) as S3. pose proof (sqrt_lt_R0 3 ltac:(lra)) as S4.
+    assert (S1 : sqrt 2 < 1.41422) by nra. assert (S5 : 1.7 < sqrt 3 < 1.73206) by (split; nra).
+    replace (1 / sqrt 2) with (sqrt 2 / 2) in Q by (apply Rmult_eq_reg_r with (sqrt 2); [field_simplify; lra|lra]).
+    assert (sqrt 2 * (sqrt 3 - 1) <= 1.41422 * 0.73206) by (apply Rmult_le_compat; lra). lra.
+Qed.
+
 Section Sides.
 Variable theta : R.
 Hypothesis range : 2 * PI / 5 < theta < 5 * PI / 12.

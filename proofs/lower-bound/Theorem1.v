@@ -53,14 +53,20 @@ Proof.
   destruct (F v p i E Ne) as [M [NM [LM IM]]]. rewrite <- LM. apply Permutation_length, NoDup_Permutation; auto. intros x. rewrite I, IM. reflexivity.
 Qed.
 
-Theorem theorem_1_space : exists c x, is_tile c /\ In x (dihedrals (tile c)) /\ theta_star < x.
+(** So there is a vertex with a valence that is not 5. *)
+Lemma other_valence : exists v darts d, NoDup darts /\ (forall p q r, In (p, q, r) darts <-> pos v p q r) /\ In d darts /\ valence_in darts d <> 5%nat.
 Proof.
   apply NNPP. intros N. apply (not_all_close tiling). intros v p c0 c1 c2 c3 c4 P0 P1 P2 P3.
   destruct (darts_exist tiling v) as [darts [D H]]. apply (closes_after_five v darts p c0 c1 c2 c3 c4 H); auto.
   destruct (Nat.eq_dec (valence_in darts (p, c0, c1)) 5) as [E|E]; [exact E|]. exfalso. apply N.
-  destruct (theorem_1_at_a_vertex _ _ _ _ _ _ _ (vertex_star_of_tiling tiling v darts D H)) as [[[q r] s] [I [x [X L]]]].
-  - exists (p, c0, c1). split; [apply H, P0|exact E].
-  - apply H in I. destruct (cell_dihedrals v q r s x (proj1 I) X) as [i [T Y]]. exists i, x. auto.
+  exists v, darts, (p, c0, c1). split; [exact D|]. split; [exact H|]. split; [apply H, P0|exact E].
+Qed.
+
+Theorem theorem_1_space : exists c x, is_tile c /\ In x (dihedrals (tile c)) /\ theta_star < x.
+Proof.
+  destruct other_valence as [v [darts [d [D [H [I E]]]]]].
+  destruct (theorem_1_at_a_vertex _ _ _ _ _ _ _ (vertex_star_of_tiling tiling v darts D H)) as [[[q r] s] [J [x [X L]]]]; [exists d; auto|].
+  apply H in J. destruct (cell_dihedrals v q r s x (proj1 J) X) as [i [T Y]]. exists i, x. auto.
 Qed.
 End Theorem_1.
 

@@ -3,7 +3,7 @@
    The sections are those of docs/lower-bound.md; angles are in radians. *)
 From Coq Require Import Reals List.
 From Acutile Require Import Statement.
-From LowerBound Require Normals Corners Triangles Excess Steps Link Vertex Tiling Around Theorem1 Sanity.
+From LowerBound Require Normals Corners Triangles Excess Steps Link Vertex Tiling Around Theorem1 Larger Sanity.
 Open Scope R_scope.
 
 (* Section 4, Lemma 2: the faces have the names of the opposite vertices. *)
@@ -203,6 +203,11 @@ Check (LowerBound.Theorem1.lemma_1 : forall l1 l2 l3 (Omega : point -> Prop) N P
   ~ forall u v c, has_vertices l1 l2 l3 3 N P (u :: v :: nil) c -> u <> v -> valence l1 l2 l3 3 N P u v 5).
 Check (LowerBound.Theorem1.theorem_1 : forall l1 l2 l3 (Omega : point -> Prop) N P, (forall X, Omega X) -> face_to_face_tiling l1 l2 l3 3 Omega N P ->
   exists c x, is_tile 3 N c /\ In x (dihedrals (tile l1 l2 l3 P c)) /\ acos (sqrt 3 / 6) < x).
+(* Theorem 8 *)
+Check (LowerBound.Larger.theorem_8_space : forall (index : Type) (is_tile : index -> Prop) (tile : index -> tetrahedron), space_tiling is_tile tile ->
+  exists c x, is_tile c /\ In x (dihedrals (tile c)) /\ 73.31 * PI / 180 < x).
+Check (LowerBound.Larger.theorem_8 : forall l1 l2 l3 (Omega : point -> Prop) N P, (forall X, Omega X) -> face_to_face_tiling l1 l2 l3 3 Omega N P ->
+  exists c x, is_tile 3 N c /\ In x (dihedrals (tile l1 l2 l3 P c)) /\ 73.31 * PI / 180 < x).
 (* The hypotheses are not empty: the tiling of the certificate space-bcc. *)
 Check (LowerBound.Sanity.a_tiling : exists (index : Type) (is_tile : index -> Prop) (tile : index -> tetrahedron), space_tiling is_tile tile /\
   exists l1 l2 l3 N P, face_to_face_tiling l1 l2 l3 3 (fun _ => True) N P).
