@@ -16,8 +16,8 @@ bounds="Normals.lemma_2 Normals.corollary_a Normals.corollary_b Normals.corollar
   Triangles.lemma_4_sum Triangles.lemma_4_bounds Triangles.lemma_5 Excess.CT_below Excess.lemma_6_uuu Excess.lemma_6_utt Steps.step_a_valence
   Steps.step_b_valence Link.theorem_2_link Link.theorem_2 Link.above_theta_star Vertex.theorem_1_at_a_vertex Around.edge_cycle
   Around.star_in_tiling Theorem1.lemma_1_space Theorem1.theorem_1_space Theorem1.lemma_1 Theorem1.theorem_1 Larger.theorem_8_space
-  Larger.theorem_8 Sanity.equality_is_possible
-  Sanity.a_tiling"
+  Larger.theorem_8 Tcp.theorem_7_space Tcp.theorem_7 Valences.proposition_5_space
+  Sanity.equality_is_possible Sanity.a_tiling"
 axioms="Coq.Logic.Classical_Prop.classic
 Coq.Logic.FunctionalExtensionality.functional_extensionality_dep
 Coq.Reals.ClassicalDedekindReals.sig_forall_dec
@@ -79,7 +79,7 @@ check_axioms() {
 check_bounds() {
     dir=$(mktemp -d)
     {
-        echo "From LowerBound Require Normals Corners Triangles Sides Excess Steps Link Vertex Tiling Edge Around Cell600 Theorem1 Larger Sanity. Set Printing All."
+        echo "From LowerBound Require Normals Corners Triangles Sides Boxes Search Excess Steps Link Vertex Tiling Edge Around Cell600 Theorem1 Larger Tcp Valences Sanity. Set Printing All."
         echo "Definition full := ($(printf '@LowerBound.%s, ' $bounds)I). Print Assumptions full."
     } >"$dir/Axioms.v"
     coqc -Q theories Acutile -Q lower-bound LowerBound "$dir/Axioms.v" >"$dir/out" || fail "Print Assumptions in lower-bound"

@@ -2,7 +2,7 @@
 
     [above_bound] is for any theta that fulfils the demands of the link argument; then come the numbers for the angle
     with the cosine 0.28718, which is above 73.31 degrees. *)
-From Coq Require Import Reals Lra Psatz Lia List Classical.
+From Coq Require Import Reals Lra Psatz Lia List Permutation Classical.
 From Acutile Require Import Statement Tetrahedra.
 From LowerBound Require Import Calculus Normals Corners Triangles Sides Link Steps Vertex Tiling Edge Around Theorem1.
 Import ListNotations.
@@ -12,26 +12,22 @@ Open Scope R_scope.
 Definition feasible (theta A B C : R) := cos A + cos B + cos C <= (3 - 9 * cos theta ^ 2) / 2.
 
 Section Bound.
-Variables theta p z lambda eps : R.
+Variables theta lambda eps : R.
 Hypothesis range : 2 * PI / 5 < theta < 5 * PI / 12.
-Hypothesis good : good_bound theta p z.
 Hypothesis lambda_pos : 0 <= lambda.
 Hypothesis eps_pos : 0 < eps.
 Hypothesis all_pay : pays theta lambda eps 0 (feasible theta).
 Hypothesis above_60 : forall A B C, mid theta A -> mid theta B -> mid theta C -> feasible theta A B C -> PI / 3 <= xs theta A B C.
 
-Theorem above_bound index (is_tile : index -> Prop) tile : space_tiling is_tile tile -> exists c x, is_tile c /\ In x (dihedrals (tile c)) /\ theta < x.
+(** No tetrahedra at a vertex have all dihedral angles at most theta, if they are as Theorem 2 needs them. *)
+Lemma no_star (v : point) darts turn (six : dart -> bool) : star dart v darts turn along tip six ->
+  (forall d x, In d darts -> In x (dihedrals (corner_tetrahedron v tip along d)) -> x <= theta) -> False.
 Proof.
-  intros tiling. apply NNPP. intros N. destruct (other_valence tiling) as [v [darts [d0 [D [H [I0 V]]]]]].
-  pose proof (vertex_star_of_tiling tiling v darts D H) as S. set (turn := turn_in darts) in *. set (valence := valence_in darts) in *.
-  assert (M : forall d x, In d darts -> In x (dihedrals (corner_tetrahedron v tip along d)) -> x <= theta).
-  { intros [[q r] s] x J X. apply H in J. destruct (cell_dihedrals tiling v q r s x (proj1 J) X) as [i [T Y]].
-    apply Rnot_lt_le. intros Z. apply N. exists i, x. auto. }
-  pose proof (star_link _ _ _ _ _ _ _ (vertex_is_star _ _ _ _ _ _ _ S theta p z good M (ex_intro _ d0 (conj I0 V)))) as L.
-  set (six := fun d => Nat.eqb (valence d) 6) in *. set (ang := corner_angle v tip along) in *. set (len := fun d => angle (sub (tip d) v) (sub (tip (along d)) v)) in *.
+  intros S M. pose proof (star_link _ _ _ _ _ _ _ S) as L.
+  set (ang := corner_angle v tip along) in *. set (len := fun d => angle (sub (tip d) v) (sub (tip (along d)) v)) in *.
   assert (A : forall d, In d darts -> ang d <= theta) by (intros d J; apply (M d); [exact J|left; reflexivity]).
   assert (F : forall c, In c darts -> six c = false -> six (along c) = false -> six (along (along c)) = false -> feasible theta (ang c) (ang (along c)) (ang (along (along c)))).
-  { intros [[q r] s] J _ _ _. pose proof (vertex_solid _ _ _ _ _ _ _ S _ J) as So.
+  { intros [[q r] s] J _ _ _. pose proof (star_solid _ _ _ _ _ _ _ S _ J) as So.
     pose proof (corollary_c v q r s theta So ltac:(lra) (fun x X => M _ x J X)) as Q. unfold feasible, ang, corner_angle. cbn [tip along fst].
     rewrite (dihedral_sym v r s q). exact Q. }
   pose proof (ang_middle _ _ _ _ _ _ _ L theta A) as AM. pose proof (link_along _ _ _ _ _ _ _ L) as Al.
@@ -43,6 +39,49 @@ Proof.
   destruct (nothing_left _ _ _ _ _ _ _ L theta range A X60 lambda eps 0 lambda_pos ltac:(lra) ltac:(lra) (feasible theta) F all_pay) as [d [_ [_ [_ [_ Z]]]]].
   lra.
 Qed.
+
+Section Tiling.
+Context {index : Type} {is_tile : index -> Prop} {tile : index -> tetrahedron}.
+Hypothesis tiling : space_tiling is_tile tile.
+Lemma all_at_vertex v darts : (forall p q r, In (p, q, r) darts <-> @pos index is_tile tile v p q r) -> ~ (exists c x, is_tile c /\ In x (dihedrals (tile c)) /\ theta < x) ->
+  forall d x, In d darts -> In x (dihedrals (corner_tetrahedron v tip along d)) -> x <= theta.
+Proof.
+  intros H N [[q r] s] x J X. apply H in J. destruct (cell_dihedrals tiling v q r s x (proj1 J) X) as [i [T Y]].
+  apply Rnot_lt_le. intros Z. apply N. exists i, x. auto.
+Qed.
+Theorem above_bound p z : good_bound theta p z -> exists c x, is_tile c /\ In x (dihedrals (tile c)) /\ theta < x.
+Proof.
+  intros good. apply NNPP. intros N. destruct (other_valence tiling) as [v [darts [d0 [D [H [I0 V]]]]]].
+  pose proof (vertex_star_of_tiling tiling v darts D H) as S. pose proof (all_at_vertex v darts H N) as M.
+  exact (no_star v darts _ _ (vertex_is_star _ _ _ _ _ _ _ S theta p z good M (ex_intro _ d0 (conj I0 V))) M).
+Qed.
+
+(** TCP: all valences are 5 or 6, and no triangle has two edges of valence 6.  Then Steps A and B are not needed. *)
+Definition space_tcp := (forall c u v, has_edge is_tile tile u v c -> u <> v -> edge_valence is_tile tile u v 5 \/ edge_valence is_tile tile u v 6) /\
+  (forall c u v w, is_tile c -> In u (verts (tile c)) -> In v (verts (tile c)) -> In w (verts (tile c)) -> u <> v -> u <> w -> v <> w ->
+     ~ (edge_valence is_tile tile u v 6 /\ edge_valence is_tile tile u w 6)).
+Lemma one_valence u v m n : edge_valence is_tile tile u v m -> edge_valence is_tile tile u v n -> m = n.
+Proof.
+  intros [L [A [B I]]] [L' [A' [B' I']]]. rewrite <- B, <- B'. apply Permutation_length, NoDup_Permutation; auto. intros x. rewrite I, I'. reflexivity.
+Qed.
+Theorem above_bound_tcp : space_tcp -> exists c x, is_tile c /\ In x (dihedrals (tile c)) /\ theta < x.
+Proof.
+  intros [T1 T2]. apply NNPP. intros N. destruct (other_valence tiling) as [v [darts [d0 [D [H [I0 V]]]]]].
+  pose proof (vertex_star_of_tiling tiling v darts D H) as S. pose proof (all_at_vertex v darts H N) as M.
+  assert (Va : forall p q r, In (p, q, r) darts -> edge_valence is_tile tile v p (valence_in darts (p, q, r))).
+  { intros p q r J. apply H in J. destruct (cycle_tiles tiling v darts H p q r J) as [tiles [A [B [C _]]]]. exists tiles. auto. }
+  assert (Ti : forall p q r, In (p, q, r) darts -> exists c, is_tile c /\ In v (verts (tile c)) /\ In p (verts (tile c)) /\ In q (verts (tile c)) /\ v <> p /\ v <> q /\ p <> q).
+  { intros p q r J. apply H in J. destruct J as [C _]. pose proof (cell_apart tiling _ _ _ _ C) as A. destruct C as [c [T Sh]]. exists c. split; [exact T|].
+    repeat split; try apply A; apply (shuffle_verts _ _ Sh); simpl; auto. }
+  refine (no_star v darts _ _ (star_from_valences _ _ _ _ _ _ _ S _ _ (ex_intro _ d0 (conj I0 V))) M).
+  - intros [[p q] r] J. destruct (Ti p q r J) as [c [T [V1 [V2 [_ [Ne _]]]]]].
+    destruct (T1 c v p (conj T (conj V1 V2)) Ne) as [W|W]; [left|right]; apply (one_valence v p _ _ (Va p q r J) W).
+  - intros [[p q] r] J E. destruct (Ti p q r J) as [c [T [V1 [V2 [V3 [N1 [N2 N3]]]]]]]. intros E'.
+    apply (T2 c v p q T V1 V2 V3 N1 N2 N3). split; [rewrite <- E; apply Va, J|].
+    pose proof (vertex_along _ _ _ _ _ _ _ S _ J) as J'. cbn [along] in J'. rewrite (vertex_valence _ _ _ _ _ _ _ S (along (p, q, r)) J') in E'. cbn [along] in E'.
+    rewrite <- E'. apply Va, J'.
+Qed.
+End Tiling.
 End Bound.
 
 (** ** The angle with the cosine 0.28718 *)
@@ -233,7 +272,7 @@ Qed.
 Theorem theorem_8_space index (is_tile : index -> Prop) tile : space_tiling is_tile tile ->
   exists c x, is_tile c /\ In x (dihedrals (tile c)) /\ 73.31 * PI / 180 < x.
 Proof.
-  intros H. destruct (above_bound T 1.093 0.8885 0.53 0.0005 T_range good8 ltac:(lra) ltac:(lra) pays8 above_60_8 index is_tile tile H) as [c [x [A [B D]]]].
+  intros H. destruct (above_bound T 0.53 0.0005 T_range ltac:(lra) ltac:(lra) pays8 above_60_8 H 1.093 0.8885 good8) as [c [x [A [B D]]]].
   exists c, x. pose proof degrees. split; [exact A|]. split; [exact B|lra].
 Qed.
 Theorem theorem_8 l1 l2 l3 (Omega : point -> Prop) N P : (forall X, Omega X) -> face_to_face_tiling l1 l2 l3 3 Omega N P ->

@@ -6,20 +6,6 @@ From LowerBound Require Import Normals Corners Link Vertex Tiling Edge Around Ce
 Import ListNotations.
 Open Scope R_scope.
 
-(** A tile has the same dihedral angles in another order of its vertices. *)
-Lemma shuffle_dihedrals s t : shuffle s t -> vol s <> 0 -> forall x, In x (dihedrals s) -> In x (dihedrals t).
-Proof.
-  induction 1 as [|a b c d t S IH|a b c d t S IH|a b c d t S IH]; intros V x X; [exact X| | |]; change (vol (Tetrahedron a b c d)) with (orient a b c d) in V; apply IH.
-  - change (orient b a c d <> 0). replace (orient b a c d) with (- orient a b c d) by (unf; ring). lra.
-  - unfold dihedrals in *; cbn [va vb vc vd] in *. rewrite (dihedral_back a b c d), (dihedral_sym c d b a) by exact V. simpl in *. tauto.
-  - change (orient a c b d <> 0). replace (orient a c b d) with (- orient a b c d) by (unf; ring). lra.
-  - assert (V' : orient b c a d <> 0) by (replace (orient b c a d) with (orient a b c d) by (unf; ring); exact V).
-    unfold dihedrals in *; cbn [va vb vc vd] in *. rewrite (dihedral_back b c a d V'), (dihedral_sym a d c b). simpl in *. tauto.
-  - change (orient a b d c <> 0). replace (orient a b d c) with (- orient a b c d) by (unf; ring). lra.
-  - assert (V' : orient c d a b <> 0) by (replace (orient c d a b) with (orient a b c d) by (unf; ring); exact V).
-    unfold dihedrals in *; cbn [va vb vc vd] in *. rewrite (dihedral_back c d a b V'), (dihedral_sym a b d c). simpl in *. tauto.
-Qed.
-
 Section Theorem_1.
 Context {index : Type} {is_tile : index -> Prop} {tile : index -> tetrahedron}.
 Hypothesis tiling : space_tiling is_tile tile.
