@@ -79,7 +79,7 @@ check_axioms() {
 check_bounds() {
     dir=$(mktemp -d)
     {
-        echo "From LowerBound Require Normals Corners Triangles Sides Boxes Search Excess Steps Link Vertex Tiling Edge Around Cell600 Theorem1 Larger Tcp Valences Sanity. Set Printing All."
+        echo "From LowerBound Require Normals Decimals Corners Triangles Sides Boxes Search Excess Steps Link Vertex Tiling Edge Around Cell600 Theorem1 Larger Tcp Valences Sanity. Set Printing All."
         echo "Definition full := ($(printf '@LowerBound.%s, ' $bounds)I). Print Assumptions full."
     } >"$dir/Axioms.v"
     coqc -Q theories Acutile -Q lower-bound LowerBound "$dir/Axioms.v" >"$dir/out" || fail "Print Assumptions in lower-bound"

@@ -4,7 +4,7 @@
     with the cosine 0.28718, which is above 73.31 degrees. *)
 From Coq Require Import Reals Lra Psatz Lia List Permutation Classical.
 From Acutile Require Import Statement Tetrahedra.
-From LowerBound Require Import Calculus Normals Corners Triangles Sides Link Steps Vertex Tiling Edge Around Theorem1.
+From LowerBound Require Import Calculus Normals Corners Triangles Sides Decimals Link Steps Vertex Tiling Edge Around Theorem1.
 Import ListNotations.
 Open Scope R_scope.
 
@@ -130,25 +130,6 @@ Proof.
   apply Rmult_lt_reg_r with (0.28718 * (D1 * sqrt 3)); [lra|]. unfold Rdiv. rewrite Rmult_assoc, Rinv_l by lra. lra.
 Qed.
 
-(** *** Bounds of sines and cosines of small angles *)
-Lemma sin_below y : 0 <= y -> sin y <= y.
-Proof.
-  intros Y. pose proof (grows_at_most sin (fun z => cos z * 1) 1 0 y Y (fun z _ => slope_sin _ z 1 (slope_id z))) as G. rewrite sin_0 in G.
-  enough (sin y - 0 <= 1 * (y - 0)) by lra. apply G. intros z _. pose proof (COS_bound z). lra.
-Qed.
-Lemma cos_above y : 0 <= y <= 1 -> 1 - y * y / 2 <= cos y.
-Proof.
-  intros Y. replace (cos y) with (cos (2 * (y / 2))) by (f_equal; field). rewrite cos_2a_sin.
-  pose proof (sin_below (y / 2) ltac:(lra)) as S. pose proof (sin_ge_0 (y / 2) ltac:(lra) ltac:(pose proof PI2_3_2; lra)) as S0.
-  assert (sin (y / 2) * sin (y / 2) <= y / 2 * (y / 2)) by (apply Rmult_le_compat; lra). lra.
-Qed.
-Lemma sin_above y : 0 <= y <= 1 -> y * (1 - y * y / 2) <= sin y.
-Proof.
-  intros Y. pose proof (grows sin (fun z => cos z * 1) (1 - y * y / 2) 0 y ltac:(lra) (fun z _ => slope_sin _ z 1 (slope_id z))) as G. rewrite sin_0 in G.
-  enough ((1 - y * y / 2) * (y - 0) <= sin y - 0) by lra. apply G. intros z Z. pose proof (cos_above z ltac:(lra)).
-  assert (z * z <= y * y) by (apply Rmult_le_compat; lra). lra.
-Qed.
-
 (** *** x of the smallest side; kappa; the least excess *)
 Notation X := (xs T).
 Lemma ratio_a : 0.411 < cos a / D1 < 0.4115.
@@ -163,7 +144,7 @@ Proof.
   { unfold side_cos. apply Rmult_le_reg_r with (sin a * sin a); [nra|]. unfold Rdiv. rewrite Rmult_assoc, Rinv_l by nra.
     replace (sin a * sin a) with ((1 - cos a) * (1 + cos a)) by lra. assert (0 <= (1 + cos a) * (0.65192 * (1 - cos a) - cos a)) by (apply Rmult_le_pos; lra). lra. }
   replace (sin T ^ 2) with (1 - 0.28718 * 0.28718) by lra.
-  rewrite cos_minus, cos_PI3, sin_PI3. pose proof (cos_above 0.01825 ltac:(lra)). pose proof (sin_above 0.01825 ltac:(lra)). pose proof root3 as [_ R3].
+  rewrite cos_minus, cos_PI3, sin_PI3. pose proof (cos_square 0.01825). pose proof (sin_cubic 0.01825 ltac:(lra)). pose proof root3 as [_ R3].
   assert (1.73205 * 0.018246 <= sqrt 3 * sin 0.01825) by (apply Rmult_le_compat; lra). lra.
 Qed.
 Lemma kappa_above : 0.1141 <= kappa T.
@@ -246,26 +227,18 @@ Proof.
 Qed.
 
 (** ** 73.31 degrees *)
-Lemma PI_range : 3.1415 < PI < 3.15.
-Proof.
-  pose proof PI2_3_2. pose proof PI_RGT_0. split; apply Rnot_le_lt; intros L.
-  - pose proof (sin_le (PI / 6) (3.1415 / 6) ltac:(lra) ltac:(lra) ltac:(lra)) as S. rewrite sin_PI6 in S.
-    pose proof (pre_sin_bound (3.1415 / 6) 0 ltac:(lra) ltac:(lra)) as [_ U]. unfold sin_approx, sin_term in U. cbn [sum_f_R0 Nat.mul Nat.add fact pow INR] in U. lra.
-  - pose proof (sin_le (3.15 / 6) (PI / 6) ltac:(lra) ltac:(lra) ltac:(lra)) as S. rewrite sin_PI6 in S.
-    pose proof (pre_sin_bound (3.15 / 6) 0 ltac:(lra) ltac:(lra)) as [U _]. unfold sin_approx, sin_term in U. cbn [sum_f_R0 Nat.mul Nat.add fact pow INR] in U. lra.
-Qed.
 Lemma degrees : 73.31 * PI / 180 < T.
 Proof.
-  pose proof PI_range as P. pose proof T_range. set (d := 1.69 * PI / 180). assert (D : 0.029495 <= d <= 0.0296) by (unfold d; lra).
+  pose proof PI_between as P. pose proof T_range. set (d := 1.69 * PI / 180). assert (D : 0.029495 <= d <= 0.0296) by (unfold d; lra).
   apply Rnot_le_lt. intros L. pose proof (cos_le T (PI / 4 + PI / 6 - d) ltac:(lra) ltac:(unfold d; lra) ltac:(lra)) as Q.
   rewrite cosT, cos_minus, cos_plus, sin_plus, cos_PI4, sin_PI4, cos_PI6, sin_PI6 in Q.
   pose proof root3 as [_ R3]. pose proof (sqrt_sqrt 2 ltac:(lra)) as R2. pose proof (sqrt_lt_R0 2 ltac:(lra)). assert (R : 1.41421 < sqrt 2) by nra.
   replace (1 / sqrt 2) with (sqrt 2 / 2) in Q by (apply Rmult_eq_reg_r with (sqrt 2); [field_simplify; lra|lra]).
-  pose proof (cos_above d ltac:(lra)) as CD. pose proof (sin_above d ltac:(lra)) as SD.
-  assert (DD : d * d <= 0.0296 * 0.0296) by (apply Rmult_le_compat; lra). assert (0.029495 * (1 - 0.0296 * 0.0296 / 2) <= d * (1 - d * d / 2)) by (apply Rmult_le_compat; lra).
+  pose proof (cos_square d) as CD. pose proof (sin_cubic d ltac:(lra)) as [SD _].
+  assert (DD : d * d <= 0.0296 * 0.0296) by (apply Rmult_le_compat; lra). assert (0.029495 * (1 - 0.0296 * 0.0296 / 6) <= d * (1 - d * d / 6)) by (apply Rmult_le_compat; lra).
   assert (1.41421 * 0.73205 <= sqrt 2 * (sqrt 3 - 1)) by (apply Rmult_le_compat; lra). assert (1.41421 * 2.73205 <= sqrt 2 * (sqrt 3 + 1)) by (apply Rmult_le_compat; lra).
   assert (1.41421 * 0.73205 * 0.99956 <= sqrt 2 * (sqrt 3 - 1) * cos d) by (apply Rmult_le_compat; lra).
-  assert (1.41421 * 2.73205 * (0.029495 * (1 - 0.0296 * 0.0296 / 2)) <= sqrt 2 * (sqrt 3 + 1) * sin d) by (apply Rmult_le_compat; lra). lra.
+  assert (1.41421 * 2.73205 * (0.029495 * (1 - 0.0296 * 0.0296 / 6)) <= sqrt 2 * (sqrt 3 + 1) * sin d) by (apply Rmult_le_compat; lra). lra.
 Qed.
 
 (** Theorem 8: for any tiling of space, and in the words of Statement.v. *)

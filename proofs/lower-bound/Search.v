@@ -3,13 +3,14 @@
     Real numbers are enclosed by integers, in units of 2^-28.  [search] cuts the cube of excesses into boxes, and
     decides each one with the linear bound of Boxes.v. *)
 From Coq Require Import Reals Lra Psatz Lia List ZArith Bool.
-From LowerBound Require Import Calculus Normals Corners Triangles Sides Boxes.
+From LowerBound Require Import Calculus Normals Corners Triangles Sides Boxes Decimals.
 Import ListNotations.
 
 (** ** Integers as bounds of real numbers *)
 Definition U : Z := 268435456.
-Definition mulL (a b : Z) : Z := (a * b / U)%Z.
-Definition mulH (a b : Z) : Z := (a * b / U + 1)%Z.
+Definition down (a : Z) : Z := Z.shiftr a 28.
+Definition mulL (a b : Z) : Z := down (a * b)%Z.
+Definition mulH (a b : Z) : Z := (down (a * b) + 1)%Z.
 Definition divL (a b : Z) : Z := (a * U / b)%Z.
 Definition divH (a b : Z) : Z := (a * U / b + 1)%Z.
 
@@ -17,6 +18,8 @@ Open Scope R_scope.
 Definition u : R := IZR U.
 Lemma u_pos : 0 < u.
 Proof. unfold u. apply IZR_lt. reflexivity. Qed.
+Lemma down_is a : down a = (a / U)%Z.
+Proof. unfold down. rewrite Z.shiftr_div_pow2 by lia. reflexivity. Qed.
 Lemma floor_le a b : (0 < b)%Z -> IZR (a / b) * IZR b <= IZR a.
 Proof. intros B. rewrite <- mult_IZR. apply IZR_le. pose proof (Z.mul_div_le a b B). lia. Qed.
 Lemma floor_gt a b : (0 < b)%Z -> IZR a < IZR (a / b + 1) * IZR b.
@@ -24,12 +27,12 @@ Proof. intros B. rewrite <- mult_IZR. apply IZR_lt. pose proof (Z.mul_succ_div_g
 Lemma mulL_ok a b x y : (0 <= a)%Z -> (0 <= b)%Z -> IZR a <= u * x -> IZR b <= u * y -> IZR (mulL a b) <= u * (x * y).
 Proof.
   intros A B X Y. pose proof u_pos. apply IZR_le in A, B. pose proof (floor_le (a * b) U eq_refl) as F. fold u in F. rewrite mult_IZR in F.
-  assert (IZR a * IZR b <= u * x * (u * y)) by (apply Rmult_le_compat; auto). apply Rmult_le_reg_r with u; [lra|]. unfold mulL. lra.
+  assert (IZR a * IZR b <= u * x * (u * y)) by (apply Rmult_le_compat; auto). apply Rmult_le_reg_r with u; [lra|]. unfold mulL. rewrite down_is. lra.
 Qed.
 Lemma mulH_ok a b x y : 0 <= x -> 0 <= y -> u * x <= IZR a -> u * y <= IZR b -> u * (x * y) <= IZR (mulH a b).
 Proof.
   intros A B X Y. pose proof u_pos. pose proof (floor_gt (a * b) U eq_refl) as F. fold u in F. rewrite mult_IZR in F.
-  assert (u * x * (u * y) <= IZR a * IZR b) by (apply Rmult_le_compat; auto; apply Rmult_le_pos; lra). apply Rmult_le_reg_r with u; [lra|]. unfold mulH. lra.
+  assert (u * x * (u * y) <= IZR a * IZR b) by (apply Rmult_le_compat; auto; apply Rmult_le_pos; lra). apply Rmult_le_reg_r with u; [lra|]. unfold mulH. rewrite down_is. lra.
 Qed.
 Lemma divL_ok a b x y : (0 <= a)%Z -> IZR a <= u * x -> 0 < y -> u * y <= IZR b -> IZR (divL a b) <= u * (x / y).
 Proof.
@@ -55,29 +58,13 @@ Qed.
 
 (** ** The angle 60 degrees + g, by its cosine *)
 Definition arc (y : Z) : Z :=
-  let t := ((U / 2 - y) * 1154701 / 1000000)%Z in
-  let better g := (t - g * g / U * 288675 / 1000000 + g * g / U * g / U / 6)%Z in
-  (better (better (better (better (better t)))) - 3000)%Z.
+  let t := Z.shiftr ((U / 2 - y) * 1210792) 20 in
+  let better g := (let q := down (g * g) in t - Z.shiftr (q * 302698) 20 + Z.shiftr (down (q * g) * 174763) 20)%Z in
+  (better (better (better (better t))) - 4000)%Z.
 Definition arc_ok (g y : Z) : bool :=
   if (0 <=? g)%Z
   then ((g <=? 75161927) && (400000000 * y * U * U <=? 200000000 * U * U * U - 100000000 * g * g * U - 346412000 * g * U * U + 57504392 * g * g * g))%Z
   else ((-80530636 <=? g) && (40000000000 * y * U * U <=? 20000000000 * U * U * U - 10000000000 * g * g * U - 34641000000 * g * U * U + 5774654700 * g * g * g))%Z.
-Lemma cos_square y : 1 - y * y / 2 <= cos y.
-Proof.
-  replace (cos y) with (cos (2 * (y / 2))) by (f_equal; field). rewrite cos_2a_sin.
-  assert (S : forall z, 0 <= z -> sin z * sin z <= z * z).
-  { intros z Z. destruct (Rle_dec z 1) as [L|L].
-    - pose proof (grows_at_most sin (fun z => cos z * 1) 1 0 z Z (fun z _ => slope_sin _ z 1 (slope_id z))) as G. rewrite sin_0 in G.
-      assert (sin z <= z) by (enough (sin z - 0 <= 1 * (z - 0)) by lra; apply G; intros w _; pose proof (COS_bound w); lra).
-      pose proof (sin_ge_0 z Z ltac:(pose proof PI2_3_2; lra)). apply Rmult_le_compat; lra.
-    - pose proof (squares z). pose proof (Rle_0_sqr (cos z)). unfold Rsqr in *. nra. }
-  destruct (Rle_dec 0 (y / 2)) as [L|L]; [pose proof (S _ L); lra|]. pose proof (S (- (y / 2)) ltac:(lra)) as Q. rewrite sin_neg in Q. lra.
-Qed.
-Lemma sin_cubic y : 0 <= y <= 1 -> y - y * y * y / 6 <= sin y <= y - y * y * y / 6 + y * y * y * (y * y) / 120.
-Proof.
-  intros Y. pose proof PI2_3_2. pose proof (pre_sin_bound y 0 ltac:(lra) ltac:(lra)) as B. unfold sin_approx, sin_term in B.
-  cbn [sum_f_R0 Nat.mul Nat.add fact pow INR] in B. lra.
-Qed.
 Lemma cos_low_pos g : 0 <= g <= 0.28 -> 1 / 2 - g * g / 4 - 0.86603 * (g - 0.166 * (g * g * g)) <= cos (PI / 3 + g).
 Proof.
   intros G. rewrite cos_plus, cos_PI3, sin_PI3. pose proof (cos_square g). pose proof (sin_cubic g ltac:(lra)) as [_ S]. pose proof root3 as [_ R].
@@ -214,7 +201,7 @@ Lemma scL_ok a b d A B D : holds a A -> holds b B -> holds d D -> positive_entry
 Proof.
   intros HA HB HD Pa Pb Pd. pose proof (positive_sound _ _ Pa HA) as [A1 [A2 [A3 A4]]]. pose proof (positive_sound _ _ Pb HB) as [B1 [B2 [B3 B4]]]. pose proof (positive_sound _ _ Pd HD) as [D1 [D2 [D3 D4]]].
   unfold scL, side_cos. pose proof (mulL_ok (cl b) (cl d) (cos B) (cos D) B1 D1 (proj1 HB) (proj1 HD)) as M.
-  assert (Z0 : (0 <= mulL (cl b) (cl d))%Z) by (apply Z.div_pos; [apply Z.mul_nonneg_nonneg; lia|reflexivity]).
+  assert (Z0 : (0 <= mulL (cl b) (cl d))%Z) by (unfold mulL; rewrite down_is; apply Z.div_pos; [apply Z.mul_nonneg_nonneg; lia|reflexivity]).
   apply divL_ok; [lia| |apply Rmult_lt_0_compat; lra|].
   - rewrite plus_IZR. destruct HA as [HA _]. lra.
   - apply mulH_ok; try lra; [apply HB|apply HD].
@@ -263,7 +250,7 @@ Proof.
   assert (P1 : IZR p * (sin hB * sin hD * sin X1) <= u * (sin theta ^ 2 * sin lA)).
   { destruct (Req_dec (sin X1) 0) as [Z|Z]; [rewrite Z, Rmult_0_r, Rmult_0_r; repeat apply Rmult_le_pos; try lra|].
     assert (W : 0 < sin hB * sin hD * sin X1) by (repeat apply Rmult_lt_0_compat; lra).
-    assert (N0 : (0 <= mulL S2l (sl a))%Z) by (apply Z.div_pos; [apply Z.mul_nonneg_nonneg; assumption|reflexivity]).
+    assert (N0 : (0 <= mulL S2l (sl a))%Z) by (unfold mulL; rewrite down_is; apply Z.div_pos; [apply Z.mul_nonneg_nonneg; assumption|reflexivity]).
     pose proof (divL_ok _ _ _ _ N0 M3 W M2) as DV. fold (own_slope a b' d' z) in DV. rewrite <- Ep in DV.
     apply Rmult_le_compat_r with (r := sin hB * sin hD * sin X1) in DV; [|lra].
     replace (u * (sin theta ^ 2 * sin lA / (sin hB * sin hD * sin X1)) * (sin hB * sin hD * sin X1)) with (u * (sin theta ^ 2 * sin lA)) in DV by (field; lra). exact DV. }
@@ -360,8 +347,6 @@ Fixpoint search (c : claim) (sorted : bool) (fuel l1 l2 l3 h1 h2 h3 : nat) : boo
     then let m := Nat.div2 (l2 + h2) in search c sorted fuel l1 l2 l3 h1 m h3 && search c sorted fuel l1 m l3 h1 h2 h3
     else let m := Nat.div2 (l3 + h3) in search c sorted fuel l1 l2 l3 h1 h2 m && search c sorted fuel l1 l2 m h1 h2 h3
   end.
-Lemma grid_le i j : (i <= j)%nat -> grid_angle i <= grid_angle j.
-Proof. intros I. apply le_INR in I. pose proof kappa_pos. unfold grid_angle. apply Rplus_le_compat_l, Rmult_le_compat_r; lra. Qed.
 Lemma grid_lt i j : (i < j)%nat -> grid_angle i < grid_angle j.
 Proof. intros I. apply lt_INR in I. pose proof kappa_pos. unfold grid_angle. apply Rplus_lt_compat_l, Rmult_lt_compat_r; lra. Qed.
 Lemma middle_between l h : (l <= h)%nat -> (l <= Nat.div2 (l + h) <= h)%nat.

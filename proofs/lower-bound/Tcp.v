@@ -3,7 +3,7 @@
     theta is the angle with the cosine 0.285019, which is above 73.44 degrees. *)
 From Coq Require Import Reals Lra Psatz Lia List ZArith Bool.
 From Acutile Require Import Statement Tetrahedra.
-From LowerBound Require Import Calculus Normals Corners Triangles Sides Boxes Search Link Tiling Theorem1 Larger.
+From LowerBound Require Import Calculus Normals Corners Triangles Sides Boxes Decimals Search Link Tiling Theorem1 Larger.
 Import ListNotations.
 Open Scope R_scope.
 
@@ -28,26 +28,13 @@ Proof.
 Qed.
 Lemma kappa_range : 0.12566507 < kappa T < 0.1256654.
 Proof.
-  pose proof T_range. pose proof (between T T_range) as [B _]. pose proof PI2_3_2. pose proof Larger.PI_range as P. pose proof sT_is as [S _].
+  pose proof T_range. pose proof (between T T_range) as [B _]. pose proof PI2_3_2. pose proof PI_between as P. pose proof sT_is as [S _].
   assert (E : sin (kappa T) = sin T * (16 * 0.285019 ^ 4 - 12 * 0.285019 ^ 2 + 1)).
   { replace (kappa T) with (T - a) by (unfold kappa, a0; ring). rewrite sin_minus, sin_a0, cos_a0, cosT. ring. }
   assert (K : 0 < kappa T < 1) by (unfold kappa; lra). split; apply Rnot_le_lt; intros L.
   - pose proof (sin_le (kappa T) 0.12566507 ltac:(lra) ltac:(lra) ltac:(lra)) as Q. pose proof (sin_cubic 0.12566507 ltac:(lra)). lra.
   - pose proof (sin_le 0.1256654 (kappa T) ltac:(lra) ltac:(lra) ltac:(lra)) as Q. pose proof (sin_cubic 0.1256654 ltac:(lra)). lra.
 Qed.
-Lemma cos_quartic y : 0 <= y <= 1 -> cos y <= 1 - y * y / 2 + y * y * (y * y) / 24.
-Proof.
-  intros Y. replace (cos y) with (cos (2 * (y / 2))) by (f_equal; field). rewrite cos_2a_sin. pose proof (sin_cubic (y / 2) ltac:(lra)) as [S _].
-  set (z := y / 2) in *. assert (Z : 0 <= z <= 1 / 2) by (unfold z; lra). replace y with (2 * z) by (unfold z; field).
-  assert (Z2 : 0 <= z * z <= 1) by (split; [apply Rmult_le_pos; lra|replace 1 with (1 * 1) by lra; apply Rmult_le_compat; lra]).
-  set (w := z - z * z * z / 6) in *. assert (W0 : 0 <= w) by (unfold w; replace (z - z * z * z / 6) with (z * (1 - z * z / 6)) by field; apply Rmult_le_pos; lra).
-  assert (W : w * w <= sin z * sin z) by (apply Rmult_le_compat; lra).
-  assert (W' : z * z - z * z * (z * z) / 3 <= w * w).
-  { replace (w * w) with (z * z - z * z * (z * z) / 3 + z * z * z * (z * z * z) / 36) by (unfold w; field).
-    assert (0 <= z * z * z * (z * z * z)) by (repeat apply Rmult_le_pos; lra). lra. }
-  lra.
-Qed.
-
 (** ** The grid *)
 Definition first_entry := Entry 108154641 108154642 245683062 245683064.
 Definition step_entry := Entry 268434938 268434939 527077 527079.
@@ -166,22 +153,6 @@ Proof.
 Qed.
 
 (** ** 73.44 degrees *)
-Lemma roots : 1.4142135 < sqrt 2 < 1.4142136 /\ 1.7320508 < sqrt 3 < 1.7320509.
-Proof.
-  pose proof (sqrt_sqrt 3 ltac:(lra)). pose proof (sqrt_lt_R0 3 ltac:(lra)). pose proof (sqrt_sqrt 2 ltac:(lra)). pose proof (sqrt_lt_R0 2 ltac:(lra)).
-  repeat split; apply Rnot_le_lt; intros Z; nra.
-Qed.
-Lemma PI_between : 3.14159 < PI < 3.1418.
-Proof.
-  pose proof roots as [R2 R3]. pose proof PI2_3_2. pose proof Larger.PI_range.
-  assert (S12 : sin (PI / 12) = sqrt 2 * (sqrt 3 - 1) / 4).
-  { replace (PI / 12) with (PI / 3 - PI / 4) by field. rewrite sin_minus, cos_PI3, sin_PI3, cos_PI4, sin_PI4.
-    replace (1 / sqrt 2) with (sqrt 2 / 2) by (apply Rmult_eq_reg_r with (sqrt 2); [pose proof (sqrt_sqrt 2 ltac:(lra)); field_simplify; lra|lra]). field. }
-  assert (L1 : 1.4142135 * 0.7320508 <= sqrt 2 * (sqrt 3 - 1)) by (apply Rmult_le_compat; lra). assert (L2 : sqrt 2 * (sqrt 3 - 1) <= 1.4142136 * 0.7320509) by (apply Rmult_le_compat; lra).
-  split; apply Rnot_le_lt; intros L.
-  - pose proof (sin_le (PI / 12) (3.14159 / 12) ltac:(lra) ltac:(lra) ltac:(lra)) as S. pose proof (sin_cubic (3.14159 / 12) ltac:(lra)). lra.
-  - pose proof (sin_le (3.1418 / 12) (PI / 12) ltac:(lra) ltac:(lra) ltac:(lra)) as S. pose proof (sin_cubic (3.1418 / 12) ltac:(lra)). lra.
-Qed.
 Lemma degrees : 73.44 * PI / 180 < T.
 Proof.
   pose proof PI_between as P. pose proof T_range. set (d := 1.56 * PI / 180). assert (D : 0.0272271 <= d <= 0.027229) by (unfold d; lra).

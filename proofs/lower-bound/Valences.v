@@ -1,7 +1,7 @@
 (** * docs/lower-bound.md, Proposition 5: with angles below 74.7324 degrees all valences are 5 or 6 *)
 From Coq Require Import Reals Lra Psatz Lia List.
 From Acutile Require Import Statement Tetrahedra.
-From LowerBound Require Import Calculus Normals Sides Steps Search Tiling Around Theorem1 Tcp.
+From LowerBound Require Import Calculus Normals Sides Decimals Steps Tiling Around Theorem1.
 Import ListNotations.
 Open Scope R_scope.
 

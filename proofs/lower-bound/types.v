@@ -223,6 +223,6 @@ Check (LowerBound.Valences.proposition_5_space : forall (index : Type) (is_tile 
   (forall c x, is_tile c -> In x (dihedrals (tile c)) -> x < 74.7324 * PI / 180) ->
   let valence u v m := exists L, NoDup L /\ length L = m /\ forall c, In c L <-> has_edge is_tile tile u v c in
   forall u v c, has_edge is_tile tile u v c -> u <> v -> valence u v 5%nat \/ valence u v 6%nat).
-(* The hypotheses are not empty: the tiling of the certificate space-bcc. *)
-Check (LowerBound.Sanity.a_tiling : exists (index : Type) (is_tile : index -> Prop) (tile : index -> tetrahedron), space_tiling is_tile tile /\
-  exists l1 l2 l3 N P, face_to_face_tiling l1 l2 l3 3 (fun _ => True) N P).
+(* The hypotheses are not empty: the tiling of the certificate a15. *)
+Check (LowerBound.Sanity.a_tiling : exists l1 l2 l3 N P, face_to_face_tiling l1 l2 l3 3 (fun _ => True) N P /\ tcp l1 l2 l3 3 N P /\
+  space_tiling (is_tile 3 N) (tile l1 l2 l3 P)).
