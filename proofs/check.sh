@@ -15,7 +15,7 @@ bounds="Normals.lemma_2 Normals.corollary_a Normals.corollary_b Normals.corollar
   Normals.corollary_c_strict Normals.proposition_4_angles Corners.corner Triangles.lemma_3 Triangles.lemma_3_at_most Excess.lemma_3_at_least
   Triangles.lemma_4_sum Triangles.lemma_4_bounds Triangles.lemma_5 Excess.CT_below Excess.lemma_6_uuu Excess.lemma_6_utt Steps.step_a_valence
   Steps.step_b_valence Link.theorem_2_link Link.theorem_2 Link.above_theta_star Vertex.theorem_1_at_a_vertex Around.edge_cycle
-  Around.star_in_tiling Theorem1.lemma_1_space Theorem1.theorem_1_space Theorem1.lemma_1 Theorem1.theorem_1 Larger.theorem_8_space
+  Around.star_in_tiling Theorem1.lemma_1_space Theorem1.theorem_2_space Theorem1.theorem_1_space Theorem1.lemma_1 Theorem1.theorem_1 Larger.theorem_8_space
   Larger.theorem_8 Tcp.theorem_7_space Tcp.theorem_7 Valences.proposition_5_space
   Sanity.equality_is_possible Sanity.a_tiling"
 axioms="Coq.Logic.Classical_Prop.classic

@@ -2,7 +2,7 @@
 
     [above_bound] is for any theta that fulfils the demands of the link argument; then come the numbers for the angle
     with the cosine 0.28718, which is above 73.31 degrees. *)
-From Coq Require Import Reals Lra Psatz Lia List Permutation Classical.
+From Coq Require Import Reals Lra Psatz Lia List Classical.
 From Acutile Require Import Statement Tetrahedra.
 From LowerBound Require Import Calculus Normals Corners Triangles Sides Decimals Link Steps Vertex Tiling Edge Around Theorem1.
 Import ListNotations.
@@ -60,26 +60,12 @@ Qed.
 Definition space_tcp := (forall c u v, has_edge is_tile tile u v c -> u <> v -> edge_valence is_tile tile u v 5 \/ edge_valence is_tile tile u v 6) /\
   (forall c u v w, is_tile c -> In u (verts (tile c)) -> In v (verts (tile c)) -> In w (verts (tile c)) -> u <> v -> u <> w -> v <> w ->
      ~ (edge_valence is_tile tile u v 6 /\ edge_valence is_tile tile u w 6)).
-Lemma one_valence u v m n : edge_valence is_tile tile u v m -> edge_valence is_tile tile u v n -> m = n.
-Proof.
-  intros [L [A [B I]]] [L' [A' [B' I']]]. rewrite <- B, <- B'. apply Permutation_length, NoDup_Permutation; auto. intros x. rewrite I, I'. reflexivity.
-Qed.
 Theorem above_bound_tcp : space_tcp -> exists c x, is_tile c /\ In x (dihedrals (tile c)) /\ theta < x.
 Proof.
-  intros [T1 T2]. apply NNPP. intros N. destruct (other_valence tiling) as [v [darts [d0 [D [H [I0 V]]]]]].
-  pose proof (vertex_star_of_tiling tiling v darts D H) as S. pose proof (all_at_vertex v darts H N) as M.
-  assert (Va : forall p q r, In (p, q, r) darts -> edge_valence is_tile tile v p (valence_in darts (p, q, r))).
-  { intros p q r J. apply H in J. destruct (cycle_tiles tiling v darts H p q r J) as [tiles [A [B [C _]]]]. exists tiles. auto. }
-  assert (Ti : forall p q r, In (p, q, r) darts -> exists c, is_tile c /\ In v (verts (tile c)) /\ In p (verts (tile c)) /\ In q (verts (tile c)) /\ v <> p /\ v <> q /\ p <> q).
-  { intros p q r J. apply H in J. destruct J as [C _]. pose proof (cell_apart tiling _ _ _ _ C) as A. destruct C as [c [T Sh]]. exists c. split; [exact T|].
-    repeat split; try apply A; apply (shuffle_verts _ _ Sh); simpl; auto. }
-  refine (no_star v darts _ _ (star_from_valences _ _ _ _ _ _ _ S _ _ (ex_intro _ d0 (conj I0 V))) M).
-  - intros [[p q] r] J. destruct (Ti p q r J) as [c [T [V1 [V2 [_ [Ne _]]]]]].
-    destruct (T1 c v p (conj T (conj V1 V2)) Ne) as [W|W]; [left|right]; apply (one_valence v p _ _ (Va p q r J) W).
-  - intros [[p q] r] J E. destruct (Ti p q r J) as [c [T [V1 [V2 [V3 [N1 [N2 N3]]]]]]]. intros E'.
-    apply (T2 c v p q T V1 V2 V3 N1 N2 N3). split; [rewrite <- E; apply Va, J|].
-    pose proof (vertex_along _ _ _ _ _ _ _ S _ J) as J'. cbn [along] in J'. rewrite (vertex_valence _ _ _ _ _ _ _ S (along (p, q, r)) J') in E'. cbn [along] in E'.
-    rewrite <- E'. apply Va, J'.
+  intros [T1 T2]. apply NNPP. intros N. destruct (other_valence tiling) as [v [darts [d0 [D [H [I0 V]]]]]]. pose proof (all_at_vertex v darts H N) as M.
+  refine (no_star v darts _ _ (tcp_star tiling v darts D H _ _ (ex_intro _ d0 (conj I0 V))) M).
+  - intros w c E Ne. exact (T1 c v w E Ne).
+  - intros c w w' Tc. exact (T2 c v w w' Tc).
 Qed.
 End Tiling.
 End Bound.

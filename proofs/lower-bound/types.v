@@ -196,6 +196,14 @@ Check (@LowerBound.Around.star_in_tiling : forall (index : Type) (is_tile : inde
 Check (@LowerBound.Theorem1.lemma_1_space : forall (index : Type) (is_tile : index -> Prop) (tile : index -> tetrahedron), space_tiling is_tile tile ->
   ~ forall u v c, has_edge is_tile tile u v c -> u <> v ->
     exists L, NoDup L /\ length L = 5%nat /\ forall c', In c' L <-> has_edge is_tile tile u v c').
+(* Theorem 2 *)
+Check (@LowerBound.Theorem1.theorem_2_space : forall (index : Type) (is_tile : index -> Prop) (tile : index -> tetrahedron), space_tiling is_tile tile ->
+  let valence u v m := exists L, NoDup L /\ length L = m /\ forall c, In c L <-> has_edge is_tile tile u v c in forall v,
+  (forall w c, has_edge is_tile tile v w c -> v <> w -> valence v w 5%nat \/ valence v w 6%nat) ->
+  (forall c w w', is_tile c -> In v (verts (tile c)) -> In w (verts (tile c)) -> In w' (verts (tile c)) -> v <> w -> v <> w' -> w <> w' ->
+    ~ (valence v w 6%nat /\ valence v w' 6%nat)) ->
+  (exists w c, has_edge is_tile tile v w c /\ v <> w /\ valence v w 6%nat) ->
+  exists c w p q, is_tile c /\ (forall x, In x (verts (tile c)) <-> In x (v :: w :: p :: q :: nil)) /\ acos (sqrt 3 / 6) <= dihedral v w p q).
 (* Theorem 1 *)
 Check (@LowerBound.Theorem1.theorem_1_space : forall (index : Type) (is_tile : index -> Prop) (tile : index -> tetrahedron), space_tiling is_tile tile ->
   exists c x, is_tile c /\ In x (dihedrals (tile c)) /\ acos (sqrt 3 / 6) < x).
