@@ -4,7 +4,7 @@
     vertices, so that the orientation is positive. *)
 From Coq Require Import Reals Lra Lia List Bool Arith Classical.
 From Acutile Require Import Statement Tetrahedra.
-From LowerBound Require Import Link Vertex Tiling Edge.
+From LowerBound Require Import Corners Link Vertex Tiling Edge.
 Import ListNotations.
 Open Scope R_scope.
 
@@ -79,6 +79,20 @@ Proof.
 Qed.
 (** The number of tiles in the cycle of d. *)
 Definition valence_in (l : list dart) (d : dart) : nat := first_from (fun n => same_dart (Nat.iter n (turn_in l) d) d) 1 (length l).
+
+(** A tile has the same dihedral angles in another order of its vertices. *)
+Lemma shuffle_dihedrals s t : shuffle s t -> vol s <> 0 -> forall x, In x (dihedrals s) -> In x (dihedrals t).
+Proof.
+  induction 1 as [|a b c d t S IH|a b c d t S IH|a b c d t S IH]; intros V x X; [exact X| | |]; change (vol (Tetrahedron a b c d)) with (orient a b c d) in V; apply IH.
+  - change (orient b a c d <> 0). replace (orient b a c d) with (- orient a b c d) by (unf; ring). lra.
+  - unfold dihedrals in *; cbn [va vb vc vd] in *. rewrite (dihedral_back a b c d), (dihedral_sym c d b a) by exact V. simpl in *. tauto.
+  - change (orient a c b d <> 0). replace (orient a c b d) with (- orient a b c d) by (unf; ring). lra.
+  - assert (V' : orient b c a d <> 0) by (replace (orient b c a d) with (orient a b c d) by (unf; ring); exact V).
+    unfold dihedrals in *; cbn [va vb vc vd] in *. rewrite (dihedral_back b c a d V'), (dihedral_sym a d c b). simpl in *. tauto.
+  - change (orient a b d c <> 0). replace (orient a b d c) with (- orient a b c d) by (unf; ring). lra.
+  - assert (V' : orient c d a b <> 0) by (replace (orient c d a b) with (orient a b c d) by (unf; ring); exact V).
+    unfold dihedrals in *; cbn [va vb vc vd] in *. rewrite (dihedral_back c d a b V'), (dihedral_sym a b d c). simpl in *. tauto.
+Qed.
 
 Section Vertex.
 Context {index : Type} {is_tile : index -> Prop} {tile : index -> tetrahedron}.
@@ -245,7 +259,8 @@ Qed.
 Theorem edge_cycle {index : Type} {is_tile : index -> Prop} {tile : index -> tetrahedron} : space_tiling is_tile tile ->
   forall u v c0, has_edge is_tile tile u v c0 -> u <> v -> exists tiles (w : nat -> point), let n := length tiles in
   NoDup tiles /\ (forall c, In c tiles <-> has_edge is_tile tile u v c) /\
-  (forall k c x, nth_error tiles k = Some c -> (In x (verts (tile c)) <-> In x [u; v; w k; w (S k)])) /\ w n = w 0%nat /\
+  (forall k c x, nth_error tiles k = Some c -> (In x (verts (tile c)) <-> In x [u; v; w k; w (S k)])) /\
+  (forall k c, nth_error tiles k = Some c -> In (dihedral u v (w k) (w (S k))) (dihedrals (tile c))) /\ w n = w 0%nat /\
   fold_right Rplus 0 (map (fun k => dihedral u v (w k) (w (S k))) (seq 0 n)) = 2 * PI.
 Proof.
   intros tiling u v c0 [T [U V]] N. destruct (shuffle_two (tile c0) u v U V N) as [x [y S]].
@@ -256,8 +271,9 @@ Proof.
     - exists y, x. split; [apply cell_cd, Cx|]. replace (orient u v y x) with (- orient u v x y) by (unf; ring). lra. }
   clear x y S. destruct Q as [x [y P]]. destruct (darts_exist tiling u) as [darts [D H]].
   destruct (cycle_tiles tiling u darts H v x y P) as [tiles [A [B [C E]]]]. destruct (cycle_properties tiling u darts H v x y P) as [F [G [I [J K]]]].
-  exists tiles, (point_of darts (v, x, y)). cbv zeta. rewrite B. split; [exact A|]. split; [exact C|]. split; [|split; [exact I|]].
+  exists tiles, (point_of darts (v, x, y)). cbv zeta. rewrite B. split; [exact A|]. split; [exact C|]. split; [|split; [|split; [exact I|]]].
   - intros k c z Z. symmetry. apply (shuffle_verts _ _ (E k c Z)).
+  - intros k c Z. apply (shuffle_dihedrals _ _ (E k c Z)); [|left; reflexivity]. exact (cell_solid tiling _ _ _ _ (proj1 (F k))).
   - rewrite <- (fan_sum tiling u v _ _ F G I K). set (c := point_of darts (v, x, y)).
     generalize (valence_in darts (v, x, y)) as n. clear. intros n. assert (R : forall z l, fold_right Rplus z l = fold_right Rplus 0 l + z) by (intros z l; induction l as [|s l IH]; cbn; lra).
     induction n as [|n IH]; [reflexivity|]. rewrite seq_S, map_app, fold_right_app, R, IH. cbn [map fold_right Phi]. rewrite Nat.add_0_l. lra.

@@ -3,7 +3,7 @@
     [pos a b c d] says that abcd is a tile with this order of the vertices, and has positive orientation. *)
 From Coq Require Import Reals Lra Lia Psatz List Arith.
 From Acutile Require Import Statement Tetrahedra Angles.
-From LowerBound Require Import Normals Corners Tiling.
+From LowerBound Require Import Calculus Normals Corners Tiling.
 Import ListNotations.
 Open Scope R_scope.
 
@@ -31,11 +31,6 @@ Lemma pos_next v p q r : pos v p q r -> exists s, pos v p r s.
 Proof.
   intros [C O]. destruct (across tiling v p r q (cell_cd _ _ _ _ C)) as [s [Cs N]]. exists s. split; [exact Cs|].
   replace (orient v p r q) with (- orient v p q r) in N by (unf; ring). nra.
-Qed.
-Lemma pos_previous v p q r : pos v p q r -> exists s, pos v p s q.
-Proof.
-  intros [C O]. destruct (across tiling v p q r C) as [s [Cs N]]. exists s. split; [apply cell_cd; exact Cs|].
-  replace (orient v p s q) with (- orient v p q s) by (unf; ring). nra.
 Qed.
 Lemma same_side_previous v p r s s' : pos v p s r -> pos v p s' r -> s = s'.
 Proof. intros C C'. apply (same_side p v r); apply pos_swap; assumption. Qed.
@@ -100,8 +95,6 @@ Proof.
   - pose proof (dot_frame x y z 0 1 0) as P. rewrite E, dot_frame in P. lra.
 Qed.
 
-Lemma squares x : sin x * sin x + cos x * cos x = 1.
-Proof. exact (sin2_cos2 x). Qed.
 (** From a vertex to the next one the direction turns by the dihedral angle. *)
 Lemma polar_next q r rho psi z : 0 < orient v p q r -> polar q rho psi z -> exists rho' z', polar r rho' (psi + dihedral v p q r) z'.
 Proof.

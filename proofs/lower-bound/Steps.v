@@ -4,7 +4,7 @@
     vertex.  At the end theta is theta*; Larger.v has another one. *)
 From Coq Require Import Reals Lra Psatz Lia List.
 From Acutile Require Import Statement Tetrahedra Angles.
-From LowerBound Require Import Calculus Normals Corners Excess.
+From LowerBound Require Import Calculus Normals Corners Sides Excess.
 Import ListNotations.
 Open Scope R_scope.
 

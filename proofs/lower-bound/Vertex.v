@@ -44,6 +44,23 @@ Record vertex_star (dart : Type) (v : point) (darts : list dart) (turn along : d
   vertex_cycle : forall d, In d darts -> Nat.iter (valence d) turn d = d;
   vertex_sum : forall d, In d darts -> fold_right Rplus 0 (map (corner_angle v tip along) (around turn (valence d) d)) = 2 * PI }.
 
+(** Valences 5 and 6, and no two of valence 6 together, make a [star] of Link.v. *)
+Lemma star_from_valences dart v darts turn along tip valence : vertex_star dart v darts turn along tip valence ->
+  (forall d, In d darts -> valence d = 5%nat \/ valence d = 6%nat) -> (forall d, In d darts -> valence d = 6%nat -> valence (turn (along d)) <> 6%nat) ->
+  (exists d, In d darts /\ valence d <> 5%nat) -> star dart v darts turn along tip (fun d => valence d =? 6)%nat.
+Proof.
+  intros S F N [d0 [D0 V0]].
+  destruct S as [Di Tu Al Tri Bk Tip Sol Val Cyc Sum]. split; auto.
+  - intros d D H. apply Nat.eqb_neq in H. destruct (F d D) as [V|V]; [|contradiction]. pose proof (Cyc d D) as Q. rewrite V in Q. exact Q.
+  - intros d D H. apply Nat.eqb_eq in H. pose proof (Cyc d D) as Q. rewrite H in Q. exact Q.
+  - intros d D H. apply Nat.eqb_eq in H. apply Nat.eqb_neq. apply N; auto.
+  - exists d0. split; [exact D0|]. apply Nat.eqb_eq. destruct (F d0 D0); [contradiction|assumption].
+  - intros d D H a. apply Nat.eqb_neq in H. destruct (F d D) as [V|V]; [|contradiction]. pose proof (Sum d D) as Q. rewrite V in Q.
+    unfold around in Q. cbv [seq map fold_right Nat.iter nat_rect] in Q. unfold a. lra.
+  - intros d D H a. apply Nat.eqb_eq in H. pose proof (Sum d D) as Q. rewrite H in Q.
+    unfold around in Q. cbv [seq map fold_right Nat.iter nat_rect] in Q. unfold a. lra.
+Qed.
+
 Section Vertex.
 Variables (dart : Type) (v : point) (darts : list dart) (turn along : dart -> dart) (tip : dart -> point) (valence : dart -> nat).
 Hypothesis S : vertex_star dart v darts turn along tip valence.
@@ -104,18 +121,7 @@ Proof.
 Qed.
 
 Lemma vertex_is_star : (exists d, In d darts /\ valence d <> 5%nat) -> star dart v darts turn along tip (fun d => valence d =? 6)%nat.
-Proof.
-  intros [d0 [D0 V0]]. pose proof five_or_six as F. pose proof not_two_sixes as N.
-  destruct S as [Di Tu Al Tri Bk Tip Sol Val Cyc Sum]. split; auto.
-  - intros d D H. apply Nat.eqb_neq in H. destruct (F d D) as [V|V]; [|contradiction]. pose proof (Cyc d D) as Q. rewrite V in Q. exact Q.
-  - intros d D H. apply Nat.eqb_eq in H. pose proof (Cyc d D) as Q. rewrite H in Q. exact Q.
-  - intros d D H. apply Nat.eqb_eq in H. apply Nat.eqb_neq. apply N; auto.
-  - exists d0. split; [exact D0|]. apply Nat.eqb_eq. destruct (F d0 D0); [contradiction|assumption].
-  - intros d D H a. apply Nat.eqb_neq in H. destruct (F d D) as [V|V]; [|contradiction]. pose proof (Sum d D) as Q. rewrite V in Q.
-    unfold around in Q. cbv [seq map fold_right Nat.iter nat_rect] in Q. unfold a. lra.
-  - intros d D H a. apply Nat.eqb_eq in H. pose proof (Sum d D) as Q. rewrite H in Q.
-    unfold around in Q. cbv [seq map fold_right Nat.iter nat_rect] in Q. unfold a. lra.
-Qed.
+Proof. exact (star_from_valences _ _ _ _ _ _ _ S five_or_six not_two_sixes). Qed.
 End Vertex.
 
 Theorem theorem_1_at_a_vertex dart v darts turn along tip valence :

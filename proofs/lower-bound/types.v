@@ -3,7 +3,7 @@
    The sections are those of docs/lower-bound.md; angles are in radians. *)
 From Coq Require Import Reals List.
 From Acutile Require Import Statement.
-From LowerBound Require Normals Corners Triangles Excess Steps Link Vertex Tiling Around Theorem1 Sanity.
+From LowerBound Require Normals Corners Triangles Excess Steps Link Vertex Tiling Around Theorem1 Larger Tcp Valences Sanity.
 Open Scope R_scope.
 
 (* Section 4, Lemma 2: the faces have the names of the opposite vertices. *)
@@ -184,7 +184,8 @@ Definition has_edge {index : Type} (is_tile : index -> Prop) (tile : index -> te
 Check (@LowerBound.Around.edge_cycle : forall (index : Type) (is_tile : index -> Prop) (tile : index -> tetrahedron), space_tiling is_tile tile ->
   forall u v c0, has_edge is_tile tile u v c0 -> u <> v -> exists tiles (w : nat -> point), let n := length tiles in
   NoDup tiles /\ (forall c, In c tiles <-> has_edge is_tile tile u v c) /\
-  (forall k c x, nth_error tiles k = Some c -> (In x (verts (tile c)) <-> In x (u :: v :: w k :: w (S k) :: nil))) /\ w n = w 0%nat /\
+  (forall k c x, nth_error tiles k = Some c -> (In x (verts (tile c)) <-> In x (u :: v :: w k :: w (S k) :: nil))) /\
+  (forall k c, nth_error tiles k = Some c -> In (dihedral u v (w k) (w (S k))) (dihedrals (tile c))) /\ w n = w 0%nat /\
   fold_right Rplus 0 (map (fun k => dihedral u v (w k) (w (S k))) (seq 0 n)) = 2 * PI).
 (* The tiles at a point form a vertex_star: its tetrahedra are the tiles with the vertex v. *)
 Check (@LowerBound.Around.star_in_tiling : forall (index : Type) (is_tile : index -> Prop) (tile : index -> tetrahedron), space_tiling is_tile tile ->
@@ -195,6 +196,14 @@ Check (@LowerBound.Around.star_in_tiling : forall (index : Type) (is_tile : inde
 Check (@LowerBound.Theorem1.lemma_1_space : forall (index : Type) (is_tile : index -> Prop) (tile : index -> tetrahedron), space_tiling is_tile tile ->
   ~ forall u v c, has_edge is_tile tile u v c -> u <> v ->
     exists L, NoDup L /\ length L = 5%nat /\ forall c', In c' L <-> has_edge is_tile tile u v c').
+(* Theorem 2 *)
+Check (@LowerBound.Theorem1.theorem_2_space : forall (index : Type) (is_tile : index -> Prop) (tile : index -> tetrahedron), space_tiling is_tile tile ->
+  let valence u v m := exists L, NoDup L /\ length L = m /\ forall c, In c L <-> has_edge is_tile tile u v c in forall v,
+  (forall w c, has_edge is_tile tile v w c -> v <> w -> valence v w 5%nat \/ valence v w 6%nat) ->
+  (forall c w w', is_tile c -> In v (verts (tile c)) -> In w (verts (tile c)) -> In w' (verts (tile c)) -> v <> w -> v <> w' -> w <> w' ->
+    ~ (valence v w 6%nat /\ valence v w' 6%nat)) ->
+  (exists w c, has_edge is_tile tile v w c /\ v <> w /\ valence v w 6%nat) ->
+  exists c w p q, is_tile c /\ (forall x, In x (verts (tile c)) <-> In x (v :: w :: p :: q :: nil)) /\ acos (sqrt 3 / 6) <= dihedral v w p q).
 (* Theorem 1 *)
 Check (@LowerBound.Theorem1.theorem_1_space : forall (index : Type) (is_tile : index -> Prop) (tile : index -> tetrahedron), space_tiling is_tile tile ->
   exists c x, is_tile c /\ In x (dihedrals (tile c)) /\ acos (sqrt 3 / 6) < x).
@@ -203,6 +212,25 @@ Check (LowerBound.Theorem1.lemma_1 : forall l1 l2 l3 (Omega : point -> Prop) N P
   ~ forall u v c, has_vertices l1 l2 l3 3 N P (u :: v :: nil) c -> u <> v -> valence l1 l2 l3 3 N P u v 5).
 Check (LowerBound.Theorem1.theorem_1 : forall l1 l2 l3 (Omega : point -> Prop) N P, (forall X, Omega X) -> face_to_face_tiling l1 l2 l3 3 Omega N P ->
   exists c x, is_tile 3 N c /\ In x (dihedrals (tile l1 l2 l3 P c)) /\ acos (sqrt 3 / 6) < x).
-(* The hypotheses are not empty: the tiling of the certificate space-bcc. *)
-Check (LowerBound.Sanity.a_tiling : exists (index : Type) (is_tile : index -> Prop) (tile : index -> tetrahedron), space_tiling is_tile tile /\
-  exists l1 l2 l3 N P, face_to_face_tiling l1 l2 l3 3 (fun _ => True) N P).
+(* Theorem 8 *)
+Check (LowerBound.Larger.theorem_8_space : forall (index : Type) (is_tile : index -> Prop) (tile : index -> tetrahedron), space_tiling is_tile tile ->
+  exists c x, is_tile c /\ In x (dihedrals (tile c)) /\ 73.31 * PI / 180 < x).
+Check (LowerBound.Larger.theorem_8 : forall l1 l2 l3 (Omega : point -> Prop) N P, (forall X, Omega X) -> face_to_face_tiling l1 l2 l3 3 Omega N P ->
+  exists c x, is_tile 3 N c /\ In x (dihedrals (tile l1 l2 l3 P c)) /\ 73.31 * PI / 180 < x).
+(* Theorem 7: all valences are 5 or 6, and no triangle has two edges of valence 6 *)
+Check (LowerBound.Tcp.theorem_7_space : forall (index : Type) (is_tile : index -> Prop) (tile : index -> tetrahedron), space_tiling is_tile tile ->
+  let valence u v m := exists L, NoDup L /\ length L = m /\ forall c, In c L <-> has_edge is_tile tile u v c in
+  (forall c u v, has_edge is_tile tile u v c -> u <> v -> valence u v 5%nat \/ valence u v 6%nat) /\
+  (forall c u v w, is_tile c -> In u (verts (tile c)) -> In v (verts (tile c)) -> In w (verts (tile c)) -> u <> v -> u <> w -> v <> w ->
+    ~ (valence u v 6%nat /\ valence u w 6%nat)) ->
+  exists c x, is_tile c /\ In x (dihedrals (tile c)) /\ 73.44 * PI / 180 < x).
+Check (LowerBound.Tcp.theorem_7 : forall l1 l2 l3 (Omega : point -> Prop) N P, (forall X, Omega X) -> face_to_face_tiling l1 l2 l3 3 Omega N P ->
+  tcp l1 l2 l3 3 N P -> exists c x, is_tile 3 N c /\ In x (dihedrals (tile l1 l2 l3 P c)) /\ 73.44 * PI / 180 < x).
+(* Proposition 5 *)
+Check (LowerBound.Valences.proposition_5_space : forall (index : Type) (is_tile : index -> Prop) (tile : index -> tetrahedron), space_tiling is_tile tile ->
+  (forall c x, is_tile c -> In x (dihedrals (tile c)) -> x < 74.7324 * PI / 180) ->
+  let valence u v m := exists L, NoDup L /\ length L = m /\ forall c, In c L <-> has_edge is_tile tile u v c in
+  forall u v c, has_edge is_tile tile u v c -> u <> v -> valence u v 5%nat \/ valence u v 6%nat).
+(* The hypotheses are not empty: the tiling of the certificate a15. *)
+Check (LowerBound.Sanity.a_tiling : exists l1 l2 l3 N P, face_to_face_tiling l1 l2 l3 3 (fun _ => True) N P /\ tcp l1 l2 l3 3 N P /\
+  space_tiling (is_tile 3 N) (tile l1 l2 l3 P)).
