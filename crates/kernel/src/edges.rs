@@ -58,25 +58,27 @@ impl Edges {
         // The facets that have an edge are those opposite to the other two corners.
         let changes = [r + s, q + s, q + r, p + s, p + r, p + q];
         let names = [edge(a, b), edge(a, c), edge(a, d), edge(b, c), edge(b, d), edge(c, d)];
-        for (bit, (name, change)) in names.into_iter().zip(changes).enumerate() {
+        let mut closing = [false; 6];
+        let items = names.iter().zip(changes).zip(&mut closing).zip(ENDS).enumerate();
+        for (bit, (((name, change), is_closing), (i, j))) in items {
             let is_six = sixes >> bit & 1 == 1;
-            let agrees = self.open.with(name.0[0], &name, |list, position| {
+            let agrees = self.open.with(name.0[0], name, |list, position| {
                 let position = position.unwrap_or(list.len());
                 if position == list.len() {
-                    list.push((name, Valence { tetrahedra: 0, open: 0, is_six }));
+                    list.push((*name, Valence { tetrahedra: 0, open: 0, is_six }));
                 }
                 list.get_mut(position).is_some_and(|(_, valence)| {
                     valence.tetrahedra += 1;
                     valence.open += change;
+                    *is_closing = valence.open == 0;
                     valence.is_six == is_six
                 })
             })?;
             // All rows say the same about an edge.
-            let (i, j) = ENDS.get(bit).copied().unwrap_or_default();
             ensure!(agrees, EdgeValence, Place::Edge(simplex, i, j));
         }
         // Only now, for another edge of this tetrahedron may be a translate.
-        for (name, (i, j)) in names.into_iter().zip(ENDS) {
+        for ((name, (i, j)), _) in names.into_iter().zip(ENDS).zip(closing).filter(|(_, is_closing)| *is_closing) {
             let closed = self.open.with(name.0[0], &name, |list, position| {
                 let position = position?;
                 let is_closed = list.get(position)?.1.open == 0;

@@ -28,8 +28,8 @@ struct Open {
     side: bool,
     /// The corner opposite to the facet, seen from the facet's first corner; none in the list.
     opposite: Option<Corner>,
-    /// A facet in the list, or a simplex.
-    place: Place,
+    /// The number of the simplex, or of the facet in the list.
+    number: u64,
 }
 
 pub(crate) struct Front {
@@ -80,9 +80,8 @@ impl Front {
             _ if a < b => (false, [a, b, a]),
             _ => (true, [b, a, b]),
         };
-        let place = Place::Boundary(index);
-        let found = self.toggle(facet(sorted), Open { side: !is_odd, opposite: None, place })?;
-        ensure!(found.is_none(), BoundaryRepeated, place);
+        let found = self.toggle(facet(sorted), Open { side: !is_odd, opposite: None, number: index })?;
+        ensure!(found.is_none(), BoundaryRepeated, Place::Boundary(index));
         Ok(())
     }
 
@@ -108,7 +107,7 @@ impl Front {
             // Moving corner i to the front takes i exchanges.
             let side = row.is_odd ^ (i % 2 == 1);
             let opposite = Some(opposite.seen_from(first));
-            let open = Open { side, opposite, place: Place::Simplex(simplex) };
+            let open = Open { side, opposite, number: simplex };
             if let Some(mate) = self.toggle(facet(corners), open)? {
                 // Rule F: a facet and its mate have opposite sides.
                 ensure!(mate.side != side, FacetSide, Place::Facet(simplex, i));
@@ -125,11 +124,11 @@ impl Front {
     pub(crate) fn check_end(&self) -> Checked {
         // Rule F: no facet of a simplex is without its mate.
         if let Some(open) = self.open.find(|open| open.opposite.is_some()) {
-            ensure!(false, OpenFacet, open.place, self.open.count);
+            ensure!(false, OpenFacet, Place::Simplex(open.number), self.open.count);
         }
         // Every facet of the list is a facet of a simplex.
         if let Some(open) = self.open.find(|open| open.opposite.is_none()) {
-            ensure!(false, BoundaryOpen, open.place, self.open.count);
+            ensure!(false, BoundaryOpen, Place::Boundary(open.number), self.open.count);
         }
         Ok(())
     }

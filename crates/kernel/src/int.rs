@@ -16,6 +16,9 @@ pub trait Int: Clone + Default + Ord + From<i64> + Into<BigInt> + CheckedAdd + C
     /// floor(self / 2^dropped), where this fits 64 bits.
     fn top(&self, dropped: u64) -> Checked<i64>;
 
+    /// The value, where it has 128 bits.
+    fn wide(&self) -> Checked<i128>;
+
     fn big(&self) -> BigInt {
         self.clone().into()
     }
@@ -39,6 +42,23 @@ pub trait Int: Clone + Default + Ord + From<i64> + Into<BigInt> + CheckedAdd + C
     }
 }
 
+/// The sum of two parts. The first one grows while it has 128 bits.
+#[derive(Default)]
+pub struct Sum(i128, BigInt);
+
+impl Sum {
+    pub(crate) fn add<T: Int>(&mut self, x: &T) {
+        match x.wide().ok().and_then(|x| self.0.checked_add(x)) {
+            Some(sum) => self.0 = sum,
+            None => self.1 += x.big(),
+        }
+    }
+
+    pub(crate) fn value(&self) -> BigInt {
+        &self.1 + self.0
+    }
+}
+
 macro_rules! machine {
     ($int:ty, $bits:literal, $price:literal) => {
         impl Int for $int {
@@ -54,6 +74,10 @@ macro_rules! machine {
 
             fn top(&self, dropped: u64) -> Checked<i64> {
                 i64::try_from(self >> dropped.min($bits - 1)).map_err(|_| Stop::LARGER)
+            }
+
+            fn wide(&self) -> Checked<i128> {
+                Ok((*self).into())
             }
         }
     };
@@ -75,5 +99,9 @@ impl Int for BigInt {
 
     fn top(&self, dropped: u64) -> Checked<i64> {
         i64::of(&(self >> dropped))
+    }
+
+    fn wide(&self) -> Checked<i128> {
+        i128::of(self)
     }
 }

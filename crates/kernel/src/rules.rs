@@ -9,6 +9,7 @@
 //! In the plane G gets a third row (0, 0, 1), e_3 is (0, 0, 1), and n_3 is left out.
 
 use crate::claim::{Bound, Claim, Property, Relation};
+use crate::filter::Logarithm;
 use crate::refusal::{Checked, Place, Stop, Value};
 use crate::ring::{Ring, Sign, Vector, each};
 use num_bigint::BigInt;
@@ -23,6 +24,7 @@ pub(crate) struct Rules<R: Ring> {
     gram: [Vector<R>; 3],
     adjugate: [Vector<R>; 3],
     four_det_gram: R::Element,
+    one: R::Element,
     acute: bool,
     nonobtuse: bool,
     angles: Vec<Extreme<R>>,
@@ -42,6 +44,9 @@ struct Extreme<R: Ring> {
     relation: Relation,
     minus_p: R::Element,
     q: R::Element,
+    /// Of |p|/q.
+    logarithm: Option<Logarithm>,
+    sign: Ordering,
 }
 
 /// A simplex and the corners of its mates, seen from its first corner.
@@ -51,11 +56,34 @@ pub(crate) struct Simplex<R: Ring> {
     pub(crate) mates: [Option<Vector<R>>; 4],
 }
 
-/// x and y for x / y, and whether x has an undecided sign, which is not in it.
-type Quotient<R> = (<R as Ring>::Element, <R as Ring>::Element, bool);
+/// c d / (x y), with the sign of c. If that is undecided, the quotient is one of two.
+struct Quotient<'a, R: Ring> {
+    sign: Sign,
+    numerator: [&'a R::Element; 2],
+    denominator: [&'a R::Element; 2],
+    /// Without the sign.
+    logarithm: Option<Logarithm>,
+}
 
-/// c, x and y for the cosine c / sqrt(x y).
-type Cosine<R> = (<R as Ring>::Element, <R as Ring>::Element, <R as Ring>::Element);
+impl<R: Ring> Quotient<'_, R> {
+    fn exact(&self, ring: &R) -> Checked<[R::Element; 2]> {
+        let ([c, d], [x, y]) = (self.numerator, self.denominator);
+        let product = ring.times(c, d)?;
+        let is_negative = self.sign.least == Less && self.sign.most != Greater;
+        Ok([if is_negative { ring.negated(&product)? } else { product }, ring.times(x, y)?])
+    }
+
+    fn value(&self, ring: &R) -> Checked<Value> {
+        let [x, y] = self.exact(ring)?;
+        Ok(ring.quotient(&x, &y))
+    }
+}
+
+/// The inner products of the pairs (1, 1), (1, 2), (1, 3), (2, 2), (2, 3), (3, 3) of three vectors.
+type Products<R> = [<R as Ring>::Element; 6];
+
+/// -⟨n_i, n_j⟩ for the pairs of facets, and all ⟨n_i, n_i⟩.
+type Cosines<R> = ([<R as Ring>::Element; 6], [<R as Ring>::Element; 4]);
 
 /// The facets of the angles, by the corners that they do not have. The first three are those of the
 /// plane.
@@ -84,6 +112,7 @@ impl<R: Ring> Rules<R> {
             ring: ring.clone(),
             is_plane: claim.dimension == 2,
             is_unit: is_unit(ring, &gram)?,
+            one: ring.integer(1)?,
             four_det_gram: ring.times(&ring.integer(4)?, &determinant)?,
             gram,
             adjugate,
@@ -114,8 +143,20 @@ impl<R: Ring> Rules<R> {
         ensure!(is_range, BoundRange, Place::Statement(statement), ring.quotient(&p, &q));
         let minus_p = if bound.sign < 0 { p } else { ring.negated(&p)? };
         let is_least = of == Property::LargestAngle;
+        let logarithm = ring.rough(&minus_p).1.zip(ring.rough(&q).1);
+        let logarithm = logarithm.map(|(p, q)| Logarithm::quotient([&p, &p], [&p, &q]));
+        let sign = bound.sign.cmp(&0);
         let list = if of.is_angle() { &mut self.angles } else { &mut self.ratios };
-        list.push(Extreme { statement, is_angle: of.is_angle(), is_least, relation: bound.relation, minus_p, q });
+        list.push(Extreme {
+            statement,
+            is_angle: of.is_angle(),
+            is_least,
+            relation: bound.relation,
+            minus_p,
+            q,
+            logarithm,
+            sign,
+        });
         Ok(())
     }
 
@@ -142,77 +183,91 @@ impl<R: Ring> Rules<R> {
         let is_positive = ring.sign(&determinant).is(|sign| sign == Greater)?;
         let unit = || denominator.pow(if self.is_plane { 2 } else { 3 });
         ensure!(is_positive, Orientation, place, Value::Quotient(ring.coefficients(&determinant), vec![unit()]));
-        let mut attained = 0;
-        if self.acute || self.nonobtuse || !self.angles.is_empty() {
-            attained |= self.check_angles(&normals, simplex.number)?;
+        let has_angles = self.acute || self.nonobtuse || !self.angles.is_empty();
+        let has_spheres = !self.ratios.is_empty() || self.needs_mates();
+        let (mut products, mut attained) = (Products::<R>::default(), 0);
+        if has_spheres || (has_angles && !self.is_unit) {
+            products = self.products(&simplex.edges, &each(&simplex.edges, |edge| self.image(edge))?)?;
         }
-        if !self.ratios.is_empty() || self.needs_mates() {
-            attained |= self.check_sphere(simplex, &normals, &determinant, denominator)?;
+        if has_angles {
+            let products = if self.is_unit { self.products(&normals, &normals)? } else { self.cofactors(&products)? };
+            attained |= self.check_angles(&self.cosines(products)?, simplex.number)?;
+        }
+        if has_spheres {
+            attained |= self.check_sphere(simplex, &normals, &products, &determinant, denominator)?;
         }
         Ok((determinant, attained))
     }
 
-    fn check_angles(&self, normals: &[Vector<R>; 3], simplex: u64) -> Checked<u32> {
+    fn products(&self, x: &[Vector<R>; 3], y: &[Vector<R>; 3]) -> Checked<Products<R>> {
+        let ([x1, x2, x3], [y1, y2, y3]) = (x, y);
+        each(&[(x1, y1), (x1, y2), (x1, y3), (x2, y2), (x2, y3), (x3, y3)], |(x, y)| self.ring.inner(x, y))
+    }
+
+    /// ⟨n_i, n_j⟩ by M = (⟨e_i, e_j⟩): adj(E) adj(G) adj(E)ᵀ = adj(M), and the rows of adj(E) are the normals.
+    fn cofactors(&self, [m11, m12, m13, m22, m23, m33]: &Products<R>) -> Checked<Products<R>> {
+        let minor = |a, b, c, d| self.ring.dot([a, &self.ring.negated(b)?], [d, c]);
+        let g33 = if self.is_plane { R::Element::default() } else { minor(m11, m12, m12, m22)? };
+        Ok([
+            minor(m22, m23, m23, m33)?,
+            minor(m13, m12, m33, m23)?,
+            minor(m12, m13, m22, m23)?,
+            minor(m11, m13, m13, m33)?,
+            minor(m12, m11, m23, m13)?,
+            g33,
+        ])
+    }
+
+    fn check_angles(&self, (cosines, squares): &Cosines<R>, simplex: u64) -> Checked<u32> {
         let ring = &self.ring;
         let place = |(i, j)| Place::Angle(simplex, i, j);
-        let mut quotients = <[Quotient<R>; 6]>::default();
-        let cosines = self.cosines(normals)?;
-        for (((c, x, y), facets), quotient) in cosines.iter().zip(FACETS).zip(&mut quotients).take(self.pairs()) {
-            let sign = ring.sign(c);
-            // c² / (x y), with the sign of the cosine.
-            let signed = || {
-                let square = ring.times(c, c)?;
-                let is_negative = sign.least == Less && sign.most != Greater;
-                let square = if is_negative { ring.negated(&square)? } else { square };
-                Ok((square, ring.times(x, y)?, sign == Sign::UNDECIDED))
+        let rough = |x| if self.angles.is_empty() { (ring.sign(x), None) } else { ring.rough(x) };
+        let squares = squares.each_ref().map(|square| (square, rough(square).1));
+        let square = |i: usize| squares.get(i).ok_or_else(|| Stop::LARGER);
+        let mut quotients = [const { None }; 6];
+        for ((c, (i, j)), quotient) in cosines.iter().zip(FACETS).zip(&mut quotients).take(self.pairs()) {
+            let ((x, rough_x), (y, rough_y)) = (square(i)?, square(j)?);
+            let (sign, rough_c) = rough(c);
+            let logarithm = match (rough_c, rough_x, rough_y) {
+                (Some(c), Some(x), Some(y)) => Some(Logarithm::quotient([&c, &c], [x, y])),
+                _ => None,
             };
-            let value = || signed().map(|(square, y, _)| ring.quotient(&square, &y));
+            let found = Quotient { sign, numerator: [c, c], denominator: [*x, *y], logarithm };
             // `acute`: the cosine is positive. `nonobtuse`: it is not negative.
-            let is_acute = !self.acute || sign.is(|sign| sign == Greater)?;
-            ensure!(is_acute, NotAcute, place(facets), value()?);
-            let is_nonobtuse = !self.nonobtuse || sign.is(|sign| sign != Less)?;
-            ensure!(is_nonobtuse, NotNonobtuse, place(facets), value()?);
-            if !self.angles.is_empty() {
-                *quotient = signed()?;
-            }
+            let is_acute = !self.acute || found.sign.is(|sign| sign == Greater)?;
+            ensure!(is_acute, NotAcute, place((i, j)), found.value(ring)?);
+            let is_nonobtuse = !self.nonobtuse || found.sign.is(|sign| sign != Less)?;
+            ensure!(is_nonobtuse, NotNonobtuse, place((i, j)), found.value(ring)?);
+            *quotient = Some(found);
         }
         self.check_extremes(&self.angles, &quotients, |k| FACETS.get(k).copied().map(place))
     }
 
     /// With g_ij = ⟨n_i, n_j⟩ the dihedral angle of the facets i and j has the cosine
     /// -g_ij / sqrt(g_ii g_jj). The rows of (g_ij) sum to zero.
-    fn cosines(&self, normals: &[Vector<R>; 3]) -> Checked<[Cosine<R>; 6]> {
+    fn cosines(&self, [g11, g12, g13, g22, g23, g33]: Products<R>) -> Checked<Cosines<R>> {
         let ring = &self.ring;
-        let [n1, n2, n3] = normals;
-        let [d1, d2, d3] = each(normals, |n| self.dual(n))?;
-        let (g11, g12, g13) = (ring.inner(n1, &d1)?, ring.inner(n1, &d2)?, ring.inner(n1, &d3)?);
-        let (g22, g23, g33) = (ring.inner(n2, &d2)?, ring.inner(n2, &d3)?, ring.inner(n3, &d3)?);
         // -g_01, -g_02, -g_03 and g_00.
         let c01 = ring.plus(&ring.plus(&g11, &g12)?, &g13)?;
         let c02 = ring.plus(&ring.plus(&g12, &g22)?, &g23)?;
         let c03 = ring.plus(&ring.plus(&g13, &g23)?, &g33)?;
         let g00 = ring.plus(&ring.plus(&c01, &c02)?, &c03)?;
-        Ok([
-            (c01, g00.clone(), g11.clone()),
-            (c02, g00.clone(), g22.clone()),
-            (ring.negated(&g12)?, g11.clone(), g22.clone()),
-            (c03, g00, g33.clone()),
-            (ring.negated(&g13)?, g11, g33.clone()),
-            (ring.negated(&g23)?, g22, g33),
-        ])
+        let others = [ring.negated(&g12)?, ring.negated(&g13)?, ring.negated(&g23)?];
+        let [c12, c13, c23] = others;
+        Ok(([c01, c02, c12, c03, c13, c23], [g00, g11, g22, g33]))
     }
 
     /// Compares bounds with extremes of quotients. Returns the set of the statements attained.
     fn check_extremes(
         &self,
         bounds: &[Extreme<R>],
-        quotients: &[Quotient<R>; 6],
+        quotients: &[Option<Quotient<R>>; 6],
         place: impl Fn(usize) -> Option<Place>,
     ) -> Checked<u32> {
         let mut attained = 0;
         for bound in bounds {
             let mut found = None;
-            for quotient in quotients.iter().take(self.pairs()) {
+            for quotient in quotients.iter().flatten() {
                 let sign = self.compare(quotient, bound)?;
                 found = Some(found.map_or(sign, |first| bound.extreme(first, sign)));
                 // No sign is beyond this one.
@@ -235,28 +290,50 @@ impl<R: Ring> Rules<R> {
         Ok(attained)
     }
 
+    /// The sign of a quotient minus p/q: by the signs and the logarithms, or else exactly.
+    #[inline(always)]
+    fn compare(&self, quotient: &Quotient<R>, bound: &Extreme<R>) -> Checked<Sign> {
+        if let (Some(x), Some(y)) = (&quotient.logarithm, &bound.logarithm)
+            && quotient.sign.least == quotient.sign.most
+        {
+            let sign = quotient.sign.least;
+            let order = if sign == bound.sign { x.compare(y) } else { Some(Greater) };
+            if let Some(order) = order {
+                return Ok(Sign::exactly(if sign == Less { order.reverse() } else { order }));
+            }
+        }
+        self.compare_exactly(quotient, bound)
+    }
+
     /// The sign of x/y - p/q. If the sign of the cosine is undecided, it is one of ±x/y.
-    fn compare(&self, (x, y, is_undecided): &Quotient<R>, bound: &Extreme<R>) -> Checked<Sign> {
-        let difference = |x| Ok(self.ring.sign(&self.ring.dot([x, y], [&bound.q, &bound.minus_p])?));
-        let sign = difference(x)?;
-        if !is_undecided {
+    #[inline(never)]
+    fn compare_exactly(&self, quotient: &Quotient<R>, bound: &Extreme<R>) -> Checked<Sign> {
+        let [x, y] = quotient.exact(&self.ring)?;
+        let difference = |x| Ok(self.ring.sign(&self.ring.dot([&bound.q, &bound.minus_p], [x, &y])?));
+        let sign = difference(&x)?;
+        if quotient.sign != Sign::UNDECIDED {
             return Ok(sign);
         }
-        let other = difference(&self.ring.negated(x)?)?;
+        let other = difference(&self.ring.negated(&x)?)?;
         Ok(Sign { least: sign.least.min(other.least), most: sign.most.max(other.most) })
     }
 
     /// The place and the value of the extreme quotient, for a refusal.
-    fn extreme_quotient(&self, bound: &Extreme<R>, quotients: &[Quotient<R>; 6]) -> Checked<(usize, Value)> {
+    fn extreme_quotient(&self, bound: &Extreme<R>, quotients: &[Option<Quotient<R>>; 6]) -> Checked<(usize, Value)> {
         let (ring, beyond) = (&self.ring, bound.beyond());
-        let (mut place, mut extreme) = (0, &quotients[0]);
-        for (k, quotient) in quotients.iter().enumerate().take(self.pairs()) {
-            let order = ring.compare(&ring.times(&quotient.0, &extreme.1)?, &ring.times(&extreme.0, &quotient.1)?)?;
+        let mut extreme: Option<(usize, [R::Element; 2])> = None;
+        for (k, quotient) in quotients.iter().flatten().enumerate() {
+            let [x, y] = quotient.exact(ring)?;
+            let order = match &extreme {
+                Some((_, [p, q])) => ring.compare(&ring.times(&x, q)?, &ring.times(p, &y)?)?,
+                None => Sign::exactly(beyond),
+            };
             if order == Sign::exactly(beyond) {
-                (place, extreme) = (k, quotient);
+                extreme = Some((k, [x, y]));
             }
         }
-        Ok((place, ring.quotient(&extreme.0, &extreme.1)))
+        let (k, [x, y]) = extreme.ok_or(Stop::LARGER)?;
+        Ok((k, ring.quotient(&x, &y)))
     }
 
     /// Checks the statements about the circumsphere.
@@ -267,37 +344,33 @@ impl<R: Ring> Rules<R> {
         &self,
         simplex: &Simplex<R>,
         [n1, n2, n3]: &[Vector<R>; 3],
+        [s1, m12, m13, s2, m23, s3]: &Products<R>,
         determinant: &R::Element,
         denominator: &BigInt,
     ) -> Checked<u32> {
         let ring = &self.ring;
-        let [e1, e2, e3] = &simplex.edges;
-        let [d1, d2, d3] = each(&simplex.edges, |edge| self.image(edge))?;
-        let [s1, s2, s3] = [ring.inner(e1, &d1)?, ring.inner(e2, &d2)?, ring.inner(e3, &d3)?];
         let mut w = Vector::<R>::default();
         for (((entry, n1), n2), n3) in w.iter_mut().zip(n1).zip(n2).zip(n3) {
-            *entry = ring.negated(&ring.dot([&s1, &s2, &s3], [n1, n2, n3])?)?;
+            *entry = ring.negated(&ring.dot([s1, s2, s3], [n1, n2, n3])?)?;
         }
         let mut attained = 0;
         if !self.ratios.is_empty() {
             // |y - x|² = |x|² + |y|² - 2 ⟨x, y⟩. The first three are those of the plane.
-            let between = |x, y, e, d| {
-                let inner = ring.inner(e, d)?;
-                ring.minus(&ring.minus(&ring.plus(x, y)?, &inner)?, &inner)
-            };
-            let squares = [
-                between(&s1, &s2, e1, &d2)?,
-                s1.clone(),
-                s2.clone(),
-                between(&s1, &s3, e1, &d3)?,
-                between(&s2, &s3, e2, &d3)?,
-                s3,
-            ];
+            let between = |x, y, m| ring.minus(&ring.minus(&ring.plus(x, y)?, m)?, m);
+            let [s12, s13, s23] = [between(s1, s2, m12)?, between(s1, s3, m13)?, between(s2, s3, m23)?];
+            let squares = [s12, s1.clone(), s2.clone(), s13, s23, s3.clone()];
+            let squares = self.shortest(squares.get(..self.pairs()).unwrap_or(&squares))?;
             // R² = z G z = w adj(G) w / (4 det E² det G), since 2 G z = -w / det E.
             let radius = ring.inner(&w, &self.dual(&w)?)?;
             let unit = ring.times(&ring.times(determinant, determinant)?, &self.four_det_gram)?;
-            let quotients = each(&squares, |square| Ok((radius.clone(), ring.times(&unit, square)?, false)))?;
-            attained = self.check_extremes(&self.ratios, &quotients, |_| Some(Place::Simplex(simplex.number)))?;
+            let sign = Sign::exactly(Greater);
+            let mut quotients = [const { None }; 6];
+            for (quotient, square) in quotients.iter_mut().zip(squares) {
+                let (numerator, denominator) = ([&radius, &self.one], [&unit, square]);
+                *quotient = Some(Quotient { sign, numerator, denominator, logarithm: None });
+            }
+            let place = |_| Some(Place::Simplex(simplex.number));
+            attained = self.check_extremes(&self.ratios, &quotients, place)?;
         }
         // `Delaunay`: a mate's corner outside of the common facet is outside of the circumsphere;
         // `weakly Delaunay`: it is not inside. The difference of the powers of two spheres through
@@ -326,6 +399,21 @@ impl<R: Ring> Rules<R> {
             }
         }
         Ok(attained)
+    }
+
+    /// The least of some numbers; all of them where a sign is undecided.
+    fn shortest<'s>(&self, squares: &'s [R::Element]) -> Checked<&'s [R::Element]> {
+        let mut least = squares;
+        for square in squares.chunks(1).skip(1) {
+            let [first, ..] = least else { return Ok(squares) };
+            let [other] = square else { return Ok(squares) };
+            match self.ring.compare(other, first)? {
+                Sign { most: Less, .. } => least = square,
+                Sign { least: Less, .. } => return Ok(squares),
+                _ => {}
+            }
+        }
+        Ok(least.get(..1).unwrap_or(least))
     }
 
     /// adj(G) n
