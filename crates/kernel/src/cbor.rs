@@ -42,15 +42,8 @@ fn wide(length: usize) -> u64 {
 
 impl<'r> Cbor<'r> {
     pub(crate) fn new(input: &'r mut dyn Read, limits: &Limits, work: &Rc<Work>) -> Cbor<'r> {
-        Cbor {
-            input,
-            piece: Vec::new(),
-            next: 0,
-            before: 0,
-            limits: limits.clone(),
-            digest: Sha256::new(),
-            work: work.clone(),
-        }
+        let (limits, work) = (limits.clone(), work.clone());
+        Cbor { input, piece: Vec::new(), next: 0, before: 0, limits, digest: Sha256::new(), work }
     }
 
     pub fn place(&self) -> Place {

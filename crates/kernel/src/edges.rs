@@ -13,16 +13,15 @@ use crate::row::{Corner, Row};
 use crate::table::Table;
 use std::rc::Rc;
 
-/// The ends in sorted order, and the shift from the first to the second: one name for all
-/// translates of an edge.
-type Edge = ([u32; 2], [i32; 3]);
+/// The ends in sorted order, and the shift from the first to the second: one name for all translates of an edge.
+pub(crate) type Edge = ([u32; 2], [i32; 3]);
 
 fn edge(first: Corner, second: Corner) -> Edge {
     ([first.vertex, second.vertex], second.seen_from(first).shift)
 }
 
 #[derive(Clone, Copy)]
-struct Valence {
+pub(crate) struct Valence {
     tetrahedra: u64,
     /// The number of open facets that have the edge.
     open: i64,
@@ -30,7 +29,7 @@ struct Valence {
 }
 
 pub(crate) struct Edges {
-    open: Table<Edge, Valence>,
+    pub(crate) open: Table<Edge, Valence>,
 }
 
 /// The positions of the ends of the edges among the sorted corners. Opposite ones are p and 5 - p.
@@ -39,11 +38,6 @@ const ENDS: [(usize, usize); 6] = [(0, 1), (0, 2), (0, 3), (1, 2), (1, 3), (2, 3
 impl Edges {
     pub(crate) fn new(work: &Rc<Work>) -> Edges {
         Edges { open: Table::new(work) }
-    }
-
-    /// The largest number of open edges at one time.
-    pub(crate) fn peak(&self) -> usize {
-        self.open.peak
     }
 
     /// Counts a tetrahedron at its edges and closes those that are open no more.

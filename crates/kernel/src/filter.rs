@@ -44,7 +44,7 @@ impl Interval {
 
     /// An interval that contains the number with these coefficients.
     #[inline(always)]
-    pub(crate) fn of<T: Int>(coefficients: &[T], rough: &[(i64, u64)], root: &Root) -> Checked<Interval> {
+    pub(crate) fn of<T: Int>(coefficients: &[T], root: &Root) -> Checked<Interval> {
         if let Some((c, rest)) = coefficients.split_first()
             && rest.iter().all(|c| *c == T::default())
         {
@@ -53,7 +53,7 @@ impl Interval {
             let most = middle.unsigned_abs() + u64::from(shift > 0);
             return Ok(Interval { middle, most, exponent: shift.cast_signed() });
         }
-        let (middle, radius, dropped) = enclosure(coefficients, rough)?;
+        let (middle, radius, dropped) = enclosure(coefficients, &root.rough)?;
         // To 60 bits. Both parts are rounded down, each by less than one unit.
         let shift = (i128::BITS - 60).saturating_sub((middle.unsigned_abs() + radius).leading_zeros());
         let lost = if shift > 0 { 2 } else { 0 };
@@ -125,7 +125,7 @@ impl Logarithm {
     /// Of x y / (z w). Relative errors add up, to E/2^31 for the sum E of the errors, and 1 % of it for products
     /// of them. The integers below lose three units more, of 2^-30. A relative error is doubled at most.
     #[inline(always)]
-    pub(crate) fn quotient([x, y]: [&Rough; 2], [z, w]: [&Rough; 2]) -> Logarithm {
+    pub(crate) fn quotient([x, y]: [Rough; 2], [z, w]: [Rough; 2]) -> Logarithm {
         let quotient = x.middle * y.middle / ((z.middle * w.middle) >> 32);
         let up = quotient.leading_zeros();
         let t = ((quotient << up) >> 32).cast_signed() - (1 << 31);
@@ -148,18 +148,11 @@ pub struct Intervals {
     pub(crate) work: Rc<Work>,
 }
 
-impl Intervals {
-    /// An interval that contains the number with these coefficients.
-    pub(crate) fn of<T: Int>(&self, coefficients: &[T]) -> Checked<Interval> {
-        Interval::of(coefficients, &self.root.rough, &self.root)
-    }
-}
-
 impl Ring for Intervals {
     type Element = Interval;
 
     fn element(&self, coefficients: &[BigInt]) -> Checked<Interval> {
-        self.of(coefficients)
+        Interval::of(coefficients, &self.root)
     }
 
     fn coefficients(&self, _: &Interval) -> Vec<BigInt> {

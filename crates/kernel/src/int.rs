@@ -1,5 +1,4 @@
-//! Integers of three sizes with the same operations. None wraps: a result that does not fit is
-//! [`Stop::LARGER`].
+//! Integers of three sizes with the same operations. None wraps: a result that does not fit is [`Stop::LARGER`].
 
 use crate::refusal::{Checked, Stop};
 use num_bigint::BigInt;
@@ -39,23 +38,6 @@ pub trait Int: Clone + Default + Ord + From<i64> + Into<BigInt> + CheckedAdd + C
     fn add_product(&mut self, x: &Self, y: &Self) -> Checked {
         *self = self.plus(&x.checked_mul(y).ok_or_else(|| Stop::LARGER)?)?;
         Ok(())
-    }
-}
-
-/// The sum of two parts. The first one grows while it has 128 bits.
-#[derive(Default)]
-pub struct Sum(i128, BigInt);
-
-impl Sum {
-    pub(crate) fn add<T: Int>(&mut self, x: &T) {
-        match x.wide().ok().and_then(|x| self.0.checked_add(x)) {
-            Some(sum) => self.0 = sum,
-            None => self.1 += x.big(),
-        }
-    }
-
-    pub(crate) fn value(&self) -> BigInt {
-        &self.1 + self.0
     }
 }
 

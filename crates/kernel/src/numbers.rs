@@ -6,9 +6,9 @@
 use crate::cbor::Cbor;
 use crate::claim::{Claim, Domain};
 use crate::domain::Facets;
-use crate::filter::Intervals;
+use crate::filter::{Interval, Intervals};
 use crate::front::Step;
-use crate::int::{Int, Sum};
+use crate::int::Int;
 use crate::limits::Work;
 use crate::planes;
 use crate::refusal::{Checked, Place, Stop};
@@ -19,7 +19,6 @@ use crate::row::{Corner, Row, Shape};
 use crate::rules::{Found, Rules, Simplex};
 use crate::vertices::Vertices;
 use num_bigint::BigInt;
-use std::array::from_fn;
 use std::cmp::Ordering::Equal;
 use std::rc::Rc;
 
@@ -82,9 +81,8 @@ impl<R: Ring> Model<R> {
         Ok(Simplex { number, edges: [vector(b)?, vector(c)?, third], mates })
     }
 
-    /// Rule V: the determinants sum to D! times the volume of one cell of the lattice in the
-    /// domain, all times the D-th power of the denominator. With k! vol P in place of the domain's
-    /// volume the factor is D! / k!.
+    /// Rule V: the determinants sum to D! times the volume of one cell of the lattice in the domain, all times the D-th
+    /// power of the denominator. With k! vol P in place of the domain's volume the factor is D! / k!.
     pub(crate) fn check_volume(&self, sum: &R::Element, shape: Shape, denominator: &BigInt) -> Checked {
         let ring = &self.rules.ring;
         let mut expected = match &self.facets {
@@ -110,11 +108,10 @@ pub(crate) trait Numbers {
     fn check_volume(&self, shape: Shape) -> Checked;
 }
 
-/// A ring, and the claim in it where its numbers fit.
-type Size<T, const N: usize> = (Exact<T, N>, Option<Model<Exact<T, N>>>);
+/// A ring, and the statements in it where their numbers fit.
+type Size<T, const N: usize> = (Exact<T, N>, Option<Rules<Exact<T, N>>>);
 
-/// Of a simplex: the statements of which it attains the bound, and x and y for the determinant
-/// x + 2^62 y.
+/// Of a simplex: the statements of which it attains the bound, and x and y for the determinant x + 2^62 y.
 type Judged<const N: usize> = (u32, [Element<i128, N>; 2]);
 
 /// The numbers of one tiling.
@@ -126,20 +123,13 @@ pub(crate) struct Single<const N: usize> {
     intervals: Option<Rules<Intervals>>,
     region: Option<Region<N>>,
     /// x and y for the sum x + 2^62 y of the determinants.
-    volume: [[Sum; N]; 2],
+    volume: [Element<BigInt, N>; 2],
 }
 
 fn size<T: Int, const N: usize>(root: &Rc<Root>, claim: &Claim, work: &Rc<Work>) -> Option<Size<T, N>> {
     let ring = Exact::new(root, work).ok()?;
-    let model = Model::new(&ring, claim).ok();
-    Some((ring, model))
-}
-
-fn or_larger<V>(found: Checked<V>, again: impl FnOnce() -> Checked<V>) -> Checked<V> {
-    match found {
-        Err(stop) if stop.is_larger() => again(),
-        found => found,
-    }
+    let rules = Rules::new(&ring, claim).ok();
+    Some((ring, rules))
 }
 
 impl<const N: usize> Single<N> {
@@ -147,30 +137,15 @@ impl<const N: usize> Single<N> {
     pub(crate) fn new(claim: &Claim, work: &Rc<Work>) -> Checked<Self> {
         let root = Rc::new(Root::new(&claim.field, work)?);
         let large = Model::new(&Exact::new(&root, work)?, claim)?;
-        let intervals = Intervals { root: root.clone(), work: work.clone() };
-        Ok(Single {
-            vertices: Vertices::new(claim.dimension, claim.field.degree()),
-            small: size(&root, claim, work),
-            medium: size(&root, claim, work),
-            large,
-            intervals: Rules::new(&intervals, claim).ok(),
-            region: None,
-            volume: from_fn(|_| from_fn(|_| Sum::default())),
-        })
+        let intervals = Rules::new(&Intervals { root: root.clone(), work: work.clone() }, claim).ok();
+        let vertices = Vertices::new(claim.dimension, claim.field.degree());
+        let (small, medium) = (size(&root, claim, work), size(&root, claim, work));
+        Ok(Single { vertices, small, medium, large, intervals, region: None, volume: Default::default() })
     }
 
     pub(crate) fn read_denominator(&mut self, claim: &Claim, cbor: &mut Cbor) -> Checked {
         self.vertices.read_denominator(cbor)?;
-        let denominator = &self.vertices.denominator;
-        self.large.set_denominator(claim, denominator)?;
-        // Where a product does not fit, these integers do not serve.
-        if let Some((_, model)) = &mut self.small {
-            model.take_if(|model| model.set_denominator(claim, denominator).is_err());
-        }
-        if let Some((_, model)) = &mut self.medium {
-            model.take_if(|model| model.set_denominator(claim, denominator).is_err());
-        }
-        Ok(())
+        self.large.set_denominator(claim, &self.vertices.denominator)
     }
 
     /// Checks X for the facets of the list `boundary`.
@@ -195,10 +170,10 @@ impl<const N: usize> Single<N> {
         steps: &[Step; 4],
         number: u64,
     ) -> Checked<Judged<N>> {
-        let (ring, model) = size.ok_or_else(|| Stop::LARGER)?;
+        let (ring, rules) = size.ok_or_else(|| Stop::LARGER)?;
         let simplex = self.large.simplex(ring, row, steps, number, |corner| self.vertices.point(corner))?;
-        let model = model.as_ref().ok_or_else(|| Stop::LARGER);
-        match model.and_then(|model| model.rules.check(&simplex, &self.vertices.denominator)) {
+        let rules = rules.as_ref().ok_or_else(|| Stop::LARGER);
+        match rules.and_then(|rules| rules.check(&simplex, &self.vertices.denominator)) {
             Err(stop) if stop.is_larger() => self.judge_by_intervals(&simplex),
             found => found.and_then(|(x, attained)| Ok((attained, [wide(&x)?, Element::default()]))),
         }
@@ -209,7 +184,7 @@ impl<const N: usize> Single<N> {
     #[inline(never)]
     fn judge_by_intervals<T: Int>(&self, simplex: &Simplex<Exact<T, N>>) -> Checked<Judged<N>> {
         let rules = self.intervals.as_ref().ok_or_else(|| Stop::LARGER)?;
-        let vector = |x: &[Element<T, N>; 3]| each(x, |x| rules.ring.of(&x.0));
+        let vector = |x: &[Element<T, N>; 3]| each(x, |x| Interval::of(&x.0, &rules.ring.root));
         let intervals = Simplex {
             number: simplex.number,
             edges: each(&simplex.edges, vector)?,
@@ -240,31 +215,29 @@ fn wide<T: Int, const N: usize>(x: &Element<T, N>) -> Checked<Element<i128, N>> 
     each(&x.0, T::wide).map(Element)
 }
 
-fn add<T: Int, const N: usize>(sums: &mut [Sum; N], x: &Element<T, N>) {
-    sums.iter_mut().zip(&x.0).for_each(|(sum, c)| sum.add(c));
-}
-
 impl<const N: usize> Numbers for Single<N> {
     fn faces(&self, vertex: u32) -> Checked<Vec<u32>> {
         let corner = Corner { vertex, shift: [0; 3] };
-        let small = self.small.as_ref().and_then(|(_, model)| model.as_ref()).ok_or(Stop::LARGER);
-        let faces = small.and_then(|small| small.faces(&self.vertices.point(corner)?, vertex));
-        or_larger(faces, || self.large.faces(&self.vertices.point(corner)?, vertex))
+        self.large.faces(&self.vertices.point(corner)?, vertex)
     }
 
     fn check(&mut self, row: &Row, steps: &[Step; 4], simplex: u64) -> Checked<u32> {
-        let small = self.judge(self.small.as_ref(), row, steps, simplex);
-        let attained = match or_larger(small, || self.judge(self.medium.as_ref(), row, steps, simplex)) {
+        let mut found = self.judge(self.small.as_ref(), row, steps, simplex);
+        if found == Err(Stop::LARGER) {
+            found = self.judge(self.medium.as_ref(), row, steps, simplex);
+        }
+        let attained = match found {
             Err(stop) if stop.is_larger() => {
                 let found = self.judge_large(row, steps, simplex);
                 let (determinant, attained) = found.map_err(|stop| stop.at(Place::Simplex(simplex)))?;
-                add(&mut self.volume[0], &determinant);
+                self.volume[0].0.iter_mut().zip(determinant.0).for_each(|(sum, c)| *sum += c);
                 attained
             }
             found => {
-                let (attained, [x, y]) = found?;
-                add(&mut self.volume[0], &x);
-                add(&mut self.volume[1], &y);
+                let (attained, parts) = found?;
+                for (sum, part) in self.volume.iter_mut().zip(parts) {
+                    sum.0.iter_mut().zip(part.0).filter(|(_, c)| *c != 0).for_each(|(sum, c)| *sum += c);
+                }
                 attained
             }
         };
@@ -278,8 +251,8 @@ impl<const N: usize> Numbers for Single<N> {
         if self.region.is_some() {
             return Ok(());
         }
-        let [x, y] = self.volume.each_ref().map(|sums| sums.each_ref().map(Sum::value));
-        let volume = zip(&x, &y, |x, y| Ok(x + (y << 62)))?;
-        self.large.check_volume(&Element(volume), shape, &self.vertices.denominator)
+        let [x, y] = &self.volume;
+        let volume = Element(zip(&x.0, &y.0, |x, y| Ok(x + (y << 62)))?);
+        self.large.check_volume(&volume, shape, &self.vertices.denominator)
     }
 }

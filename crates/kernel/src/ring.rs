@@ -77,6 +77,10 @@ pub trait Ring: Clone {
         self.element(&[value.into()])
     }
 
+    fn long(&self, value: &BigInt) -> Checked<Self::Element> {
+        self.element(std::slice::from_ref(value))
+    }
+
     fn times(&self, x: &Self::Element, y: &Self::Element) -> Checked<Self::Element> {
         self.dot([x], [y])
     }

@@ -104,8 +104,7 @@ fn sign_at(p: &[BigInt], x: &BigInt, d: &BigInt, work: &Work) -> Ordering {
     Int::sign(&sum)
 }
 
-/// Integers between which 2^BITS a lies. p rises or falls on the whole interval, so halving it
-/// keeps the root.
+/// Integers between which 2^BITS a lies. p rises or falls on the whole interval, so halving it keeps the root.
 fn enclose(p: &[BigInt], ends: [&BigInt; 3], work: &Work) -> Checked<(BigInt, BigInt)> {
     let [mut low, mut high, mut unit] = ends.map(BigInt::clone);
     let rises = sign_at(p, &high, &unit, work);

@@ -1,10 +1,9 @@
 //! The statements about single simplices, in the numbers of one ring.
 //!
-//! e_1, e_2, e_3 are the edges from the first corner, times the common denominator. n_1, n_2, n_3
-//! are their cross products: n_i · e_j is det E for i = j and else 0. So n_i / det E is the
-//! gradient of the i-th barycentric coordinate, and n_0 = -(n_1 + n_2 + n_3). Covectors have the
-//! inner product ⟨n, m⟩ = n adj(G) m, up to the factor det G > 0. Everything is homogeneous in the
-//! coordinates and in G, so positive factors do not matter.
+//! e_1, e_2, e_3 are the edges from the first corner, times the common denominator. n_1, n_2, n_3 are their cross
+//! products: n_i · e_j is det E for i = j and else 0. So n_i / det E is the gradient of the i-th barycentric
+//! coordinate, and n_0 = -(n_1 + n_2 + n_3). Covectors have the inner product ⟨n, m⟩ = n adj(G) m, up to the factor det
+//! G > 0. Everything is homogeneous in the coordinates and in G, so positive factors do not matter.
 //!
 //! In the plane G gets a third row (0, 0, 1), e_3 is (0, 0, 1), and n_3 is left out.
 
@@ -24,7 +23,6 @@ pub(crate) struct Rules<R: Ring> {
     gram: [Vector<R>; 3],
     adjugate: [Vector<R>; 3],
     four_det_gram: R::Element,
-    one: R::Element,
     acute: bool,
     nonobtuse: bool,
     angles: Vec<Extreme<R>>,
@@ -34,19 +32,15 @@ pub(crate) struct Rules<R: Ring> {
     not_delaunay: bool,
 }
 
-/// A bound p/q for the least or the greatest of some quotients of a simplex. The quotients are the
-/// squared cosines, with the signs of the cosines, and R²/l² for all edge lengths l. So the largest
-/// angle is a least quotient.
+/// A bound p/q for the least or the greatest of some quotients of a simplex. The quotients are the squared cosines,
+/// with the signs of the cosines, and R²/l² for all edge lengths l. So the largest angle is a least quotient.
 struct Extreme<R: Ring> {
     statement: usize,
-    is_angle: bool,
-    is_least: bool,
+    property: Property,
     relation: Relation,
     minus_p: R::Element,
     q: R::Element,
-    /// Of |p|/q.
-    logarithm: Option<Logarithm>,
-    sign: Ordering,
+    size: Size,
 }
 
 /// A simplex and the corners of its mates, seen from its first corner.
@@ -56,28 +50,9 @@ pub(crate) struct Simplex<R: Ring> {
     pub(crate) mates: [Option<Vector<R>>; 4],
 }
 
-/// c d / (x y), with the sign of c. If that is undecided, the quotient is one of two.
-struct Quotient<'a, R: Ring> {
-    sign: Sign,
-    numerator: [&'a R::Element; 2],
-    denominator: [&'a R::Element; 2],
-    /// Without the sign.
-    logarithm: Option<Logarithm>,
-}
-
-impl<R: Ring> Quotient<'_, R> {
-    fn exact(&self, ring: &R) -> Checked<[R::Element; 2]> {
-        let ([c, d], [x, y]) = (self.numerator, self.denominator);
-        let product = ring.times(c, d)?;
-        let is_negative = self.sign.least == Less && self.sign.most != Greater;
-        Ok([if is_negative { ring.negated(&product)? } else { product }, ring.times(x, y)?])
-    }
-
-    fn value(&self, ring: &R) -> Checked<Value> {
-        let [x, y] = self.exact(ring)?;
-        Ok(ring.quotient(&x, &y))
-    }
-}
+/// Of a quotient: the sign, and the logarithm without the sign. If the sign is undecided, the quotient is one of
+/// two, and its numerator is positive here.
+type Size = (Sign, Option<Logarithm>);
 
 /// The inner products of the pairs (1, 1), (1, 2), (1, 3), (2, 2), (2, 3), (3, 3) of three vectors.
 type Products<R> = [<R as Ring>::Element; 6];
@@ -85,8 +60,7 @@ type Products<R> = [<R as Ring>::Element; 6];
 /// -⟨n_i, n_j⟩ for the pairs of facets, and all ⟨n_i, n_i⟩.
 type Cosines<R> = ([<R as Ring>::Element; 6], [<R as Ring>::Element; 4]);
 
-/// The facets of the angles, by the corners that they do not have. The first three are those of the
-/// plane.
+/// The facets of the angles, by the corners that they do not have. The first three are those of the plane.
 const FACETS: [(usize, usize); 6] = [(0, 1), (0, 2), (1, 2), (0, 3), (1, 3), (2, 3)];
 
 /// The bit of `not Delaunay` among those of the statements. Bounds have less than 22 bits.
@@ -112,7 +86,6 @@ impl<R: Ring> Rules<R> {
             ring: ring.clone(),
             is_plane: claim.dimension == 2,
             is_unit: is_unit(ring, &gram)?,
-            one: ring.integer(1)?,
             four_det_gram: ring.times(&ring.integer(4)?, &determinant)?,
             gram,
             adjugate,
@@ -135,28 +108,17 @@ impl<R: Ring> Rules<R> {
     fn add_bound(&mut self, statement: usize, of: Property, bound: &Bound) -> Checked {
         let ring = &self.ring;
         let p = ring.element(&bound.numerator)?;
-        let q = ring.element(std::slice::from_ref(&bound.denominator))?;
+        let q = ring.long(&bound.denominator)?;
         // A squared ratio is positive. A squared cosine is at most 1, and zero with the sign zero.
         let expected = if bound.sign == 0 { Equal } else { Greater };
         let is_cosine = !of.is_angle() || ring.compare(&p, &q)?.is(|sign| sign != Greater)?;
         let is_range = is_cosine && ring.sign(&p).decided()? == expected;
         ensure!(is_range, BoundRange, Place::Statement(statement), ring.quotient(&p, &q));
         let minus_p = if bound.sign < 0 { p } else { ring.negated(&p)? };
-        let is_least = of == Property::LargestAngle;
-        let logarithm = ring.rough(&minus_p).1.zip(ring.rough(&q).1);
-        let logarithm = logarithm.map(|(p, q)| Logarithm::quotient([&p, &p], [&p, &q]));
-        let sign = bound.sign.cmp(&0);
+        let logarithm = ring.rough(&minus_p).1.zip(ring.rough(&q).1).map(|(p, q)| Logarithm::quotient([p, p], [p, q]));
+        let size = (Sign::exactly(bound.sign.cmp(&0)), logarithm);
         let list = if of.is_angle() { &mut self.angles } else { &mut self.ratios };
-        list.push(Extreme {
-            statement,
-            is_angle: of.is_angle(),
-            is_least,
-            relation: bound.relation,
-            minus_p,
-            q,
-            logarithm,
-            sign,
-        });
+        list.push(Extreme { statement, property: of, relation: bound.relation, minus_p, q, size });
         Ok(())
     }
 
@@ -220,27 +182,36 @@ impl<R: Ring> Rules<R> {
 
     fn check_angles(&self, (cosines, squares): &Cosines<R>, simplex: u64) -> Checked<u32> {
         let ring = &self.ring;
-        let place = |(i, j)| Place::Angle(simplex, i, j);
-        let rough = |x| if self.angles.is_empty() { (ring.sign(x), None) } else { ring.rough(x) };
-        let squares = squares.each_ref().map(|square| (square, rough(square).1));
-        let square = |i: usize| squares.get(i).ok_or_else(|| Stop::LARGER);
-        let mut quotients = [const { None }; 6];
-        for ((c, (i, j)), quotient) in cosines.iter().zip(FACETS).zip(&mut quotients).take(self.pairs()) {
-            let ((x, rough_x), (y, rough_y)) = (square(i)?, square(j)?);
-            let (sign, rough_c) = rough(c);
-            let logarithm = match (rough_c, rough_x, rough_y) {
-                (Some(c), Some(x), Some(y)) => Some(Logarithm::quotient([&c, &c], [x, y])),
-                _ => None,
-            };
-            let found = Quotient { sign, numerator: [c, c], denominator: [*x, *y], logarithm };
-            // `acute`: the cosine is positive. `nonobtuse`: it is not negative.
-            let is_acute = !self.acute || found.sign.is(|sign| sign == Greater)?;
-            ensure!(is_acute, NotAcute, place((i, j)), found.value(ring)?);
-            let is_nonobtuse = !self.nonobtuse || found.sign.is(|sign| sign != Less)?;
-            ensure!(is_nonobtuse, NotNonobtuse, place((i, j)), found.value(ring)?);
-            *quotient = Some(found);
+        let roughs = squares.each_ref().map(|x| if self.angles.is_empty() { None } else { ring.rough(x).1 });
+        let mut sizes = [(Sign::UNDECIDED, None); 6];
+        for ((c, (i, j)), size) in cosines.iter().zip(FACETS).zip(&mut sizes) {
+            let (sign, rough) = if self.angles.is_empty() { (ring.sign(c), None) } else { ring.rough(c) };
+            let quotient = |((c, x), y)| Logarithm::quotient([c, c], [x, y]);
+            let of = |k: usize| roughs.get(k).copied().flatten();
+            *size = (sign, rough.zip(of(i)).zip(of(j)).map(quotient));
         }
-        self.check_extremes(&self.angles, &quotients, |k| FACETS.get(k).copied().map(place))
+        // The squared cosine, with the sign of the cosine.
+        let exact = |k: usize| {
+            let ((c, (i, j)), (sign, _)) = cosines.get(k).zip(FACETS.get(k)).zip(sizes.get(k)).ok_or(Stop::LARGER)?;
+            let (x, y) = squares.get(*i).zip(squares.get(*j)).ok_or(Stop::LARGER)?;
+            let square = ring.times(c, c)?;
+            let is_negative = sign.least == Less && sign.most != Greater;
+            Ok([if is_negative { ring.negated(&square)? } else { square }, ring.times(x, y)?])
+        };
+        let place = |k| FACETS.get(k).map(|(i, j)| Place::Angle(simplex, *i, *j)).ok_or(Stop::LARGER);
+        let sizes = sizes.get(..self.pairs()).unwrap_or(&sizes);
+        for (k, (sign, _)) in sizes.iter().enumerate() {
+            // `acute`: the cosine is positive. `nonobtuse`: it is not negative.
+            let is_acute = !self.acute || sign.is(|sign| sign == Greater)?;
+            ensure!(is_acute, NotAcute, place(k)?, self.value(exact(k)?));
+            let is_nonobtuse = !self.nonobtuse || sign.is(|sign| sign != Less)?;
+            ensure!(is_nonobtuse, NotNonobtuse, place(k)?, self.value(exact(k)?));
+        }
+        self.check_extremes(&self.angles, sizes, exact, place)
+    }
+
+    fn value(&self, [x, y]: [R::Element; 2]) -> Value {
+        self.ring.quotient(&x, &y)
     }
 
     /// With g_ij = ⟨n_i, n_j⟩ the dihedral angle of the facets i and j has the cosine
@@ -261,14 +232,18 @@ impl<R: Ring> Rules<R> {
     fn check_extremes(
         &self,
         bounds: &[Extreme<R>],
-        quotients: &[Option<Quotient<R>>; 6],
-        place: impl Fn(usize) -> Option<Place>,
+        sizes: &[Size],
+        exact: impl Fn(usize) -> Checked<[R::Element; 2]>,
+        place: impl Fn(usize) -> Checked<Place>,
     ) -> Checked<u32> {
         let mut attained = 0;
         for bound in bounds {
             let mut found = None;
-            for quotient in quotients.iter().flatten() {
-                let sign = self.compare(quotient, bound)?;
+            for (k, size) in sizes.iter().enumerate() {
+                let sign = match compare(size, &bound.size) {
+                    Some(sign) => Sign::exactly(sign),
+                    None => self.compare_exactly(exact(k)?, size.0, bound)?,
+                };
                 found = Some(found.map_or(sign, |first| bound.extreme(first, sign)));
                 // No sign is beyond this one.
                 if found == Some(Sign::exactly(bound.beyond())) {
@@ -277,63 +252,38 @@ impl<R: Ring> Rules<R> {
             }
             let sign = found.ok_or_else(|| Stop::LARGER)?;
             // Angles rise where cosines fall.
-            let order = |sign: Ordering| if bound.is_angle { sign.reverse() } else { sign };
+            let is_angle = bound.property.is_angle();
+            let order = |sign: Ordering| if is_angle { sign.reverse() } else { sign };
             let is_allowed = sign.is(|sign| bound.relation.allows(order(sign)))?;
             if !is_allowed {
-                let (k, value) = self.extreme_quotient(bound, quotients)?;
-                let place = place(k).ok_or_else(|| Stop::LARGER)?;
-                ensure!(!bound.is_angle, AngleBound, place, value);
-                ensure!(bound.is_angle, RatioBound, place, value);
+                // The extreme quotient.
+                let (mut at, mut extreme) = (0, exact(0)?);
+                for k in 1..sizes.len() {
+                    let [[p, q], [x, y]] = [&extreme, &exact(k)?];
+                    let order = self.ring.compare(&self.ring.times(x, q)?, &self.ring.times(p, y)?)?;
+                    if order == Sign::exactly(bound.beyond()) {
+                        (at, extreme) = (k, exact(k)?);
+                    }
+                }
+                let (place, value) = (place(at)?, self.value(extreme));
+                ensure!(!is_angle, AngleBound, place, value);
+                ensure!(is_angle, RatioBound, place, value);
             }
             attained |= u32::from(sign == Sign::exactly(Equal)) << bound.statement;
         }
         Ok(attained)
     }
 
-    /// The sign of a quotient minus p/q: by the signs and the logarithms, or else exactly.
-    #[inline(always)]
-    fn compare(&self, quotient: &Quotient<R>, bound: &Extreme<R>) -> Checked<Sign> {
-        if let (Some(x), Some(y)) = (&quotient.logarithm, &bound.logarithm)
-            && quotient.sign.least == quotient.sign.most
-        {
-            let sign = quotient.sign.least;
-            let order = if sign == bound.sign { x.compare(y) } else { Some(Greater) };
-            if let Some(order) = order {
-                return Ok(Sign::exactly(if sign == Less { order.reverse() } else { order }));
-            }
-        }
-        self.compare_exactly(quotient, bound)
-    }
-
-    /// The sign of x/y - p/q. If the sign of the cosine is undecided, it is one of ±x/y.
+    /// The sign of x/y - p/q, or with an undecided sign of ±x/y - p/q.
     #[inline(never)]
-    fn compare_exactly(&self, quotient: &Quotient<R>, bound: &Extreme<R>) -> Checked<Sign> {
-        let [x, y] = quotient.exact(&self.ring)?;
+    fn compare_exactly(&self, [x, y]: [R::Element; 2], sign: Sign, bound: &Extreme<R>) -> Checked<Sign> {
         let difference = |x| Ok(self.ring.sign(&self.ring.dot([&bound.q, &bound.minus_p], [x, &y])?));
-        let sign = difference(&x)?;
-        if quotient.sign != Sign::UNDECIDED {
-            return Ok(sign);
+        let first = difference(&x)?;
+        if sign != Sign::UNDECIDED {
+            return Ok(first);
         }
         let other = difference(&self.ring.negated(&x)?)?;
-        Ok(Sign { least: sign.least.min(other.least), most: sign.most.max(other.most) })
-    }
-
-    /// The place and the value of the extreme quotient, for a refusal.
-    fn extreme_quotient(&self, bound: &Extreme<R>, quotients: &[Option<Quotient<R>>; 6]) -> Checked<(usize, Value)> {
-        let (ring, beyond) = (&self.ring, bound.beyond());
-        let mut extreme: Option<(usize, [R::Element; 2])> = None;
-        for (k, quotient) in quotients.iter().flatten().enumerate() {
-            let [x, y] = quotient.exact(ring)?;
-            let order = match &extreme {
-                Some((_, [p, q])) => ring.compare(&ring.times(&x, q)?, &ring.times(p, &y)?)?,
-                None => Sign::exactly(beyond),
-            };
-            if order == Sign::exactly(beyond) {
-                extreme = Some((k, [x, y]));
-            }
-        }
-        let (k, [x, y]) = extreme.ok_or(Stop::LARGER)?;
-        Ok((k, ring.quotient(&x, &y)))
+        Ok(Sign { least: first.least.min(other.least), most: first.most.max(other.most) })
     }
 
     /// Checks the statements about the circumsphere.
@@ -363,14 +313,10 @@ impl<R: Ring> Rules<R> {
             // R² = z G z = w adj(G) w / (4 det E² det G), since 2 G z = -w / det E.
             let radius = ring.inner(&w, &self.dual(&w)?)?;
             let unit = ring.times(&ring.times(determinant, determinant)?, &self.four_det_gram)?;
-            let sign = Sign::exactly(Greater);
-            let mut quotients = [const { None }; 6];
-            for (quotient, square) in quotients.iter_mut().zip(squares) {
-                let (numerator, denominator) = ([&radius, &self.one], [&unit, square]);
-                *quotient = Some(Quotient { sign, numerator, denominator, logarithm: None });
-            }
-            let place = |_| Some(Place::Simplex(simplex.number));
-            attained = self.check_extremes(&self.ratios, &quotients, place)?;
+            let exact = |k: usize| Ok([radius.clone(), ring.times(&unit, squares.get(k).ok_or(Stop::LARGER)?)?]);
+            let sizes = [(Sign::exactly(Greater), None); 6];
+            let sizes = sizes.get(..squares.len()).unwrap_or(&sizes);
+            attained = self.check_extremes(&self.ratios, sizes, exact, |_| Ok(Place::Simplex(simplex.number)))?;
         }
         // `Delaunay`: a mate's corner outside of the common facet is outside of the circumsphere;
         // `weakly Delaunay`: it is not inside. The difference of the powers of two spheres through
@@ -432,14 +378,22 @@ impl<R: Ring> Rules<R> {
     }
 }
 
+/// The order of two quotients by their signs and logarithms.
+#[inline(always)]
+fn compare((sign, x): &Size, (other, y): &Size) -> Option<Ordering> {
+    let (Some(x), Some(y), Ok(sign)) = (x, y, sign.decided()) else { return None };
+    let order = if *other == Sign::exactly(sign) { x.compare(y)? } else { Greater };
+    Some(if sign == Less { order.reverse() } else { order })
+}
+
 impl<R: Ring> Extreme<R> {
     /// The sign of a quotient minus one that is less extreme.
     fn beyond(&self) -> Ordering {
-        if self.is_least { Less } else { Greater }
+        if self.property == Property::LargestAngle { Less } else { Greater }
     }
 
     fn extreme(&self, a: Sign, b: Sign) -> Sign {
-        let choose = if self.is_least { Ordering::min } else { Ordering::max };
+        let choose = if self.beyond() == Less { Ordering::min } else { Ordering::max };
         Sign { least: choose(a.least, b.least), most: choose(a.most, b.most) }
     }
 }

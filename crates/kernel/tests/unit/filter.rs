@@ -1,7 +1,7 @@
 //! The filters against exact integers: what they decide is true. Without their error bounds it would not be.
 
 use crate::claim::Field;
-use crate::filter::{Intervals, Logarithm, Rough};
+use crate::filter::{Interval, Intervals, Logarithm, Rough};
 use crate::int::Int;
 use crate::limits::Work;
 use crate::ring::{Element, Exact, Ring, Sign};
@@ -49,7 +49,7 @@ fn intervals_of_sums_of_products() {
             (x[2], y[2]) = (-x[1], y[1]);
         }
         let exact = (0..4).map(|k| BigInt::from(x[k]) * y[k]).sum::<BigInt>();
-        let [x, y] = [x, y].map(|x| x.map(|c| ring.of(&[c]).unwrap()));
+        let [x, y] = [x, y].map(|x| x.map(|c| Interval::of(&[c], &ring.root).unwrap()));
         let found = ring.dot(x.each_ref(), y.each_ref()).unwrap();
         let sign = exact.cmp(&BigInt::ZERO);
         if ring.sign(&found) != Sign::UNDECIDED {
@@ -82,8 +82,8 @@ fn orders_of_logarithms() {
                 e = (near, Rough::new(near, 0, 0).unwrap());
             }
         }
-        let first = Logarithm::quotient([&a.1, &b.1], [&c.1, &d.1]);
-        let second = Logarithm::quotient([&e.1, &f.1], [&f.1, &f.1]);
+        let first = Logarithm::quotient([a.1, b.1], [c.1, d.1]);
+        let second = Logarithm::quotient([e.1, f.1], [f.1, f.1]);
         let exact = (BigInt::from(a.0) * b.0 * f.0).cmp(&(BigInt::from(e.0) * c.0 * d.0));
         if let Some(order) = first.compare(&second) {
             assert_eq!(order, exact);
