@@ -82,11 +82,11 @@ impl<'r> Cbor<'r> {
     #[inline(always)]
     fn take(&mut self) -> Checked<u8> {
         let byte = match self.piece.get(self.next) {
-            Some(byte) => *byte,
-            None => some!(self.peek()?, Cbor, self.place()),
+            Some(byte) => Some(*byte),
+            None => self.peek()?,
         };
         self.next += 1;
-        Ok(byte)
+        Ok(some!(byte, Cbor, self.place()))
     }
 
     /// The kind of an item, and its value or length in the shortest form.

@@ -7,11 +7,9 @@
 //! forgotten. That the rows are a tiling is decided at the end, and nothing is proved before.
 
 use crate::front::Step;
-use crate::limits::Work;
 use crate::refusal::{Checked, Place};
 use crate::row::{Corner, Row};
 use crate::table::Table;
-use std::rc::Rc;
 
 /// The ends in sorted order, and the shift from the first to the second: one name for all translates of an edge.
 pub(crate) type Edge = ([u32; 2], [i32; 3]);
@@ -28,18 +26,12 @@ pub(crate) struct Valence {
     is_six: bool,
 }
 
-pub(crate) struct Edges {
-    pub(crate) open: Table<Edge, Valence>,
-}
+pub(crate) type Edges = Table<Edge, Valence>;
 
 /// The positions of the ends of the edges among the sorted corners. Opposite ones are p and 5 - p.
 const ENDS: [(usize, usize); 6] = [(0, 1), (0, 2), (0, 3), (1, 2), (1, 3), (2, 3)];
 
 impl Edges {
-    pub(crate) fn new(work: &Rc<Work>) -> Edges {
-        Edges { open: Table::new(work) }
-    }
-
     /// Counts a tetrahedron at its edges and closes those that are open no more.
     pub(crate) fn step(&mut self, row: &Row, steps: &[Step; 4], simplex: u64) -> Checked {
         // Two edges of a tetrahedron are in one triangle unless they are opposite. So those of
@@ -56,7 +48,7 @@ impl Edges {
         let items = names.iter().zip(changes).zip(&mut closing).zip(ENDS).enumerate();
         for (bit, (((name, change), is_closing), (i, j))) in items {
             let is_six = sixes >> bit & 1 == 1;
-            let agrees = self.open.with(name.0[0], name, |list, position| {
+            let agrees = self.with(name.0[0], name, |list, position| {
                 let position = position.unwrap_or(list.len());
                 if position == list.len() {
                     list.push((*name, Valence { tetrahedra: 0, open: 0, is_six }));
@@ -73,7 +65,7 @@ impl Edges {
         }
         // Only now, for another edge of this tetrahedron may be a translate.
         for ((name, (i, j)), _) in names.into_iter().zip(ENDS).zip(closing).filter(|(_, is_closing)| *is_closing) {
-            let closed = self.open.with(name.0[0], &name, |list, position| {
+            let closed = self.with(name.0[0], &name, |list, position| {
                 let position = position?;
                 let is_closed = list.get(position)?.1.open == 0;
                 is_closed.then(|| list.swap_remove(position).1)

@@ -195,10 +195,13 @@ impl<const N: usize> Single<N> {
         if self.region.is_some() {
             return Ok((attained, Default::default()));
         }
-        // A normal is x + 2^62 y, and products of these with edges of 62 bits fit 128 bits.
         let (ring, _) = self.medium.as_ref().ok_or_else(|| Stop::LARGER)?;
         let [e1, e2, e3] = each(&simplex.edges, |edge| each(edge, wide))?;
         let normal = ring.cross(&e2, &e3)?;
+        if let Ok(determinant) = ring.inner(&e1, &normal) {
+            return Ok((attained, [determinant, Element::default()]));
+        }
+        // A normal is x + 2^62 y, and products of these with edges of 62 bits fit 128 bits.
         let x = normal.each_ref().map(|x| Element(x.0.map(|c| c & ((1 << 62) - 1))));
         let y = normal.each_ref().map(|x| Element(x.0.map(|c| c >> 62)));
         Ok((attained, [ring.inner(&e1, &x)?, ring.inner(&e1, &y)?]))

@@ -256,7 +256,7 @@ impl<T: Int, const N: usize> Ring for Exact<T, N> {
             }
             for (x, y) in x.iter().zip(y) {
                 let x = x.0.get(j).ok_or_else(|| Stop::LARGER)?;
-                if N > 2 && *x == T::default() {
+                if N > 1 && *x == T::default() {
                     continue;
                 }
                 for (sum, y) in sum.iter_mut().zip(&y.0).take(degree) {

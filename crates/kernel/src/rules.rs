@@ -223,8 +223,7 @@ impl<R: Ring> Rules<R> {
         let c02 = ring.plus(&ring.plus(&g12, &g22)?, &g23)?;
         let c03 = ring.plus(&ring.plus(&g13, &g23)?, &g33)?;
         let g00 = ring.plus(&ring.plus(&c01, &c02)?, &c03)?;
-        let others = [ring.negated(&g12)?, ring.negated(&g13)?, ring.negated(&g23)?];
-        let [c12, c13, c23] = others;
+        let [c12, c13, c23] = each(&[g12, g13, g23], |g| ring.negated(g))?;
         Ok(([c01, c02, c12, c03, c13, c23], [g00, g11, g22, g33]))
     }
 

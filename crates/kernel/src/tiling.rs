@@ -130,7 +130,7 @@ impl<'c, M> Pass<'c, M> {
 
     /// The numbers of facets in the boundary, and of the peaks of open facets and edges.
     pub(crate) fn counts(&self) -> (u64, usize, usize) {
-        let edges = self.edges.as_ref().map_or(0, |edges| edges.open.peak);
+        let edges = self.edges.as_ref().map_or(0, |edges| edges.peak);
         (self.front.boundary, self.front.open.peak, edges)
     }
 }

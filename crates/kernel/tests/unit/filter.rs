@@ -70,7 +70,7 @@ fn orders_of_logarithms() {
         let mut number = || {
             let x = u128::from(random() | 1) << (random() % 40);
             let radius = (x >> 13) >> (random() % 100).min(127);
-            let middle = if random() % 2 == 0 { x + radius } else { x - radius };
+            let middle = if random() & 1 == 0 { x + radius } else { x - radius };
             (x, Rough::new(middle, radius, 0).unwrap())
         };
         let [a, b, c, d, mut e, f] = [number(), number(), number(), number(), number(), number()];
