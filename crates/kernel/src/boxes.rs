@@ -173,5 +173,5 @@ fn enclosures<const N: usize>(vertices: &Vertices, root: &Root, vertex: u32) -> 
         Ok(point) => each(&point, |x| enclosure(&x.0, &root.rough))?,
         Err(_) => each(&vertices.point::<BigInt, N>(corner)?, |x| enclosure(&x.0, &root.rough))?,
     };
-    Ok(found.map(|(middle, radius, s)| (middle - radius, middle + radius, s)))
+    Ok(found.map(|(middle, radius, s)| (middle - radius.cast_signed(), middle + radius.cast_signed(), s)))
 }

@@ -42,15 +42,8 @@ fn wide(length: usize) -> u64 {
 
 impl<'r> Cbor<'r> {
     pub(crate) fn new(input: &'r mut dyn Read, limits: &Limits, work: &Rc<Work>) -> Cbor<'r> {
-        Cbor {
-            input,
-            piece: Vec::new(),
-            next: 0,
-            before: 0,
-            limits: limits.clone(),
-            digest: Sha256::new(),
-            work: work.clone(),
-        }
+        let (limits, work) = (limits.clone(), work.clone());
+        Cbor { input, piece: Vec::new(), next: 0, before: 0, limits, digest: Sha256::new(), work }
     }
 
     pub fn place(&self) -> Place {
@@ -86,8 +79,12 @@ impl<'r> Cbor<'r> {
         Ok(())
     }
 
+    #[inline(always)]
     fn take(&mut self) -> Checked<u8> {
-        let byte = self.peek()?;
+        let byte = match self.piece.get(self.next) {
+            Some(byte) => Some(*byte),
+            None => self.peek()?,
+        };
         self.next += 1;
         Ok(some!(byte, Cbor, self.place()))
     }
@@ -98,6 +95,7 @@ impl<'r> Cbor<'r> {
         self.rest_of_head(first)
     }
 
+    #[inline(always)]
     fn rest_of_head(&mut self, first: u8) -> Checked<(u8, u64)> {
         let info = first & 31;
         if info < 24 {
@@ -115,24 +113,26 @@ impl<'r> Cbor<'r> {
         Ok((first >> 5, value))
     }
 
+    #[inline(always)]
     pub fn integer(&mut self) -> Checked<Integer> {
-        match self.take()? {
-            first @ 0..24 => Ok(Ok(i64::from(first))),
-            first @ 32..56 => Ok(Ok(31 - i64::from(first))),
-            first => self.long_integer(first),
+        let first = self.take()?;
+        let is_short = matches!(first >> 5, NATURAL | NEGATIVE);
+        ensure!(is_short || first >> 5 == TAG, Cbor, self.place());
+        let (kind, value) = self.rest_of_head(first)?;
+        match i64::try_from(value) {
+            Ok(value) if is_short => Ok(Ok(if kind == NATURAL { value } else { !value })),
+            _ => self.large_integer(kind, value),
         }
     }
 
+    #[cold]
     #[inline(never)]
-    fn long_integer(&mut self, first: u8) -> Checked<Integer> {
-        ensure!(matches!(first >> 5, NATURAL | NEGATIVE | TAG), Cbor, self.place());
-        let (kind, value) = self.rest_of_head(first)?;
-        if kind == TAG {
-            return self.big_integer(value);
+    fn large_integer(&mut self, kind: u8, value: u64) -> Checked<Integer> {
+        match kind {
+            NATURAL => Ok(Err(value.into())),
+            NEGATIVE => Ok(Err(!BigInt::from(value))),
+            _ => self.big_integer(value),
         }
-        let sign = |value: BigInt| if kind == NATURAL { value } else { !value };
-        let small = i64::try_from(value).map(|value| if kind == NATURAL { value } else { !value });
-        Ok(small.map_err(|_| sign(value.into())))
     }
 
     /// Tag 2, or 3 for negative ones: the bytes of n, or of -1 - n, more than eight.

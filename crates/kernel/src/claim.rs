@@ -4,6 +4,7 @@
 //! about its numbers are checked in [`crate::root`], [`crate::rules`] and [`crate::domain`].
 
 use crate::cbor::Cbor;
+use crate::family::{Parameter, read_parameters};
 use crate::limits::{Limits, MAX_DEGREE};
 use crate::refusal::{Checked, Place, Value};
 use crate::transcript::Transcript;
@@ -13,8 +14,7 @@ use num_integer::Integer;
 /// A number of the field: its coefficients of 1, a, …, a^(n-1).
 pub(crate) type Number = Vec<BigInt>;
 
-/// The terms of a polynomial in the parameters, each with its exponents. Without parameters it is
-/// one number.
+/// The terms of a polynomial in the parameters, each with its exponents. Without parameters it is one number.
 pub(crate) type Polynomial = Vec<(Number, Vec<u32>)>;
 
 /// The claim of a certificate.
@@ -93,27 +93,7 @@ pub(crate) struct Bound {
     pub(crate) denominator: BigInt,
 }
 
-/// A parameter of a family, and its interval.
-#[derive(Debug)]
-pub(crate) struct Parameter {
-    pub(crate) name: String,
-    pub(crate) low: End,
-    pub(crate) high: End,
-}
-
-/// An end of an interval: numerator / denominator.
-#[derive(Debug)]
-pub(crate) struct End {
-    /// The end belongs to the interval.
-    pub(crate) is_closed: bool,
-    pub(crate) numerator: Number,
-    pub(crate) denominator: BigInt,
-}
-
-const MAX_PARAMETERS: usize = 64;
 const MAX_EXPONENT: u32 = 15;
-const LONGEST_NAME: usize = 16;
-
 texts! {
     /// In the order of the grammar.
     Property {
@@ -134,8 +114,7 @@ texts! {
 }
 
 texts! {
-    /// How a quantity of every simplex compares with a bound; some simplex attains a maximum or a
-    /// minimum.
+    /// How a quantity of every simplex compares with a bound; some simplex attains a maximum or a minimum.
     Relation {
         LessThan "less than",
         AtMost "at most",
@@ -183,36 +162,6 @@ impl Claim {
         let domain = Domain::read(&mut t, dimension, degree, parameters.len())?;
         let statements = read_statements(&mut t, degree, dimension)?;
         Ok(Claim { dimension, field, parameters, gram, domain, statements, file: t.json + "\n" })
-    }
-}
-
-fn read_parameters(t: &mut Transcript, degree: usize) -> Checked<Vec<Parameter>> {
-    let parameters = t.list(None, |t| {
-        t.record(&["name", "low", "high"])?;
-        let name = t.text()?;
-        let is_usual = |c: char| c.is_ascii_lowercase() || c.is_ascii_digit() || c == '_';
-        let is_name = name.starts_with(|c: char| c.is_ascii_lowercase()) && name.chars().all(is_usual);
-        ensure!(is_name && name.len() <= LONGEST_NAME, ParameterName, t.place());
-        Ok(Parameter { name, low: End::read(t, degree)?, high: End::read(t, degree)? })
-    })?;
-    let count = parameters.len();
-    ensure!((1..=MAX_PARAMETERS).contains(&count), Parameters, t.place(), count);
-    let mut names: Vec<&str> = parameters.iter().map(|parameter| parameter.name.as_str()).collect();
-    names.extend((degree > 1).then_some("a")); // The generator, in all sentences.
-    names.sort_unstable();
-    ensure!(is_strict(&names), ParameterName, t.place());
-    Ok(parameters)
-}
-
-impl End {
-    fn read(t: &mut Transcript, degree: usize) -> Checked<End> {
-        t.array(Some(2))?;
-        let kind = t.text()?;
-        ensure!(kind == "closed" || kind == "open", Cbor, t.place());
-        let (numerator, denominator) = read_fraction(t, degree)?;
-        ensure!(denominator > BigInt::ZERO, Denominator, t.place(), denominator);
-        check_lowest(t.place(), numerator.iter().chain([&denominator]))?;
-        Ok(End { is_closed: kind == "closed", numerator, denominator })
     }
 }
 
@@ -284,20 +233,16 @@ impl Domain {
         }
         t.array(Some(2))?;
         let name = t.text()?;
-        let domain = if name == "region" {
+        if name == "region" {
             ensure!(parameters == 0, FamilyDomain, t.place());
             let found = t.big()?;
             let rank = usize::try_from(&found).ok().filter(|&rank| rank <= dimension);
-            Domain::Region(some!(rank, RegionRank, t.place(), found))
-        } else {
-            let is_prism = name == "prism";
-            ensure!(!is_prism || dimension == 3, PrismDimension, t.place());
-            let names = [("slab", 1), ("prism", 2), ("solid", dimension)];
-            let k = names.into_iter().find(|(known, _)| *known == name).map(|(_, k)| k);
-            let k = some!(k, Cbor, t.place());
-            Domain::Polytope(Polytope::read(t, k, degree, parameters)?)
-        };
-        Ok(domain)
+            return Ok(Domain::Region(some!(rank, RegionRank, t.place(), found)));
+        }
+        ensure!(name != "prism" || dimension == 3, PrismDimension, t.place());
+        let names = [("slab", 1), ("prism", 2), ("solid", dimension)];
+        let k = names.into_iter().find(|(known, _)| *known == name).map(|(_, k)| k);
+        Ok(Domain::Polytope(Polytope::read(t, some!(k, Cbor, t.place()), degree, parameters)?))
     }
 }
 
@@ -328,7 +273,7 @@ fn sorted(face: &[usize]) -> Vec<usize> {
     sorted
 }
 
-fn is_strict<T: PartialOrd>(sorted: &[T]) -> bool {
+pub(crate) fn is_strict<T: PartialOrd>(sorted: &[T]) -> bool {
     sorted.is_sorted_by(|first, second| first < second)
 }
 
@@ -408,7 +353,7 @@ pub(crate) fn read_number(t: &mut Transcript, degree: usize) -> Checked<Number> 
     t.list(Some(degree), Transcript::big)
 }
 
-fn read_fraction(t: &mut Transcript, degree: usize) -> Checked<(Number, BigInt)> {
+pub(crate) fn read_fraction(t: &mut Transcript, degree: usize) -> Checked<(Number, BigInt)> {
     t.array(Some(2))?;
     Ok((read_number(t, degree)?, t.big()?))
 }

@@ -12,8 +12,7 @@ use num_bigint::BigInt;
 use std::cmp::Ordering::{Equal, Less};
 use std::collections::BTreeMap;
 
-/// P in the numbers of one ring. The normals and offsets have x on the inner side of a face where
-/// n · x >= offset.
+/// P in the numbers of one ring. The normals and offsets have x on the inner side of a face where n · x >= offset.
 pub(crate) struct Facets<R: Ring> {
     ring: R,
     /// The vertices, in the last k of three or two coordinates.
@@ -50,7 +49,7 @@ impl<R: Ring> Facets<R> {
 
     /// The vertices of the tiling have a denominator, which is this multiple of that of P.
     pub(crate) fn scale(&mut self, polytope: &Polytope, factor: &BigInt) -> Checked {
-        let factor = self.ring.element(std::slice::from_ref(factor))?;
+        let factor = self.ring.long(factor)?;
         for _ in 0..polytope.dimension {
             self.volume = self.ring.times(&self.volume, &factor)?;
         }
@@ -106,8 +105,7 @@ impl<R: Ring> Facets<R> {
         let mut normals = self.normals(face)?;
         let normal = normals.first().ok_or(Stop::LARGER)?;
         let origin = face.first().copied().ok_or(Stop::LARGER)?;
-        // P1: h_f is zero at the vertices of f and has one strict sign at all others, of which
-        // there is one.
+        // P1: h_f is zero at the vertices of f and has one strict sign at all others, of which there is one.
         let mut side = Equal;
         let mut corners = face.to_vec();
         corners.sort_unstable();
@@ -123,10 +121,9 @@ impl<R: Ring> Facets<R> {
         }
         ensure!(side != Equal, FaceNotFacet, place);
         ring.work().check(place)?;
-        // P2, for k = 3: the vertices of a face stand in the order of a convex polygon. For all
-        // consecutive p, q and every other t, and a vertex o that is not in f, det(q - p, t - p,
-        // o - p) is positive where the inner side is. In the plane of f, (q - p) × (t - p) = λ n,
-        // so this says that λ is positive: p, q, t turn like w_0, w_1, w_2.
+        // P2, for k = 3: the vertices of a face stand in the order of a convex polygon. For all consecutive p, q and
+        // every other t, and a vertex o that is not in f, det(q - p, t - p, o - p) is positive where the inner side is.
+        // In the plane of f, (q - p) × (t - p) = λ n, so this says that λ is positive: p, q, t turn like w_0, w_1, w_2.
         let outside = (0..self.points.len()).find(|vertex| corners.binary_search(vertex).is_err());
         for (p, q) in sides(face).filter(|_| face.len() > 2) {
             let apex = self.vector(p, outside.ok_or(Stop::LARGER)?)?;

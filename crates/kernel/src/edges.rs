@@ -7,45 +7,31 @@
 //! forgotten. That the rows are a tiling is decided at the end, and nothing is proved before.
 
 use crate::front::Step;
-use crate::limits::Work;
 use crate::refusal::{Checked, Place};
 use crate::row::{Corner, Row};
 use crate::table::Table;
-use std::rc::Rc;
 
-/// The ends in sorted order, and the shift from the first to the second: one name for all
-/// translates of an edge.
-type Edge = ([u32; 2], [i32; 3]);
+/// The ends in sorted order, and the shift from the first to the second: one name for all translates of an edge.
+pub(crate) type Edge = ([u32; 2], [i32; 3]);
 
 fn edge(first: Corner, second: Corner) -> Edge {
     ([first.vertex, second.vertex], second.seen_from(first).shift)
 }
 
 #[derive(Clone, Copy)]
-struct Valence {
+pub(crate) struct Valence {
     tetrahedra: u64,
     /// The number of open facets that have the edge.
     open: i64,
     is_six: bool,
 }
 
-pub(crate) struct Edges {
-    open: Table<Edge, Valence>,
-}
+pub(crate) type Edges = Table<Edge, Valence>;
 
 /// The positions of the ends of the edges among the sorted corners. Opposite ones are p and 5 - p.
 const ENDS: [(usize, usize); 6] = [(0, 1), (0, 2), (0, 3), (1, 2), (1, 3), (2, 3)];
 
 impl Edges {
-    pub(crate) fn new(work: &Rc<Work>) -> Edges {
-        Edges { open: Table::new(work) }
-    }
-
-    /// The largest number of open edges at one time.
-    pub(crate) fn peak(&self) -> usize {
-        self.open.peak
-    }
-
     /// Counts a tetrahedron at its edges and closes those that are open no more.
     pub(crate) fn step(&mut self, row: &Row, steps: &[Step; 4], simplex: u64) -> Checked {
         // Two edges of a tetrahedron are in one triangle unless they are opposite. So those of
@@ -58,26 +44,28 @@ impl Edges {
         // The facets that have an edge are those opposite to the other two corners.
         let changes = [r + s, q + s, q + r, p + s, p + r, p + q];
         let names = [edge(a, b), edge(a, c), edge(a, d), edge(b, c), edge(b, d), edge(c, d)];
-        for (bit, (name, change)) in names.into_iter().zip(changes).enumerate() {
+        let mut closing = [false; 6];
+        let items = names.iter().zip(changes).zip(&mut closing).zip(ENDS).enumerate();
+        for (bit, (((name, change), is_closing), (i, j))) in items {
             let is_six = sixes >> bit & 1 == 1;
-            let agrees = self.open.with(name.0[0], &name, |list, position| {
+            let agrees = self.with(name.0[0], name, |list, position| {
                 let position = position.unwrap_or(list.len());
                 if position == list.len() {
-                    list.push((name, Valence { tetrahedra: 0, open: 0, is_six }));
+                    list.push((*name, Valence { tetrahedra: 0, open: 0, is_six }));
                 }
                 list.get_mut(position).is_some_and(|(_, valence)| {
                     valence.tetrahedra += 1;
                     valence.open += change;
+                    *is_closing = valence.open == 0;
                     valence.is_six == is_six
                 })
             })?;
             // All rows say the same about an edge.
-            let (i, j) = ENDS.get(bit).copied().unwrap_or_default();
             ensure!(agrees, EdgeValence, Place::Edge(simplex, i, j));
         }
         // Only now, for another edge of this tetrahedron may be a translate.
-        for (name, (i, j)) in names.into_iter().zip(ENDS) {
-            let closed = self.open.with(name.0[0], &name, |list, position| {
+        for ((name, (i, j)), _) in names.into_iter().zip(ENDS).zip(closing).filter(|(_, is_closing)| *is_closing) {
+            let closed = self.with(name.0[0], &name, |list, position| {
                 let position = position?;
                 let is_closed = list.get(position)?.1.open == 0;
                 is_closed.then(|| list.swap_remove(position).1)

@@ -1,12 +1,13 @@
 //! Certificates of the kind `family`: one tiling for each point of a box of parameters.
 //!
-//! The witness has a tree that cuts the box into leaves. In each leaf the pass of
-//! [`crate::tiling`] is made over [`Polynomials`], with signs that hold on the whole leaf. Where
-//! this does not succeed, the same pass at single points of the box finds out whether the claim
-//! is false. docs/soundness.md, section 11, has the proof.
+//! The witness has a tree that cuts the box into leaves. In each leaf the pass of [`crate::tiling`] is made over
+//! [`Polynomials`], with signs that hold on the whole leaf. Where this does not succeed, the same pass at single points
+//! of the box finds out whether the claim is false. docs/soundness.md, section 11, has the proof.
 
 use crate::cbor::Cbor;
-use crate::claim::{Claim, Domain, Polynomial, check_lowest, integers, read_polynomial};
+use crate::claim::{
+    Claim, Domain, Number, Polynomial, check_lowest, integers, is_strict, read_fraction, read_polynomial,
+};
 use crate::front::Step;
 use crate::limits::{Limits, Work};
 use crate::numbers::{Model, Numbers};
@@ -25,8 +26,57 @@ use std::rc::Rc;
 
 type Box<const N: usize> = Vec<Side<N>>;
 
+const MAX_PARAMETERS: usize = 64;
+const LONGEST_NAME: usize = 16;
 const MOST_LEAVES: usize = 4096;
 const MOST_HALVINGS: usize = 64;
+
+/// A parameter of a family, and its interval.
+#[derive(Debug)]
+pub(crate) struct Parameter {
+    pub(crate) name: String,
+    pub(crate) low: End,
+    pub(crate) high: End,
+}
+
+/// An end of an interval: numerator / denominator.
+#[derive(Debug)]
+pub(crate) struct End {
+    /// The end belongs to the interval.
+    pub(crate) is_closed: bool,
+    pub(crate) numerator: Number,
+    pub(crate) denominator: BigInt,
+}
+
+pub(crate) fn read_parameters(t: &mut Transcript, degree: usize) -> Checked<Vec<Parameter>> {
+    let parameters = t.list(None, |t| {
+        t.record(&["name", "low", "high"])?;
+        let name = t.text()?;
+        let is_usual = |c: char| c.is_ascii_lowercase() || c.is_ascii_digit() || c == '_';
+        let is_name = name.starts_with(|c: char| c.is_ascii_lowercase()) && name.chars().all(is_usual);
+        ensure!(is_name && name.len() <= LONGEST_NAME, ParameterName, t.place());
+        Ok(Parameter { name, low: End::read(t, degree)?, high: End::read(t, degree)? })
+    })?;
+    let count = parameters.len();
+    ensure!((1..=MAX_PARAMETERS).contains(&count), Parameters, t.place(), count);
+    let mut names: Vec<&str> = parameters.iter().map(|parameter| parameter.name.as_str()).collect();
+    names.extend((degree > 1).then_some("a")); // The generator, in all sentences.
+    names.sort_unstable();
+    ensure!(is_strict(&names), ParameterName, t.place());
+    Ok(parameters)
+}
+
+impl End {
+    fn read(t: &mut Transcript, degree: usize) -> Checked<End> {
+        t.array(Some(2))?;
+        let kind = t.text()?;
+        ensure!(kind == "closed" || kind == "open", Cbor, t.place());
+        let (numerator, denominator) = read_fraction(t, degree)?;
+        ensure!(denominator > BigInt::ZERO, Denominator, t.place(), denominator);
+        check_lowest(t.place(), numerator.iter().chain([&denominator]))?;
+        Ok(End { is_closed: kind == "closed", numerator, denominator })
+    }
+}
 
 /// The claim and the witness of a family.
 struct Family<'c, const N: usize> {
@@ -201,16 +251,10 @@ impl<'c, const N: usize> Family<'c, N> {
         let names = self.claim.parameters.iter().map(|parameter| parameter.name.clone());
         refusal.point = names.zip(point.iter().map(value)).collect();
         // These values are too large by a factor that depends on the box.
-        let is_scaled = matches!(
-            refusal.code,
-            Code::GramNotPositive
-                | Code::VertexOutside
-                | Code::FaceNotFacet
-                | Code::FaceNotConvex
-                | Code::NotDelaunay
-                | Code::NotWeaklyDelaunay
-        );
-        if is_scaled {
+        let is_about_size = [Code::GramNotPositive, Code::VertexOutside].contains(&refusal.code);
+        let is_about_faces = [Code::FaceNotFacet, Code::FaceNotConvex].contains(&refusal.code);
+        let is_about_spheres = [Code::NotDelaunay, Code::NotWeaklyDelaunay].contains(&refusal.code);
+        if is_about_size || is_about_faces || is_about_spheres {
             refusal.value = Value::Nothing;
         }
         Err(Stop::of(refusal))

@@ -9,14 +9,15 @@ use crate::refusal::{Checked, Stop};
 use crate::ring::{Ring, Sign};
 use crate::root::{BITS, Root, enclosure};
 use num_bigint::BigInt;
+use std::cmp::Ordering;
 use std::rc::Rc;
 
 /// The numbers between (middle - radius) 2^exponent and (middle + radius) 2^exponent.
-/// |middle| + radius < 2^30 + 4.
 #[derive(Clone, Copy, Debug)]
 pub struct Interval {
-    middle: i64,
-    radius: u64,
+    pub(crate) middle: i64,
+    /// |middle| + radius; less than 2^30 + 4.
+    most: u64,
     exponent: i64,
 }
 
@@ -25,7 +26,7 @@ const SIZE: u32 = 30;
 impl Default for Interval {
     /// Zero. Its exponent is less than all others.
     fn default() -> Self {
-        Interval { middle: 0, radius: 0, exponent: -(1 << 40) }
+        Interval { middle: 0, most: 0, exponent: -(1 << 40) }
     }
 }
 
@@ -36,30 +37,108 @@ impl Interval {
         let size = middle.unsigned_abs() + radius;
         let shift = (u64::BITS - SIZE).saturating_sub(size.leading_zeros());
         let lost = if shift > 0 { 2 } else { 0 };
-        let (middle, radius) = (middle >> shift, (radius >> shift) + lost);
-        Interval { middle, radius, exponent: exponent + i64::from(shift) }
+        let middle = middle >> shift;
+        let most = middle.unsigned_abs() + (radius >> shift) + lost;
+        Interval { middle, most, exponent: exponent + i64::from(shift) }
     }
 
-    /// |x y - m m'| <= (|m| + r) (|m'| + r') - |m m'|. The factors have less than 30.1 bits.
+    /// An interval that contains the number with these coefficients.
     #[inline(always)]
-    fn product(&self, other: &Interval) -> Interval {
-        let middle = self.middle * other.middle;
-        let most = |x: &Interval| x.middle.unsigned_abs() + x.radius;
-        let radius = most(self) * most(other) - middle.unsigned_abs();
-        Interval { middle, radius, exponent: self.exponent + other.exponent }
-    }
-
-    /// The sum of at most four intervals of 61 bits. Shifts lose less than one unit of each part.
-    #[inline(always)]
-    fn sum<const K: usize>(terms: [Interval; K]) -> Interval {
-        let exponent = terms.iter().fold(i64::MIN, |most, term| most.max(term.exponent));
-        let (mut middle, mut radius) = (0, 0u64);
-        for term in terms {
-            let shift = (exponent - term.exponent).min(63);
-            middle += term.middle >> shift;
-            radius += (term.radius >> shift) + if shift > 0 { 2 } else { 0 };
+    pub(crate) fn of<T: Int>(coefficients: &[T], root: &Root) -> Checked<Interval> {
+        if let Some((c, rest)) = coefficients.split_first()
+            && rest.iter().all(|c| *c == T::default())
+        {
+            let shift = c.length().saturating_sub(u64::from(SIZE));
+            let middle = c.top(shift)?;
+            let most = middle.unsigned_abs() + u64::from(shift > 0);
+            return Ok(Interval { middle, most, exponent: shift.cast_signed() });
         }
-        Interval::rounded(middle, radius, exponent)
+        let (middle, radius, dropped) = enclosure(coefficients, &root.rough)?;
+        // To 60 bits. Both parts are rounded down, each by less than one unit.
+        let shift = (i128::BITS - 60).saturating_sub((middle.unsigned_abs() + radius).leading_zeros());
+        let lost = if shift > 0 { 2 } else { 0 };
+        let radius = u64::try_from(radius >> shift).map_err(|_| Stop::LARGER)? + lost;
+        let up = root.dropped + dropped + u64::from(shift);
+        let exponent = up.cast_signed() - BITS.cast_signed();
+        Ok(Interval::rounded((middle >> shift).top(0)?, radius, exponent))
+    }
+
+    /// Σ x_i y_i for at most four terms. Of a product, |x y - m m'| <= (|m| + r) (|m'| + r') - |m m'| < 2^61.
+    #[inline(always)]
+    pub(crate) fn dot<const K: usize>(x: [&Interval; K], y: [&Interval; K]) -> Interval {
+        let mut terms = [(0, 0, i64::MIN); K];
+        let mut exponent = i64::MIN;
+        for ((term, x), y) in terms.iter_mut().zip(x).zip(y) {
+            let middle = x.middle * y.middle;
+            *term = (middle, x.most * y.most - middle.unsigned_abs(), x.exponent + y.exponent);
+            exponent = exponent.max(term.2);
+        }
+        Interval::sum(terms, exponent)
+    }
+
+    /// The sum of middles, radii and exponents, of which one is the greatest. Shifts lose less than one unit of
+    /// each part.
+    #[inline(always)]
+    fn sum<const K: usize>(terms: [(i64, u64, i64); K], exponent: i64) -> Interval {
+        let (mut sum, mut most) = (0, 0u64);
+        for (middle, radius, term) in terms {
+            let shift = exponent.abs_diff(term).min(63);
+            sum += middle >> shift;
+            most += (radius >> shift) + if shift > 0 { 2 } else { 0 };
+        }
+        Interval::rounded(sum, most, exponent)
+    }
+}
+
+/// A positive number between (middle - error) 2^exponent and (middle + error) 2^exponent, where
+/// 2^31 <= middle < 2^32 and error < 2^20 + 2.
+#[derive(Clone, Copy)]
+pub struct Rough {
+    middle: u64,
+    error: u64,
+    exponent: i64,
+}
+
+impl Rough {
+    /// Of numbers up to `radius` from `middle`, in units of 2^exponent.
+    #[inline(always)]
+    pub(crate) fn new(middle: u128, radius: u128, exponent: i64) -> Option<Rough> {
+        let up = middle.leading_zeros();
+        if radius.leading_zeros() < up + 12 {
+            return None;
+        }
+        // The first 32 bits. Both parts are rounded down, each by less than one unit.
+        let first = |x: u128| u64::try_from((x << up) >> 96).ok();
+        Some(Rough { middle: first(middle)?, error: first(radius)? + 2, exponent: exponent + 96 - i64::from(up) })
+    }
+}
+
+/// The logarithm of a positive number to the base 2, times 2^31, but linear between powers of 2: a number
+/// (1 + t) 2^(k+31) with 0 <= t < 1 has k + t. It lies within `error` of `middle`.
+#[derive(Clone, Copy)]
+pub struct Logarithm {
+    pub(crate) middle: i64,
+    error: i64,
+}
+
+impl Logarithm {
+    /// Of x y / (z w). Relative errors add up, to E/2^31 for the sum E of the errors, and 1 % of it for products
+    /// of them. The integers below lose three units more, of 2^-30. A relative error is doubled at most.
+    #[inline(always)]
+    pub(crate) fn quotient([x, y]: [Rough; 2], [z, w]: [Rough; 2]) -> Logarithm {
+        let quotient = x.middle * y.middle / ((z.middle * w.middle) >> 32);
+        let up = quotient.leading_zeros();
+        let t = ((quotient << up) >> 32).cast_signed() - (1 << 31);
+        let exponent = x.exponent + y.exponent - z.exponent - w.exponent - i64::from(up);
+        let error = 3 * (x.error + y.error + z.error + w.error) + 16;
+        Logarithm { middle: (exponent << 31) + t, error: error.cast_signed() }
+    }
+
+    /// The order of the numbers, if it is known.
+    #[inline(always)]
+    pub(crate) fn compare(&self, other: &Logarithm) -> Option<Ordering> {
+        let is_known = self.middle.abs_diff(other.middle) > (self.error + other.error).unsigned_abs();
+        is_known.then(|| self.middle.cmp(&other.middle))
     }
 }
 
@@ -69,32 +148,11 @@ pub struct Intervals {
     pub(crate) work: Rc<Work>,
 }
 
-impl Intervals {
-    /// An interval that contains the number with these coefficients.
-    pub(crate) fn of<T: Int>(&self, coefficients: &[T]) -> Checked<Interval> {
-        if let Some((c, rest)) = coefficients.split_first()
-            && rest.iter().all(|c| *c == T::default())
-        {
-            let shift = c.length().saturating_sub(u64::from(SIZE));
-            let radius = u64::from(shift > 0);
-            return Ok(Interval { middle: c.top(shift)?, radius, exponent: shift.cast_signed() });
-        }
-        let (middle, radius, dropped) = enclosure(coefficients, &self.root.rough)?;
-        // To 60 bits. Both parts are rounded down, each by less than one unit.
-        let shift = (i128::BITS - 60).saturating_sub((middle.abs() + radius).leading_zeros());
-        let lost = if shift > 0 { 2 } else { 0 };
-        let radius = (radius >> shift).top(0)?.unsigned_abs() + lost;
-        let up = self.root.dropped + dropped + u64::from(shift);
-        let exponent = i64::try_from(up).map_err(|_| Stop::LARGER)? - BITS.cast_signed();
-        Ok(Interval::rounded((middle >> shift).top(0)?, radius, exponent))
-    }
-}
-
 impl Ring for Intervals {
     type Element = Interval;
 
     fn element(&self, coefficients: &[BigInt]) -> Checked<Interval> {
-        self.of(coefficients)
+        Interval::of(coefficients, &self.root)
     }
 
     fn coefficients(&self, _: &Interval) -> Vec<BigInt> {
@@ -103,30 +161,36 @@ impl Ring for Intervals {
 
     #[inline(always)]
     fn plus(&self, x: &Interval, y: &Interval) -> Checked<Interval> {
-        Ok(Interval::sum([*x, *y]))
+        let term = |x: &Interval| (x.middle, x.most - x.middle.unsigned_abs(), x.exponent);
+        Ok(Interval::sum([term(x), term(y)], x.exponent.max(y.exponent)))
     }
 
     #[inline(always)]
     fn minus(&self, x: &Interval, y: &Interval) -> Checked<Interval> {
-        Ok(Interval::sum([*x, self.negated(y)?]))
+        self.plus(x, &self.negated(y)?)
     }
 
+    #[inline(always)]
     fn negated(&self, x: &Interval) -> Checked<Interval> {
         Ok(Interval { middle: -x.middle, ..*x })
     }
 
     #[inline(always)]
     fn dot<const K: usize>(&self, x: [&Interval; K], y: [&Interval; K]) -> Checked<Interval> {
-        let mut products = [Interval::default(); K];
-        for ((product, x), y) in products.iter_mut().zip(x).zip(y) {
-            *product = x.product(y);
-        }
-        Ok(Interval::sum(products))
+        Ok(Interval::dot(x, y))
     }
 
+    #[inline(always)]
     fn sign(&self, x: &Interval) -> Sign {
-        let is_decided = x.middle.unsigned_abs() > x.radius || (x.middle, x.radius) == (0, 0);
+        // The middle is greater than the radius, or both are zero.
+        let is_decided = 2 * x.middle.unsigned_abs() > x.most || x.most == 0;
         if is_decided { Sign::exactly(x.middle.cmp(&0)) } else { Sign::UNDECIDED }
+    }
+
+    #[inline(always)]
+    fn rough(&self, x: &Interval) -> (Sign, Option<Rough>) {
+        let middle = x.middle.unsigned_abs();
+        (self.sign(x), Rough::new(middle.into(), (x.most - middle).into(), x.exponent))
     }
 
     fn work(&self) -> &Work {

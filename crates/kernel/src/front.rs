@@ -1,10 +1,9 @@
 //! The open facets: those of the rows so far that have not met their mates.
 //!
-//! Rule F: the facets outside of the boundary are paired, up to translations. The two of a pair
-//! have the same corners, and their simplices lie on different sides. A facet is named by its
-//! sorted corners, seen from the first one. Translates have one name, and facets of one name are
-//! translates of each other. The first facet with a name is open, the second one closes it. A
-//! third one would be open again.
+//! Rule F: the facets outside of the boundary are paired, up to translations. The two of a pair have the same corners,
+//! and their simplices lie on different sides. A facet is named by its sorted corners, seen from the first one.
+//! Translates have one name, and facets of one name are translates of each other. The first facet with a name is open,
+//! the second one closes it. A third one would be open again.
 
 use crate::limits::Work;
 use crate::refusal::{Checked, Place};
@@ -14,7 +13,7 @@ use std::rc::Rc;
 
 /// The vertices, and the shifts of the second and the third corner as seen from the first. In the
 /// plane the third corner is the first one again.
-type Facet = ([u32; 3], [[i32; 3]; 2]);
+pub(crate) type Facet = ([u32; 3], [[i32; 3]; 2]);
 
 /// The name of the facet with these sorted corners.
 fn facet([first, second, third]: [Corner; 3]) -> Facet {
@@ -23,17 +22,17 @@ fn facet([first, second, third]: [Corner; 3]) -> Facet {
 }
 
 /// The simplex of an open facet, or the mate that a facet in the list `boundary` would have.
-struct Open {
+pub(crate) struct Open {
     /// The sign of the simplex's sorted corners, with the opposite one moved to the front.
     side: bool,
     /// The corner opposite to the facet, seen from the facet's first corner; none in the list.
     opposite: Option<Corner>,
-    /// A facet in the list, or a simplex.
-    place: Place,
+    /// The number of the simplex, or of the facet in the list.
+    number: u64,
 }
 
 pub(crate) struct Front {
-    open: Table<Facet, Open>,
+    pub(crate) open: Table<Facet, Open>,
     dimension: usize,
     /// Facets in the boundary so far.
     pub(crate) boundary: u64,
@@ -52,11 +51,6 @@ pub(crate) enum Step {
 impl Front {
     pub(crate) fn new(dimension: usize, work: &Rc<Work>) -> Front {
         Front { open: Table::new(work), dimension, boundary: 0 }
-    }
-
-    /// The largest number of open facets at one time.
-    pub(crate) fn peak(&self) -> usize {
-        self.open.peak
     }
 
     /// Opens the facet, or closes and returns the open one with its name.
@@ -80,15 +74,13 @@ impl Front {
             _ if a < b => (false, [a, b, a]),
             _ => (true, [b, a, b]),
         };
-        let place = Place::Boundary(index);
-        let found = self.toggle(facet(sorted), Open { side: !is_odd, opposite: None, place })?;
-        ensure!(found.is_none(), BoundaryRepeated, place);
+        let found = self.toggle(facet(sorted), Open { side: !is_odd, opposite: None, number: index })?;
+        ensure!(found.is_none(), BoundaryRepeated, Place::Boundary(index));
         Ok(())
     }
 
-    /// Opens and closes the facets of a simplex, in the order of the sorted corners that they do
-    /// not have. `share` says whether vertices lie in one face of the domain. A facet whose
-    /// corners do is in the boundary and has no mate.
+    /// Opens and closes the facets of a simplex, in the order of the sorted corners that they do not have. `share` says
+    /// whether vertices lie in one face of the domain. A facet whose corners do is in the boundary and has no mate.
     pub(crate) fn step(&mut self, row: &Row, share: impl Fn([u32; 3]) -> bool, simplex: u64) -> Checked<[Step; 4]> {
         let [a, b, c, d] = row.sorted;
         let facets = if self.dimension == 3 {
@@ -108,7 +100,7 @@ impl Front {
             // Moving corner i to the front takes i exchanges.
             let side = row.is_odd ^ (i % 2 == 1);
             let opposite = Some(opposite.seen_from(first));
-            let open = Open { side, opposite, place: Place::Simplex(simplex) };
+            let open = Open { side, opposite, number: simplex };
             if let Some(mate) = self.toggle(facet(corners), open)? {
                 // Rule F: a facet and its mate have opposite sides.
                 ensure!(mate.side != side, FacetSide, Place::Facet(simplex, i));
@@ -125,11 +117,11 @@ impl Front {
     pub(crate) fn check_end(&self) -> Checked {
         // Rule F: no facet of a simplex is without its mate.
         if let Some(open) = self.open.find(|open| open.opposite.is_some()) {
-            ensure!(false, OpenFacet, open.place, self.open.count);
+            ensure!(false, OpenFacet, Place::Simplex(open.number), self.open.count);
         }
         // Every facet of the list is a facet of a simplex.
         if let Some(open) = self.open.find(|open| open.opposite.is_none()) {
-            ensure!(false, BoundaryOpen, open.place, self.open.count);
+            ensure!(false, BoundaryOpen, Place::Boundary(open.number), self.open.count);
         }
         Ok(())
     }

@@ -1,5 +1,4 @@
-//! Integers of three sizes with the same operations. None wraps: a result that does not fit is
-//! [`Stop::LARGER`].
+//! Integers of three sizes with the same operations. None wraps: a result that does not fit is [`Stop::LARGER`].
 
 use crate::refusal::{Checked, Stop};
 use num_bigint::BigInt;
@@ -15,6 +14,9 @@ pub trait Int: Clone + Default + Ord + From<i64> + Into<BigInt> + CheckedAdd + C
     fn length(&self) -> u64;
     /// floor(self / 2^dropped), where this fits 64 bits.
     fn top(&self, dropped: u64) -> Checked<i64>;
+
+    /// The value, where it has 128 bits.
+    fn wide(&self) -> Checked<i128>;
 
     fn big(&self) -> BigInt {
         self.clone().into()
@@ -55,6 +57,10 @@ macro_rules! machine {
             fn top(&self, dropped: u64) -> Checked<i64> {
                 i64::try_from(self >> dropped.min($bits - 1)).map_err(|_| Stop::LARGER)
             }
+
+            fn wide(&self) -> Checked<i128> {
+                Ok((*self).into())
+            }
         }
     };
 }
@@ -75,5 +81,9 @@ impl Int for BigInt {
 
     fn top(&self, dropped: u64) -> Checked<i64> {
         i64::of(&(self >> dropped))
+    }
+
+    fn wide(&self) -> Checked<i128> {
+        i128::of(self)
     }
 }

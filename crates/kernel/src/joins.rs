@@ -10,8 +10,7 @@ use crate::walls::{Large, Point, Side, System, name};
 use std::cmp::Ordering::Greater;
 use std::collections::BTreeMap;
 
-/// Two pyramids over one polygon h_0, …, h_(n-1), with the apexes l and m. Its cells are
-/// (m, h_i, h_(i+1), l).
+/// Two pyramids over one polygon h_0, …, h_(n-1), with the apexes l and m. Its cells are (m, h_i, h_(i+1), l).
 pub(crate) struct Join<const N: usize> {
     /// The index of the side of the first pyramid, and of the other one.
     pub(crate) sides: [usize; 2],
@@ -88,8 +87,7 @@ impl<const N: usize> System<N> {
         Ok(joins)
     }
 
-    /// The axis from m to l crosses the polygon. Each cell is positive, and its neighbour is
-    /// beyond their facet.
+    /// The axis from m to l crosses the polygon. Each cell is positive, and its neighbour is beyond their facet.
     fn check_join(&self, join: &Join<N>) -> Checked {
         let Join { polygon, apex, beyond, .. } = join;
         let place = self.side(join.sides[0])?.place();

@@ -1,8 +1,7 @@
 //! The trusted kernel of acutile.
 //!
-//! [`verify`] reads a certificate once, in deterministic CBOR, and checks everything that its
-//! claim states. The kernel shares no code with the prover. It writes no certificates and no
-//! sentences, and it reads no JSON.
+//! [`verify`] reads a certificate once, in deterministic CBOR, and checks everything that its claim states. The kernel
+//! shares no code with the prover. It writes no certificates and no sentences, and it reads no JSON.
 
 #![forbid(unsafe_code)]
 
@@ -57,7 +56,7 @@ use std::rc::Rc;
 pub fn verify(input: &mut dyn Read, limits: &Limits) -> Result<Verified, Refusal> {
     let work = Rc::new(Work::new(limits.work));
     let facts = read(Cbor::new(input, limits, &work), limits, &work);
-    facts.map(Verified::of).map_err(Stop::refusal)
+    facts.map(Verified).map_err(Stop::refusal)
 }
 
 fn read(mut cbor: Cbor, limits: &Limits, work: &Rc<Work>) -> Checked<Facts> {

@@ -1,7 +1,6 @@
 //! The limits, and the account of the work that was done.
 //!
-//! A limit declines and never accepts. A certificate that passes under some limits passes under
-//! larger ones.
+//! A limit declines and never accepts. A certificate that passes under some limits passes under larger ones.
 
 use crate::refusal::{Checked, Place, Value};
 use std::cell::Cell;

@@ -4,7 +4,7 @@
 
 mod text;
 
-use acutile_kernel::{Code, Limits, Verified, verify};
+use acutile_kernel::{Code, Facts, Limits, Verified, verify};
 use std::ffi::OsString;
 use std::fs::{self, File};
 use std::io::{self, Read, Write};
@@ -149,18 +149,16 @@ fn line(file: &str, found: &Result<Verified, Failure>, is_json: bool) -> String 
     let name = if is_json { text::json(file) } else { text::name(file) };
     match (found, is_json) {
         (Ok(found), _) => {
-            let (simplices, vertices, bytes) = (found.simplices, found.vertices, found.bytes);
-            let boundary = found.boundary_facets;
-            let (facets, edges) = (found.peak_facets, found.peak_edges);
-            let sha256: String = found.sha256.iter().map(|byte| format!("{byte:02x}")).collect();
+            let Facts { simplices, vertices, bytes, boundary_facets, peak_facets, peak_edges, sha256, .. } = &**found;
+            let sha256: String = sha256.iter().map(|byte| format!("{byte:02x}")).collect();
             if !is_json {
                 let counts = format!("{simplices} simplices, {vertices} vertices");
                 return format!("{name}: verified: {counts}, sha256 {sha256}\n");
             }
             format!(
                 "{{\"file\":{name},\"verdict\":\"verified\",\"simplices\":{simplices},\
-                 \"vertices\":{vertices},\"boundary_facets\":{boundary},\
-                 \"peak_open_facets\":{facets},\"peak_open_edges\":{edges},\
+                 \"vertices\":{vertices},\"boundary_facets\":{boundary_facets},\
+                 \"peak_open_facets\":{peak_facets},\"peak_open_edges\":{peak_edges},\
                  \"bytes\":{bytes},\"sha256\":\"{sha256}\"}}\n"
             )
         }

@@ -1,10 +1,9 @@
 //! Condition X for one pair: two facets meet in the hull of their common corners.
 //!
-//! **Rule.** Let w be a linear functional that takes one value c at all common corners, greater
-//! values at the other corners of g, and smaller values at the other corners of f. Then f and g
-//! meet in the hull of the common corners. *Proof.* At a common point w ≤ c and w ≥ c, so w = c. A
-//! convex combination of corners with w ≤ c has this value only if all its corners have it. ∎
-//! Without common corners, w is smaller on all of f than on all of g.
+//! **Rule.** Let w be a linear functional that takes one value c at all common corners, greater values at the other
+//! corners of g, and smaller values at the other corners of f. Then f and g meet in the hull of the common corners.
+//! *Proof.* At a common point w ≤ c and w ≥ c, so w = c. A convex combination of corners with w ≤ c has this value only
+//! if all its corners have it. ∎ Without common corners, w is smaller on all of f than on all of g.
 //!
 //! The *rays* are the vectors on which w must be positive: the differences g_j - f_i, or with the
 //! first common corner as the origin, the other corners of g and the negatives of those of f.
@@ -27,20 +26,18 @@ pub(crate) fn only_in_common<R: Ring>(ring: &R, common: usize, [f, g]: &[[Vector
     let y = &[zero(), one.clone(), zero()];
     let z = &[zero(), zero(), one];
     match common {
-        // 0 is beyond some side of P = g - f. If P is a solid, the normal of the side is that of f
-        // or g, or orthogonal to an edge of each. Otherwise f and g are parallel. Then their normal
-        // separates them, or they lie in a plane and the side is parallel to an edge: w vanishes on
-        // this edge and on an axis that is not in the plane.
+        // 0 is beyond some side of P = g - f. If P is a solid, the normal of the side is that of f or g, or orthogonal
+        // to an edge of each. Otherwise f and g are parallel. Then their normal separates them, or they lie in a plane
+        // and the side is parallel to an edge: w vanishes on this edge and on an axis that is not in the plane.
         0 => {
             let rays = each(f, |x| each(g, |y| to(x, y)))?;
             let pairs = [(f0, f1), (f0, f2), (g0, g1), (g0, g2), (f1, f2), (g1, g2)];
             let (rays, edges) = (rays.as_flattened(), each(&pairs, |(x, y)| to(x, y))?);
             Ok(is_sum_positive(ring, rays) || is_some_positive(ring, rays, &edges, &[x, y, z])?)
         }
-        // The cone of the four rays has an apex. If it is a solid with three sides, w is the same
-        // on its three edges. If it has four, w is the product of its diagonals: the sum of the
-        // normals of its sides. If it lies in a plane, w is the same on its two edges and vanishes
-        // on an axis that is not in the plane.
+        // The cone of the four rays has an apex. If it is a solid with three sides, w is the same on its three edges.
+        // If it has four, w is the product of its diagonals: the sum of the normals of its sides. If it lies in a
+        // plane, w is the same on its two edges and vanishes on an axis that is not in the plane.
         1 => {
             let rays = [to(f1, f0)?, to(f2, f0)?, to(g0, g1)?, to(g0, g2)?];
             let [a, b, c, d] = &rays;
@@ -59,8 +56,7 @@ pub(crate) fn only_in_common<R: Ring>(ring: &R, common: usize, [f, g]: &[[Vector
     }
 }
 
-/// Whether the product of an edge and another vector, or of two edges, or its negative, is positive
-/// on all rays.
+/// Whether the product of an edge and another vector, or of two edges, or its negative, is positive on all rays.
 fn is_some_positive<R: Ring>(
     ring: &R,
     rays: &[Vector<R>],

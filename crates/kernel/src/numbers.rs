@@ -1,19 +1,19 @@
 //! The checks of a tiling that need coordinates, by the smallest integers that suffice.
 //!
 //! Each question goes to integers of 64 bits, and on if a result does not fit or a sign is not
-//! visible: to intervals, to integers of 128 bits, and to integers of any size.
+//! visible: to intervals, to the same with 128 bits, and to integers of any size.
 
 use crate::cbor::Cbor;
 use crate::claim::{Claim, Domain};
 use crate::domain::Facets;
-use crate::filter::Intervals;
+use crate::filter::{Interval, Intervals};
 use crate::front::Step;
 use crate::int::Int;
 use crate::limits::Work;
 use crate::planes;
 use crate::refusal::{Checked, Place, Stop};
 use crate::region::Region;
-use crate::ring::{Element, Exact, Ring, Sign, Vector, each};
+use crate::ring::{Element, Exact, Ring, Sign, Vector, each, zip};
 use crate::root::Root;
 use crate::row::{Corner, Row, Shape};
 use crate::rules::{Found, Rules, Simplex};
@@ -81,9 +81,8 @@ impl<R: Ring> Model<R> {
         Ok(Simplex { number, edges: [vector(b)?, vector(c)?, third], mates })
     }
 
-    /// Rule V: the determinants sum to D! times the volume of one cell of the lattice in the
-    /// domain, all times the D-th power of the denominator. With k! vol P in place of the domain's
-    /// volume the factor is D! / k!.
+    /// Rule V: the determinants sum to D! times the volume of one cell of the lattice in the domain, all times the D-th
+    /// power of the denominator. With k! vol P in place of the domain's volume the factor is D! / k!.
     pub(crate) fn check_volume(&self, sum: &R::Element, shape: Shape, denominator: &BigInt) -> Checked {
         let ring = &self.rules.ring;
         let mut expected = match &self.facets {
@@ -109,25 +108,28 @@ pub(crate) trait Numbers {
     fn check_volume(&self, shape: Shape) -> Checked;
 }
 
+/// A ring, and the statements in it where their numbers fit.
+type Size<T, const N: usize> = (Exact<T, N>, Option<Rules<Exact<T, N>>>);
+
+/// Of a simplex: the statements of which it attains the bound, and x and y for the determinant x + 2^62 y.
+type Judged<const N: usize> = (u32, [Element<i128, N>; 2]);
+
 /// The numbers of one tiling.
 pub(crate) struct Single<const N: usize> {
     pub(crate) vertices: Vertices,
-    small: Option<Model<Exact<i64, N>>>,
-    medium: Option<Model<Exact<i128, N>>>,
+    small: Option<Size<i64, N>>,
+    medium: Option<Size<i128, N>>,
     large: Model<Exact<BigInt, N>>,
     intervals: Option<Rules<Intervals>>,
-    /// For the edges of which there are intervals. Numbers of the claim can be too long for `medium`.
-    edges: Option<Exact<i128, N>>,
     region: Option<Region<N>>,
-    /// The sum of the determinants.
-    volume: Element<BigInt, N>,
+    /// x and y for the sum x + 2^62 y of the determinants.
+    volume: [Element<BigInt, N>; 2],
 }
 
-fn or_larger<V>(found: Checked<V>, again: impl FnOnce() -> Checked<V>) -> Checked<V> {
-    match found {
-        Err(stop) if stop.is_larger() => again(),
-        found => found,
-    }
+fn size<T: Int, const N: usize>(root: &Rc<Root>, claim: &Claim, work: &Rc<Work>) -> Option<Size<T, N>> {
+    let ring = Exact::new(root, work).ok()?;
+    let rules = Rules::new(&ring, claim).ok();
+    Some((ring, rules))
 }
 
 impl<const N: usize> Single<N> {
@@ -135,28 +137,15 @@ impl<const N: usize> Single<N> {
     pub(crate) fn new(claim: &Claim, work: &Rc<Work>) -> Checked<Self> {
         let root = Rc::new(Root::new(&claim.field, work)?);
         let large = Model::new(&Exact::new(&root, work)?, claim)?;
-        let edges = Exact::new(&root, work);
-        let intervals = Intervals { root: root.clone(), work: work.clone() };
-        Ok(Single {
-            vertices: Vertices::new(claim.dimension, claim.field.degree()),
-            small: Exact::new(&root, work).and_then(|ring| Model::new(&ring, claim)).ok(),
-            medium: edges.as_ref().ok().and_then(|ring| Model::new(ring, claim).ok()),
-            large,
-            intervals: Rules::new(&intervals, claim).ok(),
-            edges: edges.ok(),
-            region: None,
-            volume: Element::default(),
-        })
+        let intervals = Rules::new(&Intervals { root: root.clone(), work: work.clone() }, claim).ok();
+        let vertices = Vertices::new(claim.dimension, claim.field.degree());
+        let (small, medium) = (size(&root, claim, work), size(&root, claim, work));
+        Ok(Single { vertices, small, medium, large, intervals, region: None, volume: Default::default() })
     }
 
     pub(crate) fn read_denominator(&mut self, claim: &Claim, cbor: &mut Cbor) -> Checked {
         self.vertices.read_denominator(cbor)?;
-        let denominator = &self.vertices.denominator;
-        self.large.set_denominator(claim, denominator)?;
-        // Where a product does not fit, these integers serve for nothing.
-        self.small.take_if(|model| model.set_denominator(claim, denominator).is_err());
-        self.medium.take_if(|model| model.set_denominator(claim, denominator).is_err());
-        Ok(())
+        self.large.set_denominator(claim, &self.vertices.denominator)
     }
 
     /// Checks X for the facets of the list `boundary`.
@@ -173,82 +162,87 @@ impl<const N: usize> Single<N> {
         checked.map_err(|stop| stop.at(Place::Simplex(simplex)))
     }
 
+    /// The judgement by integers of one size, or else by intervals around its edges.
     fn judge<T: Int>(
         &self,
-        model: Option<&Model<Exact<T, N>>>,
+        size: Option<&Size<T, N>>,
         row: &Row,
         steps: &[Step; 4],
-        simplex: u64,
-    ) -> Checked<Found<Exact<T, N>>> {
-        let model = model.ok_or(Stop::LARGER)?;
-        let simplex = model.simplex(&model.rules.ring, row, steps, simplex, |corner| self.vertices.point(corner))?;
-        model.rules.check(&simplex, &self.vertices.denominator)
+        number: u64,
+    ) -> Checked<Judged<N>> {
+        let (ring, rules) = size.ok_or_else(|| Stop::LARGER)?;
+        let simplex = self.large.simplex(ring, row, steps, number, |corner| self.vertices.point(corner))?;
+        let rules = rules.as_ref().ok_or_else(|| Stop::LARGER);
+        match rules.and_then(|rules| rules.check(&simplex, &self.vertices.denominator)) {
+            Err(stop) if stop.is_larger() => self.judge_by_intervals(&simplex),
+            found => found.and_then(|(x, attained)| Ok((attained, [wide(&x)?, Element::default()]))),
+        }
     }
 
-    /// The judgement by intervals. Only the volume needs the determinant itself. Exact integers
-    /// repeat a refusal, for its value.
-    fn judge_by_intervals(&self, row: &Row, steps: &[Step; 4], simplex: u64) -> Checked<Found<Exact<BigInt, N>>> {
-        let rules = self.intervals.as_ref().ok_or(Stop::LARGER)?;
-        let ring = self.edges.as_ref().ok_or(Stop::LARGER)?;
-        let Simplex { number, edges, mates } =
-            self.large.simplex(ring, row, steps, simplex, |corner| self.vertices.point(corner))?;
-        let vector = |x: &[Element<i128, N>; 3]| each(x, |x| rules.ring.of(&x.0));
-        let intervals = Simplex {
-            number,
-            edges: each(&edges, vector)?,
-            mates: each(&mates, |mate| mate.as_ref().map(vector).transpose())?,
-        };
-        let (_, attained) = rules.check(&intervals, &self.vertices.denominator)?;
-        if self.region.is_some() {
-            return Ok((Element::default(), attained));
-        }
-        // A normal is high 2^62 + low, and products of these with edges of 62 bits fit 128 bits.
-        let normal = ring.cross(&edges[1], &edges[2])?;
-        let high = ring.inner(&edges[0], &normal.each_ref().map(|x| Element(x.0.map(|c| c >> 62))))?;
-        let low = ring.inner(&edges[0], &normal.each_ref().map(|x| Element(x.0.map(|c| c & ((1 << 62) - 1)))))?;
-        let mut determinant = high.large();
-        for (sum, c) in determinant.0.iter_mut().zip(low.0) {
-            *sum = (std::mem::take(sum) << 62) + c;
-        }
-        Ok((determinant, attained))
-    }
-
-    /// The judgement where products do not fit 64 bits.
+    /// Only the volume needs the determinant itself. Exact integers repeat a refusal, for its value.
     #[cold]
     #[inline(never)]
-    fn judge_larger(&self, row: &Row, steps: &[Step; 4], simplex: u64) -> Checked<Found<Exact<BigInt, N>>> {
-        if let Ok(found) = self.judge_by_intervals(row, steps, simplex) {
-            return Ok(found);
+    fn judge_by_intervals<T: Int>(&self, simplex: &Simplex<Exact<T, N>>) -> Checked<Judged<N>> {
+        let rules = self.intervals.as_ref().ok_or_else(|| Stop::LARGER)?;
+        let vector = |x: &[Element<T, N>; 3]| each(x, |x| Interval::of(&x.0, &rules.ring.root));
+        let intervals = Simplex {
+            number: simplex.number,
+            edges: each(&simplex.edges, vector)?,
+            mates: each(&simplex.mates, |mate| mate.as_ref().map(vector).transpose())?,
+        };
+        let found = rules.check(&intervals, &self.vertices.denominator);
+        let (_, attained) = found.map_err(|_| Stop::LARGER)?;
+        if self.region.is_some() {
+            return Ok((attained, Default::default()));
         }
-        let medium = self.judge(self.medium.as_ref(), row, steps, simplex);
-        or_larger(medium.map(|(x, attained)| (x.large(), attained)), || {
-            self.judge(Some(&self.large), row, steps, simplex)
-        })
+        let (ring, _) = self.medium.as_ref().ok_or_else(|| Stop::LARGER)?;
+        let [e1, e2, e3] = each(&simplex.edges, |edge| each(edge, wide))?;
+        let normal = ring.cross(&e2, &e3)?;
+        if let Ok(determinant) = ring.inner(&e1, &normal) {
+            return Ok((attained, [determinant, Element::default()]));
+        }
+        // A normal is x + 2^62 y, and products of these with edges of 62 bits fit 128 bits.
+        let x = normal.each_ref().map(|x| Element(x.0.map(|c| c & ((1 << 62) - 1))));
+        let y = normal.each_ref().map(|x| Element(x.0.map(|c| c >> 62)));
+        Ok((attained, [ring.inner(&e1, &x)?, ring.inner(&e1, &y)?]))
     }
 
-    fn add<T: Int>(&mut self, (determinant, attained): (Element<T, N>, u32)) -> u32 {
-        for (sum, c) in self.volume.0.iter_mut().zip(&determinant.0) {
-            *sum += c.big();
-        }
-        attained
+    fn judge_large(&self, row: &Row, steps: &[Step; 4], simplex: u64) -> Checked<Found<Exact<BigInt, N>>> {
+        let Model { rules, .. } = &self.large;
+        let simplex = self.large.simplex(&rules.ring, row, steps, simplex, |corner| self.vertices.point(corner))?;
+        rules.check(&simplex, &self.vertices.denominator)
     }
+}
+
+fn wide<T: Int, const N: usize>(x: &Element<T, N>) -> Checked<Element<i128, N>> {
+    each(&x.0, T::wide).map(Element)
 }
 
 impl<const N: usize> Numbers for Single<N> {
     fn faces(&self, vertex: u32) -> Checked<Vec<u32>> {
         let corner = Corner { vertex, shift: [0; 3] };
-        let small = self.small.as_ref().ok_or(Stop::LARGER);
-        let faces = small.and_then(|small| small.faces(&self.vertices.point(corner)?, vertex));
-        or_larger(faces, || self.large.faces(&self.vertices.point(corner)?, vertex))
+        self.large.faces(&self.vertices.point(corner)?, vertex)
     }
 
     fn check(&mut self, row: &Row, steps: &[Step; 4], simplex: u64) -> Checked<u32> {
-        let attained = match self.judge(self.small.as_ref(), row, steps, simplex) {
+        let mut found = self.judge(self.small.as_ref(), row, steps, simplex);
+        if found == Err(Stop::LARGER) {
+            found = self.judge(self.medium.as_ref(), row, steps, simplex);
+        }
+        let attained = match found {
             Err(stop) if stop.is_larger() => {
-                let found = self.judge_larger(row, steps, simplex);
-                self.add(found.map_err(|stop| stop.at(Place::Simplex(simplex)))?)
+                let found = self.judge_large(row, steps, simplex);
+                let (determinant, attained) = found.map_err(|stop| stop.at(Place::Simplex(simplex)))?;
+                self.volume[0].0.iter_mut().zip(determinant.0).for_each(|(sum, c)| *sum += c);
+                attained
             }
-            found => self.add(found?),
+            found => {
+                let (attained, parts) = found?;
+                for (sum, part) in self.volume.iter_mut().zip(parts) {
+                    sum.0.iter_mut().zip(part.0).filter(|(_, c)| *c != 0).for_each(|(sum, c)| *sum += c);
+                }
+                attained
+            }
         };
         if let Some(region) = &self.region {
             region.check_row(row, &self.vertices, simplex)?;
@@ -260,6 +254,8 @@ impl<const N: usize> Numbers for Single<N> {
         if self.region.is_some() {
             return Ok(());
         }
-        self.large.check_volume(&self.volume, shape, &self.vertices.denominator)
+        let [x, y] = &self.volume;
+        let volume = Element(zip(&x.0, &y.0, |x, y| Ok(x + (y << 62)))?);
+        self.large.check_volume(&volume, shape, &self.vertices.denominator)
     }
 }

@@ -1,17 +1,16 @@
 //! The tiles of a system of patches, each with the piece and the pyramids over it.
 //!
-//! Each patch, with its pyramids cut into fans, is checked by the pass of [`crate::tiling`] as a
-//! prism or slab.
+//! Each patch, with its pyramids cut into fans, is checked by the pass of [`crate::tiling`] as a prism or slab.
 
 use crate::cbor::Cbor;
 use crate::claim::{
-    Claim, Domain, Field, Polytope, Property, Statement, check_lowest, integers, read_gram, read_polynomial,
-    read_statements,
+    Claim, Domain, Field, Number, Polytope, Property, Statement, check_lowest, integers, read_gram, read_number,
+    read_polynomial, read_statements,
 };
 use crate::limits::{Limits, Work};
 use crate::numbers::Single;
 use crate::refusal::{Checked, Place, Value};
-use crate::row::{Corner, Row, Shape};
+use crate::row::{Corner, MOST_SHIFT, Row, Shape};
 use crate::table::index;
 use crate::tiling::Pass;
 use crate::transcript::Transcript;
@@ -46,15 +45,8 @@ impl Head {
         let tiles = t.list(None, |t| Tile::read(t, rank, degree, numbers.next().unwrap_or_default()))?;
         ensure!(!tiles.is_empty(), TileCount, t.place());
         let statements = read_statements(&mut t, degree, 3)?;
-        let claim = Claim {
-            dimension: 3,
-            field,
-            parameters: Vec::new(),
-            gram,
-            domain: Domain::Space,
-            statements,
-            file: t.json + "\n",
-        };
+        let (parameters, domain, file) = (Vec::new(), Domain::Space, t.json + "\n");
+        let claim = Claim { dimension: 3, field, parameters, gram, domain, statements, file };
         Ok(Head { claim, rank, tiles })
     }
 }
@@ -84,7 +76,7 @@ pub(crate) struct Patch {
     /// The number of the first row in the certificate.
     pub(crate) first: u64,
     pub(crate) pyramids: Vec<Pyramid>,
-    pub(crate) offsets: Vec<Vec<Vec<BigInt>>>,
+    pub(crate) offsets: Vec<Vec<Number>>,
     pub(crate) tile: Polytope,
     pub(crate) classes: Vec<BigInt>,
 }
@@ -109,15 +101,10 @@ impl Patch {
     ) -> Checked<Patch> {
         let Claim { field, gram, .. } = &head.claim;
         let degree = field.degree();
-        let claim = Claim {
-            dimension: 3,
-            field: field.clone(),
-            parameters: Vec::new(),
-            gram: gram.clone(),
-            domain: Domain::Polytope(tile.polytope.clone()),
-            statements: vec![Statement { property: Property::FaceToFace, bound: None, plane: None }],
-            file: String::new(),
-        };
+        let (field, gram, domain) = (field.clone(), gram.clone(), Domain::Polytope(tile.polytope.clone()));
+        let statements = vec![Statement { property: Property::FaceToFace, bound: None, plane: None }];
+        let (parameters, file) = Default::default();
+        let claim = Claim { dimension: 3, field, parameters, gram, domain, statements, file };
         let mut pass = Pass::new(&claim, Single::<N>::new(&claim, work)?, work);
         cbor.array_of(5)?;
         pass.numbers.read_denominator(&claim, cbor)?;
@@ -146,25 +133,18 @@ impl Patch {
         for (apex, polygon) in &pyramids {
             for (one, other) in polygon.iter().skip(1).zip(polygon.iter().skip(2)) {
                 let first = polygon.first().copied().unwrap_or_default();
-                pass.check_row(&Row::positive([first, *one, *other, *apex])?, *simplices)?;
+                pass.check_row(&positive([first, *one, *other, *apex])?, *simplices)?;
                 *simplices += 1;
             }
         }
         pass.check_end()?;
-        let mut patch = Patch {
-            faces: pass.faces,
-            vertices: pass.numbers.vertices,
-            rows,
-            first,
-            pyramids: Vec::new(),
-            offsets,
-            tile: tile.polytope.clone(),
-            classes: tile.classes.clone(),
-        };
-        for ((apex, polygon), number) in pyramids.into_iter().zip(0_usize..) {
+        let (faces, vertices, classes) = (pass.faces, pass.numbers.vertices, tile.classes.clone());
+        let (tile, number) = (tile.polytope.clone(), tile.number);
+        let mut patch = Patch { vertices, faces, rows, first, pyramids: Vec::new(), offsets, tile, classes };
+        for ((apex, polygon), index) in pyramids.into_iter().zip(0_usize..) {
             let sides = patch.sides(&polygon);
             let is_apart = patch.sides(&[apex]).is_empty() && sides.len() == 1;
-            ensure!(is_apart, PyramidSide, Place::Tile(tile.number), number);
+            ensure!(is_apart, PyramidSide, Place::Tile(number), index);
             patch.pyramids.push(Pyramid { apex, polygon, side: sides.first().copied().unwrap_or_default() });
         }
         Ok(patch)
@@ -184,16 +164,8 @@ impl Patch {
     }
 }
 
-fn read_offset(cbor: &mut Cbor, rank: usize, degree: usize) -> Checked<Vec<Vec<BigInt>>> {
-    cbor.array_of(rank)?;
-    let number = |cbor: &mut Cbor| {
-        if degree == 1 {
-            return Ok(vec![cbor.big()?]);
-        }
-        cbor.array_of(degree)?;
-        (0..degree).map(|_| cbor.big()).collect()
-    };
-    (0..rank).map(|_| number(cbor)).collect()
+fn read_offset(cbor: &mut Cbor, rank: usize, degree: usize) -> Checked<Vec<Number>> {
+    Transcript::new(cbor, "").list(Some(rank), |t| read_number(t, degree))
 }
 
 fn read_pyramid(cbor: &mut Cbor, shape: Shape) -> Checked<(Corner, Vec<Corner>)> {
@@ -208,4 +180,19 @@ fn read_pyramid(cbor: &mut Cbor, shape: Shape) -> Checked<(Corner, Vec<Corner>)>
     let is_start = polygon.first().is_some_and(|first| first.shift == [0; 3]);
     ensure!(is_polygon && is_start, PyramidForm, cbor.place());
     Ok((apex, polygon))
+}
+
+/// The row of a tetrahedron whose corners are positively oriented in this order.
+fn positive(corners: [Corner; 4]) -> Checked<Row> {
+    let mut sorted = corners;
+    sorted.sort_unstable();
+    let [base, ..] = sorted;
+    let exceeds =
+        |corner: &Corner| corner.seen_from(base).shift.iter().any(|s| u64::from(s.unsigned_abs()) >= MOST_SHIFT);
+    ensure!(!sorted.iter().any(exceeds), ShiftRange, Place::Witness);
+    let pairs = corners.iter().enumerate().flat_map(|(k, x)| corners.iter().skip(k).map(move |y| (x, y)));
+    let is_odd = pairs.filter(|(x, y)| x > y).count() % 2 == 1;
+    let [a, b, c, d] = sorted.map(|corner| corner.seen_from(base));
+    let corners = if is_odd { [a, b, d, c] } else { [a, b, c, d] };
+    Ok(Row { corners, sorted: [a, b, c, d], is_odd, sixes: 0 })
 }

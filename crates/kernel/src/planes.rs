@@ -1,9 +1,8 @@
 //! Planes that no simplex crosses: each simplex lies in one closed side, of all their translates too.
 //!
-//! Let c · x = p/q be a plane, and g the greatest common divisor of c · b_1, …, c · b_r. Translates by
-//! the lattice are the planes where h(x) = (q c · x - p) / (q g) is an integer. A simplex crosses none of them
-//! exactly if its corners have their h between two successive integers. If g is zero there is one plane,
-//! where h(x) = q c · x - p is zero.
+//! Let c · x = p/q be a plane, and g the greatest common divisor of c · b_1, …, c · b_r. Translates by the lattice are
+//! the planes where h(x) = (q c · x - p) / (q g) is an integer. A simplex crosses none of them exactly if its corners
+//! have their h between two successive integers. If g is zero there is one plane, where h(x) = q c · x - p is zero.
 
 use crate::claim::{Claim, Plane};
 use crate::refusal::{Checked, Place, Stop};

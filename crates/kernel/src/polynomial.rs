@@ -4,7 +4,8 @@
 //! polynomials, which are not negative on [0, 1] and positive inside. So the signs of its
 //! coefficients bound its sign (docs/soundness.md, section 11).
 
-use crate::claim::{End, Parameter, Polynomial};
+use crate::claim::Polynomial;
+use crate::family::{End, Parameter};
 use crate::limits::Work;
 use crate::refusal::{Checked, Place, Stop};
 use crate::ring::{Element, Exact, Ring, Sign};

@@ -192,9 +192,8 @@ pub struct Refusal {
     pub point: Vec<(String, Value)>,
 }
 
-/// The reason for which a computation stops: a refusal, or nothing if a result does not fit the
-/// integers in use or a sign is not visible at their precision. Then the caller starts again with
-/// larger ones. The box keeps results small.
+/// The reason for which a computation stops: a refusal, or nothing if a result does not fit the integers in use or a
+/// sign is not visible at their precision. Then the caller starts again with larger ones. The box keeps results small.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Stop(Option<Box<Refusal>>);
 

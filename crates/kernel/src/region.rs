@@ -1,23 +1,15 @@
-//! Regions: conditions X and W, which make the covering number N of the tiles at most 1.
+//! Regions: conditions X and W, which make the covering number N of the tiles at most 1, for a lattice of any rank.
+//! docs/soundness.md, section 8, has the proof. N(x) is the number of tiles that contain x, for a point x on no facet.
 //!
-//! N(x) is the number of tiles that contain x, for a point x on no facet. It changes only at
-//! boundary facets, by one, since any other facet has a mate on its other side.
+//! **X** (`boundary-meets`). Two boundary facets, up to the lattice, meet in the hull of their common corners.
 //!
-//! **X** (`boundary-meets`). Two boundary facets, up to the lattice, meet in the hull of their
-//! common corners.
-//!
-//! **W** (`covering`). N = 0 just outside of the first boundary facet of each class. Two boundary
-//! facets belong to one class if they have a ridge that no third one has, up to the lattice. (A
-//! ridge is an edge, in the plane a vertex.) By X nothing else of the boundary is near to this
-//! ridge, so N has one value just outside of both.
-//!
-//! Then N ≤ 1: from a point follow any path that avoids ridges to the first boundary facet that it
-//! meets. Before it N is constant, and there it is 0 or 1. The lattice may have any rank.
+//! **W** (`covering`). N = 0 just outside of the first boundary facet of each class. Two boundary facets belong to
+//! one class if they have a ridge (an edge, in the plane a vertex) that no third one has, up to the lattice.
 //!
 //! Left out: that each boundary facet is a facet of one simplex, on the side that it says.
 
 use crate::boxes::{APEX, Grid, Tree};
-use crate::filter::Intervals;
+use crate::filter::{Interval, Intervals};
 use crate::int::Int;
 use crate::limits::Work;
 use crate::meets::only_in_common;
@@ -126,7 +118,7 @@ impl<const N: usize> Region<N> {
             let ring = self.rings.0.as_ref().ok_or(Stop::LARGER)?;
             let points = self.points(ring, vertices, facets)?;
             only_in_common(ring, common, &points).or_else(|_| {
-                let interval = |x: &Element<i64, N>| self.intervals.of(&x.0);
+                let interval = |x: &Element<i64, N>| Interval::of(&x.0, &self.intervals.root);
                 let points = each(&points, |facet| each(facet, |point| each(point, interval)))?;
                 only_in_common(&self.intervals, common, &points)
             })
@@ -175,10 +167,9 @@ impl<const N: usize> Region<N> {
         })
     }
 
-    /// Whether a tile contains the point just outside of a facet: the centroid m, moved outwards by
-    /// ε (1, ε, ε²) or its negative, for small ε > 0. It is on the inner side of each facet of the
-    /// tile: for the outer normal w and a corner o, w · (m - o) is negative, or it is zero and
-    /// the point is moved inwards.
+    /// Whether a tile contains the point just outside of a facet: the centroid m, moved outwards by ε (1, ε, ε²) or its
+    /// negative, for small ε > 0. It is on the inner side of each facet of the tile: for the outer normal w and a
+    /// corner o, w · (m - o) is negative, or it is zero and the point is moved inwards.
     fn contains<T: Int>(
         &self,
         ring: &Exact<T, N>,

@@ -5,10 +5,11 @@
 //! family ([`crate::polynomial`]). A sign of an interval or of a polynomial can be undecided.
 
 use crate::claim::Polynomial;
+use crate::filter::Rough;
 use crate::int::Int;
 use crate::limits::Work;
 use crate::refusal::{Checked, Stop, Value};
-use crate::root::{Root, enclosure};
+use crate::root::{ROUGH_BITS, Root, enclosure};
 use num_bigint::BigInt;
 use std::array::from_fn;
 use std::cmp::Ordering::{self, Equal, Greater, Less};
@@ -60,6 +61,10 @@ pub trait Ring: Clone {
     /// Σ x_i y_i, for at most four terms.
     fn dot<const K: usize>(&self, x: [&Self::Element; K], y: [&Self::Element; K]) -> Checked<Self::Element>;
     fn sign(&self, x: &Self::Element) -> Sign;
+    /// The sign; and the size where that saves work, unless the number is zero.
+    fn rough(&self, x: &Self::Element) -> (Sign, Option<Rough>) {
+        (self.sign(x), None)
+    }
     /// Whether an element may have several signs, at different points.
     fn varies(&self) -> bool {
         false
@@ -70,6 +75,10 @@ pub trait Ring: Clone {
 
     fn integer(&self, value: i64) -> Checked<Self::Element> {
         self.element(&[value.into()])
+    }
+
+    fn long(&self, value: &BigInt) -> Checked<Self::Element> {
+        self.element(std::slice::from_ref(value))
     }
 
     fn times(&self, x: &Self::Element, y: &Self::Element) -> Checked<Self::Element> {
@@ -139,18 +148,14 @@ impl<T: Default, const N: usize> Default for Element<T, N> {
     }
 }
 
-impl<T: Int, const N: usize> Element<T, N> {
-    pub(crate) fn large(&self) -> Element<BigInt, N> {
-        Element(self.0.each_ref().map(T::big))
-    }
-}
-
 /// Z[a] for a root a of a monic polynomial of degree at most N; Z for degree 1.
 #[derive(Clone)]
 pub struct Exact<T, const N: usize> {
     /// a^degree = Σ tail_k a^k
     tail: [T; N],
-    rough: [(i64, i64); N],
+    rough: [(i64, u64); N],
+    /// The sum of the widths of these, divided by 16.
+    slack: i128,
     pub(crate) root: Rc<Root>,
     pub(crate) work: Rc<Work>,
 }
@@ -158,10 +163,9 @@ pub struct Exact<T, const N: usize> {
 impl<T: Int, const N: usize> Exact<T, N> {
     pub(crate) fn new(root: &Rc<Root>, work: &Rc<Work>) -> Checked<Self> {
         let mut rough = [(0, 0); N];
-        for (slot, power) in rough.iter_mut().zip(&root.rough) {
-            *slot = *power;
-        }
-        Ok(Exact { tail: coefficients(&root.tail)?, rough, root: root.clone(), work: work.clone() })
+        rough.iter_mut().zip(&root.rough).for_each(|(slot, power)| *slot = *power);
+        let slack = rough.iter().map(|(_, width)| i128::from(*width)).sum::<i128>() / 16;
+        Ok(Exact { tail: coefficients(&root.tail)?, rough, slack, root: root.clone(), work: work.clone() })
     }
 
     /// The compiler knows the degrees 1 and 2.
@@ -185,6 +189,15 @@ impl<T: Int, const N: usize> Exact<T, N> {
             self.add_product(sum, &last, tail)?;
         }
         Ok(())
+    }
+
+    /// The sign by a rough enclosure of the number.
+    #[inline(never)]
+    fn close_sign(&self, x: &Element<T, N>) -> Sign {
+        match enclosure(&x.0, &self.rough) {
+            Ok((middle, radius, _)) if middle.unsigned_abs() > radius => Sign::exactly(middle.cmp(&0)),
+            _ => self.fine_sign(x),
+        }
     }
 
     /// The sign by the fine enclosures; only for the largest integers.
@@ -243,7 +256,7 @@ impl<T: Int, const N: usize> Ring for Exact<T, N> {
             }
             for (x, y) in x.iter().zip(y) {
                 let x = x.0.get(j).ok_or_else(|| Stop::LARGER)?;
-                if N > 2 && *x == T::default() {
+                if N > 1 && *x == T::default() {
                     continue;
                 }
                 for (sum, y) in sum.iter_mut().zip(&y.0).take(degree) {
@@ -255,6 +268,7 @@ impl<T: Int, const N: usize> Ring for Exact<T, N> {
     }
 
     /// Zero if all coefficients are. Else an enclosure must show the sign.
+    #[inline(always)]
     fn sign(&self, x: &Element<T, N>) -> Sign {
         if let [c] = &x.0[..] {
             return Sign::exactly(c.sign());
@@ -262,10 +276,28 @@ impl<T: Int, const N: usize> Ring for Exact<T, N> {
         if x.0.iter().all(|c| *c == T::default()) {
             return Sign::exactly(Equal);
         }
-        match enclosure(&x.0, &self.rough) {
-            Ok((middle, radius, _)) if middle.abs() > radius => Sign::exactly(middle.cmp(&0)),
-            _ => self.fine_sign(x),
+        if T::PRICE == 1 && x.0.iter().all(|c| c.length() <= ROUGH_BITS) {
+            // The sum lies less than 2^60 Σ width < 2^64 (slack + 1) from this one.
+            let middle = |(c, (low, _)): (&T, &(i64, u64))| Ok(i128::from(c.top(0)?) * i128::from(*low));
+            let sum = x.0.iter().zip(&self.rough).map(middle).sum::<Checked<i128>>();
+            let top = sum.map_or(0, |sum| sum >> 64);
+            if top > self.slack || top < -self.slack - 1 {
+                return Sign::exactly(top.cmp(&0));
+            }
         }
+        self.close_sign(x)
+    }
+
+    #[inline(always)]
+    fn rough(&self, x: &Element<T, N>) -> (Sign, Option<Rough>) {
+        // Where products are those of two words, they cost less.
+        let is_cheap = (N, T::PRICE) == (1, 1);
+        if let (false, Ok((middle, radius, s))) = (is_cheap, enclosure(&x.0, &self.rough))
+            && let Some(rough) = Rough::new(middle.unsigned_abs(), radius, s.cast_signed())
+        {
+            return (Sign::exactly(middle.cmp(&0)), Some(rough));
+        }
+        (self.sign(x), None)
     }
 
     fn work(&self) -> &Work {

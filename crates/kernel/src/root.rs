@@ -10,14 +10,14 @@ use std::cmp::Ordering;
 /// The bits of the fine enclosures after the point.
 pub(crate) const BITS: u64 = 1024;
 /// The bits of the largest rough enclosure.
-const ROUGH_BITS: u64 = 60;
+pub(crate) const ROUGH_BITS: u64 = 60;
 
 /// Enclosures of 1, a, …, a^(n-1).
 pub(crate) struct Root {
     /// a^n = Σ tail_k a^k
     pub(crate) tail: Vec<BigInt>,
-    /// 2^(BITS - dropped) a^k lies between these integers of at most 61 bits.
-    pub(crate) rough: Vec<(i64, i64)>,
+    /// 2^(BITS - dropped) a^k lies between low and low + width. |low| is at most 2^60.
+    pub(crate) rough: Vec<(i64, u64)>,
     pub(crate) dropped: u64,
     /// 2^BITS a^k lies between these.
     pub(crate) fine: Vec<(BigInt, BigInt)>,
@@ -42,10 +42,30 @@ impl Root {
         let dropped = most.unwrap_or(0).saturating_sub(ROUGH_BITS);
         let mut rough = Vec::new();
         for (low, high) in &fine {
-            rough.push((low.top(dropped)?, -(-high).top(dropped)?));
+            let (low, high) = (low.top(dropped)?, -(-high).top(dropped)?);
+            rough.push((low, high.abs_diff(low)));
         }
         Ok(Root { tail, rough, dropped, fine })
     }
+}
+
+/// Σ c_k a^k lies within `radius` of `middle`, both times 2^s in units of the rough enclosures, by the
+/// first 60 bits of the coefficients. Returns middle, radius and s.
+#[inline(always)]
+pub(crate) fn enclosure<T: Int>(coefficients: &[T], rough: &[(i64, u64)]) -> Checked<(i128, u128, u64)> {
+    let length = coefficients.iter().fold(0, |most, c| c.length().max(most));
+    let s = length.saturating_sub(ROUGH_BITS);
+    let (mut middle, mut radius) = (0i128, 0u128);
+    for (c, (low, width)) in coefficients.iter().zip(rough) {
+        let floor = c.top(s)?;
+        middle += i128::from(floor) * i128::from(*low);
+        radius += u128::from(floor.unsigned_abs()) * u128::from(*width);
+        if s > 0 {
+            // A coefficient lies between its floor and that plus one.
+            radius += u128::from(low.unsigned_abs()) + u128::from(*width);
+        }
+    }
+    Ok((middle, radius, s))
 }
 
 /// The polynomial p is monic. It has exactly one root between the ends of the interval.
@@ -84,8 +104,7 @@ fn sign_at(p: &[BigInt], x: &BigInt, d: &BigInt, work: &Work) -> Ordering {
     Int::sign(&sum)
 }
 
-/// Integers between which 2^BITS a lies. p rises or falls on the whole interval, so halving it
-/// keeps the root.
+/// Integers between which 2^BITS a lies. p rises or falls on the whole interval, so halving it keeps the root.
 fn enclose(p: &[BigInt], ends: [&BigInt; 3], work: &Work) -> Checked<(BigInt, BigInt)> {
     let [mut low, mut high, mut unit] = ends.map(BigInt::clone);
     let rises = sign_at(p, &high, &unit, work);
@@ -105,21 +124,4 @@ fn product(x: (&BigInt, &BigInt), y: (&BigInt, &BigInt)) -> (BigInt, BigInt) {
     let [a, b, c, d] = [x.0 * y.0, x.0 * y.1, x.1 * y.0, x.1 * y.1];
     let least = (&a).min(&b).min(&c).min(&d).clone();
     (least, a.max(b).max(c).max(d))
-}
-
-/// Σ c_k a^k lies within `radius` of `middle`, both times 2^s in units of the rough enclosures, by the
-/// first 60 bits of the coefficients. Returns middle, radius and s.
-pub(crate) fn enclosure<T: Int>(coefficients: &[T], rough: &[(i64, i64)]) -> Checked<(i128, i128, u64)> {
-    let length = coefficients.iter().map(T::length).max().unwrap_or(0);
-    let dropped = length.saturating_sub(ROUGH_BITS);
-    // A coefficient lies between its floor and that plus the width.
-    let width = i128::from(dropped > 0);
-    let (mut middle, mut radius) = (0i128, 0i128);
-    for (c, (least, most)) in coefficients.iter().zip(rough) {
-        let floor = c.top(dropped)?;
-        middle += i128::from(floor) * i128::from(*least);
-        let size = i128::from(least.unsigned_abs().max(most.unsigned_abs()));
-        radius += i128::from(floor.unsigned_abs()) * i128::from(most.abs_diff(*least)) + width * size;
-    }
-    Ok((middle, radius, dropped))
 }

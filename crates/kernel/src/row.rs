@@ -1,9 +1,8 @@
 //! One simplex as the witness lists it.
 //!
-//! The corners are sorted by vertex and then by shift. Only the last two stand in the order that
-//! makes the determinant positive. Shifts are relative to the first corner. So a simplex has one
-//! row, up to translation, and the sign of the permutation that sorts it is known without
-//! coordinates.
+//! The corners are sorted by vertex and then by shift. Only the last two stand in the order that makes the determinant
+//! positive. Shifts are relative to the first corner. So a simplex has one row, up to translation, and the sign of the
+//! permutation that sorts it is known without coordinates.
 
 use crate::cbor::Cbor;
 use crate::refusal::{Checked, Place};
@@ -17,7 +16,7 @@ pub struct Corner {
 }
 
 /// The bound for the entries of shifts in a certificate. Sums of three fit 32 bits.
-const MOST_SHIFT: u64 = 1 << 29;
+pub(crate) const MOST_SHIFT: u64 = 1 << 29;
 
 impl Corner {
     pub fn seen_from(self, base: Corner) -> Corner {
@@ -54,23 +53,6 @@ pub struct Row {
     pub sixes: u8,
 }
 
-impl Row {
-    /// The row of a tetrahedron whose corners are positively oriented in this order.
-    pub(crate) fn positive(corners: [Corner; 4]) -> Checked<Row> {
-        let mut sorted = corners;
-        sorted.sort_unstable();
-        let [base, ..] = sorted;
-        let exceeds =
-            |corner: &Corner| corner.seen_from(base).shift.iter().any(|s| u64::from(s.unsigned_abs()) >= MOST_SHIFT);
-        ensure!(!sorted.iter().any(exceeds), ShiftRange, Place::Witness);
-        let pairs = corners.iter().enumerate().flat_map(|(k, x)| corners.iter().skip(k).map(move |y| (x, y)));
-        let is_odd = pairs.filter(|(x, y)| x > y).count() % 2 == 1;
-        let [a, b, c, d] = sorted.map(|corner| corner.seen_from(base));
-        let corners = if is_odd { [a, b, d, c] } else { [a, b, c, d] };
-        Ok(Row { corners, sorted: [a, b, c, d], is_odd, sixes: 0 })
-    }
-}
-
 impl Shape {
     pub(crate) fn read_row(&self, cbor: &mut Cbor, simplex: u64) -> Checked<Row> {
         let place = Place::Simplex(simplex);
@@ -96,9 +78,8 @@ impl Shape {
         Ok(Row { corners, sorted, is_odd, sixes })
     }
 
-    /// A facet in the list `boundary`; in the plane the third corner is a default. Its last two
-    /// corners stand in the order in which an inner point before them gives a positive
-    /// orientation.
+    /// A facet in the list `boundary`; in the plane the third corner is a default. Its last two corners stand in the
+    /// order in which an inner point before them gives a positive orientation.
     pub(crate) fn read_facet(&self, cbor: &mut Cbor, index: u64) -> Checked<[Corner; 3]> {
         let place = Place::Boundary(index);
         cbor.array_of(self.dimension)?;

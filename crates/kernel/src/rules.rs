@@ -1,14 +1,14 @@
 //! The statements about single simplices, in the numbers of one ring.
 //!
-//! e_1, e_2, e_3 are the edges from the first corner, times the common denominator. n_1, n_2, n_3
-//! are their cross products: n_i · e_j is det E for i = j and else 0. So n_i / det E is the
-//! gradient of the i-th barycentric coordinate, and n_0 = -(n_1 + n_2 + n_3). Covectors have the
-//! inner product ⟨n, m⟩ = n adj(G) m, up to the factor det G > 0. Everything is homogeneous in the
-//! coordinates and in G, so positive factors do not matter.
+//! e_1, e_2, e_3 are the edges from the first corner, times the common denominator. n_1, n_2, n_3 are their cross
+//! products: n_i · e_j is det E for i = j and else 0. So n_i / det E is the gradient of the i-th barycentric
+//! coordinate, and n_0 = -(n_1 + n_2 + n_3). Covectors have the inner product ⟨n, m⟩ = n adj(G) m, up to the factor det
+//! G > 0. Everything is homogeneous in the coordinates and in G, so positive factors do not matter.
 //!
 //! In the plane G gets a third row (0, 0, 1), e_3 is (0, 0, 1), and n_3 is left out.
 
 use crate::claim::{Bound, Claim, Property, Relation};
+use crate::filter::Logarithm;
 use crate::refusal::{Checked, Place, Stop, Value};
 use crate::ring::{Ring, Sign, Vector, each};
 use num_bigint::BigInt;
@@ -32,16 +32,15 @@ pub(crate) struct Rules<R: Ring> {
     not_delaunay: bool,
 }
 
-/// A bound p/q for the least or the greatest of some quotients of a simplex. The quotients are the
-/// squared cosines, with the signs of the cosines, and R²/l² for all edge lengths l. So the largest
-/// angle is a least quotient.
+/// A bound p/q for the least or the greatest of some quotients of a simplex. The quotients are the squared cosines,
+/// with the signs of the cosines, and R²/l² for all edge lengths l. So the largest angle is a least quotient.
 struct Extreme<R: Ring> {
     statement: usize,
-    is_angle: bool,
-    is_least: bool,
+    property: Property,
     relation: Relation,
     minus_p: R::Element,
     q: R::Element,
+    size: Size,
 }
 
 /// A simplex and the corners of its mates, seen from its first corner.
@@ -51,14 +50,17 @@ pub(crate) struct Simplex<R: Ring> {
     pub(crate) mates: [Option<Vector<R>>; 4],
 }
 
-/// x and y for x / y, and whether x has an undecided sign, which is not in it.
-type Quotient<R> = (<R as Ring>::Element, <R as Ring>::Element, bool);
+/// Of a quotient: the sign, and the logarithm without the sign. If the sign is undecided, the quotient is one of
+/// two, and its numerator is positive here.
+type Size = (Sign, Option<Logarithm>);
 
-/// c, x and y for the cosine c / sqrt(x y).
-type Cosine<R> = (<R as Ring>::Element, <R as Ring>::Element, <R as Ring>::Element);
+/// The inner products of the pairs (1, 1), (1, 2), (1, 3), (2, 2), (2, 3), (3, 3) of three vectors.
+type Products<R> = [<R as Ring>::Element; 6];
 
-/// The facets of the angles, by the corners that they do not have. The first three are those of the
-/// plane.
+/// -⟨n_i, n_j⟩ for the pairs of facets, and all ⟨n_i, n_i⟩.
+type Cosines<R> = ([<R as Ring>::Element; 6], [<R as Ring>::Element; 4]);
+
+/// The facets of the angles, by the corners that they do not have. The first three are those of the plane.
 const FACETS: [(usize, usize); 6] = [(0, 1), (0, 2), (1, 2), (0, 3), (1, 3), (2, 3)];
 
 /// The bit of `not Delaunay` among those of the statements. Bounds have less than 22 bits.
@@ -106,16 +108,17 @@ impl<R: Ring> Rules<R> {
     fn add_bound(&mut self, statement: usize, of: Property, bound: &Bound) -> Checked {
         let ring = &self.ring;
         let p = ring.element(&bound.numerator)?;
-        let q = ring.element(std::slice::from_ref(&bound.denominator))?;
+        let q = ring.long(&bound.denominator)?;
         // A squared ratio is positive. A squared cosine is at most 1, and zero with the sign zero.
         let expected = if bound.sign == 0 { Equal } else { Greater };
         let is_cosine = !of.is_angle() || ring.compare(&p, &q)?.is(|sign| sign != Greater)?;
         let is_range = is_cosine && ring.sign(&p).decided()? == expected;
         ensure!(is_range, BoundRange, Place::Statement(statement), ring.quotient(&p, &q));
         let minus_p = if bound.sign < 0 { p } else { ring.negated(&p)? };
-        let is_least = of == Property::LargestAngle;
+        let logarithm = ring.rough(&minus_p).1.zip(ring.rough(&q).1).map(|(p, q)| Logarithm::quotient([p, p], [p, q]));
+        let size = (Sign::exactly(bound.sign.cmp(&0)), logarithm);
         let list = if of.is_angle() { &mut self.angles } else { &mut self.ratios };
-        list.push(Extreme { statement, is_angle: of.is_angle(), is_least, relation: bound.relation, minus_p, q });
+        list.push(Extreme { statement, property: of, relation: bound.relation, minus_p, q, size });
         Ok(())
     }
 
@@ -142,78 +145,104 @@ impl<R: Ring> Rules<R> {
         let is_positive = ring.sign(&determinant).is(|sign| sign == Greater)?;
         let unit = || denominator.pow(if self.is_plane { 2 } else { 3 });
         ensure!(is_positive, Orientation, place, Value::Quotient(ring.coefficients(&determinant), vec![unit()]));
-        let mut attained = 0;
-        if self.acute || self.nonobtuse || !self.angles.is_empty() {
-            attained |= self.check_angles(&normals, simplex.number)?;
+        let has_angles = self.acute || self.nonobtuse || !self.angles.is_empty();
+        let has_spheres = !self.ratios.is_empty() || self.needs_mates();
+        let (mut products, mut attained) = (Products::<R>::default(), 0);
+        if has_spheres || (has_angles && !self.is_unit) {
+            products = self.products(&simplex.edges, &each(&simplex.edges, |edge| self.image(edge))?)?;
         }
-        if !self.ratios.is_empty() || self.needs_mates() {
-            attained |= self.check_sphere(simplex, &normals, &determinant, denominator)?;
+        if has_angles {
+            let products = if self.is_unit { self.products(&normals, &normals)? } else { self.cofactors(&products)? };
+            attained |= self.check_angles(&self.cosines(products)?, simplex.number)?;
+        }
+        if has_spheres {
+            attained |= self.check_sphere(simplex, &normals, &products, &determinant, denominator)?;
         }
         Ok((determinant, attained))
     }
 
-    fn check_angles(&self, normals: &[Vector<R>; 3], simplex: u64) -> Checked<u32> {
+    fn products(&self, x: &[Vector<R>; 3], y: &[Vector<R>; 3]) -> Checked<Products<R>> {
+        let ([x1, x2, x3], [y1, y2, y3]) = (x, y);
+        each(&[(x1, y1), (x1, y2), (x1, y3), (x2, y2), (x2, y3), (x3, y3)], |(x, y)| self.ring.inner(x, y))
+    }
+
+    /// ⟨n_i, n_j⟩ by M = (⟨e_i, e_j⟩): adj(E) adj(G) adj(E)ᵀ = adj(M), and the rows of adj(E) are the normals.
+    fn cofactors(&self, [m11, m12, m13, m22, m23, m33]: &Products<R>) -> Checked<Products<R>> {
+        let minor = |a, b, c, d| self.ring.dot([a, &self.ring.negated(b)?], [d, c]);
+        let g33 = if self.is_plane { R::Element::default() } else { minor(m11, m12, m12, m22)? };
+        Ok([
+            minor(m22, m23, m23, m33)?,
+            minor(m13, m12, m33, m23)?,
+            minor(m12, m13, m22, m23)?,
+            minor(m11, m13, m13, m33)?,
+            minor(m12, m11, m23, m13)?,
+            g33,
+        ])
+    }
+
+    fn check_angles(&self, (cosines, squares): &Cosines<R>, simplex: u64) -> Checked<u32> {
         let ring = &self.ring;
-        let place = |(i, j)| Place::Angle(simplex, i, j);
-        let mut quotients = <[Quotient<R>; 6]>::default();
-        let cosines = self.cosines(normals)?;
-        for (((c, x, y), facets), quotient) in cosines.iter().zip(FACETS).zip(&mut quotients).take(self.pairs()) {
-            let sign = ring.sign(c);
-            // c² / (x y), with the sign of the cosine.
-            let signed = || {
-                let square = ring.times(c, c)?;
-                let is_negative = sign.least == Less && sign.most != Greater;
-                let square = if is_negative { ring.negated(&square)? } else { square };
-                Ok((square, ring.times(x, y)?, sign == Sign::UNDECIDED))
-            };
-            let value = || signed().map(|(square, y, _)| ring.quotient(&square, &y));
+        let roughs = squares.each_ref().map(|x| if self.angles.is_empty() { None } else { ring.rough(x).1 });
+        let mut sizes = [(Sign::UNDECIDED, None); 6];
+        for ((c, (i, j)), size) in cosines.iter().zip(FACETS).zip(&mut sizes) {
+            let (sign, rough) = if self.angles.is_empty() { (ring.sign(c), None) } else { ring.rough(c) };
+            let quotient = |((c, x), y)| Logarithm::quotient([c, c], [x, y]);
+            let of = |k: usize| roughs.get(k).copied().flatten();
+            *size = (sign, rough.zip(of(i)).zip(of(j)).map(quotient));
+        }
+        // The squared cosine, with the sign of the cosine.
+        let exact = |k: usize| {
+            let ((c, (i, j)), (sign, _)) = cosines.get(k).zip(FACETS.get(k)).zip(sizes.get(k)).ok_or(Stop::LARGER)?;
+            let (x, y) = squares.get(*i).zip(squares.get(*j)).ok_or(Stop::LARGER)?;
+            let square = ring.times(c, c)?;
+            let is_negative = sign.least == Less && sign.most != Greater;
+            Ok([if is_negative { ring.negated(&square)? } else { square }, ring.times(x, y)?])
+        };
+        let place = |k| FACETS.get(k).map(|(i, j)| Place::Angle(simplex, *i, *j)).ok_or(Stop::LARGER);
+        let sizes = sizes.get(..self.pairs()).unwrap_or(&sizes);
+        for (k, (sign, _)) in sizes.iter().enumerate() {
             // `acute`: the cosine is positive. `nonobtuse`: it is not negative.
             let is_acute = !self.acute || sign.is(|sign| sign == Greater)?;
-            ensure!(is_acute, NotAcute, place(facets), value()?);
+            ensure!(is_acute, NotAcute, place(k)?, self.value(exact(k)?));
             let is_nonobtuse = !self.nonobtuse || sign.is(|sign| sign != Less)?;
-            ensure!(is_nonobtuse, NotNonobtuse, place(facets), value()?);
-            if !self.angles.is_empty() {
-                *quotient = signed()?;
-            }
+            ensure!(is_nonobtuse, NotNonobtuse, place(k)?, self.value(exact(k)?));
         }
-        self.check_extremes(&self.angles, &quotients, |k| FACETS.get(k).copied().map(place))
+        self.check_extremes(&self.angles, sizes, exact, place)
+    }
+
+    fn value(&self, [x, y]: [R::Element; 2]) -> Value {
+        self.ring.quotient(&x, &y)
     }
 
     /// With g_ij = ⟨n_i, n_j⟩ the dihedral angle of the facets i and j has the cosine
     /// -g_ij / sqrt(g_ii g_jj). The rows of (g_ij) sum to zero.
-    fn cosines(&self, normals: &[Vector<R>; 3]) -> Checked<[Cosine<R>; 6]> {
+    fn cosines(&self, [g11, g12, g13, g22, g23, g33]: Products<R>) -> Checked<Cosines<R>> {
         let ring = &self.ring;
-        let [n1, n2, n3] = normals;
-        let [d1, d2, d3] = each(normals, |n| self.dual(n))?;
-        let (g11, g12, g13) = (ring.inner(n1, &d1)?, ring.inner(n1, &d2)?, ring.inner(n1, &d3)?);
-        let (g22, g23, g33) = (ring.inner(n2, &d2)?, ring.inner(n2, &d3)?, ring.inner(n3, &d3)?);
         // -g_01, -g_02, -g_03 and g_00.
         let c01 = ring.plus(&ring.plus(&g11, &g12)?, &g13)?;
         let c02 = ring.plus(&ring.plus(&g12, &g22)?, &g23)?;
         let c03 = ring.plus(&ring.plus(&g13, &g23)?, &g33)?;
         let g00 = ring.plus(&ring.plus(&c01, &c02)?, &c03)?;
-        Ok([
-            (c01, g00.clone(), g11.clone()),
-            (c02, g00.clone(), g22.clone()),
-            (ring.negated(&g12)?, g11.clone(), g22.clone()),
-            (c03, g00, g33.clone()),
-            (ring.negated(&g13)?, g11, g33.clone()),
-            (ring.negated(&g23)?, g22, g33),
-        ])
+        let [c12, c13, c23] = each(&[g12, g13, g23], |g| ring.negated(g))?;
+        Ok(([c01, c02, c12, c03, c13, c23], [g00, g11, g22, g33]))
     }
 
     /// Compares bounds with extremes of quotients. Returns the set of the statements attained.
     fn check_extremes(
         &self,
         bounds: &[Extreme<R>],
-        quotients: &[Quotient<R>; 6],
-        place: impl Fn(usize) -> Option<Place>,
+        sizes: &[Size],
+        exact: impl Fn(usize) -> Checked<[R::Element; 2]>,
+        place: impl Fn(usize) -> Checked<Place>,
     ) -> Checked<u32> {
         let mut attained = 0;
         for bound in bounds {
             let mut found = None;
-            for quotient in quotients.iter().take(self.pairs()) {
-                let sign = self.compare(quotient, bound)?;
+            for (k, size) in sizes.iter().enumerate() {
+                let sign = match compare(size, &bound.size) {
+                    Some(sign) => Sign::exactly(sign),
+                    None => self.compare_exactly(exact(k)?, size.0, bound)?,
+                };
                 found = Some(found.map_or(sign, |first| bound.extreme(first, sign)));
                 // No sign is beyond this one.
                 if found == Some(Sign::exactly(bound.beyond())) {
@@ -222,41 +251,38 @@ impl<R: Ring> Rules<R> {
             }
             let sign = found.ok_or_else(|| Stop::LARGER)?;
             // Angles rise where cosines fall.
-            let order = |sign: Ordering| if bound.is_angle { sign.reverse() } else { sign };
+            let is_angle = bound.property.is_angle();
+            let order = |sign: Ordering| if is_angle { sign.reverse() } else { sign };
             let is_allowed = sign.is(|sign| bound.relation.allows(order(sign)))?;
             if !is_allowed {
-                let (k, value) = self.extreme_quotient(bound, quotients)?;
-                let place = place(k).ok_or_else(|| Stop::LARGER)?;
-                ensure!(!bound.is_angle, AngleBound, place, value);
-                ensure!(bound.is_angle, RatioBound, place, value);
+                // The extreme quotient.
+                let (mut at, mut extreme) = (0, exact(0)?);
+                for k in 1..sizes.len() {
+                    let [[p, q], [x, y]] = [&extreme, &exact(k)?];
+                    let order = self.ring.compare(&self.ring.times(x, q)?, &self.ring.times(p, y)?)?;
+                    if order == Sign::exactly(bound.beyond()) {
+                        (at, extreme) = (k, exact(k)?);
+                    }
+                }
+                let (place, value) = (place(at)?, self.value(extreme));
+                ensure!(!is_angle, AngleBound, place, value);
+                ensure!(is_angle, RatioBound, place, value);
             }
             attained |= u32::from(sign == Sign::exactly(Equal)) << bound.statement;
         }
         Ok(attained)
     }
 
-    /// The sign of x/y - p/q. If the sign of the cosine is undecided, it is one of ±x/y.
-    fn compare(&self, (x, y, is_undecided): &Quotient<R>, bound: &Extreme<R>) -> Checked<Sign> {
-        let difference = |x| Ok(self.ring.sign(&self.ring.dot([x, y], [&bound.q, &bound.minus_p])?));
-        let sign = difference(x)?;
-        if !is_undecided {
-            return Ok(sign);
+    /// The sign of x/y - p/q, or with an undecided sign of ±x/y - p/q.
+    #[inline(never)]
+    fn compare_exactly(&self, [x, y]: [R::Element; 2], sign: Sign, bound: &Extreme<R>) -> Checked<Sign> {
+        let difference = |x| Ok(self.ring.sign(&self.ring.dot([&bound.q, &bound.minus_p], [x, &y])?));
+        let first = difference(&x)?;
+        if sign != Sign::UNDECIDED {
+            return Ok(first);
         }
-        let other = difference(&self.ring.negated(x)?)?;
-        Ok(Sign { least: sign.least.min(other.least), most: sign.most.max(other.most) })
-    }
-
-    /// The place and the value of the extreme quotient, for a refusal.
-    fn extreme_quotient(&self, bound: &Extreme<R>, quotients: &[Quotient<R>; 6]) -> Checked<(usize, Value)> {
-        let (ring, beyond) = (&self.ring, bound.beyond());
-        let (mut place, mut extreme) = (0, &quotients[0]);
-        for (k, quotient) in quotients.iter().enumerate().take(self.pairs()) {
-            let order = ring.compare(&ring.times(&quotient.0, &extreme.1)?, &ring.times(&extreme.0, &quotient.1)?)?;
-            if order == Sign::exactly(beyond) {
-                (place, extreme) = (k, quotient);
-            }
-        }
-        Ok((place, ring.quotient(&extreme.0, &extreme.1)))
+        let other = difference(&self.ring.negated(&x)?)?;
+        Ok(Sign { least: first.least.min(other.least), most: first.most.max(other.most) })
     }
 
     /// Checks the statements about the circumsphere.
@@ -267,37 +293,29 @@ impl<R: Ring> Rules<R> {
         &self,
         simplex: &Simplex<R>,
         [n1, n2, n3]: &[Vector<R>; 3],
+        [s1, m12, m13, s2, m23, s3]: &Products<R>,
         determinant: &R::Element,
         denominator: &BigInt,
     ) -> Checked<u32> {
         let ring = &self.ring;
-        let [e1, e2, e3] = &simplex.edges;
-        let [d1, d2, d3] = each(&simplex.edges, |edge| self.image(edge))?;
-        let [s1, s2, s3] = [ring.inner(e1, &d1)?, ring.inner(e2, &d2)?, ring.inner(e3, &d3)?];
         let mut w = Vector::<R>::default();
         for (((entry, n1), n2), n3) in w.iter_mut().zip(n1).zip(n2).zip(n3) {
-            *entry = ring.negated(&ring.dot([&s1, &s2, &s3], [n1, n2, n3])?)?;
+            *entry = ring.negated(&ring.dot([s1, s2, s3], [n1, n2, n3])?)?;
         }
         let mut attained = 0;
         if !self.ratios.is_empty() {
             // |y - x|² = |x|² + |y|² - 2 ⟨x, y⟩. The first three are those of the plane.
-            let between = |x, y, e, d| {
-                let inner = ring.inner(e, d)?;
-                ring.minus(&ring.minus(&ring.plus(x, y)?, &inner)?, &inner)
-            };
-            let squares = [
-                between(&s1, &s2, e1, &d2)?,
-                s1.clone(),
-                s2.clone(),
-                between(&s1, &s3, e1, &d3)?,
-                between(&s2, &s3, e2, &d3)?,
-                s3,
-            ];
+            let between = |x, y, m| ring.minus(&ring.minus(&ring.plus(x, y)?, m)?, m);
+            let [s12, s13, s23] = [between(s1, s2, m12)?, between(s1, s3, m13)?, between(s2, s3, m23)?];
+            let squares = [s12, s1.clone(), s2.clone(), s13, s23, s3.clone()];
+            let squares = self.shortest(squares.get(..self.pairs()).unwrap_or(&squares))?;
             // R² = z G z = w adj(G) w / (4 det E² det G), since 2 G z = -w / det E.
             let radius = ring.inner(&w, &self.dual(&w)?)?;
             let unit = ring.times(&ring.times(determinant, determinant)?, &self.four_det_gram)?;
-            let quotients = each(&squares, |square| Ok((radius.clone(), ring.times(&unit, square)?, false)))?;
-            attained = self.check_extremes(&self.ratios, &quotients, |_| Some(Place::Simplex(simplex.number)))?;
+            let exact = |k: usize| Ok([radius.clone(), ring.times(&unit, squares.get(k).ok_or(Stop::LARGER)?)?]);
+            let sizes = [(Sign::exactly(Greater), None); 6];
+            let sizes = sizes.get(..squares.len()).unwrap_or(&sizes);
+            attained = self.check_extremes(&self.ratios, sizes, exact, |_| Ok(Place::Simplex(simplex.number)))?;
         }
         // `Delaunay`: a mate's corner outside of the common facet is outside of the circumsphere;
         // `weakly Delaunay`: it is not inside. The difference of the powers of two spheres through
@@ -328,6 +346,21 @@ impl<R: Ring> Rules<R> {
         Ok(attained)
     }
 
+    /// The least of some numbers; all of them where a sign is undecided.
+    fn shortest<'s>(&self, squares: &'s [R::Element]) -> Checked<&'s [R::Element]> {
+        let mut least = squares;
+        for square in squares.chunks(1).skip(1) {
+            let [first, ..] = least else { return Ok(squares) };
+            let [other] = square else { return Ok(squares) };
+            match self.ring.compare(other, first)? {
+                Sign { most: Less, .. } => least = square,
+                Sign { least: Less, .. } => return Ok(squares),
+                _ => {}
+            }
+        }
+        Ok(least.get(..1).unwrap_or(least))
+    }
+
     /// adj(G) n
     fn dual(&self, n: &Vector<R>) -> Checked<Vector<R>> {
         if self.is_unit { Ok(n.clone()) } else { each(&self.adjugate, |row| self.ring.inner(row, n)) }
@@ -344,14 +377,22 @@ impl<R: Ring> Rules<R> {
     }
 }
 
+/// The order of two quotients by their signs and logarithms.
+#[inline(always)]
+fn compare((sign, x): &Size, (other, y): &Size) -> Option<Ordering> {
+    let (Some(x), Some(y), Ok(sign)) = (x, y, sign.decided()) else { return None };
+    let order = if *other == Sign::exactly(sign) { x.compare(y)? } else { Greater };
+    Some(if sign == Less { order.reverse() } else { order })
+}
+
 impl<R: Ring> Extreme<R> {
     /// The sign of a quotient minus one that is less extreme.
     fn beyond(&self) -> Ordering {
-        if self.is_least { Less } else { Greater }
+        if self.property == Property::LargestAngle { Less } else { Greater }
     }
 
     fn extreme(&self, a: Sign, b: Sign) -> Sign {
-        let choose = if self.is_least { Ordering::min } else { Ordering::max };
+        let choose = if self.beyond() == Less { Ordering::min } else { Ordering::max };
         Sign { least: choose(a.least, b.least), most: choose(a.most, b.most) }
     }
 }

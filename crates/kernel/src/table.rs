@@ -1,9 +1,7 @@
-//! The open facets and edges, found by name: for each vertex a list of those whose first vertex
-//! it is.
+//! The open facets and edges, found by name: for each vertex a list of those whose first vertex it is.
 //!
-//! The lists are short where each vertex has few open facets, and no input can make names
-//! collide. Neighbours are near to each other in memory if neighbouring vertices have near
-//! numbers. Each step along a list counts as work.
+//! The lists are short where each vertex has few open facets, and no input can make names collide. Neighbours are near
+//! to each other in memory if neighbouring vertices have near numbers. Each step along a list counts as work.
 
 use crate::limits::Work;
 use crate::refusal::{Checked, Stop};
@@ -27,14 +25,8 @@ pub(crate) fn index(number: u32) -> usize {
 
 impl<K: PartialEq, V> Table<K, V> {
     pub(crate) fn new(work: &Rc<Work>) -> Self {
-        Table {
-            of_vertex: Vec::new(),
-            lists: vec![Vec::new()],
-            free: Vec::new(),
-            count: 0,
-            peak: 0,
-            work: work.clone(),
-        }
+        let (work, lists) = (work.clone(), vec![Vec::new()]);
+        Table { of_vertex: Vec::new(), lists, free: Vec::new(), count: 0, peak: 0, work }
     }
 
     /// Calls `change` with the list of a vertex and the position of a name in it.

@@ -18,7 +18,7 @@ use std::rc::Rc;
 
 /// A certificate that fulfils every condition of the format. Only [`crate::verify`] makes one.
 #[derive(Debug)]
-pub struct Verified(Facts);
+pub struct Verified(pub(crate) Facts);
 
 /// The claim that is proved, and some counts.
 #[derive(Debug)]
@@ -39,13 +39,6 @@ pub struct Facts {
     pub bytes: u64,
     /// The SHA-256 of its bytes.
     pub sha256: [u8; 32],
-}
-
-impl Verified {
-    /// Of a certificate whose last check has been made.
-    pub(crate) fn of(facts: Facts) -> Verified {
-        Verified(facts)
-    }
 }
 
 impl Deref for Verified {
@@ -76,16 +69,8 @@ pub(crate) fn verify<const N: usize>(mut cbor: Cbor, claim: Claim, limits: &Limi
     }
     let (bytes, sha256) = cbor.finish()?;
     pass.check_end()?;
-    Ok(Facts {
-        vertices: pass.shape.vertices,
-        simplices,
-        boundary_facets: pass.front.boundary,
-        peak_facets: pass.front.peak(),
-        peak_edges: pass.edges.map_or(0, |edges| edges.peak()),
-        bytes,
-        sha256,
-        claim,
-    })
+    let ((boundary_facets, peak_facets, peak_edges), vertices) = (pass.counts(), pass.shape.vertices);
+    Ok(Facts { vertices, simplices, boundary_facets, peak_facets, peak_edges, bytes, sha256, claim })
 }
 
 /// The check of one tiling, or of one part of a larger structure: its rows come one by one.
@@ -137,23 +122,16 @@ impl<'c, M> Pass<'c, M> {
     pub(crate) fn new(claim: &'c Claim, numbers: M, work: &Rc<Work>) -> Self {
         let has_sixes = claim.has(Property::Tcp);
         let (dimension, rank) = (claim.dimension, claim.rank());
-        Pass {
-            claim,
-            shape: Shape { dimension, rank, vertices: 0, has_sixes },
-            numbers,
-            work: work.clone(),
-            used: Vec::new(),
-            faces: Vec::new(),
-            front: Front::new(dimension, work),
-            edges: has_sixes.then(|| Edges::new(work)),
-            attained: 0,
-        }
+        let shape = Shape { dimension, rank, vertices: 0, has_sixes };
+        let (front, edges) = (Front::new(dimension, work), has_sixes.then(|| Edges::new(work)));
+        let (work, used, faces) = (work.clone(), Vec::new(), Vec::new());
+        Pass { claim, shape, numbers, work, used, faces, front, edges, attained: 0 }
     }
 
     /// The numbers of facets in the boundary, and of the peaks of open facets and edges.
     pub(crate) fn counts(&self) -> (u64, usize, usize) {
-        let edges = self.edges.as_ref().map_or(0, Edges::peak);
-        (self.front.boundary, self.front.peak(), edges)
+        let edges = self.edges.as_ref().map_or(0, |edges| edges.peak);
+        (self.front.boundary, self.front.open.peak, edges)
     }
 }
 
@@ -212,8 +190,7 @@ impl<M: Numbers> Pass<'_, M> {
     }
 }
 
-/// Statements about angles need no domain. The others are defined for some domains only, and planes for
-/// single tilings.
+/// Statements about angles need no domain. The others are defined for some domains only, and planes for single tilings.
 pub(crate) fn check_statements(claim: &Claim, is_single: bool) -> Checked {
     let is_region = matches!(claim.domain, Domain::Region(_));
     for (index, statement) in claim.statements.iter().enumerate() {

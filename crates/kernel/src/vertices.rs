@@ -12,6 +12,7 @@ use std::collections::BTreeMap;
 /// Stands for a coefficient that is in `large`.
 const LARGE: i64 = i64::MIN;
 
+#[derive(Default)]
 pub struct Vertices {
     /// The common denominator; zero until it is read.
     pub(crate) denominator: BigInt,
@@ -27,15 +28,7 @@ pub struct Vertices {
 
 impl Vertices {
     pub(crate) fn new(dimension: usize, degree: usize) -> Vertices {
-        Vertices {
-            denominator: BigInt::ZERO,
-            divisor: BigInt::ZERO,
-            dimension,
-            degree,
-            small: Vec::new(),
-            large: BTreeMap::new(),
-            count: 0,
-        }
+        Vertices { dimension, degree, ..Vertices::default() }
     }
 
     pub(crate) fn read_denominator(&mut self, cbor: &mut Cbor) -> Checked {

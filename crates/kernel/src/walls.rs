@@ -54,6 +54,7 @@ pub(crate) struct View {
     pub(crate) polygons: BTreeMap<Name, Polygon>,
 }
 
+#[derive(Default)]
 pub(crate) struct Side<const N: usize> {
     pub(crate) patch: usize,
     pub(crate) number: u32,
@@ -108,7 +109,7 @@ impl View {
 }
 
 /// The sides of all tiles, with their patterns compared.
-fn sides<const N: usize>(parts: &Parts<N>) -> Checked<Vec<Side<N>>> {
+pub(crate) fn sides<const N: usize>(parts: &Parts<N>) -> Checked<Vec<Side<N>>> {
     let mut sides = Vec::new();
     for (patch, number) in parts.patches.iter().zip(0..) {
         check_order(parts, patch, number)?;
@@ -170,23 +171,8 @@ impl<const N: usize> Side<N> {
         let square = if parts.rank == 1 { ring.inner(&along, &dual)? } else { ring.integer(1)? };
         let label = patch.classes.get(side).cloned().unwrap_or_default();
         let number_of_side = u32::try_from(side).map_err(|_| Stop::LARGER)?;
-        let (others, unit) = (square.clone(), square.clone());
-        let (left, right) = Default::default();
-        Ok(Side {
-            patch: number,
-            number: number_of_side,
-            label,
-            start,
-            offset,
-            along,
-            dual,
-            across,
-            square,
-            others,
-            unit,
-            left,
-            right,
-        })
+        let side = Side { patch: number, number: number_of_side, label, start, offset, along, ..Side::default() };
+        Ok(Side { dual, across, square, ..side })
     }
 
     pub(crate) fn place(&self) -> Place {
@@ -244,8 +230,7 @@ impl<const N: usize> Side<N> {
         Ok(view)
     }
 
-    /// The corner of the wall at these coordinates: X is the same, and the others differ by a
-    /// lattice vector.
+    /// The corner of the wall at these coordinates: X is the same, and the others differ by a lattice vector.
     fn corner_at(&self, parts: &Parts<N>, wall: &[(Corner, Point<N>)], point: &Point<N>) -> Checked<Corner> {
         for (corner, there) in wall {
             let difference = parts.ring.difference(there, point)?;
@@ -273,9 +258,7 @@ impl<const N: usize> Side<N> {
     ) -> Checked<Point<N>> {
         let ring = &parts.ring;
         let there = right.coordinates(parts, corner, true)?;
-        let shift = each(&shift.shift, |s| {
-            ring.times(&ring.integer(i64::from(*s))?, &ring.element(std::slice::from_ref(&parts.scale))?)
-        })?;
+        let shift = each(&shift.shift, |s| ring.times(&ring.integer(i64::from(*s))?, &ring.long(&parts.scale)?))?;
         let plus = |a: &Point<N>, b: &Point<N>| parts.sum(a, b);
         let home = plus(&plus(&self.offset, &shift)?, &self.start)?;
         if parts.rank == 2 {
@@ -323,12 +306,6 @@ impl<const N: usize> Parts<N> {
 }
 
 impl<const N: usize> System<N> {
-    /// Finds the sides of the patches, and compares their patterns.
-    pub(crate) fn new(parts: Parts<N>) -> Checked<Self> {
-        let sides = sides(&parts)?;
-        Ok(System { parts, sides })
-    }
-
     /// A corner of a patch in common coordinates.
     pub(crate) fn point(&self, patch: usize, corner: Corner) -> Checked<Point<N>> {
         let patch = self.parts.patches.get(patch).ok_or(Stop::LARGER)?;
@@ -338,8 +315,7 @@ impl<const N: usize> System<N> {
 
     /// A lattice vector in common coordinates.
     pub(crate) fn shift(&self, corner: &Corner) -> Checked<Point<N>> {
-        let factor =
-            self.parts.ring.times(&self.parts.ring.element(std::slice::from_ref(&self.parts.scale))?, self.unit()?)?;
+        let factor = self.parts.ring.times(&self.parts.ring.long(&self.parts.scale)?, self.unit()?)?;
         each(&corner.shift, |s| self.parts.ring.times(&self.parts.ring.integer(i64::from(*s))?, &factor))
     }
 

@@ -7,7 +7,7 @@ from .false_regions import MESH, REGIONS, VOID
 from .regions import CORNER, beside, cells, lone, periodic, region, small
 from .tilings import (BCC, CUBE, CUBE_CORNERS, CUBE_FACES, HEXAGONAL, ROOT, SQRT3, SQUARE, SQUARE_GRAM, a15, a15_split, block,
                       chambers, kuhn, lattice, polygon, root_power, solid, square_triangle, strip_of_height, tetrahedron, times_root,
-                      z_contracted)
+                      moved_to_53_bits, z_contracted)
 from .wrong import (FIELD, GRAM, HUNDRED_TWENTY, NINETY, ROWS, SIXTY, TINY, copies, cube_with_a_vertex_on_an_edge, cube_with_faces,
                     double_cover, fan, far_point_with_flat_faces, fold, in_domain, mirrored, moved, other_side_of_a_face, overlaid,
                     repeated, star, together, with_vertex, without, wrong_bounds)
@@ -112,6 +112,7 @@ GEOMETRY = {
     "volume-sum--strip-over-sqrt-3-twice":
         together(strip_of_height(ROOT, SQRT3), strip_of_height(ROOT, SQRT3)).certificate(),
     "volume-sum--a15-twice": together(A, A).certificate("acute"),
+    "volume-sum--coordinates-of-53-bits-twice": together(moved_to_53_bits(A), moved_to_53_bits(A)).certificate("acute"),
 }
 
 # --- statements -------------------------------------------------------------------------------

@@ -253,3 +253,11 @@ def a15_split():
     middle = [sum(x[0] for x in xs) / 4 for xs in zip(*points)]
     new = [[*last[:i], [8, 0, 0, 0], *last[i + 1:]] for i in range(4)]
     return replace(a15(), vertices=[*a15().vertices, middle], simplices=rest + new).turned()
+
+
+def moved_to_53_bits(tiling):
+    """The vertices, each moved by less than 1/64."""
+    def moved(x, seed):
+        return x + F(pow(2654435761 * (seed + 1), 3, 2**47), 2**53)
+    vertices = [[moved(x, 3 * k + axis) for axis, x in enumerate(v)] for k, v in enumerate(tiling.vertices)]
+    return replace(tiling, vertices=vertices)

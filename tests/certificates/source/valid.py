@@ -7,8 +7,8 @@ from .build import ALL_FIGURES, Tiling, largest, ratio, smallest, uncrossed
 from .field import Field
 from .regions import CAVITY, CORNER, NINE, RING, THREE, beside, cells, lone, periodic, region, shaken, small
 from .tilings import (BCC, CUBE, CUBE_CORNERS, CUBE_FACES, HEXAGONAL, MINUS_TWO_COS_20, REDUCIBLE, REGULAR, ROOT, SQRT3,
-                      SQUARE_GRAM, TWO, TWO_COS_80, a15, block, chambers, hexagon, kuhn, lattice, octahedron, root_power,
-                      square_triangle, strip_of_height, tetrahedron, times_root, z, z_contracted)
+                      SQUARE_GRAM, TWO, TWO_COS_80, a15, block, chambers, hexagon, kuhn, lattice, moved_to_53_bits, octahedron,
+                      root_power, square_triangle, strip_of_height, tetrahedron, times_root, z, z_contracted)
 
 OBTUSE = lattice([[4, -3], [-3, 4]])
 RIGHT_3_4_5 = lattice([[9, 0], [0, 16]])
@@ -136,6 +136,9 @@ SPACE = {
     "space-z-contracted": z_contracted().certificate(),
     "space-chambers-of-the-cube": chambers().certificate("nonobtuse", smallest("at least", *FORTY_FIVE), *ALL_FIGURES[3:]),
     "space-vertex-in-another-cell": renamed(a15(), 3, [5, -7, 2]).certificate("acute"),
+    # Determinants have about 160 bits.
+    "space-coordinates-of-53-bits": moved_to_53_bits(a15()).certificate(
+        "acute", largest("less than", *HUNDRED_TWENTY), "Delaunay"),
 }
 
 TURNED_CUBE = [face[i % 4:] + face[:i % 4] if i % 2 else face[::-1] for i, face in enumerate(CUBE_FACES)]

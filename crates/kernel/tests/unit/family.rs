@@ -1,6 +1,7 @@
 //! Signs of polynomials on boxes: by hand, and against values at points in plain integers.
 
-use crate::claim::{End, Field, Parameter, Polynomial};
+use crate::claim::{Field, Polynomial};
+use crate::family::{End, Parameter};
 use crate::limits::Work;
 use crate::polynomial::{Polynomials, Side};
 use crate::ring::{Exact, Ring, Sign};

@@ -13,6 +13,7 @@
 #[path = "../common/mod.rs"]
 mod common;
 mod family;
+mod filter;
 mod oracle;
 mod region;
 
