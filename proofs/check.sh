@@ -26,7 +26,7 @@ fail() { echo "check.sh: $1" >&2; exit 1; }
 check_words() {
     ./words.py theories/*.v lower-bound/*.v >/dev/null || fail "a forbidden word or a hypothesis, above"
     pinned=$(sed 's/^[0-9a-f]*  //' statements.sha256 | tr '\n' ' ')
-    test "$pinned" = "Statement.v PlaneStatement.v RegionStatement.v PlaneRegionStatement.v Denote.v " || fail "statements.sha256 does not pin the five files"
+    test "$pinned" = "Statement.v PlaneStatement.v RegionStatement.v PlaneRegionStatement.v MosaicStatement.v Denote.v " || fail "statements.sha256 does not pin the six files"
     (cd theories && sha256sum --check --strict --quiet ../statements.sha256) || fail "a statement file is not the one of statements.sha256: read it, then pin it"
     pinned=$(sed 's/^[0-9a-f]*  //' patches.sha256 | tr '\n' ' ')
     test "$pinned" = "PatchStatement.v SquareTriangle.v " || fail "patches.sha256 does not pin the two files"
@@ -143,6 +143,7 @@ self_test() {
     refused --words 'Declare ML Module "injected".'
     refused --words 'Extract Inlined Constant Bool.eqb => "(fun _ _ -> True)".'
     refused --words 'Definition a := 1.' Denote.v
+    refused --words 'Definition a := 1.' MosaicStatement.v
     refused --words 'Definition square_triangle : list patch := [].' SquareTriangle.v
     # what is built, and which files are pinned
     changed --words 'a pin less' "sed -i '/PlaneStatement/d' statements.sha256"

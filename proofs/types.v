@@ -4,7 +4,7 @@
    none of them can change how this text is read.  The main theorem is written out even
    before they are loaded. *)
 From Coq Require Import Reals ZArith List.
-From Acutile Require Statement PlaneStatement RegionStatement PlaneRegionStatement Denote PatchStatement SquareTriangle.
+From Acutile Require Statement PlaneStatement RegionStatement PlaneRegionStatement MosaicStatement Denote PatchStatement SquareTriangle.
 Import ListNotations.
 
 (* The bytes of a certificate: Bytes.v. *)

@@ -1,7 +1,7 @@
 (** * Theorems for another development
 
     This file is the entrance of the installed library.  [Import Certificate] makes the
-    definitions of the five statement files visible, and the following.
+    definitions of the statement files visible, but those of MosaicStatement.v, and the following.
 
     - [hex "8573…"] is the list of bytes with these digits.
     - [acutile s] proves a goal about the certificate with the bytes s.  It runs the checker
