@@ -180,12 +180,22 @@ Definition fraction_between (x y : A) : bool := (* x / y is between two successi
 Definition apart (p q : spot) : bool :=
   let d f := asub (amul (weight q) (f (numerators p))) (amul (weight p) (f (numerators q))) in let w := amul (weight p) (weight q) in
   strict zero (d vZ) || fraction_between (d vX) w || (if r =? 1 then strict zero (d vY) else fraction_between (d vY) w).
+(** No period takes the second rim to the first one: it would take some corner y of the second one to the first corner x of the first one. *)
+Definition unequal (p q : spot) : bool :=
+  let d f := strict (amul (weight q) (f (numerators p))) (amul (weight p) (f (numerators q))) in d vX || d vY || d vZ.
+Definition shifts : list Z3 :=
+  flat_map (fun x => map (fun y => (x, y, 0)%Z) (if r =? 1 then [0%Z] else [-2; -1; 0; 1; 2]%Z)) [-2; -1; 0; 1; 2]%Z.
+Definition rims_differ (l l' : list spot) : bool := match l with
+  | [] => false
+  | x :: _ => forallb (fun y => apart x y || existsb (fun n => spot_eq x (spot_lift n y) &&
+      existsb (fun x => forallb (fun y => unequal x (spot_lift n y)) l') l) shifts) l'
+  end.
 Definition check_pyramid (a q : nat) : bool := let p := k_patch a in let s := side_of h a q in let fs := side_forms p in
   (s <? k_sides p) && (0 <? k_rim_count p q) && k_in_prism fs (k_apex p q) && alt zero (k_left (side_form p s) (k_apex p q)) &&
   forallb (fun x => k_in_prism fs x && aeq (k_left (side_form p s) x) zero) (k_rim p q) &&
   upto (k_sides p) (fun s2 => (s2 =? s) || existsb (fun x => alt zero (k_left (side_form p s2) x)) (k_rim p q)) &&
   upto (length (k_pyramids p)) (fun q2 => (q2 =? q) || negb (side_of h a q2 =? s) ||
-    existsb (fun x => forallb (apart x) (k_rim p q2)) (k_rim p q)).
+    rims_differ (k_rim p q) (k_rim p q2)).
 Definition lateral (p : kpatch) (q e : nat) (y : spot) : corners := (y, k_rim_at p q e, k_rim_at p q (next (k_rim_count p q) e), k_apex p q).
 Definition check_joins (a q : nat) : bool := let p := k_patch a in
   forallb (fun y => upto (k_rim_count p q) (fun e => positive_tet (lateral p q e y)) &&
@@ -215,8 +225,6 @@ Definition within_3 (x y : spot) : bool :=
   let ok f := let d := asub (amul (weight y) (f (numerators x))) (amul (weight x) (f (numerators y))) in
     alt (amul (aofZ (-3)) w) d && alt d (amul (aofZ 3) w) in
   ok vX && (if r =? 1 then true else ok vY).
-Definition shifts : list Z3 :=
-  flat_map (fun x => map (fun y => (x, y, 0)%Z) (if r =? 1 then [0%Z] else [-2; -1; 0; 1; 2]%Z)) [-2; -1; 0; 1; 2]%Z.
 Definition is_outside (t : corners) (x : spot) : bool := let '(t, x) := tet_and t x in existsb (fun i => alt (kL t i x) zero) I4.
 Definition missed (t : corners) (x : spot) : bool :=
   forallb (within_3 x) (corner_list t) && forallb (fun n => is_outside t (spot_lift n x)) shifts.

@@ -511,6 +511,33 @@ Proof.
     + revert H. apply (FB _ n2). rewrite D, E2. ring.
 Qed.
 
+Lemma unequal_ok x y : pos x -> pos y -> unequal A amul alt x y = true -> rp x <> rp y.
+Proof.
+  intros X Y H E. unfold pos in X, Y.
+  assert (K : forall u v, / phi (weight x) * phi u = / phi (weight y) * phi v -> strict A alt (amul (weight y) u) (amul (weight x) v) = true -> False).
+  { intros u v Q S. assert (Q' : phi (weight y) * phi u = phi (weight x) * phi v).
+    { transitivity (phi (weight x) * phi (weight y) * (/ phi (weight x) * phi u)); [field; lra|]. rewrite Q. field. lra. }
+    unfold strict in S. apply orb_true_iff in S as [S|S]; apply alt_ok in S; rewrite !phi_mul in S; lra. }
+  unfold rp, scale, Soundness.phi3 in E. injection E as E1 E2 E3. unfold unequal in H. cbv zeta in H. rewrite !orb_true_iff in H.
+  destruct H as [[H|H]|H]; eapply K; eauto.
+Qed.
+Lemma rims_differ_ok p q q2 n : (forall e, pos (k_rim_at p q e)) -> (forall e, pos (k_rim_at p q2 e)) -> latb r n = true ->
+  rims_differ A aadd asub amul aofZ alt ale r (k_rim p q) (k_rim p q2) = true -> exists e, (e < k_rim_count p q)%nat /\
+  forall e2, (e2 < rim_count (rpatch p) q2)%nat -> rp (k_rim_at p q e) <> lift n (rp (k_rim_at p q2 e2)).
+Proof.
+  intros P P2 L H. unfold rims_differ in H. destruct (k_rim p q) as [|x l] eqn:E; [discriminate|]. rewrite <- E in H. rewrite rim_count_ok.
+  assert (X0 : k_rim_at p q 0 = x) by (unfold MosaicChecker.k_rim_at; rewrite E; reflexivity). assert (N0 : (0 < k_rim_count p q)%nat) by (unfold MosaicChecker.k_rim_count; rewrite E; cbn; lia).
+  rewrite forallb_forall in H.
+  destruct (dec (exists e2, (e2 < k_rim_count p q2)%nat /\ rp (k_rim_at p q 0) = lift n (rp (k_rim_at p q2 e2)))) as [[e2 [He2 Q]]|NO].
+  - specialize (H (k_rim_at p q2 e2) (nth_In _ no_spot He2)). rewrite <- X0 in H. apply orb_true_iff in H as [H|H].
+    + exfalso. exact (apart_ok _ _ n (P 0%nat) (P2 e2) L H Q).
+    + apply existsb_exists in H as [m [_ H]]. apply andb_true_iff in H as [H1 H2]. apply spot_eq_ok in H1; auto using lift_pos. rewrite lift_ok in H1 by auto.
+      assert (m = n). { apply pt_inj. rewrite Q in H1. unfold lift in H1. apply point_eq; [apply (f_equal px) in H1|apply (f_equal py) in H1|apply (f_equal pz) in H1]; unf; lra. }
+      subst m. apply existsb_exists in H2 as [z [Hz H2]]. apply (In_nth _ _ no_spot) in Hz as [e [He Ez]]. exists e. split; [exact He|]. intros e3 He3.
+      rewrite forallb_forall in H2. rewrite <- lift_ok by auto. apply unequal_ok; auto using lift_pos. unfold MosaicChecker.k_rim_at at 1. rewrite Ez. apply H2, nth_In, He3.
+  - exists 0%nat. split; [exact N0|]. intros e2 He2 Q. apply NO. eauto.
+Qed.
+
 Theorem system_good : good G r rsystem h.
 Proof.
   assert (SPOTS := positive_ok).
@@ -551,11 +578,10 @@ Proof.
     + intros s2 Hs2 N. pose proof (upto_ok _ _ C6 s2 Hs2) as K. cbv beta in K. apply orb_true_iff in K as [K|K]; [apply Nat.eqb_eq in K; contradiction|].
       apply existsb_exists in K as [x [Hx K]]. apply (In_nth _ _ no_spot) in Hx as [e [He Ex]]. exists e. split; [exact He|]. rewrite rim_ok. unfold MosaicChecker.k_rim_at. rewrite Ex.
       pose proof (PR q e) as PX. unfold MosaicChecker.k_rim_at in PX. rewrite Ex in PX. apply left_sign in K; auto. lra.
-    + intros q2 Hq2 N S. rewrite <- patch_ok, pyramids_length in Hq2. pose proof (upto_ok _ _ C7 q2 Hq2) as K. cbv beta in K. rewrite !orb_true_iff in K. destruct K as [[K|K]|K].
+    + intros q2 Hq2 N S n L. rewrite <- patch_ok, pyramids_length in Hq2. pose proof (upto_ok _ _ C7 q2 Hq2) as K. cbv beta in K. rewrite !orb_true_iff in K. destruct K as [[K|K]|K].
       * apply Nat.eqb_eq in K. contradiction.
       * rewrite S, Nat.eqb_refl in K. discriminate.
-      * apply existsb_exists in K as [x [Hx K]]. apply (In_nth _ _ no_spot) in Hx as [e [He Ex]]. exists e. split; [exact He|]. intros e2 n He2 L. rewrite rim_count_ok in He2.
-        rewrite !rim_ok. rewrite forallb_forall in K. apply apart_ok; auto. unfold MosaicChecker.k_rim_at at 1. rewrite Ex. apply K. apply nth_In, He2.
+      * setoid_rewrite rim_ok. apply rims_differ_ok; auto; apply PR.
   - intros a s w Ha Hs Hw. rewrite sides_length in Hs. pose proof (checked_patch a Ha) as C. unfold check_patch in C. cbv zeta in C. apply andb_true_iff in C as [_ C].
     pose proof (upto_ok _ _ C s Hs) as K. apply andb_true_iff in K as [K _]. pose proof (upto_ok _ _ K w Hw) as K2. unfold check_wall in K2. apply andb_true_iff in K2 as [K2 K3].
     rewrite patch_ok. split; [apply occupant_ok, K2|apply entry_eqb_eq, K3].

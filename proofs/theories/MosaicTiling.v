@@ -232,9 +232,9 @@ Definition good_pyramid (a q : nat) : Prop := let p := patch_at a in let s := si
   (s < sides p)%nat /\ (0 < rim_count p q)%nat /\ in_prism p (apex_at p q) /\ 0 < left_of p s (apex_at p q) /\
   (forall e, (e < rim_count p q)%nat -> in_prism p (rim_at p q e) /\ left_of p s (rim_at p q e) = 0) /\
   (forall s2, (s2 < sides p)%nat -> s2 <> s -> exists e, (e < rim_count p q)%nat /\ left_of p s2 (rim_at p q e) <> 0) /\
-  (* no other pyramid in this side has this rim *)
+  (* no other pyramid in this side has this rim, moved by a period *)
   (forall q2, (q2 < length (pyramids p))%nat -> q2 <> q -> side_of h a q2 = s ->
-     exists e, (e < rim_count p q)%nat /\ forall e2 n, (e2 < rim_count p q2)%nat -> latb r n = true -> rim_at p q e <> lift n (rim_at p q2 e2)).
+     forall n, latb r n = true -> exists e, (e < rim_count p q)%nat /\ forall e2, (e2 < rim_count p q2)%nat -> rim_at p q e <> lift n (rim_at p q2 e2)).
 (** Two sides that can meet: their rims and triangles are mates, and the axes of joins cross them. *)
 Definition good_pair (a s b s' : nat) : Prop := let p := patch_at a in let p' := patch_at b in
   (forall q, (q < length (pyramids p))%nat -> side_of h a q = s -> let '(q', m) := pyramid_mate h a q b s' in
@@ -952,8 +952,8 @@ Proof.
         rewrite W' in Z'. apply Z', He'. }
       assert (q2 = q').
       { destruct (Nat.eq_dec q' q2) as [|N]; auto. exfalso. destruct (pyramid_facts j q2 Hq2) as [_ [_ [_ [_ [_ [_ D]]]]]].
-        destruct (D q' Hq' N) as [e2 [He2 K]]; [rewrite W'; exact W2|]. destruct (SUB (rim_at (patch_of j) q2 e2)) as [x' [Hx' X]]; [apply rim_In; eauto|].
-        apply rim_In in Hx' as [e' [He' <-]]. apply (K e' _ He' Lo X). }
+        destruct (D q' Hq' N ltac:(rewrite W'; exact W2) _ Lo) as [e2 [He2 K]]. destruct (SUB (rim_at (patch_of j) q2 e2)) as [x' [Hx' X]]; [apply rim_In; eauto|].
+        apply rim_In in Hx' as [e' [He' <-]]. apply (K e' He' X). }
       subst q2. assert (Z0 : zadd3 d (zopp3 m) = z30).
       { apply (no_shift (rim (pyramid_at (patch_of j) q'))); auto. destruct (pyramid_facts j q' Hq') as [_ [C _]]. unfold rim_count in C.
         change (nth (kind j) system (Patch [] [] [])) with (patch_of j) in C.
