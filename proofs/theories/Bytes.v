@@ -6,7 +6,7 @@ From Coq Require Import Reals Lra Lia NArith ZArith List Bool String Permutation
 From Coq Require Import Init.Byte.
 From Coq Require Strings.Byte.
 From Acutile Require Import Statement PlaneStatement Tetrahedra Degree Domain Checker PlaneChecker Soundness PlaneSoundness Keys Numbers
-  Fast RegionStatement PlaneRegionStatement RegionChecker RegionSoundness RegionTheorem PlaneRegionChecker PlaneRegionTheorem RegionNumbers Family Denote Read Pairing Format.
+  Fast RegionStatement PlaneRegionStatement RegionChecker RegionSoundness RegionTheorem PlaneRegionChecker PlaneRegionTheorem RegionNumbers Family Denote Read Pairing Format MosaicBytes.
 Import ListNotations.
 Local Open Scope nat_scope.
 
@@ -58,12 +58,14 @@ Definition fast_print (c : certificate) : bytes :=
   | Tiling k w => encode (Text "tiling") ++ onto (claim_item k) (fast_witness (over k) w [])
   | Family ps k t w => encode (Text "family") ++
       onto (claim_items k [Array (map (parameter_item (over k)) ps)]) (fast_witness (over k) w [tree_item t])
+  | Patches k ws => encode (Text "patches") ++ onto (patches_claim_item k) (long_array (patch_item (base_field k)) ws [])
   end.
 Lemma fast_print_eq c : fast_print c = print c.
 Proof.
   assert (E : forall a b c d e, encode (Array [a; b; c; d; e]) = head 4 5 ++ encode a ++ encode b ++ encode c ++ encode d ++ encode e).
   { intros. cbn [encode List.length flat_map]. rewrite app_nil_r. reflexivity. }
-  unfold fast_print, print, certificate_item. destruct c as [k w|ps k t w]; rewrite E, onto_eq, fast_witness_eq; reflexivity.
+  unfold fast_print, print, certificate_item.
+  destruct c as [k w|ps k t w|k ws]; rewrite E, onto_eq; [rewrite fast_witness_eq; reflexivity|rewrite fast_witness_eq; reflexivity|rewrite long_array_eq, app_nil_r; reflexivity].
 Qed.
 Fixpoint same_bytes (s t : bytes) : bool :=
   match s, t with
@@ -192,6 +194,21 @@ Definition box_in_order (h : hint) ps k : bool :=
   | Root p lo hi d =>
     let (e0, es) := h in let fl := removelast p in fit_box (list Z) lsub (lmul fl) lofZ (lpos (es ++ [e0])) all_fit itself ps k
   end.
+(** Systems of patches.  Numbers are divided by a common divisor where the checker asks for it. *)
+Definition z_content (l : list Z) : Z := fold_left Z.gcd l 0%Z.
+Definition z_quot (g x : Z) : Z := Z.div x g.
+Definition nf_content (l : list (list Z)) : Z := fold_left (fun m x => fold_left Z.gcd x m) l 0%Z.
+Definition nf_quot (g : Z) (x : list Z) : list Z := map (fun c => Z.div c g) x.
+Definition patches_prove (h : hint) (k : patches_claim) (ws : list patch_witness) : bool :=
+  match base_field k with
+  | Rationals => patches_proved Z Z.add Z.sub Z.mul idZ Z.ltb Z.leb z_content z_quot z_fit z_in k ws
+  | Root p lo hi d =>
+    let (e0, es) := h in
+    if nf_root p e0 es lo hi d then
+      let fl := removelast p in
+      patches_proved (list Z) ladd lsub (lmul fl) lofZ (lltb e0 es) (lleb e0 es) nf_content nf_quot nf_fit nf_in k ws
+    else false
+  end.
 Definition bits_agree (k : tiling_claim) (w : tiling_witness) : bool :=
   if existsb is_tcp (sentences k) then sixes_agree (fst (Pairing.tetrahedra [] (fast_map row_corners (w_rows w)))) (w_rows w) else true.
 (** The cells of a region that the program is willing to look at. *)
@@ -226,6 +243,11 @@ Definition judged (c : certificate) : verdict :=
         else Refused (why_not h k w)
       else Refused (Rejected "the denominator of the domain")
     end end
+  | Patches k ws =>
+    match patches_refusal k ws with Some r => Refused r | None =>
+      if existsb is_tcp (patch_sentences k) then Refused (Declined "TCP of a system of patches") else
+      if patches_prove (hint_for (base_field k)) k ws then Accepted (claim_of c) else Refused (Declined "the checks of a system of patches")
+    end
   end.
 Local Open Scope string_scope.
 Definition judge (s : bytes) : verdict :=
@@ -235,9 +257,9 @@ Definition judge (s : bytes) : verdict :=
     else if negb (Z.eqb version 2) then Refused (Declined "the version")
     else match rest with
     | [Text kind; k; w] =>
-      if negb (String.eqb kind "tiling" || String.eqb kind "family") then
-        Refused (Declined ("the kind: this checker has theorems about tilings and families only")) else
-      match (if String.eqb kind "tiling" then read_tiling k w else read_family k w) with
+      if negb (String.eqb kind "tiling" || String.eqb kind "family" || String.eqb kind "patches") then
+        Refused (Declined ("the kind: this checker has theorems about tilings, families and patches only")) else
+      match (if String.eqb kind "tiling" then read_tiling k w else if String.eqb kind "family" then read_family k w else read_patches k w) with
       | None => Refused (Malformed "not of the shape of a certificate")
       | Some c => if same_bytes s (fast_print c) then judged c else Refused (Malformed "not the canonical bytes")
       end
@@ -848,10 +870,25 @@ Proof.
     + intros b Hb. apply (lpos_ok a _ b A4 Hb).
 Qed.
 
+(** *** Systems of patches *)
+Theorem patches_sound h k ws : patches_prove h k ws = true -> exists a, the_root (base_field k) a /\ holds_over_mosaics (a, []) k ws.
+Proof.
+  unfold patches_prove. destruct (base_field k) as [|p lo hi d]; intros H.
+  - exists 0. split; [exact I|].
+    apply (patches_link Z Z.add Z.sub Z.mul idZ Z.ltb Z.leb z_content z_quot z_fit z_in IZR (0, []) plus_IZR minus_IZR mult_IZR (fun _ => eq_refl) zltb_ok zleb_ok z_in_ok k ws H).
+  - destruct h as [e0 es]. destruct (nf_root p e0 es lo hi d) eqn:Rt; [|discriminate].
+    unfold nf_root in Rt. apply andb_true_iff in Rt as [M Rt]. apply same_list_eq in M. set (fl := removelast p) in *. clearbody fl.
+    destruct (isolated_root fl e0 es (Encl lo hi d) Rt) as [a [A1 [A2 [A3 A4]]]]. exists a. split.
+    { rewrite <- M in A1, A3. cbn [the_root]. repeat split; auto; apply A2. }
+    apply (patches_link (list Z) ladd lsub (lmul fl) lofZ (lltb e0 es) (lleb e0 es) nf_content nf_quot nf_fit nf_in (ev a) (a, [])
+      (ev_add a) (ev_sub a) (ev_mul fl a A1) (ev_ofZ a) (lltb_ok e0 es a A4) (lleb_ok e0 es a A4) (nf_in_ok a) k ws H).
+Qed.
+
 (** What the certificate shows implies its claim. *)
 Theorem shows_meaning c : shows c -> meaning (claim_of c).
 Proof.
-  destruct c as [k w|ps k t w]; cbn [shows claim_of meaning]; intros [a [R H]].
+  destruct c as [k w|ps k t w|k ws]; cbn [shows claim_of meaning]; intros [a [R H]].
+  3:{ exists a. split; auto. exists ws. exact H. }
   2:{ exists a. split; auto. intros ts I. destruct (H ts I) as [n [T [l [_ [_ X]]]]]. exists n, T, l. exact X. }
   destruct H as [n [T [l [_ [_ H]]]]]. exists a. split; auto. exists n, T, l. exact H.
 Qed.
@@ -862,9 +899,12 @@ Proof.
   destruct (negb _); [discriminate|]. destruct (negb _); [discriminate|].
   destruct l as [|[z|kind|l'] l]; try discriminate. destruct l as [|k0 l]; try discriminate. destruct l as [|w0 l]; try discriminate.
   destruct l; [|discriminate]. destruct (negb _); [discriminate|].
-  destruct (if String.eqb kind "tiling" then read_tiling k0 w0 else read_family k0 w0) as [c|]; [|discriminate]. destruct (same_bytes s (fast_print c)) eqn:E; [|discriminate].
+  destruct (if String.eqb kind "tiling" then read_tiling k0 w0 else if String.eqb kind "family" then read_family k0 w0 else read_patches k0 w0) as [c|]; [|discriminate]. destruct (same_bytes s (fast_print c)) eqn:E; [|discriminate].
   apply same_bytes_eq in E. rewrite fast_print_eq in E. intros H. exists c. split; [exact E|].
-  unfold judged in H. destruct c as [kk w|ps kk t w].
+  unfold judged in H. destruct c as [kk w|ps kk t w|kk ws].
+  3:{ destruct (patches_refusal kk ws); [discriminate|]. destruct (existsb is_tcp (patch_sentences kk)); [discriminate|].
+    destruct (patches_prove (hint_for (base_field kk)) kk ws) eqn:P; [|discriminate]. injection H as <-. split; [reflexivity|].
+    apply patches_sound in P. split; [exact P|]. apply (shows_meaning (Patches kk ws) P). }
   2:{ destruct (family_refusal ps kk t w); [discriminate|]. destruct (denominators_agree kk w); [|discriminate]. cbv zeta in H.
     set (h := hint_for (over kk)) in H. clearbody h. destruct (box_in_order h ps kk); [|discriminate]. cbn [negb] in H.
     destruct (family_polytope_ok h ps kk t w); [|discriminate]. destruct (family_proves h ps kk t w) eqn:P; [|discriminate].

@@ -54,10 +54,18 @@ Definition claim_json (k : tiling_claim) (parameters : list (string * json)) : j
     ("domain", region_json f (region_of k)); ("statements", JItem (Array (map (sentence_item f) (sentences k))))])%list).
 Definition parameter_json (f : field) (p : parameter) : json :=
   JObject [("name", JItem (Text (p_name p))); ("low", JItem (limit_item f (p_low p))); ("high", JItem (limit_item f (p_high p)))].
+Definition polygon_json (f : field) (T : polygon) : json :=
+  JObject [("denominator", JItem (Int (t_denominator T))); ("vertices", JItem (points_item f (t_vertices T)));
+    ("classes", JItem (Array (map Int (t_classes T))))].
+Definition patches_json (k : patches_claim) : json :=
+  let f := base_field k in
+  JObject [("field", field_json f); ("gram", JItem (points_item f (base_gram k))); ("rank", JItem (Int (Z.of_nat (fibre_rank k))));
+    ("tiles", JArray (map (polygon_json f) (polygons k))); ("statements", JItem (Array (map (sentence_item f) (patch_sentences k))))].
 Definition kind_text (kind : string) (k : json) : string :=
   json_text 1 (JObject [("format", JItem (Text "acutile-claim")); ("version", JItem (Int 2)); ("kind", JItem (Text kind)); ("claim", k)]) ++ line_feed.
 Definition claim_text (k : claim) : string :=
   match k with
   | OfTiling k => kind_text "tiling" (claim_json k [])
   | OfFamily ps k => kind_text "family" (claim_json k [("parameters", JArray (map (parameter_json (over k)) ps))])
+  | OfPatches k => kind_text "patches" (patches_json k)
   end.

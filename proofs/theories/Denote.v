@@ -1,7 +1,8 @@
 (** * What a certificate is, and what its claim says
 
-    This file is read after Statement.v and PlaneStatement.v, and for regions also
-    RegionStatement.v and PlaneRegionStatement.v.  It contains definitions and no proof.
+    This file is read after Statement.v and PlaneStatement.v, for regions also
+    RegionStatement.v and PlaneRegionStatement.v, and for systems of patches MosaicStatement.v.
+    It contains definitions and no proof.
     It says what a certificate of format 2 is (docs/format.md), which bytes it is, and what
     its claim means, in the words of those files.  Bytes.v has the theorem:
 
@@ -19,11 +20,12 @@
     without vertices is an empty domain, which no simplices tile.  Rank 7 is like rank 3.
     Over the rational numbers a number of two coefficients depends on an arbitrary a.
     Two certificates may have the same bytes: the sixes of a row look like another corner.
-    Where a family's box is empty, its claim says nothing; the checker demands low < high. *)
+    Where a family's box is empty, its claim says nothing; the checker demands low < high.
+    The claim of a system of patches does not say that there is a mosaic. *)
 From Coq Require Import Reals NArith ZArith List Permutation String.
 From Coq Require Import Init.Byte.
 From Coq Require Strings.Byte.
-From Acutile Require Import Statement PlaneStatement RegionStatement PlaneRegionStatement.
+From Acutile Require Import Statement PlaneStatement RegionStatement PlaneRegionStatement MosaicStatement.
 Import ListNotations.
 
 (** ** Bytes: deterministic CBOR (RFC 8949, section 4.2.1)
@@ -85,12 +87,21 @@ Record limit := Limit { is_closed : bool; numerator : list Z; divisor : Z }.
 Record parameter := Range { p_name : string; p_low : limit; p_high : limit }.
 (** How a family's box was cut, for the proof: not, or halved along the parameter with this number. *)
 Inductive tree := Leaf | Halve (axis : N) (lower upper : tree).
-(** Systems of patches, which have no theorem yet, will be further constructors of these. *)
-Inductive claim := OfTiling (k : tiling_claim) | OfFamily (ps : list parameter) (k : tiling_claim).
+(** A system of patches: polygons of the base (segments for rank 2) with the classes of their sides, and
+    for each polygon a patch: offsets of its sides, points, pyramids (apex and rim), tetrahedra. *)
+Record polygon := Polygon { t_denominator : Z; t_vertices : list (list number); t_classes : list Z }.
+Record patches_claim := PatchesClaim {
+  base_field : field; base_gram : list (list number); fibre_rank : nat; polygons : list polygon; patch_sentences : list sentence }.
+Record patch_witness := PatchWitness {
+  q_denominator : Z; q_offsets : list (list number); q_vertices : list (list number);
+  q_pyramids : list (corner * list corner); q_simplices : list (list corner) }.
+Inductive claim := OfTiling (k : tiling_claim) | OfFamily (ps : list parameter) (k : tiling_claim) | OfPatches (k : patches_claim).
 Inductive certificate :=
   | Tiling (k : tiling_claim) (w : tiling_witness)
-  | Family (ps : list parameter) (k : tiling_claim) (t : tree) (w : tiling_witness).
-Definition claim_of (c : certificate) : claim := match c with Tiling k _ => OfTiling k | Family ps k _ _ => OfFamily ps k end.
+  | Family (ps : list parameter) (k : tiling_claim) (t : tree) (w : tiling_witness)
+  | Patches (k : patches_claim) (ws : list patch_witness).
+Definition claim_of (c : certificate) : claim :=
+  match c with Tiling k _ => OfTiling k | Family ps k _ _ => OfFamily ps k | Patches k _ => OfPatches k end.
 
 (** ** Printing: the arrays of docs/format.md *)
 Local Open Scope string_scope.
@@ -159,11 +170,23 @@ Definition witness_items (f : field) (w : tiling_witness) (tree : list item) : i
   Array (Int (w_denominator w) :: points_item f (w_vertices w) ::
          Array (map (fun b => Array (map corner_item b)) (w_boundary w)) :: tree ++ [Array (map row_item (w_rows w))]).
 Definition witness_item (f : field) (w : tiling_witness) : item := witness_items f w [].
+Definition polygon_item (f : field) (T : polygon) : item :=
+  Array [Int (t_denominator T); points_item f (t_vertices T); Array (map Int (t_classes T))].
+Definition patches_claim_item (k : patches_claim) : item :=
+  let f := base_field k in
+  Array [field_item f; points_item f (base_gram k); Int (Z.of_nat (fibre_rank k)); Array (map (polygon_item f) (polygons k));
+         Array (map (sentence_item f) (patch_sentences k))].
+Definition patch_item (f : field) (w : patch_witness) : item :=
+  Array [Int (q_denominator w); points_item f (q_offsets w); points_item f (q_vertices w);
+         Array (map (fun y => Array [corner_item (fst y); Array (map corner_item (snd y))]) (q_pyramids w));
+         Array (map (fun t => Array (map corner_item t)) (q_simplices w))].
 Definition certificate_item (c : certificate) : item :=
   match c with
   | Tiling k w => Array [Text "acutile-certificate"; Int 2; Text "tiling"; claim_item k; witness_item (over k) w]
   | Family ps k t w => Array [Text "acutile-certificate"; Int 2; Text "family";
       claim_items k [Array (map (parameter_item (over k)) ps)]; witness_items (over k) w [tree_item t]]
+  | Patches k ws => Array [Text "acutile-certificate"; Int 2; Text "patches";
+      patches_claim_item k; Array (map (patch_item (base_field k)) ws)]
   end.
 Definition print (c : certificate) : bytes := encode (certificate_item c).
 Local Close Scope string_scope.
@@ -305,6 +328,60 @@ Definition holds_of : Prop :=
   end.
 End Claim.
 
+(** ** Meaning: systems of patches *)
+
+(** Coordinates, moved by a shift. *)
+Fixpoint moved (x : list R) (shift : list Z) : list R :=
+  match x, shift with
+  | x :: xs, s :: shift => (x + IZR s) :: moved xs shift
+  | _, _ => x
+  end.
+Definition as_tiling (k : patches_claim) : tiling_claim := TilingClaim 3 (base_field k) (base_gram k) Space (patch_sentences k).
+Section Patches.
+Variable a : valuation.
+(** The coordinates x, over the denominator d. *)
+Definition over_denominator (d : Z) (x : list number) : list R := map (fun c => value a c / IZR d) x.
+Definition patch_point (w : patch_witness) (c : corner) : point :=
+  as_point (moved (over_denominator (q_denominator w) (nth (N.to_nat (fst c)) (q_vertices w) [])) (snd c)).
+Definition patch_tetrahedron (w : patch_witness) (t : list corner) : tetrahedron :=
+  match map (patch_point w) t with [p; q; r; s] => Tetrahedron p q r s | _ => Tetrahedron origin origin origin origin end.
+(** A side begins over a vertex of the polygon; its offset comes first. *)
+Definition patch_edges (T : polygon) (w : patch_witness) : list edge :=
+  map (fun e => let '(o, v, c) := e in
+      Edge c (as_point (over_denominator (q_denominator w) o ++ over_denominator (t_denominator T) v)))
+    (combine (combine (q_offsets w) (t_vertices T)) (t_classes T)).
+Definition real_patch (Tw : polygon * patch_witness) : patch := let '(T, w) := Tw in
+  Patch (patch_edges T w) (map (fun y => Pyramid (patch_point w (fst y)) (map (patch_point w) (snd y))) (q_pyramids w))
+    (map (patch_tetrahedron w) (q_simplices w)).
+Variables (k : patches_claim) (ws : list patch_witness).
+Definition system_of : list patch := map real_patch (combine (polygons k) ws).
+Definition patches_sentence (l1 l2 l3 : point) (s : sentence) : Prop :=
+  let G := gram_of (as_tiling k) a in let r := fibre_rank k in
+  let all := over_all l1 l2 l3 G r system_of in let bounded := bounded_over_all l1 l2 l3 G r system_of in
+  match s with
+  | FaceToFaceTiling => all tiles_space
+  | IsAcute => all acute_cells
+  | IsNonobtuse => all nonobtuse_cells
+  | LargestAngle rel sg p q => bounded largest_angle rel (angle_bound a sg p q)
+  | SmallestAngle rel sg p q => bounded smallest_angle rel (angle_bound a sg p q)
+  | SquaredRatio rel p q => bounded squared_ratio rel (value a p / IZR q)
+  | IsDelaunay => all delaunay_cells
+  | IsWeaklyDelaunay => all weakly_delaunay_cells
+  | IsTCP => all tcp_cells
+  (* the checker accepts no other sentence *)
+  | UncrossedPlane _ _ _ | IsLocallyDelaunay | IsLocallyWeaklyDelaunay | IsNotDelaunay => False
+  end.
+(** There is a patch for each polygon.  There are positive bases with the Gram matrix; and for all of
+    them the patches can be raised over every mosaic, and the sentences hold.  (For the other bases
+    read everything in a mirror.) *)
+Definition holds_over_mosaics : Prop :=
+  let G := gram_of (as_tiling k) a in let r := fibre_rank k in
+  List.length ws = List.length (polygons k) /\ In FaceToFaceTiling (patch_sentences k) /\
+  (exists l1 l2 l3, has_gram G l1 l2 l3 /\ 0 < det l1 l2 l3) /\
+  forall l1 l2 l3, has_gram G l1 l2 l3 -> 0 < det l1 l2 l3 ->
+    heights_exist l1 l2 l3 G r system_of /\ forall s, In s (patch_sentences k) -> patches_sentence l1 l2 l3 s.
+End Patches.
+
 (** ** Meaning: the claim alone, and the certificate
 
     The claim says that there are such simplices, and boundary facets of a region; that of a
@@ -315,14 +392,10 @@ Definition meaning (k : claim) : Prop :=
   | OfTiling k => exists a, the_root (over k) a /\ exists n T listed, holds_of k (a, []) n T listed
   | OfFamily ps k => exists a, the_root (over k) a /\
       forall t, in_box a ps t -> exists n T listed, holds_of k (a, t) n T listed
+  | OfPatches k => exists a, the_root (base_field k) a /\ exists ws, holds_over_mosaics (a, []) k ws
   end.
 
 (** The coordinates of a corner: those of its vertex, moved by the shift. *)
-Fixpoint moved (x : list R) (shift : list Z) : list R :=
-  match x, shift with
-  | x :: xs, s :: shift => (x + IZR s) :: moved xs shift
-  | _, _ => x
-  end.
 Definition coordinates (a : valuation) (w : tiling_witness) (c : corner) : list R :=
   moved (map (fun x => value a x / IZR (w_denominator w)) (nth (N.to_nat (fst c)) (w_vertices w) [])) (snd c).
 (** T j has the corners of row j, in some order. *)
@@ -345,4 +418,5 @@ Definition shows (c : certificate) : Prop :=
       are_rows (a, []) w n T /\ are_facets (a, []) w (rank k) T listed /\ holds_of k (a, []) n T listed
   | Family ps k _ w => exists a, the_root (over k) a /\ forall t, in_box a ps t -> exists n T listed,
       are_rows (a, t) w n T /\ are_facets (a, t) w (rank k) T listed /\ holds_of k (a, t) n T listed
+  | Patches k ws => exists a, the_root (base_field k) a /\ holds_over_mosaics (a, []) k ws
   end.

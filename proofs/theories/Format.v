@@ -265,6 +265,49 @@ Definition family_refusal (ps : list parameter) (k : tiling_claim) (t : tree) (w
   None
   end end.
 
+(** *** Systems of patches *)
+Definition polygon_refusal (n r : nat) (T : polygon) : option refusal :=
+  let sides := length (t_vertices T) in
+  need rows_of 0 n (3 - r) (t_vertices T) else Malformed "the vertices of a tile";
+  need proper_denominator (t_denominator T) (t_vertices T) else Malformed "the denominator of a tile";
+  need (if Nat.eqb r 2 then Nat.eqb sides 2 else Nat.leb 3 sides) else Malformed "the number of sides of a tile";
+  need Nat.eqb (length (t_classes T)) sides else Malformed "the number of classes";
+  None.
+(** The claim as one of a region of the rank: for the rules on shifts. *)
+Definition as_ranked (k : patches_claim) : tiling_claim := TilingClaim 3 (base_field k) (base_gram k) (Region (fibre_rank k)) (patch_sentences k).
+Definition corner_refusal (r : nat) (count : N) (q : Denote.corner) : option refusal :=
+  need N.ltb (fst q) count else Malformed "a vertex out of range";
+  need proper_shift r (snd q) else Malformed "a shift";
+  None.
+Definition pyramid_refusal (r : nat) (count : N) (y : Denote.corner * list Denote.corner) : option refusal :=
+  match first_refusal (corner_refusal r count) (fst y :: snd y) with Some v => Some v | None =>
+  let qs := map corner3 (fst y :: snd y) in
+  need Nat.leb 3 (length (snd y)) else Malformed "a polygon of less than three corners";
+  need match snd y with (_, []) :: _ => true | _ => false end else Malformed "the first corner of a polygon has a shift";
+  need forallb (fun q => Nat.eqb (length (filter (ceqb q) qs)) 1) qs else Malformed "a corner of a pyramid that occurs twice";
+  None end.
+Definition patch_refusal (k : patches_claim) (Tw : polygon * patch_witness) : option refusal :=
+  let n := degree (base_field k) in let r := fibre_rank k in let '(T, w) := Tw in let count := N.of_nat (length (q_vertices w)) in
+  need (rows_of 0 n r (q_offsets w) && Nat.eqb (length (q_offsets w)) (length (t_vertices T))) else Malformed "the offsets";
+  need rows_of 0 n 3 (q_vertices w) else Malformed "the length of a vertex";
+  need proper_denominator (q_denominator w) (q_offsets w ++ q_vertices w) else Malformed "the denominator";
+  match first_refusal (pyramid_refusal r count) (q_pyramids w) with Some v => Some v | None =>
+  need match q_simplices w with [] => false | _ => true end else Malformed "no simplices";
+  let rows := map (fun t => (t, None)) (q_simplices w) in
+  match first_refusal (row_refusal (as_ranked k) count false) rows with Some v => Some v | None =>
+  need all_used (used_vertices (map (fun y => (fst y :: snd y, None)) (q_pyramids w) ++ rows)) 0 (q_vertices w) else Malformed "an unused vertex";
+  None end end.
+Definition patches_refusal (k : patches_claim) (ws : list patch_witness) : option refusal :=
+  match claim_refusal 0 (as_tiling k) with Some v => Some v | None =>
+  need (negb (existsb is_plane (patch_sentences k))) else Declined "an uncrossed plane of a system of patches";
+  need (match polygons k with [] => false | _ => true end && Nat.eqb (length ws) (length (polygons k))) else Malformed "the number of patches";
+  match first_refusal (polygon_refusal (degree (base_field k)) (fibre_rank k)) (polygons k) with Some v => Some v | None =>
+  match first_refusal (patch_refusal k) (combine (polygons k) ws) with Some v => Some v | None =>
+  let sides := fold_left (fun m T => m + length (t_vertices T)) (polygons k) 0 in
+  let cells := fold_left (fun m w => m + length (q_simplices w) + length (flat_map snd (q_pyramids w))) ws 0 in
+  need (Nat.leb sides 40 && Nat.leb cells 600) else Declined "the work";
+  None end end end.
+
 (** ** 2. The data of the checker, over a ring *)
 Local Close Scope string_scope.
 Local Open Scope Z_scope.

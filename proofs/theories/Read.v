@@ -215,3 +215,29 @@ Definition read_family (k w : item) : option certificate :=
     let* t := read_tree t in let* w := read_parts true (snd k) d vertices boundary rows in Some (Family (fst k) (snd k) t w)
   | _ => None
   end.
+Definition read_polygon (f : field) (i : item) : option polygon :=
+  match i with
+  | Array [Int d; vertices; classes] =>
+    let* vertices := read_points false f vertices in let* classes := array whole classes in Some (Polygon d vertices classes)
+  | _ => None
+  end.
+Definition read_patches_claim (i : item) : option patches_claim :=
+  match i with
+  | Array [f; gram; Int r; tiles; ss] =>
+    let* f := read_field f in let* gram := read_points false f gram in let* tiles := array (read_polygon f) tiles in
+    let* ss := array (read_sentence f) ss in
+    if Z.eqb r 1 then Some (PatchesClaim f gram 1 tiles ss) else if Z.eqb r 2 then Some (PatchesClaim f gram 2 tiles ss) else None
+  | _ => None
+  end.
+Definition read_pyramid (i : item) : option (corner * list corner) :=
+  match i with Array [apex; rim] => let* apex := read_corner apex in let* rim := array read_corner rim in Some (apex, rim) | _ => None end.
+Definition read_patch (f : field) (i : item) : option patch_witness :=
+  match i with
+  | Array [Int d; offsets; vertices; pyramids; rows] =>
+    let* offsets := read_points false f offsets in let* vertices := read_points false f vertices in
+    let* pyramids := array read_pyramid pyramids in let* rows := array (array read_corner) rows in
+    Some (PatchWitness d offsets vertices pyramids rows)
+  | _ => None
+  end.
+Definition read_patches (k w : item) : option certificate :=
+  let* k := read_patches_claim k in let* ws := array (read_patch (base_field k)) w in Some (Patches k ws).

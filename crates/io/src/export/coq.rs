@@ -5,6 +5,7 @@
 //! about the bytes and the claim that the file shows, and a mistake makes `coqc` fail.
 
 use acutile_core::format::family::{End, FamilyClaim, Parameter, Term, Value};
+use acutile_core::format::patches;
 use acutile_core::format::{
     self, Claim, Cosine, Domain, Field, Fraction, Number, Polytope, Relation, Statement,
 };
@@ -16,14 +17,21 @@ const STATEMENT_FILES: &str = include_str!("statements.sha256");
 /// Bytes on one line. Coq's parser needs stack in proportion to the longest list.
 const BYTES_PER_LINE: usize = 64;
 
-/// The file for a certificate of a tiling or of a family.
+/// The file for a certificate of any kind.
 ///
 /// # Errors
-/// The bytes are no certificate of these kinds.
+/// The bytes are no certificate, or the checker in Coq never accepts such a claim: TCP of a system of patches.
 pub fn coq_file(cbor: &[u8]) -> Result<String, String> {
     if format::kind(cbor) == Some(format::FAMILY) {
         let certificate = format::family::certificate(cbor).map_err(|error| error.to_string())?;
         return Ok(coq_family_theorem(cbor, &certificate.claim));
+    }
+    if format::kind(cbor) == Some(patches::KIND) {
+        let certificate = patches::certificate(cbor).map_err(|error| error.to_string())?;
+        if certificate.claim.statements.contains(&Statement::Tcp) {
+            return Err("no theorem in Coq is about TCP over all mosaics".to_owned());
+        }
+        return Ok(coq_patches_theorem(cbor, &certificate.claim));
     }
     let certificate = format::read::certificate(cbor).map_err(|error| error.to_string())?;
     Ok(coq_theorem(cbor, &certificate.claim))
@@ -46,6 +54,27 @@ pub fn coq_family_theorem(certificate: &[u8], claim: &FamilyClaim) -> String {
     )
 }
 
+/// The file for a certificate of the kind `patches`, as [`coq_theorem`].
+pub fn coq_patches_theorem(certificate: &[u8], claim: &patches::Claim) -> String {
+    let tile = |tile: &patches::Tile| {
+        format!(
+            "(Polygon {} {} {})",
+            integer(&tile.denominator),
+            points(&tile.vertices),
+            list(&tile.classes, |class| integer(&Integer::from(*class)))
+        )
+    };
+    let members = format!(
+        "OfPatches (PatchesClaim\n  {}\n  {}\n  {}\n  {}\n  {})",
+        field(&claim.field),
+        points(&claim.gram),
+        claim.rank,
+        list(&claim.tiles, tile),
+        list(&claim.statements, statement),
+    );
+    theorem(certificate, "", &members)
+}
+
 /// Names are texts, which need the library `String`. It is imported before `List`, whose `length` and
 /// `concat` then have these short names.
 fn theorem(certificate: &[u8], strings: &str, claim: &str) -> String {
@@ -56,7 +85,7 @@ fn theorem(certificate: &[u8], strings: &str, claim: &str) -> String {
     format!(
         "(* The claim of an acutile certificate, as a theorem about real space or the real plane.\n   \
          [certificate] is the certificate: its CBOR, byte by byte. [claimed] is its claim.\n   \
-         Denote.v defines certificates and the meaning of claims, in the words of the four\n   \
+         Denote.v defines certificates and the meaning of claims, in the words of the five\n   \
          statement files. The SHA-256 of these files:\n{}   Bytes.v is not imported, so it cannot change how the theorem is read.\n   \
          The last line prints the axioms. *)\n\
          From Coq Require Import {}List NArith ZArith.\nFrom Coq Require Import Init.Byte.\n\
