@@ -131,7 +131,7 @@ impl Logarithm {
         let t = ((quotient << up) >> 32).cast_signed() - (1 << 31);
         let exponent = x.exponent + y.exponent - z.exponent - w.exponent - i64::from(up);
         let error = 3 * (x.error + y.error + z.error + w.error) + 16;
-        Logarithm { middle: (exponent << 31) + t, error: error.cast_signed() }
+        Logarithm { middle: exponent * (1 << 31) + t, error: error.cast_signed() }
     }
 
     /// The order of the numbers, if it is known.
