@@ -10,7 +10,7 @@ set -eu
 cd "$(dirname "$0")"
 theorems="Numbers.z_theorem Numbers.nf_theorem Numbers.z_theorem2 Numbers.nf_theorem2
   RegionNumbers.z_region_theorem RegionNumbers.nf_region_theorem RegionNumbers.z_region_theorem2 RegionNumbers.nf_region_theorem2
-  Bytes.accepted Bytes.bytes_theorem PatchNumbers.square_triangle_theorem"
+  Bytes.accepted Bytes.bytes_theorem MosaicSanity.squares_are_a_mosaic MosaicSanity.segments_are_a_mosaic"
 bounds="Normals.lemma_2 Normals.corollary_a Normals.corollary_b Normals.corollary_c Normals.corollary_a_strict Normals.corollary_b_strict
   Normals.corollary_c_strict Normals.proposition_4_angles Corners.corner Triangles.lemma_3 Triangles.lemma_3_at_most Excess.lemma_3_at_least
   Triangles.lemma_4_sum Triangles.lemma_4_bounds Triangles.lemma_5 Excess.CT_below Excess.lemma_6_uuu Excess.lemma_6_utt Steps.step_a_valence
@@ -28,9 +28,6 @@ check_words() {
     pinned=$(sed 's/^[0-9a-f]*  //' statements.sha256 | tr '\n' ' ')
     test "$pinned" = "Statement.v PlaneStatement.v RegionStatement.v PlaneRegionStatement.v MosaicStatement.v Denote.v " || fail "statements.sha256 does not pin the six files"
     (cd theories && sha256sum --check --strict --quiet ../statements.sha256) || fail "a statement file is not the one of statements.sha256: read it, then pin it"
-    pinned=$(sed 's/^[0-9a-f]*  //' patches.sha256 | tr '\n' ' ')
-    test "$pinned" = "PatchStatement.v SquareTriangle.v " || fail "patches.sha256 does not pin the two files"
-    (cd theories && sha256sum --check --strict --quiet ../patches.sha256) || fail "a file about patches is not the one of patches.sha256: read it, then pin it"
     # no options for Coq, no file that is not checked above, no commands for make
     test "$(head -1 _CoqProject)" = "-Q theories Acutile" || fail "_CoqProject has other options"
     test "$(tail -n +2 _CoqProject | LC_ALL=C sort)" = "$(printf '%s\n' theories/*.v | LC_ALL=C sort)" || fail "_CoqProject is not the list of theories/*.v"
@@ -58,9 +55,9 @@ build_bounds() {
 check_axioms() {
     dir=$(mktemp -d)
     {
-        echo "From Acutile Require Numbers RegionNumbers Bytes PatchNumbers Sanity. Set Printing All."
+        echo "From Acutile Require Numbers RegionNumbers Bytes MosaicSanity Sanity. Set Printing All."
         echo "Definition full := ($(printf 'Acutile.%s, ' $theorems)I). Print Assumptions full."
-        echo "Import Acutile.Numbers Acutile.RegionNumbers Acutile.Bytes Acutile.PatchNumbers Acutile.Sanity."
+        echo "Import Acutile.Numbers Acutile.RegionNumbers Acutile.Bytes Acutile.MosaicSanity Acutile.Sanity."
         echo "Definition short := ($(for t in $theorems; do printf '%s, ' "${t#*.}"; done)I). Print Assumptions short."
     } >"$dir/Axioms.v"
     coqc -Q theories Acutile "$dir/Axioms.v" >"$dir/out" || fail "Print Assumptions"
@@ -144,7 +141,6 @@ self_test() {
     refused --words 'Extract Inlined Constant Bool.eqb => "(fun _ _ -> True)".'
     refused --words 'Definition a := 1.' Denote.v
     refused --words 'Definition a := 1.' MosaicStatement.v
-    refused --words 'Definition square_triangle : list patch := [].' SquareTriangle.v
     # what is built, and which files are pinned
     changed --words 'a pin less' "sed -i '/PlaneStatement/d' statements.sha256"
     changed --words 'a pin that is no digest' "sed -i 's/^./g/' statements.sha256"
@@ -178,11 +174,11 @@ self_test() {
         refused $option 'Require Import ProofIrrelevance. Theorem z_theorem : forall (P : Prop) (a b : P), a = b. Proof proof_irrelevance.'
         refused $option 'Module Classical_Prop. Hypothesis classic : 0 = 1. End Classical_Prop. Theorem z_theorem : 0 = 1. Proof Classical_Prop.classic.'
     done
-    refused --axioms 'Axiom injected : 0 = 1. Theorem square_triangle_theorem : 0 = 1. Proof injected.'
+    refused --axioms 'Axiom injected : 0 = 1. Theorem squares_are_a_mosaic : 0 = 1. Proof injected.'
     # coqchk looks at what no theorem uses
     refused --coqchk 'Module Classical_Prop. Hypothesis classic : 0 = 1. End Classical_Prop.'
 }
-copied() { dir=$(mktemp -d) && cp -rp theories lower-bound _CoqProject check.sh words.py types.v statements.sha256 patches.sha256 axioms.txt "$dir"; }
+copied() { dir=$(mktemp -d) && cp -rp theories lower-bound _CoqProject check.sh words.py types.v statements.sha256 axioms.txt "$dir"; }
 must_fail() { # OPTION WHAT: check.sh of the copy
     if "$dir/check.sh" ${1:+"$1"} >"$dir/log" 2>&1; then fail "accepted with $1: $2"; fi
     echo "refused with ${1:-everything}: $2 [$(tail -1 "$dir/log")]"

@@ -7,8 +7,8 @@ The files are certificates in JSON. VERIFY is acutile-verify and COQ_CHECK the e
 them in CBOR; COMMAND is any further one that reads JSON and prints lines as acutile-verify does (its words are
 separated by spaces). A file is a disagreement when one program accepts it and another refuses it: rejected,
 malformed. "declined" agrees with everything, for the limits differ; what one accepts and another declines is
-listed, and the share of it is bounded: at most one file in a hundred, without patches, which COQ_CHECK
-declines, and families, of which it declines some. Systems of patches are not mutated here; tests/browser/mutate.mjs does that.
+listed, and the share of it is bounded: at most one file in a hundred, without patches and families, of which
+COQ_CHECK declines some. Systems of patches are not mutated here; tests/browser/mutate.mjs does that.
 A file that has no CBOR is not shown to these two. Files whose name sets a limit are checked under the default limits.
 Exit code 1 if there is a disagreement, if nothing was accepted or refused, or if too much was declined by one
 program alone.

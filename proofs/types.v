@@ -1,10 +1,10 @@
 (* The types of the main theorems, written out: check.sh compiles this file.  It fails if a
-   theorem says something else.  Only Coq's library and the pinned files of statements.sha256 and patches.sha256
+   theorem says something else.  Only Coq's library and the pinned files of statements.sha256
    are imported.  All other files come without their short names and their notations, so
    none of them can change how this text is read.  The main theorem is written out even
    before they are loaded. *)
 From Coq Require Import Reals ZArith List.
-From Acutile Require Statement PlaneStatement RegionStatement PlaneRegionStatement MosaicStatement Denote PatchStatement SquareTriangle.
+From Acutile Require Statement PlaneStatement RegionStatement PlaneRegionStatement MosaicStatement Denote.
 Import ListNotations.
 
 (* The bytes of a certificate: Bytes.v. *)
@@ -76,14 +76,9 @@ Check (Acutile.RegionNumbers.nf_region_theorem2 : forall fl e0 es claimed c ss, 
   Acutile.PlaneRegionStatement.edge_to_edge_region l1 l2 (Acutile.PlaneChecker.e_rank _ c) (length (Acutile.PlaneChecker.e_tris _ c)) (Acutile.PlaneSoundness.dtriangle (list Z) Acutile.Numbers.lofZ (Acutile.Numbers.ev al) c l1 l2) (Acutile.PlaneRegionChecker.listed_sides _ c) /\
   forall s, In s (map (Acutile.RegionTheorem.rdstatement (list Z) (Acutile.Numbers.ev al)) ss) -> Acutile.PlaneRegionStatement.holds_in_region2 l1 l2 (Acutile.PlaneChecker.e_rank _ c) (length (Acutile.PlaneChecker.e_tris _ c)) (Acutile.PlaneSoundness.dtriangle (list Z) Acutile.Numbers.lofZ (Acutile.Numbers.ev al) c l1 l2) s).
 
-(* All tilings over edge-to-edge tilings of the plane by squares and triangles: PatchNumbers.v. *)
-From Acutile Require PatchNumbers.
-Check (Acutile.PatchNumbers.square_triangle_theorem : forall tiles : nat -> Acutile.PatchStatement.tile,
-  Acutile.PatchStatement.mosaic Acutile.SquareTriangle.square_triangle tiles ->
-  (exists rise, Acutile.PatchStatement.walls_agree Acutile.SquareTriangle.square_triangle tiles rise) /\
-  forall rise : nat -> R, Acutile.PatchStatement.walls_agree Acutile.SquareTriangle.square_triangle tiles rise ->
-    let cells := Acutile.PatchStatement.is_cell Acutile.SquareTriangle.square_triangle tiles rise in
-    Acutile.PatchStatement.tiles_space cells /\ Acutile.PatchStatement.acute_cells cells /\
-    Acutile.PatchStatement.largest_angle_of_cells cells Acutile.Statement.AtMost (acos (1 / 5)) /\
-    (forall i : nat, Acutile.PatchStatement.shape (tiles i) = 1 -> Acutile.PatchStatement.largest_angle_of_cells cells Acutile.Statement.Maximum (acos (1 / 5))) /\
-    Acutile.PatchStatement.delaunay_cells cells).
+(* There are mosaics, so claims about patches are about something: MosaicSanity.v. *)
+From Acutile Require MosaicSanity.
+Check (Acutile.MosaicSanity.squares_are_a_mosaic : Acutile.MosaicStatement.mosaic (Acutile.Statement.Point 1 0 0) (Acutile.Statement.Point 0 1 0)
+  (Acutile.Statement.Point 0 0 1) (Acutile.Statement.Gram 1 1 1 0 0 0) 1 [Acutile.MosaicSanity.square] Acutile.MosaicSanity.squares).
+Check (Acutile.MosaicSanity.segments_are_a_mosaic : Acutile.MosaicStatement.mosaic (Acutile.Statement.Point 1 0 0) (Acutile.Statement.Point 0 1 0)
+  (Acutile.Statement.Point 0 0 1) (Acutile.Statement.Gram 1 1 1 0 0 0) 2 [Acutile.MosaicSanity.segment] Acutile.MosaicSanity.segments).

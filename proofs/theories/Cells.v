@@ -2,7 +2,7 @@
 
     The tetrahedra have any index set [cell]; nothing needs to be periodic.  They are in an open
     convex domain [Dom], and a facet has a mate or lies on the boundary of the domain.
-    Degree.v is about the translates of finitely many tetrahedra; in PatchSoundness.v the cells
+    Degree.v is about the translates of finitely many tetrahedra; in MosaicTiling.v the cells
     stand over a tiling of the plane, and every facet has a mate.
 
     - [range]: finitely many cells meet a bounded set.

@@ -19,6 +19,7 @@
       [exists c, s = print c /\ claim_of c = k /\ shows c /\ meaning k]
       [meaning k]
 
+    For a system of patches the goal has one of the last two.
     In the plane, [l1 l2], [has_gram2] and [edge_to_edge_tiling] take the place of the first
     two.  For a region they say [exists n P listed, face_to_face_region … listed].  Numbers and bounds
     are equal to those of the claim by the laws of a field.  Over a number field the first two
@@ -122,6 +123,7 @@ Ltac about_tiling M :=
   let E := fresh "E" in let H := fresh "H" in
   lazymatch type of M with
   | meaning (OfTiling _) => cbn [meaning] in M; destruct M as [a [R [n [T [listed [_ [E H]]]]]]]; root_of a R; about_claim n T listed E H
+  | meaning (OfPatches _) => fail "acutile: for a system of patches the goal must be: meaning k"
   | _ => fail "acutile: a family needs values of its parameters: acutile s at (t1 :: … :: nil)"
   end.
 Ltac about_member M ts :=

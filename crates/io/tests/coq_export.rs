@@ -2,17 +2,22 @@
 //! proofs/certificates.sh tests that Coq proves the theorems.
 
 use acutile_core::format;
-use acutile_io::export::{coq_family_theorem, coq_theorem};
+use acutile_io::export::{coq_family_theorem, coq_file, coq_theorem};
 use std::path::Path;
 
 /// The file of a valid certificate of the tests.
 fn theorem_of(name: &str) -> String {
+    let cbor = cbor_of(name);
+    let claim = format::read::certificate(&cbor).unwrap().claim;
+    coq_theorem(&cbor, &claim)
+}
+
+/// The certificate in CBOR of a valid file of the tests.
+fn cbor_of(name: &str) -> Vec<u8> {
     let folder =
         Path::new(concat!(env!("CARGO_MANIFEST_DIR"), "/../..")).join("tests/certificates/valid");
     let json = std::fs::read(folder.join(name)).unwrap();
-    let cbor = format::to_cbor(&json).unwrap();
-    let claim = format::read::certificate(&cbor).unwrap().claim;
-    coq_theorem(&cbor, &claim)
+    format::to_cbor(&json).unwrap().into_owned()
 }
 
 fn check_parts(name: &str, parts: &[&str]) {
@@ -147,4 +152,16 @@ fn planes_have_their_coefficients() {
         "slab-cube-6-uncrossed.json",
         &["UncrossedPlane [0;0;1] 0 1;UncrossedPlane [0;1;(-1)] 3 1;UncrossedPlane [0;1;0] (-1) 1"],
     );
+}
+
+/// tests/certificates/source/patch_systems.py has the slab: it is one high, and both ends have the class 0.
+#[test]
+fn a_system_of_patches_has_its_tiles_and_no_theorem_on_tcp() {
+    let text = coq_file(&cbor_of("patches-kuhn-slab.json")).unwrap();
+    let (_, claim) = text.split_once("OfPatches (PatchesClaim\n").unwrap();
+    assert!(claim.contains(
+        "\n  2\n  [(Polygon 1 [[Plain [0]];[Plain [1]]] [0;0])]\n  [FaceToFaceTiling;IsNonobtuse;"
+    ));
+    let refused = coq_file(&cbor_of("patches-square-triangle.json")).unwrap_err();
+    assert!(refused.contains("TCP"), "{refused}");
 }
