@@ -48,8 +48,12 @@ Definition patches_proved (k : patches_claim) (ws : list patch_witness) : bool :
     forallb (fit_patch r) (combine (polygons k) ws) && forallb fit_patch_sentence (patch_sentences k) then
     let g := gram3 A aofZ inn t in
     let system := map kpatch_of (combine (polygons k) ws) in
-    let '(h, apexes, home, turnings) := MosaicHints.found A aadd asub amul aofZ ale content quot g r system (map names_of ws) in
-    MosaicChecker.check_all A aadd asub amul aofZ alt ale content quot g r system h apexes home turnings (flat_map (statement_of A no_part inn) (patch_sentences k))
+    let '(h, apexes, home) := MosaicHints.found A aadd asub amul aofZ ale content quot g r system (map names_of ws) in
+    if MosaicChecker.check_system A aadd asub amul aofZ alt ale content quot g r system h apexes home then
+      if forallb (MosaicChecker.check_sentence A aadd asub amul aofZ alt ale content quot g r system h apexes) (flat_map (statement_of A no_part inn) (patch_sentences k)) then
+        MosaicChecker.check_heights A aadd asub amul aofZ alt ale content quot g r system (MosaicHints.find_turnings A aadd asub amul aofZ ale content quot g r system)
+      else false
+    else false
   else false.
 End Ring.
 
@@ -134,8 +138,9 @@ Proof.
   apply Nat.eqb_eq in S3. rewrite forallb_forall in S5, S6.
   assert (RK : fibre_rank k = 1%nat \/ fibre_rank k = 2%nat) by (apply orb_true_iff in S1; rewrite !Nat.eqb_eq in S1; exact S1).
   set (g := gram3 A aofZ inn (as_tiling k)). set (system := map (kpatch_of A aadd amul aofZ inn) (combine (polygons k) ws)).
-  destruct (MosaicHints.found _ _ _ _ _ _ _ _ _ _ _ _) as [[[h apexes] home] turnings]. intros C.
-  unfold MosaicChecker.check_all in C. rewrite !andb_true_iff in C. destruct C as [[CS CH] CT]. rewrite forallb_forall in CT.
+  destruct (MosaicHints.found _ _ _ _ _ _ _ _ _ _ _ _) as [[h apexes] home].
+  destruct (MosaicChecker.check_system _ _ _ _ _ _ _ _ _ _ _ _ _ _ _) eqn:CS; [|discriminate]. destruct (forallb _ (flat_map _ _)) eqn:CT; [|discriminate].
+  rewrite forallb_forall in CT. set (turnings := MosaicHints.find_turnings _ _ _ _ _ _ _ _ _ _ _). intros CH. clearbody turnings.
   assert (GE : gram_of (as_tiling k) a = phiG A phi g).
   { unfold gram_shape in S2. unfold g, gram3, gram_of. cbn [dimension as_tiling gram_rows] in *.
     destruct (base_gram k) as [|[|x [|y [|z [|? ?]]]] [|[|u [|v [|? ?]]] [|[|t [|? ?]] [|? ?]]]]; try discriminate.

@@ -336,5 +336,4 @@ Definition check_rotations : bool :=
     else true)))) &&
   forallb (fun t => forallb (fun t' => matrix_differs (fst t) (fst t') || is_whole (minus_fraction (snd t) (snd t'))) turnings) turnings.
 Definition check_heights : bool := if r =? 1 then check_rotations else true.
-Definition check_all (ss : list (cstatement A)) : bool := check_system && check_heights && forallb check_sentence ss.
 End Ring.
