@@ -32,8 +32,8 @@ if [ "${1:-}" = --export ]; then
     exit 0
 fi
 
-# compiled DIRECTORY NAME: DIRECTORY/NAME.vo, what coqc prints in NAME.out, and its errors in NAME.err
-compiled() { (cd "$1" && timeout 600 coqc -noglob -Q "$theories" Acutile -Q . Claims "$2.v" >"$2.out" 2>"$2.err"); }
+# compiled DIRECTORY NAME [SECONDS]: DIRECTORY/NAME.vo, what coqc prints in NAME.out, and its errors in NAME.err
+compiled() { (cd "$1" && timeout "${3:-600}" coqc -noglob -Q "$theories" Acutile -Q . Claims "$2.v" >"$2.out" 2>"$2.err"); }
 
 # certificates.sh --one DIRECTORY EXPORTED CERTIFICATE: Claim_NAME.vo, Own_NAME.v and Theorem_NAME.v in DIRECTORY
 if [ "${1:-}" = --one ]; then
@@ -144,7 +144,7 @@ all() { # NAME...
 }
 # shellcheck disable=SC2046
 all $(for file; do name_of "$file"; done) >"$dir/All.v"
-if ! compiled "$dir" All; then
+if ! compiled "$dir" All 3600; then
     for file; do
         all "$(name_of "$file")" >"$dir/One.v"
         compiled "$dir" One || { tail -5 "$dir/One.err"; echo "NOT PROVED, the exported theorem is about something else: $file" >&2; }
