@@ -63,7 +63,7 @@ export const settled = (page) => page.locator(".stage.live canvas[data-rested]")
 
 export async function fitsInWidth(page) {
   const overflow = await page.evaluate(() => document.documentElement.scrollWidth - document.documentElement.clientWidth);
-  assert.ok(overflow <= 0, `${overflow} pixels too wide`);
+  assert.ok(overflow <= 0, `${page.url()} is ${overflow} pixels too wide`);
 }
 
 export async function screenshot(page, name) {
