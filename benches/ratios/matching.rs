@@ -27,7 +27,7 @@ pub fn measure(table: &Table) {
         "matching",
         ratio(time, copied),
         "x memcpy",
-        Target::Most(25.0),
+        Target::Most(10.0),
         &note,
     );
     table.row("matching", time.as_secs_f64(), "s", Target::Most(0.5), "");

@@ -261,18 +261,104 @@ fn matching_against_a_map() {
                 shift: [0; 3].map(|_| random.below(2) as i32),
             };
             let corners = (0..4 * 40).map(|_| corner(&mut random)).collect();
-            let points = vec![[0; 3]; vertices as usize];
-            let tiling = Tiling {
-                frame: Frame::cubic(),
-                vertices: Coordinates::from_integers(points, 1).expect("they fit"),
-                corners,
-            };
-            check_matching(&tiling);
+            check_matching(&tiling_of(vertices as usize, corners));
         }
     }
 }
 
-fn check_matching(tiling: &Tiling<3>) {
+/// Cubes in six tetrahedra each, as they are and with a change: without one, with one twice, with one
+/// turned inside out, with one moved far by a lattice vector, with numbers of vertices in another order.
+#[test]
+fn matching_of_cubes_against_a_map() {
+    let mut random = Random(13);
+    for n in 1..=4 {
+        for change in 0..6 {
+            let mut corners = cubes(n);
+            let row = 4 * random.below(corners.len() as u64 / 4) as usize;
+            match change {
+                1 => drop(corners.drain(row..row + 4)),
+                2 => corners.extend_from_within(row..row + 4),
+                3 => corners.swap(row, row + 1),
+                4 => {
+                    for corner in &mut corners[row..row + 4] {
+                        *corner = corner.moved([-9, 1 << 20, 16]);
+                    }
+                }
+                5 => {
+                    for corner in &mut corners {
+                        let number = corner.vertex.number() as usize;
+                        let other = (number * 29 + 5) % (n * n * n);
+                        corner.vertex = VertexId::new(other as u32);
+                    }
+                }
+                _ => {}
+            }
+            let mismatches = check_matching(&tiling_of(n * n * n, corners));
+            // 29 has no common divisor with 1, 8, 27 and 64.
+            assert_eq!(mismatches, [0, 4, 4, 4, 0, 0][change], "{n} {change}");
+        }
+    }
+}
+
+/// More facets with one vertex than are compared one by one.
+#[test]
+fn matching_of_a_large_star_against_a_map() {
+    let mut random = Random(14);
+    for vertices in [10, 40] {
+        let corner = |vertex: u64| Corner {
+            vertex: VertexId::new(vertex as u32),
+            shift: [0; 3],
+        };
+        let rows = (0..200).map(|_| {
+            let [a, b, c] = [0; 3].map(|_| 1 + random.below(vertices - 1));
+            [0, a, b, c].map(corner)
+        });
+        let corners = rows.flatten().collect();
+        check_matching(&tiling_of(vertices as usize, corners));
+    }
+}
+
+/// The cubes of a lattice in six tetrahedra each; its cell has n cubes to every side.
+fn cubes(n: usize) -> Vec<Corner<3>> {
+    let mut corners = Vec::new();
+    for cube in 0..n * n * n {
+        for (order, is_even) in [
+            ([0, 1, 2], true),
+            ([1, 2, 0], true),
+            ([2, 0, 1], true),
+            ([0, 2, 1], false),
+            ([2, 1, 0], false),
+            ([1, 0, 2], false),
+        ] {
+            let mut point = [cube / n / n, cube / n % n, cube % n];
+            let mut row = Vec::new();
+            for axis in [order[0], order[1], order[2], 0] {
+                let [x, y, z] = point.map(|x| x % n);
+                row.push(Corner {
+                    vertex: VertexId::new(((x * n + y) * n + z) as u32),
+                    shift: point.map(|x| (x / n) as i32),
+                });
+                point[axis] += 1;
+            }
+            if !is_even {
+                row.swap(2, 3);
+            }
+            corners.extend(row);
+        }
+    }
+    corners
+}
+
+fn tiling_of(vertices: usize, corners: Vec<Corner<3>>) -> Tiling<3> {
+    Tiling {
+        frame: Frame::cubic(),
+        vertices: Coordinates::from_integers(vec![[0; 3]; vertices], 1).expect("they fit"),
+        corners,
+    }
+}
+
+/// The number of groups that do not match.
+fn check_matching(tiling: &Tiling<3>) -> usize {
     type Use = (Facet, bool, [i32; 3]);
     let mut groups: BTreeMap<Vec<Corner<3>>, Vec<Use>> = BTreeMap::new();
     for (s, simplex) in tiling.indices().zip(tiling.simplices()) {
@@ -313,6 +399,7 @@ fn check_matching(tiling: &Tiling<3>) {
     let found = matching.mismatches.iter().map(|m| m.uses.clone());
     let found: Vec<Vec<(Facet, bool)>> = found.collect();
     assert_eq!(found, mismatches);
+    mismatches.len()
 }
 
 /// Supercells in integers and in numbers of a field are the same.

@@ -3,21 +3,24 @@
 //! Nothing here is checked; [`crate::checker`] does that. Catalogue, importers and
 //! the triangulation of point sets make tilings, and everything downstream reads them.
 
+mod buckets;
 pub mod coordinates;
 pub(crate) mod dimension;
 mod facets;
 mod floor;
 mod frame;
 mod index;
+mod matching;
 mod merged;
 mod polytope;
 mod supercell;
 
 pub use coordinates::Coordinates;
-pub use facets::{Facet, Matching, Mate, Mismatch, match_facets};
+pub use facets::{Facet, Mate, Mismatch};
 pub use floor::{CELL_LIMIT, cell_of, floor};
 pub use frame::{Domain, Frame};
 pub use index::{FacetId, SimplexId, VertexId};
+pub use matching::{Matching, match_facets};
 pub use merged::merged;
 pub use polytope::{Plane, Polytope};
 pub use supercell::supercell;
