@@ -69,9 +69,10 @@ fn ranges<const D: usize>(
     std::array::from_fn(|k| {
         let at = vertex[k].approximate() + f64::from(corner.shift[k]);
         let reach = reach[k] * (1.0 + 1e-9) + 1e-6;
-        match k < tiling.frame.rank() {
-            true => ((-reach - at).ceil(), (reach - at).floor()),
-            false => (0.0, 0.0),
+        if k < tiling.frame.rank() {
+            ((-reach - at).ceil(), (reach - at).floor())
+        } else {
+            (0.0, 0.0)
         }
     })
 }

@@ -72,9 +72,12 @@ impl Cells {
                     nodes.len()
                 )));
             }
-            let moved = |&node: &i64| match node < 0 {
-                true => node,
-                false => node.saturating_add(first),
+            let moved = |&node: &i64| {
+                if node < 0 {
+                    node
+                } else {
+                    node.saturating_add(first)
+                }
             };
             let nodes: Vec<i64> = nodes.iter().map(moved).collect();
             let element = Element {
@@ -86,12 +89,13 @@ impl Cells {
             };
             draft.add(index, &element)?;
         }
-        match start == self.connectivity.len() as i64 {
-            true => Ok(()),
-            false => Err(MeshError::of_file(format!(
+        if start == self.connectivity.len() as i64 {
+            Ok(())
+        } else {
+            Err(MeshError::of_file(format!(
                 "the cells have {start} points by their offsets, but {} are listed",
                 self.connectivity.len()
-            ))),
+            )))
         }
     }
 
@@ -111,9 +115,10 @@ impl Cells {
     }
 
     fn place(&self, cell: usize) -> Place {
-        match cell < self.lines.len() {
-            true => Place::Line(self.lines.get(cell)),
-            false => Place::File,
+        if cell < self.lines.len() {
+            Place::Line(self.lines.get(cell))
+        } else {
+            Place::File
         }
     }
 
