@@ -234,12 +234,13 @@ fn load(arguments: &ConvertArguments, output: &mut Output) -> Result<Source, Inp
     if is_file && arguments.param.is_some() {
         return Err(format!("{name}: a file takes no parameter (--param)").into());
     }
-    let named = match is_file {
-        true => match input::text_or_mesh(path, &arguments.file.mesh)? {
+    let named = if is_file {
+        match input::text_or_mesh(path, &arguments.file.mesh)? {
             TextOrMesh::Mesh(loaded) => return Ok(Source::Mesh(loaded)),
             other => input::of_content(name, other, &arguments.file, output)?,
-        },
-        false => input::tiling(name, arguments.param.as_deref(), &arguments.file, output)?,
+        }
+    } else {
+        input::tiling(name, arguments.param.as_deref(), &arguments.file, output)?
     };
     Ok(Source::Tiling(named.tiling))
 }
@@ -286,12 +287,11 @@ fn tell_flat(
              at most {:.3e}",
             flat.rounded, flat.largest_move
         );
-        match arguments.round {
-            true => notes.push(rounded),
-            false => {
-                let message = format!("{}: {rounded}; --round allows it", arguments.input);
-                return Err(message.into());
-            }
+        if arguments.round {
+            notes.push(rounded)
+        } else {
+            let message = format!("{}: {rounded}; --round allows it", arguments.input);
+            return Err(message.into());
         }
     }
     if !flat.lattice.is_empty() {
@@ -318,9 +318,10 @@ fn write_all(path: &Path, files: Vec<File>, output: &mut Output) -> Result<(), I
             (Some(_), Some((_, elements))) => elements,
             _ => PathBuf::from(path),
         };
-        let bytes = match is_packed {
-            true => packed(&file.bytes).map_err(|error| unwritten(&path, &error))?,
-            false => file.bytes,
+        let bytes = if is_packed {
+            packed(&file.bytes).map_err(|error| unwritten(&path, &error))?
+        } else {
+            file.bytes
         };
         write_bytes(Some(&path), &bytes, output)?;
     }

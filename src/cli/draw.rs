@@ -198,9 +198,10 @@ const FORMATS: [Format<DrawFormat>; 6] = [
 fn no_figure(input: &str, error: &DrawError) -> InputError {
     InputError {
         message: format!("{input}: {error}"),
-        outcome: match error.is_limit() {
-            true => Outcome::Declined,
-            false => Outcome::Failed,
+        outcome: if error.is_limit() {
+            Outcome::Declined
+        } else {
+            Outcome::Failed
         },
     }
 }

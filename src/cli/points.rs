@@ -127,9 +127,10 @@ pub fn tiling<const D: usize>(
     points: &PointSet<D>,
     arguments: &PointArguments,
 ) -> Result<Tiling<D>, InputError> {
-    let ties = match arguments.triangulate {
-        true => Ties::Pull,
-        false => Ties::Refuse,
+    let ties = if arguments.triangulate {
+        Ties::Pull
+    } else {
+        Ties::Refuse
     };
     let progress = Progress::of(name);
     progress.step("Delaunay triangulation");

@@ -126,15 +126,14 @@ fn search_slabs(arguments: &SlabArguments, output: &mut Output) -> Outcome {
     {
         return output.fail(None, &error);
     }
-    match output.is_json() {
-        true => {
-            let record = Record::of(None).with(slab_data(over, &tried));
-            output.answer(match sha256 {
-                Some(sha256) => record.certificate(path, &sha256),
-                None => record,
-            });
-        }
-        false => slab_words(&tried, output),
+    if output.is_json() {
+        let record = Record::of(None).with(slab_data(over, &tried));
+        output.answer(match sha256 {
+            Some(sha256) => record.certificate(path, &sha256),
+            None => record,
+        });
+    } else {
+        slab_words(&tried, output)
     }
     match tried.acute {
         0 => Outcome::Declined,

@@ -63,9 +63,10 @@ pub fn run(arguments: &ShowArguments, output: &mut Output) -> Outcome {
         Ok(shown) => shown,
         Err(error) => return output.fail(Some(input), &error),
     };
-    match output.is_json() {
-        true => output.answer(Record::of(Some(input)).with(shown.data)),
-        false => shown.lines.iter().for_each(|line| output.line(line)),
+    if output.is_json() {
+        output.answer(Record::of(Some(input)).with(shown.data))
+    } else {
+        shown.lines.iter().for_each(|line| output.line(line))
     }
     Outcome::Done
 }
@@ -233,9 +234,10 @@ fn angles_of_members<const D: usize>(
 ) -> Vec<(String, Option<(String, String)>)> {
     let names = family.names();
     let cuboid = family.cuboid();
-    let corners = match names.len() <= MOST_SHOWN {
-        true => cuboid.corners(),
-        false => Vec::new(),
+    let corners = if names.len() <= MOST_SHOWN {
+        cuboid.corners()
+    } else {
+        Vec::new()
     };
     let points = std::iter::once(cuboid.center()).chain(corners);
     points

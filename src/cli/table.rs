@@ -40,13 +40,12 @@ pub fn run(arguments: &TableArguments, output: &mut Output) -> Outcome {
         Ok(format) => format.unwrap_or(TableFormat::Text),
         Err(message) => return output.fail_with(None, message),
     };
-    let wanted: Vec<InputName> = match arguments.inputs.is_empty() {
-        true => {
-            let names: Vec<&str> = catalog::names().collect();
-            let names = table::order(&names);
-            names.into_iter().map(InputName::from).collect()
-        }
-        false => arguments.inputs.clone(),
+    let wanted: Vec<InputName> = if arguments.inputs.is_empty() {
+        let names: Vec<&str> = catalog::names().collect();
+        let names = table::order(&names);
+        names.into_iter().map(InputName::from).collect()
+    } else {
+        arguments.inputs.clone()
     };
     let names = wanted.iter().map(|name| &**name);
     let is_single = |name: &&str| catalog::find(name).is_some_and(|entry| !entry.has_box());

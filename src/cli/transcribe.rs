@@ -113,9 +113,10 @@ pub fn cbor<'b>(input: &str, bytes: &'b [u8]) -> Result<Cow<'b, [u8]>, InputErro
 }
 
 fn refused(input: &str, code: &str, message: &str, is_declined: bool) -> InputError {
-    let (verdict, outcome) = match is_declined {
-        true => ("declined", Outcome::Declined),
-        false => ("malformed", Outcome::Failed),
+    let (verdict, outcome) = if is_declined {
+        ("declined", Outcome::Declined)
+    } else {
+        ("malformed", Outcome::Failed)
     };
     InputError {
         message: format!("{input}: {verdict} [{code}] {message}"),

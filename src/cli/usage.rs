@@ -53,14 +53,13 @@ fn ended(given: &[OsString], error: &Error) -> ExitCode {
         return ExitCode::from(Outcome::Failed.and(output.finish()).code());
     }
     // Nothing is left to do where printing fails.
-    let _ = match error.use_stderr() {
-        true => {
-            let text = in_plain_words(error.render().ansi().to_string());
-            let advice = command_missing(error).or_else(|| argument_advice(error));
-            let advice = advice.unwrap_or_default();
-            write!(anstream::stderr(), "{text}{advice}")
-        }
-        false => error.print(),
+    let _ = if error.use_stderr() {
+        let text = in_plain_words(error.render().ansi().to_string());
+        let advice = command_missing(error).or_else(|| argument_advice(error));
+        let advice = advice.unwrap_or_default();
+        write!(anstream::stderr(), "{text}{advice}")
+    } else {
+        error.print()
     };
     ExitCode::from(u8::try_from(error.exit_code()).unwrap_or(2))
 }
