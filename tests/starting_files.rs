@@ -84,7 +84,7 @@ fn every_kind_is_certified_as_it_is() {
         std::fs::write(path, &edited).expect("edited");
         let again = acutile(["new", kind, "-o", path]);
         assert_eq!(code(&again), 2);
-        let words = "is there and is not what acutile wrote; --force replaces it";
+        let words = "the file exists and is not as acutile wrote it; --force replaces it";
         assert!(stderr(&again).contains(words), "{}", stderr(&again));
         assert_eq!(std::fs::read(path).expect("a file"), edited);
         assert_eq!(code(&acutile(["new", kind, "-o", path, "--force"])), 0);

@@ -57,7 +57,7 @@ pub fn run(arguments: &AppendixArguments, output: &mut Output) -> Outcome {
     match write(arguments, output) {
         Ok(count) => {
             let place = arguments.output.display();
-            let words = format!("{place}: {count} files; pdflatex main, three times");
+            let words = format!("{place}: {count} files; run `pdflatex main` three times there");
             output.done_in_words(Record::of(None), words)
         }
         Err((input, error)) => output.fail(input.as_deref(), &error),

@@ -11,7 +11,7 @@ use super::input::{self, Loaded};
 use super::name::InputName;
 use super::named::InputError;
 use super::outcome::Outcome;
-use super::output::{Output, is_standard, write_bytes};
+use super::output::{Output, check_parent, is_standard, write_bytes};
 use super::overwriting::check_not_an_input;
 use super::prove::{examine_tiling, in_words, prove_tiling, required};
 use super::proved::{self, title};
@@ -110,6 +110,7 @@ fn check(inputs: &[InputName], arguments: &CertifyArguments) -> Result<(), Strin
         check_not_an_input(path, option, inputs)?;
         extension::check(path, words, extensions)
             .map_err(|problem| format!("{option} {problem}"))?;
+        path.map_or(Ok(()), check_parent)?;
     }
     Ok(())
 }

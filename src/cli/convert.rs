@@ -98,7 +98,8 @@ fn write_output(arguments: &ConvertArguments, output: &mut Output) -> Result<(),
     for path in outputs(path) {
         check_not_an_input(Some(&path), "to", inputs)?;
     }
-    if transcribe::is_of_certificate(input, path) {
+    let is_to_mesh = arguments.to.is_some() || Family::of_path(path).is_some();
+    if transcribe::is_of_certificate(input, path, is_to_mesh) {
         let limit = arguments.max_bytes;
         return transcribe::convert(input, path, arguments.has_options(), limit, output);
     }
@@ -141,13 +142,13 @@ fn target(arguments: &ConvertArguments) -> Result<Target, String> {
         )),
         (Some(format), _) => Ok(Target::Mesh(format)),
         (None, Some(family)) if !family.is_written() => Err(format!(
-            "{name}: this format is read and not written; --to gives another one"
+            "{name}: this format is read and not written; --to FORMAT writes another one"
         )),
         (None, Some(family)) => Ok(Target::Mesh(family.format())),
         (None, None) if is_native => Ok(Target::Native),
         (None, None) => Err(format!(
-            "{name}: found no extension of a format that is written, expected .msh, .vtk, .vtu, .mesh, .meshb, .node \
-             or .ele, .json for a tiling file, each with .gz or not, .cbor for a certificate; or --to FORMAT"
+            "{name}: the extension names no format that is written, expected .msh, .vtk, .vtu, .mesh, .meshb, .node or \
+             .ele, .json for a tiling file, each with .gz or not, .cbor for a certificate; or --to FORMAT"
         )),
     }
 }
@@ -200,7 +201,7 @@ fn write_tiling<const D: usize>(
         basis = basis.map(|basis| enlarged(basis, &sizes));
     }
     if let Some(radius) = &arguments.patch {
-        tiling = patch(&tiling, radius)?;
+        tiling = patch(&tiling, radius).map_err(|error| format!("{}: {error}", arguments.input))?;
     }
     match target {
         Target::Native => Ok(vec![File {
@@ -232,7 +233,10 @@ fn load(arguments: &ConvertArguments, output: &mut Output) -> Result<Source, Inp
     let path = name.path();
     let is_file = catalog::find(name).is_none() && (name.is_standard_input() || path.exists());
     if is_file && arguments.param.is_some() {
-        return Err(format!("{name}: a file takes no parameter (--param)").into());
+        return Err(format!(
+            "{name}: --param is for a name of the catalogue, expected no --param for a file"
+        )
+        .into());
     }
     let named = if is_file {
         match input::text_or_mesh(path, &arguments.file.mesh)? {

@@ -39,9 +39,9 @@ pub struct DrawArguments {
     pub at: Option<String>,
     #[command(flatten)]
     pub file: FileArguments,
-    /// The vertex of the star, counted from 0
-    #[arg(long, value_name = "N", default_value_t = 0)]
-    pub vertex: usize,
+    /// The vertex of --figure star, counted from 0; without it vertex 0
+    #[arg(long, value_name = "N")]
+    pub vertex: Option<usize>,
     /// The direction to the eye: x along the first lattice vector, z up
     #[arg(long, value_name = "X,Y,Z", default_value = "4,-9,5", value_parser = direction, allow_hyphen_values = true)]
     pub view: Direction,
@@ -64,7 +64,7 @@ pub struct DrawArguments {
 pub struct Direction(pub [f64; 3]);
 
 /// The kinds of figures.
-#[derive(Clone, Copy, Debug, ValueEnum)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
 pub enum FigureName {
     /// One simplex of each congruence class, with its angles
     Classes,
@@ -137,6 +137,9 @@ fn write(arguments: &DrawArguments, output: &mut Output) -> Result<(), InputErro
     let format = extension::format(path, arguments.format, &FORMATS)?;
     if arguments.standalone && format != DrawFormat::Tikz {
         return Err("--standalone is for --format tikz".to_owned().into());
+    }
+    if arguments.vertex.is_some() && arguments.figure != Some(FigureName::Star) {
+        return Err("--vertex is for --figure star".to_owned().into());
     }
     let input = &arguments.input;
     let named = subject(arguments, output)?;
@@ -240,7 +243,7 @@ fn figure(asked: Option<FigureName>, tiling: &AnyTiling) -> Figure {
 fn options(arguments: &DrawArguments) -> Options {
     Options {
         direction: arguments.view.0,
-        vertex: arguments.vertex,
+        vertex: arguments.vertex.unwrap_or(0),
         width: f64::from(arguments.width),
     }
 }

@@ -190,7 +190,9 @@ pub fn supercell_sizes<const D: usize>(
         return Err(if rank == 0 {
             format!("--supercell: found {found} for a tiling without a lattice, expected none")
         } else {
-            format!("--supercell: found {found}, expected {rank}")
+            format!(
+                "--supercell: found {found}, expected {rank}: one for each vector of the lattice"
+            )
         });
     }
     let copies = sizes.iter().map(|&n| n as usize).product::<usize>();

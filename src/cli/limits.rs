@@ -1,5 +1,6 @@
 //! The kernel's limits as options of the commands that verify.
 
+use super::integer::integer_in;
 use acutile_kernel::Limits;
 use clap::Args;
 
@@ -16,7 +17,7 @@ pub struct LimitArguments {
     #[arg(help_heading = "Limits of the kernel", long, value_name = "N", default_value_t = Limits::DEFAULT.bits)]
     pub max_bits: u64,
     /// Degree of the field
-    #[arg(help_heading = "Limits of the kernel", long, value_name = "N", default_value_t = Limits::DEFAULT.degree)]
+    #[arg(help_heading = "Limits of the kernel", long, value_name = "N", default_value_t = Limits::DEFAULT.degree, value_parser = integer_in::<usize>(0..=Limits::DEFAULT.degree as u64))]
     pub max_degree: usize,
     /// Units of work, about nanoseconds, for a certificate and again for each MiB of it
     #[arg(help_heading = "Limits of the kernel", long, value_name = "N", default_value_t = Limits::DEFAULT.work)]

@@ -380,6 +380,21 @@ pub fn write_bytes(
     Ok(())
 }
 
+/// The directory of a file that is written at the end of the work exists.
+///
+/// # Errors
+/// It does not.
+pub fn check_parent(path: &Path) -> Result<(), String> {
+    let parent = path
+        .parent()
+        .filter(|parent| !parent.as_os_str().is_empty());
+    if is_standard(path) || parent.is_none_or(Path::exists) {
+        Ok(())
+    } else {
+        Err(unwritten(path, &ErrorKind::NotFound.into()).message)
+    }
+}
+
 /// That a file cannot be written.
 pub fn unwritten(path: &Path, error: &io::Error) -> InputError {
     let words = match error.kind() {

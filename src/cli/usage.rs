@@ -25,7 +25,13 @@ pub fn parse() -> Result<Arguments, ExitCode> {
     let parsed = with_negative_values(Arguments::command())
         .try_get_matches_from(&given)
         .and_then(|matches| Arguments::from_arg_matches(&matches));
-    parsed.map_err(|error| ended(&given, &error))
+    parsed.map_err(|mut error| {
+        // The tip says how an option becomes an input, and `-o` never is one.
+        if is_about_output(&error) {
+            error.remove(ContextKind::Suggested);
+        }
+        ended(&given, &error)
+    })
 }
 
 /// `-1` after an option is its value, so that the message is about the number and not about an option `-1`.
@@ -102,15 +108,21 @@ fn argument_advice(error: &Error) -> Option<String> {
                     .to_owned()
             })
         }
-        (ErrorKind::UnknownArgument, ContextValue::String(name)) => {
-            let is_output = name == "-o" || name == "--output";
-            is_output.then(|| {
-                "\nThis command writes to standard output, and a shell writes that to a file: \
-                 > FILE\n"
-                    .to_owned()
-            })
-        }
+        _ if is_about_output(error) => Some(
+            "\nThis command writes to standard output, and a shell writes that to a file: > FILE\n"
+                .to_owned(),
+        ),
         _ => None,
+    }
+}
+
+/// Whether -o is given to a command that has no such option.
+fn is_about_output(error: &Error) -> bool {
+    match error.get(ContextKind::InvalidArg) {
+        Some(ContextValue::String(name)) if error.kind() == ErrorKind::UnknownArgument => {
+            name == "-o" || name == "--output"
+        }
+        _ => false,
     }
 }
 

@@ -281,8 +281,9 @@ fn found<const N: usize>(
     for (point, &node) in points.iter_mut().zip(&element.nodes[start..]) {
         *point = index.find(node).ok_or_else(|| {
             let problem = format!(
-                "the element {} has the node {node}, which is not there",
-                element.tag
+                "found the node {node} in the element {}; {}",
+                element.tag,
+                index.in_words()
             );
             MeshError::at(element.place, problem)
         })?;

@@ -1,7 +1,7 @@
 //! Meshes from files, with the limits of their bytes; and the two files of TetGen.
 
 use super::{Family, Mesh, MeshError, tetgen, unknown};
-use crate::import::{is_gzip, read_bytes, uncompressed_name};
+use crate::import::{ImportError, is_gzip, read_bytes, uncompressed_name};
 use std::path::{Path, PathBuf};
 
 /// No mesh file may be longer: 1 GiB, and 512 MiB after decompression.
@@ -40,6 +40,9 @@ pub fn load_by_name(path: &Path, family: Family) -> Result<Loaded, MeshError> {
         return load(path, family);
     }
     let bytes = bytes(path)?;
+    if bytes.trim_ascii().is_empty() {
+        return Err(MeshError::of_file(ImportError::Empty.to_string()));
+    }
     if let Some(family) = Family::of_content(&bytes) {
         let mesh = family.read(&bytes)?;
         return Ok(Loaded { mesh, family });

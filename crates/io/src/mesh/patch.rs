@@ -45,7 +45,9 @@ pub fn patch<const D: usize>(tiling: &Tiling<D>, radius: &Rational) -> Result<Ti
         }
     }
     if corners.is_empty() {
-        return Err(format!("no simplex lies within {radius} of the origin"));
+        return Err(format!(
+            "no whole simplex lies within {radius} of the origin, expected a larger radius"
+        ));
     }
     let frame = tiling.frame.clone().with_domain(Domain::Region(0));
     Ok(used_only(frame, &patch.vertices, corners))

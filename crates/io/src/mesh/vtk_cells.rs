@@ -44,7 +44,7 @@ impl Cells {
         let (cells, types) = (self.ends.len(), self.types.len());
         if cells != types {
             return Err(MeshError::of_file(format!(
-                "has {cells} cells and {types} cell types, expected as many"
+                "has {cells} cells and {types} cell types, expected one type for each cell"
             )));
         }
         let entities = self.take(&ENTITIES).unwrap_or_default();
