@@ -245,6 +245,21 @@ fn files_that_are_something_else() {
             "neither text nor a binary format",
         ),
         ("a.step", b"ISO-10303-21;", "STEP"),
+        (
+            "ase.json",
+            br#"{"1": {"cell": {"__ase_objtype__": "cell"}}, "ids": [1]}"#,
+            "JSON of ASE (ase convert IN OUT.xyz writes extended XYZ)",
+        ),
+        (
+            "gemmi.json",
+            br#"{"data_x": {"_atom_site": {"label": ["A"]}}}"#,
+            "mmJSON of gemmi (gemmi json2cif IN OUT.cif writes a CIF)",
+        ),
+        (
+            "other.json",
+            br#"{"a": 1}"#,
+            "or a Structure of pymatgen with \"lattice\" and \"sites\"",
+        ),
     ] {
         let path = place.path().join(name);
         std::fs::write(&path, content).expect("written");
@@ -474,7 +489,7 @@ fn faults_of_meshes_have_their_line_and_what_is_expected() {
         (
             "types.vtk",
             no_types,
-            "has 1 cells and 0 cell types, expected one type for each cell",
+            "has 1 cell and 0 cell types, expected one type for each cell",
         ),
         ("nan.vtk", vtk("nan", "3"), "line 6: found \"nan\""),
         (

@@ -1,7 +1,7 @@
 //! Cells as VTK has them in legacy files and in VTU files.
 
 use super::draft::{Draft, Element};
-use super::element::{VTK_CELLS, vtk_cell};
+use super::element::{VTK_CELLS, counted, vtk_cell};
 use super::error::{MeshError, Place};
 use super::numbering::{Index, Numbering};
 
@@ -44,7 +44,9 @@ impl Cells {
         let (cells, types) = (self.ends.len(), self.types.len());
         if cells != types {
             return Err(MeshError::of_file(format!(
-                "has {cells} cells and {types} cell types, expected one type for each cell"
+                "has {} and {}, expected one type for each cell",
+                counted(cells, "cells"),
+                counted(types, "cell types")
             )));
         }
         let entities = self.take(&ENTITIES).unwrap_or_default();
