@@ -30,16 +30,15 @@ use std::path::{Path, PathBuf};
 
 #[derive(Debug, Args)]
 pub struct ConvertArguments {
-    /// A name of the catalogue, a tiling file or a mesh file (`-` for standard input), or a
-    /// certificate
+    /// A name of the catalogue, a tiling file, a mesh file or a certificate (`-` for standard input)
     #[arg(value_name = "NAME|FILE", hide_possible_values = true)]
     pub input: InputName,
-    /// The file to write, in the format of its extension: msh, vtk, vtu, mesh, meshb, node or ele, or json
-    /// for a tiling file. A name with .gz after it is compressed; `-` is standard output. For a certificate
-    /// json or cbor, its two encodings
+    /// The file to write (`-` for standard output). Its extension is the format: msh, vtk, vtu, mesh, meshb,
+    /// node or ele, or json for a tiling file. With .gz after it the file is compressed. For a certificate json
+    /// and cbor are its two encodings
     #[arg(value_name = "FILE")]
     pub output: PathBuf,
-    /// The number that the construction depends on
+    /// The parameter of a construction (see acutile show --help)
     #[arg(long, value_name = "VALUE", allow_hyphen_values = true)]
     pub param: Option<String>,
     /// The format to write: msh2, msh2-binary, msh4, msh4-binary, vtk, vtk-binary, vtu-text,
@@ -49,14 +48,14 @@ pub struct ConvertArguments {
     /// Repeat the cell N times in each direction of the lattice
     #[arg(long, value_name = "N,N,N", value_delimiter = ',', value_parser = copies)]
     pub supercell: Vec<u16>,
-    /// All whole tetrahedra of the tiling in the ball of this radius around the origin, as a
-    /// bounded mesh
+    /// Write a bounded mesh of all tetrahedra that lie in the ball of this radius around the origin
     #[arg(long, value_name = "RADIUS", value_parser = radius)]
     pub patch: Option<Rational>,
-    /// Round coordinates that are no doubles, and print their number and the largest change
+    /// Round coordinates that are no 64-bit floating-point numbers, and print their number and the largest
+    /// change
     #[arg(long)]
     pub round: bool,
-    /// Bytes of a certificate; longer ones are declined
+    /// The largest size of a certificate in bytes; larger ones are declined
     #[arg(long, value_name = "N", default_value_t = transcribe::BYTES)]
     pub max_bytes: u64,
     #[command(flatten)]

@@ -26,7 +26,7 @@ pub struct DelaunayArguments {
     pub input: InputName,
     #[command(flatten)]
     pub points: PointArguments,
-    /// Write the tiling file here and not to standard output
+    /// Write to this file instead of standard output
     #[arg(short, long, value_name = "FILE")]
     pub output: Option<PathBuf>,
 }

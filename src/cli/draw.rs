@@ -27,14 +27,14 @@ pub struct DrawArguments {
     /// A name of the catalogue, or a tiling or mesh file
     #[arg(value_name = "NAME|FILE", hide_possible_values = true)]
     pub input: InputName,
-    /// What is drawn; the cell where nothing is said, in the plane the tiling
+    /// The kind of figure. The default is cell, and for a tiling of the plane it is plane
     #[arg(long, value_enum)]
     pub figure: Option<FigureName>,
-    /// The number that the construction depends on (see acutile show)
+    /// The parameter of a construction (see acutile show --help)
     #[arg(long, value_name = "VALUE", allow_hyphen_values = true)]
     pub param: Option<String>,
-    /// The point of a family's box, a value for each parameter with commas between them; the middle
-    /// without it
+    /// The point of a family's box: a value for each parameter, separated by commas. The default is the
+    /// middle of the box
     #[arg(long, value_name = "POINT", allow_hyphen_values = true)]
     pub at: Option<String>,
     #[command(flatten)]
@@ -45,16 +45,16 @@ pub struct DrawArguments {
     /// The direction to the eye: x along the first lattice vector, z up
     #[arg(long, value_name = "X,Y,Z", default_value = "4,-9,5", value_parser = direction, allow_hyphen_values = true)]
     pub view: Direction,
-    /// How it is written; svg where neither this nor the name of the file says it
+    /// The output format. The default is that of the file name, or svg
     #[arg(long, value_enum)]
     pub format: Option<DrawFormat>,
-    /// With --format tikz: a document of its own, not a fragment to \input
+    /// With --format tikz: write a complete document instead of a fragment for \input
     #[arg(long)]
     pub standalone: bool,
-    /// The width in millimetres, 20 to 1000; a journal column where nothing is said
+    /// The width in millimetres, 20 to 1000. The default is the width of a journal column
     #[arg(long, value_name = "MM", default_value_t = 84, value_parser = integer_in::<u16>(20..=1000))]
     pub width: u16,
-    /// Write here and not to standard output
+    /// Write to this file instead of standard output
     #[arg(short, long, value_name = "FILE")]
     pub output: Option<PathBuf>,
 }

@@ -14,7 +14,7 @@ pub struct GalleryArguments {
     /// Write the site into this directory
     #[arg(short, long, value_name = "DIR", required = true)]
     pub output: PathBuf,
-    /// Write into a directory that has other files, too
+    /// Write into the directory even if it has other files
     #[arg(long)]
     pub force: bool,
 }

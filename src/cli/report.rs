@@ -16,7 +16,7 @@ use std::path::PathBuf;
 
 #[derive(Debug, Args)]
 pub struct ReportArguments {
-    /// Certificates, names of the catalogue with families and theorems, tiling or mesh files, or point sets (CIF too)
+    /// Certificates, names of the catalogue (families and theorems too), tiling or mesh files, or point sets (CIF too)
     #[arg(
         value_name = "CERT|NAME|FILE",
         required = true,
@@ -25,7 +25,7 @@ pub struct ReportArguments {
     pub inputs: Vec<InputName>,
     #[command(flatten)]
     pub file: FileArguments,
-    /// Write the page here and not to standard output
+    /// Write to this file instead of standard output
     #[arg(short, long, value_name = "FILE")]
     pub output: Option<PathBuf>,
     #[command(flatten)]

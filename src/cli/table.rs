@@ -15,11 +15,11 @@ use serde_json::Value;
 
 #[derive(Debug, Args)]
 pub struct TableArguments {
-    /// Names of the catalogue, families and theorems too, or tiling files (`-` for standard input). Without
-    /// any: all single tilings of the catalogue, the paper's rows first
+    /// Names of the catalogue (families and theorems too) or tiling files (`-` for standard input). The default
+    /// is all single tilings of the catalogue, with the rows of the paper first
     #[arg(value_name = "NAME|FILE", hide_possible_values = true)]
     pub inputs: Vec<InputName>,
-    /// How to write it; json is what --json prints
+    /// The output format; json is the same as --json
     #[arg(long, value_enum)]
     pub format: Option<TableFormat>,
 }
