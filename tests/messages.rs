@@ -245,6 +245,21 @@ fn files_that_are_something_else() {
             "neither text nor a binary format",
         ),
         ("a.step", b"ISO-10303-21;", "STEP"),
+        (
+            "ase.json",
+            br#"{"1": {"cell": {"__ase_objtype__": "cell"}}, "ids": [1]}"#,
+            "JSON of ASE (ase convert IN OUT.xyz writes extended XYZ)",
+        ),
+        (
+            "gemmi.json",
+            br#"{"data_x": {"_atom_site": {"label": ["A"]}}}"#,
+            "mmJSON of gemmi (gemmi json2cif IN OUT.cif writes a CIF)",
+        ),
+        (
+            "other.json",
+            br#"{"a": 1}"#,
+            "or a Structure of pymatgen with \"lattice\" and \"sites\"",
+        ),
     ] {
         let path = place.path().join(name);
         std::fs::write(&path, content).expect("written");
@@ -443,4 +458,132 @@ fn nested_and_huge_json() {
         text.contains("2 | \"vertices\": ["),
         "the last line is shown: {text}"
     );
+}
+
+/// A mesh of one tetrahedron, with the third point's second coordinate and the last node as given.
+fn vtk(coordinate: &str, node: &str) -> String {
+    format!(
+        "# vtk DataFile Version 3.0\na\nASCII\nDATASET UNSTRUCTURED_GRID\nPOINTS 4 double\n\
+         0 0 0  1 0 0  1 {coordinate} 0  0 1 1\nCELLS 1 5\n4 0 1 2 {node}\nCELL_TYPES 1\n10\n"
+    )
+}
+
+/// The line is that of the fault, and the numbers that the file has are named.
+#[test]
+fn faults_of_meshes_have_their_line_and_what_is_expected() {
+    let place = tempfile::tempdir().expect("a directory");
+    let good = vtk("1", "3");
+    let many = good.replace("POINTS 4", "POINTS 99999999999");
+    let no_types = good.split("CELL_TYPES").next().expect("a start").to_owned();
+    for (name, content, words) in [
+        (
+            "node.vtk",
+            vtk("1", "7"),
+            "line 8: found the node 7 in the element 0; the nodes of the file are 0 to 3",
+        ),
+        (
+            "many.vtk",
+            many,
+            "line 5: found 99999999999 as the number of points",
+        ),
+        (
+            "types.vtk",
+            no_types,
+            "has 1 cell and 0 cell types, expected one type for each cell",
+        ),
+        ("nan.vtk", vtk("nan", "3"), "line 6: found \"nan\""),
+        (
+            "none.msh",
+            "$MeshFormat\n2.2 0 8\n$EndMeshFormat\n".to_owned(),
+            "has no section $Nodes, expected a mesh that Gmsh saved whole",
+        ),
+    ] {
+        let path = place.path().join(name);
+        std::fs::write(&path, content).expect("written");
+        let text = refusal(&["certify", path.to_str().expect("UTF-8")]);
+        assert!(text.contains(words), "{name}: {text}");
+    }
+}
+
+/// Whatever the name promises, an empty file is named as such.
+#[test]
+fn empty_files() {
+    let place = tempfile::tempdir().expect("a directory");
+    for name in [
+        "a", "a.json", "a.cbor", "a.cif", "a.vtk", "a.msh", "a.vtu", "a.mesh",
+    ] {
+        let path = place.path().join(name);
+        std::fs::write(&path, "\n").expect("written");
+        let text = refusal(&["certify", path.to_str().expect("UTF-8")]);
+        let words = "is empty, expected an input file; acutile new writes examples";
+        assert!(text.contains(words), "{name}: {text}");
+    }
+}
+
+/// A certificate that is cut off is named as such by every command that takes one, in both encodings.
+#[test]
+fn certificates_that_end_early() {
+    let place = tempfile::tempdir().expect("a directory");
+    for name in ["cut.cbor", "cut.json"] {
+        let whole = place.path().join(format!("whole-{name}"));
+        let whole = whole.to_str().expect("UTF-8");
+        assert_eq!(code(&acutile(["certify", "z", "-o", whole])), 0);
+        let bytes = std::fs::read(whole).expect("written");
+        let cut = place.path().join(name);
+        std::fs::write(&cut, &bytes[..300]).expect("written");
+        let cut = cut.to_str().expect("UTF-8");
+        for command in ["show", "table", "cite", "report", "verify", "certify"] {
+            let text = refusal(&[command, cut]);
+            assert!(text.contains("the file ends"), "{command}: {text}");
+            assert!(!text.contains("grammar"), "{command}: {text}");
+        }
+        let text = refusal(&["delaunay", whole]);
+        let words = "a certificate, expected a file of points; `acutile show ";
+        assert!(text.contains(words), "{text}");
+    }
+}
+
+/// A page or a table in a directory that does not exist is refused before the proof.
+#[test]
+fn files_beside_the_answer_need_their_directory() {
+    let place = tempfile::tempdir().expect("a directory");
+    let nowhere = place.path().join("none");
+    let at = |name: &str| nowhere.join(name).to_str().expect("UTF-8").to_owned();
+    for arguments in [
+        &["certify", "a15", "--report", &at("a.html")][..],
+        &["certify", "a15", "--defects", &at("a.vtu")],
+        &["certify", "a15", "--identify", "1", "--moves", &at("a.csv")],
+    ] {
+        let text = refusal(arguments);
+        let words = "cannot be written: there is no such directory";
+        assert!(text.contains(words), "{arguments:?}: {text}");
+        assert!(!text.contains("proved"), "{arguments:?}: {text}");
+    }
+    assert!(!nowhere.exists());
+}
+
+/// `convert` writes the tiling of a certificate as a mesh, and the mesh is proved again.
+#[test]
+fn a_certificate_becomes_a_mesh() {
+    let place = tempfile::tempdir().expect("a directory");
+    let at = |name: &str| place.path().join(name).to_str().expect("UTF-8").to_owned();
+    for name in ["a15.cbor", "a15.json"] {
+        assert_eq!(code(&acutile(["certify", "a15", "-o", &at(name)])), 0);
+        let converted = acutile(["convert", &at(name), &at("a15.vtu")]);
+        assert_eq!(code(&converted), 0, "{}", stderr(&converted));
+        let lattice = "1,0,0;0,1,0;0,0,1";
+        let proved = acutile([
+            "certify",
+            &at("a15.vtu"),
+            "--lattice",
+            lattice,
+            "--require",
+            "acute,tcp",
+        ]);
+        assert_eq!(code(&proved), 0, "{}", stderr(&proved));
+        assert!(stdout(&proved).contains("by 46 tetrahedra"));
+    }
+    let text = refusal(&["convert", &at("a15.cbor"), &at("a15.txt")]);
+    let words = "the input is a certificate, expected the extension .json or .cbor, or that of a mesh format";
+    assert!(text.contains(words), "{text}");
 }

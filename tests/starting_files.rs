@@ -84,7 +84,7 @@ fn every_kind_is_certified_as_it_is() {
         std::fs::write(path, &edited).expect("edited");
         let again = acutile(["new", kind, "-o", path]);
         assert_eq!(code(&again), 2);
-        let words = "is there and is not what acutile wrote; --force replaces it";
+        let words = "the file exists and is not as acutile wrote it; --force replaces it";
         assert!(stderr(&again).contains(words), "{}", stderr(&again));
         assert_eq!(std::fs::read(path).expect("a file"), edited);
         assert_eq!(code(&acutile(["new", kind, "-o", path, "--force"])), 0);
@@ -124,15 +124,14 @@ fn comments() {
 
 /// The number of statements that the kernel confirms of a file, or nothing.
 fn judge(text: &str, is_cif: bool) -> Option<usize> {
-    let content = match is_cif {
-        true => {
-            let options = CifOptions {
-                snap: Some(3),
-                ..CifOptions::default()
-            };
-            Content::Points(AnyPointSet::Space(read_cif(text, &options).ok()?.points))
-        }
-        false => read_native(text).ok()?.content,
+    let content = if is_cif {
+        let options = CifOptions {
+            snap: Some(3),
+            ..CifOptions::default()
+        };
+        Content::Points(AnyPointSet::Space(read_cif(text, &options).ok()?.points))
+    } else {
+        read_native(text).ok()?.content
     };
     let tiling = match content {
         Content::Tiling(tiling) => tiling,
@@ -283,13 +282,14 @@ fn mutated(text: &str, random: &mut Random) -> String {
 fn a_thousand_changes_of_each_kind() {
     for kind in TILINGS.into_iter().chain(["point-set", "cif"]) {
         let is_cif = kind == "cif";
-        let whole = match is_cif {
-            true => example(kind)
+        let whole = if is_cif {
+            example(kind)
                 .lines()
                 .filter(|line| !line.starts_with('#'))
                 .map(|line| format!("{line}\n"))
-                .collect(),
-            false => without_comments(&example(kind)).into_owned(),
+                .collect()
+        } else {
+            without_comments(&example(kind)).into_owned()
         };
         let mut random = Random(kind.len() as u64);
         let (mut proved, mut refused) = (0, 0);

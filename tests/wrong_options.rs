@@ -129,6 +129,26 @@ fn numbers_and_statements_in_options() {
             "expected a divisor of 180",
         ),
         (
+            &["draw", "a15", "--vertex", "9"],
+            "--vertex is for --figure star",
+        ),
+        (
+            &["verify", "certificates/z.json", "--max-degree", "9"],
+            "9 is out of range, expected an integer from 0 to 8",
+        ),
+        (
+            &["certify", "a15", "--cite"],
+            "--cite is for a member of a theorem, expected square-triangle:WORD or kagome:WORD",
+        ),
+        (
+            &["certify", "a15", "--param", "1"],
+            "`a15` takes no parameter; goldberg-1, goldberg-2, goldberg-3 and two-corners take one",
+        ),
+        (
+            &["convert", "a15", "a.vtu", "--patch", "1/100"],
+            "a15: no whole simplex lies within 1/100 of the origin, expected a larger radius",
+        ),
+        (
             &["certify", "square-triangle:"],
             "found nothing after the colon",
         ),
@@ -252,6 +272,10 @@ fn first_mistakes() {
             "This command writes to standard output",
         ),
         (
+            &["show", "a15", "-o", "t.json"],
+            "This command writes to standard output",
+        ),
+        (
             &["certify", "kagome"],
             "neither a name of the catalogue (acutile list) nor a file; did you mean kagome:WORD?",
         ),
@@ -304,6 +328,7 @@ fn first_mistakes() {
         let text = refusal(arguments);
         assert!(text.contains(words), "{arguments:?}: {text}");
         assert!(!text.contains("byte 0"), "{arguments:?}: {text}");
+        assert!(!text.contains("-- -o"), "{arguments:?}: {text}");
     }
     let left = std::fs::read_dir(place.path()).expect("the directory");
     assert_eq!(left.count(), 1, "nothing is written but the mesh");

@@ -44,9 +44,10 @@ pub fn measure(table: &Table) {
     for (name, step) in FIELDS {
         let is_quadratic = name.starts_with('Q');
         let tiling = bent(if is_quadratic { &a15 } else { &small }, step);
-        let (exact, filtered) = match is_quadratic {
-            true => (Target::Most(100.0), Target::Most(3.0)),
-            false => (Target::None, Target::Most(5.0)),
+        let (exact, filtered) = if is_quadratic {
+            (Target::Most(100.0), Target::Most(3.0))
+        } else {
+            (Target::None, Target::Most(5.0))
         };
         exact_row(table, name, &tiling, exact);
         filtered_row(table, name, &tiling, filtered);

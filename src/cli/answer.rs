@@ -160,9 +160,10 @@ impl Answer {
 
 /// Why there is no answer.
 fn no_answer(input: &str, error: &InputError, start: &str, notes: &[String], output: &mut Output) {
-    match output.is_json() {
-        true => output.answer(Record::failed(Some(input), error).notes(notes)),
-        false => output.complain(format!("{start}: {}", error.message)),
+    if output.is_json() {
+        output.answer(Record::failed(Some(input), error).notes(notes))
+    } else {
+        output.complain(format!("{start}: {}", error.message))
     }
 }
 

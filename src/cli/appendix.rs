@@ -30,19 +30,19 @@ pub struct AppendixArguments {
     pub inputs: Vec<InputName>,
     #[command(flatten)]
     pub file: FileArguments,
-    /// The whole catalogue
+    /// Write about the whole catalogue
     #[arg(long)]
     pub all: bool,
     /// Write the files into this directory
     #[arg(short, long, value_name = "DIR")]
     pub output: PathBuf,
-    /// Replace files that are there, even if they are others' or were edited
+    /// Replace existing files, even if acutile did not write them or they were edited
     #[arg(long)]
     pub force: bool,
     /// Print decimals with the package siunitx
     #[arg(long)]
     pub siunitx: bool,
-    /// Set the text in two columns, with the long tables after it in one
+    /// Set the text in two columns, and the long tables after it in one column
     #[arg(long)]
     pub two_column: bool,
     #[command(flatten)]
@@ -57,7 +57,7 @@ pub fn run(arguments: &AppendixArguments, output: &mut Output) -> Outcome {
     match write(arguments, output) {
         Ok(count) => {
             let place = arguments.output.display();
-            let words = format!("{place}: {count} files; pdflatex main, three times");
+            let words = format!("{place}: {count} files; run `pdflatex main` three times there");
             output.done_in_words(Record::of(None), words)
         }
         Err((input, error)) => output.fail(input.as_deref(), &error),
@@ -126,7 +126,7 @@ fn check_different(subjects: &[Subject]) -> Result<(), Failure> {
     Ok(())
 }
 
-/// A construction of the catalogue, or a tiling file, proved; or a certificate. With the notes on it. With the notes on it.
+/// A construction of the catalogue, or a tiling file, proved; or a certificate. With the notes on it.
 fn subject(
     input: &InputName,
     arguments: &AppendixArguments,

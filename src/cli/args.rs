@@ -66,92 +66,91 @@ pub enum Command {
     /// Prove a tiling and write its certificate
     #[command(after_long_help = examples!("\n  acutile certify a15 --require acute -o a15.cbor\n  acutile certify mine.json --require acute,delaunay\n  acutile certify part.msh --require dihedral-above=10 --json\n  acutile certify sigma.cif --snap 3\n  acutile certify --all -o certificates"))]
     Certify(CertifyArguments),
-    /// Re-check certificates with the independent kernel
+    /// Check certificates with the independent kernel
     #[command(after_long_help = examples!("\n  acutile verify a15.cbor\n  acutile verify certificates/a15.json certificates/z.json --json"))]
     Verify(VerifyArguments),
     /// Compute the periodic Delaunay triangulation of a point set
     #[command(after_long_help = examples!("\n  acutile delaunay points.json -o tiling.json"))]
     Delaunay(DelaunayArguments),
-    /// Write a tiling, or a supercell of it, as a tiling file or for Sage, Mathematica, GAP or Lean; a certificate for Coq
+    /// Write a tiling as a tiling file or for Sage, Mathematica, GAP or Lean, or a certificate for Coq
     #[command(after_long_help = examples!("\n  acutile export a15 --supercell 3,3,3 -o big.json\n  acutile export sigma -o sigma.sage\n  acutile export a15.cbor --coq -o a15.v"))]
     Export(ExportArguments),
-    /// Turn a mesh or a tiling into a mesh file of another format, or a tiling file
+    /// Convert a mesh, a tiling or a certificate to another format
     #[command(after_long_help = examples!("\n  acutile convert part.msh part.vtu\n  acutile convert a15 a15.vtu --supercell 3,3,3\n  acutile convert a15.json a15.cbor"))]
     Convert(ConvertArguments),
-    /// The paper's table, as rigorous enclosures, and rows it does not have
+    /// Print Table 1 of the paper for any tilings: proved bounds of angles and ratios
     #[command(after_long_help = examples!("\n  acutile table\n  acutile table a15 z --format latex"))]
     Table(TableArguments),
-    /// Every checkable statement of the paper, with a verdict
+    /// Decide every checkable statement of the paper
     ///
-    /// The exit code is 0 when every statement was settled, misprints included, and 3 when one
-    /// was not.
+    /// The exit code is 0 if every statement is settled, misprints included, and otherwise 3.
     #[command(after_long_help = examples!("\n  acutile paper"))]
     Paper(PaperArguments),
-    /// Lower bounds for the largest dihedral angle of any tiling: the finite part of the proof
+    /// Decide the finite part of the proof that every tiling has a large dihedral angle
     ///
     /// Decides every numerical inequality, box and combinatorial lemma of docs/lower-bound.md in
-    /// exact arithmetic. The exit code is 1 when one fails, and 3 when one is undecided.
+    /// exact arithmetic. The exit code is 1 if one fails, and 3 if one is undecided.
     #[command(after_long_help = examples!(
         "\n  acutile lower-bound\n  acutile lower-bound --json > lower-bound.json"
     ))]
     LowerBound(LowerBoundArguments),
     /// Move vertices and lattice for better angles, and prove the result
     ///
-    /// Doubles search; the result is rational and proved. The combinatorics, the symmetry and the boundary
-    /// stay. The exit code is 3 if nothing better is found, and with --goal acute if the result is not
-    /// acute. The best so far is written in any case. Ctrl-C ends the search with the best so far.
+    /// The search uses floating-point numbers. The result has exact coordinates, and it is proved. The
+    /// combinatorial type, the symmetry and the boundary do not change. The exit code is 3 if nothing better
+    /// is found, or if the result of --goal acute is not acute. In any case the best tiling found is written.
+    /// Ctrl-C ends the search, and the best tiling found so far is proved and written.
     #[command(after_long_help = examples!("\n  acutile optimize c14 -o c14-best.cbor\n  acutile optimize part.msh --goal acute -o part.cbor\n  acutile optimize slab --denominator 100 --json"))]
     Optimize(OptimizeArguments),
-    /// The best certified tilings of each kind of domain, the literature, and lower bounds
+    /// List the best certified tilings of each kind of domain, the literature, and lower bounds
     ///
-    /// Every value comes from a certificate that is proved in the run, every lower bound from checks that are
-    /// decided in it.
+    /// The command proves the certificate of every value, and decides the checks of every lower bound.
     #[command(after_long_help = examples!("\n  acutile records\n  acutile records --format latex -o records.tex"))]
     Records(RecordsArguments),
     /// Search for acute slabs over plane tilings, or for polyhedra in the 600-cell
     ///
-    /// Says what was tried. The exit code is 3 when no acute slab is found.
+    /// Prints the number of candidates. The exit code is 3 if nothing acute is found.
     #[command(after_long_help = examples!("\n  acutile search slab\n  acutile search balls"))]
     Search(SearchArguments),
-    /// How good the simplices are: dihedral angles, radius-edge and aspect ratios
+    /// Measure the simplices: dihedral angles, radius-edge ratios and aspect ratios
     #[command(after_long_help = examples!("\n  acutile quality part.vtu\n  acutile quality part.vtu --format svg -o angles.svg"))]
     Quality(QualityArguments),
-    /// Write a page to look at: the tiling in three dimensions, its exact data, its certificate
+    /// Write an HTML page: the tiling in three dimensions, its exact data and its certificate
     ///
-    /// One HTML file that loads nothing. A tiling without a certificate is proved first.
-    /// A refuted tiling gets a page with its defects.
+    /// The page is one file, and works without network access. A tiling without a certificate is proved
+    /// first. The page of a refuted tiling shows its defects.
     #[command(after_long_help = examples!("\n  acutile report a15 slab -o report.html"))]
     Report(ReportArguments),
     /// Write a static site of the whole catalogue
     #[command(after_long_help = examples!("\n  acutile gallery -o site"))]
     Gallery(GalleryArguments),
-    /// Figures for print, as SVG or TikZ, with hidden lines found exactly
+    /// Draw figures for print: SVG, TikZ, PDF or PNG, with hidden lines found exactly
     #[command(after_long_help = examples!("\n  acutile draw a15 -o a15.svg\n  acutile draw slab --figure steps --format tikz -o slab.tex"))]
     Draw(DrawArguments),
-    /// Valences, vertex types, TCP or why not, and what the tiling is isomorphic to
+    /// Find valences, vertex types, whether a tiling is TCP, and isomorphic constructions
     ///
-    /// Of a point set or a crystal structure also its Delaunay cells, the Voronoi neighbours of each site,
-    /// and the space group.
+    /// For a point set or a crystal structure the answer also has the Delaunay cells, the Voronoi neighbours
+    /// of each site, and the space group.
     #[command(after_long_help = examples!("\n  acutile classify mine.json\n  acutile classify sigma.cif --snap 3 --json"))]
     Classify(ClassifyArguments),
-    /// A LaTeX appendix about certificates: theorem, numbers, and how to check them
+    /// Write a LaTeX appendix about certificates: theorem, numbers, and how to check them
     #[command(after_long_help = examples!("\n  acutile appendix a15 slab -o appendix"))]
     Appendix(AppendixArguments),
-    /// An archive to deposit: certificates, appendix, page, meshes, verifiers, checksums
+    /// Write an archive to deposit: certificates, appendix, page, meshes, verifiers, checksums
     ///
-    /// A tiling that is no certificate yet is proved first; nothing is written that the kernel does
-    /// not confirm. The same input gives the same bytes.
+    /// A tiling without a certificate is proved first. The archive is written only if the kernel confirms
+    /// every certificate. The same input gives the same bytes.
     #[command(after_long_help = examples!("\n  acutile bundle a15 slab -o artefact.zip\n  acutile bundle a15 --author 'Carberry, Josiah <0000-0002-1825-0097>' --licence CC-BY-4.0 -o a15.zip"))]
     Bundle(BundleArguments),
-    /// How to cite a certificate: BibTeX, and a paragraph on what was proved by what, and what was not
+    /// Write a citation of a certificate: BibTeX, and a paragraph on the scope of the proof
     ///
-    /// A tiling that is no certificate yet is proved first. The text is a .bib file as it is.
+    /// A tiling without a certificate is proved first. The output is a .bib file.
     #[command(after_long_help = examples!("\n  acutile cite a15\n  acutile cite mine.cbor -o mine.bib"))]
     Cite(CiteArguments),
     /// Print a completion script for a shell
     ///
-    /// Every shell completes commands, options and names of the catalogue. Elvish and PowerShell complete one
-    /// name for each command, and no values of options.
+    /// Every shell completes commands, options and names of the catalogue. In Elvish
+    /// and PowerShell the script completes one name for each command, and no values of options.
     #[command(after_long_help = examples!("\n  acutile completions bash > acutile.bash"))]
     Completions(CompletionsArguments),
     /// Print the manual page, or write one for each command
@@ -171,7 +170,7 @@ pub struct ManArguments {
     /// Write acutile.1 and a page for each command, such as acutile-certify.1, into this folder
     #[arg(value_name = "DIR")]
     pub folder: Option<PathBuf>,
-    /// Replace files that are there, even if they are others'
+    /// Replace existing files, even if acutile did not write them
     #[arg(long)]
     pub force: bool,
 }

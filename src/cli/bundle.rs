@@ -27,28 +27,28 @@ pub struct BundleArguments {
     pub inputs: Vec<InputName>,
     #[command(flatten)]
     pub file: FileArguments,
-    /// Leave out the PDF, even if there is TeX
+    /// Leave out the PDF of the appendix. Without it a PDF is made if pdflatex is installed
     #[arg(long)]
     pub no_pdf: bool,
     /// Add each claim as a theorem for Coq
     #[arg(long)]
     pub coq: bool,
-    /// The title of the data set; without it one made of the names of the tilings
+    /// The title of the data set. The default is made of the names of the tilings
     #[arg(long, value_name = "TITLE", value_parser = clap::builder::NonEmptyStringValueParser::new())]
     pub title: Option<String>,
-    /// An author of the data set, once for each; without one CITATION.cff names acutile alone
+    /// An author of the data set; repeat the option for each author. Without it CITATION.cff names acutile
     #[arg(long = "author", value_name = "FAMILY, GIVEN <ORCID>")]
     pub authors: Vec<Author>,
     /// The licence of the data, an SPDX identifier like CC-BY-4.0
     #[arg(long, value_name = "SPDX", value_parser = licence)]
     pub licence: Option<String>,
-    /// The DOI of the archive, where it is reserved
+    /// The DOI of the archive, if one is reserved
     #[arg(long, value_name = "DOI")]
     pub doi: Option<Doi>,
     /// The DOI of the paper that the archive supplements
     #[arg(long, value_name = "DOI")]
     pub paper: Option<Doi>,
-    /// Write the archive here (`-` for standard output)
+    /// Write the archive to this file (`-` for standard output)
     #[arg(short, long, value_name = "FILE.zip")]
     pub output: PathBuf,
     #[command(flatten)]

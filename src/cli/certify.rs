@@ -11,7 +11,7 @@ use super::input::{self, Loaded};
 use super::name::InputName;
 use super::named::InputError;
 use super::outcome::Outcome;
-use super::output::{Output, is_standard, write_bytes};
+use super::output::{Output, check_parent, is_standard, write_bytes};
 use super::overwriting::check_not_an_input;
 use super::prove::{examine_tiling, in_words, prove_tiling, required};
 use super::proved::{self, title};
@@ -110,6 +110,7 @@ fn check(inputs: &[InputName], arguments: &CertifyArguments) -> Result<(), Strin
         check_not_an_input(path, option, inputs)?;
         extension::check(path, words, extensions)
             .map_err(|problem| format!("{option} {problem}"))?;
+        path.map_or(Ok(()), check_parent)?;
     }
     Ok(())
 }
@@ -238,9 +239,10 @@ fn prove(
         },
         Err(message) => return Answer::Failed(format!("{input}: {message}")),
     };
-    let proved = with_dimension!(&named.tiling, AnyTiling, t => match arguments.no_certificate {
-        true => examine_tiling(t, input, &options),
-        false => prove_tiling(t, input, &options, target, arguments),
+    let proved = with_dimension!(&named.tiling, AnyTiling, t => if arguments.no_certificate {
+    examine_tiling(t, input, &options)
+    } else {
+    prove_tiling(t, input, &options, target, arguments)
     });
     let findings = match proved {
         Ok(answer) => return second::after_proof(answer, &named, arguments, beside),

@@ -12,7 +12,7 @@ use std::path::PathBuf;
 #[derive(Debug, Args)]
 pub struct CertifyArguments {
     /// Names of the catalogue, tiling files, mesh files, or point sets (CIF too), whose
-    /// Delaunay triangulation is certified (`-` for standard input)
+    /// Delaunay triangulation is proved (`-` for standard input)
     #[arg(
         value_name = "NAME|FILE",
         required_unless_present = "all",
@@ -23,14 +23,14 @@ pub struct CertifyArguments {
     /// certificates into this directory
     #[arg(short, long, value_name = "FILE|DIR")]
     pub output: Option<PathBuf>,
-    /// The encoding; without it CBOR for a file whose name ends in .cbor, and else JSON
+    /// The encoding. The default is CBOR for a name that ends in .cbor, and otherwise JSON
     #[arg(long, value_enum, conflicts_with = "no_certificate")]
     pub format: Option<Encoding>,
     /// Statements that must hold: tiling, acute, nonobtuse, delaunay, weakly-delaunay, not-delaunay, tcp,
-    /// dihedral-below=DEGREES, dihedral-above=DEGREES, radius-edge-below=RATIO; in quotes also
-    /// 'dihedral<DEGREES', 'dihedral>DEGREES', 'radius-edge<RATIO'; plane:EQUATION in basis
-    /// coordinates, like plane:x2+x3=1/2, for a plane that no simplex crosses; and, by the prover alone,
-    /// connected, no-cavities, manifold-boundary
+    /// dihedral-below=DEGREES, dihedral-above=DEGREES, radius-edge-below=RATIO. In quotes also
+    /// 'dihedral<DEGREES', 'dihedral>DEGREES' and 'radius-edge<RATIO'. plane:EQUATION, like
+    /// plane:x2+x3=1/2 in basis coordinates, is a plane that no simplex crosses. The kernel does not check
+    /// connected, no-cavities and manifold-boundary; the prover does
     #[arg(
         long = "require",
         value_name = "STATEMENT,STATEMENT",
@@ -41,11 +41,11 @@ pub struct CertifyArguments {
     pub required: Vec<Requirement>,
     #[command(flatten)]
     pub file: FileArguments,
-    /// The whole catalogue
+    /// Prove the whole catalogue
     #[arg(long)]
     pub all: bool,
-    /// The number of a construction that has one, like 3/7 or sqrt(2)/4: a/e for goldberg-1,
-    /// goldberg-2 and goldberg-3, epsilon for two-corners
+    /// The parameter of a construction, like 3/7 or sqrt(2)/4: a/e of goldberg-1, goldberg-2 and
+    /// goldberg-3, epsilon of two-corners
     #[arg(
         long,
         value_name = "VALUE",
@@ -53,28 +53,29 @@ pub struct CertifyArguments {
         allow_hyphen_values = true
     )]
     pub param: Option<String>,
-    /// For square-triangle:NAME, square-triangle:FILE and kagome:WORD: check only that the input
-    /// belongs to the family, and cite the theorem about all its members
+    /// Cite the theorem about all members of square-triangle:WORD or kagome:WORD. Only the membership of
+    /// the input is checked
     #[arg(long, conflicts_with_all = ["param", "no_certificate"])]
     pub cite: bool,
     /// Give negatively oriented simplices positive orientation
     #[arg(long)]
     pub reorient: bool,
-    /// Prove, but make no certificate and do not ask the kernel: for large meshes that
-    /// are to be checked and not to be published
+    /// Prove without a certificate, so that the prover alone decides. This is faster for large meshes
     #[arg(long, conflicts_with_all = ["output", "report"])]
     pub no_certificate: bool,
-    /// How many defects of each kind are printed; all are counted. Without it 20, and with --json all
+    /// The number of defects of each kind that are printed; all are counted. The default is 20, with
+    /// --json all
     #[arg(long, value_name = "N")]
     pub max_defects: Option<usize>,
-    /// Write exact numbers in full; without it long numbers are approximate. JSON has all in full
+    /// Print exact numbers in full. Without it long numbers are printed as decimals; JSON always has exact
+    /// numbers
     #[arg(long)]
     pub exact: bool,
-    /// Decline where the mesh has elements of types that are not checked
+    /// Decline a mesh that has elements of types that are not checked
     #[arg(long)]
     pub strict: bool,
-    /// Facets may lie against each other (cohesive zones, contact): prove that interiors are disjoint,
-    /// and count the pairs
+    /// Allow boundary facets to touch each other (cohesive zones, contact): prove that the interiors are
+    /// disjoint, and count the pairs
     #[arg(long)]
     pub allow_contact: bool,
     /// Compare the boundary of a bounded mesh with the triangles of a surface: STL, OBJ, or a mesh file
@@ -84,10 +85,10 @@ pub struct CertifyArguments {
     /// Write the cells of the defects to this VTU file, for ParaView
     #[arg(long, value_name = "FILE.vtu")]
     pub defects: Option<PathBuf>,
-    /// Write a page to look at to this file: what is proved, and the defects of what is refuted, in red
+    /// Write an HTML page to this file. It shows the statements that are proved, and marks defects in red
     #[arg(long, value_name = "FILE.html")]
     pub report: Option<PathBuf>,
-    /// Replace files in the directory of -o that are there, even if they are no certificates
+    /// Replace existing files in the directory of -o, even if they are no certificates
     #[arg(long, requires = "output")]
     pub force: bool,
     #[command(flatten)]
@@ -100,9 +101,9 @@ pub struct CertifyArguments {
 #[derive(Debug, Args)]
 pub struct FamilyArguments {
     /// For a family, or with --free: prove the largest interval around this point. With several parameters
-    /// prove a box: no side of it can move out by --fraction of its length and be proved. POINT has a value
-    /// for each parameter, with commas between them, like 3,3/50,4/5. The statements are those of
-    /// --require; without it acute, or else nonobtuse, if that holds at POINT
+    /// prove a box: the proof fails if a side moves out by --fraction of its length. POINT has a value for
+    /// each parameter, separated by commas, like 3,3/50,4/5. The statements are those of --require. Without
+    /// it the statement is acute, or else nonobtuse, if it holds at POINT
     #[arg(long, value_name = "POINT", allow_hyphen_values = true)]
     pub maximal: Option<String>,
     /// The fraction for --maximal with several parameters
@@ -117,12 +118,12 @@ pub struct FamilyArguments {
     /// at most --radius. A vertex is a number from 0, in the order of the file and of `export`
     #[arg(long, value_name = "VERTEX|gram", num_args = 1.., requires = "radius")]
     pub free: Vec<String>,
-    /// Prove the statements of a CIF for all values of its numbers within their standard uncertainties,
-    /// like 0.0629(3), at once. Numbers without one are exact, and symmetry is kept
+    /// Prove the statements for all values of the numbers of a CIF within their standard uncertainties, like
+    /// 0.0629(3). Numbers without an uncertainty are exact, and the symmetry does not change
     #[arg(long, conflicts_with_all = ["free", "maximal"])]
     pub within_su: bool,
-    /// How far each number of --free may vary, up and down. A coordinate is in units of its basis vector,
-    /// an entry of the Gram matrix in its own unit
+    /// The largest change of each number of --free, up or down. A coordinate counts in its basis vector, an
+    /// entry of the Gram matrix in the unit of the matrix
     #[arg(long, value_name = "RADIUS", requires = "free")]
     pub radius: Option<String>,
 }

@@ -23,7 +23,7 @@ pub struct CiteArguments {
     pub input: InputName,
     #[command(flatten)]
     pub file: FileArguments,
-    /// Write here and not to standard output
+    /// Write to this file instead of standard output
     #[arg(short, long, value_name = "FILE.bib")]
     pub output: Option<PathBuf>,
     #[command(flatten)]

@@ -128,9 +128,10 @@ fn of_points(arguments: &ClassifyArguments, sites: &Sites) -> Result<Value, Inpu
         add(&mut report, of_sites);
         return Ok(report);
     }
-    let simplices = match options.triangulate {
-        true => Some(points::tiling(name, sites.set, options)?.len()),
-        false => None,
+    let simplices = if options.triangulate {
+        Some(points::tiling(name, sites.set, options)?.len())
+    } else {
+        None
     };
     let mut report = json!({
         "dimension": 3,
@@ -166,9 +167,10 @@ fn not_compared(report: &mut Value, cut: usize) {
 
 /// How a command ends that has no study to show.
 pub fn of_study(error: &NotStudied) -> Outcome {
-    match error.is_refuted {
-        true => Outcome::Refuted,
-        false => Outcome::Declined,
+    if error.is_refuted {
+        Outcome::Refuted
+    } else {
+        Outcome::Declined
     }
 }
 

@@ -30,16 +30,15 @@ use std::path::{Path, PathBuf};
 
 #[derive(Debug, Args)]
 pub struct ConvertArguments {
-    /// A name of the catalogue, a tiling file or a mesh file (`-` for standard input), or a
-    /// certificate
+    /// A name of the catalogue, a tiling file, a mesh file or a certificate (`-` for standard input)
     #[arg(value_name = "NAME|FILE", hide_possible_values = true)]
     pub input: InputName,
-    /// The file to write, in the format of its extension: msh, vtk, vtu, mesh, meshb, node or ele, or json
-    /// for a tiling file. A name with .gz after it is compressed; `-` is standard output. For a certificate
-    /// json or cbor, its two encodings
+    /// The file to write (`-` for standard output). Its extension is the format: msh, vtk, vtu, mesh, meshb,
+    /// node or ele, or json for a tiling file. With .gz after it the file is compressed. For a certificate json
+    /// and cbor are its two encodings
     #[arg(value_name = "FILE")]
     pub output: PathBuf,
-    /// The number that the construction depends on
+    /// The parameter of a construction (see acutile show --help)
     #[arg(long, value_name = "VALUE", allow_hyphen_values = true)]
     pub param: Option<String>,
     /// The format to write: msh2, msh2-binary, msh4, msh4-binary, vtk, vtk-binary, vtu-text,
@@ -49,14 +48,14 @@ pub struct ConvertArguments {
     /// Repeat the cell N times in each direction of the lattice
     #[arg(long, value_name = "N,N,N", value_delimiter = ',', value_parser = copies)]
     pub supercell: Vec<u16>,
-    /// All whole tetrahedra of the tiling in the ball of this radius around the origin, as a
-    /// bounded mesh
+    /// Write a bounded mesh of all tetrahedra that lie in the ball of this radius around the origin
     #[arg(long, value_name = "RADIUS", value_parser = radius)]
     pub patch: Option<Rational>,
-    /// Round coordinates that are no doubles, and print their number and the largest change
+    /// Round coordinates that are no 64-bit floating-point numbers, and print their number and the largest
+    /// change
     #[arg(long)]
     pub round: bool,
-    /// Bytes of a certificate; longer ones are declined
+    /// The largest size of a certificate in bytes; larger ones are declined
     #[arg(long, value_name = "N", default_value_t = transcribe::BYTES)]
     pub max_bytes: u64,
     #[command(flatten)]
@@ -98,7 +97,8 @@ fn write_output(arguments: &ConvertArguments, output: &mut Output) -> Result<(),
     for path in outputs(path) {
         check_not_an_input(Some(&path), "to", inputs)?;
     }
-    if transcribe::is_of_certificate(input, path) {
+    let is_to_mesh = arguments.to.is_some() || Family::of_path(path).is_some();
+    if transcribe::is_of_certificate(input, path, is_to_mesh) {
         let limit = arguments.max_bytes;
         return transcribe::convert(input, path, arguments.has_options(), limit, output);
     }
@@ -141,13 +141,13 @@ fn target(arguments: &ConvertArguments) -> Result<Target, String> {
         )),
         (Some(format), _) => Ok(Target::Mesh(format)),
         (None, Some(family)) if !family.is_written() => Err(format!(
-            "{name}: this format is read and not written; --to gives another one"
+            "{name}: this format is read and not written; --to FORMAT writes another one"
         )),
         (None, Some(family)) => Ok(Target::Mesh(family.format())),
         (None, None) if is_native => Ok(Target::Native),
         (None, None) => Err(format!(
-            "{name}: found no extension of a format that is written, expected .msh, .vtk, .vtu, .mesh, .meshb, .node \
-             or .ele, .json for a tiling file, each with .gz or not, .cbor for a certificate; or --to FORMAT"
+            "{name}: the extension names no format that is written, expected .msh, .vtk, .vtu, .mesh, .meshb, .node or \
+             .ele, .json for a tiling file, each with .gz or not, .cbor for a certificate; or --to FORMAT"
         )),
     }
 }
@@ -200,7 +200,7 @@ fn write_tiling<const D: usize>(
         basis = basis.map(|basis| enlarged(basis, &sizes));
     }
     if let Some(radius) = &arguments.patch {
-        tiling = patch(&tiling, radius)?;
+        tiling = patch(&tiling, radius).map_err(|error| format!("{}: {error}", arguments.input))?;
     }
     match target {
         Target::Native => Ok(vec![File {
@@ -232,14 +232,18 @@ fn load(arguments: &ConvertArguments, output: &mut Output) -> Result<Source, Inp
     let path = name.path();
     let is_file = catalog::find(name).is_none() && (name.is_standard_input() || path.exists());
     if is_file && arguments.param.is_some() {
-        return Err(format!("{name}: a file takes no parameter (--param)").into());
+        return Err(format!(
+            "{name}: --param is for a name of the catalogue, expected no --param for a file"
+        )
+        .into());
     }
-    let named = match is_file {
-        true => match input::text_or_mesh(path, &arguments.file.mesh)? {
+    let named = if is_file {
+        match input::text_or_mesh(path, &arguments.file.mesh)? {
             TextOrMesh::Mesh(loaded) => return Ok(Source::Mesh(loaded)),
             other => input::of_content(name, other, &arguments.file, output)?,
-        },
-        false => input::tiling(name, arguments.param.as_deref(), &arguments.file, output)?,
+        }
+    } else {
+        input::tiling(name, arguments.param.as_deref(), &arguments.file, output)?
     };
     Ok(Source::Tiling(named.tiling))
 }
@@ -286,12 +290,11 @@ fn tell_flat(
              at most {:.3e}",
             flat.rounded, flat.largest_move
         );
-        match arguments.round {
-            true => notes.push(rounded),
-            false => {
-                let message = format!("{}: {rounded}; --round allows it", arguments.input);
-                return Err(message.into());
-            }
+        if arguments.round {
+            notes.push(rounded)
+        } else {
+            let message = format!("{}: {rounded}; --round allows it", arguments.input);
+            return Err(message.into());
         }
     }
     if !flat.lattice.is_empty() {
@@ -318,9 +321,10 @@ fn write_all(path: &Path, files: Vec<File>, output: &mut Output) -> Result<(), I
             (Some(_), Some((_, elements))) => elements,
             _ => PathBuf::from(path),
         };
-        let bytes = match is_packed {
-            true => packed(&file.bytes).map_err(|error| unwritten(&path, &error))?,
-            false => file.bytes,
+        let bytes = if is_packed {
+            packed(&file.bytes).map_err(|error| unwritten(&path, &error))?
+        } else {
+            file.bytes
         };
         write_bytes(Some(&path), &bytes, output)?;
     }

@@ -10,6 +10,7 @@ use super::output::{Output, write_bytes};
 use super::overwriting::check_not_an_input;
 use super::points::{self, PointArguments};
 use super::record::Record;
+use super::transcribe;
 use acutile_catalog as catalog;
 use acutile_core::with_dimension;
 use acutile_io::export::labelled_tiling_text;
@@ -25,7 +26,7 @@ pub struct DelaunayArguments {
     pub input: InputName,
     #[command(flatten)]
     pub points: PointArguments,
-    /// Write the tiling file here and not to standard output
+    /// Write to this file instead of standard output
     #[arg(short, long, value_name = "FILE")]
     pub output: Option<PathBuf>,
 }
@@ -60,9 +61,12 @@ fn write(arguments: &DelaunayArguments, output: &mut Output) -> Result<(), Input
     write_bytes(path, text.as_bytes(), output)
 }
 
-/// The simplices of a mesh are given already.
+/// The simplices of a mesh or of a certificate are given already.
 fn check_not_a_mesh(name: &InputName) -> Result<(), String> {
     match Family::of_path(name.path()) {
+        None if transcribe::is_certificate(name) => Err(format!(
+            "{name}: a certificate, expected a file of points; `acutile show {name}` describes its tiling"
+        )),
         Some(_) => Err(format!(
             "{name}: a mesh, expected a file of points; `acutile certify {name}` proves its elements, \
              with --require delaunay as a Delaunay triangulation"

@@ -109,12 +109,11 @@ fn of_structure(structure: Structure) -> Document {
 pub fn check_format(path: &Path, text: &str) -> Result<(), String> {
     let is_own = || without_comments(text).trim_start().starts_with('{');
     let is_crystal = crystal::kind(&uncompressed_name(path), text).is_some();
-    match is_crystal || text.trim_start().is_empty() || is_own() {
-        true => Ok(()),
-        false => {
-            let message = unknown::message(path, text.as_bytes());
-            Err(format!("{}: {message}", path.display()))
-        }
+    if is_crystal || text.trim_start().is_empty() || is_own() {
+        Ok(())
+    } else {
+        let message = unknown::message(path, text.as_bytes());
+        Err(format!("{}: {message}", path.display()))
     }
 }
 

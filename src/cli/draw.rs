@@ -27,34 +27,34 @@ pub struct DrawArguments {
     /// A name of the catalogue, or a tiling or mesh file
     #[arg(value_name = "NAME|FILE", hide_possible_values = true)]
     pub input: InputName,
-    /// What is drawn; the cell where nothing is said, in the plane the tiling
+    /// The kind of figure. The default is cell, and for a tiling of the plane it is plane
     #[arg(long, value_enum)]
     pub figure: Option<FigureName>,
-    /// The number that the construction depends on (see acutile show)
+    /// The parameter of a construction (see acutile show --help)
     #[arg(long, value_name = "VALUE", allow_hyphen_values = true)]
     pub param: Option<String>,
-    /// The point of a family's box, a value for each parameter with commas between them; the middle
-    /// without it
+    /// The point of a family's box: a value for each parameter, separated by commas. The default is the
+    /// middle of the box
     #[arg(long, value_name = "POINT", allow_hyphen_values = true)]
     pub at: Option<String>,
     #[command(flatten)]
     pub file: FileArguments,
-    /// The vertex of the star, counted from 0
-    #[arg(long, value_name = "N", default_value_t = 0)]
-    pub vertex: usize,
+    /// The vertex of --figure star, counted from 0; without it vertex 0
+    #[arg(long, value_name = "N")]
+    pub vertex: Option<usize>,
     /// The direction to the eye: x along the first lattice vector, z up
     #[arg(long, value_name = "X,Y,Z", default_value = "4,-9,5", value_parser = direction, allow_hyphen_values = true)]
     pub view: Direction,
-    /// How it is written; svg where neither this nor the name of the file says it
+    /// The output format. The default is that of the file name, or svg
     #[arg(long, value_enum)]
     pub format: Option<DrawFormat>,
-    /// With --format tikz: a document of its own, not a fragment to \input
+    /// With --format tikz: write a complete document instead of a fragment for \input
     #[arg(long)]
     pub standalone: bool,
-    /// The width in millimetres, 20 to 1000; a journal column where nothing is said
+    /// The width in millimetres, 20 to 1000. The default is the width of a journal column
     #[arg(long, value_name = "MM", default_value_t = 84, value_parser = integer_in::<u16>(20..=1000))]
     pub width: u16,
-    /// Write here and not to standard output
+    /// Write to this file instead of standard output
     #[arg(short, long, value_name = "FILE")]
     pub output: Option<PathBuf>,
 }
@@ -64,7 +64,7 @@ pub struct DrawArguments {
 pub struct Direction(pub [f64; 3]);
 
 /// The kinds of figures.
-#[derive(Clone, Copy, Debug, ValueEnum)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
 pub enum FigureName {
     /// One simplex of each congruence class, with its angles
     Classes,
@@ -138,6 +138,9 @@ fn write(arguments: &DrawArguments, output: &mut Output) -> Result<(), InputErro
     if arguments.standalone && format != DrawFormat::Tikz {
         return Err("--standalone is for --format tikz".to_owned().into());
     }
+    if arguments.vertex.is_some() && arguments.figure != Some(FigureName::Star) {
+        return Err("--vertex is for --figure star".to_owned().into());
+    }
     let input = &arguments.input;
     let named = subject(arguments, output)?;
     let (name, tiling) = (&named.name, &named.tiling);
@@ -198,9 +201,10 @@ const FORMATS: [Format<DrawFormat>; 6] = [
 fn no_figure(input: &str, error: &DrawError) -> InputError {
     InputError {
         message: format!("{input}: {error}"),
-        outcome: match error.is_limit() {
-            true => Outcome::Declined,
-            false => Outcome::Failed,
+        outcome: if error.is_limit() {
+            Outcome::Declined
+        } else {
+            Outcome::Failed
         },
     }
 }
@@ -239,7 +243,7 @@ fn figure(asked: Option<FigureName>, tiling: &AnyTiling) -> Figure {
 fn options(arguments: &DrawArguments) -> Options {
     Options {
         direction: arguments.view.0,
-        vertex: arguments.vertex,
+        vertex: arguments.vertex.unwrap_or(0),
         width: f64::from(arguments.width),
     }
 }

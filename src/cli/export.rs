@@ -27,18 +27,18 @@ pub struct ExportArguments {
     pub input: InputName,
     #[command(flatten)]
     pub file: FileArguments,
-    /// Write the file here and not to standard output
+    /// Write to this file instead of standard output
     #[arg(short, long, value_name = "FILE")]
     pub output: Option<PathBuf>,
-    /// The number that the construction depends on, like 3/7 or sqrt(2)/4: a/e of
-    /// goldberg-1, -2 and -3, epsilon of two-corners
+    /// The parameter of a construction, like 3/7 or sqrt(2)/4: a/e of goldberg-1, goldberg-2 and goldberg-3,
+    /// epsilon of two-corners
     #[arg(long, value_name = "VALUE", allow_hyphen_values = true)]
     pub param: Option<String>,
     /// Write the certificate's bytes and its claim as a theorem for Coq (see proofs/README.md)
     #[arg(long, conflicts_with_all = ["supercell", "param"])]
     pub coq: bool,
-    /// What is written; a tiling file where neither this nor the name of the file says it. The files for
-    /// sage, mathematica, gap and lean have exact numbers and assertions that are decided when they are loaded
+    /// The output format. The default is that of the file name, or a tiling file. The files for sage,
+    /// mathematica, gap and lean contain exact numbers, and assertions that the system decides as it loads them
     #[arg(long, value_enum, conflicts_with = "coq")]
     pub format: Option<ExportFormat>,
     /// Repeat the cell N times in each direction of the lattice
@@ -190,7 +190,9 @@ pub fn supercell_sizes<const D: usize>(
         return Err(if rank == 0 {
             format!("--supercell: found {found} for a tiling without a lattice, expected none")
         } else {
-            format!("--supercell: found {found}, expected {rank}")
+            format!(
+                "--supercell: found {found}, expected {rank}: one for each vector of the lattice"
+            )
         });
     }
     let copies = sizes.iter().map(|&n| n as usize).product::<usize>();

@@ -14,7 +14,7 @@ pub struct GalleryArguments {
     /// Write the site into this directory
     #[arg(short, long, value_name = "DIR", required = true)]
     pub output: PathBuf,
-    /// Write into a directory that has other files, too
+    /// Write into the directory even if it has other files
     #[arg(long)]
     pub force: bool,
 }
@@ -54,11 +54,12 @@ const MARK: &str = ".acutile-gallery";
 fn check_own(directory: &Path, force: bool) -> Result<(), String> {
     let name = directory.display();
     let is_empty = std::fs::read_dir(directory).map_or(true, |mut files| files.next().is_none());
-    match is_empty || directory.join(MARK).is_file() || force {
-        true => Ok(()),
-        false => Err(format!(
+    if is_empty || directory.join(MARK).is_file() || force {
+        Ok(())
+    } else {
+        Err(format!(
             "{name}: has files that acutile gallery did not write; --force writes among them"
-        )),
+        ))
     }
 }
 

@@ -14,7 +14,7 @@ use acutile_core::format;
 use acutile_core::statement::Requirement;
 use acutile_core::tiling::AnyTiling;
 use acutile_io::import::crystal::text_of;
-use acutile_io::import::{BYTE_LIMIT, Content, read_bytes, uncompressed_name};
+use acutile_io::import::{BYTE_LIMIT, Content, ImportError, read_bytes, uncompressed_name};
 use acutile_io::mesh::{Family, load, unknown};
 use clap::Args;
 use std::path::Path;
@@ -146,7 +146,10 @@ pub fn read(
         return Err(message.into());
     }
     if parameter.is_some() {
-        return Err(format!("{input}: a file takes no parameter (--param)").into());
+        return Err(format!(
+            "{input}: --param is for a name of the catalogue, expected no --param for a file"
+        )
+        .into());
     }
     let content = text_or_mesh(path, &options.mesh)?;
     read_content(input, content, options, output)
@@ -196,7 +199,7 @@ fn of_certificate(input: &str, bytes: &[u8]) -> Result<Loaded, InputError> {
     let cbor = transcribe::cbor(input, bytes)?;
     if is_theorem(&cbor) {
         let message = format!(
-            "{input}: a certificate of a theorem and no tiling; show, verify and convert take it"
+            "{input}: a certificate of a theorem and no tiling; show and verify take it, and convert changes its encoding"
         );
         return Err(message.into());
     }
@@ -326,6 +329,9 @@ pub fn text_or_mesh(path: &Path, options: &MeshArguments) -> Result<TextOrMesh, 
     }
     let of_file = |error| InputError::of_file(path, &error);
     let bytes = without_mark(read_bytes(path, BYTE_LIMIT).map_err(of_file)?);
+    if bytes.trim_ascii().is_empty() {
+        return Err(of_file(ImportError::Empty));
+    }
     if let Some(family) = Family::of_content(&bytes) {
         let mesh = family.read(&bytes).map_err(of_mesh)?;
         return Ok(TextOrMesh::Mesh(load::Loaded { mesh, family }));

@@ -1,24 +1,26 @@
 //! The kernel's limits as options of the commands that verify.
 
+use super::integer::integer_in;
 use acutile_kernel::Limits;
 use clap::Args;
 
 /// Limits of the kernel, beyond which a certificate is declined.
 #[derive(Clone, Debug, Args)]
 pub struct LimitArguments {
-    /// Bytes of a certificate
+    /// The largest size of a certificate in bytes
     #[arg(help_heading = "Limits of the kernel", long, value_name = "N", default_value_t = Limits::DEFAULT.bytes)]
     pub max_bytes: u64,
-    /// Simplices of a certificate
+    /// The largest number of simplices of a certificate
     #[arg(help_heading = "Limits of the kernel", long, value_name = "N", default_value_t = Limits::DEFAULT.simplices)]
     pub max_simplices: u64,
-    /// Bits of an integer
+    /// The largest number of bits of an integer
     #[arg(help_heading = "Limits of the kernel", long, value_name = "N", default_value_t = Limits::DEFAULT.bits)]
     pub max_bits: u64,
-    /// Degree of the field
-    #[arg(help_heading = "Limits of the kernel", long, value_name = "N", default_value_t = Limits::DEFAULT.degree)]
+    /// The largest degree of the field
+    #[arg(help_heading = "Limits of the kernel", long, value_name = "N", default_value_t = Limits::DEFAULT.degree, value_parser = integer_in::<usize>(0..=Limits::DEFAULT.degree as u64))]
     pub max_degree: usize,
-    /// Units of work, about nanoseconds, for a certificate and again for each MiB of it
+    /// The largest work of the kernel, in units of about a nanosecond: N for a certificate, and N more for
+    /// each MiB of it
     #[arg(help_heading = "Limits of the kernel", long, value_name = "N", default_value_t = Limits::DEFAULT.work)]
     pub max_work: u64,
 }

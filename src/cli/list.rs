@@ -16,23 +16,23 @@ pub fn run(_: &ListArguments, output: &mut Output) -> Outcome {
     let lengths = catalog::entries().iter().map(|entry| entry.name.len());
     let width = lengths.max().unwrap_or(0);
     for entry in catalog::entries() {
-        match output.is_json() {
-            true => output.answer(data(entry)),
-            false => {
-                let name = format!("{}{}", entry.name, word(entry));
-                output.line(format!("{name:width$}  {}", entry.description));
-            }
+        if output.is_json() {
+            output.answer(data(entry))
+        } else {
+            let name = format!("{}{}", entry.name, word(entry));
+            output.line(format!("{name:width$}  {}", entry.description));
         }
     }
     for theorem in catalog::THEOREMS {
-        match output.is_json() {
-            true => output.answer(Record::of(Some(theorem.name)).with(json!({
+        if output.is_json() {
+            output.answer(Record::of(Some(theorem.name)).with(json!({
                 "name": theorem.name,
                 "description": theorem.description,
                 "theorem": true,
                 "family": theorem.family,
-            }))),
-            false => output.line(format!("{:width$}  {}", theorem.name, theorem.description)),
+            })))
+        } else {
+            output.line(format!("{:width$}  {}", theorem.name, theorem.description))
         }
     }
     Outcome::Done
@@ -40,10 +40,7 @@ pub fn run(_: &ListArguments, output: &mut Output) -> Outcome {
 
 /// The part of a name that the user chooses.
 fn word(entry: &Entry) -> &'static str {
-    match entry.is_family() {
-        true => "WORD",
-        false => "",
-    }
+    if entry.is_family() { "WORD" } else { "" }
 }
 
 fn data(entry: &Entry) -> Record {

@@ -59,12 +59,11 @@ impl Look {
     }
 
     fn painted(&self, text: &str, colour: AnsiColor) -> String {
-        match self.is_coloured {
-            true => {
-                let style = Style::new().bold().fg_color(Some(colour.into()));
-                format!("{style}{text}{style:#}")
-            }
-            false => text.to_owned(),
+        if self.is_coloured {
+            let style = Style::new().bold().fg_color(Some(colour.into()));
+            format!("{style}{text}{style:#}")
+        } else {
+            text.to_owned()
         }
     }
 }

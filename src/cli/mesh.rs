@@ -22,8 +22,8 @@ pub struct MeshArguments {
     /// The mesh is bounded, even if the file has periodic links
     #[arg(help_heading = "Mesh files", long, conflicts_with = "lattice")]
     pub bounded: bool,
-    /// Move nodes that are within this distance of a lattice translate of another node exactly onto it (of
-    /// another node, if the mesh is bounded). The proof is about the moved mesh
+    /// Move each node within this distance of a lattice translate of another node exactly onto it. In a
+    /// bounded mesh move it onto the other node. The proof is about the moved mesh
     #[arg(help_heading = "Mesh files", long, value_name = "TOLERANCE", value_parser = tolerance)]
     pub identify: Option<f64>,
     /// Write every move of --identify to this file, as CSV
@@ -34,7 +34,7 @@ pub struct MeshArguments {
         requires = "identify"
     )]
     pub moves: Option<PathBuf>,
-    /// The format of a mesh file whose name and first bytes do not say it: msh, vtk, vtu, medit,
+    /// The format of a mesh file, if its name and first bytes do not show it: msh, vtk, vtu, medit,
     /// meshb, tetgen, abaqus, nastran, mfem
     #[arg(help_heading = "Mesh files", long = "from", value_name = "FORMAT", value_parser = Family::parse)]
     pub mesh_format: Option<Family>,

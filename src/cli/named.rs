@@ -121,8 +121,9 @@ impl InputError {
 }
 
 fn outcome(is_limit: bool) -> Outcome {
-    match is_limit {
-        true => Outcome::Declined,
-        false => Outcome::Failed,
+    if is_limit {
+        Outcome::Declined
+    } else {
+        Outcome::Failed
     }
 }

@@ -17,10 +17,10 @@ pub struct NewArguments {
     /// The kind of file
     #[arg(value_enum)]
     pub kind: Kind,
-    /// Write the file here and not to standard output
+    /// Write to this file instead of standard output
     #[arg(short, long, value_name = "FILE")]
     pub output: Option<PathBuf>,
-    /// Replace a file that is there, even if it was edited
+    /// Replace an existing file, even if it was edited
     #[arg(long)]
     pub force: bool,
 }
@@ -40,7 +40,7 @@ pub enum Kind {
     Solid,
     /// A bounded mesh: a region that is the union of its tetrahedra
     Region,
-    /// A point set, of which the Delaunay triangulation is taken
+    /// A point set, which stands for its Delaunay triangulation
     PointSet,
     /// A tiling whose coordinates are square roots and other algebraic numbers
     SquareRoot,

@@ -95,9 +95,10 @@ fn answer(arguments: &OptimizeArguments, output: &mut Output) -> Result<Outcome,
         local,
     };
     result.tell(output);
-    Ok(match is_reached {
-        true => Outcome::Done,
-        false => Outcome::Declined,
+    Ok(if is_reached {
+        Outcome::Done
+    } else {
+        Outcome::Declined
     })
 }
 
@@ -189,9 +190,10 @@ impl<'a> Place<'a> {
         };
         let encoding = Encoding::of(Some(path), arguments.format)?;
         check_not_an_input(Some(path), "-o", std::slice::from_ref(&arguments.input))?;
-        let staged = match is_standard(path) {
-            true => None,
-            false => Staged::new(path).map_err(|error| unwritten(path, &error))?,
+        let staged = if is_standard(path) {
+            None
+        } else {
+            Staged::new(path).map_err(|error| unwritten(path, &error))?
         };
         Ok(Some(Place {
             path,

@@ -14,7 +14,7 @@ pub struct OptimizeArguments {
     /// A name of the catalogue, or a tiling, mesh, point set or certificate file
     #[arg(value_name = "NAME|FILE", hide_possible_values = true)]
     pub input: InputName,
-    /// The number that the construction depends on (see acutile show)
+    /// The parameter of a construction (see acutile show --help)
     #[arg(long, value_name = "VALUE", allow_hyphen_values = true)]
     pub param: Option<String>,
     #[command(flatten)]
@@ -22,20 +22,20 @@ pub struct OptimizeArguments {
     /// Give negatively oriented simplices positive orientation first
     #[arg(long)]
     pub reorient: bool,
-    /// What to improve
+    /// The quantity to improve
     #[arg(long, value_enum, default_value = "max-dihedral")]
     pub goal: GoalName,
-    /// The symmetry that stays: full, rotations, none, or the subgroup that some elements generate, by their
-    /// places like 3,7. The word list prints the elements and their places
+    /// The symmetry to keep: full, rotations, none, or the numbers of elements that generate a subgroup, like
+    /// 3,7. The word list prints the elements with their numbers
     #[arg(long, value_name = "SUBGROUP", default_value = "full", value_parser = symmetry)]
     pub symmetry: SymmetryName,
-    /// Keep the lattice as it is
+    /// Do not change the lattice
     #[arg(long)]
     pub fixed_lattice: bool,
-    /// Keep the vertices in the boundary where they are; without it they move in its planes
+    /// Do not move vertices in the boundary. Without it they move in its planes
     #[arg(long)]
     pub fixed_boundary: bool,
-    /// Coordinates become multiples of 1/N; without it about a millionth of an edge
+    /// Coordinates become multiples of 1/N. The default step is about a millionth of an edge
     #[arg(long, value_name = "N", value_parser = integer_in::<u64>(1..=1 << 60))]
     pub denominator: Option<u64>,
     /// Also search from N random places near the start
@@ -44,17 +44,17 @@ pub struct OptimizeArguments {
     /// The seed of the random places
     #[arg(long, value_name = "N", default_value_t = 0)]
     pub seed: u64,
-    /// At most N linear programs from each place; for large meshes passes over all bad simplices
+    /// At most N linear programs from each place. For large meshes, at most N passes over all bad simplices
     #[arg(long, value_name = "N", default_value_t = 300)]
     pub steps: usize,
-    /// Prove that the result is a strict local optimum, by exact multipliers; the prover alone says it
+    /// Prove by exact multipliers that the result is a strict local optimum. The prover alone decides this
     #[arg(long)]
     pub prove_local: bool,
     /// Write the certificate of the result to this file (`-` for standard output). The commands convert and
     /// export turn it into a mesh or a tiling file
     #[arg(short, long, value_name = "FILE")]
     pub output: Option<PathBuf>,
-    /// The encoding; without it CBOR for a file whose name ends in .cbor, and else JSON
+    /// The encoding. The default is CBOR for a name that ends in .cbor, and otherwise JSON
     #[arg(long, value_enum)]
     pub format: Option<Encoding>,
     #[command(flatten)]

@@ -47,13 +47,15 @@ impl Report<'_> {
             GoalName::MinDihedral => "smallest dihedral angle",
             GoalName::RadiusEdge => "largest radius-edge ratio",
         };
-        let mut lines = vec![match found.is_better {
-            true => format!("{input}: {quantity} {before} before, {after} now"),
-            false => format!("{input}: no progress; {quantity} {before}"),
+        let mut lines = vec![if found.is_better {
+            format!("{input}: {quantity} {before} before, {after} now")
+        } else {
+            format!("{input}: no progress; {quantity} {before}")
         }];
-        let grid = match found.is_better || found.parameters == 0 {
-            true => format!("; {}", self.grid()),
-            false => String::new(),
+        let grid = if found.is_better || found.parameters == 0 {
+            format!("; {}", self.grid())
+        } else {
+            String::new()
         };
         lines.push(format!(
             "  {}, {} kept{grid}",
@@ -99,9 +101,10 @@ impl Report<'_> {
             of("Gram matrix entries are", gram),
         ];
         let parts: Vec<String> = parts.into_iter().flatten().collect();
-        match parts.is_empty() {
-            true => "nothing can move".to_owned(),
-            false => parts.join(", "),
+        if parts.is_empty() {
+            "nothing can move".to_owned()
+        } else {
+            parts.join(", ")
         }
     }
 

@@ -64,20 +64,20 @@ impl Output {
 
     /// Prints a line of an answer.
     pub fn say(&mut self, text: impl Display) {
-        match self.has_document {
-            true => self.complain(text),
-            false => self.line(text),
+        if self.has_document {
+            self.complain(text)
+        } else {
+            self.line(text)
         }
     }
 
     /// Prints a part of a line of an answer.
     pub fn say_part(&mut self, text: &str) {
-        match self.has_document {
-            true => {
-                let _ = self.writer.flush();
-                let _ = write!(io::stderr(), "{text}");
-            }
-            false => self.bytes(text.as_bytes()),
+        if self.has_document {
+            let _ = self.writer.flush();
+            let _ = write!(io::stderr(), "{text}");
+        } else {
+            self.bytes(text.as_bytes())
         }
     }
 
@@ -92,21 +92,24 @@ impl Output {
         let notes = std::mem::take(&mut self.notes);
         let files = std::mem::take(&mut self.files);
         let record = record.member("command", json!(self.command));
-        let record = match record.has_notes() {
-            true => record,
-            false => record.notes(&notes),
+        let record = if record.has_notes() {
+            record
+        } else {
+            record.notes(&notes)
         };
-        match files.is_empty() {
-            true => record,
-            false => record.member("files", Value::Array(files)),
+        if files.is_empty() {
+            record
+        } else {
+            record.member("files", Value::Array(files))
         }
     }
 
     /// Says why there is no answer; with --json in the shape of an answer.
     pub fn fail(&mut self, input: Option<&str>, error: &InputError) -> Outcome {
-        match self.is_json {
-            true => self.answer(Record::failed(input, error)),
-            false => self.complain(format!("acutile: {}", error.message)),
+        if self.is_json {
+            self.answer(Record::failed(input, error))
+        } else {
+            self.complain(format!("acutile: {}", error.message))
         }
         error.outcome
     }
@@ -375,6 +378,21 @@ pub fn write_bytes(
     write_file(path, bytes).map_err(|error| unwritten(path, &error))?;
     output.wrote(path, bytes.len());
     Ok(())
+}
+
+/// The directory of a file that is written at the end of the work exists.
+///
+/// # Errors
+/// It does not.
+pub fn check_parent(path: &Path) -> Result<(), String> {
+    let parent = path
+        .parent()
+        .filter(|parent| !parent.as_os_str().is_empty());
+    if is_standard(path) || parent.is_none_or(Path::exists) {
+        Ok(())
+    } else {
+        Err(unwritten(path, &ErrorKind::NotFound.into()).message)
+    }
 }
 
 /// That a file cannot be written.

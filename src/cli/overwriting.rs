@@ -64,12 +64,14 @@ pub fn check_replaceable(
     };
     let name = path.display();
     if !metadata.is_file() {
-        return Err(format!("{name}: is there and is no ordinary file"));
+        return Err(format!(
+            "{name}: exists and is no ordinary file, expected a file or a new name"
+        ));
     }
     if force || is_own(&std::fs::read(path).unwrap_or_default()) {
         return Ok(());
     }
     Err(format!(
-        "{name}: is there and is not what acutile wrote; --force replaces it"
+        "{name}: the file exists and is not as acutile wrote it; --force replaces it"
     ))
 }

@@ -22,12 +22,13 @@ pub fn run(_: &PaperArguments, output: &mut Output) -> Outcome {
         rows.iter().for_each(|row| output.line(row));
         output.line(summary(&rows));
     }
-    match rows
+    if rows
         .iter()
         .any(|row| matches!(row.verdict, Verdict::Undecided))
     {
-        true => Outcome::Declined,
-        false => Outcome::Done,
+        Outcome::Declined
+    } else {
+        Outcome::Done
     }
 }
 

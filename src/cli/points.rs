@@ -15,11 +15,11 @@ use clap::Args;
 /// How a point set is read and triangulated.
 #[derive(Clone, Debug, Default, Args)]
 pub struct PointArguments {
-    /// Cut Delaunay cells with cospherical vertices into simplices, the same way
-    /// in every lattice translate, instead of refusing
+    /// Cut Delaunay cells with more cospherical vertices than a simplex into simplices, the same way in every
+    /// lattice translate. Without it such cells are declined
     #[arg(long)]
     pub triangulate: bool,
-    /// The data block of a CIF, or the number of the frame of an XYZ file, that has several
+    /// The name of a data block of a CIF, or the number of a frame of an XYZ file
     #[arg(long, value_name = "NAME", help_heading = "Crystal structures")]
     pub block: Option<String>,
     /// Replace each decimal of a CIF by the multiple of 1/DENOMINATOR that agrees with all of its digits,
@@ -30,25 +30,25 @@ pub struct PointArguments {
     /// Move sites of a CIF that lie on a special position within their digits exactly onto it
     #[arg(long, help_heading = "Crystal structures")]
     pub special: bool,
-    /// Keep such sites as they are written
+    /// Keep sites near a special position exactly as they are written
     #[arg(long, help_heading = "Crystal structures", conflicts_with = "special")]
     pub as_written: bool,
-    /// The sites that are taken, by label or element (repeat the option, or separate by commas and
-    /// put labels with a comma in double quotes)
+    /// Read only these sites, by label or element. Repeat the option or use commas; a label with a comma
+    /// needs double quotes
     #[arg(
         long,
         value_name = "LABEL,ELEMENT",
         help_heading = "Crystal structures"
     )]
     pub only: Vec<String>,
-    /// The sites that are left out, by label or element
+    /// Leave out these sites, by label or element
     #[arg(
         long,
         value_name = "LABEL,ELEMENT",
         help_heading = "Crystal structures"
     )]
     pub except: Vec<String>,
-    /// Take sites as atoms whatever their occupancy, and those at one place as one
+    /// Ignore occupancies: each site is an atom, and sites at the same place are one atom
     #[arg(long, help_heading = "Crystal structures")]
     pub ignore_occupancy: bool,
     /// Set by `certify --within-su`.
@@ -127,9 +127,10 @@ pub fn tiling<const D: usize>(
     points: &PointSet<D>,
     arguments: &PointArguments,
 ) -> Result<Tiling<D>, InputError> {
-    let ties = match arguments.triangulate {
-        true => Ties::Pull,
-        false => Ties::Refuse,
+    let ties = if arguments.triangulate {
+        Ties::Pull
+    } else {
+        Ties::Refuse
     };
     let progress = Progress::of(name);
     progress.step("Delaunay triangulation");

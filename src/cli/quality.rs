@@ -27,16 +27,16 @@ pub struct QualityArguments {
     /// A name of the catalogue, a tiling or mesh file, or a point set (CIF too)
     #[arg(value_name = "NAME|FILE", hide_possible_values = true)]
     pub input: InputName,
-    /// The number that the construction depends on (see acutile show)
+    /// The parameter of a construction (see acutile show --help)
     #[arg(long, value_name = "VALUE", allow_hyphen_values = true)]
     pub param: Option<String>,
     #[command(flatten)]
     pub file: FileArguments,
-    /// Degrees of a bin of the histogram, a divisor of 180
+    /// The width of a bin of the histogram in degrees, a divisor of 180
     #[arg(long, value_name = "DEGREES", default_value_t = 5, value_parser = divisor_of_180)]
     pub bin: u32,
-    /// How to write it: text has everything, the others the histogram; text where neither this nor
-    /// the name of the file says it
+    /// The output format: text has everything, csv and svg have the histogram. The default is that of the
+    /// file name, or text
     #[arg(long, value_enum)]
     pub format: Option<QualityFormat>,
     /// List the simplices with a dihedral angle of at most this many degrees
@@ -45,13 +45,13 @@ pub struct QualityArguments {
     /// List the simplices with a dihedral angle of at least this many degrees
     #[arg(long, value_name = "DEGREES", value_parser = degrees)]
     pub above: Option<Rational>,
-    /// List the simplices with a radius-edge ratio of at least this
+    /// List the simplices with a radius-edge ratio of at least this number
     #[arg(long, value_name = "RATIO", value_parser = ratio)]
     pub ratio_above: Option<Rational>,
-    /// How many offenders of each kind to list; all are counted
+    /// The number of simplices that each of these options lists; all are counted
     #[arg(long, value_name = "N", default_value_t = 20)]
     pub max_offenders: usize,
-    /// Write here and not to standard output
+    /// Write to this file instead of standard output
     #[arg(short, long, value_name = "FILE")]
     pub output: Option<PathBuf>,
 }

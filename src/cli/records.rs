@@ -12,10 +12,10 @@ use std::path::PathBuf;
 
 #[derive(Debug, Args)]
 pub struct RecordsArguments {
-    /// How to write it; text where neither this nor the name of the file says it
+    /// The output format. The default is that of the file name, or text
     #[arg(long, value_enum)]
     pub format: Option<RecordsFormat>,
-    /// Write here and not to standard output
+    /// Write to this file instead of standard output
     #[arg(short, long, value_name = "FILE")]
     pub output: Option<PathBuf>,
 }

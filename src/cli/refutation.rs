@@ -71,12 +71,13 @@ impl Refuted {
     /// Tells about the refutation of `input`: lines for people, or a JSON object.
     pub fn tell(&self, input: &str, output: &mut Output) {
         with_dimension!(&self.tiling, AnyTiling, t => {
-            let names = names(t, self.origin.as_ref(), self.is_exact);
-            match output.is_json() {
-                true => self.in_json(t, &names, input, output),
-                false => self.in_words(t, &names, input, output),
-            }
-        });
+                    let names = names(t, self.origin.as_ref(), self.is_exact);
+                    if output.is_json() {
+        self.in_json(t, &names, input, output)
+        } else {
+        self.in_words(t, &names, input, output)
+        }
+                });
     }
 
     fn in_words<const D: usize>(
@@ -257,9 +258,10 @@ pub(super) fn advice<const D: usize>(
     defect: &Defect,
     index: usize,
 ) -> Vec<Advice<D>> {
-    match index < ADVISED {
-        true => adviser.advice(defect),
-        false => Vec::new(),
+    if index < ADVISED {
+        adviser.advice(defect)
+    } else {
+        Vec::new()
     }
 }
 
@@ -270,15 +272,14 @@ fn in_words<const D: usize>(
 ) -> String {
     let corner = |corner: &Corner<D>| {
         let name = names.vertex(corner.vertex.index());
-        match corner.shift == [0; D] {
-            true => name,
-            false => {
-                let shift = corner.shift.map(|s| s.to_string());
-                format!(
-                    "{name} moved by ({}) lattice vectors",
-                    shift.as_slice().join(", ")
-                )
-            }
+        if corner.shift == [0; D] {
+            name
+        } else {
+            let shift = corner.shift.map(|s| s.to_string());
+            format!(
+                "{name} moved by ({}) lattice vectors",
+                shift.as_slice().join(", ")
+            )
         }
     };
     advice.in_words(&corner, &|simplex| names.simplex(simplex), point)

@@ -55,12 +55,13 @@ impl Refuted {
         let consequences = self.findings.consequences().iter();
         let consequences: Vec<String> = consequences.map(|(c, n)| format!("{n} {c}")).collect();
         let found = counts(&self.findings);
-        match consequences.is_empty() {
-            true => format!("Refuted: {found}."),
-            false => format!(
+        if consequences.is_empty() {
+            format!("Refuted: {found}.")
+        } else {
+            format!(
                 "Refuted: {found}. Consequences of these: {}.",
                 consequences.join(", ")
-            ),
+            )
         }
     }
 

@@ -105,9 +105,10 @@ fn details<const D: usize>(anatomy: &Anatomy<D>, names: &Names) -> Vec<String> {
         }
     }
     for cavity in anatomy.cavities().take(FEW) {
-        let filling = match cavity.is_one_simplex() {
-            true => "1 simplex fills it".to_owned(),
-            false => format!("{} simplices or more fill it", cavity.least_filling()),
+        let filling = if cavity.is_one_simplex() {
+            "1 simplex fills it".to_owned()
+        } else {
+            format!("{} simplices or more fill it", cavity.least_filling())
         };
         let near = some(&cavity.simplices(), names);
         let count = cavity.facets.len();
@@ -172,9 +173,10 @@ struct Sum {
 impl Sum {
     fn add(&mut self, value: f64) {
         let total = self.total + value;
-        self.lost += match self.total.abs() >= value.abs() {
-            true => (self.total - total) + value,
-            false => (value - total) + self.total,
+        self.lost += if self.total.abs() >= value.abs() {
+            (self.total - total) + value
+        } else {
+            (value - total) + self.total
         };
         self.total = total;
     }

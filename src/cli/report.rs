@@ -16,7 +16,7 @@ use std::path::PathBuf;
 
 #[derive(Debug, Args)]
 pub struct ReportArguments {
-    /// Certificates, names of the catalogue with families and theorems, tiling or mesh files, or point sets (CIF too)
+    /// Certificates, names of the catalogue (families and theorems too), tiling or mesh files, or point sets (CIF too)
     #[arg(
         value_name = "CERT|NAME|FILE",
         required = true,
@@ -25,7 +25,7 @@ pub struct ReportArguments {
     pub inputs: Vec<InputName>,
     #[command(flatten)]
     pub file: FileArguments,
-    /// Write the page here and not to standard output
+    /// Write to this file instead of standard output
     #[arg(short, long, value_name = "FILE")]
     pub output: Option<PathBuf>,
     #[command(flatten)]
@@ -69,16 +69,16 @@ fn tell(input: &InputName, article: &Article, output: &mut Output) -> Outcome {
         Article::Refuted(refutation) => {
             let words = refutation.verdict.trim_start_matches("Refuted: ");
             // A certificate that the kernel rejects says nothing about the tiling.
-            let (word, verdict) = match refutation.refused.is_some() {
-                true => ("not proved", "rejected"),
-                false => ("refuted", "refuted"),
+            let (word, verdict) = if refutation.refused.is_some() {
+                ("not proved", "rejected")
+            } else {
+                ("refuted", "refuted")
             };
-            match output.is_json() {
-                true => {
-                    let record = record.verdict(verdict).member("message", json!(words));
-                    output.answer(record.member("counts", json!(refutation.counts)));
-                }
-                false => output.complain(format!("acutile: {input}: {word}: {words}")),
+            if output.is_json() {
+                let record = record.verdict(verdict).member("message", json!(words));
+                output.answer(record.member("counts", json!(refutation.counts)));
+            } else {
+                output.complain(format!("acutile: {input}: {word}: {words}"))
             }
             Outcome::Refuted
         }

@@ -28,9 +28,9 @@ pub struct SearchArguments {
 
 #[derive(Debug, Subcommand)]
 enum Search {
-    /// Slabs between layers of points over a plane tiling, at random heights, optimized
+    /// Search for slabs: layers of points over a plane tiling, at random heights, are triangulated and optimized
     Slab(SlabArguments),
-    /// Polyhedra in the cells that the 600-cell has without small connected sets of vertices, built and optimized
+    /// Search for polyhedra among the cells of the 600-cell that remain without a small connected set of vertices
     Balls(BallArguments),
 }
 
@@ -40,7 +40,7 @@ struct SlabArguments {
     /// or a plane-tiling file
     #[arg(long, value_name = "TILING|FILE", default_value = "triangles")]
     over: String,
-    /// How many candidates
+    /// The number of candidates
     #[arg(long, value_name = "N", default_value_t = 1000)]
     tries: usize,
     /// At most N layers between the boundary and the middle, the middle included
@@ -126,15 +126,14 @@ fn search_slabs(arguments: &SlabArguments, output: &mut Output) -> Outcome {
     {
         return output.fail(None, &error);
     }
-    match output.is_json() {
-        true => {
-            let record = Record::of(None).with(slab_data(over, &tried));
-            output.answer(match sha256 {
-                Some(sha256) => record.certificate(path, &sha256),
-                None => record,
-            });
-        }
-        false => slab_words(&tried, output),
+    if output.is_json() {
+        let record = Record::of(None).with(slab_data(over, &tried));
+        output.answer(match sha256 {
+            Some(sha256) => record.certificate(path, &sha256),
+            None => record,
+        });
+    } else {
+        slab_words(&tried, output)
     }
     match tried.acute {
         0 => Outcome::Declined,

@@ -86,19 +86,18 @@ pub fn run(arguments: &BallArguments, output: &mut Output) -> Outcome {
     {
         return output.fail(None, &error);
     }
-    match output.is_json() {
-        true => {
-            let record = Record::of(None).with(json!({
-                "shape": arguments.shape,
-                "classes": classes.iter().map(data).collect::<Vec<_>>(),
-                "interrupted": is_interrupted,
-            }));
-            output.answer(match found {
-                Some(found) => record.certificate(path, &found.proved.sha256()),
-                None => record,
-            });
-        }
-        false => words(&classes, arguments.shape.as_deref(), is_interrupted, output),
+    if output.is_json() {
+        let record = Record::of(None).with(json!({
+            "shape": arguments.shape,
+            "classes": classes.iter().map(data).collect::<Vec<_>>(),
+            "interrupted": is_interrupted,
+        }));
+        output.answer(match found {
+            Some(found) => record.certificate(path, &found.proved.sha256()),
+            None => record,
+        });
+    } else {
+        words(&classes, arguments.shape.as_deref(), is_interrupted, output)
     }
     match best {
         Some(_) => Outcome::Done,
@@ -182,9 +181,10 @@ fn in_words(found: &Found) -> String {
             format!("the tetrahedra overlap in each of {placements} placements")
         }
         Found::Optimized(outcome) => {
-            let verdict = match found.is_acute() {
-                true => "acute",
-                false => "not acute",
+            let verdict = if found.is_acute() {
+                "acute"
+            } else {
+                "not acute"
             };
             format!(
                 "{verdict}, largest dihedral angle {}, proved, sha256 {}",

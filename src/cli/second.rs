@@ -101,9 +101,10 @@ fn fills(path: &std::path::Path, named: &Named) -> Result<String, Box<Answer>> {
         is_rounded,
     } = compare(tiling, &match_facets(tiling), &surface);
     if missing.is_empty() && surplus.is_empty() {
-        let rounded = match is_rounded {
-            true => " after rounding of its coordinates to single precision",
-            false => "",
+        let rounded = if is_rounded {
+            " after rounding of its coordinates to single precision"
+        } else {
+            ""
         };
         let turned = match reversed {
             0 => String::new(),

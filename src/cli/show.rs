@@ -32,14 +32,15 @@ pub struct ShowArguments {
     pub input: InputName,
     #[command(flatten)]
     pub file: FileArguments,
-    /// The number that the construction depends on, like 3/7 or sqrt(2)/4: a/e of
-    /// goldberg-1, -2 and -3, epsilon of two-corners
+    /// The parameter of a construction, like 3/7 or sqrt(2)/4: a/e of goldberg-1, goldberg-2 and goldberg-3,
+    /// epsilon of two-corners
     #[arg(long, value_name = "VALUE", allow_hyphen_values = true)]
     pub param: Option<String>,
-    /// List all shapes, and not only the first 20
+    /// List all shapes instead of the first 20
     #[arg(long)]
     pub all: bool,
-    /// Write exact numbers in full; without it only about, where they are long. JSON has them anyway
+    /// Print exact numbers in full. Without it long numbers are printed as decimals; JSON always has exact
+    /// numbers
     #[arg(long)]
     pub exact: bool,
 }
@@ -63,9 +64,10 @@ pub fn run(arguments: &ShowArguments, output: &mut Output) -> Outcome {
         Ok(shown) => shown,
         Err(error) => return output.fail(Some(input), &error),
     };
-    match output.is_json() {
-        true => output.answer(Record::of(Some(input)).with(shown.data)),
-        false => shown.lines.iter().for_each(|line| output.line(line)),
+    if output.is_json() {
+        output.answer(Record::of(Some(input)).with(shown.data))
+    } else {
+        shown.lines.iter().for_each(|line| output.line(line))
     }
     Outcome::Done
 }
@@ -233,9 +235,10 @@ fn angles_of_members<const D: usize>(
 ) -> Vec<(String, Option<(String, String)>)> {
     let names = family.names();
     let cuboid = family.cuboid();
-    let corners = match names.len() <= MOST_SHOWN {
-        true => cuboid.corners(),
-        false => Vec::new(),
+    let corners = if names.len() <= MOST_SHOWN {
+        cuboid.corners()
+    } else {
+        Vec::new()
     };
     let points = std::iter::once(cuboid.center()).chain(corners);
     points

@@ -174,15 +174,14 @@ pub fn in_words(name: &str, report: &Value, output: &mut Output) {
         .iter()
         .map(|(kind, count)| counted(kind, *count))
         .collect();
-    let share = match points > 1 && cells.iter().all(|(_, count)| count % points == 0) {
-        true => {
-            let each: Vec<String> = cells
-                .iter()
-                .map(|(_, count)| (count / points).to_string())
-                .collect();
-            format!("; {} for each point", each.join(" and "))
-        }
-        false => String::new(),
+    let share = if points > 1 && cells.iter().all(|(_, count)| count % points == 0) {
+        let each: Vec<String> = cells
+            .iter()
+            .map(|(_, count)| (count / points).to_string())
+            .collect();
+        format!("; {} for each point", each.join(" and "))
+    } else {
+        String::new()
     };
     output.line(format!(
         "{name}: {} in a cell; Delaunay cells: {}{share}",

@@ -15,11 +15,11 @@ use serde_json::Value;
 
 #[derive(Debug, Args)]
 pub struct TableArguments {
-    /// Names of the catalogue, families and theorems too, or tiling files (`-` for standard input). Without
-    /// any: all single tilings of the catalogue, the paper's rows first
+    /// Names of the catalogue (families and theorems too) or tiling files (`-` for standard input). The default
+    /// is all single tilings of the catalogue, with the rows of the paper first
     #[arg(value_name = "NAME|FILE", hide_possible_values = true)]
     pub inputs: Vec<InputName>,
-    /// How to write it; json is what --json prints
+    /// The output format; json is the same as --json
     #[arg(long, value_enum)]
     pub format: Option<TableFormat>,
 }
@@ -40,13 +40,12 @@ pub fn run(arguments: &TableArguments, output: &mut Output) -> Outcome {
         Ok(format) => format.unwrap_or(TableFormat::Text),
         Err(message) => return output.fail_with(None, message),
     };
-    let wanted: Vec<InputName> = match arguments.inputs.is_empty() {
-        true => {
-            let names: Vec<&str> = catalog::names().collect();
-            let names = table::order(&names);
-            names.into_iter().map(InputName::from).collect()
-        }
-        false => arguments.inputs.clone(),
+    let wanted: Vec<InputName> = if arguments.inputs.is_empty() {
+        let names: Vec<&str> = catalog::names().collect();
+        let names = table::order(&names);
+        names.into_iter().map(InputName::from).collect()
+    } else {
+        arguments.inputs.clone()
     };
     let names = wanted.iter().map(|name| &**name);
     let is_single = |name: &&str| catalog::find(name).is_some_and(|entry| !entry.has_box());

@@ -26,9 +26,10 @@ pub fn targets(inputs: &[InputName], arguments: &CertifyArguments) -> Result<Vec
     };
     let several = inputs.len() > 1;
     if is_standard(path) {
-        return match several {
-            true => Err("-o -: expected one input, standard output holds one certificate".into()),
-            false => Ok(vec![Target::StandardOutput]),
+        return if several {
+            Err("-o -: expected one input, standard output holds one certificate".into())
+        } else {
+            Ok(vec![Target::StandardOutput])
         };
     }
     check_name(path, several)?;
@@ -73,11 +74,12 @@ fn check_name(path: &Path, several: bool) -> Result<(), String> {
             "{name}: several certificates need a directory; expected no extension .json or .cbor"
         ));
     }
-    match is_gzip(path) {
-        true => Err(format!(
+    if is_gzip(path) {
+        Err(format!(
             "{name}: certificates are not compressed; expected no extension .gz"
-        )),
-        false => Ok(()),
+        ))
+    } else {
+        Ok(())
     }
 }
 

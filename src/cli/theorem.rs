@@ -47,7 +47,9 @@ pub fn of_input(
     let Some(entry) = catalog::THEOREMS.iter().find(of_family) else {
         let families: Vec<&str> = catalog::THEOREMS.iter().map(|entry| entry.family).collect();
         let expected = families.join("WORD or ");
-        return Some(Err(named(format!("--cite expects {expected}WORD"))));
+        return Some(Err(named(format!(
+            "--cite is for a member of a theorem, expected {expected}WORD"
+        ))));
     };
     let word = &input[entry.family.len()..];
     let member = match entry.family {
@@ -61,7 +63,9 @@ pub fn of_input(
 
 fn check_no_parameter(input: &InputName, arguments: &CertifyArguments) -> Result<(), String> {
     if arguments.param.is_some() {
-        Err(format!("{input}: a theorem takes no parameter (--param)"))
+        Err(format!(
+            "{input}: a theorem takes no parameter, expected no --param"
+        ))
     } else {
         Ok(())
     }

@@ -14,14 +14,15 @@ use std::fs::{self, File};
 use std::io::{self, BufRead, Read};
 use std::path::Path;
 
-/// Whether this is about a certificate: one that is there, or one that is to be.
-pub fn is_of_certificate(input: &InputName, path: &Path) -> bool {
+/// Whether a certificate changes its encoding: the output is named as one, or the input is one and no mesh
+/// is asked for.
+pub fn is_of_certificate(input: &InputName, path: &Path, is_to_mesh: bool) -> bool {
     let name = uncompressed_name(path);
-    Encoding::of_path(&name) == Some(Encoding::Cbor) || is_certificate(input)
+    Encoding::of_path(&name) == Some(Encoding::Cbor) || (!is_to_mesh && is_certificate(input))
 }
 
 /// Whether an input begins as a certificate does, in either encoding.
-fn is_certificate(input: &InputName) -> bool {
+pub fn is_certificate(input: &InputName) -> bool {
     let is_name = catalog::find(input).is_some();
     !is_name && beginning(input).is_ok_and(|bytes| recognise(&bytes).is_some())
 }
@@ -113,9 +114,10 @@ pub fn cbor<'b>(input: &str, bytes: &'b [u8]) -> Result<Cow<'b, [u8]>, InputErro
 }
 
 fn refused(input: &str, code: &str, message: &str, is_declined: bool) -> InputError {
-    let (verdict, outcome) = match is_declined {
-        true => ("declined", Outcome::Declined),
-        false => ("malformed", Outcome::Failed),
+    let (verdict, outcome) = if is_declined {
+        ("declined", Outcome::Declined)
+    } else {
+        ("malformed", Outcome::Failed)
     };
     InputError {
         message: format!("{input}: {verdict} [{code}] {message}"),
@@ -134,7 +136,8 @@ fn check_target(path: &Path) -> Result<(), String> {
         Ok(())
     } else {
         Err(format!(
-            "{}: expected the extension .json or .cbor, for the input is a certificate; certificates are not compressed",
+            "{}: the input is a certificate, expected the extension .json or .cbor, or that of a mesh format; \
+             certificates are not compressed",
             path.display()
         ))
     }
@@ -144,7 +147,7 @@ fn check_target(path: &Path) -> Result<(), String> {
 fn check_alone(input: &str, has_options: bool) -> Result<(), String> {
     if has_options {
         Err(format!(
-            "{input}: a certificate takes no options, only its encoding changes"
+            "{input}: only the encoding of the certificate changes, expected no other options, or a mesh to write"
         ))
     } else {
         Ok(())

@@ -25,7 +25,13 @@ pub fn parse() -> Result<Arguments, ExitCode> {
     let parsed = with_negative_values(Arguments::command())
         .try_get_matches_from(&given)
         .and_then(|matches| Arguments::from_arg_matches(&matches));
-    parsed.map_err(|error| ended(&given, &error))
+    parsed.map_err(|mut error| {
+        // The tip says how an option becomes an input, and `-o` never is one.
+        if is_about_output(&error) {
+            error.remove(ContextKind::Suggested);
+        }
+        ended(&given, &error)
+    })
 }
 
 /// `-1` after an option is its value, so that the message is about the number and not about an option `-1`.
@@ -53,14 +59,13 @@ fn ended(given: &[OsString], error: &Error) -> ExitCode {
         return ExitCode::from(Outcome::Failed.and(output.finish()).code());
     }
     // Nothing is left to do where printing fails.
-    let _ = match error.use_stderr() {
-        true => {
-            let text = in_plain_words(error.render().ansi().to_string());
-            let advice = command_missing(error).or_else(|| argument_advice(error));
-            let advice = advice.unwrap_or_default();
-            write!(anstream::stderr(), "{text}{advice}")
-        }
-        false => error.print(),
+    let _ = if error.use_stderr() {
+        let text = in_plain_words(error.render().ansi().to_string());
+        let advice = command_missing(error).or_else(|| argument_advice(error));
+        let advice = advice.unwrap_or_default();
+        write!(anstream::stderr(), "{text}{advice}")
+    } else {
+        error.print()
     };
     ExitCode::from(u8::try_from(error.exit_code()).unwrap_or(2))
 }
@@ -103,15 +108,21 @@ fn argument_advice(error: &Error) -> Option<String> {
                     .to_owned()
             })
         }
-        (ErrorKind::UnknownArgument, ContextValue::String(name)) => {
-            let is_output = name == "-o" || name == "--output";
-            is_output.then(|| {
-                "\nThis command writes to standard output, and a shell writes that to a file: \
-                 > FILE\n"
-                    .to_owned()
-            })
-        }
+        _ if is_about_output(error) => Some(
+            "\nThis command writes to standard output, and a shell writes that to a file: > FILE\n"
+                .to_owned(),
+        ),
         _ => None,
+    }
+}
+
+/// Whether -o is given to a command that has no such option.
+fn is_about_output(error: &Error) -> bool {
+    match error.get(ContextKind::InvalidArg) {
+        Some(ContextValue::String(name)) if error.kind() == ErrorKind::UnknownArgument => {
+            name == "-o" || name == "--output"
+        }
+        _ => false,
     }
 }
 

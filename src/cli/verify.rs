@@ -65,9 +65,10 @@ pub fn run(arguments: &VerifyArguments, output: &mut Output) -> Outcome {
     let mut counts = Counts::default();
     for file in &arguments.files {
         let verdict = judge(file, claim.as_deref(), &limits);
-        match output.is_json() {
-            true => output.answer(verdict.record(file)),
-            false => verdict.tell(file, output),
+        if output.is_json() {
+            output.answer(verdict.record(file))
+        } else {
+            verdict.tell(file, output)
         }
         counts.add(verdict.word());
         code = first_of(code, verdict.exit_code());

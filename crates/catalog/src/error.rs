@@ -108,7 +108,10 @@ impl fmt::Display for CatalogError {
                 "`{name}` is a tiling for each point of a box of parameters, expected a single \
                  tiling; `acutile certify {name}` and `acutile show {name}` take it"
             ),
-            Self::NoParameter(name) => write!(f, "`{name}` takes no parameter"),
+            Self::NoParameter(name) => write!(
+                f,
+                "`{name}` takes no parameter; goldberg-1, goldberg-2, goldberg-3 and two-corners take one"
+            ),
             Self::NotPositive(text) => {
                 write!(f, "the parameter is {text}, expected a positive number")
             }

@@ -29,8 +29,13 @@ impl From<Refusal> for Refused {
 impl Refused {
     /// The refusal of `cbor`, which is the certificate of the file with these bytes.
     pub fn of_file(file: &[u8], cbor: &[u8], refusal: Refusal) -> Refused {
+        let length = cbor.len() as u64;
         let place = match refusal.place {
             Place::Byte(byte) if file != cbor => place_of_item(file, cbor, byte),
+            // The kernel names the byte that is missing.
+            Place::Byte(byte) if refusal.code == Code::Cbor && byte > length => {
+                Some(format!("the file ends after {length} bytes"))
+            }
             _ => None,
         };
         let refusal = Box::new(refusal);
@@ -132,7 +137,7 @@ fn place(place: Place) -> String {
 /// The condition that each code stands for.
 fn rule(code: Code) -> &'static str {
     match code {
-        Code::Cbor => "expected an item of the grammar",
+        Code::Cbor => "expected the next item of a certificate",
         Code::Canonical => "expected the canonical encoding, in lowest terms",
         Code::Format => "expected the format \"acutile-certificate\"",
         Code::Dimension => "expected the dimension 2 or 3",

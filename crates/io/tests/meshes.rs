@@ -226,7 +226,7 @@ fn messages_name_the_place_what_was_expected_and_what_was_found() {
         ),
         (
             format!("{head}{nodes}$Elements\n1\n9 4 2 1 1 1 2 3 5\n$EndElements\n"),
-            "line 13: the element 9 has the node 5, which is not there",
+            "line 13: found the node 5 in the element 9; the nodes of the file are 1 to 4",
         ),
         (
             format!("{head}{nodes}$Elements\n1\n9 3 2 1 1 1 2 3 4\n$EndElements\n"),

@@ -48,11 +48,10 @@ fn certificate(subject: &Subject, digest: &str) -> String {
 
 fn made(subject: &Subject, digest: &str, has_sources: bool) -> String {
     let slug = subject.slug();
-    let source = match has_sources {
-        true => {
-            " The construction is from the works cited above; they are not needed for the proof."
-        }
-        false => "",
+    let source = if has_sources {
+        " The construction is from the works cited above; they are not needed for the proof."
+    } else {
+        ""
     };
     format!(
         "Methods. The certificate {slug} with the SHA-256 {digest} has the claim and all that is needed to check it. The kernel of acutile {VERSION}, acutile-verify, \
@@ -64,11 +63,10 @@ fn made(subject: &Subject, digest: &str, has_sources: bool) -> String {
 /// Which proofs there are that the checks imply the claim.
 fn checked(subject: &Subject) -> String {
     let bytes = subject.certificate();
-    let coq = match coq_file(bytes).is_ok() {
-        true => {
-            "Coq can prove the claim from the same bytes: acutile export --coq writes it as a theorem. This command has not run Coq."
-        }
-        false => "The development in Coq does not treat this kind of claim.",
+    let coq = if coq_file(bytes).is_ok() {
+        "Coq can prove the claim from the same bytes: acutile export --coq writes it as a theorem. This command has not run Coq."
+    } else {
+        "The development in Coq does not treat this kind of claim."
     };
     format!(
         "That the checks imply the claim is proved on paper in docs/soundness.md. {coq} Independent verifiers in JavaScript and Python read the same certificate; this command has not run \

@@ -46,10 +46,13 @@ impl<const D: usize> Places<D> {
 
     /// The lattice vector next to `b - a`.
     pub fn shift_between(&self, a: &[f64; D], b: &[f64; D]) -> [i32; D] {
-        std::array::from_fn(|k| match k < self.rank {
-            // A cast saturates; a facet so far away is not near.
-            true => (b[k] - a[k]).round() as i32,
-            false => 0,
+        std::array::from_fn(|k| {
+            if k < self.rank {
+                // A cast saturates; a facet so far away is not near.
+                (b[k] - a[k]).round() as i32
+            } else {
+                0
+            }
         })
     }
 

@@ -71,9 +71,10 @@ fn star(link: &[[Corner<3>; 3]]) -> Star {
     if !is_closed(&triangles) {
         return Star::Boundary(neighbours);
     }
-    match is_frank_kasper(&triangles, neighbours) {
-        true => Star::FrankKasper(neighbours),
-        false => Star::Other(neighbours),
+    if is_frank_kasper(&triangles, neighbours) {
+        Star::FrankKasper(neighbours)
+    } else {
+        Star::Other(neighbours)
     }
 }
 

@@ -147,9 +147,10 @@ pub fn cells_and_triangulation<const D: usize>(
     let model = Model::new(set)?;
     let found = find(&model)?;
     let cells = cells_of(&model, &found)?;
-    let tiling = match found.polytopes.is_empty() {
-        true => Some(tiling(set, model, found)?),
-        false => None,
+    let tiling = if found.polytopes.is_empty() {
+        Some(tiling(set, model, found)?)
+    } else {
+        None
     };
     Ok((cells, tiling))
 }

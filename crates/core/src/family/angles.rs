@@ -192,9 +192,10 @@ fn attained<C: Coefficient>(
     let all = simplex.iter().try_fold(equal, |all, angle| {
         both(
             &all,
-            &match is_largest {
-                true => angle.is_above(bound, false),
-                false => angle.is_below(bound, false),
+            &if is_largest {
+                angle.is_above(bound, false)
+            } else {
+                angle.is_below(bound, false)
             },
         )
     });

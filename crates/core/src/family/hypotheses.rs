@@ -234,9 +234,10 @@ pub fn add_not_delaunay<C: Coefficient, const D: usize>(
 ) {
     let inside = |power: Polynomial<C>| vec![Atom::positive(power.negated())];
     let alternatives: Vec<_> = powers(cleared, member).into_iter().map(inside).collect();
-    match alternatives.is_empty() {
-        true => conditions.add_impossible(),
-        false => conditions.add_alternatives(alternatives),
+    if alternatives.is_empty() {
+        conditions.add_impossible()
+    } else {
+        conditions.add_alternatives(alternatives)
     }
 }
 

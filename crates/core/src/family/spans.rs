@@ -154,10 +154,12 @@ impl Quotient {
     /// The value at a point, or with its sign the square of the cosine there.
     fn value(&self, point: &[Number]) -> Option<Number> {
         let p = self.p.value(point);
-        let p = match self.is_cosine {
-            false => p,
-            true if p.sign() == Sign::Less => -(&p * &p),
-            true => &p * &p,
+        let p = if !self.is_cosine {
+            p
+        } else if p.sign() == Sign::Less {
+            -(&p * &p)
+        } else {
+            &p * &p
         };
         p.divide(&self.q.value(point))
     }
@@ -245,9 +247,10 @@ impl Search<'_> {
     }
 
     fn is_better(&self, value: &Number, than: &Number) -> bool {
-        match self.is_supremum {
-            true => value > than,
-            false => value < than,
+        if self.is_supremum {
+            value > than
+        } else {
+            value < than
         }
     }
 
@@ -315,9 +318,10 @@ impl Search<'_> {
             .map(|quotient| quotient.bounds(cuboid)[side].clone())
             .collect();
         let needs_all = (self.choice == Choice::Largest) == self.is_supremum;
-        match needs_all && bounds.iter().any(Option::is_none) {
-            true => None,
-            false => self.choice.of(bounds.into_iter().flatten()),
+        if needs_all && bounds.iter().any(Option::is_none) {
+            None
+        } else {
+            self.choice.of(bounds.into_iter().flatten())
         }
     }
 }

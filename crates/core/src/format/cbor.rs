@@ -222,7 +222,7 @@ impl<'b> Items<'b> {
         let taken = end.and_then(|end| self.bytes.get(self.offset..end));
         let taken = taken.ok_or(CborError {
             offset: self.bytes.len(),
-            problem: "the certificate ends early",
+            problem: "the file ends, expected the rest of a certificate",
         })?;
         self.offset += taken.len();
         Ok(taken)

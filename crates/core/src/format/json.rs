@@ -134,6 +134,11 @@ impl<'j> Reader<'j> {
     }
 
     fn error(&self, problem: &'static str) -> Fault {
+        let problem = if self.offset == self.json.len() {
+            "the file ends, expected the rest of a certificate"
+        } else {
+            problem
+        };
         Fault {
             code: JsonCode::Json,
             offset: self.offset,

@@ -44,9 +44,10 @@ impl Rounded {
         let scaled = value * 2f64.powi(scale);
         Rounded {
             value: scaled,
-            error: match is_exact {
-                true => 0.0,
-                false => scaled.abs() * 4.0 * ROUNDOFF + 2f64.powi(-900),
+            error: if is_exact {
+                0.0
+            } else {
+                scaled.abs() * 4.0 * ROUNDOFF + 2f64.powi(-900)
             },
         }
     }
@@ -109,14 +110,16 @@ impl<const D: usize> Filter<D> {
         };
         Filter {
             parts: std::array::from_fn(part),
-            exact: match floats.is_integral && is_strict() && all_integers(metric) {
-                true => largest_exact(top),
-                false => -1.0,
+            exact: if floats.is_integral && is_strict() && all_integers(metric) {
+                largest_exact(top)
+            } else {
+                -1.0
             },
             // The least m for which r <= R is delta / R.
-            low: match is_on {
-                true => (1.0 / reach).max(floats.error / LARGEST_RATIO),
-                false => f64::INFINITY,
+            low: if is_on {
+                (1.0 / reach).max(floats.error / LARGEST_RATIO)
+            } else {
+                f64::INFINITY
             },
             high: if is_on { reach } else { 0.0 },
             metric: map_metric(metric, |x| x.value),

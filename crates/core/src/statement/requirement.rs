@@ -125,9 +125,12 @@ fn excludes(x: &Requirement, y: &Requirement) -> bool {
 
 /// A positive number, at most `largest`.
 fn bound(text: &str, largest: Option<u8>) -> Result<Rational, String> {
-    let bound = parse_rational(text).map_err(|error| match error.is_limit() {
-        true => error.to_string(),
-        false => format!("found {text:?}, expected a number like 90, 78.5 or 157/2"),
+    let bound = parse_rational(text).map_err(|error| {
+        if error.is_limit() {
+            error.to_string()
+        } else {
+            format!("found {text:?}, expected a number like 90, 78.5 or 157/2")
+        }
     })?;
     if bound <= 0 {
         return Err(format!("found {text}, expected more than 0"));

@@ -35,17 +35,19 @@ pub fn tex_root(square: &Rational) -> String {
 
 /// A root sign over a formula: `√5`, `√(1/2 + a)`.
 pub fn sign_over(formula: &str) -> String {
-    match formula.bytes().all(|byte| byte.is_ascii_digit()) {
-        true => format!("√{formula}"),
-        false => format!("√({formula})"),
+    if formula.bytes().all(|byte| byte.is_ascii_digit()) {
+        format!("√{formula}")
+    } else {
+        format!("√({formula})")
     }
 }
 
 /// The same in TeX: `\sqrt{5}`.
 pub fn tex_sign_over(formula: &str) -> String {
-    match formula.len() > LONGEST {
-        true => format!("({formula})^{{1/2}}"),
-        false => format!("\\sqrt{{{formula}}}"),
+    if formula.len() > LONGEST {
+        format!("({formula})^{{1/2}}")
+    } else {
+        format!("\\sqrt{{{formula}}}")
     }
 }
 

@@ -111,9 +111,10 @@ fn inner<'t>(value: &'t str, step: &Step) -> Option<&'t str> {
 
 fn excerpt(text: &str, place: usize) -> Excerpt {
     // An error at the end of the text is shown at the end of its last line that has something.
-    let place = match text[place..].trim().is_empty() {
-        true => place.min(text.trim_end().len()),
-        false => place,
+    let place = if text[place..].trim().is_empty() {
+        place.min(text.trim_end().len())
+    } else {
+        place
     };
     let start = text[..place].rfind('\n').map_or(0, |end| end + 1);
     let end = text[place..]

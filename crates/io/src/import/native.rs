@@ -103,9 +103,10 @@ pub fn read_document<T: DeserializeOwned>(text: &str, format: &str) -> Result<T,
 /// The text without a byte order mark and without comments.
 fn plain(text: &str) -> Result<Cow<'_, str>, ImportError> {
     let text = text.trim_start_matches('\u{feff}');
-    match text.trim().is_empty() {
-        true => Err(ImportError::Empty),
-        false => Ok(without_comments(text)),
+    if text.trim().is_empty() {
+        Err(ImportError::Empty)
+    } else {
+        Ok(without_comments(text))
     }
 }
 

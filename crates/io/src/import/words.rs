@@ -149,7 +149,10 @@ fn quoted<'m>(message: &'m str, start: &str) -> Option<&'m str> {
 /// The possible values of a missing member.
 fn example(name: &str) -> &'static str {
     match name {
-        "format" => "; expected \"format\": \"acutile-tiling\" or \"acutile-points\"",
+        "format" => {
+            "; expected \"format\": \"acutile-tiling\" or \"acutile-points\", or a Structure of pymatgen with \
+             \"lattice\" and \"sites\""
+        }
         "version" => "; expected \"version\": 1",
         "dimension" => "; expected \"dimension\": 2 or 3",
         _ => "",

@@ -126,12 +126,11 @@ impl Reading {
             }
             "INSTANCE" => {
                 let part = parameters.get("PART").cloned().unwrap_or_default();
-                match self.placed.insert(part.to_ascii_uppercase()) {
-                    true => Block::Other,
-                    false => {
-                        let problem = format!("found a second *INSTANCE of the part {part:?}");
-                        return Err(declined(place, problem));
-                    }
+                if self.placed.insert(part.to_ascii_uppercase()) {
+                    Block::Other
+                } else {
+                    let problem = format!("found a second *INSTANCE of the part {part:?}");
+                    return Err(declined(place, problem));
                 }
             }
             "NODE" => self.node_block(&parameters, place)?,

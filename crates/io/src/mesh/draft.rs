@@ -99,9 +99,12 @@ impl<const N: usize> Cells<N> {
 
     /// Gives numbers, lines and labels to the mesh.
     fn store(self, mesh: &mut Mesh) -> Vec<[u32; N]> {
-        let known = |list: Vec<i64>| match list.iter().all(|&label| label == 0) {
-            true => Vec::new(),
-            false => list,
+        let known = |list: Vec<i64>| {
+            if list.iter().all(|&label| label == 0) {
+                Vec::new()
+            } else {
+                list
+            }
         };
         mesh.elements = self.numbers;
         mesh.lines = self.lines;
@@ -222,9 +225,10 @@ impl Draft {
                     "has {count}, expected triangles with three or six nodes"
                 )));
             }
-            let others = match self.mesh.others.is_empty() {
-                true => String::new(),
-                false => format!(", but {}", self.mesh.other_counts()),
+            let others = if self.mesh.others.is_empty() {
+                String::new()
+            } else {
+                format!(", but {}", self.mesh.other_counts())
             };
             return Err(MeshError::of_file(format!(
                 "has no tetrahedra and no triangles{others}"
@@ -277,8 +281,9 @@ fn found<const N: usize>(
     for (point, &node) in points.iter_mut().zip(&element.nodes[start..]) {
         *point = index.find(node).ok_or_else(|| {
             let problem = format!(
-                "the element {} has the node {node}, which is not there",
-                element.tag
+                "found the node {node} in the element {}; {}",
+                element.tag,
+                index.in_words()
             );
             MeshError::at(element.place, problem)
         })?;

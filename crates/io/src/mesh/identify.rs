@@ -77,9 +77,10 @@ pub fn identify(
         merge,
     };
     // A sum of three products has two bits more, and a sign.
-    match widest + factor + 3 < 127 && job.denominator.significant_bits() < 127 {
-        true => job.run::<i128>(),
-        false => job.run::<Integer>(),
+    if widest + factor + 3 < 127 && job.denominator.significant_bits() < 127 {
+        job.run::<i128>()
+    } else {
+        job.run::<Integer>()
     }
 }
 
@@ -138,9 +139,10 @@ impl Job<'_> {
                 numerators[k] = rest;
             }
             let next = found.numerators.len() as u32;
-            let vertex = match self.merge {
-                true => *vertices.entry(numerators.clone()).or_insert(next),
-                false => next,
+            let vertex = if self.merge {
+                *vertices.entry(numerators.clone()).or_insert(next)
+            } else {
+                next
             };
             if vertex == next {
                 found.numerators.push(numerators.map(W::into_integer));

@@ -228,9 +228,10 @@ impl Basis {
         };
         inverse.iter().enumerate().all(|(k, row)| {
             let coefficient: Rational = row.iter().zip(translation).map(|(a, x)| a * x).sum();
-            match k < self.rank {
-                true => *coefficient.denominator_ref() == 1u32,
-                false => coefficient == 0,
+            if k < self.rank {
+                *coefficient.denominator_ref() == 1u32
+            } else {
+                coefficient == 0
             }
         })
     }

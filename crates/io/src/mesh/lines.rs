@@ -100,9 +100,10 @@ impl<'a> Line<'a> {
 
     /// An entry of a head, 0 where the line is shorter.
     pub fn entry(&self, column: usize, what: &str) -> Result<usize, MeshError> {
-        match self.words.len() > column {
-            true => self.parsed(column, what),
-            false => Ok(0),
+        if self.words.len() > column {
+            self.parsed(column, what)
+        } else {
+            Ok(0)
         }
     }
 

@@ -1,7 +1,7 @@
 //! Meshes from files, with the limits of their bytes; and the two files of TetGen.
 
 use super::{Family, Mesh, MeshError, tetgen, unknown};
-use crate::import::{is_gzip, read_bytes, uncompressed_name};
+use crate::import::{ImportError, is_gzip, read_bytes, uncompressed_name};
 use std::path::{Path, PathBuf};
 
 /// No mesh file may be longer: 1 GiB, and 512 MiB after decompression.
@@ -40,6 +40,9 @@ pub fn load_by_name(path: &Path, family: Family) -> Result<Loaded, MeshError> {
         return load(path, family);
     }
     let bytes = bytes(path)?;
+    if bytes.trim_ascii().is_empty() {
+        return Err(MeshError::of_file(ImportError::Empty.to_string()));
+    }
     if let Some(family) = Family::of_content(&bytes) {
         let mesh = family.read(&bytes)?;
         return Ok(Loaded { mesh, family });
@@ -78,21 +81,27 @@ fn load_pair(path: &Path) -> Result<Mesh, MeshError> {
         MeshError::of_file("a TetGen mesh has a name that ends in .node or .ele, with .gz or not")
     })?;
     // The caller names the file that the user gave.
-    let named = |file: &Path, error: MeshError| match file == path {
-        true => error,
-        false => MeshError {
-            problem: format!("{}: {error}", file.display()),
-            place: super::Place::File,
-            ..error
-        },
+    let named = |file: &Path, error: MeshError| {
+        if file == path {
+            error
+        } else {
+            MeshError {
+                problem: format!("{}: {error}", file.display()),
+                place: super::Place::File,
+                ..error
+            }
+        }
     };
     let read = |file: &Path| {
-        bytes(file).map_err(|error| match file == path {
-            true => error,
-            false => MeshError {
-                problem: format!("its partner {}: {error}", file.display()),
-                ..error
-            },
+        bytes(file).map_err(|error| {
+            if file == path {
+                error
+            } else {
+                MeshError {
+                    problem: format!("its partner {}: {error}", file.display()),
+                    ..error
+                }
+            }
         })
     };
     let (nodes_bytes, elements_bytes) = (read(&nodes)?, read(&elements)?);
@@ -108,8 +117,11 @@ pub fn bytes(path: &Path) -> Result<Vec<u8>, MeshError> {
     } else {
         BYTE_LIMIT
     };
-    read_bytes(path, limit).map_err(|error| match error.is_limit() {
-        true => MeshError::limit(error.to_string()),
-        false => MeshError::of_file(error.to_string()),
+    read_bytes(path, limit).map_err(|error| {
+        if error.is_limit() {
+            MeshError::limit(error.to_string())
+        } else {
+            MeshError::of_file(error.to_string())
+        }
     })
 }

@@ -234,9 +234,10 @@ impl Default for Medit {
 
 impl Medit {
     fn integer(&self, source: &mut Source, what: &str) -> Result<i64, MeshError> {
-        match self.is_wide {
-            true => source.long(what),
-            false => source.int(what),
+        if self.is_wide {
+            source.long(what)
+        } else {
+            source.int(what)
         }
     }
 

@@ -170,9 +170,10 @@ fn nodes(source: &mut Source, draft: &mut Draft, count: usize) -> Result<(), Mes
     }
     let mut points = vec![[0.0; 3]; count];
     for index in 0..count * width {
-        let (vertex, k) = match by_vertex {
-            true => (index / width, index % width),
-            false => (index % count, index / count),
+        let (vertex, k) = if by_vertex {
+            (index / width, index % width)
+        } else {
+            (index % count, index / count)
         };
         let read = source.double("a coordinate")?;
         if let Some(x) = points.get_mut(vertex).and_then(|point| point.get_mut(k)) {

@@ -129,8 +129,12 @@ impl Reading {
 
     fn finish(self) -> Result<Mesh, MeshError> {
         match (self.index, self.has_elements) {
-            (None, _) => Err(MeshError::of_file("has no section $Nodes")),
-            (_, false) => Err(MeshError::of_file("has no section $Elements")),
+            (None, _) => Err(MeshError::of_file(
+                "has no section $Nodes, expected a mesh that Gmsh saved whole",
+            )),
+            (_, false) => Err(MeshError::of_file(
+                "has no section $Elements, expected a mesh that Gmsh saved whole",
+            )),
             _ => self.draft.finish(),
         }
     }

@@ -62,13 +62,12 @@ pub fn elements(source: &mut Source, index: &Index, draft: &mut Draft) -> Result
     let mut nodes = Vec::new();
     let mut done = 0;
     while done < total {
-        let (tag, block) = match is_text {
-            true => {
-                source.next_line_number();
-                let tag = source.int("an element number")?;
-                (Some(tag), Block::of_element(source)?)
-            }
-            false => (None, Block::header(source, total - done)?),
+        let (tag, block) = if is_text {
+            source.next_line_number();
+            let tag = source.int("an element number")?;
+            (Some(tag), Block::of_element(source)?)
+        } else {
+            (None, Block::header(source, total - done)?)
         };
         for _ in 0..block.elements {
             let tag = match tag {

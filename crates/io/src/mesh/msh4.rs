@@ -34,11 +34,12 @@ pub fn check_total(
     expected: usize,
     what: &str,
 ) -> Result<(), MeshError> {
-    match found == expected {
-        true => Ok(()),
-        false => Err(source.error(format!(
+    if found == expected {
+        Ok(())
+    } else {
+        Err(source.error(format!(
             "the blocks hold {found} {what}, expected {expected} as the section's head says"
-        ))),
+        )))
     }
 }
 

@@ -123,9 +123,10 @@ impl Card {
             numbers.pop();
         }
         let found = numbers.len() - 2;
-        match widths.contains(&found) && !numbers[2..].contains(&0) {
-            true => Ok(numbers),
-            false => Err(self.error(format!(
+        if widths.contains(&found) && !numbers[2..].contains(&0) {
+            Ok(numbers)
+        } else {
+            Err(self.error(format!(
                 "the element {} has {found} nodes, some perhaps left out, expected {}",
                 numbers[0],
                 widths
@@ -133,7 +134,7 @@ impl Card {
                     .map(usize::to_string)
                     .collect::<Vec<_>>()
                     .join(" or ")
-            ))),
+            )))
         }
     }
 
@@ -226,27 +227,27 @@ fn expanded(line: &[u8]) -> Vec<u8> {
 /// which names a continuation.
 fn split(line: &[u8]) -> (String, Vec<Vec<u8>>) {
     let is_free = line.contains(&b',');
-    let name: &[u8] = match is_free {
-        true => line.split(|&byte| byte == b',').next().unwrap_or_default(),
-        false => &line[..line.len().min(8)],
+    let name: &[u8] = if is_free {
+        line.split(|&byte| byte == b',').next().unwrap_or_default()
+    } else {
+        &line[..line.len().min(8)]
     };
     let is_large = name.contains(&b'*');
     let (count, width) = if is_large { (4, 16) } else { (8, 8) };
     let trimmed = |field: &[u8]| field.trim_ascii().to_vec();
-    let mut fields: Vec<Vec<u8>> = match is_free {
-        true => line
-            .split(|&byte| byte == b',')
+    let mut fields: Vec<Vec<u8>> = if is_free {
+        line.split(|&byte| byte == b',')
             .skip(1)
             .take(count)
             .map(trimmed)
-            .collect(),
-        false => line
-            .get(8..)
+            .collect()
+    } else {
+        line.get(8..)
             .unwrap_or_default()
             .chunks(width)
             .take(count)
             .map(trimmed)
-            .collect(),
+            .collect()
     };
     fields.resize(count, Vec::new());
     (String::from_utf8_lossy(name).into_owned(), fields)

@@ -147,12 +147,33 @@ impl Index {
             }
         }
     }
+
+    /// The numbers of all nodes, for a message about another number.
+    pub fn in_words(&self) -> String {
+        let (first, count, gaps) = match self {
+            Index::Range(first, length) => (*first, *length as u64, ""),
+            Index::Dense(first, table) => (*first, table.len() as u64, ", with gaps"),
+            Index::Sorted(pairs) => {
+                let tag = |pair: Option<&(u64, u32)>| pair.map_or(0, |pair| pair.0);
+                let (first, last) = (tag(pairs.first()), tag(pairs.last()));
+                (first, last - first + 1, ", with gaps")
+            }
+        };
+        if count == 0 {
+            return "the file has no nodes".to_owned();
+        }
+        let last = first.saturating_add(count - 1);
+        format!("the nodes of the file are {first} to {last}{gaps}")
+    }
 }
 
 /// The point with this number, for a pair of a periodic link.
 pub fn periodic_node(index: &Index, tag: i64, place: Place) -> Result<u32, MeshError> {
     index.find(tag).ok_or_else(|| {
-        let problem = format!("a periodic link has the node {tag}, which is not there");
+        let problem = format!(
+            "found the node {tag} in a periodic link; {}",
+            index.in_words()
+        );
         MeshError::at(place, problem)
     })
 }

@@ -45,7 +45,9 @@ pub fn patch<const D: usize>(tiling: &Tiling<D>, radius: &Rational) -> Result<Ti
         }
     }
     if corners.is_empty() {
-        return Err(format!("no simplex lies within {radius} of the origin"));
+        return Err(format!(
+            "no whole simplex lies within {radius} of the origin, expected a larger radius"
+        ));
     }
     let frame = tiling.frame.clone().with_domain(Domain::Region(0));
     Ok(used_only(frame, &patch.vertices, corners))
@@ -69,9 +71,10 @@ fn ranges<const D: usize>(
     std::array::from_fn(|k| {
         let at = vertex[k].approximate() + f64::from(corner.shift[k]);
         let reach = reach[k] * (1.0 + 1e-9) + 1e-6;
-        match k < tiling.frame.rank() {
-            true => ((-reach - at).ceil(), (reach - at).floor()),
-            false => (0.0, 0.0),
+        if k < tiling.frame.rank() {
+            ((-reach - at).ceil(), (reach - at).floor())
+        } else {
+            (0.0, 0.0)
         }
     })
 }

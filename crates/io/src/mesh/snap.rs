@@ -96,9 +96,10 @@ impl Grid {
                 "the tolerance {tolerance} is more than a quarter of the lattice's width"
             )));
         }
-        let span = |k: usize| match k < basis.rank {
-            true => 1.0,
-            false => {
+        let span = |k: usize| {
+            if k < basis.rank {
+                1.0
+            } else {
                 let low = points.iter().map(|point| point[k]).fold(f64::MAX, f64::min);
                 let high = points.iter().map(|point| point[k]).fold(f64::MIN, f64::max);
                 (high - low).max(f64::MIN_POSITIVE)
@@ -118,9 +119,12 @@ impl Grid {
     }
 
     fn cell(&self, point: &[f64; 3]) -> [i64; 3] {
-        std::array::from_fn(|k| match k < self.rank {
-            true => ((point[k] * self.counts[k] as f64) as i64).rem_euclid(self.counts[k]),
-            false => (point[k] / self.sizes[k]).floor() as i64,
+        std::array::from_fn(|k| {
+            if k < self.rank {
+                ((point[k] * self.counts[k] as f64) as i64).rem_euclid(self.counts[k])
+            } else {
+                (point[k] / self.sizes[k]).floor() as i64
+            }
         })
     }
 
@@ -130,9 +134,12 @@ impl Grid {
         let mut cells = Vec::with_capacity(27);
         for step in 0..27 {
             let steps = [step % 3 - 1, step / 3 % 3 - 1, step / 9 - 1];
-            let cell = std::array::from_fn(|k| match k < self.rank {
-                true => (centre[k] + steps[k]).rem_euclid(self.counts[k]),
-                false => centre[k].saturating_add(steps[k]),
+            let cell = std::array::from_fn(|k| {
+                if k < self.rank {
+                    (centre[k] + steps[k]).rem_euclid(self.counts[k])
+                } else {
+                    centre[k].saturating_add(steps[k])
+                }
             });
             if !cells.contains(&cell) {
                 cells.push(cell);
@@ -144,9 +151,12 @@ impl Grid {
     /// The lattice vector that takes `other` next to `point`, if it comes near enough, with
     /// the distance.
     fn image(&self, point: &[f64; 3], other: &[f64; 3]) -> Option<(f64, [i32; 3])> {
-        let shift: [i32; 3] = std::array::from_fn(|k| match k < self.rank {
-            true => (point[k] - other[k]).round() as i32,
-            false => 0,
+        let shift: [i32; 3] = std::array::from_fn(|k| {
+            if k < self.rank {
+                (point[k] - other[k]).round() as i32
+            } else {
+                0
+            }
         });
         let step: [f64; 3] = std::array::from_fn(|k| point[k] - other[k] - f64::from(shift[k]));
         let cartesian = |j: usize| (0..3).map(|k| step[k] * self.vectors[k][j]).sum::<f64>();

@@ -127,9 +127,10 @@ impl<'a> Source<'a> {
     /// Passes over this very word.
     pub fn expect(&mut self, expected: &str) -> Read<()> {
         let word = self.word(expected)?;
-        match word == expected.as_bytes() {
-            true => Ok(()),
-            false => Err(self.unexpected(word, expected)),
+        if word == expected.as_bytes() {
+            Ok(())
+        } else {
+            Err(self.unexpected(word, expected))
         }
     }
 
@@ -247,9 +248,10 @@ impl<'a> Source<'a> {
     }
 
     fn finite(&self, value: f64, what: &str) -> Read<f64> {
-        match value.is_finite() {
-            true => Ok(value),
-            false => Err(self.error(format!("found {value}, expected {what}, a finite number"))),
+        if value.is_finite() {
+            Ok(value)
+        } else {
+            Err(self.error(format!("found {value}, expected {what}, a finite number")))
         }
     }
 

@@ -117,9 +117,10 @@ pub fn load_surface(path: &Path) -> Result<Surface, MeshError> {
     let name = name.strip_suffix(".gz").unwrap_or(&name);
     if name.ends_with(".stl") || name.ends_with(".obj") {
         let bytes = load::bytes(path)?;
-        let surface = match name.ends_with(".stl") {
-            true => read_stl(&bytes),
-            false => read_obj(&bytes),
+        let surface = if name.ends_with(".stl") {
+            read_stl(&bytes)
+        } else {
+            read_obj(&bytes)
         };
         return surface.and_then(|surface| {
             if surface.triangles.is_empty() {
@@ -215,12 +216,13 @@ fn text_stl(bytes: &[u8]) -> Result<Surface, MeshError> {
             }
         }
     }
-    match corners.is_empty() {
-        true => Ok(Surface {
+    if corners.is_empty() {
+        Ok(Surface {
             triangles,
             is_single: false,
-        }),
-        false => Err(MeshError::of_file("the file ends inside of a facet")),
+        })
+    } else {
+        Err(MeshError::of_file("the file ends inside of a facet"))
     }
 }
 

@@ -110,11 +110,12 @@ pub fn read_elements(bytes: &[u8], mut draft: Draft, index: &Index) -> Result<Me
 
 /// Each item takes a line of at least two bytes.
 fn check_count(head: &Line, count: usize, length: usize, what: &str) -> Result<(), MeshError> {
-    match count <= length / 2 {
-        true => Ok(()),
-        false => Err(head.error(format!(
+    if count <= length / 2 {
+        Ok(())
+    } else {
+        Err(head.error(format!(
             "found {count} as the number of {what}, but the file has only {length} bytes"
-        ))),
+        )))
     }
 }
 

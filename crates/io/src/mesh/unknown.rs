@@ -119,6 +119,9 @@ pub fn name(path: &Path, bytes: &[u8]) -> Option<&'static str> {
     if let Some((_, name)) = by_bytes {
         return Some(name);
     }
+    if start.starts_with(b"{") {
+        return of_json(start);
+    }
     let file = path.file_name()?.to_str()?.to_ascii_lowercase();
     let file = file.strip_suffix(".gz").unwrap_or(&file);
     let extension = file.rsplit_once('.')?.1;
@@ -129,6 +132,26 @@ pub fn name(path: &Path, bytes: &[u8]) -> Option<&'static str> {
             .find(|(known, _)| *known == extension)
             .map(|(_, name)| *name),
     }
+}
+
+/// JSON of another program, by a member that this program always writes.
+fn of_json(json: &[u8]) -> Option<&'static str> {
+    const MEMBERS: [(&str, &str); 2] = [
+        (
+            "\"__ase_objtype__\"",
+            "JSON of ASE (ase convert IN OUT.xyz writes extended XYZ)",
+        ),
+        (
+            "\"_atom_site\"",
+            "mmJSON of gemmi (gemmi json2cif IN OUT.cif writes a CIF)",
+        ),
+    ];
+    let begin = String::from_utf8_lossy(&json[..json.len().min(1 << 16)]);
+    if begin.contains("\"acutile-") {
+        return None;
+    }
+    let found = MEMBERS.iter().find(|(member, _)| begin.contains(member));
+    found.map(|(_, name)| *name)
 }
 
 /// The message about a file that is not read.

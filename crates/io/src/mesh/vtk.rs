@@ -88,11 +88,13 @@ fn strip_prefix<'b>(bytes: &'b [u8], prefix: &[u8]) -> Option<&'b [u8]> {
 }
 
 fn points(source: &mut Source, draft: &mut Draft) -> Result<(), MeshError> {
-    let (count, kind) = in_text(source, |source| {
+    let (place, count, kind) = in_text(source, |source| {
         let count = source.int("the number of points")?;
-        Ok((count, vtk_data::kind(source)?))
+        Ok((source.place(), count, vtk_data::kind(source)?))
     })?;
-    let count = source.count(count, source.least_bytes(3, kind.bytes()), "points")?;
+    let least = source.least_bytes(3, kind.bytes());
+    let count = source.count(count, least, "points");
+    let count = count.map_err(|error| MeshError { place, ..error })?;
     draft.mesh.points.reserve(count);
     for tag in 0..count as i64 {
         let point = [

@@ -1,7 +1,7 @@
 //! Cells as VTK has them in legacy files and in VTU files.
 
 use super::draft::{Draft, Element};
-use super::element::{VTK_CELLS, vtk_cell};
+use super::element::{VTK_CELLS, counted, vtk_cell};
 use super::error::{MeshError, Place};
 use super::numbering::{Index, Numbering};
 
@@ -44,7 +44,9 @@ impl Cells {
         let (cells, types) = (self.ends.len(), self.types.len());
         if cells != types {
             return Err(MeshError::of_file(format!(
-                "has {cells} cells and {types} cell types, expected as many"
+                "has {} and {}, expected one type for each cell",
+                counted(cells, "cells"),
+                counted(types, "cell types")
             )));
         }
         let entities = self.take(&ENTITIES).unwrap_or_default();
@@ -72,9 +74,12 @@ impl Cells {
                     nodes.len()
                 )));
             }
-            let moved = |&node: &i64| match node < 0 {
-                true => node,
-                false => node.saturating_add(first),
+            let moved = |&node: &i64| {
+                if node < 0 {
+                    node
+                } else {
+                    node.saturating_add(first)
+                }
             };
             let nodes: Vec<i64> = nodes.iter().map(moved).collect();
             let element = Element {
@@ -86,12 +91,13 @@ impl Cells {
             };
             draft.add(index, &element)?;
         }
-        match start == self.connectivity.len() as i64 {
-            true => Ok(()),
-            false => Err(MeshError::of_file(format!(
+        if start == self.connectivity.len() as i64 {
+            Ok(())
+        } else {
+            Err(MeshError::of_file(format!(
                 "the cells have {start} points by their offsets, but {} are listed",
                 self.connectivity.len()
-            ))),
+            )))
         }
     }
 
@@ -111,9 +117,10 @@ impl Cells {
     }
 
     fn place(&self, cell: usize) -> Place {
-        match cell < self.lines.len() {
-            true => Place::Line(self.lines.get(cell)),
-            false => Place::File,
+        if cell < self.lines.len() {
+            Place::Line(self.lines.get(cell))
+        } else {
+            Place::File
         }
     }
 

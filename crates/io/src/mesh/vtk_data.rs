@@ -59,11 +59,12 @@ impl Kind {
             Kind::Double => source.double("a coordinate"),
             _ => {
                 let value = self.integer(source)?;
-                match value.unsigned_abs() <= 1 << 53 {
-                    true => Ok(value as f64),
-                    false => Err(source.error(format!(
+                if value.unsigned_abs() <= 1 << 53 {
+                    Ok(value as f64)
+                } else {
+                    Err(source.error(format!(
                         "found the coordinate {value}, expected an integer that is a double"
-                    ))),
+                    )))
                 }
             }
         }

@@ -137,11 +137,14 @@ pub fn doubles(source: &mut Source, kind: Kind, count: usize) -> Result<Vec<f64>
 /// Integers as doubles, where that is exact.
 fn whole_doubles(source: &mut Source, kind: Kind, count: usize) -> Result<Vec<f64>, MeshError> {
     let list = integers(source, kind, Some(count))?;
-    let double = |value: i64| match value.unsigned_abs() <= 1 << 53 {
-        true => Ok(value as f64),
-        false => Err(source.error(format!(
-            "found the coordinate {value}, expected an integer that is a double"
-        ))),
+    let double = |value: i64| {
+        if value.unsigned_abs() <= 1 << 53 {
+            Ok(value as f64)
+        } else {
+            Err(source.error(format!(
+                "found the coordinate {value}, expected an integer that is a double"
+            )))
+        }
     };
     list.into_iter().map(double).collect()
 }
@@ -182,11 +185,12 @@ fn at_end(source: &mut Source) -> bool {
 }
 
 fn expect_end(source: &mut Source, count: usize) -> Result<(), MeshError> {
-    match at_end(source) {
-        true => Ok(()),
-        false => Err(source.error(format!(
+    if at_end(source) {
+        Ok(())
+    } else {
+        Err(source.error(format!(
             "found more than the {count} numbers that were expected"
-        ))),
+        )))
     }
 }
 
@@ -199,9 +203,10 @@ pub fn integer(digits: &[u8], encoding: Encoding, signed: bool) -> Option<i64> {
     }
     let value = i64::from_le_bytes(bytes);
     let unused = 64 - 8 * digits.len() as u32;
-    match signed {
-        true => Some(value << unused >> unused),
-        false => (value >= 0).then_some(value),
+    if signed {
+        Some(value << unused >> unused)
+    } else {
+        (value >= 0).then_some(value)
     }
 }
 
@@ -238,9 +243,10 @@ impl Packed<'_> {
 
     /// The next `length` bytes, which in base64 were encoded on their own.
     fn segment(&mut self, length: usize) -> Result<Vec<u8>, MeshError> {
-        let width = match self.is_base64 {
-            true => length.div_ceil(3).checked_mul(4),
-            false => Some(length),
+        let width = if self.is_base64 {
+            length.div_ceil(3).checked_mul(4)
+        } else {
+            Some(length)
         };
         let Some((taken, rest)) = width.and_then(|width| self.data.split_at_checked(width)) else {
             return Err(self.error(format!(
@@ -258,9 +264,10 @@ impl Packed<'_> {
         let mut bytes = GeneralPurpose::new(&alphabet::STANDARD, config)
             .decode(taken)
             .map_err(|error| self.error(format!("no base64: {error}")))?;
-        match bytes.len() >= length {
-            true => bytes.truncate(length),
-            false => return Err(self.error("the base64 text ends early")),
+        if bytes.len() >= length {
+            bytes.truncate(length)
+        } else {
+            return Err(self.error("the base64 text ends early"));
         }
         Ok(bytes)
     }

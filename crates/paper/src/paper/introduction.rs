@@ -81,12 +81,13 @@ pub fn states_for_all(survey: &Survey, name: &str, statements: &[Statement]) -> 
         }
         None => "over every tiling or word, periodic or not".to_owned(),
     };
-    Ok(match statements.iter().all(|s| general.states(s)) {
-        true => (true, format!("{name}, {members}: {words}")),
-        false => (
+    Ok(if statements.iter().all(|s| general.states(s)) {
+        (true, format!("{name}, {members}: {words}"))
+    } else {
+        (
             false,
             format!("{name}: its certificate does not state {words}"),
-        ),
+        )
     })
 }
 

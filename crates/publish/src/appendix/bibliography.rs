@@ -58,9 +58,10 @@ pub fn citation(name: &str, source: Option<&str>) -> String {
         }
         _ => String::new(),
     };
-    let others = match keys.is_empty() {
-        true => String::new(),
-        false => format!("~\\cite{{{}}}", keys.join(",")),
+    let others = if keys.is_empty() {
+        String::new()
+    } else {
+        format!("~\\cite{{{}}}", keys.join(","))
     };
     format!("{others}{paper}")
 }

@@ -15,9 +15,10 @@ const FRACTION: usize = 10;
 pub fn breakable(text: &str) -> String {
     let mut out = String::with_capacity(text.len());
     for line in text.split_inclusive('\n') {
-        match line.starts_with("% ") {
-            true => out.push_str(line),
-            false => add_line(&mut out, line),
+        if line.starts_with("% ") {
+            out.push_str(line)
+        } else {
+            add_line(&mut out, line)
         }
     }
     out

@@ -200,12 +200,13 @@ impl Signs {
                 entries("N", &normals, 0, false) + ".\n",
             ),
         };
-        let divided = match self.divisor == 1u32 {
-            true => String::new(),
-            false => format!(
+        let divided = if self.divisor == 1u32 {
+            String::new()
+        } else {
+            format!(
                 ", and the cofactors divided by ${}$",
                 super::rational::rational(&self.divisor)
-            ),
+            )
         };
         format!(
             "With $\\lambda={lambda}${divided}:\n% acutile:matrices {}\n{first}{second}\n",
@@ -250,9 +251,10 @@ impl Signs {
                 .collect();
             return tabular(&mark, "rlccc", &format!("{place} & sign & {values}"), &rows);
         }
-        let (columns, because) = match has_reasons {
-            true => (2, " & because"),
-            false => (1, ""),
+        let (columns, because) = if has_reasons {
+            (2, " & because")
+        } else {
+            (1, "")
         };
         let reasons: Vec<String> = (0..names.len())
             .map(|k| join(&names[k], &[&signs[k][..columns]]))
@@ -277,9 +279,10 @@ impl Signs {
             Ordering::Greater => ">0",
         };
         let reason = analysis.numerals.why(n);
-        let reason = match reason.is_empty() {
-            true => reason,
-            false => format!("${reason}$"),
+        let reason = if reason.is_empty() {
+            reason
+        } else {
+            format!("${reason}$")
         };
         [
             format!("$N_{{{i}{j}}}={}{sign}$", analysis.numerals.inline(n)),
@@ -302,9 +305,10 @@ fn cosine_cells<const D: usize>(
     angle: &DihedralAngle,
 ) -> [String; 3] {
     let exact = cosine(analysis, angle);
-    let exact = match width(&exact) > WIDE {
-        true => format!("-N_{{{i}{j}}}/\\sqrt{{N_{{{i}{i}}}N_{{{j}{j}}}}}"),
-        false => exact,
+    let exact = if width(&exact) > WIDE {
+        format!("-N_{{{i}{j}}}/\\sqrt{{N_{{{i}{i}}}N_{{{j}{j}}}}}")
+    } else {
+        exact
     };
     let degrees = angle.enclosure(&Rational::from_signeds(1, 1_000_000_000));
     [exact, interval(&cosine_bounds(angle)), interval(&degrees)].map(|cell| format!("${cell}$"))

@@ -56,9 +56,10 @@ fn as_paragraphs(columns: &str, widths: &[usize]) -> String {
         }
         let is_column = depth == 0 && matches!(letter, 'l' | 'c' | 'r' | 'p');
         let is_wide = is_column && widths.get(column).is_some_and(|&w| w > most);
-        match is_wide && letter != 'p' {
-            true => text.push_str(&paragraph),
-            false => text.push(letter),
+        if is_wide && letter != 'p' {
+            text.push_str(&paragraph)
+        } else {
+            text.push(letter)
         }
         column += usize::from(is_column);
     }

@@ -243,12 +243,13 @@ pub fn volume<const D: usize>(section: &Section<D>) -> String {
         .collect::<std::collections::BTreeSet<_>>()
         .into_iter()
         .collect();
-    let rest = match others.is_empty() {
-        true => String::new(),
-        false => format!(
+    let rest = if others.is_empty() {
+        String::new()
+    } else {
+        format!(
             " The bounds on {} are not printed here; they rest on the check of the certificate.",
             list(&others)
-        ),
+        )
     };
     format!(
         "The determinants sum up to ${}$ identically, which is ${D}!$ times the volume{}.{rest}",

@@ -35,9 +35,10 @@ pub fn files(subjects: &[Subject], parts: Vec<Parts>, options: &Options) -> Vec<
         versioned(&cited_only(&cited, has_overview)),
     ));
     for (subject, part) in subjects.iter().zip(parts) {
-        let (section, wide) = match options.two_column {
-            true => without_long_tables(&part.section),
-            false => (part.section, String::new()),
+        let (section, wide) = if options.two_column {
+            without_long_tables(&part.section)
+        } else {
+            (part.section, String::new())
         };
         files.push(text(&format!("tiling-{}.tex", subject.slug()), section));
         if options.two_column {
@@ -128,11 +129,10 @@ pub fn is_unchanged(bytes: &[u8]) -> bool {
 }
 
 fn preamble(options: &Options, title: &str, subjects: &[Subject]) -> String {
-    let siunitx = match options.siunitx {
-        true => {
-            "\\usepackage{siunitx}\n\\newcommand{\\acutiledecimal}[1]{\\ensuremath{\\num{#1}}}\n"
-        }
-        false => "",
+    let siunitx = if options.siunitx {
+        "\\usepackage{siunitx}\n\\newcommand{\\acutiledecimal}[1]{\\ensuremath{\\num{#1}}}\n"
+    } else {
+        ""
     };
     let (class, margin) = if options.two_column {
         ("twocolumn,10pt", "18mm")
@@ -173,16 +173,18 @@ fn fragment(subjects: &[Subject], has_overview: bool, options: &Options) -> Stri
             .map(|subject| format!("\\input{{{kind}-{}}}\n", subject.slug()))
             .collect()
     };
-    let overview = match has_overview {
-        false => "",
-        true => "\\acutilesection{Overview}\n\\input{overview}\n",
+    let overview = if has_overview {
+        "\\acutilesection{Overview}\n\\input{overview}\n"
+    } else {
+        ""
     };
-    let (first, last) = match options.two_column {
-        true => (
+    let (first, last) = if options.two_column {
+        (
             String::new(),
             format!("\\acutilewide\n{overview}{}", input("wide")),
-        ),
-        false => (overview.to_owned(), String::new()),
+        )
+    } else {
+        (overview.to_owned(), String::new())
     };
     format!(
         "% Needs amsmath, amssymb, amsthm, booktabs, longtable, graphicx, for systems of patches tikz; see acutile-macros.tex for what can be set.\n\

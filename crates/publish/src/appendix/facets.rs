@@ -109,19 +109,21 @@ pub fn delaunay<const D: usize>(analysis: &Analysis<D>, is_strict: bool) -> Stri
         );
     }
     let is_region = analysis.tiling.frame.domain.is_region();
-    let (relation, sign, position) = match is_strict {
-        true => ("positive", "$(>0)$", "outside of"),
-        false => ("nonnegative", "$(\\ge0)$", "not inside of"),
+    let (relation, sign, position) = if is_strict {
+        ("positive", "$(>0)$", "outside of")
+    } else {
+        ("nonnegative", "$(\\ge0)$", "not inside of")
     };
-    let reason = match is_region {
-        true => format!(
+    let reason = if is_region {
+        format!(
             "At each {facet} that two tiles share, the corner $d$ of Table~\\ref{{{}}} is {position} the {sphere}",
             analysis.label("pairing")
-        ),
-        false => format!(
+        )
+    } else {
+        format!(
             "By Theorem~\\ref{{acutile:delaunay}} it suffices that for each {facet} the corner $d$ of Table~\\ref{{{}}} is {position} the {sphere}",
             analysis.label("pairing")
-        ),
+        )
     };
     format!(
         "\\acutileparagraph{{Delaunay.}} {reason}: that its power $\\pi(d)=|d-z|^2-\\rho^2$, for the centre $z$ and the radius $\\rho$, is {relation}. \

@@ -86,9 +86,10 @@ fn statement<const D: usize>(section: &Section<D>) -> String {
             "Euclidean space"
         },
         gram = matrix(&gram),
-        lattice = match lattice.is_empty() {
-            true => String::new(),
-            false => format!("Let $\\Lambda={}$. ", lattice.join("+")),
+        lattice = if lattice.is_empty() {
+            String::new()
+        } else {
+            format!("Let $\\Lambda={}$. ", lattice.join("+"))
         },
         kind = simplices(D, count),
         orbits = section.label("orbits"),
@@ -178,12 +179,13 @@ fn tree_words<const D: usize>(section: &Section<D>) -> String {
             ),
         }
     }
-    match section.tree.leaves() > 64 {
-        true => "as the certificate lists them".to_owned(),
-        false => format!(
+    if section.tree.leaves() > 64 {
+        "as the certificate lists them".to_owned()
+    } else {
+        format!(
             "as ${}$ says: $t(A,B)$ halves the interval of $t$ and treats the lower half as $A$ and the upper half as $B$, and a dot stands for a box that is not cut",
             nested(section.tree, &section.family.names())
-        ),
+        )
     }
 }
 
@@ -283,13 +285,14 @@ fn signs<const D: usize>(section: &Section<D>, conditions: &[Condition]) -> Stri
     let shown = leaves.len() <= LEAVES;
     let row = |(number, condition): (usize, &Condition)| {
         let sign = if condition.is_strict { ">0" } else { "\\ge0" };
-        let lists = match shown {
-            true => leaves
+        let lists = if shown {
+            leaves
                 .iter()
                 .map(|leaf| bernstein(section, condition, leaf))
                 .collect::<Vec<_>>()
-                .join("; "),
-            false => String::new(),
+                .join("; ")
+        } else {
+            String::new()
         };
         format!(
             "{number} & ${}{sign}$ & {} & {lists}",
@@ -297,9 +300,13 @@ fn signs<const D: usize>(section: &Section<D>, conditions: &[Condition]) -> Stri
             condition.uses
         )
     };
-    let explained = match shown {
-        true => "The last column has the numbers $b_i$ of Lemma~\\ref{acutile:signs}, in lexicographic order of $i$ and up to a positive factor, for one box after the other.".to_owned(),
-        false => format!("On each of the ${}$ boxes the numbers $b_i$ of Lemma~\\ref{{acutile:signs}} show the sign; they are too many to be printed.", leaves.len()),
+    let explained = if shown {
+        "The last column has the numbers $b_i$ of Lemma~\\ref{acutile:signs}, in lexicographic order of $i$ and up to a positive factor, for one box after the other.".to_owned()
+    } else {
+        format!(
+            "On each of the ${}$ boxes the numbers $b_i$ of Lemma~\\ref{{acutile:signs}} show the sign; they are too many to be printed.",
+            leaves.len()
+        )
     };
     format!(
         "\\acutileparagraph{{Signs.}} Table~\\ref{{{label}}} has all polynomials whose signs matter, up to positive factors, and where they occur: in a determinant $\\det T$, in $-\\langle g_i,g_j\\rangle$ for the angle at an edge of $T$ (Lemma~\\ref{{acutile:angles}}), in the power $\\pi(d)\\det T$ of the corner $d$ on the other side of a facet, \

@@ -20,15 +20,16 @@ pub fn triangles(name: &str, tiling: &Tiling<2>, shapes: &[Shape], options: &Opt
 
 /// Labels need panels of about 50 mm.
 fn row(options: &Options) -> Row {
-    match options.two_column {
-        true => Row {
+    if options.two_column {
+        Row {
             width: 84.0,
             columns: 2,
-        },
-        false => Row {
+        }
+    } else {
+        Row {
             width: 159.0,
             columns: 3,
-        },
+        }
     }
 }
 
@@ -37,10 +38,11 @@ fn in_tex(drawings: Result<Vec<Drawing>, DrawError>) -> String {
     let pictures: String = pictures
         .map(|drawing| format!("\\acutilepicture{{%\n{}}}\n", tikz(&drawing, false)))
         .collect();
-    match pictures.is_empty() {
-        true => pictures,
-        false => format!(
+    if pictures.is_empty() {
+        pictures
+    } else {
+        format!(
             "The figures show the first tile of each class, with the numbers of its corners and its angles in degrees, rounded.\n{pictures}\n"
-        ),
+        )
     }
 }

@@ -106,9 +106,10 @@ fn table<const D: usize>(analysis: &Analysis<D>) -> String {
         let corners = polytope.map_or(String::new(), |p| {
             format!(" & {}", corner_images(element, p))
         });
-        let image = match is_wide {
-            true => triplets[number].replace(",\\,", ",$ $"),
-            false => triplets[number].clone(),
+        let image = if is_wide {
+            triplets[number].replace(",\\,", ",$ $")
+        } else {
+            triplets[number].clone()
         };
         format!("$\\gamma_{{{number}}}$ & ${image}${products}{corners}")
     };

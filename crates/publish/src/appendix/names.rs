@@ -167,9 +167,10 @@ pub fn human_name(subject: &Subject) -> String {
 /// The first sentence of a section.
 pub fn introduction(subject: &Subject, citation: &str) -> String {
     let description = subject.description.trim();
-    let what = match description.is_empty() {
-        true => String::new(),
-        false => format!("{}{citation}. ", escape(&capitalised(description))),
+    let what = if description.is_empty() {
+        String::new()
+    } else {
+        format!("{}{citation}. ", escape(&capitalised(description)))
     };
     format!("\\noindent {what}")
 }

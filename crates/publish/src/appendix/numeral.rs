@@ -68,9 +68,10 @@ impl Numerals {
             return self.sum(&numerators);
         }
         let is_negative = numerators.iter().all(|n| *n <= 0);
-        let (sign, numerators) = match is_negative {
-            true => ("-", numerators.iter().map(|n| -n).collect()),
-            false => ("", numerators),
+        let (sign, numerators) = if is_negative {
+            ("-", numerators.iter().map(|n| -n).collect())
+        } else {
+            ("", numerators)
         };
         format!("{sign}\\frac{{{}}}{{{denominator}}}", self.sum(&numerators))
     }
@@ -84,9 +85,10 @@ impl Numerals {
     /// a slash where the line has to break.
     pub fn cell(&self, x: &Number) -> String {
         let inline = self.inline(x);
-        match x.is_rational() && width(&inline) <= LONGEST {
-            true => self.number(x),
-            false => inline,
+        if x.is_rational() && width(&inline) <= LONGEST {
+            self.number(x)
+        } else {
+            inline
         }
     }
 
@@ -104,9 +106,10 @@ impl Numerals {
     pub fn factor(&self, x: &Number) -> String {
         let text = self.number(x);
         let terms = self.coefficients(x).iter().filter(|c| **c != 0).count();
-        match text.starts_with('-') || (terms > 1 && !text.starts_with("\\frac")) {
-            true => format!("({text})"),
-            false => text,
+        if text.starts_with('-') || (terms > 1 && !text.starts_with("\\frac")) {
+            format!("({text})")
+        } else {
+            text
         }
     }
 
@@ -114,9 +117,10 @@ impl Numerals {
     pub fn slashed_factor(&self, x: &Number) -> String {
         let text = self.inline(x);
         let terms = self.coefficients(x).iter().filter(|c| **c != 0).count();
-        match text.starts_with('-') || terms > 1 || text.contains('/') {
-            true => format!("({text})"),
-            false => text,
+        if text.starts_with('-') || terms > 1 || text.contains('/') {
+            format!("({text})")
+        } else {
+            text
         }
     }
 
@@ -192,9 +196,10 @@ impl Numerals {
         let v = q / (Rational::from(2) * &u);
         // Of the two roots the positive one; u > 0, so v decides where it is large.
         let is_positive = v >= 0 || &u * &u > &d * &v * &v;
-        Some(match is_positive {
-            true => self.slashed(&[u, v]),
-            false => self.slashed(&[-u, -v]),
+        Some(if is_positive {
+            self.slashed(&[u, v])
+        } else {
+            self.slashed(&[-u, -v])
         })
     }
 
@@ -229,9 +234,10 @@ impl Numerals {
         let common = numerators
             .iter()
             .fold(Natural::ZERO, |g, n| g.gcd(n.unsigned_abs_ref()));
-        match common == 0u32 {
-            true => Rational::ONE,
-            false => Rational::from_naturals(denominator, common),
+        if common == 0u32 {
+            Rational::ONE
+        } else {
+            Rational::from_naturals(denominator, common)
         }
     }
 }

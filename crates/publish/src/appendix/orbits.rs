@@ -202,9 +202,12 @@ fn image<const D: usize>(
 
 /// A point with the lattice's coordinates in [0, 1), and by which lattice vector it was moved.
 fn reduced<const D: usize>(point: &[Number; D], rank: usize) -> ([Number; D], [Integer; D]) {
-    let cell: [Integer; D] = std::array::from_fn(|k| match k < rank {
-        true => point[k].floor(),
-        false => Integer::from(0),
+    let cell: [Integer; D] = std::array::from_fn(|k| {
+        if k < rank {
+            point[k].floor()
+        } else {
+            Integer::from(0)
+        }
     });
     let moved = std::array::from_fn(|k| &point[k] - &Number::from(Rational::from(&cell[k])));
     (moved, cell)

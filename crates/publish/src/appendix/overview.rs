@@ -52,9 +52,10 @@ fn cells<T: Exact>(range: &Range<T>, digits: u64) -> String {
 
 /// The table of all rows.
 pub fn table(rows: Vec<String>, subjects: &[Subject]) -> String {
-    let kind = match subjects.iter().all(Subject::is_in_space) {
-        true => "tetrahedra",
-        false => "simplices",
+    let kind = if subjects.iter().all(Subject::is_in_space) {
+        "tetrahedra"
+    } else {
+        "simplices"
     };
     Table {
         mark: "overview".to_owned(),
@@ -62,11 +63,12 @@ pub fn table(rows: Vec<String>, subjects: &[Subject]) -> String {
         caption: format!(
             "The constructions in the form of Table~1 of~\\cite{{EppsteinSullivanUngor2004}}: number of {kind} in a cell, circumradius over \
              shortest edge, smallest and largest dihedral angle of each, with the minimum and the maximum over them. Minima are rounded down and maxima up.{}",
-            match subjects.iter().any(|subject| subject.name == "icosahedral") {
-                true => " The names are those of the article; that the tiling from icosahedra is Z is refuted by \\texttt{acutile paper}: \
-                         it is isomorphic to C14.",
-                false => "",
-            }
+            if subjects.iter().any(|subject| subject.name == "icosahedral") {
+" The names are those of the article; that the tiling from icosahedra is Z is refuted by \\texttt{acutile paper}: \
+                         it is isomorphic to C14."
+} else {
+""
+}
         ),
         label: "acutile:overview".to_owned(),
         heading: "& & \\multicolumn{2}{c}{radius/edge} & \\multicolumn{2}{c}{smallest angle} & \\multicolumn{2}{c}{largest angle} \\\\\n\

@@ -24,22 +24,25 @@ pub fn polynomial(numerals: &Numerals, names: &[String], p: &Polynomial) -> Stri
                 e => format!("{}^{{{e}}}", name(parameter)),
             })
             .collect();
-        let term = match powers.is_empty() {
-            true => signed(&text, &numerals.inline(coefficient)),
-            false => product(&text, &numerals.slashed_factor(coefficient), &powers),
+        let term = if powers.is_empty() {
+            signed(&text, &numerals.inline(coefficient))
+        } else {
+            product(&text, &numerals.slashed_factor(coefficient), &powers)
         };
         text.push_str(&term);
     }
-    match text.is_empty() {
-        true => "0".to_owned(),
-        false => text,
+    if text.is_empty() {
+        "0".to_owned()
+    } else {
+        text
     }
 }
 
 fn signed(before: &str, number: &str) -> String {
-    match before.is_empty() || number.starts_with('-') {
-        true => number.to_owned(),
-        false => format!("+{number}"),
+    if before.is_empty() || number.starts_with('-') {
+        number.to_owned()
+    } else {
+        format!("+{number}")
     }
 }
 

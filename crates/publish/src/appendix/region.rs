@@ -169,10 +169,12 @@ fn near_shifts<const D: usize>(
     let mut shifts = vec![[0; D]];
     for k in 0..D {
         let (low, high) = (&first[k].0 - &second[k].1, &first[k].1 - &second[k].0);
-        let range = match k < rank {
-            true => -bound(&-&low)?..=bound(&high)?,
-            false if low.sign() != Sign::Greater && high.sign() != Sign::Less => 0..=0,
-            false => return Some(Vec::new()),
+        let range = if k < rank {
+            -bound(&-&low)?..=bound(&high)?
+        } else if low.sign() != Sign::Greater && high.sign() != Sign::Less {
+            0..=0
+        } else {
+            return Some(Vec::new());
         };
         if range.clone().take(SHIFTS).count() * shifts.len() >= SHIFTS {
             return None;
@@ -285,9 +287,10 @@ fn outside<const D: usize>(
             }
         }
     }
-    let table = match rows.is_empty() {
-        true => String::new(),
-        false => Table {
+    let table = if rows.is_empty() {
+        String::new()
+    } else {
+        Table {
             mark: format!("outside {}", analysis.subject.slug()),
             columns: "rrrl",
             caption: format!("Tiles that do not contain the centre of a boundary {word}."),
@@ -295,15 +298,16 @@ fn outside<const D: usize>(
             heading: "centre of & tile & $k$ & $\\beta_k(m)$ $(<0)$".to_owned(),
             rows,
         }
-        .tex(),
+        .tex()
     };
     format!(
         "\\acutileparagraph{{Outside (W).}} The first {word} of each class has the centre {centres}. No tile but its own contains it: a tile whose ranges of coordinates contain $m$ has a negative barycentric coordinate $\\beta_k(m)$, \
          which is $\\det$ with $m$ in the place of $c_k$, over $\\det$.{reference} So no tile is directly outside.\n\n{table}",
         centres = list(&centres),
-        reference = match table.is_empty() {
-            true => " There is no such tile.".to_owned(),
-            false => format!(" Table~\\ref{{{}}} lists them.", analysis.label("outside")),
+        reference = if table.is_empty() {
+            " There is no such tile.".to_owned()
+        } else {
+            format!(" Table~\\ref{{{}}} lists them.", analysis.label("outside"))
         },
     )
 }

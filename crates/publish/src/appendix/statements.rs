@@ -92,9 +92,10 @@ fn fine() -> Rational {
 /// The largest ratio of circumradius and shortest edge, by its square.
 fn radius_edge<const D: usize>(analysis: &Analysis<D>, largest: &RadiusEdge) -> String {
     let exact = analysis.numerals.inline(&largest.square);
-    let value = match width(&exact) > WIDE {
-        true => format!("\\in{}", analysis.numerals.enclosed(&largest.square)),
-        false => format!("={exact}"),
+    let value = if width(&exact) > WIDE {
+        format!("\\in{}", analysis.numerals.enclosed(&largest.square))
+    } else {
+        format!("={exact}")
     };
     format!(
         "\\acutileparagraph{{Circumradii.}} With the squared edges $l$ and the cofactors $C$ of $M=(\\langle e_i,e_j\\rangle)$ the squared circumradius is $\\sum_{{i,j}} \

@@ -95,9 +95,12 @@ pub fn moved(shift: &[i32]) -> String {
         let entries: Vec<String> = shift.iter().map(i32::to_string).collect();
         return format!("^{{({})}}", entries.join(","));
     }
-    let entry = |s: &i32| match *s < 0 {
-        true => format!("\\bar{}", s.unsigned_abs()),
-        false => s.to_string(),
+    let entry = |s: &i32| {
+        if *s < 0 {
+            format!("\\bar{}", s.unsigned_abs())
+        } else {
+            s.to_string()
+        }
     };
     format!("^{{{}}}", shift.iter().map(entry).collect::<String>())
 }

@@ -22,15 +22,16 @@ pub fn theorem<const D: usize>(analysis: &Analysis<D>) -> String {
         last.truncate(last.len() - 1);
         last.push('.');
     }
-    let further = match statements.is_empty() {
-        true => String::new(),
-        false => format!(
+    let further = if statements.is_empty() {
+        String::new()
+    } else {
+        format!(
             " Moreover:\n\\begin{{itemize}}\\setlength{{\\itemsep}}{{0pt}}\\setlength{{\\parskip}}{{0pt}}\n{}\\end{{itemize}}",
             statements
                 .iter()
                 .map(|statement| format!("\\item {statement}\n"))
                 .collect::<String>()
-        ),
+        )
     };
     format!(
         "\\begin{{acutiletheorem}}[{name}]\\label{{{label}}}\n{setting} Then {tiles} of Table~\\ref{{{orbits}}}{images} {tile} {domain} {how}: they cover it, their interiors are disjoint, and \
@@ -185,9 +186,10 @@ pub fn metric<const D: usize>(analysis: &Analysis<D>) -> String {
         .filter(|why| !why.is_empty())
         .map(|why| format!("${why}$"))
         .collect();
-    let why = match why.is_empty() {
-        true => String::new(),
-        false => format!(" ({})", list(&why)),
+    let why = if why.is_empty() {
+        String::new()
+    } else {
+        format!(" ({})", list(&why))
     };
     format!(
         "The matrix is symmetric and its leading principal minors are {}, all positive{why}; so there is such a basis, and a \
@@ -214,20 +216,18 @@ pub fn sizes<const D: usize>(analysis: &Analysis<D>) -> String {
 
 /// The proof in a sentence, with references to what is checked where.
 pub fn proof<const D: usize>(analysis: &Analysis<D>) -> String {
-    let acute = match analysis.subject.statements().contains(&Statement::Acute) {
-        true => {
-            " That all angles are acute follows from Lemma~\\ref{acutile:angles} and the signs below."
-        }
-        false => "",
+    let acute = if analysis.subject.statements().contains(&Statement::Acute) {
+        " That all angles are acute follows from Lemma~\\ref{acutile:angles} and the signs below."
+    } else {
+        ""
     };
     let facet = if D == 2 { "edges" } else { "facets" };
     let has_group = analysis.orbits.elements.len() > 1;
     let group = if has_group { "(S) the symmetry, " } else { "" };
-    let lemma = match has_group {
-        true => {
-            " By Lemma~\\ref{acutile:representatives} they need checking for the representatives only."
-        }
-        false => "",
+    let lemma = if has_group {
+        " By Lemma~\\ref{acutile:representatives} they need checking for the representatives only."
+    } else {
+        ""
     };
     let (theorem, rest) = match &analysis.tiling.frame.domain {
         Domain::Space => ("sound", "and (V) the sum of the volumes"),

@@ -11,9 +11,8 @@ use acutile_exact::number::Number;
 pub fn tiles<const D: usize>(analysis: &Analysis<D>) -> String {
     let kind = simplices(D, 2);
     let has_group = analysis.orbits.elements.len() > 1;
-    let counted = match has_group {
-        false => String::new(),
-        true => format!(
+    let counted = if has_group {
+        format!(
             " The last columns have the number $s$ of the isometries of Table~\\ref{{{}}} that map the tile to itself{}, and the number ${}/s$ of its images{}.",
             analysis.label("group"),
             if analysis.rank() == 0 {
@@ -27,7 +26,9 @@ pub fn tiles<const D: usize>(analysis: &Analysis<D>) -> String {
             } else {
                 " up to $\\Lambda$"
             },
-        ),
+        )
+    } else {
+        String::new()
     };
     format!(
         "\\acutileparagraph{{Tiles (O).}} Table~\\ref{{{label}}} lists the {kind}, by congruence classes. {notation} \
@@ -48,13 +49,14 @@ fn table<const D: usize>(analysis: &Analysis<D>) -> String {
     let row = |&place: &usize| {
         let representative = &analysis.orbits.representatives[place];
         let tile = representative.tile;
-        let counts = match has_group {
-            true => format!(
+        let counts = if has_group {
+            format!(
                 " & {} & {}",
                 representative.stabiliser.len(),
                 representative.count
-            ),
-            false => String::new(),
+            )
+        } else {
+            String::new()
         };
         format!(
             "{} & $T_{{{tile}}}$ & {} & {}{counts}",
@@ -73,9 +75,10 @@ fn table<const D: usize>(analysis: &Analysis<D>) -> String {
         columns: &format!("rr{}l{columns}", "@{\\quad}r".repeat(D + 1)),
         caption: format!(
             "{}: congruence class, corners $c_0,\\dots,c_{D}$, determinant.",
-            match has_group {
-                true => format!("Representatives of the {}", simplices(D, 2)),
-                false => format!("All {}", simplices(D, 2)),
+            if has_group {
+                format!("Representatives of the {}", simplices(D, 2))
+            } else {
+                format!("All {}", simplices(D, 2))
             }
         ),
         label: analysis.label("orbits"),

@@ -64,9 +64,10 @@ pub fn table<const D: usize>(analysis: &Analysis<D>) -> String {
         Some(_) => ("l", " & site"),
     };
     let names: String = (1..=D).map(|i| format!(" & $x_{i}$")).collect();
-    let (star_column, star_name) = match stars.is_empty() {
-        true => ("", ""),
-        false => ("l", " & star"),
+    let (star_column, star_name) = if stars.is_empty() {
+        ("", "")
+    } else {
+        ("l", " & star")
     };
     Table {
         mark: format!("vertices {}", analysis.subject.slug()),

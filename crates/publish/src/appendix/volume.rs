@@ -27,12 +27,13 @@ pub fn volume<const D: usize>(analysis: &Analysis<D>) -> String {
     let sum = counts.iter().fold(Number::zero(), |sum, (det, count)| {
         sum + det * &Number::from(Rational::from(*count))
     });
-    let terms: Vec<String> = match counts.len() > LONGEST_SUM {
-        true => vec!["\\sum_m\\frac h{s_m}\\det S_m".to_owned()],
-        false => counts
+    let terms: Vec<String> = if counts.len() > LONGEST_SUM {
+        vec!["\\sum_m\\frac h{s_m}\\det S_m".to_owned()]
+    } else {
+        counts
             .iter()
             .map(|(det, count)| format!("{count}\\cdot {}", numerals.factor(det)))
-            .collect(),
+            .collect()
     };
     let factorial: u32 = (1..=D as u32).product();
     let meaning = match &analysis.tiling.frame.domain {

@@ -70,9 +70,10 @@ fn entry(tar: &[u8]) -> Option<(File, &[u8])> {
     let (name, prefix) = (word(&header[..100])?, word(&header[345..500])?);
     let size = usize::from_str_radix(word(&header[124..136])?.trim(), 8).ok()?;
     let (content, rest) = rest.split_at_checked(size.next_multiple_of(BLOCK))?;
-    let path = match prefix.is_empty() {
-        true => format!("{FOLDER}/{name}"),
-        false => format!("{FOLDER}/{prefix}/{name}"),
+    let path = if prefix.is_empty() {
+        format!("{FOLDER}/{name}")
+    } else {
+        format!("{FOLDER}/{prefix}/{name}")
     };
     let bytes = content[..size].to_vec();
     Some((File { path, bytes }, rest))

@@ -70,13 +70,14 @@ impl FromStr for Author {
         let (family, given) = name.split_once(',').ok_or_else(expected)?;
         let (family, given) = (family.trim(), given.trim());
         let is_name = |s: &str| !s.is_empty() && !s.chars().any(char::is_control);
-        match is_name(family) && is_name(given) {
-            true => Ok(Author {
+        if is_name(family) && is_name(given) {
+            Ok(Author {
                 family: family.to_owned(),
                 given: given.to_owned(),
                 orcid,
-            }),
-            false => Err(expected()),
+            })
+        } else {
+            Err(expected())
         }
     }
 }
@@ -101,11 +102,12 @@ fn orcid_of(text: &str) -> Result<String, String> {
         10 => 'X',
         digit => char::from_digit(digit, 10).unwrap_or('X'),
     };
-    match *check == expected {
-        true => Ok(bare.to_owned()),
-        false => Err(format!(
+    if *check == expected {
+        Ok(bare.to_owned())
+    } else {
+        Err(format!(
             "{bare}: no ORCID: its last character is {check}, expected {expected}"
-        )),
+        ))
     }
 }
 
@@ -115,9 +117,10 @@ fn orcid_of(text: &str) -> Result<String, String> {
 /// Another text.
 pub fn licence(text: &str) -> Result<String, String> {
     let is_plain = |c: char| c.is_ascii_alphanumeric() || "-.+".contains(c);
-    match !text.is_empty() && text.chars().all(is_plain) {
-        true => Ok(text.to_owned()),
-        false => Err("expected an SPDX identifier like CC-BY-4.0".to_owned()),
+    if !text.is_empty() && text.chars().all(is_plain) {
+        Ok(text.to_owned())
+    } else {
+        Err("expected an SPDX identifier like CC-BY-4.0".to_owned())
     }
 }
 

@@ -161,9 +161,10 @@ pub fn bundle(pieces: Vec<Piece>, options: &Options) -> Result<Bundle, String> {
     let mut files = fixed();
     files.extend(kernel::files()?);
     let entries = entries(&pieces, &mut files)?;
-    let theorems = match options.coq {
-        true => add_theorems(&pieces, &mut files, &mut notes),
-        false => 0,
+    let theorems = if options.coq {
+        add_theorems(&pieces, &mut files, &mut notes)
+    } else {
+        0
     };
     let (contents, subjects): (Vec<Content>, Vec<Subject>) =
         pieces.into_iter().map(|p| (p.content, p.subject)).unzip();
@@ -243,12 +244,13 @@ fn add_appendix(
         return false;
     }
     let appendix = appendix::appendix(subjects, &appendix::Options::default());
-    let pdfs = match options.pdf {
-        true => pdf::compile(&appendix).unwrap_or_else(|reason| {
+    let pdfs = if options.pdf {
+        pdf::compile(&appendix).unwrap_or_else(|reason| {
             notes.push(format!("{reason}: the appendix comes without PDF"));
             Vec::new()
-        }),
-        false => Vec::new(),
+        })
+    } else {
+        Vec::new()
     };
     let has_pdf = !pdfs.is_empty();
     files.extend(appendix.into_iter().chain(pdfs).map(in_appendix));

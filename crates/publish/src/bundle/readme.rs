@@ -181,24 +181,26 @@ Or by hand: the JSON is text, and `docs/format.md` says what every number in it 
 }
 
 fn contents(entries: &[Entry], parts: Parts) -> String {
-    let pdf = match parts.has_pdf {
-        true => "; `main.pdf` and `supplement.pdf` are made of it",
-        false => "; `pdflatex main` and `pdflatex supplement`, three times each, make PDFs of it",
+    let pdf = if parts.has_pdf {
+        "; `main.pdf` and `supplement.pdf` are made of it"
+    } else {
+        "; `pdflatex main` and `pdflatex supplement`, three times each, make PDFs of it"
     };
-    let appendix = match parts.has_appendix {
-        true => format!("| `appendix/` | theorems, exact tables and proofs in LaTeX{pdf} |\n"),
-        false => String::new(),
+    let appendix = if parts.has_appendix {
+        format!("| `appendix/` | theorems, exact tables and proofs in LaTeX{pdf} |\n")
+    } else {
+        String::new()
     };
-    let tilings = match entries.iter().any(|entry| entry.is_tiling) {
-        true => "| `tilings/*.json` | the tilings for acutile, exact |\n",
-        false => "",
+    let tilings = if entries.iter().any(|entry| entry.is_tiling) {
+        "| `tilings/*.json` | the tilings for acutile, exact |\n"
+    } else {
+        ""
     };
     let is_flat = |entry: &Entry| entry.rounding.is_none();
-    let meshes = match entries.iter().all(is_flat) {
-        true => "",
-        false => {
-            "| `tilings/*.msh`, `*.vtu`, `*.mesh` | one cell as a mesh in MSH 4.1, VTU and MEDIT, in doubles |\n"
-        }
+    let meshes = if entries.iter().all(is_flat) {
+        ""
+    } else {
+        "| `tilings/*.msh`, `*.vtu`, `*.mesh` | one cell as a mesh in MSH 4.1, VTU and MEDIT, in doubles |\n"
     };
     let coq = match parts.theorems {
         0 => "",

@@ -204,9 +204,10 @@ impl Layout {
         let scale = |b: &[Place; 2]| (room / extent(b, 0)).min(HIGHEST * room / extent(b, 1));
         let scales: Vec<f64> = boxes.iter().map(scale).collect();
         let least = scales.iter().copied().fold(f64::INFINITY, f64::min);
-        match self.has_one_scale {
-            true => vec![least; boxes.len()],
-            false => scales,
+        if self.has_one_scale {
+            vec![least; boxes.len()]
+        } else {
+            scales
         }
     }
 

@@ -117,8 +117,9 @@ pub fn draw(
         (AnyTiling::Space(t), Figure::Steps) => steps::steps(name, t, options),
         (AnyTiling::Space(_), Figure::Plane) => dots::dots(name, options),
     }?;
-    match drawing.is_finite() {
-        true => Ok(drawing),
-        false => Err(DrawError::TooLarge),
+    if drawing.is_finite() {
+        Ok(drawing)
+    } else {
+        Err(DrawError::TooLarge)
     }
 }

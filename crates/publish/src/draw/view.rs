@@ -56,13 +56,14 @@ impl View {
                 linear::dot(&b, &toward),
             ]
         });
-        match basis.iter().flatten().all(|x| x.is_finite()) {
-            true => Ok(View {
+        if basis.iter().flatten().all(|x| x.is_finite()) {
+            Ok(View {
                 eye,
                 vectors,
                 basis,
-            }),
-            false => Err(DrawError::TooLarge),
+            })
+        } else {
+            Err(DrawError::TooLarge)
         }
     }
 
@@ -98,10 +99,12 @@ fn cholesky(gram: &[[Number; 3]; 3]) -> Option<[[f64; 3]; 3]> {
     for i in 0..3 {
         for j in 0..=i {
             let rest = gram[i][j].approximate() - linear::dot(&rows[i], &rows[j]);
-            rows[i][j] = match i == j {
-                true if rest > 0.0 && rest.is_finite() => rest.sqrt(),
-                true => return None,
-                false => rest / rows[j][j],
+            rows[i][j] = if i != j {
+                rest / rows[j][j]
+            } else if rest > 0.0 && rest.is_finite() {
+                rest.sqrt()
+            } else {
+                return None;
             };
         }
     }

@@ -332,13 +332,14 @@ fn classes(facts: &Facts) -> String {
 fn cosine_with_bounds(angle: &DihedralAngle) -> String {
     let (low, high) = cosine_bounds(angle);
     let text = math(&cosine_text(angle));
-    match low == high {
-        true => text,
-        false => format!(
+    if low == high {
+        text
+    } else {
+        format!(
             "{text} ∈ [{}, {}]",
             rounded_down(&low, 6),
             rounded_up(&high, 6)
-        ),
+        )
     }
 }
 
@@ -364,9 +365,10 @@ fn swatch(colour: Colour) -> String {
 /// Degrees to three digits: rounded outward, or the value itself.
 fn angle_text((low, high): &(Rational, Rational)) -> String {
     let (down, up) = (rounded_down(low, 3), rounded_up(high, 3));
-    match down == up {
-        true => format!("{}°", down.trim_end_matches('0').trim_end_matches('.')),
-        false => format!("{down}…\u{2060}°"),
+    if down == up {
+        format!("{}°", down.trim_end_matches('0').trim_end_matches('.'))
+    } else {
+        format!("{down}…\u{2060}°")
     }
 }
 

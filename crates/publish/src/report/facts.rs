@@ -173,9 +173,10 @@ pub fn classes<const D: usize>(tiling: &Tiling<D>) -> Vec<usize> {
 
 /// The cosine of an angle, exactly: `√(5/12)`, or with the field's generator `√(1/2 + 1/4 a)`.
 pub fn cosine_text(angle: &DihedralAngle) -> String {
-    let sign = match angle.signed_square.sign().is_lt() {
-        true => "-",
-        false => "",
+    let sign = if angle.signed_square.sign().is_lt() {
+        "-"
+    } else {
+        ""
     };
     format!("{sign}{}", root_text(&angle.signed_square.abs()))
 }
@@ -193,9 +194,10 @@ pub fn cosine_bounds(angle: &DihedralAngle) -> (Rational, Rational) {
         Some(root) => (root.clone(), root),
         None => square.enclosure_of_root(&width),
     };
-    match angle.signed_square.sign().is_lt() {
-        true => (-high, -low),
-        false => (low, high),
+    if angle.signed_square.sign().is_lt() {
+        (-high, -low)
+    } else {
+        (low, high)
     }
 }
 

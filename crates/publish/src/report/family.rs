@@ -225,9 +225,10 @@ fn figures<const D: usize>(figures: &[(Option<Figure>, Option<Figure>); 3]) -> S
 fn enclosure(figure: &Figure, unit: &str) -> String {
     let (low, high) = &figure.bounds;
     let [low, high] = [rounded_down(low, DIGITS), rounded_up(high, DIGITS)];
-    let decimal = match low == high {
-        true => format!("{low}{unit}"),
-        false => format!("between {low}{unit} and {high}{unit}"),
+    let decimal = if low == high {
+        format!("{low}{unit}")
+    } else {
+        format!("between {low}{unit} and {high}{unit}")
     };
     let form = figure
         .closed_form

@@ -298,9 +298,10 @@ fn is_entry(name: &str) -> bool {
 fn paper_row(row: &Row) -> String {
     let links = row.certificates.iter().map(|(name, _)| {
         let name = escape(name);
-        match is_entry(&name) {
-            true => format!("<a href=\"tilings/{name}.html\">{name}</a>"),
-            false => name,
+        if is_entry(&name) {
+            format!("<a href=\"tilings/{name}.html\">{name}</a>")
+        } else {
+            name
         }
     });
     let mark = match row.verdict {

@@ -69,9 +69,10 @@ fn row<const D: usize, P>(
 ) -> String {
     let (low, high) = &extreme.bounds;
     let (low, high) = (rounded_down(low, 8), rounded_up(high, 8));
-    let bounds = match low == high {
-        true => format!("{low}{unit}"),
-        false => format!("{low}{unit} to {high}{unit}"),
+    let bounds = if low == high {
+        format!("{low}{unit}")
+    } else {
+        format!("{low}{unit} to {high}{unit}")
     };
     let times = match extreme.count {
         1 => "once".to_owned(),

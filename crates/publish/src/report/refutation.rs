@@ -136,9 +136,10 @@ fn item((number, defect): (usize, &Listed)) -> String {
         lines.iter().map(line).collect()
     };
     let words = escape(&defect.words);
-    let head = match defect.simplices.is_empty() {
-        true => format!("<p>{words}</p>"),
-        false => format!("<button type=\"button\" data-defect=\"{number}\">{words}</button>"),
+    let head = if defect.simplices.is_empty() {
+        format!("<p>{words}</p>")
+    } else {
+        format!("<button type=\"button\" data-defect=\"{number}\">{words}</button>")
     };
     let places = list("place", &defect.places);
     let advice = list("advice", &defect.advice);
@@ -156,9 +157,10 @@ fn data_of<const D: usize>(tiling: &Tiling<D>, refutation: &Refutation) -> Value
     let points = vertices.map(|v| v.each_ref().map(|x| x.approximate()).to_vec());
     let rows = ids.iter().map(|&id| {
         let corners = tiling.simplex(id).iter();
-        let corner = |c: &acutile_core::tiling::Corner<D>| match c.shift == [0; D] {
-            true => json!([c.vertex.number()]),
-            false => {
+        let corner = |c: &acutile_core::tiling::Corner<D>| {
+            if c.shift == [0; D] {
+                json!([c.vertex.number()])
+            } else {
                 let shift = c.shift.iter().take(tiling.frame.rank());
                 let shift = shift.map(|&s| i64::from(s));
                 let entries = std::iter::once(i64::from(c.vertex.number())).chain(shift);

@@ -119,13 +119,15 @@ fn cosine_range(angle: &Decimal) -> Option<(Rational, Rational)> {
     let width = Rational::from(10).pow(-COSINE_DECIMALS);
     let (least, most) = (&angle.value - su, &angle.value + su);
     // The cosine falls from 0 to 180 degrees only, and no angle of a cell is beyond.
-    let low = match most < 180 {
-        true => cos_of_degrees(&most, &width).0,
-        false => Rational::from(-1),
+    let low = if most < 180 {
+        cos_of_degrees(&most, &width).0
+    } else {
+        Rational::from(-1)
     };
-    let high = match least > 0 {
-        true => cos_of_degrees(&least, &width).1,
-        false => Rational::from(1),
+    let high = if least > 0 {
+        cos_of_degrees(&least, &width).1
+    } else {
+        Rational::from(1)
     };
     Some((low, high))
 }

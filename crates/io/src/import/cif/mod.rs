@@ -88,17 +88,16 @@ pub fn read_cif(text: &str, options: &CifOptions) -> Result<Structure, ImportErr
     check_snapped(&sites.sites, &operations, options)?;
     let moved = special::settle(&mut sites.sites, &operations, options.special)?;
     let (atoms, merged) = orbits::atoms(&sites.sites, &operations, options.ignore_occupancy)?;
-    let variation = match options.within_su {
-        true => {
-            uncertainty::check_readable(block, &cell)?;
-            Some(uncertainty::variation(
-                &cell,
-                &sites.sites,
-                &operations,
-                &atoms,
-            )?)
-        }
-        false => None,
+    let variation = if options.within_su {
+        uncertainty::check_readable(block, &cell)?;
+        Some(uncertainty::variation(
+            &cell,
+            &sites.sites,
+            &operations,
+            &atoms,
+        )?)
+    } else {
+        None
     };
 
     let mut notes = Vec::new();

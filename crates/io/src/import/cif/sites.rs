@@ -106,9 +106,12 @@ impl Table<'_, '_> {
                 .as_ref()
                 .is_some_and(|fractions| fractions[k] != numbers[k].value)
         };
-        let units = std::array::from_fn(|k| match is_snapped(k) {
-            true => Rational::from(0),
-            false => numbers[k].unit.clone(),
+        let units = std::array::from_fn(|k| {
+            if is_snapped(k) {
+                Rational::from(0)
+            } else {
+                numbers[k].unit.clone()
+            }
         });
         let uncertainties = std::array::from_fn(|k| {
             let su = numbers[k].uncertainty.as_ref();

@@ -114,14 +114,16 @@ impl Free {
     fn parameter(&mut self, name: String, low: Rational, high: Rational) -> Polynomial {
         let index = self.intervals.len();
         let is_taken = |name: &str| self.intervals.iter().any(|other| other.name == name);
-        let name = match is_taken(&name) {
-            true => format!("{}_{index}", &name[..name.len().min(12)]),
-            false => name,
+        let name = if is_taken(&name) {
+            format!("{}_{index}", &name[..name.len().min(12)])
+        } else {
+            name
         };
         self.intervals.push(Interval { name, low, high });
-        match index < MOST_PARAMETERS {
-            true => Polynomial::parameter(index),
-            false => Polynomial::zero(),
+        if index < MOST_PARAMETERS {
+            Polynomial::parameter(index)
+        } else {
+            Polynomial::zero()
         }
     }
 
@@ -134,9 +136,10 @@ impl Free {
         let classes = classes(operations);
         let mut quotients: Vec<Polynomial> = vec![constant(&Rational::from(1))];
         for k in 1..3 {
-            let quotient = match classes[k] < k {
-                true => quotients[classes[k]].clone(),
-                false => self.quotient(cell, k),
+            let quotient = if classes[k] < k {
+                quotients[classes[k]].clone()
+            } else {
+                self.quotient(cell, k)
             };
             quotients.push(quotient);
         }
@@ -144,18 +147,20 @@ impl Free {
         let gram: Gram = std::array::from_fn(|i| {
             std::array::from_fn(|j| {
                 let product = quotients[i].times(&quotients[j]);
-                match i == j {
-                    true => product,
-                    false => product.times(&cosines[3 - i - j]),
+                if i == j {
+                    product
+                } else {
+                    product.times(&cosines[3 - i - j])
                 }
             })
         });
         let keeps = |listed: &Listed| transformed(&listed.operation.rotation, &gram) == gram;
-        match operations.iter().all(keeps) {
-            true => Ok(gram),
-            false => Err(cell_refusal(
+        if operations.iter().all(keeps) {
+            Ok(gram)
+        } else {
+            Err(cell_refusal(
                 "cannot vary on their own under the operations",
-            )),
+            ))
         }
     }
 
@@ -167,9 +172,10 @@ impl Free {
             (&length.value - &su, &length.value + su)
         });
         let (least, most) = (&high.0 / &low.1, &high.1 / &low.0);
-        match least == most {
-            true => constant(&least),
-            false => self.parameter(format!("{}_over_a", ["a", "b", "c"][k]), least, most),
+        if least == most {
+            constant(&least)
+        } else {
+            self.parameter(format!("{}_over_a", ["a", "b", "c"][k]), least, most)
         }
     }
 
