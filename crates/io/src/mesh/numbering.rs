@@ -156,7 +156,7 @@ impl Index {
             Index::Sorted(pairs) => {
                 let tag = |pair: Option<&(u64, u32)>| pair.map_or(0, |pair| pair.0);
                 let (first, last) = (tag(pairs.first()), tag(pairs.last()));
-                (first, last - first + 1, ", with gaps")
+                (first, (last - first).saturating_add(1), ", with gaps")
             }
         };
         if count == 0 {
