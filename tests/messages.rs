@@ -432,6 +432,17 @@ fn plane_tiling_files() {
             assert!(!text.contains("at line"), "{text}");
         }
     }
+    for (content, found) in [
+        (&b"\x89PNG\r\n\x1a\n\xff"[..], "PNG image"),
+        (b"hello", "'h' at the beginning"),
+    ] {
+        std::fs::write(&path, content).expect("written");
+        let words = format!(
+            "p.json: found {found}, expected a plane-tiling file; `acutile new square-triangle` writes one"
+        );
+        let text = refusal(&["certify", &name]);
+        assert!(text.contains(&words), "{text}");
+    }
     std::fs::write(&path, good).expect("written");
     let text = refusal(&["certify", path.to_str().expect("UTF-8")]);
     assert!(text.contains("is taken as square-triangle:FILE"), "{text}");
