@@ -250,10 +250,16 @@ fn files_that_are_something_else() {
             br#"{"1": {"cell": {"__ase_objtype__": "cell"}}, "ids": [1]}"#,
             "JSON of ASE (ase convert IN OUT.xyz writes extended XYZ)",
         ),
+        // As gemmi 0.7 writes them.
         (
-            "gemmi.json",
-            br#"{"data_x": {"_atom_site": {"label": ["A"]}}}"#,
-            "mmJSON of gemmi (gemmi json2cif IN OUT.cif writes a CIF)",
+            "cif.json",
+            br#"{"x": {"_cell_length_a": 1.0, "_atom_site_label": ["Si"]}}"#,
+            "a CIF as JSON (the CIF itself is read, and gemmi json2cif writes one)",
+        ),
+        (
+            "mm.json",
+            br#"{"data_m": {"cell": {"length_a": [1]}, "atom_site": {"id": [1]}}}"#,
+            "a CIF as JSON",
         ),
         (
             "other.json",
