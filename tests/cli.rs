@@ -674,6 +674,16 @@ fn show_calls_no_claim_of_a_file_a_theorem() {
     assert!(stdout(&acutile(["show", "kagome-all"])).contains("a theorem: "));
 }
 
+/// The Gram matrix [[1/2, 1/4], [1/4, 3/4]] has the squared sides 1/2, 3/4 and 3/4. So the angles are arccos(2/3) and
+/// twice arccos(1/√6).
+#[test]
+fn show_names_the_smallest_and_the_largest_angle_of_a_member() {
+    let shown = stdout(&acutile(["show", "triangle-tiling-all"]));
+    let words = "dihedral angles at x = 1/2, y = 1/2: smallest 48.189685 to 48.189686, \
+                 largest 65.905157 to 65.905158";
+    assert!(shown.contains(words), "{shown}");
+}
+
 /// An option that would be ignored is an error, which names the option and a way out.
 #[test]
 fn options_for_boxes_are_errors_where_they_do_not_apply() {

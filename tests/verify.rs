@@ -304,7 +304,7 @@ fn lines_of_json() {
         (
             "\"boundary\":[]",
             "\"boundary\":7",
-            "[cbor] line 39, column 12 (\"boundary\":7): expected an item",
+            "[cbor] line 39, column 12 (\"boundary\":7): expected an item that the format allows here",
         ),
         (
             "\"boundary\"",

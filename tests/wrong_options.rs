@@ -137,6 +137,22 @@ fn numbers_and_statements_in_options() {
             "9 is out of range, expected an integer from 0 to 8",
         ),
         (
+            &["certify", "a15", "-o", "a", "--report", "./a"],
+            "./a: -o and --report name one file, expected different files",
+        ),
+        (
+            &["certify", "a15", "-o", "-", "--report", "-"],
+            "-: -o and --report name one file, expected different files",
+        ),
+        (
+            &["verify", "-", "-"],
+            "-: standard input is named 2 times, expected once",
+        ),
+        (
+            &["verify", "-", "--claim", "-"],
+            "-: standard input is named 2 times, expected once",
+        ),
+        (
             &["certify", "a15", "--cite"],
             "--cite is for a member of a theorem, expected square-triangle:WORD or kagome:WORD",
         ),

@@ -12,7 +12,7 @@ use super::name::InputName;
 use super::named::InputError;
 use super::outcome::Outcome;
 use super::output::{Output, check_parent, is_standard, write_bytes};
-use super::overwriting::check_not_an_input;
+use super::overwriting::{check_different, check_not_an_input};
 use super::prove::{examine_tiling, in_words, prove_tiling, required};
 use super::proved::{self, title};
 use super::record::verdict;
@@ -112,7 +112,12 @@ fn check(inputs: &[InputName], arguments: &CertifyArguments) -> Result<(), Strin
             .map_err(|problem| format!("{option} {problem}"))?;
         path.map_or(Ok(()), check_parent)?;
     }
-    Ok(())
+    check_different(&[
+        ("-o", arguments.output.as_deref()),
+        ("--report", arguments.report.as_deref()),
+        ("--defects", arguments.defects.as_deref()),
+        ("--moves", moves),
+    ])
 }
 
 /// The part of the page of --report about an input.

@@ -124,7 +124,7 @@ fn search(
             outcome: proof::outcome(&error),
         },
         Failure::NoElement(error) => InputError::from(format!(
-            "{input}: --symmetry: found place {}, expected less than {}; --symmetry list shows them",
+            "{input}: --symmetry: found element {}, expected less than {}; --symmetry list prints the elements",
             error.place, error.count
         )),
     })

@@ -7,6 +7,7 @@
 use super::name::InputName;
 use super::plane;
 use acutile_catalog as catalog;
+use std::ffi::OsStr;
 use std::path::{Path, PathBuf};
 
 /// Checks that the file that an option names is none of the inputs.
@@ -74,4 +75,33 @@ pub fn check_replaceable(
     Err(format!(
         "{name}: the file exists and is not as acutile wrote it; --force replaces it"
     ))
+}
+
+/// No two options name one file, of which the second would replace the first.
+///
+/// # Errors
+/// Names the file and both options.
+pub fn check_different(outputs: &[(&str, Option<&Path>)]) -> Result<(), String> {
+    // The directory decides, by whatever name: the files need not exist yet.
+    let place = |path: &Path| {
+        let parent = path.parent().unwrap_or(Path::new(""));
+        let parent = Path::new(".").join(parent).canonicalize().ok();
+        (parent, path.file_name().map(OsStr::to_owned))
+    };
+    // A device takes any number of files.
+    let is_file = |path: &Path| path.is_file() || !path.exists();
+    let given = outputs
+        .iter()
+        .filter_map(|&(option, path)| Some((option, path?)));
+    let given: Vec<(&str, &Path)> = given.filter(|(_, path)| is_file(path)).collect();
+    for (k, (second, path)) in given.iter().enumerate() {
+        let is_same = |(_, other): &&(&str, &Path)| place(other) == place(path);
+        if let Some((first, _)) = given[..k].iter().find(is_same) {
+            return Err(format!(
+                "{}: {first} and {second} name one file, expected different files",
+                path.display()
+            ));
+        }
+    }
+    Ok(())
 }

@@ -206,7 +206,7 @@ fn show_family<const D: usize>(family: &Family<D>) -> Shown {
     }));
     let members = angles_of_members(family);
     lines.extend(members.iter().map(|(place, angles)| match angles {
-        Some((low, high)) => format!("dihedral angles at {place}: {low} to {high}"),
+        Some((low, high)) => format!("dihedral angles at {place}: smallest {low}, largest {high}"),
         None => format!("no simplices at {place}"),
     }));
     let members = members

@@ -14,6 +14,8 @@ pub struct Refused {
     /// The kernel's verdict.
     pub refusal: Box<Refusal>,
     place: Option<String>,
+    /// The bytes of a file that ends early.
+    cut: Option<u64>,
 }
 
 impl From<Refusal> for Refused {
@@ -22,6 +24,7 @@ impl From<Refusal> for Refused {
         Refused {
             refusal,
             place: None,
+            cut: None,
         }
     }
 }
@@ -30,23 +33,30 @@ impl Refused {
     /// The refusal of `cbor`, which is the certificate of the file with these bytes.
     pub fn of_file(file: &[u8], cbor: &[u8], refusal: Refusal) -> Refused {
         let length = cbor.len() as u64;
-        let place = match refusal.place {
-            Place::Byte(byte) if file != cbor => place_of_item(file, cbor, byte),
+        let (place, cut) = match refusal.place {
+            Place::Byte(byte) if file != cbor => (place_of_item(file, cbor, byte), None),
             // The kernel names the byte that is missing.
             Place::Byte(byte) if refusal.code == Code::Cbor && byte > length => {
-                Some(format!("the file ends after {length} bytes"))
+                (None, Some(length))
             }
-            _ => None,
+            _ => (None, None),
         };
         let refusal = Box::new(refusal);
-        Refused { refusal, place }
+        Refused {
+            refusal,
+            place,
+            cut,
+        }
     }
 
     /// The place, the rule, and the value, without the code.
     pub fn message(&self) -> String {
-        match &self.place {
-            Some(place) => message_at(&self.refusal, place.clone()),
-            None => message(&self.refusal),
+        match (&self.place, self.cut) {
+            (_, Some(length)) => {
+                format!("the file ends after {length} bytes, expected the rest of a certificate")
+            }
+            (Some(place), None) => message_at(&self.refusal, place.clone()),
+            (None, None) => message(&self.refusal),
         }
     }
 }
@@ -137,7 +147,7 @@ fn place(place: Place) -> String {
 /// The condition that each code stands for.
 fn rule(code: Code) -> &'static str {
     match code {
-        Code::Cbor => "expected the next item of a certificate",
+        Code::Cbor => "expected an item that the format allows here (docs/format.md)",
         Code::Canonical => "expected the canonical encoding, in lowest terms",
         Code::Format => "expected the format \"acutile-certificate\"",
         Code::Dimension => "expected the dimension 2 or 3",

@@ -596,7 +596,7 @@ fn other_formats() {
         (
             "a.xyz",
             XYZ.replacen('8', "9", 1),
-            "9 atoms are announced, and 9 lines follow",
+            "found 9 as the number of atoms, but 8 lines of atoms follow",
         ),
         (
             "a.xyz",

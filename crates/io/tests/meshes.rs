@@ -218,7 +218,7 @@ fn messages_name_the_place_what_was_expected_and_what_was_found() {
         ),
         (
             format!("{head}$Nodes\n2\n1 0 0 0\n1 1 nan 0\n$EndNodes\n"),
-            "line 7: found \"nan\", expected the coordinate y, a number",
+            "line 7: found \"nan\", expected the coordinate y, a finite number",
         ),
         (
             format!("{head}$Nodes\n2\n1 0 0 0\n1 1 0 0\n$EndNodes\n"),
@@ -230,7 +230,7 @@ fn messages_name_the_place_what_was_expected_and_what_was_found() {
         ),
         (
             format!("{head}{nodes}$Elements\n1\n9 3 2 1 1 1 2 3 4\n$EndElements\n"),
-            "has no tetrahedra and no triangles, but 1 quadrangle",
+            "has no tetrahedra and no triangles, but 1 quadrangle; expected a mesh of either",
         ),
         (
             format!(

@@ -231,7 +231,7 @@ impl Draft {
                 format!(", but {}", self.mesh.other_counts())
             };
             return Err(MeshError::of_file(format!(
-                "has no tetrahedra and no triangles{others}"
+                "has no tetrahedra and no triangles{others}; expected a mesh of either"
             )));
         }
         if cells > MOST {

@@ -261,7 +261,7 @@ impl<'a> Source<'a> {
         match decimal_double(word) {
             Some(value) if value.is_finite() => Ok(value),
             Some(_) => Err(self.unexpected(word, &format!("{what} in the range of doubles"))),
-            None => Err(self.unexpected(word, &format!("{what}, a number"))),
+            None => Err(self.unexpected(word, &format!("{what}, a finite number"))),
         }
     }
 
@@ -326,8 +326,8 @@ mod tests {
         assert_eq!(source.double("x"), Ok(0.1));
         for expected in [
             "line 2: found \"1e400\", expected x in the range of doubles",
-            "line 2: found \"nan\", expected x, a number",
-            "line 2: found \"1x\", expected x, a number",
+            "line 2: found \"nan\", expected x, a finite number",
+            "line 2: found \"1x\", expected x, a finite number",
             "line 2: the file ends, expected x",
         ] {
             let error = source.double("x").expect_err("no number");

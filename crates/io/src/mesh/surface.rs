@@ -131,7 +131,9 @@ pub fn load_surface(path: &Path) -> Result<Surface, MeshError> {
         });
     }
     let family = Family::of_path(path).ok_or_else(|| {
-        MeshError::of_file("no surface; expected .stl, .obj, or a mesh file of triangles")
+        MeshError::of_file(
+            "found no surface, expected a file .stl or .obj, or a mesh file of triangles",
+        )
     })?;
     let mesh = load::load(path, family)?.mesh;
     if mesh.dimension() != 2 {

@@ -136,18 +136,18 @@ pub fn name(path: &Path, bytes: &[u8]) -> Option<&'static str> {
 
 /// JSON of another program, by a member that this program always writes.
 fn of_json(json: &[u8]) -> Option<&'static str> {
-    const MEMBERS: [(&str, &str); 2] = [
+    const CIF: &str = "a CIF as JSON (the CIF itself is read, and gemmi json2cif writes one)";
+    const MEMBERS: [(&str, &str); 3] = [
         (
             "\"__ase_objtype__\"",
             "JSON of ASE (ase convert IN OUT.xyz writes extended XYZ)",
         ),
-        (
-            "\"_atom_site\"",
-            "mmJSON of gemmi (gemmi json2cif IN OUT.cif writes a CIF)",
-        ),
+        ("\"_atom_site", CIF),
+        ("\"atom_site", CIF),
     ];
     let begin = String::from_utf8_lossy(&json[..json.len().min(1 << 16)]);
-    if begin.contains("\"acutile-") {
+    // The project's own files and those of pymatgen are read, whatever they contain.
+    if begin.contains("\"acutile-") || begin.contains("\"@class\"") {
         return None;
     }
     let found = MEMBERS.iter().find(|(member, _)| begin.contains(member));

@@ -31,7 +31,7 @@ pub fn read(bytes: &[u8]) -> Result<Mesh, MeshError> {
     loop {
         let event = reader.read_event().map_err(|error| {
             let at = reader.error_position();
-            MeshError::at(lines.of(at as usize), format!("no XML: {error}"))
+            MeshError::at(lines.of(at as usize), format!("not valid XML: {error}"))
         })?;
         let at = reader.buffer_position() as usize;
         let place = lines.of(at);
@@ -318,7 +318,7 @@ fn attributes(tag: &BytesStart, place: Place) -> Result<BTreeMap<String, String>
     let mut map = BTreeMap::new();
     for attribute in tag.attributes() {
         let attribute =
-            attribute.map_err(|error| MeshError::at(place, format!("no XML: {error}")))?;
+            attribute.map_err(|error| MeshError::at(place, format!("not valid XML: {error}")))?;
         map.insert(
             attribute.key.0.to_owned(),
             attribute.value.trim().to_owned(),

@@ -212,7 +212,7 @@ fn contents(entries: &[Entry], parts: Parts) -> String {
 | file | what it is |
 |---|---|
 | `certificates/` | claims with all that is needed to check them, as CBOR and as JSON |
-{appendix}| `report.html` | a page to look at, with a check in the browser; it loads nothing |
+{appendix}| `report.html` | an HTML page with a check in the browser; it needs no network |
 {tilings}{meshes}{coq}| `verify/` | the verifiers in Python and JavaScript, and the sources of the one in Rust with all crates that it needs |
 | `docs/` | the format of certificates, and why they prove what they claim |
 | `CLAIMS.md` | each claim with its evidence, and what is not proved |

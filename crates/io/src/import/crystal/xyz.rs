@@ -92,7 +92,9 @@ fn frame<'t>(text: &'t str, chosen: Option<&str>) -> Result<(Frame<'t>, usize), 
         })?;
         let left = lines.len() - at;
         if left < 2 || count > left - 2 {
-            let problem = format!("{count} atoms are announced, and {} lines follow", left - 1);
+            let lines = left.saturating_sub(2);
+            let problem =
+                format!("found {count} as the number of atoms, but {lines} lines of atoms follow");
             return Err(ImportError::entry(place, problem));
         }
         frames.push(Frame {
