@@ -6,14 +6,14 @@ usage: differential.py [--mutations N] [--seed S] [--also COMMAND]... VERIFY COQ
 The files are certificates in JSON. VERIFY is acutile-verify and COQ_CHECK the extracted checker, which get each of
 them in CBOR; COMMAND is any further one that reads JSON and prints lines as acutile-verify does (its words are
 separated by spaces). A file is a disagreement when one program accepts it and another refuses it: rejected,
-malformed. "declined" agrees with everything, for the limits differ; what one accepts and another declines is
+malformed; or when two print different digests of its CBOR. "declined" agrees with everything, for the limits differ; what one accepts and another declines is
 listed, and the share of it is bounded: at most one file in a hundred, without patches and families, of which
-COQ_CHECK declines some. Systems of patches are not mutated here; tests/browser/mutate.mjs does that.
+COQ_CHECK declines some. Systems of patches are not mutated here; tests/browser/verifier.test.mjs does that.
 A file that has no CBOR is not shown to these two. Files whose name sets a limit are checked under the default limits.
 Exit code 1 if there is a disagreement, if nothing was accepted or refused, or if too much was declined by one
 program alone.
 """
-import collections, importlib.util, json, pathlib, random, shlex, subprocess, sys, tempfile
+import collections, importlib.util, json, pathlib, random, re, shlex, subprocess, sys, tempfile
 
 sys.dont_write_bytecode = True
 spec = importlib.util.spec_from_file_location("verify", pathlib.Path(__file__).parents[1] / "verifiers/python/verify.py")
@@ -25,18 +25,19 @@ WORDS = {"verified": "accepted", "proved": "accepted", "rejected": "refused", "m
 
 
 def answers(program, paths, seconds):
-    """The verdict on each file: one process for all of them."""
+    """The verdict on each file, and the digest that stands beside it: one process for all of them."""
     try:
         run = subprocess.run(program + [str(p) for p in paths], capture_output=True, text=True, timeout=seconds)
     except subprocess.TimeoutExpired:
         if len(paths) == 1:
-            return ["declined"]
+            return [("declined", None)]
         half = len(paths) // 2
         return answers(program, paths[:half], seconds) + answers(program, paths[half:], seconds)
     lines = run.stdout.splitlines()
     if len(lines) != len(paths):
         sys.exit(f"{program[0]}: {len(lines)} lines for {len(paths)} files: {run.stderr[-300:]}")
-    return [WORDS.get(line.split(": ", 1)[1].split()[0].rstrip(":"), line) for line in lines]
+    digests = [re.search("sha256 ([0-9a-f]{64})", line) for line in lines]
+    return [(WORDS.get(line.split(": ", 1)[1].split()[0].rstrip(":"), line), found and found[1]) for line, found in zip(lines, digests)]
 
 
 def cbor_of(path):
@@ -174,15 +175,18 @@ class Comparison:
     def compare(self, paths, seconds):
         """The verdicts on each file; disagreements are kept."""
         columns = self.of_cbor(paths, seconds) + [answers(program, paths, seconds) for program in self.programs[2:]]
-        for path, row in zip(paths, zip(*columns)):
+        rows = []
+        for path, found in zip(paths, zip(*columns)):
+            row, digests = zip(*found)
+            rows.append(row)
             self.tally[row] += 1
-            if {"accepted", "refused"} <= set(row) or not set(row) <= {NONE, *WORDS.values()}:
+            if {"accepted", "refused"} <= set(row) or not set(row) <= {NONE, *WORDS.values()} or len({*digests} - {None}) > 1:
                 self.bad.append(path)
-                print("DISAGREE", path, *row, flush=True)
+                print("DISAGREE", path, *row, *digests, flush=True)
             elif {"accepted", "declined"} <= set(row) and not is_beyond_coq(path):
                 self.alone.append(path)
                 print("declined by one alone:", path, *row, flush=True)
-        return list(zip(*columns))
+        return rows
 
     def of_cbor(self, paths, seconds):
         with tempfile.TemporaryDirectory() as folder:
@@ -193,7 +197,7 @@ class Comparison:
                     encoded[path] = pathlib.Path(folder) / f"{n}.cbor"
                     encoded[path].write_bytes(data)
             found = [answers(program, list(encoded.values()), seconds) if encoded else [] for program in self.programs[:2]]
-        return [[dict(zip(encoded, column)).get(path, NONE) for path in paths] for column in found]
+        return [[dict(zip(encoded, column)).get(path, (NONE, None)) for path in paths] for column in found]
 
 
 def is_beyond_coq(path):

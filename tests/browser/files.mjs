@@ -31,11 +31,11 @@ function rustVerifier() {
 
 const python = ["python3", join(ROOT, "verifiers/python/verify.py")];
 
-/** The other verifiers: the command, the encoding that it reads, and the size of files for which it is quick enough. */
+/** The other verifiers: the command, and the encoding that it reads. */
 export const OTHERS = [
-  { name: "acutile-verify", command: [rustVerifier()], reads: "cbor", most: Infinity },
-  { name: "verify.py", command: python, reads: "json", most: 10_000 },
-  { name: "verify.py on CBOR", command: python, reads: "cbor", most: 10_000 },
+  { name: "acutile-verify", command: [rustVerifier()], reads: "cbor" },
+  { name: "verify.py", command: python, reads: "json" },
+  { name: "verify.py on CBOR", command: python, reads: "cbor" },
 ];
 
 /** The answers of a program about some files: the lines of all verifiers begin alike. */

@@ -163,11 +163,26 @@ def check_known():
             code = path.stem.split("--")[0] if verdict != "verified" else None
             is_other = code in WITHOUT_LIMIT or re.search("--(limit|max)-", path.stem)
             assert is_other or said(path) == (verdict, code), (path, said(path))
+            check_encodings(path)
     for path in files("tests/certificates/cbor", "cbor"):
         code = path.stem.split("--")[0]
         # Where the first byte is not that of an array in CBOR, the file is read as JSON.
         found = said(path)[1]
         assert found == (None if code == "valid" else code) or (found, code) == ("json", "cbor"), (path, found)
+
+
+def check_encodings(path):
+    """CBOR gives the values of the JSON, and the verifier sees nothing else. So it gives the same answer in both encodings."""
+    try:
+        tree = verify.read_json(path.read_bytes())
+    except verify.Refusal:
+        return
+    assert verify.read_cbor(verify.cbor(tree)) == values(tree), path
+
+
+def values(tree):
+    """A tree with the list of its values in place of each object."""
+    return [values(item) for item in (tree.values() if isinstance(tree, dict) else tree)] if isinstance(tree, (list, dict)) else tree
 
 
 def places(data, at=()):
@@ -245,6 +260,7 @@ def main(program, count="400", *rest):
     check_mutations(program, int(count), 1)
     for path in files("certificates") if "all" in rest else []:
         assert said(path) == ("verified", None), path
+        check_encodings(path)
     print("verify.py agrees")
 
 
