@@ -245,7 +245,6 @@ Definition judged (c : certificate) : verdict :=
     end end
   | Patches k ws =>
     match patches_refusal k ws with Some r => Refused r | None =>
-      if existsb is_tcp (patch_sentences k) then Refused (Declined "TCP of a system of patches") else
       if patches_prove (hint_for (base_field k)) k ws then Accepted (claim_of c) else Refused (Declined "the checks of a system of patches")
     end
   end.
@@ -902,7 +901,7 @@ Proof.
   destruct (if String.eqb kind "tiling" then read_tiling k0 w0 else if String.eqb kind "family" then read_family k0 w0 else read_patches k0 w0) as [c|]; [|discriminate]. destruct (same_bytes s (fast_print c)) eqn:E; [|discriminate].
   apply same_bytes_eq in E. rewrite fast_print_eq in E. intros H. exists c. split; [exact E|].
   unfold judged in H. destruct c as [kk w|ps kk t w|kk ws].
-  3:{ destruct (patches_refusal kk ws); [discriminate|]. destruct (existsb is_tcp (patch_sentences kk)); [discriminate|].
+  3:{ destruct (patches_refusal kk ws); [discriminate|].
     destruct (patches_prove (hint_for (base_field kk)) kk ws) eqn:P; [|discriminate]. injection H as <-. split; [reflexivity|].
     apply patches_sound in P. split; [exact P|]. apply (shows_meaning (Patches kk ws) P). }
   2:{ destruct (family_refusal ps kk t w); [discriminate|]. destruct (denominators_agree kk w); [|discriminate]. cbv zeta in H.

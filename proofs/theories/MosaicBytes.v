@@ -1,7 +1,7 @@
 (** * Systems of patches: from a certificate to the checks of MosaicChecker.v, and back to its meaning *)
 From Coq Require Import Reals Lra Lia NArith ZArith List Bool.
 From Acutile Require Import Statement Tetrahedra Degree Domain Checker Euclid Soundness Numbers Fast Denote Pairing Format.
-From Acutile Require MosaicStatement MosaicTiling MosaicChecker MosaicSoundness MosaicHints.
+From Acutile Require MosaicStatement MosaicTiling MosaicChecker MosaicValences MosaicSoundness MosaicTcp MosaicHints.
 Import ListNotations.
 Local Open Scope nat_scope.
 
@@ -29,6 +29,8 @@ Definition kpatch_of (Tw : polygon * patch_witness) : kpatch := let '(T, w) := T
     (map (fun y => (corner_spot w (fst y), map (corner_spot w) (snd y))) (q_pyramids w)) (map (corners_of w) (q_simplices w)).
 Definition names_of (w : patch_witness) : MosaicHints.names :=
   MosaicHints.Names (map (map corner3) (q_simplices w)) (map (fun y => (corner3 (fst y), map corner3 (snd y))) (q_pyramids w)).
+Definition label_of (w : patch_witness) : MosaicValences.label A := let ns := names_of w in
+  MosaicValences.Label A (map (vertex_spot w) (q_vertices w)) (MosaicHints.n_pieces ns) (MosaicHints.n_pyramids ns).
 (** What the theorem needs of the form. *)
 Definition fit_corner (w : patch_witness) (q : Denote.corner) : bool := N.ltb (fst q) (N.of_nat (length (q_vertices w))).
 Definition fit_patch (r : nat) (Tw : polygon * patch_witness) : bool := let '(T, w) := Tw in
@@ -38,7 +40,7 @@ Definition fit_patch (r : nat) (Tw : polygon * patch_witness) : bool := let '(T,
   forallb (fun y => fit_corner w (fst y) && forallb (fit_corner w) (snd y)) (q_pyramids w) &&
   forallb (fun t => Nat.eqb (length t) 4 && forallb (fit_corner w) t) (q_simplices w).
 Definition fit_patch_sentence (s : sentence) : bool := match s with
-  | FaceToFaceTiling | IsAcute | IsNonobtuse | IsDelaunay | IsWeaklyDelaunay => true
+  | FaceToFaceTiling | IsAcute | IsNonobtuse | IsDelaunay | IsWeaklyDelaunay | IsTCP => true
   | LargestAngle _ _ p _ | SmallestAngle _ _ p _ | SquaredRatio _ p _ => fit p
   | _ => false end.
 Definition no_part (_ : Z) (_ : A) : Z := 0%Z.
@@ -49,9 +51,17 @@ Definition patches_proved (k : patches_claim) (ws : list patch_witness) : bool :
     let g := gram3 A aofZ inn t in
     let system := map kpatch_of (combine (polygons k) ws) in
     let '(h, apexes, home) := MosaicHints.found A aadd asub amul aofZ ale content quot g r system (map names_of ws) in
+    let turnings := MosaicHints.find_turnings A aadd asub amul aofZ ale content quot g r system in
     if MosaicChecker.check_system A aadd asub amul aofZ alt ale content quot g r system h apexes home then
-      if forallb (MosaicChecker.check_sentence A aadd asub amul aofZ alt ale content quot g r system h apexes) (flat_map (statement_of A no_part inn) (patch_sentences k)) then
-        MosaicChecker.check_heights A aadd asub amul aofZ alt ale content quot g r system (MosaicHints.find_turnings A aadd asub amul aofZ ale content quot g r system)
+      if forallb (MosaicChecker.check_sentence A aadd asub amul aofZ alt ale content quot g r system h apexes)
+        (flat_map (statement_of A no_part inn) (filter (fun s => negb (is_tcp s)) (patch_sentences k))) then
+        if MosaicChecker.check_heights A aadd asub amul aofZ alt ale content quot g r system turnings then
+          if existsb is_tcp (patch_sentences k) then
+            let labels := map label_of ws in
+            MosaicValences.check_tcp A aadd asub amul aofZ alt ale content quot g r system h labels
+              (MosaicHints.neighbours A aadd asub amul aofZ ale content quot g r system labels) (MosaicHints.find_samples A aadd amul aofZ turnings) turnings
+          else true
+        else false
       else false
     else false
   else false.
@@ -140,7 +150,8 @@ Proof.
   set (g := gram3 A aofZ inn (as_tiling k)). set (system := map (kpatch_of A aadd amul aofZ inn) (combine (polygons k) ws)).
   destruct (MosaicHints.found _ _ _ _ _ _ _ _ _ _ _ _) as [[h apexes] home].
   destruct (MosaicChecker.check_system _ _ _ _ _ _ _ _ _ _ _ _ _ _ _) eqn:CS; [|discriminate]. destruct (forallb _ (flat_map _ _)) eqn:CT; [|discriminate].
-  rewrite forallb_forall in CT. set (turnings := MosaicHints.find_turnings _ _ _ _ _ _ _ _ _ _ _). intros CH. clearbody turnings.
+  rewrite forallb_forall in CT. set (turnings := MosaicHints.find_turnings _ _ _ _ _ _ _ _ _ _ _). set (labels := map _ ws). set (neighbours := MosaicHints.neighbours _ _ _ _ _ _ _ _ _ _ _ _).
+  set (samples := MosaicHints.find_samples _ _ _ _ _). clearbody turnings labels neighbours samples. destruct (MosaicChecker.check_heights _ _ _ _ _ _ _ _ _ _ _ _ _) eqn:CH; [|discriminate]. intros TCP.
   assert (GE : gram_of (as_tiling k) a = phiG A phi g).
   { unfold gram_shape in S2. unfold g, gram3, gram_of. cbn [dimension as_tiling gram_rows] in *.
     destruct (base_gram k) as [|[|x [|y [|z [|? ?]]]] [|[|u [|v [|? ?]]] [|[|t [|? ?]] [|? ?]]]]; try discriminate.
@@ -155,10 +166,10 @@ Proof.
   cbv zeta. rewrite GE. split; [apply gram_right; [apply gram_exists, GP|exact GP]|]. intros l1 l2 l3 HG RH. rewrite SE. split.
   - apply (MosaicSoundness.heights_ok A aadd asub amul aofZ alt ale content quot phi phi_add phi_sub phi_mul phi_Z alt_ok ale_ok g (fibre_rank k) RK system h apexes home CS l1 l2 l3 HG RH turnings CH).
   - intros s Is. specialize (S6 s Is). unfold patches_sentence. rewrite GE, SE.
-    assert (ST : forall c, In c (statement_of A (no_part A) inn s) -> MosaicChecker.check_sentence A aadd asub amul aofZ alt ale content quot g (fibre_rank k) system h apexes c = true).
-    { intros c Ic. apply CT. apply in_flat_map. eauto. }
+    assert (ST : is_tcp s = false -> forall c, In c (statement_of A (no_part A) inn s) -> MosaicChecker.check_sentence A aadd asub amul aofZ alt ale content quot g (fibre_rank k) system h apexes c = true).
+    { intros NT c Ic. apply CT. apply in_flat_map. exists s. split; [apply filter_In; split; [exact Is|rewrite NT; reflexivity]|exact Ic]. }
     destruct s as [| | |rel sg p q|rel sg p q|rel p q|l p q| | | | | |]; cbn [fit_patch_sentence] in S6; try discriminate; cbn [statement_of In] in ST;
-    try (specialize (ST _ (or_introl eq_refl)); cbn [MosaicChecker.check_sentence] in ST).
+    try (specialize (ST eq_refl _ (or_introl eq_refl)); cbn [MosaicChecker.check_sentence] in ST).
     + apply (MosaicSoundness.tiles_all A aadd asub amul aofZ alt ale content quot phi phi_add phi_sub phi_mul phi_Z alt_ok ale_ok g (fibre_rank k) RK system h apexes home CS); auto.
     + apply (MosaicSoundness.acute_all A aadd asub amul aofZ alt ale content quot phi phi_add phi_sub phi_mul phi_Z alt_ok ale_ok g (fibre_rank k) RK system h apexes home CS); auto.
     + apply (MosaicSoundness.nonobtuse_all A aadd asub amul aofZ alt ale content quot phi phi_add phi_sub phi_mul phi_Z alt_ok ale_ok g (fibre_rank k) RK system h apexes home CS); auto.
@@ -170,5 +181,7 @@ Proof.
       rewrite inn_ok in X by assumption. exact X.
     + apply (MosaicSoundness.delaunay_all A aadd asub amul aofZ alt ale content quot phi phi_add phi_sub phi_mul phi_Z alt_ok ale_ok g (fibre_rank k) RK system h apexes home CS); auto.
     + apply (MosaicSoundness.weakly_delaunay_all A aadd asub amul aofZ alt ale content quot phi phi_add phi_sub phi_mul phi_Z alt_ok ale_ok g (fibre_rank k) RK system h apexes home CS); auto.
+    + assert (IT : existsb is_tcp (patch_sentences k) = true) by (apply existsb_exists; exists IsTCP; auto). rewrite IT in TCP.
+      apply (MosaicTcp.tcp_all A aadd asub amul aofZ alt ale content quot phi phi_add phi_sub phi_mul phi_Z alt_ok ale_ok g (fibre_rank k) RK system h apexes home CS labels neighbours samples turnings TCP CH l1 l2 l3 HG RH).
 Qed.
 End Link.

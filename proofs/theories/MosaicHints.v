@@ -1,9 +1,9 @@
 (** * Systems of patches: the hints of the checker
 
     No theorem is about this file: MosaicChecker.v checks every mate, every apex, every home and
-    every rotation.  Facets are named by their corners, as in Pairing.v. *)
+    every rotation, and MosaicValences.v every name.  Facets are named by their corners, as in Pairing.v. *)
 From Coq Require Import Reals NArith ZArith List Bool.
-From Acutile Require Import Tetrahedra Degree Domain Checker Pairing MosaicStatement MosaicTiling MosaicChecker.
+From Acutile Require Import Tetrahedra Degree Domain Checker Pairing MosaicStatement MosaicTiling MosaicChecker MosaicValences.
 Import ListNotations.
 Local Open Scope nat_scope.
 
@@ -145,4 +145,20 @@ Definition found : hints * (nat -> nat -> list spot) * (nat -> nat * spot) :=
     (fun a q b s' e => let '(_, _, j) := beyond_at a q b s' in let c := k_rim_count A aofZ (k_patch a) q in ((j + 2 * c - e - 1) mod c))
     (fun a s b s' w => get (get (get (get (get triangles a []) s []) b []) s' []) w (0, z30)),
    (fun a q => get (get apexes a []) q []), (fun a => get homes a (0, no_spot))).
+
+(** For TCP: the names across walls, and directions that no side has. *)
+Definition neighbour_table (labels : list (label A)) : list (list (list (list (list Checker.corner)))) :=
+  let vertices a := l_vertices A (nth a labels (Label A [] [] [])) in
+  let in_side p s x := aeq (k_left A aadd amul (side_form A asub amul aofZ r p s) x) zero in
+  table n (fun a => let p := k_patch a in table (k_sides A p) (fun s => table n (fun b => let p' := k_patch b in table (k_sides A p') (fun s' =>
+    if can_meet p s p' s' then
+      let numbered := combine (seq 0 (length (vertices b))) (vertices b) in
+      let theirs := map (fun y => (N.of_nat (fst y), carry p s p' s' (snd y))) (filter (fun y => in_side p' s' (snd y)) numbered) in
+      map (fun x => if in_side p s x then match first_of (fun y => match period_between x (snd y) with Some m => Some (fst y, m) | None => None end) theirs with
+        Some c => c | None => no_name end else no_name) (vertices a)
+    else [])))).
+Definition neighbours (labels : list (label A)) : nat -> nat -> nat -> nat -> N -> Checker.corner :=
+  let t := neighbour_table labels in fun a s b s' v => nth (N.to_nat v) (get (get (get (get t a []) s []) b []) s' []) no_name.
+Definition find_samples (turnings : list k_turning) : list (A * A) :=
+  map (fun t => let '(_, (a, b, c, d)) := fst t in let sum x y := aadd (amul (aofZ 1009) x) (amul (aofZ 313) y) in (sum a c, sum b d)) turnings.
 End Ring.
