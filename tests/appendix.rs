@@ -116,7 +116,7 @@ fn foreign_and_edited_files_stay_without_force() {
     let refused = write(&["cube-6"], place.path(), &[]);
     assert_eq!(code(&refused), 2);
     assert!(
-        stderr(&refused).contains("main.tex: is there"),
+        stderr(&refused).contains("main.tex: the file exists"),
         "{}",
         stderr(&refused)
     );

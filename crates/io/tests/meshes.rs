@@ -222,7 +222,7 @@ fn messages_name_the_place_what_was_expected_and_what_was_found() {
         ),
         (
             format!("{head}$Nodes\n2\n1 0 0 0\n1 1 0 0\n$EndNodes\n"),
-            "the node number 1 is there twice: node 1 and node 2 of the file",
+            "the node number 1 occurs twice: node 1 and node 2 of the file",
         ),
         (
             format!("{head}{nodes}$Elements\n1\n9 4 2 1 1 1 2 3 5\n$EndElements\n"),

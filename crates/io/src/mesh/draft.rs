@@ -136,7 +136,7 @@ impl Draft {
         self.mesh.nodes.index().map_err(|repeated| {
             let (first, second) = repeated.positions;
             MeshError::of_file(format!(
-                "the node number {} is there twice: node {} and node {} of the file",
+                "the node number {} occurs twice: node {} and node {} of the file",
                 repeated.tag,
                 first + 1,
                 second + 1

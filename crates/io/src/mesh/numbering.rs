@@ -207,7 +207,7 @@ mod tests {
     fn names_a_number_that_is_there_twice() {
         let far = u64::from(u32::MAX) * 5;
         for tags in [vec![3, 1, 2, 1], vec![3, 1, far, 1]] {
-            let repeated = numbering(&tags).index().expect_err("1 is there twice");
+            let repeated = numbering(&tags).index().expect_err("1 occurs twice");
             assert_eq!((repeated.tag, repeated.positions), (1, (1, 3)));
         }
     }
