@@ -161,11 +161,9 @@ pub fn bundle(pieces: Vec<Piece>, options: &Options) -> Result<Bundle, String> {
     let mut files = fixed();
     files.extend(kernel::files()?);
     let entries = entries(&pieces, &mut files)?;
-    let theorems = if options.coq {
-        add_theorems(&pieces, &mut files, &mut notes)
-    } else {
-        0
-    };
+    if options.coq {
+        add_theorems(&pieces, &mut files)?;
+    }
     let (contents, subjects): (Vec<Content>, Vec<Subject>) =
         pieces.into_iter().map(|p| (p.content, p.subject)).unzip();
     let shown: Vec<Shown> = contents.iter().map(Content::shown).collect();
@@ -174,7 +172,7 @@ pub fn bundle(pieces: Vec<Piece>, options: &Options) -> Result<Bundle, String> {
     let parts = readme::Parts {
         has_appendix: !subjects.is_empty(),
         has_pdf,
-        theorems,
+        has_theorems: options.coq,
     };
     let readme = readme::readme(&entries, parts, &options.deposit);
     files.push(file("expected-output.txt", readme::expected(&entries)));
@@ -217,20 +215,13 @@ fn entries(pieces: &[Piece], files: &mut Vec<File>) -> Result<Vec<Entry>, String
     Ok(entries)
 }
 
-/// Adds the claims as theorems for Coq, and notes those that have none; how many were added.
-fn add_theorems(pieces: &[Piece], files: &mut Vec<File>, notes: &mut Vec<String>) -> usize {
-    let mut count = 0;
+/// Adds the claims as theorems for Coq.
+fn add_theorems(pieces: &[Piece], files: &mut Vec<File>) -> Result<(), String> {
     for Piece { subject, .. } in pieces {
-        let slug = subject.slug();
-        match coq_file(subject.certificate()) {
-            Ok(theorem) => {
-                files.push(file(&format!("coq/{slug}.v"), theorem));
-                count += 1;
-            }
-            Err(reason) => notes.push(format!("{slug}: no theorem for Coq: {reason}")),
-        }
+        let theorem = coq_file(subject.certificate())?;
+        files.push(file(&format!("coq/{}.v", subject.slug()), theorem));
     }
-    count
+    Ok(())
 }
 
 /// Adds the appendix, if there is something to say in it; whether with PDF.

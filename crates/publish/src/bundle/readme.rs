@@ -11,8 +11,8 @@ const VERSION: &str = env!("CARGO_PKG_VERSION");
 pub struct Parts {
     pub has_appendix: bool,
     pub has_pdf: bool,
-    /// The number of theorems for Coq.
-    pub theorems: usize,
+    /// The claims as theorems for Coq.
+    pub has_theorems: bool,
 }
 
 /// The text, in Markdown. Names in it are slugs, and claims are in the kernel's words.
@@ -26,7 +26,7 @@ pub fn readme(entries: &[Entry], parts: Parts, deposit: &Deposit) -> String {
         ),
         entries.iter().map(claim).collect(),
         check(entries),
-        theorems(parts.theorems),
+        theorems(parts.has_theorems),
         contents(entries, parts),
         meshes(entries),
         citation(deposit),
@@ -82,15 +82,15 @@ pub fn expected(entries: &[Entry]) -> String {
 }
 
 /// How the theorems for Coq are checked.
-fn theorems(count: usize) -> String {
-    match count {
-        0 => String::new(),
-        _ => format!(
-            "With **Coq** 8.16 and the folder `proofs` of the source of acutile {VERSION}: each `coq/NAME.v` has a certificate and its claim as \
-             a theorem.\n`make -C proofs` there builds the theory, and `coqc -R proofs/theories Acutile coq/NAME.v` proves the claim\nand prints \
-             its axioms.\n\n"
-        ),
+fn theorems(are_there: bool) -> String {
+    if !are_there {
+        return String::new();
     }
+    format!(
+        "With **Coq** 8.16 and the folder `proofs` of the source of acutile {VERSION}: each `coq/NAME.v` has a certificate and its claim as \
+         a theorem.\n`make -C proofs` there builds the theory, and `coqc -R proofs/theories Acutile coq/NAME.v` proves the claim\nand prints \
+         its axioms.\n\n"
+    )
 }
 
 /// From each claim to its evidence, and the limits of all claims.
@@ -202,9 +202,10 @@ fn contents(entries: &[Entry], parts: Parts) -> String {
     } else {
         "| `tilings/*.msh`, `*.vtu`, `*.mesh` | one cell as a mesh in MSH 4.1, VTU and MEDIT, in doubles |\n"
     };
-    let coq = match parts.theorems {
-        0 => "",
-        _ => "| `coq/` | claims as theorems for Coq, each with its certificate |\n",
+    let coq = if parts.has_theorems {
+        "| `coq/` | claims as theorems for Coq, each with its certificate |\n"
+    } else {
+        ""
     };
     format!(
         "## What is here
