@@ -245,9 +245,9 @@ fn prove(
         Err(message) => return Answer::Failed(format!("{input}: {message}")),
     };
     let proved = with_dimension!(&named.tiling, AnyTiling, t => if arguments.no_certificate {
-    examine_tiling(t, input, &options)
+        examine_tiling(t, input, &options)
     } else {
-    prove_tiling(t, input, &options, target, arguments)
+        prove_tiling(t, input, &options, target, arguments)
     });
     let findings = match proved {
         Ok(answer) => return second::after_proof(answer, &named, arguments, beside),

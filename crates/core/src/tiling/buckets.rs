@@ -79,7 +79,9 @@ fn near<const D: usize>(shift: [i32; D]) -> Option<u32> {
 pub(super) struct Buckets<'t, const D: usize> {
     tiling: &'t Tiling<D>,
     mates: &'t [AtomicU32],
+    /// The first of the vertices.
     first: u32,
+    /// One for each of the vertices.
     stars: Vec<Star>,
     buckets: Vec<Vec<Use>>,
     /// Numbers of empty buckets.
