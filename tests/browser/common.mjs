@@ -1,4 +1,5 @@
 // What the tests of pages share: the program, the browser, a page that is opened, accessibility.
+// ACUTILE is the program (default: target/release or target/debug), CHROMIUM the browser, SCREENSHOTS a folder for pictures.
 
 import assert from "node:assert/strict";
 import { spawnSync } from "node:child_process";
@@ -7,7 +8,7 @@ import { createRequire } from "node:module";
 import { tmpdir } from "node:os";
 import { join } from "node:path";
 import { fileURLToPath, pathToFileURL } from "node:url";
-import { chromium } from "playwright-core";
+import { chromium, expect as patient } from "@playwright/test";
 
 export const ROOT = fileURLToPath(new URL("../../", import.meta.url));
 const first = (paths) => paths.find((path) => path && existsSync(path));
@@ -16,7 +17,12 @@ const CHROMIUM = first([process.env.CHROMIUM, "/usr/bin/chromium", "/usr/bin/chr
 const AXE = readFileSync(createRequire(import.meta.url).resolve("axe-core/axe.min.js"), "utf8");
 export const directory = mkdtempSync(join(tmpdir(), "acutile-pages-"));
 
-export const launch = () => chromium.launch({ executablePath: CHROMIUM, args: ["--no-sandbox", "--use-gl=angle", "--use-angle=swiftshader", "--enable-unsafe-swiftshader"] });
+// Graphics in software, so that a machine without a graphics card draws, too.
+const SOFTWARE = ["--use-gl=angle", "--use-angle=swiftshader", "--enable-unsafe-swiftshader"];
+export const launch = (graphics = SOFTWARE) => chromium.launch({ executablePath: CHROMIUM, args: ["--no-sandbox", ...graphics] });
+
+// Waits until a page shows what is expected. A busy machine takes its time, so nothing is read only once after an action.
+export const expect = patient.configure({ timeout: 60000 });
 
 // Runs the program, which ends with this status.
 export function run(status, ...words) {
@@ -32,38 +38,63 @@ export function write(name, status, ...inputs) {
   return path;
 }
 
-// Opens a page; nothing is loaded from a network, and no error occurs. `script` runs before the page's own.
-export async function visit(browser, path, use, { script, hash = "", ...options } = {}) {
+// What chromium says of its graphics in software.
+const OF_GRAPHICS = /GPU stall|GL Driver Message|Automatic fallback to software/;
+
+// Opens a page; it complains of nothing and loads nothing: a page of the site loads its own files.
+// `script` runs before the page's own.
+export async function visit(browser, path, use, { script, hash = "", ofSite = false, ...options } = {}) {
   const session = await browser.newContext({ viewport: { width: 1200, height: 900 }, acceptDownloads: true, bypassCSP: true, ...options });
   if (script) await session.addInitScript(script);
   const page = await session.newPage();
-  // A busy machine draws for some time.
   page.setDefaultTimeout(120000);
-  const errors = [], requests = [];
-  page.on("pageerror", (error) => errors.push(error.message));
+  const complaints = [], requests = [], url = pathToFileURL(path).href;
+  page.on("console", (message) => ["error", "warning"].includes(message.type()) && complaints.push(message.text()));
+  page.on("pageerror", (error) => complaints.push(error.message));
+  page.on("dialog", (dialog) => { complaints.push(`dialog: ${dialog.message()}`); dialog.dismiss(); });
   page.on("request", (request) => requests.push(request.url()));
-  await page.goto(pathToFileURL(path).href + hash);
+  await page.goto(url + hash);
   await use(page);
-  assert.deepEqual(errors, []);
-  assert.deepEqual(requests.filter((url) => !/^(file|blob|data):/.test(url)), [], "nothing comes from a network");
+  assert.deepEqual(complaints.filter((text) => !OF_GRAPHICS.test(text)), [], "nothing complains");
+  const loaded = requests.filter((other) => other.split("#")[0] !== url && !(ofSite ? /^(file|blob|data):/ : /^(blob|data):/).test(other));
+  assert.deepEqual(loaded, [], "nothing is loaded");
   await session.close();
 }
 
 export async function noViolations(page) {
   await page.evaluate(AXE);
-  const { violations } = await page.evaluate(() => axe.run());
+  const { violations } = await page.evaluate(() => axe.run(document, { preload: false }));
   assert.deepEqual(violations.map(({ id, nodes }) => [id, nodes.map(({ html }) => html.slice(0, 160))]), []);
 }
 
 // The view has its first triangles.
 export const ready = (page) => page.locator(".stage.live .legend li").first().waitFor();
 
+// Chooses a tiling on a page of several, and waits for the view to go there.
+export async function chooseTiling(page, index) {
+  await page.locator(`.chooser a[href="#tiling-${index}"]`).click();
+  await page.locator(`#tiling-${index} .stage.live`).waitFor({ state: "attached" });
+}
+
 // Nothing moves any more, and the picture is drawn with outlines and shadows.
-export const settled = (page) => page.locator(".stage.live canvas[data-rested]").waitFor({ timeout: 60000 });
+export const settled = (page) => page.locator(".stage.live canvas[data-rested]").waitFor();
+
+// The view when nothing moves any more.
+export async function picture(page) {
+  await settled(page);
+  return (await page.locator("canvas").screenshot()).toString("base64");
+}
+
+// The picture as soon as it is none of these; fails where it stays.
+export async function otherPicture(page, seen, what) {
+  let now;
+  await expect.poll(async () => seen.includes(now = await picture(page)), { message: `${what} changes the picture` }).toBe(false);
+  return now;
+}
 
 export async function fitsInWidth(page) {
-  const overflow = await page.evaluate(() => document.documentElement.scrollWidth - document.documentElement.clientWidth);
-  assert.ok(overflow <= 0, `${page.url()} is ${overflow} pixels too wide`);
+  const overflow = () => page.evaluate(() => document.documentElement.scrollWidth - document.documentElement.clientWidth);
+  await expect.poll(overflow, { message: `${page.url()}: pixels that it is too wide` }).toBeLessThanOrEqual(0);
 }
 
 export async function screenshot(page, name) {

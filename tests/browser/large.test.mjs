@@ -1,11 +1,12 @@
-// A mesh with many different tetrahedra: the page is small, soon ready, and answers its reader all the time.
-// LARGE is the number of cubes along each side (6 n³ tetrahedra); 26 gives 105,456. The time of the browser depends on who else uses the machine.
+// A mesh with many different tetrahedra: the page is small, and answers its reader all the time.
+// LARGE is the number of cubes along each side (6 n³ tetrahedra); 26 gives 105,456. With it this prints the page's tasks of more than
+// 50 ms, as docs/gallery.md has them; their times depend on the machine, so nothing is asserted of them.
 
 import assert from "node:assert/strict";
 import { statSync, writeFileSync } from "node:fs";
 import { join } from "node:path";
 import { after, before, test } from "node:test";
-import { directory, launch, noViolations, ready, setControl, visit, write } from "./common.mjs";
+import { directory, expect, launch, noViolations, setControl, settled, visit, write } from "./common.mjs";
 
 const N = Number(process.env.LARGE ?? 8);
 let browser;
@@ -28,10 +29,36 @@ function mesh(n) {
     `CELLS ${rows.length} ${5 * rows.length}`, ...rows.map((row) => `4 ${row.join(" ")}`), `CELL_TYPES ${rows.length}`, ...rows.map(() => 10), ""].join("\n");
 }
 
-const OBSERVE = () => {
+const observeTasks = () => {
   window.long = [];
   new PerformanceObserver((list) => list.getEntries().forEach(({ duration }) => window.long.push(Math.round(duration)))).observe({ type: "longtask", buffered: true });
 };
+
+// Counts how often the page is free for its reader. The page looks at the clock after each 128 tetrahedra, and pauses if it has
+// worked for long; for a clock that leaps at every look it pauses each time, however fast the machine is.
+const countPauses = () => {
+  const now = performance.now.bind(performance);
+  let leap = 0;
+  performance.now = () => now() + (leap += 1000);
+  window.turns = 0;
+  const turn = () => { window.turns++; setTimeout(turn); };
+  turn();
+};
+
+// The page stays free for its reader during the work.
+async function staysFree(page, what, work) {
+  if (process.env.LARGE) {
+    await work();
+    await page.waitForTimeout(600);
+    const long = await page.evaluate(() => window.long.splice(0));
+    console.log(`${what}: tasks of ${long.join(", ") || "less than 50"} ms`);
+    return;
+  }
+  const start = await page.evaluate(() => window.turns);
+  await work();
+  const turns = await page.evaluate(() => window.turns) - start;
+  assert.ok(turns >= 6 * N ** 3 / 128, `${what}: the page was free ${turns} times`);
+}
 
 test(`${6 * N ** 3} tetrahedra`, async () => {
   const file = join(directory, "large.vtk");
@@ -39,38 +66,22 @@ test(`${6 * N ** 3} tetrahedra`, async () => {
   const path = write("large", 0, file), size = statSync(path).size;
   assert.ok(size < 8e6, `${size} bytes`);
   await visit(browser, path, async (page) => {
-    const start = Date.now();
-    await ready(page);
-    const seconds = (Date.now() - start) / 1000;
-    const tasks = async (what, use) => {
-      await page.evaluate(() => { window.long = []; });
-      await use();
-      await page.waitForTimeout(600);
-      const long = await page.evaluate(() => window.long);
-      console.log(`${what}: tasks of ${long.join(", ") || "less than 50"} ms`);
-      return long;
-    };
-    await page.waitForTimeout(600);
-    const first = await page.evaluate(() => window.long);
-    console.log(`${size} bytes, ready in ${seconds} s, tasks of ${first.join(", ")} ms`);
-    const box = await page.locator("canvas").boundingBox(), middle = [box.x + box.width / 2, box.y + box.height / 2];
-    const all = [
-      first,
-      await tasks("cut", () => setControl(page, "cut", "55")),
-      await tasks("turn", async () => { await page.mouse.move(...middle); await page.mouse.down(); await page.mouse.move(middle[0] + 80, middle[1] + 30, { steps: 5 }); await page.mouse.up(); }),
-      await tasks("choose", () => page.mouse.click(...middle)),
-      await tasks("table", () => page.locator("details.later summary").click()),
-      await tasks("verify", async () => { await page.getByRole("button", { name: "Verify in this browser" }).click(); await page.locator(".verdict.good, .verdict.bad").waitFor({ timeout: 240000 }); }),
-    ].flat();
-    assert.match(await page.locator(".verdict[role=status]").textContent(), /agree with what is verified/);
-    assert.ok(all.every((duration) => duration < 500), `tasks of ${all.join(", ")} ms; 200 are wanted on a machine without other work`);
-    assert.match(await page.locator(".picked h3").textContent(), /^Tetrahedron \d+$/);
+    await staysFree(page, "the first picture", () => settled(page));
+    await staysFree(page, "a cut", async () => { await setControl(page, "cut", "55"); await settled(page); });
+    const box = await page.locator("canvas").boundingBox();
+    await page.mouse.click(box.x + box.width / 2, box.y + box.height / 2);
+    await expect(page.locator(".picked h3")).toHaveText(/^Tetrahedron \d+$/);
     // The six edges of the chosen one: squared lengths are exact fractions, angles are called rounded.
     const rows = await page.locator(".picked tbody").last().locator("tr").allTextContents();
     assert.equal(rows.length, 6);
     assert.ok(rows.every((row) => /\d+\/\d+about \d+\.\d{6}°$/.test(row)), rows[0]);
-    assert.ok(await page.locator("tbody[data-rows] tr").count() > 0);
-    assert.equal(await page.locator("label:visible", { hasText: "Cells" }).count(), 0, "no control without a meaning");
+    await page.locator("details.later summary").click();
+    await expect(page.locator("tbody[data-rows] tr").first()).toBeVisible();
+    await staysFree(page, "verification", async () => {
+      await page.getByRole("button", { name: "Verify in this browser" }).click();
+      await expect(page.locator(".verdict[role=status]")).toHaveText(/agree with what is verified/, { timeout: 240000 });
+    });
+    await expect(page.locator("label:visible", { hasText: "Cells" }), "no control without a meaning").toHaveCount(0);
     await noViolations(page);
-  }, { script: OBSERVE });
+  }, { script: process.env.LARGE ? observeTasks : countPauses });
 });

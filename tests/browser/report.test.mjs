@@ -2,81 +2,23 @@
 // ACUTILE is the program (default: target/release or target/debug), CHROMIUM the browser, SCREENSHOTS a folder for pictures.
 
 import assert from "node:assert/strict";
-import { execFileSync } from "node:child_process";
-import { existsSync, mkdirSync, mkdtempSync, readFileSync, writeFileSync } from "node:fs";
-import { tmpdir } from "node:os";
+import { readFileSync, writeFileSync } from "node:fs";
 import { join } from "node:path";
 import { after, before, test } from "node:test";
-import { fileURLToPath, pathToFileURL } from "node:url";
-import { chromium } from "playwright-core";
+import { directory, expect, fitsInWidth, launch, otherPicture, picture, ROOT, saved, screenshot, setControl as set, visit as open, write as writePage } from "./common.mjs";
 import { Tiling } from "./geometry.mjs";
 
-const ROOT = fileURLToPath(new URL("../../", import.meta.url));
-const first = (paths) => paths.find((path) => path && existsSync(path));
-const ACUTILE = first([process.env.ACUTILE, join(ROOT, "target/release/acutile"), join(ROOT, "target/debug/acutile")]);
-const CHROMIUM = first([process.env.CHROMIUM, "/usr/bin/chromium", "/usr/bin/chromium-browser", "/usr/bin/google-chrome"]);
-const SOFTWARE = ["--no-sandbox", "--use-gl=angle", "--use-angle=swiftshader", "--enable-unsafe-swiftshader"];
-const directory = mkdtempSync(join(tmpdir(), "acutile-report-"));
 let browser;
-
-before(async () => {
-  assert.ok(ACUTILE, "acutile is built");
-  assert.ok(CHROMIUM, "chromium is installed");
-  browser = await chromium.launch({ executablePath: CHROMIUM, args: SOFTWARE });
-});
+before(async () => { browser = await launch(); });
 after(() => browser?.close());
 
-// Writes the page of these inputs.
-function write(name, ...inputs) {
-  const path = join(directory, `${name}.html`);
-  execFileSync(ACUTILE, ["report", ...inputs, "-o", path]);
-  return path;
-}
+const write = (name, ...inputs) => writePage(name, 0, ...inputs);
 
-// Opens a page, and waits for the view where there is one; at the end nothing was loaded and nothing complained.
-async function visit(path, use, options = {}) {
-  const { from = browser, script, ...context } = options;
-  const session = await from.newContext({ viewport: { width: 1200, height: 900 }, acceptDownloads: true, ...context });
-  if (script) await session.addInitScript(script);
-  const page = await session.newPage(), complaints = [], requests = [];
-  page.on("console", (message) => ["error", "warning"].includes(message.type()) && complaints.push(message.text()));
-  page.on("pageerror", (error) => complaints.push(error.message));
-  page.on("dialog", (dialog) => { complaints.push(`dialog: ${dialog.message()}`); dialog.dismiss(); });
-  page.on("request", (request) => requests.push(request.url()));
-  const url = pathToFileURL(path).href;
-  await page.goto(url);
+// Opens a page under its own security policy, and waits for the view where there is one.
+const visit = (path, use, { from = browser, ...options } = {}) => open(from, path, async (page) => {
   await page.locator(".stage.live .legend li, html.still, html:not(.js)").first().waitFor({ state: "attached" });
   await use(page);
-  const loaded = requests.filter((other) => other !== url && !/^(blob|data):/.test(other));
-  assert.deepEqual(loaded, [], "nothing is loaded");
-  assert.deepEqual(complaints.filter((text) => !/GPU stall|GL Driver Message|Automatic fallback to software/.test(text)), [], "nothing complains");
-  await session.close();
-}
-
-async function picture(page) {
-  await page.waitForTimeout(150);
-  return (await page.locator("canvas").screenshot()).toString("base64");
-}
-
-// The picture as soon as it is none of these; fails where it stays.
-async function otherPicture(page, seen, what) {
-  for (let k = 0; k < 40; k++) {
-    const now = await picture(page);
-    if (!seen.includes(now)) return now;
-  }
-  assert.fail(`${what} changes the picture`);
-}
-
-async function screenshot(page, name) {
-  if (!process.env.SCREENSHOTS) return;
-  mkdirSync(process.env.SCREENSHOTS, { recursive: true });
-  await page.screenshot({ path: join(process.env.SCREENSHOTS, `${name}.png`), fullPage: true });
-}
-
-const set = (page, name, value) => page.locator(`[name=${name}]`).evaluate((node, value) => {
-  node.value = value;
-  node.dispatchEvent(new Event("input", { bubbles: true }));
-}, value);
+}, { bypassCSP: false, ...options });
 
 async function drag(page, dx, dy) {
   const box = await page.locator("canvas").boundingBox();
@@ -94,7 +36,7 @@ const rows = (page, caption) => page.locator(`.picked table:has(caption:text-is(
 async function compare(page, tiling, index) {
   await set(page, "chosen", String(index));
   const space = tiling.dimension === 3;
-  assert.match(await page.locator(".picked h3").textContent(), new RegExp(`^(Tetrahedron|Triangle) ${index}$`));
+  await expect(page.locator(".picked h3")).toHaveText(new RegExp(`^(Tetrahedron|Triangle) ${index}$`));
   const corners = await rows(page, "Corners");
   corners.forEach(([, , , coordinates], i) => {
     const exact = tiling.corner(tiling.witness.simplices[index][i]);
@@ -153,10 +95,9 @@ for (const [name, simplices] of Object.entries(SHOWN)) {
       for (const index of [0, 1, Math.floor(simplices / 2), simplices - 1]) await compare(page, tiling, index);
       await screenshot(page, name);
 
-      const [file] = await Promise.all([page.waitForEvent("download"), page.getByRole("button", { name: "Download certificate" }).click()]);
-      assert.equal(readFileSync(await file.path(), "utf8"), certificate, "the certificate is that of the catalogue");
-      const [mesh] = await Promise.all([page.waitForEvent("download"), page.getByRole("button", { name: "Mesh, VTK" }).click()]);
-      const text = readFileSync(await mesh.path(), "utf8");
+      const file = await saved(page, () => page.getByRole("button", { name: "Download certificate" }).click());
+      assert.equal(file.bytes.toString(), certificate, "the certificate is that of the catalogue");
+      const text = (await saved(page, () => page.getByRole("button", { name: "Mesh, VTK" }).click())).bytes.toString();
       assert.match(text, new RegExp(`CELLS ${simplices} `));
       const points = Number(/POINTS (\d+) /.exec(text)[1]);
       const indices = text.split("\n").filter((line) => new RegExp(`^${tiling.dimension + 1}( \\d+){${tiling.dimension + 1}}$`).test(line));
@@ -180,7 +121,7 @@ test("a click chooses what is under it", async () => {
     await page.mouse.click(box.x + 5, box.y + 5);
     await page.locator(".picked").waitFor({ state: "hidden" });
     await page.mouse.click(box.x + box.width / 2, box.y + box.height / 2);
-    assert.equal(await page.locator(".picked h3").textContent(), "Tetrahedron 0");
+    await expect(page.locator(".picked h3")).toHaveText("Tetrahedron 0");
     // The corner of a cube: three right angles at its edges, three of cosine √(1/3) at the others.
     const cosines = (await rows(page, "Edges and the dihedral angles at them")).map((row) => row[2]).sort();
     assert.deepEqual(cosines, ["0", "0", "0", "√(1/3)", "√(1/3)", "√(1/3)"]);
@@ -198,9 +139,7 @@ test("a changed certificate is not verified", async () => {
   writeFileSync(path, html.replace(element, (_, head, __, end) => head + JSON.stringify(data).replaceAll("<", "\\u003c") + end));
   await visit(path, async (page) => {
     await page.getByRole("button", { name: "Verify in this browser" }).click();
-    const verdict = page.locator(".verdict.good, .verdict.bad");
-    await verdict.waitFor();
-    assert.match(await verdict.textContent(), /^Not verified: rejected \[[a-z-]+\] /);
+    await expect(page.locator(".verdict.good, .verdict.bad")).toHaveText(/^Not verified: rejected \[[a-z-]+\] /);
   });
 });
 
@@ -214,15 +153,15 @@ test("without workers the check runs in the page itself", async () => {
 test("keyboard", async () => {
   await visit(write("keys", "a15"), async (page) => {
     for (let k = 0; k < 20 && (await page.evaluate(() => document.activeElement.tagName)) !== "CANVAS"; k++) await page.keyboard.press("Tab");
-    assert.equal(await page.evaluate(() => document.activeElement.tagName), "CANVAS", "Tab reaches the view");
+    await expect(page.locator("canvas"), "Tab reaches the view").toBeFocused();
     let last = await picture(page);
     for (const key of ["ArrowLeft", "ArrowDown", "+", "-", "0", "n"]) {
       await page.keyboard.press(key);
       last = await otherPicture(page, [last], key);
     }
-    assert.equal(await page.locator(".picked h3").textContent(), "Tetrahedron 0");
+    await expect(page.locator(".picked h3")).toHaveText("Tetrahedron 0");
     await page.keyboard.press("p");
-    assert.equal(await page.locator(".picked h3").textContent(), "Tetrahedron 45");
+    await expect(page.locator(".picked h3")).toHaveText("Tetrahedron 45");
     await page.keyboard.press("Escape");
     await page.locator(".picked").waitFor({ state: "hidden" });
     await page.getByRole("button", { name: "Verify in this browser" }).focus();
@@ -243,16 +182,18 @@ test("everything that is used has a name", async () => {
 test("light and dark", async () => {
   const path = write("dark", "a15");
   const brightness = (page) => page.evaluate(() => getComputedStyle(document.body).backgroundColor.match(/\d+/g).slice(0, 3).reduce((s, x) => s + Number(x), 0) / 3);
+  const isDark = (page) => expect.poll(() => brightness(page)).toBeLessThan(60);
+  const isLight = (page) => expect.poll(() => brightness(page)).toBeGreaterThan(200);
   await visit(path, async (page) => {
-    assert.ok(await brightness(page) < 60);
+    await isDark(page);
     await screenshot(page, "dark");
     await page.getByRole("button", { name: /light and dark/ }).click();
-    assert.ok(await brightness(page) > 200);
+    await isLight(page);
   }, { colorScheme: "dark" });
   await visit(path, async (page) => {
-    assert.ok(await brightness(page) > 200);
+    await isLight(page);
     await page.getByRole("button", { name: /light and dark/ }).click();
-    assert.ok(await brightness(page) < 60);
+    await isDark(page);
   });
 });
 
@@ -260,8 +201,7 @@ for (const width of [320, 390]) {
   test(`a phone, ${width} pixels wide`, async () => {
     await visit(write(`phone-${width}`, "sigma", "slab"), async (page) => {
       await set(page, "chosen", "5");
-      const overflow = await page.evaluate(() => document.documentElement.scrollWidth - document.documentElement.clientWidth);
-      assert.ok(overflow <= 0, `${overflow} pixels too wide`);
+      await fitsInWidth(page);
       // The sheet with the exact data covers the lower part of the screen.
       await page.locator("canvas").evaluate((node) => node.scrollIntoView({ block: "start" }));
       const before = await picture(page);
@@ -288,18 +228,18 @@ test("print", async () => {
 
 test("without JavaScript there are picture, text and tables", async () => {
   await visit(write("still", "a15", "slab"), async (page) => {
-    assert.equal(await page.locator("article").count(), 2);
+    await expect(page.locator("article")).toHaveCount(2);
     for (const what of ["svg.picture >> nth=1", "svg.histogram >> nth=1", "text=All dihedral angles are acute. >> nth=1", "table >> nth=1"]) {
       await page.locator(what).waitFor({ state: "visible" });
     }
-    assert.equal(await page.locator("button:visible").count(), 0);
+    await expect(page.locator("button:visible")).toHaveCount(0);
     await page.locator("text=Without JavaScript").waitFor({ state: "visible" });
     await screenshot(page, "still");
   }, { javaScriptEnabled: false });
 });
 
 test("without WebGL there is a still picture, and the check runs", async () => {
-  const plain = await chromium.launch({ executablePath: CHROMIUM, args: ["--no-sandbox", "--disable-3d-apis"] });
+  const plain = await launch(["--disable-3d-apis"]);
   await visit(write("flat", "a15"), async (page) => {
     await page.locator("text=This browser cannot show the view that turns").waitFor({ state: "visible" });
     await page.locator("svg.picture").waitFor({ state: "visible" });
@@ -311,15 +251,15 @@ test("without WebGL there is a still picture, and the check runs", async () => {
 
 test("several tilings on a page", async () => {
   await visit(write("several", "sigma", "equilateral", "two-corners"), async (page) => {
-    await page.waitForFunction(() => document.querySelectorAll("article:not([hidden])").length === 1);
-    assert.equal(await page.locator("article:visible h2").textContent(), "sigma");
+    const shown = page.locator("article:visible h2");
+    await expect(shown).toHaveText("sigma");
     const before = await picture(page);
     await page.getByRole("link", { name: "equilateral" }).click();
-    assert.equal(await page.locator("article:visible h2").textContent(), "equilateral");
+    await expect(shown).toHaveText("equilateral");
     await otherPicture(page, [before], "another tiling");
     await compare(page, new Tiling(readFileSync(join(ROOT, "certificates/equilateral.json"), "utf8")), 1);
     await page.goBack();
-    await page.locator("h2:visible:text-is('sigma')").waitFor();
+    await expect(shown).toHaveText("sigma");
   });
 });
 
@@ -332,9 +272,9 @@ test("a hostile name is text", async () => {
     simplices: [[0, [0, 1, 0], [0, 0, 1]], [[0, 1, 0], [0, 1, 1], [0, 0, 1]]],
   }));
   await visit(write("hostile", file), async (page) => {
-    assert.ok((await page.locator(".description").textContent()).includes(name));
-    assert.equal(await page.locator("article img, article script, svg[onload]").count(), 0);
+    await expect(page.locator(".description")).toContainText(name);
+    await expect(page.locator("article img, article script, svg[onload]")).toHaveCount(0);
     await set(page, "chosen", "0");
-    assert.equal(await page.locator(".picked h3").textContent(), "Triangle 0");
+    await expect(page.locator(".picked h3")).toHaveText("Triangle 0");
   });
 });

@@ -5,7 +5,7 @@ import { readFileSync, writeFileSync } from "node:fs";
 import { join } from "node:path";
 import { after, before, test } from "node:test";
 import { inflateSync } from "node:zlib";
-import { directory, launch, noViolations, ready, saved, setControl, settled, visit, write } from "./common.mjs";
+import { chooseTiling, directory, expect, launch, noViolations, ready, saved, setControl, settled, visit, write } from "./common.mjs";
 
 let browser;
 before(async () => { browser = await launch(); });
@@ -125,8 +125,8 @@ test("an address brings back the view, and a frame shows nothing else", async ()
   };
   let controls, image;
   await visit(browser, path, async (page) => {
-    await page.locator('.chooser a[href="#tiling-1"]').click();
-    await ready(page);
+    await chooseTiling(page, 1);
+    await settled(page);
     await setControl(page, "cut", "60");
     await setControl(page, "axis", "2");
     await setControl(page, "colour", "type");
@@ -138,12 +138,12 @@ test("an address brings back the view, and a frame shows nothing else", async ()
     assert.match(address, /^#view=1;/);
     await openShare(page);
     await page.getByRole("button", { name: "Embed" }).click();
-    assert.match(await page.locator(".offered input").inputValue(), /^<iframe src="file:[^"]*#view=1;[^"]*;embed" title="sigma"/);
+    await expect(page.locator(".offered input")).toHaveValue(/^<iframe src="file:[^"]*#view=1;[^"]*;embed" title="sigma"/);
   });
   await visit(browser, path, async (page) => {
     await ready(page);
-    assert.equal(await page.locator("article:visible h2").textContent(), "sigma");
-    assert.equal(await state(page), controls);
+    await expect(page.locator("article:visible h2")).toHaveText("sigma");
+    await expect.poll(() => state(page)).toBe(controls);
     const again = await picture(page);
     assert.ok(again.every((x, k) => Math.abs(x - image[k]) < 24), "the same picture");
     assert.ok(new Set(again).size > 20, "which is not empty");
@@ -165,9 +165,8 @@ test("a number that somebody changed in the page is marked", async () => {
   await visit(browser, path, async (page) => {
     await page.getByRole("button", { name: "Verify in this browser" }).click();
     await page.locator(".verdict.bad").waitFor();
-    const marks = await page.locator("mark.differs").allTextContents();
-    assert.deepEqual(marks, ["All dihedral angles are at most arccos(1/5) = 77.4630... degrees, attained.", "173"]);
-    assert.match(await page.locator(".verdict[role=status]").textContent(), /This page says 2 things differently/);
+    await expect(page.locator("mark.differs")).toHaveText(["All dihedral angles are at most arccos(1/5) = 77.4630... degrees, attained.", "173"]);
+    await expect(page.locator(".verdict[role=status]")).toHaveText(/This page says 2 things differently/);
     await noViolations(page);
   });
 });
@@ -176,11 +175,10 @@ test("untouched pages say what is verified", async () => {
   const names = ["sigma", "slab", "square-8", "regular", "icosahedral", "goldberg-3", "cube-corner", "square-prism"];
   await visit(browser, write("all", 0, ...names), async (page) => {
     for (const index of names.keys()) {
-      await page.locator(`.chooser a[href="#tiling-${index}"]`).click();
+      await chooseTiling(page, index);
       const article = page.locator(`#tiling-${index}`);
       await article.getByRole("button", { name: "Verify in this browser" }).click();
-      await article.locator(".verdict.good, .verdict.bad").waitFor({ timeout: 60000 });
-      assert.match(await article.locator(".verdict[role=status]").textContent(), /agree with what is verified/, names[index]);
+      await expect(article.locator(".verdict[role=status]"), names[index]).toHaveText(/agree with what is verified/);
     }
   });
 });
@@ -194,11 +192,10 @@ for (const [name, right, wrong, code] of FALSE) test(`a certificate of ${name} t
   assert.ok(!readFileSync(path, "utf8").includes("confirmed by the kernel"));
   await visit(browser, path, async (page) => {
     await ready(page);
-    assert.equal(await page.locator(".claim h3").first().textContent(), "Not proved");
-    assert.match(await page.locator(".claim .verdict").first().textContent(), new RegExp(`rejected \\[${code}\\] simplex 0`));
+    await expect(page.locator(".claim h3").first()).toHaveText("Not proved");
+    await expect(page.locator(".claim .verdict").first()).toHaveText(new RegExp(`rejected \\[${code}\\] simplex 0`));
     await page.getByRole("button", { name: "Verify in this browser" }).click();
-    await page.locator(".verdict[role=status].bad").waitFor();
-    assert.match(await page.locator(".verdict[role=status]").textContent(), new RegExp(`^Not verified: rejected \\[${code}\\]`));
+    await expect(page.locator(".verdict[role=status].bad")).toHaveText(new RegExp(`^Not verified: rejected \\[${code}\\]`));
     await noViolations(page);
   });
 });
@@ -209,13 +206,13 @@ test("the foam of A15: dodecahedra and cells with 14 faces fill the cell", async
     await setControl(page, "shape", "foam");
     await settled(page);
     // D. Weaire, R. Phelan 1994: two cells with 12 faces and six with 14 in the cube of A15.
-    assert.deepEqual(await page.locator(".legend li").allTextContents(), ["12 faces: 2 in a cell", "14 faces: 6 in a cell"]);
+    await expect(page.locator(".legend li")).toHaveText(["12 faces: 2 in a cell", "14 faces: 6 in a cell"]);
     await openShare(page);
     const stl = pointsOfStl((await saved(page, () => page.getByRole("button", { name: "Solid, STL" }).click())).bytes);
     assert.ok(Math.abs(enclosed(stl) / 6 - 1) < 1e-5, "their volumes add up to that of the cube");
     await setControl(page, "chosen", "0");
-    assert.match(await page.locator(".picked h3").textContent(), /^Foam cell of vertex 0$/);
-    assert.match(await page.locator(".picked").textContent(), /1[24] faces/);
+    await expect(page.locator(".picked h3")).toHaveText("Foam cell of vertex 0");
+    await expect(page.locator(".picked")).toHaveText(/1[24] faces/);
     await noViolations(page);
   });
 });

@@ -5,7 +5,7 @@ import { createHash } from "node:crypto";
 import { readFileSync, readdirSync } from "node:fs";
 import { join } from "node:path";
 import { after, before, test } from "node:test";
-import { directory, fitsInWidth, launch, noViolations, ROOT, run, screenshot, settled, visit } from "./common.mjs";
+import { directory, expect, fitsInWidth, launch, noViolations, ROOT, run, screenshot, settled, visit as open } from "./common.mjs";
 
 const site = join(directory, "site");
 let browser;
@@ -15,43 +15,46 @@ before(async () => {
 });
 after(() => browser?.close());
 
+// A page of the site, which loads other files of it.
+const visit = (path, use, options) => open(browser, path, use, { ofSite: true, ...options });
+
 test("search and filters", async () => {
-  await visit(browser, join(site, "index.html"), async (page) => {
-    const shown = () => page.locator(".cards li:visible b").allTextContents();
+  await visit(join(site, "index.html"), async (page) => {
+    const cards = page.locator(".cards li:visible b"), shown = () => cards.allTextContents();
     const all = (await shown()).length;
     assert.ok(all > 30);
     await page.getByLabel("Search").fill("sommerville");
-    assert.deepEqual((await shown()).filter((name) => !/^(sommerville-\d|bcc)$/.test(name)), []);
-    assert.equal(await page.locator("output").textContent(), `${(await shown()).length} tilings`);
+    await expect.poll(async () => (await shown()).filter((name) => !/^(sommerville-\d|bcc)$/.test(name))).toEqual([]);
+    await expect(page.locator("output")).toHaveText(`${(await shown()).length} tilings`);
     await page.getByLabel("Search").fill("");
     await page.getByLabel("TCP").check();
-    assert.ok((await shown()).includes("sigma") && !(await shown()).includes("bcc"));
-    assert.equal(await page.locator(".group:visible").count(), 1);
+    await expect.poll(async () => (await shown()).includes("sigma") && !(await shown()).includes("bcc")).toBe(true);
+    await expect(page.locator(".group:visible")).toHaveCount(1);
     await page.getByLabel("TCP").uncheck();
-    assert.equal((await shown()).length, all);
+    await expect(cards).toHaveCount(all);
   });
 });
 
 test("a click on a heading sorts, a second one the other way", async () => {
-  await visit(browser, join(site, "index.html"), async (page) => {
+  await visit(join(site, "index.html"), async (page) => {
     const heading = page.locator(".figures th").nth(3), numbers = async () => (await page.locator(".figures tbody tr").evaluateAll((rows) => rows.map((row) => parseFloat(row.cells[3].textContent)))).filter((x) => !Number.isNaN(x));
     const before = (await numbers()).toSorted((a, b) => a - b);
     assert.ok(new Set(before).size > 5);
     await heading.getByRole("button").click();
-    assert.deepEqual(await numbers(), before);
-    assert.equal(await heading.getAttribute("aria-sort"), "ascending");
+    await expect.poll(numbers).toEqual(before);
+    await expect(heading).toHaveAttribute("aria-sort", "ascending");
     await heading.getByRole("button").click();
-    assert.deepEqual(await numbers(), before.toReversed());
+    await expect.poll(numbers).toEqual(before.toReversed());
     assert.ok(await page.locator(".figures svg.spark").count() > 30);
   });
 });
 
 test("a tiling leads to its neighbours", async () => {
-  await visit(browser, join(site, "tilings/sigma.html"), async (page) => {
+  await visit(join(site, "tilings/sigma.html"), async (page) => {
     await page.locator(".links a").last().click();
-    await page.locator("h2:visible").first().waitFor();
+    await expect(page.locator("article h2")).not.toHaveText("sigma");
     await page.locator(".links a", { hasText: "sigma" }).click();
-    assert.equal(await page.locator("article h2").textContent(), "sigma");
+    await expect(page.locator("article h2")).toHaveText("sigma");
   });
 });
 
@@ -63,19 +66,19 @@ const dropFiles = (page, files) => page.evaluate((files) => {
 }, files);
 
 test("families and systems of patches have pages", async () => {
-  await visit(browser, join(site, "theorems.html"), async (page) => {
+  await visit(join(site, "theorems.html"), async (page) => {
     const names = await page.locator(".theorem h2 a").allTextContents();
     assert.equal(names.length, 12);
     await page.getByRole("link", { name: "c14-all" }).click();
     await settled(page);
-    assert.equal(await page.locator(".choice input[type=range]").count(), 3);
+    await expect(page.locator(".choice input[type=range]")).toHaveCount(3);
     await page.getByRole("link", { name: "All tilings" }).click();
-    assert.equal(await page.locator("h1.title").textContent(), "Families");
+    await expect(page.locator("h1.title")).toHaveText("Families");
   });
 });
 
 test("the proof has formulas in MathML", async () => {
-  await visit(browser, join(site, "docs/soundness.html"), async (page) => {
+  await visit(join(site, "docs/soundness.html"), async (page) => {
     const formulas = await page.locator("math").evaluateAll((nodes) => nodes.map((node) => node.getAttribute("alttext")));
     assert.ok(formulas.includes("det S_j > 0") || formulas.includes("s_f h_f > 0"), formulas.slice(0, 40).join(" | "));
     // Hardly an underscore is left beside a letter in the running text.
@@ -100,9 +103,9 @@ test("certificates in CBOR are verified, too", async () => {
   // 24 and 25 bytes: the version 2 as an integer of one byte, in two.
   const version = sigma.indexOf(2, 10);
   const wrong = [["short.cbor", sigma.slice(0, 500)], ["long.cbor", [...sigma, 0]], ["padded.cbor", [...sigma.slice(0, version), 0x18, ...sigma.slice(version)]], ["float.cbor", [0x85, 0xf9, 0, 0]]];
-  await visit(browser, join(site, "verify.html"), async (page) => {
+  await visit(join(site, "verify.html"), async (page) => {
     await dropFiles(page, [...files, ...wrong]);
-    await page.waitForFunction((count) => document.querySelectorAll(".results .good, .results .bad").length === count, files.length + wrong.length, { timeout: 60000 });
+    await expect(page.locator(".results .good, .results .bad")).toHaveCount(files.length + wrong.length);
     const answers = Object.fromEntries(await page.locator(".results section").evaluateAll((boxes) => boxes.map((box) => [box.querySelector("h2").textContent, box.textContent.slice(box.querySelector("h2").textContent.length)])));
     for (const name of names) {
       const sha256 = createHash("sha256").update(readFileSync(join(directory, `${name}.cbor`))).digest("hex");
@@ -112,16 +115,16 @@ test("certificates in CBOR are verified, too", async () => {
     assert.match(answers["long.cbor"], /^Not verified: malformed \[cbor\]/);
     assert.match(answers["padded.cbor"], /^Not verified: malformed \[canonical\]/);
     assert.match(answers["float.cbor"], /^Not verified: malformed \[cbor\]/);
-  }, { bypassCSP: true });
+  });
 });
 
 test("what is dropped is verified without a network", async () => {
   const sigma = readFileSync(join(ROOT, "certificates/sigma.json"), "utf8"), family = readFileSync(join(ROOT, "certificates/a15-all.json"), "utf8");
   const wrong = sigma.replace('"maximum",1,[[1,0],25]]', '"maximum",1,[[4,0],25]]');
-  await visit(browser, join(site, "verify.html"), async (page) => {
+  await visit(join(site, "verify.html"), async (page) => {
     await page.context().setOffline(true);
     await dropFiles(page, [["valid.json", sigma], ["family.json", family], ["false.json", wrong], ["malformed.json", sigma.slice(0, 900)], ["empty.json", ""], ["<b>.json", "{}"]]);
-    await page.waitForFunction(() => document.querySelectorAll(".results .good, .results .bad").length === 6, null, { timeout: 60000 });
+    await expect(page.locator(".results .good, .results .bad")).toHaveCount(6);
     const answers = Object.fromEntries(await page.locator(".results section").evaluateAll((boxes) => boxes.map((box) => [box.querySelector("h2").textContent, box.textContent.slice(box.querySelector("h2").textContent.length)])));
     assert.match(answers["valid.json"], /^Verified in .*30 vertices, 172 simplices.*three-space is tiled face to face by 172 tetrahedra/);
     assert.match(answers["family.json"], /^Verified in .*for every t in \(2\/5, 16\/5\)/);
@@ -130,14 +133,14 @@ test("what is dropped is verified without a network", async () => {
     assert.match(answers["empty.json"], /^Not verified: malformed \[json\]/);
     assert.match(answers["<b>.json"], /^Not verified: malformed /);
     await noViolations(page);
-  }, { bypassCSP: true });
+  });
 });
 
 test("every document fits on a telephone, and the keyboard reaches what scrolls", async () => {
   const documents = readdirSync(join(site, "docs")).filter((name) => name.endsWith(".html"));
   assert.ok(documents.length > 20);
   for (const name of documents) {
-    await visit(browser, join(site, "docs", name), async (page) => {
+    await visit(join(site, "docs", name), async (page) => {
       await noViolations(page);
       await fitsInWidth(page);
     }, { viewport: { width: 390, height: 844 } });
@@ -149,7 +152,7 @@ const PAGES = ["index.html", "tilings/sigma.html", "tilings/square-8.html", "til
 for (const width of [1280, 390]) {
   for (const path of PAGES) {
     test(`${path} at ${width} pixels`, async () => {
-      await visit(browser, join(site, path), async (page) => {
+      await visit(join(site, path), async (page) => {
         if (path.startsWith("tilings/")) await settled(page);
         await noViolations(page);
         await fitsInWidth(page);

@@ -4,16 +4,20 @@ import assert from "node:assert/strict";
 import { readFileSync, writeFileSync } from "node:fs";
 import { join } from "node:path";
 import { after, before, test } from "node:test";
-import { fitsInWidth, launch, noViolations, ROOT, saved, screenshot, setControl, settled, visit, write } from "./common.mjs";
+import { chooseTiling, expect, fitsInWidth, launch, noViolations, otherPicture, picture, ROOT, saved, screenshot, setControl, settled, visit, write } from "./common.mjs";
 
 let browser;
 before(async () => { browser = await launch(); });
 after(() => browser?.close());
 
-const live = (page) => page.locator(".values").textContent();
 // The smallest and the largest angle that the page shows.
-const anglesShown = async (page) => [...(await live(page)).matchAll(/(\d+\.\d+)°/g)].map(([, x]) => Number(x));
+const anglesShown = async (page) => [...(await page.locator(".values").textContent()).matchAll(/(\d+\.\d+)°/g)].map(([, x]) => Number(x));
 const near = (x, y, digits = 2e-3) => Math.abs(x - y) < digits;
+// Waits until the angles are as this function wants them.
+const anglesBecome = (page, isRight, message) => expect.poll(async () => {
+  const angles = await anglesShown(page);
+  return isRight(angles) || angles;
+}, { message }).toBe(true);
 
 // Points, cells and their number in a VTK file.
 function mesh(text) {
@@ -27,11 +31,11 @@ const volume = ({ points, cells }) => cells.reduce((sum, cell) => {
   return sum + Math.abs(u[0] * (v[1] * w[2] - v[2] * w[1]) - u[1] * (v[0] * w[2] - v[2] * w[0]) + u[2] * (v[0] * w[1] - v[1] * w[0])) / 6;
 }, 0);
 
-const verified = async (page) => {
+// Verifies in the browser, and waits for this answer.
+const verify = async (page, answer) => {
   const article = page.locator("article:visible");
   await article.getByRole("button", { name: "Verify in this browser" }).click();
-  await article.locator(".verdict.good, .verdict.bad").waitFor({ timeout: 120000 });
-  return article.locator(".verdict[role=status]").textContent();
+  await expect(article.locator(".verdict[role=status]")).toHaveText(answer, { timeout: 120000 });
 };
 
 test("A15, stretched: the slider moves the vertices, and the angles are those of the paper at t = 1", async () => {
@@ -39,22 +43,19 @@ test("A15, stretched: the slider moves the vertices, and the angles are those of
     await settled(page);
     const slider = page.getByRole("slider", { name: "t in (2/5, 16/5)" });
     // t runs from 2/5 to 16/5 in 200 steps: the middle is 9/5.
-    assert.equal(await slider.inputValue(), "100");
-    assert.equal(await page.locator(".choice output").textContent(), "1.80000");
-    const before = (await page.locator("canvas").screenshot()).toString("base64"), middle = await anglesShown(page);
+    await expect(slider).toHaveValue("100");
+    await expect(page.locator(".choice output")).toHaveText("1.80000");
+    const before = await picture(page), middle = await anglesShown(page);
     // Both ends are open, so they are no points of the box.
     assert.deepEqual([await slider.getAttribute("min"), await slider.getAttribute("max")], ["1", "199"]);
     await slider.focus();
     await page.keyboard.press("Home");
-    assert.equal(await page.locator(".choice output").textContent(), "0.414000");
-    await settled(page);
-    assert.notEqual((await page.locator("canvas").screenshot()).toString("base64"), before);
-    assert.notDeepEqual(await anglesShown(page), middle);
+    await expect(page.locator(".choice output")).toHaveText("0.414000");
+    await otherPicture(page, [before], "another parameter");
+    await expect.poll(() => anglesShown(page)).not.toEqual(middle);
     // 43 steps of 14/1000 from 2/5 are 1.002; Table 1 has A15 at t = 1 from 53.13 to 78.46 degrees.
     await setControl(page, "parameter-0", "43");
-    const [low, high] = await anglesShown(page);
-    assert.ok(near(low, 53.13, 0.1) && near(high, 78.46, 0.1), `${low} ${high}`);
-    assert.ok(high < 90);
+    await anglesBecome(page, ([low, high]) => near(low, 53.13, 0.1) && near(high, 78.46, 0.1));
     await noViolations(page);
   });
 });
@@ -64,15 +65,15 @@ test("Z, stretched: near the ends of the proved interval the largest angle comes
     await settled(page);
     for (const step of ["1", "199"]) {
       await setControl(page, "parameter-0", step);
-      const [, high] = await anglesShown(page);
+      await expect(page.locator("[name=parameter-0]")).toHaveValue(step);
       // docs/families.md: right angles at both ends, t = 1/2 and t = 3.
-      assert.ok(high > 88.5 && high < 90, `${high}`);
+      await anglesBecome(page, ([, high]) => high > 88.5 && high < 90);
     }
     // The volume of the cell: a² c √3/2 with G = [[2, 1, 0], [1, 2, 0], [0, 0, 2t]]: √(6 t).
     await setControl(page, "parameter-0", "100");
     const { bytes } = await saved(page, () => page.getByRole("button", { name: "Mesh, VTK" }).click());
     assert.ok(near(volume(mesh(bytes.toString())), Math.sqrt(6 * 1.75), 1e-9));
-    assert.match(await verified(page), /agree with what is verified/);
+    await verify(page, /agree with what is verified/);
   });
 });
 
@@ -86,9 +87,9 @@ test("a chosen tetrahedron follows the slider, and the address keeps the point",
     const first = await row();
     assert.match(first, /^AB\d+\.\d{6}about \d+\.\d{6}°$/);
     await setControl(page, "parameter-0", "20");
-    assert.notEqual(await row(), first);
+    await expect.poll(row).not.toBe(first);
     // The corner 1 of the certificate is (1/3, 1/3, z1).
-    assert.ok((await page.locator(".picked math").evaluateAll((nodes) => nodes.map((node) => node.getAttribute("alttext")))).includes("z1"));
+    await expect(page.locator('.picked math[alttext="z1"]').first()).toBeAttached();
     await settled(page);
     address = new URL(page.url()).hash;
     assert.match(address, /;at:20,100,100;/);
@@ -96,14 +97,14 @@ test("a chosen tetrahedron follows the slider, and the address keeps the point",
   });
   await visit(browser, path, async (page) => {
     await settled(page);
-    assert.equal(await page.locator("[name=parameter-0]").inputValue(), "20");
-    assert.equal(await page.locator(".picked h3").textContent(), "Tetrahedron 5");
+    await expect(page.locator("[name=parameter-0]")).toHaveValue("20");
+    await expect(page.locator(".picked h3")).toHaveText("Tetrahedron 5");
   }, { hash: address });
   // Values beyond the box, and others that are none, change nothing.
   for (const hash of ["#view=0;at:0,100,100", "#view=0;at:500,1,1", "#view=0;at:x", "#view=0;over:1"]) {
     await visit(browser, path, async (page) => {
       await settled(page);
-      assert.equal(await page.locator("[name=parameter-0]").inputValue(), "100", hash);
+      await expect(page.locator("[name=parameter-0]"), hash).toHaveValue("100");
     }, { hash });
   }
 });
@@ -112,14 +113,12 @@ test("families of the plane, and with irrational ends", async () => {
   await visit(browser, write("plane-families", 0, "triangle-tiling-all", "two-corners-all"), async (page) => {
     await settled(page);
     // x = y = 1/2: G = [[1/2, 1/4], [1/4, 3/4]]; the cosine of the angle at the origin is (1/4)/√(3/8).
-    const angles = await anglesShown(page), cosine = 0.25 / Math.sqrt(3 / 8);
-    const third = Math.acos(cosine) * 180 / Math.PI;
-    assert.ok(angles.every((x) => x < 90) && (angles.some((x) => near(x, third)) || (angles[0] < third && third < angles[1])), `${angles} ${third}`);
-    assert.match(await verified(page), /agree with what is verified/);
-    await page.locator('.chooser a[href="#tiling-1"]').click();
+    const third = Math.acos(0.25 / Math.sqrt(3 / 8)) * 180 / Math.PI;
+    await anglesBecome(page, (angles) => angles.every((x) => x < 90) && (angles.some((x) => near(x, third)) || (angles[0] < third && third < angles[1])), `${third} degrees`);
+    await verify(page, /agree with what is verified/);
+    await chooseTiling(page, 1);
     await settled(page);
-    const value = Number(await page.locator(".choice output").textContent());
-    assert.ok(near(value, (Math.SQRT2 - 1) / 6, 1e-6), `${value}`);
+    await expect.poll(async () => Number(await page.locator(".choice output:visible").textContent())).toBeCloseTo((Math.SQRT2 - 1) / 6, 6);
   });
 });
 
@@ -134,24 +133,23 @@ test("pieces over squares and triangles make Z, A15, H and sigma", async () => {
     for (const [name, count] of Object.entries(MOSAICS)) {
       await page.locator("[name=mosaic]").selectOption({ label: name });
       await page.locator(".values", { hasText: `${count} tetrahedra in a cell` }).waitFor();
-      const [, high] = await anglesShown(page);
       // arccos(1/5), and for triangles alone arccos(√(1/20)).
-      assert.ok(near(high, name.startsWith("triangles") ? 77.079 : 78.463), `${name}: ${high}`);
+      await anglesBecome(page, ([, high]) => near(high, name.startsWith("triangles") ? 77.079 : 78.463), name);
     }
     await settled(page);
-    assert.deepEqual(await page.locator(".legend li").allTextContents(), ["piece over tile 0", "piece over tile 1", "joins between pieces"]);
+    await expect(page.locator(".legend li")).toHaveText(["piece over tile 0", "piece over tile 1", "joins between pieces"]);
     const { bytes } = await saved(page, () => page.getByRole("button", { name: "Mesh, VTK" }).click());
     // The cell of sigma: two squares and four triangles of side 1, and the period 1.
     assert.ok(near(volume(mesh(bytes.toString())), 2 + Math.sqrt(3), 1e-9));
     await setControl(page, "chosen", "0");
-    assert.match(await page.locator(".picked").textContent(), /In the piece over tile \d/);
+    await expect(page.locator(".picked")).toHaveText(/In the piece over tile \d/);
     await noViolations(page);
     await page.locator("[name=mosaic]").selectOption({ label: "the piece over tile 1" });
     await page.locator(".values", { hasText: "34 tetrahedra." }).waitFor();
     await settled(page);
-    assert.equal(await page.locator("[name=colour] option:not([disabled])").count(), 1, "one piece has one colour only");
+    await expect(page.locator("[name=colour] option:not([disabled])"), "one piece has one colour only").toHaveCount(1);
     await page.locator("[name=colour]").waitFor({ state: "hidden" });
-    assert.match(await verified(page), /agree with what is verified/);
+    await verify(page, /agree with what is verified/);
   });
 });
 
@@ -174,7 +172,7 @@ test("words of kagome layers make Laves phases and Z", async () => {
     for (const [word, count] of Object.entries(counts)) {
       await field.fill(word);
       await page.locator(".values", { hasText: `${count} tetrahedra in a cell` }).waitFor();
-      assert.equal(await field.inputValue(), word);
+      await expect(field).toHaveValue(word);
     }
     await field.fill("zx");
     await page.locator(".values", { hasText: "Expected a word of the letters z, +, -" }).waitFor();
@@ -186,7 +184,7 @@ test("words of kagome layers make Laves phases and Z", async () => {
     assert.match(address, /;over:0,1;/);
     await page.reload();
     await page.locator(".values", { hasText: "34 tetrahedra in a cell" }).waitFor();
-    assert.match(await verified(page), /agree with what is verified/);
+    await verify(page, /agree with what is verified/);
   });
 });
 
@@ -201,8 +199,8 @@ test("a number that somebody changed is marked", async () => {
     assert.notEqual(forged, html, name);
     writeFileSync(path, forged);
     await visit(browser, path, async (page) => {
-      assert.match(await verified(page), /This page says one thing differently/);
-      assert.equal(await page.locator("mark.differs").count(), marked);
+      await verify(page, /This page says one thing differently/);
+      await expect(page.locator("mark.differs")).toHaveCount(marked);
     });
   }
 });
@@ -212,7 +210,7 @@ for (const width of [1280, 390]) {
     const names = ["goldberg-1-all", "goldberg-1-nonobtuse", "goldberg-2-all", "triangle-tiling-all", "two-corners-all", "slab-all", "slab-stretch-all", "z-all", "a15-all", "c14-all", "square-triangle-all", "kagome-all"];
     await visit(browser, write(`all-${width}`, 0, ...names), async (page) => {
       for (const index of names.keys()) {
-        await page.locator(`.chooser a[href="#tiling-${index}"]`).click();
+        await chooseTiling(page, index);
         await settled(page);
         await page.locator(`#tiling-${index} details.long`).evaluateAll((nodes) => nodes.forEach((node) => { node.open = true; }));
         await noViolations(page);
