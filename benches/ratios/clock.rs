@@ -1,6 +1,7 @@
-//! Times and memory. Other programs disturb elapsed time. So the least of many rounds is taken, and for
-//! long work the processor time of this process.
+//! Times and memory. Other programs disturb elapsed time. So the least of many rounds is taken, for long
+//! work the processor time of this process, and for a quotient the median of many.
 
+use crate::row::ratio;
 use std::hint::black_box;
 use std::time::{Duration, Instant};
 
@@ -27,6 +28,27 @@ pub fn fastest<T>(mut work: impl FnMut() -> T) -> Duration {
         least = least.min(start.elapsed());
     }
     least
+}
+
+/// The elapsed time of one run.
+pub fn elapsed<T>(work: impl FnOnce() -> T) -> Duration {
+    let start = Instant::now();
+    black_box(work());
+    start.elapsed()
+}
+
+/// The median quotient of two times, and the least of the second. The two take turns, because a processor
+/// changes its speed, and a quotient of times from different moments would contain that.
+pub fn compare(work: impl Fn() -> Duration, unit: impl Fn() -> Duration) -> (f64, Duration) {
+    let begin = Instant::now();
+    let (mut quotients, mut least) = (Vec::new(), Duration::MAX);
+    while quotients.len() < 5 || (quotients.len() < ROUNDS && begin.elapsed() < 2 * LONGEST) {
+        let (time, one) = (work(), unit());
+        quotients.push(ratio(time, one));
+        least = least.min(one);
+    }
+    quotients.sort_by(f64::total_cmp);
+    (quotients[quotients.len() / 2], least)
 }
 
 /// The time on processors of one run.

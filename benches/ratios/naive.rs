@@ -1,14 +1,12 @@
 //! Orientation and the six products of normals of each tetrahedron in doubles, from doubles, with no error
 //! bound. This is the work of an unproved check.
 
-use crate::clock::fastest;
 use acutile_core::tiling::Tiling;
 use acutile_exact::geometry::{Simplex, linear};
 use acutile_exact::number::Number;
-use std::time::Duration;
 
-/// The time of the pass.
-pub fn time(tiling: &Tiling<3>) -> Duration {
+/// The pass over these tetrahedra; returns how many are acute.
+pub fn pass(tiling: &Tiling<3>) -> impl Fn() -> usize {
     let vertices: Vec<[f64; 3]> = tiling
         .vertices
         .iter()
@@ -20,7 +18,7 @@ pub fn time(tiling: &Tiling<3>) -> Duration {
         .each_ref()
         .map(|row| row.each_ref().map(Number::approximate));
     let cogram = linear::cofactors(&gram);
-    fastest(|| count_acute(tiling, &vertices, &cogram))
+    move || count_acute(tiling, &vertices, &cogram)
 }
 
 fn count_acute(tiling: &Tiling<3>, vertices: &[[f64; 3]], cogram: &[[f64; 3]; 3]) -> usize {

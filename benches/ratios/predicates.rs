@@ -1,10 +1,10 @@
 //! Orientation and acuteness of all tetrahedra, exactly: with the filter in front, and by exact
 //! values alone.
 
-use crate::clock::fastest;
+use crate::clock::{compare, elapsed};
 use crate::data::{FIELDS, a15, bent, doubles, entry};
 use crate::naive;
-use crate::row::{Table, Target, ratio};
+use crate::row::{Table, Target};
 use acutile_core::checker::Model;
 use acutile_core::predicates::{Shape, Signs};
 use acutile_core::tiling::{Tiling, supercell};
@@ -55,8 +55,7 @@ pub fn measure(table: &Table) {
 }
 
 fn filtered_row(table: &Table, name: &str, tiling: &Tiling<3>, target: Target) -> f64 {
-    let naive = naive::time(tiling);
-    let measured = ratio(filtered(tiling), naive);
+    let (measured, naive) = filtered(tiling);
     let name = format!("{name}, filtered");
     table.row(&name, measured, "x naive", target, &note(tiling, naive));
     measured
@@ -64,8 +63,7 @@ fn filtered_row(table: &Table, name: &str, tiling: &Tiling<3>, target: Target) -
 
 /// Exact right angles, where no filter decides, in units of the same program's easy case.
 fn right_angles(table: &Table, name: &str, tiling: &Tiling<3>, easy: f64) {
-    let naive = naive::time(tiling);
-    let measured = ratio(filtered(tiling), naive);
+    let (measured, naive) = filtered(tiling);
     let note = note(tiling, naive);
     table.plain(&format!("{name}, filtered"), measured, "x naive", &note);
     let name = format!("{name}, angles of 90 degrees");
@@ -79,8 +77,7 @@ fn right_angles(table: &Table, name: &str, tiling: &Tiling<3>, easy: f64) {
 }
 
 fn exact_row(table: &Table, name: &str, tiling: &Tiling<3>, target: Target) {
-    let naive = naive::time(tiling);
-    let measured = ratio(exact(tiling), naive);
+    let (measured, naive) = exact(tiling);
     let name = format!("{name}, no filter");
     table.row(&name, measured, "x naive", target, &note(tiling, naive));
 }
@@ -90,22 +87,27 @@ fn note(tiling: &Tiling<3>, naive: Duration) -> String {
     format!("{} tetrahedra, naive {each:.1} ns each", tiling.len())
 }
 
-/// The filter, and exact signs where it is silent. The tiling must be nonobtuse.
-pub fn filtered(tiling: &Tiling<3>) -> Duration {
+/// The filter, and exact signs where it is silent, in units of the naive pass, and its time. The tiling must be nonobtuse.
+fn filtered(tiling: &Tiling<3>) -> (f64, Duration) {
     let model = Model::new(tiling);
     let shape = model.prepare(Shape);
-    fastest(|| assert!(shape.failing(is_right).is_empty()))
+    against_naive(tiling, || assert!(shape.failing(is_right).is_empty()))
 }
 
-/// Exact signs of all, without a filter.
-pub fn exact(tiling: &Tiling<3>) -> Duration {
+/// Exact signs of all, without a filter, in units of the naive pass, and its time.
+fn exact(tiling: &Tiling<3>) -> (f64, Duration) {
     let model = Model::new(tiling);
     let shape = model.prepare(Shape);
-    fastest(|| {
+    against_naive(tiling, || {
         for corners in tiling.simplices() {
             assert!(is_right(&shape.exact_signs(corners, &corners[0])));
         }
     })
+}
+
+fn against_naive(tiling: &Tiling<3>, work: impl Fn()) -> (f64, Duration) {
+    let naive = naive::pass(tiling);
+    compare(|| elapsed(&work), || elapsed(&naive))
 }
 
 /// Positively oriented, and no angle is obtuse.
