@@ -70,11 +70,11 @@ Notation ok := (ok system tiles).
 Notation tri := (tri system tiles rise).
 Notation left_of := (left_of r).
 Notation kinds := (kind_lt G r system l1 l2 l3 tiles tiling).
-Notation across_spec := (across_spec G r system h OK l1 l2 l3 tiles tiling).
+Notation across_spec := (across_spec G r system h OK l1 l2 l3 basis right_handed tiles tiling).
 Notation step_spec := (step_spec G r system h OK l1 l2 l3 basis right_handed tiles tiling rise high).
 Notation step_opp := (step_opp G r system h OK l1 l2 l3 basis right_handed tiles tiling rise high).
 Notation pyramid_facts := (pyramid_facts G r system h OK l1 l2 l3 tiles tiling).
-Notation mate_facts := (mate_facts G r system h OK l1 l2 l3 tiles tiling).
+Notation mate_facts := (mate_facts G r system h OK l1 l2 l3 basis right_handed tiles tiling).
 Notation frame_lift := (frame_lift G r system h OK l1 l2 l3 basis right_handed tiles tiling rise high).
 Notation across_resolve := (across_resolve G r system h OK l1 l2 l3 basis right_handed tiles tiling rise high).
 Notation beyond_spec := (beyond_spec G r system h OK l1 l2 l3 basis right_handed tiles tiling rise high).
@@ -462,22 +462,12 @@ Lemma around_tile_shift a m c1 c2 : length (around_tile a (cshift m c1) (cshift 
 Proof. unfold around_tile. rewrite !select_length, edge_key_shift. reflexivity. Qed.
 
 (** *** The sides of a convex tile *)
-Hypothesis CONVEX : r = 1%nat -> forall a s t, (a < length system)%nat -> (s < sides (patch_at a))%nat -> (t < sides (patch_at a))%nat ->
-  (3 <= sides (patch_at a))%nat /\ (t <> s -> t <> prev (sides (patch_at a)) s -> 0 < left_of (patch_at a) t (start (edge_at (patch_at a) s))).
-Definition same_place (x y : point) : Prop := py x = py y /\ pz x = pz y.
-Lemma left_place p s x y : r = 1%nat -> same_place x y -> left_of p s x = left_of p s y.
-Proof. intros R [A B]. unfold MosaicStatement.left_of. rewrite R, A, B. reflexivity. Qed.
-Lemma finish_next p s : r = 1%nat -> same_place (finish r p s) (start (edge_at p (next (sides p) s))).
-Proof. intros R. unfold finish. rewrite R. split; reflexivity. Qed.
-Lemma left_start p s : r = 1%nat -> left_of p s (start (edge_at p s)) = 0.
-Proof. intros R. unfold MosaicStatement.left_of. rewrite R. ring. Qed.
-Lemma left_finish p s : r = 1%nat -> left_of p s (finish r p s) = 0.
-Proof. intros R. unfold MosaicStatement.left_of. rewrite R. ring. Qed.
-Lemma left_prev p s : r = 1%nat -> (s < sides p)%nat -> left_of p (prev (sides p) s) (start (edge_at p s)) = 0.
-Proof.
-  intros R Hs. rewrite (left_place p _ _ (finish r p (prev (sides p) s)) R); [apply left_finish, R|].
-  destruct (finish_next p (prev (sides p) s) R) as [A B]. rewrite next_prev in A, B by auto. split; auto.
-Qed.
+Notation CONVEX := (good_convex _ _ _ _ OK).
+Notation left_place := (left_place r).
+Notation finish_next := (finish_next r).
+Notation left_start := (left_start r).
+Notation left_finish := (left_finish r).
+Notation left_prev := (left_prev r).
 Lemma next_neq n s : (3 <= n)%nat -> (s < n)%nat -> next n s <> s /\ prev n s <> s /\ next n s <> prev n s.
 Proof. intros N H. unfold next, prev. destruct s as [|s]; [destruct (Nat.eqb_spec 1 n)|destruct (Nat.eqb_spec (S (S s)) n)]; lia. Qed.
 Lemma corner_point a s t y : r = 1%nat -> (a < length system)%nat -> (s < sides (patch_at a))%nat -> (t < sides (patch_at a))%nat -> t <> s ->

@@ -237,8 +237,11 @@ Definition check_home (a : nat) : bool := let p := k_patch a in let '(k, x) := h
   upto (length (k_pyramids p)) (fun q => forallb (fun y => upto (k_rim_count p q) (fun e => missed (lateral p q e y) x)) (apexes a q)).
 
 Definition zero_blocks : bool := aeq (k13 A g) zero && (if r =? 1 then aeq (k12 A g) zero else aeq (k23 g) zero).
+(** The polygon is strictly convex; a segment has two ends. *)
+Definition check_sides (a : nat) : bool := let p := k_patch a in let n := k_sides p in
+  if r =? 1 then (3 <=? n) && upto n (fun s => upto n (fun t => (t =? s) || (t =? prev n s) || alt zero (k_left (side_form p t) (k_start p s)))) else n =? 2.
 Definition check_patch (a : nat) : bool := let p := k_patch a in
-  positive_spots a && (if r =? 2 then k_sides p =? 2 else true) &&
+  positive_spots a && check_sides a &&
   forallb (check_occupant a) (occupants p) && forallb (check_piece (side_forms p)) (k_pieces p) &&
   upto (length (k_pyramids p)) (fun q => check_pyramid a q && check_joins a q) && check_home a &&
   upto (k_sides p) (fun s => upto (owners h a s) (check_wall a s) &&

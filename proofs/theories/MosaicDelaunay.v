@@ -86,10 +86,10 @@ Notation resolve := (resolve r system h l1 l2 l3 tiles rise).
 Notation across := (across r system h l1 l2 l3 tiles rise).
 Notation ok := (ok system tiles).
 Notation kinds := (kind_lt G r system l1 l2 l3 tiles tiling).
-Notation across_spec := (across_spec G r system h OK l1 l2 l3 tiles tiling).
+Notation across_spec := (across_spec G r system h OK l1 l2 l3 basis right_handed tiles tiling).
 Notation step_spec := (step_spec G r system h OK l1 l2 l3 basis right_handed tiles tiling rise high).
 Notation pyramid_facts := (pyramid_facts G r system h OK l1 l2 l3 tiles tiling).
-Notation mate_facts := (mate_facts G r system h OK l1 l2 l3 tiles tiling).
+Notation mate_facts := (mate_facts G r system h OK l1 l2 l3 basis right_handed tiles tiling).
 Notation frame_lift := (frame_lift G r system h OK l1 l2 l3 basis right_handed tiles tiling rise high).
 Notation frame_back := (frame_back G r system h OK l1 l2 l3 basis right_handed tiles tiling rise high).
 

@@ -237,13 +237,13 @@ Lemma meets_up i s j s' : meets i s j s' -> (s = 1%nat /\ s' = 0%nat /\ j = up i
 Proof.
   intros M. pose proof M as [Hs [Hs' [_ [D _]]]]. specialize (D rank_2). rewrite two_sides in Hs, Hs'.
   assert (C : (s = 1 /\ s' = 0 \/ s = 0 /\ s' = 1)%nat) by lia. destruct C as [[-> ->]|[-> ->]]; [left|right]; repeat split; auto.
-  - destruct (mosaic_two_sides _ _ _ _ _ _ _ tiling _ _ _ _ _ _ M (up_meets i)) as [E _]. auto.
-  - pose proof (meets_sym G r system h OK l1 l2 l3 tiles tiling _ _ _ _ M) as M'. destruct (mosaic_two_sides _ _ _ _ _ _ _ tiling _ _ _ _ _ _ M' (up_meets j)) as [E _]. auto.
+  - destruct (meets_once G r system h OK l1 l2 l3 basis right_handed tiles tiling _ _ _ _ _ _ M (up_meets i)) as [E _]. auto.
+  - pose proof (meets_sym G r system h OK l1 l2 l3 tiles tiling _ _ _ _ M) as M'. destruct (meets_once G r system h OK l1 l2 l3 basis right_handed tiles tiling _ _ _ _ _ _ M' (up_meets j)) as [E _]. auto.
 Qed.
 Lemma up_inj i j : up i = up j -> i = j.
 Proof.
   intros E. pose proof (meets_sym G r system h OK l1 l2 l3 tiles tiling _ _ _ _ (up_meets i)) as M. pose proof (meets_sym G r system h OK l1 l2 l3 tiles tiling _ _ _ _ (up_meets j)) as M'.
-  rewrite E in M. destruct (mosaic_two_sides _ _ _ _ _ _ _ tiling _ _ _ _ _ _ M M') as [K _]. auto.
+  rewrite E in M. destruct (meets_once G r system h OK l1 l2 l3 basis right_handed tiles tiling _ _ _ _ _ _ M M') as [K _]. auto.
 Qed.
 (** The height of the lower end. *)
 Definition low (i : nat) : R := pz (Einv l1 l2 l3 (corner (tiles i))) + pz (start (edge_at (patch_of i) 0)).

@@ -552,12 +552,17 @@ Proof.
     0 < vol (rtet (lateral (k_patch a) q e y))).
   { intros a q e y Ha Hq He Hy. destruct (pyramid_checked a q Ha Hq) as [_ C]. unfold check_joins in C. cbv zeta in C. rewrite forallb_forall in C. specialize (C y Hy). apply andb_true_iff in C as [C _].
     apply positive_tet_ok; [apply join_pos; auto|]. apply (upto_ok _ _ C e He). }
+  assert (SIDES : forall a, (a < length rsystem)%nat -> check_sides A aadd asub amul aofZ alt r system a = true).
+  { intros a Ha. pose proof (checked_patch a Ha) as C. unfold check_patch in C. cbv zeta in C. rewrite !andb_true_iff in C. tauto. }
   constructor.
   - exact rank.
   - pose proof CHECKED as C. unfold check_system in C. rewrite !andb_true_iff in C. destruct C as [[_ C] _]. unfold zero_blocks in C. apply andb_true_iff in C as [C1 C2]. apply aeq_ok in C1. rewrite phi_zero in C1.
     split; [exact C1|]. split; intros R; rewrite R in C2; cbn [Nat.eqb] in C2; apply aeq_ok in C2; rewrite phi_zero in C2; exact C2.
-  - intros a Ha R. pose proof (checked_patch a Ha) as C. unfold check_patch in C. cbv zeta in C. rewrite !andb_true_iff in C. destruct C as [[[[[[_ C] _] _] _] _] _].
-    rewrite R in C. cbn [Nat.eqb] in C. apply Nat.eqb_eq in C. rewrite sides_length. exact C.
+  - intros a Ha R. pose proof (SIDES a Ha) as C. unfold check_sides in C. rewrite R in C at 1. cbn [Nat.eqb] in C. apply Nat.eqb_eq in C. rewrite sides_length. exact C.
+  - intros R a s t Ha Hs Ht. pose proof (SIDES a Ha) as C. unfold check_sides in C. rewrite R in C at 1. cbn [Nat.eqb] in C. cbv zeta in C. rewrite sides_length in *. apply andb_true_iff in C as [C2 C3].
+    apply Nat.leb_le in C2. split; auto. intros N1 N2. pose proof (upto_ok _ _ C3 s Hs) as K. pose proof (upto_ok _ _ K t Ht) as K2. cbv beta in K2.
+    rewrite !orb_true_iff, !Nat.eqb_eq in K2. destruct K2 as [[K2|K2]|K2]; [contradiction|contradiction|]. destruct (SPOTS a Ha) as [PP _].
+    rewrite patch_ok, edge_ok. cbn [start]. apply left_sign; auto. apply PP.
   - intros a s b s' Ha Hb Hs Hs' CL D. rewrite sides_length in Hs, Hs'. apply (pair_fits a s b s' Ha Hb Hs Hs'). apply meet_iff; auto.
   - intros a k Ha Hk. rewrite pieces_length in Hk. destruct (PIECES a k Ha Hk) as [P [V I]]. rewrite patch_ok, piece_ok. split; [exact V|].
     intros v Hv. rewrite forallb_forall in I. unfold tet_pos in P. rewrite Forall_forall in P. destruct (SPOTS a Ha) as [PP _].
@@ -884,7 +889,7 @@ Proof.
     assert (I : In (k_piece (k_patch (kind i)) k) (k_pieces A (k_patch (kind i)))) by (apply nth_In, V). split; [exact KI|]. split; [left; exact I|]. split; [apply (piece_pos (kind i)); auto|]. auto.
   - destruct V as [Hq [He I]]. destruct (pyramid_facts G r rsystem h system_good l1 l2 l3 tiles tiling i q Hq) as [Hs _]. unfold join_at.
     destruct (MosaicTiling.across_side r rsystem l1 l2 l3 tiles i (side_of h (kind i) q)) as [j s'] eqn:E.
-    destruct (across_spec G r rsystem h system_good l1 l2 l3 tiles tiling i _ j s' Hs E) as [Hs' [_ [_ FT]]].
+    destruct (across_spec G r rsystem h system_good l1 l2 l3 basis right_handed tiles tiling i _ j s' Hs E) as [Hs' [_ [_ FT]]].
     change (MosaicStatement.patch_of rsystem tiles i) with (patch_at (kind i)) in *. change (MosaicStatement.patch_of rsystem tiles j) with (patch_at (kind j)) in *.
     pose proof (kind_lt G r rsystem l1 l2 l3 tiles tiling j) as KJ.
     rewrite pyramids_length in Hq. rewrite sides_length in Hs, Hs'. rewrite patch_ok, rim_count_ok in He.

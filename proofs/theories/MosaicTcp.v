@@ -94,7 +94,7 @@ Notation edge_of := (MosaicCorners.edge_of rsystem k_piece_name k_apex_name k_ri
 Lemma length_system : length rsystem = length system.
 Proof. apply map_length. Qed.
 Lemma edges_checked a : (a < length rsystem)%nat ->
-  check_names A aadd asub amul aofZ alt ale r system labels a = true /\ check_shape A aadd asub amul aofZ alt r system a = true /\
+  check_names A aadd asub amul aofZ alt ale r system labels a = true /\ check_apexes A aadd asub amul aofZ alt r system a = true /\
   (forall s b s', (s < k_sides (k_patch a))%nat -> (b < length rsystem)%nat -> (s' < k_sides (k_patch b))%nat -> check_neighbours A aadd asub amul aofZ ale content quot g r system labels neighbour a s b s' = true) /\
   (forall o, In o (occupants A aofZ (k_patch a)) -> check_triangle A aadd asub amul aofZ ale r system labels neighbour tables a o = true) /\
   (forall q, (q < length (k_pyramids A (k_patch a)))%nat -> check_axis A aadd asub amul aofZ ale r system h labels neighbour tables a q = true).
@@ -176,15 +176,10 @@ Proof.
   - intros a v v' n Ha Hv Hv' L E. destruct (names_checked a Ha) as [_ [AP _]]. unfold MosaicValences.k_vertices in Hv, Hv'. apply N2Nat.inj. apply (AP _ _ n); auto; lia.
   - intros a v Ha Hv s Hs. rewrite sides_length in Hs. destruct (names_checked a Ha) as [_ [_ D]]. destruct (D v s Hv Hs) as [X|X]; [|lra]. apply on_ok in X; auto. unfold MosaicAround.on_side in X. cbn [fst] in X. lra.
 Qed.
-Lemma shape_ok a : (a < length rsystem)%nat -> (forall q s, (q < length (pyramids (patch_at a)))%nat -> (s < sides (patch_at a))%nat -> 0 < left_of r (patch_at a) s (apex_at (patch_at a) q)) /\
-  (r = 1%nat -> forall s t, (s < sides (patch_at a))%nat -> (t < sides (patch_at a))%nat -> (3 <= sides (patch_at a))%nat /\
-     (t <> s -> t <> prev (sides (patch_at a)) s -> 0 < left_of r (patch_at a) t (start (edge_at (patch_at a) s)))).
+Lemma apexes_inside a q s : (a < length rsystem)%nat -> (q < length (pyramids (patch_at a)))%nat -> (s < sides (patch_at a))%nat -> 0 < left_of r (patch_at a) s (apex_at (patch_at a) q).
 Proof.
-  intros Ha. destruct (edges_checked a Ha) as [_ [C _]]. unfold check_shape in C. cbv zeta in C. apply andb_true_iff in C as [C1 C2]. destruct (positive_ok a Ha) as [PP _]. split.
-  - intros q s Hq Hs. rewrite pyramids_length in Hq. rewrite sides_length in Hs. pose proof (upto_ok _ _ C1 q Hq) as K. pose proof (upto_ok _ _ K s Hs) as K2. rewrite patch_ok, apex_ok. apply left_sign; auto. apply PP.
-  - intros R1 s t Hs Ht. rewrite sides_length in *. rewrite R1 in C2 at 1. cbn [Nat.eqb] in C2. apply andb_true_iff in C2 as [C2 C3]. apply Nat.leb_le in C2. split; auto. intros N1 N2.
-    pose proof (upto_ok _ _ C3 s Hs) as K. pose proof (upto_ok _ _ K t Ht) as K2. cbv beta in K2. rewrite !orb_true_iff, !Nat.eqb_eq in K2. destruct K2 as [[K2|K2]|K2]; [contradiction|contradiction|].
-    rewrite patch_ok, edge_ok. cbn [start]. apply left_sign; auto. apply PP.
+  intros Ha Hq Hs. destruct (edges_checked a Ha) as [_ [C _]]. unfold check_apexes in C. cbv zeta in C. destruct (positive_ok a Ha) as [PP _].
+  rewrite pyramids_length in Hq. rewrite sides_length in Hs. pose proof (upto_ok _ _ C q Hq) as K. pose proof (upto_ok _ _ K s Hs) as K2. rewrite patch_ok, apex_ok. apply left_sign; auto. apply PP.
 Qed.
 Lemma neighbour_ok a s b s' v : (a < length rsystem)%nat -> (b < length rsystem)%nat -> (s < sides (patch_at a))%nat -> (s' < sides (patch_at b))%nat ->
   fits G r (patch_at a) s (patch_at b) s' -> (v < k_vertices a)%N -> left_of r (patch_at a) s (vertex a v) = 0 ->
@@ -401,8 +396,7 @@ Theorem tcp_all : over_all l1 l2 l3 G r rsystem tcp_cells.
 Proof.
   intros tiles rise T H.
   apply (mosaic_tcp G r rsystem h system_good vertex k_vertices k_piece_name k_apex_name k_rim_name named_ok
-    (fun a q s Ha Hq Hs => proj1 (shape_ok a Ha) q s Hq Hs) l1 l2 l3 basis right_handed tiles T rise H
-    (fun R1 a s t Ha Hs Ht => proj2 (shape_ok a Ha) R1 s t Hs Ht) neighbour neighbour_ok rturnings rsamples
+    apexes_inside l1 l2 l3 basis right_handed tiles T rise H neighbour neighbour_ok rturnings rsamples
     (fun R1 => rotations_ok R1 (rot_ok R1)) sampled_ok shares_ok valences_ok axes_ok triangles_ok axial_ok).
 Qed.
 End Ring.

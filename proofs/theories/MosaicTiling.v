@@ -258,6 +258,8 @@ Record good : Prop := {
   good_rank : r = 1%nat \/ r = 2%nat;
   good_blocks : g13 G = 0 /\ (r = 1%nat -> g12 G = 0) /\ (r = 2%nat -> g23 G = 0);
   good_sides : forall a, (a < length system)%nat -> r = 2%nat -> sides (patch_at a) = 2%nat;
+  good_convex : r = 1%nat -> forall a s t, (a < length system)%nat -> (s < sides (patch_at a))%nat -> (t < sides (patch_at a))%nat ->
+    (3 <= sides (patch_at a))%nat /\ (t <> s -> t <> prev (sides (patch_at a)) s -> 0 < left_of (patch_at a) t (start (edge_at (patch_at a) s)));
   good_lengths : forall a s b s', (a < length system)%nat -> (b < length system)%nat -> (s < sides (patch_at a))%nat -> (s' < sides (patch_at b))%nat ->
     class (edge_at (patch_at a) s) = class (edge_at (patch_at b) s') -> (r = 2%nat -> s <> s') -> fits G r (patch_at a) s (patch_at b) s';
   good_pieces : forall a k, (a < length system)%nat -> (k < length (pieces (patch_at a)))%nat ->
@@ -354,6 +356,137 @@ Proof.
 Qed.
 Lemma side_small i s : (s < sides (patch_of i))%nat -> (s < 2 \/ r = 1)%nat.
 Proof. intros H. destruct rank_eq as [|R]; auto. left. pose proof (good_sides OK (kind i) (kind_lt i) R) as E. unfold MosaicStatement.patch_of in H. lia. Qed.
+
+(** *** A side of the mosaic is that of two tiles *)
+(** Two points of a patch over the same point of the base, for r = 1. *)
+Definition same_place (x y : point) : Prop := py x = py y /\ pz x = pz y.
+Lemma left_place p s x y : r = 1%nat -> same_place x y -> left_of p s x = left_of p s y.
+Proof. intros R [A B]. unfold MosaicStatement.left_of. rewrite R, A, B. reflexivity. Qed.
+Lemma finish_next p s : r = 1%nat -> same_place (finish r p s) (start (edge_at p (next (sides p) s))).
+Proof. intros R. unfold finish. rewrite R. split; reflexivity. Qed.
+Lemma left_start p s : r = 1%nat -> left_of p s (start (edge_at p s)) = 0.
+Proof. intros R. unfold MosaicStatement.left_of. rewrite R. ring. Qed.
+Lemma left_finish p s : r = 1%nat -> left_of p s (finish r p s) = 0.
+Proof. intros R. unfold MosaicStatement.left_of. rewrite R. ring. Qed.
+Lemma left_prev p s : r = 1%nat -> (s < sides p)%nat -> left_of p (prev (sides p) s) (start (edge_at p s)) = 0.
+Proof.
+  intros R Hs. rewrite (left_place p _ _ (finish r p (prev (sides p) s)) R); [apply left_finish, R|].
+  destruct (finish_next p (prev (sides p) s) R) as [A B]. rewrite next_prev in A, B by auto. split; auto.
+Qed.
+(** The ends of a side are in the prism. *)
+Lemma start_in i s : r = 1%nat -> (s < sides (patch_of i))%nat -> in_prism (patch_of i) (start (edge_at (patch_of i) s)).
+Proof.
+  intros R Hs t Ht. destruct (Nat.eq_dec t s) as [->|N]; [rewrite left_start by exact R; lra|].
+  destruct (Nat.eq_dec t (prev (sides (patch_of i)) s)) as [->|N']; [rewrite left_prev by auto; lra|].
+  apply Rlt_le. apply (proj2 (good_convex OK R (kind i) s t (kind_lt i) Hs Ht) N N').
+Qed.
+Lemma finish_in i s : r = 1%nat -> (s < sides (patch_of i))%nat -> in_prism (patch_of i) (finish r (patch_of i) s).
+Proof. intros R Hs t Ht. rewrite (left_place _ _ _ _ R (finish_next _ _ R)). apply start_in; auto using next_lt. Qed.
+
+(** Two directions V and V' on one side of the plane of l and u: a small multiple of V is one of V', up to l and u. *)
+Lemma common_direction l u V V' : 0 < det l u V * det l u V' -> exists c c' k m, 0 < c <= 1 / 4 /\ 0 < c' <= 1 / 4 /\ - (1 / 4) <= k <= 1 / 4 /\
+  scale c V = add (scale c' V') (add (scale k u) (scale m l)).
+Proof.
+  intros P. set (L := det l u V) in *. set (L' := det l u V') in *.
+  assert (L0 : L <> 0) by (intros E; rewrite E in P; lra). assert (L0' : L' <> 0) by (intros E; rewrite E in P; lra).
+  assert (P' : 0 < L' * L') by (destruct (Rdichotomy _ _ L0'); nra).
+  set (W := sub (scale (L' * L') V) (scale (L * L') V')).
+  assert (W0 : det l u W = 0) by (unfold W; transitivity (L' * L' * L - L * L' * L'); [unfold L, L'; unf; ring|ring]).
+  set (K := det l W V / L). set (M := det W u V / L).
+  assert (WE : W = add (scale K u) (scale M l)).
+  { assert (C : scale L W = add (scale (det W u V) l) (add (scale (det l W V) u) (scale (det l u W) V))) by (unfold L; apply point_eq; unf; ring).
+    rewrite W0 in C. unfold K, M. clearbody L W. clear - C L0.
+    apply point_eq; [apply (f_equal px) in C|apply (f_equal py) in C|apply (f_equal pz) in C]; unf; apply Rmult_eq_reg_l with L; auto; rewrite C; field; exact L0. }
+  set (D := 4 * (1 + L' * L' + L * L' + Rabs K)). assert (K0 : 0 <= Rabs K) by apply Rabs_pos. assert (D0 : 0 < D) by (unfold D; lra).
+  assert (B : forall x, - (L' * L' + L * L' + Rabs K) <= x <= L' * L' + L * L' + Rabs K -> - (1 / 4) <= x / D <= 1 / 4).
+  { intros x X. split; apply Rmult_le_reg_r with D; auto; replace (x / D * D) with x by (field; lra); unfold D; lra. }
+  assert (KA : - Rabs K <= K <= Rabs K) by (split; [pose proof (Rle_abs (- K)); rewrite Rabs_Ropp in *; lra|apply Rle_abs]).
+  exists (L' * L' / D), (L * L' / D), (K / D), (M / D). split; [split; [apply Rdiv_lt_0_compat; auto|apply B; lra]|].
+  split; [split; [apply Rdiv_lt_0_compat; auto|apply B; lra]|]. split; [apply B; lra|].
+  clearbody K M D L L'. clear - WE D0. unfold W in WE.
+  apply point_eq; [apply (f_equal px) in WE|apply (f_equal py) in WE|apply (f_equal pz) in WE]; unf; apply Rmult_eq_reg_l with D; try lra; field_simplify; try lra.
+Qed.
+Lemma within_place i x : inside_prism r (patch_of i) x -> within r system tiles i (place i x).
+Proof. intros P. exists x. auto. Qed.
+Lemma over_fibre i x f : in_fibre r f -> in_prism (patch_of i) x -> over r system tiles i (add (place i x) (at_coordinates l1 l2 l3 f)).
+Proof. intros F P. exists (add x f). rewrite place_fibre by exact F. split; [reflexivity|]. intros s Hs. rewrite (left_fibre r rank_eq) by exact F. apply P, Hs. Qed.
+Lemma place_axis i a b x : det l1 (sub (place i a) (place i b)) (sub (place i x) (place i b)) = det l1 l2 l3 * ((py a - py b) * (pz x - pz b) - (pz a - pz b) * (py x - py b)).
+Proof. destruct (motion i) as [m2 [m3 [E [_ [D _]]]]]. unfold MosaicStatement.place. rewrite E, <- D. unfold at_coordinates. unf. ring. Qed.
+Lemma place_layer i b x : r = 2%nat -> det l1 l2 (sub (place i x) (place i b)) = det l1 l2 l3 * (pz x - pz b).
+Proof. intros R. destruct (motion i) as [m2 [m3 [E [_ [_ R2]]]]]. destruct (R2 R) as [-> ->]. unfold MosaicStatement.place. rewrite E. unfold at_coordinates. unf. ring. Qed.
+(** Only one other tile has a side. *)
+Lemma one_neighbour i s j s' j' s'' : meets i s j s' -> meets i s j' s'' -> j' = j.
+Proof.
+  intros [_ [Hs' [_ [A3 [[f [F A]] [g [Fg B]]]]]]] [Hs [Hs'' [_ [A3' [[f' [F' A']] [g' [Fg' B']]]]]]].
+  destruct (good_homes OK (kind j) (kind_lt j)) as [_ [x [_ [_ [X _]]]]]. destruct (good_homes OK (kind j') (kind_lt j')) as [_ [x' [_ [_ [X' _]]]]].
+  change (nth (kind j) system (Patch [] [] [])) with (patch_of j) in *. change (nth (kind j') system (Patch [] [] [])) with (patch_of j') in *.
+  rewrite A in A'. rewrite B in B'. clear A B.
+  cut (exists y y' h, in_fibre r h /\ inside_prism r (patch_of j) y /\ in_prism (patch_of j') y' /\ place j y = add (place j' y') (at_coordinates l1 l2 l3 h)).
+  { intros [y [y' [k [K [Y [Y' E]]]]]]. symmetry. apply (mosaic_apart _ _ _ _ _ _ _ tiling j j' (place j y)); [apply within_place, Y|]. rewrite E. apply over_fibre; auto. }
+  destruct rank_eq as [R|R].
+  - set (P := finish r (patch_of j) s') in *. set (Q := start (edge_at (patch_of j) s')) in *. set (P' := finish r (patch_of j') s'') in *. set (Q' := start (edge_at (patch_of j') s'')) in *.
+    assert (LX : 0 < (py P - py Q) * (pz x - pz Q) - (pz P - pz Q) * (py x - py Q)) by (pose proof (X s' Hs') as L; unfold MosaicStatement.left_of in L; rewrite R in L; unfold P, Q; rewrite R; exact L).
+    assert (LX' : 0 < (py P' - py Q') * (pz x' - pz Q') - (pz P' - pz Q') * (py x' - py Q')) by (pose proof (X' s'' Hs'') as L; unfold MosaicStatement.left_of in L; rewrite R in L; unfold P', Q'; rewrite R; exact L).
+    apply (Rmult_lt_0_compat _ _ right_handed) in LX, LX'. rewrite <- (place_axis j) in LX. rewrite <- (place_axis j') in LX'.
+    assert (DE : forall V, det l1 (sub (place j P) (place j Q)) V = det l1 (sub (place j' P') (place j' Q')) V).
+    { rewrite R in F, F', Fg, Fg'. destruct F as [F2 F3], F' as [F2' F3'], Fg as [G2 G3], Fg' as [G2' G3']. intros V. unfold at_coordinates in A', B'. rewrite ?F2, ?F3, ?F2', ?F3' in A'. rewrite ?G2, ?G3, ?G2', ?G3' in B'.
+      assert (U : sub (place j P) (place j Q) = add (sub (place j' P') (place j' Q')) (scale (px f' - px f - (px g' - px g)) l1)).
+      { apply point_eq; [apply (f_equal px) in A'; apply (f_equal px) in B'|apply (f_equal py) in A'; apply (f_equal py) in B'|apply (f_equal pz) in A'; apply (f_equal pz) in B']; unf; lra. }
+      rewrite U. unf. ring. }
+    assert (PR : 0 < det l1 (sub (place j P) (place j Q)) (sub (place j x) (place j Q)) * det l1 (sub (place j P) (place j Q)) (sub (place j' x') (place j' Q'))) by (rewrite (DE (sub (place j' x') (place j' Q'))); apply Rmult_lt_0_compat; auto).
+    apply common_direction in PR as [c [c' [k [m [C [C' [K E]]]]]]].
+    set (t := Tetrahedron P Q x x). set (t' := Tetrahedron P' Q' x' x').
+    exists (combination t (1 / 2) (1 / 2 - c) c 0), (combination t' (1 / 2 + k) (1 / 2 - k - c') c' 0).
+    assert (Z : exists e, place j (combination t (1 / 2) (1 / 2 - c) c 0) = add (place j' (combination t' (1 / 2 + k) (1 / 2 - k - c') c' 0)) (scale e l1)).
+    { rewrite <- !place_affine by field. unfold combination, map_tet, t, t'; cbn [va vb vc vd].
+      rewrite R in F, F', Fg, Fg'. destruct F as [F2 F3], F' as [F2' F3'], Fg as [G2 G3], Fg' as [G2' G3']. unfold at_coordinates in A', B'. rewrite ?F2, ?F3, ?F2', ?F3' in A'. rewrite ?G2, ?G3, ?G2', ?G3' in B'.
+      exists (m + (1 / 2 + k) * (px f' - px f) + (1 / 2 - k) * (px g' - px g)).
+      apply point_eq; [apply (f_equal px) in A'; apply (f_equal px) in B'; apply (f_equal px) in E|apply (f_equal py) in A'; apply (f_equal py) in B'; apply (f_equal py) in E|apply (f_equal pz) in A'; apply (f_equal pz) in B'; apply (f_equal pz) in E];
+        unf; clear - A' B' E; nra. }
+    destruct Z as [e Z]. exists (Point e 0 0). split; [rewrite R; split; reflexivity|]. split; [|split].
+    + intros t0 Ht. rewrite (left_affine r rank_eq) by field. unfold t; cbn [va vb vc vd]. pose proof (finish_in j s' R Hs' t0 Ht : 0 <= left_of (patch_of j) t0 P). pose proof (start_in j s' R Hs' t0 Ht : 0 <= left_of (patch_of j) t0 Q). pose proof (X t0 Ht). nra.
+    + intros t0 Ht. rewrite (left_affine r rank_eq) by field. unfold t'; cbn [va vb vc vd]. pose proof (finish_in j' s'' R Hs'' t0 Ht : 0 <= left_of (patch_of j') t0 P'). pose proof (start_in j' s'' R Hs'' t0 Ht : 0 <= left_of (patch_of j') t0 Q'). pose proof (X' t0 Ht). nra.
+    + rewrite Z. f_equal. unfold at_coordinates. apply point_eq; unf; ring.
+  - pose proof (good_sides OK (kind j) (kind_lt j) R) as N. pose proof (good_sides OK (kind j') (kind_lt j') R) as N'. pose proof (good_sides OK (kind i) (kind_lt i) R) as Ni.
+    change (nth (kind j) system (Patch [] [] [])) with (patch_of j) in *. change (nth (kind j') system (Patch [] [] [])) with (patch_of j') in *. change (nth (kind i) system (Patch [] [] [])) with (patch_of i) in *.
+    specialize (A3 R). specialize (A3' R). assert (s'' = s') by lia. subst s''. clear B' Fg Fg'.
+    pose proof (X 0%nat ltac:(lia)) as X0. pose proof (X 1%nat ltac:(lia)) as X1. pose proof (X' 0%nat ltac:(lia)) as X0'. pose proof (X' 1%nat ltac:(lia)) as X1'.
+    unfold finish in A'. rewrite R in F, F', A'. cbn [in_fibre] in F, F'. set (Q := start (edge_at (patch_of j) s')) in *. set (Q' := start (edge_at (patch_of j') s')) in *.
+    assert (END : forall p y t, inside_prism r p y -> sides p = 2%nat -> (t < 2)%nat -> 0 <= left_of p t (start (edge_at p s'))).
+    { intros p y t Y S Ht. pose proof (Y 0%nat ltac:(lia)) as Y0. pose proof (Y 1%nat ltac:(lia)) as Y1. unfold MosaicStatement.left_of in *. rewrite R in *.
+      destruct s' as [|[|s']]; [| |lia]; destruct t as [|[|t]]; try lia; lra. }
+    assert (PR : 0 < det l1 l2 (sub (place j x) (place j Q)) * det l1 l2 (sub (place j' x') (place j' Q'))).
+    { rewrite !place_layer by exact R. assert (0 < (pz x - pz Q) * (pz x' - pz Q')).
+      { unfold Q, Q', MosaicStatement.left_of in *. rewrite R in *. destruct s' as [|[|s']]; [| |lia]; nra. }
+      assert (0 < det l1 l2 l3 * det l1 l2 l3) by (apply Rmult_lt_0_compat; auto). nra. }
+    apply common_direction in PR as [c [c' [k [m [C [C' [K E]]]]]]].
+    set (t := Tetrahedron Q Q x x). set (t' := Tetrahedron Q' Q' x' x').
+    exists (combination t (1 - c) 0 c 0), (combination t' (1 - c') 0 c' 0), (Point (m + px f' - px f) (k + py f' - py f) 0).
+    split; [rewrite R; reflexivity|]. split; [|split].
+    + intros t0 Ht. rewrite (left_affine r rank_eq) by field. unfold t; cbn [va vb vc vd]. pose proof (END (patch_of j) x t0 X N ltac:(lia) : 0 <= left_of (patch_of j) t0 Q). pose proof (X t0 Ht). nra.
+    + intros t0 Ht. rewrite (left_affine r rank_eq) by field. unfold t'; cbn [va vb vc vd]. pose proof (END (patch_of j') x' t0 X' N' ltac:(lia) : 0 <= left_of (patch_of j') t0 Q'). pose proof (X' t0 Ht). nra.
+    + rewrite <- !place_affine by field. unfold combination, map_tet, t, t', at_coordinates in *; cbn [va vb vc vd]. rewrite F, F' in A'.
+      apply point_eq; [apply (f_equal px) in A'; apply (f_equal px) in E|apply (f_equal py) in A'; apply (f_equal py) in E|apply (f_equal pz) in A'; apply (f_equal pz) in E]; unf; clear - A' E; lra.
+Qed.
+(** And with one of its sides. *)
+Lemma meets_once i s j s' j' s'' : meets i s j s' -> meets i s j' s'' -> j' = j /\ s'' = s'.
+Proof.
+  intros M M'. pose proof (one_neighbour _ _ _ _ _ _ M M') as ->. split; [reflexivity|].
+  destruct M as [Hs [Hs' [_ [A3 [[f [F A]] [g [Fg B]]]]]]], M' as [_ [Hs'' [_ [A3' [[f' [F' A']] [g' [Fg' B']]]]]]].
+  destruct rank_eq as [R|R].
+  - destruct (Nat.eq_dec s' s'') as [|NE]; [auto|exfalso].
+    rewrite A, <- !place_fibre in A' by auto. rewrite B, <- !place_fibre in B' by auto.
+    assert (PL : forall x y h h', in_fibre r h -> in_fibre r h' -> place j (add x h) = place j (add y h') -> same_place x y).
+    { intros x y u u' U U' E. apply place_inj in E. rewrite R in U, U'. destruct U as [U2 U3], U' as [U2' U3']. split; [apply (f_equal py) in E|apply (f_equal pz) in E]; unf; lra. }
+    apply (PL _ _ _ _ Fg Fg') in B'. clear A' PL.
+    destruct (Nat.eq_dec s' (prev (sides (patch_of j)) s'')) as [EP|NP].
+    + destruct (good_homes OK (kind j) (kind_lt j)) as [_ [x [_ [_ [X _]]]]]. specialize (X s' Hs'). change (nth (kind j) system (Patch [] [] [])) with (patch_of j) in X.
+      destruct (finish_next (patch_of j) s' R) as [E1 E2]. rewrite EP, next_prev in E1, E2 by exact Hs''. rewrite <- EP in E1, E2. destruct B' as [E3 E4].
+      unfold MosaicStatement.left_of in X. rewrite R in X, E1, E2. rewrite E1, E2, <- E3, <- E4 in X. lra.
+    + pose proof (proj2 (good_convex OK R (kind j) s'' s' (kind_lt j) Hs'' Hs') NE NP) as L. change (nth (kind j) system (Patch [] [] [])) with (patch_of j) in L.
+      rewrite <- (left_place _ _ _ _ R B'), left_start in L by exact R. lra.
+  - pose proof (good_sides OK (kind j) (kind_lt j) R) as N. pose proof (good_sides OK (kind i) (kind_lt i) R) as Ni. unfold MosaicStatement.patch_of in *. specialize (A3 R). specialize (A3' R). lia.
+Qed.
 
 (** The frames of two tiles that meet. *)
 Lemma frame_meets i s j s' P Q T x : meets i s j s' -> in_fibre r P -> in_fibre r Q ->
@@ -487,7 +620,7 @@ Qed.
 Lemma meets_across i s j s' : meets i s j s' -> across_side i s = (j, s').
 Proof.
   intros M. pose proof M as [Hs _]. destruct (across_side i s) as [j2 s2] eqn:E. apply across_meets in E; [|exact Hs].
-  destruct (mosaic_two_sides _ _ _ _ _ _ _ tiling _ _ _ _ _ _ M E) as [-> ->]. reflexivity.
+  destruct (meets_once _ _ _ _ _ _ M E) as [-> ->]. reflexivity.
 Qed.
 Lemma across_spec i s j s' : (s < sides (patch_of i))%nat -> across_side i s = (j, s') ->
   (s' < sides (patch_of j))%nat /\ j <> i /\ across_side j s' = (i, s) /\ fits G r (patch_of i) s (patch_of j) s'.
