@@ -8,7 +8,7 @@
       rotation from a tile to the next one leads from this set into it.)
     - r = 2: tiles are related if one is some tiles above the other. *)
 Require Import Reals Lra Psatz ZArith List Lia Bool.
-From Acutile Require Import Statement Sums Crossing Tetrahedra Topology Degree Domain Euclid MosaicStatement MosaicTiling.
+From Acutile Require Import Statement Sums Crossing Tetrahedra Topology Degree Domain Euclid MosaicStatement MosaicPoints MosaicPatches MosaicSides.
 Import ListNotations.
 Open Scope R_scope.
 
@@ -190,7 +190,7 @@ Proof.
   { intros e. pose proof (FM e) as X. pose proof (FM origin) as Y. set (c := carry (patch_of i) s (patch_of j) s' e) in *. set (c0 := carry (patch_of i) s (patch_of j) s' origin) in *. clearbody c c0.
     clear - X Y. unfold at_coordinates, origin in *. apply point_eq; [apply (f_equal px) in X; apply (f_equal px) in Y|apply (f_equal py) in X; apply (f_equal py) in Y|apply (f_equal pz) in X; apply (f_equal pz) in Y]; unf; lra. }
   assert (P0 : forall e, px e = 0 -> px (sub (carry (patch_of i) s (patch_of j) s' e) (carry (patch_of i) s (patch_of j) s' origin)) = 0).
-  { intros e P. unfold MosaicTiling.carry. rewrite rank_1. unfold sub, origin; cbn. lra. }
+  { intros e P. unfold MosaicPatches.carry. rewrite rank_1. unfold sub, origin; cbn. lra. }
   split; [pose proof (D (Point 0 1 0)) as X; pose proof (P0 (Point 0 1 0) eq_refl) as Y|pose proof (D (Point 0 0 1)) as X; pose proof (P0 (Point 0 0 1) eq_refl) as Y];
   unfold linear; cbn [fst snd]; match type of X with _ = at_coordinates _ _ _ ?d => set (dd := d) in *; clearbody dd end;
   unfold at_coordinates in X; clear - X Y; apply point_eq; [apply (f_equal px) in X|apply (f_equal py) in X|apply (f_equal pz) in X|apply (f_equal px) in X|apply (f_equal py) in X|apply (f_equal pz) in X]; unf; rewrite Y in X; lra.

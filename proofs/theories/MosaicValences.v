@@ -4,7 +4,7 @@
     patch have names, as those of a tiling have in Checker.v; so valences are counts of keys.
     MosaicTcp.v proves that "true" implies TCP, by MosaicAround.v. *)
 From Coq Require Import Reals NArith ZArith List Bool FMapPositive.
-From Acutile Require Import Statement Tetrahedra Degree Domain Bounds Checker MosaicStatement MosaicTiling MosaicChecker.
+From Acutile Require Import Statement Tetrahedra Degree Domain Bounds Checker MosaicStatement MosaicPoints MosaicPatches MosaicChecker.
 Import ListNotations.
 Local Open Scope nat_scope.
 
