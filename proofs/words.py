@@ -19,11 +19,13 @@ HYPOTHESIS = r"Variables?|Hypothes[ei]s|Context"
 
 
 def code(text):
-    """The text without comments, which nest, and without texts in quotes, which hide the signs of comments."""
+    """The text without comments, which nest, and without texts in quotes, which hide the signs of comments; and whether one is open."""
     kept, depth, i = [], 0, 0
     while i < len(text):
         if text[i] == '"':
-            i = text.index('"', i + 1) + 1
+            i = text.find('"', i + 1) + 1
+            if not i:
+                return "".join(kept), True
             kept.append(" " if depth else '""')
         elif text.startswith("(*", i):
             depth, i = depth + 1, i + 2
@@ -33,7 +35,7 @@ def code(text):
         else:
             kept.append(text[i] if not depth else " ")
             i += 1
-    return "".join(kept)
+    return "".join(kept), depth > 0
 
 
 def word(names):
@@ -41,7 +43,9 @@ def word(names):
 
 
 def faults(text):
-    text = code(text)
+    text, is_open = code(text)
+    if is_open:
+        yield "an open comment or text"
     for found in word(FORBIDDEN).finditer(text):
         yield "a forbidden word: " + " ".join(found[0].split())
     depth = 0

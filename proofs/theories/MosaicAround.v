@@ -14,7 +14,7 @@
 
     Edges over a corner of the mosaic are in MosaicCorners.v. *)
 Require Import Reals Lra Psatz NArith ZArith List Lia Bool Permutation.
-From Acutile Require Import Statement Sums Crossing Tetrahedra Topology Degree Domain Euclid Checker Keys MosaicStatement MosaicTiling MosaicHeights MosaicValences MosaicEdges.
+From Acutile Require Import Statement Sums Crossing Tetrahedra Topology Degree Domain Euclid Checker Keys MosaicStatement MosaicPoints MosaicPatches MosaicSides MosaicTiling MosaicHeights MosaicValences MosaicEdges.
 From Acutile Require Import Cells.
 Import ListNotations.
 Open Scope R_scope.
@@ -70,11 +70,11 @@ Notation ok := (ok system tiles).
 Notation tri := (tri system tiles rise).
 Notation left_of := (left_of r).
 Notation kinds := (kind_lt G r system l1 l2 l3 tiles tiling).
-Notation across_spec := (across_spec G r system h OK l1 l2 l3 tiles tiling).
+Notation across_spec := (across_spec G r system h OK l1 l2 l3 basis right_handed tiles tiling).
 Notation step_spec := (step_spec G r system h OK l1 l2 l3 basis right_handed tiles tiling rise high).
 Notation step_opp := (step_opp G r system h OK l1 l2 l3 basis right_handed tiles tiling rise high).
 Notation pyramid_facts := (pyramid_facts G r system h OK l1 l2 l3 tiles tiling).
-Notation mate_facts := (mate_facts G r system h OK l1 l2 l3 tiles tiling).
+Notation mate_facts := (mate_facts G r system h OK l1 l2 l3 basis right_handed tiles tiling).
 Notation frame_lift := (frame_lift G r system h OK l1 l2 l3 basis right_handed tiles tiling rise high).
 Notation across_resolve := (across_resolve G r system h OK l1 l2 l3 basis right_handed tiles tiling rise high).
 Notation beyond_spec := (beyond_spec G r system h OK l1 l2 l3 basis right_handed tiles tiling rise high).
@@ -201,7 +201,7 @@ Proof.
   - intros [y [E Y]]. apply at_inj in E. subst y. rewrite (left_lift r rank) in Y by auto. exact Y.
   - intros Z. exists (lift n x). split; auto. rewrite (left_lift r rank) by auto. exact Z.
 Qed.
-Lemma wall_flat i o n s w X : ok i o -> latb r n = true -> MosaicTiling.behind h (kind i) o = Wall s w -> In X (corners3 (tri i o n)) -> on i s X.
+Lemma wall_flat i o n s w X : ok i o -> latb r n = true -> MosaicPatches.behind h (kind i) o = Wall s w -> In X (corners3 (tri i o n)) -> on i s X.
 Proof.
   intros K L B HX. pose proof (good_occupants _ _ _ _ OK (kind i) o (kinds i) K) as C. unfold good_occupant in C. cbv zeta in C. rewrite B in C. destruct C as [Hs [Hw C]].
   destruct (good_wall_facets _ _ _ _ OK (kind i) o s w (kinds i) K B) as [k [f ->]].
@@ -229,7 +229,7 @@ Proof.
   intros K L. destruct (beyond_spec i o n K L) as [i' [o' [n' [K' [L' [B [_ O]]]]]]]. exists i', o', n'. split; auto. split; auto. split; auto.
   split; [|apply opposite_corners, O].
   pose proof (good_occupants _ _ _ _ OK (kind i) o (kinds i) K) as C. unfold good_occupant in C. cbv zeta in C.
-  unfold MosaicTiling.beyond in B. destruct (MosaicTiling.behind h (kind i) o) as [o2 m|s w] eqn:BH.
+  unfold MosaicTiling.beyond in B. destruct (MosaicPatches.behind h (kind i) o) as [o2 m|s w] eqn:BH.
   - left. destruct C as [C1 [Lm _]]. apply (f_equal view) in B. rewrite !view_resolve in B by (auto using latb_add; exact C1). injection B as <- _ _. reflexivity.
   - right. destruct C as [Hs [Hw C]]. exists s. split; auto. split; [|intros X; apply (wall_flat i o n s w X); auto].
     destruct (across_side i s) as [j s'] eqn:E. destruct (across_spec i s j s' Hs E) as [Hs' [NE [E' FT]]]. cbn [fst].
@@ -462,22 +462,11 @@ Lemma around_tile_shift a m c1 c2 : length (around_tile a (cshift m c1) (cshift 
 Proof. unfold around_tile. rewrite !select_length, edge_key_shift. reflexivity. Qed.
 
 (** *** The sides of a convex tile *)
-Hypothesis CONVEX : r = 1%nat -> forall a s t, (a < length system)%nat -> (s < sides (patch_at a))%nat -> (t < sides (patch_at a))%nat ->
-  (3 <= sides (patch_at a))%nat /\ (t <> s -> t <> prev (sides (patch_at a)) s -> 0 < left_of (patch_at a) t (start (edge_at (patch_at a) s))).
-Definition same_place (x y : point) : Prop := py x = py y /\ pz x = pz y.
-Lemma left_place p s x y : r = 1%nat -> same_place x y -> left_of p s x = left_of p s y.
-Proof. intros R [A B]. unfold MosaicStatement.left_of. rewrite R, A, B. reflexivity. Qed.
-Lemma finish_next p s : r = 1%nat -> same_place (finish r p s) (start (edge_at p (next (sides p) s))).
-Proof. intros R. unfold finish. rewrite R. split; reflexivity. Qed.
-Lemma left_start p s : r = 1%nat -> left_of p s (start (edge_at p s)) = 0.
-Proof. intros R. unfold MosaicStatement.left_of. rewrite R. ring. Qed.
-Lemma left_finish p s : r = 1%nat -> left_of p s (finish r p s) = 0.
-Proof. intros R. unfold MosaicStatement.left_of. rewrite R. ring. Qed.
-Lemma left_prev p s : r = 1%nat -> (s < sides p)%nat -> left_of p (prev (sides p) s) (start (edge_at p s)) = 0.
-Proof.
-  intros R Hs. rewrite (left_place p _ _ (finish r p (prev (sides p) s)) R); [apply left_finish, R|].
-  destruct (finish_next p (prev (sides p) s) R) as [A B]. rewrite next_prev in A, B by auto. split; auto.
-Qed.
+Notation CONVEX := (good_convex _ _ _ _ OK).
+Notation left_place := (left_place r).
+Notation finish_next := (finish_next r).
+Notation left_start := (left_start r).
+Notation left_prev := (left_prev r).
 Lemma next_neq n s : (3 <= n)%nat -> (s < n)%nat -> next n s <> s /\ prev n s <> s /\ next n s <> prev n s.
 Proof. intros N H. unfold next, prev. destruct s as [|s]; [destruct (Nat.eqb_spec 1 n)|destruct (Nat.eqb_spec (S (S s)) n)]; lia. Qed.
 Lemma corner_point a s t y : r = 1%nat -> (a < length system)%nat -> (s < sides (patch_at a))%nat -> (t < sides (patch_at a))%nat -> t <> s ->
@@ -526,13 +515,13 @@ Proof.
 Qed.
 Lemma carry_start p s q s' x : r = 1%nat -> fits G r p s q s' -> same_place x (start (edge_at q s')) -> same_place (carry p s q s' x) (finish r p s).
 Proof.
-  intros R [_ [_ L]] [A B]. destruct (L R) as [_ N]. unfold MosaicTiling.carry, same_place. rewrite R. cbn [px py pz sub]. rewrite A, B. clear A B.
+  intros R [_ [_ L]] [A B]. destruct (L R) as [_ N]. unfold MosaicPatches.carry, same_place. rewrite R. cbn [px py pz sub]. rewrite A, B. clear A B.
   unfold along. rewrite R in *. set (u := sub (finish 1 p s) (start (edge_at p s))) in *. split; [transitivity (py (start (edge_at p s)) + py u)|transitivity (pz (start (edge_at p s)) + pz u)];
   try (unfold u; cbn [py pz sub]; ring); field; exact N.
 Qed.
 Lemma carry_finish p s q s' x : r = 1%nat -> fits G r p s q s' -> same_place x (finish r q s') -> same_place (carry p s q s' x) (start (edge_at p s)).
 Proof.
-  intros R [_ [_ L]] [A B]. destruct (L R) as [E N]. unfold MosaicTiling.carry, same_place. rewrite R in *. cbn [px py pz sub]. rewrite A, B. clear A B L.
+  intros R [_ [_ L]] [A B]. destruct (L R) as [E N]. unfold MosaicPatches.carry, same_place. rewrite R in *. cbn [px py pz sub]. rewrite A, B. clear A B L.
   change (py (finish 1 q s') - py (start (edge_at q s'))) with (py (along 1 q s')). change (pz (finish 1 q s') - pz (start (edge_at q s'))) with (pz (along 1 q s')).
   change (g22 G * (py (along 1 q s') * py (along 1 q s')) + g33 G * (pz (along 1 q s') * pz (along 1 q s')) + g23 G * (py (along 1 q s') * pz (along 1 q s') + pz (along 1 q s') * py (along 1 q s'))) with (length2 G 1 q s').
   rewrite <- E. split; field; exact N.
@@ -640,12 +629,12 @@ Qed.
 
 (** *** Edges inside of a tile *)
 Lemma at_middle i n x y : at_ i n (middle x y) = middle (at_ i n x) (at_ i n y).
-Proof. unfold MosaicTiling.at_, MosaicStatement.spot, MosaicStatement.place, MosaicTiling.lift, middle, at_coordinates. destruct (axes (tiles i)) as [[m1 m2] m3]. apply point_eq; unf; field. Qed.
+Proof. unfold MosaicSides.at_, MosaicStatement.spot, MosaicStatement.place, MosaicPoints.lift, middle, at_coordinates. destruct (axes (tiles i)) as [[m1 m2] m3]. apply point_eq; unf; field. Qed.
 Lemma left_middle p s x y : left_of p s (middle x y) = (left_of p s x + left_of p s y) / 2.
 Proof. unfold MosaicStatement.left_of, middle. destruct rank as [-> | ->]; [unf; field|]. destruct s; unf; field. Qed.
 Lemma within_at i n x : latb r n = true -> inside_prism r (patch_of i) x -> within r system tiles i (at_ i n x).
 Proof.
-  intros L P. exists (add (MosaicTiling.lift n x) (rise i)). split; [reflexivity|]. intros s Hs.
+  intros L P. exists (add (MosaicPoints.lift n x) (rise i)). split; [reflexivity|]. intros s Hs.
   rewrite (left_fibre r rank) by apply high. rewrite (left_lift r rank) by auto. apply P, Hs.
 Qed.
 Lemma at_over i n x : latb r n = true -> in_prism r (patch_of i) x -> over r system tiles i (at_ i n x).

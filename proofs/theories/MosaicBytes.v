@@ -1,7 +1,7 @@
 (** * Systems of patches: from a certificate to the checks of MosaicChecker.v, and back to its meaning *)
 From Coq Require Import Reals Lra Lia NArith ZArith List Bool.
 From Acutile Require Import Statement Tetrahedra Degree Domain Checker Euclid Soundness Numbers Fast Denote Pairing Format.
-From Acutile Require MosaicStatement MosaicTiling MosaicChecker MosaicValences MosaicSoundness MosaicTcp MosaicHints.
+From Acutile Require MosaicStatement MosaicPoints MosaicPatches MosaicSides MosaicTiling MosaicChecker MosaicValences MosaicSpots MosaicSoundness MosaicSentences MosaicRotations MosaicTcp MosaicHints.
 Import ListNotations.
 Local Open Scope nat_scope.
 
@@ -81,9 +81,8 @@ Hypothesis phi_Z : forall z, phi (aofZ z) = IZR z.
 Hypothesis alt_ok : forall x y, alt x y = true -> phi x < phi y.
 Hypothesis ale_ok : forall x y, ale x y = true -> phi x <= phi y.
 Hypothesis inn_ok : forall x, fit x = true -> phi (inn x) = value a x.
-Notation rp := (MosaicSoundness.rp A phi).
-Notation pos := (MosaicSoundness.pos A phi).
-Notation no_spot := (MosaicChecker.no_spot A aofZ).
+Notation rp := (MosaicSpots.rp A phi).
+Notation pos := (MosaicSpots.pos A phi).
 
 Lemma v3_point l : phi3 A phi (v3_of A aofZ l) = as_point (map phi l).
 Proof.
@@ -97,42 +96,42 @@ Qed.
 Lemma fits_value l : forallb fit l = true -> map phi (map inn l) = map (value a) l.
 Proof. rewrite forallb_forall. intros H. rewrite map_map. apply map_ext_in. intros x Hx. apply inn_ok, H, Hx. Qed.
 Lemma vertex_pos w v : (0 < q_denominator w)%Z -> pos (vertex_spot A aofZ inn w v).
-Proof. intros D. unfold MosaicSoundness.pos, vertex_spot; cbn. rewrite phi_Z. apply IZR_lt, D. Qed.
+Proof. intros D. unfold MosaicSpots.pos, vertex_spot; cbn. rewrite phi_Z. apply IZR_lt, D. Qed.
 Lemma vertex_ok w v : (0 < q_denominator w)%Z -> forallb fit v = true -> rp (vertex_spot A aofZ inn w v) = as_point (over_denominator a (q_denominator w) v).
 Proof.
-  intros D F. unfold MosaicSoundness.rp, vertex_spot; cbn [MosaicChecker.weight MosaicChecker.numerators]. rewrite phi_Z, v3_point, (fits_value v F).
+  intros D F. unfold MosaicSpots.rp, vertex_spot; cbn [MosaicChecker.weight MosaicChecker.numerators]. rewrite phi_Z, v3_point, (fits_value v F).
   unfold over_denominator. rewrite <- (map_map (value a) (fun x => x / IZR (q_denominator w))). symmetry. apply scaled_point, IZR_lt, D.
 Qed.
 Lemma corner_ok w q : (0 < q_denominator w)%Z -> forallb (triple fit) (q_vertices w) = true -> fit_corner w q = true ->
   rp (corner_spot A aadd amul aofZ inn w q) = patch_point a w q.
 Proof.
-  intros D V C. unfold corner_spot. rewrite (MosaicSoundness.lift_ok A aadd amul aofZ phi phi_add phi_mul phi_Z) by (apply vertex_pos, D).
+  intros D V C. unfold corner_spot. rewrite (MosaicSpots.lift_ok A aadd amul aofZ phi phi_add phi_mul phi_Z) by (apply vertex_pos, D).
   unfold fit_corner in C. apply N.ltb_lt in C. rewrite forallb_forall in V.
   assert (I : In (nth (N.to_nat (fst q)) (q_vertices w) []) (q_vertices w)) by (apply nth_In; lia). specialize (V _ I).
   destruct (nth (N.to_nat (fst q)) (q_vertices w) []) as [|x [|y [|z [|? ?]]]] eqn:E; try discriminate.
   rewrite vertex_ok; [|exact D|cbn in *; rewrite !andb_true_iff in V; destruct V as [[-> ->] ->]; reflexivity].
   unfold patch_point. rewrite E. unfold over_denominator; cbn [map as_point].
-  destruct (snd q) as [|s1 [|s2 [|s3 s]]]; cbn [shift3 moved as_point]; unfold MosaicTiling.lift, MosaicTiling.pt, z30; apply point_eq; unf; ring.
+  destruct (snd q) as [|s1 [|s2 [|s3 s]]]; cbn [shift3 moved as_point]; unfold MosaicPoints.lift, MosaicPoints.pt, z30; apply point_eq; unf; ring.
 Qed.
 Lemma start_ok T w o v : (0 < q_denominator w)%Z -> (0 < t_denominator T)%Z -> forallb fit o = true -> forallb fit v = true ->
   rp (start_spot A amul aofZ inn T w o v) = as_point (over_denominator a (q_denominator w) o ++ over_denominator a (t_denominator T) v).
 Proof.
-  intros D E Fo Fv. unfold MosaicSoundness.rp, start_spot; cbn [MosaicChecker.weight MosaicChecker.numerators]. rewrite phi_Z, v3_point, map_app, !map_map.
+  intros D E Fo Fv. unfold MosaicSpots.rp, start_spot; cbn [MosaicChecker.weight MosaicChecker.numerators]. rewrite phi_Z, v3_point, map_app, !map_map.
   apply IZR_lt in D as D', E as E'. rewrite mult_IZR. rewrite <- scaled_point by (apply Rmult_lt_0_compat; auto). f_equal. rewrite map_app, !map_map. f_equal.
   - apply map_ext_in. intros x Hx. rewrite forallb_forall in Fo. rewrite phi_mul, phi_Z, inn_ok by (apply Fo, Hx). field. lra.
   - apply map_ext_in. intros x Hx. rewrite forallb_forall in Fv. rewrite phi_mul, phi_Z, inn_ok by (apply Fv, Hx). field. lra.
 Qed.
-Lemma patch_link r Tw : fit_patch fit r Tw = true -> MosaicSoundness.rpatch A phi (kpatch_of A aadd amul aofZ inn Tw) = real_patch a Tw.
+Lemma patch_link r Tw : fit_patch fit r Tw = true -> MosaicSpots.rpatch A phi (kpatch_of A aadd amul aofZ inn Tw) = real_patch a Tw.
 Proof.
   destruct Tw as [T w]. unfold fit_patch. rewrite !andb_true_iff, !Z.ltb_lt. intros [[[[[[DT DW] FO] FV] V] FP] FS].
-  unfold MosaicSoundness.rpatch, kpatch_of, real_patch, patch_edges; cbn [MosaicChecker.k_edges MosaicChecker.k_pyramids MosaicChecker.k_pieces]. rewrite !map_map. f_equal.
+  unfold MosaicSpots.rpatch, kpatch_of, real_patch, patch_edges; cbn [MosaicChecker.k_edges MosaicChecker.k_pyramids MosaicChecker.k_pieces]. rewrite !map_map. f_equal.
   - apply map_ext_in. intros [[o v] c] I. cbn [fst snd]. f_equal. apply in_combine_l in I.
     pose proof (in_combine_l _ _ _ _ I) as Io. pose proof (in_combine_r _ _ _ _ I) as Iv. rewrite forallb_forall in FO, FV. specialize (FO _ Io). specialize (FV _ Iv).
     apply andb_true_iff in FO as [_ FO]. apply andb_true_iff in FV as [_ FV]. apply start_ok; auto.
   - apply map_ext_in. intros y I. rewrite forallb_forall in FP. specialize (FP _ I). apply andb_true_iff in FP as [F1 F2]. cbn [fst snd]. f_equal; [apply corner_ok; auto|].
     rewrite map_map. apply map_ext_in. intros q Hq. rewrite forallb_forall in F2. apply corner_ok; auto.
   - apply map_ext_in. intros t I. rewrite forallb_forall in FS. specialize (FS _ I). apply andb_true_iff in FS as [L F]. apply Nat.eqb_eq in L. rewrite forallb_forall in F.
-    destruct t as [|p [|q [|s [|u [|? ?]]]]]; try discriminate. unfold corners_of, patch_tetrahedron; cbn [map MosaicSoundness.rtet].
+    destruct t as [|p [|q [|s [|u [|? ?]]]]]; try discriminate. unfold corners_of, patch_tetrahedron; cbn [map MosaicSpots.rtet].
     rewrite !corner_ok by (auto; apply F; cbn; auto). reflexivity.
 Qed.
 Lemma gram_right G : (exists l1 l2 l3, has_gram G l1 l2 l3) -> gpos G -> exists l1 l2 l3, has_gram G l1 l2 l3 /\ 0 < det l1 l2 l3.
@@ -156,7 +155,7 @@ Proof.
   { unfold gram_shape in S2. unfold g, gram3, gram_of. cbn [dimension as_tiling gram_rows] in *.
     destruct (base_gram k) as [|[|x [|y [|z [|? ?]]]] [|[|u [|v [|? ?]]] [|[|t [|? ?]] [|? ?]]]]; try discriminate.
     cbn [forallb] in S2. rewrite !andb_true_iff in S2. unfold phiG; cbn [k11 k22 k33 k12 k13 k23]. decompose [and] S2. rewrite !inn_ok by assumption. reflexivity. }
-  assert (SE : system_of a k ws = map (MosaicSoundness.rpatch A phi) system).
+  assert (SE : system_of a k ws = map (MosaicSpots.rpatch A phi) system).
   { unfold system_of, system. rewrite map_map. apply map_ext_in. intros Tw I. symmetry. apply (patch_link (fibre_rank k)), S5, I. }
   unfold holds_over_mosaics. split; [exact S3|]. split.
   { apply (existsb_exists _ (patch_sentences k)) in S4 as [s [I F]]. destruct s; try discriminate. exact I. }
@@ -164,23 +163,23 @@ Proof.
   { pose proof CS as X. unfold MosaicChecker.check_system in X. rewrite !andb_true_iff in X. destruct X as [[[_ X] _] _]. unfold chk_gram in X. rewrite !andb_true_iff in X. destruct X as [[X1 X2] X3].
     apply alt_ok in X1, X2, X3. unfold Checker.zero in *. rewrite phi_Z in *. rewrite (phi_gdet A aadd asub amul phi phi_add phi_sub phi_mul) in X3. rewrite phi_sub, !phi_mul in X2. unfold gpos, phiG at 1 2 3 4 5; cbn. auto. }
   cbv zeta. rewrite GE. split; [apply gram_right; [apply gram_exists, GP|exact GP]|]. intros l1 l2 l3 HG RH. rewrite SE. split.
-  - apply (MosaicSoundness.heights_ok A aadd asub amul aofZ alt ale content quot phi phi_add phi_sub phi_mul phi_Z alt_ok ale_ok g (fibre_rank k) RK system h apexes home CS l1 l2 l3 HG RH turnings CH).
+  - apply (MosaicRotations.heights_ok A aadd asub amul aofZ alt ale content quot phi phi_add phi_sub phi_mul phi_Z alt_ok ale_ok g (fibre_rank k) RK system h apexes home CS l1 l2 l3 HG RH turnings CH).
   - intros s Is. specialize (S6 s Is). unfold patches_sentence. rewrite GE, SE.
     assert (ST : is_tcp s = false -> forall c, In c (statement_of A (no_part A) inn s) -> MosaicChecker.check_sentence A aadd asub amul aofZ alt ale content quot g (fibre_rank k) system h apexes c = true).
     { intros NT c Ic. apply CT. apply in_flat_map. exists s. split; [apply filter_In; split; [exact Is|rewrite NT; reflexivity]|exact Ic]. }
     destruct s as [| | |rel sg p q|rel sg p q|rel p q|l p q| | | | | |]; cbn [fit_patch_sentence] in S6; try discriminate; cbn [statement_of In] in ST;
     try (specialize (ST eq_refl _ (or_introl eq_refl)); cbn [MosaicChecker.check_sentence] in ST).
-    + apply (MosaicSoundness.tiles_all A aadd asub amul aofZ alt ale content quot phi phi_add phi_sub phi_mul phi_Z alt_ok ale_ok g (fibre_rank k) RK system h apexes home CS); auto.
-    + apply (MosaicSoundness.acute_all A aadd asub amul aofZ alt ale content quot phi phi_add phi_sub phi_mul phi_Z alt_ok ale_ok g (fibre_rank k) RK system h apexes home CS); auto.
-    + apply (MosaicSoundness.nonobtuse_all A aadd asub amul aofZ alt ale content quot phi phi_add phi_sub phi_mul phi_Z alt_ok ale_ok g (fibre_rank k) RK system h apexes home CS); auto.
-    + pose proof (MosaicSoundness.largest_all A aadd asub amul aofZ alt ale content quot phi phi_add phi_sub phi_mul phi_Z alt_ok ale_ok g (fibre_rank k) RK system h apexes home CS l1 l2 l3 HG RH rel sg (inn p) q ST) as X.
+    + apply (MosaicSentences.tiles_all A aadd asub amul aofZ alt ale content quot phi phi_add phi_sub phi_mul phi_Z alt_ok ale_ok g (fibre_rank k) RK system h apexes home CS); auto.
+    + apply (MosaicSentences.acute_all A aadd asub amul aofZ alt ale content quot phi phi_add phi_sub phi_mul phi_Z alt_ok ale_ok g (fibre_rank k) RK system h apexes home CS); auto.
+    + apply (MosaicSentences.nonobtuse_all A aadd asub amul aofZ alt ale content quot phi phi_add phi_sub phi_mul phi_Z alt_ok ale_ok g (fibre_rank k) RK system h apexes home CS); auto.
+    + pose proof (MosaicSentences.largest_all A aadd asub amul aofZ alt ale content quot phi phi_add phi_sub phi_mul phi_Z alt_ok ale_ok g (fibre_rank k) RK system h apexes home CS l1 l2 l3 HG RH rel sg (inn p) q ST) as X.
       unfold dangle in X. rewrite inn_ok in X by assumption. exact X.
-    + pose proof (MosaicSoundness.smallest_all A aadd asub amul aofZ alt ale content quot phi phi_add phi_sub phi_mul phi_Z alt_ok ale_ok g (fibre_rank k) RK system h apexes home CS l1 l2 l3 HG RH rel sg (inn p) q ST) as X.
+    + pose proof (MosaicSentences.smallest_all A aadd asub amul aofZ alt ale content quot phi phi_add phi_sub phi_mul phi_Z alt_ok ale_ok g (fibre_rank k) RK system h apexes home CS l1 l2 l3 HG RH rel sg (inn p) q ST) as X.
       unfold dangle in X. rewrite inn_ok in X by assumption. exact X.
-    + pose proof (MosaicSoundness.ratio_all A aadd asub amul aofZ alt ale content quot phi phi_add phi_sub phi_mul phi_Z alt_ok ale_ok g (fibre_rank k) RK system h apexes home CS l1 l2 l3 HG RH rel (inn p) q ST) as X.
+    + pose proof (MosaicSentences.ratio_all A aadd asub amul aofZ alt ale content quot phi phi_add phi_sub phi_mul phi_Z alt_ok ale_ok g (fibre_rank k) RK system h apexes home CS l1 l2 l3 HG RH rel (inn p) q ST) as X.
       rewrite inn_ok in X by assumption. exact X.
-    + apply (MosaicSoundness.delaunay_all A aadd asub amul aofZ alt ale content quot phi phi_add phi_sub phi_mul phi_Z alt_ok ale_ok g (fibre_rank k) RK system h apexes home CS); auto.
-    + apply (MosaicSoundness.weakly_delaunay_all A aadd asub amul aofZ alt ale content quot phi phi_add phi_sub phi_mul phi_Z alt_ok ale_ok g (fibre_rank k) RK system h apexes home CS); auto.
+    + apply (MosaicSentences.delaunay_all A aadd asub amul aofZ alt ale content quot phi phi_add phi_sub phi_mul phi_Z alt_ok ale_ok g (fibre_rank k) RK system h apexes home CS); auto.
+    + apply (MosaicSentences.weakly_delaunay_all A aadd asub amul aofZ alt ale content quot phi phi_add phi_sub phi_mul phi_Z alt_ok ale_ok g (fibre_rank k) RK system h apexes home CS); auto.
     + assert (IT : existsb is_tcp (patch_sentences k) = true) by (apply existsb_exists; exists IsTCP; auto). rewrite IT in TCP.
       apply (MosaicTcp.tcp_all A aadd asub amul aofZ alt ale content quot phi phi_add phi_sub phi_mul phi_Z alt_ok ale_ok g (fibre_rank k) RK system h apexes home CS labels neighbours samples turnings TCP CH l1 l2 l3 HG RH).
 Qed.

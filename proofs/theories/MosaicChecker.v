@@ -2,9 +2,9 @@
 
     Boolean functions over any ring of exact numbers, as in Checker.v, and no proof.  The points of a
     patch have a positive weight: the coordinates are those of the point, times the weight.
-    MosaicSoundness.v proves that "true" implies the conditions of MosaicTiling.v. *)
+    MosaicSoundness.v proves that "true" implies the conditions of MosaicPatches.v. *)
 From Coq Require Import Reals NArith ZArith List Bool.
-From Acutile Require Import Statement Tetrahedra Degree Domain Bounds Checker MosaicStatement MosaicTiling.
+From Acutile Require Import Statement Tetrahedra Degree Domain Bounds Checker MosaicStatement MosaicPoints MosaicPatches.
 Import ListNotations.
 Local Open Scope nat_scope.
 
@@ -28,7 +28,6 @@ Notation vY := (vY A).
 Notation vZ := (vZ A).
 Notation zero := (zero A aofZ).
 Notation ktet := (ktet A).
-Notation kD := (kD A aadd asub amul).
 Notation kL := (kL A aadd asub amul).
 Notation kverts := (kverts A).
 Notation k22 := (k22 A).
@@ -112,7 +111,7 @@ Definition k_left (f : A * A * A) (x : spot) : A := let '(b, c, d) := f in
 Definition k_in_prism (fs : list (A * A * A)) (x : spot) : bool := forallb (fun f => ale zero (k_left f x)) fs.
 Definition side_forms (p : kpatch) : list (A * A * A) := map (side_form p) (seq 0 (k_sides p)).
 
-(** From the coordinates of patch q, in its side s', to those of patch p, in its side s: [carry] of MosaicTiling.v. *)
+(** From the coordinates of patch q, in its side s', to those of patch p, in its side s: [carry] of MosaicPatches.v. *)
 Definition base_diff (P Q : spot) : A * A := (* Q - P, times both weights *)
   (asub (amul (weight P) (vY (numerators Q))) (amul (weight Q) (vY (numerators P))),
    asub (amul (weight P) (vZ (numerators Q))) (amul (weight Q) (vZ (numerators P)))).
@@ -237,8 +236,11 @@ Definition check_home (a : nat) : bool := let p := k_patch a in let '(k, x) := h
   upto (length (k_pyramids p)) (fun q => forallb (fun y => upto (k_rim_count p q) (fun e => missed (lateral p q e y) x)) (apexes a q)).
 
 Definition zero_blocks : bool := aeq (k13 A g) zero && (if r =? 1 then aeq (k12 A g) zero else aeq (k23 g) zero).
+(** The polygon is strictly convex; a segment has two ends. *)
+Definition check_sides (a : nat) : bool := let p := k_patch a in let n := k_sides p in
+  if r =? 1 then (3 <=? n) && upto n (fun s => upto n (fun t => (t =? s) || (t =? prev n s) || alt zero (k_left (side_form p t) (k_start p s)))) else n =? 2.
 Definition check_patch (a : nat) : bool := let p := k_patch a in
-  positive_spots a && (if r =? 2 then k_sides p =? 2 else true) &&
+  positive_spots a && check_sides a &&
   forallb (check_occupant a) (occupants p) && forallb (check_piece (side_forms p)) (k_pieces p) &&
   upto (length (k_pyramids p)) (fun q => check_pyramid a q && check_joins a q) && check_home a &&
   upto (k_sides p) (fun s => upto (owners h a s) (check_wall a s) &&

@@ -13,7 +13,7 @@
     are 5 or 6, and no triangle has two edges for which 6 is possible, the cells are TCP
     ([mosaic_tcp]). *)
 Require Import Reals Lra Psatz NArith ZArith List Lia Bool Permutation.
-From Acutile Require Import Statement Sums Crossing Tetrahedra Topology Degree Domain Euclid Checker Keys MosaicStatement MosaicTiling MosaicHeights MosaicValences MosaicEdges MosaicAround.
+From Acutile Require Import Statement Sums Crossing Tetrahedra Topology Degree Domain Euclid Checker Keys MosaicStatement MosaicPoints MosaicPatches MosaicSides MosaicTiling MosaicHeights MosaicValences MosaicEdges MosaicAround.
 From Acutile Require Import Cells.
 Import ListNotations.
 Open Scope R_scope.
@@ -52,31 +52,22 @@ Notation at_ := (at_ tiles rise).
 Notation piece := (piece G r system h l1 l2 l3 tiles rise).
 Notation valid := (valid r system h l1 l2 l3 tiles).
 Notation resolve := (resolve r system h l1 l2 l3 tiles rise).
-Notation beyond := (beyond r system h l1 l2 l3 tiles rise).
 Notation view := (view r system h l1 l2 l3 tiles rise).
-Notation across := (across r system h l1 l2 l3 tiles rise).
 Notation ok := (ok system tiles).
 Notation tri := (tri system tiles rise).
 Notation left_of := (left_of r).
 Notation kinds := (kind_lt G r system l1 l2 l3 tiles tiling).
-Notation across_spec := (across_spec G r system h OK l1 l2 l3 tiles tiling).
+Notation across_spec := (across_spec G r system h OK l1 l2 l3 basis right_handed tiles tiling).
 Notation step_spec := (step_spec G r system h OK l1 l2 l3 basis right_handed tiles tiling rise high).
-Notation step_opp := (step_opp G r system h OK l1 l2 l3 basis right_handed tiles tiling rise high).
 Notation pyramid_facts := (pyramid_facts G r system h OK l1 l2 l3 tiles tiling).
-Notation mate_facts := (mate_facts G r system h OK l1 l2 l3 tiles tiling).
-Notation frame_lift := (frame_lift G r system h OK l1 l2 l3 basis right_handed tiles tiling rise high).
-Notation across_resolve := (across_resolve G r system h OK l1 l2 l3 basis right_handed tiles tiling rise high).
-Notation beyond_spec := (beyond_spec G r system h OK l1 l2 l3 basis right_handed tiles tiling rise high).
+Notation mate_facts := (mate_facts G r system h OK l1 l2 l3 basis right_handed tiles tiling).
 Notation resolve_valid := (resolve_valid G r system h OK l1 l2 l3 basis right_handed tiles tiling rise high).
-Notation resolve_facet := (resolve_facet G r system h OK l1 l2 l3 basis right_handed tiles tiling rise high).
 Notation view_spec := (view_spec G r system h OK l1 l2 l3 basis right_handed tiles tiling rise high).
 Notation rank := (rank_eq G r system h OK).
 Notation IFF := (is_cell_iff G r system h OK l1 l2 l3 basis right_handed tiles tiling rise high).
 Notation PV := (piece_vol G r system h OK l1 l2 l3 basis right_handed tiles tiling rise).
 Notation RG := (MosaicTiling.range G r system h OK l1 l2 l3 basis right_handed tiles tiling rise high).
-Notation MT := (mates_everywhere G r system h OK l1 l2 l3 basis right_handed tiles tiling rise high).
 Notation CV := (covered G r system h OK l1 l2 l3 basis right_handed tiles tiling rise high).
-Notation at_inj := (at_inj G r system h OK l1 l2 l3 basis right_handed tiles tiling rise).
 Notation is_cell := (MosaicStatement.is_cell l1 l2 l3 r system tiles rise).
 
 Notation spot_of := (MosaicAround.spot_of vertex tiles rise).
@@ -95,7 +86,6 @@ Notation has_holds := (MosaicAround.has_holds G r system h l1 l2 l3 tiles rise).
 Notation middle_holds := (MosaicAround.middle_holds G r system h OK l1 l2 l3 basis right_handed tiles tiling rise high).
 Notation around := (MosaicAround.around G r system h OK l1 l2 l3 basis right_handed tiles tiling rise high).
 Notation valence_same := (MosaicAround.valence_same r system l1 l2 l3 tiles rise).
-Notation known := (MosaicAround.known r system h l1 l2 l3 tiles rise).
 Notation walk := (MosaicAround.walk G r system h OK APEX l1 l2 l3 basis right_handed tiles tiling rise high).
 Notation valence_of_tiles := (MosaicAround.valence_of_tiles G r system h OK APEX l1 l2 l3 basis right_handed tiles tiling rise high).
 Notation around_tile := (MosaicAround.around_tile system piece_name apex_name rim_name).
@@ -104,36 +94,34 @@ Notation at_apexes := (MosaicAround.at_apexes system apex_name rim_name).
 Notation around_tile_In := (MosaicAround.around_tile_In G r system h OK vertex vertices piece_name apex_name rim_name NAMED l1 l2 l3 basis right_handed tiles tiling rise).
 Notation around_tile_NoDup := (MosaicAround.around_tile_NoDup G r system vertex vertices piece_name apex_name rim_name NAMED l1 l2 l3 tiles tiling).
 Notation around_tile_shift := (MosaicAround.around_tile_shift system piece_name apex_name rim_name).
-Notation left_place := (MosaicAround.left_place r).
-Notation finish_next := (MosaicAround.finish_next r).
-Notation left_start := (MosaicAround.left_start r).
-Notation left_prev := (MosaicAround.left_prev r).
+Notation left_place := (MosaicSides.left_place r).
+Notation finish_next := (MosaicSides.finish_next r).
+Notation left_start := (MosaicSides.left_start r).
+Notation left_prev := (MosaicSides.left_prev r).
 Notation on_side := (MosaicAround.on_side r system vertex).
 Notation on_spot := (MosaicAround.on_spot G r system h OK vertex vertices l1 l2 l3 basis right_handed tiles tiling rise).
 Notation spot_inside := (MosaicAround.spot_inside G r system h OK vertex vertices piece_name apex_name rim_name NAMED l1 l2 l3 tiles tiling rise).
 Notation at_middle := (MosaicAround.at_middle tiles rise).
 Notation within_at := (MosaicAround.within_at G r system h OK l1 l2 l3 tiles rise high).
 Notation axis_ends := (MosaicAround.axis_ends G r system h OK l1 l2 l3 basis right_handed tiles tiling rise high).
-Notation resolve_lateral := (MosaicAround.resolve_lateral G r system h OK l1 l2 l3 tiles tiling rise).
-Hypothesis CONVEX : r = 1%nat -> forall a s t, (a < length system)%nat -> (s < sides (patch_at a))%nat -> (t < sides (patch_at a))%nat ->
-  (3 <= sides (patch_at a))%nat /\ (t <> s -> t <> prev (sides (patch_at a)) s -> 0 < left_of (patch_at a) t (start (edge_at (patch_at a) s))).
+Notation resolve_lateral := (MosaicAround.resolve_lateral G r system h OK l1 l2 l3 basis right_handed tiles tiling rise).
+Notation CONVEX := (good_convex _ _ _ _ OK).
 Variable neighbour : nat -> nat -> nat -> nat -> N -> name.
 Hypothesis NEIGHBOUR : forall a s b s' v, (a < length system)%nat -> (b < length system)%nat -> (s < sides (patch_at a))%nat -> (s' < sides (patch_at b))%nat ->
   fits G r (patch_at a) s (patch_at b) s' -> (v < vertices a)%N -> left_of (patch_at a) s (vertex a v) = 0 ->
   proper b (neighbour a s b s' v) /\ vertex a v = carry (patch_at a) s (patch_at b) s' (named_point b (neighbour a s b s' v)).
-Notation next_neq := (MosaicAround.next_neq r system CONVEX).
-Notation corner_point := (MosaicAround.corner_point r system CONVEX).
-Notation two_sides_2 := (MosaicAround.two_sides_2 G r system h OK APEX l1 l2 l3 tiles tiling rise high CONVEX).
-Notation carry_start := (MosaicAround.carry_start G r system h OK APEX l1 l2 l3 tiles tiling rise high CONVEX).
-Notation carry_finish := (MosaicAround.carry_finish G r system h OK APEX l1 l2 l3 tiles tiling rise high CONVEX).
+Notation corner_point := (MosaicAround.corner_point G r system h OK).
+Notation two_sides_2 := (MosaicAround.two_sides_2 G r system h OK APEX l1 l2 l3 tiles tiling rise high).
+Notation carry_start := (MosaicAround.carry_start G r system h OK APEX l1 l2 l3 tiles tiling rise high).
+Notation carry_finish := (MosaicAround.carry_finish G r system h OK APEX l1 l2 l3 tiles tiling rise high).
 Notation across_name := (MosaicAround.across_name neighbour).
 Notation possible := (MosaicAround.possible G r system vertex piece_name apex_name rim_name neighbour).
-Notation valence_side := (MosaicAround.valence_side G r system h OK vertex vertices piece_name apex_name rim_name NAMED APEX l1 l2 l3 basis right_handed tiles tiling rise high CONVEX neighbour NEIGHBOUR).
-Notation left_middle := (MosaicAround.left_middle G r system h OK vertex vertices APEX l1 l2 l3 tiles tiling rise high CONVEX neighbour NEIGHBOUR).
-Notation middle_over := (MosaicAround.middle_over G r system h OK vertex vertices APEX l1 l2 l3 tiles tiling rise high CONVEX neighbour NEIGHBOUR).
-Notation edge_cases := (MosaicAround.edge_cases G r system h OK l1 l2 l3 basis right_handed tiles tiling rise CONVEX).
-Notation valence_inside := (MosaicAround.valence_inside G r system h OK vertex vertices piece_name apex_name rim_name NAMED APEX l1 l2 l3 basis right_handed tiles tiling rise high CONVEX neighbour NEIGHBOUR).
-Notation valence_axis := (MosaicAround.valence_axis G r system h OK l1 l2 l3 basis right_handed tiles tiling rise high CONVEX).
+Notation valence_side := (MosaicAround.valence_side G r system h OK vertex vertices piece_name apex_name rim_name NAMED APEX l1 l2 l3 basis right_handed tiles tiling rise high neighbour NEIGHBOUR).
+Notation left_middle := (MosaicAround.left_middle G r system h OK vertex vertices APEX l1 l2 l3 tiles tiling rise high neighbour NEIGHBOUR).
+Notation middle_over := (MosaicAround.middle_over G r system h OK vertex vertices APEX l1 l2 l3 tiles tiling rise high neighbour NEIGHBOUR).
+Notation edge_cases := (MosaicAround.edge_cases G r system h OK l1 l2 l3 basis right_handed tiles tiling rise).
+Notation valence_inside := (MosaicAround.valence_inside G r system h OK vertex vertices piece_name apex_name rim_name NAMED APEX l1 l2 l3 basis right_handed tiles tiling rise high neighbour NEIGHBOUR).
+Notation valence_axis := (MosaicAround.valence_axis G r system h OK l1 l2 l3 basis right_handed tiles tiling rise high).
 Notation possible_inside := (MosaicAround.possible_inside G r system vertex piece_name apex_name rim_name neighbour).
 Notation possible_side := (MosaicAround.possible_side G r system vertex piece_name apex_name rim_name neighbour).
 Notation possible_corner := (MosaicAround.possible_corner G r system vertex piece_name apex_name rim_name neighbour).
@@ -175,13 +163,13 @@ Proof.
 Qed.
 Lemma at_direction i n y e : at_ i n (add y (Point 0 (fst e) (snd e))) = add (at_ i n y) (image i e).
 Proof.
-  unfold MosaicTiling.at_, MosaicStatement.spot, MosaicStatement.place, MosaicTiling.lift, MosaicHeights.image, second, third, at_coordinates. destruct (axes (tiles i)) as [[m1 m2] m3]. cbn [fst snd]. apply point_eq; unf; ring.
+  unfold MosaicSides.at_, MosaicStatement.spot, MosaicStatement.place, MosaicPoints.lift, MosaicHeights.image, second, third, at_coordinates. destruct (axes (tiles i)) as [[m1 m2] m3]. cbn [fst snd]. apply point_eq; unf; ring.
 Qed.
 Lemma left_direction p s y e : r = 1%nat -> left_of p s (add y (Point 0 (fst e) (snd e))) = left_of p s y + inward p s e.
 Proof. intros R1. unfold MosaicStatement.left_of, inward, along. rewrite R1. cbn [py pz sub add]. ring. Qed.
 Lemma over_inside i z : over r system tiles i (at_ i z30 z) -> in_prism r (patch_of i) z.
 Proof.
-  intros [x [E P]] s Hs. specialize (P s Hs). unfold MosaicTiling.at_, MosaicStatement.spot in E.
+  intros [x [E P]] s Hs. specialize (P s Hs). unfold MosaicSides.at_, MosaicStatement.spot in E.
   apply (place_inj G r system h OK l1 l2 l3 basis right_handed tiles tiling) in E. rewrite <- E, (left_fibre r rank) in P by apply high. rewrite lift_zero in P. exact P.
 Qed.
 Lemma uniform {J} (l : list J) (P : J -> R -> Prop) : (forall x, In x l -> exists d, 0 < d /\ forall e, 0 < e < d -> P x e) -> exists d, 0 < d /\ forall e, 0 < e < d -> forall x, In x l -> P x e.
@@ -268,14 +256,14 @@ Lemma start_over i s X : (s < sides (patch_of i))%nat -> over_start i s X -> exi
 Proof.
   intros Hs [x [-> P]]. exists x. split; auto. split; auto. intros t Ht. rewrite (left_place _ _ _ _ R1 P). destruct (start_left i s t R1 Hs Ht) as [[D _]|D]; lra.
 Qed.
-Lemma lift_place n y : latb r n = true -> same_place (MosaicTiling.lift n y) y.
-Proof. intros L. apply latb_iff in L. rewrite R1 in L. destruct n as [[n1 n2] n3]. cbn in L. destruct L as [-> ->]. unfold MosaicTiling.lift, pt. split; unf; ring. Qed.
+Lemma lift_place n y : latb r n = true -> same_place (MosaicPoints.lift n y) y.
+Proof. intros L. apply latb_iff in L. rewrite R1 in L. destruct n as [[n1 n2] n3]. cbn in L. destruct L as [-> ->]. unfold MosaicPoints.lift, pt. split; unf; ring. Qed.
 (** The corner in the next tile. *)
 Lemma start_across i s t j t' X : (s < sides (patch_of i))%nat -> (t < sides (patch_of i))%nat -> across_side i t = (j, t') -> over_start i s X -> t = s \/ t = prev (sides (patch_of i)) s ->
   over_start j (if Nat.eqb t s then next (sides (patch_of j)) t' else t') X.
 Proof.
   intros Hs Ht E [x [-> P]] D. destruct (across_spec i t j t' Ht E) as [Ht' [_ [E' FT]]]. destruct (step_spec j t' i t Ht' E') as [L F].
-  exists (MosaicTiling.lift (zopp3 (step j t')) (carry (patch_of j) t' (patch_of i) t x)). split.
+  exists (MosaicPoints.lift (zopp3 (step j t')) (carry (patch_of j) t' (patch_of i) t x)). split.
   - rewrite at_lift, z30_add, <- F by (apply latb_opp, L). f_equal. rewrite zadd3_comm, zadd3_opp. reflexivity.
   - assert (TR : forall a b c, same_place a b -> same_place b c -> same_place a c) by (intros a b c [A B] [A' B']; split; congruence).
     eapply TR; [apply lift_place, latb_opp, L|]. destruct (Nat.eqb_spec t s) as [->|N].
@@ -293,7 +281,6 @@ Proof.
 Qed.
 Lemma there_flat i : tile_there i -> exists s, (s < sides (patch_of i))%nat /\ on i s u /\ on i s v.
 Proof. intros [s [k [Hs [A [B _]]]]]. exists s. split; auto. split; apply start_on; auto. Qed.
-Notation known := (known tile_there).
 Variables (o0 : occupant) (n0 : Z3).
 Hypothesis here : tile_there i0.
 Hypothesis ok0 : ok i0 o0.

@@ -3,7 +3,7 @@
     The local condition behind each facet, for all cells that can be there.  A lateral triangle of a
     pyramid belongs to a join, whose other apex depends on the side of the next tile: all are tried. *)
 Require Import Reals Lra Psatz ZArith List Lia Bool.
-From Acutile Require Import Statement Tetrahedra Topology Degree Domain Euclid Delaunay Transfer MosaicStatement MosaicTiling.
+From Acutile Require Import Statement Tetrahedra Topology Degree Domain Euclid Delaunay Transfer MosaicStatement MosaicPoints MosaicPatches MosaicSides MosaicTiling.
 From Acutile Require Import Cells.
 Import ListNotations.
 Open Scope R_scope.
@@ -77,7 +77,6 @@ Hypothesis high : heights l1 l2 l3 r system tiles rise.
 Notation kind i := (shape (tiles i)).
 Notation patch_of i := (MosaicStatement.patch_of system tiles i).
 Notation across_side := (across_side r system l1 l2 l3 tiles).
-Notation step := (step r system l1 l2 l3 tiles rise).
 Notation wall i q := (side_of h (kind i) q).
 Notation at_ := (at_ tiles rise).
 Notation piece := (piece G r system h l1 l2 l3 tiles rise).
@@ -86,18 +85,17 @@ Notation resolve := (resolve r system h l1 l2 l3 tiles rise).
 Notation across := (across r system h l1 l2 l3 tiles rise).
 Notation ok := (ok system tiles).
 Notation kinds := (kind_lt G r system l1 l2 l3 tiles tiling).
-Notation across_spec := (across_spec G r system h OK l1 l2 l3 tiles tiling).
-Notation step_spec := (step_spec G r system h OK l1 l2 l3 basis right_handed tiles tiling rise high).
+Notation across_spec := (across_spec G r system h OK l1 l2 l3 basis right_handed tiles tiling).
 Notation pyramid_facts := (pyramid_facts G r system h OK l1 l2 l3 tiles tiling).
-Notation mate_facts := (mate_facts G r system h OK l1 l2 l3 tiles tiling).
+Notation mate_facts := (mate_facts G r system h OK l1 l2 l3 basis right_handed tiles tiling).
 Notation frame_lift := (frame_lift G r system h OK l1 l2 l3 basis right_handed tiles tiling rise high).
 Notation frame_back := (frame_back G r system h OK l1 l2 l3 basis right_handed tiles tiling rise high).
 
 Lemma at_dot i n a b c d : dot (sub (at_ i n a) (at_ i n b)) (sub (at_ i n c) (at_ i n d)) = gdot G (sub a b) (sub c d).
 Proof.
   destruct (motion G r system h OK l1 l2 l3 basis right_handed tiles tiling i) as [m2 [m3 [E [HG _]]]].
-  rewrite <- (gram_dot G l1 m2 m3 _ _ HG). unfold MosaicTiling.at_, MosaicStatement.spot, MosaicStatement.place. rewrite E.
-  unfold MosaicTiling.lift, Euclid.E, at_coordinates. f_equal; apply point_eq; unf; ring.
+  rewrite <- (gram_dot G l1 m2 m3 _ _ HG). unfold MosaicSides.at_, MosaicStatement.spot, MosaicStatement.place. rewrite E.
+  unfold MosaicPoints.lift, Euclid.E, at_coordinates. f_equal; apply point_eq; unf; ring.
 Qed.
 Lemma at_power i n t x : 0 < vol t -> power cartesian (map_tet (at_ i n) t) (at_ i n x) = power G t x.
 Proof.
@@ -151,7 +149,7 @@ Proof.
     replace (piece c) with (piece (fst (resolve i o n))) by (rewrite R; reflexivity).
     pose proof (LOCAL (kind i) o (kinds i) K) as C. unfold good_local in C. cbv zeta in C.
     pose proof (good_occupants _ _ _ _ OK (kind i) o (kinds i) K) as CO. unfold good_occupant in CO. cbv zeta in CO.
-    unfold MosaicTiling.beyond. destruct (MosaicTiling.behind h (kind i) o) as [o2 m|s w] eqn:BH.
+    unfold MosaicTiling.beyond. destruct (MosaicPatches.behind h (kind i) o) as [o2 m|s w] eqn:BH.
     + destruct CO as [K2 [Lm _]].
       destruct (resolve_cell i o n K L) as [y [CH [VO [P _]]]]. destruct (resolve_cell i o2 (zadd3 n m) K2 ltac:(auto using latb_add)) as [y' [CH' [_ [_ X]]]].
       rewrite P, X. rewrite <- (at_lift tiles rise i n m). rewrite at_power by exact VO. exact (C y y' CH CH').

@@ -3,7 +3,7 @@
     How often a key of Checker.v occurs is how many things have a given pair of names, up to
     periods ([select_length]).  Nothing here is about mosaics; MosaicAround.v uses it. *)
 Require Import Reals Lra Psatz NArith ZArith List Lia Bool Permutation.
-From Acutile Require Import Statement Sums Crossing Tetrahedra Topology Degree Domain Euclid Checker Keys MosaicStatement MosaicTiling MosaicValences.
+From Acutile Require Import Statement Sums Crossing Tetrahedra Topology Degree Domain Euclid Checker Keys MosaicStatement MosaicPoints MosaicPatches MosaicValences.
 From Acutile Require Import Cells.
 Import ListNotations.
 Open Scope R_scope.

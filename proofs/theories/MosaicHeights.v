@@ -8,7 +8,7 @@
       rotation from a tile to the next one leads from this set into it.)
     - r = 2: tiles are related if one is some tiles above the other. *)
 Require Import Reals Lra Psatz ZArith List Lia Bool.
-From Acutile Require Import Statement Sums Crossing Tetrahedra Topology Degree Domain Euclid MosaicStatement MosaicTiling.
+From Acutile Require Import Statement Sums Crossing Tetrahedra Topology Degree Domain Euclid MosaicStatement MosaicPoints MosaicPatches MosaicSides.
 Import ListNotations.
 Open Scope R_scope.
 
@@ -190,7 +190,7 @@ Proof.
   { intros e. pose proof (FM e) as X. pose proof (FM origin) as Y. set (c := carry (patch_of i) s (patch_of j) s' e) in *. set (c0 := carry (patch_of i) s (patch_of j) s' origin) in *. clearbody c c0.
     clear - X Y. unfold at_coordinates, origin in *. apply point_eq; [apply (f_equal px) in X; apply (f_equal px) in Y|apply (f_equal py) in X; apply (f_equal py) in Y|apply (f_equal pz) in X; apply (f_equal pz) in Y]; unf; lra. }
   assert (P0 : forall e, px e = 0 -> px (sub (carry (patch_of i) s (patch_of j) s' e) (carry (patch_of i) s (patch_of j) s' origin)) = 0).
-  { intros e P. unfold MosaicTiling.carry. rewrite rank_1. unfold sub, origin; cbn. lra. }
+  { intros e P. unfold MosaicPatches.carry. rewrite rank_1. unfold sub, origin; cbn. lra. }
   split; [pose proof (D (Point 0 1 0)) as X; pose proof (P0 (Point 0 1 0) eq_refl) as Y|pose proof (D (Point 0 0 1)) as X; pose proof (P0 (Point 0 0 1) eq_refl) as Y];
   unfold linear; cbn [fst snd]; match type of X with _ = at_coordinates _ _ _ ?d => set (dd := d) in *; clearbody dd end;
   unfold at_coordinates in X; clear - X Y; apply point_eq; [apply (f_equal px) in X|apply (f_equal py) in X|apply (f_equal pz) in X|apply (f_equal px) in X|apply (f_equal py) in X|apply (f_equal pz) in X]; unf; rewrite Y in X; lra.
@@ -237,13 +237,13 @@ Lemma meets_up i s j s' : meets i s j s' -> (s = 1%nat /\ s' = 0%nat /\ j = up i
 Proof.
   intros M. pose proof M as [Hs [Hs' [_ [D _]]]]. specialize (D rank_2). rewrite two_sides in Hs, Hs'.
   assert (C : (s = 1 /\ s' = 0 \/ s = 0 /\ s' = 1)%nat) by lia. destruct C as [[-> ->]|[-> ->]]; [left|right]; repeat split; auto.
-  - destruct (mosaic_two_sides _ _ _ _ _ _ _ tiling _ _ _ _ _ _ M (up_meets i)) as [E _]. auto.
-  - pose proof (meets_sym G r system h OK l1 l2 l3 tiles tiling _ _ _ _ M) as M'. destruct (mosaic_two_sides _ _ _ _ _ _ _ tiling _ _ _ _ _ _ M' (up_meets j)) as [E _]. auto.
+  - destruct (meets_once G r system h OK l1 l2 l3 basis right_handed tiles tiling _ _ _ _ _ _ M (up_meets i)) as [E _]. auto.
+  - pose proof (meets_sym G r system h OK l1 l2 l3 tiles tiling _ _ _ _ M) as M'. destruct (meets_once G r system h OK l1 l2 l3 basis right_handed tiles tiling _ _ _ _ _ _ M' (up_meets j)) as [E _]. auto.
 Qed.
 Lemma up_inj i j : up i = up j -> i = j.
 Proof.
   intros E. pose proof (meets_sym G r system h OK l1 l2 l3 tiles tiling _ _ _ _ (up_meets i)) as M. pose proof (meets_sym G r system h OK l1 l2 l3 tiles tiling _ _ _ _ (up_meets j)) as M'.
-  rewrite E in M. destruct (mosaic_two_sides _ _ _ _ _ _ _ tiling _ _ _ _ _ _ M M') as [K _]. auto.
+  rewrite E in M. destruct (meets_once G r system h OK l1 l2 l3 basis right_handed tiles tiling _ _ _ _ _ _ M M') as [K _]. auto.
 Qed.
 (** The height of the lower end. *)
 Definition low (i : nat) : R := pz (Einv l1 l2 l3 (corner (tiles i))) + pz (start (edge_at (patch_of i) 0)).

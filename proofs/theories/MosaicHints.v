@@ -3,7 +3,7 @@
     No theorem is about this file: MosaicChecker.v checks every mate, every apex, every home and
     every rotation, and MosaicValences.v every name.  Facets are named by their corners, as in Pairing.v. *)
 From Coq Require Import Reals NArith ZArith List Bool.
-From Acutile Require Import Tetrahedra Degree Domain Checker Pairing MosaicStatement MosaicTiling MosaicChecker MosaicValences.
+From Acutile Require Import Tetrahedra Degree Domain Checker Pairing MosaicStatement MosaicPoints MosaicPatches MosaicChecker MosaicValences.
 Import ListNotations.
 Local Open Scope nat_scope.
 

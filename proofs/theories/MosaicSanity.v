@@ -106,12 +106,6 @@ Proof.
     assert (N : forall z, z <> (x, y) -> i <> code z) by (intros z Z Q; apply Z; rewrite <- E, Q, grid_code; reflexivity).
     destruct s as [|[|[|[|s]]]]; [exists (code (x, y - 1)%Z), 2%nat|exists (code (x + 1, y)%Z), 3%nat|exists (code (x, y + 1)%Z), 0%nat|exists (code (x - 1, y)%Z), 1%nat|lia];
     apply square_meets; (split; [lia|]; split; [lia|]; split; [apply N; intros Q; injection Q; lia|]); cbv beta zeta; rewrite E, grid_code; cbn; split; f_equal; lia.
-  - intros i s j s' j' s'' M M'. apply square_meets in M as [S [S' [N [H1 H2]]]]. apply square_meets in M' as [_ [S'' [N' [H1' H2']]]].
-    cbv zeta in *. rewrite H1 in H1'. rewrite H2 in H2'. clear H1 H2.
-    assert (K : at_grid j' = at_grid j /\ s'' = s').
-    { destruct (at_grid j) as [x y], (at_grid j') as [u v]. cbn [fst snd] in *.
-      do 4 (destruct s' as [|s']; [do 4 (destruct s'' as [|s'']; [cbn in H1', H2'; injection H1' as P1 P2; injection H2' as P3 P4; first [exfalso; lia|split; [f_equal; lia|reflexivity]]|]); lia|]). lia. }
-    destruct K as [K ->]. split; [apply grid_injective, K|reflexivity].
   - intros i s j s' [S [S' _]]. change (s < 4)%nat in S. change (s' < 4)%nat in S'. change (patch_of [square] squares i) with square. change (patch_of [square] squares j) with square.
     do 4 (destruct s as [|s]; [do 4 (destruct s' as [|s']; [reflexivity|]); lia|]). lia.
 Qed.
@@ -152,7 +146,5 @@ Proof.
   - intros i j X [x [-> I]] J. apply segment_over in J. rewrite segment_place in J. cbn [pz] in J.
     pose proof (I 0%nat ltac:(cbn; lia)) as A. pose proof (I 1%nat ltac:(cbn; lia)) as B. cbn in A, B. apply integer_injective, near_integers; lra.
   - intros i s S. change (s < 2)%nat in S. destruct s as [|[|s]]; [exists (number (integer i - 1)), 1%nat|exists (number (integer i + 1)), 0%nat|lia]; apply segment_meets; rewrite integer_number; [left|right]; repeat split; lia.
-  - intros i s j s' j' s'' M M'. apply segment_meets in M, M'.
-    destruct M as [[-> [-> M]]|[-> [-> M]]], M' as [[E [-> M']]|[E [-> M']]]; try discriminate; (split; [apply integer_injective; lia|reflexivity]).
   - intros i s j s' M. apply segment_meets in M as [[-> [-> _]]|[-> [-> _]]]; reflexivity.
 Qed.

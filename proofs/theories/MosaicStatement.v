@@ -91,9 +91,8 @@ Record mosaic : Prop := {
   (* the prisms cover space, and an inner point of one is in no other one *)
   mosaic_cover : forall X, exists i, over i X;
   mosaic_apart : forall i j X, within i X -> over j X -> i = j;
-  (* edge to edge: each side of a tile is a side of exactly one other tile, and of its class *)
+  (* edge to edge: each side of a tile is a side of another tile, and of its class *)
   mosaic_edge_to_edge : forall i s, (s < sides (patch_of i))%nat -> exists j s', meets i s j s';
-  mosaic_two_sides : forall i s j s' j' s'', meets i s j s' -> meets i s j' s'' -> j' = j /\ s'' = s';
   mosaic_classes : forall i s j s', meets i s j s' -> class (edge_at (patch_of i) s) = class (edge_at (patch_of j) s') }.
 
 (** ** The cells *)

@@ -3,7 +3,7 @@
     The checks of MosaicValences.v imply what MosaicAround.v and MosaicCorners.v demand. *)
 Require Import Reals Lra Psatz NArith ZArith List Lia Bool.
 From Acutile Require Import Statement Sums Crossing Tetrahedra Topology Degree Domain Bounds Euclid Transfer Checker Keys Soundness
-  MosaicStatement MosaicTiling MosaicHeights MosaicChecker MosaicValences MosaicSoundness MosaicEdges MosaicAround MosaicCorners.
+  MosaicStatement MosaicPoints MosaicPatches MosaicSides MosaicTiling MosaicHeights MosaicChecker MosaicValences MosaicSpots MosaicSoundness MosaicRotations MosaicEdges MosaicAround MosaicCorners.
 Import ListNotations.
 Local Open Scope R_scope.
 
@@ -25,43 +25,37 @@ Variables (labels : list (label A)) (neighbour : nat -> nat -> nat -> nat -> N -
 Hypothesis TCP : check_tcp A aadd asub amul aofZ alt ale content quot g r system h labels neighbour samples turnings = true.
 Hypothesis HEIGHTS : check_heights A aadd asub amul aofZ alt ale content quot g r system turnings = true.
 
-Notation spot_eq_ok := (MosaicSoundness.spot_eq_ok A amul ale phi phi_mul ale_ok).
-Notation lift_ok := (MosaicSoundness.lift_ok A aadd amul aofZ phi phi_add phi_mul phi_Z).
-Notation lift_pos := (MosaicSoundness.lift_pos A aadd amul aofZ phi).
-Notation left_ok := (MosaicSoundness.left_ok A aadd asub amul aofZ phi phi_add phi_sub phi_mul phi_Z r rank).
-Notation left_sign := (MosaicSoundness.left_sign A aadd asub amul aofZ alt phi phi_add phi_sub phi_mul phi_Z alt_ok r rank).
+Notation spot_eq_ok := (MosaicSpots.spot_eq_ok A amul ale phi phi_mul ale_ok).
+Notation lift_ok := (MosaicSpots.lift_ok A aadd amul aofZ phi phi_add phi_mul phi_Z).
+Notation lift_pos := (MosaicSpots.lift_pos A aadd amul aofZ phi).
+Notation left_sign := (MosaicSpots.left_sign A aadd asub amul aofZ alt phi phi_add phi_sub phi_mul phi_Z alt_ok r rank).
 Notation left_zero := (MosaicSoundness.left_zero A aadd asub amul aofZ ale phi phi_add phi_sub phi_mul phi_Z ale_ok r rank).
 Notation positive_ok := (MosaicSoundness.positive_ok A aadd asub amul aofZ alt ale content quot phi phi_Z alt_ok g r system h apexes home CHECKED).
 Notation patch_ok := (MosaicSoundness.patch_ok A phi system).
-Notation piece_ok := (MosaicSoundness.piece_ok A aofZ phi phi_Z).
-Notation apex_ok := (MosaicSoundness.apex_ok A aofZ phi phi_Z).
-Notation rim_ok := (MosaicSoundness.rim_ok A aofZ phi phi_Z).
-Notation rim_count_ok := (MosaicSoundness.rim_count_ok A aofZ phi phi_Z).
-Notation edge_ok := (MosaicSoundness.edge_ok A aofZ phi phi_Z).
-Notation sides_ok := (MosaicSoundness.sides_ok A phi).
+Notation piece_ok := (MosaicSpots.piece_ok A aofZ phi phi_Z).
+Notation apex_ok := (MosaicSpots.apex_ok A aofZ phi phi_Z).
+Notation rim_ok := (MosaicSpots.rim_ok A aofZ phi phi_Z).
+Notation rim_count_ok := (MosaicSpots.rim_count_ok A aofZ phi phi_Z).
+Notation edge_ok := (MosaicSpots.edge_ok A aofZ phi phi_Z).
 Notation apart_ok := (MosaicSoundness.apart_ok A asub amul aofZ alt phi phi_sub phi_mul phi_Z alt_ok r rank).
 Notation fits_meet := (MosaicSoundness.fits_meet A aofZ phi phi_Z g r system).
 Notation pair_fits := (MosaicSoundness.pair_fits A aadd asub amul aofZ alt ale content quot phi phi_add phi_sub phi_mul phi_Z alt_ok ale_ok g r rank system h apexes home CHECKED).
 Notation system_good := (MosaicSoundness.system_good A aadd asub amul aofZ alt ale content quot phi phi_add phi_sub phi_mul phi_Z alt_ok ale_ok g r rank system h apexes home CHECKED).
-Notation rotations_ok := (MosaicSoundness.rotations_ok A aadd asub amul aofZ alt ale content quot phi phi_add phi_sub phi_mul phi_Z alt_ok ale_ok g r rank system h apexes home CHECKED turnings).
-Notation no_spot_pos := (MosaicSoundness.no_spot_pos A aofZ phi phi_Z).
-Notation occupant_ok := (MosaicSoundness.occupant_ok A aofZ phi phi_Z).
-Notation finish_ok := (MosaicSoundness.finish_ok A aofZ phi phi_Z r).
+Notation rotations_ok := (MosaicRotations.rotations_ok A aadd asub amul aofZ alt ale content quot phi phi_add phi_sub phi_mul phi_Z alt_ok ale_ok g r rank system h apexes home CHECKED turnings).
+Notation no_spot_pos := (MosaicSpots.no_spot_pos A aofZ phi phi_Z).
+Notation finish_ok := (MosaicSpots.finish_ok A aofZ phi phi_Z r).
 Notation pyramids_length := (MosaicSoundness.pyramids_length A phi system).
 Notation pieces_length := (MosaicSoundness.pieces_length A phi system).
 Notation sides_length := (MosaicSoundness.sides_length A phi system).
 Notation G := (Soundness.phiG A phi g).
-Notation rp := (MosaicSoundness.rp A phi).
-Notation pos := (MosaicSoundness.pos A phi).
-Notation rpatch := (MosaicSoundness.rpatch A phi).
+Notation rp := (MosaicSpots.rp A phi).
+Notation pos := (MosaicSpots.pos A phi).
+Notation rpatch := (MosaicSpots.rpatch A phi).
 Notation rsystem := (map rpatch system).
 Notation patch_at a := (nth a rsystem (Patch [] [] [])).
 Notation k_patch := (MosaicChecker.k_patch A system).
 Notation zero := (Checker.zero A aofZ).
 Notation no_spot := (MosaicChecker.no_spot A aofZ).
-Notation side_form := (MosaicChecker.side_form A asub amul aofZ r).
-Notation k_left := (MosaicChecker.k_left A aadd amul).
-Notation can_meet := (MosaicChecker.can_meet A aofZ r).
 Notation k_sides := (MosaicChecker.k_sides A).
 Notation k_rim_count := (MosaicChecker.k_rim_count A aofZ).
 Notation label_of := (MosaicValences.label_of A labels).
@@ -94,7 +88,7 @@ Notation edge_of := (MosaicCorners.edge_of rsystem k_piece_name k_apex_name k_ri
 Lemma length_system : length rsystem = length system.
 Proof. apply map_length. Qed.
 Lemma edges_checked a : (a < length rsystem)%nat ->
-  check_names A aadd asub amul aofZ alt ale r system labels a = true /\ check_shape A aadd asub amul aofZ alt r system a = true /\
+  check_names A aadd asub amul aofZ alt ale r system labels a = true /\ check_apexes A aadd asub amul aofZ alt r system a = true /\
   (forall s b s', (s < k_sides (k_patch a))%nat -> (b < length rsystem)%nat -> (s' < k_sides (k_patch b))%nat -> check_neighbours A aadd asub amul aofZ ale content quot g r system labels neighbour a s b s' = true) /\
   (forall o, In o (occupants A aofZ (k_patch a)) -> check_triangle A aadd asub amul aofZ ale r system labels neighbour tables a o = true) /\
   (forall q, (q < length (k_pyramids A (k_patch a)))%nat -> check_axis A aadd asub amul aofZ ale r system h labels neighbour tables a q = true).
@@ -116,7 +110,7 @@ Lemma names_checked a : (a < length rsystem)%nat -> (forall v, pos (k_vertex a v
   (forall v s, (v < k_vertices a)%N -> (s < k_sides (k_patch a))%nat -> on a s (v, z30) = true \/ 0 < left_of r (patch_at a) s (vertex a v)).
 Proof.
   intros Ha. destruct (edges_checked a Ha) as [C _]. unfold check_names in C. cbv zeta in C. rewrite !andb_true_iff in C. destruct C as [[[[C1 C2] C3] _] _].
-  rewrite forallb_forall in C1, C3. assert (P : forall x, In x (l_vertices A (label_of a)) -> pos x) by (intros x Hx; specialize (C1 x Hx); apply alt_ok in C1; unfold MosaicSoundness.pos; rewrite <- (phi_Z 0); exact C1).
+  rewrite forallb_forall in C1, C3. assert (P : forall x, In x (l_vertices A (label_of a)) -> pos x) by (intros x Hx; specialize (C1 x Hx); apply alt_ok in C1; unfold MosaicSpots.pos; rewrite <- (phi_Z 0); exact C1).
   assert (PV : forall v, pos (k_vertex a v)).
   { intros v. unfold MosaicValences.k_vertex. destruct (Nat.lt_ge_cases (N.to_nat v) (length (l_vertices A (label_of a)))) as [L|L]; [apply P, nth_In, L|rewrite nth_overflow by exact L; apply no_spot_pos]. }
   split; [exact PV|]. split.
@@ -176,15 +170,10 @@ Proof.
   - intros a v v' n Ha Hv Hv' L E. destruct (names_checked a Ha) as [_ [AP _]]. unfold MosaicValences.k_vertices in Hv, Hv'. apply N2Nat.inj. apply (AP _ _ n); auto; lia.
   - intros a v Ha Hv s Hs. rewrite sides_length in Hs. destruct (names_checked a Ha) as [_ [_ D]]. destruct (D v s Hv Hs) as [X|X]; [|lra]. apply on_ok in X; auto. unfold MosaicAround.on_side in X. cbn [fst] in X. lra.
 Qed.
-Lemma shape_ok a : (a < length rsystem)%nat -> (forall q s, (q < length (pyramids (patch_at a)))%nat -> (s < sides (patch_at a))%nat -> 0 < left_of r (patch_at a) s (apex_at (patch_at a) q)) /\
-  (r = 1%nat -> forall s t, (s < sides (patch_at a))%nat -> (t < sides (patch_at a))%nat -> (3 <= sides (patch_at a))%nat /\
-     (t <> s -> t <> prev (sides (patch_at a)) s -> 0 < left_of r (patch_at a) t (start (edge_at (patch_at a) s)))).
+Lemma apexes_inside a q s : (a < length rsystem)%nat -> (q < length (pyramids (patch_at a)))%nat -> (s < sides (patch_at a))%nat -> 0 < left_of r (patch_at a) s (apex_at (patch_at a) q).
 Proof.
-  intros Ha. destruct (edges_checked a Ha) as [_ [C _]]. unfold check_shape in C. cbv zeta in C. apply andb_true_iff in C as [C1 C2]. destruct (positive_ok a Ha) as [PP _]. split.
-  - intros q s Hq Hs. rewrite pyramids_length in Hq. rewrite sides_length in Hs. pose proof (upto_ok _ _ C1 q Hq) as K. pose proof (upto_ok _ _ K s Hs) as K2. rewrite patch_ok, apex_ok. apply left_sign; auto. apply PP.
-  - intros R1 s t Hs Ht. rewrite sides_length in *. rewrite R1 in C2 at 1. cbn [Nat.eqb] in C2. apply andb_true_iff in C2 as [C2 C3]. apply Nat.leb_le in C2. split; auto. intros N1 N2.
-    pose proof (upto_ok _ _ C3 s Hs) as K. pose proof (upto_ok _ _ K t Ht) as K2. cbv beta in K2. rewrite !orb_true_iff, !Nat.eqb_eq in K2. destruct K2 as [[K2|K2]|K2]; [contradiction|contradiction|].
-    rewrite patch_ok, edge_ok. cbn [start]. apply left_sign; auto. apply PP.
+  intros Ha Hq Hs. destruct (edges_checked a Ha) as [_ [C _]]. unfold check_apexes in C. cbv zeta in C. destruct (positive_ok a Ha) as [PP _].
+  rewrite pyramids_length in Hq. rewrite sides_length in Hs. pose proof (upto_ok _ _ C q Hq) as K. pose proof (upto_ok _ _ K s Hs) as K2. rewrite patch_ok, apex_ok. apply left_sign; auto. apply PP.
 Qed.
 Lemma neighbour_ok a s b s' v : (a < length rsystem)%nat -> (b < length rsystem)%nat -> (s < sides (patch_at a))%nat -> (s' < sides (patch_at b))%nat ->
   fits G r (patch_at a) s (patch_at b) s' -> (v < k_vertices a)%N -> left_of r (patch_at a) s (vertex a v) = 0 ->
@@ -332,10 +321,10 @@ Qed.
 Lemma inward_ok p s (t : k_turning A) d : r = 1%nat -> positive_patch A aofZ phi p -> 0 < phi (fst (fst t)) -> exists k, 0 < k /\
   phi (k_inward A asub amul aofZ p s (k_local A asub amul t d)) = k * inward r (rpatch p) s (local_direction (fst (rturning A phi t)) (phi (fst d), phi (snd d))).
 Proof.
-  intros R1 [PS _] W. pose proof (PS s) as P. pose proof (PS (next (k_sides p) s)) as Q. unfold MosaicSoundness.pos in P, Q. destruct t as [[w [[[a b] c] e]] f]. cbn [fst] in W.
+  intros R1 [PS _] W. pose proof (PS s) as P. pose proof (PS (next (k_sides p) s)) as Q. unfold MosaicSpots.pos in P, Q. destruct t as [[w [[[a b] c] e]] f]. cbn [fst] in W.
   exists (phi (weight A (k_start A aofZ p s)) * phi (weight A (k_start A aofZ p (next (k_sides p) s))) * phi w). split; [repeat apply Rmult_lt_0_compat; auto|].
   unfold k_inward, k_local, base_diff, inward, along, local_direction, rturning, rmatrix. rewrite finish_ok, edge_ok by auto. cbn [fst snd start py pz sub].
-  repeat rewrite ?phi_sub, ?phi_mul. unfold MosaicSoundness.rp, scale, Soundness.phi3; cbn [py pz]. field. repeat split; lra.
+  repeat rewrite ?phi_sub, ?phi_mul. unfold MosaicSpots.rp, scale, Soundness.phi3; cbn [py pz]. field. repeat split; lra.
 Qed.
 Lemma sample_at x : (x < length rsamples)%nat -> exists d, In d samples /\ nth x rsamples (0, 0) = (phi (fst d), phi (snd d)).
 Proof.
@@ -401,8 +390,7 @@ Theorem tcp_all : over_all l1 l2 l3 G r rsystem tcp_cells.
 Proof.
   intros tiles rise T H.
   apply (mosaic_tcp G r rsystem h system_good vertex k_vertices k_piece_name k_apex_name k_rim_name named_ok
-    (fun a q s Ha Hq Hs => proj1 (shape_ok a Ha) q s Hq Hs) l1 l2 l3 basis right_handed tiles T rise H
-    (fun R1 a s t Ha Hs Ht => proj2 (shape_ok a Ha) R1 s t Hs Ht) neighbour neighbour_ok rturnings rsamples
+    apexes_inside l1 l2 l3 basis right_handed tiles T rise H neighbour neighbour_ok rturnings rsamples
     (fun R1 => rotations_ok R1 (rot_ok R1)) sampled_ok shares_ok valences_ok axes_ok triangles_ok axial_ok).
 Qed.
 End Ring.

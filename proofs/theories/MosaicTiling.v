@@ -1,523 +1,52 @@
-(** * Systems of patches: finitely many conditions imply the tiling
+(** * Systems of patches: the conditions imply the tiling
 
-    Here patches have real coordinates, and the conditions are propositions; MosaicChecker.v decides them.
-    Everything around a wall is said in the coordinates of one of its two tiles: [carry] takes
-    those of the other tile to them, up to periods.  A facet of a cell is an *occupant* of a patch, moved by
-    a period: a facet of the piece, or a lateral triangle of a pyramid; or it is one of the two
-    facets of a tetrahedron of a join that contain its axis. *)
-Require Import Reals Lra Psatz ZArith List Lia Bool ConstructiveEpsilon.
-From Coq Require Arith.Cantor.
-From Acutile Require Import Statement Sums Crossing Tetrahedra Topology Bounds Degree Domain Euclid Transfer MosaicStatement.
+    The cells over a mosaic are those of its pieces and joins, moved by periods.  Every facet has a mate
+    ([mates]), finitely many cells meet a bounded set ([range]), and some point is in one cell only
+    ([once_somewhere]).  So Cells.v says that they tile space ([mosaic_tiles]). *)
+Require Import Reals Lra Psatz ZArith List Lia Bool.
+From Acutile Require Import Statement Sums Crossing Tetrahedra Topology Degree Domain Euclid Transfer MosaicStatement MosaicPoints MosaicPatches MosaicSides.
 From Acutile Require Import Cells.
 Import ListNotations.
 Open Scope R_scope.
 
-(** ** Choice from countable sets *)
-Lemma dec (P : Prop) : {P} + {~ P}.
-Proof.
-  destruct (ClassicalDedekindReals.sig_not_dec P) as [N|N]; [left|right; exact N].
-  destruct (Classical_Prop.classic P); tauto.
-Qed.
-Section Choice.
-Context {A : Type} (f : A -> nat) (g : nat -> A) (gf : forall x, g (f x) = x).
-Lemma choose (P : A -> Prop) : {x | (exists y, P y) -> P x}.
-Proof.
-  destruct (dec (exists y, P y)) as [E|E].
-  - destruct (constructive_indefinite_ground_description A f g gf P (fun x => dec (P x)) E) as [x Px]. exists x. auto.
-  - exists (g 0%nat). tauto.
-Qed.
-End Choice.
-Definition code_z (z : Z) : nat := Cantor.to_nat (Z.to_nat z, Z.to_nat (- z)).
-Definition decode_z (n : nat) : Z := let '(a, b) := Cantor.of_nat n in (Z.of_nat a - Z.of_nat b)%Z.
-Lemma decode_code z : decode_z (code_z z) = z.
-Proof. unfold decode_z, code_z. rewrite Cantor.cancel_of_to. lia. Qed.
-Definition code3 (n : Z3) : nat := let '(x, y, z) := n in Cantor.to_nat (code_z x, Cantor.to_nat (code_z y, code_z z)).
-Definition decode3 (k : nat) : Z3 := let '(a, b) := Cantor.of_nat k in let '(b, c) := Cantor.of_nat b in (decode_z a, decode_z b, decode_z c).
-Lemma decode3_code n : decode3 (code3 n) = n.
-Proof. destruct n as [[x y] z]. unfold decode3, code3. rewrite !Cantor.cancel_of_to, !decode_code. reflexivity. Qed.
-Definition choose3 := choose code3 decode3 decode3_code.
-Definition choose_pair := choose Cantor.to_nat Cantor.of_nat Cantor.cancel_of_to.
-
-(** ** Small facts *)
-Lemma next_lt n s : (s < n)%nat -> (next n s < n)%nat.
-Proof. unfold next. destruct (Nat.eqb_spec (S s) n); lia. Qed.
-Definition prev (n s : nat) : nat := match s with O => Nat.pred n | S s' => s' end.
-Lemma prev_lt n s : (s < n)%nat -> (prev n s < n)%nat.
-Proof. unfold prev. destruct s; lia. Qed.
-Lemma prev_next n s : (s < n)%nat -> prev n (next n s) = s.
-Proof. unfold prev, next. destruct (Nat.eqb_spec (S s) n); intros; cbn; lia. Qed.
-Lemma next_prev n s : (s < n)%nat -> next n (prev n s) = s.
-Proof. unfold prev, next. destruct s; intros; [destruct (Nat.eqb_spec (S (Nat.pred n)) n)|destruct (Nat.eqb_spec (S s) n)]; lia. Qed.
-(** A triangle with its vertices in another order, of the same orientation. *)
-Definition turns (f g : triangle) := f = g \/ f = Triangle (t2 g) (t3 g) (t1 g) \/ f = Triangle (t3 g) (t1 g) (t2 g).
-Lemma turns_opposite f f' g g' : turns f f' -> turns g g' -> opposite f' g' -> opposite f g.
-Proof. intros [->|[->| ->]] [->|[->| ->]]; unfold opposite; cbn [t1 t2 t3]; intuition. Qed.
-
-Definition pt (n : Z3) : point := let '(x, y, z) := n in Point (IZR x) (IZR y) (IZR z).
-Definition lift (n : Z3) (x : point) : point := add x (pt n).
-Lemma pt_add a b : pt (zadd3 a b) = add (pt a) (pt b).
-Proof. destruct a as [[? ?] ?], b as [[? ?] ?]. unfold pt, zadd3, add; cbn. rewrite !plus_IZR. reflexivity. Qed.
-Lemma pt_opp a : pt (zopp3 a) = scale (-1) (pt a).
-Proof. destruct a as [[? ?] ?]. unfold pt, zopp3, scale; cbn. rewrite !opp_IZR. apply point_eq; cbn; ring. Qed.
-Lemma pt_inj a b : pt a = pt b -> a = b.
-Proof. destruct a as [[? ?] ?], b as [[? ?] ?]. unfold pt. intros E. injection E as A B C. apply eq_IZR in A, B, C. congruence. Qed.
-Lemma lift_lift a b x : lift a (lift b x) = lift (zadd3 a b) x.
-Proof. unfold lift. rewrite pt_add. apply point_eq; unf; ring. Qed.
-Lemma lift_zero x : lift z30 x = x.
-Proof. unfold lift, pt, z30. apply point_eq; unf; ring. Qed.
-Lemma z3_eq (x y z x' y' z' : Z) : x = x' -> y = y' -> z = z' -> (x, y, z) = (x', y', z').
-Proof. congruence. Qed.
-Lemma zadd3_opp a : zadd3 a (zopp3 a) = z30.
-Proof. destruct a as [[? ?] ?]. unfold zadd3, zopp3, z30. apply z3_eq; lia. Qed.
-Lemma zadd3_comm a b : zadd3 a b = zadd3 b a.
-Proof. destruct a as [[? ?] ?], b as [[? ?] ?]. unfold zadd3. apply z3_eq; lia. Qed.
-Lemma zadd3_assoc a b c : zadd3 a (zadd3 b c) = zadd3 (zadd3 a b) c.
-Proof. destruct a as [[? ?] ?], b as [[? ?] ?], c as [[? ?] ?]. unfold zadd3. apply z3_eq; lia. Qed.
-Lemma zadd3_zero a : zadd3 a z30 = a.
-Proof. destruct a as [[? ?] ?]. unfold zadd3, z30. apply z3_eq; lia. Qed.
-Lemma zopp3_opp a : zopp3 (zopp3 a) = a.
-Proof. destruct a as [[? ?] ?]. unfold zopp3. apply z3_eq; lia. Qed.
-Ltac z3 := repeat match goal with n : Z3 |- _ => destruct n as [[? ?] ?] end; unfold zadd3, zopp3, z30; apply z3_eq; lia.
-Lemma latb_opp r a : latb r a = true -> latb r (zopp3 a) = true.
-Proof. rewrite !latb_iff. destruct a as [[? ?] ?], r as [|[|[|r]]]; simpl; intuition lia. Qed.
-
-Definition map_tet (f : point -> point) (t : tetrahedron) := Tetrahedron (f (va t)) (f (vb t)) (f (vc t)) (f (vd t)).
-Definition map_tri (f : point -> point) (t : triangle) := Triangle (f (t1 t)) (f (t2 t)) (f (t3 t)).
-Lemma facet_map f t i : facet (map_tet f t) i = map_tri f (facet t i).
-Proof. destruct i as [|[|[|i]]]; reflexivity. Qed.
-Lemma vx_map f t i : vx (map_tet f t) i = f (vx t i).
-Proof. destruct i as [|[|[|i]]]; reflexivity. Qed.
-Lemma opposite_map f s t : opposite s t -> opposite (map_tri f s) (map_tri f t).
-Proof. unfold opposite, map_tri; cbn [t1 t2 t3]. intuition congruence. Qed.
-
-(** A vector that is orthogonal to two independent ones and in their plane is zero. *)
-Lemma flat_zero a b w : dot a w = 0 -> dot b w = 0 -> det a b w = 0 -> dot a a * dot b b - dot a b * dot a b <> 0 -> w = origin.
-Proof.
-  intros A B D N.
-  assert (E : det a b w * det a b w = (dot a a * dot b b - dot a b * dot a b) * dot w w
-    - dot a w * (dot a w * dot b b - dot b w * dot a b) + dot b w * (dot a w * dot a b - dot b w * dot a a)).
-  { unfold det, dot. ring. }
-  rewrite A, B, D in E. assert (W : dot w w = 0) by nra. unfold dot in W.
-  pose proof (Rle_0_sqr (px w)); pose proof (Rle_0_sqr (py w)); pose proof (Rle_0_sqr (pz w)); unfold Rsqr in *.
-  apply point_eq; unfold origin; cbn; match goal with |- ?x = 0 => assert (K : x * x = 0) by lra; apply Rmult_integral in K; tauto end.
-Qed.
-
-(** A finite set of points is not moved into itself. *)
-Lemma no_shift L d : L <> [] -> (forall h, In h L -> exists h', In h' L /\ h = lift d h') -> d = z30.
-Proof.
-  intros NE H. destruct L as [|x L]; [congruence|]. destruct (smallest_exists (dot x (pt d)) (map (fun h => dot h (pt d)) L)) as [q [I U]].
-  change (In q (map (fun h => dot h (pt d)) (x :: L))) in I. apply in_map_iff in I as [h [<- I]]. destruct (H h I) as [h' [I' E]].
-  assert (Q : dot h (pt d) <= dot h' (pt d)) by (apply U; exact (in_map (fun h => dot h (pt d)) (x :: L) h' I')).
-  rewrite E in Q. apply pt_inj. set (w := pt d) in *. unfold lift in Q. fold w in Q. clearbody w. unfold dot, add in Q; cbn in Q.
-  pose proof (Rle_0_sqr (px w)); pose proof (Rle_0_sqr (py w)); pose proof (Rle_0_sqr (pz w)); unfold Rsqr in *.
-  apply point_eq; cbn; match goal with |- ?x = 0 => assert (K : x * x = 0) by lra; apply Rmult_integral in K; tauto end.
-Qed.
-
-(** ** Patches and their occupants *)
-Definition no_pyramid := Pyramid origin [].
-Definition no_tet := Tetrahedron origin origin origin origin.
-Definition pyramid_at (p : patch) (q : nat) := nth q (pyramids p) no_pyramid.
-Definition rim_count (p : patch) (q : nat) := length (rim (pyramid_at p q)).
-Definition rim_at (p : patch) (q e : nat) := nth e (rim (pyramid_at p q)) origin.
-Definition apex_at (p : patch) (q : nat) := apex (pyramid_at p q).
-Definition piece_at (p : patch) (k : nat) := nth k (pieces p) no_tet.
-(** A facet f of the tetrahedron k of the piece, or the lateral triangle of pyramid q over the side e of its rim. *)
-Inductive occupant := Facet (k f : nat) | Lateral (q e : nat).
-(** It is that of another occupant, moved by a period, or the triangle w in the wall s. *)
-Inductive entry := Inner (o : occupant) (n : Z3) | Wall (s w : nat).
-Definition triangle_of (p : patch) (o : occupant) : triangle := match o with
-  | Facet k f => facet (piece_at p k) f
-  | Lateral q e => Triangle (rim_at p q e) (apex_at p q) (rim_at p q (next (rim_count p q) e)) end.
-Definition is_occupant (p : patch) (o : occupant) : Prop := match o with
-  | Facet k f => (k < length (pieces p))%nat /\ (f < 4)%nat
-  | Lateral q e => (q < length (pyramids p))%nat /\ (e < rim_count p q)%nat end.
-Record hints := Hints {
-  (* what is behind an occupant of a patch; the owner of the triangle w in the wall s; how many there are; the side of a pyramid *)
-  behind : nat -> occupant -> entry;
-  owner : nat -> nat -> nat -> occupant;
-  owners : nat -> nat -> nat;
-  side_of : nat -> nat -> nat;
-  (* for pyramid q, or side s, of patch a and side s' of patch b: the pyramid on the other side and its period, sides of
-     the rims, triangles in the wall and their periods *)
-  pyramid_mate : nat -> nat -> nat -> nat -> nat * Z3;
-  rim_mate : nat -> nat -> nat -> nat -> nat -> nat;
-  wall_mate : nat -> nat -> nat -> nat -> nat -> nat * Z3 }.
-
-(** ** From the coordinates of one tile to those of the next one *)
-Section Carry.
-Variables (G : gram) (r : nat).
-Definition along (p : patch) (s : nat) : point := sub (finish r p s) (start (edge_at p s)).
-Definition length2 (p : patch) (s : nat) : R := let u := along p s in
-  g22 G * (py u * py u) + g33 G * (pz u * pz u) + g23 G * (py u * pz u + pz u * py u).
-Definition carry (p : patch) (s : nat) (q : patch) (s' : nat) (x : point) : point :=
-  let A := start (edge_at p s) in let B := start (edge_at q s') in let b := sub x B in
-  match r with
-  | 1%nat => let u := along p s in let v := along q s' in let N := length2 p s in
-    let X := g22 G * (py b * py v) + g33 G * (pz b * pz v) + g23 G * (py b * pz v + pz b * py v) in
-    let Y := py v * pz b - pz v * py b in
-    Point (px b + px A) (py A + ((N - X) / N * py u + Y / N * (g23 G * py u + g33 G * pz u)))
-      (pz A + ((N - X) / N * pz u - Y / N * (g22 G * py u + g23 G * pz u)))
-  | _ => add b A
-  end.
-Definition fits (p : patch) (s : nat) (q : patch) (s' : nat) : Prop :=
-  class (edge_at p s) = class (edge_at q s') /\ (r = 2%nat -> s <> s') /\ (r = 1%nat -> length2 p s = length2 q s' /\ length2 p s <> 0).
-Hypothesis rank : r = 1%nat \/ r = 2%nat.
-
-Lemma left_affine p s t a b c d : a + b + c + d = 1 -> left_of r p s (combination t a b c d) =
-  a * left_of r p s (va t) + b * left_of r p s (vb t) + c * left_of r p s (vc t) + d * left_of r p s (vd t).
-Proof.
-  intros S. unfold left_of, combination. replace d with (1 - a - b - c) by lra.
-  destruct rank as [-> | ->]; [unf; ring|]. destruct s; unf; ring.
-Qed.
-Lemma left_fibre p s f x : in_fibre r f -> left_of r p s (add x f) = left_of r p s x.
-Proof.
-  unfold left_of, in_fibre. destruct rank as [-> | ->].
-  - intros [Y Z]. unf. rewrite Y, Z. ring.
-  - intros Z. destruct s; unf; rewrite Z; ring.
-Qed.
-Lemma lattice_fibre n : in_lattice r n -> in_fibre r (pt n).
-Proof. destruct n as [[x y] z]. unfold in_fibre, pt. destruct rank as [-> | ->]; cbn; [intros [-> ->]; auto|intros ->; auto]. Qed.
-Lemma left_lift p s n x : latb r n = true -> left_of r p s (lift n x) = left_of r p s x.
-Proof. intros L. apply left_fibre, lattice_fibre, latb_iff, L. Qed.
-Lemma left_carry p s q s' x : (s < 2 \/ r = 1)%nat -> (s' < 2 \/ r = 1)%nat -> fits p s q s' -> left_of r q s' x = - left_of r p s (carry p s q s' x).
-Proof.
-  intros S S' [_ [D L]]. revert S S' D L. unfold left_of, carry, length2, along, finish. destruct rank as [-> | ->]; intros S S' D L.
-  - destruct (L eq_refl) as [_ N]. clear L D. cbv zeta in *. cbn [px py pz sub] in *. set (A := start (edge_at p s)) in *. set (A' := start (edge_at p (next (sides p) s))) in *. set (B := start (edge_at q s')). set (B' := start (edge_at q (next (sides q) s'))).
-    field. exact N.
-  - specialize (D eq_refl). destruct s as [|[|s]]; [| |lia]; destruct s' as [|[|s']]; try lia; unf; ring.
-Qed.
-Lemma carry_carry p s q s' x : fits p s q s' -> carry q s' p s (carry p s q s' x) = x.
-Proof.
-  intros [_ [_ L]]. unfold carry. destruct rank as [E|E]; rewrite E in *; [|apply point_eq; unf; ring].
-  destruct (L eq_refl) as [NN N0]. clear L. unfold length2 in *. set (u := along p s) in *. set (v := along q s') in *.
-  set (A := start (edge_at p s)). set (B := start (edge_at q s')). set (b := sub x B). clearbody u v.
-  set (N := g22 G * (py u * py u) + g33 G * (pz u * pz u) + g23 G * (py u * pz u + pz u * py u)) in *.
-  set (M := g22 G * (py v * py v) + g33 G * (pz v * pz v) + g23 G * (py v * pz v + pz v * py v)) in *.
-  set (X := g22 G * (py b * py v) + g33 G * (pz b * pz v) + g23 G * (py b * pz v + pz b * py v)). set (Y := py v * pz b - pz v * py b).
-  cbv zeta. cbn [px py pz sub]. set (P := (N - X) / N * py u + Y / N * (g23 G * py u + g33 G * pz u)). set (Q := (N - X) / N * pz u - Y / N * (g22 G * py u + g23 G * pz u)).
-  replace (py A + P - py A) with P by ring. replace (pz A + Q - pz A) with Q by ring.
-  assert (EX : g22 G * (P * py u) + g33 G * (Q * pz u) + g23 G * (P * pz u + Q * py u) = N - X).
-  { transitivity ((N - X) / N * N); [unfold P, Q, N; ring|field; exact N0]. }
-  assert (EY : py u * Q - pz u * P = - Y).
-  { transitivity (- (Y / N) * N); [unfold P, Q, N; ring|field; exact N0]. }
-  rewrite EX, EY. assert (XB : x = add B b) by (unfold b; apply point_eq; unf; ring).
-  assert (E2 : M * py b = X * py v + Y * (- (g23 G * py v + g33 G * pz v))) by (unfold X, Y, M; ring).
-  assert (E3 : M * pz b = X * pz v + Y * (g22 G * py v + g23 G * pz v)) by (unfold X, Y, M; ring).
-  rewrite <- NN in *. clearbody P Q X Y N M b. subst x. apply point_eq; cbn [px py pz add].
-  - ring.
-  - f_equal. apply Rmult_eq_reg_l with N; auto. rewrite E2. field. exact N0.
-  - f_equal. apply Rmult_eq_reg_l with N; auto. rewrite E3. field. exact N0.
-Qed.
-Lemma fits_sym p s q s' : fits p s q s' -> fits q s' p s.
-Proof. intros [A [B C]]. repeat split; auto; [intros R K; apply (B R); auto|apply C in H as [-> ?]; auto|apply C in H as [<- ?]; auto]. Qed.
-End Carry.
-
-(** ** The conditions on a system of patches *)
 Section System.
 Variables (G : gram) (r : nat) (system : list patch) (h : hints).
-Notation patch_at a := (nth a system (Patch [] [] [])).
-Notation carry := (carry G r).
-Notation left_of := (left_of r).
-Notation in_prism := (in_prism r).
-Definition join (a q b s' e : nat) : tetrahedron := let p := patch_at a in let '(q', m) := pyramid_mate h a q b s' in
-  Tetrahedron (lift m (carry p (side_of h a q) (patch_at b) s' (apex_at (patch_at b) q'))) (rim_at p q e)
-    (rim_at p q (next (rim_count p q) e)) (apex_at p q).
-Definition good_occupant (a : nat) (o : occupant) : Prop := let p := patch_at a in
-  match behind h a o with
-  | Inner o' n => is_occupant p o' /\ latb r n = true /\ behind h a o' = Inner o (zopp3 n) /\
-      opposite (triangle_of p o) (map_tri (lift n) (triangle_of p o'))
-  | Wall s w => (s < sides p)%nat /\ (w < owners h a s)%nat /\ owner h a s w = o
-  end.
-Definition good_pyramid (a q : nat) : Prop := let p := patch_at a in let s := side_of h a q in
-  (s < sides p)%nat /\ (0 < rim_count p q)%nat /\ in_prism p (apex_at p q) /\ 0 < left_of p s (apex_at p q) /\
-  (forall e, (e < rim_count p q)%nat -> in_prism p (rim_at p q e) /\ left_of p s (rim_at p q e) = 0) /\
-  (forall s2, (s2 < sides p)%nat -> s2 <> s -> exists e, (e < rim_count p q)%nat /\ left_of p s2 (rim_at p q e) <> 0) /\
-  (* no other pyramid in this side has this rim, moved by a period *)
-  (forall q2, (q2 < length (pyramids p))%nat -> q2 <> q -> side_of h a q2 = s ->
-     forall n, latb r n = true -> exists e, (e < rim_count p q)%nat /\ forall e2, (e2 < rim_count p q2)%nat -> rim_at p q e <> lift n (rim_at p q2 e2)).
-(** Two sides that can meet: their rims and triangles are mates, and the axes of joins cross them. *)
-Definition good_pair (a s b s' : nat) : Prop := let p := patch_at a in let p' := patch_at b in
-  (forall q, (q < length (pyramids p))%nat -> side_of h a q = s -> let '(q', m) := pyramid_mate h a q b s' in
-     (q' < length (pyramids p'))%nat /\ side_of h b q' = s' /\ latb r m = true /\ pyramid_mate h b q' a s = (q, zopp3 m) /\
-     (forall e, (e < rim_count p q)%nat -> let e' := rim_mate h a q b s' e in
-        (e' < rim_count p' q')%nat /\ rim_mate h b q' a s e' = e /\
-        rim_at p q e = lift m (carry p s p' s' (rim_at p' q' (next (rim_count p' q') e'))) /\
-        rim_at p q (next (rim_count p q) e) = lift m (carry p s p' s' (rim_at p' q' e')) /\ 0 < vol (join a q b s' e)) /\
-     let l := apex_at p q in let l' := lift m (carry p s p' s' (apex_at p' q')) in
-     forall t, (t < sides p)%nat -> 0 <= left_of p s l * left_of p t l' - left_of p s l' * left_of p t l) /\
-  (forall w, (w < owners h a s)%nat -> let '(w', m) := wall_mate h a s b s' w in
-     (w' < owners h b s')%nat /\ latb r m = true /\ wall_mate h b s' a s w' = (w, zopp3 m) /\
-     opposite (triangle_of p (owner h a s w)) (map_tri (fun x => lift m (carry p s p' s' x)) (triangle_of p' (owner h b s' w')))).
-(** A point that is in one tetrahedron of the piece, and in no other cell. *)
-Definition has_home (a : nat) : Prop := let p := patch_at a in exists k x, (k < length (pieces p))%nat /\
-  inside (piece_at p k) x /\ inside_prism r p x /\
-  (forall k' n, (k' < length (pieces p))%nat -> latb r n = true -> (k', n) <> (k, z30) -> ~ closed (piece_at p k') (lift n x)) /\
-  (forall q b s' e n, (q < length (pyramids p))%nat -> (b < length system)%nat -> (s' < sides (patch_at b))%nat ->
-     fits G r p (side_of h a q) (patch_at b) s' -> (e < rim_count p q)%nat -> latb r n = true -> ~ closed (join a q b s' e) (lift n x)).
-Record good : Prop := {
-  good_rank : r = 1%nat \/ r = 2%nat;
-  good_blocks : g13 G = 0 /\ (r = 1%nat -> g12 G = 0) /\ (r = 2%nat -> g23 G = 0);
-  good_sides : forall a, (a < length system)%nat -> r = 2%nat -> sides (patch_at a) = 2%nat;
-  good_lengths : forall a s b s', (a < length system)%nat -> (b < length system)%nat -> (s < sides (patch_at a))%nat -> (s' < sides (patch_at b))%nat ->
-    class (edge_at (patch_at a) s) = class (edge_at (patch_at b) s') -> (r = 2%nat -> s <> s') -> fits G r (patch_at a) s (patch_at b) s';
-  good_pieces : forall a k, (a < length system)%nat -> (k < length (pieces (patch_at a)))%nat ->
-    0 < vol (piece_at (patch_at a) k) /\ forall v, In v (verts (piece_at (patch_at a) k)) -> in_prism (patch_at a) v;
-  good_occupants : forall a o, (a < length system)%nat -> is_occupant (patch_at a) o -> good_occupant a o;
-  good_pyramids : forall a q, (a < length system)%nat -> (q < length (pyramids (patch_at a)))%nat -> good_pyramid a q;
-  good_walls : forall a s w, (a < length system)%nat -> (s < sides (patch_at a))%nat -> (w < owners h a s)%nat ->
-    is_occupant (patch_at a) (owner h a s w) /\ behind h a (owner h a s w) = Wall s w;
-  good_wall_facets : forall a o s w, (a < length system)%nat -> is_occupant (patch_at a) o -> behind h a o = Wall s w -> exists k f, o = Facet k f;
-  good_pairs : forall a s b s', (a < length system)%nat -> (b < length system)%nat -> (s < sides (patch_at a))%nat -> (s' < sides (patch_at b))%nat ->
-    fits G r (patch_at a) s (patch_at b) s' -> good_pair a s b s';
-  good_homes : forall a, (a < length system)%nat -> has_home a }.
-Hypothesis OK : good.
-
-Lemma rank_eq : r = 1%nat \/ r = 2%nat.
-Proof. apply OK. Qed.
-
-(** ** A mosaic over it *)
+Hypothesis OK : good G r system h.
 Variables (l1 l2 l3 : point).
 Hypothesis basis : has_gram G l1 l2 l3.
 Hypothesis right_handed : 0 < det l1 l2 l3.
 Variable tiles : nat -> tile.
 Hypothesis tiling : mosaic l1 l2 l3 G r system tiles.
-Notation kind i := (shape (tiles i)).
-Notation patch_of i := (patch_of system tiles i).
-Notation meets i s j s' := (meets l1 l2 l3 r system tiles i s j s').
-Notation place i x := (place tiles i x).
-Notation period n := (period l1 l2 l3 n).
-
-Lemma kind_lt i : (kind i < length system)%nat.
-Proof. apply tiling. Qed.
-Lemma motion i : exists m2 m3, axes (tiles i) = (l1, m2, m3) /\ has_gram G l1 m2 m3 /\ det l1 m2 m3 = det l1 l2 l3 /\ (r = 2%nat -> m2 = l2 /\ m3 = l3).
-Proof.
-  pose proof (mosaic_motions _ _ _ _ _ _ _ tiling i) as M. destruct (axes (tiles i)) as [[m1 m2] m3]. destruct M as [HG [D [-> R2]]].
-  exists m2, m3. split; [reflexivity|]. split; [exact HG|]. split; [exact D|]. intros H.
-  pose proof (R2 H) as E. subst m2. split; [reflexivity|]. assert (Z : sub m3 l3 = origin).
-  { destruct HG as [A1 [A2 [A3 [A4 [A5 A6]]]]]. destruct basis as [B1 [B2 [B3 [B4 [B5 B6]]]]].
-    assert (S : forall u v w, dot u (sub v w) = dot u v - dot u w) by (intros; unfold dot; unf; ring).
-    assert (T : forall u v w x, det u v (sub w x) = det u v w - det u v x) by (intros; unf; ring).
-    apply (flat_zero l1 l2); rewrite ?S, ?T; try lra. intros K.
-    assert (E : det l1 l2 l3 * det l1 l2 l3 = (dot l1 l1 * dot l2 l2 - dot l1 l2 * dot l1 l2) * dot l3 l3
-      - dot l1 l3 * (dot l1 l3 * dot l2 l2 - dot l2 l3 * dot l1 l2) + dot l2 l3 * (dot l1 l3 * dot l1 l2 - dot l2 l3 * dot l1 l1)) by (unfold det, dot; ring).
-    destruct (good_blocks OK) as [Z13 [_ Z23]]. rewrite K, B5, B6, Z13, (Z23 H) in E. nra. }
-  apply point_eq; [apply (f_equal px) in Z|apply (f_equal py) in Z|apply (f_equal pz) in Z]; unf; unfold origin in Z; cbn in Z; lra.
-Qed.
-Lemma place_affine i t a b c d : a + b + c + d = 1 -> combination (map_tet (fun x => place i x) t) a b c d = place i (combination t a b c d).
-Proof.
-  intros S. unfold MosaicStatement.place. destruct (axes (tiles i)) as [[m1 m2] m3]. unfold combination, map_tet, at_coordinates; cbn [va vb vc vd].
-  replace d with (1 - a - b - c) by lra. apply point_eq; unf; ring.
-Qed.
-Lemma place_orient i a b c d : orient (place i a) (place i b) (place i c) (place i d) = det l1 l2 l3 * orient a b c d.
-Proof.
-  destruct (motion i) as [m2 [m3 [E [_ [D _]]]]]. unfold MosaicStatement.place. rewrite E, <- D. unfold at_coordinates. unf. ring.
-Qed.
-Lemma place_period i n x : in_lattice r n -> place i (lift n x) = add (place i x) (period n).
-Proof.
-  intros L. destruct (motion i) as [m2 [m3 [E [_ [_ R2]]]]]. unfold MosaicStatement.place, MosaicStatement.period, lattice_vector. rewrite E.
-  destruct n as [[a b] c]. unfold lift, pt, at_coordinates. destruct rank_eq as [R|R]; rewrite R in L; cbn in L.
-  - destruct L as [-> ->]. apply point_eq; unf; ring.
-  - subst c. destruct (R2 R) as [-> ->]. apply point_eq; unf; ring.
-Qed.
-Lemma place_fibre i f x : in_fibre r f -> place i (add x f) = add (place i x) (at_coordinates l1 l2 l3 f).
-Proof.
-  intros L. destruct (motion i) as [m2 [m3 [E [_ [_ R2]]]]]. unfold MosaicStatement.place. rewrite E. unfold at_coordinates.
-  destruct rank_eq as [R|R]; rewrite R in L; cbn in L.
-  - destruct L as [Y Z]. apply point_eq; unf; rewrite Y, Z; ring.
-  - destruct (R2 R) as [-> ->]. apply point_eq; unf; rewrite L; ring.
-Qed.
-Lemma period_inj n m : period n = period m -> n = m.
-Proof.
-  intros E. apply pt_inj. unfold MosaicStatement.period, lattice_vector in E. destruct n as [[a b] c], m as [[a' b'] c']. unfold pt.
-  apply (E_inj l1 l2 l3) in E; auto. lra.
-Qed.
-Lemma period_add n m : period (zadd3 n m) = add (period n) (period m).
-Proof. destruct n as [[a b] c], m as [[a' b'] c']. unfold MosaicStatement.period, lattice_vector, zadd3, at_coordinates. rewrite !plus_IZR. apply point_eq; unf; ring. Qed.
-Lemma place_inj i x y : place i x = place i y -> x = y.
-Proof.
-  destruct (motion i) as [m2 [m3 [E [_ [D _]]]]]. unfold MosaicStatement.place. rewrite E. intros K.
-  apply (E_inj l1 m2 m3); [lra|]. apply point_eq; [apply (f_equal px) in K|apply (f_equal py) in K|apply (f_equal pz) in K]; unfold Euclid.E; unf; lra.
-Qed.
-
-(** ** Sides that meet *)
-Lemma meets_sym i s j s' : meets i s j s' -> meets j s' i s.
-Proof.
-  assert (B : forall X Y, same_base l1 l2 l3 r X Y -> same_base l1 l2 l3 r Y X).
-  { intros X Y [f [F ->]]. exists (scale (-1) f). split.
-    - unfold in_fibre, scale in *. destruct rank_eq as [-> | ->]; cbn in *; [destruct F as [-> ->]; lra|rewrite F; ring].
-    - unfold at_coordinates. apply point_eq; unf; ring. }
-  intros [A1 [A2 [A3 [A4 [A5 A6]]]]]. repeat split; auto. intros R Q. apply (A4 R). auto.
-Qed.
-Lemma meets_fits i s j s' : meets i s j s' -> fits G r (patch_of i) s (patch_of j) s'.
-Proof.
-  intros M. pose proof M as [A1 [A2 [_ [A4 _]]]]. apply (good_lengths OK); auto using kind_lt. apply (mosaic_classes _ _ _ _ _ _ _ tiling _ _ _ _ M).
-Qed.
-Lemma side_small i s : (s < sides (patch_of i))%nat -> (s < 2 \/ r = 1)%nat.
-Proof. intros H. destruct rank_eq as [|R]; auto. left. pose proof (good_sides OK (kind i) (kind_lt i) R) as E. unfold MosaicStatement.patch_of in H. lia. Qed.
-
-(** The frames of two tiles that meet. *)
-Lemma frame_meets i s j s' P Q T x : meets i s j s' -> in_fibre r P -> in_fibre r Q ->
-  place i (add (start (edge_at (patch_of i) s)) P) = add (place j (add (finish r (patch_of j) s') Q)) T ->
-  add (place j (add x Q)) T = place i (add (carry (patch_of i) s (patch_of j) s' x) P).
-Proof.
-  intros M Fi Fj K. pose proof M as [_ [_ [_ [_ [B1 B2]]]]]. pose proof (meets_fits _ _ _ _ M) as [_ [_ N]].
-  destruct (motion i) as [a2 [a3 [Ei [HGi [Di R2i]]]]]. destruct (motion j) as [b2 [b3 [Ej [HGj [Dj R2j]]]]].
-  destruct (good_blocks OK) as [Z13 [Z12 _]].
-  unfold MosaicTiling.carry. unfold MosaicStatement.place in *. rewrite Ei, Ej in *.
-  set (A := start (edge_at (patch_of i) s)) in *. set (B := start (edge_at (patch_of j) s')) in *.
-  set (C := corner (tiles i)) in *. set (D := corner (tiles j)) in *.
-  destruct rank_eq as [R|R]; rewrite R in *.
-  - specialize (Z12 eq_refl). destruct (N eq_refl) as [NN N0]. clear N R2i R2j.
-    unfold length2 in *. set (u := along 1 (patch_of i) s) in *. set (v := along 1 (patch_of j) s') in *.
-    assert (Fu : finish 1 (patch_of i) s = add A u) by (unfold u, along, A; apply point_eq; unf; ring).
-    assert (Fv : finish 1 (patch_of j) s' = add B v) by (unfold v, along, B; apply point_eq; unf; ring).
-    assert (U0 : px u = 0) by (unfold u, along, finish; unf; ring). assert (V0 : px v = 0) by (unfold v, along, finish; unf; ring).
-    rewrite Fu in B2. rewrite Fv in B1, K. clearbody u v A B C D.
-    cbn [in_fibre] in *. destruct Fi as [Pi1 Pi2], Fj as [Pj1 Pj2].
-    destruct B1 as [f [[F1 F2] B1]]. destruct B2 as [g [[G1 G2] B2]].
-    destruct HGi as [I1 [I2 [I3 [I4 [I5 I6]]]]]. destruct HGj as [J1 [J2 [J3 [J4 [J5 J6]]]]].
-    set (N := g22 G * (py u * py u) + g33 G * (pz u * pz u) + g23 G * (py u * pz u + pz u * py u)) in *.
-    set (U := add (scale (py u) a2) (scale (pz u) a3)). set (U' := add (scale (py v) b2) (scale (pz v) b3)).
-    set (V := add (scale (- (g23 G * py u + g33 G * pz u)) a2) (scale (g22 G * py u + g23 G * pz u) a3)).
-    set (V' := add (scale (- (g23 G * py v + g33 G * pz v)) b2) (scale (g22 G * py v + g23 G * pz v) b3)).
-    assert (LL : 0 < dot l1 l1).
-    { destruct (Req_dec (dot l1 l1) 0) as [Z|Z].
-      - exfalso. unfold dot in Z. pose proof (Rle_0_sqr (px l1)); pose proof (Rle_0_sqr (py l1)); pose proof (Rle_0_sqr (pz l1)); unfold Rsqr in *.
-        assert (X : px l1 = 0) by nra. assert (Y : py l1 = 0) by nra. assert (W : pz l1 = 0) by nra.
-        revert right_handed. unfold det. rewrite X, Y, W. lra.
-      - unfold dot in *. pose proof (Rle_0_sqr (px l1)); pose proof (Rle_0_sqr (py l1)); pose proof (Rle_0_sqr (pz l1)); unfold Rsqr in *. lra. }
-    assert (DL : forall c x y z w, dot l1 (add (scale x y) (scale z w)) = x * dot l1 y + z * dot l1 w + c * 0) by (intros; unfold dot; unf; ring).
-    assert (UU : add U U' = scale (px g - px f) l1).
-    { unfold U, U', at_coordinates in *. apply point_eq; [apply (f_equal px) in B1; apply (f_equal px) in B2|apply (f_equal py) in B1; apply (f_equal py) in B2|apply (f_equal pz) in B1; apply (f_equal pz) in B2];
-      unf; rewrite ?F1, ?F2, ?G1, ?G2, ?U0, ?V0 in *; lra. }
-    assert (CU : px g - px f = 0).
-    { assert (X : dot l1 (add U U') = 0). { unfold U, U'. assert (S : forall x y z, dot x (add y z) = dot x y + dot x z) by (intros; unfold dot; unf; ring). rewrite S, !(DL 0), I4, I5, J4, J5, Z12, Z13. ring. }
-      rewrite UU in X. assert (Y : dot l1 (scale (px g - px f) l1) = (px g - px f) * dot l1 l1) by (unfold dot; unf; ring). rewrite Y in X. nra. }
-    rewrite CU in UU. clear B1 B2 CU F1 F2 G1 G2 f g.
-    assert (UE : U' = scale (-1) U).
-    { clear - UU. clearbody U U'. apply point_eq; [apply (f_equal px) in UU|apply (f_equal py) in UU|apply (f_equal pz) in UU]; unf; lra. }
-    assert (DS : forall x y z, dot x (add y z) = dot x y + dot x z) by (intros; unfold dot; unf; ring).
-    assert (DUV : dot U V = 0).
-    { transitivity (- (g23 G * py u + g33 G * pz u) * (py u * dot a2 a2 + pz u * dot a2 a3) + (g22 G * py u + g23 G * pz u) * (py u * dot a2 a3 + pz u * dot a3 a3)).
-      - unfold U, V, dot. unf. ring. - rewrite I2, I3, I6. ring. }
-    assert (DUV' : dot U' V' = 0).
-    { transitivity (- (g23 G * py v + g33 G * pz v) * (py v * dot b2 b2 + pz v * dot b2 b3) + (g22 G * py v + g23 G * pz v) * (py v * dot b2 b3 + pz v * dot b3 b3)).
-      - unfold U', V', dot. unf. ring. - rewrite J2, J3, J6. ring. }
-    assert (DU : dot U U = N).
-    { transitivity (py u * py u * dot a2 a2 + pz u * pz u * dot a3 a3 + dot a2 a3 * (py u * pz u + pz u * py u)).
-      - unfold U, dot. unf. ring. - rewrite I2, I3, I6. unfold N. ring. }
-    assert (W : add V V' = origin).
-    { apply (flat_zero l1 U).
-      - rewrite DS. unfold V, V'. rewrite !(DL 0), I4, I5, J4, J5, Z12, Z13. ring.
-      - rewrite DS, DUV. assert (X : dot U V' = - dot U' V') by (rewrite UE; unfold dot; unf; ring). rewrite X, DUV'. ring.
-      - assert (X : det l1 U (add V V') = det l1 U V + det l1 U V') by (unf; ring). rewrite X.
-        assert (Y : det l1 U V' = - det l1 U' V') by (rewrite UE; unf; ring). rewrite Y.
-        assert (X1 : det l1 U V = N * det l1 a2 a3) by (unfold U, V, N; unf; ring).
-        assert (X2 : det l1 U' V' = (g22 G * (py v * py v) + g33 G * (pz v * pz v) + g23 G * (py v * pz v + pz v * py v)) * det l1 b2 b3) by (unfold U', V'; unf; ring).
-        rewrite X1, X2, <- NN, Di, Dj. ring.
-      - assert (X : dot l1 U = 0) by (unfold U; rewrite (DL 0), I4, I5, Z12, Z13; ring). rewrite X, DU.
-        assert (0 < dot l1 l1 * N \/ dot l1 l1 * N < 0); [|lra]. destruct (Rdichotomy _ _ N0); [right|left]; nra. }
-    assert (VE : V' = scale (-1) V).
-    { clear - W. clearbody V V'. apply point_eq; [apply (f_equal px) in W|apply (f_equal py) in W|apply (f_equal pz) in W]; unf; unfold origin in W; cbn in W; lra. }
-    set (b := sub x B). set (X := g22 G * (py b * py v) + g33 G * (pz b * pz v) + g23 G * (py b * pz v + pz b * py v)). set (Y := py v * pz b - pz v * py b).
-    assert (BE : add (scale (py b) b2) (scale (pz b) b3) = scale (/ N) (add (scale X U') (scale Y V'))).
-    { assert (E2 : N * py b = X * py v + Y * (- (g23 G * py v + g33 G * pz v))) by (rewrite NN; unfold X, Y; ring).
-      assert (E3 : N * pz b = X * pz v + Y * (g22 G * py v + g23 G * pz v)) by (rewrite NN; unfold X, Y; ring).
-      assert (E2' : py b = / N * (X * py v + Y * (- (g23 G * py v + g33 G * pz v)))) by (rewrite <- E2; field; exact N0).
-      assert (E3' : pz b = / N * (X * pz v + Y * (g22 G * py v + g23 G * pz v))) by (rewrite <- E3; field; exact N0).
-      clearbody X Y. clear E2 E3. rewrite E2', E3' at 1. unfold U', V'. apply point_eq; unf; ring. }
-    assert (XB : x = add B b) by (unfold b; apply point_eq; unf; ring).
-    clearbody X Y b N. subst x.
-    assert (K' : sub (add C (at_coordinates l1 a2 a3 (add A P))) (add (add D (at_coordinates l1 b2 b3 (add (add B v) Q))) T) = origin).
-    { rewrite K. apply point_eq; unf; unfold origin; cbn; ring. }
-    assert (UE' : add (add (scale (py v) b2) (scale (pz v) b3)) U = origin) by (fold U'; rewrite UE; apply point_eq; unf; unfold origin; cbn; ring).
-    assert (VE' : add V' V = origin) by (rewrite VE; apply point_eq; unf; unfold origin; cbn; ring).
-    rewrite UE, VE in BE. unfold U, V, at_coordinates in *.
-    apply point_eq; [apply (f_equal px) in K'; apply (f_equal px) in UE'; apply (f_equal px) in BE|apply (f_equal py) in K'; apply (f_equal py) in UE'; apply (f_equal py) in BE|apply (f_equal pz) in K'; apply (f_equal pz) in UE'; apply (f_equal pz) in BE];
-    clear - K' UE' BE N0 Pi1 Pi2 Pj1 Pj2 U0 V0; unf; unfold origin in *; cbn in *; rewrite ?Pi1, ?Pi2, ?Pj1, ?Pj2, ?V0 in *;
-    match goal with |- ?l = ?rr => match type of BE with ?bl = ?br => match type of UE' with ?ul = _ => match type of K' with ?kl = _ =>
-      assert (FIN : l - rr = (bl - br) - ul - kl) by (field; exact N0); rewrite BE, UE', K' in FIN; lra end end end end.
-  - destruct (R2i eq_refl) as [-> ->], (R2j eq_refl) as [-> ->]. unfold finish in K. fold B in K.
-    apply point_eq; [apply (f_equal px) in K|apply (f_equal py) in K|apply (f_equal pz) in K]; unfold at_coordinates in *; unf; lra.
-Qed.
-
 Variable rise : nat -> point.
 Hypothesis high : heights l1 l2 l3 r system tiles rise.
+Notation kind i := (shape (tiles i)).
+Notation patch_of i := (patch_of system tiles i).
+Notation period n := (period l1 l2 l3 n).
 Notation spot i x := (spot tiles rise i x).
-Definition at_ i n x := spot i (lift n x).
-Lemma at_period i n x : latb r n = true -> at_ i n x = add (spot i x) (period n).
-Proof.
-  intros L. unfold at_, MosaicStatement.spot. rewrite <- place_period by (apply latb_iff, L). f_equal. unfold lift. apply point_eq; unf; ring.
-Qed.
-Lemma at_lift i n m x : at_ i n (lift m x) = at_ i (zadd3 n m) x.
-Proof. unfold at_. rewrite lift_lift. reflexivity. Qed.
-Lemma spot_affine i n t a b c d : a + b + c + d = 1 -> combination (map_tet (at_ i n) t) a b c d = at_ i n (combination t a b c d).
-Proof.
-  intros S. unfold at_, MosaicStatement.spot. change (map_tet _ t) with (map_tet (fun x => place i x) (map_tet (fun x => add (lift n x) (rise i)) t)).
-  rewrite place_affine by auto. f_equal. unfold combination, map_tet, lift; cbn [va vb vc vd]. replace d with (1 - a - b - c) by lra. apply point_eq; unf; ring.
-Qed.
-Lemma at_orient i n a b c d : orient (at_ i n a) (at_ i n b) (at_ i n c) (at_ i n d) = det l1 l2 l3 * orient a b c d.
-Proof.
-  unfold at_, MosaicStatement.spot. rewrite place_orient. f_equal. unfold lift. unf. ring.
-Qed.
-Lemma at_coord i n t k x : coord (map_tet (at_ i n) t) k (at_ i n x) = det l1 l2 l3 * coord t k x.
-Proof. unfold coord, side. rewrite facet_map. cbn [map_tri t1 t2 t3]. apply at_orient. Qed.
-Lemma at_vol i n t : vol (map_tet (at_ i n) t) = det l1 l2 l3 * vol t.
-Proof. exact (at_orient i n (va t) (vb t) (vc t) (vd t)). Qed.
-Lemma at_closed i n t x : closed (map_tet (at_ i n) t) (at_ i n x) <-> closed t x.
-Proof.
-  split; intros C k Hk; specialize (C k Hk).
-  - rewrite at_coord in C. nra.
-  - rewrite at_coord. apply Rmult_le_pos; lra.
-Qed.
-Lemma at_inj i n x y : at_ i n x = at_ i n y -> x = y.
-Proof.
-  unfold at_, MosaicStatement.spot. intros E. apply place_inj in E. unfold lift in E.
-  apply point_eq; [apply (f_equal px) in E|apply (f_equal py) in E|apply (f_equal pz) in E]; unf; lra.
-Qed.
-
-
-(** For each side of a tile the one that it meets, and the difference of their heights in periods. *)
-Definition across_side i s : nat * nat := proj1_sig (choose_pair (fun js => meets i s (fst js) (snd js))).
-Lemma across_meets i s j s' : (s < sides (patch_of i))%nat -> across_side i s = (j, s') -> meets i s j s'.
-Proof.
-  intros Hs E. unfold across_side in E. destruct (choose_pair _) as [js M]; cbn [proj1_sig] in E. subst js. apply M.
-  destruct (mosaic_edge_to_edge _ _ _ _ _ _ _ tiling i s Hs) as [j' [s'' K]]. exists (j', s''). exact K.
-Qed.
-Lemma meets_across i s j s' : meets i s j s' -> across_side i s = (j, s').
-Proof.
-  intros M. pose proof M as [Hs _]. destruct (across_side i s) as [j2 s2] eqn:E. apply across_meets in E; [|exact Hs].
-  destruct (mosaic_two_sides _ _ _ _ _ _ _ tiling _ _ _ _ _ _ M E) as [-> ->]. reflexivity.
-Qed.
-Lemma across_spec i s j s' : (s < sides (patch_of i))%nat -> across_side i s = (j, s') ->
-  (s' < sides (patch_of j))%nat /\ j <> i /\ across_side j s' = (i, s) /\ fits G r (patch_of i) s (patch_of j) s'.
-Proof.
-  intros Hs E. apply across_meets in E; auto. pose proof E as [_ [Hs' [N _]]]. repeat split; auto; try apply (meets_fits _ _ _ _ E); auto.
-  apply meets_across, meets_sym, E.
-Qed.
-Definition step i s : Z3 := let '(j, s') := across_side i s in
-  proj1_sig (choose3 (fun n => in_lattice r n /\ spot i (start (edge_at (patch_of i) s)) = add (spot j (finish r (patch_of j) s')) (period n))).
-Lemma step_spec i s j s' : (s < sides (patch_of i))%nat -> across_side i s = (j, s') -> latb r (step i s) = true /\
-  forall n x, latb r n = true -> at_ j (zadd3 n (step i s)) x = at_ i n (carry (patch_of i) s (patch_of j) s' x).
-Proof.
-  intros Hs E. pose proof (across_meets _ _ _ _ Hs E) as M. unfold step. rewrite E.
-  destruct (choose3 _) as [n K]; cbn [proj1_sig]. destruct (K (heights_agree _ _ _ _ _ _ _ high _ _ _ _ M)) as [L S]. clear K.
-  apply latb_iff in L as L'. split; [exact L'|]. intros m x Hm. rewrite !at_period by auto using latb_add.
-  unfold MosaicStatement.spot in *. rewrite <- (frame_meets i s j s' (rise i) (rise j) (period n) x M (heights_in_fibre _ _ _ _ _ _ _ high i) (heights_in_fibre _ _ _ _ _ _ _ high j) S), period_add.
-  apply point_eq; unf; ring.
-Qed.
-Lemma step_opp i s j s' : (s < sides (patch_of i))%nat -> across_side i s = (j, s') -> step j s' = zopp3 (step i s).
-Proof.
-  intros Hs E. destruct (across_spec i s j s' Hs E) as [Hs' [_ [E' _]]].
-  destruct (step_spec i s j s' Hs E) as [L F]. destruct (step_spec j s' i s Hs' E') as [L' F'].
-  destruct (across_spec i s j s' Hs E) as [_ [_ [_ FT]]]. set (c := carry (patch_of i) s (patch_of j) s' origin).
-  assert (K : at_ j (zadd3 (zadd3 z30 (step j s')) (step i s)) origin = at_ j z30 origin).
-  { rewrite F by auto using latb_add, latb_zero. rewrite F' by apply latb_zero. f_equal. apply carry_carry; [exact rank_eq|exact FT]. }
-  rewrite !at_period in K by auto using latb_add, latb_zero.
-  assert (Z : period (zadd3 (zadd3 z30 (step j s')) (step i s)) = period z30).
-  { apply point_eq; [apply (f_equal px) in K|apply (f_equal py) in K|apply (f_equal pz) in K]; unf; lra. }
-  apply period_inj in Z. clear - Z. destruct (step i s) as [[? ?] ?], (step j s') as [[? ?] ?]. unfold zadd3, z30, zopp3 in *. injection Z as A B C. apply z3_eq; lia.
-Qed.
+Notation carry := (carry G r).
+Notation left_of := (left_of r).
+Notation in_prism := (in_prism r).
+Notation join := (join G r system h).
+Notation good_occupant := (good_occupant r system h).
+Notation good_pyramid := (good_pyramid r system h).
+Notation rank_eq := (rank_eq G r system h OK).
+Notation kind_lt := (kind_lt G r system l1 l2 l3 tiles tiling).
+Notation side_small := (side_small G r system h OK l1 l2 l3 tiles tiling).
+Notation at_ := (at_ tiles rise).
+Notation at_period := (at_period G r system h OK l1 l2 l3 basis right_handed tiles tiling rise).
+Notation at_lift := (at_lift tiles rise).
+Notation spot_affine := (spot_affine tiles rise).
+Notation at_coord := (at_coord G r system h OK l1 l2 l3 basis right_handed tiles tiling rise).
+Notation at_vol := (at_vol G r system h OK l1 l2 l3 basis right_handed tiles tiling rise).
+Notation at_closed := (at_closed G r system h OK l1 l2 l3 basis right_handed tiles tiling rise).
+Notation at_inj := (at_inj G r system h OK l1 l2 l3 basis right_handed tiles tiling rise).
+Notation across_side := (across_side r system l1 l2 l3 tiles).
+Notation across_meets := (across_meets G r system l1 l2 l3 tiles tiling).
+Notation meets_across := (meets_across G r system h OK l1 l2 l3 basis right_handed tiles tiling).
+Notation across_spec := (across_spec G r system h OK l1 l2 l3 basis right_handed tiles tiling).
+Notation step := (step r system l1 l2 l3 tiles rise).
+Notation step_spec := (step_spec G r system h OK l1 l2 l3 basis right_handed tiles tiling rise high).
+Notation step_opp := (step_opp G r system h OK l1 l2 l3 basis right_handed tiles tiling rise high).
 
 (** ** Cells *)
 Inductive part := Piece (k : nat) | Join (q e : nat).
@@ -558,7 +87,7 @@ Definition across (cf : cell * nat) : cell * nat := match cf with
 
 (** A pyramid, and the one on the other side of its wall. *)
 Lemma pyramid_facts i q : (q < length (pyramids (patch_of i)))%nat -> good_pyramid (kind i) q.
-Proof. intros Hq. apply (good_pyramids OK); auto using kind_lt. Qed.
+Proof. intros Hq. apply (good_pyramids _ _ _ _ OK); auto using kind_lt. Qed.
 Lemma mate_facts i q j s' : (q < length (pyramids (patch_of i)))%nat -> across_side i (wall i q) = (j, s') ->
   let '(q', m) := pyramid_mate h (kind i) q (kind j) s' in let s := wall i q in let p := patch_of i in let p' := patch_of j in
   (q' < length (pyramids p'))%nat /\ wall j q' = s' /\ latb r m = true /\ pyramid_mate h (kind j) q' (kind i) s = (q, zopp3 m) /\
@@ -570,12 +99,12 @@ Lemma mate_facts i q j s' : (q < length (pyramids (patch_of i)))%nat -> across_s
   forall t, (t < sides p)%nat -> 0 <= left_of p s l * left_of p t l' - left_of p s l' * left_of p t l.
 Proof.
   intros Hq E. destruct (pyramid_facts i q Hq) as [Hs _]. destruct (across_spec i (wall i q) j s' Hs E) as [Hs' [_ [_ FT]]].
-  destruct (good_pairs OK (kind i) (wall i q) (kind j) s') as [K _]; auto using kind_lt. exact (K q Hq eq_refl).
+  destruct (good_pairs _ _ _ _ OK (kind i) (wall i q) (kind j) s') as [K _]; auto using kind_lt. exact (K q Hq eq_refl).
 Qed.
 Lemma piece_good c : valid c -> exists i n t, latb r n = true /\ piece c = map_tet (at_ i n) t /\ 0 < vol t.
 Proof.
   destruct c as [[i [k|q e]] n]; cbn [valid piece]; intros [L V]; (eexists i, n, _; split; [exact L|]; split; [reflexivity|]).
-  - apply (good_pieces OK); auto using kind_lt.
+  - apply (good_pieces _ _ _ _ OK); auto using kind_lt.
   - destruct V as [Hq [He _]]. unfold join_at. destruct (across_side i (wall i q)) as [j s'] eqn:E.
     pose proof (mate_facts i q j s' Hq E) as K. destruct (pyramid_mate h (kind i) q (kind j) s'). apply K, He.
 Qed.
@@ -639,7 +168,7 @@ Qed.
 Lemma beyond_spec i o n : ok i o -> latb r n = true -> exists i' o' n', ok i' o' /\ latb r n' = true /\ beyond i o n = resolve i' o' n' /\
   beyond i' o' n' = resolve i o n /\ opposite (tri i o n) (tri i' o' n').
 Proof.
-  intros K L. pose proof (good_occupants OK (kind i) o (kind_lt i) K) as C.
+  intros K L. pose proof (good_occupants _ _ _ _ OK (kind i) o (kind_lt i) K) as C.
   unfold beyond at 1. unfold good_occupant in C. cbv zeta in C. destruct (behind h (kind i) o) as [o' m|s w] eqn:B.
   - destruct C as [C1 [Lm [C2 C3]]].
     exists i, o', (zadd3 n m). split; [exact C1|]. split; [auto using latb_add|]. split; auto. split.
@@ -649,9 +178,9 @@ Proof.
       unfold map_tri; cbn [t1 t2 t3]. rewrite !at_lift. reflexivity.
   - destruct C as [Hs [Hw C]]. subst o.
     destruct (across_side i s) as [j s'] eqn:E. destruct (across_spec i s j s' Hs E) as [Hs' [NE [E' FT]]].
-    destruct (good_pairs OK (kind i) s (kind j) s' (kind_lt i) (kind_lt j) Hs Hs' FT) as [_ P]. specialize (P w Hw).
+    destruct (good_pairs _ _ _ _ OK (kind i) s (kind j) s' (kind_lt i) (kind_lt j) Hs Hs' FT) as [_ P]. specialize (P w Hw).
     destruct (wall_mate h (kind i) s (kind j) s' w) as [w' m] eqn:WM. destruct P as [P1 [Lm [P2 P3]]].
-    destruct (good_walls OK (kind j) s' w' (kind_lt j) Hs' P1) as [W1 W3]. destruct (step_spec i s j s' Hs E) as [Ls _].
+    destruct (good_walls _ _ _ _ OK (kind j) s' w' (kind_lt j) Hs' P1) as [W1 W3]. destruct (step_spec i s j s' Hs E) as [Ls _].
     exists j, (owner h (kind j) s' w'), (zadd3 (zadd3 n m) (step i s)). split; [exact W1|]. split; [auto using latb_add|]. split; auto. split.
     + unfold beyond. rewrite W3, E', P2, (step_opp i s j s' Hs E). f_equal. clear. destruct (step i s) as [[? ?] ?], m as [[? ?] ?], n as [[? ?] ?]. unfold zadd3, zopp3. apply z3_eq; lia.
     + apply (opposite_map (at_ i n)) in P3. unfold tri. change (nth (kind i) system (Patch [] [] [])) with (patch_of i) in P3. change (nth (kind j) system (Patch [] [] [])) with (patch_of j) in P3.
@@ -718,7 +247,7 @@ Proof.
 Qed.
 Lemma piece_over i k n y : valid (i, Piece k, n) -> closed (piece (i, Piece k, n)) y -> over r system tiles i y.
 Proof.
-  intros [L V] C. destruct (good_pieces OK (kind i) k (kind_lt i) V) as [PV P]. cbn [piece] in C.
+  intros [L V] C. destruct (good_pieces _ _ _ _ OK (kind i) k (kind_lt i) V) as [PV P]. cbn [piece] in C.
   apply closed_at in C as [a [b [c [d [A [B [C [D [S ->]]]]]]]]]; auto. apply over_at; auto. apply in_prism_combination; auto.
 Qed.
 Lemma half_arithmetic a b c d Sm Sl Gm Gh Gk Gl : 0 <= a -> 0 <= b -> 0 <= c -> 0 <= d -> 0 < Sl ->
@@ -872,7 +401,7 @@ Qed.
 (** ** A point in one cell *)
 Theorem once_somewhere : exists x c, valid c /\ inside (piece c) x /\ forall c', valid c' -> c' <> c -> ~ closed (piece c') x.
 Proof.
-  destruct (good_homes OK (kind 0) (kind_lt 0)) as [k [x [Hk [I [P [NP NJ]]]]]]. change (nth (kind 0) system (Patch [] [] [])) with (patch_of 0%nat) in *.
+  destruct (good_homes _ _ _ _ OK (kind 0) (kind_lt 0)) as [k [x [Hk [I [P [NP NJ]]]]]]. change (nth (kind 0) system (Patch [] [] [])) with (patch_of 0%nat) in *.
   exists (at_ 0 z30 x), (0%nat, Piece k, z30). split; [split; [apply latb_zero|exact Hk]|]. split.
   { intros m Hm. cbn [piece]. rewrite at_coord. apply Rmult_lt_0_compat; auto. }
   assert (IN : forall i, over r system tiles i (at_ 0 z30 x) -> i = 0%nat).

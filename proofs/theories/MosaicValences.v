@@ -4,7 +4,7 @@
     patch have names, as those of a tiling have in Checker.v; so valences are counts of keys.
     MosaicTcp.v proves that "true" implies TCP, by MosaicAround.v. *)
 From Coq Require Import Reals NArith ZArith List Bool FMapPositive.
-From Acutile Require Import Statement Tetrahedra Degree Domain Bounds Checker MosaicStatement MosaicTiling MosaicChecker.
+From Acutile Require Import Statement Tetrahedra Degree Domain Bounds Checker MosaicStatement MosaicPoints MosaicPatches MosaicChecker.
 Import ListNotations.
 Local Open Scope nat_scope.
 
@@ -64,10 +64,9 @@ Definition check_names (a : nat) : bool := let p := k_patch a in let vs := l_ver
   upto (length (k_pieces A p)) (fun k => distinct_names (map (k_piece_name a k) I4) && forallb (fun j => is_named a (k_piece_name a k j) (k_corner A (k_piece p k) j)) I4) &&
   upto (length (k_pyramids A p)) (fun q => is_named a (k_apex_name a q) (k_apex p q) &&
     upto (k_rim_count p q) (fun e => is_named a (k_rim_name a q e) (k_rim_at p q e) && distinct_names (k_lateral_names a q e))).
-(** No apex is in a side; the polygon is strictly convex. *)
-Definition check_shape (a : nat) : bool := let p := k_patch a in let n := k_sides p in
-  upto (length (k_pyramids A p)) (fun q => upto n (fun s => alt zero (k_left (side_form p s) (k_apex p q)))) &&
-  if r =? 1 then (3 <=? n) && upto n (fun s => upto n (fun t => (t =? s) || (t =? prev n s) || alt zero (k_left (side_form p t) (k_start p s)))) else true.
+(** No apex is in a side. *)
+Definition check_apexes (a : nat) : bool := let p := k_patch a in
+  upto (length (k_pyramids A p)) (fun q => upto (k_sides p) (fun s => alt zero (k_left (side_form p s) (k_apex p q)))).
 Definition on (a s : nat) (c : name) : bool := aeq (k_left (side_form (k_patch a) s) (k_vertex a (fst c))) zero.
 Definition check_neighbours (a s b s' : nat) : bool := let p := k_patch a in let p' := k_patch b in
   if can_meet p s p' s' then upto (length (l_vertices (label_of a))) (fun i => let v := N.of_nat i in
@@ -126,7 +125,7 @@ Definition check_corners : bool := if r =? 1 then
   match samples with [] => false | _ => true end && forallb positive_turning turnings &&
   upto (length system) (fun a => upto (k_sides (k_patch a)) (check_corner a)) else true.
 Definition check_edges : bool := upto (length system) (fun a => let p := k_patch a in
-  check_names a && check_shape a && upto (k_sides p) (fun s => upto (length system) (fun b => upto (k_sides (k_patch b)) (check_neighbours a s b))) &&
+  check_names a && check_apexes a && upto (k_sides p) (fun s => upto (length system) (fun b => upto (k_sides (k_patch b)) (check_neighbours a s b))) &&
   forallb (check_triangle a) (occupants A aofZ p) && upto (length (k_pyramids A p)) (check_axis a)).
 End Count.
 Definition check_tcp : bool := let tables := indexes in check_edges tables && check_corners tables.
