@@ -2,9 +2,10 @@
 
 use super::certify_arguments::CertifyArguments;
 use super::claim::{claim_json, statements, summary};
+use super::files::{self, Staged, write_file};
 use super::named::InputError;
 use super::outcome::Outcome;
-use super::output::{self, Output, Staged, write_file};
+use super::output::Output;
 use super::record::Record;
 use super::refutation::Refuted;
 use super::region::Description;
@@ -77,7 +78,7 @@ pub fn unwritten(target: &Target, error: &io::Error) -> Answer {
         Target::File(path) => path.as_path(),
         _ => Path::new("the certificate"),
     };
-    Answer::Failed(output::unwritten(place, error).message)
+    Answer::Failed(files::unwritten(place, error).message)
 }
 
 /// Why an input cannot be certified.

@@ -4,12 +4,13 @@
 //! A directory that is there is added to. A file in it is replaced only if `acutile appendix` wrote it and
 //! nobody has changed it since, or with `--force`. All files are checked before the first is written.
 
+use super::files::{check_directory, unwritten, write_files};
 use super::input::FileArguments;
 use super::limits::LimitArguments;
 use super::name::InputName;
 use super::named::InputError;
 use super::outcome::Outcome;
-use super::output::{Output, check_directory, unwritten, write_files};
+use super::output::Output;
 use super::overwriting::{check_not_an_input, check_replaceable};
 use super::proved;
 use super::record::Record;

@@ -1,6 +1,7 @@
 //! The extension of an output file promises a format; a contradiction is an error.
 
-use super::output::{Output, is_standard};
+use super::files::is_standard;
+use super::output::Output;
 use std::path::Path;
 
 /// A format with the words for it and the extensions of its files.

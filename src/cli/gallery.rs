@@ -1,8 +1,9 @@
 //! `acutile gallery`: a static site of the whole catalogue.
 
+use super::files::{check_directory, unwritten, write_file};
 use super::named::InputError;
 use super::outcome::Outcome;
-use super::output::{Output, check_directory, unwritten, write_file};
+use super::output::Output;
 use super::record::Record;
 use acutile_publish::report::{Site, gallery};
 use clap::Args;

@@ -1,9 +1,10 @@
 //! `acutile completions` and `acutile man`, generated from the arguments.
 
 use super::args::{Arguments, CompletionsArguments, ManArguments};
+use super::files::{check_directory, is_standard};
 use super::named::InputError;
 use super::outcome::Outcome;
-use super::output::{Output, check_directory, is_standard, write_bytes};
+use super::output::{Output, write_bytes};
 use super::overwriting::check_replaceable;
 use super::record::Record;
 use clap::builder::Resettable;

@@ -22,6 +22,11 @@ impl InputName {
         Path::new(&self.raw)
     }
 
+    /// The name as it was given.
+    pub fn raw(&self) -> &OsStr {
+        &self.raw
+    }
+
     /// The path after a prefix of ASCII letters, as in `square-triangle:FILE`.
     pub fn path_after(&self, prefix: &str) -> PathBuf {
         #[cfg(unix)]
@@ -37,6 +42,19 @@ impl InputName {
     /// Whether it is `-`.
     pub fn is_standard_input(&self) -> bool {
         self.raw == "-"
+    }
+}
+
+/// Standard input can be read only once.
+///
+/// # Errors
+/// More than one of the names is `-`.
+pub fn check_standard_input<'a>(names: impl Iterator<Item = &'a OsStr>) -> Result<(), String> {
+    match names.filter(|name| *name == "-").count() {
+        0 | 1 => Ok(()),
+        count => Err(format!(
+            "-: standard input is named {count} times, expected once; give the other files by name"
+        )),
     }
 }
 

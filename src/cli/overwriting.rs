@@ -4,6 +4,7 @@
 //! never is. Other files are replaced only if acutile wrote what is there, or with --force. These are files
 //! whose names acutile chooses, in the directory of -o, and starting files, which people edit.
 
+use super::files::check_writable;
 use super::name::InputName;
 use super::plane;
 use acutile_catalog as catalog;
@@ -33,6 +34,19 @@ pub fn check_not_an_input(
             target.display()
         )),
     }
+}
+
+/// Checks before the work that the file that an option names can be written, and is none of the inputs.
+///
+/// # Errors
+/// A message that names the file.
+pub fn check_output(
+    target: Option<&Path>,
+    option: &str,
+    inputs: &[InputName],
+) -> Result<(), String> {
+    check_not_an_input(target, option, inputs)?;
+    target.map_or(Ok(()), check_writable)
 }
 
 /// The files that an input is read from.

@@ -5,6 +5,7 @@ use super::integer::integer_in;
 use super::interrupt;
 use super::outcome::Outcome;
 use super::output::Output;
+use super::overwriting::check_output;
 use super::progress::Progress;
 use super::record::Record;
 use super::shape::shape;
@@ -46,7 +47,8 @@ pub struct BallArguments {
 /// Builds and optimizes, and says what was tried. Declined where nothing is acute.
 pub fn run(arguments: &BallArguments, output: &mut Output) -> Outcome {
     let path = arguments.output.as_deref();
-    let encoding = match Encoding::of(path, None) {
+    let encoding = check_output(path, "-o", &[]).and_then(|()| Encoding::of(path, None));
+    let encoding = match encoding {
         Ok(encoding) => encoding,
         Err(message) => return output.fail_with(None, message),
     };

@@ -2,9 +2,9 @@
 
 use super::certify_arguments::CertifyArguments;
 use super::encoding::Encoding;
+use super::files::{check_directory, check_writable, is_standard};
 use super::name::InputName;
-use super::output::{check_directory, is_standard};
-use super::overwriting::{check_not_an_input, check_replaceable};
+use super::overwriting::{check_not_an_input, check_output, check_replaceable};
 use acutile_catalog as catalog;
 use acutile_core::format::recognise;
 use acutile_io::import::{is_gzip, uncompressed_name};
@@ -39,7 +39,7 @@ pub fn targets(inputs: &[InputName], arguments: &CertifyArguments) -> Result<Vec
             .map_err(|error| format!("{}: cannot be made a directory: {error}", path.display()))?;
     }
     if !path.is_dir() {
-        check_not_an_input(Some(path), "-o", inputs)?;
+        check_output(Some(path), "-o", inputs)?;
         Encoding::of(Some(path), arguments.format)?;
         return Ok(vec![Target::File(path.to_path_buf())]);
     }
@@ -58,6 +58,7 @@ pub fn targets(inputs: &[InputName], arguments: &CertifyArguments) -> Result<Vec
         let file = path.join(file_name(input, encoding));
         check_not_an_input(Some(&file), "-o", inputs)?;
         check_replaceable(&file, |bytes| recognise(bytes).is_some(), arguments.force)?;
+        check_writable(&file)?;
         Ok(Target::File(file))
     };
     inputs.iter().map(file).collect()

@@ -1,10 +1,11 @@
 //! `acutile convert` for certificates: the same certificate in its other encoding.
 
 use super::encoding::Encoding;
+use super::files::is_standard;
 use super::name::InputName;
 use super::named::InputError;
 use super::outcome::Outcome;
-use super::output::{Output, is_standard, write_bytes};
+use super::output::{Output, write_bytes};
 use acutile_catalog as catalog;
 use acutile_core::format::{self, VERSION, print, recognise};
 use acutile_core::refusal::exceeded;

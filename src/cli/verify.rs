@@ -3,6 +3,7 @@
 use super::claim::{claim_json, statements, summary};
 use super::counts::Counts;
 use super::limits::LimitArguments;
+use super::name::check_standard_input;
 use super::outcome::{Outcome, exit_outcome};
 use super::output::Output;
 use super::record::Record;
@@ -55,7 +56,9 @@ enum Verdict {
 /// Verifies every file, a line each. Gives 0 if all are verified. Else it gives 1 if one is rejected,
 /// else 2 if one is malformed or unreadable, else 3: one is declined.
 pub fn run(arguments: &VerifyArguments, output: &mut Output) -> Outcome {
-    let claim = check_standard_input(arguments)
+    let files = arguments.files.iter().map(OsString::as_os_str);
+    let claim = arguments.claim.iter().map(|path| path.as_os_str());
+    let claim = check_standard_input(files.chain(claim))
         .and_then(|()| arguments.claim.as_deref().map(read_claim).transpose());
     let claim = match claim {
         Ok(claim) => claim,
@@ -76,20 +79,6 @@ pub fn run(arguments: &VerifyArguments, output: &mut Output) -> Outcome {
     }
     counts.tell(output);
     exit_outcome(code)
-}
-
-/// Standard input can be read only once.
-fn check_standard_input(arguments: &VerifyArguments) -> Result<(), String> {
-    let files = arguments.files.iter().map(OsString::as_os_str);
-    let claim = arguments.claim.iter().map(|path| path.as_os_str());
-    let count = files.chain(claim).filter(|name| *name == "-").count();
-    if count > 1 {
-        Err(format!(
-            "-: standard input is named {count} times, expected once; give the other files by name"
-        ))
-    } else {
-        Ok(())
-    }
 }
 
 /// The claim file of --claim, or of standard input for `-`.
