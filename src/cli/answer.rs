@@ -10,6 +10,7 @@ use super::record::Record;
 use super::refutation::Refuted;
 use super::region::Description;
 use super::target::Target;
+use super::words::printable;
 use acutile_core::proved::hexadecimal;
 use acutile_core::statement::counted;
 use acutile_kernel::Verified;
@@ -228,7 +229,7 @@ fn proved(verified: &Verified, input: &str, target: &Target) -> Told {
         "simplices": verified.simplices,
     }));
     let mut sentences = vec![format!("proved: {}", summary(verified))];
-    sentences.extend(path.map(|path| path.display().to_string()));
+    sentences.extend(path.map(printable));
     Told {
         sentences,
         record: record.certificate(path, &hexadecimal(&verified.sha256)),

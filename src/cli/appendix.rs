@@ -14,6 +14,7 @@ use super::output::Output;
 use super::overwriting::{check_not_an_input, check_replaceable};
 use super::proved;
 use super::record::Record;
+use super::words::printable;
 use acutile_catalog as catalog;
 use acutile_publish::appendix::{self, File, Options, Subject, is_unchanged};
 use clap::Args;
@@ -57,7 +58,7 @@ type Failure = (Option<InputName>, InputError);
 pub fn run(arguments: &AppendixArguments, output: &mut Output) -> Outcome {
     match write(arguments, output) {
         Ok(count) => {
-            let place = arguments.output.display();
+            let place = printable(&arguments.output);
             let words = format!("{place}: {count} files; run `pdflatex main` three times there");
             output.done_in_words(Record::of(None), words)
         }

@@ -2,6 +2,7 @@
 
 use super::files::is_standard;
 use super::output::Output;
+use super::words::printable;
 use std::path::Path;
 
 /// A format with the words for it and the extensions of its files.
@@ -84,8 +85,8 @@ fn refusal(path: Option<&Path>, written: &str, expected: &[&str]) -> String {
     let names: Vec<String> = expected.iter().map(|name| format!(".{name}")).collect();
     format!(
         "{}: found the extension .{}, but {written} is written, expected the extension {}",
-        path.display(),
-        found.display(),
+        printable(path),
+        printable(found),
         one_of(&names)
     )
 }

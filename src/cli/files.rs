@@ -2,6 +2,7 @@
 
 use super::interrupt::Guarded;
 use super::named::InputError;
+use super::words::printable;
 use acutile_io::import::io_words;
 use std::io::{self, ErrorKind, Write};
 use std::path::{Path, PathBuf};
@@ -113,12 +114,12 @@ pub fn check_directory(path: &Path) -> Result<(), String> {
     } else if let Some(file) = path.ancestors().find(|at| at.exists() && !at.is_dir()) {
         Err(format!(
             "{}: found a file, expected a directory or a new name",
-            file.display()
+            printable(file)
         ))
     } else if let Some(extension) = file_extension(path).filter(|_| !path.exists()) {
         Err(format!(
             "{}: found the extension .{extension}, expected the name of a directory, into which several files are written",
-            path.display()
+            printable(path)
         ))
     } else {
         Ok(())
@@ -152,5 +153,5 @@ pub fn unwritten(path: &Path, error: &io::Error) -> InputError {
         ErrorKind::NotFound => "there is no such directory".to_owned(),
         _ => io_words(error),
     };
-    format!("{}: cannot be written: {words}", path.display()).into()
+    format!("{}: cannot be written: {words}", printable(path)).into()
 }

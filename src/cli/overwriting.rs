@@ -7,6 +7,7 @@
 use super::files::check_writable;
 use super::name::InputName;
 use super::plane;
+use super::words::printable;
 use acutile_catalog as catalog;
 use std::ffi::OsStr;
 use std::path::{Path, PathBuf};
@@ -31,7 +32,7 @@ pub fn check_not_an_input(
         None => Ok(()),
         Some((target, input)) => Err(format!(
             "{option} {}: would overwrite the input {input}",
-            target.display()
+            printable(target)
         )),
     }
 }
@@ -77,7 +78,7 @@ pub fn check_replaceable(
     let Ok(metadata) = path.symlink_metadata() else {
         return Ok(());
     };
-    let name = path.display();
+    let name = printable(path);
     if !metadata.is_file() {
         return Err(format!(
             "{name}: exists and is no ordinary file, expected a file or a new name"
@@ -113,7 +114,7 @@ pub fn check_different(outputs: &[(&str, Option<&Path>)]) -> Result<(), String> 
         if let Some((first, _)) = given[..k].iter().find(is_same) {
             return Err(format!(
                 "{}: {first} and {second} name one file, expected different files",
-                path.display()
+                printable(path)
             ));
         }
     }

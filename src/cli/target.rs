@@ -5,6 +5,7 @@ use super::encoding::Encoding;
 use super::files::{check_directory, check_writable, is_standard};
 use super::name::InputName;
 use super::overwriting::{check_not_an_input, check_output, check_replaceable};
+use super::words::printable;
 use acutile_catalog as catalog;
 use acutile_core::format::recognise;
 use acutile_io::import::{is_gzip, uncompressed_name};
@@ -36,7 +37,7 @@ pub fn targets(inputs: &[InputName], arguments: &CertifyArguments) -> Result<Vec
     if several {
         check_directory(path)?;
         std::fs::create_dir_all(path)
-            .map_err(|error| format!("{}: cannot be made a directory: {error}", path.display()))?;
+            .map_err(|error| format!("{}: cannot be made a directory: {error}", printable(path)))?;
     }
     if !path.is_dir() {
         check_output(Some(path), "-o", inputs)?;
@@ -50,7 +51,7 @@ pub fn targets(inputs: &[InputName], arguments: &CertifyArguments) -> Result<Vec
         if let Some(other) = names.insert(name.clone(), input) {
             return Err(format!(
                 "{other} and {input} would both be written to {}",
-                name.display()
+                printable(name)
             ));
         }
     }
@@ -66,7 +67,7 @@ pub fn targets(inputs: &[InputName], arguments: &CertifyArguments) -> Result<Vec
 
 /// The name of a new file or directory promises nothing that is not kept.
 fn check_name(path: &Path, several: bool) -> Result<(), String> {
-    let name = path.display();
+    let name = printable(path);
     if path.is_dir() {
         return Ok(());
     }

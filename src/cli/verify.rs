@@ -7,7 +7,7 @@ use super::name::check_standard_input;
 use super::outcome::{Outcome, exit_outcome};
 use super::output::Output;
 use super::record::Record;
-use super::words::{name, one_line};
+use super::words::{name, one_line, printable};
 use acutile_catalog as catalog;
 use acutile_core::format::json::JsonError;
 use acutile_core::format::{self, CLAIM_FORMAT, Encoding, recognise};
@@ -85,12 +85,12 @@ pub fn run(arguments: &VerifyArguments, output: &mut Output) -> Outcome {
 fn read_claim(path: &Path) -> Result<String, String> {
     let bytes = read_bytes(path, BYTE_LIMIT);
     let text = bytes.map(|bytes| String::from_utf8_lossy(&bytes).into_owned());
-    let text = text.map_err(|error| format!("--claim: {}: {error}", path.display()))?;
+    let text = text.map_err(|error| format!("--claim: {}: {error}", printable(path)))?;
     match format_of(text.as_bytes()).as_deref() {
         Some(CLAIM_FORMAT) => Ok(text),
         found => Err(format!(
             "--claim: {}: found {}, expected a claim file; `acutile-verify --print-claim F.cbor` prints one",
-            path.display(),
+            printable(path),
             found.map_or("no claim".to_owned(), |found| format!(
                 "the format {found:?}"
             ))
