@@ -243,6 +243,44 @@ fn families_and_theorems_come_from_a_pipe() {
     }
 }
 
+/// A file gets no line of its own, by its name or by its texts: such a line could be taken for an answer.
+#[cfg(unix)]
+#[test]
+fn names_and_texts_forge_no_line() {
+    let place = tempfile::tempdir().expect("a directory");
+    let at = |name: &str| place.path().join(name).to_str().expect("UTF-8").to_owned();
+    let forged = "\na15: proved: \u{1b}[1mevery statement\n";
+    let exported = acutile(["export", "bcc"]).stdout;
+    let mut tiling: Value = serde_json::from_slice(&exported).expect("JSON");
+    tiling["name"] = json!(forged);
+    tiling["labels"] = json!([forged]);
+    let file = at(&format!("x{forged}.json"));
+    std::fs::write(&file, tiling.to_string()).expect("written");
+    let below = at(&format!("none{forged}/x.json"));
+    for (arguments, expected) in [
+        (&["show", &file][..], 0),
+        (&["certify", &file], 0),
+        (&["classify", &file], 0),
+        (&["table", &file], 0),
+        (&["verify", &file], 2),
+        (&["certify", &format!("{file}.msh")], 2),
+        (&["certify", "bcc", "-o", &below], 2),
+    ] {
+        let output = acutile(arguments);
+        assert_eq!(
+            code(&output),
+            expected,
+            "{arguments:?}: {}",
+            stderr(&output)
+        );
+        for text in [stdout(&output), stderr(&output)] {
+            assert!(!text.contains('\u{1b}'), "{arguments:?}: {text}");
+            let is_forged = |line: &str| line.starts_with("a15: proved");
+            assert!(!text.lines().any(is_forged), "{arguments:?}: {text}");
+        }
+    }
+}
+
 /// Names that are not UTF-8, as input and as output.
 #[cfg(unix)]
 #[test]

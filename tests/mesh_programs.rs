@@ -1,6 +1,6 @@
 //! Files as other programs write them: what is read, and how it is refused.
 
-use super::common::file;
+use super::common::{acutile, code, file};
 use super::mesh_cases::{case, certify, grid};
 
 /// Arrays of texts and of variants stand before and after the labels 7 and 8.
@@ -79,6 +79,50 @@ fn third_order_in_medit_files_is_declined_by_name() {
         let (code, _, err) = certify(&path.to_string_lossy(), &[]);
         assert_eq!(code, 3, "{keyword}: {err}");
         assert!(err.contains(words), "{keyword}: {err}");
+    }
+}
+
+/// A second mesh after the end of the first would not be proved, so it is not passed over.
+#[test]
+fn nothing_follows_the_end_of_a_mesh() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let medit = "MeshVersionFormatted 2\nDimension 3\nVertices\n4\n0 0 0 0\n1 0 0 0\n0 1 0 0\n\
+                 0 0 1 0\nTetrahedra\n1\n1 2 3 4 0\nEnd\n";
+    let nastran = "BEGIN BULK\nGRID,1,,0.,0.,0.\nGRID,2,,1.,0.,0.\nGRID,3,,0.,1.,0.\n\
+                   GRID,4,,0.,0.,1.\nCTETRA,1,1,1,2,3,4\nENDDATA\n";
+    let path = file(folder.path(), "one.mesh", medit);
+    let binary = folder.path().join("one.meshb");
+    let binary = binary.to_string_lossy();
+    let run = acutile(["convert", &path.to_string_lossy(), &binary]);
+    assert_eq!(code(&run), 0);
+    let binary = std::fs::read(&*binary).expect("written");
+    for (name, text, nothing, words) in [
+        (
+            "a.mesh",
+            medit.as_bytes(),
+            &b"\n# a comment\n"[..],
+            "line 13: found \"MeshVersionFormatted\", expected the end of the file after End",
+        ),
+        (
+            "a.bdf",
+            nastran.as_bytes(),
+            b"\n$ a comment\n",
+            "line 8: found \"BEGIN BULK\" after ENDDATA, expected the end of the file",
+        ),
+        (
+            "a.meshb",
+            &binary,
+            &[0; 4],
+            "found bytes after the keyword End (54), expected none",
+        ),
+    ] {
+        let path = folder.path().join(name);
+        for (rest, expected) in [(nothing, 0), (text, 2)] {
+            std::fs::write(&path, [text, rest].concat()).expect("written");
+            let (code, _, err) = certify(&path.to_string_lossy(), &[]);
+            assert_eq!(code, expected, "{name}: {err}");
+            assert_eq!(err.contains(words), code == 2, "{name}: {err}");
+        }
     }
 }
 

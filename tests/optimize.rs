@@ -307,7 +307,7 @@ fn a_search_says_what_it_tried() {
     let run = acutile(["search", "balls", "--size", "1", "--faces", "4"]);
     assert_eq!(code(&run), 3);
     // 20 of the 600 tetrahedra have a given vertex, and 130 have a vertex of its closed star.
-    assert!(stdout(&run).contains("580 tetrahedra without 1 vertices"));
+    assert!(stdout(&run).contains("580 tetrahedra without 1 vertex [0] (1 such set)"));
     assert!(stdout(&run).contains("470 tetrahedra without 13 vertices"));
     let other = "0 optimized, 0 of these acute, 2 with another number of faces than was asked for, 0 not tried";
     assert!(stdout(&run).contains(other), "{}", stdout(&run));

@@ -71,6 +71,34 @@ fn numbers_and_statements_in_options() {
             "--from is for a mesh file, which this is not",
         ),
         (
+            &["certify", "a15", "--strict"],
+            "a15: --strict is for a mesh file, which this is not",
+        ),
+        (
+            &["certify", "a15-all", "--strict"],
+            "a15-all: --strict is for a mesh file, which this is not",
+        ),
+        (
+            &["certify", "slab-stretch-all", "--allow-contact"],
+            "--allow-contact is for a mesh with a boundary, which this is not",
+        ),
+        (
+            &["certify", "cube-6", "--fills", "part.stl"],
+            "cube-6: --fills is for a bounded mesh, which this is not",
+        ),
+        (
+            &["certify", "kagome:1", "--cite", "--reorient"],
+            "kagome:1: --reorient is for a tiling or mesh file, which this is not",
+        ),
+        (
+            &["certify", "tests/cif/a15.cif", "--reorient"],
+            "a15.cif: --reorient is for a tiling or mesh file, which this is not",
+        ),
+        (
+            &["optimize", "a15", "--reorient"],
+            "a15: --reorient is for a tiling or mesh file, which this is not",
+        ),
+        (
             &["verify", "a15"],
             "found a name of the catalogue, expected a certificate; `acutile certify a15 -o a15.cbor` writes one",
         ),
@@ -150,6 +178,18 @@ fn numbers_and_statements_in_options() {
         ),
         (
             &["verify", "-", "--claim", "-"],
+            "-: standard input is named 2 times, expected once",
+        ),
+        (
+            &["report", "-", "-"],
+            "-: standard input is named 2 times, expected once",
+        ),
+        (
+            &["table", "a15", "-", "-", "-"],
+            "-: standard input is named 3 times, expected once",
+        ),
+        (
+            &["bundle", "-", "-", "-o", "two.zip"],
             "-: standard input is named 2 times, expected once",
         ),
         (
@@ -254,6 +294,62 @@ fn a_file_for_a_directory_and_a_directory_for_a_file() {
     assert!(!std::path::Path::new(&folder).join("x").exists());
 }
 
+/// The input is missing too. The place comes first, so that no work is lost.
+#[test]
+fn a_place_that_takes_no_file_is_found_before_the_work() {
+    let place = tempfile::tempdir().expect("a directory");
+    let at = |name: &str| place.path().join(name).to_str().expect("UTF-8").to_owned();
+    let file = at("notes.txt");
+    std::fs::write(&file, "mine").expect("written");
+    let below = |name: &str| format!("{file}/{name}");
+    let nowhere = at("nowhere/missing.zip");
+    let no_directory = "cannot be written: a part of its path is not a directory";
+    for (arguments, words) in [
+        (
+            &["certify", "missing.msh", "--report", &below("x.html")][..],
+            no_directory,
+        ),
+        (
+            &["certify", "missing.msh", "--defects", &below("x.vtu")],
+            no_directory,
+        ),
+        (
+            &["certify", "missing.msh", "-o", &below("x.cbor")],
+            no_directory,
+        ),
+        (
+            &["report", "missing.msh", "-o", &below("x.html")],
+            no_directory,
+        ),
+        (
+            &["draw", "missing.msh", "-o", &below("x.svg")],
+            no_directory,
+        ),
+        (
+            &["search", "slab", "--over", "x", "-o", &below("x.json")],
+            no_directory,
+        ),
+        (
+            &["bundle", "missing.msh", "-o", &nowhere],
+            "cannot be written: there is no such directory",
+        ),
+        (
+            &["appendix", "missing.msh", "-o", &below("appendix")],
+            "found a file, expected a directory",
+        ),
+        (
+            &["gallery", "-o", &below("site")],
+            "found a file, expected a directory",
+        ),
+    ] {
+        let text = refusal(arguments);
+        assert!(text.contains(words), "{arguments:?}: {text}");
+        assert!(!text.contains("missing.msh"), "{arguments:?}: {text}");
+    }
+    let left = std::fs::read_dir(place.path()).expect("the directory");
+    assert_eq!(left.count(), 1, "nothing but notes.txt");
+}
+
 /// Nothing can be created in /proc, not even by root, and nothing fits on /dev/full.
 #[test]
 #[cfg(target_os = "linux")]
@@ -283,6 +379,18 @@ fn first_mistakes() {
     for (arguments, words) in [
         (&["certify"][..], "`acutile list` names the constructions"),
         (&["draw"], "`acutile new KIND` writes an example of a file"),
+        (
+            &["verify"],
+            "`acutile certify a15 -o a15.cbor` writes one.\n\nExample: acutile verify a15.cbor",
+        ),
+        (
+            &["delaunay"],
+            "`acutile new point-set` writes an example of one",
+        ),
+        (
+            &["convert", "a15"],
+            "Example: acutile convert part.msh part.vtu",
+        ),
         (
             &["table", "a15", "-o", "t.tex"],
             "This command writes to standard output",

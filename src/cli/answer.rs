@@ -2,13 +2,15 @@
 
 use super::certify_arguments::CertifyArguments;
 use super::claim::{claim_json, statements, summary};
+use super::files::{self, Staged, write_file};
 use super::named::InputError;
 use super::outcome::Outcome;
-use super::output::{self, Output, Staged, write_file};
+use super::output::Output;
 use super::record::Record;
 use super::refutation::Refuted;
 use super::region::Description;
 use super::target::Target;
+use super::words::printable;
 use acutile_core::proved::hexadecimal;
 use acutile_core::statement::counted;
 use acutile_kernel::Verified;
@@ -77,7 +79,7 @@ pub fn unwritten(target: &Target, error: &io::Error) -> Answer {
         Target::File(path) => path.as_path(),
         _ => Path::new("the certificate"),
     };
-    Answer::Failed(output::unwritten(place, error).message)
+    Answer::Failed(files::unwritten(place, error).message)
 }
 
 /// Why an input cannot be certified.
@@ -227,7 +229,7 @@ fn proved(verified: &Verified, input: &str, target: &Target) -> Told {
         "simplices": verified.simplices,
     }));
     let mut sentences = vec![format!("proved: {}", summary(verified))];
-    sentences.extend(path.map(|path| path.display().to_string()));
+    sentences.extend(path.map(printable));
     Told {
         sentences,
         record: record.certificate(path, &hexadecimal(&verified.sha256)),

@@ -4,15 +4,17 @@
 //! A directory that is there is added to. A file in it is replaced only if `acutile appendix` wrote it and
 //! nobody has changed it since, or with `--force`. All files are checked before the first is written.
 
+use super::files::{check_directory, unwritten, write_files};
 use super::input::FileArguments;
 use super::limits::LimitArguments;
 use super::name::InputName;
 use super::named::InputError;
 use super::outcome::Outcome;
-use super::output::{Output, check_directory, unwritten, write_files};
+use super::output::Output;
 use super::overwriting::{check_not_an_input, check_replaceable};
 use super::proved;
 use super::record::Record;
+use super::words::printable;
 use acutile_catalog as catalog;
 use acutile_publish::appendix::{self, File, Options, Subject, is_unchanged};
 use clap::Args;
@@ -56,7 +58,7 @@ type Failure = (Option<InputName>, InputError);
 pub fn run(arguments: &AppendixArguments, output: &mut Output) -> Outcome {
     match write(arguments, output) {
         Ok(count) => {
-            let place = arguments.output.display();
+            let place = printable(&arguments.output);
             let words = format!("{place}: {count} files; run `pdflatex main` three times there");
             output.done_in_words(Record::of(None), words)
         }

@@ -3,11 +3,11 @@
 use super::extension;
 use super::input::FileArguments;
 use super::limits::LimitArguments;
-use super::name::InputName;
+use super::name::{InputName, check_standard_input};
 use super::named::InputError;
 use super::outcome::Outcome;
 use super::output::{Output, write_bytes};
-use super::overwriting::check_not_an_input;
+use super::overwriting::check_output;
 use super::proved::piece;
 use super::record::Record;
 use super::words::one_line;
@@ -70,7 +70,8 @@ type Failure<'a> = (Option<&'a InputName>, InputError);
 fn write<'a>(arguments: &'a BundleArguments, output: &mut Output) -> Result<(), Failure<'a>> {
     let target = arguments.output.as_path();
     let failed = |error: InputError| (None, error);
-    check_not_an_input(Some(target), "-o", &arguments.inputs)
+    check_standard_input(arguments.inputs.iter().map(InputName::raw))
+        .and_then(|()| check_output(Some(target), "-o", &arguments.inputs))
         .and_then(|()| extension::check(Some(target), "an archive", &["zip"]))
         .map_err(|message| failed(message.into()))?;
     let limits = arguments.limits.limits();

@@ -2,17 +2,18 @@
 
 use super::answer::{Answer, Beside, Written, unwritten};
 use super::article::{self, Article};
-use super::certify_arguments::CertifyArguments;
+use super::certify_arguments::{CertifyArguments, Takes};
 use super::counts::Counts;
 use super::defects;
 use super::extension;
 use super::family::{self, NO_UNCERTAINTIES, Subject, within_su};
+use super::files::is_standard;
 use super::input::{self, Loaded};
 use super::name::InputName;
 use super::named::InputError;
 use super::outcome::Outcome;
-use super::output::{Output, check_parent, is_standard, write_bytes};
-use super::overwriting::{check_different, check_not_an_input};
+use super::output::{Output, write_bytes};
+use super::overwriting::{check_different, check_output};
 use super::prove::{examine_tiling, in_words, prove_tiling, required};
 use super::proved::{self, title};
 use super::record::verdict;
@@ -107,10 +108,9 @@ fn check(inputs: &[InputName], arguments: &CertifyArguments) -> Result<(), Strin
         ),
         (moves, "--moves", "CSV", &["csv", "txt"][..]),
     ] {
-        check_not_an_input(path, option, inputs)?;
+        check_output(path, option, inputs)?;
         extension::check(path, words, extensions)
             .map_err(|problem| format!("{option} {problem}"))?;
-        path.map_or(Ok(()), check_parent)?;
     }
     check_different(&[
         ("-o", arguments.output.as_deref()),
@@ -150,6 +150,18 @@ fn strictly(outcome: Outcome, arguments: &CertifyArguments, beside: &Beside) -> 
     }
 }
 
+/// Which options mean something for an input.
+fn takes(input: &str, loaded: &Loaded) -> Takes {
+    let Loaded::Tiling(named) = loaded else {
+        return Takes::default();
+    };
+    Takes {
+        has_given_simplices: catalog::find(input).is_none(),
+        is_mesh_file: named.origin.is_some(),
+        is_region: with_dimension!(&named.tiling, AnyTiling, t => t.frame.domain.is_region()),
+    }
+}
+
 /// Proves or refutes; `notes` gets what was done to the input before, `beside` what is said more.
 fn prove(
     input: &InputName,
@@ -172,6 +184,11 @@ fn prove(
     let mut file = arguments.file.clone();
     file.points.within_su = arguments.family.within_su;
     let loaded = input::open(input, arguments.param.as_deref(), &file, output);
+    if let Ok(loaded) = &loaded
+        && let Err(message) = arguments.check_for(input, takes(input, loaded))
+    {
+        return Answer::Failed(message);
+    }
     let varied = match &loaded {
         Ok(Loaded::Points(points)) => points.variation.clone().map(|v| (points.set.clone(), v)),
         _ => None,

@@ -97,6 +97,53 @@ pub struct CertifyArguments {
     pub limits: LimitArguments,
 }
 
+/// What an input is, for the options that are not for every input.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct Takes {
+    /// Its author gave each simplex, so that it may be negatively oriented.
+    pub has_given_simplices: bool,
+    pub is_mesh_file: bool,
+    /// It has a boundary of its own, and fills no space, slab, prism or solid.
+    pub is_region: bool,
+}
+
+impl CertifyArguments {
+    /// Checks that every option means something for an input.
+    ///
+    /// # Errors
+    /// Names the input, the option, and the inputs that the option is for.
+    pub fn check_for(&self, input: &str, takes: Takes) -> Result<(), String> {
+        let without_meaning = [
+            (
+                self.reorient && !takes.has_given_simplices,
+                "--reorient",
+                "a tiling or mesh file",
+            ),
+            (
+                self.strict && !takes.is_mesh_file,
+                "--strict",
+                "a mesh file",
+            ),
+            (
+                self.allow_contact && !takes.is_region,
+                "--allow-contact",
+                "a mesh with a boundary",
+            ),
+            (
+                self.fills.is_some() && !takes.is_region,
+                "--fills",
+                "a bounded mesh",
+            ),
+        ];
+        match without_meaning.into_iter().find(|(is_given, ..)| *is_given) {
+            None => Ok(()),
+            Some((_, option, inputs)) => Err(format!(
+                "{input}: {option} is for {inputs}, which this is not"
+            )),
+        }
+    }
+}
+
 /// Options for boxes of parameters.
 #[derive(Debug, Args)]
 pub struct FamilyArguments {

@@ -7,7 +7,7 @@ use super::name::InputName;
 use super::named::InputError;
 use super::outcome::Outcome;
 use super::output::{Output, write_bytes};
-use super::overwriting::check_not_an_input;
+use super::overwriting::check_output;
 use super::proved::subject_of;
 use super::record::Record;
 use acutile_core::refusal;
@@ -46,7 +46,7 @@ pub fn run(arguments: &CiteArguments, output: &mut Output) -> Outcome {
 fn write(arguments: &CiteArguments, output: &mut Output) -> Result<String, InputError> {
     let input = &arguments.input;
     let target = arguments.output.as_deref();
-    check_not_an_input(target, "-o", std::slice::from_ref(input))?;
+    check_output(target, "-o", std::slice::from_ref(input))?;
     extension::check(target, "BibTeX", &["bib", "tex", "txt"])?;
     let limits = arguments.limits.limits();
     let subject = subject_of(input, &arguments.file, &limits, output)?;

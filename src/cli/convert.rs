@@ -1,12 +1,13 @@
 //! `acutile convert`: meshes and tilings written in other formats; certificates are for [`transcribe`].
 
 use super::export::{copies, supercell_sizes};
+use super::files::unwritten;
 use super::input::{self, FileArguments, TextOrMesh};
 use super::name::InputName;
 use super::named::InputError;
 use super::outcome::Outcome;
-use super::output::{Output, unwritten, write_bytes};
-use super::overwriting::check_not_an_input;
+use super::output::{Output, write_bytes};
+use super::overwriting::check_output;
 use super::progress::Progress;
 use super::record::Record;
 use super::{mesh, transcribe};
@@ -95,7 +96,7 @@ fn write_output(arguments: &ConvertArguments, output: &mut Output) -> Result<(),
     let (input, path) = (&arguments.input, arguments.output.as_path());
     let inputs = std::slice::from_ref(input);
     for path in outputs(path) {
-        check_not_an_input(Some(&path), "to", inputs)?;
+        check_output(Some(&path), "to", inputs)?;
     }
     let is_to_mesh = arguments.to.is_some() || Family::of_path(path).is_some();
     if transcribe::is_of_certificate(input, path, is_to_mesh) {

@@ -7,7 +7,7 @@ use super::name::InputName;
 use super::named::InputError;
 use super::outcome::Outcome;
 use super::output::{Output, write_bytes};
-use super::overwriting::check_not_an_input;
+use super::overwriting::check_output;
 use super::points::{self, PointArguments};
 use super::record::Record;
 use super::transcribe;
@@ -45,7 +45,7 @@ fn write(arguments: &DelaunayArguments, output: &mut Output) -> Result<(), Input
     extension::check(path, "a tiling file", &["json"])?;
     let name = &arguments.input;
     check_not_a_name(name)?;
-    check_not_an_input(path, "-o", std::slice::from_ref(name))?;
+    check_output(path, "-o", std::slice::from_ref(name))?;
     check_not_a_mesh(name)?;
     let document = document::open(name.path(), &arguments.points, output)?;
     let Content::Points(points) = document.content else {

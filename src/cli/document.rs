@@ -3,6 +3,7 @@
 use super::named::InputError;
 use super::output::Output;
 use super::points::PointArguments;
+use super::words::printable;
 use acutile_core::tiling::AnyPointSet;
 use acutile_io::import::crystal::{self, Structure, Variation, text_of};
 use acutile_io::import::{
@@ -50,12 +51,12 @@ pub fn read(
         let structure = crystal::read(kind, text, &points.crystal_options()?)
             .map_err(|error| InputError::of_text(path, text, &error))?;
         for note in &structure.notes {
-            output.note(&path.to_string_lossy(), note);
+            output.note(&printable(path), note);
         }
         return Ok(of_structure(structure));
     }
     check_format(path, text)?;
-    check_for_crystal(&path.display().to_string(), points)?;
+    check_for_crystal(&printable(path), points)?;
     let in_text = |error| InputError::of_text(path, text, &error);
     let file = read_native(text).map_err(in_text)?;
     let words: Vec<String> = [file.name, file.description]
@@ -85,7 +86,7 @@ pub fn open(
     let bytes = read_bytes(path, BYTE_LIMIT).map_err(named)?;
     if unknown::name(path, &bytes).is_some() {
         let message = unknown::message(path, &bytes);
-        return Err(format!("{}: {message}", path.display()).into());
+        return Err(format!("{}: {message}", printable(path)).into());
     }
     let text = text_of(&uncompressed_name(path), bytes).map_err(named)?;
     read(path, &text, points, output)
@@ -113,7 +114,7 @@ pub fn check_format(path: &Path, text: &str) -> Result<(), String> {
         Ok(())
     } else {
         let message = unknown::message(path, text.as_bytes());
-        Err(format!("{}: {message}", path.display()))
+        Err(format!("{}: {message}", printable(path)))
     }
 }
 

@@ -8,7 +8,7 @@ use super::name::InputName;
 use super::named::{InputError, Named};
 use super::outcome::Outcome;
 use super::output::{Output, write_bytes};
-use super::overwriting::check_not_an_input;
+use super::overwriting::check_output;
 use super::progress::Progress;
 use super::record::Record;
 use acutile_core::tiling::AnyTiling;
@@ -133,7 +133,7 @@ pub fn run(arguments: &DrawArguments, output: &mut Output) -> Outcome {
 
 fn write(arguments: &DrawArguments, output: &mut Output) -> Result<(), InputError> {
     let path = arguments.output.as_deref();
-    check_not_an_input(path, "-o", std::slice::from_ref(&arguments.input))?;
+    check_output(path, "-o", std::slice::from_ref(&arguments.input))?;
     let format = extension::format(path, arguments.format, &FORMATS)?;
     if arguments.standalone && format != DrawFormat::Tikz {
         return Err("--standalone is for --format tikz".to_owned().into());

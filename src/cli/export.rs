@@ -7,7 +7,7 @@ use super::name::InputName;
 use super::named::{InputError, Named};
 use super::outcome::Outcome;
 use super::output::{Output, write_bytes};
-use super::overwriting::check_not_an_input;
+use super::overwriting::check_output;
 use super::record::Record;
 use super::transcribe;
 use acutile_catalog as catalog;
@@ -96,7 +96,7 @@ pub fn run(arguments: &ExportArguments, output: &mut Output) -> Outcome {
 
 fn write(arguments: &ExportArguments, output: &mut Output) -> Result<(), InputError> {
     let path = arguments.output.as_deref();
-    check_not_an_input(path, "-o", std::slice::from_ref(&arguments.input))?;
+    check_output(path, "-o", std::slice::from_ref(&arguments.input))?;
     let text = written(arguments, output)?;
     write_bytes(path, text.as_bytes(), output)
 }

@@ -1,6 +1,8 @@
 //! The extension of an output file promises a format; a contradiction is an error.
 
-use super::output::{Output, is_standard};
+use super::files::is_standard;
+use super::output::Output;
+use super::words::printable;
 use std::path::Path;
 
 /// A format with the words for it and the extensions of its files.
@@ -83,8 +85,8 @@ fn refusal(path: Option<&Path>, written: &str, expected: &[&str]) -> String {
     let names: Vec<String> = expected.iter().map(|name| format!(".{name}")).collect();
     format!(
         "{}: found the extension .{}, but {written} is written, expected the extension {}",
-        path.display(),
-        found.display(),
+        printable(path),
+        printable(found),
         one_of(&names)
     )
 }

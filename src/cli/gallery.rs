@@ -1,9 +1,11 @@
 //! `acutile gallery`: a static site of the whole catalogue.
 
+use super::files::{check_directory, unwritten, write_file};
 use super::named::InputError;
 use super::outcome::Outcome;
-use super::output::{Output, check_directory, unwritten, write_file};
+use super::output::Output;
 use super::record::Record;
+use super::words::printable;
 use acutile_publish::report::{Site, gallery};
 use clap::Args;
 use std::io;
@@ -40,7 +42,7 @@ pub fn run(arguments: &GalleryArguments, output: &mut Output) -> Outcome {
         output.wrote(&arguments.output.join(path), bytes.len());
     }
     let bytes: usize = site.values().map(Vec::len).sum();
-    let directory = arguments.output.display();
+    let directory = printable(&arguments.output);
     output.done_in_words(
         Record::of(None),
         format!("{directory}: {} files, {bytes} bytes", site.len()),
@@ -52,7 +54,7 @@ const MARK: &str = ".acutile-gallery";
 
 /// The directory is not there, is empty, or has a site that this program wrote.
 fn check_own(directory: &Path, force: bool) -> Result<(), String> {
-    let name = directory.display();
+    let name = printable(directory);
     let is_empty = std::fs::read_dir(directory).map_or(true, |mut files| files.next().is_none());
     if is_empty || directory.join(MARK).is_file() || force {
         Ok(())

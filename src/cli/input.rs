@@ -9,6 +9,7 @@ use super::output::Output;
 use super::plane;
 use super::points::{self, PointArguments};
 use super::transcribe;
+use super::words::printable;
 use acutile_catalog as catalog;
 use acutile_core::format;
 use acutile_core::statement::Requirement;
@@ -318,7 +319,7 @@ fn without_mark(mut bytes: Vec<u8>) -> Vec<u8> {
 /// # Errors
 /// A message that names the file.
 pub fn text_or_mesh(path: &Path, options: &MeshArguments) -> Result<TextOrMesh, InputError> {
-    let of_mesh = |error| InputError::of_mesh(&path.display().to_string(), &error);
+    let of_mesh = |error| InputError::of_mesh(&printable(path), &error);
     if let Some(family) = options.mesh_format {
         let loaded = load::load(path, family);
         return loaded.map(TextOrMesh::Mesh).map_err(of_mesh);
@@ -341,7 +342,7 @@ pub fn text_or_mesh(path: &Path, options: &MeshArguments) -> Result<TextOrMesh, 
     }
     if unknown::name(path, &bytes).is_some() {
         let message = unknown::message(path, &bytes);
-        return Err(format!("{}: {message}", path.display()).into());
+        return Err(format!("{}: {message}", printable(path)).into());
     }
     text_of(&uncompressed_name(path), bytes)
         .map(TextOrMesh::Text)

@@ -2,6 +2,7 @@
 
 use super::named::{InputError, Named};
 use super::output::{Output, write_bytes};
+use super::words::printable;
 use acutile_core::statement::counted;
 use acutile_io::mesh::Family;
 use acutile_io::mesh::load::Loaded;
@@ -193,7 +194,7 @@ fn conversion_notes(converted: &Converted, options: &MeshArguments) -> Vec<Strin
     if !moves.is_empty() {
         let largest = moves.iter().map(|m| m.distance).fold(0.0, f64::max);
         let list = match &options.moves {
-            Some(path) => format!("listed in {}", path.display()),
+            Some(path) => format!("listed in {}", printable(path)),
             None => "--moves lists them".to_owned(),
         };
         notes.push(format!(

@@ -1,11 +1,13 @@
 //! `acutile completions` and `acutile man`, generated from the arguments.
 
 use super::args::{Arguments, CompletionsArguments, ManArguments};
+use super::files::{check_directory, is_standard};
 use super::named::InputError;
 use super::outcome::Outcome;
-use super::output::{Output, check_directory, is_standard, write_bytes};
+use super::output::{Output, write_bytes};
 use super::overwriting::check_replaceable;
 use super::record::Record;
+use super::words::printable;
 use clap::builder::Resettable;
 use clap::{Arg, Command, CommandFactory};
 use clap_complete::Shell;
@@ -97,7 +99,7 @@ pub fn man(arguments: &ManArguments, output: &mut Output) -> Outcome {
     }
     let names_command = |command: &Command| folder.as_os_str() == command.get_name();
     if !folder.exists() && program.get_subcommands().any(names_command) {
-        let name = folder.display();
+        let name = printable(folder);
         let message = format!(
             "{name}: found a command, expected a directory for the pages of all commands; \
              `acutile {name} --help` prints its help"

@@ -28,6 +28,7 @@ mod encoding;
 mod export;
 mod extension;
 mod family;
+mod files;
 mod gallery;
 mod input;
 mod integer;

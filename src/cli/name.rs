@@ -1,5 +1,6 @@
 //! An input as the command line gives it: a name of the catalogue, or a file, whose name may be any bytes.
 
+use super::words::printable;
 use acutile_catalog as catalog;
 use clap::builder::{PossibleValue, TypedValueParser, ValueParserFactory};
 use clap::{Arg, Command, Error};
@@ -8,8 +9,8 @@ use std::fmt;
 use std::ops::Deref;
 use std::path::{Path, PathBuf};
 
-/// An input. The text is for messages and for names of the catalogue. [`InputName::path`] opens files,
-/// since the text of a name that is not UTF-8 names no file.
+/// An input. The text is for messages and for names of the catalogue: one line, without control characters.
+/// [`InputName::path`] opens files, since the text of an unusual name names no file.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct InputName {
     raw: OsString,
@@ -20,6 +21,11 @@ impl InputName {
     /// The file with this name, or `-`.
     pub fn path(&self) -> &Path {
         Path::new(&self.raw)
+    }
+
+    /// The name as it was given.
+    pub fn raw(&self) -> &OsStr {
+        &self.raw
     }
 
     /// The path after a prefix of ASCII letters, as in `square-triangle:FILE`.
@@ -40,9 +46,22 @@ impl InputName {
     }
 }
 
+/// Standard input can be read only once.
+///
+/// # Errors
+/// More than one of the names is `-`.
+pub fn check_standard_input<'a>(names: impl Iterator<Item = &'a OsStr>) -> Result<(), String> {
+    match names.filter(|name| *name == "-").count() {
+        0 | 1 => Ok(()),
+        count => Err(format!(
+            "-: standard input is named {count} times, expected once; give the other files by name"
+        )),
+    }
+}
+
 impl From<OsString> for InputName {
     fn from(raw: OsString) -> Self {
-        let text = raw.to_string_lossy().into_owned();
+        let text = printable(&raw);
         InputName { raw, text }
     }
 }

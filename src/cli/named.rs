@@ -1,6 +1,7 @@
 //! A tiling with its name, or why there is none.
 
 use super::outcome::Outcome;
+use super::words::printable;
 use acutile_core::checker::Sides;
 use acutile_core::curved::Element;
 use acutile_core::family::AnyFamily;
@@ -100,7 +101,7 @@ impl InputError {
         let Some(excerpt) = error.excerpt(text) else {
             return Self::of_file(path, error);
         };
-        let (path, line, column) = (path.display(), excerpt.line, excerpt.column);
+        let (path, line, column) = (printable(path), excerpt.line, excerpt.column);
         InputError {
             message: format!(
                 "{path}:{line}:{column}: {}\n{}",
@@ -114,7 +115,7 @@ impl InputError {
     /// One of the program's own files could not be read.
     pub fn of_file(path: &Path, error: &ImportError) -> Self {
         InputError {
-            message: format!("{}: {error}", path.display()),
+            message: format!("{}: {error}", printable(path)),
             outcome: outcome(error.is_limit()),
         }
     }

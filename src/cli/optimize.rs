@@ -1,18 +1,20 @@
 //! `acutile optimize`: better angles for a tiling, proved.
 
 use super::encoding::Encoding;
+use super::files::{Staged, is_standard, unwritten};
 use super::input;
 use super::interrupt;
 use super::named::InputError;
 use super::optimize_arguments::{OptimizeArguments, SymmetryName};
 use super::optimized::Report;
 use super::outcome::Outcome;
-use super::output::{Output, Staged, is_standard, unwritten, write_bytes};
+use super::output::{Output, write_bytes};
 use super::overwriting::check_not_an_input;
 use super::progress::Progress;
 use super::proved as proof;
 use super::record::Record;
 use super::refutation::names;
+use acutile_catalog as catalog;
 use acutile_core::advice::{Advice, Adviser};
 use acutile_core::proved::NotProved;
 use acutile_core::statement::Statement;
@@ -48,6 +50,10 @@ fn answer(arguments: &OptimizeArguments, output: &mut Output) -> Result<Outcome,
     let AnyTiling::Space(mut tiling) = named.tiling else {
         return Err(format!("{input}: found a tiling of the plane, expected one of space").into());
     };
+    if arguments.reorient && catalog::find(input).is_some() {
+        let words = "--reorient is for a tiling or mesh file, which this is not";
+        return Err(format!("{input}: {words}").into());
+    }
     if arguments.reorient {
         tiling.orient();
     }

@@ -4,6 +4,7 @@ use super::claim::{claim_json, summary};
 use super::optimize_arguments::{GoalName, OptimizeArguments};
 use super::output::Output;
 use super::record::Record;
+use super::words::printable;
 use acutile_core::quality::{decimal_range, display_width};
 use acutile_core::statement::{Statement, counted};
 use acutile_optimize::{LocalProof, NotLocal, Reason, value};
@@ -74,7 +75,7 @@ impl Report<'_> {
         {
             lines.push(format!(
                 "  certificate: {}, SHA-256 {}",
-                path.display(),
+                printable(path),
                 found.proved.sha256()
             ));
         }

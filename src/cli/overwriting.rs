@@ -4,8 +4,10 @@
 //! never is. Other files are replaced only if acutile wrote what is there, or with --force. These are files
 //! whose names acutile chooses, in the directory of -o, and starting files, which people edit.
 
+use super::files::check_writable;
 use super::name::InputName;
 use super::plane;
+use super::words::printable;
 use acutile_catalog as catalog;
 use std::ffi::OsStr;
 use std::path::{Path, PathBuf};
@@ -30,9 +32,22 @@ pub fn check_not_an_input(
         None => Ok(()),
         Some((target, input)) => Err(format!(
             "{option} {}: would overwrite the input {input}",
-            target.display()
+            printable(target)
         )),
     }
+}
+
+/// Checks before the work that the file that an option names can be written, and is none of the inputs.
+///
+/// # Errors
+/// A message that names the file.
+pub fn check_output(
+    target: Option<&Path>,
+    option: &str,
+    inputs: &[InputName],
+) -> Result<(), String> {
+    check_not_an_input(target, option, inputs)?;
+    target.map_or(Ok(()), check_writable)
 }
 
 /// The files that an input is read from.
@@ -63,7 +78,7 @@ pub fn check_replaceable(
     let Ok(metadata) = path.symlink_metadata() else {
         return Ok(());
     };
-    let name = path.display();
+    let name = printable(path);
     if !metadata.is_file() {
         return Err(format!(
             "{name}: exists and is no ordinary file, expected a file or a new name"
@@ -99,7 +114,7 @@ pub fn check_different(outputs: &[(&str, Option<&Path>)]) -> Result<(), String> 
         if let Some((first, _)) = given[..k].iter().find(is_same) {
             return Err(format!(
                 "{}: {first} and {second} name one file, expected different files",
-                path.display()
+                printable(path)
             ));
         }
     }

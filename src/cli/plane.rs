@@ -2,6 +2,7 @@
 
 use super::name::InputName;
 use super::named::InputError;
+use super::words::printable;
 use acutile_catalog as catalog;
 use acutile_catalog::plane_file::{FORMAT, PlaneDocument};
 use acutile_catalog::plane_tiling::PlaneTiling;
@@ -38,14 +39,14 @@ pub fn read(path: &Path) -> Result<PlaneTiling, InputError> {
     if let Some(found) = found {
         let message = format!(
             "{}: found {found}, expected a plane-tiling file; `acutile new square-triangle` writes one",
-            path.display()
+            printable(path)
         );
         return Err(message.into());
     }
     let text = text_of(path, bytes).map_err(of_file)?;
     let document: PlaneDocument =
         read_document(&text, FORMAT).map_err(|error| InputError::of_text(path, &text, &error))?;
-    PlaneTiling::try_from(document).map_err(|error| format!("{}: {error}", path.display()).into())
+    PlaneTiling::try_from(document).map_err(|error| format!("{}: {error}", printable(path)).into())
 }
 
 /// The first character of a file that is neither an object of JSON nor a comment.

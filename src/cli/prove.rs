@@ -3,7 +3,7 @@
 use super::answer::{Answer, Examined, Written};
 use super::certify_arguments::CertifyArguments;
 use super::encoding::Encoding;
-use super::output::Staged;
+use super::files::Staged;
 use super::progress::Progress;
 use super::refutation::{LISTED, SHOWN};
 use super::target::Target;

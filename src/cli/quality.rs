@@ -6,7 +6,7 @@ use super::name::InputName;
 use super::named::{InputError, Named};
 use super::outcome::Outcome;
 use super::output::{Output, write_bytes};
-use super::overwriting::check_not_an_input;
+use super::overwriting::check_output;
 use super::progress::Progress;
 use super::record::Record;
 use acutile_core::checker::{self, Names};
@@ -154,7 +154,7 @@ fn write(arguments: &QualityArguments, output: &mut Output) -> Result<(), InputE
     let asked = extension::asked(arguments.format, QualityFormat::Json, output)?;
     let format = extension::format(path, asked, &FORMATS)?;
     let input = &arguments.input;
-    check_not_an_input(path, "-o", std::slice::from_ref(input))?;
+    check_output(path, "-o", std::slice::from_ref(input))?;
     let named = input::tiling(input, arguments.param.as_deref(), &arguments.file, output)?;
     let progress = Progress::of(&named.name);
     progress.step("quality");

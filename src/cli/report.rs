@@ -4,10 +4,10 @@ use super::article::{self, Article};
 use super::extension;
 use super::input::FileArguments;
 use super::limits::LimitArguments;
-use super::name::InputName;
+use super::name::{InputName, check_standard_input};
 use super::outcome::Outcome;
 use super::output::Output;
-use super::overwriting::check_not_an_input;
+use super::overwriting::check_output;
 use super::proved::shown;
 use super::record::Record;
 use clap::Args;
@@ -36,7 +36,8 @@ pub struct ReportArguments {
 pub fn run(arguments: &ReportArguments, output: &mut Output) -> Outcome {
     let path = arguments.output.as_deref();
     output.document_goes_to(path);
-    let checked = check_not_an_input(path, "-o", &arguments.inputs)
+    let checked = check_standard_input(arguments.inputs.iter().map(InputName::raw))
+        .and_then(|()| check_output(path, "-o", &arguments.inputs))
         .and_then(|()| extension::check(path, "a page", extension::PAGE));
     if let Err(message) = checked {
         return output.fail_with(None, message);

@@ -6,6 +6,7 @@ use super::interrupt;
 use super::named::InputError;
 use super::outcome::Outcome;
 use super::output::Output;
+use super::overwriting::check_output;
 use super::plane;
 use super::progress::Progress;
 use super::record::Record;
@@ -95,7 +96,8 @@ pub fn run(arguments: &SearchArguments, output: &mut Output) -> Outcome {
 
 fn search_slabs(arguments: &SlabArguments, output: &mut Output) -> Outcome {
     let path = arguments.output.as_deref();
-    let encoding = match Encoding::of(path, None) {
+    let encoding = check_output(path, "-o", &[]).and_then(|()| Encoding::of(path, None));
+    let encoding = match encoding {
         Ok(encoding) => encoding,
         Err(message) => return output.fail_with(None, message),
     };

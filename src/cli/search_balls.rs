@@ -5,10 +5,12 @@ use super::integer::integer_in;
 use super::interrupt;
 use super::outcome::Outcome;
 use super::output::Output;
+use super::overwriting::check_output;
 use super::progress::Progress;
 use super::record::Record;
 use super::shape::shape;
 use acutile_core::quality::{decimal_range, display_width};
+use acutile_core::statement::counted;
 use acutile_optimize::balls::{Balls, Class, Found, search};
 use acutile_optimize::{Goal, Outcome as Optimized, value};
 use clap::Args;
@@ -46,7 +48,8 @@ pub struct BallArguments {
 /// Builds and optimizes, and says what was tried. Declined where nothing is acute.
 pub fn run(arguments: &BallArguments, output: &mut Output) -> Outcome {
     let path = arguments.output.as_deref();
-    let encoding = match Encoding::of(path, None) {
+    let encoding = check_output(path, "-o", &[]).and_then(|()| Encoding::of(path, None));
+    let encoding = match encoding {
         Ok(encoding) => encoding,
         Err(message) => return output.fail_with(None, message),
     };
@@ -114,17 +117,16 @@ fn words(classes: &[Class], shape: Option<&str>, is_interrupted: bool, output: &
         let rest = &class.rest;
         let set: Vec<String> = class.removed.iter().map(ToString::to_string).collect();
         output.say(format!(
-            "{} tetrahedra without {} vertices [{}] ({} such sets); edges of valence 1 and 2: {} and {}, \
-             {} corners, {} faces, {} dead ends: {}",
-            rest.tetrahedra,
-            rest.removed,
+            "{} without {} [{}] ({}); edges of valence 1 and 2: {} and {}, {}, {}, {}: {}",
+            counted(rest.tetrahedra, "tetrahedron", "tetrahedra"),
+            counted(rest.removed, "vertex", "vertices"),
             set.join(", "),
-            class.sets,
+            counted(class.sets, "such set", "such sets"),
             rest.ridges.0,
             rest.ridges.1,
-            rest.corners,
-            rest.faces,
-            rest.dead_ends,
+            counted(rest.corners, "corner", "corners"),
+            counted(rest.faces, "face", "faces"),
+            counted(rest.dead_ends, "dead end", "dead ends"),
             in_words(&class.result),
         ));
     }

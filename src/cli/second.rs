@@ -7,6 +7,7 @@ use super::named::Named;
 use super::refutation::{Refuted, SecondLook, counts, names};
 use super::region;
 use super::target::Target;
+use super::words::printable;
 use acutile_core::checker::{self, Defect, Findings, Options};
 use acutile_core::curved::Validity;
 use acutile_core::quality::short_decimal;
@@ -83,7 +84,7 @@ pub fn note_on_boundary<const D: usize>(tiling: &Tiling<D>) -> Option<String> {
 
 /// Whether the boundary is the surface of a file, triangle by triangle.
 fn fills(path: &std::path::Path, named: &Named) -> Result<String, Box<Answer>> {
-    let name = path.display();
+    let name = printable(path);
     let AnyTiling::Space(tiling) = &named.tiling else {
         let message = format!("{}: --fills is for tetrahedra", named.name);
         return Err(Box::new(Answer::Failed(message)));

@@ -1,6 +1,7 @@
 //! The polyhedron that `search balls --shape` aims at: a name, or a file with its corners.
 
 use super::named::InputError;
+use super::words::printable;
 use acutile_io::import::read_text;
 use acutile_optimize::balls::target::{NoTarget, Target};
 use std::path::Path;
@@ -140,7 +141,7 @@ fn of_file(path: &Path) -> Result<Target, InputError> {
         let [x, y, z] = words[..] else {
             return Err(format!(
                 "{}: line {}: found {} numbers, expected the three coordinates of a corner",
-                path.display(),
+                printable(path),
                 number + 1,
                 words.len()
             )
@@ -148,5 +149,5 @@ fn of_file(path: &Path) -> Result<Target, InputError> {
         };
         points.push([x, y, z]);
     }
-    Target::of_texts(CUBIC, &points).map_err(|error| format!("{}: {error}", path.display()).into())
+    Target::of_texts(CUBIC, &points).map_err(|error| format!("{}: {error}", printable(path)).into())
 }

@@ -7,6 +7,7 @@ use super::outcome::Outcome;
 use super::output::Output;
 use super::record::Record;
 use super::show_theorem::{self, Shown};
+use super::words::one_line;
 use acutile_catalog as catalog;
 use acutile_core::family::spans::{Extreme, Spans, spans};
 use acutile_core::family::{Family, point_in_words};
@@ -106,7 +107,7 @@ fn of_theorem(input: &InputName, read: &Read) -> Option<Result<Shown, String>> {
 
 fn of_tiling(named: &Named, list: List) -> Shown {
     let mut shown = with_dimension!(&named.tiling, AnyTiling, t => show(t, list));
-    let title = format!("{}: {}", named.name, named.description);
+    let title = format!("{}: {}", named.name, one_line(&named.description));
     shown.lines.insert(0, title);
     shown.data["description"] = json!(named.description);
     shown
@@ -161,7 +162,7 @@ fn show<const D: usize>(tiling: &Tiling<D>, list: List) -> Shown {
 
 fn of_family(named: &NamedFamily) -> Shown {
     let mut shown = with_family!(&named.family, f => show_family(f));
-    let title = format!("{}: {}", named.name, named.description);
+    let title = format!("{}: {}", named.name, one_line(&named.description));
     shown.lines.insert(0, title);
     shown.data["description"] = json!(named.description);
     shown

@@ -3,6 +3,7 @@
 use super::named::InputError;
 use super::output::Output;
 use super::points::outcome_of;
+use super::words::one_line;
 use acutile_core::classify::{Surroundings, polyhedra, surroundings};
 use acutile_core::delaunay::{Cell, cells_and_triangulation};
 use acutile_core::tiling::{PointSet, Tiling};
@@ -196,7 +197,7 @@ pub fn in_words(name: &str, report: &Value, output: &mut Output) {
     }
     let sites = report["sites"].as_array().map_or(&[][..], Vec::as_slice);
     for site in sites.iter().take(PRINTED) {
-        let label = site["label"].as_str().unwrap_or("points");
+        let label = one_line(site["label"].as_str().unwrap_or("points"));
         let wyckoff = site["wyckoff"]
             .as_str()
             .map_or_else(String::new, |w| format!(", {w}"));

@@ -2,7 +2,7 @@
 
 use super::classify::of_study;
 use super::input::{self, FileArguments, Loaded};
-use super::name::InputName;
+use super::name::{InputName, check_standard_input};
 use super::named::InputError;
 use super::outcome::Outcome;
 use super::output::Output;
@@ -40,6 +40,9 @@ pub fn run(arguments: &TableArguments, output: &mut Output) -> Outcome {
         Ok(format) => format.unwrap_or(TableFormat::Text),
         Err(message) => return output.fail_with(None, message),
     };
+    if let Err(message) = check_standard_input(arguments.inputs.iter().map(InputName::raw)) {
+        return output.fail_with(None, message);
+    }
     let wanted: Vec<InputName> = if arguments.inputs.is_empty() {
         let names: Vec<&str> = catalog::names().collect();
         let names = table::order(&names);

@@ -2,9 +2,10 @@
 
 use super::certify_arguments::CertifyArguments;
 use super::encoding::Encoding;
+use super::files::{check_directory, check_writable, is_standard};
 use super::name::InputName;
-use super::output::{check_directory, is_standard};
-use super::overwriting::{check_not_an_input, check_replaceable};
+use super::overwriting::{check_not_an_input, check_output, check_replaceable};
+use super::words::printable;
 use acutile_catalog as catalog;
 use acutile_core::format::recognise;
 use acutile_io::import::{is_gzip, uncompressed_name};
@@ -36,10 +37,10 @@ pub fn targets(inputs: &[InputName], arguments: &CertifyArguments) -> Result<Vec
     if several {
         check_directory(path)?;
         std::fs::create_dir_all(path)
-            .map_err(|error| format!("{}: cannot be made a directory: {error}", path.display()))?;
+            .map_err(|error| format!("{}: cannot be made a directory: {error}", printable(path)))?;
     }
     if !path.is_dir() {
-        check_not_an_input(Some(path), "-o", inputs)?;
+        check_output(Some(path), "-o", inputs)?;
         Encoding::of(Some(path), arguments.format)?;
         return Ok(vec![Target::File(path.to_path_buf())]);
     }
@@ -50,7 +51,7 @@ pub fn targets(inputs: &[InputName], arguments: &CertifyArguments) -> Result<Vec
         if let Some(other) = names.insert(name.clone(), input) {
             return Err(format!(
                 "{other} and {input} would both be written to {}",
-                name.display()
+                printable(name)
             ));
         }
     }
@@ -58,6 +59,7 @@ pub fn targets(inputs: &[InputName], arguments: &CertifyArguments) -> Result<Vec
         let file = path.join(file_name(input, encoding));
         check_not_an_input(Some(&file), "-o", inputs)?;
         check_replaceable(&file, |bytes| recognise(bytes).is_some(), arguments.force)?;
+        check_writable(&file)?;
         Ok(Target::File(file))
     };
     inputs.iter().map(file).collect()
@@ -65,7 +67,7 @@ pub fn targets(inputs: &[InputName], arguments: &CertifyArguments) -> Result<Vec
 
 /// The name of a new file or directory promises nothing that is not kept.
 fn check_name(path: &Path, several: bool) -> Result<(), String> {
-    let name = path.display();
+    let name = printable(path);
     if path.is_dir() {
         return Ok(());
     }

@@ -1,7 +1,7 @@
 //! Theorems about all members of a family: proved by a system of patches, and cited for a member.
 
 use super::answer::{Answer, Written, unwritten};
-use super::certify_arguments::CertifyArguments;
+use super::certify_arguments::{CertifyArguments, Takes};
 use super::document::check_for_crystal;
 use super::input::check_for_mesh;
 use super::name::InputName;
@@ -34,10 +34,7 @@ pub fn of_input(
 ) -> Option<Result<Proof, InputError>> {
     let named = |message: String| InputError::from(format!("{input}: {message}"));
     if let Some(entry) = catalog::theorem(input) {
-        let options = check_for_crystal(input, &arguments.file.points)
-            .and_then(|()| check_for_mesh(input, &arguments.file.mesh))
-            .and_then(|()| check_no_parameter(input, arguments));
-        let proof = options.map_err(InputError::from);
+        let proof = check_options(input, arguments).map_err(InputError::from);
         return Some(proof.and_then(|()| proved(entry, None, arguments).map_err(named)));
     }
     if !arguments.cite {
@@ -51,6 +48,9 @@ pub fn of_input(
             "--cite is for a member of a theorem, expected {expected}WORD"
         ))));
     };
+    if let Err(message) = check_options(input, arguments) {
+        return Some(Err(message.into()));
+    }
     let word = &input[entry.family.len()..];
     let member = match entry.family {
         "kagome:" => catalog::kagome_blocks(word)
@@ -61,7 +61,11 @@ pub fn of_input(
     Some(member.and_then(|member| proved(entry, Some(member), arguments).map_err(named)))
 }
 
-fn check_no_parameter(input: &InputName, arguments: &CertifyArguments) -> Result<(), String> {
+/// No option is given that means nothing for a theorem.
+fn check_options(input: &InputName, arguments: &CertifyArguments) -> Result<(), String> {
+    check_for_crystal(input, &arguments.file.points)?;
+    check_for_mesh(input, &arguments.file.mesh)?;
+    arguments.check_for(input, Takes::default())?;
     if arguments.param.is_some() {
         Err(format!(
             "{input}: a theorem takes no parameter, expected no --param"

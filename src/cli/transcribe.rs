@@ -1,10 +1,12 @@
 //! `acutile convert` for certificates: the same certificate in its other encoding.
 
 use super::encoding::Encoding;
+use super::files::is_standard;
 use super::name::InputName;
 use super::named::InputError;
 use super::outcome::Outcome;
-use super::output::{Output, is_standard, write_bytes};
+use super::output::{Output, write_bytes};
+use super::words::printable;
 use acutile_catalog as catalog;
 use acutile_core::format::{self, VERSION, print, recognise};
 use acutile_core::refusal::exceeded;
@@ -127,7 +129,7 @@ fn refused(input: &str, code: &str, message: &str, is_declined: bool) -> InputEr
 
 /// How a tiling comes to a certificate.
 fn way(input: &str, path: &Path) -> String {
-    let path = path.display();
+    let path = printable(path);
     format!("`acutile certify {input} -o {path}` proves a tiling and writes its certificate")
 }
 
@@ -138,7 +140,7 @@ fn check_target(path: &Path) -> Result<(), String> {
         Err(format!(
             "{}: the input is a certificate, expected the extension .json or .cbor, or that of a mesh format; \
              certificates are not compressed",
-            path.display()
+            printable(path)
         ))
     }
 }

@@ -47,12 +47,9 @@ fn with_negative_values(command: clap::Command) -> clap::Command {
 fn ended(given: &[OsString], error: &Error) -> ExitCode {
     let before_dashes = || given.iter().take_while(|argument| *argument != "--");
     if error.use_stderr() && before_dashes().any(|argument| argument == "--json") {
-        let program = Arguments::command();
-        let commands = program.get_subcommands().map(|command| command.get_name());
-        let commands: Vec<&str> = commands.collect();
-        let mut words = before_dashes().filter_map(|argument| argument.to_str());
-        let command = words.find(|word| commands.contains(word));
-        let mut output = Output::of_command(command.unwrap_or_default(), true);
+        let command = command_of(given);
+        let name = command.as_ref().map_or("", |command| command.get_name());
+        let mut output = Output::of_command(name, true);
         let message = in_plain_words(error.render().to_string());
         let error = InputError::from(message.trim().trim_start_matches("error: ").to_owned());
         output.fail(None, &error);
@@ -61,13 +58,21 @@ fn ended(given: &[OsString], error: &Error) -> ExitCode {
     // Nothing is left to do where printing fails.
     let _ = if error.use_stderr() {
         let text = in_plain_words(error.render().ansi().to_string());
-        let advice = command_missing(error).or_else(|| argument_advice(error));
+        let advice = command_missing(error).or_else(|| argument_advice(given, error));
         let advice = advice.unwrap_or_default();
         write!(anstream::stderr(), "{text}{advice}")
     } else {
         error.print()
     };
     ExitCode::from(u8::try_from(error.exit_code()).unwrap_or(2))
+}
+
+/// The command that is given, as clap knows it.
+fn command_of(given: &[OsString]) -> Option<clap::Command> {
+    let program = Arguments::command();
+    let words = given.iter().take_while(|argument| *argument != "--");
+    let mut words = words.filter_map(|argument| argument.to_str());
+    words.find_map(|word| program.find_subcommand(word).cloned())
 }
 
 /// Advice where a construction or a file stands in the place of a command, or a name that is nearly a command.
@@ -97,16 +102,11 @@ fn command_missing(error: &Error) -> Option<String> {
     Some(format!("\nDid you mean `acutile help {command}`?\n"))
 }
 
-/// Advice where the input is missing, and where a command without -o gets it.
-fn argument_advice(error: &Error) -> Option<String> {
+/// Advice where an argument is missing, and where a command without -o gets it.
+fn argument_advice(given: &[OsString], error: &Error) -> Option<String> {
     match (error.kind(), error.get(ContextKind::InvalidArg)?) {
         (ErrorKind::MissingRequiredArgument, ContextValue::Strings(missing)) => {
-            let is_input = |name: &String| name.contains("NAME|FILE");
-            missing.iter().any(is_input).then(|| {
-                "\n`acutile list` names the constructions of the catalogue, and `acutile new KIND` \
-                 writes an example of a file.\n"
-                    .to_owned()
-            })
+            Some(missing_advice(&command_of(given)?, missing))
         }
         _ if is_about_output(error) => Some(
             "\nThis command writes to standard output, and a shell writes that to a file: > FILE\n"
@@ -114,6 +114,36 @@ fn argument_advice(error: &Error) -> Option<String> {
         ),
         _ => None,
     }
+}
+
+/// Where the missing input comes from, and the first example of the command.
+fn missing_advice(command: &clap::Command, missing: &[String]) -> String {
+    const FILES: [(&str, &str); 2] = [
+        (
+            "verify",
+            "A certificate is missing. `acutile certify a15 -o a15.cbor` writes one.",
+        ),
+        (
+            "delaunay",
+            "A file of points is missing. `acutile new point-set` writes an example of one, and a CIF is one too.",
+        ),
+    ];
+    let of_command = |(name, _): &&(&str, &str)| *name == command.get_name();
+    let source = match FILES.iter().find(of_command) {
+        Some((_, words)) => format!("\n{words}\n"),
+        None if missing.iter().any(|name| name.contains("NAME|FILE")) => {
+            "\n`acutile list` names the constructions of the catalogue, and `acutile new KIND` \
+             writes an example of a file.\n"
+                .to_owned()
+        }
+        None => String::new(),
+    };
+    let help = command.get_after_long_help().map(ToString::to_string);
+    let example = help.as_deref().and_then(|help| help.lines().nth(1));
+    let example = example.map_or(String::new(), |line| {
+        format!("\nExample: {}\n", line.trim())
+    });
+    format!("{source}{example}")
 }
 
 /// Whether -o is given to a command that has no such option.

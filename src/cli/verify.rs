@@ -3,10 +3,11 @@
 use super::claim::{claim_json, statements, summary};
 use super::counts::Counts;
 use super::limits::LimitArguments;
+use super::name::check_standard_input;
 use super::outcome::{Outcome, exit_outcome};
 use super::output::Output;
 use super::record::Record;
-use super::words::{name, one_line};
+use super::words::{name, one_line, printable};
 use acutile_catalog as catalog;
 use acutile_core::format::json::JsonError;
 use acutile_core::format::{self, CLAIM_FORMAT, Encoding, recognise};
@@ -55,7 +56,9 @@ enum Verdict {
 /// Verifies every file, a line each. Gives 0 if all are verified. Else it gives 1 if one is rejected,
 /// else 2 if one is malformed or unreadable, else 3: one is declined.
 pub fn run(arguments: &VerifyArguments, output: &mut Output) -> Outcome {
-    let claim = check_standard_input(arguments)
+    let files = arguments.files.iter().map(OsString::as_os_str);
+    let claim = arguments.claim.iter().map(|path| path.as_os_str());
+    let claim = check_standard_input(files.chain(claim))
         .and_then(|()| arguments.claim.as_deref().map(read_claim).transpose());
     let claim = match claim {
         Ok(claim) => claim,
@@ -78,30 +81,16 @@ pub fn run(arguments: &VerifyArguments, output: &mut Output) -> Outcome {
     exit_outcome(code)
 }
 
-/// Standard input can be read only once.
-fn check_standard_input(arguments: &VerifyArguments) -> Result<(), String> {
-    let files = arguments.files.iter().map(OsString::as_os_str);
-    let claim = arguments.claim.iter().map(|path| path.as_os_str());
-    let count = files.chain(claim).filter(|name| *name == "-").count();
-    if count > 1 {
-        Err(format!(
-            "-: standard input is named {count} times, expected once; give the other files by name"
-        ))
-    } else {
-        Ok(())
-    }
-}
-
 /// The claim file of --claim, or of standard input for `-`.
 fn read_claim(path: &Path) -> Result<String, String> {
     let bytes = read_bytes(path, BYTE_LIMIT);
     let text = bytes.map(|bytes| String::from_utf8_lossy(&bytes).into_owned());
-    let text = text.map_err(|error| format!("--claim: {}: {error}", path.display()))?;
+    let text = text.map_err(|error| format!("--claim: {}: {error}", printable(path)))?;
     match format_of(text.as_bytes()).as_deref() {
         Some(CLAIM_FORMAT) => Ok(text),
         found => Err(format!(
             "--claim: {}: found {}, expected a claim file; `acutile-verify --print-claim F.cbor` prints one",
-            path.display(),
+            printable(path),
             found.map_or("no claim".to_owned(), |found| format!(
                 "the format {found:?}"
             ))

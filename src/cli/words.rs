@@ -25,6 +25,11 @@ pub fn name(file: &OsStr) -> String {
     quoted + "\""
 }
 
+/// The name of a file in a message, in one line, so that no name can forge another answer.
+pub fn printable(file: impl AsRef<OsStr>) -> String {
+    one_line(&file.as_ref().to_string_lossy())
+}
+
 /// A text in one line: whatever is not printable is escaped.
 pub fn one_line(text: &str) -> String {
     let mut line = String::with_capacity(text.len());

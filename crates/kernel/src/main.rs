@@ -76,7 +76,7 @@ fn parse() -> Result<Result<Options, &'static str>, String> {
             options.files.push(word);
             continue;
         }
-        let mut value = || words.next().ok_or(format!("{option} needs a value; try --help"));
+        let mut value = || words.next().ok_or(format!("{option}: found no value, expected one; try --help"));
         let limits = &mut options.limits;
         match option.as_str() {
             "--" => is_file = true,
@@ -101,7 +101,7 @@ fn parse() -> Result<Result<Options, &'static str>, String> {
         }
     }
     if options.files.is_empty() {
-        return Err("no file; try --help".into());
+        return Err("found no file, expected a certificate; try --help".into());
     }
     Ok(Ok(options))
 }
@@ -139,7 +139,7 @@ fn check(file: &OsString, options: &Options) -> Result<Verified, Failure> {
         Some(claim) if claim != found.claim.print().as_bytes() => Err(Failure {
             verdict: "rejected",
             code: "other-claim",
-            words: "the certificate proves another claim".into(),
+            words: "it proves another claim; --print-claim prints it".into(),
         }),
         _ => Ok(found),
     }

@@ -16,7 +16,7 @@ pub fn refusal(refusal: &Refusal, length: Option<u64>) -> String {
         Value::Nothing => place,
         Value::Integer(value) => format!("{place}: found {value}"),
         Value::Quotient(p, q) => format!("{place}: found {}", quotient(p, q)),
-        Value::Limit("work", _) => format!("{place}: use a larger --max-work; without it, {}", Limits::DEFAULT.work),
+        Value::Limit("work", _) => format!("{place}: use a larger --max-work; the default is {}", Limits::DEFAULT.work),
         Value::Limit(name, suffices) => {
             let suffices = suffices.or(length).unwrap_or(u64::MAX);
             format!("{place}: use --max-{name} {suffices}")

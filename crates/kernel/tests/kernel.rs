@@ -255,7 +255,7 @@ fn the_program_has_one_line_for_each_file_and_the_worst_exit_code() {
     assert_eq!(exit, 3);
     assert!(out.contains("declined [too-many-simplices]") && out.contains("--max-simplices 2"), "{out}");
     let (exit, out) = text(&program(&["--max-work", "0", &good], b""));
-    assert!(exit == 3 && out.contains("use a larger --max-work; without it, 3000000000"), "{out}");
+    assert!(exit == 3 && out.contains("use a larger --max-work; the default is 3000000000"), "{out}");
     let length = valid().len();
     let (exit, out) = text(&program(&["--max-bytes", "10", &good], b""));
     assert!(exit == 3 && out.contains(&format!("--max-bytes {length}")), "{out}");

@@ -16,7 +16,10 @@ pub fn read_text(bytes: &[u8]) -> Result<Mesh, MeshError> {
     let mut medit = Medit::default();
     while let Some(word) = source.try_word() {
         match word {
-            b"End" => break,
+            b"End" => match source.try_word() {
+                None => break,
+                Some(word) => return Err(source.unexpected(word, "the end of the file after End")),
+            },
             b"Dimension" => medit.dimension = dimension(&mut source)?,
             b"Vertices" => {
                 let count = source.int("the number of vertices")?;
@@ -95,6 +98,11 @@ pub fn read_binary(bytes: &[u8]) -> Result<Mesh, MeshError> {
         }
         let keyword = source.int("a keyword")?;
         if keyword == 54 {
+            // Some writers add the position of a next keyword, which is 0.
+            let rest = source.take(source.remaining(), "the end")?;
+            if rest.iter().any(|byte| *byte != 0) {
+                return Err(source.error("found bytes after the keyword End (54), expected none"));
+            }
             return medit.finish();
         }
         let next = match version {

@@ -174,6 +174,7 @@ fn cards(bytes: &[u8]) -> Result<Vec<Card>, MeshError> {
     let begin = numbered(bytes).find(|(_, line)| is_begin(line));
     let first = begin.map_or(0, |(number, _)| number);
     let mut cards: Vec<Card> = Vec::new();
+    let mut has_ended = false;
     for (number, line) in numbered(bytes).skip_while(|(number, _)| *number <= first) {
         let line = line.split(|&byte| byte == b'$').next().unwrap_or_default();
         if line.trim_ascii().is_empty() {
@@ -181,8 +182,14 @@ fn cards(bytes: &[u8]) -> Result<Vec<Card>, MeshError> {
         }
         let (name, fields) = split(&expanded(line));
         let name = name.trim().to_ascii_uppercase();
+        if has_ended {
+            let found = String::from_utf8_lossy(line.trim_ascii());
+            let problem = format!("found {found:?} after ENDDATA, expected the end of the file");
+            return Err(MeshError::at(Place::Line(number), problem));
+        }
         if name == "ENDDATA" {
-            break;
+            has_ended = true;
+            continue;
         }
         let is_continuation = name.is_empty() || name.starts_with(['+', '*']);
         match cards.last_mut() {

@@ -90,10 +90,14 @@ impl Origin {
         label.filter(|&label| label != 0)
     }
 
-    /// A label as the file names it: `tag 7 "steel"`.
+    /// A label as the file names it: `tag 7 "steel"`, without control characters.
     pub fn label_name(&self, label: i64) -> String {
         match self.names.get(&label) {
-            Some(name) => format!("tag {label} \"{name}\""),
+            Some(name) => {
+                let printable = |c: char| if c.is_control() { '\u{fffd}' } else { c };
+                let name: String = name.chars().map(printable).collect();
+                format!("tag {label} \"{name}\"")
+            }
             None => format!("tag {label}"),
         }
     }
