@@ -2,6 +2,7 @@
 
 use super::common::{acutile, code, file};
 use super::mesh_cases::{case, certify, grid};
+use std::path::Path;
 
 /// Arrays of texts and of variants stand before and after the labels 7 and 8.
 #[test]
@@ -96,6 +97,12 @@ fn nothing_follows_the_end_of_a_mesh() {
     let run = acutile(["convert", &path.to_string_lossy(), &binary]);
     assert_eq!(code(&run), 0);
     let binary = std::fs::read(&*binary).expect("written");
+    let vtu = |name| {
+        let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/meshes");
+        std::fs::read(path.join(name)).expect("a file of the tests")
+    };
+    let (text, appended) = (vtu("meshio-text.vtu"), vtu("vtk-appended-64.vtu"));
+    let second = "found a second VTKFile, expected the end of the file";
     for (name, text, nothing, words) in [
         (
             "a.mesh",
@@ -115,6 +122,8 @@ fn nothing_follows_the_end_of_a_mesh() {
             &[0; 4],
             "found bytes after the keyword End (54), expected none",
         ),
+        ("text.vtu", &text, b"\n<!-- a comment -->\n", second),
+        ("appended.vtu", &appended, b"\n", second),
     ] {
         let path = folder.path().join(name);
         for (rest, expected) in [(nothing, 0), (text, 2)] {

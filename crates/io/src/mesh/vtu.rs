@@ -10,7 +10,7 @@ use super::source::{Encoding, Source, shown};
 use super::unknown::READ;
 use super::vtk_cells::Cells;
 use super::vtu_data::{Compressor, Kind, Layout, doubles, integers, unpack};
-use super::vtu_parts::{Appended, Lines, length_before, split};
+use super::vtu_parts::{Appended, Lines, SECOND, length_before, split};
 use quick_xml::Reader;
 use quick_xml::events::{BytesStart, Event};
 use std::collections::BTreeMap;
@@ -114,6 +114,7 @@ impl<'a> Reading<'a> {
     ) -> Result<bool, MeshError> {
         let attributes = attributes(tag, place)?;
         match name(tag).as_str() {
+            "VTKFile" if self.layout.is_some() => return Err(MeshError::at(place, SECOND)),
             "VTKFile" => self.layout = Some(layout(&attributes, place)?),
             "Piece" => {
                 *piece = Some(Piece {

@@ -17,7 +17,7 @@ pub struct Appended<'a> {
 
 /// The XML before the appended data, and these.
 pub fn split(bytes: &[u8]) -> Result<(&str, Option<Appended<'_>>), MeshError> {
-    let start = appended_start(bytes);
+    let start = position(bytes, b"<AppendedData");
     let head = &bytes[..start.unwrap_or(bytes.len())];
     let xml = std::str::from_utf8(head).map_err(|error| {
         let byte = error.valid_up_to() as u64;
@@ -47,6 +47,10 @@ pub fn split(bytes: &[u8]) -> Result<(&str, Option<Appended<'_>>), MeshError> {
     let underscore = rest[close..].iter().position(|&byte| byte == b'_');
     let underscore = underscore.ok_or_else(|| wrong("the appended data have no underscore"))?;
     let data = close + underscore + 1;
+    if let Some(second) = position(&rest[data..], b"<VTKFile") {
+        let place = Place::Byte((start + data + second) as u64);
+        return Err(MeshError::at(place, SECOND));
+    }
     Ok((
         xml,
         Some(Appended {
@@ -57,15 +61,18 @@ pub fn split(bytes: &[u8]) -> Result<(&str, Option<Appended<'_>>), MeshError> {
     ))
 }
 
-/// The first byte of the tag AppendedData.
-fn appended_start(bytes: &[u8]) -> Option<usize> {
+/// What is wrong with a file that has another one behind it.
+pub const SECOND: &str = "found a second VTKFile, expected the end of the file";
+
+/// Where this tag, which begins with its bracket, is in the bytes.
+fn position(bytes: &[u8], tag: &[u8]) -> Option<usize> {
     let mut at = 0;
     loop {
         at += length_before(&bytes[at..], b'<');
         if at == bytes.len() {
             return None;
         }
-        if bytes[at..].starts_with(b"<AppendedData") {
+        if bytes[at..].starts_with(tag) {
             return Some(at);
         }
         at += 1;
