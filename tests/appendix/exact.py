@@ -1,5 +1,5 @@
 """Exact numbers: Q(a), signs by halving the root's interval, cosines by Taylor's series."""
-import itertools
+import functools, itertools
 from fractions import Fraction as F
 
 
@@ -72,11 +72,20 @@ class El:
             c.pop()
         self.c = c or [F(0)]
 
+    @classmethod
+    def rational(cls, k, x):
+        """The same without the work of __init__, for most numbers are rational."""
+        number = cls.__new__(cls)
+        number.k, number.c = k, [x]
+        return number
+
     def lift(self, other):
         return other if isinstance(other, El) else El(self.k, [F(other)])
 
     def __add__(self, o):
         o = self.lift(o)
+        if len(self.c) == len(o.c) == 1:
+            return El.rational(self.k, self.c[0] + o.c[0])
         return El(self.k, [a + b for a, b in itertools.zip_longest(self.c, o.c, fillvalue=F(0))])
 
     def __neg__(self):
@@ -87,6 +96,8 @@ class El:
 
     def __mul__(self, o):
         o = self.lift(o)
+        if len(self.c) == len(o.c) == 1:
+            return El.rational(self.k, self.c[0] * o.c[0])
         c = [F(0)] * (len(self.c) + len(o.c) - 1)
         for i, a in enumerate(self.c):
             for j, b in enumerate(o.c):
@@ -100,6 +111,9 @@ class El:
 
     def inverse(self):
         """Solves x y = 1 for the coefficients of y."""
+        if len(self.c) == 1:
+            must(self.c[0] != 0, "division by zero")
+            return El.rational(self.k, 1 / self.c[0])
         n = self.k.n
         rows = [[F(0)] * (n + 1) for _ in range(n)]
         for j in range(n):
@@ -136,8 +150,8 @@ class El:
         return lo, hi
 
     def sign(self):
-        if all(c == 0 for c in self.c):
-            return 0
+        if len(self.c) == 1:
+            return (self.c[0] > 0) - (self.c[0] < 0)
         for _ in range(2000):
             lo, hi = self.bounds()
             if lo > 0 or hi < 0:
@@ -155,6 +169,7 @@ def sign_of_difference(signed_square, x):
     return s * (signed_square * s - x * x).sign()
 
 
+@functools.cache
 def cosine(degrees):
     """Rational bounds of cos, by Taylor's series; pi from Machin's formula."""
     def atan(n):

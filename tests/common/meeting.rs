@@ -16,11 +16,16 @@ type Fraction = Ratio<i128>;
 /// greatest weight on the points that are not common occurs at a vertex of this polytope, that is with
 /// linearly independent columns. All choices of columns are tried.
 pub fn meet_elsewhere(p: &[Point], q: &[Point], common: &[Point]) -> bool {
+    if (0..3).any(|k| are_apart(p, q, k)) {
+        return false;
+    }
     let first = p.iter().map(|x| [x[0], x[1], x[2], 1, 0]);
     let second = q.iter().map(|x| [-x[0], -x[1], -x[2], 0, 1]);
     let columns: Vec<[i64; 5]> = first.chain(second).collect();
+    let others = (0..p.len()).filter(|&k| !common.contains(&p[k]));
+    let others: u32 = others.map(|k| 1 << k).sum();
     (1u32..1 << columns.len())
-        .filter(|set| set.count_ones() <= 5)
+        .filter(|set| set.count_ones() <= 5 && set & others != 0)
         .any(|set| {
             let chosen: Vec<usize> = (0..columns.len()).filter(|k| set >> k & 1 == 1).collect();
             let Some(weights) = solve(&chosen.iter().map(|&k| columns[k]).collect::<Vec<_>>())
@@ -31,8 +36,15 @@ pub fn meet_elsewhere(p: &[Point], q: &[Point], common: &[Point]) -> bool {
                 && chosen
                     .iter()
                     .zip(&weights)
-                    .any(|(&k, w)| k < p.len() && !common.contains(&p[k]) && w.is_positive())
+                    .any(|(&k, w)| others >> k & 1 == 1 && w.is_positive())
         })
+}
+
+/// Whether a plane across this axis has the first points on one side and the second ones on the other.
+fn are_apart(p: &[Point], q: &[Point], axis: usize) -> bool {
+    let greatest = |points: &[Point]| points.iter().map(|x| x[axis]).max();
+    let least = |points: &[Point]| points.iter().map(|x| x[axis]).min();
+    greatest(p) < least(q) || greatest(q) < least(p)
 }
 
 /// The weights with which independent columns give (0, 0, 0, 1, 1), by elimination.

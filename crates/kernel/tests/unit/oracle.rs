@@ -11,9 +11,11 @@ pub(crate) fn meet_elsewhere(p: &[[i64; 3]], q: &[[i64; 3]], is_common: &[bool])
     let first = p.iter().map(|x| [x[0], x[1], x[2], 1, 0]);
     let second = q.iter().map(|x| [-x[0], -x[1], -x[2], 0, 1]);
     let columns: Vec<[i64; 5]> = first.chain(second).collect();
-    (1u32..1 << columns.len()).filter(|set| set.count_ones() <= 5).any(|set| {
+    let counts = |k: usize| k < p.len() && !is_common[k];
+    let counting: u32 = (0..p.len()).filter(|&k| counts(k)).map(|k| 1 << k).sum();
+    let mut sets = (1u32..1 << columns.len()).filter(|set| set.count_ones() <= 5 && set & counting != 0);
+    sets.any(|set| {
         let chosen: Vec<usize> = (0..columns.len()).filter(|k| set >> k & 1 == 1).collect();
-        let counts = |k: usize| k < p.len() && !is_common[k];
         let Some(signs) = solve(&chosen.iter().map(|&k| columns[k]).collect::<Vec<_>>()) else {
             return false;
         };
@@ -25,20 +27,22 @@ pub(crate) fn meet_elsewhere(p: &[[i64; 3]], q: &[[i64; 3]], is_common: &[bool])
 /// without fractions (Bareiss). Overflow panics.
 fn solve(columns: &[[i64; 5]]) -> Option<Vec<i128>> {
     let n = columns.len();
-    let mut rows: Vec<Vec<i128>> = (0..5)
-        .map(|r| {
-            let left = columns.iter().map(|column| i128::from(column[r]));
-            left.chain([i128::from(r >= 3)]).collect()
-        })
-        .collect();
+    // The right side is behind the columns.
+    let mut rows = [[0; 6]; 5];
+    for (r, row) in rows.iter_mut().enumerate() {
+        for (x, column) in row.iter_mut().zip(columns) {
+            *x = i128::from(column[r]);
+        }
+        row[n] = i128::from(r >= 3);
+    }
     let mut last = 1;
     for k in 0..n {
         let pivot = (k..5).find(|&r| rows[r][k] != 0)?;
         rows.swap(k, pivot);
-        let row = rows[k].clone();
+        let row = rows[k];
         for (r, other) in rows.iter_mut().enumerate().filter(|(r, _)| *r != k) {
             let factor = other[k];
-            for (x, y) in other.iter_mut().zip(&row) {
+            for (x, y) in other.iter_mut().zip(&row).take(n + 1) {
                 *x = (row[k] * *x - factor * y) / last;
             }
             // The diagonal keeps one value in all rows that are done.

@@ -164,29 +164,35 @@ impl Case {
     /// common corners, by the oracle.
     fn some_meet_elsewhere(&self, lists: &[Vec<Corner>], reach: i32) -> bool {
         let translations = self.translations(reach);
+        let boxes: Vec<[[i64; 2]; 3]> = lists.iter().map(|list| self.bounding_box(list)).collect();
         lists.iter().enumerate().any(|(k, p)| {
             lists[..=k].iter().enumerate().any(|(l, q)| {
                 translations.iter().filter(|&&by| k != l || by > [0; 3]).any(|&by| {
-                    let moved = |c: &Corner| c.moved_by(Corner { vertex: 0, shift: by });
-                    let q: Vec<Corner> = q.iter().map(moved).collect();
-                    self.meet_elsewhere(p, &q)
+                    let apart = |axis: usize| {
+                        let step = i64::from(by[axis]) * self.denominator;
+                        let ([a, b], [c, d]) = (boxes[k][axis], boxes[l][axis]);
+                        b < c + step || d + step < a
+                    };
+                    !(0..3).any(apart) && self.meet_elsewhere(p, q, by)
                 })
             })
         })
     }
 
-    fn meet_elsewhere(&self, p: &[Corner], q: &[Corner]) -> bool {
+    /// The least and the greatest coordinate of the corners along each axis.
+    fn bounding_box(&self, list: &[Corner]) -> [[i64; 2]; 3] {
+        [0, 1, 2].map(|k| {
+            let values = || list.iter().map(|corner| self.place(*corner)[k]);
+            [values().min().unwrap(), values().max().unwrap()]
+        })
+    }
+
+    /// Whether p and the translate of q meet elsewhere than in the hull of their common corners.
+    fn meet_elsewhere(&self, p: &[Corner], q: &[Corner], by: [i32; 3]) -> bool {
+        let q: Vec<Corner> = q.iter().map(|c| c.moved_by(Corner { vertex: 0, shift: by })).collect();
         let common: Vec<bool> = p.iter().map(|corner| q.contains(corner)).collect();
-        let [p, q] = [p, q].map(|list| list.iter().map(|c| self.place(*c)).collect::<Vec<_>>());
-        let apart = (0..3).any(|k| {
-            let ends = |list: &[Point]| {
-                let values = list.iter().map(|x| x[k]);
-                (values.clone().min().unwrap(), values.max().unwrap())
-            };
-            let (a, b) = (ends(&p), ends(&q));
-            a.1 < b.0 || b.1 < a.0
-        });
-        !apart && meet_elsewhere(&p, &q, &common)
+        let [p, q] = [p, &q].map(|list| list.iter().map(|c| self.place(*c)).collect::<Vec<_>>());
+        meet_elsewhere(&p, &q, &common)
     }
 }
 
