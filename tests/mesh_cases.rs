@@ -96,6 +96,35 @@ fn parametric_nodes_of_version_2_have_their_parameters() {
     assert!(out.contains("tag 7 \"k\u{f6}rper \"a b\"\""), "{out}");
 }
 
+/// A name from a file, which a terminal would take for a command.
+#[test]
+fn names_of_labels_have_no_control_characters() {
+    let text = "$MeshFormat\n2.2 0 8\n$EndMeshFormat\n$PhysicalNames\n1\n3 7 \"steel\u{1b}[2J\"\n\
+                $EndPhysicalNames\n$Nodes\n4\n1 0 0 0\n2 1 0 0\n3 0 1 0\n4 0 0 1\n$EndNodes\n\
+                $Elements\n1\n1 4 2 7 1 1 2 3 4\n$EndElements\n";
+    let folder = tempfile::tempdir().expect("a folder");
+    let path = file(folder.path(), "p.msh", text);
+    let named = path.to_string_lossy();
+    let medit = folder.path().join("p.mesh");
+    let grid =
+        std::fs::read_to_string("tests/meshes/meshio-text.vtu").expect("a file of the tests");
+    let array = "<CellData><DataArray type=\"Float64\" Name=\"steel&#27;[2J\" format=\"ascii\">0</DataArray></CellData>";
+    let grid = grid.replacen("</Piece>", &format!("{array}</Piece>"), 1);
+    let grid = file(folder.path(), "p.vtu", &grid);
+    let grid = grid.to_string_lossy();
+    for arguments in [
+        &["certify", &named, "--no-certificate"][..],
+        &["convert", &named, &medit.to_string_lossy()],
+        &["convert", &grid, &medit.to_string_lossy()],
+    ] {
+        let output = acutile(arguments);
+        let said = stdout(&output) + &stderr(&output);
+        assert_eq!(code(&output), 0, "{said}");
+        assert!(said.contains("steel"), "{arguments:?}: {said}");
+        assert!(!said.contains('\u{1b}'), "{arguments:?}: {said}");
+    }
+}
+
 #[test]
 fn an_overlap_has_a_point_and_contact_has_none() {
     for (name, kind) in [

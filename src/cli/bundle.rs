@@ -10,7 +10,6 @@ use super::output::{Output, write_bytes};
 use super::overwriting::check_output;
 use super::proved::piece;
 use super::record::Record;
-use super::words::one_line;
 use acutile_publish::bundle::metadata::{Author, Deposit, Doi, licence};
 use acutile_publish::bundle::{Options, Piece, archive, bundle};
 use clap::Args;
@@ -96,7 +95,7 @@ fn write<'a>(arguments: &'a BundleArguments, output: &mut Output) -> Result<(), 
     let bundle = bundle(pieces, &options).map_err(|message| failed(message.into()))?;
     let bytes = archive(&bundle.files).map_err(|message| failed(message.into()))?;
     for note in bundle.notes {
-        output.note("acutile", &one_line(&note));
+        output.note("acutile", &note);
     }
     if output.is_json() {
         for (input, sha256) in arguments.inputs.iter().zip(&digests) {

@@ -8,6 +8,7 @@ use super::look::Look;
 use super::named::InputError;
 use super::outcome::Outcome;
 use super::record::Record;
+use super::words::one_line;
 use acutile_io::import::io_words;
 use serde_json::{Value, json};
 use std::fmt::Display;
@@ -119,10 +120,12 @@ impl Output {
         self.fail(input, &InputError::from(message.into()))
     }
 
-    /// Prints a note on an input on standard error, and keeps it for the answer.
+    /// Prints a note on an input on standard error, and keeps it for the answer. It can contain texts of the input,
+    /// so control characters are escaped.
     pub fn note(&mut self, input: &str, note: &str) {
+        let note = one_line(note);
         self.complain(format!("{input}: {note}"));
-        self.notes.push(note.to_owned());
+        self.notes.push(note);
     }
 
     /// The notes since the last answer.
