@@ -210,6 +210,20 @@ fn places_that_cannot_be_written_leave_nothing_behind() {
         code(&acutile(["export", "a15", "-o", "/no/such/place/a15.json"])),
         2
     );
+    for command in [
+        &["gallery"][..],
+        &["appendix", "bcc"],
+        &["certify", "bcc", "a15"],
+    ] {
+        let answer = acutile([command, &["-o", "/proc/several"]].concat());
+        assert_eq!(code(&answer), 2, "{command:?}");
+        let text = stderr(&answer);
+        assert!(
+            text.contains("/proc/several: cannot be written: "),
+            "{text}"
+        );
+        assert!(!stdout(&answer).contains("proved"), "{command:?}");
+    }
     let stdout_full = Command::new(env!("CARGO_BIN_EXE_acutile"))
         .args(["export", "a15"])
         .stdout(

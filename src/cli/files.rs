@@ -104,10 +104,10 @@ pub fn is_standard(path: &Path) -> bool {
     path == Path::new("-")
 }
 
-/// Checks that several files can go into a directory: it is neither `-` nor a file.
+/// Checks that several files can go into a directory: it is neither `-` nor a file, and it or the one that will hold it takes new files.
 ///
 /// # Errors
-/// It is one of these.
+/// A message that names the directory.
 pub fn check_directory(path: &Path) -> Result<(), String> {
     if is_standard(path) {
         Err("-o -: several files are written, expected a directory".to_owned())
@@ -122,7 +122,12 @@ pub fn check_directory(path: &Path) -> Result<(), String> {
             printable(path)
         ))
     } else {
-        Ok(())
+        let place = path.ancestors().find(|at| at.is_dir());
+        let file = new_file(place.unwrap_or(Path::new(".")));
+        file.map_or_else(
+            |error| Err(unwritten(path, &without_temporary_name(error)).message),
+            |_| Ok(()),
+        )
     }
 }
 
