@@ -5,7 +5,7 @@ import { readFileSync, writeFileSync } from "node:fs";
 import { join } from "node:path";
 import { after, before, test } from "node:test";
 import { inflateSync } from "node:zlib";
-import { chooseTiling, directory, expect, launch, noViolations, ready, saved, setControl, settled, visit, write } from "./common.mjs";
+import { chooseTiling, directory, expect, launch, noViolations, picture, ready, saved, setControl, settled, visit, write } from "./common.mjs";
 
 let browser;
 before(async () => { browser = await launch(); });
@@ -110,12 +110,27 @@ test("the view as a picture", async () => {
   });
 });
 
+test("a frame that comes late does not paint over the finished picture", async () => {
+  const late = `window.requestAnimationFrame = (draw) => setTimeout(() => { draw(performance.now()); window.lastFrame = performance.now(); }, 1500);
+    window.cancelAnimationFrame = clearTimeout;`;
+  await visit(browser, write("late", 0, "a15"), async (page) => {
+    await ready(page);
+    await page.locator("canvas").focus();
+    await page.keyboard.press("ArrowLeft");
+    const finished = await picture(page), frames = await page.evaluate(() => window.lastFrame ?? 0);
+    // A second frame is asked for and comes: all that were asked for before have come, or never will.
+    await page.evaluate(() => new Promise((resolve) => { requestAnimationFrame(resolve); }));
+    assert.ok(await page.evaluate(() => window.lastFrame) > frames, "late frames do come");
+    assert.equal(await picture(page), finished);
+  }, { script: late });
+});
+
 test("an address brings back the view, and a frame shows nothing else", async () => {
   const path = write("address", 0, "a15", "sigma");
   let address;
   const state = (page) => page.evaluate(() => [...document.querySelectorAll(".view [name]")].map((node) => node.value).join());
   // The picture in 32 times 32 places: an address has four digits of each number.
-  const picture = async (page) => {
+  const smallPicture = async (page) => {
     await settled(page);
     return page.locator("canvas").evaluate((node) => {
       const small = new OffscreenCanvas(32, 32).getContext("2d");
@@ -132,7 +147,7 @@ test("an address brings back the view, and a frame shows nothing else", async ()
     await setControl(page, "colour", "type");
     await page.locator("canvas").focus();
     for (const key of ["ArrowLeft", "ArrowUp", "+"]) await page.keyboard.press(key);
-    image = await picture(page);
+    image = await smallPicture(page);
     controls = await state(page);
     address = new URL(page.url()).hash;
     assert.match(address, /^#view=1;/);
@@ -144,7 +159,7 @@ test("an address brings back the view, and a frame shows nothing else", async ()
     await ready(page);
     await expect(page.locator("article:visible h2")).toHaveText("sigma");
     await expect.poll(() => state(page)).toBe(controls);
-    const again = await picture(page);
+    const again = await smallPicture(page);
     assert.ok(again.every((x, k) => Math.abs(x - image[k]) < 24), "the same picture");
     assert.ok(new Set(again).size > 20, "which is not empty");
   }, { hash: address });

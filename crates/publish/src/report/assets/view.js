@@ -181,8 +181,10 @@ class View {
     this.rest = setTimeout(() => this.settle(), REST);
   }
 
-  // Nothing moves any more: the picture with outlines and shadows.
+  // Nothing moves any more: the picture with outlines and shadows. A frame that a busy browser still owes would paint over it.
   settle() {
+    cancelAnimationFrame(this.frame);
+    this.frame = null;
     this.paint(true);
     this.rested?.();
     if (this.mesh && !this.making) this.canvas.dataset.rested = "";
