@@ -6,9 +6,9 @@ const root = document.documentElement;
 const ACTIONS = {
   verify: ({ data, article }) => verifyAndTell(data, article),
   certificate: ({ data, stem }) => download(`${stem}.json`, "application/json", data.certificate),
-  vtk: async ({ tiling, stem, view }) => download(`${stem}.vtk`, "text/plain", vtkText(await tiling(), view?.cells() ?? 1)),
-  obj: async ({ tiling, stem, view }) => download(`${stem}.obj`, "text/plain", objText(await tiling(), view?.cells() ?? 1)),
-  all: ({ view }) => view?.chooseDefect(null),
+  vtk: async ({ mesh, stem }) => download(`${stem}.vtk`, "text/plain", vtkText(...await mesh())),
+  obj: async ({ mesh, stem }) => download(`${stem}.obj`, "text/plain", objText(...await mesh())),
+  all: async ({ view }) => (await view())?.chooseDefect(null),
 };
 
 // The files of the view itself.
@@ -23,14 +23,15 @@ class Page {
     this.articles = [...document.querySelectorAll("main > article")];
     this.prepared = this.articles.map(() => null);
     this.view = null;
+    this.turns = 0;
     this.articles.forEach((article, index) => {
       article.addEventListener("click", (event) => this.act(event, index));
       article.addEventListener("toggle", (event) => buildTable(event.target, this.tilings[index]), true);
     });
-    window.addEventListener("hashchange", () => this.follow());
+    window.addEventListener("hashchange", () => { this.shown = Promise.all([this.shown, this.follow()]); });
     listenToTheme();
     listenToPrint(this);
-    this.start();
+    this.shown = this.start();
   }
 
   // Read when they are needed first: before, the page is drawn.
@@ -40,6 +41,7 @@ class Page {
 
   // Each step that takes long has a task of its own, so that the page answers between them.
   async start() {
+    this.follow();
     await painted();
     this.view = await this.viewOrNote();
     await this.follow();
@@ -52,7 +54,7 @@ class Page {
       const view = new View(document.getElementById("view").content.firstElementChild.cloneNode(true));
       await view.renderer.link();
       view.rested = () => this.remember();
-      view.replaced = (tiling) => { this.prepared[this.index] = tiling; };
+      view.replaced = (tiling, article) => { this.prepared[this.articles.indexOf(article)] = tiling; };
       view.panel.addEventListener("click", (event) => this.share(event));
       return view;
     } catch (error) {
@@ -71,8 +73,21 @@ class Page {
     return this.prepared[index] ??= prepare(this.tilings[index]);
   }
 
+  // The view when it shows this article; null where there is no view, and where the reader has gone on meanwhile.
+  async viewOf(article) {
+    await this.shown;
+    return this.view?.article === article ? this.view : null;
+  }
+
+  // The tiling of an article and how many cells are shown in each direction, when they are what the controls say.
+  async meshOf(index) {
+    const { view } = this, isShown = view?.article === this.articles[index] && await view.made();
+    return isShown ? [view.tiling, view.cells()] : [await this.tiling(index), 1];
+  }
+
   // Shows what the address asks for.
   follow() {
+    this.hash = location.hash;
     const address = partsOf(location.hash);
     root.classList.toggle("embedded", address?.isEmbedded ?? false);
     const named = this.articles.findIndex((article) => `#${article.id}` === location.hash);
@@ -81,6 +96,7 @@ class Page {
   }
 
   async select(index, parts) {
+    const turn = ++this.turns;
     this.articles.forEach((article, k) => { article.hidden = k !== index; });
     document.querySelectorAll(".chooser a").forEach((link, k) => {
       if (k === index) link.setAttribute("aria-current", "true");
@@ -90,39 +106,42 @@ class Page {
     this.address = null;
     if (!this.view) return;
     const tiling = await this.tiling(index);
-    if (index !== this.index) return;
+    if (turn !== this.turns) return;
     document.querySelectorAll(".stage.live").forEach((stage) => stage.classList.remove("live"));
     this.articles[index].querySelector(".stage").classList.add("live");
     this.view.show(tiling, this.articles[index]);
     if (parts) await applyAddress(this.view, parts);
-    this.address = addressOf(this.view, index);
+    if (turn === this.turns) this.address = addressOf(this.view, index);
   }
 
-  // The address follows the view as soon as the reader has changed it.
+  // The address follows the view as soon as the reader has changed it. An address that the reader asks for and that the browser has not
+  // announced yet stays.
   remember() {
-    if (this.address === null) return;
+    if (this.address === null || location.hash !== this.hash) return;
     const address = addressOf(this.view, this.index);
     if (address === this.address) return;
     this.address = address;
     history.replaceState(history.state, "", address + (root.classList.contains("embedded") ? ";embed" : ""));
+    this.hash = location.hash;
   }
 
-  act(event, index) {
+  async act(event, index) {
     const action = event.target.closest("[data-action]")?.dataset.action;
     const defect = event.target.closest("[data-defect]")?.dataset.defect;
     const choice = event.target.closest("[data-choose]")?.dataset.choose;
-    if (defect) this.view?.chooseDefect(Number(defect));
-    if (choice && this.view?.mesh) this.view.choose(Number(choice));
-    const data = this.tilings[index];
-    ACTIONS[action]?.({ data, article: this.articles[index], stem: fileStem(data.name), view: this.view, tiling: () => this.tiling(index) });
+    const data = this.tilings[index], article = this.articles[index], view = () => this.viewOf(article);
+    ACTIONS[action]?.({ data, article, stem: fileStem(data.name), view, mesh: () => this.meshOf(index) });
+    if (defect) (await view())?.chooseDefect(Number(defect));
+    if (choice) (await view())?.choose(Number(choice));
   }
 
-  share(event) {
-    const { share, solid } = event.target.closest("button")?.dataset ?? {}, stem = fileStem(this.view.tiling.data.name);
-    if (share) SHARE[share](this.view, stem, this.index);
-    if (!solid || !this.view.mesh) return;
+  // A file is what the controls say, so it waits for a picture that is being made.
+  async share(event) {
+    const { share, solid } = event.target.closest("button")?.dataset ?? {}, { view } = this, stem = fileStem(view.tiling.data.name);
+    if (share) SHARE[share](view, stem, this.index);
+    if (!solid || !await view.made()) return;
     const [type, bytes] = SOLIDS[solid];
-    download(`${stem}.${solid}`, type, bytes(this.view));
+    download(`${stem}.${solid}`, type, bytes(view));
   }
 }
 

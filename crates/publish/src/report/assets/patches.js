@@ -207,8 +207,11 @@ function patchControls(view) {
     const isWord = word.length > 0 && !word.includes(-1) && agrees(system, word);
     wordLabel.hidden = !wanted.word;
     field.toggleAttribute("aria-invalid", Boolean(wanted.word) && !isWord);
-    if (wanted.word && !isWord) spoken.textContent = `Expected a word of the letters ${letters.join(", ")}, in which classes of ends agree.`;
-    else view.replace(builtFrom(data, wanted.word ? { ...wanted, word } : wanted));
+    if (wanted.word && !isWord) {
+      view.coming = null;
+      view.redraw();
+      spoken.textContent = `Expected a word of the letters ${letters.join(", ")}, in which classes of ends agree.`;
+    } else view.replace(builtFrom(data, wanted.word ? { ...wanted, word } : wanted));
   };
   select.addEventListener("input", change);
   field.addEventListener("input", change);

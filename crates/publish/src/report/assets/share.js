@@ -14,27 +14,28 @@ function addressOf(view, index) {
 
 // The parts of an address, `null` for one of another kind. Unknown parts and values that are no numbers are left out.
 function partsOf(hash) {
-  const match = /^#view=(\d+)((?:;[a-z]+:[-a-z0-9.,]+|;embed)*)$/.exec(decodeURIComponent(hash));
+  // Programs that pass addresses on may write a semicolon as %3B. What is no character of ASCII belongs to another kind.
+  const match = /^#view=(\d+)((?:;[a-z]+:[-a-z0-9.,]+|;embed)*)$/.exec(hash.replace(/%[0-7][0-9a-f]/gi, decodeURIComponent));
   if (!match) return null;
   const parts = new Map(match[2].split(";").filter(Boolean).map((part) => part.split(":")));
   return { index: Number(match[1]), isEmbedded: parts.has("embed"), parts };
 }
 
-// Sets the member of a family, or the tiling of a system of patches, as an address says.
+// Sets the member of a family, or the tiling of a system of patches, as an address says; false if the reader goes on meanwhile.
 async function applyChoice(view, parts) {
   const { data } = view.tiling, numbers = (name) => parts.get(name)?.split(",").map(Number) ?? [];
   const steps = numbers("at"), [place, ...word] = numbers("over");
   const isStep = (x, k) => Number.isInteger(x) && x >= data.parameters[k].first && x <= data.parameters[k].last;
   if (data.steps?.length === steps.length && steps.every(isStep)) view.applySteps(steps);
   const choice = data.choices?.[place];
-  if (!choice) return;
+  if (!choice) return true;
   const isWord = word.length > 0 && word.length <= 24 && word.every((k) => data.system.tiles[k]) && agrees(data.system, word);
-  if (!choice.word || isWord) await view.replace(builtFrom(data, choice.word ? { ...choice, word } : choice));
+  return choice.word && !isWord ? true : view.replace(builtFrom(data, choice.word ? { ...choice, word } : choice));
 }
 
 // Sets the view as an address says.
 async function applyAddress(view, parts) {
-  await applyChoice(view, parts);
+  if (!await applyChoice(view, parts)) return;
   for (const name of CONTROLS) {
     const control = view.control[name], value = parts.get(name);
     if (value === undefined || control.closest("label").hidden) continue;
@@ -67,7 +68,12 @@ function offerText(view, label, text) {
 const escapeAttribute = (text) => text.replaceAll("&", "&amp;").replaceAll('"', "&quot;").replaceAll("<", "&lt;");
 
 const SHARE = {
-  png: (view, stem) => view.canvas.toBlob((blob) => download(`${stem}.png`, "image/png", blob)),
+  png: async (view, stem) => {
+    if (!await view.made()) return;
+    // While it moves, the picture has no outlines and shadows.
+    view.settle();
+    view.canvas.toBlob((blob) => download(`${stem}.png`, "image/png", blob));
+  },
   link: (view, stem, index) => offerText(view, "Address of this view", pageAddress(view, index)),
   embed: (view, stem, index) => offerText(view, "Code for a frame in another page",
     `<iframe src="${escapeAttribute(pageAddress(view, index))};embed" title="${escapeAttribute(view.tiling.data.name)}" width="640" height="480" loading="lazy" allowfullscreen></iframe>`),

@@ -16,10 +16,13 @@ class View {
   }
 
   show(tiling, article) {
+    this.coming = null;
     this.tiling = tiling;
     this.article = article;
     this.mesh = this.colouring = this.focus = null;
-    article.querySelector(".stage").append(this.panel);
+    const stage = article.querySelector(".stage");
+    // Whoever moves it takes the focus from it.
+    if (this.panel.parentElement !== stage) stage.append(this.panel);
     this.showControls();
     this.showChoice();
     if (tiling.data.defects) [tiling.defect, tiling.others] = [null, "edges"];
@@ -80,17 +83,19 @@ class View {
     this.rebuild();
   }
 
-  // Another tiling takes the place of this one. The reader goes on in the same control.
+  // Another tiling takes the place of this one; false if the reader wants something else before it is prepared. The reader goes on in
+  // the same control.
   async replace(data) {
-    const { article } = this, turn = this.replacements = (this.replacements ?? 0) + 1, tiling = await prepare(data);
-    // The reader may have gone on meanwhile.
-    if (turn !== this.replacements || article !== this.article) return;
+    delete this.canvas.dataset.rested;
+    const coming = this.coming = prepare(data), tiling = await coming;
+    if (coming !== this.coming) return false;
     const { activeElement } = document, { selectionStart } = activeElement;
-    this.replaced?.(tiling);
-    this.show(tiling, article);
+    this.replaced?.(tiling, this.article);
+    this.show(tiling, this.article);
     const control = this.panel.querySelector(`.choice [name="${activeElement.name}"]`);
     control?.focus();
     if (selectionStart >= 0) control?.setSelectionRange?.(selectionStart, selectionStart);
+    return true;
   }
 
   // The foam has one colouring, and so have defects.
@@ -135,29 +140,39 @@ class View {
   }
 
   // The triangles are to be made anew: after a change of tiling, cells, cut or colours. One making at a time is enough.
-  async rebuild() {
+  rebuild() {
     this.stale = true;
     delete this.canvas.dataset.rested;
-    if (this.making) return;
-    this.making = true;
+    this.making ??= this.makeAll();
+  }
+
+  async makeAll() {
     try {
       await null;
       while (this.stale) await this.make();
     } finally {
-      this.making = false;
+      this.making = null;
     }
     this.redraw();
   }
 
+  // Waits until the triangles are what the controls say; false if the reader goes on to another article meanwhile.
+  async made() {
+    const { article } = this;
+    while (this.coming || this.making) await (this.coming ?? this.making);
+    return article === this.article;
+  }
+
   async make() {
     this.stale = false;
-    const { tiling } = this, n = this.cells(), isApart = this.isApart(), bounds = boundsOf(tiling, n);
+    this.madeApart = this.isApart();
+    const { tiling } = this, n = this.cells(), bounds = boundsOf(tiling, n);
     const isFoam = this.isFoam(), colouring = COLOURINGS[tiling.data.defects ? "defect" : isFoam ? "foam" : this.control.colour.value](tiling);
-    const plane = this.plane(bounds), mesh = await (isFoam ? foamTriangles(tiling, n, plane, colouring.of) : triangles(tiling, n, plane, colouring.of, isApart));
+    const plane = this.plane(bounds), mesh = await (isFoam ? foamTriangles(tiling, n, plane, colouring.of) : triangles(tiling, n, plane, colouring.of, this.madeApart));
     if (tiling !== this.tiling) return;
     this.centre = this.focus?.centre ?? bounds.centre;
     this.scale = (tiling.D === 2 ? 0.97 : 0.94) / bounds.radius;
-    [this.mesh, this.colouring, this.wasApart] = [mesh, colouring, isApart];
+    [this.mesh, this.colouring] = [mesh, colouring];
     this.renderer.upload(mesh);
     this.legend.replaceChildren(...colouring.legend.slice(0, 24).map(([hex, text]) => {
       const swatch = element("span", { class: "swatch" });
@@ -183,11 +198,12 @@ class View {
 
   // Nothing moves any more: the picture with outlines and shadows. A frame that a busy browser still owes would paint over it.
   settle() {
+    clearTimeout(this.rest);
     cancelAnimationFrame(this.frame);
     this.frame = null;
     this.paint(true);
     this.rested?.();
-    if (this.mesh && !this.making) this.canvas.dataset.rested = "";
+    if (this.mesh && !this.making && !this.coming) this.canvas.dataset.rested = "";
   }
 
   camera() {
@@ -293,7 +309,7 @@ class View {
       this.tiling.others = this.control.others.value;
       this.rebuild();
     });
-    this.control.explode.addEventListener("input", () => (this.isApart() === this.wasApart ? this.redraw() : this.rebuild()));
+    this.control.explode.addEventListener("input", () => (this.isApart() === this.madeApart ? this.redraw() : this.rebuild()));
     this.control.chosen.addEventListener("input", () => {
       const index = this.control.chosen.valueAsNumber;
       if (Number.isInteger(index) && index >= 0 && index < this.items()) this.choose(index);
@@ -302,11 +318,11 @@ class View {
     for (const button of this.panel.querySelectorAll("[data-view]")) button.addEventListener("click", acts[button.dataset.view]);
   }
 
-  click(event) {
-    if (!this.mesh) return;
+  // Chooses what is under the pointer. After a change of cells or shape the old picture has other numbers than the new one.
+  async click(event) {
     const box = this.canvas.getBoundingClientRect();
     const [x, y] = [2 * (event.clientX - box.left) / box.width - 1, 1 - 2 * (event.clientY - box.top) / box.height];
-    this.choose(this.renderer.pick(this.camera(), x, y));
+    if (await this.made()) this.choose(this.renderer.pick(this.camera(), x, y));
   }
 }
 
