@@ -1,5 +1,6 @@
 // What the tests of pages share: the program, the browser, a page that is opened, accessibility.
 // ACUTILE is the program (default: target/release or target/debug), CHROMIUM the browser, SCREENSHOTS a folder for pictures.
+// SLOW=10 makes pages ten times slower, to find tests and pages that count on a machine without other work.
 
 import assert from "node:assert/strict";
 import { spawnSync } from "node:child_process";
@@ -17,12 +18,13 @@ const CHROMIUM = first([process.env.CHROMIUM, "/usr/bin/chromium", "/usr/bin/chr
 const AXE = readFileSync(createRequire(import.meta.url).resolve("axe-core/axe.min.js"), "utf8");
 export const directory = mkdtempSync(join(tmpdir(), "acutile-pages-"));
 
+// Milliseconds. A busy machine takes its time, so nothing is read only once after an action: `expect` waits until a page shows it.
+const PATIENCE = 120000;
+export const expect = patient.configure({ timeout: PATIENCE });
+
 // Graphics in software, so that a machine without a graphics card draws, too.
 const SOFTWARE = ["--use-gl=angle", "--use-angle=swiftshader", "--enable-unsafe-swiftshader"];
-export const launch = (graphics = SOFTWARE) => chromium.launch({ executablePath: CHROMIUM, args: ["--no-sandbox", ...graphics] });
-
-// Waits until a page shows what is expected. A busy machine takes its time, so nothing is read only once after an action.
-export const expect = patient.configure({ timeout: 60000 });
+export const launch = (graphics = SOFTWARE) => chromium.launch({ executablePath: CHROMIUM, args: ["--no-sandbox", ...graphics], timeout: PATIENCE });
 
 // Runs the program, which ends with this status.
 export function run(status, ...words) {
@@ -42,14 +44,15 @@ export function write(name, status, ...inputs) {
 const OF_GRAPHICS = /GPU stall|GL Driver Message|Automatic fallback to software/;
 
 // Opens a page; it complains of nothing and loads nothing: a page of the site loads its own files.
-// `script` runs before the page's own.
+// `script` runs before the page's own. Graphics in software take most of the time, so that a pixel of the screen is four of the page.
 export async function visit(browser, path, use, { script, hash = "", ofSite = false, ...options } = {}) {
-  const session = await browser.newContext({ viewport: { width: 1200, height: 900 }, acceptDownloads: true, bypassCSP: true, ...options });
+  const session = await browser.newContext({ viewport: { width: 1200, height: 900 }, deviceScaleFactor: process.env.SCREENSHOTS ? 1 : 0.5, acceptDownloads: true, bypassCSP: true, ...options });
   if (script) await session.addInitScript(script);
   const page = await session.newPage();
-  page.setDefaultTimeout(120000);
+  page.setDefaultTimeout(PATIENCE);
+  if (process.env.SLOW) await (await session.newCDPSession(page)).send("Emulation.setCPUThrottlingRate", { rate: Number(process.env.SLOW) });
   const complaints = [], requests = [], url = pathToFileURL(path).href;
-  page.on("console", (message) => ["error", "warning"].includes(message.type()) && complaints.push(message.text()));
+  page.on("console", (message) => ["error", "warning"].includes(message.type()) && complaints.push(`${message.text()} ${message.location().url}`));
   page.on("pageerror", (error) => complaints.push(error.message));
   page.on("dialog", (dialog) => { complaints.push(`dialog: ${dialog.message()}`); dialog.dismiss(); });
   page.on("request", (request) => requests.push(request.url()));
@@ -61,10 +64,11 @@ export async function visit(browser, path, use, { script, hash = "", ofSite = fa
   await session.close();
 }
 
-export async function noViolations(page) {
-  await page.evaluate(AXE);
-  const { violations } = await page.evaluate(() => axe.run(document, { preload: false }));
-  assert.deepEqual(violations.map(({ id, nodes }) => [id, nodes.map(({ html }) => html.slice(0, 160))]), []);
+// No violations of the rules of accessibility in the page, or in the elements of a selector.
+export async function noViolations(page, within) {
+  if (!await page.evaluate(() => "axe" in window)) await page.evaluate(AXE);
+  const { violations } = await page.evaluate((within) => axe.run(within ?? document, { preload: false, resultTypes: ["violations"] }), within);
+  assert.deepEqual(violations.map(({ id, nodes }) => [id, nodes.map(({ html }) => html.slice(0, 160))]), [], page.url());
 }
 
 // The view has its first triangles.
@@ -79,10 +83,16 @@ export async function chooseTiling(page, index) {
 // Nothing moves any more, and the picture is drawn with outlines and shadows.
 export const settled = (page) => page.locator(".stage.live canvas[data-rested]").waitFor();
 
-// The view when nothing moves any more.
+// The view when nothing moves any more, read in the same moment.
 export async function picture(page) {
+  const resting = await page.waitForFunction(() => document.querySelector(".stage.live canvas[data-rested]")?.toDataURL(), null, { polling: 50 });
+  return resting.jsonValue();
+}
+
+// The address, which the page writes when nothing moves any more.
+export async function addressOf(page) {
   await settled(page);
-  return (await page.locator("canvas").screenshot()).toString("base64");
+  return page.evaluate(() => location.hash);
 }
 
 // The picture as soon as it is none of these; fails where it stays.

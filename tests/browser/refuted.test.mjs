@@ -28,16 +28,16 @@ test("a defect in the list moves the picture, and a click in the picture finds t
   });
 });
 
+let mixed;
 for (const width of [1280, 390]) {
   test(`no violations at ${width} pixels, and nothing sticks out`, async () => {
-    const path = join(directory, `mixed-${width}.html`);
-    run(1, "certify", mesh("folded.msh"), "bcc", mesh("three_on_a_facet.msh"), "--report", path);
-    await visit(browser, path, async (page) => {
+    if (!mixed) run(1, "certify", mesh("folded.msh"), "bcc", mesh("three_on_a_facet.msh"), "--report", mixed = join(directory, "mixed.html"));
+    await visit(browser, mixed, async (page) => {
       await expect(page.locator("article")).toHaveCount(3);
       for (const index of [0, 1, 2]) {
         await chooseTiling(page, index);
         await settled(page);
-        await noViolations(page);
+        await noViolations(page, index ? "article:not([hidden])" : undefined);
         await fitsInWidth(page);
       }
     }, { viewport: { width, height: 844 }, isMobile: width < 500, hasTouch: width < 500 });

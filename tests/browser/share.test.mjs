@@ -5,7 +5,7 @@ import { readFileSync, writeFileSync } from "node:fs";
 import { join } from "node:path";
 import { after, before, test } from "node:test";
 import { inflateSync } from "node:zlib";
-import { chooseTiling, directory, expect, launch, noViolations, picture, ready, saved, setControl, settled, visit, write } from "./common.mjs";
+import { addressOf, chooseTiling, directory, expect, launch, noViolations, picture, ready, saved, setControl, settled, visit, write } from "./common.mjs";
 
 let browser;
 before(async () => { browser = await launch(); });
@@ -87,7 +87,7 @@ test("simplices that stand apart are closed each, and a cut surface is drawn", a
   });
 });
 
-// The colours of a PNG with four bytes for each pixel, as its rows with their filters.
+// The colours of a PNG with eight bits for each, as its rows with their filters.
 function rowsOfPng(bytes) {
   assert.equal(bytes.subarray(1, 4).toString(), "PNG");
   const parts = [];
@@ -107,6 +107,7 @@ test("the view as a picture", async () => {
     const { width, height, data } = rowsOfPng(bytes);
     assert.deepEqual([width, height], await page.locator("canvas").evaluate((node) => [node.width, node.height]));
     assert.ok(new Set(data).size > 50, "it is not empty");
+    assert.ok(new Set(rowsOfPng(await page.locator("canvas").screenshot()).data).size > 50, "nor is the screen");
   });
 });
 
@@ -149,7 +150,7 @@ test("an address brings back the view, and a frame shows nothing else", async ()
     for (const key of ["ArrowLeft", "ArrowUp", "+"]) await page.keyboard.press(key);
     image = await smallPicture(page);
     controls = await state(page);
-    address = new URL(page.url()).hash;
+    address = await addressOf(page);
     assert.match(address, /^#view=1;/);
     await openShare(page);
     await page.getByRole("button", { name: "Embed" }).click();
