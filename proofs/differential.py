@@ -120,7 +120,7 @@ def rank(claim):
     return {"slab": dimension - 1, "prism": 1, "solid": 0}.get(name[0], name[1])
 
 
-# COQ_CHECK needs more than a second of a processor for each: together most of its time for all small files.
+# COQ_CHECK needs more than half a second of a processor for each: together most of its time for all small files.
 SLOW = {"c14-all", "c14-best", "dodecahedron-470", "prism-533", "slab-best", "tetrahedron-543", "z-best", "z-c15-32434", "z-c15-33344",
         "z-c15-4", "family-plane-of-degree-8", "plane-field-of-degree-7", "plane-field-of-degree-8", "space-field-of-degree-8",
         "space-coordinates-of-53-bits", "region-coordinates-of-53-bits", "region-coordinates-of-53-bits-all-figures",

@@ -5,7 +5,7 @@
 From Coq Require Import Reals Lra Lia NArith ZArith List Bool String Permutation FunctionalExtensionality FMapPositive.
 From Coq Require Import Init.Byte.
 From Coq Require Strings.Byte.
-From Acutile Require Import Statement PlaneStatement Tetrahedra Degree Domain Checker PlaneChecker Soundness PlaneSoundness Keys Numbers
+From Acutile Require Import Statement PlaneStatement Tetrahedra Degree Domain Multiply Checker PlaneChecker Soundness PlaneSoundness Keys Numbers
   Fast RegionStatement PlaneRegionStatement RegionChecker RegionSoundness RegionTheorem PlaneRegionChecker PlaneRegionTheorem RegionNumbers Family Denote Read Pairing Format MosaicBytes.
 Import ListNotations.
 Local Open Scope nat_scope.
@@ -84,8 +84,8 @@ Qed.
 Definition one (x : list Z) : bool := Nat.eqb (List.length x) 1.
 Definition z_fit (x : number) : bool := match x with Plain x => one x | Polynomial _ => false end.
 Definition z_in (x : number) : Z := match x with Plain x => List.hd 0%Z x | Polynomial _ => 0%Z end.
-Definition z_proved := proved Z Z.add Z.sub Z.mul idZ Z.ltb Z.leb zpart z_fit z_in.
-Definition z_polytope := proper_polytope Z Z.add Z.sub Z.mul idZ Z.ltb Z.leb z_in.
+Definition z_proved := proved Z Z.add Z.sub zmul idZ Z.ltb Z.leb zpart z_fit z_in.
+Definition z_polytope := proper_polytope Z Z.add Z.sub zmul idZ Z.ltb Z.leb z_in.
 Definition nf_fit (x : number) : bool := match x with Plain _ => true | Polynomial _ => false end.
 Definition nf_in (x : number) : list Z := match x with Plain x => x | Polynomial _ => [] end.
 Definition nf_proved fl e0 es := proved (list Z) ladd lsub (lmul fl) lofZ (lltb e0 es) (lleb e0 es) (nfpart e0) nf_fit nf_in.
@@ -173,7 +173,7 @@ Definition all_fit (x : list Z) : bool := true.
 Definition itself (x : list Z) : list Z := x.
 Definition family_proves (h : hint) ps k t w : bool :=
   match over k with
-  | Rationals => family_proved Z Z.add Z.sub Z.mul idZ (Z.leb 0) (Z.ltb 0) one (List.hd 0%Z) ps k t w
+  | Rationals => family_proved Z Z.add Z.sub zmul idZ (Z.leb 0) (Z.ltb 0) one (List.hd 0%Z) ps k t w
   | Root p lo hi d =>
     let (e0, es) := h in let fl := removelast p in
     if nf_root p e0 es lo hi d then
@@ -183,14 +183,14 @@ Definition family_proves (h : hint) ps k t w : bool :=
 (** The polytope is as the format demands on each leaf, and the ends of the intervals are in order. *)
 Definition family_polytope_ok (h : hint) ps k t w : bool :=
   match over k with
-  | Rationals => family_polytope Z Z.add Z.sub Z.mul idZ (Z.leb 0) (Z.ltb 0) (List.hd 0%Z) ps k t w
+  | Rationals => family_polytope Z Z.add Z.sub zmul idZ (Z.leb 0) (Z.ltb 0) (List.hd 0%Z) ps k t w
   | Root p lo hi d =>
     let (e0, es) := h in let fl := removelast p in
     family_polytope (list Z) ladd lsub (lmul fl) lofZ (nf_nonneg e0 es) (lpos (es ++ [e0])) itself ps k t w
   end.
 Definition box_in_order (h : hint) ps k : bool :=
   match over k with
-  | Rationals => fit_box Z Z.sub Z.mul idZ (Z.ltb 0) one (List.hd 0%Z) ps k
+  | Rationals => fit_box Z Z.sub zmul idZ (Z.ltb 0) one (List.hd 0%Z) ps k
   | Root p lo hi d =>
     let (e0, es) := h in let fl := removelast p in fit_box (list Z) lsub (lmul fl) lofZ (lpos (es ++ [e0])) all_fit itself ps k
   end.
@@ -201,7 +201,7 @@ Definition nf_content (l : list (list Z)) : Z := fold_left (fun m x => fold_left
 Definition nf_quot (g : Z) (x : list Z) : list Z := map (fun c => Z.div c g) x.
 Definition patches_prove (h : hint) (k : patches_claim) (ws : list patch_witness) : bool :=
   match base_field k with
-  | Rationals => patches_proved Z Z.add Z.sub Z.mul idZ Z.ltb Z.leb z_content z_quot z_fit z_in k ws
+  | Rationals => patches_proved Z Z.add Z.sub zmul idZ Z.ltb Z.leb z_content z_quot z_fit z_in k ws
   | Root p lo hi d =>
     let (e0, es) := h in
     if nf_root p e0 es lo hi d then
@@ -751,7 +751,7 @@ Theorem proves_sound h k w : proves h k w = true ->
   exists a, the_root (over k) a /\ exists n T listed, are_rows (a, []) w n T /\ are_facets (a, []) w (rank k) T listed /\ holds_of k (a, []) n T listed.
 Proof.
   unfold proves. destruct (over k) as [|p lo hi d]; intros H.
-  - unfold z_proved, proved in H. exists 0. split; [exact I|]. destruct (dimension k) as [|[|[|[|?]]]] eqn:D; try discriminate.
+  - unfold z_proved, proved in H. rewrite zmul_is in H. exists 0. split; [exact I|]. destruct (dimension k) as [|[|[|[|?]]]] eqn:D; try discriminate.
     + destruct (Pairing.triangles _ _) as [ts places]. unfold proved2 in H. destruct (shape2 z_fit k w ts places) eqn:S; [|discriminate].
       destruct (is_region k) eqn:RG.
       * apply z_region_theorem2 in H. apply (plane_region_link Z idZ z_fit z_in zpart IZR (0, []) z_in_ok k w ts places S D RG H).
@@ -857,7 +857,7 @@ Theorem family_proves_sound h ps k t w : family_proves h ps k t w = true ->
 Proof.
   unfold family_proves. destruct (over k) as [|p lo hi d]; intros H.
   - exists 0. split; [exact I|].
-    apply (family_proved_sound Z Z.add Z.sub Z.mul idZ (Z.leb 0) (Z.ltb 0) one (List.hd 0%Z) IZR 0 plus_IZR minus_IZR mult_IZR (fun _ => eq_refl)) with (t := t); auto.
+    apply (family_proved_sound Z Z.add Z.sub zmul idZ (Z.leb 0) (Z.ltb 0) one (List.hd 0%Z) IZR 0 plus_IZR minus_IZR zmul_IZR (fun _ => eq_refl)) with (t := t); auto.
     + intros b Hb. apply IZR_le, Z.leb_le, Hb. + intros b Hb. apply IZR_lt, Z.ltb_lt, Hb. + apply one_ok.
   - destruct h as [e0 es]. destruct (nf_root p e0 es lo hi d) eqn:Rt; [|discriminate].
     unfold nf_root in Rt. apply andb_true_iff in Rt as [M Rt]. apply same_list_eq in M. set (fl := removelast p) in *. clearbody fl.
@@ -874,7 +874,7 @@ Theorem patches_sound h k ws : patches_prove h k ws = true -> exists a, the_root
 Proof.
   unfold patches_prove. destruct (base_field k) as [|p lo hi d]; intros H.
   - exists 0. split; [exact I|].
-    apply (patches_link Z Z.add Z.sub Z.mul idZ Z.ltb Z.leb z_content z_quot z_fit z_in IZR (0, []) plus_IZR minus_IZR mult_IZR (fun _ => eq_refl) zltb_ok zleb_ok z_in_ok k ws H).
+    apply (patches_link Z Z.add Z.sub zmul idZ Z.ltb Z.leb z_content z_quot z_fit z_in IZR (0, []) plus_IZR minus_IZR zmul_IZR (fun _ => eq_refl) zltb_ok zleb_ok z_in_ok k ws H).
   - destruct h as [e0 es]. destruct (nf_root p e0 es lo hi d) eqn:Rt; [|discriminate].
     unfold nf_root in Rt. apply andb_true_iff in Rt as [M Rt]. apply same_list_eq in M. set (fl := removelast p) in *. clearbody fl.
     destruct (isolated_root fl e0 es (Encl lo hi d) Rt) as [a [A1 [A2 [A3 A4]]]]. exists a. split.

@@ -202,10 +202,11 @@ Definition check_tiling (c : cert) : bool :=
   chk_gram (c_gram c).
 
 (** ** 6. Statements: dihedral angles *)
+(** Three products of long factors, because the entries of the Gram matrix are short and many are zero. *)
 Definition kgdot g u v :=
-  aadd (aadd (aadd (amul (k11 g) (amul (vX u) (vX v))) (amul (k22 g) (amul (vY u) (vY v)))) (amul (k33 g) (amul (vZ u) (vZ v))))
-  (aadd (aadd (amul (k12 g) (aadd (amul (vX u) (vY v)) (amul (vY u) (vX v)))) (amul (k13 g) (aadd (amul (vX u) (vZ v)) (amul (vZ u) (vX v)))))
-   (amul (k23 g) (aadd (amul (vY u) (vZ v)) (amul (vZ u) (vY v))))).
+  let row x y z := aadd (aadd (amul x (vX u)) (amul y (vY u))) (amul z (vZ u)) in
+  aadd (aadd (amul (row (k11 g) (k12 g) (k13 g)) (vX v)) (amul (row (k12 g) (k22 g) (k23 g)) (vY v)))
+       (amul (row (k13 g) (k23 g) (k33 g)) (vZ v)).
 (** [kac g a b c d] = |e|^2 (u.w) - (e.u)(e.w) for the edges e = ab, u = ac, w = ad: C of Angles.v. *)
 Definition kac g a b c d :=
   let e := vsub b a in let u := vsub c a in let w := vsub d a in
@@ -227,15 +228,20 @@ Definition chk_root (less : A -> A -> bool) (sg : Z) (p : A) (q : Z) (x m : A) :
   | Zpos _ => if ale zero x then less (amul p m) (amul (aofZ q) (amul x x)) else false
   | Zneg _ => if ale zero x then true else less (amul (aofZ q) (amul x x)) (amul p m)
   end.
-(** The dihedral angle along ab passes the test: rule [bound_rule] of Angles.v. *)
-Definition chk_angle g (sg : Z) (p : A) (q : Z) (o : test) a b c d : bool :=
-  let x := kac g a b c d in let m := amul (kac g a b c c) (kac g a b d d) in
+(** The dihedral angle along ab passes the test: rule [bound_rule] of Angles.v.  With x and m from [kac], as
+    [angle_sound] of Soundness.v says; here six inner products stand for its twelve. *)
+Definition chk_rule (sg : Z) (p : A) (q : Z) (o : test) (x m : A) : bool :=
   match o with
   | TLt => chk_root alt sg p q x m
   | TLe => chk_root ale sg p q x m
   | TGe => chk_root ale (- sg) p q (asub zero x) m
   | TGt => chk_root alt (- sg) p q (asub zero x) m
   end.
+Definition chk_angle g (sg : Z) (p : A) (q : Z) (o : test) a b c d : bool :=
+  let e := vsub b a in let u := vsub c a in let w := vsub d a in
+  let ee := kgdot g e e in let ue := kgdot g u e in let we := kgdot g w e in
+  chk_rule sg p q o (asub (amul (kgdot g u w) ee) (amul ue we))
+    (amul (asub (amul (kgdot g u u) ee) (amul ue ue)) (asub (amul (kgdot g w w) ee) (amul we we))).
 (** The circumradius: R^2 = X / (4 det M) for the Gram matrix M of the edges from the first
     vertex, its cofactors C, its diagonal m and X = m^T C m. *)
 Definition kradius g (t : ktet) : A * A :=

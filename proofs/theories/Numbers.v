@@ -6,7 +6,7 @@
     enclosure of the root.  Both are sound whether or not the polynomial is
     irreducible. *)
 Require Import Reals Lra Psatz ZArith List Lia Bool.
-From Acutile Require Import Statement PlaneStatement Checker PlaneChecker Soundness PlaneSoundness.
+From Acutile Require Import Statement PlaneStatement Multiply Checker PlaneChecker Soundness PlaneSoundness.
 Import ListNotations.
 Local Open Scope Z_scope.
 
@@ -38,13 +38,13 @@ Proof. apply (check2_sound Z Z.add Z.sub Z.mul idZ Z.ltb Z.leb IZR plus_IZR minu
 (** ** Number fields *)
 Fixpoint ladd (p q : list Z) : list Z :=
   match p, q with [], _ => q | _, [] => p | a :: p, b :: q => (a + b) :: ladd p q end.
-Definition lscl (a : Z) (p : list Z) := map (Z.mul a) p.
+Definition lscl (a : Z) (p : list Z) := map (zmul a) p.
 Fixpoint lsub (p q : list Z) : list Z :=
   match p, q with [], _ => lscl (-1) q | _, [] => p | a :: p, b :: q => (a - b) :: lsub p q end.
 Definition lofZ (z : Z) : list Z := [z].
 
 Definition imul (l1 h1 l2 h2 : Z) : Z * Z :=
-  let a := l1 * l2 in let b := l1 * h2 in let c := h1 * l2 in let d := h1 * h2 in
+  let a := zmul l1 l2 in let b := zmul l1 h2 in let c := zmul h1 l2 in let d := zmul h1 h2 in
   (Z.min (Z.min a b) (Z.min c d), Z.max (Z.max a b) (Z.max c d)).
 
 Section NF.
@@ -58,7 +58,8 @@ Fixpoint lmul (p q : list Z) : list Z :=
   | [a] => lscl a q
   | a :: p => ladd (lscl a q) (lmulx (lmul p q))
   end.
-(* enclosures lo/S <= alpha <= hi/S: coarse ones first (cheap), the last one is the finest *)
+(* enclosures lo/S <= alpha <= hi/S: coarse ones first (cheap), the last one is the finest.  S is mostly a power of two:
+   it is the first factor, because Z.mul adds once for each bit of that one that is set. *)
 Record encl := Encl { e_lo : Z; e_hi : Z; e_S : Z }.
 Section Enc.
 Variables lo hi S : Z.
@@ -66,7 +67,7 @@ Fixpoint lint (p : list Z) : Z * Z * Z :=
   match p with
   | [] => (0, 0, 1)
   | a :: p => let '(l, h, P) := lint p in
-     let '(l', h') := imul lo hi l h in let P' := P * S in (a * P' + l', a * P' + h', P')
+     let '(l', h') := imul lo hi l h in let P' := P * S in let m := P' * a in (m + l', m + h', P')
   end.
 End Enc.
 Fixpoint lpos (es : list encl) (p : list Z) : bool :=
@@ -89,7 +90,7 @@ Definition nfcheck2 (c : cert2 (list Z)) (ss : list (cstatement (list Z))) : boo
 
 (* root isolation: sign change of the polynomial, computed exactly *)
 Fixpoint hev (S : Z) (p : list Z) (a : Z) : Z * Z :=   (* (S^k p(a/S), S^k) with k = length p *)
-  match p with [] => (0, 1) | c :: p => let '(v, P) := hev S p a in (c * (P * S) + a * v, P * S) end.
+  match p with [] => (0, 1) | c :: p => let '(v, P) := hev S p a in let P' := P * S in (P' * c + zmul a v, P') end.
 Definition isol : bool :=
   let lo := e_lo e0 in let hi := e_hi e0 in let S := e_S e0 in
   (0 <? S) && (lo <=? hi) && (fst (hev S (fl ++ [1]) lo) * fst (hev S (fl ++ [1]) hi) <=? 0) &&
@@ -106,7 +107,7 @@ Hypothesis al_encl : forall e, In e (es ++ [e0]) -> encl_ok e.
 Lemma ev_add p q : ev (ladd p q) = ev p + ev q.
 Proof. revert q. induction p; destruct q; simpl; try lra. rewrite IHp, plus_IZR. ring. Qed.
 Lemma ev_scl a p : ev (lscl a p) = IZR a * ev p.
-Proof. unfold lscl. induction p as [|b p IH]; cbn [map ev]. - ring. - rewrite IH, mult_IZR. ring. Qed.
+Proof. unfold lscl. induction p as [|b p IH]; cbn [map ev]. - ring. - rewrite IH, zmul_IZR. ring. Qed.
 Lemma ev_sub p q : ev (lsub p q) = ev p - ev q.
 Proof.
   revert q. induction p as [|a p IH]; destruct q as [|b q].
@@ -146,7 +147,7 @@ Lemma imul_ok l1 h1 l2 h2 u v :
   IZR l1 <= u <= IZR h1 -> IZR l2 <= v <= IZR h2 ->
   IZR (fst (imul l1 h1 l2 h2)) <= u * v <= IZR (snd (imul l1 h1 l2 h2)).
 Proof.
-  intros [U1 U2] [V1 V2]. unfold imul; cbn [fst snd].
+  intros [U1 U2] [V1 V2]. unfold imul. rewrite !zmul_eq. cbn [fst snd].
   set (mn := Z.min _ _). set (mx := Z.max _ _).
   assert (K : (mn <= l1 * l2 /\ mn <= l1 * h2 /\ mn <= h1 * l2 /\ mn <= h1 * h2 /\
                l1 * l2 <= mx /\ l1 * h2 <= mx /\ h1 * l2 <= mx /\ h1 * h2 <= mx)%Z) by (unfold mn, mx; lia).
@@ -223,7 +224,7 @@ Qed.
 Lemma hev_ok S p a : (0 < S)%Z -> 0 < IZR (snd (hev S p a)) /\ IZR (fst (hev S p a)) = IZR (snd (hev S p a)) * ev (IZR a / IZR S) p.
 Proof.
   intros HS. apply IZR_lt in HS. induction p as [|c p [IH1 IH2]]; simpl; [lra|].
-  destruct (hev S p a) as [v P]. cbn [fst snd] in *. rewrite plus_IZR, !mult_IZR. split; [apply Rmult_lt_0_compat; auto|].
+  destruct (hev S p a) as [v P]. cbn [fst snd] in *. rewrite plus_IZR, zmul_IZR, !mult_IZR. split; [apply Rmult_lt_0_compat; auto|].
   rewrite IH2. field. lra.
 Qed.
 Theorem isol_root : isol = true -> exists al, ev al (fl ++ [1%Z]) = 0 /\ forall e, In e (es ++ [e0]) -> encl_ok al e.

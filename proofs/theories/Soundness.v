@@ -780,7 +780,8 @@ Lemma angle_sound o sg p q a b c0 d : orient (e (phi3 a)) (e (phi3 b)) (e (phi3 
 Proof.
   intros V B H. destruct (bound_sound _ _ _ B) as [Q F]. apply bound_rule; auto. rewrite !kac_C.
   pose proof ss_pos as SS. set (k := s * s) in *. clearbody k.
-  unfold Checker.chk_angle in H. cbv zeta in H. set (x := kac (c_gram c) a b c0 d) in *.
+  change (Checker.chk_rule A asub amul aofZ alt ale sg p q o (kac (c_gram c) a b c0 d) (amul (kac (c_gram c) a b c0 c0) (kac (c_gram c) a b d d)) = true) in H.
+  unfold Checker.chk_rule in H. set (x := kac (c_gram c) a b c0 d) in *.
   set (y := kac (c_gram c) a b c0 c0) in *. set (z := kac (c_gram c) a b d d) in *.
   replace (k * phi y * (k * phi z)) with (k * k * phi (amul y z)) by (rewrite phi_mul; ring).
   assert (NX : - (k * phi x) = k * phi (asub zero x)) by (rewrite phi_sub, phi_zero; ring).

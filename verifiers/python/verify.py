@@ -594,6 +594,13 @@ def dot(x, y):
 def det(rows):
     if not rows:
         return 1
+    # Most of the time of a verification would be here without these two.
+    if len(rows) == 2:
+        (a, b), (c, d) = rows
+        return a * d - b * c
+    if len(rows) == 3:
+        (a, b, c), (d, e, f), (g, h, i) = rows
+        return a * (e * i - f * h) - b * (d * i - f * g) + c * (d * h - e * g)
     minors = ([row[:j] + row[j + 1:] for row in rows[1:]] for j in range(len(rows)))
     return sum((rows[0][j] * det(minor) * (-1) ** j for j, minor in enumerate(minors)), 0)
 
