@@ -28,6 +28,27 @@ test("a defect in the list moves the picture, and a click in the picture finds t
   });
 });
 
+test("single edges are seen on dark paper, and on light", async () => {
+  // Pixels that are nearly white and hardly transparent: no defect is so light.
+  const light = async (page) => {
+    await settled(page);
+    return page.locator("canvas").evaluate((canvas) => {
+      const flat = new OffscreenCanvas(canvas.width, canvas.height).getContext("2d");
+      flat.drawImage(canvas, 0, 0);
+      const { data } = flat.getImageData(0, 0, canvas.width, canvas.height);
+      return Array.from({ length: data.length / 4 }, (_, k) => data.subarray(4 * k, 4 * k + 4)).filter((pixel) => Math.min(...pixel) > 180).length;
+    });
+  };
+  await visit(browser, write("edges", 1, mesh("random_tets.msh")), async (page) => {
+    await page.locator('[data-defect="0"]').click();
+    await expect.poll(() => light(page)).toBeGreaterThan(20);
+    await page.emulateMedia({ colorScheme: "light" });
+    await expect.poll(() => light(page)).toBe(0);
+    await page.getByRole("button", { name: /light and dark/ }).click();
+    await expect.poll(() => light(page)).toBeGreaterThan(20);
+  }, { colorScheme: "dark" });
+});
+
 let mixed;
 for (const width of [1280, 390]) {
   test(`no violations at ${width} pixels, and nothing sticks out`, async () => {

@@ -175,6 +175,7 @@ test("words of kagome layers make Laves phases and Z", async () => {
       await page.locator(".values", { hasText: `${count} tetrahedra in a cell` }).waitFor();
       await expect(field).toHaveValue(word);
     }
+    await expect(page.locator(".legend li")).toHaveText(["piece over tile 1, letter +", "piece over tile 2, letter -", "joins between pieces"]);
     await field.fill("zx");
     await page.locator(".values", { hasText: "Expected a word of the letters z, +, -" }).waitFor();
     await noViolations(page);

@@ -29,7 +29,7 @@ class Page {
       article.addEventListener("toggle", (event) => buildTable(event.target, this.tilings[index]), true);
     });
     window.addEventListener("hashchange", () => { this.shown = Promise.all([this.shown, this.follow()]); });
-    listenToTheme();
+    listenToTheme(this);
     listenToPrint(this);
     this.shown = this.start();
   }
@@ -145,10 +145,13 @@ class Page {
   }
 }
 
-function listenToTheme() {
+function listenToTheme(page) {
+  const preference = matchMedia("(prefers-color-scheme: dark)"), redraw = () => page.view?.redraw();
+  preference.addEventListener("change", redraw);
   document.querySelector('[data-action="theme"]').addEventListener("click", () => {
-    const dark = root.dataset.theme ? root.dataset.theme === "dark" : matchMedia("(prefers-color-scheme: dark)").matches;
+    const dark = root.dataset.theme ? root.dataset.theme === "dark" : preference.matches;
     root.dataset.theme = dark ? "light" : "dark";
+    redraw();
   });
 }
 

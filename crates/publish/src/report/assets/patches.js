@@ -162,11 +162,13 @@ function joins(pyramids) {
 // By vertex, then by the translation, so that translates of a polygon have corresponding first corners.
 const compare = (a, b) => { const k = a.findIndex((x, i) => x !== b[i]); return k < 0 ? 0 : a[k] - b[k]; };
 
+// `piece over tile 1, letter +`
+const pieceName = ({ letters }, k) => `piece over tile ${k}${letters[k] ? `, letter ${letters[k]}` : ""}`;
+
 // What a reader can choose: the pieces, then mosaics that the tiles fit, or words.
 function choicesOf(data, certificate) {
   const system = data.system ??= systemOf(certificate, data.generator);
-  const letter = (k) => (data.letters[k] ? `, letter ${data.letters[k]}` : "");
-  const pieces = system.tiles.map((_, k) => ({ name: `the piece over tile ${k}${letter(k)}`, piece: k }));
+  const pieces = system.tiles.map((_, k) => ({ name: `the ${pieceName(data, k)}`, piece: k }));
   if (system.rank === 2) return [{ name: "a word of tiles", word: system.tiles.map((_, k) => k) }, ...pieces];
   const fitting = (data.mosaics ?? []).filter((mosaic) => placedOnPlane(system, mosaic));
   return [...fitting.map((mosaic) => ({ name: mosaic.name, mosaic })), ...pieces];
@@ -185,12 +187,12 @@ const pieceWords = ({ pieces }, index) => (pieces[index] < 0 ? "In a join of two
 
 const PIECE_COLOURS = [...TYPE_COLOURS.slice(0, 7)], JOIN_COLOUR = "#bbbbbb";
 
-COLOURINGS.piece = ({ data: { pieces, system } }) => {
-  const count = system.tiles.length, hex = (k) => PIECE_COLOURS[k % 7], used = new Set(pieces);
+COLOURINGS.piece = ({ data }) => {
+  const { pieces, system } = data, count = system.tiles.length, hex = (k) => PIECE_COLOURS[k % 7], used = new Set(pieces);
   return {
     palette: [...system.tiles.map((_, k) => rgb(hex(k))).slice(0, 63), rgb(JOIN_COLOUR)],
     of: (index) => Array(4).fill(pieces[index] < 0 ? Math.min(count, 63) : pieces[index] % 63),
-    legend: [...system.tiles.map((_, k) => [hex(k), `piece over tile ${k}`, k]).filter(([, , k]) => used.has(k)), ...(used.has(-1) ? [[JOIN_COLOUR, "joins between pieces"]] : [])],
+    legend: [...system.tiles.map((_, k) => [hex(k), pieceName(data, k), k]).filter(([, , k]) => used.has(k)), ...(used.has(-1) ? [[JOIN_COLOUR, "joins between pieces"]] : [])],
   };
 };
 

@@ -215,9 +215,10 @@ class View {
 
   paint(isFine) {
     if (!this.mesh) return;
-    // Shadows and outlines of single edges would hide them.
+    // Shadows and outlines of single edges would hide them. Nothing is behind these but the page, so they have the colour of its text.
     const hasEdges = this.tiling.others === "edges";
-    this.renderer.draw(this.camera(), this.colouring.palette, [0.08, 0.08, 0.1], this.chosen, isFine && !hasEdges);
+    const ink = hasEdges ? getComputedStyle(this.panel).color.match(/\d+/g).slice(0, 3).map((x) => x / 255) : [0.08, 0.08, 0.1];
+    this.renderer.draw(this.camera(), this.colouring.palette, ink, this.chosen, isFine && !hasEdges);
   }
 
   rotate(dx, dy) {
