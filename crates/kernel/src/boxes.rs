@@ -11,6 +11,7 @@ use crate::root::{BITS, Root, enclosure};
 use crate::row::{Corner, Shape};
 use crate::vertices::Vertices;
 use num_bigint::BigInt;
+use num_integer::Integer;
 
 /// In the plane, the third corner of each facet. It has no place, and the lattice does not move it.
 pub(crate) const APEX: Corner = Corner { vertex: u32::MAX, shift: [0; 3] };
@@ -94,28 +95,26 @@ pub(crate) struct Grid {
 
 impl Grid {
     pub(crate) fn new<const N: usize>(shape: Shape, vertices: &Vertices, root: &Root) -> Checked<Grid> {
-        let signed = |x: u64| i64::try_from(x).map_err(|_| Stop::LARGER);
-        // Coordinates lie between low 2^s and high 2^s, divided by 2^exponent and the denominator.
-        let exponent = signed(BITS)? - signed(root.dropped)?;
-        let divisor = signed(vertices.denominator.bits())? + exponent;
-        let mut most = if shape.rank > 0 { 1 } else { -exponent };
+        let bits = BITS - root.dropped;
+        // Integers between which the coordinates lie, times 2^bits.
+        let ends = |vertex| -> Checked<[(BigInt, BigInt); 3]> {
+            let point = vertices.point::<BigInt, N>(Corner { vertex, shift: [0; 3] })?;
+            each(&point, |x| {
+                let (middle, radius, s) = enclosure(&x.0, &root.rough)?;
+                let floor = |end: i128| (BigInt::from(end) << s).div_floor(&vertices.denominator);
+                Ok((floor(middle - radius.cast_signed()), floor(middle + radius.cast_signed()) + 1))
+            })
+        };
+        let mut most = if shape.rank > 0 { bits } else { 0 };
         for vertex in 0..shape.vertices {
-            for (low, high, s) in enclosures::<N>(vertices, root, vertex)? {
-                most = most.max(signed(low.length().max(high.length()) + s)? - divisor);
-            }
+            most = ends(vertex)?.iter().fold(most, |most, (low, high)| most.max(low.bits()).max(high.bits()));
         }
-        // The unit is 2^-scale. Division rounds towards zero.
-        let scale = (40 - most).min(exponent);
-        let shift = u64::try_from(exponent - scale).map_err(|_| Stop::LARGER)?;
-        let mut grid = Grid { points: Vec::new(), periods: [1 << 62; 3] };
+        let dropped = most.saturating_sub(40);
+        let bounds = |vertex| each(&ends(vertex)?, |(low, high)| Ok((low.top(dropped)?, high.top(dropped)? + 1)));
+        let points = (0..shape.vertices).map(bounds).collect::<Checked<_>>()?;
+        let mut grid = Grid { points, periods: [1 << 62; 3] };
         for period in grid.periods.iter_mut().take(shape.rank) {
-            *period = 1 << u32::try_from(scale).map_err(|_| Stop::LARGER)?;
-        }
-        for vertex in 0..shape.vertices {
-            grid.points.push(each(&enclosures::<N>(vertices, root, vertex)?, |&(low, high, s)| {
-                let end = |end: i128, error| -> BigInt { (BigInt::from(end) << s) / &vertices.denominator + error };
-                Ok((end(low, -1).top(shift)?, end(high, 1).top(shift)? + 1))
-            })?);
+            *period = (BigInt::from(1) << bits).top(dropped)?;
         }
         Ok(grid)
     }
@@ -165,13 +164,4 @@ impl Grid {
 fn to_entry(entry: i64) -> Checked<i32> {
     let small = i32::try_from(entry).ok().filter(|entry| entry.unsigned_abs() < 1 << 18);
     Ok(some!(small, Work, Place::Witness, entry))
-}
-
-fn enclosures<const N: usize>(vertices: &Vertices, root: &Root, vertex: u32) -> Checked<[(i128, i128, u64); 3]> {
-    let corner = Corner { vertex, shift: [0; 3] };
-    let found = match vertices.point::<i64, N>(corner) {
-        Ok(point) => each(&point, |x| enclosure(&x.0, &root.rough))?,
-        Err(_) => each(&vertices.point::<BigInt, N>(corner)?, |x| enclosure(&x.0, &root.rough))?,
-    };
-    Ok(found.map(|(middle, radius, s)| (middle - radius.cast_signed(), middle + radius.cast_signed(), s)))
 }

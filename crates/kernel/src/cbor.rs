@@ -31,9 +31,9 @@ pub struct Cbor<'r> {
     next: usize,
     /// Bytes before this piece.
     before: u64,
-    limits: Limits,
+    pub(crate) limits: Limits,
     digest: Sha256,
-    work: Rc<Work>,
+    pub(crate) work: Rc<Work>,
 }
 
 fn wide(length: usize) -> u64 {
@@ -116,26 +116,20 @@ impl<'r> Cbor<'r> {
     #[inline(always)]
     pub fn integer(&mut self) -> Checked<Integer> {
         let first = self.take()?;
-        let is_short = matches!(first >> 5, NATURAL | NEGATIVE);
-        ensure!(is_short || first >> 5 == TAG, Cbor, self.place());
-        let (kind, value) = self.rest_of_head(first)?;
+        let kind = first >> 5;
+        ensure!(matches!(kind, NATURAL | NEGATIVE | TAG), Cbor, self.place());
+        let (_, value) = self.rest_of_head(first)?;
         match i64::try_from(value) {
-            Ok(value) if is_short => Ok(Ok(if kind == NATURAL { value } else { !value })),
-            _ => self.large_integer(kind, value),
-        }
-    }
-
-    #[cold]
-    #[inline(never)]
-    fn large_integer(&mut self, kind: u8, value: u64) -> Checked<Integer> {
-        match kind {
-            NATURAL => Ok(Err(value.into())),
-            NEGATIVE => Ok(Err(!BigInt::from(value))),
+            Ok(value) if kind != TAG => Ok(Ok(if kind == NATURAL { value } else { !value })),
+            _ if kind == NATURAL => Ok(Err(value.into())),
+            _ if kind == NEGATIVE => Ok(Err(!BigInt::from(value))),
             _ => self.big_integer(value),
         }
     }
 
     /// Tag 2, or 3 for negative ones: the bytes of n, or of -1 - n, more than eight.
+    #[cold]
+    #[inline(never)]
     fn big_integer(&mut self, tag: u64) -> Checked<Integer> {
         let (kind, length) = self.head()?;
         ensure!(matches!(tag, 2 | 3) && kind == BYTES, Cbor, self.place());

@@ -5,7 +5,8 @@
 
 use crate::cbor::Cbor;
 use crate::family::{Parameter, read_parameters};
-use crate::limits::{Limits, MAX_DEGREE};
+use crate::limits::MAX_DEGREE;
+use crate::patch::{Tile, read_tiles};
 use crate::refusal::{Checked, Place, Value};
 use crate::transcript::Transcript;
 use num_bigint::BigInt;
@@ -33,17 +34,13 @@ pub struct Claim {
     pub(crate) file: String,
 }
 
+/// The field of a root of a polynomial.
 #[derive(Clone, Debug)]
-pub(crate) enum Field {
-    Rational,
-    /// The field of the only root between low/denominator and high/denominator.
-    Algebraic {
-        /// Coefficients of 1, x, …, x^n; the last one is 1.
-        polynomial: Vec<BigInt>,
-        low: BigInt,
-        high: BigInt,
-        denominator: BigInt,
-    },
+pub(crate) struct Field {
+    /// Coefficients of 1, x, …, x^n; the last one is 1. For the field Q the polynomial is x.
+    pub(crate) polynomial: Vec<BigInt>,
+    /// low, high and a denominator: the only root between low/denominator and high/denominator. None for Q.
+    pub(crate) root: Option<[BigInt; 3]>,
 }
 
 #[derive(Debug, PartialEq)]
@@ -54,6 +51,8 @@ pub(crate) enum Domain {
     Polytope(Polytope),
     /// The union of the simplices, for a lattice of this rank.
     Region(usize),
+    /// All mosaics of these tiles, in the last 3 - r coordinates for a lattice of this rank r.
+    Mosaics((usize, Vec<Tile>)),
 }
 
 #[derive(Clone, Debug, PartialEq)]
@@ -141,48 +140,47 @@ impl Claim {
             Domain::Space => self.dimension,
             Domain::Polytope(polytope) => self.dimension.saturating_sub(polytope.dimension),
             Domain::Region(rank) => *rank,
+            Domain::Mosaics((rank, _)) => *rank,
         }
     }
 
-    /// The claim of a tiling or of a family.
-    pub(crate) fn read(cbor: &mut Cbor, limits: &Limits, is_family: bool) -> Checked<Claim> {
-        let mut t = Transcript::new(cbor, if is_family { "family" } else { "tiling" });
-        t.record(if is_family {
-            &["dimension", "field", "parameters", "gram", "domain", "statements"]
-        } else {
-            &["dimension", "field", "gram", "domain", "statements"]
+    /// The claim of a certificate of this kind.
+    pub(crate) fn read(cbor: &mut Cbor, kind: &str) -> Checked<Claim> {
+        let mut t = Transcript::new(cbor, kind);
+        let is_family = kind == "family";
+        t.record(match kind {
+            "patches" => &["field", "gram", "rank", "tiles", "statements"],
+            "family" => &["dimension", "field", "parameters", "gram", "domain", "statements"],
+            _ => &["dimension", "field", "gram", "domain", "statements"],
         })?;
-        let found = t.big()?;
+        let found = if kind == "patches" { 3.into() } else { t.big()? };
         let dimension = usize::try_from(&found).ok().filter(|d| matches!(d, 2 | 3));
         let dimension = some!(dimension, Dimension, t.place(), found);
-        let field = Field::read(&mut t, limits)?;
-        let degree = field.degree();
-        let parameters = if is_family { read_parameters(&mut t, degree)? } else { Vec::new() };
-        let gram = read_gram(&mut t, dimension, degree, parameters.len())?;
-        let domain = Domain::read(&mut t, dimension, degree, parameters.len())?;
-        let statements = read_statements(&mut t, degree, dimension)?;
+        let field = Field::read(&mut t)?;
+        t.degree = field.degree();
+        let parameters = if is_family { read_parameters(&mut t)? } else { Vec::new() };
+        t.parameters = parameters.len();
+        let gram = read_gram(&mut t, dimension)?;
+        let domain =
+            if kind == "patches" { Domain::Mosaics(read_tiles(&mut t)?) } else { Domain::read(&mut t, dimension)? };
+        let statements = read_statements(&mut t, dimension)?;
         Ok(Claim { dimension, field, parameters, gram, domain, statements, file: t.json + "\n" })
     }
 }
 
 /// The upper triangle by rows.
-pub(crate) fn read_gram(
-    t: &mut Transcript,
-    dimension: usize,
-    degree: usize,
-    parameters: usize,
-) -> Checked<Vec<Polynomial>> {
+fn read_gram(t: &mut Transcript, dimension: usize) -> Checked<Vec<Polynomial>> {
     t.array(Some(dimension))?;
     let mut gram = Vec::new();
     for length in (1..=dimension).rev() {
-        gram.extend(t.list(Some(length), |t| read_polynomial(t, degree, parameters))?);
+        gram.extend(t.list(Some(length), read_polynomial)?);
     }
     check_lowest(t.place(), integers(&gram))?;
     Ok(gram)
 }
 
-pub(crate) fn read_statements(t: &mut Transcript, degree: usize, dimension: usize) -> Checked<Vec<Statement>> {
-    let statements = t.list(None, |t| Statement::read(t, degree, dimension))?;
+fn read_statements(t: &mut Transcript, dimension: usize) -> Checked<Vec<Statement>> {
+    let statements = t.list(None, |t| Statement::read(t, dimension))?;
     // The statements are in the order of the grammar, each at most once; the tiling is first.
     let order = |of: &Statement| (of.property, of.bound.as_ref().map(|bound| bound.relation));
     let is_ordered =
@@ -195,23 +193,20 @@ pub(crate) fn read_statements(t: &mut Transcript, degree: usize, dimension: usiz
 
 impl Field {
     pub(crate) fn degree(&self) -> usize {
-        match self {
-            Field::Rational => 1,
-            Field::Algebraic { polynomial, .. } => polynomial.len().saturating_sub(1),
-        }
+        self.polynomial.len().saturating_sub(1)
     }
 
-    pub(crate) fn read(t: &mut Transcript, limits: &Limits) -> Checked<Field> {
+    fn read(t: &mut Transcript) -> Checked<Field> {
         if !t.is_array()? {
             ensure!(t.text()? == "Q", Cbor, t.place());
-            return Ok(Field::Rational);
+            return Ok(Field { polynomial: vec![0.into(), 1.into()], root: None });
         }
         t.record(&["polynomial", "root"])?;
         let length = t.array(None)?;
         let degree = length.saturating_sub(1);
         ensure!(degree >= 2, Polynomial, t.place(), degree);
         let within = |most| usize::try_from(degree).is_ok_and(|degree| degree <= most);
-        let is_within = within(limits.degree.min(MAX_DEGREE));
+        let is_within = within(t.cbor.limits.degree.min(MAX_DEGREE));
         // No option raises the second limit.
         let value = if within(MAX_DEGREE) { Value::Limit("degree", Some(degree)) } else { degree.into() };
         ensure!(is_within, Degree, t.place(), value);
@@ -219,14 +214,14 @@ impl Field {
         let is_monic = polynomial.last() == Some(&BigInt::from(1));
         ensure!(is_monic, Polynomial, t.place());
         t.record(&["low", "high", "denominator"])?;
-        let [low, high, denominator] = [t.big()?, t.big()?, t.big()?];
-        check_lowest(t.place(), [&low, &high, &denominator])?;
-        Ok(Field::Algebraic { polynomial, low, high, denominator })
+        let root = [t.big()?, t.big()?, t.big()?];
+        check_lowest(t.place(), &root)?;
+        Ok(Field { polynomial, root: Some(root) })
     }
 }
 
 impl Domain {
-    fn read(t: &mut Transcript, dimension: usize, degree: usize, parameters: usize) -> Checked<Domain> {
+    fn read(t: &mut Transcript, dimension: usize) -> Checked<Domain> {
         if !t.is_array()? {
             ensure!(t.text()? == "space", Cbor, t.place());
             return Ok(Domain::Space);
@@ -234,7 +229,7 @@ impl Domain {
         t.array(Some(2))?;
         let name = t.text()?;
         if name == "region" {
-            ensure!(parameters == 0, FamilyDomain, t.place());
+            ensure!(t.parameters == 0, FamilyDomain, t.place());
             let found = t.big()?;
             let rank = usize::try_from(&found).ok().filter(|&rank| rank <= dimension);
             return Ok(Domain::Region(some!(rank, RegionRank, t.place(), found)));
@@ -242,17 +237,14 @@ impl Domain {
         ensure!(name != "prism" || dimension == 3, PrismDimension, t.place());
         let names = [("slab", 1), ("prism", 2), ("solid", dimension)];
         let k = names.into_iter().find(|(known, _)| *known == name).map(|(_, k)| k);
-        Ok(Domain::Polytope(Polytope::read(t, some!(k, Cbor, t.place()), degree, parameters)?))
+        Ok(Domain::Polytope(Polytope::read(t, some!(k, Cbor, t.place()))?))
     }
 }
 
 impl Polytope {
-    fn read(t: &mut Transcript, k: usize, degree: usize, parameters: usize) -> Checked<Polytope> {
+    fn read(t: &mut Transcript, k: usize) -> Checked<Polytope> {
         t.record(&["denominator", "vertices", "faces"])?;
-        let denominator = t.big()?;
-        ensure!(denominator > BigInt::ZERO, Denominator, t.place(), denominator);
-        let vertices = t.list(None, |t| t.list(Some(k), |t| read_polynomial(t, degree, parameters)))?;
-        check_lowest(t.place(), vertices.iter().flat_map(|vertex| integers(vertex)).chain([&denominator]))?;
+        let (denominator, vertices) = read_points(t, k)?;
         let faces = t.list(None, |t| read_face(t, k, vertices.len()))?;
         // A polytope of dimension k has more than k facets.
         ensure!(faces.len() > k, FaceCount, t.place(), faces.len());
@@ -292,7 +284,7 @@ fn read_face(t: &mut Transcript, k: usize, vertices: usize) -> Checked<Vec<usize
 
 impl Statement {
     /// A property; [property, relation, sign, fraction], where ratios have no sign; or that of a plane.
-    fn read(t: &mut Transcript, degree: usize, dimension: usize) -> Checked<Statement> {
+    fn read(t: &mut Transcript, dimension: usize) -> Checked<Statement> {
         let length = if t.is_array()? { t.array(None)? } else { 0 };
         let property = some!(Property::find(&t.text()?), Statements, t.place());
         let (is_ratio, is_plane) = (property == Property::SquaredRatio, property == Property::UncrossedPlane);
@@ -300,18 +292,18 @@ impl Statement {
         ensure!((has_bound || is_plane) == (length > 0), Statements, t.place());
         ensure!(length == 0 || length == if property.is_angle() { 4 } else { 3 }, Cbor, t.place(), length);
         let plane = if is_plane { Some(Plane::read(t, dimension)?) } else { None };
-        let bound = if has_bound { Some(Bound::read(t, degree, is_ratio)?) } else { None };
+        let bound = if has_bound { Some(Bound::read(t, is_ratio)?) } else { None };
         Ok(Statement { property, bound, plane })
     }
 }
 
 impl Bound {
-    fn read(t: &mut Transcript, degree: usize, is_ratio: bool) -> Checked<Bound> {
+    fn read(t: &mut Transcript, is_ratio: bool) -> Checked<Bound> {
         let relation = some!(Relation::find(&t.text()?), Statements, t.place());
         let found = if is_ratio { 1.into() } else { t.big()? };
         let sign = i64::try_from(&found).ok().filter(|sign| (-1..=1).contains(sign));
         let sign = some!(sign, BoundRange, t.place(), found);
-        let (numerator, denominator) = read_fraction(t, degree)?;
+        let (numerator, denominator) = read_fraction(t)?;
         ensure!(denominator > BigInt::ZERO, BoundRange, t.place(), denominator);
         check_lowest(t.place(), numerator.iter().chain([&denominator]))?;
         Ok(Bound { relation, sign, numerator, denominator })
@@ -346,30 +338,30 @@ impl Property {
 }
 
 /// An integer for the field Q, and else the list of the coefficients.
-pub(crate) fn read_number(t: &mut Transcript, degree: usize) -> Checked<Number> {
-    if degree == 1 {
+pub(crate) fn read_number(t: &mut Transcript) -> Checked<Number> {
+    if t.degree == 1 {
         return Ok(vec![t.big()?]);
     }
-    t.list(Some(degree), Transcript::big)
+    t.list(Some(t.degree), Transcript::big)
 }
 
-pub(crate) fn read_fraction(t: &mut Transcript, degree: usize) -> Checked<(Number, BigInt)> {
+pub(crate) fn read_fraction(t: &mut Transcript) -> Checked<(Number, BigInt)> {
     t.array(Some(2))?;
-    Ok((read_number(t, degree)?, t.big()?))
+    Ok((read_number(t)?, t.big()?))
 }
 
 /// A number; with parameters the list of the terms, in the order of their exponents.
-pub(crate) fn read_polynomial(t: &mut Transcript, degree: usize, parameters: usize) -> Checked<Polynomial> {
-    if parameters == 0 {
-        return Ok(vec![(read_number(t, degree)?, Vec::new())]);
+fn read_polynomial(t: &mut Transcript) -> Checked<Polynomial> {
+    if t.parameters == 0 {
+        return Ok(vec![(read_number(t)?, Vec::new())]);
     }
     let terms = t.list(None, |t| {
-        t.array(Some(1 + parameters))?;
-        let number = read_number(t, degree)?;
+        t.array(Some(1 + t.parameters))?;
+        let number = read_number(t)?;
         let is_zero = number.iter().all(|c| *c == BigInt::ZERO);
         ensure!(!is_zero, Terms, t.place());
         let mut exponents = Vec::new();
-        for _ in 0..parameters {
+        for _ in 0..t.parameters {
             let found = t.big()?;
             let exponent = u32::try_from(&found).ok().filter(|&exponent| exponent <= MAX_EXPONENT);
             exponents.push(some!(exponent, Exponent, t.place(), found));
@@ -378,6 +370,15 @@ pub(crate) fn read_polynomial(t: &mut Transcript, degree: usize, parameters: usi
     })?;
     ensure!(terms.is_sorted_by(|first, second| first.1 < second.1), Terms, t.place());
     Ok(terms)
+}
+
+/// A denominator, and points of this dimension over it.
+pub(crate) fn read_points(t: &mut Transcript, dimension: usize) -> Checked<(BigInt, Vec<Vec<Polynomial>>)> {
+    let denominator = t.big()?;
+    ensure!(denominator > BigInt::ZERO, Denominator, t.place(), denominator);
+    let points = t.list(None, |t| t.list(Some(dimension), read_polynomial))?;
+    check_lowest(t.place(), points.iter().flat_map(|point| integers(point)).chain([&denominator]))?;
+    Ok((denominator, points))
 }
 
 /// All coefficients of some polynomials.

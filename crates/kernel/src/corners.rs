@@ -16,21 +16,20 @@ const PARTS: u64 = 60;
 /// The angles are parts of a turn, and the offsets of the sides close around every vertex.
 pub(crate) fn check<const N: usize>(system: &System<N>) -> Checked<Angles> {
     let mut turns = Vec::new();
-    for (patch, tile) in system.parts.patches.iter().zip(0..) {
+    for (patch, tile) in system.patches.iter().zip(0..) {
         let angles = (0..patch.classes.len()).map(|corner| system.angle(patch, tile, corner));
         turns.push(angles.collect::<Checked<Vec<_>>>()?);
     }
     let whole = turns.iter().flatten().fold(1, |whole: u64, (_, parts)| whole.lcm(parts));
     ensure!(whole <= PARTS, CornerAngle, Place::Witness, whole);
     let mut steps = Vec::new();
-    for tile in 0..system.parts.patches.len() {
+    for tile in 0..system.patches.len() {
         let sides: Vec<&Side<N>> = system.sides.iter().filter(|side| side.patch == tile).collect();
         let before = sides.iter().cycle().skip(sides.len().saturating_sub(1));
         for (side, before) in sides.iter().zip(before) {
-            let difference = system.parts.ring.difference(&side.offset, &before.offset)?;
-            let [step, ..] =
-                each(&difference, |x| system.parts.ring.times(x, &system.parts.ring.element(&[whole.into()])?))?;
-            let step = some!(system.parts.whole(&step, &system.parts.scale), SideClasses, side.place());
+            let difference = system.ring.difference(&side.offset, &before.offset)?;
+            let [step, ..] = each(&difference, |x| system.ring.times(x, &system.ring.element(&[whole.into()])?))?;
+            let step = some!(system.whole(&step, &system.scale), SideClasses, side.place());
             steps.push(i64::from(step));
         }
         system.work().check(Place::Tile(tile))?;
@@ -51,15 +50,15 @@ impl<const N: usize> System<N> {
     /// angle is (c, s) for c + i √g s, and g is the determinant of the base. z^n is positive after
     /// some turns; each one ends or passes at the positive real axis.
     fn angle(&self, patch: &Patch, tile: usize, corner: usize) -> Checked<(u64, u64)> {
-        let ring = &self.parts.ring;
+        let ring = &self.ring;
         let count = patch.classes.len();
-        let here = self.parts.base(patch, corner)?;
-        let [u, v] = [corner + 1, corner + count - 1]
-            .map(|other| ring.difference(&here, &self.parts.base(patch, other % count)?));
+        let here = self.base(patch, corner)?;
+        let [u, v] =
+            [corner + 1, corner + count - 1].map(|other| ring.difference(&here, &self.base(patch, other % count)?));
         let (u, v) = (u?, v?);
         let [s, ..] = ring.cross(&u, &v)?;
-        let c = ring.inner(&u, &self.parts.rules.image(&v)?)?;
-        let g = self.parts.rules.base_determinant();
+        let c = ring.inner(&u, &self.rules.image(&v)?)?;
+        let g = self.rules.base_determinant();
         let (mut power, mut turns) = ((c.clone(), s.clone()), 0);
         for n in 1..=PARTS {
             let (x, y) = &power;

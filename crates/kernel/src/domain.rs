@@ -8,7 +8,6 @@
 use crate::claim::Polytope;
 use crate::refusal::{Checked, Place, Stop};
 use crate::ring::{Ring, Sign, Vector};
-use num_bigint::BigInt;
 use std::cmp::Ordering::{Equal, Less};
 use std::collections::BTreeMap;
 
@@ -22,6 +21,8 @@ pub(crate) struct Facets<R: Ring> {
     planes: Vec<(Vector<R>, R::Element)>,
     /// k! vol P
     pub(crate) volume: R::Element,
+    /// The denominator of the vertices of the tiling is this multiple of that of P.
+    pub(crate) factor: R::Element,
 }
 
 impl<R: Ring> Facets<R> {
@@ -39,7 +40,8 @@ impl<R: Ring> Facets<R> {
         let (one, zero) = (ring.integer(1)?, R::Element::default);
         let first = [one.clone(), zero(), zero()];
         let spare = if dimension == 3 { [first, [zero(), one, zero()]] } else { [[zero(), zero(), one], first] };
-        let mut facets = Facets { ring: ring.clone(), points, spare, planes: Vec::new(), volume: zero() };
+        let (planes, factor) = (Vec::new(), ring.integer(1)?);
+        let mut facets = Facets { ring: ring.clone(), points, spare, planes, volume: zero(), factor };
         for (f, face) in polytope.faces.iter().enumerate() {
             facets.add(f, face)?;
         }
@@ -47,25 +49,13 @@ impl<R: Ring> Facets<R> {
         Ok(facets)
     }
 
-    /// The vertices of the tiling have a denominator, which is this multiple of that of P.
-    pub(crate) fn scale(&mut self, polytope: &Polytope, factor: &BigInt) -> Checked {
-        let factor = self.ring.long(factor)?;
-        for _ in 0..polytope.dimension {
-            self.volume = self.ring.times(&self.volume, &factor)?;
-        }
-        for (_, offset) in &mut self.planes {
-            *offset = self.ring.times(offset, &factor)?;
-        }
-        Ok(())
-    }
-
     /// Checks I for a vertex. Returns the faces in which it lies.
     pub(crate) fn of_vertex(&self, point: &Vector<R>, vertex: u32) -> Checked<Vec<u32>> {
         let ring = &self.ring;
         let mut faces = Vec::new();
         for ((normal, offset), face) in self.planes.iter().zip(0..) {
-            ring.work().add(3 * ring.price());
-            let height = ring.minus(&ring.inner(normal, point)?, offset)?;
+            ring.work().add(4 * ring.price());
+            let height = ring.minus(&ring.inner(normal, point)?, &ring.times(offset, &self.factor)?)?;
             let sign = ring.sign(&height);
             // Rule I: the vertex is in the domain.
             let is_inside = sign.is(|sign| sign != Less)?;
@@ -125,7 +115,7 @@ impl<R: Ring> Facets<R> {
         // every other t, and a vertex o that is not in f, det(q - p, t - p, o - p) is positive where the inner side is.
         // In the plane of f, (q - p) × (t - p) = λ n, so this says that λ is positive: p, q, t turn like w_0, w_1, w_2.
         let outside = (0..self.points.len()).find(|vertex| corners.binary_search(vertex).is_err());
-        for (p, q) in sides(face).filter(|_| face.len() > 2) {
+        for [p, q] in cycle(face).filter(|_| face.len() > 2) {
             let apex = self.vector(p, outside.ok_or(Stop::LARGER)?)?;
             for &t in face.iter().filter(|&&t| t != p && t != q) {
                 let turn = ring.inner(&ring.cross(&self.vector(p, q)?, &self.vector(p, t)?)?, &apex)?;
@@ -149,9 +139,9 @@ impl<R: Ring> Facets<R> {
     }
 }
 
-/// The pairs of vertices that follow one another, cyclically.
-fn sides(face: &[usize]) -> impl Iterator<Item = (usize, usize)> {
-    face.iter().copied().zip(face.iter().copied().cycle().skip(1))
+/// The pairs of items that follow one another, cyclically.
+pub(crate) fn cycle<T: Copy>(items: &[T]) -> impl Iterator<Item = [T; 2]> {
+    items.iter().zip(items.iter().cycle().skip(1)).map(|(one, other)| [*one, *other])
 }
 
 /// P3: every ridge of P that is in a face is in exactly two. The faces are distinct facets, and
@@ -163,7 +153,7 @@ fn check_closed(polytope: &Polytope) -> Checked {
         let ridges: Vec<Vec<usize>> = match face.as_slice() {
             [_] => vec![Vec::new()],
             [p, q] => vec![vec![*p], vec![*q]],
-            face => sides(face).map(|(p, q)| vec![p.min(q), p.max(q)]).collect(),
+            face => cycle(face).map(|[p, q]| vec![p.min(q), p.max(q)]).collect(),
         };
         for ridge in ridges {
             count.entry(ridge).or_insert((0, f)).0 += 1;

@@ -5,11 +5,8 @@
 //! of the box finds out whether the claim is false. docs/soundness.md, section 11, has the proof.
 
 use crate::cbor::Cbor;
-use crate::claim::{
-    Claim, Domain, Number, Polynomial, check_lowest, integers, is_strict, read_fraction, read_polynomial,
-};
+use crate::claim::{Claim, Domain, Number, Polynomial, check_lowest, is_strict, read_fraction, read_points};
 use crate::front::Step;
-use crate::limits::{Limits, Work};
 use crate::numbers::{Model, Numbers};
 use crate::polynomial::{Polynomials, Side, Terms};
 use crate::refusal::{Checked, Code, Kind, Place, Stop, Value};
@@ -17,7 +14,7 @@ use crate::ring::{Exact, Ring, Vector};
 use crate::root::Root;
 use crate::row::{Corner, Row, Shape};
 use crate::table::index;
-use crate::tiling::{Facts, Pass, check_statements};
+use crate::tiling::{Pass, Verified, check_statements, read_count};
 use crate::transcript::Transcript;
 use num_bigint::BigInt;
 use num_integer::Integer;
@@ -48,30 +45,30 @@ pub(crate) struct End {
     pub(crate) denominator: BigInt,
 }
 
-pub(crate) fn read_parameters(t: &mut Transcript, degree: usize) -> Checked<Vec<Parameter>> {
+pub(crate) fn read_parameters(t: &mut Transcript) -> Checked<Vec<Parameter>> {
     let parameters = t.list(None, |t| {
         t.record(&["name", "low", "high"])?;
         let name = t.text()?;
         let is_usual = |c: char| c.is_ascii_lowercase() || c.is_ascii_digit() || c == '_';
         let is_name = name.starts_with(|c: char| c.is_ascii_lowercase()) && name.chars().all(is_usual);
         ensure!(is_name && name.len() <= LONGEST_NAME, ParameterName, t.place());
-        Ok(Parameter { name, low: End::read(t, degree)?, high: End::read(t, degree)? })
+        Ok(Parameter { name, low: End::read(t)?, high: End::read(t)? })
     })?;
     let count = parameters.len();
     ensure!((1..=MAX_PARAMETERS).contains(&count), Parameters, t.place(), count);
     let mut names: Vec<&str> = parameters.iter().map(|parameter| parameter.name.as_str()).collect();
-    names.extend((degree > 1).then_some("a")); // The generator, in all sentences.
+    names.extend((t.degree > 1).then_some("a")); // The generator, in all sentences.
     names.sort_unstable();
     ensure!(is_strict(&names), ParameterName, t.place());
     Ok(parameters)
 }
 
 impl End {
-    fn read(t: &mut Transcript, degree: usize) -> Checked<End> {
+    fn read(t: &mut Transcript) -> Checked<End> {
         t.array(Some(2))?;
         let kind = t.text()?;
         ensure!(kind == "closed" || kind == "open", Cbor, t.place());
-        let (numerator, denominator) = read_fraction(t, degree)?;
+        let (numerator, denominator) = read_fraction(t)?;
         ensure!(denominator > BigInt::ZERO, Denominator, t.place(), denominator);
         check_lowest(t.place(), numerator.iter().chain([&denominator]))?;
         Ok(End { is_closed: kind == "closed", numerator, denominator })
@@ -82,7 +79,6 @@ impl End {
 struct Family<'c, const N: usize> {
     claim: &'c Claim,
     ring: Exact<BigInt, N>,
-    work: Rc<Work>,
     denominator: BigInt,
     vertices: Vec<Vec<Polynomial>>,
     /// The greatest exponents of the parameters.
@@ -91,25 +87,26 @@ struct Family<'c, const N: usize> {
 }
 
 /// Reads the rest of a certificate whose claim has been read.
-pub(crate) fn verify<const N: usize>(mut cbor: Cbor, claim: Claim, limits: &Limits, work: &Rc<Work>) -> Checked<Facts> {
-    let root = Rc::new(Root::new(&claim.field, work)?);
-    let ring = Exact::new(&root, work)?;
+pub(crate) fn verify<const N: usize>(mut cbor: Cbor, claim: Claim) -> Checked<Verified> {
+    let root = Rc::new(Root::new(&claim.field, &cbor.work)?);
+    let ring = Exact::new(&root, &cbor.work)?;
     let mut sides: Box<N> = Vec::new();
     for (parameter, k) in claim.parameters.iter().zip(0..) {
         let side = Side::new(parameter, &ring)?;
-        let order = ring.compare(&side.high, &side.low)?.decided().map_err(|stop| stop.at(Place::Parameter(k)))?;
+        let order =
+            ring.compare(&side.ends[1], &side.ends[0])?.decided().map_err(|stop| stop.at(Place::Parameter(k)))?;
         ensure!(order != Equal, BoxEmpty, Place::Parameter(k));
         ensure!(order == Greater, BoxExchanged, Place::Parameter(k));
         sides.push(side);
     }
-    check_statements(&claim, false)?;
+    check_statements(&claim)?;
     cbor.array_of(5)?;
     let mut family = Family::read_vertices(&mut cbor, &claim, ring)?;
     let boundary = cbor.array()?;
     ensure!(boundary == 0, BoundaryDomain, Place::Witness, boundary);
     let mut leaves = Vec::new();
     family.read_tree(&mut cbor, &sides, 0, &mut leaves)?;
-    let shape = family.read_rows(&mut cbor, limits)?;
+    let shape = family.read_rows(&mut cbor)?;
     let (bytes, sha256) = cbor.finish()?;
     let mut counts = Default::default();
     for leaf in leaves {
@@ -117,19 +114,13 @@ pub(crate) fn verify<const N: usize>(mut cbor: Cbor, claim: Claim, limits: &Limi
     }
     let (boundary_facets, peak_facets, peak_edges) = counts;
     let (vertices, simplices) = (shape.vertices, u64::try_from(family.rows.len()).unwrap_or(u64::MAX));
-    Ok(Facts { vertices, simplices, boundary_facets, peak_facets, peak_edges, bytes, sha256, claim })
+    Ok(Verified { vertices, simplices, boundary_facets, peak_facets, peak_edges, bytes, sha256, claim })
 }
 
 impl<'c, const N: usize> Family<'c, N> {
     fn read_vertices(cbor: &mut Cbor, claim: &'c Claim, ring: Exact<BigInt, N>) -> Checked<Self> {
-        let (degree, parameters) = (claim.field.degree(), claim.parameters.len());
-        let denominator = cbor.big()?;
-        ensure!(denominator > BigInt::ZERO, Denominator, cbor.place(), denominator);
-        let mut t = Transcript::new(cbor, "");
-        let read = |t: &mut Transcript| read_polynomial(t, degree, parameters);
-        let vertices = t.list(None, |t| t.list(Some(claim.dimension), read))?;
-        check_lowest(t.place(), vertices.iter().flat_map(|vertex| integers(vertex)).chain([&denominator]))?;
-        let mut degrees = vec![0; parameters];
+        let (denominator, vertices) = read_points(&mut Transcript::of(cbor, claim), claim.dimension)?;
+        let mut degrees = vec![0; claim.parameters.len()];
         let domain = match &claim.domain {
             Domain::Polytope(polytope) => &polytope.vertices[..],
             _ => &[],
@@ -140,8 +131,7 @@ impl<'c, const N: usize> Family<'c, N> {
         // Every parameter occurs.
         let unused = degrees.iter().position(|degree| *degree == 0);
         ensure!(unused.is_none(), UnusedParameter, Place::Parameter(unused.unwrap_or(0)));
-        let work = ring.work.clone();
-        Ok(Family { claim, ring, work, denominator, vertices, degrees, rows: Vec::new() })
+        Ok(Family { claim, ring, denominator, vertices, degrees, rows: Vec::new() })
     }
 
     /// An empty array, or an axis and the trees of the lower and the upper half.
@@ -166,14 +156,11 @@ impl<'c, const N: usize> Family<'c, N> {
         Ok(())
     }
 
-    fn read_rows(&mut self, cbor: &mut Cbor, limits: &Limits) -> Checked<Shape> {
-        let shape = Pass::new(self.claim, (), &self.work).shape;
+    fn read_rows(&mut self, cbor: &mut Cbor) -> Checked<Shape> {
+        let shape = Pass::new(self.claim, (), &self.ring.work).shape;
         let vertices = u32::try_from(self.vertices.len()).unwrap_or(u32::MAX);
         let shape = Shape { vertices, ..shape };
-        let simplices = cbor.array()?;
-        ensure!(simplices > 0, NoSimplices, Place::Witness);
-        let exceeds = Value::Limit("simplices", Some(simplices));
-        ensure!(simplices <= limits.simplices, TooManySimplices, Place::Witness, exceeds);
+        let simplices = read_count(cbor, 0)?;
         for simplex in 0..simplices {
             self.rows.push(shape.read_row(cbor, simplex)?);
         }
@@ -195,7 +182,7 @@ impl<'c, const N: usize> Family<'c, N> {
         }
         let denominator = &self.denominator * &ring.scale;
         let numbers = Leaf { model, points, denominator, volume: Terms::default() };
-        let mut pass = Pass::new(self.claim, numbers, &self.work);
+        let mut pass = Pass::new(self.claim, numbers, &self.ring.work);
         for _ in &self.vertices {
             pass.add_vertex()?;
         }
@@ -213,23 +200,23 @@ impl<'c, const N: usize> Family<'c, N> {
         let refusal = stop.refusal();
         let is_open = refusal.code == Code::SignUndecided || refusal.code.kind() == Kind::Rejected;
         if is_open {
-            let middle = leaf.iter().map(|side| side.middle(&self.ring)).collect::<Checked<_>>()?;
             let is_about_all = matches!(refusal.code, Code::NotAttained | Code::NoneInside);
-            self.check_point(&middle, is_about_all)?;
-            self.check_corners(leaf, &mut Vec::new(), is_about_all)?;
+            self.check_points(leaf, true, &mut Vec::new(), is_about_all)?;
+            self.check_points(leaf, false, &mut Vec::new(), is_about_all)?;
             return Ok(Stop::LARGER.at(refusal.place));
         }
         Ok(Stop::of(refusal))
     }
 
-    fn check_corners(&self, leaf: &Box<N>, corner: &mut Box<N>, is_about_all: bool) -> Checked {
-        let Some(side) = leaf.get(corner.len()) else {
-            return self.check_point(corner, is_about_all);
-        };
-        for end in side.points(&self.ring)? {
-            corner.push(end);
-            self.check_corners(leaf, corner, is_about_all)?;
-            corner.pop();
+    /// Checks the middle, or the corners.
+    fn check_points(&self, leaf: &Box<N>, is_middle: bool, point: &mut Box<N>, is_about_all: bool) -> Checked {
+        let Some(side) = leaf.get(point.len()) else { return self.check_point(point, is_about_all) };
+        let points = side.points(&self.ring)?;
+        let (middle, ends) = points.split_at(1);
+        for end in if is_middle || ends.is_empty() { middle } else { ends } {
+            point.push(end.clone());
+            self.check_points(leaf, is_middle, point, is_about_all)?;
+            point.pop();
         }
         Ok(())
     }
@@ -244,7 +231,7 @@ impl<'c, const N: usize> Family<'c, N> {
             return Ok(());
         }
         let value = |side: &Side<N>| {
-            let numerator = self.ring.coefficients(&side.low);
+            let numerator = self.ring.coefficients(&side.ends[0]);
             let divisor = numerator.iter().fold(side.unit.clone(), |divisor, c| divisor.gcd(c));
             Value::Quotient(numerator.iter().map(|c| c / &divisor).collect(), vec![&side.unit / &divisor])
         };

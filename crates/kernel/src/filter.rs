@@ -31,17 +31,6 @@ impl Default for Interval {
 }
 
 impl Interval {
-    /// Shifted down to 30 bits. Both parts are rounded down, each by less than one unit.
-    #[inline(always)]
-    fn rounded(middle: i64, radius: u64, exponent: i64) -> Interval {
-        let size = middle.unsigned_abs() + radius;
-        let shift = (u64::BITS - SIZE).saturating_sub(size.leading_zeros());
-        let lost = if shift > 0 { 2 } else { 0 };
-        let middle = middle >> shift;
-        let most = middle.unsigned_abs() + (radius >> shift) + lost;
-        Interval { middle, most, exponent: exponent + i64::from(shift) }
-    }
-
     /// An interval that contains the number with these coefficients.
     #[inline(always)]
     pub(crate) fn of<T: Int>(coefficients: &[T], root: &Root) -> Checked<Interval> {
@@ -54,44 +43,36 @@ impl Interval {
             return Ok(Interval { middle, most, exponent: shift.cast_signed() });
         }
         let (middle, radius, dropped) = enclosure(coefficients, &root.rough)?;
-        // To 60 bits. Both parts are rounded down, each by less than one unit.
-        let shift = (i128::BITS - 60).saturating_sub((middle.unsigned_abs() + radius).leading_zeros());
+        // To 30 bits. Both parts are rounded down, each by less than one unit.
+        let shift = (i128::BITS - SIZE).saturating_sub((middle.unsigned_abs() + radius).leading_zeros());
         let lost = if shift > 0 { 2 } else { 0 };
-        let radius = u64::try_from(radius >> shift).map_err(|_| Stop::LARGER)? + lost;
+        let middle = (middle >> shift).top(0)?;
+        let most = middle.unsigned_abs() + u64::try_from(radius >> shift).map_err(|_| Stop::LARGER)? + lost;
         let up = root.dropped + dropped + u64::from(shift);
-        let exponent = up.cast_signed() - BITS.cast_signed();
-        Ok(Interval::rounded((middle >> shift).top(0)?, radius, exponent))
+        Ok(Interval { middle, most, exponent: up.cast_signed() - BITS.cast_signed() })
     }
 
-    /// Σ x_i y_i for at most four terms. Of a product, |x y - m m'| <= (|m| + r) (|m'| + r') - |m m'| < 2^61.
-    #[inline(always)]
-    pub(crate) fn dot<const K: usize>(x: [&Interval; K], y: [&Interval; K]) -> Interval {
-        let mut terms = [(0, 0, i64::MIN); K];
-        let mut exponent = i64::MIN;
-        for ((term, x), y) in terms.iter_mut().zip(x).zip(y) {
-            let middle = x.middle * y.middle;
-            *term = (middle, x.most * y.most - middle.unsigned_abs(), x.exponent + y.exponent);
-            exponent = exponent.max(term.2);
-        }
-        Interval::sum(terms, exponent)
-    }
-
-    /// The sum of middles, radii and exponents, of which one is the greatest. Shifts lose less than one unit of
-    /// each part.
+    /// The sum of at most four middles, radii and exponents, of which one is the greatest. Shifts lose less than one
+    /// unit of each part, and so does the last one, to 30 bits.
     #[inline(always)]
     fn sum<const K: usize>(terms: [(i64, u64, i64); K], exponent: i64) -> Interval {
-        let (mut sum, mut most) = (0, 0u64);
-        for (middle, radius, term) in terms {
-            let shift = exponent.abs_diff(term).min(63);
-            sum += middle >> shift;
-            most += (radius >> shift) + if shift > 0 { 2 } else { 0 };
+        let (mut middle, mut radius) = (0i64, 0u64);
+        for (term, error, smaller) in terms {
+            let shift = exponent.abs_diff(smaller).min(63);
+            middle += term >> shift;
+            radius += (error >> shift) + if shift > 0 { 2 } else { 0 };
         }
-        Interval::rounded(sum, most, exponent)
+        let size = middle.unsigned_abs() + radius;
+        let shift = (u64::BITS - SIZE).saturating_sub(size.leading_zeros());
+        let lost = if shift > 0 { 2 } else { 0 };
+        let middle = middle >> shift;
+        let most = middle.unsigned_abs() + (radius >> shift) + lost;
+        Interval { middle, most, exponent: exponent + i64::from(shift) }
     }
 }
 
 /// A positive number between (middle - error) 2^exponent and (middle + error) 2^exponent, where
-/// 2^31 <= middle < 2^32 and error < 2^20 + 2.
+/// 2^31 <= middle < 2^32, error < 2^20 + 2 and |exponent| < 2^27.
 #[derive(Clone, Copy)]
 pub struct Rough {
     middle: u64,
@@ -104,41 +85,53 @@ impl Rough {
     #[inline(always)]
     pub(crate) fn new(middle: u128, radius: u128, exponent: i64) -> Option<Rough> {
         let up = middle.leading_zeros();
-        if radius.leading_zeros() < up + 12 {
+        let exponent = exponent + 96 - i64::from(up);
+        if radius.leading_zeros() < up + 12 || exponent.unsigned_abs() >> 27 > 0 {
             return None;
         }
         // The first 32 bits. Both parts are rounded down, each by less than one unit.
         let first = |x: u128| u64::try_from((x << up) >> 96).ok();
-        Some(Rough { middle: first(middle)?, error: first(radius)? + 2, exponent: exponent + 96 - i64::from(up) })
+        Some(Rough { middle: first(middle)?, error: first(radius)? + 2, exponent })
     }
 }
 
-/// The logarithm of a positive number to the base 2, times 2^31, but linear between powers of 2: a number
-/// (1 + t) 2^(k+31) with 0 <= t < 1 has k + t. It lies within `error` of `middle`.
+/// A number lies between these places, inclusive, on a scale that rises with the numbers. Zero has the place 0, and
+/// (1 + t) 2^(k+31) with 0 <= t < 1 has 2^62 + (k + t) 2^31: its logarithm, but linear between powers of 2. The
+/// places of negative numbers are negative.
 #[derive(Clone, Copy)]
-pub struct Logarithm {
-    pub(crate) middle: i64,
-    error: i64,
+pub struct Range {
+    pub(crate) low: i64,
+    pub(crate) high: i64,
 }
 
-impl Logarithm {
-    /// Of x y / (z w). Relative errors add up, to E/2^31 for the sum E of the errors, and 1 % of it for products
-    /// of them. The integers below lose three units more, of 2^-30. A relative error is doubled at most.
+impl Range {
+    /// Of ± x y / (z w), with this sign. Relative errors add up, to E/2^31 for the sum E of the errors, and 1 % of it
+    /// for products of them. The integers below lose three units more, of 2^-30. A relative error is doubled at most.
     #[inline(always)]
-    pub(crate) fn quotient([x, y]: [Rough; 2], [z, w]: [Rough; 2]) -> Logarithm {
-        let quotient = x.middle * y.middle / ((z.middle * w.middle) >> 32);
-        let up = quotient.leading_zeros();
-        let t = ((quotient << up) >> 32).cast_signed() - (1 << 31);
-        let exponent = x.exponent + y.exponent - z.exponent - w.exponent - i64::from(up);
-        let error = 3 * (x.error + y.error + z.error + w.error) + 16;
-        Logarithm { middle: exponent * (1 << 31) + t, error: error.cast_signed() }
+    pub(crate) fn quotient(sign: Sign, roughs: Option<[Rough; 4]>) -> Range {
+        let (mut low, mut high) = (1, i64::MAX);
+        if let Some([x, y, z, w]) = roughs {
+            let quotient = x.middle * y.middle / ((z.middle * w.middle) >> 32);
+            let up = quotient.leading_zeros();
+            let t = ((quotient << up) >> 32).cast_signed() - (1 << 31);
+            let exponent = x.exponent + y.exponent - z.exponent - w.exponent - i64::from(up);
+            let error = (3 * (x.error + y.error + z.error + w.error) + 16).cast_signed();
+            let middle = (1 << 62) + exponent * (1 << 31) + t;
+            (low, high) = (middle - error, middle + error);
+        }
+        match sign.decided() {
+            Ok(Ordering::Greater) => Range { low, high },
+            Ok(Ordering::Less) => Range { low: -high, high: -low },
+            Ok(Ordering::Equal) => Range { low: 0, high: 0 },
+            Err(_) => Range { low: -high, high },
+        }
     }
 
     /// The order of the numbers, if it is known.
     #[inline(always)]
-    pub(crate) fn compare(&self, other: &Logarithm) -> Option<Ordering> {
-        let is_known = self.middle.abs_diff(other.middle) > (self.error + other.error).unsigned_abs();
-        is_known.then(|| self.middle.cmp(&other.middle))
+    pub(crate) fn compare(&self, other: &Range) -> Option<Ordering> {
+        let order = if self.low > other.high { Ordering::Greater } else { Ordering::Less };
+        (order == Ordering::Greater || self.high < other.low).then_some(order)
     }
 }
 
@@ -175,9 +168,17 @@ impl Ring for Intervals {
         Ok(Interval { middle: -x.middle, ..*x })
     }
 
+    /// Of a product, |x y - m m'| <= (|m| + r) (|m'| + r') - |m m'| < 2^61.
     #[inline(always)]
     fn dot<const K: usize>(&self, x: [&Interval; K], y: [&Interval; K]) -> Checked<Interval> {
-        Ok(Interval::dot(x, y))
+        let mut terms = [(0, 0, i64::MIN); K];
+        let mut exponent = i64::MIN;
+        for ((term, x), y) in terms.iter_mut().zip(x).zip(y) {
+            let middle = x.middle * y.middle;
+            *term = (middle, x.most * y.most - middle.unsigned_abs(), x.exponent + y.exponent);
+            exponent = exponent.max(term.2);
+        }
+        Ok(Interval::sum(terms, exponent))
     }
 
     #[inline(always)]

@@ -2,10 +2,10 @@
 
 use crate::refusal::{Checked, Stop};
 use num_bigint::BigInt;
-use num_traits::{CheckedAdd, CheckedMul, CheckedSub};
+use num_traits::{CheckedAdd, CheckedSub};
 use std::cmp::Ordering;
 
-pub trait Int: Clone + Default + Ord + From<i64> + Into<BigInt> + CheckedAdd + CheckedSub + CheckedMul {
+pub trait Int: Clone + Default + Ord + From<i64> + Into<BigInt> + CheckedAdd + CheckedSub {
     /// The price of a product in units of work; zero where it depends on the factors.
     const PRICE: u64;
 
@@ -35,10 +35,7 @@ pub trait Int: Clone + Default + Ord + From<i64> + Into<BigInt> + CheckedAdd + C
     }
 
     /// self + x y
-    fn add_product(&mut self, x: &Self, y: &Self) -> Checked {
-        *self = self.plus(&x.checked_mul(y).ok_or_else(|| Stop::LARGER)?)?;
-        Ok(())
-    }
+    fn add_product(&mut self, x: &Self, y: &Self) -> Checked;
 }
 
 macro_rules! machine {
@@ -60,6 +57,16 @@ macro_rules! machine {
 
             fn wide(&self) -> Checked<i128> {
                 Ok((*self).into())
+            }
+
+            fn add_product(&mut self, x: &Self, y: &Self) -> Checked {
+                let product = match (i64::try_from(*x), i64::try_from(*y)) {
+                    // This fits 128 bits, and takes one instruction.
+                    (Ok(x), Ok(y)) if $bits > 64 => <$int>::from(x) * <$int>::from(y),
+                    _ => x.checked_mul(*y).ok_or_else(|| Stop::LARGER)?,
+                };
+                *self = self.plus(&product)?;
+                Ok(())
             }
         }
     };
@@ -85,5 +92,10 @@ impl Int for BigInt {
 
     fn wide(&self) -> Checked<i128> {
         i128::of(self)
+    }
+
+    fn add_product(&mut self, x: &Self, y: &Self) -> Checked {
+        *self += x * y;
+        Ok(())
     }
 }

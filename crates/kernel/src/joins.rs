@@ -1,11 +1,13 @@
 //! The cells of a system of patches, each with the cells that it can meet: those of the pieces, and
 //! those of the joins, for all pairs of sides that can meet.
 
-use crate::claim::{Claim, Relation};
+use crate::claim::Claim;
+use crate::domain::cycle;
 use crate::refusal::{Checked, Place, Stop};
 use crate::ring::{Ring, each};
 use crate::row::Corner;
 use crate::rules::Simplex;
+use crate::tiling::check_attained;
 use crate::walls::{Large, Point, Side, System, name};
 use std::cmp::Ordering::Greater;
 use std::collections::BTreeMap;
@@ -28,9 +30,8 @@ impl<const N: usize> System<N> {
     pub(crate) fn meetings(&self) -> impl Iterator<Item = (usize, usize)> {
         let sides = || self.sides.iter().enumerate();
         sides().flat_map(move |(i, left)| {
-            let meets = move |right: &Side<N>| {
-                left.label == right.label && (self.parts.rank == 1 || left.number != right.number)
-            };
+            let meets =
+                move |right: &Side<N>| left.label == right.label && (self.rank == 1 || left.number != right.number);
             sides().filter(move |(_, right)| meets(right)).map(move |(j, _)| (i, j))
         })
     }
@@ -38,24 +39,20 @@ impl<const N: usize> System<N> {
     /// Checks the statements about angles, ratios and spheres, and that each join is there.
     pub(crate) fn check_cells(&self, claim: &Claim) -> Checked<Vec<Join<N>>> {
         let mut attained = 0;
-        for (patch, tile) in self.parts.patches.iter().zip(0..) {
+        for (patch, tile) in self.patches.iter().zip(0..) {
             for (row, simplex) in patch.rows.iter().zip(patch.first..) {
                 let corners = each(row, |corner| self.point(tile, *corner))?;
                 attained |= self.check_cell(&corners, None, Place::Simplex(simplex))?;
             }
         }
-        for (statement, index) in claim.statements.iter().zip(0..) {
-            let relation = statement.bound.as_ref().map(|bound| bound.relation);
-            let is_extreme = matches!(relation, Some(Relation::Maximum | Relation::Minimum));
-            ensure!(!is_extreme || attained >> index & 1 == 1, NotAttained, Place::Statement(index));
-        }
+        check_attained(claim, attained)?;
         let mut joins = Vec::new();
         for (i, j) in self.meetings().collect::<Vec<_>>() {
             self.work().check(self.side(i)?.place())?;
             joins.extend(self.meet(i, j)?);
         }
-        if self.parts.rules.needs_mates() {
-            for patch in 0..self.parts.patches.len() {
+        if self.rules.needs_mates() {
+            for patch in 0..self.patches.len() {
                 self.check_inside(patch, &joins)?;
             }
         }
@@ -71,7 +68,7 @@ impl<const N: usize> System<N> {
             let polygon = one.corners.iter().map(|corner| self.point(left.patch, *corner));
             let polygon = polygon.collect::<Checked<Vec<_>>>()?;
             let apex = self.point(left.patch, one.apex)?;
-            let beyond = left.point_of(&self.parts, right, other.apex, one.base.seen_from(other.base))?;
+            let beyond = left.point_of(self, right, other.apex, one.base.seen_from(other.base))?;
             match (one.pyramid, other.pyramid, polygon.as_slice()) {
                 (Some(first), Some(second), _) => {
                     let join = Join { sides: [i, j], pyramids: [first, second], polygon, apex, beyond };
@@ -94,8 +91,8 @@ impl<const N: usize> System<N> {
         let following = || polygon.iter().cycle().skip(1);
         for ((one, other), after) in polygon.iter().zip(following()).zip(following().skip(1)) {
             let determinant = self.determinant(&[beyond, one, other, apex])?;
-            let is_positive = self.parts.ring.sign(&determinant).is(|sign| sign == Greater)?;
-            ensure!(is_positive, MissingJoin, place, self.parts.ring.value(&determinant));
+            let is_positive = self.ring.sign(&determinant).is(|sign| sign == Greater)?;
+            ensure!(is_positive, MissingJoin, place, self.ring.value(&determinant));
             let cell = [beyond.clone(), other.clone(), one.clone(), apex.clone()];
             self.check_cell(&cell, Some(after), place)?;
         }
@@ -104,7 +101,7 @@ impl<const N: usize> System<N> {
 
     /// The facets inside of a tile that are in no fan, with all cells that can be on either side.
     fn check_inside(&self, number: usize, joins: &[Join<N>]) -> Checked {
-        let patch = self.parts.patches.get(number).ok_or(Stop::LARGER)?;
+        let patch = self.patches.get(number).ok_or(Stop::LARGER)?;
         let mut opposites = Opposites::new();
         for (facet, apex) in patch.facets().filter(|(facet, _)| patch.sides(facet).is_empty()) {
             self.add(&mut opposites, &facet, vec![self.point(number, apex)?])?;
@@ -119,8 +116,8 @@ impl<const N: usize> System<N> {
                     beyond.push(join.beyond.clone());
                 }
             }
-            for (one, other) in pyramid.polygon.iter().zip(pyramid.polygon.iter().cycle().skip(1)) {
-                self.add(&mut opposites, &[*one, *other, pyramid.apex], beyond.clone())?;
+            for [one, other] in cycle(&pyramid.polygon) {
+                self.add(&mut opposites, &[one, other, pyramid.apex], beyond.clone())?;
             }
         }
         for (facet, sides) in &opposites {
@@ -139,7 +136,7 @@ impl<const N: usize> System<N> {
         let (base, name) = name(facet);
         let name = <[Corner; 3]>::try_from(name).map_err(|_| Stop::LARGER)?;
         let back = self.shift(&Corner { vertex: 0, shift: base.shift.map(|s| -s) })?;
-        let points = points.iter().map(|point| self.parts.sum(point, &back));
+        let points = points.iter().map(|point| self.sum(point, &back));
         opposites.entry(name).or_default().push(points.collect::<Checked<_>>()?);
         Ok(())
     }
@@ -147,17 +144,17 @@ impl<const N: usize> System<N> {
     /// Checks a cell, and the corner of a mate that is not in their common facet.
     fn check_cell(&self, [a, b, c, d]: &[Point<N>; 4], mate: Option<&Point<N>>, place: Place) -> Checked<u32> {
         let determinant = self.determinant(&[a, b, c, d])?;
-        let is_positive = self.parts.ring.sign(&determinant).is(|sign| sign == Greater)?;
+        let is_positive = self.ring.sign(&determinant).is(|sign| sign == Greater)?;
         let (c, d) = if is_positive { (c, d) } else { (d, c) };
-        let vector = |x| self.parts.ring.difference(a, x);
+        let vector = |x| self.ring.difference(a, x);
         let mates = [mate.map(vector).transpose()?, None, None, None];
         let simplex = Simplex { number: 0, edges: [vector(b)?, vector(c)?, vector(d)?], mates };
-        let found = self.parts.rules.check(&simplex, &self.parts.scale).map_err(Stop::refusal);
+        let found = self.rules.check(&simplex, &self.scale).map_err(Stop::refusal);
         found.map(|(_, attained)| attained).map_err(|refusal| Stop::refuse(refusal.code, place, refusal.value))
     }
 
     fn determinant(&self, [a, b, c, d]: &[&Point<N>; 4]) -> Checked<<Large<N> as Ring>::Element> {
-        let vector = |x| self.parts.ring.difference(a, x);
-        self.parts.ring.inner(&vector(b)?, &self.parts.ring.cross(&vector(c)?, &vector(d)?)?)
+        let vector = |x| self.ring.difference(a, x);
+        self.ring.inner(&vector(b)?, &self.ring.cross(&vector(c)?, &vector(d)?)?)
     }
 }

@@ -40,11 +40,11 @@ mod walls;
 pub use claim::Claim;
 pub use limits::Limits;
 pub use refusal::{Code, Kind, Place, Refusal, Value};
-pub use tiling::{Facts, Verified};
+pub use tiling::Verified;
 
 use cbor::Cbor;
+use claim::Domain;
 use limits::Work;
-use patch::Head;
 use refusal::{Checked, Stop};
 use std::io::Read;
 use std::rc::Rc;
@@ -55,35 +55,30 @@ use std::rc::Rc;
 /// The first condition that does not hold, in the order in which the file is read.
 pub fn verify(input: &mut dyn Read, limits: &Limits) -> Result<Verified, Refusal> {
     let work = Rc::new(Work::new(limits.work));
-    let facts = read(Cbor::new(input, limits, &work), limits, &work);
-    facts.map(Verified).map_err(Stop::refusal)
+    read(Cbor::new(input, limits, &work)).map_err(Stop::refusal)
 }
 
-fn read(mut cbor: Cbor, limits: &Limits, work: &Rc<Work>) -> Checked<Facts> {
+fn read(mut cbor: Cbor) -> Checked<Verified> {
     cbor.array_of(5)?;
     ensure!(cbor.text()? == "acutile-certificate", Format, cbor.place());
     let version = cbor.small()?;
     ensure!(version == 2, Version, cbor.place(), version);
     let kind = cbor.text()?;
-    if kind == "patches" {
-        let head = Head::read(&mut cbor, limits)?;
-        return match head.claim.field.degree() {
-            1 => patches::verify::<1>(cbor, head, limits, work),
-            2 => patches::verify::<2>(cbor, head, limits, work),
-            _ => patches::verify::<8>(cbor, head, limits, work),
-        };
-    }
-    let is_family = kind == "family";
-    ensure!(is_family || kind == "tiling", UnknownKind, cbor.place());
-    let claim = Claim::read(&mut cbor, limits, is_family)?;
+    ensure!(["tiling", "family", "patches"].contains(&kind.as_str()), UnknownKind, cbor.place());
+    let claim = Claim::read(&mut cbor, &kind)?;
     // The number is the capacity for coefficients. The compiler knows the degrees 1 and 2.
     match claim.field.degree() {
-        1 if is_family => family::verify::<1>(cbor, claim, limits, work),
-        2 if is_family => family::verify::<2>(cbor, claim, limits, work),
-        _ if is_family => family::verify::<8>(cbor, claim, limits, work),
-        1 => tiling::verify::<1>(cbor, claim, limits, work),
-        2 => tiling::verify::<2>(cbor, claim, limits, work),
-        _ => tiling::verify::<8>(cbor, claim, limits, work),
+        1 => check::<1>(cbor, claim),
+        2 => check::<2>(cbor, claim),
+        _ => check::<8>(cbor, claim),
+    }
+}
+
+fn check<const N: usize>(cbor: Cbor, claim: Claim) -> Checked<Verified> {
+    match &claim.domain {
+        Domain::Mosaics(_) => patches::verify::<N>(cbor, claim),
+        _ if !claim.parameters.is_empty() => family::verify::<N>(cbor, claim),
+        _ => tiling::verify::<N>(cbor, claim),
     }
 }
 

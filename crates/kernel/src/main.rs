@@ -4,13 +4,11 @@
 
 mod text;
 
-use acutile_kernel::{Code, Facts, Limits, Verified, verify};
+use acutile_kernel::{Code, Limits, Verified, verify};
 use std::ffi::OsString;
 use std::fs::{self, File};
 use std::io::{self, Read, Write};
 use std::process::ExitCode;
-
-const HELP: &str = include_str!("help.txt");
 
 struct Options {
     files: Vec<OsString>,
@@ -20,12 +18,8 @@ struct Options {
     print_claim: bool,
 }
 
-/// A file that is not verified: the verdict, the code, and words.
-struct Failure {
-    verdict: &'static str,
-    code: &'static str,
-    words: String,
-}
+/// Of a file that is not verified: the verdict, the code, and words.
+type Failure = (&'static str, &'static str, String);
 
 fn main() -> ExitCode {
     run().unwrap_or_else(|message| {
@@ -52,7 +46,7 @@ fn run() -> Result<ExitCode, String> {
         } else {
             write(&mut io::stdout(), &line)?;
         }
-        verdicts.push(found.map_or_else(|failure| failure.verdict, |_| "verified"));
+        verdicts.push(found.map_or_else(|(verdict, ..)| verdict, |_| "verified"));
     }
     let order = ["rejected", "malformed", "declined"];
     let worst = order.iter().zip(1..).find(|(verdict, _)| verdicts.contains(verdict));
@@ -66,8 +60,8 @@ fn write(out: &mut dyn Write, text: &str) -> Result<(), String> {
 
 /// The options, or a text that the command line asks for.
 fn parse() -> Result<Result<Options, &'static str>, String> {
-    let (files, claim, json, print_claim) = (Vec::new(), None, false, false);
-    let mut options = Options { files, limits: Limits::DEFAULT, claim, json, print_claim };
+    let limits = Limits::DEFAULT;
+    let mut options = Options { files: Vec::new(), limits, claim: None, json: false, print_claim: false };
     let mut words = std::env::args_os().skip(1);
     let mut is_file = false;
     while let Some(word) = words.next() {
@@ -93,7 +87,7 @@ fn parse() -> Result<Result<Options, &'static str>, String> {
             "--max-bits" => limits.bits = number(&option, value()?, u64::MAX)?,
             "--max-degree" => limits.degree = number(&option, value()?, 8)?.try_into().unwrap_or(8),
             "--max-work" => limits.work = number(&option, value()?, u64::MAX)?,
-            "-h" | "--help" => return Ok(Err(HELP)),
+            "-h" | "--help" => return Ok(Err(include_str!("help.txt"))),
             "-V" | "--version" => {
                 return Ok(Err(concat!("acutile-verify ", env!("CARGO_PKG_VERSION"), "\n")));
             }
@@ -113,7 +107,7 @@ fn number(option: &str, word: OsString, most: u64) -> Result<u64, String> {
 }
 
 fn check(file: &OsString, options: &Options) -> Result<Verified, Failure> {
-    let malformed = |code, words| Failure { verdict: "malformed", code, words };
+    let malformed = |code, words| ("malformed", code, words);
     let unreadable = |error: io::Error| malformed("unreadable", error.to_string());
     let mut length = None;
     let mut input: Box<dyn Read> = if file == "-" {
@@ -130,17 +124,13 @@ fn check(file: &OsString, options: &Options) -> Result<Verified, Failure> {
                     and `acutile verify F.json` reads JSON";
         return Err(malformed(Code::Cbor.text(), hint.into()));
     }
-    let found = verify(&mut first.chain(input), &options.limits).map_err(|refusal| Failure {
-        verdict: refusal.code.kind().text(),
-        code: refusal.code.text(),
-        words: text::refusal(&refusal, length),
-    })?;
+    let found = verify(&mut first.chain(input), &options.limits);
+    let words = |refusal| text::refusal(&refusal, length);
+    let found = found.map_err(|refusal| (refusal.code.kind().text(), refusal.code.text(), words(refusal)))?;
     match &options.claim {
-        Some(claim) if claim != found.claim.print().as_bytes() => Err(Failure {
-            verdict: "rejected",
-            code: "other-claim",
-            words: "it proves another claim; --print-claim prints it".into(),
-        }),
+        Some(claim) if claim != found.claim.print().as_bytes() => {
+            Err(("rejected", "other-claim", "it proves another claim; --print-claim prints it".into()))
+        }
         _ => Ok(found),
     }
 }
@@ -149,7 +139,7 @@ fn line(file: &str, found: &Result<Verified, Failure>, is_json: bool) -> String 
     let name = if is_json { text::json(file) } else { text::name(file) };
     match (found, is_json) {
         (Ok(found), _) => {
-            let Facts { simplices, vertices, bytes, boundary_facets, peak_facets, peak_edges, sha256, .. } = &**found;
+            let Verified { simplices, vertices, bytes, boundary_facets, peak_facets, peak_edges, sha256, .. } = found;
             let sha256: String = sha256.iter().map(|byte| format!("{byte:02x}")).collect();
             if !is_json {
                 let counts = format!("{simplices} simplices, {vertices} vertices");
@@ -162,10 +152,10 @@ fn line(file: &str, found: &Result<Verified, Failure>, is_json: bool) -> String 
                  \"bytes\":{bytes},\"sha256\":\"{sha256}\"}}\n"
             )
         }
-        (Err(Failure { verdict, code, words }), false) => {
+        (Err((verdict, code, words)), false) => {
             format!("{name}: {verdict} [{code}] {words}\n")
         }
-        (Err(Failure { verdict, code, words }), true) => format!(
+        (Err((verdict, code, words)), true) => format!(
             "{{\"file\":{name},\"verdict\":\"{verdict}\",\"code\":\"{code}\",\"message\":{}}}\n",
             text::json(words)
         ),

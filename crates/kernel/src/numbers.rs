@@ -10,16 +10,18 @@ use crate::filter::{Interval, Intervals};
 use crate::front::Step;
 use crate::int::Int;
 use crate::limits::Work;
-use crate::planes;
 use crate::refusal::{Checked, Place, Stop};
 use crate::region::Region;
 use crate::ring::{Element, Exact, Ring, Sign, Vector, each, zip};
 use crate::root::Root;
 use crate::row::{Corner, Row, Shape};
-use crate::rules::{Found, Rules, Simplex};
+use crate::rules::{Rules, Simplex};
 use crate::vertices::Vertices;
 use num_bigint::BigInt;
+use num_integer::Integer;
+use std::cell::RefCell;
 use std::cmp::Ordering::Equal;
+use std::mem::replace;
 use std::rc::Rc;
 
 /// The claim in the numbers of one ring.
@@ -43,10 +45,9 @@ impl<R: Ring> Model<R> {
     pub(crate) fn set_denominator(&mut self, claim: &Claim, denominator: &BigInt) -> Checked {
         if let (Some(facets), Domain::Polytope(polytope)) = (&mut self.facets, &claim.domain) {
             // In a tiling every vertex of P is a corner, so its coordinates have this denominator.
-            let factor = denominator / &polytope.denominator;
-            let divides = &factor * &polytope.denominator == *denominator;
-            ensure!(divides, DenominatorDomain, Place::Witness, polytope.denominator.clone());
-            facets.scale(polytope, &factor)?;
+            let (factor, rest) = denominator.div_rem(&polytope.denominator);
+            ensure!(rest == BigInt::ZERO, DenominatorDomain, Place::Witness, polytope.denominator.clone());
+            facets.factor = self.rules.ring.long(&factor)?;
         }
         Ok(())
     }
@@ -85,12 +86,13 @@ impl<R: Ring> Model<R> {
     /// power of the denominator. With k! vol P in place of the domain's volume the factor is D! / k!.
     pub(crate) fn check_volume(&self, sum: &R::Element, shape: Shape, denominator: &BigInt) -> Checked {
         let ring = &self.rules.ring;
-        let mut expected = match &self.facets {
-            Some(facets) => facets.volume.clone(),
-            None => ring.integer(1)?,
+        let (mut expected, factor) = match &self.facets {
+            Some(facets) => (facets.volume.clone(), facets.factor.clone()),
+            None => (ring.integer(1)?, ring.integer(1)?),
         };
-        for factor in (1..=shape.dimension).rev().take(shape.rank) {
-            expected = ring.times(&expected, &ring.element(&[denominator * factor])?)?;
+        for k in 0..shape.dimension {
+            let unit = ring.element(&[denominator * (shape.dimension - k)])?;
+            expected = ring.times(&expected, if k < shape.rank { &unit } else { &factor })?;
         }
         let is_equal = ring.sign(&ring.minus(sum, &expected)?) == Sign::exactly(Equal);
         ensure!(is_equal, VolumeSum, Place::Witness, ring.quotient(sum, &expected));
@@ -111,19 +113,33 @@ pub(crate) trait Numbers {
 /// A ring, and the statements in it where their numbers fit.
 type Size<T, const N: usize> = (Exact<T, N>, Option<Rules<Exact<T, N>>>);
 
-/// Of a simplex: the statements of which it attains the bound, and x and y for the determinant x + 2^62 y.
-type Judged<const N: usize> = (u32, [Element<i128, N>; 2]);
+/// A sum of integers. Those of 128 bits are added to each other as long as their sum fits.
+#[derive(Default)]
+struct Sum {
+    recent: i128,
+    others: BigInt,
+}
+
+impl Sum {
+    fn add<T: Int>(&mut self, x: &T) {
+        match x.wide().map(|x| (x, self.recent.checked_add(x))) {
+            Ok((_, Some(sum))) => self.recent = sum,
+            Ok((x, None)) => self.others += replace(&mut self.recent, x),
+            Err(_) => self.others += x.big(),
+        }
+    }
+}
 
 /// The numbers of one tiling.
 pub(crate) struct Single<const N: usize> {
     pub(crate) vertices: Vertices,
     small: Option<Size<i64, N>>,
     medium: Option<Size<i128, N>>,
-    large: Model<Exact<BigInt, N>>,
+    pub(crate) large: Model<Exact<BigInt, N>>,
     intervals: Option<Rules<Intervals>>,
     region: Option<Region<N>>,
     /// x and y for the sum x + 2^62 y of the determinants.
-    volume: [Element<BigInt, N>; 2],
+    volume: RefCell<[Element<Sum, N>; 2]>,
 }
 
 fn size<T: Int, const N: usize>(root: &Rc<Root>, claim: &Claim, work: &Rc<Work>) -> Option<Size<T, N>> {
@@ -156,33 +172,36 @@ impl<const N: usize> Single<N> {
         Ok(())
     }
 
-    /// Checks the planes that no simplex crosses.
-    pub(crate) fn check_planes(&self, claim: &Claim, row: &Row, simplex: u64) -> Checked {
-        let checked = planes::check_row(claim, &self.large.rules.ring, &self.vertices, row, simplex);
-        checked.map_err(|stop| stop.at(Place::Simplex(simplex)))
-    }
-
-    /// The judgement by integers of one size, or else by intervals around its edges.
+    /// The judgement by integers of one size, or else by intervals around its edges. Counts the volume.
     fn judge<T: Int>(
         &self,
-        size: Option<&Size<T, N>>,
+        ring: &Exact<T, N>,
+        rules: Option<&Rules<Exact<T, N>>>,
         row: &Row,
         steps: &[Step; 4],
         number: u64,
-    ) -> Checked<Judged<N>> {
-        let (ring, rules) = size.ok_or_else(|| Stop::LARGER)?;
+    ) -> Checked<u32> {
         let simplex = self.large.simplex(ring, row, steps, number, |corner| self.vertices.point(corner))?;
-        let rules = rules.as_ref().ok_or_else(|| Stop::LARGER);
+        let rules = rules.ok_or_else(|| Stop::LARGER);
         match rules.and_then(|rules| rules.check(&simplex, &self.vertices.denominator)) {
             Err(stop) if stop.is_larger() => self.judge_by_intervals(&simplex),
-            found => found.and_then(|(x, attained)| Ok((attained, [wide(&x)?, Element::default()]))),
+            found => found.map(|(determinant, attained)| {
+                self.add_volume([determinant]);
+                attained
+            }),
+        }
+    }
+
+    fn add_volume<T: Int, const K: usize>(&self, parts: [Element<T, N>; K]) {
+        for (sum, part) in self.volume.borrow_mut().iter_mut().zip(&parts) {
+            sum.0.iter_mut().zip(&part.0).for_each(|(sum, c)| sum.add(c));
         }
     }
 
     /// Only the volume needs the determinant itself. Exact integers repeat a refusal, for its value.
     #[cold]
     #[inline(never)]
-    fn judge_by_intervals<T: Int>(&self, simplex: &Simplex<Exact<T, N>>) -> Checked<Judged<N>> {
+    fn judge_by_intervals<T: Int>(&self, simplex: &Simplex<Exact<T, N>>) -> Checked<u32> {
         let rules = self.intervals.as_ref().ok_or_else(|| Stop::LARGER)?;
         let vector = |x: &[Element<T, N>; 3]| each(x, |x| Interval::of(&x.0, &rules.ring.root));
         let intervals = Simplex {
@@ -193,24 +212,20 @@ impl<const N: usize> Single<N> {
         let found = rules.check(&intervals, &self.vertices.denominator);
         let (_, attained) = found.map_err(|_| Stop::LARGER)?;
         if self.region.is_some() {
-            return Ok((attained, Default::default()));
+            return Ok(attained);
         }
         let (ring, _) = self.medium.as_ref().ok_or_else(|| Stop::LARGER)?;
         let [e1, e2, e3] = each(&simplex.edges, |edge| each(edge, wide))?;
         let normal = ring.cross(&e2, &e3)?;
         if let Ok(determinant) = ring.inner(&e1, &normal) {
-            return Ok((attained, [determinant, Element::default()]));
+            self.add_volume([determinant]);
+            return Ok(attained);
         }
         // A normal is x + 2^62 y, and products of these with edges of 62 bits fit 128 bits.
         let x = normal.each_ref().map(|x| Element(x.0.map(|c| c & ((1 << 62) - 1))));
         let y = normal.each_ref().map(|x| Element(x.0.map(|c| c >> 62)));
-        Ok((attained, [ring.inner(&e1, &x)?, ring.inner(&e1, &y)?]))
-    }
-
-    fn judge_large(&self, row: &Row, steps: &[Step; 4], simplex: u64) -> Checked<Found<Exact<BigInt, N>>> {
-        let Model { rules, .. } = &self.large;
-        let simplex = self.large.simplex(&rules.ring, row, steps, simplex, |corner| self.vertices.point(corner))?;
-        rules.check(&simplex, &self.vertices.denominator)
+        self.add_volume([ring.inner(&e1, &x)?, ring.inner(&e1, &y)?]);
+        Ok(attained)
     }
 }
 
@@ -225,25 +240,18 @@ impl<const N: usize> Numbers for Single<N> {
     }
 
     fn check(&mut self, row: &Row, steps: &[Step; 4], simplex: u64) -> Checked<u32> {
-        let mut found = self.judge(self.small.as_ref(), row, steps, simplex);
-        if found == Err(Stop::LARGER) {
-            found = self.judge(self.medium.as_ref(), row, steps, simplex);
+        let mut found = Err(Stop::LARGER);
+        if let Some((ring, rules)) = &self.small {
+            found = self.judge(ring, rules.as_ref(), row, steps, simplex);
         }
-        let attained = match found {
-            Err(stop) if stop.is_larger() => {
-                let found = self.judge_large(row, steps, simplex);
-                let (determinant, attained) = found.map_err(|stop| stop.at(Place::Simplex(simplex)))?;
-                self.volume[0].0.iter_mut().zip(determinant.0).for_each(|(sum, c)| *sum += c);
-                attained
-            }
-            found => {
-                let (attained, parts) = found?;
-                for (sum, part) in self.volume.iter_mut().zip(parts) {
-                    sum.0.iter_mut().zip(part.0).filter(|(_, c)| *c != 0).for_each(|(sum, c)| *sum += c);
-                }
-                attained
-            }
-        };
+        if let (Err(Stop::LARGER), Some((ring, rules))) = (&found, &self.medium) {
+            found = self.judge(ring, rules.as_ref(), row, steps, simplex);
+        }
+        if found == Err(Stop::LARGER) {
+            let rules = &self.large.rules;
+            found = self.judge(&rules.ring, Some(rules), row, steps, simplex);
+        }
+        let attained = found.map_err(|stop| stop.at(Place::Simplex(simplex)))?;
         if let Some(region) = &self.region {
             region.check_row(row, &self.vertices, simplex)?;
         }
@@ -254,8 +262,9 @@ impl<const N: usize> Numbers for Single<N> {
         if self.region.is_some() {
             return Ok(());
         }
-        let [x, y] = &self.volume;
-        let volume = Element(zip(&x.0, &y.0, |x, y| Ok(x + (y << 62)))?);
+        let [x, y] = &*self.volume.borrow();
+        let total = |sum: &Sum| &sum.others + sum.recent;
+        let volume = Element(zip(&x.0, &y.0, |x, y| Ok(total(x) + (total(y) << 62)))?);
         self.large.check_volume(&volume, shape, &self.vertices.denominator)
     }
 }

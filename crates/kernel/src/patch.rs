@@ -3,62 +3,40 @@
 //! Each patch, with its pyramids cut into fans, is checked by the pass of [`crate::tiling`] as a prism or slab.
 
 use crate::cbor::Cbor;
-use crate::claim::{
-    Claim, Domain, Field, Number, Polytope, Property, Statement, check_lowest, integers, read_gram, read_number,
-    read_polynomial, read_statements,
-};
-use crate::limits::{Limits, Work};
+use crate::claim::{Claim, Domain, Number, Polytope, Property, Statement, read_number, read_points};
 use crate::numbers::Single;
-use crate::refusal::{Checked, Place, Value};
+use crate::refusal::{Checked, Place};
 use crate::row::{Corner, MOST_SHIFT, Row, Shape};
 use crate::table::index;
-use crate::tiling::Pass;
+use crate::tiling::{Pass, read_count};
 use crate::transcript::Transcript;
 use crate::vertices::Vertices;
 use num_bigint::BigInt;
-use std::rc::Rc;
 
-/// The claim. Its members in common with the kind `tiling` are in a claim about all of space.
-pub(crate) struct Head {
-    pub(crate) claim: Claim,
-    pub(crate) rank: usize,
-    pub(crate) tiles: Vec<Tile>,
-}
-
+/// A tile of the mosaics, whose sides have classes.
+#[derive(Debug, PartialEq)]
 pub(crate) struct Tile {
     number: usize,
     polytope: Polytope,
     classes: Vec<BigInt>,
 }
 
-impl Head {
-    pub(crate) fn read(cbor: &mut Cbor, limits: &Limits) -> Checked<Head> {
-        let mut t = Transcript::new(cbor, "patches");
-        t.record(&["field", "gram", "rank", "tiles", "statements"])?;
-        let field = Field::read(&mut t, limits)?;
-        let degree = field.degree();
-        let gram = read_gram(&mut t, 3, degree, 0)?;
-        let found = t.big()?;
-        let rank = usize::try_from(&found).ok().filter(|rank| matches!(rank, 1 | 2));
-        let rank = some!(rank, Rank, t.place(), found);
-        let mut numbers = 0..;
-        let tiles = t.list(None, |t| Tile::read(t, rank, degree, numbers.next().unwrap_or_default()))?;
-        ensure!(!tiles.is_empty(), TileCount, t.place());
-        let statements = read_statements(&mut t, degree, 3)?;
-        let (parameters, domain, file) = (Vec::new(), Domain::Space, t.json + "\n");
-        let claim = Claim { dimension: 3, field, parameters, gram, domain, statements, file };
-        Ok(Head { claim, rank, tiles })
-    }
+/// The rank of the lattice, and the tiles.
+pub(crate) fn read_tiles(t: &mut Transcript) -> Checked<(usize, Vec<Tile>)> {
+    let found = t.big()?;
+    let rank = usize::try_from(&found).ok().filter(|rank| matches!(rank, 1 | 2));
+    let rank = some!(rank, Rank, t.place(), found);
+    let mut numbers = 0..;
+    let tiles = t.list(None, |t| Tile::read(t, rank, numbers.next().unwrap_or_default()))?;
+    ensure!(!tiles.is_empty(), TileCount, t.place());
+    Ok((rank, tiles))
 }
 
 impl Tile {
-    fn read(t: &mut Transcript, rank: usize, degree: usize, number: usize) -> Checked<Tile> {
+    fn read(t: &mut Transcript, rank: usize, number: usize) -> Checked<Tile> {
         t.record(&["denominator", "vertices", "classes"])?;
-        let denominator = t.big()?;
-        ensure!(denominator > BigInt::ZERO, Denominator, t.place(), denominator);
         let dimension = 3 - rank;
-        let vertices = t.list(None, |t| t.list(Some(dimension), |t| read_polynomial(t, degree, 0)))?;
-        check_lowest(t.place(), vertices.iter().flat_map(|vertex| integers(vertex)).chain([&denominator]))?;
+        let (denominator, vertices) = read_points(t, dimension)?;
         let count = vertices.len();
         ensure!(if rank == 1 { count > 2 } else { count == 2 }, SideCount, t.place(), count);
         let classes = t.list(Some(count), Transcript::big)?;
@@ -92,36 +70,28 @@ impl Patch {
     /// counts those of all patches.
     pub(crate) fn read<const N: usize>(
         cbor: &mut Cbor,
-        head: &Head,
+        head: &Claim,
         tile: &Tile,
-        limits: &Limits,
-        work: &Rc<Work>,
         simplices: &mut u64,
         cells: &mut u64,
     ) -> Checked<Patch> {
-        let Claim { field, gram, .. } = &head.claim;
-        let degree = field.degree();
-        let (field, gram, domain) = (field.clone(), gram.clone(), Domain::Polytope(tile.polytope.clone()));
+        let (field, gram, domain) = (head.field.clone(), head.gram.clone(), Domain::Polytope(tile.polytope.clone()));
         let statements = vec![Statement { property: Property::FaceToFace, bound: None, plane: None }];
         let (parameters, file) = Default::default();
         let claim = Claim { dimension: 3, field, parameters, gram, domain, statements, file };
+        let work = &cbor.work;
         let mut pass = Pass::new(&claim, Single::<N>::new(&claim, work)?, work);
         cbor.array_of(5)?;
         pass.numbers.read_denominator(&claim, cbor)?;
         cbor.array_of(tile.classes.len())?;
-        let offsets = tile.classes.iter().map(|_| read_offset(cbor, head.rank, degree)).collect::<Checked<_>>()?;
-        for _ in 0..cbor.array()? {
-            pass.numbers.vertices.read(cbor)?;
-            pass.add_vertex()?;
-        }
-        pass.numbers.vertices.check_lowest(cbor.place())?;
+        let offset = |_: &BigInt| Transcript::of(cbor, head).list(Some(head.rank()), read_number);
+        let offsets = tile.classes.iter().map(offset).collect::<Checked<_>>()?;
+        pass.read_vertices(cbor)?;
         let shape = pass.shape;
         let pyramids = (0..cbor.array()?).map(|_| read_pyramid(cbor, shape));
         let pyramids = pyramids.collect::<Checked<Vec<_>>>()?;
-        let count = cbor.array()?;
-        ensure!(count > 0, NoSimplices, Place::Witness);
+        let count = read_count(cbor, *cells)?;
         *cells = cells.saturating_add(count);
-        ensure!(*cells <= limits.simplices, TooManySimplices, Place::Witness, Value::Limit("simplices", Some(*cells)));
         let (mut rows, first) = (Vec::new(), *simplices);
         for _ in 0..count {
             let row = shape.read_row(cbor, *simplices)?;
@@ -130,7 +100,7 @@ impl Patch {
             *simplices += 1;
         }
         // A pyramid is the union of its fans (h_0, h_i, h_(i+1), apex).
-        for (apex, polygon) in &pyramids {
+        for Pyramid { apex, polygon, .. } in &pyramids {
             for (one, other) in polygon.iter().skip(1).zip(polygon.iter().skip(2)) {
                 let first = polygon.first().copied().unwrap_or_default();
                 pass.check_row(&positive([first, *one, *other, *apex])?, *simplices)?;
@@ -141,11 +111,12 @@ impl Patch {
         let (faces, vertices, classes) = (pass.faces, pass.numbers.vertices, tile.classes.clone());
         let (tile, number) = (tile.polytope.clone(), tile.number);
         let mut patch = Patch { vertices, faces, rows, first, pyramids: Vec::new(), offsets, tile, classes };
-        for ((apex, polygon), index) in pyramids.into_iter().zip(0_usize..) {
-            let sides = patch.sides(&polygon);
-            let is_apart = patch.sides(&[apex]).is_empty() && sides.len() == 1;
+        for (mut pyramid, index) in pyramids.into_iter().zip(0_usize..) {
+            let sides = patch.sides(&pyramid.polygon);
+            let is_apart = patch.sides(&[pyramid.apex]).is_empty() && sides.len() == 1;
             ensure!(is_apart, PyramidSide, Place::Tile(number), index);
-            patch.pyramids.push(Pyramid { apex, polygon, side: sides.first().copied().unwrap_or_default() });
+            pyramid.side = sides.first().copied().unwrap_or_default();
+            patch.pyramids.push(pyramid);
         }
         Ok(patch)
     }
@@ -164,11 +135,7 @@ impl Patch {
     }
 }
 
-fn read_offset(cbor: &mut Cbor, rank: usize, degree: usize) -> Checked<Vec<Number>> {
-    Transcript::new(cbor, "").list(Some(rank), |t| read_number(t, degree))
-}
-
-fn read_pyramid(cbor: &mut Cbor, shape: Shape) -> Checked<(Corner, Vec<Corner>)> {
+fn read_pyramid(cbor: &mut Cbor, shape: Shape) -> Checked<Pyramid> {
     cbor.array_of(2)?;
     let apex = shape.read_corner(cbor, Place::Witness)?;
     let polygon = (0..cbor.array()?).map(|_| shape.read_corner(cbor, Place::Witness));
@@ -179,7 +146,7 @@ fn read_pyramid(cbor: &mut Cbor, shape: Shape) -> Checked<(Corner, Vec<Corner>)>
     let is_polygon = polygon.len() > 2 && sorted.is_sorted_by(|one, other| one < other);
     let is_start = polygon.first().is_some_and(|first| first.shift == [0; 3]);
     ensure!(is_polygon && is_start, PyramidForm, cbor.place());
-    Ok((apex, polygon))
+    Ok(Pyramid { apex, polygon, side: 0 })
 }
 
 /// The row of a tetrahedron whose corners are positively oriented in this order.

@@ -5,42 +5,34 @@
 //! have their h between two successive integers. If g is zero there is one plane, where h(x) = q c · x - p is zero.
 
 use crate::claim::{Claim, Plane};
+use crate::numbers::Single;
 use crate::refusal::{Checked, Place, Stop};
 use crate::ring::{Element, Exact, Ring};
+use crate::root::BITS;
 use crate::row::Row;
-use crate::vertices::Vertices;
 use num_bigint::BigInt;
 use num_integer::Integer;
-use std::cmp::Ordering::{self, Greater, Less};
+use std::cmp::Ordering::{Greater, Less};
 
 /// Checks the planes of a claim for a row.
-pub(crate) fn check_row<const N: usize>(
-    claim: &Claim,
-    ring: &Exact<BigInt, N>,
-    vertices: &Vertices,
-    row: &Row,
-    simplex: u64,
-) -> Checked {
+pub(crate) fn check_row<const N: usize>(claim: &Claim, numbers: &Single<N>, row: &Row, simplex: u64) -> Checked {
+    let (ring, vertices) = (&numbers.large.rules.ring, &numbers.vertices);
     for plane in claim.statements.iter().filter_map(|statement| statement.plane.as_ref()) {
         let step = plane.normal.iter().take(claim.rank()).fold(0, |step: i64, c| step.gcd(c));
         let unit = &plane.denominator * &vertices.denominator * step.max(1);
         let corners = row.corners.iter().take(claim.dimension + 1);
         let heights = corners.map(|corner| height(plane, ring, &vertices.point(*corner)?, &vertices.denominator));
         let heights = heights.collect::<Checked<Vec<_>>>()?;
-        // The sign of a height minus k units.
-        let sign = |height, k: &BigInt| {
-            ring.work().add(k.bits());
-            ring.work().check(Place::Simplex(simplex))?;
-            ring.compare(height, &ring.element(&[&unit * k])?)?.decided()
-        };
         let mut least = heights.first().ok_or(Stop::LARGER)?;
         for height in &heights {
             if ring.compare(height, least)?.decided()? == Less {
                 least = height;
             }
         }
-        let above = if step == 0 { BigInt::ZERO } else { floor(|k| sign(least, k))? + 1 };
-        let signs = heights.iter().map(|height| sign(height, &above)).collect::<Checked<Vec<_>>>()?;
+        let above = if step == 0 { BigInt::ZERO } else { &unit * (floor(ring, least, &unit)? + 1) };
+        let above = ring.long(&above)?;
+        let signs = heights.iter().map(|height| ring.compare(height, &above)?.decided());
+        let signs = signs.collect::<Checked<Vec<_>>>()?;
         // No corner is above; of a single plane all corners may be.
         let is_uncrossed = !signs.contains(&Greater) || (step == 0 && !signs.contains(&Less));
         ensure!(is_uncrossed, PlaneCrossed, Place::Simplex(simplex));
@@ -62,19 +54,10 @@ fn height<const N: usize>(
     Ok(height)
 }
 
-/// The floor of a number, by the sign of its difference to integers.
-fn floor(sign: impl Fn(&BigInt) -> Checked<Ordering>) -> Checked<BigInt> {
-    let (mut low, mut high) = (BigInt::from(-1), BigInt::from(1));
-    while sign(&low)? == Less {
-        low *= 2;
-    }
-    while sign(&high)? != Less {
-        high *= 2;
-    }
-    while &high - &low > BigInt::from(1) {
-        let middle = (&low + &high).div_floor(&BigInt::from(2));
-        let is_above = sign(&middle)? == Less;
-        *(if is_above { &mut high } else { &mut low }) = middle;
-    }
-    Ok(low)
+/// floor(x / unit), by an enclosure of x. That of a rational number has no width.
+fn floor<const N: usize>(ring: &Exact<BigInt, N>, x: &Element<BigInt, N>, unit: &BigInt) -> Checked<BigInt> {
+    let (low, high) = ring.enclose(x);
+    let floor = |end: BigInt| (end >> BITS).div_floor(unit);
+    let (low, high) = (floor(low), floor(high));
+    if low == high { Ok(low) } else { Err(Stop::LARGER) }
 }

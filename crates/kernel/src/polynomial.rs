@@ -21,57 +21,38 @@ type Number<const N: usize> = Element<BigInt, N>;
 #[derive(Clone, Default)]
 pub(crate) struct Terms<const N: usize>(BTreeMap<Vec<u32>, Number<N>>);
 
-/// The interval of a parameter: from low/unit to high/unit.
+/// The interval of a parameter: its ends, over a unit.
 #[derive(Clone)]
 pub(crate) struct Side<const N: usize> {
-    pub(crate) low: Number<N>,
-    pub(crate) high: Number<N>,
+    pub(crate) ends: [Number<N>; 2],
     pub(crate) unit: BigInt,
     /// Whether the ends belong to the box.
-    pub(crate) is_low_closed: bool,
-    pub(crate) is_high_closed: bool,
+    pub(crate) closed: [bool; 2],
 }
 
 impl<const N: usize> Side<N> {
     pub(crate) fn new(parameter: &Parameter, ring: &Large<N>) -> Checked<Self> {
         let Parameter { low, high, .. } = parameter;
-        let end =
-            |end: &End, factor: &BigInt| ring.element(&end.numerator.iter().map(|c| c * factor).collect::<Vec<_>>());
-        Ok(Side {
-            low: end(low, &high.denominator)?,
-            high: end(high, &low.denominator)?,
-            unit: &low.denominator * &high.denominator,
-            is_low_closed: low.is_closed,
-            is_high_closed: high.is_closed,
-        })
+        let end = |end: &End, factor: &BigInt| ring.times(&ring.element(&end.numerator)?, &ring.long(factor)?);
+        let ends = [end(low, &high.denominator)?, end(high, &low.denominator)?];
+        Ok(Side { ends, unit: &low.denominator * &high.denominator, closed: [low.is_closed, high.is_closed] })
     }
 
     /// The lower and the upper half. The middle belongs to both.
     pub(crate) fn halves(&self, ring: &Large<N>) -> Checked<[Side<N>; 2]> {
-        let [low, middle, high] = [(&self.low, &self.low), (&self.low, &self.high), (&self.high, &self.high)];
-        let [low, middle, high] =
-            [ring.plus(low.0, low.1)?, ring.plus(middle.0, middle.1)?, ring.plus(high.0, high.1)?];
-        let unit: BigInt = &self.unit * 2;
-        let first = Side { low, high: middle.clone(), unit: unit.clone(), is_high_closed: true, ..self.clone() };
-        Ok([first, Side { low: middle, high, unit, is_low_closed: true, ..self.clone() }])
+        let ([low, high], [is_low_closed, is_high_closed]) = (&self.ends, self.closed);
+        let [low, middle, high] = [ring.plus(low, low)?, ring.plus(low, high)?, ring.plus(high, high)?];
+        let half = |ends, closed| Side { ends, unit: &self.unit * 2, closed };
+        Ok([half([low, middle.clone()], [is_low_closed, true]), half([middle, high], [true, is_high_closed])])
     }
 
-    fn at(&self, end: &Number<N>, unit: &BigInt) -> Side<N> {
-        let (low, high, unit) = (end.clone(), end.clone(), unit.clone());
-        Side { low, high, unit, is_low_closed: true, is_high_closed: true }
-    }
-
-    /// The middle, as an interval without length.
-    pub(crate) fn middle(&self, ring: &Large<N>) -> Checked<Side<N>> {
-        Ok(self.at(&ring.plus(&self.low, &self.high)?, &(&self.unit * 2)))
-    }
-
-    /// The ends that belong to the box, or else the middle, as intervals without length.
+    /// The middle, and then the ends that belong to the box, as intervals without length.
     pub(crate) fn points(&self, ring: &Large<N>) -> Checked<Vec<Side<N>>> {
-        let ends = [(self.is_low_closed, &self.low), (self.is_high_closed, &self.high)];
-        let closed = ends.into_iter().filter(|(is_closed, _)| *is_closed);
-        let points: Vec<_> = closed.map(|(_, end)| self.at(end, &self.unit)).collect();
-        if points.is_empty() { Ok(vec![self.middle(ring)?]) } else { Ok(points) }
+        let [low, high] = &self.ends;
+        let middle = (ring.plus(low, high)?, &self.unit * 2);
+        let closed = self.ends.iter().zip(self.closed).filter(|(_, is_closed)| *is_closed);
+        let points = [middle].into_iter().chain(closed.map(|(end, _)| (end.clone(), self.unit.clone())));
+        Ok(points.map(|(end, unit)| Side { ends: [end.clone(), end], unit, closed: [true; 2] }).collect())
     }
 }
 
@@ -103,8 +84,9 @@ impl<const N: usize> Polynomials<N> {
             let unit = |e| ring.element(&[side.unit.pow(e)]);
             let mut exponents = vec![0; axis];
             exponents.push(1);
-            let width = ring.numbers.minus(&side.high, &side.low)?;
-            let linear = Terms([(Vec::new(), side.low.clone()), (exponents, width)].into());
+            let [low, high] = &side.ends;
+            let width = ring.numbers.minus(high, low)?;
+            let linear = Terms([(Vec::new(), low.clone()), (exponents, width)].into());
             let (mut power, mut list) = (unit(0)?, Vec::new());
             for e in 0..=degree {
                 list.push(ring.times(&power, &unit(degree - e)?)?);
@@ -184,7 +166,8 @@ impl<const N: usize> Polynomials<N> {
         let (Some(side), Some(&degree)) = (self.sides.get(axis), degrees.get(axis)) else {
             return !indices.is_empty();
         };
-        let ends = [(side.is_low_closed, 0), (side.is_high_closed && degree > 0, degree)];
+        let [is_low_closed, is_high_closed] = side.closed;
+        let ends = [(is_low_closed, 0), (is_high_closed && degree > 0, degree)];
         let mut closed = ends.into_iter().filter(|(is_closed, _)| *is_closed).peekable();
         if degree == 0 || closed.peek().is_none() {
             return self.is_everywhere(indices, axis + 1, degrees);
@@ -274,8 +257,7 @@ impl<const N: usize> Ring for Polynomials<N> {
     }
 
     fn varies(&self) -> bool {
-        let coefficients = |end| self.numbers.coefficients(end);
-        self.sides.iter().any(|side| coefficients(&side.low) != coefficients(&side.high))
+        self.sides.iter().any(|side| side.ends[0] != side.ends[1])
     }
 
     fn work(&self) -> &Work {

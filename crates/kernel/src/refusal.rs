@@ -218,17 +218,13 @@ impl Stop {
 
     /// The refusal; no integers are larger.
     pub(crate) fn refusal(self) -> Refusal {
-        let (code, place) = (Code::SignUndecided, Place::Witness);
-        let undecided = || Refusal { code, place, value: Value::Nothing, point: Vec::new() };
-        self.0.map_or_else(undecided, |refusal| *refusal)
+        let (code, place, value) = (Code::SignUndecided, Place::Witness, Value::Nothing);
+        self.0.map_or_else(|| Refusal { code, place, value, point: Vec::new() }, |refusal| *refusal)
     }
 
     /// The refusal, with a place for an undecided sign.
     pub(crate) fn at(self, place: Place) -> Stop {
-        Stop(Some(Box::new(match self.0 {
-            None => Refusal { place, ..Stop::LARGER.refusal() },
-            Some(refusal) => *refusal,
-        })))
+        if self.is_larger() { Stop::refuse(Code::SignUndecided, place, Value::Nothing) } else { self }
     }
 }
 

@@ -207,6 +207,12 @@ impl<T: Int, const N: usize> Exact<T, N> {
         if T::PRICE != 0 {
             return Sign::UNDECIDED;
         }
+        let (low, high) = self.enclose(x);
+        Sign { least: low.cmp(&BigInt::ZERO), most: high.cmp(&BigInt::ZERO) }
+    }
+
+    /// 2^BITS x lies between these.
+    pub(crate) fn enclose(&self, x: &Element<T, N>) -> (BigInt, BigInt) {
         let (mut low, mut high) = (BigInt::ZERO, BigInt::ZERO);
         for (c, (least, most)) in x.0.iter().zip(&self.root.fine) {
             let c = c.big();
@@ -215,7 +221,7 @@ impl<T: Int, const N: usize> Exact<T, N> {
             low += (&x).min(&y);
             high += (&x).max(&y);
         }
-        Sign { least: low.cmp(&BigInt::ZERO), most: high.cmp(&BigInt::ZERO) }
+        (low, high)
     }
 }
 

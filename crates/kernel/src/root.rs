@@ -26,11 +26,12 @@ pub(crate) struct Root {
 impl Root {
     pub(crate) fn new(field: &Field, work: &Work) -> Checked<Root> {
         let one = BigInt::from(1) << BITS;
-        let (mut tail, mut fine) = (vec![BigInt::ZERO], vec![(one.clone(), one)]);
-        if let Field::Algebraic { polynomial: p, low, high, denominator } = field {
+        let p = &field.polynomial;
+        let tail = p.iter().take(field.degree()).map(|c| -c).collect();
+        let mut fine = vec![(one.clone(), one)];
+        if let Some([low, high, denominator]) = &field.root {
             check_root(p, low, high, denominator, work)?;
             let (low, high) = enclose(p, [low, high, denominator], work)?;
-            tail = p.iter().take(field.degree()).map(|c| -c).collect();
             while fine.len() < field.degree() {
                 let (least, most) = fine.last().ok_or(Stop::LARGER)?;
                 let (least, most) = product((least, most), (&low, &high));

@@ -8,7 +8,7 @@
 //! In the plane G gets a third row (0, 0, 1), e_3 is (0, 0, 1), and n_3 is left out.
 
 use crate::claim::{Bound, Claim, Property, Relation};
-use crate::filter::Logarithm;
+use crate::filter::Range;
 use crate::refusal::{Checked, Place, Stop, Value};
 use crate::ring::{Ring, Sign, Vector, each};
 use num_bigint::BigInt;
@@ -40,7 +40,7 @@ struct Extreme<R: Ring> {
     relation: Relation,
     minus_p: R::Element,
     q: R::Element,
-    size: Size,
+    range: Range,
 }
 
 /// A simplex and the corners of its mates, seen from its first corner.
@@ -50,9 +50,9 @@ pub(crate) struct Simplex<R: Ring> {
     pub(crate) mates: [Option<Vector<R>>; 4],
 }
 
-/// Of a quotient: the sign, and the logarithm without the sign. If the sign is undecided, the quotient is one of
-/// two, and its numerator is positive here.
-type Size = (Sign, Option<Logarithm>);
+/// Of a quotient: the sign and a range. If the sign is undecided, the quotient is one of two, and its numerator is
+/// positive here.
+type Size = (Sign, Range);
 
 /// The inner products of the pairs (1, 1), (1, 2), (1, 3), (2, 2), (2, 3), (3, 3) of three vectors.
 type Products<R> = [<R as Ring>::Element; 6];
@@ -115,10 +115,10 @@ impl<R: Ring> Rules<R> {
         let is_range = is_cosine && ring.sign(&p).decided()? == expected;
         ensure!(is_range, BoundRange, Place::Statement(statement), ring.quotient(&p, &q));
         let minus_p = if bound.sign < 0 { p } else { ring.negated(&p)? };
-        let logarithm = ring.rough(&minus_p).1.zip(ring.rough(&q).1).map(|(p, q)| Logarithm::quotient([p, p], [p, q]));
-        let size = (Sign::exactly(bound.sign.cmp(&0)), logarithm);
+        let roughs = ring.rough(&minus_p).1.zip(ring.rough(&q).1).map(|(p, q)| [p, p, p, q]);
+        let range = Range::quotient(Sign::exactly(bound.sign.cmp(&0)), roughs);
         let list = if of.is_angle() { &mut self.angles } else { &mut self.ratios };
-        list.push(Extreme { statement, property: of, relation: bound.relation, minus_p, q, size });
+        list.push(Extreme { statement, property: of, relation: bound.relation, minus_p, q, range });
         Ok(())
     }
 
@@ -183,12 +183,12 @@ impl<R: Ring> Rules<R> {
     fn check_angles(&self, (cosines, squares): &Cosines<R>, simplex: u64) -> Checked<u32> {
         let ring = &self.ring;
         let roughs = squares.each_ref().map(|x| if self.angles.is_empty() { None } else { ring.rough(x).1 });
-        let mut sizes = [(Sign::UNDECIDED, None); 6];
+        let mut sizes = [(Sign::UNDECIDED, Range::quotient(Sign::UNDECIDED, None)); 6];
         for ((c, (i, j)), size) in cosines.iter().zip(FACETS).zip(&mut sizes) {
             let (sign, rough) = if self.angles.is_empty() { (ring.sign(c), None) } else { ring.rough(c) };
-            let quotient = |((c, x), y)| Logarithm::quotient([c, c], [x, y]);
             let of = |k: usize| roughs.get(k).copied().flatten();
-            *size = (sign, rough.zip(of(i)).zip(of(j)).map(quotient));
+            let roughs = rough.zip(of(i)).zip(of(j)).map(|((c, x), y)| [c, c, x, y]);
+            *size = (sign, Range::quotient(sign, roughs));
         }
         // The squared cosine, with the sign of the cosine.
         let exact = |k: usize| {
@@ -237,19 +237,15 @@ impl<R: Ring> Rules<R> {
     ) -> Checked<u32> {
         let mut attained = 0;
         for bound in bounds {
-            let mut found = None;
-            for (k, size) in sizes.iter().enumerate() {
-                let sign = match compare(size, &bound.size) {
-                    Some(sign) => Sign::exactly(sign),
-                    None => self.compare_exactly(exact(k)?, size.0, bound)?,
-                };
-                found = Some(found.map_or(sign, |first| bound.extreme(first, sign)));
-                // No sign is beyond this one.
-                if found == Some(Sign::exactly(bound.beyond())) {
-                    break;
-                }
-            }
-            let sign = found.ok_or_else(|| Stop::LARGER)?;
+            // Quotients between their ends have a least one between the least of the ends; and so for the greatest.
+            let ranges = sizes.iter().map(|(_, range)| *range);
+            let extreme =
+                ranges.reduce(|a, b| Range { low: bound.extreme(a.low, b.low), high: bound.extreme(a.high, b.high) });
+            let extreme = extreme.ok_or_else(|| Stop::LARGER)?;
+            let sign = match extreme.compare(&bound.range) {
+                Some(sign) => Sign::exactly(sign),
+                None => self.extreme_exactly(bound, sizes, extreme, &exact)?,
+            };
             // Angles rise where cosines fall.
             let is_angle = bound.property.is_angle();
             let order = |sign: Ordering| if is_angle { sign.reverse() } else { sign };
@@ -273,8 +269,35 @@ impl<R: Ring> Rules<R> {
         Ok(attained)
     }
 
-    /// The sign of x/y - p/q, or with an undecided sign of ±x/y - p/q.
+    /// The sign of the extreme quotient, which is in a range, minus the bound.
     #[inline(never)]
+    fn extreme_exactly(
+        &self,
+        bound: &Extreme<R>,
+        sizes: &[Size],
+        extreme: Range,
+        exact: &impl Fn(usize) -> Checked<[R::Element; 2]>,
+    ) -> Checked<Sign> {
+        let mut found = None;
+        for (k, (sign, range)) in sizes.iter().enumerate() {
+            // A quotient whose range is disjoint from this one is not the extreme one.
+            if range.compare(&extreme).is_none() {
+                let sign = self.compare_exactly(exact(k)?, *sign, bound)?;
+                let extreme = |first: Sign| Sign {
+                    least: bound.extreme(first.least, sign.least),
+                    most: bound.extreme(first.most, sign.most),
+                };
+                found = Some(found.map_or(sign, extreme));
+            }
+            // No sign is beyond this one.
+            if found == Some(Sign::exactly(bound.beyond())) {
+                break;
+            }
+        }
+        found.ok_or_else(|| Stop::LARGER)
+    }
+
+    /// The sign of x/y - p/q, or with an undecided sign of ±x/y - p/q.
     fn compare_exactly(&self, [x, y]: [R::Element; 2], sign: Sign, bound: &Extreme<R>) -> Checked<Sign> {
         let difference = |x| Ok(self.ring.sign(&self.ring.dot([&bound.q, &bound.minus_p], [x, &y])?));
         let first = difference(&x)?;
@@ -313,7 +336,8 @@ impl<R: Ring> Rules<R> {
             let radius = ring.inner(&w, &self.dual(&w)?)?;
             let unit = ring.times(&ring.times(determinant, determinant)?, &self.four_det_gram)?;
             let exact = |k: usize| Ok([radius.clone(), ring.times(&unit, squares.get(k).ok_or(Stop::LARGER)?)?]);
-            let sizes = [(Sign::exactly(Greater), None); 6];
+            let positive = Sign::exactly(Greater);
+            let sizes = [(positive, Range::quotient(positive, None)); 6];
             let sizes = sizes.get(..squares.len()).unwrap_or(&sizes);
             attained = self.check_extremes(&self.ratios, sizes, exact, |_| Ok(Place::Simplex(simplex.number)))?;
         }
@@ -377,23 +401,14 @@ impl<R: Ring> Rules<R> {
     }
 }
 
-/// The order of two quotients by their signs and logarithms.
-#[inline(always)]
-fn compare((sign, x): &Size, (other, y): &Size) -> Option<Ordering> {
-    let (Some(x), Some(y), Ok(sign)) = (x, y, sign.decided()) else { return None };
-    let order = if *other == Sign::exactly(sign) { x.compare(y)? } else { Greater };
-    Some(if sign == Less { order.reverse() } else { order })
-}
-
 impl<R: Ring> Extreme<R> {
     /// The sign of a quotient minus one that is less extreme.
     fn beyond(&self) -> Ordering {
         if self.property == Property::LargestAngle { Less } else { Greater }
     }
 
-    fn extreme(&self, a: Sign, b: Sign) -> Sign {
-        let choose = if self.beyond() == Less { Ordering::min } else { Ordering::max };
-        Sign { least: choose(a.least, b.least), most: choose(a.most, b.most) }
+    fn extreme<T: Ord>(&self, a: T, b: T) -> T {
+        if self.beyond() == Less { a.min(b) } else { a.max(b) }
     }
 }
 

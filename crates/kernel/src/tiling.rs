@@ -7,22 +7,20 @@ use crate::cbor::Cbor;
 use crate::claim::{Claim, Domain, Property, Relation};
 use crate::edges::Edges;
 use crate::front::Front;
-use crate::limits::{Limits, Work};
+use crate::limits::Work;
 use crate::numbers::{Numbers, Single};
+use crate::planes;
 use crate::refusal::{Checked, Place, Stop, Value};
 use crate::row::{Row, Shape};
 use crate::rules::INSIDE;
 use crate::table::index;
-use std::ops::Deref;
 use std::rc::Rc;
 
-/// A certificate that fulfils every condition of the format. Only [`crate::verify`] makes one.
+/// A certificate that fulfils every condition of the format. Only [`crate::verify`] makes one: what it proves, and some
+/// counts.
 #[derive(Debug)]
-pub struct Verified(pub(crate) Facts);
-
-/// The claim that is proved, and some counts.
-#[derive(Debug)]
-pub struct Facts {
+#[non_exhaustive]
+pub struct Verified {
     /// The claim that is proved.
     pub claim: Claim,
     /// The number of vertices.
@@ -41,36 +39,37 @@ pub struct Facts {
     pub sha256: [u8; 32],
 }
 
-impl Deref for Verified {
-    type Target = Facts;
-
-    fn deref(&self) -> &Facts {
-        &self.0
-    }
-}
-
 /// Reads the rest of a certificate whose claim has been read.
-pub(crate) fn verify<const N: usize>(mut cbor: Cbor, claim: Claim, limits: &Limits, work: &Rc<Work>) -> Checked<Facts> {
+pub(crate) fn verify<const N: usize>(mut cbor: Cbor, claim: Claim) -> Checked<Verified> {
+    let work = &cbor.work.clone();
     let numbers = Single::<N>::new(&claim, work)?;
-    check_statements(&claim, true)?;
+    check_statements(&claim)?;
     let mut pass = Pass::new(&claim, numbers, work);
     cbor.array_of(4)?;
+    pass.numbers.read_denominator(&claim, &mut cbor)?;
     pass.read_vertices(&mut cbor)?;
     pass.read_boundary(&mut cbor)?;
-    let simplices = cbor.array()?;
-    // An empty list proves nothing.
-    ensure!(simplices > 0, NoSimplices, Place::Witness);
-    let exceeds = Value::Limit("simplices", Some(simplices));
-    ensure!(simplices <= limits.simplices, TooManySimplices, Place::Witness, exceeds);
+    let simplices = read_count(&mut cbor, 0)?;
     for simplex in 0..simplices {
         let row = pass.shape.read_row(&mut cbor, simplex)?;
         pass.check_row(&row, simplex)?;
-        pass.numbers.check_planes(&claim, &row, simplex)?;
+        let checked = planes::check_row(&claim, &pass.numbers, &row, simplex);
+        checked.map_err(|stop| stop.at(Place::Simplex(simplex)))?;
     }
     let (bytes, sha256) = cbor.finish()?;
     pass.check_end()?;
     let ((boundary_facets, peak_facets, peak_edges), vertices) = (pass.counts(), pass.shape.vertices);
-    Ok(Facts { vertices, simplices, boundary_facets, peak_facets, peak_edges, bytes, sha256, claim })
+    Ok(Verified { vertices, simplices, boundary_facets, peak_facets, peak_edges, bytes, sha256, claim })
+}
+
+/// The number of simplices in a list after so many others.
+pub(crate) fn read_count(cbor: &mut Cbor, before: u64) -> Checked<u64> {
+    let count = cbor.array()?;
+    // An empty list proves nothing.
+    ensure!(count > 0, NoSimplices, Place::Witness);
+    let all = count.saturating_add(before);
+    ensure!(all <= cbor.limits.simplices, TooManySimplices, Place::Witness, Value::Limit("simplices", Some(all)));
+    Ok(count)
 }
 
 /// The check of one tiling, or of one part of a larger structure: its rows come one by one.
@@ -90,8 +89,7 @@ pub(crate) struct Pass<'c, M> {
 }
 
 impl<const N: usize> Pass<'_, Single<N>> {
-    fn read_vertices(&mut self, cbor: &mut Cbor) -> Checked {
-        self.numbers.read_denominator(self.claim, cbor)?;
+    pub(crate) fn read_vertices(&mut self, cbor: &mut Cbor) -> Checked {
         for _ in 0..cbor.array()? {
             self.numbers.vertices.read(cbor)?;
             self.add_vertex()?;
@@ -176,29 +174,35 @@ impl<M: Numbers> Pass<'_, M> {
             ensure!(false, UnusedVertex, Place::Vertex(vertex));
         }
         self.numbers.check_volume(self.shape)?;
-        // Each maximum and each minimum is attained.
-        for (statement, index) in self.claim.statements.iter().zip(0..) {
-            let relation = statement.bound.as_ref().map(|bound| bound.relation);
-            let is_extreme = matches!(relation, Some(Relation::Maximum | Relation::Minimum));
-            // Bounds are among the first statements, so their bits exist.
-            let is_attained = || self.attained >> index & 1 == 1;
-            ensure!(!is_extreme || is_attained(), NotAttained, Place::Statement(index));
-            let is_about_spheres = statement.property == Property::NotDelaunay;
-            ensure!(!is_about_spheres || self.attained >> INSIDE == 1, NoneInside, Place::Statement(index));
-        }
-        Ok(())
+        check_attained(self.claim, self.attained)
     }
 }
 
+/// Each maximum and each minimum is attained.
+pub(crate) fn check_attained(claim: &Claim, attained: u32) -> Checked {
+    for (statement, index) in claim.statements.iter().zip(0..) {
+        let relation = statement.bound.as_ref().map(|bound| bound.relation);
+        let is_extreme = matches!(relation, Some(Relation::Maximum | Relation::Minimum));
+        // Bounds are among the first statements, so their bits exist.
+        ensure!(!is_extreme || attained >> index & 1 == 1, NotAttained, Place::Statement(index));
+        let is_about_spheres = statement.property == Property::NotDelaunay;
+        ensure!(!is_about_spheres || attained >> INSIDE == 1, NoneInside, Place::Statement(index));
+    }
+    Ok(())
+}
+
 /// Statements about angles need no domain. The others are defined for some domains only, and planes for single tilings.
-pub(crate) fn check_statements(claim: &Claim, is_single: bool) -> Checked {
+pub(crate) fn check_statements(claim: &Claim) -> Checked {
     let is_region = matches!(claim.domain, Domain::Region(_));
+    let is_mosaic = matches!(claim.domain, Domain::Mosaics(_));
     for (index, statement) in claim.statements.iter().enumerate() {
         let is_defined = match statement.property {
             Property::Delaunay | Property::WeaklyDelaunay => !is_region,
             Property::LocallyDelaunay | Property::LocallyWeaklyDelaunay => is_region,
-            Property::Tcp => claim.dimension == 3 && claim.domain == Domain::Space,
-            Property::UncrossedPlane => is_single,
+            Property::Tcp => claim.dimension == 3 && (is_mosaic || claim.domain == Domain::Space),
+            Property::UncrossedPlane => !is_mosaic && claim.parameters.is_empty(),
+            // It would be about each mosaic, and the cells differ.
+            Property::NotDelaunay => !is_mosaic,
             _ => true,
         };
         ensure!(is_defined, StatementDomain, Place::Statement(index));

@@ -2,6 +2,7 @@
 //! that are read. So the text that `--claim` compares is that of the claim that is checked.
 
 use crate::cbor::Cbor;
+use crate::claim::Claim;
 use crate::refusal::{Checked, Place};
 use num_bigint::BigInt;
 
@@ -14,8 +15,11 @@ struct Open {
 }
 
 pub(crate) struct Transcript<'c, 'r> {
-    cbor: &'c mut Cbor<'r>,
+    pub(crate) cbor: &'c mut Cbor<'r>,
     open: Vec<Open>,
+    /// Of the field and of the parameters, once they are read.
+    pub(crate) degree: usize,
+    pub(crate) parameters: usize,
     /// The claim file, complete as soon as the claim is.
     pub(crate) json: String,
 }
@@ -24,7 +28,13 @@ impl<'c, 'r> Transcript<'c, 'r> {
     pub(crate) fn new(cbor: &'c mut Cbor<'r>, kind: &str) -> Self {
         let json = format!("{{\n\"format\":\"acutile-claim\",\n\"version\":2,\n\"kind\":\"{kind}\"");
         let names = &["format", "version", "kind", "claim"];
-        Transcript { cbor, open: vec![Open { names, read: 3, length: 4 }], json }
+        Transcript { cbor, open: vec![Open { names, read: 3, length: 4 }], degree: 1, parameters: 0, json }
+    }
+
+    /// For a list outside of the claim.
+    pub(crate) fn of(cbor: &'c mut Cbor<'r>, claim: &Claim) -> Self {
+        let (degree, parameters) = (claim.field.degree(), claim.parameters.len());
+        Transcript { degree, parameters, ..Transcript::new(cbor, "") }
     }
 
     pub(crate) fn place(&self) -> Place {

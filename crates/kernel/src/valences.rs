@@ -2,11 +2,12 @@
 //! triangle has two edges that can have the valence 6.
 
 use crate::corners::Angles;
+use crate::domain::cycle;
 use crate::joins::Join;
 use crate::patch::Patch;
 use crate::refusal::{Checked, Place, Stop};
 use crate::row::Corner;
-use crate::walls::{Polygon, Side, System, cycle, name};
+use crate::walls::{Polygon, Side, System, name};
 use num_bigint::BigInt;
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -57,16 +58,16 @@ fn counts(patch: &Patch) -> Counts {
 type Sixes = Vec<BTreeMap<Edge, bool>>;
 
 pub(crate) fn check<const N: usize>(system: &System<N>, joins: &[Join<N>], angles: &Angles) -> Checked {
-    for (patch, tile) in system.parts.patches.iter().zip(0..) {
+    for (patch, tile) in system.patches.iter().zip(0..) {
         // The axis of a join is in as many cells as the polygon has corners.
         for valence in patch.pyramids.iter().map(|pyramid| pyramid.polygon.len()) {
             ensure!(matches!(valence, 5 | 6), EdgeValence, Place::Tile(tile), valence);
         }
     }
-    let counts: Vec<Counts> = system.parts.patches.iter().map(counts).collect();
+    let counts: Vec<Counts> = system.patches.iter().map(counts).collect();
     let mut walls = Walls::new();
     for side in &system.sides {
-        let patch = system.parts.patches.get(side.patch).ok_or(Stop::LARGER)?;
+        let patch = system.patches.get(side.patch).ok_or(Stop::LARGER)?;
         for (ends, count) in counts.get(side.patch).into_iter().flatten() {
             if patch.sides(ends) == [side.number] {
                 for (is_right, there) in roles(system, side, ends) {
@@ -98,7 +99,7 @@ fn roles<const N: usize>(system: &System<N>, side: &Side<N>, ends: &[Corner]) ->
         let there: Vec<Corner> = ends.iter().map(|corner| view.corner(*corner)).collect();
         (is_right, edge(&there))
     };
-    if system.parts.rank == 1 { vec![seen(false), seen(true)] } else { vec![seen(side.number == 0)] }
+    if system.rank == 1 { vec![seen(false), seen(true)] } else { vec![seen(side.number == 0)] }
 }
 
 /// All valences that an edge of a tile can have.
@@ -110,7 +111,7 @@ fn valences<const N: usize>(
     ends: &[Corner],
     count: Count,
 ) -> Checked<BTreeSet<u64>> {
-    let sides = system.parts.patches.get(tile).ok_or(Stop::LARGER)?.sides(ends);
+    let sides = system.patches.get(tile).ok_or(Stop::LARGER)?.sides(ends);
     let here = |number: u32| system.sides.iter().find(|side| side.patch == tile && side.number == number);
     match sides.as_slice() {
         [] => Ok(BTreeSet::from([count.rows + count.lateral])),
@@ -142,7 +143,7 @@ fn valences<const N: usize>(
 fn check_triangles<const N: usize>(system: &System<N>, joins: &[Join<N>], sixes: &Sixes) -> Checked {
     let is_six = |patch: usize, ends: &[Corner]| sixes.get(patch).and_then(|six| six.get(&edge(ends))).copied();
     let is_six = |patch, ends: &[Corner]| is_six(patch, ends).ok_or(Stop::LARGER);
-    for (patch, tile) in system.parts.patches.iter().zip(0..) {
+    for (patch, tile) in system.patches.iter().zip(0..) {
         let lateral = patch.pyramids.iter().flat_map(|p| cycle(&p.polygon).map(|[x, y]| vec![x, y, p.apex]));
         for triangle in patch.facets().map(|(facet, _)| facet).chain(lateral) {
             let mut count = 0;

@@ -1,15 +1,15 @@
 //! The coordinates of the vertices, as integers over their common denominator.
 
-use crate::cbor::{Cbor, Integer};
+use crate::cbor::Cbor;
 use crate::int::Int;
 use crate::refusal::{Checked, Place, Stop};
 use crate::ring::Element;
 use crate::row::Corner;
 use num_bigint::BigInt;
-use num_integer::Integer as _;
+use num_integer::Integer;
 use std::collections::BTreeMap;
 
-/// Stands for a coefficient that is in `large`.
+/// Stands for a coefficient that is in `large`, or else for itself.
 const LARGE: i64 = i64::MIN;
 
 #[derive(Default)]
@@ -52,7 +52,10 @@ impl Vertices {
                     let coefficient = coefficient.clone().map_or_else(|large| large, BigInt::from);
                     self.divisor = self.divisor.gcd(&coefficient);
                 }
-                self.push(coefficient);
+                self.small.push(coefficient.as_ref().copied().unwrap_or(LARGE));
+                if let Err(large) = coefficient {
+                    self.large.insert(self.small.len() - 1, large);
+                }
             }
         }
         ensure!(self.count < u32::MAX, VertexRange, cbor.place());
@@ -66,16 +69,6 @@ impl Vertices {
         Ok(())
     }
 
-    fn push(&mut self, coefficient: Integer) {
-        match coefficient {
-            Ok(value) if value != LARGE => self.small.push(value),
-            large => {
-                self.large.insert(self.small.len(), large.map_or_else(|large| large, BigInt::from));
-                self.small.push(LARGE);
-            }
-        }
-    }
-
     /// The coordinates of a corner, times the denominator; in the plane the third one is zero.
     pub(crate) fn point<T: Int, const N: usize>(&self, corner: Corner) -> Checked<[Element<T, N>; 3]> {
         let degree = if N <= 2 { N } else { self.degree };
@@ -87,7 +80,7 @@ impl Vertices {
         for (coordinate, values) in point.iter_mut().zip(small.chunks_exact(degree)) {
             for (slot, &value) in coordinate.0.iter_mut().zip(values) {
                 *slot = match value {
-                    LARGE => T::of(self.large.get(&index).ok_or_else(|| Stop::LARGER)?)?,
+                    LARGE => self.large.get(&index).map_or_else(|| Ok(T::from(LARGE)), T::of)?,
                     value => T::from(value),
                 };
                 index += 1;

@@ -3,6 +3,7 @@
 //! The wall coordinates of a point are those of the fibre less the offset of the side, and then,
 //! for rank 1, X = ⟨u, b⟩ along the side and Y = det(u, b) inwards; for rank 2 the height.
 
+use crate::domain::cycle;
 use crate::limits::Work;
 use crate::patch::Patch;
 use crate::refusal::{Checked, Place, Stop};
@@ -18,18 +19,14 @@ pub(crate) type Large<const N: usize> = Exact<BigInt, N>;
 pub(crate) type Point<const N: usize> = Vector<Large<N>>;
 type Number<const N: usize> = Element<BigInt, N>;
 
-/// The patches in common coordinates: times `scale`.
-pub(crate) struct Parts<const N: usize> {
+/// The patches in common coordinates: times `scale`; and their sides, where points are also multiplied by the unit of
+/// the sides.
+pub(crate) struct System<const N: usize> {
     pub(crate) ring: Large<N>,
     pub(crate) rules: Rules<Large<N>>,
     pub(crate) rank: usize,
     pub(crate) scale: BigInt,
     pub(crate) patches: Vec<Patch>,
-}
-
-/// The patches with their sides, where points are also multiplied by the unit of the sides.
-pub(crate) struct System<const N: usize> {
-    pub(crate) parts: Parts<N>,
     pub(crate) sides: Vec<Side<N>>,
 }
 
@@ -85,11 +82,6 @@ pub(crate) fn name(corners: &[Corner]) -> (Corner, Vec<Corner>) {
     (base, sorted.into_iter().map(|corner| corner.seen_from(base)).collect())
 }
 
-/// The pairs of corners that follow one another, cyclically.
-pub(crate) fn cycle(polygon: &[Corner]) -> impl Iterator<Item = [Corner; 2]> {
-    polygon.iter().zip(polygon.iter().cycle().skip(1)).map(|(one, other)| [*one, *other])
-}
-
 impl View {
     pub(crate) fn corner(&self, corner: Corner) -> Corner {
         self.corners.get(&corner.vertex).map_or(NOWHERE, |there| there.moved_by(corner))
@@ -109,12 +101,12 @@ impl View {
 }
 
 /// The sides of all tiles, with their patterns compared.
-pub(crate) fn sides<const N: usize>(parts: &Parts<N>) -> Checked<Vec<Side<N>>> {
+pub(crate) fn sides<const N: usize>(system: &System<N>) -> Checked<Vec<Side<N>>> {
     let mut sides = Vec::new();
-    for (patch, number) in parts.patches.iter().zip(0..) {
-        check_order(parts, patch, number)?;
+    for (patch, number) in system.patches.iter().zip(0..) {
+        check_order(system, patch, number)?;
         for side in 0..patch.classes.len() {
-            sides.push(Side::new(parts, patch, number, side)?);
+            sides.push(Side::new(system, patch, number, side)?);
         }
     }
     let mut walls: BTreeMap<BigInt, usize> = BTreeMap::new();
@@ -124,7 +116,7 @@ pub(crate) fn sides<const N: usize>(parts: &Parts<N>) -> Checked<Vec<Side<N>>> {
     let squares = |label: Option<&BigInt>| {
         let others = walls.iter().filter(|(other, _)| label != Some(other));
         let mut squares = others.filter_map(|(_, number)| sides.get(*number)).map(|side| &side.square);
-        squares.try_fold(parts.ring.integer(1)?, |product, square| parts.ring.times(&product, square))
+        squares.try_fold(system.ring.integer(1)?, |product, square| system.ring.times(&product, square))
     };
     let unit = squares(None)?;
     let others = sides.iter().map(|side| squares(Some(&side.label))).collect::<Checked<Vec<_>>>()?;
@@ -132,7 +124,7 @@ pub(crate) fn sides<const N: usize>(parts: &Parts<N>) -> Checked<Vec<Side<N>>> {
     for (mut side, others) in sides.into_iter().zip(others) {
         (side.others, side.unit) = (others, unit.clone());
         let wall = walls.get(&side.label).and_then(|number| done.get(*number));
-        let (left, right) = side.views(parts, wall)?;
+        let (left, right) = side.views(system, wall)?;
         (side.left, side.right) = (left, right);
         done.push(side);
     }
@@ -140,35 +132,35 @@ pub(crate) fn sides<const N: usize>(parts: &Parts<N>) -> Checked<Vec<Side<N>>> {
 }
 
 /// The vertices of a tile are counterclockwise, or in increasing order.
-fn check_order<const N: usize>(parts: &Parts<N>, patch: &Patch, tile: usize) -> Checked {
-    let ring = &parts.ring;
-    let [a, b, c] = [0, 1, 2].map(|corner| parts.base(patch, corner));
+fn check_order<const N: usize>(system: &System<N>, patch: &Patch, tile: usize) -> Checked {
+    let ring = &system.ring;
+    let [a, b, c] = [0, 1, 2].map(|corner| system.base(patch, corner));
     let (a, b) = (a?, b?);
     let turn = match c {
-        Ok(c) if parts.rank == 1 => ring.cross(&ring.difference(&a, &b)?, &ring.difference(&a, &c)?)?,
+        Ok(c) if system.rank == 1 => ring.cross(&ring.difference(&a, &b)?, &ring.difference(&a, &c)?)?,
         _ => ring.difference(&a, &b)?,
     };
     let [first, _, last] = &turn;
-    let is_ordered = ring.sign(if parts.rank == 1 { first } else { last }).is(|sign| sign == Greater)?;
+    let is_ordered = ring.sign(if system.rank == 1 { first } else { last }).is(|sign| sign == Greater)?;
     ensure!(is_ordered, TileOrder, Place::Tile(tile));
     Ok(())
 }
 
 impl<const N: usize> Side<N> {
-    fn new(parts: &Parts<N>, patch: &Patch, number: usize, side: usize) -> Checked<Self> {
-        let ring = &parts.ring;
+    fn new(system: &System<N>, patch: &Patch, number: usize, side: usize) -> Checked<Self> {
+        let ring = &system.ring;
         let mut offset = Point::<N>::default();
         let offsets = patch.offsets.get(side).ok_or(Stop::LARGER)?;
         for (slot, x) in offset.iter_mut().zip(offsets) {
-            *slot = ring.times(&ring.element(x)?, &parts.factor(patch)?)?;
+            *slot = ring.times(&ring.element(x)?, &system.factor(patch)?)?;
         }
-        let start = parts.base(patch, side)?;
-        let end = parts.base(patch, (side + 1) % patch.classes.len())?;
-        let along = if parts.rank == 1 { ring.difference(&start, &end)? } else { Default::default() };
-        let dual = parts.rules.image(&along)?;
+        let start = system.base(patch, side)?;
+        let end = system.base(patch, (side + 1) % patch.classes.len())?;
+        let along = if system.rank == 1 { ring.difference(&start, &end)? } else { Default::default() };
+        let dual = system.rules.image(&along)?;
         let [_, first, second] = &dual;
         let across = [Default::default(), ring.negated(second)?, first.clone()];
-        let square = if parts.rank == 1 { ring.inner(&along, &dual)? } else { ring.integer(1)? };
+        let square = if system.rank == 1 { ring.inner(&along, &dual)? } else { ring.integer(1)? };
         let label = patch.classes.get(side).cloned().unwrap_or_default();
         let number_of_side = u32::try_from(side).map_err(|_| Stop::LARGER)?;
         let side = Side { patch: number, number: number_of_side, label, start, offset, along, ..Side::default() };
@@ -180,13 +172,13 @@ impl<const N: usize> Side<N> {
     }
 
     /// The wall coordinates, seen from the tile of this side or from the one beyond.
-    fn coordinates(&self, parts: &Parts<N>, corner: Corner, is_turned: bool) -> Checked<Point<N>> {
-        let ring = &parts.ring;
-        let patch = parts.patches.get(self.patch).ok_or(Stop::LARGER)?;
-        let factor = parts.factor(patch)?;
+    fn coordinates(&self, system: &System<N>, corner: Corner, is_turned: bool) -> Checked<Point<N>> {
+        let ring = &system.ring;
+        let patch = system.patches.get(self.patch).ok_or(Stop::LARGER)?;
+        let factor = system.factor(patch)?;
         let point = each(&patch.vertices.point(corner)?, |x| ring.times(x, &factor))?;
         let [f, y, z] = ring.difference(&self.offset, &ring.difference(&self.start, &point)?)?;
-        if parts.rank == 2 {
+        if system.rank == 2 {
             return Ok([f, y, z]);
         }
         let base = [Default::default(), y, z];
@@ -195,31 +187,31 @@ impl<const N: usize> Side<N> {
     }
 
     /// The vertices in this side with their wall coordinates.
-    fn points(&self, parts: &Parts<N>, is_turned: bool) -> Checked<Vec<(Corner, Point<N>)>> {
-        let patch = parts.patches.get(self.patch).ok_or(Stop::LARGER)?;
+    fn points(&self, system: &System<N>, is_turned: bool) -> Checked<Vec<(Corner, Point<N>)>> {
+        let patch = system.patches.get(self.patch).ok_or(Stop::LARGER)?;
         let corners = (0..patch.vertices.count).map(|vertex| Corner { vertex, shift: [0; 3] });
         let corners = corners.filter(|corner| patch.sides(&[*corner]).contains(&self.number));
-        corners.map(|corner| Ok((corner, self.coordinates(parts, corner, is_turned)?))).collect()
+        corners.map(|corner| Ok((corner, self.coordinates(system, corner, is_turned)?))).collect()
     }
 
     /// The pattern, which is that of the first side of the class, from here and from beyond.
-    fn views(&self, parts: &Parts<N>, wall: Option<&Side<N>>) -> Checked<(View, View)> {
-        let points = wall.unwrap_or(self).points(parts, false)?;
-        let left = self.view(parts, &points, false)?;
+    fn views(&self, system: &System<N>, wall: Option<&Side<N>>) -> Checked<(View, View)> {
+        let points = wall.unwrap_or(self).points(system, false)?;
+        let left = self.view(system, &points, false)?;
         let is_same =
             wall.is_none_or(|wall| left.polygons.keys().eq(wall.left.polygons.keys()) && self.square == wall.square);
         ensure!(is_same, WallPattern, self.place());
-        let right = self.view(parts, &points, parts.rank == 1)?;
+        let right = self.view(system, &points, system.rank == 1)?;
         ensure!(left.polygons.keys().eq(right.polygons.keys()), WallReversal, self.place());
         Ok((left, right))
     }
 
-    fn view(&self, parts: &Parts<N>, wall: &[(Corner, Point<N>)], is_turned: bool) -> Checked<View> {
-        let patch = parts.patches.get(self.patch).ok_or(Stop::LARGER)?;
+    fn view(&self, system: &System<N>, wall: &[(Corner, Point<N>)], is_turned: bool) -> Checked<View> {
+        let patch = system.patches.get(self.patch).ok_or(Stop::LARGER)?;
         let mut view = View::default();
-        for (corner, point) in self.points(parts, is_turned)? {
-            view.corners.insert(corner.vertex, self.corner_at(parts, wall, &point)?);
-            parts.ring.work().check(self.place())?;
+        for (corner, point) in self.points(system, is_turned)? {
+            view.corners.insert(corner.vertex, self.corner_at(system, wall, &point)?);
+            system.ring.work().check(self.place())?;
         }
         for (pyramid, number) in patch.pyramids.iter().zip(0..).filter(|(pyramid, _)| pyramid.side == self.number) {
             view.add(pyramid.polygon.clone(), pyramid.apex, Some(number));
@@ -231,12 +223,12 @@ impl<const N: usize> Side<N> {
     }
 
     /// The corner of the wall at these coordinates: X is the same, and the others differ by a lattice vector.
-    fn corner_at(&self, parts: &Parts<N>, wall: &[(Corner, Point<N>)], point: &Point<N>) -> Checked<Corner> {
+    fn corner_at(&self, system: &System<N>, wall: &[(Corner, Point<N>)], point: &Point<N>) -> Checked<Corner> {
         for (corner, there) in wall {
-            let difference = parts.ring.difference(there, point)?;
-            let shift = each(&difference, |x| Ok(parts.whole(x, &parts.scale)));
-            parts.ring.work().add(50);
-            match (shift?, parts.rank) {
+            let difference = system.ring.difference(there, point)?;
+            let shift = each(&difference, |x| Ok(system.whole(x, &system.scale)));
+            system.ring.work().add(50);
+            match (shift?, system.rank) {
                 ([Some(f), ..], 1) if difference[1] == Element::default() => {
                     return Ok(Corner { shift: [f, 0, 0], ..*corner });
                 }
@@ -251,17 +243,17 @@ impl<const N: usize> Side<N> {
     /// by a lattice vector.
     pub(crate) fn point_of(
         &self,
-        parts: &Parts<N>,
+        system: &System<N>,
         right: &Side<N>,
         corner: Corner,
         shift: Corner,
     ) -> Checked<Point<N>> {
-        let ring = &parts.ring;
-        let there = right.coordinates(parts, corner, true)?;
-        let shift = each(&shift.shift, |s| ring.times(&ring.integer(i64::from(*s))?, &ring.long(&parts.scale)?))?;
-        let plus = |a: &Point<N>, b: &Point<N>| parts.sum(a, b);
+        let ring = &system.ring;
+        let there = right.coordinates(system, corner, true)?;
+        let shift = each(&shift.shift, |s| ring.times(&ring.integer(i64::from(*s))?, &ring.long(&system.scale)?))?;
+        let plus = |a: &Point<N>, b: &Point<N>| system.sum(a, b);
         let home = plus(&plus(&self.offset, &shift)?, &self.start)?;
-        if parts.rank == 2 {
+        if system.rank == 2 {
             return each(&plus(&home, &there)?, |x| ring.times(x, &self.unit));
         }
         // X u + Y v, which is ⟨u, u⟩ times the vector in the base.
@@ -275,7 +267,7 @@ impl<const N: usize> Side<N> {
     }
 }
 
-impl<const N: usize> Parts<N> {
+impl<const N: usize> System<N> {
     /// The multiple of a patch's coordinates that has the denominator `scale`.
     fn factor(&self, patch: &Patch) -> Checked<Number<N>> {
         self.ring.element(&[&self.scale / &patch.vertices.denominator])
@@ -303,20 +295,18 @@ impl<const N: usize> Parts<N> {
         let whole = i32::try_from(first / divisor).ok()?;
         (is_integer && whole.unsigned_abs() < 1 << 29).then_some(whole)
     }
-}
 
-impl<const N: usize> System<N> {
     /// A corner of a patch in common coordinates.
     pub(crate) fn point(&self, patch: usize, corner: Corner) -> Checked<Point<N>> {
-        let patch = self.parts.patches.get(patch).ok_or(Stop::LARGER)?;
-        let factor = self.parts.ring.times(&self.parts.factor(patch)?, self.unit()?)?;
-        each(&patch.vertices.point(corner)?, |x| self.parts.ring.times(x, &factor))
+        let patch = self.patches.get(patch).ok_or(Stop::LARGER)?;
+        let factor = self.ring.times(&self.factor(patch)?, self.unit()?)?;
+        each(&patch.vertices.point(corner)?, |x| self.ring.times(x, &factor))
     }
 
     /// A lattice vector in common coordinates.
     pub(crate) fn shift(&self, corner: &Corner) -> Checked<Point<N>> {
-        let factor = self.parts.ring.times(&self.parts.ring.long(&self.parts.scale)?, self.unit()?)?;
-        each(&corner.shift, |s| self.parts.ring.times(&self.parts.ring.integer(i64::from(*s))?, &factor))
+        let factor = self.ring.times(&self.ring.long(&self.scale)?, self.unit()?)?;
+        each(&corner.shift, |s| self.ring.times(&self.ring.integer(i64::from(*s))?, &factor))
     }
 
     fn unit(&self) -> Checked<&Number<N>> {
@@ -324,7 +314,7 @@ impl<const N: usize> System<N> {
     }
 
     pub(crate) fn work(&self) -> &Work {
-        self.parts.ring.work()
+        self.ring.work()
     }
 
     pub(crate) fn side(&self, number: usize) -> Checked<&Side<N>> {

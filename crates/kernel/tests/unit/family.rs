@@ -19,7 +19,8 @@ fn end((numerator, denominator, is_closed): Given) -> End {
 
 fn large() -> Exact<BigInt, 1> {
     let work = Rc::new(Work::new(u64::MAX));
-    Exact::new(&Rc::new(Root::new(&Field::Rational, &work).unwrap()), &work).unwrap()
+    let field = Field { polynomial: [0, 1].map(BigInt::from).to_vec(), root: None };
+    Exact::new(&Rc::new(Root::new(&field, &work).unwrap()), &work).unwrap()
 }
 
 fn sides(ends: &[[Given; 2]]) -> Vec<Side<1>> {

@@ -1,7 +1,7 @@
 //! The filters against exact integers: what they decide is true. Without their error bounds it would not be.
 
 use crate::claim::Field;
-use crate::filter::{Interval, Intervals, Logarithm, Rough};
+use crate::filter::{Interval, Intervals, Range, Rough};
 use crate::int::Int;
 use crate::limits::Work;
 use crate::ring::{Element, Exact, Ring, Sign};
@@ -25,13 +25,12 @@ fn root(field: &Field) -> (Rc<Root>, Rc<Work>) {
 
 /// Q(√5)
 fn golden() -> (Rc<Root>, Rc<Work>) {
-    let [low, high, denominator] = [2, 3, 1].map(BigInt::from);
-    root(&Field::Algebraic { polynomial: [-5, 0, 1].map(BigInt::from).to_vec(), low, high, denominator })
+    root(&Field { polynomial: [-5, 0, 1].map(BigInt::from).to_vec(), root: Some([2, 3, 1].map(BigInt::from)) })
 }
 
 #[test]
 fn intervals_of_sums_of_products() {
-    let (root, work) = root(&Field::Rational);
+    let (root, work) = root(&Field { polynomial: [0, 1].map(BigInt::from).to_vec(), root: None });
     let ring = Intervals { root, work };
     let mut random = random();
     let (mut decided, mut would_be_wrong) = (0, 0);
@@ -62,7 +61,7 @@ fn intervals_of_sums_of_products() {
 }
 
 #[test]
-fn orders_of_logarithms() {
+fn orders_of_quotients() {
     let mut random = random();
     let (mut decided, mut would_be_wrong) = (0, 0);
     for round in 0..100_000u64 {
@@ -82,16 +81,43 @@ fn orders_of_logarithms() {
                 e = (near, Rough::new(near, 0, 0).unwrap());
             }
         }
-        let first = Logarithm::quotient([a.1, b.1], [c.1, d.1]);
-        let second = Logarithm::quotient([e.1, f.1], [f.1, f.1]);
         let exact = (BigInt::from(a.0) * b.0 * f.0).cmp(&(BigInt::from(e.0) * c.0 * d.0));
-        if let Some(order) = first.compare(&second) {
-            assert_eq!(order, exact);
-            decided += 1;
+        // The same for the negative quotients, which have the reverse order.
+        let signs = [Ordering::Greater, Ordering::Less].map(Sign::exactly);
+        for (sign, exact) in signs.into_iter().zip([exact, exact.reverse()]) {
+            let first = Range::quotient(sign, Some([a.1, b.1, c.1, d.1]));
+            let second = Range::quotient(sign, Some([e.1, f.1, f.1, f.1]));
+            if let Some(order) = first.compare(&second) {
+                assert_eq!(order, exact);
+                decided += 1;
+            }
+            let middle = |range: Range| range.low.midpoint(range.high);
+            would_be_wrong += u64::from(middle(first).cmp(&middle(second)) != exact && exact != Equal);
         }
-        would_be_wrong += u64::from(first.middle.cmp(&second.middle) != exact && exact != Equal);
     }
     assert!(decided > 10_000 && would_be_wrong > 100, "{decided} decided, {would_be_wrong} wrong middles");
+}
+
+#[test]
+fn orders_of_different_signs() {
+    let five = Rough::new(5, 0, 0);
+    let quotient = |sign, roughs| Range::quotient(sign, roughs);
+    let known = five.map(|five| [five; 4]);
+    let ordered = [Ordering::Less, Equal, Ordering::Greater].map(Sign::exactly);
+    for (k, x) in ordered.into_iter().enumerate() {
+        for (l, y) in ordered.into_iter().enumerate() {
+            for (first, second) in [(None, None), (known, None), (known, known)] {
+                let found = quotient(x, first).compare(&quotient(y, second));
+                assert_eq!(found, (k != l).then(|| k.cmp(&l)));
+            }
+        }
+        // Without a sign a quotient is one of two.
+        for roughs in [None, known] {
+            assert_eq!(quotient(x, roughs).compare(&quotient(Sign::UNDECIDED, roughs)), None);
+        }
+    }
+    // Exponents that would not fit the scale are left to exact integers.
+    assert!(Rough::new(5, 0, 1 << 40).is_none() && Rough::new(5, 0, -(1 << 40)).is_none());
 }
 
 /// The order of p and q √5.

@@ -50,12 +50,10 @@ fn integer(bytes: &mut Vec<u8>, x: i64) {
 /// The verdict on these boundary facets and these rows.
 fn verdict<const N: usize>(case: &Case, facets: &[[Corner; 3]], scale: Scale, limits: &Limits) -> Result<(), Code> {
     let (factor, field) = match scale {
-        Scale::Rational(x) => (vec![x], Field::Rational),
+        Scale::Rational(x) => (vec![x], Field { polynomial: [0, 1].map(BigInt::from).to_vec(), root: None }),
         Scale::Root(x, y) => {
-            let [polynomial, ends] = [vec![-2, 0, 1], vec![1, 2, 1]]
-                .map(|numbers: Vec<i64>| numbers.into_iter().map(BigInt::from).collect::<Vec<_>>());
-            let [low, high, denominator] = ends.try_into().unwrap();
-            (vec![x, y], Field::Algebraic { polynomial, low, high, denominator })
+            let (polynomial, root) = ([-2, 0, 1].map(BigInt::from).to_vec(), Some([1, 2, 1].map(BigInt::from)));
+            (vec![x, y], Field { polynomial, root })
         }
     };
     // Over Q(√2) the denominator has no factor, so that the lattice is scaled the other way:
