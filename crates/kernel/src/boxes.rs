@@ -114,7 +114,9 @@ impl Grid {
         let points = (0..shape.vertices).map(bounds).collect::<Checked<_>>()?;
         let mut grid = Grid { points, periods: [1 << 62; 3] };
         for period in grid.periods.iter_mut().take(shape.rank) {
-            *period = (BigInt::from(1) << bits).top(dropped)?;
+            // A whole number of units, unless a coordinate has more than 40 bits in periods.
+            let kept = bits.checked_sub(dropped).ok_or(Stop::LARGER)?;
+            *period = (BigInt::from(1) << kept).top(0)?;
         }
         Ok(grid)
     }

@@ -14,7 +14,7 @@ use crate::ring::{Exact, Ring, Vector};
 use crate::root::Root;
 use crate::row::{Corner, Row, Shape};
 use crate::table::index;
-use crate::tiling::{Pass, Verified, check_statements, read_count};
+use crate::tiling::{Facts, Pass, check_statements, read_count};
 use crate::transcript::Transcript;
 use num_bigint::BigInt;
 use num_integer::Integer;
@@ -87,7 +87,7 @@ struct Family<'c, const N: usize> {
 }
 
 /// Reads the rest of a certificate whose claim has been read.
-pub(crate) fn verify<const N: usize>(mut cbor: Cbor, claim: Claim) -> Checked<Verified> {
+pub(crate) fn verify<const N: usize>(mut cbor: Cbor, claim: Claim) -> Checked<Facts> {
     let root = Rc::new(Root::new(&claim.field, &cbor.work)?);
     let ring = Exact::new(&root, &cbor.work)?;
     let mut sides: Box<N> = Vec::new();
@@ -114,7 +114,7 @@ pub(crate) fn verify<const N: usize>(mut cbor: Cbor, claim: Claim) -> Checked<Ve
     }
     let (boundary_facets, peak_facets, peak_edges) = counts;
     let (vertices, simplices) = (shape.vertices, u64::try_from(family.rows.len()).unwrap_or(u64::MAX));
-    Ok(Verified { vertices, simplices, boundary_facets, peak_facets, peak_edges, bytes, sha256, claim })
+    Ok(Facts { vertices, simplices, boundary_facets, peak_facets, peak_edges, bytes, sha256, claim })
 }
 
 impl<'c, const N: usize> Family<'c, N> {

@@ -40,7 +40,7 @@ mod walls;
 pub use claim::Claim;
 pub use limits::Limits;
 pub use refusal::{Code, Kind, Place, Refusal, Value};
-pub use tiling::Verified;
+pub use tiling::{Facts, Verified};
 
 use cbor::Cbor;
 use claim::Domain;
@@ -55,10 +55,10 @@ use std::rc::Rc;
 /// The first condition that does not hold, in the order in which the file is read.
 pub fn verify(input: &mut dyn Read, limits: &Limits) -> Result<Verified, Refusal> {
     let work = Rc::new(Work::new(limits.work));
-    read(Cbor::new(input, limits, &work)).map_err(Stop::refusal)
+    read(Cbor::new(input, limits, &work)).map(Verified).map_err(Stop::refusal)
 }
 
-fn read(mut cbor: Cbor) -> Checked<Verified> {
+fn read(mut cbor: Cbor) -> Checked<Facts> {
     cbor.array_of(5)?;
     ensure!(cbor.text()? == "acutile-certificate", Format, cbor.place());
     let version = cbor.small()?;
@@ -74,7 +74,7 @@ fn read(mut cbor: Cbor) -> Checked<Verified> {
     }
 }
 
-fn check<const N: usize>(cbor: Cbor, claim: Claim) -> Checked<Verified> {
+fn check<const N: usize>(cbor: Cbor, claim: Claim) -> Checked<Facts> {
     match &claim.domain {
         Domain::Mosaics(_) => patches::verify::<N>(cbor, claim),
         _ if !claim.parameters.is_empty() => family::verify::<N>(cbor, claim),

@@ -4,7 +4,7 @@
 
 mod text;
 
-use acutile_kernel::{Code, Limits, Verified, verify};
+use acutile_kernel::{Code, Facts, Limits, Verified, verify};
 use std::ffi::OsString;
 use std::fs::{self, File};
 use std::io::{self, Read, Write};
@@ -139,7 +139,7 @@ fn line(file: &str, found: &Result<Verified, Failure>, is_json: bool) -> String 
     let name = if is_json { text::json(file) } else { text::name(file) };
     match (found, is_json) {
         (Ok(found), _) => {
-            let Verified { simplices, vertices, bytes, boundary_facets, peak_facets, peak_edges, sha256, .. } = found;
+            let Facts { simplices, vertices, bytes, boundary_facets, peak_facets, peak_edges, sha256, .. } = &**found;
             let sha256: String = sha256.iter().map(|byte| format!("{byte:02x}")).collect();
             if !is_json {
                 let counts = format!("{simplices} simplices, {vertices} vertices");

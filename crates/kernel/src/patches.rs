@@ -12,7 +12,7 @@ use crate::refusal::{Checked, Place, Stop};
 use crate::ring::Exact;
 use crate::root::Root;
 use crate::rules::Rules;
-use crate::tiling::{Verified, check_statements};
+use crate::tiling::{Facts, check_statements};
 use crate::valences;
 use crate::walls::{System, sides};
 use num_bigint::BigInt;
@@ -20,7 +20,7 @@ use num_integer::Integer;
 use std::rc::Rc;
 
 /// Reads and checks the rest of a certificate whose claim has been read.
-pub(crate) fn verify<const N: usize>(mut cbor: Cbor, claim: Claim) -> Checked<Verified> {
+pub(crate) fn verify<const N: usize>(mut cbor: Cbor, claim: Claim) -> Checked<Facts> {
     let Domain::Mosaics((rank, tiles)) = &claim.domain else { return Err(Stop::LARGER) };
     let root = Root::new(&claim.field, &cbor.work)?;
     let ring = Exact::<BigInt, N>::new(&Rc::new(root), &cbor.work)?;
@@ -50,5 +50,5 @@ pub(crate) fn verify<const N: usize>(mut cbor: Cbor, claim: Claim) -> Checked<Ve
         valences::check(&system, &joins, &angles)?;
     }
     let (boundary_facets, peak_facets, peak_edges) = (0, 0, 0);
-    Ok(Verified { claim, vertices, simplices: rows, boundary_facets, peak_facets, peak_edges, bytes, sha256 })
+    Ok(Facts { claim, vertices, simplices: rows, boundary_facets, peak_facets, peak_edges, bytes, sha256 })
 }

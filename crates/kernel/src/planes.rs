@@ -20,6 +20,9 @@ pub(crate) fn check_row<const N: usize>(claim: &Claim, numbers: &Single<N>, row:
     for plane in claim.statements.iter().filter_map(|statement| statement.plane.as_ref()) {
         let step = plane.normal.iter().take(claim.rank()).fold(0, |step: i64, c| step.gcd(c));
         let unit = &plane.denominator * &vertices.denominator * step.max(1);
+        // The numbers, which have no price of their own.
+        ring.work().add(800);
+        ring.work().check(Place::Simplex(simplex))?;
         let corners = row.corners.iter().take(claim.dimension + 1);
         let heights = corners.map(|corner| height(plane, ring, &vertices.point(*corner)?, &vertices.denominator));
         let heights = heights.collect::<Checked<Vec<_>>>()?;

@@ -14,13 +14,16 @@ use crate::refusal::{Checked, Place, Stop, Value};
 use crate::row::{Row, Shape};
 use crate::rules::INSIDE;
 use crate::table::index;
+use std::ops::Deref;
 use std::rc::Rc;
 
-/// A certificate that fulfils every condition of the format. Only [`crate::verify`] makes one: what it proves, and some
-/// counts.
+/// A certificate that fulfils every condition of the format. Only [`crate::verify`] makes one, and nobody can change it.
 #[derive(Debug)]
-#[non_exhaustive]
-pub struct Verified {
+pub struct Verified(pub(crate) Facts);
+
+/// The claim that is proved, and some counts.
+#[derive(Debug)]
+pub struct Facts {
     /// The claim that is proved.
     pub claim: Claim,
     /// The number of vertices.
@@ -39,8 +42,16 @@ pub struct Verified {
     pub sha256: [u8; 32],
 }
 
+impl Deref for Verified {
+    type Target = Facts;
+
+    fn deref(&self) -> &Facts {
+        &self.0
+    }
+}
+
 /// Reads the rest of a certificate whose claim has been read.
-pub(crate) fn verify<const N: usize>(mut cbor: Cbor, claim: Claim) -> Checked<Verified> {
+pub(crate) fn verify<const N: usize>(mut cbor: Cbor, claim: Claim) -> Checked<Facts> {
     let work = &cbor.work.clone();
     let numbers = Single::<N>::new(&claim, work)?;
     check_statements(&claim)?;
@@ -59,7 +70,7 @@ pub(crate) fn verify<const N: usize>(mut cbor: Cbor, claim: Claim) -> Checked<Ve
     let (bytes, sha256) = cbor.finish()?;
     pass.check_end()?;
     let ((boundary_facets, peak_facets, peak_edges), vertices) = (pass.counts(), pass.shape.vertices);
-    Ok(Verified { vertices, simplices, boundary_facets, peak_facets, peak_edges, bytes, sha256, claim })
+    Ok(Facts { vertices, simplices, boundary_facets, peak_facets, peak_edges, bytes, sha256, claim })
 }
 
 /// The number of simplices in a list after so many others.

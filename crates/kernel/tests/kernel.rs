@@ -176,6 +176,24 @@ fn changed_bytes_never_panic() {
     assert!(verified < count / 10, "{verified} of {count}");
 }
 
+/// Triangles in a row, of each height: right, or too far from the lattice for the boxes of their facets.
+#[test]
+fn coordinates_far_from_the_lattice_are_verified_or_declined() {
+    let path = folder().join("valid/region-plane-rank-1-triangles-in-a-row.json");
+    let text = std::fs::read_to_string(path).unwrap();
+    assert_eq!(text.matches("[1,2]").count(), 1);
+    let verdicts: Vec<&str> = (0..100)
+        .map(|bits| {
+            // JSON has longer integers as texts.
+            let quote = if bits < 53 { "" } else { "\"" };
+            let json = text.replace("[1,2]", &format!("[1,{quote}{}{quote}]", 1u128 << bits));
+            code(&check(&transcribe(json.as_bytes()).unwrap(), &Limits::DEFAULT))
+        })
+        .collect();
+    assert!(verdicts[2..30].iter().all(|verdict| *verdict == "verified"), "{verdicts:?}");
+    assert!(verdicts[30..].iter().all(|verdict| ["verified", "sign-undecided"].contains(verdict)), "{verdicts:?}");
+}
+
 #[test]
 fn a_prefix_is_no_certificate() {
     for file in files().iter().filter(|file| file.folder == "valid").step_by(7) {
