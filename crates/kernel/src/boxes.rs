@@ -95,13 +95,13 @@ pub(crate) struct Grid {
 
 impl Grid {
     pub(crate) fn new<const N: usize>(shape: Shape, vertices: &Vertices, root: &Root) -> Checked<Grid> {
-        let bits = BITS - root.dropped;
-        // Integers between which the coordinates lie, times 2^bits.
+        // Integers between which the coordinates lie, times 2^bits. The powers of a large root have no bits after the point.
+        let (bits, up) = (BITS.saturating_sub(root.dropped), root.dropped.saturating_sub(BITS));
         let ends = |vertex| -> Checked<[(BigInt, BigInt); 3]> {
             let point = vertices.point::<BigInt, N>(Corner { vertex, shift: [0; 3] })?;
             each(&point, |x| {
                 let (middle, radius, s) = enclosure(&x.0, &root.rough)?;
-                let floor = |end: i128| (BigInt::from(end) << s).div_floor(&vertices.denominator);
+                let floor = |end: i128| (BigInt::from(end) << (s + up)).div_floor(&vertices.denominator);
                 Ok((floor(middle - radius.cast_signed()), floor(middle + radius.cast_signed()) + 1))
             })
         };

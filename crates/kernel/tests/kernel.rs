@@ -15,6 +15,7 @@ mod common;
 
 use acutile_kernel::{Code, Kind, Limits, Refusal, Verified, verify};
 use common::{File, files, folder, transcribe};
+use num_bigint::BigInt;
 use std::collections::BTreeSet;
 use std::io::Write;
 use std::process::{Command, Output, Stdio};
@@ -192,6 +193,23 @@ fn coordinates_far_from_the_lattice_are_verified_or_declined() {
         .collect();
     assert!(verdicts[2..30].iter().all(|verdict| *verdict == "verified"), "{verdicts:?}");
     assert!(verdicts[30..].iter().all(|verdict| ["verified", "sign-undecided"].contains(verdict)), "{verdicts:?}");
+}
+
+/// The kite with the corners (0, 0), (2, 0), (1, a) and (1, -a), for the root a of 2^2k + 1 between 2^k and 2^k + 1.
+#[test]
+fn coordinates_over_a_large_root_are_verified() {
+    let text = std::fs::read_to_string(folder().join("valid/region-plane-over-sqrt-3.json")).unwrap();
+    // Without the statements about angles and circles.
+    let (begin, end) = (text.find(",\n\"acute\"").unwrap(), text.find("\n]\n},\n\"witness\"").unwrap());
+    let text = text[..begin].to_owned() + &text[end..];
+    for k in [60, 64, 70, 200, 1000] {
+        let power = |exponent: u32| BigInt::from(1) << exponent;
+        let (square, low): (BigInt, BigInt) = (power(2 * k) + 1, power(k));
+        let json = text
+            .replace("[-3,0,1]", &format!("[\"-{square}\",0,1]"))
+            .replace("\"low\":1,\"high\":2", &format!("\"low\":\"{low}\",\"high\":\"{}\"", &low + 1));
+        assert_eq!(code(&check(&transcribe(json.as_bytes()).unwrap(), &Limits::DEFAULT)), "verified", "{k}");
+    }
 }
 
 #[test]
