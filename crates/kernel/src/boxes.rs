@@ -86,7 +86,7 @@ impl Tree {
     }
 }
 
-/// Coordinates as integers of about 40 bits, in one unit for all axes.
+/// Coordinates as integers of at most 43 bits, in one unit for all axes.
 pub(crate) struct Grid {
     points: Vec<Bounds>,
     /// The lengths of the lattice's basis vectors. Along other axes, more than the size of any box.
@@ -109,12 +109,12 @@ impl Grid {
         for vertex in 0..shape.vertices {
             most = ends(vertex)?.iter().fold(most, |most, (low, high)| most.max(low.bits()).max(high.bits()));
         }
-        let dropped = most.saturating_sub(40);
+        let dropped = most.saturating_sub(42);
         let bounds = |vertex| each(&ends(vertex)?, |(low, high)| Ok((low.top(dropped)?, high.top(dropped)? + 1)));
         let points = (0..shape.vertices).map(bounds).collect::<Checked<_>>()?;
         let mut grid = Grid { points, periods: [1 << 62; 3] };
         for period in grid.periods.iter_mut().take(shape.rank) {
-            // A whole number of units, unless a coordinate has more than 40 bits in periods.
+            // A whole number of units, unless a coordinate has more than 42 bits in periods.
             let kept = bits.checked_sub(dropped).ok_or(Stop::LARGER)?;
             *period = (BigInt::from(1) << kept).top(0)?;
         }
