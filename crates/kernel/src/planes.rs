@@ -20,7 +20,7 @@ pub(crate) fn check_row<const N: usize>(claim: &Claim, numbers: &Single<N>, row:
     for plane in claim.statements.iter().filter_map(|statement| statement.plane.as_ref()) {
         let step = plane.normal.iter().take(claim.rank()).fold(0, |step: i64, c| step.gcd(c));
         let unit = &plane.denominator * &vertices.denominator * step.max(1);
-        // The numbers, which have no price of their own.
+        // The memory of the numbers below; their products have a price where they are computed.
         ring.work().add(800);
         ring.work().check(Place::Simplex(simplex))?;
         let corners = row.corners.iter().take(claim.dimension + 1);

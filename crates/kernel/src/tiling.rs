@@ -73,7 +73,7 @@ pub(crate) fn verify<const N: usize>(mut cbor: Cbor, claim: Claim) -> Checked<Fa
     Ok(Facts { vertices, simplices, boundary_facets, peak_facets, peak_edges, bytes, sha256, claim })
 }
 
-/// The number of simplices in a list after so many others.
+/// Reads the length of a list of simplices. Together with those of earlier lists it is within the limit.
 pub(crate) fn read_count(cbor: &mut Cbor, before: u64) -> Checked<u64> {
     let count = cbor.array()?;
     // An empty list proves nothing.

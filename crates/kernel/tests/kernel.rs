@@ -212,6 +212,19 @@ fn coordinates_over_a_large_root_are_verified() {
     }
 }
 
+/// Many planes in a small file cost work for each of its rows.
+#[test]
+fn planes_have_a_price() {
+    let text = std::fs::read_to_string(folder().join("valid/plane-uncrossed-lines.json")).unwrap();
+    let first = "[\"uncrossed plane\",[0,1],[0,1]]";
+    assert_eq!(text.matches(first).count(), 1);
+    let planes: Vec<String> = (0..1000).map(|k| format!("[\"uncrossed plane\",[0,1],[{k},1]]")).collect();
+    let cbor = transcribe(text.replace(first, &planes.join(",\n")).as_bytes()).unwrap();
+    assert_eq!(code(&check(&cbor, &Limits::DEFAULT)), "verified");
+    // Two rows, and 800 units of work for each plane.
+    assert_eq!(code(&check(&cbor, &Limits { work: 1_600_000, ..Limits::DEFAULT })), "work");
+}
+
 #[test]
 fn a_prefix_is_no_certificate() {
     for file in files().iter().filter(|file| file.folder == "valid").step_by(7) {
